@@ -1,0 +1,55 @@
+# Compiler flags, as interface targets that are linked privately and never installed:
+#
+#   gatunSanitizers   the sanitizers of GATUN_SANITIZE, for everything, generated code included
+#   gatunBuildFlags   that, and warnings, for code written by hand
+option(GATUN_WARNINGS_AS_ERRORS "Stop at the first compiler warning" OFF)
+
+set(GATUN_SANITIZE "" CACHE STRING
+  "Sanitizers to build with, such as \"address,undefined\" or \"thread\"; empty for none")
+set_property(CACHE GATUN_SANITIZE PROPERTY STRINGS "" "address,undefined" "thread")
+
+add_library(gatunSanitizers INTERFACE)
+if (GATUN_SANITIZE)
+  if (NOT CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    message(FATAL_ERROR "GATUN_SANITIZE needs GCC or clang.")
+  endif ()
+  string(REPLACE ";" "," sanitizers "${GATUN_SANITIZE}")
+  target_compile_options(gatunSanitizers INTERFACE
+    "-fsanitize=${sanitizers}" -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
+  target_link_options(gatunSanitizers INTERFACE
+    "-fsanitize=${sanitizers}")
+endif ()
+if (GATUN_BUILD_FUZZERS)
+  if (NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    message(FATAL_ERROR "GATUN_BUILD_FUZZERS needs clang (-DCMAKE_CXX_COMPILER=clang++).")
+  endif ()
+  # Libraries report their coverage to libFuzzer, which only the fuzzers themselves contain.
+  target_compile_options(gatunSanitizers INTERFACE -fsanitize=fuzzer-no-link)
+endif ()
+
+add_library(gatunBuildFlags INTERFACE)
+target_link_libraries(gatunBuildFlags INTERFACE gatunSanitizers)
+# No -Wpedantic: it finds a stray semicolon in every use of vtkTypeMacro. The core, which has none,
+# gets it in gatunVTKBuild.cmake.
+if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  target_compile_options(gatunBuildFlags INTERFACE
+    -Wall
+    -Wextra
+    -Wshadow
+    -Wundef
+    -Wcast-align
+    -Wcast-qual
+    -Wformat=2
+    "$<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor;-Woverloaded-virtual>"
+    "$<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wduplicated-cond;-Wlogical-op;-Wno-psabi>"
+    "$<$<BOOL:${GATUN_WARNINGS_AS_ERRORS}>:-Werror>")
+elseif (MSVC)
+  target_compile_options(gatunBuildFlags INTERFACE
+    /W4
+    "$<$<BOOL:${GATUN_WARNINGS_AS_ERRORS}>:/WX>")
+endif ()
+
+# A static library names what it links, even privately, to those who link it.
+if (NOT BUILD_SHARED_LIBS AND NOT GATUN_BUILD_PARAVIEW_PLUGIN)
+  install(TARGETS gatunBuildFlags gatunSanitizers EXPORT Gatun)
+endif ()

@@ -1,0 +1,135 @@
+# The build for a plain VTK: libraries, Python package, CMake package, the gtn program.
+
+# Every VTK module that anything here links, tests and tools included, is named: VTK's package
+# makes the targets of a module's own dependencies (MPI, X11) only for the components asked for.
+set(gatun_vtk_components
+  CommonCore
+  CommonDataModel
+  CommonExecutionModel
+  CommonMisc
+  CommonSystem
+  FiltersCore
+  FiltersGeneral
+  FiltersGeometry
+  FiltersSources
+  IOCore
+  IOImage
+  IOLegacy
+  IOParallelXML
+  IOXML
+  ImagingCore
+  RenderingCore
+  RenderingOpenGL2
+  RenderingVolume
+  RenderingVolumeOpenGL2
+  TestingCore
+  TestingRendering)
+if (GATUN_WRAP_PYTHON)
+  list(APPEND gatun_vtk_components
+    Python
+    WrappingPythonCore
+    WrappingTools)
+endif ()
+find_package(VTK 9.1 REQUIRED COMPONENTS ${gatun_vtk_components})
+
+set(gatun_cmake_destination "${CMAKE_INSTALL_LIBDIR}/cmake/gatun")
+set(gatun_headers_destination "${CMAKE_INSTALL_INCLUDEDIR}/gatun")
+set(CMAKE_INSTALL_RPATH "$ORIGIN")
+
+vtk_module_scan(
+  MODULE_FILES      ${gatun_module_files}
+  WANT_BY_DEFAULT   ON
+  HIDE_MODULES_FROM_CACHE ON
+  PROVIDES_MODULES  gatun_modules
+  REQUIRES_MODULES  gatun_required_modules)
+
+vtk_module_build(
+  MODULES             ${gatun_modules}
+  PACKAGE             Gatun
+  VERSION             "${PROJECT_VERSION}"
+  SOVERSION           "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}"
+  INSTALL_EXPORT      Gatun
+  INSTALL_HEADERS     ON
+  HEADERS_DESTINATION "${gatun_headers_destination}"
+  CMAKE_DESTINATION   "${gatun_cmake_destination}"
+  LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  ARCHIVE_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  RUNTIME_DESTINATION "${CMAKE_INSTALL_BINDIR}"
+  UTILITY_TARGET      gatunBuildFlags
+  TEST_DIRECTORY_NAME NONE)
+
+if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  vtk_module_compile_options(VTK::GatunCore PRIVATE -Wpedantic)
+endif ()
+
+#--------------------------------------------------------------------------------------------------
+# Python: `from gatun import vtkGatunReader`, from the build tree as well as once installed.
+if (GATUN_WRAP_PYTHON)
+  vtk_module_python_default_destination(gatun_python_destination)
+  set(gatun_python_path "${CMAKE_BINARY_DIR}/${gatun_python_destination}")
+
+  vtk_module_wrap_python(
+    MODULES             ${gatun_modules}
+    TARGET              GatunPython
+    WRAPPED_MODULES     gatun_wrapped_modules
+    PYTHON_PACKAGE      gatun
+    MODULE_DESTINATION  "${gatun_python_destination}"
+    LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+    CMAKE_DESTINATION   "${gatun_cmake_destination}"
+    UTILITY_TARGET      gatunSanitizers
+    BUILD_STATIC        OFF
+    INSTALL_HEADERS     OFF)
+
+  set(gatun_python_modules)
+  foreach (module IN LISTS gatun_wrapped_modules)
+    string(REPLACE "VTK::" "vtk" module "${module}")
+    list(APPEND gatun_python_modules "${module}")
+  endforeach ()
+  list(TRANSFORM gatun_python_modules REPLACE "(.+)" "    \"\\1\",")
+  list(JOIN gatun_python_modules "\n" gatun_python_modules)
+  configure_file(
+    "${CMAKE_CURRENT_SOURCE_DIR}/CMake/gatun__init__.py.in"
+    "${gatun_python_path}/gatun/__init__.py"
+    @ONLY)
+  install(FILES "${gatun_python_path}/gatun/__init__.py"
+    DESTINATION "${gatun_python_destination}/gatun"
+    COMPONENT   python)
+endif ()
+
+#--------------------------------------------------------------------------------------------------
+# CMake package: `find_package(Gatun)`.
+include(CMakePackageConfigHelpers)
+
+vtk_module_export_find_packages(
+  CMAKE_DESTINATION "${gatun_cmake_destination}"
+  FILE_NAME         "Gatun-vtk-module-find-packages.cmake"
+  MODULES           ${gatun_modules})
+
+# What the installed libraries need from VTK, as component names.
+set(gatun_required_components ${gatun_required_modules})
+list(TRANSFORM gatun_required_components REPLACE "^VTK::" "")
+list(JOIN gatun_required_components " " gatun_required_components)
+
+configure_package_config_file(
+  "${CMAKE_CURRENT_SOURCE_DIR}/CMake/GatunConfig.cmake.in"
+  "${CMAKE_BINARY_DIR}/${gatun_cmake_destination}/GatunConfig.cmake"
+  INSTALL_DESTINATION "${gatun_cmake_destination}")
+write_basic_package_version_file(
+  "${CMAKE_BINARY_DIR}/${gatun_cmake_destination}/GatunConfigVersion.cmake"
+  VERSION       "${PROJECT_VERSION}"
+  COMPATIBILITY SameMinorVersion)
+install(
+  FILES
+    "${CMAKE_BINARY_DIR}/${gatun_cmake_destination}/GatunConfig.cmake"
+    "${CMAKE_BINARY_DIR}/${gatun_cmake_destination}/GatunConfigVersion.cmake"
+    "${CMAKE_CURRENT_SOURCE_DIR}/CMake/FindTetGen.cmake"
+    "${CMAKE_CURRENT_SOURCE_DIR}/CMake/FindxxHash.cmake"
+  DESTINATION "${gatun_cmake_destination}"
+  COMPONENT   development)
+install(FILES LICENSE
+  DESTINATION "${CMAKE_INSTALL_DOCDIR}"
+  COMPONENT   runtime)
+
+#--------------------------------------------------------------------------------------------------
+# Programs
+add_subdirectory(IO/Tools)
