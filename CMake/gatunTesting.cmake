@@ -1,0 +1,343 @@
+# Helpers to add tests. Every test gets a name "<folder>.<test>", at least one of the labels
+#
+#   unit       seconds, no window, no network
+#   image      draws; needs a display
+#   cli        runs the gtn program
+#   paraview   runs pvbatch or pvpython with the plugin
+#   fuzz       decoders on hostile input
+#   package    installs, and builds a consumer of what was installed
+#   long       more than a minute, in addition to one of the above
+#
+# and exit code 125 counts as skipped. Tests find their surroundings in the environment:
+#
+#   GATUN_TEST_DATA   Testing/Data of the sources
+#   GATUN_TEST_TEMP   a folder to write into
+#   GATUN_DATA_DIR    a folder of large real meshes, set by the user or not at all; a test that
+#                     needs them skips itself without
+
+set(GATUN_TEST_DATA "${PROJECT_SOURCE_DIR}/Testing/Data")
+set(GATUN_TEST_TEMP "${PROJECT_BINARY_DIR}/Testing/Temporary/gatun")
+file(MAKE_DIRECTORY "${GATUN_TEST_TEMP}")
+
+set(gatun_test_labels unit image cli paraview fuzz package long)
+
+# What no test may print, unless it says EXPECT_ERRORS: messages of VTK, leaked VTK objects, a
+# failed image comparison, an uncaught Python exception.
+set(gatun_test_fail_regex
+  "(\n|^)ERROR: "
+  "ERR\\|"
+  "instance(s)? still around"
+  "Failed Image Test"
+  "ImageNotFound"
+  "Traceback \\(most recent call last\\)")
+
+# Prefix of the test names of the current folder: "io." in Testing/IO.
+macro (_gatun_test_prefix)
+  get_filename_component(prefix "${CMAKE_CURRENT_SOURCE_DIR}" NAME)
+  string(TOLOWER "${prefix}." prefix)
+endmacro ()
+
+function (_gatun_check_labels)
+  if (NOT ARGN)
+    message(FATAL_ERROR "A test needs one of the labels ${gatun_test_labels}.")
+  endif ()
+  foreach (label IN LISTS ARGN)
+    if (NOT label IN_LIST gatun_test_labels)
+      message(FATAL_ERROR "Unknown test label ${label}; there are ${gatun_test_labels}.")
+    endif ()
+  endforeach ()
+endfunction ()
+
+# Any command:
+#
+#   gatun_add_test(NAME <name> COMMAND <program> <argument>... LABELS <label>...
+#     [TIMEOUT <seconds>] [PROCESSORS <n>] [ENVIRONMENT <variable>=<value>...]
+#     [DEPENDS <test>...] [EXPECT_ERRORS])
+#
+# The name is used as it is. EXPECT_ERRORS: error messages on the output do not fail the test.
+function (gatun_add_test)
+  cmake_parse_arguments(PARSE_ARGV 0 arg
+    "EXPECT_ERRORS"
+    "NAME;TIMEOUT;PROCESSORS"
+    "COMMAND;LABELS;ENVIRONMENT;DEPENDS")
+  if (arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "gatun_add_test does not know ${arg_UNPARSED_ARGUMENTS}.")
+  endif ()
+  _gatun_check_labels(${arg_LABELS})
+  if (NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 300)
+  endif ()
+  if (NOT arg_PROCESSORS)
+    set(arg_PROCESSORS 1)
+  endif ()
+
+  add_test(NAME "${arg_NAME}"
+    COMMAND           ${arg_COMMAND}
+    WORKING_DIRECTORY "${GATUN_TEST_TEMP}")
+  set_tests_properties("${arg_NAME}" PROPERTIES
+    LABELS           "${arg_LABELS}"
+    TIMEOUT          "${arg_TIMEOUT}"
+    PROCESSORS       "${arg_PROCESSORS}"
+    SKIP_RETURN_CODE 125
+    DEPENDS          "${arg_DEPENDS}"
+    ENVIRONMENT
+      "GATUN_TEST_DATA=${GATUN_TEST_DATA};GATUN_TEST_TEMP=${GATUN_TEST_TEMP};${arg_ENVIRONMENT}")
+  if (NOT arg_EXPECT_ERRORS)
+    set_tests_properties("${arg_NAME}" PROPERTIES
+      FAIL_REGULAR_EXPRESSION "${gatun_test_fail_regex}")
+  endif ()
+endfunction ()
+
+# GoogleTest on the core, its private functions included (see gatunCoreInternals):
+#
+#   gatun_add_core_tests(<program> SOURCES <file>... [LINK <target>...])
+#
+# Each TEST() is a test of its own, with label unit. Paths come as the macros GATUN_TEST_DATA and
+# GATUN_TEST_TEMP.
+function (gatun_add_core_tests program)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK")
+  _gatun_test_prefix()
+  find_package(GTest REQUIRED)
+  include(GoogleTest)
+  add_executable("${program}" ${arg_SOURCES})
+  target_link_libraries("${program}"
+    PRIVATE
+      gatunCoreInternals
+      ${arg_LINK}
+      gatunBuildFlags
+      GTest::gtest_main)
+  target_compile_definitions("${program}"
+    PRIVATE
+      "GATUN_TEST_DATA=\"${GATUN_TEST_DATA}\""
+      "GATUN_TEST_TEMP=\"${GATUN_TEST_TEMP}\"")
+  gtest_discover_tests("${program}"
+    TEST_PREFIX       "${prefix}"
+    WORKING_DIRECTORY "${GATUN_TEST_TEMP}"
+    DISCOVERY_MODE    PRE_TEST
+    DISCOVERY_TIMEOUT 60
+    PROPERTIES
+      LABELS  unit
+      TIMEOUT 300)
+endfunction ()
+
+# Tests in VTK's manner, each a file Test<What>.cxx with a function int Test<What>(int, char*[]):
+#
+#   gatun_add_vtk_tests(<program> SOURCES <file>... LINK <VTK module>...
+#     [RENDERING] [EXPECT_ERRORS] [LABELS <label>...])
+#
+# They get -D Testing/Data and -T <folder to write into>. With RENDERING, VTK's rendering
+# factories are loaded, the label is image instead of unit, and -V names the baseline
+# Testing/Data/Baseline/Test<What>.png for vtkRegressionTestImage (alternates: _1, _2, ...).
+function (gatun_add_vtk_tests program)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "RENDERING;EXPECT_ERRORS" "" "SOURCES;LINK;LABELS")
+  _gatun_test_prefix()
+  set(driver_header vtkTestDriver.h)
+  set(driver_link VTK::TestingCore)
+  if (arg_RENDERING)
+    set(driver_header vtkTestingObjectFactory.h)
+    set(driver_link VTK::TestingRendering VTK::RenderingOpenGL2)
+    # NaN and infinity are data like any other here.
+    set(DISABLE_FLOATING_POINT_EXCEPTIONS TRUE)
+    set(_vtk_build_TEST_OUTPUT_DIRECTORY "${GATUN_TEST_TEMP}")
+    include("${VTK_DIR}/vtkTestingRenderingDriver.cmake")
+  else ()
+    include("${VTK_DIR}/vtkTestingDriver.cmake")
+  endif ()
+
+  create_test_sourcelist(sources "${program}.cxx" ${arg_SOURCES}
+    EXTRA_INCLUDE "${driver_header}")
+  add_executable("${program}" ${sources})
+  target_link_libraries("${program}"
+    PRIVATE
+      ${arg_LINK}
+      ${driver_link}
+      gatunBuildFlags)
+  vtk_module_autoinit(TARGETS "${program}" MODULES ${arg_LINK} ${driver_link})
+
+  if (NOT arg_LABELS)
+    set(arg_LABELS unit)
+    if (arg_RENDERING)
+      set(arg_LABELS image)
+    endif ()
+  endif ()
+  set(expect_errors)
+  if (arg_EXPECT_ERRORS)
+    set(expect_errors EXPECT_ERRORS)
+  endif ()
+  foreach (source IN LISTS arg_SOURCES)
+    get_filename_component(test "${source}" NAME_WE)
+    set(baseline)
+    if (arg_RENDERING)
+      set(baseline -V "${GATUN_TEST_DATA}/Baseline/${test}.png")
+    endif ()
+    gatun_add_test(
+      NAME    "${prefix}${test}"
+      COMMAND "${program}" "${test}" -D "${GATUN_TEST_DATA}" -T "${GATUN_TEST_TEMP}" ${baseline}
+      LABELS  ${arg_LABELS}
+      ${expect_errors})
+  endforeach ()
+endfunction ()
+
+# A Python program that imports gatun and vtkmodules, run by the interpreter of the VTK found:
+#
+#   gatun_add_python_test(<file>.py [ARGS <argument>...] [LABELS <label>...] [EXPECT_ERRORS]
+#     [TIMEOUT <seconds>])
+#
+# The label is unit unless others are given; without Python wrapping there is no such test.
+function (gatun_add_python_test file)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "EXPECT_ERRORS" "TIMEOUT" "ARGS;LABELS")
+  if (NOT GATUN_WRAP_PYTHON)
+    return ()
+  endif ()
+  _gatun_test_prefix()
+  if (NOT arg_LABELS)
+    set(arg_LABELS unit)
+  endif ()
+  set(rest)
+  if (arg_EXPECT_ERRORS)
+    list(APPEND rest EXPECT_ERRORS)
+  endif ()
+  if (arg_TIMEOUT)
+    list(APPEND rest TIMEOUT "${arg_TIMEOUT}")
+  endif ()
+  get_filename_component(test "${file}" NAME_WE)
+  gatun_add_test(
+    NAME        "${prefix}${test}"
+    COMMAND     "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/${file}" ${arg_ARGS}
+    LABELS      ${arg_LABELS}
+    ENVIRONMENT
+      "PYTHONPATH=${gatun_python_path}:${CMAKE_CURRENT_SOURCE_DIR}"
+      "PYTHONDONTWRITEBYTECODE=1"
+      "GATUN_GTN=$<TARGET_FILE:gtn>"
+    ${rest})
+endfunction ()
+
+# One call of the gtn program, in GATUN_TEST_TEMP:
+#
+#   gatun_add_cli_test(NAME <name> [ARGS <argument>...] [EXIT <code>]
+#     [STDOUT <regex>] [STDERR <regex>] [DEPENDS <test>...] [LABELS <label>...])
+#
+# EXIT is 0 unless given; STDOUT and STDERR must match where given. DEPENDS orders tests (by their
+# full names, "cli.<name>"), so that one may use a file that another made.
+function (gatun_add_cli_test)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "NAME;EXIT;STDOUT;STDERR" "ARGS;DEPENDS;LABELS")
+  _gatun_test_prefix()
+  if (NOT arg_EXIT)
+    set(arg_EXIT 0)
+  endif ()
+  gatun_add_test(
+    NAME    "${prefix}${arg_NAME}"
+    COMMAND "${CMAKE_COMMAND}"
+            "-DEXIT=${arg_EXIT}"
+            "-DSTDOUT=${arg_STDOUT}"
+            "-DSTDERR=${arg_STDERR}"
+            -P "${PROJECT_SOURCE_DIR}/CMake/gatunRunCli.cmake"
+            -- "$<TARGET_FILE:gtn>" ${arg_ARGS}
+    LABELS  cli ${arg_LABELS}
+    DEPENDS ${arg_DEPENDS}
+    EXPECT_ERRORS)
+endfunction ()
+
+# A Python program for ParaView, in the ParaView build only:
+#
+#   gatun_add_pvbatch_test(<file>.py [RANKS <n>...] [ARGS <argument>...] [LABELS <label>...]
+#     [TIMEOUT <seconds>] [EXPECT_ERRORS] [PVPYTHON])
+#
+# One test for each number of MPI ranks (1 unless given). The environment variable GATUN_PLUGIN
+# names the plugin to load. PVPYTHON runs pvpython in place of pvbatch. The label paraview is
+# always there.
+function (gatun_add_pvbatch_test file)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "EXPECT_ERRORS;PVPYTHON" "TIMEOUT" "RANKS;ARGS;LABELS")
+  _gatun_test_prefix()
+  get_filename_component(test "${file}" NAME_WE)
+  if (NOT arg_RANKS)
+    set(arg_RANKS 1)
+  endif ()
+  set(program "${GATUN_PVBATCH}")
+  if (arg_PVPYTHON)
+    set(program "${GATUN_PVPYTHON}")
+    string(APPEND test "-pvpython")
+  endif ()
+  set(rest)
+  if (arg_EXPECT_ERRORS)
+    list(APPEND rest EXPECT_ERRORS)
+  endif ()
+  if (arg_TIMEOUT)
+    list(APPEND rest TIMEOUT "${arg_TIMEOUT}")
+  endif ()
+  foreach (ranks IN LISTS arg_RANKS)
+    set(name "${prefix}${test}")
+    set(launch)
+    if (ranks GREATER 1)
+      string(APPEND name "-np${ranks}")
+      set(launch ${gatun_mpiexec} -np ${ranks})
+    endif ()
+    gatun_add_test(
+      NAME        "${name}"
+      COMMAND     ${launch} "${program}" "${CMAKE_CURRENT_SOURCE_DIR}/${file}" ${arg_ARGS}
+      LABELS      paraview ${arg_LABELS}
+      PROCESSORS  "${ranks}"
+      ENVIRONMENT "GATUN_PLUGIN=${gatun_plugin_file}"
+                  "GATUN_RANKS=${ranks}"
+                  ${gatun_paraview_environment}
+      ${rest})
+  endforeach ()
+endfunction ()
+
+# A fuzz target, a file with LLVMFuzzerTestOneInput():
+#
+#   gatun_add_fuzz_target(<name> SOURCES <file>... [LINK <target>...] CORPUS <folder>...)
+#
+# In every build the test fuzz.<name> runs it over the corpus. With GATUN_BUILD_FUZZERS there is
+# also the libFuzzer program fuzz-<name>, which fuzz.<name>-short runs for some seconds.
+function (gatun_add_fuzz_target name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK;CORPUS")
+  _gatun_test_prefix()
+  list(TRANSFORM arg_CORPUS PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
+
+  add_executable("fuzz-regression-${name}"
+    ${arg_SOURCES}
+    "${PROJECT_SOURCE_DIR}/Testing/Fuzz/fuzzRegression.cxx")
+  target_link_libraries("fuzz-regression-${name}"
+    PRIVATE gatunCoreInternals ${arg_LINK} gatunBuildFlags)
+  gatun_add_test(
+    NAME    "${prefix}${name}"
+    COMMAND "fuzz-regression-${name}" ${arg_CORPUS}
+    LABELS  fuzz)
+
+  if (GATUN_BUILD_FUZZERS)
+    add_executable("fuzz-${name}" ${arg_SOURCES})
+    target_link_libraries("fuzz-${name}"
+      PRIVATE gatunCoreInternals ${arg_LINK} gatunBuildFlags)
+    target_link_options("fuzz-${name}" PRIVATE -fsanitize=fuzzer)
+    set(found "${GATUN_TEST_TEMP}/fuzz-${name}")
+    file(MAKE_DIRECTORY "${found}")
+    gatun_add_test(
+      NAME    "${prefix}${name}-short"
+      COMMAND "fuzz-${name}" -max_total_time=20 "-artifact_prefix=${found}-" "${found}" ${arg_CORPUS}
+      LABELS  fuzz)
+  endif ()
+endfunction ()
+
+# The core once more, as a static library with all its symbols, for tests of private functions.
+# Do not link it together with VTK::GatunCore or a module that uses it.
+macro (gatun_add_core_internals)
+  # The targets that Module/CMakeLists.txt found are known below Module/ only.
+  get_property(packages GLOBAL PROPERTY "_vtk_module_find_package_VTK::GatunCore")
+  foreach (package IN LISTS packages)
+    find_package("${package}" REQUIRED)
+  endforeach ()
+
+  get_target_property(sources GatunCore SOURCES)
+  get_target_property(folder GatunCore SOURCE_DIR)
+  get_target_property(binary_folder GatunCore BINARY_DIR)
+  get_target_property(options GatunCore COMPILE_OPTIONS)
+  get_target_property(libraries GatunCore LINK_LIBRARIES)
+  list(FILTER sources INCLUDE REGEX "\\.(cxx|h|txx)$")
+  list(TRANSFORM sources PREPEND "${folder}/" REGEX "^[^/$]")
+  add_library(gatunCoreInternals STATIC EXCLUDE_FROM_ALL ${sources})
+  target_compile_definitions(gatunCoreInternals PUBLIC VTKGATUNCORE_STATIC_DEFINE)
+  target_compile_options(gatunCoreInternals PRIVATE ${options})
+  target_include_directories(gatunCoreInternals PUBLIC "${folder}" "${binary_folder}")
+  target_link_libraries(gatunCoreInternals PUBLIC ${libraries})
+endmacro ()
