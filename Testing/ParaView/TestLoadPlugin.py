@@ -16,18 +16,13 @@ assert reader.FileNames[0] == "some.gtn"
 writer = servermanager.writers.GatunWriter(FileName="other.gtn")
 assert writer.FileName == "other.gtn"
 
-# Every rank has the library: a filter that runs everywhere counts those that mapped it.
-count = simple.ProgrammableFilter(Input=simple.Sphere())
-count.Script = """
-with open("/proc/self/maps") as maps:
-    loaded = any(line.rstrip().endswith("/Gatun.so") for line in maps)
+# Every rank has the library: a filter that runs on all of them looks for it.
+look = simple.ProgrammableFilter(Input=simple.Sphere())
+look.Script = """
 output.ShallowCopy(inputs[0].VTKObject)
-loads = vtk.vtkIntArray()
-loads.SetName("loaded")
-loads.InsertNextValue(int(loaded))
-output.GetFieldData().AddArray(loads)
-if not loaded:
-    raise RuntimeError("the plugin is not loaded on this rank")
+with open("/proc/self/maps") as maps:
+    if "/Gatun.so" not in maps.read():
+        raise RuntimeError("the plugin is not loaded on this rank")
 """
-count.UpdatePipeline()
-assert count.FieldData["loaded"].GetRange(0) == (1, 1)
+look.UpdatePipeline()
+assert look.GetDataInformation().GetNumberOfPoints() > 0
