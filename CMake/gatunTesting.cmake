@@ -336,6 +336,11 @@ macro (gatun_add_core_internals)
   list(FILTER sources INCLUDE REGEX "\\.(cxx|h|txx)$")
   list(TRANSFORM sources PREPEND "${folder}/" REGEX "^[^/$]")
   add_library(gatunCoreInternals STATIC EXCLUDE_FROM_ALL ${sources})
+  # As in Module/CMakeLists.txt: properties of source files do not reach other folders.
+  if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    set_source_files_properties("${folder}/gatunParallel.cxx" PROPERTIES
+      COMPILE_OPTIONS -std=c++17)
+  endif ()
   target_compile_definitions(gatunCoreInternals PUBLIC VTKGATUNCORE_STATIC_DEFINE)
   target_compile_options(gatunCoreInternals PRIVATE ${options})
   target_include_directories(gatunCoreInternals PUBLIC "${folder}" "${binary_folder}")

@@ -1,0 +1,431 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunChunkCodec.h"
+
+#include "gatunFaceTable.h"
+#include "gatunFloatEnvironment.h"
+#include "gatunWalk.h"
+
+namespace gatun
+{
+namespace
+{
+constexpr std::uint8_t FlagAngle = 1;
+constexpr std::uint8_t FlagPlain = 2;
+constexpr std::uint8_t FlagFlips = 4;
+
+LatticePoint MapKeys(const Lattice& lattice, const PointDomain& domains, const PointKeys& keys)
+{
+  return lattice.Map(
+    domains[0].ToValue(keys[0]), domains[1].ToValue(keys[1]), domains[2].ToValue(keys[2]));
+}
+
+std::vector<SharedVertex> MapShared(const ChunkFrame& frame, const Lattice& lattice)
+{
+  std::vector<SharedVertex> shared(frame.SharedKeys.size());
+  for (std::size_t i = 0; i < shared.size(); ++i)
+  {
+    shared[i] = { MapKeys(lattice, frame.Domains, frame.SharedKeys[i]), frame.SharedUsers[i] };
+  }
+  return shared;
+}
+
+using Tets = std::span<const std::array<std::uint32_t, 4>>;
+
+/** Tells the walk what is true. */
+class EncoderSide
+{
+public:
+  EncoderSide(Tets tets, const FaceTable& faces, std::uint32_t shared,
+    std::span<const LatticePoint> ownPlaces)
+    : Input(tets)
+    , Faces(faces)
+    , Shared(shared)
+    , OwnPlaces(ownPlaces)
+    , Visited(tets.size(), 0)
+    , Met(shared + ownPlaces.size(), NoVertex)
+  {
+  }
+
+  std::uint32_t FindTet(const std::array<Vertex, 3>& c)
+  {
+    const FaceTable::Face face{ this->InputOf[c[0]], this->InputOf[c[1]], this->InputOf[c[2]] };
+    std::uint32_t found = Topology::NoTet;
+    this->Faces.Find(face,
+      [&](std::uint32_t tet, std::uint32_t corner)
+      {
+        if (this->Visited[tet])
+        {
+          return false;
+        }
+        found = tet;
+        this->Begun = { face[0], face[1], face[2], this->Input[tet][corner] };
+        return true;
+      });
+    if (found != Topology::NoTet)
+    {
+      this->Visit(found);
+    }
+    return found;
+  }
+
+  std::uint32_t NextSeed()
+  {
+    while (this->Visited[this->Seed])
+    {
+      ++this->Seed;
+    }
+    this->Begun = this->Input[this->Seed];
+    this->Visit(this->Seed);
+    return this->Seed;
+  }
+
+  Vertex GetTarget(unsigned i) const { return this->Met[this->Begun[i]]; }
+  bool IsTargetShared(unsigned i) const { return this->Begun[i] < this->Shared; }
+  std::uint32_t GetTargetShared(unsigned i) const
+  {
+    return this->IsTargetShared(i) ? this->Begun[i] : 0;
+  }
+
+  void MeetShared(unsigned corner, std::uint32_t) { this->Meet(corner); }
+  LatticePoint MeetOwn(unsigned corner, const GateRecord&)
+  {
+    this->Meet(corner);
+    const auto own = this->Begun[corner] - this->Shared;
+    this->OwnOrder.push_back(own);
+    return this->OwnPlaces[own];
+  }
+
+  std::vector<std::uint32_t> OwnOrder;
+  std::vector<std::uint32_t> TetOrder;
+  std::vector<std::uint32_t> InputOf; // of each vertex of the walk
+
+private:
+  void Visit(std::uint32_t tet)
+  {
+    this->Visited[tet] = 1;
+    this->TetOrder.push_back(tet);
+  }
+
+  void Meet(unsigned corner)
+  {
+    this->Met[this->Begun[corner]] = static_cast<Vertex>(this->InputOf.size());
+    this->InputOf.push_back(this->Begun[corner]);
+  }
+
+  Tets Input;
+  const FaceTable& Faces;
+  const std::uint32_t Shared;
+  std::span<const LatticePoint> OwnPlaces;
+  std::vector<char> Visited;
+  std::vector<Vertex> Met;
+  std::array<std::uint32_t, 4> Begun{};
+  std::uint32_t Seed = 0;
+};
+
+/** Takes vertices from the walk and decodes their coordinates. */
+class DecoderSide
+{
+public:
+  DecoderSide(const ChunkFrame& frame, const Lattice& lattice, EntropyDecoder& geometry,
+    ChunkMesh& mesh)
+    : Frame(frame)
+    , Map(lattice)
+    , Geometry(geometry, frame.Domains, mesh.Rules)
+    , Mesh(mesh)
+  {
+  }
+
+  std::uint32_t FindTet(const std::array<Vertex, 3>&) const { return Topology::NoTet; }
+  std::uint32_t NextSeed() const { return 0; }
+  Vertex GetTarget(unsigned) const { return NoVertex; }
+  bool IsTargetShared(unsigned) const { return false; }
+  std::uint32_t GetTargetShared(unsigned) const { return 0; }
+
+  void MeetShared(unsigned, std::uint32_t index)
+  {
+    this->Mesh.Keys.push_back(this->Frame.SharedKeys[index]);
+  }
+
+  LatticePoint MeetOwn(unsigned, const GateRecord& record)
+  {
+    std::uint8_t rule = 0;
+    const auto keys = this->Geometry.Code(record, this->Mesh.Keys, {}, rule);
+    this->Mesh.Keys.push_back(keys);
+    this->Mesh.UsedRules.push_back(rule);
+    return MapKeys(this->Map, this->Frame.Domains, keys);
+  }
+
+private:
+  const ChunkFrame& Frame;
+  const Lattice& Map;
+  GeometryCoder<EntropyDecoder> Geometry;
+  ChunkMesh& Mesh;
+};
+
+/** The rotation that turns walked corners into those of the input; flip says if they mirror it. */
+std::uint8_t FindRotation(const std::array<std::uint32_t, 4>& walked,
+  const std::array<std::uint32_t, 4>& wanted, bool& flip)
+{
+  flip = false;
+  for (;;)
+  {
+    auto corners = walked;
+    if (flip)
+    {
+      std::swap(corners[2], corners[3]);
+    }
+    for (unsigned rotation = 0; rotation < 12; ++rotation)
+    {
+      if (RotateCorners(corners, rotation) == wanted)
+      {
+        return static_cast<std::uint8_t>(rotation);
+      }
+    }
+    if (flip)
+    {
+      throw Error(ErrorCode::InvalidInput, "a walk lost the corners of a tetrahedron");
+    }
+    flip = true;
+  }
+}
+
+struct Attempt
+{
+  Bytes Stream;
+  Topology Walk;
+  std::vector<std::uint32_t> OwnOrder;
+  std::vector<std::uint32_t> TetOrder;
+  std::vector<std::uint8_t> Corners;
+};
+
+Attempt TryWalk(const WalkInput& input, Tets tets, const FaceTable& faces,
+  std::span<const LatticePoint> ownPlaces)
+{
+  Attempt result;
+  EntropyEncoder coder;
+  EncoderSide side(tets, faces, static_cast<std::uint32_t>(input.Shared.size()), ownPlaces);
+  Walk<EntropyEncoder, EncoderSide>(coder, side, input, result.Walk).Run();
+
+  std::vector<char> flips(tets.size());
+  result.Corners.resize(tets.size());
+  bool anyFlip = false;
+  for (std::size_t t = 0; t < tets.size(); ++t)
+  {
+    std::array<std::uint32_t, 4> walked{};
+    for (unsigned i = 0; i < 4; ++i)
+    {
+      walked[i] = side.InputOf[result.Walk.Tets[t][i]];
+    }
+    bool flip = false;
+    result.Corners[t] = FindRotation(walked, tets[side.TetOrder[t]], flip);
+    flips[t] = flip;
+    anyFlip = anyFlip || flip;
+  }
+  if (anyFlip)
+  {
+    BitModel model;
+    for (std::size_t t = 0; t < tets.size(); ++t)
+    {
+      if (coder.Bit(model, flips[t] != 0))
+      {
+        std::swap(result.Walk.Tets[t][2], result.Walk.Tets[t][3]);
+      }
+    }
+  }
+  const auto body = coder.Finish();
+  result.Stream.push_back(static_cast<std::uint8_t>(
+    (input.Rule == Ranking::Angle ? FlagAngle : 0) | (input.Plain ? FlagPlain : 0) |
+    (anyFlip ? FlagFlips : 0)));
+  result.Stream.insert(result.Stream.end(), body.begin(), body.end());
+  result.Stream.resize(
+    std::max<std::size_t>(result.Stream.size(), tets.size() / MaxItemsPerByte + 1), 0);
+  result.OwnOrder = std::move(side.OwnOrder);
+  result.TetOrder = std::move(side.TetOrder);
+  return result;
+}
+
+Bytes EncodeGeometry(
+  ChunkMesh& mesh, std::span<const Vertex> ownIds, const PredictionRules& rules)
+{
+  EntropyEncoder coder;
+  GeometryCoder<EntropyEncoder> geometry(coder, mesh.Domains, rules);
+  mesh.UsedRules.resize(ownIds.size());
+  for (std::size_t own = 0; own < ownIds.size(); ++own)
+  {
+    geometry.Code(mesh.Walk.Records[own], mesh.Keys, mesh.Keys[ownIds[own]], mesh.UsedRules[own]);
+  }
+  ByteWriter out;
+  out.Put(static_cast<std::uint8_t>(rules.size()));
+  for (const auto& rule : rules)
+  {
+    for (const auto weight : rule)
+    {
+      out.Put(weight);
+    }
+  }
+  out.PutBytes(coder.Finish());
+  mesh.Rules = rules;
+  return std::move(out.Data);
+}
+
+PredictionRules ReadRules(ByteReader& in)
+{
+  const auto count = in.Get<std::uint8_t>();
+  if (count < 1 || count > MaxRules)
+  {
+    ThrowCorrupt("a geometry stream has an impossible number of prediction rules");
+  }
+  PredictionRules rules(count);
+  for (auto& rule : rules)
+  {
+    for (auto& weight : rule)
+    {
+      weight = in.Get<std::int16_t>();
+    }
+  }
+  return rules;
+}
+}
+
+//--------------------------------------------------------------------------------------------------
+void ChunkMesh::MakeContext(bool withFit)
+{
+  this->Context.Mesh = &this->Walk;
+  this->Context.Rules = &this->Rules;
+  this->Context.UsedRules = this->UsedRules;
+  if (this->Context.OwnIds.size() != this->Walk.Records.size())
+  {
+    this->Context.OwnIds.resize(this->Walk.Records.size());
+    for (Vertex v = 0; v < this->Walk.Sources.size(); ++v)
+    {
+      if (!this->Walk.IsShared(v))
+      {
+        this->Context.OwnIds[this->Walk.Sources[v]] = v;
+      }
+    }
+  }
+  if (withFit && !this->Fit)
+  {
+    const FloatEnvironment guard;
+    std::vector<std::array<double, 3>> places(this->Keys.size());
+    for (std::size_t v = 0; v < places.size(); ++v)
+    {
+      for (unsigned i = 0; i < 3; ++i)
+      {
+        places[v][i] = this->Domains[i].ToValue(this->Keys[v][i]);
+      }
+    }
+    this->Fit.emplace(this->Walk, places);
+  }
+  this->Context.Fit = this->Fit ? &*this->Fit : nullptr;
+}
+
+EncodedChunk EncodeChunk(
+  const ChunkFrame& frame, Tets tets, std::span<const PointKeys> ownKeys)
+{
+  const FloatEnvironment guard;
+  const Lattice lattice(frame.Box);
+  const auto shared = MapShared(frame, lattice);
+  std::vector<LatticePoint> ownPlaces(ownKeys.size());
+  for (std::size_t i = 0; i < ownKeys.size(); ++i)
+  {
+    ownPlaces[i] = MapKeys(lattice, frame.Domains, ownKeys[i]);
+  }
+  const FaceTable faces(tets);
+
+  const WalkInput input{ frame.Tets, frame.OwnPoints, shared, Ranking::Sphere, false };
+  auto best = TryWalk(input, tets, faces, ownPlaces);
+  const auto consider = [&](Ranking rule, bool plain)
+  {
+    auto other = input;
+    other.Rule = rule;
+    other.Plain = plain;
+    auto attempt = TryWalk(other, tets, faces, ownPlaces);
+    if (attempt.Stream.size() < best.Stream.size())
+    {
+      best = std::move(attempt);
+    }
+  };
+  consider(Ranking::Angle, false);
+  if (best.Stream.size() > 3 * tets.size())
+  {
+    consider(Ranking::Sphere, true);
+  }
+
+  EncodedChunk result;
+  result.Connectivity = std::move(best.Stream);
+  result.OwnOrder = std::move(best.OwnOrder);
+  result.TetOrder = std::move(best.TetOrder);
+  result.Corners = std::move(best.Corners);
+  auto& mesh = result.Mesh;
+  mesh.Walk = std::move(best.Walk);
+  mesh.Domains = frame.Domains;
+  mesh.Keys.resize(mesh.Walk.Sources.size());
+  std::vector<Vertex> ownIds(ownKeys.size());
+  for (Vertex v = 0; v < mesh.Keys.size(); ++v)
+  {
+    const auto source = mesh.Walk.Sources[v];
+    if (mesh.Walk.IsShared(v))
+    {
+      mesh.Keys[v] = frame.SharedKeys[source & ~Topology::SharedFlag];
+    }
+    else
+    {
+      mesh.Keys[v] = ownKeys[result.OwnOrder[source]];
+      ownIds[source] = v;
+    }
+  }
+  const auto fitted = FitRule(mesh.Walk.Records, ownIds, mesh.Keys, mesh.Domains);
+  auto withFitted = EncodeGeometry(mesh, ownIds, fitted);
+  result.Geometry = EncodeGeometry(mesh, ownIds, GetGridRules());
+  if (withFitted.size() <= result.Geometry.size())
+  {
+    result.Geometry = std::move(withFitted);
+    mesh.Rules = fitted;
+    std::fill(mesh.UsedRules.begin(), mesh.UsedRules.end(), std::uint8_t{ 0 });
+  }
+  return result;
+}
+
+ChunkMesh DecodeChunk(const ChunkFrame& frame, std::span<const std::uint8_t> connectivity,
+  std::span<const std::uint8_t> geometry)
+{
+  const FloatEnvironment guard;
+  if (connectivity.empty() || connectivity.size() < frame.Tets / MaxItemsPerByte + 1)
+  {
+    ThrowCorrupt("a chunk claims more tetrahedra than its stream can hold");
+  }
+  const auto flags = connectivity[0];
+  if (flags & ~(FlagAngle | FlagPlain | FlagFlips))
+  {
+    ThrowCorrupt("a connectivity stream has unknown flags");
+  }
+  ByteReader in(geometry);
+  ChunkMesh mesh;
+  mesh.Domains = frame.Domains;
+  mesh.Rules = ReadRules(in);
+  mesh.Keys.reserve(std::size_t{ frame.OwnPoints } + frame.SharedKeys.size());
+  mesh.UsedRules.reserve(frame.OwnPoints);
+
+  const Lattice lattice(frame.Box);
+  const auto shared = MapShared(frame, lattice);
+  const WalkInput input{ frame.Tets, frame.OwnPoints, shared,
+    (flags & FlagAngle) ? Ranking::Angle : Ranking::Sphere, (flags & FlagPlain) != 0 };
+  EntropyDecoder symbols(connectivity.subspan(1));
+  EntropyDecoder coordinates(in.GetBytes(in.GetRemaining()));
+  DecoderSide side(frame, lattice, coordinates, mesh);
+  Walk<EntropyDecoder, DecoderSide>(symbols, side, input, mesh.Walk).Run();
+  if (flags & FlagFlips)
+  {
+    BitModel model;
+    for (auto& tet : mesh.Walk.Tets)
+    {
+      if (symbols.Bit(model))
+      {
+        std::swap(tet[2], tet[3]);
+      }
+    }
+  }
+  return mesh;
+}
+}

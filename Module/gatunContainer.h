@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunContainer_h
+#define gatunContainer_h
+
+// Bytes on disk: the file's header, sections, directory and trailer. See Documentation/format.md.
+
+#include "gatunBytes.h"
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace gatun
+{
+constexpr std::array<std::uint8_t, 8> FileMagic{ 0x89, 'G', 'T', 'N', '\r', '\n', 0x1a, '\n' };
+constexpr std::array<std::uint8_t, 8> TrailerMagic{ 'G', 'T', 'N', 'E', 'N', 'D', '\r', '\n' };
+constexpr std::size_t HeaderSize = 16;
+constexpr std::size_t SectionHeaderSize = 24;
+constexpr std::size_t TrailerSize = 32;
+
+using FourCC = std::uint32_t;
+
+constexpr FourCC MakeFourCC(const char (&name)[5])
+{
+  return static_cast<FourCC>(name[0]) | static_cast<FourCC>(name[1]) << 8 |
+    static_cast<FourCC>(name[2]) << 16 | static_cast<FourCC>(name[3]) << 24;
+}
+
+constexpr FourCC SectionMeta = MakeFourCC("META");      // counts and arrays
+constexpr FourCC SectionMesh = MakeFourCC("MESH");      // streams of blocks and chunks
+constexpr FourCC SectionTable = MakeFourCC("TABL");     // where those streams are
+constexpr FourCC SectionValues = MakeFourCC("VALS");    // streams of arrays, field data
+constexpr FourCC SectionStep = MakeFourCC("STEP");      // where those streams are, for one step
+constexpr FourCC SectionDirectory = MakeFourCC("DIRY"); // where the sections are
+
+constexpr std::uint16_t SectionVersion = 1;
+constexpr std::uint16_t FlagMandatory = 1; // a reader that does not know the section must stop
+
+std::uint64_t Checksum(std::span<const std::uint8_t> bytes);
+
+/** zstd, with the length in front; decompression refuses more than limit bytes. */
+Bytes Compress(std::span<const std::uint8_t> bytes);
+Bytes Decompress(std::span<const std::uint8_t> bytes, std::uint64_t limit);
+
+/** A part of the file that is read and checked as a whole. */
+struct StreamRef
+{
+  std::uint64_t Offset = 0;
+  std::uint64_t Length = 0;
+  std::uint64_t Sum = 0;
+};
+
+struct SectionRef
+{
+  FourCC Name = 0;
+  std::uint16_t Version = SectionVersion;
+  std::uint16_t Flags = 0;
+  StreamRef Payload; // Offset is that of the payload, behind the section's header
+};
+
+/**
+ * A file that appears under its name only when it is complete. Until Commit it is a temporary file
+ * in the same folder, which the destructor removes.
+ */
+class OutputFile
+{
+public:
+  explicit OutputFile(const std::string& path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /** Appends a section; returns the file offset of its payload. */
+  std::uint64_t AddSection(FourCC name, std::span<const std::uint8_t> payload);
+
+  /** Writes directory and trailer, and gives the file its name. Returns the file's size. */
+  std::uint64_t Commit();
+
+private:
+  void Write(std::span<const std::uint8_t> bytes);
+  [[noreturn]] void Fail(const std::string& what) const;
+
+  std::string Path;      // as given, for messages
+  std::string Target;    // where links lead
+  std::string Temporary; // empty after Commit
+  int Handle = -1;
+  std::uint64_t Size = 0;
+  std::vector<SectionRef> Sections;
+};
+
+/** An open file with a checked header, trailer and directory. Thread safe. */
+class InputFile
+{
+public:
+  explicit InputFile(const std::string& path);
+  ~InputFile();
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  const std::string& GetPath() const { return this->Path; }
+  std::uint64_t GetSize() const { return this->Size; }
+  std::uint64_t GetBytesRead() const { return this->BytesRead; }
+  const std::vector<SectionRef>& GetSections() const { return this->Sections; }
+  std::uint16_t GetMajor() const { return this->Major; }
+  std::uint16_t GetMinor() const { return this->Minor; }
+
+  /** Reads a stream and checks its sum; what names it in messages. */
+  Bytes Read(const StreamRef& stream, const std::string& what) const;
+
+  /** Reads the only section of a name; throws when it is missing. */
+  Bytes ReadSection(FourCC name, const char* what) const;
+
+  /** Checks the headers and sums of all sections, and that they fill the file without gaps. */
+  void CheckSections(const std::function<bool(double)>& progress) const;
+
+  /** Throws an error whose message begins with the file's name. */
+  [[noreturn]] void Fail(ErrorCode code, const std::string& what) const;
+
+private:
+  void ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const;
+  void ReadDirectory();
+
+  std::string Path;
+  int Handle = -1;
+  std::uint64_t Size = 0;
+  std::uint16_t Major = 0;
+  std::uint16_t Minor = 0;
+  std::vector<SectionRef> Sections;
+  mutable std::atomic<std::uint64_t> BytesRead{ 0 };
+};
+}
+
+#endif

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunDomain_h
+#define gatunDomain_h
+
+// Values as keys: unsigned integers in the order of the values, so that a small difference of
+// values is a small difference of keys, whatever the type.
+
+#include "gatunTypes.h"
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace gatun
+{
+using Key = std::uint64_t;
+
+/** Distinct keys, ascending; then a value's key is its rank in here. */
+using Palette = std::vector<Key>;
+
+/** How the values of one component are mapped to keys, and keys to numbers for predictions. */
+class Domain
+{
+public:
+  Domain() = default;
+
+  explicit Domain(ScalarType type, std::shared_ptr<const Palette> palette = {})
+    : Type(type)
+    , Ranks(std::move(palette))
+    , Bits(this->Ranks ? static_cast<unsigned>(std::bit_width(this->Ranks->size()))
+                       : static_cast<unsigned>(8 * SizeOf(type)))
+    , Mask(Bits == 64 ? ~Key{ 0 } : (Key{ 1 } << Bits) - 1)
+  {
+  }
+
+  ScalarType GetType() const { return this->Type; }
+  unsigned GetBits() const { return this->Bits; }
+  const std::shared_ptr<const Palette>& GetPalette() const { return this->Ranks; }
+
+  /** The key of a value at an address, without the palette. */
+  static Key ReadPlain(ScalarType type, const void* value)
+  {
+    Key raw = 0;
+    std::memcpy(&raw, value, SizeOf(type));
+    const unsigned bits = static_cast<unsigned>(8 * SizeOf(type));
+    const Key sign = Key{ 1 } << (bits - 1);
+    switch (type)
+    {
+      case ScalarType::Int8:
+      case ScalarType::Int16:
+      case ScalarType::Int32:
+      case ScalarType::Int64:
+        return raw ^ sign;
+      case ScalarType::Float32:
+        return (raw & sign) ? ~raw & 0xffffffffu : raw | sign;
+      case ScalarType::Float64:
+        return (raw & sign) ? ~raw : raw | sign;
+      default:
+        return raw;
+    }
+  }
+
+  /** The inverse of ReadPlain. */
+  static void WritePlain(ScalarType type, Key key, void* value)
+  {
+    const unsigned bits = static_cast<unsigned>(8 * SizeOf(type));
+    const Key sign = Key{ 1 } << (bits - 1);
+    switch (type)
+    {
+      case ScalarType::Int8:
+      case ScalarType::Int16:
+      case ScalarType::Int32:
+      case ScalarType::Int64:
+        key ^= sign;
+        break;
+      case ScalarType::Float32:
+      case ScalarType::Float64:
+        key = (key & sign) ? key ^ sign : ~key;
+        break;
+      default:
+        break;
+    }
+    std::memcpy(value, &key, SizeOf(type));
+  }
+
+  /** The key of a value that the palette, if there is one, is known to hold. */
+  Key Read(const void* value) const
+  {
+    const Key plain = ReadPlain(this->Type, value);
+    if (!this->Ranks)
+    {
+      return plain;
+    }
+    // Branch-free search; the palette holds the value.
+    const Key* low = this->Ranks->data();
+    for (std::size_t count = this->Ranks->size(); count > 1;)
+    {
+      const std::size_t half = count / 2;
+      low += low[half] <= plain ? half : 0;
+      count -= half;
+    }
+    return static_cast<Key>(low - this->Ranks->data());
+  }
+
+  void Write(Key key, void* value) const
+  {
+    WritePlain(this->Type, this->Ranks ? (*this->Ranks)[key] : key, value);
+  }
+
+  /** Whether a key can occur; all can but for ranks outside the palette. */
+  bool IsValid(Key key) const { return !this->Ranks || key < this->Ranks->size(); }
+
+  /** The number that predictions compute with: the value, or its rank. */
+  double ToNumber(Key key) const
+  {
+    return this->Ranks ? static_cast<double>(key) : PlainToNumber(this->Type, key);
+  }
+
+  /** The value itself as a number, palette or not. */
+  double ToValue(Key key) const
+  {
+    return PlainToNumber(this->Type, this->Ranks ? (*this->Ranks)[key] : key);
+  }
+
+  static double PlainToNumber(ScalarType type, Key key)
+  {
+    switch (type)
+    {
+      case ScalarType::Float32:
+      {
+        float value;
+        WritePlain(type, key, &value);
+        return value;
+      }
+      case ScalarType::Float64:
+      {
+        double value;
+        WritePlain(type, key, &value);
+        return value;
+      }
+      case ScalarType::Int8:
+      case ScalarType::Int16:
+      case ScalarType::Int32:
+      case ScalarType::Int64:
+        return static_cast<double>(
+          static_cast<std::int64_t>(key - (Key{ 1 } << (8 * SizeOf(type) - 1))));
+      default:
+        return static_cast<double>(key);
+    }
+  }
+
+  /** The key nearest to a predicted number; what is not finite counts as 0. */
+  Key FromNumber(double number) const
+  {
+    if (!std::isfinite(number))
+    {
+      number = 0;
+    }
+    if (this->Ranks)
+    {
+      const double last = static_cast<double>(this->Ranks->size() - 1);
+      const double rank = std::floor(number + 0.5);
+      return rank <= 0 ? 0 : static_cast<Key>(rank < last ? rank : last);
+    }
+    switch (this->Type)
+    {
+      case ScalarType::Float32:
+      {
+        constexpr double largest = std::numeric_limits<float>::max();
+        const float value =
+          static_cast<float>(number > largest ? largest : number < -largest ? -largest : number);
+        return ReadPlain(this->Type, &value);
+      }
+      case ScalarType::Float64:
+        return ReadPlain(this->Type, &number);
+      case ScalarType::Int8:
+      case ScalarType::Int16:
+      case ScalarType::Int32:
+      case ScalarType::Int64:
+      {
+        const double half = std::ldexp(1.0, static_cast<int>(this->Bits) - 1);
+        const double whole = std::floor(number + 0.5);
+        return whole <= -half ? 0
+          : whole >= half     ? this->Mask
+                              : static_cast<Key>(static_cast<std::int64_t>(whole)) +
+              (Key{ 1 } << (this->Bits - 1));
+      }
+      default:
+      {
+        const double end = std::ldexp(1.0, static_cast<int>(this->Bits));
+        const double whole = std::floor(number + 0.5);
+        return whole <= 0 ? 0 : whole >= end ? this->Mask : static_cast<Key>(whole);
+      }
+    }
+  }
+
+  /** key - predicted as a signed number of GetBits() bits. */
+  std::int64_t Subtract(Key key, Key predicted) const
+  {
+    const unsigned unused = 64 - this->Bits;
+    return static_cast<std::int64_t>((key - predicted) << unused) >> unused;
+  }
+
+  /** The key with Subtract(key, predicted) == residual. */
+  Key Add(Key predicted, std::int64_t residual) const
+  {
+    return (predicted + static_cast<Key>(residual)) & this->Mask;
+  }
+
+private:
+  ScalarType Type = ScalarType::UInt8;
+  std::shared_ptr<const Palette> Ranks;
+  unsigned Bits = 8;
+  Key Mask = 0xff;
+};
+}
+
+#endif

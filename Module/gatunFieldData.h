@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunFieldData_h
+#define gatunFieldData_h
+
+#include "gatunTypes.h"
+
+#include <vector>
+
+namespace gatun
+{
+/** An array that belongs to the whole mesh: numbers, or texts. */
+struct FieldArray
+{
+  std::string Name;
+  std::int32_t VTKType = 0; ///< as in ArrayDescription; VTK_STRING for texts
+  std::uint32_t Components = 1;
+  std::vector<std::string> ComponentNames;
+
+  bool IsText = false;
+  ScalarType Type = ScalarType::Float64; ///< of Values, if not IsText
+  std::vector<std::uint8_t> Values;      ///< the numbers' bytes, little-endian
+  std::vector<std::string> Texts;        ///< if IsText; may contain any bytes
+
+  bool operator==(const FieldArray&) const = default;
+};
+
+using FieldData = std::vector<FieldArray>;
+}
+
+#endif

@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunFileReader.h"
+
+#include "gatunFileReaderInternals.h"
+#include "gatunPalette.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+
+namespace gatun
+{
+//--------------------------------------------------------------------------------------------------
+FileReader::Internals::Internals(const std::string& path)
+  : File(path)
+{
+  const auto findSection = [&](FourCC name)
+  {
+    const auto& sections = this->File.GetSections();
+    const auto found = std::find_if(
+      sections.begin(), sections.end(), [&](const SectionRef& s) { return s.Name == name; });
+    return found != sections.end() ? found->Payload : StreamRef{};
+  };
+  this->Meta = this->Guarded("the meta data", findSection(SectionMeta),
+    [&] { return MetaTable::Read(this->File.ReadSection(SectionMeta, "the meta data")); });
+  this->Mesh = this->Guarded("the table of chunks", findSection(SectionTable),
+    [&]
+    {
+      return MeshTable::Read(
+        this->File.ReadSection(SectionTable, "the table of chunks"), this->Meta);
+    });
+  for (const auto& section : this->File.GetSections())
+  {
+    if (section.Name == SectionStep)
+    {
+      this->Steps.push_back(this->Guarded("the table of a time step", section.Payload,
+        [&]
+        {
+          return StepTable::Read(
+            this->File.Read(section.Payload, "the table of a time step"), this->Meta, this->Mesh);
+        }));
+      this->Times.push_back(this->Steps.back().Time);
+    }
+  }
+  this->CheckSteps();
+  for (const auto& chunk : this->Mesh.Chunks)
+  {
+    this->Chunks.push_back(chunk.Info);
+  }
+  for (unsigned axis = 0; axis < 3; ++axis)
+  {
+    const auto& ref = this->Mesh.Palettes[axis];
+    std::shared_ptr<const Palette> palette;
+    if (ref.Count > 0)
+    {
+      palette = this->Guarded("the palette of the coordinates", ref.Stream,
+        [&]
+        {
+          return DecodePalette(this->Meta.CoordinateType,
+            this->File.Read(ref.Stream, "the palette of the coordinates"), ref.Count);
+        });
+    }
+    this->Domains[axis] = Domain(this->Meta.CoordinateType, palette);
+  }
+}
+
+void FileReader::Internals::CheckSteps() const
+{
+  const auto fail = [&](const char* what) { this->File.Fail(ErrorCode::Corrupt, what); };
+  if (this->Steps.size() > 1 && !this->Meta.HasTime)
+  {
+    fail("there are several time steps, but the file says that it has no time");
+  }
+  if (!this->Steps.empty() && !this->Steps.front().Key)
+  {
+    fail("the first time step needs one before it");
+  }
+  if (std::adjacent_find(this->Times.begin(), this->Times.end(), std::greater_equal<>()) !=
+    this->Times.end())
+  {
+    fail("the times of the steps do not ascend");
+  }
+}
+
+std::vector<Domain> FileReader::Internals::MakeDomains(std::size_t array, std::size_t step) const
+{
+  const auto& description = this->Meta.Arrays[array];
+  std::vector<Domain> domains;
+  for (const auto& ref : this->Steps[step].Arrays[array].Palettes)
+  {
+    std::shared_ptr<const Palette> palette;
+    if (ref.Count > 0)
+    {
+      const std::string what = "the palette of array '" + description.Name + "'";
+      palette = this->Guarded(what, ref.Stream,
+        [&]
+        { return DecodePalette(description.Type, this->File.Read(ref.Stream, what), ref.Count); });
+    }
+    domains.emplace_back(description.Type, palette);
+  }
+  return domains;
+}
+
+namespace
+{
+/** Decodes everything once, some chunks at a time. */
+void VerifyStreams(const FileReader& file, const std::function<bool(double)>& progress)
+{
+  constexpr std::size_t chunksAtOnce = 16;
+  // The decoder only borrows the file.
+  const std::shared_ptr<const FileReader> borrowed(&file, [](const FileReader*) {});
+  const auto chunks = file.GetChunks().size();
+  const auto rounds = std::max<std::size_t>(1, (chunks + chunksAtOnce - 1) / chunksAtOnce);
+  const auto steps = std::max<std::size_t>(1, file.GetNumberOfSteps());
+  for (std::size_t round = 0; round < rounds; ++round)
+  {
+    PieceRequest request;
+    for (auto c = round * chunksAtOnce; c < std::min(chunks, (round + 1) * chunksAtOnce); ++c)
+    {
+      request.Chunks.push_back(static_cast<std::uint32_t>(c));
+    }
+    for (std::uint32_t a = 0; file.GetNumberOfSteps() > 0 && a < file.GetArrays().size(); ++a)
+    {
+      request.Arrays.push_back(a);
+    }
+    request.WithUnusedPoints = round == 0;
+    PieceDecoder decoder(borrowed);
+    for (std::size_t step = 0; step < steps; ++step)
+    {
+      request.Step = step;
+      decoder.SetRequest(request);
+      const auto points = static_cast<std::size_t>(decoder.GetNumberOfPoints());
+      const auto tets = static_cast<std::size_t>(decoder.GetNumberOfTets());
+      std::vector<std::int64_t> connectivity(4 * tets), pointIds(points), cellIds(tets);
+      std::vector<std::vector<std::uint8_t>> values;
+      PieceTarget target;
+      target.Connectivity = connectivity.data();
+      target.GlobalPointIds = pointIds.data();
+      target.GlobalCellIds = cellIds.data();
+      for (const auto a : request.Arrays)
+      {
+        const auto& array = file.GetArrays()[a];
+        values.emplace_back((array.Where == Association::Point ? points : tets) * array.Components *
+          SizeOf(array.Type));
+        target.Arrays.push_back(values.back().data());
+      }
+      const auto first = static_cast<double>(round * steps + step);
+      const auto all = static_cast<double>(rounds * steps);
+      decoder.Fill(
+        target, [&](double part) { return !progress || progress((first + part) / all); });
+    }
+  }
+}
+}
+
+//--------------------------------------------------------------------------------------------------
+bool FileReader::CanRead(const std::string& path) noexcept
+{
+  try
+  {
+    std::ifstream in(path, std::ios::binary);
+    std::array<char, FileMagic.size()> begin{};
+    return in.read(begin.data(), begin.size()) &&
+      std::equal(begin.begin(), begin.end(), FileMagic.begin(),
+        [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
+  }
+  catch (...)
+  {
+    return false;
+  }
+}
+
+FileReader::FileReader(const std::string& path)
+  : Self(std::make_unique<Internals>(path))
+{
+}
+
+FileReader::~FileReader() = default;
+
+const std::string& FileReader::GetPath() const
+{
+  return this->Self->File.GetPath();
+}
+
+std::uint64_t FileReader::GetNumberOfPoints() const
+{
+  return this->Self->Meta.Points;
+}
+
+std::uint64_t FileReader::GetNumberOfTets() const
+{
+  return this->Self->Meta.Tets;
+}
+
+std::uint64_t FileReader::GetNumberOfSharedPoints() const
+{
+  return this->Self->Mesh.GetSharedPoints();
+}
+
+std::uint64_t FileReader::GetNumberOfUnusedPoints() const
+{
+  return this->Self->Meta.UnusedPoints;
+}
+
+ScalarType FileReader::GetCoordinateType() const
+{
+  return this->Self->Meta.CoordinateType;
+}
+
+bool FileReader::HasWideIds() const
+{
+  return this->Self->Meta.WideIds;
+}
+
+std::uint8_t FileReader::GetKeptOrder() const
+{
+  return this->Self->Meta.Keep;
+}
+
+const Bounds& FileReader::GetBounds() const
+{
+  return this->Self->Meta.Box;
+}
+
+const std::string& FileReader::GetWriterVersion() const
+{
+  return this->Self->Meta.WriterVersion;
+}
+
+std::pair<int, int> FileReader::GetFormatVersion() const
+{
+  return { this->Self->File.GetMajor(), this->Self->File.GetMinor() };
+}
+
+const std::vector<ArrayDescription>& FileReader::GetArrays() const
+{
+  return this->Self->Meta.Arrays;
+}
+
+std::size_t FileReader::GetNumberOfSteps() const
+{
+  return this->Self->Steps.size();
+}
+
+bool FileReader::HasTime() const
+{
+  return this->Self->Meta.HasTime;
+}
+
+const std::vector<double>& FileReader::GetTimes() const
+{
+  return this->Self->Times;
+}
+
+const std::vector<ChunkInfo>& FileReader::GetChunks() const
+{
+  return this->Self->Chunks;
+}
+
+const ArrayRanges& FileReader::GetRanges(std::size_t array, std::size_t step) const
+{
+  return this->Self->Steps.at(step).Arrays.at(array).Ranges;
+}
+
+const ArrayRanges& FileReader::GetChunkRanges(
+  std::size_t array, std::size_t step, std::size_t chunk) const
+{
+  return this->Self->Steps.at(step).Arrays.at(array).ChunkRanges.at(chunk);
+}
+
+FieldData FileReader::GetFieldData(std::size_t step) const
+{
+  const auto& where = this->Self->Steps.at(step).Field;
+  if (where.Length == 0)
+  {
+    return {};
+  }
+  return this->Self->Guarded("the field data", where,
+    [&] { return ReadFieldData(this->Self->File.Read(where, "the field data")); });
+}
+
+FileStatistics FileReader::GetStatistics() const
+{
+  FileStatistics s;
+  s.FileBytes = this->Self->File.GetSize();
+  const auto& mesh = this->Self->Mesh;
+  for (const auto& palette : mesh.Palettes)
+  {
+    s.SharedGeometryBytes += palette.Stream.Length;
+  }
+  const auto addBlock = [&](const BlockEntry& block)
+  {
+    s.SharedGeometryBytes += block.Geometry.Length;
+    s.OrderBytes += block.Order.Length;
+  };
+  std::for_each(mesh.Blocks.begin(), mesh.Blocks.end(), addBlock);
+  addBlock(mesh.Unused);
+  for (const auto& chunk : mesh.Chunks)
+  {
+    s.ConnectivityBytes += chunk.Connectivity.Length;
+    s.GeometryBytes += chunk.Geometry.Length;
+    s.OrderBytes += chunk.PointOrder.Length + chunk.CellOrder.Length + chunk.Corners.Length;
+  }
+  s.ArrayBytes.resize(this->GetArrays().size());
+  std::uint64_t arrays = 0;
+  for (const auto& step : this->Self->Steps)
+  {
+    s.FieldDataBytes += step.Field.Length;
+    for (std::size_t a = 0; a < step.Arrays.size(); ++a)
+    {
+      std::uint64_t bytes = 0;
+      for (const auto& palette : step.Arrays[a].Palettes)
+      {
+        bytes += palette.Stream.Length;
+      }
+      for (const auto* list : { &step.Arrays[a].Chunks, &step.Arrays[a].Blocks })
+      {
+        for (const auto& stream : *list)
+        {
+          bytes += stream.Length;
+        }
+      }
+      s.ArrayBytes[a] += bytes;
+      arrays += bytes;
+    }
+  }
+  const auto parts = s.ConnectivityBytes + s.GeometryBytes + s.SharedGeometryBytes + s.OrderBytes +
+    s.FieldDataBytes + arrays;
+  s.DirectoryBytes = s.FileBytes - std::min(parts, s.FileBytes);
+  return s;
+}
+
+std::uint64_t FileReader::GetChunkMeshBytes(std::size_t chunk) const
+{
+  const auto& entry = this->Self->Mesh.Chunks.at(chunk);
+  return entry.Connectivity.Length + entry.Geometry.Length;
+}
+
+std::uint64_t FileReader::GetChunkArrayBytes(
+  std::size_t chunk, std::size_t array, std::size_t step) const
+{
+  return this->Self->Steps.at(step).Arrays.at(array).Chunks.at(chunk).Length;
+}
+
+bool FileReader::Verify(const std::function<bool(double)>& progress) const
+{
+  try
+  {
+    this->Self->File.CheckSections([&](double done) { return !progress || progress(0.1 * done); });
+    for (std::size_t step = 0; step < this->GetNumberOfSteps(); ++step)
+    {
+      this->GetFieldData(step);
+    }
+    VerifyStreams(*this, [&](double done) { return !progress || progress(0.1 + 0.9 * done); });
+    return true;
+  }
+  catch (const Error& error)
+  {
+    if (error.Code == ErrorCode::Aborted)
+    {
+      return false;
+    }
+    throw;
+  }
+}
+
+std::uint64_t FileReader::GetBytesRead() const
+{
+  return this->Self->File.GetBytesRead();
+}
+}

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunFileReaderInternals_h
+#define gatunFileReaderInternals_h
+
+#include "gatunContainer.h"
+#include "gatunFileReader.h"
+#include "gatunGeometry.h"
+#include "gatunTables.h"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gatun
+{
+/** What FileReader has read of its file; the decoders take their streams from here. */
+class FileReader::Internals
+{
+public:
+  explicit Internals(const std::string& path);
+
+  /** How the values of an array become keys at a step. */
+  std::vector<Domain> MakeDomains(std::size_t array, std::size_t step) const;
+
+  /** Runs decode and puts file, what and where in front of what it throws. */
+  template <typename Decode>
+  auto Guarded(const std::string& what, const StreamRef& where, Decode&& decode) const
+  {
+    try
+    {
+      return decode();
+    }
+    catch (const Error& error)
+    {
+      if (error.Code != ErrorCode::Corrupt || this->IsComplete(error))
+      {
+        throw;
+      }
+      this->File.Fail(ErrorCode::Corrupt,
+        what + " at byte " + std::to_string(where.Offset) + " is damaged: " + error.what());
+    }
+  }
+
+  /** The step from which steps up to this one are decoded. */
+  std::size_t FindKeyStep(std::size_t step) const
+  {
+    while (step > 0 && !this->Steps[step].Key)
+    {
+      --step;
+    }
+    return step;
+  }
+
+  /** Whether streams of an array at a step may refer to the step before. */
+  bool HasBefore(std::size_t array, std::size_t step) const
+  {
+    return step > 0 && !this->Steps[step].Key && !this->Steps[step].Arrays[array].HasPalette() &&
+      !this->Steps[step - 1].Arrays[array].HasPalette();
+  }
+
+  InputFile File;
+  MetaTable Meta;
+  MeshTable Mesh;
+  std::vector<StepTable> Steps;
+  std::vector<double> Times;
+  std::vector<ChunkInfo> Chunks;
+  PointDomain Domains;
+
+private:
+  void CheckSteps() const;
+  bool IsComplete(const Error& error) const
+  {
+    return std::string(error.what())
+             .compare(0, this->File.GetPath().size(), this->File.GetPath()) == 0;
+  }
+};
+}
+
+#endif

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunFileWriter_h
+#define gatunFileWriter_h
+
+#include "gatunFieldData.h"
+#include "gatunTypes.h"
+#include "vtkGatunCoreModule.h"
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gatun
+{
+/** A tetrahedral mesh in the caller's memory, which must stay there until Finish has returned. */
+struct MeshInput
+{
+  std::uint64_t Points = 0;
+  ScalarType CoordinateType = ScalarType::Float32; ///< Float32 or Float64
+  const void* Coordinates = nullptr;               ///< x, y, z of each point
+  std::uint64_t Tets = 0;
+  const void* Connectivity = nullptr; ///< four point ids a tetrahedron
+  bool WideIds = true;                ///< ids are std::int64_t, else std::int32_t; kept in the file
+};
+
+struct WriterOptions
+{
+  std::uint8_t Keep = KeepNone; ///< which original order to keep: flags of KeepOrder
+
+  /** Tetrahedra a chunk at most, 64 to 262144; 0: 65536, or 262144 for over 10 million tets. */
+  std::uint32_t ChunkTets = 0;
+
+  /** Every how many time steps one is coded without its predecessor, 1 or more. */
+  std::uint32_t KeyStepInterval = 8;
+};
+
+/**
+ * Writes one mesh and any number of time steps of its arrays as a .gtn file.
+ *
+ * The file appears under its name only when Finish returns; until then, and after any failure, a
+ * file that was there before is untouched. All threads of vtkSMPTools are used; the bytes do not
+ * depend on their number. Peak memory is below 3 times the mesh and one step of its arrays.
+ *
+ * Every method may throw gatun::Error (InvalidInput, CannotWrite, Aborted), after which only the
+ * destructor may be called. Not thread safe.
+ */
+class VTKGATUNCORE_EXPORT FileWriter
+{
+public:
+  /** Called with the fraction done of the current call, 0 to 1; returns false to abort. Only ever
+   * called from the thread that called the writer. */
+  using Progress = std::function<bool(double)>;
+
+  /** Opens a temporary file next to path and partitions the mesh. Throws when a tetrahedron names
+   * a point that does not exist. Array names may repeat; their order is kept. */
+  FileWriter(const std::string& path, const MeshInput& mesh,
+    const std::vector<ArrayDescription>& arrays, const WriterOptions& options,
+    const Progress& progress = {});
+  ~FileWriter();
+  FileWriter(const FileWriter&) = delete;
+  FileWriter& operator=(const FileWriter&) = delete;
+
+  /**
+   * Adds the values of all arrays, in the order of the descriptions, at a time. Times must ascend
+   * strictly. A mesh without time is written by one call with hasTime false; a file without any
+   * call is valid, and has no values when it has arrays of no tuples or none.
+   * Values are tuples one after the other: Points or Tets times Components values.
+   */
+  void WriteStep(std::span<const void* const> values, const FieldData& field = {},
+    bool hasTime = false, double time = 0, const Progress& progress = {});
+
+  /** Completes the file and gives it its name. */
+  FileStatistics Finish();
+
+private:
+  class Internals;
+  std::unique_ptr<Internals> Self;
+};
+}
+
+#endif

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunGeometry.h"
+
+namespace gatun
+{
+namespace
+{
+/** Solves a * x = b in place by elimination with pivoting; false if a is singular. */
+template <std::size_t N>
+bool Solve(std::array<std::array<double, N>, N>& a, std::array<double, N>& b)
+{
+  for (std::size_t i = 0; i < N; ++i)
+  {
+    std::size_t pivot = i;
+    for (std::size_t r = i + 1; r < N; ++r)
+    {
+      pivot = std::abs(a[r][i]) > std::abs(a[pivot][i]) ? r : pivot;
+    }
+    if (!(std::abs(a[pivot][i]) > 0))
+    {
+      return false;
+    }
+    std::swap(a[i], a[pivot]);
+    std::swap(b[i], b[pivot]);
+    for (std::size_t r = i + 1; r < N; ++r)
+    {
+      const double factor = a[r][i] / a[i][i];
+      for (std::size_t c = i; c < N; ++c)
+      {
+        a[r][c] -= factor * a[i][c];
+      }
+      b[r] -= factor * b[i];
+    }
+  }
+  for (std::size_t i = N; i-- > 0;)
+  {
+    for (std::size_t c = i + 1; c < N; ++c)
+    {
+      b[i] -= a[i][c] * b[c];
+    }
+    b[i] /= a[i][i];
+  }
+  return true;
+}
+
+std::array<double, GateRecord::Size> GetNumbers(const GateRecord& record, unsigned component,
+  std::span<const PointKeys> keys, const PointDomain& domain)
+{
+  std::array<double, GateRecord::Size> numbers{};
+  for (unsigned k = 0; k < GateRecord::Size; ++k)
+  {
+    const Vertex v = record.Known[k];
+    numbers[k] = v != NoVertex ? domain[component].ToNumber(keys[v][component])
+                               : numbers[k - 4] + numbers[(k - 3) % 3] - numbers[(k - 2) % 3];
+  }
+  return numbers;
+}
+}
+
+const PredictionRules& GetGridRules()
+{
+  // Corners a, b, c of the gate, apex, far corners over ab, bc, ca.
+  static const PredictionRules rules{
+    { 0, 0, 256, 0, 0, 0, 0 },           // c: a swept coordinate repeats
+    { 256, 0, 0, -256, 0, 256, 0 },      // parallelograms with the far corners
+    { 0, 256, 0, -256, 0, 0, 256 },      //
+    { 128, 128, 128, -128, 0, 0, 0 },    // the corner of a parallelepiped beside its kernel
+    { 256, 0, 256, 0, 0, 0, -256 },      //
+    { 0, -256, 0, 0, 256, 256, 0 },      //
+    { 0, 256, 256, 0, 0, -256, 0 },      //
+    { 0, 0, 512, -256, 0, 0, 0 },        // a row goes on
+    { -256, 0, 0, 0, 256, 0, 256 },      //
+    { 0, 0, 256, -256, 256, 0, 0 },      //
+    { 0, 0, 0, 0, 256, 0, 0 },           //
+    { 256, 256, 0, 0, -256, 0, 0 },      //
+  };
+  return rules;
+}
+
+double ApplyRule(const PredictionRule& rule, const GateRecord& record,
+  const std::array<double, GateRecord::Size>& numbers)
+{
+  double sum = 0;
+  for (unsigned k = 0; k < GateRecord::Size; ++k)
+  {
+    if (rule[k] == 0)
+    {
+      continue;
+    }
+    double number = numbers[k];
+    if (record.Known[k] == NoVertex)
+    {
+      const unsigned i = k - 4;
+      number = numbers[i] + numbers[(i + 1) % 3] - numbers[(i + 2) % 3];
+    }
+    sum += rule[k] * number;
+  }
+  return sum * (1.0 / 256.0);
+}
+
+PredictionRules FitRule(std::span<const GateRecord> records, std::span<const Vertex> ids,
+  std::span<const PointKeys> keys, const PointDomain& domain)
+{
+  // Offsets from the gate's third corner; its own weight is what the others leave of 1.
+  constexpr std::size_t unknowns = GateRecord::Size - 1;
+  constexpr unsigned centre = 2;
+  std::array<std::array<double, unknowns>, unknowns> normal{};
+  std::array<double, unknowns> right{};
+  for (std::size_t n = 0; n < records.size(); ++n)
+  {
+    if (records[n].IsSeed())
+    {
+      continue;
+    }
+    for (unsigned i = 0; i < 3; ++i)
+    {
+      const auto numbers = GetNumbers(records[n], i, keys, domain);
+      std::array<double, unknowns> offset{};
+      double square = 0;
+      for (unsigned k = 0, u = 0; k < GateRecord::Size; ++k)
+      {
+        if (k != centre)
+        {
+          offset[u] = numbers[k] - numbers[centre];
+          square += offset[u] * offset[u];
+          ++u;
+        }
+      }
+      const double wanted = domain[i].ToNumber(keys[ids[n]][i]) - numbers[centre];
+      const double weight = 1.0 / square;
+      if (!std::isfinite(weight) || !std::isfinite(wanted))
+      {
+        continue;
+      }
+      for (std::size_t r = 0; r < unknowns; ++r)
+      {
+        right[r] += weight * offset[r] * wanted;
+        for (std::size_t c = 0; c < unknowns; ++c)
+        {
+          normal[r][c] += weight * offset[r] * offset[c];
+        }
+      }
+    }
+  }
+  for (std::size_t r = 0; r < unknowns; ++r)
+  {
+    normal[r][r] += 1e-9 + 1e-6 * normal[r][r];
+  }
+  PredictionRule rule{ 0, 0, 256, 0, 0, 0, 0 };
+  if (Solve(normal, right))
+  {
+    for (unsigned k = 0, u = 0; k < GateRecord::Size; ++k)
+    {
+      if (k != centre)
+      {
+        const double weight = std::floor(256.0 * right[u] + 0.5);
+        const auto bounded = std::isfinite(weight) ? std::clamp(weight, -1024.0, 1024.0) : 0.0;
+        rule[k] = static_cast<std::int16_t>(bounded);
+        rule[centre] = static_cast<std::int16_t>(rule[centre] - rule[k]);
+        ++u;
+      }
+    }
+  }
+  return { rule };
+}
+}

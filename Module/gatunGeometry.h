@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunGeometry_h
+#define gatunGeometry_h
+
+// Coordinates of own vertices, each predicted from the gate on which it was met.
+
+#include "gatunDomain.h"
+#include "gatunResidual.h"
+#include "gatunTopology.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gatun
+{
+using PointKeys = std::array<Key, 3>;
+using PointDomain = std::array<Domain, 3>;
+
+/** Maps coordinates to the 16-bit lattice of a chunk. Deterministic; not finite counts as lowest. */
+class Lattice
+{
+public:
+  Lattice() = default;
+
+  /** From the smallest and largest finite coordinates of the chunk. */
+  explicit Lattice(const Bounds& box)
+  {
+    double extent = 0;
+    for (unsigned i = 0; i < 3; ++i)
+    {
+      const double length = box[i].Max - box[i].Min;
+      this->Low[i] = box[i].Min;
+      extent = length > extent ? length : extent;
+    }
+    const double scale = 65535.0 / extent;
+    this->Scale = std::isfinite(scale) ? scale : 0;
+  }
+
+  LatticePoint Map(double x, double y, double z) const
+  {
+    return { this->Map(x, 0), this->Map(y, 1), this->Map(z, 2) };
+  }
+
+private:
+  float Map(double value, unsigned axis) const
+  {
+    const double place = std::floor((value - this->Low[axis]) * this->Scale);
+    // The comparisons also send what is not a number to 0.
+    return place > 0 ? (place < 65535.0 ? static_cast<float>(place) : 65535.0f) : 0.0f;
+  }
+
+  std::array<double, 3> Low{ 0, 0, 0 };
+  double Scale = 0;
+};
+
+/** Weights of a gate's seven known vertices, in units of 1/256. */
+using PredictionRule = std::array<std::int16_t, GateRecord::Size>;
+
+/**
+ * The rules of a chunk. With one, it is fitted to the chunk; with several, each vertex names the
+ * one that predicts it best, which pays where vertices lie in rows, as in grids of hexahedra.
+ */
+using PredictionRules = std::vector<PredictionRule>;
+
+constexpr std::size_t MaxRules = 16;
+
+/** Rules that continue the rows, parallelograms and parallelepipeds of split hexahedra. */
+const PredictionRules& GetGridRules();
+
+/** The single rule with the least squared errors, for vertices in no particular order. */
+PredictionRules FitRule(std::span<const GateRecord> records, std::span<const Vertex> ids,
+  std::span<const PointKeys> keys, const PointDomain& domain);
+
+/** What a rule predicts for one component. Missing far corners continue the gate's plane. */
+double ApplyRule(const PredictionRule& rule, const GateRecord& record,
+  const std::array<double, GateRecord::Size>& numbers);
+
+/** Codes the coordinates of own vertices in the order of the walk. */
+template <typename Coder>
+class GeometryCoder
+{
+public:
+  GeometryCoder(Coder& coder, const PointDomain& domain, PredictionRules rules)
+    : Symbols(coder)
+    , Components(domain)
+    , Rules(std::move(rules))
+    , RuleModels(this->Rules.size() > 1 ? 27 * 4 * MaxRules : 0)
+    , Residuals(3 * (MaxRules + 1) * 4)
+  {
+  }
+
+  /**
+   * Codes the next own vertex; keys has those of every vertex met before. Returns its keys and
+   * leaves in usedRule the number of the rule that predicted it.
+   */
+  PointKeys Code(const GateRecord& record, std::span<const PointKeys> keys, const PointKeys& truth,
+    std::uint8_t& usedRule)
+  {
+    PointKeys result{};
+    unsigned group = static_cast<unsigned>(MaxRules);
+    unsigned rule = 0;
+    if (!record.IsSeed())
+    {
+      rule = this->CodeRule(record, keys, truth);
+      group = this->Rules.size() > 1 ? rule : record.CandidateGrade;
+    }
+    usedRule = static_cast<std::uint8_t>(rule);
+    unsigned grade = 0;
+    for (unsigned i = 0; i < 3; ++i)
+    {
+      const Domain& domain = this->Components[i];
+      Key predicted = this->Previous[i];
+      unsigned spread = domain.GetBits();
+      if (!record.IsSeed())
+      {
+        predicted = this->Predict(rule, i, record, keys);
+        spread = GetSpread(record, i, keys);
+      }
+      auto& model = this->Residuals[(i * (MaxRules + 1) + group) * 4 + grade];
+      const auto residual = model.Code(
+        this->Symbols, spread, Coder::Encoding ? domain.Subtract(truth[i], predicted) : 0);
+      result[i] = domain.Add(predicted, residual);
+      if (!Coder::Encoding && !domain.IsValid(result[i]))
+      {
+        ThrowCorrupt("a coordinate is not in the palette");
+      }
+      grade = GradeOf(model.LastClass);
+    }
+    this->Previous = result;
+    return result;
+  }
+
+private:
+  /** Bits of the difference of the largest and the smallest key of gate and apex. */
+  static unsigned GetSpread(
+    const GateRecord& record, unsigned component, std::span<const PointKeys> keys)
+  {
+    Key low = ~Key{ 0 };
+    Key high = 0;
+    for (unsigned k = 0; k < 4; ++k)
+    {
+      const Key key = keys[record.Known[k]][component];
+      low = std::min(low, key);
+      high = std::max(high, key);
+    }
+    return static_cast<unsigned>(std::bit_width(high - low));
+  }
+
+  Key Predict(unsigned rule, unsigned component, const GateRecord& record,
+    std::span<const PointKeys> keys) const
+  {
+    const Domain& domain = this->Components[component];
+    std::array<double, GateRecord::Size> numbers{};
+    for (unsigned k = 0; k < GateRecord::Size; ++k)
+    {
+      const Vertex v = record.Known[k];
+      if (this->Rules[rule][k] != 0 || k < 3)
+      {
+        numbers[k] = v != NoVertex ? domain.ToNumber(keys[v][component]) : 0;
+      }
+    }
+    return domain.FromNumber(ApplyRule(this->Rules[rule], record, numbers));
+  }
+
+  unsigned CodeRule(
+    const GateRecord& record, std::span<const PointKeys> keys, const PointKeys& truth)
+  {
+    if (this->Rules.size() == 1)
+    {
+      return 0;
+    }
+    const unsigned best = Coder::Encoding ? this->FindBestRule(record, keys, truth) : 0;
+    BitModel* models =
+      &this->RuleModels[(record.EdgeGrade * 4u + record.CandidateGrade) * MaxRules];
+    unsigned node = 1;
+    for (int level = 3; level >= 0; --level)
+    {
+      node = 2 * node + this->Symbols.Bit(models[node], (best >> level) & 1);
+    }
+    const unsigned rule = node - static_cast<unsigned>(MaxRules);
+    if (rule >= this->Rules.size())
+    {
+      ThrowCorrupt("a vertex names a prediction rule that is not there");
+    }
+    return rule;
+  }
+
+  unsigned FindBestRule(
+    const GateRecord& record, std::span<const PointKeys> keys, const PointKeys& truth) const
+  {
+    unsigned best = 0;
+    int least = 1 << 30;
+    for (unsigned rule = 0; rule < this->Rules.size(); ++rule)
+    {
+      int bits = 0;
+      for (unsigned i = 0; i < 3; ++i)
+      {
+        const auto residual =
+          this->Components[i].Subtract(truth[i], this->Predict(rule, i, record, keys));
+        const auto size = static_cast<std::uint64_t>(residual < 0 ? -(residual + 1) : residual);
+        bits += 2 * std::bit_width(size) + (residual != 0);
+      }
+      if (bits < least)
+      {
+        least = bits;
+        best = rule;
+      }
+    }
+    return best;
+  }
+
+  Coder& Symbols;
+  const PointDomain& Components;
+  const PredictionRules Rules;
+  std::vector<BitModel> RuleModels;
+  std::vector<ResidualModel> Residuals;
+  PointKeys Previous{};
+};
+}
+
+#endif

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunParallel.h"
+
+#include "gatunError.h"
+
+#include <vtkSMPTools.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+namespace gatun
+{
+namespace
+{
+/** Hands out bodies one by one, so that threads stay busy however uneven the bodies are. */
+class Work
+{
+public:
+  Work(std::size_t count, const std::function<void(std::size_t)>& body,
+    const std::function<bool(double)>& progress)
+    : Count(count)
+    , Body(body)
+    , Progress(progress)
+    , Caller(std::this_thread::get_id())
+  {
+  }
+
+  /** Runs bodies until there are none left or one has failed. */
+  void Take()
+  {
+    const bool reports = this->Progress && std::this_thread::get_id() == this->Caller;
+    for (;;)
+    {
+      const auto i = this->Next++;
+      if (i >= this->Count || this->Stop)
+      {
+        return;
+      }
+      try
+      {
+        if (reports && !this->Progress(static_cast<double>(i) / static_cast<double>(this->Count)))
+        {
+          throw Error(ErrorCode::Aborted, "aborted");
+        }
+        this->Body(i);
+      }
+      catch (...)
+      {
+        const std::lock_guard<std::mutex> lock(this->Guard);
+        if (!this->Failure)
+        {
+          this->Failure = std::current_exception();
+        }
+        this->Stop = true;
+      }
+    }
+  }
+
+  void Rethrow() const
+  {
+    if (this->Failure)
+    {
+      std::rethrow_exception(this->Failure);
+    }
+  }
+
+private:
+  const std::size_t Count;
+  const std::function<void(std::size_t)>& Body;
+  const std::function<bool(double)>& Progress;
+  const std::thread::id Caller;
+  std::atomic<std::size_t> Next{ 0 };
+  std::atomic<bool> Stop{ false };
+  std::mutex Guard;
+  std::exception_ptr Failure;
+};
+
+/** Whether vtkSMPTools would run on one thread although nobody asked for that. */
+bool IsSequentialByDefault()
+{
+  return std::strcmp(vtkSMPTools::GetBackend(), "Sequential") == 0 &&
+    !std::getenv("VTK_SMP_BACKEND_IN_USE");
+}
+
+template <typename Run>
+void WithThreads(Run&& run)
+{
+  if (IsSequentialByDefault())
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false }, run);
+  }
+  else
+  {
+    run();
+  }
+}
+}
+
+int GetNumberOfThreads()
+{
+  int threads = 1;
+  WithThreads([&] { threads = vtkSMPTools::GetEstimatedNumberOfThreads(); });
+  return threads > 1 ? threads : 1;
+}
+
+void ParallelFor(std::size_t count, const std::function<void(std::size_t)>& body,
+  const std::function<bool(double)>& progress)
+{
+  Work work(count, body, progress);
+  if (count > 1)
+  {
+    WithThreads(
+      [&]
+      {
+        const int threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+        const auto takers = static_cast<vtkIdType>(
+          static_cast<std::size_t>(threads) < count ? static_cast<std::size_t>(threads) : count);
+        auto take = [&](vtkIdType begin, vtkIdType end)
+        {
+          for (auto i = begin; i < end; ++i)
+          {
+            work.Take();
+          }
+        };
+        vtkSMPTools::For(0, takers, 1, take);
+      });
+  }
+  work.Take(); // for one body, and for backends that leave the calling thread idle
+  work.Rethrow();
+}
+}

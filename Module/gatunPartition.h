@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunPartition_h
+#define gatunPartition_h
+
+// Cuts a mesh into chunks and finds the points that they share.
+
+#include "gatunFileWriter.h"
+#include "gatunTables.h"
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace gatun
+{
+/** Reads coordinates and connectivity of a MeshInput whatever their types. */
+class MeshAccess
+{
+public:
+  explicit MeshAccess(const MeshInput& mesh)
+    : Mesh(mesh)
+  {
+  }
+
+  double GetCoordinate(std::uint64_t point, unsigned axis) const
+  {
+    return this->Mesh.CoordinateType == ScalarType::Float32
+      ? static_cast<double>(static_cast<const float*>(this->Mesh.Coordinates)[3 * point + axis])
+      : static_cast<const double*>(this->Mesh.Coordinates)[3 * point + axis];
+  }
+
+  /** Unsigned, so that a negative id is far too large. */
+  std::uint64_t GetId(std::uint64_t tet, unsigned corner) const
+  {
+    return this->Mesh.WideIds
+      ? static_cast<const std::uint64_t*>(this->Mesh.Connectivity)[4 * tet + corner]
+      : static_cast<std::uint64_t>(static_cast<std::int64_t>(
+          static_cast<const std::int32_t*>(this->Mesh.Connectivity)[4 * tet + corner]));
+  }
+
+  const MeshInput& GetMesh() const { return this->Mesh; }
+
+private:
+  const MeshInput Mesh;
+};
+
+/** A mesh cut into chunks. Indices are those of the input; they fit 32 bits. */
+struct Partition
+{
+  static constexpr std::uint32_t Unused = 0xffffffffu;
+
+  std::vector<std::uint32_t> Tets; // all, chunk by chunk, ascending within a chunk
+  std::vector<std::size_t> ChunkStart;
+
+  // The points used by several chunks, in the order of the file: blocks, groups, Morton order.
+  std::vector<std::uint32_t> SharedPoints;
+  std::vector<BlockEntry> Blocks; // groups and counts only
+
+  std::vector<std::uint32_t> UnusedPoints;
+
+  // Of each point: its place in SharedPoints, or OwnPoint, or UnusedPoint.
+  static constexpr std::uint32_t OwnPoint = 0xfffffffeu;
+  std::vector<std::uint32_t> SharedIndex;
+
+  std::size_t GetChunkCount() const { return this->ChunkStart.size() - 1; }
+};
+
+/**
+ * Halves the tetrahedra along the longest axis of their centroids until no part has more than
+ * chunkTets. The same result for any number of threads. Throws InvalidInput if a tetrahedron names
+ * a point that is not there.
+ */
+Partition MakePartition(
+  const MeshAccess& mesh, std::uint32_t chunkTets, const std::function<bool(double)>& progress);
+}
+
+#endif

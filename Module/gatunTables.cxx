@@ -1,0 +1,590 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunTables.h"
+
+#include "gatunChunkCodec.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gatun
+{
+namespace
+{
+// A table is at most this much larger than its compressed form, unless it is small anyway.
+constexpr std::uint64_t TableExpansion = 512;
+constexpr std::uint64_t SmallTable = 64u << 20;
+
+constexpr std::uint32_t MaxComponents = 1u << 16;
+
+void Check(bool right, const char* what)
+{
+  if (!right)
+  {
+    ThrowCorrupt(what);
+  }
+}
+
+void PutStream(ByteWriter& out, const StreamRef& stream)
+{
+  out.PutVarint(stream.Length);
+  if (stream.Length > 0)
+  {
+    out.PutVarint(stream.Offset);
+    out.Put(stream.Sum);
+  }
+}
+
+StreamRef GetStream(ByteReader& in)
+{
+  StreamRef stream;
+  stream.Length = in.GetVarint();
+  if (stream.Length > 0)
+  {
+    stream.Offset = in.GetVarint();
+    stream.Sum = in.Get<std::uint64_t>();
+  }
+  return stream;
+}
+
+void PutStrings(ByteWriter& out, const std::vector<std::string>& strings)
+{
+  out.PutVarint(strings.size());
+  for (const auto& s : strings)
+  {
+    out.PutString(s);
+  }
+}
+
+std::vector<std::string> GetStrings(ByteReader& in)
+{
+  std::vector<std::string> strings(in.GetCount(1));
+  for (auto& s : strings)
+  {
+    s = in.GetString();
+  }
+  return strings;
+}
+
+void PutRange(ByteWriter& out, const Range& range)
+{
+  out.Put(range.Min);
+  out.Put(range.Max);
+}
+
+Range GetRange(ByteReader& in)
+{
+  Range range;
+  range.Min = in.Get<double>();
+  range.Max = in.Get<double>();
+  Check(!std::isnan(range.Min) && !std::isnan(range.Max), "a range is not a number");
+  return range;
+}
+
+ScalarType GetScalarType(ByteReader& in)
+{
+  const auto type = in.Get<std::uint8_t>();
+  Check(type >= 1 && type <= 10, "a value type is unknown");
+  return static_cast<ScalarType>(type);
+}
+
+void PutPalette(ByteWriter& out, const PaletteRef& palette)
+{
+  out.PutVarint(palette.Count);
+  if (palette.Count > 0)
+  {
+    PutStream(out, palette.Stream);
+  }
+}
+
+PaletteRef GetPalette(ByteReader& in)
+{
+  PaletteRef palette;
+  palette.Count = in.GetVarint();
+  if (palette.Count > 0)
+  {
+    palette.Stream = GetStream(in);
+    Check(palette.Count / MaxItemsPerByte <= palette.Stream.Length, "a palette is too large");
+  }
+  return palette;
+}
+
+/** Points below 2^32 altogether, and not more than their stream can hold. */
+void CheckPoints(std::uint64_t points, const StreamRef& geometry)
+{
+  Check(points < (std::uint64_t{ 1 } << 32), "a block has too many points");
+  Check(points == 0 || points / MaxItemsPerByte + 1 <= geometry.Length,
+    "a block claims more points than its stream can hold");
+}
+
+Bytes Pack(const ByteWriter& out)
+{
+  return Compress(out.Data);
+}
+
+Bytes Unpack(std::span<const std::uint8_t> bytes)
+{
+  return Decompress(bytes, std::max(SmallTable, TableExpansion * bytes.size()));
+}
+}
+
+//--------------------------------------------------------------------------------------------------
+Bytes MetaTable::Write() const
+{
+  ByteWriter out;
+  out.PutString(this->WriterVersion);
+  out.PutVarint(this->Points);
+  out.PutVarint(this->Tets);
+  out.PutVarint(this->UnusedPoints);
+  out.Put(static_cast<std::uint8_t>(this->CoordinateType));
+  out.Put(static_cast<std::uint8_t>(this->WideIds));
+  out.Put(static_cast<std::uint8_t>(this->HasTime));
+  out.Put(this->Keep);
+  out.PutVarint(this->ChunkTets);
+  out.PutVarint(this->KeyStepInterval);
+  for (const auto& range : this->Box)
+  {
+    PutRange(out, range);
+  }
+  out.PutVarint(this->Arrays.size());
+  for (const auto& array : this->Arrays)
+  {
+    out.PutString(array.Name);
+    out.Put(static_cast<std::uint8_t>(array.Where));
+    out.Put(static_cast<std::uint8_t>(array.Type));
+    out.PutVarint(array.Components);
+    out.Put(array.VTKType);
+    out.Put(array.AttributeRoles);
+    PutStrings(out, array.ComponentNames);
+  }
+  return Pack(out);
+}
+
+MetaTable MetaTable::Read(std::span<const std::uint8_t> bytes)
+{
+  const auto data = Unpack(bytes);
+  ByteReader in(data);
+  MetaTable meta;
+  meta.WriterVersion = in.GetString();
+  meta.Points = in.GetVarint();
+  meta.Tets = in.GetVarint();
+  meta.UnusedPoints = in.GetVarint();
+  meta.CoordinateType = GetScalarType(in);
+  Check(IsFloating(meta.CoordinateType), "the coordinates have an unknown type");
+  meta.WideIds = in.Get<std::uint8_t>() != 0;
+  meta.HasTime = in.Get<std::uint8_t>() != 0;
+  meta.Keep = in.Get<std::uint8_t>();
+  Check(meta.Keep <= KeepAll, "the kept order is unknown");
+  meta.ChunkTets = static_cast<std::uint32_t>(in.GetVarint());
+  meta.KeyStepInterval = static_cast<std::uint32_t>(in.GetVarint());
+  for (auto& range : meta.Box)
+  {
+    range = GetRange(in);
+  }
+  meta.Arrays.resize(in.GetCount(13));
+  for (auto& array : meta.Arrays)
+  {
+    array.Name = in.GetString();
+    const auto where = in.Get<std::uint8_t>();
+    Check(where <= 1, "an array belongs to neither points nor cells");
+    array.Where = static_cast<Association>(where);
+    array.Type = GetScalarType(in);
+    const auto components = in.GetVarint();
+    Check(components >= 1 && components <= MaxComponents, "an array has too many components");
+    array.Components = static_cast<std::uint32_t>(components);
+    array.VTKType = in.Get<std::int32_t>();
+    array.AttributeRoles = in.Get<std::uint32_t>();
+    array.ComponentNames = GetStrings(in);
+    Check(array.ComponentNames.size() <= array.Components, "too many names of components");
+  }
+  Check(in.GetRemaining() == 0, "there are bytes behind the end of the meta data");
+  return meta;
+}
+
+//--------------------------------------------------------------------------------------------------
+Bytes MeshTable::Write(std::uint8_t keep) const
+{
+  ByteWriter out;
+  for (const auto& palette : this->Palettes)
+  {
+    PutPalette(out, palette);
+  }
+  const auto putBlock = [&](const BlockEntry& block)
+  {
+    PutStream(out, block.Geometry);
+    if (keep & KeepPoints)
+    {
+      PutStream(out, block.Order);
+    }
+  };
+  out.PutVarint(this->Blocks.size());
+  for (const auto& block : this->Blocks)
+  {
+    out.PutVarint(block.Groups.size());
+    for (const auto& group : block.Groups)
+    {
+      out.PutVarint(group.Points);
+      out.PutVarint(group.Chunks.size());
+      std::uint32_t last = 0;
+      for (const auto chunk : group.Chunks)
+      {
+        out.PutVarint(chunk - last);
+        last = chunk;
+      }
+    }
+    putBlock(block);
+  }
+  putBlock(this->Unused);
+  out.PutVarint(this->Chunks.size());
+  for (const auto& chunk : this->Chunks)
+  {
+    out.PutVarint(chunk.Info.Tets);
+    out.PutVarint(chunk.Info.OwnPoints);
+    out.PutVarint(chunk.Info.Level);
+    out.PutVarint(chunk.Info.Bucket);
+    for (const auto& range : chunk.Info.Box)
+    {
+      PutRange(out, range);
+    }
+    PutStream(out, chunk.Connectivity);
+    PutStream(out, chunk.Geometry);
+    if (keep & KeepPoints)
+    {
+      PutStream(out, chunk.PointOrder);
+    }
+    if (keep & KeepCells)
+    {
+      PutStream(out, chunk.CellOrder);
+    }
+    if (keep & KeepCorners)
+    {
+      PutStream(out, chunk.Corners);
+    }
+  }
+  return Pack(out);
+}
+
+MeshTable MeshTable::Read(std::span<const std::uint8_t> bytes, const MetaTable& meta)
+{
+  const auto data = Unpack(bytes);
+  ByteReader in(data);
+  MeshTable mesh;
+  for (auto& palette : mesh.Palettes)
+  {
+    palette = GetPalette(in);
+  }
+  const auto getBlock = [&](BlockEntry& block)
+  {
+    block.Geometry = GetStream(in);
+    if (meta.Keep & KeepPoints)
+    {
+      block.Order = GetStream(in);
+    }
+    CheckPoints(block.Points, block.Geometry);
+  };
+  mesh.Blocks.resize(in.GetCount(2));
+  for (auto& block : mesh.Blocks)
+  {
+    block.Groups.resize(in.GetCount(4));
+    for (auto& group : block.Groups)
+    {
+      const auto points = in.GetVarint();
+      Check(points >= 1 && points < (std::uint64_t{ 1 } << 32), "a group has no points");
+      group.Points = static_cast<std::uint32_t>(points);
+      block.Points += points;
+      group.Chunks.resize(in.GetCount(1));
+      Check(group.Chunks.size() >= 2, "a group is shared by fewer than two chunks");
+      std::uint64_t last = 0;
+      for (std::size_t i = 0; i < group.Chunks.size(); ++i)
+      {
+        const auto step = in.GetVarint();
+        Check((i == 0 || step > 0) && step < (std::uint64_t{ 1 } << 32),
+          "the chunks of a group do not ascend");
+        last += step;
+        Check(last < (std::uint64_t{ 1 } << 32), "a group names a chunk that is not there");
+        group.Chunks[i] = static_cast<std::uint32_t>(last);
+      }
+    }
+    getBlock(block);
+  }
+  mesh.Unused.Points = meta.UnusedPoints;
+  getBlock(mesh.Unused);
+  mesh.Chunks.resize(in.GetCount(4 + 48));
+  for (auto& chunk : mesh.Chunks)
+  {
+    chunk.Info.Tets = in.GetVarint();
+    chunk.Info.OwnPoints = in.GetVarint();
+    chunk.Info.Level = static_cast<std::uint32_t>(in.GetVarint());
+    chunk.Info.Bucket = static_cast<std::uint32_t>(in.GetVarint());
+    for (auto& range : chunk.Info.Box)
+    {
+      range = GetRange(in);
+    }
+    chunk.Connectivity = GetStream(in);
+    chunk.Geometry = GetStream(in);
+    if (meta.Keep & KeepPoints)
+    {
+      chunk.PointOrder = GetStream(in);
+    }
+    if (meta.Keep & KeepCells)
+    {
+      chunk.CellOrder = GetStream(in);
+    }
+    if (meta.Keep & KeepCorners)
+    {
+      chunk.Corners = GetStream(in);
+    }
+    Check(chunk.Info.Tets >= 1 && chunk.Info.Tets <= MaxChunkTets,
+      "a chunk has an impossible number of tetrahedra");
+    Check(chunk.Info.Tets / MaxItemsPerByte + 1 <= chunk.Connectivity.Length,
+      "a chunk claims more tetrahedra than its stream can hold");
+    Check(chunk.Info.OwnPoints <= 4 * chunk.Info.Tets,
+      "a chunk has more points than its tetrahedra can use");
+  }
+  Check(in.GetRemaining() == 0, "there are bytes behind the end of the table");
+  mesh.LinkGroups();
+  mesh.NumberAll(meta);
+  return mesh;
+}
+
+std::uint64_t MeshTable::GetSharedPoints() const
+{
+  return this->Blocks.empty() ? 0 : this->Blocks.back().FirstPoint + this->Blocks.back().Points;
+}
+
+void MeshTable::LinkGroups()
+{
+  std::uint64_t point = 0;
+  std::vector<std::vector<std::uint32_t>> neighbours(this->Chunks.size());
+  const auto simplify = [](std::vector<std::uint32_t>& list)
+  {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  };
+  for (std::uint32_t b = 0; b < this->Blocks.size(); ++b)
+  {
+    auto& block = this->Blocks[b];
+    block.FirstPoint = point;
+    point += block.Points;
+    std::uint64_t inBlock = 0;
+    for (std::uint32_t g = 0; g < block.Groups.size(); ++g)
+    {
+      const auto& group = block.Groups[g];
+      Check(group.Chunks.back() < this->Chunks.size(), "a group names a chunk that is not there");
+      for (const auto c : group.Chunks)
+      {
+        auto& chunk = this->Chunks[c];
+        chunk.Shared.push_back({ b, g, inBlock });
+        chunk.Info.SharedPoints += group.Points;
+        auto& near = neighbours[c];
+        near.insert(near.end(), group.Chunks.begin(), group.Chunks.end());
+        if (near.size() > 4 * this->Chunks.size() + 64)
+        {
+          simplify(near); // bounds memory when many groups have many chunks
+        }
+      }
+      inBlock += group.Points;
+    }
+  }
+  for (std::uint32_t c = 0; c < this->Chunks.size(); ++c)
+  {
+    auto& near = neighbours[c];
+    simplify(near);
+    near.erase(std::remove(near.begin(), near.end(), c), near.end());
+    this->Chunks[c].Info.Neighbours = std::move(near);
+  }
+}
+
+void MeshTable::NumberAll(const MetaTable& meta)
+{
+  std::uint64_t point = this->GetSharedPoints();
+  std::uint64_t tet = 0;
+  for (auto& chunk : this->Chunks)
+  {
+    auto& info = chunk.Info;
+    Check(info.SharedPoints <= 4 * info.Tets && info.OwnPoints <= 4 * info.Tets - info.SharedPoints,
+      "a chunk has more points than its tetrahedra can use");
+    info.FirstTet = tet;
+    info.FirstPoint = point;
+    tet += info.Tets;
+    point += info.OwnPoints;
+  }
+  this->Unused.FirstPoint = point;
+  Check(tet == meta.Tets, "the chunks' tetrahedra do not add up to the mesh's");
+  Check(meta.UnusedPoints <= meta.Points && point == meta.Points - meta.UnusedPoints,
+    "the chunks' points do not add up to the mesh's");
+}
+
+std::vector<std::uint64_t> MeshTable::GetSharedUsers(std::size_t chunk) const
+{
+  const auto& entry = this->Chunks[chunk];
+  const auto& near = entry.Info.Neighbours;
+  std::vector<std::uint64_t> users;
+  users.reserve(static_cast<std::size_t>(entry.Info.SharedPoints));
+  for (const auto& part : entry.Shared)
+  {
+    const auto& group = this->Blocks[part.Block].Groups[part.Group];
+    std::uint64_t mask = 0;
+    for (const auto c : group.Chunks)
+    {
+      if (c != chunk)
+      {
+        const auto place = std::lower_bound(near.begin(), near.end(), c) - near.begin();
+        mask |= std::uint64_t{ 1 } << std::min<std::ptrdiff_t>(place, 63);
+      }
+    }
+    users.insert(users.end(), group.Points, mask);
+  }
+  return users;
+}
+
+//--------------------------------------------------------------------------------------------------
+bool ArrayStep::HasPalette() const
+{
+  return std::any_of(
+    this->Palettes.begin(), this->Palettes.end(), [](const PaletteRef& p) { return p.Count > 0; });
+}
+
+Bytes StepTable::Write() const
+{
+  ByteWriter out;
+  out.Put(this->Time);
+  out.Put(static_cast<std::uint8_t>(this->Key));
+  PutStream(out, this->Field);
+  for (const auto& array : this->Arrays)
+  {
+    for (const auto& palette : array.Palettes)
+    {
+      PutPalette(out, palette);
+    }
+    for (const auto& range : array.Ranges)
+    {
+      PutRange(out, range);
+    }
+    for (std::size_t c = 0; c < array.Chunks.size(); ++c)
+    {
+      for (const auto& range : array.ChunkRanges[c])
+      {
+        PutRange(out, range);
+      }
+      PutStream(out, array.Chunks[c]);
+    }
+    for (const auto& stream : array.Blocks)
+    {
+      PutStream(out, stream);
+    }
+  }
+  return Pack(out);
+}
+
+StepTable StepTable::Read(
+  std::span<const std::uint8_t> bytes, const MetaTable& meta, const MeshTable& mesh)
+{
+  const auto data = Unpack(bytes);
+  ByteReader in(data);
+  StepTable step;
+  step.Time = in.Get<double>();
+  Check(!std::isnan(step.Time), "a time is not a number");
+  step.Key = in.Get<std::uint8_t>() != 0;
+  step.Field = GetStream(in);
+  step.Arrays.resize(meta.Arrays.size());
+  for (std::size_t a = 0; a < step.Arrays.size(); ++a)
+  {
+    const auto& description = meta.Arrays[a];
+    auto& array = step.Arrays[a];
+    const auto ranges = GetRangeCount(description.Components);
+    Check(description.Components <= in.GetRemaining(), "the table of a step ends too early");
+    array.Palettes.resize(description.Components);
+    for (auto& palette : array.Palettes)
+    {
+      palette = GetPalette(in);
+    }
+    array.Ranges.resize(ranges);
+    for (auto& range : array.Ranges)
+    {
+      range = GetRange(in);
+    }
+    Check(mesh.Chunks.size() <= in.GetRemaining() / (1 + 16 * ranges),
+      "the table of a step ends too early");
+    array.Chunks.resize(mesh.Chunks.size());
+    array.ChunkRanges.resize(mesh.Chunks.size());
+    for (std::size_t c = 0; c < mesh.Chunks.size(); ++c)
+    {
+      array.ChunkRanges[c].resize(ranges);
+      for (auto& range : array.ChunkRanges[c])
+      {
+        range = GetRange(in);
+      }
+      array.Chunks[c] = GetStream(in);
+    }
+    if (description.Where == Association::Point)
+    {
+      array.Blocks.resize(mesh.Blocks.size() + 1);
+      for (auto& stream : array.Blocks)
+      {
+        stream = GetStream(in);
+      }
+    }
+  }
+  Check(in.GetRemaining() == 0, "there are bytes behind the end of the table of a step");
+  return step;
+}
+
+//--------------------------------------------------------------------------------------------------
+Bytes WriteFieldData(const FieldData& field)
+{
+  ByteWriter out;
+  out.PutVarint(field.size());
+  for (const auto& array : field)
+  {
+    out.PutString(array.Name);
+    out.Put(array.VTKType);
+    out.PutVarint(array.Components);
+    PutStrings(out, array.ComponentNames);
+    out.Put(static_cast<std::uint8_t>(array.IsText ? 0 : static_cast<std::uint8_t>(array.Type)));
+    if (array.IsText)
+    {
+      PutStrings(out, array.Texts);
+    }
+    else
+    {
+      out.PutVarint(array.Values.size());
+      out.PutBytes(array.Values);
+    }
+  }
+  return Pack(out);
+}
+
+FieldData ReadFieldData(std::span<const std::uint8_t> bytes)
+{
+  // Field data may be long runs of the same value, so the limit is generous here.
+  const auto data = Decompress(bytes, 65536 * (bytes.size() + 1));
+  ByteReader in(data);
+  FieldData field(in.GetCount(9));
+  for (auto& array : field)
+  {
+    array.Name = in.GetString();
+    array.VTKType = in.Get<std::int32_t>();
+    const auto components = in.GetVarint();
+    Check(components <= std::numeric_limits<std::int32_t>::max(), "too many components");
+    array.Components = static_cast<std::uint32_t>(components);
+    array.ComponentNames = GetStrings(in);
+    const auto type = in.Get<std::uint8_t>();
+    Check(type <= 10, "a value type is unknown");
+    array.IsText = type == 0;
+    if (array.IsText)
+    {
+      array.Texts = GetStrings(in);
+    }
+    else
+    {
+      array.Type = static_cast<ScalarType>(type);
+      const auto values = in.GetBytes(in.GetVarint());
+      array.Values.assign(values.begin(), values.end());
+      Check(array.Values.size() % SizeOf(array.Type) == 0, "a field array ends within a value");
+    }
+  }
+  Check(in.GetRemaining() == 0, "there are bytes behind the end of the field data");
+  return field;
+}
+}
