@@ -57,6 +57,24 @@ SectionRef GetSectionHeader(ByteReader& in)
   return section;
 }
 
+Bytes MakeHeader()
+{
+  ByteWriter header;
+  header.PutBytes(FileMagic);
+  header.Put(static_cast<std::uint16_t>(GATUN_FORMAT_VERSION_MAJOR));
+  header.Put(static_cast<std::uint16_t>(GATUN_FORMAT_VERSION_MINOR));
+  header.Put(std::uint32_t{ 0 });
+  return std::move(header.Data);
+}
+
+/** What the trailer vouches for: the file's header and its directory. */
+std::uint64_t SumOfFrame(std::span<const std::uint8_t> header, const Bytes& directory)
+{
+  Bytes both(header.begin(), header.end());
+  both.insert(both.end(), directory.begin(), directory.end());
+  return Checksum(both);
+}
+
 bool IsKnown(FourCC name)
 {
   return name == SectionMeta || name == SectionMesh || name == SectionTable ||
@@ -154,14 +172,9 @@ OutputFile::OutputFile(const std::string& path)
   {
     // Only the permissions of the new file differ then; the content is what matters.
   }
-  ByteWriter header;
-  header.PutBytes(FileMagic);
-  header.Put(static_cast<std::uint16_t>(GATUN_FORMAT_VERSION_MAJOR));
-  header.Put(static_cast<std::uint16_t>(GATUN_FORMAT_VERSION_MINOR));
-  header.Put(std::uint32_t{ 0 });
   try
   {
-    this->Write(header.Data);
+    this->Write(MakeHeader());
   }
   catch (...)
   {
@@ -234,7 +247,7 @@ std::uint64_t OutputFile::Commit()
   ByteWriter trailer;
   trailer.Put(this->AddSection(SectionDirectory, directory.Data));
   trailer.Put(static_cast<std::uint64_t>(directory.Data.size()));
-  trailer.Put(Checksum(directory.Data));
+  trailer.Put(SumOfFrame(MakeHeader(), directory.Data));
   trailer.PutBytes(TrailerMagic);
   this->Write(trailer.Data);
   if (::fsync(this->Handle) != 0)
@@ -373,7 +386,7 @@ void InputFile::ReadDirectory()
   SectionRef directory;
   directory.Payload.Offset = end.Get<std::uint64_t>();
   directory.Payload.Length = end.Get<std::uint64_t>();
-  directory.Payload.Sum = end.Get<std::uint64_t>();
+  const auto sum = end.Get<std::uint64_t>();
   const auto magic = end.GetBytes(TrailerMagic.size());
   if (!std::equal(TrailerMagic.begin(), TrailerMagic.end(), magic.begin()))
   {
@@ -389,7 +402,14 @@ void InputFile::ReadDirectory()
       "the trailer is damaged" + AtOffset(this->Size - TrailerSize) +
         ": it points to no directory");
   }
-  const auto bytes = this->Read(directory.Payload, "the directory");
+  Bytes bytes(static_cast<std::size_t>(directory.Payload.Length));
+  this->ReadAt(directory.Payload.Offset, bytes);
+  if (SumOfFrame(header, bytes) != sum)
+  {
+    this->Fail(ErrorCode::Corrupt,
+      "the directory" + AtOffset(directory.Payload.Offset) +
+        " or the file's header is damaged: their checksum is wrong");
+  }
   try
   {
     ByteReader list(bytes);
