@@ -9,8 +9,7 @@
 namespace gatun
 {
 //--------------------------------------------------------------------------------------------------
-NeighbourFit::NeighbourFit(
-  const Topology& topology, std::span<const std::array<double, 3>> places)
+NeighbourFit::NeighbourFit(const Topology& topology, std::span<const std::array<double, 3>> places)
   : Start(topology.Records.size() + 1, 0)
 {
   // An edge tells its later end of its earlier one; but shared vertices are known from the start.
@@ -147,8 +146,7 @@ template <typename Coder>
 Key CodeKey(Coder& coder, const Domain& domain, ResidualModel& model, unsigned spread,
   Key predicted, Key truth, std::int64_t& residual)
 {
-  residual =
-    model.Code(coder, spread, Coder::Encoding ? domain.Subtract(truth, predicted) : 0);
+  residual = model.Code(coder, spread, Coder::Encoding ? domain.Subtract(truth, predicted) : 0);
   const Key key = domain.Add(predicted, residual);
   if (!Coder::Encoding && !domain.IsValid(key))
   {
@@ -288,15 +286,14 @@ void CodePoints(Coder& coder, const ArrayModes& modes, const PointContext& conte
         if (change)
         {
           const auto before = predictor.Predict(own, keys.Before);
-          predicted = domain.FromNumber(
-            domain.ToNumber(keys.Before[v]) + (now.Number - before.Number));
+          predicted =
+            domain.FromNumber(domain.ToNumber(keys.Before[v]) + (now.Number - before.Number));
           spread = running.Get();
         }
       }
     }
     std::int64_t residual = 0;
-    previous =
-      CodeKey(coder, domain, models[group], spread, predicted, keys.Now[v], residual);
+    previous = CodeKey(coder, domain, models[group], spread, predicted, keys.Now[v], residual);
     keys.Now[v] = previous;
     running.Add(residual);
   }
@@ -328,8 +325,7 @@ void CodeCells(Coder& coder, const ArrayModes& modes, std::span<const std::uint3
         (domain.ToNumber(near) - domain.ToNumber(keys.Before[from])));
     }
     std::int64_t residual = 0;
-    keys.Now[i] =
-      CodeKey(coder, domain, model, running.Get(), predicted, keys.Now[i], residual);
+    keys.Now[i] = CodeKey(coder, domain, model, running.Get(), predicted, keys.Now[i], residual);
     running.Add(residual);
   }
 }
@@ -392,8 +388,8 @@ ArrayModes ArrayModes::Read(std::span<const std::uint8_t> stream)
   return { static_cast<SpatialMode>(stream[0]), static_cast<TemporalMode>(stream[1]) };
 }
 
-Bytes EncodePointValues(const PointContext& context, std::span<const Domain> domains,
-  std::span<ComponentKeys> components)
+Bytes EncodePointValues(
+  const PointContext& context, std::span<const Domain> domains, std::span<ComponentKeys> components)
 {
   static constexpr std::array modes{ SpatialMode::Fit, SpatialMode::Gate, SpatialMode::Previous };
   const std::span<const SpatialMode> all(modes);
@@ -443,8 +439,7 @@ void DecodeCellValues(std::span<const std::uint8_t> stream, std::span<const std:
 {
   const auto modes = ArrayModes::Read(stream);
   CheckBefore(modes, components);
-  if (modes.Spatial == SpatialMode::Fit ||
-    (modes.Spatial == SpatialMode::Gate && parents.empty()))
+  if (modes.Spatial == SpatialMode::Fit || (modes.Spatial == SpatialMode::Gate && parents.empty()))
   {
     ThrowCorrupt("a stream needs parents that are not there");
   }

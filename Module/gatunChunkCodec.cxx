@@ -46,8 +46,9 @@ public:
   {
   }
 
-  std::uint32_t FindTet(const std::array<Vertex, 3>& c)
+  std::uint32_t FindTet(const Front::Face& gate)
   {
+    const auto& c = gate.Corners;
     const FaceTable::Face face{ this->InputOf[c[0]], this->InputOf[c[1]], this->InputOf[c[2]] };
     std::uint32_t found = Topology::NoTet;
     this->Faces.Find(face,
@@ -126,8 +127,8 @@ private:
 class DecoderSide
 {
 public:
-  DecoderSide(const ChunkFrame& frame, const Lattice& lattice, EntropyDecoder& geometry,
-    ChunkMesh& mesh)
+  DecoderSide(
+    const ChunkFrame& frame, const Lattice& lattice, EntropyDecoder& geometry, ChunkMesh& mesh)
     : Frame(frame)
     , Map(lattice)
     , Geometry(geometry, frame.Domains, mesh.Rules)
@@ -135,11 +136,9 @@ public:
   {
   }
 
-  std::uint32_t FindTet(const std::array<Vertex, 3>&) const { return Topology::NoTet; }
-  std::uint32_t NextSeed() const { return 0; }
-  Vertex GetTarget(unsigned) const { return NoVertex; }
-  bool IsTargetShared(unsigned) const { return false; }
-  std::uint32_t GetTargetShared(unsigned) const { return 0; }
+  static Vertex GetTarget(unsigned) { return NoVertex; }
+  static bool IsTargetShared(unsigned) { return false; }
+  static std::uint32_t GetTargetShared(unsigned) { return 0; }
 
   void MeetShared(unsigned, std::uint32_t index)
   {
@@ -198,13 +197,14 @@ struct Attempt
   std::vector<std::uint8_t> Corners;
 };
 
+template <Ranking Rule>
 Attempt TryWalk(const WalkInput& input, Tets tets, const FaceTable& faces,
   std::span<const LatticePoint> ownPlaces)
 {
   Attempt result;
   EntropyEncoder coder;
   EncoderSide side(tets, faces, static_cast<std::uint32_t>(input.Shared.size()), ownPlaces);
-  Walk<EntropyEncoder, EncoderSide>(coder, side, input, result.Walk).Run();
+  Walk<Rule, EntropyEncoder, EncoderSide>(coder, side, input, result.Walk).Run();
 
   std::vector<char> flips(tets.size());
   result.Corners.resize(tets.size());
@@ -233,9 +233,8 @@ Attempt TryWalk(const WalkInput& input, Tets tets, const FaceTable& faces,
     }
   }
   const auto body = coder.Finish();
-  result.Stream.push_back(static_cast<std::uint8_t>(
-    (input.Rule == Ranking::Angle ? FlagAngle : 0) | (input.Plain ? FlagPlain : 0) |
-    (anyFlip ? FlagFlips : 0)));
+  result.Stream.push_back(static_cast<std::uint8_t>((Rule == Ranking::Angle ? FlagAngle : 0) |
+    (input.Plain ? FlagPlain : 0) | (anyFlip ? FlagFlips : 0)));
   result.Stream.insert(result.Stream.end(), body.begin(), body.end());
   result.Stream.resize(
     std::max<std::size_t>(result.Stream.size(), tets.size() / MaxItemsPerByte + 1), 0);
@@ -244,8 +243,7 @@ Attempt TryWalk(const WalkInput& input, Tets tets, const FaceTable& faces,
   return result;
 }
 
-Bytes EncodeGeometry(
-  ChunkMesh& mesh, std::span<const Vertex> ownIds, const PredictionRules& rules)
+Bytes EncodeGeometry(ChunkMesh& mesh, std::span<const Vertex> ownIds, const PredictionRules& rules)
 {
   EntropyEncoder coder;
   GeometryCoder<EntropyEncoder> geometry(coder, mesh.Domains, rules);
@@ -320,8 +318,7 @@ void ChunkMesh::MakeContext(bool withFit)
   this->Context.Fit = this->Fit ? &*this->Fit : nullptr;
 }
 
-EncodedChunk EncodeChunk(
-  const ChunkFrame& frame, Tets tets, std::span<const PointKeys> ownKeys)
+EncodedChunk EncodeChunk(const ChunkFrame& frame, Tets tets, std::span<const PointKeys> ownKeys)
 {
   const FloatEnvironment guard;
   const Lattice lattice(frame.Box);
@@ -333,23 +330,21 @@ EncodedChunk EncodeChunk(
   }
   const FaceTable faces(tets);
 
-  const WalkInput input{ frame.Tets, frame.OwnPoints, shared, Ranking::Sphere, false };
-  auto best = TryWalk(input, tets, faces, ownPlaces);
-  const auto consider = [&](Ranking rule, bool plain)
+  const WalkInput input{ frame.Tets, frame.OwnPoints, shared, false };
+  auto best = TryWalk<Ranking::Sphere>(input, tets, faces, ownPlaces);
+  const auto consider = [&](Attempt attempt)
   {
-    auto other = input;
-    other.Rule = rule;
-    other.Plain = plain;
-    auto attempt = TryWalk(other, tets, faces, ownPlaces);
     if (attempt.Stream.size() < best.Stream.size())
     {
       best = std::move(attempt);
     }
   };
-  consider(Ranking::Angle, false);
+  consider(TryWalk<Ranking::Angle>(input, tets, faces, ownPlaces));
   if (best.Stream.size() > 3 * tets.size())
   {
-    consider(Ranking::Sphere, true);
+    auto plain = input;
+    plain.Plain = true;
+    consider(TryWalk<Ranking::Sphere>(plain, tets, faces, ownPlaces));
   }
 
   EncodedChunk result;
@@ -409,12 +404,18 @@ ChunkMesh DecodeChunk(const ChunkFrame& frame, std::span<const std::uint8_t> con
 
   const Lattice lattice(frame.Box);
   const auto shared = MapShared(frame, lattice);
-  const WalkInput input{ frame.Tets, frame.OwnPoints, shared,
-    (flags & FlagAngle) ? Ranking::Angle : Ranking::Sphere, (flags & FlagPlain) != 0 };
+  const WalkInput input{ frame.Tets, frame.OwnPoints, shared, (flags & FlagPlain) != 0 };
   EntropyDecoder symbols(connectivity.subspan(1));
   EntropyDecoder coordinates(in.GetBytes(in.GetRemaining()));
   DecoderSide side(frame, lattice, coordinates, mesh);
-  Walk<EntropyDecoder, DecoderSide>(symbols, side, input, mesh.Walk).Run();
+  if (flags & FlagAngle)
+  {
+    Walk<Ranking::Angle, EntropyDecoder, DecoderSide>(symbols, side, input, mesh.Walk).Run();
+  }
+  else
+  {
+    Walk<Ranking::Sphere, EntropyDecoder, DecoderSide>(symbols, side, input, mesh.Walk).Run();
+  }
   if (flags & FlagFlips)
   {
     BitModel model;

@@ -170,8 +170,9 @@ public:
       case ScalarType::Float32:
       {
         constexpr double largest = std::numeric_limits<float>::max();
-        const float value =
-          static_cast<float>(number > largest ? largest : number < -largest ? -largest : number);
+        const float value = static_cast<float>(number > largest ? largest
+            : number < -largest                                 ? -largest
+                                                                : number);
         return ReadPlain(this->Type, &value);
       }
       case ScalarType::Float64:
@@ -184,9 +185,9 @@ public:
         const double half = std::ldexp(1.0, static_cast<int>(this->Bits) - 1);
         const double whole = std::floor(number + 0.5);
         return whole <= -half ? 0
-          : whole >= half     ? this->Mask
-                              : static_cast<Key>(static_cast<std::int64_t>(whole)) +
-              (Key{ 1 } << (this->Bits - 1));
+          : whole >= half
+          ? this->Mask
+          : static_cast<Key>(static_cast<std::int64_t>(whole)) + (Key{ 1 } << (this->Bits - 1));
       }
       default:
       {

@@ -5,90 +5,31 @@ namespace gatun
 {
 Front::Front()
   : Faces(1024)
-  , Slots(2048, None)
+  , Slots(4096)
   , FaceMask(1023)
-  , SlotMask(2047)
+  , SlotMask(4095)
 {
-}
-
-std::uint32_t Front::AddEdge(Vertex a, Vertex b)
-{
-  if (2 * (this->LiveEdges + 1) > this->Slots.size())
-  {
-    this->GrowSlots();
-  }
-  std::uint32_t id;
-  if (this->FreeEdges.empty())
-  {
-    id = static_cast<std::uint32_t>(this->Edges.size());
-    this->Edges.emplace_back();
-  }
-  else
-  {
-    id = this->FreeEdges.back();
-    this->FreeEdges.pop_back();
-  }
-  auto& edge = this->Edges[id];
-  edge.Ends = Sorted(a, b);
-  edge.BorderFar = None;
-  edge.Tets = 0;
-  edge.Listed = 0;
-  edge.Open = 0;
-  auto slot = Hash(edge.Ends) & this->SlotMask;
-  while (this->Slots[slot] != None)
-  {
-    slot = (slot + 1) & this->SlotMask;
-  }
-  this->Slots[slot] = id;
-  ++this->LiveEdges;
-  return id;
-}
-
-void Front::AddFace(const std::array<Vertex, 3>& corners, Vertex apex,
-  const std::array<std::uint32_t, 3>& edges, std::uint32_t tet)
-{
-  if (this->Tail - this->Head == this->Faces.size())
-  {
-    this->GrowFaces();
-  }
-  const auto id = this->Tail++;
-  this->GetFace(id) = { corners, apex, edges, tet + 1 };
-  for (const auto e : edges)
-  {
-    auto& edge = this->Edges[e];
-    ++edge.Open;
-    if (edge.Listed < MaxFacesOnEdge)
-    {
-      edge.Faces[edge.Listed] = id;
-      ++edge.Listed;
-    }
-  }
 }
 
 void Front::DropEdge(std::uint32_t id)
 {
-  auto slot = Hash(this->Edges[id].Ends) & this->SlotMask;
-  while (this->Slots[slot] != id)
+  auto gap = Hash(this->Edges[id].Ends) & this->SlotMask;
+  while (this->Slots[gap].Edge != id)
   {
-    slot = (slot + 1) & this->SlotMask;
+    gap = (gap + 1) & this->SlotMask;
   }
   // Close the gap: move back every later edge of the run that does not lie in its own place.
-  for (auto next = slot;;)
+  for (auto next = (gap + 1) & this->SlotMask; this->Slots[next].Edge != None;
+       next = (next + 1) & this->SlotMask)
   {
-    next = (next + 1) & this->SlotMask;
-    const auto moved = this->Slots[next];
-    if (moved == None)
+    const auto home = this->Slots[next].Tag & this->SlotMask;
+    if (((next - home) & this->SlotMask) >= ((next - gap) & this->SlotMask))
     {
-      break;
-    }
-    const auto home = Hash(this->Edges[moved].Ends) & this->SlotMask;
-    if (((next - home) & this->SlotMask) >= ((next - slot) & this->SlotMask))
-    {
-      this->Slots[slot] = moved;
-      slot = next;
+      this->Slots[gap] = this->Slots[next];
+      gap = next;
     }
   }
-  this->Slots[slot] = None;
+  this->Slots[gap].Edge = None;
   this->Edges[id].Ends = { None, None };
   this->FreeEdges.push_back(id);
   --this->LiveEdges;
@@ -108,20 +49,15 @@ void Front::GrowFaces()
 
 void Front::GrowSlots()
 {
+  const auto old = std::move(this->Slots);
   this->SlotMask = 2 * this->SlotMask + 1;
-  this->Slots.assign(std::size_t{ this->SlotMask } + 1, None);
-  for (std::uint32_t id = 0; id < this->Edges.size(); ++id)
+  this->Slots.assign(std::size_t{ this->SlotMask } + 1, Slot{});
+  for (const auto& slot : old)
   {
-    if (this->Edges[id].Ends[1] == None)
+    if (slot.Edge != None)
     {
-      continue;
+      this->Insert(slot.Tag, slot.Edge);
     }
-    auto slot = Hash(this->Edges[id].Ends) & this->SlotMask;
-    while (this->Slots[slot] != None)
-    {
-      slot = (slot + 1) & this->SlotMask;
-    }
-    this->Slots[slot] = id;
   }
 }
 }

@@ -61,18 +61,18 @@ const PredictionRules& GetGridRules()
 {
   // Corners a, b, c of the gate, apex, far corners over ab, bc, ca.
   static const PredictionRules rules{
-    { 0, 0, 256, 0, 0, 0, 0 },           // c: a swept coordinate repeats
-    { 256, 0, 0, -256, 0, 256, 0 },      // parallelograms with the far corners
-    { 0, 256, 0, -256, 0, 0, 256 },      //
-    { 128, 128, 128, -128, 0, 0, 0 },    // the corner of a parallelepiped beside its kernel
-    { 256, 0, 256, 0, 0, 0, -256 },      //
-    { 0, -256, 0, 0, 256, 256, 0 },      //
-    { 0, 256, 256, 0, 0, -256, 0 },      //
-    { 0, 0, 512, -256, 0, 0, 0 },        // a row goes on
-    { -256, 0, 0, 0, 256, 0, 256 },      //
-    { 0, 0, 256, -256, 256, 0, 0 },      //
-    { 0, 0, 0, 0, 256, 0, 0 },           //
-    { 256, 256, 0, 0, -256, 0, 0 },      //
+    { 0, 0, 256, 0, 0, 0, 0 },        // c: a swept coordinate repeats
+    { 256, 0, 0, -256, 0, 256, 0 },   // parallelograms with the far corners
+    { 0, 256, 0, -256, 0, 0, 256 },   //
+    { 128, 128, 128, -128, 0, 0, 0 }, // the corner of a parallelepiped beside its kernel
+    { 256, 0, 256, 0, 0, 0, -256 },   //
+    { 0, -256, 0, 0, 256, 256, 0 },   //
+    { 0, 256, 256, 0, 0, -256, 0 },   //
+    { 0, 0, 512, -256, 0, 0, 0 },     // a row goes on
+    { -256, 0, 0, 0, 256, 0, 256 },   //
+    { 0, 0, 256, -256, 256, 0, 0 },   //
+    { 0, 0, 0, 0, 256, 0, 0 },        //
+    { 256, 256, 0, 0, -256, 0, 0 },   //
   };
   return rules;
 }

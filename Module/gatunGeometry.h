@@ -18,7 +18,8 @@ namespace gatun
 using PointKeys = std::array<Key, 3>;
 using PointDomain = std::array<Domain, 3>;
 
-/** Maps coordinates to the 16-bit lattice of a chunk. Deterministic; not finite counts as lowest. */
+/** Maps coordinates to the 16-bit lattice of a chunk. Deterministic; not finite counts as lowest.
+ */
 class Lattice
 {
 public:

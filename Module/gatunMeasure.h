@@ -9,6 +9,7 @@
 // specification repeats each formula; change both or neither.
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -16,7 +17,7 @@
 namespace gatun
 {
 /** A point on the 16-bit lattice of its chunk; the coordinates are whole numbers. */
-struct LatticePoint
+struct alignas(16) LatticePoint
 {
   float X = 0, Y = 0, Z = 0;
 };
@@ -49,71 +50,45 @@ enum class Ranking : std::uint8_t
   Angle = 1   ///< least dihedral angle over the shared edge: split hexahedra
 };
 
-/** The plane and the circumcircle of a gate, made once for all its candidates. */
-class GateMeasure
+/** The rank of what is not in front of the gate. */
+constexpr double NeverRank = std::numeric_limits<double>::infinity();
+
+/** The plane of a gate. */
+class GatePlane
 {
 public:
-  static constexpr double Never = std::numeric_limits<double>::infinity();
-
-  GateMeasure(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c)
+  GatePlane(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c)
     : A(a)
     , U(b - a)
     , V(c - a)
     , Normal(Cross(U, V))
     , NormalSquared(Dot(Normal, Normal))
-    , Centre{ 0, 0, 0 }
   {
-    if (this->NormalSquared > 0)
-    {
-      const Vec3 p = Cross(this->V, this->Normal);
-      const Vec3 q = Cross(this->Normal, this->U);
-      const double uu = Dot(this->U, this->U);
-      const double vv = Dot(this->V, this->V);
-      const double scale = 1.0 / (2.0 * this->NormalSquared);
-      this->Centre = { (uu * p.X + vv * q.X) * scale, (uu * p.Y + vv * q.Y) * scale,
-        (uu * p.Z + vv * q.Z) * scale };
-    }
   }
+
+  /** Times the length of the normal; exact, as lattice coordinates have 16 bits. */
+  double GetHeight(const LatticePoint& d) const { return Dot(d - this->A, this->Normal); }
 
   /**
-   * Twice the signed distance from the gate's circumcentre to the centre of the sphere through the
-   * gate and d, over the length of the normal; Never when d is not in front of the gate.
+   * Minus the squared cosine of the dihedral angle at the gate's edge from s to e, with the sign of
+   * the cosine: -1 for an angle of 0, 1 for 180 degrees.
    */
-  double GetSphere(const LatticePoint& d) const
-  {
-    const Vec3 p = d - this->A;
-    const double height = Dot(p, this->Normal);
-    if (!(height > 0))
-    {
-      return Never;
-    }
-    return (Dot(p, p) - 2.0 * Dot(p, this->Centre)) / height;
-  }
-
-  /** Minus the cotangent of the dihedral angle at the gate's edge from s to e, up to a factor. */
   double GetAngle(const LatticePoint& d, const LatticePoint& s, const LatticePoint& e) const
   {
     const Vec3 p = d - s;
     const double height = Dot(p, this->Normal);
     if (!(height > 0))
     {
-      return Never;
+      return NeverRank;
     }
     const Vec3 edge = e - s;
-    const Vec3 inward = Cross(this->Normal, edge);
-    return -Dot(p, inward) / (height * std::sqrt(Dot(edge, edge)));
+    const double inward = Dot(p, Cross(this->Normal, edge));
+    const double square = inward * inward;
+    const double angle = square / (square + height * height * Dot(edge, edge));
+    return inward < 0 ? angle : -angle;
   }
 
-  /** Makes a value of GetSphere independent of size: the distance over the circumcircle's radius. */
-  double GetRelativeSphere(double sphere) const
-  {
-    return sphere * std::sqrt(this->NormalSquared / (4.0 * Dot(this->Centre, this->Centre)));
-  }
-
-  /** Makes a value of GetAngle a true cotangent (with its sign changed). */
-  double GetRelativeAngle(double angle) const { return angle / std::sqrt(this->NormalSquared); }
-
-  /** Whether d lies within about 6 degrees of the gate's plane, as seen from its corner s. */
+  /** Whether d lies within about 6 degrees of the plane, as seen from the gate's corner s. */
   bool IsCoplanar(const LatticePoint& d, const LatticePoint& s) const
   {
     const Vec3 p = d - s;
@@ -124,8 +99,52 @@ public:
   const LatticePoint A;
   const Vec3 U, V, Normal;
   const double NormalSquared;
-  Vec3 Centre;
 };
+
+/** The circumcircle of a gate. All that is not finite in here comes with heights of 0. */
+class GateCircle
+{
+public:
+  explicit GateCircle(const GatePlane& plane)
+  {
+    const Vec3 w{ plane.V.X - plane.U.X, plane.V.Y - plane.U.Y, plane.V.Z - plane.U.Z };
+    const double uu = Dot(plane.U, plane.U);
+    const double vv = Dot(plane.V, plane.V);
+    const double sides = uu * vv * Dot(w, w);
+    const double inverse = 1.0 / plane.NormalSquared;
+    const Vec3 p = Cross(plane.V, plane.Normal);
+    const Vec3 q = Cross(plane.Normal, plane.U);
+    this->Centre = { (uu * p.X + vv * q.X) * inverse, (uu * p.Y + vv * q.Y) * inverse,
+      (uu * p.Z + vv * q.Z) * inverse };
+    this->Unit = plane.NormalSquared / std::sqrt(sides);
+    this->FourRadiusSquared = sides * inverse;
+  }
+
+  /**
+   * Twice the signed distance from the gate's circumcentre to the centre of the sphere through the
+   * gate and d, over the length of the normal.
+   */
+  double GetSphere(const GatePlane& plane, const LatticePoint& d) const
+  {
+    const Vec3 p = d - plane.A;
+    const double height = Dot(p, plane.Normal);
+    const double distance = Dot(p, p) - Dot(p, this->Centre);
+    return height > 0 ? distance / height : NeverRank;
+  }
+
+  /** Twice the vector from the gate's first corner to the circumcentre. */
+  Vec3 Centre;
+
+  /** Makes a rank of GetSphere a multiple of the radius. */
+  double Unit;
+  double FourRadiusSquared;
+};
+
+/** The exponent of a positive number: 2^result <= value < 2^(result + 1). */
+inline int GetExponent(double value)
+{
+  return static_cast<int>(std::bit_cast<std::uint64_t>(value) >> 52 & 0x7ff) - 1023;
+}
 }
 
 #endif

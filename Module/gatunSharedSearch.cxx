@@ -3,96 +3,104 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
+#include <cstdlib>
 
 namespace gatun
 {
 SharedSearch::SharedSearch(std::span<const SharedVertex> vertices)
-  : Vertices(vertices)
-  , Gone(vertices.size(), 0)
+  : PlaceOf(vertices.size())
+  , Entries(vertices.size())
 {
   // About two vertices a cell where they lie on the six sides of a box.
-  const int bits = std::max(0, static_cast<int>(std::bit_width(vertices.size())) - 3) / 2;
-  this->Shift = static_cast<unsigned>(16 - std::min(bits, 6));
-  this->Cells = 1 << (16 - this->Shift);
-  const auto cellOf = [&](const LatticePoint& p)
-  {
-    return (static_cast<std::size_t>(this->CellOf(p.Z)) * static_cast<std::size_t>(this->Cells) +
-             this->CellOf(p.Y)) *
-      static_cast<std::size_t>(this->Cells) +
-      this->CellOf(p.X);
-  };
-  const auto cells = static_cast<std::size_t>(this->Cells);
-  this->CellStart.assign(cells * cells * cells + 1, 0);
+  const auto bits = std::clamp((static_cast<int>(std::bit_width(vertices.size())) - 3) / 2, 0, 6);
+  this->Shift = static_cast<unsigned>(16 - bits);
+  this->Count = 1 << bits;
+  this->CellStart.assign((std::size_t{ 1 } << (3 * bits)) + 1, 0);
   for (const auto& v : vertices)
   {
-    ++this->CellStart[cellOf(v.Place) + 1];
+    ++this->CellStart[this->CellOf(v.Place) + 1];
   }
   for (std::size_t i = 1; i < this->CellStart.size(); ++i)
   {
     this->CellStart[i] += this->CellStart[i - 1];
   }
-  this->Sorted.resize(vertices.size());
   auto next = this->CellStart;
   for (std::uint32_t i = 0; i < vertices.size(); ++i)
   {
-    this->Sorted[next[cellOf(vertices[i].Place)]++] = i;
+    const auto& place = vertices[i].Place;
+    this->PlaceOf[i] = next[this->CellOf(place)]++;
+    this->Entries[this->PlaceOf[i]] = { place, i };
   }
 }
 
-SharedSearch::Hits SharedSearch::Find(const GateMeasure& measure, const LatticePoint& a,
-  const LatticePoint& b, const LatticePoint& c, Ranking ranking) const
+void SharedSearch::Remove(std::uint32_t index)
+{
+  this->Entries[this->PlaceOf[index]].Index = Gone;
+  this->PlaceOf[index] = Gone;
+}
+
+struct SharedSearch::Query
+{
+  const GatePlane& Plane;
+  Vec3 ThreeCentroids;
+  double Limit; // of 9 times the squared distance
+  unsigned Patience = SharedSearch::Patience;
+  Hits Found{};
+
+  /** False when it runs out of patience. */
+  bool Look(std::span<const Entry> cell)
+  {
+    const auto count = std::min<std::size_t>(cell.size(), this->Patience - 1);
+    for (const auto& entry : cell.first(count))
+    {
+      this->Look(entry);
+    }
+    this->Patience -= static_cast<unsigned>(count) + 1;
+    return this->Patience > 0;
+  }
+
+private:
+  void Look(const Entry& entry)
+  {
+    const auto& p = entry.Place;
+    const Vec3 d{ 3.0 * p.X - this->ThreeCentroids.X, 3.0 * p.Y - this->ThreeCentroids.Y,
+      3.0 * p.Z - this->ThreeCentroids.Z };
+    const RankedVertex hit{ Dot(d, d), entry.Index };
+    auto& list = this->Found.List;
+    auto& count = this->Found.Count;
+    if (hit.Rank > this->Limit || hit.Id == Gone || (count == Most && !(hit < list[Most - 1])) ||
+      !(this->Plane.GetHeight(p) > 0))
+    {
+      return;
+    }
+    unsigned at = count < Most ? count++ : Most - 1;
+    for (; at > 0 && hit < list[at - 1]; --at)
+    {
+      list[at] = list[at - 1];
+    }
+    list[at] = hit;
+  }
+};
+
+SharedSearch::Hits SharedSearch::Find(
+  const GatePlane& plane, const LatticePoint& a, const LatticePoint& b, const LatticePoint& c) const
 {
   const Vec3 w = c - b;
-  const double longest = std::max({ Dot(measure.U, measure.U), Dot(measure.V, measure.V), Dot(w, w) });
-  double limit = 144.0 * longest; // of 9 times the squared distance
-  const double sx = static_cast<double>(a.X) + b.X + c.X;
-  const double sy = static_cast<double>(a.Y) + b.Y + c.Y;
-  const double sz = static_cast<double>(a.Z) + b.Z + c.Z;
-
-  Hits hits;
-  const auto less = [](const Hit& l, const Hit& r)
-  { return l.Rank < r.Rank || (l.Rank == r.Rank && l.Index < r.Index); };
-  const auto look = [&](int x, int y, int z)
-  {
-    const auto cell = static_cast<std::size_t>((z * this->Cells + y) * this->Cells + x);
-    for (auto i = this->CellStart[cell]; i < this->CellStart[cell + 1]; ++i)
-    {
-      const auto index = this->Sorted[i];
-      if (this->Gone[index])
-      {
-        continue;
-      }
-      const auto& p = this->Vertices[index].Place;
-      const double dx = 3.0 * p.X - sx, dy = 3.0 * p.Y - sy, dz = 3.0 * p.Z - sz;
-      const Hit hit{ dx * dx + dy * dy + dz * dz, index };
-      if (hit.Rank > limit || !(Dot(p - a, measure.Normal) > 0))
-      {
-        continue;
-      }
-      if (hits.Count == Most && !less(hit, hits.List[Most - 1]))
-      {
-        continue;
-      }
-      unsigned at = hits.Count < Most ? hits.Count++ : Most - 1;
-      for (; at > 0 && less(hit, hits.List[at - 1]); --at)
-      {
-        hits.List[at] = hits.List[at - 1];
-      }
-      hits.List[at] = hit;
-    }
-  };
-
-  const int cx = static_cast<int>(this->CellOf(sx / 3));
-  const int cy = static_cast<int>(this->CellOf(sy / 3));
-  const int cz = static_cast<int>(this->CellOf(sz / 3));
-  const int last = this->Cells - 1;
-  for (int ring = 0; ring <= this->Cells; ++ring)
+  const double longest = std::max({ Dot(plane.U, plane.U), Dot(plane.V, plane.V), Dot(w, w) });
+  const Vec3 sum{ static_cast<double>(a.X) + b.X + c.X, static_cast<double>(a.Y) + b.Y + c.Y,
+    static_cast<double>(a.Z) + b.Z + c.Z };
+  Query query{ plane, sum, 144.0 * longest };
+  const int cx = this->CellOf(sum.X / 3);
+  const int cy = this->CellOf(sum.Y / 3);
+  const int cz = this->CellOf(sum.Z / 3);
+  const int last = this->Count - 1;
+  for (int ring = 0; ring <= last; ++ring)
   {
     // What lies in this ring is at least ring - 1 cells away.
     const double reach = 3.0 * std::max(0, ring - 1) * static_cast<double>(1u << this->Shift);
-    if (reach * reach > limit ||
-      (hits.Count == Most && reach * reach > hits.List[Most - 1].Rank))
+    const auto& found = query.Found;
+    if (reach * reach > query.Limit ||
+      (found.Count == Most && reach * reach > found.List[Most - 1].Rank))
     {
       break;
     }
@@ -104,22 +112,20 @@ SharedSearch::Hits SharedSearch::Find(const GateMeasure& measure, const LatticeP
         const int step = inside ? 2 * ring : 1;
         for (int x = cx - ring; x <= cx + ring; x += step)
         {
-          if (x >= 0 && x <= last)
+          if (x < 0 || x > last)
           {
-            look(x, y, z);
+            continue;
+          }
+          const auto cell = this->CellOf(x, y, z);
+          const auto begin = this->CellStart[cell];
+          if (!query.Look({ this->Entries.data() + begin, this->CellStart[cell + 1] - begin }))
+          {
+            return query.Found;
           }
         }
       }
     }
   }
-  if (ranking == Ranking::Sphere)
-  {
-    for (unsigned i = 0; i < hits.Count; ++i)
-    {
-      hits.List[i].Rank = measure.GetSphere(this->Vertices[hits.List[i].Index].Place);
-    }
-    std::sort(hits.List.begin(), hits.List.begin() + hits.Count, less);
-  }
-  return hits;
+  return query.Found;
 }
 }

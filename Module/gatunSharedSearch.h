@@ -2,10 +2,12 @@
 #ifndef gatunSharedSearch_h
 #define gatunSharedSearch_h
 
+#include "gatunGate.h"
 #include "gatunMeasure.h"
 #include "gatunTopology.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,16 +19,11 @@ class SharedSearch
 {
 public:
   static constexpr unsigned Most = 8;
-
-  struct Hit
-  {
-    double Rank;
-    std::uint32_t Index;
-  };
+  static constexpr unsigned Patience = 4096; // cells and vertices looked at in a search
 
   struct Hits
   {
-    std::array<Hit, Most> List;
+    std::array<RankedVertex, Most> List; // Id is the index of a shared vertex
     unsigned Count = 0;
   };
 
@@ -34,26 +31,48 @@ public:
 
   /**
    * The vertices in front of the gate a, b, c whose distance to its centroid is at most 4 times its
-   * longest edge; the nearest Most of them (ties by index), then sorted by the ranking.
+   * longest edge: the Most nearest, the nearest first. The search goes outwards over the cells of a
+   * grid and gives up, with what it has, when it runs out of patience.
    */
-  Hits Find(const GateMeasure& measure, const LatticePoint& a, const LatticePoint& b,
-    const LatticePoint& c, Ranking ranking) const;
+  Hits Find(const GatePlane& plane, const LatticePoint& a, const LatticePoint& b,
+    const LatticePoint& c) const;
 
-  void Remove(std::uint32_t index) { this->Gone[index] = 1; }
-  bool IsGone(std::uint32_t index) const { return this->Gone[index] != 0; }
+  void Remove(std::uint32_t index);
+  bool IsGone(std::uint32_t index) const { return this->PlaceOf[index] == Gone; }
 
 private:
-  unsigned CellOf(double coordinate) const
+  static constexpr std::uint32_t Gone = 0xffffffffu;
+
+  struct Entry
   {
-    return static_cast<unsigned>(coordinate) >> this->Shift;
+    LatticePoint Place;
+    std::uint32_t Index; // Gone when met
+  };
+
+  int CellOf(double coordinate) const
+  {
+    return static_cast<int>(static_cast<unsigned>(coordinate) >> this->Shift);
   }
 
-  std::span<const SharedVertex> Vertices;
-  std::vector<char> Gone;
-  std::vector<std::uint32_t> CellStart; // of each cell, its first place in Sorted
-  std::vector<std::uint32_t> Sorted;    // vertices by cell, ascending within
+  std::size_t CellOf(int x, int y, int z) const
+  {
+    const auto count = static_cast<std::size_t>(this->Count);
+    return (static_cast<std::size_t>(z) * count + static_cast<std::size_t>(y)) * count +
+      static_cast<std::size_t>(x);
+  }
+
+  std::size_t CellOf(const LatticePoint& p) const
+  {
+    return this->CellOf(this->CellOf(p.X), this->CellOf(p.Y), this->CellOf(p.Z));
+  }
+
+  struct Query;
+
+  std::vector<std::uint32_t> PlaceOf; // of each vertex its place among the entries
+  std::vector<Entry> Entries;         // by cell, then by index
+  std::vector<std::uint32_t> CellStart;
   unsigned Shift = 16;
-  int Cells = 1; // along each axis
+  int Count = 1; // cells along each axis
 };
 }
 

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunWalkModels_h
+#define gatunWalkModels_h
+
+// The probabilities that a walk learns, and the circumstances that it learns them for.
+
+#include "gatunEntropy.h"
+#include "gatunGate.h"
+#include "gatunSharedSearch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace gatun
+{
+/** Decisions that do not depend on the ranking. */
+struct CommonWalkModels
+{
+  std::array<BitModel, 8> Shared;
+  std::array<BitModel, SharedSearch::Most> SharedRank;
+  std::array<BitModel, 2> Next;
+  std::array<BitModel, 6> RingRank;
+  std::array<BitModel, 6> DistantRank;
+  BitModel RingListed;
+  BitModel DistantListed;
+  BitModel SeedNew;
+  BitModel SeedShared;
+};
+
+template <Ranking Rule>
+class WalkModels;
+
+/** Delaunay meshes: empty spheres, the larger the less likely. */
+template <>
+class WalkModels<Ranking::Sphere> : public CommonWalkModels
+{
+public:
+  WalkModels()
+    : HitModels(Grades * 4 * Radii)
+    , BorderModels(2 * 10 * Radii)
+    , NewModels(Grades * 2 * Radii)
+  {
+  }
+
+  BitModel& Hit(const Gate<Ranking::Sphere>& gate)
+  {
+    return this->HitModels[(GetGrade(gate, gate.GetBestRank()) * 4 + gate.CountBest()) * Radii +
+      GetRadius(gate)];
+  }
+
+  BitModel& Border(const Gate<Ranking::Sphere>& gate)
+  {
+    return this->BorderModels[(gate.AllShared * 10 + gate.BorderGrade) * Radii + GetRadius(gate)];
+  }
+
+  BitModel& New(const Gate<Ranking::Sphere>& gate)
+  {
+    const unsigned nearer = gate.RingRank < gate.GetBestRank();
+    return this->NewModels[(GetGrade(gate, gate.RingRank) * 2 + nearer) * Radii + GetRadius(gate)];
+  }
+
+private:
+  static constexpr unsigned Grades = 33;
+  static constexpr unsigned Radii = 32;
+
+  /** 0 to 31 by the place of the sphere's centre; 32: not in front of the gate. */
+  static unsigned GetGrade(const Gate<Ranking::Sphere>& gate, double rank)
+  {
+    if (rank == NeverRank)
+    {
+      return 32;
+    }
+    const double t = rank * gate.Ring.Unit;
+    const double place = 16.0 + 16.0 * (t / (1.0 + std::abs(t)));
+    return place < 31.0 ? static_cast<unsigned>(place) : 31;
+  }
+
+  /** 0 to 31: half octaves of the circumcircle's radius. */
+  static unsigned GetRadius(const Gate<Ranking::Sphere>& gate)
+  {
+    return static_cast<unsigned>(
+      std::clamp(GetExponent(gate.Ring.FourRadiusSquared) - 6, 0, static_cast<int>(Radii) - 1));
+  }
+
+  std::vector<BitModel> HitModels;
+  std::vector<BitModel> BorderModels;
+  std::vector<BitModel> NewModels;
+};
+
+/** Split hexahedra: the same few angles everywhere. */
+template <>
+class WalkModels<Ranking::Angle> : public CommonWalkModels
+{
+public:
+  WalkModels()
+    : HitModels(Grades * 4 * 4 * 8 * 10)
+    , BorderModels(Grades * 4 * 8 * 10 * 2)
+    , NewModels(Grades * 4 * 4 * 8 * 8 * 4)
+  {
+  }
+
+  BitModel& Hit(const Gate<Ranking::Angle>& gate)
+  {
+    return this->HitModels[this->GetBase(gate) * 10 + gate.BorderGrade];
+  }
+
+  BitModel& Border(const Gate<Ranking::Angle>& gate)
+  {
+    return this
+      ->BorderModels[((GetGrade(gate.GetBestRank()) * 4 + gate.CountBest()) * 8 + gate.BestTets) *
+          20 +
+        gate.BorderGrade * 2 + gate.AllShared];
+  }
+
+  BitModel& New(const Gate<Ranking::Angle>& gate)
+  {
+    unsigned sum = 0;
+    for (unsigned grade = gate.EdgeGrade; grade > 0; grade /= 3)
+    {
+      sum += grade % 3;
+    }
+    return this->NewModels[(this->GetBase(gate) * 8 + sum) * 4 + gate.CountCandidates()];
+  }
+
+private:
+  static constexpr unsigned Grades = 18;
+
+  static unsigned GetGrade(double rank)
+  {
+    if (rank == NeverRank)
+    {
+      return 16;
+    }
+    const double place = 8.0 + 8.0 * rank;
+    return place < 15.0 ? static_cast<unsigned>(place) : 15;
+  }
+
+  static unsigned GetBase(const Gate<Ranking::Angle>& gate)
+  {
+    const unsigned first = gate.HasCandidate() ? GetGrade(gate.GetBestRank()) : 17;
+    const auto others = gate.GetOthers();
+    unsigned gap = 3;
+    if (others.Count > 0)
+    {
+      const unsigned second = GetGrade(gate.GetSecondRank());
+      gap = second == 16 || second >= first + 3 ? 2 : second > first ? 1 : 0;
+    }
+    return ((first * 4 + gate.CountBest()) * 4 + gap) * 8 + gate.BestTets;
+  }
+
+  std::vector<BitModel> HitModels;
+  std::vector<BitModel> BorderModels;
+  std::vector<BitModel> NewModels;
+};
+}
+
+#endif
