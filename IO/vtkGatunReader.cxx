@@ -3,12 +3,477 @@
 
 #include "vtkGatunReader.h"
 
+#include "gatunArrayBridge.h"
+#include "gatunChunkTable.h"
+#include "gatunError.h"
+#include "gatunErrorCodes.h"
+#include "gatunFileReader.h"
+#include "gatunFileSignature.h"
+#include "gatunParallel.h"
+#include "vtkGatunCompat.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArraySelection.h"
+#include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
+#include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+#include "vtkTimeStamp.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkTypeInt64Array.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+static_assert(sizeof(vtkIdType) == sizeof(std::int64_t), "Gatun needs a VTK with 64-bit ids.");
+
+namespace
+{
+
+using gatun::Association;
+
+//------------------------------------------------------------------------------
+// A vtkDataArraySelection that remembers arrays which the file at hand does not have, so that a
+// series of files with differing arrays keeps what was chosen.
+class ArrayChoice
+{
+public:
+  void SetArrays(const std::vector<std::string>& names)
+  {
+    for (int i = 0; i < this->Selection->GetNumberOfArrays(); ++i)
+    {
+      this->Remembered[this->Selection->GetArrayName(i)] = this->Selection->GetArraySetting(i) != 0;
+    }
+    std::vector<const char*> pointers;
+    pointers.reserve(names.size());
+    for (const std::string& name : names)
+    {
+      pointers.push_back(name.c_str());
+    }
+    // None of these touches the modification time, as the arrays of a file are not a choice.
+    this->Selection->SetArrays(pointers.data(), static_cast<int>(pointers.size()));
+    for (const std::string& name : names)
+    {
+      const auto known = this->Remembered.find(name);
+      if (known != this->Remembered.end() &&
+        known->second != (this->Selection->ArrayIsEnabled(name.c_str()) != 0))
+      {
+        this->Selection->RemoveArrayByName(name.c_str());
+        this->Selection->AddArray(name.c_str(), known->second);
+      }
+    }
+  }
+
+  bool Wants(const std::string& name) const
+  {
+    return name.empty() || this->Selection->ArrayIsEnabled(name.c_str());
+  }
+
+  vtkNew<vtkDataArraySelection> Selection;
+
+private:
+  std::map<std::string, bool> Remembered;
+};
+
+//------------------------------------------------------------------------------
+bool Touches(const gatun::Range& range, double low, double high)
+{
+  return range.Min <= range.Max && range.Min <= high && range.Max >= low;
+}
+
+//------------------------------------------------------------------------------
+// Offsets 0, 4, 8, ... of tetrahedra.
+template <typename ArrayT>
+vtkSmartPointer<ArrayT> MakeOffsets(vtkIdType tets)
+{
+  using ValueT = typename ArrayT::ValueType;
+  auto offsets = vtkSmartPointer<ArrayT>::New();
+  offsets->SetNumberOfValues(tets + 1);
+  ValueT* values = offsets->GetPointer(0);
+  constexpr vtkIdType block = 1 << 20;
+  gatun::ParallelFor(static_cast<std::size_t>(tets / block + 1),
+    [values, tets](std::size_t part)
+    {
+      const auto begin = static_cast<vtkIdType>(part) * block;
+      const vtkIdType end = std::min(begin + block, tets + 1);
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        values[i] = static_cast<ValueT>(4 * i);
+      }
+    });
+  return offsets;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkIdTypeArray> MakeIds(const char* name, vtkIdType values)
+{
+  auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
+  ids->SetName(name);
+  ids->SetNumberOfValues(values);
+  return ids;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkUnsignedCharArray> MakeGhosts(vtkIdType values)
+{
+  auto ghosts = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfValues(values);
+  return ghosts;
+}
+
+//------------------------------------------------------------------------------
+std::int64_t* PointerTo(vtkIdTypeArray* ids)
+{
+  return reinterpret_cast<std::int64_t*>(ids->GetPointer(0));
+}
+
+//------------------------------------------------------------------------------
+// Adds ghost flags; those that the file holds (of hidden points, say) stay.
+void AddGhosts(vtkDataSetAttributes* attributes, vtkUnsignedCharArray* ghosts)
+{
+  if (!ghosts)
+  {
+    return;
+  }
+  auto* stored = vtkUnsignedCharArray::SafeDownCast(attributes->GetArray(ghosts->GetName()));
+  if (!stored || stored->GetNumberOfValues() != ghosts->GetNumberOfValues())
+  {
+    attributes->AddArray(ghosts);
+    return;
+  }
+  for (vtkIdType i = 0; i < ghosts->GetNumberOfValues(); ++i)
+  {
+    stored->SetValue(i, static_cast<unsigned char>(stored->GetValue(i) | ghosts->GetValue(i)));
+  }
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+class vtkGatunReader::vtkInternals
+{
+public:
+  // The file, as it was when opened.
+  std::string Path;
+  gatun::FileSignature Signature;
+  std::shared_ptr<const gatun::FileReader> File;
+  vtkSmartPointer<vtkTable> Table;
+
+  // Bumped when the file changed on disk, or when what was read last must not be kept.
+  vtkTimeStamp FileTime;
+  bool ReadAgain = false;
+
+  ArrayChoice PointArrays;
+  ArrayChoice CellArrays;
+
+  // The mesh last read, which other steps and arrays share.
+  std::unique_ptr<gatun::PieceDecoder> Decoder;
+  gatun::PieceRequest MeshRequest;
+  vtkSmartPointer<vtkUnstructuredGrid> Mesh;
+  vtkSmartPointer<vtkIdTypeArray> PointIds;
+  vtkSmartPointer<vtkIdTypeArray> CellIds;
+  vtkSmartPointer<vtkUnsignedCharArray> PointGhosts;
+  vtkSmartPointer<vtkUnsignedCharArray> CellGhosts;
+
+  void ForgetMesh()
+  {
+    this->Decoder.reset();
+    this->Mesh = nullptr;
+    this->PointIds = nullptr;
+    this->CellIds = nullptr;
+    this->PointGhosts = nullptr;
+    this->CellGhosts = nullptr;
+  }
+
+  void Close()
+  {
+    this->ForgetMesh();
+    this->File.reset();
+    this->Table = nullptr;
+  }
+
+  bool IsOpen(const std::string& path) const { return this->File && this->Path == path; }
+
+  /** Opens the file unless it is open and unchanged. */
+  void Open(const std::string& path)
+  {
+    const gatun::FileSignature signature = gatun::SignatureOf(path);
+    if (this->IsOpen(path) && signature == this->Signature)
+    {
+      return;
+    }
+    this->Close();
+    this->Path = path;
+    this->Signature = signature;
+    auto file = std::make_shared<const gatun::FileReader>(path);
+    this->Table = gatun::MakeChunkTable(*file);
+    this->File = std::move(file);
+    this->PointArrays.SetArrays(this->NamesOf(Association::Point));
+    this->CellArrays.SetArrays(this->NamesOf(Association::Cell));
+  }
+
+  std::vector<std::string> NamesOf(Association where) const
+  {
+    std::vector<std::string> names;
+    for (const gatun::ArrayDescription& array : this->File->GetArrays())
+    {
+      if (array.Where == where && !array.Name.empty() &&
+        std::find(names.begin(), names.end(), array.Name) == names.end())
+      {
+        names.push_back(array.Name);
+      }
+    }
+    return names;
+  }
+
+  bool Wants(const gatun::ArrayDescription& array) const
+  {
+    return array.Where == Association::Point ? this->PointArrays.Wants(array.Name)
+                                             : this->CellArrays.Wants(array.Name);
+  }
+
+  /** The last step not later than the time, or the first. */
+  std::size_t StepAt(double time) const
+  {
+    const std::vector<double>& times = this->File->GetTimes();
+    const auto later = std::upper_bound(times.begin(), times.end(), time);
+    return later == times.begin() ? 0 : static_cast<std::size_t>(later - times.begin()) - 1;
+  }
+
+  /** Which values of an array to look at: index of it and of the range. */
+  std::pair<std::size_t, std::size_t> FindRange(
+    const std::string& name, Association where, int component) const
+  {
+    const auto& arrays = this->File->GetArrays();
+    const auto found = std::find_if(arrays.begin(), arrays.end(),
+      [&](const gatun::ArrayDescription& array)
+      { return array.Where == where && array.Name == name; });
+    const std::string place = where == Association::Point ? "point" : "cell";
+    if (found == arrays.end())
+    {
+      throw gatun::Error(gatun::ErrorCode::InvalidInput,
+        this->Path + ": there is no " + place + " array '" + name + "' for the value range");
+    }
+    if (component >= static_cast<int>(found->Components))
+    {
+      throw gatun::Error(gatun::ErrorCode::InvalidInput,
+        this->Path + ": the " + place + " array '" + name + "' has no component " +
+          std::to_string(component) + " for the value range");
+    }
+    const std::size_t length = found->Components > 1 ? found->Components : 0;
+    return { static_cast<std::size_t>(found - arrays.begin()),
+      component < 0 ? length : static_cast<std::size_t>(component) };
+  }
+
+  /** The chunks that the region of interest leaves. */
+  std::vector<std::uint32_t> ChunksOf(const vtkGatunReader& reader, std::size_t step) const
+  {
+    const auto& chunks = this->File->GetChunks();
+    const bool byValue = reader.UseValueRange && reader.ValueRangeArray && *reader.ValueRangeArray;
+    std::pair<std::size_t, std::size_t> range;
+    if (byValue)
+    {
+      range = this->FindRange(reader.ValueRangeArray,
+        reader.ValueRangeAssociation == vtkDataObject::FIELD_ASSOCIATION_CELLS ? Association::Cell
+                                                                               : Association::Point,
+        reader.ValueRangeComponent);
+    }
+    std::vector<std::uint32_t> chosen;
+    for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk)
+    {
+      bool inside = true;
+      for (std::size_t axis = 0; reader.UseBox && axis < 3; ++axis)
+      {
+        inside = inside &&
+          Touches(chunks[chunk].Box[axis], reader.Box[2 * axis], reader.Box[2 * axis + 1]);
+      }
+      if (inside && byValue)
+      {
+        inside = step < this->File->GetNumberOfSteps() &&
+          Touches(this->File->GetChunkRanges(range.first, step, chunk)[range.second],
+            reader.ValueRange[0], reader.ValueRange[1]);
+      }
+      if (inside)
+      {
+        chosen.push_back(static_cast<std::uint32_t>(chunk));
+      }
+    }
+    return chosen;
+  }
+
+  bool HasMeshOf(const gatun::PieceRequest& request) const
+  {
+    return this->Mesh && this->MeshRequest.Chunks == request.Chunks &&
+      this->MeshRequest.GhostLevels == request.GhostLevels &&
+      this->MeshRequest.WithUnusedPoints == request.WithUnusedPoints &&
+      this->MeshRequest.RestoreOrder == request.RestoreOrder;
+  }
+
+  /** Makes a mesh with room for the request that the decoder has; tells where the room is. */
+  void MakeMesh(gatun::PieceTarget& target)
+  {
+    const auto points = static_cast<vtkIdType>(this->Decoder->GetNumberOfPoints());
+    const auto tets = static_cast<vtkIdType>(this->Decoder->GetNumberOfTets());
+
+    vtkNew<vtkPoints> coordinates;
+    coordinates->SetDataType(
+      this->File->GetCoordinateType() == gatun::ScalarType::Float64 ? VTK_DOUBLE : VTK_FLOAT);
+    coordinates->SetNumberOfPoints(points);
+    target.Points = coordinates->GetVoidPointer(0);
+
+    vtkNew<vtkCellArray> cells;
+    target.WideIds =
+      this->File->HasWideIds() || tets >= std::numeric_limits<vtkTypeInt32>::max() / 4;
+    if (target.WideIds)
+    {
+      vtkNew<vtkTypeInt64Array> connectivity;
+      connectivity->SetNumberOfValues(4 * tets);
+      target.Connectivity = connectivity->GetPointer(0);
+      cells->SetData(MakeOffsets<vtkTypeInt64Array>(tets), connectivity);
+    }
+    else
+    {
+      vtkNew<vtkTypeInt32Array> connectivity;
+      connectivity->SetNumberOfValues(4 * tets);
+      target.Connectivity = connectivity->GetPointer(0);
+      cells->SetData(MakeOffsets<vtkTypeInt32Array>(tets), connectivity);
+    }
+    this->Mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    this->Mesh->SetPoints(coordinates);
+    this->Mesh->SetCells(VTK_TETRA, cells);
+  }
+
+  /** Reads a piece; ids: whether to make global ids where the output has none. */
+  void Read(const gatun::PieceRequest& request, bool ids, vtkUnstructuredGrid* output,
+    const std::function<bool(double)>& progress)
+  {
+    const bool meshIsThere = this->HasMeshOf(request);
+    if (!meshIsThere)
+    {
+      this->ForgetMesh();
+    }
+    if (!this->Decoder)
+    {
+      this->Decoder = std::make_unique<gatun::PieceDecoder>(this->File);
+    }
+    const double share = request.GhostLevels > 0 && !meshIsThere ? 0.5 : 0.0;
+    this->Decoder->SetRequest(
+      request, [&progress, share](double fraction) { return progress(share * fraction); });
+    const auto points = static_cast<vtkIdType>(this->Decoder->GetNumberOfPoints());
+    const auto tets = static_cast<vtkIdType>(this->Decoder->GetNumberOfTets());
+
+    gatun::PieceTarget target;
+    if (!meshIsThere)
+    {
+      this->MakeMesh(target);
+      this->MeshRequest = request;
+      if (request.GhostLevels > 0)
+      {
+        this->PointGhosts = MakeGhosts(points);
+        this->CellGhosts = MakeGhosts(tets);
+        target.PointGhosts = this->PointGhosts->GetPointer(0);
+        target.CellGhosts = this->CellGhosts->GetPointer(0);
+      }
+    }
+    const bool pointIds = ids && !this->HasGlobalIds(request, Association::Point);
+    const bool cellIds = ids && !this->HasGlobalIds(request, Association::Cell);
+    if (pointIds && !this->PointIds)
+    {
+      this->PointIds = MakeIds("GlobalPointIds", points);
+      target.GlobalPointIds = PointerTo(this->PointIds);
+    }
+    if (cellIds && !this->CellIds)
+    {
+      this->CellIds = MakeIds("GlobalCellIds", tets);
+      target.GlobalCellIds = PointerTo(this->CellIds);
+    }
+    std::vector<gatun::ArrayFiller> fillers;
+    for (const std::uint32_t array : request.Arrays)
+    {
+      const gatun::ArrayDescription& description = this->File->GetArrays()[array];
+      fillers.emplace_back(description, description.Where == Association::Point ? points : tets);
+      target.Arrays.push_back(fillers.back().GetBuffer());
+    }
+    this->Decoder->Fill(target,
+      [&progress, share](double fraction) { return progress(share + (1 - share) * fraction); });
+
+    output->CopyStructure(this->Mesh);
+    for (std::size_t i = 0; i < fillers.size(); ++i)
+    {
+      const gatun::ArrayDescription& description = this->File->GetArrays()[request.Arrays[i]];
+      gatun::AddWithRoles(
+        AttributesOf(output, description.Where), fillers[i].Finish(), description.AttributeRoles);
+    }
+    if (pointIds)
+    {
+      output->GetPointData()->SetGlobalIds(this->PointIds);
+    }
+    if (cellIds)
+    {
+      output->GetCellData()->SetGlobalIds(this->CellIds);
+    }
+    AddGhosts(output->GetPointData(), this->PointGhosts);
+    AddGhosts(output->GetCellData(), this->CellGhosts);
+    if (request.Step < this->File->GetNumberOfSteps())
+    {
+      gatun::AddFieldData(output->GetFieldData(), this->File->GetFieldData(request.Step));
+    }
+  }
+
+private:
+  static vtkDataSetAttributes* AttributesOf(vtkUnstructuredGrid* grid, Association where)
+  {
+    if (where == Association::Point)
+    {
+      return grid->GetPointData();
+    }
+    return grid->GetCellData();
+  }
+
+  // Whether an array of the request is, or is named like, global ids.
+  bool HasGlobalIds(const gatun::PieceRequest& request, Association where) const
+  {
+    const char* name = where == Association::Point ? "GlobalPointIds" : "GlobalCellIds";
+    return std::any_of(request.Arrays.begin(), request.Arrays.end(),
+      [&](std::uint32_t index)
+      {
+        const gatun::ArrayDescription& array = this->File->GetArrays()[index];
+        return array.Where == where &&
+          (array.Name == name ||
+            (array.AttributeRoles >> vtkDataSetAttributes::GLOBALIDS & 1u) != 0);
+      });
+  }
+};
 
 vtkStandardNewMacro(vtkGatunReader);
+vtkInformationKeyRestrictedMacro(vtkGatunReader, CHUNK_TABLE, ObjectBase, "vtkTable");
 
 //------------------------------------------------------------------------------
 vtkGatunReader::vtkGatunReader()
+  : Internals(std::make_unique<vtkInternals>())
 {
   this->SetNumberOfInputPorts(0);
 }
@@ -17,6 +482,7 @@ vtkGatunReader::vtkGatunReader()
 vtkGatunReader::~vtkGatunReader()
 {
   this->SetFileName(nullptr);
+  this->SetValueRangeArray(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -24,12 +490,281 @@ void vtkGatunReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "RestoreOrder: " << (this->RestoreOrder ? "On" : "Off") << "\n";
+  os << indent << "GenerateGlobalIds: " << (this->GenerateGlobalIds ? "On" : "Off") << "\n";
+  os << indent << "UseBox: " << (this->UseBox ? "On" : "Off") << "\n";
+  os << indent << "Box: " << this->Box[0] << " " << this->Box[1] << " " << this->Box[2] << " "
+     << this->Box[3] << " " << this->Box[4] << " " << this->Box[5] << "\n";
+  os << indent << "UseValueRange: " << (this->UseValueRange ? "On" : "Off") << "\n";
+  os << indent << "ValueRangeArray: " << (this->ValueRangeArray ? this->ValueRangeArray : "(none)")
+     << "\n";
+  os << indent << "ValueRangeAssociation: "
+     << (this->ValueRangeAssociation == vtkDataObject::FIELD_ASSOCIATION_CELLS ? "Cells" : "Points")
+     << "\n";
+  os << indent << "ValueRangeComponent: " << this->ValueRangeComponent << "\n";
+  os << indent << "ValueRange: " << this->ValueRange[0] << " " << this->ValueRange[1] << "\n";
+  os << indent << "BytesRead: " << this->GetBytesRead() << "\n";
+  os << indent << "PointDataArraySelection:\n";
+  this->GetPointDataArraySelection()->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "CellDataArraySelection:\n";
+  this->GetCellDataArraySelection()->PrintSelf(os, indent.GetNextIndent());
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunReader::CanReadFile(const char* name)
+{
+  return name && gatun::FileReader::CanRead(name) ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkDataArraySelection* vtkGatunReader::GetPointDataArraySelection()
+{
+  return this->Internals->PointArrays.Selection;
+}
+
+//------------------------------------------------------------------------------
+vtkDataArraySelection* vtkGatunReader::GetCellDataArraySelection()
+{
+  return this->Internals->CellArrays.Selection;
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunReader::GetNumberOfPointArrays()
+{
+  return this->GetPointDataArraySelection()->GetNumberOfArrays();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkGatunReader::GetPointArrayName(int index)
+{
+  return this->GetPointDataArraySelection()->GetArrayName(index);
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunReader::GetPointArrayStatus(const char* name)
+{
+  return this->GetPointDataArraySelection()->ArrayIsEnabled(name);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunReader::SetPointArrayStatus(const char* name, int status)
+{
+  this->GetPointDataArraySelection()->SetArraySetting(name, status);
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunReader::GetNumberOfCellArrays()
+{
+  return this->GetCellDataArraySelection()->GetNumberOfArrays();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkGatunReader::GetCellArrayName(int index)
+{
+  return this->GetCellDataArraySelection()->GetArrayName(index);
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunReader::GetCellArrayStatus(const char* name)
+{
+  return this->GetCellDataArraySelection()->ArrayIsEnabled(name);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunReader::SetCellArrayStatus(const char* name, int status)
+{
+  this->GetCellDataArraySelection()->SetArraySetting(name, status);
+}
+
+//------------------------------------------------------------------------------
+vtkTable* vtkGatunReader::GetChunkTable()
+{
+  return this->Internals->Table;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeUInt64 vtkGatunReader::GetBytesRead()
+{
+  return this->Internals->File ? this->Internals->File->GetBytesRead() : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkGatunReader::GetMTime()
+{
+  return std::max({ this->Superclass::GetMTime(), this->GetPointDataArraySelection()->GetMTime(),
+    this->GetCellDataArraySelection()->GetMTime() });
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunReader::ComputePipelineMTime(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inInfoVec), vtkInformationVector* vtkNotUsed(outInfoVec),
+  int vtkNotUsed(requestFromOutputPort), vtkMTimeType* mtime)
+{
+  // Here and not in GetMTime: there it would change in the middle of a request.
+  vtkInternals& self = *this->Internals;
+  if (self.ReadAgain ||
+    (this->FileName && self.Path == this->FileName &&
+      gatun::SignatureOf(self.Path) != self.Signature))
+  {
+    self.FileTime.Modified();
+    self.ReadAgain = false;
+  }
+  *mtime = std::max(this->GetMTime(), self.FileTime.GetMTime());
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+// Within a catch block: reports, and leaves nothing of what was read before.
+void vtkGatunReader::Fail(vtkInformationVector* outputVector)
+{
+  const gatun::VTKFailure failure =
+    gatun::DescribeFailure(this->FileName ? this->FileName : "(no file)");
+  this->Internals->ForgetMesh();
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  if (auto* output = vtkDataObject::GetData(outInfo))
+  {
+    output->Initialize();
+  }
+  this->SetErrorCode(failure.Code);
+  if (!failure.Aborted)
+  {
+    vtkErrorMacro(<< failure.Message);
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunReader::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
+{
+  vtkInternals& self = *this->Internals;
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  outInfo->Remove(CHUNK_TABLE());
+  outInfo->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+  outInfo->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
+  outInfo->Remove(vtkStreamingDemandDrivenPipeline::BOUNDS());
+  outInfo->Remove(vtkDataObject::BOUNDING_BOX());
+  if (!this->FileName || !*this->FileName)
+  {
+    if (auto* output = vtkDataObject::GetData(outInfo))
+    {
+      output->Initialize();
+    }
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    vtkErrorMacro("No FileName was set.");
+    return 0;
+  }
+  try
+  {
+    self.Open(this->FileName);
+    outInfo->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+    outInfo->Set(CHUNK_TABLE(), self.Table);
+    if (self.File->HasTime() && !self.File->GetTimes().empty())
+    {
+      const std::vector<double>& times = self.File->GetTimes();
+      const double range[2] = { times.front(), times.back() };
+      outInfo->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times.data(),
+        static_cast<int>(times.size()));
+      outInfo->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+    }
+    const gatun::Bounds& box = self.File->GetBounds();
+    if (box[0].Min <= box[0].Max && box[1].Min <= box[1].Max && box[2].Min <= box[2].Max)
+    {
+      const double bounds[6] = { box[0].Min, box[0].Max, box[1].Min, box[1].Max, box[2].Min,
+        box[2].Max };
+      outInfo->Set(vtkStreamingDemandDrivenPipeline::BOUNDS(), bounds, 6);
+      outInfo->Set(vtkDataObject::BOUNDING_BOX(), bounds, 6);
+    }
+  }
+  catch (...)
+  {
+    self.Close();
+    this->Fail(outputVector);
+    return 0;
+  }
+  this->SetErrorCode(vtkErrorCode::NoError);
+  return 1;
 }
 
 //------------------------------------------------------------------------------
 int vtkGatunReader::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* vtkNotUsed(outputVector))
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
-  vtkErrorMacro("Reading .gtn files is not written yet.");
-  return 0;
+  vtkInternals& self = *this->Internals;
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outInfo);
+  output->Initialize();
+  if (!this->FileName || !*this->FileName)
+  {
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    vtkErrorMacro("No FileName was set.");
+    return 0;
+  }
+  this->SetErrorCode(vtkErrorCode::NoError);
+  this->UpdateProgress(0);
+
+  const int pieces =
+    std::max(1, vtkStreamingDemandDrivenPipeline::GetUpdateNumberOfPieces(outInfo));
+  const int piece = vtkStreamingDemandDrivenPipeline::GetUpdatePiece(outInfo);
+  try
+  {
+    if (!self.IsOpen(this->FileName))
+    {
+      self.Open(this->FileName);
+    }
+    gatun::PieceRequest request;
+    if (self.File->HasTime() && outInfo->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
+    {
+      request.Step =
+        self.StepAt(outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()));
+    }
+    const std::vector<std::uint32_t> chunks = self.ChunksOf(*this, request.Step);
+    const bool exists = piece >= 0 && piece < pieces;
+    if (exists)
+    {
+      const std::size_t begin = chunks.size() * static_cast<std::size_t>(piece) / pieces;
+      const std::size_t end = chunks.size() * (static_cast<std::size_t>(piece) + 1) / pieces;
+      request.Chunks.assign(chunks.begin() + static_cast<std::ptrdiff_t>(begin),
+        chunks.begin() + static_cast<std::ptrdiff_t>(end));
+    }
+    for (std::uint32_t array = 0; array < self.File->GetArrays().size(); ++array)
+    {
+      if (self.Wants(self.File->GetArrays()[array]))
+      {
+        request.Arrays.push_back(array);
+      }
+    }
+    if (self.File->GetNumberOfSteps() == 0)
+    {
+      // Arrays without any values.
+      request.Arrays.clear();
+    }
+    if (pieces > 1)
+    {
+      request.GhostLevels = static_cast<unsigned>(
+        std::max(0, vtkStreamingDemandDrivenPipeline::GetUpdateGhostLevel(outInfo)));
+    }
+    request.WithUnusedPoints = exists && piece == 0 && !this->UseBox && !this->UseValueRange;
+    request.RestoreOrder = this->RestoreOrder;
+
+    self.Read(request, this->GenerateGlobalIds || pieces > 1, output,
+      [this](double fraction)
+      {
+        this->UpdateProgress(fraction);
+        return !gatun::IsAborted(this);
+      });
+    if (self.File->HasTime() && request.Step < self.File->GetTimes().size())
+    {
+      output->GetInformation()->Set(
+        vtkDataObject::DATA_TIME_STEP(), self.File->GetTimes()[request.Step]);
+    }
+  }
+  catch (...)
+  {
+    this->Fail(outputVector);
+    // An aborted update is none; the next one starts anew.
+    self.ReadAgain = true;
+    return this->GetErrorCode() == AbortedError ? 1 : 0;
+  }
+  this->UpdateProgress(1);
+  return 1;
 }

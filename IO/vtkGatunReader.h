@@ -2,9 +2,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkGatunReader
- * @brief Reads a compressed tetrahedral mesh (`.gtn`).
+ * @brief Reads a compressed tetrahedral mesh (`.gtn`), whole or in parts.
  *
- * @warning Not written yet: the output is empty and an error is reported.
+ * The output is a vtkUnstructuredGrid of tetrahedra, bit for bit that which vtkGatunWriter was
+ * given: points as float or double, connectivity with 32- or 64-bit ids (whichever the input had),
+ * point, cell and field arrays of their VTK types with component names and roles (active scalars,
+ * vectors, ..., global ids). Information keys of arrays are not stored in `.gtn` files. Unless the
+ * file keeps the input's order and RestoreOrder is on, points and cells come in the file's own
+ * order and the corners of a tetrahedron may be rotated; its orientation never changes.
+ *
+ * *Parts.* A file consists of chunks, and piece p of n is the chunks floor(p C / n) to
+ * floor((p + 1) C / n) - 1 of the C that pass the region of interest; only these are read. Points
+ * that no cell uses belong to piece 0. With more pieces than chunks some are empty. On request
+ * there are layers of ghost cells: vtkGhostType then marks what another piece owns. Global ids are
+ * the same in all pieces.
+ *
+ * *Arrays.* Only the selected arrays are read from the file. All are selected by default.
+ *
+ * *Time.* The step is the last one not later than the time asked for, or the first one when all are
+ * later; the output's vtkDataObject::DATA_TIME_STEP() tells which. The mesh is decoded once: as
+ * long as the piece stays the same, all steps share their points and cells.
+ *
+ * *Change on disk.* Each update looks whether the file was replaced or rewritten since, and then
+ * reads it anew.
+ *
+ * *Cost.* Memory: the output, and as much again while a mesh is decoded; the mesh last read is
+ * kept. Decoding uses all threads of vtkSMPTools.
+ *
+ * *Errors.* Reported by vtkErrorMacro with a message that begins with the file's name; GetErrorCode
+ * is then one of vtkErrorCode::NoFileNameError, FileNotFoundError, CannotOpenFileError (a folder,
+ * no permission), UnrecognizedFileTypeError (not a `.gtn` file), PrematureEndOfFileError
+ * (truncated), FileFormatError (damaged), UnknownError (such as too little memory),
+ * NewerVersionError, WrongParameterError or AbortedError (which comes without a message). The
+ * output is then empty.
+ *
+ * @warning With a region of interest the output holds whole chunks, hence also cells outside.
+ * @warning The original order can be restored only where the whole mesh is asked for.
  *
  * @sa vtkGatunWriter
  */
@@ -15,12 +48,28 @@
 #include "vtkGatunIOModule.h" // For export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
+#include <memory> // For std::unique_ptr
+
+class vtkDataArraySelection;
+class vtkInformationObjectBaseKey;
+class vtkTable;
+
 class VTKGATUNIO_EXPORT vtkGatunReader : public vtkUnstructuredGridAlgorithm
 {
 public:
   static vtkGatunReader* New();
   vtkTypeMacro(vtkGatunReader, vtkUnstructuredGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Error codes beyond those of vtkErrorCode.
+   */
+  enum ErrorIds
+  {
+    NewerVersionError = 40003,   ///< written by a later major version of the format
+    WrongParameterError = 40007, ///< such as an array for the value range that is not there
+    AbortedError = 40008         ///< AbortExecute was set
+  };
 
   ///@{
   /**
@@ -30,18 +79,198 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
+  /**
+   * Whether the file begins as a `.gtn` file does, of whatever version: 1 or 0.
+   */
+  virtual int CanReadFile(VTK_FILEPATH const char* name);
+
+  ///@{
+  /**
+   * Extension and name of the file type, for lists of readers.
+   */
+  virtual const char* GetFileExtensions() { return ".gtn"; }
+  virtual const char* GetDescriptiveName() { return "Gatun tetrahedral mesh"; }
+  ///@}
+
+  ///@{
+  /**
+   * Which arrays to read, by name; known once UpdateInformation was called. A selection made before
+   * that holds if the file has such an array. An array without a name is always read. Default: all.
+   */
+  vtkDataArraySelection* GetPointDataArraySelection();
+  vtkDataArraySelection* GetCellDataArraySelection();
+  ///@}
+
+  ///@{
+  /**
+   * The same selections by index, 0 to number - 1, and by name; status 1: to be read, 0: not.
+   */
+  int GetNumberOfPointArrays();
+  const char* GetPointArrayName(int index);
+  int GetPointArrayStatus(const char* name);
+  void SetPointArrayStatus(const char* name, int status);
+  int GetNumberOfCellArrays();
+  const char* GetCellArrayName(int index);
+  int GetCellArrayStatus(const char* name);
+  void SetCellArrayStatus(const char* name, int status);
+  ///@}
+
+  ///@{
+  /**
+   * Whether points, cells and corners come in the order that the writer's input had, as far as the
+   * file keeps it (vtkGatunWriter::SetKeepOrder) and the whole mesh is asked for. Default: on.
+   */
+  vtkSetMacro(RestoreOrder, bool);
+  vtkGetMacro(RestoreOrder, bool);
+  vtkBooleanMacro(RestoreOrder, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to make the arrays GlobalPointIds and GlobalCellIds (vtkIdTypeArray, also set as global
+   * ids): the place of each point and cell in the whole mesh, from 0; where the file keeps the
+   * order of points or cells, the place in the writer's input. Off: only if a part is asked for
+   * (more pieces than one), where they tell which points and cells of two parts are the same.
+   * Nothing is made where the output has global ids of the file, or an array of that name.
+   * Default: off.
+   */
+  vtkSetMacro(GenerateGlobalIds, bool);
+  vtkGetMacro(GenerateGlobalIds, bool);
+  vtkBooleanMacro(GenerateGlobalIds, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to leave out chunks whose bounds do not touch Box. Points without cells are left out,
+   * too. Default: off.
+   */
+  vtkSetMacro(UseBox, bool);
+  vtkGetMacro(UseBox, bool);
+  vtkBooleanMacro(UseBox, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Region of interest: xmin, xmax, ymin, ymax, zmin, zmax, in the units of the coordinates.
+   * Default: 0, 1, 0, 1, 0, 1.
+   */
+  vtkSetVector6Macro(Box, double);
+  vtkGetVector6Macro(Box, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to leave out chunks in which no value of ValueRangeArray at the current step lies in
+   * ValueRange. Points without cells are left out, too. Default: off.
+   */
+  vtkSetMacro(UseValueRange, bool);
+  vtkGetMacro(UseValueRange, bool);
+  vtkBooleanMacro(UseValueRange, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the array that ValueRange is about; it need not be selected. An array that the file
+   * does not have is an error; no name means no restriction. Default: none.
+   */
+  vtkSetStringMacro(ValueRangeArray);
+  vtkGetStringMacro(ValueRangeArray);
+  ///@}
+
+  ///@{
+  /**
+   * What ValueRangeArray belongs to: vtkDataObject::FIELD_ASSOCIATION_POINTS (0, the default) or
+   * vtkDataObject::FIELD_ASSOCIATION_CELLS (1).
+   */
+  vtkSetClampMacro(ValueRangeAssociation, int, 0, 1);
+  vtkGetMacro(ValueRangeAssociation, int);
+  ///@}
+
+  ///@{
+  /**
+   * Component of ValueRangeArray, from 0; -1 is the Euclidean length of the tuple, or the value
+   * itself if there is only one component. A component that the array does not have is an error.
+   * Default: -1.
+   */
+  vtkSetClampMacro(ValueRangeComponent, int, -1, VTK_INT_MAX);
+  vtkGetMacro(ValueRangeComponent, int);
+  ///@}
+
+  ///@{
+  /**
+   * Smallest and largest value of interest, in the units of the array. Default: 0, 1.
+   */
+  vtkSetVector2Macro(ValueRange, double);
+  vtkGetVector2Macro(ValueRange, double);
+  ///@}
+
+  /**
+   * Key in the output information, set by UpdateInformation: a vtkTable with a row for each chunk,
+   * from which a sink can choose what to ask for; with the number of chunks as the number of pieces
+   * and no region of interest, row i is piece i. Columns:
+   *
+   *  - Cells, FirstCell, Points (vtkIdTypeArray): cells, global id of the first one, and points,
+   *    those that other chunks use too included;
+   *  - Bounds (vtkDoubleArray, 6 components): xmin, xmax, ymin, ymax, zmin, zmax;
+   *  - Point:name, Cell:name (vtkDoubleArray) for each array of the file, selected or not: min and
+   *    max of each component and, if there is more than one, of the length of the tuple; over all
+   *    time steps; without NaN.
+   *
+   * Where min > max there is nothing: no finite coordinate, only NaN. The table must not be
+   * changed.
+   */
+  static vtkInformationObjectBaseKey* CHUNK_TABLE();
+
+  /**
+   * The table of CHUNK_TABLE(), after UpdateInformation; nullptr if there is no readable file.
+   */
+  vtkTable* GetChunkTable();
+
+  /**
+   * Bytes read from the file since this reader opened it, which happens in UpdateInformation when
+   * the name or the file changed. 0 without an open file.
+   */
+  vtkTypeUInt64 GetBytesRead();
+
+  /**
+   * Modified, too, when a selection of arrays is.
+   */
+  vtkMTimeType GetMTime() override;
+
+  /**
+   * Looks, too, whether the file has changed on disk.
+   */
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inInfoVec,
+    vtkInformationVector* outInfoVec, int requestFromOutputPort, vtkMTimeType* mtime) override;
+
 protected:
   vtkGatunReader();
   ~vtkGatunReader() override;
 
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
   char* FileName = nullptr;
+  bool RestoreOrder = true;
+  bool GenerateGlobalIds = false;
+  bool UseBox = false;
+  double Box[6] = { 0, 1, 0, 1, 0, 1 };
+  bool UseValueRange = false;
+  char* ValueRangeArray = nullptr;
+  int ValueRangeAssociation = 0;
+  int ValueRangeComponent = -1;
+  double ValueRange[2] = { 0, 1 };
 
 private:
   vtkGatunReader(const vtkGatunReader&) = delete;
   void operator=(const vtkGatunReader&) = delete;
+
+  void Fail(vtkInformationVector* outputVector);
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

@@ -3,14 +3,209 @@
 
 #include "vtkGatunWriter.h"
 
+#include "gatunArrayBridge.h"
+#include "gatunError.h"
+#include "gatunErrorCodes.h"
+#include "gatunFileWriter.h"
+#include "gatunTetInput.h"
+#include "vtkGatunCompat.h"
+
 #include "vtkAlgorithm.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArraySelection.h"
+#include "vtkDataObject.h"
+#include "vtkErrorCode.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <set>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace
+{
+
+using gatun::Association;
+
+//------------------------------------------------------------------------------
+[[noreturn]] void Refuse(const std::string& why)
+{
+  throw gatun::Error(gatun::ErrorCode::InvalidInput, why);
+}
+
+//------------------------------------------------------------------------------
+// Coordinates as the file holds them: float or double. Sets converted where they had another type.
+vtkSmartPointer<vtkDataArray> CoordinatesOf(vtkPoints* points, bool& converted)
+{
+  vtkDataArray* data = points->GetData();
+  if (data->GetDataType() == VTK_FLOAT || data->GetDataType() == VTK_DOUBLE)
+  {
+    return gatun::Contiguous(data);
+  }
+  converted = true;
+  auto doubles = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(VTK_DOUBLE));
+  doubles->SetNumberOfComponents(3);
+  doubles->SetNumberOfTuples(data->GetNumberOfTuples());
+  // Up to here every integer is a double.
+  constexpr double exact = 9007199254740992.0;
+  for (vtkIdType point = 0; point < data->GetNumberOfTuples(); ++point)
+  {
+    double tuple[3];
+    data->GetTuple(point, tuple);
+    if (std::max({ std::abs(tuple[0]), std::abs(tuple[1]), std::abs(tuple[2]) }) >= exact)
+    {
+      Refuse("the coordinates of point " + std::to_string(point) + " are integers beyond 2^53");
+    }
+    doubles->SetTuple(point, tuple);
+  }
+  return doubles;
+}
+
+//------------------------------------------------------------------------------
+// A grid as the core takes it; the owners keep its memory.
+struct BridgedMesh
+{
+  gatun::MeshInput Mesh;
+  bool PointsConverted = false;
+  vtkSmartPointer<vtkDataArray> Coordinates;
+  vtkSmartPointer<vtkDataArray> Connectivity;
+
+  explicit BridgedMesh(vtkUnstructuredGrid* grid)
+  {
+    if (grid->GetNumberOfPoints() > 0)
+    {
+      this->Coordinates = CoordinatesOf(grid->GetPoints(), this->PointsConverted);
+      this->Mesh.Points = static_cast<std::uint64_t>(grid->GetNumberOfPoints());
+      this->Mesh.Coordinates = this->Coordinates->GetVoidPointer(0);
+    }
+    if (grid->GetPoints() && grid->GetPoints()->GetDataType() != VTK_FLOAT)
+    {
+      this->Mesh.CoordinateType = gatun::ScalarType::Float64;
+    }
+    if (vtkCellArray* cells = grid->GetCells())
+    {
+      this->Mesh.WideIds = cells->IsStorage64Bit();
+      if (cells->GetNumberOfCells() > 0)
+      {
+        this->Connectivity = cells->GetConnectivityArray();
+        this->Mesh.Tets = static_cast<std::uint64_t>(cells->GetNumberOfCells());
+        this->Mesh.Connectivity = this->Connectivity->GetVoidPointer(0);
+      }
+    }
+  }
+
+  /** A number that almost certainly differs for another mesh. */
+  std::size_t Hash() const
+  {
+    const auto bytesOf = [](vtkDataArray* array)
+    {
+      return array ? std::string_view(static_cast<const char*>(array->GetVoidPointer(0)),
+                       static_cast<std::size_t>(array->GetNumberOfValues()) *
+                         static_cast<std::size_t>(array->GetDataTypeSize()))
+                   : std::string_view();
+    };
+    const std::hash<std::string_view> hash;
+    return hash(bytesOf(this->Coordinates)) * 31 + hash(bytesOf(this->Connectivity));
+  }
+};
+
+//------------------------------------------------------------------------------
+std::string Line(const std::string& what, std::uint64_t bytes, std::uint64_t tets)
+{
+  char text[64];
+  const double bits = tets > 0 ? 8.0 * static_cast<double>(bytes) / static_cast<double>(tets) : 0;
+  std::snprintf(
+    text, sizeof(text), "%14llu %11.3f  ", static_cast<unsigned long long>(bytes), bits);
+  return text + what + "\n";
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+class vtkGatunWriter::vtkInternals
+{
+public:
+  vtkNew<vtkDataArraySelection> PointSelection;
+  vtkNew<vtkDataArraySelection> CellSelection;
+
+  // The times to write, if the input has any and all are wanted, and which one is next.
+  std::vector<double> Times;
+  std::size_t Step = 0;
+  bool Writing = false; ///< within Write, which goes through the times
+
+  // While a file is being written.
+  std::unique_ptr<gatun::FileWriter> File;
+  std::unique_ptr<BridgedMesh> Mesh;
+  std::size_t MeshHash = 0;
+  std::vector<gatun::ArrayDescription> Arrays;
+  std::set<std::string> Warned;
+
+  // Of the last file.
+  gatun::FileStatistics Statistics;
+  std::vector<std::string> StatisticsNames;
+
+  void Discard()
+  {
+    this->File.reset();
+    this->Mesh.reset();
+    this->Arrays.clear();
+    this->Warned.clear();
+    this->Step = 0;
+  }
+
+  bool Wants(vtkAbstractArray* array, vtkDataArraySelection* selection, bool unlisted) const
+  {
+    const char* name = array->GetName();
+    if (!name || !*name)
+    {
+      return true;
+    }
+    return selection->ArrayExists(name) ? selection->ArrayIsEnabled(name) != 0 : unlisted;
+  }
+
+  std::vector<gatun::BridgedArray> Bridge(vtkUnstructuredGrid* grid, bool unlisted) const
+  {
+    std::vector<gatun::BridgedArray> arrays;
+    const auto add =
+      [&](vtkDataSetAttributes* attributes, Association where, vtkDataArraySelection* selection)
+    {
+      for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+      {
+        vtkAbstractArray* array = attributes->GetAbstractArray(i);
+        if (this->Wants(array, selection, unlisted))
+        {
+          arrays.push_back(gatun::Bridge(array, where));
+          arrays.back().Description.AttributeRoles = gatun::AttributeRolesOf(attributes, array);
+        }
+      }
+    };
+    add(grid->GetPointData(), Association::Point, this->PointSelection);
+    add(grid->GetCellData(), Association::Cell, this->CellSelection);
+    return arrays;
+  }
+};
 
 vtkStandardNewMacro(vtkGatunWriter);
 
 //------------------------------------------------------------------------------
-vtkGatunWriter::vtkGatunWriter() = default;
+vtkGatunWriter::vtkGatunWriter()
+  : Internals(std::make_unique<vtkInternals>())
+{
+}
 
 //------------------------------------------------------------------------------
 vtkGatunWriter::~vtkGatunWriter()
@@ -23,6 +218,49 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "WriteUnlistedArrays: " << (this->WriteUnlistedArrays ? "On" : "Off") << "\n";
+  os << indent << "KeepOrder: " << this->KeepOrder << "\n";
+  os << indent << "ChunkTets: " << this->ChunkTets << "\n";
+  os << indent << "KeyStepInterval: " << this->KeyStepInterval << "\n";
+  os << indent << "WriteAllTimeSteps: " << (this->WriteAllTimeSteps ? "On" : "Off") << "\n";
+  os << indent << "LinearizeQuadratic: " << (this->LinearizeQuadratic ? "On" : "Off") << "\n";
+  os << indent << "WrittenPoints: " << this->WrittenPoints << "\n";
+  os << indent << "WrittenTets: " << this->WrittenTets << "\n";
+  os << indent << "WrittenSteps: " << this->WrittenSteps << "\n";
+  os << indent << "FileBytes: " << this->FileBytes << "\n";
+  os << indent << "ConnectivityBytes: " << this->ConnectivityBytes << "\n";
+  os << indent << "GeometryBytes: " << this->GeometryBytes << "\n";
+  os << indent << "OrderBytes: " << this->OrderBytes << "\n";
+  os << indent << "ArrayBytes: " << this->ArrayBytes << "\n";
+  os << indent << "FieldDataBytes: " << this->FieldDataBytes << "\n";
+  os << indent << "DirectoryBytes: " << this->DirectoryBytes << "\n";
+  os << indent << "PointDataArraySelection:\n";
+  this->GetPointDataArraySelection()->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "CellDataArraySelection:\n";
+  this->GetCellDataArraySelection()->PrintSelf(os, indent.GetNextIndent());
+}
+
+//------------------------------------------------------------------------------
+vtkDataArraySelection* vtkGatunWriter::GetPointDataArraySelection()
+{
+  return this->Internals->PointSelection;
+}
+
+//------------------------------------------------------------------------------
+vtkDataArraySelection* vtkGatunWriter::GetCellDataArraySelection()
+{
+  return this->Internals->CellSelection;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunWriter::SetChunkTets(int tets)
+{
+  const int clamped = tets <= 0 ? 0 : std::clamp(tets, 64, 262144);
+  if (this->ChunkTets != clamped)
+  {
+    this->ChunkTets = clamped;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -33,7 +271,277 @@ int vtkGatunWriter::FillInputPortInformation(int vtkNotUsed(port), vtkInformatio
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunWriter::WriteData()
+int vtkGatunWriter::Write()
 {
-  vtkErrorMacro("Writing .gtn files is not written yet.");
+  vtkInternals& self = *this->Internals;
+  if (this->GetNumberOfInputConnections(0) < 1)
+  {
+    this->SetErrorCode(WrongInputError);
+    vtkErrorMacro("No input was set.");
+    return 0;
+  }
+  self.Discard();
+  self.Writing = true;
+  this->SetErrorCode(vtkErrorCode::NoError);
+  // A step an update. The pipeline could go on by itself (CONTINUE_EXECUTING), but does so forever
+  // if the input fails on the way.
+  bool done = false;
+  for (bool again = true; again;)
+  {
+    const std::size_t step = self.Step;
+    this->Modified();
+    this->UpdateWholeExtent();
+    const bool advanced = self.Step > step;
+    done = advanced && self.Step >= self.Times.size();
+    again = advanced && !done;
+  }
+  self.Discard();
+  self.Times.clear();
+  self.Writing = false;
+  if (!done && this->GetErrorCode() == vtkErrorCode::NoError)
+  {
+    this->SetErrorCode(vtkErrorCode::UnknownError);
+    vtkErrorMacro(<< (this->FileName ? this->FileName : "(no file)")
+                  << ": not written, as the input could not be updated");
+  }
+  return this->GetErrorCode() == vtkErrorCode::NoError ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunWriter::Update()
+{
+  this->Write();
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunWriter::Update(int vtkNotUsed(port))
+{
+  this->Write();
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkGatunWriter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInternals& self = *this->Internals;
+  vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
+  {
+    if (self.File)
+    {
+      // Between two steps.
+      return 1;
+    }
+    self.Times.clear();
+    if (self.Writing && this->WriteAllTimeSteps &&
+      inInfo->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS()))
+    {
+      const double* times = inInfo->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+      self.Times.assign(
+        times, times + inInfo->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()));
+    }
+    return 1;
+  }
+  if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_TIME()) ||
+    request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    if (self.Step < self.Times.size())
+    {
+      inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), self.Times[self.Step]);
+    }
+    if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
+    {
+      inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+      inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    }
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunWriter::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
+{
+  vtkInternals& self = *this->Internals;
+  this->SetErrorCode(vtkErrorCode::NoError);
+  if (!this->FileName || !*this->FileName)
+  {
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    vtkErrorMacro("No FileName was set.");
+    return 0;
+  }
+  try
+  {
+    vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
+    if (!input)
+    {
+      Refuse("the input is not a vtkUnstructuredGrid");
+    }
+    this->WriteStep(input);
+  }
+  catch (...)
+  {
+    const gatun::VTKFailure failure = gatun::DescribeFailure(this->FileName);
+    self.Discard();
+    this->SetErrorCode(failure.Code);
+    if (failure.Aborted)
+    {
+      return 1;
+    }
+    vtkErrorMacro(<< failure.Message);
+    return 0;
+  }
+  if (self.Step >= self.Times.size())
+  {
+    this->WriteTime.Modified();
+    this->UpdateProgress(1);
+    if (!self.Writing)
+    {
+      self.Discard();
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+// Writes the current step, with the mesh before the first and the end after the last one.
+void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
+{
+  vtkInternals& self = *this->Internals;
+  const std::string path = this->FileName;
+  const bool hasSteps = !self.Times.empty();
+  const std::size_t steps = std::max<std::size_t>(1, self.Times.size());
+
+  // The mesh counts as a step.
+  const auto progressOf = [this, steps](std::size_t part)
+  {
+    return [this, steps, part](double fraction)
+    {
+      this->UpdateProgress(
+        (static_cast<double>(part) + fraction) / (static_cast<double>(steps) + 1));
+      return !gatun::IsAborted(this);
+    };
+  };
+  const auto warn = [this, &self, &path](const std::string& what)
+  {
+    if (self.Warned.insert(what).second)
+    {
+      vtkWarningMacro(<< path << ": " << what);
+    }
+  };
+  const std::string here = hasSteps ? " in time step " + std::to_string(self.Step) + " (time " +
+      std::to_string(self.Times[self.Step]) + ")"
+                                    : "";
+
+  const gatun::TetInput tets = gatun::MakeTetInput(input, this->LinearizeQuadratic);
+  for (const std::string& warning : tets.Warnings)
+  {
+    warn(warning);
+  }
+  auto mesh = std::make_unique<BridgedMesh>(tets.Grid);
+  if (mesh->PointsConverted)
+  {
+    warn("integer coordinates are written as double");
+  }
+  const std::vector<gatun::BridgedArray> arrays = self.Bridge(tets.Grid, this->WriteUnlistedArrays);
+  std::vector<gatun::ArrayDescription> descriptions;
+  std::vector<const void*> values;
+  for (const gatun::BridgedArray& array : arrays)
+  {
+    descriptions.push_back(array.Description);
+    values.push_back(array.Values);
+  }
+
+  if (!self.File)
+  {
+    gatun::WriterOptions options;
+    options.Keep = static_cast<std::uint8_t>(this->KeepOrder);
+    options.ChunkTets = static_cast<std::uint32_t>(this->ChunkTets);
+    options.KeyStepInterval = static_cast<std::uint32_t>(this->KeyStepInterval);
+    self.Mesh = std::move(mesh);
+    self.MeshHash = steps > 1 ? self.Mesh->Hash() : 0;
+    self.Arrays = descriptions;
+    self.File = std::make_unique<gatun::FileWriter>(
+      path, self.Mesh->Mesh, self.Arrays, options, progressOf(0));
+  }
+  else
+  {
+    const gatun::MeshInput& first = self.Mesh->Mesh;
+    if (mesh->Mesh.Points != first.Points || mesh->Mesh.Tets != first.Tets ||
+      mesh->Mesh.CoordinateType != first.CoordinateType || mesh->Mesh.WideIds != first.WideIds ||
+      mesh->Hash() != self.MeshHash)
+    {
+      Refuse("the points or the cells change" + here +
+        "; one file holds one mesh, so write such steps as a series of files");
+    }
+    if (descriptions != self.Arrays)
+    {
+      Refuse("the point or cell arrays are others" + here + " than before");
+    }
+  }
+
+  std::vector<std::string> refused;
+  const gatun::FieldData field = gatun::BridgeFieldData(tets.Grid->GetFieldData(), refused);
+  for (const std::string& name : refused)
+  {
+    warn("the field array '" + name + "' is left out, being of a type that cannot be written");
+  }
+  vtkInformation* info = input->GetInformation();
+  const bool hasTime = hasSteps || info->Has(vtkDataObject::DATA_TIME_STEP());
+  const double time = hasSteps ? self.Times[self.Step]
+    : hasTime                  ? info->Get(vtkDataObject::DATA_TIME_STEP())
+                               : 0.0;
+  self.File->WriteStep(values, field, hasTime, time, progressOf(self.Step + 1));
+  ++self.Step;
+  if (self.Step < steps)
+  {
+    return;
+  }
+
+  self.Statistics = self.File->Finish();
+  self.StatisticsNames.clear();
+  for (const gatun::ArrayDescription& array : self.Arrays)
+  {
+    self.StatisticsNames.push_back(
+      (array.Where == Association::Point ? "point array " : "cell array ") + array.Name);
+  }
+  const gatun::FileStatistics& statistics = self.Statistics;
+  this->WrittenPoints = self.Mesh->Mesh.Points;
+  this->WrittenTets = self.Mesh->Mesh.Tets;
+  this->WrittenSteps = steps;
+  this->FileBytes = statistics.FileBytes;
+  this->ConnectivityBytes = statistics.ConnectivityBytes;
+  this->GeometryBytes = statistics.GeometryBytes + statistics.SharedGeometryBytes;
+  this->OrderBytes = statistics.OrderBytes;
+  this->ArrayBytes = 0;
+  for (const std::uint64_t bytes : statistics.ArrayBytes)
+  {
+    this->ArrayBytes += bytes;
+  }
+  this->FieldDataBytes = statistics.FieldDataBytes;
+  this->DirectoryBytes = statistics.DirectoryBytes;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkGatunWriter::GetStatistics() const
+{
+  const gatun::FileStatistics& statistics = this->Internals->Statistics;
+  const std::uint64_t tets = this->WrittenTets;
+  std::string text = std::to_string(tets) + " tetrahedra, " + std::to_string(this->WrittenPoints) +
+    " points, " + std::to_string(this->WrittenSteps) + " time steps\n" +
+    "         bytes    bits/tet\n";
+  text += Line("connectivity", statistics.ConnectivityBytes, tets);
+  text += Line("coordinates", this->GeometryBytes, tets);
+  for (std::size_t i = 0;
+       i < std::min(statistics.ArrayBytes.size(), this->Internals->StatisticsNames.size()); ++i)
+  {
+    text += Line(this->Internals->StatisticsNames[i], statistics.ArrayBytes[i], tets);
+  }
+  text += Line("order", statistics.OrderBytes, tets);
+  text += Line("field data", statistics.FieldDataBytes, tets);
+  text += Line("directory", statistics.DirectoryBytes, tets);
+  text += Line("file", statistics.FileBytes, tets);
+  return text;
 }

@@ -2,11 +2,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkGatunWriter
- * @brief Writes a tetrahedral vtkUnstructuredGrid as a compressed mesh (`.gtn`).
+ * @brief Writes a tetrahedral vtkUnstructuredGrid as a compressed mesh (`.gtn`), without loss.
  *
- * @warning Not written yet: no file is made and an error is reported.
+ * Input: a vtkUnstructuredGrid of vtkTetra cells with 32- or 64-bit ids and float or double points,
+ * which goes into the file without a copy. Other integer types of points are converted to double,
+ * with a warning, and refused where that is not exact. Meshes without points or cells are valid, as
+ * are unused and duplicate points, NaN and infinite coordinates, flat, inverted and duplicate
+ * tetrahedra, and faces shared by more than two.
  *
- * @sa vtkGatunReader
+ * Arrays: point, cell and field arrays of every numeric VTK type, bits included, and field arrays
+ * of strings, with component names and roles (active scalars, ..., global ids). Arrays that do not
+ * lie in memory tuple by tuple are copied. String and variant arrays of points or cells are refused
+ * with an error; field arrays of variants are left out with a warning.
+ *
+ * Other cells: linear 3D cells (vtkHexahedron, vtkVoxel, vtkWedge, vtkPyramid, vtkPentagonalPrism,
+ * vtkHexagonalPrism) are split by vtkDataSetTriangleFilter with a warning; the cell array
+ * OriginalCellIds then tells the cell of the input (an array of that name is kept as it is), and
+ * global ids of cells lose that role, being no longer unique. vtkQuadraticTetra needs
+ * LinearizeQuadratic. All else is refused with an error that names the types.
+ *
+ * Ghosts: cells marked DUPLICATECELL in vtkGhostType are left out, and points that only they use;
+ * the marks for duplicates then go, too. Other marks (hidden cells and points) are kept.
+ *
+ * Time: with WriteAllTimeSteps, all time steps of the input go into one file over one mesh, which
+ * must be the same in all; if points or cells change, or an array comes, goes or changes its type,
+ * that is an error naming the step. Without, the step at hand is written, with its time if it has
+ * one (vtkDataObject::DATA_TIME_STEP()).
+ *
+ * The file appears under its name once it is complete; after an error or an abort, a file that was
+ * there before is as it was.
+ *
+ * *Cost.* Peak memory below 3 times the mesh and one step of its arrays, the input included; when
+ * cells are split, that of the split mesh in addition. All threads of vtkSMPTools are used; the
+ * bytes written do not depend on their number.
+ *
+ * *Errors.* Reported by vtkErrorMacro with a message that begins with the file's name; Write then
+ * returns 0 and GetErrorCode is one of vtkErrorCode::NoFileNameError, CannotOpenFileError (the
+ * folder is missing, or no permission), OutOfDiskSpaceError, UnknownError (such as too little
+ * memory, or because the input's pipeline failed), WrongInputError or AbortedError (without a
+ * message).
+ *
+ * @warning The whole mesh must fit into memory.
+ * @warning Unless KeepOrder says otherwise, points and cells come back in another order.
+ *
+ * @sa vtkGatunReader vtkGatunMergeBlocks
  */
 
 #ifndef vtkGatunWriter_h
@@ -15,12 +54,40 @@
 #include "vtkGatunIOModule.h" // For export macro
 #include "vtkWriter.h"
 
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+
+class vtkDataArraySelection;
+class vtkUnstructuredGrid;
+
 class VTKGATUNIO_EXPORT vtkGatunWriter : public vtkWriter
 {
 public:
   static vtkGatunWriter* New();
   vtkTypeMacro(vtkGatunWriter, vtkWriter);
+  using vtkAlgorithm::Update;
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Error codes beyond those of vtkErrorCode.
+   */
+  enum ErrorIds
+  {
+    WrongInputError = 40007, ///< the grid cannot be written as it is
+    AbortedError = 40008     ///< AbortExecute was set
+  };
+
+  /**
+   * Flags for SetKeepOrder.
+   */
+  enum KeepOrderFlags
+  {
+    KEEP_NONE = 0,
+    KEEP_POINTS = 1,  ///< points and their arrays
+    KEEP_CELLS = 2,   ///< tetrahedra and their arrays
+    KEEP_CORNERS = 4, ///< corners of each tetrahedron
+    KEEP_ALL = 7
+  };
 
   ///@{
   /**
@@ -30,18 +97,159 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
+  ///@{
+  /**
+   * Which arrays to write, by name. An array that the selection does not list is written or not as
+   * WriteUnlistedArrays says; arrays without a name always are. Default: empty, so all are written.
+   */
+  vtkDataArraySelection* GetPointDataArraySelection();
+  vtkDataArraySelection* GetCellDataArraySelection();
+  ///@}
+
+  ///@{
+  /**
+   * Whether to write arrays that the selections do not list. Off: only those that they list and
+   * enable. Default: on.
+   */
+  vtkSetMacro(WriteUnlistedArrays, bool);
+  vtkGetMacro(WriteUnlistedArrays, bool);
+  vtkBooleanMacro(WriteUnlistedArrays, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Which original order the file keeps, so that the reader can restore it: KEEP_NONE to KEEP_ALL,
+   * or a sum of flags. Each costs file size. With KEEP_ALL every array read equals the one written.
+   * Where cells were split, ghosts dropped or quadratic cells linearised, what is kept is the order
+   * after that. Range: 0 to 7. Default: KEEP_NONE.
+   */
+  vtkSetClampMacro(KeepOrder, int, KEEP_NONE, KEEP_ALL);
+  vtkGetMacro(KeepOrder, int);
+  void SetKeepOrderToNone() { this->SetKeepOrder(KEEP_NONE); }
+  void SetKeepOrderToPoints() { this->SetKeepOrder(KEEP_POINTS); }
+  void SetKeepOrderToCells() { this->SetKeepOrder(KEEP_CELLS); }
+  void SetKeepOrderToPointsAndCells() { this->SetKeepOrder(KEEP_POINTS | KEEP_CELLS); }
+  void SetKeepOrderToAll() { this->SetKeepOrder(KEEP_ALL); }
+  ///@}
+
+  ///@{
+  /**
+   * Tetrahedra in a chunk, the smallest part that can be read, at most: 64 to 262144, or 0 for
+   * 65536 (262144 for meshes of over 10 million). Small chunks make larger files. Default: 0.
+   */
+  virtual void SetChunkTets(int tets);
+  vtkGetMacro(ChunkTets, int);
+  ///@}
+
+  ///@{
+  /**
+   * Every how many time steps one is stored without reference to the one before: a small number
+   * lets the reader jump to any step faster, a large one makes smaller files. Range: 1 and more.
+   * Default: 8.
+   */
+  vtkSetClampMacro(KeyStepInterval, int, 1, VTK_INT_MAX);
+  vtkGetMacro(KeyStepInterval, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to write all time steps of an input that has any, in place of the one at hand.
+   * Default: off.
+   */
+  vtkSetMacro(WriteAllTimeSteps, bool);
+  vtkGetMacro(WriteAllTimeSteps, bool);
+  vtkBooleanMacro(WriteAllTimeSteps, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to write quadratic tetrahedra as linear ones, which loses the shape of their edges and
+   * the points in the middle of these. Default: off, where they are an error.
+   */
+  vtkSetMacro(LinearizeQuadratic, bool);
+  vtkGetMacro(LinearizeQuadratic, bool);
+  vtkBooleanMacro(LinearizeQuadratic, bool);
+  ///@}
+
+  /**
+   * Writes the file, even if nothing has changed since it was last written. Returns 1 on success
+   * and 0 on failure, where GetErrorCode tells why.
+   */
+  int Write() override;
+
+  ///@{
+  /**
+   * The same as Write.
+   */
+  void Update() override;
+  void Update(int port) override;
+  ///@}
+
+  ///@{
+  /**
+   * What the last successful Write wrote: number of points, tetrahedra and time steps (1 without
+   * time); sizes in bytes of the file, connectivity, coordinates, the kept order, all point and
+   * cell arrays, field data, and of all else. 0 before.
+   */
+  vtkGetMacro(WrittenPoints, vtkTypeUInt64);
+  vtkGetMacro(WrittenTets, vtkTypeUInt64);
+  vtkGetMacro(WrittenSteps, vtkTypeUInt64);
+  vtkGetMacro(FileBytes, vtkTypeUInt64);
+  vtkGetMacro(ConnectivityBytes, vtkTypeUInt64);
+  vtkGetMacro(GeometryBytes, vtkTypeUInt64);
+  vtkGetMacro(OrderBytes, vtkTypeUInt64);
+  vtkGetMacro(ArrayBytes, vtkTypeUInt64);
+  vtkGetMacro(FieldDataBytes, vtkTypeUInt64);
+  vtkGetMacro(DirectoryBytes, vtkTypeUInt64);
+  ///@}
+
+  /**
+   * The same as a text of several lines, with bits for each tetrahedron and a line for each array.
+   */
+  std::string GetStatistics() const;
+
 protected:
   vtkGatunWriter();
   ~vtkGatunWriter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  void WriteData() override;
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  /**
+   * Not used: RequestData does the work, a time step a call.
+   */
+  void WriteData() override {}
 
   char* FileName = nullptr;
+  bool WriteUnlistedArrays = true;
+  int KeepOrder = KEEP_NONE;
+  int ChunkTets = 0;
+  int KeyStepInterval = 8;
+  bool WriteAllTimeSteps = false;
+  bool LinearizeQuadratic = false;
+
+  vtkTypeUInt64 WrittenPoints = 0;
+  vtkTypeUInt64 WrittenTets = 0;
+  vtkTypeUInt64 WrittenSteps = 0;
+  vtkTypeUInt64 FileBytes = 0;
+  vtkTypeUInt64 ConnectivityBytes = 0;
+  vtkTypeUInt64 GeometryBytes = 0;
+  vtkTypeUInt64 OrderBytes = 0;
+  vtkTypeUInt64 ArrayBytes = 0;
+  vtkTypeUInt64 FieldDataBytes = 0;
+  vtkTypeUInt64 DirectoryBytes = 0;
 
 private:
   vtkGatunWriter(const vtkGatunWriter&) = delete;
   void operator=(const vtkGatunWriter&) = delete;
+
+  void WriteStep(vtkUnstructuredGrid* input);
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
 };
 
 #endif

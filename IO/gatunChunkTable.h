@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunChunkTable_h
+#define gatunChunkTable_h
+
+#include "vtkSmartPointer.h"
+
+class vtkTable;
+
+namespace gatun
+{
+class FileReader;
+
+/** The table that vtkGatunReader::CHUNK_TABLE() describes. Decodes nothing. */
+vtkSmartPointer<vtkTable> MakeChunkTable(const FileReader& file);
+}
+
+#endif

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunErrorCodes_h
+#define gatunErrorCodes_h
+
+#include <exception>
+#include <string>
+
+namespace gatun
+{
+/** How a failure is told in VTK. */
+struct VTKFailure
+{
+  unsigned long Code; ///< for vtkAlgorithm::SetErrorCode
+  std::string Message;
+  bool Aborted; ///< the user asked for it: no message is due
+};
+
+/**
+ * To be called within a catch block: describes the exception that is being handled. The codes are
+ * those of vtkErrorCode where it has one, else vtkErrorCode::UserError + gatun::ErrorCode.
+ * path: the file concerned, which begins the message.
+ */
+VTKFailure DescribeFailure(const std::string& path);
+}
+
+#endif
