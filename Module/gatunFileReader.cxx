@@ -303,9 +303,12 @@ FileStatistics FileReader::GetStatistics() const
   }
   s.ArrayBytes.resize(this->GetArrays().size());
   std::uint64_t arrays = 0;
+  std::uint64_t lastField = 0;
   for (const auto& step : this->Self->Steps)
   {
-    s.FieldDataBytes += step.Field.Length;
+    // Steps may have their field data in common.
+    s.FieldDataBytes += step.Field.Offset != lastField ? step.Field.Length : 0;
+    lastField = step.Field.Offset;
     for (std::size_t a = 0; a < step.Arrays.size(); ++a)
     {
       std::uint64_t bytes = 0;

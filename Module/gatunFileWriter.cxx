@@ -244,6 +244,8 @@ private:
 
   std::size_t Steps = 0;
   double LastTime = 0;
+  Bytes LastField;
+  StreamRef LastFieldRef;
   std::vector<Bytes> Before;       // values of the step before
   std::vector<bool> BeforeIsPlain; // whether that step had no palette
 };
@@ -703,9 +705,18 @@ void FileWriter::Internals::WriteStep(std::span<const void* const> values, const
   }
   if (!field.empty())
   {
-    const auto stream = WriteFieldData(field);
-    batch.Add(stream, step.Field);
-    this->Statistics.FieldDataBytes += stream.size();
+    // The same field data for many steps is stored once.
+    auto stream = WriteFieldData(field);
+    if (stream == this->LastField)
+    {
+      step.Field = this->LastFieldRef;
+    }
+    else
+    {
+      batch.Add(stream, step.Field);
+      this->Statistics.FieldDataBytes += stream.size();
+      this->LastField = std::move(stream);
+    }
   }
   batch.Write(this->File, SectionValues);
   this->WriteBlockValues(inputs, step);
@@ -715,6 +726,10 @@ void FileWriter::Internals::WriteStep(std::span<const void* const> values, const
   {
     this->KeepForNextStep(values);
     this->BeforeIsPlain = isPlain;
+  }
+  if (!field.empty())
+  {
+    this->LastFieldRef = step.Field;
   }
   this->LastTime = time;
   ++this->Steps;
