@@ -5,6 +5,7 @@
 
 #include "gatunArrayBridge.h"
 #include "gatunError.h"
+#include "gatunGhosts.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -111,25 +112,6 @@ void CheckLengths(vtkDataSetAttributes* attributes, vtkIdType tuples, const std:
 }
 
 //------------------------------------------------------------------------------
-// The ghost flags, if there are any that have this bit.
-vtkUnsignedCharArray* GhostsWith(vtkDataSetAttributes* attributes, unsigned char bit)
-{
-  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
-    attributes->GetAbstractArray(vtkDataSetAttributes::GhostArrayName()));
-  if (ghosts && ghosts->GetNumberOfComponents() == 1)
-  {
-    for (vtkIdType i = 0; i < ghosts->GetNumberOfValues(); ++i)
-    {
-      if (ghosts->GetValue(i) & bit)
-      {
-        return ghosts;
-      }
-    }
-  }
-  return nullptr;
-}
-
-//------------------------------------------------------------------------------
 // Tetrahedra by their corners, and the input cell of each.
 struct Tets
 {
@@ -216,31 +198,6 @@ void GatherAll(
   {
     vtkAbstractArray* array = from->GetAbstractArray(i);
     gatun::AddWithRoles(to, gatun::Gather(array, tuples), gatun::AttributeRolesOf(from, array));
-  }
-}
-
-//------------------------------------------------------------------------------
-// Takes a bit out of the ghost flags, and the array away if no flag is left.
-void ClearGhosts(vtkDataSetAttributes* attributes, unsigned char bit)
-{
-  const char* name = vtkDataSetAttributes::GhostArrayName();
-  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(attributes->GetAbstractArray(name));
-  if (!ghosts || ghosts->GetNumberOfComponents() != 1)
-  {
-    return;
-  }
-  bool left = false;
-  for (vtkIdType i = 0; i < ghosts->GetNumberOfValues(); ++i)
-  {
-    if (ghosts->GetValue(i) & bit)
-    {
-      ghosts->SetValue(i, static_cast<unsigned char>(ghosts->GetValue(i) & ~bit));
-    }
-    left = left || ghosts->GetValue(i) != 0;
-  }
-  if (!left)
-  {
-    attributes->RemoveArray(name);
   }
 }
 

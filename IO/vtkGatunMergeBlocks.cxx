@@ -3,6 +3,8 @@
 
 #include "vtkGatunMergeBlocks.h"
 
+#include "gatunGhosts.h"
+
 #include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"
 #include "vtkAppendFilter.h"
@@ -24,7 +26,6 @@
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -68,9 +69,11 @@ struct Blocks
     auto copy = vtk::TakeSmartPointer(data->NewInstance());
     copy->ShallowCopy(data);
     auto* grid = vtkUnstructuredGrid::SafeDownCast(copy);
-    if (grid && HasGhosts(grid))
+    if (grid && gatun::GhostsWith(grid->GetCellData(), vtkDataSetAttributes::DUPLICATECELL))
     {
       grid->RemoveGhostCells();
+      gatun::ClearGhosts(grid->GetCellData(), vtkDataSetAttributes::DUPLICATECELL);
+      gatun::ClearGhosts(grid->GetPointData(), vtkDataSetAttributes::DUPLICATEPOINT);
     }
     this->Pieces.push_back(copy);
     this->Block.push_back(block);
@@ -138,20 +141,6 @@ struct Blocks
         this->AddPiece(set, this->AddBlock(name));
       }
     }
-  }
-
-private:
-  static bool HasGhosts(vtkUnstructuredGrid* grid)
-  {
-    vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
-    for (vtkIdType i = 0; ghosts && i < ghosts->GetNumberOfValues(); ++i)
-    {
-      if (ghosts->GetValue(i) & vtkDataSetAttributes::DUPLICATECELL)
-      {
-        return true;
-      }
-    }
-    return false;
   }
 };
 

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunGhosts.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkUnsignedCharArray.h"
+
+namespace gatun
+{
+
+//------------------------------------------------------------------------------
+vtkUnsignedCharArray* GhostsWith(vtkDataSetAttributes* attributes, unsigned char bit)
+{
+  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
+    attributes->GetAbstractArray(vtkDataSetAttributes::GhostArrayName()));
+  if (ghosts && ghosts->GetNumberOfComponents() == 1)
+  {
+    for (vtkIdType i = 0; i < ghosts->GetNumberOfValues(); ++i)
+    {
+      if (ghosts->GetValue(i) & bit)
+      {
+        return ghosts;
+      }
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+void ClearGhosts(vtkDataSetAttributes* attributes, unsigned char bit)
+{
+  const char* name = vtkDataSetAttributes::GhostArrayName();
+  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(attributes->GetAbstractArray(name));
+  if (!ghosts || ghosts->GetNumberOfComponents() != 1)
+  {
+    return;
+  }
+  bool left = false;
+  for (vtkIdType i = 0; i < ghosts->GetNumberOfValues(); ++i)
+  {
+    if (ghosts->GetValue(i) & bit)
+    {
+      ghosts->SetValue(i, static_cast<unsigned char>(ghosts->GetValue(i) & ~bit));
+    }
+    left = left || ghosts->GetValue(i) != 0;
+  }
+  if (!left)
+  {
+    attributes->RemoveArray(name);
+  }
+}
+
+}
