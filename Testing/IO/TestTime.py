@@ -1,0 +1,241 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Time steps over one mesh: written from an upstream with time, read in any order, sharing points
+and cells; a mesh that changes is an error that names the step."""
+
+import os
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
+from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkUnstructuredGrid
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as pipeline
+
+import gatunMeshes as gm
+from gatun import vtkGatunReader, vtkGatunWriter
+
+points, tets = gm.lattice(5)
+TIMES = [-1.5, 0.0, 0.1, 0.30000000000000004, 2.0, 1e3] + [2e3 + i for i in range(14)]
+
+
+def step(index):
+    grid = gm.make_grid(points, tets)
+    gm.add_array(grid.GetPointData(), np.arange(len(points)), "point")
+    gm.add_array(grid.GetPointData(), np.sin(points * (index + 1)).astype(np.float32), "wave")
+    gm.add_array(grid.GetCellData(), np.arange(len(tets)), "cell")
+    noise = np.random.default_rng(index).integers(0, 1 << 62, len(tets))
+    gm.add_array(grid.GetCellData(), noise, "noise")
+    gm.add_array(grid.GetFieldData(), np.array([index * 1.0]), "index")
+    names = vtkStringArray()
+    names.SetName("name")
+    names.InsertNextValue("step %d" % index)
+    grid.GetFieldData().AddArray(names)
+    return grid
+
+
+class Source(VTKPythonAlgorithmBase):
+    """Steps made on request."""
+
+    def __init__(self, make=step, times=TIMES):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkUnstructuredGrid")
+        self.make, self.times = make, times
+
+    def RequestInformation(self, request, inInfo, outInfo):
+        info = outInfo.GetInformationObject(0)
+        info.Set(pipeline.TIME_STEPS(), self.times, len(self.times))
+        info.Set(pipeline.TIME_RANGE(), [self.times[0], self.times[-1]], 2)
+        return 1
+
+    def RequestData(self, request, inInfo, outInfo):
+        info = outInfo.GetInformationObject(0)
+        time = info.Get(pipeline.UPDATE_TIME_STEP()) if info.Has(pipeline.UPDATE_TIME_STEP()) \
+            else self.times[0]
+        output = vtkUnstructuredGrid.GetData(outInfo, 0)
+        made = self.make(self.times.index(time))
+        if made is None:
+            return 0
+        output.ShallowCopy(made)
+        output.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), time)
+        return 1
+
+
+def connect(writer, source):
+    """The Python half of a source must be kept alive by somebody."""
+    writer.source = source
+    writer.SetInputConnection(source.GetOutputPort())
+
+
+def write_all(path, source, **options):
+    writer = vtkGatunWriter()
+    connect(writer, source)
+    writer.SetFileName(path)
+    writer.WriteAllTimeStepsOn()
+    for name, value in options.items():
+        getattr(writer, "Set" + name)(value)
+    return writer
+
+
+def output_at(reader, time):
+    reader.UpdateTimeStep(time)
+    assert reader.GetErrorCode() == 0
+    return reader.GetOutput()
+
+
+path = gm.temporary("time.gtn")
+for interval in (1, 3, 8, 100):
+    for keep, chunk in ((7, 0), (0, 200)):
+        writer = write_all(path, Source(), KeyStepInterval=interval, KeepOrder=keep, ChunkTets=chunk)
+        assert writer.Write() == 1
+        assert writer.GetWrittenSteps() == len(TIMES)
+        reader = vtkGatunReader()
+        reader.SetFileName(path)
+        reader.UpdateInformation()
+        info = reader.GetOutputInformation(0)
+        assert list(info.Get(pipeline.TIME_STEPS())) == TIMES
+        assert list(info.Get(pipeline.TIME_RANGE())) == [TIMES[0], TIMES[-1]]
+        order = list(range(len(TIMES))) + [7, 0, 19, 3, 2, 2, 18, 1]
+        grids = set()
+        for index in order:
+            grid = output_at(reader, TIMES[index])
+            assert grid.GetInformation().Get(vtkDataObject.DATA_TIME_STEP()) == TIMES[index]
+            if keep:
+                gm.assert_equal(step(index), grid)
+            else:
+                gm.assert_same_mesh(step(index), grid)
+                gm.assert_same_field(step(index).GetFieldData(), grid.GetFieldData())
+            # Points and cells are the very same objects, not copies.
+            grids.add((grid.GetPoints().GetData().GetVoidPointer(0),
+                       grid.GetCells().GetConnectivityArray().GetVoidPointer(0)))
+        assert len(grids) == 1
+
+# One mesh in one file beats a file for each step.
+alone = [gm.write(step(i), gm.temporary("alone.gtn")).GetFileBytes() for i in range(3)]
+size = write_all(path, Source()).Write() and os.path.getsize(path)
+assert size < 20 * min(alone) * 0.9, (size, alone)
+
+# Time between steps, before the first and after the last.
+reader = vtkGatunReader()
+reader.SetFileName(path)
+for time, expected in ((-100, -1.5), (-1.5, -1.5), (-0.1, -1.5), (0.05, 0.0), (0.3, 0.1),
+                       (1.999, 0.30000000000000004), (1e9, TIMES[-1])):
+    data = output_at(reader, time).GetInformation()
+    assert data.Get(vtkDataObject.DATA_TIME_STEP()) == expected
+
+# Pieces at different times, in turn.
+for time, piece in ((0.0, 0), (2.0, 1), (0.1, 0), (0.1, 1), (2.0, 1)):
+    reader.UpdateTimeStep(time, piece, 2)
+    cells = reader.GetOutput().GetCellData()
+    if reader.GetOutput().GetNumberOfCells():
+        noise = vtk_to_numpy(cells.GetArray("noise"))
+        number = vtk_to_numpy(cells.GetArray("cell"))
+        expected = np.random.default_rng(TIMES.index(time)).integers(0, 1 << 62, len(tets))
+        assert np.array_equal(noise, expected[number])
+
+# Deselecting arrays between steps.
+reader.SetPointArrayStatus("wave", 0)
+grid = output_at(reader, 2.0)
+assert not grid.GetPointData().HasArray("wave") and grid.GetCellData().HasArray("noise")
+reader.SetPointArrayStatus("wave", 1)
+gm.assert_same_mesh(step(4), output_at(reader, 2.0))
+
+# Without WriteAllTimeSteps the step at hand is written, with its time.
+source = Source()
+writer = write_all(path, source)
+writer.WriteAllTimeStepsOff()
+source.UpdateTimeStep(2.0)
+assert writer.Write() == 1 and writer.GetWrittenSteps() == 1
+reader = vtkGatunReader()
+reader.SetFileName(path)
+reader.UpdateInformation()
+assert list(reader.GetOutputInformation(0).Get(pipeline.TIME_STEPS())) == [2.0]
+reader.Update()
+gm.assert_same_mesh(step(4), reader.GetOutput())
+
+# A file without time has no times.
+gm.write(step(0), path)
+reader.UpdateInformation()
+assert not reader.GetOutputInformation(0).Has(pipeline.TIME_STEPS())
+reader.Update()
+assert not reader.GetOutput().GetInformation().Has(vtkDataObject.DATA_TIME_STEP())
+gm.assert_same_mesh(step(0), reader.GetOutput())
+
+
+# What must be the same in all steps.
+def moved(index):
+    grid = step(index)
+    if index == 3:
+        shifted = points.copy()
+        shifted[17, 1] = np.nextafter(shifted[17, 1], np.float32(9))
+        grid.GetPoints().SetData(gm.numpy_to_vtk(shifted, deep=True))
+    return grid
+
+
+def other_cells(index):
+    changed = tets.copy()
+    if index == 3:
+        changed[40] = changed[41]
+    grid = gm.make_grid(points, changed)
+    return grid
+
+
+def more_points(index):
+    return gm.make_grid(points if index != 3 else np.concatenate([points, points[:1]]), tets)
+
+
+def fewer_arrays(index):
+    grid = step(index)
+    if index == 3:
+        grid.GetCellData().RemoveArray("noise")
+    return grid
+
+
+def other_type(index):
+    grid = step(index)
+    if index == 3:
+        grid.GetCellData().RemoveArray("noise")
+        gm.add_array(grid.GetCellData(), np.zeros(len(tets), np.float32), "noise")
+    return grid
+
+
+def in_place():
+    """The same objects at each step, changed in place."""
+    grid = step(0)
+
+    def make(index):
+        raw = vtk_to_numpy(grid.GetPoints().GetData())
+        raw[17, 1] = points[17, 1] if index != 3 else 7
+        grid.GetPoints().Modified()
+        return grid
+
+    return make
+
+
+gm.write(step(0), path)
+before = open(path, "rb").read()
+for make, what in ((moved, "points or the cells"), (other_cells, "points or the cells"),
+                   (more_points, "points or the cells"), (in_place(), "points or the cells"),
+                   (fewer_arrays, "arrays"), (other_type, "arrays")):
+    writer = write_all(path, Source(make))
+    errors = gm.Errors(writer)
+    assert writer.Write() == 0
+    assert writer.GetErrorCode() == vtkGatunWriter.WrongInputError
+    assert path in str(errors) and what in str(errors) and "time step 3" in str(errors), str(errors)
+    assert open(path, "rb").read() == before
+    # The writer is as good as new.
+    connect(writer, Source())
+    assert writer.Write() == 1 and writer.GetWrittenSteps() == len(TIMES)
+    gm.write(step(0), path)
+
+# An upstream that fails in the middle.
+source = Source(lambda index: step(index) if index < 3 else None)
+gm.Errors(source)
+writer = write_all(path, source)
+errors = gm.Errors(writer)
+assert writer.Write() == 0 and writer.GetErrorCode() != 0 and "not written" in str(errors)
+assert open(path, "rb").read() == before
+connect(writer, Source())
+assert writer.Write() == 1 and writer.GetWrittenSteps() == len(TIMES)
+reader.Update()
+gm.assert_same_mesh(step(0), output_at(reader, TIMES[0]))
