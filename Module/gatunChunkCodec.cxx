@@ -31,6 +31,11 @@ std::vector<SharedVertex> MapShared(const ChunkFrame& frame, const Lattice& latt
 
 using Tets = std::span<const std::array<std::uint32_t, 4>>;
 
+unsigned FindCorner(const std::array<std::uint32_t, 4>& tet, std::uint32_t vertex)
+{
+  return tet[1] == vertex ? 1 : tet[2] == vertex ? 2 : tet[3] == vertex ? 3 : 0;
+}
+
 /** Tells the walk what is true. */
 class EncoderSide
 {
@@ -39,37 +44,39 @@ public:
     std::span<const LatticePoint> ownPlaces)
     : Input(tets)
     , Faces(faces)
+    , Unvisited(faces.Firsts)
     , Shared(shared)
     , OwnPlaces(ownPlaces)
     , Visited(tets.size(), 0)
     , Met(shared + ownPlaces.size(), NoVertex)
   {
+    this->OwnOrder.reserve(ownPlaces.size());
+    this->TetOrder.reserve(tets.size());
+    this->InputOf.reserve(this->Met.size());
   }
 
   std::uint32_t FindTet(const Front::Face& gate)
   {
-    const auto& c = gate.Corners;
-    const FaceTable::Face face{ this->InputOf[c[0]], this->InputOf[c[1]], this->InputOf[c[2]] };
-    std::uint32_t found = Topology::NoTet;
-    this->Faces.Find(face,
-      [&](std::uint32_t tet, std::uint32_t corner)
-      {
-        if (this->Visited[tet])
-        {
-          return false;
-        }
-        found = tet;
-        this->Begun = { face[0], face[1], face[2], this->Input[tet][corner] };
-        return true;
-      });
-    if (found != Topology::NoTet)
+    const auto parent = this->TetOrder[gate.Open - 1];
+    const auto group =
+      this->Faces.GroupOf[4 * parent + FindCorner(this->Input[parent], this->InputOf[gate.Apex])];
+    auto& first = this->Unvisited[group];
+    while (first != FaceTable::None && this->Visited[first / 4])
     {
-      this->Visit(found);
+      first = this->Faces.Next[first];
     }
-    return found;
+    if (first == FaceTable::None)
+    {
+      return Topology::NoTet;
+    }
+    const auto& c = gate.Corners;
+    this->Begun = { this->InputOf[c[0]], this->InputOf[c[1]], this->InputOf[c[2]],
+      this->Input[first / 4][first % 4] };
+    this->Visit(first / 4);
+    return first / 4;
   }
 
-  std::uint32_t NextSeed()
+  void NextSeed()
   {
     while (this->Visited[this->Seed])
     {
@@ -77,7 +84,6 @@ public:
     }
     this->Begun = this->Input[this->Seed];
     this->Visit(this->Seed);
-    return this->Seed;
   }
 
   Vertex GetTarget(unsigned i) const { return this->Met[this->Begun[i]]; }
@@ -115,6 +121,7 @@ private:
 
   Tets Input;
   const FaceTable& Faces;
+  std::vector<std::uint32_t> Unvisited; // of each group of faces the first that may be
   const std::uint32_t Shared;
   std::span<const LatticePoint> OwnPlaces;
   std::vector<char> Visited;
@@ -165,27 +172,33 @@ private:
 std::uint8_t FindRotation(const std::array<std::uint32_t, 4>& walked,
   const std::array<std::uint32_t, 4>& wanted, bool& flip)
 {
-  flip = false;
-  for (;;)
+  // By the places of the first two wanted corners among the walked ones; even permutations have
+  // one entry for each pair, and the mirrored ones the same with 2 and 3 exchanged.
+  static const auto rotations = []
   {
-    auto corners = walked;
-    if (flip)
+    std::array<std::uint8_t, 16> table{};
+    for (std::uint8_t r = 0; r < 12; ++r)
     {
-      std::swap(corners[2], corners[3]);
+      const auto order = RotateCorners(std::array<unsigned, 4>{ 0, 1, 2, 3 }, r);
+      table[4 * order[0] + order[1]] = r;
     }
-    for (unsigned rotation = 0; rotation < 12; ++rotation)
-    {
-      if (RotateCorners(corners, rotation) == wanted)
-      {
-        return static_cast<std::uint8_t>(rotation);
-      }
-    }
-    if (flip)
-    {
-      throw Error(ErrorCode::InvalidInput, "a walk lost the corners of a tetrahedron");
-    }
-    flip = true;
+    return table;
+  }();
+  flip = false;
+  if (walked == wanted)
+  {
+    return 0;
   }
+  const auto first = FindCorner(walked, wanted[0]);
+  const auto second = FindCorner(walked, wanted[1]);
+  const auto rotation = rotations[4 * first + second];
+  flip = RotateCorners(walked, rotation) != wanted;
+  if (!flip)
+  {
+    return rotation;
+  }
+  const auto mirror = [](unsigned place) { return place < 2 ? place : 5 - place; };
+  return rotations[4 * mirror(first) + mirror(second)];
 }
 
 struct Attempt
@@ -241,6 +254,51 @@ Attempt TryWalk(const WalkInput& input, Tets tets, const FaceTable& faces,
   result.OwnOrder = std::move(side.OwnOrder);
   result.TetOrder = std::move(side.TetOrder);
   return result;
+}
+
+/** Bits that the beginning of a walk takes. */
+template <Ranking Rule>
+double SampleWalk(
+  WalkInput input, Tets tets, const FaceTable& faces, std::span<const LatticePoint> ownPlaces)
+{
+  input.Stop = input.Tets / 8;
+  EntropyEncoder coder;
+  EncoderSide side(tets, faces, static_cast<std::uint32_t>(input.Shared.size()), ownPlaces);
+  Topology walked;
+  Walk<Rule, EntropyEncoder, EncoderSide>(coder, side, input, walked).Run();
+  return coder.EstimateBits();
+}
+
+Attempt EncodeConnectivity(
+  const WalkInput& input, Tets tets, std::span<const LatticePoint> ownPlaces)
+{
+  constexpr double sure = 0.7; // of the other's bits: then a sample is enough to choose
+  const FaceTable faces(tets);
+  const double sphere = SampleWalk<Ranking::Sphere>(input, tets, faces, ownPlaces);
+  const double angle = SampleWalk<Ranking::Angle>(input, tets, faces, ownPlaces);
+  Attempt best;
+  const auto consider = [&](Attempt attempt)
+  {
+    if (best.Stream.empty() || attempt.Stream.size() < best.Stream.size())
+    {
+      best = std::move(attempt);
+    }
+  };
+  if (!(angle < sure * sphere))
+  {
+    consider(TryWalk<Ranking::Sphere>(input, tets, faces, ownPlaces));
+  }
+  if (!(sphere < sure * angle))
+  {
+    consider(TryWalk<Ranking::Angle>(input, tets, faces, ownPlaces));
+  }
+  if (best.Stream.size() > 3 * tets.size())
+  {
+    auto plain = input;
+    plain.Plain = true;
+    consider(TryWalk<Ranking::Sphere>(plain, tets, faces, ownPlaces));
+  }
+  return best;
 }
 
 Bytes EncodeGeometry(ChunkMesh& mesh, std::span<const Vertex> ownIds, const PredictionRules& rules)
@@ -328,24 +386,7 @@ EncodedChunk EncodeChunk(const ChunkFrame& frame, Tets tets, std::span<const Poi
   {
     ownPlaces[i] = MapKeys(lattice, frame.Domains, ownKeys[i]);
   }
-  const FaceTable faces(tets);
-
-  const WalkInput input{ frame.Tets, frame.OwnPoints, shared, false };
-  auto best = TryWalk<Ranking::Sphere>(input, tets, faces, ownPlaces);
-  const auto consider = [&](Attempt attempt)
-  {
-    if (attempt.Stream.size() < best.Stream.size())
-    {
-      best = std::move(attempt);
-    }
-  };
-  consider(TryWalk<Ranking::Angle>(input, tets, faces, ownPlaces));
-  if (best.Stream.size() > 3 * tets.size())
-  {
-    auto plain = input;
-    plain.Plain = true;
-    consider(TryWalk<Ranking::Sphere>(plain, tets, faces, ownPlaces));
-  }
+  auto best = EncodeConnectivity({ frame.Tets, frame.OwnPoints, shared }, tets, ownPlaces);
 
   EncodedChunk result;
   result.Connectivity = std::move(best.Stream);

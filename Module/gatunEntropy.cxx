@@ -2,6 +2,7 @@
 #include "gatunEntropy.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gatun
 {
@@ -20,6 +21,17 @@ std::uint64_t EntropyEncoder::Raw(std::uint64_t value, unsigned count)
     }
   }
   return value;
+}
+
+double EntropyEncoder::EstimateBits() const
+{
+  double bits = 8.0 * static_cast<double>(this->RawBytes.size());
+  for (const auto decision : this->Decisions)
+  {
+    const auto p = static_cast<double>(decision >> 1);
+    bits -= std::log2((decision & 1 ? p : 65536.0 - p) / 65536.0);
+  }
+  return bits;
 }
 
 Bytes EntropyEncoder::Finish()

@@ -75,6 +75,9 @@ public:
   /** The low count bits of value as they are; count from 0 to 64. */
   std::uint64_t Raw(std::uint64_t value, unsigned count);
 
+  /** Length of the stream in bits, nearly. */
+  double EstimateBits() const;
+
   /** Length of the rANS part as a varint, the rANS part, the raw bits. */
   Bytes Finish();
 

@@ -5,36 +5,54 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace gatun
 {
-/** Finds the tetrahedra that have a face, however many there are. */
+/**
+ * Which tetrahedra have a face in common, however many. Face 4 t + i is the one of tetrahedron t
+ * opposite to its corner i; all faces with the same three corners form a group.
+ */
 class FaceTable
 {
 public:
   static constexpr std::uint32_t None = 0xffffffffu;
   using Tet = std::array<std::uint32_t, 4>;
-  using Face = std::array<std::uint32_t, 3>;
 
   explicit FaceTable(std::span<const Tet> tets)
-    : Tets(tets)
-    , Mask(static_cast<std::uint32_t>(std::bit_ceil(4 * tets.size() + 1) - 1))
-    , First(std::size_t{ Mask } + 1, None)
+    : GroupOf(4 * tets.size(), None)
     , Next(4 * tets.size(), None)
   {
-    for (std::size_t i = this->Next.size(); i-- > 0;)
+    const auto mask = std::bit_ceil(4 * tets.size() + 1) - 1;
+    std::vector<std::uint32_t> slots(mask + 1, None); // a face of the group
+    for (std::size_t face = 4 * tets.size(); face-- > 0;)
     {
-      const auto& t = tets[i / 4];
-      if (IsDegenerate(t))
+      if (IsDegenerate(tets[face / 4]))
       {
         continue;
       }
-      const auto slot = Hash(Opposite(t, i % 4)) & this->Mask;
-      this->Next[i] = this->First[slot];
-      this->First[slot] = static_cast<std::uint32_t>(i);
+      const auto corners = GetSorted(tets, face);
+      auto at = Hash(corners) & mask;
+      while (slots[at] != None && GetSorted(tets, slots[at]) != corners)
+      {
+        at = (at + 1) & mask;
+      }
+      if (slots[at] == None)
+      {
+        this->GroupOf[face] = static_cast<std::uint32_t>(this->Firsts.size());
+        this->Firsts.push_back(None);
+        slots[at] = static_cast<std::uint32_t>(face);
+      }
+      else
+      {
+        this->GroupOf[face] = this->GroupOf[slots[at]];
+      }
+      auto& first = this->Firsts[this->GroupOf[face]];
+      this->Next[face] = first;
+      first = static_cast<std::uint32_t>(face);
     }
   }
 
@@ -45,48 +63,29 @@ public:
       t[2] == t[3];
   }
 
-  /** Calls use(tetrahedron, corner opposite to the face) for each, until it returns true. */
-  template <typename Use>
-  void Find(const Face& face, Use&& use) const
-  {
-    const auto wanted = Sorted(face);
-    for (auto i = this->First[Hash(face) & this->Mask]; i != None; i = this->Next[i])
-    {
-      if (Sorted(Opposite(this->Tets[i / 4], i % 4)) == wanted && use(i / 4, i % 4))
-      {
-        return;
-      }
-    }
-  }
+  std::vector<std::uint32_t> GroupOf; // of each face
+  std::vector<std::uint32_t> Next;    // the next face of the group, or None
+  std::vector<std::uint32_t> Firsts;  // of each group its first face
 
 private:
-  static Face Opposite(const Tet& t, std::size_t corner)
+  static std::array<std::uint32_t, 3> GetSorted(std::span<const Tet> tets, std::size_t face)
   {
-    return { t[(corner + 1) % 4], t[(corner + 2) % 4], t[(corner + 3) % 4] };
+    const auto& t = tets[face / 4];
+    const auto corner = face % 4;
+    const auto a = t[corner == 0 ? 1 : 0];
+    const auto b = t[corner <= 1 ? 2 : 1];
+    const auto c = t[corner <= 2 ? 3 : 2];
+    const auto low = std::min({ a, b, c });
+    const auto high = std::max({ a, b, c });
+    return { low, a ^ b ^ c ^ low ^ high, high };
   }
 
-  static Face Sorted(Face f)
+  static std::size_t Hash(const std::array<std::uint32_t, 3>& f)
   {
-    std::sort(f.begin(), f.end());
-    return f;
+    auto h = (std::uint64_t{ f[0] } << 32 | f[1]) * 0x9e3779b97f4a7c15u;
+    h = ((h ^ h >> 29) + f[2]) * 0xbf58476d1ce4e5b9u;
+    return static_cast<std::size_t>(h >> 24);
   }
-
-  static std::uint32_t Hash(const Face& f)
-  {
-    // The same for every order of the corners.
-    const auto mix = [](std::uint64_t v)
-    {
-      v = (v + 1) * 0x9e3779b97f4a7c15u;
-      v ^= v >> 29;
-      return v * 0xbf58476d1ce4e5b9u;
-    };
-    return static_cast<std::uint32_t>((mix(f[0]) + mix(f[1]) + mix(f[2])) >> 24);
-  }
-
-  std::span<const Tet> Tets;
-  std::uint32_t Mask;
-  std::vector<std::uint32_t> First;
-  std::vector<std::uint32_t> Next;
 };
 }
 

@@ -102,7 +102,9 @@ public:
     this->Best = this->IsBefore(2, this->Best) ? 2 : this->Best;
     if constexpr (UsesAngle)
     {
-      this->LookAtEdges(front, places);
+      this->BestTets = this->HasCandidate()
+        ? std::min<unsigned>(front.GetEdge(face.Edges[this->Best]).Tets, 7)
+        : 0;
     }
   }
 
@@ -174,9 +176,13 @@ public:
   {
     const auto& c = this->Face.Corners;
     this->AllShared = (users[c[0]] & users[c[1]] & users[c[2]]) != 0;
-    if constexpr (!UsesAngle)
+    this->LookAtBorder(front, places);
+    if constexpr (UsesAngle)
     {
-      this->LookAtEdges(front, places);
+      this->EdgeGrade = this->GetEdgeGrade(front);
+    }
+    else
+    {
       this->LookAtRing(front, places);
     }
   }
@@ -236,12 +242,12 @@ public:
   std::array<Proposal, 3> Sides;
   unsigned Best = 0;
 
+  unsigned BestTets = 0; // tetrahedra at the edge of the best candidate, at most 7; by angle only
+
   // Made by LookAround.
-  unsigned BorderEdges = 0;
   unsigned BorderGrade = 0; // pairs (edges at the border, of those coplanar with it), 0 to 9
+  unsigned AllShared = 0;   // 1: another chunk uses all three corners
   unsigned EdgeGrade = 0;
-  unsigned BestTets = 0;
-  unsigned AllShared = 0; // 1: another chunk uses all three corners
   double RingRank = NeverRank;
 
 private:
@@ -289,24 +295,20 @@ private:
     }
   }
 
-  void LookAtEdges(Front& front, std::span<const LatticePoint> places)
+  void LookAtBorder(Front& front, std::span<const LatticePoint> places)
   {
-    const auto& c = this->Face.Corners;
+    unsigned border = 0;
     unsigned coplanar = 0;
     for (unsigned i = 0; i < 3; ++i)
     {
       const Vertex far = front.GetEdge(this->Face.Edges[i]).BorderFar;
       if (far != NoVertex)
       {
-        ++this->BorderEdges;
-        coplanar += this->Plane.IsCoplanar(places[far], places[c[i]]);
+        ++border;
+        coplanar += this->Plane.IsCoplanar(places[far], places[this->Face.Corners[i]]);
       }
     }
-    this->BorderGrade = this->BorderEdges * (this->BorderEdges + 1) / 2 + coplanar;
-    this->EdgeGrade = this->GetEdgeGrade(front);
-    this->BestTets = this->HasCandidate()
-      ? std::min<unsigned>(front.GetEdge(this->Face.Edges[this->Best]).Tets, 7)
-      : 0;
+    this->BorderGrade = border * (border + 1) / 2 + coplanar;
   }
 
   /** The best rank of the far corners of faces next to those that made the proposals. */
@@ -315,8 +317,8 @@ private:
     const auto look = [&](Vertex v)
     {
       const double rank = this->Ring.GetSphere(this->Plane, places[v]);
-      const unsigned proposed = unsigned{ v == this->Sides[0].Id } |
-        unsigned{ v == this->Sides[1].Id } | unsigned{ v == this->Sides[2].Id };
+      const bool proposed =
+        (v == this->Sides[0].Id) | (v == this->Sides[1].Id) | (v == this->Sides[2].Id);
       this->RingRank = !proposed && rank < this->RingRank ? rank : this->RingRank;
     };
     for (unsigned i = 0; i < 3; ++i)

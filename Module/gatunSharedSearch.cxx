@@ -12,7 +12,7 @@ SharedSearch::SharedSearch(std::span<const SharedVertex> vertices)
   , Entries(vertices.size())
 {
   // About two vertices a cell where they lie on the six sides of a box.
-  const auto bits = std::clamp((static_cast<int>(std::bit_width(vertices.size())) - 3) / 2, 0, 6);
+  const auto bits = std::clamp((static_cast<int>(std::bit_width(vertices.size())) - 4) / 2, 0, 6);
   this->Shift = static_cast<unsigned>(16 - bits);
   this->Count = 1 << bits;
   this->CellStart.assign((std::size_t{ 1 } << (3 * bits)) + 1, 0);
@@ -82,14 +82,14 @@ private:
   }
 };
 
-SharedSearch::Hits SharedSearch::Find(
-  const GatePlane& plane, const LatticePoint& a, const LatticePoint& b, const LatticePoint& c) const
+SharedSearch::Hits SharedSearch::Find(const GatePlane& plane, const LatticePoint& a,
+  const LatticePoint& b, const LatticePoint& c, double reach) const
 {
   const Vec3 w = c - b;
   const double longest = std::max({ Dot(plane.U, plane.U), Dot(plane.V, plane.V), Dot(w, w) });
   const Vec3 sum{ static_cast<double>(a.X) + b.X + c.X, static_cast<double>(a.Y) + b.Y + c.Y,
     static_cast<double>(a.Z) + b.Z + c.Z };
-  Query query{ plane, sum, 144.0 * longest };
+  Query query{ plane, sum, 9.0 * reach * reach * longest };
   const int cx = this->CellOf(sum.X / 3);
   const int cy = this->CellOf(sum.Y / 3);
   const int cz = this->CellOf(sum.Z / 3);
@@ -97,10 +97,10 @@ SharedSearch::Hits SharedSearch::Find(
   for (int ring = 0; ring <= last; ++ring)
   {
     // What lies in this ring is at least ring - 1 cells away.
-    const double reach = 3.0 * std::max(0, ring - 1) * static_cast<double>(1u << this->Shift);
+    const double away = 3.0 * std::max(0, ring - 1) * static_cast<double>(1u << this->Shift);
     const auto& found = query.Found;
-    if (reach * reach > query.Limit ||
-      (found.Count == Most && reach * reach > found.List[Most - 1].Rank))
+    if (away * away > query.Limit ||
+      (found.Count == Most && away * away > found.List[Most - 1].Rank))
     {
       break;
     }

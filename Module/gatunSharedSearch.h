@@ -30,12 +30,12 @@ public:
   explicit SharedSearch(std::span<const SharedVertex> vertices);
 
   /**
-   * The vertices in front of the gate a, b, c whose distance to its centroid is at most 4 times its
-   * longest edge: the Most nearest, the nearest first. The search goes outwards over the cells of a
-   * grid and gives up, with what it has, when it runs out of patience.
+   * The vertices in front of the gate a, b, c whose distance to its centroid is at most reach times
+   * its longest edge: the Most nearest, the nearest first. The search goes outwards over the cells
+   * of a grid and gives up, with what it has, when it runs out of patience.
    */
   Hits Find(const GatePlane& plane, const LatticePoint& a, const LatticePoint& b,
-    const LatticePoint& c) const;
+    const LatticePoint& c, double reach) const;
 
   void Remove(std::uint32_t index);
   bool IsGone(std::uint32_t index) const { return this->PlaceOf[index] == Gone; }

@@ -56,6 +56,7 @@ public:
     , Input(input)
     , Out(out)
     , Search(input.Shared)
+    , DistantLeft(8 + input.Tets / 512)
   {
     const auto vertices = std::size_t{ input.OwnVertices } + input.Shared.size();
     this->Places.reserve(vertices);
@@ -95,6 +96,9 @@ private:
   static constexpr unsigned MaxFan = 32;     // faces visited around a corner in one direction
   static constexpr unsigned MaxRing = 15;    // ring vertices that can be named
   static constexpr unsigned MaxDistant = 15; // front vertices that can be named
+
+  // How far shared vertices are looked for, in longest edges: grids are often much stretched.
+  static constexpr double SearchReach = Rule == Ranking::Angle ? 4.0 : 2.0;
 
   //------------------------------------------------------------------------------------------------
   // Vertices
@@ -246,8 +250,8 @@ private:
   {
     const auto& c = gate.Face.Corners;
     const auto target = Coder::Encoding ? this->Truth.GetTargetShared(3) : 0;
-    auto hits =
-      this->Search.Find(gate.Plane, this->Places[c[0]], this->Places[c[1]], this->Places[c[2]]);
+    auto hits = this->Search.Find(
+      gate.Plane, this->Places[c[0]], this->Places[c[1]], this->Places[c[2]], SearchReach);
     if constexpr (Rule == Ranking::Sphere)
     {
       for (unsigned i = 0; i < hits.Count; ++i)
@@ -280,8 +284,9 @@ private:
     }
     this->FillRing(gate);
     Vertex vertex = this->CodeRank(MaxRing, target, this->Models.RingListed, this->Models.RingRank);
-    if (vertex == NoVertex)
+    if (vertex == NoVertex && this->DistantLeft > 0)
     {
+      --this->DistantLeft;
       this->FillDistant(gate);
       vertex =
         this->CodeRank(MaxDistant, target, this->Models.DistantListed, this->Models.DistantRank);
@@ -518,6 +523,7 @@ private:
   Topology& Out;
   Front Open;
   SharedSearch Search;
+  std::uint32_t DistantLeft; // lists of the whole front that may still be made
   WalkModels<Rule> Models;
 
   std::vector<LatticePoint> Places;

@@ -95,38 +95,33 @@ class WalkModels<Ranking::Angle> : public CommonWalkModels
 {
 public:
   WalkModels()
-    : HitModels(Grades * 4 * 4 * 8 * 10)
-    , BorderModels(Grades * 4 * 8 * 10 * 2)
-    , NewModels(Grades * 4 * 4 * 8 * 8 * 4)
+    : HitModels(Grades * 8 * 4)
+    , BorderModels(2 * 10 * Grades * 8)
+    , NewModels(Grades * Grades * 27)
   {
   }
 
   BitModel& Hit(const Gate<Ranking::Angle>& gate)
   {
-    return this->HitModels[this->GetBase(gate) * 10 + gate.BorderGrade];
+    return this->HitModels[(GetFirst(gate) * 8 + gate.BestTets) * 4 + gate.CountBest()];
   }
 
   BitModel& Border(const Gate<Ranking::Angle>& gate)
   {
     return this
-      ->BorderModels[((GetGrade(gate.GetBestRank()) * 4 + gate.CountBest()) * 8 + gate.BestTets) *
-          20 +
-        gate.BorderGrade * 2 + gate.AllShared];
+      ->BorderModels[((gate.AllShared * 10 + gate.BorderGrade) * Grades + GetFirst(gate)) * 8 +
+        gate.BestTets];
   }
 
   BitModel& New(const Gate<Ranking::Angle>& gate)
   {
-    unsigned sum = 0;
-    for (unsigned grade = gate.EdgeGrade; grade > 0; grade /= 3)
-    {
-      sum += grade % 3;
-    }
-    return this->NewModels[(this->GetBase(gate) * 8 + sum) * 4 + gate.CountCandidates()];
+    return this->NewModels[(GetFirst(gate) * Grades + GetSecond(gate)) * 27 + gate.EdgeGrade];
   }
 
 private:
   static constexpr unsigned Grades = 18;
 
+  /** 0 to 15 by the angle; 16: not in front of the gate, 17: there is no such candidate. */
   static unsigned GetGrade(double rank)
   {
     if (rank == NeverRank)
@@ -137,17 +132,14 @@ private:
     return place < 15.0 ? static_cast<unsigned>(place) : 15;
   }
 
-  static unsigned GetBase(const Gate<Ranking::Angle>& gate)
+  static unsigned GetFirst(const Gate<Ranking::Angle>& gate)
   {
-    const unsigned first = gate.HasCandidate() ? GetGrade(gate.GetBestRank()) : 17;
-    const auto others = gate.GetOthers();
-    unsigned gap = 3;
-    if (others.Count > 0)
-    {
-      const unsigned second = GetGrade(gate.GetSecondRank());
-      gap = second == 16 || second >= first + 3 ? 2 : second > first ? 1 : 0;
-    }
-    return ((first * 4 + gate.CountBest()) * 4 + gap) * 8 + gate.BestTets;
+    return gate.HasCandidate() ? GetGrade(gate.GetBestRank()) : 17;
+  }
+
+  static unsigned GetSecond(const Gate<Ranking::Angle>& gate)
+  {
+    return gate.CountCandidates() > 1 ? GetGrade(gate.GetSecondRank()) : 17;
   }
 
   std::vector<BitModel> HitModels;
