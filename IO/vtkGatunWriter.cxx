@@ -255,7 +255,7 @@ vtkDataArraySelection* vtkGatunWriter::GetCellDataArraySelection()
 //------------------------------------------------------------------------------
 void vtkGatunWriter::SetChunkTets(int tets)
 {
-  const int clamped = tets <= 0 ? 0 : std::clamp(tets, 64, 262144);
+  const int clamped = tets <= 0 ? 0 : std::clamp(tets, 64, 1048576);
   if (this->ChunkTets != clamped)
   {
     this->ChunkTets = clamped;

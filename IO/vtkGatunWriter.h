@@ -134,7 +134,7 @@ public:
 
   ///@{
   /**
-   * Tetrahedra in a chunk, the smallest part that can be read, at most: 64 to 262144, or 0 for
+   * Tetrahedra in a chunk, the smallest part that can be read, at most: 64 to 1048576, or 0 for
    * 65536 (262144 for meshes of over 10 million). Small chunks make larger files. Default: 0.
    */
   virtual void SetChunkTets(int tets);

@@ -19,7 +19,7 @@
 namespace gatun
 {
 /** No chunk has more tetrahedra; all numbers inside of one fit 32 bits with room to spare. */
-constexpr std::uint32_t MaxChunkTets = 1u << 18;
+constexpr std::uint32_t MaxChunkTets = 1u << 20;
 
 /** A chunk's connectivity stream has at least one byte for so many tetrahedra (and a shared block
  * one byte for so many points), so that a short file cannot ask for much memory. */

@@ -190,7 +190,7 @@ public:
     this->Meta.WideIds = mesh.WideIds;
     this->Meta.Keep = options.Keep;
     this->Meta.ChunkTets = options.ChunkTets != 0 ? options.ChunkTets
-      : mesh.Tets > LargeMesh                     ? MaxChunkTets
+      : mesh.Tets > LargeMesh                     ? 262144
                                                   : 65536;
     this->Meta.KeyStepInterval = options.KeyStepInterval;
     this->Meta.Arrays = arrays;
