@@ -13,10 +13,16 @@ set(gatun_vtk_components
   FiltersGeometry
   FiltersSources
   IOCore
+  IOEnSight
+  IOExodus
+  IOGeometry
+  IOHDF
   IOImage
   IOLegacy
   IOParallelXML
+  IOPLY
   IOXML
+  IOXMLParser
   ImagingCore
   RenderingCore
   RenderingOpenGL2

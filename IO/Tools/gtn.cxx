@@ -1,33 +1,160 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+// The gtn program: options that all subcommands have, exit codes.
+
+#include "gtnCommands.h"
+#include "gtnFailure.h"
+#include "gtnHelp.h"
+#include "gtnMessages.h"
+#include "gtnProgress.h"
+#include "gtnThreads.h"
+
+#include "gatunError.h"
 #include "gatunVersion.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include <csignal>
+#include <cstdio>
 #include <exception>
+#include <memory>
+#include <new>
 
-int main(int argc, char* argv[])
+#ifdef _WIN32
+#include <io.h>
+#define isatty _isatty
+#define fileno _fileno
+#else
+#include <unistd.h>
+#endif
+
+namespace gtn
+{
+//------------------------------------------------------------------------------
+CLI::App* AddCommand(CLI::App& app, Settings& settings, const std::string& name,
+  const std::string& description, const std::string& examples, bool withThreads)
+{
+  CLI::App* command = app.add_subcommand(name, description);
+  command->footer("Examples:\n" + examples);
+
+  auto* quiet = command->add_flag("-q,--quiet", settings.Quiet, "Print errors only");
+  auto* verbose = command->add_flag("-v,--verbose", settings.Verbose, "Print more");
+  auto* progress = command->add_flag("--progress,!--no-progress", settings.ShowProgress,
+    "Show a progress bar on stderr, or none (default: if stderr is a terminal)");
+  verbose->excludes(quiet);
+  for (CLI::Option* option : { quiet, verbose, progress })
+  {
+    option->group(CommonGroup);
+  }
+  if (withThreads)
+  {
+    command->add_option("--threads", settings.Threads, "Threads to use (default: one a processor)")
+      ->check(CLI::Range(1, 1024))
+      ->option_text("N")
+      ->group(CommonGroup);
+  }
+  return command;
+}
+
+namespace
+{
+
+int Run(int argc, char* argv[])
+{
+  Settings settings;
+  settings.ShowProgress = isatty(fileno(stderr)) != 0;
+  CLI::App app{ "Losslessly compressed tetrahedral meshes.", "gtn" };
+  app.set_version_flag("--version",
+    fmt::format("gtn {} (format {})", gatun::PackageVersion(), gatun::FormatVersion()));
+  app.require_subcommand(1);
+  app.formatter(std::make_shared<HelpFormatter>());
+  app.footer(
+    "gtn COMMAND --help tells more, with examples. Exit codes: 0 done, 1 failed, 2 usage.");
+  app.failure_message([](const CLI::App*, const CLI::Error& error)
+    { return fmt::format("gtn: {}; see gtn --help\n", error.what()); });
+  bool manual = false;
+  app.add_flag("--man", manual, "Print the manual page")->group("")->trigger_on_parse();
+  // Before anything runs, which CLI11 does when it has parsed all.
+  app.parse_complete_callback(
+    [&settings]
+    {
+      settings.ShowProgress = settings.ShowProgress && !settings.Quiet;
+      SetThreads(settings.Threads);
+    });
+  AddPack(app, settings);
+  AddUnpack(app, settings);
+  AddInfo(app, settings);
+  AddVerify(app, settings);
+  AddMesh(app, settings);
+  AddBench(app, settings);
+
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::ParseError& error)
+  {
+    if (manual)
+    {
+      PrintManual(app);
+      return 0;
+    }
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  return 0;
+}
+
+int Guarded(int argc, char* argv[])
 {
   try
   {
-    CLI::App app{ "Compressed tetrahedral meshes.", "gtn" };
-    app.set_version_flag("--version",
-      fmt::format("gtn {} (format {})", gatun::PackageVersion(), gatun::FormatVersion()));
-    try
+    const int code = Run(argc, argv);
+    if (std::fflush(stdout) != 0)
     {
-      app.parse(argc, argv);
+      throw Failure("standard output", "cannot write");
     }
-    catch (const CLI::ParseError& error)
+    return code;
+  }
+  catch (const UsageError& error)
+  {
+    Say(error.what());
+    return 2;
+  }
+  catch (const Interrupted&)
+  {
+  }
+  catch (const gatun::Error& error)
+  {
+    if (error.Code != gatun::ErrorCode::Aborted)
     {
-      return app.exit(error) == 0 ? 0 : 2;
+      Say(error.what());
     }
-    return 0;
+  }
+  catch (const std::bad_alloc&)
+  {
+    Say("not enough memory");
   }
   catch (const std::exception& error)
   {
-    fmt::print(stderr, "gtn: {}\n", error.what());
-    return 1;
+    Say(error.what());
   }
+  return 1;
+}
+
+} // anonymous namespace
+}
+
+int main(int argc, char* argv[])
+{
+  gtn::CatchMessages();
+  gtn::CatchInterrupts();
+  const int code = gtn::Guarded(argc, argv);
+  if (gtn::IsInterrupted())
+  {
+    // All is put away; now end as Ctrl+C ends other programs.
+    std::signal(SIGINT, SIG_DFL);
+    std::raise(SIGINT);
+  }
+  return code;
 }

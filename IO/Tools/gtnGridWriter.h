@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gtnGridWriter_h
+#define gtnGridWriter_h
+
+#include <string>
+
+class vtkUnstructuredGrid;
+
+namespace gtn
+{
+class Progress;
+
+/** How to store what VTK writes. */
+enum class Compressor
+{
+  None,
+  ZLib,
+  LZ4,
+  LZMA
+};
+
+/** Writes a .vtu or .vtk file by its extension; a file of that name is replaced once the new one is
+ * complete. A .vtk file is binary and takes no compressor. Throws Failure. */
+void WriteGrid(
+  vtkUnstructuredGrid* grid, const std::string& file, Compressor compressor, Progress& progress);
+}
+
+#endif

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gtnHash_h
+#define gtnHash_h
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+
+namespace gtn
+{
+/** 128 bits, taken for equal only if what they were made of is. */
+struct Hash
+{
+  std::uint64_t Low = 0;
+  std::uint64_t High = 0;
+
+  auto operator<=>(const Hash&) const = default;
+
+  /** Adds up, so that the sum does not depend on the order. */
+  Hash& operator+=(const Hash& other)
+  {
+    this->Low += other.Low;
+    this->High += other.High;
+    return *this;
+  }
+};
+
+/** Of some bytes, and of what is told by a hash made before. */
+inline Hash HashOf(const void* bytes, std::size_t size, const Hash& before = {})
+{
+  const XXH128_hash_t first = XXH3_128bits_withSeed(bytes, size, before.Low);
+  const std::uint64_t all[3] = { first.low64, first.high64, before.High };
+  const XXH128_hash_t mixed = XXH3_128bits(all, sizeof(all));
+  return { mixed.low64, mixed.high64 };
+}
+}
+
+#endif

@@ -1,0 +1,367 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// gtn info: what is in a file, from its directory alone.
+
+#include "gtnCommands.h"
+#include "gtnInput.h"
+#include "gtnJson.h"
+#include "gtnText.h"
+
+#include "gatunFileReader.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace gtn
+{
+namespace
+{
+
+struct Options
+{
+  std::string File;
+  bool Json = false;
+};
+
+const char* NameOf(gatun::ScalarType type)
+{
+  switch (type)
+  {
+    case gatun::ScalarType::Int8:
+      return "int8";
+    case gatun::ScalarType::UInt8:
+      return "uint8";
+    case gatun::ScalarType::Int16:
+      return "int16";
+    case gatun::ScalarType::UInt16:
+      return "uint16";
+    case gatun::ScalarType::Int32:
+      return "int32";
+    case gatun::ScalarType::UInt32:
+      return "uint32";
+    case gatun::ScalarType::Int64:
+      return "int64";
+    case gatun::ScalarType::UInt64:
+      return "uint64";
+    case gatun::ScalarType::Float32:
+      return "float32";
+    case gatun::ScalarType::Float64:
+      return "float64";
+  }
+  return "unknown";
+}
+
+std::string NameOfOrder(std::uint8_t kept)
+{
+  std::vector<std::string> parts;
+  if (kept & gatun::KeepPoints)
+  {
+    parts.emplace_back("points");
+  }
+  if (kept & gatun::KeepCells)
+  {
+    parts.emplace_back("cells");
+  }
+  if (kept & gatun::KeepCorners)
+  {
+    parts.emplace_back("corners");
+  }
+  return parts.empty() ? "none" : Joined(parts);
+}
+
+std::string Version(const gatun::FileReader& file)
+{
+  const auto [major, minor] = file.GetFormatVersion();
+  return fmt::format("{}.{}", major, minor);
+}
+
+// One of each component, over all time steps.
+std::vector<gatun::Range> RangesOf(const gatun::FileReader& file, std::size_t array)
+{
+  std::vector<gatun::Range> ranges(file.GetArrays()[array].Components);
+  for (std::size_t step = 0; step < file.GetNumberOfSteps(); ++step)
+  {
+    const gatun::ArrayRanges& more = file.GetRanges(array, step);
+    for (std::size_t i = 0; i < ranges.size() && i < more.size(); ++i)
+    {
+      ranges[i].Min = std::min(ranges[i].Min, more[i].Min);
+      ranges[i].Max = std::max(ranges[i].Max, more[i].Max);
+    }
+  }
+  return ranges;
+}
+
+std::string Text(const gatun::Range& range)
+{
+  return range.Min > range.Max ? "(none)" : fmt::format("{:.7g} to {:.7g}", range.Min, range.Max);
+}
+
+double BitsPerTet(const gatun::FileReader& file, std::uint64_t bytes)
+{
+  const auto tets = static_cast<double>(file.GetNumberOfTets());
+  return tets > 0 ? 8. * static_cast<double>(bytes) / tets : std::nan("");
+}
+
+struct Part
+{
+  std::string Name; ///< as in JSON
+  std::string Title;
+  std::uint64_t Bytes;
+};
+
+std::vector<Part> PartsOf(const gatun::FileReader& file)
+{
+  const gatun::FileStatistics sizes = file.GetStatistics();
+  std::vector<Part> parts{ { "connectivity", "connectivity", sizes.ConnectivityBytes },
+    { "geometry", "points", sizes.GeometryBytes },
+    { "sharedGeometry", "points of several chunks", sizes.SharedGeometryBytes },
+    { "order", "original order", sizes.OrderBytes },
+    { "fieldData", "field data", sizes.FieldDataBytes },
+    { "directory", "directory", sizes.DirectoryBytes } };
+  for (std::size_t i = 0; i < sizes.ArrayBytes.size() && i < file.GetArrays().size(); ++i)
+  {
+    const std::string& name = file.GetArrays()[i].Name;
+    parts.push_back({ {}, "array " + Printable(name), sizes.ArrayBytes[i] });
+  }
+  return parts;
+}
+
+void PrintChunks(const gatun::FileReader& file)
+{
+  fmt::print("\nchunks\n  {:>7} {:>9} {:>9} {:>9} {:>9} {:>11}  {}\n", "number", "tets", "points",
+    "shared", "neighb.", "mesh bytes", "bounds");
+  for (std::size_t i = 0; i < file.GetChunks().size(); ++i)
+  {
+    const gatun::ChunkInfo& chunk = file.GetChunks()[i];
+    fmt::print("  {:>7} {:>9} {:>9} {:>9} {:>9} {:>11}  [{:.5g}, {:.5g}] x [{:.5g}, {:.5g}] x "
+               "[{:.5g}, {:.5g}]\n",
+      i, chunk.Tets, chunk.OwnPoints, chunk.SharedPoints, chunk.Neighbours.size(),
+      file.GetChunkMeshBytes(i), chunk.Box[0].Min, chunk.Box[0].Max, chunk.Box[1].Min,
+      chunk.Box[1].Max, chunk.Box[2].Min, chunk.Box[2].Max);
+  }
+}
+
+void PrintText(const gatun::FileReader& file, bool verbose)
+{
+  fmt::print("{}\n", Printable(file.GetPath()));
+  fmt::print("  format           {}, written by Gatun {}\n", Version(file),
+    Printable(file.GetWriterVersion()));
+  fmt::print("  tetrahedra       {}\n", Grouped(file.GetNumberOfTets()));
+  fmt::print("  points           {} ({} of several chunks, {} of no tetrahedron), {}\n",
+    Grouped(file.GetNumberOfPoints()), Grouped(file.GetNumberOfSharedPoints()),
+    Grouped(file.GetNumberOfUnusedPoints()), NameOf(file.GetCoordinateType()));
+  fmt::print("  chunks           {}\n", Grouped(file.GetChunks().size()));
+  fmt::print("  kept order       {}\n", NameOfOrder(file.GetKeptOrder()));
+  const gatun::Bounds& bounds = file.GetBounds();
+  for (int i = 0; i < 3; ++i)
+  {
+    fmt::print("  {}                {}\n", "xyz"[i], Text(bounds[i]));
+  }
+  if (file.HasTime())
+  {
+    const std::vector<double>& times = file.GetTimes();
+    fmt::print("  time steps       {}, {} to {}\n", times.size(), Number(times.front()),
+      Number(times.back()));
+    if (verbose)
+    {
+      std::vector<std::string> list;
+      for (const double time : times)
+      {
+        list.push_back(Number(time));
+      }
+      fmt::print("  times            {}\n", Joined(list));
+    }
+  }
+
+  if (!file.GetArrays().empty())
+  {
+    fmt::print("\narrays\n");
+  }
+  for (std::size_t i = 0; i < file.GetArrays().size(); ++i)
+  {
+    const gatun::ArrayDescription& array = file.GetArrays()[i];
+    const std::vector<gatun::Range> ranges = RangesOf(file, i);
+    fmt::print("  {} {} {}", array.Where == gatun::Association::Point ? "point" : "cell ",
+      Printable(array.Name), NameOf(array.Type));
+    if (array.Components != 1)
+    {
+      fmt::print("({})", array.Components);
+    }
+    constexpr std::size_t enough = 9;
+    for (std::size_t j = 0; j < ranges.size() && j < enough; ++j)
+    {
+      fmt::print("{} {}", j == 0 ? "," : ";", Text(ranges[j]));
+    }
+    fmt::print("{}\n", ranges.size() > enough ? "; ..." : "");
+  }
+
+  const std::uint64_t all = file.GetStatistics().FileBytes;
+  fmt::print("\n{:<32} {:>14} {:>10}\n", "sizes", "bytes", "bits/tet");
+  for (const Part& part : PartsOf(file))
+  {
+    fmt::print(
+      "  {:<30} {:>14} {:>10.3f}\n", part.Title, Grouped(part.Bytes), BitsPerTet(file, part.Bytes));
+  }
+  fmt::print("  {:<30} {:>14} {:>10.3f}\n", "file", Grouped(all), BitsPerTet(file, all));
+  if (verbose)
+  {
+    PrintChunks(file);
+  }
+}
+
+void AddRange(Json& json, const gatun::Range& range)
+{
+  const bool any = range.Min <= range.Max;
+  json.BeginArray();
+  json.Add({}, any ? range.Min : std::nan(""));
+  json.Add({}, any ? range.Max : std::nan(""));
+  json.EndArray();
+}
+
+void AddSize(Json& json, const gatun::FileReader& file, std::string_view name, std::uint64_t bytes)
+{
+  json.BeginObject(name);
+  json.Add("bytes", bytes);
+  json.Add("bitsPerTet", BitsPerTet(file, bytes));
+  json.EndObject();
+}
+
+void AddChunks(Json& json, const gatun::FileReader& file)
+{
+  json.BeginArray("chunkTable");
+  for (std::size_t i = 0; i < file.GetChunks().size(); ++i)
+  {
+    const gatun::ChunkInfo& chunk = file.GetChunks()[i];
+    json.BeginObject();
+    json.Add("tets", chunk.Tets);
+    json.Add("ownPoints", chunk.OwnPoints);
+    json.Add("sharedPoints", chunk.SharedPoints);
+    json.Add("firstTet", chunk.FirstTet);
+    json.Add("neighbours", static_cast<std::uint64_t>(chunk.Neighbours.size()));
+    json.Add("meshBytes", file.GetChunkMeshBytes(i));
+    json.BeginArray("bounds");
+    for (const gatun::Range& range : chunk.Box)
+    {
+      AddRange(json, range);
+    }
+    json.EndArray();
+    json.EndObject();
+  }
+  json.EndArray();
+}
+
+void PrintJson(const gatun::FileReader& file, bool verbose)
+{
+  Json json;
+  json.BeginObject();
+  json.Add("file", file.GetPath());
+  json.Add("formatVersion", Version(file));
+  json.Add("writerVersion", file.GetWriterVersion());
+  json.Add("tets", file.GetNumberOfTets());
+  json.Add("points", file.GetNumberOfPoints());
+  json.Add("sharedPoints", file.GetNumberOfSharedPoints());
+  json.Add("unusedPoints", file.GetNumberOfUnusedPoints());
+  json.Add("coordinateType", NameOf(file.GetCoordinateType()));
+  json.Add("idBits", file.HasWideIds() ? 64 : 32);
+  json.Add("chunks", static_cast<std::uint64_t>(file.GetChunks().size()));
+  json.BeginObject("keptOrder");
+  json.Add("points", (file.GetKeptOrder() & gatun::KeepPoints) != 0);
+  json.Add("cells", (file.GetKeptOrder() & gatun::KeepCells) != 0);
+  json.Add("corners", (file.GetKeptOrder() & gatun::KeepCorners) != 0);
+  json.EndObject();
+  json.BeginArray("bounds");
+  for (const gatun::Range& range : file.GetBounds())
+  {
+    AddRange(json, range);
+  }
+  json.EndArray();
+  json.BeginArray("times");
+  if (file.HasTime())
+  {
+    for (const double time : file.GetTimes())
+    {
+      json.Add({}, time);
+    }
+  }
+  json.EndArray();
+
+  const gatun::FileStatistics sizes = file.GetStatistics();
+  json.BeginArray("arrays");
+  for (std::size_t i = 0; i < file.GetArrays().size(); ++i)
+  {
+    const gatun::ArrayDescription& array = file.GetArrays()[i];
+    json.BeginObject();
+    json.Add("name", array.Name);
+    json.Add("association", array.Where == gatun::Association::Point ? "point" : "cell");
+    json.Add("type", NameOf(array.Type));
+    json.Add("components", static_cast<std::uint64_t>(array.Components));
+    json.BeginArray("componentNames");
+    for (const std::string& name : array.ComponentNames)
+    {
+      json.Add({}, name);
+    }
+    json.EndArray();
+    json.BeginArray("ranges");
+    for (const gatun::Range& range : RangesOf(file, i))
+    {
+      AddRange(json, range);
+    }
+    json.EndArray();
+    const std::uint64_t bytes = i < sizes.ArrayBytes.size() ? sizes.ArrayBytes[i] : 0;
+    json.Add("bytes", bytes);
+    json.Add("bitsPerTet", BitsPerTet(file, bytes));
+    json.EndObject();
+  }
+  json.EndArray();
+
+  json.BeginObject("sizes");
+  for (const Part& part : PartsOf(file))
+  {
+    if (!part.Name.empty())
+    {
+      AddSize(json, file, part.Name, part.Bytes);
+    }
+  }
+  AddSize(json, file, "file", sizes.FileBytes);
+  json.EndObject();
+  if (verbose)
+  {
+    AddChunks(json, file);
+  }
+  json.EndObject();
+  fmt::print("{}", json.GetText());
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+void AddInfo(CLI::App& app, Settings& settings)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = AddCommand(app, settings, "info",
+    "Tell what a .gtn file holds and what its parts take. Only its directory is read.",
+    "  gtn info mesh.gtn\n"
+    "  gtn info -v mesh.gtn             also the times and the chunk table\n"
+    "  gtn info --json mesh.gtn | jq .sizes.connectivity.bitsPerTet");
+  command->add_flag("--json", options->Json, "Print JSON");
+  command->add_option("IN", options->File, "The .gtn file")->required();
+  command->callback(
+    [options, &settings]
+    {
+      CheckReadable(options->File);
+      const gatun::FileReader file(options->File);
+      if (options->Json)
+      {
+        PrintJson(file, settings.Verbose);
+      }
+      else
+      {
+        PrintText(file, settings.Verbose);
+      }
+    });
+}
+}

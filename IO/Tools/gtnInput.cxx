@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gtnInput.h"
+
+#include "gtnFailure.h"
+#include "gtnMessages.h"
+#include "gtnPrepare.h"
+#include "gtnProgress.h"
+#include "gtnReaders.h"
+#include "gtnSeries.h"
+#include "gtnText.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+namespace gtn
+{
+const char* const InputFormats =
+  ".vtu .pvtu .vtk .vtm .pvd .vtkhdf .vti .vts .vtr, Exodus (.e .exo .ex2), EnSight (.case), .gtn";
+
+//------------------------------------------------------------------------------
+void CheckReadable(const std::string& file)
+{
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (status.type() == std::filesystem::file_type::not_found)
+  {
+    throw Failure(file, "no such file");
+  }
+  if (error)
+  {
+    throw Failure(file, error.message());
+  }
+  if (std::filesystem::is_directory(status))
+  {
+    throw Failure(file, "is a folder");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+  {
+    throw Failure(file, std::strerror(errno));
+  }
+  if (stream.peek() == std::ifstream::traits_type::eof())
+  {
+    throw Failure(file, "is empty");
+  }
+}
+
+//------------------------------------------------------------------------------
+Input::Input(const std::vector<std::string>& files, const InputOptions& options)
+  : Name(files.front())
+  , Quiet(options.Quiet)
+{
+  std::vector<SeriesStep> steps;
+  if (files.size() > 1)
+  {
+    steps = StepsOfFiles(files);
+  }
+  else if (ExtensionOf(this->Name) == ".pvd")
+  {
+    steps = ReadCollection(this->Name);
+  }
+
+  if (!steps.empty())
+  {
+    vtkNew<SeriesReader> series;
+    series->SetSteps(steps, options);
+    this->Algorithm = series;
+  }
+  else
+  {
+    CheckReadable(this->Name);
+    vtkSmartPointer<vtkAlgorithm> reader = MakeReader(this->Name);
+    if (!reader)
+    {
+      throw Failure(this->Name,
+        std::string("no reader for this extension; there are those for ") + InputFormats);
+    }
+    vtkNew<Preparer> preparer;
+    preparer->SetOptions(options);
+    preparer->SetInputConnection(reader->GetOutputPort());
+    this->Algorithm = preparer;
+  }
+  this->Algorithm->UpdateInformation();
+  CheckMessages(this->Name, this->Quiet);
+
+  vtkInformation* info = this->Algorithm->GetOutputInformation(0);
+  auto* key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
+  if (info->Has(key))
+  {
+    this->Times.assign(info->Get(key), info->Get(key) + info->Length(key));
+  }
+}
+
+//------------------------------------------------------------------------------
+Input::~Input() = default;
+
+//------------------------------------------------------------------------------
+vtkUnstructuredGrid* Input::Read(std::size_t step, Progress& progress)
+{
+  // The reader, at the other end, takes the time.
+  vtkAlgorithm* source = this->Algorithm;
+  while (source->GetNumberOfInputPorts() > 0 && source->GetNumberOfInputConnections(0) > 0)
+  {
+    source = source->GetInputAlgorithm(0, 0);
+  }
+  progress.Watch(source);
+  if (this->Times.empty())
+  {
+    this->Algorithm->Update();
+  }
+  else
+  {
+    this->Algorithm->UpdateTimeStep(this->Times.at(step));
+  }
+  CheckInterrupt();
+  CheckMessages(this->Name, this->Quiet);
+  return vtkUnstructuredGrid::SafeDownCast(this->Algorithm->GetOutputDataObject(0));
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& file, Progress& progress, bool quiet)
+{
+  CheckReadable(file);
+  vtkSmartPointer<vtkAlgorithm> reader = MakeSurfaceReader(file);
+  if (!reader)
+  {
+    throw Failure(
+      file, "no reader for this extension; there are those for .stl .ply .obj .vtp .vtk");
+  }
+  progress.Watch(reader);
+  reader->Update();
+  CheckInterrupt();
+  CheckMessages(file, quiet);
+  vtkSmartPointer<vtkPolyData> surface = vtkPolyData::SafeDownCast(reader->GetOutputDataObject(0));
+  if (!surface)
+  {
+    throw Failure(file, "does not hold a surface");
+  }
+  return surface;
+}
+}

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// gtn mesh: fills a closed surface with tetrahedra.
+
+#include "gtnCommands.h"
+#include "gtnFailure.h"
+#include "gtnGridWriter.h"
+#include "gtnInput.h"
+#include "gtnMessages.h"
+#include "gtnOutput.h"
+#include "gtnProgress.h"
+#include "gtnText.h"
+#include "gtnWriteGatun.h"
+
+#if GTN_HAS_TETGEN
+#include "vtkGatunTetrahedralize.h"
+#endif
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace gtn
+{
+namespace
+{
+
+struct Options
+{
+  std::string In;
+  std::string Out;
+  bool Overwrite = false;
+  double Quality = 1.414;
+  double MinDihedral = 0;
+  double MaximumVolume = 0;
+  bool PreserveSurface = false;
+  std::string Switches;
+};
+
+#if GTN_HAS_TETGEN
+vtkSmartPointer<vtkUnstructuredGrid> Fill(
+  vtkPolyData* surface, const Options& options, const Settings& settings)
+{
+  vtkNew<vtkGatunTetrahedralize> mesher;
+  mesher->SetInputData(surface);
+  mesher->SetQuality(options.Quality);
+  mesher->SetMinDihedral(options.MinDihedral);
+  mesher->SetMaximumVolume(options.MaximumVolume);
+  mesher->SetPreserveSurface(options.PreserveSurface);
+  mesher->SetSwitches(options.Switches.c_str());
+  Progress progress("meshing", settings.ShowProgress);
+  progress.Watch(mesher);
+  mesher->Update();
+  CheckInterrupt();
+  CheckMessages(options.In, settings.Quiet);
+  return mesher->GetOutput();
+}
+#endif
+
+void Mesh(const Options& options, const Settings& settings)
+{
+#if GTN_HAS_TETGEN
+  const std::string extension = ExtensionOf(options.Out);
+  if (extension != ".gtn" && extension != ".vtu" && extension != ".vtk")
+  {
+    throw UsageError(options.Out + ": the name must end in .gtn, .vtu or .vtk");
+  }
+  vtkSmartPointer<vtkPolyData> surface;
+  {
+    Progress progress("reading", settings.ShowProgress);
+    surface = ReadSurface(options.In, progress, settings.Quiet);
+  }
+  CheckWritable(options.Out, options.Overwrite);
+  vtkSmartPointer<vtkUnstructuredGrid> grid = Fill(surface, options, settings);
+  {
+    Progress progress("writing", settings.ShowProgress);
+    if (extension == ".gtn")
+    {
+      WriteGatun(grid, options.Out, progress);
+    }
+    else
+    {
+      WriteGrid(grid, options.Out, Compressor::ZLib, progress);
+    }
+  }
+  if (!settings.Quiet)
+  {
+    fmt::print("{}: {} tetrahedra, {} points, {}\n", options.Out, Grouped(grid->GetNumberOfCells()),
+      Grouped(grid->GetNumberOfPoints()), ByteSize(std::filesystem::file_size(options.Out)));
+  }
+#else
+  static_cast<void>(settings);
+  throw Failure(options.In, "cannot be filled, because this gtn is built without TetGen");
+#endif
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+void AddMesh(CLI::App& app, Settings& settings)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = AddCommand(app, settings, "mesh",
+    GTN_HAS_TETGEN ? "Fill a closed surface with tetrahedra, by TetGen (GNU AGPL)."
+                   : "Fill a closed surface with tetrahedra (not built in: needs TetGen).",
+    "  gtn mesh part.stl part.gtn\n"
+    "  gtn mesh --quality 1.2 --max-volume 0.5 part.stl part.vtu");
+  command->add_flag("-f,--force", options->Overwrite, "Replace OUT if it exists");
+  command
+    ->add_option("--quality", options->Quality,
+      "Largest ratio of circumradius to shortest edge, 1 to 100; 0: none; below 1.2 it may not end")
+    ->check(CLI::Range(0., 100.))
+    ->option_text("R [1.414]");
+  command
+    ->add_option("--min-dihedral", options->MinDihedral,
+      "Smallest angle between faces to aim at, in degrees, 0 to 30; above 18 it may not end")
+    ->check(CLI::Range(0., 30.))
+    ->option_text("A [0]");
+  command
+    ->add_option("--max-volume", options->MaximumVolume,
+      "Largest volume of a tetrahedron, in cubic units of the surface; 0: no limit")
+    ->check(CLI::NonNegativeNumber)
+    ->option_text("V [0]");
+  command->add_flag("--preserve-surface", options->PreserveSurface,
+    "Keep the triangles of the surface as they are");
+  command->add_option("--switches", options->Switches, "More switches for TetGen, such as O4")
+    ->option_text("S");
+  command->add_option("SURFACE", options->In, "A closed surface: .stl .ply .obj .vtp .vtk")
+    ->required();
+  command->add_option("OUT", options->Out, "The mesh: .gtn .vtu .vtk")->required();
+  command->callback([options, &settings] { Mesh(*options, settings); });
+}
+}

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// gtn pack: any mesh as a .gtn file.
+
+#include "gtnCommands.h"
+#include "gtnFailure.h"
+#include "gtnHelp.h"
+#include "gtnInput.h"
+#include "gtnMessages.h"
+#include "gtnOutput.h"
+#include "gtnProgress.h"
+#include "gtnText.h"
+#include "gtnWriteGatun.h"
+
+#include "vtkGatunWriter.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkNew.h"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace gtn
+{
+namespace
+{
+
+struct Options
+{
+  std::vector<std::string> In;
+  std::string Out;
+  bool Overwrite = false;
+  std::vector<std::string> Arrays;
+  bool AllArrays = true;
+  std::string KeepOrder = "none";
+  int ChunkTets = 0;
+  int KeySteps = 8;
+  bool Linearize = false;
+};
+
+int OrderOf(const std::string& name)
+{
+  return name == "points" ? vtkGatunWriter::KEEP_POINTS
+    : name == "cells"     ? vtkGatunWriter::KEEP_CELLS
+    : name == "all"       ? vtkGatunWriter::KEEP_ALL
+                          : vtkGatunWriter::KEEP_NONE;
+}
+
+void PrintSizes(vtkGatunWriter* writer, const Options& options, bool verbose)
+{
+  const auto tets = static_cast<double>(writer->GetWrittenTets());
+  const vtkTypeUInt64 steps = writer->GetWrittenSteps();
+  fmt::print("{}: {} tetrahedra, {} points{}\n", options.Out, Grouped(writer->GetWrittenTets()),
+    Grouped(writer->GetWrittenPoints()),
+    steps > 1 ? fmt::format(", {} time steps", steps) : std::string());
+  if (verbose)
+  {
+    fmt::print("{}", writer->GetStatistics());
+    return;
+  }
+  const auto print = [tets](const char* name, vtkTypeUInt64 bytes)
+  {
+    if (bytes > 0)
+    {
+      fmt::print("  {:<14} {:>14} bytes", name, Grouped(bytes));
+      if (tets > 0)
+      {
+        fmt::print(" {:>9.3f} bits/tet", 8. * static_cast<double>(bytes) / tets);
+      }
+      fmt::print("\n");
+    }
+  };
+  print("connectivity", writer->GetConnectivityBytes());
+  print("points", writer->GetGeometryBytes());
+  print("arrays", writer->GetArrayBytes());
+  print("order", writer->GetOrderBytes());
+  print("field data", writer->GetFieldDataBytes());
+  print("directory", writer->GetDirectoryBytes());
+  print("file", writer->GetFileBytes());
+}
+
+void Pack(const Options& options, const Settings& settings)
+{
+  if (ExtensionOf(options.Out) != ".gtn")
+  {
+    throw UsageError(options.Out + ": the name must end in .gtn");
+  }
+  InputOptions inputOptions;
+  inputOptions.Arrays = options.Arrays;
+  inputOptions.AllArrays = options.AllArrays;
+  inputOptions.Linearize = options.Linearize;
+  inputOptions.Quiet = settings.Quiet;
+  Input input(options.In, inputOptions);
+  CheckWritable(options.Out, options.Overwrite);
+
+  vtkNew<vtkGatunWriter> writer;
+  {
+    Progress progress("reading", settings.ShowProgress);
+    input.Read(0, progress);
+  }
+  {
+    Progress progress("packing", settings.ShowProgress);
+    writer->SetInputConnection(input.GetAlgorithm()->GetOutputPort());
+    writer->SetFileName(options.Out.c_str());
+    writer->SetKeepOrder(OrderOf(options.KeepOrder));
+    writer->SetChunkTets(options.ChunkTets);
+    writer->SetKeyStepInterval(options.KeySteps);
+    writer->WriteAllTimeStepsOn();
+    RunWriter(writer, input.GetName(), progress);
+  }
+  CheckMessages(input.GetName(), settings.Quiet);
+  if (!settings.Quiet)
+  {
+    PrintSizes(writer, options, settings.Verbose);
+  }
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+void AddPack(CLI::App& app, Settings& settings)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = AddCommand(app, settings, "pack",
+    "Write meshes as a .gtn file, without loss. Several files, or one that has time steps, become\n"
+    "the time steps of one mesh. Blocks are merged, cells other than tetrahedra are split.",
+    "  gtn pack mesh.vtu mesh.gtn\n"
+    "  gtn pack --keep-order all --arrays pressure mesh.vtu mesh.gtn\n"
+    "  gtn pack run_0.vtu run_1.vtu run_2.vtu run.gtn\n"
+    "  gtn pack run.pvd run.gtn\n"
+    "  gtn pack -f crash.e crash.gtn");
+  command->add_flag("-f,--force", options->Overwrite, "Replace OUT if it exists");
+  auto* arrays =
+    command
+      ->add_option("--arrays", options->Arrays, "Only these point and cell arrays (default: all)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->option_text("NAME,...");
+  command
+    ->add_option("--keep-order", options->KeepOrder,
+      "Keep the order of points, of cells, or all: of both and of the cells' corners (default: "
+      "none)")
+    ->check(CLI::IsMember({ "none", "points", "cells", "all" }))
+    ->option_text("WHAT");
+  command
+    ->add_option("--chunk", options->ChunkTets,
+      "Tetrahedra in a chunk, at most, 64 to 1048576 (default: 65536, or 262144 if more than 10 "
+      "million)")
+    ->check(CLI::Range(64, 1048576))
+    ->option_text("N");
+  command
+    ->add_option("--key-steps", options->KeySteps,
+      "Every how many time steps one is coded without the one before (default: 8)")
+    ->check(CLI::Range(1, 1000000))
+    ->option_text("N");
+  command->add_flag("--linearize", options->Linearize,
+    "Take quadratic tetrahedra as linear ones, without their mid-edge points");
+  auto* files = command->add_option(
+    FilesArgument, options->In, std::string("Meshes, then the .gtn file. Meshes: ") + InputFormats);
+  files->required();
+  command->callback(
+    [=, &settings]
+    {
+      options->AllArrays = arrays->count() == 0;
+      if (options->In.size() < 2)
+      {
+        throw UsageError("pack takes meshes and, behind them, the name of a .gtn file");
+      }
+      options->Out = options->In.back();
+      options->In.pop_back();
+      Pack(*options, settings);
+    });
+}
+}

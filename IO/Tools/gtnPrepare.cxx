@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gtnPrepare.h"
+
+#include "gtnFailure.h"
+#include "gtnText.h"
+
+#include "gatunTetInput.h"
+#include "vtkGatunMergeBlocks.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <exception>
+
+namespace gtn
+{
+vtkStandardNewMacro(Preparer);
+
+namespace
+{
+
+vtkSmartPointer<vtkUnstructuredGrid> Merge(vtkCompositeDataSet* blocks)
+{
+  vtkNew<vtkGatunMergeBlocks> merge;
+  merge->SetInputDataObject(blocks);
+  merge->Update();
+  return merge->GetOutput();
+}
+
+vtkIdType CountBlocks(vtkCompositeDataSet* blocks)
+{
+  vtkIdType count = 0;
+  auto iterator = vtk::TakeSmartPointer(blocks->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    ++count;
+  }
+  return count;
+}
+
+// Points of whole numbers as double, where that is exact; the writer refuses the others.
+void MakePointsReal(vtkUnstructuredGrid* grid)
+{
+  vtkPoints* points = grid->GetPoints();
+  const int type = points ? points->GetDataType() : VTK_FLOAT;
+  if (type == VTK_FLOAT || type == VTK_DOUBLE || points->GetData()->GetDataTypeSize() > 4)
+  {
+    return;
+  }
+  vtkNew<vtkPoints> real;
+  real->SetDataTypeToDouble();
+  real->GetData()->DeepCopy(points->GetData());
+  grid->SetPoints(real);
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> ToUnstructured(vtkDataSet* data)
+{
+  vtkNew<vtkAppendFilter> append;
+  append->AddInputData(data);
+  append->Update();
+  return append->GetOutput();
+}
+
+bool IsWanted(const std::vector<std::string>& names, const char* name)
+{
+  return name && std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Those not in names go.
+void Select(vtkDataSetAttributes* attributes, const std::vector<std::string>& names)
+{
+  for (int i = attributes->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    if (!IsWanted(names, attributes->GetAbstractArray(i)->GetName()))
+    {
+      attributes->RemoveArray(i);
+    }
+  }
+}
+
+std::vector<std::string> NamesOf(vtkUnstructuredGrid* grid)
+{
+  std::vector<std::string> names;
+  for (vtkFieldData* data : { static_cast<vtkFieldData*>(grid->GetPointData()),
+         static_cast<vtkFieldData*>(grid->GetCellData()) })
+  {
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      const char* name = data->GetAbstractArray(i)->GetName();
+      names.emplace_back(Printable(name ? name : "(no name)"));
+    }
+  }
+  return names;
+}
+
+void CheckNames(vtkUnstructuredGrid* grid, const std::vector<std::string>& names)
+{
+  for (const std::string& name : names)
+  {
+    if (!grid->GetPointData()->HasArray(name.c_str()) &&
+      !grid->GetCellData()->HasArray(name.c_str()))
+    {
+      const std::vector<std::string> known = NamesOf(grid);
+      throw Failure(fmt::format("has no array '{}'; there {}", Printable(name),
+        known.empty() ? "are none" : "are " + Joined(known)));
+    }
+  }
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> Copy(vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkUnstructuredGrid> copy;
+  copy->ShallowCopy(grid);
+  return copy;
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+void Preparer::SetOptions(const InputOptions& options)
+{
+  this->Options = options;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int Preparer::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int Preparer::RequestData(vtkInformation* vtkNotUsed(request), vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  try
+  {
+    vtkSmartPointer<vtkUnstructuredGrid> grid = vtkUnstructuredGrid::SafeDownCast(input);
+    if (auto* blocks = vtkCompositeDataSet::SafeDownCast(input))
+    {
+      grid = Merge(blocks);
+      vtkWarningMacro(<< CountBlocks(blocks) << " blocks were merged into one grid");
+    }
+    else if (auto* data = vtkDataSet::SafeDownCast(input); data && !grid)
+    {
+      grid = ToUnstructured(data);
+    }
+    if (!grid)
+    {
+      throw Failure("holds " + std::string(input->GetClassName()) + ", which is not a mesh");
+    }
+    grid = Copy(grid);
+    MakePointsReal(grid);
+    if (!this->Options.AllArrays)
+    {
+      CheckNames(grid, this->Options.Arrays);
+      Select(grid->GetPointData(), this->Options.Arrays);
+      Select(grid->GetCellData(), this->Options.Arrays);
+    }
+    const gatun::TetInput tets = gatun::MakeTetInput(grid, this->Options.Linearize);
+    for (const std::string& warning : tets.Warnings)
+    {
+      vtkWarningMacro(<< warning);
+    }
+    output->ShallowCopy(tets.Grid);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+  vtkInformation* info = input->GetInformation();
+  if (info->Has(vtkDataObject::DATA_TIME_STEP()))
+  {
+    output->GetInformation()->Set(
+      vtkDataObject::DATA_TIME_STEP(), info->Get(vtkDataObject::DATA_TIME_STEP()));
+  }
+  return 1;
+}
+}

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gtnReaders.h"
+
+#include "gtnFailure.h"
+#include "gtnText.h"
+
+#include "vtkGatunReader.h"
+
+#include "vtkExodusIIReader.h"
+#include "vtkGenericDataObjectReader.h"
+#include "vtkGenericEnSightReader.h"
+#include "vtkHDFReader.h"
+#include "vtkNew.h"
+#include "vtkOBJReader.h"
+#include "vtkPLYReader.h"
+#include "vtkSTLReader.h"
+#include "vtkXMLGenericDataObjectReader.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLUnstructuredGridReader.h"
+
+#include <algorithm>
+#include <fstream>
+#include <initializer_list>
+#include <string_view>
+
+namespace gtn
+{
+namespace
+{
+
+bool IsOneOf(const std::string& extension, std::initializer_list<std::string_view> list)
+{
+  return std::find(list.begin(), list.end(), extension) != list.end();
+}
+
+template <typename Reader>
+vtkSmartPointer<vtkAlgorithm> Make(const std::string& file)
+{
+  vtkNew<Reader> reader;
+  reader->SetFileName(file.c_str());
+  return reader;
+}
+
+vtkSmartPointer<vtkAlgorithm> MakeLegacy(const std::string& file)
+{
+  vtkNew<vtkGenericDataObjectReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->ReadAllScalarsOn();
+  reader->ReadAllVectorsOn();
+  reader->ReadAllNormalsOn();
+  reader->ReadAllTensorsOn();
+  reader->ReadAllColorScalarsOn();
+  reader->ReadAllTCoordsOn();
+  reader->ReadAllFieldsOn();
+  return reader;
+}
+
+// The Exodus library prints, at length, what it thinks of other files.
+void CheckIsNetCDF(const std::string& file)
+{
+  char start[4] = {};
+  std::ifstream(file, std::ios::binary).read(start, sizeof(start));
+  const std::string_view magic(start, sizeof(start));
+  if (!magic.starts_with("CDF") && magic != "\x89HDF")
+  {
+    throw Failure(file, "is not an Exodus file");
+  }
+}
+
+vtkSmartPointer<vtkAlgorithm> MakeExodus(const std::string& file)
+{
+  CheckIsNetCDF(file);
+  vtkNew<vtkExodusIIReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->UpdateInformation();
+  // The mesh is what the element blocks hold; sides and node sets would only repeat parts of it.
+  reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
+  reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
+  return reader;
+}
+
+vtkSmartPointer<vtkAlgorithm> MakeEnSight(const std::string& file)
+{
+  vtkNew<vtkGenericEnSightReader> reader;
+  reader->SetCaseFileName(file.c_str());
+  reader->ReadAllVariablesOn();
+  return reader;
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file)
+{
+  const std::string extension = ExtensionOf(file);
+  if (extension == ".gtn")
+  {
+    return Make<vtkGatunReader>(file);
+  }
+  if (extension == ".vtu")
+  {
+    return Make<vtkXMLUnstructuredGridReader>(file);
+  }
+  if (IsOneOf(
+        extension, { ".pvtu", ".vtm", ".vtmb", ".vti", ".vts", ".vtr", ".pvti", ".pvts", ".pvtr" }))
+  {
+    return Make<vtkXMLGenericDataObjectReader>(file);
+  }
+  if (extension == ".vtk")
+  {
+    return MakeLegacy(file);
+  }
+  if (IsOneOf(extension, { ".e", ".exo", ".ex2", ".exii", ".g" }))
+  {
+    return MakeExodus(file);
+  }
+  if (IsOneOf(extension, { ".case", ".encas" }))
+  {
+    return MakeEnSight(file);
+  }
+  if (IsOneOf(extension, { ".vtkhdf", ".hdf" }))
+  {
+    return Make<vtkHDFReader>(file);
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkAlgorithm> MakeSurfaceReader(const std::string& file)
+{
+  const std::string extension = ExtensionOf(file);
+  if (extension == ".stl")
+  {
+    return Make<vtkSTLReader>(file);
+  }
+  if (extension == ".ply")
+  {
+    return Make<vtkPLYReader>(file);
+  }
+  if (extension == ".obj")
+  {
+    return Make<vtkOBJReader>(file);
+  }
+  if (extension == ".vtp")
+  {
+    return Make<vtkXMLPolyDataReader>(file);
+  }
+  if (extension == ".vtk")
+  {
+    return MakeLegacy(file);
+  }
+  return nullptr;
+}
+}

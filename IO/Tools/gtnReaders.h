@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gtnReaders_h
+#define gtnReaders_h
+
+// VTK's reader for a file, by the file's extension.
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkAlgorithm;
+
+namespace gtn
+{
+/** A reader with all arrays switched on, or nullptr if the extension is not known. */
+vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file);
+
+/** The same for surfaces. */
+vtkSmartPointer<vtkAlgorithm> MakeSurfaceReader(const std::string& file);
+}
+
+#endif

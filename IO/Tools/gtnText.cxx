@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gtnText.h"
+
+#include "gtnFailure.h"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+
+namespace gtn
+{
+//------------------------------------------------------------------------------
+Failure::Failure(const std::string& file, const std::string& reason)
+  : std::runtime_error(reason.starts_with(file + ": ") ? reason : file + ": " + reason)
+{
+}
+
+//------------------------------------------------------------------------------
+std::string Printable(std::string_view text)
+{
+  std::string line;
+  for (const char c : text)
+  {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '\n' || c == '\r' || c == '\t')
+    {
+      line += ' ';
+    }
+    else if (byte < 0x20 || byte == 0x7f)
+    {
+      line += fmt::format("\\x{:02x}", byte);
+    }
+    else
+    {
+      line += c;
+    }
+  }
+  return line;
+}
+
+//------------------------------------------------------------------------------
+std::string Grouped(std::uint64_t number)
+{
+  const std::string digits = std::to_string(number);
+  std::string grouped;
+  for (std::size_t i = 0; i < digits.size(); ++i)
+  {
+    if (i > 0 && (digits.size() - i) % 3 == 0)
+    {
+      grouped += ',';
+    }
+    grouped += digits[i];
+  }
+  return grouped;
+}
+
+//------------------------------------------------------------------------------
+std::string ByteSize(std::uint64_t bytes)
+{
+  if (bytes < 1024)
+  {
+    return fmt::format("{} B", bytes);
+  }
+  double size = static_cast<double>(bytes) / 1024;
+  for (const char* unit : { "KiB", "MiB", "GiB" })
+  {
+    if (size < 1024)
+    {
+      return fmt::format("{:.{}f} {}", size, size < 100 ? 1 : 0, unit);
+    }
+    size /= 1024;
+  }
+  return fmt::format("{:.1f} TiB", size);
+}
+
+//------------------------------------------------------------------------------
+std::string Number(double value)
+{
+  return fmt::format("{}", value);
+}
+
+//------------------------------------------------------------------------------
+std::string Joined(const std::vector<std::string>& parts, std::string_view separator)
+{
+  std::string all;
+  for (const std::string& part : parts)
+  {
+    if (&part != &parts.front())
+    {
+      all += separator;
+    }
+    all += part;
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+std::string FileOf(const std::string& path)
+{
+  return std::filesystem::path(path).filename().string();
+}
+
+//------------------------------------------------------------------------------
+std::string ExtensionOf(const std::string& path)
+{
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension)
+  {
+    if (c >= 'A' && c <= 'Z')
+    {
+      c = static_cast<char>(c - 'A' + 'a');
+    }
+  }
+  return extension;
+}
+}

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// gtn verify: whether a file is intact, and whether it holds what another one holds.
+
+#include "gtnCommands.h"
+#include "gtnCompare.h"
+#include "gtnFailure.h"
+#include "gtnInput.h"
+#include "gtnProgress.h"
+#include "gtnText.h"
+
+#include "gatunFileReader.h"
+
+#include "vtkUnstructuredGrid.h"
+
+#include <fmt/core.h>
+
+#include <memory>
+
+namespace gtn
+{
+namespace
+{
+
+struct Options
+{
+  std::string File;
+  std::vector<std::string> Originals;
+  std::vector<std::string> Arrays;
+  bool AllArrays = true;
+  bool Linearize = false;
+};
+
+// Names to tell the two by, in messages.
+std::pair<std::string, std::string> ShortNames(const std::string& first, const std::string& second)
+{
+  std::pair<std::string, std::string> names(FileOf(first), FileOf(second));
+  return names.first == names.second ? std::pair(first, second) : names;
+}
+
+void CompareWithOriginals(const Options& options, const Settings& settings, std::uint8_t keptOrder)
+{
+  InputOptions inputOptions;
+  inputOptions.Arrays = options.Arrays;
+  inputOptions.AllArrays = options.AllArrays;
+  inputOptions.Linearize = options.Linearize;
+  inputOptions.Quiet = settings.Quiet;
+  Input original(options.Originals, inputOptions);
+  Input packed({ options.File }, inputOptions);
+  const auto [nameOfPacked, nameOfOriginal] = ShortNames(options.File, original.GetName());
+
+  const std::vector<double>& times = original.GetTimes();
+  // A lone step may have lost or gained its time: the values are what counts.
+  const std::size_t steps = std::max<std::size_t>(times.size(), 1);
+  const std::size_t packedSteps = std::max<std::size_t>(packed.GetTimes().size(), 1);
+  if (packedSteps != steps)
+  {
+    throw Failure(options.File,
+      fmt::format("differs: {} time steps, not {} as {}", packedSteps, steps, nameOfOriginal));
+  }
+  Comparison comparison(nameOfPacked, nameOfOriginal, keptOrder);
+  for (std::size_t step = 0; step < steps; ++step)
+  {
+    if (steps > 1 && times[step] != packed.GetTimes()[step])
+    {
+      throw Failure(options.File,
+        fmt::format("differs: step {} is at time {}, not {} as in {}", step,
+          Number(packed.GetTimes()[step]), Number(times[step]), nameOfOriginal));
+    }
+    Progress progress(steps > 1 ? fmt::format("comparing step {} of {}", step + 1, steps)
+                                : std::string("comparing"),
+      settings.ShowProgress);
+    vtkUnstructuredGrid* a = packed.Read(step, progress);
+    vtkUnstructuredGrid* b = original.Read(step, progress);
+    const std::string difference = comparison.Compare(GridView(a), GridView(b));
+    CheckInterrupt();
+    if (!difference.empty())
+    {
+      throw Failure(options.File,
+        steps > 1
+          ? fmt::format("differs at step {} (time {}): {}", step, Number(times[step]), difference)
+          : "differs: " + difference);
+    }
+  }
+  if (!settings.Quiet)
+  {
+    fmt::print("{}: identical to {}{}{}\n", options.File, original.GetName(),
+      options.Originals.size() > 1 ? fmt::format(" and {} more", options.Originals.size() - 1) : "",
+      steps > 1 ? fmt::format(", {} time steps", steps) : "");
+    if (settings.Verbose && comparison.GetAmbiguousPoints() > 0)
+    {
+      fmt::print("  {} points coincide with others in all values and neighbours\n",
+        Grouped(comparison.GetAmbiguousPoints()));
+    }
+  }
+}
+
+void Verify(const Options& options, const Settings& settings)
+{
+  CheckReadable(options.File);
+  std::uint8_t keptOrder = 0;
+  {
+    const gatun::FileReader file(options.File);
+    keptOrder = file.GetKeptOrder();
+    Progress progress("checking", settings.ShowProgress);
+    if (!file.Verify(std::ref(progress)))
+    {
+      throw Interrupted();
+    }
+  }
+  if (options.Originals.empty())
+  {
+    if (!settings.Quiet)
+    {
+      fmt::print("{}: intact\n", options.File);
+    }
+    return;
+  }
+  CompareWithOriginals(options, settings, keptOrder);
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+void AddVerify(CLI::App& app, Settings& settings)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = AddCommand(app, settings, "verify",
+    "Check that a .gtn file is intact: all checksums, and that all of it decodes. With ORIGINAL,\n"
+    "also that nothing differs from it, bit by bit, at any time step; where the file does not "
+    "keep\n"
+    "the order of points or cells, up to that order. Says what differs first; the exit code is 1.",
+    "  gtn verify mesh.gtn\n"
+    "  gtn verify mesh.gtn mesh.vtu\n"
+    "  gtn verify run.gtn run_0.vtu run_1.vtu run_2.vtu");
+  auto* arrays =
+    command->add_option("--arrays", options->Arrays, "Compare only these point and cell arrays")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->option_text("NAME,...");
+  command->add_flag("--linearize", options->Linearize, "ORIGINAL was packed with --linearize");
+  command->add_option("IN", options->File, "The .gtn file")->required();
+  command->add_option(
+    "ORIGINAL", options->Originals, "What was packed: one file, or one a time step");
+  command->callback(
+    [=, &settings]
+    {
+      options->AllArrays = arrays->count() == 0;
+      Verify(*options, settings);
+    });
+}
+}

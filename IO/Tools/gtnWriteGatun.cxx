@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gtnWriteGatun.h"
+
+#include "gtnFailure.h"
+#include "gtnMessages.h"
+#include "gtnProgress.h"
+
+#include "vtkGatunWriter.h"
+
+#include "vtkErrorCode.h"
+#include "vtkNew.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace gtn
+{
+//------------------------------------------------------------------------------
+void RunWriter(vtkGatunWriter* writer, const std::string& inputName, Progress& progress)
+{
+  progress.Watch(writer);
+  const bool good = writer->Write() != 0;
+  CheckInterrupt();
+  const std::vector<std::string> errors = TakeErrors();
+  if (good && errors.empty())
+  {
+    return;
+  }
+  const std::string file = writer->GetFileName();
+  const std::string reason = errors.empty() ? "cannot write" : errors.front();
+  const unsigned long code = writer->GetErrorCode();
+  const bool inputIsToBlame = code == vtkGatunWriter::WrongInputError ||
+    (code == vtkErrorCode::UnknownError && !reason.starts_with(file));
+  if (inputIsToBlame && reason.starts_with(file + ": "))
+  {
+    throw Failure(inputName, reason.substr(file.size() + 2));
+  }
+  throw Failure(inputIsToBlame ? inputName : file, reason);
+}
+
+//------------------------------------------------------------------------------
+void WriteGatun(vtkUnstructuredGrid* grid, const std::string& file, Progress& progress)
+{
+  vtkNew<vtkGatunWriter> writer;
+  writer->SetInputData(grid);
+  writer->SetFileName(file.c_str());
+  RunWriter(writer, file, progress);
+}
+}

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gtnWriteGatun_h
+#define gtnWriteGatun_h
+
+#include <string>
+
+class vtkGatunWriter;
+class vtkUnstructuredGrid;
+
+namespace gtn
+{
+class Progress;
+
+/** Lets a writer write whose input and file name are set. Throws Failure for inputName or for the
+ * file, whichever is to blame, and Interrupted. */
+void RunWriter(vtkGatunWriter* writer, const std::string& inputName, Progress& progress);
+
+/** Writes a grid with the writer's defaults. Throws likewise. */
+void WriteGatun(vtkUnstructuredGrid* grid, const std::string& file, Progress& progress);
+}
+
+#endif
