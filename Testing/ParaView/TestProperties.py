@@ -1,0 +1,127 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Every property in the plugin's XML is documented, its command exists in the class and does what
+the name says, and its default is that of the class."""
+
+import glob
+import os
+import sys
+import xml.etree.ElementTree as tree
+
+from gatunParaView import load_plugin
+from paraview import servermanager
+
+simple = load_plugin()
+folder = sys.argv[1]
+# What a property is set to, to see whether that arrives.
+OTHER = {"ChunkTets": [1000], "KeepOrder": [7], "KeyStepInterval": [3],
+         "ValueRangeComponent": [2], "Box": [6, 5, 4, 3, 2, 1], "ValueRange": [-4, 9],
+         "ValueRangeArray": ["some array"], "FileName": ["some file"]}
+HELPERS = {"IntVectorProperty": "SimpleIntInformationHelper",
+           "DoubleVectorProperty": "SimpleDoubleInformationHelper",
+           "StringVectorProperty": "SimpleStringInformationHelper"}
+
+problems = []
+proxies = []
+for path in sorted(glob.glob(os.path.join(folder, "*.xml"))):
+    for group in tree.parse(path).getroot().findall("ProxyGroup"):
+        for proxy in group:
+            if proxy.get("class"):
+                proxies.append((group.get("name"), proxy))
+
+
+def values_of(node):
+    text = node.get("default_values")
+    if text is None:
+        return None
+    if node.tag == "StringVectorProperty":
+        return [text]
+    return [float(word) for word in text.split()]
+
+
+def look(smproxy, node):
+    """What the VTK object answers when asked by the property's Get; a string that is not there stays
+    "none"."""
+    smproxy.UpdatePropertyInformation()
+    prop = smproxy.GetProperty("Ask" + node.get("name"))
+    return [prop.GetElement(i) for i in range(prop.GetNumberOfElements())]
+
+
+def asking(name, proxy, nodes):
+    """A proxy of the same class that sets nothing by itself but asks for all."""
+    parts = ['<ServerManagerConfiguration><ProxyGroup name="asking"><Proxy name="%s" class="%s">'
+             % (name, proxy.get("class"))]
+    for node in nodes:
+        common = (node.tag, node.get("name"), node.get("number_of_elements"))
+        parts.append('<%s name="%s" number_of_elements="%s" default_values="none" command="%s"/>'
+                     % (*common, node.get("command")))
+        parts.append('<%s name="Ask%s" number_of_elements="%s" default_values="none" command="Get%s" '
+                     'information_only="1"><%s/></%s>'
+                     % (*common, node.get("command")[3:], HELPERS[node.tag], node.tag))
+    parts.append("</Proxy></ProxyGroup></ServerManagerConfiguration>")
+    manager = servermanager.ProxyManager()
+    definitions = manager.SMProxyManager.GetProxyDefinitionManager()
+    assert definitions.LoadConfigurationXMLFromString("".join(parts))
+    made = manager.NewProxy("asking", name)
+    made.UpdateVTKObjects()
+    return made
+
+
+checked = 0
+for group, proxy in proxies:
+    owner = proxy.get("name")
+    if proxy.find("Documentation") is None:
+        problems.append(owner + " has no documentation")
+    plain = []
+    for node in proxy:
+        if not node.tag.endswith("Property"):
+            continue
+        what = "%s.%s" % (owner, node.get("name"))
+        text = " ".join((node.findtext("Documentation") or "").split())
+        if not text:
+            problems.append(what + " has no documentation")
+        if node.tag == "InputProperty" or node.get("information_only") == "1":
+            continue
+        if "Default:" not in text:
+            problems.append(what + " does not tell its default")
+        if proxy.get("class").startswith("vtkGatun") and node.get("repeat_command") != "1":
+            plain.append(node)
+            if values_of(node) is None and node.get("name") != "FileName":
+                problems.append(what + " has no default")
+    if not plain:
+        continue
+    asked = asking("As" + owner, proxy, plain)
+    for node in plain:
+        name = node.get("name")
+        what = "%s.%s" % (owner, name)
+        default = values_of(node)
+        own = look(asked, node)
+        if default is not None and own != default and own not in ([], [None], ["none"]) or \
+                default not in (None, [""]) and own in ([], [None], ["none"]):
+            problems.append("%s: default %s, in C++ %s" % (what, default, own))
+        # On, if it is off, and so on.
+        other = OTHER.get(name) or [1 - int(default[0])]
+        prop = asked.GetProperty(name)
+        for i, value in enumerate(other):
+            prop.SetElement(i, value)
+        asked.UpdateVTKObjects()
+        if look(asked, node) != other:
+            problems.append("%s: set to %s, is %s" % (what, other, look(asked, node)))
+        checked += 1
+
+assert not problems, "\n" + "\n".join(problems)
+assert checked >= 20, checked
+assert {proxy.get("class") for _, proxy in proxies} >= \
+    {"vtkGatunReader", "vtkGatunWriter", "vtkGatunMergeBlocks"}
+
+# The reader that people get has the properties of the one that reads; the writers, too.
+reader = simple.GatunReader(FileNames=["none.gtn"])
+core = next(proxy for _, proxy in proxies if proxy.get("name") == "GatunReaderCore")
+for node in core:
+    if node.tag.endswith("Property") and node.get("name") not in ("FileName", "TimestepValues"):
+        assert reader.GetProperty(node.get("name")) is not None, node.get("name")
+for name in ("GatunWriter", "ParallelGatunWriter"):
+    writer = getattr(servermanager.writers, name)()
+    for prop in ("KeepOrder", "ChunkTets", "LinearizeQuadratic", "FileName", "ChooseArraysToWrite"):
+        assert writer.GetProperty(prop) is not None, (name, prop)
