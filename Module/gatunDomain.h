@@ -45,6 +45,12 @@ public:
   {
     Key raw = 0;
     std::memcpy(&raw, value, SizeOf(type));
+    return FromRaw(type, raw);
+  }
+
+  /** The key of a value given by its bits. */
+  static Key FromRaw(ScalarType type, Key raw)
+  {
     const unsigned bits = static_cast<unsigned>(8 * SizeOf(type));
     const Key sign = Key{ 1 } << (bits - 1);
     switch (type)
@@ -173,10 +179,10 @@ public:
         const float value = static_cast<float>(number > largest ? largest
             : number < -largest                                 ? -largest
                                                                 : number);
-        return ReadPlain(this->Type, &value);
+        return FromRaw(ScalarType::Float32, std::bit_cast<std::uint32_t>(value));
       }
       case ScalarType::Float64:
-        return ReadPlain(this->Type, &number);
+        return FromRaw(ScalarType::Float64, std::bit_cast<std::uint64_t>(number));
       case ScalarType::Int8:
       case ScalarType::Int16:
       case ScalarType::Int32:

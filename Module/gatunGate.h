@@ -255,7 +255,7 @@ private:
   {
     const auto& a = this->Sides[l];
     const auto& b = this->Sides[r];
-    return (a.Rank < b.Rank) | ((a.Rank == b.Rank) & (a.Id < b.Id));
+    return a.Rank < b.Rank || (a.Rank == b.Rank && a.Id < b.Id);
   }
 
   double GetRank(std::span<const LatticePoint> places, unsigned side, Vertex far) const
@@ -317,8 +317,8 @@ private:
     const auto look = [&](Vertex v)
     {
       const double rank = this->Ring.GetSphere(this->Plane, places[v]);
-      const bool proposed =
-        (v == this->Sides[0].Id) | (v == this->Sides[1].Id) | (v == this->Sides[2].Id);
+      const unsigned proposed = unsigned{ v == this->Sides[0].Id } |
+        unsigned{ v == this->Sides[1].Id } | unsigned{ v == this->Sides[2].Id };
       this->RingRank = !proposed && rank < this->RingRank ? rank : this->RingRank;
     };
     for (unsigned i = 0; i < 3; ++i)

@@ -19,7 +19,7 @@ class SharedSearch
 {
 public:
   static constexpr unsigned Most = 8;
-  static constexpr unsigned Patience = 4096; // cells and vertices looked at in a search
+  static constexpr unsigned Patience = 1024; // cells and vertices looked at in a search
 
   struct Hits
   {

@@ -56,7 +56,7 @@ public:
     , Input(input)
     , Out(out)
     , Search(input.Shared)
-    , DistantLeft(8 + input.Tets / 512)
+    , DistantLeft(std::min(8 + input.Tets / 512, 256u))
   {
     const auto vertices = std::size_t{ input.OwnVertices } + input.Shared.size();
     this->Places.reserve(vertices);
