@@ -5,16 +5,19 @@
 
 import os
 
+import gatunSample as sample
 from gatunParaView import load_plugin, rank_and_ranks
-from paraview import servermanager
 
 simple = load_plugin()
 assert rank_and_ranks() == (0, int(os.environ["GATUN_RANKS"])), rank_and_ranks()
 
-reader = simple.GatunReader(FileNames=["some.gtn"])
-assert reader.FileNames[0] == "some.gtn"
-writer = servermanager.writers.GatunWriter(FileName="other.gtn")
-assert writer.FileName == "other.gtn"
+path = sample.temporary("load-plugin.gtn")
+writer = simple.CreateWriter(path, sample.make_source())
+parallel = int(os.environ["GATUN_RANKS"]) > 1
+assert writer.GetXMLName() == ("ParallelGatunWriter" if parallel else "GatunWriter")
+writer.UpdatePipeline()
+reader = simple.GatunReader(FileNames=[path])
+assert reader.FileNames[0] == path
 
 # Every rank has the library: a filter that runs on all of them looks for it.
 look = simple.ProgrammableFilter(Input=simple.Sphere())

@@ -9,6 +9,7 @@ import os
 import sys
 import xml.etree.ElementTree as tree
 
+import gatunSample as sample
 from gatunParaView import load_plugin
 from paraview import servermanager
 
@@ -115,13 +116,15 @@ assert checked >= 20, checked
 assert {proxy.get("class") for _, proxy in proxies} >= \
     {"vtkGatunReader", "vtkGatunWriter", "vtkGatunMergeBlocks"}
 
-# The reader that people get has the properties of the one that reads; the writers, too.
-reader = simple.GatunReader(FileNames=["none.gtn"])
+# The reader and the writer that people get have the properties of those that do the work.
+path = sample.temporary("properties.gtn")
+writer = simple.CreateWriter(path, sample.make_source())
+for prop in ("KeepOrder", "ChunkTets", "LinearizeQuadratic", "FileName", "ChooseArraysToWrite",
+             "WriteAllTimeSteps", "KeyStepInterval"):
+    assert writer.GetProperty(prop) is not None, prop
+writer.UpdatePipeline()
+reader = simple.GatunReader(FileNames=[path])
 core = next(proxy for _, proxy in proxies if proxy.get("name") == "GatunReaderCore")
 for node in core:
     if node.tag.endswith("Property") and node.get("name") not in ("FileName", "TimestepValues"):
         assert reader.GetProperty(node.get("name")) is not None, node.get("name")
-for name in ("GatunWriter", "ParallelGatunWriter"):
-    writer = getattr(servermanager.writers, name)()
-    for prop in ("KeepOrder", "ChunkTets", "LinearizeQuadratic", "FileName", "ChooseArraysToWrite"):
-        assert writer.GetProperty(prop) is not None, (name, prop)

@@ -3,6 +3,7 @@
 
 """A mesh to test with, made the same on every rank, and what is known about it."""
 
+import contextlib
 import os
 
 from paraview import simple
@@ -83,7 +84,7 @@ def temporary(name):
     """A path of this number of ranks, as tests run side by side; where nothing is yet."""
     path = os.path.join(os.environ["GATUN_TEST_TEMP"],
                         "pv%d-%s" % (rank_and_ranks()[1], name))
-    if os.path.exists(path):
+    with contextlib.suppress(FileNotFoundError):
         os.remove(path)
     return path
 
