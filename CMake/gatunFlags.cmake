@@ -42,6 +42,8 @@ if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     -Wformat=2
     "$<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor;-Woverloaded-virtual>"
     "$<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wduplicated-cond;-Wlogical-op;-Wno-psabi>"
+    # The walk joins conditions without branching on purpose.
+    "$<$<COMPILE_LANG_AND_ID:CXX,Clang>:-Wno-bitwise-instead-of-logical>"
     "$<$<BOOL:${GATUN_WARNINGS_AS_ERRORS}>:-Werror>")
 elseif (MSVC)
   target_compile_options(gatunBuildFlags INTERFACE
