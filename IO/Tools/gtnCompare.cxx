@@ -3,6 +3,7 @@
 
 #include "gtnCompare.h"
 
+#include "gtnComplex.h"
 #include "gtnFailure.h"
 #include "gtnText.h"
 
@@ -15,7 +16,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <iterator>
 #include <utility>
@@ -47,90 +47,12 @@ std::vector<Hash> Sorted(std::vector<Hash> hashes)
   return hashes;
 }
 
-std::size_t CountDistinct(const std::vector<Hash>& sorted)
-{
-  std::size_t count = sorted.empty() ? 0 : 1;
-  for (std::size_t i = 1; i < sorted.size(); ++i)
-  {
-    count += sorted[i] != sorted[i - 1];
-  }
-  return count;
-}
-
-//------------------------------------------------------------------------------
-// Tetrahedra by the labels of their corners.
-
-using Labels = std::array<Hash, 4>;
-
-// The even permutations that keep the first corner, and those that bring another one there.
-constexpr int EvenPermutations[12][4] = { { 0, 1, 2, 3 }, { 0, 2, 3, 1 }, { 0, 3, 1, 2 },
-  { 1, 0, 3, 2 }, { 1, 2, 0, 3 }, { 1, 3, 2, 0 }, { 2, 0, 1, 3 }, { 2, 1, 3, 0 }, { 2, 3, 0, 1 },
-  { 3, 0, 2, 1 }, { 3, 1, 0, 2 }, { 3, 2, 1, 0 } };
-
-Labels Permuted(const Labels& labels, int permutation)
-{
-  const int* p = EvenPermutations[permutation];
-  return { labels[p[0]], labels[p[1]], labels[p[2]], labels[p[3]] };
-}
-
-// The smallest of the permutations from first to last - 1.
-Labels Smallest(const Labels& labels, int first, int last)
-{
-  Labels best = Permuted(labels, first);
-  for (int i = first + 1; i < last; ++i)
-  {
-    best = std::min(best, Permuted(labels, i));
-  }
-  return best;
-}
-
-Labels LabelsOf(const Tet& tet, const std::vector<Hash>& points)
-{
-  return { points[tet[0]], points[tet[1]], points[tet[2]], points[tet[3]] };
-}
-
-Hash HashOfTet(const Labels& labels, const Hash& values, bool keepCorners)
-{
-  const Labels canonical = keepCorners ? labels : Smallest(labels, 0, 12);
-  return HashOf(canonical.data(), sizeof(canonical), values);
-}
-
-std::vector<Hash> HashTets(const GridView& grid, const std::vector<Hash>& points,
+Complex MakeComplex(const GridView& grid, const std::vector<Hash>& points,
   const std::vector<Hash>& cells, bool keepCorners)
 {
-  std::vector<Hash> hashes(grid.Cells);
-  ForEach(grid.Cells,
-    [&](std::size_t i)
-    { hashes[i] = HashOfTet(LabelsOf(grid.Corners(i), points), cells[i], keepCorners); });
-  return hashes;
-}
-
-// Adds to the label of each point what it sees of the tetrahedra around it.
-void Refine(
-  const GridView& grid, std::vector<Hash>& points, const std::vector<Hash>& cells, bool keepCorners)
-{
-  std::vector<Hash> sums(points.size());
-  for (std::size_t i = 0; i < grid.Cells; ++i)
-  {
-    const Tet tet = grid.Corners(i);
-    const Labels labels = LabelsOf(tet, points);
-    for (int corner = 0; corner < 4; ++corner)
-    {
-      Labels seen = labels;
-      Hash place = cells[i];
-      if (keepCorners)
-      {
-        place.High += corner;
-      }
-      else
-      {
-        seen = Smallest(labels, 3 * corner, 3 * corner + 3);
-      }
-      sums[tet[corner]] += HashOf(seen.data(), sizeof(seen), place);
-    }
-  }
-  ForEach(
-    points.size(), [&](std::size_t i) { points[i] = HashOf(&sums[i], sizeof(Hash), points[i]); });
+  Complex complex{ points, cells, std::vector<Tet>(grid.Cells), keepCorners };
+  ForEach(grid.Cells, [&](std::size_t i) { complex.Tets[i] = grid.Corners(i); });
+  return complex;
 }
 
 //------------------------------------------------------------------------------
@@ -459,26 +381,42 @@ std::string Comparison::CompareUnordered(const GridView& first, const GridView& 
   add(this->First, first);
   add(this->Second, second);
 
-  std::vector<Hash> pointsOfFirst = this->First.Points;
-  std::vector<Hash> pointsOfSecond = this->Second.Points;
-  std::vector<Hash> sorted = Sorted(pointsOfFirst);
-  bool same = sorted == Sorted(pointsOfSecond);
-  std::size_t classes = CountDistinct(sorted);
-  // Points that coincide are told apart by what is around them, as long as that helps.
-  for (bool more = classes < first.Points; more && same;)
+  Complex a = MakeComplex(first, this->First.Points, this->First.Cells, keepCorners);
+  Complex b = MakeComplex(second, this->Second.Points, this->Second.Cells, keepCorners);
+  // Both are refined by the same number of rounds, or labels could not be compared.
+  std::size_t classes = CountDistinct(a.Points);
+  bool same = Sorted(a.Points) == Sorted(b.Points);
+  while (same && classes < a.Points.size())
   {
-    Refine(first, pointsOfFirst, this->First.Cells, keepCorners);
-    Refine(second, pointsOfSecond, this->Second.Cells, keepCorners);
-    sorted = Sorted(pointsOfFirst);
-    same = sorted == Sorted(pointsOfSecond);
-    const std::size_t now = CountDistinct(sorted);
-    more = now > classes && now < first.Points;
+    a.Refine();
+    b.Refine();
+    same = Sorted(a.Points) == Sorted(b.Points);
+    const std::size_t now = CountDistinct(a.Points);
+    if (now == classes)
+    {
+      break;
+    }
     classes = now;
   }
-  this->Ambiguous = first.Points - classes;
-  if (same &&
-    Sorted(HashTets(first, pointsOfFirst, this->First.Cells, keepCorners)) ==
-      Sorted(HashTets(second, pointsOfSecond, this->Second.Cells, keepCorners)))
+  this->Ambiguous = a.Points.size() - classes;
+  same = same && Sorted(a.HashTets()) == Sorted(b.HashTets());
+  if (same && this->Ambiguous > 0)
+  {
+    std::size_t budget = std::max<std::size_t>(1000 * a.Tets.size(), 10000000);
+    std::size_t budgetOfSecond = budget;
+    std::vector<Hash> partsOfFirst;
+    std::vector<Hash> partsOfSecond;
+    if (!a.HashAmbiguousParts(budget, partsOfFirst) ||
+      !b.HashAmbiguousParts(budgetOfSecond, partsOfSecond))
+    {
+      return fmt::format("undecided: {} points coincide with others in all values and neighbours, "
+                         "too many to try all ways to match them; pack with --keep-order all to "
+                         "compare place by place",
+        this->Ambiguous);
+    }
+    same = partsOfFirst == partsOfSecond;
+  }
+  if (same)
   {
     return {};
   }
@@ -535,7 +473,7 @@ std::string Comparison::ExplainCells(const GridView& first, const GridView& seco
   {
     std::vector<Hash> points = HashesOf(grid.Coordinates, grid.Points, {});
     AddArrays(points, grid.PointArrays);
-    return HashTets(grid, points, std::vector<Hash>(grid.Cells), keepCorners);
+    return MakeComplex(grid, points, std::vector<Hash>(grid.Cells), keepCorners).HashTets();
   };
   const std::vector<Hash> tetsOfFirst = tets(first);
   const std::vector<Hash> tetsOfSecond = tets(second);

@@ -19,12 +19,12 @@ namespace gtn
  * is not, points and cells are matched by all that is known of them: a point is its coordinates
  * and the values of its arrays, at this step and those before; a tetrahedron is its four points up
  * to an even permutation, and its values. What coincides in all that is told apart by its
- * neighbours, and theirs, as far as that can be done. Each point and each cell is a hash then, and
- * the sorted hashes of both grids must be equal.
+ * neighbours, and theirs. Each point and each cell is a hash then, and the sorted hashes of both
+ * grids must be equal.
  *
- * This is exact (but for a hash of 128 bits) unless distinct points coincide in coordinates and in
- * all values. Then grids that differ are found to differ if refining classes by neighbours, until
- * there are no more classes, can tell; no known mesh defeats that.
+ * This is exact, but for a hash of 128 bits. Points that coincide in everything and are alike in
+ * their surroundings, too, are matched in all ways; where that would take too long, the outcome is
+ * a difference that says "undecided".
  */
 class Comparison
 {

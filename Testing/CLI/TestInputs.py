@@ -1,0 +1,97 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Cells that are not tetrahedra, structured grids, blocks and pieces are made fit, with a message;
+other things are refused, with one."""
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import (
+    VTK_HEXAHEDRON,
+    VTK_QUADRATIC_TETRA,
+    VTK_QUAD,
+    vtkImageData,
+    vtkMultiBlockDataSet,
+    vtkRectilinearGrid,
+    vtkUnstructuredGrid,
+)
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOParallelXML import vtkXMLPUnstructuredGridWriter
+from vtkmodules.vtkIOXML import (
+    vtkXMLImageDataWriter,
+    vtkXMLMultiBlockDataWriter,
+    vtkXMLPolyDataWriter,
+)
+
+from gatunCli import enter_folder, gtn, standard_mesh, write
+
+enter_folder("inputs")
+
+
+def write_with(writer, data, name):
+    writer.SetInputData(data)
+    writer.SetFileName(name)
+    assert writer.Write()
+
+
+def round_trip(name, says, *options):
+    gtn("pack", *options, name, name + ".gtn", says=says)
+    gtn("verify", *options, name + ".gtn", name, says="identical")
+
+
+image = vtkImageData()
+image.SetDimensions(6, 5, 4)
+heat = numpy_to_vtk(np.arange(120, dtype=np.float32), deep=True)
+heat.SetName("heat")
+image.GetPointData().SetScalars(heat)
+write_with(vtkXMLImageDataWriter(), image, "image.vti")
+round_trip("image.vti", "60 vtkVoxel were split")
+
+append = vtkAppendFilter()
+append.AddInputData(image)
+append.Update()
+write(append.GetOutput(), "voxels.vtu")
+round_trip("voxels.vtu", "60 vtkVoxel were split")
+
+blocks = vtkMultiBlockDataSet()
+blocks.SetBlock(0, standard_mesh(3))
+blocks.SetBlock(1, standard_mesh(2))
+write_with(vtkXMLMultiBlockDataWriter(), blocks, "blocks.vtm")
+round_trip("blocks.vtm", "2 blocks were merged")
+
+writer = vtkXMLPUnstructuredGridWriter()
+writer.SetNumberOfPieces(1)
+write_with(writer, standard_mesh(4), "pieces.pvtu")
+round_trip("pieces.pvtu", "384 tetrahedra")
+
+
+def grid_of(cell_type, points):
+    grid = vtkUnstructuredGrid()
+    vtk_points = vtkPoints()
+    for point in points:
+        vtk_points.InsertNextPoint(point)
+    grid.SetPoints(vtk_points)
+    grid.InsertNextCell(cell_type, len(points), range(len(points)))
+    return grid
+
+
+corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], dtype=float)
+middles = [(corners[i] + corners[j]) / 2 for i, j in ((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3))]
+write(grid_of(VTK_QUADRATIC_TETRA, [*corners, *middles]), "quadratic.vtu")
+gtn("pack", "quadratic.vtu", "new.gtn", code=1, says="gtn: quadratic.vtu: 1 vtkQuadraticTetra")
+round_trip("quadratic.vtu", "without mid-edge points", "--linearize")
+
+write(grid_of(VTK_QUAD, corners), "quad.vtu")
+gtn("pack", "quad.vtu", "new.gtn", code=1, says="1 vtkQuad")
+sphere = vtkSphereSource()
+sphere.Update()
+write_with(vtkXMLPolyDataWriter(), sphere.GetOutput(), "sphere.vtp")
+gtn("pack", "sphere.vtp", "new.gtn", code=1, says="gtn: sphere.vtp: no reader")
+
+# A point that does not exist.
+wrong = standard_mesh(2)
+wrong.GetCells().GetConnectivityArray().SetValue(5, 10**6)
+write(wrong, "wrong.vtu")
+gtn("pack", "wrong.vtu", "new.gtn", code=1, says="gtn: wrong.vtu: ")

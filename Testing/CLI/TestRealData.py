@@ -1,0 +1,27 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Each mesh of GATUN_DATA_DIR is the same after packing, in any order and with all order kept."""
+
+import json
+import os
+
+from gatunCli import enter_folder, gtn, skip
+
+folder = os.environ.get("GATUN_DATA_DIR")
+if not folder:
+    skip("GATUN_DATA_DIR is not set")
+names = sorted(name for name in os.listdir(folder) if name.endswith((".vtu", ".e")))
+if not names:
+    skip("no meshes in " + folder)
+folder = os.path.abspath(folder)
+enter_folder("real")
+for name in names:
+    original = os.path.join(folder, name)
+    for order in ("none", "all"):
+        packed = f"{name}-{order}.gtn"
+        gtn("pack", "--keep-order", order, original, packed)
+        gtn("verify", packed, original, says="identical")
+        os.remove(packed) if name != "mug.e" else None
+if "mug.e" in names:
+    assert len(json.loads(gtn("info", "--json", "mug.e-none.gtn"))["times"]) == 21
