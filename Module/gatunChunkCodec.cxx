@@ -201,6 +201,24 @@ std::uint8_t FindRotation(const std::array<std::uint32_t, 4>& walked,
   return rotations[4 * mirror(first) + mirror(second)];
 }
 
+/** Codes which tetrahedra mirror the order of the walk, as their parents may do, and mirrors them.
+ */
+template <typename Coder>
+void CodeFlips(Coder& coder, std::vector<char>& flips, Topology& walk)
+{
+  std::array<BitModel, 2> models;
+  for (std::size_t t = 0; t < flips.size(); ++t)
+  {
+    const auto parent = walk.Parents[t];
+    const bool expected = parent != Topology::NoTet && flips[parent] != 0;
+    flips[t] = coder.Bit(models[expected], flips[t] != 0);
+    if (flips[t])
+    {
+      std::swap(walk.Tets[t][2], walk.Tets[t][3]);
+    }
+  }
+}
+
 struct Attempt
 {
   Bytes Stream;
@@ -236,14 +254,7 @@ Attempt TryWalk(const WalkInput& input, Tets tets, const FaceTable& faces,
   }
   if (anyFlip)
   {
-    BitModel model;
-    for (std::size_t t = 0; t < tets.size(); ++t)
-    {
-      if (coder.Bit(model, flips[t] != 0))
-      {
-        std::swap(result.Walk.Tets[t][2], result.Walk.Tets[t][3]);
-      }
-    }
+    CodeFlips(coder, flips, result.Walk);
   }
   const auto body = coder.Finish();
   result.Stream.push_back(static_cast<std::uint8_t>((Rule == Ranking::Angle ? FlagAngle : 0) |
@@ -459,14 +470,8 @@ ChunkMesh DecodeChunk(const ChunkFrame& frame, std::span<const std::uint8_t> con
   }
   if (flags & FlagFlips)
   {
-    BitModel model;
-    for (auto& tet : mesh.Walk.Tets)
-    {
-      if (symbols.Bit(model))
-      {
-        std::swap(tet[2], tet[3]);
-      }
-    }
+    std::vector<char> flips(mesh.Walk.Tets.size());
+    CodeFlips(symbols, flips, mesh.Walk);
   }
   return mesh;
 }
