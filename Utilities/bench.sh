@@ -2,13 +2,29 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Measures Gatun and its peers; setup.sh bench calls it. GATUN_BUILD names the build to use, and
-# arguments go to the benchmark program, such as --benchmark_filter=load.
+# Measures Gatun and its peers; setup.sh bench calls it. GATUN_BUILD names the build to use.
+#
+#   bench.sh [FILE...]           all of it, in less than half an hour, into Documentation/: the page
+#                                benchmarks.md, its pictures and figures in the folder benchmarks/
+#   bench.sh --quick [FILE...]   small meshes, three minutes, into bench-quick/ of the build
+#   bench.sh --report            nothing is measured, the page is made anew
+#
+# FILEs are meshes to be measured too. GATUN_DATA_DIR names a folder of more of them, if set: sizes
+# of every .vtu and Exodus file there are told. A page that may be quoted wants a machine with
+# nothing else to do.
 
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${GATUN_BUILD:-$root/build/release}
 
-"$build/bin/gatunBenchmarks" \
-  --benchmark_out="$build/benchmarks.json" --benchmark_out_format=json "$@"
+out=$root/Documentation
+for argument; do
+  if [ "$argument" = --quick ]; then
+    out=$build/bench-quick
+  fi
+done
+
+# Debian's Python, which has matplotlib.
+PYTHONDONTWRITEBYTECODE=1 exec /usr/bin/python3 "$root/Testing/Benchmarks/runBenchmarks.py" \
+  --programs "$build/bin" --out "$out" "$@"

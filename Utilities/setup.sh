@@ -7,7 +7,9 @@
 #   Utilities/setup.sh demo [FILE]   install what is needed, build, show what Gatun does (to FILE,
 #                                    a mesh that VTK can read, or to one that the demo makes)
 #   Utilities/setup.sh test          build for VTK and for ParaView, run the tests of both
-#   Utilities/setup.sh bench         build, measure against VTK's own tools
+#   Utilities/setup.sh bench [--quick] [FILE...]
+#                                    build, measure against VTK's own files (with --quick: less),
+#                                    with the meshes it makes and with FILEs; see bench.sh
 #
 # Packages are installed with apt-get, as root or through sudo. What is done already is not done
 # again. From the environment:
@@ -29,7 +31,7 @@ packages_build=(
   libvtk9-dev libxxhash-dev libzstd-dev ninja-build pkg-config python3-numpy python3-vtk9)
 packages_window=(libgl1-mesa-dri xauth xvfb)
 packages_test=(libgtest-dev openimageio-tools)
-packages_bench=(libbenchmark-dev)
+packages_bench=(python3-matplotlib)
 # ParaView itself, its window's libraries, and what its Python side imports.
 packages_paraview=(
   libqt5opengl5-dev libqt5svg5-dev libqt5x11extras5-dev mpi-default-bin paraview paraview-dev

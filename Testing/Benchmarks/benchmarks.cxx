@@ -1,60 +1,48 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Measures operations, Gatun's and those of its peers, in one run. GATUN_DATA_DIR names the folder
-// of the meshes (.vtu) to measure with.
+// Measures operations, Gatun's and those of VTK next to them, each a subcommand. runBenchmarks.py
+// runs them all and makes a page of what they print.
 
-#include "gatunVersion.h"
+#include "benchCases.h"
 
-#include <vtkCellData.h>
-#include <vtkNew.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridReader.h>
+#include "gtnThreads.h"
 
-#include <benchmark/benchmark.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <string>
-
-namespace
-{
-
-void LoadVtu(benchmark::State& state, const std::string& file)
-{
-  vtkIdType cells = 0;
-  for ([[maybe_unused]] auto _ : state)
-  {
-    vtkNew<vtkXMLUnstructuredGridReader> reader;
-    reader->SetFileName(file.c_str());
-    reader->Update();
-    cells += reader->GetOutput()->GetNumberOfCells();
-  }
-  state.SetItemsProcessed(cells);
-}
-
-} // anonymous namespace
+#include <cstdio>
+#include <exception>
 
 int main(int argc, char* argv[])
 {
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv))
+  CLI::App app("Measures Gatun next to VTK's own files.", "gatunBenchmarks");
+  app.require_subcommand(1);
+  int threads = 0;
+  app.add_option("--threads", threads, "Threads to use (0: one a processor)")
+    ->check(CLI::Range(0, 1024));
+  app.parse_complete_callback([&] { gtn::SetThreads(threads); });
+  bench::AddMachine(app);
+  bench::AddMake(app);
+  bench::AddPrepare(app);
+  bench::AddSize(app);
+  bench::AddWrite(app);
+  bench::AddLoad(app);
+  bench::AddPeak(app);
+  bench::AddPieces(app);
+  bench::AddRegion(app);
+  bench::AddSeries(app);
+  bench::AddSizes(app);
+  bench::AddThreads(app);
+  try
   {
-    return 2;
+    app.parse(argc, argv);
   }
-  benchmark::AddCustomContext("gatun", gatun::PackageVersion());
-  if (const char* folder = std::getenv("GATUN_DATA_DIR"))
+  catch (const CLI::ParseError& error)
   {
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
-    {
-      if (entry.path().extension() == ".vtu")
-      {
-        benchmark::RegisterBenchmark(
-          ("load/vtu/" + entry.path().stem().string()).c_str(), LoadVtu, entry.path().string())
-          ->Unit(benchmark::kMillisecond);
-      }
-    }
+    return app.exit(error) == 0 ? 0 : 2;
   }
-  benchmark::RunSpecifiedBenchmarks();
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "gatunBenchmarks: %s\n", error.what());
+    return 1;
+  }
   return 0;
 }

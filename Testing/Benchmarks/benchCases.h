@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef benchCases_h
+#define benchCases_h
+
+// The subcommands of gatunBenchmarks. Each prints one JSON object on the standard output, unless
+// its help says otherwise.
+
+#include <CLI/CLI.hpp>
+
+namespace bench
+{
+void AddMake(CLI::App& app);
+void AddPrepare(CLI::App& app);
+void AddMachine(CLI::App& app);
+void AddSize(CLI::App& app);
+void AddSizes(CLI::App& app);
+void AddThreads(CLI::App& app);
+void AddWrite(CLI::App& app);
+void AddLoad(CLI::App& app);
+void AddPeak(CLI::App& app);
+void AddPieces(CLI::App& app);
+void AddRegion(CLI::App& app);
+void AddSeries(CLI::App& app);
+
+/** Prints the JSON object that fill makes. */
+template <typename Fill>
+void PrintJson(Fill&& fill);
+}
+
+#include "benchHarness.h"
+
+#include <cstdio>
+
+namespace bench
+{
+template <typename Fill>
+void PrintJson(Fill&& fill)
+{
+  gtn::Json json;
+  json.BeginObject();
+  fill(json);
+  json.EndObject();
+  std::fputs(json.GetText().c_str(), stdout);
+}
+}
+
+#endif

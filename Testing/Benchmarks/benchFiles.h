@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef benchFiles_h
+#define benchFiles_h
+
+// The files that are compared: .gtn and the flavours of VTK's own .vtu.
+
+#include "benchMeshes.h"
+
+#include <string>
+#include <vector>
+
+namespace bench
+{
+/** A way to store a grid. */
+struct Format
+{
+  std::string Name; ///< gtn, vtu-raw, vtu-zlib, ...
+  bool IsSlow;      ///< to write, so once is enough
+  bool IsLoaded;    ///< among those whose loading is measured
+
+  bool IsGatun() const { return this->Name == "gtn"; }
+  std::string GetFile(const std::string& folder) const
+  {
+    return folder + "/" + this->Name + (this->IsGatun() ? ".gtn" : ".vtu");
+  }
+};
+
+/**
+ * gtn; vtu-raw, vtu-zlib and vtu-lzma as VTK writes them if told nothing else (appended, not in
+ * base64); vtu-zlib-best and vtu-lzma-best: level 9, 32-bit ids, blocks of 32 MiB.
+ */
+const std::vector<Format>& GetFormats();
+
+void Write(const Format& format, vtkUnstructuredGrid* grid, const std::string& file);
+
+/** Reads a .gtn or .vtu file as a program would that knows nothing of it. Throws Failure. */
+Grid Load(const std::string& file);
+}
+
+#endif

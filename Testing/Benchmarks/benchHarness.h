@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef benchHarness_h
+#define benchHarness_h
+
+// How things are measured, and how figures are told.
+
+#include "gtnFailure.h"
+#include "gtnJson.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace bench
+{
+using gtn::Failure;
+
+double SecondsOf(const std::function<void()>& work);
+
+/** Something to be timed, next to others. */
+struct Operation
+{
+  std::string Name;
+  std::function<void()> Run;
+  int MostRounds = 1000; ///< for what is too slow to be run as often as the others
+  double First = 0;      ///< seconds of the first run, which counts for nothing else
+  std::vector<double> Seconds = {};
+};
+
+/**
+ * Runs all operations once to warm up, and then in rounds, each operation once a round, so that
+ * what disturbs the machine disturbs all alike. Every other round goes backwards.
+ */
+void RunInterleaved(std::vector<Operation>& operations, int rounds);
+
+/** Adds the timings of an operation to the object at hand. */
+void AddTimes(gtn::Json& json, const Operation& operation);
+
+/** The memory of this process in bytes, resident now, and the most since Reset (or since the start
+ * where the system cannot forget the peak). */
+class PeakMemory
+{
+public:
+  PeakMemory();
+  std::uint64_t GetBefore() const { return this->Before; }
+  static std::uint64_t GetPeak();
+
+private:
+  std::uint64_t Before;
+};
+
+std::uint64_t FileSize(const std::string& file);
+}
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef benchMeshes_h
+#define benchMeshes_h
+
+// Meshes to measure with, the same on every machine (but for the Delaunay mesh, which is as the
+// TetGen at hand makes it).
+
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <string>
+
+class vtkUnstructuredGrid;
+
+namespace bench
+{
+using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
+
+/**
+ * Hexahedra of a structured grid that bends around a nose and grows finer towards it, as flow
+ * solvers have it, five tetrahedra each. Float points; Density, and with allArrays also Momentum
+ * (3), Energy and Pressure: a bow shock, waves, and noise of the size of rounding errors of a
+ * solver (1e-6 of the value).
+ */
+Grid MakeFlow(const std::array<int, 3>& cells, bool allArrays);
+
+/** A jittered body-centred lattice of cells^3 cubes, about twelve tetrahedra each; Density. */
+Grid MakeLattice(int cells, bool doublePoints);
+
+/** A ball of about so many tetrahedra by TetGen, of good quality; Density without noise. */
+Grid MakeDelaunay(int tets);
+bool HasDelaunay();
+
+/** The same mesh with points and tetrahedra in random order, always the same one. */
+Grid Permute(vtkUnstructuredGrid* grid);
+
+/** Tetrahedra of whatever cells there are. */
+Grid Triangulate(vtkUnstructuredGrid* grid);
+
+/** The grid with one point array only. */
+Grid KeepPointArray(vtkUnstructuredGrid* grid, const std::string& name);
+}
+
+#endif

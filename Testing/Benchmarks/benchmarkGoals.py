@@ -1,0 +1,73 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""What the project wants to reach, and whether it does."""
+
+import benchmarkReport
+
+
+def _find(results, name, order="permuted"):
+    return [one for one in results["inputs"] if one["name"] == name and one["order"] == order]
+
+
+def _prefixed(results, prefix):
+    return [one for one in results["inputs"]
+            if one["name"].startswith(prefix) and one["name"].endswith("-density")]
+
+
+def _bits(inputs, part="file"):
+    """The most bits for each tetrahedron."""
+    return max((8 * one["size"]["parts"][part] / one["size"]["tets"] for one in inputs),
+               default=None)
+
+
+def _vtu(inputs):
+    """What zlib and the best LZMA take, as text."""
+    texts = []
+    for one in inputs:
+        files = benchmarkReport.by_format(one["size"])
+        tets = one["size"]["tets"]
+        texts.append(" / ".join(f"{8 * files[name]['bytes'] / tets:.0f}"
+                                for name in ("vtu-zlib", "vtu-lzma-best")))
+    return "zlib / best LZMA .vtu " + ", ".join(texts) if texts else "-"
+
+
+def _load_ratio(results):
+    ratios = [benchmarkReport.ratio(load, "vtu-zlib") for one in results["inputs"]
+              for load in one.get("load", []) if load["threads"] == 2]
+    return min(ratios, default=None)
+
+
+def _goal(what, unit, peer, value, must, moonshot, more_is_better=False):
+    if value is None:
+        verdict = "-"
+    else:
+        sign = -1 if more_is_better else 1
+        if sign * value <= sign * moonshot:
+            verdict = "aim reached"
+        elif sign * value <= sign * must:
+            verdict = "met"
+        else:
+            verdict = "**not met**"
+    return {"what": what, "unit": unit, "peer": peer, "value": value, "must": must,
+            "moonshot": moonshot, "verdict": verdict}
+
+
+def judge(results):
+    delaunay = _find(results, "delaunay")
+    comb = _prefixed(results, "comb")
+    fin = _prefixed(results, "bluntfin")
+    split = _find(results, "flow") + _find(results, "big") + comb + fin
+    literature = "published coders 1.7 to 2.4"
+    return [
+        _goal("size, Delaunay mesh and one float array", "bits/tet", _vtu(delaunay),
+              _bits(delaunay), 16.5, 14),
+        _goal("size, combustor and Density", "bits/tet", _vtu(comb), _bits(comb), 14, 12),
+        _goal("size, blunt fin and Density", "bits/tet", _vtu(fin), _bits(fin), 6.5, 4.5),
+        _goal("connectivity, hexahedra split in five", "bits/tet", literature,
+              _bits(split, "connectivity"), 0.25, 0.1),
+        _goal("connectivity, Delaunay mesh", "bits/tet", literature,
+              _bits(delaunay, "connectivity"), 1.0, 0.6),
+        _goal("loading on 2 threads, speed against VTK's zlib .vtu reader", "times", "1",
+              _load_ratio(results), 0.8, 1.5, more_is_better=True),
+    ]

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// make, prepare: the inputs of the other cases. machine: where all this runs.
+
+#include "benchCases.h"
+#include "benchFiles.h"
+#include "benchMeshes.h"
+
+#include "gtnThreads.h"
+
+#include "gatunParallel.h"
+#include "gatunVersion.h"
+
+#include "vtkUnstructuredGrid.h"
+#include "vtkVersion.h"
+
+#include <cmath>
+#include <memory>
+
+namespace bench
+{
+namespace
+{
+
+struct Options
+{
+  std::string Kind;
+  int Tets = 0;
+  std::string In;
+  std::string Out;
+  bool Permute = false;
+  std::string Array;
+};
+
+void WriteRaw(vtkUnstructuredGrid* grid, const Options& options)
+{
+  Grid permuted;
+  if (options.Permute)
+  {
+    permuted = Permute(grid);
+    grid = permuted;
+  }
+  Write({ "vtu-raw", false, false }, grid, options.Out);
+}
+
+void Make(const Options& options)
+{
+  const double hexahedra = options.Tets / 5.0;
+  // A block as long as 4 when it is 3 wide and high.
+  const int width = std::max(2, static_cast<int>(std::lround(std::cbrt(hexahedra * 9 / 12))));
+  const int length = std::max(2, static_cast<int>(std::lround(hexahedra / width / width)));
+  if (options.Kind == "delaunay")
+  {
+    WriteRaw(MakeDelaunay(options.Tets), options);
+  }
+  else if (options.Kind == "lattice")
+  {
+    const int cells = std::max(2, static_cast<int>(std::lround(std::cbrt(options.Tets / 12.0))));
+    WriteRaw(MakeLattice(cells, false), options);
+  }
+  else
+  {
+    WriteRaw(MakeFlow({ length, width, width }, options.Kind == "flow"), options);
+  }
+}
+
+void Prepare(const Options& options)
+{
+  Grid grid = Triangulate(Load(options.In));
+  if (!options.Array.empty())
+  {
+    grid = KeepPointArray(grid, options.Array);
+  }
+  WriteRaw(grid, options);
+}
+
+void PrintMachine()
+{
+  PrintJson(
+    [](gtn::Json& json)
+    {
+      json.Add("gatun", gatun::PackageVersion());
+      json.Add("vtk", vtkVersion::GetVTKVersion());
+      json.Add("backend", gtn::ThreadBackend());
+      json.Add("threads", gatun::GetNumberOfThreads());
+#if defined(__clang__)
+      json.Add("compiler", "clang " __clang_version__);
+#elif defined(__GNUC__)
+      json.Add("compiler", "GCC " __VERSION__);
+#else
+      json.Add("compiler", "unknown");
+#endif
+      json.Add("build", BENCH_BUILD_TYPE);
+      json.Add("tetgen", HasDelaunay());
+    });
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+void AddMachine(CLI::App& app)
+{
+  app.add_subcommand("machine", "Compiler, versions and threads")->callback(PrintMachine);
+}
+
+//------------------------------------------------------------------------------
+void AddMake(CLI::App& app)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("make", "Make a mesh, as a raw .vtu file");
+  command->add_option("KIND", options->Kind, "flow (four arrays), flow1 (one), lattice, delaunay")
+    ->required()
+    ->check(CLI::IsMember({ "flow", "flow1", "lattice", "delaunay" }));
+  command->add_option("TETS", options->Tets, "About how many tetrahedra")
+    ->required()
+    ->check(CLI::Range(100, 1000000000));
+  command->add_option("OUT", options->Out)->required();
+  command->add_flag("--permute", options->Permute, "Points and tetrahedra in random order");
+  command->callback([options] { Make(*options); });
+}
+
+//------------------------------------------------------------------------------
+void AddPrepare(CLI::App& app)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+    "prepare", "Make tetrahedra of the cells of a .vtu or .gtn file, as a raw .vtu file");
+  command->add_option("IN", options->In)->required();
+  command->add_option("OUT", options->Out)->required();
+  command->add_flag("--permute", options->Permute, "Points and tetrahedra in random order");
+  command->add_option("--array", options->Array, "Keep this point array only");
+  command->callback([options] { Prepare(*options); });
+}
+}

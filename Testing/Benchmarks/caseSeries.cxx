@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// series: many time steps over one mesh, in one .gtn file and as a .vtu file for each step.
+
+#include "benchCases.h"
+#include "benchFiles.h"
+
+#include "gatunFileWriter.h"
+#include "gatunParallel.h"
+#include "vtkGatunReader.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkTypeInt64Array.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkXMLUnstructuredGridReader.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <numeric>
+#include <random>
+
+namespace bench
+{
+namespace
+{
+
+struct Options
+{
+  std::string In;
+  std::string Folder;
+  int Steps = 50;
+  int Rounds = 3;
+};
+
+constexpr const char* ArrayName = "Temperature";
+
+/** A warm blob that wanders through the bounds while it grows, and a wave that passes by. */
+vtkSmartPointer<vtkFloatArray> MakeValues(vtkUnstructuredGrid* grid, double time)
+{
+  double bounds[6];
+  grid->GetBounds(bounds);
+  double size = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    size = std::max(size, bounds[2 * axis + 1] - bounds[2 * axis]);
+  }
+  auto values = vtkSmartPointer<vtkFloatArray>::New();
+  values->SetName(ArrayName);
+  values->SetNumberOfTuples(grid->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    grid->GetPoint(i, p);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      p[axis] = (p[axis] - bounds[2 * axis]) / size;
+    }
+    const double x = p[0] - 0.2 - 0.5 * time;
+    const double y = p[1] - 0.4 - 0.1 * time;
+    const double z = p[2] - 0.3;
+    const double blob = std::exp(-(x * x + y * y + z * z) / (0.02 + 0.05 * time));
+    values->SetValue(
+      i, static_cast<float>(300 + 500 * blob + 20 * std::sin(9 * p[0] - 4 * p[2] - 6 * time)));
+  }
+  return values;
+}
+
+/** 32-bit ids are made 64-bit ones, all that the writer is handed here. */
+std::vector<std::int64_t> GetConnectivity(vtkUnstructuredGrid* grid)
+{
+  std::vector<std::int64_t> ids;
+  ids.reserve(static_cast<std::size_t>(4 * grid->GetNumberOfCells()));
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType count = 0;
+    const vtkIdType* points = nullptr;
+    grid->GetCellPoints(cell, count, points);
+    ids.insert(ids.end(), points, points + 4);
+  }
+  return ids;
+}
+
+struct Series
+{
+  std::vector<double> Times;
+  std::string Gatun;
+  std::vector<std::string> Vtu;
+  std::uint64_t GatunBytes = 0;
+  std::uint64_t GatunMeshBytes = 0; ///< all but the array
+  std::uint64_t VtuBytes = 0;
+};
+
+Series WriteSeries(const Options& options)
+{
+  auto grid = Grid::New();
+  grid->CopyStructure(Load(options.In));
+  Series series;
+  series.Gatun = options.Folder + "/series.gtn";
+  const std::vector<std::int64_t> connectivity = GetConnectivity(grid);
+  gatun::MeshInput mesh;
+  mesh.Points = static_cast<std::uint64_t>(grid->GetNumberOfPoints());
+  mesh.CoordinateType = grid->GetPoints()->GetDataType() == VTK_DOUBLE ? gatun::ScalarType::Float64
+                                                                       : gatun::ScalarType::Float32;
+  mesh.Coordinates = grid->GetPoints()->GetData()->GetVoidPointer(0);
+  mesh.Tets = static_cast<std::uint64_t>(grid->GetNumberOfCells());
+  mesh.Connectivity = connectivity.data();
+  gatun::ArrayDescription array;
+  array.Name = ArrayName;
+  gatun::FileWriter writer(series.Gatun, mesh, { array }, {});
+
+  std::ofstream collection(options.Folder + "/series.pvd");
+  collection << "<VTKFile type=\"Collection\"><Collection>\n";
+  const Format zlib{ "vtu-zlib", false, false };
+  for (int step = 0; step < options.Steps; ++step)
+  {
+    const double time = static_cast<double>(step) / options.Steps;
+    const auto values = MakeValues(grid, time);
+    const void* pointers[] = { values->GetPointer(0) };
+    writer.WriteStep(pointers, {}, true, time);
+    grid->GetPointData()->AddArray(values);
+    const std::string name = "step" + std::to_string(step) + ".vtu";
+    collection << "<DataSet timestep=\"" << time << "\" file=\"" << name << "\"/>\n";
+    Write(zlib, grid, options.Folder + "/" + name);
+    series.Times.push_back(time);
+    series.Vtu.push_back(options.Folder + "/" + name);
+    series.VtuBytes += FileSize(series.Vtu.back());
+  }
+  collection << "</Collection></VTKFile>\n";
+  collection.close();
+  series.VtuBytes += FileSize(options.Folder + "/series.pvd");
+  const gatun::FileStatistics sizes = writer.Finish();
+  series.GatunBytes = sizes.FileBytes;
+  series.GatunMeshBytes = sizes.FileBytes - sizes.ArrayBytes[0];
+  return series;
+}
+
+void Check(vtkUnstructuredGrid* grid)
+{
+  if (grid->GetNumberOfCells() == 0 || !grid->GetPointData()->GetArray(ArrayName))
+  {
+    throw Failure("a step of the series cannot be read");
+  }
+}
+
+void StepThroughGatun(const Series& series, const std::vector<std::size_t>& order)
+{
+  vtkNew<vtkGatunReader> reader;
+  reader->SetFileName(series.Gatun.c_str());
+  reader->UpdateInformation();
+  for (const std::size_t step : order)
+  {
+    reader->UpdateTimeStep(series.Times[step]);
+    Check(reader->GetOutput());
+  }
+}
+
+void StepThroughVtu(const Series& series, const std::vector<std::size_t>& order)
+{
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  for (const std::size_t step : order)
+  {
+    reader->SetFileName(series.Vtu[step].c_str());
+    reader->Update();
+    Check(reader->GetOutput());
+  }
+}
+
+void TimeSeries(const Options& options)
+{
+  const Series series = WriteSeries(options);
+  std::vector<std::size_t> forward(series.Times.size());
+  std::iota(forward.begin(), forward.end(), std::size_t{ 0 });
+  std::vector<std::size_t> random = forward;
+  std::mt19937_64 engine(3);
+  for (std::size_t i = random.size(); i > 1; --i)
+  {
+    std::swap(random[i - 1], random[engine() % i]);
+  }
+  std::vector<Operation> operations{
+    { "gtn forward", [&] { StepThroughGatun(series, forward); } },
+    { "vtu-zlib forward", [&] { StepThroughVtu(series, forward); } },
+    { "gtn at random", [&] { StepThroughGatun(series, random); } },
+    { "vtu-zlib at random", [&] { StepThroughVtu(series, random); } },
+  };
+  RunInterleaved(operations, options.Rounds);
+  PrintJson(
+    [&](gtn::Json& json)
+    {
+      json.Add("threads", gatun::GetNumberOfThreads());
+      json.Add("steps", options.Steps);
+      json.Add("tets", static_cast<std::uint64_t>(Load(series.Vtu[0])->GetNumberOfCells()));
+      json.Add("gtnBytes", series.GatunBytes);
+      json.Add("gtnMeshBytes", series.GatunMeshBytes);
+      json.Add("vtuBytes", series.VtuBytes);
+      json.BeginArray("cases");
+      for (const Operation& operation : operations)
+      {
+        json.BeginObject();
+        json.Add("case", operation.Name);
+        AddTimes(json, operation);
+        json.EndObject();
+      }
+      json.EndArray();
+    });
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+void AddSeries(CLI::App& app)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+    "series", "Bytes of a time series over one mesh, and time to step through it");
+  command->add_option("IN", options->In, "A .vtu or .gtn file of tetrahedra")->required();
+  command->add_option("FOLDER", options->Folder, "Where the files go")->required();
+  command->add_option("--steps", options->Steps)->check(CLI::Range(1, 100000));
+  command->add_option("--rounds", options->Rounds, "Rounds, after one to warm up")
+    ->check(CLI::Range(1, 1000));
+  command->callback([options] { TimeSeries(*options); });
+}
+}
