@@ -143,6 +143,13 @@ for keep in (0, 7):
                 skin = boundary(tets)
                 assert len(seen_points) > len(points) and skin > 0
 
+    # One piece with more and fewer ghosts in turn.
+    sizes = []
+    for ghosts in (0, 1, 2, 1, 0):
+        reader.Modified()
+        sizes.append(piece_of(reader, 2, 7, ghosts).GetNumberOfCells())
+    assert sizes[0] == sizes[4] < sizes[1] == sizes[3] < sizes[2], sizes
+
     # Unused points are in piece 0 alone.
     unused = set(range(len(points) - UNUSED, len(points)))
     assert unused <= set(ids_of(piece_of(reader, 0, 5).GetPointData(), "point"))
