@@ -15,6 +15,7 @@
 #include "vtkUnstructuredGrid.h"
 #include "vtkVersion.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 

@@ -10,19 +10,16 @@
 #include "gatunParallel.h"
 #include "vtkGatunReader.h"
 
-#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkTypeInt64Array.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
+#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <numeric>
@@ -74,7 +71,7 @@ vtkSmartPointer<vtkFloatArray> MakeValues(vtkUnstructuredGrid* grid, double time
   return values;
 }
 
-/** 32-bit ids are made 64-bit ones, all that the writer is handed here. */
+/** Four ids a tetrahedron, as vtkIdType whatever the grid has. */
 std::vector<std::int64_t> GetConnectivity(vtkUnstructuredGrid* grid)
 {
   std::vector<std::int64_t> ids;
