@@ -215,7 +215,7 @@ private:
     {
       return result;
     }
-    std::array<double, GateRecord::Size> numbers{};
+    KnownNumbers numbers{};
     Key low = ~Key{ 0 };
     Key high = 0;
     for (unsigned k = 0; k < GateRecord::Size; ++k)
@@ -234,7 +234,8 @@ private:
       }
     }
     const auto rule = this->Context.UsedRules[own];
-    result.Number = ApplyRule((*this->Context.Rules)[rule], record, numbers);
+    FillMissing(record, numbers);
+    result.Number = ApplyRule((*this->Context.Rules)[rule], numbers);
     result.Spread = static_cast<unsigned>(std::bit_width(high - low));
     result.Group = 1u + rule;
     result.Known = true;

@@ -150,6 +150,7 @@ public:
   void MeetShared(unsigned, std::uint32_t index)
   {
     this->Mesh.Keys.push_back(this->Frame.SharedKeys[index]);
+    this->Geometry.Meet(this->Mesh.Keys.back());
   }
 
   LatticePoint MeetOwn(unsigned, const GateRecord& record)
@@ -157,6 +158,7 @@ public:
     std::uint8_t rule = 0;
     const auto keys = this->Geometry.Code(record, this->Mesh.Keys, {}, rule);
     this->Mesh.Keys.push_back(keys);
+    this->Geometry.Meet(keys);
     this->Mesh.UsedRules.push_back(rule);
     return MapKeys(this->Map, this->Frame.Domains, keys);
   }
@@ -312,15 +314,35 @@ Attempt EncodeConnectivity(
   return best;
 }
 
-Bytes EncodeGeometry(ChunkMesh& mesh, std::span<const Vertex> ownIds, const PredictionRules& rules)
+/** Codes the first own vertices of a mesh. */
+void CodeGeometry(
+  EntropyEncoder& coder, ChunkMesh& mesh, const PredictionRules& rules, std::size_t ownVertices)
+{
+  GeometryCoder<EntropyEncoder> geometry(coder, mesh.Domains, rules);
+  mesh.UsedRules.resize(mesh.Walk.Records.size());
+  std::size_t own = 0;
+  for (Vertex v = 0; v < mesh.Keys.size() && own < ownVertices; ++v)
+  {
+    if (!mesh.Walk.IsShared(v))
+    {
+      geometry.Code(mesh.Walk.Records[own], mesh.Keys, mesh.Keys[v], mesh.UsedRules[own]);
+      ++own;
+    }
+    geometry.Meet(mesh.Keys[v]);
+  }
+}
+
+double SampleGeometry(ChunkMesh& mesh, const PredictionRules& rules)
 {
   EntropyEncoder coder;
-  GeometryCoder<EntropyEncoder> geometry(coder, mesh.Domains, rules);
-  mesh.UsedRules.resize(ownIds.size());
-  for (std::size_t own = 0; own < ownIds.size(); ++own)
-  {
-    geometry.Code(mesh.Walk.Records[own], mesh.Keys, mesh.Keys[ownIds[own]], mesh.UsedRules[own]);
-  }
+  CodeGeometry(coder, mesh, rules, mesh.Walk.Records.size() / 8);
+  return coder.EstimateBits();
+}
+
+Bytes WriteGeometry(ChunkMesh& mesh, const PredictionRules& rules)
+{
+  EntropyEncoder coder;
+  CodeGeometry(coder, mesh, rules, mesh.Walk.Records.size());
   ByteWriter out;
   out.Put(static_cast<std::uint8_t>(rules.size()));
   for (const auto& rule : rules)
@@ -351,6 +373,33 @@ PredictionRules ReadRules(ByteReader& in)
     }
   }
   return rules;
+}
+
+/** Encodes with the fitted rule or those of grids, whichever is shorter. */
+Bytes EncodeGeometry(ChunkMesh& mesh, const PredictionRules& fitted)
+{
+  constexpr double sure = 0.9; // of the other's bits: then a sample is enough to choose
+  const auto& grid = GetGridRules();
+  const double fittedBits = SampleGeometry(mesh, fitted);
+  const double gridBits = SampleGeometry(mesh, grid);
+  if (fittedBits < sure * gridBits)
+  {
+    return WriteGeometry(mesh, fitted);
+  }
+  auto withGrid = WriteGeometry(mesh, grid);
+  if (gridBits < sure * fittedBits)
+  {
+    return withGrid;
+  }
+  const auto gridUses = mesh.UsedRules;
+  auto withFitted = WriteGeometry(mesh, fitted);
+  if (withFitted.size() <= withGrid.size())
+  {
+    return withFitted;
+  }
+  mesh.Rules = grid;
+  mesh.UsedRules = gridUses;
+  return withGrid;
 }
 }
 
@@ -423,14 +472,7 @@ EncodedChunk EncodeChunk(const ChunkFrame& frame, Tets tets, std::span<const Poi
     }
   }
   const auto fitted = FitRule(mesh.Walk.Records, ownIds, mesh.Keys, mesh.Domains);
-  auto withFitted = EncodeGeometry(mesh, ownIds, fitted);
-  result.Geometry = EncodeGeometry(mesh, ownIds, GetGridRules());
-  if (withFitted.size() <= result.Geometry.size())
-  {
-    result.Geometry = std::move(withFitted);
-    mesh.Rules = fitted;
-    std::fill(mesh.UsedRules.begin(), mesh.UsedRules.end(), std::uint8_t{ 0 });
-  }
+  result.Geometry = EncodeGeometry(mesh, fitted);
   return result;
 }
 

@@ -7,6 +7,7 @@
 // The streams are specified in Documentation/format.md, "Entropy coding".
 
 #include "gatunBytes.h"
+#include "gatunInline.h"
 
 #include <array>
 #include <cstdint>
@@ -96,7 +97,7 @@ public:
 
   explicit EntropyDecoder(std::span<const std::uint8_t> stream);
 
-  bool Bit(BitModel& model, bool = false)
+  GATUN_INLINE bool Bit(BitModel& model, bool = false)
   {
     const std::uint64_t p = model.GetProbability();
     const std::uint64_t slot = this->State & 0xffff;

@@ -124,14 +124,10 @@ public:
     {
       auto& edge = this->Edges[e];
       ++edge.Open;
-      for (auto& place : edge.Faces)
-      {
-        if (place == None)
-        {
-          place = id;
-          break;
-        }
-      }
+      auto& f = edge.Faces;
+      const unsigned listed =
+        unsigned{ f[0] != None } + unsigned{ f[1] != None } + unsigned{ f[2] != None };
+      f[listed] = listed < 3 || f[3] == None ? id : f[3];
     }
   }
 

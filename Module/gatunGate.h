@@ -5,6 +5,7 @@
 // An open face and what can be known of the tetrahedron behind it before it is decoded.
 
 #include "gatunFront.h"
+#include "gatunInline.h"
 #include "gatunMeasure.h"
 #include "gatunTopology.h"
 
@@ -40,7 +41,7 @@ inline unsigned FindPlace(const std::array<std::uint32_t, 3>& values, std::uint3
  * come from; on an edge with several other faces the oldest is taken. Returns the last edge.
  */
 template <typename Use>
-std::uint32_t TurnAround(
+GATUN_INLINE std::uint32_t TurnAround(
   Front& front, Vertex corner, std::uint32_t edge, std::uint32_t from, unsigned most, Use&& use)
 {
   for (unsigned step = 0; step < most; ++step)
@@ -255,7 +256,9 @@ private:
   {
     const auto& a = this->Sides[l];
     const auto& b = this->Sides[r];
-    return a.Rank < b.Rank || (a.Rank == b.Rank && a.Id < b.Id);
+    // Without branches, as the answer is as good as random.
+    return (unsigned{ a.Rank < b.Rank } |
+             (unsigned{ a.Rank == b.Rank } & unsigned{ a.Id < b.Id })) != 0;
   }
 
   double GetRank(std::span<const LatticePoint> places, unsigned side, Vertex far) const
@@ -271,28 +274,47 @@ private:
     }
   }
 
-  void Propose(Front& front, std::span<const LatticePoint> places, unsigned side)
+  GATUN_INLINE void Propose(Front& front, std::span<const LatticePoint> places, unsigned side)
   {
     const auto& edge = front.GetEdge(this->Face.Edges[side]);
-    const Vertex opposite = this->Face.Corners[side > 0 ? side - 1 : 2];
-    auto& best = this->Sides[side];
-    for (const auto id : edge.Faces)
+    if (edge.Faces[1] != Front::None)
+    {
+      this->ProposeBest(front, places, side);
+    }
+    else if (edge.Faces[0] != Front::None)
+    {
+      this->ProposeFar(front, places, side, edge.Faces[0]);
+    }
+  }
+
+  /** Where the front touches itself: the best of the far corners on an edge. */
+  void ProposeBest(Front& front, std::span<const LatticePoint> places, unsigned side)
+  {
+    Proposal best;
+    for (const auto id : front.GetEdge(this->Face.Edges[side]).Faces)
     {
       if (id == Front::None)
       {
         break;
       }
-      const Vertex far = Front::GetFar(front.GetFace(id), edge);
-      if (far == opposite)
-      {
-        continue; // a face with the gate's own corners
-      }
-      const double rank = this->GetRank(places, side, far);
-      if (best.Id == NoVertex || rank < best.Rank)
-      {
-        best = { rank, far, id };
-      }
+      this->ProposeFar(front, places, side, id);
+      const auto& next = this->Sides[side];
+      best = best.Id == NoVertex || next.Rank < best.Rank ? next : best;
     }
+    this->Sides[side] = best;
+  }
+
+  GATUN_INLINE void ProposeFar(
+    Front& front, std::span<const LatticePoint> places, unsigned side, std::uint32_t id)
+  {
+    const auto& edge = front.GetEdge(this->Face.Edges[side]);
+    const Vertex far = Front::GetFar(front.GetFace(id), edge);
+    if (far == this->Face.Corners[side > 0 ? side - 1 : 2])
+    {
+      this->Sides[side] = {}; // a face with the gate's own corners
+      return;
+    }
+    this->Sides[side] = { this->GetRank(places, side, far), far, id };
   }
 
   void LookAtBorder(Front& front, std::span<const LatticePoint> places)

@@ -43,16 +43,16 @@ bool Solve(std::array<std::array<double, N>, N>& a, std::array<double, N>& b)
   return true;
 }
 
-std::array<double, GateRecord::Size> GetNumbers(const GateRecord& record, unsigned component,
+KnownNumbers GetNumbers(const GateRecord& record, unsigned component,
   std::span<const PointKeys> keys, const PointDomain& domain)
 {
-  std::array<double, GateRecord::Size> numbers{};
+  KnownNumbers numbers{};
   for (unsigned k = 0; k < GateRecord::Size; ++k)
   {
     const Vertex v = record.Known[k];
-    numbers[k] = v != NoVertex ? domain[component].ToNumber(keys[v][component])
-                               : numbers[k - 4] + numbers[(k - 3) % 3] - numbers[(k - 2) % 3];
+    numbers[k] = v != NoVertex ? domain[component].ToNumber(keys[v][component]) : 0;
   }
+  FillMissing(record, numbers);
   return numbers;
 }
 }
@@ -75,27 +75,6 @@ const PredictionRules& GetGridRules()
     { 256, 256, 0, 0, -256, 0, 0 },   //
   };
   return rules;
-}
-
-double ApplyRule(const PredictionRule& rule, const GateRecord& record,
-  const std::array<double, GateRecord::Size>& numbers)
-{
-  double sum = 0;
-  for (unsigned k = 0; k < GateRecord::Size; ++k)
-  {
-    if (rule[k] == 0)
-    {
-      continue;
-    }
-    double number = numbers[k];
-    if (record.Known[k] == NoVertex)
-    {
-      const unsigned i = k - 4;
-      number = numbers[i] + numbers[(i + 1) % 3] - numbers[(i + 2) % 3];
-    }
-    sum += rule[k] * number;
-  }
-  return sum * (1.0 / 256.0);
 }
 
 PredictionRules FitRule(std::span<const GateRecord> records, std::span<const Vertex> ids,

@@ -45,11 +45,11 @@ public:
   }
 
 private:
-  float Map(double value, unsigned axis) const
+  double Map(double value, unsigned axis) const
   {
     const double place = std::floor((value - this->Low[axis]) * this->Scale);
     // The comparisons also send what is not a number to 0.
-    return place > 0 ? (place < 65535.0 ? static_cast<float>(place) : 65535.0f) : 0.0f;
+    return place > 0 ? (place < 65535.0 ? place : 65535.0) : 0.0;
   }
 
   std::array<double, 3> Low{ 0, 0, 0 };
@@ -74,9 +74,31 @@ const PredictionRules& GetGridRules();
 PredictionRules FitRule(std::span<const GateRecord> records, std::span<const Vertex> ids,
   std::span<const PointKeys> keys, const PointDomain& domain);
 
-/** What a rule predicts for one component. Missing far corners continue the gate's plane. */
-double ApplyRule(const PredictionRule& rule, const GateRecord& record,
-  const std::array<double, GateRecord::Size>& numbers);
+/** One component of a gate's known vertices. */
+using KnownNumbers = std::array<double, GateRecord::Size>;
+
+/** Missing far corners continue the gate's plane. */
+inline void FillMissing(const GateRecord& record, KnownNumbers& numbers)
+{
+  for (unsigned i = 0; i < 3; ++i)
+  {
+    if (record.Known[4 + i] == NoVertex)
+    {
+      numbers[4 + i] = numbers[i] + numbers[(i + 1) % 3] - numbers[(i + 2) % 3];
+    }
+  }
+}
+
+/** What a rule predicts for one component. */
+inline double ApplyRule(const PredictionRule& rule, const KnownNumbers& numbers)
+{
+  double sum = 0;
+  for (unsigned k = 0; k < GateRecord::Size; ++k)
+  {
+    sum = rule[k] != 0 ? sum + rule[k] * numbers[k] : sum; // what has no weight may be a NaN
+  }
+  return sum * (1.0 / 256.0);
+}
 
 /** Codes the coordinates of own vertices in the order of the walk. */
 template <typename Coder>
@@ -92,6 +114,16 @@ public:
   {
   }
 
+  /** Tells of the next vertex of the walk, shared or own, so that others are predicted from it. */
+  void Meet(const PointKeys& keys)
+  {
+    auto& numbers = this->Numbers.emplace_back();
+    for (unsigned i = 0; i < 3; ++i)
+    {
+      numbers[i] = this->Components[i].ToNumber(keys[i]);
+    }
+  }
+
   /**
    * Codes the next own vertex; keys has those of every vertex met before. Returns its keys and
    * leaves in usedRule the number of the rule that predicted it.
@@ -104,7 +136,8 @@ public:
     unsigned rule = 0;
     if (!record.IsSeed())
     {
-      rule = this->CodeRule(record, keys, truth);
+      this->Gather(record);
+      rule = this->CodeRule(record, truth);
       group = this->Rules.size() > 1 ? rule : record.CandidateGrade;
     }
     usedRule = static_cast<std::uint8_t>(rule);
@@ -116,7 +149,7 @@ public:
       unsigned spread = domain.GetBits();
       if (!record.IsSeed())
       {
-        predicted = this->Predict(rule, i, record, keys);
+        predicted = this->Predict(rule, i);
         spread = GetSpread(record, i, keys);
       }
       auto& model = this->Residuals[(i * (MaxRules + 1) + group) * 4 + grade];
@@ -149,30 +182,38 @@ private:
     return static_cast<unsigned>(std::bit_width(high - low));
   }
 
-  Key Predict(unsigned rule, unsigned component, const GateRecord& record,
-    std::span<const PointKeys> keys) const
+  void Gather(const GateRecord& record)
   {
-    const Domain& domain = this->Components[component];
-    std::array<double, GateRecord::Size> numbers{};
     for (unsigned k = 0; k < GateRecord::Size; ++k)
     {
-      const Vertex v = record.Known[k];
-      if (this->Rules[rule][k] != 0 || k < 3)
+      if (record.Known[k] != NoVertex)
       {
-        numbers[k] = v != NoVertex ? domain.ToNumber(keys[v][component]) : 0;
+        const auto& numbers = this->Numbers[record.Known[k]];
+        for (unsigned i = 0; i < 3; ++i)
+        {
+          this->Gathered[i][k] = numbers[i];
+        }
       }
     }
-    return domain.FromNumber(ApplyRule(this->Rules[rule], record, numbers));
+    for (auto& numbers : this->Gathered)
+    {
+      FillMissing(record, numbers);
+    }
   }
 
-  unsigned CodeRule(
-    const GateRecord& record, std::span<const PointKeys> keys, const PointKeys& truth)
+  Key Predict(unsigned rule, unsigned component) const
+  {
+    return this->Components[component].FromNumber(
+      ApplyRule(this->Rules[rule], this->Gathered[component]));
+  }
+
+  unsigned CodeRule(const GateRecord& record, const PointKeys& truth)
   {
     if (this->Rules.size() == 1)
     {
       return 0;
     }
-    const unsigned best = Coder::Encoding ? this->FindBestRule(record, keys, truth) : 0;
+    const unsigned best = Coder::Encoding ? this->FindBestRule(truth) : 0;
     BitModel* models =
       &this->RuleModels[(record.EdgeGrade * 4u + record.CandidateGrade) * MaxRules];
     unsigned node = 1;
@@ -188,8 +229,7 @@ private:
     return rule;
   }
 
-  unsigned FindBestRule(
-    const GateRecord& record, std::span<const PointKeys> keys, const PointKeys& truth) const
+  unsigned FindBestRule(const PointKeys& truth) const
   {
     unsigned best = 0;
     int least = 1 << 30;
@@ -198,8 +238,7 @@ private:
       int bits = 0;
       for (unsigned i = 0; i < 3; ++i)
       {
-        const auto residual =
-          this->Components[i].Subtract(truth[i], this->Predict(rule, i, record, keys));
+        const auto residual = this->Components[i].Subtract(truth[i], this->Predict(rule, i));
         const auto size = static_cast<std::uint64_t>(residual < 0 ? -(residual + 1) : residual);
         bits += 2 * std::bit_width(size) + (residual != 0);
       }
@@ -217,6 +256,8 @@ private:
   const PredictionRules Rules;
   std::vector<BitModel> RuleModels;
   std::vector<ResidualModel> Residuals;
+  std::vector<std::array<double, 3>> Numbers; // of every vertex met
+  std::array<KnownNumbers, 3> Gathered{};     // by component, for the current gate
   PointKeys Previous{};
 };
 }

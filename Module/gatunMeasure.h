@@ -8,6 +8,8 @@
 // last bit: IEEE binary64 with + - * / and sqrt in the order written, no contraction. The
 // specification repeats each formula; change both or neither.
 
+#include "gatunInline.h"
+
 #include <array>
 #include <bit>
 #include <cmath>
@@ -17,9 +19,9 @@
 namespace gatun
 {
 /** A point on the 16-bit lattice of its chunk; the coordinates are whole numbers. */
-struct alignas(16) LatticePoint
+struct alignas(32) LatticePoint
 {
-  float X = 0, Y = 0, Z = 0;
+  double X = 0, Y = 0, Z = 0;
 };
 
 struct Vec3
@@ -29,8 +31,7 @@ struct Vec3
 
 inline Vec3 operator-(const LatticePoint& a, const LatticePoint& b)
 {
-  return { static_cast<double>(a.X) - b.X, static_cast<double>(a.Y) - b.Y,
-    static_cast<double>(a.Z) - b.Z };
+  return { a.X - b.X, a.Y - b.Y, a.Z - b.Z };
 }
 
 inline double Dot(const Vec3& a, const Vec3& b)
@@ -105,7 +106,7 @@ public:
 class GateCircle
 {
 public:
-  explicit GateCircle(const GatePlane& plane)
+  GATUN_INLINE explicit GateCircle(const GatePlane& plane)
   {
     const Vec3 w{ plane.V.X - plane.U.X, plane.V.Y - plane.U.Y, plane.V.Z - plane.U.Z };
     const double uu = Dot(plane.U, plane.U);
@@ -124,7 +125,7 @@ public:
    * Twice the signed distance from the gate's circumcentre to the centre of the sphere through the
    * gate and d, over the length of the normal.
    */
-  double GetSphere(const GatePlane& plane, const LatticePoint& d) const
+  GATUN_INLINE double GetSphere(const GatePlane& plane, const LatticePoint& d) const
   {
     const Vec3 p = d - plane.A;
     const double height = Dot(p, plane.Normal);

@@ -87,8 +87,7 @@ SharedSearch::Hits SharedSearch::Find(const GatePlane& plane, const LatticePoint
 {
   const Vec3 w = c - b;
   const double longest = std::max({ Dot(plane.U, plane.U), Dot(plane.V, plane.V), Dot(w, w) });
-  const Vec3 sum{ static_cast<double>(a.X) + b.X + c.X, static_cast<double>(a.Y) + b.Y + c.Y,
-    static_cast<double>(a.Z) + b.Z + c.Z };
+  const Vec3 sum{ a.X + b.X + c.X, a.Y + b.Y + c.Y, a.Z + b.Z + c.Z };
   Query query{ plane, sum, 9.0 * reach * reach * longest };
   const int cx = this->CellOf(sum.X / 3);
   const int cy = this->CellOf(sum.Y / 3);

@@ -328,10 +328,11 @@ private:
   void FillDistant(const Gate<Rule>& gate)
   {
     this->Ring.clear();
-    for (std::uint32_t e = 0; e < this->Open.GetEdgeBound(); ++e)
+    const auto bound = this->Open.GetEdgeBound();
+    for (std::uint32_t e = 0; e < bound; ++e)
     {
       const auto& edge = this->Open.GetEdge(e);
-      if (edge.Ends[1] != NoVertex && edge.Open > 0)
+      if (edge.Open > 0)
       {
         this->AddToRing(gate, edge.Ends[0]);
         this->AddToRing(gate, edge.Ends[1]);
@@ -352,7 +353,7 @@ private:
     }
   }
 
-  void AddToRing(const Gate<Rule>& gate, Vertex v)
+  GATUN_INLINE void AddToRing(const Gate<Rule>& gate, Vertex v)
   {
     if (this->Stamps[v] != this->Stamp)
     {
