@@ -1,0 +1,60 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""The examples of Documentation/format.md are right: gtn_decoder decodes them as they say."""
+
+import os
+import re
+import sys
+from types import SimpleNamespace as Record
+
+SKIPPED = 125
+
+try:
+    from gtn_decoder import Decoder
+except ImportError as error:
+    print(error)
+    sys.exit(SKIPPED)
+
+from gtn_coding import FLOAT32, Domain
+from gtn_walk import Geometry, Walk
+
+data = os.environ["GATUN_TEST_DATA"]
+with open(os.path.join(data, "..", "..", "Documentation", "format.md"), encoding="utf-8") as file:
+    text = file.read()
+of_file = text[text.index("\n### 12.1") : text.index("\n### 12.2")]
+of_walk = text[text.index("\n### 12.2") : text.index("\n## Appendix A")]
+
+# The file is a hex dump with offsets.
+dump = re.search("```\n(0000  .*?)```", of_file, re.DOTALL)[1]
+decoder = Decoder(bytes.fromhex("".join(line[6:] for line in dump.splitlines())))
+decoder.container.verify_layout()
+assert decoder.points().tolist() == [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+assert decoder.tets().tolist() == [[0, 1, 2, 3]]
+assert [array.name for array in decoder.meta.arrays] == ["T"]
+assert decoder.array(0, 0).tolist() == [[20], [21], [22], [24]]
+
+# The walk is given by two streams, a table of vertices, tetrahedra and the edge log.
+streams = re.search("```\n([0-9a-f \n]*)\n\n([0-9a-f \n]*)```", of_walk)
+connectivity, geometry = [bytes.fromhex(streams[i]) for i in (1, 2)]
+chunk = Record(tets=6, own_points=8, box=[(0.0, 5.0)] * 3)
+domains = [Domain(FLOAT32)] * 3
+walk = Walk(chunk, connectivity, Geometry(geometry, domains), domains, [], [])
+
+rows = re.findall(r"^\| (\d) \| (\d \d \d) \| (.*) \|$", of_walk, re.MULTILINE)
+assert len(rows) == len(walk.keys)
+for (_, coordinates, rest), key, record in zip(rows, walk.keys, walk.records):
+    assert [float(x) for x in coordinates.split()] == [domains[0].to_value(k) for k in key]
+    if record.is_seed:
+        assert rest.split()[0] == "seed"
+    else:
+        known = " ".join(map(str, record.known))
+        assert rest == "%s | %d | %d" % (known, record.edge_grade, record.candidates)
+
+sentence = re.search(r"The tetrahedra, with parents: (.*?)\.\n", of_walk, re.DOTALL)[1]
+made = ["%d %d %d %d" % tet for tet in walk.tets]
+parents = ["-" if parent is None else str(parent) for parent in walk.parents]
+assert ", ".join("%s (%s)" % pair for pair in zip(made, parents)) == " ".join(sentence.split())
+
+log = re.search(r"The edge log: (.*?)\.\n", of_walk, re.DOTALL)[1]
+assert ", ".join("%d-%d" % pair for pair in walk.edge_log) == " ".join(log.split())

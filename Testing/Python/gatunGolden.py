@@ -1,0 +1,164 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Golden files: what a file holds as checksums, from vtkGatunReader or from grids.
+
+A description is made of dicts and lists, as it stands in expected.json:
+
+    times         of the steps
+    wide_ids      whether point ids have 64 bits; None without tetrahedra
+    arrays        names and types of the point and cell arrays
+    roles         names of the active attributes of points and cells, by number of the role
+    field_data    for each step
+    file_order    sha256 of points, tets and, for each step, arrays, in the file's own order
+    input_order   the same in the order of the input, as far as the file keeps it
+"""
+
+import glob
+import hashlib
+import json
+import os
+import sys
+
+import numpy as np
+from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as pipeline
+
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "IO"))
+
+import gatunMeshes as gm  # noqa: E402  (in the folder just added)
+from gatun import vtkGatunReader  # noqa: E402
+
+
+def folders():
+    """Folders of golden files, one a version of the format."""
+    found = sorted(glob.glob(os.path.join(os.environ["GATUN_TEST_DATA"], "Golden", "v*")))
+    assert found
+    return found
+
+
+def expected(folder):
+    """Descriptions by names of files; there is one of each file."""
+    with open(os.path.join(folder, "expected.json"), encoding="utf-8") as file:
+        result = json.load(file)
+    names = {os.path.basename(path) for path in glob.glob(os.path.join(folder, "*.gtn"))}
+    assert names == set(result), names ^ set(result)
+    return result
+
+
+def assert_same(one, other, path):
+    """The same description; tells what differs."""
+    assert type(one) is type(other), (path, one, other)
+    if isinstance(one, dict):
+        assert list(one) == list(other), (path, list(one), list(other))
+        for key in one:
+            assert_same(one[key], other[key], "%s: %s" % (path, key))
+    elif isinstance(one, list):
+        assert len(one) == len(other), (path, one, other)
+        for i, (a, b) in enumerate(zip(one, other)):
+            assert_same(a, b, "%s[%d]" % (path, i))
+    else:
+        assert one == other, (path, one, other)
+
+
+def sha256(values):
+    """Of the bytes of a numpy array, which are little-endian."""
+    values = np.ascontiguousarray(values)
+    return hashlib.sha256(values.astype(values.dtype.newbyteorder("<")).tobytes()).hexdigest()
+
+
+def sha256_of_texts(texts):
+    """Of texts as bytes, each with its length before it."""
+    parts = [len(text).to_bytes(8, "little") + text for text in texts]
+    return hashlib.sha256(b"".join(parts)).hexdigest()
+
+
+def describe_array(name, vtk_type, components, component_names):
+    while component_names and not component_names[-1]:
+        component_names = component_names[:-1]
+    return {
+        "name": name or "",
+        "vtk_type": vtk_type,
+        "components": components,
+        "component_names": component_names,
+    }
+
+
+def describe_field_array(array):
+    result = describe_array(*gm.description(array))
+    if isinstance(array, vtkStringArray):
+        texts = [array.GetValue(i).encode() for i in range(array.GetNumberOfValues())]
+        result["sha256"] = sha256_of_texts(texts)
+    else:
+        result["sha256"] = sha256(gm.values_of(array))
+    return result
+
+
+def attributes_of(grid):
+    return {"points": grid.GetPointData(), "cells": grid.GetCellData()}
+
+
+def hashes(grids):
+    """Checksums of the grids of all steps, which have one mesh."""
+    coordinates = gm.coordinates(grids[0])
+    return {
+        "points_type": coordinates.dtype.name if len(coordinates) else None,
+        "points": sha256(coordinates) if len(coordinates) else None,
+        "tets": sha256(gm.connectivity(grids[0]).astype(np.int64)),
+        "arrays": [
+            [
+                sha256(gm.values_of(array))
+                for attributes in attributes_of(grid).values()
+                for array in gm.arrays_of(attributes)
+            ]
+            for grid in grids
+        ],
+    }
+
+
+def describe_grids(grids, times, in_input_order):
+    """grids: those of each step in the file's order, and then in that of the input."""
+    grid = grids[0]
+    return {
+        "times": times,
+        "wide_ids": bool(grid.GetCells().IsStorage64Bit()) if grid.GetNumberOfCells() else None,
+        "arrays": [
+            dict(describe_array(*gm.description(array)), where=where)
+            for where, attributes in attributes_of(grid).items()
+            for array in gm.arrays_of(attributes)
+        ],
+        "roles": {
+            where: {str(i): name for i, name in enumerate(gm.roles_of(attributes)) if name}
+            for where, attributes in attributes_of(grid).items()
+        },
+        "field_data": [
+            [describe_field_array(array) for array in gm.arrays_of(step.GetFieldData())]
+            for step in grids
+        ],
+        "file_order": hashes(grids),
+        "input_order": hashes(in_input_order),
+    }
+
+
+def read_steps(path, restore):
+    """The grid of each step, and their times, by vtkGatunReader."""
+    reader = vtkGatunReader()
+    reader.SetFileName(path)
+    reader.SetRestoreOrder(restore)
+    reader.UpdateInformation()
+    info = reader.GetOutputInformation(0)
+    times = list(info.Get(pipeline.TIME_STEPS())) if info.Has(pipeline.TIME_STEPS()) else []
+    grids = []
+    for time in times or [None]:
+        reader.Update() if time is None else reader.UpdateTimeStep(time)
+        assert reader.GetErrorCode() == 0, path
+        grid = reader.GetOutput().NewInstance()
+        grid.DeepCopy(reader.GetOutput())
+        grids.append(grid)
+    return grids, times
+
+
+def describe_read(path):
+    """What vtkGatunReader makes of a file."""
+    grids, times = read_steps(path, False)
+    return describe_grids(grids, times, read_steps(path, True)[0])

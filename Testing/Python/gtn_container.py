@@ -1,0 +1,359 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Container and tables of `.gtn` files: sections 2 and 3 of Documentation/format.md.
+
+Part of gtn_decoder, which is written from that text alone.
+"""
+
+import math
+import struct
+from types import SimpleNamespace as Record
+
+import xxhash
+import zstandard
+
+POINTS, CELLS = 0, 1
+KEEP_POINTS, KEEP_CELLS, KEEP_CORNERS = 1, 2, 4
+MAX_TETS = 1 << 20
+MAX_PALETTE = 1 << 16
+
+#: Bytes of a value of each type (5.1).
+SIZES = {1: 1, 2: 1, 3: 2, 4: 2, 5: 4, 6: 4, 7: 8, 8: 8, 9: 4, 10: 8}
+
+MAGIC = bytes.fromhex("8947544E0D0A1A0A")
+END_MAGIC = b"GTNEND\r\n"
+SECTIONS = (b"META", b"TABL", b"STEP", b"MESH", b"VALS", b"DIRY")
+
+
+class FormatError(Exception):
+    """What is not a conforming file."""
+
+
+def require(condition, message):
+    if not condition:
+        raise FormatError(message)
+
+
+def checksum(data):
+    return xxhash.xxh3_64_intdigest(data)
+
+
+class Bytes:
+    """Reads the types of 1.2 from a run of bytes, front to back."""
+
+    def __init__(self, data):
+        self.data = data
+        self.at = 0
+
+    def left(self):
+        return len(self.data) - self.at
+
+    def take(self, count):
+        require(count <= self.left(), "ends too early")
+        self.at += count
+        return self.data[self.at - count : self.at]
+
+    def number(self, code):
+        """One number, by the letter that the module struct has for its type."""
+        return struct.unpack("<" + code, self.take(struct.calcsize("<" + code)))[0]
+
+    def varint(self):
+        value = 0
+        for place in range(10):
+            byte = self.number("B")
+            require(place < 9 or byte & 127 <= 1, "varint of more than 64 bits")
+            value |= (byte & 127) << (7 * place)
+            if byte < 128:
+                return value
+        raise FormatError("varint of more than ten bytes")
+
+    def raw_string(self):
+        return self.take(self.varint())
+
+    def string(self):
+        try:
+            return self.raw_string().decode("utf-8")
+        except UnicodeDecodeError:
+            raise FormatError("text is not UTF-8") from None
+
+    def end(self):
+        require(self.left() == 0, "bytes behind the last field")
+
+    # Of section 3.1 and 2.7.
+
+    def range(self):
+        low, high = self.number("d"), self.number("d")
+        require(not math.isnan(low) and not math.isnan(high), "range of NaN")
+        return low, high
+
+    def ranges(self, count):
+        return [self.range() for _ in range(count)]
+
+    def reference(self):
+        """A stream reference, or none."""
+        length = self.varint()
+        if length == 0:
+            return None
+        return Record(length=length, offset=self.varint(), checksum=self.number("Q"))
+
+    def palette(self):
+        """A palette reference, or none."""
+        entries = self.varint()
+        if entries == 0:
+            return None
+        require(entries <= MAX_PALETTE, "palette too large")
+        stream = self.reference()
+        require(stream is not None, "palette without a stream")
+        require(stream.length >= entries // 256, "stream of a palette too short")
+        return Record(entries=entries, stream=stream)
+
+
+def unpack(data, limit):
+    """The content of a packed part (2.6)."""
+    part = Bytes(data)
+    length = part.varint()
+    require(length <= limit(len(data)), "packed part too large")
+    frame = part.take(part.left())
+    try:
+        decompressor = zstandard.ZstdDecompressor(max_window_size=1 << 27).decompressobj()
+        content = decompressor.decompress(frame)
+    except zstandard.ZstdError as error:
+        raise FormatError(str(error)) from None
+    require(decompressor.eof and not decompressor.unused_data, "not one Zstandard frame")
+    require(len(content) == length, "packed part of another length")
+    return content
+
+
+def table_limit(packed):
+    return max(1 << 26, 512 * packed)
+
+
+def field_data_limit(packed):
+    return 65536 * (packed + 1)
+
+
+class Container:
+    """A file, whose tables are read and checked; attributes meta, table, steps."""
+
+    def __init__(self, data):
+        self.data = data
+        sections = self._directory()
+        self.meta = read_meta(self._packed(sections, b"META"))
+        self.table = read_table(self._packed(sections, b"TABL"), self.meta)
+        self.steps = [
+            read_step(Bytes(self._content(section)), self.meta, self.table)
+            for section in sections
+            if section.name == b"STEP"
+        ]
+        for i, step in enumerate(self.steps):
+            require(step.key if i == 0 else step.time > self.steps[i - 1].time, "order of steps")
+        require(self.meta.has_time or len(self.steps) <= 1, "steps without time")
+
+    def stream(self, reference):
+        """The bytes of a stream, whose checksum is right."""
+        end = reference.offset + reference.length
+        require(end <= len(self.data), "stream behind the end of the file")
+        data = self.data[reference.offset : end]
+        require(checksum(data) == reference.checksum, "checksum of a stream")
+        return data
+
+    def field_data(self, step):
+        """Field data of a step: a list of arrays (3.5)."""
+        if step.field_data is None:
+            return []
+        table = Bytes(unpack(self.stream(step.field_data), field_data_limit))
+        arrays = [read_field_array(table) for _ in range(table.varint())]
+        table.end()
+        return arrays
+
+    def verify_layout(self):
+        """What 11.2 asks of a program that verifies a file, but for the streams."""
+        at = 16
+        for section in self._directory():
+            require(section.offset == at + 24, "gap between sections")
+            require(self.data[at : at + 24] == section.header, "header of a section")
+            self._content(section)
+            at = section.offset + section.length
+        offset, length, _ = struct.unpack("<3Q", self.data[-32:-8])
+        header = struct.pack(
+            "<4sHHQQ", b"DIRY", 1, 1, length, checksum(self.data[offset : offset + length])
+        )
+        require(self.data[at : at + 24] == header and offset == at + 24, "header of DIRY")
+
+    def _directory(self):
+        data = self.data
+        require(len(data) >= 16 + 32, "too short")
+        require(data[:8] == MAGIC and data[-8:] == END_MAGIC, "not a .gtn file, or truncated")
+        major, _, zero = struct.unpack("<HHI", data[8:16])
+        require(major == 1, "another major version")
+        require(zero == 0, "header")
+        offset, length, check = struct.unpack("<3Q", data[-32:-8])
+        require(offset >= 40 and offset + length == len(data) - 32, "place of the directory")
+        require(checksum(data[:16] + data[offset:-32]) == check, "checksum of the directory")
+
+        table = Bytes(data[offset:-32])
+        sections = []
+        for _ in range(table.varint()):
+            header = table.take(24)
+            name, version, flags, size, check = struct.unpack("<4sHHQQ", header)
+            section = Record(
+                header=header, name=name, length=size, checksum=check, offset=table.number("Q")
+            )
+            require(section.offset >= 40 and section.offset + size <= len(data), "section")
+            if name in SECTIONS and version == 1:
+                sections.append(section)
+            else:
+                require(not flags & 1, "unknown mandatory section")
+        table.end()
+        return sections
+
+    def _content(self, section):
+        data = self.data[section.offset : section.offset + section.length]
+        require(checksum(data) == section.checksum, "checksum of a section")
+        return data if section.name in (b"MESH", b"VALS") else unpack(data, table_limit)
+
+    def _packed(self, sections, name):
+        found = [section for section in sections if section.name == name]
+        require(len(found) == 1, "not one section " + name.decode())
+        return Bytes(self._content(found[0]))
+
+
+def read_meta(table):
+    """Section META (3.2)."""
+    meta = Record()
+    meta.writer_version = table.string()
+    meta.points = table.varint()
+    meta.tets = table.varint()
+    meta.unused_points = table.varint()
+    meta.coordinate_type = table.number("B")
+    meta.wide_ids = table.number("B")
+    meta.has_time = table.number("B") != 0
+    meta.keep = table.number("B")
+    meta.chunk_tets = table.varint()
+    meta.key_step_interval = table.varint()
+    meta.box = table.ranges(3)
+    require(meta.coordinate_type in (9, 10), "type of the coordinates")
+    require(meta.keep <= 7, "kept order")
+    require(max(meta.chunk_tets, meta.key_step_interval) < 1 << 32, "number too large")
+    meta.arrays = []
+    for _ in range(table.varint()):
+        array = Record()
+        array.name = table.string()
+        array.where = table.number("B")
+        array.type = table.number("B")
+        array.components = table.varint()
+        array.vtk_type = table.number("i")
+        array.roles = table.number("I")
+        require(array.where in (POINTS, CELLS) and array.type in SIZES, "array")
+        require(1 <= array.components <= 65536, "number of components")
+        names = table.varint()
+        require(names <= array.components, "number of component names")
+        array.component_names = [table.string() for _ in range(names)]
+        meta.arrays.append(array)
+    table.end()
+    return meta
+
+
+def read_table(table, meta):
+    """Section TABL (3.3)."""
+    result = Record(palettes=[table.palette() for _ in range(3)], blocks=[], chunks=[])
+    keep_points = meta.keep & KEEP_POINTS
+
+    def read_points(points):
+        block = Record(points=points, coordinates=table.reference(), original=None)
+        if keep_points:
+            block.original = table.reference()
+        require(points < 1 << 32, "points of a block")
+        if points:
+            length = block.coordinates.length if block.coordinates else 0
+            require(length >= points // 256 + 1, "stream of a block too short")
+        return block
+
+    for _ in range(table.varint()):
+        groups = []
+        for _ in range(table.varint()):
+            points, number = table.varint(), table.varint()
+            require(1 <= points < 1 << 32 and number >= 2, "group")
+            chunks = [table.varint()]
+            for _ in range(number - 1):
+                difference = table.varint()
+                require(difference >= 1, "chunks of a group")
+                chunks.append(chunks[-1] + difference)
+            groups.append(Record(points=points, chunks=chunks))
+        block = read_points(sum(group.points for group in groups))
+        block.groups = groups
+        result.blocks.append(block)
+    result.unused = read_points(meta.unused_points)
+
+    for _ in range(table.varint()):
+        chunk = Record()
+        chunk.tets = table.varint()
+        chunk.own_points = table.varint()
+        chunk.level = table.varint()
+        chunk.bucket = table.varint()
+        chunk.box = table.ranges(3)
+        chunk.connectivity = table.reference()
+        chunk.geometry = table.reference()
+        chunk.original_points = table.reference() if keep_points else None
+        chunk.original_cells = table.reference() if meta.keep & KEEP_CELLS else None
+        chunk.corners = table.reference() if meta.keep & KEEP_CORNERS else None
+        chunk.shared_points = 0
+        require(1 <= chunk.tets <= MAX_TETS, "tetrahedra of a chunk")
+        require(chunk.level == 0 and chunk.bucket == 0, "level or bucket")
+        length = chunk.connectivity.length if chunk.connectivity else 0
+        require(length >= chunk.tets // 256 + 1, "connectivity too short")
+        result.chunks.append(chunk)
+    table.end()
+
+    for block in result.blocks:
+        for group in block.groups:
+            require(group.chunks[-1] < len(result.chunks), "group names a chunk that is not there")
+            for chunk in group.chunks:
+                result.chunks[chunk].shared_points += group.points
+    for chunk in result.chunks:
+        require(chunk.own_points + chunk.shared_points <= 4 * chunk.tets, "points of a chunk")
+    points = sum(part.points for part in result.blocks) + meta.unused_points
+    points += sum(chunk.own_points for chunk in result.chunks)
+    require(points == meta.points, "number of points")
+    require(sum(chunk.tets for chunk in result.chunks) == meta.tets, "number of tetrahedra")
+    return result
+
+
+def read_step(table, meta, layout):
+    """A section STEP (3.4)."""
+    step = Record(time=table.number("d"), key=table.number("B") != 0)
+    require(not math.isnan(step.time), "time")
+    step.field_data = table.reference()
+    step.arrays = []
+    for array in meta.arrays:
+        ranges = array.components + (array.components > 1)
+        values = Record(palettes=[table.palette() for _ in range(array.components)])
+        values.ranges = table.ranges(ranges)
+        values.chunks = []
+        values.chunk_ranges = []
+        for _ in layout.chunks:
+            values.chunk_ranges.append(table.ranges(ranges))
+            values.chunks.append(table.reference())
+        if array.where == POINTS:
+            values.blocks = [table.reference() for _ in layout.blocks]
+            values.unused = table.reference()
+        step.arrays.append(values)
+    table.end()
+    return step
+
+
+def read_field_array(table):
+    """An array of the field data (3.5): values are bytes, or a list of texts (bytes as well)."""
+    array = Record(name=table.string(), vtk_type=table.number("i"), components=table.varint())
+    array.component_names = [table.string() for _ in range(table.varint())]
+    array.type = table.number("B")
+    require(array.components < 1 << 31, "components of field data")
+    if array.type == 0:
+        array.values = [table.raw_string() for _ in range(table.varint())]
+    else:
+        require(array.type in SIZES, "type of field data")
+        length = table.varint()
+        require(length % SIZES[array.type] == 0, "bytes of field data")
+        array.values = table.take(length)
+    return array

@@ -1,0 +1,536 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Makes the golden files of a version of the format, once, and expected.json next to them:
+
+    PYTHONPATH=build/release/lib/python3/dist-packages Testing/Python/make_golden.py FOLDER
+
+Golden files stay as they are: a reader must read them forever. Where a file keeps the order of its
+input, what is expected is computed from the input, else by gtn_decoder, which shares no code with
+Gatun. That Gatun reads what was written is checked, too.
+"""
+
+import itertools
+import json
+import os
+import sys
+
+import numpy as np
+from vtkmodules.util import vtkConstants as c
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
+from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, vtkUnstructuredGrid
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as pipeline
+
+import gatunGolden as golden
+from describe_decoded import describe_decoded
+from gatun import vtkGatunWriter
+from gatunGolden import gm
+
+MAX_BYTES, MAX_BYTES_IN_TOTAL = 30000, 250000
+
+# --------------------------------------------------------------------------------------------------
+# Meshes
+
+
+def cubes(n, split=6):
+    """Points of n^3 cubes and tetrahedra, five or six a cube, in the order of the cubes."""
+    nx, ny, nz = n
+    axes = [np.arange(m + 1) for m in n]
+    points = np.stack(np.meshgrid(*axes, indexing="ij"), -1).reshape(-1, 3).astype(float)
+    tets = []
+    for x, y, z in np.ndindex(nx, ny, nz):
+        corner = [
+            ((x + i) * (ny + 1) + y + j) * (nz + 1) + z + k
+            for i in (0, 1) for j in (0, 1) for k in (0, 1)]
+        if split == 6:
+            for a, b in ((1, 3), (3, 2), (2, 6), (6, 4), (4, 5), (5, 1)):
+                tets.append([corner[0], corner[a], corner[b], corner[7]])
+        else:
+            # Of two kinds, so that they fit together.
+            five = [(0, 3, 5, 6), (0, 1, 3, 5), (0, 3, 2, 6), (0, 6, 4, 5), (3, 6, 5, 7)]
+            if (x + y + z) % 2:
+                five = [[i ^ 1 for i in (b, a, c, d)] for a, b, c, d in five]
+            tets += [[corner[i] for i in tet] for tet in five]
+    return points, np.array(tets)
+
+
+def jitter(points, rng, amount=0.2):
+    return points + rng.uniform(-amount, amount, points.shape)
+
+
+def shuffle(points, tets, rng):
+    """In random order, with corners turned at random."""
+    order = rng.permutation(len(points))
+    place = np.argsort(order)
+    points, tets = points[order], place[tets[rng.permutation(len(tets))]]
+    turns = np.array([[0, 1, 2, 3], [1, 2, 0, 3], [1, 0, 3, 2], [3, 2, 1, 0]])
+    return points, np.take_along_axis(tets, turns[rng.integers(0, 4, len(tets))], 1)
+
+
+def fan(n):
+    """n tetrahedra around one edge."""
+    angle = np.arange(n) * 2 * np.pi / n
+    ring = np.stack([np.cos(angle), np.sin(angle), 0.1 * np.sin(3 * angle)], -1)
+    points = np.concatenate([[[0, 0, -1], [0, 0, 1]], ring])
+    return points, np.array([[0, 1, 2 + i, 2 + (i + 1) % n] for i in range(n)])
+
+
+def single(points):
+    return np.asarray(points, np.float32)
+
+
+def wave(points):
+    with np.errstate(all="ignore"):
+        return np.sin(3 * points.astype(float)).sum(1)
+
+
+def add(attributes, values, name, *rest, **more):
+    return gm.add_array(attributes, values, name, *rest, **more)
+
+
+def add_texts(grid, name, texts):
+    array = vtkStringArray()
+    array.SetName(name)
+    for text in texts:
+        array.InsertNextValue(text)
+    grid.GetFieldData().AddArray(array)
+
+
+def add_usual(grid):
+    """Ids, something smooth, a vector, something of few values."""
+    points = gm.coordinates(grid)
+    tets = gm.connectivity(grid)
+    add(grid.GetPointData(), np.arange(len(points), dtype=np.int32), "id")
+    add(grid.GetPointData(), single(wave(points)), "wave")
+    with np.errstate(all="ignore"):
+        vector = np.cos(points.astype(float) * [1, 2, 3])
+    add(grid.GetPointData(), single(np.round(vector, 3)), "vector")
+    add(grid.GetCellData(), np.arange(len(tets), dtype=np.int64), "cell")
+    add(grid.GetCellData(), (np.arange(len(tets)) // 40).astype(np.uint8), "material")
+    return grid
+
+
+# --------------------------------------------------------------------------------------------------
+# Golden files: functions that give a grid, or grids and times, and options of the writer
+
+
+def one_tet(rng):
+    grid = gm.make_grid(single([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]), [[0, 1, 2, 3]], False)
+    add(grid.GetPointData(), single([20, 21, 22, 24]), "T")
+    grid.GetPointData().SetActiveScalars("T")
+    return grid, {}
+
+
+def empty(rng):
+    return gm.make_grid(np.zeros((0, 3), np.float32), []), {"KeepOrder": 7}
+
+
+def only_points(rng):
+    points = rng.random((20, 3))
+    grid = gm.make_grid(points, [])
+    add(grid.GetPointData(), wave(points), "wave")
+    return grid, {"KeepOrder": 7}
+
+
+def tets_six(rng):
+    points, tets = cubes((4, 4, 4))
+    points, tets = shuffle(single(jitter(points, rng)), tets, rng)
+    return add_usual(gm.make_grid(points, tets, False)), {}
+
+
+def hexes_split(rng):
+    points, tets = cubes((7, 5, 4), 5)
+    return add_usual(gm.make_grid(single(points * [1, 1.5, 2]), tets)), {}
+
+
+def sliver_layers(rng):
+    points, tets = cubes((5, 5, 4))
+    points = jitter(points, rng) * [1, 1, 1e-3]
+    points, tets = shuffle(single(points), tets, rng)
+    return add_usual(gm.make_grid(points, tets)), {"ChunkTets": 150}
+
+
+def chunks(rng):
+    points, tets = cubes((4, 4, 4))
+    points, tets = shuffle(single(jitter(points, rng)), tets, rng)
+    return add_usual(gm.make_grid(points, tets)), {"ChunkTets": 64}
+
+
+def chunks_keep_all(rng):
+    points, tets = cubes((4, 4, 3))
+    points, tets = shuffle(jitter(points, rng), tets, rng)
+    return add_usual(gm.make_grid(points, tets)), {"ChunkTets": 100, "KeepOrder": 7}
+
+
+def keep_points(rng):
+    points, tets = cubes((3, 3, 3))
+    return add_usual(gm.make_grid(single(jitter(points, rng)), tets)), {"KeepOrder": 1}
+
+
+def keep_cells(rng):
+    points, tets = cubes((3, 3, 3))
+    return add_usual(gm.make_grid(single(jitter(points, rng)), tets)), {"KeepOrder": 2}
+
+
+def palettes(rng):
+    points, tets = cubes((4, 4, 4))
+    points = np.round(jitter(points, rng) * 10) / 10
+    points[rng.integers(0, len(points), 5), 0] = -0.0
+    grid = gm.make_grid(points, tets)
+    levels = np.array([0.0, -0.0, 0.1, 1 / 3, 1e300, np.inf, -5])
+    add(grid.GetPointData(), levels[(3 * (points ** 2).sum(1)).astype(int) % 7], "levels")
+    few = np.stack([np.round(points[:, 0]), wave(points), np.full(len(points), np.nan)], -1)
+    add(grid.GetPointData(), single(few), "one of three")
+    add(grid.GetCellData(), single(np.round(points[tets].mean(1)[:, 1])), "layer")
+    return grid, {"ChunkTets": 200, "KeepOrder": 7}
+
+
+def odd_coordinates(rng):
+    points, tets = cubes((4, 3, 3))
+    points = jitter(points, rng) * 1e-3
+    flat = points.reshape(-1)
+    strewn = rng.choice(flat.size, 24, replace=False)
+    flat[strewn] = [np.nan, np.inf, -np.inf, -0.0, 1e308, 5e-324] * 4
+    flat.view(np.uint64)[strewn[::6]] = 0x7FF8000000000000 + np.arange(4, dtype=np.uint64)
+    flat.view(np.uint64)[strewn[12]] = 0xFFF0000000000001
+    return add_usual(gm.make_grid(points, tets)), {"KeepOrder": 7, "ChunkTets": 120}
+
+
+def huge_and_tiny(rng):
+    points, tets = cubes((2, 2, 2))
+    grid = gm.make_grid(jitter(points, rng) * 1e300, tets)
+    add(grid.GetPointData(), wave(points) * 1e-310, "subnormal")
+    add(grid.GetPointData(), single(wave(points) * 1e-41), "subnormal float")
+    add(grid.GetPointData(), single(np.where(wave(points) > 0, 3.4e38, -3.4e38)), "largest")
+    return grid, {"KeepOrder": 7}
+
+
+TYPES = {
+    c.VTK_CHAR: np.int8, c.VTK_SIGNED_CHAR: np.int8, c.VTK_UNSIGNED_CHAR: np.uint8,
+    c.VTK_SHORT: np.int16, c.VTK_UNSIGNED_SHORT: np.uint16,
+    c.VTK_INT: np.int32, c.VTK_UNSIGNED_INT: np.uint32,
+    c.VTK_LONG: np.int64, c.VTK_UNSIGNED_LONG: np.uint64,
+    c.VTK_LONG_LONG: np.int64, c.VTK_UNSIGNED_LONG_LONG: np.uint64,
+    c.VTK_ID_TYPE: np.int64, c.VTK_FLOAT: np.float32, c.VTK_DOUBLE: np.float64,
+    c.VTK_BIT: np.uint8}
+
+
+def types(rng):
+    points, tets = cubes((2, 2, 2))
+    points, tets = shuffle(single(jitter(points, rng)), tets, rng)
+    grid = gm.make_grid(points, tets)
+    for vtk_type, dtype in TYPES.items():
+        size = np.dtype(dtype).itemsize
+        centers = points[tets].mean(1)
+        for where, at in ((grid.GetPointData(), points), (grid.GetCellData(), centers)):
+            noise = rng.integers(0, 256, (len(at), size), np.uint8).view(dtype).ravel()
+            if vtk_type == c.VTK_BIT:
+                noise &= 1
+            else:
+                scale = 30 if size == 1 else 1000.5
+                smooth = (wave(at) * scale).astype(dtype if dtype(0).dtype.kind != "u" else "i8")
+                noise[::2] = smooth.astype(dtype)[::2]
+                if dtype(0).dtype.kind in "iu":
+                    noise[1], noise[3] = np.iinfo(dtype).min, np.iinfo(dtype).max
+            add(where, noise, "type %d" % vtk_type, vtk_type)
+    return grid, {"KeepOrder": 7, "ChunkTets": 64}
+
+
+def components_and_roles(rng):
+    points, tets = cubes((2, 2, 2))
+    grid = gm.make_grid(single(jitter(points, rng)), tets)
+    data = grid.GetPointData()
+    add(data, np.stack([wave(points)] * 2, -1), "twice", components=["one", ""])
+    add(data, points.astype(np.int16), "Grad \u03c6", components=["x", "y", "z"])
+    add(data, np.tile(points, 3), "tensor")
+    add(data, rng.random(len(points)), "same name")
+    add(data, rng.integers(-9, 9, (len(points), 5)), "")
+    data.SetActiveVectors("Grad \u03c6")
+    data.SetActiveTensors("tensor")
+    add(grid.GetCellData(), np.arange(len(tets))[::-1].copy(), "ids", c.VTK_ID_TYPE)
+    add(grid.GetCellData(), rng.random(len(tets)), "same name")
+    grid.GetCellData().SetActiveAttribute("ids", vtkDataSetAttributes.GLOBALIDS)
+    grid.GetCellData().SetActiveScalars("same name")
+    return grid, {"KeepOrder": 7}
+
+
+def unused(rng):
+    points, tets = cubes((3, 3, 3))
+    more = rng.random((30, 3))
+    points = single(np.concatenate([more[:10], points, more[10:]]))
+    return add_usual(gm.make_grid(points, tets + 10)), {"KeepOrder": 7, "ChunkTets": 64}
+
+
+def unused_not_kept(rng):
+    points, tets = cubes((3, 3, 3))
+    points = single(np.concatenate([rng.random((30, 3)), points]))
+    return add_usual(gm.make_grid(points, tets + 30)), {"ChunkTets": 100}
+
+
+def flipped(rng):
+    points, tets = cubes((4, 4, 3))
+    turn = rng.random(len(tets)) < 0.1
+    tets[turn] = tets[turn][:, [1, 0, 2, 3]]
+    tets = np.concatenate([tets, tets[:9], tets[50:60, ::-1]])
+    return add_usual(gm.make_grid(single(jitter(points, rng)), tets)), {"ChunkTets": 160}
+
+
+def with_holes(rng):
+    points, tets = cubes((6, 6, 6))
+    tets = tets[rng.random(len(tets)) < 0.5]
+    points = single(np.round(jitter(points, rng), 2))
+    return gm.make_grid(*shuffle(points, tets, rng)), {"ChunkTets": 200}
+
+
+def soup(rng):
+    points = single(rng.random((60, 3)))
+    tets = rng.integers(0, 60, (150, 4))
+    tets = np.concatenate([tets, tets[:20], tets[20:40][:, ::-1], np.zeros((2, 4), int)])
+    return add_usual(gm.make_grid(points, tets)), {"KeepOrder": 7}
+
+
+def soup_in_chunks(rng):
+    points = single(rng.random((40, 3)))
+    tets = rng.integers(0, 40, (600, 4))
+    return gm.make_grid(points, tets), {"ChunkTets": 64}
+
+
+def many_neighbours(rng):
+    """More than 64 chunks that meet in one point."""
+    points, tets = cubes((2, 2, 220), 5)
+    tets[::17, 3] = len(points)
+    points = np.concatenate([points, [[9, 9, 30]]])
+    return gm.make_grid(single(points), tets), {"ChunkTets": 64}
+
+
+def around_an_edge(rng):
+    points, tets = fan(280)
+    return add_usual(gm.make_grid(single(points), tets)), {}
+
+
+def flat(rng):
+    points, tets = cubes((3, 3, 2))
+    points[:, 2] = 0
+    return gm.make_grid(single(points), tets), {"KeepOrder": 4}
+
+
+def one_place(rng):
+    """No extent, so no lattice; and points that are nowhere."""
+    points = np.full((12, 3), 7.5)
+    points[10:] = np.nan
+    tets = rng.integers(0, 12, (30, 4))
+    return gm.make_grid(single(points), tets), {"KeepOrder": 2}
+
+
+def strip(rng):
+    points, tets = cubes((1, 1, 60))
+    points = jitter(points, rng) + np.sin(points[:, [2, 2, 0]] / 9)
+    return gm.make_grid(*shuffle(single(points), tets, rng)), {}
+
+
+def random_strip(rng):
+    """Each tetrahedron adds one point anywhere."""
+    points = single(rng.random((400, 3)))
+    order = rng.permutation(400)
+    return gm.make_grid(points, np.stack([order[i : 397 + i] for i in range(4)], 1)), {}
+
+
+def all_of_few(rng):
+    """All tetrahedra of nine points, twice: edges with many open faces."""
+    tets = list(itertools.combinations(range(9), 4))
+    return gm.make_grid(single(rng.random((9, 3))), np.array(tets + tets)), {}
+
+
+def large_chunks(rng):
+    points, tets = cubes((9, 9, 7))
+    points = single(np.round(jitter(points, rng), 1))
+    return gm.make_grid(points, tets), {"ChunkTets": 900}
+
+
+def shared_fans(rng):
+    """Two chunks that share nearly all of their points, and long edges: long searches."""
+    n = 700
+    points = np.round(rng.random((n, 3)), 2)
+    hubs = [[-2, 0, 0.5], [-2, 1, 0.5], [3, 0, 0.5], [3, 1, 0.5]]
+    tets = []
+    for a in (n, n + 2):
+        order = rng.permutation(n)
+        tets += [[a, a + 1, order[i], order[i - 1]] for i in range(n)]
+    return gm.make_grid(single(np.concatenate([points, hubs])), tets), {"ChunkTets": n}
+
+
+def merged_layers(rng):
+    """Six meshes in the same place that have many points in common, so faces of many cells."""
+    points, tets = cubes((4, 4, 4))
+    n = len(points)
+    layers = [tets]
+    for i in range(1, 6):
+        layers.append(np.where(rng.random(n) < 0.7, np.arange(n), np.arange(n) + i * n)[tets])
+    points = np.concatenate([points] + [points + 0.3] * 5)
+    used, tets = np.unique(np.concatenate(layers), return_inverse=True)
+    points = single(np.round(jitter(points, rng), 2))[used]
+    return gm.make_grid(*shuffle(points, tets.reshape(-1, 4), rng)), {}
+
+
+def field_data(rng):
+    points, tets = cubes((1, 1, 1))
+    grid = gm.make_grid(single(points), tets)
+    add_texts(grid, "texts", ["", "two words", "Gr\u00f6\u00dfe \u2207\u03c6", "x" * 300])
+    add(grid.GetFieldData(), np.array([np.nan, -0.0, 1e-310]), "doubles")
+    add(grid.GetFieldData(), np.arange(12, dtype=np.int16).reshape(4, 3), "triples",
+        components=["a", "b", "c"])
+    add(grid.GetFieldData(), np.array([1 << 63], np.uint64), "large")
+    return grid, {}
+
+
+def steps_mesh(rng):
+    points, tets = cubes((3, 3, 3))
+    return shuffle(single(jitter(points, rng)), tets, rng)
+
+
+def steps(rng):
+    """All that can change from step to step: little, much, nothing; with palettes and without."""
+    points, tets = steps_mesh(rng)
+    points = np.concatenate([points, single(rng.random((8, 3)))])
+    noise = rng.standard_normal(len(points))
+    center = points[tets].mean(1)
+    cell_noise = rng.integers(-9, 9, len(tets))
+    grids = []
+    for s in range(7):
+        grid = gm.make_grid(points, tets)
+        data, cells = grid.GetPointData(), grid.GetCellData()
+        add(data, single(wave(points + 0.3 * s)), "moving")
+        add(data, noise + 1e-3 * s * wave(points), "drifting noise")
+        add(data, noise, "constant")
+        add(data, single(rng.standard_normal(len(points))), "new noise")
+        add(data, single(np.round(noise * 2) if s in (2, 3) else noise + s), "sometimes few")
+        add(data, (points * 100 + s * np.arange(3)).astype(np.int32), "counts")
+        add(cells, (center[:, 0] * 1000 + s * s + cell_noise).astype(np.int16), "cell counts")
+        add(cells, np.arange(len(tets)), "cell ids")
+        add(cells, single(wave(center) * (1 + 0.01 * s)), "growing")
+        add(grid.GetFieldData(), np.array([s // 2]), "index")
+        add_texts(grid, "name", ["the same"])
+        grids.append(grid)
+    return grids, [-1.5, 0.0, 0.1, 0.30000000000000004, 2.0, 1e3, 1e4], {
+        "KeyStepInterval": 5, "ChunkTets": 64, "KeepOrder": 7}
+
+
+def steps_not_kept(rng):
+    points, tets = steps_mesh(rng)
+    grids = []
+    for s in range(4):
+        grid = gm.make_grid(points, tets)
+        add(grid.GetPointData(), np.cos(points.astype(float) + 0.1 * s), "vector")
+        add(grid.GetCellData(), single(points[tets].mean(1)[:, 0] + s), "x")
+        grids.append(grid)
+    return grids, [0.0, 1.0, 2.0, 3.0], {"KeyStepInterval": 2}
+
+
+def one_step(rng):
+    points, tets = cubes((1, 1, 2))
+    grid = gm.make_grid(single(points), tets)
+    add(grid.GetPointData(), wave(points), "wave")
+    return [grid], [0.25], {"KeepOrder": 3}
+
+
+ALL = [
+    one_tet, empty, only_points, tets_six, hexes_split, sliver_layers, chunks, chunks_keep_all,
+    keep_points, keep_cells, palettes, odd_coordinates, huge_and_tiny, types, components_and_roles,
+    unused, unused_not_kept, flipped, with_holes, soup, soup_in_chunks, many_neighbours,
+    around_an_edge, flat, one_place, strip, random_strip, all_of_few, large_chunks, shared_fans,
+    merged_layers, field_data, steps, steps_not_kept, one_step]
+
+# --------------------------------------------------------------------------------------------------
+# Writing and checking
+
+
+class Source(VTKPythonAlgorithmBase):
+    """Time steps."""
+
+    def __init__(self, grids, times):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkUnstructuredGrid")
+        self.grids, self.times = grids, times
+
+    def RequestInformation(self, request, inInfo, outInfo):
+        info = outInfo.GetInformationObject(0)
+        info.Set(pipeline.TIME_STEPS(), self.times, len(self.times))
+        info.Set(pipeline.TIME_RANGE(), [self.times[0], self.times[-1]], 2)
+        return 1
+
+    def RequestData(self, request, inInfo, outInfo):
+        info = outInfo.GetInformationObject(0)
+        time = self.times[0]
+        if info.Has(pipeline.UPDATE_TIME_STEP()):
+            time = info.Get(pipeline.UPDATE_TIME_STEP())
+        output = vtkUnstructuredGrid.GetData(outInfo, 0)
+        output.ShallowCopy(self.grids[self.times.index(time)])
+        output.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), time)
+        return 1
+
+
+def write(path, grids, times, options):
+    writer = vtkGatunWriter()
+    source = None
+    if times:
+        source = Source(grids, times)
+        writer.SetInputConnection(source.GetOutputPort())
+        writer.WriteAllTimeStepsOn()
+    else:
+        writer.SetInputDataObject(grids[0])
+    writer.SetFileName(path)
+    for name, value in options.items():
+        getattr(writer, "Set" + name)(value)
+    assert writer.Write() == 1, path
+
+
+def make(folder, function):
+    """Writes a golden file, checks it and returns its description."""
+    path = os.path.join(folder, function.__name__ + ".gtn")
+    made = function(np.random.default_rng(list(function.__name__.encode())))
+    grids, times, options = made if len(made) == 3 else ([made[0]], [], made[1])
+    write(path, grids, times, options)
+
+    # With all of the order the input tells what to expect, else the decoder.
+    with open(path, "rb") as file:
+        description = describe_decoded(file.read())
+    keep = options.get("KeepOrder", 0)
+    of_input = golden.describe_grids(grids, times, grids)
+    expected = dict(of_input, file_order=description["file_order"])
+    if keep != 7:
+        expected["input_order"] = description["input_order"]
+    golden.assert_same(expected, description, path + ", decoder")
+    golden.assert_same(expected, golden.describe_read(path), path + ", reader")
+
+    # Nothing but the order may differ from the input.
+    for grid, back in zip(grids, golden.read_steps(path, True)[0]):
+        gm.assert_same_mesh(grid, back)
+        if keep & 1:
+            assert np.array_equal(
+                gm.coordinates(grid).view(np.uint8), gm.coordinates(back).view(np.uint8))
+        if keep & 2:
+            arrays = [gm.arrays_of(part.GetCellData()) for part in (grid, back)]
+            for one, other in zip(*arrays):
+                assert np.array_equal(gm.values_of(one), gm.values_of(other))
+    return os.path.basename(path), expected, os.path.getsize(path)
+
+
+def main(folder):
+    os.makedirs(folder, exist_ok=True)
+    expected, total = {}, 0
+    for function in ALL:
+        name, description, size = make(folder, function)
+        expected[name] = description
+        print("%7d %s" % (size, name), flush=True)
+        assert size < MAX_BYTES, name
+        total += size
+    assert total < MAX_BYTES_IN_TOTAL, total
+    with open(os.path.join(folder, "expected.json"), "w", encoding="utf-8") as file:
+        json.dump(expected, file, indent=1, sort_keys=False)
+        file.write("\n")
+    print(total, "bytes")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
