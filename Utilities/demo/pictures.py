@@ -1,0 +1,306 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Pictures of a mesh in a .gtn file, drawn without a window."""
+
+import numpy as np
+import vtkmodules.vtkInteractionStyle  # noqa: F401
+import vtkmodules.vtkRenderingFreeType  # noqa: F401
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkCommonDataModel import vtkPlane, vtkUnstructuredGrid
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter, vtkWarpVector
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkLight,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkTextActor,
+    vtkWindowToImageFilter,
+)
+
+INK = (0.13, 0.16, 0.20)
+
+# Dark blue over green and yellow to pale: even steps for the eye, and for colour-blind ones.
+COLOURS = (
+    (0.00, (0.110, 0.165, 0.340)),
+    (0.15, (0.126, 0.310, 0.490)),
+    (0.35, (0.140, 0.510, 0.545)),
+    (0.55, (0.400, 0.690, 0.475)),
+    (0.75, (0.850, 0.790, 0.370)),
+    (0.90, (0.940, 0.560, 0.240)),
+    (1.00, (0.760, 0.200, 0.170)),
+)
+
+
+def make_table(low, high):
+    table = vtkLookupTable()
+    table.SetNumberOfTableValues(512)
+    places = [place for place, _ in COLOURS]
+    for i in range(512):
+        colour = [np.interp(i / 511, places, [c[k] for _, c in COLOURS]) for k in range(3)]
+        table.SetTableValue(i, *colour, 1)
+    table.SetRange(low, high)
+    table.SetNanColor(0.7, 0.7, 0.7, 1)
+    table.Build()
+    return table
+
+
+def skin_of(grid):
+    """The surface with smooth normals where it is smooth."""
+    surface = vtkDataSetSurfaceFilter()
+    surface.SetInputDataObject(grid)
+    normals = vtkPolyDataNormals()
+    normals.SetInputConnection(surface.GetOutputPort())
+    normals.SetFeatureAngle(40)
+    normals.ConsistencyOff()
+    normals.Update()
+    return normals.GetOutput()
+
+
+class Field:
+    """What to colour by: a point or cell array, and the range that its colours span."""
+
+    def __init__(self, grid):
+        self.array = None
+        self.of_points = True
+        self.low, self.high = 0.0, 1.0
+        for of_points, data in ((True, grid.GetPointData()), (False, grid.GetCellData())):
+            names = [data.GetArrayName(i) for i in range(data.GetNumberOfArrays())]
+            names = [name for name in names if name and data.GetArray(name)]
+            if data.GetScalars():
+                names.insert(0, data.GetScalars().GetName())
+            for name in names:
+                if self._take(data.GetArray(name)):
+                    self.array, self.of_points = name, of_points
+                    return
+
+    def _take(self, array):
+        """Takes the range of an array; false if all its values are the same."""
+        values = vtk_to_numpy(array).astype(np.float64)
+        if values.ndim > 1:
+            values = np.linalg.norm(values, axis=1)
+        values = values[np.isfinite(values)]
+        if len(values) == 0 or values.min() == values.max():
+            return False
+        # A few extreme values must not take all the colours.
+        low, high = np.percentile(values, [0.5, 99.5])
+        if low == high:
+            low, high = values.min(), values.max()
+        self.low, self.high = 0.0 if 0 < low < 0.1 * high else low, high
+        return True
+
+
+def colour_by(mapper, field):
+    if not field.array:
+        mapper.ScalarVisibilityOff()
+        return
+    table = make_table(field.low, field.high)
+    # The table picks the length of vectors by itself.
+    table.SetVectorModeToMagnitude()
+    mapper.SetLookupTable(table)
+    mapper.UseLookupTableScalarRangeOn()
+    mapper.InterpolateScalarsBeforeMappingOn()
+    if field.of_points:
+        mapper.SetScalarModeToUsePointFieldData()
+    else:
+        mapper.SetScalarModeToUseCellFieldData()
+    mapper.SelectColorArray(field.array)
+    mapper.SetColorModeToMapScalars()
+
+
+def actor_of(data, field=None, colour=(0.8, 0.82, 0.85), edges=False):
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputDataObject(data)
+    if field:
+        colour_by(mapper, field)
+    else:
+        mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    look = actor.GetProperty()
+    look.SetColor(*colour)
+    look.SetAmbient(0.26)
+    look.SetDiffuse(0.80)
+    look.SetSpecular(0.18)
+    look.SetSpecularPower(25)
+    if edges:
+        look.EdgeVisibilityOn()
+        look.SetEdgeColor(0.10, 0.13, 0.18)
+        look.SetLineWidth(0.7)
+    return actor
+
+
+def scalar_bar(mapper, title):
+    bar = vtkScalarBarActor()
+    bar.SetLookupTable(mapper.GetLookupTable())
+    bar.SetTitle(title + "\n ")
+    bar.SetNumberOfLabels(5)
+    bar.SetMaximumNumberOfColors(512)
+    bar.SetTextPad(10)
+    bar.SetLabelFormat("%-#.3g")
+    bar.SetPosition(0.885, 0.16)
+    bar.SetWidth(0.075)
+    bar.SetHeight(0.66)
+    bar.SetBarRatio(0.3)
+    bar.SetUnconstrainedFontSize(True)
+    for text, size in ((bar.GetTitleTextProperty(), 19), (bar.GetLabelTextProperty(), 18)):
+        text.SetColor(*INK)
+        text.SetFontSize(size)
+        text.ItalicOff()
+        text.BoldOff()
+        text.ShadowOff()
+    bar.GetTitleTextProperty().SetJustificationToRight()
+    return bar
+
+
+def caption(words):
+    text = vtkTextActor()
+    text.SetInput(words)
+    text.SetPosition(36, 34)
+    look = text.GetTextProperty()
+    look.SetFontSize(24)
+    look.SetColor(*INK)
+    look.SetLineSpacing(1.2)
+    return text
+
+
+def fit(renderer, horizontal, vertical):
+    """Moves and zooms the camera so that all is in a part of the window, which reaches from -1 to
+    1 both ways."""
+    camera = renderer.GetActiveCamera()
+    box = np.array(renderer.ComputeVisiblePropBounds()).reshape(3, 2)
+    corners = np.array([[box[0, i], box[1, j], box[2, k]] for i in (0, 1) for j in (0, 1) for k in (0, 1)])
+    for _ in range(3):
+        camera.SetWindowCenter(0, 0)
+        seen = []
+        for corner in corners:
+            renderer.SetWorldPoint(*corner, 1)
+            renderer.WorldToView()
+            seen.append(renderer.GetViewPoint()[:2])
+        low, high = np.min(seen, axis=0), np.max(seen, axis=0)
+        room = np.array([horizontal[1] - horizontal[0], vertical[1] - vertical[0]])
+        camera.Zoom(min(room / (high - low)))
+    camera.SetWindowCenter(*(0.5 * (low + high) - 0.5 * np.array([sum(horizontal), sum(vertical)])))
+
+
+def draw(actors, words, name, bar=None, direction=(0.62, -0.95, 0.72)):
+    """Renders to a PNG file, seen from a direction."""
+    renderer = vtkRenderer()
+    renderer.SetBackground(0.86, 0.88, 0.91)
+    renderer.SetBackground2(0.99, 0.99, 1.0)
+    renderer.GradientBackgroundOn()
+    renderer.AutomaticLightCreationOff()
+    for place, strength in (((-0.6, 0.9, 1.2), 0.88), ((1.2, 0.3, 0.5), 0.46), ((0, -1, 0.3), 0.18)):
+        light = vtkLight()
+        light.SetLightTypeToCameraLight()
+        light.SetPosition(*place)
+        light.SetIntensity(strength)
+        renderer.AddLight(light)
+    for actor in actors:
+        renderer.AddActor(actor)
+    renderer.AddViewProp(caption(words))
+    if bar:
+        renderer.AddViewProp(bar)
+    renderer.SetUseDepthPeeling(False)
+
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(0)
+    window.SetSize(2800, 2000)
+    window.SetDPI(144)
+    window.AddRenderer(renderer)
+    camera = renderer.GetActiveCamera()
+    camera.SetViewAngle(24)
+    camera.SetPosition(*direction)
+    camera.SetFocalPoint(0, 0, 0)
+    camera.SetViewUp(0, 0, 1)
+    renderer.ResetCamera()
+    # Room for the scale on the right, and for the caption.
+    fit(renderer, (-0.92, 0.70 if bar else 0.92), (-0.82, 0.90))
+    renderer.ResetCameraClippingRange()
+    window.Render()
+    picture = vtkWindowToImageFilter()
+    picture.SetInput(window)
+    picture.ReadFrontBufferOff()
+    writer = vtkPNGWriter()
+    writer.SetInputConnection(picture.GetOutputPort())
+    writer.SetFileName(name)
+    writer.Write()
+
+
+def draw_surface(grid, field, words, name, vectors=None):
+    """The whole, bent as its displacement says, but much more."""
+    shown = grid
+    if vectors:
+        largest = grid.GetPointData().GetArray(vectors).GetMaxNorm()
+        bounds = grid.GetBounds()
+        size = np.linalg.norm([bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]])
+        warp = vtkWarpVector()
+        warp.SetInputDataObject(grid)
+        warp.SetInputArrayToProcess(0, 0, 0, 0, vectors)
+        warp.SetScaleFactor(0.04 * size / largest if largest else 0)
+        words = f"{words}, displacement {warp.GetScaleFactor():.0f} times as large"
+        warp.Update()
+        shown = warp.GetOutput()
+    actor = actor_of(skin_of(shown), field)
+    bar = scalar_bar(actor.GetMapper(), field.array) if field.array else None
+    draw([actor], words, name, bar)
+
+
+def draw_cut(grid, field, words, name):
+    """The tetrahedra on one side of a plane through the middle, with their edges."""
+    plane = vtkPlane()
+    plane.SetOrigin(*grid.GetCenter())
+    plane.SetNormal(0.0, 1.0, 0.0)
+    keep = vtkExtractGeometry()
+    keep.SetInputDataObject(grid)
+    keep.SetImplicitFunction(plane)
+    keep.ExtractInsideOff()
+    keep.Update()
+    surface = vtkDataSetSurfaceFilter()
+    surface.SetInputConnection(keep.GetOutputPort())
+    surface.Update()
+    actor = actor_of(surface.GetOutput(), field, edges=True)
+    actor.GetProperty().SetInterpolationToFlat()
+    bar = scalar_bar(actor.GetMapper(), field.array) if field.array else None
+    draw([actor], words, name, bar, direction=(0.35, -1.0, 0.42))
+
+
+def piece_colour(index):
+    """Colours that follow each other far apart on the wheel, all of the same strength."""
+    hue = (0.55 + index * 0.61803398875) % 1.0
+    wheel = [0.5 + 0.5 * np.cos(2 * np.pi * (hue - third / 3)) for third in range(3)]
+    return [0.30 + 0.55 * part for part in wheel]
+
+
+def draw_pieces(pieces, words, name):
+    """The pieces, each moved outwards from the middle of all."""
+    bounds = np.array([piece.GetBounds() for piece in pieces]).reshape(-1, 3, 2)
+    centre = 0.5 * (bounds[:, :, 0].min(axis=0) + bounds[:, :, 1].max(axis=0))
+    actors = []
+    for index, piece in enumerate(pieces):
+        skin = skin_of(piece)
+        away = 0.30 * (np.array(piece.GetCenter()) - centre)
+        shift = vtkTransform()
+        shift.Translate(*away)
+        move = vtkTransformPolyDataFilter()
+        move.SetInputDataObject(skin)
+        move.SetTransform(shift)
+        move.Update()
+        actors.append(actor_of(move.GetOutput(), colour=piece_colour(index)))
+    draw(actors, words, name)
+
+
+def copy_of(grid):
+    copy = vtkUnstructuredGrid()
+    copy.ShallowCopy(grid)
+    return copy
