@@ -81,6 +81,7 @@ std::vector<ComponentKeys> MakeKeys(const ArrayDescription& array, std::size_t c
 //--------------------------------------------------------------------------------------------------
 struct ChunkSetDecoder::Job
 {
+  const InputFile& File;
   const PieceTarget& Target;
   const std::vector<std::uint32_t>& Arrays;
   std::vector<std::size_t> FirstSteps; // of each array; it is decoded from there on
@@ -96,11 +97,15 @@ struct ChunkSetDecoder::Job
   mutable std::vector<std::atomic<bool>> PointTaken;
   mutable std::vector<std::atomic<bool>> CellTaken;
 
-  static void Take(std::vector<std::atomic<bool>>& taken, std::uint64_t place)
+  void TakePoint(std::uint64_t place) const { this->Take(this->PointTaken, place, "point "); }
+  void TakeCell(std::uint64_t place) const { this->Take(this->CellTaken, place, "cell "); }
+
+  void Take(std::vector<std::atomic<bool>>& taken, std::uint64_t place, const char* what) const
   {
     if (!taken.empty() && taken[static_cast<std::size_t>(place)].exchange(true))
     {
-      ThrowCorrupt("the original order names a place twice");
+      this->File.Fail(ErrorCode::Corrupt,
+        "the original order is damaged: it names " + (what + std::to_string(place)) + " twice");
     }
   }
 
@@ -295,8 +300,9 @@ void ChunkSetDecoder::Fill(const PieceTarget& target, const std::vector<std::uin
   const auto& content = this->Content();
   const auto keep = restoreOrder && this->IsWhole() ? content.Meta.Keep : 0;
   const auto& wanted = target.Arrays.empty() ? std::vector<std::uint32_t>{} : arrays;
-  Job job{ target, wanted, this->FindFirstSteps(wanted, step), (keep & KeepPoints) != 0,
-    (keep & KeepCells) != 0, (keep & KeepCorners) != 0, 0, false, {}, {}, {} };
+  Job job{ content.File, target, wanted, this->FindFirstSteps(wanted, step),
+    (keep & KeepPoints) != 0, (keep & KeepCells) != 0, (keep & KeepCorners) != 0, 0, false, {}, {},
+    {} };
   if (job.RestorePoints)
   {
     job.PointTaken = std::vector<std::atomic<bool>>(static_cast<std::size_t>(this->Points));
@@ -402,7 +408,7 @@ void ChunkSetDecoder::DecodeBlock(const Job& job, std::size_t index)
     {
       if (content.Meta.Arrays[job.Arrays[a]].Where == Association::Point)
       {
-        this->DecodeBlockArray(job, index, job.Arrays[a]);
+        this->DecodeBlockArray(job, index, a);
       }
     });
   if (job.IsLast)
@@ -411,18 +417,18 @@ void ChunkSetDecoder::DecodeBlock(const Job& job, std::size_t index)
   }
 }
 
-void ChunkSetDecoder::DecodeBlockArray(const Job& job, std::size_t index, std::uint32_t array)
+void ChunkSetDecoder::DecodeBlockArray(const Job& job, std::size_t index, std::size_t a)
 {
   const auto& content = this->Content();
+  const auto array = job.Arrays[a];
   const auto& description = content.Meta.Arrays[array];
   auto& state = this->Blocks[index].Arrays[array];
   const auto what = Name(("array '" + description.Name + "' of block").c_str(), index);
-  auto keys = MakeKeys(description, static_cast<std::size_t>(this->GetBlock(index).Points),
-    content.HasBefore(array, job.Step), state);
   const auto& where = content.Steps[job.Step].Arrays[array].Blocks[index];
+  const auto count = static_cast<std::size_t>(this->GetBlock(index).Points);
+  auto keys = MakeKeys(description, count, content.HasBefore(array, job.Step), state);
   const auto stream = content.File.Read(where, what);
-  const auto domains = content.MakeDomains(array, job.Step);
-  content.Guarded(what, where, [&] { DecodeCellValues(stream, {}, domains, keys); });
+  content.Guarded(what, where, [&] { DecodeCellValues(stream, {}, job.Domains[a], keys); });
   state = std::move(keys);
 }
 
@@ -437,7 +443,7 @@ void ChunkSetDecoder::StoreBlock(const Job& job, std::size_t index) const
     { return job.RestorePoints ? state.Order[first + i] : start + i; };
     for (std::size_t i = 0; i < count; ++i)
     {
-      Job::Take(job.PointTaken, place(i));
+      job.TakePoint(place(i));
       if (job.Target.Points)
       {
         job.StorePoint(content.Domains, state.Points[first + i], place(i));
@@ -585,17 +591,18 @@ std::vector<std::uint64_t> ChunkSetDecoder::DecodePointOrder(
 }
 
 void ChunkSetDecoder::DecodeChunkArray(
-  const Job& job, std::size_t chunk, ChunkMesh& mesh, std::uint32_t array, ArrayState& state)
+  const Job& job, std::size_t chunk, ChunkMesh& mesh, std::size_t a, ArrayState& state)
 {
   const auto& content = this->Content();
+  const auto array = job.Arrays[a];
   const auto& description = content.Meta.Arrays[array];
   const bool ofPoints = description.Where == Association::Point;
   const auto what = Name(("array '" + description.Name + "' of chunk").c_str(), chunk);
-  auto keys = MakeKeys(description, ofPoints ? mesh.Keys.size() : mesh.Walk.Parents.size(),
-    content.HasBefore(array, job.Step), state);
   const auto& where = content.Steps[job.Step].Arrays[array].Chunks[chunk];
+  const auto count = ofPoints ? mesh.Keys.size() : mesh.Walk.Parents.size();
+  auto keys = MakeKeys(description, count, content.HasBefore(array, job.Step), state);
   const auto stream = content.File.Read(where, what);
-  const auto domains = content.MakeDomains(array, job.Step);
+  const auto& domains = job.Domains[a];
   content.Guarded(what, where,
     [&]
     {
@@ -625,12 +632,8 @@ void ChunkSetDecoder::DecodeChunkInto(const Job& job, std::size_t index)
     state.Mesh = this->DecodeMesh(chunk);
   }
   state.Arrays.resize(this->Content().Meta.Arrays.size());
-  job.EachToDecode(
-    [&](std::size_t a)
-    {
-      const auto array = job.Arrays[a];
-      this->DecodeChunkArray(job, chunk, *state.Mesh, array, state.Arrays[array]);
-    });
+  job.EachToDecode([&](std::size_t a)
+    { this->DecodeChunkArray(job, chunk, *state.Mesh, a, state.Arrays[job.Arrays[a]]); });
   if (job.IsLast)
   {
     this->StoreChunk(job, index, *state.Mesh);
@@ -666,7 +669,7 @@ void ChunkSetDecoder::StoreChunk(const Job& job, std::size_t index, ChunkMesh& m
   for (std::size_t own = 0; own < ownIds.size(); ++own)
   {
     const auto place = pointPlaces[own];
-    Job::Take(job.PointTaken, place);
+    job.TakePoint(place);
     if (target.Points)
     {
       job.StorePoint(content.Domains, mesh.Keys[ownIds[own]], place);
@@ -682,7 +685,7 @@ void ChunkSetDecoder::StoreChunk(const Job& job, std::size_t index, ChunkMesh& m
   }
   for (std::size_t t = 0; t < tets; ++t)
   {
-    Job::Take(job.CellTaken, cellPlaces[t]);
+    job.TakeCell(cellPlaces[t]);
     if (target.GlobalCellIds)
     {
       target.GlobalCellIds[cellPlaces[t]] = static_cast<std::int64_t>(cellIds[t]);

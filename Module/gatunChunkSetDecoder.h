@@ -80,13 +80,14 @@ private:
     const std::vector<std::uint32_t>& arrays, std::size_t step) const;
 
   void DecodeBlock(const Job& job, std::size_t block);
-  void DecodeBlockArray(const Job& job, std::size_t block, std::uint32_t array);
+  void DecodeBlockArray(const Job& job, std::size_t block, std::size_t a);
   void StoreBlock(const Job& job, std::size_t block) const;
 
   void DecodeChunkInto(const Job& job, std::size_t index);
   std::unique_ptr<ChunkMesh> DecodeMesh(std::size_t chunk) const;
+  // Arrays are given by their place a in the job.
   void DecodeChunkArray(
-    const Job& job, std::size_t chunk, ChunkMesh& mesh, std::uint32_t array, ArrayState& state);
+    const Job& job, std::size_t chunk, ChunkMesh& mesh, std::size_t a, ArrayState& state);
   void StoreChunk(const Job& job, std::size_t index, ChunkMesh& mesh) const;
   void StoreConnectivity(const Job& job, std::size_t index, const ChunkMesh& mesh,
     const std::vector<std::uint64_t>& pointPlaces,

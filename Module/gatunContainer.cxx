@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <memory>
 
@@ -79,6 +80,26 @@ bool IsKnown(FourCC name)
 {
   return name == SectionMeta || name == SectionMesh || name == SectionTable ||
     name == SectionValues || name == SectionStep || name == SectionDirectory;
+}
+
+bool IsReadable(const SectionRef& section)
+{
+  return IsKnown(section.Name) && section.Version == SectionVersion;
+}
+
+/** Where a link leads that leads to nothing yet; other paths as they are. */
+std::string FollowLinks(const std::string& path)
+{
+  namespace fs = std::filesystem;
+  constexpr int most = 40;
+  std::error_code error;
+  fs::path target = path;
+  for (int i = 0; i < most && fs::is_symlink(target, error); ++i)
+  {
+    // A relative link counts from the folder that it is in.
+    target = target.parent_path() / fs::read_symlink(target, error);
+  }
+  return target.string();
 }
 }
 
@@ -158,6 +179,10 @@ OutputFile::OutputFile(const std::string& path)
       this->Target = real;
       std::free(real);
     }
+  }
+  else
+  {
+    this->Target = FollowLinks(path);
   }
   std::string name = this->Target + ".part-XXXXXX";
   this->Handle = ::mkstemp(name.data());
@@ -268,7 +293,8 @@ std::uint64_t OutputFile::Commit()
 InputFile::InputFile(const std::string& path)
   : Path(path)
 {
-  this->Handle = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  // Without O_NONBLOCK, opening a pipe would wait for its other end.
+  this->Handle = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (this->Handle < 0)
   {
     this->Fail(ErrorCode::CannotOpen, std::string("cannot open: ") + std::strerror(errno));
@@ -418,8 +444,7 @@ void InputFile::ReadDirectory()
     {
       auto section = GetSectionHeader(list);
       section.Payload.Offset = list.Get<std::uint64_t>();
-      const bool readable = IsKnown(section.Name) && section.Version == SectionVersion;
-      if (!readable && (section.Flags & FlagMandatory))
+      if (!IsReadable(section) && (section.Flags & FlagMandatory))
       {
         this->Fail(ErrorCode::UnsupportedVersion,
           "the file has a section '" + ToText(section.Name) + "' (version " +
@@ -443,15 +468,29 @@ void InputFile::ReadDirectory()
   }
 }
 
-Bytes InputFile::ReadSection(FourCC name, const char* what) const
+std::vector<StreamRef> InputFile::FindSections(FourCC name) const
 {
-  const auto found = std::find_if(this->Sections.begin(), this->Sections.end(),
-    [&](const SectionRef& s) { return s.Name == name; });
-  if (found == this->Sections.end())
+  std::vector<StreamRef> found;
+  for (const auto& section : this->Sections)
   {
-    this->Fail(ErrorCode::Corrupt, std::string("the file has no section for ") + what);
+    if (section.Name == name && IsReadable(section))
+    {
+      found.push_back(section.Payload);
+    }
   }
-  return this->Read(found->Payload, what);
+  return found;
+}
+
+StreamRef InputFile::FindSection(FourCC name, const char* what) const
+{
+  const auto found = this->FindSections(name);
+  if (found.size() != 1)
+  {
+    this->Fail(ErrorCode::Corrupt,
+      (found.empty() ? "the file has no section for " : "the file has several sections for ") +
+        std::string(what));
+  }
+  return found.front();
 }
 
 void InputFile::CheckSections(const std::function<bool(double)>& progress) const

@@ -110,8 +110,11 @@ public:
   /** Reads a stream and checks its sum; what names it in messages. */
   Bytes Read(const StreamRef& stream, const std::string& what) const;
 
-  /** Reads the only section of a name; throws when it is missing. */
-  Bytes ReadSection(FourCC name, const char* what) const;
+  /** The payloads of the sections of a name, but for versions that are not known. */
+  std::vector<StreamRef> FindSections(FourCC name) const;
+
+  /** The payload of the only section of a name; throws unless there is exactly one. */
+  StreamRef FindSection(FourCC name, const char* what) const;
 
   /** Checks the headers and sums of all sections, and that they fill the file without gaps. */
   void CheckSections(const std::function<bool(double)>& progress) const;

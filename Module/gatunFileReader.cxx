@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fstream>
 
 namespace gatun
@@ -14,35 +15,27 @@ namespace gatun
 FileReader::Internals::Internals(const std::string& path)
   : File(path)
 {
-  const auto findSection = [&](FourCC name)
-  {
-    const auto& sections = this->File.GetSections();
-    const auto found = std::find_if(
-      sections.begin(), sections.end(), [&](const SectionRef& s) { return s.Name == name; });
-    return found != sections.end() ? found->Payload : StreamRef{};
-  };
-  this->Meta = this->Guarded("the meta data", findSection(SectionMeta),
-    [&] { return MetaTable::Read(this->File.ReadSection(SectionMeta, "the meta data")); });
-  this->Mesh = this->Guarded("the table of chunks", findSection(SectionTable),
+  constexpr const char* metaName = "the meta data";
+  constexpr const char* meshName = "the table of chunks";
+  constexpr const char* stepName = "the table of a time step";
+  const auto meta = this->File.FindSection(SectionMeta, metaName);
+  this->Meta =
+    this->Guarded(metaName, meta, [&] { return MetaTable::Read(this->File.Read(meta, metaName)); });
+  const auto mesh = this->File.FindSection(SectionTable, meshName);
+  this->Mesh = this->Guarded(meshName, mesh,
     [&]
     {
-      return MeshTable::Read(
-        this->File.ReadSection(SectionTable, "the table of chunks"), this->Meta);
+      auto table = MeshTable::Read(this->File.Read(mesh, meshName), this->Meta);
+      table.CheckLengths(this->File.GetSize());
+      return table;
     });
-  for (const auto& section : this->File.GetSections())
+  for (const auto& step : this->File.FindSections(SectionStep))
   {
-    if (section.Name == SectionStep)
-    {
-      this->Steps.push_back(this->Guarded("the table of a time step", section.Payload,
-        [&]
-        {
-          return StepTable::Read(
-            this->File.Read(section.Payload, "the table of a time step"), this->Meta, this->Mesh);
-        }));
-      this->Times.push_back(this->Steps.back().Time);
-    }
+    this->Steps.push_back(this->Guarded(stepName, step,
+      [&] { return StepTable::Read(this->File.Read(step, stepName), this->Meta, this->Mesh); }));
+    this->Times.push_back(this->Steps.back().Time);
+    this->CheckLastStep();
   }
-  this->CheckSteps();
   for (const auto& chunk : this->Mesh.Chunks)
   {
     this->Chunks.push_back(chunk.Info);
@@ -64,19 +57,20 @@ FileReader::Internals::Internals(const std::string& path)
   }
 }
 
-void FileReader::Internals::CheckSteps() const
+void FileReader::Internals::CheckLastStep() const
 {
+  // Step by step, so that a table named many times is not read many times.
   const auto fail = [&](const char* what) { this->File.Fail(ErrorCode::Corrupt, what); };
-  if (this->Steps.size() > 1 && !this->Meta.HasTime)
+  const auto count = this->Steps.size();
+  if (count > 1 && !this->Meta.HasTime)
   {
     fail("there are several time steps, but the file says that it has no time");
   }
-  if (!this->Steps.empty() && !this->Steps.front().Key)
+  if (!this->Steps.front().Key)
   {
     fail("the first time step needs one before it");
   }
-  if (std::adjacent_find(this->Times.begin(), this->Times.end(), std::greater_equal<>()) !=
-    this->Times.end())
+  if (count > 1 && !(this->Times[count - 1] > this->Times[count - 2]))
   {
     fail("the times of the steps do not ascend");
   }
@@ -103,6 +97,35 @@ std::vector<Domain> FileReader::Internals::MakeDomains(std::size_t array, std::s
 
 namespace
 {
+/** Original numbers, if kept, must be all different. */
+class PermutationCheck
+{
+public:
+  PermutationCheck(const FileReader& file, std::uint64_t count, const char* what)
+    : File(file)
+    , What(what)
+    , Seen(static_cast<std::size_t>(count), false)
+  {
+  }
+
+  void Add(std::int64_t number)
+  {
+    auto seen = this->Seen[static_cast<std::size_t>(number)];
+    if (seen)
+    {
+      this->File.GetInternals().File.Fail(ErrorCode::Corrupt,
+        "the original order is damaged: it names " + (this->What + std::to_string(number)) +
+          " twice");
+    }
+    seen = true;
+  }
+
+private:
+  const FileReader& File;
+  const char* What;
+  std::vector<bool> Seen;
+};
+
 /** Decodes everything once, some chunks at a time. */
 void VerifyStreams(const FileReader& file, const std::function<bool(double)>& progress)
 {
@@ -112,6 +135,8 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
   const auto chunks = file.GetChunks().size();
   const auto rounds = std::max<std::size_t>(1, (chunks + chunksAtOnce - 1) / chunksAtOnce);
   const auto steps = std::max<std::size_t>(1, file.GetNumberOfSteps());
+  PermutationCheck points(file, file.GetNumberOfPoints(), "point ");
+  PermutationCheck cells(file, file.GetNumberOfTets(), "cell ");
   for (std::size_t round = 0; round < rounds; ++round)
   {
     PieceRequest request;
@@ -129,25 +154,38 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
     {
       request.Step = step;
       decoder.SetRequest(request);
-      const auto points = static_cast<std::size_t>(decoder.GetNumberOfPoints());
+      const auto pointCount = static_cast<std::size_t>(decoder.GetNumberOfPoints());
       const auto tets = static_cast<std::size_t>(decoder.GetNumberOfTets());
-      std::vector<std::int64_t> connectivity(4 * tets), pointIds(points), cellIds(tets);
+      std::vector<std::int64_t> connectivity(4 * tets), pointIds(pointCount), cellIds(tets);
+      std::vector<unsigned char> pointGhosts(pointCount);
       std::vector<std::vector<std::uint8_t>> values;
       PieceTarget target;
       target.Connectivity = connectivity.data();
       target.GlobalPointIds = pointIds.data();
       target.GlobalCellIds = cellIds.data();
+      target.PointGhosts = pointGhosts.data();
       for (const auto a : request.Arrays)
       {
         const auto& array = file.GetArrays()[a];
-        values.emplace_back((array.Where == Association::Point ? points : tets) * array.Components *
-          SizeOf(array.Type));
+        values.emplace_back((array.Where == Association::Point ? pointCount : tets) *
+          array.Components * SizeOf(array.Type));
         target.Arrays.push_back(values.back().data());
       }
       const auto first = static_cast<double>(round * steps + step);
       const auto all = static_cast<double>(rounds * steps);
       decoder.Fill(
         target, [&](double part) { return !progress || progress((first + part) / all); });
+      for (std::size_t p = 0; step == 0 && p < pointCount; ++p)
+      {
+        if (pointGhosts[p] == 0)
+        {
+          points.Add(pointIds[p]);
+        }
+      }
+      for (std::size_t t = 0; step == 0 && t < tets; ++t)
+      {
+        cells.Add(cellIds[t]);
+      }
     }
   }
 }
@@ -158,6 +196,10 @@ bool FileReader::CanRead(const std::string& path) noexcept
 {
   try
   {
+    if (!std::filesystem::is_regular_file(path))
+    {
+      return false; // opening a pipe would wait for its other end
+    }
     std::ifstream in(path, std::ios::binary);
     std::array<char, FileMagic.size()> begin{};
     return in.read(begin.data(), begin.size()) &&

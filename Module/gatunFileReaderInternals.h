@@ -68,7 +68,7 @@ public:
   PointDomain Domains;
 
 private:
-  void CheckSteps() const;
+  void CheckLastStep() const;
   bool IsComplete(const Error& error) const
   {
     return std::string(error.what())

@@ -297,6 +297,7 @@ ChunkFrame FileWriter::Internals::MakeFrame(
 
 FileWriter::Internals::ChunkStreams FileWriter::Internals::EncodeMeshChunk(std::size_t chunk)
 {
+  const FloatEnvironment guard;
   const auto shared = this->GetSharedPoints(chunk);
   const auto begin = this->Parts.ChunkStart[chunk];
   const auto end = this->Parts.ChunkStart[chunk + 1];
@@ -452,7 +453,14 @@ void FileWriter::Internals::WriteMesh(const Progress& progress)
   {
     this->Table.Chunks[c].Info.Tets = this->Parts.ChunkStart[c + 1] - this->Parts.ChunkStart[c];
   }
-  this->Table.LinkGroups();
+  try
+  {
+    this->Table.LinkGroups();
+  }
+  catch (const Error& error)
+  {
+    throw Error(ErrorCode::InvalidInput, error.what() + std::string("; make chunks larger"));
+  }
   this->Chunks.resize(this->Table.Chunks.size());
 
   StreamBatch batch;

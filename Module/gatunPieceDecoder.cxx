@@ -182,6 +182,10 @@ void PieceDecoder::Internals::ChooseGhosts(const Progress& progress)
         this->CellFrom.push_back(t);
       }
     }
+    if (this->CellFrom.size() == begin)
+    {
+      break; // all that can be reached, however many levels are wanted
+    }
     reach(begin);
   }
   for (std::size_t p = 0; p < count; ++p)

@@ -5,15 +5,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace gatun
 {
 namespace
 {
-// A table is at most this much larger than its compressed form, unless it is small anyway.
+// A table is at most this much larger than its compressed form, unless it is small anyway. In
+// memory it takes up to some 40 times its bytes (META, TABL), or 3 times (STEP).
 constexpr std::uint64_t TableExpansion = 512;
-constexpr std::uint64_t SmallTable = 64u << 20;
+constexpr std::uint64_t SmallTable = 1u << 20;
+constexpr std::uint64_t SmallStep = 16u << 20;
+
+// A stream cannot hold more values: each takes a decision, and none is cheaper than 2^-15.5 bits.
+constexpr std::uint64_t MaxValuesPerByte = 1u << 19;
+
+// All lists of neighbours together have at most so many entries, and so many more a chunk.
+constexpr std::uint64_t MaxNeighbours = 2u << 20;
+constexpr std::uint64_t MaxNeighboursPerChunk = 1024;
 
 constexpr std::uint32_t MaxComponents = 1u << 16;
 
@@ -64,6 +74,13 @@ std::vector<std::string> GetStrings(ByteReader& in)
     s = in.GetString();
   }
   return strings;
+}
+
+std::uint32_t GetSmall(ByteReader& in)
+{
+  const auto value = in.GetVarint();
+  Check(value <= std::numeric_limits<std::uint32_t>::max(), "a number is too large");
+  return static_cast<std::uint32_t>(value);
 }
 
 void PutRange(ByteWriter& out, const Range& range)
@@ -117,14 +134,32 @@ void CheckPoints(std::uint64_t points, const StreamRef& geometry)
     "a block claims more points than its stream can hold");
 }
 
-Bytes Pack(const ByteWriter& out)
+/** Not more values than their stream can hold. */
+void CheckValues(const ArrayDescription& array, std::uint64_t tuples, const StreamRef& stream)
 {
-  return Compress(out.Data);
+  Check(tuples * array.Components / MaxValuesPerByte <= stream.Length,
+    "an array claims more values than its stream can hold");
 }
 
-Bytes Unpack(std::span<const std::uint8_t> bytes)
+std::uint64_t GetLimit(std::span<const std::uint8_t> packed, std::uint64_t small)
 {
-  return Decompress(bytes, std::max(SmallTable, TableExpansion * bytes.size()));
+  return std::max(small, TableExpansion * packed.size());
+}
+
+/** Refuses what Unpack would refuse: no file is better than one that cannot be read. */
+Bytes Pack(const ByteWriter& out, std::uint64_t small)
+{
+  auto packed = Compress(out.Data);
+  if (out.Data.size() > GetLimit(packed, small))
+  {
+    throw Error(ErrorCode::InvalidInput, "the arrays have too many components altogether");
+  }
+  return packed;
+}
+
+Bytes Unpack(std::span<const std::uint8_t> bytes, std::uint64_t small)
+{
+  return Decompress(bytes, GetLimit(bytes, small));
 }
 }
 
@@ -157,12 +192,12 @@ Bytes MetaTable::Write() const
     out.Put(array.AttributeRoles);
     PutStrings(out, array.ComponentNames);
   }
-  return Pack(out);
+  return Pack(out, SmallTable);
 }
 
 MetaTable MetaTable::Read(std::span<const std::uint8_t> bytes)
 {
-  const auto data = Unpack(bytes);
+  const auto data = Unpack(bytes, SmallTable);
   ByteReader in(data);
   MetaTable meta;
   meta.WriterVersion = in.GetString();
@@ -175,8 +210,8 @@ MetaTable MetaTable::Read(std::span<const std::uint8_t> bytes)
   meta.HasTime = in.Get<std::uint8_t>() != 0;
   meta.Keep = in.Get<std::uint8_t>();
   Check(meta.Keep <= KeepAll, "the kept order is unknown");
-  meta.ChunkTets = static_cast<std::uint32_t>(in.GetVarint());
-  meta.KeyStepInterval = static_cast<std::uint32_t>(in.GetVarint());
+  meta.ChunkTets = GetSmall(in);
+  meta.KeyStepInterval = GetSmall(in);
   for (auto& range : meta.Box)
   {
     range = GetRange(in);
@@ -261,12 +296,12 @@ Bytes MeshTable::Write(std::uint8_t keep) const
       PutStream(out, chunk.Corners);
     }
   }
-  return Pack(out);
+  return Pack(out, SmallTable);
 }
 
 MeshTable MeshTable::Read(std::span<const std::uint8_t> bytes, const MetaTable& meta)
 {
-  const auto data = Unpack(bytes);
+  const auto data = Unpack(bytes, SmallTable);
   ByteReader in(data);
   MeshTable mesh;
   for (auto& palette : mesh.Palettes)
@@ -314,8 +349,10 @@ MeshTable MeshTable::Read(std::span<const std::uint8_t> bytes, const MetaTable& 
   {
     chunk.Info.Tets = in.GetVarint();
     chunk.Info.OwnPoints = in.GetVarint();
-    chunk.Info.Level = static_cast<std::uint32_t>(in.GetVarint());
-    chunk.Info.Bucket = static_cast<std::uint32_t>(in.GetVarint());
+    chunk.Info.Level = GetSmall(in);
+    chunk.Info.Bucket = GetSmall(in);
+    Check(chunk.Info.Level == 0 && chunk.Info.Bucket == 0,
+      "a chunk belongs to a level or bucket, which this version does not know");
     for (auto& range : chunk.Info.Box)
     {
       range = GetRange(in);
@@ -355,12 +392,9 @@ std::uint64_t MeshTable::GetSharedPoints() const
 void MeshTable::LinkGroups()
 {
   std::uint64_t point = 0;
+  std::uint64_t total = 0;
   std::vector<std::vector<std::uint32_t>> neighbours(this->Chunks.size());
-  const auto simplify = [](std::vector<std::uint32_t>& list)
-  {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-  };
+  std::vector<std::uint32_t> merged;
   for (std::uint32_t b = 0; b < this->Blocks.size(); ++b)
   {
     auto& block = this->Blocks[b];
@@ -377,11 +411,14 @@ void MeshTable::LinkGroups()
         chunk.Shared.push_back({ b, g, inBlock });
         chunk.Info.SharedPoints += group.Points;
         auto& near = neighbours[c];
-        near.insert(near.end(), group.Chunks.begin(), group.Chunks.end());
-        if (near.size() > 4 * this->Chunks.size() + 64)
-        {
-          simplify(near); // bounds memory when many groups have many chunks
-        }
+        total -= near.size();
+        merged.clear();
+        std::set_union(near.begin(), near.end(), group.Chunks.begin(), group.Chunks.end(),
+          std::back_inserter(merged));
+        near = merged;
+        total += near.size();
+        Check(total <= MaxNeighbours + MaxNeighboursPerChunk * this->Chunks.size(),
+          "too many chunks share points with too many others");
       }
       inBlock += group.Points;
     }
@@ -389,9 +426,30 @@ void MeshTable::LinkGroups()
   for (std::uint32_t c = 0; c < this->Chunks.size(); ++c)
   {
     auto& near = neighbours[c];
-    simplify(near);
     near.erase(std::remove(near.begin(), near.end(), c), near.end());
+    near.shrink_to_fit();
     this->Chunks[c].Info.Neighbours = std::move(near);
+  }
+}
+
+void MeshTable::CheckLengths(std::uint64_t fileSize) const
+{
+  // Streams may have bytes in common, but those that counts are judged by may not have all.
+  std::uint64_t left = fileSize;
+  const auto take = [&](const StreamRef& stream)
+  {
+    Check(stream.Length <= left, "the streams are longer than the file");
+    left -= stream.Length;
+  };
+  for (const auto& block : this->Blocks)
+  {
+    take(block.Geometry);
+  }
+  take(this->Unused.Geometry);
+  for (const auto& chunk : this->Chunks)
+  {
+    take(chunk.Connectivity);
+    take(chunk.Geometry);
   }
 }
 
@@ -425,11 +483,12 @@ std::vector<std::uint64_t> MeshTable::GetSharedUsers(std::size_t chunk) const
   {
     const auto& group = this->Blocks[part.Block].Groups[part.Group];
     std::uint64_t mask = 0;
-    for (const auto c : group.Chunks)
+    // Bit 63 is the last to be set, as the group's chunks and the neighbours ascend.
+    for (auto c = group.Chunks.begin(); c != group.Chunks.end() && mask >> 63 == 0; ++c)
     {
-      if (c != chunk)
+      if (*c != chunk)
       {
-        const auto place = std::lower_bound(near.begin(), near.end(), c) - near.begin();
+        const auto place = std::lower_bound(near.begin(), near.end(), *c) - near.begin();
         mask |= std::uint64_t{ 1 } << std::min<std::ptrdiff_t>(place, 63);
       }
     }
@@ -474,13 +533,13 @@ Bytes StepTable::Write() const
       PutStream(out, stream);
     }
   }
-  return Pack(out);
+  return Pack(out, SmallStep);
 }
 
 StepTable StepTable::Read(
   std::span<const std::uint8_t> bytes, const MetaTable& meta, const MeshTable& mesh)
 {
-  const auto data = Unpack(bytes);
+  const auto data = Unpack(bytes, SmallStep);
   ByteReader in(data);
   StepTable step;
   step.Time = in.Get<double>();
@@ -492,6 +551,7 @@ StepTable StepTable::Read(
   {
     const auto& description = meta.Arrays[a];
     auto& array = step.Arrays[a];
+    const bool isOfPoints = description.Where == Association::Point;
     const auto ranges = GetRangeCount(description.Components);
     Check(description.Components <= in.GetRemaining(), "the table of a step ends too early");
     array.Palettes.resize(description.Components);
@@ -516,13 +576,17 @@ StepTable StepTable::Read(
         range = GetRange(in);
       }
       array.Chunks[c] = GetStream(in);
+      const auto& info = mesh.Chunks[c].Info;
+      CheckValues(description, isOfPoints ? info.OwnPoints : info.Tets, array.Chunks[c]);
     }
-    if (description.Where == Association::Point)
+    if (isOfPoints)
     {
       array.Blocks.resize(mesh.Blocks.size() + 1);
-      for (auto& stream : array.Blocks)
+      for (std::size_t b = 0; b < array.Blocks.size(); ++b)
       {
-        stream = GetStream(in);
+        array.Blocks[b] = GetStream(in);
+        const auto& block = b < mesh.Blocks.size() ? mesh.Blocks[b] : mesh.Unused;
+        CheckValues(description, block.Points, array.Blocks[b]);
       }
     }
   }
@@ -552,7 +616,7 @@ Bytes WriteFieldData(const FieldData& field)
       out.PutBytes(array.Values);
     }
   }
-  return Pack(out);
+  return Compress(out.Data);
 }
 
 FieldData ReadFieldData(std::span<const std::uint8_t> bytes)

@@ -98,6 +98,9 @@ struct MeshTable
 
   std::uint64_t GetSharedPoints() const;
 
+  /** Throws unless the streams that justify the counts fit a file of so many bytes together. */
+  void CheckLengths(std::uint64_t fileSize) const;
+
 private:
   void NumberAll(const MetaTable& meta);
 };

@@ -44,8 +44,10 @@ PointKeys ReadKeys(const PointDomain& domains, ScalarType type, const double* po
   PointKeys keys{};
   for (unsigned i = 0; i < 3; ++i)
   {
-    const auto narrow = static_cast<float>(point[i]);
-    keys[i] = type == ScalarType::Float32 ? domains[i].Read(&narrow) : domains[i].Read(&point[i]);
+    // Two, as GCC 12 believes that eight bytes might be read.
+    const std::array<float, 2> narrow{ static_cast<float>(point[i]), 0 };
+    keys[i] =
+      type == ScalarType::Float32 ? domains[i].Read(narrow.data()) : domains[i].Read(&point[i]);
   }
   return keys;
 }
