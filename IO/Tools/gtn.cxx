@@ -67,14 +67,14 @@ int Run(int argc, char* argv[])
   CLI::App app{ "Losslessly compressed tetrahedral meshes.", "gtn" };
   app.set_version_flag("--version",
     fmt::format("gtn {} (format {})", gatun::PackageVersion(), gatun::FormatVersion()));
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1); // none is looked at below, after unknown options
   app.formatter(std::make_shared<HelpFormatter>());
   app.footer(
     "gtn COMMAND --help tells more, with examples. Exit codes: 0 done, 1 failed, 2 usage.");
   app.failure_message([](const CLI::App*, const CLI::Error& error)
     { return fmt::format("gtn: {}; see gtn --help\n", error.what()); });
   bool manual = false;
-  app.add_flag("--man", manual, "Print the manual page")->group("")->trigger_on_parse();
+  app.add_flag("--man", manual, "Print the manual page")->group("");
   // Before anything runs, which CLI11 does when it has parsed all.
   app.parse_complete_callback(
     [&settings]
@@ -95,12 +95,15 @@ int Run(int argc, char* argv[])
   }
   catch (const CLI::ParseError& error)
   {
-    if (manual)
-    {
-      PrintManual(app);
-      return 0;
-    }
     return app.exit(error) == 0 ? 0 : 2;
+  }
+  if (manual)
+  {
+    PrintManual(app);
+  }
+  else if (app.get_subcommands().empty())
+  {
+    throw UsageError("a command is missing; see gtn --help");
   }
   return 0;
 }
