@@ -72,10 +72,8 @@ class Bytes:
         return self.take(self.varint())
 
     def string(self):
-        try:
-            return self.raw_string().decode("utf-8")
-        except UnicodeDecodeError:
-            raise FormatError("text is not UTF-8") from None
+        """Text; bytes that are not UTF-8 become surrogates, as in Python's file names."""
+        return self.raw_string().decode("utf-8", "surrogateescape")
 
     def end(self):
         require(self.left() == 0, "bytes behind the last field")
@@ -303,6 +301,7 @@ def read_table(table, meta):
         require(chunk.level == 0 and chunk.bucket == 0, "level or bucket")
         length = chunk.connectivity.length if chunk.connectivity else 0
         require(length >= chunk.tets // 256 + 1, "connectivity too short")
+        require(chunk.geometry is not None, "no geometry")
         result.chunks.append(chunk)
     table.end()
 

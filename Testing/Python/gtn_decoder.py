@@ -110,8 +110,7 @@ class ChunkMesh:
             users.append(mask)
 
         self.domains = domains
-        stream = container.stream(chunk.geometry) if chunk.geometry else None
-        self.geometry = Geometry(stream, domains)
+        self.geometry = Geometry(container.stream(chunk.geometry), domains)
         connectivity = container.stream(chunk.connectivity)
         self.walk = Walk(chunk, connectivity, self.geometry, domains, shared_keys, users)
         self.own = [v for v, index in enumerate(self.walk.shared) if index is None]
@@ -121,16 +120,13 @@ class ChunkMesh:
         """Keys of each component on all vertices (10.4). shared_now: keys on the shared points;
         before: what this gave at the step before, if the array has a before."""
         walk = self.walk
-        if stream is not None:
-            stream = ArrayStream(stream, (PREVIOUS, GATE, FIT), before is not None)
-        else:
-            require(not self.own, "no stream for values")
+        require(stream is not None, "no stream for values")
+        stream = ArrayStream(stream, (PREVIOUS, GATE, FIT), before is not None)
         result = []
         for c, domain in enumerate(domains):
             now = [None if index is None else shared_now[c][index] for index in walk.shared]
-            if stream is not None:
-                stream.component(domain)
-                self._decode_component(stream, domain, now, before and before[c])
+            stream.component(domain)
+            self._decode_component(stream, domain, now, before and before[c])
             result.append(now)
         return result
 

@@ -135,17 +135,14 @@ class Geometry:
         self.domains = domains
         self.used = []
         self.last = (0, 0, 0)
-        self.coded = None
-        if stream is not None:
-            stream = Bytes(stream)
-            count = stream.number("B")
-            require(1 <= count <= 16, "number of rules")
-            self.rules = [[stream.number("h") for _ in range(7)] for _ in range(count)]
-            self.coded = Coded(stream)
+        stream = Bytes(stream)
+        count = stream.number("B")
+        require(1 <= count <= 16, "number of rules")
+        self.rules = [[stream.number("h") for _ in range(7)] for _ in range(count)]
+        self.coded = Coded(stream)
 
     def vertex(self, record, keys):
         """Keys of the next own vertex (9.2). keys: those of all vertices met before."""
-        require(self.coded is not None, "no geometry stream")
         coded = self.coded
         rule = 0
         if record.is_seed:
@@ -340,7 +337,7 @@ class Walk:
             return None
         ranked = sorted((gate.sphere(self.places[v]), v) for v in vertices)
         for i, (_, v) in enumerate(ranked[:15]):
-            if self.decide(name + "Rank", min(i, 5)):
+            if self.decide(name + "Pick", min(i, 5)):
                 return v
         require(False, "nothing picked")
 
