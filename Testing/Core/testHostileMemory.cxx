@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Small files that ask for much memory or time.
+
+#include "gatunHostile.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <new>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define GATUN_HAS_SHADOW_MEMORY
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define GATUN_HAS_SHADOW_MEMORY
+#endif
+#endif
+
+namespace
+{
+using namespace gatun;
+using namespace gatun::test;
+
+std::size_t GetAddressSpace()
+{
+  std::ifstream in("/proc/self/statm");
+  std::size_t pages = 0;
+  in >> pages;
+  return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+}
+
+/** Opens a file with little memory, in a process of its own: exit code 0 unless memory ran out. */
+void OpenWithLimit(const std::string& path)
+{
+  const auto limit =
+    GetAddressSpace() + (std::size_t{ 64 } << 20) + 256 * std::filesystem::file_size(path);
+  const ::rlimit memory{ limit, limit };
+  ::setrlimit(RLIMIT_AS, &memory);
+  try
+  {
+    FileReader reader(path);
+    std::cerr << "opened" << std::endl;
+  }
+  catch (const Error& error)
+  {
+    std::cerr << error.what() << std::endl;
+  }
+  catch (const std::bad_alloc&)
+  {
+    std::cerr << "out of memory" << std::endl;
+    std::_Exit(1);
+  }
+  std::_Exit(0);
+}
+
+class HostileMemory : public ::testing::Test
+{
+protected:
+  void Open(const FileImage& image, const std::string& what)
+  {
+#ifdef GATUN_HAS_SHADOW_MEMORY
+    GTEST_SKIP() << "sanitizers need address space of their own";
+#endif
+    ::testing::FLAGS_gtest_death_test_style = "fast";
+    const auto path = PutFile("bomb.gtn", image.Build());
+    EXPECT_LT(std::filesystem::file_size(path), 300000u);
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_EXIT(OpenWithLimit(path), ::testing::ExitedWithCode(0), what);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+  }
+
+  /** Chunks of one tetrahedron each, all with streams of one byte. */
+  static FileImage MakeChunks(std::size_t count)
+  {
+    FileImage image;
+    ChunkEntry chunk;
+    chunk.Info.Tets = 1;
+    chunk.Info.OwnPoints = 3;
+    chunk.Connectivity = { 1u << 20, 1, 0 };
+    image.Mesh.Chunks.assign(count, chunk);
+    image.Meta.Tets = count;
+    image.Meta.Points = 3 * count;
+    image.Streams.emplace_back(2 * count, std::uint8_t{ 0 });
+    return image;
+  }
+};
+
+TEST_F(HostileMemory, ManyChunksInASmallTable)
+{
+  auto image = this->MakeChunks(15000);
+  this->Open(image, "opened");
+  image.Streams.clear(); // now the file is shorter than its chunks' streams
+  this->Open(image, "longer than the file");
+}
+
+TEST_F(HostileMemory, AllChunksNextToEachOther)
+{
+  for (const std::size_t count : { 1700, 9000 })
+  {
+    auto image = this->MakeChunks(count);
+    BlockEntry block;
+    block.Groups.emplace_back();
+    block.Groups[0].Points = 1;
+    for (std::uint32_t c = 0; c < count; ++c)
+    {
+      block.Groups[0].Chunks.push_back(c);
+    }
+    block.Geometry = { 1u << 20, 1, 0 };
+    const std::size_t blocks = count < 5000 ? 100 : 20;
+    image.Mesh.Blocks.assign(blocks, block);
+    for (auto& chunk : image.Mesh.Chunks)
+    {
+      chunk.Info.Tets = 100;
+    }
+    image.Meta.Tets = 100 * count;
+    image.Meta.Points += blocks;
+    this->Open(image, count < 5000 ? "opened" : "too many chunks share points");
+  }
+}
+
+TEST_F(HostileMemory, ManyGroups)
+{
+  auto image = this->MakeChunks(2);
+  BlockEntry block;
+  block.Groups.assign(200000, { { 0, 1 }, 1 });
+  block.Geometry = { 1u << 20, 1000, 0 };
+  image.Mesh.Blocks.push_back(block);
+  for (auto& chunk : image.Mesh.Chunks)
+  {
+    chunk.Info.Tets = 60000;
+    chunk.Connectivity.Length = 300;
+  }
+  image.Streams[0].resize(2000);
+  image.Meta.Tets = 120000;
+  image.Meta.Points += 200000;
+  this->Open(image, "opened");
+}
+
+TEST_F(HostileMemory, ManyArrays)
+{
+  auto image = this->MakeChunks(2);
+  image.Meta.Arrays.assign(70000, {});
+  this->Open(image, "opened");
+  // With a step whose table has next to nothing for them.
+  image.StoredSteps.emplace_back(Bytes(2000, 0));
+  this->Open(image, "ends too early");
+}
+
+TEST_F(HostileMemory, OneStepNamedManyTimes)
+{
+  auto image = this->MakeChunks(1);
+  image.Meta.HasTime = true;
+  image.Meta.Arrays.resize(1);
+  image.Meta.Arrays[0].Components = 65536;
+  image.Meta.Arrays[0].Where = Association::Cell;
+  StepTable step;
+  step.Arrays.resize(1);
+  auto& array = step.Arrays[0];
+  array.Palettes.resize(65536);
+  array.Ranges.resize(65537);
+  array.ChunkRanges.assign(1, ArrayRanges(65537));
+  array.Chunks.assign(1, { 1u << 20, 9, 0 });
+  image.Steps.assign(300, step);
+  this->Open(image, "do not ascend");
+}
+
+TEST(HostileTime, AChunkThatClaimsAsMuchAsItCanIsRefusedSoon)
+{
+  auto image = MakeImage();
+  auto& chunk = image.Mesh.Chunks[0];
+  const std::uint64_t tets = 1u << 18;
+  image.Meta.Tets += tets - chunk.Info.Tets;
+  image.Meta.Points += 4 * tets - 1000 - chunk.Info.OwnPoints;
+  chunk.Info.Tets = tets;
+  chunk.Info.OwnPoints = 4 * tets - 1000;
+  std::mt19937 random(1);
+  for (int attempt = 0; attempt < 8; ++attempt)
+  {
+    Bytes stream(tets / 256 + 1 + 8192);
+    std::generate(stream.begin(), stream.end(),
+      [&] { return static_cast<std::uint8_t>(attempt < 4 ? 0 : random()); });
+    stream[0] = static_cast<std::uint8_t>(attempt % 4);
+    stream[1] = 0x80;
+    stream[2] = 0x40;
+    image.Set(chunk.Connectivity, stream);
+    const auto path = PutFile("claims.gtn", image.Build());
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_GATUN_ERROR(ErrorCode::Corrupt, path, "the mesh of chunk 0", [&] { ReadAll(path); });
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+  }
+}
+}
