@@ -274,7 +274,7 @@ template <Ranking Rule>
 double SampleWalk(
   WalkInput input, Tets tets, const FaceTable& faces, std::span<const LatticePoint> ownPlaces)
 {
-  input.Stop = input.Tets / 8;
+  input.Stop = std::max(input.Tets / 8, 8192u);
   EntropyEncoder coder;
   EncoderSide side(tets, faces, static_cast<std::uint32_t>(input.Shared.size()), ownPlaces);
   Topology walked;
@@ -334,8 +334,11 @@ void CodeGeometry(
 
 double SampleGeometry(ChunkMesh& mesh, const PredictionRules& rules)
 {
+  // Enough that what the models learn does not count for more than it will in the end.
+  constexpr std::size_t least = 4096;
+  const auto count = mesh.Walk.Records.size();
   EntropyEncoder coder;
-  CodeGeometry(coder, mesh, rules, mesh.Walk.Records.size() / 8);
+  CodeGeometry(coder, mesh, rules, std::min(count, std::max(count / 8, least)));
   return coder.EstimateBits();
 }
 
