@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fuzzFiles.h"
+
+#include "gatunError.h"
+#include "gatunFileReader.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+#include <numeric>
+#include <vector>
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace gatun::fuzz
+{
+namespace
+{
+// A file that announces more is opened, but not decoded, to keep runs fast.
+constexpr std::uint64_t MostTets = 2048;
+constexpr std::uint64_t MostPoints = 4096;
+constexpr std::uint64_t MostValues = 1u << 16;
+constexpr std::size_t MostChunks = 12;
+constexpr std::size_t MostSteps = 5;
+
+[[noreturn]] void Stop(const std::string& why)
+{
+  std::cerr << why << std::endl;
+  std::abort();
+}
+
+bool IsSmall(const FileReader& file)
+{
+  std::uint64_t values = 0;
+  for (const auto& array : file.GetArrays())
+  {
+    values += array.Components *
+      (array.Where == Association::Point ? file.GetNumberOfPoints() : file.GetNumberOfTets());
+  }
+  return file.GetNumberOfTets() <= MostTets && file.GetNumberOfPoints() <= MostPoints &&
+    file.GetChunks().size() <= MostChunks && file.GetNumberOfSteps() <= MostSteps &&
+    values <= MostValues;
+}
+
+void DecodePiece(PieceDecoder& decoder, const FileReader& file, const PieceRequest& request)
+{
+  decoder.SetRequest(request);
+  const auto points = static_cast<std::size_t>(decoder.GetNumberOfPoints());
+  const auto tets = static_cast<std::size_t>(decoder.GetNumberOfTets());
+  std::vector<double> coordinates(3 * points);
+  std::vector<std::int64_t> connectivity(4 * tets, -1), pointIds(points, -1), cellIds(tets, -1);
+  std::vector<unsigned char> pointGhosts(points, 77), cellGhosts(tets, 77);
+  std::vector<std::vector<std::uint8_t>> values;
+  PieceTarget target;
+  target.Points = coordinates.data();
+  target.Connectivity = connectivity.data();
+  target.GlobalPointIds = pointIds.data();
+  target.GlobalCellIds = cellIds.data();
+  target.PointGhosts = pointGhosts.data();
+  target.CellGhosts = cellGhosts.data();
+  for (const auto a : request.Arrays)
+  {
+    const auto& array = file.GetArrays()[a];
+    values.emplace_back(
+      (array.Where == Association::Point ? points : tets) * array.Components * SizeOf(array.Type));
+    target.Arrays.push_back(values.back().data());
+  }
+  decoder.Fill(target);
+
+  const auto allBelow = [](const std::vector<std::int64_t>& ids, std::uint64_t end)
+  {
+    return std::all_of(ids.begin(), ids.end(),
+      [&](std::int64_t id) { return id >= 0 && static_cast<std::uint64_t>(id) < end; });
+  };
+  if (!allBelow(connectivity, points) || !allBelow(pointIds, file.GetNumberOfPoints()) ||
+    !allBelow(cellIds, file.GetNumberOfTets()))
+  {
+    Stop("a decoded id is out of range");
+  }
+  const auto isFlag = [](unsigned char ghost) { return ghost <= 1; };
+  if (!std::all_of(pointGhosts.begin(), pointGhosts.end(), isFlag) ||
+    !std::all_of(cellGhosts.begin(), cellGhosts.end(), isFlag))
+  {
+    Stop("a ghost mark was not written");
+  }
+}
+
+void DecodePieces(const std::shared_ptr<const FileReader>& file)
+{
+  PieceRequest all;
+  all.Chunks.resize(file->GetChunks().size());
+  std::iota(all.Chunks.begin(), all.Chunks.end(), 0u);
+  all.WithUnusedPoints = true;
+  if (file->GetNumberOfSteps() > 0)
+  {
+    all.Arrays.resize(file->GetArrays().size());
+    std::iota(all.Arrays.begin(), all.Arrays.end(), 0u);
+  }
+  PieceDecoder decoder(file);
+  const auto steps = std::max<std::size_t>(1, file->GetNumberOfSteps());
+  for (std::size_t i = steps; i-- > 0;)
+  {
+    all.Step = i;
+    DecodePiece(decoder, *file, all);
+  }
+  const std::size_t halves = all.Chunks.size() > 1 ? 2 : 0;
+  for (std::size_t half = 0; half < halves; ++half)
+  {
+    auto request = all;
+    request.Chunks.clear();
+    for (auto c = half * all.Chunks.size() / 2; c < (half + 1) * all.Chunks.size() / 2; ++c)
+    {
+      request.Chunks.push_back(static_cast<std::uint32_t>(c));
+    }
+    request.GhostLevels = static_cast<unsigned>(1 - half);
+    request.WithUnusedPoints = half == 0;
+    PieceDecoder one(file);
+    DecodePiece(one, *file, request);
+  }
+}
+}
+
+MemoryFile::MemoryFile()
+  : Handle(::memfd_create("gatun", MFD_CLOEXEC))
+  , Path("/proc/self/fd/" + std::to_string(Handle))
+{
+  if (this->Handle < 0)
+  {
+    Stop("memfd_create failed");
+  }
+}
+
+MemoryFile::~MemoryFile()
+{
+  ::close(this->Handle);
+}
+
+void MemoryFile::Set(std::span<const std::uint8_t> bytes)
+{
+  if (::ftruncate(this->Handle, static_cast<::off_t>(bytes.size())) != 0 ||
+    ::pwrite(this->Handle, bytes.data(), bytes.size(), 0) != static_cast<::ssize_t>(bytes.size()))
+  {
+    Stop("the file in memory cannot be written");
+  }
+}
+
+void UseOneThread()
+{
+  ::setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 0);
+}
+
+bool DecodeFile(const std::string& path)
+{
+  const auto check = [&](const Error& error)
+  {
+    const std::string what = error.what();
+    if (what.compare(0, path.size() + 2, path + ": ") != 0 || what.size() < path.size() + 8)
+    {
+      Stop("an error does not say which file is wrong: " + what);
+    }
+    if (error.Code != ErrorCode::NotGatun && error.Code != ErrorCode::UnsupportedVersion &&
+      error.Code != ErrorCode::Truncated && error.Code != ErrorCode::Corrupt)
+    {
+      Stop("an error has the wrong code: " + what);
+    }
+  };
+  std::shared_ptr<const FileReader> file;
+  try
+  {
+    file = std::make_shared<FileReader>(path);
+    file->GetStatistics();
+    for (std::size_t i = 0; i < std::min(MostSteps, file->GetNumberOfSteps()); ++i)
+    {
+      file->GetFieldData(i);
+    }
+  }
+  catch (const Error& error)
+  {
+    check(error);
+    return false;
+  }
+  if (!IsSmall(*file))
+  {
+    return false;
+  }
+  bool decodes = true;
+  try
+  {
+    DecodePieces(file);
+  }
+  catch (const Error& error)
+  {
+    check(error);
+    decodes = false;
+  }
+  try
+  {
+    file->Verify();
+  }
+  catch (const Error& error)
+  {
+    check(error);
+    return false;
+  }
+  if (!decodes)
+  {
+    Stop("a file that does not decode was verified");
+  }
+  return true;
+}
+}

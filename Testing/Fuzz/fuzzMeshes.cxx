@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fuzzMeshes.h"
+
+#include <cstdlib>
+#include <limits>
+#include <set>
+
+namespace gatun::fuzz
+{
+namespace
+{
+double TakeBound(Input& in)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr std::array special{ 0.0, 1.0, -1.0, 1e308, -1e308, 1e-310, infinity, -infinity,
+    std::numeric_limits<double>::quiet_NaN(), 65535.0, 1e300, -1e300 };
+  const auto which = in.Take<std::uint8_t>();
+  return which < 128 ? special[which % special.size()] : in.Take<float>();
+}
+
+[[noreturn]] void Stop()
+{
+  std::abort();
+}
+
+void Require(bool right)
+{
+  if (!right)
+  {
+    Stop();
+  }
+}
+}
+
+Key TakeKey(Input& in, const Domain& domain)
+{
+  const auto how = in.Take<std::uint8_t>();
+  Key key = 0;
+  if (domain.GetPalette())
+  {
+    key = how % domain.GetPalette()->size();
+  }
+  else if (how < 160)
+  {
+    key = domain.FromNumber(static_cast<double>(how % 16) * (how & 16 ? 0.25 : 1.0));
+  }
+  else if (how < 176)
+  {
+    key = (how & 1) ? 0 : ~Key{ 0 };
+  }
+  else
+  {
+    key = in.Take<std::uint64_t>();
+  }
+  return domain.GetBits() == 64 ? key : key & ((Key{ 1 } << domain.GetBits()) - 1);
+}
+
+Domain TakeDomain(Input& in, ScalarType type)
+{
+  const auto count = in.Take<std::uint8_t>();
+  if (count < 160 || !IsFloating(type))
+  {
+    return Domain(type);
+  }
+  const Domain plain(type);
+  std::set<Key> keys;
+  for (unsigned i = 0; i <= count % 9u; ++i)
+  {
+    keys.insert(TakeKey(in, plain));
+  }
+  return Domain(type, std::make_shared<Palette>(keys.begin(), keys.end()));
+}
+
+ChunkFrame TakeFrame(Input& in, std::uint32_t mostTets)
+{
+  ChunkFrame frame;
+  frame.Tets = in.TakeUpTo(mostTets);
+  frame.OwnPoints = in.TakeUpTo(4 * mostTets);
+  const auto type = in.TakeBool() ? ScalarType::Float32 : ScalarType::Float64;
+  for (unsigned axis = 0; axis < 3; ++axis)
+  {
+    frame.Box[axis] = { TakeBound(in), TakeBound(in) };
+    frame.Domains[axis] = TakeDomain(in, type);
+  }
+  const auto shared = in.TakeUpTo(in.TakeBool() ? 255 : 12);
+  const auto seed = in.Take<std::uint8_t>();
+  for (std::uint32_t i = 0; i < shared; ++i)
+  {
+    PointKeys keys{};
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      keys[axis] = TakeKey(in, frame.Domains[axis]);
+    }
+    frame.SharedKeys.push_back(keys);
+    frame.SharedUsers.push_back(seed * (i + 1));
+  }
+  return frame;
+}
+
+std::vector<Tet> TakeTets(Input& in, std::uint32_t mostTets, std::uint32_t& points)
+{
+  std::vector<Tet> tets;
+  points = 0;
+  const auto count = in.TakeUpTo(mostTets);
+  while (tets.size() < count)
+  {
+    const auto how = in.Take<std::uint8_t>();
+    Tet tet{};
+    if (tets.empty() || how >= 250)
+    {
+      for (auto& corner : tet)
+      {
+        corner = points++;
+      }
+    }
+    else if (how >= 240)
+    {
+      // Four of any: soup, doubles, corners that repeat.
+      for (auto& corner : tet)
+      {
+        corner = in.TakeUpTo(points - 1);
+      }
+    }
+    else
+    {
+      // On a face of one of the last tetrahedra.
+      const auto back = std::min<std::size_t>(how / 16 + 1u, tets.size());
+      tet = tets[tets.size() - back];
+      const unsigned corner = how % 4u;
+      tet[corner] = (how & 4) ? points++ : in.TakeUpTo(points - 1);
+      std::swap(tet[(corner + 1) % 4], tet[(corner + (how & 8 ? 2u : 3u)) % 4]);
+    }
+    tets.push_back(tet);
+  }
+  return tets;
+}
+
+ArrayFrame TakePointArray(Input& in, const SmallChunk& chunk)
+{
+  ArrayFrame array;
+  const auto type = static_cast<ScalarType>(1 + in.TakeUpTo(9));
+  array.Keys.resize(1 + in.TakeUpTo(2));
+  const bool hasBefore = in.TakeBool();
+  const auto vertices = chunk.Mesh.Keys.size();
+  for (auto& component : array.Keys)
+  {
+    array.Domains.push_back(hasBefore ? Domain(type) : TakeDomain(in, type));
+    component.Now.resize(vertices);
+    for (const auto v : chunk.SharedIds)
+    {
+      component.Now[v] = TakeKey(in, array.Domains.back());
+    }
+    for (std::size_t v = 0; hasBefore && v < vertices; ++v)
+    {
+      component.Before.push_back(TakeKey(in, array.Domains.back()));
+    }
+  }
+  return array;
+}
+
+ArrayFrame TakeCellArray(Input& in)
+{
+  ArrayFrame array;
+  const auto type = static_cast<ScalarType>(1 + in.TakeUpTo(9));
+  const auto tuples = in.TakeUpTo(200);
+  if (in.TakeBool())
+  {
+    // As a walk leaves them: a tetrahedron before this one, or none.
+    array.Parents.resize(tuples, Topology::NoTet);
+    for (std::uint32_t t = 1; t < tuples; ++t)
+    {
+      const auto back = in.Take<std::uint8_t>();
+      array.Parents[t] = back == 0 ? Topology::NoTet : t - std::min<std::uint32_t>(back, t);
+    }
+  }
+  array.Keys.resize(1 + in.TakeUpTo(2));
+  const bool hasBefore = in.TakeBool();
+  for (auto& component : array.Keys)
+  {
+    array.Domains.push_back(hasBefore ? Domain(type) : TakeDomain(in, type));
+    component.Now.resize(tuples);
+    for (std::uint32_t t = 0; hasBefore && t < tuples; ++t)
+    {
+      component.Before.push_back(TakeKey(in, array.Domains.back()));
+    }
+  }
+  return array;
+}
+
+void CheckKeys(const ArrayFrame& array)
+{
+  for (std::size_t c = 0; c < array.Keys.size(); ++c)
+  {
+    for (const auto key : array.Keys[c].Now)
+    {
+      Require(array.Domains[c].IsValid(key));
+    }
+  }
+}
+
+void CheckChunk(const ChunkFrame& frame, const ChunkMesh& mesh)
+{
+  const auto& walk = mesh.Walk;
+  const auto vertices = frame.OwnPoints + frame.SharedKeys.size();
+  Require(walk.Tets.size() == frame.Tets && walk.Parents.size() == frame.Tets &&
+    walk.Sources.size() == vertices && mesh.Keys.size() == vertices &&
+    walk.Records.size() == frame.OwnPoints && mesh.UsedRules.size() == frame.OwnPoints);
+  for (std::size_t t = 0; t < walk.Tets.size(); ++t)
+  {
+    for (const auto v : walk.Tets[t])
+    {
+      Require(v < vertices);
+    }
+    Require(walk.Parents[t] == Topology::NoTet || walk.Parents[t] < t);
+  }
+  std::vector<char> met(vertices, 0);
+  for (Vertex v = 0; v < vertices; ++v)
+  {
+    const auto source = walk.Sources[v] & ~Topology::SharedFlag;
+    const auto index = walk.IsShared(v) ? frame.OwnPoints + std::size_t{ source } : source;
+    Require(index < vertices && !met[index]);
+    met[index] = 1;
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      Require(mesh.Domains[axis].IsValid(mesh.Keys[v][axis]));
+    }
+  }
+}
+
+SmallChunk::SmallChunk()
+{
+  // A fan of tetrahedra around an edge, with another one that has a part of its own.
+  std::vector<Tet> tets;
+  for (std::uint32_t i = 2; i < 12; ++i)
+  {
+    tets.push_back({ 0, 1, i, i + 1 });
+    tets.push_back({ 1, i, i + 1, i + 11 });
+  }
+  tets.push_back({ 23, 24, 25, 26 });
+  constexpr std::uint32_t shared = 5;
+  constexpr std::uint32_t vertices = 27;
+  ChunkFrame frame;
+  frame.Tets = static_cast<std::uint32_t>(tets.size());
+  frame.OwnPoints = vertices - shared;
+  frame.Box = { Range{ 0, 30 }, Range{ 0, 30 }, Range{ 0, 30 } };
+  std::vector<PointKeys> keys;
+  const Domain domain(ScalarType::Float32);
+  frame.Domains = { domain, domain, domain };
+  for (std::uint32_t v = 0; v < vertices; ++v)
+  {
+    keys.push_back(
+      { domain.FromNumber(v), domain.FromNumber(v * v % 31), domain.FromNumber(v * v * v % 29) });
+  }
+  frame.SharedKeys.assign(keys.begin(), keys.begin() + shared);
+  frame.SharedUsers.assign(shared, 1);
+  const std::vector<PointKeys> own(keys.begin() + shared, keys.end());
+  this->Mesh = EncodeChunk(frame, tets, own).Mesh;
+  this->Mesh.MakeContext(true);
+  for (Vertex v = 0; v < vertices; ++v)
+  {
+    if (this->Mesh.Walk.IsShared(v))
+    {
+      this->SharedIds.push_back(v);
+    }
+  }
+}
+}

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef fuzzMeshes_h
+#define fuzzMeshes_h
+
+// Meshes and values out of a fuzzer's bytes.
+
+#include "fuzzInput.h"
+#include "gatunChunkCodec.h"
+
+#include <array>
+#include <vector>
+
+namespace gatun::fuzz
+{
+using Tet = std::array<std::uint32_t, 4>;
+
+/** A value's key, often an extreme one. */
+Key TakeKey(Input& in, const Domain& domain);
+
+/** Plain, or with a small palette. */
+Domain TakeDomain(Input& in, ScalarType type);
+
+/** Counts, box, domains and shared points of a chunk; anything that tables let through and more. */
+ChunkFrame TakeFrame(Input& in, std::uint32_t mostTets);
+
+/**
+ * Tetrahedra that are mostly glued to the ones before, with the mistakes that meshes have; names
+ * points 0 to points - 1, each at least once.
+ */
+std::vector<Tet> TakeTets(Input& in, std::uint32_t mostTets, std::uint32_t& points);
+
+/** An array whose stream is to be decoded: what is known of it beforehand. */
+struct ArrayFrame
+{
+  std::vector<std::uint32_t> Parents; // of cells; may be empty
+  std::vector<Domain> Domains;
+  std::vector<ComponentKeys> Keys;
+};
+
+class SmallChunk;
+ArrayFrame TakePointArray(Input& in, const SmallChunk& chunk);
+ArrayFrame TakeCellArray(Input& in);
+
+/** Aborts unless all keys are such as the domains have. */
+void CheckKeys(const ArrayFrame& array);
+
+/** Aborts unless the ids, parents and records of a decoded chunk are in range. */
+void CheckChunk(const ChunkFrame& frame, const ChunkMesh& mesh);
+
+/** A chunk of some tetrahedra, decoded and ready to have arrays decoded on it. */
+class SmallChunk
+{
+public:
+  SmallChunk();
+
+  ChunkMesh Mesh;
+  std::vector<Vertex> SharedIds; // vertices whose values are known beforehand
+};
+}
+
+#endif

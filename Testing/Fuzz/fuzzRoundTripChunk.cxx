@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A chunk and arrays on it, encoded and decoded: what comes back must be what went in.
+
+#include "fuzzMeshes.h"
+
+#include <cstdlib>
+
+namespace
+{
+using namespace gatun;
+
+void Require(bool right)
+{
+  if (!right)
+  {
+    std::abort();
+  }
+}
+
+/** Values for vertices or tetrahedra, in the order of the walk. */
+std::vector<ComponentKeys> TakeValues(
+  fuzz::Input& in, std::size_t count, bool hasBefore, std::vector<Domain>& domains)
+{
+  const auto type = static_cast<ScalarType>(1 + in.TakeUpTo(9));
+  std::vector<ComponentKeys> keys(1 + in.TakeUpTo(1));
+  for (auto& component : keys)
+  {
+    domains.push_back(hasBefore ? Domain(type) : fuzz::TakeDomain(in, type));
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      component.Now.push_back(fuzz::TakeKey(in, domains.back()));
+      if (hasBefore)
+      {
+        component.Before.push_back(
+          in.TakeBool() ? component.Now.back() : fuzz::TakeKey(in, domains.back()));
+      }
+    }
+  }
+  return keys;
+}
+
+void TryValues(fuzz::Input& in, const EncodedChunk& encoded, ChunkMesh& decoded)
+{
+  const bool hasBefore = in.TakeBool();
+  {
+    std::vector<Domain> domains;
+    auto keys = TakeValues(in, decoded.Keys.size(), hasBefore, domains);
+    const auto right = keys;
+    const auto stream = EncodePointValues(encoded.Mesh.Context, domains, keys);
+    for (std::size_t c = 0; c < keys.size(); ++c)
+    {
+      for (Vertex v = 0; v < keys[c].Now.size(); ++v)
+      {
+        keys[c].Now[v] = decoded.Walk.IsShared(v) ? right[c].Now[v] : 0;
+      }
+    }
+    DecodePointValues(fuzz::Copy(stream), decoded.Context, domains, keys);
+    for (std::size_t c = 0; c < keys.size(); ++c)
+    {
+      Require(keys[c].Now == right[c].Now);
+    }
+  }
+  std::vector<Domain> domains;
+  auto keys = TakeValues(in, decoded.Walk.Tets.size(), hasBefore, domains);
+  const auto right = keys;
+  const auto stream = EncodeCellValues(encoded.Mesh.Walk.Parents, domains, keys);
+  for (auto& component : keys)
+  {
+    std::fill(component.Now.begin(), component.Now.end(), 0);
+  }
+  DecodeCellValues(fuzz::Copy(stream), decoded.Walk.Parents, domains, keys);
+  for (std::size_t c = 0; c < keys.size(); ++c)
+  {
+    Require(keys[c].Now == right[c].Now);
+  }
+}
+}
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  fuzz::Input in(data, size);
+  std::uint32_t points = 0;
+  const auto tets = fuzz::TakeTets(in, 40, points);
+  if (tets.empty())
+  {
+    return 0;
+  }
+  auto frame = fuzz::TakeFrame(in, 0);
+  const auto shared = std::min<std::size_t>(frame.SharedKeys.size(), points);
+  frame.Tets = static_cast<std::uint32_t>(tets.size());
+  frame.OwnPoints = points - static_cast<std::uint32_t>(shared);
+  frame.SharedKeys.resize(shared);
+  frame.SharedUsers.resize(shared);
+  std::vector<PointKeys> own(frame.OwnPoints);
+  for (auto& keys : own)
+  {
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      keys[axis] = fuzz::TakeKey(in, frame.Domains[axis]);
+    }
+  }
+
+  auto encoded = EncodeChunk(frame, tets, own);
+  auto decoded = DecodeChunk(frame, fuzz::Copy(encoded.Connectivity), fuzz::Copy(encoded.Geometry));
+  fuzz::CheckChunk(frame, decoded);
+  Require(decoded.Keys == encoded.Mesh.Keys && decoded.Walk.Tets == encoded.Mesh.Walk.Tets);
+  for (std::size_t t = 0; t < tets.size(); ++t)
+  {
+    // Each corner's point, found through the decoder's numbers, is the input's.
+    const auto corners = RotateCorners(decoded.Walk.Tets[t], encoded.Corners[t]);
+    for (unsigned i = 0; i < 4; ++i)
+    {
+      const auto source = decoded.Walk.Sources[corners[i]];
+      const auto point = decoded.Walk.IsShared(corners[i])
+        ? source & ~Topology::SharedFlag
+        : static_cast<std::uint32_t>(shared) + encoded.OwnOrder[source];
+      Require(point == tets[encoded.TetOrder[t]][i]);
+      const auto& right = point < shared ? frame.SharedKeys[point] : own[point - shared];
+      Require(decoded.Keys[corners[i]] == right);
+    }
+  }
+  encoded.Mesh.MakeContext(true);
+  decoded.MakeContext(true);
+  TryValues(in, encoded, decoded);
+  return 0;
+}

@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Files that are wrong inside of right checksums: libFuzzer's mutations are applied to tables and
+// streams, and the file is put together again.
+
+#include "../Core/gatunFileImage.h"
+#include "fuzzFiles.h"
+#include "fuzzInput.h"
+
+#include <array>
+#include <random>
+
+// Only libFuzzer's programs have it.
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most)
+  __attribute__((weak));
+extern "C" std::size_t LLVMFuzzerCustomMutator(
+  std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed);
+
+namespace
+{
+using namespace gatun;
+using Image = gatun::test::FileImage;
+
+fuzz::MemoryFile& GetFile()
+{
+  static fuzz::MemoryFile file;
+  return file;
+}
+
+void Mutate(Bytes& bytes, std::size_t room)
+{
+  const auto size = bytes.size();
+  bytes.resize(size + room);
+  bytes.resize(LLVMFuzzerMutate(bytes.data(), size, bytes.size()));
+}
+
+std::vector<StreamRef*> GetStreams(Image& image)
+{
+  std::vector<StreamRef*> all;
+  image.EachStream(
+    [&](StreamRef& stream)
+    {
+      if (stream.Length > 0)
+      {
+        all.push_back(&stream);
+      }
+    });
+  return all;
+}
+
+/** Changes counts in such a way that the sums which the reader checks still hold. */
+void ChangeCounts(Image& image, std::minstd_rand& random)
+{
+  auto& chunks = image.Mesh.Chunks;
+  if (chunks.empty())
+  {
+    return;
+  }
+  auto& info = chunks[random() % chunks.size()].Info;
+  const auto change = [&](std::uint64_t& count, std::uint64_t& sum)
+  {
+    const auto now = random() % 2 ? count + random() % 3 - 1 : random() % 300;
+    sum += now - count;
+    count = now;
+  };
+  switch (random() % 5)
+  {
+    case 0:
+      change(info.Tets, image.Meta.Tets);
+      break;
+    case 1:
+      change(info.OwnPoints, image.Meta.Points);
+      break;
+    case 2:
+      if (!image.Mesh.Blocks.empty())
+      {
+        auto& block = image.Mesh.Blocks[random() % image.Mesh.Blocks.size()];
+        auto& group = block.Groups[random() % block.Groups.size()];
+        std::uint64_t points = group.Points;
+        change(points, image.Meta.Points);
+        group.Points = static_cast<std::uint32_t>(points);
+      }
+      break;
+    case 3:
+      change(image.Meta.UnusedPoints, image.Meta.Points);
+      break;
+    default:
+    {
+      // NaN is refused by the table; all else is not.
+      const std::array<double, 6> bounds{ 0, -1e308, 1e308, HUGE_VAL, -HUGE_VAL, 1e-310 };
+      auto& range = info.Box[random() % 3];
+      (random() % 2 ? range.Min : range.Max) = bounds[random() % bounds.size()];
+      break;
+    }
+  }
+}
+
+/** Changes the description of an array or of the mesh. */
+void ChangeMeta(Image& image, std::minstd_rand& random)
+{
+  auto& meta = image.Meta;
+  if (random() % 3 == 0 || meta.Arrays.empty())
+  {
+    meta.Keep = static_cast<std::uint8_t>(random() % 8);
+    meta.CoordinateType = random() % 2 ? ScalarType::Float32 : ScalarType::Float64;
+    meta.HasTime = random() % 2;
+    return;
+  }
+  auto& array = meta.Arrays[random() % meta.Arrays.size()];
+  array.Type = static_cast<ScalarType>(1 + random() % 10);
+}
+
+void ChangeSteps(Image& image, std::minstd_rand& random)
+{
+  if (image.Steps.empty())
+  {
+    return;
+  }
+  auto& step = image.Steps[random() % image.Steps.size()];
+  if (random() % 2 || step.Arrays.empty())
+  {
+    step.Key = !step.Key;
+    return;
+  }
+  auto& array = step.Arrays[random() % step.Arrays.size()];
+  auto& palette = array.Palettes[random() % array.Palettes.size()];
+  palette.Count = palette.Count == 0 ? 1 + random() % 8 : random() % 2 ? 0 : palette.Count - 1;
+  if (palette.Count > 0 && palette.Stream.Length == 0)
+  {
+    palette.Stream = *GetStreams(image).front();
+  }
+}
+
+Bytes Change(Image& image, std::minstd_rand& random)
+{
+  const auto streams = GetStreams(image);
+  switch (random() % 12)
+  {
+    case 0:
+      image.StoredMeta = Decompress(image.Meta.Write(), 1 << 20);
+      Mutate(*image.StoredMeta, 16);
+      break;
+    case 1:
+      image.StoredMesh = Decompress(image.Mesh.Write(image.Meta.Keep), 1 << 20);
+      Mutate(*image.StoredMesh, 16);
+      break;
+    case 2:
+      if (!image.Steps.empty())
+      {
+        const auto i = random() % image.Steps.size();
+        image.StoredSteps.resize(i + 1);
+        image.StoredSteps[i] = Decompress(image.Steps[i].Write(), 1 << 20);
+        Mutate(*image.StoredSteps[i], 16);
+      }
+      break;
+    case 3:
+      ChangeCounts(image, random);
+      break;
+    case 4:
+      ChangeMeta(image, random);
+      break;
+    case 5:
+      ChangeSteps(image, random);
+      break;
+    case 6:
+      if (!streams.empty())
+      {
+        *streams[random() % streams.size()] = *streams[random() % streams.size()];
+      }
+      break;
+    default:
+      if (!streams.empty())
+      {
+        auto& stream = *streams[random() % streams.size()];
+        auto bytes = image.Of(stream);
+        Mutate(bytes, random() % 4 == 0 ? 64 : 4);
+        image.Of(stream) = bytes;
+        stream.Length = bytes.size();
+      }
+      break;
+  }
+  return image.Build();
+}
+}
+
+std::size_t LLVMFuzzerCustomMutator(
+  std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed)
+{
+  std::minstd_rand random(seed + 1);
+  try
+  {
+    auto& file = GetFile();
+    file.Set({ data, size });
+    Image image(file.GetPath());
+    const auto changed = Change(image, random);
+    if (changed.size() <= most)
+    {
+      std::copy(changed.begin(), changed.end(), data);
+      return changed.size();
+    }
+    return size;
+  }
+  catch (const Error&)
+  {
+    // Its tables cannot be read, so there is nothing to put together again.
+    return LLVMFuzzerMutate(data, size, most);
+  }
+}
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  fuzz::UseOneThread();
+  auto& file = GetFile();
+  file.Set({ data, size });
+  fuzz::DecodeFile(file.GetPath());
+  return 0;
+}

@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Writes seeds for the fuzz targets: makeCorpus FOLDER. Each target gets a folder of its own below.
+
+#include "../Core/gatunFileImage.h"
+#include "../Core/gatunTestMeshes.h"
+#include "fuzzMeshes.h"
+#include "gatunEntropy.h"
+#include "gatunPalette.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <random>
+
+namespace
+{
+using namespace gatun;
+namespace fs = std::filesystem;
+
+class Corpus
+{
+public:
+  explicit Corpus(fs::path folder)
+    : Folder(std::move(folder))
+  {
+  }
+
+  void Add(const std::string& target, std::span<const std::uint8_t> bytes)
+  {
+    fs::create_directories(this->Folder / target);
+    std::ofstream out(
+      this->Folder / target / ("seed-" + std::to_string(this->Count++)), std::ios::binary);
+    out.write(
+      reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  }
+
+  fs::path GetFolder() const { return this->Folder; }
+
+private:
+  fs::path Folder;
+  unsigned Count = 0;
+};
+
+Bytes MakeNoise(std::size_t size, std::mt19937& random)
+{
+  Bytes noise(size);
+  for (auto& byte : noise)
+  {
+    byte = static_cast<std::uint8_t>(random());
+  }
+  return noise;
+}
+
+/** What of the noise has been taken, and the stream behind it. */
+Bytes Join(const Bytes& noise, const fuzz::Input& in, std::span<const std::uint8_t> stream)
+{
+  Bytes all(noise.begin(), noise.end() - static_cast<std::ptrdiff_t>(in.GetRemaining()));
+  all.insert(all.end(), stream.begin(), stream.end());
+  return all;
+}
+
+void AddChunks(Corpus& corpus, std::mt19937& random)
+{
+  const auto noise = MakeNoise(4096, random);
+  fuzz::Input in(noise.data(), noise.size());
+  std::uint32_t points = 0;
+  const auto tets = fuzz::TakeTets(in, 60, points);
+  auto frameNoise = MakeNoise(4096, random);
+  const auto parse = [&](fuzz::Input& from) { return fuzz::TakeFrame(from, 400); };
+  fuzz::Input first(frameNoise.data(), frameNoise.size());
+  const auto shared = std::min<std::size_t>(parse(first).SharedKeys.size(), 65535);
+  if (tets.empty() || shared > points)
+  {
+    return;
+  }
+  const auto setCount = [&](std::size_t at, std::size_t count)
+  {
+    frameNoise[at] = static_cast<std::uint8_t>(count);
+    frameNoise[at + 1] = static_cast<std::uint8_t>(count >> 8);
+  };
+  setCount(0, tets.size());
+  setCount(2, points - shared);
+  fuzz::Input again(frameNoise.data(), frameNoise.size());
+  const auto frame = parse(again);
+  std::vector<PointKeys> own(frame.OwnPoints);
+  for (auto& keys : own)
+  {
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      keys[axis] = fuzz::TakeKey(in, frame.Domains[axis]);
+    }
+  }
+  const auto encoded = EncodeChunk(frame, tets, own);
+  ByteWriter streams;
+  streams.Put(static_cast<std::uint16_t>(encoded.Connectivity.size()));
+  streams.PutBytes(encoded.Connectivity);
+  streams.PutBytes(encoded.Geometry);
+  corpus.Add("Chunk", Join(frameNoise, again, streams.Data));
+}
+
+void AddArrays(Corpus& corpus, std::mt19937& random)
+{
+  const fuzz::SmallChunk chunk;
+  const auto noise = MakeNoise(8192, random);
+  const auto fill = [&](fuzz::ArrayFrame& array)
+  {
+    for (std::size_t c = 0; c < array.Keys.size(); ++c)
+    {
+      const auto values = MakeNoise(64, random);
+      fuzz::Input in(values.data(), values.size());
+      for (auto& key : array.Keys[c].Now)
+      {
+        key = key == 0 ? fuzz::TakeKey(in, array.Domains[c]) : key;
+      }
+    }
+  };
+  fuzz::Input pointNoise(noise.data(), noise.size());
+  auto points = fuzz::TakePointArray(pointNoise, chunk);
+  fill(points);
+  corpus.Add("PointValues",
+    Join(noise, pointNoise, EncodePointValues(chunk.Mesh.Context, points.Domains, points.Keys)));
+  fuzz::Input cellNoise(noise.data(), noise.size());
+  auto cells = fuzz::TakeCellArray(cellNoise);
+  fill(cells);
+  corpus.Add("CellValues",
+    Join(noise, cellNoise, EncodeCellValues(cells.Parents, cells.Domains, cells.Keys)));
+}
+
+void AddPalette(Corpus& corpus, std::mt19937& random)
+{
+  Palette palette(2 + random() % 20);
+  Key key = 0;
+  for (auto& entry : palette)
+  {
+    entry = key += 1 + random() % 100;
+  }
+  ByteWriter out;
+  out.Put(std::uint8_t{ 8 });
+  out.Put(std::uint8_t{ 1 });
+  out.Put(static_cast<std::uint16_t>(palette.size()));
+  out.PutBytes(EncodePalette(ScalarType::Float32, palette));
+  corpus.Add("Palette", out.Data);
+}
+
+void AddEntropy(Corpus& corpus, std::mt19937& random)
+{
+  EntropyEncoder encoder;
+  BitModel model;
+  ByteWriter out;
+  const std::uint16_t count = 100;
+  out.Put(count);
+  out.Put(std::uint8_t{ 2 });
+  out.Put(std::uint8_t{ 0 });
+  out.Put(std::uint8_t{ 3 | 7 << 2 });
+  for (unsigned i = 0; i < count; i += 2)
+  {
+    encoder.Bit(model, random() % 5 == 0);
+    encoder.Raw(random() % 128, 7);
+  }
+  out.PutBytes(encoder.Finish());
+  corpus.Add("Entropy", out.Data);
+}
+
+FieldData MakeField()
+{
+  FieldData field(2);
+  field[0].Name = "numbers";
+  field[0].Values.assign(24, 7);
+  field[1].Name = "texts";
+  field[1].IsText = true;
+  field[1].Texts = { "one", "", "three" };
+  field[1].ComponentNames = { "c" };
+  return field;
+}
+
+/** A file of some tetrahedra, of one chunk or more. */
+void WriteFile(const std::string& path, const test::TestMesh& mesh, std::uint8_t keep, int steps)
+{
+  WriterOptions options;
+  options.ChunkTets = 64;
+  options.Keep = keep;
+  options.KeyStepInterval = 2;
+  std::vector<ArrayDescription> arrays(2);
+  arrays[0].Name = "p";
+  arrays[1].Name = "c";
+  arrays[1].Where = Association::Cell;
+  arrays[1].Type = ScalarType::Int16;
+  arrays[1].Components = 2;
+  std::vector<float> pointValues(mesh.GetPoints());
+  std::vector<std::int16_t> cellValues(2 * mesh.GetTets());
+  FileWriter writer(path, mesh.GetInput(), arrays, options);
+  for (int step = 0; step < steps; ++step)
+  {
+    for (std::size_t i = 0; i < pointValues.size(); ++i)
+    {
+      pointValues[i] = keep & KeepCells ? static_cast<float>(i % 3) : 0.1f * static_cast<float>(i);
+    }
+    for (std::size_t i = 0; i < cellValues.size(); ++i)
+    {
+      cellValues[i] = static_cast<std::int16_t>(i + static_cast<std::size_t>(step));
+    }
+    const std::array<const void*, 2> values{ pointValues.data(), cellValues.data() };
+    writer.WriteStep(values, MakeField(), steps > 1, step);
+  }
+  writer.Finish();
+}
+
+void AddFiles(Corpus& corpus)
+{
+  const auto path = (corpus.GetFolder() / "whole.gtn").string();
+  auto unused = test::MakeCubes(2, 0.2);
+  unused.Coordinates.insert(unused.Coordinates.end(), { 1, 2, 3, 4, 5, 6 });
+  auto flat = test::MakeCubes(3, 0);
+  const std::array meshes{ test::MakeCubes(1, 0.1), unused, flat, test::MakeSoup(20, 150),
+    test::TestMesh{} };
+  for (const auto& mesh : meshes)
+  {
+    for (const std::uint8_t keep : { KeepNone, KeepAll })
+    {
+      for (const int steps : { 0, 1, 3 })
+      {
+        WriteFile(path, mesh, keep, steps);
+        const test::FileImage image(path);
+        const auto bytes = image.Build();
+        corpus.Add("File", bytes);
+        corpus.Add("Sections", bytes);
+        ByteWriter tables;
+        const auto put = [&](const Bytes& packed)
+        {
+          const auto table = Decompress(packed, 1 << 20);
+          tables.Put(static_cast<std::uint16_t>(table.size()));
+          tables.PutBytes(table);
+        };
+        put(image.Meta.Write());
+        put(image.Mesh.Write(keep));
+        if (steps > 0)
+        {
+          put(image.Steps[0].Write());
+        }
+        corpus.Add("Tables", tables.Data);
+        corpus.Add("Decompress", image.Meta.Write());
+      }
+    }
+  }
+  fs::remove(path);
+}
+}
+
+int main(int argc, char* argv[])
+{
+  if (argc != 2)
+  {
+    std::cerr << "usage: makeCorpus FOLDER\n";
+    return 2;
+  }
+  fs::create_directories(argv[1]);
+  Corpus corpus(argv[1]);
+  std::mt19937 random(1);
+  for (unsigned i = 0; i < 40; ++i)
+  {
+    AddChunks(corpus, random);
+    AddArrays(corpus, random);
+  }
+  for (unsigned i = 0; i < 10; ++i)
+  {
+    AddPalette(corpus, random);
+    AddEntropy(corpus, random);
+    corpus.Add("RoundTripChunk", MakeNoise(40u << (i % 5), random));
+    corpus.Add("RoundTripFile", MakeNoise(40u << (i % 5), random));
+  }
+  AddFiles(corpus);
+  corpus.Add("FieldData", Decompress(WriteFieldData(MakeField()), 1 << 20));
+  corpus.Add("FieldData", Decompress(WriteFieldData({}), 1 << 20));
+  corpus.Add("Decompress", test::Store(Bytes(300, 1)));
+  corpus.Add("Decompress", Compress(Bytes(100000, 1)));
+  return 0;
+}
