@@ -101,9 +101,11 @@ void DecodePieces(const std::shared_ptr<const FileReader>& file)
   }
   PieceDecoder decoder(file);
   const auto steps = std::max<std::size_t>(1, file->GetNumberOfSteps());
-  for (std::size_t i = steps; i-- > 0;)
+  all.Step = steps - 1;
+  DecodePiece(decoder, *file, all);
+  if (steps > 1)
   {
-    all.Step = i;
+    all.Step = 0;
     DecodePiece(decoder, *file, all);
   }
   const std::size_t halves = all.Chunks.size() > 1 ? 2 : 0;
@@ -198,17 +200,21 @@ bool DecodeFile(const std::string& path)
   }
   try
   {
-    file->Verify();
+    // Verifying decodes all once more, so a file that is known to be wrong goes without mostly.
+    if (decodes || file->GetStatistics().FileBytes % 8 == 0)
+    {
+      file->Verify();
+      if (!decodes)
+      {
+        Stop("a file that does not decode was verified");
+      }
+    }
   }
   catch (const Error& error)
   {
     check(error);
     return false;
   }
-  if (!decodes)
-  {
-    Stop("a file that does not decode was verified");
-  }
-  return true;
+  return decodes;
 }
 }
