@@ -351,15 +351,7 @@ FileWriter::Internals::ChunkStreams FileWriter::Internals::EncodeMeshChunk(std::
   {
     for (const auto p : *list)
     {
-      for (unsigned axis = 0; axis < 3; ++axis)
-      {
-        const double x = this->Mesh.GetCoordinate(p, axis);
-        if (std::isfinite(x))
-        {
-          info.Box[axis].Min = std::min(info.Box[axis].Min, x);
-          info.Box[axis].Max = std::max(info.Box[axis].Max, x);
-        }
-      }
+      this->Mesh.Extend(info.Box, p);
     }
   }
   auto encoded = EncodeChunk(this->MakeFrame(chunk, shared), tets, this->GetPointKeys(own));
@@ -528,15 +520,7 @@ void FileWriter::Internals::WriteMesh(const Progress& progress)
   }
   for (const auto p : this->Parts.UnusedPoints)
   {
-    for (unsigned axis = 0; axis < 3; ++axis)
-    {
-      const double x = this->Mesh.GetCoordinate(p, axis);
-      if (std::isfinite(x))
-      {
-        this->Meta.Box[axis].Min = std::min(this->Meta.Box[axis].Min, x);
-        this->Meta.Box[axis].Max = std::max(this->Meta.Box[axis].Max, x);
-      }
-    }
+    this->Mesh.Extend(this->Meta.Box, p);
   }
   this->Parts.Tets = {};
   this->Parts.SharedIndex = {};

@@ -189,15 +189,7 @@ Bounds GetBox(const MeshAccess& mesh)
   Bounds box;
   for (std::uint64_t p = 0; p < mesh.GetMesh().Points; ++p)
   {
-    for (unsigned axis = 0; axis < 3; ++axis)
-    {
-      const double x = mesh.GetCoordinate(p, axis);
-      if (std::isfinite(x))
-      {
-        box[axis].Min = std::min(box[axis].Min, x);
-        box[axis].Max = std::max(box[axis].Max, x);
-      }
-    }
+    mesh.Extend(box, p);
   }
   return box;
 }

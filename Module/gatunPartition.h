@@ -7,6 +7,8 @@
 #include "gatunFileWriter.h"
 #include "gatunTables.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -36,6 +38,20 @@ public:
       ? static_cast<const std::uint64_t*>(this->Mesh.Connectivity)[4 * tet + corner]
       : static_cast<std::uint64_t>(static_cast<std::int64_t>(
           static_cast<const std::int32_t*>(this->Mesh.Connectivity)[4 * tet + corner]));
+  }
+
+  /** Makes a box hold the finite coordinates of a point. */
+  void Extend(Bounds& box, std::uint64_t point) const
+  {
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      const double x = this->GetCoordinate(point, axis);
+      if (std::isfinite(x))
+      {
+        box[axis].Min = std::min(box[axis].Min, x);
+        box[axis].Max = std::max(box[axis].Max, x);
+      }
+    }
   }
 
   const MeshInput& GetMesh() const { return this->Mesh; }
