@@ -7,6 +7,7 @@
 #include "gatunChunkTable.h"
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
+#include "gatunExactGhosts.h"
 #include "gatunFileReader.h"
 #include "gatunFileSignature.h"
 #include "gatunParallel.h"
@@ -23,6 +24,7 @@
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -657,6 +659,7 @@ int vtkGatunReader::RequestInformation(vtkInformation* vtkNotUsed(request),
   {
     self.Open(this->FileName);
     outInfo->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+    outInfo->Set(gatun::ExactGhostLevels(), 1);
     outInfo->Set(CHUNK_TABLE(), self.Table);
     if (self.File->HasTime() && !self.File->GetTimes().empty())
     {

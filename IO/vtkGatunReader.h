@@ -23,6 +23,10 @@
  * later; the output's vtkDataObject::DATA_TIME_STEP() tells which. The mesh is decoded once: as
  * long as the piece stays the same, all steps share their points and cells.
  *
+ * *Consumers.* Several filters behind the reader may ask for different pieces, ghost levels and
+ * times, in turn: each gets exactly what it asked for. Who asks for no time gets the one last asked
+ * for, as everywhere in VTK.
+ *
  * *Change on disk.* Each update looks whether the file was replaced or rewritten since, and then
  * reads it anew.
  *

@@ -146,7 +146,6 @@ for keep in (0, 7):
     # One piece with more and fewer ghosts in turn.
     sizes = []
     for ghosts in (0, 1, 2, 1, 0):
-        reader.Modified()
         sizes.append(piece_of(reader, 2, 7, ghosts).GetNumberOfCells())
     assert sizes[0] == sizes[4] < sizes[1] == sizes[3] < sizes[2], sizes
 
