@@ -290,7 +290,7 @@ public:
       component < 0 ? length : static_cast<std::size_t>(component) };
   }
 
-  /** The chunks that the region of interest leaves. */
+  /** The chunks that the region of interest leaves: the universe of a request. */
   std::vector<std::uint32_t> ChunksOf(const vtkGatunReader& reader, std::size_t step) const
   {
     const auto& chunks = this->File->GetChunks();
@@ -328,10 +328,10 @@ public:
 
   bool HasMeshOf(const gatun::PieceRequest& request) const
   {
-    return this->Mesh && this->MeshRequest.Chunks == request.Chunks &&
-      this->MeshRequest.GhostLevels == request.GhostLevels &&
-      this->MeshRequest.WithUnusedPoints == request.WithUnusedPoints &&
-      this->MeshRequest.RestoreOrder == request.RestoreOrder;
+    gatun::PieceRequest mesh = request;
+    mesh.Arrays = this->MeshRequest.Arrays;
+    mesh.Step = this->MeshRequest.Step;
+    return this->Mesh && mesh == this->MeshRequest;
   }
 
   /** Makes a mesh with room for the request that the decoder has; tells where the room is. */
@@ -745,6 +745,10 @@ int vtkGatunReader::RequestData(vtkInformation* vtkNotUsed(request),
     {
       request.GhostLevels = static_cast<unsigned>(
         std::max(0, vtkStreamingDemandDrivenPipeline::GetUpdateGhostLevel(outInfo)));
+    }
+    if (request.GhostLevels > 0 && chunks.size() < self.File->GetChunks().size())
+    {
+      request.Universe = chunks;
     }
     request.WithUnusedPoints = exists && piece == 0 && !this->UseBox && !this->UseValueRange;
     request.RestoreOrder = this->RestoreOrder;

@@ -17,6 +17,11 @@
  * there are layers of ghost cells: vtkGhostType then marks what another piece owns. Global ids are
  * the same in all pieces.
  *
+ * *Regions of interest.* With a box or a value range, the chunks that pass are the mesh, as if the
+ * file had no others: pieces divide them, ghost cells come from among them, and each of their
+ * points is owned by exactly one piece. Where the region ends there are no ghosts, and the output
+ * has a surface.
+ *
  * *Arrays.* Only the selected arrays are read from the file. All are selected by default.
  *
  * *Time.* The step is the last one not later than the time asked for, or the first one when all are

@@ -159,10 +159,11 @@ struct ChunkSetDecoder::Job
 };
 
 //--------------------------------------------------------------------------------------------------
-ChunkSetDecoder::ChunkSetDecoder(
-  std::shared_ptr<const FileReader> file, std::vector<std::uint32_t> chunks, bool withUnusedPoints)
+ChunkSetDecoder::ChunkSetDecoder(std::shared_ptr<const FileReader> file,
+  std::vector<std::uint32_t> chunks, std::vector<std::uint32_t> universe, bool withUnusedPoints)
   : File(std::move(file))
   , Chunks(std::move(chunks))
+  , Universe(std::move(universe))
   , WithUnused(withUnusedPoints)
   , KeepsState(File->GetNumberOfSteps() > 1)
   , DecodedStep(File->GetArrays().size(), NoStep)
@@ -235,7 +236,13 @@ void ChunkSetDecoder::MarkOwners(unsigned char* ghosts) const
 
 bool ChunkSetDecoder::Owns(const SharedGroup& group) const
 {
-  return std::binary_search(this->Chunks.begin(), this->Chunks.end(), group.Chunks.front());
+  const auto has = [](const std::vector<std::uint32_t>& set, std::uint32_t chunk)
+  { return std::binary_search(set.begin(), set.end(), chunk); };
+  const auto owner = this->Universe.empty()
+    ? group.Chunks.begin()
+    : std::find_if(group.Chunks.begin(), group.Chunks.end(),
+        [&](std::uint32_t chunk) { return has(this->Universe, chunk); });
+  return owner != group.Chunks.end() && has(this->Chunks, *owner);
 }
 
 const BlockEntry& ChunkSetDecoder::GetBlock(std::size_t block) const

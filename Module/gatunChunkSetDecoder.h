@@ -22,8 +22,9 @@ class ChunkSetDecoder
 public:
   using Progress = std::function<bool(double)>;
 
+  /** Universe as in PieceRequest: it decides which points belong to the set. */
   ChunkSetDecoder(std::shared_ptr<const FileReader> file, std::vector<std::uint32_t> chunks,
-    bool withUnusedPoints);
+    std::vector<std::uint32_t> universe, bool withUnusedPoints);
 
   std::uint64_t GetNumberOfPoints() const { return this->Points; }
   std::uint64_t GetNumberOfTets() const { return this->Tets; }
@@ -69,7 +70,7 @@ private:
   struct Job; // one call of Fill
 
   const FileReader::Internals& Content() const { return this->File->GetInternals(); }
-  /** A shared point belongs to the lowest chunk that uses it. */
+  /** A shared point belongs to the lowest chunk of the universe that uses it. */
   bool Owns(const SharedGroup& group) const;
 
   const BlockEntry& GetBlock(std::size_t block) const;
@@ -103,6 +104,7 @@ private:
 
   std::shared_ptr<const FileReader> File;
   std::vector<std::uint32_t> Chunks;
+  std::vector<std::uint32_t> Universe;
   bool WithUnused;
   bool KeepsState;                      // there are several time steps
   std::vector<std::size_t> DecodedStep; // of each array, kept in the states below; or NoStep

@@ -82,11 +82,18 @@ private:
 struct PieceRequest
 {
   std::vector<std::uint32_t> Chunks; ///< ascending; their tetrahedra make the piece
+
+  /** Ascending, with all of Chunks: the mesh that the piece is one of, as if the file had no other
+   * chunks. Ghosts come from there, and there is the owner of each point. Empty: the whole file. */
+  std::vector<std::uint32_t> Universe;
+
   std::vector<std::uint32_t> Arrays; ///< indices into GetArrays(), ascending
   std::size_t Step = 0;
   unsigned GhostLevels = 0;      ///< layers of cells around the piece, sharing a point
   bool WithUnusedPoints = false; ///< points of no tetrahedron too (give them to one piece)
   bool RestoreOrder = true;      ///< original order, if kept and all chunks are asked for
+
+  bool operator==(const PieceRequest&) const = default;
 };
 
 /** Where the caller wants the piece; each pointer may be null if not wanted. Sizes as announced. */
@@ -100,7 +107,7 @@ struct PieceTarget
   std::int64_t* GlobalCellIds = nullptr;  ///< original ids where the file keeps cell order
 
   /** 0: of the piece; 1: a duplicate, owned by another (VTK's DUPLICATEPOINT, DUPLICATECELL).
-   * A shared point is owned by the lowest chunk that uses it. */
+   * A shared point is owned by the lowest chunk of the universe that uses it. */
   unsigned char* PointGhosts = nullptr;
   unsigned char* CellGhosts = nullptr;
 };

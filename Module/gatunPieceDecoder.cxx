@@ -12,11 +12,14 @@ namespace gatun
 {
 namespace
 {
-/** Chunks within so many steps of sharing a point with the given ones, these included; ascending.
- */
-std::vector<std::uint32_t> Surround(
-  const FileReader& file, const std::vector<std::uint32_t>& chunks, unsigned levels)
+/** Chunks of the universe within so many steps of sharing a point with the given ones, these
+ * included; ascending. */
+std::vector<std::uint32_t> Surround(const FileReader& file,
+  const std::vector<std::uint32_t>& chunks, const std::vector<std::uint32_t>& universe,
+  unsigned levels)
 {
+  const auto isOutside = [&](std::uint32_t c)
+  { return !universe.empty() && !std::binary_search(universe.begin(), universe.end(), c); };
   auto all = chunks;
   auto last = chunks;
   for (unsigned level = 0; level < levels && !last.empty(); ++level)
@@ -29,6 +32,7 @@ std::vector<std::uint32_t> Surround(
     }
     std::sort(next.begin(), next.end());
     next.erase(std::unique(next.begin(), next.end()), next.end());
+    std::erase_if(next, isOutside);
     last.clear();
     std::set_difference(next.begin(), next.end(), all.begin(), all.end(), std::back_inserter(last));
     std::vector<std::uint32_t> merged;
@@ -77,11 +81,19 @@ void PieceDecoder::Internals::CheckRequest(const PieceRequest& request) const
   };
   const bool hasStep = request.Step < this->File->GetNumberOfSteps();
   if (!ascend(request.Chunks, this->File->GetChunks().size()) ||
+    !ascend(request.Universe, this->File->GetChunks().size()) ||
     !ascend(request.Arrays, this->File->GetArrays().size()) ||
     (!hasStep && !request.Arrays.empty()))
   {
     throw Error(ErrorCode::InvalidInput,
       this->File->GetPath() + ": the file has no such chunk, array or time step");
+  }
+  if (!request.Universe.empty() &&
+    !std::includes(request.Universe.begin(), request.Universe.end(), request.Chunks.begin(),
+      request.Chunks.end()))
+  {
+    throw Error(ErrorCode::InvalidInput,
+      this->File->GetPath() + ": a piece must be inside of the universe asked for");
   }
 }
 
@@ -89,6 +101,7 @@ void PieceDecoder::Internals::SetRequest(const PieceRequest& request, const Prog
 {
   this->CheckRequest(request);
   const bool same = this->Piece && request.Chunks == this->Request.Chunks &&
+    request.Universe == this->Request.Universe &&
     request.GhostLevels == this->Request.GhostLevels &&
     request.WithUnusedPoints == this->Request.WithUnusedPoints;
   this->Request = request;
@@ -98,15 +111,15 @@ void PieceDecoder::Internals::SetRequest(const PieceRequest& request, const Prog
   }
   this->Around.reset();
   this->Piece.reset();
-  auto piece =
-    std::make_unique<ChunkSetDecoder>(this->File, request.Chunks, request.WithUnusedPoints);
+  auto piece = std::make_unique<ChunkSetDecoder>(
+    this->File, request.Chunks, request.Universe, request.WithUnusedPoints);
   if (request.GhostLevels > 0)
   {
-    auto chunks = Surround(*this->File, request.Chunks, request.GhostLevels);
+    auto chunks = Surround(*this->File, request.Chunks, request.Universe, request.GhostLevels);
     if (chunks != request.Chunks)
     {
-      this->Around =
-        std::make_unique<ChunkSetDecoder>(this->File, std::move(chunks), request.WithUnusedPoints);
+      this->Around = std::make_unique<ChunkSetDecoder>(
+        this->File, std::move(chunks), request.Universe, request.WithUnusedPoints);
     }
   }
   this->Piece = std::move(piece);

@@ -15,6 +15,7 @@
 #include <fstream>
 #include <map>
 #include <numeric>
+#include <random>
 #include <set>
 
 namespace
@@ -303,6 +304,80 @@ TEST(File, GhostsAreTheCellsAroundAPiece)
       }
       EXPECT_EQ(corners, wanted);
     }
+  }
+}
+
+TEST(File, PiecesOfAUniverseAreItsMesh)
+{
+  for (const auto& mesh : { MakeCubes(9, 0.2), MakeSoup(150, 2000) })
+  {
+    const auto path = TempPath("universe.gtn");
+    WriterOptions options;
+    options.ChunkTets = 150;
+    Write(path, mesh, options);
+    const auto file = std::make_shared<FileReader>(path);
+    const auto chunks = static_cast<std::uint32_t>(file->GetChunks().size());
+    ASSERT_GT(chunks, 10u);
+    std::mt19937 random(3);
+    PieceDecoder decoder(file);
+    for (int round = 0; round < 12; ++round)
+    {
+      auto whole = AskForAll(*file);
+      whole.WithUnusedPoints = false;
+      whole.Chunks.clear();
+      for (std::uint32_t c = 0; c < chunks; ++c)
+      {
+        if (random() % 3 == 0)
+        {
+          whole.Chunks.push_back(c);
+        }
+      }
+      whole.Universe = whole.Chunks;
+      const Piece all(decoder, whole);
+      const std::set<std::int64_t> cellsOfAll(all.CellIds.begin(), all.CellIds.end());
+      EXPECT_EQ(std::count(all.PointGhosts.begin(), all.PointGhosts.end(), 0),
+        static_cast<std::ptrdiff_t>(all.PointGhosts.size()))
+        << "a point without owner";
+
+      const auto pieces = 1 + random() % 5;
+      const unsigned levels = round % 3;
+      std::multiset<std::int64_t> points, cells;
+      for (std::size_t p = 0; p < pieces; ++p)
+      {
+        auto request = whole;
+        request.GhostLevels = levels;
+        const auto place = [&](std::size_t part) {
+          return whole.Chunks.begin() +
+            static_cast<std::ptrdiff_t>(part * whole.Chunks.size() / pieces);
+        };
+        request.Chunks.assign(place(p), place(p + 1));
+        const Piece piece(decoder, request);
+        for (std::size_t i = 0; i < piece.PointIds.size(); ++i)
+        {
+          ASSERT_LE(piece.PointGhosts[i], 1);
+          if (piece.PointGhosts[i] == 0)
+          {
+            points.insert(piece.PointIds[i]);
+          }
+        }
+        for (std::size_t t = 0; t < piece.CellIds.size(); ++t)
+        {
+          EXPECT_TRUE(cellsOfAll.count(piece.CellIds[t])) << "a ghost from outside";
+          if (piece.CellGhosts[t] == 0)
+          {
+            cells.insert(piece.CellIds[t]);
+          }
+        }
+      }
+      EXPECT_EQ(points, std::multiset<std::int64_t>(all.PointIds.begin(), all.PointIds.end()));
+      EXPECT_EQ(cells, std::multiset<std::int64_t>(all.CellIds.begin(), all.CellIds.end()));
+    }
+    PieceRequest outside;
+    outside.Universe = { 0, 1, 2 };
+    outside.Chunks = { 2, 3 };
+    EXPECT_THROW(decoder.SetRequest(outside), Error);
+    outside.Universe = { 2, 1, 3 };
+    EXPECT_THROW(decoder.SetRequest(outside), Error);
   }
 }
 
