@@ -4,6 +4,7 @@
 #include "vtkGatunReader.h"
 
 #include "gatunArrayBridge.h"
+#include "gatunChunkCache.h"
 #include "gatunChunkTable.h"
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
@@ -100,6 +101,12 @@ private:
 };
 
 //------------------------------------------------------------------------------
+std::uint64_t MebibytesToBytes(int mebibytes)
+{
+  return static_cast<std::uint64_t>(mebibytes) << 20;
+}
+
+//------------------------------------------------------------------------------
 bool Touches(const gatun::Range& range, double low, double high)
 {
   return range.Min <= range.Max && range.Min <= high && range.Max >= low;
@@ -191,6 +198,9 @@ public:
   ArrayChoice PointArrays;
   ArrayChoice CellArrays;
 
+  // What was decoded of the file.
+  std::shared_ptr<gatun::ChunkCache> Cache;
+
   // The mesh last read, which other steps and arrays share.
   std::unique_ptr<gatun::PieceDecoder> Decoder;
   gatun::PieceRequest MeshRequest;
@@ -213,14 +223,15 @@ public:
   void Close()
   {
     this->ForgetMesh();
+    this->Cache.reset();
     this->File.reset();
     this->Table = nullptr;
   }
 
   bool IsOpen(const std::string& path) const { return this->File && this->Path == path; }
 
-  /** Opens the file unless it is open and unchanged. */
-  void Open(const std::string& path)
+  /** Opens the file unless it is open and unchanged; a file opened anew has a new cache. */
+  void Open(const std::string& path, std::uint64_t cacheBytes)
   {
     const gatun::FileSignature signature = gatun::SignatureOf(path);
     if (this->IsOpen(path) && signature == this->Signature)
@@ -232,6 +243,7 @@ public:
     this->Signature = signature;
     auto file = std::make_shared<const gatun::FileReader>(path);
     this->Table = gatun::MakeChunkTable(*file);
+    this->Cache = std::make_shared<gatun::ChunkCache>(file, cacheBytes);
     this->File = std::move(file);
     this->PointArrays.SetArrays(this->NamesOf(Association::Point));
     this->CellArrays.SetArrays(this->NamesOf(Association::Cell));
@@ -379,7 +391,7 @@ public:
     }
     if (!this->Decoder)
     {
-      this->Decoder = std::make_unique<gatun::PieceDecoder>(this->File);
+      this->Decoder = std::make_unique<gatun::PieceDecoder>(this->Cache);
     }
     const double share = request.GhostLevels > 0 && !meshIsThere ? 0.5 : 0.0;
     this->Decoder->SetRequest(
@@ -505,6 +517,9 @@ void vtkGatunReader::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "ValueRangeComponent: " << this->ValueRangeComponent << "\n";
   os << indent << "ValueRange: " << this->ValueRange[0] << " " << this->ValueRange[1] << "\n";
+  os << indent << "CacheSize: " << this->CacheSize << "\n";
+  os << indent << "CachedBytes: " << this->GetCachedBytes() << "\n";
+  os << indent << "DecodedChunks: " << this->GetDecodedChunks() << "\n";
   os << indent << "BytesRead: " << this->GetBytesRead() << "\n";
   os << indent << "PointDataArraySelection:\n";
   this->GetPointDataArraySelection()->PrintSelf(os, indent.GetNextIndent());
@@ -591,6 +606,29 @@ vtkTypeUInt64 vtkGatunReader::GetBytesRead()
 }
 
 //------------------------------------------------------------------------------
+// The output does not depend on it, so this is no modification.
+void vtkGatunReader::SetCacheSize(int mebibytes)
+{
+  this->CacheSize = std::max(0, mebibytes);
+  if (this->Internals->Cache)
+  {
+    this->Internals->Cache->SetBudget(MebibytesToBytes(this->CacheSize));
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTypeUInt64 vtkGatunReader::GetCachedBytes()
+{
+  return this->Internals->Cache ? this->Internals->Cache->GetStatistics().Bytes : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeUInt64 vtkGatunReader::GetDecodedChunks()
+{
+  return this->Internals->Cache ? this->Internals->Cache->GetStatistics().MeshesDecoded : 0;
+}
+
+//------------------------------------------------------------------------------
 vtkMTimeType vtkGatunReader::GetMTime()
 {
   return std::max({ this->Superclass::GetMTime(), this->GetPointDataArraySelection()->GetMTime(),
@@ -622,6 +660,10 @@ void vtkGatunReader::Fail(vtkInformationVector* outputVector)
   const gatun::VTKFailure failure =
     gatun::DescribeFailure(this->FileName ? this->FileName : "(no file)");
   this->Internals->ForgetMesh();
+  if (this->Internals->Cache && !failure.Aborted)
+  {
+    this->Internals->Cache->Clear();
+  }
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   if (auto* output = vtkDataObject::GetData(outInfo))
   {
@@ -657,7 +699,7 @@ int vtkGatunReader::RequestInformation(vtkInformation* vtkNotUsed(request),
   }
   try
   {
-    self.Open(this->FileName);
+    self.Open(this->FileName, MebibytesToBytes(this->CacheSize));
     outInfo->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
     outInfo->Set(gatun::ExactGhostLevels(), 1);
     outInfo->Set(CHUNK_TABLE(), self.Table);
@@ -712,7 +754,7 @@ int vtkGatunReader::RequestData(vtkInformation* vtkNotUsed(request),
   {
     if (!self.IsOpen(this->FileName))
     {
-      self.Open(this->FileName);
+      self.Open(this->FileName, MebibytesToBytes(this->CacheSize));
     }
     gatun::PieceRequest request;
     if (self.File->HasTime() && outInfo->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))

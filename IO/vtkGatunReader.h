@@ -25,8 +25,8 @@
  * *Arrays.* Only the selected arrays are read from the file. All are selected by default.
  *
  * *Time.* The step is the last one not later than the time asked for, or the first one when all are
- * later; the output's vtkDataObject::DATA_TIME_STEP() tells which. The mesh is decoded once: as
- * long as the piece stays the same, all steps share their points and cells.
+ * later; the output's vtkDataObject::DATA_TIME_STEP() tells which. As long as the piece stays the
+ * same, all steps share their points and cells.
  *
  * *Consumers.* Several filters behind the reader may ask for different pieces, ghost levels and
  * times, in turn: each gets exactly what it asked for. Who asks for no time gets the one last asked
@@ -35,8 +35,9 @@
  * *Change on disk.* Each update looks whether the file was replaced or rewritten since, and then
  * reads it anew.
  *
- * *Cost.* Memory: the output, and as much again while a mesh is decoded; the mesh last read is
- * kept. Decoding uses all threads of vtkSMPTools.
+ * *Cost.* Memory: the output, as much again while ghost cells are chosen, and the mesh last read;
+ * besides, chunks that were decoded are kept up to CacheSize, so that other pieces, arrays and time
+ * steps need not decode them again. Decoding uses all threads of vtkSMPTools.
  *
  * *Errors.* Reported by vtkErrorMacro with a message that begins with the file's name; GetErrorCode
  * is then one of vtkErrorCode::NoFileNameError, FileNotFoundError, CannotOpenFileError (a folder,
@@ -213,6 +214,28 @@ public:
   vtkGetVector2Macro(ValueRange, double);
   ///@}
 
+  ///@{
+  /**
+   * How much memory decoded chunks may take, in MiB, so that neighbouring pieces with ghost cells,
+   * other arrays and other time steps need not decode them again; those go first that were not used
+   * for longest. It has no influence on the output, and changing it does not update anything. 0
+   * keeps nothing; if a mesh is larger than what fits, part of it is decoded anew at each time
+   * step. Default: 512, enough for about ten million tetrahedra with an array or two.
+   */
+  void SetCacheSize(int mebibytes);
+  vtkGetMacro(CacheSize, int);
+  ///@}
+
+  /**
+   * Bytes of decoded chunks that are kept now; never more than CacheSize.
+   */
+  vtkTypeUInt64 GetCachedBytes();
+
+  /**
+   * How often the mesh of a chunk was decoded since the file was opened.
+   */
+  vtkTypeUInt64 GetDecodedChunks();
+
   /**
    * Key in the output information, set by UpdateInformation: a vtkTable with a row for each chunk,
    * from which a sink can choose what to ask for; with the number of chunks as the number of pieces
@@ -271,6 +294,7 @@ protected:
   int ValueRangeAssociation = 0;
   int ValueRangeComponent = -1;
   double ValueRange[2] = { 0, 1 };
+  int CacheSize = 512;
 
 private:
   vtkGatunReader(const vtkGatunReader&) = delete;

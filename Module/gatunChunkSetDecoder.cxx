@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunChunkSetDecoder.h"
 
@@ -14,6 +15,10 @@ namespace gatun
 {
 namespace
 {
+/** Steps walked at once, chunk by chunk. More take more memory for shared points; with fewer, the
+ * meshes that the cache has no room for are decoded more often. */
+constexpr std::size_t StepsAtOnce = 16;
+
 /** Calls use with a function that writes a key as a value of a type, chosen once for many values.
  */
 template <typename Use>
@@ -40,57 +45,65 @@ void WithWriter(const Domain& domain, Use&& use)
   }
 }
 
-std::string Name(const char* what, std::size_t index)
+/** Where the i-th of some things goes: by its original id if there is an order, else in a row. */
+struct Places
 {
-  return std::string(what) + " " + std::to_string(index);
-}
+  const OrderPart* Order;
+  std::uint64_t First;
 
-void CheckBelow(const std::vector<Key>& ids, Key end)
-{
-  if (std::any_of(ids.begin(), ids.end(), [&](Key id) { return id >= end; }))
+  std::uint64_t operator()(std::size_t i) const
   {
-    ThrowCorrupt("it names a place that is not there");
+    return this->Order ? (*this->Order)[i] : this->First + i;
   }
-}
-
-std::vector<std::uint64_t> Count(std::uint64_t first, std::size_t count)
-{
-  std::vector<std::uint64_t> numbers(count);
-  std::iota(numbers.begin(), numbers.end(), first);
-  return numbers;
-}
-
-/** Room for the values of a step; those of the step before move in where they may be referred to.
- */
-std::vector<ComponentKeys> MakeKeys(const ArrayDescription& array, std::size_t count,
-  bool hasBefore, std::vector<ComponentKeys>& before)
-{
-  std::vector<ComponentKeys> keys(array.Components);
-  for (std::size_t c = 0; c < keys.size(); ++c)
-  {
-    if (hasBefore && c < before.size())
-    {
-      keys[c].Before = std::move(before[c].Now);
-    }
-    keys[c].Now.resize(count);
-  }
-  return keys;
-}
+};
 }
 
 //--------------------------------------------------------------------------------------------------
 struct ChunkSetDecoder::Job
 {
+  /** An array that is wanted. */
+  struct Wanted
+  {
+    std::uint32_t Index;
+    std::uint8_t* Values;
+    bool OfPoints;
+    std::size_t First; // earliest step at which any chunk needs to decode it, or the job's step
+    std::vector<std::shared_ptr<const DomainsPart>> Domains; // from Begin on
+  };
+
+  /** What is held of a block. */
+  struct BlockWork
+  {
+    std::shared_ptr<const PointsPart> Points;
+    std::shared_ptr<const OrderPart> Order;
+    std::vector<ArrayAtStep> Reached;                                 // of each array
+    std::vector<std::vector<std::shared_ptr<const ArrayPart>>> Steps; // of each, from Begin on
+    bool NeedsPoints = false;
+  };
+
+  /** What is held of a chunk until it is done. */
+  struct ChunkWork
+  {
+    std::shared_ptr<const ChunkMesh> Mesh;
+    std::vector<ArrayAtStep> Reached; // of each array
+  };
+
   const InputFile& File;
   const PieceTarget& Target;
-  const std::vector<std::uint32_t>& Arrays;
-  std::vector<std::size_t> FirstSteps; // of each array; it is decoded from there on
   const bool RestorePoints;
   const bool RestoreCells;
   const bool RestoreCorners;
-  std::size_t Step = 0;
-  bool IsLast = false;                      // this step is the one to store
-  std::vector<std::vector<Domain>> Domains; // of each array wanted, at this step
+  const bool NeedsPointOrder;
+  const bool NeedsCellOrder;
+  const std::size_t Step;
+  const std::size_t KeyStep; // from which Step is decoded
+  std::vector<Wanted> Arrays;
+  std::vector<BlockWork> Blocks;
+  std::vector<ChunkWork> Chunks;
+  std::size_t Begin = 0; // steps to walk now
+  std::size_t End = 0;
+
+  bool IsLast() const { return this->End == this->Step; }
 
   // Places filled so far, where an order is restored: a damaged file might name one twice and
   // leave another one as it was.
@@ -109,39 +122,22 @@ struct ChunkSetDecoder::Job
     }
   }
 
-  /** Calls use(index into the request's arrays) for those to decode at this step. */
-  template <typename Use>
-  void EachToDecode(Use&& use) const
+  void StoreTuples(const Wanted& array, const ArrayPart& values, std::size_t count, auto&& keyOf,
+    auto&& placeOf) const
   {
-    for (std::size_t a = 0; a < this->Target.Arrays.size(); ++a)
+    const auto& domains = *array.Domains.back();
+    const auto size = SizeOf(domains.front().GetType());
+    const auto stride = size * values.size();
+    for (std::size_t c = 0; c < values.size(); ++c)
     {
-      if (this->FirstSteps[a] <= this->Step)
-      {
-        use(a);
-      }
-    }
-  }
-
-  void StoreTuples(std::size_t a, const ArrayDescription& array,
-    const std::vector<ComponentKeys>& keys, std::size_t count, auto&& keyOf, auto&& placeOf) const
-  {
-    auto* values = static_cast<std::uint8_t*>(this->Target.Arrays[a]);
-    if (!values)
-    {
-      return;
-    }
-    const auto size = SizeOf(array.Type);
-    const auto stride = size * array.Components;
-    for (std::size_t c = 0; c < keys.size(); ++c)
-    {
-      WithWriter(this->Domains[a][c],
+      WithWriter(domains[c],
         [&](auto&& write)
         {
-          const auto& now = keys[c].Now;
-          auto* component = values + c * size;
+          const auto& keys = values[c];
+          auto* component = array.Values + c * size;
           for (std::size_t i = 0; i < count; ++i)
           {
-            write(now[keyOf(i)], component + placeOf(i) * stride);
+            write(keys[keyOf(i)], component + placeOf(i) * stride);
           }
         });
     }
@@ -159,39 +155,44 @@ struct ChunkSetDecoder::Job
 };
 
 //--------------------------------------------------------------------------------------------------
-ChunkSetDecoder::ChunkSetDecoder(std::shared_ptr<const FileReader> file,
+ChunkSetDecoder::ChunkSetDecoder(const std::shared_ptr<ChunkCache>& cache,
   std::vector<std::uint32_t> chunks, std::vector<std::uint32_t> universe, bool withUnusedPoints)
-  : File(std::move(file))
+  : Parts(cache)
   , Chunks(std::move(chunks))
   , Universe(std::move(universe))
   , WithUnused(withUnusedPoints)
-  , KeepsState(File->GetNumberOfSteps() > 1)
-  , DecodedStep(File->GetArrays().size(), NoStep)
-  , Blocks(GetBlockCount())
-  , States(Chunks.size())
 {
   const auto& mesh = this->Content().Mesh;
-  this->GroupStart.resize(mesh.Blocks.size());
-  for (std::size_t b = 0; b < mesh.Blocks.size(); ++b)
+  std::vector<std::uint32_t> needed;
+  for (const auto c : this->Chunks)
   {
-    this->GroupStart[b].assign(mesh.Blocks[b].Groups.size(), Absent);
+    for (const auto& part : mesh.Chunks[c].Shared)
+    {
+      needed.push_back(part.Block);
+    }
+  }
+  std::sort(needed.begin(), needed.end());
+  needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
+  for (const auto index : needed)
+  {
+    this->Blocks.push_back(
+      { index, std::vector<std::uint64_t>(mesh.Blocks[index].Groups.size(), Absent) });
   }
   for (const auto c : this->Chunks)
   {
     for (const auto& part : mesh.Chunks[c].Shared)
     {
-      this->GroupStart[part.Block][part.Group] = 0;
-      this->Blocks[part.Block].Needed = true;
+      this->Blocks[this->FindBlock(part.Block)].GroupStart[part.Group] = 0;
     }
   }
-  for (std::size_t b = 0; b < mesh.Blocks.size(); ++b)
+  for (auto& block : this->Blocks)
   {
-    for (std::size_t g = 0; g < mesh.Blocks[b].Groups.size(); ++g)
+    for (std::size_t g = 0; g < block.GroupStart.size(); ++g)
     {
-      if (this->GroupStart[b][g] != Absent)
+      if (block.GroupStart[g] != Absent)
       {
-        this->GroupStart[b][g] = this->Points;
-        this->Points += mesh.Blocks[b].Groups[g].Points;
+        block.GroupStart[g] = this->Points;
+        this->Points += mesh.Blocks[block.Index].Groups[g].Points;
       }
     }
   }
@@ -203,11 +204,19 @@ ChunkSetDecoder::ChunkSetDecoder(std::shared_ptr<const FileReader> file,
     this->Tets += mesh.Chunks[c].Info.Tets;
   }
   this->FirstUnused = this->Points;
-  if (this->WithUnused)
+  if (this->WithUnused && mesh.Unused.Points > 0)
   {
     this->Points += mesh.Unused.Points;
-    this->Blocks.back().Needed = mesh.Unused.Points > 0;
+    this->Blocks.push_back({ static_cast<std::uint32_t>(mesh.Blocks.size()), {} });
   }
+}
+
+std::size_t ChunkSetDecoder::FindBlock(std::uint32_t index) const
+{
+  return static_cast<std::size_t>(
+    std::lower_bound(this->Blocks.begin(), this->Blocks.end(), index,
+      [](const Block& block, std::uint32_t wanted) { return block.Index < wanted; }) -
+    this->Blocks.begin());
 }
 
 bool ChunkSetDecoder::IsWhole() const
@@ -219,16 +228,15 @@ bool ChunkSetDecoder::IsWhole() const
 
 void ChunkSetDecoder::MarkOwners(unsigned char* ghosts) const
 {
-  const auto& mesh = this->Content().Mesh;
   std::memset(ghosts, 0, static_cast<std::size_t>(this->Points));
-  for (std::size_t b = 0; b < mesh.Blocks.size(); ++b)
+  for (const auto& block : this->Blocks)
   {
-    for (std::size_t g = 0; g < mesh.Blocks[b].Groups.size(); ++g)
+    for (std::size_t g = 0; g < block.GroupStart.size(); ++g)
     {
-      const auto& group = mesh.Blocks[b].Groups[g];
-      if (this->GroupStart[b][g] != Absent && !this->Owns(group))
+      const auto& group = this->Content().Mesh.Blocks[block.Index].Groups[g];
+      if (block.GroupStart[g] != Absent && !this->Owns(group))
       {
-        std::memset(ghosts + this->GroupStart[b][g], 1, group.Points);
+        std::memset(ghosts + block.GroupStart[g], 1, group.Points);
       }
     }
   }
@@ -245,12 +253,6 @@ bool ChunkSetDecoder::Owns(const SharedGroup& group) const
   return owner != group.Chunks.end() && has(this->Chunks, *owner);
 }
 
-const BlockEntry& ChunkSetDecoder::GetBlock(std::size_t block) const
-{
-  const auto& mesh = this->Content().Mesh;
-  return block < mesh.Blocks.size() ? mesh.Blocks[block] : mesh.Unused;
-}
-
 std::vector<std::uint64_t> ChunkSetDecoder::Locate(const ChunkSetDecoder& part) const
 {
   const auto& mesh = this->Content().Mesh;
@@ -262,13 +264,14 @@ std::vector<std::uint64_t> ChunkSetDecoder::Locate(const ChunkSetDecoder& part) 
       places[static_cast<std::size_t>(from + i)] = to + i;
     }
   };
-  for (std::size_t b = 0; b < mesh.Blocks.size(); ++b)
+  for (const auto& block : part.Blocks)
   {
-    for (std::size_t g = 0; g < mesh.Blocks[b].Groups.size(); ++g)
+    for (std::size_t g = 0; g < block.GroupStart.size(); ++g)
     {
-      if (part.GroupStart[b][g] != Absent)
+      if (block.GroupStart[g] != Absent)
       {
-        copy(part.GroupStart[b][g], this->GroupStart[b][g], mesh.Blocks[b].Groups[g].Points);
+        copy(block.GroupStart[g], this->Blocks[this->FindBlock(block.Index)].GroupStart[g],
+          mesh.Blocks[block.Index].Groups[g].Points);
       }
     }
   }
@@ -288,195 +291,203 @@ std::vector<std::uint64_t> ChunkSetDecoder::Locate(const ChunkSetDecoder& part) 
 }
 
 //--------------------------------------------------------------------------------------------------
-std::vector<std::size_t> ChunkSetDecoder::FindFirstSteps(
-  const std::vector<std::uint32_t>& arrays, std::size_t step) const
-{
-  std::vector<std::size_t> first;
-  const auto key = this->KeepsState ? this->Content().FindKeyStep(step) : step;
-  for (const auto array : arrays)
-  {
-    const auto decoded = this->DecodedStep[array];
-    first.push_back(decoded != NoStep && decoded >= key && decoded <= step ? decoded + 1 : key);
-  }
-  return first;
-}
-
 void ChunkSetDecoder::Fill(const PieceTarget& target, const std::vector<std::uint32_t>& arrays,
-  std::size_t step, bool restoreOrder, const Progress& progress)
+  std::size_t step, bool restoreOrder, const Progress& progress) const
 {
   const auto& content = this->Content();
-  const auto keep = restoreOrder && this->IsWhole() ? content.Meta.Keep : 0;
-  const auto& wanted = target.Arrays.empty() ? std::vector<std::uint32_t>{} : arrays;
-  Job job{ content.File, target, wanted, this->FindFirstSteps(wanted, step),
-    (keep & KeepPoints) != 0, (keep & KeepCells) != 0, (keep & KeepCorners) != 0, 0, false, {}, {},
-    {} };
-  if (job.RestorePoints)
+  const auto keep = content.Meta.Keep;
+  const auto restore = restoreOrder && this->IsWhole() ? keep : 0;
+  const bool restorePoints = (restore & KeepPoints) != 0;
+  const bool restoreCells = (restore & KeepCells) != 0;
+  Job job{ content.File, target, restorePoints, restoreCells, (restore & KeepCorners) != 0,
+    (keep & KeepPoints) != 0 && (restorePoints || target.GlobalPointIds),
+    (keep & KeepCells) != 0 && (restoreCells || target.GlobalCellIds), step,
+    content.FindKeyStep(step), {}, {}, {}, 0, 0, {}, {} };
+  if (restorePoints)
   {
     job.PointTaken = std::vector<std::atomic<bool>>(static_cast<std::size_t>(this->Points));
   }
-  if (job.RestoreCells)
+  if (restoreCells)
   {
     job.CellTaken = std::vector<std::atomic<bool>>(static_cast<std::size_t>(this->Tets));
   }
-  const auto first = job.FirstSteps.empty()
-    ? step
-    : std::min(step, *std::min_element(job.FirstSteps.begin(), job.FirstSteps.end()));
-  for (const auto array : wanted)
+  for (std::size_t a = 0; a < target.Arrays.size(); ++a)
   {
-    this->DecodedStep[array] = NoStep; // until all of it has been decoded
-  }
-  // Step by step for the whole set: chunks see the shared points' values of the same step.
-  for (job.Step = first; job.Step <= step; ++job.Step)
-  {
-    job.IsLast = job.Step == step;
-    job.Domains.clear();
-    for (const auto array : wanted)
+    if (target.Arrays[a])
     {
-      job.Domains.push_back(content.MakeDomains(array, job.Step));
+      job.Arrays.push_back({ arrays[a], static_cast<std::uint8_t*>(target.Arrays[a]),
+        content.Meta.Arrays[arrays[a]].Where == Association::Point, step, {} });
+    }
+  }
+  this->Plan(job);
+
+  // What is in the cache first, before it has to make room for the rest.
+  std::vector<std::size_t> order(this->Chunks.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::stable_partition(
+    order.begin(), order.end(), [&](std::size_t i) { return job.Chunks[i].Mesh != nullptr; });
+
+  const auto first = job.Begin;
+  const auto steps = static_cast<double>(step - first + 1);
+  for (; job.Begin <= step; job.Begin = job.End + 1)
+  {
+    job.End = std::min(step, job.Begin + StepsAtOnce - 1);
+    for (auto& array : job.Arrays)
+    {
+      array.Domains.clear();
+      for (auto at = job.Begin; at <= job.End; ++at)
+      {
+        array.Domains.push_back(this->Parts.GetDomains(array.Index, at));
+      }
     }
     ParallelFor(this->Blocks.size(),
       [&](std::size_t b)
       {
         const FloatEnvironment guard;
-        if (this->Blocks[b].Needed)
-        {
-          this->DecodeBlock(job, b);
-        }
+        this->DecodeBlock(job, b);
       });
-    const auto steps = static_cast<double>(step - first + 1);
-    const auto done = static_cast<double>(job.Step - first) / steps;
+    const auto done = static_cast<double>(job.Begin - first) / steps;
+    const auto share = static_cast<double>(job.End - job.Begin + 1) / steps;
     ParallelFor(
       this->Chunks.size(),
       [&](std::size_t i)
       {
         const FloatEnvironment guard;
-        this->DecodeChunkInto(job, i);
+        this->DecodeChunkInto(job, order[i]);
       },
-      [&](double part) { return !progress || progress(done + part / steps); });
+      [&](double part) { return !progress || progress(done + share * part); });
   }
-  if (this->KeepsState)
+}
+
+/** Takes what there is out of the cache, so that it stays, and sees what has to be decoded. */
+void ChunkSetDecoder::Plan(Job& job) const
+{
+  job.Blocks.resize(this->Blocks.size());
+  job.Chunks.resize(this->Chunks.size());
+  for (auto& block : job.Blocks)
   {
-    for (const auto array : wanted)
+    block.NeedsPoints = job.Target.Points != nullptr;
+  }
+  for (std::size_t i = 0; i < this->Chunks.size(); ++i)
+  {
+    auto& work = job.Chunks[i];
+    work.Mesh = this->Parts.FindMesh(this->Chunks[i]);
+    for (const auto& part : this->Content().Mesh.Chunks[this->Chunks[i]].Shared)
     {
-      this->DecodedStep[array] = step;
+      auto& needed = job.Blocks[this->FindBlock(part.Block)].NeedsPoints;
+      needed = needed || !work.Mesh;
     }
-    return;
+    for (auto& array : job.Arrays)
+    {
+      work.Reached.push_back(
+        this->Parts.FindChunkArray(this->Chunks[i], array.Index, job.KeyStep, job.Step));
+      const auto& reached = work.Reached.back();
+      array.First = std::min(array.First, reached.Values ? reached.Step + 1 : job.KeyStep);
+    }
   }
-  for (auto& block : this->Blocks)
+  job.Begin = job.Step;
+  for (const auto& array : job.Arrays)
   {
-    block.Arrays.clear();
+    job.Begin = std::min(job.Begin, array.First);
   }
 }
 
 //--------------------------------------------------------------------------------------------------
-void ChunkSetDecoder::DecodeBlock(const Job& job, std::size_t index)
+void ChunkSetDecoder::DecodeBlock(Job& job, std::size_t b) const
 {
-  const auto& content = this->Content();
-  const auto& entry = this->GetBlock(index);
-  auto& state = this->Blocks[index];
-  const auto count = static_cast<std::size_t>(entry.Points);
-  if (state.Points.empty())
+  const auto index = this->Blocks[b].Index;
+  auto& work = job.Blocks[b];
+  if (work.NeedsPoints && !work.Points)
   {
-    const auto what = Name("the points of block", index);
-    const auto stream = content.File.Read(entry.Geometry, what);
-    std::vector<ComponentKeys> keys(3);
-    for (auto& component : keys)
-    {
-      component.Now.resize(count);
-    }
-    content.Guarded(
-      what, entry.Geometry, [&] { DecodeCellValues(stream, {}, content.Domains, keys); });
-    std::vector<PointKeys> points(count);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      points[i] = { keys[0].Now[i], keys[1].Now[i], keys[2].Now[i] };
-    }
-    state.Points = std::move(points);
+    work.Points = this->Parts.GetBlockPoints(index);
   }
-  if (state.Order.empty() && (content.Meta.Keep & KeepPoints) &&
-    (job.RestorePoints || job.Target.GlobalPointIds))
+  if (job.NeedsPointOrder && !work.Order)
   {
-    const auto what = Name("the order of the points of block", index);
-    const auto stream = content.File.Read(entry.Order, what);
-    ComponentKeys keys;
-    keys.Now.resize(count);
-    const Domain ids(ScalarType::UInt32);
-    content.Guarded(what, entry.Order,
-      [&]
-      {
-        DecodeCellValues(stream, {}, { &ids, 1 }, { &keys, 1 });
-        CheckBelow(keys.Now, content.Meta.Points);
-      });
-    state.Order.assign(keys.Now.begin(), keys.Now.end());
+    work.Order = this->Parts.GetBlockOrder(index);
   }
-  state.Arrays.resize(content.Meta.Arrays.size());
-  job.EachToDecode(
-    [&](std::size_t a)
+  work.Steps.resize(job.Arrays.size());
+  for (std::size_t a = 0; a < job.Arrays.size(); ++a)
+  {
+    const auto& array = job.Arrays[a];
+    if (!array.OfPoints)
     {
-      if (content.Meta.Arrays[job.Arrays[a]].Where == Association::Point)
+      continue;
+    }
+    if (work.Reached.size() <= a)
+    {
+      work.Reached.resize(a + 1);
+      work.Reached[a] = this->Parts.FindBlockArray(index, array.Index, job.KeyStep, array.First);
+    }
+    auto& reached = work.Reached[a];
+    auto& steps = work.Steps[a];
+    steps.assign(job.End - job.Begin + 1, nullptr);
+    const auto hold = [&]
+    {
+      if (reached.Values && reached.Step >= job.Begin && reached.Step <= job.End)
       {
-        this->DecodeBlockArray(job, index, a);
+        steps[reached.Step - job.Begin] = reached.Values;
       }
-    });
-  if (job.IsLast)
+    };
+    hold();
+    for (auto step = reached.Values ? reached.Step + 1 : job.KeyStep; step <= job.End; ++step)
+    {
+      const auto domains = step < job.Begin ? this->Parts.GetDomains(array.Index, step)
+                                            : array.Domains[step - job.Begin];
+      reached = {
+        this->Parts.DecodeBlockArray(index, array.Index, step, *domains, reached.Values.get()), step
+      };
+      hold();
+    }
+    if (job.IsLast())
+    {
+      this->Parts.KeepBlockArray(index, array.Index, reached);
+    }
+  }
+  if (job.IsLast())
   {
-    this->StoreBlock(job, index);
+    this->StoreBlock(job, b);
   }
 }
 
-void ChunkSetDecoder::DecodeBlockArray(const Job& job, std::size_t index, std::size_t a)
+void ChunkSetDecoder::StoreBlock(const Job& job, std::size_t b) const
 {
   const auto& content = this->Content();
-  const auto array = job.Arrays[a];
-  const auto& description = content.Meta.Arrays[array];
-  auto& state = this->Blocks[index].Arrays[array];
-  const auto what = Name(("array '" + description.Name + "' of block").c_str(), index);
-  const auto& where = content.Steps[job.Step].Arrays[array].Blocks[index];
-  const auto count = static_cast<std::size_t>(this->GetBlock(index).Points);
-  auto keys = MakeKeys(description, count, content.HasBefore(array, job.Step), state);
-  const auto stream = content.File.Read(where, what);
-  content.Guarded(what, where, [&] { DecodeCellValues(stream, {}, job.Domains[a], keys); });
-  state = std::move(keys);
-}
-
-void ChunkSetDecoder::StoreBlock(const Job& job, std::size_t index) const
-{
-  const auto& content = this->Content();
-  const auto& entry = this->GetBlock(index);
-  const auto& state = this->Blocks[index];
+  const auto& block = this->Blocks[b];
+  const auto& entry = this->Parts.GetBlock(block.Index);
+  const auto& work = job.Blocks[b];
+  const auto& target = job.Target;
   const auto store = [&](std::size_t first, std::size_t count, std::uint64_t start, bool owned)
   {
     const auto place = [&](std::size_t i)
-    { return job.RestorePoints ? state.Order[first + i] : start + i; };
+    { return job.RestorePoints ? (*work.Order)[first + i] : start + i; };
     for (std::size_t i = 0; i < count; ++i)
     {
       job.TakePoint(place(i));
-      if (job.Target.Points)
+      if (target.Points)
       {
-        job.StorePoint(content.Domains, state.Points[first + i], place(i));
+        job.StorePoint(content.Domains, (*work.Points)[first + i], place(i));
       }
-      if (job.Target.GlobalPointIds)
+      if (target.GlobalPointIds)
       {
-        job.Target.GlobalPointIds[place(i)] = static_cast<std::int64_t>(
-          state.Order.empty() ? entry.FirstPoint + first + i : state.Order[first + i]);
+        target.GlobalPointIds[place(i)] = static_cast<std::int64_t>(
+          work.Order ? (*work.Order)[first + i] : entry.FirstPoint + first + i);
       }
-      if (job.Target.PointGhosts)
+      if (target.PointGhosts)
       {
-        job.Target.PointGhosts[place(i)] = !owned;
+        target.PointGhosts[place(i)] = !owned;
       }
     }
-    for (std::size_t a = 0; a < job.Target.Arrays.size(); ++a)
+    for (std::size_t a = 0; a < job.Arrays.size(); ++a)
     {
-      const auto& array = content.Meta.Arrays[job.Arrays[a]];
-      if (array.Where == Association::Point)
+      if (job.Arrays[a].OfPoints)
       {
         job.StoreTuples(
-          a, array, state.Arrays[job.Arrays[a]], count, [&](std::size_t i) { return first + i; },
+          job.Arrays[a], *work.Steps[a].back(), count, [&](std::size_t i) { return first + i; },
           place);
       }
     }
   };
-  if (index + 1 == this->Blocks.size())
+  if (entry.Groups.empty())
   {
     store(0, static_cast<std::size_t>(entry.Points), this->FirstUnused, true);
     return;
@@ -485,197 +496,84 @@ void ChunkSetDecoder::StoreBlock(const Job& job, std::size_t index) const
   for (std::size_t g = 0; g < entry.Groups.size(); ++g)
   {
     const auto& group = entry.Groups[g];
-    if (this->GroupStart[index][g] != Absent)
+    if (block.GroupStart[g] != Absent)
     {
-      store(first, group.Points, this->GroupStart[index][g], this->Owns(group));
+      store(first, group.Points, block.GroupStart[g], this->Owns(group));
     }
     first += group.Points;
   }
 }
 
 //--------------------------------------------------------------------------------------------------
-template <typename Use>
-void ChunkSetDecoder::EachShared(std::size_t chunk, const ChunkMesh& mesh, Use&& use) const
+void ChunkSetDecoder::DecodeChunkInto(Job& job, std::size_t i) const
 {
-  const auto& table = this->Content().Mesh;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> places; // block, place in it
-  for (const auto& part : table.Chunks[chunk].Shared)
+  const auto chunk = this->Chunks[i];
+  auto& work = job.Chunks[i];
+  auto mesh = std::move(work.Mesh);
+  if (!mesh && job.Begin > job.KeyStep)
   {
-    const auto count = table.Blocks[part.Block].Groups[part.Group].Points;
-    for (std::uint32_t i = 0; i < count; ++i)
+    mesh = this->Parts.FindMesh(chunk); // decoded for the steps before
+  }
+  if (!mesh)
+  {
+    mesh = this->Parts.DecodeMesh(chunk,
+      [&](std::uint32_t block)
+      {
+        const auto& held = job.Blocks[this->FindBlock(block)].Points;
+        return held ? held : this->Parts.GetBlockPoints(block);
+      });
+  }
+  for (std::size_t a = 0; a < job.Arrays.size(); ++a)
+  {
+    auto& reached = work.Reached[a];
+    for (auto step = reached.Values ? reached.Step + 1 : job.KeyStep; step <= job.End; ++step)
     {
-      places.emplace_back(part.Block, static_cast<std::uint32_t>(part.FirstInBlock) + i);
+      const auto& array = job.Arrays[a];
+      const auto valuesOf = [&](std::uint32_t block)
+      { return job.Blocks[this->FindBlock(block)].Steps[a][step - job.Begin]; };
+      reached = { this->Parts.DecodeChunkArray(chunk, *mesh, array.Index, step,
+                    *array.Domains[step - job.Begin], reached.Values.get(), valuesOf),
+        step };
+    }
+    if (job.IsLast())
+    {
+      this->Parts.KeepChunkArray(chunk, job.Arrays[a].Index, reached);
     }
   }
-  for (Vertex v = 0; v < mesh.Walk.Sources.size(); ++v)
+  if (job.IsLast())
   {
-    const auto source = mesh.Walk.Sources[v];
-    if (source & Topology::SharedFlag)
-    {
-      const auto& place = places[source & ~Topology::SharedFlag];
-      use(v, place.first, place.second);
-    }
+    this->StoreChunk(job, i, *mesh);
+    work = {};
   }
 }
 
-std::unique_ptr<ChunkMesh> ChunkSetDecoder::DecodeMesh(std::size_t chunk) const
+void ChunkSetDecoder::StoreChunk(const Job& job, std::size_t i, const ChunkMesh& mesh) const
 {
   const auto& content = this->Content();
-  const auto& entry = content.Mesh.Chunks[chunk];
-  ChunkFrame frame;
-  frame.Tets = static_cast<std::uint32_t>(entry.Info.Tets);
-  frame.OwnPoints = static_cast<std::uint32_t>(entry.Info.OwnPoints);
-  frame.Box = entry.Info.Box;
-  frame.Domains = content.Domains;
-  frame.SharedUsers = content.Mesh.GetSharedUsers(chunk);
-  frame.SharedKeys.reserve(frame.SharedUsers.size());
-  for (const auto& part : entry.Shared)
-  {
-    const auto& points = this->Blocks[part.Block].Points;
-    const auto begin = points.begin() + static_cast<std::ptrdiff_t>(part.FirstInBlock);
-    frame.SharedKeys.insert(frame.SharedKeys.end(), begin,
-      begin + content.Mesh.Blocks[part.Block].Groups[part.Group].Points);
-  }
-  const auto what = Name("the mesh of chunk", chunk);
-  const auto connectivity = content.File.Read(entry.Connectivity, what);
-  const auto geometry = content.File.Read(entry.Geometry, what);
-  return content.Guarded(what, entry.Connectivity,
-    [&] { return std::make_unique<ChunkMesh>(DecodeChunk(frame, connectivity, geometry)); });
-}
-
-std::vector<Key> ChunkSetDecoder::DecodeCellIntegers(const StreamRef& where,
-  const std::string& what, const ChunkMesh& mesh, ScalarType type, Key end) const
-{
-  const auto& content = this->Content();
-  const auto stream = content.File.Read(where, what);
-  const Domain domain(type);
-  ComponentKeys keys;
-  keys.Now.resize(mesh.Walk.Parents.size());
-  content.Guarded(what, where,
-    [&]
-    {
-      DecodeCellValues(stream, mesh.Walk.Parents, { &domain, 1 }, { &keys, 1 });
-      CheckBelow(keys.Now, end);
-    });
-  return std::move(keys.Now);
-}
-
-std::vector<std::uint64_t> ChunkSetDecoder::DecodeCellOrder(
-  const ChunkMesh& mesh, std::size_t chunk) const
-{
-  const auto& content = this->Content();
-  return this->DecodeCellIntegers(content.Mesh.Chunks[chunk].CellOrder,
-    Name("the original order of the cells of chunk", chunk), mesh, ScalarType::UInt32,
-    content.Meta.Tets);
-}
-
-std::vector<std::uint64_t> ChunkSetDecoder::DecodePointOrder(
-  ChunkMesh& mesh, std::size_t chunk) const
-{
-  const auto& content = this->Content();
-  const auto& where = content.Mesh.Chunks[chunk].PointOrder;
-  const auto what = Name("the original order of the points of chunk", chunk);
-  const auto stream = content.File.Read(where, what);
-  const Domain ids(ScalarType::UInt32);
-  ComponentKeys keys;
-  keys.Now.resize(mesh.Keys.size());
-  this->EachShared(chunk, mesh,
-    [&](Vertex v, std::uint32_t block, std::uint32_t place)
-    { keys.Now[v] = this->Blocks[block].Order[place]; });
-  content.Guarded(what, where,
-    [&]
-    {
-      mesh.MakeContext(ArrayModes::Read(stream).Spatial == SpatialMode::Fit);
-      DecodePointValues(stream, mesh.Context, { &ids, 1 }, { &keys, 1 });
-      CheckBelow(keys.Now, content.Meta.Points);
-    });
-  std::vector<std::uint64_t> order(mesh.Context.OwnIds.size());
-  for (std::size_t own = 0; own < order.size(); ++own)
-  {
-    order[own] = keys.Now[mesh.Context.OwnIds[own]];
-  }
-  return order;
-}
-
-void ChunkSetDecoder::DecodeChunkArray(
-  const Job& job, std::size_t chunk, ChunkMesh& mesh, std::size_t a, ArrayState& state)
-{
-  const auto& content = this->Content();
-  const auto array = job.Arrays[a];
-  const auto& description = content.Meta.Arrays[array];
-  const bool ofPoints = description.Where == Association::Point;
-  const auto what = Name(("array '" + description.Name + "' of chunk").c_str(), chunk);
-  const auto& where = content.Steps[job.Step].Arrays[array].Chunks[chunk];
-  const auto count = ofPoints ? mesh.Keys.size() : mesh.Walk.Parents.size();
-  auto keys = MakeKeys(description, count, content.HasBefore(array, job.Step), state);
-  const auto stream = content.File.Read(where, what);
-  const auto& domains = job.Domains[a];
-  content.Guarded(what, where,
-    [&]
-    {
-      if (!ofPoints)
-      {
-        DecodeCellValues(stream, mesh.Walk.Parents, domains, keys);
-        return;
-      }
-      for (std::size_t c = 0; c < keys.size(); ++c)
-      {
-        this->EachShared(chunk, mesh,
-          [&](Vertex v, std::uint32_t block, std::uint32_t place)
-          { keys[c].Now[v] = this->Blocks[block].Arrays[array][c].Now[place]; });
-      }
-      mesh.MakeContext(ArrayModes::Read(stream).Spatial == SpatialMode::Fit);
-      DecodePointValues(stream, mesh.Context, domains, keys);
-    });
-  state = std::move(keys);
-}
-
-void ChunkSetDecoder::DecodeChunkInto(const Job& job, std::size_t index)
-{
-  const auto chunk = this->Chunks[index];
-  auto& state = this->States[index];
-  if (!state.Mesh)
-  {
-    state.Mesh = this->DecodeMesh(chunk);
-  }
-  state.Arrays.resize(this->Content().Meta.Arrays.size());
-  job.EachToDecode([&](std::size_t a)
-    { this->DecodeChunkArray(job, chunk, *state.Mesh, a, state.Arrays[job.Arrays[a]]); });
-  if (job.IsLast)
-  {
-    this->StoreChunk(job, index, *state.Mesh);
-  }
-  if (!this->KeepsState)
-  {
-    state = {};
-  }
-}
-
-void ChunkSetDecoder::StoreChunk(const Job& job, std::size_t index, ChunkMesh& mesh) const
-{
-  const auto& content = this->Content();
-  const auto chunk = this->Chunks[index];
+  const auto chunk = this->Chunks[i];
   const auto& info = content.Mesh.Chunks[chunk].Info;
   const auto& target = job.Target;
-  const bool keepsPoints = (content.Meta.Keep & KeepPoints) != 0;
-  const bool keepsCells = (content.Meta.Keep & KeepCells) != 0;
-
-  mesh.MakeContext(false);
   const auto& ownIds = mesh.Context.OwnIds;
   const auto tets = mesh.Walk.Parents.size();
-  std::vector<std::uint64_t> pointIds = keepsPoints && (job.RestorePoints || target.GlobalPointIds)
-    ? this->DecodePointOrder(mesh, chunk)
-    : Count(info.FirstPoint, ownIds.size());
-  std::vector<std::uint64_t> cellIds = keepsCells && (job.RestoreCells || target.GlobalCellIds)
-    ? this->DecodeCellOrder(mesh, chunk)
-    : Count(info.FirstTet, tets);
-  const auto pointPlaces =
-    job.RestorePoints ? pointIds : Count(this->FirstOwn[index], ownIds.size());
-  const auto cellPlaces = job.RestoreCells ? cellIds : Count(this->FirstTet[index], tets);
+
+  std::shared_ptr<const OrderPart> points, cells;
+  if (job.NeedsPointOrder)
+  {
+    points = this->Parts.GetPointOrder(
+      chunk, mesh, [&](std::uint32_t block) { return job.Blocks[this->FindBlock(block)].Order; });
+  }
+  if (job.NeedsCellOrder)
+  {
+    cells = this->Parts.GetCellOrder(chunk, mesh);
+  }
+  const Places pointIds{ points.get(), info.FirstPoint };
+  const Places cellIds{ cells.get(), info.FirstTet };
+  const Places pointPlaces{ job.RestorePoints ? points.get() : nullptr, this->FirstOwn[i] };
+  const Places cellPlaces{ job.RestoreCells ? cells.get() : nullptr, this->FirstTet[i] };
 
   for (std::size_t own = 0; own < ownIds.size(); ++own)
   {
-    const auto place = pointPlaces[own];
+    const auto place = pointPlaces(own);
     job.TakePoint(place);
     if (target.Points)
     {
@@ -683,7 +581,7 @@ void ChunkSetDecoder::StoreChunk(const Job& job, std::size_t index, ChunkMesh& m
     }
     if (target.GlobalPointIds)
     {
-      target.GlobalPointIds[place] = static_cast<std::int64_t>(pointIds[own]);
+      target.GlobalPointIds[place] = static_cast<std::int64_t>(pointIds(own));
     }
     if (target.PointGhosts)
     {
@@ -692,59 +590,60 @@ void ChunkSetDecoder::StoreChunk(const Job& job, std::size_t index, ChunkMesh& m
   }
   for (std::size_t t = 0; t < tets; ++t)
   {
-    job.TakeCell(cellPlaces[t]);
+    const auto place = cellPlaces(t);
+    job.TakeCell(place);
     if (target.GlobalCellIds)
     {
-      target.GlobalCellIds[cellPlaces[t]] = static_cast<std::int64_t>(cellIds[t]);
+      target.GlobalCellIds[place] = static_cast<std::int64_t>(cellIds(t));
     }
     if (target.CellGhosts)
     {
-      target.CellGhosts[cellPlaces[t]] = 0;
+      target.CellGhosts[place] = 0;
     }
   }
   if (target.Connectivity)
   {
-    this->StoreConnectivity(job, index, mesh, pointPlaces, cellPlaces);
+    this->StoreConnectivity(job, i, mesh, pointPlaces.Order, cellPlaces.Order);
   }
-  for (std::size_t a = 0; a < target.Arrays.size(); ++a)
+  for (std::size_t a = 0; a < job.Arrays.size(); ++a)
   {
-    const auto array = job.Arrays[a];
-    const auto& description = content.Meta.Arrays[array];
-    const auto& keys = this->States[index].Arrays[array];
-    if (description.Where == Association::Point)
+    const auto& values = *job.Chunks[i].Reached[a].Values;
+    if (job.Arrays[a].OfPoints)
     {
       job.StoreTuples(
-        a, description, keys, ownIds.size(), [&](std::size_t own) { return ownIds[own]; },
-        [&](std::size_t own) { return pointPlaces[own]; });
+        job.Arrays[a], values, ownIds.size(), [&](std::size_t own) { return ownIds[own]; },
+        pointPlaces);
     }
     else
     {
       job.StoreTuples(
-        a, description, keys, tets, [](std::size_t t) { return t; },
-        [&](std::size_t t) { return cellPlaces[t]; });
+        job.Arrays[a], values, tets, [](std::size_t t) { return t; }, cellPlaces);
     }
   }
 }
 
-void ChunkSetDecoder::StoreConnectivity(const Job& job, std::size_t index, const ChunkMesh& mesh,
-  const std::vector<std::uint64_t>& pointPlaces, const std::vector<std::uint64_t>& cellPlaces) const
+void ChunkSetDecoder::StoreConnectivity(const Job& job, std::size_t i, const ChunkMesh& mesh,
+  const OrderPart* points, const OrderPart* cells) const
 {
   const auto& content = this->Content();
-  const auto chunk = this->Chunks[index];
+  const auto chunk = this->Chunks[i];
+  const Places pointPlaces{ points, this->FirstOwn[i] };
+  const Places cellPlaces{ cells, this->FirstTet[i] };
   std::vector<std::uint64_t> ids(mesh.Keys.size());
-  for (std::size_t own = 0; own < pointPlaces.size(); ++own)
+  for (std::size_t own = 0; own < mesh.Context.OwnIds.size(); ++own)
   {
-    ids[mesh.Context.OwnIds[own]] = pointPlaces[own];
+    ids[mesh.Context.OwnIds[own]] = pointPlaces(own);
   }
   std::vector<std::uint64_t> sharedPlaces;
   for (const auto& part : content.Mesh.Chunks[chunk].Shared)
   {
     const auto count = content.Mesh.Blocks[part.Block].Groups[part.Group].Points;
-    const auto start = this->GroupStart[part.Block][part.Group];
-    for (std::uint64_t i = 0; i < count; ++i)
+    const auto b = this->FindBlock(part.Block);
+    const auto start = this->Blocks[b].GroupStart[part.Group];
+    for (std::uint64_t p = 0; p < count; ++p)
     {
       sharedPlaces.push_back(
-        job.RestorePoints ? this->Blocks[part.Block].Order[part.FirstInBlock + i] : start + i);
+        job.RestorePoints ? (*job.Blocks[b].Order)[part.FirstInBlock + p] : start + p);
     }
   }
   for (std::size_t v = 0; v < ids.size(); ++v)
@@ -755,12 +654,8 @@ void ChunkSetDecoder::StoreConnectivity(const Job& job, std::size_t index, const
       ids[v] = sharedPlaces[source & ~Topology::SharedFlag];
     }
   }
-  std::vector<Key> rotations;
-  if (job.RestoreCorners)
-  {
-    rotations = this->DecodeCellIntegers(content.Mesh.Chunks[chunk].Corners,
-      Name("the corners of chunk", chunk), mesh, ScalarType::UInt8, 12);
-  }
+  const auto rotations =
+    job.RestoreCorners ? this->Parts.DecodeCorners(chunk, mesh) : std::vector<Key>{};
   const auto store = [&](auto* connectivity)
   {
     using Id = std::remove_pointer_t<decltype(connectivity)>;
@@ -769,9 +664,10 @@ void ChunkSetDecoder::StoreConnectivity(const Job& job, std::size_t index, const
       const auto tet = rotations.empty()
         ? mesh.Walk.Tets[t]
         : RotateCorners(mesh.Walk.Tets[t], static_cast<unsigned>(rotations[t]));
-      for (unsigned i = 0; i < 4; ++i)
+      auto* corners = connectivity + 4 * cellPlaces(t);
+      for (unsigned corner = 0; corner < 4; ++corner)
       {
-        connectivity[4 * cellPlaces[t] + i] = static_cast<Id>(ids[tet[i]]);
+        corners[corner] = static_cast<Id>(ids[tet[corner]]);
       }
     }
   };

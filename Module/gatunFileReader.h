@@ -13,6 +13,8 @@
 
 namespace gatun
 {
+class ChunkCache;
+
 /**
  * An open .gtn file: all that its directory tells, without decoding any chunk.
  *
@@ -116,15 +118,18 @@ struct PieceTarget
  * Decodes pieces of a file into arrays of the caller, chunks in parallel.
  *
  * Order of the cells: chunk by chunk, ghosts last. Order of the points: those shared by chunks,
- * then each chunk's own, then unused ones, ghosts' last. Keeps what it needs to decode another
- * time step of the same piece without decoding the mesh again. Not thread safe.
+ * then each chunk's own, then unused ones, ghosts' last. What it decodes it leaves in a cache, so
+ * that another time step, other arrays or a piece with the same chunks need not decode all again.
+ * Not thread safe; but several may use one cache, each in a thread of its own.
  */
 class VTKGATUNCORE_EXPORT PieceDecoder
 {
 public:
   using Progress = std::function<bool(double)>; ///< as in FileWriter; abort throws Aborted
 
+  /** With a cache of its own, or with one that others may use too. */
   explicit PieceDecoder(std::shared_ptr<const FileReader> file);
+  explicit PieceDecoder(std::shared_ptr<ChunkCache> cache);
   ~PieceDecoder();
   PieceDecoder(const PieceDecoder&) = delete;
   PieceDecoder& operator=(const PieceDecoder&) = delete;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunFileReader.h"
 
+#include "gatunChunkCache.h"
 #include "gatunChunkSetDecoder.h"
 #include "gatunFileReaderInternals.h"
 
@@ -51,14 +52,16 @@ std::vector<std::uint32_t> Surround(const FileReader& file,
 class PieceDecoder::Internals
 {
 public:
-  explicit Internals(std::shared_ptr<const FileReader> file)
-    : File(std::move(file))
+  explicit Internals(std::shared_ptr<ChunkCache> cache)
+    : Cache(std::move(cache))
+    , File(Cache->GetFile())
   {
   }
 
   void SetRequest(const PieceRequest& request, const Progress& progress);
   void Fill(const PieceTarget& target, const Progress& progress);
 
+  const std::shared_ptr<ChunkCache> Cache;
   const std::shared_ptr<const FileReader> File;
   PieceRequest Request;
   std::unique_ptr<ChunkSetDecoder> Piece;
@@ -112,14 +115,14 @@ void PieceDecoder::Internals::SetRequest(const PieceRequest& request, const Prog
   this->Around.reset();
   this->Piece.reset();
   auto piece = std::make_unique<ChunkSetDecoder>(
-    this->File, request.Chunks, request.Universe, request.WithUnusedPoints);
+    this->Cache, request.Chunks, request.Universe, request.WithUnusedPoints);
   if (request.GhostLevels > 0)
   {
     auto chunks = Surround(*this->File, request.Chunks, request.Universe, request.GhostLevels);
     if (chunks != request.Chunks)
     {
       this->Around = std::make_unique<ChunkSetDecoder>(
-        this->File, std::move(chunks), request.Universe, request.WithUnusedPoints);
+        this->Cache, std::move(chunks), request.Universe, request.WithUnusedPoints);
     }
   }
   this->Piece = std::move(piece);
@@ -317,7 +320,12 @@ void PieceDecoder::Internals::Fill(const PieceTarget& target, const Progress& pr
 
 //--------------------------------------------------------------------------------------------------
 PieceDecoder::PieceDecoder(std::shared_ptr<const FileReader> file)
-  : Self(std::make_unique<Internals>(std::move(file)))
+  : PieceDecoder(std::make_shared<ChunkCache>(std::move(file)))
+{
+}
+
+PieceDecoder::PieceDecoder(std::shared_ptr<ChunkCache> cache)
+  : Self(std::make_unique<Internals>(std::move(cache)))
 {
 }
 

@@ -132,8 +132,9 @@ int TestReaderInterface(int argc, char* argv[])
 
   CheckPrinted(reader,
     { "FileName", "RestoreOrder", "GenerateGlobalIds", "UseBox", "Box", "UseValueRange",
-      "ValueRangeArray", "ValueRangeAssociation", "ValueRangeComponent", "ValueRange", "BytesRead",
-      "PointDataArraySelection", "CellDataArraySelection" });
+      "ValueRangeArray", "ValueRangeAssociation", "ValueRangeComponent", "ValueRange", "CacheSize",
+      "CachedBytes", "DecodedChunks", "BytesRead", "PointDataArraySelection",
+      "CellDataArraySelection" });
   CheckPrinted(writer,
     { "FileName", "WriteUnlistedArrays", "KeepOrder", "ChunkTets", "KeyStepInterval",
       "WriteAllTimeSteps", "LinearizeQuadratic", "WrittenPoints", "WrittenTets", "WrittenSteps",

@@ -109,6 +109,7 @@ for interval in (1, 3, 8, 100):
             grids.add((grid.GetPoints().GetData().GetVoidPointer(0),
                        grid.GetCells().GetConnectivityArray().GetVoidPointer(0)))
         assert len(grids) == 1
+        assert reader.GetDecodedChunks() == reader.GetChunkTable().GetNumberOfRows()
 
 # One mesh in one file beats a file for each step.
 alone = [gm.write(step(i), gm.temporary("alone.gtn")).GetFileBytes() for i in range(3)]

@@ -18,7 +18,7 @@ folder = sys.argv[1]
 # What a property is set to, to see whether that arrives.
 OTHER = {"ChunkTets": [1000], "KeepOrder": [7], "KeyStepInterval": [3],
          "ValueRangeComponent": [2], "Box": [6, 5, 4, 3, 2, 1], "ValueRange": [-4, 9],
-         "ValueRangeArray": ["some array"], "FileName": ["some file"]}
+         "ValueRangeArray": ["some array"], "CacheSize": [64], "FileName": ["some file"]}
 HELPERS = {"IntVectorProperty": "SimpleIntInformationHelper",
            "DoubleVectorProperty": "SimpleDoubleInformationHelper",
            "StringVectorProperty": "SimpleStringInformationHelper"}

@@ -1,0 +1,441 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunPartDecoder.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace gatun
+{
+namespace
+{
+std::string Name(const std::string& what, std::size_t index)
+{
+  return what + " " + std::to_string(index);
+}
+
+void CheckBelow(const std::vector<Key>& ids, Key end)
+{
+  if (std::any_of(ids.begin(), ids.end(), [&](Key id) { return id >= end; }))
+  {
+    ThrowCorrupt("it names a place that is not there");
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+// Memory that parts take, to the byte.
+
+template <typename T>
+std::uint64_t BytesIn(const std::vector<T>& list)
+{
+  return list.capacity() * sizeof(T);
+}
+
+template <typename T>
+std::uint64_t BytesOf(const std::vector<T>& list)
+{
+  return sizeof(list) + BytesIn(list);
+}
+
+std::uint64_t BytesOf(const ArrayPart& array)
+{
+  auto bytes = sizeof(array) + BytesIn(array);
+  for (const auto& component : array)
+  {
+    bytes += BytesIn(component);
+  }
+  return bytes;
+}
+
+std::uint64_t BytesOf(const DomainsPart& domains)
+{
+  auto bytes = sizeof(domains) + BytesIn(domains);
+  for (const auto& domain : domains)
+  {
+    bytes += domain.GetPalette() ? BytesOf(*domain.GetPalette()) : 0;
+  }
+  return bytes;
+}
+
+std::uint64_t BytesOf(const ChunkMesh& mesh)
+{
+  const auto& walk = mesh.Walk;
+  return sizeof(mesh) + BytesIn(walk.Tets) + BytesIn(walk.Parents) + BytesIn(walk.Sources) +
+    BytesIn(walk.Records) + BytesIn(walk.EdgeLog) + BytesIn(mesh.Keys) + BytesIn(mesh.Rules) +
+    BytesIn(mesh.UsedRules) + BytesIn(mesh.Context.OwnIds);
+}
+
+std::uint64_t BytesOf(const NeighbourFit& fit, std::size_t ownVertices)
+{
+  std::uint64_t neighbours = 0;
+  for (std::size_t own = 0; own < ownVertices; ++own)
+  {
+    neighbours += fit.Of(own).size();
+  }
+  return sizeof(fit) + (ownVertices + 1) * sizeof(std::uint32_t) +
+    neighbours * sizeof(NeighbourFit::Neighbour);
+}
+
+template <typename Part>
+std::shared_ptr<const Part> KeepIn(
+  ChunkCache::Internals& cache, const PartKey& key, std::shared_ptr<const Part> part)
+{
+  cache.Keep(key, part, BytesOf(*part));
+  return part;
+}
+}
+
+//--------------------------------------------------------------------------------------------------
+const BlockEntry& PartDecoder::GetBlock(std::size_t block) const
+{
+  const auto& mesh = this->Content().Mesh;
+  return block < mesh.Blocks.size() ? mesh.Blocks[block] : mesh.Unused;
+}
+
+std::shared_ptr<const DomainsPart> PartDecoder::GetDomains(
+  std::uint32_t array, std::size_t step) const
+{
+  const PartKey key{ PartKind::Domains, 0, array, step };
+  if (auto found = this->Kept().Find<DomainsPart>(key))
+  {
+    return found;
+  }
+  return KeepIn<DomainsPart>(this->Kept(), key,
+    std::make_shared<const DomainsPart>(this->Content().MakeDomains(array, step)));
+}
+
+std::shared_ptr<const PointsPart> PartDecoder::GetBlockPoints(std::uint32_t block) const
+{
+  const PartKey key{ PartKind::BlockPoints, block };
+  if (auto found = this->Kept().Find<PointsPart>(key))
+  {
+    return found;
+  }
+  const auto& content = this->Content();
+  const auto& entry = this->GetBlock(block);
+  const auto count = static_cast<std::size_t>(entry.Points);
+  const auto what = Name("the points of block", block);
+  const auto stream = content.File.Read(entry.Geometry, what);
+  std::vector<ComponentKeys> keys(3);
+  for (auto& component : keys)
+  {
+    component.Now.resize(count);
+  }
+  content.Guarded(
+    what, entry.Geometry, [&] { DecodeCellValues(stream, {}, content.Domains, keys); });
+  auto points = std::make_shared<PointsPart>(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    (*points)[i] = { keys[0].Now[i], keys[1].Now[i], keys[2].Now[i] };
+  }
+  return KeepIn<PointsPart>(this->Kept(), key, std::move(points));
+}
+
+std::shared_ptr<const OrderPart> PartDecoder::GetBlockOrder(std::uint32_t block) const
+{
+  const PartKey key{ PartKind::BlockOrder, block };
+  if (auto found = this->Kept().Find<OrderPart>(key))
+  {
+    return found;
+  }
+  const auto& content = this->Content();
+  const auto& where = this->GetBlock(block).Order;
+  const auto what = Name("the order of the points of block", block);
+  const auto stream = content.File.Read(where, what);
+  ComponentKeys keys;
+  keys.Now.resize(static_cast<std::size_t>(this->GetBlock(block).Points));
+  const Domain ids(ScalarType::UInt32);
+  content.Guarded(what, where,
+    [&]
+    {
+      DecodeCellValues(stream, {}, { &ids, 1 }, { &keys, 1 });
+      CheckBelow(keys.Now, content.Meta.Points);
+    });
+  return KeepIn<OrderPart>(
+    this->Kept(), key, std::make_shared<const OrderPart>(keys.Now.begin(), keys.Now.end()));
+}
+
+//--------------------------------------------------------------------------------------------------
+template <typename Part, typename Use>
+void PartDecoder::EachShared(
+  std::uint32_t chunk, const ChunkMesh& mesh, const OfBlock<Part>& partOf, Use&& use) const
+{
+  const auto& table = this->Content().Mesh;
+  const auto& parts = table.Chunks[chunk].Shared;
+  std::vector<std::shared_ptr<const Part>> held;               // one a part of the chunk
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> places; // part, place in its block
+  for (const auto& part : parts)
+  {
+    const auto count = table.Blocks[part.Block].Groups[part.Group].Points;
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      places.emplace_back(
+        static_cast<std::uint32_t>(held.size()), static_cast<std::uint32_t>(part.FirstInBlock) + i);
+    }
+    held.push_back(partOf(part.Block));
+  }
+  for (Vertex v = 0; v < mesh.Walk.Sources.size(); ++v)
+  {
+    const auto source = mesh.Walk.Sources[v];
+    if (source & Topology::SharedFlag)
+    {
+      const auto& place = places[source & ~Topology::SharedFlag];
+      use(v, *held[place.first], place.second);
+    }
+  }
+}
+
+std::shared_ptr<const ChunkMesh> PartDecoder::FindMesh(std::uint32_t chunk) const
+{
+  auto found = this->Kept().Find<ChunkMesh>({ PartKind::ChunkMesh, chunk });
+  if (found)
+  {
+    this->Kept().Count(&ChunkCacheStatistics::MeshesFound);
+  }
+  return found;
+}
+
+std::shared_ptr<const ChunkMesh> PartDecoder::DecodeMesh(
+  std::uint32_t chunk, const OfBlock<PointsPart>& pointsOf) const
+{
+  const auto& content = this->Content();
+  const auto& entry = content.Mesh.Chunks[chunk];
+  ChunkFrame frame;
+  frame.Tets = static_cast<std::uint32_t>(entry.Info.Tets);
+  frame.OwnPoints = static_cast<std::uint32_t>(entry.Info.OwnPoints);
+  frame.Box = entry.Info.Box;
+  frame.Domains = content.Domains;
+  frame.SharedUsers = content.Mesh.GetSharedUsers(chunk);
+  frame.SharedKeys.reserve(frame.SharedUsers.size());
+  for (const auto& part : entry.Shared)
+  {
+    const auto points = pointsOf(part.Block);
+    const auto begin = points->begin() + static_cast<std::ptrdiff_t>(part.FirstInBlock);
+    frame.SharedKeys.insert(frame.SharedKeys.end(), begin,
+      begin + content.Mesh.Blocks[part.Block].Groups[part.Group].Points);
+  }
+  const auto what = Name("the mesh of chunk", chunk);
+  const auto connectivity = content.File.Read(entry.Connectivity, what);
+  const auto geometry = content.File.Read(entry.Geometry, what);
+  auto mesh = content.Guarded(what, entry.Connectivity,
+    [&] { return std::make_shared<ChunkMesh>(DecodeChunk(frame, connectivity, geometry)); });
+  mesh->MakeContext(false);
+  this->Kept().Count(&ChunkCacheStatistics::MeshesDecoded);
+  return KeepIn<ChunkMesh>(this->Kept(), { PartKind::ChunkMesh, chunk }, std::move(mesh));
+}
+
+std::shared_ptr<const NeighbourFit> PartDecoder::GetFit(
+  std::uint32_t chunk, const ChunkMesh& mesh) const
+{
+  // Apart from the mesh, which others may be using, and as not every chunk needs one.
+  const PartKey key{ PartKind::ChunkFit, chunk };
+  if (auto found = this->Kept().Find<NeighbourFit>(key))
+  {
+    return found;
+  }
+  std::vector<std::array<double, 3>> places(mesh.Keys.size());
+  for (std::size_t v = 0; v < places.size(); ++v)
+  {
+    for (unsigned i = 0; i < 3; ++i)
+    {
+      places[v][i] = mesh.Domains[i].ToValue(mesh.Keys[v][i]);
+    }
+  }
+  auto fit = std::make_shared<const NeighbourFit>(mesh.Walk, places);
+  this->Kept().Keep(key, fit, BytesOf(*fit, mesh.Walk.Records.size()));
+  return fit;
+}
+
+void PartDecoder::DecodePoints(std::uint32_t chunk, const ChunkMesh& mesh,
+  std::span<const std::uint8_t> stream, std::span<const Domain> domains,
+  std::span<ComponentKeys> keys) const
+{
+  const auto fit = ArrayModes::Read(stream).Spatial == SpatialMode::Fit
+    ? this->GetFit(chunk, mesh)
+    : std::shared_ptr<const NeighbourFit>();
+  auto context = mesh.Context;
+  context.Fit = fit.get();
+  DecodePointValues(stream, context, domains, keys);
+}
+
+std::vector<Key> PartDecoder::DecodeCellIntegers(const StreamRef& where, const std::string& what,
+  const ChunkMesh& mesh, ScalarType type, Key end) const
+{
+  const auto& content = this->Content();
+  const auto stream = content.File.Read(where, what);
+  const Domain domain(type);
+  ComponentKeys keys;
+  keys.Now.resize(mesh.Walk.Parents.size());
+  content.Guarded(what, where,
+    [&]
+    {
+      DecodeCellValues(stream, mesh.Walk.Parents, { &domain, 1 }, { &keys, 1 });
+      CheckBelow(keys.Now, end);
+    });
+  return std::move(keys.Now);
+}
+
+std::shared_ptr<const OrderPart> PartDecoder::GetCellOrder(
+  std::uint32_t chunk, const ChunkMesh& mesh) const
+{
+  const PartKey key{ PartKind::ChunkCellOrder, chunk };
+  if (auto found = this->Kept().Find<OrderPart>(key))
+  {
+    return found;
+  }
+  const auto& content = this->Content();
+  const auto ids = this->DecodeCellIntegers(content.Mesh.Chunks[chunk].CellOrder,
+    Name("the original order of the cells of chunk", chunk), mesh, ScalarType::UInt32,
+    content.Meta.Tets);
+  return KeepIn<OrderPart>(
+    this->Kept(), key, std::make_shared<const OrderPart>(ids.begin(), ids.end()));
+}
+
+std::shared_ptr<const OrderPart> PartDecoder::GetPointOrder(
+  std::uint32_t chunk, const ChunkMesh& mesh, const OfBlock<OrderPart>& orderOf) const
+{
+  const PartKey key{ PartKind::ChunkPointOrder, chunk };
+  if (auto found = this->Kept().Find<OrderPart>(key))
+  {
+    return found;
+  }
+  const auto& content = this->Content();
+  const auto& where = content.Mesh.Chunks[chunk].PointOrder;
+  const auto what = Name("the original order of the points of chunk", chunk);
+  const auto stream = content.File.Read(where, what);
+  const Domain ids(ScalarType::UInt32);
+  ComponentKeys keys;
+  keys.Now.resize(mesh.Keys.size());
+  this->EachShared<OrderPart>(chunk, mesh, orderOf,
+    [&](Vertex v, const OrderPart& order, std::uint32_t place) { keys.Now[v] = order[place]; });
+  content.Guarded(what, where,
+    [&]
+    {
+      this->DecodePoints(chunk, mesh, stream, { &ids, 1 }, { &keys, 1 });
+      CheckBelow(keys.Now, content.Meta.Points);
+    });
+  auto order = std::make_shared<OrderPart>(mesh.Context.OwnIds.size());
+  for (std::size_t own = 0; own < order->size(); ++own)
+  {
+    (*order)[own] = static_cast<std::uint32_t>(keys.Now[mesh.Context.OwnIds[own]]);
+  }
+  return KeepIn<OrderPart>(this->Kept(), key, std::move(order));
+}
+
+std::vector<Key> PartDecoder::DecodeCorners(std::uint32_t chunk, const ChunkMesh& mesh) const
+{
+  return this->DecodeCellIntegers(this->Content().Mesh.Chunks[chunk].Corners,
+    Name("the corners of chunk", chunk), mesh, ScalarType::UInt8, 12);
+}
+
+//--------------------------------------------------------------------------------------------------
+ArrayAtStep PartDecoder::FindBlockArray(
+  std::uint32_t block, std::uint32_t array, std::size_t first, std::size_t step) const
+{
+  auto [values, at] =
+    this->Kept().FindLatest<ArrayPart>({ PartKind::BlockArray, block, array, step }, first);
+  return { std::move(values), at };
+}
+
+ArrayAtStep PartDecoder::FindChunkArray(
+  std::uint32_t chunk, std::uint32_t array, std::size_t first, std::size_t step) const
+{
+  auto [values, at] =
+    this->Kept().FindLatest<ArrayPart>({ PartKind::ChunkArray, chunk, array, step }, first);
+  if (values && at == step)
+  {
+    this->Kept().Count(&ChunkCacheStatistics::ArraysFound);
+  }
+  return { std::move(values), at };
+}
+
+std::vector<ComponentKeys> PartDecoder::MakeKeys(
+  std::uint32_t array, std::size_t step, std::size_t count, const ArrayPart* before) const
+{
+  std::vector<ComponentKeys> keys(this->Content().Meta.Arrays[array].Components);
+  for (std::size_t c = 0; c < keys.size(); ++c)
+  {
+    if (before && this->Content().HasBefore(array, step))
+    {
+      keys[c].Before = (*before)[c];
+    }
+    keys[c].Now.resize(count);
+  }
+  return keys;
+}
+
+namespace
+{
+std::shared_ptr<const ArrayPart> TakeValues(std::vector<ComponentKeys>& keys)
+{
+  auto values = std::make_shared<ArrayPart>();
+  values->reserve(keys.size());
+  for (auto& component : keys)
+  {
+    values->push_back(std::move(component.Now));
+  }
+  return values;
+}
+}
+
+std::shared_ptr<const ArrayPart> PartDecoder::DecodeBlockArray(std::uint32_t block,
+  std::uint32_t array, std::size_t step, const DomainsPart& domains, const ArrayPart* before) const
+{
+  const auto& content = this->Content();
+  const auto& description = content.Meta.Arrays[array];
+  const auto what = Name("array '" + description.Name + "' of block", block);
+  const auto& where = content.Steps[step].Arrays[array].Blocks[block];
+  auto keys =
+    this->MakeKeys(array, step, static_cast<std::size_t>(this->GetBlock(block).Points), before);
+  const auto stream = content.File.Read(where, what);
+  content.Guarded(what, where, [&] { DecodeCellValues(stream, {}, domains, keys); });
+  return TakeValues(keys);
+}
+
+std::shared_ptr<const ArrayPart> PartDecoder::DecodeChunkArray(std::uint32_t chunk,
+  const ChunkMesh& mesh, std::uint32_t array, std::size_t step, const DomainsPart& domains,
+  const ArrayPart* before, const OfBlock<ArrayPart>& valuesOf) const
+{
+  const auto& content = this->Content();
+  const auto& description = content.Meta.Arrays[array];
+  const bool ofPoints = description.Where == Association::Point;
+  const auto what = Name("array '" + description.Name + "' of chunk", chunk);
+  const auto& where = content.Steps[step].Arrays[array].Chunks[chunk];
+  auto keys =
+    this->MakeKeys(array, step, ofPoints ? mesh.Keys.size() : mesh.Walk.Parents.size(), before);
+  const auto stream = content.File.Read(where, what);
+  content.Guarded(what, where,
+    [&]
+    {
+      if (!ofPoints)
+      {
+        DecodeCellValues(stream, mesh.Walk.Parents, domains, keys);
+        return;
+      }
+      this->EachShared<ArrayPart>(chunk, mesh, valuesOf,
+        [&](Vertex v, const ArrayPart& values, std::uint32_t place)
+        {
+          for (std::size_t c = 0; c < keys.size(); ++c)
+          {
+            keys[c].Now[v] = values[c][place];
+          }
+        });
+      this->DecodePoints(chunk, mesh, stream, domains, keys);
+    });
+  this->Kept().Count(&ChunkCacheStatistics::ArraysDecoded);
+  return TakeValues(keys);
+}
+
+void PartDecoder::KeepBlockArray(
+  std::uint32_t block, std::uint32_t array, const ArrayAtStep& values) const
+{
+  KeepIn(this->Kept(), { PartKind::BlockArray, block, array, values.Step }, values.Values);
+}
+
+void PartDecoder::KeepChunkArray(
+  std::uint32_t chunk, std::uint32_t array, const ArrayAtStep& values) const
+{
+  KeepIn(this->Kept(), { PartKind::ChunkArray, chunk, array, values.Step }, values.Values);
+}
+}

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunPartDecoder_h
+#define gatunPartDecoder_h
+
+#include "gatunArrayCodec.h"
+#include "gatunChunkCacheInternals.h"
+#include "gatunChunkCodec.h"
+#include "gatunFileReaderInternals.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gatun
+{
+// Parts as the cache keeps them.
+using PointsPart = std::vector<PointKeys>;       // of a block
+using OrderPart = std::vector<std::uint32_t>;    // original ids of points or cells
+using ArrayPart = std::vector<std::vector<Key>>; // one a component; of every vertex of a chunk
+using DomainsPart = std::vector<Domain>;         // one a component
+
+/** An array of a block or chunk at a step; null if there is none. */
+struct ArrayAtStep
+{
+  std::shared_ptr<const ArrayPart> Values;
+  std::size_t Step = 0;
+};
+
+/**
+ * Takes the parts that a file is made of out of a cache, or decodes and keeps them there. Blocks of
+ * shared points are numbered as in the file; the unused points are the block behind the last one.
+ *
+ * Thread safe. Safe on hostile input: throws Error.
+ */
+class PartDecoder
+{
+public:
+  /** What a chunk needs of the blocks that it shares points with. */
+  template <typename Part>
+  using OfBlock = std::function<std::shared_ptr<const Part>(std::uint32_t block)>;
+
+  explicit PartDecoder(std::shared_ptr<ChunkCache> cache)
+    : Cache(std::move(cache))
+    , File(Cache->GetFile())
+  {
+  }
+
+  const std::shared_ptr<const FileReader>& GetFile() const { return this->File; }
+  const FileReader::Internals& Content() const { return this->File->GetInternals(); }
+  const BlockEntry& GetBlock(std::size_t block) const;
+
+  /** How the values of an array become keys at a step. */
+  std::shared_ptr<const DomainsPart> GetDomains(std::uint32_t array, std::size_t step) const;
+
+  std::shared_ptr<const PointsPart> GetBlockPoints(std::uint32_t block) const;
+  std::shared_ptr<const OrderPart> GetBlockOrder(std::uint32_t block) const;
+
+  /** The mesh of a chunk with its context but for the fit; null if it is not in the cache. */
+  std::shared_ptr<const ChunkMesh> FindMesh(std::uint32_t chunk) const;
+  std::shared_ptr<const ChunkMesh> DecodeMesh(
+    std::uint32_t chunk, const OfBlock<PointsPart>& pointsOf) const;
+
+  /** Original ids of a chunk's own points, and of its cells. */
+  std::shared_ptr<const OrderPart> GetPointOrder(
+    std::uint32_t chunk, const ChunkMesh& mesh, const OfBlock<OrderPart>& orderOf) const;
+  std::shared_ptr<const OrderPart> GetCellOrder(std::uint32_t chunk, const ChunkMesh& mesh) const;
+
+  /** Rotations of a chunk's cells; not kept, as only the connectivity needs them. */
+  std::vector<Key> DecodeCorners(std::uint32_t chunk, const ChunkMesh& mesh) const;
+
+  /** The array at the latest step in the cache that is not before first and not after step. */
+  ArrayAtStep FindBlockArray(
+    std::uint32_t block, std::uint32_t array, std::size_t first, std::size_t step) const;
+  ArrayAtStep FindChunkArray(
+    std::uint32_t chunk, std::uint32_t array, std::size_t first, std::size_t step) const;
+
+  /** An array at a step; before: the same at the step before, which may be null at a key step. */
+  std::shared_ptr<const ArrayPart> DecodeBlockArray(std::uint32_t block, std::uint32_t array,
+    std::size_t step, const DomainsPart& domains, const ArrayPart* before) const;
+  std::shared_ptr<const ArrayPart> DecodeChunkArray(std::uint32_t chunk, const ChunkMesh& mesh,
+    std::uint32_t array, std::size_t step, const DomainsPart& domains, const ArrayPart* before,
+    const OfBlock<ArrayPart>& valuesOf) const;
+
+  /** Keeps arrays for later; those of steps on the way need not be. */
+  void KeepBlockArray(std::uint32_t block, std::uint32_t array, const ArrayAtStep& values) const;
+  void KeepChunkArray(std::uint32_t chunk, std::uint32_t array, const ArrayAtStep& values) const;
+
+private:
+  ChunkCache::Internals& Kept() const { return this->Cache->GetInternals(); }
+
+  std::shared_ptr<const NeighbourFit> GetFit(std::uint32_t chunk, const ChunkMesh& mesh) const;
+  std::vector<Key> DecodeCellIntegers(const StreamRef& where, const std::string& what,
+    const ChunkMesh& mesh, ScalarType type, Key end) const;
+  void DecodePoints(std::uint32_t chunk, const ChunkMesh& mesh,
+    std::span<const std::uint8_t> stream, std::span<const Domain> domains,
+    std::span<ComponentKeys> keys) const;
+  std::vector<ComponentKeys> MakeKeys(
+    std::uint32_t array, std::size_t step, std::size_t count, const ArrayPart* before) const;
+
+  /** Calls use(vertex, part, place in its block) for the shared vertices of a chunk's walk. */
+  template <typename Part, typename Use>
+  void EachShared(
+    std::uint32_t chunk, const ChunkMesh& mesh, const OfBlock<Part>& partOf, Use&& use) const;
+
+  std::shared_ptr<ChunkCache> Cache;
+  std::shared_ptr<const FileReader> File;
+};
+}
+
+#endif
