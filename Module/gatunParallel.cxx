@@ -16,6 +16,9 @@ namespace gatun
 {
 namespace
 {
+// Whether this thread is at work on a body of ParallelFor.
+thread_local bool IsWithinBody = false;
+
 /** Hands out bodies one by one, so that threads stay busy however uneven the bodies are. */
 class Work
 {
@@ -46,6 +49,7 @@ public:
         {
           throw Error(ErrorCode::Aborted, "aborted");
         }
+        const Within within;
         this->Body(i);
       }
       catch (...)
@@ -69,6 +73,13 @@ public:
   }
 
 private:
+  struct Within
+  {
+    Within() { IsWithinBody = true; }
+    ~Within() { IsWithinBody = this->Before; }
+    const bool Before = IsWithinBody;
+  };
+
   const std::size_t Count;
   const std::function<void(std::size_t)>& Body;
   const std::function<bool(double)>& Progress;
@@ -111,7 +122,8 @@ void ParallelFor(std::size_t count, const std::function<void(std::size_t)>& body
   const std::function<bool(double)>& progress)
 {
   Work work(count, body, progress);
-  if (count > 1)
+  // All threads are at work where one of them is, and not every VTK knows how to nest.
+  if (count > 1 && !IsWithinBody)
   {
     WithThreads(
       [&]

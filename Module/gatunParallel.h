@@ -16,7 +16,8 @@ namespace gatun
  *
  * The first exception of a body is thrown again here once all threads have come back; bodies that
  * had not begun by then are skipped. The calling thread may call progress(fraction) between its
- * bodies; when that returns false the rest is skipped and Error(Aborted) thrown.
+ * bodies; when that returns false the rest is skipped and Error(Aborted) thrown. Within a body,
+ * another ParallelFor runs on the thread of that body.
  */
 VTKGATUNCORE_EXPORT void ParallelFor(std::size_t count,
   const std::function<void(std::size_t)>& body, const std::function<bool(double)>& progress = {});
