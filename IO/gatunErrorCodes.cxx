@@ -49,13 +49,8 @@ unsigned long CodeOf(const gatun::Error& error, const std::string& path)
   return vtkErrorCode::UserError + static_cast<unsigned long>(error.Code);
 }
 
-} // anonymous namespace
-
-namespace gatun
-{
-
 //------------------------------------------------------------------------------
-VTKFailure DescribeFailure(const std::string& path)
+gatun::VTKFailure Describe(const std::string& path)
 {
   const auto named = [&path](const std::string& what)
   { return what.compare(0, path.size(), path) == 0 ? what : path + ": " + what; };
@@ -63,9 +58,9 @@ VTKFailure DescribeFailure(const std::string& path)
   {
     throw;
   }
-  catch (const Error& error)
+  catch (const gatun::Error& error)
   {
-    return { CodeOf(error, path), named(error.what()), error.Code == ErrorCode::Aborted };
+    return { CodeOf(error, path), named(error.what()), error.Code == gatun::ErrorCode::Aborted };
   }
   catch (const std::bad_alloc&)
   {
@@ -74,6 +69,29 @@ VTKFailure DescribeFailure(const std::string& path)
   catch (const std::exception& error)
   {
     return { vtkErrorCode::UnknownError, named(error.what()), false };
+  }
+  catch (...)
+  {
+    return { vtkErrorCode::UnknownError, path + ": unknown error", false };
+  }
+}
+
+} // anonymous namespace
+
+namespace gatun
+{
+
+//------------------------------------------------------------------------------
+VTKFailure DescribeFailure(const char* path) noexcept
+{
+  try
+  {
+    return Describe(path);
+  }
+  catch (...)
+  {
+    // Short enough for a string that allocates nothing.
+    return { vtkErrorCode::UnknownError, "out of memory", false };
   }
 }
 

@@ -20,9 +20,10 @@ struct VTKFailure
 /**
  * To be called within a catch block: describes the exception that is being handled. The codes are
  * those of vtkErrorCode where it has one, else vtkErrorCode::UserError + gatun::ErrorCode.
- * path: the file concerned, which begins the message.
+ * path: the file concerned, which begins the message. Whatever was thrown, and however little
+ * memory there is, nothing is thrown from here; without any memory the message is short.
  */
-VTKFailure DescribeFailure(const std::string& path);
+VTKFailure DescribeFailure(const char* path) noexcept;
 }
 
 #endif

@@ -46,6 +46,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -530,7 +531,14 @@ void vtkGatunReader::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 int vtkGatunReader::CanReadFile(const char* name)
 {
-  return name && gatun::FileReader::CanRead(name) ? 1 : 0;
+  try
+  {
+    return name && gatun::FileReader::CanRead(name) ? 1 : 0;
+  }
+  catch (const std::bad_alloc&)
+  {
+    return 0; // there is not even memory for the name
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -654,25 +662,33 @@ int vtkGatunReader::ComputePipelineMTime(vtkInformation* vtkNotUsed(request),
 }
 
 //------------------------------------------------------------------------------
-// Within a catch block: reports, and leaves nothing of what was read before.
-void vtkGatunReader::Fail(vtkInformationVector* outputVector)
+// Within a catch block: reports, and leaves nothing of what was read before. What was thrown ends
+// here, and nothing else may be thrown if memory has run out: so that is freed first.
+void vtkGatunReader::Fail(vtkInformationVector* outputVector) noexcept
 {
+  this->Internals->ForgetMesh();
   const gatun::VTKFailure failure =
     gatun::DescribeFailure(this->FileName ? this->FileName : "(no file)");
-  this->Internals->ForgetMesh();
   if (this->Internals->Cache && !failure.Aborted)
   {
     this->Internals->Cache->Clear();
   }
-  vtkInformation* outInfo = outputVector->GetInformationObject(0);
-  if (auto* output = vtkDataObject::GetData(outInfo))
-  {
-    output->Initialize();
-  }
   this->SetErrorCode(failure.Code);
-  if (!failure.Aborted)
+  try
   {
-    vtkErrorMacro(<< failure.Message);
+    vtkInformation* outInfo = outputVector->GetInformationObject(0);
+    if (auto* output = vtkDataObject::GetData(outInfo))
+    {
+      output->Initialize();
+    }
+    if (!failure.Aborted)
+    {
+      vtkErrorMacro(<< failure.Message);
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    // The error code tells it.
   }
 }
 
@@ -737,21 +753,21 @@ int vtkGatunReader::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInternals& self = *this->Internals;
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outInfo);
-  output->Initialize();
   if (!this->FileName || !*this->FileName)
   {
+    output->Initialize();
     this->SetErrorCode(vtkErrorCode::NoFileNameError);
     vtkErrorMacro("No FileName was set.");
     return 0;
   }
   this->SetErrorCode(vtkErrorCode::NoError);
-  this->UpdateProgress(0);
-
-  const int pieces =
-    std::max(1, vtkStreamingDemandDrivenPipeline::GetUpdateNumberOfPieces(outInfo));
-  const int piece = vtkStreamingDemandDrivenPipeline::GetUpdatePiece(outInfo);
   try
   {
+    output->Initialize();
+    this->UpdateProgress(0);
+    const int pieces =
+      std::max(1, vtkStreamingDemandDrivenPipeline::GetUpdateNumberOfPieces(outInfo));
+    const int piece = vtkStreamingDemandDrivenPipeline::GetUpdatePiece(outInfo);
     if (!self.IsOpen(this->FileName))
     {
       self.Open(this->FileName, MebibytesToBytes(this->CacheSize));
@@ -806,6 +822,7 @@ int vtkGatunReader::RequestData(vtkInformation* vtkNotUsed(request),
       output->GetInformation()->Set(
         vtkDataObject::DATA_TIME_STEP(), self.File->GetTimes()[request.Step]);
     }
+    this->UpdateProgress(1);
   }
   catch (...)
   {
@@ -814,6 +831,5 @@ int vtkGatunReader::RequestData(vtkInformation* vtkNotUsed(request),
     self.ReadAgain = true;
     return this->GetErrorCode() == AbortedError ? 1 : 0;
   }
-  this->UpdateProgress(1);
   return 1;
 }

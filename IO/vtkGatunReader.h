@@ -300,7 +300,7 @@ private:
   vtkGatunReader(const vtkGatunReader&) = delete;
   void operator=(const vtkGatunReader&) = delete;
 
-  void Fail(vtkInformationVector* outputVector);
+  void Fail(vtkInformationVector* outputVector) noexcept;
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
