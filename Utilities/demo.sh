@@ -23,6 +23,8 @@ export GATUN_GTN=$build/bin/gtn
 
 run=("$python" "$root/Utilities/demo/demo.py" --output "$build/demo" "$@")
 if [ -z "${DISPLAY:-}" ]; then
-  run=(xvfb-run -a -s '-screen 0 1280x1024x24' "${run[@]}")
+  # Without -noreset the server starts anew whenever its last client leaves, and refuses whoever
+  # comes in that moment.
+  run=(xvfb-run -a -s '-screen 0 1280x1024x24 -noreset' "${run[@]}")
 fi
 exec "${run[@]}"

@@ -167,7 +167,9 @@ run_test() {
 subdirs("$build/release" "$build/paraview")
 END
   say "Testing $build/release and $build/paraview"
-  exec xvfb-run -a -s '-screen 0 1280x1024x24' \
+  # Without -noreset the server starts anew whenever its last client leaves, and refuses whoever
+  # comes in that moment.
+  exec xvfb-run -a -s '-screen 0 1280x1024x24 -noreset' \
     ctest --test-dir "$build/tests" --output-on-failure --no-label-summary --parallel "$jobs"
 }
 
