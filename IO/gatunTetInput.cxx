@@ -4,6 +4,7 @@
 #include "gatunTetInput.h"
 
 #include "gatunArrayBridge.h"
+#include "gatunCellCheck.h"
 #include "gatunError.h"
 #include "gatunGhosts.h"
 
@@ -220,6 +221,7 @@ TetInput MakeTetInput(vtkUnstructuredGrid* input, bool linearizeQuadratic)
     {
       Refuse("the number of cell types is not that of the cells");
     }
+    CheckOffsets(cells);
     const unsigned char* values = types->GetPointer(0);
     for (vtkIdType cell = 0; cell < cellCount; ++cell)
     {

@@ -30,9 +30,9 @@ struct TetInput
  *    that name) tells the cell of the input; global ids of cells are no longer marked as such;
  *  - quadratic tetrahedra become linear if asked for, and points that only they used go.
  *
- * Throws gatun::Error (InvalidInput) for all other cells, for cells of a wrong size, for arrays of
- * a wrong length, and, as far as cells had to be looked at, for point ids out of range. Exported
- * for the gtn program.
+ * Throws gatun::Error (InvalidInput) for all other cells, for cells of a wrong size, for offsets
+ * that do not fit, for arrays of a wrong length, and, as far as cells had to be looked at, for
+ * point ids out of range. Exported for the gtn program.
  */
 VTKGATUNIO_EXPORT TetInput MakeTetInput(vtkUnstructuredGrid* input, bool linearizeQuadratic);
 }

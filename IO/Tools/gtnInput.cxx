@@ -5,13 +5,18 @@
 
 #include "gtnFailure.h"
 #include "gtnMessages.h"
+#include "gtnObj.h"
 #include "gtnPrepare.h"
 #include "gtnProgress.h"
 #include "gtnReaders.h"
 #include "gtnSeries.h"
 #include "gtnText.h"
 
+#include "gatunCellCheck.h"
+#include "gatunError.h"
+
 #include "vtkAlgorithm.h"
+#include "vtkCellArray.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -128,10 +133,37 @@ vtkUnstructuredGrid* Input::Read(std::size_t step, Progress& progress)
   return vtkUnstructuredGrid::SafeDownCast(this->Algorithm->GetOutputDataObject(0));
 }
 
+namespace
+{
+
+// VTK's readers believe what a file says of its cells, and its filters follow that blindly.
+void CheckCells(const std::string& file, vtkPolyData* surface)
+{
+  for (vtkCellArray* cells :
+    { surface->GetVerts(), surface->GetLines(), surface->GetPolys(), surface->GetStrips() })
+  {
+    try
+    {
+      gatun::CheckOffsets(cells);
+      gatun::CheckPointIds(cells, surface->GetNumberOfPoints());
+    }
+    catch (const gatun::Error& error)
+    {
+      throw Failure(file, error.what());
+    }
+  }
+}
+
+} // anonymous namespace
+
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& file, Progress& progress, bool quiet)
 {
   CheckReadable(file);
+  if (ExtensionOf(file) == ".obj")
+  {
+    return ReadObj(file, progress);
+  }
   vtkSmartPointer<vtkAlgorithm> reader = MakeSurfaceReader(file);
   if (!reader)
   {
@@ -147,6 +179,7 @@ vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& file, Progress& prog
   {
     throw Failure(file, "does not hold a surface");
   }
+  CheckCells(file, surface);
   return surface;
 }
 }

@@ -13,7 +13,6 @@
 #include "vtkGenericEnSightReader.h"
 #include "vtkHDFReader.h"
 #include "vtkNew.h"
-#include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
 #include "vtkSTLReader.h"
 #include "vtkXMLGenericDataObjectReader.h"
@@ -138,10 +137,6 @@ vtkSmartPointer<vtkAlgorithm> MakeSurfaceReader(const std::string& file)
   if (extension == ".ply")
   {
     return Make<vtkPLYReader>(file);
-  }
-  if (extension == ".obj")
-  {
-    return Make<vtkOBJReader>(file);
   }
   if (extension == ".vtp")
   {

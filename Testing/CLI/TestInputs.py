@@ -95,3 +95,25 @@ wrong = standard_mesh(2)
 wrong.GetCells().GetConnectivityArray().SetValue(5, 10**6)
 write(wrong, "wrong.vtu")
 gtn("pack", "wrong.vtu", "new.gtn", code=1, says="gtn: wrong.vtu: ")
+
+# Offsets that lead beyond the connectivity, which VTK reads without a word.
+LEGACY = """# vtk DataFile Version 5.1
+offsets
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS 4 float
+0 0 0 1 0 0 0 1 0 0 0 1
+CELLS {} 4
+OFFSETS vtktypeint64
+{}
+CONNECTIVITY vtktypeint64
+0 1 2 3
+CELL_TYPES {}
+{}
+"""
+for offsets, cell_type in (("4 8", 10), ("0 4 8", 10), ("0 -4", 10), ("0 800000000", 12)):
+    cells = offsets.count(" ")
+    with open("offsets.vtk", "w") as file:
+        file.write(LEGACY.format(cells + 1, offsets, cells, f"{cell_type} " * cells))
+    gtn("pack", "offsets.vtk", "new.gtn", code=1,
+        says="gtn: offsets.vtk: the offsets of the cells do not fit")
