@@ -72,7 +72,7 @@ gatun::VTKFailure Describe(const std::string& path)
   }
   catch (...)
   {
-    return { vtkErrorCode::UnknownError, path + ": unknown error", false };
+    return { vtkErrorCode::UnknownError, path + ": failed for an unknown reason", false };
   }
 }
 

@@ -32,6 +32,7 @@
 #include <cstdio>
 #include <functional>
 #include <set>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -224,6 +225,7 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "KeyStepInterval: " << this->KeyStepInterval << "\n";
   os << indent << "WriteAllTimeSteps: " << (this->WriteAllTimeSteps ? "On" : "Off") << "\n";
   os << indent << "LinearizeQuadratic: " << (this->LinearizeQuadratic ? "On" : "Off") << "\n";
+  os << indent << "ReplaceReadOnly: " << (this->ReplaceReadOnly ? "On" : "Off") << "\n";
   os << indent << "WrittenPoints: " << this->WrittenPoints << "\n";
   os << indent << "WrittenTets: " << this->WrittenTets << "\n";
   os << indent << "WrittenSteps: " << this->WrittenSteps << "\n";
@@ -283,28 +285,67 @@ int vtkGatunWriter::Write()
   self.Discard();
   self.Writing = true;
   this->SetErrorCode(vtkErrorCode::NoError);
-  // A step an update. The pipeline could go on by itself (CONTINUE_EXECUTING), but does so forever
-  // if the input fails on the way.
-  bool done = false;
-  for (bool again = true; again;)
+  try
   {
-    const std::size_t step = self.Step;
-    this->Modified();
-    this->UpdateWholeExtent();
-    const bool advanced = self.Step > step;
-    done = advanced && self.Step >= self.Times.size();
-    again = advanced && !done;
+    if (!this->WriteSteps() && this->GetErrorCode() == vtkErrorCode::NoError)
+    {
+      throw std::runtime_error("not written, as the input could not be updated");
+    }
+  }
+  catch (...)
+  {
+    // What VTK and the algorithms before this one throw, too.
+    this->HandleFailure();
   }
   self.Discard();
   self.Times.clear();
   self.Writing = false;
-  if (!done && this->GetErrorCode() == vtkErrorCode::NoError)
-  {
-    this->SetErrorCode(vtkErrorCode::UnknownError);
-    vtkErrorMacro(<< (this->FileName ? this->FileName : "(no file)")
-                  << ": not written, as the input could not be updated");
-  }
   return this->GetErrorCode() == vtkErrorCode::NoError ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+// A step an update. The pipeline could go on by itself (CONTINUE_EXECUTING), but does so forever
+// if the input fails on the way. Returns whether the file is complete.
+bool vtkGatunWriter::WriteSteps()
+{
+  vtkInternals& self = *this->Internals;
+  for (;;)
+  {
+    const std::size_t step = self.Step;
+    this->Modified();
+    this->UpdateWholeExtent();
+    if (self.Step <= step)
+    {
+      return false; // after a failure it is 0 again
+    }
+    if (self.Step >= self.Times.size())
+    {
+      return true;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Within a catch block: reports, and gives up the file. Returns whether it was an abort.
+bool vtkGatunWriter::HandleFailure() noexcept
+{
+  this->Internals->Discard();
+  this->SetErrorCode(vtkErrorCode::UnknownError);
+  try
+  {
+    const gatun::VTKFailure failure =
+      gatun::DescribeFailure(this->FileName ? this->FileName : "(no file)");
+    this->SetErrorCode(failure.Code);
+    if (!failure.Aborted)
+    {
+      vtkErrorMacro(<< failure.Message);
+    }
+    return failure.Aborted;
+  }
+  catch (...)
+  {
+    return false; // not even memory for the message
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -383,15 +424,7 @@ int vtkGatunWriter::RequestData(vtkInformation* vtkNotUsed(request),
   }
   catch (...)
   {
-    const gatun::VTKFailure failure = gatun::DescribeFailure(this->FileName);
-    self.Discard();
-    this->SetErrorCode(failure.Code);
-    if (failure.Aborted)
-    {
-      return 1;
-    }
-    vtkErrorMacro(<< failure.Message);
-    return 0;
+    return this->HandleFailure() ? 1 : 0;
   }
   if (self.Step >= self.Times.size())
   {
@@ -460,6 +493,7 @@ void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
     options.Keep = static_cast<std::uint8_t>(this->KeepOrder);
     options.ChunkTets = static_cast<std::uint32_t>(this->ChunkTets);
     options.KeyStepInterval = static_cast<std::uint32_t>(this->KeyStepInterval);
+    options.ReplaceReadOnly = this->ReplaceReadOnly;
     self.Mesh = std::move(mesh);
     self.MeshHash = steps > 1 ? self.Mesh->Hash() : 0;
     self.Arrays = descriptions;

@@ -30,7 +30,7 @@
  * one (vtkDataObject::DATA_TIME_STEP()).
  *
  * The file appears under its name once it is complete; after an error or an abort, a file that was
- * there before is as it was.
+ * there before is as it was. One that is read-only is replaced with ReplaceReadOnly only.
  *
  * *Cost.* Peak memory below 3 times the mesh and one step of its arrays, the input included; when
  * cells are split, that of the split mesh in addition. All threads of vtkSMPTools are used; the
@@ -38,9 +38,9 @@
  *
  * *Errors.* Reported by vtkErrorMacro with a message that begins with the file's name; Write then
  * returns 0 and GetErrorCode is one of vtkErrorCode::NoFileNameError, CannotOpenFileError (the
- * folder is missing, or no permission), OutOfDiskSpaceError, UnknownError (such as too little
- * memory, or because the input's pipeline failed), WrongInputError or AbortedError (without a
- * message).
+ * folder is missing, no permission, or a read-only file is there), OutOfDiskSpaceError,
+ * UnknownError (such as too little memory, or because the input's pipeline failed or threw),
+ * WrongInputError or AbortedError (without a message).
  *
  * @warning The whole mesh must fit into memory.
  * @warning Unless KeepOrder says otherwise, points and cells come back in another order.
@@ -171,6 +171,16 @@ public:
   vtkBooleanMacro(LinearizeQuadratic, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether to replace an existing file that is read-only: marked so, or of somebody else. Default:
+   * off, where that is an error.
+   */
+  vtkSetMacro(ReplaceReadOnly, bool);
+  vtkGetMacro(ReplaceReadOnly, bool);
+  vtkBooleanMacro(ReplaceReadOnly, bool);
+  ///@}
+
   /**
    * Writes the file, even if nothing has changed since it was last written. Returns 1 on success
    * and 0 on failure, where GetErrorCode tells why.
@@ -230,6 +240,7 @@ protected:
   int KeyStepInterval = 8;
   bool WriteAllTimeSteps = false;
   bool LinearizeQuadratic = false;
+  bool ReplaceReadOnly = false;
 
   vtkTypeUInt64 WrittenPoints = 0;
   vtkTypeUInt64 WrittenTets = 0;
@@ -246,7 +257,9 @@ private:
   vtkGatunWriter(const vtkGatunWriter&) = delete;
   void operator=(const vtkGatunWriter&) = delete;
 
+  bool WriteSteps();
   void WriteStep(vtkUnstructuredGrid* input);
+  bool HandleFailure() noexcept;
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -101,6 +101,21 @@ std::string FollowLinks(const std::string& path)
   }
   return target.string();
 }
+
+/** Throws if a file is marked read-only, which binds root as well, or if it is not this user's. */
+void CheckReplaceable(const std::string& path, ::mode_t mode)
+{
+  if ((mode & 0222) == 0)
+  {
+    throw Error(ErrorCode::CannotWrite, path + ": is read-only");
+  }
+  const int handle = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (handle < 0)
+  {
+    throw Error(ErrorCode::CannotWrite, path + ": cannot write: " + std::strerror(errno));
+  }
+  ::close(handle);
+}
 }
 
 std::uint64_t Checksum(std::span<const std::uint8_t> bytes)
@@ -159,7 +174,7 @@ Bytes Decompress(std::span<const std::uint8_t> bytes, std::uint64_t limit)
 }
 
 //--------------------------------------------------------------------------------------------------
-OutputFile::OutputFile(const std::string& path)
+OutputFile::OutputFile(const std::string& path, bool replaceReadOnly)
   : Path(path)
   , Target(path)
 {
@@ -173,6 +188,10 @@ OutputFile::OutputFile(const std::string& path)
     {
       throw Error(ErrorCode::CannotWrite,
         path + (S_ISDIR(old.st_mode) ? ": is a directory" : ": is not a regular file"));
+    }
+    if (!replaceReadOnly)
+    {
+      CheckReplaceable(path, old.st_mode);
     }
     if (char* real = ::realpath(path.c_str(), nullptr))
     {

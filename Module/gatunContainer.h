@@ -68,7 +68,8 @@ struct SectionRef
 class OutputFile
 {
 public:
-  explicit OutputFile(const std::string& path);
+  /** replaceReadOnly: also where an existing file may not be written. */
+  explicit OutputFile(const std::string& path, bool replaceReadOnly);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;

@@ -181,7 +181,7 @@ public:
     const std::vector<ArrayDescription>& arrays, const WriterOptions& options)
     : Mesh(mesh)
     , Options(options)
-    , File(path)
+    , File(path, options.ReplaceReadOnly)
   {
     this->Meta.WriterVersion = PackageVersion();
     this->Meta.Points = mesh.Points;

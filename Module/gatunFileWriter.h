@@ -34,6 +34,9 @@ struct WriterOptions
 
   /** Every how many time steps one is coded without its predecessor, 1 or more. */
   std::uint32_t KeyStepInterval = 8;
+
+  /** Whether to replace an existing file that may not be written, which otherwise is an error. */
+  bool ReplaceReadOnly = false;
 };
 
 /**

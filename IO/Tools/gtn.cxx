@@ -19,7 +19,6 @@
 #include <cstdio>
 #include <exception>
 #include <memory>
-#include <new>
 
 #ifdef _WIN32
 #include <io.h>
@@ -112,6 +111,8 @@ int Guarded(int argc, char* argv[])
 {
   try
   {
+    CatchMessages();
+    CatchInterrupts();
     const int code = Run(argc, argv);
     if (std::fflush(stdout) != 0)
     {
@@ -134,13 +135,13 @@ int Guarded(int argc, char* argv[])
       Say(error.what());
     }
   }
-  catch (const std::bad_alloc&)
-  {
-    Say("not enough memory");
-  }
   catch (const std::exception& error)
   {
-    Say(error.what());
+    Say(ReasonOf(error));
+  }
+  catch (...)
+  {
+    Say("failed for an unknown reason");
   }
   return 1;
 }
@@ -150,8 +151,6 @@ int Guarded(int argc, char* argv[])
 
 int main(int argc, char* argv[])
 {
-  gtn::CatchMessages();
-  gtn::CatchInterrupts();
   const int code = gtn::Guarded(argc, argv);
   if (gtn::IsInterrupted())
   {

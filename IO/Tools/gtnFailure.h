@@ -5,6 +5,7 @@
 
 // How a subcommand ends early.
 
+#include <exception>
 #include <stdexcept>
 #include <string>
 
@@ -27,6 +28,9 @@ class UsageError : public std::runtime_error
 public:
   using std::runtime_error::runtime_error;
 };
+
+/** What an exception tells, in words: the one for lack of memory has none. */
+const char* ReasonOf(const std::exception& error) noexcept;
 
 /** The user pressed Ctrl+C. */
 struct Interrupted

@@ -11,8 +11,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 
-#include <fmt/core.h>
-
 #include <cstdio>
 #include <mutex>
 #include <set>
@@ -134,9 +132,12 @@ void CheckMessages(const std::string& file, bool quiet)
 }
 
 //------------------------------------------------------------------------------
-void Say(std::string_view message)
+void Say(std::string_view message) noexcept
 {
+  // Not by fmt::print, which throws, and needs memory, which may be what is missing.
   std::fflush(stdout);
-  fmt::print(stderr, "gtn: {}\n", message);
+  std::fputs("gtn: ", stderr);
+  std::fwrite(message.data(), 1, message.size(), stderr);
+  std::fputc('\n', stderr);
 }
 }

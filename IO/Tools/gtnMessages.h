@@ -21,8 +21,8 @@ std::vector<std::string> TakeWarnings();
 /** Throws Failure for the file if VTK reported an error; prints its warnings unless quiet. */
 void CheckMessages(const std::string& file, bool quiet);
 
-/** Prints "gtn: " and a message on stderr. */
-void Say(std::string_view message);
+/** Prints "gtn: " and a message on stderr; where that is closed, nothing. */
+void Say(std::string_view message) noexcept;
 }
 
 #endif

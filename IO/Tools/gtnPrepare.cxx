@@ -186,7 +186,7 @@ int Preparer::RequestData(vtkInformation* vtkNotUsed(request), vtkInformationVec
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< ReasonOf(error));
     return 0;
   }
   vtkInformation* info = input->GetInformation();

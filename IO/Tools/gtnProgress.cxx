@@ -70,7 +70,7 @@ Progress::~Progress()
   this->Unwatch();
   if (this->Drawn)
   {
-    fmt::print(stderr, "\r\033[K");
+    std::fputs("\r\033[K", stderr);
     std::fflush(stderr);
   }
 }
@@ -84,8 +84,9 @@ bool Progress::operator()(double fraction)
     constexpr int width = 40;
     fraction = fraction > 0 ? std::min(fraction, 1.0) : 0;
     const int full = static_cast<int>(fraction * width);
-    fmt::print(stderr, "\r\033[K{} [{:#<{}}{:.<{}}] {:3.0f} %", this->Job, "", full, "",
-      width - full, fraction * 100);
+    const std::string bar = fmt::format("\r\033[K{} [{:#<{}}{:.<{}}] {:3.0f} %", this->Job, "",
+      full, "", width - full, fraction * 100);
+    std::fputs(bar.c_str(), stderr); // the terminal may be gone; fmt::print throws then
     std::fflush(stderr);
     this->Drawn = true;
     this->Next = now + std::chrono::milliseconds(100);

@@ -238,7 +238,7 @@ int SeriesReader::RequestData(vtkInformation* vtkNotUsed(request),
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro(<< ReasonOf(error));
     return 0;
   }
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step.Time);

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include <filesystem>
+#include <new>
 
 namespace gtn
 {
@@ -15,6 +16,12 @@ namespace gtn
 Failure::Failure(const std::string& file, const std::string& reason)
   : std::runtime_error(reason.starts_with(file + ": ") ? reason : file + ": " + reason)
 {
+}
+
+//------------------------------------------------------------------------------
+const char* ReasonOf(const std::exception& error) noexcept
+{
+  return dynamic_cast<const std::bad_alloc*>(&error) ? "not enough memory" : error.what();
 }
 
 //------------------------------------------------------------------------------

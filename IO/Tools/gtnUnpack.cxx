@@ -7,6 +7,7 @@
 #include "gtnFailure.h"
 #include "gtnGridWriter.h"
 #include "gtnInput.h"
+#include "gtnMessages.h"
 #include "gtnOutput.h"
 #include "gtnProgress.h"
 #include "gtnText.h"
@@ -93,8 +94,8 @@ void Unpack(const Options& options, const Settings& settings)
   const std::size_t step = StepOf(options, input);
   if (input.GetTimes().size() > 1 && !options.HasTime && !options.HasStep && !settings.Quiet)
   {
-    fmt::print(stderr, "gtn: {}: has {} time steps, of which the first is taken\n", options.In,
-      input.GetTimes().size());
+    Say(fmt::format(
+      "{}: has {} time steps, of which the first is taken", options.In, input.GetTimes().size()));
   }
   vtkSmartPointer<vtkUnstructuredGrid> grid;
   {

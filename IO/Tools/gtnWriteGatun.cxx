@@ -18,6 +18,8 @@ namespace gtn
 //------------------------------------------------------------------------------
 void RunWriter(vtkGatunWriter* writer, const std::string& inputName, Progress& progress)
 {
+  // Whoever gets here without -f has no such file.
+  writer->ReplaceReadOnlyOn();
   progress.Watch(writer);
   const bool good = writer->Write() != 0;
   CheckInterrupt();

@@ -78,6 +78,21 @@ assert not [name for name in os.listdir(".") if name.startswith("new")], "half a
 gtn("pack", "-f", "mesh.vtu", "mesh.gtn", says="tetrahedra")
 assert gtn("pack", "-q", "-f", "mesh.vtu", "mesh.gtn") == ""
 
+# A read-only file counts as one that exists: -f replaces it, as cp -f does.
+write(standard_mesh(2), "other.vtu")
+for out in ("mesh.gtn", "back.vtu"):
+    command = ("pack", "other.vtu") if out == "mesh.gtn" else ("unpack", "mesh.gtn")
+    if out == "back.vtu":
+        gtn("unpack", "mesh.gtn", out)
+    os.chmod(out, 0o444)
+    with open(out, "rb") as file:
+        old = file.read()
+    gtn(*command, out, code=1, says=f"gtn: {out}: exists; give -f to replace it")
+    with open(out, "rb") as file:
+        assert file.read() == old
+    gtn(command[0], "-f", *command[1:], out, says="tetrahedra")
+gtn("verify", "mesh.gtn", "other.vtu", says="identical")
+
 if os.geteuid() == 0:
     print("the rest is not for root")
 else:

@@ -130,6 +130,37 @@ TEST(HostilePaths, AFolderThatMayNotBeWrittenStaysAsItIs)
   EXPECT_EQ(ListFolder(path), (std::vector<std::string>{ "a.gtn" }));
 }
 
+TEST(HostilePaths, AReadOnlyFileIsReplacedOnRequestOnly)
+{
+  const auto path = GetPath("read-only.gtn");
+  Write(path);
+  const auto old = Slurp(path);
+  const auto refuse = [&](const std::string& why)
+  {
+    EXPECT_GATUN_ERROR(ErrorCode::CannotWrite, path, why, [&] { Write(path, 2); });
+    EXPECT_EQ(Slurp(path), old);
+    EXPECT_EQ(ListFolder(path), (std::vector<std::string>{ "read-only.gtn" }));
+  };
+  for (const ::mode_t mode : { 0444, 0400, 0 })
+  {
+    ASSERT_EQ(::chmod(path.c_str(), mode), 0);
+    refuse("is read-only");
+  }
+  // Of somebody else, in a folder where all may write.
+  ASSERT_EQ(::chmod(path.c_str(), 0644), 0);
+  ASSERT_EQ(::chmod(fs::path(path).parent_path().c_str(), 0777), 0);
+  if (::geteuid() == 0)
+  {
+    const Stranger stranger;
+    refuse("cannot write: Permission denied");
+  }
+  ASSERT_EQ(::chmod(path.c_str(), 0444), 0);
+  WriterOptions options;
+  options.ReplaceReadOnly = true;
+  WriteSample(path, MakeCubes(2, 0.1), options, 1);
+  EXPECT_EQ(FileReader(path).GetNumberOfTets(), 48U);
+}
+
 TEST(HostilePaths, ALinkStaysALink)
 {
   fs::create_directory(GetPath("there"));
@@ -152,7 +183,7 @@ TEST(HostilePaths, PermissionsOfTheOldFileStay)
 {
   const auto path = GetPath("mode.gtn");
   Write(path);
-  for (const ::mode_t mode : { 0600, 0640, 0444, 0666 })
+  for (const ::mode_t mode : { 0600, 0640, 0622, 0666 })
   {
     ASSERT_EQ(::chmod(path.c_str(), mode), 0);
     Write(path);

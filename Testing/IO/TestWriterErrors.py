@@ -167,6 +167,15 @@ if os.geteuid() != 0:
     refuse(good, expected=vtkErrorCode.CannotOpenFileError)
     os.chmod(folder, 0o700)
 
+os.chmod(path, 0o444)
+refuse(good, "is read-only", expected=vtkErrorCode.CannotOpenFileError)
+writer = vtkGatunWriter()
+writer.SetInputDataObject(good)
+writer.SetFileName(path)
+writer.ReplaceReadOnlyOn()
+assert writer.Write() == 1 and os.stat(path).st_mode & 0o777 == 0o444
+os.chmod(path, 0o644)
+
 # No file may be that large.
 points, tets = gm.lattice(12)
 noise = gm.make_grid(points, tets)
