@@ -29,7 +29,8 @@ set(gatun_vtk_components
   RenderingVolume
   RenderingVolumeOpenGL2
   TestingCore
-  TestingRendering)
+  TestingRendering
+  jsoncpp)
 if (GATUN_WRAP_PYTHON)
   list(APPEND gatun_vtk_components
     Python

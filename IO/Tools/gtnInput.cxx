@@ -4,6 +4,7 @@
 #include "gtnInput.h"
 
 #include "gtnFailure.h"
+#include "gtnFileList.h"
 #include "gtnMessages.h"
 #include "gtnObj.h"
 #include "gtnPrepare.h"
@@ -30,8 +31,8 @@
 
 namespace gtn
 {
-const char* const InputFormats =
-  ".vtu .pvtu .vtk .vtm .pvd .vtkhdf .vti .vts .vtr, Exodus (.e .exo .ex2), EnSight (.case), .gtn";
+const char* const InputFormats = ".vtu .pvtu .vtk .vtm .pvd .series .vtkhdf .vti .vts .vtr, Exodus "
+                                 "(.e .exo .ex2), EnSight (.case), .gtn";
 
 //------------------------------------------------------------------------------
 void CheckReadable(const std::string& file)
@@ -71,9 +72,9 @@ Input::Input(const std::vector<std::string>& files, const InputOptions& options)
   {
     steps = StepsOfFiles(files);
   }
-  else if (ExtensionOf(this->Name) == ".pvd")
+  else if (IsFileList(this->Name))
   {
-    steps = ReadCollection(this->Name);
+    steps = ReadFileList(this->Name);
   }
 
   if (!steps.empty())

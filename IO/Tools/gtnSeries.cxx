@@ -4,6 +4,7 @@
 #include "gtnSeries.h"
 
 #include "gtnFailure.h"
+#include "gtnFileList.h"
 #include "gtnMessages.h"
 #include "gtnPrepare.h"
 #include "gtnReaders.h"
@@ -20,17 +21,12 @@
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkXMLDataElement.h"
-#include "vtkXMLDataParser.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <exception>
-#include <filesystem>
 #include <limits>
-#include <map>
 
 namespace gtn
 {
@@ -42,7 +38,7 @@ namespace
 vtkSmartPointer<vtkAlgorithm> OpenOne(const std::string& file)
 {
   CheckReadable(file);
-  if (ExtensionOf(file) == ".pvd")
+  if (IsFileList(file))
   {
     throw Failure(file, "a list of files cannot be part of another");
   }
@@ -81,58 +77,6 @@ double TimeValueOf(const std::string& file)
 }
 
 } // anonymous namespace
-
-//------------------------------------------------------------------------------
-std::vector<SeriesStep> ReadCollection(const std::string& file)
-{
-  CheckReadable(file);
-  vtkNew<vtkXMLDataParser> parser;
-  parser->SetFileName(file.c_str());
-  parser->Parse();
-  CheckMessages(file, true);
-  vtkXMLDataElement* root = parser->GetRootElement();
-  vtkXMLDataElement* collection =
-    root && root->GetName() && !std::strcmp(root->GetName(), "VTKFile")
-    ? root->FindNestedElementWithName("Collection")
-    : nullptr;
-  if (!collection)
-  {
-    throw Failure(file, "is not a .pvd file");
-  }
-
-  std::map<double, std::vector<std::string>> steps;
-  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-  for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i)
-  {
-    vtkXMLDataElement* element = collection->GetNestedElement(i);
-    if (!element->GetName() || std::strcmp(element->GetName(), "DataSet") != 0)
-    {
-      continue;
-    }
-    const char* part = element->GetAttribute("file");
-    if (!part)
-    {
-      throw Failure(file, "has an entry without a file");
-    }
-    double time = 0;
-    element->GetScalarAttribute("timestep", time);
-    if (!std::isfinite(time))
-    {
-      throw Failure(file, "has a time that is not finite");
-    }
-    steps[time].push_back((folder / part).string());
-  }
-  if (steps.empty())
-  {
-    throw Failure(file, "lists no files");
-  }
-  std::vector<SeriesStep> list;
-  for (const auto& [time, files] : steps)
-  {
-    list.push_back({ time, files });
-  }
-  return list;
-}
 
 //------------------------------------------------------------------------------
 std::vector<SeriesStep> StepsOfFiles(const std::vector<std::string>& files)

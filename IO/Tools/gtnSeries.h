@@ -20,9 +20,6 @@ struct SeriesStep
   std::vector<std::string> Files; ///< the parts of the mesh
 };
 
-/** The steps that a .pvd file lists, by ascending time. Throws Failure. */
-std::vector<SeriesStep> ReadCollection(const std::string& file);
-
 /** Files as steps: at the times in their field data (TimeValue) if these ascend, or else 0, 1, 2
  * and so on. Throws Failure. */
 std::vector<SeriesStep> StepsOfFiles(const std::vector<std::string>& files);
