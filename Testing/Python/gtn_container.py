@@ -124,7 +124,12 @@ def unpack(data, limit):
 
 
 def table_limit(packed):
-    return max(1 << 26, 512 * packed)
+    """Of META and TABL (11.1)."""
+    return max(1 << 20, 512 * packed)
+
+
+def step_limit(packed):
+    return max(1 << 24, 512 * packed)
 
 
 def field_data_limit(packed):
@@ -209,7 +214,9 @@ class Container:
     def _content(self, section):
         data = self.data[section.offset : section.offset + section.length]
         require(checksum(data) == section.checksum, "checksum of a section")
-        return data if section.name in (b"MESH", b"VALS") else unpack(data, table_limit)
+        if section.name in (b"MESH", b"VALS"):
+            return data
+        return unpack(data, step_limit if section.name == b"STEP" else table_limit)
 
     def _packed(self, sections, name):
         found = [section for section in sections if section.name == name]
