@@ -33,7 +33,7 @@ def check(grid, name):
     for order in ("none", "points", "cells", "all"):
         packed = f"{name}-{order}.gtn"
         gtn("pack", "-q", "--keep-order", order, name + ".vtu", packed)
-        gtn("verify", packed, says="intact")
+        gtn("verify", packed, says="intact: all checksums are right, and everything decodes (")
         gtn("verify", packed, name + ".vtu", says="identical")
     gtn("unpack", f"{name}-all.gtn", name + "-back.vtu")
     back = read(name + "-back.vtu")
@@ -106,6 +106,9 @@ mixed = make_grid(
 write(mixed, "mixed.vtu")
 gtn("verify", "any.gtn", "mixed.vtu", says="identical")
 gtn("verify", "kept.gtn", "mixed.vtu", code=1, says="differs: the coordinates of point 0: ")
+
+# What was checked is said.
+gtn("verify", "kept.gtn", says="(1 chunk, 4 arrays, the order of points, cells, corners)")
 
 # Threads and chunks make no difference.
 for chunk in (64, 300):
