@@ -8,12 +8,10 @@
 #include "gatunError.h"
 #include "gatunFileImage.h"
 #include "gatunFileReader.h"
-#include "gatunFileWriter.h"
-#include "gatunTestMeshes.h"
+#include "gatunSampleFile.h"
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -50,32 +48,6 @@ inline std::vector<std::string> ListFolder(const std::string& path)
   }
   std::sort(names.begin(), names.end());
   return names;
-}
-
-/** Writes a mesh with a point array of one component and a cell array of two. */
-inline void WriteSample(
-  const std::string& path, const TestMesh& mesh, const WriterOptions& options, int steps)
-{
-  std::vector<ArrayDescription> arrays(2);
-  arrays[0].Name = "p";
-  arrays[1].Name = "c";
-  arrays[1].Where = Association::Cell;
-  arrays[1].Type = ScalarType::Int16;
-  arrays[1].Components = 2;
-  std::vector<float> pointValues(mesh.GetPoints());
-  std::vector<std::int16_t> cellValues(2 * mesh.GetTets());
-  FileWriter writer(path, mesh.GetInput(), arrays, options);
-  for (int step = 0; step < steps; ++step)
-  {
-    for (std::size_t i = 0; i < pointValues.size(); ++i)
-    {
-      pointValues[i] = 0.1f * static_cast<float>(i * i) + static_cast<float>(step);
-    }
-    std::iota(cellValues.begin(), cellValues.end(), static_cast<std::int16_t>(step));
-    const std::array<const void*, 2> values{ pointValues.data(), cellValues.data() };
-    writer.WriteStep(values, {}, steps > 1, step);
-  }
-  writer.Finish();
 }
 
 /** A file of several chunks with shared points, kept order, and three time steps. */

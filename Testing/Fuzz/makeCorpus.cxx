@@ -4,7 +4,7 @@
 // Writes seeds for the fuzz targets: makeCorpus FOLDER. Each target gets a folder of its own below.
 
 #include "../Core/gatunFileImage.h"
-#include "../Core/gatunTestMeshes.h"
+#include "../Core/gatunSampleFile.h"
 #include "fuzzMeshes.h"
 #include "gatunEntropy.h"
 #include "gatunPalette.h"
@@ -182,29 +182,10 @@ void WriteFile(const std::string& path, const test::TestMesh& mesh, std::uint8_t
   options.ChunkTets = 64;
   options.Keep = keep;
   options.KeyStepInterval = 2;
-  std::vector<ArrayDescription> arrays(2);
-  arrays[0].Name = "p";
-  arrays[1].Name = "c";
-  arrays[1].Where = Association::Cell;
-  arrays[1].Type = ScalarType::Int16;
-  arrays[1].Components = 2;
-  std::vector<float> pointValues(mesh.GetPoints());
-  std::vector<std::int16_t> cellValues(2 * mesh.GetTets());
-  FileWriter writer(path, mesh.GetInput(), arrays, options);
-  for (int step = 0; step < steps; ++step)
-  {
-    for (std::size_t i = 0; i < pointValues.size(); ++i)
-    {
-      pointValues[i] = keep & KeepCells ? static_cast<float>(i % 3) : 0.1f * static_cast<float>(i);
-    }
-    for (std::size_t i = 0; i < cellValues.size(); ++i)
-    {
-      cellValues[i] = static_cast<std::int16_t>(i + static_cast<std::size_t>(step));
-    }
-    const std::array<const void*, 2> values{ pointValues.data(), cellValues.data() };
-    writer.WriteStep(values, MakeField(), steps > 1, step);
-  }
-  writer.Finish();
+  // Few different values make a palette.
+  const auto valueOf = [keep](std::size_t i, int)
+  { return keep & KeepCells ? static_cast<float>(i % 3) : 0.1f * static_cast<float>(i); };
+  test::WriteSample(path, mesh, options, steps, valueOf, MakeField());
 }
 
 void AddFiles(Corpus& corpus)

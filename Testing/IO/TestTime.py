@@ -8,13 +8,13 @@ import os
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as pipeline
 
 import gatunMeshes as gm
 from gatun import vtkGatunReader, vtkGatunWriter
+from gatunTimeSource import TimeSource, connect
 
 points, tets = gm.lattice(5)
 TIMES = [-1.5, 0.0, 0.1, 0.30000000000000004, 2.0, 1e3] + [2e3 + i for i in range(14)]
@@ -35,36 +35,8 @@ def step(index):
     return grid
 
 
-class Source(VTKPythonAlgorithmBase):
-    """Steps made on request."""
-
-    def __init__(self, make=step, times=TIMES):
-        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkUnstructuredGrid")
-        self.make, self.times = make, times
-
-    def RequestInformation(self, request, inInfo, outInfo):
-        info = outInfo.GetInformationObject(0)
-        info.Set(pipeline.TIME_STEPS(), self.times, len(self.times))
-        info.Set(pipeline.TIME_RANGE(), [self.times[0], self.times[-1]], 2)
-        return 1
-
-    def RequestData(self, request, inInfo, outInfo):
-        info = outInfo.GetInformationObject(0)
-        time = info.Get(pipeline.UPDATE_TIME_STEP()) if info.Has(pipeline.UPDATE_TIME_STEP()) \
-            else self.times[0]
-        output = vtkUnstructuredGrid.GetData(outInfo, 0)
-        made = self.make(self.times.index(time))
-        if made is None:
-            return 0
-        output.ShallowCopy(made)
-        output.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), time)
-        return 1
-
-
-def connect(writer, source):
-    """The Python half of a source must be kept alive by somebody."""
-    writer.source = source
-    writer.SetInputConnection(source.GetOutputPort())
+def source_of(make=step, times=TIMES):
+    return TimeSource(make, times)
 
 
 def write_all(path, source, **options):
@@ -86,7 +58,7 @@ def output_at(reader, time):
 path = gm.temporary("time.gtn")
 for interval in (1, 3, 8, 100):
     for keep, chunk in ((7, 0), (0, 200)):
-        writer = write_all(path, Source(), KeyStepInterval=interval, KeepOrder=keep, ChunkTets=chunk)
+        writer = write_all(path, source_of(), KeyStepInterval=interval, KeepOrder=keep, ChunkTets=chunk)
         assert writer.Write() == 1
         assert writer.GetWrittenSteps() == len(TIMES)
         reader = vtkGatunReader()
@@ -113,7 +85,7 @@ for interval in (1, 3, 8, 100):
 
 # One mesh in one file beats a file for each step.
 alone = [gm.write(step(i), gm.temporary("alone.gtn")).GetFileBytes() for i in range(3)]
-size = write_all(path, Source()).Write() and os.path.getsize(path)
+size = write_all(path, source_of()).Write() and os.path.getsize(path)
 assert size < 20 * min(alone) * 0.9, (size, alone)
 
 # Time between steps, before the first and after the last.
@@ -142,7 +114,7 @@ reader.SetPointArrayStatus("wave", 1)
 gm.assert_same_mesh(step(4), output_at(reader, 2.0))
 
 # Without WriteAllTimeSteps the step at hand is written, with its time.
-source = Source()
+source = source_of()
 writer = write_all(path, source)
 writer.WriteAllTimeStepsOff()
 source.UpdateTimeStep(2.0)
@@ -218,25 +190,25 @@ before = open(path, "rb").read()
 for make, what in ((moved, "points or the cells"), (other_cells, "points or the cells"),
                    (more_points, "points or the cells"), (in_place(), "points or the cells"),
                    (fewer_arrays, "arrays"), (other_type, "arrays")):
-    writer = write_all(path, Source(make))
+    writer = write_all(path, source_of(make))
     errors = gm.Errors(writer)
     assert writer.Write() == 0
     assert writer.GetErrorCode() == vtkGatunWriter.WrongInputError
     assert path in str(errors) and what in str(errors) and "time step 3" in str(errors), str(errors)
     assert open(path, "rb").read() == before
     # The writer is as good as new.
-    connect(writer, Source())
+    connect(writer, source_of())
     assert writer.Write() == 1 and writer.GetWrittenSteps() == len(TIMES)
     gm.write(step(0), path)
 
 # An upstream that fails in the middle.
-source = Source(lambda index: step(index) if index < 3 else None)
+source = source_of(lambda index: step(index) if index < 3 else None)
 gm.Errors(source)
 writer = write_all(path, source)
 errors = gm.Errors(writer)
 assert writer.Write() == 0 and writer.GetErrorCode() != 0 and "not written" in str(errors)
 assert open(path, "rb").read() == before
-connect(writer, Source())
+connect(writer, source_of())
 assert writer.Write() == 1 and writer.GetWrittenSteps() == len(TIMES)
 reader.Update()
 gm.assert_same_mesh(step(0), output_at(reader, TIMES[0]))

@@ -18,15 +18,14 @@ import sys
 
 import numpy as np
 from vtkmodules.util import vtkConstants as c
-from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, vtkUnstructuredGrid
-from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as pipeline
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes
 
 import gatunGolden as golden
 from describe_decoded import describe_decoded
 from gatun import vtkGatunWriter
 from gatunGolden import gm
+from gatunTimeSource import TimeSource, connect
 
 MAX_BYTES, MAX_BYTES_IN_TOTAL = 30000, 250000
 
@@ -446,36 +445,10 @@ ALL = [
 # Writing and checking
 
 
-class Source(VTKPythonAlgorithmBase):
-    """Time steps."""
-
-    def __init__(self, grids, times):
-        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkUnstructuredGrid")
-        self.grids, self.times = grids, times
-
-    def RequestInformation(self, request, inInfo, outInfo):
-        info = outInfo.GetInformationObject(0)
-        info.Set(pipeline.TIME_STEPS(), self.times, len(self.times))
-        info.Set(pipeline.TIME_RANGE(), [self.times[0], self.times[-1]], 2)
-        return 1
-
-    def RequestData(self, request, inInfo, outInfo):
-        info = outInfo.GetInformationObject(0)
-        time = self.times[0]
-        if info.Has(pipeline.UPDATE_TIME_STEP()):
-            time = info.Get(pipeline.UPDATE_TIME_STEP())
-        output = vtkUnstructuredGrid.GetData(outInfo, 0)
-        output.ShallowCopy(self.grids[self.times.index(time)])
-        output.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), time)
-        return 1
-
-
 def write(path, grids, times, options):
     writer = vtkGatunWriter()
-    source = None
     if times:
-        source = Source(grids, times)
-        writer.SetInputConnection(source.GetOutputPort())
+        connect(writer, TimeSource(grids.__getitem__, times))
         writer.WriteAllTimeStepsOn()
     else:
         writer.SetInputDataObject(grids[0])
