@@ -8,6 +8,7 @@
 #include "gtnGridWriter.h"
 #include "gtnInput.h"
 #include "gtnMessages.h"
+#include "gtnOptions.h"
 #include "gtnOutput.h"
 #include "gtnProgress.h"
 #include "gtnText.h"
@@ -111,7 +112,7 @@ void AddMesh(CLI::App& app, Settings& settings)
                    : "Fill a closed surface with tetrahedra (not built in: needs TetGen).",
     "  gtn mesh part.stl part.gtn\n"
     "  gtn mesh --quality 1.2 --max-volume 0.5 part.stl part.vtu");
-  command->add_flag("-f,--force", options->Overwrite, "Replace OUT if it exists");
+  AddForce(command, options->Overwrite);
   command
     ->add_option("--quality", options->Quality,
       "Largest ratio of circumradius to shortest edge, 1 to 100; 0: none; below 1.2 it may not end")

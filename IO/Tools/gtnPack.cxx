@@ -8,6 +8,7 @@
 #include "gtnHelp.h"
 #include "gtnInput.h"
 #include "gtnMessages.h"
+#include "gtnOptions.h"
 #include "gtnOutput.h"
 #include "gtnProgress.h"
 #include "gtnText.h"
@@ -33,12 +34,10 @@ struct Options
   std::vector<std::string> In;
   std::string Out;
   bool Overwrite = false;
-  std::vector<std::string> Arrays;
-  bool AllArrays = true;
+  InputOptions Input;
   std::string KeepOrder = "none";
   int ChunkTets = 0;
   int KeySteps = 8;
-  bool Linearize = false;
 };
 
 int OrderOf(const std::string& name)
@@ -88,12 +87,7 @@ void Pack(const Options& options, const Settings& settings)
   {
     throw UsageError(options.Out + ": the name must end in .gtn");
   }
-  InputOptions inputOptions;
-  inputOptions.Arrays = options.Arrays;
-  inputOptions.AllArrays = options.AllArrays;
-  inputOptions.Linearize = options.Linearize;
-  inputOptions.Quiet = settings.Quiet;
-  Input input(options.In, inputOptions);
+  Input input(options.In, options.Input);
   CheckWritable(options.Out, options.Overwrite);
 
   vtkNew<vtkGatunWriter> writer;
@@ -132,13 +126,8 @@ void AddPack(CLI::App& app, Settings& settings)
     "  gtn pack run_0.vtu run_1.vtu run_2.vtu run.gtn\n"
     "  gtn pack run.pvd run.gtn\n"
     "  gtn pack -f crash.e crash.gtn");
-  command->add_flag("-f,--force", options->Overwrite, "Replace OUT if it exists");
-  auto* arrays =
-    command
-      ->add_option("--arrays", options->Arrays, "Only these point and cell arrays (default: all)")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->option_text("NAME,...");
+  AddForce(command, options->Overwrite);
+  AddArrays(command, options->Input);
   command
     ->add_option("--keep-order", options->KeepOrder,
       "Keep the order of points, of cells, or all: of both and of the cells' corners (default: "
@@ -156,7 +145,7 @@ void AddPack(CLI::App& app, Settings& settings)
       "Every how many time steps one is coded without the one before (default: 8)")
     ->check(CLI::Range(1, 1000000))
     ->option_text("N");
-  command->add_flag("--linearize", options->Linearize,
+  command->add_flag("--linearize", options->Input.Linearize,
     "Take quadratic tetrahedra as linear ones, without their mid-edge points");
   auto* files = command->add_option(
     FilesArgument, options->In, std::string("Meshes, then the .gtn file. Meshes: ") + InputFormats);
@@ -164,7 +153,7 @@ void AddPack(CLI::App& app, Settings& settings)
   command->callback(
     [=, &settings]
     {
-      options->AllArrays = arrays->count() == 0;
+      options->Input.Quiet = settings.Quiet;
       if (options->In.size() < 2)
       {
         throw UsageError("pack takes meshes and, behind them, the name of a .gtn file");

@@ -8,6 +8,7 @@
 #include "gtnGridWriter.h"
 #include "gtnInput.h"
 #include "gtnMessages.h"
+#include "gtnOptions.h"
 #include "gtnOutput.h"
 #include "gtnProgress.h"
 #include "gtnText.h"
@@ -33,8 +34,7 @@ struct Options
   double Time = 0;
   bool HasStep = false;
   std::size_t Step = 0;
-  std::vector<std::string> Arrays;
-  bool AllArrays = true;
+  InputOptions Input;
   std::string How = "zlib";
 };
 
@@ -84,11 +84,7 @@ void Unpack(const Options& options, const Settings& settings)
   {
     throw UsageError(options.Out + ": the name must end in .vtu or .vtk");
   }
-  InputOptions inputOptions;
-  inputOptions.Arrays = options.Arrays;
-  inputOptions.AllArrays = options.AllArrays;
-  inputOptions.Quiet = settings.Quiet;
-  Input input({ options.In }, inputOptions);
+  Input input({ options.In }, options.Input);
   CheckWritable(options.Out, options.Overwrite);
 
   const std::size_t step = StepOf(options, input);
@@ -124,7 +120,7 @@ void AddUnpack(CLI::App& app, Settings& settings)
     "  gtn unpack mesh.gtn mesh.vtu\n"
     "  gtn unpack --arrays pressure,velocity --step 10 run.gtn step10.vtu\n"
     "  gtn unpack -f --compressor none mesh.gtn mesh.vtu");
-  command->add_flag("-f,--force", options->Overwrite, "Replace OUT if it exists");
+  AddForce(command, options->Overwrite);
   auto* time =
     command->add_option("--time", options->Time, "The step at exactly this time")->option_text("T");
   auto* step = command
@@ -132,12 +128,7 @@ void AddUnpack(CLI::App& app, Settings& settings)
                    "The step of this number, from 0 (default: the first step)")
                  ->option_text("N")
                  ->excludes(time);
-  auto* arrays =
-    command
-      ->add_option("--arrays", options->Arrays, "Only these point and cell arrays (default: all)")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->option_text("NAME,...");
+  AddArrays(command, options->Input);
   command
     ->add_option(
       "--compressor", options->How, "Of a .vtu file: none, zlib, lz4 or lzma (default: zlib)")
@@ -150,7 +141,7 @@ void AddUnpack(CLI::App& app, Settings& settings)
     {
       options->HasTime = time->count() > 0;
       options->HasStep = step->count() > 0;
-      options->AllArrays = arrays->count() == 0;
+      options->Input.Quiet = settings.Quiet;
       Unpack(*options, settings);
     });
 }

@@ -8,6 +8,7 @@
 #include "gtnFailure.h"
 #include "gtnInput.h"
 #include "gtnNames.h"
+#include "gtnOptions.h"
 #include "gtnProgress.h"
 #include "gtnText.h"
 
@@ -34,9 +35,7 @@ struct Options
 {
   std::string File;
   std::vector<std::string> Originals;
-  std::vector<std::string> Arrays;
-  bool AllArrays = true;
-  bool Linearize = false;
+  InputOptions Input;
 };
 
 // Names to tell the two by, in messages.
@@ -48,13 +47,8 @@ std::pair<std::string, std::string> ShortNames(const std::string& first, const s
 
 void CompareWithOriginals(const Options& options, const Settings& settings, std::uint8_t keptOrder)
 {
-  InputOptions inputOptions;
-  inputOptions.Arrays = options.Arrays;
-  inputOptions.AllArrays = options.AllArrays;
-  inputOptions.Linearize = options.Linearize;
-  inputOptions.Quiet = settings.Quiet;
-  Input original(options.Originals, inputOptions);
-  Input packed({ options.File }, inputOptions);
+  Input original(options.Originals, options.Input);
+  Input packed({ options.File }, options.Input);
   const auto [nameOfPacked, nameOfOriginal] = ShortNames(options.File, original.GetName());
 
   const std::vector<double>& times = original.GetTimes();
@@ -181,19 +175,16 @@ void AddVerify(CLI::App& app, Settings& settings)
     "  gtn verify mesh.gtn\n"
     "  gtn verify mesh.gtn mesh.vtu\n"
     "  gtn verify run.gtn run_0.vtu run_1.vtu run_2.vtu");
-  auto* arrays =
-    command->add_option("--arrays", options->Arrays, "Compare only these point and cell arrays")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->option_text("NAME,...");
-  command->add_flag("--linearize", options->Linearize, "ORIGINAL was packed with --linearize");
+  AddArrays(command, options->Input, "Compare only these point and cell arrays");
+  command->add_flag(
+    "--linearize", options->Input.Linearize, "ORIGINAL was packed with --linearize");
   command->add_option("IN", options->File, "The .gtn file")->required();
   command->add_option(
     "ORIGINAL", options->Originals, "What was packed: one file, or one a time step");
   command->callback(
     [=, &settings]
     {
-      options->AllArrays = arrays->count() == 0;
+      options->Input.Quiet = settings.Quiet;
       Verify(*options, settings);
     });
 }

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gtnOptions.h"
+
+namespace gtn
+{
+//------------------------------------------------------------------------------
+void AddForce(CLI::App* command, bool& overwrite)
+{
+  command->add_flag("-f,--force", overwrite, "Replace OUT if it exists");
+}
+
+//------------------------------------------------------------------------------
+void AddArrays(CLI::App* command, InputOptions& input, const std::string& description)
+{
+  command->add_option("--arrays", input.Arrays, description)
+    ->each([&input](const std::string&) { input.AllArrays = false; })
+    ->delimiter(',')
+    ->allow_extra_args(false)
+    ->option_text("NAME,...");
+}
+}

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gtnOptions_h
+#define gtnOptions_h
+
+// Options that several subcommands have.
+
+#include "gtnInput.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace gtn
+{
+/** -f: whether OUT may be replaced. */
+void AddForce(CLI::App* command, bool& overwrite);
+
+/** --arrays: which arrays of the input are wanted. */
+void AddArrays(CLI::App* command, InputOptions& input,
+  const std::string& description = "Only these point and cell arrays (default: all)");
+}
+
+#endif
