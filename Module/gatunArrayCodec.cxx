@@ -10,23 +10,20 @@ namespace gatun
 {
 //--------------------------------------------------------------------------------------------------
 NeighbourFit::NeighbourFit(const Topology& topology, std::span<const std::array<double, 3>> places)
-  : Start(topology.Records.size() + 1, 0)
+  : Start(topology.Records.size() + 2, 0)
 {
   // An edge tells its later end of its earlier one; but shared vertices are known from the start.
+  // What is between two of them is put behind all the lists, as branches would cost more.
+  const auto none = static_cast<std::uint32_t>(topology.Records.size());
   const auto eachPair = [&](auto&& pair)
   {
     for (const auto& edge : topology.EdgeLog)
     {
       const Vertex low = std::min(edge[0], edge[1]);
       const Vertex high = std::max(edge[0], edge[1]);
-      if (!topology.IsShared(high))
-      {
-        pair(topology.Sources[high], low);
-      }
-      else if (!topology.IsShared(low))
-      {
-        pair(topology.Sources[low], high);
-      }
+      const bool later = !topology.IsShared(high);
+      const auto own = topology.Sources[later ? high : low];
+      pair((own & Topology::SharedFlag) != 0 ? none : own, later ? low : high);
     }
   };
   eachPair([&](std::uint32_t own, Vertex) { ++this->Start[own + 1]; });
@@ -220,12 +217,7 @@ private:
     Key high = 0;
     for (unsigned k = 0; k < GateRecord::Size; ++k)
     {
-      const Vertex v = record.Known[k];
-      if (v == NoVertex)
-      {
-        continue;
-      }
-      const Key key = keys[v];
+      const Key key = keys[record.Known[k]];
       numbers[k] = this->Values.ToNumber(key);
       if (k < 4)
       {
@@ -234,7 +226,6 @@ private:
       }
     }
     const auto rule = this->Context.UsedRules[own];
-    FillMissing(record, numbers);
     result.Number = ApplyRule((*this->Context.Rules)[rule], numbers);
     result.Spread = static_cast<unsigned>(std::bit_width(high - low));
     result.Group = 1u + rule;

@@ -51,6 +51,13 @@ public:
       this->Start[ownVertex + 1] - this->Start[ownVertex] };
   }
 
+  /** Memory that the lists take. */
+  std::size_t GetBytes() const
+  {
+    return this->Start.capacity() * sizeof(std::uint32_t) +
+      this->List.capacity() * sizeof(Neighbour);
+  }
+
 private:
   void Weigh(const std::array<double, 3>& centre, std::span<Neighbour> neighbours,
     std::span<const std::array<double, 3>> places) const;

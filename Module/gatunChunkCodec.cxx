@@ -13,18 +13,19 @@ constexpr std::uint8_t FlagAngle = 1;
 constexpr std::uint8_t FlagPlain = 2;
 constexpr std::uint8_t FlagFlips = 4;
 
-LatticePoint MapKeys(const Lattice& lattice, const PointDomain& domains, const PointKeys& keys)
+LatticePoint MapKeys(const Lattice& lattice, const PointDomain& domains, const PointKeys& keys,
+  std::uint32_t users = 0)
 {
   return lattice.Map(
-    domains[0].ToValue(keys[0]), domains[1].ToValue(keys[1]), domains[2].ToValue(keys[2]));
+    domains[0].ToValue(keys[0]), domains[1].ToValue(keys[1]), domains[2].ToValue(keys[2]), users);
 }
 
-std::vector<SharedVertex> MapShared(const ChunkFrame& frame, const Lattice& lattice)
+std::vector<LatticePoint> MapShared(const ChunkFrame& frame, const Lattice& lattice)
 {
-  std::vector<SharedVertex> shared(frame.SharedKeys.size());
+  std::vector<LatticePoint> shared(frame.SharedKeys.size());
   for (std::size_t i = 0; i < shared.size(); ++i)
   {
-    shared[i] = { MapKeys(lattice, frame.Domains, frame.SharedKeys[i]), frame.SharedUsers[i] };
+    shared[i] = MapKeys(lattice, frame.Domains, frame.SharedKeys[i], frame.SharedUsers[i]);
   }
   return shared;
 }
@@ -332,14 +333,17 @@ void CodeGeometry(
   }
 }
 
+/** About the bits of a geometry stream with these rules, themselves counted too. */
 double SampleGeometry(ChunkMesh& mesh, const PredictionRules& rules)
 {
   // Enough that what the models learn does not count for more than it will in the end.
   constexpr std::size_t least = 4096;
   const auto count = mesh.Walk.Records.size();
+  const auto sample = std::min(count, std::max(count / 8, least));
   EntropyEncoder coder;
-  CodeGeometry(coder, mesh, rules, std::min(count, std::max(count / 8, least)));
-  return coder.EstimateBits();
+  CodeGeometry(coder, mesh, rules, sample);
+  const double scale = sample > 0 ? static_cast<double>(count) / static_cast<double>(sample) : 0.0;
+  return scale * coder.EstimateBits() + 8.0 * static_cast<double>(rules.size() * sizeof(rules[0]));
 }
 
 Bytes WriteGeometry(ChunkMesh& mesh, const PredictionRules& rules)

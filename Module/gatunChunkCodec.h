@@ -32,7 +32,7 @@ struct ChunkFrame
   std::uint32_t OwnPoints = 0;
   Bounds Box;
   std::vector<PointKeys> SharedKeys;
-  std::vector<std::uint64_t> SharedUsers; // as SharedVertex::Users
+  std::vector<std::uint32_t> SharedUsers; // as LatticePoint::Users
   PointDomain Domains;
 };
 

@@ -26,10 +26,9 @@ std::uint64_t EntropyEncoder::Raw(std::uint64_t value, unsigned count)
 double EntropyEncoder::EstimateBits() const
 {
   double bits = 8.0 * static_cast<double>(this->RawBytes.size());
-  for (const auto decision : this->Decisions)
+  for (const auto& part : this->Parts)
   {
-    const auto p = static_cast<double>(decision >> 1);
-    bits -= std::log2((decision & 1 ? p : 65536.0 - p) / 65536.0);
+    bits += part.Bits - std::log2(static_cast<double>(part.Width));
   }
   return bits;
 }
@@ -39,21 +38,18 @@ Bytes EntropyEncoder::Finish()
   constexpr std::uint64_t low = std::uint64_t{ 1 } << 32;
   std::vector<std::uint32_t> words; // last first
   std::uint64_t state = low;
-  for (auto it = this->Decisions.rbegin(); it != this->Decisions.rend(); ++it)
+  for (auto it = this->Parts.rbegin(); it != this->Parts.rend(); ++it)
   {
-    const std::uint64_t p = *it >> 1;
-    const bool bit = *it & 1;
-    const std::uint64_t frequency = bit ? p : 65536 - p;
-    const std::uint64_t start = bit ? 0 : p;
-    if (state >= (frequency << 48))
+    const std::uint64_t width = it->Width;
+    if (state >= (width << (64 - it->Bits)))
     {
       words.push_back(static_cast<std::uint32_t>(state));
       state >>= 32;
     }
-    state = ((state / frequency) << 16) + state % frequency + start;
+    state = ((state / width) << it->Bits) + state % width + it->Start;
   }
   ByteWriter out;
-  if (this->Decisions.empty())
+  if (this->Parts.empty())
   {
     out.PutVarint(0);
   }
@@ -91,6 +87,18 @@ EntropyDecoder::EntropyDecoder(std::span<const std::uint8_t> stream)
   const auto raw = in.GetBytes(in.GetRemaining());
   this->RawNext = raw.data();
   this->RawEnd = raw.data() + raw.size();
+}
+
+void EntropyDecoder::FillAtEnd(unsigned count)
+{
+  for (; this->PendingBits < count; this->PendingBits += 8)
+  {
+    if (this->RawNext == this->RawEnd)
+    {
+      ThrowEnd();
+    }
+    this->Pending |= static_cast<std::uint64_t>(*this->RawNext++) << this->PendingBits;
+  }
 }
 
 void EntropyDecoder::ThrowEnd()

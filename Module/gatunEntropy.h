@@ -8,6 +8,7 @@
 
 #include "gatunBytes.h"
 #include "gatunInline.h"
+#include "gatunLanes.h"
 
 #include <array>
 #include <cstdint>
@@ -22,6 +23,7 @@ namespace gatun
 class BitModel
 {
 public:
+  static constexpr unsigned Bits = 16; // of the probabilities
   static constexpr unsigned CountBits = 10;
   static constexpr unsigned Limit = 250;
 
@@ -57,7 +59,84 @@ private:
 };
 
 /**
- * Collects decisions and raw bits, and writes them as one stream when all are there.
+ * The probabilities of 16 symbols, learnt from the symbols seen so far, in units of 2^-15: symbol s
+ * has what lies from Starts[s] up to Starts[s + 1], or to the whole.
+ */
+class SymbolModel
+{
+public:
+  static constexpr unsigned Symbols = 16;
+  static constexpr unsigned Bits = 15;
+
+  std::uint32_t GetStart(unsigned symbol) const { return this->Read(symbol); }
+  std::uint32_t GetWidth(unsigned symbol) const
+  {
+    const std::uint32_t end = symbol + 1 < Symbols ? this->Read(symbol + 1) : 1u << Bits;
+    return end - this->Read(symbol);
+  }
+
+  /** The symbol that has a number below 2^15. */
+  unsigned Find(std::uint32_t number) const
+  {
+    return CountUpTo(this->Starts[0], this->Starts[1], static_cast<std::int16_t>(number)) - 1;
+  }
+
+  void Update(unsigned symbol)
+  {
+    const auto& target = Targets[symbol];
+    const int rate = Rates[this->Count];
+    this->Starts[0] = Approach(this->Starts[0], target[0], rate);
+    this->Starts[1] = Approach(this->Starts[1], target[1], rate);
+    this->Count += this->Count < Limit;
+  }
+
+private:
+  static constexpr unsigned Limit = 63;
+  static constexpr int Least = 4; // width of a symbol that does not occur
+
+  using Row = std::array<Short8, 2>;
+
+  std::uint32_t Read(unsigned symbol) const
+  {
+    return static_cast<std::uint32_t>(this->Starts[symbol / 8][symbol % 8]);
+  }
+
+  // Where the starts end when only one symbol occurs.
+  static constexpr auto Targets = []
+  {
+    constexpr auto row = [](int symbol) -> Row
+    {
+      const auto at = [&](int i)
+      {
+        const int low = Least * i;
+        const int high = (1 << Bits) - Least * (static_cast<int>(Symbols) - i);
+        return static_cast<std::int16_t>(i <= symbol ? low : high);
+      };
+      return { Short8{ at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7) },
+        Short8{ at(8), at(9), at(10), at(11), at(12), at(13), at(14), at(15) } };
+    };
+    return std::array<Row, Symbols>{ row(0), row(1), row(2), row(3), row(4), row(5), row(6), row(7),
+      row(8), row(9), row(10), row(11), row(12), row(13), row(14), row(15) };
+  }();
+
+  static constexpr auto Rates = []
+  {
+    std::array<std::uint8_t, Limit + 1> rates{};
+    for (unsigned n = 0; n <= Limit; ++n)
+    {
+      rates[n] = static_cast<std::uint8_t>(n < 2 ? 2 : n < 6 ? 3 : n < 16 ? 4 : n < 48 ? 5 : 6);
+    }
+    return rates;
+  }();
+
+  // All equally likely at first.
+  Row Starts{ Short8{ 0, 2048, 4096, 6144, 8192, 10240, 12288, 14336 },
+    Short8{ 16384, 18432, 20480, 22528, 24576, 26624, 28672, 30720 } };
+  std::uint32_t Count = 0;
+};
+
+/**
+ * Collects decisions, symbols and raw bits, and writes them as one stream when all are there.
  * The rANS part has to be written last decision first, hence the collecting.
  */
 class EntropyEncoder
@@ -68,9 +147,18 @@ public:
   bool Bit(BitModel& model, bool bit)
   {
     const auto p = model.GetProbability();
-    this->Decisions.push_back((p << 1) | static_cast<std::uint32_t>(bit));
+    this->Parts.push_back(
+      { bit ? 0 : p, static_cast<std::uint16_t>(bit ? p : 65536 - p), BitModel::Bits });
     model.Update(bit);
     return bit;
+  }
+
+  unsigned Symbol(SymbolModel& model, unsigned symbol)
+  {
+    this->Parts.push_back({ model.GetStart(symbol),
+      static_cast<std::uint16_t>(model.GetWidth(symbol)), SymbolModel::Bits });
+    model.Update(symbol);
+    return symbol;
   }
 
   /** The low count bits of value as they are; count from 0 to 64. */
@@ -83,7 +171,15 @@ public:
   Bytes Finish();
 
 private:
-  std::vector<std::uint32_t> Decisions;
+  /** The part of 2^Bits that stands for what was decided. */
+  struct Part
+  {
+    std::uint32_t Start;
+    std::uint16_t Width;
+    std::uint16_t Bits;
+  };
+
+  std::vector<Part> Parts;
   Bytes RawBytes;
   std::uint64_t Pending = 0;
   unsigned PendingBits = 0;
@@ -115,6 +211,20 @@ public:
     return bit;
   }
 
+  GATUN_INLINE unsigned Symbol(SymbolModel& model, unsigned = 0)
+  {
+    const auto slot = static_cast<std::uint32_t>(this->State) & ((1u << SymbolModel::Bits) - 1);
+    const unsigned symbol = model.Find(slot);
+    this->State =
+      model.GetWidth(symbol) * (this->State >> SymbolModel::Bits) + slot - model.GetStart(symbol);
+    if (this->State < (std::uint64_t{ 1 } << 32))
+    {
+      this->Refill();
+    }
+    model.Update(symbol);
+    return symbol;
+  }
+
   std::uint64_t Raw(std::uint64_t, unsigned count)
   {
     if (count > 32)
@@ -141,28 +251,21 @@ private:
     this->State = (this->State << 32) | word;
   }
 
+  /** At most 32 bits. */
   std::uint64_t Take(unsigned count)
   {
-    while (this->PendingBits < count)
+    if (this->RawEnd - this->RawNext >= 8)
     {
-      std::uint32_t word = 0;
-      const auto left = this->RawEnd - this->RawNext;
-      if (left >= 4)
-      {
-        std::memcpy(&word, this->RawNext, 4);
-        this->RawNext += 4;
-      }
-      else
-      {
-        std::memcpy(&word, this->RawNext, static_cast<std::size_t>(left));
-        this->RawNext = this->RawEnd;
-        if (left == 0)
-        {
-          ThrowEnd();
-        }
-      }
-      this->Pending |= static_cast<std::uint64_t>(word) << this->PendingBits;
-      this->PendingBits += 32;
+      // Fills up to at least 56 bits without a branch.
+      std::uint64_t next = 0;
+      std::memcpy(&next, this->RawNext, 8);
+      this->Pending |= next << this->PendingBits;
+      this->RawNext += (63 - this->PendingBits) >> 3;
+      this->PendingBits |= 56;
+    }
+    else
+    {
+      this->FillAtEnd(count);
     }
     const std::uint64_t value = this->Pending & ((std::uint64_t{ 1 } << count) - 1);
     this->Pending >>= count;
@@ -170,6 +273,7 @@ private:
     return value;
   }
 
+  void FillAtEnd(unsigned count);
   [[noreturn]] static void ThrowEnd();
 
   std::uint64_t State = 0;

@@ -4,7 +4,11 @@
 
 // The open surface between the tetrahedra that a walk has visited and those it has not.
 
+#include "gatunInline.h"
+
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -14,211 +18,171 @@ namespace gatun
 /** Index of a vertex in the order in which the walk first met it. */
 using Vertex = std::uint32_t;
 
+constexpr Vertex NoVertex = 0xffffffff;
+
+/** The side of a triangle after one, opposite to the next corner. */
+constexpr unsigned NextSide(unsigned side)
+{
+  return (0x09u >> (2 * side)) & 3u;
+}
+
+/** The side of a triangle before one. */
+constexpr unsigned LastSide(unsigned side)
+{
+  return (0x12u >> (2 * side)) & 3u;
+}
+
 /**
- * Open faces in the order of their creation and the edges they lie on. A face is a triangle seen
- * from outside the visited part, with Apex the fourth corner of the tetrahedron behind it.
+ * What lies over a side of an open face: a side of another open face, or the border, of which the
+ * far corner of the face that ended there is known. Also the number of visited tetrahedra there.
+ */
+class Link
+{
+public:
+  static constexpr unsigned MostTets = 7; // more count as so many
+
+  Link() = default;
+
+  static Link ToSide(std::uint32_t face, unsigned side) { return Link(face << 2 | side); }
+  static Link ToBorder(Vertex far) { return Link(BorderBit | far << 2); }
+
+  Link WithTets(unsigned tets) const
+  {
+    return Link((this->Bits & ~(7u << TetsShift)) | std::min(tets, MostTets) << TetsShift);
+  }
+
+  bool IsBorder() const { return (this->Bits & BorderBit) != 0; }
+  unsigned GetTets() const { return this->Bits >> TetsShift & 7; }
+  std::uint32_t GetFace() const { return (this->Bits & Mask) >> 2; }
+  unsigned GetSide() const { return this->Bits & 3; }
+  Vertex GetBorderFar() const { return (this->Bits & Mask) >> 2; }
+
+private:
+  static constexpr std::uint32_t BorderBit = 0x80000000u;
+  static constexpr unsigned TetsShift = 28;
+  static constexpr std::uint32_t Mask = (1u << TetsShift) - 1;
+
+  explicit Link(std::uint32_t bits)
+    : Bits(bits)
+  {
+  }
+
+  std::uint32_t Bits = 0;
+};
+
+/**
+ * Open faces in the order of their creation. A face is a triangle seen from outside the visited
+ * part, with Apex the fourth corner of the tetrahedron behind it. Over each of its sides lies
+ * exactly one other open face, or the border; where the front touches itself in an edge, its faces
+ * there are linked in pairs.
  *
  * Faces wait in a ring, so that memory follows the size of the front and not of the mesh.
- * An edge lives as long as an open face lies on it. Both fill half a cache line.
  */
 class Front
 {
 public:
-  static constexpr unsigned MaxFacesOnEdge = 4;
   static constexpr std::uint32_t None = 0xffffffff;
 
   struct alignas(32) Face
   {
     std::array<Vertex, 3> Corners;
     Vertex Apex;
-    std::array<std::uint32_t, 3> Edges; // Edges[i] joins Corners[i] and Corners[(i + 1) % 3]
-    std::uint32_t Open;                 // 0: closed, else 1 + the tetrahedron behind it
+    std::array<Link, 3> Over; // the side opposite to the corner of the same number
+    std::uint32_t Open;       // 0: closed, else 1 + the tetrahedron behind it
   };
 
-  struct alignas(32) Edge
+  Front()
+    : Faces(1024)
+    , Mask(1023)
   {
-    std::array<Vertex, 2> Ends;                      // ascending
-    std::array<std::uint32_t, MaxFacesOnEdge> Faces; // open ones, oldest first, then None
-    Vertex BorderFar;        // far corner of the last border face here, or None
-    std::uint32_t Tets : 8;  // visited tetrahedra with this edge, at most 255
-    std::uint32_t Open : 24; // open faces on this edge, listed or not
-  };
-
-  Front();
+  }
 
   /** The oldest open face, or None. */
   std::uint32_t NextGate()
   {
-    while (this->Head != this->Tail)
+    // Four at a time, as there is no telling which are closed. Those behind the last are.
+    while (this->Head < this->Tail)
     {
-      if (this->GetFace(this->Head).Open)
+      const unsigned open = this->IsOpen(this->Head) | this->IsOpen(this->Head + 1) << 1 |
+        this->IsOpen(this->Head + 2) << 2 | this->IsOpen(this->Head + 3) << 3;
+      if (open != 0)
       {
+        this->Head += static_cast<std::uint32_t>(std::countr_zero(open));
         return this->Head;
       }
-      ++this->Head;
+      this->Head = std::min(this->Head + 4, this->Tail);
     }
     return None;
   }
 
-  Face& GetFace(std::uint32_t id) { return this->Faces[id & this->FaceMask]; }
-  Edge& GetEdge(std::uint32_t id) { return this->Edges[id]; }
+  Face& GetFace(std::uint32_t id) { return this->Faces[id & this->Mask]; }
+  const Face& GetFace(std::uint32_t id) const { return this->Faces[id & this->Mask]; }
 
-  /** The first open face on an edge that is not this one, or None. */
-  static std::uint32_t GetOther(const Edge& edge, std::uint32_t face)
+  /** From now on up to four faces can be added without moving those that there are. */
+  void MakeRoom()
   {
-    return edge.Faces[edge.Faces[0] == face];
-  }
-
-  /** The corner of a face opposite to an edge of it. */
-  static Vertex GetFar(const Face& face, const Edge& edge)
-  {
-    const auto& c = face.Corners;
-    // The corners' exclusive or with the ends leaves the third one, whatever the order.
-    return c[0] ^ c[1] ^ c[2] ^ edge.Ends[0] ^ edge.Ends[1];
-  }
-
-  std::uint32_t FindEdge(Vertex a, Vertex b) const
-  {
-    const auto ends = Sorted(a, b);
-    const auto tag = Hash(ends);
-    for (auto at = tag & this->SlotMask;; at = (at + 1) & this->SlotMask)
+    if (this->Tail - this->Head + 4 > this->Faces.size())
     {
-      const auto& slot = this->Slots[at];
-      if (slot.Edge == None || (slot.Tag == tag && this->Edges[slot.Edge].Ends == ends))
-      {
-        return slot.Edge;
-      }
+      this->Grow();
     }
   }
 
-  std::uint32_t AddEdge(Vertex a, Vertex b)
+  /** Adds a face that is not linked yet. */
+  std::uint32_t AddFace(const std::array<Vertex, 3>& corners, Vertex apex, std::uint32_t tet)
   {
-    if (2 * (this->LiveEdges + 1) > this->Slots.size())
-    {
-      this->GrowSlots();
-    }
-    if (this->FreeEdges.empty())
-    {
-      this->FreeEdges.push_back(static_cast<std::uint32_t>(this->Edges.size()));
-      this->Edges.emplace_back();
-    }
-    const auto id = this->FreeEdges.back();
-    this->FreeEdges.pop_back();
-    const auto ends = Sorted(a, b);
-    this->Edges[id] = { ends, { None, None, None, None }, None, 0, 0 };
-    this->Insert(Hash(ends), id);
-    ++this->LiveEdges;
+    const auto id = this->Tail++;
+    this->GetFace(id) = { corners, apex, {}, tet + 1 };
     return id;
   }
 
-  void AddFace(const std::array<Vertex, 3>& corners, Vertex apex,
-    const std::array<std::uint32_t, 3>& edges, std::uint32_t tet)
+  /** Links two sides, of which one may be the border, over an edge with so many tetrahedra. */
+  GATUN_INLINE void Connect(Link a, Link b, unsigned tets)
   {
-    if (this->Tail - this->Head == this->Faces.size())
+    a = a.WithTets(tets);
+    b = b.WithTets(tets);
+    if (!a.IsBorder())
     {
-      this->GrowFaces();
+      this->GetFace(a.GetFace()).Over[a.GetSide()] = b;
     }
-    const auto id = this->Tail++;
-    this->GetFace(id) = { corners, apex, edges, tet + 1 };
-    for (const auto e : edges)
+    if (!b.IsBorder())
     {
-      auto& edge = this->Edges[e];
-      ++edge.Open;
-      auto& f = edge.Faces;
-      const unsigned listed =
-        unsigned{ f[0] != None } + unsigned{ f[1] != None } + unsigned{ f[2] != None };
-      f[listed] = listed < 3 || f[3] == None ? id : f[3];
+      this->GetFace(b.GetFace()).Over[b.GetSide()] = a;
     }
   }
 
-  /** Closes a face. Edges without open faces stay until DropIfBare is called for them. */
-  void CloseFace(std::uint32_t id)
+  /** Closes the oldest face as one that has nothing behind it. */
+  void CloseAtBorder(const Face& face)
   {
-    auto& face = this->GetFace(id);
-    face.Open = 0;
-    for (const auto e : face.Edges)
+    for (unsigned i = 0; i < 3; ++i)
     {
-      auto& edge = this->Edges[e];
-      --edge.Open;
-      auto& f = edge.Faces;
-      if (f[2] == None)
-      {
-        f[0] = f[0] == id ? f[1] : f[0];
-        f[1] = f[1] == id || f[1] == f[0] ? None : f[1];
-        continue;
-      }
-      bool found = false;
-      for (unsigned i = 0; i < MaxFacesOnEdge; ++i)
-      {
-        found = found || f[i] == id;
-        f[i] = !found ? f[i] : i + 1 < MaxFacesOnEdge ? f[i + 1] : None;
-      }
+      this->Connect(face.Over[i], Link::ToBorder(face.Corners[i]), face.Over[i].GetTets());
     }
   }
 
-  void DropIfBare(std::uint32_t id)
-  {
-    if (this->Edges[id].Open == 0 && this->Edges[id].Ends[1] != None)
-    {
-      this->DropEdge(id);
-    }
-  }
-
-  /** Number of the edges, some of them dead (their ends are None), for searches over all. */
-  std::size_t GetEdgeBound() const { return this->Edges.size(); }
-
-  /** Brings a gate that comes soon near the processor. */
-  void Prefetch(std::uint32_t gate)
+  /** Brings what lies around a gate that comes soon near the processor. */
+  void Prefetch(std::uint32_t gate) const
   {
 #if defined(__GNUC__)
-    for (const auto e : this->GetFace(gate).Edges)
+    for (const auto link : this->GetFace(gate).Over)
     {
-      __builtin_prefetch(&this->Edges[e]);
+      __builtin_prefetch(&this->GetFace(link.GetFace()));
     }
+#else
+    static_cast<void>(gate);
 #endif
   }
 
 private:
-  struct Slot
+  unsigned IsOpen(std::uint32_t id) const
   {
-    std::uint32_t Tag = 0;
-    std::uint32_t Edge = None;
-  };
-
-  static std::array<Vertex, 2> Sorted(Vertex a, Vertex b)
-  {
-    return a < b ? std::array<Vertex, 2>{ a, b } : std::array<Vertex, 2>{ b, a };
+    return this->GetFace(id).Open != 0;
   }
-
-  static std::uint32_t Hash(const std::array<Vertex, 2>& ends)
-  {
-    const std::uint64_t key = (static_cast<std::uint64_t>(ends[0]) << 32) | ends[1];
-    return static_cast<std::uint32_t>((key * 0x9e3779b97f4a7c15u) >> 32);
-  }
-
-  void Insert(std::uint32_t tag, std::uint32_t id)
-  {
-    auto at = tag & this->SlotMask;
-    while (this->Slots[at].Edge != None)
-    {
-      at = (at + 1) & this->SlotMask;
-    }
-    this->Slots[at] = { tag, id };
-  }
-
-  void DropEdge(std::uint32_t id);
-  void GrowFaces();
-  void GrowSlots();
+  void Grow();
 
   std::vector<Face> Faces;
-  std::vector<Edge> Edges;
-  std::vector<std::uint32_t> FreeEdges;
-  std::vector<Slot> Slots;
-  std::uint32_t FaceMask;
-  std::uint32_t SlotMask;
+  std::uint32_t Mask;
   std::uint32_t Head = 0;
   std::uint32_t Tail = 0;
-  std::uint32_t LiveEdges = 0;
 };
 }
 

@@ -49,30 +49,28 @@ KnownNumbers GetNumbers(const GateRecord& record, unsigned component,
   KnownNumbers numbers{};
   for (unsigned k = 0; k < GateRecord::Size; ++k)
   {
-    const Vertex v = record.Known[k];
-    numbers[k] = v != NoVertex ? domain[component].ToNumber(keys[v][component]) : 0;
+    numbers[k] = domain[component].ToNumber(keys[record.Known[k]][component]);
   }
-  FillMissing(record, numbers);
   return numbers;
 }
 }
 
 const PredictionRules& GetGridRules()
 {
-  // Corners a, b, c of the gate, apex, far corners over ab, bc, ca.
+  // Corners a, b, c of the gate, apex, far corners over the sides opposite to a, b, c.
   static const PredictionRules rules{
     { 0, 0, 256, 0, 0, 0, 0 },        // c: a swept coordinate repeats
-    { 256, 0, 0, -256, 0, 256, 0 },   // parallelograms with the far corners
-    { 0, 256, 0, -256, 0, 0, 256 },   //
+    { 256, 0, 0, -256, 256, 0, 0 },   // parallelograms with the far corners
+    { 0, 256, 0, -256, 0, 256, 0 },   //
     { 128, 128, 128, -128, 0, 0, 0 }, // the corner of a parallelepiped beside its kernel
-    { 256, 0, 256, 0, 0, 0, -256 },   //
-    { 0, -256, 0, 0, 256, 256, 0 },   //
-    { 0, 256, 256, 0, 0, -256, 0 },   //
+    { 256, 0, 256, 0, 0, -256, 0 },   //
+    { 0, -256, 0, 0, 256, 0, 256 },   //
+    { 0, 256, 256, 0, -256, 0, 0 },   //
     { 0, 0, 512, -256, 0, 0, 0 },     // a row goes on
-    { -256, 0, 0, 0, 256, 0, 256 },   //
-    { 0, 0, 256, -256, 256, 0, 0 },   //
-    { 0, 0, 0, 0, 256, 0, 0 },        //
-    { 256, 256, 0, 0, -256, 0, 0 },   //
+    { -256, 0, 0, 0, 0, 256, 256 },   //
+    { 0, 0, 256, -256, 0, 0, 256 },   //
+    { 0, 0, 0, 0, 0, 0, 256 },        //
+    { 256, 256, 0, 0, 0, 0, -256 },   //
   };
   return rules;
 }

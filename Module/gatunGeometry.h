@@ -5,6 +5,7 @@
 // Coordinates of own vertices, each predicted from the gate on which it was met.
 
 #include "gatunDomain.h"
+#include "gatunMeasure.h"
 #include "gatunResidual.h"
 #include "gatunTopology.h"
 
@@ -39,17 +40,18 @@ public:
     this->Scale = std::isfinite(scale) ? scale : 0;
   }
 
-  LatticePoint Map(double x, double y, double z) const
+  LatticePoint Map(double x, double y, double z, std::uint32_t users = 0) const
   {
-    return { this->Map(x, 0), this->Map(y, 1), this->Map(z, 2) };
+    return { this->Map(x, 0), this->Map(y, 1), this->Map(z, 2), users };
   }
 
 private:
-  double Map(double value, unsigned axis) const
+  float Map(double value, unsigned axis) const
   {
     const double place = std::floor((value - this->Low[axis]) * this->Scale);
     // The comparisons also send what is not a number to 0.
-    return place > 0 ? (place < 65535.0 ? place : 65535.0) : 0.0;
+    const double bounded = place > 0 ? (place < 65535.0 ? place : 65535.0) : 0.0;
+    return static_cast<float>(bounded) * (1.0F / 256.0F);
   }
 
   std::array<double, 3> Low{ 0, 0, 0 };
@@ -77,25 +79,16 @@ PredictionRules FitRule(std::span<const GateRecord> records, std::span<const Ver
 /** One component of a gate's known vertices. */
 using KnownNumbers = std::array<double, GateRecord::Size>;
 
-/** Missing far corners continue the gate's plane. */
-inline void FillMissing(const GateRecord& record, KnownNumbers& numbers)
-{
-  for (unsigned i = 0; i < 3; ++i)
-  {
-    if (record.Known[4 + i] == NoVertex)
-    {
-      numbers[4 + i] = numbers[i] + numbers[(i + 1) % 3] - numbers[(i + 2) % 3];
-    }
-  }
-}
-
 /** What a rule predicts for one component. */
 inline double ApplyRule(const PredictionRule& rule, const KnownNumbers& numbers)
 {
   double sum = 0;
   for (unsigned k = 0; k < GateRecord::Size; ++k)
   {
-    sum = rule[k] != 0 ? sum + rule[k] * numbers[k] : sum; // what has no weight may be a NaN
+    // What has no weight may be a NaN. Adding the +0 that is put in its place changes nothing.
+    const auto product = std::bit_cast<std::uint64_t>(rule[k] * numbers[k]);
+    const auto mask = std::uint64_t{ 0 } - (rule[k] != 0);
+    sum += std::bit_cast<double>(product & mask);
   }
   return sum * (1.0 / 256.0);
 }
@@ -160,7 +153,7 @@ public:
       {
         ThrowCorrupt("a coordinate is not in the palette");
       }
-      grade = GradeOf(model.LastClass);
+      grade = model.Grade;
     }
     this->Previous = result;
     return result;
@@ -186,18 +179,11 @@ private:
   {
     for (unsigned k = 0; k < GateRecord::Size; ++k)
     {
-      if (record.Known[k] != NoVertex)
+      const auto& numbers = this->Numbers[record.Known[k]];
+      for (unsigned i = 0; i < 3; ++i)
       {
-        const auto& numbers = this->Numbers[record.Known[k]];
-        for (unsigned i = 0; i < 3; ++i)
-        {
-          this->Gathered[i][k] = numbers[i];
-        }
+        this->Gathered[i][k] = numbers[i];
       }
-    }
-    for (auto& numbers : this->Gathered)
-    {
-      FillMissing(record, numbers);
     }
   }
 

@@ -5,10 +5,11 @@
 // How likely a vertex is the fourth corner of the tetrahedron behind a gate, judged by geometry.
 //
 // Every value here steers what the decoder does next, so encoder and decoder must agree to the
-// last bit: IEEE binary64 with + - * / and sqrt in the order written, no contraction. The
+// last bit: IEEE binary32 with + - * / and sqrt in the order written, no contraction. The
 // specification repeats each formula; change both or neither.
 
 #include "gatunInline.h"
+#include "gatunLanes.h"
 
 #include <array>
 #include <bit>
@@ -18,28 +19,69 @@
 
 namespace gatun
 {
-/** A point on the 16-bit lattice of its chunk; the coordinates are whole numbers. */
-struct alignas(32) LatticePoint
+/** A vertex on the lattice of its chunk: multiples of 1/256 from 0 to 255 + 255/256. */
+struct alignas(16) LatticePoint
 {
-  double X = 0, Y = 0, Z = 0;
+  float X = 0, Y = 0, Z = 0;
+
+  /** Bit i: the i-th neighbour chunk uses it too, bit 31 for all from there; 0: it is own. */
+  std::uint32_t Users = 0;
 };
 
 struct Vec3
 {
-  double X, Y, Z;
+  float X, Y, Z;
 };
 
-inline Vec3 operator-(const LatticePoint& a, const LatticePoint& b)
+GATUN_INLINE Vec3 operator-(const LatticePoint& a, const LatticePoint& b)
 {
   return { a.X - b.X, a.Y - b.Y, a.Z - b.Z };
 }
 
-inline double Dot(const Vec3& a, const Vec3& b)
+GATUN_INLINE float Dot(const Vec3& a, const Vec3& b)
 {
   return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
 }
 
-inline Vec3 Cross(const Vec3& a, const Vec3& b)
+GATUN_INLINE Vec3 Cross(const Vec3& a, const Vec3& b)
+{
+  return { a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X };
+}
+
+/** Four vectors, a lane each. */
+struct Vec3x4
+{
+  Float4 X, Y, Z;
+};
+
+GATUN_INLINE Vec3x4 Gather(
+  const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& d)
+{
+  return { Float4{ a.X, b.X, c.X, d.X }, Float4{ a.Y, b.Y, c.Y, d.Y },
+    Float4{ a.Z, b.Z, c.Z, d.Z } };
+}
+
+GATUN_INLINE Vec3x4 Splat(const Vec3& v)
+{
+  return { Splat(v.X), Splat(v.Y), Splat(v.Z) };
+}
+
+GATUN_INLINE Vec3x4 Splat(const LatticePoint& p)
+{
+  return { Splat(p.X), Splat(p.Y), Splat(p.Z) };
+}
+
+GATUN_INLINE Vec3x4 operator-(const Vec3x4& a, const Vec3x4& b)
+{
+  return { a.X - b.X, a.Y - b.Y, a.Z - b.Z };
+}
+
+GATUN_INLINE Float4 Dot(const Vec3x4& a, const Vec3x4& b)
+{
+  return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
+}
+
+GATUN_INLINE Vec3x4 Cross(const Vec3x4& a, const Vec3x4& b)
 {
   return { a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X };
 }
@@ -52,14 +94,16 @@ enum class Ranking : std::uint8_t
 };
 
 /** The rank of what is not in front of the gate. */
-constexpr double NeverRank = std::numeric_limits<double>::infinity();
+constexpr float NeverRank = std::numeric_limits<float>::infinity();
 
 /** The plane of a gate. */
 class GatePlane
 {
 public:
-  GatePlane(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c)
+  GATUN_INLINE GatePlane(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c)
     : A(a)
+    , B(b)
+    , C(c)
     , U(b - a)
     , V(c - a)
     , Normal(Cross(U, V))
@@ -67,39 +111,45 @@ public:
   {
   }
 
-  /** Times the length of the normal; exact, as lattice coordinates have 16 bits. */
-  double GetHeight(const LatticePoint& d) const { return Dot(d - this->A, this->Normal); }
-
   /**
-   * Minus the squared cosine of the dihedral angle at the gate's edge from s to e, with the sign of
-   * the cosine: -1 for an angle of 0, 1 for 180 degrees.
+   * For the far vertices over the edges opposite to the corners a, b, c: minus the squared cosine
+   * of the dihedral angle at the edge, with the sign of the cosine: -1 for 0, 1 for 180 degrees.
    */
-  double GetAngle(const LatticePoint& d, const LatticePoint& s, const LatticePoint& e) const
+  GATUN_INLINE Float4 GetAngles(const Vec3x4& far) const
   {
-    const Vec3 p = d - s;
-    const double height = Dot(p, this->Normal);
-    if (!(height > 0))
-    {
-      return NeverRank;
-    }
-    const Vec3 edge = e - s;
-    const double inward = Dot(p, Cross(this->Normal, edge));
-    const double square = inward * inward;
-    const double angle = square / (square + height * height * Dot(edge, edge));
-    return inward < 0 ? angle : -angle;
+    const auto start = Gather(this->B, this->C, this->A, this->A);
+    const auto edge = Gather(this->C, this->A, this->B, this->A) - start;
+    const auto normal = Splat(this->Normal);
+    const auto p = far - start;
+    const auto height = Dot(p, normal);
+    const auto inward = Dot(p, Cross(normal, edge));
+    const auto square = inward * inward;
+    const auto angle = square / (square + height * height * Dot(edge, edge));
+    const auto zero = Splat(0.0F);
+    return SelectGreater(
+      height, zero, SelectGreater(zero, inward, angle, zero - angle), Splat(NeverRank));
+  }
+
+  /** The ranks given of those places that lie in front of the gate. */
+  GATUN_INLINE Float4 SelectInFront(const Vec3x4& places, Float4 ranks) const
+  {
+    const auto height = Dot(places - Splat(this->A), Splat(this->Normal));
+    return SelectGreater(height, Splat(0.0F), ranks, Splat(NeverRank));
   }
 
   /** Whether d lies within about 6 degrees of the plane, as seen from the gate's corner s. */
   bool IsCoplanar(const LatticePoint& d, const LatticePoint& s) const
   {
     const Vec3 p = d - s;
-    const double height = Dot(p, this->Normal);
-    return height * height < 0.01 * (this->NormalSquared * Dot(p, p));
+    const float height = Dot(p, this->Normal);
+    return height * height < 0.01F * (this->NormalSquared * Dot(p, p));
   }
 
-  const LatticePoint A;
+  const LatticePoint& A;
+  const LatticePoint& B;
+  const LatticePoint& C;
   const Vec3 U, V, Normal;
-  const double NormalSquared;
+  const float NormalSquared;
 };
 
 /** The circumcircle of a gate. All that is not finite in here comes with heights of 0. */
@@ -109,10 +159,10 @@ public:
   GATUN_INLINE explicit GateCircle(const GatePlane& plane)
   {
     const Vec3 w{ plane.V.X - plane.U.X, plane.V.Y - plane.U.Y, plane.V.Z - plane.U.Z };
-    const double uu = Dot(plane.U, plane.U);
-    const double vv = Dot(plane.V, plane.V);
-    const double sides = uu * vv * Dot(w, w);
-    const double inverse = 1.0 / plane.NormalSquared;
+    const float uu = Dot(plane.U, plane.U);
+    const float vv = Dot(plane.V, plane.V);
+    const float sides = uu * vv * Dot(w, w);
+    const float inverse = 1.0F / plane.NormalSquared;
     const Vec3 p = Cross(plane.V, plane.Normal);
     const Vec3 q = Cross(plane.Normal, plane.U);
     this->Centre = { (uu * p.X + vv * q.X) * inverse, (uu * p.Y + vv * q.Y) * inverse,
@@ -123,28 +173,28 @@ public:
 
   /**
    * Twice the signed distance from the gate's circumcentre to the centre of the sphere through the
-   * gate and d, over the length of the normal.
+   * gate and each of four places, over the length of the normal.
    */
-  GATUN_INLINE double GetSphere(const GatePlane& plane, const LatticePoint& d) const
+  GATUN_INLINE Float4 GetSpheres(const GatePlane& plane, const Vec3x4& places) const
   {
-    const Vec3 p = d - plane.A;
-    const double height = Dot(p, plane.Normal);
-    const double distance = Dot(p, p) - Dot(p, this->Centre);
-    return height > 0 ? distance / height : NeverRank;
+    const auto p = places - Splat(plane.A);
+    const auto height = Dot(p, Splat(plane.Normal));
+    const auto distance = Dot(p, p) - Dot(p, Splat(this->Centre));
+    return SelectGreater(height, Splat(0.0F), distance / height, Splat(NeverRank));
   }
 
   /** Twice the vector from the gate's first corner to the circumcentre. */
   Vec3 Centre;
 
-  /** Makes a rank of GetSphere a multiple of the radius. */
-  double Unit;
-  double FourRadiusSquared;
+  /** Makes a rank of GetSpheres a multiple of the radius. */
+  float Unit;
+  float FourRadiusSquared;
 };
 
 /** The exponent of a positive number: 2^result <= value < 2^(result + 1). */
-inline int GetExponent(double value)
+inline int GetExponent(float value)
 {
-  return static_cast<int>(std::bit_cast<std::uint64_t>(value) >> 52 & 0x7ff) - 1023;
+  return static_cast<int>(std::bit_cast<std::uint32_t>(value) >> 23 & 0xff) - 127;
 }
 }
 

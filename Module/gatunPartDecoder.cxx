@@ -66,17 +66,6 @@ std::uint64_t BytesOf(const ChunkMesh& mesh)
     BytesIn(mesh.UsedRules) + BytesIn(mesh.Context.OwnIds);
 }
 
-std::uint64_t BytesOf(const NeighbourFit& fit, std::size_t ownVertices)
-{
-  std::uint64_t neighbours = 0;
-  for (std::size_t own = 0; own < ownVertices; ++own)
-  {
-    neighbours += fit.Of(own).size();
-  }
-  return sizeof(fit) + (ownVertices + 1) * sizeof(std::uint32_t) +
-    neighbours * sizeof(NeighbourFit::Neighbour);
-}
-
 template <typename Part>
 std::shared_ptr<const Part> KeepIn(
   ChunkCache::Internals& cache, const PartKey& key, std::shared_ptr<const Part> part)
@@ -243,7 +232,7 @@ std::shared_ptr<const NeighbourFit> PartDecoder::GetFit(
     }
   }
   auto fit = std::make_shared<const NeighbourFit>(mesh.Walk, places);
-  this->Kept().Keep(key, fit, BytesOf(*fit, mesh.Walk.Records.size()));
+  this->Kept().Keep(key, fit, sizeof(*fit) + fit->GetBytes());
   return fit;
 }
 

@@ -15,79 +15,87 @@ namespace gatun
 class ResidualModel
 {
 public:
-  static constexpr int Classes = 32;
-  static constexpr int ClassOfSpread = 20; // of a residual as long as the spread
-
   /**
-   * Codes a residual: whether it is 0, its sign, its length in bits relative to spread (the length
-   * of a typical difference), its second bit, and the rest as it is. Returns the residual.
+   * Codes a residual: its length in bits relative to spread (the length of a typical difference),
+   * its sign, its second bit, and the rest as it is. Returns the residual.
    */
   template <typename Coder>
   std::int64_t Code(Coder& coder, unsigned spread, std::int64_t residual)
   {
-    if (coder.Bit(this->Zero, residual == 0))
+    std::uint64_t magnitude = static_cast<std::uint64_t>(residual);
+    magnitude = residual < 0 ? 0 - magnitude : magnitude;
+    const auto length = this->CodeLength(
+      coder, static_cast<int>(spread), static_cast<int>(std::bit_width(magnitude)));
+    if (length == 0)
     {
-      this->LastClass = -1;
+      this->Grade = 0;
       return 0;
     }
-    const bool negative = coder.Bit(this->Sign, residual < 0);
-    std::uint64_t magnitude = static_cast<std::uint64_t>(residual);
-    if (Coder::Encoding && negative)
+    const auto relative = static_cast<int>(length) - static_cast<int>(spread);
+    this->Grade = relative < -7 ? 1 : relative < -3 ? 2 : 3;
+    const std::uint64_t sign = coder.Bit(this->Sign, residual < 0);
+    magnitude = this->CodeMagnitude(coder, length, magnitude);
+    // Its two's complement, without a branch, as signs are as good as random.
+    return static_cast<std::int64_t>((magnitude ^ (0 - sign)) + sign);
+  }
+
+  /** How well the residual last coded was predicted, from 0 (it was 0) to 3. */
+  unsigned Grade = 0;
+
+private:
+  // Symbols of Near: 0 is a residual of 0, 1 to 14 are lengths around the spread, 15 is all else;
+  // of Far: 0 is a length as it is, 1 to 15 are lengths far below the spread.
+  static constexpr int NearShift = 12;
+  static constexpr int FarShift = 27;
+  static constexpr unsigned Escape = SymbolModel::Symbols - 1;
+
+  template <typename Coder>
+  unsigned CodeLength(Coder& coder, int spread, int length)
+  {
+    int symbol = length - spread + NearShift;
+    symbol = length == 0 ? 0 : symbol >= 1 && symbol < static_cast<int>(Escape) ? symbol : Escape;
+    const auto near = coder.Symbol(this->Near, static_cast<unsigned>(symbol));
+    this->SecondOf = near;
+    if (near == 0)
     {
-      magnitude = 0 - magnitude;
+      return 0;
     }
-    auto length = static_cast<unsigned>(std::bit_width(magnitude));
-    const auto relative = static_cast<int>(length) - static_cast<int>(spread) + ClassOfSpread;
-    const auto wanted = static_cast<unsigned>(std::clamp(relative, 0, Classes - 1));
-    unsigned node = 1;
-    for (int level = 4; level >= 0; --level)
+    int coded = static_cast<int>(near) + spread - NearShift;
+    if (near == Escape)
     {
-      node = 2 * node + coder.Bit(this->Tree[node], (wanted >> level) & 1);
+      symbol = length - spread + FarShift;
+      symbol = symbol >= 1 && symbol < static_cast<int>(SymbolModel::Symbols) ? symbol : 0;
+      const auto far = coder.Symbol(this->Far, static_cast<unsigned>(symbol));
+      coded = far != 0 ? static_cast<int>(far) + spread - FarShift
+                       : static_cast<int>(coder.Raw(static_cast<unsigned>(length), 7));
+      this->SecondOf = Escape + far;
     }
-    const unsigned size = node - Classes;
-    if (size == 0 || size == Classes - 1)
-    {
-      length = static_cast<unsigned>(coder.Raw(length, 7));
-    }
-    else if (!Coder::Encoding)
-    {
-      length = size + spread - ClassOfSpread;
-    }
-    if (!Coder::Encoding && (length < 1 || length > 64))
+    if (coded < 1 || coded > 64)
     {
       ThrowCorrupt("a residual has an impossible length");
     }
-    this->LastClass = static_cast<int>(size);
-    if (length >= 2)
-    {
-      const unsigned low = length - 2;
-      const std::uint64_t second =
-        coder.Bit(this->Second[size], (magnitude >> low) & 1) ? std::uint64_t{ 1 } << low : 0;
-      const std::uint64_t rest = coder.Raw(magnitude & ((std::uint64_t{ 1 } << low) - 1), low);
-      magnitude = (std::uint64_t{ 1 } << (length - 1)) | second | rest;
-    }
-    else
-    {
-      magnitude = 1;
-    }
-    return static_cast<std::int64_t>(negative ? 0 - magnitude : magnitude);
+    return static_cast<unsigned>(coded);
   }
 
-  /** Class of the residual last coded, -1 if it was 0. */
-  int LastClass = -1;
+  template <typename Coder>
+  std::uint64_t CodeMagnitude(Coder& coder, unsigned length, std::uint64_t magnitude)
+  {
+    if (length == 1)
+    {
+      return 1;
+    }
+    const unsigned low = length - 2;
+    const std::uint64_t second = coder.Bit(this->Second[this->SecondOf], (magnitude >> low) & 1);
+    const std::uint64_t rest = coder.Raw(magnitude & ((std::uint64_t{ 1 } << low) - 1), low);
+    return (std::uint64_t{ 2 } | second) << low | rest;
+  }
 
-private:
-  BitModel Zero;
+  SymbolModel Near;
   BitModel Sign;
-  std::array<BitModel, Classes> Tree;
-  std::array<BitModel, Classes> Second;
+  unsigned SecondOf = 0;
+  std::array<BitModel, 2 * SymbolModel::Symbols> Second;
+  SymbolModel Far;
 };
-
-/** Four grades of LastClass, which tell how well the next component may be predicted. */
-inline unsigned GradeOf(int lastClass)
-{
-  return lastClass < 0 ? 0 : lastClass < 13 ? 1 : lastClass < 17 ? 2 : 3;
-}
 }
 
 #endif

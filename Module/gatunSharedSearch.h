@@ -4,11 +4,12 @@
 
 #include "gatunGate.h"
 #include "gatunMeasure.h"
-#include "gatunTopology.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -19,23 +20,75 @@ class SharedSearch
 {
 public:
   static constexpr unsigned Most = 8;
-  static constexpr unsigned Patience = 1024; // cells and vertices looked at in a search
+  static constexpr std::uint32_t Patience = 512; // vertices looked at in a search, nearly
 
   struct Hits
   {
     std::array<RankedVertex, Most> List; // Id is the index of a shared vertex
     unsigned Count = 0;
+
+    /** The rank that a vertex must be below to be among the best. */
+    float GetBound() const { return this->Count < Most ? NeverRank : this->List[Most - 1].Rank; }
+
+    void Add(const RankedVertex& hit)
+    {
+      unsigned at = this->Count < Most ? this->Count++ : Most - 1;
+      for (; at > 0 && hit.Rank < this->List[at - 1].Rank; --at)
+      {
+        this->List[at] = this->List[at - 1];
+      }
+      this->List[at] = hit;
+    }
   };
 
-  explicit SharedSearch(std::span<const SharedVertex> vertices);
+  explicit SharedSearch(std::span<const LatticePoint> vertices);
 
   /**
-   * The vertices in front of the gate a, b, c whose distance to its centroid is at most reach times
-   * its longest edge: the Most nearest, the nearest first. The search goes outwards over the cells
-   * of a grid and gives up, with what it has, when it runs out of patience.
+   * The vertices in front of a gate whose distance to its centroid is at most reach times its
+   * longest side: the Most best by getRanks(places, squared distances), the best first. The search
+   * goes over the cells of a grid row by row and gives up, with what it has, when it runs out of
+   * patience.
    */
-  Hits Find(const GatePlane& plane, const LatticePoint& a, const LatticePoint& b,
-    const LatticePoint& c, double reach) const;
+  template <typename GetRanks>
+  Hits Find(const GatePlane& plane, float reach, GetRanks&& getRanks) const
+  {
+    const Area area(*this, plane, reach);
+    Hits hits;
+    std::uint32_t patience = Patience;
+    for (unsigned i = 0; i < area.CountOf(2); ++i)
+    {
+      const auto z = area.Outwards(2, i);
+      for (unsigned j = 0; j < area.CountOf(1); ++j)
+      {
+        const auto row = ((z << this->Bits) + area.Outwards(1, j)) << this->Bits;
+        const auto begin = this->CellStart[row + area.Low[0]];
+        const auto end = this->CellStart[row + area.High[0] + 1];
+        for (auto first = begin; first < end; first += 4)
+        {
+          const auto* e = &this->Entries[first];
+          const auto places = Gather(e[0], e[1], e[2], e[3]);
+          const auto distances = area.GetDistances(places);
+          const auto ranks = SelectGreater(
+            distances, Splat(area.Limit), Splat(NeverRank), getRanks(places, distances));
+          if (Least(ranks) < hits.GetBound())
+          {
+            for (unsigned lane = 0; lane < 4 && first + lane < end; ++lane)
+            {
+              if (ranks[lane] < hits.GetBound())
+              {
+                hits.Add({ ranks[lane], e[lane].Users });
+              }
+            }
+          }
+          if (--patience == 0)
+          {
+            return hits;
+          }
+        }
+      }
+    }
+    return hits;
+  }
 
   void Remove(std::uint32_t index);
   bool IsGone(std::uint32_t index) const { return this->PlaceOf[index] == Gone; }
@@ -43,36 +96,53 @@ public:
 private:
   static constexpr std::uint32_t Gone = 0xffffffffu;
 
-  struct Entry
+  /** The cells that a search goes through. */
+  struct Area
   {
-    LatticePoint Place;
-    std::uint32_t Index; // Gone when met
+    Area(const SharedSearch& search, const GatePlane& plane, float reach);
+
+    Float4 GetDistances(const Vec3x4& places) const
+    {
+      const auto d = places - Splat(this->Centre);
+      return Dot(d, d);
+    }
+
+    unsigned CountOf(unsigned axis) const { return this->High[axis] - this->Low[axis] + 1; }
+
+    /** The i-th cell along an axis: from the middle one outwards, one to each side in turn. */
+    unsigned Outwards(unsigned axis, unsigned i) const
+    {
+      const auto low = this->Low[axis];
+      const auto high = this->High[axis];
+      const auto middle = (low + high) / 2;
+      return i % 2 == 0 ? middle - i / 2 : middle + (i + 1) / 2;
+    }
+
+    Vec3 Centre;
+    float Limit; // of the squared distance
+    std::array<unsigned, 3> Low, High;
   };
 
-  int CellOf(double coordinate) const
+  unsigned CellOf(float coordinate) const
   {
-    return static_cast<int>(static_cast<unsigned>(coordinate) >> this->Shift);
-  }
-
-  std::size_t CellOf(int x, int y, int z) const
-  {
-    const auto count = static_cast<std::size_t>(this->Count);
-    return (static_cast<std::size_t>(z) * count + static_cast<std::size_t>(y)) * count +
-      static_cast<std::size_t>(x);
+    const auto count = 1 << this->Bits;
+    const auto cell = static_cast<int>(coordinate * this->CellsPerUnit);
+    return static_cast<unsigned>(std::clamp(cell, 0, count - 1));
   }
 
   std::size_t CellOf(const LatticePoint& p) const
   {
-    return this->CellOf(this->CellOf(p.X), this->CellOf(p.Y), this->CellOf(p.Z));
+    return (((this->CellOf(p.Z) << this->Bits) + this->CellOf(p.Y)) << this->Bits) +
+      this->CellOf(p.X);
   }
 
-  struct Query;
-
   std::vector<std::uint32_t> PlaceOf; // of each vertex its place among the entries
-  std::vector<Entry> Entries;         // by cell, then by index
+
+  /** By cell, then by index, which is in Users; far away when met. Three more at the end. */
+  std::vector<LatticePoint> Entries;
   std::vector<std::uint32_t> CellStart;
-  unsigned Shift = 16;
-  int Count = 1; // cells along each axis
+  unsigned Bits = 0; // of the number of cells along each axis
+  float CellsPerUnit = 1;
 };
 }
 

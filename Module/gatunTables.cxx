@@ -473,23 +473,23 @@ void MeshTable::NumberAll(const MetaTable& meta)
     "the chunks' points do not add up to the mesh's");
 }
 
-std::vector<std::uint64_t> MeshTable::GetSharedUsers(std::size_t chunk) const
+std::vector<std::uint32_t> MeshTable::GetSharedUsers(std::size_t chunk) const
 {
   const auto& entry = this->Chunks[chunk];
   const auto& near = entry.Info.Neighbours;
-  std::vector<std::uint64_t> users;
+  std::vector<std::uint32_t> users;
   users.reserve(static_cast<std::size_t>(entry.Info.SharedPoints));
   for (const auto& part : entry.Shared)
   {
     const auto& group = this->Blocks[part.Block].Groups[part.Group];
-    std::uint64_t mask = 0;
-    // Bit 63 is the last to be set, as the group's chunks and the neighbours ascend.
-    for (auto c = group.Chunks.begin(); c != group.Chunks.end() && mask >> 63 == 0; ++c)
+    std::uint32_t mask = 0;
+    // Bit 31 is the last to be set, as the group's chunks and the neighbours ascend.
+    for (auto c = group.Chunks.begin(); c != group.Chunks.end() && mask >> 31 == 0; ++c)
     {
       if (*c != chunk)
       {
         const auto place = std::lower_bound(near.begin(), near.end(), *c) - near.begin();
-        mask |= std::uint64_t{ 1 } << std::min<std::ptrdiff_t>(place, 63);
+        mask |= 1u << std::min<std::ptrdiff_t>(place, 31);
       }
     }
     users.insert(users.end(), group.Points, mask);

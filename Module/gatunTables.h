@@ -93,8 +93,8 @@ struct MeshTable
   void LinkGroups();
 
   /** Of each shared point of a chunk, in its order, the neighbours that use it too: bit i for the
-   * i-th neighbour, bit 63 for the 64th and all behind it. */
-  std::vector<std::uint64_t> GetSharedUsers(std::size_t chunk) const;
+   * i-th neighbour, bit 31 for the 32nd and all behind it. */
+  std::vector<std::uint32_t> GetSharedUsers(std::size_t chunk) const;
 
   std::uint64_t GetSharedPoints() const;
 

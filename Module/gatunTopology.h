@@ -3,7 +3,6 @@
 #define gatunTopology_h
 
 #include "gatunFront.h"
-#include "gatunMeasure.h"
 
 #include <array>
 #include <cstdint>
@@ -11,12 +10,9 @@
 
 namespace gatun
 {
-constexpr Vertex NoVertex = Front::None;
-
 /**
  * What was known when a walk met an own vertex: the gate's corners, the apex behind it, and the
- * far corners over the gate's three edges. All NoVertex when the vertex began a component; a far
- * corner alone is NoVertex when there is none.
+ * far corners over the gate's three sides. All NoVertex when the vertex began a component.
  */
 struct GateRecord
 {
@@ -47,13 +43,6 @@ struct Topology
   std::vector<std::array<Vertex, 2>> EdgeLog; // every edge that the walk made, in that order
 
   bool IsShared(Vertex v) const { return (this->Sources[v] & SharedFlag) != 0; }
-};
-
-/** What a walk has to know of the vertices that its chunk shares with others. */
-struct SharedVertex
-{
-  LatticePoint Place;
-  std::uint64_t Users = 0; // bit i: used by the i-th neighbour chunk too; bit 63 for all from there
 };
 }
 

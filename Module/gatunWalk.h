@@ -28,7 +28,7 @@ struct WalkInput
 {
   std::uint32_t Tets = 0;
   std::uint32_t OwnVertices = 0;
-  std::span<const SharedVertex> Shared;
+  std::span<const LatticePoint> Shared;
   bool Plain = false; // no gates: every tetrahedron is coded by the ids of its vertices
   std::uint32_t Stop = 0xffffffff; // an encoder that only tries may stop after so many tetrahedra
 };
@@ -56,23 +56,23 @@ public:
     , Input(input)
     , Out(out)
     , Search(input.Shared)
-    , DistantLeft(std::min(8 + input.Tets / 512, 256u))
   {
+    // Sized once, as vectors that grow cost more than the walk itself.
     const auto vertices = std::size_t{ input.OwnVertices } + input.Shared.size();
-    this->Places.reserve(vertices);
-    this->Users.reserve(vertices);
-    this->Stamps.assign(vertices, 0);
-    out.Sources.reserve(vertices);
-    out.Tets.reserve(input.Tets);
-    out.Parents.reserve(input.Tets);
-    out.Records.reserve(input.OwnVertices);
-    out.EdgeLog.reserve(std::size_t{ input.Tets } + input.Tets / 2);
+    const auto tets = std::min(input.Tets, input.Stop);
+    this->Places.resize(vertices);
+    this->Stamps.resize(vertices);
+    out.Sources.resize(vertices);
+    out.Records.resize(input.OwnVertices);
+    out.Tets.resize(tets);
+    out.Parents.resize(tets);
+    out.EdgeLog.resize(tets + tets / 4 + MostNewEdges);
   }
 
   void Run()
   {
-    const auto end = std::min(this->Input.Tets, this->Input.Stop);
-    while (this->Out.Tets.size() < end)
+    const auto end = static_cast<std::uint32_t>(this->Out.Tets.size());
+    while (this->Tets < end)
     {
       const auto gate = this->Input.Plain ? Front::None : this->Open.NextGate();
       if (gate == Front::None)
@@ -84,21 +84,27 @@ public:
         this->GrowOnGate(gate);
       }
     }
-    if (end == this->Input.Tets &&
-      (this->Out.Records.size() != this->Input.OwnVertices ||
-        this->Out.Sources.size() != this->Stamps.size()))
+    this->Out.EdgeLog.resize(this->Edges);
+    if (end < this->Input.Tets)
+    {
+      this->Out.Sources.resize(this->Vertices);
+      this->Out.Records.resize(this->Owns);
+    }
+    else if (this->Owns != this->Input.OwnVertices || this->Vertices != this->Places.size())
     {
       ThrowCorrupt("a chunk's walk does not meet all its vertices");
     }
   }
 
 private:
-  static constexpr unsigned MaxFan = 32;     // faces visited around a corner in one direction
-  static constexpr unsigned MaxRing = 15;    // ring vertices that can be named
-  static constexpr unsigned MaxDistant = 15; // front vertices that can be named
+  static constexpr unsigned MaxFan = 32;  // faces visited around a corner in one sense
+  static constexpr unsigned MaxRing = 15; // ring vertices that can be named
+
+  // By the sides of the gate; other orders cost grids some bits.
+  static constexpr std::array<unsigned, 3> OrderOfFaces{ 2, 0, 1 };
 
   // How far shared vertices are looked for, in longest edges: grids are often much stretched.
-  static constexpr double SearchReach = Rule == Ranking::Angle ? 4.0 : 2.0;
+  static constexpr float SearchReach = Rule == Ranking::Angle ? 3.0F : 1.25F;
 
   //------------------------------------------------------------------------------------------------
   // Vertices
@@ -110,25 +116,23 @@ private:
       ThrowCorrupt("a walk names a shared vertex that is not there or was met before");
     }
     this->Search.Remove(index);
-    const auto id = static_cast<Vertex>(this->Places.size());
-    this->Places.push_back(this->Input.Shared[index].Place);
-    this->Users.push_back(this->Input.Shared[index].Users);
-    this->Out.Sources.push_back(Topology::SharedFlag | index);
+    const auto id = this->Vertices++;
+    this->Places[id] = this->Input.Shared[index];
+    this->Out.Sources[id] = Topology::SharedFlag | index;
     this->Truth.MeetShared(corner, index);
     return id;
   }
 
   Vertex MeetOwn(unsigned corner, const GateRecord& record)
   {
-    if (this->Out.Records.size() >= this->Input.OwnVertices)
+    if (this->Owns >= this->Input.OwnVertices)
     {
       ThrowCorrupt("a walk meets more vertices than its chunk has");
     }
-    const auto id = static_cast<Vertex>(this->Places.size());
-    this->Out.Sources.push_back(static_cast<std::uint32_t>(this->Out.Records.size()));
-    this->Out.Records.push_back(record);
-    this->Places.push_back(this->Truth.MeetOwn(corner, record));
-    this->Users.push_back(0);
+    const auto id = this->Vertices++;
+    this->Out.Sources[id] = this->Owns;
+    this->Out.Records[this->Owns++] = record;
+    this->Places[id] = this->Truth.MeetOwn(corner, record);
     return id;
   }
 
@@ -158,20 +162,32 @@ private:
     {
       v[i] = this->CodeSeedVertex(i);
     }
-    const auto tet = this->Finish(v, Topology::NoTet);
     const bool degenerate =
       v[0] == v[1] || v[0] == v[2] || v[0] == v[3] || v[1] == v[2] || v[1] == v[3] || v[2] == v[3];
     if (degenerate || this->Input.Plain)
     {
       // One that names a vertex twice has fewer than four faces and stays out of the front.
+      this->Finish(v, Topology::NoTet);
       return;
     }
-    const auto edge = [&](unsigned i, unsigned j) { return this->FindOrAddEdge(v[i], v[j]); };
-    const std::array<std::uint32_t, 3> base{ edge(0, 1), edge(1, 2), edge(2, 0) };
-    const std::array<std::uint32_t, 3> side{ edge(0, 3), edge(1, 3), edge(2, 3) };
-    this->CountTet(base, side);
-    this->Open.AddFace({ v[0], v[2], v[1] }, v[3], { base[2], base[1], base[0] }, tet);
-    this->AddSides({ v[0], v[1], v[2] }, v[3], base, side, tet, NoTwins);
+    const auto tet = this->Finish(v, Topology::NoTet);
+    this->MakeRoom();
+    const auto base = this->Open.AddFace({ v[0], v[2], v[1] }, v[3], tet);
+    Sides sides;
+    for (const unsigned i : OrderOfFaces)
+    {
+      const unsigned side = i > 0 ? 3 - i : 0;
+      this->Raise({ v[0], v[1], v[2] }, i, v[3], tet, Link::ToSide(base, side), sides);
+    }
+    for (unsigned k = 0; k < 3; ++k)
+    {
+      this->LogEdge(v[k], v[NextSide(k)]);
+    }
+    for (unsigned k = 0; k < 3; ++k)
+    {
+      this->LogEdge(v[k], v[3]);
+      this->Open.Connect(sides.Left[k], sides.Right[k], 1);
+    }
   }
 
   Vertex CodeSeedVertex(unsigned corner)
@@ -179,7 +195,7 @@ private:
     const Vertex target = Coder::Encoding ? this->Truth.GetTarget(corner) : NoVertex;
     if (!this->Symbols.Bit(this->Models.SeedNew, target == NoVertex))
     {
-      return this->CodeIndex(target, this->Places.size());
+      return this->CodeIndex(target, this->Vertices);
     }
     if (!this->Symbols.Bit(
           this->Models.SeedShared, Coder::Encoding && this->Truth.IsTargetShared(corner)))
@@ -196,9 +212,8 @@ private:
 
   void GrowOnGate(std::uint32_t id)
   {
-    const auto face = this->Open.GetFace(id);
     this->Open.Prefetch(id + 4);
-    this->Open.CloseFace(id);
+    auto& face = this->Open.GetFace(id);
     bool border = false;
     Vertex target = NoVertex;
     if constexpr (Coder::Encoding)
@@ -207,26 +222,52 @@ private:
       target = border ? NoVertex : this->Truth.GetTarget(3);
     }
 
+    // Most faces whose corners another chunk has, too, are its border with that chunk.
+    const bool isInterface = this->GetUsers(face) != 0;
+    if (isInterface &&
+      this->Symbols.Bit(this->Models.Interface[this->GradeInterface(face)], border))
+    {
+      face.Open = 0;
+      this->Open.CloseAtBorder(face);
+      return;
+    }
+
     // The best candidate first: it is right most of the time.
-    Gate<Rule> gate(this->Open, this->Places, face);
+    const Gate<Rule> gate(this->Open, this->Places, face);
+    face.Open = 0;
     if (gate.HasCandidate() &&
       this->Symbols.Bit(this->Models.Hit(gate), !border && target == gate.GetBest()))
     {
       this->Attach(gate, gate.GetBest());
       return;
     }
-    gate.LookAround(this->Open, this->Places, this->Users);
-    if (this->Symbols.Bit(this->Models.Border(gate), border))
+    if (!isInterface && this->Symbols.Bit(this->Models.Border(gate, this->Places), border))
     {
-      this->CloseAtBorder(face);
+      this->Open.CloseAtBorder(gate.Face);
       return;
     }
-    if (this->Symbols.Bit(this->Models.New(gate), target == NoVertex))
+    if (this->Symbols.Bit(this->Models.New(gate, this->Open, this->Places), target == NoVertex))
     {
-      this->AttachNew(face, this->MeetNew(gate));
+      this->template AttachGlued<0, true>(gate, this->MeetNew(gate));
       return;
     }
     this->Attach(gate, this->CodeKnown(gate, target));
+  }
+
+  /** The other chunks that use all corners of a face. */
+  std::uint32_t GetUsers(const Front::Face& face) const
+  {
+    const auto& c = face.Corners;
+    return this->Places[c[0]].Users & this->Places[c[1]].Users & this->Places[c[2]].Users;
+  }
+
+  unsigned GradeInterface(const Front::Face& face) const
+  {
+    const auto& over = face.Over;
+    const unsigned borders = unsigned{ over[0].IsBorder() } + unsigned{ over[1].IsBorder() } +
+      unsigned{ over[2].IsBorder() };
+    const unsigned apex = (this->GetUsers(face) & this->Places[face.Apex].Users) != 0;
+    return (borders * 27 + GradeTets(face)) * 2 + apex;
   }
 
   //------------------------------------------------------------------------------------------------
@@ -234,32 +275,27 @@ private:
 
   Vertex MeetNew(const Gate<Rule>& gate)
   {
+    const auto isShared = [&](Vertex v) { return unsigned{ this->Places[v].Users != 0 }; };
     const auto& c = gate.Face.Corners;
-    const auto isShared = [&](Vertex v) { return this->Users[v] != 0; };
     const unsigned grade =
-      (isShared(c[0]) + isShared(c[1]) + isShared(c[2])) * 2u + isShared(gate.Face.Apex);
+      (isShared(c[0]) + isShared(c[1]) + isShared(c[2])) * 2 + isShared(gate.Face.Apex);
     if (this->Symbols.Bit(
           this->Models.Shared[grade], Coder::Encoding && this->Truth.IsTargetShared(3)))
     {
       return this->MeetShared(3, this->CodeShared(gate));
     }
-    return this->MeetOwn(3, gate.GetRecord(this->Open));
+    return this->MeetOwn(3, gate.GetRecord());
   }
 
   std::uint32_t CodeShared(const Gate<Rule>& gate)
   {
-    const auto& c = gate.Face.Corners;
     const auto target = Coder::Encoding ? this->Truth.GetTargetShared(3) : 0;
-    auto hits = this->Search.Find(
-      gate.Plane, this->Places[c[0]], this->Places[c[1]], this->Places[c[2]], SearchReach);
-    if constexpr (Rule == Ranking::Sphere)
-    {
-      for (unsigned i = 0; i < hits.Count; ++i)
+    const auto hits = this->Search.Find(gate.Plane, SearchReach,
+      [&](const Vec3x4& places, Float4 distances)
       {
-        hits.List[i].Rank = gate.GetSphere(this->Input.Shared[hits.List[i].Id].Place);
-      }
-      std::sort(hits.List.begin(), hits.List.begin() + hits.Count);
-    }
+        return Rule == Ranking::Sphere ? gate.GetSpheres(places)
+                                       : gate.Plane.SelectInFront(places, distances);
+      });
     for (unsigned i = 0; i < hits.Count; ++i)
     {
       const auto index = hits.List[i].Id;
@@ -273,7 +309,6 @@ private:
 
   Vertex CodeKnown(const Gate<Rule>& gate, Vertex target)
   {
-    this->StampKnown(gate);
     const auto others = gate.GetOthers();
     for (unsigned i = 0; i < others.Count; ++i)
     {
@@ -283,17 +318,10 @@ private:
       }
     }
     this->FillRing(gate);
-    Vertex vertex = this->CodeRank(MaxRing, target, this->Models.RingListed, this->Models.RingRank);
-    if (vertex == NoVertex && this->DistantLeft > 0)
-    {
-      --this->DistantLeft;
-      this->FillDistant(gate);
-      vertex =
-        this->CodeRank(MaxDistant, target, this->Models.DistantListed, this->Models.DistantRank);
-    }
+    Vertex vertex = this->CodeRing(target);
     if (vertex == NoVertex)
     {
-      vertex = this->CodeIndex(target, this->Places.size());
+      vertex = this->CodeIndex(target, this->Vertices);
     }
     const auto& c = gate.Face.Corners;
     if (vertex == c[0] || vertex == c[1] || vertex == c[2])
@@ -303,69 +331,55 @@ private:
     return vertex;
   }
 
-  //------------------------------------------------------------------------------------------------
-  // Lists of vertices farther away
-
   /** Far corners of the open faces around the gate's corners, but for its candidates. */
   void FillRing(const Gate<Rule>& gate)
-  {
-    this->Ring.clear();
-    const auto& face = gate.Face;
-    for (unsigned i = 0; i < 3; ++i)
-    {
-      const auto add = [&](Vertex v) { this->AddToRing(gate, v); };
-      const auto other = face.Edges[(i + 2) % 3];
-      const auto end =
-        TurnAround(this->Open, face.Corners[i], face.Edges[i], Front::None, MaxFan, add);
-      if (end != other)
-      {
-        TurnAround(this->Open, face.Corners[i], other, Front::None, MaxFan, add);
-      }
-    }
-  }
-
-  /** All vertices of the front but those of the gate, its candidates and the ring before. */
-  void FillDistant(const Gate<Rule>& gate)
-  {
-    this->Ring.clear();
-    const auto bound = this->Open.GetEdgeBound();
-    for (std::uint32_t e = 0; e < bound; ++e)
-    {
-      const auto& edge = this->Open.GetEdge(e);
-      if (edge.Open > 0)
-      {
-        this->AddToRing(gate, edge.Ends[0]);
-        this->AddToRing(gate, edge.Ends[1]);
-      }
-    }
-  }
-
-  void StampKnown(const Gate<Rule>& gate)
   {
     ++this->Stamp;
     for (unsigned i = 0; i < 3; ++i)
     {
       this->Stamps[gate.Face.Corners[i]] = this->Stamp;
-      if (gate.Sides[i].Id != NoVertex)
+      if (gate.Ids[i] != NoVertex)
       {
-        this->Stamps[gate.Sides[i].Id] = this->Stamp;
+        this->Stamps[gate.Ids[i]] = this->Stamp;
       }
     }
-  }
-
-  GATUN_INLINE void AddToRing(const Gate<Rule>& gate, Vertex v)
-  {
-    if (this->Stamps[v] != this->Stamp)
+    this->Ring.clear();
+    const auto add = [&](Vertex v, Link)
     {
-      this->Stamps[v] = this->Stamp;
-      this->Ring.push_back({ gate.GetSphere(this->Places[v]), v });
+      if (this->Stamps[v] != this->Stamp)
+      {
+        this->Stamps[v] = this->Stamp;
+        this->Ring.push_back({ this->GetSphere(gate, this->Places[v]), v });
+      }
+      return true;
+    };
+    for (unsigned i = 0; i < 3; ++i)
+    {
+      this->TurnBothWays(gate, i, add);
     }
   }
 
-  /** Codes a vertex by its rank in the list; NoVertex if it is not among the first most. */
-  Vertex CodeRank(unsigned most, Vertex target, BitModel& listed, std::array<BitModel, 6>& models)
+  /** Visits the faces around a corner of the gate. */
+  template <typename Use>
+  void TurnBothWays(const Gate<Rule>& gate, unsigned corner, Use&& use)
   {
-    const auto count = static_cast<unsigned>(std::min<std::size_t>(this->Ring.size(), most));
+    const auto& over = gate.Face.Over;
+    const auto end = TurnAround<Turn::Forward>(this->Open, over[NextSide(corner)], MaxFan, use);
+    if (end.IsBorder())
+    {
+      TurnAround<Turn::Back>(this->Open, over[LastSide(corner)], MaxFan, use);
+    }
+  }
+
+  static float GetSphere(const Gate<Rule>& gate, const LatticePoint& place)
+  {
+    return gate.GetSpheres(Splat(place))[0];
+  }
+
+  /** Codes a vertex by its rank in the ring; NoVertex if it is not among the first. */
+  Vertex CodeRing(Vertex target)
+  {
+    const auto count = static_cast<unsigned>(std::min<std::size_t>(this->Ring.size(), MaxRing));
     bool isListed = false;
     if constexpr (Coder::Encoding)
     {
@@ -374,14 +388,14 @@ private:
         isListed = this->TakeNextOfRing(i) == target;
       }
     }
-    if (!this->Symbols.Bit(listed, isListed))
+    if (!this->Symbols.Bit(this->Models.RingListed, isListed))
     {
       return NoVertex;
     }
     for (unsigned i = 0; i < count; ++i)
     {
       const Vertex next = this->TakeNextOfRing(i);
-      if (this->Symbols.Bit(models[std::min(i, 5u)], next == target))
+      if (this->Symbols.Bit(this->Models.RingRank[std::min(i, 5u)], next == target))
       {
         return next;
       }
@@ -404,118 +418,182 @@ private:
   }
 
   //------------------------------------------------------------------------------------------------
-  // The front
+  // A new tetrahedron in the front
 
-  static constexpr std::array<std::uint32_t, 3> NoTwins{ Front::None, Front::None, Front::None };
-
-  std::uint32_t AddEdge(Vertex a, Vertex b)
+  /**
+   * What is on the two sides of the edge from each of the gate's corners to the fourth vertex: a
+   * new face, or what lay over the edge in the open face that the new one would have closed.
+   */
+  struct Sides
   {
-    this->Out.EdgeLog.push_back({ a, b });
-    return this->Open.AddEdge(a, b);
-  }
+    std::array<Link, 3> Left;
+    std::array<Link, 3> Right;
+  };
 
-  std::uint32_t FindOrAddEdge(Vertex a, Vertex b)
-  {
-    const auto found = this->Open.FindEdge(a, b);
-    return found != Front::None ? found : this->AddEdge(a, b);
-  }
-
-  void CountTet(const std::array<std::uint32_t, 3>& base, const std::array<std::uint32_t, 3>& side)
-  {
-    for (unsigned i = 0; i < 3; ++i)
-    {
-      auto& b = this->Open.GetEdge(base[i]);
-      b.Tets += b.Tets < 255;
-      auto& s = this->Open.GetEdge(side[i]);
-      s.Tets += s.Tets < 255;
-    }
-  }
-
-  void CloseAtBorder(const Front::Face& face)
-  {
-    for (unsigned i = 0; i < 3; ++i)
-    {
-      this->Open.GetEdge(face.Edges[i]).BorderFar = face.Corners[(i + 2) % 3];
-      this->Open.DropIfBare(face.Edges[i]);
-    }
-  }
+  static constexpr std::size_t MostNewEdges = 6; // of a tetrahedron
 
   std::uint32_t Finish(const std::array<Vertex, 4>& corners, std::uint32_t parent)
   {
-    this->Out.Tets.push_back(corners);
-    this->Out.Parents.push_back(parent);
-    return static_cast<std::uint32_t>(this->Out.Tets.size() - 1);
+    const auto tet = this->Tets++;
+    this->Out.Tets[tet] = corners;
+    this->Out.Parents[tet] = parent;
+    return tet;
   }
 
-  void AttachNew(const Front::Face& face, Vertex fourth)
+  /** For what a tetrahedron adds. */
+  void MakeRoom()
   {
-    const auto& c = face.Corners;
-    const auto tet = this->Finish({ c[0], c[1], c[2], fourth }, face.Open - 1);
-    const std::array<std::uint32_t, 3> side{ this->AddEdge(c[0], fourth),
-      this->AddEdge(c[1], fourth), this->AddEdge(c[2], fourth) };
-    this->CountTet(face.Edges, side);
-    this->AddSides(c, fourth, face.Edges, side, tet, NoTwins);
+    this->Open.MakeRoom();
+    auto& log = this->Out.EdgeLog;
+    if (this->Edges + MostNewEdges > log.size())
+    {
+      log.resize(2 * log.size());
+    }
+  }
+
+  GATUN_INLINE void LogEdge(Vertex a, Vertex b) { this->Out.EdgeLog[this->Edges++] = { a, b }; }
+
+  /** Opens the face over side i of a triangle, linked there. */
+  GATUN_INLINE void Raise(const std::array<Vertex, 3>& c, unsigned i, Vertex fourth,
+    std::uint32_t tet, Link base, Sides& sides)
+  {
+    const auto next = NextSide(i);
+    const auto last = LastSide(i);
+    const auto face = this->Open.AddFace({ c[next], c[last], fourth }, c[i], tet);
+    this->Open.Connect(Link::ToSide(face, 2), base, base.GetTets() + 1);
+    sides.Left[last] = Link::ToSide(face, 0);
+    sides.Right[next] = Link::ToSide(face, 1);
   }
 
   /** A tetrahedron with a known fourth vertex closes the open faces that it shares. */
   void Attach(const Gate<Rule>& gate, Vertex fourth)
   {
-    const auto& c = gate.Face.Corners;
-    const auto& base = gate.Face.Edges;
-    const auto tet = this->Finish({ c[0], c[1], c[2], fourth }, gate.Face.Open - 1);
-    std::array<std::uint32_t, 3> twin = NoTwins;
-    std::array<std::uint32_t, 3> side = NoTwins; // an edge is known where a closed face has it
-    for (unsigned i = 0; i < 3; ++i)
+    const unsigned glued = unsigned{ gate.Ids[0] == fourth } |
+      unsigned{ gate.Ids[1] == fourth } << 1 | unsigned{ gate.Ids[2] == fourth } << 2;
+    switch (glued)
     {
-      twin[i] = gate.GetTwin(this->Open, i, fourth);
-      if (twin[i] != Front::None)
-      {
-        const auto& face = this->Open.GetFace(twin[i]);
-        const unsigned k = FindPlace(face.Edges, base[i]);
-        const auto next = face.Edges[k < 2 ? k + 1 : 0];
-        const auto last = face.Edges[k > 0 ? k - 1 : 2];
-        const bool same = face.Corners[k] == c[i]; // faces side by side run against each other
-        side[i] = same ? last : next;
-        side[i < 2 ? i + 1 : 0] = same ? next : last;
-      }
-    }
-    for (unsigned i = 0; i < 3; ++i)
-    {
-      if (side[i] == Front::None)
-      {
-        side[i] = this->FindOrAddEdge(c[i], fourth);
-      }
-    }
-    this->CountTet(base, side);
-    for (unsigned i = 0; i < 3; ++i)
-    {
-      if (twin[i] != Front::None)
-      {
-        this->Open.CloseFace(twin[i]);
-      }
-    }
-    this->AddSides(c, fourth, base, side, tet, twin);
-    for (unsigned i = 0; i < 3; ++i)
-    {
-      this->Open.DropIfBare(base[i]);
-      this->Open.DropIfBare(side[i]);
+      case 0:
+        return this->template AttachGlued<0>(gate, fourth);
+      case 1:
+        return this->template AttachGlued<1>(gate, fourth);
+      case 2:
+        return this->template AttachGlued<2>(gate, fourth);
+      case 3:
+        return this->template AttachGlued<3>(gate, fourth);
+      case 4:
+        return this->template AttachGlued<4>(gate, fourth);
+      case 5:
+        return this->template AttachGlued<5>(gate, fourth);
+      case 6:
+        return this->template AttachGlued<6>(gate, fourth);
+      default:
+        return this->template AttachGlued<7>(gate, fourth);
     }
   }
 
-  /** Opens the three faces of a new tetrahedron around its fourth vertex, but for glued ones. */
-  void AddSides(const std::array<Vertex, 3>& c, Vertex fourth,
-    const std::array<std::uint32_t, 3>& base, const std::array<std::uint32_t, 3>& side,
-    std::uint32_t tet, const std::array<std::uint32_t, 3>& twin)
+  /**
+   * Adds the tetrahedron on a gate. Bit i of Glued: it shares the open face over side i of the
+   * gate; IsNew: its fourth vertex was met just now.
+   */
+  template <unsigned Glued, bool IsNew = false>
+  void AttachGlued(const Gate<Rule>& gate, Vertex fourth)
   {
-    for (unsigned i = 0; i < 3; ++i)
+    constexpr std::array<bool, 3> glued{ (Glued & 1) != 0, (Glued & 2) != 0, (Glued & 4) != 0 };
+    const auto& c = gate.Face.Corners;
+    const auto& over = gate.Face.Over;
+    std::array<Touch, 3> touches;
+    for (unsigned k = 0; k < 3 && !IsNew; ++k)
     {
-      const unsigned j = (i + 1) % 3;
-      if (twin[i] == Front::None)
+      if (!glued[NextSide(k)] && !glued[LastSide(k)])
       {
-        this->Open.AddFace(
-          { c[i], c[j], fourth }, c[(i + 2) % 3], { base[i], side[j], side[i] }, tet);
+        touches[k] = this->FindTouch(gate, k, fourth);
       }
     }
+    const auto tet = this->Finish({ c[0], c[1], c[2], fourth }, gate.Face.Open - 1);
+    this->MakeRoom();
+    Sides sides;
+    for (const unsigned i : OrderOfFaces)
+    {
+      if (glued[i])
+      {
+        auto& face = this->Open.GetFace(over[i].GetFace());
+        face.Open = 0;
+        sides.Left[LastSide(i)] = face.Over[LastSide(over[i].GetSide())];
+        sides.Right[NextSide(i)] = face.Over[NextSide(over[i].GetSide())];
+      }
+      else
+      {
+        this->Raise(c, i, fourth, tet, over[i], sides);
+      }
+    }
+    for (unsigned k = 0; k < 3; ++k)
+    {
+      if (glued[NextSide(k)] || glued[LastSide(k)])
+      {
+        this->JoinAround(sides.Left[k], sides.Right[k]);
+      }
+      else if (touches[k].Found)
+      {
+        this->JoinTouching(touches[k], sides.Left[k], sides.Right[k]);
+      }
+      else
+      {
+        this->LogEdge(c[k], fourth);
+        this->Open.Connect(sides.Left[k], sides.Right[k], 1);
+      }
+    }
+  }
+
+  /** Links what lies on both sides of a tetrahedron at an edge that was in the front before. */
+  GATUN_INLINE void JoinAround(Link left, Link right)
+  {
+    const bool closed =
+      !left.IsBorder() && this->Open.GetFace(left.GetFace()).Open == 0; // all around the edge
+    if (!closed)
+    {
+      this->Open.Connect(left, right, left.GetTets() + right.GetTets() + 1);
+    }
+  }
+
+  //------------------------------------------------------------------------------------------------
+  // A front that touches itself
+
+  /** A side of the front on an edge that a new tetrahedron is about to have. */
+  struct Touch
+  {
+    Link Edge;
+    bool Found = false;
+    bool FromFourth = false; // the side runs from the fourth vertex to the corner
+  };
+
+  /** Looks for the edge from a corner to a vertex among those around the corner. */
+  Touch FindTouch(const Gate<Rule>& gate, unsigned corner, Vertex fourth)
+  {
+    Touch touch;
+    const auto look = [&](Vertex v, Link side)
+    {
+      touch.Edge = side;
+      touch.Found = v == fourth;
+      return !touch.Found;
+    };
+    const auto& over = gate.Face.Over;
+    touch.FromFourth = true;
+    const auto end = TurnAround<Turn::Forward>(this->Open, over[NextSide(corner)], MaxFan, look);
+    if (!touch.Found && end.IsBorder())
+    {
+      touch.FromFourth = false;
+      TurnAround<Turn::Back>(this->Open, over[LastSide(corner)], MaxFan, look);
+    }
+    return touch;
+  }
+
+  /** Of the four faces at the edge those are linked that do not have the visited part between. */
+  void JoinTouching(const Touch& touch, Link left, Link right)
+  {
+    const auto before = this->Open.GetFace(touch.Edge.GetFace()).Over[touch.Edge.GetSide()];
+    const auto tets = before.GetTets() + 1;
+    this->Open.Connect(touch.FromFourth ? left : right, touch.Edge, tets);
+    this->Open.Connect(touch.FromFourth ? right : left, before, tets);
   }
 
   Coder& Symbols;
@@ -524,11 +602,13 @@ private:
   Topology& Out;
   Front Open;
   SharedSearch Search;
-  std::uint32_t DistantLeft; // lists of the whole front that may still be made
   WalkModels<Rule> Models;
 
+  std::uint32_t Tets = 0; // made so far
+  Vertex Vertices = 0;    // met so far
+  std::uint32_t Owns = 0; // of those, own ones
+  std::size_t Edges = 0;  // logged so far
   std::vector<LatticePoint> Places;
-  std::vector<std::uint64_t> Users; // as SharedVertex::Users; 0 for own vertices
   std::vector<std::uint32_t> Stamps;
   std::uint32_t Stamp = 0;
   std::vector<RankedVertex> Ring;

@@ -18,13 +18,12 @@ namespace gatun
 /** Decisions that do not depend on the ranking. */
 struct CommonWalkModels
 {
+  std::array<BitModel, 4 * 27 * 2> Interface;
   std::array<BitModel, 8> Shared;
   std::array<BitModel, SharedSearch::Most> SharedRank;
   std::array<BitModel, 2> Next;
   std::array<BitModel, 6> RingRank;
-  std::array<BitModel, 6> DistantRank;
   BitModel RingListed;
-  BitModel DistantListed;
   BitModel SeedNew;
   BitModel SeedShared;
 };
@@ -39,7 +38,7 @@ class WalkModels<Ranking::Sphere> : public CommonWalkModels
 public:
   WalkModels()
     : HitModels(Grades * 4 * Radii)
-    , BorderModels(2 * 10 * Radii)
+    , BorderModels(10 * Radii)
     , NewModels(Grades * 2 * Radii)
   {
   }
@@ -50,15 +49,17 @@ public:
       GetRadius(gate)];
   }
 
-  BitModel& Border(const Gate<Ranking::Sphere>& gate)
+  BitModel& Border(const Gate<Ranking::Sphere>& gate, std::span<const LatticePoint> places)
   {
-    return this->BorderModels[(gate.AllShared * 10 + gate.BorderGrade) * Radii + GetRadius(gate)];
+    return this->BorderModels[gate.GetBorderGrade(places) * Radii + GetRadius(gate)];
   }
 
-  BitModel& New(const Gate<Ranking::Sphere>& gate)
+  BitModel& New(
+    const Gate<Ranking::Sphere>& gate, const Front& front, std::span<const LatticePoint> places)
   {
-    const unsigned nearer = gate.RingRank < gate.GetBestRank();
-    return this->NewModels[(GetGrade(gate, gate.RingRank) * 2 + nearer) * Radii + GetRadius(gate)];
+    const float rank = gate.GetRingRank(front, places);
+    const unsigned nearer = rank < gate.GetBestRank();
+    return this->NewModels[(GetGrade(gate, rank) * 2 + nearer) * Radii + GetRadius(gate)];
   }
 
 private:
@@ -66,22 +67,22 @@ private:
   static constexpr unsigned Radii = 32;
 
   /** 0 to 31 by the place of the sphere's centre; 32: not in front of the gate. */
-  static unsigned GetGrade(const Gate<Ranking::Sphere>& gate, double rank)
+  static unsigned GetGrade(const Gate<Ranking::Sphere>& gate, float rank)
   {
     if (rank == NeverRank)
     {
       return 32;
     }
-    const double t = rank * gate.Ring.Unit;
-    const double place = 16.0 + 16.0 * (t / (1.0 + std::abs(t)));
-    return place < 31.0 ? static_cast<unsigned>(place) : 31;
+    const float t = rank * gate.Ring.Unit;
+    const float place = 16.0F + 16.0F * (t / (1.0F + std::abs(t)));
+    return place < 31.0F ? static_cast<unsigned>(place) : 31;
   }
 
   /** 0 to 31: half octaves of the circumcircle's radius. */
   static unsigned GetRadius(const Gate<Ranking::Sphere>& gate)
   {
     return static_cast<unsigned>(
-      std::clamp(GetExponent(gate.Ring.FourRadiusSquared) - 6, 0, static_cast<int>(Radii) - 1));
+      std::clamp(GetExponent(gate.Ring.FourRadiusSquared) + 10, 0, static_cast<int>(Radii) - 1));
   }
 
   std::vector<BitModel> HitModels;
@@ -96,40 +97,39 @@ class WalkModels<Ranking::Angle> : public CommonWalkModels
 public:
   WalkModels()
     : HitModels(Grades * 8 * 4)
-    , BorderModels(2 * 10 * Grades * 8)
+    , BorderModels(10 * Grades * 8)
     , NewModels(Grades * Grades * 27)
   {
   }
 
   BitModel& Hit(const Gate<Ranking::Angle>& gate)
   {
-    return this->HitModels[(GetFirst(gate) * 8 + gate.BestTets) * 4 + gate.CountBest()];
+    return this->HitModels[(GetFirst(gate) * 8 + gate.GetBestTets()) * 4 + gate.CountBest()];
   }
 
-  BitModel& Border(const Gate<Ranking::Angle>& gate)
+  BitModel& Border(const Gate<Ranking::Angle>& gate, std::span<const LatticePoint> places)
   {
-    return this
-      ->BorderModels[((gate.AllShared * 10 + gate.BorderGrade) * Grades + GetFirst(gate)) * 8 +
-        gate.BestTets];
+    return this->BorderModels[(gate.GetBorderGrade(places) * Grades + GetFirst(gate)) * 8 +
+      gate.GetBestTets()];
   }
 
-  BitModel& New(const Gate<Ranking::Angle>& gate)
+  BitModel& New(const Gate<Ranking::Angle>& gate, const Front&, std::span<const LatticePoint>)
   {
-    return this->NewModels[(GetFirst(gate) * Grades + GetSecond(gate)) * 27 + gate.EdgeGrade];
+    return this->NewModels[(GetFirst(gate) * Grades + GetSecond(gate)) * 27 + GradeTets(gate.Face)];
   }
 
 private:
   static constexpr unsigned Grades = 18;
 
   /** 0 to 15 by the angle; 16: not in front of the gate, 17: there is no such candidate. */
-  static unsigned GetGrade(double rank)
+  static unsigned GetGrade(float rank)
   {
     if (rank == NeverRank)
     {
       return 16;
     }
-    const double place = 8.0 + 8.0 * rank;
-    return place < 15.0 ? static_cast<unsigned>(place) : 15;
+    const float place = 8.0F + 8.0F * rank;
+    return place < 15.0F ? static_cast<unsigned>(place) : 15;
   }
 
   static unsigned GetFirst(const Gate<Ranking::Angle>& gate)

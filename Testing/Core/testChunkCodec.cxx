@@ -503,6 +503,73 @@ TEST(Entropy, SpendsLittleOnWhatIsSure)
   EXPECT_LE(model.GetProbability(), 65535u);
 }
 
+TEST(Entropy, MixesSymbolsDecisionsAndRawBits)
+{
+  std::mt19937_64 random(2);
+  SymbolModel symbols;
+  BitModel decisions;
+  EntropyEncoder encoder;
+  std::vector<std::uint64_t> wanted;
+  for (int i = 0; i < 50000; ++i)
+  {
+    // All symbols at first, then few, then others: what is learnt must be unlearnt.
+    const auto r = random();
+    const auto most = i < 10000 ? 16u : 3u;
+    const auto symbol = static_cast<unsigned>(r % most + (i > 30000 ? 13 : 0)) % 16;
+    wanted.push_back(symbol | (r >> 60) << 4 | (r >> 40 & 1) << 8);
+    encoder.Symbol(symbols, symbol);
+    encoder.Raw(r >> 60, 4);
+    encoder.Bit(decisions, (r >> 40 & 1) != 0);
+  }
+  const auto stream = encoder.Finish();
+  symbols = {};
+  decisions = {};
+  EntropyDecoder decoder(stream);
+  for (const auto value : wanted)
+  {
+    ASSERT_EQ(decoder.Symbol(symbols), value & 15);
+    ASSERT_EQ(decoder.Raw(0, 4), value >> 4 & 15);
+    ASSERT_EQ(decoder.Bit(decisions), (value >> 8) != 0);
+  }
+}
+
+TEST(Entropy, EverySymbolKeepsAPlace)
+{
+  SymbolModel model;
+  for (unsigned round = 0; round < 64; ++round)
+  {
+    for (unsigned i = 0; i < 500; ++i)
+    {
+      model.Update(round * 7 % SymbolModel::Symbols);
+    }
+    std::uint32_t sum = 0;
+    for (unsigned s = 0; s < SymbolModel::Symbols; ++s)
+    {
+      ASSERT_EQ(model.GetStart(s), sum);
+      ASSERT_GE(model.GetWidth(s), 1u);
+      ASSERT_EQ(model.Find(sum), s);
+      sum += model.GetWidth(s);
+      ASSERT_EQ(model.Find(sum - 1), s);
+    }
+    ASSERT_EQ(sum, 1u << SymbolModel::Bits);
+  }
+}
+
+TEST(Entropy, SymbolsTakeNearlyWhatTheirFrequenciesSay)
+{
+  // 1 / 2, 1 / 4, 1 / 8 and 1 / 8: 1.75 bits each.
+  std::mt19937_64 random(3);
+  SymbolModel model;
+  EntropyEncoder encoder;
+  constexpr unsigned count = 100000;
+  for (unsigned i = 0; i < count; ++i)
+  {
+    const auto r = random() % 8;
+    encoder.Symbol(model, r < 4 ? 9u : r < 6 ? 3u : r < 7 ? 0u : 15u);
+  }
+  EXPECT_LT(8.0 * static_cast<double>(encoder.Finish().size()), 1.80 * count);
+}
+
 TEST(ResidualModel, KeepsExtremeResidualsOfAllWidths)
 {
   for (unsigned bits = 1; bits <= 64; ++bits)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Decisions and raw bits from any stream, and then the same from an encoder and back.
+// Decisions, symbols and raw bits from any stream, and then the same from an encoder and back.
 
 #include "fuzzInput.h"
 #include "gatunEntropy.h"
@@ -14,20 +14,45 @@ namespace
 {
 using namespace gatun;
 
-/** A decision of a model, or count raw bits. */
-struct Symbol
+enum class Kind
 {
-  bool IsRaw;
+  Decision,
+  Symbol,
+  Raw
+};
+
+/** A decision or a symbol of a model, or raw bits. */
+struct Item
+{
+  Kind Of;
   unsigned Number; // of the model, or of bits
   std::uint64_t Value;
 };
 
-using Models = std::array<BitModel, 4>;
+struct Models
+{
+  std::array<BitModel, 4> Decisions;
+  std::array<SymbolModel, 4> Symbols;
+};
 
-std::vector<Symbol> Decode(
+template <typename Coder>
+std::uint64_t Code(Coder& coder, Models& models, const Item& item)
+{
+  switch (item.Of)
+  {
+    case Kind::Decision:
+      return coder.Bit(models.Decisions[item.Number], item.Value != 0);
+    case Kind::Symbol:
+      return coder.Symbol(models.Symbols[item.Number], static_cast<unsigned>(item.Value));
+    default:
+      return coder.Raw(item.Value, item.Number);
+  }
+}
+
+std::vector<Item> Decode(
   std::span<const std::uint8_t> plan, std::size_t count, std::span<const std::uint8_t> stream)
 {
-  std::vector<Symbol> symbols;
+  std::vector<Item> items;
   fuzz::Accepts(
     [&]
     {
@@ -36,13 +61,15 @@ std::vector<Symbol> Decode(
       for (std::size_t i = 0; i < count; ++i)
       {
         const unsigned step = plan.empty() ? 0 : plan[i % plan.size()];
-        Symbol symbol{ (step & 3) == 3, (step & 3) == 3 ? (step >> 2) % 65 : (step >> 2) % 4, 0 };
-        symbol.Value =
-          symbol.IsRaw ? decoder.Raw(0, symbol.Number) : decoder.Bit(models[symbol.Number]);
-        symbols.push_back(symbol);
+        const auto kind = (step & 3) == 3 ? Kind::Raw
+          : (step & 3) == 2               ? Kind::Symbol
+                                          : Kind::Decision;
+        Item item{ kind, (step >> 2) % (kind == Kind::Raw ? 65 : 4), 0 };
+        item.Value = Code(decoder, models, item);
+        items.push_back(item);
       }
     });
-  return symbols;
+  return items;
 }
 }
 
@@ -51,29 +78,22 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   fuzz::Input in(data, size);
   const auto count = in.TakeUpTo(2000);
   const auto plan = in.TakeBytes(in.TakeUpTo(40));
-  const auto symbols = Decode(plan, count, fuzz::Copy(in.TakeRest()));
+  const auto items = Decode(plan, count, fuzz::Copy(in.TakeRest()));
 
   EntropyEncoder encoder;
   Models models;
-  for (const auto& symbol : symbols)
+  for (const auto& item : items)
   {
-    if (symbol.IsRaw)
-    {
-      encoder.Raw(symbol.Value, symbol.Number);
-    }
-    else
-    {
-      encoder.Bit(models[symbol.Number], symbol.Value != 0);
-    }
+    Code(encoder, models, item);
   }
-  const auto again = Decode(plan, symbols.size(), fuzz::Copy(encoder.Finish()));
-  if (again.size() != symbols.size())
+  const auto again = Decode(plan, items.size(), fuzz::Copy(encoder.Finish()));
+  if (again.size() != items.size())
   {
     std::abort();
   }
-  for (std::size_t i = 0; i < symbols.size(); ++i)
+  for (std::size_t i = 0; i < items.size(); ++i)
   {
-    if (again[i].Value != symbols[i].Value)
+    if (again[i].Value != items[i].Value)
     {
       std::abort();
     }

@@ -147,16 +147,19 @@ void AddPalette(Corpus& corpus, std::mt19937& random)
 void AddEntropy(Corpus& corpus, std::mt19937& random)
 {
   EntropyEncoder encoder;
-  BitModel model;
+  BitModel decisions;
+  SymbolModel symbols;
   ByteWriter out;
-  const std::uint16_t count = 100;
+  const std::uint16_t count = 99;
   out.Put(count);
-  out.Put(std::uint8_t{ 2 });
+  out.Put(std::uint8_t{ 3 });
   out.Put(std::uint8_t{ 0 });
+  out.Put(std::uint8_t{ 2 });
   out.Put(std::uint8_t{ 3 | 7 << 2 });
-  for (unsigned i = 0; i < count; i += 2)
+  for (unsigned i = 0; i < count; i += 3)
   {
-    encoder.Bit(model, random() % 5 == 0);
+    encoder.Bit(decisions, random() % 5 == 0);
+    encoder.Symbol(symbols, random() % 7);
     encoder.Raw(random() % 128, 7);
   }
   out.PutBytes(encoder.Finish());

@@ -87,6 +87,22 @@ class Domain:
         return b"".join([self.pattern(key).to_bytes(size, "little") for key in keys])
 
 
+class SymbolModel:
+    """The adaptive probabilities of the symbols 0 to 15 (6.2). starts: S[0] to S[16]."""
+
+    def __init__(self):
+        self.starts = [2048 * i for i in range(17)]
+        self.used = 0
+
+    def update(self, symbol):
+        n = self.used
+        rate = 2 if n < 2 else 3 if n < 6 else 4 if n < 16 else 5 if n < 48 else 6
+        for i in range(16):
+            target = 4 * i if i <= symbol else 32768 - 4 * (16 - i)
+            self.starts[i] += (target - self.starts[i]) >> rate
+        self.used = min(n + 1, 63)
+
+
 class Coded:
     """An entropy-coded part (section 6)."""
 
@@ -98,10 +114,11 @@ class Coded:
         self.state = None
         if self.words.left():
             self.state = self.words.number("Q")
-        self.models = {}
+        self.new_models()
 
     def new_models(self):
         self.models = {}
+        self.symbol_models = {}
 
     def decide(self, *model):
         """A decision, 0 or 1, by the model of this name and these indices."""
@@ -113,11 +130,28 @@ class Coded:
             decision, self.state, goal = 1, p * rest + slot, 1 << 22
         else:
             decision, self.state, goal = 0, (65536 - p) * rest + slot - p, 0
-        if self.state < 1 << 32:
-            self.state = (self.state << 32) + self.words.number("I")
+        self._refill()
         one += (goal - one) * (131072 // (2 * used + 3)) >> 16
         self.models[model] = (one, min(used + 1, 250))
         return decision
+
+    def symbol(self, *model):
+        """A symbol, 0 to 15, by the symbol model of this name and these indices."""
+        require(self.state is not None, "no symbols")
+        if model not in self.symbol_models:
+            self.symbol_models[model] = SymbolModel()
+        model = self.symbol_models[model]
+        slot, rest = self.state & 32767, self.state >> 15
+        symbol = max(i for i in range(16) if model.starts[i] <= slot)
+        start, end = model.starts[symbol : symbol + 2]
+        self.state = (end - start) * rest + slot - start
+        self._refill()
+        model.update(symbol)
+        return symbol
+
+    def _refill(self):
+        if self.state < 1 << 32:
+            self.state = (self.state << 32) + self.words.number("I")
 
     def raw(self, count):
         require(count <= self.bits_left, "raw part ends too early")
@@ -132,22 +166,26 @@ class Coded:
         return value
 
     def residual(self, models, spread):
-        """A residual (section 7) and its class. models: a tuple that names the set."""
-        if self.decide(models, "zero"):
-            return 0, -1
-        negative = self.decide(models, "sign")
-        node = 1
-        for _ in range(5):
-            node = 2 * node + self.decide(models, "tree", node)
-        kind = node - 32
-        length = self.raw(7) if kind in (0, 31) else kind + spread - 20
+        """A residual (section 7) and its grade. models: a tuple that names the set."""
+        near = self.symbol(models, "near")
+        if near == 0:
+            return 0, 0
+        length = near + spread - 12
+        which = near
+        if near == 15:
+            far = self.symbol(models, "far")
+            length = far + spread - 27 if far > 0 else self.raw(7)
+            which = 15 + far
         require(1 <= length <= 64, "length of a residual")
+        relative = length - spread
+        grade = 1 if relative < -7 else 2 if relative < -3 else 3
+        negative = self.decide(models, "sign")
         size = 1
         if length >= 2:
-            second = self.decide(models, "second", kind)
+            second = self.decide(models, "second", which)
             size = (2 + second << (length - 2)) + self.raw(length - 2)
         d = -size if negative else size
-        return (d + (1 << 63)) % (1 << 64) - (1 << 63), kind
+        return (d + (1 << 63)) % (1 << 64) - (1 << 63), grade
 
 
 class RunningSpread:

@@ -100,7 +100,7 @@ class ChunkMesh:
         chunk = container.table.chunks[number]
         self.shared_points = [point for point, _ in shared]
         neighbours = sorted({c for _, chunks in shared for c in chunks if c != number})
-        places = {c: min(i, 63) for i, c in enumerate(neighbours)}
+        places = {c: min(i, 31) for i, c in enumerate(neighbours)}
         users = []
         for _, chunks in shared:
             mask = 0
@@ -158,8 +158,8 @@ class ChunkMesh:
         record, used = self.walk.records[i], self.geometry.used[i]
         if record.is_seed:
             return None
-        known = [None if v == math.inf else keys[v] for v in record.known]
-        numbers = [None if key is None else domain.to_number(key) for key in known]
+        known = [keys[v] for v in record.known]
+        numbers = [domain.to_number(key) for key in known]
         predicted = apply_rule(self.geometry.rules[used], numbers)
         return predicted, key_spread(known[:4]), 1 + used
 

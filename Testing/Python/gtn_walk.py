@@ -10,11 +10,13 @@ Part of gtn_decoder, which is written from that text alone.
 import math
 from collections import OrderedDict
 
+import numpy as np
+
 from gtn_coding import Coded, divide
 from gtn_container import Bytes, require
 
-NONE = math.inf  # a vertex that is none, which is greater than all others
 INF = math.inf
+F = np.float32  # Operations on such numbers are those of binary32.
 
 ANGLE, PLAIN, FLIPS = 1, 2, 4
 
@@ -39,37 +41,61 @@ def clamp(x, low, high):
     return max(low, min(x, high))
 
 
-class Edge:
-    """An edge of the front (8.4). open: number of open faces that have it, listed or not."""
+def square(v):
+    return dot(v, v)
 
-    def __init__(self, a, b):
-        self.ends = (a, b)
-        self.faces = []
-        self.tets = 0
-        self.border_far = NONE
-        self.open = 0
 
-    def other_end(self, end):
-        return self.ends[1] if self.ends[0] == end else self.ends[0]
+class Link:
+    """Where the link of a side leads to: side number `side` of `face`, or, without a face, the
+    border, which names `border` (8.4)."""
+
+    def __init__(self, face, side, border, tets):
+        self.face, self.side, self.border, self.tets = face, side, border, tets
+
+    def far(self):
+        return self.border if self.face is None else self.face.corners[self.side]
+
+    def beside(self, step):
+        """The link of a side of the face that this leads to, `step` after the one here."""
+        return self.face.links[(self.side + step) % 3]
 
 
 class Face:
-    """An open face (8.4)."""
+    """An open face, or one that was (8.4). links: of its sides."""
 
-    def __init__(self, corners, apex, tet, edges):
-        self.corners = corners
-        self.apex = apex
-        self.tet = tet
-        self.edges = edges
+    def __init__(self, corners, apex, tet):
+        self.corners, self.apex, self.tet = corners, apex, tet
+        self.links = [None] * 3
+        self.is_open = True
 
-    def far(self, edge):
-        return next(corner for corner in self.corners if corner not in edge.ends)
 
-    def edge(self, a, b):
-        return next(edge for edge in self.edges if a in edge.ends and b in edge.ends)
+def to_side(face, side):
+    """A link to a side, for join()."""
+    return Link(face, side % 3, None, 0)
 
-    def other_edge(self, edge, end):
-        return next(other for other in self.edges if other is not edge and end in other.ends)
+
+def to_border(vertex):
+    return Link(None, None, vertex, 0)
+
+
+def join(p, q, tets):
+    """Joins what two links lead to."""
+    tets = min(tets, 7)
+    for here, there in ((p, q), (q, p)):
+        if here.face is not None:
+            here.face.links[here.side] = Link(there.face, there.side, there.border, tets)
+
+
+def turn(link, forward, most, use):
+    """Goes from face to face around a vertex, until `use` of a vertex and a side is true."""
+    for _ in range(most):
+        if link.face is None or not link.face.is_open:
+            break
+        step = 2 if forward else 1
+        if use(link.far(), to_side(link.face, link.side + step)):
+            break
+        link = link.beside(step)
+    return link
 
 
 class Lattice:
@@ -86,11 +112,12 @@ class Lattice:
         self.low = [low for low, _ in box]
 
     def place(self, values):
-        """A place, as binary64 numbers."""
+        """A place, as binary32 numbers."""
         result = []
         for x, low in zip(values, self.low):
-            x = (x - low) * self.scale
-            result.append(0.0 if not x > 0 else 65535.0 if x >= 65535 else float(math.floor(x)))
+            w = (x - low) * self.scale
+            w = (math.floor(w) if w < 65535 else 65535) if w > 0 else 0
+            result.append(F(w / 256))
         return tuple(result)
 
 
@@ -112,14 +139,10 @@ class GateRecord:
 
 
 def apply_rule(rule, numbers):
-    """9.3: numbers of K[0] to K[6], None for those that are not there."""
+    """9.3: numbers of K[0] to K[6]."""
     total = 0.0
-    for k, weight in enumerate(rule):
+    for weight, x in zip(rule, numbers):
         if weight:
-            x = numbers[k]
-            if x is None:
-                j = k - 4
-                x = numbers[j] + numbers[(j + 1) % 3] - numbers[(j + 2) % 3]
             total += float(weight) * x
     return total * 0.00390625
 
@@ -161,13 +184,12 @@ class Geometry:
             if record.is_seed:
                 p, spread = self.last[i], domain.bits
             else:
-                known = [None if v == NONE else keys[v][i] for v in record.known]
-                numbers = [None if k is None else domain.to_number(k) for k in known]
+                known = [keys[v][i] for v in record.known]
+                numbers = [domain.to_number(k) for k in known]
                 p = domain.from_number(apply_rule(self.rules[rule], numbers))
                 spread = key_spread(known[:4])
-            d, kind = coded.residual((i, group, grade), spread)
+            d, grade = coded.residual((i, group, grade), spread)
             key.append(domain.add(p, d))
-            grade = 0 if kind < 0 else 1 if kind < 13 else 2 if kind < 17 else 3
         self.last = tuple(key)
         self.used.append(rule)
         return self.last
@@ -202,16 +224,13 @@ class Walk:
         self.keys, self.places, self.shared, self.users = [], [], [], []
         self.tets, self.parents, self.records, self.edge_log = [], [], [], []
         self.front = OrderedDict()  # the open faces, oldest first; values mean nothing
-        self.edges = {}  # by frozensets of their ends
-        self.left = min(256, 8 + chunk.tets // 512)  # distant lists that may be made
-        self.touched = set()  # edges that may have lost their last open face in this step
 
-        while len(self.tets) < chunk.tets:
-            if self.front and not self.flags & PLAIN:
-                self.grow(next(iter(self.front)))
-                self.remove_edges()
-            else:
-                self.seed()
+        with np.errstate(all="ignore"):
+            while len(self.tets) < chunk.tets:
+                if self.front and not self.flags & PLAIN:
+                    self.grow(next(iter(self.front)))
+                else:
+                    self.seed()
         require(len(self.records) == chunk.own_points, "own points that were not met")
         require(all(self.shared_met), "shared points that were not met")
         if self.flags & FLIPS:
@@ -248,35 +267,14 @@ class Walk:
 
     # ----- The front (8.4)
 
-    def edge(self, a, b):
-        """The edge between a and b, which is created if there is none."""
-        ends = frozenset((a, b))
-        if ends not in self.edges:
-            self.edges[ends] = Edge(a, b)
-            self.edge_log.append((a, b))
-        return self.edges[ends]
-
-    def open_face(self, *face):
-        face = Face(*face)
+    def open_face(self, corners, apex, tet):
+        face = Face(corners, apex, tet)
         self.front[face] = True
-        for edge in face.edges:
-            edge.open += 1
-            if len(edge.faces) < 4:
-                edge.faces.append(face)
+        return face
 
     def close_face(self, face):
         del self.front[face]
-        for edge in face.edges:
-            edge.open -= 1
-            self.touched.add(edge)
-            if face in edge.faces:
-                edge.faces.remove(face)
-
-    def remove_edges(self):
-        for edge in self.touched:
-            if edge.open == 0:
-                del self.edges[frozenset(edge.ends)]
-        self.touched.clear()
+        face.is_open = False
 
     # ----- Steps (8.5, 8.6)
 
@@ -294,23 +292,31 @@ class Walk:
         self.parents.append(None)
         if len(set(v)) < 4 or self.flags & PLAIN:
             return
-        e = {}
-        for a, b in ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3)):
-            e[a, b] = e[b, a] = self.edge(v[a], v[b])
-            e[a, b].tets = 1
-        for a, b, c, apex in ((0, 2, 1, 3), (0, 1, 3, 2), (1, 2, 3, 0), (2, 0, 3, 1)):
-            self.open_face((v[a], v[b], v[c]), v[apex], tet, (e[a, b], e[b, c], e[c, a]))
+        faces = []
+        for i, j, k, apex in ((0, 2, 1, 3), (0, 1, 3, 2), (1, 2, 3, 0), (2, 0, 3, 1)):
+            faces.append(self.open_face((v[i], v[j], v[k]), v[apex], tet))
+        for i, j in ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3)):
+            self.edge_log.append((v[i], v[j]))
+            p, q = [
+                to_side(face, side)
+                for face in faces
+                for side in range(3)
+                if {v[i], v[j]} == set(face.corners) - {face.corners[side]}
+            ]
+            join(p, q, 1)
 
     def grow(self, face):
         self.close_face(face)
         gate = Gate(self, face)
-        c, e = gate.c, gate.e
-        if gate.best_id != NONE and self.decide("Hit", *gate.hit_indices()):
+        c = gate.c
+        seen = gate.is_interface()
+        if seen and self.decide("Interface", *gate.interface_indices()):
+            return self.border(gate)
+        gate.propose()
+        if gate.best_id is not None and self.decide("Hit", *gate.hit_indices()):
             return self.attach(gate, gate.best_id)
-        if self.decide("Border", *gate.border_indices()):
-            for i in range(3):
-                e[i].border_far = c[(i + 2) % 3]
-            return None
+        if not seen and self.decide("Border", *gate.border_indices()):
+            return self.border(gate)
         if self.decide("New", *gate.new_indices()):
             count = sum(self.shared[v] is not None for v in c)
             apex = int(self.shared[face.apex] is not None)
@@ -318,46 +324,64 @@ class Walk:
                 v = self.meet_shared(self.name_shared(gate))
             else:
                 v = self.meet_own(gate.record())
-            return self.attach(gate, v)
+            return self.attach(gate, v, True)
         for j, v in enumerate(gate.others):
             if self.decide("Next", j):
                 return self.attach(gate, v)
         ring = gate.ring()
-        v = self.pick(gate, ring, "Ring")
-        if v is None and self.left > 0:
-            self.left -= 1
-            v = self.pick(gate, gate.distant(ring), "Distant")
-        if v is None:
+        if self.decide("RingListed"):
+            v = self.pick(gate, ring)
+        else:
             v = self.index(len(self.keys))
         require(v not in c, "tetrahedron with a corner twice")
         return self.attach(gate, v)
 
-    def pick(self, gate, vertices, name):
-        if not self.decide(name + "Listed"):
-            return None
-        ranked = sorted((gate.sphere(self.places[v]), v) for v in vertices)
+    def border(self, gate):
+        for vertex, link in zip(gate.c, gate.links):
+            join(link, to_border(vertex), link.tets)
+
+    def pick(self, gate, ring):
+        ranked = sorted((gate.sphere(self.places[v]), v) for v in ring)
         for i, (_, v) in enumerate(ranked[:15]):
-            if self.decide(name + "Pick", min(i, 5)):
+            if self.decide("RingPick", min(i, 5)):
                 return v
         require(False, "nothing picked")
 
-    def attach(self, gate, v):
+    def attach(self, gate, v, is_new=False):
         """8.8."""
-        c, e = gate.c, gate.e
+        c = gate.c
         tet = len(self.tets)
-        self.tets.append((c[0], c[1], c[2], v))
+        self.tets.append((*c, v))
         self.parents.append(gate.face.tet)
-        twins = [next((face for face in edge.faces if face.far(edge) == v), None) for edge in e]
-        f = [self.edge(corner, v) for corner in c]
-        for edge in (*e, *f):
-            edge.tets += 1
-        for twin in twins:
-            if twin is not None:
-                self.close_face(twin)
-        for i in range(3):
-            if twins[i] is None:
-                j = (i + 1) % 3
-                self.open_face((c[i], c[j], v), c[(i + 2) % 3], tet, (e[i], f[j], f[i]))
+        glued = [not is_new and vertex == v for vertex in gate.ids]
+        apart = [not glued[(k + 1) % 3] and not glued[(k + 2) % 3] for k in range(3)]
+        touching = [gate.touching(k, v) if apart[k] and not is_new else None for k in range(3)]
+
+        left, right = [None] * 3, [None] * 3
+        for i in (2, 0, 1):
+            link = gate.links[i]
+            if glued[i]:
+                left[(i + 2) % 3], right[(i + 1) % 3] = link.beside(2), link.beside(1)
+                self.close_face(link.face)
+            else:
+                face = self.open_face((c[(i + 1) % 3], c[(i + 2) % 3], v), c[i], tet)
+                join(to_side(face, 2), link, link.tets + 1)
+                left[(i + 2) % 3], right[(i + 1) % 3] = to_side(face, 0), to_side(face, 1)
+
+        for k, p, q in zip(range(3), left, right):
+            if not apart[k]:
+                if p.face is None or p.face.is_open:
+                    join(p, q, p.tets + q.tets + 1)
+            elif touching[k] is not None:
+                side, forward = touching[k]
+                there = side.face.links[side.side]
+                if not forward:
+                    p, q = q, p
+                join(p, side, there.tets + 1)
+                join(q, there, there.tets + 1)
+            else:
+                self.edge_log.append((c[k], v))
+                join(p, q, 1)
 
     # ----- Shared vertices by their place (8.13)
 
@@ -370,83 +394,89 @@ class Walk:
         return grid
 
     def cell(self, place):
-        return tuple(int(x) >> (16 - self.depth) for x in place)
+        top = (1 << self.depth) - 1
+        return tuple(clamp(math.floor(x * F(2.0 ** (self.depth - 8))), 0, top) for x in place)
 
     def name_shared(self, gate):
         """The shared index that is named next."""
-        hits = self.search(gate)
-        if not self.angle:
-            hits = sorted((gate.sphere(self.shared_places[h]), h) for _, h in hits)
-        for i, (_, index) in enumerate(hits):
+        for i, (_, index) in enumerate(self.search(gate)):
             if self.decide("SharedRank", i):
                 return index
         return self.index(len(self.shared_keys))
 
     def search(self, gate):
-        """Hits as pairs of distance and index, in ascending order."""
-        a, b, c = [tuple(int(x) for x in self.places[v]) for v in gate.c]
-        s = tuple(a[i] + b[i] + c[i] for i in range(3))
-        sides = minus(b, a), minus(c, a), minus(c, b)
-        limit = (144 if self.angle else 36) * max(dot(side, side) for side in sides)
-        x0, y0, z0 = self.cell([x // 3 for x in s])
+        """Hits as pairs of rank and index, in ascending order."""
+        a, b, c = [self.places[v] for v in gate.c]
+        longest = max(square(minus(b, a)), square(minus(c, a)), square(minus(c, b)))
+        third = F(1) / F(3)
+        m = tuple((a[i] + b[i] + c[i]) * third for i in range(3))
+        reach = F(3 if self.angle else 1.25)
+        limit = reach * reach * longest
+        radius = np.sqrt(limit)
+        low, high = self.cell([x - radius for x in m]), self.cell([x + radius for x in m])
         hits = []
-        patience = 1024
-        top = (1 << self.depth) - 1
-        for ring in range(top + 1):
-            reach = 3 * max(0, ring - 1) << (16 - self.depth)
-            if reach * reach > limit or len(hits) == 8 and reach * reach > hits[-1][0]:
-                break
-            for z in range(max(0, z0 - ring), min(top, z0 + ring) + 1):
-                for y in range(max(0, y0 - ring), min(top, y0 + ring) + 1):
-                    inside = abs(z - z0) < ring and abs(y - y0) < ring
-                    for x in range(x0 - ring, x0 + ring + 1, 2 * ring if inside else 1):
-                        if x < 0 or x > top:
-                            continue
-                        entries = self.grid.get((x, y, z), [])
-                        count = min(len(entries), patience - 1)
-                        for index in entries[:count]:
-                            self.look(gate, index, a, s, limit, hits)
-                        patience -= count + 1
-                        if patience == 0:
-                            return hits
+        patience = 512
+        for z in outwards(low[2], high[2]):
+            for y in outwards(low[1], high[1]):
+                row = []
+                for x in range(low[0], high[0] + 1):
+                    row += self.grid.get((x, y, z), [])
+                for four in range(0, len(row), 4):
+                    for index in row[four : four + 4]:
+                        self.look(gate, index, m, limit, hits)
+                    patience -= 1
+                    if patience == 0:
+                        return hits
         return hits
 
-    def look(self, gate, index, a, s, limit, hits):
-        place = tuple(int(x) for x in self.shared_places[index])
-        difference = tuple(3 * place[i] - s[i] for i in range(3))
-        distance = dot(difference, difference)
-        met = self.shared_met[index]
-        if not met and distance <= limit and dot(minus(place, a), gate.normal) > 0:
-            hits.append((distance, index))
-            hits.sort()
+    def look(self, gate, index, m, limit, hits):
+        place = self.shared_places[index]
+        distance = square(minus(place, m))
+        if self.shared_met[index] or not distance <= limit:
+            return
+        if not self.angle:
+            rank = gate.sphere(place)
+        else:
+            rank = distance if dot(minus(place, gate.a), gate.normal) > 0 else INF
+        if rank != INF:
+            hits.append((rank, index))
+            hits.sort(key=lambda hit: hit[0])  # keeps the order of equal ones
             del hits[8:]
+
+
+def outwards(a, b):
+    m = (a + b) // 2
+    return sorted(range(a, b + 1), key=lambda i: (abs(i - m), i < m))
 
 
 class Gate:
     """A face on which the walk grows: proposals (8.7), measures (8.10), indices of models (8.11).
 
-    c, e, ids, faces, ranks: those of the three sides; others: other candidates.
+    c, links, ids, ranks: corners, and those of the sides; others: other candidates.
     """
 
     def __init__(self, walk, face):
         self.walk, self.face = walk, face
-        self.c, self.e = face.corners, face.edges
-        places = [walk.places[v] for v in self.c]
-        self.a = places[0]
-        u, v = minus(places[1], places[0]), minus(places[2], places[0])
+        self.c, self.links = face.corners, tuple(face.links)
+        self.far = [link.far() for link in self.links]
+        self.corner_places = [walk.places[v] for v in self.c]
+        self.a, b, c = self.corner_places
+        u, v = minus(b, self.a), minus(c, self.a)
         self.normal = n = cross(u, v)
         self.nn = dot(n, n)
 
         w = minus(v, u)
         uu, vv = dot(u, u), dot(v, v)
         sides = uu * vv * dot(w, w)
-        inverse = divide(1.0, self.nn)
+        inverse = F(1) / self.nn
         p, q = cross(v, n), cross(n, u)
         self.o = tuple((uu * p[i] + vv * q[i]) * inverse for i in range(3))
-        self.unit = divide(self.nn, math.sqrt(sides))
+        self.unit = self.nn / np.sqrt(sides)
         self.r = sides * inverse
 
-        self.propose()
+        self.border_edges = sum(link.face is None for link in self.links)
+        t = [min(2, link.tets - 1) for link in self.links]
+        self.edge_grade = 9 * t[0] + 3 * t[1] + t[2]
 
     # ----- Measures
 
@@ -456,70 +486,77 @@ class Gate:
         return (dot(g, g) - dot(g, self.o)) / height if height > 0 else INF
 
     def angle(self, d, i):
-        s, e = self.walk.places[self.c[i]], self.walk.places[self.c[(i + 1) % 3]]
+        s, e = self.corner_places[(i + 1) % 3], self.corner_places[(i + 2) % 3]
         g = minus(d, s)
         height = dot(g, self.normal)
         if not height > 0:
             return INF
         edge = minus(e, s)
         inward = dot(g, cross(self.normal, edge))
-        square = inward * inward
-        r = square / (square + height * height * dot(edge, edge))
-        return r if inward < 0 else -r
+        inward2 = inward * inward
+        r = inward2 / (inward2 + height * height * dot(edge, edge))
+        return r if 0 > inward else F(0) - r
 
     def is_coplanar(self, d, i):
-        g = minus(d, self.walk.places[self.c[i]])
+        g = minus(d, self.corner_places[(i + 1) % 3])
         height = dot(g, self.normal)
-        return height * height < 0.01 * (self.nn * dot(g, g))
+        return height * height < F(0.01) * (self.nn * dot(g, g))
 
     # ----- Proposals
 
     def propose(self):
         places = self.walk.places
-        self.ids, self.faces, self.ranks = [NONE] * 3, [None] * 3, [INF] * 3
-        for i, edge in enumerate(self.e):
-            for face in edge.faces:
-                far = face.far(edge)
-                if far == self.c[(i + 2) % 3]:
-                    continue
-                place = places[far]
-                rank = self.angle(place, i) if self.walk.angle else self.sphere(place)
-                if self.faces[i] is None or rank < self.ranks[i]:
-                    self.ids[i], self.faces[i], self.ranks[i] = far, face, rank
+        self.ids, self.ranks = [None] * 3, [INF] * 3
+        for i, link in enumerate(self.links):
+            if link.face is not None and self.far[i] != self.c[i]:
+                place = places[self.far[i]]
+                self.ids[i] = self.far[i]
+                self.ranks[i] = self.angle(place, i) if self.walk.angle else self.sphere(place)
 
-        order = sorted(range(3), key=lambda i: (self.ranks[i], self.ids[i]))
-        best = order[0]
-        self.best_id, self.best_rank = self.ids[best], self.ranks[best]
+        best = 0
+        if self.ranks[1] < self.ranks[0]:
+            best = 1
+        if self.ranks[2] < self.ranks[best]:
+            best = 2
+        self.best_id, self.best_rank = self.ids[best], INF
+        self.best_count = self.ids.count(self.best_id)
         self.others = []
         self.second_rank = INF
-        self.best_count = 3
+        rest = [(best + 1) % 3, (best + 2) % 3]
+        if self.ranks[rest[1]] < self.ranks[rest[0]]:
+            rest.reverse()
+        for i in rest:
+            if self.ids[i] != self.best_id:
+                self.second_rank = min(self.second_rank, self.ranks[i])
+                if self.ids[i] is not None and self.ids[i] not in self.others:
+                    self.others.append(self.ids[i])
         self.candidates = 0
         self.best_tets = 0
-        if self.best_id != NONE:
-            for i in order[1:]:
-                if self.ids[i] != self.best_id:
-                    self.second_rank = min(self.second_rank, self.ranks[i])
-                    if self.ids[i] != NONE and self.ids[i] not in self.others:
-                        self.others.append(self.ids[i])
-            self.best_count = self.ids.count(self.best_id)
+        if self.best_id is not None:
+            self.best_rank = self.ranks[best]
+            self.best_tets = self.links[best].tets
             self.candidates = 1 + len(self.others)
-            self.best_tets = min(7, self.e[best].tets)
 
-        borders = [i for i in range(3) if self.e[i].border_far != NONE]
-        coplanar = sum(self.is_coplanar(places[self.e[i].border_far], i) for i in borders)
-        self.border_grade = len(borders) * (len(borders) + 1) // 2 + coplanar
-        t = [min(2, edge.tets - 1) for edge in self.e]
-        self.edge_grade = 9 * t[0] + 3 * t[1] + t[2]
-        users = [self.walk.users[v] for v in self.c]
-        self.all_shared = int(users[0] & users[1] & users[2] != 0)
+        coplanar = sum(
+            bool(self.is_coplanar(places[self.far[i]], i))
+            for i in range(3)
+            if self.links[i].face is None
+        )
+        self.border_grade = self.border_edges * (self.border_edges + 1) // 2 + coplanar
 
     def record(self):
-        known = [*self.c, self.face.apex]
-        for edge, vertex in zip(self.e, self.ids):
-            known.append(edge.border_far if vertex == NONE else vertex)
-        return GateRecord(known, self.edge_grade, self.candidates)
+        return GateRecord([*self.c, self.face.apex, *self.far], self.edge_grade, self.candidates)
+
+    def is_interface(self):
+        users = [self.walk.users[v] for v in self.c]
+        return users[0] & users[1] & users[2] != 0
 
     # ----- Indices of models
+
+    def interface_indices(self):
+        users = [self.walk.users[v] for v in (*self.c, self.face.apex)]
+        near = int(users[0] & users[1] & users[2] & users[3] != 0)
+        return self.border_edges, self.edge_grade, near
 
     def hit_indices(self):
         if not self.walk.angle:
@@ -528,8 +565,8 @@ class Gate:
 
     def border_indices(self):
         if not self.walk.angle:
-            return self.all_shared, self.border_grade, self.radius()
-        return self.all_shared, self.border_grade, self.first(), self.best_tets
+            return self.border_grade, self.radius()
+        return self.border_grade, self.first(), self.best_tets
 
     def new_indices(self):
         if not self.walk.angle:
@@ -542,59 +579,62 @@ class Gate:
         if rank == INF:
             return 32
         t = rank * self.unit
-        g = 16 + 16 * (t / (1 + abs(t)))
+        g = F(16) + F(16) * (t / (F(1) + abs(t)))
         return math.floor(g) if g < 31 else 31
 
     def radius(self):
         if self.nn == 0:
             return 31
-        return clamp(math.frexp(self.r)[1] - 1 - 6, 0, 31)
+        return clamp(math.frexp(self.r)[1] - 1 + 10, 0, 31)
 
     def angle_grade(self, rank):
         if rank == INF:
             return 16
-        g = 8 + 8 * rank
+        g = F(8) + F(8) * rank
         return math.floor(g) if g < 15 else 15
 
     def first(self):
-        return 17 if self.best_id == NONE else self.angle_grade(self.best_rank)
+        return 17 if self.best_id is None else self.angle_grade(self.best_rank)
 
-    # ----- Turning (8.12)
+    # ----- Turning (8.4, 8.8) and rings (8.12)
 
-    def turn(self, x, edge, start, most, use):
-        for _ in range(most):
-            face = next((face for face in edge.faces[:2] if face is not start), None)
-            if face is None:
-                break
-            edge = face.other_edge(edge, x)
-            use(edge.other_end(x))
-            start = face
-        return edge
+    def turn_both_ways(self, k, use):
+        """Around corner k. use(vertex, side, whether forward)"""
+        forward, back = self.links[(k + 1) % 3], self.links[(k + 2) % 3]
+        end = turn(forward, True, 32, lambda *there: use(*there, True))
+        if end.face is None:
+            turn(back, False, 32, lambda *there: use(*there, False))
+
+    def touching(self, k, v):
+        """Where the front touches itself in the edge from corner k to v: a side and whether it was
+        found forward, or None."""
+        found = []
+
+        def look(vertex, side, forward):
+            if vertex == v:
+                found.append((side, forward))
+            return bool(found)
+
+        self.turn_both_ways(k, look)
+        return found[0] if found else None
 
     def ring_rank(self):
-        ranks = [INF]
-
-        def look(v):
-            if v not in self.ids:
-                ranks.append(self.sphere(self.walk.places[v]))
-
-        for i, face in enumerate(self.faces):
-            if face is not None:
-                for x in self.e[i].ends:
-                    self.turn(x, face.edge(x, self.ids[i]), face, 2, look)
-        return min(ranks)
+        rank = INF
+        for link in self.links:
+            if link.face is None:
+                continue
+            for beside in (link.beside(1), link.beside(2)):
+                v = beside.far()
+                if beside.face is not None and v not in self.ids and v not in self.c:
+                    rank = min(rank, self.sphere(self.walk.places[v]))
+        return rank
 
     def ring(self):
         ring = set()
-        for i in range(3):
-            last = self.e[(i + 2) % 3]
-            end = self.turn(self.c[i], self.e[i], None, 32, ring.add)
-            if end is not last:
-                self.turn(self.c[i], last, None, 32, ring.add)
-        return ring.difference(self.c, self.ids)
 
-    def distant(self, ring):
-        corners = set()
-        for face in self.walk.front:
-            corners.update(face.corners)
-        return corners.difference(ring, self.c, self.ids)
+        def add(vertex, *_):
+            ring.add(vertex)
+
+        for k in range(3):
+            self.turn_both_ways(k, add)
+        return ring.difference(self.c, self.ids)

@@ -20,6 +20,7 @@ import numpy as np
 from vtkmodules.util import vtkConstants as c
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes
+from vtkmodules.vtkFiltersCore import vtkDelaunay3D
 
 import gatunGolden as golden
 from describe_decoded import describe_decoded
@@ -360,6 +361,71 @@ def shared_fans(rng):
     return gm.make_grid(single(np.concatenate([points, hubs])), tets), {"ChunkTets": n}
 
 
+def around_a_point(sizes, rng):
+    """Cones over rings of triangles, all with one apex: the walk meets itself behind each of them
+    and turns around the apex for long."""
+    points, tets = [[0, 0, 0]], []
+    for n, m in sizes:
+        first = len(points)
+        for i, j in np.ndindex(n, m):
+            a, b = 2 * np.pi * i / n, 2 * np.pi * j / m
+            r = 20 + n * np.cos(a)
+            points.append([r * np.cos(b), r * np.sin(b), n * np.sin(a) + 40])
+            corners = [first + (i + k) % n * m + (j + l) % m for k in (0, 1) for l in (0, 1)]
+            for triangle in ((0, 1, 3), (0, 3, 2)):
+                if rng.random() < 0.985:
+                    tets.append([0] + [corners[k] for k in triangle])
+    points = np.round(jitter(np.array(points), rng))
+    return gm.make_grid(*shuffle(single(points), np.array(tets), rng)), {}
+
+
+def cones(rng):
+    return around_a_point([(n, 20) for n in range(6, 18)], rng)
+
+
+# In these a turn ends at the last face where it may, or would end at the next one.
+
+
+def turns_32(_):
+    return around_a_point([(15, 23)], np.random.default_rng(21))
+
+
+def turns_32_back(_):
+    return around_a_point([(15, 23)], np.random.default_rng(126))
+
+
+def turns_33(_):
+    return around_a_point([(15, 23)], np.random.default_rng(74))
+
+
+def long_searches(rng):
+    """Two chunks that share three thousand points, and long edges: searches that end early."""
+    n = 3000
+    points = np.round(rng.random((n, 3)), 2)
+    hubs = np.array([[-2, 0.4, 0.3], [-2, 1.4, 0.3], [3, 0.4, 0.3], [3, 1.4, 0.3]])
+    tets = []
+    for a in (n, n + 2):
+        near = hubs[a - n : a - n + 2].mean(0) * 0.7 + 0.3 * np.array([0.5, 0.9, 0.3])
+        order = ((points - near) ** 2).sum(1).argsort()
+        order[:80] = order[:80].reshape(-1, 4)[:, rng.permutation(4)].ravel()
+        tets += [[a, a + 1, order[i], order[i - 1]] for i in range(1, 80)]
+        tets += [[a, *order[i : i + 3]] for i in range(79, n - 3, 3)]
+    points = single(np.concatenate([points, hubs]))
+    return gm.make_grid(points, tets), {"ChunkTets": len(tets) // 2}
+
+
+def large_and_small(rng):
+    """A Delaunay mesh with tetrahedra as small as the steps of the lattice and as large as all."""
+    corners = np.stack(np.meshgrid([0, 65535], [0, 65535], [0, 65535]), -1).reshape(-1, 3)
+    small = 20000 + rng.uniform(0, 20, (250, 3))
+    points = single(np.concatenate([small, rng.uniform(0, 65535, (40, 3)), corners]))
+    delaunay = vtkDelaunay3D()
+    delaunay.SetTolerance(0)
+    delaunay.SetInputData(gm.make_grid(points, [[0, 1, 2, 3]]))
+    delaunay.Update()
+    return gm.make_grid(*shuffle(points, gm.connectivity(delaunay.GetOutput()), rng)), {}
+
+
 def merged_layers(rng):
     """Six meshes in the same place that have many points in common, so faces of many cells."""
     points, tets = cubes((4, 4, 4))
@@ -438,8 +504,9 @@ ALL = [
     one_tet, empty, only_points, tets_six, hexes_split, sliver_layers, chunks, chunks_keep_all,
     keep_points, keep_cells, palettes, odd_coordinates, huge_and_tiny, types, components_and_roles,
     unused, unused_not_kept, flipped, with_holes, soup, soup_in_chunks, many_neighbours,
-    around_an_edge, flat, one_place, strip, random_strip, all_of_few, large_chunks, shared_fans,
-    merged_layers, field_data, steps, steps_not_kept, one_step]
+    around_an_edge, cones, turns_32, turns_32_back, turns_33, flat, one_place, strip, random_strip,
+    all_of_few, large_chunks, shared_fans, long_searches, large_and_small, merged_layers,
+    field_data, steps, steps_not_kept, one_step]
 
 # --------------------------------------------------------------------------------------------------
 # Writing and checking

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunLanes_h
+#define gatunLanes_h
+
+// Several numbers at once. Each lane is computed by itself, binary32 as IEEE 754 says, so that it
+// makes no difference whether the processor has such registers.
+
+#include "gatunInline.h"
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace gatun
+{
+#if defined(__GNUC__)
+using Float4 = float __attribute__((vector_size(16)));
+using Short8 = std::int16_t __attribute__((vector_size(16)));
+
+/** In each lane a where l > r, else b. */
+GATUN_INLINE Float4 SelectGreater(Float4 l, Float4 r, Float4 a, Float4 b)
+{
+  return l > r ? a : b;
+}
+
+/** How many lanes of low and high are not above a number. */
+GATUN_INLINE unsigned CountUpTo(Short8 low, Short8 high, std::int16_t number)
+{
+  const auto all =
+    std::bit_cast<std::array<std::uint64_t, 2>>(-((low <= number) + (high <= number)));
+  return static_cast<unsigned>(((all[0] + all[1]) * 0x0001000100010001u) >> 48);
+}
+
+/** Moves each lane towards a target by 1 / 2^rate of the way. */
+GATUN_INLINE Short8 Approach(Short8 value, Short8 target, int rate)
+{
+  return value + ((target - value) >> rate);
+}
+#else
+using Short8 = std::array<std::int16_t, 8>;
+
+inline unsigned CountUpTo(const Short8& low, const Short8& high, std::int16_t number)
+{
+  unsigned count = 0;
+  for (std::size_t i = 0; i < 8; ++i)
+  {
+    count += (low[i] <= number) + (high[i] <= number);
+  }
+  return count;
+}
+
+inline Short8 Approach(Short8 value, const Short8& target, int rate)
+{
+  for (std::size_t i = 0; i < 8; ++i)
+  {
+    value[i] = static_cast<std::int16_t>(value[i] + ((target[i] - value[i]) >> rate));
+  }
+  return value;
+}
+
+struct Float4
+{
+  std::array<float, 4> Lanes;
+  float operator[](std::size_t i) const { return this->Lanes[i]; }
+};
+
+template <typename Operation>
+Float4 EachLane(const Float4& a, const Float4& b, Operation&& operation)
+{
+  Float4 result;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    result.Lanes[i] = operation(a.Lanes[i], b.Lanes[i]);
+  }
+  return result;
+}
+
+inline Float4 operator+(const Float4& a, const Float4& b)
+{
+  return EachLane(a, b, [](float l, float r) { return l + r; });
+}
+
+inline Float4 operator-(const Float4& a, const Float4& b)
+{
+  return EachLane(a, b, [](float l, float r) { return l - r; });
+}
+
+inline Float4 operator*(const Float4& a, const Float4& b)
+{
+  return EachLane(a, b, [](float l, float r) { return l * r; });
+}
+
+inline Float4 operator/(const Float4& a, const Float4& b)
+{
+  return EachLane(a, b, [](float l, float r) { return l / r; });
+}
+
+inline Float4 SelectGreater(const Float4& l, const Float4& r, const Float4& a, const Float4& b)
+{
+  Float4 result;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    result.Lanes[i] = l.Lanes[i] > r.Lanes[i] ? a.Lanes[i] : b.Lanes[i];
+  }
+  return result;
+}
+#endif
+
+GATUN_INLINE float Least(Float4 v)
+{
+  const float a = v[1] < v[0] ? v[1] : v[0];
+  const float b = v[3] < v[2] ? v[3] : v[2];
+  return b < a ? b : a;
+}
+
+GATUN_INLINE Float4 Splat(float value)
+{
+  return Float4{ value, value, value, value };
+}
+}
+
+#endif
