@@ -3,6 +3,7 @@
 
 #include "gatunFileReaderInternals.h"
 #include "gatunPalette.h"
+#include "gatunPartDecoder.h"
 
 #include <algorithm>
 #include <array>
@@ -127,11 +128,42 @@ private:
 };
 
 /** Decodes everything once, some chunks at a time. */
+/** The points of blocks, also of those that no chunk needs. */
+void VerifyBlocks(const PartDecoder& parts)
+{
+  const auto count = parts.Content().Mesh.Blocks.size();
+  for (std::size_t block = 0; block <= count; ++block) // the unused points are the last one
+  {
+    if (parts.GetBlock(block).Points > 0)
+    {
+      parts.GetBlockPoints(static_cast<std::uint32_t>(block));
+    }
+  }
+}
+
+/** The order of corners, which pieces of a file have no use for. */
+void VerifyCorners(const PartDecoder& parts, std::span<const std::uint32_t> chunks)
+{
+  if ((parts.GetFile()->GetKeptOrder() & KeepCorners) == 0)
+  {
+    return;
+  }
+  const auto pointsOf = [&](std::uint32_t block) { return parts.GetBlockPoints(block); };
+  for (const auto chunk : chunks)
+  {
+    const auto kept = parts.FindMesh(chunk);
+    parts.DecodeCorners(chunk, kept ? *kept : *parts.DecodeMesh(chunk, pointsOf));
+  }
+}
+
 void VerifyStreams(const FileReader& file, const std::function<bool(double)>& progress)
 {
   constexpr std::size_t chunksAtOnce = 16;
   // The decoder only borrows the file.
   const std::shared_ptr<const FileReader> borrowed(&file, [](const FileReader*) {});
+  const auto cache = std::make_shared<ChunkCache>(borrowed);
+  const PartDecoder parts(cache);
+  VerifyBlocks(parts);
   const auto chunks = file.GetChunks().size();
   const auto rounds = std::max<std::size_t>(1, (chunks + chunksAtOnce - 1) / chunksAtOnce);
   const auto steps = std::max<std::size_t>(1, file.GetNumberOfSteps());
@@ -149,7 +181,7 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
       request.Arrays.push_back(a);
     }
     request.WithUnusedPoints = round == 0;
-    PieceDecoder decoder(borrowed);
+    PieceDecoder decoder(cache);
     for (std::size_t step = 0; step < steps; ++step)
     {
       request.Step = step;
@@ -187,6 +219,7 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
         cells.Add(cellIds[t]);
       }
     }
+    VerifyCorners(parts, request.Chunks);
   }
 }
 }

@@ -21,7 +21,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -97,25 +96,6 @@ void CompareWithOriginals(const Options& options, const Settings& settings, std:
   }
 }
 
-// The whole mesh in its original order, which a file is not read in unless all of it is wanted at
-// once: only then corners are turned back, and points put where they were.
-void DecodeInOrder(const std::shared_ptr<const gatun::FileReader>& file, Progress& progress)
-{
-  gatun::PieceRequest request;
-  request.Chunks.resize(file->GetChunks().size());
-  std::iota(request.Chunks.begin(), request.Chunks.end(), 0u);
-  request.WithUnusedPoints = true;
-  gatun::PieceDecoder decoder(file);
-  decoder.SetRequest(request);
-  std::vector<std::uint8_t> points(static_cast<std::size_t>(decoder.GetNumberOfPoints()) * 3 *
-    gatun::SizeOf(file->GetCoordinateType()));
-  std::vector<std::int64_t> connectivity(static_cast<std::size_t>(decoder.GetNumberOfTets()) * 4);
-  gatun::PieceTarget target;
-  target.Points = points.data();
-  target.Connectivity = connectivity.data();
-  decoder.Fill(target, std::ref(progress));
-}
-
 // "12 chunks, 3 arrays, 2 time steps, the order of points, cells".
 std::string ListChecked(const gatun::FileReader& file)
 {
@@ -144,11 +124,6 @@ void Verify(const Options& options, const Settings& settings)
     {
       throw Interrupted();
     }
-  }
-  if (file->GetKeptOrder() != gatun::KeepNone)
-  {
-    Progress progress("checking the order", settings.ShowProgress);
-    DecodeInOrder(file, progress);
   }
   if (!options.Originals.empty())
   {

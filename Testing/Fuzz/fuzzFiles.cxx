@@ -188,7 +188,7 @@ bool DecodeFile(const std::string& path)
   {
     return false;
   }
-  bool decodes = true;
+  std::string failure;
   try
   {
     DecodePieces(file);
@@ -196,8 +196,9 @@ bool DecodeFile(const std::string& path)
   catch (const Error& error)
   {
     check(error);
-    decodes = false;
+    failure = error.what();
   }
+  const bool decodes = failure.empty();
   try
   {
     // Verifying decodes all once more, so a file that is known to be wrong goes without mostly.
@@ -206,7 +207,7 @@ bool DecodeFile(const std::string& path)
       file->Verify();
       if (!decodes)
       {
-        Stop("a file that does not decode was verified");
+        Stop("a file that does not decode was verified: " + failure);
       }
     }
   }

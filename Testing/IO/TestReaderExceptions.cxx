@@ -95,7 +95,7 @@ int TestReaderExceptions(int argc, char* argv[])
   delete[] temporary;
   WriteFile(path);
 
-  const char* const reasons[] = { "not enough memory", "a reason", "unknown error" };
+  const char* const reasons[] = { "not enough memory", "a reason", "failed for an unknown reason" };
   int thrown = 0;
   for (int kind = 0; kind < 3; ++kind)
   {
