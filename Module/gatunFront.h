@@ -150,7 +150,7 @@ public:
     }
   }
 
-  /** Closes the oldest face as one that has nothing behind it. */
+  /** Tells what lies around a face that was closed that there is nothing behind it. */
   void CloseAtBorder(const Face& face)
   {
     for (unsigned i = 0; i < 3; ++i)

@@ -38,8 +38,8 @@ enum class Turn
 
 /**
  * Visits the open faces around a vertex, from the one that a link leads to, at most so many. Calls
- * use(vertex, side) with the next vertex around and the side of the face that leads on, as a link;
- * ends when it returns false. Returns the link that was not followed any more.
+ * use(vertex, side, Sense) with the next vertex around and the side of the face that leads on, as a
+ * link; ends when it returns false. Returns the link that was not followed any more.
  */
 template <Turn Sense, typename Use>
 GATUN_INLINE Link TurnAround(const Front& front, Link link, unsigned most, Use&& use)
@@ -53,7 +53,7 @@ GATUN_INLINE Link TurnAround(const Front& front, Link link, unsigned most, Use&&
     }
     const auto side = link.GetSide();
     const auto next = Sense == Turn::Forward ? LastSide(side) : NextSide(side);
-    if (!use(face.Corners[side], Link::ToSide(link.GetFace(), next)))
+    if (!use(face.Corners[side], Link::ToSide(link.GetFace(), next), Sense))
     {
       break;
     }
@@ -98,7 +98,7 @@ public:
   };
   using Circle = std::conditional_t<UsesAngle, NoCircle, GateCircle>;
 
-  /** Makes the proposals. The face is closed already. */
+  /** Makes the proposals. */
   GATUN_INLINE Gate(
     const Front& front, std::span<const LatticePoint> places, const Front::Face& face)
     : Face(face)

@@ -28,31 +28,37 @@ struct alignas(16) LatticePoint
   std::uint32_t Users = 0;
 };
 
-struct Vec3
+template <typename Number>
+struct VectorOf
 {
-  float X, Y, Z;
+  Number X, Y, Z;
 };
+
+using Vec3 = VectorOf<float>;
+using Vec3x4 = VectorOf<Float4>; // four vectors, a lane each
 
 GATUN_INLINE Vec3 operator-(const LatticePoint& a, const LatticePoint& b)
 {
   return { a.X - b.X, a.Y - b.Y, a.Z - b.Z };
 }
 
-GATUN_INLINE float Dot(const Vec3& a, const Vec3& b)
+template <typename Number>
+GATUN_INLINE VectorOf<Number> operator-(const VectorOf<Number>& a, const VectorOf<Number>& b)
+{
+  return { a.X - b.X, a.Y - b.Y, a.Z - b.Z };
+}
+
+template <typename Number>
+GATUN_INLINE Number Dot(const VectorOf<Number>& a, const VectorOf<Number>& b)
 {
   return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
 }
 
-GATUN_INLINE Vec3 Cross(const Vec3& a, const Vec3& b)
+template <typename Number>
+GATUN_INLINE VectorOf<Number> Cross(const VectorOf<Number>& a, const VectorOf<Number>& b)
 {
   return { a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X };
 }
-
-/** Four vectors, a lane each. */
-struct Vec3x4
-{
-  Float4 X, Y, Z;
-};
 
 GATUN_INLINE Vec3x4 Gather(
   const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& d)
@@ -69,21 +75,6 @@ GATUN_INLINE Vec3x4 Splat(const Vec3& v)
 GATUN_INLINE Vec3x4 Splat(const LatticePoint& p)
 {
   return { Splat(p.X), Splat(p.Y), Splat(p.Z) };
-}
-
-GATUN_INLINE Vec3x4 operator-(const Vec3x4& a, const Vec3x4& b)
-{
-  return { a.X - b.X, a.Y - b.Y, a.Z - b.Z };
-}
-
-GATUN_INLINE Float4 Dot(const Vec3x4& a, const Vec3x4& b)
-{
-  return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
-}
-
-GATUN_INLINE Vec3x4 Cross(const Vec3x4& a, const Vec3x4& b)
-{
-  return { a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X };
 }
 
 /** The rules by which candidates are ranked; the encoder chooses one for a chunk. */
@@ -158,7 +149,7 @@ class GateCircle
 public:
   GATUN_INLINE explicit GateCircle(const GatePlane& plane)
   {
-    const Vec3 w{ plane.V.X - plane.U.X, plane.V.Y - plane.U.Y, plane.V.Z - plane.U.Z };
+    const Vec3 w = plane.V - plane.U;
     const float uu = Dot(plane.U, plane.U);
     const float vv = Dot(plane.V, plane.V);
     const float sides = uu * vv * Dot(w, w);

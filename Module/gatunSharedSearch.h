@@ -9,7 +9,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -20,7 +19,7 @@ class SharedSearch
 {
 public:
   static constexpr unsigned Most = 8;
-  static constexpr std::uint32_t Patience = 512; // vertices looked at in a search, nearly
+  static constexpr std::uint32_t Patience = 512; // times that four vertices are looked at
 
   struct Hits
   {
@@ -46,8 +45,8 @@ public:
   /**
    * The vertices in front of a gate whose distance to its centroid is at most reach times its
    * longest side: the Most best by getRanks(places, squared distances), the best first. The search
-   * goes over the cells of a grid row by row and gives up, with what it has, when it runs out of
-   * patience.
+   * goes over the rows of cells of a grid, the middle ones first, and gives up, with what it has,
+   * when it runs out of patience.
    */
   template <typename GetRanks>
   Hits Find(const GatePlane& plane, float reach, GetRanks&& getRanks) const

@@ -344,7 +344,7 @@ private:
       }
     }
     this->Ring.clear();
-    const auto add = [&](Vertex v, Link)
+    const auto add = [&](Vertex v, Link, Turn)
     {
       if (this->Stamps[v] != this->Stamp)
       {
@@ -359,7 +359,7 @@ private:
     }
   }
 
-  /** Visits the faces around a corner of the gate. */
+  /** Visits the faces around a corner of the gate until use says that it is enough. */
   template <typename Use>
   void TurnBothWays(const Gate<Rule>& gate, unsigned corner, Use&& use)
   {
@@ -570,20 +570,12 @@ private:
   Touch FindTouch(const Gate<Rule>& gate, unsigned corner, Vertex fourth)
   {
     Touch touch;
-    const auto look = [&](Vertex v, Link side)
-    {
-      touch.Edge = side;
-      touch.Found = v == fourth;
-      return !touch.Found;
-    };
-    const auto& over = gate.Face.Over;
-    touch.FromFourth = true;
-    const auto end = TurnAround<Turn::Forward>(this->Open, over[NextSide(corner)], MaxFan, look);
-    if (!touch.Found && end.IsBorder())
-    {
-      touch.FromFourth = false;
-      TurnAround<Turn::Back>(this->Open, over[LastSide(corner)], MaxFan, look);
-    }
+    this->TurnBothWays(gate, corner,
+      [&](Vertex v, Link side, Turn sense)
+      {
+        touch = { side, v == fourth, sense == Turn::Forward };
+        return !touch.Found;
+      });
     return touch;
   }
 

@@ -3,8 +3,9 @@
 
 #include "benchFiles.h"
 
-#include "benchHarness.h"
+#include "benchCases.h"
 
+#include "gatunParallel.h"
 #include "vtkGatunReader.h"
 #include "vtkGatunWriter.h"
 
@@ -116,5 +117,25 @@ Grid Load(const std::string& file)
 {
   return file.ends_with(".gtn") ? LoadWith<vtkGatunReader>(file)
                                 : LoadWith<vtkXMLUnstructuredGridReader>(file);
+}
+
+//------------------------------------------------------------------------------
+void PrintTimes(const std::vector<Operation>& operations, std::uint64_t tets)
+{
+  PrintJson(
+    [&](gtn::Json& json)
+    {
+      json.Add("threads", gatun::GetNumberOfThreads());
+      json.Add("tets", tets);
+      json.BeginArray("files");
+      for (const Operation& operation : operations)
+      {
+        json.BeginObject();
+        json.Add("format", operation.Name);
+        AddTimes(json, operation);
+        json.EndObject();
+      }
+      json.EndArray();
+    });
 }
 }

@@ -5,8 +5,10 @@
 
 // The files that are compared: .gtn and the flavours of VTK's own .vtu.
 
+#include "benchHarness.h"
 #include "benchMeshes.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,9 @@ void Write(const Format& format, vtkUnstructuredGrid* grid, const std::string& f
 
 /** Reads a .gtn or .vtu file as a program would that knows nothing of it. Throws Failure. */
 Grid Load(const std::string& file);
+
+/** Prints what was timed for the formats of a mesh of so many tetrahedra, as JSON. */
+void PrintTimes(const std::vector<Operation>& operations, std::uint64_t tets);
 }
 
 #endif

@@ -46,21 +46,7 @@ void TimeLoading(const Options& options)
     }
   }
   RunInterleaved(operations, options.Rounds);
-  PrintJson(
-    [&](gtn::Json& json)
-    {
-      json.Add("threads", gatun::GetNumberOfThreads());
-      json.Add("tets", static_cast<std::uint64_t>(tets));
-      json.BeginArray("files");
-      for (const Operation& operation : operations)
-      {
-        json.BeginObject();
-        json.Add("format", operation.Name);
-        AddTimes(json, operation);
-        json.EndObject();
-      }
-      json.EndArray();
-    });
+  PrintTimes(operations, static_cast<std::uint64_t>(tets));
 }
 
 void MeasurePeak(const Options& options)

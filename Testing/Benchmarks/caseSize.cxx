@@ -7,7 +7,6 @@
 #include "benchFiles.h"
 
 #include "gatunFileReader.h"
-#include "gatunParallel.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -120,21 +119,7 @@ void TimeWriting(const Options& options)
     }
   }
   RunInterleaved(operations, options.Rounds);
-  PrintJson(
-    [&](gtn::Json& json)
-    {
-      json.Add("threads", gatun::GetNumberOfThreads());
-      json.Add("tets", static_cast<std::uint64_t>(grid->GetNumberOfCells()));
-      json.BeginArray("files");
-      for (const Operation& operation : operations)
-      {
-        json.BeginObject();
-        json.Add("format", operation.Name);
-        AddTimes(json, operation);
-        json.EndObject();
-      }
-      json.EndArray();
-    });
+  PrintTimes(operations, static_cast<std::uint64_t>(grid->GetNumberOfCells()));
 }
 
 } // anonymous namespace
