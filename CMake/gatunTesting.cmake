@@ -336,11 +336,13 @@ macro (gatun_add_core_internals)
   list(FILTER sources INCLUDE REGEX "\\.(cxx|h|txx)$")
   list(TRANSFORM sources PREPEND "${folder}/" REGEX "^[^/$]")
   add_library(gatunCoreInternals STATIC EXCLUDE_FROM_ALL ${sources})
-  # As in Module/CMakeLists.txt: properties of source files do not reach other folders.
-  if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-    set_source_files_properties("${folder}/gatunParallel.cxx" PROPERTIES
-      COMPILE_OPTIONS -std=c++17)
-  endif ()
+  # Properties of source files do not reach other folders.
+  foreach (source IN LISTS sources)
+    get_source_file_property(source_options "${source}" TARGET_DIRECTORY GatunCore COMPILE_OPTIONS)
+    if (source_options)
+      set_source_files_properties("${source}" PROPERTIES COMPILE_OPTIONS "${source_options}")
+    endif ()
+  endforeach ()
   target_compile_definitions(gatunCoreInternals PUBLIC VTKGATUNCORE_STATIC_DEFINE)
   target_compile_options(gatunCoreInternals PRIVATE ${options})
   target_include_directories(gatunCoreInternals PUBLIC "${folder}" "${binary_folder}")

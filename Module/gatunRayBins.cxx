@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunRayBins.h"
+
+#include <algorithm>
+
+namespace gatun
+{
+//------------------------------------------------------------------------------
+void RayBins::SetBlock(const RayKernel& kernel, const RayView& view, const RayTable& table,
+  const RayBlock& block, ReleaseFrom from)
+{
+  this->Block = &block;
+  this->Points.resize(block.Points.size());
+  this->SeenPoints.resize(block.Points.size());
+  kernel.Transform(view, table.Low, table.Scale, block.Points.data(), block.Points.size(),
+    this->Points.data(), this->SeenPoints.data());
+
+  this->Seen.resize(block.Tets.size());
+  this->Facing.resize(block.Tets.size());
+  kernel.Look(view, table.Mode == RayMode::Area, this->SeenPoints.data(), block.Tets.data(),
+    block.Turned.data(), block.Tets.size(), this->Seen.data(), this->Facing.data());
+
+  this->Released.FindOrder(block.Neighbours, this->Facing, from);
+  this->Order.clear();
+  for (const auto tet : this->Released.GetOrder())
+  {
+    if (!this->Seen[tet].IsEmpty())
+    {
+      this->Order.push_back(tet);
+    }
+  }
+  this->Next = 0;
+}
+
+//------------------------------------------------------------------------------
+bool RayBins::Fill(const RayKernel& kernel, const SetUpContext& context, std::size_t tiles)
+{
+  this->Starts.assign(tiles + 1, 0);
+  const auto first = this->Next;
+  std::size_t items = 0;
+  for (; this->Next < this->Order.size() && items < MostItems; ++this->Next)
+  {
+    ForEachTile(this->Seen[this->Order[this->Next]], context.TilesX, context.Limits,
+      [&](int tile)
+      {
+        ++this->Starts[static_cast<std::size_t>(tile) + 1];
+        ++items;
+      });
+  }
+  for (std::size_t tile = 0; tile < tiles; ++tile)
+  {
+    this->Starts[tile + 1] += this->Starts[tile];
+  }
+  this->Places.assign(this->Starts.begin(), this->Starts.end() - 1);
+  if (this->Items.size() < items)
+  {
+    this->Items.resize(items);
+  }
+  const auto& cellValues = this->Block->CellValues;
+  kernel.SetUp(context, this->Points.data(), this->Block->Tets.data(),
+    cellValues.empty() ? nullptr : cellValues.data(), this->Seen.data(), this->Order.data() + first,
+    this->Next - first, this->Places.data(), this->Items.data());
+  return this->Next > first;
+}
+
+//------------------------------------------------------------------------------
+std::size_t RayBins::GetMemorySize() const
+{
+  return this->Points.capacity() * sizeof(RayPoint) +
+    this->SeenPoints.capacity() * sizeof(SeenPoint) + this->Seen.capacity() * sizeof(SeenTet) +
+    this->Facing.capacity() + this->Released.GetMemorySize() +
+    (this->Order.capacity() + this->Starts.capacity() + this->Places.capacity()) * 4 +
+    this->Items.capacity() * sizeof(TetItem);
+}
+}

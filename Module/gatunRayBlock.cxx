@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunRayBlock.h"
+
+#include <algorithm>
+#include <span>
+
+namespace gatun
+{
+namespace
+{
+constexpr auto None = RayBlock::NoNeighbour;
+
+/** Faces that wait for a partner, in lists: one for each point that is the first corner of some. */
+class WaitingFaces
+{
+public:
+  explicit WaitingFaces(std::size_t points)
+    : Lists(points, None)
+  {
+  }
+
+  /** Takes the face with these corners out, or puts this one in and returns None. */
+  std::uint32_t Match(
+    std::uint32_t first, std::uint32_t second, std::uint32_t third, std::uint32_t face)
+  {
+    auto* link = &this->Lists[first];
+    while (*link != None)
+    {
+      Waiting& other = this->Faces[*link];
+      if (other.Second == second && other.Third == third)
+      {
+        const auto place = *link;
+        *link = other.Next;
+        other.Next = this->Free;
+        this->Free = place;
+        return other.Face;
+      }
+      link = &other.Next;
+    }
+    auto place = this->Free;
+    if (place == None)
+    {
+      place = static_cast<std::uint32_t>(this->Faces.size());
+      this->Faces.emplace_back();
+    }
+    else
+    {
+      this->Free = this->Faces[place].Next;
+    }
+    this->Faces[place] = { second, third, face, this->Lists[first] };
+    this->Lists[first] = place;
+    return None;
+  }
+
+private:
+  struct Waiting
+  {
+    std::uint32_t Second, Third, Face, Next;
+  };
+  std::vector<std::uint32_t> Lists;
+  std::vector<Waiting> Faces;
+  std::uint32_t Free = None;
+};
+
+std::vector<RayBlock::Tet> FindNeighbours(std::span<const RayBlock::Tet> tets, std::size_t points)
+{
+  std::vector<RayBlock::Tet> neighbours(tets.size(), { None, None, None, None });
+  WaitingFaces waiting(points);
+  for (std::size_t i = 0; i < tets.size(); ++i)
+  {
+    const auto& tet = tets[i];
+    for (std::uint32_t side = 0; side < 4; ++side)
+    {
+      const auto face = static_cast<std::uint32_t>(4 * i + side);
+      const auto other =
+        waiting.Match(tet[side == 0 ? 1 : 0], tet[side <= 1 ? 2 : 1], tet[side <= 2 ? 3 : 2], face);
+      if (other != None)
+      {
+        neighbours[i][side] = other;
+        neighbours[other / 4][other % 4] = face;
+      }
+    }
+  }
+  return neighbours;
+}
+
+bool IsBefore(const RayPoint& a, const RayPoint& b)
+{
+  return a.X != b.X ? a.X < b.X : a.Y != b.Y ? a.Y < b.Y : a.Z < b.Z;
+}
+
+bool HasNegativeVolume(const RayPoint& a, const RayPoint& b, const RayPoint& c, const RayPoint& d)
+{
+  const double ux = b.X - a.X;
+  const double uy = b.Y - a.Y;
+  const double uz = b.Z - a.Z;
+  const double vx = c.X - a.X;
+  const double vy = c.Y - a.Y;
+  const double vz = c.Z - a.Z;
+  return (uy * vz - uz * vy) * (d.X - a.X) + (uz * vx - ux * vz) * (d.Y - a.Y) +
+    (ux * vy - uy * vx) * (d.Z - a.Z) <
+    0;
+}
+}
+
+//------------------------------------------------------------------------------
+void RayBlock::Prepare()
+{
+  this->Turned.resize(this->Tets.size());
+  for (std::size_t i = 0; i < this->Tets.size(); ++i)
+  {
+    auto& tet = this->Tets[i];
+    const auto arrange = [&](unsigned first, unsigned second)
+    {
+      const auto a = tet[first];
+      const auto b = tet[second];
+      const bool swap = IsBefore(this->Points[b], this->Points[a]) ||
+        (b < a && !IsBefore(this->Points[a], this->Points[b]));
+      tet[first] = swap ? b : a;
+      tet[second] = swap ? a : b;
+    };
+    arrange(0, 1);
+    arrange(2, 3);
+    arrange(0, 2);
+    arrange(1, 3);
+    arrange(1, 2);
+    this->Turned[i] = HasNegativeVolume(
+      this->Points[tet[0]], this->Points[tet[1]], this->Points[tet[2]], this->Points[tet[3]]);
+  }
+  this->Neighbours = FindNeighbours(this->Tets, this->Points.size());
+}
+
+//------------------------------------------------------------------------------
+std::size_t RayBlock::GetMemorySize() const
+{
+  return this->Points.capacity() * sizeof(RayPoint) + this->Turned.capacity() +
+    this->CellValues.capacity() * sizeof(double) +
+    (this->Tets.capacity() + this->Neighbours.capacity()) * sizeof(Tet);
+}
+}

@@ -1,0 +1,467 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunRayCaster.h"
+
+#include "gatunError.h"
+#include "gatunParallel.h"
+#include "gatunRayBins.h"
+#include "gatunRayKernel.h"
+#include "gatunRayTile.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace gatun
+{
+namespace
+{
+/** Adds the time of its life to a sum. */
+class Timed
+{
+public:
+  explicit Timed(double& sum)
+    : Sum(sum)
+  {
+  }
+  ~Timed()
+  {
+    this->Sum +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
+  }
+  Timed(const Timed&) = delete;
+  Timed& operator=(const Timed&) = delete;
+
+private:
+  double& Sum;
+  const std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
+};
+
+/** A block at work. */
+struct Work
+{
+  RayBins Bins;
+  bool HasItems = false;
+  double OrderTime = 0;
+  double SetUpTime = 0;
+};
+
+/** A tile, or room for one, and its times. */
+struct TileSlot
+{
+  std::unique_ptr<RayTile> Tile;
+  double DrawTime = 0;
+  double FinishTime = 0;
+  std::size_t MostFragments = 0;
+};
+
+/** Where a box is seen. */
+struct SeenBox
+{
+  bool IsOutside = false;
+  double FirstX = 0, FirstY = 0, LastX = 0, LastY = 0; // pixels
+  double Nearest = 0, Farthest = 0;                    // depth in units of z in ray coordinates
+};
+}
+
+//------------------------------------------------------------------------------
+class RayCaster::Internals
+{
+public:
+  RayView View;
+  RayTable Table;
+  RayLimits Limits;
+  RaySettings Settings;
+  const RayKernel& Kernel;
+  int TilesX;
+  int TilesY;
+  std::vector<TileSlot> Tiles;
+  std::vector<float> TileLimits;
+  std::vector<Work> Works;
+  RayStatistics Statistics;
+
+  Internals(
+    const RayView& view, RayTable table, const RayLimits& limits, const RaySettings& settings)
+    : View(view)
+    , Table(std::move(table))
+    , Limits(limits)
+    , Settings(settings)
+    , Kernel(settings.Portable ? GetPortableRayKernel() : GetBestRayKernel())
+    , TilesX((view.Width + RayTile::Size - 1) / RayTile::Size)
+    , TilesY((view.Height + RayTile::Size - 1) / RayTile::Size)
+    , Tiles(static_cast<std::size_t>(TilesX) * static_cast<std::size_t>(TilesY))
+    , TileLimits(Tiles.size(), RayTile::Always)
+  {
+  }
+
+  int GetX(std::size_t tile) const { return static_cast<int>(tile) % this->TilesX * RayTile::Size; }
+  int GetY(std::size_t tile) const { return static_cast<int>(tile) / this->TilesX * RayTile::Size; }
+
+  std::unique_ptr<RayTile> MakeTile(std::size_t index) const;
+  void DrawTile(std::size_t index, std::span<const Work> works);
+  void FinishTile(TileSlot& slot, int x0, int y0, float* rgba, float* depth) const;
+  void Colour(const Fragment& sum, float largest, float* rgba) const;
+  SeenBox See(const Bounds& box) const;
+  void CountMemory();
+};
+
+//------------------------------------------------------------------------------
+std::unique_ptr<RayTile> RayCaster::Internals::MakeTile(std::size_t index) const
+{
+  const RayView& view = this->View;
+  const int x0 = this->GetX(index);
+  const int y0 = this->GetY(index);
+  const int width = std::min(view.Width - x0, RayTile::Size);
+  const int height = std::min(view.Height - y0, RayTile::Size);
+  auto tile = std::make_unique<RayTile>(width, height);
+  const bool whole = this->Table.Mode != RayMode::Area;
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      const int cell = y * RayTile::Stride + x;
+      const double perDepth = view.GetSamplesPerDepth(x0 + x, y0 + y);
+      double near = std::max(0.0, view.Near * perDepth);
+      double far = view.Far * perDepth;
+      if (!this->Limits.Near.empty())
+      {
+        const auto pixel = static_cast<std::size_t>(y0 + y) * static_cast<std::size_t>(view.Width) +
+          static_cast<std::size_t>(x0 + x);
+        near = std::max<double>(near, this->Limits.Near[pixel]);
+        far = std::min<double>(far, this->Limits.Far[pixel]);
+      }
+      far = std::clamp<double>(far, -RayTile::Always, RayTile::Always);
+      near = std::clamp<double>(near, 0, far < 0 ? 0 : far);
+      tile->Near[cell] = static_cast<float>(whole ? std::ceil(near) : near);
+      tile->Far[cell] = static_cast<float>(whole ? std::ceil(far) : far);
+    }
+  }
+  return tile;
+}
+
+//------------------------------------------------------------------------------
+void RayCaster::Internals::DrawTile(std::size_t index, std::span<const Work> works)
+{
+  TileSlot& slot = this->Tiles[index];
+  const Timed timed(slot.DrawTime);
+  const DrawContext context{ &this->View, this->Table.Cells.data(), this->Settings.Opaque,
+    this->GetX(index), this->GetY(index) };
+  for (const Work& work : works)
+  {
+    if (!work.HasItems || work.Bins.GetItems(index).empty())
+    {
+      continue;
+    }
+    if (!slot.Tile)
+    {
+      slot.Tile = this->MakeTile(index);
+    }
+    const auto items = work.Bins.GetItems(index);
+    this->Kernel.Draw(this->Table.Mode, context, items.data(), items.size(), *slot.Tile);
+    this->TileLimits[index] = slot.Tile->Limit;
+    slot.MostFragments = std::max(slot.MostFragments, slot.Tile->CountFragments());
+  }
+}
+
+//------------------------------------------------------------------------------
+void RayCaster::Internals::Colour(const Fragment& sum, float largest, float* rgba) const
+{
+  std::array<float, 4> colour{};
+  switch (this->Table.Mode)
+  {
+    case RayMode::Composite:
+    case RayMode::Area:
+      colour = { sum.Sum[0], sum.Sum[1], sum.Sum[2], 1 - sum.Sum[3] };
+      break;
+    case RayMode::Maximum:
+      if (largest != RayTile::Never)
+      {
+        const RayTable::Cell& cell = this->Table.Cells[static_cast<std::size_t>(largest)];
+        const float fraction = largest - std::floor(largest);
+        for (std::size_t c = 0; c < 4; ++c)
+        {
+          colour[c] = cell.Value[c] + fraction * cell.Change[c];
+        }
+        colour[3] = -colour[3];
+      }
+      break;
+    case RayMode::XRay:
+      if (const float depth = sum.Sum[3] - 1; depth > 0)
+      {
+        const float opacity = -std::expm1(-depth);
+        colour = { sum.Sum[0] / depth * opacity, sum.Sum[1] / depth * opacity,
+          sum.Sum[2] / depth * opacity, opacity };
+      }
+      break;
+  }
+  std::copy(colour.begin(), colour.end(), rgba);
+}
+
+//------------------------------------------------------------------------------
+void RayCaster::Internals::FinishTile(
+  TileSlot& slot, int x0, int y0, float* rgba, float* depth) const
+{
+  const Timed timed(slot.FinishTime);
+  RayTile* const tile = slot.Tile.get();
+  if (tile)
+  {
+    tile->Consolidate();
+  }
+  auto other = tile ? tile->Others.cbegin() : std::vector<Fragment>::const_iterator{};
+  std::vector<Fragment> fragments;
+  for (int pixel = 0; pixel < RayTile::Pixels; ++pixel)
+  {
+    const int x = x0 + pixel % RayTile::Size;
+    const int y = y0 + pixel / RayTile::Size;
+    Fragment sum{ 0, 0, -RayTile::Never, 0, { 0, 0, 0, 1 } };
+    float largest = RayTile::Never;
+    if (tile)
+    {
+      fragments.clear();
+      for (; other != tile->Others.cend() && other->Pixel == static_cast<std::uint32_t>(pixel);
+           ++other)
+      {
+        fragments.push_back(*other);
+      }
+      for (int i = 0; i < RayTile::Slots; ++i)
+      {
+        fragments.push_back(tile->Get(i, pixel));
+      }
+      std::sort(fragments.begin(), fragments.end(),
+        [](const Fragment& a, const Fragment& b) { return a.Begin < b.Begin; });
+      for (const Fragment& fragment : fragments)
+      {
+        sum.Append(fragment);
+      }
+      largest = tile->End[0][RayTile::ToCell(pixel)];
+    }
+    if (x < this->View.Width && y < this->View.Height)
+    {
+      const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(this->View.Width) +
+        static_cast<std::size_t>(x);
+      this->Colour(sum, largest, rgba + 4 * at);
+      if (depth)
+      {
+        depth[at] = sum.First == -RayTile::Never
+          ? std::numeric_limits<float>::infinity()
+          : static_cast<float>(sum.First * this->View.SampleDistance);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+SeenBox RayCaster::Internals::See(const Bounds& box) const
+{
+  const double inf = std::numeric_limits<double>::infinity();
+  SeenBox seen{ false, inf, inf, -inf, -inf, inf, -inf };
+  for (unsigned corner = 0; corner < 8; ++corner)
+  {
+    const auto get = [&](unsigned axis)
+    { return (corner >> axis & 1) != 0 ? box[axis].Max : box[axis].Min; };
+    const auto p = this->View.Transform({ get(0), get(1), get(2) });
+    const double perDepth = this->View.Perspective ? 1 / p[2] : 1;
+    const bool inFront = !this->View.Perspective || p[2] > 0;
+    seen.FirstX = std::min(seen.FirstX, inFront ? p[0] * perDepth : -inf);
+    seen.FirstY = std::min(seen.FirstY, inFront ? p[1] * perDepth : -inf);
+    seen.LastX = std::max(seen.LastX, inFront ? p[0] * perDepth : inf);
+    seen.LastY = std::max(seen.LastY, inFront ? p[1] * perDepth : inf);
+    seen.Nearest = std::min(seen.Nearest, p[2]);
+    seen.Farthest = std::max(seen.Farthest, p[2]);
+  }
+  const double perUnit = this->View.Perspective ? 1 : this->View.SampleDistance;
+  seen.IsOutside = seen.LastX < -1 || seen.LastY < -1 || seen.FirstX > this->View.Width ||
+    seen.FirstY > this->View.Height || seen.Farthest < 0 ||
+    seen.Farthest * perUnit < this->View.Near || seen.Nearest * perUnit > this->View.Far;
+  return seen;
+}
+
+//------------------------------------------------------------------------------
+void RayCaster::Internals::CountMemory()
+{
+  std::uint64_t bytes = 0;
+  for (const Work& work : this->Works)
+  {
+    bytes += work.Bins.GetMemorySize();
+  }
+  std::uint64_t fragments = 0;
+  for (const TileSlot& slot : this->Tiles)
+  {
+    fragments += slot.MostFragments;
+    if (slot.Tile)
+    {
+      bytes += sizeof(RayTile) + slot.Tile->Others.capacity() * sizeof(Fragment);
+    }
+  }
+  this->Statistics.MostBytes = std::max(this->Statistics.MostBytes, bytes);
+  this->Statistics.MostFragments = std::max(this->Statistics.MostFragments, fragments);
+}
+
+//------------------------------------------------------------------------------
+RayCaster::RayCaster(
+  const RayView& view, RayTable table, const RayLimits& limits, const RaySettings& settings)
+  : Self(std::make_unique<Internals>(view, std::move(table), limits, settings))
+{
+}
+
+RayCaster::~RayCaster() = default;
+
+//------------------------------------------------------------------------------
+bool RayCaster::IsHidden(const Bounds& box, const Range& values) const
+{
+  const auto& self = *this->Self;
+  if (self.Table.IsTransparent(values) || !(box[0].Min <= box[0].Max))
+  {
+    return true;
+  }
+  const SeenBox seen = self.See(box);
+  if (seen.IsOutside)
+  {
+    return true;
+  }
+  // In perspective, samples are not nearer than depth says.
+  const double nearest =
+    self.View.Perspective ? seen.Nearest / self.View.SampleDistance : seen.Nearest;
+  const auto toTile = [](double pixel, int tiles)
+  { return static_cast<int>(std::clamp(pixel / RayTile::Size, 0.0, tiles - 1.0)); };
+  for (int y = toTile(seen.FirstY - 1, self.TilesY); y <= toTile(seen.LastY + 1, self.TilesY); ++y)
+  {
+    for (int x = toTile(seen.FirstX - 1, self.TilesX); x <= toTile(seen.LastX + 1, self.TilesX);
+         ++x)
+    {
+      if (nearest < self.TileLimits[static_cast<std::size_t>(y * self.TilesX + x)])
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void RayCaster::Draw(RaySource& source, const Progress& progress)
+{
+  struct Candidate
+  {
+    std::size_t Block;
+    double Depth;
+  };
+  std::vector<Candidate> candidates;
+  for (std::size_t block = 0; block < source.GetNumberOfBlocks(); ++block)
+  {
+    const SeenBox seen = this->Self->See(source.GetBounds(block));
+    candidates.push_back({ block, seen.Nearest + seen.Farthest });
+  }
+  std::sort(candidates.begin(), candidates.end(),
+    [](const Candidate& a, const Candidate& b)
+    { return a.Depth != b.Depth ? a.Depth < b.Depth : a.Block < b.Block; });
+
+  auto& statistics = this->Self->Statistics;
+  const auto most = static_cast<std::size_t>(GetNumberOfThreads());
+  std::vector<std::size_t> turn;
+  std::size_t next = 0;
+  while (next < candidates.size())
+  {
+    if (progress && !progress(static_cast<double>(next) / static_cast<double>(candidates.size())))
+    {
+      throw Error(ErrorCode::Aborted, "aborted");
+    }
+    turn.clear();
+    for (; next < candidates.size() && turn.size() < most; ++next)
+    {
+      const auto block = candidates[next].Block;
+      if (this->IsHidden(source.GetBounds(block), source.GetRange(block)))
+      {
+        ++statistics.SkippedBlocks;
+      }
+      else
+      {
+        turn.push_back(block);
+      }
+    }
+    RaySource::Blocks blocks;
+    {
+      const Timed timed(statistics.FetchTime);
+      blocks = source.GetBlocks(turn, {});
+    }
+    this->Draw(blocks);
+  }
+}
+
+//------------------------------------------------------------------------------
+void RayCaster::Draw(std::span<const std::shared_ptr<const RayBlock>> blocks)
+{
+  auto& self = *this->Self;
+  if (self.Works.size() < blocks.size())
+  {
+    self.Works.resize(blocks.size());
+  }
+  const std::span<Work> works(self.Works.data(), blocks.size());
+  ParallelFor(blocks.size(),
+    [&](std::size_t i)
+    {
+      const Timed timed(works[i].OrderTime);
+      works[i].Bins.SetBlock(self.Kernel, self.View, self.Table, *blocks[i],
+        self.Settings.FromBothEnds ? ReleaseFrom::Both : ReleaseFrom::Front);
+    });
+  const SetUpContext context{ &self.View, self.TilesX, self.TileLimits.data(),
+    self.Table.VisibleCells.data(), RayTable::Size, self.Table.Low, self.Table.Scale };
+  for (;;)
+  {
+    ParallelFor(works.size(),
+      [&](std::size_t i)
+      {
+        const Timed timed(works[i].SetUpTime);
+        works[i].HasItems = works[i].Bins.Fill(self.Kernel, context, self.Tiles.size());
+      });
+    if (std::none_of(works.begin(), works.end(), [](const Work& work) { return work.HasItems; }))
+    {
+      break;
+    }
+    ParallelFor(self.Tiles.size(), [&](std::size_t tile) { self.DrawTile(tile, works); });
+  }
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    ++self.Statistics.Blocks;
+    self.Statistics.Tets += blocks[i]->Tets.size();
+    self.Statistics.SeenTets += works[i].Bins.GetNumberOfSeenTets();
+    self.Statistics.MostWaiting =
+      std::max<std::uint64_t>(self.Statistics.MostWaiting, works[i].Bins.GetMostWaiting());
+  }
+  self.CountMemory();
+}
+
+//------------------------------------------------------------------------------
+void RayCaster::Finish(float* rgba, float* depth)
+{
+  auto& self = *this->Self;
+  ParallelFor(self.Tiles.size(),
+    [&](std::size_t tile)
+    { self.FinishTile(self.Tiles[tile], self.GetX(tile), self.GetY(tile), rgba, depth); });
+}
+
+//------------------------------------------------------------------------------
+RayStatistics RayCaster::GetStatistics() const
+{
+  RayStatistics result = this->Self->Statistics;
+  for (const Work& work : this->Self->Works)
+  {
+    result.OrderTime += work.OrderTime;
+    result.SetUpTime += work.SetUpTime;
+  }
+  for (const TileSlot& slot : this->Self->Tiles)
+  {
+    result.DrawTime += slot.DrawTime;
+    result.FinishTime += slot.FinishTime;
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+const char* RayCaster::GetInstructions() const
+{
+  return this->Self->Kernel.Name;
+}
+}

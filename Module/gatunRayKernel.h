@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunRayKernel_h
+#define gatunRayKernel_h
+
+// The loops of the ray caster that have a version for each set of instructions.
+
+#include "gatunInline.h"
+#include "gatunRayBlock.h"
+#include "gatunRayTable.h"
+#include "gatunRayTile.h"
+#include "gatunRayView.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace gatun
+{
+/** Where a point is seen: pixel, and how many samples away; NaN when not in front of the eye. */
+struct alignas(16) SeenPoint
+{
+  float X, Y, Samples, Value;
+};
+
+/** The pixels that a tetrahedron may cover: none, if it can own no sample. */
+struct SeenTet
+{
+  float Nearest; // no sample of it is nearer, in samples
+  std::int16_t FirstX, FirstY, LastX, LastY;
+
+  bool IsEmpty() const { return this->LastX < this->FirstX; }
+};
+
+/** Calls use(tile) for each tile that a tetrahedron may reach and that is not opaque before. */
+template <typename Use>
+GATUN_INLINE void ForEachTile(const SeenTet& seen, int tilesX, const float* limits, Use&& use)
+{
+  for (int y = seen.FirstY / RayTile::Size; y <= seen.LastY / RayTile::Size; ++y)
+  {
+    for (int x = seen.FirstX / RayTile::Size; x <= seen.LastX / RayTile::Size; ++x)
+    {
+      const int tile = y * tilesX + x;
+      if (seen.Nearest < limits[tile])
+      {
+        use(tile);
+      }
+    }
+  }
+}
+
+/** A tetrahedron in a tile. Pixels are counted from the tile's corner. */
+struct TetItem
+{
+  // The plane of a face is at depth Base + x StepX + y StepY at pixel (x, y), measured in samples
+  // or, in perspective, as -1 / Z. The planes through which rays enter come first.
+  std::array<float, 4> Base, StepX, StepY;
+
+  // The place in the table at sample k is T + x TX + y TY + k TK, or in perspective
+  // T + k / SamplesPerDepth(x, y) (TK + x TX + y TY); and it is from TMin to TMax.
+  float T, TX, TY, TK;
+  float TMin, TMax;
+
+  std::uint8_t FirstX, FirstY, LastX, LastY;
+  std::uint8_t Entries; // how many of the planes rays enter through
+  bool Transparent;     // between TMin and TMax nothing is to be seen
+};
+
+/** What is drawn with. */
+struct DrawContext
+{
+  const RayView* View;
+  const RayTable::Cell* Table;
+  float Opaque; // a fragment that lets through less hides all that is behind it
+  int X, Y;     // the tile's first pixel
+};
+
+/** What SetUp needs besides the mesh. */
+struct SetUpContext
+{
+  const RayView* View;
+  int TilesX;                        // tiles in a row
+  const float* Limits;               // RayTile::Limit of each tile
+  const std::uint32_t* VisibleCells; // RayTable::VisibleCells
+  int TableSize;
+  double Low, Scale; // RayTable's
+};
+
+/** The loops that have a version for each set of instructions. */
+struct RayKernel
+{
+  using Tet = std::array<std::uint32_t, 4>;
+
+  const char* Name;
+
+  /** Brings points into ray coordinates, and values into the table: (value - low) scale. */
+  void (*Transform)(const RayView& view, double low, double scale, const RayPoint* points,
+    std::size_t count, RayPoint* rayPoints, SeenPoint* seenPoints);
+
+  /** Finds which pixels tetrahedra may cover (in mode Area even if they can own no sample), and
+   * their faces towards the eye (bit i: the one opposite to corner i) and away from it (bit 4 + i).
+   * Turned: whether the volume is negative in world coordinates. */
+  void (*Look)(const RayView& view, bool area, const SeenPoint* points, const Tet* tets,
+    const std::uint8_t* turned, std::size_t count, SeenTet* seen, std::uint8_t* facing);
+
+  /** Makes the items of some of the tetrahedra for all tiles that they reach; places holds, for
+   * each tile, where the next item belongs. CellValues: null, or what counts instead of values at
+   * points. */
+  void (*SetUp)(const SetUpContext& context, const RayPoint* points, const Tet* tets,
+    const double* cellValues, const SeenTet* seen, const std::uint32_t* chosen, std::size_t count,
+    std::uint32_t* places, TetItem* items);
+
+  void (*Draw)(RayMode mode, const DrawContext& context, const TetItem* items, std::size_t count,
+    RayTile& tile);
+};
+
+/** For any processor. */
+const RayKernel& GetPortableRayKernel();
+
+/** For those with AVX2 and FMA; null if this is built for another kind of processor. */
+const RayKernel* GetAVX2RayKernel();
+
+/** The fastest for the one that this runs on. */
+const RayKernel& GetBestRayKernel();
+}
+
+#endif

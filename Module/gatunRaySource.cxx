@@ -1,0 +1,386 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunRaySource.h"
+
+#include "gatunChunkCache.h"
+#include "gatunError.h"
+#include "gatunParallel.h"
+#include "gatunPartition.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace gatun
+{
+namespace
+{
+/** Calls use(pointer of the type that values have). */
+template <typename Use>
+void WithType(ScalarType type, const void* values, Use&& use)
+{
+  switch (type)
+  {
+    case ScalarType::Int8:
+      return use(static_cast<const std::int8_t*>(values));
+    case ScalarType::UInt8:
+      return use(static_cast<const std::uint8_t*>(values));
+    case ScalarType::Int16:
+      return use(static_cast<const std::int16_t*>(values));
+    case ScalarType::UInt16:
+      return use(static_cast<const std::uint16_t*>(values));
+    case ScalarType::Int32:
+      return use(static_cast<const std::int32_t*>(values));
+    case ScalarType::UInt32:
+      return use(static_cast<const std::uint32_t*>(values));
+    case ScalarType::Int64:
+      return use(static_cast<const std::int64_t*>(values));
+    case ScalarType::UInt64:
+      return use(static_cast<const std::uint64_t*>(values));
+    case ScalarType::Float32:
+      return use(static_cast<const float*>(values));
+    case ScalarType::Float64:
+      return use(static_cast<const double*>(values));
+  }
+}
+
+/** Calls use(getValue), where getValue(i) is the value of tuple i that is to be drawn. */
+template <typename Use>
+void WithValues(const RayValuesInput& input, Use&& use)
+{
+  const std::size_t components = input.Components;
+  WithType(input.Type, input.Values,
+    [&](const auto* values)
+    {
+      if (input.Component >= 0)
+      {
+        const auto* const first = values + input.Component;
+        use([=](std::size_t i) { return static_cast<double>(first[components * i]); });
+        return;
+      }
+      use(
+        [=](std::size_t i)
+        {
+          double sum = 0;
+          for (std::size_t c = 0; c < components; ++c)
+          {
+            const auto value = static_cast<double>(values[components * i + c]);
+            sum += value * value;
+          }
+          return std::sqrt(sum);
+        });
+    });
+}
+
+void Extend(Range& range, double value)
+{
+  // NaN compares as false.
+  range.Min = value < range.Min ? value : range.Min;
+  range.Max = value > range.Max ? value : range.Max;
+}
+
+/** Takes blocks out of a cache, and makes those that are missing in parallel. */
+template <typename Make>
+RaySource::Blocks FindOrMake(RayBlockCache& cache, std::span<const std::size_t> blocks,
+  const RaySource::Progress& progress, Make&& make)
+{
+  RaySource::Blocks result(blocks.size());
+  std::vector<std::size_t> missing;
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    result[i] = cache.Find(blocks[i]);
+    if (!result[i])
+    {
+      missing.push_back(i);
+    }
+  }
+  ParallelFor(
+    missing.size(),
+    [&](std::size_t i)
+    {
+      auto made = std::make_shared<RayBlock>();
+      make(blocks[missing[i]], *made);
+      made->Prepare();
+      result[missing[i]] = std::move(made);
+    },
+    progress);
+  for (const auto i : missing)
+  {
+    cache.Add(blocks[i], result[i]);
+  }
+  return result;
+}
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const RayBlock> RayBlockCache::Find(std::size_t block)
+{
+  for (Entry& entry : this->Entries)
+  {
+    if (entry.Block == block)
+    {
+      entry.Used = ++this->Clock;
+      return entry.Made;
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+void RayBlockCache::Add(std::size_t block, std::shared_ptr<const RayBlock> made)
+{
+  const auto size = made->GetMemorySize();
+  if (size > this->Budget)
+  {
+    return;
+  }
+  while (this->Bytes + size > this->Budget)
+  {
+    const auto oldest = std::min_element(this->Entries.begin(), this->Entries.end(),
+      [](const Entry& a, const Entry& b) { return a.Used < b.Used; });
+    this->Bytes -= oldest->Made->GetMemorySize();
+    this->Entries.erase(oldest);
+  }
+  this->Bytes += size;
+  this->Entries.push_back({ block, ++this->Clock, std::move(made) });
+}
+
+//------------------------------------------------------------------------------
+// A file
+
+class FileRaySource::Internals
+{
+public:
+  std::shared_ptr<const FileReader> File;
+  RayValues Values;
+  RayBlockCache Cache;
+  std::shared_ptr<ChunkCache> Parts; // for the points that chunks share
+
+  void Make(std::size_t chunk, RayBlock& block) const;
+};
+
+//------------------------------------------------------------------------------
+FileRaySource::FileRaySource(
+  std::shared_ptr<const FileReader> file, const RayValues& values, std::uint64_t budget)
+{
+  const auto& arrays = file->GetArrays();
+  if (values.Array >= arrays.size())
+  {
+    throw Error(ErrorCode::InvalidInput, file->GetPath() + ": there is no such array");
+  }
+  const auto& array = arrays[values.Array];
+  if (values.Component < -1 || values.Component >= static_cast<int>(array.Components))
+  {
+    throw Error(ErrorCode::InvalidInput,
+      file->GetPath() + ": array '" + array.Name + "' has no component " +
+        std::to_string(values.Component));
+  }
+  if (values.Step >= file->GetNumberOfSteps())
+  {
+    throw Error(ErrorCode::InvalidInput, file->GetPath() + ": there is no such time step");
+  }
+  // What many chunks share is small, and is needed again before long.
+  constexpr std::uint64_t forParts = std::uint64_t{ 16 } << 20;
+  auto parts = std::make_shared<ChunkCache>(file, std::min(budget / 4, forParts));
+  this->Self = std::make_unique<Internals>(
+    Internals{ std::move(file), values, RayBlockCache(budget - budget / 4), std::move(parts) });
+}
+
+FileRaySource::~FileRaySource() = default;
+
+//------------------------------------------------------------------------------
+std::size_t FileRaySource::GetNumberOfBlocks() const
+{
+  return this->Self->File->GetChunks().size();
+}
+
+//------------------------------------------------------------------------------
+const Bounds& FileRaySource::GetBounds(std::size_t block) const
+{
+  return this->Self->File->GetChunks()[block].Box;
+}
+
+//------------------------------------------------------------------------------
+Range FileRaySource::GetRange(std::size_t block) const
+{
+  const auto& values = this->Self->Values;
+  const auto& ranges = this->Self->File->GetChunkRanges(values.Array, values.Step, block);
+  return values.Component >= 0 ? ranges[static_cast<std::size_t>(values.Component)] : ranges.back();
+}
+
+//------------------------------------------------------------------------------
+RaySource::Blocks FileRaySource::GetBlocks(
+  std::span<const std::size_t> blocks, const Progress& progress)
+{
+  return FindOrMake(this->Self->Cache, blocks, progress,
+    [&](std::size_t chunk, RayBlock& block) { this->Self->Make(chunk, block); });
+}
+
+//------------------------------------------------------------------------------
+void FileRaySource::Internals::Make(std::size_t chunk, RayBlock& block) const
+{
+  PieceDecoder decoder(this->Parts);
+  PieceRequest request;
+  request.Chunks = { static_cast<std::uint32_t>(chunk) };
+  request.Arrays = { this->Values.Array };
+  request.Step = this->Values.Step;
+  request.RestoreOrder = false;
+  decoder.SetRequest(request);
+
+  const auto& array = this->File->GetArrays()[this->Values.Array];
+  const bool ofCells = array.Where == Association::Cell;
+  const auto points = decoder.GetNumberOfPoints();
+  const auto tets = decoder.GetNumberOfTets();
+  const auto coordinateType = this->File->GetCoordinateType();
+  std::vector<std::byte> coordinates(3 * points * SizeOf(coordinateType));
+  std::vector<std::byte> values((ofCells ? tets : points) * array.Components * SizeOf(array.Type));
+  block.Tets.resize(tets);
+  static_assert(sizeof(RayBlock::Tet) == 4 * sizeof(std::int32_t));
+  PieceTarget target;
+  target.Points = coordinates.data();
+  target.Connectivity = block.Tets.data();
+  target.WideIds = false;
+  target.Arrays = { values.data() };
+  decoder.Fill(target);
+
+  block.Points.resize(points);
+  WithType(coordinateType, coordinates.data(),
+    [&](const auto* p)
+    {
+      for (std::size_t i = 0; i < points; ++i)
+      {
+        block.Points[i] = { static_cast<double>(p[3 * i]), static_cast<double>(p[3 * i + 1]),
+          static_cast<double>(p[3 * i + 2]), 0 };
+      }
+    });
+  WithValues({ array.Where, array.Type, array.Components, this->Values.Component, values.data() },
+    [&](auto&& getValue) { block.SetValues(array.Where, getValue); });
+}
+
+//------------------------------------------------------------------------------
+// Memory
+
+class MemoryRaySource::Internals
+{
+public:
+  MeshAccess Mesh;
+  RayValuesInput Values;
+  const unsigned char* Hidden;
+  RayBlockCache Cache;
+  Partition Parts;
+  std::vector<Bounds> Boxes;
+  std::vector<Range> Ranges;
+
+  std::span<const std::uint32_t> GetTets(std::size_t block) const
+  {
+    const auto first = this->Parts.ChunkStart[block];
+    return { this->Parts.Tets.data() + first, this->Parts.ChunkStart[block + 1] - first };
+  }
+
+  bool IsHidden(std::uint32_t tet) const { return this->Hidden && this->Hidden[tet] != 0; }
+  void Measure(std::size_t block);
+  void Make(std::size_t index, RayBlock& block) const;
+};
+
+//------------------------------------------------------------------------------
+MemoryRaySource::MemoryRaySource(const MeshInput& mesh, const RayValuesInput& values,
+  const unsigned char* hidden, std::uint64_t budget, std::uint32_t blockTets,
+  const Progress& progress)
+{
+  const MeshAccess access(mesh);
+  this->Self = std::make_unique<Internals>(Internals{ access, values, hidden, RayBlockCache(budget),
+    MakePartition(access, blockTets, progress), {}, {} });
+  const auto blocks = this->Self->Parts.GetChunkCount();
+  this->Self->Boxes.resize(blocks);
+  this->Self->Ranges.resize(blocks);
+  ParallelFor(blocks, [&](std::size_t block) { this->Self->Measure(block); });
+}
+
+MemoryRaySource::~MemoryRaySource() = default;
+
+//------------------------------------------------------------------------------
+void MemoryRaySource::Internals::Measure(std::size_t block)
+{
+  const bool ofCells = this->Values.Where == Association::Cell;
+  WithValues(this->Values,
+    [&](auto&& getValue)
+    {
+      for (const auto tet : this->GetTets(block))
+      {
+        if (this->IsHidden(tet))
+        {
+          continue;
+        }
+        for (unsigned corner = 0; corner < 4; ++corner)
+        {
+          const auto point = this->Mesh.GetId(tet, corner);
+          this->Mesh.Extend(this->Boxes[block], point);
+          gatun::Extend(this->Ranges[block], getValue(ofCells ? tet : point));
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void MemoryRaySource::Internals::Make(std::size_t index, RayBlock& block) const
+{
+  std::unordered_map<std::uint64_t, std::uint32_t> places;
+  std::vector<std::uint64_t> points;
+  std::vector<std::uint32_t> tets;
+  for (const auto tet : this->GetTets(index))
+  {
+    if (this->IsHidden(tet))
+    {
+      continue;
+    }
+    tets.push_back(tet);
+    auto& corners = block.Tets.emplace_back();
+    for (unsigned corner = 0; corner < 4; ++corner)
+    {
+      const auto point = this->Mesh.GetId(tet, corner);
+      const auto [place, isNew] =
+        places.try_emplace(point, static_cast<std::uint32_t>(points.size()));
+      corners[corner] = place->second;
+      if (isNew)
+      {
+        points.push_back(point);
+        block.Points.push_back({ this->Mesh.GetCoordinate(point, 0),
+          this->Mesh.GetCoordinate(point, 1), this->Mesh.GetCoordinate(point, 2), 0 });
+      }
+    }
+  }
+  WithValues(this->Values,
+    [&](auto&& getValue)
+    {
+      const bool ofCells = this->Values.Where == Association::Cell;
+      block.SetValues(
+        this->Values.Where, [&](std::size_t i) { return getValue(ofCells ? tets[i] : points[i]); });
+    });
+}
+
+//------------------------------------------------------------------------------
+std::size_t MemoryRaySource::GetNumberOfBlocks() const
+{
+  return this->Self->Boxes.size();
+}
+
+//------------------------------------------------------------------------------
+const Bounds& MemoryRaySource::GetBounds(std::size_t block) const
+{
+  return this->Self->Boxes[block];
+}
+
+//------------------------------------------------------------------------------
+Range MemoryRaySource::GetRange(std::size_t block) const
+{
+  return this->Self->Ranges[block];
+}
+
+//------------------------------------------------------------------------------
+RaySource::Blocks MemoryRaySource::GetBlocks(
+  std::span<const std::size_t> blocks, const Progress& progress)
+{
+  return FindOrMake(this->Self->Cache, blocks, progress,
+    [&](std::size_t index, RayBlock& block) { this->Self->Make(index, block); });
+}
+}

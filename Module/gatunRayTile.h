@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunRayTile_h
+#define gatunRayTile_h
+
+// The picture while it is being drawn.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace gatun
+{
+/** What was seen from one face or sample of a ray to another. */
+struct Fragment
+{
+  float Begin, End; // in samples; what begins where this ends follows it
+  float First;      // the first of its samples to be seen at all
+  std::uint32_t Pixel;
+  alignas(16) std::array<float, 4> Sum; // r, g, b with opacity in them, and the light let through
+
+  /** Puts another one behind this one. */
+  void Append(const Fragment& behind);
+};
+
+/** The pixels of a square of the picture, and what has been drawn there. */
+struct RayTile
+{
+  static constexpr int Size = 16;
+  static constexpr int Pixels = Size * Size;
+
+  // Numbers that are loaded four by two: with room for what is beyond the last pixels.
+  static constexpr int Stride = Size + 4;
+  static constexpr int Cells = Stride * (Size + 1);
+  using Cellwise = std::array<float, Cells>;
+
+  static constexpr float Never = -3e38f; // the End of no fragment
+  static constexpr float Always = 1e9f;  // farther than any sample
+  static constexpr int Slots = 2;        // fragments of a pixel that may grow
+
+  /** With pixels up to width and height; those beyond are never drawn. */
+  RayTile(int width, int height);
+
+  static constexpr int ToCell(int pixel) { return pixel / Size * Stride + pixel % Size; }
+
+  void Clear(int slot, int pixel);
+  Fragment Get(int slot, int pixel) const;
+
+  /** Moves the fragment in a slot to the others. */
+  void SetAside(int slot, int pixel);
+
+  /** Makes one fragment of the two in a pixel's slots, of which one ends where the other begins. */
+  void MergeSlots(int pixel);
+
+  /** Sorts the others by pixel and depth, and merges those that touch. */
+  void Consolidate();
+
+  std::size_t CountFragments() const;
+
+  alignas(32) Cellwise Near; // samples before it are not seen
+  alignas(32) Cellwise Far;  // nor those from it on
+  alignas(32) std::array<Cellwise, Slots> Begin;
+  alignas(
+    32) std::array<Cellwise, Slots> End; // in mode Maximum, that of slot 0 is the largest place
+  alignas(32) std::array<std::array<std::array<float, 4>, Pixels>, Slots> Sums;
+  alignas(32) std::array<std::array<float, Pixels>, Slots> Firsts;
+  std::vector<Fragment> Others; // of pixels that have more than fit
+  std::size_t MostOthers = std::size_t{ 4 } * Pixels;
+  float Limit = Always; // the largest Far
+};
+}
+
+#endif

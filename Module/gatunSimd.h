@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunSimd_h
+#define gatunSimd_h
+
+// Eight floats or four doubles at once, for the ray caster.
+//
+// Sources that include this are compiled once for each set of instructions, with GATUN_SIMD naming
+// it: everything here, and in the kernels built on it, lives in a namespace of that name, so that
+// code for newer processors can never be linked in for older ones.
+
+#include "gatunInline.h"
+
+#include <cstdint>
+
+#if defined(__AVX2__)
+#include <immintrin.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace gatun
+{
+namespace GATUN_SIMD
+{
+using Float8 = float __attribute__((vector_size(32)));
+using Int8 = std::int32_t __attribute__((vector_size(32)));
+using Float4 = float __attribute__((vector_size(16)));
+using Int4 = std::int32_t __attribute__((vector_size(16)));
+using Double4 = double __attribute__((vector_size(32)));
+using Long4 = std::int64_t __attribute__((vector_size(32)));
+
+GATUN_INLINE Float8 Splat8(float v)
+{
+  return Float8{ v, v, v, v, v, v, v, v };
+}
+
+GATUN_INLINE Float4 Splat4(float v)
+{
+  return Float4{ v, v, v, v };
+}
+
+GATUN_INLINE Double4 SplatD(double v)
+{
+  return Double4{ v, v, v, v };
+}
+
+template <typename Vector>
+GATUN_INLINE Vector Load(const void* from)
+{
+  Vector v;
+  __builtin_memcpy(&v, from, sizeof(v));
+  return v;
+}
+
+template <typename Vector>
+GATUN_INLINE void Store(void* to, Vector v)
+{
+  __builtin_memcpy(to, &v, sizeof(v));
+}
+
+template <typename Vector>
+GATUN_INLINE Vector Smaller(Vector a, Vector b)
+{
+  return a < b ? a : b;
+}
+
+template <typename Vector>
+GATUN_INLINE Vector Larger(Vector a, Vector b)
+{
+  return a > b ? a : b;
+}
+
+/** Four floats from each of two places. */
+GATUN_INLINE Float8 Load44(const float* first, const float* second)
+{
+#if defined(__AVX2__)
+  return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(first)), _mm_loadu_ps(second), 1);
+#else
+  return __builtin_shufflevector(Load<Float4>(first), Load<Float4>(second), 0, 1, 2, 3, 4, 5, 6, 7);
+#endif
+}
+
+GATUN_INLINE void Store44(float* first, float* second, Float8 v)
+{
+  Store(first, __builtin_shufflevector(v, v, 0, 1, 2, 3));
+  Store(second, __builtin_shufflevector(v, v, 4, 5, 6, 7));
+}
+
+/** Bit i is set where lane i of the comparison holds. */
+GATUN_INLINE unsigned ToBits(Int8 comparison)
+{
+#if defined(__AVX2__)
+  return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(comparison)));
+#elif defined(__SSE2__)
+  const auto low = __builtin_shufflevector(comparison, comparison, 0, 1, 2, 3);
+  const auto high = __builtin_shufflevector(comparison, comparison, 4, 5, 6, 7);
+  return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(low))) |
+    static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(high))) << 4;
+#else
+  unsigned bits = 0;
+  for (unsigned i = 0; i < 8; ++i)
+  {
+    bits |= comparison[i] ? 1u << i : 0u;
+  }
+  return bits;
+#endif
+}
+
+GATUN_INLINE unsigned ToBits(Int4 comparison)
+{
+#if defined(__SSE2__)
+  return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(comparison)));
+#else
+  return (comparison[0] ? 1u : 0u) | (comparison[1] ? 2u : 0u) | (comparison[2] ? 4u : 0u) |
+    (comparison[3] ? 8u : 0u);
+#endif
+}
+
+GATUN_INLINE unsigned ToBits(Long4 comparison)
+{
+#if defined(__AVX2__)
+  return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(comparison)));
+#else
+  return (comparison[0] ? 1u : 0u) | (comparison[1] ? 2u : 0u) | (comparison[2] ? 4u : 0u) |
+    (comparison[3] ? 8u : 0u);
+#endif
+}
+
+/** The next integers up; of numbers from -2^30 to 2^30. */
+GATUN_INLINE Float8 RoundUp(Float8 v)
+{
+#if defined(__AVX2__)
+  return _mm256_ceil_ps(v);
+#else
+  const auto down = __builtin_convertvector(__builtin_convertvector(v, Int8), Float8);
+  return down + (down < v ? Splat8(1.0f) : Splat8(0.0f));
+#endif
+}
+
+#if defined(__AVX2__)
+/** For each set of lanes the permutation that brings them to the front. */
+struct Packing
+{
+  constexpr Packing()
+  {
+    for (unsigned bits = 0; bits < 256; ++bits)
+    {
+      unsigned n = 0;
+      for (unsigned lane = 0; lane < 8; ++lane)
+      {
+        if (bits >> lane & 1)
+        {
+          this->Lanes[bits][n++] = static_cast<std::uint8_t>(lane);
+        }
+      }
+    }
+  }
+  std::uint8_t Lanes[256][8] = {};
+};
+inline constexpr Packing PackingOf;
+#endif
+
+/** Brings the lanes that are set in bits to the front. */
+class Packer
+{
+public:
+  GATUN_INLINE explicit Packer(unsigned bits)
+#if defined(__AVX2__)
+    : Lanes(_mm256_cvtepu8_epi32(
+        _mm_loadl_epi64(reinterpret_cast<const __m128i*>(PackingOf.Lanes[bits]))))
+#else
+    : Bits(bits)
+#endif
+  {
+  }
+
+  /** Stores them; what lies behind them, up to eight elements in all, may be overwritten. */
+  GATUN_INLINE void Store(Float8 v, float* to) const
+  {
+#if defined(__AVX2__)
+    _mm256_storeu_ps(to, _mm256_permutevar8x32_ps(v, this->Lanes));
+#else
+    this->StoreEach(v, to);
+#endif
+  }
+
+  GATUN_INLINE void Store(Int8 v, std::int32_t* to) const
+  {
+#if defined(__AVX2__)
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
+      _mm256_permutevar8x32_epi32(reinterpret_cast<__m256i>(v), this->Lanes));
+#else
+    this->StoreEach(v, to);
+#endif
+  }
+
+private:
+#if defined(__AVX2__)
+  __m256i Lanes;
+#else
+  template <typename Vector, typename Number>
+  GATUN_INLINE void StoreEach(Vector v, Number* to) const
+  {
+    for (unsigned bits = this->Bits; bits != 0; bits &= bits - 1)
+    {
+      *to++ = v[__builtin_ctz(bits)];
+    }
+  }
+
+  unsigned Bits;
+#endif
+};
+}
+}
+
+#endif

@@ -1,0 +1,299 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunRayReference_h
+#define gatunRayReference_h
+
+// Ray casting as its definition says, in double precision and without any cleverness: for each ray
+// all tetrahedra, sorted. Shares nothing with the ray caster but the numbers that describe a view.
+
+#include "gatunRayTable.h"
+#include "gatunRayView.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace gatun::test
+{
+using Vec = std::array<double, 3>;
+
+inline Vec operator+(const Vec& a, const Vec& b)
+{
+  return { a[0] + b[0], a[1] + b[1], a[2] + b[2] };
+}
+
+inline Vec operator-(const Vec& a, const Vec& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+inline Vec operator*(double f, const Vec& a)
+{
+  return { f * a[0], f * a[1], f * a[2] };
+}
+
+inline double Dot(const Vec& a, const Vec& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline Vec Cross(const Vec& a, const Vec& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+inline Vec Normalize(const Vec& a)
+{
+  return 1 / std::sqrt(Dot(a, a)) * a;
+}
+
+/** Somebody who looks at a mesh. */
+struct Viewer
+{
+  Vec Eye{};
+  Vec Forward{ 0, 0, -1 };
+  Vec Right{ 1, 0, 0 };
+  Vec Up{ 0, 1, 0 };
+  RayFrustum Frustum;
+  int Width = 96;
+  int Height = 80;
+  double SampleDistance = 0.1;
+
+  /** Towards a point, with the picture's height in world units there. */
+  static Viewer LookAt(const Vec& eye, const Vec& at, bool parallel, double height)
+  {
+    Viewer v;
+    v.Eye = eye;
+    v.Forward = Normalize(at - eye);
+    const Vec helper = std::abs(v.Forward[1]) < 0.9 ? Vec{ 0, 1, 0 } : Vec{ 1, 0, 0 };
+    v.Right = Normalize(Cross(v.Forward, helper));
+    v.Up = Cross(v.Right, v.Forward);
+    v.Frustum.Parallel = parallel;
+    const double half = height / 2 / (parallel ? 1 : std::sqrt(Dot(at - eye, at - eye)));
+    v.Frustum.Top = half;
+    v.Frustum.Bottom = -half;
+    v.Frustum.Right = half * v.Width / v.Height;
+    v.Frustum.Left = -v.Frustum.Right;
+    return v;
+  }
+
+  RayView GetView() const
+  {
+    const auto row = [&](const Vec& axis) {
+      return std::array<double, 4>{ axis[0], axis[1], axis[2], -Dot(axis, this->Eye) };
+    };
+    return RayView({ row(this->Right), row(this->Up), row(-1 * this->Forward) }, this->Frustum,
+      this->Width, this->Height, this->SampleDistance);
+  }
+};
+
+/** A mesh with values at its points. */
+struct ReferenceMesh
+{
+  std::vector<Vec> Points;
+  std::vector<double> Values;
+  std::vector<std::array<std::uint32_t, 4>> Tets;
+};
+
+/** Premultiplied red, green, blue; opacity; distance of the first sample seen, or infinity. */
+using ReferencePixel = std::array<double, 5>;
+
+class Reference
+{
+public:
+  RayMode Mode = RayMode::Composite;
+  RayColour Colour;
+  double Unit = 1;
+  std::vector<std::array<double, 4>> Planes; // only what is on their positive side is seen
+
+  std::vector<ReferencePixel> Render(const ReferenceMesh& mesh, const Viewer& viewer)
+  {
+    this->Spheres.clear();
+    for (const auto& tet : mesh.Tets)
+    {
+      Sphere sphere;
+      for (const auto corner : tet)
+      {
+        sphere.Middle = sphere.Middle + 0.25 * mesh.Points[corner];
+      }
+      for (const auto corner : tet)
+      {
+        const Vec away = mesh.Points[corner] - sphere.Middle;
+        sphere.Squared = std::max(sphere.Squared, 1.01 * Dot(away, away));
+      }
+      this->Spheres.push_back(sphere);
+    }
+    std::vector<ReferencePixel> picture;
+    for (int y = 0; y < viewer.Height; ++y)
+    {
+      for (int x = 0; x < viewer.Width; ++x)
+      {
+        picture.push_back(this->Cast(mesh, viewer, x, y));
+      }
+    }
+    return picture;
+  }
+
+private:
+  struct Interval
+  {
+    double In, Out;             // distances
+    double AtOrigin, PerLength; // the value along the ray
+  };
+
+  struct Ray
+  {
+    Vec Origin, Direction;
+  };
+
+  /** Around a tetrahedron; rays that miss it need no closer look. */
+  struct Sphere
+  {
+    Vec Middle{};
+    double Squared = 0;
+
+    bool IsMissed(const Ray& ray) const
+    {
+      const Vec away = Cross(this->Middle - ray.Origin, ray.Direction);
+      return Dot(away, away) > this->Squared;
+    }
+  };
+  std::vector<Sphere> Spheres;
+
+  static Ray GetRay(const Viewer& v, int x, int y)
+  {
+    const auto& f = v.Frustum;
+    const double u = f.Left + (x + 0.5 + RayView::OffsetX) * (f.Right - f.Left) / v.Width;
+    const double w = f.Bottom + (y + 0.5 + RayView::OffsetY) * (f.Top - f.Bottom) / v.Height;
+    const Vec aside = u * v.Right + w * v.Up;
+    return f.Parallel ? Ray{ v.Eye + aside, v.Forward }
+                      : Ray{ v.Eye, Normalize(v.Forward + aside) };
+  }
+
+  /** Cuts an interval by where a linear function (value at the origin, slope) is positive. */
+  static void Cut(Interval& i, double value, double slope)
+  {
+    if (slope > 0)
+    {
+      i.In = std::max(i.In, -value / slope);
+    }
+    else if (slope < 0)
+    {
+      i.Out = std::min(i.Out, -value / slope);
+    }
+    else if (value < 0)
+    {
+      i.Out = -1;
+    }
+  }
+
+  ReferencePixel Cast(const ReferenceMesh& mesh, const Viewer& v, int x, int y) const
+  {
+    const Ray ray = GetRay(v, x, y);
+    const double perDepth = 1 / Dot(ray.Direction, v.Forward);
+    Interval visible{ std::max(0.0, v.Frustum.Near * perDepth), v.Frustum.Far * perDepth, 0, 0 };
+    for (const auto& plane : this->Planes)
+    {
+      const Vec n{ plane[0], plane[1], plane[2] };
+      Cut(visible, Dot(n, ray.Origin) + plane[3], Dot(n, ray.Direction));
+    }
+    std::vector<Interval> intervals;
+    for (std::size_t i = 0; i < mesh.Tets.size(); ++i)
+    {
+      if (this->Spheres[i].IsMissed(ray))
+      {
+        continue;
+      }
+      const auto& tet = mesh.Tets[i];
+      Interval interval = visible;
+      bool isFlat = false;
+      for (unsigned corner = 0; corner < 4 && !isFlat; ++corner)
+      {
+        const Vec& apex = mesh.Points[tet[corner]];
+        const Vec& a = mesh.Points[tet[(corner + 1) % 4]];
+        const Vec& b = mesh.Points[tet[(corner + 2) % 4]];
+        const Vec& c = mesh.Points[tet[(corner + 3) % 4]];
+        const Vec n = Cross(b - a, c - a);
+        const double height = Dot(n, apex - a);
+        isFlat = !(height != 0);
+        // The barycentric coordinate of the corner, along the ray.
+        const double value = Dot(n, ray.Origin - a) / height;
+        const double slope = Dot(n, ray.Direction) / height;
+        Cut(interval, value, slope);
+        interval.AtOrigin += value * mesh.Values[tet[corner]];
+        interval.PerLength += slope * mesh.Values[tet[corner]];
+      }
+      if (!isFlat && interval.In < interval.Out)
+      {
+        intervals.push_back(interval);
+      }
+    }
+    std::sort(intervals.begin(), intervals.end(),
+      [](const Interval& a, const Interval& b) { return a.In < b.In; });
+
+    ReferencePixel pixel{ 0, 0, 0, 0, std::numeric_limits<double>::infinity() };
+    double through = 1;
+    double depth = 0;
+    double largest = -std::numeric_limits<double>::infinity();
+    for (const Interval& interval : intervals)
+    {
+      const auto add = [&](double value, double length, double distance)
+      {
+        const auto colour = this->Colour(value);
+        const double optical = -std::log1p(-std::min(colour[3], 1 - 1e-7)) * length / this->Unit;
+        const double opacity = -std::expm1(-optical);
+        const double weight = this->Mode == RayMode::XRay ? optical : through * opacity;
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+          pixel[c] += weight * colour[c];
+        }
+        if (weight > 0 && this->Mode != RayMode::XRay)
+        {
+          pixel[4] = std::min(pixel[4], distance);
+        }
+        through *= 1 - opacity;
+        depth += optical;
+        largest = std::max(largest, value);
+      };
+      const auto getValue = [&](double distance)
+      { return interval.AtOrigin + distance * interval.PerLength; };
+      if (this->Mode == RayMode::Area)
+      {
+        add((getValue(interval.In) + getValue(interval.Out)) / 2, interval.Out - interval.In,
+          interval.In);
+        continue;
+      }
+      const double end = std::ceil(interval.Out / v.SampleDistance);
+      for (double k = std::ceil(interval.In / v.SampleDistance); k < end; ++k)
+      {
+        add(getValue(k * v.SampleDistance), v.SampleDistance, k * v.SampleDistance);
+      }
+    }
+    pixel[3] = 1 - through;
+    if (this->Mode == RayMode::XRay && depth > 0)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        pixel[c] *= pixel[3] / depth;
+      }
+    }
+    if (this->Mode == RayMode::Maximum)
+    {
+      pixel = { 0, 0, 0, 0, std::numeric_limits<double>::infinity() };
+      if (std::isfinite(largest))
+      {
+        const auto [r, g, b, a] = this->Colour(largest);
+        pixel = { r * a, g * a, b * a, a, pixel[4] };
+      }
+    }
+    return pixel;
+  }
+};
+}
+
+#endif

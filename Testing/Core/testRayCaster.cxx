@@ -1,0 +1,514 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The ray caster against the definition, against formulas, and against itself with everything in
+// another order.
+
+#include "gatunError.h"
+#include "gatunRayCaster.h"
+#include "gatunRayReference.h"
+#include "gatunTestMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <random>
+
+namespace gatun::test
+{
+namespace
+{
+/** Colours with ramps, which begin and end at entries of the table, and a part that is not seen. */
+std::array<double, 4> Ramp(double value)
+{
+  const double s = std::clamp(value, 0.0, 1.0);
+  const double opacity = s < 0.25 ? 0 : s < 0.625 ? (s - 0.25) : 0.375 - (s - 0.625) / 2;
+  return { s, 1 - std::abs(2 * s - 1), 1 - s, opacity };
+}
+
+double Wave(const Vec& p)
+{
+  return 0.5 + 0.25 * std::sin(1.3 * p[0] + 0.2) + 0.25 * std::cos(1.7 * p[1]) * std::sin(p[2]);
+}
+
+ReferenceMesh ToReference(const TestMesh& mesh)
+{
+  ReferenceMesh result;
+  for (std::size_t i = 0; i < mesh.GetPoints(); ++i)
+  {
+    result.Points.push_back(
+      { mesh.Coordinates[3 * i], mesh.Coordinates[3 * i + 1], mesh.Coordinates[3 * i + 2] });
+    result.Values.push_back(Wave(result.Points.back()));
+  }
+  for (std::size_t i = 0; i < mesh.GetTets(); ++i)
+  {
+    auto& tet = result.Tets.emplace_back();
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      tet[c] = static_cast<std::uint32_t>(mesh.Ids[4 * i + c]);
+    }
+  }
+  return result;
+}
+
+/** Flat ones, some along the axes, and some twice as thin as the distance of samples. */
+ReferenceMesh MakeSlivers()
+{
+  auto mesh = ToReference(MakeCubes(4, 0.2));
+  for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
+  {
+    mesh.Points[i][2] = std::round(mesh.Points[i][2]) + 1e-9 * static_cast<double>(i);
+  }
+  const auto n = static_cast<std::uint32_t>(mesh.Points.size());
+  mesh.Points.insert(mesh.Points.end(), { { 9, 0, 0 }, { 10, 0, 0 }, { 9, 1, 0 }, { 9, 0, 0.05 } });
+  mesh.Points.insert(mesh.Points.end(), { { 10, 1, 0 }, { 9.5, 0.5, 0 }, { 10, 1, 0 } });
+  mesh.Values.resize(mesh.Points.size(), 0.6);
+  mesh.Tets.push_back({ n, n + 1, n + 2, n + 3 });
+  mesh.Tets.push_back({ n, n + 1, n + 2, n + 4 }); // flat
+  mesh.Tets.push_back({ n, n + 1, n + 2, n + 5 }); // flat
+  mesh.Tets.push_back({ n, n + 4, n + 6, n + 3 }); // two points in one place
+  mesh.Tets.push_back({ n, n, n + 2, n + 3 });     // a point twice
+  return mesh;
+}
+
+/** Tetrahedra that do not touch each other, in no order. */
+ReferenceMesh MakeLooseTets()
+{
+  auto mesh = ToReference(MakeCubes(5, 0));
+  ReferenceMesh loose;
+  std::mt19937 random(7);
+  for (const auto& tet : mesh.Tets)
+  {
+    Vec middle{};
+    for (const auto corner : tet)
+    {
+      middle = middle + 0.25 * mesh.Points[corner];
+    }
+    const auto first = static_cast<std::uint32_t>(loose.Points.size());
+    for (const auto corner : tet)
+    {
+      loose.Points.push_back(middle + 0.9 * (mesh.Points[corner] - middle));
+      loose.Values.push_back(Wave(loose.Points.back()));
+    }
+    loose.Tets.push_back({ first, first + 1, first + 2, first + 3 });
+  }
+  std::shuffle(loose.Tets.begin(), loose.Tets.end(), random);
+  return loose;
+}
+
+RaySource::Blocks MakeBlocks(const ReferenceMesh& mesh, std::size_t tetsInBlock)
+{
+  RaySource::Blocks blocks;
+  for (std::size_t first = 0; first < mesh.Tets.size(); first += tetsInBlock)
+  {
+    auto block = std::make_shared<RayBlock>();
+    std::vector<std::uint32_t> places(mesh.Points.size(), ~0u);
+    for (auto i = first; i < std::min(first + tetsInBlock, mesh.Tets.size()); ++i)
+    {
+      auto tet = mesh.Tets[i];
+      for (auto& corner : tet)
+      {
+        const auto point = corner;
+        if (places[point] == ~0u)
+        {
+          places[point] = static_cast<std::uint32_t>(block->Points.size());
+          const Vec& p = mesh.Points[point];
+          block->Points.push_back({ p[0], p[1], p[2], mesh.Values[point] });
+        }
+        corner = places[point];
+      }
+      block->Tets.push_back(tet);
+    }
+    block->Prepare();
+    blocks.push_back(std::move(block));
+  }
+  return blocks;
+}
+
+struct Picture
+{
+  std::vector<float> Colours;
+  std::vector<float> Depths;
+};
+
+struct Setting
+{
+  RayMode Mode = RayMode::Composite;
+  RayColour Colour = Ramp;
+  RaySettings Settings;
+  std::vector<std::array<double, 4>> Planes;
+  std::size_t TetsInBlock = 500;
+};
+
+Picture Render(const ReferenceMesh& mesh, const Viewer& viewer, const Setting& setting)
+{
+  const RayView view = viewer.GetView();
+  RayLimits limits;
+  for (const auto& plane : setting.Planes)
+  {
+    ClipByPlane(view, plane, limits);
+  }
+  RayCaster caster(view, RayTable(setting.Mode, setting.Colour, { 0, 1 }, viewer.SampleDistance, 1),
+    limits, setting.Settings);
+  for (const auto& block : MakeBlocks(mesh, setting.TetsInBlock))
+  {
+    caster.Draw({ &block, 1 });
+  }
+  const auto pixels = static_cast<std::size_t>(viewer.Width) * viewer.Height;
+  Picture picture{ std::vector<float>(4 * pixels), std::vector<float>(pixels) };
+  caster.Finish(picture.Colours.data(), picture.Depths.data());
+  return picture;
+}
+
+/** How far two pictures are apart: pixels that differ by more than 1 / 255, and on average. */
+struct Difference
+{
+  std::size_t Bad = 0;
+  std::size_t BadDepths = 0;
+  double Mean = 0;
+  double Lit = 0; // how many pixels show anything
+};
+
+Difference Compare(
+  const Picture& picture, const std::vector<ReferencePixel>& reference, double sampleDistance)
+{
+  Difference result;
+  for (std::size_t i = 0; i < reference.size(); ++i)
+  {
+    double most = 0;
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      const double difference = std::abs(picture.Colours[4 * i + c] - reference[i][c]);
+      most = std::max(most, difference);
+      result.Mean += difference / (4 * static_cast<double>(reference.size()));
+    }
+    result.Bad += most <= 1.0 / 255 ? 0 : 1;
+    const double depth = reference[i][4];
+    const bool sameDepth = std::isinf(depth)
+      ? std::isinf(picture.Depths[i])
+      : std::abs(picture.Depths[i] - depth) < 0.01 * sampleDistance;
+    result.BadDepths += sameDepth ? 0 : 1;
+    result.Lit += reference[i][3] > 0.01 ? 1 : 0;
+  }
+  return result;
+}
+
+/** Viewers all around a box from 0 to size, some within. */
+std::vector<Viewer> MakeViewers(double size, bool parallel)
+{
+  std::vector<Viewer> viewers;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any(-1, 1);
+  const Vec middle{ size / 2, size / 2, size / 2 };
+  for (int i = 0; i < 20; ++i)
+  {
+    Vec direction{ any(random), any(random), any(random) };
+    if (i < 3)
+    {
+      direction = { i == 0 ? 1.0 : 0, i == 1 ? 1.0 : 0, i == 2 ? 1.0 : 0 }; // along an axis
+    }
+    // Every fourth from within the mesh.
+    const double away = i % 4 == 3 ? 0.3 * size : 3 * size;
+    viewers.push_back(Viewer::LookAt(
+      middle + away * Normalize(direction), middle, parallel, i % 4 == 3 ? size / 2 : 1.9 * size));
+  }
+  return viewers;
+}
+
+class AgainstReference : public testing::TestWithParam<std::tuple<const char*, bool>>
+{
+protected:
+  static ReferenceMesh GetMesh()
+  {
+    const std::string name = std::get<0>(GetParam());
+    return name == "Cubes" ? ToReference(MakeCubes(5, 0.25))
+      : name == "Lattice"  ? ToReference(MakeCubes(5, 0))
+      : name == "Slivers"  ? MakeSlivers()
+                           : MakeLooseTets();
+  }
+
+  static void Check(const Setting& setting, std::size_t views, bool withDepth)
+  {
+    const auto mesh = GetMesh();
+    Reference reference;
+    reference.Mode = setting.Mode;
+    reference.Colour = setting.Colour;
+    reference.Planes = setting.Planes;
+    auto viewers = MakeViewers(5, std::get<1>(GetParam()));
+    viewers.resize(views, viewers.front());
+    std::size_t bad = 0;
+    std::size_t pixels = 0;
+    for (const Viewer& viewer : viewers)
+    {
+      const auto expected = reference.Render(mesh, viewer);
+      const auto difference =
+        Compare(Render(mesh, viewer, setting), expected, viewer.SampleDistance);
+      EXPECT_LE(difference.Mean, 1e-5);
+      EXPECT_GT(difference.Lit, 300);
+      bad += difference.Bad + (withDepth ? difference.BadDepths : 0);
+      pixels += expected.size();
+    }
+    // Where a face is within rounding of a sample, either side may have it.
+    EXPECT_LE(static_cast<double>(bad), 2e-4 * static_cast<double>(pixels));
+  }
+};
+
+TEST_P(AgainstReference, Composite)
+{
+  Check({}, 20, true);
+}
+
+TEST_P(AgainstReference, CompositePortable)
+{
+  Setting setting;
+  setting.Settings.Portable = true;
+  Check(setting, 6, true);
+}
+
+TEST_P(AgainstReference, Area)
+{
+  Setting setting;
+  setting.Mode = RayMode::Area;
+  Check(setting, 6, true);
+}
+
+TEST_P(AgainstReference, Maximum)
+{
+  Setting setting;
+  setting.Mode = RayMode::Maximum;
+  Check(setting, 6, false);
+}
+
+TEST_P(AgainstReference, XRay)
+{
+  Setting setting;
+  setting.Mode = RayMode::XRay;
+  Check(setting, 6, false);
+}
+
+TEST_P(AgainstReference, ClippingPlanes)
+{
+  Setting setting;
+  setting.Planes = { { 1, 0.5, 0.2, -3 }, { -0.1, -1, 0.3, 3.7 } };
+  Check(setting, 6, true);
+}
+
+INSTANTIATE_TEST_SUITE_P(RayCaster, AgainstReference,
+  testing::Combine(testing::Values("Cubes", "Lattice", "Slivers", "Loose"), testing::Bool()),
+  [](const auto& given)
+  { return std::string(std::get<0>(given.param)) + (std::get<1>(given.param) ? "Parallel" : ""); });
+
+//------------------------------------------------------------------------------
+float GetLargestDifference(const Picture& a, const Picture& b)
+{
+  float most = 0;
+  for (std::size_t i = 0; i < a.Colours.size(); ++i)
+  {
+    most = std::max(most, std::abs(a.Colours[i] - b.Colours[i]));
+  }
+  return most;
+}
+
+TEST(RayCaster, PictureDoesNotDependOnTheOrderOfAnything)
+{
+  auto mesh = ToReference(MakeCubes(7, 0.3));
+  for (const bool parallel : { false, true })
+  {
+    const auto viewer = MakeViewers(7, parallel)[5];
+    const auto expected = Render(mesh, viewer, {});
+    auto shuffled = mesh;
+    std::mt19937 random(11);
+    std::shuffle(shuffled.Tets.begin(), shuffled.Tets.end(), random);
+    for (auto& tet : shuffled.Tets)
+    {
+      std::shuffle(tet.begin(), tet.end(), random);
+    }
+    for (const std::size_t tetsInBlock : { 1, 17, 400, 100000 })
+    {
+      Setting setting;
+      setting.TetsInBlock = tetsInBlock;
+      EXPECT_LE(GetLargestDifference(expected, Render(mesh, viewer, setting)), 1.0f / 255);
+      setting.Settings.FromBothEnds = true;
+      EXPECT_LE(GetLargestDifference(expected, Render(shuffled, viewer, setting)), 1.0f / 255);
+      setting.Settings.Portable = true;
+      EXPECT_LE(GetLargestDifference(expected, Render(shuffled, viewer, setting)), 1.0f / 255);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(RayCaster, ConstantAndLinearFieldsInABoxHaveTheOpticalDepthOfTheFormula)
+{
+  // A box of 6^3 looked at along x: the light through it is exp(-integral of the extinction).
+  auto mesh = ToReference(MakeCubes(6, 0));
+  for (const bool linear : { false, true })
+  {
+    for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+    {
+      mesh.Values[i] = linear ? mesh.Points[i][0] / 6 : 0.5;
+    }
+    // Extinction 0.4 times the value: opacity over a unit of length is 1 - exp(-0.4 value).
+    Setting setting;
+    setting.Colour = [](double value) {
+      return std::array<double, 4>{ 1, 1, 1, -std::expm1(-0.4 * value) };
+    };
+    setting.Settings.Opaque = 0;
+    auto viewer = Viewer::LookAt({ -5, 3, 3 }, { 3, 3, 3 }, true, 4);
+    viewer.SampleDistance = 0.01;
+    const double expected = -std::expm1(-0.4 * 0.5 * 6);
+    for (const RayMode mode : { RayMode::Composite, RayMode::XRay, RayMode::Area })
+    {
+      setting.Mode = mode;
+      const auto picture = Render(mesh, viewer, setting);
+      for (std::size_t i = 0; i < picture.Colours.size(); i += 4)
+      {
+        // One sample more or less, of extinction 0.4 at most, over 0.01.
+        ASSERT_NEAR(picture.Colours[i + 3], expected, 0.4 * 0.01);
+        ASSERT_NEAR(picture.Colours[i], picture.Colours[i + 3], 1e-5);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/** Blocks as a source, which counts those that are asked for. */
+class CountingSource final : public RaySource
+{
+public:
+  CountingSource(const ReferenceMesh& mesh, std::size_t tetsInBlock)
+    : All(MakeBlocks(mesh, tetsInBlock))
+  {
+    for (const auto& block : this->All)
+    {
+      Bounds box;
+      Range range;
+      for (const RayPoint& p : block->Points)
+      {
+        const std::array<double, 3> x{ p.X, p.Y, p.Z };
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          box[axis].Min = std::min(box[axis].Min, x[axis]);
+          box[axis].Max = std::max(box[axis].Max, x[axis]);
+        }
+        range.Min = std::min(range.Min, p.Value);
+        range.Max = std::max(range.Max, p.Value);
+      }
+      this->Boxes.push_back(box);
+      this->Ranges.push_back(range);
+    }
+  }
+
+  std::size_t GetNumberOfBlocks() const override { return this->All.size(); }
+  const Bounds& GetBounds(std::size_t block) const override { return this->Boxes[block]; }
+  Range GetRange(std::size_t block) const override { return this->Ranges[block]; }
+  Blocks GetBlocks(std::span<const std::size_t> blocks, const Progress&) override
+  {
+    Blocks result;
+    for (const auto block : blocks)
+    {
+      result.push_back(this->All[block]);
+      ++this->Asked;
+    }
+    return result;
+  }
+
+  std::size_t Asked = 0;
+
+private:
+  Blocks All;
+  std::vector<Bounds> Boxes;
+  std::vector<Range> Ranges;
+};
+
+Picture RenderSource(RaySource& source, const Viewer& viewer, const RayColour& colour, float opaque)
+{
+  RaySettings settings;
+  settings.Opaque = opaque;
+  RayCaster caster(viewer.GetView(),
+    RayTable(RayMode::Composite, colour, { 0, 1 }, viewer.SampleDistance, 1), {}, settings);
+  caster.Draw(source);
+  const auto pixels = static_cast<std::size_t>(viewer.Width) * viewer.Height;
+  Picture picture{ std::vector<float>(4 * pixels), std::vector<float>(pixels) };
+  caster.Finish(picture.Colours.data(), picture.Depths.data());
+  return picture;
+}
+
+TEST(RayCaster, BlocksThatCannotBeSeenAreNeverAskedFor)
+{
+  const auto mesh = ToReference(MakeCubes(10, 0.1));
+  const auto dense = [](double value) {
+    return std::array<double, 4>{ value, 1 - value, 0.5, value > 0.2 ? 0.99 : 0.9 };
+  };
+  for (const bool parallel : { false, true })
+  {
+    const auto viewer = Viewer::LookAt({ 5, 5, -20 }, { 5, 5, 5 }, parallel, 8);
+    CountingSource all(mesh, 60);
+    CountingSource some(mesh, 60);
+    const auto expected = RenderSource(all, viewer, dense, 0);
+    const auto picture = RenderSource(some, viewer, dense, 1e-3f);
+    EXPECT_LT(some.Asked, all.Asked / 2); // behind the opaque ones in front
+    EXPECT_LE(GetLargestDifference(expected, picture), 1.5e-3f);
+
+    const auto aside = Viewer::LookAt({ 1, 1, -20 }, { 1, 1, 4 }, parallel, 2);
+    CountingSource seen(mesh, 60);
+    RenderSource(seen, aside, Ramp, 0);
+    EXPECT_LT(seen.Asked, all.Asked / 2); // outside the picture
+
+    CountingSource none(mesh, 60);
+    RenderSource(
+      none, viewer,
+      [](double) {
+        return std::array<double, 4>{ 1, 1, 1, 0 };
+      },
+      0);
+    EXPECT_EQ(none.Asked, 0u);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(RayCaster, WhatIsNotANumberIsNotSeen)
+{
+  auto mesh = ToReference(MakeCubes(4, 0.1));
+  const auto viewer = MakeViewers(4, false)[4];
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+
+  // The tetrahedra at some points count as not there.
+  auto without = mesh;
+  std::erase_if(without.Tets,
+    [](const auto& tet)
+    { return std::any_of(tet.begin(), tet.end(), [](auto c) { return c == 31 || c == 62; }); });
+  const auto expected = Render(without, viewer, {});
+
+  for (const double strange : { nan, infinity, -infinity })
+  {
+    auto values = mesh;
+    values.Values[31] = values.Values[62] = strange;
+    auto points = mesh;
+    points.Points[31][0] = points.Points[62][2] = strange;
+    EXPECT_LE(GetLargestDifference(expected, Render(points, viewer, {})), 1e-3f);
+    EXPECT_LE(GetLargestDifference(expected, Render(values, viewer, {})), 1e-3f);
+  }
+}
+
+TEST(RayCaster, ViewsThatShowNothingAreRefused)
+{
+  const auto make = [](auto&& change)
+  {
+    auto viewer = Viewer::LookAt({ 4, 4, -20 }, { 4, 4, 4 }, false, 7);
+    change(viewer);
+    return viewer.GetView();
+  };
+  EXPECT_NO_THROW(make([](Viewer&) {}));
+  EXPECT_THROW(make([](Viewer& v) { v.Width = 0; }), Error);
+  EXPECT_THROW(make([](Viewer& v) { v.Height = -5; }), Error);
+  EXPECT_THROW(make([](Viewer& v) { v.SampleDistance = 0; }), Error);
+  EXPECT_THROW(make([](Viewer& v) { v.SampleDistance = -1; }), Error);
+  EXPECT_THROW(make([](Viewer& v) { v.SampleDistance = std::nan(""); }), Error);
+  EXPECT_THROW(make([](Viewer& v) { v.Frustum.Right = v.Frustum.Left; }), Error);
+  EXPECT_THROW(make([](Viewer& v) { v.Up = v.Right; }), Error);
+}
+}
+}
