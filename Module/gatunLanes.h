@@ -24,6 +24,13 @@ GATUN_INLINE Float4 SelectGreater(Float4 l, Float4 r, Float4 a, Float4 b)
   return l > r ? a : b;
 }
 
+/** The first three lanes, and 0 in the last, whatever bits are there. */
+GATUN_INLINE Float4 KeepThree(Float4 v)
+{
+  using Bits = std::int32_t __attribute__((vector_size(16)));
+  return std::bit_cast<Float4>(std::bit_cast<Bits>(v) & Bits{ -1, -1, -1, 0 });
+}
+
 /** How many lanes of low and high are not above a number. */
 GATUN_INLINE unsigned CountUpTo(Short8 low, Short8 high, std::int16_t number)
 {
@@ -105,7 +112,42 @@ inline Float4 SelectGreater(const Float4& l, const Float4& r, const Float4& a, c
   }
   return result;
 }
+
+inline Float4 KeepThree(const Float4& v)
+{
+  return { { v.Lanes[0], v.Lanes[1], v.Lanes[2], 0 } };
+}
 #endif
+
+// Compilers make one instruction of each of these.
+
+/** The first three lanes turned by one. */
+GATUN_INLINE Float4 Rotate(Float4 v)
+{
+  return Float4{ v[1], v[2], v[0], v[3] };
+}
+
+/** The lanes 0 and 1 of both in turn. */
+GATUN_INLINE Float4 Interleave(Float4 a, Float4 b)
+{
+  return Float4{ a[0], b[0], a[1], b[1] };
+}
+
+/** The lanes 2 and 3 of both in turn. */
+GATUN_INLINE Float4 InterleaveHigh(Float4 a, Float4 b)
+{
+  return Float4{ a[2], b[2], a[3], b[3] };
+}
+
+GATUN_INLINE Float4 JoinLow(Float4 a, Float4 b)
+{
+  return Float4{ a[0], a[1], b[0], b[1] };
+}
+
+GATUN_INLINE Float4 JoinHigh(Float4 a, Float4 b)
+{
+  return Float4{ a[2], a[3], b[2], b[3] };
+}
 
 GATUN_INLINE float Least(Float4 v)
 {

@@ -14,6 +14,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -28,48 +29,73 @@ struct alignas(16) LatticePoint
   std::uint32_t Users = 0;
 };
 
-template <typename Number>
-struct VectorOf
+/** A vector in the first three lanes; the last is not used, and 0 or what comes of that. */
+struct Vec3
 {
-  Number X, Y, Z;
+  Float4 Lanes;
+
+  GATUN_INLINE float operator[](std::size_t i) const { return this->Lanes[i]; }
 };
 
-using Vec3 = VectorOf<float>;
-using Vec3x4 = VectorOf<Float4>; // four vectors, a lane each
+/** Four vectors, a lane each. */
+struct Vec3x4
+{
+  Float4 X, Y, Z;
+};
 
-GATUN_INLINE Vec3 operator-(const LatticePoint& a, const LatticePoint& b)
+GATUN_INLINE Vec3 ToVector(const LatticePoint& p)
+{
+  return { KeepThree(std::bit_cast<Float4>(p)) };
+}
+
+GATUN_INLINE Vec3 operator-(const Vec3& a, const Vec3& b)
+{
+  return { a.Lanes - b.Lanes };
+}
+
+GATUN_INLINE Vec3x4 operator-(const Vec3x4& a, const Vec3x4& b)
 {
   return { a.X - b.X, a.Y - b.Y, a.Z - b.Z };
 }
 
-template <typename Number>
-GATUN_INLINE VectorOf<Number> operator-(const VectorOf<Number>& a, const VectorOf<Number>& b)
+GATUN_INLINE float Dot(const Vec3& a, const Vec3& b)
 {
-  return { a.X - b.X, a.Y - b.Y, a.Z - b.Z };
+  const Float4 product = a.Lanes * b.Lanes;
+  return product[0] + product[1] + product[2];
 }
 
-template <typename Number>
-GATUN_INLINE Number Dot(const VectorOf<Number>& a, const VectorOf<Number>& b)
+GATUN_INLINE Float4 Dot(const Vec3x4& a, const Vec3x4& b)
 {
   return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
 }
 
-template <typename Number>
-GATUN_INLINE VectorOf<Number> Cross(const VectorOf<Number>& a, const VectorOf<Number>& b)
+GATUN_INLINE Vec3 Cross(const Vec3& a, const Vec3& b)
+{
+  return { Rotate(a.Lanes * Rotate(b.Lanes) - Rotate(a.Lanes) * b.Lanes) };
+}
+
+GATUN_INLINE Vec3x4 Cross(const Vec3x4& a, const Vec3x4& b)
 {
   return { a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X };
+}
+
+GATUN_INLINE Vec3x4 Gather(Float4 a, Float4 b, Float4 c, Float4 d)
+{
+  const auto ab = Interleave(a, b);
+  const auto cd = Interleave(c, d);
+  return { JoinLow(ab, cd), JoinHigh(ab, cd), JoinLow(InterleaveHigh(a, b), InterleaveHigh(c, d)) };
 }
 
 GATUN_INLINE Vec3x4 Gather(
   const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& d)
 {
-  return { Float4{ a.X, b.X, c.X, d.X }, Float4{ a.Y, b.Y, c.Y, d.Y },
-    Float4{ a.Z, b.Z, c.Z, d.Z } };
+  return Gather(std::bit_cast<Float4>(a), std::bit_cast<Float4>(b), std::bit_cast<Float4>(c),
+    std::bit_cast<Float4>(d));
 }
 
 GATUN_INLINE Vec3x4 Splat(const Vec3& v)
 {
-  return { Splat(v.X), Splat(v.Y), Splat(v.Z) };
+  return { Splat(v[0]), Splat(v[1]), Splat(v[2]) };
 }
 
 GATUN_INLINE Vec3x4 Splat(const LatticePoint& p)
@@ -95,8 +121,8 @@ public:
     : A(a)
     , B(b)
     , C(c)
-    , U(b - a)
-    , V(c - a)
+    , U(ToVector(b) - ToVector(a))
+    , V(ToVector(c) - ToVector(a))
     , Normal(Cross(U, V))
     , NormalSquared(Dot(Normal, Normal))
   {
@@ -131,7 +157,7 @@ public:
   /** Whether d lies within about 6 degrees of the plane, as seen from the gate's corner s. */
   bool IsCoplanar(const LatticePoint& d, const LatticePoint& s) const
   {
-    const Vec3 p = d - s;
+    const Vec3 p = ToVector(d) - ToVector(s);
     const float height = Dot(p, this->Normal);
     return height * height < 0.01F * (this->NormalSquared * Dot(p, p));
   }
@@ -150,14 +176,15 @@ public:
   GATUN_INLINE explicit GateCircle(const GatePlane& plane)
   {
     const Vec3 w = plane.V - plane.U;
-    const float uu = Dot(plane.U, plane.U);
-    const float vv = Dot(plane.V, plane.V);
-    const float sides = uu * vv * Dot(w, w);
+    const Float4 wSquares = w.Lanes * w.Lanes;
+    const auto squares =
+      Gather(plane.U.Lanes * plane.U.Lanes, plane.V.Lanes * plane.V.Lanes, wSquares, wSquares);
+    const Float4 dots = squares.X + squares.Y + squares.Z; // u . u, v . v, w . w
+    const float sides = dots[0] * dots[1] * dots[2];
     const float inverse = 1.0F / plane.NormalSquared;
     const Vec3 p = Cross(plane.V, plane.Normal);
     const Vec3 q = Cross(plane.Normal, plane.U);
-    this->Centre = { (uu * p.X + vv * q.X) * inverse, (uu * p.Y + vv * q.Y) * inverse,
-      (uu * p.Z + vv * q.Z) * inverse };
+    this->Centre = { (Splat(dots[0]) * p.Lanes + Splat(dots[1]) * q.Lanes) * Splat(inverse) };
     this->Unit = plane.NormalSquared / std::sqrt(sides);
     this->FourRadiusSquared = sides * inverse;
   }

@@ -39,18 +39,16 @@ void SharedSearch::Remove(std::uint32_t index)
 
 SharedSearch::Area::Area(const SharedSearch& search, const GatePlane& plane, float reach)
 {
-  const auto w = plane.C - plane.B;
+  const auto w = ToVector(plane.C) - ToVector(plane.B);
   const float longest = std::max({ Dot(plane.U, plane.U), Dot(plane.V, plane.V), Dot(w, w) });
-  constexpr float third = 1.0F / 3.0F;
-  this->Centre = { (plane.A.X + plane.B.X + plane.C.X) * third,
-    (plane.A.Y + plane.B.Y + plane.C.Y) * third, (plane.A.Z + plane.B.Z + plane.C.Z) * third };
+  const Vec3 sum{ ToVector(plane.A).Lanes + ToVector(plane.B).Lanes + ToVector(plane.C).Lanes };
+  this->Centre = { sum.Lanes * Splat(1.0F / 3.0F) };
   this->Limit = reach * reach * longest;
   const float radius = std::sqrt(this->Limit);
-  const std::array<float, 3> centre{ this->Centre.X, this->Centre.Y, this->Centre.Z };
   for (unsigned i = 0; i < 3; ++i)
   {
-    this->Low[i] = search.CellOf(centre[i] - radius);
-    this->High[i] = search.CellOf(centre[i] + radius);
+    this->Low[i] = search.CellOf(this->Centre[i] - radius);
+    this->High[i] = search.CellOf(this->Centre[i] + radius);
   }
 }
 }
