@@ -197,12 +197,13 @@ public:
   {
     const std::uint64_t p = model.GetProbability();
     const std::uint64_t slot = this->State & 0xffff;
-    const std::uint64_t rest = this->State >> 16;
     const bool bit = slot < p;
     // Without branches, as many decisions are as good as random.
     const std::uint64_t mask = std::uint64_t{ 0 } - bit;
-    const std::uint64_t frequency = (p & mask) | ((65536 - p) & ~mask);
-    this->State = frequency * rest + slot - (p & ~mask);
+    const std::uint64_t part = p * (this->State >> 16);
+    const std::uint64_t one = part + slot;
+    const std::uint64_t zero = this->State - part - p;
+    this->State = zero ^ ((one ^ zero) & mask);
     if (this->State < (std::uint64_t{ 1 } << 32))
     {
       this->Refill();
