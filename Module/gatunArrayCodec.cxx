@@ -212,21 +212,18 @@ private:
     {
       return result;
     }
-    KnownNumbers numbers{};
     Key low = ~Key{ 0 };
     Key high = 0;
-    for (unsigned k = 0; k < GateRecord::Size; ++k)
+    for (unsigned k = 0; k < 4; ++k)
     {
       const Key key = keys[record.Known[k]];
-      numbers[k] = this->Values.ToNumber(key);
-      if (k < 4)
-      {
-        low = std::min(low, key);
-        high = std::max(high, key);
-      }
+      low = std::min(low, key);
+      high = std::max(high, key);
     }
     const auto rule = this->Context.UsedRules[own];
-    result.Number = ApplyRule((*this->Context.Rules)[rule], numbers);
+    const auto number = [&](unsigned k)
+    { return std::array{ this->Values.ToNumber(keys[record.Known[k]]) }; };
+    result.Number = ApplyRule<1>((*this->Context.Rules)[rule], number)[0];
     result.Spread = static_cast<unsigned>(std::bit_width(high - low));
     result.Group = 1u + rule;
     result.Known = true;

@@ -43,10 +43,11 @@ bool Solve(std::array<std::array<double, N>, N>& a, std::array<double, N>& b)
   return true;
 }
 
-KnownNumbers GetNumbers(const GateRecord& record, unsigned component,
+/** One component of a gate's known vertices. */
+std::array<double, GateRecord::Size> GetNumbers(const GateRecord& record, unsigned component,
   std::span<const PointKeys> keys, const PointDomain& domain)
 {
-  KnownNumbers numbers{};
+  std::array<double, GateRecord::Size> numbers{};
   for (unsigned k = 0; k < GateRecord::Size; ++k)
   {
     numbers[k] = domain[component].ToNumber(keys[record.Known[k]][component]);

@@ -48,10 +48,10 @@ public:
 private:
   float Map(double value, unsigned axis) const
   {
-    const double place = std::floor((value - this->Low[axis]) * this->Scale);
+    const double place = (value - this->Low[axis]) * this->Scale;
     // The comparisons also send what is not a number to 0.
     const double bounded = place > 0 ? (place < 65535.0 ? place : 65535.0) : 0.0;
-    return static_cast<float>(bounded) * (1.0F / 256.0F);
+    return static_cast<float>(static_cast<std::int32_t>(bounded)) * (1.0F / 256.0F);
   }
 
   std::array<double, 3> Low{ 0, 0, 0 };
@@ -76,21 +76,31 @@ const PredictionRules& GetGridRules();
 PredictionRules FitRule(std::span<const GateRecord> records, std::span<const Vertex> ids,
   std::span<const PointKeys> keys, const PointDomain& domain);
 
-/** One component of a gate's known vertices. */
-using KnownNumbers = std::array<double, GateRecord::Size>;
-
-/** What a rule predicts for one component. */
-inline double ApplyRule(const PredictionRule& rule, const KnownNumbers& numbers)
+/**
+ * What a rule predicts for several components at once; those of a gate's known vertex number k are
+ * getNumbers(k).
+ */
+template <std::size_t N, typename GetNumbers>
+GATUN_INLINE std::array<double, N> ApplyRule(const PredictionRule& rule, GetNumbers&& getNumbers)
 {
-  double sum = 0;
+  std::array<double, N> result{};
   for (unsigned k = 0; k < GateRecord::Size; ++k)
   {
     // What has no weight may be a NaN. Adding the +0 that is put in its place changes nothing.
-    const auto product = std::bit_cast<std::uint64_t>(rule[k] * numbers[k]);
     const auto mask = std::uint64_t{ 0 } - (rule[k] != 0);
-    sum += std::bit_cast<double>(product & mask);
+    const double weight = rule[k];
+    const std::array<double, N> numbers = getNumbers(k);
+    for (std::size_t i = 0; i < N; ++i)
+    {
+      const auto product = std::bit_cast<std::uint64_t>(weight * numbers[i]);
+      result[i] += std::bit_cast<double>(product & mask);
+    }
   }
-  return sum * (1.0 / 256.0);
+  for (auto& number : result)
+  {
+    number *= 1.0 / 256.0;
+  }
+  return result;
 }
 
 /** Codes the coordinates of own vertices in the order of the walk. */
@@ -129,11 +139,11 @@ public:
     unsigned rule = 0;
     if (!record.IsSeed())
     {
-      this->Gather(record);
       rule = this->CodeRule(record, truth);
       group = this->Rules.size() > 1 ? rule : record.CandidateGrade;
     }
     usedRule = static_cast<std::uint8_t>(rule);
+    const auto predictions = record.IsSeed() ? PointNumbers{} : this->Predict(rule, record);
     unsigned grade = 0;
     for (unsigned i = 0; i < 3; ++i)
     {
@@ -142,7 +152,7 @@ public:
       unsigned spread = domain.GetBits();
       if (!record.IsSeed())
       {
-        predicted = this->Predict(rule, i);
+        predicted = domain.FromNumber(predictions[i]);
         spread = GetSpread(record, i, keys);
       }
       auto& model = this->Residuals[(i * (MaxRules + 1) + group) * 4 + grade];
@@ -160,6 +170,8 @@ public:
   }
 
 private:
+  using PointNumbers = std::array<double, 4>; // three, and one more as pairs are faster
+
   /** Bits of the difference of the largest and the smallest key of gate and apex. */
   static unsigned GetSpread(
     const GateRecord& record, unsigned component, std::span<const PointKeys> keys)
@@ -175,22 +187,10 @@ private:
     return static_cast<unsigned>(std::bit_width(high - low));
   }
 
-  void Gather(const GateRecord& record)
+  PointNumbers Predict(unsigned rule, const GateRecord& record) const
   {
-    for (unsigned k = 0; k < GateRecord::Size; ++k)
-    {
-      const auto& numbers = this->Numbers[record.Known[k]];
-      for (unsigned i = 0; i < 3; ++i)
-      {
-        this->Gathered[i][k] = numbers[i];
-      }
-    }
-  }
-
-  Key Predict(unsigned rule, unsigned component) const
-  {
-    return this->Components[component].FromNumber(
-      ApplyRule(this->Rules[rule], this->Gathered[component]));
+    return ApplyRule<std::tuple_size_v<PointNumbers>>(
+      this->Rules[rule], [&](unsigned k) { return this->Numbers[record.Known[k]]; });
   }
 
   unsigned CodeRule(const GateRecord& record, const PointKeys& truth)
@@ -199,7 +199,7 @@ private:
     {
       return 0;
     }
-    const unsigned best = Coder::Encoding ? this->FindBestRule(truth) : 0;
+    const unsigned best = Coder::Encoding ? this->FindBestRule(record, truth) : 0;
     BitModel* models =
       &this->RuleModels[(record.EdgeGrade * 4u + record.CandidateGrade) * MaxRules];
     unsigned node = 1;
@@ -215,16 +215,18 @@ private:
     return rule;
   }
 
-  unsigned FindBestRule(const PointKeys& truth) const
+  unsigned FindBestRule(const GateRecord& record, const PointKeys& truth) const
   {
     unsigned best = 0;
     int least = 1 << 30;
     for (unsigned rule = 0; rule < this->Rules.size(); ++rule)
     {
+      const auto predictions = this->Predict(rule, record);
       int bits = 0;
       for (unsigned i = 0; i < 3; ++i)
       {
-        const auto residual = this->Components[i].Subtract(truth[i], this->Predict(rule, i));
+        const Domain& domain = this->Components[i];
+        const auto residual = domain.Subtract(truth[i], domain.FromNumber(predictions[i]));
         const auto size = static_cast<std::uint64_t>(residual < 0 ? -(residual + 1) : residual);
         bits += 2 * std::bit_width(size) + (residual != 0);
       }
@@ -242,8 +244,7 @@ private:
   const PredictionRules Rules;
   std::vector<BitModel> RuleModels;
   std::vector<ResidualModel> Residuals;
-  std::vector<std::array<double, 3>> Numbers; // of every vertex met
-  std::array<KnownNumbers, 3> Gathered{};     // by component, for the current gate
+  std::vector<PointNumbers> Numbers; // of every vertex met
   PointKeys Previous{};
 };
 }
