@@ -54,6 +54,7 @@ public:
   bool IsBorder() const { return (this->Bits & BorderBit) != 0; }
   unsigned GetTets() const { return this->Bits >> TetsShift & 7; }
   std::uint32_t GetFace() const { return (this->Bits & Mask) >> 2; }
+  std::uint32_t GetFaceAndMore() const { return this->Bits >> 2; } // with other bits above it
   unsigned GetSide() const { return this->Bits & 3; }
   Vertex GetBorderFar() const { return (this->Bits & Mask) >> 2; }
 
@@ -118,6 +119,10 @@ public:
   Face& GetFace(std::uint32_t id) { return this->Faces[id & this->Mask]; }
   const Face& GetFace(std::uint32_t id) const { return this->Faces[id & this->Mask]; }
 
+  /** The face that a link leads to, or any if it is the border. The mask drops its other bits. */
+  Face& GetFace(Link link) { return this->Faces[link.GetFaceAndMore() & this->Mask]; }
+  const Face& GetFace(Link link) const { return this->Faces[link.GetFaceAndMore() & this->Mask]; }
+
   /** From now on up to four faces can be added without moving those that there are. */
   void MakeRoom()
   {
@@ -142,11 +147,11 @@ public:
     b = b.WithTets(tets);
     if (!a.IsBorder())
     {
-      this->GetFace(a.GetFace()).Over[a.GetSide()] = b;
+      this->GetFace(a).Over[a.GetSide()] = b;
     }
     if (!b.IsBorder())
     {
-      this->GetFace(b.GetFace()).Over[b.GetSide()] = a;
+      this->GetFace(b).Over[b.GetSide()] = a;
     }
   }
 
@@ -165,7 +170,7 @@ public:
 #if defined(__GNUC__)
     for (const auto link : this->GetFace(gate).Over)
     {
-      __builtin_prefetch(&this->GetFace(link.GetFace()));
+      __builtin_prefetch(&this->GetFace(link));
     }
 #else
     static_cast<void>(gate);

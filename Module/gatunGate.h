@@ -46,7 +46,7 @@ GATUN_INLINE Link TurnAround(const Front& front, Link link, unsigned most, Use&&
 {
   for (unsigned step = 0; step < most && !link.IsBorder(); ++step)
   {
-    const auto& face = front.GetFace(link.GetFace());
+    const auto& face = front.GetFace(link);
     if (!face.Open)
     {
       break; // once around, back at the gate
@@ -109,7 +109,7 @@ public:
     for (unsigned i = 0; i < 3; ++i)
     {
       const auto link = face.Over[i];
-      const auto& over = front.GetFace(link.GetFace());
+      const auto& over = front.GetFace(link);
       const Vertex far = Choose(link.IsBorder(), link.GetBorderFar(), over.Corners[link.GetSide()]);
       const bool proposed = !link.IsBorder() & (far != face.Corners[i]);
       this->Far[i] = far;
@@ -228,7 +228,7 @@ public:
       const auto link = this->Face.Over[i];
       if (!link.IsBorder())
       {
-        const auto& over = front.GetFace(link.GetFace()).Over;
+        const auto& over = front.GetFace(link).Over;
         seen[2 * i] = this->GetRingVertex(front, over[NextSide(link.GetSide())]);
         seen[2 * i + 1] = this->GetRingVertex(front, over[LastSide(link.GetSide())]);
       }
@@ -251,7 +251,7 @@ private:
   /** The far corner over a side next to the gate's; one of the gate if that is nothing new. */
   Vertex GetRingVertex(const Front& front, Link link) const
   {
-    const Vertex far = front.GetFace(link.GetFace()).Corners[link.GetSide()];
+    const Vertex far = front.GetFace(link).Corners[link.GetSide()];
     const auto& c = this->Face.Corners;
     const auto& ids = this->Ids;
     const bool known = link.IsBorder() | (far == ids[0]) | (far == ids[1]) | (far == ids[2]) |

@@ -516,7 +516,7 @@ private:
     {
       if (glued[i])
       {
-        auto& face = this->Open.GetFace(over[i].GetFace());
+        auto& face = this->Open.GetFace(over[i]);
         face.Open = 0;
         sides.Left[LastSide(i)] = face.Over[LastSide(over[i].GetSide())];
         sides.Right[NextSide(i)] = face.Over[NextSide(over[i].GetSide())];
@@ -548,7 +548,7 @@ private:
   GATUN_INLINE void JoinAround(Link left, Link right)
   {
     const bool closed =
-      !left.IsBorder() && this->Open.GetFace(left.GetFace()).Open == 0; // all around the edge
+      !left.IsBorder() && this->Open.GetFace(left).Open == 0; // all around the edge
     if (!closed)
     {
       this->Open.Connect(left, right, left.GetTets() + right.GetTets() + 1);
@@ -573,8 +573,12 @@ private:
     this->TurnBothWays(gate, corner,
       [&](Vertex v, Link side, Turn sense)
       {
-        touch = { side, v == fourth, sense == Turn::Forward };
-        return !touch.Found;
+        if (v != fourth)
+        {
+          return true;
+        }
+        touch = { side, true, sense == Turn::Forward };
+        return false;
       });
     return touch;
   }
@@ -582,7 +586,7 @@ private:
   /** Of the four faces at the edge those are linked that do not have the visited part between. */
   void JoinTouching(const Touch& touch, Link left, Link right)
   {
-    const auto before = this->Open.GetFace(touch.Edge.GetFace()).Over[touch.Edge.GetSide()];
+    const auto before = this->Open.GetFace(touch.Edge).Over[touch.Edge.GetSide()];
     const auto tets = before.GetTets() + 1;
     this->Open.Connect(touch.FromFourth ? left : right, touch.Edge, tets);
     this->Open.Connect(touch.FromFourth ? right : left, before, tets);
