@@ -25,7 +25,7 @@ struct RankedVertex
 
   bool operator<(const RankedVertex& other) const
   {
-    return this->Rank < other.Rank || (this->Rank == other.Rank && this->Id < other.Id);
+    return (this->Rank < other.Rank) | ((this->Rank == other.Rank) & (this->Id < other.Id));
   }
 };
 

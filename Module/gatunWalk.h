@@ -99,6 +99,7 @@ public:
 private:
   static constexpr unsigned MaxFan = 32;  // faces visited around a corner in one sense
   static constexpr unsigned MaxRing = 15; // ring vertices that can be named
+  static constexpr unsigned MostInRing = 3 * 2 * MaxFan;
 
   // By the sides of the gate; other orders cost grids some bits.
   static constexpr std::array<unsigned, 3> OrderOfFaces{ 2, 0, 1 };
@@ -343,20 +344,30 @@ private:
         this->Stamps[gate.Ids[i]] = this->Stamp;
       }
     }
-    this->Ring.clear();
+    unsigned count = 0;
     const auto add = [&](Vertex v, Link, Turn)
     {
-      if (this->Stamps[v] != this->Stamp)
-      {
-        this->Stamps[v] = this->Stamp;
-        this->Ring.push_back({ this->GetSphere(gate, this->Places[v]), v });
-      }
+      // Without a branch, as one cannot tell which were there before.
+      this->RingIds[count] = v;
+      count += this->Stamps[v] != this->Stamp;
+      this->Stamps[v] = this->Stamp;
       return true;
     };
     for (unsigned i = 0; i < 3; ++i)
     {
       this->TurnBothWays(gate, i, add);
     }
+    for (unsigned i = 0; i < count; i += 4)
+    {
+      const auto* ids = &this->RingIds[i]; // behind the last ones those of other rings
+      const auto ranks = gate.GetSpheres(Gather(
+        this->Places[ids[0]], this->Places[ids[1]], this->Places[ids[2]], this->Places[ids[3]]));
+      for (unsigned lane = 0; lane < 4; ++lane)
+      {
+        this->Ring[i + lane] = { ranks[lane], ids[lane] };
+      }
+    }
+    this->RingSize = count;
   }
 
   /** Visits the faces around a corner of the gate until use says that it is enough. */
@@ -371,15 +382,10 @@ private:
     }
   }
 
-  static float GetSphere(const Gate<Rule>& gate, const LatticePoint& place)
-  {
-    return gate.GetSpheres(Splat(place))[0];
-  }
-
   /** Codes a vertex by its rank in the ring; NoVertex if it is not among the first. */
   Vertex CodeRing(Vertex target)
   {
-    const auto count = static_cast<unsigned>(std::min<std::size_t>(this->Ring.size(), MaxRing));
+    const auto count = std::min(this->RingSize, MaxRing);
     bool isListed = false;
     if constexpr (Coder::Encoding)
     {
@@ -404,17 +410,15 @@ private:
   }
 
   /** Moves the best vertex of the ring from place begin on there: most often only one is needed. */
-  Vertex TakeNextOfRing(std::size_t begin)
+  Vertex TakeNextOfRing(unsigned begin)
   {
-    auto& first = this->Ring[begin];
-    for (auto i = begin + 1; i < this->Ring.size(); ++i)
+    unsigned best = begin;
+    for (auto i = begin + 1; i < this->RingSize; ++i)
     {
-      if (this->Ring[i] < first)
-      {
-        std::swap(this->Ring[i], first);
-      }
+      best = Choose(this->Ring[i] < this->Ring[best], i, best);
     }
-    return first.Id;
+    std::swap(this->Ring[begin], this->Ring[best]);
+    return this->Ring[begin].Id;
   }
 
   //------------------------------------------------------------------------------------------------
@@ -607,7 +611,9 @@ private:
   std::vector<LatticePoint> Places;
   std::vector<std::uint32_t> Stamps;
   std::uint32_t Stamp = 0;
-  std::vector<RankedVertex> Ring;
+  std::array<Vertex, MostInRing> RingIds{};
+  std::array<RankedVertex, MostInRing> Ring;
+  unsigned RingSize = 0;
 };
 }
 
