@@ -3,6 +3,7 @@
 
 // Small files that ask for much memory or time.
 
+#include "../gatunShadowMemory.h"
 #include "gatunHostile.h"
 
 #include <chrono>
@@ -12,14 +13,6 @@
 
 #include <sys/resource.h>
 #include <unistd.h>
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define GATUN_HAS_SHADOW_MEMORY
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define GATUN_HAS_SHADOW_MEMORY
-#endif
-#endif
 
 namespace
 {

@@ -4,6 +4,8 @@
 // A reader that runs out of memory, wherever that may be, says so by an error code and a message,
 // leaves an empty output, and reads well once there is memory again. Nothing is thrown.
 
+#include "../gatunShadowMemory.h"
+
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -27,14 +29,6 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define GATUN_HAS_SHADOW_MEMORY
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define GATUN_HAS_SHADOW_MEMORY
-#endif
-#endif
 
 namespace
 {
