@@ -3,6 +3,7 @@
 
 #include "vtkGatunMergeBlocks.h"
 
+#include "gatunErrorCodes.h"
 #include "gatunGhosts.h"
 
 #include "vtkAbstractArray.h"
@@ -14,6 +15,7 @@
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -31,6 +33,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <new>
 #include <set>
 #include <string>
 #include <tuple>
@@ -236,22 +239,48 @@ int vtkGatunMergeBlocks::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  const int inputs = inputVector[0]->GetNumberOfInformationObjects();
+  this->SetErrorCode(vtkErrorCode::NoError);
+  try
+  {
+    this->Merge(inputVector[0], output);
+  }
+  catch (...)
+  {
+    // What was thrown ends here, whether or not there is memory for the message.
+    const gatun::VTKFailure failure = gatun::DescribeFailure("The blocks cannot be merged");
+    this->SetErrorCode(failure.Code);
+    try
+    {
+      output->Initialize();
+      vtkErrorMacro(<< failure.Message);
+    }
+    catch (const std::bad_alloc&)
+    {
+      // The error code tells it.
+    }
+    return 0;
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunMergeBlocks::Merge(vtkInformationVector* input, vtkUnstructuredGrid* output)
+{
+  const int inputs = input->GetNumberOfInformationObjects();
   Blocks blocks;
   for (int i = 0; i < inputs; ++i)
   {
-    blocks.Composite =
-      blocks.Composite || vtkCompositeDataSet::GetData(inputVector[0], i) != nullptr;
+    blocks.Composite = blocks.Composite || vtkCompositeDataSet::GetData(input, i) != nullptr;
   }
   for (int i = 0; i < inputs; ++i)
   {
-    if (vtkDataObject* input = vtkDataObject::GetData(inputVector[0], i))
+    if (vtkDataObject* data = vtkDataObject::GetData(input, i))
     {
-      blocks.Add(input);
-      if (input->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP()))
+      blocks.Add(data);
+      if (data->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP()))
       {
         output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(),
-          input->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()));
+          data->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()));
       }
     }
   }
@@ -323,5 +352,4 @@ int vtkGatunMergeBlocks::RequestData(vtkInformation* vtkNotUsed(request),
     }
     output->GetFieldData()->AddArray(names);
   }
-  return 1;
 }

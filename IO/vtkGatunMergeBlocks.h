@@ -27,6 +27,9 @@
  * Cost: memory for the output, twice where points are merged; one thread. Time goes through: the
  * filter may stand between vtkExodusIIReader and vtkGatunWriter.
  *
+ * *Errors.* Too little memory is reported by vtkErrorMacro; GetErrorCode is then
+ * vtkErrorCode::UnknownError, and the output is empty. Nothing is thrown.
+ *
  * @warning Blocks with displaced points (vtkExodusIIReader::ApplyDisplacements) change from one
  * time step to the next, so vtkGatunWriter refuses them.
  *
@@ -67,6 +70,9 @@ protected:
   bool MergeCoincidentPoints = false;
 
 private:
+  /** input: that of port 0. */
+  void Merge(vtkInformationVector* input, vtkUnstructuredGrid* output);
+
   vtkGatunMergeBlocks(const vtkGatunMergeBlocks&) = delete;
   void operator=(const vtkGatunMergeBlocks&) = delete;
 };
