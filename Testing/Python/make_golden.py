@@ -398,32 +398,80 @@ def turns_33(_):
     return around_a_point([(15, 23)], np.random.default_rng(74))
 
 
-def long_searches(rng):
-    """Two chunks that share three thousand points, and long edges: searches that end early."""
-    n = 3000
+def searches(n, fan, y, z, rng):
+    """Two chunks that share n points, and long edges: searches that end early, some of which find
+    something, near y and z."""
     points = np.round(rng.random((n, 3)), 2)
-    hubs = np.array([[-2, 0.4, 0.3], [-2, 1.4, 0.3], [3, 0.4, 0.3], [3, 1.4, 0.3]])
+    hubs = np.array([[x, y + dy, z] for x in (-2, 3) for dy in (-0.5, 0.5)])
     tets = []
     for a in (n, n + 2):
-        near = hubs[a - n : a - n + 2].mean(0) * 0.7 + 0.3 * np.array([0.5, 0.9, 0.3])
+        near = hubs[a - n : a - n + 2].mean(0) * 0.7 + 0.3 * np.array([0.5, y, z])
         order = ((points - near) ** 2).sum(1).argsort()
-        order[:80] = order[:80].reshape(-1, 4)[:, rng.permutation(4)].ravel()
-        tets += [[a, a + 1, order[i], order[i - 1]] for i in range(1, 80)]
-        tets += [[a, *order[i : i + 3]] for i in range(79, n - 3, 3)]
+        order[:fan] = order[:fan].reshape(-1, 4)[:, rng.permutation(4)].ravel()
+        tets += [[a, a + 1, order[i], order[i - 1]] for i in range(1, fan)]
+        tets += [[a, *order[i : i + 3]] for i in range(fan - 1, n - 3, 3)]
     points = single(np.concatenate([points, hubs]))
     return gm.make_grid(points, tets), {"ChunkTets": len(tets) // 2}
 
 
+def long_searches(rng):
+    return searches(3000, 80, 0.9, 0.3, rng)
+
+
+def long_searches_end(_):
+    """The next four points that a search would look at are among the best."""
+    return searches(2100, 120, 0.45, 0.03, np.random.default_rng(3))
+
+
+def equal_ranks(_):
+    """Shared points on a regular grid, many at the same distance from a gate: the order of the
+    search counts. The grid has 15 units along its longest side, as 65535 is a multiple of that."""
+    steps = [np.arange(8), np.arange(0, 16, 3), np.arange(0, 16, 3)]
+    points = np.stack(np.meshgrid(*steps, indexing="ij"), -1).reshape(-1, 3)
+    hubs = np.array([[-5, 6, 6], [-5, 9, 9], [10, 6, 6], [10, 9, 9]])
+    rng = np.random.default_rng(1)
+    n = len(points)
+    tets = []
+    for a in (n, n + 2):
+        middle = hubs[a - n : a - n + 2].mean(0)
+        order = (((points - middle) ** 2).sum(1) + rng.random(n)).argsort()
+        tets += [[a, a + 1, order[i], order[i - 1]] for i in range(n)]
+    return gm.make_grid(single(np.concatenate([points, hubs])), tets), {"ChunkTets": n}
+
+
+def regular_chunks(_):
+    """Shared points just as far away as a search goes."""
+    points, tets = cubes((5, 5, 5))
+    return gm.make_grid(single(points), tets), {"ChunkTets": 400}
+
+
+def delaunay(points):
+    result = vtkDelaunay3D()
+    result.SetTolerance(0)
+    result.SetInputData(gm.make_grid(points, [[0, 1, 2, 3]]))
+    result.Update()
+    return gm.connectivity(result.GetOutput())
+
+
+CORNERS = np.stack(np.meshgrid([0, 65535], [0, 65535], [0, 65535]), -1).reshape(-1, 3)
+
+
 def large_and_small(rng):
     """A Delaunay mesh with tetrahedra as small as the steps of the lattice and as large as all."""
-    corners = np.stack(np.meshgrid([0, 65535], [0, 65535], [0, 65535]), -1).reshape(-1, 3)
     small = 20000 + rng.uniform(0, 20, (250, 3))
-    points = single(np.concatenate([small, rng.uniform(0, 65535, (40, 3)), corners]))
-    delaunay = vtkDelaunay3D()
-    delaunay.SetTolerance(0)
-    delaunay.SetInputData(gm.make_grid(points, [[0, 1, 2, 3]]))
-    delaunay.Update()
-    return gm.make_grid(*shuffle(points, gm.connectivity(delaunay.GetOutput()), rng)), {}
+    points = single(np.concatenate([small, rng.uniform(0, 65535, (40, 3)), CORNERS]))
+    return gm.make_grid(*shuffle(points, delaunay(points), rng)), {}
+
+
+def needles(_):
+    """A Delaunay mesh of which some faces are made nearly a line, or just that: large circles."""
+    rng = np.random.default_rng(1)
+    points = single(np.concatenate([rng.uniform(0, 65535, (120, 3)), CORNERS]))
+    points = np.floor(points / 64) * 64
+    tets = delaunay(points)
+    for a, b, c in tets[rng.permutation(len(tets))[:25], :3]:
+        points[c] = (points[a] + points[b]) / 2 + rng.choice([0, 16]) * rng.integers(-1, 2, 3)
+    return gm.make_grid(*shuffle(points, tets, rng)), {}
 
 
 def merged_layers(rng):
@@ -506,7 +554,8 @@ ALL = [
     unused, unused_not_kept, flipped, with_holes, soup, soup_in_chunks, many_neighbours,
     around_an_edge, cones, turns_32, turns_32_back, turns_33, flat, one_place, strip, random_strip,
     all_of_few, large_chunks, shared_fans, long_searches, large_and_small, merged_layers,
-    field_data, steps, steps_not_kept, one_step]
+    field_data, steps, steps_not_kept, one_step, long_searches_end, equal_ranks, regular_chunks,
+    needles]
 
 # --------------------------------------------------------------------------------------------------
 # Writing and checking
