@@ -30,7 +30,7 @@ packages_build=(
   cmake g++ libcli11-dev libfmt-dev libglm-dev libkissfft-dev libopenimageio-dev libtet1.5-dev
   libvtk9-dev libxxhash-dev libzstd-dev ninja-build pkg-config python3-numpy python3-vtk9)
 packages_window=(libgl1-mesa-dri xauth xvfb)
-packages_test=(libgtest-dev openimageio-tools python3-xxhash python3-zstandard)
+packages_test=(libgtest-dev openimageio-tools python3-h5py python3-xxhash python3-zstandard)
 packages_bench=(python3-matplotlib)
 # ParaView itself, its window's libraries, and what its Python side imports.
 packages_paraview=(
