@@ -8,9 +8,9 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstring>
+#include <ctime>
 #include <functional>
 #include <limits>
 #include <random>
@@ -377,7 +377,8 @@ TEST(ChunkCodec, KeepsExtremeCoordinates)
 
 TEST(ChunkCodec, TakesNoLongerForDegenerateMeshes)
 {
-  const auto begin = std::chrono::steady_clock::now();
+  // The processor's time, so that it does not matter what else the machine does.
+  const std::clock_t begin = std::clock();
   auto point = MakeCubes(20, 0.2); // all in one place
   std::fill(point.Coordinates.begin(), point.Coordinates.end(), 1.0);
   const auto all = [](const double*) { return true; };
@@ -387,8 +388,8 @@ TEST(ChunkCodec, TakesNoLongerForDegenerateMeshes)
     ExpectRoundTrip(MakeCase(mesh));
     ExpectRoundTrip(MakeCase(mesh, { .IsShared = all }));
   }
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-  EXPECT_LT(taken.count(), 60); // what is quadratic takes hours
+  const auto seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  EXPECT_LT(seconds, 60); // what is quadratic takes hours
 }
 
 //--------------------------------------------------------------------------------------------------
