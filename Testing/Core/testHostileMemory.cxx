@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <iostream>
 #include <new>
 
@@ -182,9 +183,10 @@ TEST(HostileTime, AChunkThatClaimsAsMuchAsItCanIsRefusedSoon)
     stream[2] = 0x40;
     image.Set(chunk.Connectivity, stream);
     const auto path = PutFile("claims.gtn", image.Build());
-    const auto begin = std::chrono::steady_clock::now();
+    // The processor's time, so that it does not matter what else the machine does.
+    const std::clock_t begin = std::clock();
     EXPECT_GATUN_ERROR(ErrorCode::Corrupt, path, "the mesh of chunk 0", [&] { ReadAll(path); });
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+    EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 20);
   }
 }
 }
