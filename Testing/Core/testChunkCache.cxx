@@ -6,6 +6,7 @@
 
 #include "gatunChunkCache.h"
 
+#include "../gatunSanitizer.h"
 #include "gatunError.h"
 #include "gatunFileReader.h"
 #include "gatunFileWriter.h"
@@ -21,14 +22,6 @@
 
 #if defined(__GLIBC__)
 #include <malloc.h>
-#endif
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define GATUN_HAS_OTHER_MALLOC
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define GATUN_HAS_OTHER_MALLOC
-#endif
 #endif
 
 namespace
@@ -277,7 +270,7 @@ TEST(ChunkCache, WhatFitsOfAMeshIsNotDecodedAgain)
 
 TEST(ChunkCache, CountsEveryByte)
 {
-#if defined(GATUN_HAS_OTHER_MALLOC) || !defined(__GLIBC__)
+#if defined(GATUN_HAS_SANITIZER) || !defined(__GLIBC__)
   GTEST_SKIP() << "only glibc tells how much memory is in use";
 #else
   for (const std::uint8_t keep : { KeepNone, KeepAll })

@@ -3,7 +3,7 @@
 
 // Small files that ask for much memory or time.
 
-#include "../gatunShadowMemory.h"
+#include "../gatunSanitizer.h"
 #include "gatunHostile.h"
 
 #include <chrono>
@@ -57,7 +57,7 @@ class HostileMemory : public ::testing::Test
 protected:
   void Open(const FileImage& image, const std::string& what)
   {
-#ifdef GATUN_HAS_SHADOW_MEMORY
+#ifdef GATUN_HAS_SANITIZER
     GTEST_SKIP() << "sanitizers need address space of their own";
 #endif
     ::testing::FLAGS_gtest_death_test_style = "fast";

@@ -4,7 +4,7 @@
 // A reader that runs out of memory, wherever that may be, says so by an error code and a message,
 // leaves an empty output, and reads well once there is memory again. Nothing is thrown.
 
-#include "../gatunShadowMemory.h"
+#include "../gatunSanitizer.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
@@ -165,7 +165,7 @@ Outcome ReadWithin(const std::string& path, rlim_t bytes, bool informed, int pie
 
 int TestReaderMemory(int argc, char* argv[])
 {
-#ifdef GATUN_HAS_SHADOW_MEMORY
+#ifdef GATUN_HAS_SANITIZER
   std::cout << "sanitizers need address space of their own\n";
   return Skipped;
 #endif
