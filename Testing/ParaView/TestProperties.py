@@ -119,8 +119,8 @@ assert {proxy.get("class") for _, proxy in proxies} >= \
 # The reader and the writer that people get have the properties of those that do the work.
 path = sample.temporary("properties.gtn")
 writer = simple.CreateWriter(path, sample.make_source())
-for prop in ("KeepOrder", "ChunkTets", "LinearizeQuadratic", "FileName", "ChooseArraysToWrite",
-             "WriteAllTimeSteps", "KeyStepInterval"):
+for prop in ("KeepOrder", "ChunkTets", "LinearizeQuadratic", "ReplaceReadOnly", "FileName",
+             "ChooseArraysToWrite", "WriteAllTimeSteps", "KeyStepInterval"):
     assert writer.GetProperty(prop) is not None, prop
 writer.UpdatePipeline()
 reader = simple.GatunReader(FileNames=[path])

@@ -10,7 +10,7 @@ import gatunSample as sample
 from gatunParaView import load_plugin, rank_and_ranks
 
 simple = load_plugin()
-ranks = rank_and_ranks()[1]
+rank, ranks = rank_and_ranks()
 mesh = sample.make_source()
 assert sample.counts(mesh) == (sample.POINTS, sample.TETS)
 
@@ -67,6 +67,16 @@ simple.SaveData(only, proxy=mesh, ChooseArraysToWrite=1, PointDataArrays=["wave"
 few = simple.OpenDataFile(only)
 few.UpdatePipeline()
 assert arrays(few)[0] - extra[0] == {"wave"}, arrays(few)
+
+# A read-only file is replaced on request.
+protected = sample.temporary("protected.gtn")
+simple.SaveData(protected, proxy=mesh)
+if rank == 0:
+    os.chmod(protected, 0o444)
+simple.SaveData(protected, proxy=few, ReplaceReadOnly=1)
+replaced = simple.OpenDataFile(protected)
+replaced.UpdatePipeline()
+assert arrays(replaced)[0] - extra[0] == {"wave"}, arrays(replaced)
 
 # A region.
 reader.UseBox = 1
