@@ -6,6 +6,7 @@ set(gatun_vtk_components
   CommonCore
   CommonDataModel
   CommonExecutionModel
+  CommonMath
   CommonMisc
   CommonSystem
   FiltersCore

@@ -9,6 +9,7 @@
 #include "gatunFieldData.h"
 #include "gatunTypes.h"
 
+#include "vtkGatunIOModule.h" // For export macro
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -36,11 +37,11 @@ struct BridgedArray
  * implicit, bit arrays) are. Bits become UInt8 0 and 1. Throws gatun::Error (InvalidInput) for
  * arrays that are not numeric.
  */
-BridgedArray Bridge(vtkAbstractArray* array, Association where);
+VTKGATUNIO_EXPORT BridgedArray Bridge(vtkAbstractArray* array, Association where);
 
 /** The array itself, or a copy of the same type, with its values one tuple after the other in
  * memory; of a bit array, a copy with a byte 0 or 1 each. */
-vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array);
+VTKGATUNIO_EXPORT vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array);
 
 /** An array of the same type, names included, with the tuples of these ids. */
 vtkSmartPointer<vtkAbstractArray> Gather(

@@ -4,6 +4,8 @@
 #ifndef gatunErrorCodes_h
 #define gatunErrorCodes_h
 
+#include "vtkGatunIOModule.h" // For export macro
+
 #include <exception>
 #include <string>
 
@@ -23,7 +25,7 @@ struct VTKFailure
  * path: the file concerned, which begins the message. Whatever was thrown, and however little
  * memory there is, nothing is thrown from here; without any memory the message is short.
  */
-VTKFailure DescribeFailure(const char* path) noexcept;
+VTKGATUNIO_EXPORT VTKFailure DescribeFailure(const char* path) noexcept;
 }
 
 #endif

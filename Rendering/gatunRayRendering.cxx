@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunRayRendering.h"
+
+#include "gatunError.h"
+
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gatun
+{
+//------------------------------------------------------------------------------
+RayView MakeRayView(vtkCamera* camera, int width, int height, double sampleDistance,
+  vtkMatrix4x4* volumeMatrix, bool clippingRange)
+{
+  vtkNew<vtkMatrix4x4> toEye;
+  toEye->DeepCopy(camera->GetViewTransformMatrix());
+  if (volumeMatrix)
+  {
+    vtkMatrix4x4::Multiply4x4(toEye, volumeMatrix, toEye);
+  }
+  std::array<std::array<double, 4>, 3> rows{};
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = toEye->GetElement(i, j);
+    }
+  }
+
+  // The borders of the picture are where the projection gives -1 and 1.
+  const double aspect = height > 0 ? static_cast<double>(width) / height : 1;
+  vtkMatrix4x4* const projection = camera->GetProjectionTransformMatrix(aspect, -1, 1);
+  RayFrustum frustum;
+  frustum.Parallel = camera->GetParallelProjection() != 0;
+  const auto getBorder = [&](int axis, double side)
+  {
+    const double scale = projection->GetElement(axis, axis);
+    const double shift =
+      frustum.Parallel ? -projection->GetElement(axis, 3) : projection->GetElement(axis, 2);
+    return (side + shift) / scale;
+  };
+  frustum.Left = getBorder(0, -1);
+  frustum.Right = getBorder(0, 1);
+  frustum.Bottom = getBorder(1, -1);
+  frustum.Top = getBorder(1, 1);
+  if (clippingRange)
+  {
+    camera->GetClippingRange(frustum.Near, frustum.Far);
+  }
+  if (sampleDistance == 0)
+  {
+    const double depth = frustum.Parallel ? 1 : camera->GetDistance();
+    sampleDistance = height > 0 ? (frustum.Top - frustum.Bottom) * depth / height : 1;
+  }
+  return RayView(rows, frustum, width, height, sampleDistance);
+}
+
+//------------------------------------------------------------------------------
+RayTable MakeRayTable(
+  vtkVolumeProperty* property, RayMode mode, const Range& values, double sampleDistance)
+{
+  vtkPiecewiseFunction* const opacity = property->GetScalarOpacity();
+  const bool isGray = property->GetColorChannels() == 1;
+  vtkPiecewiseFunction* const gray = isGray ? property->GetGrayTransferFunction() : nullptr;
+  vtkColorTransferFunction* const colours = isGray ? nullptr : property->GetRGBTransferFunction();
+
+  // Beyond their outermost points, functions that clamp do not change.
+  Range range = values;
+  const bool clamps =
+    opacity->GetClamping() && (isGray ? gray->GetClamping() : colours->GetClamping());
+  if (clamps)
+  {
+    std::array<double, 2> ofOpacity{};
+    std::array<double, 2> ofColour{};
+    opacity->GetRange(ofOpacity.data());
+    if (isGray)
+    {
+      gray->GetRange(ofColour.data());
+    }
+    else
+    {
+      colours->GetRange(ofColour.data());
+    }
+    const double low = std::max(values.Min, std::min(ofOpacity[0], ofColour[0]));
+    const double high = std::min(values.Max, std::max(ofOpacity[1], ofColour[1]));
+    if (low < high)
+    {
+      range = { low, high };
+    }
+  }
+  const auto getColour = [&](double value)
+  {
+    std::array<double, 4> colour{};
+    if (isGray)
+    {
+      colour.fill(gray->GetValue(value));
+    }
+    else
+    {
+      colours->GetColor(value, colour.data());
+    }
+    colour[3] = opacity->GetValue(value);
+    for (double& c : colour)
+    {
+      c = c >= 0 ? std::min(c, 1.0) : 0; // NaN too
+    }
+    return colour;
+  };
+  const double unit = property->GetScalarOpacityUnitDistance();
+  if (!(unit > 0))
+  {
+    throw Error(ErrorCode::InvalidInput, "the unit distance of opacity must be positive");
+  }
+  return RayTable(mode, getColour, range, sampleDistance, unit);
+}
+
+//------------------------------------------------------------------------------
+RayLimits MakeRayLimits(const RayView& view, vtkPlaneCollection* planes, vtkMatrix4x4* volumeMatrix)
+{
+  RayLimits limits;
+  for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+  {
+    vtkPlane* const plane = planes->GetItem(i);
+    std::array<double, 4> p{};
+    plane->GetNormal(p.data());
+    const double* const origin = plane->GetOrigin();
+    p[3] = -(p[0] * origin[0] + p[1] * origin[1] + p[2] * origin[2]);
+    if (volumeMatrix)
+    {
+      // p . (M x) = (transposed M p) . x
+      vtkNew<vtkMatrix4x4> transposed;
+      vtkMatrix4x4::Transpose(volumeMatrix, transposed);
+      transposed->MultiplyPoint(p.data(), p.data());
+    }
+    ClipByPlane(view, p, limits);
+  }
+  return limits;
+}
+}

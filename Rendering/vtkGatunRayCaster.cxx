@@ -1,0 +1,326 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkGatunRayCaster.h"
+
+#include "gatunError.h"
+#include "gatunErrorCodes.h"
+#include "gatunRayCaster.h"
+#include "gatunRayRendering.h"
+#include "gatunRayScene.h"
+#include "vtkGatunCompat.h"
+#include "vtkGatunReader.h"
+
+#include "vtkCamera.h"
+#include "vtkErrorCode.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPointData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkGatunRayCaster);
+
+//------------------------------------------------------------------------------
+class vtkGatunRayCaster::vtkInternals
+{
+public:
+  vtkSmartPointer<vtkCamera> Camera;
+  vtkSmartPointer<vtkVolumeProperty> Property;
+  vtkSmartPointer<vtkMatrix4x4> VolumeMatrix;
+  vtkSmartPointer<vtkPlaneCollection> ClippingPlanes;
+  gatun::RayScene Scene;
+  gatun::RayStatistics Statistics;
+};
+
+namespace
+{
+
+//------------------------------------------------------------------------------
+/** The reader whose file can be drawn instead of its output; null if that is not the same. */
+vtkGatunReader* GetFileReader(vtkAlgorithm* input)
+{
+  auto* const reader = vtkGatunReader::SafeDownCast(input);
+  return reader && reader->GetFileName() && !reader->GetUseBox() && !reader->GetUseValueRange()
+    ? reader
+    : nullptr;
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+vtkGatunRayCaster::vtkGatunRayCaster()
+  : Internals(std::make_unique<vtkInternals>())
+{
+  this->SetNumberOfInputPorts(1);
+}
+
+//------------------------------------------------------------------------------
+vtkGatunRayCaster::~vtkGatunRayCaster()
+{
+  this->SetArrayName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunRayCaster::SetCamera(vtkCamera* camera)
+{
+  if (camera != this->Internals->Camera)
+  {
+    this->Internals->Camera = camera;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkCamera* vtkGatunRayCaster::GetCamera()
+{
+  return this->Internals->Camera;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunRayCaster::SetProperty(vtkVolumeProperty* property)
+{
+  if (property != this->Internals->Property)
+  {
+    this->Internals->Property = property;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkVolumeProperty* vtkGatunRayCaster::GetProperty()
+{
+  return this->Internals->Property;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunRayCaster::SetVolumeMatrix(vtkMatrix4x4* matrix)
+{
+  if (matrix != this->Internals->VolumeMatrix)
+  {
+    this->Internals->VolumeMatrix = matrix;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMatrix4x4* vtkGatunRayCaster::GetVolumeMatrix()
+{
+  return this->Internals->VolumeMatrix;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunRayCaster::SetClippingPlanes(vtkPlaneCollection* planes)
+{
+  if (planes != this->Internals->ClippingPlanes)
+  {
+    this->Internals->ClippingPlanes = planes;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkPlaneCollection* vtkGatunRayCaster::GetClippingPlanes()
+{
+  return this->Internals->ClippingPlanes;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkGatunRayCaster::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  const auto include = [&](vtkObject* object)
+  {
+    if (object)
+    {
+      time = std::max(time, object->GetMTime());
+    }
+  };
+  include(this->Internals->Camera);
+  include(this->Internals->Property);
+  include(this->Internals->VolumeMatrix);
+  include(this->Internals->ClippingPlanes);
+  return time;
+}
+
+//------------------------------------------------------------------------------
+double vtkGatunRayCaster::GetStatistic(int which)
+{
+  const gatun::RayStatistics& s = this->Internals->Statistics;
+  switch (which)
+  {
+    case FetchTime:
+      return s.FetchTime;
+    case OrderTime:
+      return s.OrderTime;
+    case SetUpTime:
+      return s.SetUpTime;
+    case DrawTime:
+      return s.DrawTime;
+    case FinishTime:
+      return s.FinishTime;
+    case NumberOfTetrahedra:
+      return static_cast<double>(s.Tets);
+    case NumberOfSeenTetrahedra:
+      return static_cast<double>(s.SeenTets);
+    case NumberOfChunks:
+      return static_cast<double>(s.Blocks);
+    case NumberOfSkippedChunks:
+      return static_cast<double>(s.SkippedBlocks);
+    case MostWaitingTetrahedra:
+      return static_cast<double>(s.MostWaiting);
+    case MostFragments:
+      return static_cast<double>(s.MostFragments);
+    case MostBytes:
+      return static_cast<double>(s.MostBytes);
+    default:
+      vtkErrorMacro("There is no statistic " << which << ".");
+      return 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunRayCaster::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunRayCaster::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vtkInformation* const info = outputs->GetInformationObject(0);
+  const int extent[6] = { 0, this->Size[0] - 1, 0, this->Size[1] - 1, 0, 0 };
+  const double spacing[3] = { 1, 1, 1 };
+  const double origin[3] = { 0, 0, 0 };
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  info->Set(vtkDataObject::SPACING(), spacing, 3);
+  info->Set(vtkDataObject::ORIGIN(), origin, 3);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 4);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunRayCaster::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* const info = inputs[0]->GetInformationObject(0);
+  // Where the file is drawn, the reader's mesh is not needed: of so many pieces the first is empty.
+  const bool fromFile = GetFileReader(this->GetInputAlgorithm()) != nullptr;
+  constexpr int many = 1 << 30;
+  info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), fromFile ? many : 1);
+  info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunRayCaster::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkImageData* const image = vtkImageData::GetData(outputs, 0);
+  vtkUnstructuredGrid* const grid = vtkUnstructuredGrid::GetData(inputs[0], 0);
+  image->Initialize();
+  this->SetErrorCode(vtkErrorCode::NoError);
+  auto& self = *this->Internals;
+  self.Statistics = {};
+  vtkGatunReader* const reader = GetFileReader(this->GetInputAlgorithm());
+  try
+  {
+    if (!self.Camera || !self.Property)
+    {
+      throw gatun::Error(gatun::ErrorCode::InvalidInput,
+        self.Camera ? "no property with colours is set" : "no camera is set");
+    }
+    const auto view = gatun::MakeRayView(
+      self.Camera, this->Size[0], this->Size[1], this->SampleDistance, self.VolumeMatrix, false);
+    const gatun::RayArray array{ this->ArrayName ? this->ArrayName : "", this->ArrayAssociation,
+      this->ArrayComponent };
+    const auto budget = static_cast<std::uint64_t>(this->MemoryBudget) << 20;
+    if (reader)
+    {
+      vtkInformation* const info = inputs[0]->GetInformationObject(0);
+      const auto key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
+      const double time = info->Has(key) ? info->Get(key) : 0;
+      self.Scene.SetFile(reader->GetFileName(), time, array, budget);
+    }
+    else
+    {
+      self.Scene.SetGrid(grid, array, budget);
+    }
+
+    gatun::RaySettings settings;
+    settings.Opaque = static_cast<float>(this->OpacityLimit);
+    settings.FromBothEnds = this->FromBothEnds;
+    settings.Portable = this->PortableInstructions;
+    gatun::RayCaster caster(view,
+      gatun::MakeRayTable(self.Property, static_cast<gatun::RayMode>(this->Mode),
+        self.Scene.GetRange(), view.SampleDistance),
+      gatun::MakeRayLimits(view, self.ClippingPlanes, self.VolumeMatrix), settings);
+    caster.Draw(self.Scene.GetSource(),
+      [this](double fraction)
+      {
+        this->UpdateProgress(fraction);
+        return !gatun::IsAborted(this);
+      });
+
+    image->SetDimensions(this->Size[0], this->Size[1], 1);
+    vtkNew<vtkFloatArray> colours;
+    colours->SetName("RGBA");
+    colours->SetNumberOfComponents(4);
+    colours->SetNumberOfTuples(image->GetNumberOfPoints());
+    vtkNew<vtkFloatArray> depths;
+    depths->SetName("Depth");
+    depths->SetNumberOfTuples(image->GetNumberOfPoints());
+    caster.Finish(colours->GetPointer(0), depths->GetPointer(0));
+    image->GetPointData()->SetScalars(colours);
+    image->GetPointData()->AddArray(depths);
+    self.Statistics = caster.GetStatistics();
+    return 1;
+  }
+  catch (...)
+  {
+    image->Initialize();
+    const gatun::VTKFailure failure = gatun::DescribeFailure("The mesh cannot be drawn");
+    this->SetErrorCode(failure.Code);
+    if (!failure.Aborted)
+    {
+      vtkErrorMacro(<< failure.Message);
+    }
+    self.Scene.Clear();
+    return 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunRayCaster::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const char* const modes[] = { "Composite", "Area", "Maximum", "XRay" };
+  os << indent << "Mode: " << modes[this->Mode] << "\n";
+  os << indent << "Camera: " << this->Internals->Camera.Get() << "\n";
+  os << indent << "Property: " << this->Internals->Property.Get() << "\n";
+  os << indent << "VolumeMatrix: " << this->Internals->VolumeMatrix.Get() << "\n";
+  os << indent << "ClippingPlanes: " << this->Internals->ClippingPlanes.Get() << "\n";
+  os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << "\n";
+  os << indent << "SampleDistance: " << this->SampleDistance << "\n";
+  os << indent << "ArrayName: " << (this->ArrayName ? this->ArrayName : "(none)") << "\n";
+  os << indent << "ArrayAssociation: " << this->ArrayAssociation << "\n";
+  os << indent << "ArrayComponent: " << this->ArrayComponent << "\n";
+  os << indent << "OpacityLimit: " << this->OpacityLimit << "\n";
+  os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
+  os << indent << "PortableInstructions: " << (this->PortableInstructions ? "On" : "Off") << "\n";
+  os << indent << "FromBothEnds: " << (this->FromBothEnds ? "On" : "Off") << "\n";
+}
