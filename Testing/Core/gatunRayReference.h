@@ -111,30 +111,26 @@ public:
   double Unit = 1;
   std::vector<std::array<double, 4>> Planes; // only what is on their positive side is seen
 
-  std::vector<ReferencePixel> Render(const ReferenceMesh& mesh, const Viewer& viewer)
+  std::vector<ReferencePixel> Render(const ReferenceMesh& mesh, const Viewer& viewer) const
   {
-    this->Spheres.clear();
+    std::vector<std::vector<Interval>> intervals(
+      static_cast<std::size_t>(viewer.Width) * static_cast<std::size_t>(viewer.Height));
     for (const auto& tet : mesh.Tets)
     {
-      Sphere sphere;
-      for (const auto corner : tet)
+      const auto [x0, y0, x1, y1] = GetPixels(mesh, tet, viewer);
+      for (int y = y0; y <= y1; ++y)
       {
-        sphere.Middle = sphere.Middle + 0.25 * mesh.Points[corner];
+        for (int x = x0; x <= x1; ++x)
+        {
+          this->Intersect(
+            mesh, tet, viewer, x, y, intervals[static_cast<std::size_t>(y * viewer.Width + x)]);
+        }
       }
-      for (const auto corner : tet)
-      {
-        const Vec away = mesh.Points[corner] - sphere.Middle;
-        sphere.Squared = std::max(sphere.Squared, 1.01 * Dot(away, away));
-      }
-      this->Spheres.push_back(sphere);
     }
     std::vector<ReferencePixel> picture;
-    for (int y = 0; y < viewer.Height; ++y)
+    for (auto& ofPixel : intervals)
     {
-      for (int x = 0; x < viewer.Width; ++x)
-      {
-        picture.push_back(this->Cast(mesh, viewer, x, y));
-      }
+      picture.push_back(this->Composite(ofPixel, viewer));
     }
     return picture;
   }
@@ -151,19 +147,37 @@ private:
     Vec Origin, Direction;
   };
 
-  /** Around a tetrahedron; rays that miss it need no closer look. */
-  struct Sphere
+  /** The pixels that a tetrahedron may cover, with some to spare: first and last x and y. */
+  static std::array<int, 4> GetPixels(
+    const ReferenceMesh& mesh, const std::array<std::uint32_t, 4>& tet, const Viewer& v)
   {
-    Vec Middle{};
-    double Squared = 0;
-
-    bool IsMissed(const Ray& ray) const
+    const auto& f = v.Frustum;
+    const double infinity = std::numeric_limits<double>::infinity();
+    std::array<double, 4> box{ infinity, infinity, -infinity, -infinity };
+    const auto isBehind = [&](std::uint32_t corner)
+    { return Dot(mesh.Points[corner] - v.Eye, v.Forward) < 0; };
+    if (std::all_of(tet.begin(), tet.end(), isBehind))
     {
-      const Vec away = Cross(this->Middle - ray.Origin, ray.Direction);
-      return Dot(away, away) > this->Squared;
+      return { 0, 0, -1, -1 };
     }
-  };
-  std::vector<Sphere> Spheres;
+    for (const auto corner : tet)
+    {
+      const Vec p = mesh.Points[corner] - v.Eye;
+      const double depth = f.Parallel ? 1 : Dot(p, v.Forward);
+      if (!(depth > 1e-9))
+      {
+        return { 0, 0, v.Width - 1, v.Height - 1 };
+      }
+      const double x = (Dot(p, v.Right) / depth - f.Left) / (f.Right - f.Left) * v.Width;
+      const double y = (Dot(p, v.Up) / depth - f.Bottom) / (f.Top - f.Bottom) * v.Height;
+      box = { std::min(box[0], x), std::min(box[1], y), std::max(box[2], x), std::max(box[3], y) };
+    }
+    const auto toPixel = [](double x, int size)
+    { return static_cast<int>(std::clamp(x, -1.0, size + 1.0)); };
+    return { std::max(0, toPixel(box[0] - 1, v.Width)), std::max(0, toPixel(box[1] - 1, v.Height)),
+      std::min(v.Width - 1, toPixel(box[2] + 1, v.Width)),
+      std::min(v.Height - 1, toPixel(box[3] + 1, v.Height)) };
+  }
 
   static Ray GetRay(const Viewer& v, int x, int y)
   {
@@ -192,47 +206,44 @@ private:
     }
   }
 
-  ReferencePixel Cast(const ReferenceMesh& mesh, const Viewer& v, int x, int y) const
+  void Intersect(const ReferenceMesh& mesh, const std::array<std::uint32_t, 4>& tet,
+    const Viewer& v, int x, int y, std::vector<Interval>& intervals) const
   {
     const Ray ray = GetRay(v, x, y);
     const double perDepth = 1 / Dot(ray.Direction, v.Forward);
-    Interval visible{ std::max(0.0, v.Frustum.Near * perDepth), v.Frustum.Far * perDepth, 0, 0 };
+    Interval interval{ std::max(0.0, v.Frustum.Near * perDepth), v.Frustum.Far * perDepth, 0, 0 };
     for (const auto& plane : this->Planes)
     {
       const Vec n{ plane[0], plane[1], plane[2] };
-      Cut(visible, Dot(n, ray.Origin) + plane[3], Dot(n, ray.Direction));
+      Cut(interval, Dot(n, ray.Origin) + plane[3], Dot(n, ray.Direction));
     }
-    std::vector<Interval> intervals;
-    for (std::size_t i = 0; i < mesh.Tets.size(); ++i)
+    for (unsigned corner = 0; corner < 4; ++corner)
     {
-      if (this->Spheres[i].IsMissed(ray))
+      const Vec& apex = mesh.Points[tet[corner]];
+      const Vec& a = mesh.Points[tet[(corner + 1) % 4]];
+      const Vec& b = mesh.Points[tet[(corner + 2) % 4]];
+      const Vec& c = mesh.Points[tet[(corner + 3) % 4]];
+      const Vec n = Cross(b - a, c - a);
+      const double height = Dot(n, apex - a);
+      if (!(height != 0))
       {
-        continue;
+        return; // flat
       }
-      const auto& tet = mesh.Tets[i];
-      Interval interval = visible;
-      bool isFlat = false;
-      for (unsigned corner = 0; corner < 4 && !isFlat; ++corner)
-      {
-        const Vec& apex = mesh.Points[tet[corner]];
-        const Vec& a = mesh.Points[tet[(corner + 1) % 4]];
-        const Vec& b = mesh.Points[tet[(corner + 2) % 4]];
-        const Vec& c = mesh.Points[tet[(corner + 3) % 4]];
-        const Vec n = Cross(b - a, c - a);
-        const double height = Dot(n, apex - a);
-        isFlat = !(height != 0);
-        // The barycentric coordinate of the corner, along the ray.
-        const double value = Dot(n, ray.Origin - a) / height;
-        const double slope = Dot(n, ray.Direction) / height;
-        Cut(interval, value, slope);
-        interval.AtOrigin += value * mesh.Values[tet[corner]];
-        interval.PerLength += slope * mesh.Values[tet[corner]];
-      }
-      if (!isFlat && interval.In < interval.Out)
-      {
-        intervals.push_back(interval);
-      }
+      // The barycentric coordinate of the corner, along the ray.
+      const double value = Dot(n, ray.Origin - a) / height;
+      const double slope = Dot(n, ray.Direction) / height;
+      Cut(interval, value, slope);
+      interval.AtOrigin += value * mesh.Values[tet[corner]];
+      interval.PerLength += slope * mesh.Values[tet[corner]];
     }
+    if (interval.In < interval.Out)
+    {
+      intervals.push_back(interval);
+    }
+  }
+
+  ReferencePixel Composite(std::vector<Interval>& intervals, const Viewer& v) const
+  {
     std::sort(intervals.begin(), intervals.end(),
       [](const Interval& a, const Interval& b) { return a.In < b.In; });
 
