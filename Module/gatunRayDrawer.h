@@ -149,6 +149,10 @@ private:
       out = Smaller(getDepth(face), out);
     }
     Int8 hits = in < out;
+    if (ToBits(hits) == 0)
+    {
+      return; // as most of what is around a tetrahedron
+    }
 
     Block block;
     block.Cell = y * RayTile::Stride + x;

@@ -218,8 +218,22 @@ void SetUp(const SetUpContext& context, const RayPoint* points, const Tet* tets,
 {
   const bool perspective = context.View->Perspective;
   const auto lastCell = static_cast<float>(context.TableSize);
+  constexpr std::size_t ahead = 8;
   for (std::size_t i = 0; i < count; ++i)
   {
+    // The order is that of release, not of memory.
+    if (i + 2 * ahead < count)
+    {
+      __builtin_prefetch(&tets[chosen[i + 2 * ahead]]);
+      __builtin_prefetch(&seen[chosen[i + 2 * ahead]]);
+    }
+    if (i + ahead < count)
+    {
+      for (const auto corner : tets[chosen[i + ahead]])
+      {
+        __builtin_prefetch(&points[corner]);
+      }
+    }
     const Tet& tet = tets[chosen[i]];
     const auto p0 = Load<Double4>(&points[tet[0]]);
     const auto p1 = Load<Double4>(&points[tet[1]]);
