@@ -96,6 +96,11 @@ public:
   {
   }
 
+  std::size_t GetTile(int x, int y) const
+  {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(this->TilesX) +
+      static_cast<std::size_t>(x);
+  }
   int GetX(std::size_t tile) const { return static_cast<int>(tile) % this->TilesX * RayTile::Size; }
   int GetY(std::size_t tile) const { return static_cast<int>(tile) / this->TilesX * RayTile::Size; }
 
@@ -331,7 +336,7 @@ bool RayCaster::IsHidden(const Bounds& box, const Range& values) const
     for (int x = toTile(seen.FirstX - 1, self.TilesX); x <= toTile(seen.LastX + 1, self.TilesX);
          ++x)
     {
-      if (nearest < self.TileLimits[static_cast<std::size_t>(y * self.TilesX + x)])
+      if (nearest < self.TileLimits[self.GetTile(x, y)])
       {
         return false;
       }

@@ -199,7 +199,7 @@ constexpr EntriesFirst InOrder;
 
 GATUN_INLINE Float4 Reorder(Double4 v, Int4 order)
 {
-  return __builtin_shuffle(__builtin_convertvector(v, Float4), order);
+  return Permute(__builtin_convertvector(v, Float4), order);
 }
 
 GATUN_INLINE double Sum(Double4 v)
@@ -286,7 +286,8 @@ void SetUp(const SetUpContext& context, const RayPoint* points, const Tet* tets,
     const auto stepX = nx * perDivisor;
     const auto stepY = ny * perDivisor;
     const auto base = perspective ? nz * perDivisor : az - stepX * ax - stepY * ay;
-    const auto entries = ToBits((volumes > SplatD(0)) == (divisor > SplatD(0)));
+    const auto entries =
+      15u ^ ToBits(Long4(volumes > SplatD(0))) ^ ToBits(Long4(divisor > SplatD(0)));
 
     // The value's gradient, from barycentric coordinates; relative to vertex 0.
     const auto weights = (t - SplatD(t[0])) / volumes;

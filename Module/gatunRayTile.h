@@ -58,13 +58,12 @@ struct RayTile
 
   std::size_t CountFragments() const;
 
-  alignas(32) Cellwise Near; // samples before it are not seen
-  alignas(32) Cellwise Far;  // nor those from it on
-  alignas(32) std::array<Cellwise, Slots> Begin;
-  alignas(
-    32) std::array<Cellwise, Slots> End; // in mode Maximum, that of slot 0 is the largest place
-  alignas(32) std::array<std::array<std::array<float, 4>, Pixels>, Slots> Sums;
-  alignas(32) std::array<std::array<float, Pixels>, Slots> Firsts;
+  alignas(16) std::array<std::array<std::array<float, 4>, Pixels>, Slots> Sums;
+  std::array<std::array<float, Pixels>, Slots> Firsts;
+  Cellwise Near; // samples before it are not seen
+  Cellwise Far;  // nor those from it on
+  std::array<Cellwise, Slots> Begin;
+  std::array<Cellwise, Slots> End; // in mode Maximum, that of slot 0 is the largest place
   std::vector<Fragment> Others; // of pixels that have more than fit
   std::size_t MostOthers = std::size_t{ 4 } * Pixels;
   float Limit = Always; // the largest Far

@@ -98,13 +98,15 @@ void ClipByPlane(const RayView& view, const std::array<double, 4>& plane, RayLim
   const std::array<double, 3> n = { dot(plane, cross(m[1], m[2])) / volume,
     dot(plane, cross(m[2], m[0])) / volume, dot(plane, cross(m[0], m[1])) / volume };
   const double d = plane[3] - (n[0] * m[0][3] + n[1] * m[1][3] + n[2] * m[2][3]);
-  const auto pixels = static_cast<std::size_t>(view.Width) * static_cast<std::size_t>(view.Height);
+  const auto width = static_cast<std::size_t>(view.Width);
+  const auto pixels = width * static_cast<std::size_t>(view.Height);
   limits.Near.resize(pixels, 0.0f);
   limits.Far.resize(pixels, 1e9f);
   for (std::size_t i = 0; i < pixels; ++i)
   {
-    const auto x = static_cast<double>(i % static_cast<std::size_t>(view.Width));
-    const auto y = static_cast<double>(i / static_cast<std::size_t>(view.Width));
+    const auto x = static_cast<double>(i % width);
+    const std::size_t row = i / width;
+    const auto y = static_cast<double>(row);
     // Along the ray it is slope * z + offset.
     const double across = n[0] * x + n[1] * y;
     const double slope = view.Perspective ? across + n[2] : n[2];

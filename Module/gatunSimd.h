@@ -71,6 +71,16 @@ GATUN_INLINE Vector Larger(Vector a, Vector b)
   return a > b ? a : b;
 }
 
+/** Lane order[i] of v as lane i. */
+GATUN_INLINE Float4 Permute(Float4 v, Int4 order)
+{
+#if defined(__AVX2__)
+  return _mm_permutevar_ps(v, reinterpret_cast<__m128i>(order));
+#else
+  return Float4{ v[order[0]], v[order[1]], v[order[2]], v[order[3]] };
+#endif
+}
+
 /** Four floats from each of two places. */
 GATUN_INLINE Float8 Load44(const float* first, const float* second)
 {
