@@ -64,7 +64,7 @@ struct RayTile
   Cellwise Far;  // nor those from it on
   std::array<Cellwise, Slots> Begin;
   std::array<Cellwise, Slots> End; // in mode Maximum, that of slot 0 is the largest place
-  std::vector<Fragment> Others; // of pixels that have more than fit
+  std::vector<Fragment> Others;    // of pixels that have more than fit
   std::size_t MostOthers = std::size_t{ 4 } * Pixels;
   float Limit = Always; // the largest Far
 };
