@@ -8,6 +8,7 @@
 #include "gtnHelp.h"
 #include "gtnMessages.h"
 #include "gtnProgress.h"
+#include "gtnText.h"
 #include "gtnThreads.h"
 
 #include "gatunError.h"
@@ -19,6 +20,8 @@
 #include <cstdio>
 #include <exception>
 #include <memory>
+#include <string_view>
+#include <vector>
 
 #ifdef _WIN32
 #include <io.h>
@@ -59,9 +62,29 @@ CLI::App* AddCommand(CLI::App& app, Settings& settings, const std::string& name,
 namespace
 {
 
+// The command line, with quotes where it takes them.
+std::string JoinArguments(int argc, char* argv[])
+{
+  std::vector<std::string> arguments{ "gtn" };
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string_view argument = argv[i];
+    std::string quoted;
+    for (const char c : argument)
+    {
+      quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    const bool plain =
+      !argument.empty() && argument.find_first_of(" '\"\\$#*?|&;<>()[]{}~`!") == argument.npos;
+    arguments.push_back(plain ? std::string(argument) : "'" + quoted + "'");
+  }
+  return Joined(arguments, " ");
+}
+
 int Run(int argc, char* argv[])
 {
   Settings settings;
+  settings.CommandLine = JoinArguments(argc, argv);
   settings.ShowProgress = isatty(fileno(stderr)) != 0;
   CLI::App app{ "Losslessly compressed tetrahedral meshes.", "gtn" };
   app.set_version_flag("--version",
@@ -86,6 +109,7 @@ int Run(int argc, char* argv[])
   AddInfo(app, settings);
   AddVerify(app, settings);
   AddMesh(app, settings);
+  AddRender(app, settings);
   AddBench(app, settings);
 
   try

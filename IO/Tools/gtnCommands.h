@@ -18,6 +18,7 @@ struct Settings
   bool Verbose = false;
   bool ShowProgress = false; ///< set by main once the options are known
   int Threads = 0;           ///< 0: as many as there are processors
+  std::string CommandLine;   ///< as a shell would take it
 };
 
 /** Adds a subcommand with the options that all have; examples are whole command lines, one a line,
@@ -29,6 +30,7 @@ void AddBench(CLI::App& app, Settings& settings);
 void AddInfo(CLI::App& app, Settings& settings);
 void AddMesh(CLI::App& app, Settings& settings);
 void AddPack(CLI::App& app, Settings& settings);
+void AddRender(CLI::App& app, Settings& settings);
 void AddUnpack(CLI::App& app, Settings& settings);
 void AddVerify(CLI::App& app, Settings& settings);
 

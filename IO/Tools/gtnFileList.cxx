@@ -6,18 +6,16 @@
 #include "gtnFailure.h"
 #include "gtnInput.h"
 #include "gtnMessages.h"
+#include "gtnParseJson.h"
 #include "gtnText.h"
 
 #include "vtkNew.h"
 #include "vtkXMLDataElement.h"
 #include "vtkXMLDataParser.h"
-#include "vtk_jsoncpp.h"
 
 #include <cmath>
 #include <cstring>
-#include <exception>
 #include <filesystem>
-#include <fstream>
 #include <map>
 
 namespace gtn
@@ -100,34 +98,16 @@ std::vector<SeriesStep> ReadCollection(const std::string& file)
   return steps.Get();
 }
 
-Json::Value ParseJson(const std::string& file)
-{
-  Json::Value root;
-  try
-  {
-    std::ifstream stream(file, std::ios::binary);
-    std::string errors;
-    if (Json::parseFromStream(Json::CharReaderBuilder(), stream, &root, &errors))
-    {
-      return root;
-    }
-  }
-  catch (const Json::Exception&)
-  {
-    // Such as too many brackets.
-  }
-  return {};
-}
-
 std::vector<SeriesStep> ReadSeries(const std::string& file)
 {
-  const Json::Value root = ParseJson(file);
-  if (!root.isObject() || !root["files"].isArray())
+  ::Json::Value root;
+  std::string reason; // the message below tells enough
+  if (!ParseJson(file, root, reason) || !root.isObject() || !root["files"].isArray())
   {
     throw Failure(file, "is not a .series file");
   }
   Steps steps(file);
-  for (const Json::Value& entry : root["files"])
+  for (const ::Json::Value& entry : root["files"])
   {
     if (!entry.isObject() || !entry["name"].isString())
     {

@@ -7,10 +7,10 @@
 #include "gtnFailure.h"
 #include "gtnGridWriter.h"
 #include "gtnInput.h"
-#include "gtnMessages.h"
 #include "gtnOptions.h"
 #include "gtnOutput.h"
 #include "gtnProgress.h"
+#include "gtnStep.h"
 #include "gtnText.h"
 
 #include "vtkUnstructuredGrid.h"
@@ -30,10 +30,7 @@ struct Options
   std::string In;
   std::string Out;
   bool Overwrite = false;
-  bool HasTime = false;
-  double Time = 0;
-  bool HasStep = false;
-  std::size_t Step = 0;
+  StepOptions Step;
   InputOptions Input;
   std::string How = "zlib";
 };
@@ -46,38 +43,6 @@ Compressor CompressorOf(const std::string& name)
                         : Compressor::ZLib;
 }
 
-std::size_t StepOf(const Options& options, const Input& input)
-{
-  const std::vector<double>& times = input.GetTimes();
-  if (times.empty())
-  {
-    if (options.HasTime || (options.HasStep && options.Step > 0))
-    {
-      throw Failure(options.In, "has no time steps");
-    }
-    return 0;
-  }
-  if (options.HasTime)
-  {
-    for (std::size_t i = 0; i < times.size(); ++i)
-    {
-      if (times[i] == options.Time)
-      {
-        return i;
-      }
-    }
-    throw Failure(options.In,
-      fmt::format("has no step at time {}; there are {} from {} to {}, see gtn info -v",
-        Number(options.Time), times.size(), Number(times.front()), Number(times.back())));
-  }
-  if (options.Step >= times.size())
-  {
-    throw Failure(options.In,
-      fmt::format("has no step {}; they are numbered 0 to {}", options.Step, times.size() - 1));
-  }
-  return options.Step;
-}
-
 void Unpack(const Options& options, const Settings& settings)
 {
   if (ExtensionOf(options.Out) != ".vtu" && ExtensionOf(options.Out) != ".vtk")
@@ -87,12 +52,7 @@ void Unpack(const Options& options, const Settings& settings)
   Input input({ options.In }, options.Input);
   CheckWritable(options.Out, options.Overwrite);
 
-  const std::size_t step = StepOf(options, input);
-  if (input.GetTimes().size() > 1 && !options.HasTime && !options.HasStep && !settings.Quiet)
-  {
-    Say(fmt::format(
-      "{}: has {} time steps, of which the first is taken", options.In, input.GetTimes().size()));
-  }
+  const std::size_t step = ChooseStep(options.Step, options.In, input.GetTimes(), settings.Quiet);
   vtkSmartPointer<vtkUnstructuredGrid> grid;
   {
     Progress progress("reading", settings.ShowProgress);
@@ -121,13 +81,7 @@ void AddUnpack(CLI::App& app, Settings& settings)
     "  gtn unpack --arrays pressure,velocity --step 10 run.gtn step10.vtu\n"
     "  gtn unpack -f --compressor none mesh.gtn mesh.vtu");
   AddForce(command, options->Overwrite);
-  auto* time =
-    command->add_option("--time", options->Time, "The step at exactly this time")->option_text("T");
-  auto* step = command
-                 ->add_option("--step", options->Step,
-                   "The step of this number, from 0 (default: the first step)")
-                 ->option_text("N")
-                 ->excludes(time);
+  AddStep(command, options->Step);
   AddArrays(command, options->Input);
   command
     ->add_option(
@@ -139,8 +93,6 @@ void AddUnpack(CLI::App& app, Settings& settings)
   command->callback(
     [=, &settings]
     {
-      options->HasTime = time->count() > 0;
-      options->HasStep = step->count() > 0;
       options->Input.Quiet = settings.Quiet;
       Unpack(*options, settings);
     });

@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gtnCamera.h"
+
+#include "gtnFailure.h"
+#include "gtnJson.h"
+#include "gtnParseJson.h"
+#include "gtnText.h"
+
+#include "vtkCamera.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gtn
+{
+namespace
+{
+
+using Vector = std::array<double, 3>;
+
+// What a file says; any of it may be missing.
+struct CameraFile
+{
+  std::optional<Vector> Position;
+  std::optional<Vector> FocalPoint;
+  std::optional<Vector> ViewUp;
+  std::optional<double> ViewAngle;
+  std::optional<double> ParallelScale;
+};
+
+std::optional<Vector> ReadVector(
+  const ::Json::Value& root, const std::string& file, const std::string& name)
+{
+  if (!root.isMember(name))
+  {
+    return {};
+  }
+  const std::vector<double> numbers = NumbersOf(root[name], file, name);
+  if (numbers.size() != 3)
+  {
+    throw Failure(file, fmt::format("{} has {} numbers, not three", name, numbers.size()));
+  }
+  return Vector{ numbers[0], numbers[1], numbers[2] };
+}
+
+// A number above zero and below a limit.
+std::optional<double> ReadPositive(
+  const ::Json::Value& root, const std::string& file, const std::string& name, double limit)
+{
+  if (!root.isMember(name))
+  {
+    return {};
+  }
+  const ::Json::Value& value = root[name];
+  if (!value.isNumeric() || !(value.asDouble() > 0 && value.asDouble() < limit))
+  {
+    throw Failure(file,
+      limit < 1e300 ? fmt::format("{} is not a number above 0 and below {}", name, Number(limit))
+                    : name + " is not a number above 0");
+  }
+  return value.asDouble();
+}
+
+CameraFile ReadCameraFile(const std::string& file)
+{
+  const ::Json::Value root = ReadJson(file);
+  if (!root.isObject())
+  {
+    throw Failure(file, "is not a camera: it holds no object");
+  }
+  const std::array<std::string, 5> known{ "position", "focalPoint", "viewUp", "viewAngle",
+    "parallelScale" };
+  for (const std::string& name : root.getMemberNames())
+  {
+    if (std::find(known.begin(), known.end(), name) == known.end())
+    {
+      throw Failure(file,
+        fmt::format("'{}' is nothing that a camera has; there are {}", Printable(name),
+          Joined({ known.begin(), known.end() })));
+    }
+  }
+  CameraFile camera;
+  camera.Position = ReadVector(root, file, known[0]);
+  camera.FocalPoint = ReadVector(root, file, known[1]);
+  camera.ViewUp = ReadVector(root, file, known[2]);
+  camera.ViewAngle = ReadPositive(root, file, known[3], 180);
+  camera.ParallelScale = ReadPositive(root, file, known[4], 1e300);
+  return camera;
+}
+
+// As vtkRenderer::ResetCamera does, which would need a window to know the aspect.
+void ShowAll(vtkCamera* camera, const gatun::Bounds& bounds, double aspect)
+{
+  Vector centre{};
+  double radius = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    centre[i] = bounds[i].Min / 2 + bounds[i].Max / 2;
+    radius = std::hypot(radius, bounds[i].Max / 2 - bounds[i].Min / 2);
+  }
+  radius = radius > 0 ? radius : 0.5; // a lone point
+  double halfAngle = vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2;
+  double scale = radius;
+  if (aspect < 1)
+  {
+    halfAngle = std::atan(std::tan(halfAngle) * aspect);
+    scale /= aspect;
+  }
+  const double distance = radius / std::sin(halfAngle);
+  camera->SetFocalPoint(centre.data());
+  camera->SetPosition(centre[0], centre[1], centre[2] + distance);
+  camera->SetParallelScale(scale);
+}
+
+void Apply(const CameraFile& wanted, vtkCamera* camera)
+{
+  if (wanted.FocalPoint)
+  {
+    // Without a position of its own the camera comes along.
+    Vector position{};
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      position[i] = camera->GetPosition()[i] - camera->GetFocalPoint()[i] + (*wanted.FocalPoint)[i];
+    }
+    camera->SetFocalPoint(wanted.FocalPoint->data());
+    camera->SetPosition(position.data());
+  }
+  if (wanted.Position)
+  {
+    camera->SetPosition(wanted.Position->data());
+  }
+  if (wanted.ParallelScale)
+  {
+    camera->SetParallelScale(*wanted.ParallelScale);
+  }
+}
+
+// Where there is no direction, or up is along it, vtkCamera makes up something else.
+void RequireView(vtkCamera* camera, const CameraFile& wanted, const std::string& file)
+{
+  Vector direction{};
+  vtkMath::Subtract(camera->GetFocalPoint(), camera->GetPosition(), direction.data());
+  if (!(vtkMath::Normalize(direction.data()) > 0))
+  {
+    throw Failure(file, "position and focalPoint are the same");
+  }
+  Vector up{};
+  camera->GetViewUp(up.data());
+  up = wanted.ViewUp.value_or(up);
+  Vector across{};
+  const double length = vtkMath::Normalize(up.data());
+  vtkMath::Cross(direction.data(), up.data(), across.data());
+  if (!(length > 0) || !(vtkMath::Norm(across.data()) > 1e-6))
+  {
+    throw Failure(file, "viewUp has no direction across the view");
+  }
+}
+
+// As vtkCamera::Elevation, but up goes along, so that one can look from straight above.
+void Elevate(vtkCamera* camera, double degrees)
+{
+  camera->OrthogonalizeViewUp();
+  vtkMatrix4x4* const toEye = camera->GetViewTransformMatrix();
+  const std::array<double, 4> rotation{ vtkMath::RadiansFromDegrees(degrees),
+    -toEye->GetElement(0, 0), -toEye->GetElement(0, 1), -toEye->GetElement(0, 2) };
+  Vector arm{};
+  vtkMath::Subtract(camera->GetPosition(), camera->GetFocalPoint(), arm.data());
+  Vector raised{};
+  vtkMath::RotateVectorByWXYZ(arm.data(), rotation.data(), raised.data());
+  Vector up{};
+  vtkMath::RotateVectorByWXYZ(camera->GetViewUp(), rotation.data(), up.data());
+  const double* const centre = camera->GetFocalPoint();
+  camera->SetPosition(centre[0] + raised[0], centre[1] + raised[1], centre[2] + raised[2]);
+  camera->SetViewUp(up.data());
+}
+
+void AddVector(Json& json, std::string_view name, const double* vector)
+{
+  json.BeginArray(name);
+  for (int i = 0; i < 3; ++i)
+  {
+    json.Add({}, vector[i]);
+  }
+  json.EndArray();
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkCamera> MakeCamera(
+  const CameraOptions& options, const gatun::Bounds& bounds, double aspect, double turn)
+{
+  const CameraFile wanted = options.File.empty() ? CameraFile() : ReadCameraFile(options.File);
+  vtkNew<vtkCamera> camera;
+  camera->SetParallelProjection(options.Parallel ? 1 : 0);
+  camera->SetViewAngle(wanted.ViewAngle.value_or(30));
+  ShowAll(camera, bounds, aspect);
+  Apply(wanted, camera);
+  if (wanted.ViewUp)
+  {
+    camera->SetViewUp(wanted.ViewUp->data());
+  }
+  if (!options.File.empty())
+  {
+    RequireView(camera, wanted, options.File);
+  }
+  // Whoever says where the camera is wants it there.
+  camera->Azimuth(options.Azimuth.value_or(wanted.Position ? 0 : 30) + turn);
+  Elevate(camera, options.Elevation.value_or(wanted.Position ? 0 : 20));
+  camera->Roll(options.Roll);
+  camera->Zoom(options.Zoom);
+  return camera;
+}
+
+//------------------------------------------------------------------------------
+void AddCamera(Json& json, std::string_view name, vtkCamera* camera)
+{
+  json.BeginObject(name);
+  AddVector(json, "position", camera->GetPosition());
+  AddVector(json, "focalPoint", camera->GetFocalPoint());
+  AddVector(json, "viewUp", camera->GetViewUp());
+  json.Add("viewAngle", camera->GetViewAngle());
+  json.Add("parallelScale", camera->GetParallelScale());
+  json.EndObject();
+}
+}

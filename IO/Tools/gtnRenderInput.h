@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gtnRenderInput_h
+#define gtnRenderInput_h
+
+// What is drawn: a .gtn file, of which no more is read than is seen, or any other mesh in memory.
+
+#include "gtnStep.h"
+
+#include "gatunTypes.h"
+
+#include "vtkSmartPointer.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkGatunRayCaster;
+class vtkUnstructuredGrid;
+
+namespace gtn
+{
+class Progress;
+
+struct RenderInputOptions
+{
+  std::string File;
+  std::string Array;            ///< empty: the active scalars, or else the first array
+  std::optional<int> Component; ///< -1: the length of the tuples
+  StepOptions Step;
+  bool Quiet = false;
+};
+
+class RenderInput
+{
+public:
+  /** Opens a mesh and chooses the array; of a .gtn file only the directory is read. Throws
+   * Failure. */
+  RenderInput(const RenderInputOptions& options, Progress& progress);
+  ~RenderInput();
+  RenderInput(const RenderInput&) = delete;
+  RenderInput& operator=(const RenderInput&) = delete;
+
+  /** Of all finite coordinates. */
+  const gatun::Bounds& GetBounds() const { return this->Bounds; }
+
+  /** Of the values that are drawn, without NaN. Min > Max if there are none. */
+  const gatun::Range& GetRange() const { return this->Range; }
+
+  const std::string& GetArray() const { return this->Array.Name; }
+  int GetComponent() const { return this->Component; }
+  std::uint64_t GetNumberOfTets() const { return this->Tets; }
+
+  /** Gives the caster its input, and what of it to draw. */
+  void Connect(vtkGatunRayCaster* caster) const;
+
+  /** Makes the caster draw. */
+  void Draw(vtkGatunRayCaster* caster) const;
+
+private:
+  // An array that could be drawn.
+  struct Choice
+  {
+    std::string Name;
+    int Association = 0; ///< of points, or 1: of cells
+    int Components = 1;
+    bool Active = false;
+    std::size_t Index = 0; ///< in the file
+  };
+
+  void OpenFile(const RenderInputOptions& options);
+  void Read(const RenderInputOptions& options, Progress& progress);
+  void Choose(const RenderInputOptions& options, const std::vector<Choice>& choices);
+  void RequireContent() const;
+
+  const std::string File;
+  vtkSmartPointer<vtkAlgorithm> Reader;      // of a .gtn file
+  vtkSmartPointer<vtkUnstructuredGrid> Grid; // of others
+  std::optional<double> Time;
+  Choice Array;
+  int Component = 0;
+  gatun::Bounds Bounds;
+  gatun::Range Range;
+  std::uint64_t Tets = 0;
+};
+}
+
+#endif

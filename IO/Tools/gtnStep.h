@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gtnStep_h
+#define gtnStep_h
+
+// Which time step of a mesh a subcommand takes.
+
+#include <CLI/CLI.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gtn
+{
+struct StepOptions
+{
+  std::optional<double> Time;
+  std::optional<std::size_t> Step;
+};
+
+/** --time and --step, which it returns. */
+std::array<CLI::Option*, 2> AddStep(CLI::App* command, StepOptions& options);
+
+/** Number of the step asked for, 0 of a mesh without time. Says that the first one is taken if none
+ * was asked for and there are several, unless quiet. Throws Failure for the file. */
+std::size_t ChooseStep(const StepOptions& options, const std::string& file,
+  const std::vector<double>& times, bool quiet);
+}
+
+#endif

@@ -1,0 +1,156 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""render writes what vtkGatunRayCaster draws, whatever the mesh comes from, as .png and .exr, over a
+background or without, and from all around."""
+
+import json
+import os
+
+import numpy as np
+from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkColorTransferFunction, vtkVolumeProperty
+
+from gatun import vtkGatunRayCaster, vtkGatunReader
+from gatunCli import enter_folder, gtn, standard_mesh, write
+from gatunPictures import read_exr, read_png, run_oiiotool, to_array
+
+enter_folder("render")
+write(standard_mesh(8), "mesh.vtu")
+gtn("pack", "-q", "--chunk", 500, "mesh.vtu", "mesh.gtn")
+WIDTH, HEIGHT = 80, 60
+nodes = [[-2, 0.1, 0.2, 0.9, 0.02], [0.5, 0.9, 0.8, 0.1, 0.1], [3, 0.9, 0.1, 0.2, 0.6]]
+with open("map.json", "w") as file:
+    rgb_points = [x for node in nodes for x in node[:4]]
+    points = [x for node in nodes for x in (node[0], node[4], 0.5, 0)]
+    json.dump([{"Name": "a map", "RGBPoints": rgb_points, "Points": points}], file)
+position, focal_point, view_up = (14, 9, 19), (4, 4.5, 3.5), (0.1, 1, 0)
+with open("camera.json", "w") as file:
+    json.dump({"position": position, "focalPoint": focal_point, "viewUp": view_up}, file)
+arguments = ["render", "-q", "--size", f"{WIDTH}x{HEIGHT}", "--array", "velocity", "--component", 0]
+arguments += ["--tf", "map.json", "--camera", "camera.json", "--unit-distance", 0.3]
+
+
+def draw():
+    """The same by vtkGatunRayCaster."""
+    reader = vtkGatunReader()
+    reader.SetFileName("mesh.gtn")
+    colours, opacity = vtkColorTransferFunction(), vtkPiecewiseFunction()
+    for value, red, green, blue, alpha in nodes:
+        colours.AddRGBPoint(value, red, green, blue)
+        opacity.AddPoint(value, alpha)
+    look = vtkVolumeProperty()
+    look.SetColor(colours)
+    look.SetScalarOpacity(opacity)
+    look.SetScalarOpacityUnitDistance(0.3)
+    camera = vtkCamera()
+    camera.SetPosition(position)
+    camera.SetFocalPoint(focal_point)
+    camera.SetViewUp(view_up)
+    caster = vtkGatunRayCaster()
+    caster.SetInputConnection(reader.GetOutputPort())
+    caster.SetArrayName("velocity")
+    caster.SetSize(WIDTH, HEIGHT)
+    caster.SetCamera(camera)
+    caster.SetProperty(look)
+    caster.Update()
+    return to_array(caster.GetOutput(), "RGBA"), to_array(caster.GetOutput(), "Depth")[:, :, 0]
+
+
+rgba, depth = draw()
+alpha = rgba[:, :, 3:]
+assert 0.1 < np.mean(alpha > 0) < 0.9 and alpha.max() > 0.5, "nothing to compare"
+straight = np.where(alpha > 0, rgba[:, :, :3] / np.maximum(alpha, 1e-30), 0)
+straight = np.concatenate([straight, alpha], axis=2)
+
+
+def check(picture, expected, tolerance=1.01):
+    difference = np.abs(picture - 255 * np.clip(expected, 0, 1))
+    # Colours of what is hardly seen are quotients of tiny numbers.
+    difference[:, :, :3] *= 1 if expected.shape[2] == 3 else alpha > 0.02
+    assert difference.max() <= tolerance, difference.max()
+
+
+# Transparent, with straight opacity; the rows are not upside down.
+gtn(*arguments, "mesh.gtn", "file.png")
+check(read_png("file.png"), straight)
+gtn(*arguments, "mesh.vtu", "memory.png")
+check(read_png("memory.png"), straight)
+
+# Over a background.
+gtn(*arguments, "--background", "#3366cc", "mesh.gtn", "over.png")
+background = np.array([0x33, 0x66, 0xCC]) / 255
+check(read_png("over.png"), rgba[:, :, :3] + (1 - alpha) * background)
+
+# Floats, and depth.
+gtn(*arguments, "mesh.gtn", "file.exr")
+values = read_exr("file.exr", WIDTH, HEIGHT)
+assert np.abs(values[:, :, :4] - rgba).max() < 1 / 255
+assert (np.isinf(values[:, :, 4]) == np.isinf(depth)).all() and np.isinf(depth).any()
+seen = np.isfinite(depth)
+assert np.abs(values[:, :, 4][seen] - depth[seen]).max() < 0.02 * depth[seen].max()
+gtn(*arguments, "--background", "white", "mesh.gtn", "over.exr")
+values = read_exr("over.exr", WIDTH, HEIGHT)
+assert np.abs(values[:, :, :3] - (rgba[:, :, :3] + 1 - alpha)).max() < 1 / 255
+assert (values[:, :, 3] == 1).all()
+
+# What the files tell of themselves; the camera can be used again.
+for name in ("file.png", "file.exr"):
+    info = run_oiiotool("--info", "-v", name)
+    channels = "R, G, B, A" if name == "file.png" else "R, G, B, A, Z"
+    for words in (f"channel list: {channels}\n", 'Software: "Gatun ', 'Gatun:input: "mesh.gtn"'):
+        assert words in info, (words, info)
+    command = [line for line in info.splitlines() if "Gatun:command" in line][0]
+    assert "gtn render -q --size 80x60 " in command, command
+camera = [line for line in info.splitlines() if "Gatun:camera" in line][0]
+with open("again.json", "w") as file:
+    file.write(camera.split(": ", 1)[1].strip()[1:-1])
+os.replace("again.json", "camera.json")
+gtn(*arguments, "mesh.gtn", "again.png")
+check(read_png("again.png"), straight)
+
+# From all around: as by --azimuth.
+around = ["render", "-q", "--size", f"{WIDTH}x{HEIGHT}", "--elevation", 20]
+gtn(*around, "--turntable", 4, "mesh.gtn", "around.png")
+names = [f"around-{i:03}.png" for i in range(4)]
+assert sorted(name for name in os.listdir(".") if name.startswith("around")) == names
+for i, name in enumerate(names):
+    gtn(*around, "-f", "--azimuth", 30 + 90 * i, "mesh.gtn", "single.png")
+    assert np.abs(read_png(name) - read_png("single.png")).max() <= 1, name
+    assert np.abs(read_png(name) - read_png(names[i - 1])).max() > 20, "the same picture"
+gtn(*around, "--turntable", 4, "mesh.gtn", "around.png", code=1, says="around-000.png: exists")
+
+# Modes and presets differ, and none of them is empty.
+pictures = []
+more = [["--mode", mode] for mode in ("composite", "area", "mip", "xray")]
+more += [["--tf", name] for name in ("cool-warm", "heat", "grey", "xray", "bone")]
+more += [["--component", "0"], ["--opacity", "3"], ["--zoom", "1.5"], ["--roll", "30"]]
+more += [["--parallel"], ["--range", "0,1"], ["--elevation", "90"]]
+for options in more:
+    command = ["render", "-f", "-q", "--size", "40x30", "--array", "velocity", *options]
+    gtn(*command, "mesh.gtn", "some.png")
+    pictures.append(read_png("some.png"))
+    assert pictures[-1][:, :, 3].max() > 20, options
+    for other in pictures[:-1]:
+        assert np.abs(pictures[-1] - other).max() > 3, options
+
+# What it took.
+text = gtn("render", "-f", "--stats", *around[2:], "mesh.gtn", "some.png", says="chunks skipped")
+assert "tetrahedra of drawn chunks            3,072" in text, text
+told = json.loads(gtn("render", "-f", "--json", "--turntable", 3, *around[2:], "mesh.gtn", "t.png"))
+assert [picture["file"] for picture in told["pictures"]] == ["t-000.png", "t-001.png", "t-002.png"]
+assert told["array"] == "pressure" and told["tets"] == 3072 and told["width"] == WIDTH
+for picture in told["pictures"] + [told["median"]]:
+    assert picture["tets"] == 3072 and picture["chunks"] > 1 and 0 < picture["seenTets"] <= 3072
+assert told["pictures"][0]["bytesRead"] > told["pictures"][1]["bytesRead"], "nothing was kept"
+assert told["peakMemory"] > 1 << 20
+bounds = json.loads(gtn("info", "--json", "mesh.gtn"))["bounds"]
+diagonal = np.sqrt(sum((high - low) ** 2 for low, high in bounds))
+assert abs(told["unitDistance"] - diagonal / 100) < 1e-9 * diagonal
+camera = told["pictures"][0]["camera"]
+centre = [(low + high) / 2 for low, high in bounds]
+assert np.allclose(camera["focalPoint"], centre)
+arm = np.subtract(camera["position"], centre)
+assert np.isclose(np.linalg.norm(arm), diagonal / 2 / np.sin(np.radians(15)))
+assert np.isclose(np.degrees(np.arcsin(arm[1] / np.linalg.norm(arm))), 20)
+assert np.isclose(np.degrees(np.arctan2(arm[0], arm[2])), 30)
