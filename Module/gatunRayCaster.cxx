@@ -109,6 +109,7 @@ public:
   void FinishTile(TileSlot& slot, int x0, int y0, float* rgba, float* depth) const;
   void Colour(const Fragment& sum, float largest, float* rgba) const;
   SeenBox See(const Bounds& box) const;
+  void RequireFewSamples(double farthest) const;
   void CountMemory();
 };
 
@@ -284,6 +285,22 @@ SeenBox RayCaster::Internals::See(const Bounds& box) const
 }
 
 //------------------------------------------------------------------------------
+/** Depth in units of z in ray coordinates. */
+void RayCaster::Internals::RequireFewSamples(double farthest) const
+{
+  const double perDepth = this->View.Perspective
+    ? std::max(this->View.GetSamplesPerDepth(0, 0),
+        this->View.GetSamplesPerDepth(this->View.Width, this->View.Height))
+    : 1;
+  if (farthest * perDepth > RayView::MostSamples)
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "the sample distance is too small: there are more than 4 million of them to the far side of "
+      "the mesh");
+  }
+}
+
+//------------------------------------------------------------------------------
 void RayCaster::Internals::CountMemory()
 {
   std::uint64_t bytes = 0;
@@ -353,17 +370,21 @@ void RayCaster::Draw(RaySource& source, const Progress& progress)
     std::size_t Block;
     double Depth;
   };
+  auto& self = *this->Self;
   std::vector<Candidate> candidates;
+  double farthest = 0;
   for (std::size_t block = 0; block < source.GetNumberOfBlocks(); ++block)
   {
-    const SeenBox seen = this->Self->See(source.GetBounds(block));
+    const SeenBox seen = self.See(source.GetBounds(block));
     candidates.push_back({ block, seen.Nearest + seen.Farthest });
+    farthest = seen.IsOutside ? farthest : std::max(farthest, seen.Farthest);
   }
   std::sort(candidates.begin(), candidates.end(),
     [](const Candidate& a, const Candidate& b)
     { return a.Depth != b.Depth ? a.Depth < b.Depth : a.Block < b.Block; });
 
-  auto& statistics = this->Self->Statistics;
+  auto& statistics = self.Statistics;
+  self.RequireFewSamples(farthest);
   const auto most = static_cast<std::size_t>(GetNumberOfThreads());
   std::vector<std::size_t> turn;
   std::size_t next = 0;

@@ -36,7 +36,7 @@ struct RayTile
   using Cellwise = std::array<float, Cells>;
 
   static constexpr float Never = -3e38f; // the End of no fragment
-  static constexpr float Always = 1e9f;  // farther than any sample
+  static constexpr float Always = 8e6f;  // farther than any sample; there are numbers between these
   static constexpr int Slots = 2;        // fragments of a pixel that may grow
 
   /** With pixels up to width and height; those beyond are never drawn. */

@@ -41,7 +41,7 @@ struct VTKGATUNCORE_EXPORT RayView
   static constexpr double OffsetX = 2.7e-4;
   static constexpr double OffsetY = 3.1e-4;
 
-  /** Samples of a ray at most: beyond, single precision no longer tells them apart. */
+  /** Samples from the eye at most: beyond, single precision no longer tells them apart. */
   static constexpr double MostSamples = 4e6;
 
   bool Perspective = false;

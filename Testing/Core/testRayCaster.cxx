@@ -493,6 +493,23 @@ TEST(RayCaster, WhatIsNotANumberIsNotSeen)
   }
 }
 
+TEST(RayCaster, SamplesThatCannotBeToldApartAreRefused)
+{
+  CountingSource source(ToReference(MakeCubes(2, 0.1)), 100);
+  for (const bool parallel : { false, true })
+  {
+    auto viewer = Viewer::LookAt({ 1, 1, -5 }, { 1, 1, 1 }, parallel, 4);
+    viewer.Width = viewer.Height = 2;
+    viewer.SampleDistance = 1e-5;
+    EXPECT_NO_THROW(RenderSource(source, viewer, Ramp, 1e-3f));
+    for (const double distance : { 1e-6, 1e-9, 1e-30, 1e-300 })
+    {
+      viewer.SampleDistance = distance;
+      EXPECT_THROW(RenderSource(source, viewer, Ramp, 1e-3f), Error);
+    }
+  }
+}
+
 TEST(RayCaster, ViewsThatShowNothingAreRefused)
 {
   const auto make = [](auto&& change)
