@@ -4,6 +4,8 @@
 #ifndef gatunFileSignature_h
 #define gatunFileSignature_h
 
+#include "vtkGatunIOModule.h" // For export macro
+
 #include <cstdint>
 #include <string>
 
@@ -24,7 +26,7 @@ struct FileSignature
   bool operator==(const FileSignature&) const = default;
 };
 
-FileSignature SignatureOf(const std::string& path);
+VTKGATUNIO_EXPORT FileSignature SignatureOf(const std::string& path);
 }
 
 #endif

@@ -19,12 +19,42 @@
 
 namespace gatun
 {
+namespace
+{
+vtkMatrix4x4* GetProjection(vtkCamera* camera, const RayGrid& grid)
+{
+  const double aspect = grid.Aspect > 0 ? grid.Aspect
+    : grid.Height > 0                   ? static_cast<double>(grid.Width) / grid.Height
+                                        : 1;
+  return camera->GetProjectionTransformMatrix(aspect, -1, 1);
+}
+
+/** Moves borders outwards so that the rays in the middle of the outermost pixels are there. */
+void Widen(double& low, double& high, int rays)
+{
+  const double half = rays > 1 ? (high - low) / (rays - 1) / 2 : 0;
+  low -= half;
+  high += half;
+}
+}
+
 //------------------------------------------------------------------------------
-RayView MakeRayView(vtkCamera* camera, int width, int height, double sampleDistance,
+RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, double sampleDistance,
   vtkMatrix4x4* volumeMatrix, bool clippingRange)
 {
+  vtkMatrix4x4* const projection = GetProjection(camera, grid);
+  RayFrustum frustum;
+  frustum.Parallel = camera->GetParallelProjection() != 0;
+
+  // An eye in stereo, or a sheared view: what the projection does besides is moved in front of it.
   vtkNew<vtkMatrix4x4> toEye;
-  toEye->DeepCopy(camera->GetViewTransformMatrix());
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const int from = frustum.Parallel ? 2 : 3;
+    toEye->SetElement(
+      axis, from, projection->GetElement(axis, from) / projection->GetElement(axis, axis));
+  }
+  vtkMatrix4x4::Multiply4x4(toEye, camera->GetViewTransformMatrix(), toEye);
   if (volumeMatrix)
   {
     vtkMatrix4x4::Multiply4x4(toEye, volumeMatrix, toEye);
@@ -39,10 +69,6 @@ RayView MakeRayView(vtkCamera* camera, int width, int height, double sampleDista
   }
 
   // The borders of the picture are where the projection gives -1 and 1.
-  const double aspect = height > 0 ? static_cast<double>(width) / height : 1;
-  vtkMatrix4x4* const projection = camera->GetProjectionTransformMatrix(aspect, -1, 1);
-  RayFrustum frustum;
-  frustum.Parallel = camera->GetParallelProjection() != 0;
   const auto getBorder = [&](int axis, double side)
   {
     const double scale = projection->GetElement(axis, axis);
@@ -61,9 +87,14 @@ RayView MakeRayView(vtkCamera* camera, int width, int height, double sampleDista
   if (sampleDistance == 0)
   {
     const double depth = frustum.Parallel ? 1 : camera->GetDistance();
-    sampleDistance = height > 0 ? (frustum.Top - frustum.Bottom) * depth / height : 1;
+    sampleDistance = grid.Height > 0 ? (frustum.Top - frustum.Bottom) * depth / grid.Height : 1;
   }
-  return RayView(rows, frustum, width, height, sampleDistance);
+  if (grid.ToBorders)
+  {
+    Widen(frustum.Left, frustum.Right, grid.Width);
+    Widen(frustum.Bottom, frustum.Top, grid.Height);
+  }
+  return RayView(rows, frustum, grid.Width, grid.Height, sampleDistance);
 }
 
 //------------------------------------------------------------------------------
@@ -146,5 +177,47 @@ RayLimits MakeRayLimits(const RayView& view, vtkPlaneCollection* planes, vtkMatr
     ClipByPlane(view, p, limits);
   }
   return limits;
+}
+
+//------------------------------------------------------------------------------
+void LimitByZBuffer(const RayView& view, vtkCamera* camera, const RayGrid& grid,
+  std::span<const float> zBuffer, int width, int height, RayLimits& limits)
+{
+  if (std::all_of(zBuffer.begin(), zBuffer.end(), [](float z) { return z >= 1; }))
+  {
+    return;
+  }
+  // What the projection does to depths, in reverse.
+  vtkMatrix4x4* const projection = GetProjection(camera, grid);
+  const double scale = projection->GetElement(2, 2);
+  const double shift = projection->GetElement(2, 3);
+  const auto getDepth = [&](float z)
+  {
+    const double inClip = 2.0 * static_cast<double>(z) - 1;
+    return view.Perspective ? shift / (inClip + scale) : (shift - inClip) / scale;
+  };
+  const auto toPixel = [&](int ray, int rays, int pixels)
+  {
+    const double along = grid.ToBorders ? ray / (rays - 1.0) : (ray + 0.5) / rays;
+    return std::min(static_cast<int>(along * pixels), pixels - 1);
+  };
+  const auto rays = static_cast<std::size_t>(view.Width) * static_cast<std::size_t>(view.Height);
+  limits.Near.resize(rays, 0.0f);
+  limits.Far.resize(rays, 1e9f);
+  for (int y = 0; y < view.Height; ++y)
+  {
+    const auto row =
+      static_cast<std::size_t>(toPixel(y, view.Height, height)) * static_cast<std::size_t>(width);
+    for (int x = 0; x < view.Width; ++x)
+    {
+      const float z = zBuffer[row + static_cast<std::size_t>(toPixel(x, view.Width, width))];
+      if (z < 1)
+      {
+        float& far = limits.Far[static_cast<std::size_t>(y) * static_cast<std::size_t>(view.Width) +
+          static_cast<std::size_t>(x)];
+        far = std::min(far, static_cast<float>(getDepth(z) * view.GetSamplesPerDepth(x, y)));
+      }
+    }
+  }
 }
 }

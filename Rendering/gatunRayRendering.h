@@ -8,6 +8,8 @@
 
 #include "gatunRayCaster.h"
 
+#include <span>
+
 class vtkCamera;
 class vtkMatrix4x4;
 class vtkPlaneCollection;
@@ -15,12 +17,24 @@ class vtkVolumeProperty;
 
 namespace gatun
 {
+/** How rays are spread over a picture. */
+struct RayGrid
+{
+  int Width = 0;
+  int Height = 0;
+  double Aspect = 0; ///< of the picture; 0: as there are as many rays
+
+  /** Whether the outermost rays are at the borders of the picture instead of half a ray inside:
+   * between them, all of the picture can be interpolated. At least two rays each way. */
+  bool ToBorders = false;
+};
+
 /**
- * The rays of a camera. SampleDistance: in world units; 0 for the size of a pixel at the focal
- * point. VolumeMatrix: null, or what brings the mesh into the world. ClippingRange: whether what is
- * out of the camera's is left out.
+ * The rays of a camera, that of its left or right eye if it is in stereo. SampleDistance: in world
+ * units; 0 for the size of a pixel at the focal point. VolumeMatrix: null, or what brings the mesh
+ * into the world. ClippingRange: whether what is out of the camera's is left out.
  */
-RayView MakeRayView(vtkCamera* camera, int width, int height, double sampleDistance,
+RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, double sampleDistance,
   vtkMatrix4x4* volumeMatrix, bool clippingRange);
 
 /** Colours and opacities of a property, for values in a range. Unit distance: the property's. */
@@ -30,6 +44,13 @@ RayTable MakeRayTable(
 /** Clips by planes that are given in world coordinates. Null for none. */
 RayLimits MakeRayLimits(
   const RayView& view, vtkPlaneCollection* planes, vtkMatrix4x4* volumeMatrix);
+
+/**
+ * Ends rays at what is drawn already. ZBuffer: of the camera's picture, width times height values
+ * from 0, at the near end of the clipping range, to 1, where there is nothing.
+ */
+void LimitByZBuffer(const RayView& view, vtkCamera* camera, const RayGrid& grid,
+  std::span<const float> zBuffer, int width, int height, RayLimits& limits);
 }
 
 #endif

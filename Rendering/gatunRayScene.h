@@ -4,37 +4,35 @@
 #ifndef gatunRayScene_h
 #define gatunRayScene_h
 
+#include "gatunFileSignature.h"
+#include "gatunGridRaySource.h"
+#include "gatunPieceRaySource.h"
 #include "gatunRaySource.h"
 #include "gatunTypes.h"
 
-#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <vector>
 
-class vtkDataArray;
+class vtkAlgorithm;
+class vtkGatunReader;
 class vtkUnstructuredGrid;
 
 namespace gatun
 {
 class FileReader;
+class RayCaster;
+struct RayView;
 
-/** Which values are drawn. */
-struct RayArray
-{
-  std::string Name;     ///< empty: the active scalars, of the points or else of the cells
-  int Association = -1; ///< 0: of the points; 1: of the cells; -1: of either, points first
-  int Component = 0;    ///< -1: the length of the tuples
-
-  bool operator==(const RayArray&) const = default;
-};
+/** The reader whose file can be drawn instead of its output; null if that is not the same. */
+vtkGatunReader* GetFileReader(vtkAlgorithm* input);
 
 /**
- * What is drawn: a grid in memory, or a file of which only what is seen is ever decoded. What has
- * been prepared is kept, up to a budget, until something else is to be drawn.
+ * What is drawn: a grid in memory, a file of which only what is seen is ever decoded, or a pipeline
+ * of which a piece at a time is in memory. What has been prepared is kept, up to a budget, until
+ * something else is to be drawn.
  *
  * Methods throw gatun::Error: no such array, cells that cannot be drawn, a file that is damaged.
  */
@@ -48,31 +46,54 @@ public:
 
   void SetGrid(vtkUnstructuredGrid* grid, const RayArray& array, std::uint64_t budget);
   void SetFile(const std::string& path, double time, const RayArray& array, std::uint64_t budget);
+  void SetPieces(const RayProducer& producer, int pieces, const RayArray& array,
+    std::uint64_t budget, const RaySource::Progress& progress = {});
   void Clear();
 
-  RaySource& GetSource() { return *this->Source; }
+  /** Of the points of a file. Opens it, and decodes nothing. */
+  const Bounds& GetFileBounds(const std::string& path);
+
+  /** From the file, since it was opened; 0 without one. */
+  std::uint64_t GetBytesRead() const;
+
+  /** Draws what was set. */
+  void Draw(RayCaster& caster, const RayView& view, const RaySource::Progress& progress);
 
   /** Of the values of everything. */
   const Range& GetRange() const { return this->Values; }
 
+  /** Of what was set as pieces. */
+  const Bounds& GetPieceBounds() const { return this->Pieces->GetWholeBounds(); }
+
 private:
-  bool IsKnown(const void* what, const std::string& path, vtkMTimeType stamp, const RayArray& array,
-    std::uint64_t budget);
+  /** What a source was made for. */
+  struct Key
+  {
+    const void* Grid = nullptr;
+    std::shared_ptr<const FileReader> File; // held, so that no other comes to be at its address
+    std::size_t Step = 0;
+    RayProducer Producer;
+    int Pieces = 0;
+    double Time = 0;
+    vtkMTimeType Stamp = 0;
+    RayArray Array;
+    std::uint64_t Budget = 0;
 
-  // What the source was made for.
-  const void* Grid = nullptr;
-  std::string Path;
-  vtkMTimeType Stamp = 0;
-  RayArray Array;
-  std::uint64_t Budget = 0;
+    bool operator==(const Key&) const = default;
+  };
 
-  vtkSmartPointer<vtkUnstructuredGrid> Tets; // keeps alive what the source looks at
-  vtkSmartPointer<vtkDataArray> Coordinates;
-  vtkSmartPointer<vtkDataArray> Scalars;
-  std::vector<unsigned char> Hidden;
-  std::shared_ptr<const FileReader> File;
+  bool IsKnown(const Key& key);
+  void Take(const Key& key, std::unique_ptr<RaySource> source, const Range& values);
+  void OpenFile(const std::string& path);
+
+  Key Known;
   std::unique_ptr<RaySource> Source;
+  PieceRaySource* Pieces = nullptr; // the source, if it is one
   Range Values;
+
+  std::shared_ptr<const FileReader> File;
+  std::string Path;
+  FileSignature Signature;
 };
 }
 

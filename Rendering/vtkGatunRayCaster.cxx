@@ -43,21 +43,6 @@ public:
   gatun::RayStatistics Statistics;
 };
 
-namespace
-{
-
-//------------------------------------------------------------------------------
-/** The reader whose file can be drawn instead of its output; null if that is not the same. */
-vtkGatunReader* GetFileReader(vtkAlgorithm* input)
-{
-  auto* const reader = vtkGatunReader::SafeDownCast(input);
-  return reader && reader->GetFileName() && !reader->GetUseBox() && !reader->GetUseValueRange()
-    ? reader
-    : nullptr;
-}
-
-} // anonymous namespace
-
 //------------------------------------------------------------------------------
 vtkGatunRayCaster::vtkGatunRayCaster()
   : Internals(std::make_unique<vtkInternals>())
@@ -218,7 +203,7 @@ int vtkGatunRayCaster::RequestUpdateExtent(
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* const info = inputs[0]->GetInformationObject(0);
   // Where the file is drawn, the reader's mesh is not needed: of so many pieces the first is empty.
-  const bool fromFile = GetFileReader(this->GetInputAlgorithm()) != nullptr;
+  const bool fromFile = gatun::GetFileReader(this->GetInputAlgorithm()) != nullptr;
   constexpr int many = 1 << 30;
   info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
   info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), fromFile ? many : 1);
@@ -236,7 +221,7 @@ int vtkGatunRayCaster::RequestData(
   this->SetErrorCode(vtkErrorCode::NoError);
   auto& self = *this->Internals;
   self.Statistics = {};
-  vtkGatunReader* const reader = GetFileReader(this->GetInputAlgorithm());
+  vtkGatunReader* const reader = gatun::GetFileReader(this->GetInputAlgorithm());
   try
   {
     if (!self.Camera || !self.Property)
@@ -244,16 +229,15 @@ int vtkGatunRayCaster::RequestData(
       throw gatun::Error(gatun::ErrorCode::InvalidInput,
         self.Camera ? "no property with colours is set" : "no camera is set");
     }
-    const auto view = gatun::MakeRayView(
-      self.Camera, this->Size[0], this->Size[1], this->SampleDistance, self.VolumeMatrix, false);
+    const auto view =
+      gatun::MakeRayView(self.Camera, gatun::RayGrid{ this->Size[0], this->Size[1] },
+        this->SampleDistance, self.VolumeMatrix, false);
     const gatun::RayArray array{ this->ArrayName ? this->ArrayName : "", this->ArrayAssociation,
-      this->ArrayComponent };
+      this->ArrayComponent, {} };
     const auto budget = static_cast<std::uint64_t>(this->MemoryBudget) << 20;
     if (reader)
     {
-      vtkInformation* const info = inputs[0]->GetInformationObject(0);
-      const auto key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
-      const double time = info->Has(key) ? info->Get(key) : 0;
+      const double time = gatun::GetRequestedTime(gatun::GetProducer(this));
       self.Scene.SetFile(reader->GetFileName(), time, array, budget);
     }
     else
@@ -269,7 +253,7 @@ int vtkGatunRayCaster::RequestData(
       gatun::MakeRayTable(self.Property, static_cast<gatun::RayMode>(this->Mode),
         self.Scene.GetRange(), view.SampleDistance),
       gatun::MakeRayLimits(view, self.ClippingPlanes, self.VolumeMatrix), settings);
-    caster.Draw(self.Scene.GetSource(),
+    self.Scene.Draw(caster, view,
       [this](double fraction)
       {
         this->UpdateProgress(fraction);

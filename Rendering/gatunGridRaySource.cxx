@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunGridRaySource.h"
+
+#include "gatunArrayBridge.h"
+#include "gatunError.h"
+#include "gatunTetInput.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace gatun
+{
+namespace
+{
+[[noreturn]] void ThrowInvalid(const std::string& what)
+{
+  throw Error(ErrorCode::InvalidInput, what);
+}
+
+vtkDataArray* FindArray(vtkDataSetAttributes* attributes, const RayArray& wanted)
+{
+  if (wanted.Index)
+  {
+    const int index = *wanted.Index;
+    return index >= 0 && index < attributes->GetNumberOfArrays() ? attributes->GetArray(index)
+                                                                 : nullptr;
+  }
+  return wanted.Name.empty() ? attributes->GetScalars() : attributes->GetArray(wanted.Name.c_str());
+}
+
+/** The array to draw, and whether it is of the points or of the cells. */
+std::pair<vtkDataArray*, Association> FindArray(vtkUnstructuredGrid* grid, const RayArray& wanted)
+{
+  for (const auto where : { Association::Point, Association::Cell })
+  {
+    if (wanted.Association >= 0 && wanted.Association != static_cast<int>(where))
+    {
+      continue;
+    }
+    vtkDataSetAttributes* const attributes = where == Association::Point
+      ? static_cast<vtkDataSetAttributes*>(grid->GetPointData())
+      : grid->GetCellData();
+    if (vtkDataArray* const found = FindArray(attributes, wanted))
+    {
+      return { found, where };
+    }
+  }
+  ThrowInvalid(DescribeMissing(wanted));
+}
+
+/** Which tetrahedra are not to be drawn; empty if all are. */
+std::vector<unsigned char> FindHidden(vtkUnstructuredGrid* grid)
+{
+  constexpr unsigned char cellFlags = vtkDataSetAttributes::DUPLICATECELL |
+    vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+  auto* const cells = grid->GetCellGhostArray();
+  auto* const points = grid->GetPointGhostArray();
+  if (!cells && !points)
+  {
+    return {};
+  }
+  std::vector<unsigned char> hidden(static_cast<std::size_t>(grid->GetNumberOfCells()), 0);
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    bool isHidden = cells && (cells->GetValue(cell) & cellFlags) != 0;
+    if (points && !isHidden)
+    {
+      vtkIdType count = 0;
+      const vtkIdType* ids = nullptr;
+      grid->GetCellPoints(cell, count, ids);
+      isHidden = std::any_of(ids, ids + count,
+        [&](vtkIdType id)
+        { return (points->GetValue(id) & vtkDataSetAttributes::HIDDENPOINT) != 0; });
+    }
+    hidden[static_cast<std::size_t>(cell)] = isHidden ? 1 : 0;
+  }
+  return hidden;
+}
+
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeMissing(const RayArray& array)
+{
+  const std::string where = array.Association == 0 ? "point "
+    : array.Association == 1                       ? "cell "
+                                                   : "";
+  if (array.Index)
+  {
+    return "there is no " + where + "array " + std::to_string(*array.Index) + " to draw";
+  }
+  return array.Name.empty() ? "there are no " + where + "scalars to draw"
+                            : "there is no " + where + "array '" + array.Name + "'";
+}
+
+//------------------------------------------------------------------------------
+void RequireComponent(const RayArray& array, std::uint32_t components)
+{
+  if (array.Component < -1 || array.Component >= static_cast<int>(components))
+  {
+    ThrowInvalid("the array to draw has no component " + std::to_string(array.Component));
+  }
+}
+
+//------------------------------------------------------------------------------
+Range GetWholeRange(const RaySource& source)
+{
+  Range whole;
+  for (std::size_t block = 0; block < source.GetNumberOfBlocks(); ++block)
+  {
+    const Range range = source.GetRange(block);
+    whole.Min = std::min(whole.Min, range.Min);
+    whole.Max = std::max(whole.Max, range.Max);
+  }
+  return whole;
+}
+
+//------------------------------------------------------------------------------
+GridRaySource::GridRaySource(vtkUnstructuredGrid* grid, const RayArray& array, std::uint64_t budget)
+  : Tets(MakeTetInput(grid, true).Grid)
+{
+  const auto [scalars, where] = FindArray(this->Tets, array);
+  const BridgedArray values = Bridge(scalars, where);
+  RequireComponent(array, values.Description.Components);
+  this->Scalars = values.Owner;
+  this->Hidden = FindHidden(this->Tets);
+  this->Source = std::make_unique<MemoryRaySource>(this->MakeMesh(),
+    RayValuesInput{ where, values.Description.Type, values.Description.Components, array.Component,
+      values.Values },
+    this->Hidden.empty() ? nullptr : this->Hidden.data(), budget);
+}
+
+GridRaySource::~GridRaySource() = default;
+
+//------------------------------------------------------------------------------
+MeshInput GridRaySource::MakeMesh()
+{
+  MeshInput mesh;
+  mesh.Points = static_cast<std::uint64_t>(this->Tets->GetNumberOfPoints());
+  mesh.Tets = static_cast<std::uint64_t>(this->Tets->GetNumberOfCells());
+  if (vtkPoints* const points = this->Tets->GetPoints())
+  {
+    this->Coordinates = Contiguous(points->GetData());
+    if (points->GetDataType() != VTK_FLOAT && points->GetDataType() != VTK_DOUBLE)
+    {
+      auto doubles = vtkSmartPointer<vtkDoubleArray>::New();
+      doubles->DeepCopy(this->Coordinates);
+      this->Coordinates = doubles;
+    }
+    mesh.CoordinateType =
+      this->Coordinates->GetDataType() == VTK_FLOAT ? ScalarType::Float32 : ScalarType::Float64;
+    mesh.Coordinates = this->Coordinates->GetVoidPointer(0);
+  }
+  if (vtkCellArray* const cells = this->Tets->GetCells())
+  {
+    mesh.WideIds = cells->IsStorage64Bit();
+    mesh.Connectivity = cells->GetConnectivityArray()->GetVoidPointer(0);
+  }
+  return mesh;
+}
+
+//------------------------------------------------------------------------------
+std::size_t GridRaySource::GetNumberOfBlocks() const
+{
+  return this->Source->GetNumberOfBlocks();
+}
+
+//------------------------------------------------------------------------------
+const Bounds& GridRaySource::GetBounds(std::size_t block) const
+{
+  return this->Source->GetBounds(block);
+}
+
+//------------------------------------------------------------------------------
+Range GridRaySource::GetRange(std::size_t block) const
+{
+  return this->Source->GetRange(block);
+}
+
+//------------------------------------------------------------------------------
+RaySource::Blocks GridRaySource::GetBlocks(
+  std::span<const std::size_t> blocks, const Progress& progress)
+{
+  return this->Source->GetBlocks(blocks, progress);
+}
+}

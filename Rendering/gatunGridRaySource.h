@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunGridRaySource_h
+#define gatunGridRaySource_h
+
+#include "gatunRaySource.h"
+#include "gatunTypes.h"
+
+#include "vtkSmartPointer.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkUnstructuredGrid;
+
+namespace gatun
+{
+/** Which values are drawn. */
+struct RayArray
+{
+  std::string Name;         ///< empty: the active scalars, of the points or else of the cells
+  int Association = -1;     ///< 0: of the points; 1: of the cells; -1: of either, points first
+  int Component = 0;        ///< -1: the length of the tuples
+  std::optional<int> Index; ///< which array of its kind, from 0, instead of a name
+
+  bool operator==(const RayArray&) const = default;
+};
+
+/** What is missing, for a message. */
+std::string DescribeMissing(const RayArray& array);
+
+/** Throws InvalidInput if an array of so many components does not have the one that is drawn. */
+void RequireComponent(const RayArray& array, std::uint32_t components);
+
+/** The range of all blocks together. */
+Range GetWholeRange(const RaySource& source);
+
+/**
+ * A grid in memory, of any cells that can be made tetrahedra, in blocks. Hidden, refined and
+ * duplicate cells are left out. The grid must not change.
+ */
+class GridRaySource final : public RaySource
+{
+public:
+  /** Throws InvalidInput for an array that is not there and for cells that cannot be drawn. */
+  GridRaySource(vtkUnstructuredGrid* grid, const RayArray& array, std::uint64_t budget);
+  ~GridRaySource() override;
+
+  std::size_t GetNumberOfBlocks() const override;
+  const Bounds& GetBounds(std::size_t block) const override;
+  Range GetRange(std::size_t block) const override;
+  Blocks GetBlocks(std::span<const std::size_t> blocks, const Progress& progress) override;
+
+private:
+  MeshInput MakeMesh();
+
+  vtkSmartPointer<vtkUnstructuredGrid> Tets; // keeps alive what the source looks at
+  vtkSmartPointer<vtkDataArray> Coordinates;
+  vtkSmartPointer<vtkDataArray> Scalars;
+  std::vector<unsigned char> Hidden;
+  std::unique_ptr<MemoryRaySource> Source;
+};
+}
+
+#endif

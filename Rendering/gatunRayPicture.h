@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunRayPicture_h
+#define gatunRayPicture_h
+
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <vector>
+
+class vtkRayCastImageDisplayHelper;
+class vtkRenderer;
+class vtkVolume;
+class vtkWindow;
+
+namespace gatun
+{
+class RayCaster;
+struct RayGrid;
+
+/** A picture on its way from the ray caster into a window. */
+class RayPicture
+{
+public:
+  RayPicture();
+  ~RayPicture();
+
+  void Take(RayCaster& caster, const RayGrid& grid);
+
+  /**
+   * Blends what was taken over all of a renderer's viewport; in front of all there is, or else at
+   * the depth of the volume's centre. Throws InvalidInput if VTK cannot draw pictures of volumes.
+   */
+  void Show(vtkRenderer* renderer, vtkVolume* volume, bool inFront);
+
+  void Release(vtkWindow* window);
+
+private:
+  vtkSmartPointer<vtkRayCastImageDisplayHelper> Helper;
+  std::array<int, 2> Size{};
+  std::vector<float> Colours;
+  std::vector<unsigned short> Texels;
+};
+}
+
+#endif

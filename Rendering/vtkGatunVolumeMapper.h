@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkGatunVolumeMapper
+ * @brief Draws a tetrahedral mesh as a volume, from memory, from its file or piece by piece.
+ *
+ * To be used in place of vtkUnstructuredGridVolumeRayCastMapper. What is drawn, and how, is told at
+ * vtkGatunRayCaster, which makes the same picture without a window. In addition, what is outside of
+ * the camera's clipping range is left out, and opaque geometry of the same renderer ends the rays.
+ *
+ * The input is a vtkUnstructuredGrid with point or cell scalars. What is asked of the pipeline:
+ *
+ *  - *A vtkGatunReader without a region of interest or a value range is connected*: nothing. Bounds
+ *    come from the tables of its file, and of the mesh only the chunks that are seen are read and
+ *    decoded, of the array that is drawn and of the time that is asked of the reader. The reader is
+ *    never executed; which arrays it is to read does not matter, and GetDataSetInput() is null.
+ *  - *NumberOfPieces is more than 1*: each piece once for its bounds and values, before the first
+ *    picture and whenever the pipeline has changed. For a picture, from front to back, those pieces
+ *    that are seen and are not kept within MemoryBudget. One piece is in memory at a time.
+ *    GetDataSetInput() is null. A grid that was given as such counts as one piece.
+ *  - *Otherwise*: all of the mesh.
+ *
+ * Which values are drawn: see the scalar modes of vtkAbstractVolumeMapper, all of which hold but
+ * that of field data; and ArrayComponent. Colours and opacities of the vtkVolumeProperty are those
+ * of its first component, whichever component of the array is drawn; shading, gradient opacity and
+ * IndependentComponents have no influence. Clipping planes are in world coordinates.
+ *
+ * *Errors.* What cannot be drawn is reported by vtkErrorMacro and GetErrorCode (as vtkGatunReader
+ * has them), the message once for the same cause, and nothing is drawn. A mesh without cells is no
+ * error. Pictures can be stopped by vtkRenderWindow::SetAbortRender, as in an observer of
+ * vtkCommand::AbortCheckEvent; nothing of them is shown. vtkCommand::ProgressEvent tells how far
+ * one is.
+ *
+ * A program needs VTK::RenderingVolumeOpenGL2, as for other volume mappers.
+ *
+ * @sa vtkGatunRayCaster vtkGatunReader vtkUnstructuredGridVolumeRayCastMapper
+ */
+
+#ifndef vtkGatunVolumeMapper_h
+#define vtkGatunVolumeMapper_h
+
+#include "vtkGatunRenderingModule.h" // For export macro
+#include "vtkUnstructuredGridVolumeMapper.h"
+
+#include <memory> // For std::unique_ptr
+
+class VTKGATUNRENDERING_EXPORT vtkGatunVolumeMapper : public vtkUnstructuredGridVolumeMapper
+{
+public:
+  static vtkGatunVolumeMapper* New();
+  vtkTypeMacro(vtkGatunVolumeMapper, vtkUnstructuredGridVolumeMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * What becomes of the samples of a ray, beyond COMPOSITE_BLEND and MAXIMUM_INTENSITY_BLEND.
+   */
+  enum
+  {
+    AREA_BLEND = 2, ///< as composite, with one sample for all that a tetrahedron has of a ray
+    XRAY_BLEND = 3  ///< absorption adds up whatever lies in front; colours are averaged
+  };
+
+  ///@{
+  /**
+   * COMPOSITE_BLEND (the default), MAXIMUM_INTENSITY_BLEND, AREA_BLEND or XRAY_BLEND; see
+   * vtkGatunRayCaster::ModeType. Values beyond are taken for the nearest.
+   */
+  void SetBlendMode(int mode) override;
+  void SetBlendModeToArea() { this->SetBlendMode(AREA_BLEND); }
+  void SetBlendModeToXRay() { this->SetBlendMode(XRAY_BLEND); }
+  ///@}
+
+  ///@{
+  /**
+   * Distance of samples in world units; 0: that of rays at the camera's focal point. A negative
+   * one is an error. Default: 0.
+   */
+  vtkSetMacro(SampleDistance, double);
+  vtkGetMacro(SampleDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Distance of rays in pixels, 1 to 100; between them the picture is interpolated. While
+   * AutoAdjustSampleDistances is on, it tells what was used last. Default: 1.
+   */
+  vtkSetClampMacro(ImageSampleDistance, float, 1.0f, 100.0f);
+  vtkGetMacro(ImageSampleDistance, float);
+  ///@}
+
+  ///@{
+  /**
+   * Whether ImageSampleDistance is chosen for each picture, so that it takes the time allocated to
+   * the volume (see vtkRenderWindow::SetDesiredUpdateRate), as far as the last one tells. A picture
+   * at rest has time for the least distance. Default: on.
+   */
+  vtkSetMacro(AutoAdjustSampleDistances, vtkTypeBool);
+  vtkGetMacro(AutoAdjustSampleDistances, vtkTypeBool);
+  vtkBooleanMacro(AutoAdjustSampleDistances, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Least and largest distance that AutoAdjustSampleDistances may choose, 1 to 100. Defaults: 1
+   * and 10.
+   */
+  vtkSetClampMacro(MinimumImageSampleDistance, float, 1.0f, 100.0f);
+  vtkGetMacro(MinimumImageSampleDistance, float);
+  vtkSetClampMacro(MaximumImageSampleDistance, float, 1.0f, 100.0f);
+  vtkGetMacro(MaximumImageSampleDistance, float);
+  ///@}
+
+  ///@{
+  /**
+   * Whether opaque geometry that the renderer has drawn before hides what is behind it. Off: the
+   * volume is drawn as if it were a picture at the depth of its centre. Default: on.
+   */
+  vtkSetMacro(IntermixIntersectingGeometry, vtkTypeBool);
+  vtkGetMacro(IntermixIntersectingGeometry, vtkTypeBool);
+  vtkBooleanMacro(IntermixIntersectingGeometry, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Component of the array to draw, from 0; -1 for the length of its tuples. Default: 0.
+   */
+  vtkSetClampMacro(ArrayComponent, int, -1, VTK_INT_MAX);
+  vtkGetMacro(ArrayComponent, int);
+  ///@}
+
+  ///@{
+  /**
+   * Once less light than this comes through, what is behind is not drawn: 0 (draw all) to 1.
+   * Default: 0.001.
+   */
+  vtkSetClampMacro(OpacityLimit, double, 0.0, 1.0);
+  vtkGetMacro(OpacityLimit, double);
+  ///@}
+
+  ///@{
+  /**
+   * How much of the mesh is kept ready for the next picture, in MiB. Beyond it, it is made, decoded
+   * or pulled anew each time. Default: 512.
+   */
+  vtkSetClampMacro(MemoryBudget, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MemoryBudget, int);
+  ///@}
+
+  ///@{
+  /**
+   * In how many pieces the mesh is asked for; 1 for all of it at once. The pipeline must be able to
+   * make pieces, without duplicate cells. Default: 1.
+   */
+  vtkSetClampMacro(NumberOfPieces, int, 1, VTK_INT_MAX);
+  vtkGetMacro(NumberOfPieces, int);
+  ///@}
+
+  /**
+   * Bytes that this mapper has read from the file that it draws, since it opened it. 0 if it draws
+   * none.
+   */
+  vtkTypeUInt64 GetBytesRead();
+
+  ///@{
+  /**
+   * Of the whole mesh; from its file or its pieces where these are drawn.
+   */
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
+  ///@}
+
+  /**
+   * The input, if all of it is in memory; otherwise null.
+   */
+  vtkDataSet* GetDataSetInput() override;
+
+  ///@{
+  /**
+   * Asks of the pipeline what is needed before a picture is drawn: the mesh, or less, see above.
+   * Ports and requests do not matter.
+   */
+  void Update() override;
+  void Update(int port) override;
+  vtkTypeBool Update(int port, vtkInformationVector* requests) override;
+  vtkTypeBool Update(vtkInformation* requests) override;
+  void UpdateWholeExtent() override;
+  ///@}
+
+  /**
+   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
+   * DO NOT USE THIS METHOD OUTSIDE OF THE RENDERING PROCESS
+   */
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+
+  /**
+   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
+   */
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkGatunVolumeMapper();
+  ~vtkGatunVolumeMapper() override;
+
+  double SampleDistance = 0;
+  float ImageSampleDistance = 1;
+  vtkTypeBool AutoAdjustSampleDistances = 1;
+  float MinimumImageSampleDistance = 1;
+  float MaximumImageSampleDistance = 10;
+  vtkTypeBool IntermixIntersectingGeometry = 1;
+  int ArrayComponent = 0;
+  double OpacityLimit = 0.001;
+  int MemoryBudget = 512;
+  int NumberOfPieces = 1;
+
+private:
+  vtkGatunVolumeMapper(const vtkGatunVolumeMapper&) = delete;
+  void operator=(const vtkGatunVolumeMapper&) = delete;
+
+  void Fail() noexcept;
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif
