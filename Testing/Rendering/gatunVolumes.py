@@ -1,0 +1,165 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Meshes as volumes: in a window, and as vtkGatunRayCaster makes the same picture without one."""
+
+import os
+import sys
+
+import numpy as np
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (draws)
+import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401  (draws volumes)
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
+from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkRenderingCore import (
+    vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkVolume,
+    vtkVolumeProperty)
+
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "IO"))
+
+import gatunMeshes as gm  # noqa: E402  (in the folder just added)
+from gatun import vtkGatunRayCaster, vtkGatunVolumeMapper  # noqa: E402
+
+BACKGROUND = (0.1, 0.2, 0.4)
+
+
+def wave(n=8, dtype=np.float32, seed=1):
+    """The unit cube with a field from 0 to 1 that changes in all directions."""
+    points, tets = gm.lattice(n, seed=seed, dtype=dtype)
+    grid = gm.make_grid(points, tets)
+    x, y, z = points.T
+    field = (0.5 + 0.5 * np.sin(6 * x + 2 * y) * np.cos(5 * z - y)).astype(np.float32)
+    gm.add_array(grid.GetPointData(), field, "wave")
+    grid.GetPointData().SetActiveScalars("wave")
+    return grid
+
+
+def constant(n=2, value=0.5):
+    """The unit cube with one value."""
+    points, tets = gm.lattice(n)
+    grid = gm.make_grid(points, tets)
+    gm.add_array(grid.GetPointData(), np.full(len(points), value, np.float32), "constant")
+    grid.GetPointData().SetActiveScalars("constant")
+    return grid
+
+
+def cube(bounds=(0, 1, 0, 1, 0, 1), colour=(1, 1, 1)):
+    """An opaque actor that has no shades."""
+    source = vtkCubeSource()
+    source.SetBounds(*bounds)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(source.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().LightingOff()
+    actor.GetProperty().SetColor(*colour)
+    return actor
+
+
+def make_property(opacity=((0, 0.0), (0.3, 0.1), (1, 0.9)), unit=0.2):
+    """Blue to red, with opacities at some values over a unit of length."""
+    prop = vtkVolumeProperty()
+    colours = vtkColorTransferFunction()
+    for value, colour in ((0, (0, 0.2, 1)), (0.5, (0.2, 1, 0.2)), (1, (1, 0.3, 0))):
+        colours.AddRGBPoint(value, *colour)
+    opacities = vtkPiecewiseFunction()
+    for value, amount in opacity:
+        opacities.AddPoint(value, amount)
+    prop.SetColor(colours)
+    prop.SetScalarOpacity(opacities)
+    prop.SetScalarOpacityUnitDistance(unit)
+    return prop
+
+
+def connect(consumer, source):
+    """Of a grid or of an algorithm."""
+    if hasattr(source, "GetOutputPort"):
+        consumer.SetInputConnection(source.GetOutputPort())
+    else:
+        consumer.SetInputDataObject(0, source)
+
+
+class Scene:
+    """A window with a volume in it."""
+
+    def __init__(self, source, size=(160, 120), prop=None, viewport=None, **options):
+        self.mapper = vtkGatunVolumeMapper()
+        connect(self.mapper, source)
+        self.volume = vtkVolume()
+        self.volume.SetMapper(self.mapper)
+        self.volume.SetProperty(prop or make_property())
+        self.renderer = vtkRenderer()
+        self.renderer.SetBackground(BACKGROUND)
+        if viewport:
+            self.renderer.SetViewport(*viewport)
+        self.renderer.AddVolume(self.volume)
+        self.window = vtkRenderWindow()
+        self.window.SetMultiSamples(0)
+        self.window.SetSize(*size)
+        self.window.AddRenderer(self.renderer)
+        self.set(**options)
+        self.camera = self.renderer.GetActiveCamera()
+        self.look(1.2, 0.7)
+
+    def set(self, **options):
+        """Of the mapper."""
+        for name, value in options.items():
+            getattr(self.mapper, "Set" + name)(value)
+
+    def look(self, azimuth=0.0, elevation=0.0, distance=3.0, parallel=False):
+        """From a direction, at the middle of the unit cube."""
+        direction = np.array([
+            np.cos(elevation) * np.sin(azimuth),
+            np.sin(elevation),
+            np.cos(elevation) * np.cos(azimuth)])
+        middle = np.array([0.5, 0.5, 0.5])
+        self.camera.SetFocalPoint(*middle)
+        self.camera.SetPosition(*(middle + distance * direction))
+        self.camera.SetViewUp(0, 1, 0)
+        self.camera.SetParallelProjection(parallel)
+        self.camera.SetParallelScale(0.9)
+        self.camera.SetClippingRange(0.01, 100)
+
+    def render(self):
+        self.window.Render()
+        return self.pixels()
+
+    def pixels(self, front=False, viewport=None):
+        """Red, green, blue and alpha of the window, 0 to 1, row by row from below."""
+        width, height = self.window.GetSize()
+        data = vtkUnsignedCharArray()
+        self.window.GetRGBACharPixelData(0, 0, width - 1, height - 1, int(front), data)
+        return vtk_to_numpy(data).reshape(height, width, 4).astype(float) / 255
+
+
+def cast(scene, source, size, **options):
+    """What vtkGatunRayCaster makes of the same, as (height, width, 4)."""
+    caster = vtkGatunRayCaster()
+    connect(caster, source)
+    caster.SetCamera(scene.camera)
+    caster.SetProperty(scene.volume.GetProperty())
+    caster.SetVolumeMatrix(scene.volume.GetMatrix())
+    caster.SetSize(*size)
+    for name, value in options.items():
+        getattr(caster, "Set" + name)(value)
+    caster.Update()
+    rgba = vtk_to_numpy(caster.GetOutput().GetPointData().GetArray("RGBA"))
+    return rgba.reshape(size[1], size[0], 4).astype(float)
+
+
+def over(rgba, background=BACKGROUND):
+    """A picture in front of a colour: red, green and blue."""
+    return rgba[..., :3] + (1 - rgba[..., 3:]) * np.array(background)
+
+
+def difference(a, b):
+    return float(np.abs(a - b).max())
+
+
+def require_same(a, b, tolerance=2 / 255, contrast=0.02):
+    """Of pictures that show something."""
+    assert a.shape == b.shape, (a.shape, b.shape)
+    assert a.reshape(-1, a.shape[-1]).std(0).max() > contrast, "there is nothing to be seen"
+    assert difference(a, b) <= tolerance + 1e-9, 255 * difference(a, b)
