@@ -42,7 +42,9 @@ class Watched:
         self.take()
 
     def scene(self, **options):
-        return gv.Scene(self.algorithm, **options)
+        scene = gv.Scene(self.algorithm, **options)
+        scene.watched = self  # VTK's reference to it does not count for Python
+        return scene
 
 
 def elevation():

@@ -3,9 +3,6 @@
 
 """Meshes as volumes: in a window, and as vtkGatunRayCaster makes the same picture without one."""
 
-import os
-import sys
-
 import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (draws)
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401  (draws volumes)
@@ -17,10 +14,8 @@ from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkVolume,
     vtkVolumeProperty)
 
-sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "IO"))
-
-import gatunMeshes as gm  # noqa: E402  (in the folder just added)
-from gatun import vtkGatunRayCaster, vtkGatunVolumeMapper  # noqa: E402
+import gatunMeshes as gm
+from gatun import vtkGatunRayCaster, vtkGatunVolumeMapper
 
 BACKGROUND = (0.1, 0.2, 0.4)
 
@@ -87,6 +82,7 @@ class Scene:
     def __init__(self, source, size=(160, 120), prop=None, viewport=None, **options):
         self.mapper = vtkGatunVolumeMapper()
         connect(self.mapper, source)
+        self.source = source  # the Python half of a source must be kept alive by somebody
         self.volume = vtkVolume()
         self.volume.SetMapper(self.mapper)
         self.volume.SetProperty(prop or make_property())
@@ -126,11 +122,11 @@ class Scene:
         self.window.Render()
         return self.pixels()
 
-    def pixels(self, front=False, viewport=None):
+    def pixels(self):
         """Red, green, blue and alpha of the window, 0 to 1, row by row from below."""
         width, height = self.window.GetSize()
         data = vtkUnsignedCharArray()
-        self.window.GetRGBACharPixelData(0, 0, width - 1, height - 1, int(front), data)
+        self.window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, data)
         return vtk_to_numpy(data).reshape(height, width, 4).astype(float) / 255
 
 
