@@ -23,6 +23,10 @@ struct RayGrid;
 class RayPicture
 {
 public:
+  /** Width and height that can be shown with a ray in each pixel; larger ones need rays to the
+   * borders. Twice as many texels are in reach of every graphics card. */
+  static constexpr int MostPixels = 8192;
+
   RayPicture();
   ~RayPicture();
 

@@ -96,10 +96,12 @@ void ToArray(const gatun::Bounds& box, double* bounds)
 //------------------------------------------------------------------------------
 gatun::RayGrid MakeGrid(vtkRenderer* renderer, const Viewport& viewport, float distance)
 {
-  const bool sparse = distance > 1;
+  const bool toBorders =
+    distance > 1 || std::max(viewport.Width, viewport.Height) > gatun::RayPicture::MostPixels;
   const auto count = [&](int pixels)
-  { return sparse ? std::max(2, static_cast<int>(std::ceil(pixels / distance))) : pixels; };
-  return { count(viewport.Width), count(viewport.Height), renderer->GetTiledAspectRatio(), sparse };
+  { return toBorders ? std::max(2, static_cast<int>(std::ceil(pixels / distance))) : pixels; };
+  return { count(viewport.Width), count(viewport.Height), renderer->GetTiledAspectRatio(),
+    toBorders };
 }
 
 } // anonymous namespace

@@ -7,6 +7,8 @@
  * To be used in place of vtkUnstructuredGridVolumeRayCastMapper. What is drawn, and how, is told at
  * vtkGatunRayCaster, which makes the same picture without a window. In addition, what is outside of
  * the camera's clipping range is left out, and opaque geometry of the same renderer ends the rays.
+ * Opacities are over the property's unit distance, as in VTK's mappers for images; its mapper for
+ * unstructured grids takes them for densities, so that they come out lower.
  *
  * The input is a vtkUnstructuredGrid with point or cell scalars. What is asked of the pipeline:
  *
