@@ -127,7 +127,7 @@ void PieceRaySource::Pull()
   }
   if (output->GetNumberOfCells() > 0) // an empty piece need not have any arrays
   {
-    // The next piece will be in the same object.
+    // The output is for all consumers: while this piece is drawn, another may be made for one.
     vtkNew<vtkUnstructuredGrid> grid;
     grid->ShallowCopy(output);
     this->Grid = std::make_unique<GridRaySource>(grid, this->Array, 0);
@@ -149,10 +149,9 @@ void PieceRaySource::Measure()
     piece.Boxes.push_back(this->Grid->GetBounds(block));
     piece.Ranges.push_back(this->Grid->GetRange(block));
     Extend(piece.Box, piece.Boxes.back());
-    Extend(piece.Values, piece.Ranges.back());
+    Extend(this->Values, piece.Ranges.back());
   }
   Extend(this->Box, piece.Box);
-  Extend(this->Values, piece.Values);
 }
 
 //------------------------------------------------------------------------------
@@ -185,14 +184,10 @@ void PieceRaySource::Draw(RayCaster& caster, const RayView& view, const Progress
   for (std::size_t i = 0; i < order.size(); ++i)
   {
     const auto before = static_cast<double>(i);
-    GoOn(progress, before / pieces);
-    const Piece& piece = this->Pieces[order[i]];
-    if (!caster.IsHidden(piece.Box, piece.Values))
-    {
-      this->Select(order[i]);
-      caster.Draw(*this,
-        [&](double fraction) { return !progress || progress((before + fraction) / pieces); });
-    }
+    // Only if one of its blocks is seen and is not kept, it is pulled.
+    this->Select(order[i]);
+    caster.Draw(
+      *this, [&](double fraction) { return !progress || progress((before + fraction) / pieces); });
   }
   this->Select(0);
 }

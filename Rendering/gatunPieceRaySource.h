@@ -71,7 +71,6 @@ private:
   {
     std::size_t FirstBlock = 0; ///< its place among the blocks of all pieces, for the cache
     Bounds Box;
-    Range Values;
     std::vector<Bounds> Boxes; ///< of its blocks
     std::vector<Range> Ranges;
   };

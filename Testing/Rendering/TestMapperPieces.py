@@ -121,11 +121,13 @@ assert watched.take() == []
 # A change of the pipeline is seen, and so is another number of pieces; more than there are cells.
 for one in (whole, scene):
     one.volume.SetProperty(gv.make_property())
+    one.set(MemoryBudget=64)
+gv.require_same(scene.render(), whole.render())
 whole.mapper.GetInputAlgorithm().SetHighPoint(0.2, 1, 1)
 watched.algorithm.SetHighPoint(0.2, 1, 1)
 gv.require_same(scene.render(), whole.render())
 for pieces in (1, 3, 500, 1):
-    scene.set(NumberOfPieces=pieces, MemoryBudget=64)
+    scene.set(NumberOfPieces=pieces)
     gv.require_same(scene.render(), whole.render())
 assert scene.mapper.GetDataSetInput().GetNumberOfCells() == mesh.GetNumberOfCells()
 
