@@ -36,7 +36,6 @@ public:
 
   std::size_t GetNumberOfSeenTets() const { return this->Order.size(); }
   std::size_t GetMostWaiting() const { return this->Released.GetMostWaiting(); }
-  std::size_t GetNumberOfItems() const { return this->Starts.back(); }
   std::size_t GetMemorySize() const;
 
 private:

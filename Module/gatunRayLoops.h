@@ -23,6 +23,27 @@ namespace
 using Tet = RayKernel::Tet;
 
 //------------------------------------------------------------------------------
+// Lane i has what is of corner i of a tetrahedron; of the face opposite to it, the three corners.
+
+template <typename Vector>
+GATUN_INLINE Vector FirstCorners(Vector v)
+{
+  return __builtin_shufflevector(v, v, 1, 0, 0, 0);
+}
+
+template <typename Vector>
+GATUN_INLINE Vector SecondCorners(Vector v)
+{
+  return __builtin_shufflevector(v, v, 2, 2, 1, 1);
+}
+
+template <typename Vector>
+GATUN_INLINE Vector ThirdCorners(Vector v)
+{
+  return __builtin_shufflevector(v, v, 3, 3, 3, 2);
+}
+
+//------------------------------------------------------------------------------
 // Points
 
 GATUN_INLINE bool IsFinite(double v)
@@ -35,8 +56,7 @@ void Transform(const RayView& view, double low, double scale, const RayPoint* po
 {
   const auto& m = view.ToRays;
   const Double4 columns[4] = { { m[0][0], m[1][0], m[2][0], 0 }, { m[0][1], m[1][1], m[2][1], 0 },
-    { m[0][2], m[1][2], m[2][2], 0 }, { m[0][3], m[1][3], m[2][3], -low * scale } };
-  const Double4 lastColumn = { 0, 0, 0, scale };
+    { m[0][2], m[1][2], m[2][2], 0 }, { m[0][3], m[1][3], m[2][3], 0 } };
   constexpr float none = __builtin_nanf("");
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -44,7 +64,7 @@ void Transform(const RayView& view, double low, double scale, const RayPoint* po
     // The value by itself: a NaN in it must not reach the coordinates, nor theirs the value.
     Double4 r =
       columns[0] * SplatD(p.X) + columns[1] * SplatD(p.Y) + columns[2] * SplatD(p.Z) + columns[3];
-    r[3] = (p.Value - low) * lastColumn[3];
+    r[3] = (p.Value - low) * scale;
     Store(&rayPoints[i], r);
 
     SeenPoint seen{ static_cast<float>(r[0]), static_cast<float>(r[1]), static_cast<float>(r[2]),
@@ -117,12 +137,10 @@ void Look(const RayView& view, bool area, const SeenPoint* points, const Tet* te
     const auto cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);
     const auto x = __builtin_shufflevector(ab, cd, 0, 1, 4, 5);
     const auto y = __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
-    const auto ax = __builtin_shufflevector(x, x, 1, 0, 0, 0);
-    const auto ay = __builtin_shufflevector(y, y, 1, 0, 0, 0);
-    const auto areas = ((__builtin_shufflevector(x, x, 2, 2, 1, 1) - ax) *
-                           (__builtin_shufflevector(y, y, 3, 3, 3, 2) - ay) -
-                         (__builtin_shufflevector(y, y, 2, 2, 1, 1) - ay) *
-                           (__builtin_shufflevector(x, x, 3, 3, 3, 2) - ax)) *
+    const auto ax = FirstCorners(x);
+    const auto ay = FirstCorners(y);
+    const auto areas = ((SecondCorners(x) - ax) * (ThirdCorners(y) - ay) -
+                         (SecondCorners(y) - ay) * (ThirdCorners(x) - ax)) *
       (turned[i] ? -outwards : outwards);
     facing[i] =
       static_cast<std::uint8_t>(ToBits(areas > Splat4(0)) | ToBits(areas < Splat4(0)) << 4);
@@ -252,15 +270,15 @@ void SetUp(const SetUpContext& context, const RayPoint* points, const Tet* tets,
     // Lane f is the face opposite to vertex f; its corners a, b, c are in the order of the
     // vertices, which is the same in the tetrahedron on the other side, so that both find bit for
     // bit the same plane.
-    const auto ax = __builtin_shufflevector(x, x, 1, 0, 0, 0);
-    const auto ay = __builtin_shufflevector(y, y, 1, 0, 0, 0);
-    const auto az = __builtin_shufflevector(z, z, 1, 0, 0, 0);
-    const auto ux = __builtin_shufflevector(x, x, 2, 2, 1, 1) - ax;
-    const auto uy = __builtin_shufflevector(y, y, 2, 2, 1, 1) - ay;
-    const auto uz = __builtin_shufflevector(z, z, 2, 2, 1, 1) - az;
-    const auto vx = __builtin_shufflevector(x, x, 3, 3, 3, 2) - ax;
-    const auto vy = __builtin_shufflevector(y, y, 3, 3, 3, 2) - ay;
-    const auto vz = __builtin_shufflevector(z, z, 3, 3, 3, 2) - az;
+    const auto ax = FirstCorners(x);
+    const auto ay = FirstCorners(y);
+    const auto az = FirstCorners(z);
+    const auto ux = SecondCorners(x) - ax;
+    const auto uy = SecondCorners(y) - ay;
+    const auto uz = SecondCorners(z) - az;
+    const auto vx = ThirdCorners(x) - ax;
+    const auto vy = ThirdCorners(y) - ay;
+    const auto vz = ThirdCorners(z) - az;
     const auto nx = uy * vz - uz * vy;
     const auto ny = uz * vx - ux * vz;
     const auto nz = ux * vy - uy * vx;

@@ -98,23 +98,15 @@ GATUN_INLINE void Store44(float* first, float* second, Float8 v)
 }
 
 /** Bit i is set where lane i of the comparison holds. */
-GATUN_INLINE unsigned ToBits(Int8 comparison)
+template <unsigned Lanes, typename Comparison>
+GATUN_INLINE unsigned CollectBits(Comparison comparison)
 {
-#if defined(__AVX2__)
-  return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(comparison)));
-#elif defined(__SSE2__)
-  const auto low = __builtin_shufflevector(comparison, comparison, 0, 1, 2, 3);
-  const auto high = __builtin_shufflevector(comparison, comparison, 4, 5, 6, 7);
-  return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(low))) |
-    static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(high))) << 4;
-#else
   unsigned bits = 0;
-  for (unsigned i = 0; i < 8; ++i)
+  for (unsigned i = 0; i < Lanes; ++i)
   {
     bits |= comparison[i] ? 1u << i : 0u;
   }
   return bits;
-#endif
 }
 
 GATUN_INLINE unsigned ToBits(Int4 comparison)
@@ -122,8 +114,17 @@ GATUN_INLINE unsigned ToBits(Int4 comparison)
 #if defined(__SSE2__)
   return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(comparison)));
 #else
-  return (comparison[0] ? 1u : 0u) | (comparison[1] ? 2u : 0u) | (comparison[2] ? 4u : 0u) |
-    (comparison[3] ? 8u : 0u);
+  return CollectBits<4>(comparison);
+#endif
+}
+
+GATUN_INLINE unsigned ToBits(Int8 comparison)
+{
+#if defined(__AVX2__)
+  return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(comparison)));
+#else
+  return ToBits(__builtin_shufflevector(comparison, comparison, 0, 1, 2, 3)) |
+    ToBits(__builtin_shufflevector(comparison, comparison, 4, 5, 6, 7)) << 4;
 #endif
 }
 
@@ -132,8 +133,7 @@ GATUN_INLINE unsigned ToBits(Long4 comparison)
 #if defined(__AVX2__)
   return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(comparison)));
 #else
-  return (comparison[0] ? 1u : 0u) | (comparison[1] ? 2u : 0u) | (comparison[2] ? 4u : 0u) |
-    (comparison[3] ? 8u : 0u);
+  return CollectBits<4>(comparison);
 #endif
 }
 
