@@ -8,7 +8,7 @@ namespace gatun
 {
 //------------------------------------------------------------------------------
 void RayBins::SetBlock(const RayKernel& kernel, const RayView& view, const RayTable& table,
-  const RayBlock& block, ReleaseFrom from)
+  const RayBlock& block, RayFilter filter, ReleaseFrom from)
 {
   this->Block = &block;
   this->Points.resize(block.Points.size());
@@ -18,8 +18,8 @@ void RayBins::SetBlock(const RayKernel& kernel, const RayView& view, const RayTa
 
   this->Seen.resize(block.Tets.size());
   this->Facing.resize(block.Tets.size());
-  kernel.Look(view, table.Mode == RayMode::Area, this->SeenPoints.data(), block.Tets.data(),
-    block.Turned.data(), block.Tets.size(), this->Seen.data(), this->Facing.data());
+  kernel.Look(view, filter, this->SeenPoints.data(), block.Tets.data(), block.Turned.data(),
+    block.Tets.size(), this->Seen.data(), this->Facing.data());
 
   this->Released.FindOrder(block.Neighbours, this->Facing, from);
   this->Order.clear();

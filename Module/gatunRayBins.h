@@ -24,7 +24,7 @@ class RayBins
 public:
   /** Brings a block into view; it must stay until another is. */
   void SetBlock(const RayKernel& kernel, const RayView& view, const RayTable& table,
-    const RayBlock& block, ReleaseFrom from);
+    const RayBlock& block, RayFilter filter, ReleaseFrom from);
 
   /** Puts the next tetrahedra into the bins of the tiles; false when there are none left. */
   bool Fill(const RayKernel& kernel, const SetUpContext& context, std::size_t tiles);

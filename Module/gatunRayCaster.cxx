@@ -104,6 +104,14 @@ public:
   int GetX(std::size_t tile) const { return static_cast<int>(tile) % this->TilesX * RayTile::Size; }
   int GetY(std::size_t tile) const { return static_cast<int>(tile) / this->TilesX * RayTile::Size; }
 
+  RayFilter GetFilter() const
+  {
+    // In mode Area there are no samples that a tetrahedron could be between.
+    return !this->Settings.Prefilter      ? RayFilter::None
+      : this->Table.Mode == RayMode::Area ? RayFilter::Pixels
+                                          : RayFilter::Samples;
+  }
+
   std::unique_ptr<RayTile> MakeTile(std::size_t index) const;
   void DrawTile(std::size_t index, std::span<const Work> works);
   void FinishTile(TileSlot& slot, int x0, int y0, float* rgba, float* depth) const;
@@ -425,12 +433,13 @@ void RayCaster::Draw(std::span<const std::shared_ptr<const RayBlock>> blocks)
     self.Works.resize(blocks.size());
   }
   const std::span<Work> works(self.Works.data(), blocks.size());
+  const RayFilter filter = self.GetFilter();
+  const auto from = self.Settings.FromBothEnds ? ReleaseFrom::Both : ReleaseFrom::Front;
   ParallelFor(blocks.size(),
     [&](std::size_t i)
     {
       const Timed timed(works[i].OrderTime);
-      works[i].Bins.SetBlock(self.Kernel, self.View, self.Table, *blocks[i],
-        self.Settings.FromBothEnds ? ReleaseFrom::Both : ReleaseFrom::Front);
+      works[i].Bins.SetBlock(self.Kernel, self.View, self.Table, *blocks[i], filter, from);
     });
   const SetUpContext context{ &self.View, self.TilesX, self.TileLimits.data(),
     self.Table.VisibleCells.data(), RayTable::Size, self.Table.Low, self.Table.Scale };

@@ -24,6 +24,10 @@ struct RaySettings
   /** Whether rays may grow from their far ends too; see gatunRelease.h. */
   bool FromBothEnds = false;
 
+  /** Whether tetrahedra between the rays, or between samples, are left out before their planes are
+   * set up: the paper's pre-filter. It changes no picture. */
+  bool Prefilter = true;
+
   /** Whether to use only instructions that every processor has. */
   bool Portable = false;
 };

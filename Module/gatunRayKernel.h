@@ -32,6 +32,14 @@ struct SeenTet
   bool IsEmpty() const { return this->LastX < this->FirstX; }
 };
 
+/** Which tetrahedra are left out before their planes are set up. */
+enum class RayFilter : std::uint8_t
+{
+  None,   ///< only those outside of the picture
+  Pixels, ///< those between the rays, too: no pixel is in the box that they cover
+  Samples ///< and those between two samples of all rays
+};
+
 /** Calls use(tile) for each tile that a tetrahedron may reach and that is not opaque before. */
 template <typename Use>
 GATUN_INLINE void ForEachTile(const SeenTet& seen, int tilesX, const float* limits, Use&& use)
@@ -97,10 +105,10 @@ struct RayKernel
   void (*Transform)(const RayView& view, double low, double scale, const RayPoint* points,
     std::size_t count, RayPoint* rayPoints, SeenPoint* seenPoints);
 
-  /** Finds which pixels tetrahedra may cover (in mode Area even if they can own no sample), and
-   * their faces towards the eye (bit i: the one opposite to corner i) and away from it (bit 4 + i).
+  /** Finds which pixels tetrahedra may cover, none for those that the filter leaves out, and their
+   * faces towards the eye (bit i: the one opposite to corner i) and away from it (bit 4 + i).
    * Turned: whether the volume is negative in world coordinates. */
-  void (*Look)(const RayView& view, bool area, const SeenPoint* points, const Tet* tets,
+  void (*Look)(const RayView& view, RayFilter filter, const SeenPoint* points, const Tet* tets,
     const std::uint8_t* turned, std::size_t count, SeenTet* seen, std::uint8_t* facing);
 
   /** Makes the items of some of the tetrahedra for all tiles that they reach; places holds, for

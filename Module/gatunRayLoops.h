@@ -110,7 +110,7 @@ GATUN_INLINE int Down(float v)
   return i - (static_cast<float>(i) > v ? 1 : 0);
 }
 
-void Look(const RayView& view, bool area, const SeenPoint* points, const Tet* tets,
+void Look(const RayView& view, RayFilter filter, const SeenPoint* points, const Tet* tets,
   const std::uint8_t* turned, std::size_t count, SeenTet* seen, std::uint8_t* facing)
 {
   // Single precision, hence margins: in pixels, and in samples.
@@ -161,7 +161,7 @@ void Look(const RayView& view, bool area, const SeenPoint* points, const Tet* te
       nearest = 0;
       facing[i] = 0;
     }
-    else if (!area)
+    else if (filter == RayFilter::Samples)
     {
       if (view.Perspective)
       {
@@ -178,10 +178,11 @@ void Look(const RayView& view, bool area, const SeenPoint* points, const Tet* te
       const float last = Clamp(high[2] + slack, -1e9f, 1e9f);
       mayOwn = Up(first) < Up(last);
     }
-    const int x0 = Up(Clamp(low[0] - margin, 0, lastX + 1));
-    const int y0 = Up(Clamp(low[1] - margin, 0, lastY + 1));
-    const int x1 = Down(Clamp(high[0] + margin, -1, lastX));
-    const int y1 = Down(Clamp(high[1] + margin, -1, lastY));
+    const float outset = filter == RayFilter::None ? 1 : margin;
+    const int x0 = Up(Clamp(low[0] - outset, 0, lastX + 1));
+    const int y0 = Up(Clamp(low[1] - outset, 0, lastY + 1));
+    const int x1 = Down(Clamp(high[0] + outset, -1, lastX));
+    const int y1 = Down(Clamp(high[1] + outset, -1, lastY));
     const bool empty = !mayOwn | (x1 < x0) | (y1 < y0);
     seen[i] = { nearest, static_cast<std::int16_t>(x0), static_cast<std::int16_t>(y0),
       static_cast<std::int16_t>(empty ? x0 - 1 : x1), static_cast<std::int16_t>(y1) };

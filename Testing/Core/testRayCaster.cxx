@@ -330,12 +330,58 @@ TEST(RayCaster, PictureDoesNotDependOnTheOrderOfAnything)
       Setting setting;
       setting.TetsInBlock = tetsInBlock;
       EXPECT_LE(GetLargestDifference(expected, Render(mesh, viewer, setting)), 1.0f / 255);
+      setting.Settings.Prefilter = false;
+      EXPECT_LE(GetLargestDifference(expected, Render(mesh, viewer, setting)), 1.0f / 255);
+      setting.Settings.Prefilter = true;
       setting.Settings.FromBothEnds = true;
       EXPECT_LE(GetLargestDifference(expected, Render(shuffled, viewer, setting)), 1.0f / 255);
       setting.Settings.Portable = true;
       EXPECT_LE(GetLargestDifference(expected, Render(shuffled, viewer, setting)), 1.0f / 255);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+TEST(RayCaster, PrefilterLeavesOutWhatIsBetweenTheRays)
+{
+  // 20^3 cubes on about 10^2 pixels: most tetrahedra are smaller than what is between pixels.
+  const auto mesh = ToReference(MakeCubes(20, 0.25));
+  const auto viewer = Viewer::LookAt({ 40, 37, 53 }, { 10, 10, 10 }, true, 120);
+  std::uint64_t seen[2];
+  for (const bool prefilter : { false, true })
+  {
+    RaySettings settings;
+    settings.Prefilter = prefilter;
+    RayCaster caster(viewer.GetView(),
+      RayTable(RayMode::Area, Ramp, { 0, 1 }, viewer.SampleDistance, 1), {}, settings);
+    caster.Draw(MakeBlocks(mesh, 100000));
+    seen[prefilter ? 1 : 0] = caster.GetStatistics().SeenTets;
+    EXPECT_EQ(caster.GetStatistics().Tets, mesh.Tets.size());
+  }
+  EXPECT_EQ(seen[0], mesh.Tets.size());
+  EXPECT_LT(seen[1], mesh.Tets.size() / 2);
+
+  // The paper's own count: whose box of pixels has none.
+  std::uint64_t covering = 0;
+  const RayView view = viewer.GetView();
+  for (const auto& tet : mesh.Tets)
+  {
+    Vec low{ 1e9, 1e9, 1e9 };
+    Vec high{ -1e9, -1e9, -1e9 };
+    for (const auto corner : tet)
+    {
+      const auto p = view.Transform(mesh.Points[corner]);
+      for (std::size_t c = 0; c < 2; ++c)
+      {
+        low[c] = std::min(low[c], p[c]);
+        high[c] = std::max(high[c], p[c]);
+      }
+    }
+    const auto hasPixel = [&](std::size_t c) { return std::ceil(low[c]) <= std::floor(high[c]); };
+    covering += hasPixel(0) && hasPixel(1) ? 1 : 0;
+  }
+  EXPECT_GE(seen[1], covering);
+  EXPECT_LE(seen[1], covering + covering / 20);
 }
 
 //------------------------------------------------------------------------------
