@@ -342,11 +342,15 @@ TEST(RayCaster, PictureDoesNotDependOnTheOrderOfAnything)
 }
 
 //------------------------------------------------------------------------------
-TEST(RayCaster, PrefilterLeavesOutWhatIsBetweenTheRays)
+class RayCasterProjection : public testing::TestWithParam<bool>
+{
+};
+
+TEST_P(RayCasterProjection, PrefilterLeavesOutWhatIsBetweenTheRays)
 {
   // 20^3 cubes on about 10^2 pixels: most tetrahedra are smaller than what is between pixels.
   const auto mesh = ToReference(MakeCubes(20, 0.25));
-  const auto viewer = Viewer::LookAt({ 40, 37, 53 }, { 10, 10, 10 }, true, 120);
+  const auto viewer = Viewer::LookAt({ 40, 37, 53 }, { 10, 10, 10 }, GetParam(), 120);
   std::uint64_t seen[2];
   for (const bool prefilter : { false, true })
   {
@@ -370,7 +374,11 @@ TEST(RayCaster, PrefilterLeavesOutWhatIsBetweenTheRays)
     Vec high{ -1e9, -1e9, -1e9 };
     for (const auto corner : tet)
     {
-      const auto p = view.Transform(mesh.Points[corner]);
+      auto p = view.Transform(mesh.Points[corner]);
+      if (view.Perspective)
+      {
+        p = (1 / p[2]) * p;
+      }
       for (std::size_t c = 0; c < 2; ++c)
       {
         low[c] = std::min(low[c], p[c]);
@@ -383,6 +391,8 @@ TEST(RayCaster, PrefilterLeavesOutWhatIsBetweenTheRays)
   EXPECT_GE(seen[1], covering);
   EXPECT_LE(seen[1], covering + covering / 20);
 }
+
+INSTANTIATE_TEST_SUITE_P(, RayCasterProjection, testing::Bool());
 
 //------------------------------------------------------------------------------
 TEST(RayCaster, ConstantAndLinearFieldsInABoxHaveTheOpticalDepthOfTheFormula)
