@@ -295,7 +295,8 @@ private:
         }
         if (sum[3] < this->Context.Opaque) [[unlikely]]
         {
-          this->Hide(at / RayTile::Pixels, RayTile::ToCell(at % RayTile::Pixels));
+          const float length = Mode == RayMode::Area ? this->Lengths[i] : 1;
+          this->HideFrom(RayTile::ToCell(at % RayTile::Pixels), this->Samples[i] + length);
         }
       }
       Store(&sums[at], sum);
@@ -303,11 +304,10 @@ private:
     this->Waiting = 0;
   }
 
-  /** What is behind an opaque fragment need not be drawn. */
-  void Hide(int slot, int cell)
+  /** What is behind an opaque sample need not be drawn. */
+  void HideFrom(int cell, float end)
   {
     float& far = this->Tile.Far[cell];
-    const float end = this->Tile.End[slot][cell];
     far = end < far ? end : far;
   }
 
@@ -373,7 +373,7 @@ private:
       this->Tile.MergeSlots(block.Pixel + ToPixel(lane));
       if (this->Tile.Sums[0][block.Pixel + ToPixel(lane)][3] < this->Context.Opaque)
       {
-        this->Hide(0, cell);
+        this->HideFrom(cell, this->Tile.End[0][cell]);
       }
     }
   }
