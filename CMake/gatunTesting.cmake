@@ -324,7 +324,7 @@ endfunction ()
 macro (gatun_add_core_internals)
   # The targets that Module/CMakeLists.txt found are known below Module/ only.
   get_property(packages GLOBAL PROPERTY "_vtk_module_find_package_VTK::GatunCore")
-  foreach (package IN LISTS packages)
+  foreach (package IN LISTS packages ITEMS glm)
     find_package("${package}" REQUIRED)
   endforeach ()
 

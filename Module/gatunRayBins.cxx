@@ -34,7 +34,8 @@ void RayBins::SetBlock(const RayKernel& kernel, const RayView& view, const RayTa
 }
 
 //------------------------------------------------------------------------------
-bool RayBins::Fill(const RayKernel& kernel, const SetUpContext& context, std::size_t tiles)
+bool RayBins::Fill(const RayKernel& kernel, const SetUpContext& context, const RayShading* shading,
+  std::size_t tiles)
 {
   this->Starts.assign(tiles + 1, 0);
   const auto first = this->Next;
@@ -57,10 +58,20 @@ bool RayBins::Fill(const RayKernel& kernel, const SetUpContext& context, std::si
   {
     this->Items.resize(items);
   }
+  if (shading)
+  {
+    this->Origins.resize(this->Items.size());
+    this->Shades.resize(this->Next - first);
+    for (auto i = first; i < this->Next; ++i)
+    {
+      this->Shades[i - first] = GetShade(*shading, *this->Block, this->Order[i]);
+    }
+  }
   const auto& cellValues = this->Block->CellValues;
   kernel.SetUp(context, this->Points.data(), this->Block->Tets.data(),
     cellValues.empty() ? nullptr : cellValues.data(), this->Seen.data(), this->Order.data() + first,
-    this->Next - first, this->Places.data(), this->Items.data());
+    this->Next - first, this->Places.data(), this->Items.data(),
+    shading ? this->Origins.data() : nullptr);
   return this->Next > first;
 }
 
@@ -70,7 +81,9 @@ std::size_t RayBins::GetMemorySize() const
   return this->Points.capacity() * sizeof(RayPoint) +
     this->SeenPoints.capacity() * sizeof(SeenPoint) + this->Seen.capacity() * sizeof(SeenTet) +
     this->Facing.capacity() + this->Released.GetMemorySize() +
-    (this->Order.capacity() + this->Starts.capacity() + this->Places.capacity()) * 4 +
-    this->Items.capacity() * sizeof(TetItem);
+    (this->Order.capacity() + this->Starts.capacity() + this->Places.capacity() +
+      this->Origins.capacity()) *
+    4 +
+    this->Items.capacity() * sizeof(TetItem) + this->Shades.capacity() * sizeof(RayShade);
 }
 }

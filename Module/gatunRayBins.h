@@ -26,12 +26,17 @@ public:
   void SetBlock(const RayKernel& kernel, const RayView& view, const RayTable& table,
     const RayBlock& block, RayFilter filter, ReleaseFrom from);
 
-  /** Puts the next tetrahedra into the bins of the tiles; false when there are none left. */
-  bool Fill(const RayKernel& kernel, const SetUpContext& context, std::size_t tiles);
+  /** Puts the next tetrahedra into the bins of the tiles; false when there are none left. Shading:
+   * null for none. */
+  bool Fill(const RayKernel& kernel, const SetUpContext& context, const RayShading* shading,
+    std::size_t tiles);
 
-  std::span<const TetItem> GetItems(std::size_t tile) const
+  TetItems GetItems(std::size_t tile) const
   {
-    return { this->Items.data() + this->Starts[tile], this->Items.data() + this->Starts[tile + 1] };
+    const auto first = this->Starts[tile];
+    const bool shaded = !this->Shades.empty();
+    return { this->Items.data() + first, this->Starts[tile + 1] - first,
+      shaded ? this->Origins.data() + first : nullptr, shaded ? this->Shades.data() : nullptr };
   }
 
   std::size_t GetNumberOfSeenTets() const { return this->Order.size(); }
@@ -52,6 +57,8 @@ private:
   std::vector<std::uint32_t> Starts; // of each tile's items
   std::vector<std::uint32_t> Places;
   std::vector<TetItem> Items;
+  std::vector<std::uint32_t> Origins; // see TetItems
+  std::vector<RayShade> Shades;
 };
 }
 

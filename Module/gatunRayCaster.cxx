@@ -112,6 +112,14 @@ public:
                                           : RayFilter::Samples;
   }
 
+  /** Null for none. */
+  const RayShading* GetShading() const
+  {
+    const bool hasSurfaces =
+      this->Table.Mode == RayMode::Composite || this->Table.Mode == RayMode::Area;
+    return hasSurfaces && this->Settings.Shading ? &*this->Settings.Shading : nullptr;
+  }
+
   std::unique_ptr<RayTile> MakeTile(std::size_t index) const;
   void DrawTile(std::size_t index, std::span<const Work> works);
   void FinishTile(TileSlot& slot, int x0, int y0, float* rgba, float* depth) const;
@@ -164,7 +172,12 @@ void RayCaster::Internals::DrawTile(std::size_t index, std::span<const Work> wor
     this->GetX(index), this->GetY(index) };
   for (const Work& work : works)
   {
-    if (!work.HasItems || work.Bins.GetItems(index).empty())
+    if (!work.HasItems)
+    {
+      continue;
+    }
+    const TetItems items = work.Bins.GetItems(index);
+    if (items.Count == 0)
     {
       continue;
     }
@@ -172,8 +185,7 @@ void RayCaster::Internals::DrawTile(std::size_t index, std::span<const Work> wor
     {
       slot.Tile = this->MakeTile(index);
     }
-    const auto items = work.Bins.GetItems(index);
-    this->Kernel.Draw(this->Table.Mode, context, items.data(), items.size(), *slot.Tile);
+    this->Kernel.Draw(this->Table.Mode, context, items, *slot.Tile);
     this->TileLimits[index] = slot.Tile->Limit;
     slot.MostFragments = std::max(slot.MostFragments, slot.Tile->CountFragments());
   }
@@ -449,7 +461,8 @@ void RayCaster::Draw(std::span<const std::shared_ptr<const RayBlock>> blocks)
       [&](std::size_t i)
       {
         const Timed timed(works[i].SetUpTime);
-        works[i].HasItems = works[i].Bins.Fill(self.Kernel, context, self.Tiles.size());
+        works[i].HasItems =
+          works[i].Bins.Fill(self.Kernel, context, self.GetShading(), self.Tiles.size());
       });
     if (std::none_of(works.begin(), works.end(), [](const Work& work) { return work.HasItems; }))
     {

@@ -4,6 +4,7 @@
 #define gatunRayCaster_h
 
 #include "gatunRayBlock.h"
+#include "gatunRayShading.h"
 #include "gatunRaySource.h"
 #include "gatunRayTable.h"
 #include "gatunRayView.h"
@@ -12,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace gatun
@@ -20,6 +22,9 @@ struct RaySettings
 {
   /** Where less light than this comes through, nothing behind is drawn; 0 to draw all. */
   float Opaque = 1e-3f;
+
+  /** How lights fall on the volume; none: it looks as its colours say. Modes Composite and Area. */
+  std::optional<RayShading> Shading = {};
 
   /** Whether rays may grow from their far ends too; see gatunRelease.h. */
   bool FromBothEnds = false;

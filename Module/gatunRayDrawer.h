@@ -35,7 +35,7 @@ GATUN_INLINE double GetLengthPerDepth(const RayView& view, double x, double y)
  * of its own, and fragments that touch are merged. So the order of the tetrahedra matters for
  * speed, not for the picture.
  */
-template <bool Perspective, RayMode Mode>
+template <bool Perspective, RayMode Mode, bool Shaded>
 class RayDrawer
 {
 public:
@@ -56,10 +56,16 @@ public:
     }
   }
 
-  void Draw(const TetItem* items, std::size_t count)
+  void Draw(const TetItems& list)
   {
-    for (std::size_t i = 0; i < count; ++i)
+    this->Shades = list.Shades;
+    const TetItem* const items = list.Items;
+    for (std::size_t i = 0; i < list.Count; ++i)
     {
+      if constexpr (Shaded)
+      {
+        this->Shade = static_cast<std::int32_t>(list.Origins[i]);
+      }
       switch (items[i].Entries)
       {
         case 0: // the eye is within
@@ -254,6 +260,10 @@ private:
     {
       packer.Store(lengths, this->Lengths + this->Waiting);
     }
+    if constexpr (Shaded)
+    {
+      Store(this->ShadesOf + this->Waiting, Int8{} + this->Shade);
+    }
     this->Waiting += static_cast<unsigned>(__builtin_popcount(bits));
     if (this->Waiting > Most) [[unlikely]]
     {
@@ -286,6 +296,14 @@ private:
           const float opacity = 1 - std::exp(-colour[3] * this->Lengths[i]);
           colour = colour * Splat4(opacity);
           colour[3] = -opacity;
+        }
+        if constexpr (Shaded)
+        {
+          // Not brighter than white.
+          const RayShade& shade = this->Shades[this->ShadesOf[i]];
+          const auto opacity = Splat4(-colour[3]);
+          colour = Smaller(
+            colour * Load<Float4>(&shade.Scale) + opacity * Load<Float4>(&shade.Add), opacity);
         }
         const auto before = __builtin_shufflevector(sum, sum, 3, 3, 3, 3);
         sum += before * colour;
@@ -391,11 +409,14 @@ private:
 
   const DrawContext& Context;
   RayTile& Tile;
+  const RayShade* Shades = nullptr;
+  std::int32_t Shade = 0; // of the tetrahedron that is being drawn
   unsigned Waiting = 0;
   float Places[Most + 16]; // in the table
   std::int32_t Sums[Most + 16];
   float Samples[Most + 16];
   float Lengths[Mode == RayMode::Area ? Most + 16 : 1];
+  std::int32_t ShadesOf[Shaded ? Most + 16 : 1];
   float SamplesPerDepth[Perspective ? RayTile::Cells : 1];
 };
 }

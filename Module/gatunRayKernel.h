@@ -7,6 +7,7 @@
 
 #include "gatunInline.h"
 #include "gatunRayBlock.h"
+#include "gatunRayShading.h"
 #include "gatunRayTable.h"
 #include "gatunRayTile.h"
 #include "gatunRayView.h"
@@ -74,6 +75,17 @@ struct TetItem
   bool Transparent;     // between TMin and TMax nothing is to be seen
 };
 
+/** Items of a tile. */
+struct TetItems
+{
+  const TetItem* Items;
+  std::size_t Count;
+
+  // How those that the items are of are shaded: Shades[Origins[i]]; null if they are not.
+  const std::uint32_t* Origins;
+  const RayShade* Shades;
+};
+
 /** What is drawn with. */
 struct DrawContext
 {
@@ -113,13 +125,13 @@ struct RayKernel
 
   /** Makes the items of some of the tetrahedra for all tiles that they reach; places holds, for
    * each tile, where the next item belongs. CellValues: null, or what counts instead of values at
-   * points. */
+   * points. Origins: null, or where each item is told of which of the chosen it is. */
   void (*SetUp)(const SetUpContext& context, const RayPoint* points, const Tet* tets,
     const double* cellValues, const SeenTet* seen, const std::uint32_t* chosen, std::size_t count,
-    std::uint32_t* places, TetItem* items);
+    std::uint32_t* places, TetItem* items, std::uint32_t* origins);
 
-  void (*Draw)(RayMode mode, const DrawContext& context, const TetItem* items, std::size_t count,
-    RayTile& tile);
+  /** Modes Maximum and XRay are never shaded. */
+  void (*Draw)(RayMode mode, const DrawContext& context, const TetItems& items, RayTile& tile);
 };
 
 /** For any processor. */

@@ -233,7 +233,7 @@ GATUN_INLINE Double4 Absolute(Double4 v)
 
 void SetUp(const SetUpContext& context, const RayPoint* points, const Tet* tets,
   const double* cellValues, const SeenTet* seen, const std::uint32_t* chosen, std::size_t count,
-  std::uint32_t* places, TetItem* items)
+  std::uint32_t* places, TetItem* items, std::uint32_t* origins)
 {
   const bool perspective = context.View->Perspective;
   const auto lastCell = static_cast<float>(context.TableSize);
@@ -359,38 +359,45 @@ void SetUp(const SetUpContext& context, const RayPoint* points, const Tet* tets,
         item.FirstY = static_cast<std::uint8_t>(where.FirstY > y0 ? where.FirstY - y0 : 0);
         item.LastX = static_cast<std::uint8_t>(where.LastX < x0 + last ? where.LastX - x0 : last);
         item.LastY = static_cast<std::uint8_t>(where.LastY < y0 + last ? where.LastY - y0 : last);
-        items[places[tile]++] = item;
+        const auto place = places[tile]++;
+        items[place] = item;
+        if (origins)
+        {
+          origins[place] = static_cast<std::uint32_t>(i);
+        }
       });
   }
 }
 
 //------------------------------------------------------------------------------
-template <RayMode Mode>
-void DrawIn(const DrawContext& context, const TetItem* items, std::size_t count, RayTile& tile)
+template <RayMode Mode, bool Shaded>
+void DrawIn(const DrawContext& context, const TetItems& items, RayTile& tile)
 {
   if (context.View->Perspective)
   {
-    RayDrawer<true, Mode>(context, tile).Draw(items, count);
+    RayDrawer<true, Mode, Shaded>(context, tile).Draw(items);
   }
   else
   {
-    RayDrawer<false, Mode>(context, tile).Draw(items, count);
+    RayDrawer<false, Mode, Shaded>(context, tile).Draw(items);
   }
 }
 
-void Draw(
-  RayMode mode, const DrawContext& context, const TetItem* items, std::size_t count, RayTile& tile)
+void Draw(RayMode mode, const DrawContext& context, const TetItems& items, RayTile& tile)
 {
+  const bool shaded = items.Shades != nullptr;
   switch (mode)
   {
     case RayMode::Composite:
-      return DrawIn<RayMode::Composite>(context, items, count, tile);
+      return shaded ? DrawIn<RayMode::Composite, true>(context, items, tile)
+                    : DrawIn<RayMode::Composite, false>(context, items, tile);
     case RayMode::Area:
-      return DrawIn<RayMode::Area>(context, items, count, tile);
+      return shaded ? DrawIn<RayMode::Area, true>(context, items, tile)
+                    : DrawIn<RayMode::Area, false>(context, items, tile);
     case RayMode::Maximum:
-      return DrawIn<RayMode::Maximum>(context, items, count, tile);
+      return DrawIn<RayMode::Maximum, false>(context, items, tile);
     case RayMode::XRay:
-      return DrawIn<RayMode::XRay>(context, items, count, tile);
+      return DrawIn<RayMode::XRay, false>(context, items, tile);
   }
 }
 }

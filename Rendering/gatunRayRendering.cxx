@@ -7,6 +7,8 @@
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
@@ -35,6 +37,33 @@ void Widen(double& low, double& high, int rays)
   const double half = rays > 1 ? (high - low) / (rays - 1) / 2 : 0;
   low -= half;
   high += half;
+}
+
+void AddLights(vtkLightCollection* from, std::vector<RayLight>& lights)
+{
+  vtkCollectionSimpleIterator next;
+  from->InitTraversal(next);
+  while (vtkLight* const light = from->GetNextLight(next))
+  {
+    if (!light->GetSwitch())
+    {
+      continue;
+    }
+    RayLight made;
+    light->GetTransformedPosition(made.Position.data());
+    light->GetDiffuseColor(made.Diffuse.data());
+    light->GetSpecularColor(made.Specular.data());
+    std::array<double, 3> focus{};
+    light->GetTransformedFocalPoint(focus.data());
+    made.Position[3] = light->GetPositional() ? 1 : 0;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      made.Position[i] -= light->GetPositional() ? 0 : focus[i];
+      made.Diffuse[i] *= light->GetIntensity();
+      made.Specular[i] *= light->GetIntensity();
+    }
+    lights.push_back(made);
+  }
 }
 }
 
@@ -154,6 +183,49 @@ RayTable MakeRayTable(
     throw Error(ErrorCode::InvalidInput, "the unit distance of opacity must be positive");
   }
   return RayTable(mode, getColour, range, sampleDistance, unit);
+}
+
+//------------------------------------------------------------------------------
+std::optional<RayShading> MakeRayShading(vtkVolumeProperty* property, vtkCamera* camera,
+  vtkLightCollection* lights, vtkMatrix4x4* volumeMatrix)
+{
+  if (!property->GetShade())
+  {
+    return std::nullopt;
+  }
+  RayShading shading;
+  shading.Ambient = property->GetAmbient();
+  shading.Diffuse = property->GetDiffuse();
+  shading.Specular = property->GetSpecular();
+  shading.SpecularPower = property->GetSpecularPower();
+  const double* const forward = camera->GetDirectionOfProjection();
+  const std::array<double, 4> backward{ -forward[0], -forward[1], -forward[2], 0 };
+  if (camera->GetParallelProjection())
+  {
+    shading.Eye = backward;
+  }
+  else
+  {
+    camera->GetPosition(shading.Eye.data());
+    shading.Eye[3] = 1;
+  }
+  if (lights)
+  {
+    AddLights(lights, shading.Lights);
+  }
+  else
+  {
+    shading.Lights.push_back({ backward });
+  }
+  for (int i = 0; volumeMatrix && i < 3; ++i)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      shading.ToWorld[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
+        volumeMatrix->GetElement(i, j);
+    }
+  }
+  return shading;
 }
 
 //------------------------------------------------------------------------------

@@ -8,9 +8,11 @@
 
 #include "gatunRayCaster.h"
 
+#include <optional>
 #include <span>
 
 class vtkCamera;
+class vtkLightCollection;
 class vtkMatrix4x4;
 class vtkPlaneCollection;
 class vtkVolumeProperty;
@@ -40,6 +42,11 @@ RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, double sampleDistanc
 /** Colours and opacities of a property, for values in a range. Unit distance: the property's. */
 RayTable MakeRayTable(
   vtkVolumeProperty* property, RayMode mode, const Range& values, double sampleDistance);
+
+/** How light falls on a volume, if its property wants shading. Lights: null for one at the camera.
+ */
+std::optional<RayShading> MakeRayShading(vtkVolumeProperty* property, vtkCamera* camera,
+  vtkLightCollection* lights, vtkMatrix4x4* volumeMatrix);
 
 /** Clips by planes that are given in world coordinates. Null for none. */
 RayLimits MakeRayLimits(

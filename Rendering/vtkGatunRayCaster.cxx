@@ -247,6 +247,8 @@ int vtkGatunRayCaster::RequestData(
 
     gatun::RaySettings settings;
     settings.Opaque = static_cast<float>(this->OpacityLimit);
+    settings.Shading =
+      gatun::MakeRayShading(self.Property, self.Camera, nullptr, self.VolumeMatrix);
     settings.FromBothEnds = this->FromBothEnds;
     settings.Portable = this->PortableInstructions;
     gatun::RayCaster caster(view,

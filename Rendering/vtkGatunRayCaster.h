@@ -95,7 +95,8 @@ public:
   ///@{
   /**
    * Colours and opacities. Of it count: the colour function (of one or three channels), the scalar
-   * opacity and its unit distance. Default: none, which is an error.
+   * opacity and its unit distance; and Shade with its parts, see vtkGatunVolumeMapper, by a light
+   * at the camera. Default: none, which is an error.
    */
   void SetProperty(vtkVolumeProperty* property);
   vtkVolumeProperty* GetProperty();

@@ -285,6 +285,8 @@ void vtkGatunVolumeMapper::vtkInternals::Draw(vtkGatunVolumeMapper* mapper, vtkR
   }
   gatun::RaySettings settings;
   settings.Opaque = static_cast<float>(mapper->OpacityLimit);
+  settings.Shading =
+    gatun::MakeRayShading(volume->GetProperty(), camera, renderer->GetLights(), matrix);
   gatun::RayCaster caster(view,
     gatun::MakeRayTable(volume->GetProperty(), ToMode(mapper->BlendMode), this->Scene.GetRange(),
       view.SampleDistance),

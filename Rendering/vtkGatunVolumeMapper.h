@@ -24,8 +24,14 @@
  *
  * Which values are drawn: see the scalar modes of vtkAbstractVolumeMapper, all of which hold but
  * that of field data; and ArrayComponent. Colours and opacities of the vtkVolumeProperty are those
- * of its first component, whichever component of the array is drawn; shading, gradient opacity and
+ * of its first component, whichever component of the array is drawn; gradient opacity and
  * IndependentComponents have no influence. Clipping planes are in world coordinates.
+ *
+ * With the property's Shade on, surfaces of equal values are lit from both sides by the renderer's
+ * lights, by Phong's model with the property's ambient, diffuse and specular parts; lights have no
+ * cone and do not fade. The gradient is that of each tetrahedron, so that coarse meshes show their
+ * cells. What has no gradient, as values of cells, is not shaded, nor are the blend modes but
+ * composite and area.
  *
  * *Errors.* What cannot be drawn is reported by vtkErrorMacro and GetErrorCode (as vtkGatunReader
  * has them), the message once for the same cause, and nothing is drawn. A mesh without cells is no

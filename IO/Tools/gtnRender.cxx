@@ -185,6 +185,7 @@ void PrintJson(const RenderOptions& options, const RenderInput& input, vtkVolume
   json.Add("width", options.Width);
   json.Add("height", options.Height);
   json.Add("unitDistance", property->GetScalarOpacityUnitDistance());
+  json.Add("shaded", property->GetShade() != 0);
   json.BeginArray("pictures");
   std::vector<Measurement> all;
   for (const Drawn& picture : pictures)
@@ -247,6 +248,7 @@ void Render(const RenderOptions& options, const Settings& settings)
   }
   const vtkSmartPointer<vtkVolumeProperty> property = MakeProperty(MakeTransfer(options, *input),
     options.UnitDistance.value_or(DiagonalOf(input->GetBounds()) / 100));
+  property->SetShade(options.Shade);
 
   vtkNew<vtkGatunRayCaster> caster;
   caster->SetSize(options.Width, options.Height);

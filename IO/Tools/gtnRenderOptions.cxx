@@ -263,6 +263,10 @@ void AddColourOptions(CLI::App* command, RenderOptions& options)
     ->check(Positive())
     ->option_text("D")
     ->group(group);
+  command
+    ->add_flag("--shade", options.Shade,
+      "Light from the camera falls on surfaces of equal values (modes composite and area)")
+    ->group(group);
 }
 
 void AddCostOptions(CLI::App* command, RenderOptions& options)

@@ -35,6 +35,7 @@ struct RenderOptions
   std::optional<gatun::Range> Range;
   double Opacity = 1;
   std::optional<double> UnitDistance;
+  bool Shade = false;
 
   int Mode = 0; ///< of vtkGatunRayCaster::ModeType
   std::optional<double> SampleDistance;

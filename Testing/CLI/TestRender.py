@@ -31,7 +31,7 @@ arguments = ["render", "-q", "--size", f"{WIDTH}x{HEIGHT}", "--array", "velocity
 arguments += ["--tf", "map.json", "--camera", "camera.json", "--unit-distance", 0.3]
 
 
-def draw():
+def draw(shade=False):
     """The same by vtkGatunRayCaster."""
     reader = vtkGatunReader()
     reader.SetFileName("mesh.gtn")
@@ -43,6 +43,7 @@ def draw():
     look.SetColor(colours)
     look.SetScalarOpacity(opacity)
     look.SetScalarOpacityUnitDistance(0.3)
+    look.SetShade(shade)
     camera = vtkCamera()
     camera.SetPosition(position)
     camera.SetFocalPoint(focal_point)
@@ -76,6 +77,12 @@ gtn(*arguments, "mesh.gtn", "file.png")
 check(read_png("file.png"), straight)
 gtn(*arguments, "mesh.vtu", "memory.png")
 check(read_png("memory.png"), straight)
+
+# In the light of the camera.
+gtn(*arguments, "--shade", "mesh.gtn", "shaded.exr")
+shaded = draw(shade=True)[0]
+assert np.abs(read_exr("shaded.exr", WIDTH, HEIGHT)[:, :, :4] - shaded).max() < 1 / 255
+assert np.abs(shaded - rgba).max() > 0.1
 
 # Over a background.
 gtn(*arguments, "--background", "#3366cc", "mesh.gtn", "over.png")

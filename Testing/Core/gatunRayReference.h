@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -111,6 +112,9 @@ public:
   double Unit = 1;
   std::vector<std::array<double, 4>> Planes; // only what is on their positive side is seen
 
+  /** Brings a colour into the light that falls on a tetrahedron with such a gradient. */
+  std::function<Vec(const Vec& colour, const Vec& gradient, const Vec& middle)> Shade;
+
   std::vector<ReferencePixel> Render(const ReferenceMesh& mesh, const Viewer& viewer) const
   {
     std::vector<std::vector<Interval>> intervals(
@@ -140,6 +144,7 @@ private:
   {
     double In, Out;             // distances
     double AtOrigin, PerLength; // the value along the ray
+    Vec Gradient, Middle;
   };
 
   struct Ray
@@ -211,7 +216,8 @@ private:
   {
     const Ray ray = GetRay(v, x, y);
     const double perDepth = 1 / Dot(ray.Direction, v.Forward);
-    Interval interval{ std::max(0.0, v.Frustum.Near * perDepth), v.Frustum.Far * perDepth, 0, 0 };
+    Interval interval{ std::max(0.0, v.Frustum.Near * perDepth), v.Frustum.Far * perDepth, 0, 0, {},
+      {} };
     for (const auto& plane : this->Planes)
     {
       const Vec n{ plane[0], plane[1], plane[2] };
@@ -235,6 +241,8 @@ private:
       Cut(interval, value, slope);
       interval.AtOrigin += value * mesh.Values[tet[corner]];
       interval.PerLength += slope * mesh.Values[tet[corner]];
+      interval.Gradient = interval.Gradient + mesh.Values[tet[corner]] / height * n;
+      interval.Middle = interval.Middle + 0.25 * apex;
     }
     if (interval.In < interval.Out)
     {
@@ -255,9 +263,15 @@ private:
     {
       const auto add = [&](double value, double length, double distance)
       {
-        const auto colour = this->Colour(value);
+        auto colour = this->Colour(value);
         const double optical = -std::log1p(-std::min(colour[3], 1 - 1e-7)) * length / this->Unit;
         const double opacity = -std::expm1(-optical);
+        if (this->Shade)
+        {
+          const Vec shaded =
+            this->Shade({ colour[0], colour[1], colour[2] }, interval.Gradient, interval.Middle);
+          std::copy(shaded.begin(), shaded.end(), colour.begin());
+        }
         const double weight = this->Mode == RayMode::XRay ? optical : through * opacity;
         for (std::size_t c = 0; c < 3; ++c)
         {

@@ -295,10 +295,14 @@ TEST_P(AgainstReference, ClippingPlanes)
   Check(setting, 6, true);
 }
 
+std::string GetName(const testing::TestParamInfo<AgainstReference::ParamType>& given)
+{
+  return std::string(std::get<0>(given.param)) + (std::get<1>(given.param) ? "Parallel" : "");
+}
+
 INSTANTIATE_TEST_SUITE_P(RayCaster, AgainstReference,
   testing::Combine(testing::Values("Cubes", "Lattice", "Slivers", "Loose"), testing::Bool()),
-  [](const auto& given)
-  { return std::string(std::get<0>(given.param)) + (std::get<1>(given.param) ? "Parallel" : ""); });
+  GetName);
 
 //------------------------------------------------------------------------------
 float GetLargestDifference(const Picture& a, const Picture& b)
@@ -339,6 +343,117 @@ TEST(RayCaster, PictureDoesNotDependOnTheOrderOfAnything)
       EXPECT_LE(GetLargestDifference(expected, Render(shuffled, viewer, setting)), 1.0f / 255);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+/** Phong's model by the book, with angles: a lamp in the mesh and a reddish sun. */
+Vec ShadeByAngles(const Vec& colour, const Vec& gradient, const Vec& middle, const Viewer& viewer)
+{
+  const auto angle = [](const Vec& a, const Vec& b)
+  { return std::acos(std::clamp(Dot(Normalize(a), Normalize(b)), -1.0, 1.0)); };
+  const Vec toEye = viewer.Frustum.Parallel ? -1 * viewer.Forward : viewer.Eye - middle;
+  Vec lit = 0.2 * colour;
+  const std::array<Vec, 2> toLights{ Vec{ 1, 2, 7 } - middle, Vec{ -1, 0.3, 0.5 } };
+  const std::array<Vec, 2> tints{ Vec{ 1, 1, 1 }, Vec{ 0.8, 0.3, 0.1 } };
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    // The side of the surface that the light falls on, and the light turned by half a circle.
+    const double incidence = angle(gradient, toLights[i]);
+    const Vec normal = Normalize(incidence > std::acos(-1) / 2 ? -1 * gradient : gradient);
+    const Vec light = Normalize(toLights[i]);
+    const Vec mirrored = light + 2 * (Dot(normal, light) * normal - light);
+    const double diffuse = 0.6 * std::abs(std::cos(incidence));
+    const double specular = 0.4 * std::pow(std::max(0.0, std::cos(angle(mirrored, toEye))), 5);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      lit[c] += diffuse * tints[i][c] * colour[c] + specular * 0.5;
+    }
+  }
+  return { std::min(1.0, lit[0]), std::min(1.0, lit[1]), std::min(1.0, lit[2]) };
+}
+
+class ShadedAgainstReference : public AgainstReference
+{
+};
+
+TEST_P(ShadedAgainstReference, CompositeAndArea)
+{
+  const auto mesh = GetMesh();
+  for (const RayMode mode : { RayMode::Composite, RayMode::Area })
+  {
+    std::size_t bad = 0;
+    std::size_t pixels = 0;
+    auto viewers = MakeViewers(5, std::get<1>(GetParam()));
+    viewers.resize(8, viewers.front());
+    for (const Viewer& viewer : viewers)
+    {
+      Reference reference;
+      reference.Mode = mode;
+      reference.Colour = Ramp;
+      reference.Shade = [&](const Vec& colour, const Vec& gradient, const Vec& middle)
+      { return ShadeByAngles(colour, gradient, middle, viewer); };
+      RayShading shading;
+      shading.Lights = { { { 1, 2, 7, 1 }, { 1, 1, 1 }, { 0.5, 0.5, 0.5 } },
+        { { -1, 0.3, 0.5, 0 }, { 0.8, 0.3, 0.1 }, { 0.5, 0.5, 0.5 } } };
+      const Vec& eye = viewer.Frustum.Parallel ? -1 * viewer.Forward : viewer.Eye;
+      shading.Eye = { eye[0], eye[1], eye[2], viewer.Frustum.Parallel ? 0.0 : 1.0 };
+      shading.Ambient = 0.2;
+      shading.Diffuse = 0.6;
+      shading.Specular = 0.4;
+      shading.SpecularPower = 5;
+      Setting setting;
+      setting.Mode = mode;
+      setting.Settings.Shading = shading;
+      const auto expected = reference.Render(mesh, viewer);
+      for (const bool portable : { false, true })
+      {
+        setting.Settings.Portable = portable;
+        const auto difference =
+          Compare(Render(mesh, viewer, setting), expected, viewer.SampleDistance);
+        EXPECT_LE(difference.Mean, 1e-5);
+        EXPECT_GT(difference.Lit, 300);
+        bad += difference.Bad;
+        pixels += expected.size();
+      }
+    }
+    EXPECT_LE(static_cast<double>(bad), 2e-4 * static_cast<double>(pixels));
+  }
+}
+
+// Not the slivers: where a face is within rounding of a sample, either side may have it, and light
+// falls differently on the two.
+INSTANTIATE_TEST_SUITE_P(RayCaster, ShadedAgainstReference,
+  testing::Combine(testing::Values("Cubes", "Lattice", "Loose"), testing::Bool()), GetName);
+
+TEST(RayCaster, ShadingIsThatOfTheWorldAndLeavesAloneWhatHasNoGradient)
+{
+  // A plane of values that is mirrored in x by the mesh's matrix, with its light from there.
+  auto mesh = ToReference(MakeCubes(2, 0));
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    mesh.Values[i] = mesh.Points[i][0] + mesh.Points[i][1];
+  }
+  const auto block = MakeBlocks(mesh, 100000).front();
+  RayShading shading;
+  shading.Ambient = 0.25;
+  shading.Diffuse = 0.5;
+  shading.Specular = 0;
+  shading.Lights = { { { -3, 3, 0, 0 } } };
+  // The gradient (1, 1, 0) is at a right angle to the light.
+  EXPECT_NEAR(GetShade(shading, *block, 0).Scale[0], 0.25, 1e-6);
+  shading.ToWorld[0] = { -1, 0, 0, 5 };
+  EXPECT_NEAR(GetShade(shading, *block, 0).Scale[0], 0.75, 1e-6);
+  // Twice as long in y: of (1, 1) becomes (-1, 1 / 2), and the cosine 3 / sqrt(10).
+  shading.ToWorld[1] = { 0, 2, 0, 0 };
+  EXPECT_NEAR(GetShade(shading, *block, 0).Scale[0], 0.25 + 0.5 * 3 / std::sqrt(10), 1e-6);
+
+  for (double& value : mesh.Values)
+  {
+    value = 0.5;
+  }
+  const auto constant = GetShade(shading, *MakeBlocks(mesh, 100000).front(), 0);
+  EXPECT_EQ(constant.Scale, RayShade().Scale);
+  EXPECT_EQ(constant.Add, RayShade().Add);
 }
 
 //------------------------------------------------------------------------------

@@ -19,7 +19,7 @@
 #include "vtkVolumeProperty.h"
 
 /** Draws VTK's wavelet in tetrahedra, and compares the picture with the test's baseline. */
-inline int CompareBlendPicture(int argc, char* argv[], int blendMode)
+inline int CompareBlendPicture(int argc, char* argv[], int blendMode, bool shade = false)
 {
   vtkNew<vtkRTAnalyticSource> wavelet;
   wavelet->SetWholeExtent(-8, 8, -8, 8, -8, 8);
@@ -44,6 +44,7 @@ inline int CompareBlendPicture(int argc, char* argv[], int blendMode)
   volume->GetProperty()->SetColor(colours);
   volume->GetProperty()->SetScalarOpacity(opacities);
   volume->GetProperty()->SetScalarOpacityUnitDistance(2);
+  volume->GetProperty()->SetShade(shade);
 
   vtkNew<vtkRenderer> renderer;
   renderer->AddVolume(volume);
