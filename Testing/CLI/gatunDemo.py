@@ -52,7 +52,7 @@ def run_demo(name, files):
         print(run.stdout)
         assert run.returncode == 0, output
         assert "identical to" in run.stdout and "times .gtn" in run.stdout
-        for name in ("surface", "cut", "pieces"):
+        for name in ("surface", "cut", "pieces", "volume"):
             picture = os.path.join(output, name + ".png")
             assert picture in run.stdout
             assert shown_part(picture) > 0.03, picture

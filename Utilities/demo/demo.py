@@ -10,6 +10,7 @@ GATUN_GTN in the environment names the gtn program.
 """
 
 import argparse
+import json
 import os
 import subprocess
 import time
@@ -111,6 +112,24 @@ def read_pieces(packed, whole):
     return pieces
 
 
+def render_volume(packed, field, folder, is_part):
+    """A picture of what is inside, straight from the file."""
+    name = os.path.join(os.path.abspath(folder), "volume.png")
+    arguments = ["-q", "-f", "--size", "840x600", "--background", "white", "--opacity", "2"]
+    if field.array:
+        arguments += ["--array", field.array, "--range", f"{field.low:g},{field.high:g}"]
+    if is_part:
+        camera = os.path.join(folder, "camera.json")
+        with open(camera, "w", encoding="utf-8") as file:
+            json.dump({"position": [112, -187, 123], "focalPoint": [0, 0, 27],
+                       "viewUp": [0, 0, 1]}, file)
+        arguments += ["--camera", camera]
+    start = time.monotonic()
+    gtn("render", *arguments, packed, name)
+    say(f"drew its volume, decoding as it went, in {time.monotonic() - start:.1f} s")
+    return name
+
+
 def main():
     parser = argparse.ArgumentParser(usage=__doc__)
     parser.add_argument("--size", choices=sorted(meshes.SIZES), default="full")
@@ -151,6 +170,7 @@ def main():
     pictures.draw_surface(whole, field, f"{tets}, {bits}", names["surface"], vectors)
     pictures.draw_cut(whole, field, f"{tets}, cut open", names["cut"])
     pictures.draw_pieces(pieces, f"{len(pieces)} pieces, each read by itself", names["pieces"])
+    names["volume"] = render_volume(packed, field, options.output, not options.file)
     say("pictures:")
     for name in names.values():
         print("  " + name)
