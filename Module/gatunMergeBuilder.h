@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunMergeBuilder_h
+#define gatunMergeBuilder_h
+
+#include "gatunMergeTree.h"
+#include "vtkGatunCoreModule.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace gatun
+{
+/** By what a change of data is measured. */
+enum class MergeMetric : std::uint8_t
+{
+  Mass,   ///< value times volume
+  Density ///< value
+};
+
+struct MergeSettings
+{
+  MergeMetric Metric = MergeMetric::Mass;
+
+  /** How much of the cost of a merge on the boundary is its change of shape, 0 to 1; the rest is
+   * that of data. */
+  double BoundaryWeight = 0.5;
+};
+
+/** A mesh and what counts of it. */
+struct MergeInput
+{
+  /** Values at the points that are to change little. */
+  struct Field
+  {
+    std::span<const double> Values;
+    double Weight = 1; ///< relative to those of the other fields
+  };
+
+  std::span<const std::array<double, 3>> Points;
+  std::span<const MergeTree::Tet> Tets;
+  std::vector<Field> Fields; ///< none: only shape counts
+};
+
+/**
+ * Merges points until no more can be. Each merge is the cheapest that is known: of each point the
+ * best neighbour to be merged into, by how much data and shape of the boundary change, both as
+ * parts of all of the mesh. Points of the boundary are merged into such points only; no tetrahedron
+ * and no face of the boundary is turned over or made flat; the topology stays.
+ *
+ * What changes around a point is looked at when its turn comes, so that a merge which has become
+ * cheaper may come late. Points whose coordinates or values are not numbers stay, and so do their
+ * neighbours.
+ *
+ * Progress: called with the part that is done; returns false to stop, by Error(Aborted).
+ *
+ * Based on: Van Gelder, Verma, Wilhelms: Volume decimation of irregular tetrahedral grids. Computer
+ * Graphics International 1999.
+ */
+VTKGATUNCORE_EXPORT MergeTree BuildMergeTree(const MergeInput& input,
+  const MergeSettings& settings = {}, const std::function<bool(double)>& progress = {});
+}
+
+#endif

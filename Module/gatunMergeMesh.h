@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunMergeMesh_h
+#define gatunMergeMesh_h
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gatun
+{
+/**
+ * The connectivity of a mesh while its points are merged.
+ *
+ * A face that only one tetrahedron has is on the boundary, and so are its edges and corners. For
+ * what is said of links, there is one more point outside, which makes a tetrahedron with each such
+ * face.
+ */
+class MergeMesh
+{
+public:
+  using Tet = std::array<std::uint32_t, 4>;
+  static constexpr std::uint32_t None = 0xffffffffu;
+
+  MergeMesh(std::size_t points, std::span<const Tet> tets);
+
+  /** None as the first corner: the tetrahedron is gone. */
+  const Tet& GetTet(std::uint32_t tet) const { return this->Tets[tet]; }
+  std::size_t GetNumberOfTets() const { return this->Tets.size(); }
+  std::size_t GetNumberOfPoints() const { return this->Rings.size(); }
+
+  /** The tetrahedra that have a point. */
+  std::span<const std::uint32_t> GetRing(std::uint32_t point);
+
+  /** Bit i: the face opposite to corner i is on the boundary. */
+  std::uint8_t GetBoundaryFaces(std::uint32_t tet) const { return this->BoundaryFaces[tet]; }
+  bool IsOnBoundary(std::uint32_t point) const { return this->OnBoundary[point] != 0; }
+
+  /**
+   * Whether the mesh stays of the same topology when a point is merged into a neighbour: the links
+   * of the two have in common just the link of their edge (Dey, Edelsbrunner, Guha, Nekhayev:
+   * Topology preserving edge contraction, 1999).
+   */
+  bool MayMerge(std::uint32_t point, std::uint32_t into);
+
+  /** Merges a point into a neighbour. */
+  void Merge(std::uint32_t point, std::uint32_t into);
+
+private:
+  struct Ring
+  {
+    std::size_t First = 0;
+    std::uint32_t Count = 0;
+  };
+
+  /** What a point is to the one at hand. */
+  struct Mark
+  {
+    std::uint32_t Stamp = 0;
+    std::uint8_t Bits = 0;
+  };
+
+  void FindBoundary();
+  std::uint8_t GetMark(std::uint32_t point) const;
+  void AddMark(std::uint32_t point, std::uint8_t bits);
+  void MarkNeighbours(std::uint32_t point, std::uint8_t neighbour, std::uint8_t boundaryNeighbour);
+  bool HasTet(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
+  bool IsBoundaryFace(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+  void PassBoundaryOn(std::uint32_t tet, std::uint32_t point, std::uint32_t into);
+  void Compact();
+
+  std::vector<Tet> Tets;
+  std::vector<std::uint8_t> BoundaryFaces;
+  std::vector<std::uint8_t> OnBoundary;
+  std::vector<Ring> Rings;
+  std::vector<std::uint32_t> Pool; // of the rings
+  std::size_t Used = 0;            // of the pool, by rings
+  std::vector<Mark> Marks;
+  std::uint32_t Stamp = 0;
+};
+}
+
+#endif

@@ -1,0 +1,468 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Meshes are simplified: what must hold after any number of merges, on meshes of several
+// topologies.
+
+#include "gatunError.h"
+#include "gatunMergeBuilder.h"
+#include "gatunTestMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace gatun::test
+{
+namespace
+{
+using Tet = MergeTree::Tet;
+using Vec = std::array<double, 3>;
+
+struct Solid
+{
+  std::vector<Vec> Points;
+  std::vector<Tet> Tets;
+  std::vector<double> Values;
+
+  MergeInput GetInput() const { return { this->Points, this->Tets, { { this->Values, 1 } } }; }
+};
+
+Solid MakeSolid(std::int64_t n, double jitter, const std::function<bool(const Vec&)>& isIn)
+{
+  const auto mesh = MakeCubes(n, jitter);
+  Solid solid;
+  for (std::size_t i = 0; i < mesh.GetPoints(); ++i)
+  {
+    const Vec p{ mesh.Coordinates[3 * i], mesh.Coordinates[3 * i + 1],
+      mesh.Coordinates[3 * i + 2] };
+    solid.Points.push_back(p);
+    solid.Values.push_back(std::sin(0.7 * p[0]) * std::cos(0.5 * p[1]) + 0.1 * p[2] * p[2]);
+  }
+  for (std::size_t i = 0; i < mesh.GetTets(); ++i)
+  {
+    Tet tet{};
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      tet[c] = static_cast<std::uint32_t>(mesh.Ids[4 * i + c]);
+    }
+    // Whole cubes, six tetrahedra each, by the corner that is nearest to the origin.
+    Vec low{ 1e9, 1e9, 1e9 };
+    const auto first = 6 * (i / 6);
+    for (std::size_t k = 4 * first; k < 4 * first + 24; ++k)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        low[c] = std::min(
+          low[c], std::round(mesh.Coordinates[3 * static_cast<std::size_t>(mesh.Ids[k]) + c]));
+      }
+    }
+    if (isIn(low))
+    {
+      solid.Tets.push_back(tet);
+    }
+  }
+  return solid;
+}
+
+/** All in one piece; a ring; with a void; in two parts. */
+Solid MakeSolid(const std::string& name)
+{
+  if (name == "Ring")
+  {
+    return MakeSolid(
+      7, 0.2, [](const Vec& p) { return p[0] < 2 || p[0] > 4 || p[1] < 2 || p[1] > 4; });
+  }
+  if (name == "Void")
+  {
+    return MakeSolid(7, 0.2,
+      [](const Vec& p)
+      { return std::any_of(p.begin(), p.end(), [](double x) { return x < 2 || x > 4; }); });
+  }
+  if (name == "Parts")
+  {
+    return MakeSolid(6, 0.2, [](const Vec& p) { return p[2] < 2 || p[2] > 3; });
+  }
+  return MakeSolid(6, name == "Lattice" ? 0 : 0.25, [](const Vec&) { return true; });
+}
+
+double GetVolume(const std::vector<Vec>& points, const Tet& tet)
+{
+  std::array<Vec, 3> u;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      u[i][c] = points[tet[i + 1]][c] - points[tet[0]][c];
+    }
+  }
+  return (u[0][0] * (u[1][1] * u[2][2] - u[1][2] * u[2][1]) +
+           u[0][1] * (u[1][2] * u[2][0] - u[1][0] * u[2][2]) +
+           u[0][2] * (u[1][0] * u[2][1] - u[1][1] * u[2][0])) /
+    6;
+}
+
+using Simplex = std::set<std::uint32_t>;
+
+/** Faces with how many tetrahedra have them. */
+std::map<Simplex, int> CountFaces(const std::vector<Tet>& tets)
+{
+  std::map<Simplex, int> faces;
+  for (const Tet& tet : tets)
+  {
+    for (std::size_t side = 0; side < 4; ++side)
+    {
+      Simplex face(tet.begin(), tet.end());
+      face.erase(tet[side]);
+      ++faces[face];
+    }
+  }
+  return faces;
+}
+
+std::set<Simplex> GetBoundary(const std::vector<Tet>& tets)
+{
+  std::set<Simplex> boundary;
+  for (const auto& [face, count] : CountFaces(tets))
+  {
+    if (count == 1)
+    {
+      boundary.insert(face);
+    }
+  }
+  return boundary;
+}
+
+/** Points - edges + faces - tetrahedra. */
+int GetEulerCharacteristic(const std::set<Simplex>& simplices)
+{
+  std::set<Simplex> all = simplices;
+  for (std::size_t size = 4; size > 1; --size)
+  {
+    std::set<Simplex> next;
+    for (const Simplex& simplex : all)
+    {
+      for (const auto point : simplex)
+      {
+        if (simplex.size() == size)
+        {
+          Simplex side = simplex;
+          side.erase(point);
+          next.insert(side);
+        }
+      }
+    }
+    all.insert(next.begin(), next.end());
+  }
+  int sum = 0;
+  for (const Simplex& simplex : all)
+  {
+    sum += simplex.size() % 2 == 1 ? 1 : -1;
+  }
+  return sum;
+}
+
+std::vector<Tet> SimplifyAll(std::vector<Tet> tets, const MergeTree& tree, std::size_t merges)
+{
+  const auto ancestors = tree.FindAncestors(merges);
+  std::erase_if(tets, [&](Tet& tet) { return !Simplify(tet, ancestors); });
+  return tets;
+}
+
+class SimplifiedMesh : public testing::TestWithParam<const char*>
+{
+};
+
+//------------------------------------------------------------------------------
+TEST_P(SimplifiedMesh, IsTheSameAsMergingOneByOne)
+{
+  const Solid solid = MakeSolid(GetParam());
+  const MergeTree tree = BuildMergeTree(solid.GetInput());
+  ASSERT_GT(tree.GetMerges().size(), solid.Points.size() / 2);
+  auto tets = solid.Tets;
+  std::size_t n = 0;
+  for (const Merge& merge : tree.GetMerges())
+  {
+    for (Tet& tet : tets)
+    {
+      std::replace(tet.begin(), tet.end(), merge.Point, merge.Into);
+    }
+    std::erase_if(tets, [](const Tet& tet) { return Simplex(tet.begin(), tet.end()).size() < 4; });
+    if (++n % 20 == 0 || n == tree.GetMerges().size())
+    {
+      EXPECT_EQ(SimplifyAll(solid.Tets, tree, n), tets) << n;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_P(SimplifiedMesh, KeepsOrientationBoundaryAndTopology)
+{
+  const Solid solid = MakeSolid(GetParam());
+  const MergeTree tree = BuildMergeTree(solid.GetInput());
+  const auto boundary = GetBoundary(solid.Tets);
+  const auto toSimplices = [](const std::vector<Tet>& tets)
+  {
+    std::set<Simplex> simplices;
+    for (const Tet& tet : tets)
+    {
+      simplices.insert(Simplex(tet.begin(), tet.end()));
+    }
+    return simplices;
+  };
+  const int whole = GetEulerCharacteristic(toSimplices(solid.Tets));
+  const int surface = GetEulerCharacteristic(boundary);
+  const std::size_t all = tree.GetMerges().size();
+  for (std::size_t n = 0; n <= all; n += std::max<std::size_t>(1, n > all - 40 ? 1 : all / 12))
+  {
+    const auto tets = SimplifyAll(solid.Tets, tree, n);
+    const auto ancestors = tree.FindAncestors(n);
+    ASSERT_FALSE(tets.empty());
+    for (const Tet& tet : solid.Tets)
+    {
+      Tet moved = tet;
+      if (Simplify(moved, ancestors))
+      {
+        EXPECT_GT(GetVolume(solid.Points, moved) * GetVolume(solid.Points, tet), 0) << n;
+      }
+    }
+    const auto simplices = toSimplices(tets);
+    EXPECT_EQ(simplices.size(), tets.size()) << "two tetrahedra in one place after " << n;
+    for (const auto& [face, count] : CountFaces(tets))
+    {
+      EXPECT_LE(count, 2) << n;
+    }
+    std::set<Simplex> expected;
+    for (const Simplex& face : boundary)
+    {
+      Simplex moved;
+      for (const auto point : face)
+      {
+        moved.insert(ancestors[point]);
+      }
+      if (moved.size() == 3)
+      {
+        expected.insert(moved);
+      }
+    }
+    EXPECT_EQ(GetBoundary(tets), expected) << n;
+    EXPECT_EQ(GetEulerCharacteristic(simplices), whole) << n;
+    EXPECT_EQ(GetEulerCharacteristic(expected), surface) << n;
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST_P(SimplifiedMesh, KeepsItsVolumeWhereOnlyInnerPointsMerge)
+{
+  const Solid solid = MakeSolid(GetParam());
+  const MergeTree tree = BuildMergeTree(solid.GetInput());
+  std::set<std::uint32_t> onBoundary;
+  for (const Simplex& face : GetBoundary(solid.Tets))
+  {
+    onBoundary.insert(face.begin(), face.end());
+  }
+  double volume = 0;
+  for (const Tet& tet : solid.Tets)
+  {
+    volume += std::abs(GetVolume(solid.Points, tet));
+  }
+  double before = volume;
+  std::size_t n = 0;
+  for (const Merge& merge : tree.GetMerges())
+  {
+    ++n;
+    EXPECT_TRUE(onBoundary.count(merge.Point) == 0 || onBoundary.count(merge.Into) == 1);
+    if (n % 8 != 0)
+    {
+      continue;
+    }
+    double now = 0;
+    for (const Tet& tet : SimplifyAll(solid.Tets, tree, n))
+    {
+      now += std::abs(GetVolume(solid.Points, tet));
+    }
+    const bool onlyInner = std::none_of(tree.GetMerges().begin() + static_cast<long>(n - 8),
+      tree.GetMerges().begin() + static_cast<long>(n),
+      [&](const Merge& m) { return onBoundary.count(m.Point) != 0; });
+    if (onlyInner)
+    {
+      EXPECT_NEAR(now, before, 1e-12 * volume);
+    }
+    before = now;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, SimplifiedMesh,
+  testing::Values("Block", "Lattice", "Ring", "Void", "Parts"),
+  [](const auto& given) { return std::string(given.param); });
+
+//------------------------------------------------------------------------------
+TEST(MergeBuilder, LinearDataCostsNothingInside)
+{
+  Solid solid = MakeSolid("Block");
+  for (std::size_t i = 0; i < solid.Points.size(); ++i)
+  {
+    const Vec& p = solid.Points[i];
+    solid.Values[i] = 1 + 2 * p[0] - 3 * p[1] + p[2];
+  }
+  const MergeTree tree = BuildMergeTree(solid.GetInput());
+  // 125 of 343 points are inside; all that they cost is that long edges come after short ones.
+  std::size_t cheap = 0;
+  for (const Merge& merge : tree.GetMerges())
+  {
+    cheap += merge.Error < 1e-5 ? 1 : 0;
+  }
+  EXPECT_GE(cheap, 120u);
+
+  // A bump in one place is worth more than anything else inside.
+  std::size_t bump = 0;
+  for (std::size_t i = 0; i < solid.Points.size(); ++i)
+  {
+    const Vec& p = solid.Points[i];
+    bump = std::abs(p[0] - 3) + std::abs(p[1] - 3) + std::abs(p[2] - 3) < 1 ? i : bump;
+  }
+  ASSERT_NE(bump, 0u);
+  solid.Values[bump] += 40;
+  const MergeTree second = BuildMergeTree(solid.GetInput());
+  const auto at = std::find_if(second.GetMerges().begin(), second.GetMerges().end(),
+    [&](const Merge& m) { return m.Point == bump; });
+  EXPECT_GT(at - second.GetMerges().begin(), 200);
+}
+
+//------------------------------------------------------------------------------
+TEST(MergeBuilder, TheSameMeshGivesTheSameTree)
+{
+  const Solid solid = MakeSolid("Ring");
+  const auto first = BuildMergeTree(solid.GetInput());
+  const auto second = BuildMergeTree(solid.GetInput());
+  ASSERT_EQ(first.GetMerges().size(), second.GetMerges().size());
+  for (std::size_t i = 0; i < first.GetMerges().size(); ++i)
+  {
+    EXPECT_EQ(first.GetMerges()[i].Point, second.GetMerges()[i].Point);
+    EXPECT_EQ(first.GetMerges()[i].Into, second.GetMerges()[i].Into);
+    EXPECT_EQ(first.GetMerges()[i].Error, second.GetMerges()[i].Error);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(MergeBuilder, TakesWhateverMeshesThereAre)
+{
+  // No mesh, one tetrahedron, one with a point twice, a soup where faces have many sides.
+  EXPECT_TRUE(BuildMergeTree({}).GetMerges().empty());
+  Solid one{ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { 0, 1, 2, 3 } },
+    { 1, 2, 3, 4 } };
+  EXPECT_TRUE(BuildMergeTree(one.GetInput()).GetMerges().empty());
+  one.Tets.push_back({ 0, 1, 2, 2 });
+  EXPECT_TRUE(BuildMergeTree(one.GetInput()).GetMerges().empty());
+
+  const auto mesh = MakeSoup(60, 300);
+  Solid soup;
+  for (std::size_t i = 0; i < mesh.GetPoints(); ++i)
+  {
+    soup.Points.push_back(
+      { mesh.Coordinates[3 * i], mesh.Coordinates[3 * i + 1], mesh.Coordinates[3 * i + 2] });
+  }
+  for (std::size_t i = 0; i < mesh.GetTets(); ++i)
+  {
+    auto& tet = soup.Tets.emplace_back();
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      tet[c] = static_cast<std::uint32_t>(mesh.Ids[4 * i + c]);
+    }
+  }
+  MergeInput input{ soup.Points, soup.Tets, {} };
+  const auto tree = BuildMergeTree(input);
+  const auto ancestors = tree.FindAncestors(tree.GetMerges().size());
+  for (const Tet& tet : soup.Tets)
+  {
+    Tet moved = tet;
+    if (Simplify(moved, ancestors))
+    {
+      EXPECT_GE(GetVolume(soup.Points, moved) * GetVolume(soup.Points, tet), 0);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(MergeBuilder, WhatIsNotANumberStays)
+{
+  for (const bool ofPoints : { false, true })
+  {
+    Solid solid = MakeSolid("Block");
+    constexpr std::uint32_t strange = 171;
+    (ofPoints ? solid.Points[strange][1] : solid.Values[strange]) =
+      std::numeric_limits<double>::quiet_NaN();
+    const auto tree = BuildMergeTree(solid.GetInput());
+    EXPECT_GT(tree.GetMerges().size(), 100u);
+    for (const Merge& merge : tree.GetMerges())
+    {
+      EXPECT_NE(merge.Point, strange);
+      EXPECT_NE(merge.Into, strange);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(MergeBuilder, RefusesInputThatDoesNotFit)
+{
+  const Solid solid = MakeSolid("Block");
+  const auto refuses = [](const MergeInput& input, const MergeSettings& settings = {})
+  { EXPECT_THROW(BuildMergeTree(input, settings), Error); };
+  MergeInput input = solid.GetInput();
+  input.Points = input.Points.subspan(1);
+  refuses(input);
+  input = solid.GetInput();
+  input.Fields[0].Values = input.Fields[0].Values.subspan(1);
+  refuses(input);
+  for (const double weight : { -1.0, std::nan(""), std::numeric_limits<double>::infinity() })
+  {
+    input = solid.GetInput();
+    input.Fields[0].Weight = weight;
+    refuses(input);
+    refuses(solid.GetInput(), { MergeMetric::Mass, weight });
+  }
+  int calls = 0;
+  EXPECT_THROW(BuildMergeTree(solid.GetInput(), {}, [&](double) { return ++calls < 2; }), Error);
+  EXPECT_EQ(calls, 2);
+}
+
+//------------------------------------------------------------------------------
+TEST(MergeTree, CountsMerges)
+{
+  const MergeTree tree(6, { { 1, 0, 1 }, { 2, 3, 5 }, { 0, 3, 2 }, { 4, 5, 9 } });
+  EXPECT_EQ(tree.CountMergesForPoints(6), 0u);
+  EXPECT_EQ(tree.CountMergesForPoints(7), 0u);
+  EXPECT_EQ(tree.CountMergesForPoints(4), 2u);
+  EXPECT_EQ(tree.CountMergesForPoints(0), 4u);
+  EXPECT_EQ(tree.CountMergesForError(0.5), 0u);
+  EXPECT_EQ(tree.CountMergesForError(1), 1u);
+  EXPECT_EQ(tree.CountMergesForError(4), 1u); // the third one is cheaper than the second
+  EXPECT_EQ(tree.CountMergesForError(5), 3u);
+  EXPECT_EQ(tree.CountMergesForError(1e9), 4u);
+  EXPECT_EQ(tree.CountMergesForError(std::nan("")), 0u);
+  using Ids = std::vector<std::uint32_t>;
+  EXPECT_EQ(tree.FindAncestors(0), (Ids{ 0, 1, 2, 3, 4, 5 }));
+  EXPECT_EQ(tree.FindAncestors(1), (Ids{ 0, 0, 2, 3, 4, 5 }));
+  EXPECT_EQ(tree.FindAncestors(3), (Ids{ 3, 3, 3, 3, 4, 5 }));
+  EXPECT_EQ(tree.FindAncestors(99), (Ids{ 3, 3, 3, 3, 5, 5 }));
+}
+
+//------------------------------------------------------------------------------
+TEST(MergeTree, RefusesMergesThatCannotBe)
+{
+  const auto refuses = [](std::vector<Merge> merges)
+  { EXPECT_THROW(MergeTree(4, std::move(merges)), Error); };
+  refuses({ { 4, 0, 1 } });
+  refuses({ { 0, 4, 1 } });
+  refuses({ { 2, 2, 1 } });
+  refuses({ { 0, 1, 1 }, { 0, 2, 1 } }); // gone
+  refuses({ { 0, 1, 1 }, { 2, 0, 1 } });
+  refuses({ { 0, 1, -1 } });
+  refuses({ { 0, 1, std::nanf("") } });
+}
+} // anonymous namespace
+}
