@@ -11,62 +11,66 @@ from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON, vtkPlane, vtkPlaneCollection, vtkUnstructuredGrid)
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 
-from gatunPictures import (
-    check_same, draw, make_camera, make_caster, make_grid, make_property, picture_of, write)
+import gatunVolumes as gv
 
-grid = make_grid()
-expected = draw(grid)
+
+def check_same(a, b, bound=1 / 255):
+    assert gv.difference(a[0], b[0]) <= bound, gv.difference(a[0], b[0])
+
+
+grid = gv.box()
+expected = gv.draw(grid)
 colours, depths = expected
-assert 0.2 < (colours[:, 3] > 0.01).mean() < 0.9
-assert (colours[:, :3] <= colours[:, 3:] + 1e-6).all(), "not premultiplied"
+assert 0.2 < (colours[..., 3] > 0.01).mean() < 0.9
+assert (colours[..., :3] <= colours[..., 3:] + 1e-6).all(), "not premultiplied"
 
 # Depth: between the nearest and the farthest point of the box from the eye.
 seen = np.isfinite(depths)
-assert (seen == (colours[:, 3] > 0)).all()
+assert (seen == (colours[..., 3] > 0)).all()
 corners = np.array([[x, y, z] for x in (0, 10) for y in (0, 10) for z in (0, 10)])
-distances = np.linalg.norm(corners - np.array(make_camera().GetPosition()), axis=1)
+distances = np.linalg.norm(corners - np.array(gv.box_camera().GetPosition()), axis=1)
 assert depths[seen].min() > distances.min() - 10 and depths[seen].max() < distances.max()
 
 # The same whatever the order, the chunks, the threads, the direction and the instructions.
-check_same(expected, draw(make_grid(order=np.random.default_rng(1))))
-check_same(expected, draw(grid, PortableInstructions=True))
-check_same(expected, draw(grid, FromBothEnds=True))
-check_same(expected, draw(grid, MemoryBudget=0))
+check_same(expected, gv.draw(gv.box(order=np.random.default_rng(1))))
+check_same(expected, gv.draw(grid, PortableInstructions=True))
+check_same(expected, gv.draw(grid, FromBothEnds=True))
+check_same(expected, gv.draw(grid, MemoryBudget=0))
 for threads in (8, 3, 2, 1):  # TBB does not take more than it had at first
     vtkSMPTools.Initialize(threads)
-    check_same(expected, draw(grid))
+    check_same(expected, gv.draw(grid))
 vtkSMPTools.Initialize(0)
 for chunk in (1000, 65536):
-    reader = write(grid, "cast%d.gtn" % chunk, chunk)
+    reader = gv.write(grid, "cast%d.gtn" % chunk, chunk)
     for budget in (0, 512):
-        caster = make_caster(reader, MemoryBudget=budget)
-        check_same(expected, picture_of(caster))
+        caster = gv.make_caster(reader, MemoryBudget=budget)
+        check_same(expected, gv.picture_of(caster))
         caster.GetCamera().Azimuth(40)
-        turned = draw(grid, Camera=make_camera(azimuth=30))  # a camera of its own
+        turned = gv.draw(grid, Camera=gv.box_camera(azimuth=30))  # a camera of its own
         check_same(turned, expected, 0)
-        check_same(picture_of(caster), draw(grid, Camera=caster.GetCamera()))
+        check_same(gv.picture_of(caster), gv.draw(grid, Camera=caster.GetCamera()))
     # The reader was never asked for its mesh.
     assert reader.GetOutput().GetNumberOfCells() == 0
 
 # From the file only what is seen.
-fine = make_grid(20)
-caster = make_caster(write(fine, "fine.gtn", 500))
+fine = gv.box(20)
+caster = gv.make_caster(gv.write(fine, "fine.gtn", 500))
 caster.GetCamera().Zoom(4)
 caster.Update()
 statistic = caster.GetStatistic
 assert statistic(caster.NumberOfSkippedChunks) > 0
-whole = make_caster(fine, Camera=caster.GetCamera())
-check_same(picture_of(caster), picture_of(whole))
+whole = gv.make_caster(fine, Camera=caster.GetCamera())
+check_same(gv.picture_of(caster), gv.picture_of(whole))
 
 # Arrays, components, modes, samples.
 for options in ({"ArrayName": "vector", "ArrayComponent": -1}, {"ArrayName": "cell"},
                 {"ArrayName": "vector", "ArrayComponent": 2}, {"Mode": 1}, {"Mode": 2}, {"Mode": 3},
                 {"SampleDistance": 0.03}):
-    there = draw(grid, **options)
-    assert (there[0][:, 3] > 0.01).mean() > 0.1, options
-    check_same(there, draw(reader, **options))
-length = draw(grid, ArrayName="vector", ArrayComponent=-1)
-component = draw(grid, ArrayName="vector", ArrayComponent=0)
+    there = gv.draw(grid, **options)
+    assert (there[0][..., 3] > 0.01).mean() > 0.1, options
+    check_same(there, gv.draw(reader, **options))
+length = gv.draw(grid, ArrayName="vector", ArrayComponent=-1)
+component = gv.draw(grid, ArrayName="vector", ArrayComponent=0)
 assert np.abs(length[0] - component[0]).max() > 0.02  # sqrt(3) times as large
 
 # Where the volume is put: a turn of it is a turn of the camera the other way, and twice its size is
@@ -74,12 +78,11 @@ assert np.abs(length[0] - component[0]).max() > 0.02  # sqrt(3) times as large
 matrix = vtkMatrix4x4()
 for i in range(3):
     matrix.SetElement(i, i, 2)
-half = make_camera()
+half = gv.box_camera()
 half.SetFocalPoint(10, 10, 10)
-half.SetPosition(*(2 * np.array(make_camera().GetPosition())))
-properties = make_property()
-properties.SetScalarOpacityUnitDistance(2)
-check_same(expected, draw(grid, VolumeMatrix=matrix, Camera=half, Property=properties))
+half.SetPosition(*(2 * np.array(gv.box_camera().GetPosition())))
+check_same(
+    expected, gv.draw(grid, VolumeMatrix=matrix, Camera=half, Property=gv.box_property(unit=2)))
 
 # A clipping plane cuts the box in two parts, which together let through what the box does.
 parts = []
@@ -89,8 +92,8 @@ for sign in (1, -1):
     plane.SetNormal(0.3 * sign, 0.5 * sign, sign)
     planes = vtkPlaneCollection()
     planes.AddItem(plane)
-    parts.append(1 - draw(grid, ClippingPlanes=planes)[0][:, 3])
-np.testing.assert_allclose(parts[0] * parts[1], 1 - colours[:, 3], atol=1e-5)
+    parts.append(1 - gv.draw(grid, ClippingPlanes=planes)[0][..., 3])
+np.testing.assert_allclose(parts[0] * parts[1], 1 - colours[..., 3], atol=1e-5)
 
 # Hexahedra are split.
 hexahedra = vtkUnstructuredGrid()
@@ -104,7 +107,7 @@ for z in range(10):
                 return ((x + i) * row + y + j) * row + z + k
             hexahedra.InsertNextCell(VTK_HEXAHEDRON, 8, [
                 corner(i, j, k) for k in (0, 1) for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))])
-split = draw(hexahedra)
+split = gv.draw(hexahedra)
 assert np.abs(split[0] - colours).mean() < 0.01
 
 print("all good")

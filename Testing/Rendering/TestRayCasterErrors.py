@@ -11,11 +11,10 @@ from vtkmodules.vtkCommonDataModel import VTK_TRIANGLE, vtkUnstructuredGrid
 from vtkmodules.vtkCommonCore import vtkPoints
 
 import gatunMeshes as gm
-from gatunPictures import (
-    HEIGHT, TEMP, WIDTH, draw, make_camera, make_caster, make_grid, make_property, picture_of, write)
+import gatunVolumes as gv
 
-grid = make_grid(4)
-good = draw(grid)
+grid = gv.box(4)
+good = gv.draw(grid)
 
 
 def expect_error(caster, reason):
@@ -30,16 +29,16 @@ def expect_error(caster, reason):
 
 
 def expect_good(caster):
-    np.testing.assert_allclose(picture_of(caster)[0], good[0], atol=1 / 255)
+    np.testing.assert_allclose(gv.picture_of(caster)[0], good[0], atol=1 / 255)
 
 
 for name, bad, right in (
-        ("Size", (0, 10), (WIDTH, HEIGHT)), ("Size", (-3, 10), (WIDTH, HEIGHT)),
-        ("Size", (10, 40000), (WIDTH, HEIGHT)), ("SampleDistance", -1, 0),
-        ("SampleDistance", float("nan"), 0), ("Camera", None, make_camera()),
-        ("Property", None, make_property()), ("ArrayName", "nothing", None),
+        ("Size", (0, 10), (gv.WIDTH, gv.HEIGHT)), ("Size", (-3, 10), (gv.WIDTH, gv.HEIGHT)),
+        ("Size", (10, 40000), (gv.WIDTH, gv.HEIGHT)), ("SampleDistance", -1, 0),
+        ("SampleDistance", float("nan"), 0), ("Camera", None, gv.box_camera()),
+        ("Property", None, gv.box_property()), ("ArrayName", "nothing", None),
         ("ArrayComponent", 5, 0), ("ArrayAssociation", 1, -1)):
-    caster = make_caster(grid)
+    caster = gv.make_caster(grid)
     if name == "ArrayAssociation":
         caster.SetArrayName("wave")
     getattr(caster, "Set" + name)(bad)
@@ -47,9 +46,9 @@ for name, bad, right in (
     getattr(caster, "Set" + name)(right)
     expect_good(caster)
 
-camera = make_camera()
+camera = gv.box_camera()
 camera.SetPosition(camera.GetFocalPoint())
-caster = make_caster(grid)
+caster = gv.make_caster(grid)
 caster.SetCamera(camera)
 caster.Update()  # VTK moves such a focal point away; whatever is seen, nothing breaks
 
@@ -58,17 +57,17 @@ triangles = vtkUnstructuredGrid()
 triangles.SetPoints(grid.GetPoints())
 triangles.GetPointData().ShallowCopy(grid.GetPointData())
 triangles.InsertNextCell(VTK_TRIANGLE, 3, [0, 1, 2])
-expect_error(make_caster(triangles), "triangles")
+expect_error(gv.make_caster(triangles), "triangles")
 
 # Without scalars.
 bare = vtkUnstructuredGrid()
 bare.CopyStructure(grid)
-expect_error(make_caster(bare), "scalars")
+expect_error(gv.make_caster(bare), "scalars")
 
 
 # Nothing, or nothing that can be seen, is a picture without anything.
 def expect_nothing(source):
-    assert not picture_of(make_caster(source))[0].any()
+    assert not gv.picture_of(gv.make_caster(source))[0].any()
 
 
 empty = vtkUnstructuredGrid()
@@ -77,15 +76,15 @@ gm.add_array(empty.GetPointData(), np.zeros(0, np.float32), "wave")
 empty.GetPointData().SetActiveScalars("wave")
 expect_nothing(empty)
 for values in (np.full(125, np.nan), np.full(125, -7.0)):
-    strange = make_grid(4)
+    strange = gv.box(4)
     gm.add_array(strange.GetPointData(), values, "strange")
     strange.GetPointData().SetActiveScalars("strange")
     expect_nothing(strange)
 
 # A damaged file, and the same file repaired.
-reader = write(make_grid(8), "damaged.gtn", 500)
-expected = draw(make_grid(8))
-path = os.path.join(TEMP, "damaged.gtn")
+reader = gv.write(gv.box(8), "damaged.gtn", 500)
+expected = gv.draw(gv.box(8))
+path = os.path.join(gv.TEMP, "damaged.gtn")
 with open(path, "rb") as file:
     content = file.read()
 damaged = bytearray(content)
@@ -93,21 +92,21 @@ for at in range(len(content) // 3, len(content) // 3 * 2, 50):
     damaged[at] ^= 255
 with open(path, "wb") as file:
     file.write(damaged)
-caster = make_caster(reader)
+caster = gv.make_caster(reader)
 expect_error(caster, "damaged")
 with open(path, "wb") as file:
     file.write(content)
 caster.Modified()
-np.testing.assert_allclose(picture_of(caster)[0], expected[0], atol=1 / 255)
+np.testing.assert_allclose(gv.picture_of(caster)[0], expected[0], atol=1 / 255)
 
 # Stopped in the middle: no picture; then a whole one.
-caster = make_caster(reader, MemoryBudget=0)
+caster = gv.make_caster(reader, MemoryBudget=0)
 observer = caster.AddObserver("ProgressEvent", lambda source, event: caster.SetAbortExecute(1))
 caster.Update()
 assert caster.GetOutput().GetNumberOfPoints() == 0
 caster.RemoveObserver(observer)
 caster.SetAbortExecute(0)
 caster.Modified()
-np.testing.assert_allclose(picture_of(caster)[0], expected[0], atol=1 / 255)
+np.testing.assert_allclose(gv.picture_of(caster)[0], expected[0], atol=1 / 255)
 
 print("all good")

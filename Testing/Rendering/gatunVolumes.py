@@ -3,6 +3,8 @@
 
 """Meshes as volumes: in a window, and as vtkGatunRayCaster makes the same picture without one."""
 
+import os
+
 import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (draws)
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401  (draws volumes)
@@ -11,13 +13,19 @@ from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkVolume,
-    vtkVolumeProperty)
+    vtkActor, vtkCamera, vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
+    vtkVolume, vtkVolumeProperty)
 
 import gatunMeshes as gm
-from gatun import vtkGatunRayCaster, vtkGatunVolumeMapper
+from gatun import vtkGatunRayCaster, vtkGatunReader, vtkGatunVolumeMapper
 
 BACKGROUND = (0.1, 0.2, 0.4)
+TEMP = os.environ["GATUN_TEST_TEMP"]
+WIDTH, HEIGHT = 120, 90  # of pictures without a window
+
+
+# --------------------------------------------------------------------------------------------------
+# What there is to see
 
 
 def wave(n=8, dtype=np.float32, seed=1):
@@ -40,6 +48,31 @@ def constant(n=2, value=0.5):
     return grid
 
 
+def box(n=10, order=None):
+    """A box of 10 with arrays of points and cells; its cells in another order if a generator of
+    random numbers is given."""
+    points, tets = gm.lattice(n, permute=False)
+    points = points * 10
+    if order is not None:
+        tets = tets[order.permutation(len(tets))]
+    grid = gm.make_grid(points, tets)
+    x, y, z = points.T
+    field = np.sin(x * 0.7) * np.cos(y) + z / 8
+    gm.add_array(grid.GetPointData(), field.astype(np.float32), "wave")
+    gm.add_array(grid.GetPointData(), np.stack([x] * 3, 1), "vector")
+    gm.add_array(grid.GetCellData(), np.arange(len(tets)) % 7, "cell")
+    grid.GetPointData().SetActiveScalars("wave")
+    return grid
+
+
+def write(grid, name, chunk):
+    """Into a file; returns a reader of it."""
+    reader = vtkGatunReader()
+    reader.SetFileName(gm.temporary(name))
+    gm.write(grid, reader.GetFileName(), ChunkTets=chunk)
+    return reader
+
+
 def cube(bounds=(0, 1, 0, 1, 0, 1), colour=(1, 1, 1)):
     """An opaque actor that has no shades."""
     source = vtkCubeSource()
@@ -53,19 +86,45 @@ def cube(bounds=(0, 1, 0, 1, 0, 1), colour=(1, 1, 1)):
     return actor
 
 
-def make_property(opacity=((0, 0.0), (0.3, 0.1), (1, 0.9)), unit=0.2):
-    """Blue to red, with opacities at some values over a unit of length."""
+# --------------------------------------------------------------------------------------------------
+# How it looks, and from where
+
+RAINBOW = ((0, (0, 0.2, 1)), (0.5, (0.2, 1, 0.2)), (1, (1, 0.3, 0)))
+
+
+def make_property(opacity=((0, 0.0), (0.3, 0.1), (1, 0.9)), unit=0.2, colours=RAINBOW):
+    """Colours at some values, by default blue to red, and opacities over a unit of length."""
     prop = vtkVolumeProperty()
-    colours = vtkColorTransferFunction()
-    for value, colour in ((0, (0, 0.2, 1)), (0.5, (0.2, 1, 0.2)), (1, (1, 0.3, 0))):
-        colours.AddRGBPoint(value, *colour)
+    colour_function = vtkColorTransferFunction()
+    for value, colour in colours:
+        colour_function.AddRGBPoint(value, *colour)
     opacities = vtkPiecewiseFunction()
     for value, amount in opacity:
         opacities.AddPoint(value, amount)
-    prop.SetColor(colours)
+    prop.SetColor(colour_function)
     prop.SetScalarOpacity(opacities)
     prop.SetScalarOpacityUnitDistance(unit)
     return prop
+
+
+def box_property(unit=1):
+    """For the field "wave" of the box."""
+    colours = (-1, (0.1, 0.2, 0.9)), (2.3, (0.9, 0.3, 0.1))
+    return make_property(((-1, 0), (2.3, 0.3)), unit, colours)
+
+
+def box_camera(azimuth=30):
+    """Looks at the box."""
+    camera = vtkCamera()
+    camera.SetFocalPoint(5, 5, 5)
+    camera.SetPosition(5, 5, 35)
+    camera.Azimuth(azimuth)
+    camera.Elevation(20)
+    return camera
+
+
+# --------------------------------------------------------------------------------------------------
+# Pictures
 
 
 def connect(consumer, source):
@@ -130,19 +189,39 @@ class Scene:
         return vtk_to_numpy(data).reshape(height, width, 4).astype(float) / 255
 
 
-def cast(scene, source, size, **options):
-    """What vtkGatunRayCaster makes of the same, as (height, width, 4)."""
+def make_caster(source, **options):
+    """vtkGatunRayCaster that looks at the box."""
     caster = vtkGatunRayCaster()
     connect(caster, source)
-    caster.SetCamera(scene.camera)
-    caster.SetProperty(scene.volume.GetProperty())
-    caster.SetVolumeMatrix(scene.volume.GetMatrix())
-    caster.SetSize(*size)
+    caster.SetCamera(box_camera())
+    caster.SetProperty(box_property())
+    caster.SetSize(WIDTH, HEIGHT)
     for name, value in options.items():
-        getattr(caster, "Set" + name)(value)
+        getattr(caster, "Set" + name)(*(value if isinstance(value, tuple) else (value,)))
+    return caster
+
+
+def picture_of(caster):
+    """Colours as (height, width, 4) and depths as (height, width) of what it draws."""
     caster.Update()
-    rgba = vtk_to_numpy(caster.GetOutput().GetPointData().GetArray("RGBA"))
-    return rgba.reshape(size[1], size[0], 4).astype(float)
+    image = caster.GetOutput()
+    width, height, _ = image.GetDimensions()
+    assert (width, height) == caster.GetSize()
+    data = image.GetPointData()
+    assert data.GetScalars().GetName() == "RGBA"
+    colours = vtk_to_numpy(data.GetScalars()).reshape(height, width, 4).astype(float)
+    return colours, vtk_to_numpy(data.GetArray("Depth")).reshape(height, width).copy()
+
+
+def draw(source, **options):
+    return picture_of(make_caster(source, **options))
+
+
+def cast(scene, source, size, **options):
+    """What vtkGatunRayCaster makes of a scene, as (height, width, 4)."""
+    return draw(
+        source, Camera=scene.camera, Property=scene.volume.GetProperty(),
+        VolumeMatrix=scene.volume.GetMatrix(), Size=tuple(size), **options)[0]
 
 
 def over(rgba, background=BACKGROUND):
