@@ -12,6 +12,7 @@
 #include "vtkGatunReader.h"
 
 #include "vtkCamera.h"
+#include "vtkCompositeDataPipeline.h"
 #include "vtkErrorCode.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -30,6 +31,39 @@
 #include <algorithm>
 
 vtkStandardNewMacro(vtkGatunRayCaster);
+
+//------------------------------------------------------------------------------
+/**
+ * Where the input cannot be made, VTK does not ask for an image at all, and the one of before would
+ * stay for that of now.
+ */
+class vtkGatunRayCaster::vtkPipeline : public vtkCompositeDataPipeline
+{
+public:
+  static vtkPipeline* New();
+  vtkTypeMacro(vtkPipeline, vtkCompositeDataPipeline);
+
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
+  {
+    if (this->Superclass::ProcessRequest(request, inputs, outputs))
+    {
+      return 1;
+    }
+    if (vtkDataObject* const image = this->GetOutputData(0))
+    {
+      image->ReleaseData();
+    }
+    auto* const caster = vtkGatunRayCaster::SafeDownCast(this->GetAlgorithm());
+    if (caster && caster->GetErrorCode() == vtkErrorCode::NoError)
+    {
+      caster->SetErrorCode(vtkErrorCode::UnknownError);
+    }
+    return 0;
+  }
+};
+
+vtkStandardNewMacro(vtkGatunRayCaster::vtkPipeline);
 
 //------------------------------------------------------------------------------
 class vtkGatunRayCaster::vtkInternals
@@ -172,6 +206,12 @@ double vtkGatunRayCaster::GetStatistic(int which)
       vtkErrorMacro("There is no statistic " << which << ".");
       return 0;
   }
+}
+
+//------------------------------------------------------------------------------
+vtkExecutive* vtkGatunRayCaster::CreateDefaultExecutive()
+{
+  return vtkPipeline::New();
 }
 
 //------------------------------------------------------------------------------

@@ -224,6 +224,7 @@ protected:
   vtkGatunRayCaster();
   ~vtkGatunRayCaster() override;
 
+  vtkExecutive* CreateDefaultExecutive() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(
     vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
@@ -247,6 +248,7 @@ private:
   vtkGatunRayCaster(const vtkGatunRayCaster&) = delete;
   void operator=(const vtkGatunRayCaster&) = delete;
 
+  class vtkPipeline;
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 };

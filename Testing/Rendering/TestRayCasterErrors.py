@@ -7,7 +7,7 @@ afterwards is right."""
 import os
 
 import numpy as np
-from vtkmodules.vtkCommonDataModel import VTK_TRIANGLE, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import VTK_TRIANGLE, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkCommonCore import vtkPoints
 
 import gatunMeshes as gm
@@ -20,8 +20,8 @@ good = gv.draw(grid)
 def expect_error(caster, reason):
     messages = []
     caster.RemoveAllObservers()
-    caster.AddObserver("ErrorEvent", lambda source, event: messages.append(event))
-    caster.GetExecutive().AddObserver("ErrorEvent", lambda source, event: None)
+    for teller in (caster, caster.GetExecutive()):
+        teller.AddObserver("ErrorEvent", lambda source, event: messages.append(event))
     caster.Update()
     assert messages, reason
     assert caster.GetErrorCode() != 0, reason
@@ -80,6 +80,16 @@ for values in (np.full(125, np.nan), np.full(125, -7.0)):
     gm.add_array(strange.GetPointData(), values, "strange")
     strange.GetPointData().SetActiveScalars("strange")
     expect_nothing(strange)
+
+# Where the input fails, or there is none any more, the image of before goes.
+caster = gv.make_caster(grid)
+expect_good(caster)
+caster.RemoveAllInputs()
+expect_error(caster, "no input")
+gv.connect(caster, vtkPolyData())
+expect_error(caster, "not a vtkUnstructuredGrid")
+gv.connect(caster, grid)
+expect_good(caster)
 
 # A damaged file, and the same file repaired.
 reader = gv.write(gv.box(8), "damaged.gtn", 500)

@@ -202,8 +202,13 @@ def make_caster(source, **options):
 
 
 def picture_of(caster):
-    """Colours as (height, width, 4) and depths as (height, width) of what it draws."""
+    """What it draws."""
     caster.Update()
+    return made_by(caster)
+
+
+def made_by(caster):
+    """Colours as (height, width, 4) and depths as (height, width) of what it has drawn."""
     image = caster.GetOutput()
     width, height, _ = image.GetDimensions()
     assert (width, height) == caster.GetSize()
