@@ -283,6 +283,11 @@ SeenBox RayCaster::Internals::See(const Bounds& box) const
 {
   const double inf = std::numeric_limits<double>::infinity();
   SeenBox seen{ false, inf, inf, -inf, -inf, inf, -inf };
+  if (!(box[0].Min <= box[0].Max))
+  {
+    seen.IsOutside = true; // of a block whose tetrahedra are all hidden, or have no place
+    return seen;
+  }
   for (unsigned corner = 0; corner < 8; ++corner)
   {
     const auto get = [&](unsigned axis)

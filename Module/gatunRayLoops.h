@@ -298,7 +298,9 @@ void SetUp(const SetUpContext& context, const RayPoint* points, const Tet* tets,
       const auto cy = ny * ay;
       const auto cz = nz * az;
       divisor = cx + cy + cz;
-      least = (Absolute(cx) + Absolute(cy) + Absolute(cz)) * SplatD(1e-14);
+      // The second term is for the eye in a corner, where all of the first is zero.
+      least = (Absolute(cx) + Absolute(cy) + Absolute(cz)) * SplatD(1e-14) +
+        (Absolute(nx) + Absolute(ny) + Absolute(nz)) * SplatD(1e-30);
     }
     divisor = divisor < SplatD(0) ? Smaller(divisor, -least) : Larger(divisor, least);
     const auto perDivisor = SplatD(-1) / divisor;
