@@ -6,10 +6,11 @@ files are checked in all they hold."""
 
 import json
 import os
+import subprocess
 
 import numpy as np
 
-from gatunCli import enter_folder, gtn, lattice, make_grid, standard_mesh, write
+from gatunCli import PROGRAM, enter_folder, gtn, lattice, make_grid, standard_mesh, write
 from gatunPictures import read_png
 
 enter_folder("render-errors")
@@ -81,6 +82,38 @@ fails(says="gtn: damaged.gtn: ", mesh="damaged.gtn")
 with open("cut.gtn", "wb") as file:
     file.write(good[:middle])
 fails(says="gtn: cut.gtn: ", mesh="cut.gtn")
+
+# In many places of a file of many chunks: the right picture, or none and a message.
+write(standard_mesh(6), "many.vtu")
+gtn("pack", "-q", "--chunk", 100, "many.vtu", "many.gtn")
+gtn(*SMALL, "-q", "many.gtn", "many.png")
+right = read_png("many.png")
+with open("many.gtn", "rb") as file:
+    good = file.read()
+found = 0
+for number in range(30):
+    random = np.random.default_rng(number)
+    at = int(random.integers(len(good)))
+    content = bytearray(good)
+    if number % 3 == 0:
+        content[at] ^= 1 << int(random.integers(8))
+    elif number % 3 == 1:
+        content[at : at + 16] = random.bytes(len(content[at : at + 16]))
+    else:
+        del content[at:]
+    with open("hurt.gtn", "wb") as file:
+        file.write(content)
+    run = subprocess.run(
+        [PROGRAM, *SMALL, "-q", "-f", "hurt.gtn", "hurt.png"], stderr=subprocess.PIPE, timeout=60,
+        check=False, universal_newlines=True)
+    if run.returncode == 0:
+        assert not run.stderr and np.abs(read_png("hurt.png") - right).max() <= 1, number
+        os.remove("hurt.png")
+    else:
+        found += 1
+        assert run.returncode == 1 and run.stderr.startswith("gtn: hurt.gtn: "), run
+        assert not os.path.exists("hurt.png"), number
+assert 10 < found < 30, found
 
 # An old picture stays, unless -f is given and the new one is complete.
 gtn(*SMALL, "-q", "mesh.gtn", "old.png")

@@ -423,16 +423,22 @@ TEST(RayCaster, WhatIsNotANumberIsNotSeen)
   std::erase_if(without.Tets,
     [](const auto& tet)
     { return std::any_of(tet.begin(), tet.end(), [](auto c) { return c == 31 || c == 62; }); });
-  const auto expected = Render(without, viewer, {});
 
-  for (const double strange : { nan, infinity, -infinity })
+  // Also where there is no value without a colour.
+  Setting solid;
+  solid.Colour = [](double value) { return std::array<double, 4>{ value, 0.5, 1, 0.3 }; };
+  for (const Setting& setting : { Setting{}, solid })
   {
-    auto values = mesh;
-    values.Values[31] = values.Values[62] = strange;
-    auto points = mesh;
-    points.Points[31][0] = points.Points[62][2] = strange;
-    EXPECT_LE(GetLargestDifference(expected, Render(points, viewer, {})), 1e-3f);
-    EXPECT_LE(GetLargestDifference(expected, Render(values, viewer, {})), 1e-3f);
+    const auto expected = Render(without, viewer, setting);
+    for (const double strange : { nan, infinity, -infinity })
+    {
+      auto values = mesh;
+      values.Values[31] = values.Values[62] = strange;
+      auto points = mesh;
+      points.Points[31][0] = points.Points[62][2] = strange;
+      EXPECT_LE(GetLargestDifference(expected, Render(points, viewer, setting)), 1e-3f);
+      EXPECT_LE(GetLargestDifference(expected, Render(values, viewer, setting)), 1e-3f);
+    }
   }
 }
 

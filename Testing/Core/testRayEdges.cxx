@@ -112,7 +112,7 @@ TEST(RayCaster, WideTetrahedraAreNearerInTheirMiddleThanAtTheirCorners)
   auto mesh = ToReference(MakeCubes(1, 0));
   for (auto& point : mesh.Points)
   {
-    point = { 6 * point[0] - 3, 6 * point[1] - 3, -3 - 0.1 * point[2] };
+    point = { 6 * point[0] - 3, 6 * point[1] - 3, -3 - 0.03 * point[2] };
   }
   auto viewer = Viewer::LookAt({ 0, 0, 0 }, { 0, 0, -3 }, false, 6);
   viewer.SampleDistance = 0.25;
