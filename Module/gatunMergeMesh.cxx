@@ -133,11 +133,16 @@ std::span<const std::uint32_t> MergeMesh::GetRing(std::uint32_t point)
   // Those that are gone are left out when somebody asks.
   Ring& ring = this->Rings[point];
   std::uint32_t* const first = this->Pool.data() + ring.First;
+  if (!ring.HasGone)
+  {
+    return { first, ring.Count };
+  }
   std::uint32_t* const last = std::remove_if(
     first, first + ring.Count, [this](std::uint32_t tet) { return this->Tets[tet][0] == None; });
   const auto count = static_cast<std::uint32_t>(last - first);
   this->Used -= ring.Count - count;
   ring.Count = count;
+  ring.HasGone = false;
   return { first, count };
 }
 
@@ -384,6 +389,10 @@ void MergeMesh::Merge(std::uint32_t point, std::uint32_t into)
     Tet& corners = this->Tets[tet];
     if (FindCorner(corners, into) < 4)
     {
+      for (const auto corner : corners)
+      {
+        this->Rings[corner].HasGone = true;
+      }
       corners[0] = None;
     }
     else
@@ -399,6 +408,7 @@ void MergeMesh::Merge(std::uint32_t point, std::uint32_t into)
   this->Used -= this->Rings[point].Count;
   this->Rings[point].Count = 0;
   Ring& target = this->Rings[into];
+  target.HasGone = false;
   target.First = this->Pool.size();
   target.Count = static_cast<std::uint32_t>(all.size());
   this->Pool.insert(this->Pool.end(), all.begin(), all.end());

@@ -53,6 +53,7 @@ private:
   {
     std::size_t First = 0;
     std::uint32_t Count = 0;
+    bool HasGone = false; // tetrahedra that are gone
   };
 
   /** What a point is to the one at hand. */
