@@ -11,6 +11,7 @@
 #include "gatunExactGhosts.h"
 #include "gatunFileReader.h"
 #include "gatunFileSignature.h"
+#include "gatunOutline.h"
 #include "gatunParallel.h"
 #include "vtkGatunCompat.h"
 
@@ -339,6 +340,36 @@ public:
     return chosen;
   }
 
+  /** Whether the output is an outline. */
+  bool IsOnDemand(const vtkGatunReader& reader) const
+  {
+    if (!this->File || reader.UseBox || reader.UseValueRange)
+    {
+      return false;
+    }
+    return reader.OnDemand == ON_DEMAND_ALWAYS ||
+      (reader.OnDemand == ON_DEMAND_LARGE &&
+        this->File->GetNumberOfTets() > static_cast<std::uint64_t>(reader.LargeMesh));
+  }
+
+  /** Makes the outline, or what is the same without points and cells. */
+  void MakeOutline(const gatun::PieceRequest& request, bool isEmpty, vtkUnstructuredGrid* output)
+  {
+    this->ForgetMesh();
+    this->Cache->Clear();
+    gatun::MakeOutline(*this->File, request.Arrays, request.Step, isEmpty, output);
+    this->AddFieldData(request.Step, output);
+    output->GetInformation()->Set(ON_DEMAND(), 1);
+  }
+
+  void AddFieldData(std::size_t step, vtkUnstructuredGrid* output) const
+  {
+    if (step < this->File->GetNumberOfSteps())
+    {
+      gatun::AddFieldData(output->GetFieldData(), this->File->GetFieldData(step));
+    }
+  }
+
   bool HasMeshOf(const gatun::PieceRequest& request) const
   {
     gatun::PieceRequest mesh = request;
@@ -452,10 +483,7 @@ public:
     }
     AddGhosts(output->GetPointData(), this->PointGhosts);
     AddGhosts(output->GetCellData(), this->CellGhosts);
-    if (request.Step < this->File->GetNumberOfSteps())
-    {
-      gatun::AddFieldData(output->GetFieldData(), this->File->GetFieldData(request.Step));
-    }
+    this->AddFieldData(request.Step, output);
   }
 
 private:
@@ -485,6 +513,7 @@ private:
 
 vtkStandardNewMacro(vtkGatunReader);
 vtkInformationKeyRestrictedMacro(vtkGatunReader, CHUNK_TABLE, ObjectBase, "vtkTable");
+vtkInformationKeyMacro(vtkGatunReader, ON_DEMAND, Integer);
 
 //------------------------------------------------------------------------------
 vtkGatunReader::vtkGatunReader()
@@ -519,6 +548,10 @@ void vtkGatunReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ValueRangeComponent: " << this->ValueRangeComponent << "\n";
   os << indent << "ValueRange: " << this->ValueRange[0] << " " << this->ValueRange[1] << "\n";
   os << indent << "CacheSize: " << this->CacheSize << "\n";
+  const char* const modes[] = { "Never", "Always", "Large" };
+  os << indent << "OnDemand: " << modes[this->OnDemand] << "\n";
+  os << indent << "LargeMesh: " << this->LargeMesh << "\n";
+  os << indent << "IsOnDemand: " << (this->GetIsOnDemand() ? "true" : "false") << "\n";
   os << indent << "CachedBytes: " << this->GetCachedBytes() << "\n";
   os << indent << "DecodedChunks: " << this->GetDecodedChunks() << "\n";
   os << indent << "BytesRead: " << this->GetBytesRead() << "\n";
@@ -625,6 +658,12 @@ void vtkGatunReader::SetCacheSize(int mebibytes)
 }
 
 //------------------------------------------------------------------------------
+bool vtkGatunReader::GetIsOnDemand()
+{
+  return this->Internals->IsOnDemand(*this);
+}
+
+//------------------------------------------------------------------------------
 vtkTypeUInt64 vtkGatunReader::GetCachedBytes()
 {
   return this->Internals->Cache ? this->Internals->Cache->GetStatistics().Bytes : 0;
@@ -680,6 +719,7 @@ void vtkGatunReader::Fail(vtkInformationVector* outputVector) noexcept
     if (auto* output = vtkDataObject::GetData(outInfo))
     {
       output->Initialize();
+      output->GetInformation()->Remove(ON_DEMAND());
     }
     if (!failure.Aborted)
     {
@@ -764,6 +804,7 @@ int vtkGatunReader::RequestData(vtkInformation* vtkNotUsed(request),
   try
   {
     output->Initialize();
+    output->GetInformation()->Remove(ON_DEMAND());
     this->UpdateProgress(0);
     const int pieces =
       std::max(1, vtkStreamingDemandDrivenPipeline::GetUpdateNumberOfPieces(outInfo));
@@ -799,24 +840,31 @@ int vtkGatunReader::RequestData(vtkInformation* vtkNotUsed(request),
       // Arrays without any values.
       request.Arrays.clear();
     }
-    if (pieces > 1)
+    if (self.IsOnDemand(*this))
     {
-      request.GhostLevels = static_cast<unsigned>(
-        std::max(0, vtkStreamingDemandDrivenPipeline::GetUpdateGhostLevel(outInfo)));
+      self.MakeOutline(request, piece != 0, output);
     }
-    if (request.GhostLevels > 0 && chunks.size() < self.File->GetChunks().size())
+    else
     {
-      request.Universe = chunks;
-    }
-    request.WithUnusedPoints = exists && piece == 0 && !this->UseBox && !this->UseValueRange;
-    request.RestoreOrder = this->RestoreOrder;
-
-    self.Read(request, this->GenerateGlobalIds || pieces > 1, output,
-      [this](double fraction)
+      if (pieces > 1)
       {
-        this->UpdateProgress(fraction);
-        return !gatun::IsAborted(this);
-      });
+        request.GhostLevels = static_cast<unsigned>(
+          std::max(0, vtkStreamingDemandDrivenPipeline::GetUpdateGhostLevel(outInfo)));
+      }
+      if (request.GhostLevels > 0 && chunks.size() < self.File->GetChunks().size())
+      {
+        request.Universe = chunks;
+      }
+      request.WithUnusedPoints = exists && piece == 0 && !this->UseBox && !this->UseValueRange;
+      request.RestoreOrder = this->RestoreOrder;
+
+      self.Read(request, this->GenerateGlobalIds || pieces > 1, output,
+        [this](double fraction)
+        {
+          this->UpdateProgress(fraction);
+          return !gatun::IsAborted(this);
+        });
+    }
     if (self.File->HasTime() && request.Step < self.File->GetTimes().size())
     {
       output->GetInformation()->Set(

@@ -35,6 +35,14 @@
  * *Change on disk.* Each update looks whether the file was replaced or rewritten since, and then
  * reads it anew.
  *
+ * *On demand.* With OnDemand, always or for large meshes, the output is not the mesh but its
+ * outline: the 8 corners of its bounds and 12 lines, with the selected arrays, whose values span
+ * what those of the mesh do at the current step, component by component, and, of up to three
+ * components, also in length. Piece 0 has it, all others are empty. Nothing is decoded.
+ * ON_DEMAND() in the output's information and GetIsOnDemand tell it from a mesh.
+ * vtkGatunVolumeMapper and vtkGatunRayCaster draw the mesh all the same, as they draw the file.
+ * With a box or a value range the output is always a mesh, that of the chunks that pass.
+ *
  * *Cost.* Memory: the output, as much again while ghost cells are chosen, and the mesh last read;
  * besides, chunks that were decoded are kept up to CacheSize, so that other pieces, arrays and time
  * steps need not decode them again. Decoding uses all threads of vtkSMPTools.
@@ -61,6 +69,7 @@
 #include <memory> // For std::unique_ptr
 
 class vtkDataArraySelection;
+class vtkInformationIntegerKey;
 class vtkInformationObjectBaseKey;
 class vtkTable;
 
@@ -227,6 +236,47 @@ public:
   ///@}
 
   /**
+   * When the output is only the outline of the mesh.
+   */
+  enum OnDemandModes
+  {
+    ON_DEMAND_NEVER = 0,
+    ON_DEMAND_ALWAYS = 1,
+    ON_DEMAND_LARGE = 2 ///< if the file has more tetrahedra than LargeMesh
+  };
+
+  ///@{
+  /**
+   * Whether the output is the outline of the mesh instead of the mesh, so that nothing is decoded
+   * before somebody draws the file: one of OnDemandModes. Without effect while UseBox or
+   * UseValueRange is on. Default: ON_DEMAND_NEVER.
+   */
+  vtkSetClampMacro(OnDemand, int, ON_DEMAND_NEVER, ON_DEMAND_LARGE);
+  vtkGetMacro(OnDemand, int);
+  ///@}
+
+  ///@{
+  /**
+   * How many tetrahedra a mesh may have that ON_DEMAND_LARGE does not apply to, 0 or more.
+   * Default: 5,000,000.
+   */
+  vtkSetClampMacro(LargeMesh, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(LargeMesh, vtkIdType);
+  ///@}
+
+  /**
+   * Whether the output is the outline of the mesh, with the file and the properties as they are:
+   * true or false, after UpdateInformation. False without a readable file.
+   */
+  bool GetIsOnDemand();
+
+  /**
+   * Key in the information of the output (vtkDataObject::GetInformation), 1: it is an outline. It
+   * is not there where the output is a mesh.
+   */
+  static vtkInformationIntegerKey* ON_DEMAND();
+
+  /**
    * Bytes of decoded chunks that are kept now; never more than CacheSize.
    */
   vtkTypeUInt64 GetCachedBytes();
@@ -295,6 +345,8 @@ protected:
   int ValueRangeComponent = -1;
   double ValueRange[2] = { 0, 1 };
   int CacheSize = 512;
+  int OnDemand = ON_DEMAND_NEVER;
+  vtkIdType LargeMesh = 5000000;
 
 private:
   vtkGatunReader(const vtkGatunReader&) = delete;

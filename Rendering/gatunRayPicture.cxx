@@ -8,6 +8,7 @@
 #include "gatunRayRendering.h"
 
 #include "vtkRayCastImageDisplayHelper.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
@@ -85,6 +86,9 @@ void RayPicture::Show(vtkRenderer* renderer, vtkVolume* volume, bool inFront)
   const float depth = inFront ? Nearest : GetCentreDepth(renderer, volume);
   this->Helper->RenderTexture(volume, renderer, this->Size.data(), this->Size.data(),
     this->Size.data(), origin.data(), depth, this->Texels.data());
+  // It would not notice that its program goes with another window which shares the context, as when
+  // a view of ParaView is closed, and then show nothing.
+  this->Helper->ReleaseGraphicsResources(renderer->GetRenderWindow());
 }
 
 //------------------------------------------------------------------------------

@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunOutline.h"
+
+#include "gatunArrayBridge.h"
+#include "gatunFileReader.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gatun
+{
+namespace
+{
+constexpr vtkIdType Corners = 8;
+constexpr vtkIdType Lines = 12;
+
+using Tuple = std::vector<double>;
+
+//------------------------------------------------------------------------------
+double LengthOf(const Tuple& tuple)
+{
+  double sum = 0;
+  for (const double value : tuple)
+  {
+    sum += value * value;
+  }
+  return std::sqrt(sum);
+}
+
+//------------------------------------------------------------------------------
+/**
+ * A tuple within the ranges whose length is as near as can be to one that is wanted; Fixed: a
+ * component that has a value of its own, or none.
+ */
+Tuple FindTuple(
+  const ArrayRanges& ranges, std::size_t components, double length, std::size_t fixed, double value)
+{
+  Tuple shortest(components);
+  Tuple longest(components);
+  for (std::size_t c = 0; c < components; ++c)
+  {
+    const Range& range = ranges[c];
+    shortest[c] = std::clamp(0.0, range.Min, range.Max);
+    longest[c] = std::abs(range.Min) > std::abs(range.Max) ? range.Min : range.Max;
+    if (c == fixed)
+    {
+      shortest[c] = longest[c] = value;
+    }
+  }
+  // Lengths grow on the way from one to the other.
+  const auto at = [&](double share)
+  {
+    Tuple tuple(components);
+    for (std::size_t c = 0; c < components; ++c)
+    {
+      tuple[c] = share >= 1 ? longest[c] : shortest[c] + share * (longest[c] - shortest[c]);
+    }
+    return tuple;
+  };
+  double low = 0;
+  double high = 1;
+  if (LengthOf(shortest) >= length)
+  {
+    return shortest;
+  }
+  for (int i = 0; i < 60; ++i)
+  {
+    const double middle = (low + high) / 2;
+    (LengthOf(at(middle)) < length ? low : high) = middle;
+  }
+  return at(high);
+}
+
+//------------------------------------------------------------------------------
+/** Tuples that have the ranges, in turn. */
+std::vector<Tuple> MakeTuples(const ArrayRanges& ranges, std::size_t components, vtkIdType count)
+{
+  const auto size = static_cast<std::size_t>(count);
+  const bool isFinite = std::all_of(ranges.begin(), ranges.end(),
+    [](const Range& range)
+    { return range.Min <= range.Max && std::isfinite(range.Min) && std::isfinite(range.Max); });
+  std::vector<Tuple> tuples;
+  if (components > 1 && isFinite && 2 * components + 2 <= size)
+  {
+    // As short as may be, else the lengths of these would exceed those of the mesh.
+    const Range& lengths = ranges.back();
+    for (std::size_t c = 0; c < components; ++c)
+    {
+      tuples.push_back(FindTuple(ranges, components, lengths.Min, c, ranges[c].Min));
+      tuples.push_back(FindTuple(ranges, components, lengths.Min, c, ranges[c].Max));
+    }
+    for (bool isLongest = false; tuples.size() < size; isLongest = !isLongest)
+    {
+      tuples.push_back(
+        FindTuple(ranges, components, isLongest ? lengths.Max : lengths.Min, components, 0));
+    }
+    return tuples;
+  }
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    Tuple& tuple = tuples.emplace_back(components);
+    for (std::size_t c = 0; c < components; ++c)
+    {
+      const Range& range = ranges[c];
+      tuple[c] = range.Min > range.Max ? std::nan("") : i % 2 == 0 ? range.Min : range.Max;
+    }
+  }
+  return tuples;
+}
+
+//------------------------------------------------------------------------------
+/** What an array's type can hold of a value. */
+double ToType(vtkDataArray* array, double value)
+{
+  const int type = array->GetDataType();
+  if (type == VTK_FLOAT || type == VTK_DOUBLE)
+  {
+    return value;
+  }
+  if (std::isnan(value))
+  {
+    return 0;
+  }
+  // The largest number of 64 bits is none of the doubles; the next one is too large.
+  const double largest = array->GetDataTypeMax();
+  const double fits = array->GetDataTypeSize() == 8 ? std::nextafter(largest, 0.0) : largest;
+  return std::clamp(std::round(value), array->GetDataTypeMin(), fits);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> MakeArray(
+  const ArrayDescription& description, const ArrayRanges& ranges, vtkIdType count)
+{
+  ArrayFiller filler(description, count);
+  vtkSmartPointer<vtkDataArray> array = filler.Finish();
+  if (count == 0)
+  {
+    return array;
+  }
+  const std::vector<Tuple> tuples = MakeTuples(ranges, description.Components, count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    for (std::size_t c = 0; c < description.Components; ++c)
+    {
+      array->SetComponent(
+        i, static_cast<int>(c), ToType(array, tuples[static_cast<std::size_t>(i)][c]));
+    }
+  }
+  return array;
+}
+
+//------------------------------------------------------------------------------
+void AddMesh(const FileReader& file, bool isEmpty, vtkUnstructuredGrid* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(file.GetCoordinateType() == ScalarType::Float64 ? VTK_DOUBLE : VTK_FLOAT);
+  vtkNew<vtkCellArray> cells;
+  if (!isEmpty)
+  {
+    const Bounds& box = file.GetBounds();
+    for (int corner = 0; corner < Corners; ++corner)
+    {
+      std::array<double, 3> point{};
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        point[axis] = (corner >> axis & 1) == 0 ? box[axis].Min : box[axis].Max;
+      }
+      points->InsertNextPoint(point.data());
+    }
+    for (vtkIdType corner = 0; corner < Corners; ++corner)
+    {
+      for (const vtkIdType step : { 1, 2, 4 })
+      {
+        if ((corner & step) == 0)
+        {
+          const vtkIdType line[2] = { corner, corner + step };
+          cells->InsertNextCell(2, line);
+        }
+      }
+    }
+  }
+  output->SetPoints(points);
+  output->SetCells(VTK_LINE, cells);
+}
+}
+
+//------------------------------------------------------------------------------
+void MakeOutline(const FileReader& file, const std::vector<std::uint32_t>& arrays, std::size_t step,
+  bool isEmpty, vtkUnstructuredGrid* output)
+{
+  const Bounds& box = file.GetBounds();
+  isEmpty = isEmpty ||
+    std::any_of(box.begin(), box.end(), [](const Range& range) { return range.Min > range.Max; });
+  AddMesh(file, isEmpty, output);
+  constexpr std::uint32_t ids =
+    1u << vtkDataSetAttributes::GLOBALIDS | 1u << vtkDataSetAttributes::PEDIGREEIDS;
+  for (const std::uint32_t index : arrays)
+  {
+    const ArrayDescription& description = file.GetArrays()[index];
+    if (description.Name == vtkDataSetAttributes::GhostArrayName())
+    {
+      continue;
+    }
+    const bool ofPoints = description.Where == Association::Point;
+    const vtkIdType count = isEmpty ? 0 : ofPoints ? Corners : Lines;
+    auto* const attributes =
+      ofPoints ? static_cast<vtkDataSetAttributes*>(output->GetPointData()) : output->GetCellData();
+    AddWithRoles(attributes, MakeArray(description, file.GetRanges(index, step), count),
+      description.AttributeRoles & ~ids);
+  }
+}
+}

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunFilePiece.h"
+
+#include "vtkGatunReader.h"
+
+#include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkMetaReader.h"
+#include "vtkNew.h"
+#include "vtkStringArray.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace gatun
+{
+namespace
+{
+constexpr const char* PathName = "GatunDrawnFile";
+constexpr const char* TimeName = "GatunDrawnTime";
+}
+
+//------------------------------------------------------------------------------
+vtkGatunReader* FindReader(vtkAlgorithm* representation)
+{
+  if (representation->GetNumberOfInputConnections(0) != 1)
+  {
+    return nullptr;
+  }
+  vtkAlgorithm* input = representation->GetInputAlgorithm(0, 0);
+  // ParaView puts it behind every source; it passes on what it gets.
+  if (input && input->IsA("vtkPVPostFilter") && input->GetNumberOfInputConnections(0) == 1)
+  {
+    input = input->GetInputAlgorithm(0, 0);
+  }
+  if (auto* const series = vtkMetaReader::SafeDownCast(input))
+  {
+    input = series->GetReader();
+  }
+  return vtkGatunReader::SafeDownCast(input);
+}
+
+//------------------------------------------------------------------------------
+DrawnFile DescribeFile(vtkGatunReader* reader, vtkDataObject* made)
+{
+  DrawnFile file;
+  file.Path = reader->GetFileName() ? reader->GetFileName() : "";
+  if (made && made->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP()))
+  {
+    file.Time = made->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP());
+  }
+  return file;
+}
+
+//------------------------------------------------------------------------------
+void MarkPiece(vtkUnstructuredGrid* piece, const DrawnFile& file)
+{
+  vtkNew<vtkStringArray> path;
+  path->SetName(PathName);
+  path->InsertNextValue(file.Path);
+  piece->GetFieldData()->AddArray(path);
+  vtkNew<vtkDoubleArray> time;
+  time->SetName(TimeName);
+  time->InsertNextValue(file.Time);
+  piece->GetFieldData()->AddArray(time);
+}
+
+//------------------------------------------------------------------------------
+DrawnFile GetMark(vtkUnstructuredGrid* piece)
+{
+  vtkFieldData* const field = piece->GetFieldData();
+  auto* const path = vtkStringArray::SafeDownCast(field->GetAbstractArray(PathName));
+  auto* const time = vtkDoubleArray::SafeDownCast(field->GetArray(TimeName));
+  if (!path || !time || path->GetNumberOfValues() < 1 || time->GetNumberOfValues() < 1)
+  {
+    return {};
+  }
+  return { path->GetValue(0), time->GetValue(0) };
+}
+}

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunFilePiece_h
+#define gatunFilePiece_h
+
+#include <string>
+
+class vtkAlgorithm;
+class vtkDataObject;
+class vtkGatunReader;
+class vtkUnstructuredGrid;
+
+// What goes from where a file is read to where it is drawn, instead of its mesh.
+
+namespace gatun
+{
+struct DrawnFile
+{
+  std::string Path; ///< empty for none
+  double Time = 0;
+};
+
+/** The reader that an input of a representation comes from, with nothing in between that may have
+ * changed the data; null if there is none. */
+vtkGatunReader* FindReader(vtkAlgorithm* representation);
+
+/** The reader's file, at the time of what it made. */
+DrawnFile DescribeFile(vtkGatunReader* reader, vtkDataObject* made);
+
+/** Adds to the piece's field data what file is to be drawn in its place. */
+void MarkPiece(vtkUnstructuredGrid* piece, const DrawnFile& file);
+
+/** The file to be drawn in place of a piece, if it is marked. */
+DrawnFile GetMark(vtkUnstructuredGrid* piece);
+}
+
+#endif

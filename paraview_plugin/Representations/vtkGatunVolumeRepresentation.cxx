@@ -1,0 +1,431 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkGatunVolumeRepresentation.h"
+
+#include "gatunBoxParts.h"
+#include "gatunFilePiece.h"
+#include "gatunMeshPiece.h"
+#include "vtkGatunReader.h"
+#include "vtkGatunVolumeMapper.h"
+
+#include "vtkAlgorithmOutput.h"
+#include "vtkBoundingBox.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkErrorCode.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutlineSource.h"
+#include "vtkPVGeometryFilter.h"
+#include "vtkPVLODVolume.h"
+#include "vtkPVRenderView.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolumeProperty.h"
+#include "vtkVolumeRepresentationPreprocessor.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkGatunVolumeRepresentation);
+
+namespace
+{
+
+//------------------------------------------------------------------------------
+struct Processes
+{
+  int Own = 0;
+  int All = 1;
+
+  Processes()
+  {
+    if (auto* const controller = vtkMultiProcessController::GetGlobalController())
+    {
+      this->Own = controller->GetLocalProcessId();
+      this->All = controller->GetNumberOfProcesses();
+    }
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkDataObject* GetData(vtkAlgorithmOutput* producer)
+{
+  return producer ? producer->GetProducer()->GetOutputDataObject(producer->GetIndex()) : nullptr;
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+vtkGatunVolumeRepresentation::vtkGatunVolumeRepresentation()
+  : Piece(vtkSmartPointer<vtkUnstructuredGrid>::New())
+{
+  this->Superclass::AddVolumeMapper("Gatun", this->VolumeMapper);
+  this->Superclass::SetActiveVolumeMapper("Gatun");
+  this->File->SetOnDemand(vtkGatunReader::ON_DEMAND_ALWAYS);
+  this->File->SetCacheSize(0);
+}
+
+vtkGatunVolumeRepresentation::~vtkGatunVolumeRepresentation() = default;
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeRepresentation::SetSampleDistance(double distance)
+{
+  this->VolumeMapper->SetSampleDistance(distance);
+}
+
+//------------------------------------------------------------------------------
+double vtkGatunVolumeRepresentation::GetSampleDistance()
+{
+  return this->VolumeMapper->GetSampleDistance();
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeRepresentation::SetBlendMode(int mode)
+{
+  this->VolumeMapper->SetBlendMode(mode);
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunVolumeRepresentation::GetBlendMode()
+{
+  return this->VolumeMapper->GetBlendMode();
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeRepresentation::SetMemoryBudget(int mebibytes)
+{
+  this->VolumeMapper->SetMemoryBudget(mebibytes);
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunVolumeRepresentation::GetMemoryBudget()
+{
+  return this->VolumeMapper->GetMemoryBudget();
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeRepresentation::SetAutoAdjustSampleDistances(bool on)
+{
+  this->VolumeMapper->SetAutoAdjustSampleDistances(on ? 1 : 0);
+  if (!on)
+  {
+    // The one last chosen may be that of an interaction.
+    this->VolumeMapper->SetImageSampleDistance(1);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkGatunVolumeRepresentation::GetAutoAdjustSampleDistances()
+{
+  return this->VolumeMapper->GetAutoAdjustSampleDistances() != 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeRepresentation::SetScalarOpacityUnitDistance(double distance)
+{
+  this->UnitDistance = distance;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeRepresentation::SetActiveVolumeMapper(const char*) {}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGatunVolumeRepresentation::GetBytesRead()
+{
+  return this->DrawsFile ? static_cast<vtkIdType>(this->VolumeMapper->GetBytesRead()) : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunVolumeRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->MakePiece(inputVector[0]->GetNumberOfInformationObjects() == 1
+      ? vtkDataObject::GetData(inputVector[0], 0)
+      : nullptr);
+  // Not that of the superclass, which would copy the mesh.
+  return this->vtkVolumeRepresentation::RequestData(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeRepresentation::MakePiece(vtkDataObject* input)
+{
+  vtkMath::UninitializeBounds(this->DataBounds);
+  this->Piece = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  if (!input)
+  {
+    return; // a process without data
+  }
+  vtkGatunReader* const reader = gatun::FindReader(this);
+  if (reader && reader->GetIsOnDemand())
+  {
+    const gatun::DrawnFile file = gatun::DescribeFile(reader, input);
+    this->Piece->ShallowCopy(input);
+    gatun::MarkPiece(this->Piece, file);
+    // All processes need to know the bounds, and only the first one has the outline.
+    if (this->PrepareFile(file.Path.c_str(), file.Time))
+    {
+      this->File->GetOutput()->GetBounds(this->DataBounds);
+    }
+    return;
+  }
+  if (auto* const grid = vtkUnstructuredGrid::SafeDownCast(input))
+  {
+    this->Piece = gatun::MakeMeshPiece(grid);
+  }
+  else
+  {
+    // Blocks are joined, and other kinds of grids made into one.
+    this->Preprocessor->SetInputConnection(this->GetInternalOutputPort());
+    this->Preprocessor->Modified();
+    this->Preprocessor->Update();
+    if (auto* const made =
+          vtkUnstructuredGrid::SafeDownCast(this->Preprocessor->GetOutputDataObject(0)))
+    {
+      this->Piece = gatun::MakeMeshPiece(made);
+    }
+  }
+  this->Piece->GetBounds(this->DataBounds);
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunVolumeRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  // Not that of the superclass, which would deliver what its preprocessor made.
+  if (!this->vtkVolumeRepresentation::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0;
+  }
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    this->DeliverPiece(inInfo, outInfo);
+  }
+  else if (request == vtkPVView::REQUEST_UPDATE_LOD())
+  {
+    this->DeliverOutline(inInfo);
+  }
+  else if (request == vtkPVView::REQUEST_RENDER())
+  {
+    this->PrepareToDraw(inInfo);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+vtkBoundingBox vtkGatunVolumeRepresentation::GetWorldBox()
+{
+  vtkNew<vtkMatrix4x4> matrix;
+  this->Actor->GetMatrix(matrix);
+  return gatun::MoveBox(vtkBoundingBox(this->DataBounds), matrix);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeRepresentation::DeliverPiece(vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), 1);
+  vtkPVRenderView::SetRequiresDistributedRendering(inInfo, this, true);
+  if (gatun::GetMark(this->Piece).Path.empty())
+  {
+    vtkPVRenderView::SetPiece(inInfo, this, this->Piece);
+    vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this,
+      this->UseDataPartitions
+        ? vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION
+        : vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
+    vtkPVRenderView::SetRedistributionModeToUniquelyAssignBoundaryCells(inInfo, this);
+    vtkNew<vtkMatrix4x4> matrix;
+    this->Actor->GetMatrix(matrix);
+    vtkPVRenderView::SetGeometryBounds(inInfo, this, this->DataBounds, matrix);
+  }
+  else
+  {
+    const vtkBoundingBox world = this->GetWorldBox();
+    if (world != vtkBoundingBox(this->LastBox))
+    {
+      // The view divides space anew only for data that are new.
+      world.GetBounds(this->LastBox);
+      this->Piece->Modified();
+    }
+    vtkPVRenderView::SetPiece(inInfo, this, this->Piece);
+    // All else in the view goes to the process in whose part it is.
+    vtkPVRenderView::SetOrderedCompositingConfiguration(
+      inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION);
+    const Processes processes;
+    double bounds[6];
+    gatun::SplitBox(world, processes.All)[static_cast<std::size_t>(processes.Own)].GetBounds(
+      bounds);
+    vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds);
+  }
+  // The view asks the actor for bounds, too, which would be those of what was drawn before.
+  this->Actor->SetMapper(nullptr);
+}
+
+//------------------------------------------------------------------------------
+/** For processes that have nothing else while somebody interacts. */
+void vtkGatunVolumeRepresentation::DeliverOutline(vtkInformation* inInfo)
+{
+  this->OutlineSource->SetBounds(this->DataBounds);
+  this->OutlineSource->Update();
+  vtkPVRenderView::SetPieceLOD(inInfo, this, this->OutlineSource->GetOutputDataObject(0));
+  vtkPVRenderView::SetRequiresDistributedRenderingLOD(inInfo, this, true);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeRepresentation::PrepareToDraw(vtkInformation* inInfo)
+{
+  vtkAlgorithmOutput* const producer = vtkPVRenderView::GetPieceProducer(inInfo, this);
+  auto* const piece = vtkUnstructuredGrid::SafeDownCast(GetData(producer));
+  this->DrawsFile = false;
+  this->Shown = piece;
+  this->Actor->SetEnableLOD(0);
+  this->VolumeMapper->RemoveAllClippingPlanes();
+  if (!piece)
+  {
+    this->Actor->SetMapper(nullptr);
+    return;
+  }
+  const gatun::DrawnFile file = gatun::GetMark(piece);
+  if (!file.Path.empty())
+  {
+    if (!this->PrepareFile(file.Path.c_str(), file.Time) || !this->CutToPart())
+    {
+      this->Actor->SetMapper(nullptr);
+      return;
+    }
+    this->DrawsFile = true;
+    this->Shown = this->File->GetOutput();
+    this->VolumeMapper->SetInputConnection(this->File->GetOutputPort());
+  }
+  else
+  {
+    this->VolumeMapper->SetInputConnection(producer);
+    if (piece->GetNumberOfCells() > 0 && !gatun::HasVolume(piece))
+    {
+      this->LODGeometryFilter->SetUseOutline(0);
+      this->LODGeometryFilter->SetInputConnection(producer);
+      this->LODMapper->SetInputConnection(this->LODGeometryFilter->GetOutputPort());
+      this->Actor->SetEnableLOD(1);
+    }
+  }
+  this->UpdateMapperParameters();
+}
+
+//------------------------------------------------------------------------------
+/** Makes the outline of a file at a time, from its tables. */
+bool vtkGatunVolumeRepresentation::PrepareFile(const char* path, double time)
+{
+  this->File->SetFileName(path);
+  this->File->UpdateTimeStep(time);
+  return this->File->GetErrorCode() == vtkErrorCode::NoError;
+}
+
+//------------------------------------------------------------------------------
+/** Restricts the mapper to what this process is to draw, if that is anything. */
+bool vtkGatunVolumeRepresentation::CutToPart()
+{
+  auto* const view = vtkPVRenderView::SafeDownCast(this->GetView());
+  const Processes processes;
+  if (processes.All == 1 || !view || !view->GetUseOrderedCompositing())
+  {
+    return true;
+  }
+  const int mode = this->VolumeMapper->GetBlendMode();
+  if (mode == vtkGatunVolumeMapper::MAXIMUM_INTENSITY_BLEND ||
+    mode == vtkGatunVolumeMapper::XRAY_BLEND)
+  {
+    return processes.Own == 0;
+  }
+  vtkNew<vtkMatrix4x4> matrix;
+  this->Actor->GetMatrix(matrix);
+  const vtkBoundingBox world =
+    gatun::MoveBox(vtkBoundingBox(this->File->GetOutput()->GetBounds()), matrix);
+  const auto parts = gatun::SplitBox(world, processes.All);
+  vtkNew<vtkPlaneCollection> planes;
+  gatun::AddCuts(parts[static_cast<std::size_t>(processes.Own)], world, planes);
+  this->VolumeMapper->SetClippingPlanes(planes);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+double vtkGatunVolumeRepresentation::ChooseUnitDistance()
+{
+  if (!this->DrawsFile)
+  {
+    return this->UnitDistance;
+  }
+  // As ParaView does, by default: the diagonal by the cells along an edge of a cube.
+  const double diagonal = vtkBoundingBox(this->Shown->GetBounds()).GetDiagonalLength();
+  const double ofOutline =
+    diagonal / std::cbrt(static_cast<double>(this->Shown->GetNumberOfCells()));
+  if (!(std::abs(this->UnitDistance - ofOutline) <= 1e-6 * ofOutline))
+  {
+    return this->UnitDistance; // somebody chose it
+  }
+  double tets = 0;
+  auto* const cells =
+    vtkIdTypeArray::SafeDownCast(this->File->GetChunkTable()->GetColumnByName("Cells"));
+  for (vtkIdType chunk = 0; chunk < cells->GetNumberOfValues(); ++chunk)
+  {
+    tets += static_cast<double>(cells->GetValue(chunk));
+  }
+  return tets > 0 ? diagonal / std::cbrt(tets) : this->UnitDistance;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeRepresentation::UpdateMapperParameters()
+{
+  const char* name = nullptr;
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkInformation* const info = this->GetInputArrayInformation(0);
+  if (info && info->Has(vtkDataObject::FIELD_ASSOCIATION()) &&
+    info->Has(vtkDataObject::FIELD_NAME()))
+  {
+    name = info->Get(vtkDataObject::FIELD_NAME());
+    association = info->Get(vtkDataObject::FIELD_ASSOCIATION());
+  }
+  const bool ofCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  const int mode =
+    ofCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA;
+  this->VolumeMapper->SelectScalarArray(name);
+  this->VolumeMapper->SetScalarMode(mode);
+  this->LODMapper->SetScalarVisibility(name && *name);
+  this->LODMapper->SelectColorArray(name);
+  this->LODMapper->SetScalarMode(mode);
+
+  vtkDataArray* const array = name && this->Shown
+    ? this->Shown->GetAttributes(ofCells ? vtkDataObject::CELL : vtkDataObject::POINT)
+        ->GetArray(name)
+    : nullptr;
+  vtkColorTransferFunction* const colours = this->Property->GetRGBTransferFunction(0);
+  int component = 0;
+  if (array && array->GetNumberOfComponents() > 1)
+  {
+    component = colours->GetVectorMode() == vtkScalarsToColors::COMPONENT
+      ? std::clamp(colours->GetVectorComponent(), 0, array->GetNumberOfComponents() - 1)
+      : -1;
+  }
+  this->VolumeMapper->SetArrayComponent(component);
+  this->LODMapper->SetLookupTable(colours);
+  this->Property->SetIndependentComponents(1);
+  this->Property->SetScalarOpacityUnitDistance(this->ChooseUnitDistance());
+  this->Actor->SetMapper(this->VolumeMapper);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "UnitDistance: " << this->UnitDistance << "\n";
+  os << indent << "DrawsFile: " << (this->DrawsFile ? "true" : "false") << "\n";
+  os << indent << "VolumeMapper:\n";
+  this->VolumeMapper->PrintSelf(os, indent.GetNextIndent());
+}
