@@ -18,9 +18,14 @@ folder = sys.argv[1]
 # What a property is set to, to see whether that arrives.
 OTHER = {"ChunkTets": [1000], "KeepOrder": [7], "KeyStepInterval": [3],
          "ValueRangeComponent": [2], "Box": [6, 5, 4, 3, 2, 1], "ValueRange": [-4, 9],
-         "ValueRangeArray": ["some array"], "CacheSize": [64], "FileName": ["some file"]}
+         "ValueRangeArray": ["some array"], "CacheSize": [64], "FileName": ["some file"],
+         "OnDemand": [1], "LargeMesh": [6000000000], "SampleDistance": [0.25], "BlendMode": [3],
+         "MemoryBudget": [100]}
+# Where people who open a file are better served by another default than programs: that of the class.
+OWN_DEFAULT = {"GatunReaderCore.OnDemand": [0]}
 HELPERS = {"IntVectorProperty": "SimpleIntInformationHelper",
            "DoubleVectorProperty": "SimpleDoubleInformationHelper",
+           "IdTypeVectorProperty": "SimpleIdTypeInformationHelper",
            "StringVectorProperty": "SimpleStringInformationHelper"}
 
 problems = []
@@ -98,7 +103,10 @@ for group, proxy in proxies:
         what = "%s.%s" % (owner, name)
         default = values_of(node)
         own = look(asked, node)
-        if default is not None and own != default and own not in ([], [None], ["none"]) or \
+        if what in OWN_DEFAULT:
+            if own != OWN_DEFAULT[what]:
+                problems.append("%s: in C++ %s, not %s" % (what, own, OWN_DEFAULT[what]))
+        elif default is not None and own != default and own not in ([], [None], ["none"]) or \
                 default not in (None, [""]) and own in ([], [None], ["none"]):
             problems.append("%s: default %s, in C++ %s" % (what, default, own))
         # On, if it is off, and so on.
@@ -114,7 +122,7 @@ for group, proxy in proxies:
 assert not problems, "\n" + "\n".join(problems)
 assert checked >= 20, checked
 assert {proxy.get("class") for _, proxy in proxies} >= \
-    {"vtkGatunReader", "vtkGatunWriter", "vtkGatunMergeBlocks"}
+    {"vtkGatunReader", "vtkGatunWriter", "vtkGatunMergeBlocks", "vtkGatunVolumeRepresentation"}
 
 # The reader and the writer that people get have the properties of those that do the work.
 path = sample.temporary("properties.gtn")
@@ -128,3 +136,11 @@ core = next(proxy for _, proxy in proxies if proxy.get("name") == "GatunReaderCo
 for node in core:
     if node.tag.endswith("Property") and node.get("name") not in ("FileName", "TimestepValues"):
         assert reader.GetProperty(node.get("name")) is not None, node.get("name")
+
+# So it is with the representation.
+shown = simple.Show(reader, simple.CreateRenderView())
+representation = next(proxy for _, proxy in proxies
+                      if proxy.get("name") == "GatunVolumeRepresentation")
+for node in representation:
+    if node.tag.endswith("Property"):
+        assert shown.GetProperty(node.get("name")) is not None, node.get("name")

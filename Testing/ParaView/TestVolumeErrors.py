@@ -22,14 +22,19 @@ reader = simple.GatunReader(FileNames=[path], OnDemand="Always")
 shown = drawing.show(reader, view)
 first = drawing.draw(view)
 drawing.require_other(first, background)
-window = vtkStringOutputWindow()
-vtkOutputWindow.SetInstance(window)
 
 
-def messages():
-    """Of the picture drawn now."""
-    window.Initialize()
-    picture = drawing.draw(view)
+def messages(before=None):
+    """What is told by a picture, and what comes before it; nothing is drawn."""
+    own = vtkOutputWindow.GetInstance()
+    window = vtkStringOutputWindow()
+    vtkOutputWindow.SetInstance(window)
+    try:
+        if before:
+            before()
+        picture = drawing.draw(view)
+    finally:
+        vtkOutputWindow.SetInstance(own)
     drawing.require_same(picture, background)
     return window.GetOutput()
 
@@ -66,9 +71,7 @@ for content in (good[:len(good) // 2], b"something else, but long enough to be a
         os.remove(path)
     else:
         write(content)
-    window.Initialize()
-    simple.ReloadFiles(reader)
-    text = window.GetOutput() + messages()
+    text = messages(lambda: simple.ReloadFiles(reader))
     assert os.path.basename(path) in text, text
 write(good)
 read_again()

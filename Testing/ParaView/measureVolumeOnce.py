@@ -12,11 +12,12 @@ import time
 
 from gatunParaView import load_plugin
 
-# How: the reader's OnDemand, the representation.
+# How: the reader's OnDemand, the representation, its MemoryBudget.
 WAYS = {"idle": None,
-        "Volume": (0, "Volume"),
-        "Gatun Volume": (0, "Gatun Volume"),
-        "Gatun Volume, on demand": (1, "Gatun Volume")}
+        "Volume": ("Never", "Volume", None),
+        "Gatun Volume": ("Never", "Gatun Volume", 512),
+        "Gatun Volume, on demand": ("Always", "Gatun Volume", 512),
+        "Gatun Volume, on demand, keeping nothing": ("Always", "Gatun Volume", 0)}
 
 way, path, picture = sys.argv[1:4]
 simple = load_plugin()
@@ -27,12 +28,15 @@ simple.Render(view)
 
 seconds = 0
 if WAYS[way]:
+    mode, representation, budget = WAYS[way]
     begin = time.time()
-    reader = simple.GatunReader(FileNames=[path], OnDemand=WAYS[way][0])
+    reader = simple.GatunReader(FileNames=[path], OnDemand=mode)
     reader.UpdatePipeline()
     shown = simple.Show(reader, view)
     array = reader.PointData[0].GetName()
-    shown.SetRepresentationType(WAYS[way][1])
+    shown.SetRepresentationType(representation)
+    if budget is not None:
+        shown.MemoryBudget = budget
     simple.ColorBy(shown, ("POINTS", array))
     simple.ResetCamera(view)
     simple.Render(view)

@@ -88,6 +88,14 @@ assert part.mapper.GetBytesRead() == 0
 region.UseBoxOff()
 gv.require_same(part.render(), gv.Scene(mesh).render())
 
+# A reader that gives but the outline is drawn like any other, executed or not.
+region.SetOnDemand(1)
+gv.require_same(part.render(), gv.Scene(mesh).render())
+region.Update()
+assert region.GetOutput().GetNumberOfCells() == 12
+gv.require_same(part.render(), gv.Scene(mesh).render())
+assert part.volume.GetBounds() == scene.volume.GetBounds()
+
 # Another file of the same name is another mesh.
 other = gv.wave(6, seed=2)
 gv.gm.write(other, path)
