@@ -291,6 +291,13 @@ void vtkGatunVolumeRepresentation::PrepareToDraw(vtkInformation* inInfo)
   if (!piece)
   {
     this->Actor->SetMapper(nullptr);
+    vtkAlgorithmOutput* const outline = vtkPVRenderView::GetPieceProducerLOD(inInfo, this);
+    if (inInfo->Has(vtkPVRenderView::USE_LOD()) && GetData(outline))
+    {
+      this->LODMapper->SetScalarVisibility(0);
+      this->LODMapper->SetInputConnection(outline);
+      this->Actor->SetEnableLOD(1);
+    }
     return;
   }
   const gatun::DrawnFile file = gatun::GetMark(piece);
