@@ -4,20 +4,28 @@
 #
 # Measures Gatun and its peers; setup.sh bench calls it. GATUN_BUILD names the build to use.
 #
-#   bench.sh [FILE...]           all of it, in less than half an hour, into Documentation/: the page
+#   bench.sh [FILE...]           all of it, in about half an hour, into Documentation/: the page
 #                                benchmarks.md, its pictures and figures in the folder benchmarks/
-#   bench.sh --quick [FILE...]   small meshes, three minutes, into bench-quick/ of the build
+#   bench.sh --quick [FILE...]   small meshes, some minutes, into bench-quick/ of the build
 #   bench.sh --report            nothing is measured, the page is made anew
+#   bench.sh --study             the dissertation's study of rendering, in a quarter of an hour,
+#                                into Documentation/rendering-study.md and rendering-study/; may be
+#                                followed by --quick or --report
 #
 # FILEs are meshes to be measured too. GATUN_DATA_DIR names a folder of more of them, if set: sizes
-# of every .vtu and Exodus file there are told. A page that may be quoted wants a machine with
-# nothing else to do.
+# of every .vtu and Exodus file there are told, and the blunt fin and the combustion chamber are
+# rendered. A page that may be quoted wants a machine with nothing else to do.
 
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${GATUN_BUILD:-$root/build/release}
 
+script=runBenchmarks.py
+if [ "${1:-}" = --study ]; then
+  script=runStudy.py
+  shift
+fi
 out=$root/Documentation
 for argument; do
   if [ "$argument" = --quick ]; then
@@ -26,5 +34,5 @@ for argument; do
 done
 
 # Debian's Python, which has matplotlib.
-PYTHONDONTWRITEBYTECODE=1 exec /usr/bin/python3 "$root/Testing/Benchmarks/runBenchmarks.py" \
+PYTHONDONTWRITEBYTECODE=1 exec /usr/bin/python3 "$root/Testing/Benchmarks/$script" \
   --programs "$build/bin" --out "$out" "$@"

@@ -22,6 +22,11 @@ void AddPeak(CLI::App& app);
 void AddPieces(CLI::App& app);
 void AddRegion(CLI::App& app);
 void AddSeries(CLI::App& app);
+void AddRender(CLI::App& app);
+void AddPicture(CLI::App& app);
+void AddStudyPicture(CLI::App& app);
+void AddStudyRelease(CLI::App& app);
+void AddStudyPrefilter(CLI::App& app);
 
 /** Prints the JSON object that fill makes. */
 template <typename Fill>

@@ -37,10 +37,6 @@ double SecondsOf(const std::function<void()>& work)
 //------------------------------------------------------------------------------
 void RunInterleaved(std::vector<Operation>& operations, int rounds)
 {
-  for (Operation& operation : operations)
-  {
-    operation.First = SecondsOf(operation.Run);
-  }
   for (int round = 0; round < rounds; ++round)
   {
     for (std::size_t i = 0; i < operations.size(); ++i)
@@ -55,13 +51,29 @@ void RunInterleaved(std::vector<Operation>& operations, int rounds)
 }
 
 //------------------------------------------------------------------------------
+void WarmUpAndRunInterleaved(std::vector<Operation>& operations, int rounds)
+{
+  for (Operation& operation : operations)
+  {
+    operation.First = SecondsOf(operation.Run);
+  }
+  RunInterleaved(operations, rounds);
+}
+
+//------------------------------------------------------------------------------
 void AddTimes(gtn::Json& json, const Operation& operation)
 {
   json.Add("first", operation.First);
-  json.BeginArray("seconds");
-  for (const double seconds : operation.Seconds)
+  AddList(json, "seconds", operation.Seconds);
+}
+
+//------------------------------------------------------------------------------
+void AddList(gtn::Json& json, const char* name, const std::vector<double>& values)
+{
+  json.BeginArray(name);
+  for (const double value : values)
   {
-    json.Add({}, seconds);
+    json.Add({}, value);
   }
   json.EndArray();
 }

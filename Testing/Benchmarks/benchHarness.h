@@ -30,13 +30,19 @@ struct Operation
 };
 
 /**
- * Runs all operations once to warm up, and then in rounds, each operation once a round, so that
- * what disturbs the machine disturbs all alike. Every other round goes backwards.
+ * Runs all operations in rounds, each operation once a round, so that what disturbs the machine
+ * disturbs all alike. Every other round goes backwards.
  */
 void RunInterleaved(std::vector<Operation>& operations, int rounds);
 
+/** Runs all operations once before, which counts for nothing but Operation::First. */
+void WarmUpAndRunInterleaved(std::vector<Operation>& operations, int rounds);
+
 /** Adds the timings of an operation to the object at hand. */
 void AddTimes(gtn::Json& json, const Operation& operation);
+
+/** Adds a list of numbers. */
+void AddList(gtn::Json& json, const char* name, const std::vector<double>& values);
 
 /** The memory of this process in bytes, resident now, and the most since Reset (or since the start
  * where the system cannot forget the peak). */

@@ -20,6 +20,7 @@
 #include "vtkPoints.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -215,6 +216,73 @@ void CopyArrays(
   }
 }
 
+/** The grid with its points and cells in another order. */
+Grid Reorder(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& points,
+  const std::vector<vtkIdType>& cells)
+{
+  std::vector<vtkIdType> places(points.size());
+  vtkNew<vtkPoints> coordinates;
+  coordinates->SetDataType(grid->GetPoints()->GetDataType());
+  coordinates->SetNumberOfPoints(grid->GetNumberOfPoints());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const auto id = static_cast<vtkIdType>(i);
+    places[static_cast<std::size_t>(points[i])] = id;
+    coordinates->SetPoint(id, grid->GetPoint(points[i]));
+  }
+  std::vector<Tet> tets;
+  tets.reserve(cells.size());
+  for (const vtkIdType cell : cells)
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    grid->GetCellPoints(cell, count, ids);
+    Tet tet;
+    for (unsigned i = 0; i < 4; ++i)
+    {
+      tet[i] = places[static_cast<std::size_t>(ids[i])];
+    }
+    tets.push_back(tet);
+  }
+  auto result = Grid::New();
+  result->SetPoints(coordinates);
+  SetTets(result, tets);
+  CopyArrays(grid->GetPointData(), result->GetPointData(), points);
+  CopyArrays(grid->GetCellData(), result->GetCellData(), cells);
+  result->GetFieldData()->ShallowCopy(grid->GetFieldData());
+  return result;
+}
+
+/** What is to be in order, by its keys; equal ones stay as they are. */
+template <typename Key>
+std::vector<vtkIdType> SortedBy(const std::vector<Key>& keys)
+{
+  std::vector<vtkIdType> order(keys.size());
+  std::iota(order.begin(), order.end(), vtkIdType{ 0 });
+  std::stable_sort(order.begin(), order.end(),
+    [&keys](vtkIdType a, vtkIdType b)
+    { return keys[static_cast<std::size_t>(a)] < keys[static_cast<std::size_t>(b)]; });
+  return order;
+}
+
+/** Where on a Morton curve a point is: bits of x, y and z in turns. */
+std::uint64_t MortonKey(const double* point, const double* box)
+{
+  constexpr unsigned bits = 21;
+  std::uint64_t key = 0;
+  for (unsigned axis = 0; axis < 3; ++axis)
+  {
+    const double length = box[2 * axis + 1] - box[2 * axis];
+    const double part = length > 0 ? (point[axis] - box[2 * axis]) / length : 0;
+    const auto place = static_cast<std::uint64_t>(part * ((1U << bits) - 1));
+    for (unsigned bit = 0; bit < bits; ++bit)
+    {
+      key |= (place >> bit & 1) << (3 * bit + axis);
+    }
+  }
+  return key;
+}
+
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
@@ -342,37 +410,30 @@ Grid Permute(vtkUnstructuredGrid* grid)
   Random random(20260101);
   const std::vector<vtkIdType> points = MakeOrder(grid->GetNumberOfPoints(), random);
   const std::vector<vtkIdType> cells = MakeOrder(grid->GetNumberOfCells(), random);
-  std::vector<vtkIdType> places(points.size());
-  vtkNew<vtkPoints> coordinates;
-  coordinates->SetDataType(grid->GetPoints()->GetDataType());
-  coordinates->SetNumberOfPoints(grid->GetNumberOfPoints());
-  for (std::size_t i = 0; i < points.size(); ++i)
+  return Reorder(grid, points, cells);
+}
+
+//------------------------------------------------------------------------------
+Grid SortAlongCurve(vtkUnstructuredGrid* grid)
+{
+  double box[6];
+  grid->GetBounds(box);
+  std::vector<std::uint64_t> ofPoints(static_cast<std::size_t>(grid->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < ofPoints.size(); ++i)
   {
-    const auto id = static_cast<vtkIdType>(i);
-    places[static_cast<std::size_t>(points[i])] = id;
-    coordinates->SetPoint(id, grid->GetPoint(points[i]));
+    ofPoints[i] = MortonKey(grid->GetPoint(static_cast<vtkIdType>(i)), box);
   }
-  std::vector<Tet> tets;
-  tets.reserve(cells.size());
-  for (const vtkIdType cell : cells)
+  std::vector<std::uint64_t> ofCells(static_cast<std::size_t>(grid->GetNumberOfCells()));
+  for (std::size_t i = 0; i < ofCells.size(); ++i)
   {
     vtkIdType count = 0;
     const vtkIdType* ids = nullptr;
-    grid->GetCellPoints(cell, count, ids);
-    Tet tet;
-    for (unsigned i = 0; i < 4; ++i)
-    {
-      tet[i] = places[static_cast<std::size_t>(ids[i])];
-    }
-    tets.push_back(tet);
+    grid->GetCellPoints(static_cast<vtkIdType>(i), count, ids);
+    const auto getKey = [&](vtkIdType corner)
+    { return ofPoints[static_cast<std::size_t>(ids[corner])]; };
+    ofCells[i] = std::min({ getKey(0), getKey(1), getKey(2), getKey(3) });
   }
-  auto result = Grid::New();
-  result->SetPoints(coordinates);
-  SetTets(result, tets);
-  CopyArrays(grid->GetPointData(), result->GetPointData(), points);
-  CopyArrays(grid->GetCellData(), result->GetCellData(), cells);
-  result->GetFieldData()->ShallowCopy(grid->GetFieldData());
-  return result;
+  return Reorder(grid, SortedBy(ofPoints), SortedBy(ofCells));
 }
 
 //------------------------------------------------------------------------------

@@ -35,6 +35,10 @@ bool HasDelaunay();
 /** The same mesh with points and tetrahedra in random order, always the same one. */
 Grid Permute(vtkUnstructuredGrid* grid);
 
+/** The same mesh with its points along a Morton curve, and its tetrahedra by their first point
+ * there: the order that suits a cache best. */
+Grid SortAlongCurve(vtkUnstructuredGrid* grid);
+
 /** Tetrahedra of whatever cells there are. */
 Grid Triangulate(vtkUnstructuredGrid* grid);
 

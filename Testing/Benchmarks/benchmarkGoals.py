@@ -4,6 +4,7 @@
 """What the project wants to reach, and whether it does."""
 
 import benchmarkReport
+import renderingReport
 
 
 def _find(results, name, order="permuted"):
@@ -38,6 +39,11 @@ def _load_ratio(results):
     return min(ratios, default=None)
 
 
+def _big_peer(results):
+    memory = renderingReport.big_picture_memory(results, "vtu-zlib")
+    return "-" if memory is None else f"{memory:,.0f}, zlib .vtu and Bunyk's mapper"
+
+
 def _goal(what, unit, peer, value, must, moonshot, more_is_better=False):
     if value is None:
         verdict = "-"
@@ -70,4 +76,13 @@ def judge(results):
               _bits(delaunay, "connectivity"), 1.0, 0.6),
         _goal("loading on 2 threads, speed against VTK's zlib .vtu reader", "times", "1",
               _load_ratio(results), 0.8, 1.5, more_is_better=True),
+        _goal("mapper, later pictures, 512 and 1024 pixels wide, one thread, speed against "
+              "Bunyk's mapper", "times", "1", renderingReport.slowest_later_ratio(results), 5, 10,
+              more_is_better=True),
+        _goal("file to first picture, Delaunay mesh, 512 pixels wide, 2 threads, speed against "
+              ".vtu and Bunyk's mapper", "times", "1",
+              renderingReport.delaunay_picture_ratio(results), 8, 15, more_is_better=True),
+        _goal("memory above an idle process for a picture of 5 million tetrahedra from their file, "
+              "1024 pixels wide, budget 0", "MiB", _big_peer(results),
+              renderingReport.big_picture_memory(results), 150, 64),
     ]

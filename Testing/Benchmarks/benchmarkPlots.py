@@ -6,6 +6,8 @@
 import matplotlib
 
 import benchmarkReport
+import benchmarkText
+import renderingReport
 
 matplotlib.use("Agg")
 from matplotlib import pyplot
@@ -15,7 +17,7 @@ COLOURS = {"gtn": "#0072b2", "vtu-raw": "#999999", "vtu-zlib": "#e69f00", "vtu-l
 STAGES = ["#0072b2", "#56b4e9", "#009e73", "#e69f00", "#d55e00", "#cc79a7", "#999999", "#f0e442"]
 
 
-def _save(figure, folder, name, done):
+def save(figure, folder, name, done):
     figure.tight_layout()
     # Without metadata, so that the same results make the same file.
     figure.savefig(folder / f"{name}.png", dpi=100, metadata={"Software": None})
@@ -23,14 +25,14 @@ def _save(figure, folder, name, done):
     done.add(name)
 
 
-def _grouped(groups, series, title, unit):
+def grouped(groups, series, title, unit):
     """Horizontal bars: series is a list of (name, colour, one value a group)."""
     figure, axes = pyplot.subplots(figsize=(9, 1 + 0.17 * len(groups) * (len(series) + 1)))
     height = 0.8 / len(series)
     for i, (name, colour, values) in enumerate(series):
         places = [g + i * height for g in range(len(groups))]
         bars = axes.barh(places, values, height, color=colour, label=name)
-        axes.bar_label(bars, [benchmarkReport.number(v) for v in values], padding=2, fontsize=7)
+        axes.bar_label(bars, [benchmarkText.number(v) for v in values], padding=2, fontsize=7)
     axes.set_yticks([g + 0.4 - height / 2 for g in range(len(groups))], groups, fontsize=8)
     axes.invert_yaxis()
     axes.margins(x=0.1)
@@ -60,7 +62,7 @@ def _sizes(results, folder, done):
                [benchmarkReport.bits(benchmarkReport.by_format(one["size"])[name]["bytes"],
                                      one["size"]["tets"]) for one in inputs])
               for name, text in benchmarkReport.FORMATS.items()]
-    _save(_grouped([benchmarkReport.label(one) for one in inputs], series, "File size",
+    save(grouped([benchmarkReport.label(one) for one in inputs], series, "File size",
                    "bits for each tetrahedron"), folder, "sizes", done)
 
 
@@ -75,7 +77,7 @@ def _parts(results, folder, done):
     series = [("connectivity", part("connectivity")), ("own points", part("geometry")),
               ("shared points", part("sharedGeometry")), ("arrays", arrays),
               ("directory", part("directory")), ("field data", part("fieldData"))]
-    _save(_stacked([benchmarkReport.label(one) for one in inputs], series, "Parts of .gtn files",
+    save(_stacked([benchmarkReport.label(one) for one in inputs], series, "Parts of .gtn files",
                    "bits for each tetrahedron"), folder, "parts", done)
 
 
@@ -87,7 +89,7 @@ def _load(results, folder, done):
                [load["tets"] / 1e6
                 / benchmarkReport.median(benchmarkReport.by_format(load)[name])
                 for _, load in loads]) for name in names]
-    _save(_grouped([text for text, _ in loads], series, "Loading to vtkUnstructuredGrid",
+    save(grouped([text for text, _ in loads], series, "Loading to vtkUnstructuredGrid",
                    "million tetrahedra a second"), folder, "load", done)
 
 
@@ -96,7 +98,7 @@ def _stages(results, folder, done):
     seconds = [benchmarkReport.stage_seconds(one["stages"]) for one in inputs]
     series = [(name, [1e9 * each[name] / one["stages"]["tets"]
                       for each, one in zip(seconds, inputs)]) for name in seconds[0]]
-    _save(_stacked([benchmarkReport.label(one) for one in inputs], series,
+    save(_stacked([benchmarkReport.label(one) for one in inputs], series,
                    "Decoding on one thread", "nanoseconds for each tetrahedron"),
           folder, "stages", done)
 
@@ -109,13 +111,49 @@ def _regions(results, folder, done):
             series = [(f"chunks of {file['chunkTets']:,}", STAGES[i],
                        [100 * region["bytesRead"] / file["fileBytes"]
                         for region in file["regions"]]) for i, file in enumerate(files)]
-            _save(_grouped(groups, series, f"Bytes read, {benchmarkReport.label(one)}",
+            save(grouped(groups, series, f"Bytes read, {benchmarkReport.label(one)}",
                            "% of the file"), folder, "roi", done)
+
+
+def _render(results, folder, done):
+    rendering = results.get("rendering")
+    if not rendering:
+        return
+    cases = [(mesh, case) for mesh in rendering["meshes"] for case in mesh["render"]
+             if "projected" in renderingReport.by_mapper(case)]
+    series = [(renderingReport.MAPPERS[name], colour,
+               [renderingReport.later_ratio(case, name) for _, case in cases])
+              for name, colour in (("bunyk", "#e69f00"), ("projected", "#56b4e9"))]
+    figure = grouped([renderingReport.describe(mesh, case) for mesh, case in cases], series,
+                      "Later pictures: time against Gatun's mapper", "times as long")
+    figure.axes[0].axvline(1, color="#0072b2", linewidth=1)
+    save(figure, folder, "render", done)
+
+
+def _memory(results, folder, done):
+    rendering = results.get("rendering")
+    if not rendering:
+        return
+    meshes = sorted(rendering["meshes"], key=lambda mesh: mesh["tets"])
+    figure, axes = pyplot.subplots(figsize=(7, 4))
+    for form, colour in ("gtn", COLOURS["gtn"]), ("vtu-zlib", COLOURS["vtu-zlib"]):
+        places = [(mesh["tets"], renderingReport.most_memory(
+            renderingReport.find_pictures(mesh, form))) for mesh in meshes]
+        if form == "gtn":
+            places += [(rendering["hugeTets"], renderingReport.above_idle(one["run"]))
+                       for one in rendering["huge"] if one["chunkTets"] == 65536]
+        axes.loglog(*zip(*places), "o-", color=colour, label=renderingReport.FILES[form])
+    axes.set_xlabel("tetrahedra")
+    axes.set_ylabel("MiB above the idle process")
+    axes.set_title("Memory from file to picture, budget 0", fontsize=10)
+    axes.grid(which="major", alpha=0.3)
+    axes.legend(fontsize=8)
+    save(figure, folder, "memory", done)
 
 
 def draw(results, folder):
     """Writes all pictures; returns their names."""
     done = set()
-    for make in _sizes, _parts, _load, _stages, _regions:
+    for make in _sizes, _parts, _load, _stages, _regions, _render, _memory:
         make(results, folder, done)
     return done

@@ -6,6 +6,9 @@
 import statistics
 
 import benchmarkGoals
+import benchmarkText
+import renderingReport
+from benchmarkText import number, picture, table
 
 FORMATS = {
     "gtn": ".gtn",
@@ -41,41 +44,17 @@ def ratio(measured, other, own="gtn"):
     return statistics.median(a / b for a, b in pairs)
 
 
-def number(value):
-    """Three digits that count."""
-    if value >= 100:
-        return f"{value:,.0f}"
-    return f"{value:.1f}" if value >= 10 else f"{value:.2f}"
-
-
-def table(head, rows):
-    lines = ["| " + " | ".join(head) + " |", "|---" * len(head) + "|"]
-    lines += ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
-    return "\n".join(lines) + "\n"
-
-
-def picture(pictures, name, text):
-    return f"![{text}](benchmarks/{name}.png)\n" if name in pictures else ""
-
-
 # --------------------------------------------------------------------------------------------------
 # Parts of the page
 
 
 def head(results):
-    known = results["machine"]
-    text = f"""# Benchmarks
+    text = """# Benchmarks
 
 Made by `Utilities/setup.sh bench` (Testing/Benchmarks/runBenchmarks.py); all figures behind this
 page, each round of each timing, are in [results.json](benchmarks/results.json).
 
-*Machine:* {known["processor"]}, {known["processors"]} processors,
-{known["memory"] / 2**30:.1f} GiB; {known["system"]}; {known["compiler"]} ({known["build"]});
-VTK {known["vtk"]}, threads by {known["backend"]}; Gatun {known["gatun"]}. Load average before:
-{known["loadBefore"][0]:.2f}, after: {known["loadAfter"][0]:.2f}.
-"""
-    if known["loadBefore"][0] > 0.5:
-        text += "\n**The machine was busy with other things: do not trust the times.**\n"
+""" + benchmarkText.machine(results["machine"])
     if results["mode"] != "full":
         text += f"\n**A {results['mode']} run on small meshes: not to be quoted.**\n"
     return text
@@ -319,6 +298,7 @@ def write(results, out):
         pictures = set()
     page = [head(results), goals(results), inputs(results), sizes(results, pictures),
             loading(results, pictures), stages(results, pictures), writing(results),
-            pieces(results), regions(results, pictures), series(results)]
+            pieces(results), regions(results, pictures), series(results),
+            *renderingReport.sections(results, pictures)]
     (out / "benchmarks.md").write_text("\n".join(part.rstrip() + "\n" for part in page),
                                        encoding="utf-8")

@@ -13,7 +13,7 @@
 
 int main(int argc, char* argv[])
 {
-  CLI::App app("Measures Gatun next to VTK's own files.", "gatunBenchmarks");
+  CLI::App app("Measures Gatun next to VTK's own files and mappers.", "gatunBenchmarks");
   app.require_subcommand(1);
   int threads = 0;
   app.add_option("--threads", threads, "Threads to use (0: one a processor)")
@@ -29,6 +29,11 @@ int main(int argc, char* argv[])
   bench::AddPieces(app);
   bench::AddRegion(app);
   bench::AddSeries(app);
+  bench::AddRender(app);
+  bench::AddPicture(app);
+  bench::AddStudyPicture(app);
+  bench::AddStudyRelease(app);
+  bench::AddStudyPrefilter(app);
   bench::AddSizes(app);
   bench::AddThreads(app);
   try

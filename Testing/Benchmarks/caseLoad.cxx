@@ -45,7 +45,7 @@ void TimeLoading(const Options& options)
       operations.push_back({ format.Name, load, format.IsSlow ? 3 : 1000 });
     }
   }
-  RunInterleaved(operations, options.Rounds);
+  WarmUpAndRunInterleaved(operations, options.Rounds);
   PrintTimes(operations, static_cast<std::uint64_t>(tets));
 }
 

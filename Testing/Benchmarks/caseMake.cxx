@@ -31,18 +31,20 @@ struct Options
   std::string In;
   std::string Out;
   bool Permute = false;
+  bool Sort = false;
   std::string Array;
+  std::string Format = "vtu-raw";
 };
 
-void WriteRaw(vtkUnstructuredGrid* grid, const Options& options)
+void WriteOrdered(vtkUnstructuredGrid* grid, const Options& options)
 {
-  Grid permuted;
-  if (options.Permute)
+  Grid ordered;
+  if (options.Permute || options.Sort)
   {
-    permuted = Permute(grid);
-    grid = permuted;
+    ordered = options.Permute ? Permute(grid) : SortAlongCurve(grid);
+    grid = ordered;
   }
-  Write({ "vtu-raw", false, false }, grid, options.Out);
+  Write({ options.Format, false, false }, grid, options.Out);
 }
 
 void Make(const Options& options)
@@ -53,16 +55,16 @@ void Make(const Options& options)
   const int length = std::max(2, static_cast<int>(std::lround(hexahedra / width / width)));
   if (options.Kind == "delaunay")
   {
-    WriteRaw(MakeDelaunay(options.Tets), options);
+    WriteOrdered(MakeDelaunay(options.Tets), options);
   }
   else if (options.Kind == "lattice")
   {
     const int cells = std::max(2, static_cast<int>(std::lround(std::cbrt(options.Tets / 12.0))));
-    WriteRaw(MakeLattice(cells, false), options);
+    WriteOrdered(MakeLattice(cells, false), options);
   }
   else
   {
-    WriteRaw(MakeFlow({ length, width, width }, options.Kind == "flow"), options);
+    WriteOrdered(MakeFlow({ length, width, width }, options.Kind == "flow"), options);
   }
 }
 
@@ -73,7 +75,7 @@ void Prepare(const Options& options)
   {
     grid = KeepPointArray(grid, options.Array);
   }
-  WriteRaw(grid, options);
+  WriteOrdered(grid, options);
 }
 
 void PrintMachine()
@@ -125,12 +127,22 @@ void AddMake(CLI::App& app)
 void AddPrepare(CLI::App& app)
 {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand(
-    "prepare", "Make tetrahedra of the cells of a .vtu or .gtn file, as a raw .vtu file");
+  CLI::App* command =
+    app.add_subcommand("prepare", "Make tetrahedra of the cells of a .vtu or .gtn file");
   command->add_option("IN", options->In)->required();
   command->add_option("OUT", options->Out)->required();
-  command->add_flag("--permute", options->Permute, "Points and tetrahedra in random order");
+  CLI::Option* permute =
+    command->add_flag("--permute", options->Permute, "Points and tetrahedra in random order");
+  command->add_flag("--morton", options->Sort, "Points and tetrahedra along a Morton curve")
+    ->excludes(permute);
   command->add_option("--array", options->Array, "Keep this point array only");
+  std::vector<std::string> formats;
+  for (const Format& format : GetFormats())
+  {
+    formats.push_back(format.Name);
+  }
+  command->add_option("--format", options->Format, "How OUT is written, in place of vtu-raw")
+    ->check(CLI::IsMember(formats));
   command->callback([options] { Prepare(*options); });
 }
 }

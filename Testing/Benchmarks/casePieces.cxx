@@ -101,7 +101,7 @@ void TimePieces(const Options& options)
         one.Each.push_back(slowest);
       } });
   }
-  RunInterleaved(operations, options.Rounds);
+  WarmUpAndRunInterleaved(operations, options.Rounds);
   PrintJson(
     [&](gtn::Json& json)
     {
@@ -225,7 +225,7 @@ void TimeRegions(const Options& options, const std::string& scratch)
           operations.push_back({ region.Name,
             [&region, array] { region.Result = ReadRegion(region, array->GetName()); } });
         }
-        RunInterleaved(operations, options.Rounds);
+        WarmUpAndRunInterleaved(operations, options.Rounds);
         json.BeginObject();
         json.Add("chunkTets", chunk);
         json.Add(

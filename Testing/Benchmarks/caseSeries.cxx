@@ -188,7 +188,7 @@ void TimeSeries(const Options& options)
     { "gtn at random", [&] { StepThroughGatun(series, random); } },
     { "vtu-zlib at random", [&] { StepThroughVtu(series, random); } },
   };
-  RunInterleaved(operations, options.Rounds);
+  WarmUpAndRunInterleaved(operations, options.Rounds);
   PrintJson(
     [&](gtn::Json& json)
     {

@@ -118,7 +118,7 @@ void TimeWriting(const Options& options)
         { format.Name, [&] { Write(format, grid, format.GetFile(options.Folder)); } });
     }
   }
-  RunInterleaved(operations, options.Rounds);
+  WarmUpAndRunInterleaved(operations, options.Rounds);
   PrintTimes(operations, static_cast<std::uint64_t>(grid->GetNumberOfCells()));
 }
 

@@ -12,12 +12,13 @@ import json
 import os
 import pathlib
 import shutil
-import subprocess
 import sys
 import tempfile
 import time
 
 import benchmarkReport
+import benchmarkRunner
+import renderingCases
 
 # Tetrahedra of the meshes made, rounds of timings, time steps; "big" is measured permuted only.
 # TetGen makes more of the series' than asked for, 200000.
@@ -36,54 +37,6 @@ DESCRIPTIONS = {
     "big": "the same kind of grid, larger, with Density only",
     "delaunay": "ball meshed by TetGen (Delaunay, quality); Density (float, smooth)",
 }
-
-
-class Runner:
-    """Runs the programs and prints what it does."""
-
-    def __init__(self, programs, work):
-        self.programs = programs
-        self.work = work
-        self.start = time.monotonic()
-
-    def path(self, *parts):
-        path = self.work.joinpath(*parts)
-        path.parent.mkdir(parents=True, exist_ok=True)
-        return path
-
-    def folder(self, name):
-        path = self.work / name
-        path.mkdir(parents=True, exist_ok=True)
-        return path
-
-    def run(self, program, *arguments):
-        command = [str(self.programs / program), *map(str, arguments)]
-        done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=False)
-        if done.returncode != 0:
-            sys.exit(f"runBenchmarks: {' '.join(command)} failed")
-        return done.stdout
-
-    def case(self, *arguments, threads=0):
-        print(f"{time.monotonic() - self.start:7.1f} s  {' '.join(map(str, arguments))}"
-              + (f" ({threads} threads)" if threads else ""), flush=True)
-        out = self.run("gatunBenchmarks", "--threads", threads, *arguments)
-        return json.loads(out) if out else None
-
-
-def processor():
-    for line in pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
-        if line.startswith("model name"):
-            return line.split(":", 1)[1].strip()
-    return "unknown"
-
-
-def machine(runner):
-    known = runner.case("machine")
-    memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
-    known.update(processor=processor(), processors=len(os.sched_getaffinity(0)),
-                 memory=memory, system=f"{os.uname().sysname} {os.uname().release}",
-                 python=sys.version.split()[0], loadBefore=os.getloadavg())
-    return known
 
 
 def make_inputs(runner, sizes, delaunay):
@@ -204,17 +157,20 @@ def measure_exodus(runner, file):
 
 def measure(runner, options):
     sizes = MODES[options.mode]
-    results = {"mode": options.mode, "machine": machine(runner)}
+    results = {"mode": options.mode, "machine": benchmarkRunner.machine(runner)}
     delaunay = results["machine"]["tetgen"]
     inputs = make_inputs(runner, sizes, delaunay) + user_inputs(runner, options.files)
     data = os.environ.get("GATUN_DATA_DIR")
-    if data and options.mode != "smoke":
-        inputs += data_inputs(runner, pathlib.Path(data))
+    data = pathlib.Path(data) if data and options.mode != "smoke" else None
+    if data:
+        inputs += data_inputs(runner, data)
     results["inputs"] = [measure_input(runner, one, sizes) for one in inputs]
     results["series"] = measure_series(runner, sizes, delaunay)
-    if data and options.mode != "smoke":
-        results["exodus"] = [measure_exodus(runner, file)
-                             for file in sorted(pathlib.Path(data).glob("*.e"))]
+    if data:
+        results["exodus"] = [measure_exodus(runner, file) for file in sorted(data.glob("*.e"))]
+    rendering = renderingCases.measure(runner, options.mode, sizes, delaunay, data)
+    if rendering:
+        results["rendering"] = rendering
     results["machine"]["loadAfter"] = os.getloadavg()
     results["seconds"] = time.monotonic() - runner.start
     return results
@@ -228,7 +184,7 @@ def main():
                         help="where benchmarks.md and the folder benchmarks go")
     modes = parser.add_mutually_exclusive_group()
     modes.add_argument("--quick", dest="mode", action="store_const", const="quick",
-                       help="small meshes, few rounds: three minutes")
+                       help="small meshes, few rounds: some minutes")
     modes.add_argument("--smoke", dest="mode", action="store_const", const="smoke",
                        help="tiny meshes, to see whether it runs at all")
     parser.add_argument("--report", action="store_true",
@@ -244,7 +200,7 @@ def main():
         results = json.loads(raw.read_text(encoding="utf-8"))
     else:
         with tempfile.TemporaryDirectory(prefix="gatun-benchmarks-") as work:
-            results = measure(Runner(options.programs, pathlib.Path(work)), options)
+            results = measure(benchmarkRunner.Runner(options.programs, pathlib.Path(work)), options)
         raw.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
     benchmarkReport.write(results, options.out)
     print(f"The results are in {options.out / 'benchmarks.md'} and {folder}")

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef benchScene_h
+#define benchScene_h
+
+// What all pictures of the benchmarks show, whoever draws them.
+
+#include "gatunFileReader.h"
+#include "gatunRayTable.h"
+#include "gatunRayView.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+class vtkCamera;
+class vtkUnstructuredGrid;
+class vtkVolumeProperty;
+
+namespace bench
+{
+/** A mesh's box and values, and how it is looked at: all of it, a little from above. */
+struct Scene
+{
+  std::array<double, 6> Box{};
+  std::array<double, 2> Values{};
+
+  /** Opacities of the smallest and of the largest value, over a hundredth of the diagonal. */
+  std::array<double, 2> Opacities{ 0, 0.3 };
+  bool Orthographic = false;
+
+  /** Puts a camera in its place, turned around the mesh by an angle in degrees. */
+  void SetUp(vtkCamera* camera, double turn = 0) const;
+  void SetUp(vtkVolumeProperty* property) const;
+
+  /** The same for the core; samples are as far apart as pixels are. */
+  gatun::RayView MakeView(int size) const;
+  gatun::RayTable MakeTable(const gatun::RayView& view) const;
+
+private:
+  double GetDiagonal() const;
+};
+
+/** The scene of a grid and a point array of it. Throws Failure. */
+Scene MakeScene(vtkUnstructuredGrid* grid, const std::string& array);
+
+/** The scene of a .gtn file, by its tables alone. */
+Scene MakeScene(const gatun::FileReader& file, const std::string& array);
+
+/** Which of a file's arrays it is. Throws Failure if there is none of that name. */
+std::uint32_t FindPointArray(const gatun::FileReader& file, const std::string& array);
+
+/** What there is to be seen in a picture, so that a wrong one does not pass for a fast one. */
+struct Seen
+{
+  double Covered = 0; ///< share of the pixels that show anything
+  double Mean = 0;    ///< of all colours, 0 to 1, on black
+};
+}
+
+#endif

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "benchWindow.h"
+
+#include "benchHarness.h"
+
+#include "gatunParallel.h"
+#include "vtkGatunVolumeMapper.h"
+
+#include "vtkProjectedTetrahedraMapper.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGridVolumeRayCastMapper.h"
+#include "vtkUnstructuredGridVolumeZSweepMapper.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+namespace bench
+{
+namespace
+{
+template <typename Class>
+vtkSmartPointer<Class> MakeCaster()
+{
+  auto mapper = vtkSmartPointer<Class>::New();
+  mapper->AutoAdjustSampleDistancesOff();
+  mapper->SetImageSampleDistance(1);
+  return mapper;
+}
+
+Mapper Make(const std::string& name, int budget)
+{
+  if (name == "gatun")
+  {
+    auto mapper = MakeCaster<vtkGatunVolumeMapper>();
+    mapper->SetMemoryBudget(budget);
+    return mapper;
+  }
+  if (name == "bunyk")
+  {
+    auto mapper = MakeCaster<vtkUnstructuredGridVolumeRayCastMapper>();
+    mapper->SetNumberOfThreads(gatun::GetNumberOfThreads());
+    return mapper;
+  }
+  if (name == "zsweep")
+  {
+    return MakeCaster<vtkUnstructuredGridVolumeZSweepMapper>();
+  }
+  return vtkSmartPointer<vtkProjectedTetrahedraMapper>::New();
+}
+}
+
+//------------------------------------------------------------------------------
+const std::vector<std::string>& GetMapperNames()
+{
+  static const std::vector<std::string> names{ "gatun", "bunyk", "zsweep", "projected" };
+  return names;
+}
+
+//------------------------------------------------------------------------------
+Mapper MakeMapper(const std::string& name, const std::string& array, int budget)
+{
+  Mapper mapper = Make(name, budget);
+  mapper->SetScalarModeToUsePointFieldData();
+  mapper->SelectScalarArray(array.c_str());
+  return mapper;
+}
+
+//------------------------------------------------------------------------------
+VolumeWindow::VolumeWindow(int size)
+{
+  this->Window->SetOffScreenRendering(1);
+  this->Window->SetMultiSamples(0);
+  this->Window->SetSize(size, size);
+  this->Window->AddRenderer(this->Renderer);
+  this->Window->Render();
+  this->Window->WaitForCompletion();
+}
+
+VolumeWindow::~VolumeWindow() = default;
+
+//------------------------------------------------------------------------------
+void VolumeWindow::SetVolume(vtkUnstructuredGridVolumeMapper* mapper, const Scene& scene)
+{
+  this->View = scene;
+  vtkNew<vtkVolume> volume;
+  volume->SetMapper(mapper);
+  scene.SetUp(volume->GetProperty());
+  this->Renderer->RemoveAllViewProps();
+  this->Renderer->AddVolume(volume);
+}
+
+//------------------------------------------------------------------------------
+void VolumeWindow::Render(double turn)
+{
+  this->View.SetUp(this->Renderer->GetActiveCamera(), turn);
+  this->Window->Render();
+  this->Window->WaitForCompletion();
+}
+
+//------------------------------------------------------------------------------
+Seen VolumeWindow::Look()
+{
+  const int* const size = this->Window->GetSize();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  this->Window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
+  const vtkIdType count = pixels->GetNumberOfTuples();
+  vtkIdType covered = 0;
+  double sum = 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    int pixel = 0;
+    for (int c = 0; c < 3; ++c)
+    {
+      pixel += pixels->GetTypedComponent(i, c);
+    }
+    covered += pixel > 0 ? 1 : 0;
+    sum += pixel;
+  }
+  if (covered == 0)
+  {
+    throw Failure("a picture is empty");
+  }
+  return { static_cast<double>(covered) / static_cast<double>(count),
+    sum / (3 * 255 * static_cast<double>(count)) };
+}
+}

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// picture: time from a file to its first picture in a window, and the memory that takes.
+
+#include "benchCases.h"
+#include "benchFiles.h"
+#include "benchWindow.h"
+
+#include "gatunParallel.h"
+#include "vtkGatunReader.h"
+
+#include "vtkUnstructuredGrid.h"
+#include "vtkUnstructuredGridVolumeMapper.h"
+
+#include <memory>
+
+namespace bench
+{
+namespace
+{
+
+struct Options
+{
+  std::string File;
+  std::string Array = "Density";
+  int Size = 512;
+  int Budget = 512;
+};
+
+/** Straight from the file, as its reader is what the mapper is connected to. */
+void DrawFile(VolumeWindow& window, const Options& options)
+{
+  vtkNew<vtkGatunReader> reader;
+  reader->SetFileName(options.File.c_str());
+  const Mapper mapper = MakeMapper("gatun", options.Array, options.Budget);
+  mapper->SetInputConnection(reader->GetOutputPort());
+  window.SetVolume(mapper, MakeScene(gatun::FileReader(options.File), options.Array));
+  window.Render();
+}
+
+void DrawGrid(VolumeWindow& window, const Options& options)
+{
+  const Grid grid = Load(options.File);
+  const Mapper mapper = MakeMapper("bunyk", options.Array, options.Budget);
+  mapper->SetInputData(grid);
+  window.SetVolume(mapper, MakeScene(grid, options.Array));
+  window.Render();
+}
+
+void TimePicture(const Options& options)
+{
+  const bool isGatun = options.File.ends_with(".gtn");
+  VolumeWindow window(options.Size);
+  const PeakMemory memory;
+  const double seconds =
+    SecondsOf([&] { isGatun ? DrawFile(window, options) : DrawGrid(window, options); });
+  const std::uint64_t peak = PeakMemory::GetPeak();
+  const Seen seen = window.Look();
+  PrintJson(
+    [&](gtn::Json& json)
+    {
+      json.Add("threads", gatun::GetNumberOfThreads());
+      json.Add("mapper", isGatun ? "gatun" : "bunyk");
+      json.Add("size", options.Size);
+      json.Add("budget", options.Budget);
+      json.Add("seconds", seconds);
+      json.Add("before", memory.GetBefore());
+      json.Add("peak", peak);
+      json.Add("covered", seen.Covered);
+      json.Add("mean", seen.Mean);
+    });
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+void AddPicture(CLI::App& app)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("picture",
+    "Time and memory from a file to its first picture: .gtn by Gatun's mapper, .vtu by "
+    "vtkUnstructuredGridVolumeRayCastMapper; needs a display");
+  command->add_option("FILE", options->File, "A .vtu or .gtn file of tetrahedra")->required();
+  command->add_option("--array", options->Array, "The point array to show");
+  command->add_option("--size", options->Size, "Width and height in pixels")
+    ->check(CLI::Range(16, 8192));
+  command->add_option("--budget", options->Budget, "Gatun's memory budget, in MiB")
+    ->check(CLI::Range(0, 1048576));
+  command->callback([options] { TimePicture(*options); });
+}
+}

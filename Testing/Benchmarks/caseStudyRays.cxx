@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// study-release: tetrahedra released from the front, or from both ends, with and without an end of
+// rays at what is opaque. study-prefilter: what leaving out tetrahedra between the rays is worth.
+
+#include "benchCases.h"
+#include "benchScene.h"
+
+#include "gatunParallel.h"
+#include "gatunRayCaster.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+namespace bench
+{
+namespace
+{
+
+struct Options
+{
+  std::string File;
+  std::string Array = "Density";
+  std::vector<int> Sizes{ 512 };
+  int Rounds = 3;
+};
+
+/** How much of the light a mesh holds back: Scene::Opacities. */
+struct Light
+{
+  std::string Name;
+  std::array<double, 2> Opacities;
+};
+
+struct RayCase
+{
+  std::string Light;
+  Scene View;
+  int Size = 512;
+  gatun::RaySettings Settings = {};
+  gatun::RayStatistics Statistics = {};
+  Seen Picture = {};
+};
+
+Seen Look(const std::vector<float>& rgba)
+{
+  std::size_t covered = 0;
+  double sum = 0;
+  for (std::size_t i = 0; i < rgba.size(); i += 4)
+  {
+    covered += rgba[i + 3] > 0 ? 1 : 0;
+    sum += rgba[i] + rgba[i + 1] + rgba[i + 2];
+  }
+  if (covered == 0)
+  {
+    throw Failure("a picture is empty");
+  }
+  const auto pixels = static_cast<double>(rgba.size() / 4);
+  return { static_cast<double>(covered) / pixels, sum / (3 * pixels) };
+}
+
+void Draw(RayCase& one, const std::shared_ptr<const gatun::FileReader>& file, std::uint32_t array)
+{
+  // Nothing is kept, so that each picture begins with the file.
+  gatun::FileRaySource source(file, { array, 0, 0 }, 0);
+  const gatun::RayView view = one.View.MakeView(one.Size);
+  gatun::RayCaster caster(view, one.View.MakeTable(view), {}, one.Settings);
+  caster.Draw(source);
+  std::vector<float> rgba(
+    4 * static_cast<std::size_t>(one.Size) * static_cast<std::size_t>(one.Size));
+  caster.Finish(rgba.data());
+  one.Statistics = caster.GetStatistics();
+  one.Picture = Look(rgba);
+}
+
+void Print(const RayCase& one, const Operation& operation, gtn::Json& json)
+{
+  const gatun::RayStatistics& known = one.Statistics;
+  json.BeginObject();
+  json.Add("light", one.Light);
+  json.Add("size", one.Size);
+  json.Add("opaque", static_cast<double>(one.Settings.Opaque));
+  json.Add("bothEnds", one.Settings.FromBothEnds);
+  json.Add("prefilter", one.Settings.Prefilter);
+  json.Add("tets", known.Tets);
+  json.Add("seenTets", known.SeenTets);
+  json.Add("blocks", known.Blocks);
+  json.Add("skippedBlocks", known.SkippedBlocks);
+  json.Add("mostWaiting", known.MostWaiting);
+  json.Add("mostFragments", known.MostFragments);
+  json.Add("mostBytes", known.MostBytes);
+  json.Add("fetch", known.FetchTime);
+  json.Add("order", known.OrderTime);
+  json.Add("setUp", known.SetUpTime);
+  json.Add("draw", known.DrawTime);
+  json.Add("finish", known.FinishTime);
+  json.Add("covered", one.Picture.Covered);
+  json.Add("mean", one.Picture.Mean);
+  AddTimes(json, operation);
+  json.EndObject();
+}
+
+void Time(const Options& options, std::vector<RayCase>& cases,
+  const std::shared_ptr<const gatun::FileReader>& file)
+{
+  const std::uint32_t array = FindPointArray(*file, options.Array);
+  std::vector<Operation> operations;
+  for (RayCase& one : cases)
+  {
+    operations.push_back({ one.Light, [&one, &file, array] { Draw(one, file, array); } });
+  }
+  WarmUpAndRunInterleaved(operations, options.Rounds);
+  std::uint64_t largest = 0;
+  for (const gatun::ChunkInfo& chunk : file->GetChunks())
+  {
+    largest = std::max(largest, chunk.Tets);
+  }
+  PrintJson(
+    [&](gtn::Json& json)
+    {
+      json.Add("threads", gatun::GetNumberOfThreads());
+      json.Add("tets", file->GetNumberOfTets());
+      json.Add("chunks", static_cast<std::uint64_t>(file->GetChunks().size()));
+      json.Add("largestChunk", largest);
+      json.BeginArray("cases");
+      for (std::size_t i = 0; i < cases.size(); ++i)
+      {
+        Print(cases[i], operations[i], json);
+      }
+      json.EndArray();
+    });
+}
+
+void StudyRelease(const Options& options)
+{
+  const auto file = std::make_shared<const gatun::FileReader>(options.File);
+  std::vector<RayCase> cases;
+  for (const Light& light :
+    { Light{ "translucent", { 0, 0.02 } }, Light{ "nearly opaque", { 0.9, 0.9 } } })
+  {
+    for (const float opaque : { gatun::RaySettings().Opaque, 0.0f })
+    {
+      for (const bool bothEnds : { false, true })
+      {
+        RayCase one{ light.Name, MakeScene(*file, options.Array), options.Sizes[0] };
+        one.View.Opacities = light.Opacities;
+        one.Settings.Opaque = opaque;
+        one.Settings.FromBothEnds = bothEnds;
+        cases.push_back(one);
+      }
+    }
+  }
+  Time(options, cases, file);
+}
+
+void StudyPrefilter(const Options& options)
+{
+  const auto file = std::make_shared<const gatun::FileReader>(options.File);
+  std::vector<RayCase> cases;
+  for (const int size : options.Sizes)
+  {
+    for (const bool prefilter : { true, false })
+    {
+      RayCase one{ "ordinary", MakeScene(*file, options.Array), size };
+      one.Settings.Prefilter = prefilter;
+      cases.push_back(one);
+    }
+  }
+  Time(options, cases, file);
+}
+
+void Add(CLI::App& app, const char* name, const char* about, void (*study)(const Options&))
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(name, about);
+  command->add_option("FILE", options->File, "A .gtn file")->required();
+  command->add_option("--array", options->Array, "The point array to show");
+  command->add_option("--size", options->Sizes, "Width and height in pixels")
+    ->delimiter(',')
+    ->check(CLI::Range(16, 8192));
+  command->add_option("--rounds", options->Rounds, "Rounds, after one to warm up")
+    ->check(CLI::Range(1, 1000));
+  command->callback([options, study] { study(*options); });
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+void AddStudyRelease(CLI::App& app)
+{
+  Add(app, "study-release",
+    "Tetrahedra released from the front or from both ends: waiting, fragments, memory, time",
+    StudyRelease);
+}
+
+//------------------------------------------------------------------------------
+void AddStudyPrefilter(CLI::App& app)
+{
+  Add(app, "study-prefilter", "Time with and without the pre-filter, for one or more sizes",
+    StudyPrefilter);
+}
+}

@@ -1,0 +1,141 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Rendering, as runBenchmarks.py measures it: mappers side by side, and from file to picture.
+
+A window needs a display: without one, programs are run under xvfb-run, where it is installed.
+"""
+
+import shutil
+import sys
+
+import displays
+import systemMemory
+
+ARRAY = "Density"
+
+# Sizes of pictures; rounds: later pictures, those of slow mappers, first pictures. hugeNeeds: so
+# much memory must be free to make the largest mesh, in bytes. VTK's ZSweep mapper needs minutes for
+# anything larger than what it is given here.
+MODES = {
+    "full": {"sizes": (256, 512, 1024), "rounds": (6, 2, 2), "bigRounds": (4, 1, 1),
+             "small": 512, "large": 1024, "zsweep": 256, "pictures": 3, "huge": 20000000,
+             "hugeNeeds": 12 * 2**30, "zsweepMeshes": ("bluntfin", "comb")},
+    "quick": {"sizes": (256, 512), "rounds": (3, 1, 1), "bigRounds": (2, 1, 1),
+              "small": 256, "large": 512, "zsweep": 64, "pictures": 2, "huge": 1000000,
+              "hugeNeeds": 2**30, "zsweepMeshes": ("bluntfin", "comb")},
+    "smoke": {"sizes": (64,), "rounds": (1, 1, 1), "bigRounds": (1, 1, 1),
+              "small": 64, "large": 64, "zsweep": 64, "pictures": 1, "huge": 8000,
+              "hugeNeeds": 0, "zsweepMeshes": ("delaunay", "lattice")},
+}
+
+ABOUT = {
+    "bluntfin": "NASA's blunt fin, in the order of its grid",
+    "comb": "combustion chamber, in the order of its grid",
+    "delaunay": "ball meshed by TetGen, sorted along a Morton curve",
+    "big": "structured grid around a nose, in the order of the grid",
+    "lattice": "body-centred lattice with jitter, sorted along a Morton curve",
+}
+
+
+def _write_flavours(runner, name, vtu, *options):
+    """The mesh with one array, raw, with zlib and as .gtn."""
+    files = {}
+    for form, ending in ("vtu-raw", "raw.vtu"), ("vtu-zlib", "zlib.vtu"), ("gtn", "packed.gtn"):
+        files[form] = runner.path("rendering", f"{name}-{ending}")
+        runner.case("prepare", vtu, files[form], "--array", ARRAY, "--format", form, *options)
+    return files
+
+
+def _make_meshes(runner, sizes, delaunay, data):
+    """Yields name and files of each mesh, which are gone afterwards."""
+    sources = []
+    if data:
+        for name in "bluntfin", "comb":
+            sources += [(name, file, ()) for file in
+                        sorted(data.glob(f"{name}_tets*.vtu"))[:1]]
+    kind = "delaunay" if delaunay else "lattice"
+    sources.append((kind, None, ("--morton",)))
+    sources.append(("big", None, ()))
+    for name, source, options in sources:
+        made = source
+        if source is None:
+            made = runner.path("rendering", f"{name}.vtu")
+            tets = sizes["big"] if name == "big" else sizes["delaunay"]
+            runner.case("make", "flow1" if name == "big" else name, tets, made)
+        yield name, _write_flavours(runner, name, made, *options)
+        shutil.rmtree(runner.folder("rendering"))
+
+
+def _require_similar(case, file):
+    """Mappers differ at the outline of the mesh and in what an opacity is, but not by this much."""
+    means = {one["mapper"]: one["mean"] for one in case["mappers"]}
+    if any(abs(mean - means["gatun"]) > 0.15 * means["gatun"] for mean in means.values()):
+        sys.exit(f"runBenchmarks: pictures of {file.name} differ: {means}")
+
+
+def _compare_mappers(runner, name, file, wanted):
+    """Pictures of a mesh in memory by all mappers, in turns."""
+    rounds, slow, first = wanted["bigRounds"] if name == "big" else wanted["rounds"]
+    every = ("--rounds", rounds, "--slow-rounds", slow, "--first-rounds", first, "--array", ARRAY)
+
+    def render(size, threads, mappers, *options):
+        case = runner.case("render", file, "--size", size, "--mappers", mappers, *every, *options,
+                           threads=threads, window=True)
+        _require_similar(case, file)
+        return case
+    usual = "gatun,bunyk,projected"
+    sizes = wanted["sizes"][-2:] if name == "big" else wanted["sizes"]
+    cases = [render(size, threads, usual) for size in sizes for threads in (1, 2)]
+    cases.append(render(wanted["small"], 1, usual, "--orthographic"))
+    if name in wanted["zsweepMeshes"]:
+        cases.append(render(wanted["zsweep"], 1, "gatun,bunyk,zsweep"))
+    return cases
+
+
+def _time_pictures(runner, name, files, wanted):
+    """From a file to its first picture, each in a process of its own, taking turns."""
+    size = wanted["large"] if name == "big" else wanted["small"]
+    rounds = 1 if name == "big" else wanted["pictures"]
+    budgets = [("gtn", budget) for budget in (0, 32, 512)]
+    ways = budgets + [("vtu-zlib", 0), ("vtu-raw", 0)]
+    runs = [[] for _ in ways]
+    for _ in range(rounds):
+        for found, (form, budget) in zip(runs, ways):
+            found.append(runner.case("picture", files[form], "--size", size, "--budget", budget,
+                                     "--array", ARRAY, threads=2, window=True))
+    return [{"format": form, "budget": budget, "runs": found}
+            for found, (form, budget) in zip(runs, ways)]
+
+
+def _measure_huge(runner, wanted):
+    """Memory of a picture of a mesh that few machines can hold."""
+    if systemMemory.read("MemAvailable") < wanted["hugeNeeds"]:
+        return []
+    made = runner.path("rendering", "huge.vtu")
+    runner.case("make", "flow1", wanted["huge"], made)
+    found = []
+    # More than ten million tetrahedra are written in chunks of 262144 unless told otherwise.
+    for chunk in 65536, 262144:
+        packed = runner.path("rendering", f"huge-{chunk}.gtn")
+        runner.run("gtn", "pack", "-q", "-f", "--chunk", chunk, made, packed)
+        found.append({"chunkTets": chunk, "run": runner.case(
+            "picture", packed, "--size", wanted["large"], "--budget", 0, "--array", ARRAY,
+            threads=2, window=True)})
+    shutil.rmtree(runner.folder("rendering"))
+    return found
+
+
+def measure(runner, mode, sizes, delaunay, data):
+    """All of it, with the meshes of a data folder if there is one; None without a display."""
+    if displays.prefix() is None:
+        print("Without a display or xvfb-run, rendering is not measured.")
+        return None
+    wanted = MODES[mode]
+    meshes = []
+    for name, files in _make_meshes(runner, sizes, delaunay, data):
+        cases = _compare_mappers(runner, name, files["vtu-raw"], wanted)
+        meshes.append({"name": name, "about": ABOUT[name], "tets": cases[0]["tets"],
+                       "render": cases,
+                       "pictures": _time_pictures(runner, name, files, wanted)})
+    return {"meshes": meshes, "hugeTets": wanted["huge"], "huge": _measure_huge(runner, wanted)}
