@@ -101,14 +101,15 @@ class _AddressSpace:
 
 def _run(command, timeout, enter=None):
     """Returns the output; None if the command failed, and why."""
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
-                               text=True, preexec_fn=enter)
-    try:
-        out, _ = process.communicate(timeout=timeout)
-    except subprocess.TimeoutExpired:
-        process.kill()
-        process.communicate()
-        return None, f"over {timeout} s"
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+                          preexec_fn=enter) as process:
+        try:
+            out, _ = process.communicate(timeout=timeout)
+        except subprocess.TimeoutExpired:
+            return None, f"over {timeout} s"
+        finally:
+            # Whatever ends the wait: a group with a process in it cannot be removed.
+            process.kill()
     return (out, None) if process.returncode == 0 else (None, "fails")
 
 

@@ -7,7 +7,6 @@ A window needs a display: without one, programs are run under xvfb-run, where it
 """
 
 import shutil
-import sys
 
 import displays
 import systemMemory
@@ -22,7 +21,7 @@ MODES = {
              "small": 512, "large": 1024, "zsweep": 256, "pictures": 3, "huge": 20000000,
              "hugeNeeds": 12 * 2**30, "zsweepMeshes": ("bluntfin", "comb")},
     "quick": {"sizes": (256, 512), "rounds": (3, 1, 1), "bigRounds": (2, 1, 1),
-              "small": 256, "large": 512, "zsweep": 64, "pictures": 2, "huge": 1000000,
+              "small": 256, "large": 512, "zsweep": 128, "pictures": 2, "huge": 1000000,
               "hugeNeeds": 2**30, "zsweepMeshes": ("bluntfin", "comb")},
     "smoke": {"sizes": (64,), "rounds": (1, 1, 1), "bigRounds": (1, 1, 1),
               "small": 64, "large": 64, "zsweep": 64, "pictures": 1, "huge": 8000,
@@ -67,23 +66,14 @@ def _make_meshes(runner, sizes, delaunay, data):
         shutil.rmtree(runner.folder("rendering"))
 
 
-def _require_similar(case, file):
-    """Mappers differ at the outline of the mesh and in what an opacity is, but not by this much."""
-    means = {one["mapper"]: one["mean"] for one in case["mappers"]}
-    if any(abs(mean - means["gatun"]) > 0.15 * means["gatun"] for mean in means.values()):
-        sys.exit(f"runBenchmarks: pictures of {file.name} differ: {means}")
-
-
 def _compare_mappers(runner, name, file, wanted):
     """Pictures of a mesh in memory by all mappers, in turns."""
     rounds, slow, first = wanted["bigRounds"] if name == "big" else wanted["rounds"]
     every = ("--rounds", rounds, "--slow-rounds", slow, "--first-rounds", first, "--array", ARRAY)
 
     def render(size, threads, mappers, *options):
-        case = runner.case("render", file, "--size", size, "--mappers", mappers, *every, *options,
+        return runner.case("render", file, "--size", size, "--mappers", mappers, *every, *options,
                            threads=threads, window=True)
-        _require_similar(case, file)
-        return case
     usual = "gatun,bunyk,projected"
     sizes = wanted["sizes"][-2:] if name == "big" else wanted["sizes"]
     cases = [render(size, threads, usual) for size in sizes for threads in (1, 2)]

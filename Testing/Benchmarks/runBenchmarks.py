@@ -19,6 +19,7 @@ import time
 import benchmarkReport
 import benchmarkRunner
 import renderingCases
+import renderingReport
 
 # Tetrahedra of the meshes made, rounds of timings, time steps; "big" is measured permuted only.
 # TetGen makes more of the series' than asked for, 200000.
@@ -203,6 +204,9 @@ def main():
             results = measure(benchmarkRunner.Runner(options.programs, pathlib.Path(work)), options)
         raw.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
     benchmarkReport.write(results, options.out)
+    rendering = results.get("rendering")
+    if options.mode == "smoke" and rendering and renderingReport.differing(rendering):
+        sys.exit("runBenchmarks: mappers draw different pictures")
     print(f"The results are in {options.out / 'benchmarks.md'} and {folder}")
 
 

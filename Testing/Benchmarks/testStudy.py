@@ -29,6 +29,7 @@ def main():
                    check=True, env=environment)
     results = json.loads((out / "rendering-study" / "results.json").read_text(encoding="utf-8"))
     require(len(results["meshes"]) == 2, "a mesh is missing")
+    require(not studyReport.differing(results), "not all draw the same pictures")
     for mesh in results["meshes"]:
         for case in mesh["limits"]:
             works = [not studyReport.failure(runs) for runs in case["ways"].values()]
