@@ -4,6 +4,7 @@
 #include "gatunRayPicture.h"
 
 #include "gatunError.h"
+#include "gatunParallel.h"
 #include "gatunRayCaster.h"
 #include "gatunRayRendering.h"
 
@@ -13,15 +14,30 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 namespace gatun
 {
 namespace
 {
-unsigned short ToTexel(float value)
+// Of a strip of the picture that goes to the graphics card at once.
+constexpr std::size_t MostTexels = std::size_t{ 1 } << 20;
+
+/** Row by row, of what is from 0 to 1. Times: how often each of the numbers' fours is there. */
+void ToTexels(const float* numbers, std::size_t width, std::size_t times, unsigned short* texels)
 {
-  return static_cast<unsigned short>(std::lround(std::clamp(value, 0.0f, 1.0f) * 65535));
+  for (std::size_t x = 0; x < width; ++x, numbers += 4)
+  {
+    for (std::size_t copy = 0; copy < times; ++copy, texels += 4)
+    {
+      for (std::size_t c = 0; c < 4; ++c)
+      {
+        const float v = numbers[c];
+        const float inRange = v > 0 ? (v < 1 ? v : 1.0f) : 0.0f; // NaN too
+        texels[c] = static_cast<unsigned short>(inRange * 65535 + 0.5f);
+      }
+    }
+  }
 }
 
 // Depths are from 0 to 1, without 0, which VTK takes for none.
@@ -43,30 +59,12 @@ RayPicture::~RayPicture() = default;
 //------------------------------------------------------------------------------
 void RayPicture::Take(RayCaster& caster, const RayGrid& grid)
 {
-  const auto width = static_cast<std::size_t>(grid.Width);
-  const auto height = static_cast<std::size_t>(grid.Height);
-  this->Colours.resize(4 * width * height);
+  this->Width = grid.Width;
+  this->Height = grid.Height;
+  this->IsExact = !grid.ToBorders;
+  this->Colours.resize(
+    4 * static_cast<std::size_t>(grid.Width) * static_cast<std::size_t>(grid.Height));
   caster.Finish(this->Colours.data());
-
-  // VTK puts the outermost texels' centres on the borders of the picture. Where a ray is to be a
-  // pixel, what a pixel shows would be between two rays, unless each is there twice.
-  const std::size_t times = grid.ToBorders ? 1 : 2;
-  this->Size = { static_cast<int>(times) * grid.Width, static_cast<int>(times) * grid.Height };
-  this->Texels.resize(4 * times * width * times * height);
-  auto* out = this->Texels.data();
-  for (std::size_t y = 0; y < times * height; ++y)
-  {
-    const float* in = this->Colours.data() + 4 * (y / times) * width;
-    for (std::size_t x = 0; x < width; ++x, in += 4)
-    {
-      std::transform(in, in + 4, out, ToTexel);
-      out += 4;
-      if (times == 2)
-      {
-        out = std::copy(out - 4, out, out);
-      }
-    }
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -82,10 +80,38 @@ void RayPicture::Show(vtkRenderer* renderer, vtkVolume* volume, bool inFront)
       "the program has no way to show volumes; VTK::RenderingVolumeOpenGL2 is not there");
   }
   this->Helper->PreMultipliedColorsOn();
-  std::array<int, 2> origin{};
   const float depth = inFront ? Nearest : GetCentreDepth(renderer, volume);
-  this->Helper->RenderTexture(volume, renderer, this->Size.data(), this->Size.data(),
-    this->Size.data(), origin.data(), depth, this->Texels.data());
+
+  // VTK puts the outermost texels' centres on the borders of the picture. Where a ray is to be a
+  // pixel, what a pixel shows would be between two rays, unless each is there twice. And then
+  // strips of the picture fit together, and take less memory than all of it.
+  const int times = this->IsExact ? 2 : 1;
+  const auto perRow = static_cast<std::size_t>(times) * static_cast<std::size_t>(this->Width);
+  const std::array<int, 2> whole{ times * this->Width, times * this->Height };
+  const int most =
+    this->IsExact ? std::max(1, static_cast<int>(MostTexels / (2 * perRow))) : this->Height;
+  for (int first = 0; first < this->Height; first += most)
+  {
+    const int rows = std::min(most, this->Height - first);
+    this->Texels.resize(4 * perRow * static_cast<std::size_t>(times * rows));
+    ParallelFor(static_cast<std::size_t>(rows),
+      [&](std::size_t row)
+      {
+        const auto from =
+          4 * (static_cast<std::size_t>(first) + row) * static_cast<std::size_t>(this->Width);
+        for (int copy = 0; copy < times; ++copy)
+        {
+          const auto to = row * static_cast<std::size_t>(times) + static_cast<std::size_t>(copy);
+          ToTexels(this->Colours.data() + from, static_cast<std::size_t>(this->Width),
+            static_cast<std::size_t>(times), this->Texels.data() + 4 * perRow * to);
+        }
+      });
+    std::array<int, 2> size{ whole[0], times * rows };
+    std::array<int, 2> viewport = whole;
+    std::array<int, 2> origin{ 0, times * first };
+    this->Helper->RenderTexture(volume, renderer, size.data(), viewport.data(), size.data(),
+      origin.data(), depth, this->Texels.data());
+  }
   // It would not notice that its program goes with another window which shares the context, as when
   // a view of ParaView is closed, and then show nothing.
   this->Helper->ReleaseGraphicsResources(renderer->GetRenderWindow());

@@ -6,7 +6,6 @@
 
 #include "vtkSmartPointer.h"
 
-#include <array>
 #include <vector>
 
 class vtkRayCastImageDisplayHelper;
@@ -42,9 +41,11 @@ public:
 
 private:
   vtkSmartPointer<vtkRayCastImageDisplayHelper> Helper;
-  std::array<int, 2> Size{};
+  int Width = 0; // rays
+  int Height = 0;
+  bool IsExact = false; // a ray is a pixel
   std::vector<float> Colours;
-  std::vector<unsigned short> Texels;
+  std::vector<unsigned short> Texels; // of the strip that is being shown
 };
 }
 
