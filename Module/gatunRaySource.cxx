@@ -146,6 +146,21 @@ void RayBlockCache::Add(std::size_t block, std::shared_ptr<const RayBlock> made)
 }
 
 //------------------------------------------------------------------------------
+Range GetDrawnRange(const ArrayRanges& ranges, int component)
+{
+  if (component >= 0)
+  {
+    return ranges[static_cast<std::size_t>(component)];
+  }
+  const Range& last = ranges.back();
+  if (ranges.size() > 1 || last.Min >= 0 || !(last.Min <= last.Max))
+  {
+    return last;
+  }
+  return { std::max(0.0, -last.Max), std::max(-last.Min, last.Max) };
+}
+
+//------------------------------------------------------------------------------
 // A file
 
 class FileRaySource::Internals
@@ -204,8 +219,8 @@ const Bounds& FileRaySource::GetBounds(std::size_t block) const
 Range FileRaySource::GetRange(std::size_t block) const
 {
   const auto& values = this->Self->Values;
-  const auto& ranges = this->Self->File->GetChunkRanges(values.Array, values.Step, block);
-  return values.Component >= 0 ? ranges[static_cast<std::size_t>(values.Component)] : ranges.back();
+  return GetDrawnRange(
+    this->Self->File->GetChunkRanges(values.Array, values.Step, block), values.Component);
 }
 
 //------------------------------------------------------------------------------

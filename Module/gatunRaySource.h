@@ -72,6 +72,10 @@ struct RayValues
   std::size_t Step = 0;
 };
 
+/** The range of what is drawn, from those that a file keeps of an array; component as in RayValues.
+ * Of arrays with one component a file keeps none of the tuples' lengths. */
+VTKGATUNCORE_EXPORT Range GetDrawnRange(const ArrayRanges& ranges, int component);
+
 /** The chunks of a file. Blocks that have been decoded are kept up to a number of bytes. */
 class VTKGATUNCORE_EXPORT FileRaySource final : public RaySource
 {

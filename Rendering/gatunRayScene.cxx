@@ -159,11 +159,10 @@ void RayScene::SetFile(
   }
   const auto index = FindArray(*this->File, array);
   RequireComponent(array, this->File->GetArrays()[index].Components);
-  const auto& ranges = this->File->GetRanges(index, key.Step);
   this->Take(key,
     std::make_unique<FileRaySource>(
       this->File, RayValues{ index, array.Component, key.Step }, budget),
-    array.Component >= 0 ? ranges[static_cast<std::size_t>(array.Component)] : ranges.back());
+    GetDrawnRange(this->File->GetRanges(index, key.Step), array.Component));
 }
 
 //------------------------------------------------------------------------------

@@ -66,6 +66,37 @@ TEST(RayCaster, WhatIsBeforeNearAndBehindFarIsNotSeen)
 }
 
 //------------------------------------------------------------------------------
+TEST(RayCaster, OfPlanesAndNearAndFarTheOneThatCutsMoreCounts)
+{
+  const auto mesh = ToReference(MakeCubes(5, 0.2));
+  const Vec eye{ 9, 7, 8 };
+  for (const bool parallel : { false, true })
+  {
+    auto viewer = Viewer::LookAt(eye, { 2.5, 2.5, 2.5 }, parallel, 7);
+    const Vec& to = viewer.Forward;
+    const auto before = [&](double depth) {
+      return std::array<double, 4>{ to[0], to[1], to[2], -Dot(to, eye) - depth };
+    };
+    const auto behind = [&](double depth) {
+      return std::array<double, 4>{ -to[0], -to[1], -to[2], Dot(to, eye) + depth };
+    };
+    for (const RayMode mode : AllModes)
+    {
+      Setting setting;
+      setting.Mode = mode;
+      viewer.Frustum.Near = 9.51;
+      viewer.Frustum.Far = 10.57;
+      setting.Planes = { before(8.03), behind(12.04) };
+      EXPECT_GT(Check(mesh, viewer, setting), 0.2);
+      viewer.Frustum.Near = 8.03;
+      viewer.Frustum.Far = 12.04;
+      setting.Planes = { before(9.51), behind(10.57) };
+      EXPECT_GT(Check(mesh, viewer, setting), 0.2);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(RayCaster, OfSeveralPlanesEachCuts)
 {
   const auto mesh = ToReference(MakeCubes(5, 0.2));
@@ -194,6 +225,36 @@ TEST(RayCaster, OnlyTheLastValueMayBeVisible)
       }
       EXPECT_GT(light, 200);
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(RayCaster, WhatIsVisibleOnlyBetweenTwoEntriesOfTheTableIsSeen)
+{
+  // One entry is visible, and so the cells on both sides of it; of the lower one, only its end.
+  constexpr double entry = 1.0 / RayTable::Size;
+  constexpr double top = 1024 * entry;
+  auto mesh = ToReference(MakeCubes(4, 0.1));
+  std::fill(mesh.Values.begin(), mesh.Values.end(), top - entry / 2);
+  const auto viewer = MakeViewers(4, true)[4];
+  Setting setting;
+  setting.Unit = viewer.SampleDistance;
+  for (const RayMode mode : AllModes)
+  {
+    setting.Mode = mode;
+    // What the table holds is linear between its entries: opacities, or optical depths.
+    const bool ofDepths = mode == RayMode::Area || mode == RayMode::XRay;
+    setting.Colour = [=](double value)
+    {
+      const double height = std::max(0.0, 1 - std::abs(value - top) / entry) / 16;
+      return std::array<double, 4>{ 1, 1, 1, ofDepths ? -std::expm1(-height) : height };
+    };
+    const RayTable table(mode, setting.Colour, setting.Values, viewer.SampleDistance, setting.Unit);
+    EXPECT_TRUE(table.IsTransparent({ top - 1.9 * entry, top - 1.1 * entry }));
+    EXPECT_FALSE(table.IsTransparent({ top - 0.9 * entry, top - 0.1 * entry }));
+    EXPECT_FALSE(table.IsTransparent({ top + 0.1 * entry, top + 0.9 * entry }));
+    EXPECT_TRUE(table.IsTransparent({ top + 1.1 * entry, top + 1.9 * entry }));
+    EXPECT_GT(Check(mesh, viewer, setting), 0.2);
   }
 }
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <numeric>
 #include <random>
+#include <utility>
 
 namespace gatun::test
 {
@@ -42,6 +43,48 @@ TEST(RayCaster, NoBlockThatIsSeenIsPassedOver)
       EXPECT_LE(
         GetLargestDifference(Render(mesh, viewer, {}), DrawSource(source, viewer)), 2.0f / 255);
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(RayCaster, ABlockThatReachesBehindTheEyeIsNotPassedOver)
+{
+  // A bar from one side in front of the eye, outside of the picture, to the other side behind it.
+  auto mesh = ToReference(MakeCubes(3, 0));
+  for (auto& point : mesh.Points)
+  {
+    point = { 10 * point[0] / 3 - 4.5, point[1] / 3 - 0.5, point[2] / 3 - 1.7 };
+  }
+  const double angle = std::acos(-1) / 6;
+  Viewer viewer;
+  viewer.Width = viewer.Height = 80;
+  viewer.Frustum.Left = viewer.Frustum.Bottom = -0.5;
+  viewer.Frustum.Right = viewer.Frustum.Top = 0.5;
+  viewer.Forward = { -std::sin(angle), 0, -std::cos(angle) };
+  viewer.Right = { std::cos(angle), 0, -std::sin(angle) };
+  for (int turn = 0; turn < 4; ++turn)
+  {
+    SCOPED_TRACE(turn);
+    // Towards each border of the picture once.
+    viewer.Up = std::exchange(viewer.Right, -1 * viewer.Up);
+    CountingSource source(mesh, mesh.Tets.size());
+    const auto view = viewer.GetView();
+    const auto& box = source.GetBounds(0);
+    int behind = 0;
+    for (unsigned corner = 0; corner < 8; ++corner)
+    {
+      const auto get = [&](unsigned axis)
+      { return (corner >> axis & 1) != 0 ? box[axis].Max : box[axis].Min; };
+      const auto p = view.Transform({ get(0), get(1), get(2) });
+      const auto isIn = [&](double x) { return x >= -1 && x <= 81; };
+      behind += p[2] < 0 ? 1 : 0;
+      EXPECT_FALSE(p[2] > 0 && isIn(p[0] / p[2]) && isIn(p[1] / p[2]));
+    }
+    EXPECT_EQ(behind, 4);
+    const auto expected = Render(mesh, viewer, {});
+    EXPECT_GT(*std::max_element(expected.Colours.begin(), expected.Colours.end()), 0.05f);
+    EXPECT_LE(GetLargestDifference(expected, DrawSource(source, viewer)), 1.0f / 255);
+    EXPECT_EQ(source.Asked, 1u);
   }
 }
 
@@ -136,6 +179,60 @@ TEST(RayCaster, ComponentsAndValuesOfCellsAreThoseOfTheMesh)
   {
     EXPECT_LE(GetLargestDifference(Render(apart, viewer, {}), draw(cells, blockTets)), 1.0f / 255);
   }
+}
+
+//------------------------------------------------------------------------------
+TEST(RayCaster, RangesOfChunksAreThoseOfWhatIsDrawn)
+{
+  // Tuples (v, -2 v), and one component that is negative, or either, or positive.
+  const auto cubes = MakeCubes(5, 0.1);
+  const auto mesh = ToReference(cubes);
+  std::vector<float> tuples;
+  std::vector<float> singles;
+  for (const Vec& p : mesh.Points)
+  {
+    const auto value = static_cast<float>(p[0] - 2.5);
+    tuples.insert(tuples.end(), { value, -2 * value });
+    singles.push_back(value);
+  }
+  std::vector<ArrayDescription> arrays(2);
+  arrays[0].Name = "tuples";
+  arrays[0].Components = 2;
+  arrays[1].Name = "singles";
+  const std::string path = std::string(GATUN_TEST_TEMP) + "/drawn_ranges.gtn";
+  WriterOptions options;
+  options.ChunkTets = 64;
+  FileWriter writer(path, cubes.GetInput(), arrays, options);
+  const std::array<const void*, 2> values{ tuples.data(), singles.data() };
+  writer.WriteStep(values, {}, false, 0);
+  writer.Finish();
+  const auto file = std::make_shared<const FileReader>(path);
+  for (const RayValues& drawn : { RayValues{ 0, 0, 0 }, RayValues{ 0, 1, 0 }, RayValues{ 0, -1, 0 },
+         RayValues{ 1, 0, 0 }, RayValues{ 1, -1, 0 } })
+  {
+    SCOPED_TRACE(testing::Message() << file->GetArrays()[drawn.Array].Name << drawn.Component);
+    FileRaySource source(file, drawn, 1 << 20);
+    ASSERT_GT(source.GetNumberOfBlocks(), 5u);
+    Range whole;
+    for (std::size_t i = 0; i < source.GetNumberOfBlocks(); ++i)
+    {
+      const auto block = source.GetBlocks({ &i, 1 }, {}).front();
+      const auto [low, high] = std::minmax_element(block->Points.begin(), block->Points.end(),
+        [](const RayPoint& a, const RayPoint& b) { return a.Value < b.Value; });
+      const Range range = source.GetRange(i);
+      EXPECT_EQ(range.Max, high->Value);
+      // The lengths of one component are kept nowhere: where there are both signs, they may be 0.
+      const bool isBound = range.Min == 0 && drawn.Array == 1 && drawn.Component < 0;
+      EXPECT_TRUE(isBound ? low->Value >= 0 : low->Value == range.Min);
+      whole.Min = std::min(whole.Min, range.Min);
+      whole.Max = std::max(whole.Max, range.Max);
+    }
+    const Range all = GetDrawnRange(file->GetRanges(drawn.Array, 0), drawn.Component);
+    EXPECT_EQ(all.Min, whole.Min);
+    EXPECT_EQ(all.Max, whole.Max);
+  }
+  const Range none = GetDrawnRange({ Range{} }, -1); // of nothing but NaN
+  EXPECT_FALSE(none.Min <= none.Max);
 }
 
 //------------------------------------------------------------------------------
