@@ -78,7 +78,8 @@ public:
   int TilesX;
   int TilesY;
   std::vector<TileSlot> Tiles;
-  std::vector<float> TileLimits;
+  std::vector<float> TileLimits; // what is behind them is in none of the tile's pixels
+  double MostPerDepth;           // samples, of all pixels
   std::vector<Work> Works;
   RayStatistics Statistics;
 
@@ -93,7 +94,19 @@ public:
     , TilesY((view.Height + RayTile::Size - 1) / RayTile::Size)
     , Tiles(static_cast<std::size_t>(TilesX) * static_cast<std::size_t>(TilesY))
     , TileLimits(Tiles.size(), RayTile::Always)
+    , MostPerDepth(0)
   {
+    for (const int x : { 0, view.Width })
+    {
+      for (const int y : { 0, view.Height })
+      {
+        this->MostPerDepth = std::max(this->MostPerDepth, view.GetSamplesPerDepth(x, y));
+      }
+    }
+    if (!limits.Far.empty())
+    {
+      this->LimitTiles();
+    }
   }
 
   std::size_t GetTile(int x, int y) const
@@ -120,6 +133,8 @@ public:
     return hasSurfaces && this->Settings.Shading ? &*this->Settings.Shading : nullptr;
   }
 
+  void LimitTiles();
+  bool IsCutAway(const Bounds& box) const;
   std::unique_ptr<RayTile> MakeTile(std::size_t index) const;
   void DrawTile(std::size_t index, std::span<const Work> works);
   void FinishTile(TileSlot& slot, int x0, int y0, float* rgba, float* depth) const;
@@ -128,6 +143,49 @@ public:
   void RequireFewSamples(double farthest) const;
   void CountMemory();
 };
+
+//------------------------------------------------------------------------------
+/** Blocks behind the limits of all pixels need not be fetched. With a sample to spare. */
+void RayCaster::Internals::LimitTiles()
+{
+  std::fill(this->TileLimits.begin(), this->TileLimits.end(), RayTile::Never);
+  const auto width = static_cast<std::size_t>(this->View.Width);
+  for (int y = 0; y < this->View.Height; ++y)
+  {
+    for (int x = 0; x < this->View.Width; ++x)
+    {
+      const auto pixel = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
+      const float near = this->Limits.Near[pixel];
+      const float far = this->Limits.Far[pixel];
+      if (near < far)
+      {
+        const auto tile = this->GetTile(x / RayTile::Size, y / RayTile::Size);
+        this->TileLimits[tile] =
+          std::max(this->TileLimits[tile], std::min(far + 1, RayTile::Always));
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/** Whether all of a box is on the negative side of a plane, beyond rounding. */
+bool RayCaster::Internals::IsCutAway(const Bounds& box) const
+{
+  return std::any_of(this->Limits.Planes.begin(), this->Limits.Planes.end(),
+    [&](const std::array<double, 4>& plane)
+    {
+      double most = plane[3];
+      double size = std::abs(plane[3]);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const double first = plane[axis] * box[axis].Min;
+        const double last = plane[axis] * box[axis].Max;
+        most += std::max(first, last);
+        size += std::max(std::abs(first), std::abs(last));
+      }
+      return most < -1e-6 * size;
+    });
+}
 
 //------------------------------------------------------------------------------
 std::unique_ptr<RayTile> RayCaster::Internals::MakeTile(std::size_t index) const
@@ -313,11 +371,7 @@ SeenBox RayCaster::Internals::See(const Bounds& box) const
 /** Depth in units of z in ray coordinates. */
 void RayCaster::Internals::RequireFewSamples(double farthest) const
 {
-  const double perDepth = this->View.Perspective
-    ? std::max(this->View.GetSamplesPerDepth(0, 0),
-        this->View.GetSamplesPerDepth(this->View.Width, this->View.Height))
-    : 1;
-  if (farthest * perDepth > RayView::MostSamples)
+  if (farthest * (this->View.Perspective ? this->MostPerDepth : 1) > RayView::MostSamples)
   {
     throw Error(ErrorCode::InvalidInput,
       "the sample distance is too small: there are more than 4 million of them to the far side of "
@@ -359,7 +413,7 @@ RayCaster::~RayCaster() = default;
 bool RayCaster::IsHidden(const Bounds& box, const Range& values) const
 {
   const auto& self = *this->Self;
-  if (self.Table.IsTransparent(values) || !(box[0].Min <= box[0].Max))
+  if (self.Table.IsTransparent(values) || !(box[0].Min <= box[0].Max) || self.IsCutAway(box))
   {
     return true;
   }

@@ -100,6 +100,7 @@ void ClipByPlane(const RayView& view, const std::array<double, 4>& plane, RayLim
   const double d = plane[3] - (n[0] * m[0][3] + n[1] * m[1][3] + n[2] * m[2][3]);
   const auto width = static_cast<std::size_t>(view.Width);
   const auto pixels = width * static_cast<std::size_t>(view.Height);
+  limits.Planes.push_back(plane);
   limits.Near.resize(pixels, 0.0f);
   limits.Far.resize(pixels, 1e9f);
   for (std::size_t i = 0; i < pixels; ++i)

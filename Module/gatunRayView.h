@@ -78,6 +78,9 @@ struct VTKGATUNCORE_EXPORT RayView
 struct RayLimits
 {
   std::vector<float> Near, Far;
+
+  /** What is on the negative side of one is limited away: nobody need look at it. */
+  std::vector<std::array<double, 4>> Planes;
 };
 
 /** Cuts away what is on the negative side of a plane a x + b y + c z + d = 0 in world coordinates.

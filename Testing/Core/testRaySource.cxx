@@ -47,6 +47,44 @@ TEST(RayCaster, NoBlockThatIsSeenIsPassedOver)
 }
 
 //------------------------------------------------------------------------------
+TEST(RayCaster, BlocksThatPlanesCutAwayAreNeverAskedFor)
+{
+  // Blocks are bars along x. A slab of them, and those in a corner.
+  const auto mesh = ToReference(MakeCubes(8, 0.2));
+  const std::vector<std::array<double, 4>> slab{ { 0, 0.1, 1, -3.3 }, { 0, 0.1, -1, 4.4 } };
+  const std::vector<std::array<double, 4>> corner{ { 0, 0, 1, -5.2 }, { 0, 1, 0, -5.2 } };
+  for (const auto& planes : { slab, corner })
+  {
+    for (const bool parallel : { false, true })
+    {
+      std::size_t asked = 0;
+      std::size_t all = 0;
+      for (const Viewer& viewer : MakeViewers(8, parallel))
+      {
+        Setting setting;
+        setting.Planes = planes;
+        CountingSource source(mesh, 24);
+        RayLimits limits;
+        const RayView view = viewer.GetView();
+        for (const auto& plane : planes)
+        {
+          ClipByPlane(view, plane, limits);
+        }
+        RayCaster caster(
+          view, RayTable(RayMode::Composite, Ramp, { 0, 1 }, viewer.SampleDistance, 1), limits);
+        caster.Draw(source);
+        Picture picture{ std::vector<float>(4u * viewer.Width * viewer.Height), {} };
+        caster.Finish(picture.Colours.data());
+        EXPECT_LE(GetLargestDifference(Render(mesh, viewer, setting), picture), 2.0f / 255);
+        asked += source.Asked;
+        all += source.GetNumberOfBlocks();
+      }
+      EXPECT_LT(asked, all / 2);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(RayCaster, ABlockThatReachesBehindTheEyeIsNotPassedOver)
 {
   // A bar from one side in front of the eye, outside of the picture, to the other side behind it.
