@@ -45,6 +45,12 @@ public:
   /** How many merges leave so many points, or as few as there can be. */
   std::size_t CountMergesForPoints(std::uint64_t pointsLeft) const;
 
+  /** The largest error of the first so many merges. */
+  double GetLargestError(std::size_t merges) const
+  {
+    return merges == 0 ? 0 : this->LargestErrors[merges - 1];
+  }
+
   /** How many merges there are before the first that costs more. NaN counts as 0. */
   std::size_t CountMergesForError(double error) const;
 

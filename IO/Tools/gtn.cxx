@@ -110,6 +110,7 @@ int Run(int argc, char* argv[])
   AddVerify(app, settings);
   AddMesh(app, settings);
   AddRender(app, settings);
+  AddSimplify(app, settings);
   AddBench(app, settings);
 
   try

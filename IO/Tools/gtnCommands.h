@@ -31,6 +31,7 @@ void AddInfo(CLI::App& app, Settings& settings);
 void AddMesh(CLI::App& app, Settings& settings);
 void AddPack(CLI::App& app, Settings& settings);
 void AddRender(CLI::App& app, Settings& settings);
+void AddSimplify(CLI::App& app, Settings& settings);
 void AddUnpack(CLI::App& app, Settings& settings);
 void AddVerify(CLI::App& app, Settings& settings);
 

@@ -5,14 +5,12 @@
 
 #include "gtnCommands.h"
 #include "gtnFailure.h"
-#include "gtnGridWriter.h"
 #include "gtnInput.h"
 #include "gtnMessages.h"
 #include "gtnOptions.h"
 #include "gtnOutput.h"
 #include "gtnProgress.h"
-#include "gtnText.h"
-#include "gtnWriteGatun.h"
+#include "gtnWriteMesh.h"
 
 #if GTN_HAS_TETGEN
 #include "vtkGatunTetrahedralize.h"
@@ -22,9 +20,6 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <fmt/core.h>
-
-#include <filesystem>
 #include <memory>
 
 namespace gtn
@@ -67,34 +62,14 @@ vtkSmartPointer<vtkUnstructuredGrid> Fill(
 void Mesh(const Options& options, const Settings& settings)
 {
 #if GTN_HAS_TETGEN
-  const std::string extension = ExtensionOf(options.Out);
-  if (extension != ".gtn" && extension != ".vtu" && extension != ".vtk")
-  {
-    throw UsageError(options.Out + ": the name must end in .gtn, .vtu or .vtk");
-  }
+  CheckMeshName(options.Out);
   vtkSmartPointer<vtkPolyData> surface;
   {
     Progress progress("reading", settings.ShowProgress);
     surface = ReadSurface(options.In, progress, settings.Quiet);
   }
   CheckWritable(options.Out, options.Overwrite);
-  vtkSmartPointer<vtkUnstructuredGrid> grid = Fill(surface, options, settings);
-  {
-    Progress progress("writing", settings.ShowProgress);
-    if (extension == ".gtn")
-    {
-      WriteGatun(grid, options.Out, progress);
-    }
-    else
-    {
-      WriteGrid(grid, options.Out, Compressor::ZLib, progress);
-    }
-  }
-  if (!settings.Quiet)
-  {
-    fmt::print("{}: {} tetrahedra, {} points, {}\n", options.Out, Grouped(grid->GetNumberOfCells()),
-      Grouped(grid->GetNumberOfPoints()), ByteSize(std::filesystem::file_size(options.Out)));
-  }
+  WriteMesh(Fill(surface, options, settings), options.Out, settings);
 #else
   static_cast<void>(settings);
   throw Failure(options.In, "cannot be filled, because this gtn is built without TetGen");
@@ -134,7 +109,7 @@ void AddMesh(CLI::App& app, Settings& settings)
     ->option_text("S");
   command->add_option("SURFACE", options->In, "A closed surface: .stl .ply .obj .vtp .vtk")
     ->required();
-  command->add_option("OUT", options->Out, "The mesh: .gtn .vtu .vtk")->required();
+  command->add_option("OUT", options->Out, std::string("The mesh: ") + MeshFormats)->required();
   command->callback([options, &settings] { Mesh(*options, settings); });
 }
 }

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkGatunSimplify
+ * @brief Makes a tetrahedral mesh coarser, to any degree, at once.
+ *
+ * Points are merged into neighbours, the cheapest merge first: what it changes of the values (mass,
+ * that is value times volume, or density) and, on the boundary, of the shape. The order of all
+ * merges is found once for a mesh, which takes a while; after that, another target is a matter of
+ * one pass. Tetrahedra keep their orientation, points of the boundary stay on it, and the topology
+ * does not change; so a mesh can only become as coarse as that allows.
+ *
+ * Input: a vtkUnstructuredGrid. Other linear cells become tetrahedra, as in vtkGatunWriter; ghost
+ * cells are left out. Output: the points that are left, where they were and in their order, with
+ * their point data; the tetrahedra that are left, with their cell data; field data.
+ *
+ * Cost: one thread; about 250 bytes a tetrahedron while the order of merges is found, and 20 bytes
+ * a point for as long as the input does not change.
+ *
+ * *Errors.* A target or a weight that makes no sense, and cells that cannot be made tetrahedra, are
+ * reported by vtkErrorMacro and GetErrorCode; the output is empty then.
+ *
+ * Based on: Van Gelder, Verma, Wilhelms: Volume decimation of irregular tetrahedral grids. Computer
+ * Graphics International 1999; Yang: On-the-fly processing of compressed volume data, 2001.
+ *
+ * @warning Pieces are simplified each by itself, and do not fit together afterwards.
+ *
+ * @sa vtkUnstructuredGridQuadricDecimation
+ */
+
+#ifndef vtkGatunSimplify_h
+#define vtkGatunSimplify_h
+
+#include "vtkGatunFiltersModule.h" // For export macro
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <memory> // For std::unique_ptr
+
+class VTKGATUNFILTERS_EXPORT vtkGatunSimplify : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkGatunSimplify* New();
+  vtkTypeMacro(vtkGatunSimplify, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * What tells how far to go.
+   */
+  enum TargetType
+  {
+    TARGET_RATIO = 0,            ///< Ratio
+    TARGET_PERCENT = 1,          ///< Percent
+    TARGET_NUMBER_OF_POINTS = 2, ///< NumberOfPoints
+    TARGET_ERROR = 3             ///< MaximumError
+  };
+
+  ///@{
+  /**
+   * See TargetType. Default: TARGET_RATIO.
+   */
+  vtkSetClampMacro(Target, int, TARGET_RATIO, TARGET_ERROR);
+  vtkGetMacro(Target, int);
+  ///@}
+
+  ///@{
+  /**
+   * The part of the points that is merged away: 0 (nothing) to 1 (as many as can be). Default: 0.5.
+   */
+  vtkSetMacro(Ratio, double);
+  vtkGetMacro(Ratio, double);
+  ///@}
+
+  ///@{
+  /**
+   * How many points in a hundred are left, 0 to 100. Default: 50.
+   */
+  vtkSetMacro(Percent, double);
+  vtkGetMacro(Percent, double);
+  ///@}
+
+  ///@{
+  /**
+   * How many points are left, if that is possible; all if the mesh has fewer. Default: 10000.
+   */
+  vtkSetMacro(NumberOfPoints, vtkIdType);
+  vtkGetMacro(NumberOfPoints, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Merges end before the first that costs more. A cost is the change as a part of what the whole
+   * mesh has: of the values' range over its volume, or on the boundary of its volume. Default:
+   * 1e-6.
+   */
+  vtkSetMacro(MaximumError, double);
+  vtkGetMacro(MaximumError, double);
+  ///@}
+
+  enum MetricType
+  {
+    METRIC_MASS = 0,   ///< values times volumes
+    METRIC_DENSITY = 1 ///< values
+  };
+
+  ///@{
+  /**
+   * By what a change of values is measured; see MetricType. Default: METRIC_MASS.
+   */
+  vtkSetClampMacro(Metric, int, METRIC_MASS, METRIC_DENSITY);
+  vtkGetMacro(Metric, int);
+  ///@}
+
+  ///@{
+  /**
+   * How much of the cost of merges on the boundary is that of shape, 0 to 1; the rest is that of
+   * values. Default: 0.5.
+   */
+  vtkSetMacro(BoundaryWeight, double);
+  vtkGetMacro(BoundaryWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * How much a point array counts, relative to others, 0 or more; each value relative to the range
+   * of its component. Without any weight set, the active scalars count, or, if there are none, all
+   * point arrays alike.
+   */
+  void SetArrayWeight(const char* name, double weight);
+  double GetArrayWeight(const char* name);
+  void ClearArrayWeights();
+  ///@}
+
+  /**
+   * How many merges there are for the input of the last update, all of them: so many points can be
+   * taken away at most.
+   */
+  vtkIdType GetMostMerges();
+
+  /**
+   * The largest cost of the merges that led to the output, see MaximumError.
+   */
+  double GetOutputError();
+
+protected:
+  vtkGatunSimplify();
+  ~vtkGatunSimplify() override;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  int Target = TARGET_RATIO;
+  double Ratio = 0.5;
+  double Percent = 50;
+  vtkIdType NumberOfPoints = 10000;
+  double MaximumError = 1e-6;
+  int Metric = METRIC_MASS;
+  double BoundaryWeight = 0.5;
+
+private:
+  vtkGatunSimplify(const vtkGatunSimplify&) = delete;
+  void operator=(const vtkGatunSimplify&) = delete;
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

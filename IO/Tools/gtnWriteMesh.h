@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gtnWriteMesh_h
+#define gtnWriteMesh_h
+
+#include <string>
+
+class vtkUnstructuredGrid;
+
+namespace gtn
+{
+struct Settings;
+
+/** What help texts say of formats that WriteMesh writes. */
+extern const char* const MeshFormats;
+
+/** Throws UsageError unless the name ends in one of these. */
+void CheckMeshName(const std::string& file);
+
+/** Writes a .gtn, .vtu or .vtk file, with a progress bar, and says what it is. Throws Failure. */
+void WriteMesh(vtkUnstructuredGrid* grid, const std::string& file, const Settings& settings);
+}
+
+#endif

@@ -1,0 +1,91 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""simplify writes what vtkGatunSimplify makes, of any mesh, to any degree; and says what it cannot do."""
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from gatun import vtkGatunSimplify
+from gatunCli import enter_folder, gtn, read, standard_mesh, write
+
+enter_folder("simplify")
+write(standard_mesh(8), "mesh.vtu")
+gtn("pack", "-q", "--keep-order", "all", "mesh.vtu", "mesh.gtn")
+grid = read("mesh.vtu")
+points = grid.GetNumberOfPoints()
+
+
+def check(name, prepare):
+    """The file has what the filter makes when it is prepared so."""
+    simplifier = vtkGatunSimplify()
+    simplifier.SetInputDataObject(grid)
+    prepare(simplifier)
+    simplifier.Update()
+    expected, got = simplifier.GetOutput(), read(name)
+    assert expected.GetNumberOfCells() > 0
+    for of in (lambda g: g.GetPoints().GetData(), lambda g: g.GetCells().GetConnectivityArray()):
+        np.testing.assert_array_equal(vtk_to_numpy(of(got)), vtk_to_numpy(of(expected)))
+    for i in range(expected.GetPointData().GetNumberOfArrays()):
+        array = expected.GetPointData().GetArray(i)
+        if array:
+            np.testing.assert_array_equal(
+                vtk_to_numpy(got.GetPointData().GetArray(array.GetName())), vtk_to_numpy(array))
+    return got.GetNumberOfPoints()
+
+
+gtn("simplify", "-q", "mesh.vtu", "half.vtu")
+assert check("half.vtu", lambda s: None) == points - points // 2
+gtn("simplify", "-q", "--ratio", 0.8, "mesh.gtn", "fifth.vtu")
+assert check("fifth.vtu", lambda s: s.SetRatio(0.8)) < 0.21 * points
+out = gtn("simplify", "--percent", 40, "mesh.vtu", "percent.vtu", says="tetrahedra")
+assert f"of {points:,} points" in out, out
+
+
+def percent(s):
+    s.SetTarget(s.TARGET_PERCENT)
+    s.SetPercent(40)
+
+
+check("percent.vtu", percent)
+
+
+def number(s):
+    s.SetTarget(s.TARGET_NUMBER_OF_POINTS)
+    s.SetNumberOfPoints(150)
+    s.SetMetric(s.METRIC_DENSITY)
+    s.SetBoundaryWeight(0.25)
+    s.SetArrayWeight("velocity", 2)
+    s.SetArrayWeight("pressure", 1)
+
+
+gtn("simplify", "-q", "--vertices", 150, "--metric", "density", "--boundary-weight", 0.25,
+    "--array", "velocity=2", "--array", "pressure", "mesh.vtu", "number.vtu")
+assert check("number.vtu", number) == 150
+
+
+def error(s):
+    s.SetTarget(s.TARGET_ERROR)
+    s.SetMaximumError(1e-5)
+
+
+gtn("simplify", "-q", "--error", "1e-5", "mesh.vtu", "error.vtu")
+assert check("error.vtu", error) < points
+
+# The other formats: the same mesh.
+for name in ("half.gtn", "half.vtk"):
+    gtn("simplify", "-q", "mesh.vtu", name)
+gtn("verify", "-q", "half.gtn", "half.vtu")
+gtn("verify", "-q", "half.gtn", "half.vtk")
+
+# Usage and failures; what is there stays.
+gtn("simplify", "mesh.vtu", "half.vtu", code=1, says="exists")
+gtn("simplify", "-f", "-q", "mesh.vtu", "half.vtu")
+for arguments in (
+        ("--ratio", "1.5"), ("--ratio", "-1"), ("--percent", "101"), ("--vertices", "-3"),
+        ("--error", "-1"), ("--ratio", "0.5", "--percent", "5"), ("--metric", "colour"),
+        ("--boundary-weight", "2"), ("--array", "velocity=much"), ("--array", "velocity=-1")):
+    gtn("simplify", *arguments, "mesh.vtu", "new.vtu", code=2)
+gtn("simplify", "mesh.vtu", "new.stl", code=2, says=".gtn, .vtu or .vtk")
+gtn("simplify", "--array", "nothing", "mesh.vtu", "new.vtu", code=1, says="nothing")
+gtn("simplify", "missing.vtu", "new.vtu", code=1, says="missing.vtu")
