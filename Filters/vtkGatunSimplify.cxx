@@ -168,37 +168,37 @@ public:
   double OutputError = 0;
 
   void Prepare(vtkGatunSimplify* self, vtkUnstructuredGrid* input);
-  void AddArrays(Mesh& mesh) const;
+  void AddArrays(vtkPointData* data, Mesh& mesh) const;
   std::size_t CountMerges(const vtkGatunSimplify* self) const;
 };
 
 //------------------------------------------------------------------------------
-void vtkGatunSimplify::vtkInternals::AddArrays(Mesh& mesh) const
+void vtkGatunSimplify::vtkInternals::AddArrays(vtkPointData* data, Mesh& mesh) const
 {
-  vtkPointData* const data = this->Tets->GetPointData();
+  for (const auto& [name, weight] : this->Weights)
+  {
+    vtkDataArray* const array = data->GetArray(name.c_str());
+    if (!array)
+    {
+      Refuse("there is no point array '" + name + "', which has a weight");
+    }
+    mesh.AddArray(array, weight);
+  }
   if (!this->Weights.empty())
   {
-    for (const auto& [name, weight] : this->Weights)
-    {
-      vtkDataArray* const array = data->GetArray(name.c_str());
-      if (!array)
-      {
-        Refuse("there is no point array '" + name + "', which has a weight");
-      }
-      mesh.AddArray(array, weight);
-    }
     return;
   }
-  for (int i = 0; !data->GetScalars() && i < data->GetNumberOfArrays(); ++i)
+  if (data->GetScalars())
+  {
+    mesh.AddArray(data->GetScalars(), 1);
+    return;
+  }
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     if (vtkDataArray* const array = data->GetArray(i))
     {
       mesh.AddArray(array, 1);
     }
-  }
-  if (data->GetScalars())
-  {
-    mesh.AddArray(data->GetScalars(), 1);
   }
 }
 
@@ -220,27 +220,23 @@ void vtkGatunSimplify::vtkInternals::Prepare(vtkGatunSimplify* self, vtkUnstruct
     vtkWarningWithObjectMacro(self, << warning);
   }
   // The input itself may be given something else later.
-  this->Tets = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  this->Tets->ShallowCopy(made.Grid);
-  Mesh mesh(this->Tets);
-  this->AddArrays(mesh);
-  try
-  {
-    this->Tree = gatun::BuildMergeTree(mesh.GetInput(), settings,
-      [self](double done)
-      {
-        self->UpdateProgress(0.9 * done);
-        return !gatun::IsAborted(self);
-      });
-  }
-  catch (...)
-  {
-    this->Tets = nullptr;
-    throw;
-  }
+  vtkNew<vtkUnstructuredGrid> tets;
+  tets->ShallowCopy(made.Grid);
+  Mesh mesh(tets);
+  this->AddArrays(tets->GetPointData(), mesh);
+  auto weights = this->Weights;
+  auto tree = gatun::BuildMergeTree(mesh.GetInput(), settings,
+    [self](double done)
+    {
+      self->UpdateProgress(0.9 * done);
+      return !gatun::IsAborted(self);
+    });
+  // All at once, so that whatever fails leaves what belongs together.
+  this->Tets = tets;
+  this->Tree = std::move(tree);
   this->Input = input;
   this->Stamp = input->GetMTime();
-  this->UsedWeights = this->Weights;
+  this->UsedWeights = std::move(weights);
   this->Settings = settings;
 }
 

@@ -188,6 +188,18 @@ bad = vtkGatunSimplify()
 bad.SetInputDataObject(edges)
 expect_error(bad, "cannot be")
 
+# An input that fails leaves nothing of its own behind: back to the one before, all is as it was.
+small, small_points, small_tets, _ = make_box(3)
+broken = gm.make_grid(small_points, np.where(small_tets == 5, 10 ** 6, small_tets))
+simplifier = simplify(grid, Ratio=0.5)
+before = arrays_of(simplifier.GetOutput())
+simplifier.SetInputDataObject(broken)
+expect_error(simplifier, "does not exist")
+simplifier.SetInputDataObject(grid)
+simplifier.Update()
+for one, other in zip(before, arrays_of(simplifier.GetOutput())):
+    np.testing.assert_array_equal(one, other)
+
 # Nothing, other cells, and no arrays at all.
 assert simplify(vtkUnstructuredGrid()).GetOutput().GetNumberOfCells() == 0
 image = vtkRTAnalyticSource()
