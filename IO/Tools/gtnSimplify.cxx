@@ -105,12 +105,7 @@ void SimplifyMesh(const Options& options, const Settings& settings)
 
   Input input({ options.In }, options.Input);
   CheckWritable(options.Out, options.Overwrite);
-  const std::size_t step = ChooseStep(options.Step, options.In, input.GetTimes(), settings.Quiet);
-  vtkSmartPointer<vtkUnstructuredGrid> grid;
-  {
-    Progress progress("reading", settings.ShowProgress);
-    grid = input.Read(step, progress);
-  }
+  const auto grid = ReadStep(input, options.Step, settings);
   {
     Progress progress("simplifying", settings.ShowProgress);
     simplifier->SetInputData(grid);

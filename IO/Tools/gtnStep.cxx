@@ -3,9 +3,14 @@
 
 #include "gtnStep.h"
 
+#include "gtnCommands.h"
 #include "gtnFailure.h"
+#include "gtnInput.h"
 #include "gtnMessages.h"
+#include "gtnProgress.h"
 #include "gtnText.h"
+
+#include "vtkUnstructuredGrid.h"
 
 #include <fmt/core.h>
 
@@ -60,5 +65,14 @@ std::size_t ChooseStep(
     Say(fmt::format("{}: has {} time steps, of which the first is taken", file, times.size()));
   }
   return step;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkUnstructuredGrid> ReadStep(
+  Input& input, const StepOptions& options, const Settings& settings)
+{
+  const std::size_t step = ChooseStep(options, input.GetName(), input.GetTimes(), settings.Quiet);
+  Progress progress("reading", settings.ShowProgress);
+  return input.Read(step, progress);
 }
 }

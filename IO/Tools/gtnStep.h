@@ -5,6 +5,8 @@
 
 // Which time step of a mesh a subcommand takes.
 
+#include "vtkSmartPointer.h"
+
 #include <CLI/CLI.hpp>
 
 #include <array>
@@ -12,8 +14,13 @@
 #include <string>
 #include <vector>
 
+class vtkUnstructuredGrid;
+
 namespace gtn
 {
+class Input;
+struct Settings;
+
 struct StepOptions
 {
   std::optional<double> Time;
@@ -27,6 +34,10 @@ std::array<CLI::Option*, 2> AddStep(CLI::App* command, StepOptions& options);
  * was asked for and there are several, unless quiet. Throws Failure for the file. */
 std::size_t ChooseStep(const StepOptions& options, const std::string& file,
   const std::vector<double>& times, bool quiet);
+
+/** Reads that step, with a progress bar. Throws Failure. */
+vtkSmartPointer<vtkUnstructuredGrid> ReadStep(
+  Input& input, const StepOptions& options, const Settings& settings);
 }
 
 #endif

@@ -9,15 +9,12 @@
 #include "gtnInput.h"
 #include "gtnOptions.h"
 #include "gtnOutput.h"
-#include "gtnProgress.h"
 #include "gtnStep.h"
 #include "gtnText.h"
+#include "gtnWriteMesh.h"
 
 #include "vtkUnstructuredGrid.h"
 
-#include <fmt/core.h>
-
-#include <filesystem>
 #include <memory>
 
 namespace gtn
@@ -51,22 +48,8 @@ void Unpack(const Options& options, const Settings& settings)
   }
   Input input({ options.In }, options.Input);
   CheckWritable(options.Out, options.Overwrite);
-
-  const std::size_t step = ChooseStep(options.Step, options.In, input.GetTimes(), settings.Quiet);
-  vtkSmartPointer<vtkUnstructuredGrid> grid;
-  {
-    Progress progress("reading", settings.ShowProgress);
-    grid = input.Read(step, progress);
-  }
-  {
-    Progress progress("writing", settings.ShowProgress);
-    WriteGrid(grid, options.Out, CompressorOf(options.How), progress);
-  }
-  if (!settings.Quiet)
-  {
-    fmt::print("{}: {} tetrahedra, {} points, {}\n", options.Out, Grouped(grid->GetNumberOfCells()),
-      Grouped(grid->GetNumberOfPoints()), ByteSize(std::filesystem::file_size(options.Out)));
-  }
+  WriteMesh(
+    ReadStep(input, options.Step, settings), options.Out, settings, CompressorOf(options.How));
 }
 
 } // anonymous namespace

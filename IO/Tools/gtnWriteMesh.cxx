@@ -5,7 +5,6 @@
 
 #include "gtnCommands.h"
 #include "gtnFailure.h"
-#include "gtnGridWriter.h"
 #include "gtnProgress.h"
 #include "gtnText.h"
 #include "gtnWriteGatun.h"
@@ -31,7 +30,8 @@ void CheckMeshName(const std::string& file)
 }
 
 //------------------------------------------------------------------------------
-void WriteMesh(vtkUnstructuredGrid* grid, const std::string& file, const Settings& settings)
+void WriteMesh(vtkUnstructuredGrid* grid, const std::string& file, const Settings& settings,
+  Compressor compressor)
 {
   {
     Progress progress("writing", settings.ShowProgress);
@@ -41,7 +41,7 @@ void WriteMesh(vtkUnstructuredGrid* grid, const std::string& file, const Setting
     }
     else
     {
-      WriteGrid(grid, file, Compressor::ZLib, progress);
+      WriteGrid(grid, file, compressor, progress);
     }
   }
   if (!settings.Quiet)

@@ -3,6 +3,8 @@
 #ifndef gtnWriteMesh_h
 #define gtnWriteMesh_h
 
+#include "gtnGridWriter.h"
+
 #include <string>
 
 class vtkUnstructuredGrid;
@@ -17,8 +19,10 @@ extern const char* const MeshFormats;
 /** Throws UsageError unless the name ends in one of these. */
 void CheckMeshName(const std::string& file);
 
-/** Writes a .gtn, .vtu or .vtk file, with a progress bar, and says what it is. Throws Failure. */
-void WriteMesh(vtkUnstructuredGrid* grid, const std::string& file, const Settings& settings);
+/** Writes a .gtn, .vtu or .vtk file, with a progress bar, and says what it is. The compressor is
+ * that of a .vtu file. Throws Failure. */
+void WriteMesh(vtkUnstructuredGrid* grid, const std::string& file, const Settings& settings,
+  Compressor compressor = Compressor::ZLib);
 }
 
 #endif
