@@ -93,6 +93,22 @@ std::uint64_t PeakMemory::GetPeak()
 }
 
 //------------------------------------------------------------------------------
+Cost CostOf(const std::function<void()>& work)
+{
+  const PeakMemory memory;
+  const double seconds = SecondsOf(work);
+  return { seconds, memory.GetBefore(), PeakMemory::GetPeak() };
+}
+
+//------------------------------------------------------------------------------
+void AddCost(gtn::Json& json, const Cost& cost)
+{
+  json.Add("seconds", cost.Seconds);
+  json.Add("before", cost.Before);
+  json.Add("peak", cost.Peak);
+}
+
+//------------------------------------------------------------------------------
 std::uint64_t FileSize(const std::string& file)
 {
   return std::filesystem::file_size(file);

@@ -57,6 +57,19 @@ private:
   std::uint64_t Before;
 };
 
+/** What some work takes: seconds, and bytes before it and at most. */
+struct Cost
+{
+  double Seconds;
+  std::uint64_t Before;
+  std::uint64_t Peak;
+};
+
+Cost CostOf(const std::function<void()>& work);
+
+/** Adds seconds, before and peak. */
+void AddCost(gtn::Json& json, const Cost& cost);
+
 std::uint64_t FileSize(const std::string& file);
 }
 

@@ -3,6 +3,7 @@
 
 """Runs the programs that measure, and says where."""
 
+import argparse
 import json
 import os
 import pathlib
@@ -11,6 +12,24 @@ import sys
 import time
 
 import displays
+
+
+def make_parser(description, page):
+    """Arguments that all programs which write a page have in common."""
+    parser = argparse.ArgumentParser(description=description)
+    parser.add_argument("--programs", type=pathlib.Path, required=True,
+                        help="the folder of gatunBenchmarks and gtn")
+    parser.add_argument("--out", type=pathlib.Path, required=True,
+                        help=f"where {page}.md and the folder {page} go")
+    modes = parser.add_mutually_exclusive_group()
+    modes.add_argument("--quick", dest="mode", action="store_const", const="quick",
+                       help="small meshes, few rounds")
+    modes.add_argument("--smoke", dest="mode", action="store_const", const="smoke",
+                       help="tiny meshes, to see whether it runs at all")
+    parser.add_argument("--report", action="store_true",
+                        help="measure nothing, make the page and its pictures anew")
+    parser.set_defaults(mode="full")
+    return parser
 
 
 class Runner:

@@ -56,8 +56,7 @@ void MeasurePeak(const Options& options)
   {
     grid = Load(options.File);
   }
-  const PeakMemory memory;
-  const double seconds = SecondsOf(
+  const Cost cost = CostOf(
     [&]
     {
       if (options.Out.empty())
@@ -73,9 +72,7 @@ void MeasurePeak(const Options& options)
     [&](gtn::Json& json)
     {
       json.Add("threads", gatun::GetNumberOfThreads());
-      json.Add("seconds", seconds);
-      json.Add("before", memory.GetBefore());
-      json.Add("peak", PeakMemory::GetPeak());
+      AddCost(json, cost);
       json.Add("gridBytes", 1024 * static_cast<std::uint64_t>(grid->GetActualMemorySize()));
     });
 }

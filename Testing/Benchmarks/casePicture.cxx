@@ -52,10 +52,8 @@ void TimePicture(const Options& options)
 {
   const bool isGatun = options.File.ends_with(".gtn");
   VolumeWindow window(options.Size);
-  const PeakMemory memory;
-  const double seconds =
-    SecondsOf([&] { isGatun ? DrawFile(window, options) : DrawGrid(window, options); });
-  const std::uint64_t peak = PeakMemory::GetPeak();
+  const Cost cost =
+    CostOf([&] { isGatun ? DrawFile(window, options) : DrawGrid(window, options); });
   const Seen seen = window.Look();
   PrintJson(
     [&](gtn::Json& json)
@@ -64,9 +62,7 @@ void TimePicture(const Options& options)
       json.Add("mapper", isGatun ? "gatun" : "bunyk");
       json.Add("size", options.Size);
       json.Add("budget", options.Budget);
-      json.Add("seconds", seconds);
-      json.Add("before", memory.GetBefore());
-      json.Add("peak", peak);
+      AddCost(json, cost);
       json.Add("covered", seen.Covered);
       json.Add("mean", seen.Mean);
     });

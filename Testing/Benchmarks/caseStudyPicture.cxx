@@ -111,10 +111,8 @@ void DrawFile(vtkGatunRayCaster* caster, const Options& options)
 void TimePicture(const Options& options)
 {
   vtkNew<vtkGatunRayCaster> caster;
-  const PeakMemory memory;
-  const double seconds =
-    SecondsOf([&] { options.Whole ? DrawWhole(caster, options) : DrawFile(caster, options); });
-  const std::uint64_t peak = PeakMemory::GetPeak();
+  const Cost cost =
+    CostOf([&] { options.Whole ? DrawWhole(caster, options) : DrawFile(caster, options); });
   const Seen seen = Look(caster->GetOutput());
   PrintJson(
     [&](gtn::Json& json)
@@ -122,9 +120,7 @@ void TimePicture(const Options& options)
       json.Add("threads", gatun::GetNumberOfThreads());
       json.Add("size", options.Size);
       json.Add("whole", options.Whole);
-      json.Add("seconds", seconds);
-      json.Add("before", memory.GetBefore());
-      json.Add("peak", peak);
+      AddCost(json, cost);
       json.Add("covered", seen.Covered);
       json.Add("mean", seen.Mean);
     });

@@ -7,7 +7,6 @@
 Each case is a process of its own, so that neither memory nor threads of one case reach the next.
 """
 
-import argparse
 import json
 import os
 import pathlib
@@ -178,21 +177,9 @@ def measure(runner, options):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--programs", type=pathlib.Path, required=True,
-                        help="the folder of gatunBenchmarks and gtn")
-    parser.add_argument("--out", type=pathlib.Path, required=True,
-                        help="where benchmarks.md and the folder benchmarks go")
-    modes = parser.add_mutually_exclusive_group()
-    modes.add_argument("--quick", dest="mode", action="store_const", const="quick",
-                       help="small meshes, few rounds: some minutes")
-    modes.add_argument("--smoke", dest="mode", action="store_const", const="smoke",
-                       help="tiny meshes, to see whether it runs at all")
-    parser.add_argument("--report", action="store_true",
-                        help="measure nothing, make the page and its pictures anew")
+    parser = benchmarkRunner.make_parser(__doc__, "benchmarks")
     parser.add_argument("files", type=pathlib.Path, nargs="*", metavar="FILE",
                         help="meshes to measure too, whatever gtn reads")
-    parser.set_defaults(mode="full")
     options = parser.parse_args()
     folder = options.out / "benchmarks"
     folder.mkdir(parents=True, exist_ok=True)

@@ -8,7 +8,6 @@ Memory and time of rendering while decompressing against decompressing first (Fi
 Table 4), release of tetrahedra from one end or from both (section 4.4), and the pre-filter.
 """
 
-import argparse
 import json
 import os
 import pathlib
@@ -163,19 +162,7 @@ def measure(runner, options):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--programs", type=pathlib.Path, required=True,
-                        help="the folder of gatunBenchmarks and gtn")
-    parser.add_argument("--out", type=pathlib.Path, required=True,
-                        help="where rendering-study.md and the folder rendering-study go")
-    modes = parser.add_mutually_exclusive_group()
-    modes.add_argument("--quick", dest="mode", action="store_const", const="quick",
-                       help="small meshes, one round")
-    modes.add_argument("--smoke", dest="mode", action="store_const", const="smoke",
-                       help="tiny meshes, to see whether it runs at all")
-    parser.add_argument("--report", action="store_true",
-                        help="measure nothing, make the page and its pictures anew")
-    parser.set_defaults(mode="full")
+    parser = benchmarkRunner.make_parser(__doc__, "rendering-study")
     options = parser.parse_args()
     folder = options.out / "rendering-study"
     folder.mkdir(parents=True, exist_ok=True)
