@@ -123,22 +123,6 @@ void NeighbourFit::Weigh(const std::array<double, 3>& centre, std::span<Neighbou
 //--------------------------------------------------------------------------------------------------
 namespace
 {
-/** A running mean of the lengths of residuals, in bits. */
-class RunningSpread
-{
-public:
-  unsigned Get() const { return this->Sum >> 2; }
-  void Add(std::int64_t residual)
-  {
-    const auto magnitude = residual < 0 ? 0 - static_cast<std::uint64_t>(residual)
-                                        : static_cast<std::uint64_t>(residual);
-    this->Sum += static_cast<unsigned>(std::bit_width(magnitude)) - this->Get();
-  }
-
-private:
-  unsigned Sum = 4 * 20;
-};
-
 template <typename Coder>
 Key CodeKey(Coder& coder, const Domain& domain, ResidualModel& model, unsigned spread,
   Key predicted, Key truth, std::int64_t& residual)

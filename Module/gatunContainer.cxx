@@ -58,12 +58,12 @@ SectionRef GetSectionHeader(ByteReader& in)
   return section;
 }
 
-Bytes MakeHeader()
+Bytes MakeHeader(std::uint16_t minorVersion)
 {
   ByteWriter header;
   header.PutBytes(FileMagic);
   header.Put(static_cast<std::uint16_t>(GATUN_FORMAT_VERSION_MAJOR));
-  header.Put(static_cast<std::uint16_t>(GATUN_FORMAT_VERSION_MINOR));
+  header.Put(minorVersion);
   header.Put(std::uint32_t{ 0 });
   return std::move(header.Data);
 }
@@ -79,7 +79,8 @@ std::uint64_t SumOfFrame(std::span<const std::uint8_t> header, const Bytes& dire
 bool IsKnown(FourCC name)
 {
   return name == SectionMeta || name == SectionMesh || name == SectionTable ||
-    name == SectionValues || name == SectionStep || name == SectionDirectory;
+    name == SectionValues || name == SectionStep || name == SectionTree || name == SectionMerges ||
+    name == SectionTreeStep || name == SectionLevel || name == SectionDirectory;
 }
 
 bool IsReadable(const SectionRef& section)
@@ -101,6 +102,34 @@ std::string FollowLinks(const std::string& path)
   }
   return target.string();
 }
+
+// What is copied or checked at once of parts of any length.
+constexpr std::uint64_t CopyBytes = 4u << 20;
+
+/** The checksum of what comes in parts. */
+class RunningChecksum
+{
+public:
+  RunningChecksum()
+    : State(XXH3_createState(), &XXH3_freeState)
+  {
+    if (!this->State)
+    {
+      throw std::bad_alloc();
+    }
+    XXH3_64bits_reset(this->State.get());
+  }
+
+  void Add(std::span<const std::uint8_t> bytes)
+  {
+    XXH3_64bits_update(this->State.get(), bytes.data(), bytes.size());
+  }
+
+  std::uint64_t Get() const { return XXH3_64bits_digest(this->State.get()); }
+
+private:
+  std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> State;
+};
 
 /** Throws if a file is marked read-only, which binds root as well, or if it is not this user's. */
 void CheckReplaceable(const std::string& path, ::mode_t mode)
@@ -174,7 +203,7 @@ Bytes Decompress(std::span<const std::uint8_t> bytes, std::uint64_t limit)
 }
 
 //--------------------------------------------------------------------------------------------------
-OutputFile::OutputFile(const std::string& path, bool replaceReadOnly)
+OutputFile::OutputFile(const std::string& path, bool replaceReadOnly, std::uint16_t minorVersion)
   : Path(path)
   , Target(path)
 {
@@ -203,6 +232,27 @@ OutputFile::OutputFile(const std::string& path, bool replaceReadOnly)
   {
     this->Target = FollowLinks(path);
   }
+  this->Begin(minorVersion);
+  const auto mask = ::umask(0);
+  ::umask(mask);
+  if (::fchmod(this->Handle, exists ? old.st_mode & 07777 : 0666 & ~mask) != 0)
+  {
+    // Only the permissions of the new file differ then; the content is what matters.
+  }
+}
+
+OutputFile::OutputFile(const OutputFile& whole, std::uint16_t minorVersion)
+  : Path(whole.Path)
+  , Target(whole.Target)
+{
+  this->Begin(minorVersion);
+  ::unlink(this->Temporary.c_str());
+  this->Temporary.clear();
+}
+
+/** Opens a temporary file and writes the header. */
+void OutputFile::Begin(std::uint16_t minorVersion)
+{
   std::string name = this->Target + ".part-XXXXXX";
   this->Handle = ::mkstemp(name.data());
   if (this->Handle < 0)
@@ -210,15 +260,10 @@ OutputFile::OutputFile(const std::string& path, bool replaceReadOnly)
     this->Fail(std::strerror(errno));
   }
   this->Temporary = name;
-  const auto mask = ::umask(0);
-  ::umask(mask);
-  if (::fchmod(this->Handle, exists ? old.st_mode & 07777 : 0666 & ~mask) != 0)
-  {
-    // Only the permissions of the new file differ then; the content is what matters.
-  }
+  this->Header = MakeHeader(minorVersion);
   try
   {
-    this->Write(MakeHeader());
+    this->Write(this->Header);
   }
   catch (...)
   {
@@ -263,11 +308,12 @@ void OutputFile::Write(std::span<const std::uint8_t> bytes)
   }
 }
 
-std::uint64_t OutputFile::AddSection(FourCC name, std::span<const std::uint8_t> payload)
+std::uint64_t OutputFile::AddSection(
+  FourCC name, std::span<const std::uint8_t> payload, std::uint16_t flags)
 {
   SectionRef section;
   section.Name = name;
-  section.Flags = FlagMandatory;
+  section.Flags = flags;
   section.Payload.Length = payload.size();
   section.Payload.Sum = Checksum(payload);
   ByteWriter header;
@@ -279,7 +325,50 @@ std::uint64_t OutputFile::AddSection(FourCC name, std::span<const std::uint8_t> 
   return section.Payload.Offset;
 }
 
-std::uint64_t OutputFile::Commit()
+std::uint64_t OutputFile::AddSection(FourCC name, OutputFile& part)
+{
+  part.WriteEnd();
+  // Twice, as the checksum stands in front.
+  Bytes buffer(static_cast<std::size_t>(std::min(CopyBytes, part.Size)));
+  const auto each = [&](auto&& use)
+  {
+    for (std::uint64_t at = 0; at < part.Size; at += buffer.size())
+    {
+      const auto bytes = std::span(buffer).first(
+        static_cast<std::size_t>(std::min<std::uint64_t>(buffer.size(), part.Size - at)));
+      for (std::size_t got = 0; got < bytes.size();)
+      {
+        const auto now = ::pread(
+          part.Handle, bytes.data() + got, bytes.size() - got, static_cast<::off_t>(at + got));
+        if (now < 0 && errno == EINTR)
+        {
+          continue;
+        }
+        if (now <= 0)
+        {
+          this->Fail(now < 0 ? std::strerror(errno) : "a temporary file became shorter");
+        }
+        got += static_cast<std::size_t>(now);
+      }
+      use(bytes);
+    }
+  };
+  RunningChecksum sum;
+  each([&](std::span<const std::uint8_t> bytes) { sum.Add(bytes); });
+  SectionRef section;
+  section.Name = name;
+  section.Payload.Length = part.Size;
+  section.Payload.Sum = sum.Get();
+  ByteWriter header;
+  PutSectionHeader(header, section);
+  this->Write(header.Data);
+  section.Payload.Offset = this->Size;
+  each([&](std::span<const std::uint8_t> bytes) { this->Write(bytes); });
+  this->Sections.push_back(section);
+  return part.Size;
+}
+
+void OutputFile::WriteEnd()
 {
   ByteWriter directory;
   directory.PutVarint(this->Sections.size());
@@ -291,9 +380,14 @@ std::uint64_t OutputFile::Commit()
   ByteWriter trailer;
   trailer.Put(this->AddSection(SectionDirectory, directory.Data));
   trailer.Put(static_cast<std::uint64_t>(directory.Data.size()));
-  trailer.Put(SumOfFrame(MakeHeader(), directory.Data));
+  trailer.Put(SumOfFrame(this->Header, directory.Data));
   trailer.PutBytes(TrailerMagic);
   this->Write(trailer.Data);
+}
+
+std::uint64_t OutputFile::Commit()
+{
+  this->WriteEnd();
   if (::fsync(this->Handle) != 0)
   {
     this->Fail(std::strerror(errno));
@@ -339,6 +433,28 @@ InputFile::InputFile(const std::string& path)
   }
 }
 
+InputFile::InputFile(const InputFile& whole, const StreamRef& section, const std::string& name)
+  : Path(whole.Path + ", " + name)
+  , Base(whole.Base + section.Offset)
+  , Size(section.Length)
+{
+  whole.CheckInside(section, name);
+  this->Handle = ::fcntl(whole.Handle, F_DUPFD_CLOEXEC, 0);
+  if (this->Handle < 0)
+  {
+    this->Fail(ErrorCode::CannotOpen, std::string("cannot open: ") + std::strerror(errno));
+  }
+  try
+  {
+    this->ReadDirectory();
+  }
+  catch (...)
+  {
+    ::close(this->Handle);
+    throw;
+  }
+}
+
 InputFile::~InputFile()
 {
   ::close(this->Handle);
@@ -355,7 +471,7 @@ void InputFile::ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) cons
   while (!bytes.empty())
   {
     const auto got =
-      ::pread(this->Handle, bytes.data(), bytes.size(), static_cast<::off_t>(offset));
+      ::pread(this->Handle, bytes.data(), bytes.size(), static_cast<::off_t>(this->Base + offset));
     if (got < 0 && errno == EINTR)
     {
       continue;
@@ -374,7 +490,7 @@ void InputFile::ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) cons
   }
 }
 
-Bytes InputFile::Read(const StreamRef& stream, const std::string& what) const
+void InputFile::CheckInside(const StreamRef& stream, const std::string& what) const
 {
   if (stream.Offset > this->Size || stream.Length > this->Size - stream.Offset)
   {
@@ -382,15 +498,43 @@ Bytes InputFile::Read(const StreamRef& stream, const std::string& what) const
       what + AtOffset(stream.Offset) + " reaches past the end of the file (" +
         std::to_string(this->Size) + " bytes)");
   }
+}
+
+void InputFile::FailSum(const StreamRef& stream, const std::string& what) const
+{
+  this->Fail(ErrorCode::Corrupt,
+    what + AtOffset(stream.Offset) + " (" + std::to_string(stream.Length) +
+      " bytes) is damaged: its checksum is wrong");
+}
+
+Bytes InputFile::Read(const StreamRef& stream, const std::string& what) const
+{
+  this->CheckInside(stream, what);
   Bytes bytes(static_cast<std::size_t>(stream.Length));
   this->ReadAt(stream.Offset, bytes);
   if (Checksum(bytes) != stream.Sum)
   {
-    this->Fail(ErrorCode::Corrupt,
-      what + AtOffset(stream.Offset) + " (" + std::to_string(stream.Length) +
-        " bytes) is damaged: its checksum is wrong");
+    this->FailSum(stream, what);
   }
   return bytes;
+}
+
+void InputFile::CheckSum(const StreamRef& stream, const std::string& what) const
+{
+  this->CheckInside(stream, what);
+  RunningChecksum sum;
+  Bytes buffer(static_cast<std::size_t>(std::min(CopyBytes, stream.Length)));
+  for (std::uint64_t at = 0; at < stream.Length; at += buffer.size())
+  {
+    const auto bytes = std::span(buffer).first(
+      static_cast<std::size_t>(std::min<std::uint64_t>(buffer.size(), stream.Length - at)));
+    this->ReadAt(stream.Offset + at, bytes);
+    sum.Add(bytes);
+  }
+  if (sum.Get() != stream.Sum)
+  {
+    this->FailSum(stream, what);
+  }
 }
 
 void InputFile::ReadDirectory()
@@ -531,7 +675,7 @@ void InputFile::CheckSections(const std::function<bool(double)>& progress) const
     {
       this->Fail(ErrorCode::Corrupt, "the header of " + what + AtOffset(next) + " is damaged");
     }
-    this->Read(section.Payload, what);
+    this->CheckSum(section.Payload, what);
     next = section.Payload.Offset + section.Payload.Length;
     if (progress &&
       !progress(static_cast<double>(i + 1) / static_cast<double>(this->Sections.size())))
@@ -549,7 +693,7 @@ void InputFile::CheckSections(const std::function<bool(double)>& progress) const
   {
     this->Fail(ErrorCode::Corrupt, "the header of the directory" + AtOffset(next) + " is damaged");
   }
-  this->Read(
+  this->CheckSum(
     { next + SectionHeaderSize, directory.Payload.Length, directory.Payload.Sum }, "the directory");
 }
 }

@@ -34,10 +34,18 @@ constexpr FourCC SectionMesh = MakeFourCC("MESH");      // streams of blocks and
 constexpr FourCC SectionTable = MakeFourCC("TABL");     // where those streams are
 constexpr FourCC SectionValues = MakeFourCC("VALS");    // streams of arrays, field data
 constexpr FourCC SectionStep = MakeFourCC("STEP");      // where those streams are, for one step
+constexpr FourCC SectionTree = MakeFourCC("TREE");      // how the mesh becomes simpler
+constexpr FourCC SectionMerges = MakeFourCC("MERG");    // the stream of that
+constexpr FourCC SectionTreeStep = MakeFourCC("TRNG");  // what values that leads to, for one step
+constexpr FourCC SectionLevel = MakeFourCC("LEVL");     // a simpler mesh, a file in the file
 constexpr FourCC SectionDirectory = MakeFourCC("DIRY"); // where the sections are
 
 constexpr std::uint16_t SectionVersion = 1;
 constexpr std::uint16_t FlagMandatory = 1; // a reader that does not know the section must stop
+
+// The minor version of files that have just what every reader knows, and of those with more.
+constexpr std::uint16_t MinorVersionPlain = 0;
+constexpr std::uint16_t MinorVersionWithTree = 1;
 
 std::uint64_t Checksum(std::span<const std::uint8_t> bytes);
 
@@ -69,18 +77,28 @@ class OutputFile
 {
 public:
   /** replaceReadOnly: also where an existing file may not be written. */
-  explicit OutputFile(const std::string& path, bool replaceReadOnly);
+  OutputFile(const std::string& path, bool replaceReadOnly, std::uint16_t minorVersion);
+
+  /** A file that becomes a section of another one; it never has a name. */
+  OutputFile(const OutputFile& whole, std::uint16_t minorVersion);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
   /** Appends a section; returns the file offset of its payload. */
-  std::uint64_t AddSection(FourCC name, std::span<const std::uint8_t> payload);
+  std::uint64_t AddSection(
+    FourCC name, std::span<const std::uint8_t> payload, std::uint16_t flags = FlagMandatory);
+
+  /** Appends a section, which readers need not know, with all of another file, which is complete
+   * with that. Returns how long it is. */
+  std::uint64_t AddSection(FourCC name, OutputFile& part);
 
   /** Writes directory and trailer, and gives the file its name. Returns the file's size. */
   std::uint64_t Commit();
 
 private:
+  void Begin(std::uint16_t minorVersion);
+  void WriteEnd();
   void Write(std::span<const std::uint8_t> bytes);
   [[noreturn]] void Fail(const std::string& what) const;
 
@@ -89,6 +107,7 @@ private:
   std::string Temporary; // empty after Commit
   int Handle = -1;
   std::uint64_t Size = 0;
+  Bytes Header;
   std::vector<SectionRef> Sections;
 };
 
@@ -97,6 +116,9 @@ class InputFile
 {
 public:
   explicit InputFile(const std::string& path);
+
+  /** A file that is a section of another one; name is what messages say of it. */
+  InputFile(const InputFile& whole, const StreamRef& section, const std::string& name);
   ~InputFile();
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
@@ -110,6 +132,9 @@ public:
 
   /** Reads a stream and checks its sum; what names it in messages. */
   Bytes Read(const StreamRef& stream, const std::string& what) const;
+
+  /** Checks the sum of a stream of any length. */
+  void CheckSum(const StreamRef& stream, const std::string& what) const;
 
   /** The payloads of the sections of a name, but for versions that are not known. */
   std::vector<StreamRef> FindSections(FourCC name) const;
@@ -126,9 +151,12 @@ public:
 private:
   void ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const;
   void ReadDirectory();
+  void CheckInside(const StreamRef& stream, const std::string& what) const;
+  [[noreturn]] void FailSum(const StreamRef& stream, const std::string& what) const;
 
   std::string Path;
   int Handle = -1;
+  std::uint64_t Base = 0; // where it begins in the file that has a name
   std::uint64_t Size = 0;
   std::uint16_t Major = 0;
   std::uint16_t Minor = 0;

@@ -43,6 +43,12 @@ public:
 {
   throw Error(ErrorCode::Corrupt, what);
 }
+
+/** Reports what the caller gave that cannot be used. */
+[[noreturn]] inline void ThrowInvalid(const std::string& what)
+{
+  throw Error(ErrorCode::InvalidInput, what);
+}
 }
 
 #endif

@@ -16,6 +16,18 @@ namespace gatun
 FileReader::Internals::Internals(const std::string& path)
   : File(path)
 {
+  this->Read();
+}
+
+FileReader::Internals::Internals(const Internals& whole, std::size_t level)
+  : File(whole.File, whole.Levels.at(level), GetLevelName(level))
+{
+  this->Read();
+  this->CheckLevel(whole, level);
+}
+
+void FileReader::Internals::Read()
+{
   constexpr const char* metaName = "the meta data";
   constexpr const char* meshName = "the table of chunks";
   constexpr const char* stepName = "the table of a time step";
@@ -56,6 +68,7 @@ FileReader::Internals::Internals(const std::string& path)
     }
     this->Domains[axis] = Domain(this->Meta.CoordinateType, palette);
   }
+  this->ReadTree();
 }
 
 void FileReader::Internals::CheckLastStep() const
@@ -250,6 +263,11 @@ FileReader::FileReader(const std::string& path)
 {
 }
 
+FileReader::FileReader(const FileReader& whole, std::size_t level)
+  : Self(std::make_unique<Internals>(*whole.Self, level))
+{
+}
+
 FileReader::~FileReader() = default;
 
 const std::string& FileReader::GetPath() const
@@ -402,8 +420,16 @@ FileStatistics FileReader::GetStatistics() const
       arrays += bytes;
     }
   }
-  const auto parts = s.ConnectivityBytes + s.GeometryBytes + s.SharedGeometryBytes + s.OrderBytes +
-    s.FieldDataBytes + arrays;
+  for (const auto& section : this->Self->File.GetSections())
+  {
+    const auto name = section.Name;
+    s.TreeBytes += name == SectionTree || name == SectionMerges || name == SectionTreeStep
+      ? section.Payload.Length
+      : 0;
+    s.LevelBytes += name == SectionLevel ? section.Payload.Length : 0;
+  }
+  const auto parts = s.TreeBytes + s.LevelBytes + s.ConnectivityBytes + s.GeometryBytes +
+    s.SharedGeometryBytes + s.OrderBytes + s.FieldDataBytes + arrays;
   s.DirectoryBytes = s.FileBytes - std::min(parts, s.FileBytes);
   return s;
 }
@@ -430,6 +456,17 @@ bool FileReader::Verify(const std::function<bool(double)>& progress) const
       this->GetFieldData(step);
     }
     VerifyStreams(*this, [&](double done) { return !progress || progress(0.1 + 0.9 * done); });
+    if (this->HasMergeTree())
+    {
+      this->GetMergeTree();
+    }
+    for (std::size_t level = 0; level < this->GetLevels().size(); ++level)
+    {
+      if (!this->OpenLevel(level)->Verify([&](double) { return !progress || progress(1); }))
+      {
+        return false;
+      }
+    }
     return true;
   }
   catch (const Error& error)

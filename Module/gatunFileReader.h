@@ -3,6 +3,7 @@
 #define gatunFileReader_h
 
 #include "gatunFieldData.h"
+#include "gatunMergeTree.h"
 #include "gatunTypes.h"
 #include "vtkGatunCoreModule.h"
 
@@ -66,6 +67,27 @@ public:
   std::uint64_t GetChunkMeshBytes(std::size_t chunk) const;
   std::uint64_t GetChunkArrayBytes(std::size_t chunk, std::size_t array, std::size_t step) const;
 
+  /** Whether the file tells how its mesh becomes simpler. */
+  bool HasMergeTree() const;
+  std::size_t GetNumberOfMerges() const; ///< 0 if it does not
+
+  /** The tree, of the points as the file numbers them (see PieceDecoder); decoded anew at each
+   * call. A file that has none gives one without merges. */
+  MergeTree GetMergeTree() const;
+
+  /** Of each base mesh in the file, how many merges it has behind it; ascending. */
+  const std::vector<std::uint32_t>& GetLevels() const;
+
+  /** A base mesh, with the rest of the tree if there is one. Its points are those that are left of
+   * this one's, in an order of their own. */
+  std::shared_ptr<const FileReader> OpenLevel(std::size_t level) const;
+
+  /** Bounds of a chunk, and ranges of an array over it, after any number of merges up to this one.
+   * They hold for all that its tetrahedra become. */
+  const Bounds& GetChunkBounds(std::size_t chunk, std::size_t merges) const;
+  const ArrayRanges& GetChunkRanges(
+    std::size_t array, std::size_t step, std::size_t chunk, std::size_t merges) const;
+
   /** Bytes read from the file since it was opened, by all threads. */
   std::uint64_t GetBytesRead() const;
 
@@ -77,6 +99,8 @@ public:
   const Internals& GetInternals() const { return *this->Self; }
 
 private:
+  FileReader(const FileReader& whole, std::size_t level);
+
   std::unique_ptr<Internals> Self;
 };
 
@@ -94,6 +118,11 @@ struct PieceRequest
   unsigned GhostLevels = 0;      ///< layers of cells around the piece, sharing a point
   bool WithUnusedPoints = false; ///< points of no tetrahedron too (give them to one piece)
   bool RestoreOrder = true;      ///< original order, if kept and all chunks are asked for
+
+  /** How many merges to make, by the tree of the file; corners keep no order then but orientation.
+   * With ghosts the whole universe is decoded. */
+  std::size_t Merges = 0;
+  std::shared_ptr<const MergeTree> Tree; ///< the file's, if there are merges
 
   bool operator==(const PieceRequest&) const = default;
 };

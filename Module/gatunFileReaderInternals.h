@@ -6,8 +6,10 @@
 #include "gatunFileReader.h"
 #include "gatunGeometry.h"
 #include "gatunTables.h"
+#include "gatunTreeTable.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,6 +21,9 @@ class FileReader::Internals
 {
 public:
   explicit Internals(const std::string& path);
+
+  /** A base mesh of a file. */
+  Internals(const Internals& whole, std::size_t level);
 
   /** How the values of an array become keys at a step. */
   std::vector<Domain> MakeDomains(std::size_t array, std::size_t step) const;
@@ -59,6 +64,12 @@ public:
       !this->Steps[step - 1].Arrays[array].HasPalette();
   }
 
+  /** The name of a base mesh in messages. */
+  static std::string GetLevelName(std::size_t level)
+  {
+    return "base mesh " + std::to_string(level + 1);
+  }
+
   InputFile File;
   MetaTable Meta;
   MeshTable Mesh;
@@ -66,8 +77,14 @@ public:
   std::vector<double> Times;
   std::vector<ChunkInfo> Chunks;
   PointDomain Domains;
+  std::optional<TreeTable> Tree;
+  std::vector<TreeStepTable> TreeSteps;
+  std::vector<StreamRef> Levels;
 
 private:
+  void Read();
+  void ReadTree();
+  void CheckLevel(const Internals& whole, std::size_t level) const;
   void CheckLastStep() const;
   bool IsComplete(const Error& error) const
   {

@@ -2,12 +2,16 @@
 #include "gatunFileWriter.h"
 
 #include "gatunArrayCodec.h"
+#include "gatunBaseMesh.h"
 #include "gatunChunkCodec.h"
 #include "gatunFloatEnvironment.h"
+#include "gatunMergeCodec.h"
 #include "gatunPalette.h"
 #include "gatunParallel.h"
 #include "gatunPartition.h"
 #include "gatunTables.h"
+#include "gatunTreeLayout.h"
+#include "gatunTreeTable.h"
 #include "gatunVersion.h"
 
 #include <algorithm>
@@ -23,6 +27,9 @@ namespace
 constexpr std::size_t ChunksPerBatch = 32;
 
 constexpr std::uint64_t LargeMesh = 10'000'000;
+
+// Base meshes that are smaller gain nothing.
+constexpr std::uint64_t SmallLevel = 20'000;
 
 /** What later steps need of a chunk: everything that its arrays are predicted from. */
 struct ChunkState
@@ -44,13 +51,13 @@ public:
     this->Added.push_back(&where);
   }
 
-  void Write(OutputFile& file, FourCC name)
+  void Write(OutputFile& file, FourCC name, std::uint16_t flags = FlagMandatory)
   {
     if (this->Added.empty())
     {
       return;
     }
-    const auto offset = file.AddSection(name, this->Payload.Data);
+    const auto offset = file.AddSection(name, this->Payload.Data, flags);
     for (auto* where : this->Added)
     {
       where->Offset += offset;
@@ -101,6 +108,24 @@ struct ArrayInput
     return keys;
   }
 
+  double GetNumber(std::size_t tuple, std::size_t component) const
+  {
+    const auto type = this->Description->Type;
+    return Domain::PlainToNumber(
+      type, Domain::ReadPlain(type, this->At(this->Now, tuple, component)));
+  }
+
+  double GetLength(std::size_t tuple) const
+  {
+    double square = 0;
+    for (std::size_t c = 0; c < this->Description->Components; ++c)
+    {
+      const double value = this->GetNumber(tuple, c);
+      square += value * value;
+    }
+    return std::sqrt(square);
+  }
+
   void Extend(ArrayRanges& ranges, std::span<const std::uint32_t> tupleOf) const
   {
     const auto extend = [](Range& range, double value)
@@ -109,27 +134,22 @@ struct ArrayInput
       range.Min = value < range.Min ? value : range.Min;
       range.Max = value > range.Max ? value : range.Max;
     };
-    const auto type = this->Description->Type;
     const auto components = this->Description->Components;
     for (const auto tuple : tupleOf)
     {
-      double square = 0;
       for (std::uint32_t c = 0; c < components; ++c)
       {
-        const double value =
-          Domain::PlainToNumber(type, Domain::ReadPlain(type, this->At(this->Now, tuple, c)));
-        extend(ranges[c], value);
-        square += value * value;
+        extend(ranges[c], this->GetNumber(tuple, c));
       }
       if (components > 1)
       {
-        extend(ranges[components], std::sqrt(square));
+        extend(ranges[components], this->GetLength(tuple));
       }
     }
   }
 };
 
-void Merge(ArrayRanges& all, const ArrayRanges& part)
+void Extend(ArrayRanges& all, const ArrayRanges& part)
 {
   for (std::size_t i = 0; i < all.size(); ++i)
   {
@@ -163,6 +183,14 @@ void CheckInput(
   {
     refuse("the order to keep is unknown");
   }
+  if (options.Tree && options.Tree->GetNumberOfPoints() != mesh.Points)
+  {
+    refuse("the tree of merges is not that of the mesh");
+  }
+  if (options.Levels > 0 && !options.Tree)
+  {
+    refuse("base meshes need a tree of merges");
+  }
   for (const auto& array : arrays)
   {
     if (array.Components < 1 || array.Components > 65536)
@@ -181,8 +209,35 @@ public:
     const std::vector<ArrayDescription>& arrays, const WriterOptions& options)
     : Mesh(mesh)
     , Options(options)
-    , File(path, options.ReplaceReadOnly)
+    , File(path, options.ReplaceReadOnly, GetMinorVersion(options))
   {
+    this->Describe(arrays);
+  }
+
+  /** A base mesh of another writer's file. */
+  Internals(const Internals& whole, const MeshInput& mesh, const WriterOptions& options)
+    : Mesh(mesh)
+    , Options(options)
+    , File(whole.File, GetMinorVersion(options))
+  {
+    this->Describe(whole.Meta.Arrays);
+  }
+
+  void WriteMesh(const Progress& progress);
+  void WriteStep(std::span<const void* const> values, const FieldData& field, bool hasTime,
+    double time, const Progress& progress);
+  FileStatistics Finish();
+
+private:
+  static std::uint16_t GetMinorVersion(const WriterOptions& options)
+  {
+    return options.Tree ? MinorVersionWithTree : MinorVersionPlain;
+  }
+
+  void Describe(const std::vector<ArrayDescription>& arrays)
+  {
+    const MeshInput& mesh = this->Mesh.GetMesh();
+    const WriterOptions& options = this->Options;
     this->Meta.WriterVersion = PackageVersion();
     this->Meta.Points = mesh.Points;
     this->Meta.Tets = mesh.Tets;
@@ -197,12 +252,6 @@ public:
     this->Statistics.ArrayBytes.resize(arrays.size());
   }
 
-  void WriteMesh(const Progress& progress);
-  void WriteStep(std::span<const void* const> values, const FieldData& field, bool hasTime,
-    double time, const Progress& progress);
-  FileStatistics Finish();
-
-private:
   std::vector<PointKeys> GetPointKeys(std::span<const std::uint32_t> points) const;
   std::vector<std::uint32_t> GetSharedPoints(std::size_t chunk) const;
   ChunkFrame MakeFrame(std::size_t chunk, std::span<const std::uint32_t> shared) const;
@@ -218,6 +267,20 @@ private:
   void WriteChunkValues(
     const std::vector<ArrayInput>& inputs, StepTable& step, const Progress& progress);
   void KeepForNextStep(std::span<const void* const> values);
+
+  // How the mesh becomes simpler, and what it becomes.
+  struct Level
+  {
+    BaseMesh Mesh;
+    WriterOptions Options;
+    std::unique_ptr<Internals> File;
+  };
+  void WriteTree();
+  void WriteTreeStep(const std::vector<ArrayInput>& inputs);
+  void BeginLevels(const Progress& progress);
+  void WriteLevelSteps(std::span<const void* const> values, bool hasTime, double time);
+  std::vector<std::uint32_t> GetPointOrder() const;
+  void WriteTables();
 
   std::span<const std::uint32_t> GetBlockPoints(std::size_t block) const
   {
@@ -240,6 +303,9 @@ private:
   Partition Parts;
   PointDomain Domains;
   std::vector<ChunkState> Chunks;
+  std::optional<TreeLayout> Layout;
+  TreeTable Tree;
+  std::vector<std::unique_ptr<Level>> Levels;
   FileStatistics Statistics;
 
   std::size_t Steps = 0;
@@ -524,6 +590,148 @@ void FileWriter::Internals::WriteMesh(const Progress& progress)
   }
   this->Parts.Tets = {};
   this->Parts.SharedIndex = {};
+  if (this->Options.Tree)
+  {
+    this->WriteTree();
+    this->BeginLevels(progress);
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+/** Of each point of the file, which one of the input it is. */
+std::vector<std::uint32_t> FileWriter::Internals::GetPointOrder() const
+{
+  auto points = this->Parts.SharedPoints;
+  for (std::size_t c = 0; c < this->Chunks.size(); ++c)
+  {
+    const auto first = points.size();
+    points.resize(first + static_cast<std::size_t>(this->Table.Chunks[c].Info.OwnPoints));
+    const auto& sources = this->Chunks[c].Mesh.Walk.Sources;
+    for (std::size_t v = 0; v < sources.size(); ++v)
+    {
+      if ((sources[v] & Topology::SharedFlag) == 0)
+      {
+        points[first + sources[v]] = this->Chunks[c].PointOf[v];
+      }
+    }
+  }
+  points.insert(points.end(), this->Parts.UnusedPoints.begin(), this->Parts.UnusedPoints.end());
+  return points;
+}
+
+void FileWriter::Internals::WriteTree()
+{
+  this->Layout.emplace(*this->Options.Tree, this->GetPointOrder(), this->Table);
+  this->Tree.Merges = static_cast<std::uint32_t>(this->Layout->GetTree().GetMerges().size());
+  this->Tree.Rungs = this->Layout->GetRungs();
+  this->Tree.Boxes.assign(this->Chunks.size(), std::vector<Bounds>(this->Tree.Rungs.size()));
+  for (unsigned axis = 0; axis < 3; ++axis)
+  {
+    const auto ranges = this->Layout->FindRanges(
+      [&](std::uint32_t point)
+      {
+        const double x = this->Mesh.GetCoordinate(point, axis);
+        return std::isfinite(x) ? x : std::nan("");
+      });
+    for (std::size_t c = 0; c < ranges.size(); ++c)
+    {
+      for (std::size_t rung = 0; rung < ranges[c].size(); ++rung)
+      {
+        this->Tree.Boxes[c][rung][axis] = ranges[c][rung];
+      }
+    }
+  }
+  if (this->Tree.Merges > 0)
+  {
+    StreamBatch batch;
+    const auto used = static_cast<std::uint32_t>(this->Meta.Points - this->Meta.UnusedPoints);
+    const auto& merges = this->Layout->GetTree().GetMerges();
+    if (std::any_of(merges.begin(), merges.end(),
+          [=](const auto& merge) { return merge.Point >= used || merge.Into >= used; }))
+    {
+      throw Error(ErrorCode::InvalidInput, "the tree merges points that no tetrahedron has");
+    }
+    const auto stream = EncodeMerges(this->Layout->GetTree(), used);
+    batch.Add(stream, this->Tree.Stream);
+    this->Statistics.TreeBytes += stream.size();
+    batch.Write(this->File, SectionMerges, 0);
+  }
+}
+
+void FileWriter::Internals::WriteTreeStep(const std::vector<ArrayInput>& inputs)
+{
+  TreeStepTable step;
+  for (const ArrayInput& input : inputs)
+  {
+    auto& chunks = step.Ranges.emplace_back();
+    if (input.Description->Where != Association::Point)
+    {
+      continue;
+    }
+    const auto components = input.Description->Components;
+    const auto count = GetRangeCount(components);
+    chunks.assign(
+      this->Chunks.size(), std::vector<ArrayRanges>(this->Tree.Rungs.size(), ArrayRanges(count)));
+    for (std::size_t r = 0; r < count; ++r)
+    {
+      const auto ranges = this->Layout->FindRanges([&](std::uint32_t point)
+        { return r < components ? input.GetNumber(point, r) : input.GetLength(point); });
+      for (std::size_t c = 0; c < ranges.size(); ++c)
+      {
+        for (std::size_t rung = 0; rung < ranges[c].size(); ++rung)
+        {
+          chunks[c][rung][r] = ranges[c][rung];
+        }
+      }
+    }
+  }
+  const auto bytes = step.Write();
+  this->Statistics.TreeBytes += bytes.size();
+  this->File.AddSection(SectionTreeStep, bytes, 0);
+}
+
+void FileWriter::Internals::BeginLevels(const Progress& progress)
+{
+  const auto& tree = *this->Options.Tree;
+  std::uint64_t tets = this->Meta.Tets;
+  std::uint64_t left = this->Meta.Points;
+  for (unsigned i = 0; i < this->Options.Levels && tets > SmallLevel; ++i)
+  {
+    left = (left + 1) / 2;
+    const auto merges = static_cast<std::uint32_t>(tree.CountMergesForPoints(left));
+    if (merges == 0 || (!this->Tree.Levels.empty() && merges == this->Tree.Levels.back()))
+    {
+      return;
+    }
+    auto level =
+      std::make_unique<Level>(Level{ BaseMesh(this->Mesh, tree, merges), this->Options, nullptr });
+    level->Options.Keep = KeepNone;
+    level->Options.Levels = 0;
+    level->Options.Tree = &level->Mesh.GetTree();
+    level->File = std::make_unique<Internals>(*this, level->Mesh.GetInput(), level->Options);
+    level->File->WriteMesh([&](double) { return !progress || progress(1); });
+    tets = level->File->Meta.Tets;
+    this->Tree.Levels.push_back(merges);
+    this->Levels.push_back(std::move(level));
+  }
+}
+
+void FileWriter::Internals::WriteLevelSteps(
+  std::span<const void* const> values, bool hasTime, double time)
+{
+  for (const auto& level : this->Levels)
+  {
+    std::vector<Bytes> gathered;
+    std::vector<const void*> pointers;
+    for (std::size_t a = 0; a < values.size(); ++a)
+    {
+      const auto& array = this->Meta.Arrays[a];
+      gathered.push_back(
+        level->Mesh.Gather(values[a], array.Where, array.Components * SizeOf(array.Type)));
+      pointers.push_back(gathered.back().data());
+    }
+    level->File->WriteStep(pointers, {}, hasTime, time, {});
+  }
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -615,7 +823,7 @@ void FileWriter::Internals::WriteChunkValues(
       {
         batch.Add(streams[i][a], step.Arrays[a].Chunks[first + i]);
         this->Statistics.ArrayBytes[a] += streams[i][a].size();
-        Merge(step.Arrays[a].Ranges, step.Arrays[a].ChunkRanges[first + i]);
+        Extend(step.Arrays[a].Ranges, step.Arrays[a].ChunkRanges[first + i]);
       }
     }
     batch.Write(this->File, SectionValues);
@@ -714,6 +922,11 @@ void FileWriter::Internals::WriteStep(std::span<const void* const> values, const
   this->WriteBlockValues(inputs, step);
   this->WriteChunkValues(inputs, step, progress);
   this->File.AddSection(SectionStep, step.Write());
+  if (this->Layout)
+  {
+    this->WriteTreeStep(inputs);
+    this->WriteLevelSteps(values, hasTime, time);
+  }
   if (hasTime)
   {
     this->KeepForNextStep(values);
@@ -727,14 +940,30 @@ void FileWriter::Internals::WriteStep(std::span<const void* const> values, const
   ++this->Steps;
 }
 
-FileStatistics FileWriter::Internals::Finish()
+void FileWriter::Internals::WriteTables()
 {
   this->File.AddSection(SectionTable, this->Table.Write(this->Options.Keep));
+  if (this->Layout)
+  {
+    const auto bytes = this->Tree.Write();
+    this->Statistics.TreeBytes += bytes.size();
+    this->File.AddSection(SectionTree, bytes, 0);
+  }
   this->File.AddSection(SectionMeta, this->Meta.Write());
+}
+
+FileStatistics FileWriter::Internals::Finish()
+{
   auto& s = this->Statistics;
+  for (const auto& level : this->Levels)
+  {
+    level->File->WriteTables();
+    s.LevelBytes += this->File.AddSection(SectionLevel, level->File->File);
+  }
+  this->WriteTables();
   s.FileBytes = this->File.Commit();
   s.DirectoryBytes = s.FileBytes - s.ConnectivityBytes - s.GeometryBytes - s.SharedGeometryBytes -
-    s.OrderBytes - s.FieldDataBytes;
+    s.OrderBytes - s.FieldDataBytes - s.TreeBytes - s.LevelBytes;
   for (const auto bytes : s.ArrayBytes)
   {
     s.DirectoryBytes -= bytes;

@@ -3,6 +3,7 @@
 #define gatunFileWriter_h
 
 #include "gatunFieldData.h"
+#include "gatunMergeTree.h"
 #include "gatunTypes.h"
 #include "vtkGatunCoreModule.h"
 
@@ -37,6 +38,14 @@ struct WriterOptions
 
   /** Whether to replace an existing file that may not be written, which otherwise is an error. */
   bool ReplaceReadOnly = false;
+
+  /** How the mesh becomes simpler: a tree of its points, all of them, or null. It must stay where
+   * it is until Finish has returned. */
+  const MergeTree* Tree = nullptr;
+
+  /** How many base meshes to store at most: with a half of the points, a quarter and so on, down to
+   * some 20,000 tetrahedra. They need a tree. */
+  unsigned Levels = 0;
 };
 
 /**
@@ -44,7 +53,8 @@ struct WriterOptions
  *
  * The file appears under its name only when Finish returns; until then, and after any failure, a
  * file that was there before is untouched. All threads of vtkSMPTools are used; the bytes do not
- * depend on their number. Peak memory is below 3 times the mesh and one step of its arrays.
+ * depend on their number. Peak memory is below 3 times the mesh and one step of its arrays; base
+ * meshes take as much again.
  *
  * Every method may throw gatun::Error (InvalidInput, CannotWrite, Aborted), after which only the
  * destructor may be called. Not thread safe.

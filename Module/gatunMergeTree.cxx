@@ -5,10 +5,22 @@
 #include "gatunError.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <numeric>
 
 namespace gatun
 {
+namespace
+{
+/** To the next float of which only the upper half is not zero. */
+float RoundUp(float error)
+{
+  constexpr std::uint32_t low = 0xffff;
+  return std::bit_cast<float>((std::bit_cast<std::uint32_t>(error) + low) & ~low);
+}
+}
+
 //------------------------------------------------------------------------------
 MergeTree::MergeTree(std::uint32_t points, std::vector<Merge> merges)
   : Points(points)
@@ -16,8 +28,7 @@ MergeTree::MergeTree(std::uint32_t points, std::vector<Merge> merges)
 {
   std::vector<bool> gone(points, false);
   float largest = 0;
-  this->LargestErrors.reserve(this->Merges.size());
-  for (const Merge& merge : this->Merges)
+  for (Merge& merge : this->Merges)
   {
     const bool isValid = merge.Point < points && merge.Into < points && merge.Point != merge.Into &&
       !gone[merge.Point] && !gone[merge.Into] && merge.Error >= 0;
@@ -26,8 +37,8 @@ MergeTree::MergeTree(std::uint32_t points, std::vector<Merge> merges)
       throw Error(ErrorCode::InvalidInput, "the merges of points do not follow from each other");
     }
     gone[merge.Point] = true;
-    largest = std::max(largest, merge.Error);
-    this->LargestErrors.push_back(largest);
+    largest = std::max(largest, RoundUp(merge.Error));
+    merge.Error = largest;
   }
 }
 
@@ -39,12 +50,20 @@ std::size_t MergeTree::CountMergesForPoints(std::uint64_t pointsLeft) const
 }
 
 //------------------------------------------------------------------------------
+std::size_t MergeTree::CountMergesForPart(double pointsLeft) const
+{
+  const double points = this->Points;
+  return this->CountMergesForPoints(
+    static_cast<std::uint64_t>(std::ceil(points * std::clamp(pointsLeft, 0.0, 1.0))));
+}
+
+//------------------------------------------------------------------------------
 std::size_t MergeTree::CountMergesForError(double error) const
 {
-  const auto& errors = this->LargestErrors;
-  return static_cast<std::size_t>(
-    std::partition_point(errors.begin(), errors.end(), [=](float e) { return e <= error; }) -
-    errors.begin());
+  const auto& all = this->Merges;
+  return static_cast<std::size_t>(std::partition_point(all.begin(), all.end(),
+                                    [=](const Merge& merge) { return merge.Error <= error; }) -
+    all.begin());
 }
 
 //------------------------------------------------------------------------------

@@ -18,7 +18,7 @@ struct Merge
 {
   std::uint32_t Point;
   std::uint32_t Into;
-  float Error; ///< what it costs, see MergeSettings
+  float Error; ///< what it costs; in a tree the largest cost of all up to this one
 };
 
 /**
@@ -36,7 +36,8 @@ public:
 
   MergeTree() = default;
 
-  /** Throws InvalidInput unless each merge is of two points that there still are. */
+  /** Throws InvalidInput unless each merge is of two points that there still are. Errors are
+   * rounded up to eight significant bits, which is what files keep of them. */
   MergeTree(std::uint32_t points, std::vector<Merge> merges);
 
   std::uint32_t GetNumberOfPoints() const { return this->Points; }
@@ -48,8 +49,11 @@ public:
   /** The largest error of the first so many merges. */
   double GetLargestError(std::size_t merges) const
   {
-    return merges == 0 ? 0 : this->LargestErrors[merges - 1];
+    return merges == 0 ? 0 : this->Merges[merges - 1].Error;
   }
+
+  /** How many merges leave a part of the points, 0 to 1, or as few as there can be. */
+  std::size_t CountMergesForPart(double pointsLeft) const;
 
   /** How many merges there are before the first that costs more. NaN counts as 0. */
   std::size_t CountMergesForError(double error) const;
@@ -60,7 +64,6 @@ public:
 private:
   std::uint32_t Points = 0;
   std::vector<Merge> Merges;
-  std::vector<float> LargestErrors; // up to each merge
 };
 
 /** Replaces corners by their ancestors; false if the tetrahedron is gone. */

@@ -3,6 +3,7 @@
 
 #include "gatunChunkCache.h"
 #include "gatunChunkSetDecoder.h"
+#include "gatunCoarsePiece.h"
 #include "gatunFileReaderInternals.h"
 
 #include <algorithm>
@@ -64,6 +65,7 @@ public:
   const std::shared_ptr<ChunkCache> Cache;
   const std::shared_ptr<const FileReader> File;
   PieceRequest Request;
+  std::unique_ptr<CoarsePiece> Coarse; // with merges, instead of all below
   std::unique_ptr<ChunkSetDecoder> Piece;
   std::unique_ptr<ChunkSetDecoder> Around; // null without ghosts
   std::vector<std::uint64_t> PointFrom;    // with ghosts: place in Around of each point
@@ -91,6 +93,12 @@ void PieceDecoder::Internals::CheckRequest(const PieceRequest& request) const
     throw Error(ErrorCode::InvalidInput,
       this->File->GetPath() + ": the file has no such chunk, array or time step");
   }
+  if (request.Merges > 0 &&
+    (!request.Tree || request.Merges > request.Tree->GetMerges().size() ||
+      request.Tree->GetNumberOfPoints() != this->File->GetNumberOfPoints()))
+  {
+    throw Error(ErrorCode::InvalidInput, this->File->GetPath() + ": there are not so many merges");
+  }
   if (!request.Universe.empty() &&
     !std::includes(request.Universe.begin(), request.Universe.end(), request.Chunks.begin(),
       request.Chunks.end()))
@@ -103,8 +111,9 @@ void PieceDecoder::Internals::CheckRequest(const PieceRequest& request) const
 void PieceDecoder::Internals::SetRequest(const PieceRequest& request, const Progress& progress)
 {
   this->CheckRequest(request);
-  const bool same = this->Piece && request.Chunks == this->Request.Chunks &&
-    request.Universe == this->Request.Universe &&
+  const bool same = (this->Piece || this->Coarse) && request.Merges == this->Request.Merges &&
+    request.Tree == this->Request.Tree && request.RestoreOrder == this->Request.RestoreOrder &&
+    request.Chunks == this->Request.Chunks && request.Universe == this->Request.Universe &&
     request.GhostLevels == this->Request.GhostLevels &&
     request.WithUnusedPoints == this->Request.WithUnusedPoints;
   this->Request = request;
@@ -114,6 +123,14 @@ void PieceDecoder::Internals::SetRequest(const PieceRequest& request, const Prog
   }
   this->Around.reset();
   this->Piece.reset();
+  this->Coarse.reset();
+  if (request.Merges > 0)
+  {
+    const auto layout =
+      std::make_shared<const CoarseLayout>(this->File, *request.Tree, request.Merges);
+    this->Coarse = std::make_unique<CoarsePiece>(this->Cache, layout, request, progress);
+    return;
+  }
   auto piece = std::make_unique<ChunkSetDecoder>(
     this->Cache, request.Chunks, request.Universe, request.WithUnusedPoints);
   if (request.GhostLevels > 0)
@@ -229,13 +246,18 @@ void PieceDecoder::Internals::ChooseGhosts(const Progress& progress)
 
 void PieceDecoder::Internals::Fill(const PieceTarget& target, const Progress& progress)
 {
-  if (!this->Piece)
+  if (!this->Piece && !this->Coarse)
   {
     throw Error(ErrorCode::InvalidInput, "no piece has been asked for");
   }
   if (!target.Arrays.empty() && target.Arrays.size() != this->Request.Arrays.size())
   {
     throw Error(ErrorCode::InvalidInput, "the target must have room for each array asked for");
+  }
+  if (this->Coarse)
+  {
+    this->Coarse->Fill(target, this->Request.Arrays, this->Request.Step, progress);
+    return;
   }
   if (!this->Around)
   {
@@ -338,14 +360,16 @@ void PieceDecoder::SetRequest(const PieceRequest& request, const Progress& progr
 
 std::uint64_t PieceDecoder::GetNumberOfPoints() const
 {
-  return this->Self->Around ? this->Self->PointFrom.size()
+  return this->Self->Coarse ? this->Self->Coarse->GetNumberOfPoints()
+    : this->Self->Around    ? this->Self->PointFrom.size()
     : this->Self->Piece     ? this->Self->Piece->GetNumberOfPoints()
                             : 0;
 }
 
 std::uint64_t PieceDecoder::GetNumberOfTets() const
 {
-  return this->Self->Around ? this->Self->CellFrom.size()
+  return this->Self->Coarse ? this->Self->Coarse->GetNumberOfTets()
+    : this->Self->Around    ? this->Self->CellFrom.size()
     : this->Self->Piece     ? this->Self->Piece->GetNumberOfTets()
                             : 0;
 }

@@ -11,6 +11,22 @@
 
 namespace gatun
 {
+/** A running mean of the lengths of residuals, in bits. */
+class RunningSpread
+{
+public:
+  unsigned Get() const { return this->Sum >> 2; }
+  void Add(std::int64_t residual)
+  {
+    const auto magnitude = residual < 0 ? 0 - static_cast<std::uint64_t>(residual)
+                                        : static_cast<std::uint64_t>(residual);
+    this->Sum += static_cast<unsigned>(std::bit_width(magnitude)) - this->Get();
+  }
+
+private:
+  unsigned Sum = 4 * 20;
+};
+
 /** How large residuals are, relative to the spread of the values around, in one context. */
 class ResidualModel
 {

@@ -2,6 +2,7 @@
 #include "gatunTables.h"
 
 #include "gatunChunkCodec.h"
+#include "gatunTableParts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +13,6 @@ namespace gatun
 {
 namespace
 {
-// A table is at most this much larger than its compressed form, unless it is small anyway. In
-// memory it takes up to some 40 times its bytes (META, TABL), or 3 times (STEP).
-constexpr std::uint64_t TableExpansion = 512;
-constexpr std::uint64_t SmallTable = 1u << 20;
-constexpr std::uint64_t SmallStep = 16u << 20;
-
 // A stream cannot hold more values: each takes a decision, and none is cheaper than 2^-15.5 bits.
 constexpr std::uint64_t MaxValuesPerByte = 1u << 19;
 
@@ -26,36 +21,6 @@ constexpr std::uint64_t MaxNeighbours = 2u << 20;
 constexpr std::uint64_t MaxNeighboursPerChunk = 1024;
 
 constexpr std::uint32_t MaxComponents = 1u << 16;
-
-void Check(bool right, const char* what)
-{
-  if (!right)
-  {
-    ThrowCorrupt(what);
-  }
-}
-
-void PutStream(ByteWriter& out, const StreamRef& stream)
-{
-  out.PutVarint(stream.Length);
-  if (stream.Length > 0)
-  {
-    out.PutVarint(stream.Offset);
-    out.Put(stream.Sum);
-  }
-}
-
-StreamRef GetStream(ByteReader& in)
-{
-  StreamRef stream;
-  stream.Length = in.GetVarint();
-  if (stream.Length > 0)
-  {
-    stream.Offset = in.GetVarint();
-    stream.Sum = in.Get<std::uint64_t>();
-  }
-  return stream;
-}
 
 void PutStrings(ByteWriter& out, const std::vector<std::string>& strings)
 {
@@ -74,28 +39,6 @@ std::vector<std::string> GetStrings(ByteReader& in)
     s = in.GetString();
   }
   return strings;
-}
-
-std::uint32_t GetSmall(ByteReader& in)
-{
-  const auto value = in.GetVarint();
-  Check(value <= std::numeric_limits<std::uint32_t>::max(), "a number is too large");
-  return static_cast<std::uint32_t>(value);
-}
-
-void PutRange(ByteWriter& out, const Range& range)
-{
-  out.Put(range.Min);
-  out.Put(range.Max);
-}
-
-Range GetRange(ByteReader& in)
-{
-  Range range;
-  range.Min = in.Get<double>();
-  range.Max = in.Get<double>();
-  Check(!std::isnan(range.Min) && !std::isnan(range.Max), "a range is not a number");
-  return range;
 }
 
 ScalarType GetScalarType(ByteReader& in)
@@ -141,26 +84,6 @@ void CheckValues(const ArrayDescription& array, std::uint64_t tuples, const Stre
     "an array claims more values than its stream can hold");
 }
 
-std::uint64_t GetLimit(std::span<const std::uint8_t> packed, std::uint64_t small)
-{
-  return std::max(small, TableExpansion * packed.size());
-}
-
-/** Refuses what Unpack would refuse: no file is better than one that cannot be read. */
-Bytes Pack(const ByteWriter& out, std::uint64_t small)
-{
-  auto packed = Compress(out.Data);
-  if (out.Data.size() > GetLimit(packed, small))
-  {
-    throw Error(ErrorCode::InvalidInput, "the arrays have too many components altogether");
-  }
-  return packed;
-}
-
-Bytes Unpack(std::span<const std::uint8_t> bytes, std::uint64_t small)
-{
-  return Decompress(bytes, GetLimit(bytes, small));
-}
 }
 
 //--------------------------------------------------------------------------------------------------

@@ -130,6 +130,8 @@ struct FileStatistics
   std::vector<std::uint64_t> ArrayBytes; ///< one an array, all time steps, shared points as well
   std::uint64_t OrderBytes = 0;          ///< what KeepOrder costs
   std::uint64_t FieldDataBytes = 0;
+  std::uint64_t TreeBytes = 0;      ///< how the mesh becomes simpler
+  std::uint64_t LevelBytes = 0;     ///< base meshes with all that is theirs
   std::uint64_t DirectoryBytes = 0; ///< headers, tables, meta data
 };
 }

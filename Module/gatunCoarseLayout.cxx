@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunCoarseLayout.h"
+
+#include "gatunFileReaderInternals.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace gatun
+{
+namespace
+{
+void SortUnique(std::vector<std::uint32_t>& list)
+{
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+  list.shrink_to_fit();
+}
+}
+
+//------------------------------------------------------------------------------
+CoarseLayout::CoarseLayout(
+  std::shared_ptr<const FileReader> file, const MergeTree& tree, std::size_t merges)
+  : File(std::move(file))
+  , Merges(std::min(merges, tree.GetMerges().size()))
+  , Ancestors(tree.FindAncestors(merges))
+  , Sources(File->GetChunks().size())
+  , Given(File->GetChunks().size())
+{
+  for (const BlockEntry& block : this->File->GetInternals().Mesh.Blocks)
+  {
+    auto point = block.FirstPoint;
+    for (const SharedGroup& group : block.Groups)
+    {
+      this->Groups.emplace_back(static_cast<std::uint32_t>(point), &group);
+      point += group.Points;
+    }
+  }
+  std::vector<std::uint32_t> foreign;
+  for (std::uint32_t chunk = 0; chunk < this->Sources.size(); ++chunk)
+  {
+    foreign.clear();
+    this->EachRun(chunk,
+      [&](std::uint32_t first, std::uint32_t last)
+      {
+        for (auto point = first; point < last; ++point)
+        {
+          const auto ancestor = this->Ancestors[point];
+          if ((ancestor < first || ancestor >= last) && !this->Has(chunk, ancestor))
+          {
+            foreign.push_back(ancestor);
+          }
+        }
+      });
+    SortUnique(foreign);
+    for (const auto ancestor : foreign)
+    {
+      const auto giver = this->GetGiver(ancestor);
+      this->Sources[chunk].push_back(giver);
+      this->Given[giver].push_back(ancestor);
+    }
+    SortUnique(this->Sources[chunk]);
+  }
+  std::for_each(this->Given.begin(), this->Given.end(), SortUnique);
+}
+
+//------------------------------------------------------------------------------
+void CoarseLayout::EachRun(
+  std::uint32_t chunk, const std::function<void(std::uint32_t, std::uint32_t)>& use) const
+{
+  const MeshTable& mesh = this->File->GetInternals().Mesh;
+  const ChunkEntry& entry = mesh.Chunks[chunk];
+  for (const auto& part : entry.Shared)
+  {
+    const BlockEntry& block = mesh.Blocks[part.Block];
+    const auto first = static_cast<std::uint32_t>(block.FirstPoint + part.FirstInBlock);
+    use(first, first + block.Groups[part.Group].Points);
+  }
+  const auto first = static_cast<std::uint32_t>(entry.Info.FirstPoint);
+  use(first, first + static_cast<std::uint32_t>(entry.Info.OwnPoints));
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint32_t> CoarseLayout::GetPoints(std::uint32_t chunk) const
+{
+  std::vector<std::uint32_t> points;
+  this->EachRun(chunk,
+    [&](std::uint32_t first, std::uint32_t last)
+    {
+      const auto count = points.size();
+      points.resize(count + (last - first));
+      std::iota(points.begin() + static_cast<std::ptrdiff_t>(count), points.end(), first);
+    });
+  return points;
+}
+
+//------------------------------------------------------------------------------
+bool CoarseLayout::Has(std::uint32_t chunk, std::uint32_t point) const
+{
+  const MeshTable& mesh = this->File->GetInternals().Mesh;
+  const ChunkEntry& entry = mesh.Chunks[chunk];
+  if (point >= mesh.GetSharedPoints())
+  {
+    return point >= entry.Info.FirstPoint && point < entry.Info.FirstPoint + entry.Info.OwnPoints;
+  }
+  // The last part that does not begin behind the point.
+  const auto begin = [&](const ChunkEntry::Part& part)
+  { return mesh.Blocks[part.Block].FirstPoint + part.FirstInBlock; };
+  const auto next = std::partition_point(entry.Shared.begin(), entry.Shared.end(),
+    [&](const ChunkEntry::Part& part) { return begin(part) <= point; });
+  if (next == entry.Shared.begin())
+  {
+    return false;
+  }
+  const auto& part = *std::prev(next);
+  return point - begin(part) < mesh.Blocks[part.Block].Groups[part.Group].Points;
+}
+
+//------------------------------------------------------------------------------
+const SharedGroup* CoarseLayout::FindGroup(std::uint32_t point) const
+{
+  if (point >= this->File->GetNumberOfSharedPoints())
+  {
+    return nullptr;
+  }
+  const auto next = std::partition_point(this->Groups.begin(), this->Groups.end(),
+    [&](const auto& group) { return group.first <= point; });
+  return std::prev(next)->second;
+}
+
+//------------------------------------------------------------------------------
+std::uint32_t CoarseLayout::GetGiver(std::uint32_t point) const
+{
+  if (const SharedGroup* const group = this->FindGroup(point))
+  {
+    return group->Chunks.front();
+  }
+  const auto& chunks = this->File->GetChunks();
+  const auto next = std::partition_point(chunks.begin(), chunks.end(),
+    [&](const ChunkInfo& chunk) { return chunk.FirstPoint <= point; });
+  return static_cast<std::uint32_t>(std::prev(next) - chunks.begin());
+}
+}

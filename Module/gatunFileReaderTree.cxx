@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What a file tells of how its mesh becomes simpler.
+
+#include "gatunFileReader.h"
+#include "gatunFileReaderInternals.h"
+#include "gatunMergeCodec.h"
+
+namespace gatun
+{
+namespace
+{
+constexpr const char* TreeName = "the table of merges";
+constexpr const char* TreeStepName = "the ranges after merges";
+constexpr const char* MergesName = "the stream of merges";
+}
+
+//------------------------------------------------------------------------------
+void FileReader::Internals::ReadTree()
+{
+  const auto fail = [&](const char* what) { this->File.Fail(ErrorCode::Corrupt, what); };
+  const auto trees = this->File.FindSections(SectionTree);
+  if (trees.empty())
+  {
+    return;
+  }
+  const auto tree = this->File.FindSection(SectionTree, TreeName);
+  this->Tree = this->Guarded(TreeName, tree,
+    [&] { return TreeTable::Read(this->File.Read(tree, TreeName), this->Meta, this->Mesh); });
+  for (const auto& step : this->File.FindSections(SectionTreeStep))
+  {
+    if (this->TreeSteps.size() == this->Steps.size())
+    {
+      fail("there are ranges after merges of more time steps than there are");
+    }
+    this->TreeSteps.push_back(this->Guarded(TreeStepName, step,
+      [&]
+      {
+        return TreeStepTable::Read(
+          this->File.Read(step, TreeStepName), this->Meta, this->Mesh, *this->Tree);
+      }));
+  }
+  if (this->TreeSteps.size() != this->Steps.size())
+  {
+    fail("the ranges after merges of some time steps are missing");
+  }
+  this->Levels = this->File.FindSections(SectionLevel);
+  if (this->Levels.size() != this->Tree->Levels.size())
+  {
+    fail("there are not as many base meshes as the file says");
+  }
+}
+
+//------------------------------------------------------------------------------
+/** Throws unless this can be what is left of the whole. */
+void FileReader::Internals::CheckLevel(const Internals& whole, std::size_t level) const
+{
+  const auto merges = whole.Tree->Levels[level];
+  const bool fits = this->Meta.Points == whole.Meta.Points - merges &&
+    this->Meta.UnusedPoints >= whole.Meta.UnusedPoints && this->Meta.Tets <= whole.Meta.Tets &&
+    this->Meta.CoordinateType == whole.Meta.CoordinateType &&
+    this->Meta.Arrays == whole.Meta.Arrays && this->Meta.HasTime == whole.Meta.HasTime &&
+    this->Times == whole.Times && this->Levels.empty() && this->Tree &&
+    this->Tree->Merges == whole.Tree->Merges - merges;
+  if (!fits)
+  {
+    this->File.Fail(ErrorCode::Corrupt, "it is not what is left of the mesh after its merges");
+  }
+}
+
+//------------------------------------------------------------------------------
+bool FileReader::HasMergeTree() const
+{
+  return this->Self->Tree.has_value();
+}
+
+//------------------------------------------------------------------------------
+std::size_t FileReader::GetNumberOfMerges() const
+{
+  return this->HasMergeTree() ? this->Self->Tree->Merges : 0;
+}
+
+//------------------------------------------------------------------------------
+MergeTree FileReader::GetMergeTree() const
+{
+  const auto points = static_cast<std::uint32_t>(this->GetNumberOfPoints());
+  if (this->GetNumberOfMerges() == 0)
+  {
+    return { points, {} };
+  }
+  const auto& where = this->Self->Tree->Stream;
+  return this->Self->Guarded(MergesName, where,
+    [&]
+    {
+      // Unused points come last, and are never merged.
+      const auto used = points - static_cast<std::uint32_t>(this->GetNumberOfUnusedPoints());
+      auto tree =
+        DecodeMerges(this->Self->File.Read(where, MergesName), used, this->Self->Tree->Merges);
+      return used == points ? tree : MergeTree(points, tree.GetMerges());
+    });
+}
+
+//------------------------------------------------------------------------------
+const std::vector<std::uint32_t>& FileReader::GetLevels() const
+{
+  static const std::vector<std::uint32_t> none;
+  return this->HasMergeTree() ? this->Self->Tree->Levels : none;
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const FileReader> FileReader::OpenLevel(std::size_t level) const
+{
+  return std::shared_ptr<const FileReader>(new FileReader(*this, level));
+}
+
+//------------------------------------------------------------------------------
+const Bounds& FileReader::GetChunkBounds(std::size_t chunk, std::size_t merges) const
+{
+  if (merges == 0 || !this->HasMergeTree())
+  {
+    return this->GetChunks().at(chunk).Box;
+  }
+  return this->Self->Tree->Boxes.at(chunk).at(this->Self->Tree->FindRung(merges));
+}
+
+//------------------------------------------------------------------------------
+const ArrayRanges& FileReader::GetChunkRanges(
+  std::size_t array, std::size_t step, std::size_t chunk, std::size_t merges) const
+{
+  const bool ofPoints = this->GetArrays().at(array).Where == Association::Point;
+  if (merges == 0 || !this->HasMergeTree() || !ofPoints)
+  {
+    return this->GetChunkRanges(array, step, chunk);
+  }
+  return this->Self->TreeSteps.at(step).Ranges.at(array).at(chunk).at(
+    this->Self->Tree->FindRung(merges));
+}
+}

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunTableParts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gatun
+{
+namespace
+{
+// How much larger than its compressed form a table may be, unless it is small anyway.
+constexpr std::uint64_t TableExpansion = 512;
+
+std::uint64_t GetLimit(std::span<const std::uint8_t> packed, std::uint64_t small)
+{
+  return std::max(small, TableExpansion * packed.size());
+}
+}
+
+//------------------------------------------------------------------------------
+void PutStream(ByteWriter& out, const StreamRef& stream)
+{
+  out.PutVarint(stream.Length);
+  if (stream.Length > 0)
+  {
+    out.PutVarint(stream.Offset);
+    out.Put(stream.Sum);
+  }
+}
+
+//------------------------------------------------------------------------------
+StreamRef GetStream(ByteReader& in)
+{
+  StreamRef stream;
+  stream.Length = in.GetVarint();
+  if (stream.Length > 0)
+  {
+    stream.Offset = in.GetVarint();
+    stream.Sum = in.Get<std::uint64_t>();
+  }
+  return stream;
+}
+
+//------------------------------------------------------------------------------
+void PutRange(ByteWriter& out, const Range& range)
+{
+  out.Put(range.Min);
+  out.Put(range.Max);
+}
+
+//------------------------------------------------------------------------------
+Range GetRange(ByteReader& in)
+{
+  Range range;
+  range.Min = in.Get<double>();
+  range.Max = in.Get<double>();
+  Check(!std::isnan(range.Min) && !std::isnan(range.Max), "a range is not a number");
+  return range;
+}
+
+//------------------------------------------------------------------------------
+std::uint32_t GetSmall(ByteReader& in)
+{
+  const auto value = in.GetVarint();
+  Check(value <= std::numeric_limits<std::uint32_t>::max(), "a number is too large");
+  return static_cast<std::uint32_t>(value);
+}
+
+//------------------------------------------------------------------------------
+Bytes Pack(const ByteWriter& out, std::uint64_t small)
+{
+  auto packed = Compress(out.Data);
+  if (out.Data.size() > GetLimit(packed, small))
+  {
+    throw Error(ErrorCode::InvalidInput, "the arrays have too many components altogether");
+  }
+  return packed;
+}
+
+//------------------------------------------------------------------------------
+Bytes Unpack(std::span<const std::uint8_t> bytes, std::uint64_t small)
+{
+  return Decompress(bytes, GetLimit(bytes, small));
+}
+}

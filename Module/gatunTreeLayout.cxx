@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunTreeLayout.h"
+
+#include "gatunParallel.h"
+
+#include <algorithm>
+
+namespace gatun
+{
+namespace
+{
+// Below that many points a chunk gets everywhere anyway.
+constexpr std::uint32_t FewPoints = 256;
+
+void Extend(Range& range, const Range& other)
+{
+  range.Min = std::min(range.Min, other.Min);
+  range.Max = std::max(range.Max, other.Max);
+}
+
+MergeTree Renumber(const MergeTree& tree, const std::vector<std::uint32_t>& ids)
+{
+  std::vector<std::uint32_t> places(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    places[ids[i]] = static_cast<std::uint32_t>(i);
+  }
+  auto merges = tree.GetMerges();
+  for (Merge& merge : merges)
+  {
+    merge.Point = places[merge.Point];
+    merge.Into = places[merge.Into];
+  }
+  return { tree.GetNumberOfPoints(), std::move(merges) };
+}
+}
+
+//------------------------------------------------------------------------------
+TreeLayout::TreeLayout(const MergeTree& tree, std::vector<std::uint32_t> ids, const MeshTable& mesh)
+  : Ids(std::move(ids))
+  , Tree(Renumber(tree, this->Ids))
+{
+  const auto merges = static_cast<std::uint32_t>(tree.GetMerges().size());
+  const auto used = tree.GetNumberOfPoints() - static_cast<std::uint32_t>(mesh.Unused.Points);
+  for (auto left = used / 2; left >= FewPoints && used - left < merges; left /= 2)
+  {
+    this->Rungs.push_back(used - left);
+  }
+  if (merges > 0)
+  {
+    this->Rungs.push_back(merges);
+  }
+  auto own = mesh.GetSharedPoints();
+  for (const ChunkEntry& chunk : mesh.Chunks)
+  {
+    auto& runs = this->Runs.emplace_back();
+    for (const auto& part : chunk.Shared)
+    {
+      const BlockEntry& block = mesh.Blocks[part.Block];
+      const auto first = block.FirstPoint + part.FirstInBlock;
+      runs.emplace_back(first, first + block.Groups[part.Group].Points);
+    }
+    runs.emplace_back(own, own + chunk.Info.OwnPoints);
+    own += chunk.Info.OwnPoints;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<Range> TreeLayout::FindRanges(
+  std::uint32_t merges, const std::function<double(std::uint32_t)>& getValue) const
+{
+  // Of each point, over all that it is merged into.
+  std::vector<Range> ways(this->Ids.size());
+  for (std::size_t i = 0; i < ways.size(); ++i)
+  {
+    const double value = getValue(this->Ids[i]);
+    if (value == value)
+    {
+      ways[i] = { value, value };
+    }
+  }
+  // Backwards: who is merged into is merged later itself.
+  for (auto i = merges; i > 0; --i)
+  {
+    const Merge& merge = this->Tree.GetMerges()[i - 1];
+    Extend(ways[merge.Point], ways[merge.Into]);
+  }
+  std::vector<Range> chunks(this->Runs.size());
+  for (std::size_t c = 0; c < chunks.size(); ++c)
+  {
+    for (const auto& [first, last] : this->Runs[c])
+    {
+      for (auto i = first; i < last; ++i)
+      {
+        Extend(chunks[c], ways[static_cast<std::size_t>(i)]);
+      }
+    }
+  }
+  return chunks;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::vector<Range>> TreeLayout::FindRanges(
+  const std::function<double(std::uint32_t)>& getValue) const
+{
+  std::vector<std::vector<Range>> ranges(this->Runs.size(), std::vector<Range>(this->Rungs.size()));
+  ParallelFor(this->Rungs.size(),
+    [&](std::size_t rung)
+    {
+      const auto chunks = this->FindRanges(this->Rungs[rung], getValue);
+      for (std::size_t c = 0; c < chunks.size(); ++c)
+      {
+        ranges[c][rung] = chunks[c];
+      }
+    });
+  return ranges;
+}
+}

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunTreeTable.h"
+
+#include "gatunTableParts.h"
+
+#include <algorithm>
+
+namespace gatun
+{
+namespace
+{
+/** Numbers of merges from 1 to most, ascending. */
+std::vector<std::uint32_t> GetAscending(ByteReader& in, std::uint32_t most)
+{
+  std::vector<std::uint32_t> numbers(in.GetCount(1));
+  Check(numbers.size() <= TreeTable::MaxRungs, "there are too many rungs or levels");
+  std::uint32_t last = 0;
+  for (auto& number : numbers)
+  {
+    number = GetSmall(in);
+    Check(number > last && number <= most, "numbers of merges do not ascend");
+    last = number;
+  }
+  return numbers;
+}
+
+void PutAscending(ByteWriter& out, const std::vector<std::uint32_t>& numbers)
+{
+  out.PutVarint(numbers.size());
+  for (const auto number : numbers)
+  {
+    out.PutVarint(number);
+  }
+}
+
+constexpr std::uint64_t RangeBytes = 16;
+}
+
+//------------------------------------------------------------------------------
+Bytes TreeTable::Write() const
+{
+  ByteWriter out;
+  out.PutVarint(this->Merges);
+  PutStream(out, this->Stream);
+  PutAscending(out, this->Rungs);
+  for (const auto& rungs : this->Boxes)
+  {
+    for (const Bounds& box : rungs)
+    {
+      for (const Range& range : box)
+      {
+        PutRange(out, range);
+      }
+    }
+  }
+  PutAscending(out, this->Levels);
+  return Pack(out, SmallTable);
+}
+
+//------------------------------------------------------------------------------
+TreeTable TreeTable::Read(
+  std::span<const std::uint8_t> bytes, const MetaTable& meta, const MeshTable& mesh)
+{
+  const auto data = Unpack(bytes, SmallTable);
+  ByteReader in(data);
+  TreeTable tree;
+  tree.Merges = GetSmall(in);
+  Check(meta.Points < std::uint64_t{ 1 } << 32, "there are too many points for merges");
+  Check(tree.Merges <= meta.Points - meta.UnusedPoints, "there are more merges than points");
+  tree.Stream = GetStream(in);
+  Check((tree.Merges > 0) == (tree.Stream.Length > 0), "the merges have no stream");
+  tree.Rungs = GetAscending(in, tree.Merges);
+  Check(tree.Merges == 0 || (!tree.Rungs.empty() && tree.Rungs.back() == tree.Merges),
+    "the last rung is not that of all merges");
+  Check(mesh.Chunks.size() * tree.Rungs.size() <= in.GetRemaining() / (3 * RangeBytes),
+    "the bounds of chunks after merges are not all there");
+  tree.Boxes.assign(mesh.Chunks.size(), std::vector<Bounds>(tree.Rungs.size()));
+  for (auto& rungs : tree.Boxes)
+  {
+    for (Bounds& box : rungs)
+    {
+      for (Range& range : box)
+      {
+        range = GetRange(in);
+      }
+    }
+  }
+  tree.Levels = GetAscending(in, tree.Merges);
+  Check(in.GetRemaining() == 0, "there are bytes behind the end of the table");
+  return tree;
+}
+
+//------------------------------------------------------------------------------
+std::size_t TreeTable::FindRung(std::size_t merges) const
+{
+  return static_cast<std::size_t>(
+    std::lower_bound(this->Rungs.begin(), this->Rungs.end(), merges) - this->Rungs.begin());
+}
+
+//------------------------------------------------------------------------------
+Bytes TreeStepTable::Write() const
+{
+  ByteWriter out;
+  for (const auto& chunks : this->Ranges)
+  {
+    for (const auto& rungs : chunks)
+    {
+      for (const ArrayRanges& ranges : rungs)
+      {
+        for (const Range& range : ranges)
+        {
+          PutRange(out, range);
+        }
+      }
+    }
+  }
+  return Pack(out, SmallStep);
+}
+
+//------------------------------------------------------------------------------
+TreeStepTable TreeStepTable::Read(std::span<const std::uint8_t> bytes, const MetaTable& meta,
+  const MeshTable& mesh, const TreeTable& tree)
+{
+  const auto data = Unpack(bytes, SmallStep);
+  ByteReader in(data);
+  TreeStepTable step;
+  for (const ArrayDescription& array : meta.Arrays)
+  {
+    auto& chunks = step.Ranges.emplace_back();
+    if (array.Where != Association::Point)
+    {
+      continue;
+    }
+    const auto count = GetRangeCount(array.Components);
+    Check(mesh.Chunks.size() * tree.Rungs.size() <= in.GetRemaining() / (count * RangeBytes),
+      "the ranges of chunks after merges are not all there");
+    chunks.assign(mesh.Chunks.size(), {});
+    for (auto& rungs : chunks)
+    {
+      rungs.assign(tree.Rungs.size(), ArrayRanges(count));
+      for (ArrayRanges& ranges : rungs)
+      {
+        for (Range& range : ranges)
+        {
+          range = GetRange(in);
+        }
+      }
+    }
+  }
+  Check(in.GetRemaining() == 0, "there are bytes behind the end of the table");
+  return step;
+}
+}
