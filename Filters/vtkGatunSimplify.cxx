@@ -38,11 +38,6 @@ vtkStandardNewMacro(vtkGatunSimplify);
 
 namespace
 {
-[[noreturn]] void Refuse(const std::string& why)
-{
-  throw gatun::Error(gatun::ErrorCode::InvalidInput, why);
-}
-
 /** A mesh as the core takes it. */
 struct Mesh
 {
@@ -68,7 +63,7 @@ struct Mesh
       {
         if (ids[c] < 0 || ids[c] >= grid->GetNumberOfPoints())
         {
-          Refuse("cell " + std::to_string(i) + " has a point that does not exist");
+          gatun::ThrowInvalid("cell " + std::to_string(i) + " has a point that does not exist");
         }
         this->Tets[i][c] = static_cast<std::uint32_t>(ids[c]);
       }
@@ -180,7 +175,7 @@ void vtkGatunSimplify::vtkInternals::AddArrays(vtkPointData* data, Mesh& mesh) c
     vtkDataArray* const array = data->GetArray(name.c_str());
     if (!array)
     {
-      Refuse("there is no point array '" + name + "', which has a weight");
+      gatun::ThrowInvalid("there is no point array '" + name + "', which has a weight");
     }
     mesh.AddArray(array, weight);
   }
@@ -250,27 +245,27 @@ std::size_t vtkGatunSimplify::vtkInternals::CountMerges(const vtkGatunSimplify* 
     case TARGET_RATIO:
       if (!(self->Ratio >= 0 && self->Ratio <= 1))
       {
-        Refuse("the ratio must be from 0 to 1");
+        gatun::ThrowInvalid("the ratio must be from 0 to 1");
       }
       left = points - std::floor(points * self->Ratio);
       break;
     case TARGET_PERCENT:
       if (!(self->Percent >= 0 && self->Percent <= 100))
       {
-        Refuse("the percentage must be from 0 to 100");
+        gatun::ThrowInvalid("the percentage must be from 0 to 100");
       }
       left = std::ceil(points * self->Percent / 100);
       break;
     case TARGET_NUMBER_OF_POINTS:
       if (self->NumberOfPoints < 0)
       {
-        Refuse("the number of points must be 0 or more");
+        gatun::ThrowInvalid("the number of points must be 0 or more");
       }
       return this->Tree.CountMergesForPoints(static_cast<std::uint64_t>(self->NumberOfPoints));
     default:
       if (!(self->MaximumError >= 0))
       {
-        Refuse("the error must be 0 or more");
+        gatun::ThrowInvalid("the error must be 0 or more");
       }
       return this->Tree.CountMergesForError(self->MaximumError);
   }

@@ -32,12 +32,6 @@ namespace
 {
 
 //------------------------------------------------------------------------------
-[[noreturn]] void Refuse(const std::string& why)
-{
-  throw gatun::Error(gatun::ErrorCode::InvalidInput, why);
-}
-
-//------------------------------------------------------------------------------
 // What a cell type becomes.
 enum class Treatment
 {
@@ -105,9 +99,9 @@ void CheckLengths(vtkDataSetAttributes* attributes, vtkIdType tuples, const std:
     vtkAbstractArray* array = attributes->GetAbstractArray(i);
     if (array->GetNumberOfTuples() != tuples)
     {
-      Refuse("the " + place + " array '" + (array->GetName() ? array->GetName() : "") + "' has " +
-        std::to_string(array->GetNumberOfTuples()) + " tuples for " + std::to_string(tuples) + " " +
-        place + "s");
+      gatun::ThrowInvalid("the " + place + " array '" + (array->GetName() ? array->GetName() : "") +
+        "' has " + std::to_string(array->GetNumberOfTuples()) + " tuples for " +
+        std::to_string(tuples) + " " + place + "s");
     }
   }
 }
@@ -155,7 +149,7 @@ Tets Split(vtkPoints* points, vtkUnsignedCharArray* types, vtkCellArray* cells,
     vtkIdTypeArray::SafeDownCast(split->GetCellData()->GetAbstractArray("Origin"));
   if (split->GetNumberOfCells() > 0 && !splitOrigin)
   {
-    Refuse("vtkDataSetTriangleFilter failed");
+    gatun::ThrowInvalid("vtkDataSetTriangleFilter failed");
   }
   Tets tets;
   auto splitIterator = vtk::TakeSmartPointer(split->GetCells()->NewIterator());
@@ -219,7 +213,7 @@ TetInput MakeTetInput(vtkUnstructuredGrid* input, bool linearizeQuadratic)
   {
     if (!types || !cells || types->GetNumberOfValues() != cells->GetNumberOfCells())
     {
-      Refuse("the number of cell types is not that of the cells");
+      gatun::ThrowInvalid("the number of cell types is not that of the cells");
     }
     CheckOffsets(cells);
     const unsigned char* values = types->GetPointer(0);
@@ -231,13 +225,13 @@ TetInput MakeTetInput(vtkUnstructuredGrid* input, bool linearizeQuadratic)
   const std::string refused = List(counts, Treatment::Refuse);
   if (!refused.empty())
   {
-    Refuse("only 3D cells can be written, not " + refused +
+    gatun::ThrowInvalid("only 3D cells can be written, not " + refused +
       "; take the tetrahedra out first, as vtkDataSetTriangleFilter does with TetrahedraOnly");
   }
   const std::string quadratic = List(counts, Treatment::Linearize);
   if (!quadratic.empty() && !linearizeQuadratic)
   {
-    Refuse(quadratic +
+    gatun::ThrowInvalid(quadratic +
       ": quadratic cells are written only with LinearizeQuadratic on, as linear "
       "ones");
   }
@@ -252,7 +246,7 @@ TetInput MakeTetInput(vtkUnstructuredGrid* input, bool linearizeQuadratic)
   {
     if (cellCount > 0 && cells->IsHomogeneous() != 4)
     {
-      Refuse("there is a tetrahedron that does not have 4 points");
+      gatun::ThrowInvalid("there is a tetrahedron that does not have 4 points");
     }
     result.Grid = input;
     return result;
@@ -271,15 +265,15 @@ TetInput MakeTetInput(vtkUnstructuredGrid* input, bool linearizeQuadratic)
     const CellKind kind = KindOf(types->GetValue(cell));
     if (size != kind.Points)
     {
-      Refuse("cell " + std::to_string(cell) + " has " + std::to_string(size) + " points, not " +
-        std::to_string(kind.Points));
+      gatun::ThrowInvalid("cell " + std::to_string(cell) + " has " + std::to_string(size) +
+        " points, not " + std::to_string(kind.Points));
     }
     for (vtkIdType i = 0; i < size; ++i)
     {
       if (corners[i] < 0 || corners[i] >= points)
       {
-        Refuse("cell " + std::to_string(cell) + " names point " + std::to_string(corners[i]) +
-          " of " + std::to_string(points));
+        gatun::ThrowInvalid("cell " + std::to_string(cell) + " names point " +
+          std::to_string(corners[i]) + " of " + std::to_string(points));
       }
       usedBefore[static_cast<std::size_t>(corners[i])] = true;
     }

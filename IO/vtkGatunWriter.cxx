@@ -43,12 +43,6 @@ namespace
 using gatun::Association;
 
 //------------------------------------------------------------------------------
-[[noreturn]] void Refuse(const std::string& why)
-{
-  throw gatun::Error(gatun::ErrorCode::InvalidInput, why);
-}
-
-//------------------------------------------------------------------------------
 // Coordinates as the file holds them: float or double. Sets converted where they had another type.
 vtkSmartPointer<vtkDataArray> CoordinatesOf(vtkPoints* points, bool& converted)
 {
@@ -69,7 +63,8 @@ vtkSmartPointer<vtkDataArray> CoordinatesOf(vtkPoints* points, bool& converted)
     data->GetTuple(point, tuple);
     if (std::max({ std::abs(tuple[0]), std::abs(tuple[1]), std::abs(tuple[2]) }) >= exact)
     {
-      Refuse("the coordinates of point " + std::to_string(point) + " are integers beyond 2^53");
+      gatun::ThrowInvalid(
+        "the coordinates of point " + std::to_string(point) + " are integers beyond 2^53");
     }
     doubles->SetTuple(point, tuple);
   }
@@ -418,7 +413,7 @@ int vtkGatunWriter::RequestData(vtkInformation* vtkNotUsed(request),
     vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
     if (!input)
     {
-      Refuse("the input is not a vtkUnstructuredGrid");
+      gatun::ThrowInvalid("the input is not a vtkUnstructuredGrid");
     }
     this->WriteStep(input);
   }
@@ -507,12 +502,12 @@ void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
       mesh->Mesh.CoordinateType != first.CoordinateType || mesh->Mesh.WideIds != first.WideIds ||
       mesh->Hash() != self.MeshHash)
     {
-      Refuse("the points or the cells change" + here +
+      gatun::ThrowInvalid("the points or the cells change" + here +
         "; one file holds one mesh, so write such steps as a series of files");
     }
     if (descriptions != self.Arrays)
     {
-      Refuse("the point or cell arrays are others" + here + " than before");
+      gatun::ThrowInvalid("the point or cell arrays are others" + here + " than before");
     }
   }
 

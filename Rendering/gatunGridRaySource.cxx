@@ -21,11 +21,6 @@ namespace gatun
 {
 namespace
 {
-[[noreturn]] void ThrowInvalid(const std::string& what)
-{
-  throw Error(ErrorCode::InvalidInput, what);
-}
-
 vtkDataArray* FindArray(vtkDataSetAttributes* attributes, const RayArray& wanted)
 {
   if (wanted.Index)
