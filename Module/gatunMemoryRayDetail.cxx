@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
 #include <map>
 #include <mutex>
 #include <string>
@@ -22,19 +21,29 @@ namespace
 {
 using Tet = MergeTree::Tet;
 
-/** Tetrahedra of a simpler mesh, those near each other together. */
+/** Tetrahedra, those near each other together. */
 struct TetList
 {
   std::vector<Tet> Tets;
-  std::vector<std::uint32_t> Cells; // which tetrahedra of the whole mesh they were, if that matters
+  std::vector<double> Values; // of them, if they are what is drawn
+
+  void Add(const TetList& from)
+  {
+    this->Tets.insert(this->Tets.end(), from.Tets.begin(), from.Tets.end());
+    this->Values.insert(this->Values.end(), from.Values.begin(), from.Values.end());
+  }
 };
 
-/** Which place in a block each point gets: one after the other, as they come. */
+/** Where the blocks of a list begin, and the last one ends. */
+using BlockStarts = std::vector<std::size_t>;
+
+/** Which place in a block of so many tetrahedra each point gets: one after the other, as they come.
+ */
 class PointPlaces
 {
 public:
-  explicit PointPlaces(std::size_t most)
-    : Shift(64 - static_cast<unsigned>(std::bit_width(2 * most + 1)))
+  explicit PointPlaces(std::size_t tets)
+    : Shift(64 - static_cast<unsigned>(std::bit_width(4 * tets + 1)))
     , Slots(std::size_t{ 1 } << (64 - this->Shift))
   {
   }
@@ -70,189 +79,155 @@ private:
   std::uint32_t Count = 0;
 };
 
-/** How many tetrahedra the blocks of a mesh of so many have: enough blocks for all threads to have
- * work, none so small that its borders count for more than what is in it. */
-std::size_t ChooseBlockTets(std::size_t tets)
+/** Enough blocks for all threads to have work, none so small that its borders count for more than
+ * what is in it. */
+BlockStarts CutIntoBlocks(std::size_t tets)
 {
-  return std::clamp<std::size_t>(tets / 16, 2048, MemoryRaySource::DefaultBlockTets);
+  const auto size = std::clamp<std::size_t>(tets / 8, 4096, MemoryRaySource::DefaultBlockTets);
+  BlockStarts starts;
+  for (std::size_t first = 0; first < tets; first += size)
+  {
+    starts.push_back(first);
+  }
+  starts.push_back(tets);
+  return starts;
 }
 }
 
 //------------------------------------------------------------------------------
-class MemoryRayDetail::Internals
+class MemoryRayMesh::Internals
 {
 public:
-  MeshAccess Mesh;
-  const unsigned char* Hidden;
-  MergeTree Tree;
-  Partition Whole;
   std::vector<RayPoint> Points;
-  std::vector<double> CellValues; // if they are what is drawn
+  std::shared_ptr<const TetList> Whole;
+  BlockStarts Starts; // of the whole mesh's blocks
 
-  mutable std::mutex Guard;                                    // of what follows
-  std::map<std::size_t, std::shared_ptr<const TetList>> Bases; // by halvings, from 1
-  std::map<std::uint64_t, std::uint64_t> Counts;               // tetrahedra of numbers of points
-
-  Internals(const MeshAccess& mesh, const unsigned char* hidden, MergeTree tree,
-    const RaySource::Progress& progress)
-    : Mesh(mesh)
-    , Hidden(hidden)
-    , Tree(std::move(tree))
-    , Whole(MakePartition(mesh, MemoryRaySource::DefaultBlockTets, progress))
-  {
-  }
-
-  std::uint64_t GetPoints() const { return this->Tree.GetNumberOfPoints(); }
-  std::uint64_t GetFewest() const { return this->GetPoints() - this->Tree.GetMerges().size(); }
-  bool HasCells() const { return !this->CellValues.empty(); }
-
-  void TakeValues(const RayValuesInput& values);
-  std::shared_ptr<const TetList> FindBase(std::uint64_t points) const;
-  std::shared_ptr<const TetList> Simplify(const TetList* base, std::uint64_t points) const;
-  std::shared_ptr<const TetList> MakeTets(std::uint64_t points);
+  void TakePoints(const MeshAccess& mesh, const RayValuesInput& values);
+  void TakeTets(const MeshAccess& mesh, const RayValuesInput& values, const unsigned char* hidden,
+    const Progress& progress);
 };
 
 //------------------------------------------------------------------------------
-void MemoryRayDetail::Internals::TakeValues(const RayValuesInput& values)
+void MemoryRayMesh::Internals::TakePoints(const MeshAccess& mesh, const RayValuesInput& values)
 {
-  const bool ofCells = values.Where == Association::Cell;
-  const auto& mesh = this->Mesh.GetMesh();
-  this->Points.resize(mesh.Points);
+  this->Points.resize(mesh.GetMesh().Points);
   for (std::size_t i = 0; i < this->Points.size(); ++i)
   {
-    this->Points[i] = { this->Mesh.GetCoordinate(i, 0), this->Mesh.GetCoordinate(i, 1),
-      this->Mesh.GetCoordinate(i, 2), 0 };
+    this->Points[i] = { mesh.GetCoordinate(i, 0), mesh.GetCoordinate(i, 1),
+      mesh.GetCoordinate(i, 2), 0 };
   }
-  this->CellValues.resize(ofCells ? mesh.Tets : 0);
+  if (values.Where == Association::Point)
+  {
+    WithValues(values,
+      [&](auto&& getValue)
+      {
+        for (std::size_t i = 0; i < this->Points.size(); ++i)
+        {
+          this->Points[i].Value = getValue(i);
+        }
+      });
+  }
+}
+
+//------------------------------------------------------------------------------
+void MemoryRayMesh::Internals::TakeTets(const MeshAccess& mesh, const RayValuesInput& values,
+  const unsigned char* hidden, const Progress& progress)
+{
+  const auto parts = MakePartition(mesh, MemoryRaySource::DefaultBlockTets, progress);
+  auto list = std::make_shared<TetList>();
+  list->Tets.reserve(parts.Tets.size());
   WithValues(values,
     [&](auto&& getValue)
     {
-      for (std::size_t i = 0; i < this->CellValues.size(); ++i)
+      for (std::size_t chunk = 0; chunk < parts.GetChunkCount(); ++chunk)
       {
-        this->CellValues[i] = getValue(i);
-      }
-      for (std::size_t i = 0; !ofCells && i < this->Points.size(); ++i)
-      {
-        this->Points[i].Value = getValue(i);
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
-/** What is left of a base, or of the whole mesh. */
-std::shared_ptr<const TetList> MemoryRayDetail::Internals::Simplify(
-  const TetList* base, std::uint64_t points) const
-{
-  const auto ancestors = this->Tree.FindAncestors(this->Tree.CountMergesForPoints(points));
-  const std::size_t count = base ? base->Tets.size() : this->Whole.Tets.size();
-  constexpr std::size_t most = std::size_t{ 1 } << 16;
-  std::vector<TetList> parts((count + most - 1) / most);
-  ParallelFor(parts.size(),
-    [&](std::size_t part)
-    {
-      TetList& list = parts[part];
-      for (auto i = part * most; i < std::min(count, (part + 1) * most); ++i)
-      {
-        Tet tet{};
-        std::uint32_t cell = 0;
-        if (base)
+        this->Starts.push_back(list->Tets.size());
+        for (auto i = parts.ChunkStart[chunk]; i < parts.ChunkStart[chunk + 1]; ++i)
         {
-          tet = base->Tets[i];
-          cell = this->HasCells() ? base->Cells[i] : 0;
-        }
-        else
-        {
-          cell = this->Whole.Tets[i];
-          if (this->Hidden && this->Hidden[cell] != 0)
+          const auto tet = parts.Tets[i];
+          if (hidden && hidden[tet] != 0)
           {
             continue;
           }
+          auto& corners = list->Tets.emplace_back();
           for (unsigned c = 0; c < 4; ++c)
           {
-            tet[c] = static_cast<std::uint32_t>(this->Mesh.GetId(cell, c));
+            corners[c] = static_cast<std::uint32_t>(mesh.GetId(tet, c));
           }
-        }
-        if (gatun::Simplify(tet, ancestors))
-        {
-          list.Tets.push_back(tet);
-          if (this->HasCells())
+          if (values.Where == Association::Cell)
           {
-            list.Cells.push_back(cell);
+            list->Values.push_back(getValue(tet));
           }
         }
       }
     });
-  auto result = std::make_shared<TetList>();
-  for (TetList& part : parts)
-  {
-    result->Tets.insert(result->Tets.end(), part.Tets.begin(), part.Tets.end());
-    result->Cells.insert(result->Cells.end(), part.Cells.begin(), part.Cells.end());
-    part = {};
-  }
-  return result;
+  this->Starts.push_back(list->Tets.size());
+  this->Whole = std::move(list);
 }
 
 //------------------------------------------------------------------------------
-/** Of so many points, less than all. Makes the bases on the way to it. */
-std::shared_ptr<const TetList> MemoryRayDetail::Internals::MakeTets(std::uint64_t points)
+MemoryRayMesh::MemoryRayMesh(const MeshInput& mesh, const RayValuesInput& values,
+  const unsigned char* hidden, const Progress& progress)
+  : Self(std::make_unique<Internals>())
 {
-  std::shared_ptr<const TetList> base;
-  for (std::size_t halvings = 1;; ++halvings)
+  const MeshAccess access(mesh);
+  this->Self->TakeTets(access, values, hidden, progress);
+  this->Self->TakePoints(access, values);
+}
+
+MemoryRayMesh::~MemoryRayMesh() = default;
+
+//------------------------------------------------------------------------------
+std::uint64_t MemoryRayMesh::GetNumberOfPoints() const
+{
+  return this->Self->Points.size();
+}
+
+//------------------------------------------------------------------------------
+MergeTree MemoryRayMesh::BuildTree(const Progress& progress) const
+{
+  const auto& self = *this->Self;
+  std::vector<std::array<double, 3>> points;
+  std::vector<double> field;
+  points.reserve(self.Points.size());
+  field.reserve(self.Points.size());
+  for (const RayPoint& p : self.Points)
   {
-    const std::uint64_t ofBase = this->GetPoints() >> halvings;
-    if (ofBase < points || ofBase <= this->GetFewest())
+    points.push_back({ p.X, p.Y, p.Z });
+    field.push_back(p.Value);
+  }
+  const TetList& list = *self.Whole;
+  std::vector<std::uint32_t> uses(list.Values.empty() ? 0 : points.size(), 0);
+  for (std::size_t i = 0; i < list.Values.size(); ++i)
+  {
+    for (const auto point : list.Tets[i])
     {
-      return this->Simplify(base.get(), points);
-    }
-    std::shared_ptr<const TetList> next;
-    {
-      const std::lock_guard<std::mutex> lock(this->Guard);
-      next = this->Bases[halvings];
-    }
-    if (!next)
-    {
-      next = this->Simplify(base.get(), ofBase);
-      const std::lock_guard<std::mutex> lock(this->Guard);
-      this->Bases[halvings] = next;
-      this->Counts[ofBase] = next->Tets.size();
-    }
-    base = std::move(next);
-    if (ofBase == points)
-    {
-      return base;
+      field[point] += list.Values[i];
+      ++uses[point];
     }
   }
+  for (std::size_t i = 0; i < uses.size(); ++i)
+  {
+    field[i] /= std::max(uses[i], 1u);
+  }
+  return BuildMergeTree({ points, list.Tets, { { field, 1 } } }, {}, progress);
 }
 
 namespace
 {
-/** The tetrahedra of a list, or all of the mesh, in blocks. */
-template <typename Detail>
-class DetailSource final : public RaySource
+/** A list of tetrahedra in blocks. */
+class ListSource final : public RaySource
 {
 public:
-  DetailSource(
-    std::shared_ptr<const Detail> detail, std::shared_ptr<const TetList> list, std::uint64_t budget)
-    : Self(std::move(detail))
+  ListSource(std::shared_ptr<const MemoryRayMesh> mesh, std::shared_ptr<const TetList> list,
+    BlockStarts starts, std::uint64_t budget)
+    : Mesh(std::move(mesh))
     , List(std::move(list))
+    , Starts(std::move(starts))
     , Cache(budget)
+    , Boxes(this->Starts.size() - 1)
+    , Ranges(this->Boxes.size())
   {
-    if (this->List)
-    {
-      const auto count = this->List->Tets.size();
-      const auto size = ChooseBlockTets(count);
-      for (std::size_t first = 0; first < count; first += size)
-      {
-        this->Starts.push_back(first);
-      }
-      this->Starts.push_back(count);
-    }
-    else
-    {
-      this->Starts = this->Self->Whole.ChunkStart;
-    }
-    this->Boxes.resize(this->Starts.size() - 1);
-    this->Ranges.resize(this->Boxes.size());
     ParallelFor(this->Boxes.size(), [&](std::size_t block) { this->Measure(block); });
   }
 
@@ -267,100 +242,174 @@ public:
   }
 
 private:
-  /** Calls use(corners, which tetrahedron of the whole mesh) for each of a block. */
-  template <typename Use>
-  void ForEachTet(std::size_t block, Use&& use) const
+  const std::vector<RayPoint>& GetPoints() const { return this->Mesh->GetInternals().Points; }
+
+  void Measure(std::size_t block)
   {
-    const auto& self = *this->Self;
+    const TetList& list = *this->List;
+    Bounds& box = this->Boxes[block];
     for (auto i = this->Starts[block]; i < this->Starts[block + 1]; ++i)
     {
-      if (this->List)
+      for (const auto point : list.Tets[i])
       {
-        use(this->List->Tets[i], self.HasCells() ? this->List->Cells[i] : 0);
-        continue;
-      }
-      const auto cell = self.Whole.Tets[i];
-      if (!self.Hidden || self.Hidden[cell] == 0)
-      {
-        Tet tet{};
-        for (unsigned c = 0; c < 4; ++c)
+        const RayPoint& p = this->GetPoints()[point];
+        const std::array<double, 3> place{ p.X, p.Y, p.Z };
+        for (std::size_t axis = 0; axis < 3; ++axis)
         {
-          tet[c] = static_cast<std::uint32_t>(self.Mesh.GetId(cell, c));
+          if (std::isfinite(place[axis]))
+          {
+            box[axis].Min = std::min(box[axis].Min, place[axis]);
+            box[axis].Max = std::max(box[axis].Max, place[axis]);
+          }
         }
-        use(tet, cell);
+        Extend(this->Ranges[block], list.Values.empty() ? p.Value : list.Values[i]);
       }
     }
   }
 
-  void Measure(std::size_t block)
-  {
-    const auto& self = *this->Self;
-    this->ForEachTet(block,
-      [&](const Tet& tet, std::uint32_t cell)
-      {
-        for (const auto point : tet)
-        {
-          self.Mesh.Extend(this->Boxes[block], point);
-          Extend(this->Ranges[block],
-            self.HasCells() ? self.CellValues[cell] : self.Points[point].Value);
-        }
-      });
-  }
-
   void Make(std::size_t index, RayBlock& block) const
   {
-    const auto& self = *this->Self;
-    const auto most = this->Starts[index + 1] - this->Starts[index];
-    PointPlaces places(most);
-    block.Tets.reserve(most);
-    block.Points.reserve(most / 4);
-    this->ForEachTet(index,
-      [&](Tet tet, std::uint32_t cell)
+    const TetList& list = *this->List;
+    const auto first = static_cast<std::ptrdiff_t>(this->Starts[index]);
+    const auto last = static_cast<std::ptrdiff_t>(this->Starts[index + 1]);
+    block.Tets.assign(list.Tets.begin() + first, list.Tets.begin() + last);
+    if (!list.Values.empty())
+    {
+      block.CellValues.assign(list.Values.begin() + first, list.Values.begin() + last);
+    }
+    PointPlaces places(block.Tets.size());
+    for (Tet& tet : block.Tets)
+    {
+      for (auto& corner : tet)
       {
-        for (auto& corner : tet)
+        const auto [place, isNew] = places.Find(corner);
+        if (isNew)
         {
-          const auto [place, isNew] = places.Find(corner);
-          if (isNew)
-          {
-            block.Points.push_back(self.Points[corner]);
-          }
-          corner = place;
+          block.Points.push_back(this->GetPoints()[corner]);
         }
-        block.Tets.push_back(tet);
-        if (self.HasCells())
-        {
-          block.CellValues.push_back(self.CellValues[cell]);
-        }
-      });
+        corner = place;
+      }
+    }
     block.Points.shrink_to_fit();
   }
 
-  std::shared_ptr<const Detail> Self;
-  std::shared_ptr<const TetList> List; // null for all of the mesh
+  std::shared_ptr<const MemoryRayMesh> Mesh;
+  std::shared_ptr<const TetList> List;
+  BlockStarts Starts;
   RayBlockCache Cache;
-  std::vector<std::size_t> Starts;
   std::vector<Bounds> Boxes;
   std::vector<Range> Ranges;
 };
 }
 
 //------------------------------------------------------------------------------
-MemoryRayDetail::MemoryRayDetail(const MeshInput& mesh, const RayValuesInput& values,
-  const unsigned char* hidden, MergeTree tree, const Progress& progress)
+std::shared_ptr<RaySource> MakeWholeSource(
+  std::shared_ptr<const MemoryRayMesh> mesh, std::uint64_t budget)
 {
-  if (tree.GetNumberOfPoints() != mesh.Points)
+  const auto& internals = mesh->GetInternals();
+  return std::make_shared<ListSource>(std::move(mesh), internals.Whole, internals.Starts, budget);
+}
+
+//------------------------------------------------------------------------------
+class MemoryRayDetail::Internals
+{
+public:
+  std::shared_ptr<const MemoryRayMesh> Mesh;
+  MergeTree Tree;
+
+  mutable std::mutex Guard;                                    // of what follows
+  std::map<std::size_t, std::shared_ptr<const TetList>> Bases; // by halvings
+  std::map<std::uint64_t, std::uint64_t> Counts;               // tetrahedra by numbers of points
+
+  std::uint64_t GetPoints() const { return this->Tree.GetNumberOfPoints(); }
+  std::uint64_t GetFewest() const { return this->GetPoints() - this->Tree.GetMerges().size(); }
+
+  std::shared_ptr<const TetList> Simplify(const TetList& base, std::uint64_t points) const;
+  std::shared_ptr<const TetList> MakeTets(std::uint64_t points);
+};
+
+//------------------------------------------------------------------------------
+/** What is left of a base. */
+std::shared_ptr<const TetList> MemoryRayDetail::Internals::Simplify(
+  const TetList& base, std::uint64_t points) const
+{
+  const auto ancestors = this->Tree.FindAncestors(this->Tree.CountMergesForPoints(points));
+  const std::size_t count = base.Tets.size();
+  constexpr std::size_t most = std::size_t{ 1 } << 16;
+  std::vector<TetList> parts((count + most - 1) / most);
+  ParallelFor(parts.size(),
+    [&](std::size_t part)
+    {
+      TetList& list = parts[part];
+      for (auto i = part * most; i < std::min(count, (part + 1) * most); ++i)
+      {
+        Tet tet = base.Tets[i];
+        if (gatun::Simplify(tet, ancestors))
+        {
+          list.Tets.push_back(tet);
+          if (!base.Values.empty())
+          {
+            list.Values.push_back(base.Values[i]);
+          }
+        }
+      }
+    });
+  auto result = std::make_shared<TetList>();
+  for (TetList& part : parts)
+  {
+    result->Add(part);
+    part = {};
+  }
+  result->Tets.shrink_to_fit();
+  return result;
+}
+
+//------------------------------------------------------------------------------
+/** Of so many points. Makes the bases on the way to it. */
+std::shared_ptr<const TetList> MemoryRayDetail::Internals::MakeTets(std::uint64_t points)
+{
+  auto base = this->Mesh->GetInternals().Whole;
+  for (std::size_t halvings = 1;; ++halvings)
+  {
+    const std::uint64_t ofBase = this->GetPoints() >> halvings;
+    if (ofBase < points || ofBase <= this->GetFewest())
+    {
+      return this->Simplify(*base, points);
+    }
+    std::shared_ptr<const TetList> next;
+    {
+      const std::lock_guard<std::mutex> lock(this->Guard);
+      next = this->Bases[halvings];
+    }
+    if (!next)
+    {
+      next = this->Simplify(*base, ofBase);
+      const std::lock_guard<std::mutex> lock(this->Guard);
+      this->Bases[halvings] = next;
+      this->Counts[ofBase] = next->Tets.size();
+    }
+    base = std::move(next);
+    if (ofBase == points)
+    {
+      return base;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+MemoryRayDetail::MemoryRayDetail(std::shared_ptr<const MemoryRayMesh> mesh, MergeTree tree)
+  : Self(std::make_unique<Internals>())
+{
+  const auto points = mesh->GetNumberOfPoints();
+  if (tree.GetNumberOfPoints() != points)
   {
     throw Error(ErrorCode::InvalidInput,
       "the merges are those of a mesh of " + std::to_string(tree.GetNumberOfPoints()) +
-        " points, not of " + std::to_string(mesh.Points));
+        " points, not of " + std::to_string(points));
   }
-  this->Self = std::make_shared<Internals>(MeshAccess(mesh), hidden, std::move(tree), progress);
-  this->Self->TakeValues(values);
-  const std::uint64_t tets = hidden ? mesh.Tets -
-      static_cast<std::uint64_t>(std::count_if(
-        hidden, hidden + mesh.Tets, [](unsigned char isHidden) { return isHidden != 0; }))
-                                    : mesh.Tets;
-  this->Self->Counts = { { 0, 0 }, { mesh.Points, tets } };
+  this->Self->Counts = { { 0, 0 }, { points, mesh->GetInternals().Whole->Tets.size() } };
+  this->Self->Mesh = std::move(mesh);
+  this->Self->Tree = std::move(tree);
 }
 
 MemoryRayDetail::~MemoryRayDetail() = default;
@@ -382,14 +431,17 @@ std::shared_ptr<RaySource> MemoryRayDetail::MakeSource(std::uint64_t points, std
 {
   auto& self = *this->Self;
   points = std::clamp(points, self.GetFewest(), self.GetPoints());
-  std::shared_ptr<const TetList> list;
-  if (points < self.GetPoints())
+  if (points == self.GetPoints())
   {
-    list = self.MakeTets(points);
+    return MakeWholeSource(self.Mesh, budget);
+  }
+  auto list = self.MakeTets(points);
+  {
     const std::lock_guard<std::mutex> lock(self.Guard);
     self.Counts[points] = list->Tets.size();
   }
-  return std::make_shared<DetailSource<Internals>>(this->Self, std::move(list), budget);
+  auto starts = CutIntoBlocks(list->Tets.size());
+  return std::make_shared<ListSource>(self.Mesh, std::move(list), std::move(starts), budget);
 }
 
 //------------------------------------------------------------------------------
@@ -408,68 +460,5 @@ std::uint64_t MemoryRayDetail::EstimateTets(std::uint64_t points) const
     static_cast<double>(points - low->first) / static_cast<double>(high->first - low->first);
   return low->second +
     static_cast<std::uint64_t>(part * static_cast<double>(high->second - low->second));
-}
-
-//------------------------------------------------------------------------------
-MergeTree BuildRayTree(const MeshInput& mesh, const RayValuesInput& values,
-  const unsigned char* hidden, const RaySource::Progress& progress)
-{
-  const MeshAccess access(mesh);
-  std::vector<std::array<double, 3>> points(mesh.Points);
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    for (unsigned axis = 0; axis < 3; ++axis)
-    {
-      points[i][axis] = access.GetCoordinate(i, axis);
-    }
-  }
-  std::vector<Tet> tets;
-  std::vector<std::uint64_t> cells;
-  for (std::uint64_t i = 0; i < mesh.Tets; ++i)
-  {
-    if (hidden && hidden[i] != 0)
-    {
-      continue;
-    }
-    Tet& tet = tets.emplace_back();
-    cells.push_back(i);
-    for (unsigned c = 0; c < 4; ++c)
-    {
-      const auto point = access.GetId(i, c);
-      if (point >= mesh.Points)
-      {
-        throw Error(ErrorCode::InvalidInput,
-          "tetrahedron " + std::to_string(i) + " has a point that does not exist");
-      }
-      tet[c] = static_cast<std::uint32_t>(point);
-    }
-  }
-  std::vector<double> field(mesh.Points);
-  WithValues(values,
-    [&](auto&& getValue)
-    {
-      if (values.Where == Association::Point)
-      {
-        for (std::size_t i = 0; i < field.size(); ++i)
-        {
-          field[i] = getValue(i);
-        }
-        return;
-      }
-      std::vector<std::uint32_t> uses(mesh.Points, 0);
-      for (std::size_t i = 0; i < tets.size(); ++i)
-      {
-        for (const auto point : tets[i])
-        {
-          field[point] += getValue(cells[i]);
-          ++uses[point];
-        }
-      }
-      for (std::size_t i = 0; i < field.size(); ++i)
-      {
-        field[i] /= std::max(uses[i], 1u);
-      }
-    });
-  return BuildMergeTree({ points, tets, { { field, 1 } } }, {}, progress);
 }
 }

@@ -14,22 +14,52 @@
 namespace gatun
 {
 /**
- * A mesh in the caller's memory, which must stay there, with the merges that make it simpler.
- *
- * Of the mesh with half of its points, a quarter, and so on, the tetrahedra are kept once they were
- * needed, so that what is made for a number of points begins with at most twice as many. That is
- * about 20 bytes for each tetrahedron of the whole mesh, all together, besides 32 bytes a point.
- * The whole mesh is drawn in the blocks of MemoryRaySource, and looks the same to the last bit.
+ * A copy of a mesh with the values that are drawn, which never changes: other threads may use it
+ * whatever becomes of the original. Takes 16 bytes a tetrahedron and 32 bytes a point, and 8 bytes
+ * a tetrahedron if its values are drawn.
  */
-class VTKGATUNCORE_EXPORT MemoryRayDetail final : public RayDetail
+class VTKGATUNCORE_EXPORT MemoryRayMesh
 {
 public:
   using Progress = RaySource::Progress;
 
   /** Hidden: as of MemoryRaySource. Throws InvalidInput if a tetrahedron names a point that is not
-   * there, or if the tree is not that of so many points. */
-  MemoryRayDetail(const MeshInput& mesh, const RayValuesInput& values, const unsigned char* hidden,
-    MergeTree tree, const Progress& progress = {});
+   * there. */
+  MemoryRayMesh(const MeshInput& mesh, const RayValuesInput& values, const unsigned char* hidden,
+    const Progress& progress = {});
+  ~MemoryRayMesh();
+  MemoryRayMesh(const MemoryRayMesh&) = delete;
+  MemoryRayMesh& operator=(const MemoryRayMesh&) = delete;
+
+  std::uint64_t GetNumberOfPoints() const;
+
+  /** The merges that change what is drawn least. Values of tetrahedra count as those of their
+   * points, on average. Throws as BuildMergeTree does. */
+  MergeTree BuildTree(const Progress& progress = {}) const;
+
+  class Internals;
+  const Internals& GetInternals() const { return *this->Self; }
+
+private:
+  std::unique_ptr<Internals> Self;
+};
+
+/** All of a mesh, in the blocks of MemoryRaySource; it looks the same to the last bit. */
+VTKGATUNCORE_EXPORT std::shared_ptr<RaySource> MakeWholeSource(
+  std::shared_ptr<const MemoryRayMesh> mesh, std::uint64_t budget);
+
+/**
+ * A mesh in memory with the merges that make it simpler.
+ *
+ * Of the mesh with half of its points, a quarter, and so on, the tetrahedra are kept once they were
+ * needed, so that what is made for a number of points begins with at most twice as many. All
+ * together they take about as much as the whole mesh.
+ */
+class VTKGATUNCORE_EXPORT MemoryRayDetail final : public RayDetail
+{
+public:
+  /** Throws InvalidInput if the tree is not that of so many points. */
+  MemoryRayDetail(std::shared_ptr<const MemoryRayMesh> mesh, MergeTree tree);
   ~MemoryRayDetail() override;
 
   std::uint64_t GetNumberOfPoints() const override;
@@ -39,13 +69,8 @@ public:
 
 private:
   class Internals;
-  std::shared_ptr<Internals> Self; // sources have it, too
+  std::unique_ptr<Internals> Self;
 };
-
-/** The merges of a mesh that change what is drawn least. Values of tetrahedra count as those of
- * their points, on average; hidden tetrahedra do not count. Throws as BuildMergeTree does. */
-VTKGATUNCORE_EXPORT MergeTree BuildRayTree(const MeshInput& mesh, const RayValuesInput& values,
-  const unsigned char* hidden, const RaySource::Progress& progress = {});
 }
 
 #endif

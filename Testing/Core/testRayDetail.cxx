@@ -29,7 +29,12 @@ struct Sample
   Association Where;
 
   explicit Sample(Association where, std::int64_t n = 8, bool hides = false)
-    : Mesh(MakeCubes(n, 0.2))
+    : Sample(where, MakeCubes(n, 0.2), hides)
+  {
+  }
+
+  Sample(Association where, TestMesh mesh, bool hides)
+    : Mesh(std::move(mesh))
     , Where(where)
   {
     const bool ofCells = where == Association::Cell;
@@ -55,14 +60,13 @@ struct Sample
   {
     return this->Hidden.empty() ? nullptr : this->Hidden.data();
   }
-  MergeTree MakeTree() const
+  std::shared_ptr<const MemoryRayMesh> MakeMesh() const
   {
-    return BuildRayTree(this->Mesh.GetInput(), this->GetValues(), this->GetHidden());
+    return std::make_shared<const MemoryRayMesh>(
+      this->Mesh.GetInput(), this->GetValues(), this->GetHidden());
   }
-  MemoryRayDetail MakeDetail(MergeTree tree) const
-  {
-    return { this->Mesh.GetInput(), this->GetValues(), this->GetHidden(), std::move(tree) };
-  }
+  MergeTree MakeTree() const { return this->MakeMesh()->BuildTree(); }
+  MemoryRayDetail MakeDetail(MergeTree tree) const { return { this->MakeMesh(), std::move(tree) }; }
 };
 
 /** A tetrahedron as it is drawn: corners with their values, sorted, and the value of its own. */
@@ -177,6 +181,20 @@ TEST(RayDetail, SourcesHoldWhatMergingLeaves)
 }
 
 //------------------------------------------------------------------------------
+TEST(RayDetail, TetrahedraNeedNotHaveAnyPointInCommon)
+{
+  for (const std::size_t tets : { 1u, 2u, 3u, 7u, 64u })
+  {
+    TestMesh mesh = MakeSoup(1000, tets);
+    std::iota(mesh.Ids.begin(), mesh.Ids.end(), std::int64_t{ 0 });
+    const Sample sample(Association::Point, std::move(mesh), false);
+    const MergeTree tree(1000, {});
+    auto detail = sample.MakeDetail(tree);
+    EXPECT_EQ(Collect(*detail.MakeSource(1000, Plenty)), Merge(sample, tree, 1000));
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(RayDetail, TheWholeMeshLooksTheSameToTheLastBit)
 {
   const Sample sample(Association::Point, 20);
@@ -221,8 +239,9 @@ TEST(RayDetail, SourcesOutliveWhatMadeThem)
   const MergeTree tree = sample.MakeTree();
   std::shared_ptr<RaySource> source;
   {
-    auto detail = sample.MakeDetail(tree);
-    source = detail.MakeSource(300, Plenty);
+    Sample original(sample);
+    source = original.MakeDetail(tree).MakeSource(300, Plenty);
+    std::fill(original.Mesh.Ids.begin(), original.Mesh.Ids.end(), -1);
   }
   EXPECT_EQ(Collect(*source), Merge(sample, tree, 300));
 }
