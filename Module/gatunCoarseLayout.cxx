@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunCoarseLayout.h"
 
+#include "gatunError.h"
 #include "gatunFileReaderInternals.h"
 
 #include <algorithm>
@@ -28,6 +29,14 @@ CoarseLayout::CoarseLayout(
   , Sources(File->GetChunks().size())
   , Given(File->GetChunks().size())
 {
+  const auto used = this->File->GetNumberOfPoints() - this->File->GetNumberOfUnusedPoints();
+  for (std::size_t i = 0; i < this->Merges; ++i)
+  {
+    if (tree.GetMerges()[i].Point >= used || tree.GetMerges()[i].Into >= used)
+    {
+      ThrowInvalid("the tree merges points that no tetrahedron has");
+    }
+  }
   for (const BlockEntry& block : this->File->GetInternals().Mesh.Blocks)
   {
     auto point = block.FirstPoint;

@@ -62,6 +62,72 @@ Range GetDrawnRange(const ArrayRanges& ranges, int component)
 }
 
 //------------------------------------------------------------------------------
+void CheckRayValues(const FileReader& file, const RayValues& values)
+{
+  const auto& arrays = file.GetArrays();
+  if (values.Array >= arrays.size())
+  {
+    throw Error(ErrorCode::InvalidInput, file.GetPath() + ": there is no such array");
+  }
+  const auto& array = arrays[values.Array];
+  if (values.Component < -1 || values.Component >= static_cast<int>(array.Components))
+  {
+    throw Error(ErrorCode::InvalidInput,
+      file.GetPath() + ": array '" + array.Name + "' has no component " +
+        std::to_string(values.Component));
+  }
+  if (values.Step >= file.GetNumberOfSteps())
+  {
+    throw Error(ErrorCode::InvalidInput, file.GetPath() + ": there is no such time step");
+  }
+}
+
+//------------------------------------------------------------------------------
+RayBlock DecodeRayBlock(
+  const std::shared_ptr<ChunkCache>& parts, const RayValues& values, std::size_t chunk)
+{
+  const FileReader& file = *parts->GetFile();
+  PieceDecoder decoder(parts);
+  PieceRequest request;
+  request.Chunks = { static_cast<std::uint32_t>(chunk) };
+  request.Arrays = { values.Array };
+  request.Step = values.Step;
+  request.RestoreOrder = false;
+  decoder.SetRequest(request);
+
+  const auto& array = file.GetArrays()[values.Array];
+  const bool ofCells = array.Where == Association::Cell;
+  const auto points = decoder.GetNumberOfPoints();
+  const auto tets = decoder.GetNumberOfTets();
+  const auto coordinateType = file.GetCoordinateType();
+  std::vector<std::byte> coordinates(3 * points * SizeOf(coordinateType));
+  std::vector<std::byte> raw((ofCells ? tets : points) * array.Components * SizeOf(array.Type));
+  RayBlock block;
+  block.Tets.resize(tets);
+  static_assert(sizeof(RayBlock::Tet) == 4 * sizeof(std::int32_t));
+  PieceTarget target;
+  target.Points = coordinates.data();
+  target.Connectivity = block.Tets.data();
+  target.WideIds = false;
+  target.Arrays = { raw.data() };
+  decoder.Fill(target);
+
+  block.Points.resize(points);
+  WithType(coordinateType, coordinates.data(),
+    [&](const auto* p)
+    {
+      for (std::size_t i = 0; i < points; ++i)
+      {
+        block.Points[i] = { static_cast<double>(p[3 * i]), static_cast<double>(p[3 * i + 1]),
+          static_cast<double>(p[3 * i + 2]), 0 };
+      }
+    });
+  WithValues({ array.Where, array.Type, array.Components, values.Component, raw.data() },
+    [&](auto&& getValue) { block.SetValues(array.Where, getValue); });
+  return block;
+}
+
+//------------------------------------------------------------------------------
 // A file
 
 class FileRaySource::Internals
@@ -71,35 +137,17 @@ public:
   RayValues Values;
   RayBlockCache Cache;
   std::shared_ptr<ChunkCache> Parts; // for the points that chunks share
-
-  void Make(std::size_t chunk, RayBlock& block) const;
 };
 
 //------------------------------------------------------------------------------
 FileRaySource::FileRaySource(
   std::shared_ptr<const FileReader> file, const RayValues& values, std::uint64_t budget)
 {
-  const auto& arrays = file->GetArrays();
-  if (values.Array >= arrays.size())
-  {
-    throw Error(ErrorCode::InvalidInput, file->GetPath() + ": there is no such array");
-  }
-  const auto& array = arrays[values.Array];
-  if (values.Component < -1 || values.Component >= static_cast<int>(array.Components))
-  {
-    throw Error(ErrorCode::InvalidInput,
-      file->GetPath() + ": array '" + array.Name + "' has no component " +
-        std::to_string(values.Component));
-  }
-  if (values.Step >= file->GetNumberOfSteps())
-  {
-    throw Error(ErrorCode::InvalidInput, file->GetPath() + ": there is no such time step");
-  }
-  // What many chunks share is small, and is needed again before long.
-  constexpr std::uint64_t forParts = std::uint64_t{ 16 } << 20;
-  auto parts = std::make_shared<ChunkCache>(file, std::min(budget / 4, forParts));
+  CheckRayValues(*file, values);
+  const auto forParts = GetBudgetForParts(budget);
+  auto parts = std::make_shared<ChunkCache>(file, forParts);
   this->Self = std::make_unique<Internals>(
-    Internals{ std::move(file), values, RayBlockCache(budget - budget / 4), std::move(parts) });
+    Internals{ std::move(file), values, RayBlockCache(budget - forParts), std::move(parts) });
 }
 
 FileRaySource::~FileRaySource() = default;
@@ -129,48 +177,8 @@ RaySource::Blocks FileRaySource::GetBlocks(
   std::span<const std::size_t> blocks, const Progress& progress)
 {
   return FindOrMake(this->Self->Cache, blocks, progress,
-    [&](std::size_t chunk, RayBlock& block) { this->Self->Make(chunk, block); });
-}
-
-//------------------------------------------------------------------------------
-void FileRaySource::Internals::Make(std::size_t chunk, RayBlock& block) const
-{
-  PieceDecoder decoder(this->Parts);
-  PieceRequest request;
-  request.Chunks = { static_cast<std::uint32_t>(chunk) };
-  request.Arrays = { this->Values.Array };
-  request.Step = this->Values.Step;
-  request.RestoreOrder = false;
-  decoder.SetRequest(request);
-
-  const auto& array = this->File->GetArrays()[this->Values.Array];
-  const bool ofCells = array.Where == Association::Cell;
-  const auto points = decoder.GetNumberOfPoints();
-  const auto tets = decoder.GetNumberOfTets();
-  const auto coordinateType = this->File->GetCoordinateType();
-  std::vector<std::byte> coordinates(3 * points * SizeOf(coordinateType));
-  std::vector<std::byte> values((ofCells ? tets : points) * array.Components * SizeOf(array.Type));
-  block.Tets.resize(tets);
-  static_assert(sizeof(RayBlock::Tet) == 4 * sizeof(std::int32_t));
-  PieceTarget target;
-  target.Points = coordinates.data();
-  target.Connectivity = block.Tets.data();
-  target.WideIds = false;
-  target.Arrays = { values.data() };
-  decoder.Fill(target);
-
-  block.Points.resize(points);
-  WithType(coordinateType, coordinates.data(),
-    [&](const auto* p)
-    {
-      for (std::size_t i = 0; i < points; ++i)
-      {
-        block.Points[i] = { static_cast<double>(p[3 * i]), static_cast<double>(p[3 * i + 1]),
-          static_cast<double>(p[3 * i + 2]), 0 };
-      }
-    });
-  WithValues({ array.Where, array.Type, array.Components, this->Values.Component, values.data() },
-    [&](auto&& getValue) { block.SetValues(array.Where, getValue); });
+    [&](std::size_t chunk, RayBlock& block)
+    { block = DecodeRayBlock(this->Self->Parts, this->Self->Values, chunk); });
 }
 
 //------------------------------------------------------------------------------

@@ -81,37 +81,71 @@ inline void Extend(Range& range, double value)
   range.Max = value > range.Max ? value : range.Max;
 }
 
-/** Takes blocks out of a cache, and makes those that are missing in parallel. */
+/** Takes blocks out of a cache; make(blocks that are missing, where they go) makes the others. */
 template <typename Make>
-RaySource::Blocks FindOrMake(RayBlockCache& cache, std::span<const std::size_t> blocks,
-  const RaySource::Progress& progress, Make&& make)
+RaySource::Blocks FindOrMakeTogether(
+  RayBlockCache& cache, std::span<const std::size_t> blocks, Make&& make)
 {
   RaySource::Blocks result(blocks.size());
+  std::vector<std::size_t> places;
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
     result[i] = cache.Find(blocks[i]);
     if (!result[i])
     {
-      missing.push_back(i);
+      places.push_back(i);
+      missing.push_back(blocks[i]);
     }
   }
-  ParallelFor(
-    missing.size(),
-    [&](std::size_t i)
-    {
-      auto made = std::make_shared<RayBlock>();
-      make(blocks[missing[i]], *made);
-      made->Prepare();
-      result[missing[i]] = std::move(made);
-    },
-    progress);
-  for (const auto i : missing)
+  if (missing.empty())
   {
-    cache.Add(blocks[i], result[i]);
+    return result;
+  }
+  RaySource::Blocks made(missing.size());
+  make(std::span<const std::size_t>(missing), made);
+  for (std::size_t i = 0; i < missing.size(); ++i)
+  {
+    cache.Add(missing[i], made[i]);
+    result[places[i]] = std::move(made[i]);
   }
   return result;
 }
+
+/** The same, where make(block, where it goes) makes one of them, in parallel. */
+template <typename Make>
+RaySource::Blocks FindOrMake(RayBlockCache& cache, std::span<const std::size_t> blocks,
+  const RaySource::Progress& progress, Make&& make)
+{
+  return FindOrMakeTogether(cache, blocks,
+    [&](std::span<const std::size_t> missing, RaySource::Blocks& made)
+    {
+      ParallelFor(
+        missing.size(),
+        [&](std::size_t i)
+        {
+          auto block = std::make_shared<RayBlock>();
+          make(missing[i], *block);
+          block->Prepare();
+          made[i] = std::move(block);
+        },
+        progress);
+    });
+}
+
+/** How much of a budget of bytes is for what many chunks share, which is small, and is needed again
+ * before long. */
+inline std::uint64_t GetBudgetForParts(std::uint64_t budget)
+{
+  return std::min(budget / 4, std::uint64_t{ 16 } << 20);
+}
+
+/** Throws InvalidInput if a file has no such array, component or step. */
+void CheckRayValues(const FileReader& file, const RayValues& values);
+
+/** A chunk of a file, which is yet to be prepared: its shared points, then its own. */
+RayBlock DecodeRayBlock(
+  const std::shared_ptr<ChunkCache>& parts, const RayValues& values, std::size_t chunk);
 }
 
 #endif

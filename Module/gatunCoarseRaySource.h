@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunCoarseRaySource_h
+#define gatunCoarseRaySource_h
+
+#include "gatunMergeTree.h"
+#include "gatunRaySource.h"
+#include "vtkGatunCoreModule.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace gatun
+{
+/**
+ * The chunks of a file after so many merges, simplified as they are decoded. Where a chunk gets
+ * corners from others, these are decoded first, unless they have told them before; what they tell
+ * is kept, which is little. Blocks that have been made are kept up to a number of bytes.
+ */
+class VTKGATUNCORE_EXPORT CoarseRaySource final : public RaySource
+{
+public:
+  /** Tree: the file's. Throws InvalidInput if the file has no such array or step, or not so many
+   * merges. */
+  CoarseRaySource(std::shared_ptr<const FileReader> file, const MergeTree& tree, std::size_t merges,
+    const RayValues& values, std::uint64_t budget);
+  ~CoarseRaySource() override;
+
+  std::size_t GetNumberOfBlocks() const override;
+  const Bounds& GetBounds(std::size_t block) const override;
+  Range GetRange(std::size_t block) const override;
+  Blocks GetBlocks(std::span<const std::size_t> blocks, const Progress& progress) override;
+
+private:
+  class Internals;
+  std::unique_ptr<Internals> Self;
+};
+}
+
+#endif

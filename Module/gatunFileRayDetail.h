@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunFileRayDetail_h
+#define gatunFileRayDetail_h
+
+#include "gatunFileReader.h"
+#include "gatunMergeTree.h"
+#include "gatunRayDetail.h"
+#include "vtkGatunCoreModule.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace gatun
+{
+/**
+ * A file that tells how its mesh becomes simpler. What is drawn of fewer points comes from the
+ * simplest base mesh that has enough of them, if the file has any; else from the whole mesh.
+ */
+class VTKGATUNCORE_EXPORT FileRayDetail final : public RayDetail
+{
+public:
+  /** Throws InvalidInput if the file does not tell, or has no such array or step. */
+  FileRayDetail(std::shared_ptr<const FileReader> file, const RayValues& values);
+  ~FileRayDetail() override;
+
+  std::uint64_t GetNumberOfPoints() const override;
+  std::uint64_t GetFewestPoints() const override;
+  std::shared_ptr<RaySource> MakeSource(std::uint64_t points, std::uint64_t budget) override;
+  std::uint64_t EstimateTets(std::uint64_t points) const override;
+
+private:
+  /** The whole mesh, or a base mesh. */
+  struct Level
+  {
+    std::uint32_t Merges; // that it has behind it
+    std::shared_ptr<const FileReader> File;
+    std::shared_ptr<const MergeTree> Tree; // once it was needed
+  };
+
+  std::vector<Level> Levels; // simpler and simpler
+  RayValues Values;
+};
+}
+
+#endif
