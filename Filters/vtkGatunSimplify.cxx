@@ -5,7 +5,8 @@
 
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
-#include "gatunMergeBuilder.h"
+#include "gatunMergeGrid.h"
+#include "gatunSimplifyTarget.h"
 #include "gatunTetInput.h"
 #include "vtkGatunCompat.h"
 
@@ -28,7 +29,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -38,63 +38,6 @@ vtkStandardNewMacro(vtkGatunSimplify);
 
 namespace
 {
-/** A mesh as the core takes it. */
-struct Mesh
-{
-  std::vector<std::array<double, 3>> Points;
-  std::vector<gatun::MergeTree::Tet> Tets;
-  std::vector<std::vector<double>> Values;
-  std::vector<double> Weights;
-
-  explicit Mesh(vtkUnstructuredGrid* grid)
-    : Points(static_cast<std::size_t>(grid->GetNumberOfPoints()))
-    , Tets(static_cast<std::size_t>(grid->GetNumberOfCells()))
-  {
-    for (std::size_t i = 0; i < this->Points.size(); ++i)
-    {
-      grid->GetPoint(static_cast<vtkIdType>(i), this->Points[i].data());
-    }
-    for (std::size_t i = 0; i < this->Tets.size(); ++i)
-    {
-      vtkIdType count = 0;
-      const vtkIdType* ids = nullptr;
-      grid->GetCellPoints(static_cast<vtkIdType>(i), count, ids);
-      for (std::size_t c = 0; c < 4; ++c)
-      {
-        if (ids[c] < 0 || ids[c] >= grid->GetNumberOfPoints())
-        {
-          gatun::ThrowInvalid("cell " + std::to_string(i) + " has a point that does not exist");
-        }
-        this->Tets[i][c] = static_cast<std::uint32_t>(ids[c]);
-      }
-    }
-  }
-
-  void AddArray(vtkDataArray* array, double weight)
-  {
-    const int components = array->GetNumberOfComponents();
-    for (int c = 0; c < components; ++c)
-    {
-      auto& values = this->Values.emplace_back(this->Points.size());
-      for (std::size_t i = 0; i < values.size(); ++i)
-      {
-        values[i] = array->GetComponent(static_cast<vtkIdType>(i), c);
-      }
-      this->Weights.push_back(weight / components);
-    }
-  }
-
-  gatun::MergeInput GetInput() const
-  {
-    gatun::MergeInput input{ this->Points, this->Tets, {} };
-    for (std::size_t i = 0; i < this->Values.size(); ++i)
-    {
-      input.Fields.push_back({ this->Values[i], this->Weights[i] });
-    }
-    return input;
-  }
-};
-
 void CopyTuples(vtkDataSetAttributes* from, vtkIdList* ids, vtkDataSetAttributes* to)
 {
   vtkNew<vtkIdList> places;
@@ -151,51 +94,20 @@ void FillOutput(vtkUnstructuredGrid* grid, const gatun::MergeTree& tree, std::si
 class vtkGatunSimplify::vtkInternals
 {
 public:
-  std::map<std::string, double> Weights;
+  gatun::MergeWeights Weights;
 
   // What the tree was made for.
   vtkSmartPointer<vtkUnstructuredGrid> Tets;
   vtkUnstructuredGrid* Input = nullptr; // only ever compared
   vtkMTimeType Stamp = 0;
-  std::map<std::string, double> UsedWeights;
+  gatun::MergeWeights UsedWeights;
   gatun::MergeSettings Settings;
   gatun::MergeTree Tree;
   double OutputError = 0;
 
   void Prepare(vtkGatunSimplify* self, vtkUnstructuredGrid* input);
-  void AddArrays(vtkPointData* data, Mesh& mesh) const;
   std::size_t CountMerges(const vtkGatunSimplify* self) const;
 };
-
-//------------------------------------------------------------------------------
-void vtkGatunSimplify::vtkInternals::AddArrays(vtkPointData* data, Mesh& mesh) const
-{
-  for (const auto& [name, weight] : this->Weights)
-  {
-    vtkDataArray* const array = data->GetArray(name.c_str());
-    if (!array)
-    {
-      gatun::ThrowInvalid("there is no point array '" + name + "', which has a weight");
-    }
-    mesh.AddArray(array, weight);
-  }
-  if (!this->Weights.empty())
-  {
-    return;
-  }
-  if (data->GetScalars())
-  {
-    mesh.AddArray(data->GetScalars(), 1);
-    return;
-  }
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    if (vtkDataArray* const array = data->GetArray(i))
-    {
-      mesh.AddArray(array, 1);
-    }
-  }
-}
 
 //------------------------------------------------------------------------------
 /** Finds the order of merges, unless it is known. */
@@ -217,10 +129,8 @@ void vtkGatunSimplify::vtkInternals::Prepare(vtkGatunSimplify* self, vtkUnstruct
   // The input itself may be given something else later.
   vtkNew<vtkUnstructuredGrid> tets;
   tets->ShallowCopy(made.Grid);
-  Mesh mesh(tets);
-  this->AddArrays(tets->GetPointData(), mesh);
   auto weights = this->Weights;
-  auto tree = gatun::BuildMergeTree(mesh.GetInput(), settings,
+  auto tree = gatun::BuildMergeTree(tets, weights, settings,
     [self](double done)
     {
       self->UpdateProgress(0.9 * done);
@@ -238,38 +148,10 @@ void vtkGatunSimplify::vtkInternals::Prepare(vtkGatunSimplify* self, vtkUnstruct
 //------------------------------------------------------------------------------
 std::size_t vtkGatunSimplify::vtkInternals::CountMerges(const vtkGatunSimplify* self) const
 {
-  const double points = this->Tree.GetNumberOfPoints();
-  double left = 0;
-  switch (self->Target)
-  {
-    case TARGET_RATIO:
-      if (!(self->Ratio >= 0 && self->Ratio <= 1))
-      {
-        gatun::ThrowInvalid("the ratio must be from 0 to 1");
-      }
-      left = points - std::floor(points * self->Ratio);
-      break;
-    case TARGET_PERCENT:
-      if (!(self->Percent >= 0 && self->Percent <= 100))
-      {
-        gatun::ThrowInvalid("the percentage must be from 0 to 100");
-      }
-      left = std::ceil(points * self->Percent / 100);
-      break;
-    case TARGET_NUMBER_OF_POINTS:
-      if (self->NumberOfPoints < 0)
-      {
-        gatun::ThrowInvalid("the number of points must be 0 or more");
-      }
-      return this->Tree.CountMergesForPoints(static_cast<std::uint64_t>(self->NumberOfPoints));
-    default:
-      if (!(self->MaximumError >= 0))
-      {
-        gatun::ThrowInvalid("the error must be 0 or more");
-      }
-      return this->Tree.CountMergesForError(self->MaximumError);
-  }
-  return this->Tree.CountMergesForPoints(static_cast<std::uint64_t>(left));
+  const double values[] = { self->Ratio, self->Percent, static_cast<double>(self->NumberOfPoints),
+    self->MaximumError };
+  return gatun::CountMerges({ self->Target, values[self->Target] }, this->Tree.GetNumberOfPoints(),
+    this->Tree.GetMerges().size(), [this]() -> const gatun::MergeTree& { return this->Tree; });
 }
 
 //------------------------------------------------------------------------------
@@ -283,9 +165,8 @@ vtkGatunSimplify::~vtkGatunSimplify() = default;
 //------------------------------------------------------------------------------
 void vtkGatunSimplify::SetArrayWeight(const char* name, double weight)
 {
-  if (name && (!this->Internals->Weights.count(name) || this->Internals->Weights[name] != weight))
+  if (this->Internals->Weights.Set(name, weight))
   {
-    this->Internals->Weights[name] = weight;
     this->Modified();
   }
 }
@@ -293,17 +174,14 @@ void vtkGatunSimplify::SetArrayWeight(const char* name, double weight)
 //------------------------------------------------------------------------------
 double vtkGatunSimplify::GetArrayWeight(const char* name)
 {
-  const auto& weights = this->Internals->Weights;
-  const auto found = name ? weights.find(name) : weights.end();
-  return found == weights.end() ? 0 : found->second;
+  return this->Internals->Weights.Get(name);
 }
 
 //------------------------------------------------------------------------------
 void vtkGatunSimplify::ClearArrayWeights()
 {
-  if (!this->Internals->Weights.empty())
+  if (this->Internals->Weights.Clear())
   {
-    this->Internals->Weights.clear();
     this->Modified();
   }
 }
@@ -371,8 +249,5 @@ void vtkGatunSimplify::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumError: " << this->MaximumError << "\n";
   os << indent << "Metric: " << (this->Metric == METRIC_MASS ? "Mass" : "Density") << "\n";
   os << indent << "BoundaryWeight: " << this->BoundaryWeight << "\n";
-  for (const auto& [name, weight] : this->Internals->Weights)
-  {
-    os << indent << "Weight of " << name << ": " << weight << "\n";
-  }
+  this->Internals->Weights.Print(os, indent);
 }

@@ -13,6 +13,8 @@
 #include "gatunFileSignature.h"
 #include "gatunOutline.h"
 #include "gatunParallel.h"
+#include "gatunSimplifiedFile.h"
+#include "gatunSimplifyTarget.h"
 #include "vtkGatunCompat.h"
 
 #include "vtkCellArray.h"
@@ -200,8 +202,12 @@ public:
   ArrayChoice PointArrays;
   ArrayChoice CellArrays;
 
-  // What was decoded of the file.
+  // What was decoded of the file, or of the base mesh that is read.
   std::shared_ptr<gatun::ChunkCache> Cache;
+  std::uint64_t DecodedBefore = 0; ///< chunks, with other caches
+
+  // How the mesh becomes simpler, once that was needed.
+  std::unique_ptr<gatun::SimplifiedFile> Simplified;
 
   // The mesh last read, which other steps and arrays share.
   std::unique_ptr<gatun::PieceDecoder> Decoder;
@@ -225,7 +231,9 @@ public:
   void Close()
   {
     this->ForgetMesh();
+    this->Simplified.reset();
     this->Cache.reset();
+    this->DecodedBefore = 0;
     this->File.reset();
     this->Table = nullptr;
   }
@@ -250,6 +258,51 @@ public:
     this->PointArrays.SetArrays(this->NamesOf(Association::Point));
     this->CellArrays.SetArrays(this->NamesOf(Association::Cell));
   }
+
+  std::size_t CountMerges(const vtkGatunReader& reader)
+  {
+    const double values[] = { reader.SimplificationRatio, reader.SimplificationPercent,
+      static_cast<double>(reader.SimplificationPoints), reader.SimplificationError };
+    const gatun::SimplifyTarget target{ reader.SimplificationTarget,
+      values[reader.SimplificationTarget] };
+    const bool isWhole = (target.Kind == gatun::SimplifyTarget::Ratio && target.Value == 0) ||
+      (target.Kind == gatun::SimplifyTarget::Percent && target.Value == 100);
+    if (isWhole)
+    {
+      return 0;
+    }
+    if (!this->Simplified)
+    {
+      this->Simplified = std::make_unique<gatun::SimplifiedFile>(this->File);
+    }
+    return gatun::CountMerges(target, this->File->GetNumberOfPoints(),
+      this->File->GetNumberOfMerges(),
+      [this]() -> const gatun::MergeTree& { return this->Simplified->GetTree(); });
+  }
+
+  /** Decides which mesh in the file is read, and what becomes of it. */
+  void Choose(const vtkGatunReader& reader, gatun::PieceRequest& request)
+  {
+    const std::size_t merges = this->CountMerges(reader);
+    gatun::SimplifiedFile::Place place{ this->File, nullptr, 0 };
+    if (merges > 0)
+    {
+      const bool keepsOrder = reader.RestoreOrder && this->File->GetKeptOrder() != gatun::KeepNone;
+      place = this->Simplified->Find(merges, !keepsOrder);
+    }
+    if (place.File != this->Cache->GetFile())
+    {
+      this->ForgetMesh();
+      this->DecodedBefore += this->Cache->GetStatistics().MeshesDecoded;
+      this->Cache =
+        std::make_shared<gatun::ChunkCache>(place.File, MebibytesToBytes(reader.CacheSize));
+    }
+    request.Merges = place.Merges;
+    request.Tree = place.Tree;
+  }
+
+  /** The mesh that is read. */
+  const gatun::FileReader& GetUsed() const { return *this->Cache->GetFile(); }
 
   std::vector<std::string> NamesOf(Association where) const
   {
@@ -305,9 +358,11 @@ public:
   }
 
   /** The chunks that the region of interest leaves: the universe of a request. */
-  std::vector<std::uint32_t> ChunksOf(const vtkGatunReader& reader, std::size_t step) const
+  std::vector<std::uint32_t> ChunksOf(
+    const vtkGatunReader& reader, std::size_t step, std::size_t merges) const
   {
-    const auto& chunks = this->File->GetChunks();
+    const gatun::FileReader& file = this->GetUsed();
+    const std::size_t chunks = file.GetChunks().size();
     const bool byValue = reader.UseValueRange && reader.ValueRangeArray && *reader.ValueRangeArray;
     std::pair<std::size_t, std::size_t> range;
     if (byValue)
@@ -318,18 +373,19 @@ public:
         reader.ValueRangeComponent);
     }
     std::vector<std::uint32_t> chosen;
-    for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk)
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk)
     {
       bool inside = true;
       for (std::size_t axis = 0; reader.UseBox && axis < 3; ++axis)
       {
         inside = inside &&
-          Touches(chunks[chunk].Box[axis], reader.Box[2 * axis], reader.Box[2 * axis + 1]);
+          Touches(file.GetChunkBounds(chunk, merges)[axis], reader.Box[2 * axis],
+            reader.Box[2 * axis + 1]);
       }
       if (inside && byValue)
       {
-        inside = step < this->File->GetNumberOfSteps() &&
-          Touches(this->File->GetChunkRanges(range.first, step, chunk)[range.second],
+        inside = step < file.GetNumberOfSteps() &&
+          Touches(file.GetChunkRanges(range.first, step, chunk, merges)[range.second],
             reader.ValueRange[0], reader.ValueRange[1]);
       }
       if (inside)
@@ -341,15 +397,20 @@ public:
   }
 
   /** Whether the output is an outline. */
-  bool IsOnDemand(const vtkGatunReader& reader) const
+  bool IsOnDemand(const vtkGatunReader& reader)
   {
     if (!this->File || reader.UseBox || reader.UseValueRange)
     {
       return false;
     }
-    return reader.OnDemand == ON_DEMAND_ALWAYS ||
-      (reader.OnDemand == ON_DEMAND_LARGE &&
-        this->File->GetNumberOfTets() > static_cast<std::uint64_t>(reader.LargeMesh));
+    if (reader.OnDemand != ON_DEMAND_LARGE)
+    {
+      return reader.OnDemand == ON_DEMAND_ALWAYS;
+    }
+    const std::size_t merges = this->CountMerges(reader);
+    const std::uint64_t tets =
+      merges > 0 ? this->Simplified->EstimateTets(merges) : this->File->GetNumberOfTets();
+    return tets > static_cast<std::uint64_t>(reader.LargeMesh);
   }
 
   /** Makes the outline, or what is the same without points and cells. */
@@ -551,6 +612,13 @@ void vtkGatunReader::PrintSelf(ostream& os, vtkIndent indent)
   const char* const modes[] = { "Never", "Always", "Large" };
   os << indent << "OnDemand: " << modes[this->OnDemand] << "\n";
   os << indent << "LargeMesh: " << this->LargeMesh << "\n";
+  const char* const targets[] = { "Ratio", "Percent", "NumberOfPoints", "Error" };
+  os << indent << "SimplificationTarget: " << targets[this->SimplificationTarget] << "\n";
+  os << indent << "SimplificationRatio: " << this->SimplificationRatio << "\n";
+  os << indent << "SimplificationPercent: " << this->SimplificationPercent << "\n";
+  os << indent << "SimplificationPoints: " << this->SimplificationPoints << "\n";
+  os << indent << "SimplificationError: " << this->SimplificationError << "\n";
+  os << indent << "HasHierarchy: " << (this->GetHasHierarchy() ? "true" : "false") << "\n";
   os << indent << "IsOnDemand: " << (this->GetIsOnDemand() ? "true" : "false") << "\n";
   os << indent << "CachedBytes: " << this->GetCachedBytes() << "\n";
   os << indent << "DecodedChunks: " << this->GetDecodedChunks() << "\n";
@@ -643,7 +711,10 @@ vtkTable* vtkGatunReader::GetChunkTable()
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkGatunReader::GetBytesRead()
 {
-  return this->Internals->File ? this->Internals->File->GetBytesRead() : 0;
+  const vtkInternals& self = *this->Internals;
+  return self.Simplified ? self.Simplified->GetBytesRead()
+    : self.File          ? self.File->GetBytesRead()
+                         : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -660,7 +731,20 @@ void vtkGatunReader::SetCacheSize(int mebibytes)
 //------------------------------------------------------------------------------
 bool vtkGatunReader::GetIsOnDemand()
 {
-  return this->Internals->IsOnDemand(*this);
+  try
+  {
+    return this->Internals->IsOnDemand(*this);
+  }
+  catch (...)
+  {
+    return false; // the update tells what is wrong
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkGatunReader::GetHasHierarchy()
+{
+  return this->Internals->File && this->Internals->File->HasMergeTree();
 }
 
 //------------------------------------------------------------------------------
@@ -672,7 +756,8 @@ vtkTypeUInt64 vtkGatunReader::GetCachedBytes()
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkGatunReader::GetDecodedChunks()
 {
-  return this->Internals->Cache ? this->Internals->Cache->GetStatistics().MeshesDecoded : 0;
+  const vtkInternals& self = *this->Internals;
+  return self.Cache ? self.DecodedBefore + self.Cache->GetStatistics().MeshesDecoded : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -819,7 +904,8 @@ int vtkGatunReader::RequestData(vtkInformation* vtkNotUsed(request),
       request.Step =
         self.StepAt(outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()));
     }
-    const std::vector<std::uint32_t> chunks = self.ChunksOf(*this, request.Step);
+    self.Choose(*this, request);
+    const std::vector<std::uint32_t> chunks = self.ChunksOf(*this, request.Step, request.Merges);
     const bool exists = piece >= 0 && piece < pieces;
     if (exists)
     {
@@ -851,7 +937,7 @@ int vtkGatunReader::RequestData(vtkInformation* vtkNotUsed(request),
         request.GhostLevels = static_cast<unsigned>(
           std::max(0, vtkStreamingDemandDrivenPipeline::GetUpdateGhostLevel(outInfo)));
       }
-      if (request.GhostLevels > 0 && chunks.size() < self.File->GetChunks().size())
+      if (request.GhostLevels > 0 && chunks.size() < self.GetUsed().GetChunks().size())
       {
         request.Universe = chunks;
       }

@@ -43,6 +43,13 @@
  * vtkGatunVolumeMapper and vtkGatunRayCaster draw the mesh all the same, as they draw the file.
  * With a box or a value range the output is always a mesh, that of the chunks that pass.
  *
+ * *Simplification.* Files written with a hierarchy (vtkGatunWriter::Hierarchy) can be read with any
+ * number of points: see SimplificationTarget. Whatever the piece, the tetrahedra are those that
+ * vtkGatunSimplify leaves of the whole mesh, so pieces fit together. Where the file has base meshes
+ * (vtkGatunWriter::Levels), only the simplest one that is still fine enough is decoded, unless the
+ * original order is to be restored, which base meshes do not have. Time, arrays, regions and ghost
+ * cells work as on the whole mesh; global ids are those of the base mesh where one is read.
+ *
  * *Cost.* Memory: the output, as much again while ghost cells are chosen, and the mesh last read;
  * besides, chunks that were decoded are kept up to CacheSize, so that other pieces, arrays and time
  * steps need not decode them again. Decoding uses all threads of vtkSMPTools.
@@ -257,12 +264,69 @@ public:
 
   ///@{
   /**
-   * How many tetrahedra a mesh may have that ON_DEMAND_LARGE does not apply to, 0 or more.
+   * How many tetrahedra a mesh may have that ON_DEMAND_LARGE does not apply to, 0 or more; those
+   * that are left, about, if it is simplified.
    * Default: 5,000,000.
    */
   vtkSetClampMacro(LargeMesh, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(LargeMesh, vtkIdType);
   ///@}
+
+  /**
+   * What tells how simple the mesh is to be.
+   */
+  enum SimplificationTargetType
+  {
+    TARGET_RATIO = 0,            ///< SimplificationRatio
+    TARGET_PERCENT = 1,          ///< SimplificationPercent
+    TARGET_NUMBER_OF_POINTS = 2, ///< SimplificationPoints
+    TARGET_ERROR = 3             ///< SimplificationError
+  };
+
+  ///@{
+  /**
+   * See SimplificationTargetType. Default: TARGET_RATIO.
+   */
+  vtkSetClampMacro(SimplificationTarget, int, TARGET_RATIO, TARGET_ERROR);
+  vtkGetMacro(SimplificationTarget, int);
+  ///@}
+
+  ///@{
+  /**
+   * The part of the points that is merged away: 0 (nothing) to 1 (as many as can be). Default: 0.
+   */
+  vtkSetMacro(SimplificationRatio, double);
+  vtkGetMacro(SimplificationRatio, double);
+  ///@}
+
+  ///@{
+  /**
+   * How many points in a hundred are left, 0 to 100. Default: 100.
+   */
+  vtkSetMacro(SimplificationPercent, double);
+  vtkGetMacro(SimplificationPercent, double);
+  ///@}
+
+  ///@{
+  /**
+   * How many points are left, if that is possible; all if the mesh has fewer. Default: 100000.
+   */
+  vtkSetMacro(SimplificationPoints, vtkIdType);
+  vtkGetMacro(SimplificationPoints, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Merges end before the first that costs more; see vtkGatunSimplify::MaximumError. Default: 0.
+   */
+  vtkSetMacro(SimplificationError, double);
+  vtkGetMacro(SimplificationError, double);
+  ///@}
+
+  /**
+   * Whether the file tells how its mesh becomes simpler, after UpdateInformation.
+   */
+  bool GetHasHierarchy();
 
   /**
    * Whether the output is the outline of the mesh, with the file and the properties as they are:
@@ -347,6 +411,11 @@ protected:
   int CacheSize = 512;
   int OnDemand = ON_DEMAND_NEVER;
   vtkIdType LargeMesh = 5000000;
+  int SimplificationTarget = TARGET_RATIO;
+  double SimplificationRatio = 0;
+  double SimplificationPercent = 100;
+  vtkIdType SimplificationPoints = 100000;
+  double SimplificationError = 0;
 
 private:
   vtkGatunReader(const vtkGatunReader&) = delete;

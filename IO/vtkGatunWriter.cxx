@@ -7,6 +7,7 @@
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
 #include "gatunFileWriter.h"
+#include "gatunMergeGrid.h"
 #include "gatunTetInput.h"
 #include "vtkGatunCompat.h"
 
@@ -137,6 +138,7 @@ class vtkGatunWriter::vtkInternals
 public:
   vtkNew<vtkDataArraySelection> PointSelection;
   vtkNew<vtkDataArraySelection> CellSelection;
+  gatun::MergeWeights Weights;
 
   // The times to write, if the input has any and all are wanted, and which one is next.
   std::vector<double> Times;
@@ -148,6 +150,7 @@ public:
   std::unique_ptr<BridgedMesh> Mesh;
   std::size_t MeshHash = 0;
   std::vector<gatun::ArrayDescription> Arrays;
+  gatun::MergeTree Tree;
   std::set<std::string> Warned;
 
   // Of the last file.
@@ -159,6 +162,7 @@ public:
     this->File.reset();
     this->Mesh.reset();
     this->Arrays.clear();
+    this->Tree = {};
     this->Warned.clear();
     this->Step = 0;
   }
@@ -218,6 +222,11 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "KeepOrder: " << this->KeepOrder << "\n";
   os << indent << "ChunkTets: " << this->ChunkTets << "\n";
   os << indent << "KeyStepInterval: " << this->KeyStepInterval << "\n";
+  os << indent << "Hierarchy: " << (this->Hierarchy ? "On" : "Off") << "\n";
+  os << indent << "Levels: " << this->Levels << "\n";
+  os << indent << "Metric: " << (this->Metric == METRIC_MASS ? "Mass" : "Density") << "\n";
+  os << indent << "BoundaryWeight: " << this->BoundaryWeight << "\n";
+  this->Internals->Weights.Print(os, indent);
   os << indent << "WriteAllTimeSteps: " << (this->WriteAllTimeSteps ? "On" : "Off") << "\n";
   os << indent << "LinearizeQuadratic: " << (this->LinearizeQuadratic ? "On" : "Off") << "\n";
   os << indent << "ReplaceReadOnly: " << (this->ReplaceReadOnly ? "On" : "Off") << "\n";
@@ -230,6 +239,8 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OrderBytes: " << this->OrderBytes << "\n";
   os << indent << "ArrayBytes: " << this->ArrayBytes << "\n";
   os << indent << "FieldDataBytes: " << this->FieldDataBytes << "\n";
+  os << indent << "HierarchyBytes: " << this->HierarchyBytes << "\n";
+  os << indent << "LevelBytes: " << this->LevelBytes << "\n";
   os << indent << "DirectoryBytes: " << this->DirectoryBytes << "\n";
   os << indent << "PointDataArraySelection:\n";
   this->GetPointDataArraySelection()->PrintSelf(os, indent.GetNextIndent());
@@ -256,6 +267,30 @@ void vtkGatunWriter::SetChunkTets(int tets)
   if (this->ChunkTets != clamped)
   {
     this->ChunkTets = clamped;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunWriter::SetArrayWeight(const char* name, double weight)
+{
+  if (this->Internals->Weights.Set(name, weight))
+  {
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkGatunWriter::GetArrayWeight(const char* name)
+{
+  return this->Internals->Weights.Get(name);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunWriter::ClearArrayWeights()
+{
+  if (this->Internals->Weights.Clear())
+  {
     this->Modified();
   }
 }
@@ -442,13 +477,14 @@ void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
   const bool hasSteps = !self.Times.empty();
   const std::size_t steps = std::max<std::size_t>(1, self.Times.size());
 
-  // The mesh counts as a step.
-  const auto progressOf = [this, steps](std::size_t part)
+  // The mesh counts as a step, and the hierarchy, which takes far longer, as nine times the rest.
+  const double forTree = this->Hierarchy ? 0.9 : 0;
+  const auto progressOf = [this, steps, forTree](std::size_t part)
   {
-    return [this, steps, part](double fraction)
+    return [this, steps, part, forTree](double fraction)
     {
-      this->UpdateProgress(
-        (static_cast<double>(part) + fraction) / (static_cast<double>(steps) + 1));
+      const double done = (static_cast<double>(part) + fraction) / (static_cast<double>(steps) + 1);
+      this->UpdateProgress(forTree + (1 - forTree) * done);
       return !gatun::IsAborted(this);
     };
   };
@@ -489,6 +525,18 @@ void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
     options.ChunkTets = static_cast<std::uint32_t>(this->ChunkTets);
     options.KeyStepInterval = static_cast<std::uint32_t>(this->KeyStepInterval);
     options.ReplaceReadOnly = this->ReplaceReadOnly;
+    if (this->Hierarchy)
+    {
+      self.Tree = gatun::BuildMergeTree(tets.Grid, self.Weights,
+        { static_cast<gatun::MergeMetric>(this->Metric), this->BoundaryWeight },
+        [this, forTree](double fraction)
+        {
+          this->UpdateProgress(forTree * fraction);
+          return !gatun::IsAborted(this);
+        });
+      options.Tree = &self.Tree;
+      options.Levels = static_cast<unsigned>(this->Levels);
+    }
     self.Mesh = std::move(mesh);
     self.MeshHash = steps > 1 ? self.Mesh->Hash() : 0;
     self.Arrays = descriptions;
@@ -550,6 +598,8 @@ void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
     this->ArrayBytes += bytes;
   }
   this->FieldDataBytes = statistics.FieldDataBytes;
+  this->HierarchyBytes = statistics.TreeBytes;
+  this->LevelBytes = statistics.LevelBytes;
   this->DirectoryBytes = statistics.DirectoryBytes;
 }
 
@@ -570,6 +620,11 @@ std::string vtkGatunWriter::GetStatistics() const
   }
   text += Line("order", statistics.OrderBytes, tets);
   text += Line("field data", statistics.FieldDataBytes, tets);
+  if (statistics.TreeBytes > 0)
+  {
+    text += Line("hierarchy", statistics.TreeBytes, tets);
+    text += Line("base meshes", statistics.LevelBytes, tets);
+  }
   text += Line("directory", statistics.DirectoryBytes, tets);
   text += Line("file", statistics.FileBytes, tets);
   return text;

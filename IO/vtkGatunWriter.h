@@ -153,6 +153,55 @@ public:
 
   ///@{
   /**
+   * Whether to store how the mesh becomes simpler, so that it can be read and drawn with any number
+   * of points (vtkGatunReader::SimplificationRatio, vtkGatunVolumeMapper): the order in which
+   * points are merged into others, as vtkGatunSimplify finds it, for the values of the first time
+   * step. It takes that filter's time and memory. Default: off.
+   */
+  vtkSetMacro(Hierarchy, bool);
+  vtkGetMacro(Hierarchy, bool);
+  vtkBooleanMacro(Hierarchy, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How many base meshes to store with the hierarchy, at most: with a half of the points, a
+   * quarter, an eighth and so on, while they have more than 20,000 tetrahedra. With them a coarse
+   * mesh is read at the cost of one that has at most twice as many points; together they make the
+   * file up to twice as large. Without effect if Hierarchy is off. Range: 0 to 64. Default: 0.
+   */
+  vtkSetClampMacro(Levels, int, 0, 64);
+  vtkGetMacro(Levels, int);
+  ///@}
+
+  ///@{
+  /**
+   * What the hierarchy is made for: see vtkGatunSimplify. METRIC_MASS or METRIC_DENSITY (default:
+   * mass), and the part that shape has on the boundary, 0 to 1 (default: 0.5).
+   */
+  enum MetricType
+  {
+    METRIC_MASS = 0,
+    METRIC_DENSITY = 1
+  };
+  vtkSetClampMacro(Metric, int, METRIC_MASS, METRIC_DENSITY);
+  vtkGetMacro(Metric, int);
+  vtkSetMacro(BoundaryWeight, double);
+  vtkGetMacro(BoundaryWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * How much a point array counts for the hierarchy, relative to others, 0 or more. Without any
+   * weight set, the active scalars count, or, if there are none, all point arrays alike.
+   */
+  void SetArrayWeight(const char* name, double weight);
+  double GetArrayWeight(const char* name);
+  void ClearArrayWeights();
+  ///@}
+
+  ///@{
+  /**
    * Whether to write all time steps of an input that has any, in place of the one at hand.
    * Default: off.
    */
@@ -210,6 +259,8 @@ public:
   vtkGetMacro(OrderBytes, vtkTypeUInt64);
   vtkGetMacro(ArrayBytes, vtkTypeUInt64);
   vtkGetMacro(FieldDataBytes, vtkTypeUInt64);
+  vtkGetMacro(HierarchyBytes, vtkTypeUInt64);
+  vtkGetMacro(LevelBytes, vtkTypeUInt64);
   vtkGetMacro(DirectoryBytes, vtkTypeUInt64);
   ///@}
 
@@ -238,6 +289,10 @@ protected:
   int KeepOrder = KEEP_NONE;
   int ChunkTets = 0;
   int KeyStepInterval = 8;
+  bool Hierarchy = false;
+  int Levels = 0;
+  int Metric = METRIC_MASS;
+  double BoundaryWeight = 0.5;
   bool WriteAllTimeSteps = false;
   bool LinearizeQuadratic = false;
   bool ReplaceReadOnly = false;
@@ -251,6 +306,8 @@ protected:
   vtkTypeUInt64 OrderBytes = 0;
   vtkTypeUInt64 ArrayBytes = 0;
   vtkTypeUInt64 FieldDataBytes = 0;
+  vtkTypeUInt64 HierarchyBytes = 0;
+  vtkTypeUInt64 LevelBytes = 0;
   vtkTypeUInt64 DirectoryBytes = 0;
 
 private:

@@ -3,7 +3,6 @@
 #include "gatunFileRayDetail.h"
 
 #include "gatunCoarseRaySource.h"
-#include "gatunError.h"
 #include "gatunRaySourceInternals.h"
 
 #include <algorithm>
@@ -12,19 +11,10 @@ namespace gatun
 {
 //------------------------------------------------------------------------------
 FileRayDetail::FileRayDetail(std::shared_ptr<const FileReader> file, const RayValues& values)
-  : Values(values)
+  : File(std::move(file))
+  , Values(values)
 {
-  CheckRayValues(*file, values);
-  if (!file->HasMergeTree())
-  {
-    ThrowInvalid(
-      file->GetPath() + ": there is no hierarchy in the file; make one with gtn pack --hierarchy");
-  }
-  this->Levels.push_back({ 0, file, nullptr });
-  for (std::size_t i = 0; i < file->GetLevels().size(); ++i)
-  {
-    this->Levels.push_back({ file->GetLevels()[i], file->OpenLevel(i), nullptr });
-  }
+  CheckRayValues(*this->File.GetFile(), values);
 }
 
 FileRayDetail::~FileRayDetail() = default;
@@ -32,46 +22,37 @@ FileRayDetail::~FileRayDetail() = default;
 //------------------------------------------------------------------------------
 std::uint64_t FileRayDetail::GetNumberOfPoints() const
 {
-  return this->Levels.front().File->GetNumberOfPoints();
+  return this->File.GetFile()->GetNumberOfPoints();
 }
 
 //------------------------------------------------------------------------------
 std::uint64_t FileRayDetail::GetFewestPoints() const
 {
-  return this->GetNumberOfPoints() - this->Levels.front().File->GetNumberOfMerges();
+  return this->GetNumberOfPoints() - this->File.GetFile()->GetNumberOfMerges();
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t FileRayDetail::CountMerges(std::uint64_t points) const
+{
+  const auto all = this->GetNumberOfPoints();
+  return all - std::clamp(points, this->GetFewestPoints(), all);
 }
 
 //------------------------------------------------------------------------------
 std::shared_ptr<RaySource> FileRayDetail::MakeSource(std::uint64_t points, std::uint64_t budget)
 {
-  const auto all = this->GetNumberOfPoints();
-  const auto merges = all - std::clamp(points, this->GetFewestPoints(), all);
-  const auto next = std::partition_point(this->Levels.begin(), this->Levels.end(),
-    [=](const Level& level) { return level.Merges <= merges; });
-  Level& level = *std::prev(next);
-  const auto more = static_cast<std::size_t>(merges - level.Merges);
-  if (more == 0)
+  const auto place = this->File.Find(this->CountMerges(points));
+  if (place.Merges == 0)
   {
-    return std::make_shared<FileRaySource>(level.File, this->Values, budget);
+    return std::make_shared<FileRaySource>(place.File, this->Values, budget);
   }
-  if (!level.Tree)
-  {
-    level.Tree = std::make_shared<const MergeTree>(level.File->GetMergeTree());
-  }
-  return std::make_shared<CoarseRaySource>(level.File, *level.Tree, more, this->Values, budget);
+  return std::make_shared<CoarseRaySource>(
+    place.File, *place.Tree, place.Merges, this->Values, budget);
 }
 
 //------------------------------------------------------------------------------
 std::uint64_t FileRayDetail::EstimateTets(std::uint64_t points) const
 {
-  // Of the simplest mesh that is not simpler, the part that its points are.
-  const FileReader* from = this->Levels.front().File.get();
-  for (const Level& level : this->Levels)
-  {
-    from = level.File->GetNumberOfPoints() >= points ? level.File.get() : from;
-  }
-  const auto ofAll = static_cast<double>(std::max<std::uint64_t>(1, from->GetNumberOfPoints()));
-  const double part = std::min(1.0, static_cast<double>(points) / ofAll);
-  return static_cast<std::uint64_t>(part * static_cast<double>(from->GetNumberOfTets()));
+  return this->File.EstimateTets(this->CountMerges(points));
 }
 }

@@ -3,14 +3,12 @@
 #ifndef gatunFileRayDetail_h
 #define gatunFileRayDetail_h
 
-#include "gatunFileReader.h"
-#include "gatunMergeTree.h"
 #include "gatunRayDetail.h"
+#include "gatunSimplifiedFile.h"
 #include "vtkGatunCoreModule.h"
 
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 namespace gatun
 {
@@ -31,15 +29,9 @@ public:
   std::uint64_t EstimateTets(std::uint64_t points) const override;
 
 private:
-  /** The whole mesh, or a base mesh. */
-  struct Level
-  {
-    std::uint32_t Merges; // that it has behind it
-    std::shared_ptr<const FileReader> File;
-    std::shared_ptr<const MergeTree> Tree; // once it was needed
-  };
+  std::uint64_t CountMerges(std::uint64_t points) const;
 
-  std::vector<Level> Levels; // simpler and simpler
+  SimplifiedFile File;
   RayValues Values;
 };
 }

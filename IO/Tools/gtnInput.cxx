@@ -112,15 +112,20 @@ Input::Input(const std::vector<std::string>& files, const InputOptions& options)
 Input::~Input() = default;
 
 //------------------------------------------------------------------------------
-vtkUnstructuredGrid* Input::Read(std::size_t step, Progress& progress)
+vtkAlgorithm* Input::GetSource() const
 {
-  // The reader, at the other end, takes the time.
   vtkAlgorithm* source = this->Algorithm;
   while (source->GetNumberOfInputPorts() > 0 && source->GetNumberOfInputConnections(0) > 0)
   {
     source = source->GetInputAlgorithm(0, 0);
   }
-  progress.Watch(source);
+  return source;
+}
+
+//------------------------------------------------------------------------------
+vtkUnstructuredGrid* Input::Read(std::size_t step, Progress& progress)
+{
+  progress.Watch(this->GetSource()); // which takes the time
   if (this->Times.empty())
   {
     this->Algorithm->Update();

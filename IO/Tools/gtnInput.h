@@ -45,6 +45,9 @@ public:
   /** The end of a pipeline that makes vtkUnstructuredGrid and answers requests for time. */
   vtkAlgorithm* GetAlgorithm() const { return this->Algorithm; }
 
+  /** The reader at its beginning. */
+  vtkAlgorithm* GetSource() const;
+
   /** Ascending; empty without time. */
   const std::vector<double>& GetTimes() const { return this->Times; }
 

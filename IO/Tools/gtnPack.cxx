@@ -7,6 +7,7 @@
 #include "gtnFailure.h"
 #include "gtnHelp.h"
 #include "gtnInput.h"
+#include "gtnMergeOptions.h"
 #include "gtnMessages.h"
 #include "gtnOptions.h"
 #include "gtnOutput.h"
@@ -38,6 +39,9 @@ struct Options
   std::string KeepOrder = "none";
   int ChunkTets = 0;
   int KeySteps = 8;
+  bool Hierarchy = false;
+  int Levels = 0;
+  MergeOptions Merges;
 };
 
 int OrderOf(const std::string& name)
@@ -77,8 +81,16 @@ void PrintSizes(vtkGatunWriter* writer, const Options& options, bool verbose)
   print("arrays", writer->GetArrayBytes());
   print("order", writer->GetOrderBytes());
   print("field data", writer->GetFieldDataBytes());
+  print("hierarchy", writer->GetHierarchyBytes());
+  print("base meshes", writer->GetLevelBytes());
   print("directory", writer->GetDirectoryBytes());
   print("file", writer->GetFileBytes());
+  if (writer->GetHierarchyBytes() > 0 && writer->GetWrittenPoints() > 0)
+  {
+    fmt::print("  the hierarchy takes {:.2f} bits a point\n",
+      8. * static_cast<double>(writer->GetHierarchyBytes()) /
+        static_cast<double>(writer->GetWrittenPoints()));
+  }
 }
 
 void Pack(const Options& options, const Settings& settings)
@@ -103,6 +115,9 @@ void Pack(const Options& options, const Settings& settings)
     writer->SetChunkTets(options.ChunkTets);
     writer->SetKeyStepInterval(options.KeySteps);
     writer->WriteAllTimeStepsOn();
+    writer->SetHierarchy(options.Hierarchy || options.Levels > 0);
+    writer->SetLevels(options.Levels);
+    options.Merges.Apply(writer.Get());
     RunWriter(writer, input.GetName(), progress);
   }
   CheckMessages(input.GetName(), settings.Quiet);
@@ -123,6 +138,7 @@ void AddPack(CLI::App& app, Settings& settings)
     "the time steps of one mesh. Blocks are merged, cells other than tetrahedra are split.",
     "  gtn pack mesh.vtu mesh.gtn\n"
     "  gtn pack --keep-order all --arrays pressure mesh.vtu mesh.gtn\n"
+    "  gtn pack --levels 8 --weight pressure mesh.vtu mesh.gtn\n"
     "  gtn pack run_0.vtu run_1.vtu run_2.vtu run.gtn\n"
     "  gtn pack run.pvd run.gtn\n"
     "  gtn pack -f crash.e crash.gtn");
@@ -145,6 +161,17 @@ void AddPack(CLI::App& app, Settings& settings)
       "Every how many time steps one is coded without the one before (default: 8)")
     ->check(CLI::Range(1, 1000000))
     ->option_text("N");
+  command->add_flag("--hierarchy", options->Hierarchy,
+    "Store how the mesh becomes simpler, so that it can be read and drawn with any number of "
+    "points "
+    "(see gtn simplify)");
+  command
+    ->add_option("--levels", options->Levels,
+      "Store the hierarchy and up to so many base meshes, with a half of the points, a quarter and "
+      "so on, so that simple meshes are read fast")
+    ->check(CLI::Range(0, 64))
+    ->option_text("N [0]");
+  AddMergeOptions(command, options->Merges);
   command->add_flag("--linearize", options->Input.Linearize,
     "Take quadratic tetrahedra as linear ones, without their mid-edge points");
   auto* files = command->add_option(

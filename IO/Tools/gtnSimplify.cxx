@@ -6,6 +6,7 @@
 #include "gtnCommands.h"
 #include "gtnFailure.h"
 #include "gtnInput.h"
+#include "gtnMergeOptions.h"
 #include "gtnMessages.h"
 #include "gtnOptions.h"
 #include "gtnOutput.h"
@@ -14,6 +15,7 @@
 #include "gtnText.h"
 #include "gtnWriteMesh.h"
 
+#include "vtkGatunReader.h"
 #include "vtkGatunSimplify.h"
 
 #include "vtkNew.h"
@@ -22,7 +24,6 @@
 #include <fmt/core.h>
 
 #include <cstdint>
-#include <cstdlib>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -44,28 +45,8 @@ struct Options
   std::optional<double> Percent;
   std::optional<std::int64_t> Points;
   std::optional<double> Error;
-  std::vector<std::string> Weights;
-  std::string Metric = "mass";
-  double BoundaryWeight = 0.5;
+  MergeOptions Merges;
 };
-
-/** NAME or NAME=WEIGHT. */
-void SetWeight(vtkGatunSimplify* simplifier, const std::string& text)
-{
-  const auto sign = text.rfind('=');
-  if (sign == std::string::npos)
-  {
-    simplifier->SetArrayWeight(text.c_str(), 1);
-    return;
-  }
-  char* end = nullptr;
-  const double weight = std::strtod(text.c_str() + sign + 1, &end);
-  if (end == text.c_str() + sign + 1 || *end != '\0' || !(weight >= 0))
-  {
-    throw UsageError("--array " + text + ": the weight must be a number, 0 or more");
-  }
-  simplifier->SetArrayWeight(text.substr(0, sign).c_str(), weight);
-}
 
 void SetTarget(vtkGatunSimplify* simplifier, const Options& options)
 {
@@ -90,21 +71,51 @@ void SetTarget(vtkGatunSimplify* simplifier, const Options& options)
   }
 }
 
+void SetTarget(vtkGatunReader* reader, const Options& options)
+{
+  if (options.Percent)
+  {
+    reader->SetSimplificationTarget(vtkGatunReader::TARGET_PERCENT);
+    reader->SetSimplificationPercent(*options.Percent);
+  }
+  else if (options.Points)
+  {
+    reader->SetSimplificationTarget(vtkGatunReader::TARGET_NUMBER_OF_POINTS);
+    reader->SetSimplificationPoints(static_cast<vtkIdType>(*options.Points));
+  }
+  else if (options.Error)
+  {
+    reader->SetSimplificationTarget(vtkGatunReader::TARGET_ERROR);
+    reader->SetSimplificationError(*options.Error);
+  }
+  else
+  {
+    reader->SetSimplificationRatio(options.Ratio.value_or(0.5));
+  }
+}
+
+/** The reader, if the file tells how its mesh becomes simpler and nothing else is wanted. */
+vtkGatunReader* FindHierarchy(const Input& input, const Options& options)
+{
+  auto* const reader = vtkGatunReader::SafeDownCast(input.GetSource());
+  return reader && reader->GetHasHierarchy() && !options.Merges.AreGiven ? reader : nullptr;
+}
+
 void SimplifyMesh(const Options& options, const Settings& settings)
 {
   CheckMeshName(options.Out);
   vtkNew<vtkGatunSimplify> simplifier;
   SetTarget(simplifier, options);
-  for (const std::string& weight : options.Weights)
-  {
-    SetWeight(simplifier, weight);
-  }
-  simplifier->SetMetric(
-    options.Metric == "mass" ? vtkGatunSimplify::METRIC_MASS : vtkGatunSimplify::METRIC_DENSITY);
-  simplifier->SetBoundaryWeight(options.BoundaryWeight);
+  options.Merges.Apply(simplifier.Get());
 
   Input input({ options.In }, options.Input);
   CheckWritable(options.Out, options.Overwrite);
+  if (vtkGatunReader* const reader = FindHierarchy(input, options))
+  {
+    SetTarget(reader, options);
+    WriteMesh(ReadStep(input, options.Step, settings), options.Out, settings);
+    return;
+  }
   const auto grid = ReadStep(input, options.Step, settings);
   {
     Progress progress("simplifying", settings.ShowProgress);
@@ -129,9 +140,11 @@ void AddSimplify(CLI::App& app, Settings& settings)
 {
   auto options = std::make_shared<Options>();
   CLI::App* command = AddCommand(app, settings, "simplify",
-    "Merge points of a mesh into others, so that data and boundary change as little as possible.",
+    "Merge points of a mesh into others, so that data and boundary change as little as possible.\n"
+    "Files that gtn pack wrote with --hierarchy or --levels know how, and are simplified at once,\n"
+    "unless weights or metric are given here.",
     "  gtn simplify --ratio 0.9 mesh.gtn coarse.gtn\n"
-    "  gtn simplify --vertices 10000 --array pressure=2 --array velocity mesh.vtu coarse.vtu\n"
+    "  gtn simplify --vertices 10000 --weight pressure=2 --weight velocity mesh.vtu coarse.vtu\n"
     "  gtn simplify --error 1e-7 mesh.gtn coarse.gtn");
   AddForce(command, options->Overwrite);
   CLI::Option* const targets[] = { command
@@ -158,21 +171,7 @@ void AddSimplify(CLI::App& app, Settings& settings)
       targets[i]->excludes(targets[j]);
     }
   }
-  command
-    ->add_option("--array", options->Weights,
-      "A point array that counts, and how much relative to others (default: the active scalars, or "
-      "else all alike); may be given several times")
-    ->option_text("NAME[=WEIGHT]");
-  command
-    ->add_option("--metric", options->Metric,
-      "What of the data is to stay: mass, values times volumes, or density, values (default: mass)")
-    ->check(CLI::IsMember({ "mass", "density" }))
-    ->option_text("NAME");
-  command
-    ->add_option("--boundary-weight", options->BoundaryWeight,
-      "How much the shape of the boundary counts there, 0 to 1; the rest is the data")
-    ->check(CLI::Range(0., 1.))
-    ->option_text("W [0.5]");
+  AddMergeOptions(command, options->Merges);
   AddStep(command, options->Step);
   command->add_option("IN", options->In, std::string("A mesh: ") + InputFormats)->required();
   command->add_option("OUT", options->Out, std::string("The mesh: ") + MeshFormats)->required();

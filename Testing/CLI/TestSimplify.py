@@ -60,7 +60,7 @@ def number(s):
 
 
 gtn("simplify", "-q", "--vertices", 150, "--metric", "density", "--boundary-weight", 0.25,
-    "--array", "velocity=2", "--array", "pressure", "mesh.vtu", "number.vtu")
+    "--weight", "velocity=2", "--weight", "pressure", "mesh.vtu", "number.vtu")
 assert check("number.vtu", number) == 150
 
 
@@ -84,8 +84,8 @@ gtn("simplify", "-f", "-q", "mesh.vtu", "half.vtu")
 for arguments in (
         ("--ratio", "1.5"), ("--ratio", "-1"), ("--percent", "101"), ("--vertices", "-3"),
         ("--error", "-1"), ("--ratio", "0.5", "--percent", "5"), ("--metric", "colour"),
-        ("--boundary-weight", "2"), ("--array", "velocity=much"), ("--array", "velocity=-1")):
+        ("--boundary-weight", "2"), ("--weight", "velocity=much"), ("--weight", "velocity=-1")):
     gtn("simplify", *arguments, "mesh.vtu", "new.vtu", code=2)
 gtn("simplify", "mesh.vtu", "new.stl", code=2, says=".gtn, .vtu or .vtk")
-gtn("simplify", "--array", "nothing", "mesh.vtu", "new.vtu", code=1, says="nothing")
+gtn("simplify", "--weight", "nothing", "mesh.vtu", "new.vtu", code=1, says="nothing")
 gtn("simplify", "missing.vtu", "new.vtu", code=1, says="missing.vtu")

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gtnMergeOptions.h"
+
+#include "gtnFailure.h"
+
+#include <cstdlib>
+
+namespace gtn
+{
+//------------------------------------------------------------------------------
+/** Each is NAME or NAME=WEIGHT. */
+std::map<std::string, double> MergeOptions::GetWeights() const
+{
+  std::map<std::string, double> weights;
+  for (const std::string& text : this->Weights)
+  {
+    const auto sign = text.rfind('=');
+    if (sign == std::string::npos)
+    {
+      weights[text] = 1;
+      continue;
+    }
+    char* end = nullptr;
+    const char* const begin = text.c_str() + sign + 1;
+    const double weight = std::strtod(begin, &end);
+    if (end == begin || *end != '\0' || !(weight >= 0))
+    {
+      throw UsageError("--weight " + text + ": the weight must be a number, 0 or more");
+    }
+    weights[text.substr(0, sign)] = weight;
+  }
+  return weights;
+}
+
+//------------------------------------------------------------------------------
+std::vector<CLI::Option*> AddMergeOptions(CLI::App* command, MergeOptions& options)
+{
+  const auto given = [&options](const std::string&) { options.AreGiven = true; };
+  return { command
+             ->add_option("--weight", options.Weights,
+               "A point array that counts, and how much relative to others (default: the active "
+               "scalars, or else all alike); may be given several times")
+             ->option_text("NAME[=WEIGHT]")
+             ->each(given),
+    command
+      ->add_option("--metric", options.Metric,
+        "What of the data is to stay: mass, values times volumes, or density, values (default: "
+        "mass)")
+      ->check(CLI::IsMember({ "mass", "density" }))
+      ->option_text("NAME")
+      ->each(given),
+    command
+      ->add_option("--boundary-weight", options.BoundaryWeight,
+        "How much the shape of the boundary counts there, 0 to 1; the rest is the data")
+      ->check(CLI::Range(0., 1.))
+      ->option_text("W [0.5]")
+      ->each(given) };
+}
+}

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunMergeGrid.h"
+
+#include "gatunError.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <array>
+#include <vector>
+
+namespace gatun
+{
+namespace
+{
+/** A mesh as the core takes it. */
+struct MergeGrid
+{
+  std::vector<std::array<double, 3>> Points;
+  std::vector<MergeTree::Tet> Tets;
+  std::vector<std::vector<double>> Values;
+  std::vector<double> Weights;
+
+  explicit MergeGrid(vtkUnstructuredGrid* grid)
+    : Points(static_cast<std::size_t>(grid->GetNumberOfPoints()))
+    , Tets(static_cast<std::size_t>(grid->GetNumberOfCells()))
+  {
+    for (std::size_t i = 0; i < this->Points.size(); ++i)
+    {
+      grid->GetPoint(static_cast<vtkIdType>(i), this->Points[i].data());
+    }
+    for (std::size_t i = 0; i < this->Tets.size(); ++i)
+    {
+      vtkIdType count = 0;
+      const vtkIdType* ids = nullptr;
+      grid->GetCellPoints(static_cast<vtkIdType>(i), count, ids);
+      for (std::size_t c = 0; c < 4; ++c)
+      {
+        if (ids[c] < 0 || ids[c] >= grid->GetNumberOfPoints())
+        {
+          ThrowInvalid("cell " + std::to_string(i) + " has a point that does not exist");
+        }
+        this->Tets[i][c] = static_cast<std::uint32_t>(ids[c]);
+      }
+    }
+  }
+
+  void AddArray(vtkDataArray* array, double weight)
+  {
+    const int components = array->GetNumberOfComponents();
+    for (int c = 0; c < components; ++c)
+    {
+      auto& values = this->Values.emplace_back(this->Points.size());
+      for (std::size_t i = 0; i < values.size(); ++i)
+      {
+        values[i] = array->GetComponent(static_cast<vtkIdType>(i), c);
+      }
+      this->Weights.push_back(weight / components);
+    }
+  }
+
+  MergeInput GetInput() const
+  {
+    MergeInput input{ this->Points, this->Tets, {} };
+    for (std::size_t i = 0; i < this->Values.size(); ++i)
+    {
+      input.Fields.push_back({ this->Values[i], this->Weights[i] });
+    }
+    return input;
+  }
+};
+
+void AddArrays(vtkPointData* data, const MergeWeights& weights, MergeGrid& grid)
+{
+  for (const auto& [name, weight] : weights.GetAll())
+  {
+    vtkDataArray* const array = data->GetArray(name.c_str());
+    if (!array)
+    {
+      ThrowInvalid("there is no point array '" + name + "', which has a weight");
+    }
+    grid.AddArray(array, weight);
+  }
+  if (!weights.GetAll().empty())
+  {
+    return;
+  }
+  if (data->GetScalars())
+  {
+    grid.AddArray(data->GetScalars(), 1);
+    return;
+  }
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    if (vtkDataArray* const array = data->GetArray(i))
+    {
+      grid.AddArray(array, 1);
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+bool MergeWeights::Set(const char* name, double weight)
+{
+  if (!name || (this->Weights.count(name) && this->Weights[name] == weight))
+  {
+    return false;
+  }
+  this->Weights[name] = weight;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool MergeWeights::Clear()
+{
+  const bool hadAny = !this->Weights.empty();
+  this->Weights.clear();
+  return hadAny;
+}
+
+//------------------------------------------------------------------------------
+double MergeWeights::Get(const char* name) const
+{
+  const auto found = name ? this->Weights.find(name) : this->Weights.end();
+  return found == this->Weights.end() ? 0 : found->second;
+}
+
+//------------------------------------------------------------------------------
+void MergeWeights::Print(std::ostream& os, vtkIndent indent) const
+{
+  for (const auto& [name, weight] : this->Weights)
+  {
+    os << indent << "Weight of " << name << ": " << weight << "\n";
+  }
+}
+
+//------------------------------------------------------------------------------
+MergeTree BuildMergeTree(vtkUnstructuredGrid* tets, const MergeWeights& weights,
+  const MergeSettings& settings, const std::function<bool(double)>& progress)
+{
+  MergeGrid grid(tets);
+  AddArrays(tets->GetPointData(), weights, grid);
+  return BuildMergeTree(grid.GetInput(), settings, progress);
+}
+}

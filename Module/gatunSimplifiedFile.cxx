@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunSimplifiedFile.h"
+
+#include "gatunError.h"
+
+#include <algorithm>
+
+namespace gatun
+{
+//------------------------------------------------------------------------------
+SimplifiedFile::SimplifiedFile(std::shared_ptr<const FileReader> file)
+{
+  if (!file->HasMergeTree())
+  {
+    ThrowInvalid(
+      file->GetPath() + ": there is no hierarchy in the file; make one with gtn pack --hierarchy");
+  }
+  this->Levels.push_back({ 0, file, nullptr });
+  for (const auto merges : file->GetLevels())
+  {
+    this->Levels.push_back({ merges, nullptr, nullptr });
+  }
+}
+
+//------------------------------------------------------------------------------
+void SimplifiedFile::Open(std::size_t level)
+{
+  if (!this->Levels[level].File)
+  {
+    this->Levels[level].File = this->GetFile()->OpenLevel(level - 1);
+  }
+}
+
+//------------------------------------------------------------------------------
+const std::shared_ptr<const MergeTree>& SimplifiedFile::GetTree(Level& level)
+{
+  if (!level.Tree)
+  {
+    level.Tree = std::make_shared<const MergeTree>(level.File->GetMergeTree());
+  }
+  return level.Tree;
+}
+
+//------------------------------------------------------------------------------
+const MergeTree& SimplifiedFile::GetTree()
+{
+  return *this->GetTree(this->Levels.front());
+}
+
+//------------------------------------------------------------------------------
+SimplifiedFile::Place SimplifiedFile::Find(std::size_t merges, bool withBaseMeshes)
+{
+  std::size_t found = 0;
+  for (std::size_t i = 0; withBaseMeshes && i < this->Levels.size(); ++i)
+  {
+    found = this->Levels[i].Merges <= merges ? i : found;
+  }
+  this->Open(found);
+  Level& level = this->Levels[found];
+  const auto more = merges - level.Merges;
+  return { level.File, more > 0 ? this->GetTree(level) : nullptr, more };
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t SimplifiedFile::EstimateTets(std::size_t merges) const
+{
+  // Tetrahedra go as points do.
+  const FileReader& file = *this->GetFile();
+  const auto used = static_cast<double>(file.GetNumberOfPoints() - file.GetNumberOfUnusedPoints());
+  const double left = used > 0 ? std::max(0.0, used - static_cast<double>(merges)) / used : 1;
+  return static_cast<std::uint64_t>(left * static_cast<double>(file.GetNumberOfTets()));
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t SimplifiedFile::GetBytesRead() const
+{
+  std::uint64_t bytes = 0;
+  for (const Level& level : this->Levels)
+  {
+    bytes += level.File ? level.File->GetBytesRead() : 0;
+  }
+  return bytes;
+}
+}
