@@ -17,13 +17,16 @@ except ImportError as error:
     sys.exit(SKIPPED)
 
 from gtn_coding import FLOAT32, Domain
+from gtn_container import step_limit, table_limit, unpack
+from gtn_tree import decode_merges
 from gtn_walk import Geometry, Walk
 
 data = os.environ["GATUN_TEST_DATA"]
 with open(os.path.join(data, "..", "..", "Documentation", "format.md"), encoding="utf-8") as file:
     text = file.read()
 of_file = text[text.index("\n### 12.1") : text.index("\n### 12.2")]
-of_walk = text[text.index("\n### 12.2") : text.index("\n## Appendix A")]
+of_walk = text[text.index("\n### 12.2") : text.index("\n## 13 ")]
+of_tree = text[text.index("\n### 13.7") : text.index("\n## Appendix A")]
 
 # The file is a hex dump with offsets.
 dump = re.search("```\n(0000  .*?)```", of_file, re.DOTALL)[1]
@@ -58,3 +61,25 @@ assert ", ".join("%s (%s)" % pair for pair in zip(made, parents)) == " ".join(se
 
 log = re.search(r"The edge log: (.*?)\.\n", of_walk, re.DOTALL)[1]
 assert ", ".join("%d-%d" % pair for pair in walk.edge_log) == " ".join(log.split())
+
+# Tables and stream of a tree, and what its merges make of a mesh.
+with open(os.path.join(data, "Golden", "v1.1", "two_tets.gtn"), "rb") as file:
+    decoder = Decoder(file.read())
+container = decoder.container
+places = {section.name: slice(section.offset, section.offset + section.length)
+          for section in container._directory()}
+rows = re.findall(r"^\| ([0-9a-f ]+) \|", of_tree, re.MULTILINE)
+content = unpack(container.data[places[b"TREE"]], table_limit)
+assert bytes.fromhex("".join(rows)) == content and "TREE, %d bytes" % len(content) in of_tree
+dumps = [bytes.fromhex(dump) for dump in re.findall(r"`([0-9a-f \n]{20,})`", of_tree)]
+assert dumps[0] == unpack(container.data[places[b"TRNG"]], step_limit)
+assert dumps[1] == container.stream(container.tree.stream)
+sentence = re.search(r"The merges: (.*?)\.\n", of_tree)[1]
+merges = decode_merges(dumps[1], 5, 2)
+assert ", ".join("%d %d (%g)" % merge for merge in merges) == sentence
+assert merges == decoder.merges
+assert decoder.points().tolist() == [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]]
+assert decoder.tets().tolist() == [[0, 1, 2, 3], [1, 2, 3, 4]]
+assert decoder.array(0, 0).ravel().tolist() == [20, 21, 24, 29, 36]
+assert decoder.after(1).kept == [0, 1, 2, 3] and decoder.after(1).tets.tolist() == [[0, 1, 2, 3]]
+assert decoder.after(2).kept == [1, 2, 3] and len(decoder.after(2).tets) == 0

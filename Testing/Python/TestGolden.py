@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 """A decoder written from Documentation/format.md alone reads all golden files as expected, and as
-vtkGatunReader does; it rejects all that is cut short or damaged."""
+vtkGatunReader does, with their trees of merges and base meshes; it rejects all that is cut short or
+damaged."""
 
 import os
 import sys
@@ -10,12 +11,16 @@ import sys
 import gatunGolden as golden
 
 try:
-    from describe_decoded import describe_decoded
+    from describe_decoded import describe_decoded, describe_tree
 except ImportError as error:
     print(error)
     sys.exit(golden.gm.SKIPPED)
 
 from gtn_container import FormatError
+from gtn_decoder import Decoder
+from gtn_tree import check_level, check_ranges
+
+SMALLEST = {"v1.0": "one_tet.gtn", "v1.1": "two_tets_and_one.gtn"}
 
 
 def is_rejected(data):
@@ -34,7 +39,20 @@ for folder in golden.folders():
         golden.assert_same(expected, described, path)
         golden.assert_same(golden.describe_read(path), described, path)
 
-    with open(os.path.join(folder, "one_tet.gtn"), "rb") as file:
+    trees = os.path.join(folder, "trees.txt")
+    if os.path.exists(trees):
+        lines = []
+        for name in golden.expected(folder):
+            with open(os.path.join(folder, name), "rb") as file:
+                decoder = Decoder(file.read())
+            lines += describe_tree(decoder, name)
+            check_ranges(decoder)
+            for i in range(len(decoder.container.tree.levels)):
+                check_level(decoder, i, decoder.level(i))
+        with open(trees, encoding="utf-8") as file:
+            golden.assert_same(file.read().splitlines(), lines, trees)
+
+    with open(os.path.join(folder, SMALLEST[os.path.basename(folder)]), "rb") as file:
         data = file.read()
     assert not is_rejected(data)
     for length in range(len(data)):

@@ -3,9 +3,11 @@
 
 """Descriptions as in gatunGolden of what gtn_decoder makes of a file."""
 
+import struct
+
 import gatunGolden as golden
 import numpy as np
-from gtn_container import POINTS, SIZES
+from gtn_container import POINTS, SIZES, checksum
 from gtn_decoder import Decoder
 
 WHERE = ("points", "cells")
@@ -65,3 +67,41 @@ def describe_decoded(data):
         "file_order": hashes(decoder, order, False),
         "input_order": hashes(decoder, order, True),
     }
+
+
+def checksum_of(values):
+    """Of the bytes of a numpy array, which are little-endian."""
+    values = np.ascontiguousarray(values)
+    return "%016x" % checksum(values.astype(values.dtype.newbyteorder("<")).tobytes())
+
+
+def describe_tree(decoder, name):
+    """Lines, as in trees.txt, on how the mesh of a file becomes simpler; base meshes come last."""
+    meta, tree = decoder.meta, decoder.container.tree
+    merges = b"".join(struct.pack("<IIf", *merge) for merge in decoder.merges)
+    lines = [
+        "= %s" % name,
+        "points %d unused %d tets %d" % (meta.points, meta.unused_points, meta.tets),
+        "merges %d %016x" % (len(decoder.merges), checksum(merges)),
+        " ".join(map(str, ["rungs", *tree.rungs])),
+        " ".join(map(str, ["levels", *tree.levels])),
+        "boxes %s" % checksum_of(np.array(tree.boxes, float)),
+    ]
+    for s, ranges in enumerate(tree.ranges):
+        for a, of_array in enumerate(ranges):
+            if of_array is not None:
+                lines.append("step %d array %d ranges %s" % (
+                    s, a, checksum_of(np.array(of_array, float))))
+    count = len(decoder.merges)
+    for n in sorted({1, count // 3, count // 2, count} - {0}) if count else []:
+        mesh = decoder.after(n)
+        lines.append("after %d points %d %s tets %d %s" % (
+            n, len(mesh.kept), checksum_of(mesh.points()),
+            len(mesh.tets), checksum_of(mesh.tets)))
+        for s in range(len(decoder.steps)):
+            for a in range(len(meta.arrays)):
+                lines.append("after %d step %d array %d %s" % (
+                    n, s, a, checksum_of(mesh.array(s, a))))
+    for i in range(len(tree.levels)):
+        lines += describe_tree(decoder.level(i), "%s, base mesh %d" % (name, i + 1))
+    return lines

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Container and tables of `.gtn` files: sections 2 and 3 of Documentation/format.md.
+"""Container and tables of `.gtn` files: sections 2, 3 and 13 of Documentation/format.md.
 
 Part of gtn_decoder, which is written from that text alone.
 """
@@ -17,13 +17,16 @@ POINTS, CELLS = 0, 1
 KEEP_POINTS, KEEP_CELLS, KEEP_CORNERS = 1, 2, 4
 MAX_TETS = 1 << 20
 MAX_PALETTE = 1 << 16
+MAX_RUNGS = MAX_LEVELS = 64
 
 #: Bytes of a value of each type (5.1).
 SIZES = {1: 1, 2: 1, 3: 2, 4: 2, 5: 4, 6: 4, 7: 8, 8: 8, 9: 4, 10: 8}
 
 MAGIC = bytes.fromhex("8947544E0D0A1A0A")
 END_MAGIC = b"GTNEND\r\n"
-SECTIONS = (b"META", b"TABL", b"STEP", b"MESH", b"VALS", b"DIRY")
+SECTIONS = (
+    b"META", b"TABL", b"STEP", b"MESH", b"VALS", b"TREE", b"MERG", b"TRNG", b"LEVL", b"DIRY")
+STREAMS = (b"MESH", b"VALS", b"MERG")  # sections of streams
 
 
 class FormatError(Exception):
@@ -124,11 +127,12 @@ def unpack(data, limit):
 
 
 def table_limit(packed):
-    """Of META and TABL (11.1)."""
+    """Of META, TABL and TREE (11.1)."""
     return max(1 << 20, 512 * packed)
 
 
 def step_limit(packed):
+    """Of STEP and TRNG."""
     return max(1 << 24, 512 * packed)
 
 
@@ -137,7 +141,8 @@ def field_data_limit(packed):
 
 
 class Container:
-    """A file, whose tables are read and checked; attributes meta, table, steps."""
+    """A file, whose tables are read and checked; attributes meta, table, steps, and tree, which is
+    None if there is none, else has ranges, one table a step, and files, the bytes of base meshes."""
 
     def __init__(self, data):
         self.data = data
@@ -152,6 +157,9 @@ class Container:
         for i, step in enumerate(self.steps):
             require(step.key if i == 0 else step.time > self.steps[i - 1].time, "order of steps")
         require(self.meta.has_time or len(self.steps) <= 1, "steps without time")
+        self.tree = None
+        if any(section.name == b"TREE" for section in sections):
+            self._read_tree(sections)
 
     def stream(self, reference):
         """The bytes of a stream, whose checksum is right."""
@@ -214,9 +222,24 @@ class Container:
     def _content(self, section):
         data = self.data[section.offset : section.offset + section.length]
         require(checksum(data) == section.checksum, "checksum of a section")
-        if section.name in (b"MESH", b"VALS"):
+        if section.name in STREAMS or section.name == b"LEVL":
             return data
-        return unpack(data, step_limit if section.name == b"STEP" else table_limit)
+        of_step = section.name in (b"STEP", b"TRNG")
+        return unpack(data, step_limit if of_step else table_limit)
+
+    def _read_tree(self, sections):
+        """Sections TREE, TRNG and LEVL (13)."""
+        tree = read_tree(self._packed(sections, b"TREE"), self.meta, self.table)
+        contents = {name: [self._content(section) for section in sections if section.name == name]
+                    for name in (b"TRNG", b"LEVL")}
+        require(len(contents[b"TRNG"]) == len(self.steps), "number of TRNG")
+        require(len(contents[b"LEVL"]) == len(tree.levels), "number of LEVL")
+        tree.ranges = [
+            read_tree_step(Bytes(content), self.meta, self.table, tree)
+            for content in contents[b"TRNG"]
+        ]
+        tree.files = contents[b"LEVL"]
+        self.tree = tree
 
     def _packed(self, sections, name):
         found = [section for section in sections if section.name == name]
@@ -347,6 +370,42 @@ def read_step(table, meta, layout):
         step.arrays.append(values)
     table.end()
     return step
+
+
+def read_tree(table, meta, layout):
+    """Section TREE (13.2)."""
+    require(meta.points < 1 << 32, "too many points for merges")
+    tree = Record(merges=table.varint())
+    require(tree.merges <= meta.points - meta.unused_points, "more merges than points")
+    tree.stream = table.reference()
+    require((tree.stream is None) == (tree.merges == 0), "stream of merges")
+
+    def ascending(most):
+        count = table.varint()
+        require(count <= most, "too many rungs or base meshes")
+        numbers = [table.varint() for _ in range(count)]
+        require(all(a < b for a, b in zip([0] + numbers, numbers)), "numbers do not ascend")
+        require(not numbers or numbers[-1] <= tree.merges, "number of merges")
+        return numbers
+
+    tree.rungs = ascending(MAX_RUNGS)
+    require(tree.merges == 0 or tree.rungs and tree.rungs[-1] == tree.merges, "last rung")
+    tree.boxes = [[table.ranges(3) for _ in tree.rungs] for _ in layout.chunks]
+    tree.levels = ascending(MAX_LEVELS)
+    table.end()
+    return tree
+
+
+def read_tree_step(table, meta, layout, tree):
+    """A section TRNG (13.4): ranges by array, None for those of cells, chunk and rung."""
+    result = []
+    for array in meta.arrays:
+        count = array.components + (array.components > 1)
+        of_points = array.where == POINTS
+        result.append([[table.ranges(count) for _ in tree.rungs] for _ in layout.chunks]
+                      if of_points else None)
+    table.end()
+    return result
 
 
 def read_field_array(table):

@@ -18,6 +18,7 @@ import numpy as np
 from gtn_coding import FLOAT32, FLOAT64, UINT8, UINT32, Coded, Domain, RunningSpread, divide
 from gtn_container import (
     CELLS, KEEP_CELLS, KEEP_CORNERS, KEEP_POINTS, POINTS, Bytes, Container, FormatError, require)
+from gtn_tree import SimplerMesh, decode_merges, open_level
 from gtn_walk import Geometry, Walk, apply_rule, key_spread
 
 PREVIOUS, GATE, FIT = 0, 1, 2
@@ -291,6 +292,7 @@ class Decoder:
             coordinates[axis] += unused[axis]
         self._coordinates = coordinates
         self._decode_original_order()
+        self.merges = self._decode_merges()
 
     # ----- The mesh
 
@@ -397,6 +399,24 @@ class Decoder:
     def _decode_unused(self, reference, domains, before=None):
         return decode_list(self._stream(reference), domains, self.meta.unused_points, before)
 
+    # ----- Simpler meshes
+
+    def after(self, n):
+        """The mesh after n merges, in the file's own order."""
+        require(0 <= n <= len(self.merges), "number of merges")
+        return SimplerMesh(self, n)
+
+    def level(self, number):
+        """A base mesh, as a decoder of its own."""
+        return open_level(self, number, Decoder)
+
+    def _decode_merges(self):
+        tree = self.container.tree
+        if tree is None or tree.merges == 0:
+            return []
+        points = self.meta.points - self.meta.unused_points
+        return decode_merges(self._stream(tree.stream), points, tree.merges)
+
     # ----- Original order
 
     def _decode_original_order(self):
@@ -475,6 +495,9 @@ def main(names):
                 print("  time", step.time, where, repr(array.name), values.dtype, values.shape)
             for array in decoder.field_data(s):
                 print("  time", step.time, "field data", repr(array.name))
+        if decoder.container.tree is not None:
+            print("  merges", len(decoder.merges), "base meshes after", decoder.container.tree.levels)
+            print("  tetrahedra after all merges", len(decoder.after(len(decoder.merges)).tets))
 
 
 if __name__ == "__main__":

@@ -1,0 +1,192 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Merge trees and base meshes of `.gtn` files: section 13 of Documentation/format.md.
+
+Part of gtn_decoder, which is written from that text alone.
+"""
+
+import math
+import struct
+from types import SimpleNamespace as Record
+
+import numpy as np
+
+from gtn_coding import Coded, RunningSpread
+from gtn_container import POINTS, Bytes, require
+
+INFINITY_KEY = 0x7F80
+
+
+def uniform(coded, n):
+    """A number below n (13.3)."""
+    b = n.bit_length() - 1
+    u = (1 << (b + 1)) - n
+    x = coded.raw(b)
+    if x >= u:
+        x = 2 * x + coded.raw(1) - u
+    return x
+
+
+def decode_merges(stream, points, merges):
+    """Triples of point, into and error (13.3)."""
+    require(len(stream) >= merges // 8, "stream of merges too short")
+    coded = Coded(Bytes(stream))
+    spreads = {"into": RunningSpread(), "growth": RunningSpread()}
+
+    def residual(name):
+        d, _ = coded.residual(name, spreads[name].spread())
+        spreads[name].update(d)
+        return d
+
+    left = list(range(points))
+    gone = set()
+    key = 0
+    result = []
+    for _ in range(merges):
+        require(left, "more merges than points")
+        place = uniform(coded, len(left))
+        point = left[place]
+        left[place] = left[-1]
+        left.pop()
+        gone.add(point)
+        into = point + residual("into")
+        require(0 <= into < points and into not in gone, "merged into no point")
+        growth = residual("growth")
+        key += growth
+        require(growth >= 0 and key <= INFINITY_KEY, "errors do not ascend")
+        result.append((point, into, struct.unpack("<f", struct.pack("<I", key << 16))[0]))
+    return result
+
+
+def find_ancestors(points, merges):
+    """Of each point, after these merges (13.1)."""
+    ancestors = list(range(points))
+    for point, into, _ in reversed(merges):
+        ancestors[point] = ancestors[into]
+    return ancestors
+
+
+class SimplerMesh:
+    """What is left of the mesh of a decoder after n merges, in the file's own order (13.1).
+
+    kept: global numbers of the points that are left; cells: of the tetrahedra; tets: corners by
+    their place in kept.
+    """
+
+    def __init__(self, decoder, n):
+        self.decoder = decoder
+        ancestors = find_ancestors(decoder.meta.points, decoder.merges[:n])
+        self.kept = [i for i, ancestor in enumerate(ancestors) if i == ancestor]
+        places = {point: place for place, point in enumerate(self.kept)}
+        self.cells, tets = [], []
+        for cell, tet in enumerate(decoder.tets().tolist()):
+            corners = [ancestors[point] for point in tet]
+            if len(set(corners)) == 4:
+                self.cells.append(cell)
+                tets.append([places[point] for point in corners])
+        self.tets = np.array(tets, np.int64).reshape(-1, 4)
+
+    def points(self):
+        return self.decoder.points()[self.kept]
+
+    def array(self, step, number):
+        where = self.decoder.meta.arrays[number].where
+        return self.decoder.array(step, number)[self.kept if where == POINTS else self.cells]
+
+
+def find_ways(points, merges):
+    """Of each point, the set of what it is merged into by these merges, itself included (13.1)."""
+    ways = [{i} for i in range(points)]
+    for point, into, _ in reversed(merges):
+        ways[point] |= ways[into]
+    return ways
+
+
+def check_ranges(decoder):
+    """Whether the ranges of TREE and TRNG enclose what they are said to enclose, and nothing else."""
+    tree = decoder.container.tree
+    for rung, n in enumerate(tree.rungs):
+        ways = find_ways(decoder.meta.points, decoder.merges[:n])
+        for c, chunk in enumerate(decoder.chunks):
+            first = decoder.first_own[c]
+            own = range(first, first + len(chunk.own))
+            way = sorted(set().union(*(ways[i] for i in [*chunk.shared_points, *own])))
+            places = decoder.points()[way].astype(float)
+            check_tight(tree.boxes[c][rung], np.where(np.isfinite(places), places, np.nan))
+            for s, ranges in enumerate(tree.ranges):
+                for a, of_array in enumerate(ranges):
+                    if of_array is not None:
+                        check_tight(of_array[c][rung], with_lengths(decoder.array(s, a)[way]))
+
+
+def with_lengths(values):
+    """Components as numbers, and the lengths of tuples of two and more (3.1)."""
+    numbers = [[float(x) for x in row] for row in values]
+    if values.shape[1] > 1:
+        for row in numbers:
+            total = 0.0
+            for x in row:
+                total += x * x
+            row.append(math.sqrt(total))
+    return np.array(numbers)
+
+
+def check_tight(ranges, columns):
+    for (low, high), column in zip(ranges, columns.T):
+        column = column[~np.isnan(column)]
+        tight = (column.min(), column.max()) if len(column) else (1e300, -1e300)
+        require((low, high) == tight, "range after merges")
+
+
+def open_level(whole, number, make):
+    """A base mesh, which must be one of this file (13.6). make: a decoder from bytes."""
+    level = make(whole.container.tree.files[number])
+    merges = whole.container.tree.levels[number]
+    one, other = whole.meta, level.meta
+    require(other.points == one.points - merges, "points of a base mesh")
+    require(other.unused_points >= one.unused_points, "unused points of a base mesh")
+    require(other.tets <= one.tets, "tetrahedra of a base mesh")
+    require(other.coordinate_type == one.coordinate_type, "coordinates of a base mesh")
+    require(other.has_time == one.has_time and other.arrays == one.arrays, "arrays of a base mesh")
+    times = [[step.time for step in decoder.steps] for decoder in (whole, level)]
+    require(times[0] == times[1], "steps of a base mesh")
+    tree = level.container.tree
+    require(tree is not None and not tree.levels, "tree of a base mesh")
+    require(tree.merges == whole.container.tree.merges - merges, "merges of a base mesh")
+    return level
+
+
+def corners_of(mesh):
+    """The tetrahedra of a mesh by the values of their corners and their own, each corner list turned
+    so that it does not depend on the order of points, cells or corners; sorted."""
+    decoder = mesh.decoder
+    columns = [mesh.points()]
+    own = []
+    for step in range(len(decoder.steps)):
+        for a, array in enumerate(decoder.meta.arrays):
+            (columns if array.where == POINTS else own).append(mesh.array(step, a))
+    rows = [b"".join(column[i].tobytes() for column in columns) for i in range(len(mesh.kept))]
+    result = []
+    for cell, tet in enumerate(mesh.tets.tolist()):
+        # Even permutations only, as orientation counts.
+        turned = [tuple(rows[tet[k]] for k in order) for order in EVEN]
+        result.append((min(turned), *(values[cell].tobytes() for values in own)))
+    return Record(points=sorted(rows), tets=sorted(result))
+
+
+EVEN = [
+    (0, 1, 2, 3), (0, 2, 3, 1), (0, 3, 1, 2), (1, 0, 3, 2),
+    (1, 3, 2, 0), (1, 2, 0, 3), (2, 3, 0, 1), (2, 0, 1, 3),
+    (2, 1, 3, 0), (3, 2, 1, 0), (3, 1, 0, 2), (3, 0, 2, 1)]
+
+
+def check_level(whole, number, level):
+    """Whether a base mesh is the mesh of the whole file after its merges, and goes on as it does."""
+    merges = whole.container.tree.levels[number]
+    more = len(level.merges)
+    errors = [merge[2] for merge in whole.merges[merges:]]
+    require(errors == [merge[2] for merge in level.merges], "errors of a base mesh")
+    for m in sorted({0, more // 2, more}):
+        require(corners_of(SimplerMesh(level, m)) == corners_of(SimplerMesh(whole, merges + m)),
+                "mesh of a base mesh")
