@@ -546,7 +546,8 @@ void InputFile::ReadDirectory()
   if (this->Size < FileMagic.size() ||
     !std::equal(FileMagic.begin(), FileMagic.end(), header.begin()))
   {
-    this->Fail(ErrorCode::NotGatun,
+    // A base mesh stands in a file that is one, which is damaged then.
+    this->Fail(this->Base == 0 ? ErrorCode::NotGatun : ErrorCode::Corrupt,
       this->Size == 0 ? "the file is empty" : "this is not a .gtn file (its first bytes differ)");
   }
   if (this->Size < HeaderSize + TrailerSize)

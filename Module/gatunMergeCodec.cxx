@@ -115,6 +115,10 @@ MergeTree DecodeMerges(
   {
     ThrowCorrupt("there are more merges than points");
   }
+  if (merges / 8 > stream.size()) // each takes a raw bit at least
+  {
+    ThrowCorrupt("there are more merges than their stream can hold");
+  }
   PointsLeft left(points);
   std::vector<Merge> list;
   list.reserve(merges);
