@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunTreeImage_h
+#define gatunTreeImage_h
+
+// A .gtn file with a tree of merges taken apart, to be changed and put together again.
+
+#include "gatunMergeCodec.h"
+#include "gatunTreeSample.h"
+
+#include <optional>
+
+namespace gatun::test
+{
+/**
+ * The mesh and the arrays of a file, which stay as they are, and what the file tells of its
+ * merges. Build writes the latter behind all else, so that no stream moves.
+ */
+class TreeImage
+{
+public:
+  TreeImage() = default;
+
+  explicit TreeImage(const std::string& path)
+    : Rest(ReadSections(path))
+    , Meta(MetaTable::Read(FindPayload(Rest, SectionMeta)))
+    , Mesh(MeshTable::Read(FindPayload(Rest, SectionTable), Meta))
+    , Tree(ReadTreeTable(Rest))
+  {
+    for (auto& section : this->Rest)
+    {
+      const auto name = section.Name;
+      if (name == SectionTreeStep)
+      {
+        this->TreeSteps.push_back(
+          TreeStepTable::Read(section.Payload, this->Meta, this->Mesh, this->Tree));
+      }
+      if (name == SectionMerges)
+      {
+        this->Merges = section.Payload;
+      }
+      if (name == SectionLevel)
+      {
+        this->Levels.push_back(section.Payload);
+      }
+      if (name == SectionTree || name == SectionTreeStep || name == SectionMerges ||
+        name == SectionLevel)
+      {
+        section.Name = MakeFourCC("ROOM"); // as long as before, and skipped by readers
+      }
+    }
+  }
+
+  /** Another tree of the same mesh; bounds and ranges stay, and may be wrong then. */
+  void SetMerges(const MergeTree& tree)
+  {
+    const auto used = static_cast<std::uint32_t>(this->Meta.Points - this->Meta.UnusedPoints);
+    this->Merges = EncodeMerges(tree, used);
+    this->Tree.Merges = static_cast<std::uint32_t>(tree.GetMerges().size());
+    this->Tree.Rungs.back() = this->Tree.Merges;
+  }
+
+  Bytes Build() const
+  {
+    auto sections = this->Rest;
+    std::uint64_t size = HeaderSize;
+    for (const auto& section : sections)
+    {
+      size += SectionHeaderSize + section.Payload.size();
+    }
+    auto tree = this->Tree;
+    if (this->KeepStream)
+    {
+      tree.Stream = this->Tree.Stream;
+    }
+    else
+    {
+      tree.Stream = { size + SectionHeaderSize, this->Merges.size(), Checksum(this->Merges) };
+    }
+    sections.push_back({ SectionMerges, this->Merges, SectionVersion, 0 });
+    sections.push_back({ SectionTree, this->StoredTree ? Store(*this->StoredTree) : tree.Write(),
+      this->TreeVersion, 0 });
+    for (const auto& step : this->TreeSteps)
+    {
+      sections.push_back({ SectionTreeStep, step.Write(), SectionVersion, 0 });
+    }
+    for (const auto& step : this->StoredSteps)
+    {
+      sections.push_back({ SectionTreeStep, Store(step), SectionVersion, 0 });
+    }
+    for (const auto& level : this->Levels)
+    {
+      sections.push_back({ SectionLevel, level, SectionVersion, 0 });
+    }
+    sections.insert(sections.end(), this->MoreSections.begin(), this->MoreSections.end());
+    FileImage frame;
+    frame.Minor = MinorVersionWithTree;
+    return frame.Assemble(sections);
+  }
+
+  std::vector<FileImage::Section> Rest;
+  MetaTable Meta; // what Rest has of these two
+  MeshTable Mesh;
+  TreeTable Tree;
+  std::vector<TreeStepTable> TreeSteps;
+  Bytes Merges;
+  std::vector<Bytes> Levels;
+
+  bool KeepStream = false; // write Tree.Stream as it is
+  std::uint16_t TreeVersion = SectionVersion;
+  std::optional<Bytes> StoredTree; // written in place of the table
+  std::vector<Bytes> StoredSteps;  // written behind the tables
+  std::vector<FileImage::Section> MoreSections;
+};
+}
+
+#endif
