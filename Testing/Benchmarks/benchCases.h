@@ -27,6 +27,7 @@ void AddPicture(CLI::App& app);
 void AddStudyPicture(CLI::App& app);
 void AddStudyRelease(CLI::App& app);
 void AddStudyPrefilter(CLI::App& app);
+void AddSimplify(CLI::App& app);
 
 /** Prints the JSON object that fill makes. */
 template <typename Fill>

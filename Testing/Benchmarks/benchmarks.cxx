@@ -34,6 +34,7 @@ int main(int argc, char* argv[])
   bench::AddStudyPicture(app);
   bench::AddStudyRelease(app);
   bench::AddStudyPrefilter(app);
+  bench::AddSimplify(app);
   bench::AddSizes(app);
   bench::AddThreads(app);
   try
