@@ -14,6 +14,13 @@ namespace gatun
 {
 namespace
 {
+/** After so many changes around it, what a point costs is found anew. Later is faster, but merges
+ * that have become cheaper wait. */
+constexpr unsigned MostChanges = 3;
+
+/** Roots of sums of changes are so many times what is measured of meshes that were simplified. */
+constexpr double ChangePerError = 6;
+
 /** What is to be done next, of all points. */
 class Builder
 {
@@ -21,66 +28,63 @@ public:
   Builder(const MergeInput& input, const MergeSettings& settings)
     : Mesh(input.Points.size(), input.Tets)
     , Costs(this->Mesh, input, settings)
-    , States(input.Points.size(), State::Idle)
-    , Choices(input.Points.size())
+    , Candidates(input.Points.size())
+    , Touched(input.Points.size(), 0)
   {
   }
 
   std::vector<Merge> Run(const std::function<bool(double)>& progress)
   {
-    const auto points = static_cast<std::uint32_t>(this->States.size());
-    std::vector<Merge> merges;
+    const auto points = static_cast<std::uint32_t>(this->Candidates.size());
     for (bool any = true; any;)
     {
-      any = false;
       for (std::uint32_t point = 0; point < points; ++point)
       {
-        if (this->States[point] == State::Idle)
+        if (this->Candidates[point].Is == State::Idle)
         {
           this->Enqueue(point);
         }
         if (point % 4096 == 0)
         {
-          Report(progress, merges.empty() ? 0.2 * point / points : 0.99);
+          Report(progress, this->Merges.empty() ? 0.2 * point / points : 0.99);
         }
       }
+      const auto before = this->Merges.size();
       while (!this->Queue.empty())
       {
         const Entry entry = this->Queue.top();
         this->Queue.pop();
-        if (this->States[entry.Point] == State::Changed)
+        if (this->IsDue(entry))
         {
-          this->Enqueue(entry.Point);
-          continue;
-        }
-        const auto into = this->Choices[entry.Point];
-        if (!this->Mesh.MayMerge(entry.Point, into))
-        {
-          // What is around the other one has changed.
-          this->Enqueue(entry.Point);
-          continue;
-        }
-        merges.push_back({ entry.Point, into, static_cast<float>(entry.Cost) });
-        this->MergeNow(entry.Point, into);
-        any = true;
-        if (merges.size() % 1024 == 0)
-        {
-          Report(progress, 0.2 + 0.79 * static_cast<double>(merges.size()) / points);
+          this->MergeNow(entry.Point);
+          if (this->Merges.size() % 1024 == 0)
+          {
+            Report(progress, 0.2 + 0.79 * static_cast<double>(this->Merges.size()) / points);
+          }
         }
       }
       // Others may have become possible, by what happened behind their neighbours.
+      any = this->Merges.size() > before;
     }
     Report(progress, 1);
-    return merges;
+    return std::move(this->Merges);
   }
 
 private:
   enum class State : std::uint8_t
   {
-    Idle,    ///< cannot be merged
-    Queued,  ///< with what it costs
-    Changed, ///< queued, but what it costs is no longer true
+    Idle, ///< cannot be merged
+    Queued,
     Gone
+  };
+
+  struct Candidate
+  {
+    MergeChoice Choice;
+    std::uint32_t When = 0;   // how many merges there had been
+    std::uint8_t Changes = 0; // around it since then
+    bool IsChecked = false;   // whether the topology allowed it then
+    State Is = State::Idle;
   };
 
   struct Entry
@@ -101,40 +105,71 @@ private:
     }
   }
 
-  void Enqueue(std::uint32_t point)
+  /** The topology, which takes long to look at, mostly allows what is best. */
+  void Enqueue(std::uint32_t point, bool checkTopology = false)
   {
-    const MergeChoice choice = this->Costs.Choose(point);
-    this->States[point] = State::Idle;
-    if (choice.Into != MergeMesh::None)
+    Candidate& candidate = this->Candidates[point];
+    candidate.Choice = this->Costs.Choose(point, candidate.Choice.Into, checkTopology);
+    candidate.When = static_cast<std::uint32_t>(this->Merges.size());
+    candidate.Changes = 0;
+    candidate.IsChecked = checkTopology;
+    candidate.Is = State::Idle;
+    if (candidate.Choice.Into != MergeMesh::None)
     {
-      this->States[point] = State::Queued;
-      this->Choices[point] = choice.Into;
-      this->Queue.push({ choice.Cost, point });
+      candidate.Is = State::Queued;
+      this->Queue.push({ candidate.Choice.Cost, point });
     }
   }
 
-  void MergeNow(std::uint32_t point, std::uint32_t into)
+  /** Whether a merge is to be done as it was found. If not, it is found anew. */
+  bool IsDue(const Entry& entry)
   {
+    const Candidate& candidate = this->Candidates[entry.Point];
+    if (candidate.Is != State::Queued || candidate.Choice.Cost != entry.Cost)
+    {
+      return false; // it was found anew since
+    }
+    const auto into = candidate.Choice.Into;
+    if (candidate.Changes > 0)
+    {
+      this->Enqueue(entry.Point);
+      return false;
+    }
+    if (!(candidate.IsChecked && this->Touched[into] <= candidate.When) &&
+      !this->Mesh.MayMerge(entry.Point, into))
+    {
+      this->Enqueue(entry.Point, true);
+      return false;
+    }
+    return true;
+  }
+
+  void MergeNow(std::uint32_t point)
+  {
+    const MergeChoice choice = this->Candidates[point].Choice;
+    this->Change += choice.Change;
+    this->Merges.push_back(
+      { point, choice.Into, static_cast<float>(std::sqrt(this->Change) / ChangePerError) });
+    this->Candidates[point].Is = State::Gone;
     this->Affected.clear();
     for (const auto tet : this->Mesh.GetRing(point))
     {
       for (const auto corner : this->Mesh.GetTet(tet))
       {
-        this->Affected.push_back(corner);
+        // Each one once.
+        if (this->Touched[corner] != this->Merges.size())
+        {
+          this->Touched[corner] = static_cast<std::uint32_t>(this->Merges.size());
+          this->Affected.push_back(corner);
+        }
       }
     }
-    std::sort(this->Affected.begin(), this->Affected.end());
-    this->Affected.erase(
-      std::unique(this->Affected.begin(), this->Affected.end()), this->Affected.end());
-    this->Mesh.Merge(point, into);
-    this->States[point] = State::Gone;
+    this->Mesh.Merge(point, choice.Into);
     for (const auto other : this->Affected)
     {
-      if (this->States[other] == State::Queued)
-      {
-        this->States[other] = State::Changed;
-      }
-      else if (this->States[other] == State::Idle)
+      Candidate& candidate = this->Candidates[other];
+      if (candidate.Is == State::Idle ||
+        (candidate.Is == State::Queued && ++candidate.Changes == MostChanges))
       {
         this->Enqueue(other);
       }
@@ -143,10 +178,12 @@ private:
 
   MergeMesh Mesh;
   MergeCosts Costs;
-  std::vector<State> States;
-  std::vector<std::uint32_t> Choices;
+  std::vector<Candidate> Candidates;
+  std::vector<std::uint32_t> Touched; // at which merge a point's surroundings changed, last
   std::priority_queue<Entry> Queue;
   std::vector<std::uint32_t> Affected;
+  std::vector<Merge> Merges;
+  double Change = 0; // of all merges
 };
 
 void Check(const MergeInput& input, const MergeSettings& settings)

@@ -14,11 +14,11 @@
 
 namespace gatun
 {
-/** By what a change of data is measured. */
+/** How much a change of the fields counts in each tetrahedron. */
 enum class MergeMetric : std::uint8_t
 {
-  Mass,   ///< value times volume
-  Density ///< value
+  Mass,   ///< as much as its volume is
+  Density ///< the same in all, so more where tetrahedra are small
 };
 
 struct MergeSettings
@@ -26,7 +26,7 @@ struct MergeSettings
   MergeMetric Metric = MergeMetric::Mass;
 
   /** How much of the cost of a merge on the boundary is its change of shape, 0 to 1; the rest is
-   * that of data. */
+   * that of the fields. */
   double BoundaryWeight = 0.5;
 };
 
@@ -47,18 +47,22 @@ struct MergeInput
 
 /**
  * Merges points until no more can be. Each merge is the cheapest that is known: of each point the
- * best neighbour to be merged into, by how much data and shape of the boundary change, both as
- * parts of all of the mesh. Points of the boundary are merged into such points only; no tetrahedron
- * and no face of the boundary is turned over or made flat; the topology stays.
+ * best neighbour to be merged into, by the square of what the fields and the shape of the boundary
+ * change for each tetrahedron that vanishes. Points of the boundary are merged into such points
+ * only; no tetrahedron and no face of the boundary is turned over or made flat; the topology stays.
  *
- * What changes around a point is looked at when its turn comes, so that a merge which has become
- * cheaper may come late. Points whose coordinates or values are not numbers stay, and so do their
- * neighbours.
+ * The error of a merge tells of all changes up to it: an estimate of the root mean square error of
+ * the fields, as a part of their ranges, and of the shape. It never becomes less.
+ *
+ * What changes a little around a point is looked at when its turn comes, so that a merge which has
+ * become cheaper may come late. Points whose coordinates or values are not numbers stay, and so do
+ * their neighbours.
  *
  * Progress: called with the part that is done; returns false to stop, by Error(Aborted).
  *
  * Based on: Van Gelder, Verma, Wilhelms: Volume decimation of irregular tetrahedral grids. Computer
- * Graphics International 1999.
+ * Graphics International 1999. The squares of what the fields change are in the spirit of: Garland,
+ * Zhou: Quadric-based simplification in any dimension. ACM Transactions on Graphics 24(2), 2005.
  */
 VTKGATUNCORE_EXPORT MergeTree BuildMergeTree(const MergeInput& input,
   const MergeSettings& settings = {}, const std::function<bool(double)>& progress = {});

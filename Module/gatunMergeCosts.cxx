@@ -2,38 +2,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunMergeCosts.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gatun
 {
 namespace
 {
-using Vec = std::array<double, 3>;
-
-Vec Minus(const Vec& a, const Vec& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-Vec Cross(const Vec& a, const Vec& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double Dot(const Vec& a, const Vec& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-double Length(const Vec& a)
-{
-  return std::sqrt(Dot(a, a));
-}
-
 /** For a corner the others, so that the volume with it in front has the sign of the tetrahedron. */
 constexpr std::array<std::array<unsigned, 3>, 4> Others{ { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 },
   { 0, 2, 1 } } };
+
+/** How much what is estimated of the fields' curvature counts beside what is known to change. */
+constexpr double BendWeight = 10;
+
+/** What is inside the mesh and was not, or the other way round, counts like a field that is wrong
+ * by this part of its range, squared. With less, thin parts melt away. */
+constexpr double ShapeWeight = 0.7;
+
+glm::dvec3 ToVec(const std::array<double, 3>& p)
+{
+  return { p[0], p[1], p[2] };
+}
+
+/**
+ * The mean square of the error of linear interpolation in a tetrahedron, of a field of constant
+ * second derivatives, by its bends along the edges: the error is half the sum of bend times both
+ * weights over all edges. A, b, c are from one corner to the others, bc, ca, ab opposite to them.
+ */
+double GetMeanSquare(double a, double b, double c, double bc, double ca, double ab)
+{
+  const double sum = a + b + c + bc + ca + ab;
+  return (sum * sum + a * a + b * b + c * c + bc * bc + ca * ca + ab * ab - a * bc - b * ca -
+           c * ab) /
+    1680;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -41,53 +47,114 @@ MergeCosts::MergeCosts(MergeMesh& mesh, const MergeInput& input, const MergeSett
   : Mesh(mesh)
   , Input(input)
   , Settings(settings)
-  , PlaceOf(input.Points.size())
-  , Stamps(input.Points.size(), 0)
-  , Before(input.Fields.size())
-  , After(input.Fields.size())
+  , Fields(input.Fields.size())
+  , Places(input.Points.size())
 {
-  double whole = 0;
-  for (std::uint32_t tet = 0; tet < mesh.GetNumberOfTets(); ++tet)
-  {
-    const auto& c = mesh.GetTet(tet);
-    if (c[0] != MergeMesh::None)
-    {
-      const auto& p = input.Points;
-      const double six = std::abs(
-        Dot(Minus(p[c[1]], p[c[0]]), Cross(Minus(p[c[2]], p[c[0]]), Minus(p[c[3]], p[c[0]]))));
-      whole += std::isfinite(six) ? six / 6 : 0;
-    }
-  }
-  this->PerWhole = whole > 0 ? 1 / whole : 0;
+  this->SetScales();
+  this->FindSamples();
+}
+
+//------------------------------------------------------------------------------
+void MergeCosts::SetScales()
+{
   double weights = 0;
-  for (const auto& field : input.Fields)
+  for (const auto& field : this->Input.Fields)
   {
     weights += field.Weight;
   }
-  for (const auto& field : input.Fields)
+  for (const auto& field : this->Input.Fields)
   {
-    double low = 1e300;
-    double high = -1e300;
+    double low = std::numeric_limits<double>::max();
+    double high = std::numeric_limits<double>::lowest();
     for (const double value : field.Values)
     {
       low = value < low ? value : low;
       high = value > high ? value : high;
     }
     const double range = high - low;
-    this->Weights.push_back(range > 0 && weights > 0 ? field.Weight / weights / range : 0);
+    this->Scales.push_back(
+      range > 0 && weights > 0 ? std::sqrt(field.Weight / weights) / range : 0);
   }
+}
+
+//------------------------------------------------------------------------------
+/** Gradients at points are the means of those in the tetrahedra around. */
+void MergeCosts::FindSamples()
+{
+  this->Samples.resize(this->Input.Points.size() * this->Fields);
+  for (std::size_t point = 0; point < this->Input.Points.size(); ++point)
+  {
+    for (std::size_t f = 0; f < this->Fields; ++f)
+    {
+      this->Samples[point * this->Fields + f].Value =
+        this->Scales[f] * this->Input.Fields[f].Values[point];
+    }
+  }
+  std::vector<double> volumes(this->Input.Points.size(), 0);
+  double whole = 0;
+  std::size_t tets = 0;
+  for (std::uint32_t tet = 0; tet < this->Mesh.GetNumberOfTets(); ++tet)
+  {
+    const auto& corners = this->Mesh.GetTet(tet);
+    if (corners[0] == MergeMesh::None)
+    {
+      continue;
+    }
+    const Vec origin = ToVec(this->Input.Points[corners[0]]);
+    const Vec a = ToVec(this->Input.Points[corners[1]]) - origin;
+    const Vec b = ToVec(this->Input.Points[corners[2]]) - origin;
+    const Vec c = ToVec(this->Input.Points[corners[3]]) - origin;
+    const double volume = glm::dot(a, glm::cross(b, c));
+    if (!std::isfinite(volume))
+    {
+      continue;
+    }
+    whole += std::abs(volume) / 6;
+    ++tets;
+    for (const auto corner : corners)
+    {
+      volumes[corner] += std::abs(volume);
+    }
+    for (std::size_t f = 0; f < this->Fields; ++f)
+    {
+      const auto at = [&](std::size_t i)
+      { return this->Samples[corners[i] * this->Fields + f].Value; };
+      const Vec sum = (at(1) - at(0)) * glm::cross(b, c) + (at(2) - at(0)) * glm::cross(c, a) +
+        (at(3) - at(0)) * glm::cross(a, b);
+      // What is not a number is not to reach further than to its neighbours.
+      for (std::size_t i = 0; i < 4 && std::isfinite(glm::dot(sum, sum)); ++i)
+      {
+        this->Samples[corners[i] * this->Fields + f].Gradient += volume < 0 ? -sum : sum;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < this->Samples.size(); ++i)
+  {
+    const double volume = volumes[i / this->Fields];
+    this->Samples[i].Gradient *= volume > 0 ? 1 / volume : 0;
+  }
+  this->PerWhole = whole > 0 ? 1 / whole : 0;
+  this->MeanWeight = tets > 0 ? 1 / static_cast<double>(tets) : 0;
+}
+
+//------------------------------------------------------------------------------
+/** As a part of the mesh, of six times a volume. */
+double MergeCosts::GetWeight(double volume) const
+{
+  return this->Settings.Metric == MergeMetric::Mass ? volume / 6 * this->PerWhole
+                                                    : this->MeanWeight;
 }
 
 //------------------------------------------------------------------------------
 std::uint32_t MergeCosts::GetPlace(std::uint32_t neighbour)
 {
-  if (this->Stamps[neighbour] != this->Stamp)
+  Place& place = this->Places[neighbour];
+  if (place.Stamp != this->Stamp)
   {
-    this->Stamps[neighbour] = this->Stamp;
-    this->PlaceOf[neighbour] = static_cast<std::uint32_t>(this->Neighbours.size());
-    this->Neighbours.push_back(neighbour);
+    place = { this->Stamp, static_cast<std::uint32_t>(this->Neighbours.size()) };
+    this->Neighbours.push_back({ neighbour, 0, false, {} });
   }
-  return this->PlaceOf[neighbour];
+  return place.At;
 }
 
 //------------------------------------------------------------------------------
@@ -95,64 +162,93 @@ void MergeCosts::Gather(std::uint32_t point)
 {
   ++this->Stamp;
   this->Neighbours.clear();
-  this->Offsets.clear();
+  this->Tets.clear();
   const auto ring = this->Mesh.GetRing(point);
-  const std::size_t count = ring.size();
-  Star& star = this->Tets;
-  for (auto* const numbers :
-    { &star.NormalX, &star.NormalY, &star.NormalZ, &star.Volume, &star.LeastVolume })
+  for (const auto tet : ring)
   {
-    numbers->resize(count);
-  }
-  star.Corners.resize(count);
-  star.Sums.resize(count * this->Input.Fields.size());
-  const Vec& here = this->Input.Points[point];
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const auto& tet = this->Mesh.GetTet(ring[i]);
+    const auto& corners = this->Mesh.GetTet(tet);
     const auto at =
-      static_cast<std::size_t>(std::find(tet.begin(), tet.end(), point) - tet.begin());
-    std::array<Vec, 3> p;
+      static_cast<std::size_t>(std::find(corners.begin(), corners.end(), point) - corners.begin());
+    StarTet& star = this->Tets.emplace_back();
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const auto corner = tet[Others[at][k]];
-      star.Corners[i][k] = this->GetPlace(corner);
-      p[k] = Minus(this->Input.Points[corner], here);
-    }
-    for (std::size_t f = 0; f < this->Input.Fields.size(); ++f)
-    {
-      const auto& values = this->Input.Fields[f].Values;
-      star.Sums[f * count + i] =
-        values[tet[Others[at][0]]] + values[tet[Others[at][1]]] + values[tet[Others[at][2]]];
-    }
-    // Six times the volume with the point at x: (p1 - x) . ((p2 - x) x (p3 - x)).
-    const Vec normal = Cross(Minus(p[1], p[0]), Minus(p[2], p[0]));
-    const double volume = Dot(p[0], normal);
-    const double sign = volume < 0 ? -1 : 1;
-    star.NormalX[i] = -sign * normal[0];
-    star.NormalY[i] = -sign * normal[1];
-    star.NormalZ[i] = -sign * normal[2];
-    star.Volume[i] = sign * volume;
-    // Not flatter than rounding, nor much flatter than it was.
-    const double area = Length(normal);
-    star.LeastVolume[i] = std::min(1e-3 * star.Volume[i], 1e-9 * area * std::sqrt(area));
-    if (!(star.LeastVolume[i] > 0))
-    {
-      star.LeastVolume[i] = 1e-12 * area * std::sqrt(area);
+      star.Corners[k] = this->GetPlace(corners[Others[at][k]]);
+      ++this->Neighbours[star.Corners[k]].Tets;
     }
   }
-  for (const auto neighbour : this->Neighbours)
+  const Vec here = ToVec(this->Input.Points[point]);
+  for (Neighbour& neighbour : this->Neighbours)
   {
-    this->Offsets.push_back(Minus(this->Input.Points[neighbour], here));
+    neighbour.Offset = ToVec(this->Input.Points[neighbour.Point]) - here;
   }
+  this->GatherFields(point);
   this->GatherFaces(point);
+}
+
+//------------------------------------------------------------------------------
+void MergeCosts::GatherFields(std::uint32_t point)
+{
+  const std::size_t fields = this->Fields;
+  const Sample* const here = this->Samples.data() + point * fields;
+  this->Around.resize(this->Neighbours.size() * fields);
+  this->Spokes.resize(this->Around.size());
+  for (std::size_t place = 0; place < this->Neighbours.size(); ++place)
+  {
+    const Neighbour& neighbour = this->Neighbours[place];
+    for (std::size_t f = 0; f < fields; ++f)
+    {
+      Sample& sample = this->Around[place * fields + f];
+      sample = this->Samples[neighbour.Point * fields + f];
+      sample.Value -= here[f].Value;
+      this->Spokes[place * fields + f] = this->GetBend(sample, here[f], neighbour.Offset);
+    }
+  }
+  this->Slopes.resize(this->Tets.size() * fields);
+  this->Bends.resize(this->Tets.size() * fields);
+  this->BendBefore = 0;
+  for (std::size_t i = 0; i < this->Tets.size(); ++i)
+  {
+    StarTet& tet = this->Tets[i];
+    const auto& c = tet.Corners;
+    const Vec& p0 = this->Neighbours[c[0]].Offset;
+    const Vec& p1 = this->Neighbours[c[1]].Offset;
+    const Vec& p2 = this->Neighbours[c[2]].Offset;
+    const std::array<Vec, 3> across{ glm::cross(p1, p2), glm::cross(p2, p0), glm::cross(p0, p1) };
+    // Six times the volume with the point at x: (p0 - x) . ((p1 - x) x (p2 - x)).
+    const Vec normal = across[0] + across[1] + across[2];
+    const double volume = glm::dot(p0, across[0]);
+    tet.Normal = volume < 0 ? normal : -normal;
+    tet.Volume = std::abs(volume);
+    tet.Weight = this->GetWeight(tet.Volume);
+    // Not flatter than rounding, nor much flatter than it was.
+    const double area = glm::length(normal);
+    const double size = area * std::sqrt(area);
+    tet.LeastVolume = std::min(1e-3 * tet.Volume, 1e-9 * size);
+    if (!(tet.LeastVolume > 0))
+    {
+      tet.LeastVolume = 1e-12 * size;
+    }
+    for (std::size_t f = 0; f < fields; ++f)
+    {
+      const Sample& s0 = this->Around[c[0] * fields + f];
+      const Sample& s1 = this->Around[c[1] * fields + f];
+      const Sample& s2 = this->Around[c[2] * fields + f];
+      const Vec slope = s0.Value * across[0] + s1.Value * across[1] + s2.Value * across[2];
+      this->Slopes[i * fields + f] = tet.Volume > 0 ? slope / volume : Vec(0);
+      auto& bends = this->Bends[i * fields + f];
+      bends = { this->GetBend(s1, s2, p1 - p2), this->GetBend(s2, s0, p2 - p0),
+        this->GetBend(s0, s1, p0 - p1) };
+      this->BendBefore += tet.Weight *
+        GetMeanSquare(this->Spokes[c[0] * fields + f], this->Spokes[c[1] * fields + f],
+          this->Spokes[c[2] * fields + f], bends[0], bends[1], bends[2]);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
 void MergeCosts::GatherFaces(std::uint32_t point)
 {
   this->Faces.clear();
-  this->OnBoundaryEdge.assign(this->Neighbours.size(), 0);
   if (!this->Mesh.IsOnBoundary(point))
   {
     return;
@@ -173,157 +269,189 @@ void MergeCosts::GatherFaces(std::uint32_t point)
       {
         if (corner != point && corner != tet[side])
         {
-          (isFirst ? face.First : face.Second) = this->PlaceOf[corner];
+          (isFirst ? face.First : face.Second) = this->Places[corner].At;
           isFirst = false;
         }
       }
-      face.Normal = Cross(this->Offsets[face.First], this->Offsets[face.Second]);
-      this->OnBoundaryEdge[face.First] = this->OnBoundaryEdge[face.Second] = 1;
+      Neighbour& first = this->Neighbours[face.First];
+      Neighbour& second = this->Neighbours[face.Second];
+      face.Normal = glm::cross(first.Offset, second.Offset);
+      first.OnBoundary = second.OnBoundary = true;
       this->Faces.push_back(face);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-/** Negative if a tetrahedron would turn over. */
-double MergeCosts::GetDataCost(std::uint32_t place, const Vec& offset)
+/** By how much the slope of a field along an edge changes from one end to the other, times its
+ * length: its second derivative times the square of the length. */
+double MergeCosts::GetBend(const Sample& a, const Sample& b, const Vec& edge) const
 {
-  const Star& star = this->Tets;
-  const std::size_t count = star.Volume.size();
-  const std::size_t fields = this->Input.Fields.size();
-  const bool byMass = this->Settings.Metric == MergeMetric::Mass;
-  const auto to = this->Neighbours[place];
-  std::fill(this->After.begin(), this->After.end(), 0.0);
-  for (std::size_t i = 0; i < count; ++i)
+  return glm::dot(edge, a.Gradient - b.Gradient);
+}
+
+//------------------------------------------------------------------------------
+/** What the fields change by, as the tetrahedra are now: of each that stays, how far the value of
+ * the new corner is from where its field leads to. Negative if one would turn over; whatever is
+ * more than enough, if that is certain before all have been looked at. */
+double MergeCosts::GetFieldChange(std::uint32_t place, double enough) const
+{
+  const std::size_t fields = this->Fields;
+  const Vec& offset = this->Neighbours[place].Offset;
+  const Sample* const to = this->Around.data() + place * fields;
+  double change = 0;
+  for (std::size_t i = 0; i < this->Tets.size(); ++i)
   {
-    const auto& corners = star.Corners[i];
-    if (corners[0] == place || corners[1] == place || corners[2] == place)
+    const StarTet& tet = this->Tets[i];
+    if (tet.Corners[0] == place || tet.Corners[1] == place || tet.Corners[2] == place)
     {
       continue; // vanishes
     }
-    const double volume = star.NormalX[i] * offset[0] + star.NormalY[i] * offset[1] +
-      star.NormalZ[i] * offset[2] + star.Volume[i];
-    if (!(volume > star.LeastVolume[i]))
+    if (!(glm::dot(tet.Normal, offset) + tet.Volume > tet.LeastVolume))
     {
       return -1;
     }
     for (std::size_t f = 0; f < fields; ++f)
     {
-      const double value = star.Sums[f * count + i] + this->Input.Fields[f].Values[to];
-      this->After[f] += byMass ? volume * value : value;
+      const double error = to[f].Value - glm::dot(this->Slopes[i * fields + f], offset);
+      change += tet.Weight * error * error;
+    }
+    if (change > enough)
+    {
+      return change;
     }
   }
-  double cost = 0;
-  for (std::size_t f = 0; f < fields; ++f)
-  {
-    cost += this->Weights[f] * std::abs(this->After[f] - this->Before[f]);
-  }
-  // 24: of the volumes six times, of the values four at once.
-  return byMass ? cost * this->PerWhole / 24 : cost / 4;
+  return change;
 }
 
 //------------------------------------------------------------------------------
-/** Negative if a face would turn over. */
-double MergeCosts::GetGeometryCost(std::uint32_t place, const Vec& offset) const
+/** How much worse the new tetrahedra are, by their size and shape, at interpolating fields that
+ * bend like those of the whole mesh; 0 if they are better. */
+double MergeCosts::GetBendChange(std::uint32_t place, double enough)
 {
-  double area = 0;
-  for (const Face& face : this->Faces)
+  const std::size_t fields = this->Fields;
+  const Neighbour& into = this->Neighbours[place];
+  for (std::size_t other = 0; other < this->Neighbours.size(); ++other)
   {
-    area += Length(face.Normal);
+    const Vec edge = this->Neighbours[other].Offset - into.Offset;
+    for (std::size_t f = 0; f < fields; ++f)
+    {
+      this->Spokes[other * fields + f] =
+        this->GetBend(this->Around[other * fields + f], this->Around[place * fields + f], edge);
+    }
   }
-  double change = 0;
+  double change = -this->BendBefore;
+  for (std::size_t i = 0; i < this->Tets.size() && !(BendWeight * change > enough); ++i)
+  {
+    const StarTet& tet = this->Tets[i];
+    const auto& c = tet.Corners;
+    if (c[0] == place || c[1] == place || c[2] == place)
+    {
+      continue;
+    }
+    const double weight = this->GetWeight(glm::dot(tet.Normal, into.Offset) + tet.Volume);
+    for (std::size_t f = 0; f < fields; ++f)
+    {
+      const auto& bends = this->Bends[i * fields + f];
+      change += weight *
+        GetMeanSquare(this->Spokes[c[0] * fields + f], this->Spokes[c[1] * fields + f],
+          this->Spokes[c[2] * fields + f], bends[0], bends[1], bends[2]);
+    }
+  }
+  // Not std::max, which would hide what is not a number.
+  return change < 0 ? 0 : BendWeight * change;
+}
+
+//------------------------------------------------------------------------------
+/** The volume between the boundary as it is and as it would be. Negative if a face would turn over.
+ */
+double MergeCosts::GetShapeChange(std::uint32_t place) const
+{
+  const Vec& offset = this->Neighbours[place].Offset;
+  double volume = 0;
   for (const Face& face : this->Faces)
   {
     if (face.First == place || face.Second == place)
     {
       continue;
     }
-    const Vec moved =
-      Cross(Minus(this->Offsets[face.First], offset), Minus(this->Offsets[face.Second], offset));
-    const double length = Length(moved);
-    if (!(Dot(moved, face.Normal) > 1e-3 * length * Length(face.Normal)))
+    const Vec moved = glm::cross(
+      this->Neighbours[face.First].Offset - offset, this->Neighbours[face.Second].Offset - offset);
+    if (!(glm::dot(moved, face.Normal) > 1e-3 * glm::length(moved) * glm::length(face.Normal)))
     {
       return -1;
     }
-    // The new face has an edge in common with the old one, and with those that vanish next to it.
-    for (const Face& old : this->Faces)
-    {
-      const bool vanishes = old.First == place || old.Second == place;
-      const bool hasEdge = &old == &face ||
-        (vanishes &&
-          (old.First == face.First || old.First == face.Second || old.Second == face.First ||
-            old.Second == face.Second));
-      const double oldLength = Length(old.Normal);
-      if (hasEdge && oldLength > 0)
-      {
-        // Those that vanish may be seen in the other sense of rotation.
-        const double sign = Dot(moved, old.Normal) < 0 ? -1 : 1;
-        Vec difference;
-        for (std::size_t c = 0; c < 3; ++c)
-        {
-          difference[c] = moved[c] / length - sign * old.Normal[c] / oldLength;
-        }
-        change += Length(difference) * oldLength / area;
-      }
-    }
+    volume += std::abs(glm::dot(face.Normal, offset)) / 6;
   }
-  // As a part of the mesh: what is swept when so much area moves by its own size.
-  area /= 2;
-  return change * area * std::sqrt(area) * this->PerWhole;
+  return ShapeWeight * volume * this->PerWhole;
 }
 
 //------------------------------------------------------------------------------
-MergeChoice MergeCosts::Choose(std::uint32_t point)
+/** Takes the merge into a neighbour if it is better than the best so far. */
+void MergeCosts::Try(
+  std::uint32_t point, std::uint32_t place, bool checkTopology, MergeChoice& best)
+{
+  const Neighbour& into = this->Neighbours[place];
+  const bool onBoundary = this->Mesh.IsOnBoundary(point);
+  if (onBoundary && !into.OnBoundary)
+  {
+    return;
+  }
+  // Twice, so that halves of both are as much as one of them.
+  const double fieldWeight = onBoundary ? 2 * (1 - this->Settings.BoundaryWeight) : 1;
+  const double enough = best.Into == MergeMesh::None
+    ? std::numeric_limits<double>::infinity()
+    : best.Cost * static_cast<double>(into.Tets) / std::max(fieldWeight, 1e-300);
+  const double now = this->GetFieldChange(place, enough);
+  if (!(now >= 0 && now <= enough))
+  {
+    return;
+  }
+  const double later = this->GetBendChange(place, enough);
+  if (!(now + later <= enough))
+  {
+    return;
+  }
+  double change = fieldWeight * (now + later);
+  if (onBoundary)
+  {
+    const double shape = this->GetShapeChange(place);
+    if (!(shape >= 0))
+    {
+      return;
+    }
+    change += 2 * this->Settings.BoundaryWeight * shape;
+  }
+  // Where all is alike, short edges first.
+  const double length = glm::length(into.Offset);
+  change += 1e-12 * length * length * length * this->PerWhole;
+  const double cost = change / static_cast<double>(into.Tets);
+  const bool isBetter = best.Into == MergeMesh::None || cost < best.Cost ||
+    (cost == best.Cost && into.Point < best.Into);
+  if (isBetter && std::isfinite(cost) && (!checkTopology || this->Mesh.MayMerge(point, into.Point)))
+  {
+    best = { into.Point, cost, change };
+  }
+}
+
+//------------------------------------------------------------------------------
+MergeChoice MergeCosts::Choose(std::uint32_t point, std::uint32_t tryFirst, bool checkTopology)
 {
   this->Gather(point);
-  const Star& star = this->Tets;
-  const std::size_t count = star.Volume.size();
-  const bool byMass = this->Settings.Metric == MergeMetric::Mass;
-  for (std::size_t f = 0; f < this->Input.Fields.size(); ++f)
+  MergeChoice best;
+  const bool isThere = tryFirst != MergeMesh::None && this->Places[tryFirst].Stamp == this->Stamp;
+  const std::uint32_t first = isThere ? this->Places[tryFirst].At : MergeMesh::None;
+  if (isThere)
   {
-    const double here = this->Input.Fields[f].Values[point];
-    this->Before[f] = 0;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const double value = star.Sums[f * count + i] + here;
-      this->Before[f] += byMass ? star.Volume[i] * value : value;
-    }
+    this->Try(point, first, checkTopology, best);
   }
-  this->Choices.clear();
-  const bool onBoundary = this->Mesh.IsOnBoundary(point);
   for (std::uint32_t place = 0; place < this->Neighbours.size(); ++place)
   {
-    if (onBoundary && !this->OnBoundaryEdge[place])
+    if (place != first)
     {
-      continue;
-    }
-    const Vec& offset = this->Offsets[place];
-    double cost = this->GetDataCost(place, offset);
-    const double geometry = onBoundary ? this->GetGeometryCost(place, offset) : 0;
-    if (!(cost >= 0) || !(geometry >= 0))
-    {
-      continue;
-    }
-    if (onBoundary)
-    {
-      const double weight = this->Settings.BoundaryWeight;
-      cost = weight * geometry + (1 - weight) * cost;
-    }
-    // Where all is alike, short edges first.
-    const double length = Length(offset);
-    cost += 1e-6 * length * length * length * this->PerWhole;
-    this->Choices.push_back({ this->Neighbours[place], cost });
-  }
-  std::sort(this->Choices.begin(), this->Choices.end(),
-    [](const MergeChoice& a, const MergeChoice& b)
-    { return a.Cost != b.Cost ? a.Cost < b.Cost : a.Into < b.Into; });
-  for (const MergeChoice& choice : this->Choices)
-  {
-    if (this->Mesh.MayMerge(point, choice.Into))
-    {
-      return choice;
+      this->Try(point, place, checkTopology, best);
     }
   }
-  return {};
+  return best;
 }
 }

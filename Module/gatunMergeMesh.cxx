@@ -20,6 +20,21 @@ unsigned FindCorner(const MergeMesh::Tet& tet, std::uint32_t point)
 {
   return tet[0] == point ? 0 : tet[1] == point ? 1 : tet[2] == point ? 2 : tet[3] == point ? 3 : 4;
 }
+
+/** The two corners of a tetrahedron besides two others, as places in it. */
+std::array<unsigned, 2> FindOthers(unsigned at, unsigned other)
+{
+  std::array<unsigned, 2> rest{};
+  unsigned n = 0;
+  for (unsigned i = 0; i < 4; ++i)
+  {
+    if (i != at && i != other)
+    {
+      rest[n++] = i;
+    }
+  }
+  return rest;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -28,7 +43,8 @@ MergeMesh::MergeMesh(std::size_t points, std::span<const Tet> tets)
   , BoundaryFaces(tets.size(), 0)
   , OnBoundary(points, 0)
   , Rings(points)
-  , Marks(points)
+  , Firsts(points)
+  , Seconds(points)
 {
   // A tetrahedron with a point twice is none.
   for (Tet& tet : this->Tets)
@@ -147,42 +163,87 @@ std::span<const std::uint32_t> MergeMesh::GetRing(std::uint32_t point)
 }
 
 //------------------------------------------------------------------------------
-std::uint8_t MergeMesh::GetMark(std::uint32_t point) const
+void MergeMesh::AddMark(std::vector<Mark>& marks, std::uint32_t point, std::uint8_t bits) const
 {
-  const Mark& mark = this->Marks[point];
-  return mark.Stamp == this->Stamp ? mark.Bits : std::uint8_t{ 0 };
+  const std::uint32_t stamp = &marks == &this->Firsts ? this->FirstStamp : this->SecondStamp;
+  Mark& mark = marks[point];
+  mark.Bits = static_cast<std::uint8_t>((mark.Stamp == stamp ? mark.Bits : 0) | bits);
+  mark.Stamp = stamp;
 }
 
-void MergeMesh::AddMark(std::uint32_t point, std::uint8_t bits)
+unsigned MergeMesh::GetMarks(std::uint32_t point) const
 {
-  Mark& mark = this->Marks[point];
-  mark.Bits = static_cast<std::uint8_t>((mark.Stamp == this->Stamp ? mark.Bits : 0) | bits);
-  mark.Stamp = this->Stamp;
+  const Mark& first = this->Firsts[point];
+  const Mark& second = this->Seconds[point];
+  return (first.Stamp == this->FirstStamp ? first.Bits : 0u) |
+    (second.Stamp == this->SecondStamp ? second.Bits : 0u);
 }
 
 //------------------------------------------------------------------------------
-void MergeMesh::MarkNeighbours(
-  std::uint32_t point, std::uint8_t neighbour, std::uint8_t boundaryNeighbour)
+void MergeMesh::MarkNeighbours(std::vector<Mark>& marks, std::uint32_t point,
+  std::uint8_t neighbour, std::uint8_t boundaryNeighbour)
 {
   for (const auto tet : this->GetRing(point))
   {
     const Tet& corners = this->Tets[tet];
     const unsigned at = FindCorner(corners, point);
+    const unsigned faces = this->BoundaryFaces[tet];
     for (unsigned i = 0; i < 4; ++i)
     {
       if (i != at)
       {
         // The edge is in the faces opposite to the two other corners.
         const unsigned others = 15u & ~(1u << at) & ~(1u << i);
-        const bool onBoundary = (this->BoundaryFaces[tet] & others) != 0;
-        this->AddMark(
-          corners[i], static_cast<std::uint8_t>(neighbour | (onBoundary ? boundaryNeighbour : 0)));
+        this->AddMark(marks, corners[i],
+          static_cast<std::uint8_t>(neighbour | ((faces & others) != 0 ? boundaryNeighbour : 0)));
       }
     }
   }
 }
 
 //------------------------------------------------------------------------------
+void MergeMesh::MarkEdge(std::uint32_t point, std::uint32_t into)
+{
+  this->EdgeLink.clear();
+  for (const auto tet : this->GetRing(point))
+  {
+    const Tet& corners = this->Tets[tet];
+    const unsigned other = FindCorner(corners, into);
+    if (other == 4)
+    {
+      continue;
+    }
+    const auto rest = FindOthers(FindCorner(corners, point), other);
+    this->EdgeLink.push_back({ corners[rest[0]], corners[rest[1]] });
+    for (unsigned i = 0; i < 2; ++i)
+    {
+      // The triangle is the face opposite to the last corner.
+      const bool onBoundary = (this->BoundaryFaces[tet] >> rest[1 - i] & 1) != 0;
+      this->AddMark(this->Seconds, corners[rest[i]],
+        static_cast<std::uint8_t>(OfEdge | (onBoundary ? OfEdgeOnBoundary : 0)));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool MergeMesh::IsInEdgeLink(std::uint32_t a, std::uint32_t b) const
+{
+  return std::any_of(this->EdgeLink.begin(), this->EdgeLink.end(),
+    [&](const auto& edge)
+    { return (edge[0] == a && edge[1] == b) || (edge[0] == b && edge[1] == a); });
+}
+
+bool MergeMesh::HaveTet(std::uint32_t a, std::uint32_t b, std::uint32_t c)
+{
+  const auto ring = this->GetRing(a);
+  return std::any_of(ring.begin(), ring.end(),
+    [&](std::uint32_t tet)
+    {
+      const Tet& corners = this->Tets[tet];
+      return FindCorner(corners, b) < 4 && FindCorner(corners, c) < 4;
+    });
+}
+
 bool MergeMesh::HasTet(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d)
 {
   const auto ring = this->GetRing(a);
@@ -215,118 +276,115 @@ bool MergeMesh::IsBoundaryFace(std::uint32_t a, std::uint32_t b, std::uint32_t c
 //------------------------------------------------------------------------------
 bool MergeMesh::MayMerge(std::uint32_t point, std::uint32_t into)
 {
-  ++this->Stamp;
-  this->MarkNeighbours(point, ByFirst, ByFirstOnBoundary);
-  this->MarkNeighbours(into, BySecond, BySecondOnBoundary);
-
-  // The outer point is a neighbour of both, but only belongs to the edge if that is on the
-  // boundary.
-  const bool edgeOnBoundary = (this->GetMark(into) & ByFirstOnBoundary) != 0;
+  if (this->Marked != point)
+  {
+    ++this->FirstStamp;
+    this->MarkNeighbours(this->Firsts, point, ByFirst, ByFirstOnBoundary);
+    this->Marked = point;
+  }
+  const bool edgeOnBoundary = (this->GetMarks(into) & ByFirstOnBoundary) != 0;
   if (this->IsOnBoundary(point) && !edgeOnBoundary)
   {
     return false;
   }
-  for (const auto tet : this->GetRing(point))
-  {
-    const Tet& corners = this->Tets[tet];
-    const unsigned at = FindCorner(corners, point);
-    const unsigned other = FindCorner(corners, into);
-    for (unsigned i = 0; other < 4 && i < 4; ++i)
-    {
-      if (i != at && i != other)
-      {
-        // The triangle is the face opposite to the last corner.
-        const unsigned last = 6 - at - other - i;
-        const bool onBoundary = (this->BoundaryFaces[tet] >> last & 1) != 0;
-        this->AddMark(
-          corners[i], static_cast<std::uint8_t>(OfEdge | (onBoundary ? OfEdgeOnBoundary : 0)));
-      }
-    }
-  }
+  ++this->SecondStamp;
+  this->MarkNeighbours(this->Seconds, into, BySecond, BySecondOnBoundary);
+  this->MarkEdge(point, into);
+  return this->ShareNoOtherPoint(point, into, edgeOnBoundary) &&
+    this->ShareNoOtherTriangle(point, into) &&
+    !(edgeOnBoundary && this->ShareBoundaryFace(point, into));
+}
 
+//------------------------------------------------------------------------------
+/** Points of both links are in that of the edge; and so are edges of both with the outer point,
+ * which only belongs to the edge if that is on the boundary. */
+bool MergeMesh::ShareNoOtherPoint(std::uint32_t point, std::uint32_t into, bool edgeOnBoundary)
+{
   constexpr unsigned ofBoth = ByFirst | BySecond;
   constexpr unsigned ofBothOnBoundary = ByFirstOnBoundary | BySecondOnBoundary;
   for (const auto tet : this->GetRing(point))
   {
+    for (const auto corner : this->Tets[tet])
+    {
+      const unsigned marks = this->GetMarks(corner);
+      if (corner == point || corner == into || (marks & ofBoth) != ofBoth)
+      {
+        continue;
+      }
+      const bool isOutside = edgeOnBoundary && (marks & ofBothOnBoundary) == ofBothOnBoundary &&
+        (marks & OfEdgeOnBoundary) == 0;
+      if ((marks & OfEdge) == 0 || isOutside)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/** Edges of both links, which make a triangle with each of the two points, are in that of the edge;
+ * and there are no triangles of both. */
+bool MergeMesh::ShareNoOtherTriangle(std::uint32_t point, std::uint32_t into)
+{
+  for (const auto tet : this->GetRing(point))
+  {
     const Tet corners = this->Tets[tet];
-    const bool hasEdge = FindCorner(corners, into) < 4;
+    if (FindCorner(corners, into) < 4)
+    {
+      continue;
+    }
     std::array<std::uint32_t, 3> common{};
     unsigned n = 0;
     for (const auto corner : corners)
     {
-      const unsigned mark = this->GetMark(corner);
-      if (corner == point || corner == into || (mark & ofBoth) != ofBoth)
+      if (corner != point && (this->GetMarks(corner) & BySecond) != 0)
       {
-        continue;
+        common[n++] = corner;
       }
-      // Points of both links, and edges with the outer point.
-      const bool isOutside = (mark & ofBothOnBoundary) == ofBothOnBoundary && edgeOnBoundary &&
-        (mark & OfEdgeOnBoundary) == 0;
-      if ((mark & OfEdge) == 0 || isOutside)
-      {
-        return false;
-      }
-      common[n++] = corner;
     }
-    if (hasEdge)
-    {
-      continue;
-    }
-    // Edges of both links.
     for (unsigned i = 0; i < n; ++i)
     {
       for (unsigned j = i + 1; j < n; ++j)
       {
-        const auto ring = this->GetRing(into);
-        const bool isShared = std::any_of(ring.begin(), ring.end(),
-          [&](std::uint32_t t)
-          {
-            const Tet& c = this->Tets[t];
-            return FindCorner(c, common[i]) < 4 && FindCorner(c, common[j]) < 4;
-          });
-        if (isShared && !this->HasTet(point, into, common[i], common[j]))
+        if (!this->IsInEdgeLink(common[i], common[j]) && this->HaveTet(into, common[i], common[j]))
         {
           return false;
         }
       }
     }
-    // Triangles of both links.
     if (n == 3 && this->HasTet(into, common[0], common[1], common[2]))
     {
       return false;
     }
   }
+  return true;
+}
 
-  // Triangles of both links with the outer point: two boundary faces that would become one.
-  if (edgeOnBoundary)
+//------------------------------------------------------------------------------
+/** Triangles of both links with the outer point: two boundary faces that would become one. */
+bool MergeMesh::ShareBoundaryFace(std::uint32_t point, std::uint32_t into)
+{
+  for (const auto tet : this->GetRing(point))
   {
-    for (const auto tet : this->GetRing(point))
+    const Tet corners = this->Tets[tet];
+    const unsigned at = FindCorner(corners, point);
+    for (unsigned side = 0; side < 4; ++side)
     {
-      const Tet corners = this->Tets[tet];
-      const unsigned at = FindCorner(corners, point);
-      for (unsigned side = 0; side < 4; ++side)
+      if (side == at || (this->BoundaryFaces[tet] >> side & 1) == 0)
       {
-        if (side == at || (this->BoundaryFaces[tet] >> side & 1) == 0)
-        {
-          continue;
-        }
-        std::array<std::uint32_t, 2> edge{};
-        unsigned n = 0;
-        for (unsigned i = 0; i < 4; ++i)
-        {
-          if (i != at && i != side)
-          {
-            edge[n++] = corners[i];
-          }
-        }
-        if (edge[0] != into && edge[1] != into && this->IsBoundaryFace(into, edge[0], edge[1]))
-        {
-          return false;
-        }
+        continue;
+      }
+      const auto rest = FindOthers(at, side);
+      const auto a = corners[rest[0]];
+      const auto b = corners[rest[1]];
+      if (a != into && b != into && this->IsBoundaryFace(into, a, b))
+      {
+        return true;
       }
     }
   }
-  return true;
+  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -337,15 +395,8 @@ void MergeMesh::PassBoundaryOn(std::uint32_t tet, std::uint32_t point, std::uint
   const Tet corners = this->Tets[tet];
   const unsigned at = FindCorner(corners, point);
   const unsigned other = FindCorner(corners, into);
-  std::array<std::uint32_t, 2> edge{};
-  unsigned n = 0;
-  for (unsigned i = 0; i < 4; ++i)
-  {
-    if (i != at && i != other)
-    {
-      edge[n++] = corners[i];
-    }
-  }
+  const auto rest = FindOthers(at, other);
+  const std::array<std::uint32_t, 2> edge{ corners[rest[0]], corners[rest[1]] };
   const auto faces = this->BoundaryFaces[tet];
   const auto pass = [&](std::uint32_t owner)
   {
@@ -374,9 +425,9 @@ void MergeMesh::PassBoundaryOn(std::uint32_t tet, std::uint32_t point, std::uint
 //------------------------------------------------------------------------------
 void MergeMesh::Merge(std::uint32_t point, std::uint32_t into)
 {
-  const auto old = this->GetRing(point);
-  const std::vector<std::uint32_t> ring(old.begin(), old.end());
-  std::vector<std::uint32_t> moved;
+  this->Marked = None;
+  const auto ring = this->GetRing(point);
+  this->Moved.clear();
   for (const auto tet : ring)
   {
     if (FindCorner(this->Tets[tet], into) < 4)
@@ -398,20 +449,16 @@ void MergeMesh::Merge(std::uint32_t point, std::uint32_t into)
     else
     {
       corners[FindCorner(corners, point)] = into;
-      moved.push_back(tet);
+      this->Moved.push_back(tet);
     }
   }
   const auto rest = this->GetRing(into);
-  std::vector<std::uint32_t> all(rest.begin(), rest.end());
-  all.insert(all.end(), moved.begin(), moved.end());
-  this->Used += moved.size();
+  this->Moved.insert(this->Moved.end(), rest.begin(), rest.end());
+  this->Used += this->Moved.size() - rest.size();
   this->Used -= this->Rings[point].Count;
   this->Rings[point].Count = 0;
-  Ring& target = this->Rings[into];
-  target.HasGone = false;
-  target.First = this->Pool.size();
-  target.Count = static_cast<std::uint32_t>(all.size());
-  this->Pool.insert(this->Pool.end(), all.begin(), all.end());
+  this->Rings[into] = { this->Pool.size(), static_cast<std::uint32_t>(this->Moved.size()), false };
+  this->Pool.insert(this->Pool.end(), this->Moved.begin(), this->Moved.end());
   if (this->Pool.size() > 2 * this->Used + 1024)
   {
     this->Compact();

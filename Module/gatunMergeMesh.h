@@ -64,9 +64,16 @@ private:
   };
 
   void FindBoundary();
-  std::uint8_t GetMark(std::uint32_t point) const;
-  void AddMark(std::uint32_t point, std::uint8_t bits);
-  void MarkNeighbours(std::uint32_t point, std::uint8_t neighbour, std::uint8_t boundaryNeighbour);
+  void AddMark(std::vector<Mark>& marks, std::uint32_t point, std::uint8_t bits) const;
+  unsigned GetMarks(std::uint32_t point) const;
+  void MarkNeighbours(std::vector<Mark>& marks, std::uint32_t point, std::uint8_t neighbour,
+    std::uint8_t boundaryNeighbour);
+  void MarkEdge(std::uint32_t point, std::uint32_t into);
+  bool ShareNoOtherPoint(std::uint32_t point, std::uint32_t into, bool edgeOnBoundary);
+  bool ShareNoOtherTriangle(std::uint32_t point, std::uint32_t into);
+  bool ShareBoundaryFace(std::uint32_t point, std::uint32_t into);
+  bool IsInEdgeLink(std::uint32_t a, std::uint32_t b) const;
+  bool HaveTet(std::uint32_t a, std::uint32_t b, std::uint32_t c);
   bool HasTet(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
   bool IsBoundaryFace(std::uint32_t a, std::uint32_t b, std::uint32_t c);
   void PassBoundaryOn(std::uint32_t tet, std::uint32_t point, std::uint32_t into);
@@ -78,8 +85,14 @@ private:
   std::vector<Ring> Rings;
   std::vector<std::uint32_t> Pool; // of the rings
   std::size_t Used = 0;            // of the pool, by rings
-  std::vector<Mark> Marks;
-  std::uint32_t Stamp = 0;
+
+  // Of the two points at hand; those of the first are good for several second ones.
+  std::vector<Mark> Firsts, Seconds;
+  std::uint32_t FirstStamp = 0;
+  std::uint32_t SecondStamp = 0;
+  std::uint32_t Marked = None;                        // the first point
+  std::vector<std::array<std::uint32_t, 2>> EdgeLink; // what makes a tetrahedron with both
+  std::vector<std::uint32_t> Moved;                   // to the ring of another point
 };
 }
 
