@@ -46,8 +46,7 @@ std::vector<CLI::Option*> AddMergeOptions(CLI::App* command, MergeOptions& optio
              ->each(given),
     command
       ->add_option("--metric", options.Metric,
-        "What of the data is to stay: mass, values times volumes, or density, values (default: "
-        "mass)")
+        "How much each tetrahedron counts: mass, as its volume; density, all alike (default: mass)")
       ->check(CLI::IsMember({ "mass", "density" }))
       ->option_text("NAME")
       ->each(given),

@@ -145,7 +145,7 @@ void AddSimplify(CLI::App& app, Settings& settings)
     "unless weights or metric are given here.",
     "  gtn simplify --ratio 0.9 mesh.gtn coarse.gtn\n"
     "  gtn simplify --vertices 10000 --weight pressure=2 --weight velocity mesh.vtu coarse.vtu\n"
-    "  gtn simplify --error 1e-7 mesh.gtn coarse.gtn");
+    "  gtn simplify --error 1e-3 mesh.gtn coarse.gtn");
   AddForce(command, options->Overwrite);
   CLI::Option* const targets[] = { command
                                      ->add_option("--ratio", options->Ratio,
@@ -160,8 +160,9 @@ void AddSimplify(CLI::App& app, Settings& settings)
       ->option_text("N"),
     command
       ->add_option("--error", options->Error,
-        "Largest change that one merge may cause, as a part of what the whole mesh has: of the "
-        "values' range times its volume, or of its volume")
+        "Largest error: an estimate of the root mean square error of the values, as a part of "
+        "their "
+        "range, and of the shape")
       ->check(CLI::NonNegativeNumber)
       ->option_text("E") };
   for (std::size_t i = 0; i < std::size(targets); ++i)
