@@ -24,6 +24,10 @@ using Clock = std::chrono::steady_clock;
 // Of a block that is ready, about, and of what its tetrahedra are made from.
 constexpr std::uint64_t BytesPerTet = 64;
 
+// What is made ready first has at most so many points: few enough to be drawn at once, enough to
+// show something.
+constexpr std::uint64_t FirstPoints = 20000;
+
 /** A mesh that is ready. */
 struct Level
 {
@@ -187,6 +191,16 @@ void RayLevels::Internals::FindDetail()
   const std::lock_guard<std::mutex> lock(this->Guard);
   this->Detail = std::move(detail);
   this->Failure = failure;
+  if (this->Detail)
+  {
+    // Nobody can have asked for anything yet.
+    auto points = this->Detail->GetNumberOfPoints();
+    while (points > FirstPoints)
+    {
+      points /= 2;
+    }
+    this->Wanted.push_back(this->Clamp(points));
+  }
   this->Changed.notify_all();
 }
 

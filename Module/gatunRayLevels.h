@@ -18,10 +18,10 @@ namespace gatun
  * A mesh with several numbers of points, ready for drawing. Those that were not used for longest go
  * first when there is no more room.
  *
- * A thread in the background finds out first how the mesh can be simplified, and then makes ready
- * what is wanted next. While pictures are drawn, it rests as long as it works. It stops within a
- * block's time when something else is wanted, and when this is destroyed. All methods are for one
- * thread.
+ * A thread in the background finds out first how the mesh can be simplified, makes one ready that
+ * is simple enough to be drawn at once, and then what is wanted next. While pictures are drawn, it
+ * rests as long as it works. It stops within a block's time when something else is wanted, and when
+ * this is destroyed. All methods are for one thread.
  */
 class VTKGATUNCORE_EXPORT RayLevels
 {

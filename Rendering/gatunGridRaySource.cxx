@@ -120,7 +120,7 @@ Range GetWholeRange(const RaySource& source)
 }
 
 //------------------------------------------------------------------------------
-GridRaySource::GridRaySource(vtkUnstructuredGrid* grid, const RayArray& array, std::uint64_t budget)
+GridMesh::GridMesh(vtkUnstructuredGrid* grid, const RayArray& array)
   : Tets(MakeTetInput(grid, true).Grid)
 {
   const auto [scalars, where] = FindArray(this->Tets, array);
@@ -128,18 +128,17 @@ GridRaySource::GridRaySource(vtkUnstructuredGrid* grid, const RayArray& array, s
   RequireComponent(array, values.Description.Components);
   this->Scalars = values.Owner;
   this->Hidden = FindHidden(this->Tets);
-  this->Source = std::make_unique<MemoryRaySource>(this->MakeMesh(),
-    RayValuesInput{ where, values.Description.Type, values.Description.Components, array.Component,
-      values.Values },
-    this->Hidden.empty() ? nullptr : this->Hidden.data(), budget);
+  this->Values = { where, values.Description.Type, values.Description.Components, array.Component,
+    values.Values };
+  this->SetMesh();
 }
 
-GridRaySource::~GridRaySource() = default;
+GridMesh::~GridMesh() = default;
 
 //------------------------------------------------------------------------------
-MeshInput GridRaySource::MakeMesh()
+void GridMesh::SetMesh()
 {
-  MeshInput mesh;
+  MeshInput& mesh = this->Mesh;
   mesh.Points = static_cast<std::uint64_t>(this->Tets->GetNumberOfPoints());
   mesh.Tets = static_cast<std::uint64_t>(this->Tets->GetNumberOfCells());
   if (vtkPoints* const points = this->Tets->GetPoints())
@@ -160,31 +159,39 @@ MeshInput GridRaySource::MakeMesh()
     mesh.WideIds = cells->IsStorage64Bit();
     mesh.Connectivity = cells->GetConnectivityArray()->GetVoidPointer(0);
   }
-  return mesh;
 }
+
+//------------------------------------------------------------------------------
+GridRaySource::GridRaySource(vtkUnstructuredGrid* grid, const RayArray& array, std::uint64_t budget)
+  : Mesh(grid, array)
+  , Source(this->Mesh.GetMesh(), this->Mesh.GetValues(), this->Mesh.GetHidden(), budget)
+{
+}
+
+GridRaySource::~GridRaySource() = default;
 
 //------------------------------------------------------------------------------
 std::size_t GridRaySource::GetNumberOfBlocks() const
 {
-  return this->Source->GetNumberOfBlocks();
+  return this->Source.GetNumberOfBlocks();
 }
 
 //------------------------------------------------------------------------------
 const Bounds& GridRaySource::GetBounds(std::size_t block) const
 {
-  return this->Source->GetBounds(block);
+  return this->Source.GetBounds(block);
 }
 
 //------------------------------------------------------------------------------
 Range GridRaySource::GetRange(std::size_t block) const
 {
-  return this->Source->GetRange(block);
+  return this->Source.GetRange(block);
 }
 
 //------------------------------------------------------------------------------
 RaySource::Blocks GridRaySource::GetBlocks(
   std::span<const std::size_t> blocks, const Progress& progress)
 {
-  return this->Source->GetBlocks(blocks, progress);
+  return this->Source.GetBlocks(blocks, progress);
 }
 }

@@ -40,6 +40,36 @@ void RequireComponent(const RayArray& array, std::uint32_t components);
 /** The range of all blocks together. */
 Range GetWholeRange(const RaySource& source);
 
+/** Tetrahedra of a grid, and its values, as the core takes them. */
+class GridMesh
+{
+public:
+  /** Throws as GridRaySource does. */
+  GridMesh(vtkUnstructuredGrid* grid, const RayArray& array);
+  ~GridMesh();
+  GridMesh(const GridMesh&) = delete;
+  GridMesh& operator=(const GridMesh&) = delete;
+
+  const MeshInput& GetMesh() const { return this->Mesh; }
+  const RayValuesInput& GetValues() const { return this->Values; }
+
+  /** Null, or for each tetrahedron whether it is left out. */
+  const unsigned char* GetHidden() const
+  {
+    return this->Hidden.empty() ? nullptr : this->Hidden.data();
+  }
+
+private:
+  void SetMesh();
+
+  vtkSmartPointer<vtkUnstructuredGrid> Tets; // keeps alive what the others look at
+  vtkSmartPointer<vtkDataArray> Coordinates;
+  vtkSmartPointer<vtkDataArray> Scalars;
+  std::vector<unsigned char> Hidden;
+  MeshInput Mesh;
+  RayValuesInput Values;
+};
+
 /**
  * A grid in memory, of any cells that can be made tetrahedra, in blocks. Hidden, refined and
  * duplicate cells are left out. The grid must not change.
@@ -57,13 +87,8 @@ public:
   Blocks GetBlocks(std::span<const std::size_t> blocks, const Progress& progress) override;
 
 private:
-  MeshInput MakeMesh();
-
-  vtkSmartPointer<vtkUnstructuredGrid> Tets; // keeps alive what the source looks at
-  vtkSmartPointer<vtkDataArray> Coordinates;
-  vtkSmartPointer<vtkDataArray> Scalars;
-  std::vector<unsigned char> Hidden;
-  std::unique_ptr<MemoryRaySource> Source;
+  GridMesh Mesh;
+  MemoryRaySource Source;
 };
 }
 

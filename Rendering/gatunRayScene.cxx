@@ -4,7 +4,9 @@
 #include "gatunRayScene.h"
 
 #include "gatunError.h"
+#include "gatunFileDetail.h"
 #include "gatunFileReader.h"
+#include "gatunMemoryRayDetail.h"
 #include "gatunRayCaster.h"
 #include "vtkGatunReader.h"
 
@@ -48,6 +50,12 @@ std::uint32_t FindArray(const FileReader& file, const RayArray& wanted)
   throw Error(ErrorCode::InvalidInput, file.GetPath() + ": " + DescribeMissing(wanted));
 }
 
+/** How much of a number of bytes is for what. */
+RayLevels::Room Divide(std::uint64_t budget)
+{
+  return { budget - budget / 4, budget / 4 };
+}
+
 /** The last step not later than a time, or the first. */
 std::size_t FindStep(const FileReader& file, double time)
 {
@@ -71,10 +79,18 @@ RayScene::RayScene() = default;
 RayScene::~RayScene() = default;
 
 //------------------------------------------------------------------------------
-void RayScene::Clear()
+void RayScene::Drop()
 {
+  this->Levels.reset();
+  this->Obstacle.clear();
   this->Source.reset();
   this->Pieces = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void RayScene::Clear()
+{
+  this->Drop();
   this->Known = {};
   this->Values = {};
   this->File.reset();
@@ -88,13 +104,12 @@ bool RayScene::IsKnown(const Key& key)
     return true;
   }
   // Before another is made: there need not be memory for both.
-  this->Source.reset();
-  this->Pieces = nullptr;
+  this->Drop();
   return false;
 }
 
 //------------------------------------------------------------------------------
-void RayScene::Take(const Key& key, std::unique_ptr<RaySource> source, const Range& values)
+void RayScene::Take(const Key& key, std::shared_ptr<RaySource> source, const Range& values)
 {
   this->Source = std::move(source);
   this->Known = key;
@@ -102,19 +117,37 @@ void RayScene::Take(const Key& key, std::unique_ptr<RaySource> source, const Ran
 }
 
 //------------------------------------------------------------------------------
-void RayScene::SetGrid(vtkUnstructuredGrid* grid, const RayArray& array, std::uint64_t budget)
+void RayScene::SetGrid(
+  vtkUnstructuredGrid* grid, const RayArray& array, std::uint64_t budget, bool simplifies)
 {
   Key key;
   key.Grid = grid;
   key.Stamp = grid->GetMTime();
   key.Array = array;
   key.Budget = budget;
-  if (!this->IsKnown(key))
+  key.Simplifies = simplifies;
+  if (this->IsKnown(key))
   {
-    auto source = std::make_unique<GridRaySource>(grid, array, budget);
+    return;
+  }
+  if (!simplifies)
+  {
+    auto source = std::make_shared<GridRaySource>(grid, array, budget);
     const Range values = GetWholeRange(*source);
     this->Take(key, std::move(source), values);
+    return;
   }
+  // A copy, as the grid may change while simpler meshes are made in the background.
+  const GridMesh original(grid, array);
+  const auto mesh = std::make_shared<const MemoryRayMesh>(
+    original.GetMesh(), original.GetValues(), original.GetHidden());
+  const RayLevels::Room room = Divide(budget);
+  auto whole = MakeWholeSource(mesh, room.Whole);
+  this->Levels = std::make_unique<RayLevels>([mesh](const RaySource::Progress& progress)
+    { return std::make_shared<MemoryRayDetail>(mesh, mesh->BuildTree(progress)); },
+    whole, room);
+  const Range values = GetWholeRange(*whole);
+  this->Take(key, std::move(whole), values);
 }
 
 //------------------------------------------------------------------------------
@@ -144,8 +177,8 @@ std::uint64_t RayScene::GetBytesRead() const
 }
 
 //------------------------------------------------------------------------------
-void RayScene::SetFile(
-  const std::string& path, double time, const RayArray& array, std::uint64_t budget)
+void RayScene::SetFile(const std::string& path, double time, const RayArray& array,
+  std::uint64_t budget, bool simplifies)
 {
   this->OpenFile(path);
   Key key;
@@ -153,16 +186,31 @@ void RayScene::SetFile(
   key.Step = FindStep(*this->File, time);
   key.Array = array;
   key.Budget = budget;
+  key.Simplifies = simplifies;
   if (this->IsKnown(key))
   {
     return;
   }
   const auto index = FindArray(*this->File, array);
   RequireComponent(array, this->File->GetArrays()[index].Components);
-  this->Take(key,
-    std::make_unique<FileRaySource>(
-      this->File, RayValues{ index, array.Component, key.Step }, budget),
-    GetDrawnRange(this->File->GetRanges(index, key.Step), array.Component));
+  const RayValues values{ index, array.Component, key.Step };
+  const bool hasLevels = simplifies && HasDetail(*this->File);
+  const RayLevels::Room room = Divide(budget);
+  auto whole = std::make_shared<FileRaySource>(this->File, values, hasLevels ? room.Whole : budget);
+  if (hasLevels)
+  {
+    this->Levels =
+      std::make_unique<RayLevels>([file = this->File, values](const RaySource::Progress& progress)
+        { return MakeFileDetail(file, values, progress); },
+        whole, room);
+  }
+  else if (simplifies)
+  {
+    this->Obstacle =
+      path + ": there is no hierarchy in the file; make one with gtn pack --hierarchy";
+  }
+  this->Take(
+    key, std::move(whole), GetDrawnRange(this->File->GetRanges(index, key.Step), array.Component));
 }
 
 //------------------------------------------------------------------------------
@@ -184,7 +232,7 @@ void RayScene::SetPieces(const RayProducer& producer, int pieces, const RayArray
   key.Budget = budget;
   if (!this->IsKnown(key))
   {
-    auto source = std::make_unique<PieceRaySource>(producer, pieces, array, budget, progress);
+    auto source = std::make_shared<PieceRaySource>(producer, pieces, array, budget, progress);
     PieceRaySource* const made = source.get();
     this->Take(key, std::move(source), made->GetWholeRange());
     this->Pieces = made;
@@ -192,9 +240,14 @@ void RayScene::SetPieces(const RayProducer& producer, int pieces, const RayArray
 }
 
 //------------------------------------------------------------------------------
-void RayScene::Draw(RayCaster& caster, const RayView& view, const RaySource::Progress& progress)
+void RayScene::Draw(
+  RayCaster& caster, const RayView& view, const RaySource::Progress& progress, RaySource* other)
 {
-  if (this->Pieces)
+  if (other)
+  {
+    caster.Draw(*other, progress);
+  }
+  else if (this->Pieces)
   {
     this->Pieces->Draw(caster, view, progress);
   }

@@ -7,6 +7,7 @@
 #include "gatunFileSignature.h"
 #include "gatunGridRaySource.h"
 #include "gatunPieceRaySource.h"
+#include "gatunRayLevels.h"
 #include "gatunRaySource.h"
 #include "gatunTypes.h"
 
@@ -44,8 +45,11 @@ public:
   RayScene(RayScene&&) = delete;
   RayScene& operator=(RayScene&&) = delete;
 
-  void SetGrid(vtkUnstructuredGrid* grid, const RayArray& array, std::uint64_t budget);
-  void SetFile(const std::string& path, double time, const RayArray& array, std::uint64_t budget);
+  /** Simplifies: whether simpler meshes are to be drawn, too, if that is possible. */
+  void SetGrid(vtkUnstructuredGrid* grid, const RayArray& array, std::uint64_t budget,
+    bool simplifies = false);
+  void SetFile(const std::string& path, double time, const RayArray& array, std::uint64_t budget,
+    bool simplifies = false);
   void SetPieces(const RayProducer& producer, int pieces, const RayArray& array,
     std::uint64_t budget, const RaySource::Progress& progress = {});
   void Clear();
@@ -56,8 +60,15 @@ public:
   /** From the file, since it was opened; 0 without one. */
   std::uint64_t GetBytesRead() const;
 
-  /** Draws what was set. */
-  void Draw(RayCaster& caster, const RayView& view, const RaySource::Progress& progress);
+  /** Simpler meshes; null if they are not wanted, or cannot be made. */
+  RayLevels* GetLevels() { return this->Levels.get(); }
+
+  /** Why simpler meshes that were wanted cannot be made; empty if they can. */
+  const std::string& GetObstacle() const { return this->Obstacle; }
+
+  /** Draws what was set, or, if it is not null, another source of the same mesh. */
+  void Draw(RayCaster& caster, const RayView& view, const RaySource::Progress& progress,
+    RaySource* other = nullptr);
 
   /** Of the values of everything. */
   const Range& GetRange() const { return this->Values; }
@@ -78,16 +89,20 @@ private:
     vtkMTimeType Stamp = 0;
     RayArray Array;
     std::uint64_t Budget = 0;
+    bool Simplifies = false;
 
     bool operator==(const Key&) const = default;
   };
 
   bool IsKnown(const Key& key);
-  void Take(const Key& key, std::unique_ptr<RaySource> source, const Range& values);
+  void Drop();
+  void Take(const Key& key, std::shared_ptr<RaySource> source, const Range& values);
   void OpenFile(const std::string& path);
 
   Key Known;
-  std::unique_ptr<RaySource> Source;
+  std::shared_ptr<RaySource> Source;
+  std::unique_ptr<RayLevels> Levels;
+  std::string Obstacle;
   PieceRaySource* Pieces = nullptr; // the source, if it is one
   Range Values;
 

@@ -5,6 +5,7 @@
 
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
+#include "gatunJustInTime.h"
 #include "gatunRayCaster.h"
 #include "gatunRayPicture.h"
 #include "gatunRayRendering.h"
@@ -94,6 +95,37 @@ void ToArray(const gatun::Bounds& box, double* bounds)
 }
 
 //------------------------------------------------------------------------------
+// Seconds. Pictures that are allocated as much are at rest: what interacts allocates a second or
+// less, what waits, minutes.
+constexpr double LeastTimeAtRest = 10;
+
+//------------------------------------------------------------------------------
+/** Tells those who work in the background that a picture is being drawn. */
+class Drawing
+{
+public:
+  explicit Drawing(gatun::RayLevels* levels)
+    : Levels(levels)
+  {
+    this->Tell(true);
+  }
+  ~Drawing() { this->Tell(false); }
+  Drawing(const Drawing&) = delete;
+  Drawing& operator=(const Drawing&) = delete;
+
+private:
+  void Tell(bool drawing)
+  {
+    if (this->Levels)
+    {
+      this->Levels->SetDrawing(drawing);
+    }
+  }
+
+  gatun::RayLevels* const Levels;
+};
+
+//------------------------------------------------------------------------------
 gatun::RayGrid MakeGrid(vtkRenderer* renderer, const Viewport& viewport, float distance)
 {
   const bool toBorders =
@@ -114,19 +146,27 @@ public:
   gatun::RayPicture Picture;
   std::set<std::string> Told; // why nothing is drawn, since something was
 
+  std::string Obstacle;     // that was told
+  std::uint64_t Points = 0; // of what the last picture shows; 0: all
+
   // Seconds for each ray of the last picture.
   std::map<std::pair<vtkRenderer*, vtkVolume*>, double> TimeOfRays;
+  std::map<std::pair<vtkRenderer*, vtkVolume*>, gatun::JustInTime> Frames;
 
   static InputKind GetKind(vtkGatunVolumeMapper* mapper);
   static gatun::RayArray GetArray(vtkGatunVolumeMapper* mapper);
   static std::uint64_t GetBudget(vtkGatunVolumeMapper* mapper);
+  static bool Simplifies(vtkGatunVolumeMapper* mapper);
   static void Pull(vtkGatunVolumeMapper* mapper);
   bool SetScene(vtkGatunVolumeMapper* mapper, const gatun::RaySource::Progress& progress);
   float ChooseDistance(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
     const Viewport& viewport) const;
-  void Draw(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
+  gatun::FrameRequest GetRequest(
+    vtkGatunVolumeMapper* mapper, vtkVolume* volume, const Viewport& viewport) const;
+  void TellObstacle(vtkGatunVolumeMapper* mapper);
+  gatun::RayStatistics Draw(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
     const Viewport& viewport, const gatun::RayGrid& grid,
-    const gatun::RaySource::Progress& progress);
+    const gatun::RaySource::Progress& progress, gatun::RaySource* simpler);
   void DrawFrame(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 };
 
@@ -191,6 +231,12 @@ std::uint64_t vtkGatunVolumeMapper::vtkInternals::GetBudget(vtkGatunVolumeMapper
 }
 
 //------------------------------------------------------------------------------
+bool vtkGatunVolumeMapper::vtkInternals::Simplifies(vtkGatunVolumeMapper* mapper)
+{
+  return mapper->JustInTime || mapper->SimplificationRatio != 0;
+}
+
+//------------------------------------------------------------------------------
 void vtkGatunVolumeMapper::vtkInternals::Pull(vtkGatunVolumeMapper* mapper)
 {
   const gatun::RayProducer producer = gatun::GetProducer(mapper);
@@ -222,7 +268,7 @@ bool vtkGatunVolumeMapper::vtkInternals::SetScene(
       return false;
     case InputKind::File:
       this->Scene.SetFile(gatun::GetFileReader(producer.Algorithm)->GetFileName(),
-        gatun::GetRequestedTime(producer), GetArray(mapper), budget);
+        gatun::GetRequestedTime(producer), GetArray(mapper), budget, Simplifies(mapper));
       return true;
     case InputKind::Pieces:
       this->Scene.SetPieces(producer, mapper->NumberOfPieces, GetArray(mapper), budget, progress);
@@ -240,7 +286,7 @@ bool vtkGatunVolumeMapper::vtkInternals::SetScene(
   {
     return false;
   }
-  this->Scene.SetGrid(grid, GetArray(mapper), budget);
+  this->Scene.SetGrid(grid, GetArray(mapper), budget, Simplifies(mapper));
   return true;
 }
 
@@ -265,9 +311,44 @@ float vtkGatunVolumeMapper::vtkInternals::ChooseDistance(vtkGatunVolumeMapper* m
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunVolumeMapper::vtkInternals::Draw(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer,
-  vtkVolume* volume, const Viewport& viewport, const gatun::RayGrid& grid,
-  const gatun::RaySource::Progress& progress)
+gatun::FrameRequest vtkGatunVolumeMapper::vtkInternals::GetRequest(
+  vtkGatunVolumeMapper* mapper, vtkVolume* volume, const Viewport& viewport) const
+{
+  gatun::FrameRequest request;
+  const double allocated = volume->GetAllocatedRenderTime();
+  if (mapper->JustInTime && allocated > 0 && allocated < LeastTimeAtRest)
+  {
+    request.Budget = mapper->TimeBudget > 0 ? mapper->TimeBudget : allocated;
+  }
+  request.Ratio = mapper->SimplificationRatio;
+  request.Pixels = static_cast<double>(viewport.Width) * viewport.Height;
+  const bool adjusts = mapper->AutoAdjustSampleDistances != 0;
+  request.LeastDistance =
+    adjusts ? mapper->MinimumImageSampleDistance : mapper->ImageSampleDistance;
+  request.LargestDistance = adjusts
+    ? std::max(mapper->MinimumImageSampleDistance, mapper->MaximumImageSampleDistance)
+    : mapper->ImageSampleDistance;
+  return request;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeMapper::vtkInternals::TellObstacle(vtkGatunVolumeMapper* mapper)
+{
+  const std::string& obstacle = this->Scene.GetObstacle();
+  if (obstacle != this->Obstacle)
+  {
+    this->Obstacle = obstacle;
+    if (!obstacle.empty())
+    {
+      vtkWarningWithObjectMacro(mapper, << obstacle);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+gatun::RayStatistics vtkGatunVolumeMapper::vtkInternals::Draw(vtkGatunVolumeMapper* mapper,
+  vtkRenderer* renderer, vtkVolume* volume, const Viewport& viewport, const gatun::RayGrid& grid,
+  const gatun::RaySource::Progress& progress, gatun::RaySource* simpler)
 {
   vtkCamera* const camera = renderer->GetActiveCamera();
   vtkNew<vtkMatrix4x4> matrix;
@@ -291,8 +372,9 @@ void vtkGatunVolumeMapper::vtkInternals::Draw(vtkGatunVolumeMapper* mapper, vtkR
     gatun::MakeRayTable(volume->GetProperty(), ToMode(mapper->BlendMode), this->Scene.GetRange(),
       view.SampleDistance),
     limits, settings);
-  this->Scene.Draw(caster, view, progress);
+  this->Scene.Draw(caster, view, progress, simpler);
   this->Picture.Take(caster, grid);
+  return caster.GetStatistics();
 }
 
 //------------------------------------------------------------------------------
@@ -314,17 +396,38 @@ void vtkGatunVolumeMapper::vtkInternals::DrawFrame(
   {
     return;
   }
+  this->TellObstacle(mapper);
   // From here on, as the time for the input says nothing of the next picture.
   mapper->Timer->StartTimer();
-  const float distance = this->ChooseDistance(mapper, renderer, volume, viewport);
+  const auto key = std::make_pair(renderer, volume);
+  gatun::RayLevels* const levels = this->Scene.GetLevels();
+  gatun::JustInTime* const frames = levels ? &this->Frames[key] : nullptr;
+  const gatun::FrameRequest request = this->GetRequest(mapper, volume, viewport);
+  const gatun::Frame frame = frames ? frames->Begin(*levels, request, progress) : gatun::Frame{};
+  const bool inMotion = frames && request.Budget > 0;
+  const float distance = inMotion ? static_cast<float>(frame.Distance)
+                                  : this->ChooseDistance(mapper, renderer, volume, viewport);
   const gatun::RayGrid grid = MakeGrid(renderer, viewport, distance);
-  this->Draw(mapper, renderer, volume, viewport, grid, progress);
+  const Drawing drawing(levels);
+  const double before = vtkTimerLog::GetUniversalTime();
+  const auto statistics =
+    this->Draw(mapper, renderer, volume, viewport, grid, progress, frame.Source.get());
+  const double cast = vtkTimerLog::GetUniversalTime() - before;
   this->Picture.Show(renderer, volume, mapper->IntermixIntersectingGeometry != 0);
+  if (inMotion)
+  {
+    window->WaitForCompletion(); // or the next picture would pay for this one
+  }
   mapper->Timer->StopTimer();
+  const double rays = static_cast<double>(grid.Width) * grid.Height;
   mapper->ImageSampleDistance = distance;
   mapper->TimeToDraw = mapper->Timer->GetElapsedTime();
-  this->TimeOfRays[{ renderer, volume }] =
-    mapper->TimeToDraw / (static_cast<double>(grid.Width) * grid.Height);
+  this->TimeOfRays[key] = mapper->TimeToDraw / rays;
+  this->Points = frame.Points;
+  if (frames)
+  {
+    frames->End(*levels, frame, rays, statistics, { cast, mapper->TimeToDraw });
+  }
   mapper->UpdateProgress(1);
 }
 
@@ -351,6 +454,41 @@ void vtkGatunVolumeMapper::SetBlendMode(int mode)
 vtkTypeUInt64 vtkGatunVolumeMapper::GetBytesRead()
 {
   return this->Internals->Scene.GetBytesRead();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGatunVolumeMapper::GetNumberOfDrawnPoints()
+{
+  return static_cast<vtkIdType>(this->Internals->Points);
+}
+
+//------------------------------------------------------------------------------
+bool vtkGatunVolumeMapper::PrepareSimplification()
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  try
+  {
+    const auto progress = [this](double fraction)
+    {
+      this->UpdateProgress(fraction);
+      return this->GetAbortExecute() == 0;
+    };
+    if (!vtkInternals::Simplifies(this) || !this->Internals->SetScene(this, progress) ||
+      !this->Internals->Scene.GetLevels())
+    {
+      return false;
+    }
+    auto* const levels = this->Internals->Scene.GetLevels();
+    levels->WaitForDetail(progress);
+    levels->Wait();
+    this->UpdateProgress(1);
+    return true;
+  }
+  catch (...)
+  {
+    this->Fail();
+    return false;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -494,4 +632,7 @@ void vtkGatunVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OpacityLimit: " << this->OpacityLimit << "\n";
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
   os << indent << "NumberOfPieces: " << this->NumberOfPieces << "\n";
+  os << indent << "JustInTime: " << tell(this->JustInTime) << "\n";
+  os << indent << "TimeBudget: " << this->TimeBudget << "\n";
+  os << indent << "SimplificationRatio: " << this->SimplificationRatio << "\n";
 }

@@ -33,6 +33,16 @@
  * cells. What has no gradient, as values of cells, is not shaded, nor are the blend modes but
  * composite and area.
  *
+ * *Just in time.* With JustInTime on, a picture during an interaction takes about the time that
+ * there is for it: points are merged into others, as vtkGatunSimplify does, until tetrahedra take a
+ * quarter of it; then, with AutoAdjustSampleDistances on, rays are cast farther apart. The picture
+ * at rest, for which more than 10 seconds are allocated, shows the whole mesh. How a mesh in memory
+ * can be simplified is found out by a thread in the background, from the first picture on, in about
+ * 5 to 10 seconds for a million tetrahedra, and again when the input changes; meanwhile, only rays
+ * get fewer. That takes a copy of the mesh, about 60 bytes a tetrahedron all together, beyond
+ * MemoryBudget. Simpler meshes that are likely to be wanted next, and at last the whole one, are
+ * made ready in the background, too. Pieces cannot be simplified.
+ *
  * *Errors.* What cannot be drawn is reported by vtkErrorMacro and GetErrorCode (as vtkGatunReader
  * has them), the message once for the same cause, and nothing is drawn. A mesh without cells is no
  * error. Pictures can be stopped by vtkRenderWindow::SetAbortRender, as in an observer of
@@ -163,6 +173,47 @@ public:
   vtkGetMacro(NumberOfPieces, int);
   ///@}
 
+  ///@{
+  /**
+   * Whether pictures during an interaction are to be drawn within their time, by simpler meshes;
+   * see above. Default: off.
+   */
+  vtkSetMacro(JustInTime, vtkTypeBool);
+  vtkGetMacro(JustInTime, vtkTypeBool);
+  vtkBooleanMacro(JustInTime, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Seconds that a picture may take during an interaction, with JustInTime on; 0 for what is
+   * allocated to the volume (see vtkRenderWindow::SetDesiredUpdateRate). Default: 0.
+   */
+  vtkSetClampMacro(TimeBudget, double, 0.0, 1e6);
+  vtkGetMacro(TimeBudget, double);
+  ///@}
+
+  ///@{
+  /**
+   * Part of the mesh's points that is merged away in all pictures, 0 to 1, as far as that is
+   * possible; others are an error. The first picture waits until it is known how. Default: 0.
+   */
+  vtkSetMacro(SimplificationRatio, double);
+  vtkGetMacro(SimplificationRatio, double);
+  ///@}
+
+  /**
+   * How many points the mesh of the last picture had; 0 if that is not known, as where nothing is
+   * simplified.
+   */
+  vtkIdType GetNumberOfDrawnPoints();
+
+  /**
+   * Waits until it is known how the input can be simplified, which otherwise is found out while
+   * pictures are drawn. False if it cannot be, and while neither JustInTime is on nor
+   * SimplificationRatio above 0. AbortExecute stops waiting.
+   */
+  bool PrepareSimplification();
+
   /**
    * Bytes that this mapper has read from the file that it draws, since it opened it. 0 if it draws
    * none.
@@ -219,6 +270,9 @@ protected:
   double OpacityLimit = 0.001;
   int MemoryBudget = 512;
   int NumberOfPieces = 1;
+  vtkTypeBool JustInTime = 0;
+  double TimeBudget = 0;
+  double SimplificationRatio = 0;
 
 private:
   vtkGatunVolumeMapper(const vtkGatunVolumeMapper&) = delete;

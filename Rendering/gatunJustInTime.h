@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunJustInTime_h
+#define gatunJustInTime_h
+
+#include "gatunFrameBudget.h"
+#include "gatunRayCaster.h"
+#include "gatunRayLevels.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace gatun
+{
+/** What is wanted of a picture. */
+struct FrameRequest
+{
+  double Budget = 0; ///< seconds that it may take; 0: all that it needs
+  double Ratio = 0;  ///< part of the points that is merged away in any case
+  double Pixels = 0;
+  double LeastDistance = 1; ///< of rays
+  double LargestDistance = 1;
+};
+
+/** How it is drawn. */
+struct Frame
+{
+  std::shared_ptr<RaySource> Source;
+  std::uint64_t Points = 0; ///< 0: all; how many there are is not known yet
+  double Distance = 1;      ///< of rays, in pixels
+};
+
+/** Seconds that a picture took. */
+struct FrameSeconds
+{
+  double Cast = 0; ///< by the ray caster
+  double All = 0;
+};
+
+/**
+ * Pictures of one volume in one renderer, each with as many points and rays as there is time for.
+ * What is likely to be wanted next is made ready in the background.
+ */
+class JustInTime
+{
+public:
+  /** Progress: while it has to be found out how the mesh can be simplified, which only a ratio
+   * needs at once. Throws InvalidInput for a ratio that is none. */
+  Frame Begin(RayLevels& levels, const FrameRequest& request, const RaySource::Progress& progress);
+
+  /** The picture has been drawn, with so many rays. */
+  void End(RayLevels& levels, const Frame& frame, double rays, const RayStatistics& statistics,
+    const FrameSeconds& seconds);
+
+private:
+  Frame ChooseInMotion(RayLevels& levels, const FrameRequest& request);
+  FrameLimits GetLimits(const RayDetail* detail, const FrameRequest& request) const;
+
+  FrameBudget Budget;
+  FrameChoice Present;       // of the last picture in motion
+  FrameRequest Request;      // of this one
+  double MotionBudget = 0.1; // of the last picture in motion
+  std::uint64_t Last = 0;    // points of the last picture
+  double AllTets = 0;        // of the whole mesh, once they were drawn
+};
+}
+
+#endif
