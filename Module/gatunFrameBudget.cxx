@@ -24,7 +24,7 @@ constexpr double TetPower = 0.2;
 constexpr int StepsToHalf = 4;
 
 // So many steps away, the number of points that is drawn is as good as the best one.
-constexpr int StepsToKeep = 2;
+constexpr int StepsToKeep = 4;
 
 /** Amount of work for samples. */
 double GetRayWork(const FrameWork& work)

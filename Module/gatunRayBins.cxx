@@ -3,6 +3,7 @@
 #include "gatunRayBins.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace gatun
 {
@@ -35,14 +36,20 @@ void RayBins::SetBlock(const RayKernel& kernel, const RayView& view, const RayTa
 
 //------------------------------------------------------------------------------
 bool RayBins::Fill(const RayKernel& kernel, const SetUpContext& context, const RayShading* shading,
-  std::size_t tiles)
+  std::size_t tiles, bool repeatable)
 {
   this->Starts.assign(tiles + 1, 0);
   const auto first = this->Next;
   std::size_t items = 0;
-  for (; this->Next < this->Order.size() && items < MostItems; ++this->Next)
+  std::size_t reached = 0; // tiles, of which some may be opaque
+  for (; this->Next < this->Order.size() && (repeatable ? reached : items) < MostItems;
+       ++this->Next)
   {
-    ForEachTile(this->Seen[this->Order[this->Next]], context.TilesX, context.Limits,
+    const SeenTet& seen = this->Seen[this->Order[this->Next]];
+    reached +=
+      static_cast<std::size_t>((seen.LastY / RayTile::Size - seen.FirstY / RayTile::Size + 1) *
+        (seen.LastX / RayTile::Size - seen.FirstX / RayTile::Size + 1));
+    ForEachTile(seen, context.TilesX, context.Limits,
       [&](int tile)
       {
         ++this->Starts[static_cast<std::size_t>(tile) + 1];
@@ -76,9 +83,39 @@ bool RayBins::Fill(const RayKernel& kernel, const SetUpContext& context, const R
 }
 
 //------------------------------------------------------------------------------
+void RayBins::FingerprintPoints()
+{
+  this->Fingerprints.resize(this->Points.size());
+  for (std::size_t i = 0; i < this->Points.size(); ++i)
+  {
+    const RayPoint& p = this->Points[i];
+    std::uint64_t mixed = 0;
+    for (const double number : { p.X, p.Y, p.Z, p.Value })
+    {
+      mixed = MixFingerprints(mixed, std::bit_cast<std::uint64_t>(number));
+    }
+    this->Fingerprints[i] = mixed;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t RayBins::GetFingerprint(std::uint32_t tet) const
+{
+  const RayBlock& block = *this->Block;
+  std::uint64_t mixed = block.Turned[tet];
+  for (const auto point : block.Tets[tet])
+  {
+    mixed = MixFingerprints(mixed, this->Fingerprints[point]);
+  }
+  return block.CellValues.empty()
+    ? mixed
+    : MixFingerprints(mixed, std::bit_cast<std::uint64_t>(block.CellValues[tet]));
+}
+
+//------------------------------------------------------------------------------
 std::size_t RayBins::GetMemorySize() const
 {
-  return this->Points.capacity() * sizeof(RayPoint) +
+  return this->Points.capacity() * sizeof(RayPoint) + this->Fingerprints.capacity() * 8 +
     this->SeenPoints.capacity() * sizeof(SeenPoint) + this->Seen.capacity() * sizeof(SeenTet) +
     this->Facing.capacity() + this->Released.GetMemorySize() +
     (this->Order.capacity() + this->Starts.capacity() + this->Places.capacity() +

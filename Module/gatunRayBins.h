@@ -14,6 +14,14 @@
 
 namespace gatun
 {
+/** A number that stands for a sequence and what comes after it. */
+inline std::uint64_t MixFingerprints(std::uint64_t before, std::uint64_t next)
+{
+  std::uint64_t mixed = (before ^ next) * 0x9e3779b97f4a7c15u;
+  mixed = (mixed ^ mixed >> 32) * 0xd6e8feb86659fd93u;
+  return (mixed ^ mixed >> 29) + (before << 1 | before >> 63);
+}
+
 /**
  * A block as a view sees it: its tetrahedra in the order in which they are released, set up for
  * each tile that they reach. Only so many at a time are, so that a view from nearby, where each is
@@ -26,10 +34,15 @@ public:
   void SetBlock(const RayKernel& kernel, const RayView& view, const RayTable& table,
     const RayBlock& block, RayFilter filter, ReleaseFrom from);
 
+  /** Calls use(tile, fingerprint) for each of the items that Fill would make next if nothing were
+   * opaque, in their order in each tile; false when there are none left. */
+  template <typename Use>
+  bool Skim(int tilesX, Use&& use);
+
   /** Puts the next tetrahedra into the bins of the tiles; false when there are none left. Shading:
    * null for none. */
   bool Fill(const RayKernel& kernel, const SetUpContext& context, const RayShading* shading,
-    std::size_t tiles);
+    std::size_t tiles, bool repeatable);
 
   TetItems GetItems(std::size_t tile) const
   {
@@ -46,8 +59,12 @@ public:
 private:
   static constexpr std::size_t MostItems = std::size_t{ 1 } << 17;
 
+  void FingerprintPoints();
+  std::uint64_t GetFingerprint(std::uint32_t tet) const;
+
   const RayBlock* Block = nullptr;
   std::vector<RayPoint> Points;
+  std::vector<std::uint64_t> Fingerprints; // of points
   std::vector<SeenPoint> SeenPoints;
   std::vector<SeenTet> Seen;
   std::vector<std::uint8_t> Facing;
@@ -60,6 +77,32 @@ private:
   std::vector<std::uint32_t> Origins; // see TetItems
   std::vector<RayShade> Shades;
 };
+
+//------------------------------------------------------------------------------
+template <typename Use>
+bool RayBins::Skim(int tilesX, Use&& use)
+{
+  if (this->Next == 0)
+  {
+    this->FingerprintPoints();
+  }
+  const auto first = this->Next;
+  for (std::size_t items = 0; this->Next < this->Order.size() && items < MostItems; ++this->Next)
+  {
+    const auto tet = this->Order[this->Next];
+    const SeenTet& seen = this->Seen[tet];
+    const auto fingerprint = this->GetFingerprint(tet);
+    for (int y = seen.FirstY / RayTile::Size; y <= seen.LastY / RayTile::Size; ++y)
+    {
+      for (int x = seen.FirstX / RayTile::Size; x <= seen.LastX / RayTile::Size; ++x)
+      {
+        use(static_cast<std::size_t>(y * tilesX + x), fingerprint);
+        ++items;
+      }
+    }
+  }
+  return this->Next > first;
+}
 }
 
 #endif

@@ -55,6 +55,7 @@ struct TileSlot
   double DrawTime = 0;
   double FinishTime = 0;
   std::size_t MostFragments = 0;
+  bool IsLeftOut = false;
 };
 
 /** Where a box is seen. */
@@ -134,6 +135,11 @@ public:
   }
 
   void LimitTiles();
+  std::vector<std::size_t> FindCandidates(const RaySource& source);
+  template <typename Skips, typename Use>
+  void TakeTurns(RaySource& source, const Progress& progress, Skips&& skips, Use&& use);
+  std::span<Work> SetBlocks(std::span<const std::shared_ptr<const RayBlock>> blocks);
+  bool IsNeverSeen(const Bounds& box, const Range& values) const;
   bool IsCutAway(const Bounds& box) const;
   std::unique_ptr<RayTile> MakeTile(std::size_t index) const;
   void DrawTile(std::size_t index, std::span<const Work> works);
@@ -410,18 +416,22 @@ RayCaster::RayCaster(
 RayCaster::~RayCaster() = default;
 
 //------------------------------------------------------------------------------
+/** Whether such values in a box cannot be seen, whatever else there is. */
+bool RayCaster::Internals::IsNeverSeen(const Bounds& box, const Range& values) const
+{
+  return this->Table.IsTransparent(values) || !(box[0].Min <= box[0].Max) || this->IsCutAway(box) ||
+    this->See(box).IsOutside;
+}
+
+//------------------------------------------------------------------------------
 bool RayCaster::IsHidden(const Bounds& box, const Range& values) const
 {
   const auto& self = *this->Self;
-  if (self.Table.IsTransparent(values) || !(box[0].Min <= box[0].Max) || self.IsCutAway(box))
+  if (self.IsNeverSeen(box, values))
   {
     return true;
   }
   const SeenBox seen = self.See(box);
-  if (seen.IsOutside)
-  {
-    return true;
-  }
   // In perspective, samples are not nearer than depth says.
   const double nearest =
     self.View.Perspective ? seen.Nearest / self.View.SampleDistance : seen.Nearest;
@@ -441,29 +451,49 @@ bool RayCaster::IsHidden(const Bounds& box, const Range& values) const
   return true;
 }
 
-//------------------------------------------------------------------------------
-void RayCaster::Draw(RaySource& source, const Progress& progress)
+/** The blocks of a source that may be seen, the nearest first. */
+std::vector<std::size_t> RayCaster::Internals::FindCandidates(const RaySource& source)
 {
   struct Candidate
   {
     std::size_t Block;
     double Depth;
   };
-  auto& self = *this->Self;
   std::vector<Candidate> candidates;
   double farthest = 0;
   for (std::size_t block = 0; block < source.GetNumberOfBlocks(); ++block)
   {
-    const SeenBox seen = self.See(source.GetBounds(block));
-    candidates.push_back({ block, seen.Nearest + seen.Farthest });
+    const SeenBox seen = this->See(source.GetBounds(block));
     farthest = seen.IsOutside ? farthest : std::max(farthest, seen.Farthest);
+    if (this->IsNeverSeen(source.GetBounds(block), source.GetRange(block)))
+    {
+      ++this->Statistics.SkippedBlocks;
+    }
+    else
+    {
+      candidates.push_back({ block, seen.Nearest + seen.Farthest });
+    }
   }
+  this->RequireFewSamples(farthest);
   std::sort(candidates.begin(), candidates.end(),
     [](const Candidate& a, const Candidate& b)
     { return a.Depth != b.Depth ? a.Depth < b.Depth : a.Block < b.Block; });
+  std::vector<std::size_t> blocks;
+  for (const Candidate& candidate : candidates)
+  {
+    blocks.push_back(candidate.Block);
+  }
+  return blocks;
+}
 
-  auto& statistics = self.Statistics;
-  self.RequireFewSamples(farthest);
+//------------------------------------------------------------------------------
+/** Calls use(blocks) for the blocks of a source, as many at a time as there are threads. Those are
+ * left out that skips says when their turn has come. */
+template <typename Skips, typename Use>
+void RayCaster::Internals::TakeTurns(
+  RaySource& source, const Progress& progress, Skips&& skips, Use&& use)
+{
+  const auto candidates = this->FindCandidates(source);
   const auto most = static_cast<std::size_t>(GetNumberOfThreads());
   std::vector<std::size_t> turn;
   std::size_t next = 0;
@@ -474,24 +504,110 @@ void RayCaster::Draw(RaySource& source, const Progress& progress)
       throw Error(ErrorCode::Aborted, "aborted");
     }
     turn.clear();
-    for (; next < candidates.size() && turn.size() < most; ++next)
+    const auto first = next;
+    for (; next < candidates.size() &&
+         (this->Settings.Repeatable ? next - first : turn.size()) < most;
+         ++next)
     {
-      const auto block = candidates[next].Block;
-      if (this->IsHidden(source.GetBounds(block), source.GetRange(block)))
+      if (skips(candidates[next]))
       {
-        ++statistics.SkippedBlocks;
+        ++this->Statistics.SkippedBlocks;
       }
       else
       {
-        turn.push_back(block);
+        turn.push_back(candidates[next]);
       }
     }
     RaySource::Blocks blocks;
     {
-      const Timed timed(statistics.FetchTime);
+      const Timed timed(this->Statistics.FetchTime);
       blocks = source.GetBlocks(turn, {});
     }
-    this->Draw(blocks);
+    use(blocks);
+  }
+}
+
+//------------------------------------------------------------------------------
+void RayCaster::Draw(RaySource& source, const Progress& progress)
+{
+  this->Self->TakeTurns(
+    source, progress,
+    [&](std::size_t block)
+    { return this->IsHidden(source.GetBounds(block), source.GetRange(block)); },
+    [&](const RaySource::Blocks& blocks) { this->Draw(blocks); });
+}
+
+//------------------------------------------------------------------------------
+/** Brings blocks into view, each in a work of its own. */
+std::span<Work> RayCaster::Internals::SetBlocks(
+  std::span<const std::shared_ptr<const RayBlock>> blocks)
+{
+  if (this->Works.size() < blocks.size())
+  {
+    this->Works.resize(blocks.size());
+  }
+  const std::span<Work> works(this->Works.data(), blocks.size());
+  const RayFilter filter = this->GetFilter();
+  const auto from = this->Settings.FromBothEnds ? ReleaseFrom::Both : ReleaseFrom::Front;
+  ParallelFor(blocks.size(),
+    [&](std::size_t i)
+    {
+      const Timed timed(works[i].OrderTime);
+      works[i].Bins.SetBlock(this->Kernel, this->View, this->Table, *blocks[i], filter, from);
+    });
+  return works;
+}
+
+//------------------------------------------------------------------------------
+std::size_t RayCaster::GetNumberOfTiles() const
+{
+  return this->Self->Tiles.size();
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint64_t> RayCaster::GetFingerprints(RaySource& source, const Progress& progress)
+{
+  auto& self = *this->Self;
+  std::vector<std::uint64_t> result(self.Tiles.size(), 0);
+  // Which call of the kernel was the last for a tile: when one ends matters, too.
+  std::vector<std::uint64_t> calls(self.Tiles.size(), 0);
+  std::uint64_t call = 0;
+  self.TakeTurns(
+    source, progress, [](std::size_t) { return false; },
+    [&](const RaySource::Blocks& blocks)
+    {
+      const auto works = self.SetBlocks(blocks);
+      bool hasItems = true;
+      while (hasItems)
+      {
+        hasItems = false;
+        for (Work& work : works)
+        {
+          ++call;
+          hasItems |= work.Bins.Skim(self.TilesX,
+            [&](std::size_t tile, std::uint64_t fingerprint)
+            {
+              const std::uint64_t isFirst = calls[tile] == call ? 0 : 1;
+              calls[tile] = call;
+              result[tile] = MixFingerprints(result[tile], fingerprint + isFirst);
+            });
+        }
+      }
+    });
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void RayCaster::Restrict(std::span<const std::uint8_t> tiles)
+{
+  auto& self = *this->Self;
+  for (std::size_t tile = 0; tile < self.Tiles.size(); ++tile)
+  {
+    if (tiles[tile] == 0)
+    {
+      self.Tiles[tile].IsLeftOut = true;
+      self.TileLimits[tile] = RayTile::Never;
+    }
   }
 }
 
@@ -499,19 +615,7 @@ void RayCaster::Draw(RaySource& source, const Progress& progress)
 void RayCaster::Draw(std::span<const std::shared_ptr<const RayBlock>> blocks)
 {
   auto& self = *this->Self;
-  if (self.Works.size() < blocks.size())
-  {
-    self.Works.resize(blocks.size());
-  }
-  const std::span<Work> works(self.Works.data(), blocks.size());
-  const RayFilter filter = self.GetFilter();
-  const auto from = self.Settings.FromBothEnds ? ReleaseFrom::Both : ReleaseFrom::Front;
-  ParallelFor(blocks.size(),
-    [&](std::size_t i)
-    {
-      const Timed timed(works[i].OrderTime);
-      works[i].Bins.SetBlock(self.Kernel, self.View, self.Table, *blocks[i], filter, from);
-    });
+  const auto works = self.SetBlocks(blocks);
   const SetUpContext context{ &self.View, self.TilesX, self.TileLimits.data(),
     self.Table.VisibleCells.data(), RayTable::Size, self.Table.Low, self.Table.Scale };
   for (;;)
@@ -520,8 +624,8 @@ void RayCaster::Draw(std::span<const std::shared_ptr<const RayBlock>> blocks)
       [&](std::size_t i)
       {
         const Timed timed(works[i].SetUpTime);
-        works[i].HasItems =
-          works[i].Bins.Fill(self.Kernel, context, self.GetShading(), self.Tiles.size());
+        works[i].HasItems = works[i].Bins.Fill(
+          self.Kernel, context, self.GetShading(), self.Tiles.size(), self.Settings.Repeatable);
       });
     if (std::none_of(works.begin(), works.end(), [](const Work& work) { return work.HasItems; }))
     {
@@ -546,7 +650,12 @@ void RayCaster::Finish(float* rgba, float* depth)
   auto& self = *this->Self;
   ParallelFor(self.Tiles.size(),
     [&](std::size_t tile)
-    { self.FinishTile(self.Tiles[tile], self.GetX(tile), self.GetY(tile), rgba, depth); });
+    {
+      if (!self.Tiles[tile].IsLeftOut)
+      {
+        self.FinishTile(self.Tiles[tile], self.GetX(tile), self.GetY(tile), rgba, depth);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------

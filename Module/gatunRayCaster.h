@@ -15,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace gatun
 {
@@ -35,6 +36,10 @@ struct RaySettings
 
   /** Whether to use only instructions that every processor has. */
   bool Portable = false;
+
+  /** Whether a tile of the picture comes out the same to the last bit whatever the others show, and
+   * however many of them are drawn. Threads may have less to do at the same time. */
+  bool Repeatable = false;
 };
 
 /** What has been done so far; times are of all threads together, in seconds. */
@@ -85,13 +90,29 @@ public:
   /** Draws some blocks. */
   void Draw(std::span<const std::shared_ptr<const RayBlock>> blocks);
 
+  /** Pictures are drawn in squares of 16 by 16 pixels, row by row from below. */
+  std::size_t GetNumberOfTiles() const;
+
+  /**
+   * Of each tile, a number that stands for all that decides what it shows: the tetrahedra that
+   * reach it and the order in which they are drawn. With the same view, table, limits and settings,
+   * and Repeatable, tiles with equal numbers look the same to the last bit. (Different ones come
+   * out equal with a probability of 1 in 2^64.) Makes all blocks that are in the picture, and
+   * orders them, but draws nothing.
+   */
+  std::vector<std::uint64_t> GetFingerprints(RaySource& source, const Progress& progress = {});
+
+  /** Before anything is drawn: leaves out all tiles for which this is 0, also when finishing. */
+  void Restrict(std::span<const std::uint8_t> tiles);
+
   /** Whether nothing with such values in a box could be seen, as far as is known now. */
   bool IsHidden(const Bounds& box, const Range& values) const;
 
   /**
-   * Writes the picture: for each pixel, row by row from below, red, green, blue (with opacity
-   * multiplied in) and opacity; and, if depth is not null, how far the first sample is that can be
-   * seen, in world units as samples are measured, or infinity. (Mode Maximum and XRay: infinity.)
+   * Writes the picture, as far as it is not restricted: for each pixel, row by row from below, red,
+   * green, blue (with opacity multiplied in) and opacity; and, if depth is not null, how far the
+   * first sample is that can be seen, in world units as samples are measured, or infinity. (Mode
+   * Maximum and XRay: infinity.)
    */
   void Finish(float* rgba, float* depth = nullptr);
 

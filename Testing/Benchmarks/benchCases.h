@@ -24,6 +24,7 @@ void AddRegion(CLI::App& app);
 void AddSeries(CLI::App& app);
 void AddRender(CLI::App& app);
 void AddPicture(CLI::App& app);
+void AddBudget(CLI::App& app);
 void AddStudyPicture(CLI::App& app);
 void AddStudyRelease(CLI::App& app);
 void AddStudyPrefilter(CLI::App& app);

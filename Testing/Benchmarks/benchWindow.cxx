@@ -101,20 +101,33 @@ void VolumeWindow::Render(double turn)
 }
 
 //------------------------------------------------------------------------------
-Seen VolumeWindow::Look()
+void VolumeWindow::SetUpdateRate(double rate)
+{
+  this->Window->SetDesiredUpdateRate(rate);
+}
+
+//------------------------------------------------------------------------------
+std::vector<unsigned char> VolumeWindow::GetPixels()
 {
   const int* const size = this->Window->GetSize();
   vtkNew<vtkUnsignedCharArray> pixels;
   this->Window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
-  const vtkIdType count = pixels->GetNumberOfTuples();
-  vtkIdType covered = 0;
+  return { pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues() };
+}
+
+//------------------------------------------------------------------------------
+Seen VolumeWindow::Look()
+{
+  const auto pixels = this->GetPixels();
+  const std::size_t count = pixels.size() / 3;
+  std::size_t covered = 0;
   double sum = 0;
-  for (vtkIdType i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i)
   {
     int pixel = 0;
-    for (int c = 0; c < 3; ++c)
+    for (std::size_t c = 0; c < 3; ++c)
     {
-      pixel += pixels->GetTypedComponent(i, c);
+      pixel += pixels[3 * i + c];
     }
     covered += pixel > 0 ? 1 : 0;
     sum += pixel;

@@ -42,8 +42,14 @@ public:
   /** Draws the volume from a place around it, and waits until it is drawn. */
   void Render(double turn = 0);
 
+  /** Pictures a second that are wanted from now on, from which the time for one is derived. */
+  void SetUpdateRate(double rate);
+
   /** Of the last picture. */
   Seen Look();
+
+  /** Red, green and blue of the last picture, 0 to 255. */
+  std::vector<unsigned char> GetPixels();
 
 private:
   Scene View;

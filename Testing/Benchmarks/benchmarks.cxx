@@ -31,6 +31,7 @@ int main(int argc, char* argv[])
   bench::AddSeries(app);
   bench::AddRender(app);
   bench::AddPicture(app);
+  bench::AddBudget(app);
   bench::AddStudyPicture(app);
   bench::AddStudyRelease(app);
   bench::AddStudyPrefilter(app);

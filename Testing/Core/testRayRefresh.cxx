@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Of a picture, only tiles that another number of points changes are drawn anew, and nobody can
+// tell.
+
+#include "gatunError.h"
+#include "gatunMemoryRayDetail.h"
+#include "gatunRayPictures.h"
+#include "gatunRayRefresh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+namespace gatun::test
+{
+namespace
+{
+constexpr std::uint64_t Plenty = std::uint64_t{ 1 } << 30;
+
+/** A mesh that is simplified, as one looks at it. */
+class Subject
+{
+public:
+  Subject(std::int64_t n, const Viewer& viewer, RayMode mode, float opaque)
+    : Onlooker(viewer)
+    , Mode(mode)
+  {
+    const TestMesh mesh = MakeCubes(n, 0.2);
+    const ReferenceMesh reference = ToReference(mesh);
+    const auto copy = std::make_shared<const MemoryRayMesh>(mesh.GetInput(),
+      RayValuesInput{ Association::Point, ScalarType::Float64, 1, 0, reference.Values.data() },
+      nullptr);
+    this->Detail = std::make_unique<MemoryRayDetail>(copy, copy->BuildTree());
+    this->Settings.Repeatable = true;
+    this->Settings.Opaque = opaque;
+  }
+
+  std::uint64_t GetPoints() const { return this->Detail->GetNumberOfPoints(); }
+  std::shared_ptr<RaySource> MakeSource(std::uint64_t points) const
+  {
+    return this->Detail->MakeSource(points, Plenty);
+  }
+  std::unique_ptr<RayCaster> MakeCaster() const
+  {
+    return std::make_unique<RayCaster>(this->Onlooker.GetView(),
+      RayTable(this->Mode, Ramp, { 0, 1 }, this->Onlooker.SampleDistance, 1), RayLimits{},
+      this->Settings);
+  }
+  std::vector<float> MakeBlank() const
+  {
+    return std::vector<float>(4u * this->Onlooker.Width * this->Onlooker.Height, -1.0f);
+  }
+  std::vector<float> Draw(std::uint64_t points) const
+  {
+    auto picture = this->MakeBlank();
+    const auto caster = this->MakeCaster();
+    caster->Draw(*this->MakeSource(points));
+    caster->Finish(picture.data());
+    return picture;
+  }
+
+private:
+  Viewer Onlooker;
+  RayMode Mode;
+  RaySettings Settings;
+  std::unique_ptr<MemoryRayDetail> Detail;
+};
+
+//------------------------------------------------------------------------------
+TEST(RayRefresh, ThePictureIsThatFromScratch)
+{
+  std::size_t drawn = 0;
+  std::size_t all = 0;
+  for (const RayMode mode : { RayMode::Composite, RayMode::Area, RayMode::Maximum, RayMode::XRay })
+  {
+    for (const float opaque : { 0.0f, 0.3f })
+    {
+      for (const bool parallel : { false, true })
+      {
+        for (const int view : { 4, 7 }) // from without and from within
+        {
+          const Subject subject(
+            10, MakeViewers(10, parallel)[static_cast<std::size_t>(view)], mode, opaque);
+          const auto points = subject.GetPoints();
+          RayRefresh refresh([&] { return subject.MakeCaster(); });
+          auto picture = subject.MakeBlank();
+          // Far apart, and one by one, up and down; and the same again.
+          for (const std::uint64_t n : { points, points - 1, points - 2, points - 9, points - 40,
+                 points / 2, points / 2 + 3, points / 9, points / 9, points / 9 + 1, points })
+          {
+            drawn += refresh.Draw(*subject.MakeSource(n), picture.data());
+            all += subject.MakeCaster()->GetNumberOfTiles();
+            EXPECT_EQ(picture, subject.Draw(n)) << n;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_LT(drawn, all);
+  EXPECT_GT(drawn, all / 20);
+  RecordProperty("tilesDrawn", std::to_string(drawn) + " of " + std::to_string(all));
+}
+
+//------------------------------------------------------------------------------
+TEST(RayRefresh, NothingIsDrawnWhereNothingChanges)
+{
+  const Subject subject(8, MakeViewers(8, false)[4], RayMode::Composite, 1e-3f);
+  RayRefresh refresh([&] { return subject.MakeCaster(); });
+  auto picture = subject.MakeBlank();
+  const auto source = subject.MakeSource(300);
+  EXPECT_EQ(refresh.Draw(*source, picture.data()), subject.MakeCaster()->GetNumberOfTiles());
+  const auto before = picture;
+  EXPECT_EQ(refresh.Draw(*subject.MakeSource(300), picture.data()), 0u);
+  EXPECT_EQ(picture, before);
+}
+
+//------------------------------------------------------------------------------
+TEST(RayRefresh, AfterAPictureThatWasStoppedAllIsDrawn)
+{
+  const Subject subject(8, MakeViewers(8, false)[4], RayMode::Composite, 1e-3f);
+  RayRefresh refresh([&] { return subject.MakeCaster(); });
+  auto picture = subject.MakeBlank();
+  refresh.Draw(*subject.MakeSource(300), picture.data());
+  EXPECT_THROW(
+    refresh.Draw(*subject.MakeSource(200), picture.data(), [](double) { return false; }), Error);
+  EXPECT_EQ(refresh.Draw(*subject.MakeSource(300), picture.data()),
+    subject.MakeCaster()->GetNumberOfTiles());
+}
+
+//------------------------------------------------------------------------------
+TEST(RayRefresh, TilesDoNotDependOnOthers)
+{
+  // Each tile alone is what it is in the whole picture.
+  for (const float opaque : { 0.0f, 0.5f })
+  {
+    const Subject subject(12, MakeViewers(12, false)[3], RayMode::Composite, opaque);
+    const auto whole = subject.Draw(subject.GetPoints());
+    const auto tiles = subject.MakeCaster()->GetNumberOfTiles();
+    auto picture = subject.MakeBlank();
+    for (std::size_t tile = 0; tile < tiles; ++tile)
+    {
+      std::vector<std::uint8_t> only(tiles, 0);
+      only[tile] = 1;
+      const auto caster = subject.MakeCaster();
+      caster->Restrict(only);
+      caster->Draw(*subject.MakeSource(subject.GetPoints()));
+      caster->Finish(picture.data());
+    }
+    EXPECT_EQ(picture, whole);
+  }
+}
+}
+}
