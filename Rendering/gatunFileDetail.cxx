@@ -3,18 +3,21 @@
 
 #include "gatunFileDetail.h"
 
+#include "gatunFileRayDetail.h"
+#include "gatunFileReader.h"
+
 namespace gatun
 {
 //------------------------------------------------------------------------------
-bool HasDetail(const FileReader&)
+bool HasDetail(const FileReader& file)
 {
-  return false;
+  return file.HasMergeTree();
 }
 
 //------------------------------------------------------------------------------
 std::shared_ptr<RayDetail> MakeFileDetail(
-  std::shared_ptr<const FileReader>, const RayValues&, const RaySource::Progress&)
+  std::shared_ptr<const FileReader> file, const RayValues& values, const RaySource::Progress&)
 {
-  return nullptr;
+  return std::make_shared<FileRayDetail>(std::move(file), values);
 }
 }

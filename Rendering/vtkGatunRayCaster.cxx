@@ -5,6 +5,7 @@
 
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
+#include "gatunJustInTime.h"
 #include "gatunRayCaster.h"
 #include "gatunRayRendering.h"
 #include "gatunRayScene.h"
@@ -29,6 +30,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <chrono>
 
 vtkStandardNewMacro(vtkGatunRayCaster);
 
@@ -74,7 +76,11 @@ public:
   vtkSmartPointer<vtkMatrix4x4> VolumeMatrix;
   vtkSmartPointer<vtkPlaneCollection> ClippingPlanes;
   gatun::RayScene Scene;
+  gatun::JustInTime Frames;
   gatun::RayStatistics Statistics;
+
+  void Draw(const vtkGatunRayCaster& self, gatun::RayCaster& caster, const gatun::RayView& view,
+    const gatun::RaySource::Progress& progress);
 };
 
 //------------------------------------------------------------------------------
@@ -252,6 +258,28 @@ int vtkGatunRayCaster::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
+/** Draws the mesh, or a simpler one. */
+void vtkGatunRayCaster::vtkInternals::Draw(const vtkGatunRayCaster& self, gatun::RayCaster& caster,
+  const gatun::RayView& view, const gatun::RaySource::Progress& progress)
+{
+  gatun::RayLevels* const levels = this->Scene.GetLevels();
+  if (!levels)
+  {
+    this->Scene.Draw(caster, view, progress);
+    return;
+  }
+  levels->WaitForDetail(progress);
+  const double pixels = static_cast<double>(self.Size[0]) * self.Size[1];
+  const auto start = std::chrono::steady_clock::now();
+  const gatun::Frame frame = this->Frames.Begin(
+    *levels, { self.TimeBudget, self.SimplificationRatio, pixels, 1, 1 }, progress);
+  this->Scene.Draw(caster, view, progress, frame.Source.get());
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  this->Frames.End(
+    *levels, frame, pixels, caster.GetStatistics(), { seconds.count(), seconds.count() });
+}
+
+//------------------------------------------------------------------------------
 int vtkGatunRayCaster::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -275,15 +303,25 @@ int vtkGatunRayCaster::RequestData(
     const gatun::RayArray array{ this->ArrayName ? this->ArrayName : "", this->ArrayAssociation,
       this->ArrayComponent, {} };
     const auto budget = static_cast<std::uint64_t>(this->MemoryBudget) << 20;
+    const bool simplifies = this->SimplificationRatio != 0 || this->TimeBudget > 0;
     if (reader)
     {
       const double time = gatun::GetRequestedTime(gatun::GetProducer(this));
-      self.Scene.SetFile(reader->GetFileName(), time, array, budget);
+      self.Scene.SetFile(reader->GetFileName(), time, array, budget, simplifies);
     }
     else
     {
-      self.Scene.SetGrid(grid, array, budget);
+      self.Scene.SetGrid(grid, array, budget, simplifies);
     }
+    if (!self.Scene.GetObstacle().empty())
+    {
+      gatun::ThrowInvalid(self.Scene.GetObstacle());
+    }
+    const auto progress = [this](double fraction)
+    {
+      this->UpdateProgress(fraction);
+      return !gatun::IsAborted(this);
+    };
 
     gatun::RaySettings settings;
     settings.Opaque = static_cast<float>(this->OpacityLimit);
@@ -295,12 +333,7 @@ int vtkGatunRayCaster::RequestData(
       gatun::MakeRayTable(self.Property, static_cast<gatun::RayMode>(this->Mode),
         self.Scene.GetRange(), view.SampleDistance),
       gatun::MakeRayLimits(view, self.ClippingPlanes, self.VolumeMatrix), settings);
-    self.Scene.Draw(caster, view,
-      [this](double fraction)
-      {
-        this->UpdateProgress(fraction);
-        return !gatun::IsAborted(this);
-      });
+    self.Draw(*this, caster, view, progress);
 
     image->SetDimensions(this->Size[0], this->Size[1], 1);
     vtkNew<vtkFloatArray> colours;
@@ -346,6 +379,8 @@ void vtkGatunRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ArrayAssociation: " << this->ArrayAssociation << "\n";
   os << indent << "ArrayComponent: " << this->ArrayComponent << "\n";
   os << indent << "OpacityLimit: " << this->OpacityLimit << "\n";
+  os << indent << "SimplificationRatio: " << this->SimplificationRatio << "\n";
+  os << indent << "TimeBudget: " << this->TimeBudget << "\n";
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
   os << indent << "PortableInstructions: " << (this->PortableInstructions ? "On" : "Off") << "\n";
   os << indent << "FromBothEnds: " << (this->FromBothEnds ? "On" : "Off") << "\n";

@@ -181,6 +181,26 @@ public:
 
   ///@{
   /**
+   * Part of the mesh's points that is merged away, 0 to 1, as far as that is possible; others are
+   * an error. A file must have been written with a hierarchy (vtkGatunWriter::Hierarchy) for it; of
+   * a mesh in memory, it is first found out how to simplify it (see vtkGatunSimplify), which is
+   * kept for the next image. Default: 0.
+   */
+  vtkSetMacro(SimplificationRatio, double);
+  vtkGetMacro(SimplificationRatio, double);
+  ///@}
+
+  ///@{
+  /**
+   * Seconds that an image may take, without decoding and simplifying: as many points are merged
+   * away as that needs, by what the images before took. 0 for all that it needs. Default: 0.
+   */
+  vtkSetClampMacro(TimeBudget, double, 0.0, 1e6);
+  vtkGetMacro(TimeBudget, double);
+  ///@}
+
+  ///@{
+  /**
    * Whether to use only instructions that every processor has. Default: off.
    */
   vtkSetMacro(PortableInstructions, bool);
@@ -241,6 +261,8 @@ protected:
   int ArrayComponent = 0;
   double OpacityLimit = 0.001;
   int MemoryBudget = 512;
+  double SimplificationRatio = 0;
+  double TimeBudget = 0;
   bool PortableInstructions = false;
   bool FromBothEnds = false;
 

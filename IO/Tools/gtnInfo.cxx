@@ -76,6 +76,8 @@ std::vector<Part> PartsOf(const gatun::FileReader& file)
     { "sharedGeometry", "points of several chunks", sizes.SharedGeometryBytes },
     { "order", "original order", sizes.OrderBytes },
     { "fieldData", "field data", sizes.FieldDataBytes },
+    { "hierarchy", "hierarchy", sizes.TreeBytes },
+    { "baseMeshes", "base meshes", sizes.LevelBytes },
     { "directory", "directory", sizes.DirectoryBytes } };
   for (std::size_t i = 0; i < sizes.ArrayBytes.size() && i < file.GetArrays().size(); ++i)
   {
@@ -100,6 +102,22 @@ void PrintChunks(const gatun::FileReader& file)
   }
 }
 
+/** How the mesh becomes simpler: with so many merges of points, and from which base meshes. */
+void PrintHierarchy(const gatun::FileReader& file)
+{
+  const std::size_t merges = file.GetNumberOfMerges();
+  fmt::print("  hierarchy        {} of the points can be merged away ({:.2f} bits a point)\n",
+    Grouped(merges),
+    8. * static_cast<double>(file.GetStatistics().TreeBytes) /
+      static_cast<double>(std::max<std::uint64_t>(1, file.GetNumberOfPoints())));
+  for (std::size_t i = 0; i < file.GetLevels().size(); ++i)
+  {
+    const auto level = file.OpenLevel(i);
+    fmt::print("  base mesh {:<2}     {} points, {} tetrahedra\n", i + 1,
+      Grouped(level->GetNumberOfPoints()), Grouped(level->GetNumberOfTets()));
+  }
+}
+
 void PrintText(const gatun::FileReader& file, bool verbose)
 {
   fmt::print("{}\n", Printable(file.GetPath()));
@@ -111,6 +129,10 @@ void PrintText(const gatun::FileReader& file, bool verbose)
     Grouped(file.GetNumberOfUnusedPoints()), NameOf(file.GetCoordinateType()));
   fmt::print("  chunks           {}\n", Grouped(file.GetChunks().size()));
   fmt::print("  kept order       {}\n", NameOfOrder(file.GetKeptOrder()));
+  if (file.HasMergeTree())
+  {
+    PrintHierarchy(file);
+  }
   const gatun::Bounds& bounds = file.GetBounds();
   for (int i = 0; i < 3; ++i)
   {
@@ -223,6 +245,18 @@ void PrintJson(const gatun::FileReader& file, bool verbose)
   json.Add("coordinateType", NameOf(file.GetCoordinateType()));
   json.Add("idBits", file.HasWideIds() ? 64 : 32);
   json.Add("chunks", static_cast<std::uint64_t>(file.GetChunks().size()));
+  json.Add("hasHierarchy", file.HasMergeTree());
+  json.Add("merges", static_cast<std::uint64_t>(file.GetNumberOfMerges()));
+  json.BeginArray("baseMeshes");
+  for (std::size_t i = 0; i < file.GetLevels().size(); ++i)
+  {
+    const auto level = file.OpenLevel(i);
+    json.BeginObject();
+    json.Add("points", level->GetNumberOfPoints());
+    json.Add("tets", level->GetNumberOfTets());
+    json.EndObject();
+  }
+  json.EndArray();
   json.BeginObject("keptOrder");
   json.Add("points", (file.GetKeptOrder() & gatun::KeepPoints) != 0);
   json.Add("cells", (file.GetKeptOrder() & gatun::KeepCells) != 0);

@@ -255,6 +255,8 @@ void Render(const RenderOptions& options, const Settings& settings)
   caster->SetMode(options.Mode);
   caster->SetSampleDistance(options.SampleDistance.value_or(0));
   caster->SetMemoryBudget(options.Memory);
+  caster->SetSimplificationRatio(options.Ratio);
+  caster->SetTimeBudget(options.TimeBudget);
   caster->SetProperty(property);
   input->Connect(caster);
   std::vector<Drawn> pictures;

@@ -285,6 +285,18 @@ void AddCostOptions(CLI::App* command, RenderOptions& options)
     ->check(CLI::Range(0, 1 << 20))
     ->option_text("MIB [512]")
     ->group(group);
+  command
+    ->add_option("--ratio", options.Ratio,
+      "Part of the points to merge away, 0 to 1; of a .gtn file that has a hierarchy (gtn pack "
+      "--hierarchy), or found out first")
+    ->check(CLI::Range(0., 1.))
+    ->option_text("R [0]");
+  command
+    ->add_option("--budget", options.TimeBudget,
+      "Seconds that a picture may take once the mesh is there: as many points are merged away as "
+      "that needs, by what was measured on the pictures before")
+    ->check(CLI::NonNegativeNumber)
+    ->option_text("SECONDS");
   command->add_flag("--stats", options.Statistics, "Print what it took; of a turntable, medians")
     ->group(group);
   command->add_flag("--json", options.Json, "Print the same of each picture, as JSON")

@@ -39,6 +39,8 @@ struct RenderOptions
 
   int Mode = 0; ///< of vtkGatunRayCaster::ModeType
   std::optional<double> SampleDistance;
+  double Ratio = 0;
+  double TimeBudget = 0;
   int Memory = 512;
 
   bool Statistics = false;

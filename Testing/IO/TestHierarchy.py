@@ -1,0 +1,163 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Files with a hierarchy: the reader gives what vtkGatunSimplify makes of the mesh, by any target, with
+and without base meshes, in pieces, regions and time steps; and says what it cannot do."""
+
+import numpy as np
+from vtkmodules.vtkCommonMisc import vtkErrorCode
+
+import gatunMeshes as gm
+from gatun import vtkGatunReader, vtkGatunSimplify
+
+points, tets = gm.lattice(18, seed=3)  # 29,478 tetrahedra
+grid = gm.make_grid(points, tets)
+wave = np.sin(4 * points[:, 0]) * np.cos(3 * points[:, 1]) + points[:, 2] ** 2
+gm.add_array(grid.GetPointData(), wave.astype(np.float32), "wave")
+gm.add_array(grid.GetPointData(), np.arange(len(points)), "point id")
+gm.add_array(grid.GetCellData(), np.arange(len(tets)), "cell id")
+grid.GetPointData().SetActiveScalars("wave")
+
+simplifier = vtkGatunSimplify()
+simplifier.SetInputDataObject(grid)
+
+
+def simplified(**options):
+    simplifier.SetTarget(0)
+    for name, value in options.items():
+        getattr(simplifier, "Set" + name)(value)
+    simplifier.Update()
+    return simplifier.GetOutput()
+
+
+kept = gm.temporary("kept.gtn")
+plain = gm.temporary("plain.gtn")
+levels = gm.temporary("levels.gtn")
+gm.write(grid, kept, KeepOrder=7, ChunkTets=1000, Hierarchy=True)
+gm.write(grid, plain, ChunkTets=1000, Hierarchy=True)
+gm.write(grid, levels, ChunkTets=1000, Hierarchy=True, Levels=9)
+
+# Every target, from every file; in the original order where the file keeps it.
+TARGETS = (
+    ({"SimplificationRatio": 0.3}, {"Ratio": 0.3}),
+    ({"SimplificationRatio": 0.9}, {"Ratio": 0.9}),
+    ({"SimplificationRatio": 1}, {"Ratio": 1}),
+    ({"SimplificationTarget": 1, "SimplificationPercent": 40}, {"Target": 1, "Percent": 40}),
+    ({"SimplificationTarget": 2, "SimplificationPoints": 700}, {"Target": 2, "NumberOfPoints": 700}),
+    ({"SimplificationTarget": 3, "SimplificationError": 0.004},
+     {"Target": 3, "MaximumError": 0.004}),
+)
+for of_reader, of_filter in TARGETS:
+    expected = simplified(**of_filter)
+    assert 0 < expected.GetNumberOfPoints() < len(points)
+    got = gm.read(kept, **of_reader)
+    np.testing.assert_array_equal(gm.coordinates(got), gm.coordinates(expected))
+    gm.assert_same_arrays(got.GetPointData(), expected.GetPointData())
+    gm.assert_same_arrays(got.GetCellData(), expected.GetCellData())
+    for path in (kept, plain, levels):
+        gm.assert_same_mesh(gm.read(path, **of_reader), expected)
+
+# More points than there are, or nothing to do: the mesh.
+for options in ({"SimplificationTarget": 2, "SimplificationPoints": 10 ** 9},
+                {"SimplificationTarget": 1}, {"SimplificationTarget": 3}, {}):
+    gm.assert_same_mesh(gm.read(plain, **options), grid)
+
+# One reader, to and fro, reads no more than it must.
+reader = vtkGatunReader()
+reader.SetFileName(levels)
+reader.UpdateInformation()
+assert reader.GetHasHierarchy()
+reader.SetSimplificationRatio(0.6)
+reader.Update()
+few = reader.GetDecodedChunks()
+bytes_read = reader.GetBytesRead()
+gm.assert_same_mesh(reader.GetOutput(), simplified(Ratio=0.6))
+reader.SetSimplificationRatio(0.7)  # from the same base mesh, which is kept
+reader.Update()
+assert reader.GetDecodedChunks() == few
+gm.assert_same_mesh(reader.GetOutput(), simplified(Ratio=0.7))
+reader.SetSimplificationRatio(0)
+reader.Update()
+assert reader.GetDecodedChunks() > 2 * few and reader.GetBytesRead() > 2 * bytes_read
+gm.assert_same_mesh(reader.GetOutput(), grid)
+
+# Pieces fit together, with ghost cells around them.
+ids = []
+for piece in range(3):
+    reader.SetSimplificationRatio(0.5)
+    reader.SetFileName(plain)
+    reader.UpdatePiece(piece, 3, 1)
+    output = reader.GetOutput()
+    ghosts = gm.values_of(output.GetCellData().GetArray("vtkGhostType"))
+    cells = gm.values_of(output.GetCellData().GetArray("cell id"))
+    assert ghosts.any() and not ghosts.all()
+    ids.extend(cells[ghosts == 0])
+expected = gm.values_of(simplified(Ratio=0.5).GetCellData().GetArray("cell id"))
+np.testing.assert_array_equal(np.sort(ids), np.sort(expected))
+
+# A region: whole chunks, of the simplified mesh, all that touch it.
+reader = vtkGatunReader()
+reader.SetFileName(plain)
+reader.SetSimplificationRatio(0.8)
+reader.SetUseBox(True)
+reader.SetBox(0, 0.2, 0, 0.2, 0, 0.2)
+reader.Update()
+got = set(gm.values_of(reader.GetOutput().GetCellData().GetArray("cell id")))
+whole = simplified(Ratio=0.8)
+corners = gm.coordinates(whole)[gm.connectivity(whole).reshape(-1, 4)]
+inside = (corners.min(1) <= 0.2).all(1)
+wanted = set(gm.values_of(whole.GetCellData().GetArray("cell id"))[inside])
+assert wanted and wanted <= got
+
+# Large meshes on demand, unless they are simplified enough.
+reader = vtkGatunReader()
+reader.SetFileName(plain)
+reader.SetOnDemand(2)
+reader.SetLargeMesh(10000)
+reader.UpdateInformation()
+assert reader.GetIsOnDemand()
+reader.SetSimplificationRatio(0.9)
+assert not reader.GetIsOnDemand()
+
+
+def expect_error(path, words, **options):
+    failing = vtkGatunReader()
+    errors = gm.Errors(failing)
+    failing.SetFileName(path)
+    for name, value in options.items():
+        getattr(failing, "Set" + name)(value)
+    failing.Update()
+    assert words in str(errors) and path in str(errors), (words, str(errors))
+    assert failing.GetErrorCode() == vtkErrorCode.UserError + 2 or failing.GetErrorCode() != 0
+    assert failing.GetOutput().GetNumberOfCells() == 0
+    # Asked for something else, the same reader works.
+    errors.messages.clear()
+    failing.SetSimplificationTarget(0)
+    failing.SetSimplificationRatio(0)
+    failing.Update()
+    assert failing.GetErrorCode() == 0 and not errors.messages
+    gm.assert_same_mesh(failing.GetOutput(), grid)
+
+
+without = gm.temporary("without.gtn")
+gm.write(grid, without)
+expect_error(without, "there is no hierarchy in the file; make one with gtn pack --hierarchy",
+             SimplificationRatio=0.5)
+for ratio in (-0.1, 1.5, float("nan")):
+    expect_error(plain, "the ratio must be from 0 to 1", SimplificationRatio=ratio)
+expect_error(plain, "the error must be 0 or more", SimplificationTarget=3,
+             SimplificationError=float("nan"))
+expect_error(plain, "the number of points must be 0 or more", SimplificationTarget=2,
+             SimplificationPoints=-5)
+expect_error(plain, "the percentage must be from 0 to 100", SimplificationTarget=1,
+             SimplificationPercent=101)
+
+# Meshes that cannot be simplified have a hierarchy without merges.
+one = gm.make_grid([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 1, 2, 3]])
+path = gm.temporary("one.gtn")
+gm.write(one, path, Hierarchy=True, Levels=3)
+gm.assert_same_mesh(gm.read(path, SimplificationRatio=1), one)
+empty = gm.make_grid(np.zeros((0, 3)), np.zeros((0, 4)))
+path = gm.temporary("nothing.gtn")
+gm.write(empty, path, Hierarchy=True, Levels=3)
+assert gm.read(path, SimplificationRatio=0.5).GetNumberOfPoints() == 0
