@@ -11,6 +11,9 @@
 #   bench.sh --study             the dissertation's study of rendering, in a quarter of an hour,
 #                                into Documentation/rendering-study.md and rendering-study/; may be
 #                                followed by --quick or --report
+#   bench.sh --simplification    the study of simplification, in half an hour, into
+#                                Documentation/simplification-study.md and simplification-study/;
+#                                likewise
 #
 # FILEs are meshes to be measured too. GATUN_DATA_DIR names a folder of more of them, if set: sizes
 # of every .vtu and Exodus file there are told, and the blunt fin and the combustion chamber are
@@ -24,6 +27,9 @@ build=${GATUN_BUILD:-$root/build/release}
 script=runBenchmarks.py
 if [ "${1:-}" = --study ]; then
   script=runStudy.py
+  shift
+elif [ "${1:-}" = --simplification ]; then
+  script=runSimplification.py
   shift
 fi
 out=$root/Documentation

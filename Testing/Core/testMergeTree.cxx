@@ -334,6 +334,52 @@ TEST(MergeBuilder, LinearDataCostsNothingInside)
 }
 
 //------------------------------------------------------------------------------
+TEST(MergeBuilder, ErrorsAddUp)
+{
+  const Solid solid = MakeSolid("Block");
+  const MergeTree tree = BuildMergeTree(solid.GetInput());
+  double last = 0;
+  for (const Merge& merge : tree.GetMerges())
+  {
+    EXPECT_GE(merge.Error, last);
+    last = merge.Error;
+  }
+  // Of two fields alike, each counts half; one without weight does not count.
+  const std::vector<double> other(solid.Points.size(), 3);
+  MergeInput twice = solid.GetInput();
+  twice.Fields.push_back(twice.Fields.front());
+  MergeInput ignored = solid.GetInput();
+  ignored.Fields.push_back({ other, 0 });
+  for (const MergeInput& input : { twice, ignored })
+  {
+    const MergeTree same = BuildMergeTree(input);
+    ASSERT_EQ(same.GetMerges().size(), tree.GetMerges().size());
+    EXPECT_NEAR(same.GetMerges()[60].Error, tree.GetMerges()[60].Error, 1e-6);
+    EXPECT_NEAR(same.GetMerges().back().Error, last, 0.1 * last);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(MergeBuilder, ChangesDoNotCancel)
+{
+  // Up and down from one layer of points to the next: what merges gain on one side they lose on
+  // the other, but no point is free. All else is.
+  Solid solid = MakeSolid("Lattice");
+  const auto isWavy = [&](std::size_t i) { return solid.Points[i][0] > 2.5; };
+  for (std::size_t i = 0; i < solid.Points.size(); ++i)
+  {
+    const Vec& p = solid.Points[i];
+    const auto layer = static_cast<int>(std::round(p[0] + p[1] + p[2]));
+    solid.Values[i] = isWavy(i) ? (layer % 2 == 0 ? 1 : -1) : 0;
+  }
+  const MergeTree tree = BuildMergeTree(solid.GetInput());
+  for (std::size_t i = 0; i < 60; ++i)
+  {
+    EXPECT_FALSE(isWavy(tree.GetMerges()[i].Point)) << i;
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(MergeBuilder, TheSameMeshGivesTheSameTree)
 {
   const Solid solid = MakeSolid("Ring");

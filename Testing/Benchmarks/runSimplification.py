@@ -1,0 +1,161 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Simplification next to VTK's: what is left of field, shape and pictures, at what time and memory.
+
+Also Figures 18 and 19 of Yang's dissertation proposal (2001), redone.
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import sys
+import tempfile
+import time
+
+import benchmarkRunner
+import simplificationReport
+
+PARTS = (50, 25, 10, 2)
+
+# Tetrahedra, for what is made; the array, for what is there if GATUN_DATA_DIR is set; parts of the
+# tetrahedra to be left, in percent.
+MODES = {
+    "full": {
+        "meshes": {"bluntfin": {"array": "Density"}, "comb": {"array": "Density"},
+                   "kiefer_bracket": {"array": "vonMises_psi_pt"},
+                   "delaunay": {"tets": 500000}, "flow": {"tets": 400000},
+                   "big": {"tets": 5000000, "parts": (50, 2)}},
+        "samples": 200000, "rounds": 3, "pictures": ("bluntfin", (50, 25, 10, 5, 2), 512)},
+    "quick": {
+        "meshes": {"bluntfin": {"array": "Density"}, "comb": {"array": "Density"},
+                   "delaunay": {"tets": 100000}, "flow": {"tets": 100000}},
+        "samples": 50000, "rounds": 1, "pictures": ("bluntfin", (50, 10, 2), 256)},
+    "smoke": {
+        "meshes": {"delaunay": {"tets": 3000}, "flow": {"tets": 6000}},
+        "samples": 2000, "rounds": 1, "pictures": ("flow", (50, 10), 64)},
+}
+
+ABOUT = {
+    "bluntfin": "NASA's blunt fin, the paper's Blunt",
+    "comb": "combustion chamber, the paper's Combustion",
+    "kiefer_bracket": "bracket, von Mises stress by finite elements",
+    "delaunay": "ball meshed by TetGen, smooth field",
+    "lattice": "body-centred lattice with jitter",
+    "flow": "made: structured grid around a nose, five tetrahedra a hexahedron",
+    "big": "made: 100 x 100 x 100 hexahedra, five tetrahedra each",
+}
+
+
+def make_source(runner, name, wanted, delaunay, data):
+    """The mesh; None if it cannot be had here."""
+    if "tets" not in wanted:
+        found = sorted(data.glob(f"{name}_tets*.vtu")) if data else []
+        return found[0] if found else None
+    made = runner.path("simplification", f"{name}.vtu")
+    kind = {"delaunay": "delaunay" if delaunay else "lattice"}.get(name, "flow1")
+    runner.case("make", kind, wanted["tets"], made)
+    return made
+
+
+def simplify_both(runner, name, source, array, parts):
+    """By VTK to so many percent, and by Gatun to as many tetrahedra as that left, or fewer; where
+    VTK does nothing, to as many as were asked for."""
+    files = {way: [runner.path("simplification", f"{name}-{way}{part}.vtu") for part in parts]
+             for way in ("quadric", "gatun")}
+    quadric = [runner.case("simplify-quadric", source, "--array", array, "--part", part / 100,
+                           "--out", file, threads=1)
+               for part, file in zip(parts, files["quadric"])]
+    before = runner.case("simplify-build", source, "--array", array, threads=1)
+    tets = [run["tets"] if run["tets"] < before["tets"] else before["tets"] * part // 100
+            for part, run in zip(parts, quadric)]
+    gatun = runner.case("simplify-gatun", source, "--array", array, "--tets",
+                        ",".join(map(str, tets)), "--out", *files["gatun"], threads=1)
+    return files, {"quadric": quadric, "gatun": gatun, "build": before}
+
+
+def compare(runner, source, files, array, mode):
+    compared = runner.case("simplify-compare", source, *files["quadric"], *files["gatun"],
+                           "--array", array, "--samples", mode["samples"])
+    count = len(files["quadric"])
+    return {"original": compared["original"], "quadric": compared["meshes"][:count],
+            "gatun": compared["meshes"][count:]}
+
+
+def measure_mesh(runner, name, source, wanted, mode):
+    parts = wanted.get("parts", PARTS)
+    array = wanted.get("array", "Density")
+    files, result = simplify_both(runner, name, source, array, parts)
+    result.update(parts=parts, compared=compare(runner, source, files, array, mode))
+    return result
+
+
+def measure_pictures(runner, source, mode, folder):
+    """Figures 18 and 19: pictures by the original, and by both ways of making it simpler."""
+    name, parts, size = mode["pictures"]
+    array = mode["meshes"][name].get("array", "Density")
+    files, _ = simplify_both(runner, name, source, array, parts)
+    shown = [source, *files["gatun"], *files["quadric"]]
+    pictures = [folder / f"{way}.png" for way in
+                ("original", *(f"{way}-{part}" for way in ("gatun", "quadric") for part in parts))]
+    drawn = runner.case("simplify-picture", *shown, "--array", array, "--size", size, "--rounds",
+                        mode["rounds"], "--out", *pictures)["sizes"][0]["meshes"]
+    return {"name": name, "size": size, "parts": parts, "original": drawn[0],
+            "gatun": drawn[1:len(parts) + 1], "quadric": drawn[len(parts) + 1:]}
+
+
+def measure(runner, options, folder):
+    mode = MODES[options.mode]
+    results = {"mode": options.mode, "machine": benchmarkRunner.machine(runner),
+               "samples": mode["samples"], "meshes": []}
+    data = os.environ.get("GATUN_DATA_DIR")
+    data = pathlib.Path(data) if data else None
+    for name, wanted in mode["meshes"].items():
+        delaunay = results["machine"]["tetgen"]
+        source = make_source(runner, name, wanted, delaunay, data)
+        if source is None:
+            runner.say(f"{name} is left out: GATUN_DATA_DIR has it not")
+            continue
+        about = "lattice" if name == "delaunay" and not delaunay else name
+        results["meshes"].append({"name": about, "about": ABOUT[about],
+                                  **measure_mesh(runner, name, source, wanted, mode)})
+        if name == mode["pictures"][0]:
+            results["pictures"] = measure_pictures(runner, source, mode, folder)
+    results["machine"]["loadAfter"] = os.getloadavg()
+    results["seconds"] = time.monotonic() - runner.start
+    return results
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--programs", type=pathlib.Path, required=True,
+                        help="the folder of gatunBenchmarks")
+    parser.add_argument("--out", type=pathlib.Path, required=True,
+                        help="where simplification-study.md and the folder simplification-study go")
+    modes = parser.add_mutually_exclusive_group()
+    modes.add_argument("--quick", dest="mode", action="store_const", const="quick",
+                       help="small meshes, one round")
+    modes.add_argument("--smoke", dest="mode", action="store_const", const="smoke",
+                       help="tiny meshes, to see whether it runs at all")
+    parser.add_argument("--report", action="store_true",
+                        help="measure nothing, make the page and its plots anew")
+    parser.set_defaults(mode="full")
+    options = parser.parse_args()
+    folder = options.out / "simplification-study"
+    folder.mkdir(parents=True, exist_ok=True)
+    raw = folder / "results.json"
+    if options.report:
+        results = json.loads(raw.read_text(encoding="utf-8"))
+    else:
+        with tempfile.TemporaryDirectory(prefix="gatun-simplification-") as work:
+            runner = benchmarkRunner.Runner(options.programs, pathlib.Path(work))
+            results = measure(runner, options, folder)
+        raw.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
+    simplificationReport.write(results, options.out)
+    print(f"The results are in {options.out / 'simplification-study.md'} and {folder}")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,102 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Plots of what runSimplification.py has measured; needs matplotlib."""
+
+import statistics
+
+import benchmarkPlots
+import simplificationReport
+from benchmarkPlots import pyplot
+
+COLOURS = {"quadric": "#d55e00", "gatun": "#0072b2"}
+NAMES = {"quadric": "VTK", "gatun": "Gatun"}
+
+
+def _percent(axes, label):
+    axes.set_xscale("log")
+    axes.invert_xaxis()
+    axes.set_xlabel("% of the tetrahedra left", fontsize=8)
+    axes.set_ylabel(label, fontsize=8)
+    axes.tick_params(labelsize=7)
+    axes.grid(alpha=0.3)
+
+
+def _field(results, folder, done):
+    meshes = [mesh for mesh in results["meshes"] if simplificationReport.cases(mesh)]
+    if not meshes:
+        return
+    figure, grid = pyplot.subplots(1, len(meshes), squeeze=False,
+                                   figsize=(2.3 * len(meshes) + 0.5, 3))
+    for axes, mesh in zip(grid[0], meshes):
+        for way, colour in COLOURS.items():
+            axes.plot([part for part, _, _ in simplificationReport.cases(mesh)],
+                      [{"quadric": quadric, "gatun": gatun}[way]["rms"]
+                       for _, quadric, gatun in simplificationReport.cases(mesh)],
+                      "o-", color=colour, markersize=3, label=NAMES[way])
+        axes.set_yscale("log")
+        axes.set_title(mesh["name"], fontsize=9)
+        _percent(axes, "RMS error / range")
+    grid[0][0].legend(fontsize=8)
+    benchmarkPlots.save(figure, folder, "field", done)
+
+
+def _figure19(results, folder, done):
+    shown = results["pictures"]
+    figure, axes = pyplot.subplots(figsize=(5, 3.5))
+    for way, colour in COLOURS.items():
+        axes.plot(shown["parts"], [mesh["rms"] for mesh in shown[way]], "o-", color=colour,
+                  markersize=3, label=NAMES[way])
+    axes.set_ylim(bottom=0)
+    axes.set_title(f"{shown['name']}: RMS difference of pictures (Figure 19)", fontsize=9)
+    axes.legend(fontsize=8)
+    _percent(axes, "of colours, 0 to 1")
+    benchmarkPlots.save(figure, folder, "figure19", done)
+
+
+def _figure18(results, folder, done):
+    shown = results["pictures"]
+    figure, axes = pyplot.subplots(figsize=(5, 3.5))
+    meshes = [shown["original"], *shown["gatun"]]
+    for kind, colour, name in (("volumeSeconds", "#0072b2", "volume-based"),
+                               ("areaSeconds", "#e69f00", "area-based")):
+        axes.plot([100, *shown["parts"]],
+                  [1000 * statistics.median(mesh[kind]) for mesh in meshes], "o-", color=colour,
+                  markersize=3, label=name)
+    axes.set_ylim(bottom=0)
+    axes.set_title(f"{shown['name']}: time to draw (Figure 18)", fontsize=9)
+    axes.legend(fontsize=8)
+    _percent(axes, "milliseconds")
+    benchmarkPlots.save(figure, folder, "figure18", done)
+
+
+def _pictures(results, folder, done):
+    """The original and some parts, Gatun above VTK; the single pictures go away."""
+    shown = results["pictures"]
+    parts = [part for part in (50, 10, 2) if part in shown["parts"]]
+    if (folder / "original.png").exists():
+        figure, grid = pyplot.subplots(2, 1 + len(parts), figsize=(3 * (1 + len(parts)), 6.4))
+        for row, way in zip(grid, ("gatun", "quadric")):
+            names = ["original", *(f"{way}-{part}" for part in parts)]
+            titles = ["whole", *(f"{NAMES[way]}, {part} %" for part in parts)]
+            for axes, name, title in zip(row, names, titles):
+                axes.imshow(pyplot.imread(folder / f"{name}.png"), origin="upper")
+                axes.set_title(title, fontsize=9)
+                axes.set_axis_off()
+        benchmarkPlots.save(figure, folder, "pictures", done)
+        for part in shown["parts"]:
+            for way in NAMES:
+                (folder / f"{way}-{part}.png").unlink(missing_ok=True)
+        (folder / "original.png").unlink()
+    elif (folder / "pictures.png").exists():
+        done.add("pictures")
+
+
+def draw(results, folder):
+    """Writes all plots; returns their names."""
+    done = set()
+    _field(results, folder, done)
+    if "pictures" in results:
+        for make in _figure18, _figure19, _pictures:
+            make(results, folder, done)
+    return done
