@@ -29,6 +29,7 @@ void AddStudyPicture(CLI::App& app);
 void AddStudyRelease(CLI::App& app);
 void AddStudyPrefilter(CLI::App& app);
 void AddSimplify(CLI::App& app);
+void AddSimplifyIntegrated(CLI::App& app);
 void AddSimplifyPicture(CLI::App& app);
 
 /** Prints the JSON object that fill makes. */

@@ -36,6 +36,7 @@ int main(int argc, char* argv[])
   bench::AddStudyRelease(app);
   bench::AddStudyPrefilter(app);
   bench::AddSimplify(app);
+  bench::AddSimplifyIntegrated(app);
   bench::AddSimplifyPicture(app);
   bench::AddSizes(app);
   bench::AddThreads(app);

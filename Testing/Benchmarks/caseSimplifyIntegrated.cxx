@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// simplify-integrated: from a file with a hierarchy to the picture of a simplified mesh; chunk by
+// chunk, or decompressing the mesh, simplifying it, and drawing what is left, one after the other.
+
+#include "benchCases.h"
+#include "benchFiles.h"
+#include "benchHarness.h"
+#include "benchScene.h"
+
+#include "gatunFileReader.h"
+#include "gatunMergeTree.h"
+#include "vtkGatunRayCaster.h"
+#include "vtkGatunReader.h"
+
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolumeProperty.h"
+
+#include <memory>
+
+namespace bench
+{
+namespace
+{
+struct Options
+{
+  std::string File;
+  std::string Array = "Density";
+  int Size = 512;
+  double Ratio = 0.5;
+  bool Whole = false;
+};
+
+/** Seconds of the parts of the work, where there are parts. */
+struct Stages
+{
+  double Decompress = 0;
+  double Simplify = 0;
+  double Render = 0;
+};
+
+double Draw(vtkGatunRayCaster* caster, const Options& options)
+{
+  const Scene scene = MakeScene(gatun::FileReader(options.File), options.Array);
+  vtkNew<vtkCamera> camera;
+  vtkNew<vtkVolumeProperty> property;
+  scene.SetUp(camera);
+  scene.SetUp(property);
+  caster->SetCamera(camera);
+  caster->SetProperty(property);
+  caster->SetArrayName(options.Array.c_str());
+  caster->SetSize(options.Size, options.Size);
+  caster->SetMemoryBudget(0);
+  const double seconds = SecondsOf([&] { caster->Update(); });
+  if (caster->GetErrorCode() != 0)
+  {
+    throw Failure(options.File, "cannot be drawn");
+  }
+  return seconds;
+}
+
+/** The reader's points are those of the file in its order, so that its tree is theirs. */
+Grid Simplify(vtkUnstructuredGrid* grid, const Options& options)
+{
+  const gatun::MergeTree tree = gatun::FileReader(options.File).GetMergeTree();
+  const auto ancestors = tree.FindAncestors(tree.CountMergesForPart(1 - options.Ratio));
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    grid->GetCellPoints(cell, count, ids);
+    gatun::MergeTree::Tet tet{};
+    for (std::size_t corner = 0; corner < 4; ++corner)
+    {
+      tet[corner] = static_cast<std::uint32_t>(ids[corner]);
+    }
+    if (gatun::Simplify(tet, ancestors))
+    {
+      cells->InsertNextCell({ tet[0], tet[1], tet[2], tet[3] });
+    }
+  }
+  auto simple = Grid::New();
+  simple->SetPoints(grid->GetPoints());
+  simple->SetCells(VTK_TETRA, cells);
+  simple->GetPointData()->ShallowCopy(grid->GetPointData());
+  return simple;
+}
+
+Stages DrawWhole(vtkGatunRayCaster* caster, const Options& options)
+{
+  Stages stages;
+  Grid grid;
+  stages.Decompress = SecondsOf(
+    [&]
+    {
+      vtkNew<vtkGatunReader> reader;
+      reader->SetCacheSize(0);
+      reader->SetFileName(options.File.c_str());
+      reader->RestoreOrderOff();
+      reader->Update();
+      if (reader->GetErrorCode() != 0)
+      {
+        throw Failure(options.File, "cannot be read");
+      }
+      grid = reader->GetOutput();
+    });
+  stages.Simplify = SecondsOf([&] { grid = Simplify(grid, options); });
+  caster->SetInputData(grid);
+  stages.Render = Draw(caster, options);
+  return stages;
+}
+
+void DrawFile(vtkGatunRayCaster* caster, const Options& options)
+{
+  vtkNew<vtkGatunReader> reader;
+  reader->SetFileName(options.File.c_str());
+  caster->SetInputConnection(reader->GetOutputPort());
+  caster->SetSimplificationRatio(options.Ratio);
+  Draw(caster, options);
+}
+
+void TimePicture(const Options& options)
+{
+  vtkNew<vtkGatunRayCaster> caster;
+  Stages stages;
+  const Cost cost = CostOf(
+    [&]
+    {
+      if (options.Whole)
+      {
+        stages = DrawWhole(caster, options);
+      }
+      else
+      {
+        DrawFile(caster, options);
+      }
+    });
+  const auto tets = caster->GetStatistic(vtkGatunRayCaster::NumberOfTetrahedra);
+  PrintJson(
+    [&](gtn::Json& json)
+    {
+      json.Add("ratio", options.Ratio);
+      json.Add("whole", options.Whole);
+      AddCost(json, cost);
+      json.Add("tets", tets);
+      if (options.Whole)
+      {
+        json.Add("decompress", stages.Decompress);
+        json.Add("simplify", stages.Simplify);
+        json.Add("render", stages.Render);
+      }
+    });
+}
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+void AddSimplifyIntegrated(CLI::App& app)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+    "simplify-integrated", "The picture of a simplified mesh, straight from its file");
+  command->add_option("FILE", options->File, "A .gtn file with a hierarchy")->required();
+  command->add_option("--array", options->Array, "The point array to show");
+  command->add_option("--size", options->Size, "Width and height in pixels")
+    ->check(CLI::Range(16, 8192));
+  command->add_option("--ratio", options->Ratio, "Part of the points to merge away")
+    ->check(CLI::Range(0., 1.));
+  command->add_flag(
+    "--whole", options->Whole, "Decompress, simplify, and draw, one after the other");
+  command->callback([options] { TimePicture(*options); });
+}
+}
