@@ -6,6 +6,7 @@
 
 #include "gatunError.h"
 #include "gatunMergeBuilder.h"
+#include "gatunMergeMesh.h"
 #include "gatunTestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <random>
 #include <set>
 
 namespace gatun::test
@@ -474,6 +476,94 @@ TEST(MergeBuilder, RefusesInputThatDoesNotFit)
   int calls = 0;
   EXPECT_THROW(BuildMergeTree(solid.GetInput(), {}, [&](double) { return ++calls < 2; }), Error);
   EXPECT_EQ(calls, 2);
+}
+
+//------------------------------------------------------------------------------
+/** Makes a tetrahedron with each face of the boundary. */
+constexpr std::uint32_t outside = 1000000;
+
+/** What makes a simplex of some tetrahedra together with the given one. */
+std::set<Simplex> GetLink(const std::vector<Tet>& tets, const Simplex& of)
+{
+  std::set<Simplex> whole;
+  for (const Tet& tet : tets)
+  {
+    whole.insert(Simplex(tet.begin(), tet.end()));
+  }
+  for (Simplex face : GetBoundary(tets))
+  {
+    face.insert(outside);
+    whole.insert(face);
+  }
+  std::set<Simplex> link;
+  for (const Simplex& simplex : whole)
+  {
+    if (!std::includes(simplex.begin(), simplex.end(), of.begin(), of.end()))
+    {
+      continue;
+    }
+    std::vector<std::uint32_t> rest;
+    std::set_difference(
+      simplex.begin(), simplex.end(), of.begin(), of.end(), std::back_inserter(rest));
+    for (unsigned subset = 1; subset < 1u << rest.size(); ++subset)
+    {
+      Simplex side;
+      for (unsigned i = 0; i < rest.size(); ++i)
+      {
+        if ((subset >> i & 1) != 0)
+        {
+          side.insert(rest[i]);
+        }
+      }
+      link.insert(side);
+    }
+  }
+  return link;
+}
+
+//------------------------------------------------------------------------------
+TEST(MergeMesh, MayMergeIsTheLinkCondition)
+{
+  // Wherever points are: merges that would turn tetrahedra over lead to all sorts of links.
+  for (const std::uint32_t seed : { 1u, 2u, 3u })
+  {
+    const Solid solid = MakeSolid(4, 0, [](const Vec& p) { return p[0] != 2 || p[1] != 2; });
+    auto tets = solid.Tets;
+    MergeMesh mesh(solid.Points.size(), tets);
+    std::mt19937 random(seed);
+    std::size_t refused = 0;
+    for (int step = 0; step < 250 && tets.size() > 1; ++step)
+    {
+      const Tet& tet = tets[random() % tets.size()];
+      const auto from = tet[random() % 4];
+      const auto into = tet[random() % 4];
+      if (from == into)
+      {
+        continue;
+      }
+      std::set<Simplex> common;
+      const auto first = GetLink(tets, { from });
+      const auto second = GetLink(tets, { into });
+      std::set_intersection(first.begin(), first.end(), second.begin(), second.end(),
+        std::inserter(common, common.end()));
+      const auto ofEdge = GetLink(tets, { from, into });
+      const bool leavesBoundary = first.count({ outside }) == 1 && ofEdge.count({ outside }) == 0;
+      const bool expected = common == ofEdge && !leavesBoundary;
+      ASSERT_EQ(mesh.MayMerge(from, into), expected) << step;
+      refused += expected ? 0 : 1;
+      if (expected)
+      {
+        mesh.Merge(from, into);
+        for (Tet& other : tets)
+        {
+          std::replace(other.begin(), other.end(), from, into);
+        }
+        std::erase_if(
+          tets, [](const Tet& other) { return Simplex(other.begin(), other.end()).size() < 4; });
+      }
+    }
+    EXPECT_GT(refused, 20u);
+  }
 }
 
 //------------------------------------------------------------------------------
