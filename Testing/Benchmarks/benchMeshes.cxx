@@ -283,10 +283,10 @@ std::uint64_t MortonKey(const double* point, const double* box)
   return key;
 }
 
-} // anonymous namespace
-
-//------------------------------------------------------------------------------
-Grid MakeFlow(const std::array<int, 3>& cells, bool allArrays)
+/** A structured grid, its points placed by where they are in it, 0 to 1; five tetrahedra to each
+ * hexahedron. */
+template <typename Place>
+Grid MakeHexahedra(const std::array<int, 3>& cells, bool allArrays, Place&& place)
 {
   std::vector<Point> points;
   for (int k = 0; k <= cells[2]; ++k)
@@ -295,8 +295,8 @@ Grid MakeFlow(const std::array<int, 3>& cells, bool allArrays)
     {
       for (int i = 0; i <= cells[0]; ++i)
       {
-        points.push_back(FlowPoint(static_cast<double>(i) / cells[0],
-          static_cast<double>(j) / cells[1], static_cast<double>(k) / cells[2]));
+        points.push_back(place(static_cast<double>(i) / cells[0], static_cast<double>(j) / cells[1],
+          static_cast<double>(k) / cells[2]));
       }
     }
   }
@@ -328,6 +328,23 @@ Grid MakeFlow(const std::array<int, 3>& cells, bool allArrays)
   Grid grid = MakeGrid(points, std::move(tets), false);
   AddFlow(grid, points, allArrays);
   return grid;
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+Grid MakeFlow(const std::array<int, 3>& cells, bool allArrays)
+{
+  return MakeHexahedra(cells, allArrays, FlowPoint);
+}
+
+//------------------------------------------------------------------------------
+Grid MakeBlock(int cells)
+{
+  return MakeHexahedra({ cells, cells, cells }, false,
+    [](double u, double v, double w) {
+      return Point{ u, v, w };
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -62,6 +62,11 @@ void Make(const Options& options)
     const int cells = std::max(2, static_cast<int>(std::lround(std::cbrt(options.Tets / 12.0))));
     WriteOrdered(MakeLattice(cells, false), options);
   }
+  else if (options.Kind == "block")
+  {
+    WriteOrdered(
+      MakeBlock(std::max(2, static_cast<int>(std::lround(std::cbrt(hexahedra))))), options);
+  }
   else
   {
     WriteOrdered(MakeFlow({ length, width, width }, options.Kind == "flow"), options);
@@ -112,9 +117,10 @@ void AddMake(CLI::App& app)
 {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("make", "Make a mesh, as a raw .vtu file");
-  command->add_option("KIND", options->Kind, "flow (four arrays), flow1 (one), lattice, delaunay")
+  command
+    ->add_option("KIND", options->Kind, "flow (four arrays), flow1 (one), block, lattice, delaunay")
     ->required()
-    ->check(CLI::IsMember({ "flow", "flow1", "lattice", "delaunay" }));
+    ->check(CLI::IsMember({ "flow", "flow1", "block", "lattice", "delaunay" }));
   command->add_option("TETS", options->Tets, "About how many tetrahedra")
     ->required()
     ->check(CLI::Range(100, 1000000000));

@@ -45,7 +45,7 @@ ABOUT = {
     "delaunay": "ball meshed by TetGen, smooth field",
     "lattice": "body-centred lattice with jitter",
     "flow": "made: structured grid around a nose, five tetrahedra a hexahedron",
-    "big": "made: 100 x 100 x 100 hexahedra, five tetrahedra each",
+    "big": "made: a cube of 100 x 100 x 100 hexahedra, five tetrahedra each",
 }
 
 
@@ -55,7 +55,7 @@ def make_source(runner, name, wanted, delaunay, data):
         found = sorted(data.glob(f"{name}_tets*.vtu")) if data else []
         return found[0] if found else None
     made = runner.path("simplification", f"{name}.vtu")
-    kind = {"delaunay": "delaunay" if delaunay else "lattice"}.get(name, "flow1")
+    kind = {"delaunay": "delaunay" if delaunay else "lattice", "big": "block"}.get(name, "flow1")
     runner.case("make", kind, wanted["tets"], made)
     return made
 
@@ -106,25 +106,29 @@ def measure_pictures(runner, source, mode, folder):
             "gatun": drawn[1:len(parts) + 1], "quadric": drawn[len(parts) + 1:]}
 
 
-def measure(runner, options, folder):
+def measure(runner, options, folder, results):
+    """All meshes, or those that are asked for, in the place of what there was of them."""
     mode = MODES[options.mode]
-    results = {"mode": options.mode, "machine": benchmarkRunner.machine(runner),
-               "samples": mode["samples"], "meshes": []}
+    if not options.only:
+        results = {"mode": options.mode, "machine": benchmarkRunner.machine(runner),
+                   "samples": mode["samples"], "meshes": []}
     data = os.environ.get("GATUN_DATA_DIR")
     data = pathlib.Path(data) if data else None
-    for name, wanted in mode["meshes"].items():
+    for name in options.only or mode["meshes"]:
+        wanted = mode["meshes"][name]
         delaunay = results["machine"]["tetgen"]
         source = make_source(runner, name, wanted, delaunay, data)
         if source is None:
             runner.say(f"{name} is left out: GATUN_DATA_DIR has it not")
             continue
         about = "lattice" if name == "delaunay" and not delaunay else name
+        results["meshes"] = [mesh for mesh in results["meshes"] if mesh["name"] != about]
         results["meshes"].append({"name": about, "about": ABOUT[about],
                                   **measure_mesh(runner, name, source, wanted, mode)})
         if name == mode["pictures"][0]:
             results["pictures"] = measure_pictures(runner, source, mode, folder)
     results["machine"]["loadAfter"] = os.getloadavg()
-    results["seconds"] = time.monotonic() - runner.start
+    results["seconds"] = results.get("seconds", 0) + time.monotonic() - runner.start
     return results
 
 
@@ -141,17 +145,20 @@ def main():
                        help="tiny meshes, to see whether it runs at all")
     parser.add_argument("--report", action="store_true",
                         help="measure nothing, make the page and its plots anew")
+    parser.add_argument("--only", nargs="+", choices=MODES["full"]["meshes"],
+                        help="measure these meshes only, and keep what is there of the others")
     parser.set_defaults(mode="full")
     options = parser.parse_args()
     folder = options.out / "simplification-study"
     folder.mkdir(parents=True, exist_ok=True)
     raw = folder / "results.json"
-    if options.report:
+    results = {}
+    if options.report or options.only:
         results = json.loads(raw.read_text(encoding="utf-8"))
-    else:
+    if not options.report:
         with tempfile.TemporaryDirectory(prefix="gatun-simplification-") as work:
             runner = benchmarkRunner.Runner(options.programs, pathlib.Path(work))
-            results = measure(runner, options, folder)
+            results = measure(runner, options, folder, results)
         raw.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
     simplificationReport.write(results, options.out)
     print(f"The results are in {options.out / 'simplification-study.md'} and {folder}")

@@ -13,8 +13,10 @@ COLOURS = {"quadric": "#d55e00", "gatun": "#0072b2"}
 NAMES = {"quadric": "VTK", "gatun": "Gatun"}
 
 
-def _percent(axes, label):
+def _percent(axes, parts, label):
     axes.set_xscale("log")
+    axes.set_xticks(parts, parts)
+    axes.minorticks_off()
     axes.invert_xaxis()
     axes.set_xlabel("% of the tetrahedra left", fontsize=8)
     axes.set_ylabel(label, fontsize=8)
@@ -36,7 +38,8 @@ def _field(results, folder, done):
                       "o-", color=colour, markersize=3, label=NAMES[way])
         axes.set_yscale("log")
         axes.set_title(mesh["name"], fontsize=9)
-        _percent(axes, "RMS error / range")
+        _percent(axes, [part for part, _, _ in simplificationReport.cases(mesh)],
+                 "RMS error / range")
     grid[0][0].legend(fontsize=8)
     benchmarkPlots.save(figure, folder, "field", done)
 
@@ -50,7 +53,7 @@ def _figure19(results, folder, done):
     axes.set_ylim(bottom=0)
     axes.set_title(f"{shown['name']}: RMS difference of pictures (Figure 19)", fontsize=9)
     axes.legend(fontsize=8)
-    _percent(axes, "of colours, 0 to 1")
+    _percent(axes, shown["parts"], "of colours, 0 to 1")
     benchmarkPlots.save(figure, folder, "figure19", done)
 
 
@@ -66,7 +69,7 @@ def _figure18(results, folder, done):
     axes.set_ylim(bottom=0)
     axes.set_title(f"{shown['name']}: time to draw (Figure 18)", fontsize=9)
     axes.legend(fontsize=8)
-    _percent(axes, "milliseconds")
+    _percent(axes, [100, *shown["parts"]], "milliseconds")
     benchmarkPlots.save(figure, folder, "figure18", done)
 
 

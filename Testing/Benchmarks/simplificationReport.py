@@ -47,11 +47,11 @@ def _who_wins(results):
         {len(ratios) - len(lost)} of {len(ratios)} cases; on the geometric mean its error is
         {statistics.geometric_mean(ratio for ratio, _, _ in ratios):.2f} times VTK's."""
     if lost:
-        text += f""" It is worse for {", ".join(lost)}. The reason is a limit of the method: VTK moves
-            points to where the error is least, and gives them new values, while a merge leaves points
-            and values as they are, which is why it can be stored and undone. Where a field is
-            smooth, linear interpolation between its own values is always wrong in one direction, and
-            new values even that out."""
+        text += f""" It is worse for {", ".join(lost)}. That is where the field is smooth. VTK
+            moves points to where the error is least, and gives them new values; a merge leaves
+            points and values as they are, which is why it can be stored and undone. Linear
+            interpolation between the values of a smooth field is wrong in one direction over
+            large parts, which new values even out."""
     return paragraph(text)
 
 
@@ -59,10 +59,10 @@ def _head(results):
     text = """# The study of simplification
 
 How good the meshes are that Gatun makes coarser ([how](simplification.md)), next to
-`vtkUnstructuredGridQuadricDecimation`, VTK's own way (Vo et al. 2007), and Figures 18 and 19 of C. Yang,
-*On-the-fly Processing of Compressed Volume Data*, dissertation proposal, Stony Brook, 2001, redone.
-`Utilities/bench.sh --simplification` (Testing/Benchmarks/runSimplification.py) made this page; every
-figure behind it is in [results.json](simplification-study/results.json).
+`vtkUnstructuredGridQuadricDecimation`, VTK's own way (Vo et al. 2007), and Figures 18 and 19 of
+C. Yang, *On-the-fly Processing of Compressed Volume Data*, dissertation proposal, Stony Brook, 2001, redone.
+`Utilities/bench.sh --simplification` (Testing/Benchmarks/runSimplification.py) made this page;
+every figure behind it is in [results.json](simplification-study/results.json).
 
 """ + machine(results["machine"])
     if results["mode"] != "full":
@@ -83,11 +83,11 @@ def _field(results, pictures):
                          _small(gatun["largest"]), f"{quadric['outside']:,}",
                          f"{gatun['outside']:,}"])
     text = "## The field\n\n" + _who_wins(results) + "\n" + paragraph(f"""VTK is asked for a part of
-        the tetrahedra, Gatun then merges until there are as many as VTK left, or fewer. The error is
-        that against the original mesh at {results["samples"]:,} places, evenly over its volume,
+        the tetrahedra, Gatun then merges until there are as many as VTK left, or fewer. The error
+        is that against the original mesh at {results["samples"]:,} places, evenly over its volume,
         as a part of the field's range. Places that are outside of the coarser mesh take the
-        value of the nearest place on its boundary, and are counted. Of places in several tetrahedra,
-        the first one counts.""") + "\n" + table(
+        value of the nearest place on its boundary, and are counted. Of places in several
+        tetrahedra, the first one counts.""") + "\n" + table(
             ["mesh", "%", "tets, VTK", "tets, Gatun", "RMS, VTK", "RMS, Gatun", "Gatun / VTK",
              "max, VTK", "max, Gatun", "outside, VTK", "outside, Gatun"], rows)
     nothing = [(mesh["name"], part, mesh["quadric"][i]["seconds"]) for mesh in results["meshes"]
@@ -118,13 +118,14 @@ def _shape(results):
                 row += [_small(way[key]) for way in ways]
             row += [f"{way['inverted']} / {way['flat']}" for way in ways]
             rows.append(row)
-    return "## Boundary and shape\n\n" + paragraph("""Pairs are VTK, Gatun. Distance of the original's
-        boundary from the new one, mean and largest, as parts of the diagonal; change of the volume,
+    return "## Boundary and shape\n\n" + paragraph("""Pairs are VTK, Gatun. Distance of the
+        original's boundary from the new one, mean and largest, as parts of the diagonal; change of the volume,
         as a part of it; mean ratio of the tetrahedra (1 is regular, 0 flat): the worst, that which
         1 % are below, the median; how many are inverted and how many flat. Gatun's cost
-        function does not ask for good shapes, which shows; it turns nothing over.""") + "\n" + table(
+        function does not ask for good shapes, which shows; it turns nothing over.""") + "\n" + (
+        table(
             ["mesh", "%", "mean", "", "largest", "", "volume", "", "worst", "", "1 %", "", "median",
-             "", "inverted / flat", ""], rows)
+             "", "inverted / flat", ""], rows))
 
 
 def _speed(results):
@@ -139,9 +140,10 @@ def _speed(results):
                      ", ".join(number(run["seconds"]) for run in mesh["quadric"]),
                      number(max(memory(run) for run in mesh["quadric"]))])
     return "## Time and memory\n\n" + paragraph("""One thread. Gatun finds all merges once
-        (`gatun::BuildMergeTree`; the filter `vtkGatunSimplify` converts and copies besides); then each
-        mesh is a matter of one pass. VTK starts anew for each. Seconds, and MiB above those of the
-        process with the mesh in it. Meshes in the order of the table above: 50 %, and so on.""") + (
+        (`gatun::BuildMergeTree`; the filter `vtkGatunSimplify` converts and copies besides); then
+        each mesh is a matter of one pass. VTK starts anew for each. Seconds, and MiB above those of the
+        process with the mesh in it. Meshes in the order of the table above: 50 %, and so
+        on.""") + (
             "\n" + table(["mesh", "tetrahedra", "merges, s", "M tets/s", "MiB", "filter, s", "MiB",
                           "then each mesh, s", "VTK, each mesh, s", "MiB"], rows))
 
@@ -167,16 +169,16 @@ def _pictures(results, pictures):
             for kind in ("volumeSeconds", "areaSeconds")}
     return f"## Pictures ({shown['name']})\n\n" + picture(
         pictures, "pictures", "The original and simplified meshes, as volumes", FOLDER) + "\n" + (
-            "### How far from the picture of the original (Figure 19)\n\n") + paragraph(f"""Root mean
-        square and largest difference of the colours, 0 to 1, from the picture of the whole mesh,
+            "### How far from the picture of the original (Figure 19)\n\n") + paragraph(f"""Root
+        mean square and largest difference of the colours, 0 to 1, from the picture of the whole mesh,
         {size}, over the pixels that either covers. The paper has this for Gatun's way only, by
         points merged, and finds it "minimal" but for very aggressive ratios.""") + "\n" + table(
             ["% of tets", "tets, VTK", "tets, Gatun", "RMS, VTK", "RMS, Gatun", "max, VTK",
              "max, Gatun"], rows) + "\n" + picture(
                  pictures, "figure19", "Difference of pictures", FOLDER) + (
             "\n### Samples in volumes or at areas (Figure 18)\n\n") + paragraph(f"""The paper draws
-        with samples at even distances ("volume-based") and with one for all that a tetrahedron has of
-        a ray ("area-based"), and is surprised that the first gains from simplification too. So it
+        with samples at even distances ("volume-based") and with one for all that a tetrahedron has
+        of a ray ("area-based"), and is surprised that the first gains from simplification too. So it
         does here: at {shown["parts"][-1]} % of the tetrahedra, volumes are drawn
         {gain["volumeSeconds"]:.1f} times as fast as the whole mesh, areas {gain["areaSeconds"]:.1f}
         times. `vtkGatunRayCaster`, all processors, {size}; milliseconds, everything included,
