@@ -14,17 +14,17 @@ from gatunPictures import read_png
 enter_folder("hierarchy")
 write(standard_mesh(16), "mesh.vtu")
 gtn("pack", "-q", "--keep-order", "all", "--chunk", 2000, "--hierarchy", "mesh.vtu", "kept.gtn")
-told = gtn("pack", "--chunk", 2000, "--levels", 9, "mesh.vtu", "levels.gtn").stdout
+told = gtn("pack", "--chunk", 2000, "--levels", 9, "mesh.vtu", "levels.gtn")
 assert "hierarchy" in told and "base meshes" in told and "bits a point" in told, told
 gtn("pack", "-q", "mesh.vtu", "plain.gtn")
 points = read("mesh.vtu").GetNumberOfPoints()
 
 # What info tells.
-info = json.loads(gtn("info", "--json", "levels.gtn").stdout)
+info = json.loads(gtn("info", "--json", "levels.gtn"))
 assert info["hasHierarchy"] and info["merges"] > 0.9 * points
 assert [mesh["points"] for mesh in info["baseMeshes"]][0] == (points + 1) // 2
-assert not json.loads(gtn("info", "--json", "plain.gtn").stdout)["hasHierarchy"]
-assert "base mesh 1" in gtn("info", "levels.gtn").stdout
+assert not json.loads(gtn("info", "--json", "plain.gtn"))["hasHierarchy"]
+assert "base mesh 1" in gtn("info", "levels.gtn")
 gtn("verify", "-q", "levels.gtn", "mesh.vtu")
 gtn("verify", "-q", "kept.gtn", "mesh.vtu")
 
@@ -53,8 +53,10 @@ gtn("simplify", "-q", "--ratio", 0.9, "--weight", "velocity", "kept.gtn", "veloc
 assert_same("velocity.vtu", "velocity2.vtu")
 
 # render: the picture of the simplified mesh.
+with open("camera.json", "w") as file:
+    json.dump({"position": (28, 20, 45), "focalPoint": (8, 8, 8), "viewUp": (0, 1, 0)}, file)
 look = ["render", "-q", "--size", "90x70", "--array", "velocity", "--component", 0,
-        "--range=-1,1", "--unit-distance", 0.5]
+        "--range=-1,1", "--unit-distance", 0.5, "--camera", "camera.json"]
 gtn("simplify", "-q", "--ratio", 0.8, "mesh.vtu", "simple.vtu")
 gtn(*look, "simple.vtu", "expected.png")
 gtn(*look, "mesh.vtu", "whole.png")
@@ -69,7 +71,7 @@ assert read_png("memory.png").shape == expected.shape
 # A budget: with next to no time, next to nothing is drawn of the mesh; with much, all of it.
 drawn = []
 for seconds in ("1e-5", "100"):
-    stats = json.loads(gtn(*look, "-f", "--json", "--budget", seconds, "levels.gtn", "b.png").stdout)
+    stats = json.loads(gtn(*look, "-f", "--json", "--budget", seconds, "levels.gtn", "b.png"))
     drawn.append(stats["pictures"][0]["tets"])
 assert drawn[0] < 0.2 * drawn[1] and drawn[1] == stats["tets"], drawn
 np.testing.assert_array_equal(read_png("b.png"), whole)
@@ -79,6 +81,6 @@ hint = "plain.gtn: there is no hierarchy in the file; make one with gtn pack --h
 gtn(*look, "--ratio", 0.5, "plain.gtn", "no.png", code=1, says=hint)
 gtn(*look, "--budget", 0.5, "plain.gtn", "no.png", code=1, says=hint)
 gtn(*look, "--ratio", 1.5, "levels.gtn", "no.png", code=2, says="--ratio")
-gtn(*look, "--ratio", "nan", "levels.gtn", "no.png", code=2, says="--ratio")
+gtn(*look, "--ratio", "nan", "levels.gtn", "no.png", code=1, says="the simplification ratio must be")
 gtn("pack", "--levels", -1, "mesh.vtu", "no.gtn", code=2, says="--levels")
 gtn("pack", "--hierarchy", "--weight", "nothing", "mesh.vtu", "no.gtn", code=1, says="nothing")

@@ -30,6 +30,10 @@ def simplified(**options):
     return simplifier.GetOutput()
 
 
+def numbers(data, name):
+    return gm.values_of(data.GetArray(name)).ravel()
+
+
 kept = gm.temporary("kept.gtn")
 plain = gm.temporary("plain.gtn")
 levels = gm.temporary("levels.gtn")
@@ -88,11 +92,11 @@ for piece in range(3):
     reader.SetFileName(plain)
     reader.UpdatePiece(piece, 3, 1)
     output = reader.GetOutput()
-    ghosts = gm.values_of(output.GetCellData().GetArray("vtkGhostType"))
-    cells = gm.values_of(output.GetCellData().GetArray("cell id"))
+    ghosts = numbers(output.GetCellData(), "vtkGhostType")
+    cells = numbers(output.GetCellData(), "cell id")
     assert ghosts.any() and not ghosts.all()
     ids.extend(cells[ghosts == 0])
-expected = gm.values_of(simplified(Ratio=0.5).GetCellData().GetArray("cell id"))
+expected = numbers(simplified(Ratio=0.5).GetCellData(), "cell id")
 np.testing.assert_array_equal(np.sort(ids), np.sort(expected))
 
 # A region: whole chunks, of the simplified mesh, all that touch it.
@@ -102,11 +106,11 @@ reader.SetSimplificationRatio(0.8)
 reader.SetUseBox(True)
 reader.SetBox(0, 0.2, 0, 0.2, 0, 0.2)
 reader.Update()
-got = set(gm.values_of(reader.GetOutput().GetCellData().GetArray("cell id")))
+got = set(numbers(reader.GetOutput().GetCellData(), "cell id"))
 whole = simplified(Ratio=0.8)
 corners = gm.coordinates(whole)[gm.connectivity(whole).reshape(-1, 4)]
 inside = (corners.min(1) <= 0.2).all(1)
-wanted = set(gm.values_of(whole.GetCellData().GetArray("cell id"))[inside])
+wanted = set(numbers(whole.GetCellData(), "cell id")[inside])
 assert wanted and wanted <= got
 
 # Large meshes on demand, unless they are simplified enough.
@@ -153,11 +157,11 @@ expect_error(plain, "the percentage must be from 0 to 100", SimplificationTarget
              SimplificationPercent=101)
 
 # Meshes that cannot be simplified have a hierarchy without merges.
-one = gm.make_grid([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 1, 2, 3]])
+one = gm.make_grid(np.float32([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]), [[0, 1, 2, 3]])
 path = gm.temporary("one.gtn")
 gm.write(one, path, Hierarchy=True, Levels=3)
 gm.assert_same_mesh(gm.read(path, SimplificationRatio=1), one)
-empty = gm.make_grid(np.zeros((0, 3)), np.zeros((0, 4)))
+empty = gm.make_grid(np.zeros((0, 3), np.float32), np.zeros((0, 4)))
 path = gm.temporary("nothing.gtn")
 gm.write(empty, path, Hierarchy=True, Levels=3)
 assert gm.read(path, SimplificationRatio=0.5).GetNumberOfPoints() == 0
