@@ -336,6 +336,176 @@ TEST_P(TreeFileRead, GhostsAreThoseAroundThePieceThatIsLeft)
   }
 }
 
+TEST_P(TreeFileRead, PiecesOfAPartOfTheFileOwnItsPoints)
+{
+  // Which chunks have a point, as they are without merges.
+  const auto chunks = static_cast<std::uint32_t>(this->File->GetChunks().size());
+  std::map<std::int64_t, std::vector<std::uint32_t>> users;
+  for (std::uint32_t chunk = 0; chunk < chunks; ++chunk)
+  {
+    auto request = AskForAll(*this->File);
+    request.Chunks = { chunk };
+    request.WithUnusedPoints = false;
+    PieceDecoder decoder(this->File);
+    const Piece piece(decoder, request);
+    for (const auto id : piece.PointIds)
+    {
+      users[id].push_back(chunk);
+    }
+  }
+  std::vector<std::uint32_t> universe;
+  for (std::uint32_t chunk = 0; chunk < chunks; ++chunk)
+  {
+    if (chunk % 3 != 0 || chunks == 1)
+    {
+      universe.push_back(chunk);
+    }
+  }
+  for (const auto merges : SomeMerges(this->Tree))
+  {
+    PieceDecoder all(this->File);
+    const Piece whole(all, this->Ask(merges));
+    std::map<std::int64_t, std::size_t> placeInWhole;
+    for (std::size_t i = 0; i < whole.PointIds.size(); ++i)
+    {
+      placeInWhole[whole.PointIds[i]] = i;
+    }
+    std::multiset<std::int64_t> owned;
+    for (const bool first : { true, false })
+    {
+      auto request = this->Ask(merges);
+      request.Universe = universe;
+      const auto half = universe.begin() + static_cast<std::ptrdiff_t>(universe.size() / 2);
+      request.Chunks.assign(first ? universe.begin() : half, first ? half : universe.end());
+      request.WithUnusedPoints = first;
+      PieceDecoder decoder(this->File);
+      const Piece piece(decoder, request);
+      for (std::size_t i = 0; i < piece.PointIds.size(); ++i)
+      {
+        const auto at = placeInWhole.at(piece.PointIds[i]);
+        ASSERT_EQ(piece.Field[i], whole.Field[at]);
+        ASSERT_EQ(piece.Vector[3 * i + 2], whole.Vector[3 * at + 2]);
+        if (piece.PointGhosts[i] == 0)
+        {
+          owned.insert(piece.PointIds[i]);
+        }
+      }
+    }
+    std::multiset<std::int64_t> expected;
+    for (const auto id : whole.PointIds)
+    {
+      const auto found = users.find(id);
+      if (found == users.end() ||
+        std::any_of(found->second.begin(), found->second.end(),
+          [&](std::uint32_t chunk)
+          { return std::binary_search(universe.begin(), universe.end(), chunk); }))
+      {
+        expected.insert(id);
+      }
+    }
+    EXPECT_EQ(owned, expected) << merges;
+  }
+}
+
+TEST_P(TreeFileRead, GhostsComeFromTheUniverseOnly)
+{
+  const auto chunks = static_cast<std::uint32_t>(this->File->GetChunks().size());
+  const auto merges = this->Tree.GetMerges().size() / 3;
+  auto request = this->Ask(merges);
+  request.WithUnusedPoints = false;
+  std::erase_if(request.Chunks, [](std::uint32_t chunk) { return chunk % 4 == 1; });
+  PieceDecoder all(this->File);
+  const Piece whole(all, request);
+  request.Universe = request.Chunks;
+  request.Chunks = { chunks > 2 ? 2u : 0u };
+  PieceDecoder alone(this->File);
+  const Piece inner(alone, request);
+  request.GhostLevels = 1;
+  PieceDecoder decoder(this->File);
+  const Piece piece(decoder, request);
+
+  const std::set<std::int64_t> own(inner.CellIds.begin(), inner.CellIds.end());
+  std::set<std::int64_t> points;
+  for (std::size_t t = 0; t < inner.CellIds.size(); ++t)
+  {
+    for (std::size_t corner = 0; corner < 4; ++corner)
+    {
+      points.insert(inner.PointIds[static_cast<std::size_t>(inner.Mesh.Ids[4 * t + corner])]);
+    }
+  }
+  auto cells = own;
+  for (std::size_t t = 0; t < whole.CellIds.size(); ++t)
+  {
+    const auto* const corners = &whole.Mesh.Ids[4 * t];
+    if (std::any_of(corners, corners + 4,
+          [&](std::int64_t corner)
+          { return points.count(whole.PointIds[static_cast<std::size_t>(corner)]) == 1; }))
+    {
+      cells.insert(whole.CellIds[t]);
+    }
+  }
+  EXPECT_EQ(piece.CellIds.size(), cells.size());
+  EXPECT_EQ(std::set<std::int64_t>(piece.CellIds.begin(), piece.CellIds.end()), cells);
+  // Points that only ghosts have are not the piece's.
+  std::multiset<std::int64_t> ownPoints, ownOfInner;
+  for (std::size_t i = 0; i < piece.PointIds.size(); ++i)
+  {
+    if (piece.PointGhosts[i] == 0)
+    {
+      ownPoints.insert(piece.PointIds[i]);
+    }
+  }
+  for (std::size_t i = 0; i < inner.PointIds.size(); ++i)
+  {
+    if (inner.PointGhosts[i] == 0)
+    {
+      ownOfInner.insert(inner.PointIds[i]);
+    }
+  }
+  EXPECT_EQ(ownPoints, ownOfInner);
+}
+
+TEST_P(TreeFileRead, OrderOfTheFileIsThatOfItsNumbers)
+{
+  const auto merges = this->Tree.GetMerges().size() / 2;
+  auto request = AskForAll(*this->File);
+  request.RestoreOrder = false;
+  PieceDecoder decoder(this->File);
+  const Piece full(decoder, request);
+  request.Tree = this->FileTree;
+  request.Merges = merges;
+  const Piece piece(decoder, request);
+  const auto ancestors = this->FileTree->FindAncestors(merges);
+  std::vector<std::int64_t> points, cells;
+  for (std::size_t i = 0; i < ancestors.size(); ++i)
+  {
+    if (ancestors[i] == i)
+    {
+      points.push_back(full.PointIds[i]);
+    }
+  }
+  for (std::size_t t = 0; t < full.CellIds.size(); ++t)
+  {
+    std::set<std::uint32_t> corners;
+    for (std::size_t corner = 0; corner < 4; ++corner)
+    {
+      corners.insert(ancestors[static_cast<std::size_t>(full.Mesh.Ids[4 * t + corner])]);
+    }
+    if (corners.size() == 4)
+    {
+      cells.push_back(full.CellIds[t]);
+    }
+  }
+  EXPECT_EQ(piece.PointIds, points);
+  EXPECT_EQ(piece.CellIds, cells);
+  // All chunks, but not the unused points: no order can be restored.
+  request.RestoreOrder = true;
+  request.WithUnusedPoints = false;
+  const Piece used(decoder, request);
+  EXPECT_EQ(used.CellIds, cells);
+  EXPECT_EQ(used.PointIds.size() + this->File->GetNumberOfUnusedPoints(), points.size());
+}
+
 TEST_P(TreeFileRead, BoundsAndRangesOfChunksHold)
 {
   for (const auto merges : SomeMerges(this->Tree))
