@@ -5,11 +5,14 @@
 // merging in memory gives.
 
 #include "gatunChunkCache.h"
+#include "gatunCoarseLayout.h"
 #include "gatunError.h"
+#include "gatunFileReaderInternals.h"
 #include "gatunMergeBuilder.h"
 #include "gatunMergeCodec.h"
 #include "gatunTestFile.h"
 #include "gatunTestMeshes.h"
+#include "gatunTreeLayout.h"
 
 #include <gtest/gtest.h>
 
@@ -534,6 +537,122 @@ TEST_P(TreeFileRead, BoundsAndRangesOfChunksHold)
         const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
         ASSERT_TRUE(vector[3].Min <= length && length <= vector[3].Max);
       }
+    }
+  }
+}
+
+TEST_P(TreeFileRead, LayoutSaysWhichChunksGetPointsFromWhich)
+{
+  const auto chunks = static_cast<std::uint32_t>(this->File->GetChunks().size());
+  for (const auto merges : SomeMerges(this->Tree))
+  {
+    const CoarseLayout layout(this->File, *this->FileTree, merges);
+    ASSERT_EQ(layout.GetAncestors(), this->FileTree->FindAncestors(merges));
+    std::vector<std::set<std::uint32_t>> points, given(chunks);
+    std::map<std::uint32_t, std::uint32_t> giverOf; // the first chunk that has a point
+    for (std::uint32_t chunk = 0; chunk < chunks; ++chunk)
+    {
+      const auto list = layout.GetPoints(chunk);
+      points.emplace_back(list.begin(), list.end());
+      ASSERT_EQ(points.back().size(), list.size());
+      for (const auto point : list)
+      {
+        giverOf.emplace(point, chunk);
+      }
+    }
+    for (const auto& [point, giver] : giverOf)
+    {
+      ASSERT_EQ(layout.GetGiver(point), giver);
+    }
+    for (std::uint32_t chunk = 0; chunk < chunks; ++chunk)
+    {
+      std::set<std::uint32_t> sources;
+      for (std::uint32_t point = 0; point < this->File->GetNumberOfPoints(); ++point)
+      {
+        ASSERT_EQ(layout.Has(chunk, point), points[chunk].count(point) == 1)
+          << chunk << " " << point;
+      }
+      for (const auto point : points[chunk])
+      {
+        const auto ancestor = layout.GetAncestors()[point];
+        if (points[chunk].count(ancestor) == 0)
+        {
+          sources.insert(giverOf.at(ancestor));
+          given[giverOf.at(ancestor)].insert(ancestor);
+        }
+      }
+      const auto found = layout.GetSources(chunk);
+      EXPECT_TRUE(std::equal(found.begin(), found.end(), sources.begin(), sources.end()));
+    }
+    for (std::uint32_t chunk = 0; chunk < chunks; ++chunk)
+    {
+      const auto found = layout.GetGiven(chunk);
+      EXPECT_TRUE(std::equal(found.begin(), found.end(), given[chunk].begin(), given[chunk].end()));
+    }
+  }
+}
+
+TEST_P(TreeFileRead, RangesAreThoseOfAllThatPointsAreMergedInto)
+{
+  const MeshTable& mesh = this->File->GetInternals().Mesh;
+  const auto points = static_cast<std::uint32_t>(this->File->GetNumberOfPoints());
+  // The tree in other numbers, which the layout has to undo.
+  std::vector<std::uint32_t> ids(points);
+  std::iota(ids.begin(), ids.end(), 0u);
+  std::shuffle(ids.begin(), ids.end(), std::mt19937(7));
+  auto merges = this->FileTree->GetMerges();
+  for (Merge& merge : merges)
+  {
+    merge.Point = ids[merge.Point];
+    merge.Into = ids[merge.Into];
+  }
+  const TreeLayout layout(MergeTree(points, merges), ids, mesh);
+  ExpectSame(layout.GetTree(), *this->FileTree);
+
+  const auto used = points - static_cast<std::uint32_t>(this->File->GetNumberOfUnusedPoints());
+  const auto all = static_cast<std::uint32_t>(merges.size());
+  EXPECT_EQ(layout.GetRungs(), (std::vector<std::uint32_t>{ used - used / 2, all }));
+
+  // So that each merge counts, the last one too: values are larger the later a point is gone.
+  std::vector<double> values(points, 0);
+  for (std::uint32_t i = 0; i < all; ++i)
+  {
+    values[this->FileTree->GetMerges()[i].Point] = i % 5 == 1 ? std::nan("") : i + 1.0;
+    values[this->FileTree->GetMerges()[i].Into] = all + i + 1.0;
+  }
+  std::vector<double> valueOf(points);
+  for (std::uint32_t i = 0; i < points; ++i)
+  {
+    valueOf[ids[i]] = values[i];
+  }
+  const auto ranges = layout.FindRanges([&](std::uint32_t point) { return valueOf[point]; });
+  ASSERT_EQ(ranges.size(), mesh.Chunks.size());
+  const CoarseLayout chunks(this->File, *this->FileTree, 0);
+  std::vector<std::uint32_t> into(points), when(points, all);
+  for (std::uint32_t i = 0; i < all; ++i)
+  {
+    into[this->FileTree->GetMerges()[i].Point] = this->FileTree->GetMerges()[i].Into;
+    when[this->FileTree->GetMerges()[i].Point] = i;
+  }
+  for (std::uint32_t chunk = 0; chunk < ranges.size(); ++chunk)
+  {
+    for (std::size_t rung = 0; rung < layout.GetRungs().size(); ++rung)
+    {
+      Range expected;
+      for (auto point : chunks.GetPoints(chunk))
+      {
+        for (bool more = true; more; point = into[point])
+        {
+          if (!std::isnan(values[point]))
+          {
+            expected.Min = std::min(expected.Min, values[point]);
+            expected.Max = std::max(expected.Max, values[point]);
+          }
+          more = when[point] < layout.GetRungs()[rung];
+        }
+      }
+      EXPECT_EQ(ranges[chunk][rung].Min, expected.Min);
+      EXPECT_EQ(ranges[chunk][rung].Max, expected.Max);
     }
   }
 }
