@@ -235,13 +235,16 @@ TEST_P(TreeFileRead, SimplifiedMeshIsThatOfTheTree)
       EXPECT_EQ(GetCells(piece.Mesh, piece), GetCells(left.Mesh, left)) << merges;
       EXPECT_EQ(std::count(piece.PointGhosts.begin(), piece.PointGhosts.end(), 0),
         static_cast<std::ptrdiff_t>(piece.PointGhosts.size()));
-      if (GetParam().second == KeepAll)
+      if (GetParam().second & KeepPoints)
       {
         EXPECT_EQ(piece.PointIds, left.PointIds);
-        EXPECT_EQ(piece.CellIds, left.CellIds);
         EXPECT_EQ(piece.Mesh.Coordinates, left.Mesh.Coordinates);
         EXPECT_EQ(piece.Field, left.Field);
         EXPECT_EQ(piece.Vector, left.Vector);
+      }
+      if (GetParam().second & KeepCells)
+      {
+        EXPECT_EQ(piece.CellIds, left.CellIds);
         EXPECT_EQ(piece.Material, left.Material);
       }
     }
@@ -320,6 +323,7 @@ TEST_P(TreeFileRead, GhostsAreThoseAroundThePieceThatIsLeft)
         }
       }
     }
+    EXPECT_EQ(piece.CellIds.size(), cells.size());
     EXPECT_EQ(std::set<std::int64_t>(piece.CellIds.begin(), piece.CellIds.end()), cells);
     for (std::size_t t = 0; t < piece.CellIds.size(); ++t)
     {
@@ -383,6 +387,11 @@ TEST_P(TreeFileRead, PiecesOfAPartOfTheFileOwnItsPoints)
       request.WithUnusedPoints = first;
       PieceDecoder decoder(this->File);
       const Piece piece(decoder, request);
+      if ((GetParam().second & KeepPoints) == 0)
+      {
+        // Then these are the file's numbers, the order of which it has.
+        EXPECT_TRUE(std::is_sorted(piece.PointIds.begin(), piece.PointIds.end()));
+      }
       for (std::size_t i = 0; i < piece.PointIds.size(); ++i)
       {
         const auto at = placeInWhole.at(piece.PointIds[i]);
@@ -449,7 +458,9 @@ TEST_P(TreeFileRead, GhostsComeFromTheUniverseOnly)
   }
   EXPECT_EQ(piece.CellIds.size(), cells.size());
   EXPECT_EQ(std::set<std::int64_t>(piece.CellIds.begin(), piece.CellIds.end()), cells);
-  // Points that only ghosts have are not the piece's.
+  // Points that only ghosts have come last, and are not the piece's.
+  ASSERT_GE(piece.PointIds.size(), inner.PointIds.size());
+  EXPECT_TRUE(std::equal(inner.PointIds.begin(), inner.PointIds.end(), piece.PointIds.begin()));
   std::multiset<std::int64_t> ownPoints, ownOfInner;
   for (std::size_t i = 0; i < piece.PointIds.size(); ++i)
   {
@@ -659,7 +670,8 @@ TEST_P(TreeFileRead, RangesAreThoseOfAllThatPointsAreMergedInto)
 
 INSTANTIATE_TEST_SUITE_P(Files, TreeFileRead,
   testing::Values(std::pair{ 64u, KeepNone }, std::pair{ 64u, KeepAll },
-    std::pair{ 700u, KeepNone }, std::pair{ 100000u, KeepAll }));
+    std::pair{ 700u, KeepNone }, std::pair{ 100000u, KeepAll }, std::pair{ 300u, KeepPoints },
+    std::pair{ 300u, KeepCells }));
 
 TEST(TreeFile, BaseMeshesAreWhatIsLeft)
 {
