@@ -25,6 +25,7 @@ constexpr std::uint64_t MostPoints = 4096;
 constexpr std::uint64_t MostValues = 1u << 16;
 constexpr std::size_t MostChunks = 12;
 constexpr std::size_t MostSteps = 5;
+constexpr std::size_t MostLevels = 3;
 
 [[noreturn]] void Stop(const std::string& why)
 {
@@ -88,9 +89,13 @@ void DecodePiece(PieceDecoder& decoder, const FileReader& file, const PieceReque
   }
 }
 
-void DecodePieces(const std::shared_ptr<const FileReader>& file)
+/** After so many merges, if any. */
+void DecodePieces(const std::shared_ptr<const FileReader>& file,
+  const std::shared_ptr<const MergeTree>& tree, std::size_t merges)
 {
   PieceRequest all;
+  all.Tree = tree;
+  all.Merges = merges;
   all.Chunks.resize(file->GetChunks().size());
   std::iota(all.Chunks.begin(), all.Chunks.end(), 0u);
   all.WithUnusedPoints = true;
@@ -121,6 +126,41 @@ void DecodePieces(const std::shared_ptr<const FileReader>& file)
     request.WithUnusedPoints = half == 0;
     PieceDecoder one(file);
     DecodePiece(one, *file, request);
+  }
+}
+
+/** Meshes after merges, what holds for their chunks, and base meshes with the same. */
+void DecodeTree(const std::shared_ptr<const FileReader>& file)
+{
+  if (!IsSmall(*file))
+  {
+    return;
+  }
+  const auto tree = std::make_shared<const MergeTree>(file->GetMergeTree());
+  const auto all = tree->GetMerges().size();
+  DecodePieces(file, tree, 0);
+  if (all > 1)
+  {
+    DecodePieces(file, tree, 1 + all / 3);
+  }
+  if (all > 0)
+  {
+    DecodePieces(file, tree, all);
+    for (std::size_t chunk = 0; chunk < file->GetChunks().size(); ++chunk)
+    {
+      file->GetChunkBounds(chunk, all);
+      for (std::size_t array = 0; array < file->GetArrays().size(); ++array)
+      {
+        for (std::size_t step = 0; step < file->GetNumberOfSteps(); ++step)
+        {
+          file->GetChunkRanges(array, step, chunk, all / 2);
+        }
+      }
+    }
+  }
+  for (std::size_t level = 0; level < std::min(MostLevels, file->GetLevels().size()); ++level)
+  {
+    DecodeTree(file->OpenLevel(level)); // which has no base meshes itself
   }
 }
 }
@@ -159,7 +199,9 @@ bool DecodeFile(const std::string& path)
   const auto check = [&](const Error& error)
   {
     const std::string what = error.what();
-    if (what.compare(0, path.size() + 2, path + ": ") != 0 || what.size() < path.size() + 8)
+    const bool saysFile = what.compare(0, path.size() + 2, path + ": ") == 0 ||
+      what.compare(0, path.size() + 12, path + ", base mesh ") == 0;
+    if (!saysFile || what.size() < path.size() + 8)
     {
       Stop("an error does not say which file is wrong: " + what);
     }
@@ -191,7 +233,7 @@ bool DecodeFile(const std::string& path)
   std::string failure;
   try
   {
-    DecodePieces(file);
+    DecodeTree(file);
   }
   catch (const Error& error)
   {

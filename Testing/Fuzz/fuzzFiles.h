@@ -32,9 +32,10 @@ private:
 void UseOneThread();
 
 /**
- * Decodes a file in all ways: with its order, by pieces with ghosts, steps, field data; and
- * verifies it. Aborts if an error does not say which file is wrong, or if a file that is accepted
- * decodes to ids that are out of range. Returns whether the file was accepted.
+ * Decodes a file in all ways: with its order, by pieces with ghosts, steps, field data, after
+ * merges, base meshes; and verifies it. Aborts if an error does not say which file is wrong, or if
+ * a file that is accepted decodes to ids that are out of range. Returns whether the file was
+ * accepted.
  */
 bool DecodeFile(const std::string& path);
 }

@@ -4,7 +4,7 @@
 // Files that are wrong inside of right checksums: libFuzzer's mutations are applied to tables and
 // streams, and the file is put together again.
 
-#include "../Core/gatunFileImage.h"
+#include "../Core/gatunTreeSample.h"
 #include "fuzzFiles.h"
 #include "fuzzInput.h"
 
@@ -132,6 +132,164 @@ void ChangeSteps(Image& image, std::minstd_rand& random)
   }
 }
 
+/** What a file tells of its merges, as it stands there. */
+class TreeParts
+{
+public:
+  explicit TreeParts(const std::string& path)
+  {
+    const InputFile file(path);
+    const auto read = [&](FourCC name)
+    {
+      std::vector<Bytes> payloads;
+      for (const auto& section : file.FindSections(name))
+      {
+        payloads.push_back(file.Read(section, "a section"));
+      }
+      return payloads;
+    };
+    this->Trees = read(SectionTree);
+    this->Streams = read(SectionMerges);
+    this->Steps = read(SectionTreeStep);
+    this->Levels = read(SectionLevel);
+  }
+
+  bool IsEmpty() const { return this->Trees.empty(); }
+
+  void Change(const Image& image, std::minstd_rand& random);
+
+  /** Makes them sections of the image, behind all others. */
+  void AddTo(Image& image) const
+  {
+    if (this->IsEmpty())
+    {
+      return;
+    }
+    // The first of them begins where the directory would.
+    const auto before = image.Build();
+    std::uint64_t offset = 0;
+    std::memcpy(&offset, before.data() + before.size() - TrailerSize, sizeof(offset));
+    auto trees = this->Trees;
+    if (!this->Streams.empty())
+    {
+      try
+      {
+        auto tree = TreeTable::Read(trees[0], image.Meta, image.Mesh);
+        const Bytes& stream = this->Streams[0];
+        tree.Stream = { offset, stream.size(), Checksum(stream) };
+        trees[0] = tree.Write();
+      }
+      catch (const Error&)
+      {
+        // Then it stays as it is.
+      }
+    }
+    const auto add = [&](FourCC name, const std::vector<Bytes>& payloads)
+    {
+      for (const Bytes& payload : payloads)
+      {
+        image.MoreSections.push_back({ name, payload, SectionVersion, 0 });
+      }
+    };
+    add(SectionMerges, this->Streams);
+    add(SectionTree, trees);
+    add(SectionTreeStep, this->Steps);
+    add(SectionLevel, this->Levels);
+  }
+
+private:
+  std::vector<Bytes> Trees, Streams, Steps, Levels;
+};
+
+Bytes Change(Image& image, std::minstd_rand& random);
+
+void MutatePacked(Bytes& packed)
+{
+  try
+  {
+    auto content = Decompress(packed, 1 << 20);
+    Mutate(content, 16);
+    packed = test::Store(content);
+  }
+  catch (const Error&)
+  {
+    Mutate(packed, 4);
+  }
+}
+
+void TreeParts::Change(const Image& image, std::minstd_rand& random)
+{
+  const auto pick = [&](std::vector<Bytes>& list) -> Bytes&
+  { return list[random() % list.size()]; };
+  switch (random() % 8)
+  {
+    case 0:
+      MutatePacked(this->Trees[0]);
+      break;
+    case 1:
+      if (!this->Steps.empty())
+      {
+        MutatePacked(pick(this->Steps));
+      }
+      break;
+    case 2:
+      try
+      {
+        auto tree = TreeTable::Read(this->Trees[0], image.Meta, image.Mesh);
+        const auto add = static_cast<std::uint32_t>(random() % 3) - 1;
+        tree.Merges += add;
+        if (!tree.Rungs.empty())
+        {
+          tree.Rungs.back() += add;
+        }
+        if (!tree.Levels.empty() && random() % 2)
+        {
+          tree.Levels[random() % tree.Levels.size()] +=
+            static_cast<std::uint32_t>(random() % 3) - 1;
+        }
+        this->Trees[0] = tree.Write();
+      }
+      catch (const Error&)
+      {
+        MutatePacked(this->Trees[0]);
+      }
+      break;
+    case 3:
+    case 4:
+      if (!this->Levels.empty())
+      {
+        auto& level = pick(this->Levels);
+        fuzz::MemoryFile file;
+        file.Set(level);
+        try
+        {
+          Image inner(file.GetPath());
+          const TreeParts parts(file.GetPath());
+          const auto changed = ::Change(inner, random);
+          parts.AddTo(inner);
+          level = parts.IsEmpty() ? changed : inner.Build();
+        }
+        catch (const Error&)
+        {
+          Mutate(level, 4);
+        }
+      }
+      break;
+    case 5:
+      if (!this->Levels.empty())
+      {
+        pick(this->Levels) = pick(this->Levels);
+      }
+      break;
+    default:
+      if (!this->Streams.empty())
+      {
+        Mutate(pick(this->Streams), 4);
+      }
+      break;
+  }
+}
+
 Bytes Change(Image& image, std::minstd_rand& random)
 {
   const auto streams = GetStreams(image);
@@ -193,7 +351,17 @@ std::size_t LLVMFuzzerCustomMutator(
     auto& file = GetFile();
     file.Set({ data, size });
     Image image(file.GetPath());
-    const auto changed = Change(image, random);
+    TreeParts tree(file.GetPath());
+    if (!tree.IsEmpty() && random() % 2)
+    {
+      tree.Change(image, random);
+    }
+    else
+    {
+      Change(image, random);
+    }
+    tree.AddTo(image);
+    const auto changed = image.Build();
     if (changed.size() <= most)
     {
       std::copy(changed.begin(), changed.end(), data);

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The tables of a file, written without compression: META, then TABL, then STEP.
+// The tables of a file, written without compression: META, then TABL, STEP, TREE, TRNG.
 
 #include "../Core/gatunFileImage.h"
 #include "fuzzInput.h"
+#include "gatunTreeTable.h"
 
 #include <cstdlib>
 
@@ -42,6 +43,16 @@ void ReadTables(fuzz::Input& in)
   const auto step = StepTable::Read(next(), meta, mesh);
   CheckAgain(
     [&] { return step.Write(); }, [&](const Bytes& bytes) { StepTable::Read(bytes, meta, mesh); });
+  const auto tree = TreeTable::Read(next(), meta, mesh);
+  CheckAgain(
+    [&] { return tree.Write(); }, [&](const Bytes& bytes) { TreeTable::Read(bytes, meta, mesh); });
+  if (tree.FindRung(tree.Merges) + 1 != tree.Rungs.size() && tree.Merges > 0)
+  {
+    std::abort();
+  }
+  const auto ranges = TreeStepTable::Read(next(), meta, mesh, tree);
+  CheckAgain([&] { return ranges.Write(); },
+    [&](const Bytes& bytes) { TreeStepTable::Read(bytes, meta, mesh, tree); });
 }
 }
 

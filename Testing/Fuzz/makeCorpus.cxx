@@ -5,8 +5,10 @@
 
 #include "../Core/gatunFileImage.h"
 #include "../Core/gatunSampleFile.h"
+#include "../Core/gatunTreeSample.h"
 #include "fuzzMeshes.h"
 #include "gatunEntropy.h"
+#include "gatunMergeCodec.h"
 #include "gatunPalette.h"
 
 #include <filesystem>
@@ -230,6 +232,68 @@ void AddFiles(Corpus& corpus)
   }
   fs::remove(path);
 }
+
+/** Trees of any merges, as streams. */
+void AddMerges(Corpus& corpus, std::mt19937& random)
+{
+  const std::uint16_t points = 3 + random() % 60;
+  std::vector<std::uint32_t> left(points);
+  std::iota(left.begin(), left.end(), 0u);
+  std::shuffle(left.begin(), left.end(), random);
+  std::vector<Merge> merges;
+  while (left.size() > 1 + random() % 4)
+  {
+    const auto point = left.back();
+    left.pop_back();
+    merges.push_back(
+      { point, left[random() % left.size()], 1e-3f * static_cast<float>(left.size()) });
+  }
+  const auto count = static_cast<std::uint16_t>(merges.size());
+  ByteWriter out;
+  out.Put(std::uint8_t{ 0 }); // of many points
+  out.Put(points);
+  const bool isNarrow = points + 1 < 256;
+  isNarrow ? out.Put(static_cast<std::uint8_t>(count)) : out.Put(count);
+  out.PutBytes(EncodeMerges(MergeTree(points, std::move(merges)), points));
+  corpus.Add("Merges", out.Data);
+}
+
+/** Files with trees and base meshes, and their tables. */
+void AddTreeFiles(Corpus& corpus)
+{
+  const auto path = (corpus.GetFolder() / "tree.gtn").string();
+  for (const std::int64_t n : { 1, 2, 3 })
+  {
+    for (const std::size_t steps : { 1, 2 })
+    {
+      const auto sample = test::MakeTreeSample(n, steps);
+      const auto merges = static_cast<std::uint32_t>(sample.Tree.GetMerges().size());
+      WriterOptions options;
+      options.ChunkTets = 64;
+      options.Keep = steps == 1 ? KeepAll : KeepNone;
+      std::vector<std::uint32_t> levels;
+      if (merges > 3 && n < 3)
+      {
+        levels = { merges / 2, merges };
+      }
+      test::WriteTreeSample(path, sample, options, levels);
+      const auto bytes = test::ReadFile(path);
+      corpus.Add("File", bytes);
+      corpus.Add("Sections", bytes);
+      const auto sections = test::ReadSections(path);
+      ByteWriter tables;
+      for (const auto name :
+        { SectionMeta, SectionTable, SectionStep, SectionTree, SectionTreeStep })
+      {
+        const auto table = Decompress(test::FindPayload(sections, name), 1 << 20);
+        tables.Put(static_cast<std::uint16_t>(table.size()));
+        tables.PutBytes(table);
+      }
+      corpus.Add("Tables", tables.Data);
+    }
+  }
+  fs::remove(path);
+}
 }
 
 int main(int argc, char* argv[])
@@ -254,7 +318,12 @@ int main(int argc, char* argv[])
     corpus.Add("RoundTripChunk", MakeNoise(40u << (i % 5), random));
     corpus.Add("RoundTripFile", MakeNoise(40u << (i % 5), random));
   }
+  for (unsigned i = 0; i < 20; ++i)
+  {
+    AddMerges(corpus, random);
+  }
   AddFiles(corpus);
+  AddTreeFiles(corpus);
   corpus.Add("FieldData", Decompress(WriteFieldData(MakeField()), 1 << 20));
   corpus.Add("FieldData", Decompress(WriteFieldData({}), 1 << 20));
   corpus.Add("Decompress", test::Store(Bytes(300, 1)));

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A stream of merges. What is decoded is a tree; encoded and decoded again it is the same.
+
+#include "fuzzInput.h"
+#include "gatunMergeCodec.h"
+
+#include <cstdlib>
+
+namespace
+{
+bool IsSame(const gatun::Merge& a, const gatun::Merge& b)
+{
+  return a.Point == b.Point && a.Into == b.Into && a.Error == b.Error;
+}
+}
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  using namespace gatun;
+  fuzz::Input in(data, size);
+  const auto points = in.TakeBool() ? in.TakeUpTo(40) : in.TakeUpTo(3000);
+  const auto merges = in.TakeUpTo(points + 1);
+  const auto stream = fuzz::Copy(in.TakeRest());
+  fuzz::Accepts(
+    [&]
+    {
+      const auto tree = DecodeMerges(stream, points, merges);
+      const auto again = DecodeMerges(EncodeMerges(tree, points), points, merges);
+      const auto& all = tree.GetMerges();
+      if (all.size() != merges ||
+        !std::equal(
+          all.begin(), all.end(), again.GetMerges().begin(), again.GetMerges().end(), IsSame))
+      {
+        std::abort();
+      }
+      for (const auto count : { merges / 2, merges })
+      {
+        const auto ancestors = tree.FindAncestors(count);
+        std::size_t left = 0;
+        for (std::uint32_t point = 0; point < points; ++point)
+        {
+          const auto ancestor = ancestors[point];
+          left += ancestor == point;
+          if (ancestor >= points || ancestors[ancestor] != ancestor)
+          {
+            std::abort();
+          }
+        }
+        if (left != points - count)
+        {
+          std::abort();
+        }
+      }
+    });
+  return 0;
+}
