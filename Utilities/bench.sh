@@ -14,6 +14,8 @@
 #   bench.sh --simplification    the study of simplification, in half an hour, into
 #                                Documentation/simplification-study.md and simplification-study/;
 #                                likewise
+#   bench.sh --budget            how well just-in-time rendering keeps to a time, in ten minutes, into
+#                                Documentation/just-in-time.md and just-in-time/; as --study
 #
 # FILEs are meshes to be measured too. GATUN_DATA_DIR names a folder of more of them, if set: sizes
 # of every .vtu and Exodus file there are told, and the blunt fin and the combustion chamber are
@@ -30,6 +32,9 @@ if [ "${1:-}" = --study ]; then
   shift
 elif [ "${1:-}" = --simplification ]; then
   script=runSimplification.py
+  shift
+elif [ "${1:-}" = --budget ]; then
+  script=runBudget.py
   shift
 fi
 out=$root/Documentation

@@ -43,6 +43,7 @@ std::vector<CLI::Option*> AddMergeOptions(CLI::App* command, MergeOptions& optio
                "A point array that counts, and how much relative to others (default: the active "
                "scalars, or else all alike); may be given several times")
              ->option_text("NAME[=WEIGHT]")
+             ->allow_extra_args(false)
              ->each(given),
     command
       ->add_option("--metric", options.Metric,
