@@ -40,6 +40,8 @@ struct RaySettings
   /** Whether a tile of the picture comes out the same to the last bit whatever the others show, and
    * however many of them are drawn. Threads may have less to do at the same time. */
   bool Repeatable = false;
+
+  bool operator==(const RaySettings&) const = default;
 };
 
 /** What has been done so far; times are of all threads together, in seconds. */

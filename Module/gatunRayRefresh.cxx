@@ -14,20 +14,32 @@ RayRefresh::RayRefresh(MakeCaster makeCaster)
 }
 
 //------------------------------------------------------------------------------
-std::size_t RayRefresh::Draw(RaySource& source, float* rgba, const RaySource::Progress& progress)
+double RayRefresh::Draw(
+  std::shared_ptr<RaySource> source, float* rgba, const RaySource::Progress& progress)
 {
-  const auto before = std::exchange(this->Fingerprints, {});
-  auto fingerprints = this->Maker()->GetFingerprints(source, progress);
-  std::vector<std::uint8_t> differs(fingerprints.size(), 1);
-  for (std::size_t tile = 0; tile < before.size(); ++tile)
-  {
-    differs[tile] = fingerprints[tile] == before[tile] ? 0 : 1;
-  }
+  const auto last = std::exchange(this->Last, nullptr);
+  auto before = std::exchange(this->Fingerprints, {});
   const auto caster = this->Maker();
-  caster->Restrict(differs);
-  caster->Draw(source, progress);
+  std::vector<std::uint8_t> differs(caster->GetNumberOfTiles(), 1);
+  std::vector<std::uint64_t> fingerprints;
+  if (last)
+  {
+    if (before.empty())
+    {
+      before = this->Maker()->GetFingerprints(*last, progress);
+    }
+    fingerprints = this->Maker()->GetFingerprints(*source, progress);
+    for (std::size_t tile = 0; tile < differs.size(); ++tile)
+    {
+      differs[tile] = fingerprints[tile] == before[tile] ? 0 : 1;
+    }
+    caster->Restrict(differs);
+  }
+  caster->Draw(*source, progress);
   caster->Finish(rgba);
+  this->Last = std::move(source);
   this->Fingerprints = std::move(fingerprints);
-  return static_cast<std::size_t>(std::count(differs.begin(), differs.end(), 1));
+  return static_cast<double>(std::count(differs.begin(), differs.end(), 1)) /
+    static_cast<double>(differs.size());
 }
 }

@@ -7,7 +7,6 @@
 #include "gatunRaySource.h"
 #include "vtkGatunCoreModule.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -28,13 +27,15 @@ public:
   explicit RayRefresh(MakeCaster makeCaster);
 
   /** Draws a mesh; see RayCaster::Finish for what becomes of rgba, which must be what the last call
-   * left. If an exception is thrown, the next call draws everything. Returns the number of tiles
-   * that were drawn. */
-  std::size_t Draw(RaySource& source, float* rgba, const RaySource::Progress& progress = {});
+   * left. If an exception is thrown, the next call draws everything. Returns the part of the tiles
+   * that were drawn. The source is kept until the next call, which finds out what it showed. */
+  double Draw(
+    std::shared_ptr<RaySource> source, float* rgba, const RaySource::Progress& progress = {});
 
 private:
   MakeCaster Maker;
-  std::vector<std::uint64_t> Fingerprints; // of the last picture
+  std::shared_ptr<RaySource> Last;         // of the last picture
+  std::vector<std::uint64_t> Fingerprints; // of its tiles, or none yet
 };
 }
 

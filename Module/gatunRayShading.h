@@ -21,6 +21,8 @@ struct RayLight
 
   std::array<double, 3> Diffuse{ 1, 1, 1 }; ///< red, green, blue
   std::array<double, 3> Specular{ 1, 1, 1 };
+
+  bool operator==(const RayLight&) const = default;
 };
 
 /**
@@ -39,6 +41,8 @@ struct RayShading
   /** From the mesh's coordinates to those of the world, affine, in rows. */
   std::array<std::array<double, 4>, 3> ToWorld{ { { 1, 0, 0, 0 }, { 0, 1, 0, 0 },
     { 0, 0, 1, 0 } } };
+
+  bool operator==(const RayShading&) const = default;
 };
 
 /** What becomes of a colour: as much of it as Scale says, and besides as much of white as Add says;

@@ -38,6 +38,8 @@ struct VTKGATUNCORE_EXPORT RayTable
   struct alignas(32) Cell
   {
     std::array<float, 4> Value, Change;
+
+    bool operator==(const Cell&) const = default;
   };
 
   static constexpr int Size = 4096;
@@ -51,6 +53,8 @@ struct VTKGATUNCORE_EXPORT RayTable
 
   /** Whether nothing is seen of values from one to another. */
   bool IsTransparent(const Range& values) const;
+
+  bool operator==(const RayTable&) const = default;
 
   RayMode Mode;
   double Low = 0;                          ///< value at the beginning

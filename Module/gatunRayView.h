@@ -72,6 +72,8 @@ struct VTKGATUNCORE_EXPORT RayView
 
   /** How far a unit of depth is along the ray of a pixel, in samples. */
   double GetSamplesPerDepth(double x, double y) const;
+
+  bool operator==(const RayView&) const = default;
 };
 
 /** For each pixel, row by row from below, the samples between which a ray counts; or none. */
@@ -81,6 +83,8 @@ struct RayLimits
 
   /** What is on the negative side of one is limited away: nobody need look at it. */
   std::vector<std::array<double, 4>> Planes;
+
+  bool operator==(const RayLimits&) const = default;
 };
 
 /** Cuts away what is on the negative side of a plane a x + b y + c z + d = 0 in world coordinates.

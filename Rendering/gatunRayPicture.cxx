@@ -6,6 +6,7 @@
 #include "gatunError.h"
 #include "gatunParallel.h"
 #include "gatunRayCaster.h"
+#include "gatunRayRefresh.h"
 #include "gatunRayRendering.h"
 
 #include "vtkRayCastImageDisplayHelper.h"
@@ -57,14 +58,28 @@ RayPicture::RayPicture() = default;
 RayPicture::~RayPicture() = default;
 
 //------------------------------------------------------------------------------
-void RayPicture::Take(RayCaster& caster, const RayGrid& grid)
+void RayPicture::SetGrid(const RayGrid& grid)
 {
   this->Width = grid.Width;
   this->Height = grid.Height;
   this->IsExact = !grid.ToBorders;
   this->Colours.resize(
     4 * static_cast<std::size_t>(grid.Width) * static_cast<std::size_t>(grid.Height));
+}
+
+//------------------------------------------------------------------------------
+void RayPicture::Take(RayCaster& caster, const RayGrid& grid)
+{
+  this->SetGrid(grid);
   caster.Finish(this->Colours.data());
+}
+
+//------------------------------------------------------------------------------
+double RayPicture::Take(RayRefresh& refresh, std::shared_ptr<RaySource> source, const RayGrid& grid,
+  const std::function<bool(double)>& progress)
+{
+  this->SetGrid(grid);
+  return refresh.Draw(std::move(source), this->Colours.data(), progress);
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,8 @@
 
 #include "vtkSmartPointer.h"
 
+#include <functional>
+#include <memory>
 #include <vector>
 
 class vtkRayCastImageDisplayHelper;
@@ -16,6 +18,8 @@ class vtkWindow;
 namespace gatun
 {
 class RayCaster;
+class RayRefresh;
+class RaySource;
 struct RayGrid;
 
 /** A picture on its way from the ray caster into a window. */
@@ -31,6 +35,11 @@ public:
 
   void Take(RayCaster& caster, const RayGrid& grid);
 
+  /** Brings up to date what was taken last, of the same refresh, or takes its first. Returns what
+   * part was drawn. */
+  double Take(RayRefresh& refresh, std::shared_ptr<RaySource> source, const RayGrid& grid,
+    const std::function<bool(double)>& progress);
+
   /**
    * Blends what was taken over all of a renderer's viewport; in front of all there is, or else at
    * the depth of the volume's centre. Throws InvalidInput if VTK cannot draw pictures of volumes.
@@ -40,6 +49,8 @@ public:
   void Release(vtkWindow* window);
 
 private:
+  void SetGrid(const RayGrid& grid);
+
   vtkSmartPointer<vtkRayCastImageDisplayHelper> Helper;
   int Width = 0; // rays
   int Height = 0;

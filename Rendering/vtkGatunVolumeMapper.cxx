@@ -8,6 +8,7 @@
 #include "gatunJustInTime.h"
 #include "gatunRayCaster.h"
 #include "gatunRayPicture.h"
+#include "gatunRayRefresh.h"
 #include "gatunRayRendering.h"
 #include "gatunRayScene.h"
 #include "vtkGatunReader.h"
@@ -100,6 +101,21 @@ void ToArray(const gatun::Bounds& box, double* bounds)
 constexpr double LeastTimeAtRest = 10;
 
 //------------------------------------------------------------------------------
+/** All that a picture depends on but the number of points. */
+struct PictureSetup
+{
+  const void* Mesh;
+  const void* Renderer;
+  const void* Volume;
+  gatun::RayView View;
+  gatun::RayTable Table;
+  gatun::RayLimits Limits;
+  gatun::RaySettings Settings;
+
+  bool operator==(const PictureSetup&) const = default;
+};
+
+//------------------------------------------------------------------------------
 /** Tells those who work in the background that a picture is being drawn. */
 class Drawing
 {
@@ -148,6 +164,11 @@ public:
 
   std::string Obstacle;     // that was told
   std::uint64_t Points = 0; // of what the last picture shows; 0: all
+  double PartDrawn = 0;     // of its tiles
+
+  // What the picture that was taken last can be brought up to date with, if that is possible.
+  std::shared_ptr<const PictureSetup> Setup;
+  std::unique_ptr<gatun::RayRefresh> Refresh;
 
   // Seconds for each ray of the last picture.
   std::map<std::pair<vtkRenderer*, vtkVolume*>, double> TimeOfRays;
@@ -166,7 +187,9 @@ public:
   void TellObstacle(vtkGatunVolumeMapper* mapper);
   gatun::RayStatistics Draw(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
     const Viewport& viewport, const gatun::RayGrid& grid,
-    const gatun::RaySource::Progress& progress, gatun::RaySource* simpler);
+    const gatun::RaySource::Progress& progress, const gatun::Frame& frame);
+  void DrawAnew(const PictureSetup& setup, std::shared_ptr<gatun::RaySource> source,
+    const gatun::RayGrid& grid, const gatun::RaySource::Progress& progress);
   void DrawFrame(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 };
 
@@ -348,7 +371,7 @@ void vtkGatunVolumeMapper::vtkInternals::TellObstacle(vtkGatunVolumeMapper* mapp
 //------------------------------------------------------------------------------
 gatun::RayStatistics vtkGatunVolumeMapper::vtkInternals::Draw(vtkGatunVolumeMapper* mapper,
   vtkRenderer* renderer, vtkVolume* volume, const Viewport& viewport, const gatun::RayGrid& grid,
-  const gatun::RaySource::Progress& progress, gatun::RaySource* simpler)
+  const gatun::RaySource::Progress& progress, const gatun::Frame& frame)
 {
   vtkCamera* const camera = renderer->GetActiveCamera();
   vtkNew<vtkMatrix4x4> matrix;
@@ -368,13 +391,42 @@ gatun::RayStatistics vtkGatunVolumeMapper::vtkInternals::Draw(vtkGatunVolumeMapp
   settings.Opaque = static_cast<float>(mapper->OpacityLimit);
   settings.Shading =
     gatun::MakeRayShading(volume->GetProperty(), camera, renderer->GetLights(), matrix);
-  gatun::RayCaster caster(view,
-    gatun::MakeRayTable(volume->GetProperty(), ToMode(mapper->BlendMode), this->Scene.GetRange(),
-      view.SampleDistance),
-    limits, settings);
-  this->Scene.Draw(caster, view, progress, simpler);
+  auto table = gatun::MakeRayTable(
+    volume->GetProperty(), ToMode(mapper->BlendMode), this->Scene.GetRange(), view.SampleDistance);
+  if (frame.Source && !mapper->JustInTime)
+  {
+    // Somebody may be looking for the best ratio.
+    settings.Repeatable = true;
+    this->DrawAnew({ this->Scene.GetLevels(), renderer, volume, view, std::move(table),
+                     std::move(limits), settings },
+      frame.Source, grid, progress);
+    return {};
+  }
+  this->Refresh.reset();
+  gatun::RayCaster caster(view, std::move(table), limits, settings);
+  this->Scene.Draw(caster, view, progress, frame.Source.get());
   this->Picture.Take(caster, grid);
+  this->PartDrawn = 1;
   return caster.GetStatistics();
+}
+
+//------------------------------------------------------------------------------
+/** Draws what another number of points changes. */
+void vtkGatunVolumeMapper::vtkInternals::DrawAnew(const PictureSetup& setup,
+  std::shared_ptr<gatun::RaySource> source, const gatun::RayGrid& grid,
+  const gatun::RaySource::Progress& progress)
+{
+  if (!this->Refresh || *this->Setup != setup)
+  {
+    this->Setup = std::make_shared<const PictureSetup>(setup);
+    this->Refresh = std::make_unique<gatun::RayRefresh>(
+      [kept = this->Setup]
+      {
+        return std::make_unique<gatun::RayCaster>(
+          kept->View, kept->Table, kept->Limits, kept->Settings);
+      });
+  }
+  this->PartDrawn = this->Picture.Take(*this->Refresh, std::move(source), grid, progress);
 }
 
 //------------------------------------------------------------------------------
@@ -410,8 +462,7 @@ void vtkGatunVolumeMapper::vtkInternals::DrawFrame(
   const gatun::RayGrid grid = MakeGrid(renderer, viewport, distance);
   const Drawing drawing(levels);
   const double before = vtkTimerLog::GetUniversalTime();
-  const auto statistics =
-    this->Draw(mapper, renderer, volume, viewport, grid, progress, frame.Source.get());
+  const auto statistics = this->Draw(mapper, renderer, volume, viewport, grid, progress, frame);
   const double cast = vtkTimerLog::GetUniversalTime() - before;
   this->Picture.Show(renderer, volume, mapper->IntermixIntersectingGeometry != 0);
   if (inMotion)
@@ -424,7 +475,7 @@ void vtkGatunVolumeMapper::vtkInternals::DrawFrame(
   mapper->TimeToDraw = mapper->Timer->GetElapsedTime();
   this->TimeOfRays[key] = mapper->TimeToDraw / rays;
   this->Points = frame.Points;
-  if (frames)
+  if (frames && mapper->JustInTime)
   {
     frames->End(*levels, frame, rays, statistics, { cast, mapper->TimeToDraw });
   }
@@ -460,6 +511,12 @@ vtkTypeUInt64 vtkGatunVolumeMapper::GetBytesRead()
 vtkIdType vtkGatunVolumeMapper::GetNumberOfDrawnPoints()
 {
   return static_cast<vtkIdType>(this->Internals->Points);
+}
+
+//------------------------------------------------------------------------------
+double vtkGatunVolumeMapper::GetPartDrawn()
+{
+  return this->Internals->PartDrawn;
 }
 
 //------------------------------------------------------------------------------

@@ -195,7 +195,9 @@ public:
   ///@{
   /**
    * Part of the mesh's points that is merged away in all pictures, 0 to 1, as far as that is
-   * possible; others are an error. The first picture waits until it is known how. Default: 0.
+   * possible; others are an error. The first picture waits until it is known how. Where nothing but
+   * the ratio has changed since the last picture, only the squares of 16 by 16 pixels are drawn
+   * that change, unless JustInTime is on. Default: 0.
    */
   vtkSetMacro(SimplificationRatio, double);
   vtkGetMacro(SimplificationRatio, double);
@@ -206,6 +208,11 @@ public:
    * simplified.
    */
   vtkIdType GetNumberOfDrawnPoints();
+
+  /**
+   * What part of the last picture was drawn anew, 0 to 1; see SimplificationRatio.
+   */
+  double GetPartDrawn();
 
   /**
    * Waits until it is known how the input can be simplified, which otherwise is found out while

@@ -105,6 +105,26 @@ assert 0 < points < 100
 fixed.mapper.SetSimplificationRatio(1e-9)
 points, picture = at(fixed, AT_REST)
 assert points == POINTS and gv.difference(picture, full) == 0
+# Another ratio: only what it changes is drawn, and it looks as if all were.
+drawn = []
+for ratio in 0.8, 0.8002, 0.8004, 0.81, 0.8, 0.8:
+    fixed.mapper.SetSimplificationRatio(ratio)
+    _, picture = at(fixed, AT_REST)
+    drawn.append(fixed.mapper.GetPartDrawn())
+    _, expected = at(make(mesh, SimplificationRatio=ratio), AT_REST)
+    assert gv.difference(picture, expected) == 0
+assert 0 < drawn[1] < 0.8 and 0 < drawn[2] < 0.8, drawn
+assert drawn[-1] == 0, drawn
+# Whatever else changes, all of it is drawn.
+fixed.volume.GetProperty().SetScalarOpacityUnitDistance(0.3)
+at(fixed, AT_REST)
+assert fixed.mapper.GetPartDrawn() == 1
+fixed.volume.GetProperty().SetScalarOpacityUnitDistance(0.2)
+fixed.camera.Azimuth(1)
+at(fixed, AT_REST)
+assert fixed.mapper.GetPartDrawn() == 1
+fixed.camera.Azimuth(-1)
+
 # In motion no more than that.
 fixed.mapper.SetSimplificationRatio(0.5)
 fixed.mapper.JustInTimeOn()
