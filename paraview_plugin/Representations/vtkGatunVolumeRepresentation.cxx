@@ -71,6 +71,7 @@ vtkGatunVolumeRepresentation::vtkGatunVolumeRepresentation()
 {
   this->Superclass::AddVolumeMapper("Gatun", this->VolumeMapper);
   this->Superclass::SetActiveVolumeMapper("Gatun");
+  this->VolumeMapper->SetTimeBudget(0.1);
   this->File->SetOnDemand(vtkGatunReader::ON_DEMAND_ALWAYS);
   this->File->SetCacheSize(0);
 }
@@ -128,6 +129,48 @@ void vtkGatunVolumeRepresentation::SetAutoAdjustSampleDistances(bool on)
 bool vtkGatunVolumeRepresentation::GetAutoAdjustSampleDistances()
 {
   return this->VolumeMapper->GetAutoAdjustSampleDistances() != 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeRepresentation::SetJustInTime(bool on)
+{
+  this->JustInTime = on;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGatunVolumeRepresentation::GetJustInTime()
+{
+  return this->JustInTime;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeRepresentation::SetTimeBudget(double seconds)
+{
+  this->VolumeMapper->SetTimeBudget(seconds);
+}
+
+//------------------------------------------------------------------------------
+double vtkGatunVolumeRepresentation::GetTimeBudget()
+{
+  return this->VolumeMapper->GetTimeBudget();
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeRepresentation::SetSimplificationRatio(double ratio)
+{
+  this->SimplificationRatio = ratio;
+}
+
+//------------------------------------------------------------------------------
+double vtkGatunVolumeRepresentation::GetSimplificationRatio()
+{
+  return this->SimplificationRatio;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGatunVolumeRepresentation::GetDrawnPoints()
+{
+  return this->VolumeMapper->GetNumberOfDrawnPoints();
 }
 
 //------------------------------------------------------------------------------
@@ -288,6 +331,9 @@ void vtkGatunVolumeRepresentation::PrepareToDraw(vtkInformation* inInfo)
   this->Shown = piece;
   this->Actor->SetEnableLOD(0);
   this->VolumeMapper->RemoveAllClippingPlanes();
+  const bool isAlone = Processes().All == 1;
+  this->VolumeMapper->SetJustInTime(isAlone && this->JustInTime ? 1 : 0);
+  this->VolumeMapper->SetSimplificationRatio(isAlone ? this->SimplificationRatio : 0);
   if (!piece)
   {
     this->Actor->SetMapper(nullptr);

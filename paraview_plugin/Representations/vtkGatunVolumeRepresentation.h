@@ -18,8 +18,8 @@
  *
  * Colours are those of the array, and of its component or length, as chosen for colouring. A
  * separate array for opacities, several components mapped at once and colours taken from the array
- * directly have no influence. While somebody interacts, the volume is drawn with fewer rays, never
- * as a surface.
+ * directly have no influence. While somebody interacts, the volume is drawn with fewer rays, or as
+ * a simpler mesh, never as a surface.
  *
  * @sa vtkGatunVolumeMapper vtkGatunReader
  */
@@ -81,6 +81,39 @@ public:
   bool GetAutoAdjustSampleDistances();
   ///@}
 
+  ///@{
+  /**
+   * Whether the mesh is simplified while somebody interacts, so that a picture takes the time that
+   * there is, before rays get fewer; see vtkGatunVolumeMapper. Several processes would simplify
+   * their parts each by itself, so that these do not fit together: there, it has no influence.
+   * Default: off.
+   */
+  void SetJustInTime(bool on);
+  bool GetJustInTime();
+  ///@}
+
+  ///@{
+  /**
+   * Seconds that a picture may take then; 0: what VTK allocates to it. Default: 0.1.
+   */
+  void SetTimeBudget(double seconds);
+  double GetTimeBudget();
+  ///@}
+
+  ///@{
+  /**
+   * Part of the points that is merged away in all pictures, 0 to 1. No influence with several
+   * processes. Default: 0.
+   */
+  void SetSimplificationRatio(double ratio);
+  double GetSimplificationRatio();
+  ///@}
+
+  /**
+   * How many points the mesh of the last picture had; 0 where nothing is simplified.
+   */
+  vtkIdType GetDrawnPoints();
+
   /**
    * The length over which the opacities are meant, in world units. Where a file is drawn, the value
    * that ParaView derives from the number of cells of the outline stands for that of the mesh.
@@ -128,6 +161,8 @@ private:
   vtkSmartPointer<vtkUnstructuredGrid> Piece;
   vtkDataSet* Shown = nullptr; // what tells which arrays there are
   bool DrawsFile = false;
+  bool JustInTime = false;
+  double SimplificationRatio = 0;
   double UnitDistance = 1;
   double LastBox[6] = { 1, -1, 1, -1, 1, -1 };
 };
