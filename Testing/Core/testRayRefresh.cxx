@@ -152,5 +152,31 @@ TEST(RayRefresh, TilesDoNotDependOnOthers)
     EXPECT_EQ(picture, whole);
   }
 }
+
+//------------------------------------------------------------------------------
+TEST(RayRefresh, TilesDoNotDependOnOthersWhereBlocksAreSetUpBitByBit)
+{
+  // Tetrahedra that are in many tiles each, more than are set up at once.
+  Viewer viewer = MakeViewers(12, false)[3];
+  viewer.Width = viewer.Height = 480;
+  const Subject subject(12, viewer, RayMode::Composite, 0.5f);
+  const auto source = subject.MakeSource(subject.GetPoints());
+  const auto whole = subject.Draw(subject.GetPoints());
+  const auto tiles = subject.MakeCaster()->GetNumberOfTiles();
+  auto picture = subject.MakeBlank();
+  for (std::size_t part = 0; part < 5; ++part)
+  {
+    std::vector<std::uint8_t> some(tiles, 0);
+    for (std::size_t tile = part; tile < tiles; tile += 5)
+    {
+      some[tile] = 1;
+    }
+    const auto caster = subject.MakeCaster();
+    caster->Restrict(some);
+    caster->Draw(*source);
+    caster->Finish(picture.data());
+  }
+  EXPECT_EQ(picture, whole);
+}
 }
 }
