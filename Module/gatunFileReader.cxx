@@ -4,6 +4,7 @@
 #include "gatunFileReaderInternals.h"
 #include "gatunPalette.h"
 #include "gatunPartDecoder.h"
+#include "gatunTableParts.h"
 
 #include <algorithm>
 #include <array>
@@ -45,7 +46,13 @@ void FileReader::Internals::Read()
   for (const auto& step : this->File.FindSections(SectionStep))
   {
     this->Steps.push_back(this->Guarded(stepName, step,
-      [&] { return StepTable::Read(this->File.Read(step, stepName), this->Meta, this->Mesh); }));
+      [&]
+      {
+        const auto bytes = this->File.Read(step, stepName);
+        auto table = StepTable::Read(bytes, this->Meta, this->Mesh);
+        this->AddStepBytes(bytes);
+        return table;
+      }));
     this->Times.push_back(this->Steps.back().Time);
     this->CheckLastStep();
   }
@@ -69,6 +76,17 @@ void FileReader::Internals::Read()
     this->Domains[axis] = Domain(this->Meta.CoordinateType, palette);
   }
   this->ReadTree();
+}
+
+/** Counts what the table of a step is unpacked: each may be any number of times as large as packed,
+ * but not all of them. */
+void FileReader::Internals::AddStepBytes(std::span<const std::uint8_t> packed)
+{
+  this->StepBytes += ByteReader(packed).GetVarint();
+  if (this->StepBytes > std::max(SmallStep, TableExpansion * this->File.GetSize()))
+  {
+    ThrowCorrupt("the tables of the time steps are too large for such a file");
+  }
 }
 
 void FileReader::Internals::CheckLastStep() const

@@ -82,9 +82,12 @@ public:
   std::vector<StreamRef> Levels;
 
 private:
+  std::uint64_t StepBytes = 0; // of the tables of all steps, unpacked
+
   void Read();
   void ReadTree();
   void CheckLevel(const Internals& whole, std::size_t level) const;
+  void AddStepBytes(std::span<const std::uint8_t> packed);
   void CheckLastStep() const;
   bool IsComplete(const Error& error) const
   {

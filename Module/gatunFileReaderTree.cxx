@@ -37,8 +37,10 @@ void FileReader::Internals::ReadTree()
     this->TreeSteps.push_back(this->Guarded(TreeStepName, step,
       [&]
       {
-        return TreeStepTable::Read(
-          this->File.Read(step, TreeStepName), this->Meta, this->Mesh, *this->Tree);
+        const auto bytes = this->File.Read(step, TreeStepName);
+        auto table = TreeStepTable::Read(bytes, this->Meta, this->Mesh, *this->Tree);
+        this->AddStepBytes(bytes);
+        return table;
       }));
   }
   if (this->TreeSteps.size() != this->Steps.size())

@@ -10,9 +10,6 @@ namespace gatun
 {
 namespace
 {
-// How much larger than its compressed form a table may be, unless it is small anyway.
-constexpr std::uint64_t TableExpansion = 512;
-
 std::uint64_t GetLimit(std::span<const std::uint8_t> packed, std::uint64_t small)
 {
   return std::max(small, TableExpansion * packed.size());

@@ -18,6 +18,10 @@ namespace gatun
 constexpr std::uint64_t SmallTable = 1u << 20;
 constexpr std::uint64_t SmallStep = 16u << 20;
 
+// How much larger than its compressed form a table may be, unless it is small anyway; and how much
+// larger than the file the tables of all its time steps may be.
+constexpr std::uint64_t TableExpansion = 512;
+
 /** Throws Error(Corrupt) unless this is right. */
 inline void Check(bool right, const char* what)
 {

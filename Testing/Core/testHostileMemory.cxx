@@ -5,6 +5,7 @@
 
 #include "../gatunSanitizer.h"
 #include "gatunHostile.h"
+#include "gatunTreeTable.h"
 
 #include <chrono>
 #include <cstdlib>
@@ -161,6 +162,65 @@ TEST_F(HostileMemory, OneStepNamedManyTimes)
   array.Chunks.assign(1, { 1u << 20, 9, 0 });
   image.Steps.assign(300, step);
   this->Open(image, "do not ascend");
+}
+
+TEST_F(HostileMemory, ManyStepsWithLargeTables)
+{
+  // Each table alone may be so large, but not all of them together.
+  auto image = this->MakeChunks(1);
+  image.Meta.HasTime = true;
+  image.Meta.Arrays.resize(6);
+  StepTable step;
+  step.Arrays.resize(6);
+  for (std::size_t a = 0; a < 6; ++a)
+  {
+    image.Meta.Arrays[a].Components = 65536;
+    image.Meta.Arrays[a].Where = Association::Cell;
+    auto& array = step.Arrays[a];
+    array.Palettes.resize(65536);
+    array.Ranges.resize(65537);
+    array.ChunkRanges.assign(1, ArrayRanges(65537));
+    array.Chunks.assign(1, { 1u << 20, 9, 0 });
+  }
+  image.Steps.push_back(step);
+  this->Open(image, "opened");
+  for (int i = 1; i < 40; ++i)
+  {
+    step.Time = i;
+    image.Steps.push_back(step);
+  }
+  this->Open(image, "the tables of the time steps are too large for such a file");
+}
+
+TEST_F(HostileMemory, ManyStepsWithLargeRangesAfterMerges)
+{
+  auto image = this->MakeChunks(1);
+  image.Meta.HasTime = true;
+  image.Meta.Arrays.resize(1);
+  image.Meta.Arrays[0].Components = 65536;
+  TreeTable tree;
+  tree.Merges = 1;
+  tree.Stream = { 1u << 20, 9, 0 };
+  tree.Rungs = { 1 };
+  tree.Boxes.assign(1, std::vector<Bounds>(1));
+  TreeStepTable ranges;
+  ranges.Ranges.assign(1, { { ArrayRanges(65537) } });
+  StepTable step;
+  step.Arrays.resize(1);
+  auto& array = step.Arrays[0];
+  array.Palettes.resize(65536);
+  array.Ranges.resize(65537);
+  array.ChunkRanges.assign(1, ArrayRanges(65537));
+  array.Chunks.assign(1, { 1u << 20, 9, 0 });
+  array.Blocks.resize(1);
+  image.MoreSections.push_back({ SectionTree, tree.Write(), SectionVersion, 0 });
+  for (int i = 0; i < 7; ++i)
+  {
+    step.Time = i;
+    image.Steps.push_back(step);
+    image.MoreSections.push_back({ SectionTreeStep, ranges.Write(), SectionVersion, 0 });
+  }
+  this->Open(image, "the ranges after merges at byte .* too large for such a file");
 }
 
 TEST(HostileTime, AChunkThatClaimsAsMuchAsItCanIsRefusedSoon)

@@ -136,6 +136,11 @@ def step_limit(packed):
     return max(1 << 24, 512 * packed)
 
 
+def steps_limit(file):
+    """Of all STEP and TRNG together."""
+    return max(1 << 24, 512 * file)
+
+
 def field_data_limit(packed):
     return 65536 * (packed + 1)
 
@@ -146,6 +151,7 @@ class Container:
 
     def __init__(self, data):
         self.data = data
+        self._step_bytes = 0
         sections = self._directory()
         self.meta = read_meta(self._packed(sections, b"META"))
         self.table = read_table(self._packed(sections, b"TABL"), self.meta)
@@ -184,7 +190,7 @@ class Container:
         for section in self._directory():
             require(section.offset == at + 24, "gap between sections")
             require(self.data[at : at + 24] == section.header, "header of a section")
-            self._content(section)
+            self._payload(section)
             at = section.offset + section.length
         offset, length, _ = struct.unpack("<3Q", self.data[-32:-8])
         header = struct.pack(
@@ -219,13 +225,21 @@ class Container:
         table.end()
         return sections
 
-    def _content(self, section):
+    def _payload(self, section):
         data = self.data[section.offset : section.offset + section.length]
         require(checksum(data) == section.checksum, "checksum of a section")
+        return data
+
+    def _content(self, section):
+        data = self._payload(section)
         if section.name in STREAMS or section.name == b"LEVL":
             return data
         of_step = section.name in (b"STEP", b"TRNG")
-        return unpack(data, step_limit if of_step else table_limit)
+        content = unpack(data, step_limit if of_step else table_limit)
+        if of_step:
+            self._step_bytes += len(content)
+            require(self._step_bytes <= steps_limit(len(self.data)), "tables of steps too large")
+        return content
 
     def _read_tree(self, sections):
         """Sections TREE, TRNG and LEVL (13)."""
