@@ -11,6 +11,7 @@ import argparse
 import json
 import os
 import pathlib
+import statistics
 import sys
 import tempfile
 import time
@@ -28,14 +29,17 @@ MODES = {
                    "kiefer_bracket": {"array": "vonMises_psi_pt"},
                    "delaunay": {"tets": 500000}, "flow": {"tets": 400000},
                    "big": {"tets": 5000000, "parts": (50, 2)}},
-        "samples": 200000, "rounds": 3, "pictures": ("bluntfin", (50, 25, 10, 5, 2), 512)},
+        "samples": 200000, "rounds": 3, "pictures": ("bluntfin", (50, 25, 10, 5, 2), 512),
+        "integrated": ("delaunay", (0, 0.5, 0.75, 0.9, 0.98), 512)},
     "quick": {
         "meshes": {"bluntfin": {"array": "Density"}, "comb": {"array": "Density"},
                    "delaunay": {"tets": 100000}, "flow": {"tets": 100000}},
-        "samples": 50000, "rounds": 1, "pictures": ("bluntfin", (50, 10, 2), 256)},
+        "samples": 50000, "rounds": 1, "pictures": ("bluntfin", (50, 10, 2), 256),
+        "integrated": ("delaunay", (0, 0.5, 0.9), 256)},
     "smoke": {
         "meshes": {"delaunay": {"tets": 3000}, "flow": {"tets": 6000}},
-        "samples": 2000, "rounds": 1, "pictures": ("flow", (50, 10), 64)},
+        "samples": 2000, "rounds": 1, "pictures": ("flow", (50, 10), 64),
+        "integrated": ("flow", (0, 0.5), 64)},
 }
 
 ABOUT = {
@@ -106,6 +110,30 @@ def measure_pictures(runner, source, mode, folder):
             "gatun": drawn[1:len(parts) + 1], "quadric": drawn[len(parts) + 1:]}
 
 
+def measure_integrated(runner, source, mode):
+    """Figure 17: from a file to the picture of a simplified mesh; decompressing, simplifying and drawing
+    one after the other, all in one, and all in one with base meshes."""
+    name, ratios, size = mode["integrated"]
+    array = mode["meshes"][name].get("array", "Density")
+    files = {way: runner.path("simplification", f"{name}-{way}.gtn") for way in ("tree", "levels")}
+    for way, options in (("tree", ("--hierarchy",)), ("levels", ("--levels", 16))):
+        runner.say(f"gtn pack {' '.join(map(str, options))}")
+        runner.run("gtn", "pack", "-q", *options, "--weight", array, source, files[way])
+    runs = []
+    for ratio in ratios:
+        run = {"ratio": ratio}
+        for way, file, options in (("staged", "tree", ("--whole",)), ("integrated", "tree", ()),
+                                   ("levels", "levels", ())):
+            rounds = [runner.case("simplify-integrated", files[file], "--array", array, "--size",
+                                  size, "--ratio", ratio, *options)
+                      for _ in range(mode["rounds"])]
+            run[way] = {key: statistics.median(one[key] for one in rounds)
+                        for key in rounds[0] if key != "whole"}
+        runs.append(run)
+    return {"name": name, "size": size, "runs": runs,
+            "bytes": {way: file.stat().st_size for way, file in files.items()}}
+
+
 def measure(runner, options, folder, results):
     """All meshes, or those that are asked for, in the place of what there was of them."""
     mode = MODES[options.mode]
@@ -127,6 +155,8 @@ def measure(runner, options, folder, results):
                                   **measure_mesh(runner, name, source, wanted, mode)})
         if name == mode["pictures"][0]:
             results["pictures"] = measure_pictures(runner, source, mode, folder)
+        if name == mode["integrated"][0]:
+            results["integrated"] = measure_integrated(runner, source, mode)
     results["machine"]["loadAfter"] = os.getloadavg()
     results["seconds"] = results.get("seconds", 0) + time.monotonic() - runner.start
     return results

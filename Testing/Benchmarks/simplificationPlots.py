@@ -73,6 +73,25 @@ def _figure18(results, folder, done):
     benchmarkPlots.save(figure, folder, "figure18", done)
 
 
+def _figure17(results, folder, done):
+    shown = results["integrated"]
+    figure, axes = pyplot.subplots(figsize=(5, 3.5))
+    ratios = [run["ratio"] for run in shown["runs"]]
+    for way, colour, name in (("staged", "#d55e00", "one after the other"),
+                              ("integrated", "#0072b2", "all in one"),
+                              ("levels", "#009e73", "with base meshes")):
+        axes.plot(ratios, [run[way]["seconds"] for run in shown["runs"]], "o-", color=colour,
+                  markersize=3, label=name)
+    axes.set_ylim(bottom=0)
+    axes.set_title(f"{shown['name']}: from file to picture (Figure 17)", fontsize=9)
+    axes.set_xlabel("part of the points merged away", fontsize=8)
+    axes.set_ylabel("seconds", fontsize=8)
+    axes.tick_params(labelsize=7)
+    axes.grid(alpha=0.3)
+    axes.legend(fontsize=8)
+    benchmarkPlots.save(figure, folder, "figure17", done)
+
+
 def _pictures(results, folder, done):
     """The original and some parts, Gatun above VTK; the single pictures go away."""
     shown = results["pictures"]
@@ -99,6 +118,8 @@ def draw(results, folder):
     """Writes all plots; returns their names."""
     done = set()
     _field(results, folder, done)
+    if "integrated" in results:
+        _figure17(results, folder, done)
     if "pictures" in results:
         for make in _figure18, _figure19, _pictures:
             make(results, folder, done)

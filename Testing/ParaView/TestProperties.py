@@ -21,8 +21,8 @@ OTHER = {"ChunkTets": [1000], "KeepOrder": [7], "KeyStepInterval": [3],
          "ValueRangeArray": ["some array"], "CacheSize": [64], "FileName": ["some file"],
          "OnDemand": [1], "LargeMesh": [6000000000], "SampleDistance": [0.25], "BlendMode": [3],
          "MemoryBudget": [100], "TimeBudget": [0.5], "Target": [2], "Ratio": [0.25],
-         "Percent": [75],         "NumberOfPoints": [77],
-         "MaximumError": [0.125], "Metric": [1], "BoundaryWeight": [0.75],
+         "Percent": [75], "NumberOfPoints": [77], "MaximumError": [0.125], "Metric": [1],
+         "BoundaryWeight": [0.75],
          "Levels": [5], "SimplificationTarget": [3], "SimplificationRatio": [0.5],
          "SimplificationPercent": [25], "SimplificationPoints": [123], "SimplificationError": [0.5]}
 # Where people who open a file are better served by another default than programs: that of the class.
