@@ -5,6 +5,7 @@
 
 #include <xxhash.h>
 #include <zstd.h>
+#include <zstd_errors.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -13,6 +14,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <new>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -180,6 +182,10 @@ Bytes Decompress(std::span<const std::uint8_t> bytes, std::uint64_t limit)
   // Grow as the data comes, so that memory follows what is really there.
   const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(
     ZSTD_createDCtx(), &ZSTD_freeDCtx);
+  if (!context)
+  {
+    throw std::bad_alloc();
+  }
   Bytes out;
   ZSTD_inBuffer source{ packed.data(), packed.size(), 0 };
   for (std::size_t state = 1; state != 0;)
@@ -189,6 +195,10 @@ Bytes Decompress(std::span<const std::uint8_t> bytes, std::uint64_t limit)
     ZSTD_outBuffer target{ out.data(), out.size(), old };
     const auto before = source.pos;
     state = ZSTD_decompressStream(context.get(), &target, &source);
+    if (ZSTD_getErrorCode(state) == ZSTD_error_memory_allocation)
+    {
+      throw std::bad_alloc();
+    }
     if (ZSTD_isError(state) || (state != 0 && target.pos == old && source.pos == before))
     {
       ThrowCorrupt("a compressed part is damaged");
