@@ -259,18 +259,23 @@ public:
     this->CellArrays.SetArrays(this->NamesOf(Association::Cell));
   }
 
+  /** Whether any simplification is asked for, be it possible or not. */
+  static bool Simplifies(const vtkGatunReader& reader)
+  {
+    return !(reader.SimplificationTarget == TARGET_RATIO && reader.SimplificationRatio == 0) &&
+      !(reader.SimplificationTarget == TARGET_PERCENT && reader.SimplificationPercent == 100);
+  }
+
   std::size_t CountMerges(const vtkGatunReader& reader)
   {
+    if (!Simplifies(reader))
+    {
+      return 0;
+    }
     const double values[] = { reader.SimplificationRatio, reader.SimplificationPercent,
       static_cast<double>(reader.SimplificationPoints), reader.SimplificationError };
     const gatun::SimplifyTarget target{ reader.SimplificationTarget,
       values[reader.SimplificationTarget] };
-    const bool isWhole = (target.Kind == gatun::SimplifyTarget::Ratio && target.Value == 0) ||
-      (target.Kind == gatun::SimplifyTarget::Percent && target.Value == 100);
-    if (isWhole)
-    {
-      return 0;
-    }
     if (!this->Simplified)
     {
       this->Simplified = std::make_unique<gatun::SimplifiedFile>(this->File);
@@ -738,6 +743,32 @@ bool vtkGatunReader::GetIsOnDemand()
   catch (...)
   {
     return false; // the update tells what is wrong
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkGatunReader::GetSimplification()
+{
+  vtkInternals& self = *this->Internals;
+  if (!vtkInternals::Simplifies(*this))
+  {
+    return 0;
+  }
+  try
+  {
+    this->UpdateInformation();
+    if (!self.File)
+    {
+      return -1;
+    }
+    const auto merges = static_cast<double>(self.CountMerges(*this));
+    const auto points = static_cast<double>(self.File->GetNumberOfPoints());
+    // Half a point more, so that rounding does not matter.
+    return merges > 0 ? std::min(1.0, (merges + 0.5) / points) : 0;
+  }
+  catch (...)
+  {
+    return -1;
   }
 }
 

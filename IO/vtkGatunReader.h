@@ -40,7 +40,8 @@
  * what those of the mesh do at the current step, component by component, and, of up to three
  * components, also in length. Piece 0 has it, all others are empty. Nothing is decoded.
  * ON_DEMAND() in the output's information and GetIsOnDemand tell it from a mesh.
- * vtkGatunVolumeMapper and vtkGatunRayCaster draw the mesh all the same, as they draw the file.
+ * vtkGatunVolumeMapper and vtkGatunRayCaster draw the mesh all the same, as they draw the file,
+ * simplified as it is asked for here, or more if they are to.
  * With a box or a value range the output is always a mesh, that of the chunks that pass.
  *
  * *Simplification.* Files written with a hierarchy (vtkGatunWriter::Hierarchy) can be read with any
@@ -327,6 +328,13 @@ public:
    * Whether the file tells how its mesh becomes simpler, after UpdateInformation.
    */
   bool GetHasHierarchy();
+
+  /**
+   * The part of the points that is merged away by the simplification that is asked for, as the
+   * SimplificationRatio that leaves just as many; -1 if what is asked for cannot be done: then the
+   * update says why. Updates the information if any simplification is asked for.
+   */
+  double GetSimplification();
 
   /**
    * Whether the output is the outline of the mesh, with the file and the properties as they are:

@@ -70,9 +70,18 @@ std::size_t FindStep(const FileReader& file, double time)
 vtkGatunReader* GetFileReader(vtkAlgorithm* input)
 {
   auto* const reader = vtkGatunReader::SafeDownCast(input);
-  return reader && reader->GetFileName() && !reader->GetUseBox() && !reader->GetUseValueRange()
+  return reader && reader->GetFileName() && !reader->GetUseBox() && !reader->GetUseValueRange() &&
+      reader->GetSimplification() >= 0
     ? reader
     : nullptr;
+}
+
+//------------------------------------------------------------------------------
+double GetRatio(vtkAlgorithm* input, double ratio)
+{
+  vtkGatunReader* const reader = GetFileReader(input);
+  const double asked = reader ? reader->GetSimplification() : 0;
+  return ratio >= 0 && asked > ratio ? asked : ratio; // one that is wrong stays so
 }
 
 RayScene::RayScene() = default;

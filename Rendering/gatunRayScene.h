@@ -30,6 +30,10 @@ struct RayView;
 /** The reader whose file can be drawn instead of its output; null if that is not the same. */
 vtkGatunReader* GetFileReader(vtkAlgorithm* input);
 
+/** The part of the points to be merged away: that which is wanted, or what is asked of the reader
+ * whose file is drawn, if that is more. */
+double GetRatio(vtkAlgorithm* input, double ratio);
+
 /**
  * What is drawn: a grid in memory, a file of which only what is seen is ever decoded, or a pipeline
  * of which a piece at a time is in memory. What has been prepared is kept, up to a budget, until

@@ -79,8 +79,8 @@ public:
   gatun::JustInTime Frames;
   gatun::RayStatistics Statistics;
 
-  void Draw(const vtkGatunRayCaster& self, gatun::RayCaster& caster, const gatun::RayView& view,
-    const gatun::RaySource::Progress& progress);
+  void Draw(const vtkGatunRayCaster& self, double ratio, gatun::RayCaster& caster,
+    const gatun::RayView& view, const gatun::RaySource::Progress& progress);
 };
 
 //------------------------------------------------------------------------------
@@ -259,8 +259,8 @@ int vtkGatunRayCaster::RequestUpdateExtent(
 
 //------------------------------------------------------------------------------
 /** Draws the mesh, or a simpler one. */
-void vtkGatunRayCaster::vtkInternals::Draw(const vtkGatunRayCaster& self, gatun::RayCaster& caster,
-  const gatun::RayView& view, const gatun::RaySource::Progress& progress)
+void vtkGatunRayCaster::vtkInternals::Draw(const vtkGatunRayCaster& self, double ratio,
+  gatun::RayCaster& caster, const gatun::RayView& view, const gatun::RaySource::Progress& progress)
 {
   gatun::RayLevels* const levels = this->Scene.GetLevels();
   if (!levels)
@@ -271,8 +271,8 @@ void vtkGatunRayCaster::vtkInternals::Draw(const vtkGatunRayCaster& self, gatun:
   levels->WaitForDetail(progress);
   const double pixels = static_cast<double>(self.Size[0]) * self.Size[1];
   const auto start = std::chrono::steady_clock::now();
-  const gatun::Frame frame = this->Frames.Begin(
-    *levels, { self.TimeBudget, self.SimplificationRatio, pixels, 1, 1 }, progress);
+  const gatun::Frame frame =
+    this->Frames.Begin(*levels, { self.TimeBudget, ratio, pixels, 1, 1 }, progress);
   this->Scene.Draw(caster, view, progress, frame.Source.get());
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   this->Frames.End(
@@ -303,7 +303,8 @@ int vtkGatunRayCaster::RequestData(
     const gatun::RayArray array{ this->ArrayName ? this->ArrayName : "", this->ArrayAssociation,
       this->ArrayComponent, {} };
     const auto budget = static_cast<std::uint64_t>(this->MemoryBudget) << 20;
-    const bool simplifies = this->SimplificationRatio != 0 || this->TimeBudget > 0;
+    const double ratio = gatun::GetRatio(this->GetInputAlgorithm(), this->SimplificationRatio);
+    const bool simplifies = ratio != 0 || this->TimeBudget > 0;
     if (reader)
     {
       const double time = gatun::GetRequestedTime(gatun::GetProducer(this));
@@ -333,7 +334,7 @@ int vtkGatunRayCaster::RequestData(
       gatun::MakeRayTable(self.Property, static_cast<gatun::RayMode>(this->Mode),
         self.Scene.GetRange(), view.SampleDistance),
       gatun::MakeRayLimits(view, self.ClippingPlanes, self.VolumeMatrix), settings);
-    self.Draw(*this, caster, view, progress);
+    self.Draw(*this, ratio, caster, view, progress);
 
     image->SetDimensions(this->Size[0], this->Size[1], 1);
     vtkNew<vtkFloatArray> colours;

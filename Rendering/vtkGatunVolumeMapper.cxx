@@ -177,6 +177,7 @@ public:
   static InputKind GetKind(vtkGatunVolumeMapper* mapper);
   static gatun::RayArray GetArray(vtkGatunVolumeMapper* mapper);
   static std::uint64_t GetBudget(vtkGatunVolumeMapper* mapper);
+  static double GetRatio(vtkGatunVolumeMapper* mapper);
   static bool Simplifies(vtkGatunVolumeMapper* mapper);
   static void Pull(vtkGatunVolumeMapper* mapper);
   bool SetScene(vtkGatunVolumeMapper* mapper, const gatun::RaySource::Progress& progress);
@@ -254,9 +255,15 @@ std::uint64_t vtkGatunVolumeMapper::vtkInternals::GetBudget(vtkGatunVolumeMapper
 }
 
 //------------------------------------------------------------------------------
+double vtkGatunVolumeMapper::vtkInternals::GetRatio(vtkGatunVolumeMapper* mapper)
+{
+  return gatun::GetRatio(gatun::GetProducer(mapper).Algorithm, mapper->SimplificationRatio);
+}
+
+//------------------------------------------------------------------------------
 bool vtkGatunVolumeMapper::vtkInternals::Simplifies(vtkGatunVolumeMapper* mapper)
 {
-  return mapper->JustInTime || mapper->SimplificationRatio != 0;
+  return mapper->JustInTime || GetRatio(mapper) != 0;
 }
 
 //------------------------------------------------------------------------------
@@ -343,7 +350,7 @@ gatun::FrameRequest vtkGatunVolumeMapper::vtkInternals::GetRequest(
   {
     request.Budget = mapper->TimeBudget > 0 ? mapper->TimeBudget : allocated;
   }
-  request.Ratio = mapper->SimplificationRatio;
+  request.Ratio = GetRatio(mapper);
   request.Pixels = static_cast<double>(viewport.Width) * viewport.Height;
   const bool adjusts = mapper->AutoAdjustSampleDistances != 0;
   request.LeastDistance =

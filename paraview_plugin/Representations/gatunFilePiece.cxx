@@ -14,12 +14,14 @@
 #include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
+
 namespace gatun
 {
 namespace
 {
 constexpr const char* PathName = "GatunDrawnFile";
-constexpr const char* TimeName = "GatunDrawnTime";
+constexpr const char* NumbersName = "GatunDrawnTimeAndSimplification";
 }
 
 //------------------------------------------------------------------------------
@@ -51,6 +53,7 @@ DrawnFile DescribeFile(vtkGatunReader* reader, vtkDataObject* made)
   {
     file.Time = made->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP());
   }
+  file.Simplification = std::max(0.0, reader->GetSimplification());
   return file;
 }
 
@@ -61,10 +64,11 @@ void MarkPiece(vtkUnstructuredGrid* piece, const DrawnFile& file)
   path->SetName(PathName);
   path->InsertNextValue(file.Path);
   piece->GetFieldData()->AddArray(path);
-  vtkNew<vtkDoubleArray> time;
-  time->SetName(TimeName);
-  time->InsertNextValue(file.Time);
-  piece->GetFieldData()->AddArray(time);
+  vtkNew<vtkDoubleArray> numbers;
+  numbers->SetName(NumbersName);
+  numbers->InsertNextValue(file.Time);
+  numbers->InsertNextValue(file.Simplification);
+  piece->GetFieldData()->AddArray(numbers);
 }
 
 //------------------------------------------------------------------------------
@@ -72,11 +76,11 @@ DrawnFile GetMark(vtkUnstructuredGrid* piece)
 {
   vtkFieldData* const field = piece->GetFieldData();
   auto* const path = vtkStringArray::SafeDownCast(field->GetAbstractArray(PathName));
-  auto* const time = vtkDoubleArray::SafeDownCast(field->GetArray(TimeName));
-  if (!path || !time || path->GetNumberOfValues() < 1 || time->GetNumberOfValues() < 1)
+  auto* const numbers = vtkDoubleArray::SafeDownCast(field->GetArray(NumbersName));
+  if (!path || !numbers || path->GetNumberOfValues() < 1 || numbers->GetNumberOfValues() < 2)
   {
     return {};
   }
-  return { path->GetValue(0), time->GetValue(0) };
+  return { path->GetValue(0), numbers->GetValue(0), numbers->GetValue(1) };
 }
 }

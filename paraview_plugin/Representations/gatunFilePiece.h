@@ -19,13 +19,14 @@ struct DrawnFile
 {
   std::string Path; ///< empty for none
   double Time = 0;
+  double Simplification = 0; ///< the part of the points that is merged away
 };
 
 /** The reader that an input of a representation comes from, with nothing in between that may have
  * changed the data; null if there is none. */
 vtkGatunReader* FindReader(vtkAlgorithm* representation);
 
-/** The reader's file, at the time of what it made. */
+/** The reader's file, at the time of what it made, simplified as the reader is to. */
 DrawnFile DescribeFile(vtkGatunReader* reader, vtkDataObject* made);
 
 /** Adds to the piece's field data what file is to be drawn in its place. */

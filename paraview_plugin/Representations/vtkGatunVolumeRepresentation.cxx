@@ -215,7 +215,7 @@ void vtkGatunVolumeRepresentation::MakePiece(vtkDataObject* input)
     this->Piece->ShallowCopy(input);
     gatun::MarkPiece(this->Piece, file);
     // All processes need to know the bounds, and only the first one has the outline.
-    if (this->PrepareFile(file.Path.c_str(), file.Time))
+    if (this->PrepareFile(file))
     {
       this->File->GetOutput()->GetBounds(this->DataBounds);
     }
@@ -349,7 +349,7 @@ void vtkGatunVolumeRepresentation::PrepareToDraw(vtkInformation* inInfo)
   const gatun::DrawnFile file = gatun::GetMark(piece);
   if (!file.Path.empty())
   {
-    if (!this->PrepareFile(file.Path.c_str(), file.Time) || !this->CutToPart())
+    if (!this->PrepareFile(file) || !this->CutToPart())
     {
       this->Actor->SetMapper(nullptr);
       return;
@@ -357,6 +357,8 @@ void vtkGatunVolumeRepresentation::PrepareToDraw(vtkInformation* inInfo)
     this->DrawsFile = true;
     this->Shown = this->File->GetOutput();
     this->VolumeMapper->SetInputConnection(this->File->GetOutputPort());
+    // The parts of a file fit together, as all processes make the same merges.
+    this->VolumeMapper->SetSimplificationRatio(this->SimplificationRatio);
   }
   else
   {
@@ -374,10 +376,11 @@ void vtkGatunVolumeRepresentation::PrepareToDraw(vtkInformation* inInfo)
 
 //------------------------------------------------------------------------------
 /** Makes the outline of a file at a time, from its tables. */
-bool vtkGatunVolumeRepresentation::PrepareFile(const char* path, double time)
+bool vtkGatunVolumeRepresentation::PrepareFile(const gatun::DrawnFile& file)
 {
-  this->File->SetFileName(path);
-  this->File->UpdateTimeStep(time);
+  this->File->SetFileName(file.Path.c_str());
+  this->File->SetSimplificationRatio(file.Simplification);
+  this->File->UpdateTimeStep(file.Time);
   return this->File->GetErrorCode() == vtkErrorCode::NoError;
 }
 

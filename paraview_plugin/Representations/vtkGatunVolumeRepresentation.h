@@ -32,6 +32,10 @@
 #include "vtkSmartPointer.h"        // For ivars
 #include "vtkUnstructuredGridVolumeRepresentation.h"
 
+namespace gatun
+{
+struct DrawnFile;
+}
 class vtkBoundingBox;
 class vtkDataSet;
 class vtkGatunReader;
@@ -102,8 +106,8 @@ public:
 
   ///@{
   /**
-   * Part of the points that is merged away in all pictures, 0 to 1. No influence with several
-   * processes. Default: 0.
+   * Part of the points that is merged away in all pictures, 0 to 1. With several processes it only
+   * has influence on meshes that are drawn from their file. Default: 0.
    */
   void SetSimplificationRatio(double ratio);
   double GetSimplificationRatio();
@@ -152,7 +156,7 @@ private:
   void DeliverPiece(vtkInformation* inInfo, vtkInformation* outInfo);
   void DeliverOutline(vtkInformation* inInfo);
   void PrepareToDraw(vtkInformation* inInfo);
-  bool PrepareFile(const char* path, double time);
+  bool PrepareFile(const gatun::DrawnFile& file);
   bool CutToPart();
   double ChooseUnitDistance();
 
