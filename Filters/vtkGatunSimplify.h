@@ -14,7 +14,7 @@
  * cells are left out. Output: the points that are left, where they were and in their order, with
  * their point data; the tetrahedra that are left, with their cell data; field data.
  *
- * Cost: one thread; about 130 bytes a tetrahedron, with one array, while the order of merges is
+ * Cost: one thread; about 150 bytes a tetrahedron, with one array, while the order of merges is
  * found, and 20 bytes a point for as long as the input does not change.
  *
  * *Errors.* A target or a weight that makes no sense, and cells that cannot be made tetrahedra, are

@@ -5,6 +5,7 @@
 #include "gatunError.h"
 #include "gatunMergeCosts.h"
 #include "gatunMergeMesh.h"
+#include "gatunMergeOrder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -223,7 +224,13 @@ MergeTree BuildMergeTree(const MergeInput& input, const MergeSettings& settings,
   const std::function<bool(double)>& progress)
 {
   Check(input, settings);
-  Builder builder(input, settings);
-  return { static_cast<std::uint32_t>(input.Points.size()), builder.Run(progress) };
+  const LocalMergeInput local(input);
+  auto merges = Builder(local.Get(), settings).Run(progress);
+  for (Merge& merge : merges)
+  {
+    merge.Point = local.GetIds()[merge.Point];
+    merge.Into = local.GetIds()[merge.Into];
+  }
+  return { static_cast<std::uint32_t>(input.Points.size()), std::move(merges) };
 }
 }

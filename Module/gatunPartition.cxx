@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunPartition.h"
 
+#include "gatunMorton.h"
 #include "gatunParallel.h"
 
 #include <algorithm>
@@ -167,23 +168,6 @@ void CutIntoChunks(const MeshAccess& mesh, std::uint32_t chunkTets, Partition& o
     });
 }
 
-/** Interleaves the bits of a point's place in the mesh's box, 21 an axis. */
-std::uint64_t GetMortonCode(const MeshAccess& mesh, const Bounds& box, std::uint32_t point)
-{
-  std::uint64_t code = 0;
-  for (unsigned axis = 0; axis < 3; ++axis)
-  {
-    const double place = (mesh.GetCoordinate(point, axis) - box[axis].Min) /
-      (box[axis].Max - box[axis].Min) * 2097151.0;
-    const auto cell = place > 0 ? static_cast<std::uint64_t>(std::min(place, 2097151.0)) : 0;
-    for (unsigned bit = 0; bit < 21; ++bit)
-    {
-      code |= ((cell >> bit) & 1) << (3 * bit + axis);
-    }
-  }
-  return code;
-}
-
 Bounds GetBox(const MeshAccess& mesh)
 {
   Bounds box;
@@ -258,7 +242,10 @@ void GroupShared(const MeshAccess& mesh, const std::vector<Use>& uses, Partition
     {
       chunks.push_back(uses[i].Chunk);
     }
-    groups[chunks].push_back({ GetMortonCode(mesh, box, point), point });
+    groups[chunks].push_back({ GetMortonCode(box,
+                                 { mesh.GetCoordinate(point, 0), mesh.GetCoordinate(point, 1),
+                                   mesh.GetCoordinate(point, 2) }),
+      point });
   }
 
   // Large groups are blocks of their own; the small ones of a first chunk make one together.
