@@ -9,6 +9,7 @@
 #include "gatunRaySourceInternals.h"
 
 #include <algorithm>
+#include <unordered_map>
 #include <vector>
 
 namespace gatun
@@ -22,6 +23,42 @@ std::size_t FindPlace(std::span<const std::uint32_t> list, std::uint32_t wanted)
   return found != list.end() && *found == wanted ? static_cast<std::size_t>(found - list.begin())
                                                  : list.size();
 }
+
+/** What is left of a chunk, which waits for corners that it gets from other ones. */
+struct Waiting
+{
+  std::vector<MergeTree::Tet> Tets;  // points by the file's numbers
+  std::vector<double> CellValues;    // if these are drawn
+  std::vector<std::uint32_t> Points; // corners in the chunk itself, ascending
+  std::vector<RayPoint> Places;      // of these
+
+  std::uint64_t GetMemorySize() const
+  {
+    return this->Tets.capacity() * sizeof(MergeTree::Tet) +
+      this->CellValues.capacity() * sizeof(double) +
+      this->Points.capacity() * sizeof(std::uint32_t) + this->Places.capacity() * sizeof(RayPoint);
+  }
+};
+
+/** Stands for a chunk that need not be decoded. */
+constexpr std::uint32_t NoChunk = 0xffffffffu;
+
+/** What waits takes no more memory than this and a quarter of what may be kept. */
+constexpr std::uint64_t RoomToWait = std::uint64_t{ 32 } << 20;
+
+/** All corners, each once, ascending. */
+std::vector<std::uint32_t> FindCorners(const std::vector<MergeTree::Tet>& tets)
+{
+  std::vector<std::uint32_t> corners;
+  corners.reserve(4 * tets.size());
+  for (const auto& tet : tets)
+  {
+    corners.insert(corners.end(), tet.begin(), tet.end());
+  }
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  return corners;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -34,6 +71,7 @@ public:
     , Layout(File, tree, merges)
     , Values(values)
     , Cache(forBlocks)
+    , RoomLeft(RoomToWait + forBlocks / 4)
     , Parts(std::make_shared<ChunkCache>(File, forParts))
     , Given(File->GetChunks().size())
     , HasGiven(File->GetChunks().size(), 0)
@@ -46,17 +84,24 @@ public:
   CoarseLayout Layout;
   RayValues Values;
   RayBlockCache Cache;
+  std::uint64_t RoomLeft; // for what waits
   std::shared_ptr<ChunkCache> Parts;
 
 private:
   std::vector<std::uint32_t> FindSources(std::span<const std::size_t> chunks) const;
   void Give(std::uint32_t chunk, const RayBlock& block);
   RayPoint Get(std::uint32_t point) const;
-  std::shared_ptr<const RayBlock> Simplify(std::uint32_t chunk, const RayBlock& whole) const;
+  Waiting Simplify(std::uint32_t chunk, const RayBlock& whole) const;
+  std::shared_ptr<const RayBlock> Finish(const Waiting& left) const;
+  void Keep(std::uint32_t chunk, Waiting left);
+  bool Take(std::uint32_t chunk, Waiting& left);
 
   // Of each chunk: what CoarseLayout::GetGiven lists, once it has been decoded.
   std::vector<std::vector<RayPoint>> Given;
   std::vector<char> HasGiven;
+
+  // Chunks that were decoded as others needed them, and have not been asked for yet.
+  std::unordered_map<std::uint32_t, Waiting> Kept;
 };
 
 //------------------------------------------------------------------------------
@@ -104,80 +149,130 @@ RayPoint CoarseRaySource::Internals::Get(std::uint32_t point) const
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<const RayBlock> CoarseRaySource::Internals::Simplify(
-  std::uint32_t chunk, const RayBlock& whole) const
+Waiting CoarseRaySource::Internals::Simplify(std::uint32_t chunk, const RayBlock& whole) const
 {
   const auto points = this->Layout.GetPoints(chunk);
   std::vector<std::uint32_t> ancestors(points.size());
   std::transform(points.begin(), points.end(), ancestors.begin(),
     [&](std::uint32_t point) { return this->Layout.GetAncestors()[point]; });
-  auto block = std::make_shared<RayBlock>();
+  Waiting left;
   for (std::size_t cell = 0; cell < whole.Tets.size(); ++cell)
   {
     auto tet = whole.Tets[cell];
     if (gatun::Simplify(tet, ancestors))
     {
-      block->Tets.push_back(tet);
+      left.Tets.push_back(tet);
       if (!whole.CellValues.empty())
       {
-        block->CellValues.push_back(whole.CellValues[cell]);
+        left.CellValues.push_back(whole.CellValues[cell]);
       }
     }
   }
-  std::vector<std::uint32_t> used;
-  for (const auto& tet : block->Tets)
+  for (const auto point : FindCorners(left.Tets))
   {
-    used.insert(used.end(), tet.begin(), tet.end());
+    const auto place = FindPlace(points, point);
+    if (place < points.size())
+    {
+      left.Points.push_back(point);
+      left.Places.push_back(whole.Points[place]);
+    }
   }
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
+  return left;
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const RayBlock> CoarseRaySource::Internals::Finish(const Waiting& left) const
+{
+  auto block = std::make_shared<RayBlock>();
+  const auto corners = FindCorners(left.Tets);
+  block->Tets = left.Tets;
   for (auto& tet : block->Tets)
   {
     for (auto& corner : tet)
     {
-      corner = static_cast<std::uint32_t>(FindPlace(used, corner));
+      corner = static_cast<std::uint32_t>(FindPlace(corners, corner));
     }
   }
-  block->Points.reserve(used.size());
-  for (const auto point : used)
+  block->CellValues = left.CellValues;
+  block->Points.reserve(corners.size());
+  for (const auto point : corners)
   {
-    const auto place = FindPlace(points, point);
-    block->Points.push_back(place < points.size() ? whole.Points[place] : this->Get(point));
+    const auto place = FindPlace(left.Points, point);
+    block->Points.push_back(place < left.Points.size() ? left.Places[place] : this->Get(point));
   }
   block->Prepare();
   return block;
 }
 
 //------------------------------------------------------------------------------
+/** Until it is asked for, if there is room for it. */
+void CoarseRaySource::Internals::Keep(std::uint32_t chunk, Waiting left)
+{
+  const auto bytes = left.GetMemorySize();
+  if (bytes <= this->RoomLeft && this->Kept.emplace(chunk, std::move(left)).second)
+  {
+    this->RoomLeft -= bytes;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool CoarseRaySource::Internals::Take(std::uint32_t chunk, Waiting& left)
+{
+  const auto found = this->Kept.find(chunk);
+  if (found == this->Kept.end())
+  {
+    return false;
+  }
+  this->RoomLeft += found->second.GetMemorySize();
+  left = std::move(found->second);
+  this->Kept.erase(found);
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void CoarseRaySource::Internals::Make(
   std::span<const std::size_t> missing, Blocks& made, const Progress& progress)
 {
-  const auto sources = this->FindSources(missing);
-  const auto all = sources.size() + missing.size();
-  const double share = static_cast<double>(all) / static_cast<double>(all + missing.size());
-  std::vector<RayBlock> whole(missing.size());
+  // First those that only give corners, then those that are asked for and do not wait already.
+  auto chunks = this->FindSources(missing);
+  const auto sources = chunks.size();
+  std::vector<Waiting> left(sources);
+  std::vector<std::size_t> places; // of those that are asked for, in left
+  for (const auto chunk : missing)
+  {
+    places.push_back(left.size());
+    left.emplace_back();
+    if (!this->Take(static_cast<std::uint32_t>(chunk), left.back()))
+    {
+      chunks.resize(left.size(), NoChunk);
+      chunks.back() = static_cast<std::uint32_t>(chunk);
+    }
+  }
+  chunks.resize(left.size(), NoChunk);
+  const double share =
+    static_cast<double>(left.size()) / static_cast<double>(left.size() + missing.size());
   ParallelFor(
-    all,
+    left.size(),
     [&](std::size_t i)
     {
-      const bool isSource = i < sources.size();
-      const auto chunk =
-        isSource ? sources[i] : static_cast<std::uint32_t>(missing[i - sources.size()]);
-      auto block = DecodeRayBlock(this->Parts, this->Values, chunk);
-      this->Give(chunk, block);
-      if (!isSource)
+      if (chunks[i] != NoChunk)
       {
-        whole[i - sources.size()] = std::move(block);
+        const auto block = DecodeRayBlock(this->Parts, this->Values, chunks[i]);
+        this->Give(chunks[i], block);
+        left[i] = this->Simplify(chunks[i], block);
       }
     },
     [&](double done) { return !progress || progress(share * done); });
-  made.resize(missing.size());
+  for (std::size_t i = 0; i < sources; ++i)
+  {
+    this->Keep(chunks[i], std::move(left[i]));
+  }
   ParallelFor(
     missing.size(),
     [&](std::size_t i)
     {
-      made[i] = this->Simplify(static_cast<std::uint32_t>(missing[i]), whole[i]);
-      whole[i] = {};
+      made[i] = this->Finish(left[places[i]]);
+      left[places[i]] = {};
     },
     [&](double done) { return !progress || progress(share + (1 - share) * done); });
 }

@@ -16,8 +16,9 @@ namespace gatun
 {
 /**
  * The chunks of a file after so many merges, simplified as they are decoded. Where a chunk gets
- * corners from others, these are decoded first, unless they have told them before; what they tell
- * is kept, which is little. Blocks that have been made are kept up to a number of bytes.
+ * corners from others, these are decoded with it, unless they have been before: what others need of
+ * them is kept, which is little, and what is left of them waits until it is asked for, up to 32 MiB
+ * and a quarter of the budget. Blocks that have been made are kept up to a number of bytes.
  */
 class VTKGATUNCORE_EXPORT CoarseRaySource final : public RaySource
 {

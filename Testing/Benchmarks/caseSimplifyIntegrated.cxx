@@ -18,10 +18,15 @@
 #include "vtkCellArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkTypeInt64Array.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <memory>
+#include <vector>
 
 namespace bench
 {
@@ -64,30 +69,47 @@ double Draw(vtkGatunRayCaster* caster, const Options& options)
   return seconds;
 }
 
+template <typename Id>
+vtkSmartPointer<vtkTypeInt64Array> SimplifyCells(
+  const Id* ids, vtkIdType tets, const std::vector<std::uint32_t>& ancestors)
+{
+  auto left = vtkSmartPointer<vtkTypeInt64Array>::New();
+  left->SetNumberOfValues(4 * tets);
+  vtkTypeInt64* next = left->GetPointer(0);
+  for (vtkIdType i = 0; i < tets; ++i, ids += 4)
+  {
+    gatun::MergeTree::Tet tet{};
+    std::transform(ids, ids + 4, tet.begin(), [](Id id) { return static_cast<std::uint32_t>(id); });
+    if (gatun::Simplify(tet, ancestors))
+    {
+      next = std::copy(tet.begin(), tet.end(), next);
+    }
+  }
+  left->Resize(next - left->GetPointer(0));
+  return left;
+}
+
 /** The reader's points are those of the file in its order, so that its tree is theirs. */
 Grid Simplify(vtkUnstructuredGrid* grid, const Options& options)
 {
   const gatun::MergeTree tree = gatun::FileReader(options.File).GetMergeTree();
   const auto ancestors = tree.FindAncestors(tree.CountMergesForPart(1 - options.Ratio));
-  vtkNew<vtkCellArray> cells;
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  vtkCellArray* const cells = grid->GetCells();
+  const vtkIdType tets = cells->GetNumberOfCells();
+  const auto left = cells->IsStorage64Bit()
+    ? SimplifyCells(cells->GetConnectivityArray64()->GetPointer(0), tets, ancestors)
+    : SimplifyCells(cells->GetConnectivityArray32()->GetPointer(0), tets, ancestors);
+  vtkNew<vtkTypeInt64Array> offsets;
+  offsets->SetNumberOfValues(left->GetNumberOfValues() / 4 + 1);
+  for (vtkIdType i = 0; i < offsets->GetNumberOfValues(); ++i)
   {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    grid->GetCellPoints(cell, count, ids);
-    gatun::MergeTree::Tet tet{};
-    for (std::size_t corner = 0; corner < 4; ++corner)
-    {
-      tet[corner] = static_cast<std::uint32_t>(ids[corner]);
-    }
-    if (gatun::Simplify(tet, ancestors))
-    {
-      cells->InsertNextCell({ tet[0], tet[1], tet[2], tet[3] });
-    }
+    offsets->SetValue(i, 4 * i);
   }
+  vtkNew<vtkCellArray> simpleCells;
+  simpleCells->SetData(offsets, left);
   auto simple = Grid::New();
   simple->SetPoints(grid->GetPoints());
-  simple->SetCells(VTK_TETRA, cells);
+  simple->SetCells(VTK_TETRA, simpleCells);
   simple->GetPointData()->ShallowCopy(grid->GetPointData());
   return simple;
 }
