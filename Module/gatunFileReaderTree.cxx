@@ -3,6 +3,7 @@
 
 // What a file tells of how its mesh becomes simpler.
 
+#include "gatunError.h"
 #include "gatunFileReader.h"
 #include "gatunFileReaderInternals.h"
 #include "gatunMergeCodec.h"
@@ -14,6 +15,16 @@ namespace
 constexpr const char* TreeName = "the table of merges";
 constexpr const char* TreeStepName = "the ranges after merges";
 constexpr const char* MergesName = "the stream of merges";
+
+/** Throws unless the file has so many merges. */
+std::size_t FindRung(const FileReader::Internals& file, std::size_t merges)
+{
+  if (merges > file.Tree->Merges)
+  {
+    ThrowInvalid(file.File.GetPath() + ": there are not so many merges");
+  }
+  return file.Tree->FindRung(merges);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -113,6 +124,10 @@ const std::vector<std::uint32_t>& FileReader::GetLevels() const
 //------------------------------------------------------------------------------
 std::shared_ptr<const FileReader> FileReader::OpenLevel(std::size_t level) const
 {
+  if (level >= this->GetLevels().size())
+  {
+    ThrowInvalid(this->GetPath() + ": there is no such base mesh");
+  }
   return std::shared_ptr<const FileReader>(new FileReader(*this, level));
 }
 
@@ -123,7 +138,7 @@ const Bounds& FileReader::GetChunkBounds(std::size_t chunk, std::size_t merges) 
   {
     return this->GetChunks().at(chunk).Box;
   }
-  return this->Self->Tree->Boxes.at(chunk).at(this->Self->Tree->FindRung(merges));
+  return this->Self->Tree->Boxes.at(chunk)[FindRung(*this->Self, merges)];
 }
 
 //------------------------------------------------------------------------------
@@ -135,7 +150,7 @@ const ArrayRanges& FileReader::GetChunkRanges(
   {
     return this->GetChunkRanges(array, step, chunk);
   }
-  return this->Self->TreeSteps.at(step).Ranges.at(array).at(chunk).at(
-    this->Self->Tree->FindRung(merges));
+  const auto& rungs = this->Self->TreeSteps.at(step).Ranges.at(array).at(chunk);
+  return rungs[FindRung(*this->Self, merges)];
 }
 }

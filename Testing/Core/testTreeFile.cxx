@@ -709,6 +709,24 @@ TEST(TreeFile, BaseMeshesAreWhatIsLeft)
   }
 }
 
+TEST(TreeFile, MoreMergesThanThereAreAreRefused)
+{
+  const auto mesh = MakeMesh(4);
+  const auto tree = BuildTree(mesh);
+  const auto path = TempPath("few.gtn");
+  WriterOptions options;
+  options.Tree = &tree;
+  Write(path, mesh, options);
+  const FileReader file(path);
+  const auto all = file.GetNumberOfMerges();
+  EXPECT_NO_THROW(file.GetChunkBounds(0, all));
+  EXPECT_NO_THROW(file.GetChunkRanges(0, 0, 0, all));
+  EXPECT_THROW(file.GetChunkBounds(0, all + 1), Error);
+  EXPECT_THROW(file.GetChunkRanges(0, 0, 0, all + 1), Error);
+  EXPECT_NO_THROW(file.GetChunkRanges(2, 0, 0, all + 1)); // values of cells stay as they are
+  EXPECT_THROW(file.OpenLevel(0), Error);
+}
+
 TEST(TreeFile, MeshesThatCannotBeSimplifiedHaveATreeWithoutMerges)
 {
   const auto mesh = MakeSoup(40, 200);
