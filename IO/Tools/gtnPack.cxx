@@ -185,6 +185,11 @@ void AddPack(CLI::App& app, Settings& settings)
       {
         throw UsageError("pack takes meshes and, behind them, the name of a .gtn file");
       }
+      if (options->Merges.AreGiven && !options->Hierarchy && options->Levels == 0)
+      {
+        throw UsageError(
+          "--weight, --metric and --boundary-weight are for --hierarchy or --levels");
+      }
       options->Out = options->In.back();
       options->In.pop_back();
       Pack(*options, settings);
