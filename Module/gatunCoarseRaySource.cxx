@@ -27,16 +27,23 @@ std::size_t FindPlace(std::span<const std::uint32_t> list, std::uint32_t wanted)
 /** What is left of a chunk, which waits for corners that it gets from other ones. */
 struct Waiting
 {
-  std::vector<MergeTree::Tet> Tets;  // points by the file's numbers
-  std::vector<double> CellValues;    // if these are drawn
-  std::vector<std::uint32_t> Points; // corners in the chunk itself, ascending
-  std::vector<RayPoint> Places;      // of these
+  /** A corner from another chunk: its place in Points, and the file's number of it. */
+  struct Foreign
+  {
+    std::uint32_t Place;
+    std::uint32_t Point;
+  };
+
+  std::vector<MergeTree::Tet> Tets;
+  std::vector<double> CellValues; // if these are drawn
+  std::vector<RayPoint> Points;   // those of other chunks are not known yet
+  std::vector<Foreign> Others;
 
   std::uint64_t GetMemorySize() const
   {
     return this->Tets.capacity() * sizeof(MergeTree::Tet) +
-      this->CellValues.capacity() * sizeof(double) +
-      this->Points.capacity() * sizeof(std::uint32_t) + this->Places.capacity() * sizeof(RayPoint);
+      this->CellValues.capacity() * sizeof(double) + this->Points.capacity() * sizeof(RayPoint) +
+      this->Others.capacity() * sizeof(Foreign);
   }
 };
 
@@ -45,20 +52,6 @@ constexpr std::uint32_t NoChunk = 0xffffffffu;
 
 /** What waits takes no more memory than this and a quarter of what may be kept. */
 constexpr std::uint64_t RoomToWait = std::uint64_t{ 32 } << 20;
-
-/** All corners, each once, ascending. */
-std::vector<std::uint32_t> FindCorners(const std::vector<MergeTree::Tet>& tets)
-{
-  std::vector<std::uint32_t> corners;
-  corners.reserve(4 * tets.size());
-  for (const auto& tet : tets)
-  {
-    corners.insert(corners.end(), tet.begin(), tet.end());
-  }
-  std::sort(corners.begin(), corners.end());
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  return corners;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -92,7 +85,7 @@ private:
   void Give(std::uint32_t chunk, const RayBlock& block);
   RayPoint Get(std::uint32_t point) const;
   Waiting Simplify(std::uint32_t chunk, const RayBlock& whole) const;
-  std::shared_ptr<const RayBlock> Finish(const Waiting& left) const;
+  std::shared_ptr<const RayBlock> Finish(Waiting left) const;
   void Keep(std::uint32_t chunk, Waiting left);
   bool Take(std::uint32_t chunk, Waiting& left);
 
@@ -151,11 +144,32 @@ RayPoint CoarseRaySource::Internals::Get(std::uint32_t point) const
 //------------------------------------------------------------------------------
 Waiting CoarseRaySource::Internals::Simplify(std::uint32_t chunk, const RayBlock& whole) const
 {
+  // Of each point its ancestor: by the place in the chunk, or behind those as one of the others.
   const auto points = this->Layout.GetPoints(chunk);
   std::vector<std::uint32_t> ancestors(points.size());
-  std::transform(points.begin(), points.end(), ancestors.begin(),
-    [&](std::uint32_t point) { return this->Layout.GetAncestors()[point]; });
+  std::vector<std::uint32_t> others;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const auto ancestor = this->Layout.GetAncestors()[points[i]];
+    const auto place = ancestor == points[i] ? i : FindPlace(points, ancestor);
+    ancestors[i] = static_cast<std::uint32_t>(place);
+    if (place == points.size())
+    {
+      others.push_back(ancestor);
+    }
+  }
+  std::sort(others.begin(), others.end());
+  others.erase(std::unique(others.begin(), others.end()), others.end());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (ancestors[i] == points.size())
+    {
+      ancestors[i] +=
+        static_cast<std::uint32_t>(FindPlace(others, this->Layout.GetAncestors()[points[i]]));
+    }
+  }
   Waiting left;
+  std::vector<std::uint32_t> places(points.size() + others.size(), 0); // 1: is a corner
   for (std::size_t cell = 0; cell < whole.Tets.size(); ++cell)
   {
     auto tet = whole.Tets[cell];
@@ -166,39 +180,49 @@ Waiting CoarseRaySource::Internals::Simplify(std::uint32_t chunk, const RayBlock
       {
         left.CellValues.push_back(whole.CellValues[cell]);
       }
+      for (const auto corner : tet)
+      {
+        places[corner] = 1;
+      }
     }
   }
-  for (const auto point : FindCorners(left.Tets))
+  for (std::size_t i = 0; i < places.size(); ++i)
   {
-    const auto place = FindPlace(points, point);
-    if (place < points.size())
+    if (places[i] == 0)
     {
-      left.Points.push_back(point);
-      left.Places.push_back(whole.Points[place]);
+      continue;
+    }
+    places[i] = static_cast<std::uint32_t>(left.Points.size());
+    if (i < points.size())
+    {
+      left.Points.push_back(whole.Points[i]);
+    }
+    else
+    {
+      left.Others.push_back({ places[i], others[i - points.size()] });
+      left.Points.push_back({});
+    }
+  }
+  for (auto& tet : left.Tets)
+  {
+    for (auto& corner : tet)
+    {
+      corner = places[corner];
     }
   }
   return left;
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<const RayBlock> CoarseRaySource::Internals::Finish(const Waiting& left) const
+std::shared_ptr<const RayBlock> CoarseRaySource::Internals::Finish(Waiting left) const
 {
   auto block = std::make_shared<RayBlock>();
-  const auto corners = FindCorners(left.Tets);
-  block->Tets = left.Tets;
-  for (auto& tet : block->Tets)
+  block->Tets = std::move(left.Tets);
+  block->CellValues = std::move(left.CellValues);
+  block->Points = std::move(left.Points);
+  for (const auto& other : left.Others)
   {
-    for (auto& corner : tet)
-    {
-      corner = static_cast<std::uint32_t>(FindPlace(corners, corner));
-    }
-  }
-  block->CellValues = left.CellValues;
-  block->Points.reserve(corners.size());
-  for (const auto point : corners)
-  {
-    const auto place = FindPlace(left.Points, point);
-    block->Points.push_back(place < left.Points.size() ? left.Places[place] : this->Get(point));
+    block->Points[other.Place] = this->Get(other.Point);
   }
   block->Prepare();
   return block;
@@ -268,12 +292,7 @@ void CoarseRaySource::Internals::Make(
     this->Keep(chunks[i], std::move(left[i]));
   }
   ParallelFor(
-    missing.size(),
-    [&](std::size_t i)
-    {
-      made[i] = this->Finish(left[places[i]]);
-      left[places[i]] = {};
-    },
+    missing.size(), [&](std::size_t i) { made[i] = this->Finish(std::move(left[places[i]])); },
     [&](double done) { return !progress || progress(share + (1 - share) * done); });
 }
 
