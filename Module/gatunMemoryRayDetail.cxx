@@ -15,8 +15,6 @@
 
 namespace gatun
 {
-RayDetail::~RayDetail() = default;
-
 namespace
 {
 using Tet = MergeTree::Tet;

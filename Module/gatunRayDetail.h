@@ -19,7 +19,7 @@ namespace gatun
 class VTKGATUNCORE_EXPORT RayDetail
 {
 public:
-  virtual ~RayDetail();
+  virtual ~RayDetail() = default;
 
   virtual std::uint64_t GetNumberOfPoints() const = 0; ///< of the whole mesh
   virtual std::uint64_t GetFewestPoints() const = 0;   ///< it cannot be simpler

@@ -6,7 +6,6 @@
 rest. Puts a table into just-in-time.md, between its marks, and figures and a plot into the folder
 just-in-time."""
 
-import argparse
 import json
 import os
 import pathlib
@@ -162,21 +161,9 @@ def write(results, out, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--programs", type=pathlib.Path, required=True,
-                        help="the folder of gatunBenchmarks")
-    parser.add_argument("--out", type=pathlib.Path, required=True,
-                        help="where just-in-time.md and the folder just-in-time are")
-    modes = parser.add_mutually_exclusive_group()
-    modes.add_argument("--quick", dest="mode", action="store_const", const="quick",
-                       help="a small mesh")
-    modes.add_argument("--smoke", dest="mode", action="store_const", const="smoke",
-                       help="a tiny mesh, to see whether it runs at all")
+    parser = benchmarkRunner.make_parser(__doc__, "just-in-time")
     parser.add_argument("--mesh", action="append", default=[], metavar="KIND=FILE",
                         help="a file to take for a mesh that would be made (delaunay, flow1)")
-    parser.add_argument("--report", action="store_true",
-                        help="measure nothing, make the page and its picture anew")
-    parser.set_defaults(mode="full")
     options = parser.parse_args()
     folder = options.out / "just-in-time"
     folder.mkdir(parents=True, exist_ok=True)

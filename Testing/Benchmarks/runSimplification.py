@@ -7,7 +7,6 @@
 Also Figures 18 and 19 of Yang's dissertation proposal (2001), redone.
 """
 
-import argparse
 import json
 import os
 import pathlib
@@ -163,21 +162,9 @@ def measure(runner, options, folder, results):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--programs", type=pathlib.Path, required=True,
-                        help="the folder of gatunBenchmarks")
-    parser.add_argument("--out", type=pathlib.Path, required=True,
-                        help="where simplification-study.md and the folder simplification-study go")
-    modes = parser.add_mutually_exclusive_group()
-    modes.add_argument("--quick", dest="mode", action="store_const", const="quick",
-                       help="small meshes, one round")
-    modes.add_argument("--smoke", dest="mode", action="store_const", const="smoke",
-                       help="tiny meshes, to see whether it runs at all")
-    parser.add_argument("--report", action="store_true",
-                        help="measure nothing, make the page and its plots anew")
+    parser = benchmarkRunner.make_parser(__doc__, "simplification-study")
     parser.add_argument("--only", nargs="+", choices=MODES["full"]["meshes"],
                         help="measure these meshes only, and keep what is there of the others")
-    parser.set_defaults(mode="full")
     options = parser.parse_args()
     folder = options.out / "simplification-study"
     folder.mkdir(parents=True, exist_ok=True)
