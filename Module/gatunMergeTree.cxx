@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <numeric>
 
 namespace gatun
@@ -47,14 +46,6 @@ std::size_t MergeTree::CountMergesForPoints(std::uint64_t pointsLeft) const
 {
   const std::uint64_t gone = this->Points - std::min<std::uint64_t>(pointsLeft, this->Points);
   return std::min<std::size_t>(gone, this->Merges.size());
-}
-
-//------------------------------------------------------------------------------
-std::size_t MergeTree::CountMergesForPart(double pointsLeft) const
-{
-  const double points = this->Points;
-  return this->CountMergesForPoints(
-    static_cast<std::uint64_t>(std::ceil(points * std::clamp(pointsLeft, 0.0, 1.0))));
 }
 
 //------------------------------------------------------------------------------

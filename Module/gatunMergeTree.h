@@ -52,9 +52,6 @@ public:
     return merges == 0 ? 0 : this->Merges[merges - 1].Error;
   }
 
-  /** How many merges leave a part of the points, 0 to 1, or as few as there can be. */
-  std::size_t CountMergesForPart(double pointsLeft) const;
-
   /** How many merges there are before the first that costs more. NaN counts as 0. */
   std::size_t CountMergesForError(double error) const;
 

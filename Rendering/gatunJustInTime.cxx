@@ -4,9 +4,9 @@
 #include "gatunJustInTime.h"
 
 #include "gatunError.h"
+#include "gatunSimplifyTarget.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace gatun
 {
@@ -15,9 +15,10 @@ namespace
 /** How many points a ratio leaves. */
 std::uint64_t CountPoints(const RayDetail& detail, double ratio)
 {
-  const auto all = static_cast<double>(detail.GetNumberOfPoints());
-  return std::clamp(static_cast<std::uint64_t>(all - std::floor(all * ratio)),
-    detail.GetFewestPoints(), detail.GetNumberOfPoints());
+  const auto all = detail.GetNumberOfPoints();
+  return all -
+    CountMerges({ SimplifyTarget::Ratio, ratio }, all,
+      static_cast<std::size_t>(all - detail.GetFewestPoints()), {});
 }
 }
 

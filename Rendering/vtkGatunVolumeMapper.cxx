@@ -160,7 +160,7 @@ class vtkGatunVolumeMapper::vtkInternals
 public:
   gatun::RayScene Scene;
   gatun::RayPicture Picture;
-  std::set<std::string> Told; // why nothing is drawn, since something was
+  std::set<std::string> Told; // causes why nothing is drawn, since something was
 
   std::string Obstacle;     // that was told
   std::uint64_t Points = 0; // of what the last picture shows; 0: all
@@ -175,6 +175,7 @@ public:
   std::map<std::pair<vtkRenderer*, vtkVolume*>, gatun::JustInTime> Frames;
 
   static InputKind GetKind(vtkGatunVolumeMapper* mapper);
+  static std::string GetCause(vtkGatunVolumeMapper* mapper, const gatun::VTKFailure& failure);
   static gatun::RayArray GetArray(vtkGatunVolumeMapper* mapper);
   static std::uint64_t GetBudget(vtkGatunVolumeMapper* mapper);
   static double GetRatio(vtkGatunVolumeMapper* mapper);
@@ -556,6 +557,16 @@ bool vtkGatunVolumeMapper::PrepareSimplification()
 }
 
 //------------------------------------------------------------------------------
+/** One for all the damage in a file, as threads meet the blocks that are damaged in any order. */
+std::string vtkGatunVolumeMapper::vtkInternals::GetCause(
+  vtkGatunVolumeMapper* mapper, const gatun::VTKFailure& failure)
+{
+  return failure.Code == vtkErrorCode::FileFormatError && GetKind(mapper) == InputKind::File
+    ? gatun::GetFileReader(gatun::GetProducer(mapper).Algorithm)->GetFileName()
+    : failure.Message;
+}
+
+//------------------------------------------------------------------------------
 /** Reports what is being thrown. */
 void vtkGatunVolumeMapper::Fail() noexcept
 {
@@ -569,7 +580,7 @@ void vtkGatunVolumeMapper::Fail() noexcept
     }
     auto& self = *this->Internals;
     self.Scene.Clear();
-    if (self.Told.insert(failure.Message).second)
+    if (self.Told.insert(self.GetCause(this, failure)).second)
     {
       vtkErrorMacro(<< failure.Message);
     }

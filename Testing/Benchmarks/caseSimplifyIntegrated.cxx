@@ -11,6 +11,7 @@
 
 #include "gatunFileReader.h"
 #include "gatunMergeTree.h"
+#include "gatunSimplifyTarget.h"
 #include "vtkGatunRayCaster.h"
 #include "vtkGatunReader.h"
 
@@ -93,7 +94,9 @@ vtkSmartPointer<vtkTypeInt64Array> SimplifyCells(
 Grid Simplify(vtkUnstructuredGrid* grid, const Options& options)
 {
   const gatun::MergeTree tree = gatun::FileReader(options.File).GetMergeTree();
-  const auto ancestors = tree.FindAncestors(tree.CountMergesForPart(1 - options.Ratio));
+  const auto ancestors =
+    tree.FindAncestors(gatun::CountMerges({ gatun::SimplifyTarget::Ratio, options.Ratio },
+      tree.GetNumberOfPoints(), tree.GetMerges().size(), {}));
   vtkCellArray* const cells = grid->GetCells();
   const vtkIdType tets = cells->GetNumberOfCells();
   const auto left = cells->IsStorage64Bit()
