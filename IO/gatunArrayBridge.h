@@ -48,13 +48,14 @@ vtkSmartPointer<vtkAbstractArray> Gather(
   vtkAbstractArray* array, const std::vector<vtkIdType>& tuples);
 
 /** The AttributeRoles of an array: bit i is set if it is active attribute i. */
-std::uint32_t AttributeRolesOf(vtkDataSetAttributes* attributes, vtkAbstractArray* array);
+VTKGATUNIO_EXPORT std::uint32_t AttributeRolesOf(
+  vtkDataSetAttributes* attributes, vtkAbstractArray* array);
 
 /**
  * Makes an array of the VTK type that the description tells, or, where that is not what the values
  * are stored as on this machine, of one of the same size.
  */
-class ArrayFiller
+class VTKGATUNIO_EXPORT ArrayFiller
 {
 public:
   ArrayFiller(const ArrayDescription& description, vtkIdType tuples);
@@ -72,7 +73,7 @@ private:
 };
 
 /** Adds an array even if there is one of that name, and gives it its roles. */
-void AddWithRoles(
+VTKGATUNIO_EXPORT void AddWithRoles(
   vtkDataSetAttributes* attributes, vtkAbstractArray* array, std::uint32_t attributeRoles);
 
 /**

@@ -9,6 +9,7 @@
 #include "gatunFileWriter.h"
 #include "gatunMergeGrid.h"
 #include "gatunTetInput.h"
+#include "gatunTetMesh.h"
 #include "vtkGatunCompat.h"
 
 #include "vtkAlgorithm.h"
@@ -44,83 +45,6 @@ namespace
 using gatun::Association;
 
 //------------------------------------------------------------------------------
-// Coordinates as the file holds them: float or double. Sets converted where they had another type.
-vtkSmartPointer<vtkDataArray> CoordinatesOf(vtkPoints* points, bool& converted)
-{
-  vtkDataArray* data = points->GetData();
-  if (data->GetDataType() == VTK_FLOAT || data->GetDataType() == VTK_DOUBLE)
-  {
-    return gatun::Contiguous(data);
-  }
-  converted = true;
-  auto doubles = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(VTK_DOUBLE));
-  doubles->SetNumberOfComponents(3);
-  doubles->SetNumberOfTuples(data->GetNumberOfTuples());
-  // Up to here every integer is a double.
-  constexpr double exact = 9007199254740992.0;
-  for (vtkIdType point = 0; point < data->GetNumberOfTuples(); ++point)
-  {
-    double tuple[3];
-    data->GetTuple(point, tuple);
-    if (std::max({ std::abs(tuple[0]), std::abs(tuple[1]), std::abs(tuple[2]) }) >= exact)
-    {
-      gatun::ThrowInvalid(
-        "the coordinates of point " + std::to_string(point) + " are integers beyond 2^53");
-    }
-    doubles->SetTuple(point, tuple);
-  }
-  return doubles;
-}
-
-//------------------------------------------------------------------------------
-// A grid as the core takes it; the owners keep its memory.
-struct BridgedMesh
-{
-  gatun::MeshInput Mesh;
-  bool PointsConverted = false;
-  vtkSmartPointer<vtkDataArray> Coordinates;
-  vtkSmartPointer<vtkDataArray> Connectivity;
-
-  explicit BridgedMesh(vtkUnstructuredGrid* grid)
-  {
-    if (grid->GetNumberOfPoints() > 0)
-    {
-      this->Coordinates = CoordinatesOf(grid->GetPoints(), this->PointsConverted);
-      this->Mesh.Points = static_cast<std::uint64_t>(grid->GetNumberOfPoints());
-      this->Mesh.Coordinates = this->Coordinates->GetVoidPointer(0);
-    }
-    if (grid->GetPoints() && grid->GetPoints()->GetDataType() != VTK_FLOAT)
-    {
-      this->Mesh.CoordinateType = gatun::ScalarType::Float64;
-    }
-    if (vtkCellArray* cells = grid->GetCells())
-    {
-      this->Mesh.WideIds = cells->IsStorage64Bit();
-      if (cells->GetNumberOfCells() > 0)
-      {
-        this->Connectivity = cells->GetConnectivityArray();
-        this->Mesh.Tets = static_cast<std::uint64_t>(cells->GetNumberOfCells());
-        this->Mesh.Connectivity = this->Connectivity->GetVoidPointer(0);
-      }
-    }
-  }
-
-  /** A number that almost certainly differs for another mesh. */
-  std::size_t Hash() const
-  {
-    const auto bytesOf = [](vtkDataArray* array)
-    {
-      return array ? std::string_view(static_cast<const char*>(array->GetVoidPointer(0)),
-                       static_cast<std::size_t>(array->GetNumberOfValues()) *
-                         static_cast<std::size_t>(array->GetDataTypeSize()))
-                   : std::string_view();
-    };
-    const std::hash<std::string_view> hash;
-    return hash(bytesOf(this->Coordinates)) * 31 + hash(bytesOf(this->Connectivity));
-  }
-};
-
-//------------------------------------------------------------------------------
 std::string Line(const std::string& what, std::uint64_t bytes, std::uint64_t tets)
 {
   char text[64];
@@ -147,7 +71,7 @@ public:
 
   // While a file is being written.
   std::unique_ptr<gatun::FileWriter> File;
-  std::unique_ptr<BridgedMesh> Mesh;
+  std::unique_ptr<gatun::TetMesh> Mesh;
   std::size_t MeshHash = 0;
   std::vector<gatun::ArrayDescription> Arrays;
   gatun::MergeTree Tree;
@@ -504,7 +428,7 @@ void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
   {
     warn(warning);
   }
-  auto mesh = std::make_unique<BridgedMesh>(tets.Grid);
+  auto mesh = std::make_unique<gatun::TetMesh>(tets.Grid);
   if (mesh->PointsConverted)
   {
     warn("integer coordinates are written as double");

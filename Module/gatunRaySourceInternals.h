@@ -7,8 +7,8 @@
 
 #include "gatunParallel.h"
 #include "gatunRaySource.h"
+#include "gatunWithType.h"
 
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -17,61 +17,11 @@
 
 namespace gatun
 {
-/** Calls use(pointer of the type that values have). */
-template <typename Use>
-void WithType(ScalarType type, const void* values, Use&& use)
-{
-  switch (type)
-  {
-    case ScalarType::Int8:
-      return use(static_cast<const std::int8_t*>(values));
-    case ScalarType::UInt8:
-      return use(static_cast<const std::uint8_t*>(values));
-    case ScalarType::Int16:
-      return use(static_cast<const std::int16_t*>(values));
-    case ScalarType::UInt16:
-      return use(static_cast<const std::uint16_t*>(values));
-    case ScalarType::Int32:
-      return use(static_cast<const std::int32_t*>(values));
-    case ScalarType::UInt32:
-      return use(static_cast<const std::uint32_t*>(values));
-    case ScalarType::Int64:
-      return use(static_cast<const std::int64_t*>(values));
-    case ScalarType::UInt64:
-      return use(static_cast<const std::uint64_t*>(values));
-    case ScalarType::Float32:
-      return use(static_cast<const float*>(values));
-    case ScalarType::Float64:
-      return use(static_cast<const double*>(values));
-  }
-}
-
 /** Calls use(getValue), where getValue(i) is the value of tuple i that is to be drawn. */
 template <typename Use>
 void WithValues(const RayValuesInput& input, Use&& use)
 {
-  const std::size_t components = input.Components;
-  WithType(input.Type, input.Values,
-    [&](const auto* values)
-    {
-      if (input.Component >= 0)
-      {
-        const auto* const first = values + input.Component;
-        use([=](std::size_t i) { return static_cast<double>(first[components * i]); });
-        return;
-      }
-      use(
-        [=](std::size_t i)
-        {
-          double sum = 0;
-          for (std::size_t c = 0; c < components; ++c)
-          {
-            const auto value = static_cast<double>(values[components * i + c]);
-            sum += value * value;
-          }
-          return std::sqrt(sum);
-        });
-    });
+  WithComponent(input.Type, input.Values, input.Components, input.Component, use);
 }
 
 inline void Extend(Range& range, double value)

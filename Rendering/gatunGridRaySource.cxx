@@ -7,10 +7,8 @@
 #include "gatunError.h"
 #include "gatunTetInput.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -122,6 +120,7 @@ Range GetWholeRange(const RaySource& source)
 //------------------------------------------------------------------------------
 GridMesh::GridMesh(vtkUnstructuredGrid* grid, const RayArray& array)
   : Tets(MakeTetInput(grid, true).Grid)
+  , Mesh(std::make_unique<TetMesh>(Tets))
 {
   const auto [scalars, where] = FindArray(this->Tets, array);
   const BridgedArray values = Bridge(scalars, where);
@@ -130,36 +129,9 @@ GridMesh::GridMesh(vtkUnstructuredGrid* grid, const RayArray& array)
   this->Hidden = FindHidden(this->Tets);
   this->Values = { where, values.Description.Type, values.Description.Components, array.Component,
     values.Values };
-  this->SetMesh();
 }
 
 GridMesh::~GridMesh() = default;
-
-//------------------------------------------------------------------------------
-void GridMesh::SetMesh()
-{
-  MeshInput& mesh = this->Mesh;
-  mesh.Points = static_cast<std::uint64_t>(this->Tets->GetNumberOfPoints());
-  mesh.Tets = static_cast<std::uint64_t>(this->Tets->GetNumberOfCells());
-  if (vtkPoints* const points = this->Tets->GetPoints())
-  {
-    this->Coordinates = Contiguous(points->GetData());
-    if (points->GetDataType() != VTK_FLOAT && points->GetDataType() != VTK_DOUBLE)
-    {
-      auto doubles = vtkSmartPointer<vtkDoubleArray>::New();
-      doubles->DeepCopy(this->Coordinates);
-      this->Coordinates = doubles;
-    }
-    mesh.CoordinateType =
-      this->Coordinates->GetDataType() == VTK_FLOAT ? ScalarType::Float32 : ScalarType::Float64;
-    mesh.Coordinates = this->Coordinates->GetVoidPointer(0);
-  }
-  if (vtkCellArray* const cells = this->Tets->GetCells())
-  {
-    mesh.WideIds = cells->IsStorage64Bit();
-    mesh.Connectivity = cells->GetConnectivityArray()->GetVoidPointer(0);
-  }
-}
 
 //------------------------------------------------------------------------------
 GridRaySource::GridRaySource(vtkUnstructuredGrid* grid, const RayArray& array, std::uint64_t budget)

@@ -5,6 +5,7 @@
 #define gatunGridRaySource_h
 
 #include "gatunRaySource.h"
+#include "gatunTetMesh.h"
 #include "gatunTypes.h"
 
 #include "vtkSmartPointer.h"
@@ -50,7 +51,7 @@ public:
   GridMesh(const GridMesh&) = delete;
   GridMesh& operator=(const GridMesh&) = delete;
 
-  const MeshInput& GetMesh() const { return this->Mesh; }
+  const MeshInput& GetMesh() const { return this->Mesh->Mesh; }
   const RayValuesInput& GetValues() const { return this->Values; }
 
   /** Null, or for each tetrahedron whether it is left out. */
@@ -60,13 +61,10 @@ public:
   }
 
 private:
-  void SetMesh();
-
   vtkSmartPointer<vtkUnstructuredGrid> Tets; // keeps alive what the others look at
-  vtkSmartPointer<vtkDataArray> Coordinates;
+  std::unique_ptr<TetMesh> Mesh;
   vtkSmartPointer<vtkDataArray> Scalars;
   std::vector<unsigned char> Hidden;
-  MeshInput Mesh;
   RayValuesInput Values;
 };
 

@@ -55,25 +55,6 @@ RayLevels::Room Divide(std::uint64_t budget)
 {
   return { budget - budget / 4, budget / 4 };
 }
-
-/** The last step not later than a time, or the first. */
-std::size_t FindStep(const FileReader& file, double time)
-{
-  const auto& times = file.GetTimes();
-  return file.HasTime() ? static_cast<std::size_t>(std::max<std::ptrdiff_t>(0,
-                            std::upper_bound(times.begin(), times.end(), time) - times.begin() - 1))
-                        : 0;
-}
-}
-
-//------------------------------------------------------------------------------
-vtkGatunReader* GetFileReader(vtkAlgorithm* input)
-{
-  auto* const reader = vtkGatunReader::SafeDownCast(input);
-  return reader && reader->GetFileName() && !reader->GetUseBox() && !reader->GetUseValueRange() &&
-      reader->GetSimplification() >= 0
-    ? reader
-    : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -102,7 +83,7 @@ void RayScene::Clear()
   this->Drop();
   this->Known = {};
   this->Values = {};
-  this->File.reset();
+  this->File.Close();
 }
 
 //------------------------------------------------------------------------------
@@ -162,27 +143,25 @@ void RayScene::SetGrid(
 //------------------------------------------------------------------------------
 void RayScene::OpenFile(const std::string& path)
 {
-  const FileSignature signature = SignatureOf(path);
-  if (!this->File || path != this->Path || signature != this->Signature)
+  if (this->File.IsNew(path))
   {
     this->Clear();
-    this->File = std::make_shared<const FileReader>(path);
-    this->Path = path;
-    this->Signature = signature;
   }
+  this->File.Get(path);
 }
 
 //------------------------------------------------------------------------------
 const Bounds& RayScene::GetFileBounds(const std::string& path)
 {
   this->OpenFile(path);
-  return this->File->GetBounds();
+  return this->File.GetLast()->GetBounds();
 }
 
 //------------------------------------------------------------------------------
 std::uint64_t RayScene::GetBytesRead() const
 {
-  return this->File ? this->File->GetBytesRead() : 0;
+  const auto& file = this->File.GetLast();
+  return file ? file->GetBytesRead() : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -191,8 +170,9 @@ void RayScene::SetFile(const std::string& path, double time, const RayArray& arr
 {
   this->OpenFile(path);
   Key key;
-  key.File = this->File;
-  key.Step = FindStep(*this->File, time);
+  const auto& file = this->File.GetLast();
+  key.File = file;
+  key.Step = FindStep(*file, time);
   key.Array = array;
   key.Budget = budget;
   key.Simplifies = simplifies;
@@ -200,18 +180,17 @@ void RayScene::SetFile(const std::string& path, double time, const RayArray& arr
   {
     return;
   }
-  const auto index = FindArray(*this->File, array);
-  RequireComponent(array, this->File->GetArrays()[index].Components);
+  const auto index = FindArray(*file, array);
+  RequireComponent(array, file->GetArrays()[index].Components);
   const RayValues values{ index, array.Component, key.Step };
-  const bool hasLevels = simplifies && HasDetail(*this->File);
+  const bool hasLevels = simplifies && HasDetail(*file);
   const RayLevels::Room room = Divide(budget);
-  auto whole = std::make_shared<FileRaySource>(this->File, values, hasLevels ? room.Whole : budget);
+  auto whole = std::make_shared<FileRaySource>(file, values, hasLevels ? room.Whole : budget);
   if (hasLevels)
   {
-    this->Levels =
-      std::make_unique<RayLevels>([file = this->File, values](const RaySource::Progress& progress)
-        { return MakeFileDetail(file, values, progress); },
-        whole, room);
+    this->Levels = std::make_unique<RayLevels>([file, values](const RaySource::Progress& progress)
+      { return MakeFileDetail(file, values, progress); },
+      whole, room);
   }
   else if (simplifies)
   {
@@ -219,7 +198,7 @@ void RayScene::SetFile(const std::string& path, double time, const RayArray& arr
       path + ": there is no hierarchy in the file; make one with gtn pack --hierarchy";
   }
   this->Take(
-    key, std::move(whole), GetDrawnRange(this->File->GetRanges(index, key.Step), array.Component));
+    key, std::move(whole), GetDrawnRange(file->GetRanges(index, key.Step), array.Component));
 }
 
 //------------------------------------------------------------------------------

@@ -4,7 +4,7 @@
 #ifndef gatunRayScene_h
 #define gatunRayScene_h
 
-#include "gatunFileSignature.h"
+#include "gatunFileInput.h"
 #include "gatunGridRaySource.h"
 #include "gatunPieceRaySource.h"
 #include "gatunRayLevels.h"
@@ -18,7 +18,6 @@
 #include <string>
 
 class vtkAlgorithm;
-class vtkGatunReader;
 class vtkUnstructuredGrid;
 
 namespace gatun
@@ -26,9 +25,6 @@ namespace gatun
 class FileReader;
 class RayCaster;
 struct RayView;
-
-/** The reader whose file can be drawn instead of its output; null if that is not the same. */
-vtkGatunReader* GetFileReader(vtkAlgorithm* input);
 
 /** The part of the points to be merged away: that which is wanted, or what is asked of the reader
  * whose file is drawn, if that is more. */
@@ -110,9 +106,7 @@ private:
   PieceRaySource* Pieces = nullptr; // the source, if it is one
   Range Values;
 
-  std::shared_ptr<const FileReader> File;
-  std::string Path;
-  FileSignature Signature;
+  CurrentFile File;
 };
 }
 

@@ -248,11 +248,13 @@ int vtkGatunRayCaster::RequestUpdateExtent(
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* const info = inputs[0]->GetInformationObject(0);
-  // Where the file is drawn, the reader's mesh is not needed: of so many pieces the first is empty.
-  const bool fromFile = gatun::GetFileReader(this->GetInputAlgorithm()) != nullptr;
-  constexpr int many = 1 << 30;
+  if (vtkGatunReader* const reader = gatun::GetFileReader(this->GetInputAlgorithm()))
+  {
+    gatun::RequestNothing(reader, info);
+    return 1;
+  }
   info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-  info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), fromFile ? many : 1);
+  info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
   info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   return 1;
 }

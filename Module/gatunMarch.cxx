@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunMarch.h"
+
+#include "gatunError.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace gatun
+{
+namespace
+{
+// The six edges of a tetrahedron, and what edges the triangles have of each set of corners that are
+// inside (bit i for corner i): the cases of vtkTetra, so that the same triangles come out.
+constexpr std::uint8_t Edges[6][2] = { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 0, 3 }, { 1, 3 }, { 2, 3 } };
+constexpr std::uint8_t Cases[16][6] = { {}, { 3, 0, 2 }, { 1, 0, 4 }, { 2, 3, 4, 2, 4, 1 },
+  { 2, 1, 5 }, { 5, 3, 1, 1, 3, 0 }, { 2, 0, 5, 5, 0, 4 }, { 5, 3, 4 }, { 4, 3, 5 },
+  { 4, 0, 5, 5, 0, 2 }, { 5, 0, 3, 1, 0, 5 }, { 2, 5, 1 }, { 4, 3, 1, 1, 3, 2 }, { 4, 0, 1 },
+  { 2, 0, 3 }, {} };
+
+/** How many triangles a case has: two where two corners are inside. */
+constexpr unsigned CountTriangles(unsigned inside)
+{
+  return std::popcount(inside) == 2 ? 2 : 1;
+}
+
+/** Finds points again by their edge and isovalue. */
+class EdgeTable
+{
+public:
+  EdgeTable() { this->Slots.resize(1u << 10, Slot{ 0, 0, 0, None }); }
+
+  /** The place that was given to an edge and isovalue; a new one is next, and given to it. */
+  std::uint32_t Find(std::uint32_t low, std::uint32_t high, std::uint32_t value, std::uint32_t next)
+  {
+    if (2 * this->Used >= this->Slots.size())
+    {
+      this->Grow();
+    }
+    Slot& slot = this->Seek(low, high, value);
+    if (slot.Point == None)
+    {
+      slot = { low, high, value, next };
+      ++this->Used;
+    }
+    return slot.Point;
+  }
+
+private:
+  static constexpr std::uint32_t None = 0xffffffffu;
+
+  struct Slot
+  {
+    std::uint32_t Low;
+    std::uint32_t High;
+    std::uint32_t Value;
+    std::uint32_t Point;
+  };
+
+  Slot& Seek(std::uint32_t low, std::uint32_t high, std::uint32_t value)
+  {
+    const std::size_t mask = this->Slots.size() - 1;
+    std::uint64_t hash = (std::uint64_t{ high } << 32 | low) * 0x9e3779b97f4a7c15ull;
+    hash = (hash ^ (hash >> 29) ^ value) * 0xbf58476d1ce4e5b9ull;
+    std::size_t at = (hash >> 32) & mask;
+    while (this->Slots[at].Point != None &&
+      (this->Slots[at].Low != low || this->Slots[at].High != high ||
+        this->Slots[at].Value != value))
+    {
+      at = (at + 1) & mask;
+    }
+    return this->Slots[at];
+  }
+
+  void Grow()
+  {
+    std::vector<Slot> old(2 * this->Slots.size(), Slot{ 0, 0, 0, None });
+    old.swap(this->Slots);
+    for (const Slot& slot : old)
+    {
+      if (slot.Point != None)
+      {
+        this->Seek(slot.Low, slot.High, slot.Value) = slot;
+      }
+    }
+  }
+
+  std::vector<Slot> Slots;
+  std::size_t Used = 0;
+};
+
+/** How far an isovalue is from one value to a larger one. */
+double Divide(double value, double low, double high)
+{
+  const double whole = high - low;
+  return std::isfinite(whole) ? (value - low) / whole
+                              : (value / 2 - low / 2) / (high / 2 - low / 2);
+}
+
+template <typename Id, typename Value>
+class Marcher
+{
+public:
+  Marcher(const MarchInput& mesh, std::span<const double> values)
+    : Points(mesh.Points)
+    , Connectivity(static_cast<const Id*>(mesh.Connectivity))
+    , PointValues(static_cast<const Value*>(mesh.Values))
+    , Isovalues(values)
+  {
+  }
+
+  MarchedSurface March(std::uint64_t first, std::uint64_t last)
+  {
+    if (this->Isovalues.empty())
+    {
+      return {};
+    }
+    const double lowest = this->Isovalues.front();
+    const double highest = this->Isovalues.back();
+    for (std::uint64_t t = first; t < last; ++t)
+    {
+      const Id* const ids = this->Connectivity + 4 * t;
+      const auto largest = std::max(std::max(ToUnsigned(ids[0]), ToUnsigned(ids[1])),
+        std::max(ToUnsigned(ids[2]), ToUnsigned(ids[3])));
+      if (largest >= this->Points)
+      {
+        ThrowInvalid("cell " + std::to_string(t) + " has a point that does not exist");
+      }
+      const std::array<Value, 4> v = { this->PointValues[ids[0]], this->PointValues[ids[1]],
+        this->PointValues[ids[2]], this->PointValues[ids[3]] };
+      const double least = std::min(std::min(v[0], v[1]), std::min(v[2], v[3]));
+      const double most = std::max(std::max(v[0], v[1]), std::max(v[2], v[3]));
+      if (least < highest && most >= lowest)
+      {
+        this->Cut(static_cast<std::uint32_t>(t), ids, v, least, most);
+      }
+    }
+    return std::move(this->Result);
+  }
+
+private:
+  /** Negative ids become far too large. */
+  static std::uint64_t ToUnsigned(Id id)
+  {
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(id));
+  }
+
+  void Cut(
+    std::uint32_t cell, const Id* ids, const std::array<Value, 4>& v, double least, double most)
+  {
+    if (!std::all_of(v.begin(), v.end(), [](Value x) { return std::isfinite(x); }))
+    {
+      return;
+    }
+    auto it = std::upper_bound(this->Isovalues.begin(), this->Isovalues.end(), least);
+    for (; it != this->Isovalues.end() && *it <= most; ++it)
+    {
+      unsigned inside = 0;
+      for (unsigned i = 0; i < 4; ++i)
+      {
+        inside |= static_cast<unsigned>(v[i] >= *it) << i;
+      }
+      const auto number = static_cast<std::uint32_t>(it - this->Isovalues.begin());
+      std::array<std::uint32_t, 6> places{};
+      const unsigned triangles = CountTriangles(inside);
+      for (unsigned k = 0; k < 3 * triangles; ++k)
+      {
+        const auto* const edge = Edges[Cases[inside][k]];
+        const bool rises = v[edge[0]] < v[edge[1]];
+        const unsigned low = edge[rises ? 0 : 1];
+        const unsigned high = edge[rises ? 1 : 0];
+        const auto a = static_cast<std::uint32_t>(ids[low]);
+        const auto b = static_cast<std::uint32_t>(ids[high]);
+        const auto next = static_cast<std::uint32_t>(this->Result.Points.size());
+        places[k] = this->Found.Find(a, b, number, next);
+        if (places[k] == next)
+        {
+          this->Result.Points.push_back({ a, b, Divide(*it, v[low], v[high]) });
+        }
+      }
+      for (unsigned k = 0; k < triangles; ++k)
+      {
+        this->Result.Triangles.push_back({ places[3 * k], places[3 * k + 1], places[3 * k + 2] });
+        this->Result.Cells.push_back(cell);
+      }
+    }
+  }
+
+  std::uint64_t Points;
+  const Id* Connectivity;
+  const Value* PointValues;
+  std::span<const double> Isovalues;
+  EdgeTable Found;
+  MarchedSurface Result;
+};
+}
+
+//------------------------------------------------------------------------------
+MarchedSurface March(
+  const MarchInput& mesh, std::uint64_t first, std::uint64_t last, std::span<const double> values)
+{
+  const auto march = [&]<typename Id, typename Value>(Id, Value)
+  { return Marcher<Id, Value>(mesh, values).March(first, last); };
+  if (mesh.WideIds)
+  {
+    return mesh.WideValues ? march(std::int64_t{}, double{}) : march(std::int64_t{}, float{});
+  }
+  return mesh.WideValues ? march(std::int32_t{}, double{}) : march(std::int32_t{}, float{});
+}
+}

@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunSurface.h"
+
+#include "gatunError.h"
+#include "gatunParallel.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+namespace gatun
+{
+namespace
+{
+// Points are sorted into so many tables by their coordinates, which are filled at the same time.
+constexpr std::size_t Tables = 16;
+
+/** The same for equal coordinates, also for zeros of either sign. */
+template <typename T>
+std::uint32_t Hash(const T* x)
+{
+  std::uint64_t hash = 0;
+  for (unsigned axis = 0; axis < 3; ++axis)
+  {
+    const auto bits = std::bit_cast<std::uint64_t>(static_cast<double>(x[axis]) + 0.0);
+    hash = (hash ^ bits) * 0x9e3779b97f4a7c15ull;
+    hash ^= hash >> 32;
+  }
+  return static_cast<std::uint32_t>(hash);
+}
+
+/** Of each point, the first one with the same coordinates. */
+template <typename T>
+class Joiner
+{
+public:
+  Joiner(const std::vector<SurfacePart>& parts, const std::vector<std::size_t>& first)
+    : Parts(parts)
+    , First(first)
+    , Hashes(first.back())
+    , Same(first.back())
+  {
+  }
+
+  std::vector<std::uint32_t> Join()
+  {
+    ParallelFor(this->Parts.size(),
+      [&](std::size_t p)
+      {
+        const T* const points = this->GetPoints(p);
+        for (std::size_t i = 0; i < this->Parts[p].NumberOfPoints; ++i)
+        {
+          this->Hashes[this->First[p] + i] = Hash(points + 3 * i);
+        }
+      });
+    ParallelFor(Tables, [&](std::size_t table) { this->Fill(table); });
+    return std::move(this->Same);
+  }
+
+private:
+  static constexpr std::uint32_t None = 0xffffffffu;
+
+  const T* GetPoints(std::size_t part) const
+  {
+    return reinterpret_cast<const T*>(this->Parts[part].Points.data());
+  }
+
+  static std::size_t GetTable(std::uint32_t hash) { return hash % Tables; }
+
+  const T* Find(std::uint32_t point) const
+  {
+    const auto part = static_cast<std::size_t>(
+      std::upper_bound(this->First.begin(), this->First.end(), point) - this->First.begin() - 1);
+    return this->GetPoints(part) + 3 * (point - this->First[part]);
+  }
+
+  void Fill(std::size_t table)
+  {
+    const auto count = static_cast<std::size_t>(std::count_if(this->Hashes.begin(),
+      this->Hashes.end(), [table](std::uint32_t hash) { return GetTable(hash) == table; }));
+    std::vector<std::uint32_t> slots(std::bit_ceil(2 * count + 1), None);
+    const std::size_t mask = slots.size() - 1;
+    for (std::size_t p = 0; p < this->Parts.size(); ++p)
+    {
+      const T* const points = this->GetPoints(p);
+      for (std::size_t i = 0; i < this->Parts[p].NumberOfPoints; ++i)
+      {
+        const auto number = static_cast<std::uint32_t>(this->First[p] + i);
+        const std::uint32_t hash = this->Hashes[number];
+        if (GetTable(hash) != table)
+        {
+          continue;
+        }
+        const T* const x = points + 3 * i;
+        const auto differs = [&](std::uint32_t other)
+        { return this->Hashes[other] != hash || !std::equal(x, x + 3, this->Find(other)); };
+        std::size_t at = (hash / Tables) & mask;
+        while (slots[at] != None && differs(slots[at]))
+        {
+          at = (at + 1) & mask;
+        }
+        if (slots[at] == None)
+        {
+          slots[at] = number;
+        }
+        this->Same[number] = slots[at];
+      }
+    }
+  }
+
+  const std::vector<SurfacePart>& Parts;
+  const std::vector<std::size_t>& First;
+  std::vector<std::uint32_t> Hashes;
+  std::vector<std::uint32_t> Same;
+};
+}
+
+//------------------------------------------------------------------------------
+Surface::Surface(
+  std::vector<SurfacePart> parts, ScalarType coordinateType, const std::vector<std::size_t>& ghosts)
+  : Parts(std::move(parts))
+  , CoordinateType(coordinateType)
+  , Kept(Parts.size())
+{
+  this->First.assign(1, 0);
+  for (const SurfacePart& part : this->Parts)
+  {
+    this->First.push_back(this->First.back() + part.NumberOfPoints);
+  }
+  if (this->First.back() >= None)
+  {
+    ThrowInvalid("the surface has more than 2^32 points; ask for fewer values at a time");
+  }
+  this->Same = coordinateType == ScalarType::Float32
+    ? Joiner<float>(this->Parts, this->First).Join()
+    : Joiner<double>(this->Parts, this->First).Join();
+
+  // The points that triangles are left of are numbered in their order.
+  this->Places.assign(this->Same.size(), None);
+  for (std::size_t p = 0; p < this->Parts.size(); ++p)
+  {
+    if (std::binary_search(ghosts.begin(), ghosts.end(), p))
+    {
+      continue;
+    }
+    const auto& own = this->Parts[p].Triangles;
+    for (std::size_t i = 0; i < own.size(); ++i)
+    {
+      std::array<std::uint32_t, 3> corners;
+      std::transform(own[i].begin(), own[i].end(), corners.begin(),
+        [&](std::uint32_t corner) { return this->Same[this->First[p] + corner]; });
+      if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
+      {
+        this->Triangles.push_back(corners);
+        this->Kept[p].push_back(static_cast<std::uint32_t>(i));
+        for (const std::uint32_t corner : corners)
+        {
+          this->Places[corner] = 0;
+        }
+      }
+    }
+  }
+  std::uint32_t next = 0;
+  for (std::uint32_t& place : this->Places)
+  {
+    if (place != None)
+    {
+      place = next++;
+    }
+  }
+  this->Points = next;
+  for (auto& triangle : this->Triangles)
+  {
+    for (std::uint32_t& corner : triangle)
+    {
+      corner = this->Places[corner];
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Surface::Copy(std::size_t tupleSize, void* to,
+  const std::vector<std::uint8_t>& (*from)(const SurfacePart&, std::size_t), std::size_t i) const
+{
+  ParallelFor(this->Parts.size(),
+    [&](std::size_t p)
+    {
+      if (this->Parts[p].NumberOfPoints == 0)
+      {
+        return;
+      }
+      const std::uint8_t* tuple = from(this->Parts[p], i).data();
+      for (std::size_t n = this->First[p]; n < this->First[p + 1]; ++n, tuple += tupleSize)
+      {
+        if (this->Places[n] != None)
+        {
+          std::memcpy(
+            static_cast<std::uint8_t*>(to) + this->Places[n] * tupleSize, tuple, tupleSize);
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void Surface::FillPoints(void* to) const
+{
+  this->Copy(
+    3 * SizeOf(this->CoordinateType), to,
+    [](const SurfacePart& part, std::size_t) -> const auto& { return part.Points; }, 0);
+}
+
+//------------------------------------------------------------------------------
+void Surface::FillPointArray(std::size_t i, std::size_t tupleSize, void* to) const
+{
+  this->Copy(
+    tupleSize, to,
+    [](const SurfacePart& part, std::size_t a) -> const auto& { return part.PointArrays[a]; }, i);
+}
+
+//------------------------------------------------------------------------------
+void Surface::FillCellArray(std::size_t i, std::size_t tupleSize, void* to) const
+{
+  auto* out = static_cast<std::uint8_t*>(to);
+  for (std::size_t p = 0; p < this->Parts.size(); ++p)
+  {
+    for (const std::uint32_t triangle : this->Kept[p])
+    {
+      std::memcpy(out, this->Parts[p].CellArrays[i].data() + triangle * tupleSize, tupleSize);
+      out += tupleSize;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Surface::FillNormals(float* to) const
+{
+  std::vector<std::array<double, 3>> sums(this->Points, std::array<double, 3>{});
+  for (std::size_t p = 0; p < this->Parts.size(); ++p)
+  {
+    for (std::size_t i = 0; i < this->Parts[p].NumberOfPoints; ++i)
+    {
+      const std::uint32_t place = this->Places[this->Same[this->First[p] + i]];
+      for (unsigned axis = 0; place != None && axis < 3; ++axis)
+      {
+        sums[place][axis] += this->Parts[p].Gradients[i][axis];
+      }
+    }
+  }
+  for (const auto& sum : sums)
+  {
+    const double length = std::hypot(sum[0], sum[1], sum[2]);
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      *to++ = length > 0 && std::isfinite(length) ? static_cast<float>(-sum[axis] / length) : 0;
+    }
+  }
+}
+}

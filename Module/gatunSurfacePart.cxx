@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunSurfacePart.h"
+
+#include "gatunParallel.h"
+#include "gatunWithType.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+
+namespace gatun
+{
+namespace
+{
+constexpr std::uint64_t TetsPerPart = 1u << 16;
+
+using Vector = std::array<double, 3>;
+
+/** A number between two of a type, as one of that type; whole numbers are rounded, halves away from
+ * zero, as VTK does. */
+template <typename T>
+T Convert(double value)
+{
+  if constexpr (std::is_integral_v<T>)
+  {
+    // The largest 64-bit numbers round to one that is too large.
+    constexpr double end = static_cast<double>(std::numeric_limits<T>::max() / 2 + 1) * 2;
+    const double whole = std::round(value);
+    return whole >= end ? std::numeric_limits<T>::max() : static_cast<T>(whole);
+  }
+  else
+  {
+    return static_cast<T>(value);
+  }
+}
+
+template <typename T>
+void InterpolateTuples(
+  const T* from, std::size_t components, std::span<const Crossing> points, T* to)
+{
+  for (const Crossing& point : points)
+  {
+    const T* const low = from + components * point.Low;
+    const T* const high = from + components * point.High;
+    for (std::size_t c = 0; c < components; ++c)
+    {
+      *to++ = Convert<T>(
+        static_cast<double>(low[c]) * (1 - point.Part) + static_cast<double>(high[c]) * point.Part);
+    }
+  }
+}
+
+std::vector<std::uint8_t> Interpolate(const TupleView& array, std::span<const Crossing> points)
+{
+  std::vector<std::uint8_t> out(points.size() * array.GetTupleSize());
+  WithType(array.Type, array.Values,
+    [&]<typename T>(const T* from)
+    { InterpolateTuples(from, array.Components, points, reinterpret_cast<T*>(out.data())); });
+  return out;
+}
+
+std::vector<std::uint8_t> Gather(const TupleView& array, std::span<const std::uint32_t> tuples)
+{
+  const std::size_t size = array.GetTupleSize();
+  std::vector<std::uint8_t> out(tuples.size() * size);
+  for (std::size_t i = 0; i < tuples.size(); ++i)
+  {
+    std::memcpy(out.data() + i * size,
+      static_cast<const std::uint8_t*>(array.Values) + tuples[i] * size, size);
+  }
+  return out;
+}
+
+Vector GetPoint(const TupleView& points, std::size_t point)
+{
+  const auto get = [&](auto zero)
+  {
+    const auto* const x = static_cast<const decltype(zero)*>(points.Values) + 3 * point;
+    return Vector{ x[0], x[1], x[2] };
+  };
+  return points.Type == ScalarType::Float32 ? get(float{}) : get(double{});
+}
+
+/** The coordinates of crossings; at the end of an edge exactly those of the point there, so that
+ * all edges that end there have the same. */
+template <typename T>
+void Locate(const TupleView& points, std::span<const Crossing> crossings, T* to)
+{
+  for (const Crossing& crossing : crossings)
+  {
+    const Vector low = GetPoint(points, crossing.Low);
+    const Vector high = GetPoint(points, crossing.High);
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      *to++ = static_cast<T>(
+        crossing.Part == 1 ? high[axis] : low[axis] + crossing.Part * (high[axis] - low[axis]));
+    }
+  }
+}
+
+Vector Subtract(const Vector& a, const Vector& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+Vector Cross(const Vector& a, const Vector& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+/** Six times the gradient of what is linear in a tetrahedron, times the volume. */
+Vector GetGradient(const SurfaceInput& input, std::uint32_t cell)
+{
+  std::array<Vector, 4> x;
+  std::array<double, 4> s;
+  for (unsigned i = 0; i < 4; ++i)
+  {
+    const auto place = 4 * std::size_t{ cell } + i;
+    const auto id = input.Mesh.WideIds
+      ? static_cast<std::size_t>(static_cast<const std::int64_t*>(input.Mesh.Connectivity)[place])
+      : static_cast<std::size_t>(static_cast<const std::int32_t*>(input.Mesh.Connectivity)[place]);
+    x[i] = GetPoint(input.Points, id);
+    s[i] = input.Mesh.WideValues ? static_cast<const double*>(input.Mesh.Values)[id]
+                                 : static_cast<const float*>(input.Mesh.Values)[id];
+  }
+  const Vector a = Subtract(x[1], x[0]);
+  const Vector b = Subtract(x[2], x[0]);
+  const Vector c = Subtract(x[3], x[0]);
+  const Vector bc = Cross(b, c);
+  const Vector ca = Cross(c, a);
+  const Vector ab = Cross(a, b);
+  // The gradient is this divided by six times the volume, which has the sign of the orientation.
+  const double sign = a[0] * bc[0] + a[1] * bc[1] + a[2] * bc[2] < 0 ? -1 : 1;
+  Vector sum{};
+  for (unsigned axis = 0; axis < 3; ++axis)
+  {
+    sum[axis] =
+      sign * ((s[1] - s[0]) * bc[axis] + (s[2] - s[0]) * ca[axis] + (s[3] - s[0]) * ab[axis]);
+  }
+  return sum;
+}
+
+std::vector<Vector> AddGradients(const SurfaceInput& input, const MarchedSurface& surface)
+{
+  std::vector<Vector> sums(surface.Points.size(), Vector{});
+  for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
+  {
+    const Vector gradient = GetGradient(input, surface.Cells[i]);
+    // Of the two triangles of a section with four corners, the second one adds to its own only.
+    const bool second = i > 0 && surface.Cells[i] == surface.Cells[i - 1];
+    for (const std::uint32_t point : surface.Triangles[i])
+    {
+      const auto& before = surface.Triangles[i - (second ? 1 : 0)];
+      if (!second || std::find(before.begin(), before.end(), point) == before.end())
+      {
+        for (unsigned axis = 0; axis < 3; ++axis)
+        {
+          sums[point][axis] += gradient[axis];
+        }
+      }
+    }
+  }
+  return sums;
+}
+}
+
+//------------------------------------------------------------------------------
+SurfacePart MakeSurfacePart(
+  const SurfaceInput& input, const SurfaceOptions& options, std::uint64_t first, std::uint64_t last)
+{
+  MarchedSurface marched = March(input.Mesh, first, last, options.Values);
+  SurfacePart part;
+  part.NumberOfPoints = marched.Points.size();
+  part.Points.resize(3 * SizeOf(options.CoordinateType) * marched.Points.size());
+  if (options.CoordinateType == ScalarType::Float32)
+  {
+    Locate(input.Points, marched.Points, reinterpret_cast<float*>(part.Points.data()));
+  }
+  else
+  {
+    Locate(input.Points, marched.Points, reinterpret_cast<double*>(part.Points.data()));
+  }
+  for (const TupleView& array : input.PointArrays)
+  {
+    part.PointArrays.push_back(Interpolate(array, marched.Points));
+  }
+  for (const TupleView& array : input.CellArrays)
+  {
+    part.CellArrays.push_back(Gather(array, marched.Cells));
+  }
+  if (options.Normals)
+  {
+    part.Gradients = AddGradients(input, marched);
+  }
+  part.Triangles = std::move(marched.Triangles);
+  return part;
+}
+
+//------------------------------------------------------------------------------
+std::vector<SurfacePart> MakeSurfaceParts(const SurfaceInput& input, const SurfaceOptions& options,
+  std::uint64_t tets, const std::function<bool(double)>& progress)
+{
+  const auto count = static_cast<std::size_t>((tets + TetsPerPart - 1) / TetsPerPart);
+  std::vector<SurfacePart> parts(count);
+  ParallelFor(
+    count,
+    [&](std::size_t i)
+    {
+      parts[i] = MakeSurfacePart(
+        input, options, i * TetsPerPart, std::min<std::uint64_t>(tets, (i + 1) * TetsPerPart));
+    },
+    progress);
+  return parts;
+}
+
+//------------------------------------------------------------------------------
+void SetMarchValues(MarchInput& mesh, const TupleView& array, std::size_t tuples, int component,
+  std::vector<double>& converted)
+{
+  const int wanted = array.Components == 1 ? 0 : component;
+  if (array.Components == 1 && IsFloating(array.Type))
+  {
+    mesh.Values = array.Values;
+    mesh.WideValues = array.Type == ScalarType::Float64;
+    return;
+  }
+  converted.resize(tuples);
+  WithComponent(array.Type, array.Values, array.Components, wanted,
+    [&](auto&& getValue)
+    {
+      for (std::size_t i = 0; i < tuples; ++i)
+      {
+        converted[i] = getValue(i);
+      }
+    });
+  mesh.Values = converted.data();
+  mesh.WideValues = true;
+}
+}
