@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunStrips.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <unordered_map>
 
@@ -34,47 +35,64 @@ public:
     }
     const auto strip = static_cast<std::uint32_t>(this->Strips.size());
     this->Strips.push_back({ triangle[0], triangle[1], triangle[2] });
-    for (unsigned i = 0; i < 3; ++i)
-    {
-      this->Ends.emplace(MakeEdge(triangle[i], triangle[(i + 1) % 3]), strip);
-    }
+    EachEnd(this->Strips.back(), [&](std::uint64_t edge) { this->Ends.emplace(edge, strip); });
   }
 
   std::vector<std::vector<std::uint32_t>> Strips;
 
 private:
-  /** Adds the triangle a, b, c to a strip that has the edge b, a at its end. */
+  using Strip = std::vector<std::uint32_t>;
+
+  /** Adds the triangle a, b, c to a strip that ends at the edge b, a. */
   void Extend(std::uint32_t number, std::uint32_t a, std::uint32_t b, std::uint32_t c)
   {
-    auto& strip = this->Strips[number];
+    Strip& strip = this->Strips[number];
+    this->EachEnd(strip, [&](std::uint64_t edge) { this->Forget(edge, number); });
     if (strip.size() == 3)
     {
       // The first triangle can be turned so that it goes on at any edge.
-      std::array<std::uint32_t, 3> first = { strip[0], strip[1], strip[2] };
-      for (unsigned i = 0; i < 3; ++i)
+      while (strip[1] != b || strip[2] != a)
       {
-        this->Forget(first[i], first[(i + 1) % 3], number);
+        std::rotate(strip.begin(), strip.begin() + 1, strip.end());
       }
-      while (first[1] != b || first[2] != a)
-      {
-        first = { first[1], first[2], first[0] };
-      }
-      strip.assign(first.begin(), first.end());
     }
-    else
+    else if (this->GetTail(strip) != MakeEdge(b, a))
     {
-      this->Forget(b, a, number);
+      std::reverse(strip.begin(), strip.end());
     }
-    // The new triangle goes on where its last two points are, in the direction that it has there.
-    const bool odd = strip.size() % 2 == 1;
     strip.push_back(c);
-    const std::uint32_t before = strip[strip.size() - 2];
-    this->Ends.emplace(odd ? MakeEdge(c, before) : MakeEdge(before, c), number);
+    this->EachEnd(strip, [&](std::uint64_t edge) { this->Ends.emplace(edge, number); });
   }
 
-  void Forget(std::uint32_t from, std::uint32_t to, std::uint32_t strip)
+  /** The edge that the strip goes on at, in the direction that it has in the last triangle. */
+  static std::uint64_t GetTail(const Strip& strip)
   {
-    const auto end = this->Ends.find(MakeEdge(from, to));
+    const std::uint32_t last = strip.back();
+    const std::uint32_t before = strip[strip.size() - 2];
+    return strip.size() % 2 == 1 ? MakeEdge(before, last) : MakeEdge(last, before);
+  }
+
+  /** Calls use(edge) for all edges at which a strip can go on. */
+  template <typename Use>
+  static void EachEnd(const Strip& strip, Use&& use)
+  {
+    if (strip.size() == 3)
+    {
+      use(MakeEdge(strip[0], strip[1]));
+      use(MakeEdge(strip[1], strip[2]));
+      use(MakeEdge(strip[2], strip[0]));
+      return;
+    }
+    use(GetTail(strip));
+    if (strip.size() % 2 == 0)
+    {
+      use(MakeEdge(strip[0], strip[1])); // as it may be turned round: fronts stay where they are
+    }
+  }
+
+  void Forget(std::uint64_t edge, std::uint32_t strip)
+  {
+    const auto end = this->Ends.find(edge);
     if (end != this->Ends.end() && end->second == strip)
     {
       this->Ends.erase(end);

@@ -31,6 +31,8 @@ void AddStudyPrefilter(CLI::App& app);
 void AddSimplify(CLI::App& app);
 void AddSimplifyIntegrated(CLI::App& app);
 void AddSimplifyPicture(CLI::App& app);
+void AddSurface(CLI::App& app);
+void AddSurfaceMemory(CLI::App& app);
 
 /** Prints the JSON object that fill makes. */
 template <typename Fill>

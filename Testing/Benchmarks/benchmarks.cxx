@@ -38,6 +38,8 @@ int main(int argc, char* argv[])
   bench::AddSimplify(app);
   bench::AddSimplifyIntegrated(app);
   bench::AddSimplifyPicture(app);
+  bench::AddSurface(app);
+  bench::AddSurfaceMemory(app);
   bench::AddSizes(app);
   bench::AddThreads(app);
   try
