@@ -82,7 +82,8 @@ bool IsKnown(FourCC name)
 {
   return name == SectionMeta || name == SectionMesh || name == SectionTable ||
     name == SectionValues || name == SectionStep || name == SectionTree || name == SectionMerges ||
-    name == SectionTreeStep || name == SectionLevel || name == SectionDirectory;
+    name == SectionTreeStep || name == SectionLevel || name == SectionLayers ||
+    name == SectionDirectory;
 }
 
 bool IsReadable(const SectionRef& section)

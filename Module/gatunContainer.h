@@ -38,6 +38,7 @@ constexpr FourCC SectionTree = MakeFourCC("TREE");      // how the mesh becomes 
 constexpr FourCC SectionMerges = MakeFourCC("MERG");    // the stream of that
 constexpr FourCC SectionTreeStep = MakeFourCC("TRNG");  // what values that leads to, for one step
 constexpr FourCC SectionLevel = MakeFourCC("LEVL");     // a simpler mesh, a file in the file
+constexpr FourCC SectionLayers = MakeFourCC("LAYR");    // by which values chunks were made
 constexpr FourCC SectionDirectory = MakeFourCC("DIRY"); // where the sections are
 
 constexpr std::uint16_t SectionVersion = 1;
@@ -46,6 +47,7 @@ constexpr std::uint16_t FlagMandatory = 1; // a reader that does not know the se
 // The minor version of files that have just what every reader knows, and of those with more.
 constexpr std::uint16_t MinorVersionPlain = 0;
 constexpr std::uint16_t MinorVersionWithTree = 1;
+constexpr std::uint16_t MinorVersionWithLayers = 2;
 
 std::uint64_t Checksum(std::span<const std::uint8_t> bytes);
 

@@ -75,6 +75,7 @@ void FileReader::Internals::Read()
     }
     this->Domains[axis] = Domain(this->Meta.CoordinateType, palette);
   }
+  this->ReadLayers();
   this->ReadTree();
 }
 
@@ -473,6 +474,7 @@ bool FileReader::Verify(const std::function<bool(double)>& progress) const
     {
       this->GetFieldData(step);
     }
+    this->Self->CheckLayers();
     VerifyStreams(*this, [&](double done) { return !progress || progress(0.1 + 0.9 * done); });
     if (this->HasMergeTree())
     {

@@ -3,12 +3,14 @@
 #define gatunFileReader_h
 
 #include "gatunFieldData.h"
+#include "gatunLayers.h"
 #include "gatunMergeTree.h"
 #include "gatunTypes.h"
 #include "vtkGatunCoreModule.h"
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -66,6 +68,15 @@ public:
   /** Bytes of the mesh and of each array (of the step) that a chunk alone takes in the file. */
   std::uint64_t GetChunkMeshBytes(std::size_t chunk) const;
   std::uint64_t GetChunkArrayBytes(std::size_t chunk, std::size_t array, std::size_t step) const;
+
+  /** Bytes of the mesh and of arrays (at a step, without those before it) that some chunks take,
+   * with what they need of the points that they share with others. */
+  std::uint64_t GetPieceBytes(std::span<const std::uint32_t> chunks,
+    std::span<const std::uint32_t> arrays, std::size_t step) const;
+
+  /** By which values the file is organised, if it is. */
+  bool HasLayers() const;
+  const Layers& GetLayers() const; ///< without bounds and chunks if it is not
 
   /** Whether the file tells how its mesh becomes simpler. */
   bool HasMergeTree() const;

@@ -5,6 +5,7 @@
 #include "gatunContainer.h"
 #include "gatunFileReader.h"
 #include "gatunGeometry.h"
+#include "gatunLayers.h"
 #include "gatunTables.h"
 #include "gatunTreeTable.h"
 
@@ -64,6 +65,9 @@ public:
       !this->Steps[step - 1].Arrays[array].HasPalette();
   }
 
+  /** Throws unless the chunks' values, at the first step, are in the layers that they should be. */
+  void CheckLayers() const;
+
   /** The name of a base mesh in messages. */
   static std::string GetLevelName(std::size_t level)
   {
@@ -77,6 +81,8 @@ public:
   std::vector<double> Times;
   std::vector<ChunkInfo> Chunks;
   PointDomain Domains;
+  bool LayersAreKnown = false;
+  Layers LayersOfChunks;
   std::optional<TreeTable> Tree;
   std::vector<TreeStepTable> TreeSteps;
   std::vector<StreamRef> Levels;
@@ -85,6 +91,7 @@ private:
   std::uint64_t StepBytes = 0; // of the tables of all steps, unpacked
 
   void Read();
+  void ReadLayers();
   void ReadTree();
   void CheckLevel(const Internals& whole, std::size_t level) const;
   void AddStepBytes(std::span<const std::uint8_t> packed);

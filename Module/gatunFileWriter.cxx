@@ -5,6 +5,8 @@
 #include "gatunBaseMesh.h"
 #include "gatunChunkCodec.h"
 #include "gatunFloatEnvironment.h"
+#include "gatunLayerPartition.h"
+#include "gatunLayerTable.h"
 #include "gatunMergeCodec.h"
 #include "gatunPalette.h"
 #include "gatunParallel.h"
@@ -158,6 +160,39 @@ void Extend(ArrayRanges& all, const ArrayRanges& part)
   }
 }
 
+void CheckLayers(
+  const MeshInput& mesh, const std::vector<ArrayDescription>& arrays, const LayerRequest& layers)
+{
+  const auto refuse = [](const std::string& what) { throw Error(ErrorCode::InvalidInput, what); };
+  if (layers.Array >= arrays.size())
+  {
+    refuse("the array that layers are to be made of is not there");
+  }
+  const auto& array = arrays[layers.Array];
+  if (array.Where != Association::Point)
+  {
+    refuse("layers need a point array, and '" + array.Name + "' is one of cells");
+  }
+  if (layers.Component >= GetRangeCount(array.Components))
+  {
+    refuse("array '" + array.Name + "' has no component " + std::to_string(layers.Component) +
+      " to make layers of");
+  }
+  if (layers.Count > MaxLayers)
+  {
+    refuse("there must be from 1 to " + std::to_string(MaxLayers) + " layers, not " +
+      std::to_string(layers.Count));
+  }
+  if (layers.Spacing < LayerSpacing::Uniform || layers.Spacing > LayerSpacing::Histogram)
+  {
+    refuse("the spacing of the layers is unknown");
+  }
+  if (mesh.Points > 0 && !layers.Values)
+  {
+    refuse("layers need the values of array '" + array.Name + "'");
+  }
+}
+
 void CheckInput(
   const MeshInput& mesh, const std::vector<ArrayDescription>& arrays, const WriterOptions& options)
 {
@@ -190,6 +225,10 @@ void CheckInput(
   if (options.Levels > 0 && !options.Tree)
   {
     refuse("base meshes need a tree of merges");
+  }
+  if (options.Layers)
+  {
+    CheckLayers(mesh, arrays, *options.Layers);
   }
   for (const auto& array : arrays)
   {
@@ -231,7 +270,9 @@ public:
 private:
   static std::uint16_t GetMinorVersion(const WriterOptions& options)
   {
-    return options.Tree ? MinorVersionWithTree : MinorVersionPlain;
+    return options.Layers ? MinorVersionWithLayers
+      : options.Tree      ? MinorVersionWithTree
+                          : MinorVersionPlain;
   }
 
   void Describe(const std::vector<ArrayDescription>& arrays)
@@ -245,6 +286,7 @@ private:
     this->Meta.WideIds = mesh.WideIds;
     this->Meta.Keep = options.Keep;
     this->Meta.ChunkTets = options.ChunkTets != 0 ? options.ChunkTets
+      : options.Layers                            ? GetDefaultLayerChunk(mesh.Tets)
       : mesh.Tets > LargeMesh                     ? 262144
                                                   : 65536;
     this->Meta.KeyStepInterval = options.KeyStepInterval;
@@ -280,6 +322,7 @@ private:
   void BeginLevels(const Progress& progress);
   void WriteLevelSteps(std::span<const void* const> values, bool hasTime, double time);
   std::vector<std::uint32_t> GetPointOrder() const;
+  void CheckLayers(const StepTable& step) const;
   void WriteTables();
 
   std::span<const std::uint32_t> GetBlockPoints(std::size_t block) const
@@ -303,6 +346,7 @@ private:
   Partition Parts;
   PointDomain Domains;
   std::vector<ChunkState> Chunks;
+  std::optional<LayerPartition> Layers;
   std::optional<TreeLayout> Layout;
   TreeTable Tree;
   std::vector<std::unique_ptr<Level>> Levels;
@@ -502,7 +546,14 @@ void FileWriter::Internals::WriteBlock(
 void FileWriter::Internals::WriteMesh(const Progress& progress)
 {
   const auto& input = this->Mesh.GetMesh();
-  this->Parts = MakePartition(this->Mesh, this->Meta.ChunkTets, progress);
+  if (this->Options.Layers)
+  {
+    this->Layers.emplace();
+    this->Layers->Request = *this->Options.Layers;
+    this->Layers->Array = this->Meta.Arrays[this->Layers->Request.Array];
+  }
+  this->Parts = MakePartition(
+    this->Mesh, this->Meta.ChunkTets, progress, this->Layers ? &*this->Layers : nullptr);
   this->Meta.UnusedPoints = this->Parts.UnusedPoints.size();
   this->Table.Blocks = std::move(this->Parts.Blocks);
   this->Table.Unused.Points = this->Meta.UnusedPoints;
@@ -708,6 +759,14 @@ void FileWriter::Internals::BeginLevels(const Progress& progress)
     level->Options.Keep = KeepNone;
     level->Options.Levels = 0;
     level->Options.Tree = &level->Mesh.GetTree();
+    Bytes layerValues; // only while the level is made
+    if (level->Options.Layers)
+    {
+      const auto& array = this->Meta.Arrays[level->Options.Layers->Array];
+      layerValues = level->Mesh.Gather(
+        level->Options.Layers->Values, Association::Point, array.Components * SizeOf(array.Type));
+      level->Options.Layers->Values = layerValues.data();
+    }
     level->File = std::make_unique<Internals>(*this, level->Mesh.GetInput(), level->Options);
     level->File->WriteMesh([&](double) { return !progress || progress(1); });
     tets = level->File->Meta.Tets;
@@ -921,6 +980,10 @@ void FileWriter::Internals::WriteStep(std::span<const void* const> values, const
   batch.Write(this->File, SectionValues);
   this->WriteBlockValues(inputs, step);
   this->WriteChunkValues(inputs, step, progress);
+  if (this->Steps == 0 && this->Layers)
+  {
+    this->CheckLayers(step);
+  }
   this->File.AddSection(SectionStep, step.Write());
   if (this->Layout)
   {
@@ -940,9 +1003,28 @@ void FileWriter::Internals::WriteStep(std::span<const void* const> values, const
   ++this->Steps;
 }
 
+/** Throws unless the chunks' values at the first step are in the layers that they were made for. */
+void FileWriter::Internals::CheckLayers(const StepTable& step) const
+{
+  const auto& layers = this->Layers->Result;
+  const auto& ranges = step.Arrays[layers.Array].ChunkRanges;
+  for (std::size_t c = 0; c < ranges.size(); ++c)
+  {
+    if (!IsInside(layers, layers.Chunks[c], ranges[c][layers.Component]))
+    {
+      throw Error(ErrorCode::InvalidInput,
+        "array '" + this->Layers->Array.Name + "' has other values than the layers were made of");
+    }
+  }
+}
+
 void FileWriter::Internals::WriteTables()
 {
   this->File.AddSection(SectionTable, this->Table.Write(this->Options.Keep));
+  if (this->Layers)
+  {
+    this->File.AddSection(SectionLayers, WriteLayers(this->Layers->Result), 0);
+  }
   if (this->Layout)
   {
     const auto bytes = this->Tree.Write();

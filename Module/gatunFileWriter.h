@@ -3,12 +3,14 @@
 #define gatunFileWriter_h
 
 #include "gatunFieldData.h"
+#include "gatunLayers.h"
 #include "gatunMergeTree.h"
 #include "gatunTypes.h"
 #include "vtkGatunCoreModule.h"
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,7 +32,8 @@ struct WriterOptions
 {
   std::uint8_t Keep = KeepNone; ///< which original order to keep: flags of KeepOrder
 
-  /** Tetrahedra a chunk at most, 64 to 1048576; 0: 65536, or 262144 for over 10 million tets. */
+  /** Tetrahedra a chunk at most, 64 to 1048576; 0: 65536, or 262144 for over 10 million tets; with
+   * layers 16384. */
   std::uint32_t ChunkTets = 0;
 
   /** Every how many time steps one is coded without its predecessor, 1 or more. */
@@ -46,6 +49,9 @@ struct WriterOptions
   /** How many base meshes to store at most: with a half of the points, a quarter and so on, down to
    * some 20,000 tetrahedra. They need a tree. */
   unsigned Levels = 0;
+
+  /** To organise the file, and its base meshes, by layers of an array's values. */
+  std::optional<LayerRequest> Layers;
 };
 
 /**

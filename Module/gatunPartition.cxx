@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunPartition.h"
 
+#include "gatunLayerPartition.h"
 #include "gatunMorton.h"
 #include "gatunParallel.h"
 
@@ -108,20 +109,50 @@ std::size_t Halve(
   return middle;
 }
 
-void CutIntoChunks(const MeshAccess& mesh, std::uint32_t chunkTets, Partition& out,
-  const std::function<bool(double)>& progress)
+// Buckets of layers with less than this part of a chunk are joined with others.
+const std::uint32_t SmallestPart = getenv("GTN_PART") ? std::stoi(getenv("GTN_PART")) : 4;
+
+/** All tetrahedra as one bucket. */
+LayerBuckets MakeOneBucket(const MeshAccess& mesh)
 {
-  const auto count = static_cast<std::size_t>(mesh.GetMesh().Tets);
+  LayerBuckets all;
+  all.Tets.resize(static_cast<std::size_t>(mesh.GetMesh().Tets));
+  std::iota(all.Tets.begin(), all.Tets.end(), 0u);
+  all.Start.assign(1, 0);
+  if (!all.Tets.empty())
+  {
+    all.Start.push_back(all.Tets.size());
+  }
+  return all;
+}
+
+/** Finds the layers and what is in them. */
+LayerBuckets MakeBuckets(const MeshAccess& mesh, std::uint32_t chunkTets, LayerPartition& layers)
+{
+  const LayerValues values(layers.Array, layers.Request);
+  layers.Result.Array = layers.Request.Array;
+  layers.Result.Component = layers.Request.Component;
+  layers.Result.Spacing = layers.Request.Spacing;
+  layers.Result.Bounds = FindLayerBounds(mesh, values, layers.Request.Spacing,
+    layers.Request.Count > 0 ? layers.Request.Count : GetDefaultLayers(mesh.GetMesh().Tets));
+  return SortByLayers(mesh, values, layers.Result, chunkTets / SmallestPart);
+}
+
+void CutIntoChunks(const MeshAccess& mesh, std::uint32_t chunkTets, LayerBuckets buckets,
+  Partition& out, const std::function<bool(double)>& progress)
+{
+  const auto count = buckets.Tets.size();
   std::vector<Centroid> items(count);
   for (std::size_t i = 0; i < count; ++i)
   {
-    items[i] = { 0, static_cast<std::uint32_t>(i) };
+    items[i] = { 0, buckets.Tets[i] };
   }
   std::vector<Part> parts;
-  if (count > 0)
+  for (std::size_t i = 0; i + 1 < buckets.Start.size(); ++i)
   {
-    parts.push_back({ 0, count });
+    parts.push_back({ buckets.Start[i], buckets.Start[i + 1] });
   }
+  buckets = {};
   for (bool cut = true; cut;)
   {
     std::vector<std::size_t> middles(parts.size(), 0);
@@ -296,8 +327,8 @@ void GroupShared(const MeshAccess& mesh, const std::vector<Use>& uses, Partition
 }
 }
 
-Partition MakePartition(
-  const MeshAccess& mesh, std::uint32_t chunkTets, const std::function<bool(double)>& progress)
+Partition MakePartition(const MeshAccess& mesh, std::uint32_t chunkTets,
+  const std::function<bool(double)>& progress, LayerPartition* layers)
 {
   const auto& input = mesh.GetMesh();
   constexpr std::uint64_t most = 0xfffffff0u;
@@ -307,7 +338,20 @@ Partition MakePartition(
   }
   CheckIds(mesh);
   Partition result;
-  CutIntoChunks(mesh, chunkTets, result, progress);
+  CutIntoChunks(mesh, chunkTets,
+    layers ? MakeBuckets(mesh, chunkTets, *layers) : MakeOneBucket(mesh), result, progress);
+  if (layers)
+  {
+    const LayerValues values(layers->Array, layers->Request);
+    layers->Result.Chunks.resize(result.GetChunkCount());
+    ParallelFor(result.GetChunkCount(),
+      [&](std::size_t c)
+      {
+        layers->Result.Chunks[c] = FindLayerSpan(mesh, values, layers->Result,
+          std::span(result.Tets)
+            .subspan(result.ChunkStart[c], result.ChunkStart[c + 1] - result.ChunkStart[c]));
+      });
+  }
   GroupShared(mesh, FindShared(mesh, result), result);
   for (std::uint32_t p = 0; p < input.Points; ++p)
   {

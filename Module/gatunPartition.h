@@ -5,6 +5,7 @@
 // Cuts a mesh into chunks and finds the points that they share.
 
 #include "gatunFileWriter.h"
+#include "gatunLayers.h"
 #include "gatunTables.h"
 
 #include <algorithm>
@@ -81,13 +82,21 @@ struct Partition
   std::size_t GetChunkCount() const { return this->ChunkStart.size() - 1; }
 };
 
+/** By which values a mesh is cut, and what comes out of that. */
+struct LayerPartition
+{
+  ArrayDescription Array;
+  LayerRequest Request;
+  Layers Result;
+};
+
 /**
  * Halves the tetrahedra along the longest axis of their centroids until no part has more than
- * chunkTets. The same result for any number of threads. Throws InvalidInput if a tetrahedron names
- * a point that is not there.
+ * chunkTets; with layers, those of each bucket of layers by themselves. The same result for any
+ * number of threads. Throws InvalidInput if a tetrahedron names a point that is not there.
  */
-Partition MakePartition(
-  const MeshAccess& mesh, std::uint32_t chunkTets, const std::function<bool(double)>& progress);
+Partition MakePartition(const MeshAccess& mesh, std::uint32_t chunkTets,
+  const std::function<bool(double)>& progress, LayerPartition* layers = nullptr);
 }
 
 #endif

@@ -1,0 +1,389 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunLayerPartition.h"
+
+#include "gatunParallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+namespace gatun
+{
+namespace
+{
+constexpr std::uint64_t ItemsPerTask = 1u << 16;
+
+// Tetrahedra that the histogram is made of, at most.
+constexpr std::uint64_t MostSamples = 1u << 20;
+
+// Joining takes time that grows with the square of the number of buckets.
+constexpr std::size_t ManyBuckets = 4096;
+
+//------------------------------------------------------------------------------
+/** Calls body with the first and the last but one of some items, in parallel. */
+template <typename Body>
+void ForTasks(std::uint64_t items, Body&& body)
+{
+  ParallelFor(static_cast<std::size_t>((items + ItemsPerTask - 1) / ItemsPerTask),
+    [&](std::size_t task)
+    { body(task, task * ItemsPerTask, std::min(items, (task + 1) * ItemsPerTask)); });
+}
+
+//------------------------------------------------------------------------------
+/** Of the finite values of all points. */
+struct Moments
+{
+  Range Values;
+  double Mean = 0;
+  double Deviation = 0;
+};
+
+/** What sums up to mean and deviation. */
+struct Sums
+{
+  double Count = 0;
+  double First = 0;
+  double Second = 0;
+};
+
+Moments FindMoments(const MeshAccess& mesh, const LayerValues& values)
+{
+  const std::uint64_t points = mesh.GetMesh().Points;
+  std::vector<Range> ranges(static_cast<std::size_t>(points / ItemsPerTask + 1),
+    { std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() });
+  ForTasks(points,
+    [&](std::size_t task, std::uint64_t begin, std::uint64_t end)
+    {
+      for (auto p = begin; p < end; ++p)
+      {
+        const double value = values.Get(p);
+        if (std::isfinite(value))
+        {
+          ranges[task].Min = std::min(ranges[task].Min, value);
+          ranges[task].Max = std::max(ranges[task].Max, value);
+        }
+      }
+    });
+  Moments result;
+  result.Values = ranges[0];
+  for (const Range& range : ranges)
+  {
+    result.Values.Min = std::min(result.Values.Min, range.Min);
+    result.Values.Max = std::max(result.Values.Max, range.Max);
+  }
+  // Relative to the largest one, so that no sum overflows.
+  const double scale = std::max(std::abs(result.Values.Min), std::abs(result.Values.Max));
+  if (!(scale > 0) || !std::isfinite(scale))
+  {
+    return result;
+  }
+  std::vector<Sums> sums(ranges.size());
+  ForTasks(points,
+    [&](std::size_t task, std::uint64_t begin, std::uint64_t end)
+    {
+      for (auto p = begin; p < end; ++p)
+      {
+        const double value = values.Get(p) / scale;
+        if (std::isfinite(value))
+        {
+          sums[task].Count += 1;
+          sums[task].First += value;
+          sums[task].Second += value * value;
+        }
+      }
+    });
+  Sums all;
+  for (const Sums& part : sums)
+  {
+    all.Count += part.Count;
+    all.First += part.First;
+    all.Second += part.Second;
+  }
+  const double mean = all.First / all.Count;
+  result.Mean = scale * mean;
+  result.Deviation = scale * std::sqrt(std::max(0.0, all.Second / all.Count - mean * mean));
+  return result;
+}
+
+//------------------------------------------------------------------------------
+/** Where the standard normal distribution has this part of it below. */
+double FindNormalQuantile(double part)
+{
+  double low = -10;
+  double high = 10;
+  for (int i = 0; i < 60; ++i)
+  {
+    const double middle = (low + high) / 2;
+    (0.5 * std::erfc(-middle / std::numbers::sqrt2) < part ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+//------------------------------------------------------------------------------
+/** A number that looks random, always the same for the same seed. */
+std::uint64_t Scramble(std::uint64_t seed)
+{
+  seed += 0x9e3779b97f4a7c15u;
+  seed = (seed ^ (seed >> 30)) * 0xbf58476d1ce4e5b9u;
+  seed = (seed ^ (seed >> 27)) * 0x94d049bb133111ebu;
+  return seed ^ (seed >> 31);
+}
+
+/** The values in the middle of tetrahedra, of all or of some spread evenly, ascending. */
+std::vector<double> SampleMiddles(const MeshAccess& mesh, const LayerValues& values)
+{
+  const std::uint64_t tets = mesh.GetMesh().Tets;
+  const std::uint64_t count = std::min(tets, MostSamples);
+  std::vector<double> middles(static_cast<std::size_t>(count));
+  ForTasks(count,
+    [&](std::size_t, std::uint64_t begin, std::uint64_t end)
+    {
+      for (auto i = begin; i < end; ++i)
+      {
+        // One out of each run of tetrahedra, but not always the same of them.
+        const std::uint64_t first = tets * i / count;
+        const std::uint64_t run = tets * (i + 1) / count - first;
+        const Range range = values.GetRange(mesh, first + Scramble(i) % run);
+        middles[static_cast<std::size_t>(i)] = range.Min / 2 + range.Max / 2;
+      }
+    });
+  std::erase_if(middles, [](double value) { return !std::isfinite(value); });
+  std::sort(middles.begin(), middles.end());
+  return middles;
+}
+
+//------------------------------------------------------------------------------
+/** Tetrahedra of the same layers. */
+struct Bucket
+{
+  LayerSpan Span;
+  std::size_t Tets = 0;
+  std::uint32_t JoinedTo = 0; // itself unless it was joined
+};
+
+double GetWidth(const LayerSpan& span)
+{
+  return 1.0 + (span.Last - span.First);
+}
+
+LayerSpan Join(const LayerSpan& a, const LayerSpan& b)
+{
+  return { std::min(a.First, b.First), std::max(a.Last, b.Last) };
+}
+
+/** Tetrahedra that are read in vain, over all layers, if these two are one. */
+double GetCost(const Bucket& a, const Bucket& b)
+{
+  const double width = GetWidth(Join(a.Span, b.Span));
+  return static_cast<double>(a.Tets) * (width - GetWidth(a.Span)) +
+    static_cast<double>(b.Tets) * (width - GetWidth(b.Span));
+}
+
+void Join(std::vector<Bucket>& buckets, std::size_t from, std::size_t to)
+{
+  buckets[to].Span = Join(buckets[to].Span, buckets[from].Span);
+  buckets[to].Tets += buckets[from].Tets;
+  buckets[from].Tets = 0;
+  buckets[from].JoinedTo = static_cast<std::uint32_t>(to);
+}
+
+/** Joins the buckets that begin in the same layer while they are small. They come sorted. */
+void JoinRows(std::vector<Bucket>& buckets, std::size_t smallest)
+{
+  std::size_t open = 0;
+  for (std::size_t i = 1; i < buckets.size(); ++i)
+  {
+    if (buckets[i].Span.First == buckets[open].Span.First && buckets[open].Tets < smallest &&
+      buckets[i].Tets < smallest)
+    {
+      Join(buckets, i, open);
+    }
+    else
+    {
+      open = i;
+    }
+  }
+}
+
+/** Joins what is too small, the smallest first, with what costs least. */
+void JoinSmall(std::vector<Bucket>& buckets, std::size_t smallest)
+{
+  std::vector<std::size_t> left;
+  for (std::size_t i = 0; i < buckets.size(); ++i)
+  {
+    if (buckets[i].Tets > 0)
+    {
+      left.push_back(i);
+    }
+  }
+  while (left.size() > 1)
+  {
+    const auto least = std::min_element(left.begin(), left.end(),
+      [&](std::size_t a, std::size_t b) { return buckets[a].Tets < buckets[b].Tets; });
+    const std::size_t from = *least;
+    if (buckets[from].Tets >= smallest)
+    {
+      return;
+    }
+    left.erase(least);
+    const std::size_t to = *std::min_element(left.begin(), left.end(),
+      [&](std::size_t a, std::size_t b)
+      { return GetCost(buckets[from], buckets[a]) < GetCost(buckets[from], buckets[b]); });
+    Join(buckets, from, to);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::uint32_t GetDefaultLayers(std::uint64_t tets)
+{
+  return tets > 0 ? 32 : 1;
+}
+
+//------------------------------------------------------------------------------
+std::uint32_t GetDefaultLayerChunk(std::uint64_t)
+{
+  return 16384;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> FindLayerBounds(
+  const MeshAccess& mesh, const LayerValues& values, LayerSpacing spacing, std::uint32_t count)
+{
+  const Moments moments = FindMoments(mesh, values);
+  const Range& all = moments.Values;
+  if (!(all.Min < all.Max))
+  {
+    return {};
+  }
+  std::vector<double> middles;
+  if (spacing == LayerSpacing::Histogram)
+  {
+    middles = SampleMiddles(mesh, values);
+    if (middles.empty())
+    {
+      return {};
+    }
+  }
+  std::vector<double> bounds;
+  for (std::uint32_t i = 1; i < count; ++i)
+  {
+    const double part = static_cast<double>(i) / count;
+    const double bound = spacing == LayerSpacing::Uniform ? all.Min * (1 - part) + all.Max * part
+      : spacing == LayerSpacing::Normal
+      ? moments.Mean + moments.Deviation * FindNormalQuantile(part)
+      : middles[static_cast<std::size_t>(part * static_cast<double>(middles.size()))];
+    // Below the first bound and from the last one on there must be something.
+    const double last = bounds.empty() ? all.Min : bounds.back();
+    if (bound > last && bound <= all.Max && std::isfinite(bound))
+    {
+      bounds.push_back(bound);
+    }
+  }
+  return bounds;
+}
+
+//------------------------------------------------------------------------------
+LayerBuckets SortByLayers(
+  const MeshAccess& mesh, const LayerValues& values, const Layers& layers, std::size_t smallest)
+{
+  const auto tets = static_cast<std::size_t>(mesh.GetMesh().Tets);
+  const std::size_t count = layers.GetCount();
+  std::vector<std::uint32_t> places(tets); // first layer and last layer; then bucket
+  ForTasks(tets,
+    [&](std::size_t, std::uint64_t begin, std::uint64_t end)
+    {
+      for (auto t = begin; t < end; ++t)
+      {
+        const Range range = values.GetRange(mesh, t);
+        const std::size_t first = range.Min <= range.Max ? layers.Find(range.Min) : 0;
+        const std::size_t last = range.Min <= range.Max ? layers.Find(range.Max) : 0;
+        places[static_cast<std::size_t>(t)] = static_cast<std::uint32_t>(first * count + last);
+      }
+    });
+
+  std::vector<std::uint32_t> bucketOf(count * count);
+  for (const auto place : places)
+  {
+    ++bucketOf[place];
+  }
+  std::vector<Bucket> buckets;
+  for (std::size_t place = 0; place < bucketOf.size(); ++place)
+  {
+    if (const std::size_t here = bucketOf[place])
+    {
+      const auto number = static_cast<std::uint32_t>(buckets.size());
+      buckets.push_back(
+        { { static_cast<std::uint32_t>(place / count), static_cast<std::uint32_t>(place % count) },
+          here, number });
+      bucketOf[place] = number;
+    }
+  }
+  if (buckets.size() > ManyBuckets)
+  {
+    JoinRows(buckets, smallest);
+  }
+  JoinSmall(buckets, smallest);
+
+  // Those that are left, in the order of their layers.
+  std::vector<std::uint32_t> left;
+  for (std::uint32_t i = 0; i < buckets.size(); ++i)
+  {
+    if (buckets[i].JoinedTo == i)
+    {
+      left.push_back(i);
+    }
+  }
+  std::stable_sort(left.begin(), left.end(),
+    [&](std::uint32_t a, std::uint32_t b)
+    {
+      const LayerSpan& one = buckets[a].Span;
+      const LayerSpan& other = buckets[b].Span;
+      return one.First < other.First || (one.First == other.First && one.Last < other.Last);
+    });
+  LayerBuckets result;
+  result.Start.push_back(0);
+  std::vector<std::size_t> next(buckets.size());
+  for (const auto i : left)
+  {
+    next[i] = result.Start.back();
+    result.Start.push_back(next[i] + buckets[i].Tets);
+  }
+  const auto findRoot = [&](std::uint32_t i)
+  {
+    while (buckets[i].JoinedTo != i)
+    {
+      i = buckets[i].JoinedTo;
+    }
+    return i;
+  };
+  std::vector<std::uint32_t> roots(buckets.size());
+  for (std::uint32_t i = 0; i < buckets.size(); ++i)
+  {
+    roots[i] = findRoot(i);
+  }
+  result.Tets.resize(tets);
+  for (std::size_t t = 0; t < tets; ++t)
+  {
+    result.Tets[next[roots[bucketOf[places[t]]]]++] = static_cast<std::uint32_t>(t);
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+LayerSpan FindLayerSpan(const MeshAccess& mesh, const LayerValues& values, const Layers& layers,
+  std::span<const std::uint32_t> tets)
+{
+  Range all{ std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
+  for (const auto tet : tets)
+  {
+    const Range range = values.GetRange(mesh, tet);
+    all.Min = std::min(all.Min, range.Min);
+    all.Max = std::max(all.Max, range.Max);
+  }
+  return all.Min <= all.Max ? LayerSpan{ layers.Find(all.Min), layers.Find(all.Max) } : LayerSpan{};
+}
+}
