@@ -286,7 +286,6 @@ private:
     this->Meta.WideIds = mesh.WideIds;
     this->Meta.Keep = options.Keep;
     this->Meta.ChunkTets = options.ChunkTets != 0 ? options.ChunkTets
-      : options.Layers                            ? GetDefaultLayerChunk(mesh.Tets)
       : mesh.Tets > LargeMesh                     ? 262144
                                                   : 65536;
     this->Meta.KeyStepInterval = options.KeyStepInterval;

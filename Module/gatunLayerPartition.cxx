@@ -240,13 +240,13 @@ void JoinSmall(std::vector<Bucket>& buckets, std::size_t smallest)
 //------------------------------------------------------------------------------
 std::uint32_t GetDefaultLayers(std::uint64_t tets)
 {
-  return tets > 0 ? 32 : 1;
-}
-
-//------------------------------------------------------------------------------
-std::uint32_t GetDefaultLayerChunk(std::uint64_t)
-{
-  return 16384;
+  // Layers need some tetrahedra from one side to the other; with thinner ones nearly all points are
+  // shared by chunks, and so much larger a file is read that nothing is gained.
+  constexpr double tetsAcross = 40;
+  constexpr double fewest = 4;
+  constexpr double most = 64;
+  return static_cast<std::uint32_t>(
+    std::clamp(std::cbrt(static_cast<double>(tets)) / tetsAcross + 0.5, fewest, most));
 }
 
 //------------------------------------------------------------------------------

@@ -73,9 +73,6 @@ private:
 /** How many layers pay with a mesh of so many tetrahedra. */
 std::uint32_t GetDefaultLayers(std::uint64_t tets);
 
-/** Tetrahedra in a chunk of a file with layers, at most, unless somebody says otherwise. */
-std::uint32_t GetDefaultLayerChunk(std::uint64_t tets);
-
 /** Bounds of so many layers, or of fewer if some would be empty. */
 std::vector<double> FindLayerBounds(
   const MeshAccess& mesh, const LayerValues& values, LayerSpacing spacing, std::uint32_t count);

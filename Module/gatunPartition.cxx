@@ -110,7 +110,7 @@ std::size_t Halve(
 }
 
 // Buckets of layers with less than this part of a chunk are joined with others.
-const std::uint32_t SmallestPart = getenv("GTN_PART") ? std::stoi(getenv("GTN_PART")) : 4;
+constexpr std::uint32_t SmallestPart = 16;
 
 /** All tetrahedra as one bucket. */
 LayerBuckets MakeOneBucket(const MeshAccess& mesh)
