@@ -131,7 +131,8 @@ public:
   ///@{
   /**
    * How much memory decoded chunks of a file may take, in MiB, so that other isovalues need not
-   * decode them again. It has no influence on the output. Default: 64.
+   * decode them again; some of it is used within one update, too, for points that chunks share. It
+   * has no influence on the output. Default: 16; where values change at run time, 256 is better.
    */
   vtkSetClampMacro(CacheSize, int, 0, VTK_INT_MAX);
   vtkGetMacro(CacheSize, int);
@@ -172,7 +173,7 @@ protected:
   bool ComputeScalars = true;
   bool OutputStrips = false;
   int OutputPointsPrecision = DEFAULT_PRECISION;
-  int CacheSize = 64;
+  int CacheSize = 16;
 
 private:
   vtkGatunContour(const vtkGatunContour&) = delete;

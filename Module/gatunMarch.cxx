@@ -30,7 +30,11 @@ constexpr unsigned CountTriangles(unsigned inside)
 class EdgeTable
 {
 public:
-  EdgeTable() { this->Slots.resize(1u << 10, Slot{ 0, 0, 0, None }); }
+  /** Grows beyond so many. */
+  explicit EdgeTable(std::size_t expected)
+    : Slots(std::bit_ceil(2 * expected + 1), Slot{ 0, 0, 0, None })
+  {
+  }
 
   /** The place that was given to an edge and isovalue; a new one is next, and given to it. */
   std::uint32_t Find(std::uint32_t low, std::uint32_t high, std::uint32_t value, std::uint32_t next)
@@ -103,11 +107,12 @@ template <typename Id, typename Value>
 class Marcher
 {
 public:
-  Marcher(const MarchInput& mesh, std::span<const double> values)
+  Marcher(const MarchInput& mesh, std::uint64_t tets, std::span<const double> values)
     : Points(mesh.Points)
     , Connectivity(static_cast<const Id*>(mesh.Connectivity))
     , PointValues(static_cast<const Value*>(mesh.Values))
     , Isovalues(values)
+    , Found(static_cast<std::size_t>(tets / 8))
   {
   }
 
@@ -202,7 +207,7 @@ MarchedSurface March(
   const MarchInput& mesh, std::uint64_t first, std::uint64_t last, std::span<const double> values)
 {
   const auto march = [&]<typename Id, typename Value>(Id, Value)
-  { return Marcher<Id, Value>(mesh, values).March(first, last); };
+  { return Marcher<Id, Value>(mesh, last - first, values).March(first, last); };
   if (mesh.WideIds)
   {
     return mesh.WideValues ? march(std::int64_t{}, double{}) : march(std::int64_t{}, float{});

@@ -32,30 +32,33 @@ std::uint32_t Hash(const T* x)
   return static_cast<std::uint32_t>(hash);
 }
 
-/** Of each point, the first one with the same coordinates. */
+/** Finds for each point the first one with the same coordinates. */
 template <typename T>
 class Joiner
 {
 public:
   Joiner(const std::vector<SurfacePart>& parts, const std::vector<std::size_t>& first)
-    : Parts(parts)
-    , First(first)
+    : Points(3 * first.back())
     , Hashes(first.back())
     , Same(first.back())
   {
+    ParallelFor(parts.size(),
+      [&](std::size_t p)
+      {
+        if (parts[p].NumberOfPoints > 0)
+        {
+          std::memcpy(this->Points.data() + 3 * first[p], parts[p].Points.data(),
+            parts[p].NumberOfPoints * 3 * sizeof(T));
+        }
+        for (std::size_t i = first[p]; i < first[p + 1]; ++i)
+        {
+          this->Hashes[i] = Hash(this->Points.data() + 3 * i);
+        }
+      });
   }
 
   std::vector<std::uint32_t> Join()
   {
-    ParallelFor(this->Parts.size(),
-      [&](std::size_t p)
-      {
-        const T* const points = this->GetPoints(p);
-        for (std::size_t i = 0; i < this->Parts[p].NumberOfPoints; ++i)
-        {
-          this->Hashes[this->First[p] + i] = Hash(points + 3 * i);
-        }
-      });
     ParallelFor(Tables, [&](std::size_t table) { this->Fill(table); });
     return std::move(this->Same);
   }
@@ -63,56 +66,48 @@ public:
 private:
   static constexpr std::uint32_t None = 0xffffffffu;
 
-  const T* GetPoints(std::size_t part) const
+  struct Slot
   {
-    return reinterpret_cast<const T*>(this->Parts[part].Points.data());
-  }
+    std::uint32_t Hash;
+    std::uint32_t Point;
+  };
 
   static std::size_t GetTable(std::uint32_t hash) { return hash % Tables; }
 
-  const T* Find(std::uint32_t point) const
+  bool AreSame(std::size_t a, std::size_t b) const
   {
-    const auto part = static_cast<std::size_t>(
-      std::upper_bound(this->First.begin(), this->First.end(), point) - this->First.begin() - 1);
-    return this->GetPoints(part) + 3 * (point - this->First[part]);
+    const T* const x = this->Points.data() + 3 * a;
+    return std::equal(x, x + 3, this->Points.data() + 3 * b);
   }
 
   void Fill(std::size_t table)
   {
     const auto count = static_cast<std::size_t>(std::count_if(this->Hashes.begin(),
       this->Hashes.end(), [table](std::uint32_t hash) { return GetTable(hash) == table; }));
-    std::vector<std::uint32_t> slots(std::bit_ceil(2 * count + 1), None);
+    std::vector<Slot> slots(std::bit_ceil(2 * count + 1), Slot{ 0, None });
     const std::size_t mask = slots.size() - 1;
-    for (std::size_t p = 0; p < this->Parts.size(); ++p)
+    for (std::size_t i = 0; i < this->Hashes.size(); ++i)
     {
-      const T* const points = this->GetPoints(p);
-      for (std::size_t i = 0; i < this->Parts[p].NumberOfPoints; ++i)
+      const std::uint32_t hash = this->Hashes[i];
+      if (GetTable(hash) != table)
       {
-        const auto number = static_cast<std::uint32_t>(this->First[p] + i);
-        const std::uint32_t hash = this->Hashes[number];
-        if (GetTable(hash) != table)
-        {
-          continue;
-        }
-        const T* const x = points + 3 * i;
-        const auto differs = [&](std::uint32_t other)
-        { return this->Hashes[other] != hash || !std::equal(x, x + 3, this->Find(other)); };
-        std::size_t at = (hash / Tables) & mask;
-        while (slots[at] != None && differs(slots[at]))
-        {
-          at = (at + 1) & mask;
-        }
-        if (slots[at] == None)
-        {
-          slots[at] = number;
-        }
-        this->Same[number] = slots[at];
+        continue;
       }
+      std::size_t at = (hash / Tables) & mask;
+      while (
+        slots[at].Point != None && (slots[at].Hash != hash || !this->AreSame(slots[at].Point, i)))
+      {
+        at = (at + 1) & mask;
+      }
+      if (slots[at].Point == None)
+      {
+        slots[at] = { hash, static_cast<std::uint32_t>(i) };
+      }
+      this->Same[i] = slots[at].Point;
     }
   }
 
-  const std::vector<SurfacePart>& Parts;
-  const std::vector<std::size_t>& First;
+  std::vector<T> Points;
   std::vector<std::uint32_t> Hashes;
   std::vector<std::uint32_t> Same;
 };
@@ -142,11 +137,12 @@ Surface::Surface(
   this->Places.assign(this->Same.size(), None);
   for (std::size_t p = 0; p < this->Parts.size(); ++p)
   {
+    const auto own = std::move(this->Parts[p].Triangles);
     if (std::binary_search(ghosts.begin(), ghosts.end(), p))
     {
       continue;
     }
-    const auto& own = this->Parts[p].Triangles;
+    const bool hasCells = !this->Parts[p].CellArrays.empty();
     for (std::size_t i = 0; i < own.size(); ++i)
     {
       std::array<std::uint32_t, 3> corners;
@@ -155,7 +151,10 @@ Surface::Surface(
       if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
       {
         this->Triangles.push_back(corners);
-        this->Kept[p].push_back(static_cast<std::uint32_t>(i));
+        if (hasCells)
+        {
+          this->Kept[p].push_back(static_cast<std::uint32_t>(i));
+        }
         for (const std::uint32_t corner : corners)
         {
           this->Places[corner] = 0;

@@ -58,7 +58,7 @@ private:
   std::vector<std::uint32_t> Places; // of each of these first ones: place in the surface, or None
   std::size_t Points = 0;
   std::vector<std::array<std::uint32_t, 3>> Triangles;
-  std::vector<std::vector<std::uint32_t>> Kept; // of each part: its triangles that are left
+  std::vector<std::vector<std::uint32_t>> Kept; // of each part with cell arrays: its triangles left
 };
 }
 

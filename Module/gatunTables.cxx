@@ -315,9 +315,6 @@ std::uint64_t MeshTable::GetSharedPoints() const
 void MeshTable::LinkGroups()
 {
   std::uint64_t point = 0;
-  std::uint64_t total = 0;
-  std::vector<std::vector<std::uint32_t>> neighbours(this->Chunks.size());
-  std::vector<std::uint32_t> merged;
   for (std::uint32_t b = 0; b < this->Blocks.size(); ++b)
   {
     auto& block = this->Blocks[b];
@@ -330,26 +327,38 @@ void MeshTable::LinkGroups()
       Check(group.Chunks.back() < this->Chunks.size(), "a group names a chunk that is not there");
       for (const auto c : group.Chunks)
       {
-        auto& chunk = this->Chunks[c];
-        chunk.Shared.push_back({ b, g, inBlock });
-        chunk.Info.SharedPoints += group.Points;
-        auto& near = neighbours[c];
-        total -= near.size();
-        merged.clear();
-        std::set_union(near.begin(), near.end(), group.Chunks.begin(), group.Chunks.end(),
-          std::back_inserter(merged));
-        near = merged;
-        total += near.size();
-        Check(total <= MaxNeighbours + MaxNeighboursPerChunk * this->Chunks.size(),
-          "too many chunks share points with too many others");
+        this->Chunks[c].Shared.push_back({ b, g, inBlock });
+        this->Chunks[c].Info.SharedPoints += group.Points;
       }
       inBlock += group.Points;
     }
   }
+  this->FindNeighbours();
+}
+
+void MeshTable::FindNeighbours()
+{
+  std::uint64_t total = 0;
+  std::vector<std::uint32_t> seenBy(this->Chunks.size(), 0xffffffffu);
   for (std::uint32_t c = 0; c < this->Chunks.size(); ++c)
   {
-    auto& near = neighbours[c];
-    near.erase(std::remove(near.begin(), near.end(), c), near.end());
+    std::vector<std::uint32_t> near;
+    seenBy[c] = c;
+    for (const auto& part : this->Chunks[c].Shared)
+    {
+      for (const auto other : this->Blocks[part.Block].Groups[part.Group].Chunks)
+      {
+        if (seenBy[other] != c)
+        {
+          seenBy[other] = c;
+          near.push_back(other);
+        }
+      }
+    }
+    total += near.size();
+    Check(total <= MaxNeighbours + MaxNeighboursPerChunk * this->Chunks.size(),
+      "too many chunks share points with too many others");
+    std::sort(near.begin(), near.end());
     near.shrink_to_fit();
     this->Chunks[c].Info.Neighbours = std::move(near);
   }

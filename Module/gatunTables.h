@@ -102,6 +102,7 @@ struct MeshTable
   void CheckLengths(std::uint64_t fileSize) const;
 
 private:
+  void FindNeighbours();
   void NumberAll(const MetaTable& meta);
 };
 
