@@ -54,6 +54,41 @@ std::string Line(const std::string& what, std::uint64_t bytes, std::uint64_t tet
   return text + what + "\n";
 }
 
+//------------------------------------------------------------------------------
+// By which of the arrays to organise a file; component -1 is the length. Throws if it is not there.
+gatun::LayerRequest FindLayerArray(
+  const std::vector<gatun::BridgedArray>& arrays, const std::string& name, int component)
+{
+  bool isOfCells = false;
+  for (std::size_t i = 0; i < arrays.size(); ++i)
+  {
+    const gatun::ArrayDescription& array = arrays[i].Description;
+    if (array.Name != name)
+    {
+      continue;
+    }
+    if (array.Where != Association::Point)
+    {
+      isOfCells = true;
+      continue;
+    }
+    if (component >= static_cast<int>(array.Components))
+    {
+      gatun::ThrowInvalid("array '" + name + "' has no component " + std::to_string(component) +
+        " to make layers of");
+    }
+    gatun::LayerRequest request;
+    request.Array = static_cast<std::uint32_t>(i);
+    request.Component = component >= 0 ? static_cast<std::uint32_t>(component)
+      : array.Components > 1           ? array.Components
+                                       : 0;
+    request.Values = arrays[i].Values;
+    return request;
+  }
+  gatun::ThrowInvalid(isOfCells ? "layers need a point array, and '" + name + "' is one of cells"
+                                : "there is no point array '" + name + "' to make layers of");
+}
+
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
@@ -135,6 +170,7 @@ vtkGatunWriter::vtkGatunWriter()
 vtkGatunWriter::~vtkGatunWriter()
 {
   this->SetFileName(nullptr);
+  this->SetLayerArray(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -151,6 +187,10 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Metric: " << (this->Metric == METRIC_MASS ? "Mass" : "Density") << "\n";
   os << indent << "BoundaryWeight: " << this->BoundaryWeight << "\n";
   this->Internals->Weights.Print(os, indent);
+  os << indent << "LayerArray: " << (this->LayerArray ? this->LayerArray : "(none)") << "\n";
+  os << indent << "LayerComponent: " << this->LayerComponent << "\n";
+  os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";
+  os << indent << "LayerSpacing: " << this->LayerSpacing << "\n";
   os << indent << "WriteAllTimeSteps: " << (this->WriteAllTimeSteps ? "On" : "Off") << "\n";
   os << indent << "LinearizeQuadratic: " << (this->LinearizeQuadratic ? "On" : "Off") << "\n";
   os << indent << "ReplaceReadOnly: " << (this->ReplaceReadOnly ? "On" : "Off") << "\n";
@@ -449,6 +489,12 @@ void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
     options.ChunkTets = static_cast<std::uint32_t>(this->ChunkTets);
     options.KeyStepInterval = static_cast<std::uint32_t>(this->KeyStepInterval);
     options.ReplaceReadOnly = this->ReplaceReadOnly;
+    if (this->LayerArray && *this->LayerArray)
+    {
+      options.Layers = FindLayerArray(arrays, this->LayerArray, this->LayerComponent);
+      options.Layers->Count = static_cast<std::uint32_t>(this->NumberOfLayers);
+      options.Layers->Spacing = static_cast<gatun::LayerSpacing>(this->LayerSpacing);
+    }
     if (this->Hierarchy)
     {
       self.Tree = gatun::BuildMergeTree(tets.Grid, self.Weights,

@@ -192,6 +192,54 @@ public:
 
   ///@{
   /**
+   * The point array by whose values, at the first time step, the file is organised: the range of
+   * the values is cut into layers, and tetrahedra of the same layers are put into the same chunks.
+   * An isosurface then needs few chunks; the file becomes larger, more so with more layers. Base
+   * meshes are organised alike. Empty or null: the file is organised by places only. Default: null.
+   */
+  vtkSetStringMacro(LayerArray);
+  vtkGetStringMacro(LayerArray);
+  ///@}
+
+  ///@{
+  /**
+   * The component of LayerArray to make layers of, or -1 for the length of its tuples. Of arrays
+   * with one component, -1 is that component. Range: -1 and more. Default: -1.
+   */
+  vtkSetClampMacro(LayerComponent, int, -1, 65535);
+  vtkGetMacro(LayerComponent, int);
+  ///@}
+
+  ///@{
+  /**
+   * How many layers to make, at most: fewer where some would be empty. 0: as many as pay with a
+   * mesh of this size, 4 below 6 million tetrahedra. Range: 0 to 4096. Default: 0.
+   */
+  vtkSetClampMacro(NumberOfLayers, int, 0, 4096);
+  vtkGetMacro(NumberOfLayers, int);
+  ///@}
+
+  ///@{
+  /**
+   * How the range of values is cut into layers: into equal parts, by the quantiles of the normal
+   * distribution that has the values' mean and deviation, or such that each layer has about as many
+   * tetrahedra. Default: LAYERS_HISTOGRAM.
+   */
+  enum LayerSpacingType
+  {
+    LAYERS_UNIFORM = 1,
+    LAYERS_NORMAL = 2,
+    LAYERS_HISTOGRAM = 3
+  };
+  vtkSetClampMacro(LayerSpacing, int, LAYERS_UNIFORM, LAYERS_HISTOGRAM);
+  vtkGetMacro(LayerSpacing, int);
+  void SetLayerSpacingToUniform() { this->SetLayerSpacing(LAYERS_UNIFORM); }
+  void SetLayerSpacingToNormal() { this->SetLayerSpacing(LAYERS_NORMAL); }
+  void SetLayerSpacingToHistogram() { this->SetLayerSpacing(LAYERS_HISTOGRAM); }
+  ///@}
+
+  ///@{
+  /**
    * How much a point array counts for the hierarchy, relative to others, 0 or more. Without any
    * weight set, the active scalars count, or, if there are none, all point arrays alike.
    */
@@ -293,6 +341,10 @@ protected:
   int Levels = 0;
   int Metric = METRIC_MASS;
   double BoundaryWeight = 0.5;
+  char* LayerArray = nullptr;
+  int LayerComponent = -1;
+  int NumberOfLayers = 0;
+  int LayerSpacing = LAYERS_HISTOGRAM;
   bool WriteAllTimeSteps = false;
   bool LinearizeQuadratic = false;
   bool ReplaceReadOnly = false;

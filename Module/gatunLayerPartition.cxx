@@ -33,7 +33,21 @@ void ForTasks(std::uint64_t items, Body&& body)
 }
 
 //------------------------------------------------------------------------------
-/** Of the finite values of all points. */
+/** Whether points have tetrahedra. */
+std::vector<bool> FindUsed(const MeshAccess& mesh)
+{
+  std::vector<bool> used(static_cast<std::size_t>(mesh.GetMesh().Points), false);
+  for (std::uint64_t t = 0; t < mesh.GetMesh().Tets; ++t)
+  {
+    for (unsigned i = 0; i < 4; ++i)
+    {
+      used[static_cast<std::size_t>(mesh.GetId(t, i))] = true;
+    }
+  }
+  return used;
+}
+
+/** Of the finite values of the points of tetrahedra. */
 struct Moments
 {
   Range Values;
@@ -52,6 +66,9 @@ struct Sums
 Moments FindMoments(const MeshAccess& mesh, const LayerValues& values)
 {
   const std::uint64_t points = mesh.GetMesh().Points;
+  const std::vector<bool> used = FindUsed(mesh);
+  const auto counts = [&](std::uint64_t point, double value)
+  { return used[static_cast<std::size_t>(point)] && std::isfinite(value); };
   std::vector<Range> ranges(static_cast<std::size_t>(points / ItemsPerTask + 1),
     { std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() });
   ForTasks(points,
@@ -60,7 +77,7 @@ Moments FindMoments(const MeshAccess& mesh, const LayerValues& values)
       for (auto p = begin; p < end; ++p)
       {
         const double value = values.Get(p);
-        if (std::isfinite(value))
+        if (counts(p, value))
         {
           ranges[task].Min = std::min(ranges[task].Min, value);
           ranges[task].Max = std::max(ranges[task].Max, value);
@@ -87,7 +104,7 @@ Moments FindMoments(const MeshAccess& mesh, const LayerValues& values)
       for (auto p = begin; p < end; ++p)
       {
         const double value = values.Get(p) / scale;
-        if (std::isfinite(value))
+        if (counts(p, value))
         {
           sums[task].Count += 1;
           sums[task].First += value;

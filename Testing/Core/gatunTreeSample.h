@@ -177,6 +177,14 @@ inline Bytes MakeLevel(
   const BaseMesh base(MeshAccess(input), sample.Tree, merges);
   options.Keep = KeepNone;
   options.Tree = &base.GetTree();
+  Bytes layerValues; // what is left of those that layers are made of
+  if (options.Layers)
+  {
+    const auto& array = sample.Arrays[options.Layers->Array];
+    layerValues =
+      base.Gather(options.Layers->Values, array.Where, array.Components * SizeOf(array.Type));
+    options.Layers->Values = layerValues.data();
+  }
   const auto temporary = path + ".level";
   FileWriter writer(temporary, base.GetInput(), sample.Arrays, options);
   WriteValues(writer, sample, {},
@@ -218,7 +226,7 @@ inline void WriteTreeSample(const std::string& path, const TreeSample& sample,
       { SectionLevel, MakeLevel(path, sample, options, merges), SectionVersion, 0 });
   }
   FileImage frame;
-  frame.Minor = MinorVersionWithTree;
+  frame.Minor = options.Layers ? MinorVersionWithLayers : MinorVersionWithTree;
   const auto bytes = frame.Assemble(sections);
   std::ofstream out(path, std::ios::binary | std::ios::trunc);
   out.write(

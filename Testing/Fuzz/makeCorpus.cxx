@@ -294,6 +294,42 @@ void AddTreeFiles(Corpus& corpus)
   }
   fs::remove(path);
 }
+
+/** Files that are organised by layers, and the tables that tell so. */
+void AddLayerFiles(Corpus& corpus)
+{
+  const auto path = (corpus.GetFolder() / "layers.gtn").string();
+  for (const std::int64_t n : { 1, 3 })
+  {
+    for (const std::uint32_t count : { 1u, 2u, 7u })
+    {
+      const auto sample = test::MakeTreeSample(n, 1);
+      WriterOptions options;
+      options.ChunkTets = 64;
+      options.Layers.emplace();
+      options.Layers->Component = count % 3;
+      options.Layers->Count = count;
+      options.Layers->Spacing = static_cast<LayerSpacing>(1 + count % 3);
+      options.Layers->Values = sample.Steps[0][0].data();
+      const auto merges = static_cast<std::uint32_t>(sample.Tree.GetMerges().size());
+      test::WriteTreeSample(path, sample, options,
+        n > 1 ? std::vector<std::uint32_t>{ merges / 2 } : std::vector<std::uint32_t>{});
+      const auto bytes = test::ReadFile(path);
+      corpus.Add("File", bytes);
+      corpus.Add("Sections", bytes);
+      const auto sections = test::ReadSections(path);
+      ByteWriter tables;
+      for (const auto name : { SectionMeta, SectionTable, SectionLayers })
+      {
+        const auto table = Decompress(test::FindPayload(sections, name), 1 << 20);
+        tables.Put(static_cast<std::uint16_t>(table.size()));
+        tables.PutBytes(table);
+      }
+      corpus.Add("Layers", tables.Data);
+    }
+  }
+  fs::remove(path);
+}
 }
 
 int main(int argc, char* argv[])
@@ -324,6 +360,7 @@ int main(int argc, char* argv[])
   }
   AddFiles(corpus);
   AddTreeFiles(corpus);
+  AddLayerFiles(corpus);
   corpus.Add("FieldData", Decompress(WriteFieldData(MakeField()), 1 << 20));
   corpus.Add("FieldData", Decompress(WriteFieldData({}), 1 << 20));
   corpus.Add("Decompress", test::Store(Bytes(300, 1)));

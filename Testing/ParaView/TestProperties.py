@@ -23,7 +23,8 @@ OTHER = {"ChunkTets": [1000], "KeepOrder": [7], "KeyStepInterval": [3],
          "MemoryBudget": [100], "TimeBudget": [0.5], "Target": [2], "Ratio": [0.25],
          "Percent": [75], "NumberOfPoints": [77], "MaximumError": [0.125], "Metric": [1],
          "BoundaryWeight": [0.75],
-         "Levels": [5], "SimplificationTarget": [3], "SimplificationRatio": [0.5],
+         "Levels": [5], "LayerArray": ["some array"], "LayerComponent": [1], "NumberOfLayers": [9],
+         "LayerSpacing": [2], "SimplificationTarget": [3], "SimplificationRatio": [0.5],
          "SimplificationPercent": [25], "SimplificationPoints": [123], "SimplificationError": [0.5]}
 # Where people who open a file are better served by another default than programs: that of the class.
 OWN_DEFAULT = {"GatunReaderCore.OnDemand": [0]}

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 """A decoder written from Documentation/format.md alone reads all golden files as expected, and as
-vtkGatunReader does, with their trees of merges and base meshes; it rejects all that is cut short or
+vtkGatunReader does, with their trees of merges, base meshes and layers; it rejects all that is cut short or
 damaged."""
 
 import os
@@ -11,16 +11,17 @@ import sys
 import gatunGolden as golden
 
 try:
-    from describe_decoded import describe_decoded, describe_tree
+    from describe_decoded import describe_decoded, describe_layers, describe_tree
 except ImportError as error:
     print(error)
     sys.exit(golden.gm.SKIPPED)
 
 from gtn_container import FormatError
 from gtn_decoder import Decoder
+from gtn_layers import check_layers
 from gtn_tree import check_level, check_ranges
 
-SMALLEST = {"v1.0": "one_tet.gtn", "v1.1": "two_tets_and_one.gtn"}
+SMALLEST = {"v1.0": "one_tet.gtn", "v1.1": "two_tets_and_one.gtn", "v1.2": "two_layers.gtn"}
 
 
 def is_rejected(data):
@@ -51,6 +52,17 @@ for folder in golden.folders():
                 check_level(decoder, i, decoder.level(i))
         with open(trees, encoding="utf-8") as file:
             golden.assert_same(file.read().splitlines(), lines, trees)
+
+    layers = os.path.join(folder, "layers.txt")
+    if os.path.exists(layers):
+        lines = []
+        for name in golden.expected(folder):
+            with open(os.path.join(folder, name), "rb") as file:
+                decoder = Decoder(file.read())
+            lines += describe_layers(decoder, name)
+            check_layers(decoder)
+        with open(layers, encoding="utf-8") as file:
+            golden.assert_same(file.read().splitlines(), lines, layers)
 
     with open(os.path.join(folder, SMALLEST[os.path.basename(folder)]), "rb") as file:
         data = file.read()

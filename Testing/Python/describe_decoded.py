@@ -105,3 +105,18 @@ def describe_tree(decoder, name):
     for i in range(len(tree.levels)):
         lines += describe_tree(decoder.level(i), "%s, base mesh %d" % (name, i + 1))
     return lines
+
+
+def describe_layers(decoder, name):
+    """Lines, as in layers.txt, on the layers of a file; base meshes come last."""
+    layers, tree = decoder.container.layers, decoder.container.tree
+    lines = [
+        "= %s" % name,
+        "array %d component %d spacing %d layers %d" % (
+            layers.array, layers.component, layers.spacing, layers.count),
+        " ".join(["bounds", *(struct.pack(">d", bound).hex() for bound in layers.bounds)]),
+        " ".join(["chunks", *("%d-%d" % span for span in layers.chunks)]),
+    ]
+    for i in range(len(tree.levels) if tree is not None else 0):
+        lines += describe_layers(decoder.level(i), "%s, base mesh %d" % (name, i + 1))
+    return lines

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Container and tables of `.gtn` files: sections 2, 3 and 13 of Documentation/format.md.
+"""Container and tables of `.gtn` files: sections 2, 3, 13 and 14 of Documentation/format.md.
 
 Part of gtn_decoder, which is written from that text alone.
 """
@@ -18,6 +18,7 @@ KEEP_POINTS, KEEP_CELLS, KEEP_CORNERS = 1, 2, 4
 MAX_TETS = 1 << 20
 MAX_PALETTE = 1 << 16
 MAX_RUNGS = MAX_LEVELS = 64
+MAX_LAYERS = 4096
 
 #: Bytes of a value of each type (5.1).
 SIZES = {1: 1, 2: 1, 3: 2, 4: 2, 5: 4, 6: 4, 7: 8, 8: 8, 9: 4, 10: 8}
@@ -25,7 +26,8 @@ SIZES = {1: 1, 2: 1, 3: 2, 4: 2, 5: 4, 6: 4, 7: 8, 8: 8, 9: 4, 10: 8}
 MAGIC = bytes.fromhex("8947544E0D0A1A0A")
 END_MAGIC = b"GTNEND\r\n"
 SECTIONS = (
-    b"META", b"TABL", b"STEP", b"MESH", b"VALS", b"TREE", b"MERG", b"TRNG", b"LEVL", b"DIRY")
+    b"META", b"TABL", b"STEP", b"MESH", b"VALS", b"TREE", b"MERG", b"TRNG", b"LEVL",
+    b"LAYR", b"DIRY")
 STREAMS = (b"MESH", b"VALS", b"MERG")  # sections of streams
 
 
@@ -127,7 +129,7 @@ def unpack(data, limit):
 
 
 def table_limit(packed):
-    """Of META, TABL and TREE (11.1)."""
+    """Of META, TABL, TREE and LAYR (11.1)."""
     return max(1 << 20, 512 * packed)
 
 
@@ -146,8 +148,9 @@ def field_data_limit(packed):
 
 
 class Container:
-    """A file, whose tables are read and checked; attributes meta, table, steps, and tree, which is
-    None if there is none, else has ranges, one table a step, and files, the bytes of base meshes."""
+    """A file, whose tables are read and checked; attributes meta, table, steps, and, None if there
+    are none, layers and tree, which has ranges, one table a step, and files, the bytes of base
+    meshes."""
 
     def __init__(self, data):
         self.data = data
@@ -163,6 +166,9 @@ class Container:
         for i, step in enumerate(self.steps):
             require(step.key if i == 0 else step.time > self.steps[i - 1].time, "order of steps")
         require(self.meta.has_time or len(self.steps) <= 1, "steps without time")
+        self.layers = None
+        if any(section.name == b"LAYR" for section in sections):
+            self.layers = read_layers(self._packed(sections, b"LAYR"), self.meta, self.table)
         self.tree = None
         if any(section.name == b"TREE" for section in sections):
             self._read_tree(sections)
@@ -420,6 +426,24 @@ def read_tree_step(table, meta, layout, tree):
                       if of_points else None)
     table.end()
     return result
+
+
+def read_layers(table, meta, layout):
+    """A section LAYR (14.1)."""
+    layers = Record(array=table.varint(), component=table.varint(), spacing=table.number("B"))
+    require(layers.array < len(meta.arrays), "array of the layers")
+    array = meta.arrays[layers.array]
+    require(array.where == POINTS, "layers of an array on cells")
+    require(layers.component < array.components + (array.components > 1), "component of the layers")
+    layers.count = table.varint()
+    require(1 <= layers.count <= MAX_LAYERS, "number of layers")
+    layers.bounds = [table.number("d") for _ in range(layers.count - 1)]
+    require(all(map(math.isfinite, layers.bounds)), "bound of a layer")
+    require(all(a < b for a, b in zip(layers.bounds, layers.bounds[1:])), "order of bounds")
+    layers.chunks = [(table.varint(), table.varint()) for _ in layout.chunks]
+    require(all(first <= last < layers.count for first, last in layers.chunks), "layers of a chunk")
+    table.end()
+    return layers
 
 
 def read_field_array(table):
