@@ -3,9 +3,13 @@
 
 // gtn info: what is in a file, from its directory alone.
 
+#include "gtnArrayChoice.h"
 #include "gtnCommands.h"
+#include "gtnFailure.h"
+#include "gtnHistogram.h"
 #include "gtnInput.h"
 #include "gtnJson.h"
+#include "gtnLayers.h"
 #include "gtnNames.h"
 #include "gtnText.h"
 
@@ -26,6 +30,8 @@ struct Options
 {
   std::string File;
   bool Json = false;
+  std::string Histogram; ///< as given, or empty
+  int Component = -1;
 };
 
 std::string Version(const gatun::FileReader& file)
@@ -133,6 +139,7 @@ void PrintText(const gatun::FileReader& file, bool verbose)
   {
     PrintHierarchy(file);
   }
+  PrintLayers(file);
   const gatun::Bounds& bounds = file.GetBounds();
   for (int i = 0; i < 3; ++i)
   {
@@ -220,6 +227,13 @@ void AddChunks(Json& json, const gatun::FileReader& file)
     json.Add("firstTet", chunk.FirstTet);
     json.Add("neighbours", static_cast<std::uint64_t>(chunk.Neighbours.size()));
     json.Add("meshBytes", file.GetChunkMeshBytes(i));
+    if (file.HasLayers())
+    {
+      json.BeginArray("layers");
+      json.Add({}, static_cast<std::uint64_t>(file.GetLayers().Chunks[i].First));
+      json.Add({}, static_cast<std::uint64_t>(file.GetLayers().Chunks[i].Last));
+      json.EndArray();
+    }
     json.BeginArray("bounds");
     for (const gatun::Range& range : chunk.Box)
     {
@@ -231,7 +245,7 @@ void AddChunks(Json& json, const gatun::FileReader& file)
   json.EndArray();
 }
 
-void PrintJson(const gatun::FileReader& file, bool verbose)
+void PrintJson(const gatun::FileReader& file, bool verbose, const Histogram* histogram)
 {
   Json json;
   json.BeginObject();
@@ -257,6 +271,8 @@ void PrintJson(const gatun::FileReader& file, bool verbose)
     json.EndObject();
   }
   json.EndArray();
+  json.Add("hasLayers", file.HasLayers());
+  AddLayers(json, file);
   json.BeginObject("keptOrder");
   json.Add("points", (file.GetKeptOrder() & gatun::KeepPoints) != 0);
   json.Add("cells", (file.GetKeptOrder() & gatun::KeepCells) != 0);
@@ -321,8 +337,31 @@ void PrintJson(const gatun::FileReader& file, bool verbose)
   {
     AddChunks(json, file);
   }
+  if (histogram)
+  {
+    histogram->Add(json);
+  }
   json.EndObject();
   fmt::print("{}", json.GetText());
+}
+
+// What --histogram says; without a name if it is not there.
+HistogramOptions HistogramOf(const Options& options)
+{
+  constexpr int most = 1000;
+  HistogramOptions wanted;
+  if (!options.Histogram.empty())
+  {
+    const ArrayChoice choice = ParseArrayChoice("--histogram", options.Histogram, most, {});
+    wanted.Array = choice.Name;
+    wanted.Bins = choice.Count.value_or(wanted.Bins);
+    wanted.Component = options.Component;
+    if (wanted.Bins < 1)
+    {
+      throw UsageError("--histogram " + options.Histogram + ": there must be a bin");
+    }
+  }
+  return wanted;
 }
 
 } // anonymous namespace
@@ -332,24 +371,41 @@ void AddInfo(CLI::App& app, Settings& settings)
 {
   auto options = std::make_shared<Options>();
   CLI::App* command = AddCommand(app, settings, "info",
-    "Tell what a .gtn file holds and what its parts take. Only its directory is read.",
+    "Tell what a .gtn file holds and what its parts take. Only its directory is read, and with\n"
+    "--histogram one array, some chunks at a time.",
     "  gtn info mesh.gtn\n"
     "  gtn info -v mesh.gtn             also the times and the chunk table\n"
+    "  gtn info --histogram pressure:30 mesh.gtn\n"
     "  gtn info --json mesh.gtn | jq .sizes.connectivity.bitsPerTet");
   command->add_flag("--json", options->Json, "Print JSON");
+  command
+    ->add_option("--histogram", options->Histogram,
+      "How the values of an array are spread at the first time step, in 1 to 1000 bins; of a point "
+      "array besides what an isosurface in the middle of each bin would read of the file")
+    ->option_text("ARRAY[:BINS [20]]");
+  AddComponent(command, "--component", options->Component,
+    "Component for --histogram, from 0, or magnitude, the length of tuples (the default)");
   command->add_option("IN", options->File, "The .gtn file")->required();
   command->callback(
     [options, &settings]
     {
+      const HistogramOptions wanted = HistogramOf(*options);
       CheckReadable(options->File);
-      const gatun::FileReader file(options->File);
+      const auto file = std::make_shared<const gatun::FileReader>(options->File);
+      std::unique_ptr<Histogram> histogram;
+      if (!wanted.Array.empty())
+      {
+        histogram = std::make_unique<Histogram>(file, wanted);
+      }
       if (options->Json)
       {
-        PrintJson(file, settings.Verbose);
+        PrintJson(*file, settings.Verbose, histogram.get());
+        return;
       }
-      else
+      PrintText(*file, settings.Verbose);
+      if (histogram)
       {
-        PrintText(file, settings.Verbose);
+        histogram->Print();
       }
     });
 }

@@ -3,6 +3,7 @@
 
 // gtn pack: any mesh as a .gtn file.
 
+#include "gtnArrayChoice.h"
 #include "gtnCommands.h"
 #include "gtnFailure.h"
 #include "gtnHelp.h"
@@ -42,6 +43,8 @@ struct Options
   bool Hierarchy = false;
   int Levels = 0;
   MergeOptions Merges;
+  std::string Layers; ///< as given, or empty
+  int LayerComponent = -1;
 };
 
 int OrderOf(const std::string& name)
@@ -50,6 +53,19 @@ int OrderOf(const std::string& name)
     : name == "cells"     ? vtkGatunWriter::KEEP_CELLS
     : name == "all"       ? vtkGatunWriter::KEEP_ALL
                           : vtkGatunWriter::KEEP_NONE;
+}
+
+void SetLayers(vtkGatunWriter* writer, const Options& options)
+{
+  constexpr int most = 4096;
+  const ArrayChoice choice =
+    ParseArrayChoice("--layers", options.Layers, most, "uniform|normal|histogram");
+  writer->SetLayerArray(choice.Name.c_str());
+  writer->SetLayerComponent(options.LayerComponent);
+  writer->SetNumberOfLayers(choice.Count.value_or(0));
+  writer->SetLayerSpacing(choice.Word == "uniform" ? vtkGatunWriter::LAYERS_UNIFORM
+      : choice.Word == "normal"                    ? vtkGatunWriter::LAYERS_NORMAL
+                                                   : vtkGatunWriter::LAYERS_HISTOGRAM);
 }
 
 void PrintSizes(vtkGatunWriter* writer, const Options& options, bool verbose)
@@ -99,10 +115,14 @@ void Pack(const Options& options, const Settings& settings)
   {
     throw UsageError(options.Out + ": the name must end in .gtn");
   }
+  vtkNew<vtkGatunWriter> writer;
+  if (!options.Layers.empty())
+  {
+    SetLayers(writer, options);
+  }
   Input input(options.In, options.Input);
   CheckWritable(options.Out, options.Overwrite);
 
-  vtkNew<vtkGatunWriter> writer;
   {
     Progress progress("reading", settings.ShowProgress);
     input.Read(0, progress);
@@ -139,6 +159,7 @@ void AddPack(CLI::App& app, Settings& settings)
     "  gtn pack mesh.vtu mesh.gtn\n"
     "  gtn pack --keep-order all --arrays pressure mesh.vtu mesh.gtn\n"
     "  gtn pack --levels 8 --weight pressure mesh.vtu mesh.gtn\n"
+    "  gtn pack --layers temperature:8 mesh.vtu mesh.gtn\n"
     "  gtn pack run_0.vtu run_1.vtu run_2.vtu run.gtn\n"
     "  gtn pack run.pvd run.gtn\n"
     "  gtn pack -f crash.e crash.gtn");
@@ -172,6 +193,14 @@ void AddPack(CLI::App& app, Settings& settings)
     ->check(CLI::Range(0, 64))
     ->option_text("N [0]");
   AddMergeOptions(command, options->Merges);
+  command
+    ->add_option("--layers", options->Layers,
+      "Organise the file by the values of a point array at the first time step, so that an "
+      "isosurface needs few chunks: 1 to 4096 layers of values, or 0 for as many as pay, uniform, "
+      "normal or by histogram. A name that ends like that needs both behind it")
+    ->option_text("ARRAY[:N [0]][:SPACING [histogram]]");
+  AddComponent(command, "--layer-component", options->LayerComponent,
+    "Component for --layers, from 0, or magnitude, the length of tuples (the default)");
   command->add_flag("--linearize", options->Input.Linearize,
     "Take quadratic tetrahedra as linear ones, without their mid-edge points");
   auto* files = command->add_option(

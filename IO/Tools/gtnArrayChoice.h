@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gtnArrayChoice_h
+#define gtnArrayChoice_h
+
+// An array with settings behind its name, as in "T:8:uniform".
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace gtn
+{
+struct ArrayChoice
+{
+  std::string Name;
+  std::optional<int> Count;
+  std::string Word; ///< one of those that are known, or empty
+};
+
+/**
+ * Takes NAME[:COUNT][:WORD] apart. Names may have colons: only what is a number, or a word out of
+ * "a|b|c", is taken for a setting. Throws UsageError, naming the option, unless there is a name and
+ * the count is from 0 to most.
+ */
+ArrayChoice ParseArrayChoice(
+  const char* option, const std::string& text, int most, std::string_view words);
+
+/** A component from 0, or "magnitude", which is -1. */
+void AddComponent(
+  CLI::App* command, const std::string& name, int& component, const std::string& description);
+}
+
+#endif
