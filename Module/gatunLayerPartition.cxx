@@ -20,7 +20,7 @@ constexpr std::uint64_t ItemsPerTask = 1u << 16;
 constexpr std::uint64_t MostSamples = 1u << 20;
 
 // Joining takes time that grows with the square of the number of buckets.
-constexpr std::size_t ManyBuckets = 4096;
+constexpr std::size_t ManyBuckets = 1u << 14;
 
 //------------------------------------------------------------------------------
 /** Calls body with the first and the last but one of some items, in parallel. */

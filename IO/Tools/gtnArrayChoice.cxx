@@ -75,10 +75,10 @@ ArrayChoice ParseArrayChoice(
 }
 
 //------------------------------------------------------------------------------
-void AddComponent(
+CLI::Option* AddComponent(
   CLI::App* command, const std::string& name, int& component, const std::string& description)
 {
-  command
+  return command
     ->add_option_function<std::string>(
       name,
       [name, &component](const std::string& text)

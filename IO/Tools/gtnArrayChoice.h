@@ -28,8 +28,8 @@ struct ArrayChoice
 ArrayChoice ParseArrayChoice(
   const char* option, const std::string& text, int most, std::string_view words);
 
-/** A component from 0, or "magnitude", which is -1. */
-void AddComponent(
+/** A component from 0, or "magnitude", which is -1. Returns the option. */
+CLI::Option* AddComponent(
   CLI::App* command, const std::string& name, int& component, const std::string& description);
 }
 

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 namespace gtn
 {
@@ -30,7 +31,7 @@ struct Options
 {
   std::string File;
   bool Json = false;
-  std::string Histogram; ///< as given, or empty
+  std::optional<std::string> Histogram; ///< as given
   int Component = -1;
 };
 
@@ -350,15 +351,15 @@ HistogramOptions HistogramOf(const Options& options)
 {
   constexpr int most = 1000;
   HistogramOptions wanted;
-  if (!options.Histogram.empty())
+  if (options.Histogram)
   {
-    const ArrayChoice choice = ParseArrayChoice("--histogram", options.Histogram, most, {});
+    const ArrayChoice choice = ParseArrayChoice("--histogram", *options.Histogram, most, {});
     wanted.Array = choice.Name;
     wanted.Bins = choice.Count.value_or(wanted.Bins);
     wanted.Component = options.Component;
     if (wanted.Bins < 1)
     {
-      throw UsageError("--histogram " + options.Histogram + ": there must be a bin");
+      throw UsageError("--histogram " + *options.Histogram + ": there must be a bin");
     }
   }
   return wanted;
@@ -378,13 +379,16 @@ void AddInfo(CLI::App& app, Settings& settings)
     "  gtn info --histogram pressure:30 mesh.gtn\n"
     "  gtn info --json mesh.gtn | jq .sizes.connectivity.bitsPerTet");
   command->add_flag("--json", options->Json, "Print JSON");
-  command
-    ->add_option("--histogram", options->Histogram,
-      "How the values of an array are spread at the first time step, in 1 to 1000 bins; of a point "
-      "array besides what an isosurface in the middle of each bin would read of the file")
-    ->option_text("ARRAY[:BINS [20]]");
+  auto* histogramOption =
+    command
+      ->add_option("--histogram", options->Histogram,
+        "How the values of an array are spread at the first time step, in 1 to 1000 bins; of a "
+        "point "
+        "array besides what an isosurface in the middle of each bin would read of the file")
+      ->option_text("ARRAY[:BINS [20]]");
   AddComponent(command, "--component", options->Component,
-    "Component for --histogram, from 0, or magnitude, the length of tuples (the default)");
+    "Component for --histogram, from 0, or magnitude, the length of tuples (the default)")
+    ->needs(histogramOption);
   command->add_option("IN", options->File, "The .gtn file")->required();
   command->callback(
     [options, &settings]

@@ -25,6 +25,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace gtn
 {
@@ -43,7 +44,7 @@ struct Options
   bool Hierarchy = false;
   int Levels = 0;
   MergeOptions Merges;
-  std::string Layers; ///< as given, or empty
+  std::optional<std::string> Layers; ///< as given
   int LayerComponent = -1;
 };
 
@@ -59,7 +60,7 @@ void SetLayers(vtkGatunWriter* writer, const Options& options)
 {
   constexpr int most = 4096;
   const ArrayChoice choice =
-    ParseArrayChoice("--layers", options.Layers, most, "uniform|normal|histogram");
+    ParseArrayChoice("--layers", *options.Layers, most, "uniform|normal|histogram");
   writer->SetLayerArray(choice.Name.c_str());
   writer->SetLayerComponent(options.LayerComponent);
   writer->SetNumberOfLayers(choice.Count.value_or(0));
@@ -116,7 +117,7 @@ void Pack(const Options& options, const Settings& settings)
     throw UsageError(options.Out + ": the name must end in .gtn");
   }
   vtkNew<vtkGatunWriter> writer;
-  if (!options.Layers.empty())
+  if (options.Layers)
   {
     SetLayers(writer, options);
   }
@@ -193,14 +194,17 @@ void AddPack(CLI::App& app, Settings& settings)
     ->check(CLI::Range(0, 64))
     ->option_text("N [0]");
   AddMergeOptions(command, options->Merges);
-  command
-    ->add_option("--layers", options->Layers,
-      "Organise the file by the values of a point array at the first time step, so that an "
-      "isosurface needs few chunks: 1 to 4096 layers of values, or 0 for as many as pay, uniform, "
-      "normal or by histogram. A name that ends like that needs both behind it")
-    ->option_text("ARRAY[:N [0]][:SPACING [histogram]]");
+  auto* layers =
+    command
+      ->add_option("--layers", options->Layers,
+        "Organise the file by the values of a point array at the first time step, so that an "
+        "isosurface needs few chunks: 1 to 4096 layers of values, or 0 for as many as pay, "
+        "uniform, "
+        "normal or by histogram. A name that ends like that needs both behind it")
+      ->option_text("ARRAY[:N [0]][:SPACING [histogram]]");
   AddComponent(command, "--layer-component", options->LayerComponent,
-    "Component for --layers, from 0, or magnitude, the length of tuples (the default)");
+    "Component for --layers, from 0, or magnitude, the length of tuples (the default)")
+    ->needs(layers);
   command->add_flag("--linearize", options->Input.Linearize,
     "Take quadratic tetrahedra as linear ones, without their mid-edge points");
   auto* files = command->add_option(
