@@ -1,0 +1,727 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunError.h"
+#include "gatunParallel.h"
+#include "gatunSurface.h"
+#include "gatunTestMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <set>
+#include <type_traits>
+
+namespace gatun::test
+{
+namespace
+{
+using Vector = std::array<double, 3>;
+using Triangle = std::array<std::uint32_t, 3>;
+
+constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
+
+/** A mesh with arrays, as surfaces are made of. */
+struct Sample
+{
+  explicit Sample(const TestMesh& mesh)
+    : Mesh(mesh)
+  {
+    this->Values.resize(mesh.GetPoints());
+    this->Cells.resize(mesh.GetTets());
+    for (std::size_t i = 0; i < this->Cells.size(); ++i)
+    {
+      this->Cells[i] = static_cast<std::int32_t>(i) - 100;
+    }
+  }
+
+  template <typename ValueOf>
+  void Fill(ValueOf&& valueOf)
+  {
+    for (std::size_t i = 0; i < this->Values.size(); ++i)
+    {
+      this->Values[i] = valueOf(this->Point(i));
+    }
+  }
+
+  Vector Point(std::size_t i) const
+  {
+    const double* x = &this->Mesh.Coordinates[3 * i];
+    return { x[0], x[1], x[2] };
+  }
+
+  SurfaceInput Get() const
+  {
+    SurfaceInput input;
+    input.Mesh.Points = this->Mesh.GetPoints();
+    input.Mesh.Connectivity = this->Mesh.Ids.data();
+    input.Mesh.Values = this->Values.data();
+    input.Points = { this->Mesh.Coordinates.data(), ScalarType::Float64, 3 };
+    input.PointArrays = { { this->Values.data(), ScalarType::Float64, 1 },
+      { this->Mesh.Coordinates.data(), ScalarType::Float64, 3 } };
+    input.CellArrays = { { this->Cells.data(), ScalarType::Int32, 1 } };
+    return input;
+  }
+
+  TestMesh Mesh;
+  std::vector<double> Values;
+  std::vector<std::int32_t> Cells;
+};
+
+/** All there is on a surface. */
+template <typename T>
+struct Content
+{
+  explicit Content(const Surface& surface, bool arrays = true, bool normals = false)
+    : Points(3 * surface.GetNumberOfPoints())
+    , Triangles(surface.GetTriangles())
+  {
+    surface.FillPoints(this->Points.data());
+    if (arrays)
+    {
+      this->Values.resize(surface.GetNumberOfPoints());
+      this->Vectors.resize(3 * surface.GetNumberOfPoints());
+      this->Cells.resize(surface.GetNumberOfTriangles());
+      surface.FillPointArray(0, 8, this->Values.data());
+      surface.FillPointArray(1, 24, this->Vectors.data());
+      surface.FillCellArray(0, 4, this->Cells.data());
+    }
+    if (normals)
+    {
+      this->Normals.resize(3 * surface.GetNumberOfPoints());
+      surface.FillNormals(this->Normals.data());
+    }
+  }
+
+  bool operator==(const Content&) const = default;
+
+  std::array<T, 3> Point(std::size_t i) const
+  {
+    return { this->Points[3 * i], this->Points[3 * i + 1], this->Points[3 * i + 2] };
+  }
+
+  Vector Normal(std::size_t i) const
+  {
+    return { this->Normals[3 * i], this->Normals[3 * i + 1], this->Normals[3 * i + 2] };
+  }
+
+  std::vector<T> Points;
+  std::vector<Triangle> Triangles;
+  std::vector<double> Values;
+  std::vector<double> Vectors;
+  std::vector<std::int32_t> Cells;
+  std::vector<float> Normals;
+};
+
+Surface Make(const Sample& sample, const SurfaceOptions& options)
+{
+  return Surface(
+    MakeSurfaceParts(sample.Get(), options, sample.Mesh.GetTets()), options.CoordinateType);
+}
+
+double Wave(const Vector& x)
+{
+  return std::sin(0.4 * x[0]) * std::cos(0.3 * x[1]) + 0.1 * x[2];
+}
+
+/** Puts several parts together from a list of points and triangles. */
+template <typename T>
+SurfacePart MakePart(const std::vector<std::array<T, 3>>& points,
+  const std::vector<Triangle>& triangles, double value, const Vector& gradient = {})
+{
+  SurfacePart part;
+  part.NumberOfPoints = points.size();
+  part.Points.resize(3 * sizeof(T) * points.size());
+  if (!points.empty())
+  {
+    std::memcpy(part.Points.data(), points.data(), part.Points.size());
+  }
+  const auto bytesOf = [](const auto& values)
+  {
+    const auto* const first = reinterpret_cast<const std::uint8_t*>(values.data());
+    return std::vector<std::uint8_t>(first, first + values.size() * sizeof(values[0]));
+  };
+  std::vector<double> values(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    values[i] = value + static_cast<double>(i);
+  }
+  part.PointArrays = { bytesOf(values), bytesOf(std::vector<double>(3 * points.size(), value)) };
+  std::vector<std::int32_t> cells(triangles.size());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    cells[i] = static_cast<std::int32_t>(value) + static_cast<std::int32_t>(i);
+  }
+  part.CellArrays = { bytesOf(cells) };
+  part.Triangles = triangles;
+  part.Gradients.assign(points.size(), gradient);
+  return part;
+}
+
+/** Interpolates from one tuple to another over part of the way. */
+template <typename T>
+std::vector<T> Interpolate(
+  ScalarType type, const std::vector<T>& low, const std::vector<T>& high, double part)
+{
+  const TestMesh mesh{ { 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1 }, { 0, 1, 2, 3 } };
+  const std::vector<double> values = { 0, 1, 1, 1 };
+  std::vector<T> tuples(low);
+  for (int i = 0; i < 3; ++i)
+  {
+    tuples.insert(tuples.end(), high.begin(), high.end());
+  }
+  SurfaceInput input;
+  input.Mesh.Points = 4;
+  input.Mesh.Connectivity = mesh.Ids.data();
+  input.Mesh.Values = values.data();
+  input.Points = { mesh.Coordinates.data(), ScalarType::Float64, 3 };
+  input.PointArrays = { { tuples.data(), type, static_cast<std::uint32_t>(low.size()) } };
+  SurfaceOptions options;
+  options.Values = { part };
+  const auto made = MakeSurfacePart(input, options, 0, 1);
+  EXPECT_EQ(made.NumberOfPoints, 3u);
+  EXPECT_EQ(made.PointArrays[0].size(), 3 * low.size() * sizeof(T));
+  std::vector<T> out(3 * low.size());
+  std::memcpy(out.data(), made.PointArrays[0].data(), out.size() * sizeof(T));
+  EXPECT_TRUE(std::equal(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(low.size()),
+    out.begin() + static_cast<std::ptrdiff_t>(low.size())));
+  out.resize(low.size());
+  return out;
+}
+
+template <typename T>
+void ExpectInterpolated(ScalarType type)
+{
+  using Limits = std::numeric_limits<T>;
+  const T most = Limits::max();
+  const T least = Limits::lowest();
+  // Halfway: halves of whole numbers go away from zero.
+  const std::vector<T> low = { 1, 2, 10, most, least, 0, 100 };
+  const std::vector<T> high = { 2, 1, 14, most, least, 3, 3 };
+  const bool whole = std::is_integral_v<T>;
+  EXPECT_EQ(Interpolate<T>(type, low, high, 0.5),
+    (std::vector<T>{ static_cast<T>(whole ? 2 : 1.5), static_cast<T>(whole ? 2 : 1.5), 12, most,
+      least, static_cast<T>(whole ? 2 : 1.5), static_cast<T>(whole ? 52 : 51.5) }));
+  EXPECT_EQ(Interpolate<T>(type, low, high, 0.25),
+    (std::vector<T>{ static_cast<T>(whole ? 1 : 1.25), static_cast<T>(whole ? 2 : 1.75), 11, most,
+      least, static_cast<T>(whole ? 1 : 0.75), static_cast<T>(whole ? 76 : 75.75) }));
+  EXPECT_EQ(Interpolate<T>(type, low, high, 1), high);
+  if constexpr (Limits::is_signed)
+  {
+    EXPECT_EQ(
+      Interpolate<T>(type, { -1, -2, -10, -3, 1, most }, { -2, -1, -14, 2, -2, least }, 0.5),
+      (std::vector<T>{ static_cast<T>(whole ? -2 : -1.5), static_cast<T>(whole ? -2 : -1.5), -12,
+        static_cast<T>(whole ? -1 : -0.5), static_cast<T>(whole ? -1 : -0.5),
+        // Their middle is -0.5, which is lost in the rounding of those of 64 bits.
+        static_cast<T>(whole && sizeof(T) < 8 ? -1 : 0) }));
+  }
+  // Always a number between both, wherever it is, also with limits at the ends.
+  for (int i = 1; i <= 1000; ++i)
+  {
+    const auto part = i / 1000.0;
+    const auto made =
+      Interpolate<T>(type, { most, 0, most, least }, { 0, most, most, least }, part);
+    if constexpr (std::is_same_v<T, double>)
+    {
+      EXPECT_DOUBLE_EQ(made[2], most) << part;
+      EXPECT_DOUBLE_EQ(made[3], least) << part;
+    }
+    else
+    {
+      EXPECT_EQ(made[2], most) << part;
+      EXPECT_EQ(made[3], least) << part;
+    }
+    const auto share = static_cast<long double>(most) * part;
+    const long double error =
+      std::max<long double>(whole ? 0.5L : 0, share * (whole ? 2e-16L : 2e-7L));
+    EXPECT_NEAR(static_cast<long double>(made[1]), share, error + 1e-9L) << part;
+    EXPECT_NEAR(static_cast<long double>(made[0]), static_cast<long double>(most) - share,
+      std::max<long double>(error, static_cast<long double>(most) * (whole ? 2e-16L : 2e-7L)) +
+        1e-9L);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(SurfacePart, InterpolatesValuesOfEveryType)
+{
+  ExpectInterpolated<std::int8_t>(ScalarType::Int8);
+  ExpectInterpolated<std::uint8_t>(ScalarType::UInt8);
+  ExpectInterpolated<std::int16_t>(ScalarType::Int16);
+  ExpectInterpolated<std::uint16_t>(ScalarType::UInt16);
+  ExpectInterpolated<std::int32_t>(ScalarType::Int32);
+  ExpectInterpolated<std::uint32_t>(ScalarType::UInt32);
+  ExpectInterpolated<std::int64_t>(ScalarType::Int64);
+  ExpectInterpolated<std::uint64_t>(ScalarType::UInt64);
+  ExpectInterpolated<float>(ScalarType::Float32);
+  ExpectInterpolated<double>(ScalarType::Float64);
+}
+
+//------------------------------------------------------------------------------
+TEST(SurfacePart, WholeNumbersNearTheEndOfTheirTypeStayInIt)
+{
+  // Numbers that the nearest double is too large for, at the end of an edge and on the way. A
+  // number becomes a double, and of that come two products and a sum: at most three steps of a
+  // double.
+  const std::int64_t steps = 3 * 1024;
+  for (const std::int64_t under : { 0, 1, 511, 512, 513, 1024, 1025 })
+  {
+    const auto value = std::numeric_limits<std::int64_t>::max() - under;
+    const auto unsignedValue =
+      std::numeric_limits<std::uint64_t>::max() - static_cast<std::uint64_t>(under);
+    for (const double part : { 0.1, 0.3, 0.5, 0.7, 1.0 })
+    {
+      const auto made = Interpolate<std::int64_t>(ScalarType::Int64, { value }, { value }, part)[0];
+      EXPECT_LE(std::abs(made - value), steps) << under;
+      EXPECT_GT(made, 0) << under;
+      const auto unsignedMade = Interpolate<std::uint64_t>(
+        ScalarType::UInt64, { unsignedValue }, { unsignedValue }, part)[0];
+      EXPECT_GE(unsignedMade, unsignedValue - 2 * std::uint64_t{ steps }) << under;
+      const auto negative =
+        Interpolate<std::int64_t>(ScalarType::Int64, { -value - 1 }, { -value - 1 }, part)[0];
+      EXPECT_LT(negative, -(std::int64_t{ 1 } << 62)) << under;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(SurfacePart, ValuesOfAComponentOrOfTheLength)
+{
+  const std::vector<std::int16_t> tuples = { 3, -4, 0, 0, -5, 12 };
+  MarchInput mesh;
+  std::vector<double> converted;
+  const TupleView view{ tuples.data(), ScalarType::Int16, 2 };
+  using Values = std::vector<double>;
+  SetMarchValues(mesh, view, 3, 0, converted);
+  EXPECT_EQ(converted, (Values{ 3, 0, -5 }));
+  SetMarchValues(mesh, view, 3, 1, converted);
+  EXPECT_EQ(converted, (Values{ -4, 0, 12 }));
+  SetMarchValues(mesh, view, 3, -1, converted);
+  EXPECT_EQ(converted, (Values{ 5, 0, 13 }));
+  EXPECT_EQ(mesh.Values, converted.data());
+  EXPECT_TRUE(mesh.WideValues);
+  // Of one component, the value itself, not its length; floating point values where they are.
+  SetMarchValues(mesh, { tuples.data(), ScalarType::Int16, 1 }, 6, -1, converted);
+  EXPECT_EQ(converted, (Values{ 3, -4, 0, 0, -5, 12 }));
+  const std::vector<float> floats = { 1, 2 };
+  for (const int component : { -1, 0 })
+  {
+    SetMarchValues(mesh, { floats.data(), ScalarType::Float32, 1 }, 2, component, converted);
+    EXPECT_EQ(mesh.Values, floats.data());
+    EXPECT_FALSE(mesh.WideValues);
+    SetMarchValues(mesh, { converted.data(), ScalarType::Float64, 1 }, 6, component, converted);
+    EXPECT_EQ(mesh.Values, converted.data());
+    EXPECT_TRUE(mesh.WideValues);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(SurfacePart, PointsAtTheEndOfAnEdgeAreThoseOfTheMesh)
+{
+  // With coordinates like these, going all the way from one end does not arrive at the other.
+  auto mesh = MakeSoup(400, 2000);
+  Sample sample(mesh);
+  for (std::size_t i = 0; i < sample.Values.size(); ++i)
+  {
+    sample.Values[i] = static_cast<double>(i % 3);
+  }
+  const double* x = mesh.Coordinates.data();
+  bool misses = false;
+  for (std::size_t i = 3; i < mesh.Coordinates.size(); ++i)
+  {
+    misses = misses || x[i - 3] + (x[i] - x[i - 3]) != x[i];
+  }
+  ASSERT_TRUE(misses);
+  std::set<Vector> ends;
+  for (std::size_t i = 0; i < mesh.GetPoints(); ++i)
+  {
+    ends.insert(sample.Point(i));
+  }
+  SurfaceOptions options;
+  options.Values = { 2 };
+  options.CoordinateType = ScalarType::Float64;
+  const Content<double> content(Make(sample, options));
+  ASSERT_GT(content.Points.size(), 300u);
+  for (std::size_t i = 0; i < content.Points.size() / 3; ++i)
+  {
+    EXPECT_TRUE(ends.count(content.Point(i)));
+    EXPECT_EQ(content.Values[i], 2);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Surface, IsThatOfEveryTetrahedronPutTogether)
+{
+  // More tetrahedra than there are in a part.
+  Sample sample(MakeCubes(24, 0.2));
+  sample.Fill(Wave);
+  sample.Values[4000] = 0.5; // met exactly
+  SurfaceOptions options;
+  options.Values = { -0.5, 0.5, 1.25 };
+  for (const auto type : { ScalarType::Float64, ScalarType::Float32 })
+  {
+    options.CoordinateType = type;
+    const auto parts = MakeSurfaceParts(sample.Get(), options, sample.Mesh.GetTets());
+    ASSERT_EQ(parts.size(), 2u);
+    ASSERT_FALSE(parts[1].Triangles.empty());
+    const auto check = [&]<typename T>(T)
+    {
+      using Corners = std::array<std::array<T, 3>, 3>;
+      // The first way: one tetrahedron after the other.
+      std::vector<std::pair<Corners, std::int32_t>> expected;
+      const auto marched = March(sample.Get().Mesh, 0, sample.Mesh.GetTets(), options.Values);
+      for (std::size_t i = 0; i < marched.Triangles.size(); ++i)
+      {
+        Corners corners;
+        for (unsigned k = 0; k < 3; ++k)
+        {
+          const Crossing& point = marched.Points[marched.Triangles[i][k]];
+          const Vector low = sample.Point(point.Low);
+          const Vector high = sample.Point(point.High);
+          for (unsigned axis = 0; axis < 3; ++axis)
+          {
+            corners[k][axis] = static_cast<T>(
+              point.Part == 1 ? high[axis] : low[axis] + point.Part * (high[axis] - low[axis]));
+          }
+        }
+        if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
+        {
+          expected.push_back({ corners, sample.Cells[marched.Cells[i]] });
+        }
+      }
+      EXPECT_LT(expected.size(), marched.Triangles.size()); // some have no area
+
+      const Content<T> content{ Surface(parts, type) };
+      std::vector<std::pair<Corners, std::int32_t>> found;
+      for (std::size_t i = 0; i < content.Triangles.size(); ++i)
+      {
+        const auto& t = content.Triangles[i];
+        found.push_back(
+          { { content.Point(t[0]), content.Point(t[1]), content.Point(t[2]) }, content.Cells[i] });
+      }
+      EXPECT_EQ(found, expected); // in the same order, too
+      std::set<std::array<T, 3>> different;
+      std::vector<bool> used(content.Points.size() / 3, false);
+      for (const auto& t : content.Triangles)
+      {
+        used[t[0]] = used[t[1]] = used[t[2]] = true;
+      }
+      for (std::size_t i = 0; i < used.size(); ++i)
+      {
+        EXPECT_TRUE(used[i]);
+        EXPECT_TRUE(different.insert(content.Point(i)).second);
+        // What is interpolated is what belongs there.
+        EXPECT_TRUE(std::any_of(options.Values.begin(), options.Values.end(),
+          [&](double v) { return std::abs(v - content.Values[i]) < 1e-12; }));
+        for (unsigned axis = 0; axis < 3; ++axis)
+        {
+          EXPECT_NEAR(content.Vectors[3 * i + axis], content.Points[3 * i + axis], 4e-6);
+        }
+      }
+    };
+    type == ScalarType::Float64 ? check(double{}) : check(float{});
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Surface, DoesNotDependOnTheNumberOfThreads)
+{
+  Sample sample(MakeCubes(24, 0.2));
+  sample.Fill(Wave);
+  SurfaceOptions options;
+  options.Values = { -0.5, 0, 0.5, 1.25 };
+  options.Normals = true;
+  const Content<float> expected(Make(sample, options), true, true);
+  ASSERT_FALSE(expected.Triangles.empty());
+  // Within a body of ParallelFor, all runs on one thread.
+  ParallelFor(1,
+    [&](std::size_t) { EXPECT_EQ(Content<float>(Make(sample, options), true, true), expected); });
+  EXPECT_EQ(Content<float>(Make(sample, options), true, true), expected);
+}
+
+//------------------------------------------------------------------------------
+TEST(Surface, PointsWithTheSameCoordinatesAreTheFirstOfThem)
+{
+  const auto check = [](auto zero, ScalarType type)
+  {
+    using T = decltype(zero);
+    using Point = std::array<T, 3>;
+    const T minus = -zero;
+    const std::vector<Point> one = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 5, 5, 5 } };
+    const std::vector<Point> other = { { minus, minus, 0 }, { 2, 0, 0 }, { 1, minus, minus },
+      { 0, minus, minus }, { 0, 0, 1 } };
+    // Of the second part, the second triangle loses a side, and the point that it alone has.
+    std::vector<SurfacePart> parts;
+    parts.push_back(MakePart<T>(one, { { 0, 1, 2 } }, 10));
+    parts.push_back(MakePart<T>({}, {}, 20));
+    parts.push_back(MakePart<T>(other, { { 1, 2, 0 }, { 0, 3, 4 } }, 30));
+    const Surface surface(std::move(parts), type);
+    const Content<T> content(surface);
+    EXPECT_EQ(content.Triangles, (std::vector<Triangle>{ { 0, 1, 2 }, { 3, 1, 0 } }));
+    EXPECT_EQ(content.Points, (std::vector<T>{ 0, 0, 0, 1, 0, 0, 0, 1, 0, 2, 0, 0 }));
+    EXPECT_FALSE(std::signbit(content.Points[1]));
+    EXPECT_EQ(content.Values, (std::vector<double>{ 10, 11, 12, 31 }));
+    EXPECT_EQ(content.Cells, (std::vector<std::int32_t>{ 10, 30 }));
+  };
+  check(0.0f, ScalarType::Float32);
+  check(0.0, ScalarType::Float64);
+}
+
+//------------------------------------------------------------------------------
+TEST(Surface, GhostsGiveNothingButTheirGradients)
+{
+  using Point = std::array<double, 3>;
+  const std::vector<Point> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
+  const std::vector<Point> around = { { 9, 9, 9 }, { 1, 0, 0 }, { 0, 0, 0 } };
+  for (const std::size_t place : { 0, 1, 2 })
+  {
+    std::vector<SurfacePart> parts;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      parts.push_back(i == place ? MakePart<double>(points, { { 0, 1, 2 } }, 10, { 0, 0, 3 })
+                                 : MakePart<double>(around, { { 0, 1, 2 } }, 10, { 0, -2, 0 }));
+    }
+    std::vector<std::size_t> ghosts = { 0, 1, 2 };
+    ghosts.erase(ghosts.begin() + static_cast<std::ptrdiff_t>(place));
+    const Surface surface(std::move(parts), ScalarType::Float64, ghosts);
+    const Content<double> content(surface, true, true);
+    ASSERT_EQ(content.Triangles.size(), 1u);
+    ASSERT_EQ(content.Points.size(), 9u);
+    EXPECT_EQ(content.Cells, std::vector<std::int32_t>{ 10 });
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const auto& point = content.Point(content.Triangles[0][i]);
+      EXPECT_EQ(point, points[i]);
+      // The sum is (0, -4, 3) where the ghosts have the point.
+      const Vector expected = i == 2 ? Vector{ 0, 0, -1 } : Vector{ 0, 0.8f, -0.6f };
+      EXPECT_EQ(content.Normal(content.Triangles[0][i]), expected);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Surface, NothingIsNothing)
+{
+  const Surface empty({}, ScalarType::Float32);
+  EXPECT_EQ(empty.GetNumberOfPoints(), 0u);
+  EXPECT_EQ(empty.GetNumberOfTriangles(), 0u);
+  empty.FillPoints(nullptr);
+  empty.FillNormals(nullptr);
+  Sample sample(MakeCubes(2, 0));
+  sample.Fill([](const Vector&) { return 1; });
+  SurfaceOptions options;
+  options.Values = { 1 }; // all of the mesh is there, and nothing below
+  EXPECT_EQ(Make(sample, options).GetNumberOfPoints(), 0u);
+  // All of a corner: every triangle has its corners in one point.
+  sample.Values.assign(sample.Values.size(), 0);
+  sample.Values[13] = 1; // in the middle
+  const auto parts = MakeSurfaceParts(sample.Get(), options, sample.Mesh.GetTets());
+  EXPECT_GT(parts[0].Triangles.size(), 10u);
+  const Surface point(parts, options.CoordinateType);
+  EXPECT_EQ(point.GetNumberOfTriangles(), 0u);
+  EXPECT_EQ(point.GetNumberOfPoints(), 0u);
+}
+
+//------------------------------------------------------------------------------
+TEST(Surface, StopsWhenAsked)
+{
+  Sample sample(MakeCubes(24, 0.2));
+  sample.Fill(Wave);
+  SurfaceOptions options;
+  options.Values = { 0 };
+  try
+  {
+    MakeSurfaceParts(sample.Get(), options, sample.Mesh.GetTets(), [](double) { return false; });
+    ADD_FAILURE();
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.Code, ErrorCode::Aborted);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(SurfaceNormals, OfALinearFieldAreExact)
+{
+  Sample sample(MakeCubes(5, 0));
+  sample.Fill([](const Vector& x) { return x[0] + 2 * x[1] - 2 * x[2]; });
+  SurfaceOptions options;
+  options.Values = { -3.5, 0.25, 1, 7.5 };
+  options.Normals = true;
+  for (const bool turned : { false, true })
+  {
+    if (turned) // the gradient does not change with the orientation
+    {
+      for (std::size_t t = 0; t < sample.Mesh.Ids.size(); t += 8)
+      {
+        std::swap(sample.Mesh.Ids[t], sample.Mesh.Ids[t + 1]);
+      }
+    }
+    const Content<float> content(Make(sample, options), false, true);
+    ASSERT_GT(content.Normals.size(), 100u);
+    for (std::size_t i = 0; i < content.Normals.size() / 3; ++i)
+    {
+      const Vector expected = { static_cast<float>(-1 / 3.0), static_cast<float>(-2 / 3.0),
+        static_cast<float>(2 / 3.0) };
+      ASSERT_EQ(content.Normal(i), expected);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(SurfaceNormals, AreMeansOfGradientsWeightedByVolume)
+{
+  Sample sample(MakeCubes(5, 0.25));
+  sample.Fill([](const Vector& x) { return Wave({ 3 * x[0], 3 * x[1], 5 * x[2] }); });
+  SurfaceOptions options;
+  options.Values = { -0.31, 0.42 };
+  options.CoordinateType = ScalarType::Float64;
+  options.Normals = true;
+  // Of each edge that is crossed, the gradients of the tetrahedra around it, by Cramer's rule.
+  std::map<Vector, Vector> sums;
+  const auto determinant = [](const Vector& a, const Vector& b, const Vector& c)
+  {
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+      a[2] * (b[0] * c[1] - b[1] * c[0]);
+  };
+  for (std::size_t t = 0; t < sample.Mesh.GetTets(); ++t)
+  {
+    const auto* const ids = &sample.Mesh.Ids[4 * t];
+    std::array<Vector, 3> edges;
+    Vector rise;
+    for (unsigned i = 0; i < 3; ++i)
+    {
+      for (unsigned axis = 0; axis < 3; ++axis)
+      {
+        edges[i][axis] = sample.Point(static_cast<std::size_t>(ids[i + 1]))[axis] -
+          sample.Point(static_cast<std::size_t>(ids[0]))[axis];
+      }
+      rise[i] = sample.Values[static_cast<std::size_t>(ids[i + 1])] -
+        sample.Values[static_cast<std::size_t>(ids[0])];
+    }
+    const double volume = determinant(edges[0], edges[1], edges[2]);
+    Vector gradient;
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      auto columns = edges;
+      for (unsigned i = 0; i < 3; ++i)
+      {
+        columns[i][axis] = rise[i];
+      }
+      gradient[axis] = determinant(columns[0], columns[1], columns[2]) / volume;
+    }
+    for (const double value : options.Values)
+    {
+      for (unsigned i = 0; i < 4; ++i)
+      {
+        for (unsigned j = 0; j < 4; ++j)
+        {
+          const auto low = static_cast<std::size_t>(ids[i]);
+          const auto high = static_cast<std::size_t>(ids[j]);
+          if (sample.Values[low] < value && sample.Values[high] >= value)
+          {
+            const double part =
+              (value - sample.Values[low]) / (sample.Values[high] - sample.Values[low]);
+            Vector x;
+            for (unsigned axis = 0; axis < 3; ++axis)
+            {
+              x[axis] = sample.Point(low)[axis] +
+                part * (sample.Point(high)[axis] - sample.Point(low)[axis]);
+            }
+            for (unsigned axis = 0; axis < 3; ++axis)
+            {
+              sums[x][axis] += std::abs(volume) * gradient[axis];
+            }
+          }
+        }
+      }
+    }
+  }
+  const Content<double> content(Make(sample, options), false, true);
+  ASSERT_EQ(content.Points.size() / 3, sums.size());
+  for (std::size_t i = 0; i < sums.size(); ++i)
+  {
+    ASSERT_TRUE(sums.count(content.Point(i)));
+    const Vector sum = sums[content.Point(i)];
+    const double length = std::hypot(sum[0], sum[1], sum[2]);
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_NEAR(content.Normal(i)[axis], -sum[axis] / length, 1e-6);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(SurfaceNormals, OfASphereLookInwards)
+{
+  // The value is the distance from the middle: lower values are inside.
+  for (const double jitter : { 0.0, 0.15 })
+  {
+    double last = 0;
+    for (const std::int64_t n : { 10, 20, 40 })
+    {
+      Sample sample(MakeCubes(n, jitter));
+      const double middle = 0.5 * static_cast<double>(n);
+      const double radius = 0.5 * middle; // many points of the lattice are at that distance
+      const auto distance = [=](const auto& x)
+      { return std::hypot(x[0] - middle, x[1] - middle, x[2] - middle); };
+      sample.Fill(distance);
+      SurfaceOptions options;
+      options.Values = { radius };
+      options.Normals = true;
+      const Content<float> content(Make(sample, options), false, true);
+      double mean = 0;
+      const std::size_t count = content.Points.size() / 3;
+      ASSERT_GT(count, 200u);
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        const auto x = content.Point(i);
+        const Vector normal = content.Normal(i);
+        EXPECT_NEAR(std::hypot(normal[0], normal[1], normal[2]), 1, 1e-6);
+        double cosine = 0;
+        for (unsigned axis = 0; axis < 3; ++axis)
+        {
+          cosine -= normal[axis] * (x[axis] - middle) / distance(x);
+        }
+        const double angle = std::acos(std::min(1.0, cosine));
+        mean += angle / static_cast<double>(count);
+        EXPECT_LT(angle, 1 / radius); // what the true normal turns by along an edge
+      }
+      EXPECT_LT(mean, n == 10 ? 0.25 / radius : 0.6 * last); // and half of that in half the edges
+      last = mean;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(SurfaceNormals, AreNothingWhereThereIsNoGradient)
+{
+  // Flat tetrahedra: no volume, no gradient.
+  Sample sample(TestMesh{ { 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0 }, { 0, 1, 2, 3 } });
+  sample.Values = { 0, 1, 2.5, 4 };
+  SurfaceOptions options;
+  options.Values = { 1.5 };
+  options.Normals = true;
+  EXPECT_GT(Make(sample, options).GetNumberOfTriangles(), 0u);
+  Content<float> content(Make(sample, options), false, true);
+  for (std::size_t i = 0; i < content.Normals.size() / 3; ++i)
+  {
+    // In the plane there is one, times no volume: what is left has no part in it.
+    const Vector n = content.Normal(i);
+    EXPECT_EQ(n[0], 0);
+    EXPECT_EQ(n[1], 0);
+  }
+  sample.Mesh.Coordinates.assign(12, 0);
+  sample.Mesh.Coordinates[3] = NotANumber;
+  content = Content<float>(Make(sample, options), false, true);
+  for (const float n : content.Normals)
+  {
+    EXPECT_EQ(n, 0);
+  }
+}
+}
