@@ -662,6 +662,7 @@ TEST(SurfaceNormals, OfASphereLookInwards)
   // The value is the distance from the middle: lower values are inside.
   for (const double jitter : { 0.0, 0.15 })
   {
+    const double longest = std::sqrt(3) * (1 + 2 * jitter); // edge
     double last = 0;
     for (const std::int64_t n : { 10, 20, 40 })
     {
@@ -690,9 +691,9 @@ TEST(SurfaceNormals, OfASphereLookInwards)
         }
         const double angle = std::acos(std::min(1.0, cosine));
         mean += angle / static_cast<double>(count);
-        EXPECT_LT(angle, 1 / radius); // what the true normal turns by along an edge
+        EXPECT_LT(angle, longest / radius); // what the true normal turns by along it
       }
-      EXPECT_LT(mean, n == 10 ? 0.25 / radius : 0.6 * last); // and half of that in half the edges
+      EXPECT_LT(mean, n == 10 ? longest / (4 * radius) : 0.6 * last); // half, with half the edges
       last = mean;
     }
   }
