@@ -74,12 +74,15 @@ constexpr std::uint32_t Role(int attribute)
 
 /** Whether VTK interpolates an array along edges, or copies it from cells: ids of things that are
  * not in the output say nothing there. */
-bool IsCarried(gatun::Association where, std::uint32_t roles)
+bool IsCarried(const gatun::ArrayDescription& array)
 {
-  const std::uint32_t ids = where == gatun::Association::Point
-    ? Role(vtkDataSetAttributes::GLOBALIDS) | Role(vtkDataSetAttributes::PEDIGREEIDS)
-    : Role(vtkDataSetAttributes::GLOBALIDS);
-  return (roles & ids) == 0;
+  if (array.Where == gatun::Association::Cell)
+  {
+    return (array.AttributeRoles & Role(vtkDataSetAttributes::GLOBALIDS)) == 0;
+  }
+  const std::uint32_t ids =
+    Role(vtkDataSetAttributes::GLOBALIDS) | Role(vtkDataSetAttributes::PEDIGREEIDS);
+  return (array.AttributeRoles & ids) == 0 && array.VTKType != VTK_ID_TYPE;
 }
 
 //------------------------------------------------------------------------------
@@ -223,7 +226,7 @@ void vtkGatunContour::vtkInternals::FillFromFile(vtkGatunContour* self, vtkGatun
     }
     const bool isWanted = ofPoints && !scalars && wanted.IsThis(array.Name, array.AttributeRoles);
     scalars = isWanted ? i : scalars;
-    if (IsCarried(array.Where, array.AttributeRoles) && (!isWanted || self->ComputeScalars))
+    if (IsCarried(array) && (!isWanted || self->ComputeScalars))
     {
       SetScalarsRole(array, isWanted);
       request.Arrays.push_back(i);
@@ -322,7 +325,7 @@ void vtkGatunContour::vtkInternals::FillFromGrid(
         gatun::SetMarchValues(input.Mesh, view, static_cast<std::size_t>(mesh.Mesh.Points),
           self->ArrayComponent, converted);
       }
-      if (IsCarried(where, description.AttributeRoles) && (!isWanted || self->ComputeScalars))
+      if (IsCarried(description) && (!isWanted || self->ComputeScalars))
       {
         SetScalarsRole(description, isWanted);
         (ofPoints ? input.PointArrays : input.CellArrays).push_back(view);

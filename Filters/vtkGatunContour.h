@@ -17,8 +17,8 @@
  * steps and the selection of arrays are the reader's, too.
  *
  * Output: a vtkPolyData of triangles, or of triangle strips. All point arrays are interpolated, and
- * cell arrays passed to the triangles, but for global ids and, of points, pedigree ids. Points with
- * the same coordinates are one.
+ * cell arrays passed to the triangles, but for global ids and, of points, pedigree ids and arrays
+ * of vtkIdType. Points with the same coordinates are one.
  *
  * The triangles are those of vtkContourGrid: a corner whose value is the isovalue is one above it;
  * triangles with two corners in one point are left out. Where a field is constant at the isovalue
