@@ -9,39 +9,15 @@
 #include "gtnProgress.h"
 #include "gtnText.h"
 
-#include "vtkAlgorithm.h"
-#include "vtkErrorCode.h"
 #include "vtkNew.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkUnstructuredGridWriter.h"
 #include "vtkXMLUnstructuredGridWriter.h"
 
-#include <cstdint>
-#include <filesystem>
-#include <system_error>
-
 namespace gtn
 {
 namespace
 {
-
-// VTK's writers do not tell a full disk from other failures.
-void CheckWritten(vtkAlgorithm* writer, bool good, const std::string& file)
-{
-  const std::vector<std::string> errors = TakeErrors();
-  if (good && errors.empty() && writer->GetErrorCode() == vtkErrorCode::NoError)
-  {
-    return;
-  }
-  std::error_code error;
-  const auto space = std::filesystem::space(std::filesystem::absolute(file).parent_path(), error);
-  constexpr std::uintmax_t little = 1 << 16;
-  if (!error && space.available < little)
-  {
-    throw Failure("no space left on the disk");
-  }
-  throw Failure("cannot be written");
-}
 
 void WriteXML(
   vtkUnstructuredGrid* grid, const std::string& file, Compressor compressor, Progress& progress)

@@ -4,11 +4,20 @@
 #include "gtnOutput.h"
 
 #include "gtnFailure.h"
+#include "gtnMessages.h"
 #include "gtnText.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkErrorCode.h"
 
 #include <fmt/core.h>
 
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
+#include <memory>
 #include <random>
 #include <system_error>
 
@@ -30,6 +39,39 @@ void CheckWritable(const std::string& file, bool overwrite)
   if (!folder.empty() && !std::filesystem::is_directory(folder, error))
   {
     throw Failure(file, "there is no folder " + folder.string());
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckWritten(vtkAlgorithm* writer, bool good, const std::string& file)
+{
+  const std::vector<std::string> errors = TakeErrors();
+  if (good && errors.empty() && writer->GetErrorCode() == vtkErrorCode::NoError)
+  {
+    return;
+  }
+  // VTK's writers do not tell a full disk from other failures.
+  std::error_code error;
+  const auto space = std::filesystem::space(std::filesystem::absolute(file).parent_path(), error);
+  constexpr std::uintmax_t little = 1 << 16;
+  if (!error && space.available < little)
+  {
+    throw Failure("no space left on the disk");
+  }
+  throw Failure("cannot be written");
+}
+
+//------------------------------------------------------------------------------
+void WriteBytes(const std::string& file, std::string_view bytes)
+{
+  const auto close = [](std::FILE* stream) { std::fclose(stream); };
+  std::unique_ptr<std::FILE, decltype(close)> stream(std::fopen(file.c_str(), "wb"), close);
+  // What is still in the buffer may be what does not fit.
+  if (!stream || std::fwrite(bytes.data(), 1, bytes.size(), stream.get()) != bytes.size() ||
+    std::fclose(stream.release()) != 0)
+  {
+    throw Failure(errno == ENOSPC ? "no space left on the disk"
+                                  : std::string("cannot be written: ") + std::strerror(errno));
   }
 }
 

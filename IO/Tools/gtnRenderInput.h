@@ -5,6 +5,7 @@
 
 // What is drawn: a .gtn file, of which no more is read than is seen, or any other mesh in memory.
 
+#include "gtnArray.h"
 #include "gtnStep.h"
 
 #include "gatunTypes.h"
@@ -26,8 +27,7 @@ class Progress;
 struct RenderInputOptions
 {
   std::string File;
-  std::string Array;            ///< empty: the active scalars, or else the first array
-  std::optional<int> Component; ///< -1: the length of the tuples
+  ArrayOptions Array;
   StepOptions Step;
   bool Quiet = false;
 };
@@ -59,26 +59,16 @@ public:
   void Draw(vtkGatunRayCaster* caster) const;
 
 private:
-  // An array that could be drawn.
-  struct Choice
-  {
-    std::string Name;
-    int Association = 0; ///< of points, or 1: of cells
-    int Components = 1;
-    bool Active = false;
-    std::size_t Index = 0; ///< in the file
-  };
-
   void OpenFile(const RenderInputOptions& options);
   void Read(const RenderInputOptions& options, Progress& progress);
-  void Choose(const RenderInputOptions& options, const std::vector<Choice>& choices);
+  void Choose(const RenderInputOptions& options, const std::vector<ArrayChoice>& choices);
   void RequireContent() const;
 
   const std::string File;
   vtkSmartPointer<vtkAlgorithm> Reader;      // of a .gtn file
   vtkSmartPointer<vtkUnstructuredGrid> Grid; // of others
   std::optional<double> Time;
-  Choice Array;
+  ArrayChoice Array;
   int Component = 0;
   gatun::Bounds Bounds;
   gatun::Range Range;

@@ -5,6 +5,7 @@
 
 #include "gtnInput.h"
 #include "gtnOptions.h"
+#include "gtnParse.h"
 #include "gtnText.h"
 #include "gtnTransfer.h"
 
@@ -13,11 +14,8 @@
 #include <fmt/core.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <limits>
 #include <string_view>
-#include <system_error>
 
 namespace gtn
 {
@@ -28,35 +26,12 @@ constexpr std::array<const char*, 4> Modes{ "composite", "area", "mip", "xray" }
 static_assert(vtkGatunRayCaster::Composite == 0 && vtkGatunRayCaster::Area == 1 &&
   vtkGatunRayCaster::Maximum == 2 && vtkGatunRayCaster::XRay == 3);
 
-// All of a text as a number, or nothing.
-template <typename Number>
-std::optional<Number> Parse(std::string_view text, int base = 10)
-{
-  Number number{};
-  std::from_chars_result result{};
-  if constexpr (std::is_integral_v<Number>)
-  {
-    result = std::from_chars(text.data(), text.data() + text.size(), number, base);
-  }
-  else
-  {
-    result = std::from_chars(text.data(), text.data() + text.size(), number);
-  }
-  const bool good = result.ec == std::errc() && result.ptr == text.data() + text.size();
-  return good ? std::optional(number) : std::nullopt;
-}
-
 // "640x480" at the x, "0,1" at the comma; the second part is empty without.
 std::pair<std::string_view, std::string_view> Split(std::string_view text, char separator)
 {
   const std::size_t place = text.find(separator);
   return place == text.npos ? std::pair(text, std::string_view())
                             : std::pair(text.substr(0, place), text.substr(place + 1));
-}
-
-[[noreturn]] void Refuse(const char* option, const std::string& value, const std::string& wanted)
-{
-  throw CLI::ValidationError(option, fmt::format("'{}' is not {}", Printable(value), wanted));
 }
 
 void ParseSize(const std::string& text, RenderOptions& options)
@@ -86,16 +61,6 @@ void ParseRange(const std::string& text, RenderOptions& options)
   options.Range = range;
 }
 
-void ParseComponent(const std::string& text, RenderOptions& options)
-{
-  const int component = text == "magnitude" ? -1 : Parse<int>(text).value_or(-2);
-  if (component < -1 || text == "-1")
-  {
-    Refuse("--component", text, "a number from 0 or 'magnitude'");
-  }
-  options.Input.Component = component;
-}
-
 void ParseBackground(const std::string& text, RenderOptions& options)
 {
   options.Background.reset();
@@ -118,33 +83,6 @@ void ParseBackground(const std::string& text, RenderOptions& options)
   }
   options.Background =
     Colour{ (*number >> 16) / 255., (*number >> 8 & 255) / 255., (*number & 255) / 255. };
-}
-
-// A finite number within limits; CLI::Range lets NaN pass.
-CLI::Validator Between(double low, double high)
-{
-  return CLI::Validator(
-    [low, high](const std::string& text)
-    {
-      const double number = Parse<double>(text).value_or(std::nan(""));
-      return number >= low && number <= high
-        ? std::string()
-        : fmt::format("'{}' is not a number from {} to {}", Printable(text), low, high);
-    },
-    "");
-}
-
-CLI::Validator Positive()
-{
-  return CLI::Validator(
-    [](const std::string& text)
-    {
-      const double number = Parse<double>(text).value_or(0);
-      return number > 0 && std::isfinite(number)
-        ? std::string()
-        : fmt::format("'{}' is not a number above 0", Printable(text));
-    },
-    "");
 }
 
 // An option whose text a function takes apart.
@@ -194,14 +132,10 @@ void AddPictureOptions(CLI::App* command, RenderOptions& options)
 void AddMeshOptions(CLI::App* command, RenderOptions& options)
 {
   const char* const group = "What is drawn";
-  command
-    ->add_option("--array", options.Input.Array,
-      "Point or cell array (default: the active scalars, or else the first one)")
-    ->option_text("NAME")
-    ->group(group);
-  AddParsed(command, "--component", options, ParseComponent,
-    "Component of the array, from 0, or magnitude, the length of its tuples (the default)",
-    "N|magnitude", group);
+  for (CLI::Option* option : AddArray(command, options.Input.Array, "Point or cell array"))
+  {
+    option->group(group);
+  }
   for (CLI::Option* option : AddStep(command, options.Input.Step))
   {
     option->group(group);

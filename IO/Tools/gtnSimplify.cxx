@@ -12,6 +12,7 @@
 #include "gtnOutput.h"
 #include "gtnProgress.h"
 #include "gtnStep.h"
+#include "gtnTarget.h"
 #include "gtnText.h"
 #include "gtnWriteMesh.h"
 
@@ -23,12 +24,8 @@
 
 #include <fmt/core.h>
 
-#include <cstdint>
-#include <iterator>
 #include <memory>
-#include <optional>
 #include <string>
-#include <vector>
 
 namespace gtn
 {
@@ -41,58 +38,9 @@ struct Options
   bool Overwrite = false;
   StepOptions Step;
   InputOptions Input;
-  std::optional<double> Ratio;
-  std::optional<double> Percent;
-  std::optional<std::int64_t> Points;
-  std::optional<double> Error;
+  TargetOptions Target;
   MergeOptions Merges;
 };
-
-void SetTarget(vtkGatunSimplify* simplifier, const Options& options)
-{
-  if (options.Percent)
-  {
-    simplifier->SetTarget(vtkGatunSimplify::TARGET_PERCENT);
-    simplifier->SetPercent(*options.Percent);
-  }
-  else if (options.Points)
-  {
-    simplifier->SetTarget(vtkGatunSimplify::TARGET_NUMBER_OF_POINTS);
-    simplifier->SetNumberOfPoints(static_cast<vtkIdType>(*options.Points));
-  }
-  else if (options.Error)
-  {
-    simplifier->SetTarget(vtkGatunSimplify::TARGET_ERROR);
-    simplifier->SetMaximumError(*options.Error);
-  }
-  else
-  {
-    simplifier->SetRatio(options.Ratio.value_or(0.5));
-  }
-}
-
-void SetTarget(vtkGatunReader* reader, const Options& options)
-{
-  if (options.Percent)
-  {
-    reader->SetSimplificationTarget(vtkGatunReader::TARGET_PERCENT);
-    reader->SetSimplificationPercent(*options.Percent);
-  }
-  else if (options.Points)
-  {
-    reader->SetSimplificationTarget(vtkGatunReader::TARGET_NUMBER_OF_POINTS);
-    reader->SetSimplificationPoints(static_cast<vtkIdType>(*options.Points));
-  }
-  else if (options.Error)
-  {
-    reader->SetSimplificationTarget(vtkGatunReader::TARGET_ERROR);
-    reader->SetSimplificationError(*options.Error);
-  }
-  else
-  {
-    reader->SetSimplificationRatio(options.Ratio.value_or(0.5));
-  }
-}
 
 /** The reader, if the file tells how its mesh becomes simpler and nothing else is wanted. */
 vtkGatunReader* FindHierarchy(const Input& input, const Options& options)
@@ -105,14 +53,14 @@ void SimplifyMesh(const Options& options, const Settings& settings)
 {
   CheckMeshName(options.Out);
   vtkNew<vtkGatunSimplify> simplifier;
-  SetTarget(simplifier, options);
+  options.Target.Apply(simplifier.Get());
   options.Merges.Apply(simplifier.Get());
 
   Input input({ options.In }, options.Input);
   CheckWritable(options.Out, options.Overwrite);
   if (vtkGatunReader* const reader = FindHierarchy(input, options))
   {
-    SetTarget(reader, options);
+    options.Target.Apply(reader);
     WriteMesh(ReadStep(input, options.Step, settings), options.Out, settings);
     return;
   }
@@ -147,31 +95,7 @@ void AddSimplify(CLI::App& app, Settings& settings)
     "  gtn simplify --vertices 10000 --weight pressure=2 --weight velocity mesh.vtu coarse.vtu\n"
     "  gtn simplify --error 1e-3 mesh.gtn coarse.gtn");
   AddForce(command, options->Overwrite);
-  CLI::Option* const targets[] = { command
-                                     ->add_option("--ratio", options->Ratio,
-                                       "Part of the points to merge away, 0 to 1 (default: 0.5)")
-                                     ->check(CLI::Range(0., 1.))
-                                     ->option_text("R"),
-    command->add_option("--percent", options->Percent, "Points left of a hundred, 0 to 100")
-      ->check(CLI::Range(0., 100.))
-      ->option_text("P"),
-    command->add_option("--vertices", options->Points, "Points left")
-      ->check(CLI::NonNegativeNumber)
-      ->option_text("N"),
-    command
-      ->add_option("--error", options->Error,
-        "Largest error: an estimate of the root mean square error of the values, as a part of "
-        "their "
-        "range, and of the shape")
-      ->check(CLI::NonNegativeNumber)
-      ->option_text("E") };
-  for (std::size_t i = 0; i < std::size(targets); ++i)
-  {
-    for (std::size_t j = 0; j < i; ++j)
-    {
-      targets[i]->excludes(targets[j]);
-    }
-  }
+  AddTarget(command, options->Target, "default: 0.5");
   AddMergeOptions(command, options->Merges);
   AddStep(command, options->Step);
   command->add_option("IN", options->In, std::string("A mesh: ") + InputFormats)->required();
