@@ -111,6 +111,7 @@ int Run(int argc, char* argv[])
   AddMesh(app, settings);
   AddRender(app, settings);
   AddSimplify(app, settings);
+  AddContour(app, settings);
   AddBench(app, settings);
 
   try

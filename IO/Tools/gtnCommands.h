@@ -27,6 +27,7 @@ CLI::App* AddCommand(CLI::App& app, Settings& settings, const std::string& name,
   const std::string& description, const std::string& examples, bool withThreads = true);
 
 void AddBench(CLI::App& app, Settings& settings);
+void AddContour(CLI::App& app, Settings& settings);
 void AddInfo(CLI::App& app, Settings& settings);
 void AddMesh(CLI::App& app, Settings& settings);
 void AddPack(CLI::App& app, Settings& settings);

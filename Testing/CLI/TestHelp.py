@@ -9,7 +9,7 @@ from gatunCli import gtn
 
 manual = gtn("--man")
 assert manual.startswith(".TH GTN 1 ")
-for command in ("pack", "unpack", "info", "verify", "mesh", "render", "bench"):
+for command in ("pack", "unpack", "info", "verify", "mesh", "render", "simplify", "contour", "bench"):
     text = gtn(command, "--help")
     assert "Examples:\n  gtn " + command in text, command
     for option in re.findall(r"--[a-z-]+", text.split("Examples:")[0]):

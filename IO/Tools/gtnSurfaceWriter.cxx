@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gtnSurfaceWriter.h"
+
+#include "gtnFailure.h"
+#include "gtnMessages.h"
+#include "gtnOutput.h"
+#include "gtnProgress.h"
+#include "gtnText.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSTLWriter.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <iterator>
+#include <limits>
+#include <system_error>
+
+namespace gtn
+{
+const char* const SurfaceFormats = ".vtp .stl .ply .obj";
+
+namespace
+{
+void Report(Progress& progress, vtkIdType done, vtkIdType count)
+{
+  if (done % 4096 == 0)
+  {
+    progress(static_cast<double>(done) / static_cast<double>(count));
+    CheckInterrupt();
+  }
+}
+
+void WriteVtp(vtkPolyData* surface, const std::string& file, Progress& progress)
+{
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(surface);
+  writer->SetFileName(file.c_str());
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetHeaderTypeToUInt64();
+  writer->SetCompressorTypeToZLib();
+  progress.Watch(writer);
+  const bool good = writer->Write() != 0;
+  CheckInterrupt();
+  CheckWritten(writer, good, file);
+}
+
+void WriteStl(vtkPolyData* surface, const std::string& file, Progress& progress)
+{
+  const auto triangles = static_cast<std::uint64_t>(surface->GetNumberOfPolys());
+  if (triangles > std::numeric_limits<std::uint32_t>::max())
+  {
+    throw Failure("has too many triangles for an .stl file");
+  }
+  vtkNew<vtkSTLWriter> writer;
+  writer->SetInputData(surface);
+  writer->SetFileName(file.c_str());
+  writer->SetFileTypeToBinary();
+  writer->SetHeader("made by Gatun");
+  progress.Watch(writer);
+  const bool good = writer->Write() != 0;
+  CheckInterrupt();
+  CheckWritten(writer, good, file);
+  // The writer does not look whether the last bytes got to the disk.
+  std::error_code error;
+  if (std::filesystem::file_size(file, error) != 84 + 50 * triangles || error)
+  {
+    throw Failure("no space left on the disk");
+  }
+}
+
+template <typename T>
+void Append(std::string& bytes, T value)
+{
+  const auto place = bytes.size();
+  bytes.resize(place + sizeof value);
+  std::memcpy(bytes.data() + place, &value, sizeof value);
+}
+
+// Not by vtkPLYWriter, which does not look whether the disk is full, and knows no normals.
+void WritePly(vtkPolyData* surface, const std::string& file, Progress& progress)
+{
+  const vtkIdType points = surface->GetNumberOfPoints();
+  const vtkIdType count = surface->GetNumberOfPolys();
+  if (points > std::numeric_limits<std::int32_t>::max())
+  {
+    throw Failure("has too many points for a .ply file");
+  }
+  vtkDataArray* const normals = surface->GetPointData()->GetNormals();
+  std::string bytes = fmt::format("ply\nformat binary_{}_endian 1.0\ncomment made by Gatun\n"
+                                  "element vertex {}\n"
+                                  "property float x\nproperty float y\nproperty float z\n{}"
+                                  "element face {}\n"
+                                  "property list uchar int vertex_indices\nend_header\n",
+    std::endian::native == std::endian::little ? "little" : "big", points,
+    normals ? "property float nx\nproperty float ny\nproperty float nz\n" : "", count);
+  for (vtkIdType i = 0; i < points; ++i)
+  {
+    for (vtkDataArray* const tuples : { surface->GetPoints()->GetData(), normals })
+    {
+      for (int c = 0; tuples && c < 3; ++c)
+      {
+        Append(bytes, static_cast<float>(tuples->GetComponent(i, c)));
+      }
+    }
+  }
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    Report(progress, i, count);
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    surface->GetPolys()->GetCellAtId(i, size, corners);
+    Append(bytes, static_cast<std::uint8_t>(size));
+    for (vtkIdType k = 0; k < size; ++k)
+    {
+      Append(bytes, static_cast<std::int32_t>(corners[k]));
+    }
+  }
+  WriteBytes(file, bytes);
+}
+
+// Not by vtkOBJWriter, which writes six digits, and does not look whether the disk is full.
+void WriteObj(vtkPolyData* surface, const std::string& file, Progress& progress)
+{
+  fmt::memory_buffer text;
+  const auto to = std::back_inserter(text);
+  const auto write = [&](const char* what, vtkDataArray* tuples)
+  {
+    for (vtkIdType i = 0; tuples && i < tuples->GetNumberOfTuples(); ++i)
+    {
+      double tuple[3];
+      tuples->GetTuple(i, tuple);
+      if (tuples->GetDataType() == VTK_FLOAT)
+      {
+        // The shortest that give the same float again.
+        fmt::format_to(to, "{} {} {} {}\n", what, static_cast<float>(tuple[0]),
+          static_cast<float>(tuple[1]), static_cast<float>(tuple[2]));
+      }
+      else
+      {
+        fmt::format_to(to, "{} {} {} {}\n", what, tuple[0], tuple[1], tuple[2]);
+      }
+    }
+  };
+  vtkDataArray* const normals = surface->GetPointData()->GetNormals();
+  fmt::format_to(to, "# made by Gatun\n");
+  write("v", surface->GetPoints()->GetData());
+  write("vn", normals);
+  const vtkIdType count = surface->GetNumberOfPolys();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    Report(progress, i, count);
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    surface->GetPolys()->GetCellAtId(i, size, corners);
+    fmt::format_to(to, "f");
+    for (vtkIdType k = 0; k < size; ++k)
+    {
+      normals ? fmt::format_to(to, " {0}//{0}", corners[k] + 1)
+              : fmt::format_to(to, " {}", corners[k] + 1);
+    }
+    fmt::format_to(to, "\n");
+  }
+  WriteBytes(file, { text.data(), text.size() });
+}
+}
+
+//------------------------------------------------------------------------------
+SurfaceFormat GetSurfaceFormat(const std::string& file)
+{
+  const std::string extension = ExtensionOf(file);
+  if (extension == ".vtp")
+  {
+    return { true, true, true, true };
+  }
+  if (extension == ".obj")
+  {
+    return { false, false, true, true };
+  }
+  if (extension == ".ply")
+  {
+    return { false, false, true, false };
+  }
+  if (extension == ".stl")
+  {
+    return {};
+  }
+  throw UsageError(file + ": the name must end in .vtp, .stl, .ply or .obj");
+}
+
+//------------------------------------------------------------------------------
+void WriteSurface(vtkPolyData* surface, const std::string& file, Progress& progress)
+{
+  const std::string extension = ExtensionOf(file);
+  TemporaryFile temporary(file);
+  try
+  {
+    const auto write = extension == ".vtp" ? WriteVtp
+      : extension == ".stl"                ? WriteStl
+      : extension == ".ply"                ? WritePly
+                                           : WriteObj;
+    write(surface, temporary.GetName(), progress);
+  }
+  catch (const Failure& failure)
+  {
+    TakeErrors();
+    throw Failure(file, failure.what());
+  }
+  CheckMessages(file, true);
+  temporary.Commit();
+}
+}
