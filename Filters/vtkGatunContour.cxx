@@ -86,6 +86,13 @@ bool IsCarried(const gatun::ArrayDescription& array)
 }
 
 //------------------------------------------------------------------------------
+/** As the core takes it: the number of components stands for their length, too. */
+int ChooseComponent(int wanted, const gatun::ArrayDescription& array)
+{
+  return wanted == static_cast<int>(array.Components) ? -1 : wanted;
+}
+
+//------------------------------------------------------------------------------
 /** The array of the isovalues becomes the active scalars. */
 void SetScalarsRole(gatun::ArrayDescription& array, bool isContoured)
 {
@@ -238,7 +245,7 @@ void vtkGatunContour::vtkInternals::FillFromFile(vtkGatunContour* self, vtkGatun
     wanted.Fail();
   }
   request.Array = *scalars;
-  request.Component = self->ArrayComponent;
+  request.Component = ChooseComponent(self->ArrayComponent, arrays[*scalars]);
   request.Options.CoordinateType =
     ChooseType(self->OutputPointsPrecision, file.GetCoordinateType());
   request.Options.Normals = self->ComputeNormals;
@@ -317,13 +324,14 @@ void vtkGatunContour::vtkInternals::FillFromGrid(
       if (isWanted)
       {
         found = true;
-        if (self->ArrayComponent >= static_cast<int>(description.Components))
+        const int component = ChooseComponent(self->ArrayComponent, description);
+        if (component >= static_cast<int>(description.Components))
         {
           gatun::ThrowInvalid("array '" + description.Name + "' has no component " +
             std::to_string(self->ArrayComponent));
         }
-        gatun::SetMarchValues(input.Mesh, view, static_cast<std::size_t>(mesh.Mesh.Points),
-          self->ArrayComponent, converted);
+        gatun::SetMarchValues(
+          input.Mesh, view, static_cast<std::size_t>(mesh.Mesh.Points), component, converted);
       }
       if (IsCarried(description) && (!isWanted || self->ComputeScalars))
       {
@@ -447,6 +455,12 @@ int vtkGatunContour::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
+vtkAlgorithm* vtkGatunContour::FindProducer()
+{
+  return this->GetInputAlgorithm();
+}
+
+//------------------------------------------------------------------------------
 int vtkGatunContour::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
@@ -473,7 +487,7 @@ int vtkGatunContour::RequestData(
   };
   try
   {
-    if (vtkGatunReader* const reader = gatun::GetFileReader(this->GetInputAlgorithm()))
+    if (vtkGatunReader* const reader = gatun::GetFileReader(this->FindProducer()))
     {
       self.FillFromFile(this, reader, inputVector[0]->GetInformationObject(0),
         outputVector->GetInformationObject(0), progress, output);

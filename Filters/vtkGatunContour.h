@@ -83,8 +83,8 @@ public:
 
   ///@{
   /**
-   * Component of the array, from 0; -1 is the Euclidean length of the tuple, or the value itself if
-   * there is only one component. Default: -1.
+   * Component of the array, from 0; -1, or the number of components, is the Euclidean length of the
+   * tuple, or the value itself if there is only one component. Default: -1.
    */
   vtkSetClampMacro(ArrayComponent, int, -1, VTK_INT_MAX);
   vtkGetMacro(ArrayComponent, int);
@@ -167,6 +167,12 @@ protected:
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+
+  /**
+   * Where the input comes from: what it is connected to, unless a subclass knows of algorithms in
+   * between that pass it on as it is. Such a subclass gets the reader's output, too.
+   */
+  virtual vtkAlgorithm* FindProducer();
 
   int ArrayComponent = -1;
   bool ComputeNormals = false;
