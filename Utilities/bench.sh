@@ -16,6 +16,8 @@
 #                                likewise
 #   bench.sh --budget            how well just-in-time rendering keeps to a time, in ten minutes, into
 #                                Documentation/just-in-time.md and just-in-time/; as --study
+#   bench.sh --isosurfaces       the study of isosurfaces, in a quarter of an hour, into
+#                                Documentation/isosurface-study.md and isosurface-study/; as --study
 #
 # FILEs are meshes to be measured too. GATUN_DATA_DIR names a folder of more of them, if set: sizes
 # of every .vtu and Exodus file there are told, and the blunt fin and the combustion chamber are
@@ -35,6 +37,9 @@ elif [ "${1:-}" = --simplification ]; then
   shift
 elif [ "${1:-}" = --budget ]; then
   script=runBudget.py
+  shift
+elif [ "${1:-}" = --isosurfaces ]; then
+  script=runIsosurfaces.py
   shift
 fi
 out=$root/Documentation

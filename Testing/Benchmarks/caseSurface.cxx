@@ -30,7 +30,18 @@ struct Options
   std::string Way = "file";
   std::string Array;
   std::vector<double> Values;
+  int Cache = -1; ///< MiB; -1: what the filter has
 };
+
+std::unique_ptr<SurfaceMaker> Open(const Options& options)
+{
+  auto maker = MakeSurfaceMaker(options.Way, options.File, options.Array);
+  if (options.Cache >= 0 && maker->GetGatun())
+  {
+    maker->GetGatun()->SetCacheSize(options.Cache);
+  }
+  return maker;
+}
 
 /** Bytes that this process has read so far; 0 where the system does not tell. */
 std::uint64_t GetBytesRead()
@@ -61,7 +72,7 @@ void MeasureOne(const Options& options)
   const Cost cost = CostOf(
     [&]
     {
-      maker = MakeSurfaceMaker(options.Way, options.File, options.Array);
+      maker = Open(options);
       surface = maker->Make(options.Values);
     });
   const std::uint64_t bytes = GetBytesRead() - before;
@@ -78,8 +89,7 @@ void MeasureOne(const Options& options)
 void MeasureRepeated(const Options& options)
 {
   std::unique_ptr<SurfaceMaker> maker;
-  const double open =
-    SecondsOf([&] { maker = MakeSurfaceMaker(options.Way, options.File, options.Array); });
+  const double open = SecondsOf([&] { maker = Open(options); });
   std::vector<double> seconds;
   for (const double value : options.Values)
   {
@@ -138,6 +148,7 @@ void AddWays(CLI::App* command, const std::shared_ptr<Options>& options)
   command->add_option("--values", options->Values, "Isovalues")->required();
   command->add_option("--way", options->Way, "How")
     ->check(CLI::IsMember({ "file", "memory", "linear", "span" }));
+  command->add_option("--cache", options->Cache, "CacheSize of vtkGatunContour, in MiB");
 }
 } // anonymous namespace
 

@@ -1,0 +1,173 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Isosurfaces straight from files next to VTK's: time, bytes and memory from a cold process to the surface,
+one value after the other, meshes in memory, triangle strips, and files by the number of layers."""
+
+import json
+import os
+import pathlib
+import statistics
+import sys
+import tempfile
+import time
+
+import benchmarkRunner
+import isosurfaceReport
+import runSimplification
+
+PARTS = (0.1, 0.3, 0.5, 0.7, 0.9)
+
+MODES = {
+    "full": {
+        "meshes": {"delaunay": {"tets": 1000000}, "big": {"tets": 5000000},
+                   "bluntfin": {"array": "Density"}, "comb": {"array": "Density"}},
+        "rounds": 3, "layers": (1, 2, 4, 8, 16, 32, 64, 128)},
+    "quick": {
+        "meshes": {"delaunay": {"tets": 100000}, "bluntfin": {"array": "Density"},
+                   "comb": {"array": "Density"}},
+        "rounds": 1, "layers": (1, 4, 16, 64)},
+    "smoke": {"meshes": {"delaunay": {"tets": 3000}, "big": {"tets": 5000}},
+              "rounds": 1, "layers": (1, 4)},
+}
+
+# Of each way: the file that it starts from, and how gatunBenchmarks calls it.
+WAYS = {"layers": ("layers", "file"), "spatial": ("spatial", "file"),
+        "zlib": ("vtu-zlib", "linear"), "raw": ("vtu-raw", "linear"), "span": ("vtu-zlib", "span")}
+
+
+def median(runs):
+    """Of the same case, run several times."""
+    return {key: statistics.median(run[key] for run in runs) for key in runs[0]}
+
+
+def pack(runner, source, file, *options):
+    runner.say(f"gtn pack {' '.join(map(str, options))}")
+    runner.run("gtn", "pack", "-q", *options, source, file)
+    return file
+
+
+def make_files(runner, name, source, array):
+    """The mesh with one array, in all the formats."""
+    files = {}
+    for kind in ("vtu-raw", "vtu-zlib"):
+        files[kind] = runner.path("isosurfaces", f"{name}-{kind}.vtu")
+        runner.case("prepare", source, files[kind], "--array", array, "--format", kind)
+    for kind, options in (("spatial", ()), ("layers", ("--layers", array))):
+        files[kind] = pack(runner, files["vtu-raw"],
+                           runner.path("isosurfaces", f"{name}-{kind}.gtn"), *options)
+    return files
+
+
+def measure_cold(runner, files, array, values, ways, rounds):
+    """Of each value: the ways in turn, each in a process of its own, several times."""
+    cold = []
+    for value in values:
+        runs = {way: [] for way in ways}
+        for _ in range(rounds):
+            for way in ways:
+                file, kind = WAYS[way]
+                runs[way].append(runner.case("surface", files[file], "--array", array, "--way",
+                                             kind, "--values", value))
+        cold.append({"value": value, **{way: median(runs[way]) for way in ways}})
+    return cold
+
+
+def measure_repeated(runner, files, array, values):
+    """The values up and down again; then small steps, as of a slider, around the one in the middle."""
+    middle = values[len(values) // 2]
+    step = (values[-1] - values[0]) / 200
+    slider = [middle + i * step for i in range(10)]
+    result = {}
+    for way, cache in (("layers", 256), ("spatial", 256), ("zlib", 0), ("span", 0)):
+        file, kind = WAYS[way]
+        runs = {name: runner.case("surface-repeat", files[file], "--array", array, "--way", kind,
+                                  "--cache", cache, "--values", *asked)
+                for name, asked in (("sweep", [*values, *reversed(values)]), ("slider", slider))}
+        result[way] = runs
+    return result
+
+
+def measure_layers(runner, source, array, values, counts, rounds):
+    """The file by the number of layers."""
+    sweep = []
+    for count in counts:
+        file = pack(runner, source, runner.path("isosurfaces", f"layers{count}.gtn"), "--layers",
+                    f"{array}:{count}")
+        runs = [median([runner.case("surface", file, "--array", array, "--values", value)
+                        for _ in range(rounds)]) for value in values]
+        sweep.append({"layers": count, "bytes": file.stat().st_size, "runs": runs})
+        file.unlink()
+    return sweep
+
+
+def measure_mesh(runner, name, source, wanted, mode):
+    array = wanted.get("array", "Density")
+    files = make_files(runner, name, source, array)
+    known = runner.case("surface-values", files["vtu-raw"], "--array", array, "--parts", *PARTS)
+    values = known["values"]
+    result = {
+        "tets": known["tets"], "points": known["points"], "array": array,
+        "bytes": {kind: file.stat().st_size for kind, file in files.items()},
+        "cold": measure_cold(runner, files, array, values, WAYS, mode["rounds"]),
+        "repeated": measure_repeated(runner, files, array, values),
+        "memory": [{"value": value, **runner.case(
+            "surface-memory", files["vtu-raw"], "--array", array, "--values", value, "--rounds",
+            3 * mode["rounds"])} for value in values],
+        "strips": {kind: runner.case("surface-strips", files[kind], "--array", array, "--values",
+                                     values[2]) for kind in ("spatial", "layers")},
+        "sweep": measure_layers(runner, files["vtu-raw"], array, values, mode["layers"],
+                                mode["rounds"]),
+    }
+    for file in files.values():
+        file.unlink()
+    return result
+
+
+def measure(runner, options, results):
+    """All meshes, or those that are asked for, in the place of what there was of them."""
+    mode = MODES[options.mode]
+    if not options.only:
+        results = {"mode": options.mode, "machine": benchmarkRunner.machine(runner), "meshes": []}
+    data = os.environ.get("GATUN_DATA_DIR")
+    data = pathlib.Path(data) if data else None
+    for name in options.only or mode["meshes"]:
+        wanted = mode["meshes"][name]
+        delaunay = results["machine"]["tetgen"]
+        source = runSimplification.make_source(runner, name, wanted, delaunay, data)
+        if source is None:
+            runner.say(f"{name} is left out: GATUN_DATA_DIR has it not")
+            continue
+        about = "lattice" if name == "delaunay" and not delaunay else name
+        results["meshes"] = [mesh for mesh in results["meshes"] if mesh["name"] != about]
+        results["meshes"].append({"name": about, "about": runSimplification.ABOUT[about],
+                                  **measure_mesh(runner, name, source, wanted, mode)})
+    results["machine"]["loadAfter"] = os.getloadavg()
+    return results
+
+
+def main():
+    parser = benchmarkRunner.make_parser(__doc__, "isosurface-study")
+    parser.add_argument("--only", nargs="+", choices=MODES["full"]["meshes"],
+                        help="measure these meshes only, and keep what is there of the others")
+    options = parser.parse_args()
+    folder = options.out / "isosurface-study"
+    folder.mkdir(parents=True, exist_ok=True)
+    raw = folder / "results.json"
+    results = {}
+    if options.report or options.only:
+        results = json.loads(raw.read_text(encoding="utf-8"))
+    if not options.report:
+        start = time.monotonic()
+        with tempfile.TemporaryDirectory(prefix="gatun-isosurfaces-") as work:
+            runner = benchmarkRunner.Runner(options.programs, pathlib.Path(work))
+            results = measure(runner, options, results)
+        results["seconds"] = results.get("seconds", 0) + time.monotonic() - start
+        raw.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
+    isosurfaceReport.write(results, options.out)
+    print(f"The results are in {options.out / 'isosurface-study.md'} and {folder}")
+
+
+if __name__ == "__main__":
+    sys.exit(main())
