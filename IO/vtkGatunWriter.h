@@ -213,7 +213,7 @@ public:
   ///@{
   /**
    * How many layers to make, at most: fewer where some would be empty. 0: as many as pay with a
-   * mesh of this size, 4 below 6 million tetrahedra. Range: 0 to 4096. Default: 0.
+   * mesh of this size, 4 below 5.8 million tetrahedra. Range: 0 to 4096. Default: 0.
    */
   vtkSetClampMacro(NumberOfLayers, int, 0, 4096);
   vtkGetMacro(NumberOfLayers, int);
