@@ -1,0 +1,107 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Isosurfaces of real meshes: every point array at many values, from memory, from files and from
+simplified ones, as vtkContourGrid has them; and section by section those of the mesh as it was."""
+
+import glob
+import os
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+
+import gatunContours as gc
+import gatunMeshes as gm
+
+QUANTILES = (0, 0.02, 0.25, 0.5, 0.75, 0.98, 1)
+
+files = sorted(glob.glob(os.path.join(gm.data_folder(), "*.vtu")))
+assert files
+
+
+def scalars_of(mesh, name, component):
+    values = vtk_to_numpy(mesh.GetPointData().GetArray(name)).astype(np.float64)
+    if values.ndim == 1:
+        return values
+    if component >= 0:
+        return values[:, component]
+    sums = np.zeros(len(values))
+    for i in range(values.shape[1]):
+        sums += values[:, i] * values[:, i]
+    return np.sqrt(sums)
+
+
+def exact_points(mesh, name, component, isovalues):
+    """Of type double, those that vtkContourGrid may miss by a little."""
+    if gm.coordinates(mesh).dtype != np.float64:
+        return ()
+    found = gm.coordinates(mesh)[np.isin(scalars_of(mesh, name, component), isovalues)]
+    return found if len(found) < 300 else None
+
+
+def check(source, mesh, name, component, isovalues):
+    vertices = exact_points(mesh, name, component, isovalues)
+    if vertices is None:
+        return 0
+    output = gc.contour_of(source, isovalues, name, ArrayComponent=component)
+    if output.GetNumberOfCells():
+        gc.assert_whole(output)
+    return gc.assert_same(output, gc.reference(mesh, isovalues, name, component), vertices=vertices)
+
+
+for file in files:
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(file)
+    reader.Update()
+    grid = reader.GetOutput()
+    gm.add_array(grid.GetCellData(), np.arange(grid.GetNumberOfCells()), "cell")
+    wave = np.sin(vtk_to_numpy(grid.GetPoints().GetData()) * 20 / grid.GetLength()).sum(1)
+    gm.add_array(grid.GetPointData(), wave.astype(np.float32), "wave")
+    if grid.GetCells().GetNumberOfConnectivityIds() != 4 * grid.GetNumberOfCells():
+        # Other cells: the sections of the tetrahedra that they are split to.
+        split = vtkDataSetTriangleFilter()
+        split.SetInputDataObject(grid)
+        split.TetrahedraOnlyOn()
+        split.Update()
+        contour = gc.make_contour(grid, 0.3, "wave")
+        errors = gm.Errors(contour)
+        contour.AddObserver("WarningEvent", lambda *_: None)
+        contour.Update()
+        if split.GetOutput().GetNumberOfCells() == 0 or contour.GetErrorCode():
+            print("%s: %s" % (os.path.basename(file), str(errors).strip()))
+            assert "cannot be" in str(errors)
+            continue
+        ours = gc.polygons(contour.GetOutput())
+        theirs = gc.polygons(gc.reference(split.GetOutput(), 0.3, "wave"))
+        assert ours[0] == theirs[0] and len(ours[0]) > 100
+        np.testing.assert_array_equal(ours[1], theirs[1])
+        print("%s: %d sides of sections" % (os.path.basename(file), len(ours[0])))
+        continue
+    arrays = [(a.GetName(), component) for a in gm.arrays_of(grid.GetPointData())
+              for component in ((-1, 0) if a.GetNumberOfComponents() > 1 else (-1,))]
+    sources = [(grid, grid)]
+    for kind, options in gc.KINDS_OF_FILES.items():
+        path = gm.temporary("contour-real-%s.gtn" % kind)
+        gm.write(grid, path, ChunkTets=10000, Hierarchy=True, Levels=3, **options)
+        sources.append((gc.open_file(path), gm.read(path)))
+        for ratio in (0.4, 0.9):
+            sources.append((gc.open_file(path, SimplificationRatio=ratio),
+                            gm.read(path, SimplificationRatio=ratio)))
+    triangles = 0
+    for name, component in arrays:
+        values = [float(v) for v in np.quantile(scalars_of(grid, name, component), QUANTILES)]
+        between = [v + 1e-4 * (values[-1] - values[0]) for v in values[1:-1]]
+        for source, mesh in sources:
+            for isovalues in (values[2:5], [between[2]], [values[0]], [values[-1]]):
+                triangles += check(source, mesh, name, component, isovalues)
+        if np.isin(scalars_of(grid, name, component), between).any():
+            continue
+        # The mesh as it was, but for diagonals.
+        ours = gc.polygons(gc.contour_of(sources[1][0], between[2], name, ArrayComponent=component))
+        theirs = gc.polygons(gc.reference(grid, between[2], name, component))
+        assert ours[0] == theirs[0]
+        np.testing.assert_array_equal(ours[1], theirs[1])
+    print("%s: %d arrays, %d triangles" % (os.path.basename(file), len(arrays), triangles))
+    assert triangles > 0
