@@ -22,12 +22,13 @@ OTHER = {"ChunkTets": [1000], "KeepOrder": [7], "KeyStepInterval": [3],
          "OnDemand": [1], "LargeMesh": [6000000000], "SampleDistance": [0.25], "BlendMode": [3],
          "MemoryBudget": [100], "TimeBudget": [0.5], "Target": [2], "Ratio": [0.25],
          "Percent": [75], "NumberOfPoints": [77], "MaximumError": [0.125], "Metric": [1],
-         "BoundaryWeight": [0.75],
+         "BoundaryWeight": [0.75], "ArrayComponent": [2], "OutputPointsPrecision": [1],
          "Levels": [5], "LayerArray": ["some array"], "LayerComponent": [1], "NumberOfLayers": [9],
          "LayerSpacing": [2], "SimplificationTarget": [3], "SimplificationRatio": [0.5],
          "SimplificationPercent": [25], "SimplificationPoints": [123], "SimplificationError": [0.5]}
 # Where people who open a file are better served by another default than programs: that of the class.
-OWN_DEFAULT = {"GatunReaderCore.OnDemand": [0]}
+OWN_DEFAULT = {"GatunReaderCore.OnDemand": [0], "GatunContour.ComputeNormals": [0],
+               "GatunContour.ArrayComponent": [-1]}
 HELPERS = {"IntVectorProperty": "SimpleIntInformationHelper",
            "DoubleVectorProperty": "SimpleDoubleInformationHelper",
            "IdTypeVectorProperty": "SimpleIdTypeInformationHelper",
@@ -96,7 +97,8 @@ for group, proxy in proxies:
             continue
         if "Default:" not in text:
             problems.append(what + " does not tell its default")
-        if proxy.get("class").startswith("vtkGatun") and node.get("repeat_command") != "1":
+        if proxy.get("class").startswith("vtkGatun") and node.get("repeat_command") != "1" \
+                and node.get("command") != "SetInputArrayToProcess":
             plain.append(node)
             if values_of(node) is None and node.get("name") != "FileName":
                 problems.append(what + " has no default")

@@ -25,13 +25,13 @@ constexpr const char* NumbersName = "GatunDrawnTimeAndSimplification";
 }
 
 //------------------------------------------------------------------------------
-vtkGatunReader* FindReader(vtkAlgorithm* representation)
+vtkGatunReader* FindReader(vtkAlgorithm* consumer)
 {
-  if (representation->GetNumberOfInputConnections(0) != 1)
+  if (consumer->GetNumberOfInputConnections(0) != 1)
   {
     return nullptr;
   }
-  vtkAlgorithm* input = representation->GetInputAlgorithm(0, 0);
+  vtkAlgorithm* input = consumer->GetInputAlgorithm(0, 0);
   // ParaView puts it behind every source; it passes on what it gets.
   if (input && input->IsA("vtkPVPostFilter") && input->GetNumberOfInputConnections(0) == 1)
   {

@@ -22,9 +22,9 @@ struct DrawnFile
   double Simplification = 0; ///< the part of the points that is merged away
 };
 
-/** The reader that an input of a representation comes from, with nothing in between that may have
- * changed the data; null if there is none. */
-vtkGatunReader* FindReader(vtkAlgorithm* representation);
+/** The reader that the input of a representation or filter comes from, with nothing in between that
+ * may have changed the data; null if there is none. */
+vtkGatunReader* FindReader(vtkAlgorithm* consumer);
 
 /** The reader's file, at the time of what it made, simplified as the reader is to. */
 DrawnFile DescribeFile(vtkGatunReader* reader, vtkDataObject* made);

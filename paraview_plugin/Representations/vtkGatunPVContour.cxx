@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkGatunPVContour.h"
+
+#include "gatunFilePiece.h"
+#include "vtkGatunReader.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkGatunPVContour);
+
+//------------------------------------------------------------------------------
+vtkGatunPVContour::vtkGatunPVContour() = default;
+
+vtkGatunPVContour::~vtkGatunPVContour() = default;
+
+//------------------------------------------------------------------------------
+vtkAlgorithm* vtkGatunPVContour::FindProducer()
+{
+  vtkGatunReader* const reader = gatun::FindReader(this);
+  return reader ? reader : this->Superclass::FindProducer();
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunPVContour::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
