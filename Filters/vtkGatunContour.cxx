@@ -485,9 +485,10 @@ int vtkGatunContour::RequestData(
     this->UpdateProgress(fraction);
     return !gatun::IsAborted(this);
   };
+  vtkGatunReader* const reader = gatun::GetFileReader(this->FindProducer());
   try
   {
-    if (vtkGatunReader* const reader = gatun::GetFileReader(this->FindProducer()))
+    if (reader)
     {
       self.FillFromFile(this, reader, inputVector[0]->GetInformationObject(0),
         outputVector->GetInformationObject(0), progress, output);
@@ -505,7 +506,8 @@ int vtkGatunContour::RequestData(
   catch (...)
   {
     output->Initialize();
-    const gatun::VTKFailure failure = gatun::DescribeFailure("The isosurface cannot be made");
+    const gatun::VTKFailure failure =
+      gatun::DescribeFailure(reader ? reader->GetFileName() : "The isosurface cannot be made");
     this->SetErrorCode(failure.Code);
     if (!failure.Aborted)
     {
