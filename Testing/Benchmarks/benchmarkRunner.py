@@ -35,9 +35,11 @@ def make_parser(description, page):
 class Runner:
     """Runs the programs and prints what it does."""
 
-    def __init__(self, programs, work):
+    def __init__(self, programs, work, pictures=None):
+        """Work: a folder for what is not kept; pictures: one for those of the page."""
         self.programs = programs
         self.work = work
+        self.pictures = pictures
         self.start = time.monotonic()
 
     def path(self, *parts):

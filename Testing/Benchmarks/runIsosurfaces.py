@@ -5,17 +5,10 @@
 """Isosurfaces straight from files next to VTK's: time, bytes and memory from a cold process to the surface,
 one value after the other, meshes in memory, triangle strips, and files by the number of layers."""
 
-import json
-import os
-import pathlib
 import statistics
-import sys
-import tempfile
-import time
 
-import benchmarkRunner
 import isosurfaceReport
-import runSimplification
+import meshStudy
 
 PARTS = (0.1, 0.3, 0.5, 0.7, 0.9)
 
@@ -102,7 +95,7 @@ def measure_layers(runner, source, array, values, counts, rounds):
     return sweep
 
 
-def measure_mesh(runner, name, source, wanted, mode):
+def measure_mesh(runner, name, source, wanted, mode, _):
     array = wanted.get("array", "Density")
     files = make_files(runner, name, source, array)
     known = runner.case("surface-values", files["vtu-raw"], "--array", array, "--parts", *PARTS)
@@ -125,49 +118,5 @@ def measure_mesh(runner, name, source, wanted, mode):
     return result
 
 
-def measure(runner, options, results):
-    """All meshes, or those that are asked for, in the place of what there was of them."""
-    mode = MODES[options.mode]
-    if not options.only:
-        results = {"mode": options.mode, "machine": benchmarkRunner.machine(runner), "meshes": []}
-    data = os.environ.get("GATUN_DATA_DIR")
-    data = pathlib.Path(data) if data else None
-    for name in options.only or mode["meshes"]:
-        wanted = mode["meshes"][name]
-        delaunay = results["machine"]["tetgen"]
-        source = runSimplification.make_source(runner, name, wanted, delaunay, data)
-        if source is None:
-            runner.say(f"{name} is left out: GATUN_DATA_DIR has it not")
-            continue
-        about = "lattice" if name == "delaunay" and not delaunay else name
-        results["meshes"] = [mesh for mesh in results["meshes"] if mesh["name"] != about]
-        results["meshes"].append({"name": about, "about": runSimplification.ABOUT[about],
-                                  **measure_mesh(runner, name, source, wanted, mode)})
-    results["machine"]["loadAfter"] = os.getloadavg()
-    return results
-
-
-def main():
-    parser = benchmarkRunner.make_parser(__doc__, "isosurface-study")
-    parser.add_argument("--only", nargs="+", choices=MODES["full"]["meshes"],
-                        help="measure these meshes only, and keep what is there of the others")
-    options = parser.parse_args()
-    folder = options.out / "isosurface-study"
-    folder.mkdir(parents=True, exist_ok=True)
-    raw = folder / "results.json"
-    results = {}
-    if options.report or options.only:
-        results = json.loads(raw.read_text(encoding="utf-8"))
-    if not options.report:
-        start = time.monotonic()
-        with tempfile.TemporaryDirectory(prefix="gatun-isosurfaces-") as work:
-            runner = benchmarkRunner.Runner(options.programs, pathlib.Path(work))
-            results = measure(runner, options, results)
-        results["seconds"] = results.get("seconds", 0) + time.monotonic() - start
-        raw.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
-    isosurfaceReport.write(results, options.out)
-    print(f"The results are in {options.out / 'isosurface-study.md'} and {folder}")
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    meshStudy.run("isosurface-study", __doc__, MODES, measure_mesh, isosurfaceReport.write)

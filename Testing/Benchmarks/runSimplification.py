@@ -7,15 +7,9 @@
 Also Figures 18 and 19 of Yang's dissertation proposal (2001), redone.
 """
 
-import json
-import os
-import pathlib
 import statistics
-import sys
-import tempfile
-import time
 
-import benchmarkRunner
+import meshStudy
 import simplificationReport
 
 PARTS = (50, 25, 10, 2)
@@ -40,27 +34,6 @@ MODES = {
         "samples": 2000, "rounds": 1, "pictures": ("flow", (50, 10), 64),
         "integrated": ("flow", (0, 0.5), 64)},
 }
-
-ABOUT = {
-    "bluntfin": "NASA's blunt fin, the paper's Blunt",
-    "comb": "combustion chamber, the paper's Combustion",
-    "kiefer_bracket": "bracket, von Mises stress by finite elements",
-    "delaunay": "ball meshed by TetGen, smooth field",
-    "lattice": "body-centred lattice with jitter",
-    "flow": "made: structured grid around a nose, five tetrahedra a hexahedron",
-    "big": "made: a cube of 100 x 100 x 100 hexahedra, five tetrahedra each",
-}
-
-
-def make_source(runner, name, wanted, delaunay, data):
-    """The mesh; None if it cannot be had here."""
-    if "tets" not in wanted:
-        found = sorted(data.glob(f"{name}_tets*.vtu")) if data else []
-        return found[0] if found else None
-    made = runner.path("simplification", f"{name}.vtu")
-    kind = {"delaunay": "delaunay" if delaunay else "lattice", "big": "block"}.get(name, "flow1")
-    runner.case("make", kind, wanted["tets"], made)
-    return made
 
 
 def simplify_both(runner, name, source, array, parts):
@@ -87,11 +60,16 @@ def compare(runner, source, files, array, mode):
             "gatun": compared["meshes"][count:]}
 
 
-def measure_mesh(runner, name, source, wanted, mode):
+def measure_mesh(runner, name, source, wanted, mode, results):
     parts = wanted.get("parts", PARTS)
     array = wanted.get("array", "Density")
     files, result = simplify_both(runner, name, source, array, parts)
     result.update(parts=parts, compared=compare(runner, source, files, array, mode))
+    results["samples"] = mode["samples"]
+    if name == mode["pictures"][0]:
+        results["pictures"] = measure_pictures(runner, source, mode, runner.pictures)
+    if name == mode["integrated"][0]:
+        results["integrated"] = measure_integrated(runner, source, mode)
     return result
 
 
@@ -133,53 +111,5 @@ def measure_integrated(runner, source, mode):
             "bytes": {way: file.stat().st_size for way, file in files.items()}}
 
 
-def measure(runner, options, folder, results):
-    """All meshes, or those that are asked for, in the place of what there was of them."""
-    mode = MODES[options.mode]
-    if not options.only:
-        results = {"mode": options.mode, "machine": benchmarkRunner.machine(runner),
-                   "samples": mode["samples"], "meshes": []}
-    data = os.environ.get("GATUN_DATA_DIR")
-    data = pathlib.Path(data) if data else None
-    for name in options.only or mode["meshes"]:
-        wanted = mode["meshes"][name]
-        delaunay = results["machine"]["tetgen"]
-        source = make_source(runner, name, wanted, delaunay, data)
-        if source is None:
-            runner.say(f"{name} is left out: GATUN_DATA_DIR has it not")
-            continue
-        about = "lattice" if name == "delaunay" and not delaunay else name
-        results["meshes"] = [mesh for mesh in results["meshes"] if mesh["name"] != about]
-        results["meshes"].append({"name": about, "about": ABOUT[about],
-                                  **measure_mesh(runner, name, source, wanted, mode)})
-        if name == mode["pictures"][0]:
-            results["pictures"] = measure_pictures(runner, source, mode, folder)
-        if name == mode["integrated"][0]:
-            results["integrated"] = measure_integrated(runner, source, mode)
-    results["machine"]["loadAfter"] = os.getloadavg()
-    results["seconds"] = results.get("seconds", 0) + time.monotonic() - runner.start
-    return results
-
-
-def main():
-    parser = benchmarkRunner.make_parser(__doc__, "simplification-study")
-    parser.add_argument("--only", nargs="+", choices=MODES["full"]["meshes"],
-                        help="measure these meshes only, and keep what is there of the others")
-    options = parser.parse_args()
-    folder = options.out / "simplification-study"
-    folder.mkdir(parents=True, exist_ok=True)
-    raw = folder / "results.json"
-    results = {}
-    if options.report or options.only:
-        results = json.loads(raw.read_text(encoding="utf-8"))
-    if not options.report:
-        with tempfile.TemporaryDirectory(prefix="gatun-simplification-") as work:
-            runner = benchmarkRunner.Runner(options.programs, pathlib.Path(work))
-            results = measure(runner, options, folder, results)
-        raw.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
-    simplificationReport.write(results, options.out)
-    print(f"The results are in {options.out / 'simplification-study.md'} and {folder}")
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    meshStudy.run("simplification-study", __doc__, MODES, measure_mesh, simplificationReport.write)
