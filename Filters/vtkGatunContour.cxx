@@ -198,7 +198,7 @@ void vtkGatunContour::vtkInternals::Open(vtkGatunReader* reader, std::uint64_t c
     }
     this->Merges = merges;
   }
-  this->Extractor->GetCache().SetBudget(cacheBudget);
+  this->Extractor->SetCacheBudget(cacheBudget);
 }
 
 //------------------------------------------------------------------------------

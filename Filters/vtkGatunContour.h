@@ -29,7 +29,8 @@
  * Other inputs are asked for the same piece.
  *
  * *Cost.* From a file: time in proportion to the chunks that are read; memory for about twice the
- * surface, a chunk for each thread and CacheSize. All threads of vtkSMPTools are used.
+ * surface, a chunk for each thread, CacheSize, and points that chunks share. All threads of
+ * vtkSMPTools are used.
  *
  * *Errors.* A missing array, a component that is not there, isovalues that are not finite, cells
  * that cannot be made tetrahedra and damaged files are reported by vtkErrorMacro and GetErrorCode
@@ -131,8 +132,8 @@ public:
   ///@{
   /**
    * How much memory decoded chunks of a file may take, in MiB, so that other isovalues need not
-   * decode them again; some of it is used within one update, too, for points that chunks share. It
-   * has no influence on the output. Default: 16; where values change at run time, 256 is better.
+   * decode them again: with 256 a slider moves smoothly. Points that chunks share are kept besides,
+   * up to 32 MiB. It has no influence on the output. Default: 0.
    */
   vtkSetClampMacro(CacheSize, int, 0, VTK_INT_MAX);
   vtkGetMacro(CacheSize, int);
@@ -179,7 +180,7 @@ protected:
   bool ComputeScalars = true;
   bool OutputStrips = false;
   int OutputPointsPrecision = DEFAULT_PRECISION;
-  int CacheSize = 16;
+  int CacheSize = 0;
 
 private:
   vtkGatunContour(const vtkGatunContour&) = delete;

@@ -24,13 +24,32 @@ ChunkCache::Internals::Part ChunkCache::Internals::Use(List::iterator entry)
   return entry->Content;
 }
 
+namespace
+{
+bool IsOfChunk(PartKind kind)
+{
+  switch (kind)
+  {
+    case PartKind::ChunkMesh:
+    case PartKind::ChunkFit:
+    case PartKind::ChunkPointOrder:
+    case PartKind::ChunkCellOrder:
+    case PartKind::ChunkArray:
+      return true;
+    default:
+      return false;
+  }
+}
+}
+
 void ChunkCache::Internals::Keep(const PartKey& key, Part part, std::uint64_t bytes)
 {
   bytes += Overhead;
   List dropped; // destroyed without the lock
   List added;
   const std::lock_guard<std::mutex> lock(this->Guard);
-  if (bytes > this->Budget || this->Parts.count(key) > 0)
+  if (bytes > this->Budget || this->Parts.count(key) > 0 ||
+    (IsOfChunk(key.Kind) && !this->KeepsChunks))
   {
     return;
   }
@@ -88,6 +107,12 @@ std::uint64_t ChunkCache::GetBudget() const
 {
   const std::lock_guard<std::mutex> lock(this->Self->Guard);
   return this->Self->Budget;
+}
+
+void ChunkCache::SetKeepsChunks(bool keeps)
+{
+  const std::lock_guard<std::mutex> lock(this->Self->Guard);
+  this->Self->KeepsChunks = keeps;
 }
 
 ChunkCacheStatistics ChunkCache::GetStatistics() const

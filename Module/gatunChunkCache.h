@@ -53,6 +53,10 @@ public:
   void SetBudget(std::uint64_t bytes);
   std::uint64_t GetBudget() const;
 
+  /** Whether parts of chunks are kept, or only those of points that chunks share, which one chunk
+   * after the other needs. Default: true. What is kept already stays. */
+  void SetKeepsChunks(bool keeps);
+
   ChunkCacheStatistics GetStatistics() const;
 
   /** Drops everything. */

@@ -117,6 +117,7 @@ private:
 
   mutable std::mutex Guard; // of all below
   std::uint64_t Budget;
+  bool KeepsChunks = true;
   ChunkCacheStatistics Done;
   List Uses; // last used first
   Map Parts;

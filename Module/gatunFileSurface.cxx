@@ -18,6 +18,10 @@ namespace
 // With merges, chunks of so many tetrahedra are simplified together, as they get points from each
 // other.
 constexpr std::uint64_t CoarseBatch = 1u << 21;
+
+// Bytes kept in any case: of points that chunks share; with merges, of chunks.
+constexpr std::uint64_t SharedCache = 32u << 20;
+constexpr std::uint64_t CoarseCache = 64u << 20;
 }
 
 /** What has been decoded of a file. */
@@ -34,15 +38,25 @@ struct FileSurface::Mesh
 //------------------------------------------------------------------------------
 FileSurface::FileSurface(std::shared_ptr<const FileReader> file, std::uint64_t cacheBudget,
   std::shared_ptr<const MergeTree> tree, std::size_t merges)
-  : Cache(std::make_shared<ChunkCache>(std::move(file), cacheBudget))
+  : Cache(std::make_shared<ChunkCache>(std::move(file)))
 {
   if (merges > 0)
   {
     this->Layout = std::make_shared<const CoarseLayout>(this->GetFile(), *tree, merges);
   }
+  this->SetCacheBudget(cacheBudget);
 }
 
 FileSurface::~FileSurface() = default;
+
+//------------------------------------------------------------------------------
+void FileSurface::SetCacheBudget(std::uint64_t bytes)
+{
+  // After merges, chunks are decoded for their tetrahedra first, and then again for points.
+  const bool keepsChunks = bytes > 0 || this->Layout;
+  this->Cache->SetKeepsChunks(keepsChunks);
+  this->Cache->SetBudget(bytes + (this->Layout ? CoarseCache : SharedCache));
+}
 
 //------------------------------------------------------------------------------
 void FileSurface::Check(const FileSurfaceRequest& request) const

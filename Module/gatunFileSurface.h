@@ -48,23 +48,26 @@ struct FileSurfaceStatistics
  *
  * After merges: isosurfaces of the simplified mesh.
  *
- * Memory: the surface, the cache, and a chunk for each thread; with merges, what is left of the
- * chunks of about two million tetrahedra. Not thread safe; uses all threads of vtkSMPTools.
+ * Memory: the surface, the cache, a chunk for each thread and, up to 32 MiB, points that chunks
+ * share; with merges, what is left of the chunks of about two million tetrahedra. Not thread safe;
+ * uses all threads of vtkSMPTools.
  */
 class VTKGATUNCORE_EXPORT FileSurface
 {
 public:
   using Progress = std::function<bool(double)>;
 
-  explicit FileSurface(std::shared_ptr<const FileReader> file,
-    std::uint64_t cacheBudget = ChunkCache::DefaultBudget,
+  /** Cache: see SetCacheBudget. Tree: null without merges. */
+  explicit FileSurface(std::shared_ptr<const FileReader> file, std::uint64_t cacheBudget = 0,
     std::shared_ptr<const MergeTree> tree = nullptr, std::size_t merges = 0);
   ~FileSurface();
   FileSurface(const FileSurface&) = delete;
   FileSurface& operator=(const FileSurface&) = delete;
 
   const std::shared_ptr<const FileReader>& GetFile() const { return this->Cache->GetFile(); }
-  ChunkCache& GetCache() { return *this->Cache; }
+
+  /** How many bytes of decoded chunks are kept for the next isovalues. */
+  void SetCacheBudget(std::uint64_t bytes);
 
   /** The chunks that surfaces of the values pass through, ascending. */
   std::vector<std::uint32_t> FindChunks(const FileSurfaceRequest& request);

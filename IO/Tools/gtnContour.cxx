@@ -225,7 +225,6 @@ void Contour(const Options& options, const Settings& settings)
     contour->SetOutputPointsPrecision(
       *options.Double ? vtkAlgorithm::DOUBLE_PRECISION : vtkAlgorithm::SINGLE_PRECISION);
   }
-  contour->SetCacheSize(0); // there is no second time
   const auto start = std::chrono::steady_clock::now();
   {
     Progress progress("extracting", settings.ShowProgress);

@@ -341,7 +341,7 @@ TEST(FileSurface, ReadsNoMoreThanItNeeds)
   // Once more: all of it is there. Without a cache, it has to be read again.
   extractor.Extract(AskFor({ range.Max }));
   EXPECT_EQ(file->GetBytesRead() - opened, few);
-  extractor.GetCache().SetBudget(0);
+  extractor.SetCacheBudget(0);
   extractor.Extract(AskFor({ range.Max }));
   EXPECT_GE(file->GetBytesRead() - opened, 2 * few);
 

@@ -28,7 +28,7 @@ OTHER = {"ChunkTets": [1000], "KeepOrder": [7], "KeyStepInterval": [3],
          "SimplificationPercent": [25], "SimplificationPoints": [123], "SimplificationError": [0.5]}
 # Where people who open a file are better served by another default than programs: that of the class.
 OWN_DEFAULT = {"GatunReaderCore.OnDemand": [0], "GatunContour.ComputeNormals": [0],
-               "GatunContour.ArrayComponent": [-1]}
+               "GatunContour.ArrayComponent": [-1], "GatunContour.CacheSize": [0]}
 HELPERS = {"IntVectorProperty": "SimpleIntInformationHelper",
            "DoubleVectorProperty": "SimpleDoubleInformationHelper",
            "IdTypeVectorProperty": "SimpleIdTypeInformationHelper",
