@@ -26,7 +26,8 @@ with open(os.path.join(data, "..", "..", "Documentation", "format.md"), encoding
     text = file.read()
 of_file = text[text.index("\n### 12.1") : text.index("\n### 12.2")]
 of_walk = text[text.index("\n### 12.2") : text.index("\n## 13 ")]
-of_tree = text[text.index("\n### 13.7") : text.index("\n## Appendix A")]
+of_tree = text[text.index("\n### 13.7") : text.index("\n## 14 ")]
+of_layers = text[text.index("\n### 14.3") : text.index("\n## Appendix A")]
 
 # The file is a hex dump with offsets.
 dump = re.search("```\n(0000  .*?)```", of_file, re.DOTALL)[1]
@@ -83,3 +84,13 @@ assert decoder.tets().tolist() == [[0, 1, 2, 3], [1, 2, 3, 4]]
 assert decoder.array(0, 0).ravel().tolist() == [20, 21, 24, 29, 36]
 assert decoder.after(1).kept == [0, 1, 2, 3] and decoder.after(1).tets.tolist() == [[0, 1, 2, 3]]
 assert decoder.after(2).kept == [1, 2, 3] and len(decoder.after(2).tets) == 0
+
+# Layers: the bytes of the table are those of the golden file.
+with open(os.path.join(data, "Golden", "v1.2", "two_layers.gtn"), "rb") as file:
+    golden = file.read()
+at = golden.index(b"LAYR")
+length = int.from_bytes(golden[at + 8 : at + 16], "little")
+content = unpack(golden[at + 24 : at + 24 + length], table_limit)
+rows = re.findall(r"^\| ([0-9a-f ]+) \| ", of_layers, re.MULTILINE)
+assert bytes.fromhex("".join(rows)) == content and "LAYR, %d\nbytes" % len(content) in of_layers
+assert "Bounds[0] %g |" % Decoder(golden).container.layers.bounds[0] in of_layers
