@@ -66,7 +66,8 @@ for dtype, wide, wave_type in ((np.float32, True, np.float32), (np.float32, Fals
             for source, whole in sources:
                 output = gc.contour_of(source, isovalues, array, ArrayComponent=component)
                 expected = gc.reference(whole, isovalues, array, component)
-                # Of points of type double that are met exactly, vtkContourGrid's may be beside them.
+                # Of points of type double that are met exactly, vtkContourGrid's may be beside them:
+                # two of one, with values of two edges, which differ if one begins at a NaN.
                 vertices = ()
                 if dtype == np.float64:
                     scalars = vtk_to_numpy(whole.GetPointData().GetArray(array)).astype(np.float64)
@@ -74,7 +75,8 @@ for dtype, wide, wave_type in ((np.float32, True, np.float32), (np.float32, Fals
                         scalars = np.sqrt((scalars * scalars).sum(1)) if component < 0 \
                             else scalars[:, component]
                     vertices = gm.coordinates(whole)[np.isin(scalars, isovalues)]
-                compared += gc.assert_same(output, expected, vertices=vertices)
+                skip = ("holes",) if len(vertices) else ()
+                compared += gc.assert_same(output, expected, skip, vertices=vertices)
                 if output.GetNumberOfPoints():
                     gc.assert_whole(output)
                     assert output.GetPointData().GetScalars().GetName() == array
