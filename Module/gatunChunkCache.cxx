@@ -111,8 +111,21 @@ std::uint64_t ChunkCache::GetBudget() const
 
 void ChunkCache::SetKeepsChunks(bool keeps)
 {
+  Internals::List dropped; // destroyed without the lock
   const std::lock_guard<std::mutex> lock(this->Self->Guard);
   this->Self->KeepsChunks = keeps;
+  auto& uses = this->Self->Uses;
+  for (auto it = uses.begin(); !keeps && it != uses.end();)
+  {
+    const auto next = std::next(it);
+    if (IsOfChunk(it->Key.Kind))
+    {
+      this->Self->Done.Bytes -= it->Bytes;
+      this->Self->Parts.erase(it->Key);
+      dropped.splice(dropped.end(), uses, it);
+    }
+    it = next;
+  }
 }
 
 ChunkCacheStatistics ChunkCache::GetStatistics() const

@@ -54,7 +54,7 @@ public:
   std::uint64_t GetBudget() const;
 
   /** Whether parts of chunks are kept, or only those of points that chunks share, which one chunk
-   * after the other needs. Default: true. What is kept already stays. */
+   * after the other needs. Default: true. False drops those of chunks at once. */
   void SetKeepsChunks(bool keeps);
 
   ChunkCacheStatistics GetStatistics() const;

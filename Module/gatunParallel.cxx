@@ -121,6 +121,11 @@ int GetNumberOfThreads()
 void ParallelFor(std::size_t count, const std::function<void(std::size_t)>& body,
   const std::function<bool(double)>& progress)
 {
+  // So that who wants to stop is heard even where other threads do all of it.
+  if (progress && count > 0 && !progress(0))
+  {
+    throw Error(ErrorCode::Aborted, "aborted");
+  }
   Work work(count, body, progress);
   // All threads are at work where one of them is, and not every VTK knows how to nest.
   if (count > 1 && !IsWithinBody)
