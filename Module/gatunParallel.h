@@ -15,9 +15,9 @@ namespace gatun
  * Debian's ParaView), STDThread is used.
  *
  * The first exception of a body is thrown again here once all threads have come back; bodies that
- * had not begun by then are skipped. The calling thread calls progress(fraction) before all bodies, and
- * may do so between its own; when that returns false the rest is skipped and Error(Aborted) thrown. Within a body,
- * another ParallelFor runs on the thread of that body.
+ * had not begun by then are skipped. The calling thread calls progress(fraction) before all bodies,
+ * and may do so between its own; when that returns false the rest is skipped and Error(Aborted)
+ * thrown. Within a body, another ParallelFor runs on the thread of that body.
  */
 VTKGATUNCORE_EXPORT void ParallelFor(std::size_t count,
   const std::function<void(std::size_t)>& body, const std::function<bool(double)>& progress = {});

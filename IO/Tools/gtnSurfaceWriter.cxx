@@ -205,6 +205,12 @@ SurfaceFormat GetSurfaceFormat(const std::string& file)
 void WriteSurface(vtkPolyData* surface, const std::string& file, Progress& progress)
 {
   const std::string extension = ExtensionOf(file);
+  vtkNew<vtkPolyData> whole;
+  whole->ShallowCopy(surface);
+  if (!whole->GetPoints())
+  {
+    whole->SetPoints(vtkNew<vtkPoints>()); // without any, VTK's writers and readers complain
+  }
   TemporaryFile temporary(file);
   try
   {
@@ -212,7 +218,7 @@ void WriteSurface(vtkPolyData* surface, const std::string& file, Progress& progr
       : extension == ".stl"                ? WriteStl
       : extension == ".ply"                ? WritePly
                                            : WriteObj;
-    write(surface, temporary.GetName(), progress);
+    write(whole, temporary.GetName(), progress);
   }
   catch (const Failure& failure)
   {

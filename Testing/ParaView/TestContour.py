@@ -106,6 +106,9 @@ length = simple.Calculator(Input=mesh, ResultArrayName="number", Function="mag(v
 for number, scalars in ((1, component), (3, length)):
     surface = contour(readers["Always"], "vector", 11.3)
     surface.Component = number
+    domain = surface.SMProxy.GetProperty("ContourValues").GetDomain("scalar_range")
+    offered = domain.GetMinimum(0, reference(0)), domain.GetMaximum(0, reference(0))
+    assert offered == scalars.PointData["number"].GetRange(), offered
     same(surface, contour(scalars, "number", 11.3, simple.Contour))
 
 
