@@ -23,10 +23,8 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
 #include <iterator>
 #include <limits>
-#include <system_error>
 
 namespace gtn
 {
@@ -60,8 +58,7 @@ void WriteVtp(vtkPolyData* surface, const std::string& file, Progress& progress)
 
 void WriteStl(vtkPolyData* surface, const std::string& file, Progress& progress)
 {
-  const auto triangles = static_cast<std::uint64_t>(surface->GetNumberOfPolys());
-  if (triangles > std::numeric_limits<std::uint32_t>::max())
+  if (surface->GetNumberOfPolys() > std::numeric_limits<std::uint32_t>::max())
   {
     throw Failure("has too many triangles for an .stl file");
   }
@@ -74,12 +71,6 @@ void WriteStl(vtkPolyData* surface, const std::string& file, Progress& progress)
   const bool good = writer->Write() != 0;
   CheckInterrupt();
   CheckWritten(writer, good, file);
-  // The writer does not look whether the last bytes got to the disk.
-  std::error_code error;
-  if (std::filesystem::file_size(file, error) != 84 + 50 * triangles || error)
-  {
-    throw Failure("no space left on the disk");
-  }
 }
 
 template <typename T>

@@ -175,11 +175,13 @@ try:
             assert file.read() == "old"
         os.remove(old)
     # Too large by a little only: what is in the buffers of a writer counts, too.
-    gtn("contour", "-q", "--value", 2, "mesh.gtn", "size.stl")
-    size = os.path.getsize("size.stl")
-    with open("small/ballast", "wb") as file:
-        file.write(bytes(65536 - (size // 4096) * 4096))
-    gtn("contour", "--value", 2, "mesh.gtn", "small/new.stl", code=1, says="no space left")
-    assert os.listdir("small") == ["ballast"], os.listdir("small")
+    for name in FORMATS:
+        gtn("contour", "-q", "--value", 2, "mesh.gtn", "size." + name)
+        pages = os.path.getsize("size." + name) // 4096
+        with open("small/ballast", "wb") as file:
+            file.write(bytes(65536 - pages * 4096))
+        new = "small/new." + name
+        gtn("contour", "--value", 2, "mesh.gtn", new, code=1, says=f"gtn: {new}: no space left")
+        assert os.listdir("small") == ["ballast"], os.listdir("small")
 finally:
     subprocess.run(["umount", "small"], check=True)
