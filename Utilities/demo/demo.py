@@ -44,15 +44,19 @@ def bytes_in_memory(grid):
     return sum(vtk_to_numpy(array).nbytes for array in arrays)
 
 
+def times_of(reader):
+    """The times of the steps in a reader's file; none without time."""
+    reader.UpdateInformation()
+    info = reader.GetOutputInformation(0)
+    key = vtkStreamingDemandDrivenPipeline.TIME_STEPS()
+    return [info.Get(key, i) for i in range(info.Length(key))] if info.Has(key) else []
+
+
 def steps_of(packed):
     """The time steps of a file one by one, or its only one."""
     reader = vtkGatunReader()
     reader.SetFileName(packed)
-    reader.UpdateInformation()
-    info = reader.GetOutputInformation(0)
-    key = vtkStreamingDemandDrivenPipeline.TIME_STEPS()
-    times = [info.Get(key, i) for i in range(info.Length(key))] if info.Has(key) else []
-    for time_value in times or [0.0]:
+    for time_value in times_of(reader) or [0.0]:
         reader.UpdateTimeStep(time_value)
         yield reader.GetOutput()
 
@@ -130,6 +134,24 @@ def render_volume(packed, field, folder, is_part):
     return name
 
 
+def draw_isosurfaces(packed, field, whole, folder):
+    """A picture of surfaces of equal values, straight from the file, in a shadow of the whole; at the
+    last time step, as that is."""
+    reader = vtkGatunReader()
+    reader.SetFileName(packed)
+    last = max(0, len(times_of(reader)) - 1)
+    surface = os.path.join(folder, "isosurfaces.vtp")
+    steps = 5
+    values = [field.low + (field.high - field.low) * (i + 0.5) / steps for i in range(steps)]
+    start = time.monotonic()
+    gtn("contour", "-q", "-f", "--array", field.array, "--value=" + ",".join(map(str, values)),
+        "--step", str(last), "--normals", packed, surface)
+    say(f"made isosurfaces, decoding as it went, in {time.monotonic() - start:.1f} s")
+    name = os.path.join(os.path.abspath(folder), "isosurfaces.png")
+    pictures.draw_isosurfaces(surface, whole, field, f"{steps} isosurfaces, straight from the file", name)
+    return name
+
+
 def main():
     parser = argparse.ArgumentParser(usage=__doc__)
     parser.add_argument("--size", choices=sorted(meshes.SIZES), default="full")
@@ -171,6 +193,8 @@ def main():
     pictures.draw_cut(whole, field, f"{tets}, cut open", names["cut"])
     pictures.draw_pieces(pieces, f"{len(pieces)} pieces, each read by itself", names["pieces"])
     names["volume"] = render_volume(packed, field, options.output, not options.file)
+    if field.array and field.of_points:
+        names["isosurfaces"] = draw_isosurfaces(packed, field, whole, options.output)
     say("pictures:")
     for name in names.values():
         print("  " + name)

@@ -16,6 +16,7 @@ from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter, vtkWarpVector
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
@@ -273,6 +274,18 @@ def draw_cut(grid, field, words, name):
     actor.GetProperty().SetInterpolationToFlat()
     bar = scalar_bar(actor.GetMapper(), field.array) if field.array else None
     draw([actor], words, name, bar, direction=(0.35, -1.0, 0.42))
+
+
+def draw_isosurfaces(file, grid, field, words, name):
+    """Surfaces in a .vtp file, and the whole as a shadow around them."""
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(file)
+    reader.Update()
+    actor = actor_of(reader.GetOutput(), field)
+    shadow = actor_of(skin_of(grid), colour=(0.45, 0.5, 0.58))
+    shadow.GetProperty().SetOpacity(0.12)
+    shadow.GetProperty().SetSpecular(0)
+    draw([actor, shadow], words, name, scalar_bar(actor.GetMapper(), field.array))
 
 
 def piece_colour(index):
