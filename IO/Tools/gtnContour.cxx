@@ -197,6 +197,7 @@ void PrintStatistics(const Options& options, const ContourInput& input,
   {
     const auto grouped = [](vtkIdType number)
     { return Grouped(static_cast<std::uint64_t>(number)); };
+    PrintRow("layers of the array", input.IsLayered() ? "yes" : "no");
     PrintRow("chunks passed through", grouped(contour->GetNumberOfChunksUsed()));
     PrintRow("  of", grouped(contour->GetNumberOfChunks()));
     PrintRow("tetrahedra in these", grouped(contour->GetNumberOfTetrahedraUsed()));
@@ -212,6 +213,12 @@ void Contour(const Options& options, const Settings& settings)
   CheckWritable(options.Out, options.Overwrite);
   const ContourInput input(options.Input, settings);
   const std::vector<double> values = MakeValues(options, input);
+  if (settings.Verbose && input.IsFile() && !input.IsLayered())
+  {
+    fmt::print("{}: not organised by layers of '{}', as gtn pack --layers does it; so a surface "
+               "needs more of the file\n",
+      options.Input.File, Printable(input.GetArray()));
+  }
   vtkNew<vtkGatunContour> contour;
   input.Connect(contour);
   for (std::size_t i = 0; i < values.size(); ++i)

@@ -56,6 +56,9 @@ public:
   /** Whether it is read while surfaces are made. */
   bool IsFile() const { return this->Reader; }
 
+  /** Of a file: whether it is organised by layers of the values. */
+  bool IsLayered() const { return this->Layered; }
+
   /** Gives the filter its input, and what of it to take. */
   void Connect(vtkGatunContour* contour) const;
 
@@ -75,6 +78,7 @@ private:
   ArrayChoice Array;
   int Component = 0;
   bool WithScalars = true;
+  bool Layered = false;
   gatun::Range Range;
 };
 }

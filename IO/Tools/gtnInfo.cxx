@@ -3,7 +3,7 @@
 
 // gtn info: what is in a file, from its directory alone.
 
-#include "gtnArrayChoice.h"
+#include "gtnArraySetting.h"
 #include "gtnCommands.h"
 #include "gtnFailure.h"
 #include "gtnHistogram.h"
@@ -353,7 +353,7 @@ HistogramOptions HistogramOf(const Options& options)
   HistogramOptions wanted;
   if (options.Histogram)
   {
-    const ArrayChoice choice = ParseArrayChoice("--histogram", *options.Histogram, most, {});
+    const ArraySetting choice = ParseArraySetting("--histogram", *options.Histogram, most, {});
     wanted.Array = choice.Name;
     wanted.Bins = choice.Count.value_or(wanted.Bins);
     wanted.Component = options.Component;

@@ -3,7 +3,7 @@
 
 // gtn pack: any mesh as a .gtn file.
 
-#include "gtnArrayChoice.h"
+#include "gtnArraySetting.h"
 #include "gtnCommands.h"
 #include "gtnFailure.h"
 #include "gtnHelp.h"
@@ -59,8 +59,8 @@ int OrderOf(const std::string& name)
 void SetLayers(vtkGatunWriter* writer, const Options& options)
 {
   constexpr int most = 4096;
-  const ArrayChoice choice =
-    ParseArrayChoice("--layers", *options.Layers, most, "uniform|normal|histogram");
+  const ArraySetting choice =
+    ParseArraySetting("--layers", *options.Layers, most, "uniform|normal|histogram");
   writer->SetLayerArray(choice.Name.c_str());
   writer->SetLayerComponent(options.LayerComponent);
   writer->SetNumberOfLayers(choice.Count.value_or(0));

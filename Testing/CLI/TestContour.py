@@ -226,3 +226,13 @@ for source in ("mesh.gtn", "mesh.vtu"):
     assert len(triangles_of(read_surface("some.vtp"))) == len(triangles_of(everything))
 run = gtn("contour", "-f", "-q", "--value", 100, "mesh.gtn", "none.vtp")
 assert run == "", run
+
+# A file that is organised by layers of the array is told from one that is not.
+gtn("pack", "-q", "--chunk", 500, "--layers", "distance:6", "mesh.vtu", "layers.gtn")
+told = "not organised by layers of 'distance'"
+assert told in gtn("contour", "-f", "-v", "--value", 5, "mesh.gtn", "layers.vtp")
+assert told not in gtn("contour", "-f", "-v", "--value", 5, "layers.gtn", "layers.vtp")
+assert told not in gtn("contour", "-f", "-v", "--value", 5, "mesh.vtu", "layers.vtp")
+assert told not in gtn("contour", "-f", "--value", 5, "mesh.gtn", "layers.vtp")
+assert statistics("--value", 5)["layers of the array"] == "no"
+assert statistics("--value", 5, source="layers.gtn")["layers of the array"] == "yes"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef gtnArrayChoice_h
-#define gtnArrayChoice_h
+#ifndef gtnArraySetting_h
+#define gtnArraySetting_h
 
 // An array with settings behind its name, as in "T:8:uniform".
 
@@ -13,7 +13,7 @@
 
 namespace gtn
 {
-struct ArrayChoice
+struct ArraySetting
 {
   std::string Name;
   std::optional<int> Count;
@@ -25,7 +25,7 @@ struct ArrayChoice
  * "a|b|c", is taken for a setting. Throws UsageError, naming the option, unless there is a name and
  * the count is from 0 to most.
  */
-ArrayChoice ParseArrayChoice(
+ArraySetting ParseArraySetting(
   const char* option, const std::string& text, int most, std::string_view words);
 
 /** A component from 0, or "magnitude", which is -1. Returns the option. */

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gtnArrayChoice.h"
+#include "gtnArraySetting.h"
 
 #include "gtnFailure.h"
 
@@ -47,10 +47,10 @@ int NumberOf(std::string_view text)
 }
 
 //------------------------------------------------------------------------------
-ArrayChoice ParseArrayChoice(
+ArraySetting ParseArraySetting(
   const char* option, const std::string& text, int most, std::string_view words)
 {
-  ArrayChoice choice;
+  ArraySetting choice;
   std::string_view rest = text;
   if (const auto word = LastPart(rest); word && IsOneOf(*word, words))
   {
