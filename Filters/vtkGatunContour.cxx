@@ -73,9 +73,13 @@ constexpr std::uint32_t Role(int attribute)
 }
 
 /** Whether VTK interpolates an array along edges, or copies it from cells: ids of things that are
- * not in the output say nothing there. */
+ * not in the output say nothing there. Nor do flags of ghosts, which cannot be interpolated. */
 bool IsCarried(const gatun::ArrayDescription& array)
 {
+  if (array.Name == vtkDataSetAttributes::GhostArrayName())
+  {
+    return false;
+  }
   if (array.Where == gatun::Association::Cell)
   {
     return (array.AttributeRoles & Role(vtkDataSetAttributes::GLOBALIDS)) == 0;
@@ -309,11 +313,9 @@ void vtkGatunContour::vtkInternals::FillFromGrid(
     for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
     {
       vtkDataArray* const array = attributes->GetArray(i);
-      if (!array ||
-        (array->GetName() &&
-          std::string(array->GetName()) == vtkDataSetAttributes::GhostArrayName()))
+      if (!array)
       {
-        continue; // texts cannot be interpolated, and ghost cells are not there any more
+        continue; // texts cannot be interpolated
       }
       gatun::BridgedArray& bridged = owners.emplace_back(gatun::Bridge(array, where));
       gatun::ArrayDescription& description = bridged.Description;

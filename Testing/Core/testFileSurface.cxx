@@ -16,6 +16,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <random>
 
 namespace gatun::test
 {
@@ -417,6 +418,40 @@ TEST(FileSurface, PiecesMakeTheWhole)
     }
     request.Piece = 0;
     request.Pieces = 1;
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(FileSurface, NormalsOfPiecesAreSumsInTheOrderOfTheFile)
+{
+  // Values so far apart that what is left of a sum where large ones cancel depends on the order.
+  const auto mesh = MakeCubes(12, 0);
+  Values values(mesh);
+  std::mt19937 random(5);
+  for (float& value : values.Field)
+  {
+    const float kinds[] = { -0x1p60f, -1, 1, 0x1p60f };
+    value = kinds[random() % 4];
+  }
+  WriterOptions options;
+  options.ChunkTets = 64;
+  const auto path = TempPath("order.gtn");
+  FileWriter writer(path, mesh.GetInput(), Values::Describe(), options);
+  writer.WriteStep(values.Get());
+  writer.Finish();
+  FileSurface extractor(std::make_shared<const FileReader>(path));
+  auto request = AskFor({ 0 });
+  request.Options.Normals = true;
+  const auto expected = GetNormals(extractor.Extract(request));
+  request.Pieces = 9;
+  for (request.Piece = 0; request.Piece < request.Pieces; ++request.Piece)
+  {
+    std::size_t different = 0;
+    for (const auto& [point, normal] : GetNormals(extractor.Extract(request)))
+    {
+      different += normal != expected.at(point) ? 1 : 0;
+    }
+    EXPECT_EQ(different, 0u);
   }
 }
 

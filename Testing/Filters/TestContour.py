@@ -265,6 +265,9 @@ for source in (grid, file):
     gm.assert_same_arrays(output.GetPointData(), plain.GetPointData())
     gc.assert_same(output, plain)
 
+output = gc.contour_of(grid, 0.4, "wave", OutputStrips=True)
+assert output.GetNumberOfStrips() and output.GetCellData().GetNumberOfArrays() == 0
+
 # Nothing runs again when nothing has changed.
 contour = gc.make_contour(grid, 0.4, "wave")
 runs = []

@@ -250,6 +250,22 @@ left.GetCellData().RemoveArray("cell")
 gm.add_array(left.GetCellData(), np.flatnonzero(flags == 0), "cell")
 assert gc.assert_same(output, gc.reference(left, 0.4, "wave")) > 300
 
+# Other flags than those of ghosts stay with the mesh, also in a file, but are nothing for a surface.
+hidden = make_grid()
+flags = np.zeros(len(tets), np.uint8)
+flags[::7] = 32
+gm.add_array(hidden.GetCellData(), flags, "vtkGhostType")
+flags = np.zeros(len(points), np.uint8)
+flags[::3] = 2
+gm.add_array(hidden.GetPointData(), flags, "vtkGhostType")
+hidden_path = write(hidden, "contour-hidden.gtn")
+assert gm.read(hidden_path).GetPointData().HasArray("vtkGhostType")
+for source, output in ((hidden, expected[0]), (gc.open_file(hidden_path), expected[1])):
+    made = gc.contour_of(source, 0.4, "wave")
+    assert not made.GetPointData().HasArray("vtkGhostType")
+    assert not made.GetCellData().HasArray("vtkGhostType")
+    gc.assert_identical(made, output)
+
 # What cannot be made tetrahedra, and points that do not exist.
 faces = gm.make_grid(points, [])
 faces.Allocate(1)

@@ -174,7 +174,16 @@ for kind, options in gc.KINDS_OF_FILES.items():
         reader.SetUseValueRange(False)
         contour.Update()
         gc.assert_same(contour.GetOutput(), gc.reference(whole, [0.15, 0.5], "wave"))
-        assert contour.GetNumberOfChunks() == chunks
+        assert contour.GetNumberOfChunks() == chunks and contour.GetNumberOfChunksUsed() > 0
+        # And with it, in pieces, which are those of the reader; nothing is told of the file.
+        for name, value in limits.items():
+            getattr(reader, "Set" + name)(*value if isinstance(value, tuple) else (value,))
+        count = 0
+        for piece in range(3):
+            contour.UpdatePiece(piece, 3, 0)
+            count += contour.GetOutput().GetNumberOfCells()
+            assert contour.GetNumberOfChunksUsed() == contour.GetNumberOfTetrahedraUsed() == 0
+        assert count == gc.reference(mesh, [0.15, 0.5], "wave").GetNumberOfCells()
 
     # Arrays that the reader would leave out are not carried.
     reader = gc.open_file(path)
