@@ -183,6 +183,7 @@ void CheckNames(const std::vector<std::string>& names, const std::string& file,
 std::string NamesOf(const std::vector<ArrayChoice>& choices)
 {
   std::vector<std::string> names;
+  names.reserve(choices.size());
   for (const ArrayChoice& choice : choices)
   {
     names.push_back(choice.Name.empty() ? "(no name)" : Printable(choice.Name));
