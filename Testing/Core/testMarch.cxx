@@ -16,6 +16,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <span>
 
 namespace gatun::test
 {
