@@ -12,9 +12,10 @@
  * If the input is the output of a vtkGatunReader (without a region of interest or a value range),
  * the surface is made straight from its file: only the chunks that it passes through are read, as
  * the ranges of their values tell, each decoded when its turn comes, and the reader itself is never
- * asked for the mesh. Files written with layers of the array (vtkGatunWriter::LayerArray) have the
- * fewest such chunks. If the reader simplifies, the surface is that of the simplified mesh; time
- * steps and the selection of arrays are the reader's, too.
+ * asked for the mesh: unless it has one already, its output is an empty piece afterwards, until
+ * somebody asks for another (vtkAlgorithm::UpdatePiece). Files written with layers of the array
+ * (vtkGatunWriter::LayerArray) have the fewest such chunks. If the reader simplifies, the surface
+ * is that of the simplified mesh; time steps and the selection of arrays are the reader's, too.
  *
  * Output: a vtkPolyData of triangles, or of triangle strips. All point arrays are interpolated, and
  * cell arrays passed to the triangles, but for global ids and, of points, pedigree ids and arrays
@@ -94,7 +95,9 @@ public:
   ///@{
   /**
    * Whether to make a point array "Normals" (float), of unit vectors towards lower values: the mean
-   * of the gradients of the tetrahedra around the point, weighted by their volumes. Default: off.
+   * of the gradients of the tetrahedra around the edge that the point is on, weighted by their
+   * volumes; where the value is met exactly at a point of the mesh, of those that the surface goes
+   * through there, once for each edge. Default: off.
    */
   vtkSetMacro(ComputeNormals, bool);
   vtkGetMacro(ComputeNormals, bool);

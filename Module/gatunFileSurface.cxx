@@ -267,7 +267,8 @@ Surface FileSurface::Extract(const FileSurfaceRequest& request, const Progress& 
       });
   }
 
-  // In the order of the file, so that the sums are those of the whole surface to the last bit.
+  // In the order of the file, so that gradients are added as for the whole surface. (With merges,
+  // batches differ, and with them the last bits of the sums.)
   const auto first = std::lower_bound(around.begin(), around.end(), own.empty() ? 0 : own.front());
   const std::vector<std::uint32_t> lists[] = { { around.begin(), first }, own,
     { first, around.end() } };

@@ -81,7 +81,7 @@ def check(source, mesh, expected, isovalue=0.0):
 
 def write(grid, kind, chunk):
     path = gm.temporary("closed-%s.gtn" % kind)
-    gm.write(grid, path, ChunkTets=chunk, **gc.KINDS_OF_FILES[kind])
+    gm.write(grid, path, ChunkTets=chunk, **gc.kinds_of_files("field")[kind])
     return path
 
 
@@ -89,7 +89,7 @@ for dtype in (np.float32, np.float64):
     for field, expected in ((lambda p: sphere(p, 0.35), SPHERE), (torus, TORUS)):
         grid = box(28, field, dtype)
         check(grid, grid, expected)
-        for kind in gc.KINDS_OF_FILES:
+        for kind in gc.kinds_of_files("field"):
             for chunk in (500, 20000):
                 path = write(grid, kind, chunk)
                 check(gc.open_file(path), gm.read(path), expected)

@@ -84,11 +84,11 @@ for source, output in zip(sources(), expected):
     contour = gc.make_contour(source, 0.4)
     contour.SetInputArrayToProcess(0, 0, 0, 0, 1)  # the active vectors, of which there are none
     expect_error(contour, "no active", code=INVALID)
-    contour = gc.make_contour(source, 0.4, "wave", ArrayComponent=1)
-    expect_error(contour, "array 'wave' has no component 1", code=INVALID)
+    contour = gc.make_contour(source, 0.4, "wave", ArrayComponent=2)
+    expect_error(contour, "array 'wave' has no component 2", code=INVALID)
     expect_recovery(contour, output)
-    contour = gc.make_contour(source, 0.4, "vector", ArrayComponent=3)
-    expect_error(contour, "array 'vector' has no component 3", code=INVALID)
+    contour = gc.make_contour(source, 0.4, "vector", ArrayComponent=4)
+    expect_error(contour, "array 'vector' has no component 4", code=INVALID)
     for bad in (float("nan"), float("inf"), -float("inf")):
         for values in ([bad], [0.1, bad, 0.4]):
             contour = gc.make_contour(source, values, "wave")

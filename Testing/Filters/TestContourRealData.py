@@ -82,7 +82,7 @@ for file in files:
     arrays = [(a.GetName(), component) for a in gm.arrays_of(grid.GetPointData())
               for component in ((-1, 0) if a.GetNumberOfComponents() > 1 else (-1,))]
     sources = [(grid, grid)]
-    for kind, options in gc.KINDS_OF_FILES.items():
+    for kind, options in gc.kinds_of_files(arrays[0][0]).items():
         path = gm.temporary("contour-real-%s.gtn" % kind)
         gm.write(grid, path, ChunkTets=10000, Hierarchy=True, Levels=3, **options)
         sources.append((gc.open_file(path), gm.read(path)))

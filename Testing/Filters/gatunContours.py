@@ -11,10 +11,11 @@ from vtkmodules.vtkFiltersCore import vtkContourGrid
 import gatunMeshes as gm
 from gatun import vtkGatunContour, vtkGatunReader
 
-# How files may be organised: settings of the writer. What is asked of one is asked of all.
-KINDS_OF_FILES = {
-    "spatial": {},
-}
+
+def kinds_of_files(array):
+    """How files may be organised: settings of the writer. What is asked of one is asked of all."""
+    return {"spatial": {}, "layers": {"LayerArray": array, "NumberOfLayers": 6}}
+
 
 # The array that is made of a component or the length of another, for vtkContourGrid.
 COMPUTED = "computed scalars"
