@@ -70,7 +70,8 @@ private:
   const std::uint8_t* Values;
 };
 
-/** How many layers pay with a mesh of so many tetrahedra. */
+/** How many layers pay with a mesh of so many tetrahedra: 12, more of more than ten million, fewer
+ * if they would have less than 16384 tetrahedra each. */
 std::uint32_t GetDefaultLayers(std::uint64_t tets);
 
 /** Bounds of so many layers, or of fewer if some would be empty. */

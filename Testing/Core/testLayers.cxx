@@ -439,10 +439,11 @@ TEST(Layers, MeshesOfOneValueOrOfNothingHaveOne)
 TEST(Layers, LargerMeshesHaveMore)
 {
   EXPECT_EQ(GetDefaultLayers(0), 4u);
-  EXPECT_EQ(GetDefaultLayers(1'000'000), 4u);
-  EXPECT_EQ(GetDefaultLayers(8'000'000), 5u);
-  EXPECT_EQ(GetDefaultLayers(1'000'000'000), 25u);
-  EXPECT_EQ(GetDefaultLayers(~std::uint64_t{ 0 }), 64u);
+  EXPECT_EQ(GetDefaultLayers(100'000), 6u); // of 16384 tetrahedra and more
+  EXPECT_EQ(GetDefaultLayers(200'000), 12u);
+  EXPECT_EQ(GetDefaultLayers(10'000'000), 12u);
+  EXPECT_EQ(GetDefaultLayers(80'000'000), 24u);
+  EXPECT_EQ(GetDefaultLayers(~std::uint64_t{ 0 }), MaxLayers);
 }
 
 TEST(Layers, TheSmallestBucketsAreJoinedWithTheirNeighbours)
