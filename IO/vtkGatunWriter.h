@@ -135,7 +135,8 @@ public:
   ///@{
   /**
    * Tetrahedra in a chunk, the smallest part that can be read, at most: 64 to 1048576, or 0 for
-   * 65536 (262144 for meshes of over 10 million). Small chunks make larger files. Default: 0.
+   * 65536 (262144 for meshes of over 10 million; with layers the half). Small chunks make larger
+   * files. Default: 0.
    */
   virtual void SetChunkTets(int tets);
   vtkGetMacro(ChunkTets, int);

@@ -285,9 +285,10 @@ private:
     this->Meta.CoordinateType = mesh.CoordinateType;
     this->Meta.WideIds = mesh.WideIds;
     this->Meta.Keep = options.Keep;
-    this->Meta.ChunkTets = options.ChunkTets != 0 ? options.ChunkTets
-      : mesh.Tets > LargeMesh                     ? 262144
-                                                  : 65536;
+    // With layers, an isosurface is in few chunks: smaller ones share out better among threads.
+    this->Meta.ChunkTets = options.ChunkTets != 0
+      ? options.ChunkTets
+      : (mesh.Tets > LargeMesh ? 262144u : 65536u) / (options.Layers ? 2 : 1);
     this->Meta.KeyStepInterval = options.KeyStepInterval;
     this->Meta.Arrays = arrays;
     this->Statistics.ArrayBytes.resize(arrays.size());

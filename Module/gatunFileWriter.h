@@ -32,7 +32,8 @@ struct WriterOptions
 {
   std::uint8_t Keep = KeepNone; ///< which original order to keep: flags of KeepOrder
 
-  /** Tetrahedra a chunk at most, 64 to 1048576; 0: 65536, or 262144 for over 10 million tets. */
+  /** Tetrahedra a chunk at most, 64 to 1048576; 0: 65536, or 262144 for over 10 million tets; with
+   * layers the half. */
   std::uint32_t ChunkTets = 0;
 
   /** Every how many time steps one is coded without its predecessor, 1 or more. */

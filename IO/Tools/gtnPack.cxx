@@ -175,7 +175,7 @@ void AddPack(CLI::App& app, Settings& settings)
   command
     ->add_option("--chunk", options->ChunkTets,
       "Tetrahedra in a chunk, at most, 64 to 1048576 (default: 65536, or 262144 if more than 10 "
-      "million)")
+      "million; with layers the half)")
     ->check(CLI::Range(64, 1048576))
     ->option_text("N");
   command
