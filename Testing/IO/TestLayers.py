@@ -35,8 +35,8 @@ assert defaults.GetNumberOfLayers() == 0
 assert defaults.GetLayerSpacing() == vtkGatunWriter.LAYERS_HISTOGRAM
 
 # Whole: bit for bit what was written.
-path = gm.temporary("layers.gtn")
-plain = gm.temporary("plain.gtn")
+path = gm.temporary("io-layers.gtn")
+plain = gm.temporary("io-layers-plain.gtn")
 gm.write(grid, plain, ChunkTets=800)
 for spacing in (1, 2, 3):
     for options in ({"NumberOfLayers": 6}, {"LayerArray": "vector", "LayerComponent": 1}):
@@ -119,7 +119,7 @@ for step in (2, 0, 1):
 def expect_error(text, **options):
     writer = vtkGatunWriter()
     writer.SetInputDataObject(grid)
-    writer.SetFileName(gm.temporary("never.gtn"))
+    writer.SetFileName(gm.temporary("io-layers-never.gtn"))
     for name, value in options.items():
         getattr(writer, "Set" + name)(value)
     errors = gm.Errors(writer)

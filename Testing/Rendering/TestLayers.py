@@ -11,7 +11,7 @@ grid = gv.box(16)
 expected = gv.draw(grid)
 gv.require_same(expected[0], expected[0])
 for options in ({"NumberOfLayers": 4}, {"NumberOfLayers": 40}, {"LayerArray": "vector"}):
-    name = gm.temporary("layers.gtn")
+    name = gm.temporary("drawn-layers.gtn")
     gm.write(grid, name, **{"LayerArray": "wave", "ChunkTets": 700, **options})
     reader = vtkGatunReader()
     reader.SetFileName(name)
@@ -23,7 +23,7 @@ for options in ({"NumberOfLayers": 4}, {"NumberOfLayers": 40}, {"LayerArray": "v
 # With a hierarchy: as from a file without layers.
 drawn = []
 for layers in ("wave", ""):
-    name = gm.temporary("tree%s.gtn" % layers)
+    name = gm.temporary("drawn-tree%s.gtn" % layers)
     gm.write(grid, name, LayerArray=layers, ChunkTets=700, Hierarchy=True, Levels=2)
     reader = vtkGatunReader()
     reader.SetFileName(name)
