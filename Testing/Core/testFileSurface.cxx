@@ -139,7 +139,7 @@ Surface MakeSlowly(const std::shared_ptr<const FileReader>& file, const FileSurf
 std::shared_ptr<const FileReader> MakeFile(const std::string& name, std::uint32_t chunkTets,
   int steps = 1, const TestMesh& mesh = MakeCubes(8, 0.2))
 {
-  const auto path = TempPath(name);
+  const auto path = TempPath("file-surface-" + name);
   WriterOptions options;
   options.ChunkTets = chunkTets;
   Write(path, mesh, options, steps);
@@ -166,7 +166,7 @@ std::shared_ptr<const FileReader> MakeTreeFile(const std::string& name)
   WriterOptions options;
   options.ChunkTets = 100;
   options.Tree = &tree;
-  const auto path = TempPath(name);
+  const auto path = TempPath("file-surface-" + name);
   Write(path, mesh, options, 2);
   return std::make_shared<const FileReader>(path);
 }
@@ -435,7 +435,7 @@ TEST(FileSurface, NormalsOfPiecesAreSumsInTheOrderOfTheFile)
   }
   WriterOptions options;
   options.ChunkTets = 64;
-  const auto path = TempPath("order.gtn");
+  const auto path = TempPath("file-surface-order.gtn");
   FileWriter writer(path, mesh.GetInput(), Values::Describe(), options);
   writer.WriteStep(values.Get());
   writer.Finish();
@@ -514,7 +514,7 @@ TEST(FileSurface, LeavesOutWhatIsNotFinite)
   }
   WriterOptions options;
   options.ChunkTets = 100;
-  const auto path = TempPath("infinite.gtn");
+  const auto path = TempPath("file-surface-infinite.gtn");
   FileWriter writer(path, mesh.GetInput(), Values::Describe(), options);
   writer.WriteStep(values.Get());
   writer.Finish();
@@ -678,7 +678,7 @@ TEST(FileSurface, OfADamagedFileIsRightOrAnError)
   ASSERT_GT(expected.size(), 10u);
   std::ifstream in(file->GetPath(), std::ios::binary);
   const std::string bytes((std::istreambuf_iterator<char>(in)), {});
-  const auto path = TempPath("unsound.gtn");
+  const auto path = TempPath("file-surface-unsound.gtn");
   const auto isRight = [&](const std::string& content)
   {
     std::ofstream(path, std::ios::binary | std::ios::trunc) << content;
