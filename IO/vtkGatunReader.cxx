@@ -9,6 +9,7 @@
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
 #include "gatunExactGhosts.h"
+#include "gatunFileInput.h"
 #include "gatunFileReader.h"
 #include "gatunFileSignature.h"
 #include "gatunOutline.h"
@@ -327,14 +328,6 @@ public:
   {
     return array.Where == Association::Point ? this->PointArrays.Wants(array.Name)
                                              : this->CellArrays.Wants(array.Name);
-  }
-
-  /** The last step not later than the time, or the first. */
-  std::size_t StepAt(double time) const
-  {
-    const std::vector<double>& times = this->File->GetTimes();
-    const auto later = std::upper_bound(times.begin(), times.end(), time);
-    return later == times.begin() ? 0 : static_cast<std::size_t>(later - times.begin()) - 1;
   }
 
   /** Which values of an array to look at: index of it and of the range. */
@@ -932,8 +925,8 @@ int vtkGatunReader::RequestData(vtkInformation* vtkNotUsed(request),
     gatun::PieceRequest request;
     if (self.File->HasTime() && outInfo->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
     {
-      request.Step =
-        self.StepAt(outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()));
+      request.Step = gatun::FindStep(
+        *self.File, outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()));
     }
     self.Choose(*this, request);
     const std::vector<std::uint32_t> chunks = self.ChunksOf(*this, request.Step, request.Merges);
