@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunHartleyProjector_h
+#define gatunHartleyProjector_h
+
+#include "gatunHartleySource.h"
+#include "gatunHartleyView.h"
+#include "vtkGatunCoreModule.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace gatun
+{
+/** How the densities along a ray become a colour. */
+enum class HartleyLaw : std::uint8_t
+{
+  XRay = 0,            ///< their sum
+  Exponential = 1,     ///< a sample of density D has the opacity 1 - exp(-K D)
+  TransferFunction = 2 ///< any opacity of a sample
+};
+
+/** By which way a block's picture is made of its coefficients. */
+enum class HartleyMethod : std::uint8_t
+{
+  Automatic = 0, ///< Basis for blocks of up to 16 voxels along each axis, Slice for larger ones
+  Basis = 1,     ///< the sum of the pictures of its basis functions, which all blocks share
+  Slice = 2      ///< a slice through its spectrum, transformed back in two dimensions
+};
+
+/** How values between the points of a spectrum are found, for HartleyMethod::Slice. */
+enum class HartleyKernel : std::uint8_t
+{
+  KaiserBessel = 0, ///< with voxels corrected beforehand; exact to about 1e-5
+  Trilinear = 1     ///< as in Yang's dissertation, for comparison
+};
+
+struct HartleyOptions
+{
+  HartleyMethod Method = HartleyMethod::Automatic;
+  HartleyKernel Kernel = HartleyKernel::KaiserBessel;
+
+  /** Size of a block with the zeros around it, for spectra, in sizes of the block; 1 to 8. */
+  double Padding = 2;
+
+  /** How much memory the spectra of blocks may take from one picture to the next, in bytes. */
+  std::uint64_t SpectrumBytes = std::uint64_t{ 1 } << 30;
+};
+
+/** Densities to colours. Colours and opacities of a sample, evenly spaced from First to Last. */
+struct HartleyShading
+{
+  HartleyLaw Law = HartleyLaw::XRay;
+
+  /** K of HartleyLaw::Exponential, per sample; densities count from Zero on, below which there is
+   * nothing. */
+  double Extinction = 0.01;
+  double Zero = 0;
+
+  /** Red, green, blue and opacity of one sample, 0 to 1; the opacity is that of
+   * HartleyLaw::TransferFunction. At least two. Not used by XRay. */
+  std::vector<std::array<float, 4>> Table;
+  double First = 0;
+  double Last = 255;
+
+  /** For HartleyLaw::XRay: the sums that are black and white; the same: the picture's own. */
+  double Black = 0;
+  double White = 0;
+};
+
+/** All arrays row after row, beginning with the row of HartleyView::Origin. */
+struct HartleyPicture
+{
+  unsigned Width = 0;
+  unsigned Height = 0;
+  std::vector<std::array<float, 4>> Colours; ///< red, green, blue, times opacity; opacity
+  std::vector<float> Sums;                   ///< of the densities along the ray
+  std::vector<float> Samples;                ///< how many of them lie in the volume
+
+  // What it took.
+  std::uint64_t Terms = 0;  ///< coefficients that were added up
+  std::uint64_t Blocks = 0; ///< that were drawn
+  HartleyMethod Method = HartleyMethod::Basis;
+};
+
+/**
+ * Draws a volume from its Hartley coefficients, without going back to voxels. Blocks are sums of
+ * trilinear hats around their voxels, so that neighbours overlap by a voxel and add up to the
+ * trilinear volume, without gaps; sums are line integrals of that, in samples (HartleyView::Step).
+ * A block counts as if its mean density were everywhere in it, weighed by the part of the ray that
+ * is in it; under HartleyLaw::Exponential its opacity is exact.
+ *
+ * C. Yang: On-the-fly processing of compressed volume data, 2001, section 3.3, equations 6 to 10.
+ *
+ * Keeps what can be used for the next picture; one picture at a time.
+ */
+class VTKGATUNCORE_EXPORT HartleyProjector
+{
+public:
+  explicit HartleyProjector(
+    std::shared_ptr<const HartleySource> source, const HartleyOptions& options = {});
+  ~HartleyProjector();
+  HartleyProjector(const HartleyProjector&) = delete;
+  HartleyProjector& operator=(const HartleyProjector&) = delete;
+
+  /** Parallel. Throws Error(InvalidInput) for views without pixels or with vectors that are not
+   * finite or span no space, Error(Aborted), and what the source throws. */
+  HartleyPicture Draw(const HartleyView& view, const HartleyShading& shading,
+    const std::function<bool(double)>& progress = {});
+
+  /** A block's picture by itself, at points of the plane of Sampling. */
+  struct BlockPicture
+  {
+    unsigned Width = 0;
+    unsigned Height = 0;
+    HartleyView View; ///< of its pixels: index coordinates of the volume
+    std::vector<float> Sums;
+  };
+
+  /** For studies: the picture of each block of a chunk, under the view's direction; the view's
+   * pixels do not matter. Sums are those of the voxels less the base. */
+  std::vector<BlockPicture> DrawBlocks(const HartleyView& view, std::size_t chunk);
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Data;
+};
+}
+
+#endif

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunHartleySource_h
+#define gatunHartleySource_h
+
+#include "gatunHartleyLayout.h"
+#include "gatunTypes.h"
+#include "vtkGatunCoreModule.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace gatun
+{
+/** A coefficient of a block that is not zero. */
+struct HartleyTerm
+{
+  std::uint32_t Index = 0; ///< in the block, x fastest, as HartleyTransform has them
+  float Value = 0;
+
+  bool operator==(const HartleyTerm&) const = default;
+};
+
+/** The coefficients of a chunk's blocks, block after block in the order of HartleyLayout. */
+struct HartleyChunk
+{
+  std::vector<std::uint64_t> Starts; ///< one a block, and the end
+  std::vector<HartleyTerm> Terms;    ///< of each block by ascending index
+
+  std::span<const HartleyTerm> GetBlock(std::size_t blockOfChunk) const
+  {
+    return { this->Terms.data() + this->Starts[blockOfChunk],
+      static_cast<std::size_t>(this->Starts[blockOfChunk + 1] - this->Starts[blockOfChunk]) };
+  }
+};
+
+/**
+ * A volume as Hartley coefficients, in memory or in a file. What is transformed are the voxels less
+ * a base value, which is the smallest of the volume, so that nothing is where the volume ends.
+ */
+class VTKGATUNCORE_EXPORT HartleySource
+{
+public:
+  virtual ~HartleySource() = default;
+
+  virtual const HartleyLayout& GetLayout() const = 0;
+  virtual double GetBase() const = 0;
+
+  /** Smallest and largest voxel, before they were compressed. */
+  virtual Range GetRange() const = 0;
+
+  /** Thread safe. Throws Error, of a file that is damaged. */
+  virtual std::shared_ptr<const HartleyChunk> GetChunk(std::size_t chunk) const = 0;
+};
+}
+
+#endif
