@@ -31,7 +31,8 @@ set(gatun_vtk_components
   RenderingVolumeOpenGL2
   TestingCore
   TestingRendering
-  jsoncpp)
+  jsoncpp
+  kissfft)
 if (GATUN_WRAP_PYTHON)
   list(APPEND gatun_vtk_components
     Python
