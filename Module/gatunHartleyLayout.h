@@ -29,8 +29,8 @@ struct VTKGATUNCORE_EXPORT HartleyLayout
   Triple Chunk{}; ///< blocks of a chunk
 
   /** Cubes of blockSize voxels, 2 to 64, thinner where the volume is; 0: one block for the whole
-   * volume, a little larger where that makes its transform fast. Throws Error(InvalidInput) for other sizes, and for volumes that
-   * are empty or have more than 2^40 voxels. */
+   * volume, a little larger where that makes its transform fast. Throws Error(InvalidInput) for
+   * other sizes, and for volumes that are empty or have more than 2^40 voxels. */
   static HartleyLayout Make(const Triple& size, std::uint32_t blockSize);
 
   bool IsWhole() const { return this->GetNumberOfBlocks() == 1; }

@@ -1,0 +1,688 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunHartleyProjector.h"
+
+#include "gatunError.h"
+#include "gatunHartleyBasis.h"
+#include "gatunHartleyKernel.h"
+#include "gatunHartleyPaperSlice.h"
+#include "gatunHartleySlab.h"
+#include "gatunHartleySlice.h"
+#include "gatunParallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace gatun
+{
+namespace
+{
+using Vector = HartleyView::Vector;
+using Triple = HartleyLayout::Triple;
+
+// Blocks of a slab whose pictures are kept at the same time take this many bytes at most, but for a
+// row of them.
+constexpr std::size_t BatchBytes = std::size_t{ 32 } << 20;
+
+// The most that pictures of basis functions may take.
+constexpr std::uint64_t MostBasisBytes = std::uint64_t{ 1 } << 30;
+
+// The most voxels along an axis of blocks that are drawn by their basis functions unless told
+// otherwise.
+constexpr std::uint32_t LargestBasisBlock = 16;
+
+// A picture through which less light comes is complete.
+constexpr float Opaque = 1.0f / 1024;
+
+//------------------------------------------------------------------------------
+void Check(const HartleyView& view)
+{
+  if (view.Width == 0 || view.Height == 0)
+  {
+    ThrowInvalid("a picture without pixels");
+  }
+  const auto& a = view.ColumnStep;
+  const auto& b = view.RowStep;
+  const auto& c = view.Step;
+  const double volume = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+    a[2] * (b[0] * c[1] - b[1] * c[0]);
+  for (const Vector* const vector : { &view.Origin, &a, &b, &c })
+  {
+    if (!std::all_of(vector->begin(), vector->end(), [](double v) { return std::isfinite(v); }))
+    {
+      ThrowInvalid("a view with numbers that are not finite");
+    }
+  }
+  if (!std::isfinite(volume) || volume == 0)
+  {
+    ThrowInvalid("a view whose columns, rows and rays do not span a space");
+  }
+}
+
+//------------------------------------------------------------------------------
+void Check(const HartleyShading& shading)
+{
+  if (shading.Law != HartleyLaw::XRay && shading.Table.size() < 2)
+  {
+    ThrowInvalid("a transfer function of less than two entries");
+  }
+  if (shading.Law == HartleyLaw::Exponential &&
+    (!std::isfinite(shading.Extinction) || shading.Extinction < 0 || !std::isfinite(shading.Zero)))
+  {
+    ThrowInvalid("an exponential law whose extinction is negative or not finite");
+  }
+}
+
+//------------------------------------------------------------------------------
+void Check(const HartleyOptions& options)
+{
+  if (!(options.Padding >= 1 && options.Padding <= 8))
+  {
+    ThrowInvalid("a padding that is not from 1 to 8");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+struct HartleyProjector::Internals
+{
+  std::shared_ptr<const HartleySource> Source;
+  HartleyLayout Layout;
+  HartleyOptions Options;
+
+  // For one direction.
+  std::optional<HartleyLattice> Lattice;
+  HartleyView View; // of the painter
+  std::unique_ptr<HartleyPainter> Painter;
+  std::map<Triple, std::vector<float>> Units;
+
+  std::shared_ptr<HartleySpectra> Spectra;
+
+  HartleyMethod GetMethod() const;
+  void Prepare(const HartleyView& view, const std::function<bool(double)>& progress);
+  void UseSpectra(const SpectrumPlan& plan);
+  const std::vector<float>& GetUnit(const Triple& filled);
+
+  /** The place of a block that is given along the lattice's axes. */
+  Triple ToPlace(std::uint32_t across, std::uint32_t down, std::uint32_t along) const
+  {
+    Triple place{};
+    place[this->Lattice->Axes[0]] = across;
+    place[this->Lattice->Axes[1]] = down;
+    place[this->Lattice->Axes[2]] = along;
+    return place;
+  }
+};
+
+namespace
+{
+//------------------------------------------------------------------------------
+std::size_t GetNumberInChunk(const HartleyLayout& layout, std::size_t chunk, const Triple& place)
+{
+  const auto box = layout.GetBlocksOfChunk(chunk);
+  const std::size_t width = box.End[0] - box.First[0];
+  const std::size_t height = box.End[1] - box.First[1];
+  return ((place[2] - box.First[2]) * height + place[1] - box.First[1]) * width + place[0] -
+    box.First[0];
+}
+
+//------------------------------------------------------------------------------
+/** The chunks that blocks of a slab are in, each got from the source once. */
+class ChunkHolder
+{
+public:
+  explicit ChunkHolder(const HartleySource& source)
+    : Source(source)
+    , Layout(source.GetLayout())
+  {
+  }
+
+  /** Gets those that blocks are in, and lets the others go. */
+  void Load(std::span<const Triple> blocks)
+  {
+    std::map<std::size_t, std::shared_ptr<const HartleyChunk>> wanted;
+    for (const Triple& place : blocks)
+    {
+      wanted.try_emplace(this->Layout.GetChunkOfBlock(place));
+    }
+    std::vector<std::pair<const std::size_t, std::shared_ptr<const HartleyChunk>>*> missing;
+    for (auto& one : wanted)
+    {
+      const auto found = this->Chunks.find(one.first);
+      if (found != this->Chunks.end())
+      {
+        one.second = found->second;
+      }
+      else
+      {
+        missing.push_back(&one);
+      }
+    }
+    this->Chunks = {};
+    ParallelFor(missing.size(),
+      [&](std::size_t i) { missing[i]->second = this->Source.GetChunk(missing[i]->first); });
+    this->Chunks = std::move(wanted);
+  }
+
+  std::span<const HartleyTerm> GetTerms(const Triple& place) const
+  {
+    const std::size_t chunk = this->Layout.GetChunkOfBlock(place);
+    return this->Chunks.at(chunk)->GetBlock(GetNumberInChunk(this->Layout, chunk, place));
+  }
+
+private:
+  const HartleySource& Source;
+  const HartleyLayout& Layout;
+  std::map<std::size_t, std::shared_ptr<const HartleyChunk>> Chunks;
+};
+
+//------------------------------------------------------------------------------
+/** A block of a slab on its way to the picture. */
+struct Job
+{
+  std::array<std::uint32_t, 2> Place{}; // across, down
+  std::size_t Block = 0;
+  std::span<const HartleyTerm> Terms;
+  const float* Unit = nullptr;
+  std::span<float> Picture; // empty: nothing but the base value
+};
+
+//------------------------------------------------------------------------------
+void Paint(const HartleyPainter& painter, std::span<Job> jobs)
+{
+  const auto paint = [&](std::span<Job> some)
+  {
+    const auto brush = painter.MakeBrush();
+    for (Job& job : some)
+    {
+      if (!job.Picture.empty())
+      {
+        brush->Paint(job.Block, job.Terms, job.Picture);
+      }
+    }
+  };
+  const auto threads = static_cast<std::size_t>(GetNumberOfThreads());
+  if (jobs.size() <= threads / 2)
+  {
+    paint(jobs); // the brush has work for several threads
+    return;
+  }
+  const std::size_t each = std::max<std::size_t>(1, jobs.size() / (threads * 8));
+  ParallelFor((jobs.size() + each - 1) / each,
+    [&](std::size_t i) { paint(jobs.subspan(i * each, std::min(each, jobs.size() - i * each))); });
+}
+
+//------------------------------------------------------------------------------
+/** Adds the pictures of blocks to those that are in front of them. */
+void AddToSlab(const HartleyLattice& lattice, const HartleyLookup& lookup,
+  std::span<const Job> jobs, const std::array<std::uint32_t, 2>& first, HartleySlab& slab)
+{
+  constexpr std::size_t rowsAtOnce = 8;
+  std::size_t top = slab.Points[1];
+  std::size_t bottom = 0;
+  for (const Job& job : jobs)
+  {
+    const std::size_t corner = slab.GetCorner(lattice, first, job.Place)[1];
+    top = std::min(top, corner);
+    bottom = std::max(bottom, corner + lattice.Points[1]);
+  }
+  if (top >= bottom)
+  {
+    return;
+  }
+  ParallelFor((bottom - top + rowsAtOnce - 1) / rowsAtOnce,
+    [&](std::size_t band)
+    {
+      const std::size_t begin = top + band * rowsAtOnce;
+      const std::size_t end = std::min(begin + rowsAtOnce, bottom);
+      for (const Job& job : jobs)
+      {
+        const auto corner = slab.GetCorner(lattice, first, job.Place);
+        const std::size_t last = std::min(end, corner[1] + lattice.Points[1]);
+        for (std::size_t row = std::max(begin, corner[1]); row < last; ++row)
+        {
+          const std::size_t from = (row - corner[1]) * lattice.Points[0];
+          auto* const to = slab.Channels.data() + row * slab.Points[0] + corner[0];
+          for (std::size_t i = 0; i < lattice.Points[0]; ++i)
+          {
+            const float samples = job.Unit[from + i];
+            if (samples > 0)
+            {
+              lookup.Add(job.Picture.empty() ? 0 : job.Picture[from + i], samples, to[i]);
+            }
+          }
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+/** Columns from first up to, not including, end, for which start + column step is in a range. */
+void ClipColumns(double start, double step, double low, double high, double& first, double& end)
+{
+  if (step == 0)
+  {
+    if (start < low || start > high)
+    {
+      end = first;
+    }
+    return;
+  }
+  const double one = (low - start) / step;
+  const double two = (high - start) / step;
+  first = std::max(first, std::ceil(std::min(one, two)));
+  end = std::min(end, std::floor(std::max(one, two)) + 1);
+}
+
+//------------------------------------------------------------------------------
+/** Adds a slab to the picture. Returns whether there are pixels through which light still comes. */
+bool AddToPicture(const HartleyLattice& lattice, const HartleyView& view,
+  const HartleyLookup& lookup, const HartleySlab& slab, std::vector<std::array<float, 4>>& pixels)
+{
+  constexpr unsigned rowsAtOnce = 4;
+  const auto origin = lattice.Project(view.Origin);
+  const auto column = lattice.Project(view.ColumnStep);
+  const auto row = lattice.Project(view.RowStep);
+  const auto& kernel = GetBestHartleyKernel();
+  const std::size_t groups = (view.Height + rowsAtOnce - 1) / rowsAtOnce;
+  std::vector<std::uint8_t> clear(groups);
+  ParallelFor(groups,
+    [&](std::size_t group)
+    {
+      const auto begin = static_cast<unsigned>(group) * rowsAtOnce;
+      float most = 0;
+      for (unsigned y = begin; y < std::min(begin + rowsAtOnce, view.Height); ++y)
+      {
+        // In points of the slab's lattice; interpolation needs one before and two behind.
+        std::array<double, 2> start, step;
+        double first = 0;
+        double end = view.Width;
+        for (std::size_t i = 0; i < 2; ++i)
+        {
+          start[i] = (origin[i] + y * row[i] - slab.Origin[i]) / HartleyLattice::Spacing;
+          step[i] = column[i] / HartleyLattice::Spacing;
+          ClipColumns(start[i], step[i], 1, static_cast<double>(slab.Points[i]) - 3, first, end);
+        }
+        auto* const pixelsOfRow = pixels.data() + std::size_t{ y } * view.Width;
+        for (double x = first; x < end; ++x)
+        {
+          const double across = start[0] + x * step[0];
+          const double down = start[1] + x * step[1];
+          // Clamped, as the ends of the range are rounded.
+          const std::size_t left =
+            std::clamp<std::size_t>(static_cast<std::size_t>(across), 1, slab.Points[0] - 3);
+          const std::size_t top =
+            std::clamp<std::size_t>(static_cast<std::size_t>(down), 1, slab.Points[1] - 3);
+          std::array<float, 4> channels;
+          kernel.Interpolate(slab.Channels[(top - 1) * slab.Points[0] + left - 1].data(),
+            slab.Points[0] * 4, static_cast<float>(across - static_cast<double>(left)),
+            static_cast<float>(down - static_cast<double>(top)), channels.data());
+          lookup.AddSlab(channels, pixelsOfRow[static_cast<std::size_t>(x)]);
+        }
+        for (unsigned x = 0; x < view.Width; ++x)
+        {
+          most = std::max(most, pixelsOfRow[x][3]);
+        }
+      }
+      clear[group] = most > Opaque;
+    });
+  return std::any_of(clear.begin(), clear.end(), [](std::uint8_t one) { return one != 0; });
+}
+
+//------------------------------------------------------------------------------
+/** The blocks along an axis that may be seen between two sheared coordinates: first, end. */
+std::array<std::uint32_t, 2> FindBlocks(const HartleyLattice& lattice, std::size_t axis,
+  std::uint32_t blocks, double middleAlong, double low, double high)
+{
+  const double reach =
+    static_cast<double>(lattice.Points[axis] / 2 + HartleySlab::Margin) * HartleyLattice::Spacing;
+  const double size = lattice.Block[axis];
+  const double middle = (size - 1) / 2 - lattice.Shear[axis] * middleAlong;
+  const double most = blocks;
+  const double first = std::clamp(std::ceil((low - reach - middle) / size), 0.0, most);
+  const double end = std::clamp(std::floor((high + reach - middle) / size) + 1, 0.0, most);
+  return { static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(std::max(first, end)) };
+}
+
+//------------------------------------------------------------------------------
+/** The sheared coordinates of a picture's pixels: lowest and highest, across and down. */
+std::array<std::array<double, 2>, 2> GetBox(const HartleyLattice& lattice, const HartleyView& view)
+{
+  const auto origin = lattice.Project(view.Origin);
+  const auto column = lattice.Project(view.ColumnStep);
+  const auto row = lattice.Project(view.RowStep);
+  std::array<std::array<double, 2>, 2> box;
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    const double across = column[i] * (view.Width - 1);
+    const double down = row[i] * (view.Height - 1);
+    box[i] = { origin[i] + std::min(0.0, across) + std::min(0.0, down),
+      origin[i] + std::max(0.0, across) + std::max(0.0, down) };
+  }
+  return box;
+}
+
+//------------------------------------------------------------------------------
+void FinishXRay(const HartleyShading& shading, double base, HartleyPicture& picture)
+{
+  const auto offset = static_cast<float>(base);
+  picture.Sums.resize(picture.Colours.size());
+  picture.Samples.resize(picture.Colours.size());
+  float least = 0;
+  float most = 0;
+  bool any = false;
+  for (std::size_t i = 0; i < picture.Colours.size(); ++i)
+  {
+    const auto& pixel = picture.Colours[i];
+    const float samples = std::max(0.0f, pixel[1]);
+    const float sum = pixel[0] + offset * samples;
+    picture.Sums[i] = sum;
+    picture.Samples[i] = samples;
+    if (samples > 0)
+    {
+      least = any ? std::min(least, sum) : sum;
+      most = any ? std::max(most, sum) : sum;
+      any = true;
+    }
+  }
+  const bool given = shading.Black != shading.White;
+  const float black = given ? static_cast<float>(shading.Black) : least;
+  const float white = given ? static_cast<float>(shading.White) : most;
+  for (std::size_t i = 0; i < picture.Colours.size(); ++i)
+  {
+    const float opacity = std::min(1.0f, picture.Samples[i]);
+    const float grey =
+      white != black ? std::clamp((picture.Sums[i] - black) / (white - black), 0.0f, 1.0f) : 0.0f;
+    picture.Colours[i] = { grey * opacity, grey * opacity, grey * opacity, opacity };
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+HartleyMethod HartleyProjector::Internals::GetMethod() const
+{
+  if (this->Options.Method != HartleyMethod::Automatic)
+  {
+    return this->Options.Method;
+  }
+  const auto& block = this->Layout.Block;
+  return this->Options.Kernel == HartleyKernel::Trilinear ||
+      *std::max_element(block.begin(), block.end()) > LargestBasisBlock
+    ? HartleyMethod::Slice
+    : HartleyMethod::Basis;
+}
+
+//------------------------------------------------------------------------------
+void HartleyProjector::Internals::UseSpectra(const SpectrumPlan& plan)
+{
+  if (!this->Spectra || !(this->Spectra->GetPlan() == plan))
+  {
+    this->Spectra = std::make_shared<HartleySpectra>(plan, this->Options.SpectrumBytes);
+  }
+}
+
+//------------------------------------------------------------------------------
+void HartleyProjector::Internals::Prepare(
+  const HartleyView& view, const std::function<bool(double)>& progress)
+{
+  const auto& block = this->Layout.Block;
+  const auto lattice = HartleyLattice::Make(block, view.Step);
+  const bool paper =
+    this->GetMethod() == HartleyMethod::Slice && this->Options.Kernel == HartleyKernel::Trilinear;
+  if (this->Painter && this->Lattice == lattice &&
+    (!paper || (view.Step == this->View.Step && view.ColumnStep == this->View.ColumnStep)))
+  {
+    return;
+  }
+  this->Painter.reset();
+  this->Units.clear();
+  this->Lattice = lattice;
+  this->View = view;
+  if (this->GetMethod() == HartleyMethod::Basis)
+  {
+    const std::uint64_t bytes = std::uint64_t{ this->Layout.GetVoxelsPerBlock() } *
+      lattice.GetNumberOfPoints() * sizeof(float);
+    if (bytes > MostBasisBytes)
+    {
+      ThrowInvalid("the basis functions of blocks of " + std::to_string(block[0]) + " x " +
+        std::to_string(block[1]) + " x " + std::to_string(block[2]) + " voxels have pictures of " +
+        std::to_string(bytes >> 20) + " MiB; draw blocks as large as this by slices");
+    }
+    this->Painter = std::make_unique<HartleyBasis>(block, lattice, progress);
+  }
+  else if (paper)
+  {
+    this->UseSpectra(HartleyPaperSlice::MakePlan(block, this->Options.Padding));
+    this->Painter = std::make_unique<HartleyPaperSlice>(lattice, view, this->Spectra);
+  }
+  else
+  {
+    this->UseSpectra(HartleySlice::MakePlan(block, lattice, this->Options.Padding));
+    this->Painter = std::make_unique<HartleySlice>(lattice, this->Spectra);
+  }
+}
+
+//------------------------------------------------------------------------------
+const std::vector<float>& HartleyProjector::Internals::GetUnit(const Triple& filled)
+{
+  auto& unit = this->Units[filled];
+  if (unit.empty())
+  {
+    unit = this->Painter->PaintUnit(filled);
+  }
+  return unit;
+}
+
+//------------------------------------------------------------------------------
+HartleyProjector::HartleyProjector(
+  std::shared_ptr<const HartleySource> source, const HartleyOptions& options)
+  : Data(std::make_unique<Internals>())
+{
+  Check(options);
+  this->Data->Source = std::move(source);
+  this->Data->Layout = this->Data->Source->GetLayout();
+  this->Data->Options = options;
+}
+
+//------------------------------------------------------------------------------
+HartleyProjector::~HartleyProjector() = default;
+
+//------------------------------------------------------------------------------
+HartleyPicture HartleyProjector::Draw(const HartleyView& view, const HartleyShading& shading,
+  const std::function<bool(double)>& progress)
+{
+  Check(view);
+  Check(shading);
+  auto& data = *this->Data;
+  const auto report = [&](double fraction)
+  {
+    if (progress && !progress(fraction))
+    {
+      throw Error(ErrorCode::Aborted, "aborted");
+    }
+  };
+  // Pictures of basis functions are this part of the work, say.
+  constexpr double preparing = 0.2;
+  data.Prepare(view, [&](double fraction) { return !progress || progress(preparing * fraction); });
+
+  const HartleyLattice& lattice = *data.Lattice;
+  const HartleyLookup lookup(shading, data.Source->GetBase(), data.Source->GetRange());
+  const Triple blocks = data.Layout.GetBlocks();
+  std::array<std::uint32_t, 3> counts;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    counts[i] = blocks[static_cast<std::size_t>(lattice.Axes[i])];
+  }
+  const auto box = GetBox(lattice, view);
+  const double direction = lattice.Backwards ? -1 : 1;
+  const std::array<bool, 2> descending{ direction * lattice.Shear[0] < 0,
+    direction * lattice.Shear[1] < 0 };
+
+  HartleyPicture picture;
+  picture.Width = view.Width;
+  picture.Height = view.Height;
+  picture.Method = data.GetMethod();
+  const bool xray = shading.Law == HartleyLaw::XRay;
+  picture.Colours.assign(std::size_t{ view.Width } * view.Height, { 0, 0, 0, xray ? 0.0f : 1.0f });
+
+  ChunkHolder chunks(*data.Source);
+  HartleySlab slab;
+  std::vector<float> pictures;
+  std::vector<Triple> places;
+  std::vector<Job> jobs;
+  for (std::uint32_t step = 0; step < counts[2]; ++step)
+  {
+    report(preparing + (1 - preparing) * step / counts[2]);
+    const std::uint32_t along = lattice.Backwards ? counts[2] - 1 - step : step;
+    const double middle = along * lattice.Block[2] + (lattice.Block[2] - 1) / 2;
+    std::array<std::uint32_t, 2> first, end;
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      const auto seen = FindBlocks(lattice, i, counts[i], middle, box[i][0], box[i][1]);
+      first[i] = seen[0];
+      end[i] = seen[1];
+    }
+    if (first[0] >= end[0] || first[1] >= end[1])
+    {
+      continue;
+    }
+    slab.Start(lattice, first, end, middle);
+
+    const std::uint32_t width = end[0] - first[0];
+    const std::uint32_t height = end[1] - first[1];
+    places.clear();
+    for (std::uint32_t row = 0; row < height; ++row)
+    {
+      for (std::uint32_t column = 0; column < width; ++column)
+      {
+        places.push_back(data.ToPlace(descending[0] ? end[0] - 1 - column : first[0] + column,
+          descending[1] ? end[1] - 1 - row : first[1] + row, along));
+      }
+    }
+    chunks.Load(places);
+
+    const std::size_t points = lattice.GetNumberOfPoints();
+    const std::size_t rowsAtOnce =
+      std::max<std::size_t>(1, BatchBytes / (points * sizeof(float) * width));
+    for (std::size_t from = 0; from < places.size(); from += rowsAtOnce * width)
+    {
+      const std::size_t to = std::min(places.size(), from + rowsAtOnce * width);
+      jobs.clear();
+      std::size_t painted = 0;
+      for (const Triple& place : std::span(places).subspan(from, to - from))
+      {
+        Job job;
+        job.Terms = chunks.GetTerms(place);
+        if (job.Terms.empty() && lookup.IsBaseClear() && !xray)
+        {
+          continue;
+        }
+        job.Place = { place[static_cast<std::size_t>(lattice.Axes[0])],
+          place[static_cast<std::size_t>(lattice.Axes[1])] };
+        job.Block = data.Layout.GetBlockNumber(place);
+        job.Unit = data.GetUnit(data.Layout.GetFilled(place)).data();
+        painted += !job.Terms.empty();
+        jobs.push_back(job);
+      }
+      pictures.resize(std::max(pictures.size(), painted * points));
+      std::span<float> room(pictures);
+      for (Job& job : jobs)
+      {
+        if (!job.Terms.empty())
+        {
+          job.Picture = room.first(points);
+          room = room.subspan(points);
+          picture.Terms += job.Terms.size();
+        }
+      }
+      picture.Blocks += jobs.size();
+      Paint(*data.Painter, jobs);
+      AddToSlab(lattice, lookup, jobs, first, slab);
+    }
+    if (!AddToPicture(lattice, view, lookup, slab, picture.Colours) && !xray)
+    {
+      break;
+    }
+  }
+
+  if (xray)
+  {
+    FinishXRay(shading, data.Source->GetBase(), picture);
+  }
+  else
+  {
+    for (auto& pixel : picture.Colours)
+    {
+      pixel[3] = 1 - pixel[3];
+    }
+  }
+  report(1);
+  return picture;
+}
+
+//------------------------------------------------------------------------------
+std::vector<HartleyProjector::BlockPicture> HartleyProjector::DrawBlocks(
+  const HartleyView& view, std::size_t chunk)
+{
+  Check(view);
+  auto& data = *this->Data;
+  data.Prepare(view, {});
+  const HartleyLattice& lattice = *data.Lattice;
+  const auto* const paper = dynamic_cast<const HartleyPaperSlice*>(data.Painter.get());
+  const auto terms = data.Source->GetChunk(chunk);
+  const auto box = data.Layout.GetBlocksOfChunk(chunk);
+
+  std::vector<BlockPicture> pictures;
+  const auto brush = data.Painter->MakeBrush();
+  std::size_t number = 0;
+  for (std::uint32_t z = box.First[2]; z < box.End[2]; ++z)
+  {
+    for (std::uint32_t y = box.First[1]; y < box.End[1]; ++y)
+    {
+      for (std::uint32_t x = box.First[0]; x < box.End[0]; ++x, ++number)
+      {
+        const Triple place{ x, y, z };
+        const std::size_t block = data.Layout.GetBlockNumber(place);
+        BlockPicture made;
+        Vector middle;
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+          middle[i] = place[i] * static_cast<double>(data.Layout.Block[i]) +
+            (static_cast<double>(data.Layout.Block[i]) - 1) / 2;
+        }
+        made.View.Step = view.Step;
+        made.View.Origin = middle;
+        if (paper)
+        {
+          made.Width = made.Height = static_cast<unsigned>(paper->GetSize());
+          made.View.ColumnStep = paper->GetAcross();
+          made.View.RowStep = paper->GetDown();
+          made.Sums = paper->PaintOwn(block, terms->GetBlock(number));
+        }
+        else
+        {
+          made.Width = static_cast<unsigned>(lattice.Points[0]);
+          made.Height = static_cast<unsigned>(lattice.Points[1]);
+          made.View.ColumnStep = made.View.RowStep = {};
+          made.View.ColumnStep[static_cast<std::size_t>(lattice.Axes[0])] = HartleyLattice::Spacing;
+          made.View.RowStep[static_cast<std::size_t>(lattice.Axes[1])] = HartleyLattice::Spacing;
+          made.Sums.resize(lattice.GetNumberOfPoints());
+          brush->Paint(block, terms->GetBlock(number), made.Sums);
+        }
+        made.View.Width = made.Width;
+        made.View.Height = made.Height;
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+          made.View.Origin[i] -= (made.Width - 1) / 2.0 * made.View.ColumnStep[i] +
+            (made.Height - 1) / 2.0 * made.View.RowStep[i];
+        }
+        pictures.push_back(std::move(made));
+      }
+    }
+  }
+  return pictures;
+}
+}

@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunHartleySlice.h"
+
+#include "gatunFourier.h"
+#include "gatunHartleyTransform.h"
+#include "gatunParallel.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace gatun
+{
+namespace
+{
+// A picture on the lattice has no frequencies above 1 / Spacing, so that higher ones of the hats
+// show as lower ones: of these bands on each side of the lowest.
+constexpr int Bands = 1;
+
+// Frequencies at which hats have less than this are left out.
+constexpr double Negligible = 2e-5;
+
+//------------------------------------------------------------------------------
+/** The spectrum of a hat: sin(pi f)^2 / (pi f)^2. */
+double GetHat(double frequency)
+{
+  const double angle = std::numbers::pi * frequency;
+  const double sinc = std::abs(angle) < 1e-6 ? 1 : std::sin(angle) / angle;
+  return sinc * sinc;
+}
+
+//------------------------------------------------------------------------------
+/** A multiple of the spectrum's points, brought to the first period. */
+struct Wrapped
+{
+  std::size_t Index;
+  bool Odd; // so many periods away
+
+  Wrapped(std::ptrdiff_t at, std::size_t points)
+  {
+    const auto size = static_cast<std::ptrdiff_t>(points);
+    std::ptrdiff_t period = at / size;
+    period -= period * size > at;
+    this->Index = static_cast<std::size_t>(at - period * size);
+    this->Odd = period % 2 != 0;
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+class HartleySlice::SliceBrush : public HartleyPainter::Brush
+{
+public:
+  explicit SliceBrush(const HartleySlice& slice)
+    : Slice(slice)
+    , Plan(slice.Spectra->GetPlan())
+    , Width(this->Plan.Points[0] * HartleyLattice::PerVoxel)
+    , Height(this->Plan.Points[1] * HartleyLattice::PerVoxel)
+    , Inverse(this->Height, this->Width)
+    , Values(this->Width * this->Height)
+    , Spectrum((this->Width / 2 + 1) * this->Height)
+  {
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      this->Even[axis] = this->Plan.Block[this->Plan.Axes[axis]] % 2 == 0;
+      this->MakeHats(axis, axis == 0 ? this->Width : this->Height);
+    }
+    this->Even[2] = this->Plan.Block[this->Plan.Axes[2]] % 2 == 0;
+  }
+
+  void Paint(
+    std::size_t block, std::span<const HartleyTerm> terms, std::span<float> picture) override
+  {
+    this->Paint(*this->Slice.Spectra->Get(block, terms), picture);
+  }
+
+  void Paint(const HartleySpectrum& spectrum, std::span<float> picture)
+  {
+    ParallelFor(this->Height, [&](std::size_t row) { this->CutRow(spectrum, row); });
+    this->ToFourier();
+    this->Inverse.Run(this->Spectrum.data(), this->Values.data());
+
+    // The middle of the picture is where the transform has its origin.
+    const auto& points = this->Slice.Lattice.Points;
+    for (std::size_t y = 0; y < points[1]; ++y)
+    {
+      const std::size_t row = (y + this->Height - points[1] / 2) % this->Height;
+      for (std::size_t x = 0; x < points[0]; ++x)
+      {
+        const std::size_t column = (x + this->Width - points[0] / 2) % this->Width;
+        picture[y * points[0] + x] = static_cast<float>(this->Values[row * this->Width + column]);
+      }
+    }
+  }
+
+private:
+  static constexpr std::size_t BandCount = 2 * Bands + 1;
+
+  /** Of a row or column of frequencies: where the hats' bands are, and how high. */
+  struct Band
+  {
+    double Frequency; // cycles a voxel
+    double Hat;
+  };
+
+  void MakeHats(int axis, std::size_t count)
+  {
+    const auto points = static_cast<double>(this->Plan.Points[axis]);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      for (int band = -Bands; band <= Bands; ++band)
+      {
+        const double frequency =
+          static_cast<double>(this->GetSigned(i, count)) / points + band * HartleyLattice::PerVoxel;
+        this->Hats[axis].push_back({ frequency, GetHat(frequency) });
+      }
+    }
+  }
+
+  static std::ptrdiff_t GetSigned(std::size_t i, std::size_t count)
+  {
+    const auto index = static_cast<std::ptrdiff_t>(i);
+    return 2 * i <= count ? index : index - static_cast<std::ptrdiff_t>(count);
+  }
+
+  void CutRow(const HartleySpectrum& spectrum, std::size_t row)
+  {
+    const auto& shear = this->Slice.Lattice.Shear;
+    const Wrapped v(this->GetSigned(row, this->Height), this->Plan.Points[1]);
+    const Band* const down = this->Hats[1].data() + row * BandCount;
+    for (std::size_t column = 0; column < this->Width; ++column)
+    {
+      const Wrapped u(this->GetSigned(column, this->Width), this->Plan.Points[0]);
+      const float* const line = spectrum.GetLine(u.Index, v.Index);
+      const Band* const across = this->Hats[0].data() + column * BandCount;
+      double sum = 0;
+      for (std::size_t j = 0; j < BandCount; ++j)
+      {
+        for (std::size_t i = 0; i < BandCount; ++i)
+        {
+          const double flat = across[i].Hat * down[j].Hat;
+          if (flat < Negligible)
+          {
+            continue;
+          }
+          const double along = -(shear[0] * across[i].Frequency + shear[1] * down[j].Frequency);
+          const double hat = flat * GetHat(along);
+          if (hat >= Negligible)
+          {
+            sum += hat * this->FindBetween(line, along);
+          }
+        }
+      }
+      const bool turned = (this->Even[0] && u.Odd) != (this->Even[1] && v.Odd);
+      this->Values[row * this->Width + column] = turned ? -sum : sum;
+    }
+  }
+
+  /** A value on a line along the rays, at a frequency. */
+  double FindBetween(const float* line, double frequency) const
+  {
+    const std::size_t points = this->Plan.Points[2];
+    const double at = frequency * static_cast<double>(points);
+    const double floor = std::floor(at);
+    const auto weights = this->Plan.Correction->GetWeights(at - floor);
+    const auto first = static_cast<std::ptrdiff_t>(floor) - KaiserBessel::Taps / 2 + 1;
+    const Wrapped start(first, points);
+    double sum = 0;
+    if (start.Index + KaiserBessel::Taps <= points)
+    {
+      for (std::size_t tap = 0; tap < KaiserBessel::Taps; ++tap)
+      {
+        sum += static_cast<double>(weights[tap]) * static_cast<double>(line[start.Index + tap]);
+      }
+      return this->Even[2] && start.Odd ? -sum : sum;
+    }
+    for (std::size_t tap = 0; tap < KaiserBessel::Taps; ++tap)
+    {
+      const Wrapped point(first + static_cast<std::ptrdiff_t>(tap), points);
+      const double value =
+        static_cast<double>(weights[tap]) * static_cast<double>(line[point.Index]);
+      sum += this->Even[2] && point.Odd ? -value : value;
+    }
+    return sum;
+  }
+
+  /** From the Hartley to the Fourier spectrum of the picture: H(f) is the real less the imaginary
+   * part, and H(-f) their sum. */
+  void ToFourier()
+  {
+    const std::size_t half = this->Width / 2 + 1;
+    const double scale = this->Slice.Lattice.SamplesPerVoxel /
+      static_cast<double>(this->Plan.Points[0] * this->Plan.Points[1]);
+    for (std::size_t row = 0; row < this->Height; ++row)
+    {
+      const std::size_t opposite = (this->Height - row) % this->Height;
+      for (std::size_t column = 0; column < half; ++column)
+      {
+        const double here = this->Values[row * this->Width + column];
+        const double there =
+          this->Values[opposite * this->Width + (this->Width - column) % this->Width];
+        this->Spectrum[row * half + column] = { (here + there) / 2 * scale,
+          (there - here) / 2 * scale };
+      }
+    }
+  }
+
+  const HartleySlice& Slice;
+  const SpectrumPlan& Plan;
+  std::size_t Width, Height;
+  InversePlaneTransform Inverse;
+  std::array<bool, 3> Even{};
+  std::array<std::vector<Band>, 2> Hats; // of each column, of each row: BandCount
+  std::vector<double> Values;
+  std::vector<std::complex<double>> Spectrum;
+};
+
+//------------------------------------------------------------------------------
+SpectrumPlan HartleySlice::MakePlan(
+  const HartleyLayout::Triple& block, const HartleyLattice& lattice, double padding)
+{
+  SpectrumPlan plan;
+  plan.Block = block;
+  plan.Axes = lattice.Axes;
+  std::array<std::size_t, 3> size;
+  for (int i = 0; i < 3; ++i)
+  {
+    size[i] = block[plan.Axes[i]];
+  }
+  // Across, a picture must fit whatever the shear is, or it would come in again on the other side.
+  for (int i = 0; i < 2; ++i)
+  {
+    plan.Points[i] = GetFastSize(size[i] + size[2] + 2);
+  }
+  plan.Points[2] = GetFastSize(std::max<std::size_t>(KaiserBessel::Taps,
+    static_cast<std::size_t>(std::ceil(padding * static_cast<double>(size[2])))));
+  plan.Correction = std::make_shared<const KaiserBessel>(size[2], plan.Points[2]);
+  return plan;
+}
+
+//------------------------------------------------------------------------------
+HartleySlice::HartleySlice(const HartleyLattice& lattice, std::shared_ptr<HartleySpectra> spectra)
+  : Lattice(lattice)
+  , Spectra(std::move(spectra))
+{
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<HartleyPainter::Brush> HartleySlice::MakeBrush() const
+{
+  return std::make_unique<SliceBrush>(*this);
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> HartleySlice::PaintUnit(const HartleyLayout::Triple& filled) const
+{
+  const auto& plan = this->Spectra->GetPlan();
+  std::vector<float> picture(this->Lattice.GetNumberOfPoints());
+  SliceBrush(*this).Paint(HartleySpectrum(plan, GetUnitTerms(plan.Block, filled)), picture);
+  return picture;
+}
+
+//------------------------------------------------------------------------------
+std::vector<HartleyTerm> GetUnitTerms(
+  const HartleyLayout::Triple& block, const HartleyLayout::Triple& filled)
+{
+  std::vector<double> values(std::size_t{ block[0] } * block[1] * block[2], 0.0);
+  for (std::uint32_t z = 0; z < filled[2]; ++z)
+  {
+    for (std::uint32_t y = 0; y < filled[1]; ++y)
+    {
+      std::fill_n(
+        values.begin() + static_cast<std::ptrdiff_t>((std::size_t{ z } * block[1] + y) * block[0]),
+        filled[0], 1.0);
+    }
+  }
+  HartleyTransform(block).Forward(values);
+  std::vector<HartleyTerm> terms;
+  for (std::uint32_t i = 0; i < values.size(); ++i)
+  {
+    if (values[i] != 0)
+    {
+      terms.push_back({ i, static_cast<float>(values[i]) });
+    }
+  }
+  return terms;
+}
+}

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunHartleySpectrum.h"
+
+#include "gatunFourier.h"
+#include "gatunHartleyTransform.h"
+#include "gatunParallel.h"
+
+#include <complex>
+
+namespace gatun
+{
+namespace
+{
+//------------------------------------------------------------------------------
+/** The spectra of lines of voxels, about their middle. One a thread. */
+class LineTransform
+{
+public:
+  LineTransform(std::size_t voxels, std::size_t points)
+    : Voxels(voxels)
+    , Transform(points)
+    , In(points)
+    , Out(points)
+    , Turns(points)
+  {
+    const double middle = (static_cast<double>(voxels) - 1) / 2;
+    for (std::size_t u = 0; u < points; ++u)
+    {
+      const double part = static_cast<double>(u) / static_cast<double>(points);
+      this->Turns[u] = std::polar(1.0, 2 * std::numbers::pi * part * middle);
+    }
+  }
+
+  /** The places of the line's voxels; what lies behind them is always 0. */
+  std::span<std::complex<double>> GetVoxels() { return { this->In.data(), this->Voxels }; }
+
+  std::span<const std::complex<double>> Run()
+  {
+    this->Transform.Forward(this->In.data(), this->Out.data());
+    for (std::size_t u = 0; u < this->Out.size(); ++u)
+    {
+      this->Out[u] *= this->Turns[u];
+    }
+    return this->Out;
+  }
+
+private:
+  std::size_t Voxels;
+  FourierTransform Transform;
+  std::vector<std::complex<double>> In, Out, Turns;
+};
+
+//------------------------------------------------------------------------------
+std::vector<double> GetVoxels(
+  const HartleyLayout::Triple& block, std::span<const HartleyTerm> terms)
+{
+  std::vector<double> values(std::size_t{ block[0] } * block[1] * block[2], 0.0);
+  for (const HartleyTerm& term : terms)
+  {
+    values[term.Index] = term.Value;
+  }
+  HartleyTransform(block).Inverse(values);
+  return values;
+}
+}
+
+//------------------------------------------------------------------------------
+HartleySpectrum::HartleySpectrum(const SpectrumPlan& plan, std::span<const HartleyTerm> terms)
+  : Points(plan.Points)
+{
+  using Complex = std::complex<float>;
+  const std::vector<double> voxels = GetVoxels(plan.Block, terms);
+  std::array<std::size_t, 3> strides{ 1, plan.Block[0],
+    std::size_t{ plan.Block[0] } * plan.Block[1] };
+  std::array<std::size_t, 3> size;
+  for (int i = 0; i < 3; ++i)
+  {
+    size[i] = plan.Block[plan.Axes[i]];
+  }
+  const auto stride = [&](int i) { return strides[plan.Axes[i]]; };
+
+  // Along the third axis. One half of the frequencies is enough: the voxels are real.
+  const std::size_t half = this->Points[2] / 2 + 1;
+  std::vector<double> correction(size[2], 1.0);
+  if (plan.Correction)
+  {
+    for (std::size_t z = 0; z < size[2]; ++z)
+    {
+      correction[z] = 1 /
+        plan.Correction->GetTransform(
+          static_cast<double>(z) - (static_cast<double>(size[2]) - 1) / 2);
+    }
+  }
+  std::vector<Complex> one(size[1] * size[0] * half);
+  ParallelFor(size[1],
+    [&](std::size_t y)
+    {
+      LineTransform line(size[2], this->Points[2]);
+      for (std::size_t x = 0; x < size[0]; ++x)
+      {
+        const auto in = line.GetVoxels();
+        const double* const from = voxels.data() + x * stride(0) + y * stride(1);
+        for (std::size_t z = 0; z < size[2]; ++z)
+        {
+          in[z] = from[z * stride(2)] * correction[z];
+        }
+        const auto out = line.Run();
+        std::copy(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(half),
+          one.begin() + static_cast<std::ptrdiff_t>((y * size[0] + x) * half));
+      }
+    });
+
+  // Along the first.
+  std::vector<Complex> two(size[1] * this->Points[0] * half);
+  ParallelFor(size[1],
+    [&](std::size_t y)
+    {
+      LineTransform line(size[0], this->Points[0]);
+      for (std::size_t w = 0; w < half; ++w)
+      {
+        const auto in = line.GetVoxels();
+        for (std::size_t x = 0; x < size[0]; ++x)
+        {
+          in[x] = one[(y * size[0] + x) * half + w];
+        }
+        const auto out = line.Run();
+        for (std::size_t u = 0; u < out.size(); ++u)
+        {
+          two[(y * this->Points[0] + u) * half + w] = Complex(out[u]);
+        }
+      }
+    });
+  std::vector<Complex>().swap(one);
+
+  // Along the second; the other half of the frequencies comes with it.
+  std::array<bool, 3> turns;
+  for (int i = 0; i < 3; ++i)
+  {
+    turns[i] = size[i] % 2 == 0;
+  }
+  this->Values.resize(plan.GetNumberOfPoints());
+  const auto at = [&](std::size_t u, std::size_t v, std::size_t w) -> float&
+  { return this->Values[(v * this->Points[0] + u) * this->Points[2] + w]; };
+  const auto opposite = [&](int axis, std::size_t u)
+  { return u == 0 ? 0 : this->Points[axis] - u; };
+  ParallelFor(this->Points[0],
+    [&](std::size_t u)
+    {
+      LineTransform line(size[1], this->Points[1]);
+      for (std::size_t w = 0; w < half; ++w)
+      {
+        const auto in = line.GetVoxels();
+        for (std::size_t y = 0; y < size[1]; ++y)
+        {
+          in[y] = two[(y * this->Points[0] + u) * half + w];
+        }
+        const auto out = line.Run();
+        for (std::size_t v = 0; v < out.size(); ++v)
+        {
+          const auto value = out[v];
+          at(u, v, w) = static_cast<float>(value.real() - value.imag());
+          if (w > 0 && 2 * w < this->Points[2])
+          {
+            const bool turned = (turns[0] && u > 0) != ((turns[1] && v > 0) != (turns[2] && w > 0));
+            const double mirrored = value.real() + value.imag();
+            at(opposite(0, u), opposite(1, v), opposite(2, w)) =
+              static_cast<float>(turned ? -mirrored : mirrored);
+          }
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const HartleySpectrum> HartleySpectra::Get(
+  std::size_t block, std::span<const HartleyTerm> terms)
+{
+  {
+    const std::lock_guard lock(this->Mutex);
+    const auto found = this->Kept.find(block);
+    if (found != this->Kept.end())
+    {
+      return found->second;
+    }
+  }
+  auto made = std::make_shared<const HartleySpectrum>(this->Plan, terms);
+  const std::lock_guard lock(this->Mutex);
+  if ((this->Kept.size() + 1) * this->Plan.GetNumberOfPoints() * sizeof(float) <= this->Bytes)
+  {
+    this->Kept.emplace(block, made);
+  }
+  return made;
+}
+}

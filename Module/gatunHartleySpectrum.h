@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunHartleySpectrum_h
+#define gatunHartleySpectrum_h
+
+#include "gatunHartleyKernelFunction.h"
+#include "gatunHartleyLayout.h"
+#include "gatunHartleySource.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+namespace gatun
+{
+/** How spectra of blocks are made finer, so that values between their points can be found. */
+struct SpectrumPlan
+{
+  HartleyLayout::Triple Block{};
+  std::array<int, 3> Axes{ 0, 1, 2 };  ///< slowest last, fastest being the third: 1, 2, 0
+  std::array<std::size_t, 3> Points{}; ///< frequencies along Axes, in one period
+  std::shared_ptr<const KaiserBessel> Correction; ///< along Axes[2]; null: none
+
+  std::size_t GetNumberOfPoints() const
+  {
+    return this->Points[0] * this->Points[1] * this->Points[2];
+  }
+
+  bool operator==(const SpectrumPlan& other) const
+  {
+    return this->Block == other.Block && this->Axes == other.Axes && this->Points == other.Points &&
+      !this->Correction == !other.Correction;
+  }
+};
+
+/**
+ * The Hartley spectrum of a block about its middle, at multiples of 1 / Points cycles a voxel from
+ * 0 up to 1. It goes on with period 1 along axes of which the block has an odd number of voxels;
+ * with the other sign in every other period where that number is even, as the middle is then
+ * between voxels.
+ */
+class HartleySpectrum
+{
+public:
+  HartleySpectrum(const SpectrumPlan& plan, std::span<const HartleyTerm> terms);
+
+  /** All values along the third axis. */
+  const float* GetLine(std::size_t first, std::size_t second) const
+  {
+    return this->Values.data() + (second * this->Points[0] + first) * this->Points[2];
+  }
+
+private:
+  std::array<std::size_t, 3> Points;
+  std::vector<float> Values;
+};
+
+/** The spectra of blocks that are kept from picture to picture. Thread safe. */
+class HartleySpectra
+{
+public:
+  HartleySpectra(SpectrumPlan plan, std::uint64_t bytes)
+    : Plan(std::move(plan))
+    , Bytes(bytes)
+  {
+  }
+
+  const SpectrumPlan& GetPlan() const { return this->Plan; }
+
+  std::shared_ptr<const HartleySpectrum> Get(std::size_t block, std::span<const HartleyTerm> terms);
+
+private:
+  SpectrumPlan Plan;
+  std::uint64_t Bytes;
+  std::mutex Mutex;
+  std::unordered_map<std::size_t, std::shared_ptr<const HartleySpectrum>> Kept;
+};
+}
+
+#endif
