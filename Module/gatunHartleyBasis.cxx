@@ -12,12 +12,6 @@
 
 namespace gatun
 {
-namespace
-{
-// Points whose rays are transformed before their values are sorted to basis functions.
-constexpr std::size_t PointsAtOnce = 16;
-}
-
 //------------------------------------------------------------------------------
 class HartleyBasis::PairBrush : public HartleyPainter::Brush
 {
@@ -25,12 +19,55 @@ public:
   explicit PairBrush(const HartleyBasis& basis)
     : Basis(basis)
     , Weights(basis.Pairs.size())
-    , Even(basis.Half)
-    , Odd(basis.Half)
   {
   }
 
-  void Paint(std::size_t, std::span<const HartleyTerm> terms, std::span<float> picture) override
+  void Paint(std::span<const Task> tasks) override
+  {
+    for (std::size_t first = 0; first < tasks.size(); first += BlocksAtOnce)
+    {
+      this->PaintSome(tasks.subspan(first, std::min(BlocksAtOnce, tasks.size() - first)));
+    }
+  }
+
+private:
+  // What of the pictures a segment takes stays in the cache while so many blocks pass.
+  static constexpr std::size_t BlocksAtOnce = 32;
+
+  void PaintSome(std::span<const Task> tasks)
+  {
+    for (std::size_t i = 0; i < tasks.size(); ++i)
+    {
+      this->Collect(tasks[i].Terms, this->Shares[i]);
+    }
+    const auto& kernel = GetBestHartleyKernel();
+    const std::size_t half = this->Basis.Half;
+    const std::size_t points = 2 * half - 1;
+    const std::size_t step = this->Basis.Pairs.size() * 2 * HartleySegment;
+    for (std::size_t segment = 0; segment < this->Basis.Segments; ++segment)
+    {
+      const float* const values = this->Basis.Pictures.data() + segment * step;
+      const std::size_t first = segment * HartleySegment;
+      const std::size_t count = std::min(HartleySegment, half - first);
+      for (std::size_t i = 0; i < tasks.size(); ++i)
+      {
+        std::array<float, HartleySegment> even, odd;
+        const auto& shares = this->Shares[i];
+        kernel.Combine(values, shares[0].data(), shares[0].size(), even.data());
+        kernel.Combine(values, shares[1].data(), shares[1].size(), odd.data());
+        float* const front = tasks[i].Picture + first;
+        float* const back = tasks[i].Picture + points - 1 - first;
+        for (std::size_t k = 0; k < count; ++k)
+        {
+          front[k] = even[k] + odd[k];
+          *(back - k) = even[k] - odd[k];
+        }
+      }
+    }
+  }
+
+  /** How much of each pair's pictures a block has: even, odd. */
+  void Collect(std::span<const HartleyTerm> terms, std::array<std::vector<HartleyShare>, 2>& shares)
   {
     this->Touched.clear();
     for (const HartleyTerm& term : terms)
@@ -44,40 +81,27 @@ public:
       weight[0] += place.Even * term.Value;
       weight[1] += place.Odd * term.Value;
     }
-
-    const std::size_t half = this->Basis.Half;
-    this->EvenShares.clear();
-    this->OddShares.clear();
+    shares[0].clear();
+    shares[1].clear();
     for (const std::uint32_t pair : this->Touched)
     {
       auto& weight = this->Weights[pair];
-      const float* const even = this->Basis.Pictures.data() + 2 * pair * half;
-      if (weight[0] != 0)
+      for (std::uint32_t part = 0; part < 2; ++part)
       {
-        this->EvenShares.push_back({ even, weight[0] });
-      }
-      if (weight[1] != 0)
-      {
-        this->OddShares.push_back({ even + half, weight[1] });
+        if (weight[part] != 0)
+        {
+          const auto where = static_cast<std::uint32_t>((2 * pair + part) * HartleySegment);
+          shares[part].push_back({ where, weight[part] });
+        }
       }
       weight = {};
     }
-    const auto& kernel = GetBestHartleyKernel();
-    kernel.Combine(this->EvenShares.data(), this->EvenShares.size(), half, this->Even.data());
-    kernel.Combine(this->OddShares.data(), this->OddShares.size(), half, this->Odd.data());
-    for (std::size_t i = 0; i < half; ++i)
-    {
-      picture[i] = this->Even[i] + this->Odd[i];
-      picture[picture.size() - 1 - i] = this->Even[i] - this->Odd[i];
-    }
   }
 
-private:
   const HartleyBasis& Basis;
   std::vector<std::array<float, 2>> Weights; // of each pair: even, odd; 0 between blocks
   std::vector<std::uint32_t> Touched;
-  std::vector<HartleyShare> EvenShares, OddShares;
-  std::vector<float> Even, Odd;
+  std::array<std::array<std::vector<HartleyShare>, 2>, BlocksAtOnce> Shares;
 };
 
 //------------------------------------------------------------------------------
@@ -89,18 +113,21 @@ HartleyBasis::HartleyBasis(const HartleyLayout::Triple& block, const HartleyLatt
 {
   this->FindPairs();
   const std::size_t voxels = this->Places.size();
-  this->Pictures.resize(this->Pairs.size() * 2 * this->Half);
+  const std::size_t step = this->Pairs.size() * 2 * HartleySegment;
+  this->Segments = (this->Half + HartleySegment - 1) / HartleySegment;
+  this->Pictures.resize(this->Segments * step);
 
-  // At one point, the pictures of all basis functions are the transform of the ray's weights.
-  const std::size_t batches = (this->Half + PointsAtOnce - 1) / PointsAtOnce;
-  ParallelFor(
-    batches,
+  // At one point, the pictures of all basis functions are the transform of the ray's weights. Some
+  // points at once are sorted to basis functions.
+  constexpr std::size_t pointsAtOnce = 16;
+  static_assert(HartleySegment % pointsAtOnce == 0);
+  ParallelFor((this->Half + pointsAtOnce - 1) / pointsAtOnce,
     [&](std::size_t batch)
     {
       HartleyTransform transform(block);
       HartleyRay ray(block, lattice);
-      const std::size_t first = batch * PointsAtOnce;
-      const std::size_t count = std::min(PointsAtOnce, this->Half - first);
+      const std::size_t first = batch * pointsAtOnce;
+      const std::size_t count = std::min(pointsAtOnce, this->Half - first);
       std::vector<double> values(voxels * count, 0.0);
       for (std::size_t i = 0; i < count; ++i)
       {
@@ -109,18 +136,19 @@ HartleyBasis::HartleyBasis(const HartleyLayout::Triple& block, const HartleyLatt
           lattice.GetPlace(1, (first + i) / lattice.Points[0]), mine);
         transform.Forward(mine);
       }
-      float* even = this->Pictures.data() + first;
+      float* even = this->Pictures.data() + first / HartleySegment * step + first % HartleySegment;
       for (const Pair& pair : this->Pairs)
       {
-        float* const odd = even + this->Half;
+        float* const odd = even + HartleySegment;
         for (std::size_t i = 0; i < count; ++i)
         {
           const double here = values[i * voxels + pair.First];
-          const double mirrored = pair.Mirror * values[i * voxels + pair.Second];
+          const double mirrored =
+            static_cast<double>(pair.Mirror) * values[i * voxels + pair.Second];
           even[i] = static_cast<float>((here + mirrored) / 2);
           odd[i] = static_cast<float>((here - mirrored) / 2);
         }
-        even = odd + this->Half;
+        even = odd + HartleySegment;
       }
     },
     progress);

@@ -49,10 +49,11 @@ private:
 
   HartleyLattice Lattice;
   HartleyLayout::Triple Block{};
-  std::size_t Half = 0; // points that are kept: up to the middle one
+  std::size_t Half = 0;     // points that are kept: up to the middle one
+  std::size_t Segments = 0; // of so many of them that the sums of all stay in registers
   std::vector<Pair> Pairs;
   std::vector<Place> Places;   // of each coefficient
-  std::vector<float> Pictures; // of each pair: even, odd
+  std::vector<float> Pictures; // of each segment and pair: even, odd
 };
 }
 

@@ -15,7 +15,7 @@ KaiserBessel::KaiserBessel(std::size_t values, std::size_t points)
   const double oversampling = this->Points / static_cast<double>(values);
   const double reach = Taps / oversampling * (oversampling - 0.5);
   this->Shape = std::numbers::pi * std::sqrt(std::max(reach * reach - 0.8, 1.0));
-  this->Table.resize(Steps + 1);
+  this->Table.resize((Steps + 1) * Stored);
   for (std::size_t step = 0; step <= Steps; ++step)
   {
     const double part = static_cast<double>(step) / Steps;
@@ -23,7 +23,7 @@ KaiserBessel::KaiserBessel(std::size_t values, std::size_t points)
     {
       const double x = (part - (tap - Taps / 2 + 1)) / (Taps / 2.0);
       const double inside = std::max(1 - x * x, 0.0);
-      this->Table[step][static_cast<std::size_t>(tap)] =
+      this->Table[step * Stored + static_cast<std::size_t>(tap)] =
         static_cast<float>(std::cyl_bessel_i(0, this->Shape * std::sqrt(inside)) * (x * x <= 1));
     }
   }
@@ -40,20 +40,5 @@ double KaiserBessel::GetTransform(double place) const
     return Taps;
   }
   return Taps * (square > 0 ? std::sinh(root) : std::sin(root)) / root;
-}
-
-//------------------------------------------------------------------------------
-std::array<float, KaiserBessel::Taps> KaiserBessel::GetWeights(double part) const
-{
-  const double at = part * Steps;
-  const auto step = std::min(static_cast<std::size_t>(at), Steps - 1);
-  const auto ahead = static_cast<float>(at - static_cast<double>(step));
-  std::array<float, Taps> weights;
-  for (std::size_t tap = 0; tap < Taps; ++tap)
-  {
-    const float one = this->Table[step][tap];
-    weights[tap] = one + ahead * (this->Table[step + 1][tap] - one);
-  }
-  return weights;
 }
 }

@@ -3,7 +3,6 @@
 #ifndef gatunHartleyKernelFunction_h
 #define gatunHartleyKernelFunction_h
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -20,6 +19,7 @@ class KaiserBessel
 {
 public:
   static constexpr int Taps = 6;
+  static constexpr std::size_t Steps = 512; ///< of the table, between two points
 
   /** For a signal of so many values, with so many points in a period of its spectrum. */
   KaiserBessel(std::size_t values, std::size_t points);
@@ -27,15 +27,15 @@ public:
   /** Fourier transform at a value, counted from the middle of the signal. */
   double GetTransform(double place) const;
 
-  /** The weights of the points floor(x) - 2 to floor(x) + 3 for the part of x behind its floor. */
-  std::array<float, Taps> GetWeights(double part) const;
+  /** For Steps + 1 places from one point to the next, the weights of the points from two before
+   * the one; those behind the taps are 0. */
+  static constexpr std::size_t Stored = 8;
+  const float* GetWeights() const { return this->Table.data(); }
 
 private:
-  static constexpr std::size_t Steps = 512; // of the table, between two points
-
   double Points;
   double Shape;
-  std::vector<std::array<float, Taps>> Table;
+  std::vector<float> Table;
 };
 }
 

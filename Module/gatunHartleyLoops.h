@@ -14,36 +14,71 @@ namespace GATUN_SIMD
 {
 //------------------------------------------------------------------------------
 inline void Combine(
-  const HartleyShare* shares, std::size_t shareCount, std::size_t count, float* sum)
+  const float* values, const HartleyShare* shares, std::size_t shareCount, float* sum)
 {
-  // Sums stay in registers while all shares pass.
-  std::size_t i = 0;
-  for (; i + 32 <= count; i += 32)
+  constexpr std::size_t vectors = HartleySegment / 8;
+  Float8 total[vectors] = {};
+  for (std::size_t i = 0; i < shareCount; ++i)
   {
-    Float8 a{}, b{}, c{}, d{};
-    for (std::size_t k = 0; k < shareCount; ++k)
+    const float* const from = values + shares[i].First;
+    const Float8 scale = Splat8(shares[i].Scale);
+    for (std::size_t k = 0; k < vectors; ++k)
     {
-      const float* const values = shares[k].Values + i;
-      const Float8 scale = Splat8(shares[k].Scale);
-      a += scale * Load<Float8>(values);
-      b += scale * Load<Float8>(values + 8);
-      c += scale * Load<Float8>(values + 16);
-      d += scale * Load<Float8>(values + 24);
+      total[k] += scale * Load<Float8>(from + 8 * k);
     }
-    Store(sum + i, a);
-    Store(sum + i + 8, b);
-    Store(sum + i + 16, c);
-    Store(sum + i + 24, d);
   }
-  for (; i < count; ++i)
+  for (std::size_t k = 0; k < vectors; ++k)
   {
-    float total = 0;
-    for (std::size_t k = 0; k < shareCount; ++k)
-    {
-      total += shares[k].Scale * shares[k].Values[i];
-    }
-    sum[i] = total;
+    Store(sum + 8 * k, total[k]);
   }
+}
+
+//------------------------------------------------------------------------------
+inline float SumBands(const float* line, const HartleyBetween& between, const HartleyBand* across,
+  const HartleyBand* down, std::size_t count, float least)
+{
+  // Makes frequencies positive, so that cutting off rounds them down; even, as periods count.
+  constexpr int offset = 64;
+
+  Float8 total{};
+  for (std::size_t j = 0; j < count; ++j)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      float hat = across[i].Hat * down[j].Hat;
+      if (hat < least)
+      {
+        continue;
+      }
+      const double along =
+        -(between.ShearX * across[i].Frequency + between.ShearY * down[j].Frequency);
+      const auto hatAt = static_cast<float>(along < 0 ? -along : along) * between.HatSteps;
+      const auto hatStep = static_cast<std::int32_t>(hatAt);
+      const float* const hats = between.Hats + hatStep;
+      hat *= hats[0] + (hatAt - static_cast<float>(hatStep)) * (hats[1] - hats[0]);
+      if (hat < least)
+      {
+        continue;
+      }
+      const auto period = static_cast<std::int32_t>(along + offset);
+      const auto at = static_cast<float>((along - (period - offset)) * between.Points);
+      const auto point = static_cast<std::int32_t>(at);
+      const float stepAt = (at - static_cast<float>(point)) * between.Steps;
+      const auto step = static_cast<std::int32_t>(stepAt);
+      const float* const weights = between.Weights + static_cast<std::size_t>(step) * 8;
+      const Float8 one = Load<Float8>(weights);
+      const Float8 two = Load<Float8>(weights + 8);
+      const Float8 mixed = one + Splat8(stepAt - static_cast<float>(step)) * (two - one);
+      hat = between.Alternates && period % 2 != 0 ? -hat : hat;
+      total += Splat8(hat) * mixed * Load<Float8>(line + point);
+    }
+  }
+  float sum = 0;
+  for (int k = 0; k < 8; ++k)
+  {
+    sum += total[k];
+  }
+  return sum;
 }
 
 //------------------------------------------------------------------------------
@@ -75,7 +110,7 @@ inline void Interpolate(const float* first, std::size_t nextRow, float x, float 
 //------------------------------------------------------------------------------
 constexpr HartleyKernelLoops MakeHartleyKernel()
 {
-  return { Combine, Interpolate };
+  return { Combine, SumBands, Interpolate };
 }
 }
 }

@@ -19,15 +19,20 @@ namespace gatun
 class HartleyPainter
 {
 public:
+  /** A block to paint: all points of its picture are overwritten. */
+  struct Task
+  {
+    std::size_t Block = 0;
+    std::span<const HartleyTerm> Terms;
+    float* Picture = nullptr;
+  };
+
   /** What one thread works in. */
   class Brush
   {
   public:
     virtual ~Brush() = default;
-
-    /** Overwrites all points of the block's picture. */
-    virtual void Paint(
-      std::size_t block, std::span<const HartleyTerm> terms, std::span<float> picture) = 0;
+    virtual void Paint(std::span<const Task> tasks) = 0;
   };
 
   virtual ~HartleyPainter() = default;

@@ -42,11 +42,13 @@ public:
   {
   }
 
-  void Paint(
-    std::size_t block, std::span<const HartleyTerm> terms, std::span<float> picture) override
+  void Paint(std::span<const Task> tasks) override
   {
-    this->PaintOwn(*this->Slice.Spectra->Get(block, terms));
-    this->ToLattice(picture);
+    for (const Task& task : tasks)
+    {
+      this->PaintOwn(*this->Slice.Spectra->Get(task.Block, task.Terms));
+      this->ToLattice(task.Picture);
+    }
   }
 
   /** The picture that lies in the plane across the rays. */
@@ -75,7 +77,7 @@ public:
     return this->Values;
   }
 
-  void ToLattice(std::span<float> picture)
+  void ToLattice(float* picture)
   {
     // Around the picture there is nothing.
     constexpr std::size_t margin = 2;
@@ -208,7 +210,7 @@ std::vector<float> HartleyPaperSlice::PaintUnit(const HartleyLayout::Triple& fil
   std::vector<float> picture(this->Lattice.GetNumberOfPoints());
   PaperBrush brush(*this);
   brush.PaintOwn(HartleySpectrum(plan, GetUnitTerms(plan.Block, filled)));
-  brush.ToLattice(picture);
+  brush.ToLattice(picture.data());
   return picture;
 }
 

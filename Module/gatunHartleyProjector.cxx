@@ -184,35 +184,24 @@ private:
 struct Job
 {
   std::array<std::uint32_t, 2> Place{}; // across, down
-  std::size_t Block = 0;
-  std::span<const HartleyTerm> Terms;
   const float* Unit = nullptr;
-  std::span<float> Picture; // empty: nothing but the base value
+  const float* Picture = nullptr; // null: nothing but the base value
 };
 
 //------------------------------------------------------------------------------
-void Paint(const HartleyPainter& painter, std::span<Job> jobs)
+void Paint(const HartleyPainter& painter, std::span<const HartleyPainter::Task> tasks)
 {
-  const auto paint = [&](std::span<Job> some)
-  {
-    const auto brush = painter.MakeBrush();
-    for (Job& job : some)
-    {
-      if (!job.Picture.empty())
-      {
-        brush->Paint(job.Block, job.Terms, job.Picture);
-      }
-    }
-  };
   const auto threads = static_cast<std::size_t>(GetNumberOfThreads());
-  if (jobs.size() <= threads / 2)
+  if (tasks.size() <= threads / 2)
   {
-    paint(jobs); // the brush has work for several threads
+    painter.MakeBrush()->Paint(tasks); // the brush has work for several threads
     return;
   }
-  const std::size_t each = std::max<std::size_t>(1, jobs.size() / (threads * 8));
-  ParallelFor((jobs.size() + each - 1) / each,
-    [&](std::size_t i) { paint(jobs.subspan(i * each, std::min(each, jobs.size() - i * each))); });
+  const std::size_t each = std::max<std::size_t>(1, tasks.size() / (threads * 8));
+  ParallelFor((tasks.size() + each - 1) / each,
+    [&](std::size_t i) {
+      painter.MakeBrush()->Paint(tasks.subspan(i * each, std::min(each, tasks.size() - i * each)));
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -251,7 +240,7 @@ void AddToSlab(const HartleyLattice& lattice, const HartleyLookup& lookup,
             const float samples = job.Unit[from + i];
             if (samples > 0)
             {
-              lookup.Add(job.Picture.empty() ? 0 : job.Picture[from + i], samples, to[i]);
+              lookup.Add(job.Picture ? job.Picture[from + i] : 0, samples, to[i]);
             }
           }
         }
@@ -533,6 +522,7 @@ HartleyPicture HartleyProjector::Draw(const HartleyView& view, const HartleyShad
   std::vector<float> pictures;
   std::vector<Triple> places;
   std::vector<Job> jobs;
+  std::vector<HartleyPainter::Task> tasks;
   for (std::uint32_t step = 0; step < counts[2]; ++step)
   {
     report(preparing + (1 - preparing) * step / counts[2]);
@@ -571,35 +561,30 @@ HartleyPicture HartleyProjector::Draw(const HartleyView& view, const HartleyShad
     {
       const std::size_t to = std::min(places.size(), from + rowsAtOnce * width);
       jobs.clear();
-      std::size_t painted = 0;
+      tasks.clear();
+      pictures.resize(std::max(pictures.size(), (to - from) * points));
       for (const Triple& place : std::span(places).subspan(from, to - from))
       {
-        Job job;
-        job.Terms = chunks.GetTerms(place);
-        if (job.Terms.empty() && lookup.IsBaseClear() && !xray)
+        const auto terms = chunks.GetTerms(place);
+        if (terms.empty() && lookup.IsBaseClear() && !xray)
         {
           continue;
         }
+        Job job;
         job.Place = { place[static_cast<std::size_t>(lattice.Axes[0])],
           place[static_cast<std::size_t>(lattice.Axes[1])] };
-        job.Block = data.Layout.GetBlockNumber(place);
         job.Unit = data.GetUnit(data.Layout.GetFilled(place)).data();
-        painted += !job.Terms.empty();
+        if (!terms.empty())
+        {
+          float* const room = pictures.data() + tasks.size() * points;
+          job.Picture = room;
+          tasks.push_back({ data.Layout.GetBlockNumber(place), terms, room });
+          picture.Terms += terms.size();
+        }
         jobs.push_back(job);
       }
-      pictures.resize(std::max(pictures.size(), painted * points));
-      std::span<float> room(pictures);
-      for (Job& job : jobs)
-      {
-        if (!job.Terms.empty())
-        {
-          job.Picture = room.first(points);
-          room = room.subspan(points);
-          picture.Terms += job.Terms.size();
-        }
-      }
       picture.Blocks += jobs.size();
-      Paint(*data.Painter, jobs);
+      Paint(*data.Painter, tasks);
       AddToSlab(lattice, lookup, jobs, first, slab);
     }
     if (!AddToPicture(lattice, view, lookup, slab, picture.Colours) && !xray)
@@ -670,7 +655,8 @@ std::vector<HartleyProjector::BlockPicture> HartleyProjector::DrawBlocks(
           made.View.ColumnStep[static_cast<std::size_t>(lattice.Axes[0])] = HartleyLattice::Spacing;
           made.View.RowStep[static_cast<std::size_t>(lattice.Axes[1])] = HartleyLattice::Spacing;
           made.Sums.resize(lattice.GetNumberOfPoints());
-          brush->Paint(block, terms->GetBlock(number), made.Sums);
+          const HartleyPainter::Task task{ block, terms->GetBlock(number), made.Sums.data() };
+          brush->Paint({ &task, 1 });
         }
         made.View.Width = made.Width;
         made.View.Height = made.Height;

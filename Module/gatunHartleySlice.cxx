@@ -3,6 +3,7 @@
 #include "gatunHartleySlice.h"
 
 #include "gatunFourier.h"
+#include "gatunHartleyKernel.h"
 #include "gatunHartleyTransform.h"
 #include "gatunParallel.h"
 
@@ -18,7 +19,10 @@ namespace
 constexpr int Bands = 1;
 
 // Frequencies at which hats have less than this are left out.
-constexpr double Negligible = 2e-5;
+constexpr float Negligible = 1e-4f;
+
+// The spectrum of a hat is looked up; so many steps a cycle.
+constexpr std::size_t HatSteps = 1024;
 
 //------------------------------------------------------------------------------
 /** The spectrum of a hat: sin(pi f)^2 / (pi f)^2. */
@@ -65,16 +69,27 @@ public:
       this->Even[axis] = this->Plan.Block[this->Plan.Axes[axis]] % 2 == 0;
       this->MakeHats(axis, axis == 0 ? this->Width : this->Height);
     }
-    this->Even[2] = this->Plan.Block[this->Plan.Axes[2]] % 2 == 0;
+    // Across and down there are bands up to three cycles, and no more than that along the rays.
+    constexpr std::size_t cycles = 2 * (Bands * HartleyLattice::PerVoxel + 1);
+    for (std::size_t i = 0; i <= cycles * HatSteps + 1; ++i)
+    {
+      this->HatTable.push_back(static_cast<float>(GetHat(static_cast<double>(i) / HatSteps)));
+    }
+    this->Between = { this->Plan.Correction->GetWeights(), static_cast<float>(KaiserBessel::Steps),
+      this->HatTable.data(), static_cast<float>(HatSteps),
+      static_cast<double>(this->Plan.Points[2]), slice.Lattice.Shear[0], slice.Lattice.Shear[1],
+      this->Plan.Block[this->Plan.Axes[2]] % 2 == 0 };
   }
 
-  void Paint(
-    std::size_t block, std::span<const HartleyTerm> terms, std::span<float> picture) override
+  void Paint(std::span<const Task> tasks) override
   {
-    this->Paint(*this->Slice.Spectra->Get(block, terms), picture);
+    for (const Task& task : tasks)
+    {
+      this->PaintSlice(*this->Slice.Spectra->Get(task.Block, task.Terms), task.Picture);
+    }
   }
 
-  void Paint(const HartleySpectrum& spectrum, std::span<float> picture)
+  void PaintSlice(const HartleySpectrum& spectrum, float* picture)
   {
     ParallelFor(this->Height, [&](std::size_t row) { this->CutRow(spectrum, row); });
     this->ToFourier();
@@ -96,13 +111,6 @@ public:
 private:
   static constexpr std::size_t BandCount = 2 * Bands + 1;
 
-  /** Of a row or column of frequencies: where the hats' bands are, and how high. */
-  struct Band
-  {
-    double Frequency; // cycles a voxel
-    double Hat;
-  };
-
   void MakeHats(int axis, std::size_t count)
   {
     const auto points = static_cast<double>(this->Plan.Points[axis]);
@@ -112,7 +120,7 @@ private:
       {
         const double frequency =
           static_cast<double>(this->GetSigned(i, count)) / points + band * HartleyLattice::PerVoxel;
-        this->Hats[axis].push_back({ frequency, GetHat(frequency) });
+        this->Hats[axis].push_back({ frequency, static_cast<float>(GetHat(frequency)) });
       }
     }
   }
@@ -125,63 +133,18 @@ private:
 
   void CutRow(const HartleySpectrum& spectrum, std::size_t row)
   {
-    const auto& shear = this->Slice.Lattice.Shear;
+    const auto& kernel = GetBestHartleyKernel();
     const Wrapped v(this->GetSigned(row, this->Height), this->Plan.Points[1]);
-    const Band* const down = this->Hats[1].data() + row * BandCount;
+    const HartleyBand* const down = this->Hats[1].data() + row * BandCount;
     for (std::size_t column = 0; column < this->Width; ++column)
     {
       const Wrapped u(this->GetSigned(column, this->Width), this->Plan.Points[0]);
-      const float* const line = spectrum.GetLine(u.Index, v.Index);
-      const Band* const across = this->Hats[0].data() + column * BandCount;
-      double sum = 0;
-      for (std::size_t j = 0; j < BandCount; ++j)
-      {
-        for (std::size_t i = 0; i < BandCount; ++i)
-        {
-          const double flat = across[i].Hat * down[j].Hat;
-          if (flat < Negligible)
-          {
-            continue;
-          }
-          const double along = -(shear[0] * across[i].Frequency + shear[1] * down[j].Frequency);
-          const double hat = flat * GetHat(along);
-          if (hat >= Negligible)
-          {
-            sum += hat * this->FindBetween(line, along);
-          }
-        }
-      }
+      const float sum =
+        kernel.SumBands(spectrum.GetLine(u.Index, v.Index) - HartleySpectrum::Before, this->Between,
+          this->Hats[0].data() + column * BandCount, down, BandCount, Negligible);
       const bool turned = (this->Even[0] && u.Odd) != (this->Even[1] && v.Odd);
-      this->Values[row * this->Width + column] = turned ? -sum : sum;
+      this->Values[row * this->Width + column] = static_cast<double>(turned ? -sum : sum);
     }
-  }
-
-  /** A value on a line along the rays, at a frequency. */
-  double FindBetween(const float* line, double frequency) const
-  {
-    const std::size_t points = this->Plan.Points[2];
-    const double at = frequency * static_cast<double>(points);
-    const double floor = std::floor(at);
-    const auto weights = this->Plan.Correction->GetWeights(at - floor);
-    const auto first = static_cast<std::ptrdiff_t>(floor) - KaiserBessel::Taps / 2 + 1;
-    const Wrapped start(first, points);
-    double sum = 0;
-    if (start.Index + KaiserBessel::Taps <= points)
-    {
-      for (std::size_t tap = 0; tap < KaiserBessel::Taps; ++tap)
-      {
-        sum += static_cast<double>(weights[tap]) * static_cast<double>(line[start.Index + tap]);
-      }
-      return this->Even[2] && start.Odd ? -sum : sum;
-    }
-    for (std::size_t tap = 0; tap < KaiserBessel::Taps; ++tap)
-    {
-      const Wrapped point(first + static_cast<std::ptrdiff_t>(tap), points);
-      const double value =
-        static_cast<double>(weights[tap]) * static_cast<double>(line[point.Index]);
-      sum += this->Even[2] && point.Odd ? -value : value;
-    }
-    return sum;
   }
 
   /** From the Hartley to the Fourier spectrum of the picture: H(f) is the real less the imaginary
@@ -209,8 +172,10 @@ private:
   const SpectrumPlan& Plan;
   std::size_t Width, Height;
   InversePlaneTransform Inverse;
-  std::array<bool, 3> Even{};
-  std::array<std::vector<Band>, 2> Hats; // of each column, of each row: BandCount
+  std::array<bool, 2> Even{};
+  std::array<std::vector<HartleyBand>, 2> Hats; // of each column, of each row: BandCount
+  std::vector<float> HatTable;
+  HartleyBetween Between{};
   std::vector<double> Values;
   std::vector<std::complex<double>> Spectrum;
 };
@@ -256,7 +221,8 @@ std::vector<float> HartleySlice::PaintUnit(const HartleyLayout::Triple& filled) 
 {
   const auto& plan = this->Spectra->GetPlan();
   std::vector<float> picture(this->Lattice.GetNumberOfPoints());
-  SliceBrush(*this).Paint(HartleySpectrum(plan, GetUnitTerms(plan.Block, filled)), picture);
+  SliceBrush(*this).PaintSlice(
+    HartleySpectrum(plan, GetUnitTerms(plan.Block, filled)), picture.data());
   return picture;
 }
 

@@ -6,12 +6,17 @@
 #include "gatunHartleyTransform.h"
 #include "gatunParallel.h"
 
+#include <algorithm>
+#include <array>
 #include <complex>
+#include <numbers>
 
 namespace gatun
 {
 namespace
 {
+constexpr std::size_t LinesAtOnce = 8;
+
 //------------------------------------------------------------------------------
 /** The spectra of lines of voxels, about their middle. One a thread. */
 class LineTransform
@@ -45,8 +50,40 @@ public:
     return this->Out;
   }
 
+  /** Transforms neighbouring lines, whose voxels are so far apart; use(frequency, line, value) gets
+   * what comes of them. */
+  template <typename Use>
+  void RunSome(const std::complex<float>* first, std::size_t apart, std::size_t count, Use&& use)
+  {
+    std::array<std::vector<std::complex<double>>, LinesAtOnce>& found = this->Found;
+    this->Gathered.resize(this->Voxels * count);
+    for (std::size_t voxel = 0; voxel < this->Voxels; ++voxel)
+    {
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        this->Gathered[i * this->Voxels + voxel] = first[voxel * apart + i];
+      }
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const auto from = this->Gathered.begin() + static_cast<std::ptrdiff_t>(i * this->Voxels);
+      std::copy(from, from + static_cast<std::ptrdiff_t>(this->Voxels), this->In.begin());
+      this->Run();
+      found[i] = this->Out;
+    }
+    for (std::size_t u = 0; u < this->Out.size(); ++u)
+    {
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        use(u, i, found[i][u]);
+      }
+    }
+  }
+
 private:
   std::size_t Voxels;
+  std::vector<std::complex<double>> Gathered;
+  std::array<std::vector<std::complex<double>>, LinesAtOnce> Found;
   FourierTransform Transform;
   std::vector<std::complex<double>> In, Out, Turns;
 };
@@ -68,6 +105,7 @@ std::vector<double> GetVoxels(
 //------------------------------------------------------------------------------
 HartleySpectrum::HartleySpectrum(const SpectrumPlan& plan, std::span<const HartleyTerm> terms)
   : Points(plan.Points)
+  , Stride(plan.Points[2] + Before + After)
 {
   using Complex = std::complex<float>;
   const std::vector<double> voxels = GetVoxels(plan.Block, terms);
@@ -111,62 +149,72 @@ HartleySpectrum::HartleySpectrum(const SpectrumPlan& plan, std::span<const Hartl
       }
     });
 
-  // Along the first.
+  // Along the first. Some neighbouring lines at once, as a line's values are far apart.
+  const std::size_t groups = (half + LinesAtOnce - 1) / LinesAtOnce;
   std::vector<Complex> two(size[1] * this->Points[0] * half);
   ParallelFor(size[1],
     [&](std::size_t y)
     {
       LineTransform line(size[0], this->Points[0]);
-      for (std::size_t w = 0; w < half; ++w)
+      for (std::size_t group = 0; group < groups; ++group)
       {
-        const auto in = line.GetVoxels();
-        for (std::size_t x = 0; x < size[0]; ++x)
-        {
-          in[x] = one[(y * size[0] + x) * half + w];
-        }
-        const auto out = line.Run();
-        for (std::size_t u = 0; u < out.size(); ++u)
-        {
-          two[(y * this->Points[0] + u) * half + w] = Complex(out[u]);
-        }
+        line.RunSome(one.data() + y * size[0] * half + group * LinesAtOnce, half,
+          std::min(LinesAtOnce, half - group * LinesAtOnce),
+          [&](std::size_t u, std::size_t i, std::complex<double> value)
+          { two[(y * this->Points[0] + u) * half + group * LinesAtOnce + i] = Complex(value); });
       }
     });
   std::vector<Complex>().swap(one);
 
   // Along the second; the other half of the frequencies comes with it.
   std::array<bool, 3> turns;
-  for (int i = 0; i < 3; ++i)
+  for (std::size_t i = 0; i < 3; ++i)
   {
     turns[i] = size[i] % 2 == 0;
   }
-  this->Values.resize(plan.GetNumberOfPoints());
+  this->Values.resize(this->Points[0] * this->Points[1] * this->Stride);
   const auto at = [&](std::size_t u, std::size_t v, std::size_t w) -> float&
-  { return this->Values[(v * this->Points[0] + u) * this->Points[2] + w]; };
-  const auto opposite = [&](int axis, std::size_t u)
+  { return this->Values[(v * this->Points[0] + u) * this->Stride + Before + w]; };
+  const auto opposite = [&](std::size_t axis, std::size_t u)
   { return u == 0 ? 0 : this->Points[axis] - u; };
   ParallelFor(this->Points[0],
     [&](std::size_t u)
     {
       LineTransform line(size[1], this->Points[1]);
-      for (std::size_t w = 0; w < half; ++w)
+      for (std::size_t group = 0; group < groups; ++group)
       {
-        const auto in = line.GetVoxels();
-        for (std::size_t y = 0; y < size[1]; ++y)
-        {
-          in[y] = two[(y * this->Points[0] + u) * half + w];
-        }
-        const auto out = line.Run();
-        for (std::size_t v = 0; v < out.size(); ++v)
-        {
-          const auto value = out[v];
-          at(u, v, w) = static_cast<float>(value.real() - value.imag());
-          if (w > 0 && 2 * w < this->Points[2])
+        line.RunSome(two.data() + u * half + group * LinesAtOnce, this->Points[0] * half,
+          std::min(LinesAtOnce, half - group * LinesAtOnce),
+          [&](std::size_t v, std::size_t i, std::complex<double> value)
           {
-            const bool turned = (turns[0] && u > 0) != ((turns[1] && v > 0) != (turns[2] && w > 0));
-            const double mirrored = value.real() + value.imag();
-            at(opposite(0, u), opposite(1, v), opposite(2, w)) =
-              static_cast<float>(turned ? -mirrored : mirrored);
-          }
+            const std::size_t w = group * LinesAtOnce + i;
+            at(u, v, w) = static_cast<float>(value.real() - value.imag());
+            if (w > 0 && 2 * w < this->Points[2])
+            {
+              const bool turned = (turns[0] && u > 0) != ((turns[1] && v > 0) != turns[2]);
+              const double mirrored = value.real() + value.imag();
+              at(opposite(0, u), opposite(1, v), opposite(2, w)) =
+                static_cast<float>(turned ? -mirrored : mirrored);
+            }
+          });
+      }
+    });
+
+  // What lies before and behind a period.
+  const float sign = turns[2] ? -1.0f : 1.0f;
+  ParallelFor(this->Points[1],
+    [&](std::size_t v)
+    {
+      for (std::size_t u = 0; u < this->Points[0]; ++u)
+      {
+        float* const line = &at(u, v, 0);
+        for (std::size_t i = 1; i <= Before; ++i)
+        {
+          line[-static_cast<std::ptrdiff_t>(i)] = sign * line[this->Points[2] - i];
+        }
+        for (std::size_t i = 0; i < After; ++i)
+        {
+          line[this->Points[2] + i] = sign * line[i];
         }
       }
     });
@@ -186,7 +234,7 @@ std::shared_ptr<const HartleySpectrum> HartleySpectra::Get(
   }
   auto made = std::make_shared<const HartleySpectrum>(this->Plan, terms);
   const std::lock_guard lock(this->Mutex);
-  if ((this->Kept.size() + 1) * this->Plan.GetNumberOfPoints() * sizeof(float) <= this->Bytes)
+  if ((this->Kept.size() + 1) * made->GetBytes() <= this->Bytes)
   {
     this->Kept.emplace(block, made);
   }

@@ -48,14 +48,20 @@ class HartleySpectrum
 public:
   HartleySpectrum(const SpectrumPlan& plan, std::span<const HartleyTerm> terms);
 
-  /** All values along the third axis. */
+  /** All values along the third axis; Before lie before the first, and After behind the last. */
   const float* GetLine(std::size_t first, std::size_t second) const
   {
-    return this->Values.data() + (second * this->Points[0] + first) * this->Points[2];
+    return this->Values.data() + (second * this->Points[0] + first) * this->Stride + Before;
   }
+
+  std::size_t GetBytes() const { return this->Values.size() * sizeof(float); }
+
+  static constexpr std::size_t Before = 2;
+  static constexpr std::size_t After = 6;
 
 private:
   std::array<std::size_t, 3> Points;
+  std::size_t Stride; // of lines
   std::vector<float> Values;
 };
 
