@@ -18,7 +18,7 @@ struct HartleyShare
 };
 
 /** So many sums stay in registers. */
-constexpr std::size_t HartleySegment = 64;
+constexpr std::size_t HartleySegment = 32;
 
 /** A frequency, in cycles a voxel, and the spectrum of a hat there. */
 struct HartleyBand

@@ -72,8 +72,7 @@ private:
         {
           const std::size_t from = place[0] * n[0] + x +
             std::size_t{ this->Layout.Size[0] } *
-              (place[1] * n[1] + y +
-                std::size_t{ this->Layout.Size[1] } * (place[2] * n[2] + z));
+              (place[1] * n[1] + y + std::size_t{ this->Layout.Size[1] } * (place[2] * n[2] + z));
           values[x + std::size_t{ n[0] } * (y + std::size_t{ n[1] } * z)] =
             this->Values[from] - this->Voxels.Min;
         }
