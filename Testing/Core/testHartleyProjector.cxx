@@ -4,8 +4,8 @@
 #include "gatunHartleyProjector.h"
 
 #include "gatunError.h"
+#include "gatunExactSource.h"
 #include "gatunHartleyKernel.h"
-#include "gatunHartleySample.h"
 #include "gatunVolumePhantoms.h"
 #include "gatunVolumeReference.h"
 

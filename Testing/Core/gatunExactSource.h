@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef gatunHartleySample_h
-#define gatunHartleySample_h
+#ifndef gatunExactSource_h
+#define gatunExactSource_h
 
 // Volumes as Hartley coefficients that nothing was lost of, made by the transform alone.
 
@@ -14,11 +14,11 @@
 
 namespace gatun::test
 {
-class SampleSource : public HartleySource
+class ExactSource : public HartleySource
 {
 public:
   template <typename Value>
-  SampleSource(const Value* values, const HartleyLayout::Triple& size, std::uint32_t blockSize)
+  ExactSource(const Value* values, const HartleyLayout::Triple& size, std::uint32_t blockSize)
     : Layout(HartleyLayout::Make(size, blockSize))
     , Values(values, values + std::size_t{ size[0] } * size[1] * size[2])
   {
@@ -90,7 +90,7 @@ template <typename Value>
 std::shared_ptr<const HartleySource> MakeSource(
   const std::vector<Value>& values, const HartleyLayout::Triple& size, std::uint32_t blockSize)
 {
-  return std::make_shared<SampleSource>(values.data(), size, blockSize);
+  return std::make_shared<ExactSource>(values.data(), size, blockSize);
 }
 }
 
