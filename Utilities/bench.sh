@@ -18,6 +18,8 @@
 #                                Documentation/just-in-time.md and just-in-time/; as --study
 #   bench.sh --isosurfaces       the study of isosurfaces, in a quarter of an hour, into
 #                                Documentation/isosurface-study.md and isosurface-study/; as --study
+#   bench.sh --volumes           the study of regular volumes, in three quarters of an hour, into
+#                                Documentation/volume-study.md and volume-study/; as --study
 #
 # FILEs are meshes to be measured too. GATUN_DATA_DIR names a folder of more of them, if set: sizes
 # of every .vtu and Exodus file there are told, and the blunt fin and the combustion chamber are
@@ -40,6 +42,9 @@ elif [ "${1:-}" = --budget ]; then
   shift
 elif [ "${1:-}" = --isosurfaces ]; then
   script=runIsosurfaces.py
+  shift
+elif [ "${1:-}" = --volumes ]; then
+  script=runVolumes.py
   shift
 fi
 out=$root/Documentation

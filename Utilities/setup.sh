@@ -31,7 +31,7 @@ packages_build=(
   libvtk9-dev libxxhash-dev libzstd-dev ninja-build pkg-config python3-numpy python3-vtk9)
 packages_window=(libgl1-mesa-dri xauth xvfb)
 packages_test=(libgtest-dev openimageio-tools python3-h5py python3-xxhash python3-zstandard)
-packages_bench=(python3-matplotlib)
+packages_bench=(libzfp-dev python3-matplotlib)
 # ParaView itself, its window's libraries, and what its Python side imports.
 packages_paraview=(
   libqt5opengl5-dev libqt5svg5-dev libqt5x11extras5-dev mpi-default-bin paraview paraview-dev

@@ -33,6 +33,11 @@ void AddSimplifyIntegrated(CLI::App& app);
 void AddSimplifyPicture(CLI::App& app);
 void AddSurface(CLI::App& app);
 void AddSurfaceMemory(CLI::App& app);
+void AddVolumeBlocks(CLI::App& app);
+void AddVolumePictures(CLI::App& app);
+void AddVolumeRates(CLI::App& app);
+void AddVolumeTimes(CLI::App& app);
+void AddVolumeDraw(CLI::App& app);
 
 /** Prints the JSON object that fill makes. */
 template <typename Fill>

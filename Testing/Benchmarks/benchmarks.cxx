@@ -40,6 +40,11 @@ int main(int argc, char* argv[])
   bench::AddSimplifyPicture(app);
   bench::AddSurface(app);
   bench::AddSurfaceMemory(app);
+  bench::AddVolumeBlocks(app);
+  bench::AddVolumePictures(app);
+  bench::AddVolumeRates(app);
+  bench::AddVolumeTimes(app);
+  bench::AddVolumeDraw(app);
   bench::AddSizes(app);
   bench::AddThreads(app);
   try

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef benchVolumePeers_h
+#define benchVolumePeers_h
+
+// What draws volumes from voxels: VTK's ray caster on the processor, and plain sums along rays.
+
+#include "benchVolume.h"
+
+#include "vtkNew.h"
+
+#include <memory>
+#include <vector>
+
+class vtkCamera;
+class vtkFixedPointVolumeRayCastMapper;
+class vtkRenderWindow;
+class vtkRenderer;
+
+namespace bench
+{
+/** vtkFixedPointVolumeRayCastMapper in a window that nobody sees. Needs a display. */
+class FixedPointWindow
+{
+public:
+  /** The exponential and the linear law come as opacities of a sample; XRay as additive blending.
+   */
+  FixedPointWindow(const Volume& volume, unsigned pixels, const gatun::HartleyShading& shading);
+  ~FixedPointWindow();
+  FixedPointWindow(const FixedPointWindow&) = delete;
+  FixedPointWindow& operator=(const FixedPointWindow&) = delete;
+
+  /** Draws what the view sees, and waits until it is drawn. */
+  void Render(const gatun::HartleyView& view);
+
+  /** Mean of all colours of the last picture, 0 to 1. */
+  double GetMean();
+
+private:
+  const Volume& Shown;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkFixedPointVolumeRayCastMapper> Mapper;
+};
+
+/** Sums of trilinear samples a step apart, one row of pixels after the other on all threads.
+ * Written to be quick, but without leaving anything out. */
+class PlainRaySum
+{
+public:
+  explicit PlainRaySum(const Volume& volume);
+  std::vector<float> Draw(const gatun::HartleyView& view) const;
+
+private:
+  std::array<std::ptrdiff_t, 3> Stored{};
+  std::array<float, 3> Highest{};
+  std::vector<float> Voxels; ///< with a border of zeros
+  float Base;
+};
+}
+
+#endif

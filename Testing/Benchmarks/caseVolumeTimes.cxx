@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// volume-times: seconds for a view of a volume, each view from another side, next to what draws it
+// from voxels.
+
+#include "benchCases.h"
+#include "benchVolume.h"
+#include "benchVolumePeers.h"
+
+#include "gatunParallel.h"
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+
+namespace bench
+{
+namespace
+{
+using gatun::HartleyLaw;
+
+struct Options
+{
+  std::string File;
+  std::vector<std::uint32_t> Blocks{ 8 };
+  std::vector<double> Rates{ 0 };
+  std::vector<std::string> Laws{ "xray", "exponential" };
+  unsigned Pixels = 512;
+  double Opacity = 0.1;
+  int Rounds = 3;
+  bool Peers = false;
+  bool Window = false;
+};
+
+/** Something that draws, and what is known of it. */
+struct Drawer
+{
+  std::string Way;
+  std::string Law;
+  std::uint32_t Block = 0;
+  double Rate = 0;
+  std::function<void(const gatun::HartleyView&)> Draw;
+  std::shared_ptr<gatun::HartleyPicture> Picture; ///< Gatun's last
+  int Views = 0;                                  ///< so far
+  Cost First{};
+};
+
+/** The same views for all, none twice. */
+gatun::HartleyView GetView(const Volume& volume, unsigned pixels, int number)
+{
+  const double scale = pixels / static_cast<double>(volume.GetPixels(1));
+  return volume.MakeView({ 0.13 + 0.07 * number, 0.21 + 0.05 * number, 0.03 }, pixels, scale);
+}
+
+std::uint64_t CountTerms(const gatun::HartleySource& source)
+{
+  std::uint64_t terms = 0;
+  for (std::size_t chunk = 0; chunk < source.GetLayout().GetNumberOfChunks(); ++chunk)
+  {
+    terms += source.GetChunk(chunk)->Terms.size();
+  }
+  return terms;
+}
+
+void AddDrawer(gtn::Json& json, const Drawer& drawer, const Operation& operation)
+{
+  json.BeginObject();
+  json.Add("way", drawer.Way);
+  json.Add("law", drawer.Law);
+  if (drawer.Picture)
+  {
+    json.Add("block", static_cast<std::uint64_t>(drawer.Block));
+    json.Add("rate", drawer.Rate);
+    json.Add("termsDrawn", drawer.Picture->Terms);
+    json.Add("blocksDrawn", drawer.Picture->Blocks);
+    json.Add("method", drawer.Picture->Method == gatun::HartleyMethod::Slice ? "slice" : "basis");
+  }
+  AddCost(json, drawer.First);
+  AddList(json, "later", operation.Seconds);
+  json.EndObject();
+}
+
+/** Of Gatun: each law of each block size and rate, and all of it is kept. */
+std::vector<Drawer> MakeOwn(const Volume& volume, const Options& options, gtn::Json& json)
+{
+  std::vector<Drawer> drawers;
+  json.BeginArray("sources");
+  for (const std::uint32_t block : options.Blocks)
+  {
+    for (const double rate : options.Rates)
+    {
+      std::shared_ptr<const gatun::HartleyVolume> source;
+      const Cost cost = CostOf(
+        [&] { source = gatun::HartleyVolume::Make(volume.GetInput(), block, MakeQuality(rate)); });
+      json.BeginObject();
+      json.Add("block", static_cast<std::uint64_t>(block));
+      json.Add("rate", rate);
+      AddCost(json, cost);
+      json.Add("terms", CountTerms(*source));
+      json.EndObject();
+      const auto projector = std::make_shared<gatun::HartleyProjector>(source);
+      for (const std::string& law : options.Laws)
+      {
+        Drawer drawer{ "gatun", law, block, rate, {}, std::make_shared<gatun::HartleyPicture>() };
+        const gatun::HartleyShading shading = MakeGrey(volume, GetLaw(law), options.Opacity);
+        drawer.Draw = [projector, shading, picture = drawer.Picture](const auto& view)
+        { *picture = projector->Draw(view, shading); };
+        drawers.push_back(std::move(drawer));
+      }
+    }
+  }
+  json.EndArray();
+  return drawers;
+}
+
+void AddPeers(std::vector<Drawer>& drawers, const Volume& volume, const Options& options)
+{
+  const auto plain = std::make_shared<PlainRaySum>(volume);
+  drawers.push_back({ "plain", "xray", 0, 0,
+    [plain](const gatun::HartleyView& view)
+    {
+      const auto sums = plain->Draw(view);
+      if (std::accumulate(sums.begin(), sums.end(), 0.0) <= 0)
+      {
+        throw Failure("a picture is empty");
+      }
+    },
+    nullptr });
+  if (!options.Window)
+  {
+    return;
+  }
+  for (const std::string& law : options.Laws)
+  {
+    const auto window = std::make_shared<FixedPointWindow>(
+      volume, options.Pixels, MakeGrey(volume, GetLaw(law), options.Opacity));
+    drawers.push_back({ "fixed-point", law, 0, 0,
+      [window](const gatun::HartleyView& view)
+      {
+        window->Render(view);
+        if (window->GetMean() <= 0)
+        {
+          throw Failure("a picture is empty");
+        }
+      },
+      nullptr });
+  }
+}
+
+void PrintTimes(const Options& options)
+{
+  const Volume volume(options.File);
+  PrintJson(
+    [&](gtn::Json& json)
+    {
+      json.Add("threads", gatun::GetNumberOfThreads());
+      json.Add("pixels", static_cast<std::uint64_t>(options.Pixels));
+      json.Add("voxels", static_cast<std::uint64_t>(volume.GetNumberOfVoxels()));
+      std::vector<Drawer> drawers = MakeOwn(volume, options, json);
+      if (options.Peers)
+      {
+        AddPeers(drawers, volume, options);
+      }
+      std::vector<Operation> operations;
+      for (Drawer& drawer : drawers)
+      {
+        const auto draw = [&volume, &options, &drawer]
+        { drawer.Draw(GetView(volume, options.Pixels, drawer.Views++)); };
+        drawer.First = CostOf(draw);
+        operations.push_back({ drawer.Way, draw });
+      }
+      RunInterleaved(operations, options.Rounds);
+      json.BeginArray("ways");
+      for (std::size_t i = 0; i < drawers.size(); ++i)
+      {
+        AddDrawer(json, drawers[i], operations[i]);
+      }
+      json.EndArray();
+    });
+}
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+void AddVolumeTimes(CLI::App& app)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* const command = app.add_subcommand(
+    "volume-times", "Time for each view of a volume, from ever other sides, next to peers");
+  command->add_option("VOLUME", options->File, "A .vti or NIfTI file; head:SIZE, smooth:SIZE")
+    ->required();
+  command->add_option("--blocks", options->Blocks, "Voxels of a block; 0: all in one");
+  command->add_option("--rates", options->Rates, "Bits a voxel; 0: lossless");
+  command->add_option("--laws", options->Laws, "How densities become colours")
+    ->check(CLI::IsMember(GetLawNames()));
+  command->add_option("--pixels", options->Pixels, "Width and height of a picture")
+    ->check(CLI::Range(16, 8192));
+  command->add_option("--opacity", options->Opacity, "Of a sample of the highest density")
+    ->check(CLI::Range(0.0001, 0.9999));
+  command->add_option("--rounds", options->Rounds, "Views beyond the first")
+    ->check(CLI::Range(1, 1000));
+  command->add_flag("--peers", options->Peers, "Measure plain sums along rays too");
+  command->add_flag(
+    "--window", options->Window, "And vtkFixedPointVolumeRayCastMapper, which needs a display");
+  command->callback([options] { PrintTimes(*options); });
+}
+}
