@@ -213,9 +213,9 @@ TEST_P(HartleyFlat, FromTwentySides)
 
 INSTANTIATE_TEST_SUITE_P(Blocks, HartleyFlat,
   testing::Combine(testing::Values(2u, 4u, 8u, 16u, 32u, 64u, 0u), testing::Bool()),
-  [](const testing::TestParamInfo<Case>& info)
+  [](const auto& made)
   {
-    return std::to_string(std::get<0>(info.param)) +
-      (std::get<1>(info.param) ? "InTheBase" : "InTheCoefficients");
+    return std::to_string(std::get<0>(made.param)) +
+      (std::get<1>(made.param) ? "InTheBase" : "InTheCoefficients");
   });
 }
