@@ -5,6 +5,8 @@
 
 #include "benchHarness.h"
 
+#include "gatunHartleySample.h"
+#include "gatunParallel.h"
 #include "gatunVolumePhantoms.h"
 
 #include "vtkDataArray.h"
@@ -75,6 +77,35 @@ Image Open(const std::string& name)
   return name.ends_with(".vti") ? Read<vtkXMLImageDataReader>(name)
                                 : Read<vtkNIFTIImageReader>(name);
 }
+
+/** Keeps what a source makes anew each time. */
+class KeptSource : public gatun::HartleySource
+{
+public:
+  explicit KeptSource(const gatun::HartleySource& source)
+    : Layout(source.GetLayout())
+    , Base(source.GetBase())
+    , Values(source.GetRange())
+    , Chunks(this->Layout.GetNumberOfChunks())
+  {
+    gatun::ParallelFor(this->Chunks.size(),
+      [&](std::size_t chunk) { this->Chunks[chunk] = source.GetChunk(chunk); });
+  }
+
+  const gatun::HartleyLayout& GetLayout() const override { return this->Layout; }
+  double GetBase() const override { return this->Base; }
+  gatun::Range GetRange() const override { return this->Values; }
+  std::shared_ptr<const gatun::HartleyChunk> GetChunk(std::size_t chunk) const override
+  {
+    return this->Chunks[chunk];
+  }
+
+private:
+  gatun::HartleyLayout Layout;
+  double Base;
+  gatun::Range Values;
+  std::vector<std::shared_ptr<const gatun::HartleyChunk>> Chunks;
+};
 
 gatun::ScalarType GetType(int type, const std::string& name)
 {
@@ -205,6 +236,18 @@ gatun::HartleyQuality MakeQuality(double rate)
   quality.Kind = rate > 0 ? gatun::HartleyQuality::Goal::Rate : gatun::HartleyQuality::Goal::Error;
   quality.Value = rate;
   return quality;
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const gatun::HartleySource> MakeSource(
+  const Volume& volume, std::uint32_t block, double rate)
+{
+  if (rate > 0)
+  {
+    return gatun::HartleyVolume::Make(volume.GetInput(), block, MakeQuality(rate));
+  }
+  return std::make_shared<KeptSource>(
+    *gatun::test::MakeSource(volume.GetVoxels(), volume.GetSize(), block));
 }
 
 //------------------------------------------------------------------------------

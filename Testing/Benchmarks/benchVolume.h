@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,11 @@ gatun::HartleyShading MakeGrey(const Volume& volume, gatun::HartleyLaw law, doub
 
 /** Lossless for 0, else so many bits a voxel. */
 gatun::HartleyQuality MakeQuality(double rate);
+
+/** The volume transformed, in memory; for 0 the coefficients as they are, in single precision, else
+ * quantised. */
+std::shared_ptr<const gatun::HartleySource> MakeSource(
+  const Volume& volume, std::uint32_t block, double rate);
 
 /** The names of laws: xray, exponential, linear. */
 const std::vector<std::string>& GetLawNames();

@@ -200,8 +200,7 @@ Sums Measure(const Volume& volume, const gatun::HartleySource& source,
 void PrintBlocks(const Options& options)
 {
   const Volume volume(options.File);
-  const auto source =
-    gatun::HartleyVolume::Make(volume.GetInput(), options.Block, MakeQuality(options.Rate));
+  const auto source = MakeSource(volume, options.Block, options.Rate);
   const std::vector<Chosen> chosen = Choose(volume, source->GetLayout(), options.Blocks);
   PrintJson(
     [&](gtn::Json& json)
@@ -248,7 +247,7 @@ void AddVolumeBlocks(CLI::App& app)
   command->add_option("VOLUME", options->File, "A .vti or NIfTI file; head:SIZE, smooth:SIZE")
     ->required();
   command->add_option("--block", options->Block, "Voxels of a block; 0: all in one");
-  command->add_option("--rate", options->Rate, "Bits a voxel; 0: lossless");
+  command->add_option("--rate", options->Rate, "Bits a voxel; 0: not quantised");
   command->add_option("--blocks", options->Blocks, "At most so many blocks");
   command->add_option("--rays", options->Rays, "At most about so many rays for each view")
     ->check(CLI::Range(1, 1000000000));

@@ -169,8 +169,7 @@ void PrintPictures(const Options& options)
       {
         for (const double rate : options.Rates)
         {
-          const auto source =
-            gatun::HartleyVolume::Make(volume.GetInput(), block, MakeQuality(rate));
+          const auto source = MakeSource(volume, block, rate);
           gatun::HartleyProjector projector(source);
           json.BeginObject();
           json.Add("block", static_cast<std::uint64_t>(block));
@@ -201,7 +200,7 @@ void AddVolumePictures(CLI::App& app)
   command->add_option("VOLUME", options->File, "A .vti or NIfTI file; head:SIZE, smooth:SIZE")
     ->required();
   command->add_option("--blocks", options->Blocks, "Voxels of a block; 0: all in one");
-  command->add_option("--rates", options->Rates, "Bits a voxel; 0: lossless");
+  command->add_option("--rates", options->Rates, "Bits a voxel; 0: not quantised");
   command->add_option("--opacity", options->Opacity, "Of a sample of the highest density")
     ->check(CLI::Range(0.0001, 0.9999));
   command->add_option("--scale", options->Scale, "Pixels a voxel")->check(CLI::Range(0.1, 16.0));
