@@ -28,6 +28,7 @@ struct Options
   double Rate = 0;
   std::size_t Blocks = 2000;
   std::size_t Rays = 1000000;
+  std::vector<std::string> Ways; ///< all if empty
 };
 
 /** A way to make a block's picture. */
@@ -211,6 +212,11 @@ void PrintBlocks(const Options& options)
       json.BeginArray("ways");
       for (const Way& way : GetWays())
       {
+        if (!options.Ways.empty() &&
+          std::find(options.Ways.begin(), options.Ways.end(), way.Name) == options.Ways.end())
+        {
+          continue;
+        }
         gatun::HartleyProjector projector(source, way.Options);
         json.BeginObject();
         json.Add("way", way.Name);
@@ -251,6 +257,8 @@ void AddVolumeBlocks(CLI::App& app)
   command->add_option("--blocks", options->Blocks, "At most so many blocks");
   command->add_option("--rays", options->Rays, "At most about so many rays for each view")
     ->check(CLI::Range(1, 1000000000));
+  command->add_option("--ways", options->Ways, "Those only")
+    ->check(CLI::IsMember({ "gatun", "slice", "trilinear-1", "trilinear-2" }));
   command->callback([options] { PrintBlocks(*options); });
 }
 }

@@ -1,0 +1,181 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Regular volumes as Hartley coefficients: Tables 1 and 2 of the dissertation anew, bits against errors
+next to zfp, time for a view next to renderers of voxels, and pictures at several qualities."""
+
+import json
+import os
+import pathlib
+import tempfile
+import time
+
+import benchmarkRunner
+import volumeReport
+
+PAGE = "volume-study"
+ABOUT = {
+    "ct": ("CT_AVM.nii.gz", "CT of a head with contrast agent in its vessels"),
+    "mr": ("brain1_mr_int16.vti", "MR of a brain"),
+    "head": (None, "made: ellipsoids, vessels, noise"),
+    "smooth": (None, "made: waves under a bell"),
+}
+
+MODES = {
+    "full": {
+        "volumes": {"ct": {}, "mr": {}, "head": {"size": 128}},
+        "blocks": (2, 4, 8, 16, 32, 64, 0), "sampled": 3000, "rays": 250000,
+        "opacities": (0.02, 0.1), "scale": 1,
+        "rate blocks": (4, 8, 16, 32, 64), "weights": (0, 1),
+        "rates": (0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 4, 0),
+        "times": "ct", "pixels": (256, 512, 1024), "time rates": (0.1, 0.5, 1, 2, 0),
+        "threads": (1, 2), "rounds": 3, "pictures": "ct",
+        "qualities": (0, 0.2, 0.1, 0.05, 0.02)},
+    "quick": {
+        "volumes": {"ct": {}, "head": {"size": 64}},
+        "blocks": (4, 8, 32), "sampled": 300, "rays": 50000,
+        "opacities": (0.1,), "scale": 0.5,
+        "rate blocks": (8, 16), "weights": (0,), "rates": (0.25, 1, 0),
+        "times": "head", "pixels": (128, 256), "time rates": (0.5, 0),
+        "threads": (1, 2), "rounds": 2, "pictures": "head", "qualities": (0, 0.2)},
+    "smoke": {
+        "volumes": {"head": {"size": 24}, "smooth": {"size": 20}},
+        "blocks": (4, 16), "sampled": 20, "rays": 2000,
+        "opacities": (0.1,), "scale": 1,
+        "rate blocks": (8,), "weights": (0,), "rates": (1, 0),
+        "times": "head", "pixels": (32,), "time rates": (1,),
+        "threads": (1,), "rounds": 1, "pictures": "head", "qualities": (0, 0.5)},
+}
+
+# Density, red, green, blue and opacity.
+FUNCTIONS = {
+    "ct": (0, 0, 0, 0, 0,  70, 0.4, 0.05, 0.02, 0,  110, 0.75, 0.15, 0.08, 0.02,
+           150, 0.95, 0.45, 0.25, 0.10,  190, 1, 0.85, 0.65, 0.3,  255, 1, 1, 0.95, 0.6),
+    "head": (0, 0, 0, 0, 0,  90, 0.4, 0.05, 0.02, 0,  140, 0.9, 0.8, 0.6, 0.01,
+             185, 0.9, 0.8, 0.6, 0.01,  200, 0.9, 0.15, 0.1, 0.3,  255, 1, 0.3, 0.2, 0.5),
+}
+TURNS = {"ct": (-0.5, 0, 0), "head": (-0.5, 0, 0.15)}
+
+
+def find(name, wanted, data):
+    """What gatunBenchmarks calls the volume; None if it cannot be had here."""
+    if "size" in wanted:
+        return f"{name}:{wanted['size']}"
+    file = data / ABOUT[name][0] if data else None
+    return file if file and file.exists() else None
+
+
+def measure_blocks(runner, volume, mode):
+    """Table 1: all ways of making a block's picture as it is, and ours at one bit a voxel."""
+    runs = []
+    for block in mode["blocks"]:
+        for rate, ways in ((0, ()), (1, ("--ways", "gatun"))):
+            runs.append(runner.case("volume-blocks", volume, "--block", block, "--rate", rate,
+                                    "--blocks", mode["sampled"], "--rays", mode["rays"], *ways))
+    return runs
+
+
+def measure_pictures(runner, volume, mode):
+    """Table 2."""
+    return [runner.case("volume-pictures", volume, "--blocks", *mode["blocks"], "--rates", 0, 1,
+                        "--opacity", opacity, "--scale", mode["scale"])
+            for opacity in mode["opacities"]]
+
+
+def measure_rates(runner, volume, mode):
+    return runner.case("volume-rates", volume, runner.path("volumes", "rates.ghv"),
+                       "--blocks", *mode["rate blocks"], "--rates", *mode["rates"],
+                       "--weights", *mode["weights"])
+
+
+def measure_times(runner, volume, mode):
+    """By size of blocks; by quality; by size of pictures; by threads."""
+    def run(blocks, rates, pixels, threads=0):
+        return runner.case("volume-times", volume, "--blocks", *blocks, "--rates", *rates,
+                           "--pixels", pixels, "--rounds", mode["rounds"], "--peers",
+                           *(["--window"] if window else []), threads=threads, window=window)
+    window = bool(benchmarkRunner.displays.prefix() is not None)
+    middle = mode["pixels"][len(mode["pixels"]) // 2]
+    return {"blocks": run(mode["blocks"], [1], middle),
+            "rates": run([8], mode["time rates"], middle),
+            "pixels": [run([8, 16], [1], pixels) for pixels in mode["pixels"]],
+            "threads": [run([8, 16], [1], middle, threads) for threads in mode["threads"]]}
+
+
+def draw_pictures(runner, name, volume, mode):
+    """A row for each law; voxel by voxel first, then at ever fewer bits."""
+    laws = {"xray": ("--law", "xray"), "exponential": ("--law", "exponential", "--opacity", 0.15),
+            "function": ("--law", "linear", "--nodes", *FUNCTIONS[name])}
+    pictures = []
+    for law, arguments in laws.items():
+        white = 0
+        for kind in ("voxels", *mode["qualities"]):
+            file = runner.path("volumes", f"{law}-{kind}.png")
+            run = runner.case("volume-draw", volume, file, runner.path("volumes", "draw.ghv"),
+                              "--turns", *TURNS[name], "--scale", mode["scale"], "--block", 8,
+                              "--white", white, *arguments,
+                              *(["--voxels"] if kind == "voxels" else ["--rate", kind]))
+            # The same white for all; what is brighter than most is white.
+            white = white or 0.7 * run["white"]
+            pictures.append({"law": law, "kind": kind, "file": str(file), **run})
+    return pictures
+
+
+def measure(runner, options, results):
+    """All volumes, or those that are asked for, in the place of what there was of them."""
+    mode = MODES[options.mode]
+    if not options.only:
+        results = {"mode": options.mode, "machine": benchmarkRunner.machine(runner), "volumes": []}
+    data = os.environ.get("GATUN_DATA_DIR")
+    data = pathlib.Path(data) if data else None
+    for name in options.only or mode["volumes"]:
+        volume = find(name, mode["volumes"][name], data)
+        if volume is None:
+            runner.say(f"{name} is left out: GATUN_DATA_DIR has it not")
+            continue
+        results["volumes"] = [one for one in results["volumes"] if one["name"] != name]
+        results["volumes"].append({
+            "name": name, "about": ABOUT[name][1],
+            "blocks": measure_blocks(runner, volume, mode),
+            "pictures": measure_pictures(runner, volume, mode),
+            "rates": measure_rates(runner, volume, mode)})
+    # The real volume if it is there, else the made one.
+    for part, make in (("times", lambda name, volume: measure_times(runner, volume, mode)),
+                       ("plate", lambda name, volume: draw_pictures(runner, name, volume, mode))):
+        name = mode["times" if part == "times" else "pictures"]
+        volume = find(name, mode["volumes"][name], data)
+        if volume is None:
+            name, volume = "head", "head:128"
+        if not options.only or name in options.only:
+            results[part] = {"name": name, "runs": make(name, volume)}
+    results["machine"]["loadAfter"] = os.getloadavg()
+    results["seconds"] = results.get("seconds", 0) + time.monotonic() - runner.start
+    return results
+
+
+def main():
+    parser = benchmarkRunner.make_parser(__doc__, PAGE)
+    parser.add_argument("--only", nargs="+", choices=MODES["full"]["volumes"],
+                        help="measure these volumes only, and keep what is there of the others")
+    options = parser.parse_args()
+    folder = options.out / PAGE
+    folder.mkdir(parents=True, exist_ok=True)
+    raw = folder / "results.json"
+    results = {}
+    if options.report or options.only:
+        results = json.loads(raw.read_text(encoding="utf-8"))
+    if options.report:
+        volumeReport.write(results, options.out)
+    else:
+        with tempfile.TemporaryDirectory(prefix=f"gatun-{PAGE}-") as work:
+            runner = benchmarkRunner.Runner(options.programs, pathlib.Path(work), folder)
+            results = measure(runner, options, results)
+            # The plate is put together while its pictures are there.
+            volumeReport.write(results, options.out)
+        raw.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
+    print(f"The results are in {options.out / PAGE}.md and {folder}")
+
+
+if __name__ == "__main__":
+    main()
