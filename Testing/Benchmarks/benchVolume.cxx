@@ -5,7 +5,7 @@
 
 #include "benchHarness.h"
 
-#include "gatunHartleySample.h"
+#include "gatunExactSource.h"
 #include "gatunParallel.h"
 #include "gatunVolumePhantoms.h"
 
