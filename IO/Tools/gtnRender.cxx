@@ -18,7 +18,6 @@
 #include "gtnText.h"
 #include "gtnTransfer.h"
 
-#include "gatunVersion.h"
 #include "vtkGatunRayCaster.h"
 
 #include "vtkCamera.h"
@@ -32,7 +31,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 
 namespace gtn
@@ -46,63 +44,6 @@ struct Drawn
   vtkSmartPointer<vtkCamera> Camera;
   Measurement Taken{};
 };
-
-// OUT, or of a turntable OUT with numbers before its extension.
-std::vector<std::string> NamePictures(const std::string& out, int turntable)
-{
-  if (turntable == 0)
-  {
-    return { out };
-  }
-  const std::filesystem::path path(out);
-  const std::size_t digits = std::max<std::size_t>(3, std::to_string(turntable - 1).size());
-  std::vector<std::string> names;
-  for (int i = 0; i < turntable; ++i)
-  {
-    names.push_back((path.parent_path() /
-      fmt::format("{}-{:0{}}{}", path.stem().string(), i, digits, path.extension().string()))
-                      .string());
-  }
-  return names;
-}
-
-Transfer MakeTransfer(const RenderOptions& options, const RenderInput& input)
-{
-  Transfer transfer = FindTransfer(options.TransferFunction);
-  if (options.Range)
-  {
-    Stretch(transfer, *options.Range);
-  }
-  else if (IsNormalized(transfer))
-  {
-    gatun::Range range = input.GetRange();
-    if (!(range.Min <= range.Max) || !std::isfinite(range.Min) || !std::isfinite(range.Max))
-    {
-      throw Failure(options.Input.File,
-        fmt::format(
-          "array '{}' has no finite range of values; give --range", Printable(input.GetArray())));
-    }
-    if (range.Min == range.Max)
-    {
-      // A lone value gets the middle.
-      const double margin = std::max(0.5, std::abs(range.Min) / 100);
-      range = { range.Min - margin, range.Max + margin };
-    }
-    Stretch(transfer, range);
-  }
-  ScaleOpacity(transfer, options.Opacity);
-  return transfer;
-}
-
-double DiagonalOf(const gatun::Bounds& bounds)
-{
-  double diagonal = 0;
-  for (const gatun::Range& range : bounds)
-  {
-    diagonal = std::hypot(diagonal, range.Max - range.Min);
-  }
-  return diagonal > 0 && std::isfinite(diagonal) ? diagonal : 1;
-}
 
 // The caster counts the samples of a ray, from the eye on, in floating-point numbers.
 void RequireFewSamples(const RenderOptions& options, const gatun::Bounds& bounds, vtkCamera* camera)
@@ -127,31 +68,6 @@ void RequireFewSamples(const RenderOptions& options, const gatun::Bounds& bounds
                   "the camera; give a larger --sample-distance",
         distance, farthest));
   }
-}
-
-// On one line.
-std::string DescribeCamera(vtkCamera* camera)
-{
-  Json json;
-  AddCamera(json, {}, camera);
-  std::string line;
-  for (const char c : json.GetText())
-  {
-    if (c == '\n' || (c == ' ' && (line.empty() || line.back() == ' ')))
-    {
-      continue;
-    }
-    line += c;
-  }
-  return line;
-}
-
-std::vector<std::pair<std::string, std::string>> MakeRemarks(
-  const RenderOptions& options, const std::string& commandLine, vtkCamera* camera)
-{
-  return { { "Software", std::string("Gatun ") + gatun::PackageVersion() },
-    { "Gatun:command", Printable(commandLine) }, { "Gatun:input", Printable(options.Input.File) },
-    { "Gatun:camera", DescribeCamera(camera) } };
 }
 
 Drawn DrawPicture(const RenderOptions& options, const RenderInput& input, vtkGatunRayCaster* caster,
@@ -236,7 +152,7 @@ void Render(const RenderOptions& options, const Settings& settings)
   {
     throw UsageError(options.Out + ": the name must end in " + PictureFormats);
   }
-  const std::vector<std::string> files = NamePictures(options.Out, options.Turntable);
+  const std::vector<std::string> files = NamePictures(options);
   for (const std::string& file : files)
   {
     CheckWritable(file, options.Overwrite);
@@ -246,7 +162,8 @@ void Render(const RenderOptions& options, const Settings& settings)
     Progress progress("reading", settings.ShowProgress);
     input = std::make_unique<const RenderInput>(options.Input, progress);
   }
-  const vtkSmartPointer<vtkVolumeProperty> property = MakeProperty(MakeTransfer(options, *input),
+  const PictureContent content{ options.Input.File, input->GetArray(), input->GetRange() };
+  const vtkSmartPointer<vtkVolumeProperty> property = MakeProperty(MakeTransfer(options, content),
     options.UnitDistance.value_or(DiagonalOf(input->GetBounds()) / 100));
   property->SetShade(options.Shade);
 
@@ -272,7 +189,7 @@ void Render(const RenderOptions& options, const Settings& settings)
     // Of one picture, before the libraries come that write it, which have no part in drawing.
     peakMemory = GetPeakMemory();
     WritePicture(caster->GetOutput(), options.Background,
-      MakeRemarks(options, settings.CommandLine, pictures.back().Camera), file);
+      MakeRemarks(content, settings.CommandLine, pictures.back().Camera), file);
   }
   if (options.Json)
   {

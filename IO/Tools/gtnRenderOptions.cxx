@@ -26,91 +26,21 @@ constexpr std::array<const char*, 4> Modes{ "composite", "area", "mip", "xray" }
 static_assert(vtkGatunRayCaster::Composite == 0 && vtkGatunRayCaster::Area == 1 &&
   vtkGatunRayCaster::Maximum == 2 && vtkGatunRayCaster::XRay == 3);
 
-// "640x480" at the x, "0,1" at the comma; the second part is empty without.
-std::pair<std::string_view, std::string_view> Split(std::string_view text, char separator)
+void AddMeshOptions(CLI::App* command, RenderOptions& options)
 {
-  const std::size_t place = text.find(separator);
-  return place == text.npos ? std::pair(text, std::string_view())
-                            : std::pair(text.substr(0, place), text.substr(place + 1));
-}
-
-void ParseSize(const std::string& text, RenderOptions& options)
-{
-  constexpr int most = 32000;
-  const auto [width, height] = Split(text, 'x');
-  options.Width = Parse<int>(width).value_or(0);
-  options.Height = Parse<int>(height).value_or(0);
-  for (const int size : { options.Width, options.Height })
+  const char* const group = "What is drawn";
+  for (CLI::Option* option : AddArray(command, options.Input.Array, "Point or cell array"))
   {
-    if (size < 1 || size > most)
-    {
-      Refuse("--size", text, fmt::format("WxH with 1 to {} pixels each, as 1024x768", most));
-    }
+    option->group(group);
+  }
+  for (CLI::Option* option : AddStep(command, options.Input.Step))
+  {
+    option->group(group);
   }
 }
 
-void ParseRange(const std::string& text, RenderOptions& options)
+void AddModeOption(CLI::App* command, RenderOptions& options)
 {
-  const auto [low, high] = Split(text, ',');
-  const gatun::Range range{ Parse<double>(low).value_or(std::nan("")),
-    Parse<double>(high).value_or(std::nan("")) };
-  if (!std::isfinite(range.Min) || !std::isfinite(range.Max) || !(range.Min < range.Max))
-  {
-    Refuse("--range", text, "two numbers in ascending order, as 0.5,2");
-  }
-  options.Range = range;
-}
-
-void ParseBackground(const std::string& text, RenderOptions& options)
-{
-  options.Background.reset();
-  if (text == "transparent")
-  {
-    return;
-  }
-  if (text == "black" || text == "white")
-  {
-    const double part = text == "black" ? 0 : 1;
-    options.Background = Colour{ part, part, part };
-    return;
-  }
-  const auto number = text.size() == 7 && text[0] == '#'
-    ? Parse<unsigned>(std::string_view(text).substr(1), 16)
-    : std::nullopt;
-  if (!number)
-  {
-    Refuse("--background", text, "#RRGGBB (as #202830), black, white or transparent");
-  }
-  options.Background =
-    Colour{ (*number >> 16) / 255., (*number >> 8 & 255) / 255., (*number & 255) / 255. };
-}
-
-// An option whose text a function takes apart.
-void AddParsed(CLI::App* command, const char* name, RenderOptions& options,
-  void (*parse)(const std::string&, RenderOptions&), const std::string& description,
-  const char* value, const char* group)
-{
-  command
-    ->add_option_function<std::string>(
-      name, [&options, parse](const std::string& text) { parse(text, options); }, description)
-    ->option_text(value)
-    ->group(group);
-}
-
-void AddPictureOptions(CLI::App* command, RenderOptions& options)
-{
-  const char* const group = "Picture";
-  AddParsed(command, "--size", options, ParseSize,
-    "Width and height in pixels, 1 to 32000 each (default: 1024x768)", "WxH", group);
-  AddParsed(command, "--background", options, ParseBackground,
-    "#RRGGBB, black, white, or transparent (the default)", "COLOUR", group);
-  command
-    ->add_option("--turntable", options.Turntable,
-      "So many pictures from all around, 1 to 9999, with -000, -001 and so on before the extension "
-      "of OUT")
-    ->check(Between(1, 9999))
-    ->option_text("N")
-    ->group(group);
   command
     ->add_option_function<std::string>(
       "--mode",
@@ -126,81 +56,15 @@ void AddPictureOptions(CLI::App* command, RenderOptions& options)
       "up, whatever lies in front")
     ->check(CLI::IsMember(std::vector<std::string>(Modes.begin(), Modes.end())))
     ->option_text("NAME")
-    ->group(group);
+    ->group("Picture");
 }
 
-void AddMeshOptions(CLI::App* command, RenderOptions& options)
+void AddShadeOption(CLI::App* command, RenderOptions& options)
 {
-  const char* const group = "What is drawn";
-  for (CLI::Option* option : AddArray(command, options.Input.Array, "Point or cell array"))
-  {
-    option->group(group);
-  }
-  for (CLI::Option* option : AddStep(command, options.Input.Step))
-  {
-    option->group(group);
-  }
-}
-
-void AddViewOptions(CLI::App* command, CameraOptions& camera)
-{
-  const char* const group = "View";
-  const auto add = [&](const char* name, auto& value, const CLI::Validator& check,
-                     const char* description, const char* text)
-  { command->add_option(name, value, description)->check(check)->option_text(text)->group(group); };
-  add("--azimuth", camera.Azimuth, Between(-360, 360),
-    "Turn the camera around the axis that points up, -360 to 360 (default: 30; 0 if --camera tells "
-    "the position)",
-    "DEG");
-  add("--elevation", camera.Elevation, Between(-180, 180),
-    "Then raise it, -180 to 180; 90 looks down (default: 20; 0 if --camera tells the position)",
-    "DEG");
-  add("--roll", camera.Roll, Between(-360, 360), "Then turn it around where it looks, -360 to 360",
-    "DEG [0]");
-  add("--zoom", camera.Zoom, Between(0.2, 1000),
-    "More than 1 shows less, and larger, 0.2 to 1000; at 1 all of the mesh is in the picture",
-    "F [1]");
-  command->add_flag("--parallel", camera.Parallel, "Parallel projection (default: perspective)")
-    ->group(group);
-  command
-    ->add_option("--camera", camera.File,
-      "JSON object with any of position, focalPoint, viewUp (three numbers each), viewAngle "
-      "(degrees, 30) and parallelScale; what it does not tell is as without. Pictures keep theirs "
-      "as Gatun:camera")
-    ->option_text("FILE")
-    ->group(group);
-}
-
-void AddColourOptions(CLI::App* command, RenderOptions& options)
-{
-  const char* const group = "Colours and opacities";
-  command
-    ->add_option("--tf", options.TransferFunction,
-      fmt::format("Transfer function: {}, or a .json file of a colour map as ParaView exports it "
-                  "(the first one in it). Presets, and files whose colours are for 0 to 1, are "
-                  "stretched to the values of the array; other files are taken as they are. Values "
-                  "beyond its ends are as those at the ends",
-        Joined(GetPresetNames())))
-    ->option_text("FILE|PRESET [dusk]")
-    ->group(group);
-  AddParsed(command, "--range", options, ParseRange,
-    "Stretch the transfer function, whatever it is, to these values", "LO,HI", group);
-  command
-    ->add_option("--opacity", options.Opacity, "Multiply opacities, 0 to 1000; they stay at most 1")
-    ->check(Between(0, 1000))
-    ->option_text("F [1]")
-    ->group(group);
-  command
-    ->add_option("--unit-distance", options.UnitDistance,
-      "The length of ray that has the opacity of the transfer function, above 0, in units of the "
-      "coordinates (default: a hundredth of the mesh's diagonal)")
-    ->check(Positive())
-    ->option_text("D")
-    ->group(group);
   command
     ->add_flag("--shade", options.Shade,
       "Light from the camera falls on surfaces of equal values (modes composite and area)")
-    ->group(group);
+    ->group("Colours and opacities");
 }
 
 void AddCostOptions(CLI::App* command, RenderOptions& options)
@@ -264,9 +128,14 @@ CLI::App* AddRenderOptions(CLI::App& app, Settings& settings, RenderOptions& opt
     "  gtn render --mode xray --tf xray --camera view.json mesh.vtu mesh.exr");
   AddForce(command, options.Overwrite);
   AddPictureOptions(command, options);
+  AddModeOption(command, options);
   AddMeshOptions(command, options);
-  AddViewOptions(command, options.Camera);
-  AddColourOptions(command, options);
+  AddViewOptions(command, options.Camera, "mesh");
+  command
+    ->add_flag("--parallel", options.Camera.Parallel, "Parallel projection (default: perspective)")
+    ->group("View");
+  AddColourOptions(command, options, "mesh");
+  AddShadeOption(command, options);
   AddCostOptions(command, options);
   command->add_option("IN", options.Input.File, std::string("A mesh: ") + InputFormats)->required();
   command->add_option("OUT", options.Out, "The .png or .exr file")->required();

@@ -5,12 +5,9 @@
 
 // What gtn render can be told.
 
-#include "gtnCamera.h"
 #include "gtnCommands.h"
-#include "gtnPicture.h"
+#include "gtnPictureOptions.h"
 #include "gtnRenderInput.h"
-
-#include "gatunTypes.h"
 
 #include <CLI/CLI.hpp>
 
@@ -19,22 +16,9 @@
 
 namespace gtn
 {
-struct RenderOptions
+struct RenderOptions : PictureOptions
 {
-  std::string Out;
-  bool Overwrite = false;
-  int Width = 1024;
-  int Height = 768;
-  int Turntable = 0; ///< how many pictures; 0: one, and no number in its name
-  std::optional<Colour> Background;
-
   RenderInputOptions Input;
-  CameraOptions Camera;
-
-  std::string TransferFunction = "dusk";
-  std::optional<gatun::Range> Range;
-  double Opacity = 1;
-  std::optional<double> UnitDistance;
   bool Shade = false;
 
   int Mode = 0; ///< of vtkGatunRayCaster::ModeType
@@ -42,9 +26,6 @@ struct RenderOptions
   double Ratio = 0;
   double TimeBudget = 0;
   int Memory = 512;
-
-  bool Statistics = false;
-  bool Json = false;
 };
 
 /** Adds the command with all of its options. */
