@@ -57,24 +57,4 @@ std::size_t FindStep(const FileReader& file, double time)
                             std::upper_bound(times.begin(), times.end(), time) - times.begin() - 1))
                         : 0;
 }
-
-//------------------------------------------------------------------------------
-bool CurrentFile::IsNew(const std::string& path) const
-{
-  return !this->File || path != this->Path || SignatureOf(path) != this->Signature;
-}
-
-//------------------------------------------------------------------------------
-const std::shared_ptr<const FileReader>& CurrentFile::Get(const std::string& path)
-{
-  const FileSignature signature = SignatureOf(path);
-  if (!this->File || path != this->Path || signature != this->Signature)
-  {
-    this->File.reset();
-    this->File = std::make_shared<const FileReader>(path);
-    this->Path = path;
-    this->Signature = signature;
-  }
-  return this->File;
-}
 }

@@ -31,26 +31,44 @@ VTKGATUNIO_EXPORT void RequestNothing(vtkGatunReader* reader, vtkInformation* in
 /** The last step not later than a time, or the first. */
 VTKGATUNIO_EXPORT std::size_t FindStep(const FileReader& file, double time);
 
-/** A file that is opened anew when it has changed. */
-class VTKGATUNIO_EXPORT CurrentFile
+/** A file that is opened anew when it has changed. FileT: FileReader, or what else is made of a
+ * path and throws gatun::Error. */
+template <typename FileT>
+class CurrentFileOf
 {
 public:
   /** Whether another file would be opened: Get has not been called, or it has changed since. */
-  bool IsNew(const std::string& path) const;
+  bool IsNew(const std::string& path) const
+  {
+    return !this->File || path != this->Path || SignatureOf(path) != this->Signature;
+  }
 
   /** The file, opened if need be. Throws gatun::Error. */
-  const std::shared_ptr<const FileReader>& Get(const std::string& path);
+  const std::shared_ptr<const FileT>& Get(const std::string& path)
+  {
+    const FileSignature signature = SignatureOf(path);
+    if (!this->File || path != this->Path || signature != this->Signature)
+    {
+      this->File.reset();
+      this->File = std::make_shared<const FileT>(path);
+      this->Path = path;
+      this->Signature = signature;
+    }
+    return this->File;
+  }
 
   /** The file that was opened last; null if there is none. */
-  const std::shared_ptr<const FileReader>& GetLast() const { return this->File; }
+  const std::shared_ptr<const FileT>& GetLast() const { return this->File; }
 
   void Close() { this->File.reset(); }
 
 private:
-  std::shared_ptr<const FileReader> File;
+  std::shared_ptr<const FileT> File;
   std::string Path;
   FileSignature Signature;
 };
+
+using CurrentFile = CurrentFileOf<FileReader>;
 }
 
 #endif

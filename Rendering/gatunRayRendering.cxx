@@ -68,11 +68,11 @@ void AddLights(vtkLightCollection* from, std::vector<RayLight>& lights)
 }
 
 //------------------------------------------------------------------------------
-RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, double sampleDistance,
-  vtkMatrix4x4* volumeMatrix, bool clippingRange)
+RayEye MakeRayEye(vtkCamera* camera, const RayGrid& grid, vtkMatrix4x4* volumeMatrix)
 {
   vtkMatrix4x4* const projection = GetProjection(camera, grid);
-  RayFrustum frustum;
+  RayEye eye;
+  RayFrustum& frustum = eye.Frustum;
   frustum.Parallel = camera->GetParallelProjection() != 0;
 
   // An eye in stereo, or a sheared view: what the projection does besides is moved in front of it.
@@ -88,12 +88,12 @@ RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, double sampleDistanc
   {
     vtkMatrix4x4::Multiply4x4(toEye, volumeMatrix, toEye);
   }
-  std::array<std::array<double, 4>, 3> rows{};
   for (int i = 0; i < 3; ++i)
   {
     for (int j = 0; j < 4; ++j)
     {
-      rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = toEye->GetElement(i, j);
+      eye.FromWorld[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
+        toEye->GetElement(i, j);
     }
   }
 
@@ -109,6 +109,14 @@ RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, double sampleDistanc
   frustum.Right = getBorder(0, 1);
   frustum.Bottom = getBorder(1, -1);
   frustum.Top = getBorder(1, 1);
+  return eye;
+}
+
+//------------------------------------------------------------------------------
+RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, double sampleDistance,
+  vtkMatrix4x4* volumeMatrix, bool clippingRange)
+{
+  auto [rows, frustum] = MakeRayEye(camera, grid, volumeMatrix);
   if (clippingRange)
   {
     camera->GetClippingRange(frustum.Near, frustum.Far);

@@ -31,6 +31,18 @@ struct RayGrid
   bool ToBorders = false;
 };
 
+/** What a camera sees: eye coordinates, x to the right, y upwards and z backwards, of those of the
+ * world, and the borders of its picture in them. */
+struct RayEye
+{
+  std::array<std::array<double, 4>, 3> FromWorld{};
+  RayFrustum Frustum; ///< but for the clipping range
+};
+
+/** That of a camera, or its left or right eye if it is in stereo. VolumeMatrix: null, or what
+ * brings the volume into the world; FromWorld then begins with coordinates of the volume. */
+RayEye MakeRayEye(vtkCamera* camera, const RayGrid& grid, vtkMatrix4x4* volumeMatrix);
+
 /**
  * The rays of a camera, that of its left or right eye if it is in stereo. SampleDistance: in world
  * units; 0 for the size of a pixel at the focal point. VolumeMatrix: null, or what brings the mesh

@@ -5,6 +5,7 @@
 
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
+#include "gatunImagePipeline.h"
 #include "gatunJustInTime.h"
 #include "gatunRayCaster.h"
 #include "gatunRayRendering.h"
@@ -13,7 +14,6 @@
 #include "vtkGatunReader.h"
 
 #include "vtkCamera.h"
-#include "vtkCompositeDataPipeline.h"
 #include "vtkErrorCode.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -35,33 +35,20 @@
 vtkStandardNewMacro(vtkGatunRayCaster);
 
 //------------------------------------------------------------------------------
-/**
- * Where the input cannot be made, VTK does not ask for an image at all, and the one of before would
- * stay for that of now.
- */
-class vtkGatunRayCaster::vtkPipeline : public vtkCompositeDataPipeline
+class vtkGatunRayCaster::vtkPipeline : public gatun::ImagePipeline
 {
 public:
   static vtkPipeline* New();
-  vtkTypeMacro(vtkPipeline, vtkCompositeDataPipeline);
+  vtkTypeMacro(vtkPipeline, gatun::ImagePipeline);
 
-  vtkTypeBool ProcessRequest(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
+protected:
+  void NoteFailure() override
   {
-    if (this->Superclass::ProcessRequest(request, inputs, outputs))
-    {
-      return 1;
-    }
-    if (vtkDataObject* const image = this->GetOutputData(0))
-    {
-      image->ReleaseData();
-    }
     auto* const caster = vtkGatunRayCaster::SafeDownCast(this->GetAlgorithm());
     if (caster && caster->GetErrorCode() == vtkErrorCode::NoError)
     {
       caster->SetErrorCode(vtkErrorCode::UnknownError);
     }
-    return 0;
   }
 };
 

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunHartleyPicture_h
+#define gatunHartleyPicture_h
+
+#include "gatunHartleyProjector.h"
+
+#include <array>
+#include <optional>
+
+class vtkImageData;
+
+namespace gatun
+{
+struct PictureOutput
+{
+  std::optional<std::array<double, 3>> Background; ///< red, green, blue; none: transparent
+  bool Floats = false;                             ///< the arrays RGBA, Sum and Samples, too
+};
+
+/** Fills an image with a part of a picture, as vtkHartleyProjection describes its arrays. */
+void FillImage(const HartleyPicture& picture, const PictureOutput& options,
+  const std::array<int, 6>& extent, vtkImageData* image);
+}
+
+#endif
