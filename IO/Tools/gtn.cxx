@@ -86,7 +86,8 @@ int Run(int argc, char* argv[])
   Settings settings;
   settings.CommandLine = JoinArguments(argc, argv);
   settings.ShowProgress = isatty(fileno(stderr)) != 0;
-  CLI::App app{ "Losslessly compressed tetrahedral meshes.", "gtn" };
+  CLI::App app{ "Losslessly compressed tetrahedral meshes, and volumes as Hartley coefficients.",
+    "gtn" };
   app.set_version_flag("--version",
     fmt::format("gtn {} (format {})", gatun::PackageVersion(), gatun::FormatVersion()));
   app.require_subcommand(0, 1); // none is looked at below, after unknown options
@@ -112,6 +113,7 @@ int Run(int argc, char* argv[])
   AddRender(app, settings);
   AddSimplify(app, settings);
   AddContour(app, settings);
+  AddVolume(app, settings);
   AddBench(app, settings);
 
   try

@@ -182,6 +182,30 @@ void Elevate(vtkCamera* camera, double degrees)
   camera->SetViewUp(up.data());
 }
 
+// Turns the camera the other way, which is the same to see.
+void Turn(vtkCamera* camera, const Vector& turns)
+{
+  const auto toScene = [&turns](Vector vector)
+  {
+    for (std::size_t axis = 3; axis-- > 0;)
+    {
+      std::array<double, 4> rotation{ -vtkMath::Pi() * turns[axis], 0, 0, 0 };
+      rotation[axis + 1] = 1;
+      Vector turned{};
+      vtkMath::RotateVectorByWXYZ(vector.data(), rotation.data(), turned.data());
+      vector = turned;
+    }
+    return vector;
+  };
+  const Vector forward = toScene({ 0, 0, 1 });
+  const Vector up = toScene({ 0, -1, 0 });
+  const double distance = camera->GetDistance();
+  const double* const centre = camera->GetFocalPoint();
+  camera->SetPosition(centre[0] - distance * forward[0], centre[1] - distance * forward[1],
+    centre[2] - distance * forward[2]);
+  camera->SetViewUp(up.data());
+}
+
 void AddVector(Json& json, std::string_view name, const double* vector)
 {
   json.BeginArray(name);
@@ -212,9 +236,14 @@ vtkSmartPointer<vtkCamera> MakeCamera(
   {
     RequireView(camera, wanted, options.File);
   }
+  if (options.Turns)
+  {
+    Turn(camera, *options.Turns);
+  }
   // Whoever says where the camera is wants it there.
-  camera->Azimuth(options.Azimuth.value_or(wanted.Position ? 0 : 30) + turn);
-  Elevate(camera, options.Elevation.value_or(wanted.Position ? 0 : 20));
+  const bool isPlaced = wanted.Position || options.Turns;
+  camera->Azimuth(options.Azimuth.value_or(isPlaced ? 0 : 30) + turn);
+  Elevate(camera, options.Elevation.value_or(isPlaced ? 0 : 20));
   camera->Roll(options.Roll);
   camera->Zoom(options.Zoom);
   return camera;

@@ -9,6 +9,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,6 +28,10 @@ struct CameraOptions
   double Roll = 0;
   double Zoom = 1;
   bool Parallel = false;
+
+  /** Instead of a file: rotations of what is seen about x, then y, then z, in units of pi; it is
+   * then looked at along z, with x to the right and y downwards. */
+  std::optional<std::array<double, 3>> Turns;
 };
 
 /** A camera that sees all of a box, as vtkRenderer::ResetCamera places it, but for what the file

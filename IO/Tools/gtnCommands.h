@@ -35,6 +35,7 @@ void AddRender(CLI::App& app, Settings& settings);
 void AddSimplify(CLI::App& app, Settings& settings);
 void AddUnpack(CLI::App& app, Settings& settings);
 void AddVerify(CLI::App& app, Settings& settings);
+void AddVolume(CLI::App& app, Settings& settings);
 
 /** Prints the manual page, in man's language. */
 void PrintManual(const CLI::App& app);

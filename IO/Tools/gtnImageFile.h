@@ -3,9 +3,12 @@
 #ifndef gtnImageFile_h
 #define gtnImageFile_h
 
-// What the library gtnImages does for gtn. It is loaded when the first image is written, because
-// OpenImageIO brings hundreds of libraries along, which would slow down all that gtn does.
+// What the library gtnImages does for gtn. It is loaded when the first image is read or written,
+// because OpenImageIO brings hundreds of libraries along, which would slow down all that gtn does.
 
+#include "gatunTypes.h"
+
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +31,29 @@ struct Image
 using WriteImageFunction = bool(const Image& image, const std::string& file, std::string& reason);
 
 inline constexpr const char* WriteImageName = "gtnWriteImage";
+
+/** A picture of single numbers: a slice of a volume. Rows from the top down. */
+struct Slice
+{
+  int Width = 0;
+  int Height = 0;
+  int Channels = 1;
+  gatun::ScalarType Type = gatun::ScalarType::UInt8;
+  const void* Values = nullptr;
+};
+
+/** Reads all pictures in a file, one after the other, and gives them to a function; if that returns
+ * false, reading ends. A picture of several channels comes without values. Returns whether it
+ * could; if not, the reason is set. Throws what the function throws. */
+using ReadSlicesFunction = bool(
+  const std::string& file, const std::function<bool(const Slice&)>& take, std::string& reason);
+
+inline constexpr const char* ReadSlicesName = "gtnReadSlices";
+
+/** Writes a picture of one channel, as WriteImageFunction does. */
+using WriteSliceFunction = bool(const Slice& slice, const std::string& file, std::string& reason);
+
+inline constexpr const char* WriteSliceName = "gtnWriteSlice";
 }
 
 #endif

@@ -76,14 +76,21 @@ std::string Arguments(const CLI::App& app)
   return arguments;
 }
 
-void PrintCommand(const CLI::App& command)
+void PrintCommand(const CLI::App& command, const std::string& parent)
 {
-  fmt::print(".SH {}\n", Escaped("gtn " + command.get_name()));
-  fmt::print(
-    ".B gtn {}\n[\\fIoptions\\fR]{}\n.PP\n", command.get_name(), Escaped(Arguments(command)));
+  const std::string name = parent + " " + command.get_name();
+  fmt::print(".SH {}\n", Escaped(name));
+  if (ChildrenOf(command).empty())
+  {
+    fmt::print(".B {}\n[\\fIoptions\\fR]{}\n.PP\n", name, Escaped(Arguments(command)));
+  }
   fmt::print("{}\n", Escaped(command.get_description()));
   PrintOptions(command, CommonGroup, true);
   fmt::print(".PP\n.nf\n{}\n.fi\n", Escaped(command.get_footer()));
+  for (const CLI::App* child : ChildrenOf(command))
+  {
+    PrintCommand(*child, name);
+  }
 }
 
 } // anonymous namespace
@@ -92,17 +99,18 @@ void PrintCommand(const CLI::App& command)
 void PrintManual(const CLI::App& app)
 {
   fmt::print(".TH GTN 1 \"\" \"Gatun {}\" \"User Commands\"\n", gatun::PackageVersion());
-  fmt::print(".SH NAME\ngtn \\- losslessly compressed tetrahedral meshes\n");
+  fmt::print(".SH NAME\ngtn \\- losslessly compressed tetrahedral meshes, and volumes\n");
   fmt::print(".SH SYNOPSIS\n.B gtn\n\\fIcommand\\fR [\\fIoptions\\fR] \\fIfiles\\fR\n");
   fmt::print(".SH DESCRIPTION\nA .gtn file holds a mesh of tetrahedra with all its arrays, bit for "
-             "bit, for one or more steps of time. The commands are:\n");
+             "bit, for one or more steps of time. A .ghv file holds a regular volume as Hartley "
+             "coefficients. The commands are:\n");
   for (const CLI::App* command : ChildrenOf(app))
   {
     fmt::print(".TP\n.B {}\n{}\n", command->get_name(), Escaped(SummaryOf(*command)));
   }
   for (const CLI::App* command : ChildrenOf(app))
   {
-    PrintCommand(*command);
+    PrintCommand(*command, "gtn");
   }
   fmt::print(".SH COMMON OPTIONS\n");
   PrintOptions(*ChildrenOf(app).front(), CommonGroup, false);

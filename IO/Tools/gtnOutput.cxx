@@ -81,9 +81,16 @@ TemporaryFile::TemporaryFile(const std::string& file)
 {
   std::random_device random;
   const std::filesystem::path path(file);
-  this->Name = (path.parent_path() /
-    fmt::format("{}.{:08x}{}", path.stem().string(), random(), path.extension().string()))
-                 .string();
+  std::filesystem::path stem = path.stem();
+  std::string extension = path.extension().string();
+  if (ExtensionOf(file) == ".gz")
+  {
+    // What is in it counts, too: .nii.gz.
+    extension = stem.extension().string() + extension;
+    stem = stem.stem();
+  }
+  this->Name =
+    (path.parent_path() / fmt::format("{}.{:08x}{}", stem.string(), random(), extension)).string();
 }
 
 //------------------------------------------------------------------------------

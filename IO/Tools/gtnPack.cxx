@@ -139,7 +139,7 @@ void Pack(const Options& options, const Settings& settings)
     writer->SetHierarchy(options.Hierarchy || options.Levels > 0);
     writer->SetLevels(options.Levels);
     options.Merges.Apply(writer.Get());
-    RunWriter(writer, input.GetName(), progress);
+    RunWriter(writer.Get(), input.GetName(), progress);
   }
   CheckMessages(input.GetName(), settings.Quiet);
   if (!settings.Quiet)

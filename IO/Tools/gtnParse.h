@@ -7,7 +7,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,6 +40,25 @@ std::optional<Number> Parse(std::string_view text, int base = 10)
 
 /** Throws CLI11's error for the value of an option. */
 [[noreturn]] void Refuse(const char* option, const std::string& value, const std::string& wanted);
+
+/** So many finite numbers with commas in between, or nothing. */
+template <std::size_t Count>
+std::optional<std::array<double, Count>> ParseList(std::string_view text)
+{
+  std::array<double, Count> numbers{};
+  for (std::size_t i = 0; i < Count; ++i)
+  {
+    const std::size_t end = i + 1 < Count ? text.find(',') : text.size();
+    const auto number = end == text.npos ? std::nullopt : Parse<double>(text.substr(0, end));
+    if (!number || !std::isfinite(*number))
+    {
+      return {};
+    }
+    numbers[i] = *number;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return numbers;
+}
 
 /** A finite number within limits; CLI::Range lets NaN pass. */
 CLI::Validator Between(double low, double high);

@@ -5,6 +5,7 @@
 
 #include "gtnFailure.h"
 #include "gtnImageFile.h"
+#include "gtnImageLibrary.h"
 #include "gtnOutput.h"
 #include "gtnText.h"
 
@@ -14,13 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-
-#ifdef _WIN32
-#include <windows.h>
-#else
-#include <dlfcn.h>
-#endif
 
 namespace gtn
 {
@@ -28,30 +22,6 @@ const char* const PictureFormats = ".png or .exr";
 
 namespace
 {
-
-// Next to the other libraries.
-WriteImageFunction* LoadWriter()
-{
-#ifdef _WIN32
-  const HMODULE library = ::LoadLibraryA("gtnImages.dll");
-  void* const symbol =
-    library ? reinterpret_cast<void*>(::GetProcAddress(library, WriteImageName)) : nullptr;
-  const std::string reason = "cannot load gtnImages.dll";
-#else
-  // OpenImageIO would start a thread a processor as soon as it is loaded, and end the program where
-  // that fails. The pictures are made by threads of VTK; writing them needs one.
-  ::setenv("OPENIMAGEIO_THREADS", "1", 0);
-  void* const library = ::dlopen("libgtnImages.so", RTLD_NOW | RTLD_LOCAL);
-  void* const symbol = library ? ::dlsym(library, WriteImageName) : nullptr;
-  const char* const error = symbol ? nullptr : ::dlerror();
-  const std::string reason = error ? Printable(error) : "the library gtnImages is of another gtn";
-#endif
-  if (!symbol)
-  {
-    throw Failure("cannot write images: " + reason);
-  }
-  return reinterpret_cast<WriteImageFunction*>(symbol);
-}
 
 unsigned char ToByte(double value)
 {
@@ -76,8 +46,8 @@ void AppendBytes(
   }
 }
 
-void AppendFloats(const float* rgba, float depth, const std::optional<Colour>& background,
-  std::vector<float>& floats)
+void AppendFloats(
+  const float* rgba, const std::optional<Colour>& background, std::vector<float>& floats)
 {
   for (std::size_t i = 0; i < 3; ++i)
   {
@@ -85,7 +55,6 @@ void AppendFloats(const float* rgba, float depth, const std::optional<Colour>& b
     floats.push_back(static_cast<float>(rgba[i] + through));
   }
   floats.push_back(background ? 1.F : rgba[3]);
-  floats.push_back(depth);
 }
 
 } // anonymous namespace
@@ -101,9 +70,9 @@ bool IsPicture(const std::string& file)
 void WritePicture(vtkImageData* picture, const std::optional<Colour>& background,
   const std::vector<std::pair<std::string, std::string>>& remarks, const std::string& file)
 {
-  auto* const colours = vtkFloatArray::SafeDownCast(picture->GetPointData()->GetScalars());
+  auto* const colours = vtkFloatArray::SafeDownCast(picture->GetPointData()->GetArray("RGBA"));
   auto* const depths = vtkFloatArray::SafeDownCast(picture->GetPointData()->GetArray("Depth"));
-  if (!colours || !depths)
+  if (!colours)
   {
     throw Failure(file, "there is no picture to write");
   }
@@ -115,7 +84,11 @@ void WritePicture(vtkImageData* picture, const std::optional<Colour>& background
   image.Channels = { "R", "G", "B" };
   if (!asBytes)
   {
-    image.Channels.insert(image.Channels.end(), { "A", "Z" });
+    image.Channels.emplace_back("A");
+    if (depths)
+    {
+      image.Channels.emplace_back("Z");
+    }
   }
   else if (!background)
   {
@@ -136,21 +109,21 @@ void WritePicture(vtkImageData* picture, const std::optional<Colour>& background
       }
       else
       {
-        AppendFloats(rgba, *depths->GetPointer(i), background, image.Floats);
+        AppendFloats(rgba, background, image.Floats);
+        if (depths)
+        {
+          image.Floats.push_back(depths->GetValue(i));
+        }
       }
     }
   }
 
-  static WriteImageFunction* const write = LoadWriter();
+  static auto* const write = FindImageFunction<WriteImageFunction>(WriteImageName);
   TemporaryFile temporary(file);
   std::string reason;
   if (!write(image, temporary.GetName(), reason))
   {
-    if (const auto place = reason.find(temporary.GetName()); place != reason.npos)
-    {
-      reason.replace(place, temporary.GetName().size(), file);
-    }
-    throw Failure(file, reason.empty() ? "cannot be written" : Printable(reason));
+    FailForImage(file, temporary.GetName(), reason, "cannot be written");
   }
   temporary.Commit();
 }

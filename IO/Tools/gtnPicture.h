@@ -3,7 +3,7 @@
 #ifndef gtnPicture_h
 #define gtnPicture_h
 
-// What vtkGatunRayCaster drew, as a file.
+// What vtkGatunRayCaster or vtkHartleyProjection drew, as a file.
 
 #include <array>
 #include <optional>
@@ -23,10 +23,10 @@ extern const char* const PictureFormats;
 bool IsPicture(const std::string& file);
 
 /**
- * Writes a picture, over a background or transparent. In a .png file, opacity is not multiplied
- * into the colours, as that format wants it; in an .exr file it is, and the channel Z is the depth,
- * infinite where nothing is seen. The remarks are names and texts to keep in the file. It gets its
- * name when it is complete. Throws Failure.
+ * Writes a picture, its array RGBA, over a background or transparent. In a .png file, opacity is
+ * not multiplied into the colours, as that format wants it; in an .exr file it is, and the channel
+ * Z is the array Depth, if there is one. The remarks are names and texts to keep in the file. It
+ * gets its name when it is complete. Throws Failure.
  */
 void WritePicture(vtkImageData* picture, const std::optional<Colour>& background,
   const std::vector<std::pair<std::string, std::string>>& remarks, const std::string& file);

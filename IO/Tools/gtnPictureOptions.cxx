@@ -178,7 +178,7 @@ void AddColourOptions(CLI::App* command, PictureOptions& options, const std::str
                   "stretched to the values of the array; other files are taken as they are. Values "
                   "beyond its ends are as those at the ends",
         Joined(GetPresetNames())))
-    ->option_text("FILE|PRESET [dusk]")
+    ->option_text(fmt::format("FILE|PRESET [{}]", options.TransferFunction))
     ->group(group);
   AddParsed(command, "--range", options, ParseTransferRange,
     "Stretch the transfer function, whatever it is, to these values", "LO,HI", group);

@@ -7,15 +7,20 @@
 #include "gtnText.h"
 
 #include "vtkGatunReader.h"
+#include "vtkHartleyVolumeReader.h"
 
 #include "vtkExodusIIReader.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkGenericEnSightReader.h"
 #include "vtkHDFReader.h"
+#include "vtkMetaImageReader.h"
+#include "vtkNIFTIImageReader.h"
 #include "vtkNew.h"
+#include "vtkNrrdReader.h"
 #include "vtkPLYReader.h"
 #include "vtkSTLReader.h"
 #include "vtkXMLGenericDataObjectReader.h"
+#include "vtkXMLImageDataReader.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
@@ -118,6 +123,41 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file)
   if (IsOneOf(extension, { ".case", ".encas" }))
   {
     return MakeEnSight(file);
+  }
+  if (IsOneOf(extension, { ".vtkhdf", ".hdf" }))
+  {
+    return Make<vtkHDFReader>(file);
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkAlgorithm> MakeVolumeReader(const std::string& file)
+{
+  const std::string extension = ExtensionOf(file);
+  if (extension == ".ghv")
+  {
+    return Make<vtkHartleyVolumeReader>(file);
+  }
+  if (extension == ".vti")
+  {
+    return Make<vtkXMLImageDataReader>(file);
+  }
+  if (extension == ".vtk")
+  {
+    return MakeLegacy(file);
+  }
+  if (extension == ".nii" || (extension == ".gz" && ExtensionOf(StemOf(file)) == ".nii"))
+  {
+    return Make<vtkNIFTIImageReader>(file);
+  }
+  if (IsOneOf(extension, { ".mha", ".mhd" }))
+  {
+    return Make<vtkMetaImageReader>(file);
+  }
+  if (IsOneOf(extension, { ".nrrd", ".nhdr" }))
+  {
+    return Make<vtkNrrdReader>(file);
   }
   if (IsOneOf(extension, { ".vtkhdf", ".hdf" }))
   {

@@ -16,6 +16,9 @@ namespace gtn
 /** A reader with all arrays switched on, or nullptr if the extension is not known. */
 vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file);
 
+/** The same for regular volumes, but slices. */
+vtkSmartPointer<vtkAlgorithm> MakeVolumeReader(const std::string& file);
+
 /** The same for surfaces, but those of ReadObj. */
 vtkSmartPointer<vtkAlgorithm> MakeSurfaceReader(const std::string& file);
 }

@@ -110,6 +110,12 @@ std::string FileOf(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
+std::string StemOf(const std::string& path)
+{
+  return std::filesystem::path(path).replace_extension().string();
+}
+
+//------------------------------------------------------------------------------
 std::string ExtensionOf(const std::string& path)
 {
   std::string extension = std::filesystem::path(path).extension().string();

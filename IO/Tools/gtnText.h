@@ -30,6 +30,9 @@ std::string Joined(const std::vector<std::string>& parts, std::string_view separ
 /** The part of a path after its last slash. */
 std::string FileOf(const std::string& path);
 
+/** A path without its extension. */
+std::string StemOf(const std::string& path);
+
 /** The extension of a path in lower case, with its dot, or nothing. */
 std::string ExtensionOf(const std::string& path);
 }

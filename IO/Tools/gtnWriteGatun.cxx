@@ -8,6 +8,7 @@
 #include "gtnProgress.h"
 
 #include "vtkGatunWriter.h"
+#include "vtkHartleyVolumeWriter.h"
 
 #include "vtkErrorCode.h"
 #include "vtkNew.h"
@@ -16,7 +17,8 @@
 namespace gtn
 {
 //------------------------------------------------------------------------------
-void RunWriter(vtkGatunWriter* writer, const std::string& inputName, Progress& progress)
+template <typename Writer>
+void RunWriter(Writer* writer, const std::string& inputName, Progress& progress)
 {
   // Whoever gets here without -f has no such file.
   writer->ReplaceReadOnlyOn();
@@ -31,7 +33,7 @@ void RunWriter(vtkGatunWriter* writer, const std::string& inputName, Progress& p
   const std::string file = writer->GetFileName();
   const std::string reason = errors.empty() ? "cannot write" : errors.front();
   const unsigned long code = writer->GetErrorCode();
-  const bool inputIsToBlame = code == vtkGatunWriter::WrongInputError ||
+  const bool inputIsToBlame = code == Writer::WrongInputError ||
     (code == vtkErrorCode::UnknownError && !reason.starts_with(file));
   if (inputIsToBlame && reason.starts_with(file + ": "))
   {
@@ -40,12 +42,15 @@ void RunWriter(vtkGatunWriter* writer, const std::string& inputName, Progress& p
   throw Failure(inputIsToBlame ? inputName : file, reason);
 }
 
+template void RunWriter(vtkGatunWriter*, const std::string&, Progress&);
+template void RunWriter(vtkHartleyVolumeWriter*, const std::string&, Progress&);
+
 //------------------------------------------------------------------------------
 void WriteGatun(vtkUnstructuredGrid* grid, const std::string& file, Progress& progress)
 {
   vtkNew<vtkGatunWriter> writer;
   writer->SetInputData(grid);
   writer->SetFileName(file.c_str());
-  RunWriter(writer, file, progress);
+  RunWriter(writer.Get(), file, progress);
 }
 }

@@ -5,16 +5,16 @@
 
 #include <string>
 
-class vtkGatunWriter;
 class vtkUnstructuredGrid;
 
 namespace gtn
 {
 class Progress;
 
-/** Lets a writer write whose input and file name are set. Throws Failure for inputName or for the
- * file, whichever is to blame, and Interrupted. */
-void RunWriter(vtkGatunWriter* writer, const std::string& inputName, Progress& progress);
+/** Lets a vtkGatunWriter or vtkHartleyVolumeWriter write whose input and file name are set. Throws
+ * Failure for inputName or for the file, whichever is to blame, and Interrupted. */
+template <typename Writer>
+void RunWriter(Writer* writer, const std::string& inputName, Progress& progress);
 
 /** Writes a grid with the writer's defaults. Throws likewise. */
 void WriteGatun(vtkUnstructuredGrid* grid, const std::string& file, Progress& progress);
