@@ -71,8 +71,9 @@ void FillImage(const HartleyPicture& picture, const PictureOutput& options,
   colours->SetNumberOfComponents(4);
   colours->SetNumberOfTuples(pixels);
   const vtkNew<vtkFloatArray> rgba = MakeFloats("RGBA", 4, options.Floats ? pixels : 0);
-  const vtkNew<vtkFloatArray> sums = MakeFloats("Sum", 1, options.Floats ? pixels : 0);
-  const vtkNew<vtkFloatArray> samples = MakeFloats("Samples", 1, options.Floats ? pixels : 0);
+  const bool hasSums = options.Floats && !picture.Sums.empty();
+  const vtkNew<vtkFloatArray> sums = MakeFloats("Sum", 1, hasSums ? pixels : 0);
+  const vtkNew<vtkFloatArray> samples = MakeFloats("Samples", 1, hasSums ? pixels : 0);
   vtkIdType to = 0;
   for (int row = extent[2]; pixels > 0 && row <= extent[3]; ++row)
   {
@@ -86,18 +87,23 @@ void FillImage(const HartleyPicture& picture, const PictureOutput& options,
       if (options.Floats)
       {
         std::copy(pixel.begin(), pixel.end(), rgba->GetPointer(4 * to));
+      }
+      if (hasSums)
+      {
         sums->SetValue(to, picture.Sums[from]);
         samples->SetValue(to, picture.Samples[from]);
       }
     }
   }
   image->GetPointData()->SetScalars(colours);
-  for (vtkFloatArray* const array : { rgba.Get(), sums.Get(), samples.Get() })
+  if (options.Floats)
   {
-    if (options.Floats)
-    {
-      image->GetPointData()->AddArray(array);
-    }
+    image->GetPointData()->AddArray(rgba);
+  }
+  if (hasSums)
+  {
+    image->GetPointData()->AddArray(sums);
+    image->GetPointData()->AddArray(samples);
   }
 }
 }

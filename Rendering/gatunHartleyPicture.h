@@ -16,7 +16,7 @@ namespace gatun
 struct PictureOutput
 {
   std::optional<std::array<double, 3>> Background; ///< red, green, blue; none: transparent
-  bool Floats = false;                             ///< the arrays RGBA, Sum and Samples, too
+  bool Floats = false; ///< the other arrays, too, as far as the picture has them
 };
 
 /** Fills an image with a part of a picture, as vtkHartleyProjection describes its arrays. */

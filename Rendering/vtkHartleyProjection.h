@@ -23,8 +23,10 @@
  * and with OutputFloats besides
  *
  *  - RGBA (float, 4 components): the same with opacity multiplied in, 0 to 1;
- *  - Sum (float): what the values along the ray add up to, one a SampleDistance, counted from 0;
- *  - Samples (float): how many of them lie in the volume. Sum / Samples is the mean value.
+ *  - Sum (float), under LAW_XRAY: what the values along the ray add up to, one a SampleDistance,
+ * counted from 0;
+ *  - Samples (float), under LAW_XRAY: how many of them lie in the volume. Sum / Samples is the mean
+ * value.
  *
  * *Rays.* The volume is the trilinear one of its voxels, and sums are integrals over it: nothing is
  * missed between samples, and nothing depends on where they lie. Under LAW_EXPONENTIAL a block's
@@ -207,7 +209,7 @@ public:
 
   ///@{
   /**
-   * Whether the output has the arrays RGBA, Sum and Samples, too. Default: off.
+   * Whether the output has more than Color: RGBA, and under LAW_XRAY Sum and Samples. Default: off.
    */
   vtkSetMacro(OutputFloats, bool);
   vtkGetMacro(OutputFloats, bool);
