@@ -4,6 +4,7 @@
 
 #include "gatunError.h"
 #include "gatunHartleyBasis.h"
+#include "gatunHartleyChunks.h"
 #include "gatunHartleyKernel.h"
 #include "gatunHartleyPaperSlice.h"
 #include "gatunHartleySlab.h"
@@ -100,6 +101,7 @@ struct HartleyProjector::Internals
   std::map<Triple, std::vector<float>> Units;
 
   std::shared_ptr<HartleySpectra> Spectra;
+  std::optional<HartleyChunks> Chunks;
 
   HartleyMethod GetMethod() const;
   void Prepare(const HartleyView& view, const std::function<bool(double)>& progress);
@@ -119,66 +121,6 @@ struct HartleyProjector::Internals
 
 namespace
 {
-//------------------------------------------------------------------------------
-std::size_t GetNumberInChunk(const HartleyLayout& layout, std::size_t chunk, const Triple& place)
-{
-  const auto box = layout.GetBlocksOfChunk(chunk);
-  const std::size_t width = box.End[0] - box.First[0];
-  const std::size_t height = box.End[1] - box.First[1];
-  return ((place[2] - box.First[2]) * height + place[1] - box.First[1]) * width + place[0] -
-    box.First[0];
-}
-
-//------------------------------------------------------------------------------
-/** The chunks that blocks of a slab are in, each got from the source once. */
-class ChunkHolder
-{
-public:
-  explicit ChunkHolder(const HartleySource& source)
-    : Source(source)
-    , Layout(source.GetLayout())
-  {
-  }
-
-  /** Gets those that blocks are in, and lets the others go. */
-  void Load(std::span<const Triple> blocks)
-  {
-    std::map<std::size_t, std::shared_ptr<const HartleyChunk>> wanted;
-    for (const Triple& place : blocks)
-    {
-      wanted.try_emplace(this->Layout.GetChunkOfBlock(place));
-    }
-    std::vector<std::pair<const std::size_t, std::shared_ptr<const HartleyChunk>>*> missing;
-    for (auto& one : wanted)
-    {
-      const auto found = this->Chunks.find(one.first);
-      if (found != this->Chunks.end())
-      {
-        one.second = found->second;
-      }
-      else
-      {
-        missing.push_back(&one);
-      }
-    }
-    this->Chunks = {};
-    ParallelFor(missing.size(),
-      [&](std::size_t i) { missing[i]->second = this->Source.GetChunk(missing[i]->first); });
-    this->Chunks = std::move(wanted);
-  }
-
-  std::span<const HartleyTerm> GetTerms(const Triple& place) const
-  {
-    const std::size_t chunk = this->Layout.GetChunkOfBlock(place);
-    return this->Chunks.at(chunk)->GetBlock(GetNumberInChunk(this->Layout, chunk, place));
-  }
-
-private:
-  const HartleySource& Source;
-  const HartleyLayout& Layout;
-  std::map<std::size_t, std::shared_ptr<const HartleyChunk>> Chunks;
-};
-
 //------------------------------------------------------------------------------
 /** A block of a slab on its way to the picture. */
 struct Job
@@ -409,7 +351,7 @@ void HartleyProjector::Internals::UseSpectra(const SpectrumPlan& plan)
 {
   if (!this->Spectra || !(this->Spectra->GetPlan() == plan))
   {
-    this->Spectra = std::make_shared<HartleySpectra>(plan, this->Options.SpectrumBytes);
+    this->Spectra = std::make_shared<HartleySpectra>(plan, this->Options.CacheBytes);
   }
 }
 
@@ -474,6 +416,9 @@ HartleyProjector::HartleyProjector(
   this->Data->Source = std::move(source);
   this->Data->Layout = this->Data->Source->GetLayout();
   this->Data->Options = options;
+  // Of slices, spectra are kept instead.
+  this->Data->Chunks.emplace(
+    *this->Data->Source, this->Data->GetMethod() == HartleyMethod::Basis ? options.CacheBytes : 0);
 }
 
 //------------------------------------------------------------------------------
@@ -517,7 +462,6 @@ HartleyPicture HartleyProjector::Draw(const HartleyView& view, const HartleyShad
   const bool xray = shading.Law == HartleyLaw::XRay;
   picture.Colours.assign(std::size_t{ view.Width } * view.Height, { 0, 0, 0, xray ? 0.0f : 1.0f });
 
-  ChunkHolder chunks(*data.Source);
   HartleySlab slab;
   std::vector<float> pictures;
   std::vector<Triple> places;
@@ -552,7 +496,7 @@ HartleyPicture HartleyProjector::Draw(const HartleyView& view, const HartleyShad
           descending[1] ? end[1] - 1 - row : first[1] + row, along));
       }
     }
-    chunks.Load(places);
+    data.Chunks->Load(places);
 
     const std::size_t points = lattice.GetNumberOfPoints();
     const std::size_t rowsAtOnce =
@@ -565,7 +509,7 @@ HartleyPicture HartleyProjector::Draw(const HartleyView& view, const HartleyShad
       pictures.resize(std::max(pictures.size(), (to - from) * points));
       for (const Triple& place : std::span(places).subspan(from, to - from))
       {
-        const auto terms = chunks.GetTerms(place);
+        const auto terms = data.Chunks->GetTerms(place);
         if (terms.empty() && lookup.IsBaseClear() && !xray)
         {
           continue;

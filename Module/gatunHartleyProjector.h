@@ -46,8 +46,10 @@ struct HartleyOptions
   /** Size of a block with the zeros around it, for spectra, in sizes of the block; 1 to 8. */
   double Padding = 2;
 
-  /** How much memory the spectra of blocks may take from one picture to the next, in bytes. */
-  std::uint64_t SpectrumBytes = std::uint64_t{ 1 } << 30;
+  /** How much memory may be kept from one picture to the next, in bytes: for the coefficients of
+   * chunks that have been used, or, of slices, for spectra of blocks. What is in memory already, as
+   * that of a HartleyVolume, counts as well but takes no more. */
+  std::uint64_t CacheBytes = std::uint64_t{ 1 } << 30;
 };
 
 /** Densities to colours. Colours and opacities of a sample, evenly spaced from First to Last. */

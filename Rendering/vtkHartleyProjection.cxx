@@ -216,10 +216,10 @@ void vtkHartleyProjection::vtkInternals::MakeProjector(const vtkHartleyProjectio
   options.Method = static_cast<gatun::HartleyMethod>(self->Method);
   options.Kernel = static_cast<gatun::HartleyKernel>(self->Kernel);
   options.Padding = self->Padding;
-  options.SpectrumBytes = static_cast<std::uint64_t>(self->MemoryBudget) << 20;
+  options.CacheBytes = static_cast<std::uint64_t>(self->MemoryBudget) << 20;
   const gatun::HartleyOptions& old = this->Options;
   if (!this->Projector || options.Method != old.Method || options.Kernel != old.Kernel ||
-    options.Padding != old.Padding || options.SpectrumBytes != old.SpectrumBytes)
+    options.Padding != old.Padding || options.CacheBytes != old.CacheBytes)
   {
     this->Projector.reset();
     this->Projector = std::make_unique<gatun::HartleyProjector>(this->Source, options);

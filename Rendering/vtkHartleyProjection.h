@@ -293,8 +293,9 @@ public:
 
   ///@{
   /**
-   * How much memory spectra of blocks may take from one picture to the next, by METHOD_SLICE, in
-   * MiB. Beyond it, they are made anew each time. Default: 1024.
+   * How much memory may be kept from one picture to the next, in MiB: the coefficients of a file's
+   * chunks, or, by METHOD_SLICE, spectra of blocks. What does not fit is decoded, or made, anew for
+   * each picture. Default: 1024.
    */
   vtkSetClampMacro(MemoryBudget, int, 0, VTK_INT_MAX);
   vtkGetMacro(MemoryBudget, int);
