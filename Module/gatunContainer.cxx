@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunContainer.h"
 
-#include "gatunVersion.h"
-
 #include <xxhash.h>
 #include <zstd.h>
 #include <zstd_errors.h>
@@ -12,6 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <memory>
 #include <new>
@@ -60,11 +59,11 @@ SectionRef GetSectionHeader(ByteReader& in)
   return section;
 }
 
-Bytes MakeHeader(std::uint16_t minorVersion)
+Bytes MakeHeader(const ContainerKind& kind, std::uint16_t minorVersion)
 {
   ByteWriter header;
-  header.PutBytes(FileMagic);
-  header.Put(static_cast<std::uint16_t>(GATUN_FORMAT_VERSION_MAJOR));
+  header.PutBytes(kind.FileMagic);
+  header.Put(kind.Major);
   header.Put(minorVersion);
   header.Put(std::uint32_t{ 0 });
   return std::move(header.Data);
@@ -76,19 +75,6 @@ std::uint64_t SumOfFrame(std::span<const std::uint8_t> header, const Bytes& dire
   Bytes both(header.begin(), header.end());
   both.insert(both.end(), directory.begin(), directory.end());
   return Checksum(both);
-}
-
-bool IsKnown(FourCC name)
-{
-  return name == SectionMeta || name == SectionMesh || name == SectionTable ||
-    name == SectionValues || name == SectionStep || name == SectionTree || name == SectionMerges ||
-    name == SectionTreeStep || name == SectionLevel || name == SectionLayers ||
-    name == SectionDirectory;
-}
-
-bool IsReadable(const SectionRef& section)
-{
-  return IsKnown(section.Name) && section.Version == SectionVersion;
 }
 
 /** Where a link leads that leads to nothing yet; other paths as they are. */
@@ -148,6 +134,26 @@ void CheckReplaceable(const std::string& path, ::mode_t mode)
   }
   ::close(handle);
 }
+}
+
+bool BeginsAs(const std::string& path, const ContainerKind& kind) noexcept
+{
+  try
+  {
+    if (!std::filesystem::is_regular_file(path))
+    {
+      return false; // opening a pipe would wait for its other end
+    }
+    std::ifstream in(path, std::ios::binary);
+    std::array<char, FileMagic.size()> begin{};
+    return in.read(begin.data(), begin.size()) &&
+      std::equal(begin.begin(), begin.end(), kind.FileMagic.begin(),
+        [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
+  }
+  catch (...)
+  {
+    return false;
+  }
 }
 
 std::uint64_t Checksum(std::span<const std::uint8_t> bytes)
@@ -214,8 +220,10 @@ Bytes Decompress(std::span<const std::uint8_t> bytes, std::uint64_t limit)
 }
 
 //--------------------------------------------------------------------------------------------------
-OutputFile::OutputFile(const std::string& path, bool replaceReadOnly, std::uint16_t minorVersion)
-  : Path(path)
+OutputFile::OutputFile(const std::string& path, bool replaceReadOnly, std::uint16_t minorVersion,
+  const ContainerKind& kind)
+  : Kind(kind)
+  , Path(path)
   , Target(path)
 {
   struct stat old
@@ -253,7 +261,8 @@ OutputFile::OutputFile(const std::string& path, bool replaceReadOnly, std::uint1
 }
 
 OutputFile::OutputFile(const OutputFile& whole, std::uint16_t minorVersion)
-  : Path(whole.Path)
+  : Kind(whole.Kind)
+  , Path(whole.Path)
   , Target(whole.Target)
 {
   this->Begin(minorVersion);
@@ -271,7 +280,7 @@ void OutputFile::Begin(std::uint16_t minorVersion)
     this->Fail(std::strerror(errno));
   }
   this->Temporary = name;
-  this->Header = MakeHeader(minorVersion);
+  this->Header = MakeHeader(this->Kind, minorVersion);
   try
   {
     this->Write(this->Header);
@@ -392,7 +401,7 @@ void OutputFile::WriteEnd()
   trailer.Put(this->AddSection(SectionDirectory, directory.Data));
   trailer.Put(static_cast<std::uint64_t>(directory.Data.size()));
   trailer.Put(SumOfFrame(this->Header, directory.Data));
-  trailer.PutBytes(TrailerMagic);
+  trailer.PutBytes(this->Kind.TrailerMagic);
   this->Write(trailer.Data);
 }
 
@@ -414,8 +423,9 @@ std::uint64_t OutputFile::Commit()
 }
 
 //--------------------------------------------------------------------------------------------------
-InputFile::InputFile(const std::string& path)
-  : Path(path)
+InputFile::InputFile(const std::string& path, const ContainerKind& kind)
+  : Kind(kind)
+  , Path(path)
 {
   // Without O_NONBLOCK, opening a pipe would wait for its other end.
   this->Handle = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
@@ -445,7 +455,8 @@ InputFile::InputFile(const std::string& path)
 }
 
 InputFile::InputFile(const InputFile& whole, const StreamRef& section, const std::string& name)
-  : Path(whole.Path + ", " + name)
+  : Kind(whole.Kind)
+  , Path(whole.Path + ", " + name)
   , Base(whole.Base + section.Offset)
   , Size(section.Length)
 {
@@ -548,32 +559,41 @@ void InputFile::CheckSum(const StreamRef& stream, const std::string& what) const
   }
 }
 
+bool InputFile::IsReadable(const SectionRef& section) const
+{
+  const auto& known = this->Kind.Sections;
+  return std::find(known.begin(), known.end(), section.Name) != known.end() &&
+    section.Version == SectionVersion;
+}
+
 void InputFile::ReadDirectory()
 {
   std::array<std::uint8_t, HeaderSize> header{};
   const auto beginning = std::span(header).first(
     static_cast<std::size_t>(std::min<std::uint64_t>(HeaderSize, this->Size)));
   this->ReadAt(0, beginning);
-  if (this->Size < FileMagic.size() ||
-    !std::equal(FileMagic.begin(), FileMagic.end(), header.begin()))
+  const auto& magic = this->Kind.FileMagic;
+  if (this->Size < magic.size() || !std::equal(magic.begin(), magic.end(), header.begin()))
   {
     // A base mesh stands in a file that is one, which is damaged then.
     this->Fail(this->Base == 0 ? ErrorCode::NotGatun : ErrorCode::Corrupt,
-      this->Size == 0 ? "the file is empty" : "this is not a .gtn file (its first bytes differ)");
+      this->Size == 0
+        ? "the file is empty"
+        : "this is not a " + std::string(this->Kind.Suffix) + " file (its first bytes differ)");
   }
   if (this->Size < HeaderSize + TrailerSize)
   {
     this->Fail(ErrorCode::Truncated,
       "the file is truncated: " + std::to_string(this->Size) + " bytes are too few");
   }
-  ByteReader in(std::span<const std::uint8_t>(header).subspan(FileMagic.size()));
+  ByteReader in(std::span<const std::uint8_t>(header).subspan(magic.size()));
   this->Major = in.Get<std::uint16_t>();
   this->Minor = in.Get<std::uint16_t>();
-  if (this->Major != GATUN_FORMAT_VERSION_MAJOR)
+  if (this->Major != this->Kind.Major)
   {
     this->Fail(ErrorCode::UnsupportedVersion,
       "version " + std::to_string(this->Major) + "." + std::to_string(this->Minor) +
-        " of the format is not supported, only " + std::to_string(GATUN_FORMAT_VERSION_MAJOR) +
+        " of the format is not supported, only " + std::to_string(this->Kind.Major) +
         ".x; a newer version of Gatun may read it");
   }
   if (in.Get<std::uint32_t>() != 0)
@@ -588,8 +608,9 @@ void InputFile::ReadDirectory()
   directory.Payload.Offset = end.Get<std::uint64_t>();
   directory.Payload.Length = end.Get<std::uint64_t>();
   const auto sum = end.Get<std::uint64_t>();
-  const auto magic = end.GetBytes(TrailerMagic.size());
-  if (!std::equal(TrailerMagic.begin(), TrailerMagic.end(), magic.begin()))
+  const auto& endMagic = this->Kind.TrailerMagic;
+  const auto last = end.GetBytes(endMagic.size());
+  if (!std::equal(endMagic.begin(), endMagic.end(), last.begin()))
   {
     this->Fail(ErrorCode::Truncated,
       "the file does not end as it should; it is truncated, or damaged in its last bytes (size " +
@@ -619,7 +640,7 @@ void InputFile::ReadDirectory()
     {
       auto section = GetSectionHeader(list);
       section.Payload.Offset = list.Get<std::uint64_t>();
-      if (!IsReadable(section) && (section.Flags & FlagMandatory))
+      if (!this->IsReadable(section) && (section.Flags & FlagMandatory))
       {
         this->Fail(ErrorCode::UnsupportedVersion,
           "the file has a section '" + ToText(section.Name) + "' (version " +
@@ -648,7 +669,7 @@ std::vector<StreamRef> InputFile::FindSections(FourCC name) const
   std::vector<StreamRef> found;
   for (const auto& section : this->Sections)
   {
-    if (section.Name == name && IsReadable(section))
+    if (section.Name == name && this->IsReadable(section))
     {
       found.push_back(section.Payload);
     }

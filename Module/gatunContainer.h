@@ -5,6 +5,7 @@
 // Bytes on disk: the file's header, sections, directory and trailer. See Documentation/format.md.
 
 #include "gatunBytes.h"
+#include "gatunVersion.h"
 
 #include <array>
 #include <atomic>
@@ -41,6 +42,30 @@ constexpr FourCC SectionLevel = MakeFourCC("LEVL");     // a simpler mesh, a fil
 constexpr FourCC SectionLayers = MakeFourCC("LAYR");    // by which values chunks were made
 constexpr FourCC SectionDirectory = MakeFourCC("DIRY"); // where the sections are
 
+constexpr FourCC SectionBlocks = MakeFourCC("BLKS"); // streams of blocks of a volume
+
+/** What files of a kind begin and end with, and what may be in them. */
+struct ContainerKind
+{
+  const char* Suffix;
+  std::array<std::uint8_t, 8> FileMagic;
+  std::array<std::uint8_t, 8> TrailerMagic;
+  std::uint16_t Major; ///< version
+  std::span<const FourCC> Sections;
+};
+
+inline constexpr std::array MeshSections{ SectionMeta, SectionMesh, SectionTable, SectionValues,
+  SectionStep, SectionTree, SectionMerges, SectionTreeStep, SectionLevel, SectionLayers,
+  SectionDirectory };
+inline constexpr ContainerKind MeshContainer{ ".gtn", FileMagic, TrailerMagic,
+  GATUN_FORMAT_VERSION_MAJOR, MeshSections };
+
+inline constexpr std::array VolumeSections{ SectionMeta, SectionBlocks, SectionTable,
+  SectionDirectory };
+inline constexpr ContainerKind VolumeContainer{ ".ghv",
+  { 0x89, 'G', 'H', 'V', '\r', '\n', 0x1a, '\n' }, { 'G', 'H', 'V', 'E', 'N', 'D', '\r', '\n' },
+  GATUN_VOLUME_FORMAT_VERSION_MAJOR, VolumeSections };
+
 constexpr std::uint16_t SectionVersion = 1;
 constexpr std::uint16_t FlagMandatory = 1; // a reader that does not know the section must stop
 
@@ -48,6 +73,9 @@ constexpr std::uint16_t FlagMandatory = 1; // a reader that does not know the se
 constexpr std::uint16_t MinorVersionPlain = 0;
 constexpr std::uint16_t MinorVersionWithTree = 1;
 constexpr std::uint16_t MinorVersionWithLayers = 2;
+
+/** Whether a regular file begins as those of a kind do. */
+bool BeginsAs(const std::string& path, const ContainerKind& kind) noexcept;
 
 std::uint64_t Checksum(std::span<const std::uint8_t> bytes);
 
@@ -79,7 +107,8 @@ class OutputFile
 {
 public:
   /** replaceReadOnly: also where an existing file may not be written. */
-  OutputFile(const std::string& path, bool replaceReadOnly, std::uint16_t minorVersion);
+  OutputFile(const std::string& path, bool replaceReadOnly, std::uint16_t minorVersion,
+    const ContainerKind& kind = MeshContainer);
 
   /** A file that becomes a section of another one; it never has a name. */
   OutputFile(const OutputFile& whole, std::uint16_t minorVersion);
@@ -104,6 +133,7 @@ private:
   void Write(std::span<const std::uint8_t> bytes);
   [[noreturn]] void Fail(const std::string& what) const;
 
+  const ContainerKind& Kind;
   std::string Path;      // as given, for messages
   std::string Target;    // where links lead
   std::string Temporary; // empty after Commit
@@ -117,7 +147,7 @@ private:
 class InputFile
 {
 public:
-  explicit InputFile(const std::string& path);
+  explicit InputFile(const std::string& path, const ContainerKind& kind = MeshContainer);
 
   /** A file that is a section of another one; name is what messages say of it. */
   InputFile(const InputFile& whole, const StreamRef& section, const std::string& name);
@@ -152,10 +182,12 @@ public:
 
 private:
   void ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const;
+  bool IsReadable(const SectionRef& section) const;
   void ReadDirectory();
   void CheckInside(const StreamRef& stream, const std::string& what) const;
   [[noreturn]] void FailSum(const StreamRef& stream, const std::string& what) const;
 
+  const ContainerKind& Kind;
   std::string Path;
   int Handle = -1;
   std::uint64_t Base = 0; // where it begins in the file that has a name

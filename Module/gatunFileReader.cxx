@@ -8,8 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
-#include <fstream>
 
 namespace gatun
 {
@@ -259,22 +257,7 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
 //--------------------------------------------------------------------------------------------------
 bool FileReader::CanRead(const std::string& path) noexcept
 {
-  try
-  {
-    if (!std::filesystem::is_regular_file(path))
-    {
-      return false; // opening a pipe would wait for its other end
-    }
-    std::ifstream in(path, std::ios::binary);
-    std::array<char, FileMagic.size()> begin{};
-    return in.read(begin.data(), begin.size()) &&
-      std::equal(begin.begin(), begin.end(), FileMagic.begin(),
-        [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
-  }
-  catch (...)
-  {
-    return false;
-  }
+  return BeginsAs(path, MeshContainer);
 }
 
 FileReader::FileReader(const std::string& path)

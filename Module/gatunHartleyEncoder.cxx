@@ -3,11 +3,16 @@
 #include "gatunHartleyEncoder.h"
 
 #include "gatunError.h"
+#include "gatunHartleyBlocks.h"
+#include "gatunHartleyCodec.h"
+#include "gatunHartleyCorrections.h"
 #include "gatunHartleyTransform.h"
 #include "gatunParallel.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <string>
 
 namespace gatun
@@ -25,38 +30,82 @@ constexpr double StepOfIntegers = 1;
 constexpr double StepOfFloat32 = 1.0 / (1 << 24);
 constexpr double StepOfFloat64 = 1.0 / (std::uint64_t{ 1 } << 46);
 
-// How much smaller than asked for an error may come out.
+// How much smaller than asked for an error may come out, and how far off a rate.
 constexpr double ErrorTolerance = 0.98;
+constexpr double RateTolerance = 0.01;
 constexpr int MostAttempts = 12;
 
-/** Blocks of a chunk, with their place in it. */
-template <typename Visit>
-void ForEachBlock(const HartleyLayout& layout, std::size_t chunk, Visit&& visit)
+/**
+ * Finds a step with which something that grows with it is between two bounds. Steps known to be
+ * good and bad close in on each other.
+ */
+class StepSearch
 {
-  const auto box = layout.GetBlocksOfChunk(chunk);
-  std::size_t block = 0;
-  for (auto z = box.First[2]; z < box.End[2]; ++z)
+public:
+  StepSearch(double low, double high, double largest)
+    : Low(low)
+    , High(high)
+    , Largest(largest)
   {
-    for (auto y = box.First[1]; y < box.End[1]; ++y)
+  }
+
+  /** The best step found, beginning with first: one with which what is measured is in the bounds,
+   * or else is less. measure(step, number of the attempt). */
+  template <typename Measure>
+  double Find(double first, Measure&& measure) const
+  {
+    const double aim = (this->Low + this->High) / 2;
+    double step = std::min(first, this->Largest);
+    double good = 0;
+    double bad = 0;
+    double ofGood = 0;
+    double ofBad = 0;
+    for (int i = 0; i < MostAttempts || (good == 0 && i < 10 * MostAttempts); ++i)
     {
-      for (auto x = box.First[0]; x < box.End[0]; ++x)
+      const double measured = measure(step, i);
+      if (measured <= this->High)
       {
-        visit(block, HartleyLayout::Triple{ x, y, z });
-        ++block;
+        good = step;
+        ofGood = measured;
+        if (measured >= this->Low || step >= this->Largest)
+        {
+          return good;
+        }
+      }
+      else
+      {
+        bad = step;
+        ofBad = measured;
+      }
+      if (good == 0)
+      {
+        step = bad * std::clamp(aim / ofBad, 0.1, 0.99);
+      }
+      else if (bad == 0)
+      {
+        step =
+          std::min(this->Largest, good * (ofGood > 0 ? std::clamp(aim / ofGood, 1.01, 4.0) : 4.0));
+      }
+      else
+      {
+        // Between the two by what was measured, but never next to one of them.
+        const double place = ofGood > 0 ? std::log(aim / ofGood) / std::log(ofBad / ofGood) : 0.5;
+        step = good * std::pow(bad / good, std::clamp(place, 0.05, 0.95));
       }
     }
+    return good > 0 ? good : step;
   }
-}
 
-std::size_t CountBlocks(const HartleyLayout& layout, std::size_t chunk)
+private:
+  double Low;
+  double High;
+  double Largest;
+};
+
+double CountFilled(const HartleyLayout& layout, const HartleyLayout::Triple& place)
 {
-  const auto box = layout.GetBlocksOfChunk(chunk);
-  std::size_t count = 1;
-  for (unsigned axis = 0; axis < 3; ++axis)
-  {
-    count *= box.End[axis] - box.First[axis];
-  }
-  return count;
+  const auto filled = layout.GetFilled(place);
+  return static_cast<double>(filled[0]) * filled[1] * filled[2];
 }
 
 /** A part of the progress of the whole. */
@@ -68,6 +117,13 @@ HartleyEncoder::Progress GetPart(
     return {};
   }
   return [=](double done) { return progress(first + done * (last - first)); };
+}
+
+/** That of one attempt of a search, which seldom needs many. */
+HartleyEncoder::Progress GetAttempt(const HartleyEncoder::Progress& progress, int count)
+{
+  const auto begin = [](int i) { return 1 - std::exp2(-0.5 * i); };
+  return GetPart(progress, begin(count), begin(count + 1));
 }
 }
 
@@ -104,6 +160,10 @@ HartleyEncoder::HartleyEncoder(const VolumeInput& input, std::uint32_t blockSize
       }
       else if (!IsFloating(input.Type))
       {
+        if (range > LargestLosslessRange)
+        {
+          ThrowInvalid("the voxels range over more than 2^40, which is too much to be lossless");
+        }
         this->SetStep(StepOfIntegers);
       }
       else
@@ -115,7 +175,8 @@ HartleyEncoder::HartleyEncoder(const VolumeInput& input, std::uint32_t blockSize
       this->FindStepOfError(range * std::pow(10.0, -quality.Value / 20), GetPart(progress, 0.3, 1));
       break;
     case HartleyQuality::Goal::Rate:
-      ThrowInvalid("not yet");
+      this->FindStepOfRate(quality.Value, GetPart(progress, 0.3, 1));
+      break;
   }
 }
 
@@ -174,7 +235,7 @@ void HartleyEncoder::Transform(const Progress& progress)
     return;
   }
   std::vector<std::vector<double>> kept(count);
-  ParallelFor(
+  ForEachHartleyChunk(
     count, [&](std::size_t chunk) { kept[chunk] = this->GetCoefficients(chunk); }, progress);
   this->Kept = std::move(kept);
 }
@@ -183,9 +244,9 @@ void HartleyEncoder::Transform(const Progress& progress)
 std::vector<double> HartleyEncoder::GetCoefficients(std::size_t chunk) const
 {
   const auto voxels = this->Layout.GetVoxelsPerBlock();
-  std::vector<double> values(CountBlocks(this->Layout, chunk) * voxels);
+  std::vector<double> values(CountHartleyBlocks(this->Layout, chunk) * voxels);
   HartleyTransform transform(this->Layout.Block);
-  ForEachBlock(this->Layout, chunk,
+  ForEachHartleyBlock(this->Layout, chunk,
     [&](std::size_t block, const HartleyLayout::Triple& place)
     {
       const auto own = std::span(values).subspan(block * voxels, voxels);
@@ -277,12 +338,9 @@ double HartleyEncoder::GetSampleError() const
           squares[i] += error * error;
         }
       }
-      ForEachBlock(this->Layout, this->Sample[i],
+      ForEachHartleyBlock(this->Layout, this->Sample[i],
         [&](std::size_t, const HartleyLayout::Triple& place)
-        {
-          const auto filled = this->Layout.GetFilled(place);
-          counts[i] += static_cast<double>(filled[0]) * filled[1] * filled[2];
-        });
+        { counts[i] += CountFilled(this->Layout, place); });
     });
   double sum = 0;
   double count = 0;
@@ -298,7 +356,7 @@ double HartleyEncoder::GetSampleError() const
 double HartleyEncoder::GetError(const Progress& progress) const
 {
   std::vector<VoxelErrors> errors(this->Layout.GetNumberOfChunks());
-  ParallelFor(
+  ForEachHartleyChunk(
     errors.size(),
     [&](std::size_t chunk) { errors[chunk] = this->GetErrors(chunk, this->GetIntegers(chunk)); },
     progress);
@@ -311,72 +369,83 @@ double HartleyEncoder::GetError(const Progress& progress) const
 }
 
 //--------------------------------------------------------------------------------------------------
+/** With this step all coefficients are 0. */
+double HartleyEncoder::GetLargestStep() const
+{
+  return 4 * (this->Values.Max - this->Values.Min) *
+    std::sqrt(static_cast<double>(this->Layout.GetVoxelsPerBlock()));
+}
+
+//--------------------------------------------------------------------------------------------------
 /** The largest step, nearly, with which the error is not larger than asked for. */
 void HartleyEncoder::FindStepOfError(double target, const Progress& progress)
 {
-  // With this step all coefficients are 0.
-  const double largest = 4 * (this->Values.Max - this->Values.Min) *
-    std::sqrt(static_cast<double>(this->Layout.GetVoxelsPerBlock()));
-  double step = std::min(target * std::sqrt(12.0), largest);
-
-  // The error before rounding, of the sample.
-  for (int i = 0; i < MostAttempts; ++i)
-  {
-    this->SetStep(step);
-    const double error = this->GetSampleError();
-    if (error > ErrorTolerance * target && error <= target)
+  const double largest = this->GetLargestStep();
+  StepSearch search(ErrorTolerance * target, target, largest);
+  // The error before rounding, of the sample, tells nearly where to look.
+  double step = search.Find(std::min(target * std::sqrt(12.0), largest),
+    [&](double attempt, int)
     {
-      break;
-    }
-    const double factor = error > 0 ? target * (1 + ErrorTolerance) / (2 * error) : 2;
-    // Few coefficients are left where steps are coarse, so that the error hardly grows with them.
-    step = std::min(largest, step * std::clamp(factor > 1 ? factor * factor : factor, 0.25, 4.0));
-  }
-
-  // That of all voxels as they come back. Steps known to be good and bad close in on each other.
-  double good = 0;
-  double bad = 0;
-  double errorOfGood = 0;
-  double errorOfBad = 0;
-  for (int i = 0; i < MostAttempts || good == 0; ++i)
-  {
-    this->SetStep(step);
-    const double part = 1.0 / (MostAttempts + 1);
-    const double error =
-      this->GetError(GetPart(progress, std::min(1.0, i * part), std::min(1.0, (i + 1) * part)));
-    if (error <= target)
+      this->SetStep(attempt);
+      return this->GetSampleError();
+    });
+  step = search.Find(step,
+    [&](double attempt, int count)
     {
-      good = step;
-      errorOfGood = error;
-      if (error >= ErrorTolerance * target || step >= largest)
+      this->SetStep(attempt);
+      return this->GetError(GetAttempt(progress, count));
+    });
+  this->SetStep(step);
+}
+
+//--------------------------------------------------------------------------------------------------
+/** The step with which the file has as many bits a voxel as asked for, nearly. */
+void HartleyEncoder::FindStepOfRate(double target, const Progress& progress)
+{
+  StepSearch search(
+    (1 - RateTolerance) / target, (1 + RateTolerance) / target, this->GetLargestStep());
+  std::vector<std::size_t> all(this->Layout.GetNumberOfChunks());
+  std::iota(all.begin(), all.end(), std::size_t{ 0 });
+  const double range = this->Values.Max - this->Values.Min;
+  double step = search.Find(range / 64,
+    [&](double attempt, int)
+    {
+      this->SetStep(attempt);
+      return 1 / this->GetRate(this->Sample, {});
+    });
+  if (this->Sample.size() < all.size())
+  {
+    step = search.Find(step,
+      [&](double attempt, int count)
       {
-        return;
-      }
-    }
-    else
-    {
-      bad = step;
-      errorOfBad = error;
-    }
-    const double aim = target * (1 + ErrorTolerance) / 2;
-    if (good == 0)
-    {
-      step = bad * std::clamp(aim / errorOfBad, 0.25, 0.995);
-    }
-    else if (bad == 0)
-    {
-      step = std::min(
-        largest, good * (errorOfGood > 0 ? std::clamp(aim / errorOfGood, 1.005, 4.0) : 2.0));
-    }
-    else
-    {
-      // Between the two by their errors, but never next to one of them.
-      const double place =
-        errorOfBad > errorOfGood ? (aim - errorOfGood) / (errorOfBad - errorOfGood) : 0.5;
-      step = good * std::pow(bad / good, std::clamp(place, 0.1, 0.9));
-    }
+        this->SetStep(attempt);
+        return 1 / this->GetRate(all, GetAttempt(progress, count));
+      });
   }
-  this->SetStep(good);
+  this->SetStep(step);
+}
+
+//--------------------------------------------------------------------------------------------------
+/** Bits a voxel of a file, from some of its chunks. */
+double HartleyEncoder::GetRate(
+  const std::vector<std::size_t>& chunks, const Progress& progress) const
+{
+  std::vector<std::uint64_t> bytes(chunks.size());
+  std::vector<double> voxels(chunks.size());
+  ForEachHartleyChunk(
+    chunks.size(),
+    [&](std::size_t i)
+    {
+      bytes[i] = this->Encode(chunks[i], this->GetIntegers(chunks[i])).GetBytes();
+      ForEachHartleyBlock(this->Layout, chunks[i],
+        [&](std::size_t, const HartleyLayout::Triple& place)
+        { voxels[i] += CountFilled(this->Layout, place); });
+    },
+    progress);
+  const double sum =
+    static_cast<double>(std::accumulate(bytes.begin(), bytes.end(), std::uint64_t{ 0 }));
+  return 8 * sum / std::accumulate(voxels.begin(), voxels.end(), 0.0) +
+    8 * static_cast<double>(BytesOfFile) / this->GetNumberOfVoxels();
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -401,23 +470,73 @@ HartleyIntegers HartleyEncoder::GetIntegers(std::size_t chunk) const
 //--------------------------------------------------------------------------------------------------
 VoxelErrors HartleyEncoder::GetErrors(std::size_t chunk, const HartleyIntegers& integers) const
 {
+  if (this->IsLossless() && !IsFloating(this->Input.Type))
+  {
+    return {};
+  }
   const auto voxels = this->Layout.GetVoxelsPerBlock();
   HartleyTransform transform(this->Layout.Block);
   std::vector<double> values(voxels);
   VoxelErrors errors;
-  ForEachBlock(this->Layout, chunk,
+  ForEachHartleyBlock(this->Layout, chunk,
     [&](std::size_t block, const HartleyLayout::Triple& place)
     {
-      const auto own = std::span(integers).subspan(block * voxels, voxels);
-      for (std::size_t k = 0; k < voxels; ++k)
-      {
-        values[k] = this->Quantiser->Restore(k, own[k]);
-      }
+      this->Quantiser->Restore(std::span(integers).subspan(block * voxels, voxels), values);
       transform.Inverse(values);
       errors.Add(
         CompareBlock(values, this->Input, this->Layout, place, this->GetBase(), this->Values));
     });
   return errors;
+}
+
+//--------------------------------------------------------------------------------------------------
+const HartleyOrder& HartleyEncoder::GetOrder() const
+{
+  std::call_once(this->OrderIsMade,
+    [&] { this->Order = std::make_unique<const HartleyOrder>(this->Layout.Block); });
+  return *this->Order;
+}
+
+//--------------------------------------------------------------------------------------------------
+EncodedHartleyChunk HartleyEncoder::Encode(std::size_t chunk, const HartleyIntegers& integers) const
+{
+  const auto& order = this->GetOrder();
+  EncodedHartleyChunk encoded;
+  encoded.Terms =
+    integers.size() - static_cast<std::uint64_t>(std::count(integers.begin(), integers.end(), 0));
+  encoded.Streams.resize(order.GetNumberOfSegments());
+  if (encoded.Streams.size() == 1)
+  {
+    encoded.Streams[0] = EncodeHartleyBlocks(order, GetHartleyGrid(this->Layout, chunk), integers);
+  }
+  else
+  {
+    ParallelFor(encoded.Streams.size(),
+      [&](std::size_t segment)
+      {
+        auto& stream = encoded.Streams[segment];
+        stream = EncodeHartleySegment(order, segment, integers);
+        stream.resize(
+          std::max(stream.size(), GetLeastHartleySegmentBytes(integers.size(), segment)));
+      });
+  }
+  if (this->IsLossless() && !IsFloating(this->Input.Type))
+  {
+    encoded.Corrections = EncodeHartleyCorrections(
+      this->Input, this->Layout, chunk, *this->Quantiser, this->Values, integers);
+  }
+  return encoded;
+}
+
+//--------------------------------------------------------------------------------------------------
+std::uint64_t EncodedHartleyChunk::GetBytes() const
+{
+  std::uint64_t bytes = this->Corrections.size() + HartleyEncoder::BytesOfStream;
+  for (const auto& stream : this->Streams)
+  {
+    bytes += stream.size() + HartleyEncoder::BytesOfStream;
+  }
+  return bytes;
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -436,8 +555,12 @@ std::shared_ptr<const HartleyChunk> HartleyEncoder::MakeTerms(
     {
       if (integers[at + k] != 0)
       {
-        chunk->Terms.push_back({ static_cast<std::uint32_t>(k),
-          static_cast<float>(quantiser.Restore(k, integers[at + k])) });
+        const double value = quantiser.Restore(k, integers[at + k]);
+        if (std::abs(value) > std::numeric_limits<float>::max())
+        {
+          ThrowCorrupt("a coefficient is beyond single precision");
+        }
+        chunk->Terms.push_back({ static_cast<std::uint32_t>(k), static_cast<float>(value) });
       }
     }
   }

@@ -3,6 +3,8 @@
 #ifndef gatunHartleyEncoder_h
 #define gatunHartleyEncoder_h
 
+#include "gatunBytes.h"
+#include "gatunHartleyOrder.h"
 #include "gatunHartleyQuantiser.h"
 #include "gatunHartleySource.h"
 #include "gatunHartleyVolume.h"
@@ -11,12 +13,23 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace gatun
 {
 /** The quantised coefficients of a chunk: its blocks one after the other, index by index. */
 using HartleyIntegers = std::vector<std::int64_t>;
+
+/** A chunk as a file has it. */
+struct EncodedHartleyChunk
+{
+  std::vector<Bytes> Streams; ///< one, or one for each segment
+  Bytes Corrections;          ///< of lossless integers
+  std::uint64_t Terms = 0;    ///< coefficients that are not 0
+
+  std::uint64_t GetBytes() const;
+};
 
 /**
  * From a volume to quantised coefficients: transforms, and finds the step that a quality asks for.
@@ -43,8 +56,15 @@ public:
   /** Thread safe. */
   HartleyIntegers GetIntegers(std::size_t chunk) const;
 
+  /** A chunk's streams. Thread safe. */
+  EncodedHartleyChunk Encode(std::size_t chunk, const HartleyIntegers& integers) const;
+
   /** Errors of the voxels of a chunk that come of its integers. Thread safe. */
   VoxelErrors GetErrors(std::size_t chunk, const HartleyIntegers& integers) const;
+
+  /** Bytes of a file beside its streams, nearly. */
+  static constexpr std::uint64_t BytesOfFile = 420;
+  static constexpr std::uint64_t BytesOfStream = 14;
 
   /** The terms of a chunk. */
   static std::shared_ptr<const HartleyChunk> MakeTerms(
@@ -57,9 +77,13 @@ private:
   void ChooseSample();
   void SetStep(double step);
   void FindStepOfError(double target, const Progress& progress);
+  void FindStepOfRate(double target, const Progress& progress);
+  double GetLargestStep() const;
   double GetSampleError() const;
   double GetError(const Progress& progress) const;
+  double GetRate(const std::vector<std::size_t>& chunks, const Progress& progress) const;
   double GetNumberOfVoxels() const;
+  const HartleyOrder& GetOrder() const;
 
   VolumeInput Input;
   HartleyQuality Quality;
@@ -69,6 +93,8 @@ private:
   std::vector<std::size_t> Sample;       ///< chunks of which steps are estimated
   std::vector<std::vector<double>> SampleCoefficients; ///< if none are kept
   std::unique_ptr<const HartleyQuantiser> Quantiser;
+  mutable std::once_flag OrderIsMade; ///< takes memory, and not all need it
+  mutable std::unique_ptr<const HartleyOrder> Order;
 };
 }
 

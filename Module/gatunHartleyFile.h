@@ -56,6 +56,12 @@ public:
   const std::string& GetWriterVersion() const;
   std::pair<int, int> GetFormatVersion() const;
   std::uint64_t GetFileBytes() const;
+  std::uint64_t GetNumberOfTerms() const; ///< coefficients that are not 0
+
+  /** Errors of the voxels that it gives back, measured when it was written. */
+  double GetRootMeanSquareError() const;
+  double GetLargestError() const;
+
   std::uint64_t GetChunkBytes(std::size_t chunk) const;
   std::uint64_t GetBytesRead() const; ///< since it was opened
 

@@ -89,6 +89,16 @@ void HartleyQuantiser::Quantise(
 }
 
 //--------------------------------------------------------------------------------------------------
+void HartleyQuantiser::Restore(
+  std::span<const std::int64_t> integers, std::span<double> coefficients) const
+{
+  for (std::size_t i = 0; i < integers.size(); ++i)
+  {
+    coefficients[i] = this->Restore(i, integers[i]);
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
 void HartleyShiftSums::Add(const HartleyQuantiser& quantiser, std::span<const double> coefficients,
   std::span<const std::int64_t> integers)
 {

@@ -58,6 +58,9 @@ public:
     return integer < 0 ? -value : value;
   }
 
+  /** All of a block. */
+  void Restore(std::span<const std::int64_t> integers, std::span<double> coefficients) const;
+
   double GetStep(std::size_t index) const
   {
     return this->PerIndex.empty() ? this->Steps.Step : this->PerIndex[index];

@@ -18,12 +18,6 @@ namespace
 {
 using Triple = HartleyLayout::Triple;
 
-constexpr double LargestInteger = 9007199254740992.0; // 2^53
-
-// Coefficients are in single precision where they are drawn; larger blocks have larger ones.
-constexpr double LargestRange = 1e30;
-constexpr double SmallestRange = 1e-30;
-
 [[noreturn]] void FailAt(const VolumeInput& input, std::size_t voxel, const std::string& what)
 {
   ThrowInvalid("the voxel (" + std::to_string(voxel % input.Size[0]) + ", " +
@@ -85,7 +79,7 @@ Range GetVoxelRange(const VolumeInput& input, const std::function<bool(double)>&
             }
             else if constexpr (sizeof(T) == 8)
             {
-              if (std::abs(static_cast<double>(values[i])) > LargestInteger)
+              if (std::abs(static_cast<double>(values[i])) > LargestVoxelInteger)
               {
                 slices[z].Bad = z * slice + i;
                 return;
@@ -110,7 +104,7 @@ Range GetVoxelRange(const VolumeInput& input, const std::function<bool(double)>&
     range.Max = std::max(range.Max, found.Values.Max);
   }
   const double length = range.Max - range.Min;
-  if (!(length <= LargestRange) || (length > 0 && length < SmallestRange))
+  if (!(length <= LargestVoxelRange) || (length > 0 && length < SmallestVoxelRange))
   {
     ThrowInvalid("the voxels range over " + std::to_string(range.Min) + " to " +
       std::to_string(range.Max) +
@@ -182,7 +176,7 @@ void StoreBlock(std::span<const double> values, const HartleyLayout& layout, con
           for (auto x = first[0]; x < end[0]; ++x)
           {
             row[x] = static_cast<T>(
-              RoundVoxel(from[x - place[0] * layout.Block[0]] + base, integer, range));
+              RoundVoxel(from[x - place[0] * layout.Block[0]], base, integer, range));
           }
         }
       }
@@ -211,8 +205,7 @@ VoxelErrors CompareBlock(std::span<const double> values, const VolumeInput& inpu
         {
           for (std::size_t x = 0; x < count; ++x)
           {
-            const auto stored =
-              static_cast<T>(RoundVoxel(values[value + x] + base, integer, range));
+            const auto stored = static_cast<T>(RoundVoxel(values[value + x], base, integer, range));
             const double error =
               static_cast<double>(stored) - static_cast<double>(typed[voxel + x]);
             errors.Squares += error * error;

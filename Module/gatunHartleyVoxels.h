@@ -16,6 +16,13 @@
 
 namespace gatun
 {
+/** Integers beyond 2^53 are not all doubles. */
+constexpr double LargestVoxelInteger = 9007199254740992.0;
+
+/** Coefficients are in single precision where they are drawn, and larger than voxels. */
+constexpr double LargestVoxelRange = 1e30;
+constexpr double SmallestVoxelRange = 1e-30;
+
 /** Smallest and largest voxel. Throws Error(InvalidInput) where a voxel is not finite, integers are
  * beyond what a double holds, or the range is beyond single precision. */
 Range GetVoxelRange(const VolumeInput& input, const std::function<bool(double)>& progress = {});
@@ -33,10 +40,11 @@ struct VoxelBox
   void* Values = nullptr; ///< x fastest
 };
 
-/** A voxel as a type can have it: what is nearest in the range. */
-inline double RoundVoxel(double value, bool integer, const Range& range)
+/** A value as a voxel: what is nearest in the range. The base of integers is one. */
+inline double RoundVoxel(double value, double base, bool integer, const Range& range)
 {
-  const double rounded = integer ? std::floor(value + 0.5) : value;
+  // Half a unit is lost next to a large base.
+  const double rounded = (integer ? std::floor(value + 0.5) : value) + base;
   // In this order NaN cannot pass.
   return rounded > range.Min ? (rounded < range.Max ? rounded : range.Max) : range.Min;
 }

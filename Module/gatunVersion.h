@@ -21,6 +21,10 @@
 #define GATUN_FORMAT_VERSION_MAJOR 1
 #define GATUN_FORMAT_VERSION_MINOR 2
 
+// The same of `.ghv` files.
+#define GATUN_VOLUME_FORMAT_VERSION_MAJOR 1
+#define GATUN_VOLUME_FORMAT_VERSION_MINOR 0
+
 namespace gatun
 {
 

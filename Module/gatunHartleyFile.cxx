@@ -1,0 +1,424 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunHartleyFile.h"
+
+#include "gatunContainer.h"
+#include "gatunError.h"
+#include "gatunHartleyBlocks.h"
+#include "gatunHartleyCodec.h"
+#include "gatunHartleyCorrections.h"
+#include "gatunHartleyEncoder.h"
+#include "gatunHartleyOrder.h"
+#include "gatunHartleyTables.h"
+#include "gatunHartleyTransform.h"
+#include "gatunHartleyVoxels.h"
+
+#include <algorithm>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace gatun
+{
+namespace
+{
+constexpr const char* MetaName = "the meta data";
+constexpr const char* TableName = "the table of chunks";
+
+std::string GetChunkName(std::size_t chunk)
+{
+  return "chunk " + std::to_string(chunk);
+}
+}
+
+//--------------------------------------------------------------------------------------------------
+struct HartleyFile::Internals
+{
+  explicit Internals(const std::string& path);
+
+  const HartleyLayout& GetLayout() const { return this->Meta.Layout; }
+  const HartleyOrder& GetOrder() const;
+  const HartleyQuantiser& GetQuantiser() const;
+  HartleyIntegers GetIntegers(std::size_t chunk) const;
+
+  /** Calls use(place, values) with the voxels, less the base, of those blocks of a chunk that
+   * isWanted(place) asks for. */
+  template <typename IsWanted, typename Use>
+  void DecodeBlocks(std::size_t chunk, IsWanted&& isWanted, Use&& use) const;
+
+  /** Runs what may find that a stream is damaged, and tells where that is. */
+  template <typename Run>
+  auto Guarded(const std::string& what, const StreamRef& where, Run&& run) const
+  {
+    try
+    {
+      return run();
+    }
+    catch (const Error& error)
+    {
+      // Messages of the file itself are complete.
+      if (error.Code != ErrorCode::Corrupt ||
+        std::string(error.what()).starts_with(this->File.GetPath()))
+      {
+        throw;
+      }
+      this->File.Fail(ErrorCode::Corrupt,
+        what + " at byte " + std::to_string(where.Offset) + " is damaged: " + error.what());
+    }
+  }
+
+  InputFile File;
+  HartleyMeta Meta;
+  HartleyTable Table;
+
+private:
+  // Both grow with the block, so that they are made when something is decoded.
+  mutable std::once_flag OrderIsMade;
+  mutable std::unique_ptr<const HartleyOrder> Order;
+  mutable std::once_flag QuantiserIsMade;
+  mutable std::unique_ptr<const HartleyQuantiser> Quantiser;
+};
+
+//--------------------------------------------------------------------------------------------------
+HartleyFile::Internals::Internals(const std::string& path)
+  : File(path, VolumeContainer)
+{
+  const auto meta = this->File.FindSection(SectionMeta, MetaName);
+  this->Meta = this->Guarded(
+    MetaName, meta, [&] { return HartleyMeta::Read(this->File.Read(meta, MetaName)); });
+  const auto table = this->File.FindSection(SectionTable, TableName);
+  this->Table = this->Guarded(TableName, table,
+    [&] { return HartleyTable::Read(this->File.Read(table, TableName), this->Meta); });
+  for (std::size_t chunk = 0; chunk < this->Table.Chunks.size(); ++chunk)
+  {
+    const auto& entry = this->Table.Chunks[chunk];
+    const auto check = [&](const StreamRef& stream)
+    {
+      if (stream.Offset > this->File.GetSize() ||
+        stream.Length > this->File.GetSize() - stream.Offset)
+      {
+        this->File.Fail(ErrorCode::Corrupt,
+          std::string(TableName) + " is damaged: " + GetChunkName(chunk) +
+            " reaches past the end of the file");
+      }
+    };
+    std::for_each(entry.Streams.begin(), entry.Streams.end(), check);
+    check(entry.Corrections);
+    if (entry.Streams.size() > 1)
+    {
+      for (std::size_t segment = 0; segment < entry.Streams.size(); ++segment)
+      {
+        if (entry.Streams[segment].Length <
+          GetLeastHartleySegmentBytes(this->GetLayout().GetVoxelsPerBlock(), segment))
+        {
+          this->File.Fail(ErrorCode::Corrupt,
+            std::string(TableName) + " is damaged: " + GetChunkName(chunk) +
+              " is shorter than it can be");
+        }
+      }
+    }
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+const HartleyOrder& HartleyFile::Internals::GetOrder() const
+{
+  std::call_once(this->OrderIsMade,
+    [&] { this->Order = std::make_unique<const HartleyOrder>(this->GetLayout().Block); });
+  return *this->Order;
+}
+
+//--------------------------------------------------------------------------------------------------
+const HartleyQuantiser& HartleyFile::Internals::GetQuantiser() const
+{
+  std::call_once(this->QuantiserIsMade,
+    [&]
+    {
+      this->Quantiser =
+        std::make_unique<const HartleyQuantiser>(this->GetLayout().Block, this->Meta.Steps);
+    });
+  return *this->Quantiser;
+}
+
+//--------------------------------------------------------------------------------------------------
+HartleyIntegers HartleyFile::Internals::GetIntegers(std::size_t chunk) const
+{
+  const auto& entry = this->Table.Chunks[chunk];
+  const auto name = GetChunkName(chunk);
+  const auto& order = this->GetOrder();
+  const auto grid = GetHartleyGrid(this->GetLayout(), chunk);
+  HartleyIntegers integers(
+    CountHartleyBlocks(this->GetLayout(), chunk) * this->GetLayout().GetVoxelsPerBlock());
+  ParallelFor(entry.Streams.size(),
+    [&](std::size_t segment)
+    {
+      const auto& stream = entry.Streams[segment];
+      this->Guarded(name, stream,
+        [&]
+        {
+          const auto bytes = this->File.Read(stream, name);
+          if (entry.Streams.size() == 1)
+          {
+            DecodeHartleyBlocks(order, grid, bytes, integers);
+          }
+          else
+          {
+            DecodeHartleySegment(order, segment, bytes, integers);
+          }
+        });
+    });
+  const auto zeros = std::count(integers.begin(), integers.end(), 0);
+  if (integers.size() - static_cast<std::size_t>(zeros) != entry.Terms)
+  {
+    this->File.Fail(ErrorCode::Corrupt,
+      name + " at byte " + std::to_string(entry.Streams.front().Offset) +
+        " is damaged: it has not as many coefficients as it should");
+  }
+  return integers;
+}
+
+//--------------------------------------------------------------------------------------------------
+template <typename IsWanted, typename Use>
+void HartleyFile::Internals::DecodeBlocks(std::size_t chunk, IsWanted&& isWanted, Use&& use) const
+{
+  const auto integers = this->GetIntegers(chunk);
+  const auto& entry = this->Table.Chunks[chunk];
+  const auto name = "the corrections of " + GetChunkName(chunk);
+  const auto count = this->GetLayout().GetVoxelsPerBlock();
+  const bool corrected = this->Meta.HasCorrections();
+  const auto& quantiser = this->GetQuantiser();
+  this->Guarded(name, entry.Corrections,
+    [&]
+    {
+      Bytes bytes;
+      std::optional<HartleyCorrector> corrector;
+      if (corrected)
+      {
+        bytes = this->File.Read(entry.Corrections, name);
+        corrector.emplace(bytes, this->GetLayout(), this->Meta.Values);
+      }
+      HartleyTransform transform(this->GetLayout().Block);
+      std::vector<double> values(count);
+      ForEachHartleyBlock(this->GetLayout(), chunk,
+        [&](std::size_t block, const HartleyLayout::Triple& place)
+        {
+          const bool wanted = isWanted(place);
+          if (wanted)
+          {
+            quantiser.Restore(std::span(integers).subspan(block * count, count), values);
+            transform.Inverse(values);
+          }
+          if (corrected)
+          {
+            corrector->Correct(place, wanted ? std::span(values) : std::span<double>());
+          }
+          if (wanted)
+          {
+            use(place, values);
+          }
+        });
+    });
+}
+
+//--------------------------------------------------------------------------------------------------
+bool HartleyFile::CanRead(const std::string& path) noexcept
+{
+  return BeginsAs(path, VolumeContainer);
+}
+
+//--------------------------------------------------------------------------------------------------
+HartleyFile::HartleyFile(const std::string& path)
+  : Data(std::make_unique<Internals>(path))
+{
+}
+
+//--------------------------------------------------------------------------------------------------
+HartleyFile::~HartleyFile() = default;
+
+//--------------------------------------------------------------------------------------------------
+const std::string& HartleyFile::GetPath() const
+{
+  return this->Data->File.GetPath();
+}
+
+//--------------------------------------------------------------------------------------------------
+const VolumeInput& HartleyFile::GetVolume() const
+{
+  return this->Data->Meta.Volume;
+}
+
+//--------------------------------------------------------------------------------------------------
+const HartleyQuality& HartleyFile::GetQuality() const
+{
+  return this->Data->Meta.Quality;
+}
+
+//--------------------------------------------------------------------------------------------------
+bool HartleyFile::IsLossless() const
+{
+  return this->Data->Meta.Lossless;
+}
+
+//--------------------------------------------------------------------------------------------------
+const std::string& HartleyFile::GetWriterVersion() const
+{
+  return this->Data->Meta.WriterVersion;
+}
+
+//--------------------------------------------------------------------------------------------------
+std::pair<int, int> HartleyFile::GetFormatVersion() const
+{
+  return { this->Data->File.GetMajor(), this->Data->File.GetMinor() };
+}
+
+//--------------------------------------------------------------------------------------------------
+std::uint64_t HartleyFile::GetFileBytes() const
+{
+  return this->Data->File.GetSize();
+}
+
+//--------------------------------------------------------------------------------------------------
+std::uint64_t HartleyFile::GetNumberOfTerms() const
+{
+  std::uint64_t terms = 0;
+  for (const auto& chunk : this->Data->Table.Chunks)
+  {
+    terms += chunk.Terms;
+  }
+  return terms;
+}
+
+//--------------------------------------------------------------------------------------------------
+double HartleyFile::GetRootMeanSquareError() const
+{
+  return this->Data->Meta.RootMeanSquareError;
+}
+
+//--------------------------------------------------------------------------------------------------
+double HartleyFile::GetLargestError() const
+{
+  return this->Data->Meta.LargestError;
+}
+
+//--------------------------------------------------------------------------------------------------
+std::uint64_t HartleyFile::GetChunkBytes(std::size_t chunk) const
+{
+  return this->Data->Table.Chunks[chunk].GetBytes();
+}
+
+//--------------------------------------------------------------------------------------------------
+std::uint64_t HartleyFile::GetBytesRead() const
+{
+  return this->Data->File.GetBytesRead();
+}
+
+//--------------------------------------------------------------------------------------------------
+const HartleyLayout& HartleyFile::GetLayout() const
+{
+  return this->Data->GetLayout();
+}
+
+//--------------------------------------------------------------------------------------------------
+double HartleyFile::GetBase() const
+{
+  return this->Data->Meta.Values.Min;
+}
+
+//--------------------------------------------------------------------------------------------------
+Range HartleyFile::GetRange() const
+{
+  return this->Data->Meta.Values;
+}
+
+//--------------------------------------------------------------------------------------------------
+std::shared_ptr<const HartleyChunk> HartleyFile::GetChunk(std::size_t chunk) const
+{
+  const auto& self = *this->Data;
+  return self.Guarded(GetChunkName(chunk), self.Table.Chunks[chunk].Streams.front(),
+    [&]
+    {
+      return HartleyEncoder::MakeTerms(
+        self.GetQuantiser(), self.GetLayout().GetVoxelsPerBlock(), self.GetIntegers(chunk));
+    });
+}
+
+//--------------------------------------------------------------------------------------------------
+void HartleyFile::GetVoxels(const HartleyLayout::Triple& first, const HartleyLayout::Triple& end,
+  void* values, const std::function<bool(double)>& progress) const
+{
+  const auto& layout = this->GetLayout();
+  HartleyLayout::Triple firstBlock{};
+  HartleyLayout::Triple endBlock{};
+  for (unsigned axis = 0; axis < 3; ++axis)
+  {
+    if (first[axis] >= end[axis] || end[axis] > layout.Size[axis])
+    {
+      ThrowInvalid("voxels " + std::to_string(first[axis]) + " to " + std::to_string(end[axis]) +
+        " of " + std::to_string(layout.Size[axis]) + " were asked for");
+    }
+    firstBlock[axis] = first[axis] / layout.Block[axis];
+    endBlock[axis] = (end[axis] - 1) / layout.Block[axis] + 1;
+  }
+  const auto isWanted = [&](const HartleyLayout::Triple& place)
+  {
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      if (place[axis] < firstBlock[axis] || place[axis] >= endBlock[axis])
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  std::vector<std::size_t> chunks;
+  const auto all = layout.GetChunks();
+  for (auto z = firstBlock[2] / layout.Chunk[2]; z * layout.Chunk[2] < endBlock[2]; ++z)
+  {
+    for (auto y = firstBlock[1] / layout.Chunk[1]; y * layout.Chunk[1] < endBlock[1]; ++y)
+    {
+      for (auto x = firstBlock[0] / layout.Chunk[0]; x * layout.Chunk[0] < endBlock[0]; ++x)
+      {
+        chunks.push_back(x + std::size_t{ all[0] } * (y + std::size_t{ all[1] } * z));
+      }
+    }
+  }
+  const VoxelBox box{ first, end, this->GetVolume().Type, values };
+  ForEachHartleyChunk(
+    chunks.size(),
+    [&](std::size_t i)
+    {
+      this->Data->DecodeBlocks(chunks[i], isWanted,
+        [&](const HartleyLayout::Triple& place, std::span<const double> block)
+        { StoreBlock(block, layout, place, this->GetBase(), this->GetRange(), box); });
+    },
+    progress);
+}
+
+//--------------------------------------------------------------------------------------------------
+void HartleyFile::Verify(const std::function<bool(double)>& progress) const
+{
+  constexpr double sums = 0.2; // of the time
+  const auto getPart = [&](double begin, double end) -> std::function<bool(double)>
+  {
+    if (!progress)
+    {
+      return {};
+    }
+    return [=, &progress](double done) { return progress(begin + done * (end - begin)); };
+  };
+  this->Data->File.CheckSections(getPart(0, sums));
+  ForEachHartleyChunk(
+    this->GetLayout().GetNumberOfChunks(),
+    [&](std::size_t chunk)
+    {
+      this->GetChunk(chunk);
+      if (this->Data->Meta.HasCorrections())
+      {
+        this->Data->DecodeBlocks(
+          chunk, [](const auto&) { return false; }, [](const auto&, const auto&) {});
+      }
+    },
+    getPart(sums, 1));
+}
+}
