@@ -179,7 +179,7 @@ TEST(HartleyFile, HasTheCoefficientsOfTheVolumeInMemory)
       { MakeOptions(blockSize, Goal::Quality, 40), MakeOptions(blockSize, Goal::PSNR, 35),
         MakeOptions(blockSize, Goal::Rate, 1.5), MakeOptions(blockSize, Goal::Error, 0) })
     {
-      const auto volume = MakePhantom({ 70, 66, 71 }, ScalarType::Int16);
+      const auto volume = MakePhantom({ 70, 36, 51 }, ScalarType::Int16);
       const auto path = GetPath("same.ghv");
       WriteHartleyFile(path, volume.Input, options);
       const HartleyFile file(path);
@@ -302,14 +302,14 @@ SampleVolume LoadRaw(const Triple& size, ScalarType type, const std::string& byt
 
 TEST(HartleyFile, KeepsItsPromises)
 {
-  const auto volume = MakePhantom({ 81, 70, 77 }, ScalarType::Int16);
-  for (const std::uint32_t blockSize : { 2u, 4u, 8u, 16u, 64u, 0u })
+  const auto volume = MakePhantom({ 65, 50, 47 }, ScalarType::Int16);
+  for (const std::uint32_t blockSize : { 2u, 8u, 16u, 64u, 0u })
   {
     ExpectPromises(volume, blockSize, { 5, 40 }, { 0.5, 3 });
   }
-  ExpectPromises(MakePhantom({ 81, 70, 77 }, ScalarType::UInt8), 8, { 0.2, 0.45, 1, 20 }, { 1 });
-  ExpectPromises(MakePhantom({ 81, 70, 77 }, ScalarType::Float32), 8, { 1e-4, 0.1 }, { 0.25, 8 });
-  ExpectPromises(MakePhantom({ 81, 70, 77 }, ScalarType::Float64), 8, { 1e-7 }, { 2 });
+  ExpectPromises(MakePhantom({ 65, 50, 47 }, ScalarType::UInt8), 8, { 0.2, 0.45, 1, 20 }, { 1 });
+  ExpectPromises(MakePhantom({ 65, 50, 47 }, ScalarType::Float32), 8, { 1e-4, 0.1 }, { 0.25, 8 });
+  ExpectPromises(MakePhantom({ 65, 50, 47 }, ScalarType::Float64), 8, { 1e-7 }, { 2 });
 }
 
 TEST(HartleyFile, KeepsItsPromisesForRealVolumes)
@@ -330,7 +330,7 @@ TEST(HartleyFile, KeepsItsPromisesForRealVolumes)
   for (const std::uint32_t blockSize : { 2u, 8u, 16u, 0u })
   {
     ExpectLossless(volume, blockSize);
-    ExpectPromises(volume, blockSize, { 0.5, 2, 6 }, { 0.5, 1, 3 });
+    ExpectPromises(volume, blockSize, { 0.5, 4 }, { 1 });
   }
 }
 
@@ -422,7 +422,7 @@ TEST(HartleyFile, CanBeStopped)
   EXPECT_THROW(
     file.GetVoxels({ 0, 0, 0 }, volume.Input.Size, voxels.data(), [](double) { return false; }),
     Error);
-  EXPECT_THROW(file.Verify([](double done) { return done < 0.5; }), Error);
+  EXPECT_THROW(file.Verify([](double done) { return done < 0.1; }), Error);
 }
 
 TEST(HartleyFile, ProgressGoesForward)
