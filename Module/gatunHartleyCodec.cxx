@@ -22,6 +22,19 @@ constexpr unsigned Levels = 4 + 4 * 38;
 constexpr unsigned Escapes = 64;
 constexpr unsigned LastSymbol = SymbolModel::Symbols - 1;
 
+// How much each kind of neighbour counts for the size that is expected.
+constexpr unsigned WeightOfPartner = 4;
+constexpr unsigned WeightOfInner = 6;
+constexpr unsigned WeightOfBlock = 1;
+constexpr unsigned WeightOfRamp = 6;
+constexpr unsigned LargestWeight =
+  WeightOfPartner + 3 * 2 * (WeightOfInner + WeightOfBlock) + WeightOfRamp;
+
+// The mean of a position in the blocks before: how much of it is in the size that is expected, in
+// sixteenths, and how slowly it changes.
+constexpr std::uint64_t PartOfRunning = 2;
+constexpr std::int64_t BlocksOfRunning = 16;
+
 // Blocks of this many values or more tell exactly where their last one is that is not 0.
 constexpr std::size_t LongBlock = 1u << 15;
 
@@ -92,7 +105,7 @@ std::uint64_t CodeSize(Coder& coder, SizeModels& models, std::uint64_t mean, std
 // 1 / n in units of 2^-16.
 constexpr auto Reciprocals = []
 {
-  std::array<std::uint32_t, 64> values{};
+  std::array<std::uint32_t, LargestWeight + 1> values{};
   for (std::uint32_t n = 1; n < values.size(); ++n)
   {
     values[n] = (65536 + n / 2) / n;
@@ -152,12 +165,10 @@ public:
   }
 
 private:
-  static constexpr unsigned Relations = 7; // how a value's sign was foretold
-
   struct ModelSet
   {
     std::array<SymbolModel, 2 * (HartleyOrder::Bands + 1)> End;
-    std::array<std::array<BitModel, Levels>, 4> Zero;
+    std::array<std::array<BitModel, Levels>, 12> Zero;
     SizeModels Size;
     std::array<std::array<BitModel, 16>, 16> Sign;
     std::array<BitModel, Levels> MeanZero;
@@ -367,8 +378,8 @@ private:
     std::int64_t foretold = 0;
     if (position.Flags & HartleyOrder::KnowsPartner)
     {
-      sum += 3 * Count(*partner);
-      weight += 3;
+      sum += WeightOfPartner * Count(*partner);
+      weight += WeightOfPartner;
     }
     unsigned axes = 0;
     for (unsigned axis = 0; axis < 3; ++axis)
@@ -382,21 +393,21 @@ private:
         const std::int64_t length = wave < 0 ? -wave : wave;
         if (length > 1)
         {
-          sum += Count(inner);
-          weight += 1;
+          sum += WeightOfInner * Count(inner);
+          weight += WeightOfInner;
           foretold -= std::clamp<std::int64_t>(inner, -MostForetold, MostForetold) * 16 *
             (length - 1) / length;
           if (position.Flags & (16u << axis))
           {
-            sum += Count(partner[this->Order.GetStepInwards(axis, -wave)]);
-            weight += 1;
+            sum += WeightOfInner * Count(partner[this->Order.GetStepInwards(axis, -wave)]);
+            weight += WeightOfInner;
           }
         }
       }
       if (const Integer* const before = this->Before[axis])
       {
-        sum += Count(before[position.Index]) + Count(before[position.Partner]);
-        weight += 2;
+        sum += WeightOfBlock * (Count(before[position.Index]) + Count(before[position.Partner]));
+        weight += 2 * WeightOfBlock;
       }
     }
     if (axes == 1)
@@ -413,18 +424,23 @@ private:
           foretold += (length % 2 != 0) == (wave > 0) ? slope : -slope;
         }
       }
+      sum += WeightOfRamp * (GetSize(foretold) / 16);
+      weight += WeightOfRamp;
     }
     std::uint64_t mean = (sum * Reciprocals[weight]) >> 12;
+    unsigned trend = 0; // whether this position used to have smaller or larger values than that
     if (!this->Running.empty())
     {
-      mean = (mean + this->Running[rank]) / 2;
+      const auto running = this->Running[rank];
+      mean = ((16 - PartOfRunning) * mean + PartOfRunning * running) / 16;
+      trend = running > 2 * mean + 4 ? 2 : 2 * running + 4 < mean ? 1 : 0;
     }
 
     const auto value = Coder::Encoding ? static_cast<std::int64_t>(*own) : 0;
     const auto level = GetLevel(mean);
     const bool second = position.Flags & HartleyOrder::KnowsPartner;
     std::int64_t coded = 0;
-    if (this->Code.Bit(models.Zero[2 * second + (axes > 1)][level], value != 0))
+    if (this->Code.Bit(models.Zero[4 * trend + 2 * second + (axes > 1)][level], value != 0))
     {
       const unsigned strength =
         std::min<unsigned>(7, static_cast<unsigned>(std::bit_width(GetSize(foretold) >> 1)));
@@ -446,7 +462,8 @@ private:
     {
       auto& running = this->Running[rank];
       running = static_cast<std::uint64_t>(static_cast<std::int64_t>(running) +
-        (static_cast<std::int64_t>(16 * Count(coded)) - static_cast<std::int64_t>(running)) / 8);
+        (static_cast<std::int64_t>(16 * Count(coded)) - static_cast<std::int64_t>(running)) /
+          BlocksOfRunning);
     }
   }
 

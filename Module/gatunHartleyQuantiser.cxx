@@ -11,8 +11,8 @@ namespace
 {
 // What is added before rounding down. Values between two integers are more often near the smaller
 // one, and that costs fewer bits.
-constexpr double RoundingOfOne = 0.36;
-constexpr double RoundingOfMore = 0.44;
+constexpr double RoundingOfOne = 0.30;
+constexpr double RoundingOfMore = 0.42;
 
 // Shifts are multiples of this in a file.
 constexpr double ShiftUnit = 1.0 / 256;
