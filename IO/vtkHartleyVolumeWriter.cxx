@@ -160,7 +160,7 @@ void vtkHartleyVolumeWriter::WriteVolume(vtkImageData* image)
   if (this->BlockSize < 0)
   {
     gatun::ThrowInvalid("a block size of " + std::to_string(this->BlockSize) +
-      " is not possible; it is 2 to 64, or 0 for one block");
+      " is not possible; it is 2 to 64, or 0 for the whole volume");
   }
   const gatun::BridgedVolume bridged =
     gatun::BridgeVolume(image, this->GetInputArrayInformation(0));

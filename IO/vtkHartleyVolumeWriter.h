@@ -122,7 +122,7 @@ public:
 
   ///@{
   /**
-   * Bits a voxel of the whole file, at most. Default: 1.
+   * Bits a voxel of the whole file, within 1 %, or fewer where that is all it takes. Default: 1.
    */
   vtkSetMacro(Rate, double);
   vtkGetMacro(Rate, double);

@@ -163,6 +163,7 @@ public:
     const vtkHartleyProjection* self, const gatun::VolumePlace& place) const;
   vtkSmartPointer<vtkVolumeProperty> MakeProperty(
     const gatun::Range& range, const gatun::VolumePlace& place) const;
+  static std::array<int, 6> GetPart(const vtkHartleyProjection* self, vtkInformation* outInfo);
 };
 
 //------------------------------------------------------------------------------
@@ -187,7 +188,7 @@ bool vtkHartleyProjection::vtkInternals::Compress(
   if (self->BlockSize < 0)
   {
     gatun::ThrowInvalid("a block size of " + std::to_string(self->BlockSize) +
-      " is not possible; it is 2 to 64, or 0 for one block");
+      " is not possible; it is 2 to 64, or 0 for the whole volume");
   }
   gatun::BridgedVolume bridged = gatun::BridgeVolume(image, self->GetInputArrayInformation(0));
   ImageKey key;
@@ -520,6 +521,22 @@ int vtkHartleyProjection::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
+// What is asked for of the picture. After a failure, that may be more than there is.
+std::array<int, 6> vtkHartleyProjection::vtkInternals::GetPart(
+  const vtkHartleyProjection* self, vtkInformation* outInfo)
+{
+  std::array<int, 6> extent{ 0, self->Size[0] - 1, 0, self->Size[1] - 1, 0, 0 };
+  const std::array<int, 6> whole = extent;
+  outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    extent[2 * axis] = std::max(extent[2 * axis], whole[2 * axis]);
+    extent[2 * axis + 1] = std::min(extent[2 * axis + 1], whole[2 * axis + 1]);
+  }
+  return extent;
+}
+
+//------------------------------------------------------------------------------
 int vtkHartleyProjection::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -560,9 +577,7 @@ int vtkHartleyProjection::RequestData(
     {
       options.Background = { this->Background[0], this->Background[1], this->Background[2] };
     }
-    std::array<int, 6> extent{ 0, this->Size[0] - 1, 0, this->Size[1] - 1, 0, 0 };
-    outInfo->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent.data());
-    gatun::FillImage(self.Picture, options, extent, output);
+    gatun::FillImage(self.Picture, options, vtkInternals::GetPart(this, outInfo), output);
     output->SetOrigin(frame.First[0], frame.First[1], 0);
     output->SetSpacing(frame.Spacing[0], frame.Spacing[1], 1);
     self.Picture.Colours = {};

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 
 namespace gtn
@@ -90,6 +91,13 @@ void PrintText(const gatun::HartleyFile& file, const Options& options, bool verb
   PrintRow("size", ByteSize(file.GetFileBytes()));
   PrintRow("bits a voxel",
     fmt::format("{:.3f}, 1 : {:.4g}", BitsPerVoxel(file), RawBits(file) / BitsPerVoxel(file)));
+  const double psnr = PeakSignalToNoise(file.GetRange(), file.GetRootMeanSquareError());
+  PrintRow("error",
+    fmt::format("root mean square {:.4g}, largest {:.4g}{}", file.GetRootMeanSquareError(),
+      file.GetLargestError(), std::isfinite(psnr) ? fmt::format(", {:.1f} dB", psnr) : ""));
+  PrintRow("coefficients",
+    fmt::format("{} that are not 0, {:.1f} % of the voxels", Grouped(file.GetNumberOfTerms()),
+      100 * static_cast<double>(file.GetNumberOfTerms()) / CountVoxels(file)));
   if (options.Verify)
   {
     PrintRow("verified", "all checksums are right, and everything can be decoded");
@@ -140,6 +148,10 @@ void PrintJson(const gatun::HartleyFile& file, const Options& options, bool verb
   json.Add("goal", NameOf(file.GetQuality().Kind));
   json.Add("goalValue", file.GetQuality().Value);
   json.Add("frequencyWeight", file.GetQuality().FrequencyWeight);
+  json.Add("rootMeanSquareError", file.GetRootMeanSquareError());
+  json.Add("largestError", file.GetLargestError());
+  json.Add("psnr", PeakSignalToNoise(file.GetRange(), file.GetRootMeanSquareError()));
+  json.Add("terms", file.GetNumberOfTerms());
   json.Add("bytes", file.GetFileBytes());
   json.Add("bitsPerVoxel", BitsPerVoxel(file));
   json.Add("ratio", RawBits(file) / BitsPerVoxel(file));

@@ -68,7 +68,7 @@ void AddCompression(CLI::App* command, CompressionOptions& options, const char* 
       "Root mean square error at most, in the unit of the values; 0: none, but for rounding", "E"),
     add("--psnr", Goal::PSNR, 1, 300,
       "Peak signal to noise ratio at least, in dB: 20 log10(range / root mean square error)", "DB"),
-    add("--rate", Goal::Rate, 0.001, 64, "Bits a voxel of the whole file, at most", "BITS")
+    add("--rate", Goal::Rate, 0.001, 64, "Bits a voxel of the whole file, within 1 %", "BITS")
   };
   for (std::size_t i = 0; i < goals.size(); ++i)
   {
@@ -105,7 +105,7 @@ std::string Describe(const gatun::HartleyQuality& quality)
     case Goal::PSNR:
       return fmt::format("{:.4g} dB at least{}", quality.Value, weight);
     case Goal::Rate:
-      return fmt::format("{:.4g} bits a voxel at most{}", quality.Value, weight);
+      return fmt::format("{:.4g} bits a voxel{}", quality.Value, weight);
     case Goal::Quality:
       break;
   }

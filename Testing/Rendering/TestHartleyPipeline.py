@@ -1,0 +1,252 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""vtkHartleyProjection does again what has changed, and nothing else; files are drawn as they are,
+without voxels; what cannot be drawn is told, and then the next picture is right."""
+
+import os
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkBitArray
+from vtkmodules.vtkCommonDataModel import vtkImageData
+
+import gatunHartley as gh
+import gatunMeshes as gm
+import gatunRays as gr
+from gatun import vtkHartleyProjection, vtkHartleyVolumeReader
+
+INVALID = 40007
+field = gh.blobs((30, 26, 34), seed=6, scale=1000).astype(np.int16)
+image = gh.make_volume(field, (2, 3, 4), (1, 2, 3), (0.5, 0.6, 0.7))
+camera = gr.make_camera((0.2, 0.3, -1), focus=image.GetCenter(), scale=15)
+colours = gr.make_property([(0, 0, 0, 1), (1000, 1, 1, 0)], [(0, 0), (1000, 0.4)], 0.5)
+
+
+def update(projection):
+    projection.Update()
+    assert projection.GetErrorCode() == 0
+    return gr.array_of(projection).copy()
+
+
+# What changes a picture changes it, and changes what it is made from only where it must.
+projection = gr.make_projection(image, camera, Size=(60, 50), Property=colours)
+picture = update(projection)
+assert projection.GetNumberOfVolumes() == 1 and projection.GetNumberOfTerms() > 0
+assert projection.GetNumberOfBlocksDrawn() > 0 and projection.GetMethodUsed() == 1
+time = projection.GetOutput().GetMTime()
+assert (update(projection) == picture).all() and projection.GetOutput().GetMTime() == time
+for change in (lambda: camera.Azimuth(20), lambda: camera.Zoom(1.5), lambda: camera.Roll(30),
+               lambda: colours.GetScalarOpacity().AddPoint(500, 0.1),
+               lambda: colours.GetRGBTransferFunction().AddRGBPoint(500, 0, 1, 0),
+               lambda: colours.SetScalarOpacityUnitDistance(2), projection.SetLawToExponential,
+               lambda: projection.SetExtinction(0.01), lambda: projection.SetZero(300) or
+               projection.UseZeroOn(), projection.UseBackgroundOn,
+               lambda: projection.SetBackground(1, 0, 0), projection.SetLawToXRay,
+               lambda: projection.SetWindow(0, 30000), lambda: projection.SetSize(50, 50)):
+    change()
+    changed = update(projection)
+    assert changed.shape != picture.shape or (changed != picture).any()
+    picture = changed
+    assert projection.GetNumberOfVolumes() == 1
+for method, kernel, padding in ((2, 0, 2), (2, 1, 4), (2, 0, 1.5), (0, 0, 2)):
+    projection.SetMethod(method)
+    projection.SetKernel(kernel)
+    projection.SetPadding(padding)
+    update(projection)
+    assert projection.GetMethodUsed() == (method or 1) and projection.GetNumberOfVolumes() == 1
+count = 1
+for change in (lambda: projection.SetQuality(20), lambda: projection.SetBlockSize(4),
+               lambda: projection.SetGoal(3), lambda: projection.SetRate(0.5),
+               lambda: projection.SetFrequencyWeight(1), image.Modified):
+    change()
+    update(projection)
+    count += 1
+    assert projection.GetNumberOfVolumes() == count, change
+vtk_to_numpy(image.GetPointData().GetScalars())[:] = field.ravel() // 2
+image.GetPointData().GetScalars().Modified()
+halved = update(projection)
+assert projection.GetNumberOfVolumes() == count + 1
+found = [0, 0]
+projection.GetRange(found)
+assert found == [(field // 2).min(), (field // 2).max()], found
+vtk_to_numpy(image.GetPointData().GetScalars())[:] = field.ravel()
+image.GetPointData().GetScalars().Modified()
+
+# A part of the picture is that part.
+whole = gr.make_projection(image, camera, Size=(60, 50), Law=0)
+picture = update(whole)
+part = gr.make_projection(image, camera, Size=(60, 50), Law=0)
+part.UpdateExtent((10, 29, 5, 5, 0, 0))
+assert part.GetOutput().GetExtent() == (10, 29, 5, 5, 0, 0)
+assert (gr.array_of(part) == picture[5:6, 10:30]).all()
+assert part.GetOutput().GetSpacing() == whole.GetOutput().GetSpacing()
+assert part.GetOutput().GetOrigin() == whole.GetOutput().GetOrigin()
+assert part.GetOutput().GetNumberOfPoints() == 20
+assert whole.GetOutputInformation(0).Get(vtkImageData.SPACING()) == whole.GetOutput().GetSpacing()
+scale = 2 * camera.GetParallelScale() / 50
+assert np.allclose(whole.GetOutput().GetSpacing()[:2], scale)
+assert np.allclose(whole.GetOutput().GetOrigin()[:2], (-29.5 * scale, -24.5 * scale))
+names = lambda p: [p.GetOutput().GetPointData().GetArrayName(i)
+                   for i in range(p.GetOutput().GetPointData().GetNumberOfArrays())]
+assert names(whole) == ["Color", "RGBA", "Sum", "Samples"]
+assert whole.GetOutput().GetPointData().GetScalars().GetName() == "Color"
+whole.OutputFloatsOff()
+assert (update(whole) == picture).all() and names(whole) == ["Color"]
+
+# A file is drawn as the image was that was packed, and no voxel is made for it.
+path = gm.temporary("projection.ghv")
+for size, options in ((8, {}), (16, {"Quality": 30}), (0, gr.LOSSLESS), (5, {"Goal": 3, "Rate": 2})):
+    gh.write(image, path, BlockSize=size, **options)
+    reader = gh.open_file(path)
+    for law in (0, 1, 2):
+        settings = dict(Size=(60, 50), Property=colours, Law=law)
+        of_image = gr.draw(image, camera, "RGBA", BlockSize=size, **options, **settings)
+        projection = gr.make_projection(reader, camera, **settings)
+        update(projection)
+        assert abs(gr.array_of(projection, "RGBA") - of_image).max() < 1e-4, (size, law)
+        assert reader.GetOutput().GetNumberOfPoints() == 0
+        assert 0 < projection.GetBytesRead() and projection.GetNumberOfVolumes() == 1
+    camera.Azimuth(5)
+    update(projection)
+    assert projection.GetNumberOfVolumes() == 1 and reader.GetOutput().GetNumberOfPoints() == 0
+
+# Voxels that the reader has, or is asked for, are left alone.
+reader = gh.open_file(path)
+reader.Update()
+assert reader.GetOutput().GetNumberOfPoints() == field.size
+projection = gr.make_projection(reader, camera, Size=(60, 50))
+update(projection)
+assert reader.GetOutput().GetNumberOfPoints() == field.size
+camera.Azimuth(5)
+update(projection)
+assert reader.GetOutput().GetNumberOfPoints() == field.size
+reader = gh.open_file(path)
+projection = gr.make_projection(reader, camera, Size=(60, 50))
+picture = update(projection)
+reader.UpdateWholeExtent()
+assert reader.GetOutput().GetNumberOfPoints() == field.size
+assert (update(projection) == picture).all()
+
+# Another file of that name is another picture.
+gh.write(gh.make_volume(field[::-1].copy(), (2, 3, 4), (1, 2, 3), (0.5, 0.6, 0.7)), path)
+assert (update(projection) != picture).any() and projection.GetNumberOfVolumes() == 2
+
+
+# What cannot be drawn.
+def refuse(projection, *texts, code=INVALID):
+    errors = gm.Errors(projection)
+    projection.Update()
+    assert projection.GetErrorCode() == (code or projection.GetErrorCode()) != 0, str(errors)
+    assert len(errors.messages) == 1, errors.messages
+    for text in texts:
+        assert text in str(errors), (text, str(errors))
+    assert projection.GetOutput().GetNumberOfPoints() == 0
+    assert projection.GetOutput().GetPointData().GetNumberOfArrays() == 0
+    projection.RemoveAllObservers()
+
+
+expected = gr.draw(image, camera, Size=(20, 20))
+bad = {
+    "Size": ((0, 5), (5, 0), (-1, 5), (32001, 5), (2147483647, 2147483647)),
+    "BlockSize": (-1, 1, 65, 1000000), "Quality": (0, np.nan), "SampleDistance": (-1, np.nan, np.inf),
+    "FrequencyWeight": (-1, 9), "Window": ((np.nan, 1), (0, np.inf)),
+}
+for name, values in bad.items():
+    for value in values:
+        projection = gr.make_projection(image, camera, **{"Size": (20, 20), name: value})
+        refuse(projection)
+        before = vtkHartleyProjection()
+        kept = getattr(before, "Get" + name)() if name != "Size" else (20, 20)
+        getattr(projection, "Set" + name)(*(kept if isinstance(kept, tuple) else (kept,)))
+        assert np.array_equal(update(projection), expected), (name, value)
+for value in (0.5, 9, np.nan):
+    refuse(gr.make_projection(image, camera, Size=(20, 20), Method=2, Padding=value))
+for options in (dict(ViewDirection=(0, 0, 0)), dict(ViewUp=(0, 0, 0)), dict(ViewUp=(0, 0, 3)),
+                dict(ViewDirection=(np.nan, 0, 1)), dict(ViewUp=(np.inf, 0, 1))):
+    refuse(gr.make_projection(image, None, **options), "do not make a view")
+for zoom in (0, -1, np.nan, np.inf):
+    refuse(gr.make_projection(image, None, Zoom=zoom), "zoom")
+camera.ParallelProjectionOff()
+projection = gr.make_projection(image, camera, Size=(20, 20))
+refuse(projection, "perspective", "one direction for the projection-slice theorem",
+       "ParallelProjectionOn")
+camera.ParallelProjectionOn()
+assert np.array_equal(update(projection), expected)
+
+small = field[:6, :7, :8].astype(float)
+for spacing in ((0, 1, 1), (1, 1, 0), (np.nan, 1, 1), (1, np.inf, 1)):
+    refuse(gr.make_projection(gh.make_volume(small, spacing=spacing), camera), "the spacing along")
+for direction in (np.zeros((3, 3)), np.ones((3, 3)), np.full((3, 3), np.nan),
+                  [[1, 0, 0], [0, 1, 1], [0, 0, 0]]):
+    refuse(gr.make_projection(gh.make_volume(small, direction=direction), camera))
+refuse(gr.make_projection(gh.make_volume(small, origin=(np.nan, 0, 0)), camera), "finite")
+refuse(gr.make_projection(vtkImageData(), camera), "empty")
+for value in (np.nan, np.inf):
+    broken = small.copy()
+    broken[1, 2, 3] = value
+    refuse(gr.make_projection(gh.make_volume(broken), camera), "finite")
+vectors = gh.make_volume(small)
+gm.add_array(vectors.GetPointData(), np.zeros((small.size, 3)), "velocity")
+gm.add_array(vectors.GetCellData(), np.zeros(vectors.GetNumberOfCells()), "cell")
+bits = vtkBitArray()
+bits.SetName("bits")
+bits.SetNumberOfValues(small.size)
+vectors.GetPointData().AddArray(bits)
+for where, name, text in ((0, "velocity", "has 3 components"), (0, "bits", "vtkBitArray"),
+                          (0, "nothing", "there is no point array 'nothing'"),
+                          (1, "cell", "needs an array on the points")):
+    projection = gr.make_projection(vectors, camera, Size=(20, 20))
+    projection.SetInputArrayToProcess(0, 0, 0, where, name)
+    refuse(projection, text)
+    projection.SetInputArrayToProcess(0, 0, 0, 0, "density")
+    update(projection)
+
+# One voxel, one layer, constant values, huge ranges: pictures.
+for fine in (np.ones((1, 1, 1)), np.arange(40.0).reshape(1, 5, 8), np.full((9, 9, 9), -5.0),
+             np.array([[[-1e300, 1e300]]]), np.full((3, 3, 3), 1e30, np.float32)):
+    for law in (0, 1, 2):
+        for block in (0, 8):
+            rgba = gr.draw(gh.make_volume(fine), None, "RGBA", Law=law, BlockSize=block, Size=(9, 9))
+            assert np.isfinite(rgba).all() and rgba.min() >= 0 and rgba.max() <= 1.00001, (fine, law)
+
+# Damaged files and missing ones.
+with open(path, "rb") as file:
+    content = file.read()
+told = 0
+for place in range(0, len(content), max(1, len(content) // 60)):
+    with open(path, "wb") as file:
+        file.write(content[:place] + bytes([content[place] ^ 0x55]) + content[place + 1:])
+    reader = gh.open_file(path)
+    projection = gr.make_projection(reader, camera, Size=(20, 20))
+    heard = [gm.Errors(reader), gm.Errors(projection)]
+    projection.Update()
+    if projection.GetErrorCode():
+        assert sum(len(errors.messages) for errors in heard) == 1, [str(errors) for errors in heard]
+        assert projection.GetOutput().GetNumberOfPoints() == 0
+        told += 1
+assert told > 50, told
+with open(path, "wb") as file:
+    file.write(content)
+update(projection)
+os.remove(path)
+reader = gh.open_file(path)
+heard = gm.Errors(reader)
+projection = gr.make_projection(reader, camera)
+errors = gm.Errors(projection)
+projection.Update()
+assert len(heard.messages) == 1 and projection.GetErrorCode() != 0
+assert projection.GetOutput().GetNumberOfPoints() == 0
+
+# Aborted: no message, no picture; and then the right one.
+projection = gr.make_projection(image, camera, Size=(20, 20))
+errors = gm.Errors(projection)
+tag = projection.AddObserver("ProgressEvent", lambda *_: projection.SetAbortExecute(1))
+projection.Update()
+assert not errors.messages and projection.GetErrorCode() == vtkHartleyVolumeReader.AbortedError
+assert projection.GetOutput().GetNumberOfPoints() == 0
+projection.RemoveObserver(tag)
+projection.SetAbortExecute(0)
+projection.Modified()
+assert np.array_equal(update(projection), expected)
+assert str(projection)
