@@ -62,55 +62,91 @@ struct Chosen
   HartleyLayout::Triple End{};
 };
 
-/** Of the blocks that are not empty, evenly many through the volume, in the order of chunks. */
-std::vector<Chosen> Choose(const Volume& volume, const HartleyLayout& layout, std::size_t most)
+/** Whether all of a box has the lowest density. */
+bool IsEmpty(const Volume& volume, const Chosen& block)
+{
+  const auto& size = volume.GetSize();
+  const auto lowest = static_cast<float>(volume.GetLowest());
+  for (std::uint32_t z = block.First[2]; z < block.End[2]; ++z)
+  {
+    for (std::uint32_t y = block.First[1]; y < block.End[1]; ++y)
+    {
+      const float* const row = &volume.GetVoxels()[size[0] * (y + std::size_t{ size[1] } * z)];
+      if (std::any_of(
+            row + block.First[0], row + block.End[0], [&](float v) { return v != lowest; }))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/** The blocks of a chunk that are not empty. */
+std::vector<Chosen> FindBlocks(const Volume& volume, const HartleyLayout& layout, std::size_t chunk)
 {
   std::vector<Chosen> found;
-  const auto& size = volume.GetSize();
-  for (std::size_t chunk = 0; chunk < layout.GetNumberOfChunks(); ++chunk)
+  const HartleyLayout::Box box = layout.GetBlocksOfChunk(chunk);
+  std::size_t number = 0;
+  for (std::uint32_t k = box.First[2]; k < box.End[2]; ++k)
   {
-    const HartleyLayout::Box box = layout.GetBlocksOfChunk(chunk);
-    std::size_t number = 0;
-    for (std::uint32_t k = box.First[2]; k < box.End[2]; ++k)
+    for (std::uint32_t j = box.First[1]; j < box.End[1]; ++j)
     {
-      for (std::uint32_t j = box.First[1]; j < box.End[1]; ++j)
+      for (std::uint32_t i = box.First[0]; i < box.End[0]; ++i, ++number)
       {
-        for (std::uint32_t i = box.First[0]; i < box.End[0]; ++i, ++number)
+        const HartleyLayout::Triple place{ i, j, k };
+        Chosen block{ chunk, number, {}, {} };
+        for (std::size_t axis = 0; axis < 3; ++axis)
         {
-          const HartleyLayout::Triple place{ i, j, k };
-          Chosen block{ chunk, number, {}, {} };
-          for (std::size_t axis = 0; axis < 3; ++axis)
-          {
-            block.First[axis] = place[axis] * layout.Block[axis];
-            block.End[axis] = std::min(block.First[axis] + layout.Block[axis], size[axis]);
-          }
-          bool empty = true;
-          for (std::uint32_t z = block.First[2]; z < block.End[2] && empty; ++z)
-          {
-            for (std::uint32_t y = block.First[1]; y < block.End[1] && empty; ++y)
-            {
-              const float* const row =
-                &volume.GetVoxels()[size[0] * (y + std::size_t{ size[1] } * z)];
-              empty = std::all_of(row + block.First[0], row + block.End[0],
-                [&](float value) { return value == static_cast<float>(volume.GetLowest()); });
-            }
-          }
-          if (!empty)
-          {
-            found.push_back(block);
-          }
+          block.First[axis] = place[axis] * layout.Block[axis];
+          block.End[axis] =
+            std::min(block.First[axis] + layout.Block[axis], volume.GetSize()[axis]);
+        }
+        if (!IsEmpty(volume, block))
+        {
+          found.push_back(block);
         }
       }
     }
   }
-  if (found.size() > most)
+  return found;
+}
+
+/** Every so manieth, so that there are at most so many. */
+template <typename Item>
+void Thin(std::vector<Item>& items, std::size_t most)
+{
+  if (items.size() > most)
   {
     for (std::size_t i = 0; i < most; ++i)
     {
-      found[i] = found[i * found.size() / most];
+      items[i] = items[i * items.size() / most];
     }
-    found.resize(most);
+    items.resize(most);
   }
+}
+
+/** Blocks that are not empty, evenly many through the volume, in the order of chunks. All of a
+ * chunk are drawn where one is looked at: of small blocks, not all chunks are. */
+std::vector<Chosen> Choose(const Volume& volume, const HartleyLayout& layout, std::size_t most)
+{
+  std::vector<std::vector<Chosen>> chunks;
+  for (std::size_t chunk = 0; chunk < layout.GetNumberOfChunks(); ++chunk)
+  {
+    chunks.push_back(FindBlocks(volume, layout, chunk));
+    if (chunks.back().empty())
+    {
+      chunks.pop_back();
+    }
+  }
+  const std::size_t inChunk = layout.GetNumberOfBlocks() / layout.GetNumberOfChunks() + 1;
+  Thin(chunks, std::max<std::size_t>(6, 30 * most / inChunk));
+  std::vector<Chosen> found;
+  for (const auto& blocks : chunks)
+  {
+    found.insert(found.end(), blocks.begin(), blocks.end());
+  }
+  Thin(found, most);
   return found;
 }
 
