@@ -100,7 +100,7 @@ void WritePicture(
   image->SetDimensions(static_cast<int>(picture.Width), static_cast<int>(picture.Height), 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   auto* out = static_cast<unsigned char*>(image->GetScalarPointer());
-  for (std::size_t i = 0; i < picture.Sums.size(); ++i)
+  for (std::size_t i = 0; i < picture.Colours.size(); ++i)
   {
     for (std::size_t c = 0; c < 3; ++c)
     {
@@ -148,7 +148,10 @@ void DrawPicture(const Options& options)
     gatun::HartleyProjector projector(std::make_shared<const gatun::HartleyFile>(options.Scratch));
     picture = projector.Draw(view, shading);
   }
-  const double largest = *std::max_element(picture.Sums.begin(), picture.Sums.end());
+  // Sums are there for X-rays only.
+  const double largest = shading.Law == HartleyLaw::XRay
+    ? *std::max_element(picture.Sums.begin(), picture.Sums.end())
+    : 0;
   WritePicture(picture, shading.Law, options.White > 0 ? options.White : largest, options.Picture);
   PrintJson(
     [&](gtn::Json& json)

@@ -99,9 +99,10 @@ std::vector<Drawer> MakeOwn(const Volume& volume, const Options& options, gtn::J
       AddCost(json, cost);
       json.Add("terms", CountTerms(*source));
       json.EndObject();
-      const auto projector = std::make_shared<gatun::HartleyProjector>(source);
       for (const std::string& law : options.Laws)
       {
+        // One each: what is kept of a view is of no use for another.
+        const auto projector = std::make_shared<gatun::HartleyProjector>(source);
         Drawer drawer{ "gatun", law, block, rate, {}, std::make_shared<gatun::HartleyPicture>() };
         const gatun::HartleyShading shading = MakeGrey(volume, GetLaw(law), options.Opacity);
         drawer.Draw = [projector, shading, picture = drawer.Picture](const auto& view)

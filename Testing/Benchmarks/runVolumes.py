@@ -25,12 +25,12 @@ ABOUT = {
 MODES = {
     "full": {
         "volumes": {"ct": {}, "mr": {}, "head": {"size": 128}},
-        "blocks": (2, 4, 8, 16, 32, 64, 0), "sampled": 3000, "rays": 250000,
+        "blocks": (2, 4, 8, 16, 32, 64, 0), "sampled": 2000, "rays": 150000,
         "opacities": (0.02, 0.1), "scale": 1,
         "rate blocks": (4, 8, 16, 32, 64), "weights": (0, 1),
         "rates": (0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 4, 0),
         "times": "ct", "pixels": (256, 512, 1024), "time rates": (0.1, 0.5, 1, 2, 0),
-        "threads": (1, 2), "rounds": 3, "pictures": "ct",
+        "threads": (1, 2), "rounds": 3, "plate": "ct",
         "qualities": (0, 0.2, 0.1, 0.05, 0.02)},
     "quick": {
         "volumes": {"ct": {}, "head": {"size": 64}},
@@ -38,14 +38,14 @@ MODES = {
         "opacities": (0.1,), "scale": 0.5,
         "rate blocks": (8, 16), "weights": (0,), "rates": (0.25, 1, 0),
         "times": "head", "pixels": (128, 256), "time rates": (0.5, 0),
-        "threads": (1, 2), "rounds": 2, "pictures": "head", "qualities": (0, 0.2)},
+        "threads": (1, 2), "rounds": 2, "plate": "head", "qualities": (0, 0.2)},
     "smoke": {
         "volumes": {"head": {"size": 24}, "smooth": {"size": 20}},
         "blocks": (4, 16), "sampled": 20, "rays": 2000,
         "opacities": (0.1,), "scale": 1,
         "rate blocks": (8,), "weights": (0,), "rates": (1, 0),
         "times": "head", "pixels": (32,), "time rates": (1,),
-        "threads": (1,), "rounds": 1, "pictures": "head", "qualities": (0, 0.5)},
+        "threads": (1,), "rounds": 1, "plate": "head", "qualities": (0, 0.5)},
 }
 
 # Density, red, green, blue and opacity.
@@ -77,8 +77,9 @@ def measure_blocks(runner, volume, mode):
 
 
 def measure_pictures(runner, volume, mode):
-    """Table 2."""
-    return [runner.case("volume-pictures", volume, "--blocks", *mode["blocks"], "--rates", 0, 1,
+    """Table 2; the first of the opacities at one bit a voxel too."""
+    return [runner.case("volume-pictures", volume, "--blocks", *mode["blocks"], "--rates", 0,
+                        *((1,) if opacity == mode["opacities"][0] else ()),
                         "--opacity", opacity, "--scale", mode["scale"])
             for opacity in mode["opacities"]]
 
@@ -89,7 +90,7 @@ def measure_rates(runner, volume, mode):
                        "--weights", *mode["weights"])
 
 
-def measure_times(runner, volume, mode):
+def measure_times(runner, _, volume, mode):
     """By size of blocks; by quality; by size of pictures; by threads."""
     def run(blocks, rates, pixels, threads=0):
         return runner.case("volume-times", volume, "--blocks", *blocks, "--rates", *rates,
@@ -103,7 +104,7 @@ def measure_times(runner, volume, mode):
             "threads": [run([8, 16], [1], middle, threads) for threads in mode["threads"]]}
 
 
-def draw_pictures(runner, name, volume, mode):
+def draw_plate(runner, name, volume, mode):
     """A row for each law; voxel by voxel first, then at ever fewer bits."""
     laws = {"xray": ("--law", "xray"), "exponential": ("--law", "exponential", "--opacity", 0.15),
             "function": ("--law", "linear", "--nodes", *FUNCTIONS[name])}
@@ -122,42 +123,52 @@ def draw_pictures(runner, name, volume, mode):
     return pictures
 
 
+def measure_volume(runner, name, volume, mode):
+    return {"name": name, "about": ABOUT[name][1],
+            "blocks": measure_blocks(runner, volume, mode),
+            "pictures": measure_pictures(runner, volume, mode),
+            "rates": measure_rates(runner, volume, mode)}
+
+
 def measure(runner, options, results):
-    """All volumes, or those that are asked for, in the place of what there was of them."""
+    """All of it, or what is asked for, in the place of what there was of that."""
     mode = MODES[options.mode]
     if not options.only:
         results = {"mode": options.mode, "machine": benchmarkRunner.machine(runner), "volumes": []}
     data = os.environ.get("GATUN_DATA_DIR")
     data = pathlib.Path(data) if data else None
-    for name in options.only or mode["volumes"]:
+    parts = options.only or [*mode["volumes"], *PARTS]
+    for name in mode["volumes"]:
         volume = find(name, mode["volumes"][name], data)
+        if name not in parts:
+            continue
         if volume is None:
             runner.say(f"{name} is left out: GATUN_DATA_DIR has it not")
             continue
         results["volumes"] = [one for one in results["volumes"] if one["name"] != name]
-        results["volumes"].append({
-            "name": name, "about": ABOUT[name][1],
-            "blocks": measure_blocks(runner, volume, mode),
-            "pictures": measure_pictures(runner, volume, mode),
-            "rates": measure_rates(runner, volume, mode)})
-    # The real volume if it is there, else the made one.
-    for part, make in (("times", lambda name, volume: measure_times(runner, volume, mode)),
-                       ("plate", lambda name, volume: draw_pictures(runner, name, volume, mode))):
-        name = mode["times" if part == "times" else "pictures"]
-        volume = find(name, mode["volumes"][name], data)
-        if volume is None:
-            name, volume = "head", "head:128"
-        if not options.only or name in options.only:
-            results[part] = {"name": name, "runs": make(name, volume)}
+        results["volumes"].append(measure_volume(runner, name, volume, mode))
+    for part, make in PARTS.items():
+        if part in parts:
+            # The real volume if it is there, else the made one.
+            name = mode[part]
+            volume = find(name, mode["volumes"][name], data)
+            if volume is None:
+                name, volume = "head", "head:128"
+            results[part] = {"name": name, "runs": make(runner, name, volume, mode)}
+    order = list(ABOUT)
+    results["volumes"].sort(key=lambda one: order.index(one["name"]))
     results["machine"]["loadAfter"] = os.getloadavg()
     results["seconds"] = results.get("seconds", 0) + time.monotonic() - runner.start
     return results
 
 
+PARTS = {"times": measure_times, "plate": draw_plate}
+
+
 def main():
     parser = benchmarkRunner.make_parser(__doc__, PAGE)
-    parser.add_argument("--only", nargs="+", choices=MODES["full"]["volumes"],
-                        help="measure these volumes only, and keep what is there of the others")
+    parser.add_argument("--only", nargs="+", choices=[*MODES["full"]["volumes"], *PARTS],
+                        help="measure these only, and keep what is there of the rest")
     options = parser.parse_args()
     folder = options.out / PAGE
     folder.mkdir(parents=True, exist_ok=True)

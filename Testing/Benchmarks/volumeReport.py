@@ -111,7 +111,7 @@ def _pictures(results, pictures):
             for block in run["blocks"]:
                 if block["rate"] != 0:
                     continue
-                coded = find(run["blocks"], block=block["block"], rate=1)["views"]
+                coded = find(run["blocks"], block=block["block"], rate=1)
                 for i in (0, 1, 2, 3):
                     view = block["views"][i]
                     paper = PAPER2.get(block["block"]) if i in (1, 3) else None
@@ -122,7 +122,7 @@ def _pictures(results, pictures):
                         f"**{error(view['exponential']['mse'])}**",
                         paper[2 + i // 2] if paper else "",
                         f"**{error(view['linear']['mse'])}**",
-                        error(coded[i]["exponential"]["mse"])])
+                        error(coded["views"][i]["exponential"]["mse"]) if coded else ""])
             text += f"\n### {one['name']}, opacity {run['opacity']:g}\n\n" + table(
                 ["block", "turns", "X-ray", "equation 6", "largest", "paper, exponential", "ours",
                  "paper, linear", "ours", "exponential, 1 bit"], rows)
