@@ -5,7 +5,7 @@
 #include "gatunError.h"
 #include "gatunHartleyBasis.h"
 #include "gatunHartleyChunks.h"
-#include "gatunHartleyKernel.h"
+#include "gatunHartleyLookup.h"
 #include "gatunHartleyPaperSlice.h"
 #include "gatunHartleySlab.h"
 #include "gatunHartleySlice.h"
@@ -34,9 +34,6 @@ constexpr std::uint64_t MostBasisBytes = std::uint64_t{ 1 } << 30;
 // The most voxels along an axis of blocks that are drawn by their basis functions unless told
 // otherwise.
 constexpr std::uint32_t LargestBasisBlock = 16;
-
-// A picture through which less light comes is complete.
-constexpr float Opaque = 1.0f / 1024;
 
 //------------------------------------------------------------------------------
 void Check(const HartleyView& view)
@@ -122,15 +119,6 @@ struct HartleyProjector::Internals
 namespace
 {
 //------------------------------------------------------------------------------
-/** A block of a slab on its way to the picture. */
-struct Job
-{
-  std::array<std::uint32_t, 2> Place{}; // across, down
-  const float* Unit = nullptr;
-  const float* Picture = nullptr; // null: nothing but the base value
-};
-
-//------------------------------------------------------------------------------
 void Paint(const HartleyPainter& painter, std::span<const HartleyPainter::Task> tasks)
 {
   const auto threads = static_cast<std::size_t>(GetNumberOfThreads());
@@ -144,123 +132,6 @@ void Paint(const HartleyPainter& painter, std::span<const HartleyPainter::Task> 
     [&](std::size_t i) {
       painter.MakeBrush()->Paint(tasks.subspan(i * each, std::min(each, tasks.size() - i * each)));
     });
-}
-
-//------------------------------------------------------------------------------
-/** Adds the pictures of blocks to those that are in front of them. */
-void AddToSlab(const HartleyLattice& lattice, const HartleyLookup& lookup,
-  std::span<const Job> jobs, const std::array<std::uint32_t, 2>& first, HartleySlab& slab)
-{
-  constexpr std::size_t rowsAtOnce = 8;
-  std::size_t top = slab.Points[1];
-  std::size_t bottom = 0;
-  for (const Job& job : jobs)
-  {
-    const std::size_t corner = slab.GetCorner(lattice, first, job.Place)[1];
-    top = std::min(top, corner);
-    bottom = std::max(bottom, corner + lattice.Points[1]);
-  }
-  if (top >= bottom)
-  {
-    return;
-  }
-  ParallelFor((bottom - top + rowsAtOnce - 1) / rowsAtOnce,
-    [&](std::size_t band)
-    {
-      const std::size_t begin = top + band * rowsAtOnce;
-      const std::size_t end = std::min(begin + rowsAtOnce, bottom);
-      for (const Job& job : jobs)
-      {
-        const auto corner = slab.GetCorner(lattice, first, job.Place);
-        const std::size_t last = std::min(end, corner[1] + lattice.Points[1]);
-        for (std::size_t row = std::max(begin, corner[1]); row < last; ++row)
-        {
-          const std::size_t from = (row - corner[1]) * lattice.Points[0];
-          auto* const to = slab.Channels.data() + row * slab.Points[0] + corner[0];
-          for (std::size_t i = 0; i < lattice.Points[0]; ++i)
-          {
-            const float samples = job.Unit[from + i];
-            if (samples > 0)
-            {
-              lookup.Add(job.Picture ? job.Picture[from + i] : 0, samples, to[i]);
-            }
-          }
-        }
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
-/** Columns from first up to, not including, end, for which start + column step is in a range. */
-void ClipColumns(double start, double step, double low, double high, double& first, double& end)
-{
-  if (step == 0)
-  {
-    if (start < low || start > high)
-    {
-      end = first;
-    }
-    return;
-  }
-  const double one = (low - start) / step;
-  const double two = (high - start) / step;
-  first = std::max(first, std::ceil(std::min(one, two)));
-  end = std::min(end, std::floor(std::max(one, two)) + 1);
-}
-
-//------------------------------------------------------------------------------
-/** Adds a slab to the picture. Returns whether there are pixels through which light still comes. */
-bool AddToPicture(const HartleyLattice& lattice, const HartleyView& view,
-  const HartleyLookup& lookup, const HartleySlab& slab, std::vector<std::array<float, 4>>& pixels)
-{
-  constexpr unsigned rowsAtOnce = 4;
-  const auto origin = lattice.Project(view.Origin);
-  const auto column = lattice.Project(view.ColumnStep);
-  const auto row = lattice.Project(view.RowStep);
-  const auto& kernel = GetBestHartleyKernel();
-  const std::size_t groups = (view.Height + rowsAtOnce - 1) / rowsAtOnce;
-  std::vector<std::uint8_t> clear(groups);
-  ParallelFor(groups,
-    [&](std::size_t group)
-    {
-      const auto begin = static_cast<unsigned>(group) * rowsAtOnce;
-      float most = 0;
-      for (unsigned y = begin; y < std::min(begin + rowsAtOnce, view.Height); ++y)
-      {
-        // In points of the slab's lattice; interpolation needs one before and two behind.
-        std::array<double, 2> start, step;
-        double first = 0;
-        double end = view.Width;
-        for (std::size_t i = 0; i < 2; ++i)
-        {
-          start[i] = (origin[i] + y * row[i] - slab.Origin[i]) / HartleyLattice::Spacing;
-          step[i] = column[i] / HartleyLattice::Spacing;
-          ClipColumns(start[i], step[i], 1, static_cast<double>(slab.Points[i]) - 3, first, end);
-        }
-        auto* const pixelsOfRow = pixels.data() + std::size_t{ y } * view.Width;
-        for (double x = first; x < end; ++x)
-        {
-          const double across = start[0] + x * step[0];
-          const double down = start[1] + x * step[1];
-          // Clamped, as the ends of the range are rounded.
-          const std::size_t left =
-            std::clamp<std::size_t>(static_cast<std::size_t>(across), 1, slab.Points[0] - 3);
-          const std::size_t top =
-            std::clamp<std::size_t>(static_cast<std::size_t>(down), 1, slab.Points[1] - 3);
-          std::array<float, 4> channels;
-          kernel.Interpolate(slab.Channels[(top - 1) * slab.Points[0] + left - 1].data(),
-            slab.Points[0] * 4, static_cast<float>(across - static_cast<double>(left)),
-            static_cast<float>(down - static_cast<double>(top)), channels.data());
-          lookup.AddSlab(channels, pixelsOfRow[static_cast<std::size_t>(x)]);
-        }
-        for (unsigned x = 0; x < view.Width; ++x)
-        {
-          most = std::max(most, pixelsOfRow[x][3]);
-        }
-      }
-      clear[group] = most > Opaque;
-    });
-  return std::any_of(clear.begin(), clear.end(), [](std::uint8_t one) { return one != 0; });
 }
 
 //------------------------------------------------------------------------------
@@ -465,7 +336,7 @@ HartleyPicture HartleyProjector::Draw(const HartleyView& view, const HartleyShad
   HartleySlab slab;
   std::vector<float> pictures;
   std::vector<Triple> places;
-  std::vector<Job> jobs;
+  std::vector<HartleySlab::Part> parts;
   std::vector<HartleyPainter::Task> tasks;
   for (std::uint32_t step = 0; step < counts[2]; ++step)
   {
@@ -504,7 +375,7 @@ HartleyPicture HartleyProjector::Draw(const HartleyView& view, const HartleyShad
     for (std::size_t from = 0; from < places.size(); from += rowsAtOnce * width)
     {
       const std::size_t to = std::min(places.size(), from + rowsAtOnce * width);
-      jobs.clear();
+      parts.clear();
       tasks.clear();
       pictures.resize(std::max(pictures.size(), (to - from) * points));
       for (const Triple& place : std::span(places).subspan(from, to - from))
@@ -514,24 +385,24 @@ HartleyPicture HartleyProjector::Draw(const HartleyView& view, const HartleyShad
         {
           continue;
         }
-        Job job;
-        job.Place = { place[static_cast<std::size_t>(lattice.Axes[0])],
+        HartleySlab::Part part;
+        part.Place = { place[static_cast<std::size_t>(lattice.Axes[0])],
           place[static_cast<std::size_t>(lattice.Axes[1])] };
-        job.Unit = data.GetUnit(data.Layout.GetFilled(place)).data();
+        part.Unit = data.GetUnit(data.Layout.GetFilled(place)).data();
         if (!terms.empty())
         {
           float* const room = pictures.data() + tasks.size() * points;
-          job.Picture = room;
+          part.Picture = room;
           tasks.push_back({ data.Layout.GetBlockNumber(place), terms, room });
           picture.Terms += terms.size();
         }
-        jobs.push_back(job);
+        parts.push_back(part);
       }
-      picture.Blocks += jobs.size();
+      picture.Blocks += parts.size();
       Paint(*data.Painter, tasks);
-      AddToSlab(lattice, lookup, jobs, first, slab);
+      slab.Add(lattice, lookup, parts);
     }
-    if (!AddToPicture(lattice, view, lookup, slab, picture.Colours) && !xray)
+    if (!slab.AddTo(lattice, view, lookup, picture.Colours) && !xray)
     {
       break;
     }

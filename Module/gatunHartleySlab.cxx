@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunHartleySlab.h"
 
+#include "gatunHartleyKernel.h"
+#include "gatunParallel.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,124 +12,33 @@ namespace gatun
 {
 namespace
 {
-constexpr std::size_t TableSize = 4096;
-
-// Where rays have fewer samples in a block than this, its mean density means nothing.
-constexpr float FewestSamples = 0.005f;
-
-// The most that one sample may hide: opacities of 1 have no finite optical depth.
-constexpr double MostOpacity = 1 - 1e-7;
-}
+// A picture through which less light comes is complete.
+constexpr float Opaque = 1.0f / 1024;
 
 //------------------------------------------------------------------------------
-HartleyLookup::HartleyLookup(const HartleyShading& shading, double base, const Range& range)
-  : Shading(shading)
-  , Base(static_cast<float>(base))
-  , Least(static_cast<float>(range.Min))
-  , Most(static_cast<float>(range.Max))
-  , First(static_cast<float>(shading.First))
+/** Columns from first up to, not including, end, for which start + column step is in a range. */
+void ClipColumns(double start, double step, double low, double high, double& first, double& end)
 {
-  if (shading.Law == HartleyLaw::XRay)
+  if (step == 0)
   {
-    return;
-  }
-  const double width = shading.Last - shading.First;
-  this->PerDensity = width > 0 ? static_cast<float>((TableSize - 1) / width) : 0.0f;
-  this->Table.resize(TableSize);
-  for (std::size_t i = 0; i < TableSize; ++i)
-  {
-    const double at =
-      static_cast<double>(i) / (TableSize - 1) * static_cast<double>(shading.Table.size() - 1);
-    const auto below = std::min(static_cast<std::size_t>(at), shading.Table.size() - 2);
-    const auto part = static_cast<float>(at - static_cast<double>(below));
-    for (std::size_t channel = 0; channel < 4; ++channel)
+    if (start < low || start > high)
     {
-      this->Table[i][channel] =
-        (1 - part) * shading.Table[below][channel] + part * shading.Table[below + 1][channel];
+      end = first;
     }
-    const double opacity = std::clamp(static_cast<double>(this->Table[i][3]), 0.0, MostOpacity);
-    this->Table[i][3] = static_cast<float>(-std::log1p(-opacity));
+    return;
   }
-  this->BaseClear = shading.Law == HartleyLaw::Exponential
-    ? shading.Extinction * (base - shading.Zero) <= 0
-    : this->Find(this->Base)[3] <= 0;
+  const double one = (low - start) / step;
+  const double two = (high - start) / step;
+  first = std::max(first, std::ceil(std::min(one, two)));
+  end = std::min(end, std::floor(std::max(one, two)) + 1);
 }
-
-//------------------------------------------------------------------------------
-const std::array<float, 4>& HartleyLookup::Find(float density) const
-{
-  const float at = (density - this->First) * this->PerDensity + 0.5f;
-  return this
-    ->Table[static_cast<std::size_t>(std::clamp(at, 0.0f, static_cast<float>(TableSize - 1)))];
-}
-
-//------------------------------------------------------------------------------
-void HartleyLookup::Add(float first, float samples, std::array<float, 4>& channels) const
-{
-  if (this->Shading.Law == HartleyLaw::XRay)
-  {
-    channels[0] += first;
-    channels[1] += samples;
-    return;
-  }
-  if (samples < FewestSamples)
-  {
-    return;
-  }
-  const float mean = std::clamp(first / samples + this->Base, this->Least, this->Most);
-  const auto& found = this->Find(mean);
-  float depth = 0;
-  float through = 1; // of what was there before
-  if (this->Shading.Law == HartleyLaw::Exponential)
-  {
-    // Equation 6: the opacity does not need the mean.
-    const auto zero = static_cast<float>(this->Shading.Zero);
-    depth = static_cast<float>(this->Shading.Extinction) *
-      std::max(0.0f, first + samples * (this->Base - zero));
-    through = channels[3] > 0 ? std::exp(-channels[3]) : 1.0f;
-  }
-  else
-  {
-    depth = samples * found[3]; // equation 7: 1 - (1 - O)^n
-    through = 1 - channels[3];
-  }
-  if (depth <= 0)
-  {
-    return;
-  }
-  // Equations 8 to 10.
-  const float opacity = -std::expm1(-depth);
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    channels[i] += through * opacity * found[i];
-  }
-  // Of the exponential law what lies in a slab is kept as its optical depth, which is as linear in
-  // the densities as the pictures are.
-  channels[3] += this->Shading.Law == HartleyLaw::Exponential ? depth : through * opacity;
-}
-
-//------------------------------------------------------------------------------
-void HartleyLookup::AddSlab(const std::array<float, 4>& channels, std::array<float, 4>& pixel) const
-{
-  if (this->Shading.Law == HartleyLaw::XRay)
-  {
-    pixel[0] += channels[0];
-    pixel[1] += channels[1];
-    return;
-  }
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    pixel[i] += pixel[3] * std::max(0.0f, channels[i]);
-  }
-  const float opaque = std::max(0.0f, channels[3]);
-  pixel[3] *=
-    this->Shading.Law == HartleyLaw::Exponential ? std::exp(-opaque) : 1 - std::min(1.0f, opaque);
 }
 
 //------------------------------------------------------------------------------
 void HartleySlab::Start(const HartleyLattice& lattice, const std::array<std::uint32_t, 2>& first,
   const std::array<std::uint32_t, 2>& end, double middleAlong)
 {
+  this->First = first;
   for (std::size_t i = 0; i < 2; ++i)
   {
     const double middle =
@@ -141,16 +53,113 @@ void HartleySlab::Start(const HartleyLattice& lattice, const std::array<std::uin
 }
 
 //------------------------------------------------------------------------------
-std::array<std::size_t, 2> HartleySlab::GetCorner(const HartleyLattice& lattice,
-  const std::array<std::uint32_t, 2>& first, const std::array<std::uint32_t, 2>& place) const
+std::array<std::size_t, 2> HartleySlab::GetCorner(
+  const HartleyLattice& lattice, const std::array<std::uint32_t, 2>& place) const
 {
   std::array<std::size_t, 2> corner;
   for (std::size_t i = 0; i < 2; ++i)
   {
-    corner[i] = static_cast<std::size_t>(place[i] - first[i]) *
+    corner[i] = static_cast<std::size_t>(place[i] - this->First[i]) *
         static_cast<std::size_t>(lattice.Block[i]) * HartleyLattice::PerVoxel +
       Margin;
   }
   return corner;
+}
+
+//------------------------------------------------------------------------------
+void HartleySlab::Add(
+  const HartleyLattice& lattice, const HartleyLookup& lookup, std::span<const Part> parts)
+{
+  constexpr std::size_t rowsAtOnce = 8;
+  std::size_t top = this->Points[1];
+  std::size_t bottom = 0;
+  for (const Part& part : parts)
+  {
+    const std::size_t corner = this->GetCorner(lattice, part.Place)[1];
+    top = std::min(top, corner);
+    bottom = std::max(bottom, corner + lattice.Points[1]);
+  }
+  if (top >= bottom)
+  {
+    return;
+  }
+  ParallelFor((bottom - top + rowsAtOnce - 1) / rowsAtOnce,
+    [&](std::size_t band)
+    {
+      const std::size_t begin = top + band * rowsAtOnce;
+      const std::size_t end = std::min(begin + rowsAtOnce, bottom);
+      for (const Part& part : parts)
+      {
+        const auto corner = this->GetCorner(lattice, part.Place);
+        const std::size_t last = std::min(end, corner[1] + lattice.Points[1]);
+        for (std::size_t row = std::max(begin, corner[1]); row < last; ++row)
+        {
+          const std::size_t from = (row - corner[1]) * lattice.Points[0];
+          auto* const to = this->Channels.data() + row * this->Points[0] + corner[0];
+          for (std::size_t i = 0; i < lattice.Points[0]; ++i)
+          {
+            const float samples = part.Unit[from + i];
+            if (samples > 0)
+            {
+              lookup.Add(part.Picture ? part.Picture[from + i] : 0, samples, to[i]);
+            }
+          }
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+bool HartleySlab::AddTo(const HartleyLattice& lattice, const HartleyView& view,
+  const HartleyLookup& lookup, std::vector<std::array<float, 4>>& pixels) const
+{
+  constexpr unsigned rowsAtOnce = 4;
+  const auto origin = lattice.Project(view.Origin);
+  const auto column = lattice.Project(view.ColumnStep);
+  const auto row = lattice.Project(view.RowStep);
+  const auto& kernel = GetBestHartleyKernel();
+  const std::size_t groups = (view.Height + rowsAtOnce - 1) / rowsAtOnce;
+  std::vector<std::uint8_t> clear(groups);
+  ParallelFor(groups,
+    [&](std::size_t group)
+    {
+      const auto begin = static_cast<unsigned>(group) * rowsAtOnce;
+      float most = 0;
+      for (unsigned y = begin; y < std::min(begin + rowsAtOnce, view.Height); ++y)
+      {
+        // In points of the slab's lattice; interpolation needs one before and two behind.
+        std::array<double, 2> start, step;
+        double first = 0;
+        double end = view.Width;
+        for (std::size_t i = 0; i < 2; ++i)
+        {
+          start[i] = (origin[i] + y * row[i] - this->Origin[i]) / HartleyLattice::Spacing;
+          step[i] = column[i] / HartleyLattice::Spacing;
+          ClipColumns(start[i], step[i], 1, static_cast<double>(this->Points[i]) - 3, first, end);
+        }
+        auto* const pixelsOfRow = pixels.data() + std::size_t{ y } * view.Width;
+        for (double x = first; x < end; ++x)
+        {
+          const double across = start[0] + x * step[0];
+          const double down = start[1] + x * step[1];
+          // Clamped, as the ends of the range are rounded.
+          const std::size_t left =
+            std::clamp<std::size_t>(static_cast<std::size_t>(across), 1, this->Points[0] - 3);
+          const std::size_t top =
+            std::clamp<std::size_t>(static_cast<std::size_t>(down), 1, this->Points[1] - 3);
+          std::array<float, 4> channels;
+          kernel.Interpolate(this->Channels[(top - 1) * this->Points[0] + left - 1].data(),
+            this->Points[0] * 4, static_cast<float>(across - static_cast<double>(left)),
+            static_cast<float>(down - static_cast<double>(top)), channels.data());
+          lookup.AddSlab(channels, pixelsOfRow[static_cast<std::size_t>(x)]);
+        }
+        for (unsigned x = 0; x < view.Width; ++x)
+        {
+          most = std::max(most, pixelsOfRow[x][3]);
+        }
+      }
+      clear[group] = most > Opaque;
+    });
+  return std::any_of(clear.begin(), clear.end(), [](std::uint8_t one) { return one != 0; });
 }
 }

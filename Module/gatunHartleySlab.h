@@ -6,7 +6,7 @@
 // Blocks of a slab, added up or composited on one lattice.
 
 #include "gatunHartleyLattice.h"
-#include "gatunHartleyProjector.h"
+#include "gatunHartleyLookup.h"
 
 #include <array>
 #include <cstddef>
@@ -15,36 +15,6 @@
 
 namespace gatun
 {
-/** A law with its transfer function, ready for use. */
-class HartleyLookup
-{
-public:
-  HartleyLookup(const HartleyShading& shading, double base, const Range& range);
-
-  HartleyLaw GetLaw() const { return this->Shading.Law; }
-
-  /** Whether blocks in which all voxels have the base value show nothing. */
-  bool IsBaseClear() const { return this->BaseClear; }
-
-  /** What a block adds behind what is there: first is the integral of its densities, less that of
-   * the base value; samples that of ones. */
-  void Add(float first, float samples, std::array<float, 4>& channels) const;
-
-  /** The same with what a slab has at a place of the picture. The fourth number is the part of
-   * light that comes through. */
-  void AddSlab(const std::array<float, 4>& channels, std::array<float, 4>& pixel) const;
-
-private:
-  const std::array<float, 4>& Find(float density) const;
-
-  HartleyShading Shading;
-  float Base = 0;
-  float Least = 0, Most = 0; // densities that there are
-  float First = 0, PerDensity = 1;
-  bool BaseClear = false;
-  std::vector<std::array<float, 4>> Table; // red, green, blue, optical depth of a sample
-};
-
 /** The lattice of some blocks of a slab. */
 struct HartleySlab
 {
@@ -59,9 +29,27 @@ struct HartleySlab
   void Start(const HartleyLattice& lattice, const std::array<std::uint32_t, 2>& first,
     const std::array<std::uint32_t, 2>& end, double middleAlong);
 
-  /** The first point of a block's picture. */
-  std::array<std::size_t, 2> GetCorner(const HartleyLattice& lattice,
-    const std::array<std::uint32_t, 2>& first, const std::array<std::uint32_t, 2>& place) const;
+  /** A block, and the pictures that are known of it. */
+  struct Part
+  {
+    std::array<std::uint32_t, 2> Place{}; ///< across, down
+    const float* Unit = nullptr;          ///< of ones
+    const float* Picture = nullptr;       ///< null: nothing but the base value
+  };
+
+  /** Adds blocks, those in front first, behind what is there. */
+  void Add(const HartleyLattice& lattice, const HartleyLookup& lookup, std::span<const Part> parts);
+
+  /** Adds what is here behind what is in a picture. Returns whether there are pixels through which
+   * light still comes. */
+  bool AddTo(const HartleyLattice& lattice, const HartleyView& view, const HartleyLookup& lookup,
+    std::vector<std::array<float, 4>>& pixels) const;
+
+private:
+  std::array<std::size_t, 2> GetCorner(
+    const HartleyLattice& lattice, const std::array<std::uint32_t, 2>& place) const;
+
+  std::array<std::uint32_t, 2> First{}; ///< block
 };
 }
 
