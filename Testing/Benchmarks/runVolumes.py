@@ -27,35 +27,41 @@ MODES = {
         "volumes": {"ct": {}, "mr": {}, "head": {"size": 128}},
         "blocks": (2, 4, 8, 16, 32, 64, 0), "sampled": 2000, "rays": 150000,
         "opacities": (0.02, 0.1), "scale": 1,
-        "rate blocks": (4, 8, 16, 32, 64), "weights": (0, 1),
+        "rate blocks": (2, 4, 8, 16, 32, 64), "weights": (0, 1),
         "rates": (0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 4, 0),
         "times": "ct", "pixels": (256, 512, 1024), "time rates": (0.1, 0.5, 1, 2, 0),
         "threads": (1, 2), "rounds": 3, "plate": "ct",
-        "qualities": (0, 0.2, 0.1, 0.05, 0.02)},
+        "qualities": (0, 0.2, 0.1, 0.05, 0.02),
+        "plate blocks": (2, 4, 8, 16, 32), "plate scale": 1.5},
     "quick": {
         "volumes": {"ct": {}, "head": {"size": 64}},
         "blocks": (4, 8, 32), "sampled": 300, "rays": 50000,
         "opacities": (0.1,), "scale": 0.5,
         "rate blocks": (8, 16), "weights": (0,), "rates": (0.25, 1, 0),
         "times": "head", "pixels": (128, 256), "time rates": (0.5, 0),
-        "threads": (1, 2), "rounds": 2, "plate": "head", "qualities": (0, 0.2)},
+        "threads": (1, 2), "rounds": 2, "plate": "head", "qualities": (0, 0.2),
+        "plate blocks": (4, 16), "plate scale": 1},
     "smoke": {
         "volumes": {"head": {"size": 24}, "smooth": {"size": 20}},
         "blocks": (4, 16), "sampled": 20, "rays": 2000,
         "opacities": (0.1,), "scale": 1,
         "rate blocks": (8,), "weights": (0,), "rates": (1, 0),
         "times": "head", "pixels": (32,), "time rates": (1,),
-        "threads": (1,), "rounds": 1, "plate": "head", "qualities": (0, 0.5)},
+        "threads": (1,), "rounds": 1, "plate": "head", "qualities": (0, 0.5),
+        "plate blocks": (4, 8), "plate scale": 1},
 }
 
 # Density, red, green, blue and opacity.
 FUNCTIONS = {
-    "ct": (0, 0, 0, 0, 0,  70, 0.4, 0.05, 0.02, 0,  110, 0.75, 0.15, 0.08, 0.02,
-           150, 0.95, 0.45, 0.25, 0.10,  190, 1, 0.85, 0.65, 0.3,  255, 1, 1, 0.95, 0.6),
-    "head": (0, 0, 0, 0, 0,  90, 0.4, 0.05, 0.02, 0,  140, 0.9, 0.8, 0.6, 0.01,
-             185, 0.9, 0.8, 0.6, 0.01,  200, 0.9, 0.15, 0.1, 0.3,  255, 1, 0.3, 0.2, 0.5),
+    "ct": (0, 0.3, 0.02, 0, 0,  40, 0.5, 0.06, 0.03, 0.01,  110, 0.85, 0.25, 0.12, 0.06,
+           170, 1, 0.6, 0.35, 0.15,  255, 1, 1, 0.9, 0.4),
+    "head": (0, 0, 0, 0, 0,  60, 0.3, 0.3, 0.4, 0.002,  150, 0.9, 0.8, 0.6, 0.01,
+             185, 0.9, 0.8, 0.6, 0.02,  200, 0.9, 0.15, 0.1, 0.2,  255, 1, 0.3, 0.2, 0.4),
 }
-TURNS = {"ct": (-0.5, 0, 0), "head": (-0.5, 0, 0.15)}
+TURNS = {"ct": (-0.5, 0.1, 0), "head": (-0.5, 0.15, 0)}
+LAWS = {"xray": ("--law", "xray"),
+        "exponential": ("--law", "exponential", "--opacity", 0.25),
+        "function": ("--law", "linear")}
 
 
 def find(name, wanted, data):
@@ -105,21 +111,31 @@ def measure_times(runner, _, volume, mode):
 
 
 def draw_plate(runner, name, volume, mode):
-    """A row for each law; voxel by voxel first, then at ever fewer bits."""
-    laws = {"xray": ("--law", "xray"), "exponential": ("--law", "exponential", "--opacity", 0.15),
-            "function": ("--law", "linear", "--nodes", *FUNCTIONS[name])}
+    """A row for each law: voxel by voxel first, then at ever fewer bits; and with ever larger blocks."""
+    plates = {"qualities": [(4, rate) for rate in mode["qualities"]],
+              "sizes": [(block, 0) for block in mode["plate blocks"]]}
     pictures = []
-    for law, arguments in laws.items():
+    for law, arguments in LAWS.items():
+        if law == "function":
+            arguments = (*arguments, "--nodes", *FUNCTIONS[name])
         white = 0
-        for kind in ("voxels", *mode["qualities"]):
-            file = runner.path("volumes", f"{law}-{kind}.png")
+
+        def draw(plate, block, rate, *more):
+            file = runner.path("volumes", f"{law}-{plate}-{block}-{rate}.png")
             run = runner.case("volume-draw", volume, file, runner.path("volumes", "draw.ghv"),
-                              "--turns", *TURNS[name], "--scale", mode["scale"], "--block", 8,
-                              "--white", white, *arguments,
-                              *(["--voxels"] if kind == "voxels" else ["--rate", kind]))
-            # The same white for all; what is brighter than most is white.
-            white = white or 0.7 * run["white"]
-            pictures.append({"law": law, "kind": kind, "file": str(file), **run})
+                              "--turns", *TURNS[name], "--scale", mode["plate scale"], "--block",
+                              block, "--rate", rate, "--white", white, *arguments, *more)
+            pictures.append({"law": law, "plate": plate, "block": block, "rate": rate,
+                             "file": str(file), **run})
+            return run
+        # The same white for all; what is brighter than most is white. The picture that tells is
+        # drawn anew with it.
+        white = 0.6 * draw("voxels", 2, 0, "--voxels")["white"]
+        pictures.pop()
+        draw("voxels", 2, 0, "--voxels")
+        for plate, wanted in plates.items():
+            for block, rate in wanted:
+                draw(plate, block, rate)
     return pictures
 
 

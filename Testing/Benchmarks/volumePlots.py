@@ -124,40 +124,50 @@ def _times(results, folder, done):
     benchmarkPlots.save(figure, folder, "times", done)
 
 
-def _plate(results, folder, done):
-    """Only while the pictures are there; the plate of before stays else."""
+def _title(run):
+    if run["plate"] == "voxels":
+        return "voxel by voxel"
+    if run["plate"] == "sizes":
+        return f"blocks of {volumeReport.size(run['block'])}"
+    error = f"{run['psnr']:.1f} dB" if run["psnr"] is not None else "no loss"
+    return f"{run['bits']:.2f} bits, {error}"
+
+
+def _plates(results, folder, done):
+    """Only while the pictures are there; the plates of before stay else."""
     runs = results["plate"]["runs"]
-    if not all(pathlib.Path(run["file"]).exists() for run in runs):
-        if (folder / "plate.png").exists():
-            done.add("plate")
-        return
+    for plate in "qualities", "sizes":
+        if all(pathlib.Path(run["file"]).exists() for run in runs):
+            _plate([run for run in runs if run["plate"] in ("voxels", plate)], folder, plate)
+        if (folder / f"{plate}.png").exists():
+            done.add(plate)
+
+
+def _plate(runs, folder, name):
     laws = list(dict.fromkeys(run["law"] for run in runs))
     columns = len(runs) // len(laws)
     images = [pyplot.imread(run["file"])[:, :, :3] for run in runs]
     # What all of them leave black around the volume is cut off.
-    seen = sum(image.sum(axis=2) for image in images) > 0.3
+    seen = sum(image.sum(axis=2) for image in images) > 0.1 * len(images)
     rows, across = seen.any(axis=1).nonzero()[0], seen.any(axis=0).nonzero()[0]
     cut = (slice(rows[0], rows[-1] + 1), slice(across[0], across[-1] + 1))
     height, width = images[0][cut].shape[:2]
-    figure, grid = pyplot.subplots(len(laws), columns, squeeze=False,
-                                   figsize=(2.2 * columns, 2.2 * len(laws) * height / width + 0.2))
+    dots = 100
+    figure, grid = pyplot.subplots(len(laws), columns, squeeze=False, figsize=(
+        columns * width / dots, (len(laws) * height + 24) / dots))
     for axes, run, image in zip(grid.flat, runs, images):
         axes.imshow(image[cut])
         axes.set_axis_off()
         if run["law"] == laws[0]:
-            name = ("voxel by voxel" if run["kind"] == "voxels" else
-                    f"{run['bits']:.2f} bits, {volumeReport.psnr(run)}"
-                    + (" dB" if run["psnr"] is not None else ""))
-            axes.set_title(name, fontsize=8)
-    figure.subplots_adjust(0, 0, 1, 0.97, 0.01, 0.01)
-    figure.savefig(folder / "plate.png", dpi=130, metadata={"Software": None})
+            axes.set_title(_title(run), fontsize=10, pad=4)
+    figure.subplots_adjust(0, 0, 1, 1 - 24 / (len(laws) * height + 24), 0.01, 0.01)
+    figure.savefig(folder / f"{name}.png", dpi=dots, metadata={"Software": None})
     pyplot.close(figure)
-    done.add("plate")
 
 
 def draw(results, folder):
     """Writes all plots; returns their names."""
     done = set()
-    for make in _tables, _rates, _times, _plate:
+    for make in _tables, _rates, _times, _plates:
         make(results, folder, done)
     return done

@@ -204,17 +204,19 @@ def _times(results, pictures):
 
 
 def _plate(results, pictures):
-    runs = results["plate"]["runs"]
-    rows = [[kind, f"{run['bits']:.3f}", psnr(run)]
-            for run in runs if run["law"] == "xray"
-            for kind in [{"voxels": "voxel by voxel", 0: "no loss"}.get(run["kind"],
-                                                                       f"{run['kind']} bits")]
-            if run["kind"] != "voxels"]
-    return f"## Pictures: {results['plate']['name']}\n\n" + paragraph("""From top to bottom: X-ray, grey under the
-        exponential law, and colours by a transfer function. From left to right: voxel by voxel, then blocks
-        of 8 voxels from the file at ever fewer bits.""") + "\n" + table(
-            ["wanted", "bits a voxel", "PSNR"], rows) + "\n" + picture(
-                pictures, "plate", "The same view at several qualities", FOLDER)
+    runs = [run for run in results["plate"]["runs"]
+            if run["law"] == "xray" and run["plate"] != "voxels"]
+    rows = [[size(run["block"]), f"{run['rate']} bits" if run["rate"] else "no loss",
+             f"{run['bits']:.3f}", psnr(run)] for run in runs]
+    return f"## Pictures: {results['plate']['name']}\n\n" + paragraph("""From top to bottom: X-ray, grey
+        under the exponential law, and colours by a transfer function. Voxel by voxel on the left; then
+        blocks of 4 voxels from the file, at ever fewer bits a voxel.""") + "\n" + picture(
+            pictures, "qualities", "The same view at several qualities", FOLDER) + "\n" + paragraph(
+                """The same without loss, in ever larger blocks. That a block counts as if its mean
+                density were everywhere in it shows in colours and, under a transfer function, in
+                opacities; X-rays are the same for all.""") + "\n" + picture(
+                    pictures, "sizes", "The same view with several sizes of blocks", FOLDER) + (
+                        "\n" + table(["block", "wanted", "bits a voxel", "PSNR"], rows))
 
 
 def write(results, out):
