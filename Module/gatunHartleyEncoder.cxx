@@ -42,9 +42,10 @@ constexpr int MostAttempts = 12;
 class StepSearch
 {
 public:
-  StepSearch(double low, double high, double largest)
+  StepSearch(double low, double high, double smallest, double largest)
     : Low(low)
     , High(high)
+    , Smallest(smallest)
     , Largest(largest)
   {
   }
@@ -55,12 +56,12 @@ public:
   double Find(double first, Measure&& measure) const
   {
     const double aim = (this->Low + this->High) / 2;
-    double step = std::min(first, this->Largest);
+    double step = std::clamp(first, this->Smallest, this->Largest);
     double good = 0;
     double bad = 0;
     double ofGood = 0;
     double ofBad = 0;
-    for (int i = 0; i < MostAttempts || (good == 0 && i < 10 * MostAttempts); ++i)
+    for (int i = 0; i < MostAttempts || good == 0; ++i)
     {
       const double measured = measure(step, i);
       if (measured <= this->High)
@@ -72,6 +73,10 @@ public:
           return good;
         }
       }
+      else if (step <= this->Smallest)
+      {
+        return step;
+      }
       else
       {
         bad = step;
@@ -79,7 +84,7 @@ public:
       }
       if (good == 0)
       {
-        step = bad * std::clamp(aim / ofBad, 0.1, 0.99);
+        step = std::max(this->Smallest, bad * std::clamp(aim / ofBad, 0.1, 0.99));
       }
       else if (bad == 0)
       {
@@ -93,12 +98,13 @@ public:
         step = good * std::pow(bad / good, std::clamp(place, 0.05, 0.95));
       }
     }
-    return good > 0 ? good : step;
+    return good;
   }
 
 private:
   double Low;
   double High;
+  double Smallest;
   double Largest;
 };
 
@@ -381,7 +387,8 @@ double HartleyEncoder::GetLargestStep() const
 void HartleyEncoder::FindStepOfError(double target, const Progress& progress)
 {
   const double largest = this->GetLargestStep();
-  StepSearch search(ErrorTolerance * target, target, largest);
+  const double smallest = StepOfFloat64 * (this->Values.Max - this->Values.Min);
+  StepSearch search(ErrorTolerance * target, target, smallest, largest);
   // The error before rounding, of the sample, tells nearly where to look.
   double step = search.Find(std::min(target * std::sqrt(12.0), largest),
     [&](double attempt, int)
@@ -395,6 +402,10 @@ void HartleyEncoder::FindStepOfError(double target, const Progress& progress)
       this->SetStep(attempt);
       return this->GetError(GetAttempt(progress, count));
     });
+  if (step <= smallest)
+  {
+    ThrowInvalid("the error that was asked for is too small for these voxels; 0 is lossless");
+  }
   this->SetStep(step);
 }
 
@@ -402,11 +413,11 @@ void HartleyEncoder::FindStepOfError(double target, const Progress& progress)
 /** The step with which the file has as many bits a voxel as asked for, nearly. */
 void HartleyEncoder::FindStepOfRate(double target, const Progress& progress)
 {
-  StepSearch search(
-    (1 - RateTolerance) / target, (1 + RateTolerance) / target, this->GetLargestStep());
+  const double range = this->Values.Max - this->Values.Min;
+  StepSearch search((1 - RateTolerance) / target, (1 + RateTolerance) / target,
+    StepOfFloat64 * range, this->GetLargestStep());
   std::vector<std::size_t> all(this->Layout.GetNumberOfChunks());
   std::iota(all.begin(), all.end(), std::size_t{ 0 });
-  const double range = this->Values.Max - this->Values.Min;
   double step = search.Find(range / 64,
     [&](double attempt, int)
     {

@@ -235,6 +235,10 @@ HartleyMeta HartleyMeta::Read(std::span<const std::uint8_t> bytes)
   constexpr double most = std::numeric_limits<double>::max();
   meta.RootMeanSquareError = GetBetween(in, 0, most, "the error");
   meta.LargestError = GetBetween(in, 0, most, "the largest error");
+  if (in.GetRemaining() != 0)
+  {
+    ThrowCorrupt("there are bytes behind their end");
+  }
   return meta;
 }
 

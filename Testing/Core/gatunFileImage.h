@@ -178,7 +178,7 @@ public:
   Bytes Assemble(const std::vector<Section>& sections) const
   {
     ByteWriter header, file, directory;
-    header.PutBytes(FileMagic);
+    header.PutBytes(this->Kind->FileMagic);
     header.Put(this->Major);
     header.Put(this->Minor);
     header.Put(this->Reserved);
@@ -206,10 +206,11 @@ public:
     file.Put(static_cast<std::uint64_t>(directory.Data.size()));
     header.PutBytes(directory.Data);
     file.Put(Checksum(header.Data));
-    file.PutBytes(TrailerMagic);
+    file.PutBytes(this->Kind->TrailerMagic);
     return std::move(file.Data);
   }
 
+  const ContainerKind* Kind = &MeshContainer;
   std::uint16_t Major = 1;
   std::uint16_t Minor = 0;
   std::uint32_t Reserved = 0;

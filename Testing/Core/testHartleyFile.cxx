@@ -510,6 +510,8 @@ TEST(HartleyFile, RefusesSettingsThatMakeNoSense)
   ExpectRefused(volume.Input, MakeOptions(8, Goal::Quality, 101), "the quality is 101");
   ExpectRefused(volume.Input, MakeOptions(8, Goal::Error, -1), "the error is -1");
   ExpectRefused(volume.Input, MakeOptions(8, Goal::Error, std::nan("")), "the error is nan");
+  const auto noise = MakeVolume({ 9, 8, 7 }, ScalarType::Float64, GetNoise);
+  ExpectRefused(noise.Input, MakeOptions(8, Goal::Error, 1e-250), "is too small");
   ExpectRefused(volume.Input, MakeOptions(8, Goal::PSNR, 0), "the signal-to-noise ratio");
   ExpectRefused(volume.Input, MakeOptions(8, Goal::Rate, 0), "the rate in bits a voxel");
   auto options = MakeOptions(8, Goal::Quality, 50);
