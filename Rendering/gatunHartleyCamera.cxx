@@ -110,10 +110,16 @@ VolumePlace::VolumePlace(const VolumeInput& volume)
   this->Centre = this->ToWorld(middle);
   for (unsigned corner = 0; corner < 8; ++corner)
   {
-    const Vector index{ corner & 1u ? 2 * middle[0] : 0, corner & 2u ? 2 * middle[1] : 0,
-      corner & 4u ? 2 * middle[2] : 0 };
-    const Vector arm = Add(this->ToWorld(index), this->Centre, -1);
-    this->Radius = std::max(this->Radius, vtkMath::Norm(arm.data()));
+    Vector arm{};
+    Vector longer{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double side = corner >> axis & 1u ? 1 : -1;
+      arm[axis] = side * middle[axis];
+      longer[axis] = side * (middle[axis] + 1);
+    }
+    this->Radius = std::max(this->Radius, vtkMath::Norm(Combine(this->Axes, arm).data()));
+    this->Reach = std::max(this->Reach, vtkMath::Norm(Combine(this->Axes, longer).data()));
   }
   this->VoxelEdge = std::cbrt(std::abs(determinant));
 }
@@ -139,8 +145,7 @@ Vector VolumePlace::ToIndexStep(const Vector& step) const
 //------------------------------------------------------------------------------
 void ShowVolume(vtkCamera* camera, const VolumePlace& place, double aspect)
 {
-  // The hats of the outermost voxels reach half a voxel beyond, about.
-  const double radius = place.GetRadius() + place.GetVoxelEdge() / 2;
+  const double radius = place.GetReach();
   Vector direction{};
   camera->GetDirectionOfProjection(direction.data());
   const Vector& centre = place.GetCentre();

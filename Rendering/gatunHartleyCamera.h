@@ -33,9 +33,11 @@ public:
   /** The same for directions. */
   Vector ToIndexStep(const Vector& step) const;
 
-  /** The middle of the volume, and how far the voxels are from it at most. */
+  /** The middle of the volume, and how far voxels are from it at most; reach: how far what is
+   * drawn, which fades away within a voxel beyond. */
   const Vector& GetCentre() const { return this->Centre; }
   double GetRadius() const { return this->Radius; }
+  double GetReach() const { return this->Reach; }
 
   /** The edge of a cube that is as large as what one voxel takes. */
   double GetVoxelEdge() const { return this->VoxelEdge; }
@@ -46,6 +48,7 @@ private:
   Vector First{}; ///< where the first voxel is
   Vector Centre{};
   double Radius = 0;
+  double Reach = 0;
   double VoxelEdge = 1;
 };
 

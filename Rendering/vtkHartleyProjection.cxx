@@ -160,9 +160,9 @@ public:
   gatun::HartleyFrame MakeFrame(
     const vtkHartleyProjection* self, const gatun::VolumePlace& place) const;
   gatun::HartleyShading MakeShading(
-    const vtkHartleyProjection* self, const gatun::VolumePlace& place) const;
+    vtkHartleyProjection* self, const gatun::VolumePlace& place) const;
   vtkSmartPointer<vtkVolumeProperty> MakeProperty(
-    const gatun::Range& range, const gatun::VolumePlace& place) const;
+    vtkHartleyProjection* self, const gatun::VolumePlace& place) const;
   static std::array<int, 6> GetPart(const vtkHartleyProjection* self, vtkInformation* outInfo);
 };
 
@@ -287,32 +287,23 @@ gatun::HartleyFrame vtkHartleyProjection::vtkInternals::MakeFrame(
 }
 
 //------------------------------------------------------------------------------
-// The one that was set, or shades of grey.
+// The one that was set, or the default.
 vtkSmartPointer<vtkVolumeProperty> vtkHartleyProjection::vtkInternals::MakeProperty(
-  const gatun::Range& range, const gatun::VolumePlace& place) const
+  vtkHartleyProjection* self, const gatun::VolumePlace& place) const
 {
   if (this->Property)
   {
     return this->Property;
   }
-  vtkNew<vtkColorTransferFunction> colours;
-  vtkNew<vtkPiecewiseFunction> opacity;
-  const double high = range.Min < range.Max ? range.Max : range.Min + 1;
-  colours->AddRGBPoint(range.Min, 0, 0, 0);
-  colours->AddRGBPoint(high, 1, 1, 1);
-  opacity->AddPoint(range.Min, 0);
-  opacity->AddPoint(high, 1);
+  const double range[2] = { this->Source->GetRange().Min, this->Source->GetRange().Max };
   vtkNew<vtkVolumeProperty> property;
-  property->SetColor(colours);
-  property->SetScalarOpacity(opacity);
-  property->SetScalarOpacityUnitDistance(
-    std::max(2 * place.GetRadius(), place.GetVoxelEdge()) / 30);
+  self->FillDefaultProperty(property, range, std::max(2 * place.GetRadius(), place.GetVoxelEdge()));
   return property;
 }
 
 //------------------------------------------------------------------------------
 gatun::HartleyShading vtkHartleyProjection::vtkInternals::MakeShading(
-  const vtkHartleyProjection* self, const gatun::VolumePlace& place) const
+  vtkHartleyProjection* self, const gatun::VolumePlace& place) const
 {
   const gatun::Range range = this->Source->GetRange();
   const double distance = self->SampleDistance > 0 ? self->SampleDistance : place.GetVoxelEdge();
@@ -333,7 +324,7 @@ gatun::HartleyShading vtkHartleyProjection::vtkInternals::MakeShading(
   {
     gatun::ThrowInvalid("extinction, zero or window are not finite");
   }
-  gatun::FillHartleyTable(this->MakeProperty(range, place), range, distance, shading);
+  gatun::FillHartleyTable(this->MakeProperty(self, place), range, distance, shading);
   return shading;
 }
 
@@ -459,6 +450,22 @@ vtkAlgorithm* vtkHartleyProjection::FindProducer()
 }
 
 //------------------------------------------------------------------------------
+void vtkHartleyProjection::FillDefaultProperty(
+  vtkVolumeProperty* property, const double range[2], double diagonal)
+{
+  vtkNew<vtkColorTransferFunction> colours;
+  vtkNew<vtkPiecewiseFunction> opacity;
+  const double high = range[0] < range[1] ? range[1] : range[0] + 1;
+  colours->AddRGBPoint(range[0], 0, 0, 0);
+  colours->AddRGBPoint(high, 1, 1, 1);
+  opacity->AddPoint(range[0], 0);
+  opacity->AddPoint(high, 1);
+  property->SetColor(colours);
+  property->SetScalarOpacity(opacity);
+  property->SetScalarOpacityUnitDistance(diagonal / 30);
+}
+
+//------------------------------------------------------------------------------
 vtkExecutive* vtkHartleyProjection::CreateDefaultExecutive()
 {
   return vtkPipeline::New();
@@ -508,8 +515,9 @@ int vtkHartleyProjection::RequestUpdateExtent(
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* const info = inputs[0]->GetInformationObject(0);
-  if (GetReader(this->GetInputAlgorithm()))
+  if (GetReader(this->FindProducer()))
   {
+    // Even then what the reader has made already stays.
     const int nothing[6] = { 0, -1, 0, -1, 0, -1 };
     info->Set(Pipeline::UPDATE_EXTENT(), nothing, 6);
   }

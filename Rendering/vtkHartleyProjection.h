@@ -340,6 +340,13 @@ protected:
    */
   virtual vtkAlgorithm* FindProducer();
 
+  /**
+   * Gives colours and opacities to a property that is used where none was set, as SetProperty
+   * describes it. Range: of the volume; diagonal: its own, in world units, above 0.
+   */
+  virtual void FillDefaultProperty(
+    vtkVolumeProperty* property, const double range[2], double diagonal);
+
   vtkExecutive* CreateDefaultExecutive() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(

@@ -151,6 +151,7 @@ bool WriteSlice(const gtn::Slice& slice, const std::string& file, std::string& r
 {
   OIIO::ImageSpec spec(slice.Width, slice.Height, 1, TypeOf(slice.Type));
   spec.attribute("compression", "zip");
+  spec.attribute("tiff:write_exif", 0); // there is none, and some versions fail to write that
   return WritePixels(spec, TypeOf(slice.Type), slice.Values, file, reason);
 }
 

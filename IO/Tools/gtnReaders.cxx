@@ -73,6 +73,18 @@ void CheckIsNetCDF(const std::string& file)
   }
 }
 
+// So does the library of MetaImage files.
+void CheckIsMetaImage(const std::string& file)
+{
+  std::string start(4096, '\0');
+  std::ifstream(file, std::ios::binary)
+    .read(start.data(), static_cast<std::streamsize>(start.size()));
+  if (start.find("NDims") == start.npos || start.find("DimSize") == start.npos)
+  {
+    throw Failure(file, "is not a MetaImage file");
+  }
+}
+
 vtkSmartPointer<vtkAlgorithm> MakeExodus(const std::string& file)
 {
   CheckIsNetCDF(file);
@@ -153,6 +165,7 @@ vtkSmartPointer<vtkAlgorithm> MakeVolumeReader(const std::string& file)
   }
   if (IsOneOf(extension, { ".mha", ".mhd" }))
   {
+    CheckIsMetaImage(file);
     return Make<vtkMetaImageReader>(file);
   }
   if (IsOneOf(extension, { ".nrrd", ".nhdr" }))

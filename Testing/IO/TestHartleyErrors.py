@@ -84,6 +84,9 @@ for bad in (np.nan, np.inf, -np.inf):
     broken = values.copy()
     broken[3, 4, 5] = bad
     refuse(gh.make_volume(broken), "finite")
+for wide in ([-1e300, 1e300], [-1e308, 1e308], [0, 1e40], [0, 5e-324]):
+    refuse(gh.make_volume(np.array([[wide]])), "beyond single precision")
+refuse(gh.make_volume(np.array([[[-2 ** 63, 2 ** 63 - 1]]], np.int64)), "beyond 2^53")
 
 # Settings that make no sense.
 for size in (-1, 1, 65, 1000000, 2147483647, -2147483648):
@@ -116,8 +119,8 @@ assert os.listdir(folder) == ["volume.ghv"]
 
 # Special volumes that are all right.
 extra = os.path.join(folder, "extra.ghv")
-for fine in (np.full((5, 5, 5), -3.25), np.array([[[1e300]]]), np.array([[[-1e308, 1e308]]]),
-             np.array([[[5e-324, 0]]]), np.array([[[-2 ** 63, 2 ** 63 - 1]]], np.int64),
+for fine in (np.full((5, 5, 5), -3.25), np.array([[[1e300]]]), np.array([[[-1e20, 1e20]]]),
+             np.array([[[1e-20, 0]]]), np.array([[[-2 ** 52, 2 ** 52]]], np.int64),
              np.zeros((1, 1, 1), np.uint8)):
     for block in (0, 8):
         writer = gh.write(gh.make_volume(fine), extra, BlockSize=block)

@@ -60,7 +60,8 @@ def write(image, path, **options):
     writer.SetFileName(path)
     for name, value in options.items():
         getattr(writer, "Set" + name)(value)
-    assert writer.Write() == 1, path
+    errors = gm.Errors(writer)
+    assert writer.Write() == 1, (path, str(errors))
     assert writer.GetErrorCode() == 0
     return writer
 

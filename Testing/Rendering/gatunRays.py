@@ -8,6 +8,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkColorTransferFunction, vtkVolumeProperty
 
+import gatunMeshes as gm
 from gatun import vtkHartleyProjection
 
 LOSSLESS = {"Goal": 1, "MaximumError": 0}
@@ -65,8 +66,9 @@ def array_of(projection, name="Color"):
 
 def draw(source, camera=None, name="Color", **options):
     projection = make_projection(source, camera, **options)
+    errors = gm.Errors(projection)
     projection.Update()
-    assert projection.GetErrorCode() == 0
+    assert projection.GetErrorCode() == 0, str(errors)
     return array_of(projection, name).copy()
 
 

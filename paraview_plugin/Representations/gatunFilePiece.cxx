@@ -25,7 +25,7 @@ constexpr const char* NumbersName = "GatunDrawnTimeAndSimplification";
 }
 
 //------------------------------------------------------------------------------
-vtkGatunReader* FindReader(vtkAlgorithm* consumer)
+vtkAlgorithm* FindProducer(vtkAlgorithm* consumer)
 {
   if (consumer->GetNumberOfInputConnections(0) != 1)
   {
@@ -41,7 +41,13 @@ vtkGatunReader* FindReader(vtkAlgorithm* consumer)
   {
     input = series->GetReader();
   }
-  return vtkGatunReader::SafeDownCast(input);
+  return input;
+}
+
+//------------------------------------------------------------------------------
+vtkGatunReader* FindReader(vtkAlgorithm* consumer)
+{
+  return vtkGatunReader::SafeDownCast(FindProducer(consumer));
 }
 
 //------------------------------------------------------------------------------

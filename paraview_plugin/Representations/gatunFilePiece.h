@@ -22,8 +22,12 @@ struct DrawnFile
   double Simplification = 0; ///< the part of the points that is merged away
 };
 
-/** The reader that the input of a representation or filter comes from, with nothing in between that
- * may have changed the data; null if there is none. */
+/** The algorithm that the input of a representation or filter comes from, with nothing in between
+ * that may have changed the data; null if there is none. */
+vtkAlgorithm* FindProducer(vtkAlgorithm* consumer);
+
+/** The reader that the input of a representation or filter comes from in this way; null if there is
+ * none. */
 vtkGatunReader* FindReader(vtkAlgorithm* consumer);
 
 /** The reader's file, at the time of what it made, simplified as the reader is to. */
