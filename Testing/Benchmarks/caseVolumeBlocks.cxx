@@ -127,7 +127,7 @@ void Thin(std::vector<Item>& items, std::size_t most)
 }
 
 /** Blocks that are not empty, evenly many through the volume, in the order of chunks. All of a
- * chunk are drawn where one is looked at: of small blocks, not all chunks are. */
+ * chunk are drawn where one is looked at, and therefore not all chunks are. */
 std::vector<Chosen> Choose(const Volume& volume, const HartleyLayout& layout, std::size_t most)
 {
   std::vector<std::vector<Chosen>> chunks;
@@ -139,8 +139,7 @@ std::vector<Chosen> Choose(const Volume& volume, const HartleyLayout& layout, st
       chunks.pop_back();
     }
   }
-  const std::size_t inChunk = layout.GetNumberOfBlocks() / layout.GetNumberOfChunks() + 1;
-  Thin(chunks, std::max<std::size_t>(6, 30 * most / inChunk));
+  Thin(chunks, layout.Block[0] < 8 ? 6 : 12);
   std::vector<Chosen> found;
   for (const auto& blocks : chunks)
   {

@@ -88,7 +88,7 @@ def _blocks(results):
                 own = ways["gatun"][i]
                 rows.append([size(run["block"]), view, paper, f"**{error(own['samples'])}**",
                              f"**{error(own['lines'])}**", error(own["between"]),
-                             error(ways["slice"][i]["lines"]),
+                             error(ways.get("slice", ways["gatun"])[i]["lines"]),
                              error(ways["trilinear-1"][i]["samples"]),
                              error(ways["trilinear-2"][i]["samples"]), error(coded[i]["samples"])])
         text += f"\n### {one['name']}\n\n" + table(
