@@ -8,6 +8,7 @@
 #include "gatunParallel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace gatun
@@ -31,6 +32,15 @@ double GetHat(double frequency)
   const double angle = std::numbers::pi * frequency;
   const double sinc = std::abs(angle) < 1e-6 ? 1 : std::sin(angle) / angle;
   return sinc * sinc;
+}
+
+//------------------------------------------------------------------------------
+/** The sum of the spectrum of a hat over a frequency and all others that look like it on the
+ * lattice, of which there are two points a voxel: at those a hat is 1/2, 1 and 1/2. */
+double GetAllHats(double frequency)
+{
+  static_assert(HartleyLattice::PerVoxel == 2);
+  return (1 + std::cos(std::numbers::pi * frequency)) / 2;
 }
 
 //------------------------------------------------------------------------------
@@ -114,6 +124,12 @@ private:
   void MakeHats(int axis, std::size_t count)
   {
     const auto points = static_cast<double>(this->Plan.Points[axis]);
+    // How much the same part of the spectrum is met by one band and the next.
+    const auto same = static_cast<float>(std::max(0.0,
+      1 -
+        HartleyLattice::PerVoxel *
+          std::abs(this->Slice.Lattice.Shear[static_cast<std::size_t>(axis)]) *
+          this->Slice.Lattice.Block[2]));
     for (std::size_t i = 0; i < count; ++i)
     {
       for (int band = -Bands; band <= Bands; ++band)
@@ -122,6 +138,18 @@ private:
           static_cast<double>(this->GetSigned(i, count)) / points + band * HartleyLattice::PerVoxel;
         this->Hats[axis].push_back({ frequency, static_cast<float>(GetHat(frequency)) });
       }
+      // What is left of all other bands goes to the outermost of these, half to each: so views
+      // along an axis, for which bands differ by nothing else, are exact. In other views bands are
+      // of different parts of the spectrum.
+      HartleyBand* const bands = &this->Hats[axis][i * BandCount];
+      float rest =
+        static_cast<float>(GetAllHats(static_cast<double>(this->GetSigned(i, count)) / points));
+      for (std::size_t band = 0; band < BandCount; ++band)
+      {
+        rest -= bands[band].Hat;
+      }
+      bands[0].Hat += same * rest / 2;
+      bands[BandCount - 1].Hat += same * rest / 2;
     }
   }
 
