@@ -299,6 +299,38 @@ TEST(HartleyProjector, ExponentialLawIsExact)
 }
 
 //------------------------------------------------------------------------------
+// Densities may count from any value on, whatever the smallest is.
+TEST(HartleyProjector, ExponentialLawCountsFromZero)
+{
+  auto volume = MakeSmooth({ 19, 17, 18 });
+  for (float& value : volume.Values)
+  {
+    value += 3;
+  }
+  const ReferenceVolume reference(volume.Values.data(), volume.Size, 0);
+  HartleyShading shading = MakeGrey(HartleyLaw::Exponential);
+  shading.Extinction = 0.01;
+  shading.Zero = 1.5;
+  for (const std::uint32_t block : { 4u, 0u })
+  {
+    HartleyProjector projector(MakeSource(volume.Values, volume.Size, block));
+    const auto view = MakeTurnedView(volume.Size, { 0.1, 0.2, 0.3 }, 31, 1);
+    const auto picture = projector.Draw(view, shading);
+    Difference opacity;
+    ForEachPixel(view,
+      [&](std::size_t i, const Vector& point)
+      {
+        const double depth = shading.Extinction *
+          (reference.Integrate(point, view.Step) -
+            shading.Zero * reference.IntegrateWeight(point, view.Step));
+        opacity.Add(static_cast<double>(picture.Colours[i][3]), 1 - std::exp(-depth));
+      });
+    EXPECT_LT(opacity.Largest, 1e-2);
+    EXPECT_LT(opacity.Mean, 2e-3);
+  }
+}
+
+//------------------------------------------------------------------------------
 // The mean density of a block stands for its voxels: good where blocks are small, and worse the
 // larger they are.
 TEST(HartleyProjector, TransferFunctionComesCloserWithSmallerBlocks)
@@ -375,6 +407,52 @@ TEST(HartleyProjector, FrontHidesBack)
           EXPECT_GT(pixel[side > 0 ? 0 : 2], 0.97f);
           EXPECT_LT(pixel[side > 0 ? 2 : 0], 0.03f);
           EXPECT_GT(pixel[3], 0.999f);
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Of two blocks of a slab, too, that which an oblique ray meets first hides the other.
+TEST(HartleyProjector, SideHidesSide)
+{
+  HartleyShading shading;
+  shading.Law = HartleyLaw::TransferFunction;
+  for (int i = 0; i < 256; ++i)
+  {
+    shading.Table.push_back({ i > 150 ? 0.0f : 1.0f, 0, i > 150 ? 1.0f : 0.0f, 0.95f });
+  }
+  for (std::size_t across = 0; across < 3; ++across)
+  {
+    Triple size{ 8, 8, 8 };
+    size[across] = 16;
+    std::vector<std::uint8_t> values(std::size_t{ size[0] } * size[1] * size[2]);
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      const std::array<std::size_t, 3> place{ i % size[0], i / size[0] % size[1],
+        i / size[0] / size[1] };
+      values[i] = place[across] < 8 ? 100 : 200;
+    }
+    HartleyProjector projector(MakeSource(values, size, 8));
+    for (const std::size_t along : { (across + 1) % 3, (across + 2) % 3 })
+    {
+      for (const double forward : { 1.0, -1.0 })
+      {
+        for (const double sideways : { 0.9, -0.9 })
+        {
+          HartleyView view;
+          view.Width = view.Height = 1;
+          view.Origin = { 3.5, 3.5, 3.5 };
+          view.Origin[across] = 7.5;
+          view.ColumnStep = view.RowStep = view.Step = {};
+          view.ColumnStep[across] = 1;
+          view.RowStep[3 - across - along] = 1;
+          view.Step[along] = forward;
+          view.Step[across] = sideways;
+          const auto pixel = projector.Draw(view, shading).Colours[0];
+          EXPECT_GT(pixel[sideways > 0 ? 0 : 2], 0.95f);
+          EXPECT_LT(pixel[sideways > 0 ? 2 : 0], 0.05f);
         }
       }
     }
