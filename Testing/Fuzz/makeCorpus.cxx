@@ -4,10 +4,13 @@
 // Writes seeds for the fuzz targets: makeCorpus FOLDER. Each target gets a folder of its own below.
 
 #include "../Core/gatunFileImage.h"
+#include "../Core/gatunHartleyImage.h"
+#include "../Core/gatunHartleySample.h"
 #include "../Core/gatunSampleFile.h"
 #include "../Core/gatunTreeSample.h"
 #include "fuzzMeshes.h"
 #include "gatunEntropy.h"
+#include "gatunHartleyCodec.h"
 #include "gatunMergeCodec.h"
 #include "gatunPalette.h"
 
@@ -61,6 +64,83 @@ Bytes Join(const Bytes& noise, const fuzz::Input& in, std::span<const std::uint8
   Bytes all(noise.begin(), noise.end() - static_cast<std::ptrdiff_t>(in.GetRemaining()));
   all.insert(all.end(), stream.begin(), stream.end());
   return all;
+}
+
+/** Streams of coefficients that fall off with their frequency, for fuzzHartleyBlocks.cxx. */
+void AddBlocks(Corpus& corpus, std::mt19937& random)
+{
+  for (std::uint8_t kind = 0; kind < 3; ++kind)
+  {
+    const auto take = [&](unsigned most)
+    { return static_cast<std::uint32_t>(1 + random() % most); };
+    const HartleyLayout::Triple block{ take(8), take(8), take(8) };
+    const HartleyLayout::Triple grid{ take(3), take(3), take(3) };
+    Bytes bytes;
+    for (const auto& lengths : { block, grid })
+    {
+      for (const auto length : lengths)
+      {
+        bytes.push_back(static_cast<std::uint8_t>(length - 1));
+      }
+    }
+    bytes.push_back(kind);
+    const HartleyOrder order(block);
+    const auto length = order.GetPositions().size();
+    const auto blocks = kind == 1 ? 1 : std::size_t{ grid[0] } * grid[1] * grid[2];
+    std::vector<std::int64_t> integers(length * blocks);
+    for (std::size_t at = 0; at < integers.size(); at += length)
+    {
+      for (std::size_t rank = 0; rank < length; ++rank)
+      {
+        const auto most = static_cast<std::int64_t>(400 / (1 + rank));
+        integers[at + order.GetPositions()[rank].Index] =
+          static_cast<std::int64_t>(random() % static_cast<unsigned>(2 * most + 2)) - most;
+      }
+    }
+    const auto stream = kind == 1 ? EncodeHartleySegment(order, 0, integers)
+                                  : EncodeHartleyBlocks(order, grid, integers);
+    bytes.insert(bytes.end(), stream.begin(), stream.end());
+    corpus.Add("HartleyBlocks", bytes);
+  }
+}
+
+/** Volumes, as files and as their parts, for fuzzHartleyFile.cxx. */
+void AddVolumes(Corpus& corpus)
+{
+  const auto path = (corpus.GetFolder() / "volume.ghv").string();
+  struct Setting
+  {
+    HartleyLayout::Triple Size;
+    ScalarType Type;
+    std::uint32_t BlockSize;
+    double Error;
+  };
+  for (const auto& setting : { Setting{ { 5, 4, 3 }, ScalarType::UInt8, 2, 0 },
+         { { 9, 7, 1 }, ScalarType::Int16, 4, 30 }, { { 6, 5, 4 }, ScalarType::Float32, 0, 0.1 },
+         { { 66, 2, 3 }, ScalarType::UInt8, 8, 5 }, { { 66, 65, 64 }, ScalarType::UInt8, 0, 60 } })
+  {
+    const auto volume = test::MakePhantom(setting.Size, setting.Type);
+    HartleyWriterOptions options;
+    options.BlockSize = setting.BlockSize;
+    options.Quality = { HartleyQuality::Goal::Error, setting.Error, 0 };
+    WriteHartleyFile(path, volume.Input, options);
+    const test::HartleyImage image(path);
+    ByteWriter parts;
+    const auto putPart = [&](const Bytes& part)
+    {
+      parts.Put(static_cast<std::uint16_t>(part.size()));
+      parts.PutBytes(part);
+    };
+    putPart(image.Meta.Write());
+    putPart(image.Table.Write(image.Meta));
+    for (const auto& stream : image.Streams)
+    {
+      parts.PutBytes(stream);
+    }
+    corpus.Add("HartleyFile", parts.Data);
+    corpus.Add("HartleyFile", image.Build());
+  }
+  fs::remove(path);
 }
 
 void AddChunks(Corpus& corpus, std::mt19937& random)
@@ -361,6 +441,11 @@ int main(int argc, char* argv[])
   AddFiles(corpus);
   AddTreeFiles(corpus);
   AddLayerFiles(corpus);
+  for (unsigned i = 0; i < 6; ++i)
+  {
+    AddBlocks(corpus, random);
+  }
+  AddVolumes(corpus);
   corpus.Add("FieldData", Decompress(WriteFieldData(MakeField()), 1 << 20));
   corpus.Add("FieldData", Decompress(WriteFieldData({}), 1 << 20));
   corpus.Add("Decompress", test::Store(Bytes(300, 1)));
