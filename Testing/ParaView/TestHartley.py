@@ -7,10 +7,11 @@ import os
 
 import gatunSample as sample
 import numpy as np
-from gatunParaView import load_plugin
+from gatunParaView import load_plugin, rank_and_ranks
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 simple = load_plugin()
+ranks = rank_and_ranks()[1]
 wavelet = simple.Wavelet(WholeExtent=[-10, 12, -9, 9, -8, 10])
 wavelet.UpdatePipeline()
 path = sample.temporary("wavelet.ghv")
@@ -19,18 +20,34 @@ assert os.path.getsize(path) > 1000
 
 
 def values(proxy, array):
-    """All of an image's array, on the client."""
+    """The array of an image, of the first rank's part."""
     proxy.UpdatePipeline()
     image = simple.servermanager.Fetch(proxy)
     return image, vtk_to_numpy(image.GetPointData().GetArray(array)).copy()
 
 
+def place_of(proxy):
+    """Bounds, voxels and values of all of an image."""
+    proxy.UpdatePipeline()
+    information = proxy.GetDataInformation()
+    return information.GetBounds(), information.GetNumberOfPoints(), \
+        [round(value, 2) for value in proxy.PointData["RTData"].GetRange()]
+
+
 reader = simple.OpenDataFile(path)
 assert reader.GetXMLName() == "HartleyVolumeReader", reader
-read, found = values(reader, "RTData")
-made, expected = values(wavelet, "RTData")
-assert read.GetExtent() == made.GetExtent() and read.GetSpacing() == made.GetSpacing()
-assert abs(found - expected).max() < 1e-3, abs(found - expected).max()
+assert place_of(reader)[0] == place_of(wavelet)[0], (place_of(reader), place_of(wavelet))
+assert place_of(reader)[2] == place_of(wavelet)[2], (place_of(reader), place_of(wavelet))
+if ranks == 1:
+    read, found = values(reader, "RTData")
+    made, expected = values(wavelet, "RTData")
+    assert read.GetExtent() == made.GetExtent() and read.GetSpacing() == made.GetSpacing()
+    assert abs(found - expected).max() < 1e-3, abs(found - expected).max()
+else:
+    # The integral over all ranks.
+    sums = [simple.IntegrateVariables(Input=source) for source in (reader, wavelet)]
+    sums = [values(source, "RTData")[1][0] for source in sums]
+    assert abs(sums[0] / sums[1] - 1) < 1e-4, sums
 assert reader.GetProperty("BitsPerVoxel") is not None
 
 # Drawn from the file, and from voxels.
@@ -46,7 +63,7 @@ def draw(source, **options):
 
 settings = dict(PictureSize=[60, 40], ViewDirection=[0.3, 0.5, -1], Goal="Error", MaximumError=0)
 pictures = [values(draw(source, **settings), "Color")[1].astype(int) for source in (reader, wavelet)]
-assert pictures[0].shape == (2400, 4) and pictures[0][:, 3].max() > 100
+assert pictures[0].shape == (2400 // ranks, 4) and pictures[0][:, 3].max() > 100
 assert abs(pictures[0] - pictures[1]).max() <= 2
 projection = draw(reader, **settings)
 assert sample.counts(projection)[0] == 2400, sample.counts(projection)
