@@ -523,6 +523,10 @@ int vtkHartleyProjection::RequestUpdateExtent(
   }
   else if (info->Has(Pipeline::WHOLE_EXTENT()))
   {
+    // Some filters in between pass on pieces only.
+    info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+    info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
     info->Set(Pipeline::UPDATE_EXTENT(), info->Get(Pipeline::WHOLE_EXTENT()), 6);
   }
   return 1;

@@ -64,9 +64,11 @@ def draw(source, **options):
 settings = dict(PictureSize=[60, 40], ViewDirection=[0.3, 0.5, -1], Goal="Error", MaximumError=0)
 pictures = [values(draw(source, **settings), "Color")[1].astype(int) for source in (reader, wavelet)]
 assert pictures[0].shape == (2400 // ranks, 4) and pictures[0][:, 3].max() > 100
-assert abs(pictures[0] - pictures[1]).max() <= 2
+difference = abs(pictures[0] - pictures[1])
+assert difference.max() <= 2
 projection = draw(reader, **settings)
-assert sample.counts(projection)[0] == 2400, sample.counts(projection)
+# Each rank has its part; neighbours have the points where they meet.
+assert 2400 <= sample.counts(projection)[0] < 2400 + 60 * ranks, sample.counts(projection)
 assert abs(projection.ValueRange[0] - low) < 0.01 and abs(projection.ValueRange[1] - high) < 0.01
 for name, value in (("Law", "X-Ray"), ("Law", "Exponential"), ("Law", "Transfer Function"),
                     ("ColourMap", "Heat"), ("Opacities", [0, 1, 1, 0]), ("Zoom", 2),
