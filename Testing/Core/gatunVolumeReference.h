@@ -246,7 +246,8 @@ private:
       {
         return 0;
       }
-      cell[axis] = static_cast<std::size_t>(place);
+      // A point a hair before the end may be rounded to the end itself.
+      cell[axis] = std::min(static_cast<std::size_t>(place), this->Stored[axis] - 2);
       part[axis] = place - static_cast<double>(cell[axis]);
     }
     const std::size_t dy = this->Stored[0];

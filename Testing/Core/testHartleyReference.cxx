@@ -60,6 +60,18 @@ TEST(HartleyReference, InterpolatesBetweenVoxels)
   EXPECT_EQ(volume.GetSample({ -1, 2, 3 }), 0);
 }
 
+/** A point before the end of the hats that is at the end once their beginning is taken away. */
+TEST(HartleyReference, EndsWithTheVoxels)
+{
+  const Triple size{ 32, 32, 32 };
+  const std::vector<float> values(32 * 32 * 32, 1);
+  const ReferenceVolume block(values.data(), size, 0);
+  const double end = std::nextafter(32.0, 0.0);
+  EXPECT_LT(end, 32);
+  EXPECT_EQ(end + 1, 33);
+  EXPECT_NEAR(block.GetSample({ end, end, end }), 0, 1e-12);
+}
+
 /** The hats of all blocks add up to the volume. */
 TEST(HartleyReference, BlocksAddUp)
 {
