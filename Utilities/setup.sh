@@ -27,7 +27,7 @@ build=${GATUN_BUILD_DIR:-$root/build}
 jobs=${GATUN_JOBS:-$(nproc)}
 
 packages_build=(
-  cmake g++ libcli11-dev libfmt-dev libglm-dev libkissfft-dev libopenimageio-dev libtet1.5-dev
+  cmake g++ libcli11-dev libfmt-dev libglm-dev libopenimageio-dev libtet1.5-dev
   libvtk9-dev libxxhash-dev libzstd-dev ninja-build pkg-config python3-numpy python3-vtk9)
 packages_window=(libgl1-mesa-dri xauth xvfb)
 packages_test=(libgtest-dev openimageio-tools python3-h5py python3-xxhash python3-zstandard)

@@ -146,9 +146,9 @@ TEST(HartleyProjector, BlocksByBasisFunctionsAreExact)
 }
 
 //------------------------------------------------------------------------------
-// What is missing are frequencies of hats above the lattice's third band: one part in (3 pi)^2 of
-// the sharpest edges, which show where rays are along an axis, and nothing where they are at equal
-// angles to all.
+// Frequencies of hats above the lattice's third band are not where they should be, which shows
+// where rays are nearly along an axis. There is nothing of them where rays are at equal angles to
+// all axes, and along an axis it makes no difference where they are.
 TEST(HartleyProjector, BlocksBySlicesAreNearlyExact)
 {
   const auto volume = MakeHead({ 37, 33, 35 });
@@ -160,9 +160,10 @@ TEST(HartleyProjector, BlocksBySlicesAreNearlyExact)
         << "block " << block << " turns " << turns[0] << " " << turns[1] << " " << turns[2]);
       const auto difference = CompareBlocks(volume, block, turns, { HartleyMethod::Slice });
       EXPECT_LT(difference.Mean, block >= 32 || block == 0 ? 1.5e-3 : 4e-3);
-      if (turns == Vector{ 0.25, 0.25, 0.25 })
+      if (turns == Vector{ 0.25, 0.25, 0.25 } || turns == Vector{ 0, 0, 0 } ||
+        turns == Vector{ 0.5, 0, 1 })
       {
-        EXPECT_LT(difference.Largest, 2e-4); // hats below 1e-4 are left out
+        EXPECT_LT(difference.Largest, 4e-4); // hats below 1e-4 are left out
       }
     }
   }
