@@ -182,4 +182,179 @@ TEST(HartleyTransform, IsOrthonormal)
     }
   }
 }
+
+//--------------------------------------------------------------------------------------------------
+namespace
+{
+using Vector = std::array<double, 3>;
+
+/** exp(-1/2 of the sum of squares along three directions at right angles), in a block. */
+struct Gaussian
+{
+  std::array<Vector, 3> Axes;
+  Vector Widths{};
+  Vector Centre{}; ///< from that of the block
+
+  static double Dot(const Vector& a, const Vector& b)
+  {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+  }
+
+  double Get(const Vector& x) const
+  {
+    const Vector d{ x[0] - this->Centre[0], x[1] - this->Centre[1], x[2] - this->Centre[2] };
+    double squares = 0;
+    for (unsigned i = 0; i < 3; ++i)
+    {
+      squares += std::pow(Dot(d, this->Axes[i]) / this->Widths[i], 2);
+    }
+    return std::exp(-squares / 2);
+  }
+
+  /** The square of its width along a direction, of its shadow there. */
+  double GetCovariance(const Vector& a, const Vector& b) const
+  {
+    double sum = 0;
+    for (unsigned i = 0; i < 3; ++i)
+    {
+      sum += std::pow(this->Widths[i], 2) * Dot(a, this->Axes[i]) * Dot(b, this->Axes[i]);
+    }
+    return sum;
+  }
+
+  double GetIntegral() const
+  {
+    return std::pow(2 * std::numbers::pi, 1.5) * this->Widths[0] * this->Widths[1] *
+      this->Widths[2];
+  }
+
+  /** Its Hartley transform about the block's centre, at a frequency in periods a voxel. */
+  double Transform(const Vector& k) const
+  {
+    const double pi = std::numbers::pi;
+    const double angle = 2 * pi * Dot(k, this->Centre);
+    return this->GetIntegral() * std::exp(-2 * pi * pi * this->GetCovariance(k, k)) *
+      (std::cos(angle) + std::sin(angle));
+  }
+
+  /** The integral along the direction at right angles to a and b, through a point of their plane.
+   */
+  double Project(const Vector& a, const Vector& b, double x, double y) const
+  {
+    const double aa = this->GetCovariance(a, a);
+    const double ab = this->GetCovariance(a, b);
+    const double bb = this->GetCovariance(b, b);
+    const double determinant = aa * bb - ab * ab;
+    const double u = x - Dot(a, this->Centre);
+    const double v = y - Dot(b, this->Centre);
+    return this->GetIntegral() / (2 * std::numbers::pi * std::sqrt(determinant)) *
+      std::exp(-(bb * u * u - 2 * ab * u * v + aa * v * v) / (2 * determinant));
+  }
+};
+
+Vector Cross(const Vector& a, const Vector& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+/** Three directions at right angles. */
+std::array<Vector, 3> MakeAxes(std::mt19937& random)
+{
+  std::normal_distribution<double> normal;
+  const auto scale = [](const Vector& v)
+  {
+    const double length = std::sqrt(Gaussian::Dot(v, v));
+    return Vector{ v[0] / length, v[1] / length, v[2] / length };
+  };
+  const auto first = scale({ normal(random), normal(random), normal(random) });
+  const auto second = scale(Cross(first, { normal(random), normal(random), normal(random) }));
+  return { first, second, Cross(first, second) };
+}
+}
+
+// The transform of the shadow of a block along a direction is a slice through the block's
+// transform.
+TEST(HartleyTransform, HasTheProjectionSliceTheorem)
+{
+  constexpr std::uint32_t voxels = 34;
+  constexpr std::uint32_t pixels = 32;
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> width(1.9, 2.3);
+  std::uniform_real_distribution<double> shift(-1.5, 1.5);
+  for (int attempt = 0; attempt < 2; ++attempt)
+  {
+    const Gaussian gaussian{ MakeAxes(random), { width(random), width(random), width(random) },
+      { shift(random), shift(random), shift(random) } };
+    const Triple size{ voxels, voxels, voxels };
+    std::vector<double> values;
+    std::vector<Vector> places;
+    for (std::uint32_t i = 0; i < GetCount(size); ++i)
+    {
+      constexpr double centre = (voxels - 1) / 2.0;
+      places.push_back(
+        { i % voxels - centre, i / voxels % voxels - centre, i / (voxels * voxels) - centre });
+      values.push_back(gaussian.Get(places.back()));
+    }
+    // Coefficients of the block, against the transform of the Gaussian.
+    auto coefficients = values;
+    HartleyTransform(size).Forward(coefficients);
+    const double root = std::sqrt(static_cast<double>(values.size()));
+    for (const Triple& u : { Triple{ 0, 0, 0 }, { 1, 0, 0 }, { 33, 2, 0 }, { 3, 32, 1 } })
+    {
+      Vector k{};
+      for (unsigned axis = 0; axis < 3; ++axis)
+      {
+        k[axis] = static_cast<double>(GetFrequency(u[axis], voxels)) / voxels;
+      }
+      EXPECT_NEAR(root * coefficients[u[0] + voxels * (u[1] + voxels * u[2])],
+        gaussian.Transform(k), 1e-7 * gaussian.GetIntegral());
+    }
+
+    // A slice at any angle: the sum over the voxels at frequencies between those of the block.
+    const auto view = MakeAxes(random);
+    std::vector<double> slice;
+    for (std::uint32_t v = 0; v < pixels; ++v)
+    {
+      for (std::uint32_t u = 0; u < pixels; ++u)
+      {
+        const double x = static_cast<double>(GetFrequency(u, pixels)) / pixels;
+        const double y = static_cast<double>(GetFrequency(v, pixels)) / pixels;
+        Vector k{};
+        for (unsigned axis = 0; axis < 3; ++axis)
+        {
+          k[axis] = x * view[0][axis] + y * view[1][axis];
+        }
+        double sum = 0;
+        // Nothing is left of the Gaussian beyond half a period a voxel but what samples repeat.
+        if (x * x + y * y <= 0.25)
+        {
+          for (std::size_t i = 0; i < values.size(); ++i)
+          {
+            if (values[i] > 1e-10)
+            {
+              const double angle = 2 * std::numbers::pi * Gaussian::Dot(k, places[i]);
+              sum += values[i] * (std::cos(angle) + std::sin(angle));
+            }
+          }
+          ASSERT_NEAR(sum, gaussian.Transform(k), 1e-7 * gaussian.GetIntegral())
+            << attempt << ": " << x << " " << y;
+        }
+        slice.push_back(sum / pixels);
+      }
+    }
+    // Back in two dimensions, it is the shadow.
+    HartleyTransform({ pixels, pixels, 1 }).Inverse(slice);
+    double largest = 0;
+    double difference = 0;
+    for (std::uint32_t i = 0; i < slice.size(); ++i)
+    {
+      constexpr double centre = (pixels - 1) / 2.0;
+      const double expected =
+        gaussian.Project(view[0], view[1], i % pixels - centre, i / pixels - centre);
+      largest = std::max(largest, expected);
+      difference = std::max(difference, std::abs(slice[i] - expected));
+    }
+    EXPECT_LT(difference, 1e-6 * largest) << attempt;
+  }
+}
 }
