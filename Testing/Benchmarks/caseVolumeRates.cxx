@@ -28,7 +28,7 @@ struct Options
   std::string File;
   std::string Scratch;
   std::vector<std::uint32_t> Blocks{ 4, 8, 16, 32, 64 };
-  std::vector<double> Rates{ 0.05, 0.1, 0.25, 0.5, 1, 2, 4, 0 };
+  std::vector<double> Errors{ 25, 30, 35, 40, 45, 50, 0 }; ///< PSNR; 0: lossless
   std::vector<double> Weights{ 0 };
 };
 
@@ -52,11 +52,19 @@ void AddGatun(gtn::Json& json, const Volume& volume, const Options& options)
       json.Add("block", static_cast<std::uint64_t>(block));
       json.Add("weight", weight);
       json.BeginArray("points");
-      for (const double rate : options.Rates)
+      for (const double wanted : options.Errors)
       {
         gatun::HartleyWriterOptions writing;
         writing.BlockSize = block;
-        writing.Quality = MakeQuality(rate);
+        if (wanted > 0)
+        {
+          writing.Quality.Kind = gatun::HartleyQuality::Goal::PSNR;
+          writing.Quality.Value = wanted;
+        }
+        else
+        {
+          writing.Quality = MakeQuality(0);
+        }
         writing.Quality.FrequencyWeight = weight;
         gatun::HartleyWritten written;
         const double packing = SecondsOf(
@@ -69,7 +77,7 @@ void AddGatun(gtn::Json& json, const Volume& volume, const Options& options)
             file.GetVoxels({}, volume.GetSize(), voxels.data());
           });
         json.BeginObject();
-        json.Add("rate", rate);
+        json.Add("wanted", wanted);
         AddPoint(json, volume, static_cast<double>(written.FileBytes),
           written.RootMeanSquareError * written.RootMeanSquareError, written.LargestError);
         json.Add("packing", packing);
@@ -183,7 +191,7 @@ void AddVolumeRates(CLI::App& app)
     ->required();
   command->add_option("SCRATCH", options->Scratch, "A .ghv file that may be written")->required();
   command->add_option("--blocks", options->Blocks, "Voxels of a block");
-  command->add_option("--rates", options->Rates, "Bits a voxel; 0: lossless");
+  command->add_option("--psnr", options->Errors, "Errors that are wanted, in dB; 0: lossless");
   command->add_option("--weights", options->Weights, "FrequencyWeight of the quantiser");
   command->callback([options] { PrintRates(*options); });
 }

@@ -26,9 +26,9 @@ MODES = {
     "full": {
         "volumes": {"ct": {}, "mr": {}, "head": {"size": 128}},
         "blocks": (2, 4, 8, 16, 32, 64, 0), "sampled": 1000, "rays": 100000,
-        "opacities": (0.02, 0.1), "scale": 1,
+        "opacities": (0.02, 0.1), "scale": 0.5,
         "rate blocks": (2, 4, 8, 16, 32, 64), "weights": (0,),
-        "rates": (0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 0),
+        "psnr": (25, 30, 35, 40, 45, 50, 55, 0),
         "times": "ct", "pixels": (256, 512, 1024), "time rates": (0.1, 0.5, 1, 2, 0),
         "threads": (1, 2), "rounds": 3, "plate": "ct",
         "qualities": (0, 0.2, 0.1, 0.05, 0.02),
@@ -37,7 +37,7 @@ MODES = {
         "volumes": {"ct": {}, "head": {"size": 64}},
         "blocks": (4, 8, 32), "sampled": 300, "rays": 50000,
         "opacities": (0.1,), "scale": 0.5,
-        "rate blocks": (8, 16), "weights": (0,), "rates": (0.25, 1, 0),
+        "rate blocks": (8, 16), "weights": (0,), "psnr": (30, 40, 0),
         "times": "head", "pixels": (128, 256), "time rates": (0.5, 0),
         "threads": (1, 2), "rounds": 2, "plate": "head", "qualities": (0, 0.2),
         "plate blocks": (4, 16), "plate scale": 1},
@@ -45,7 +45,7 @@ MODES = {
         "volumes": {"head": {"size": 24}, "smooth": {"size": 20}},
         "blocks": (4, 16), "sampled": 20, "rays": 2000,
         "opacities": (0.1,), "scale": 1,
-        "rate blocks": (8,), "weights": (0,), "rates": (1, 0),
+        "rate blocks": (8,), "weights": (0,), "psnr": (30, 40, 0),
         "times": "head", "pixels": (32,), "time rates": (1,),
         "threads": (1,), "rounds": 1, "plate": "head", "qualities": (0, 0.5),
         "plate blocks": (4, 8), "plate scale": 1},
@@ -95,7 +95,7 @@ def measure_pictures(runner, volume, mode):
 
 def measure_rates(runner, volume, mode):
     return runner.case("volume-rates", volume, runner.path("volumes", "rates.ghv"),
-                       "--blocks", *mode["rate blocks"], "--rates", *mode["rates"],
+                       "--blocks", *mode["rate blocks"], "--psnr", *mode["psnr"],
                        "--weights", *mode["weights"])
 
 
@@ -149,8 +149,9 @@ def measure_volume(runner, name, volume, mode):
             "rates": measure_rates(runner, volume, mode)}
 
 
-def measure(runner, options, results):
-    """All of it, or what is asked for, in the place of what there was of that."""
+def measure(runner, options, results, save):
+    """All of it, or what is asked for, in the place of what there was of that. What there is, is saved
+    after each part."""
     mode = MODES[options.mode]
     if not options.only:
         results = {"mode": options.mode, "machine": benchmarkRunner.machine(runner), "volumes": []}
@@ -166,6 +167,7 @@ def measure(runner, options, results):
             continue
         results["volumes"] = [one for one in results["volumes"] if one["name"] != name]
         results["volumes"].append(measure_volume(runner, name, volume, mode))
+        save(results)
     for part, make in PARTS.items():
         if part in parts:
             # The real volume if it is there, else the made one.
@@ -174,10 +176,12 @@ def measure(runner, options, results):
             if volume is None:
                 name, volume = "head", "head:128"
             results[part] = {"name": name, "runs": make(runner, name, volume, mode)}
+            save(results)
     order = list(ABOUT)
     results["volumes"].sort(key=lambda one: order.index(one["name"]))
     results["machine"]["loadAfter"] = os.getloadavg()
     results["seconds"] = results.get("seconds", 0) + time.monotonic() - runner.start
+    save(results)
     return results
 
 
@@ -200,10 +204,10 @@ def main():
     else:
         with tempfile.TemporaryDirectory(prefix=f"gatun-{PAGE}-") as work:
             runner = benchmarkRunner.Runner(options.programs, pathlib.Path(work), folder)
-            results = measure(runner, options, results)
+            results = measure(runner, options, results, lambda results: raw.write_text(
+                json.dumps(results, indent=1) + "\n", encoding="utf-8"))
             # The plate is put together while its pictures are there.
             volumeReport.write(results, options.out)
-        raw.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
     print(f"The results are in {options.out / PAGE}.md and {folder}")
 
 

@@ -68,7 +68,7 @@ def _rates(results, folder, done):
     figure, grid = pyplot.subplots(1, len(volumes), figsize=(4.2 * len(volumes), 4), squeeze=False)
     for axes, one in zip(grid[0], volumes):
         rates = one["rates"]
-        for series, colour in zip((s for s in rates["gatun"] if s["weight"] == 0), COLOURS):
+        for series, colour in zip(rates["gatun"], COLOURS):
             _series(axes, series["points"], "o-", color=colour,
                     label=f"Gatun, blocks of {volumeReport.size(series['block'])}")
         for name, style in (("accuracy", "k^--"), ("precision", "kv:"), ("integers", "ks-.")):
@@ -81,6 +81,8 @@ def _rates(results, folder, done):
 
 
 def _times(results, folder, done):
+    if "times" not in results:
+        return
     runs = results["times"]["runs"]
     figure, grid = pyplot.subplots(1, 3, figsize=(11, 3.6))
     laws = (("xray", "#0072b2"), ("exponential", "#d55e00"))
@@ -135,9 +137,9 @@ def _title(run):
 
 def _plates(results, folder, done):
     """Only while the pictures are there; the plates of before stay else."""
-    runs = results["plate"]["runs"]
+    runs = results.get("plate", {}).get("runs", [])
     for plate in "qualities", "sizes":
-        if all(pathlib.Path(run["file"]).exists() for run in runs):
+        if runs and all(pathlib.Path(run["file"]).exists() for run in runs):
             _plate([run for run in runs if run["plate"] in ("voxels", plate)], folder, plate)
         if (folder / f"{plate}.png").exists():
             done.add(plate)

@@ -130,24 +130,23 @@ def _pictures(results, pictures):
 
 
 def _rates(results, pictures):
-    text = "## Bits against errors\n\n" + paragraph("""Bits a voxel of the whole file against the error of the
-        voxels, as a reader gives them back (rounded to the volume's type). PSNR: 20 log10(range / root mean
+    text = "## Bits against errors\n\n" + paragraph("""Bits a voxel of the whole file (and its PSNR) for
+        an error that is wanted of the voxels, as a reader gives them back (rounded to the volume's type). PSNR: 20 log10(range / root mean
         square error). zfp 1.0 compresses a copy in single precision to a given accuracy (the best of
         its settings in most of these), and integers promoted to 32 bits to a number of bit planes; what
         comes back is rounded likewise. Lossless: `.ghv` at error 0, zfp's reversible mode on
         integers, and VTK's own .vti with zlib.""")
     rows = []
     for one in results["volumes"]:
-        rates = one["rates"]
-        for series in rates["gatun"]:
-            lossless = find(series["points"], rate=0)
-            rows.append([one["name"], size(series["block"]), f"{series['weight']:g}",
-                         *(f"{point['bits']:.3f}: {psnr(point)}" for point in series["points"]
-                           if point["rate"] > 0),
-                         f"{lossless['bits']:.3f}"])
-    wanted = [f"{point['rate']:g} bits" for point in results["volumes"][0]["rates"]["gatun"][0]["points"]
-              if point["rate"] > 0]
-    text += "\n" + table(["volume", "block", "weight", *wanted, "lossless, bits"], rows)
+        for series in one["rates"]["gatun"]:
+            points = series["points"]
+            rows.append([one["name"], size(series["block"]),
+                         *(f"{point['bits']:.3f} ({psnr(point)})" for point in points
+                           if point["wanted"] > 0),
+                         f"**{find(points, wanted=0)['bits']:.3f}**"])
+    wanted = [f"{point['wanted']} dB" for point in results["volumes"][0]["rates"]["gatun"][0]["points"]
+              if point["wanted"] > 0]
+    text += "\n" + table(["volume", "block", *wanted, "lossless"], rows)
     rows = []
     for one in results["volumes"]:
         rates = one["rates"]
@@ -173,7 +172,9 @@ def _way(run):
 
 
 def _times(results, pictures):
-    part = results["times"]
+    part = results.get("times")
+    if not part:
+        return ""
     runs = part["runs"]
     text = f"## Time for a view: {part['name']}\n\n" + paragraph("""Each view is from another side; seconds are
         medians of views after the first, all ways in turn. *First* includes what is kept for later views
@@ -204,6 +205,8 @@ def _times(results, pictures):
 
 
 def _plate(results, pictures):
+    if "plate" not in results:
+        return ""
     runs = [run for run in results["plate"]["runs"]
             if run["law"] == "xray" and run["plate"] != "voxels"]
     rows = [[size(run["block"]), f"{run['rate']} bits" if run["rate"] else "no loss",
