@@ -114,12 +114,14 @@ void HartleyLookup::AddSlab(const std::array<float, 4>& channels, std::array<flo
     pixel[1] += channels[1];
     return;
   }
+  const float opaque = std::max(0.0f, channels[3]);
+  const float opacity =
+    this->Shading.Law == HartleyLaw::Exponential ? -std::expm1(-opaque) : std::min(1.0f, opaque);
   for (std::size_t i = 0; i < 3; ++i)
   {
-    pixel[i] += pixel[3] * std::max(0.0f, channels[i]);
+    // Where opacity ends, the splines of the slab swing, and colour must not be more than that.
+    pixel[i] += pixel[3] * std::clamp(channels[i], 0.0f, opacity);
   }
-  const float opaque = std::max(0.0f, channels[3]);
-  pixel[3] *=
-    this->Shading.Law == HartleyLaw::Exponential ? std::exp(-opaque) : 1 - std::min(1.0f, opaque);
+  pixel[3] *= 1 - opacity;
 }
 }
