@@ -43,6 +43,12 @@ public:
     return !this->File || path != this->Path || SignatureOf(path) != this->Signature;
   }
 
+  /** Whether it is another one on disk than when Get was called for it, be it that Get threw. */
+  bool HasChanged(const std::string& path) const
+  {
+    return path == this->Path && SignatureOf(path) != this->Signature;
+  }
+
   /** The file, opened if need be. Throws gatun::Error. */
   const std::shared_ptr<const FileT>& Get(const std::string& path)
   {
@@ -50,9 +56,9 @@ public:
     if (!this->File || path != this->Path || signature != this->Signature)
     {
       this->File.reset();
-      this->File = std::make_shared<const FileT>(path);
       this->Path = path;
       this->Signature = signature;
+      this->File = std::make_shared<const FileT>(path);
     }
     return this->File;
   }

@@ -172,7 +172,7 @@ int vtkHartleyVolumeReader::ComputePipelineMTime(vtkInformation* vtkNotUsed(requ
 {
   // Here and not in GetMTime: there it would change in the middle of a request.
   vtkInternals& self = *this->Internals;
-  if (self.ReadAgain || (this->FileName && self.Get() && self.File.IsNew(this->FileName)))
+  if (self.ReadAgain || (this->FileName && self.File.HasChanged(this->FileName)))
   {
     self.FileTime.Modified();
     self.ReadAgain = false;

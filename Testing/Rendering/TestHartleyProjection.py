@@ -131,8 +131,8 @@ shown = gr.draw(plain, camera, "RGBA", Law=0, Size=SIZE)
 assert shown[..., 0].max() > 0.999
 
 # Without a camera all of the volume is seen, and pixels are square.
-for view in (dict(), dict(ViewDirection=(1, 2, -3), ViewUp=(0, 0, 1)), dict(Size=(80, 20)),
-             dict(Size=(20, 80))):
+for view in (dict(), dict(ViewDirection=(1, 2, -3), ViewUp=(0, 0, 1)), dict(Size=(160, 40)),
+             dict(Size=(40, 160))):
     projection = gr.make_projection(plain, None, Law=0, **{"Size": (50, 50), **view})
     projection.Update()
     samples = gr.array_of(projection, "Samples")
