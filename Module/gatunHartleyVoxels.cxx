@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -106,9 +107,10 @@ Range GetVoxelRange(const VolumeInput& input, const std::function<bool(double)>&
   const double length = range.Max - range.Min;
   if (!(length <= LargestVoxelRange) || (length > 0 && length < SmallestVoxelRange))
   {
-    ThrowInvalid("the voxels range over " + std::to_string(range.Min) + " to " +
-      std::to_string(range.Max) +
-      ", which is beyond single precision; multiply them by another unit");
+    std::ostringstream text;
+    text << "the voxels range over " << range.Min << " to " << range.Max
+         << ", which is beyond single precision; multiply them by another unit";
+    ThrowInvalid(text.str());
   }
   return range;
 }
