@@ -8,7 +8,7 @@ short."""
 import os
 import sys
 
-import gatunGolden as golden
+SKIPPED = 125
 
 try:
     from make_golden_volumes import describe_all
@@ -16,11 +16,15 @@ try:
     from gtn_container import FormatError
 except ImportError as error:
     print(error)
-    sys.exit(golden.gm.SKIPPED)
+    sys.exit(SKIPPED)
 
 folder = os.path.join(os.environ["GATUN_TEST_DATA"], "Golden", "ghv-1.0")
 with open(os.path.join(folder, "volumes.txt"), encoding="utf-8") as file:
-    golden.assert_same(file.read().splitlines(), describe_all(folder), folder)
+    expected = file.read().splitlines()
+described = describe_all(folder)
+assert len(described) == len(expected), (len(described), len(expected))
+for one, other in zip(expected, described):
+    assert one == other, (one, other)
 
 with open(os.path.join(folder, "small.ghv"), "rb") as file:
     small = file.read()
