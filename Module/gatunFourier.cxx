@@ -45,7 +45,7 @@ void FourierTransform::Free::operator()(void* plan) const
 }
 
 //------------------------------------------------------------------------------
-void FourierTransform::Forward(const std::complex<double>* in, std::complex<double>* out)
+void FourierTransform::Forward(const std::complex<double>* in, std::complex<double>* out) const
 {
   kiss_fft(static_cast<kiss_fft_cfg>(this->Plan.get()), reinterpret_cast<const kiss_fft_cpx*>(in),
     reinterpret_cast<kiss_fft_cpx*>(out));
@@ -77,6 +77,20 @@ void InversePlaneTransform::Run(std::complex<double>* in, double* out)
 //------------------------------------------------------------------------------
 std::size_t GetFastSize(std::size_t size)
 {
-  return static_cast<std::size_t>(kiss_fft_next_fast_size(static_cast<int>(size)));
+  for (;; ++size)
+  {
+    auto rest = size;
+    for (const std::size_t factor : { 2u, 3u, 5u })
+    {
+      while (rest > 0 && rest % factor == 0)
+      {
+        rest /= factor;
+      }
+    }
+    if (rest == 1)
+    {
+      return size;
+    }
+  }
 }
 }

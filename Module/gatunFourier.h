@@ -12,7 +12,7 @@
 
 namespace gatun
 {
-/** out[u] = sum over x of in[x] exp(-2 pi i u x / size). */
+/** out[u] = sum over x of in[x] exp(-2 pi i u x / size). Several threads may use one. */
 class FourierTransform
 {
 public:
@@ -20,7 +20,7 @@ public:
   ~FourierTransform();
 
   /** In and out may not be the same. */
-  void Forward(const std::complex<double>* in, std::complex<double>* out);
+  void Forward(const std::complex<double>* in, std::complex<double>* out) const;
 
 private:
   struct Free
@@ -31,7 +31,8 @@ private:
 };
 
 /** Spectra of real pictures back to pictures: out[y][x] = sum over v, u of F(v, u)
- * exp(2 pi i (u x / width + v y / height)). Both sizes are even. */
+ * exp(2 pi i (u x / width + v y / height)). Both sizes are even. It keeps working memory: one a
+ * thread. */
 class InversePlaneTransform
 {
 public:

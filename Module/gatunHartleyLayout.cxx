@@ -3,6 +3,7 @@
 #include "gatunHartleyLayout.h"
 
 #include "gatunError.h"
+#include "gatunFourier.h"
 
 #include <algorithm>
 #include <string>
@@ -18,26 +19,6 @@ std::string ToText(const HartleyLayout::Triple& size)
 {
   return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
     std::to_string(size[2]);
-}
-
-/** The smallest number from size on without other prime factors than 2, 3 and 5. */
-std::uint32_t GetFastSize(std::uint32_t size)
-{
-  for (;; ++size)
-  {
-    auto rest = size;
-    for (const std::uint32_t factor : { 2u, 3u, 5u })
-    {
-      while (rest % factor == 0)
-      {
-        rest /= factor;
-      }
-    }
-    if (rest == 1)
-    {
-      return size;
-    }
-  }
 }
 
 std::size_t GetProduct(const HartleyLayout::Triple& sizes)
@@ -92,7 +73,7 @@ HartleyLayout HartleyLayout::Make(const Triple& size, std::uint32_t blockSize)
   for (unsigned axis = 0; axis < 3; ++axis)
   {
     layout.Block[axis] = blockSize == 0
-      ? GetFastSize(std::min(size[axis], std::uint32_t{ 1 } << 31))
+      ? static_cast<std::uint32_t>(GetFastSize(std::min(size[axis], std::uint32_t{ 1 } << 31)))
       : std::min(size[axis], blockSize);
     layout.Chunk[axis] =
       blockSize == 0 ? 1 : std::max(1u, ChunkVoxels / std::max(1u, layout.Block[axis]));

@@ -2,16 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunHartleyLines.h"
 
+#include "gatunFourier.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <new>
+#include <complex>
 #include <numbers>
-
-#include <vtk_kissfft.h>
-// clang-format off
-#include VTK_KISSFFT_HEADER(kiss_fft.h)
-// clang-format on
 
 namespace gatun
 {
@@ -25,24 +21,6 @@ double GetFrequency(std::size_t index, std::size_t length)
                              : static_cast<double>(index) - static_cast<double>(length);
 }
 }
-
-/** The library's tables, which do not change once they are made. */
-struct HartleyLines::Plan
-{
-  explicit Plan(std::size_t length)
-    : Tables(kiss_fft_alloc(static_cast<int>(length), 0, nullptr, nullptr))
-  {
-    if (!this->Tables)
-    {
-      throw std::bad_alloc();
-    }
-  }
-  ~Plan() { std::free(this->Tables); }
-  Plan(const Plan&) = delete;
-  Plan& operator=(const Plan&) = delete;
-
-  kiss_fft_cfg Tables;
-};
 
 //--------------------------------------------------------------------------------------------------
 HartleyLines::HartleyLines(std::uint32_t length)
@@ -76,7 +54,7 @@ HartleyLines::HartleyLines(std::uint32_t length)
     this->Cosines[k] = scale * std::cos(angle);
     this->Sines[k] = scale * std::sin(angle);
   }
-  this->Fast = std::make_unique<Plan>(this->Length);
+  this->Fast = std::make_unique<FourierTransform>(this->Length);
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -161,7 +139,7 @@ void HartleyLines::TransformFast(double* values, std::size_t lineStride, std::si
   memory.Values.resize(n * count);
   memory.Complex.resize(4 * n);
   double* const lines = memory.Values.data();
-  auto* const in = reinterpret_cast<kiss_fft_cpx*>(memory.Complex.data());
+  auto* const in = reinterpret_cast<std::complex<double>*>(memory.Complex.data());
   auto* const out = in + n;
   for (std::size_t i = 0; i < n; ++i)
   {
@@ -187,15 +165,15 @@ void HartleyLines::TransformFast(double* values, std::size_t lineStride, std::si
     {
       in[i] = { first[i], second ? second[i] : 0 };
     }
-    kiss_fft(this->Fast->Tables, in, out);
+    this->Fast->Forward(in, out);
     for (std::size_t k = 0; k < n; ++k)
     {
       const auto plus = out[k];
       const auto minus = out[k == 0 ? 0 : n - k];
-      first[k] = 0.5 * ((plus.r + minus.r) - (plus.i - minus.i));
+      first[k] = 0.5 * ((plus.real() + minus.real()) - (plus.imag() - minus.imag()));
       if (second)
       {
-        second[k] = 0.5 * ((plus.i + minus.i) + (plus.r - minus.r));
+        second[k] = 0.5 * ((plus.imag() + minus.imag()) + (plus.real() - minus.real()));
       }
     }
     if (forward)

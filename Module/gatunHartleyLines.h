@@ -10,6 +10,8 @@
 
 namespace gatun
 {
+class FourierTransform;
+
 /**
  * The discrete Hartley transform in one dimension, about the centre and orthonormal, of lines of
  * one length: short ones by a product with its matrix, long ones by a fast Fourier transform.
@@ -48,8 +50,7 @@ private:
   std::vector<double> Transposed; ///< of place and frequency
   std::vector<double> Cosines;    ///< of the angles by which the centre moves, if long
   std::vector<double> Sines;
-  struct Plan;
-  std::unique_ptr<Plan> Fast;
+  std::unique_ptr<FourierTransform> Fast;
 };
 }
 
