@@ -22,21 +22,22 @@ ABOUT = {
     "smooth": (None, "made: waves under a bell"),
 }
 
+# Scales, pixels a voxel, are such that pixels along an axis do not all fall on the same place of a block.
 MODES = {
     "full": {
         "volumes": {"ct": {}, "mr": {}, "head": {"size": 128}},
         "blocks": (2, 4, 8, 16, 32, 64, 0), "sampled": 1000, "rays": 100000,
-        "opacities": (0.02, 0.1), "scale": 0.5,
+        "opacities": (0.02, 0.1), "scale": 0.47,
         "rate blocks": (2, 4, 8, 16, 32, 64), "weights": (0,),
         "psnr": (25, 30, 35, 40, 45, 50, 55, 0),
         "times": "ct", "pixels": (256, 512, 1024), "time rates": (0.1, 0.5, 1, 2, 0),
         "threads": (1, 2), "rounds": 3, "plate": "ct",
         "qualities": (0, 0.2, 0.1, 0.05, 0.02),
-        "plate blocks": (2, 4, 8, 16, 32), "plate scale": 1.5},
+        "plate blocks": (2, 4, 8, 16, 32), "plate scale": 1},
     "quick": {
         "volumes": {"ct": {}, "head": {"size": 64}},
         "blocks": (4, 8, 32), "sampled": 300, "rays": 50000,
-        "opacities": (0.1,), "scale": 0.5,
+        "opacities": (0.1,), "scale": 0.47,
         "rate blocks": (8, 16), "weights": (0,), "psnr": (30, 40, 0),
         "times": "head", "pixels": (128, 256), "time rates": (0.5, 0),
         "threads": (1, 2), "rounds": 2, "plate": "head", "qualities": (0, 0.2),
@@ -44,7 +45,7 @@ MODES = {
     "smoke": {
         "volumes": {"head": {"size": 24}, "smooth": {"size": 20}},
         "blocks": (4, 16), "sampled": 20, "rays": 2000,
-        "opacities": (0.1,), "scale": 1,
+        "opacities": (0.1,), "scale": 0.94,
         "rate blocks": (8,), "weights": (0,), "psnr": (30, 40, 0),
         "times": "head", "pixels": (32,), "time rates": (1,),
         "threads": (1,), "rounds": 1, "plate": "head", "qualities": (0, 0.5),
