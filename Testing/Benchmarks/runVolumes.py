@@ -22,7 +22,8 @@ ABOUT = {
     "smooth": (None, "made: waves under a bell"),
 }
 
-# Scales, pixels a voxel, are such that pixels along an axis do not all fall on the same place of a block.
+# Scales, pixels a voxel, are such that pixels along an axis do not all fall on the same place of a block;
+# but for tiny volumes, where what shows is interpolation between the points of pictures of blocks.
 MODES = {
     "full": {
         "volumes": {"ct": {}, "mr": {}, "head": {"size": 128}},
@@ -45,7 +46,7 @@ MODES = {
     "smoke": {
         "volumes": {"head": {"size": 24}, "smooth": {"size": 20}},
         "blocks": (4, 16), "sampled": 20, "rays": 2000,
-        "opacities": (0.1,), "scale": 0.94,
+        "opacities": (0.1,), "scale": 1,
         "rate blocks": (8,), "weights": (0,), "psnr": (30, 40, 0),
         "times": "head", "pixels": (32,), "time rates": (1,),
         "threads": (1,), "rounds": 1, "plate": "head", "qualities": (0, 0.5),
