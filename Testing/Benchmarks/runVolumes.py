@@ -206,8 +206,9 @@ def main():
     else:
         with tempfile.TemporaryDirectory(prefix=f"gatun-{PAGE}-") as work:
             runner = benchmarkRunner.Runner(options.programs, pathlib.Path(work), folder)
+            # Without the name of the folder, which is gone afterwards.
             results = measure(runner, options, results, lambda results: raw.write_text(
-                json.dumps(results, indent=1) + "\n", encoding="utf-8"))
+                json.dumps(results, indent=1).replace(f"{work}/", "") + "\n", encoding="utf-8"))
             # The plate is put together while its pictures are there.
             volumeReport.write(results, options.out)
     print(f"The results are in {options.out / PAGE}.md and {folder}")
