@@ -190,6 +190,16 @@ def measure(runner, options, results, save):
 PARTS = {"times": measure_times, "plate": draw_plate}
 
 
+def save(results, file):
+    """Without the names of pictures that are not kept."""
+    kept = {**results}
+    if "plate" in kept:
+        kept["plate"] = {**kept["plate"], "runs": [
+            {key: value for key, value in run.items() if key != "file"}
+            for run in kept["plate"]["runs"]]}
+    file.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
+
+
 def main():
     parser = benchmarkRunner.make_parser(__doc__, PAGE)
     parser.add_argument("--only", nargs="+", choices=[*MODES["full"]["volumes"], *PARTS],
@@ -206,9 +216,7 @@ def main():
     else:
         with tempfile.TemporaryDirectory(prefix=f"gatun-{PAGE}-") as work:
             runner = benchmarkRunner.Runner(options.programs, pathlib.Path(work), folder)
-            # Without the name of the folder, which is gone afterwards.
-            results = measure(runner, options, results, lambda results: raw.write_text(
-                json.dumps(results, indent=1).replace(f"{work}/", "") + "\n", encoding="utf-8"))
+            results = measure(runner, options, results, lambda results: save(results, raw))
             # The plate is put together while its pictures are there.
             volumeReport.write(results, options.out)
     print(f"The results are in {options.out / PAGE}.md and {folder}")

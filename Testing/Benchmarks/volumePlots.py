@@ -139,7 +139,7 @@ def _plates(results, folder, done):
     """Only while the pictures are there; the plates of before stay else."""
     runs = results.get("plate", {}).get("runs", [])
     for plate in "qualities", "sizes":
-        if runs and all(pathlib.Path(run["file"]).exists() for run in runs):
+        if runs and all("file" in run and pathlib.Path(run["file"]).exists() for run in runs):
             _plate([run for run in runs if run["plate"] in ("voxels", plate)], folder, plate)
         if (folder / f"{plate}.png").exists():
             done.add(plate)

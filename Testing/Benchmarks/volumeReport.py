@@ -93,8 +93,17 @@ def _blocks(results):
                              error(ways["trilinear-2"][i]["samples"]), error(coded[i]["samples"])])
         text += f"\n### {one['name']}\n\n" + table(
             ["block", "turns", "paper", "ours, sums", "ours, lines", "between", "slice, lines",
-             "paper's kernel", "padded", "1 bit"], rows)
+             "paper's kernel", "padded", "1 bit"], rows) + "\n" + _worst(one)
     return text
+
+
+def _worst(one):
+    """What is worst of all sizes of blocks and views, without loss."""
+    own = [view for run in one["blocks"] if run["rate"] == 0 for view in run["ways"][0]["views"]]
+    sums = max(own, key=lambda view: view["samples"])
+    return paragraph(f"""Ours at worst: {error(sums['samples'])} against the sums, where the yardstick's own
+        error is {error(sums['between'])}; {error(max(view['lines'] for view in own))} against the
+        integrals.""")
 
 
 def _pictures(results, pictures):
