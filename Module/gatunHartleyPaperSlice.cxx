@@ -3,7 +3,6 @@
 #include "gatunHartleyPaperSlice.h"
 
 #include "gatunHartleyKernel.h"
-#include "gatunHartleySlice.h"
 #include "gatunHartleyTransform.h"
 
 #include <algorithm>
@@ -206,10 +205,9 @@ std::unique_ptr<HartleyPainter::Brush> HartleyPaperSlice::MakeBrush() const
 //------------------------------------------------------------------------------
 std::vector<float> HartleyPaperSlice::PaintUnit(const HartleyLayout::Triple& filled) const
 {
-  const auto& plan = this->Spectra->GetPlan();
   std::vector<float> picture(this->Lattice.GetNumberOfPoints());
   PaperBrush brush(*this);
-  brush.PaintOwn(HartleySpectrum(plan, GetUnitTerms(plan.Block, filled)));
+  brush.PaintOwn(*this->Spectra->GetUnit(filled));
   brush.ToLattice(picture.data());
   return picture;
 }

@@ -4,7 +4,6 @@
 
 #include "gatunFourier.h"
 #include "gatunHartleyKernel.h"
-#include "gatunHartleyTransform.h"
 #include "gatunParallel.h"
 
 #include <algorithm>
@@ -247,36 +246,8 @@ std::unique_ptr<HartleyPainter::Brush> HartleySlice::MakeBrush() const
 //------------------------------------------------------------------------------
 std::vector<float> HartleySlice::PaintUnit(const HartleyLayout::Triple& filled) const
 {
-  const auto& plan = this->Spectra->GetPlan();
   std::vector<float> picture(this->Lattice.GetNumberOfPoints());
-  SliceBrush(*this).PaintSlice(
-    HartleySpectrum(plan, GetUnitTerms(plan.Block, filled)), picture.data());
+  SliceBrush(*this).PaintSlice(*this->Spectra->GetUnit(filled), picture.data());
   return picture;
-}
-
-//------------------------------------------------------------------------------
-std::vector<HartleyTerm> GetUnitTerms(
-  const HartleyLayout::Triple& block, const HartleyLayout::Triple& filled)
-{
-  std::vector<double> values(std::size_t{ block[0] } * block[1] * block[2], 0.0);
-  for (std::uint32_t z = 0; z < filled[2]; ++z)
-  {
-    for (std::uint32_t y = 0; y < filled[1]; ++y)
-    {
-      std::fill_n(
-        values.begin() + static_cast<std::ptrdiff_t>((std::size_t{ z } * block[1] + y) * block[0]),
-        filled[0], 1.0);
-    }
-  }
-  HartleyTransform(block).Forward(values);
-  std::vector<HartleyTerm> terms;
-  for (std::uint32_t i = 0; i < values.size(); ++i)
-  {
-    if (values[i] != 0)
-    {
-      terms.push_back({ i, static_cast<float>(values[i]) });
-    }
-  }
-  return terms;
 }
 }

@@ -38,10 +38,6 @@ private:
   HartleyLattice Lattice;
   std::shared_ptr<HartleySpectra> Spectra;
 };
-
-/** The coefficients of a block whose first voxels along each axis are 1. */
-std::vector<HartleyTerm> GetUnitTerms(
-  const HartleyLayout::Triple& block, const HartleyLayout::Triple& filled);
 }
 
 #endif

@@ -100,6 +100,33 @@ std::vector<double> GetVoxels(
   HartleyTransform(block).Inverse(values);
   return values;
 }
+
+//------------------------------------------------------------------------------
+/** The coefficients of a block whose first voxels along each axis are 1. */
+std::vector<HartleyTerm> GetUnitTerms(
+  const HartleyLayout::Triple& block, const HartleyLayout::Triple& filled)
+{
+  std::vector<double> values(std::size_t{ block[0] } * block[1] * block[2], 0.0);
+  for (std::uint32_t z = 0; z < filled[2]; ++z)
+  {
+    for (std::uint32_t y = 0; y < filled[1]; ++y)
+    {
+      std::fill_n(
+        values.begin() + static_cast<std::ptrdiff_t>((std::size_t{ z } * block[1] + y) * block[0]),
+        filled[0], 1.0);
+    }
+  }
+  HartleyTransform(block).Forward(values);
+  std::vector<HartleyTerm> terms;
+  for (std::uint32_t i = 0; i < values.size(); ++i)
+  {
+    if (values[i] != 0)
+    {
+      terms.push_back({ i, static_cast<float>(values[i]) });
+    }
+  }
+  return terms;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -234,10 +261,37 @@ std::shared_ptr<const HartleySpectrum> HartleySpectra::Get(
   }
   auto made = std::make_shared<const HartleySpectrum>(this->Plan, terms);
   const std::lock_guard lock(this->Mutex);
-  if ((this->Kept.size() + 1) * made->GetBytes() <= this->Bytes)
+  if (this->HasRoom(*made))
   {
     this->Kept.emplace(block, made);
   }
   return made;
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const HartleySpectrum> HartleySpectra::GetUnit(const HartleyLayout::Triple& filled)
+{
+  {
+    const std::lock_guard lock(this->Mutex);
+    const auto found = this->KeptUnits.find(filled);
+    if (found != this->KeptUnits.end())
+    {
+      return found->second;
+    }
+  }
+  auto made =
+    std::make_shared<const HartleySpectrum>(this->Plan, GetUnitTerms(this->Plan.Block, filled));
+  const std::lock_guard lock(this->Mutex);
+  if (this->HasRoom(*made))
+  {
+    this->KeptUnits.emplace(filled, made);
+  }
+  return made;
+}
+
+//------------------------------------------------------------------------------
+bool HartleySpectra::HasRoom(const HartleySpectrum& spectrum) const
+{
+  return (this->Kept.size() + this->KeptUnits.size() + 1) * spectrum.GetBytes() <= this->Bytes;
 }
 }

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -79,11 +80,18 @@ public:
 
   std::shared_ptr<const HartleySpectrum> Get(std::size_t block, std::span<const HartleyTerm> terms);
 
+  /** Of a block of which the first voxels along each axis are 1. */
+  std::shared_ptr<const HartleySpectrum> GetUnit(const HartleyLayout::Triple& filled);
+
 private:
+  /** Whether there is room for one more. */
+  bool HasRoom(const HartleySpectrum& spectrum) const;
+
   SpectrumPlan Plan;
   std::uint64_t Bytes;
   std::mutex Mutex;
   std::unordered_map<std::size_t, std::shared_ptr<const HartleySpectrum>> Kept;
+  std::map<HartleyLayout::Triple, std::shared_ptr<const HartleySpectrum>> KeptUnits;
 };
 }
 
