@@ -79,8 +79,8 @@ struct HartleyPicture
   unsigned Width = 0;
   unsigned Height = 0;
   std::vector<std::array<float, 4>> Colours; ///< red, green, blue, times opacity; opacity
-  std::vector<float> Sums;                   ///< of the densities along the ray
-  std::vector<float> Samples;                ///< how many of them lie in the volume
+  std::vector<float> Sums;                   ///< of the densities along the ray; by XRay only
+  std::vector<float> Samples;                ///< how many of them lie in the volume; by XRay only
 
   // What it took.
   std::uint64_t Terms = 0;  ///< coefficients that were added up

@@ -22,14 +22,9 @@ namespace gatun
 struct SpectrumPlan
 {
   HartleyLayout::Triple Block{};
-  std::array<int, 3> Axes{ 0, 1, 2 };  ///< slowest last, fastest being the third: 1, 2, 0
-  std::array<std::size_t, 3> Points{}; ///< frequencies along Axes, in one period
+  std::array<int, 3> Axes{ 0, 1, 2 };             ///< lines lie along the third
+  std::array<std::size_t, 3> Points{};            ///< frequencies along Axes, in one period
   std::shared_ptr<const KaiserBessel> Correction; ///< along Axes[2]; null: none
-
-  std::size_t GetNumberOfPoints() const
-  {
-    return this->Points[0] * this->Points[1] * this->Points[2];
-  }
 
   bool operator==(const SpectrumPlan& other) const
   {
