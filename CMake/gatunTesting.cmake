@@ -299,7 +299,7 @@ function (gatun_add_fuzz_target name)
     ${arg_SOURCES}
     "${PROJECT_SOURCE_DIR}/Testing/Fuzz/fuzzRegression.cxx")
   target_link_libraries("fuzz-regression-${name}"
-    PRIVATE gatunCoreInternals ${arg_LINK} gatunBuildFlags)
+    PRIVATE gatunCoreInternals gatunCoreTestHeaders ${arg_LINK} gatunBuildFlags)
   gatun_add_test(
     NAME    "${prefix}${name}"
     COMMAND "fuzz-regression-${name}" ${arg_CORPUS}
@@ -308,7 +308,7 @@ function (gatun_add_fuzz_target name)
   if (GATUN_BUILD_FUZZERS)
     add_executable("fuzz-${name}" ${arg_SOURCES})
     target_link_libraries("fuzz-${name}"
-      PRIVATE gatunCoreInternals ${arg_LINK} gatunBuildFlags)
+      PRIVATE gatunCoreInternals gatunCoreTestHeaders ${arg_LINK} gatunBuildFlags)
     target_link_options("fuzz-${name}" PRIVATE -fsanitize=fuzzer)
     set(found "${GATUN_TEST_TEMP}/fuzz-${name}")
     file(MAKE_DIRECTORY "${found}")
@@ -319,8 +319,8 @@ function (gatun_add_fuzz_target name)
   endif ()
 endfunction ()
 
-# The core once more, as a static library with all its symbols, for tests of private functions.
-# Do not link it together with VTK::GatunCore or a module that uses it.
+# The objects of the core as a static library, for tests of private functions: a shared library shows
+# its public functions only. Do not link it together with VTK::GatunCore or a module that uses it.
 macro (gatun_add_core_internals)
   # The targets that Module/CMakeLists.txt found are known below Module/ only.
   get_property(packages GLOBAL PROPERTY "_vtk_module_find_package_VTK::GatunCore")
@@ -328,23 +328,10 @@ macro (gatun_add_core_internals)
     find_package("${package}" REQUIRED)
   endforeach ()
 
-  get_target_property(sources GatunCore SOURCES)
-  get_target_property(folder GatunCore SOURCE_DIR)
-  get_target_property(binary_folder GatunCore BINARY_DIR)
-  get_target_property(options GatunCore COMPILE_OPTIONS)
   get_target_property(libraries GatunCore LINK_LIBRARIES)
-  list(FILTER sources INCLUDE REGEX "\\.(cxx|h|txx)$")
-  list(TRANSFORM sources PREPEND "${folder}/" REGEX "^[^/$]")
-  add_library(gatunCoreInternals STATIC EXCLUDE_FROM_ALL ${sources})
-  # Properties of source files do not reach other folders.
-  foreach (source IN LISTS sources)
-    get_source_file_property(source_options "${source}" TARGET_DIRECTORY GatunCore COMPILE_OPTIONS)
-    if (source_options)
-      set_source_files_properties("${source}" PROPERTIES COMPILE_OPTIONS "${source_options}")
-    endif ()
-  endforeach ()
-  target_compile_definitions(gatunCoreInternals PUBLIC VTKGATUNCORE_STATIC_DEFINE)
-  target_compile_options(gatunCoreInternals PRIVATE ${options})
-  target_include_directories(gatunCoreInternals PUBLIC "${folder}" "${binary_folder}")
+  get_target_property(folders GatunCore INTERFACE_INCLUDE_DIRECTORIES)
+  add_library(gatunCoreInternals STATIC EXCLUDE_FROM_ALL $<TARGET_OBJECTS:GatunCore>)
+  set_target_properties(gatunCoreInternals PROPERTIES LINKER_LANGUAGE CXX)
+  target_include_directories(gatunCoreInternals PUBLIC ${folders})
   target_link_libraries(gatunCoreInternals PUBLIC ${libraries})
 endmacro ()

@@ -141,4 +141,4 @@ install(FILES LICENSE
 
 #--------------------------------------------------------------------------------------------------
 # Programs
-add_subdirectory(IO/Tools)
+add_subdirectory(Programs)

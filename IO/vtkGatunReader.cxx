@@ -14,6 +14,7 @@
 #include "gatunFileSignature.h"
 #include "gatunOutline.h"
 #include "gatunParallel.h"
+#include "gatunPieceDecoder.h"
 #include "gatunSimplifiedFile.h"
 #include "gatunSimplifyTarget.h"
 #include "vtkGatunCompat.h"

@@ -8,6 +8,7 @@
 #include "gatunError.h"
 #include "gatunFileImage.h"
 #include "gatunFileReader.h"
+#include "gatunPieceDecoder.h"
 #include "gatunSampleFile.h"
 
 #include <gtest/gtest.h>

@@ -7,6 +7,7 @@
 
 #include "gatunFileReader.h"
 #include "gatunFileWriter.h"
+#include "gatunPieceDecoder.h"
 #include "gatunTestMeshes.h"
 
 #include <array>

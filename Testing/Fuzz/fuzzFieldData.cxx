@@ -3,8 +3,8 @@
 
 // Field data, written without compression; what is read must be written and read alike.
 
-#include "../Core/gatunFileImage.h"
 #include "fuzzInput.h"
+#include "gatunFileImage.h"
 
 #include <cstdlib>
 

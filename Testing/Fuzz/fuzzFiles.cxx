@@ -4,6 +4,8 @@
 
 #include "gatunError.h"
 #include "gatunFileReader.h"
+#include "gatunPieceDecoder.h"
+#include "gatunVerifyFile.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -246,7 +248,7 @@ bool DecodeFile(const std::string& path)
     // Verifying decodes all once more, so a file that is known to be wrong goes without mostly.
     if (decodes || file->GetStatistics().FileBytes % 8 == 0)
     {
-      file->Verify();
+      VerifyFile(*file);
       if (!decodes)
       {
         Stop("a file that does not decode was verified: " + failure);

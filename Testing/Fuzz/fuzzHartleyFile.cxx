@@ -4,9 +4,9 @@
 // Any bytes as the tables and streams of a volume, with checksums made right: two bytes and a part
 // each for META and TABL, the rest for the streams. Bytes that begin as a file are taken as one.
 
-#include "../Core/gatunFileImage.h"
 #include "fuzzFiles.h"
 #include "fuzzInput.h"
+#include "gatunFileImage.h"
 #include "gatunHartleyFile.h"
 #include "gatunHartleyTables.h"
 

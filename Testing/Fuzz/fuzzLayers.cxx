@@ -3,8 +3,8 @@
 
 // Tables of layers, written without compression: META, then TABL, LAYR.
 
-#include "../Core/gatunFileImage.h"
 #include "fuzzInput.h"
+#include "gatunFileImage.h"
 #include "gatunLayerTable.h"
 
 #include <cstdlib>

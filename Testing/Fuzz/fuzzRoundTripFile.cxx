@@ -12,6 +12,8 @@
 #include "fuzzMeshes.h"
 #include "gatunFileReader.h"
 #include "gatunFileWriter.h"
+#include "gatunPieceDecoder.h"
+#include "gatunVerifyFile.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -215,7 +217,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   Write(path, content);
   const auto file = std::make_shared<FileReader>(path);
   std::filesystem::remove(path);
-  Require(file->Verify());
+  Require(VerifyFile(*file));
   PieceRequest request;
   request.Chunks.resize(file->GetChunks().size());
   std::iota(request.Chunks.begin(), request.Chunks.end(), 0u);

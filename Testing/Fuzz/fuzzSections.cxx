@@ -4,9 +4,9 @@
 // Files that are wrong inside of right checksums: libFuzzer's mutations are applied to tables and
 // streams, and the file is put together again.
 
-#include "../Core/gatunTreeSample.h"
 #include "fuzzFiles.h"
 #include "fuzzInput.h"
+#include "gatunTreeSample.h"
 
 #include <array>
 #include <random>

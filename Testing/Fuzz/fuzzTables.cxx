@@ -3,8 +3,8 @@
 
 // The tables of a file, written without compression: META, then TABL, STEP, TREE, TRNG.
 
-#include "../Core/gatunFileImage.h"
 #include "fuzzInput.h"
+#include "gatunFileImage.h"
 #include "gatunTreeTable.h"
 
 #include <cstdlib>

@@ -3,16 +3,16 @@
 
 // Writes seeds for the fuzz targets: makeCorpus FOLDER. Each target gets a folder of its own below.
 
-#include "../Core/gatunFileImage.h"
-#include "../Core/gatunHartleyImage.h"
-#include "../Core/gatunHartleySample.h"
-#include "../Core/gatunSampleFile.h"
-#include "../Core/gatunTreeSample.h"
 #include "fuzzMeshes.h"
 #include "gatunEntropy.h"
+#include "gatunFileImage.h"
 #include "gatunHartleyCodec.h"
+#include "gatunHartleyImage.h"
+#include "gatunHartleySample.h"
 #include "gatunMergeCodec.h"
 #include "gatunPalette.h"
+#include "gatunSampleFile.h"
+#include "gatunTreeSample.h"
 
 #include <filesystem>
 #include <fstream>

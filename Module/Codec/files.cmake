@@ -1,0 +1,28 @@
+# Codec: one chunk of a mesh in memory to its compressed streams and back.
+gatun_core_folder(Codec
+  INCLUDES
+    Support
+  PRIVATE_HEADERS
+    gatunArrayCodec.h
+    gatunChunkCodec.h
+    gatunDomain.h
+    gatunEntropy.h
+    gatunFaceTable.h
+    gatunFront.h
+    gatunGate.h
+    gatunGeometry.h
+    gatunMeasure.h
+    gatunPalette.h
+    gatunResidual.h
+    gatunSharedSearch.h
+    gatunTopology.h
+    gatunWalk.h
+    gatunWalkModels.h
+  SOURCES
+    gatunArrayCodec.cxx
+    gatunChunkCodec.cxx
+    gatunEntropy.cxx
+    gatunFront.cxx
+    gatunGeometry.cxx
+    gatunPalette.cxx
+    gatunSharedSearch.cxx)

@@ -1,0 +1,684 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunChunkSetDecoder.h"
+
+#include "gatunFloatEnvironment.h"
+#include "gatunParallel.h"
+#include "gatunPieceRequest.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <numeric>
+#include <string>
+
+namespace gatun
+{
+namespace
+{
+/** Steps walked at once, chunk by chunk. More take more memory for shared points; with fewer, the
+ * meshes that the cache has no room for are decoded more often. */
+constexpr std::size_t StepsAtOnce = 16;
+
+/** Calls use with a function that writes a key as a value of a type, chosen once for many values.
+ */
+template <typename Use>
+void WithWriter(const Domain& domain, Use&& use)
+{
+  const auto type = domain.GetType();
+  if (domain.GetPalette())
+  {
+    const auto& palette = *domain.GetPalette();
+    use(
+      [type, &palette](Key key, std::uint8_t* to) { Domain::WritePlain(type, palette[key], to); });
+  }
+  else if (type == ScalarType::Float32)
+  {
+    use([](Key key, std::uint8_t* to) { Domain::WritePlain(ScalarType::Float32, key, to); });
+  }
+  else if (type == ScalarType::Float64)
+  {
+    use([](Key key, std::uint8_t* to) { Domain::WritePlain(ScalarType::Float64, key, to); });
+  }
+  else
+  {
+    use([type](Key key, std::uint8_t* to) { Domain::WritePlain(type, key, to); });
+  }
+}
+
+/** Where the i-th of some things goes: by its original id if there is an order, else in a row. */
+struct Places
+{
+  const OrderPart* Order;
+  std::uint64_t First;
+
+  std::uint64_t operator()(std::size_t i) const
+  {
+    return this->Order ? (*this->Order)[i] : this->First + i;
+  }
+};
+}
+
+//--------------------------------------------------------------------------------------------------
+struct ChunkSetDecoder::Job
+{
+  /** An array that is wanted. */
+  struct Wanted
+  {
+    std::uint32_t Index;
+    std::uint8_t* Values;
+    bool OfPoints;
+    std::size_t First; // earliest step at which any chunk needs to decode it, or the job's step
+    std::vector<std::shared_ptr<const DomainsPart>> Domains; // from Begin on
+  };
+
+  /** What is held of a block. */
+  struct BlockWork
+  {
+    std::shared_ptr<const PointsPart> Points;
+    std::shared_ptr<const OrderPart> Order;
+    std::vector<ArrayAtStep> Reached;                                 // of each array
+    std::vector<std::vector<std::shared_ptr<const ArrayPart>>> Steps; // of each, from Begin on
+    bool NeedsPoints = false;
+  };
+
+  /** What is held of a chunk until it is done. */
+  struct ChunkWork
+  {
+    std::shared_ptr<const ChunkMesh> Mesh;
+    std::vector<ArrayAtStep> Reached; // of each array
+  };
+
+  const InputFile& File;
+  const PieceTarget& Target;
+  const bool RestorePoints;
+  const bool RestoreCells;
+  const bool RestoreCorners;
+  const bool NeedsPointOrder;
+  const bool NeedsCellOrder;
+  const std::size_t Step;
+  const std::size_t KeyStep; // from which Step is decoded
+  std::vector<Wanted> Arrays;
+  std::vector<BlockWork> Blocks;
+  std::vector<ChunkWork> Chunks;
+  std::size_t Begin = 0; // steps to walk now
+  std::size_t End = 0;
+
+  bool IsLast() const { return this->End == this->Step; }
+
+  // Places filled so far, where an order is restored: a damaged file might name one twice and
+  // leave another one as it was.
+  mutable std::vector<std::atomic<bool>> PointTaken;
+  mutable std::vector<std::atomic<bool>> CellTaken;
+
+  void TakePoint(std::uint64_t place) const { this->Take(this->PointTaken, place, "point "); }
+  void TakeCell(std::uint64_t place) const { this->Take(this->CellTaken, place, "cell "); }
+
+  void Take(std::vector<std::atomic<bool>>& taken, std::uint64_t place, const char* what) const
+  {
+    if (!taken.empty() && taken[static_cast<std::size_t>(place)].exchange(true))
+    {
+      this->File.Fail(ErrorCode::Corrupt,
+        "the original order is damaged: it names " + (what + std::to_string(place)) + " twice");
+    }
+  }
+
+  void StoreTuples(const Wanted& array, const ArrayPart& values, std::size_t count, auto&& keyOf,
+    auto&& placeOf) const
+  {
+    const auto& domains = *array.Domains.back();
+    const auto size = SizeOf(domains.front().GetType());
+    const auto stride = size * values.size();
+    for (std::size_t c = 0; c < values.size(); ++c)
+    {
+      WithWriter(domains[c],
+        [&](auto&& write)
+        {
+          const auto& keys = values[c];
+          auto* component = array.Values + c * size;
+          for (std::size_t i = 0; i < count; ++i)
+          {
+            write(keys[keyOf(i)], component + placeOf(i) * stride);
+          }
+        });
+    }
+  }
+
+  void StorePoint(const PointDomain& domains, const PointKeys& keys, std::uint64_t place) const
+  {
+    const auto size = SizeOf(domains[0].GetType());
+    auto* to = static_cast<std::uint8_t*>(this->Target.Points) + 3 * size * place;
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      domains[axis].Write(keys[axis], to + axis * size);
+    }
+  }
+};
+
+//--------------------------------------------------------------------------------------------------
+ChunkSetDecoder::ChunkSetDecoder(const std::shared_ptr<ChunkCache>& cache,
+  std::vector<std::uint32_t> chunks, std::vector<std::uint32_t> universe, bool withUnusedPoints)
+  : Parts(cache)
+  , Chunks(std::move(chunks))
+  , Universe(std::move(universe))
+  , WithUnused(withUnusedPoints)
+{
+  const auto& mesh = this->Content().Mesh;
+  std::vector<std::uint32_t> needed;
+  for (const auto c : this->Chunks)
+  {
+    for (const auto& part : mesh.Chunks[c].Shared)
+    {
+      needed.push_back(part.Block);
+    }
+  }
+  std::sort(needed.begin(), needed.end());
+  needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
+  for (const auto index : needed)
+  {
+    this->Blocks.push_back(
+      { index, std::vector<std::uint64_t>(mesh.Blocks[index].Groups.size(), Absent) });
+  }
+  for (const auto c : this->Chunks)
+  {
+    for (const auto& part : mesh.Chunks[c].Shared)
+    {
+      this->Blocks[this->FindBlock(part.Block)].GroupStart[part.Group] = 0;
+    }
+  }
+  for (auto& block : this->Blocks)
+  {
+    for (std::size_t g = 0; g < block.GroupStart.size(); ++g)
+    {
+      if (block.GroupStart[g] != Absent)
+      {
+        block.GroupStart[g] = this->Points;
+        this->Points += mesh.Blocks[block.Index].Groups[g].Points;
+      }
+    }
+  }
+  for (const auto c : this->Chunks)
+  {
+    this->FirstOwn.push_back(this->Points);
+    this->FirstTet.push_back(this->Tets);
+    this->Points += mesh.Chunks[c].Info.OwnPoints;
+    this->Tets += mesh.Chunks[c].Info.Tets;
+  }
+  this->FirstUnused = this->Points;
+  if (this->WithUnused && mesh.Unused.Points > 0)
+  {
+    this->Points += mesh.Unused.Points;
+    this->Blocks.push_back({ static_cast<std::uint32_t>(mesh.Blocks.size()), {} });
+  }
+}
+
+std::size_t ChunkSetDecoder::FindBlock(std::uint32_t index) const
+{
+  return static_cast<std::size_t>(
+    std::lower_bound(this->Blocks.begin(), this->Blocks.end(), index,
+      [](const Block& block, std::uint32_t wanted) { return block.Index < wanted; }) -
+    this->Blocks.begin());
+}
+
+bool ChunkSetDecoder::IsWhole() const
+{
+  const auto& content = this->Content();
+  return this->Chunks.size() == content.Mesh.Chunks.size() &&
+    (this->WithUnused || content.Meta.UnusedPoints == 0);
+}
+
+void ChunkSetDecoder::MarkOwners(unsigned char* ghosts) const
+{
+  std::memset(ghosts, 0, static_cast<std::size_t>(this->Points));
+  for (const auto& block : this->Blocks)
+  {
+    for (std::size_t g = 0; g < block.GroupStart.size(); ++g)
+    {
+      const auto& group = this->Content().Mesh.Blocks[block.Index].Groups[g];
+      if (block.GroupStart[g] != Absent && !this->Owns(group))
+      {
+        std::memset(ghosts + block.GroupStart[g], 1, group.Points);
+      }
+    }
+  }
+}
+
+bool ChunkSetDecoder::Owns(const SharedGroup& group) const
+{
+  const auto has = [](const std::vector<std::uint32_t>& set, std::uint32_t chunk)
+  { return std::binary_search(set.begin(), set.end(), chunk); };
+  const auto owner = this->Universe.empty()
+    ? group.Chunks.begin()
+    : std::find_if(group.Chunks.begin(), group.Chunks.end(),
+        [&](std::uint32_t chunk) { return has(this->Universe, chunk); });
+  return owner != group.Chunks.end() && has(this->Chunks, *owner);
+}
+
+std::vector<std::uint64_t> ChunkSetDecoder::Locate(const ChunkSetDecoder& part) const
+{
+  const auto& mesh = this->Content().Mesh;
+  std::vector<std::uint64_t> places(static_cast<std::size_t>(part.Points));
+  const auto copy = [&](std::uint64_t from, std::uint64_t to, std::uint64_t count)
+  {
+    for (std::uint64_t i = 0; i < count; ++i)
+    {
+      places[static_cast<std::size_t>(from + i)] = to + i;
+    }
+  };
+  for (const auto& block : part.Blocks)
+  {
+    for (std::size_t g = 0; g < block.GroupStart.size(); ++g)
+    {
+      if (block.GroupStart[g] != Absent)
+      {
+        copy(block.GroupStart[g], this->Blocks[this->FindBlock(block.Index)].GroupStart[g],
+          mesh.Blocks[block.Index].Groups[g].Points);
+      }
+    }
+  }
+  for (std::size_t i = 0, j = 0; j < part.Chunks.size(); ++i)
+  {
+    if (this->Chunks[i] == part.Chunks[j])
+    {
+      copy(part.FirstOwn[j], this->FirstOwn[i], mesh.Chunks[part.Chunks[j]].Info.OwnPoints);
+      ++j;
+    }
+  }
+  if (part.WithUnused)
+  {
+    copy(part.FirstUnused, this->FirstUnused, mesh.Unused.Points);
+  }
+  return places;
+}
+
+//--------------------------------------------------------------------------------------------------
+void ChunkSetDecoder::Fill(const PieceTarget& target, const std::vector<std::uint32_t>& arrays,
+  std::size_t step, bool restoreOrder, const Progress& progress) const
+{
+  const auto& content = this->Content();
+  const auto keep = content.Meta.Keep;
+  const auto restore = restoreOrder && this->IsWhole() ? keep : 0;
+  const bool restorePoints = (restore & KeepPoints) != 0;
+  const bool restoreCells = (restore & KeepCells) != 0;
+  Job job{ content.File, target, restorePoints, restoreCells, (restore & KeepCorners) != 0,
+    (keep & KeepPoints) != 0 && (restorePoints || target.GlobalPointIds),
+    (keep & KeepCells) != 0 && (restoreCells || target.GlobalCellIds), step,
+    content.FindKeyStep(step), {}, {}, {}, 0, 0, {}, {} };
+  if (restorePoints)
+  {
+    job.PointTaken = std::vector<std::atomic<bool>>(static_cast<std::size_t>(this->Points));
+  }
+  if (restoreCells)
+  {
+    job.CellTaken = std::vector<std::atomic<bool>>(static_cast<std::size_t>(this->Tets));
+  }
+  for (std::size_t a = 0; a < target.Arrays.size(); ++a)
+  {
+    if (target.Arrays[a])
+    {
+      job.Arrays.push_back({ arrays[a], static_cast<std::uint8_t*>(target.Arrays[a]),
+        content.Meta.Arrays[arrays[a]].Where == Association::Point, step, {} });
+    }
+  }
+  this->Plan(job);
+
+  // What is in the cache first, before it has to make room for the rest.
+  std::vector<std::size_t> order(this->Chunks.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::stable_partition(
+    order.begin(), order.end(), [&](std::size_t i) { return job.Chunks[i].Mesh != nullptr; });
+
+  const auto first = job.Begin;
+  const auto steps = static_cast<double>(step - first + 1);
+  for (; job.Begin <= step; job.Begin = job.End + 1)
+  {
+    job.End = std::min(step, job.Begin + StepsAtOnce - 1);
+    for (auto& array : job.Arrays)
+    {
+      array.Domains.clear();
+      for (auto at = job.Begin; at <= job.End; ++at)
+      {
+        array.Domains.push_back(this->Parts.GetDomains(array.Index, at));
+      }
+    }
+    ParallelFor(this->Blocks.size(),
+      [&](std::size_t b)
+      {
+        const FloatEnvironment guard;
+        this->DecodeBlock(job, b);
+      });
+    const auto done = static_cast<double>(job.Begin - first) / steps;
+    const auto share = static_cast<double>(job.End - job.Begin + 1) / steps;
+    ParallelFor(
+      this->Chunks.size(),
+      [&](std::size_t i)
+      {
+        const FloatEnvironment guard;
+        this->DecodeChunkInto(job, order[i]);
+      },
+      [&](double part) { return !progress || progress(done + share * part); });
+  }
+}
+
+/** Takes what there is out of the cache, so that it stays, and sees what has to be decoded. */
+void ChunkSetDecoder::Plan(Job& job) const
+{
+  job.Blocks.resize(this->Blocks.size());
+  job.Chunks.resize(this->Chunks.size());
+  for (auto& block : job.Blocks)
+  {
+    block.NeedsPoints = job.Target.Points != nullptr;
+  }
+  for (std::size_t i = 0; i < this->Chunks.size(); ++i)
+  {
+    auto& work = job.Chunks[i];
+    work.Mesh = this->Parts.FindMesh(this->Chunks[i]);
+    for (const auto& part : this->Content().Mesh.Chunks[this->Chunks[i]].Shared)
+    {
+      auto& needed = job.Blocks[this->FindBlock(part.Block)].NeedsPoints;
+      needed = needed || !work.Mesh;
+    }
+    for (auto& array : job.Arrays)
+    {
+      work.Reached.push_back(
+        this->Parts.FindChunkArray(this->Chunks[i], array.Index, job.KeyStep, job.Step));
+      const auto& reached = work.Reached.back();
+      array.First = std::min(array.First, reached.Values ? reached.Step + 1 : job.KeyStep);
+    }
+  }
+  job.Begin = job.Step;
+  for (const auto& array : job.Arrays)
+  {
+    job.Begin = std::min(job.Begin, array.First);
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+void ChunkSetDecoder::DecodeBlock(Job& job, std::size_t b) const
+{
+  const auto index = this->Blocks[b].Index;
+  auto& work = job.Blocks[b];
+  if (work.NeedsPoints && !work.Points)
+  {
+    work.Points = this->Parts.GetBlockPoints(index);
+  }
+  if (job.NeedsPointOrder && !work.Order)
+  {
+    work.Order = this->Parts.GetBlockOrder(index);
+  }
+  work.Steps.resize(job.Arrays.size());
+  for (std::size_t a = 0; a < job.Arrays.size(); ++a)
+  {
+    const auto& array = job.Arrays[a];
+    if (!array.OfPoints)
+    {
+      continue;
+    }
+    if (work.Reached.size() <= a)
+    {
+      work.Reached.resize(a + 1);
+      work.Reached[a] = this->Parts.FindBlockArray(index, array.Index, job.KeyStep, array.First);
+    }
+    auto& reached = work.Reached[a];
+    auto& steps = work.Steps[a];
+    steps.assign(job.End - job.Begin + 1, nullptr);
+    const auto hold = [&]
+    {
+      if (reached.Values && reached.Step >= job.Begin && reached.Step <= job.End)
+      {
+        steps[reached.Step - job.Begin] = reached.Values;
+      }
+    };
+    hold();
+    for (auto step = reached.Values ? reached.Step + 1 : job.KeyStep; step <= job.End; ++step)
+    {
+      const auto domains = step < job.Begin ? this->Parts.GetDomains(array.Index, step)
+                                            : array.Domains[step - job.Begin];
+      reached = {
+        this->Parts.DecodeBlockArray(index, array.Index, step, *domains, reached.Values.get()), step
+      };
+      hold();
+    }
+    if (job.IsLast())
+    {
+      this->Parts.KeepBlockArray(index, array.Index, reached);
+    }
+  }
+  if (job.IsLast())
+  {
+    this->StoreBlock(job, b);
+  }
+}
+
+void ChunkSetDecoder::StoreBlock(const Job& job, std::size_t b) const
+{
+  const auto& content = this->Content();
+  const auto& block = this->Blocks[b];
+  const auto& entry = this->Parts.GetBlock(block.Index);
+  const auto& work = job.Blocks[b];
+  const auto& target = job.Target;
+  const auto store = [&](std::size_t first, std::size_t count, std::uint64_t start, bool owned)
+  {
+    const auto place = [&](std::size_t i)
+    { return job.RestorePoints ? (*work.Order)[first + i] : start + i; };
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      job.TakePoint(place(i));
+      if (target.Points)
+      {
+        job.StorePoint(content.Domains, (*work.Points)[first + i], place(i));
+      }
+      if (target.GlobalPointIds)
+      {
+        target.GlobalPointIds[place(i)] = static_cast<std::int64_t>(
+          work.Order ? (*work.Order)[first + i] : entry.FirstPoint + first + i);
+      }
+      if (target.PointGhosts)
+      {
+        target.PointGhosts[place(i)] = !owned;
+      }
+    }
+    for (std::size_t a = 0; a < job.Arrays.size(); ++a)
+    {
+      if (job.Arrays[a].OfPoints)
+      {
+        job.StoreTuples(
+          job.Arrays[a], *work.Steps[a].back(), count, [&](std::size_t i) { return first + i; },
+          place);
+      }
+    }
+  };
+  if (entry.Groups.empty())
+  {
+    store(0, static_cast<std::size_t>(entry.Points), this->FirstUnused, true);
+    return;
+  }
+  std::size_t first = 0;
+  for (std::size_t g = 0; g < entry.Groups.size(); ++g)
+  {
+    const auto& group = entry.Groups[g];
+    if (block.GroupStart[g] != Absent)
+    {
+      store(first, group.Points, block.GroupStart[g], this->Owns(group));
+    }
+    first += group.Points;
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+void ChunkSetDecoder::DecodeChunkInto(Job& job, std::size_t i) const
+{
+  const auto chunk = this->Chunks[i];
+  auto& work = job.Chunks[i];
+  auto mesh = std::move(work.Mesh);
+  if (!mesh && job.Begin > job.KeyStep)
+  {
+    mesh = this->Parts.FindMesh(chunk); // decoded for the steps before
+  }
+  if (!mesh)
+  {
+    mesh = this->Parts.DecodeMesh(chunk,
+      [&](std::uint32_t block)
+      {
+        const auto& held = job.Blocks[this->FindBlock(block)].Points;
+        return held ? held : this->Parts.GetBlockPoints(block);
+      });
+  }
+  for (std::size_t a = 0; a < job.Arrays.size(); ++a)
+  {
+    auto& reached = work.Reached[a];
+    for (auto step = reached.Values ? reached.Step + 1 : job.KeyStep; step <= job.End; ++step)
+    {
+      const auto& array = job.Arrays[a];
+      const auto valuesOf = [&](std::uint32_t block)
+      { return job.Blocks[this->FindBlock(block)].Steps[a][step - job.Begin]; };
+      reached = { this->Parts.DecodeChunkArray(chunk, *mesh, array.Index, step,
+                    *array.Domains[step - job.Begin], reached.Values.get(), valuesOf),
+        step };
+    }
+    if (job.IsLast())
+    {
+      this->Parts.KeepChunkArray(chunk, job.Arrays[a].Index, reached);
+    }
+  }
+  if (job.IsLast())
+  {
+    this->StoreChunk(job, i, *mesh);
+    work = {};
+  }
+}
+
+void ChunkSetDecoder::StoreChunk(const Job& job, std::size_t i, const ChunkMesh& mesh) const
+{
+  const auto& content = this->Content();
+  const auto chunk = this->Chunks[i];
+  const auto& info = content.Mesh.Chunks[chunk].Info;
+  const auto& target = job.Target;
+  const auto& ownIds = mesh.Context.OwnIds;
+  const auto tets = mesh.Walk.Parents.size();
+
+  std::shared_ptr<const OrderPart> points, cells;
+  if (job.NeedsPointOrder)
+  {
+    points = this->Parts.GetPointOrder(
+      chunk, mesh, [&](std::uint32_t block) { return job.Blocks[this->FindBlock(block)].Order; });
+  }
+  if (job.NeedsCellOrder)
+  {
+    cells = this->Parts.GetCellOrder(chunk, mesh);
+  }
+  const Places pointIds{ points.get(), info.FirstPoint };
+  const Places cellIds{ cells.get(), info.FirstTet };
+  const Places pointPlaces{ job.RestorePoints ? points.get() : nullptr, this->FirstOwn[i] };
+  const Places cellPlaces{ job.RestoreCells ? cells.get() : nullptr, this->FirstTet[i] };
+
+  for (std::size_t own = 0; own < ownIds.size(); ++own)
+  {
+    const auto place = pointPlaces(own);
+    job.TakePoint(place);
+    if (target.Points)
+    {
+      job.StorePoint(content.Domains, mesh.Keys[ownIds[own]], place);
+    }
+    if (target.GlobalPointIds)
+    {
+      target.GlobalPointIds[place] = static_cast<std::int64_t>(pointIds(own));
+    }
+    if (target.PointGhosts)
+    {
+      target.PointGhosts[place] = 0;
+    }
+  }
+  for (std::size_t t = 0; t < tets; ++t)
+  {
+    const auto place = cellPlaces(t);
+    job.TakeCell(place);
+    if (target.GlobalCellIds)
+    {
+      target.GlobalCellIds[place] = static_cast<std::int64_t>(cellIds(t));
+    }
+    if (target.CellGhosts)
+    {
+      target.CellGhosts[place] = 0;
+    }
+  }
+  if (target.Connectivity)
+  {
+    this->StoreConnectivity(job, i, mesh, pointPlaces.Order, cellPlaces.Order);
+  }
+  for (std::size_t a = 0; a < job.Arrays.size(); ++a)
+  {
+    const auto& values = *job.Chunks[i].Reached[a].Values;
+    if (job.Arrays[a].OfPoints)
+    {
+      job.StoreTuples(
+        job.Arrays[a], values, ownIds.size(), [&](std::size_t own) { return ownIds[own]; },
+        pointPlaces);
+    }
+    else
+    {
+      job.StoreTuples(
+        job.Arrays[a], values, tets, [](std::size_t t) { return t; }, cellPlaces);
+    }
+  }
+}
+
+void ChunkSetDecoder::StoreConnectivity(const Job& job, std::size_t i, const ChunkMesh& mesh,
+  const OrderPart* points, const OrderPart* cells) const
+{
+  const auto& content = this->Content();
+  const auto chunk = this->Chunks[i];
+  const Places pointPlaces{ points, this->FirstOwn[i] };
+  const Places cellPlaces{ cells, this->FirstTet[i] };
+  std::vector<std::uint64_t> ids(mesh.Keys.size());
+  for (std::size_t own = 0; own < mesh.Context.OwnIds.size(); ++own)
+  {
+    ids[mesh.Context.OwnIds[own]] = pointPlaces(own);
+  }
+  std::vector<std::uint64_t> sharedPlaces;
+  for (const auto& part : content.Mesh.Chunks[chunk].Shared)
+  {
+    const auto count = content.Mesh.Blocks[part.Block].Groups[part.Group].Points;
+    const auto b = this->FindBlock(part.Block);
+    const auto start = this->Blocks[b].GroupStart[part.Group];
+    for (std::uint64_t p = 0; p < count; ++p)
+    {
+      sharedPlaces.push_back(
+        job.RestorePoints ? (*job.Blocks[b].Order)[part.FirstInBlock + p] : start + p);
+    }
+  }
+  for (std::size_t v = 0; v < ids.size(); ++v)
+  {
+    const auto source = mesh.Walk.Sources[v];
+    if (source & Topology::SharedFlag)
+    {
+      ids[v] = sharedPlaces[source & ~Topology::SharedFlag];
+    }
+  }
+  const auto rotations =
+    job.RestoreCorners ? this->Parts.DecodeCorners(chunk, mesh) : std::vector<Key>{};
+  const auto store = [&](auto* connectivity)
+  {
+    using Id = std::remove_pointer_t<decltype(connectivity)>;
+    for (std::size_t t = 0; t < mesh.Walk.Tets.size(); ++t)
+    {
+      const auto tet = rotations.empty()
+        ? mesh.Walk.Tets[t]
+        : RotateCorners(mesh.Walk.Tets[t], static_cast<unsigned>(rotations[t]));
+      auto* corners = connectivity + 4 * cellPlaces(t);
+      for (unsigned corner = 0; corner < 4; ++corner)
+      {
+        corners[corner] = static_cast<Id>(ids[tet[corner]]);
+      }
+    }
+  };
+  if (job.Target.WideIds)
+  {
+    store(static_cast<std::int64_t*>(job.Target.Connectivity));
+  }
+  else
+  {
+    store(static_cast<std::int32_t*>(job.Target.Connectivity));
+  }
+}
+}

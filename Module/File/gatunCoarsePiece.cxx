@@ -1,0 +1,439 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunCoarsePiece.h"
+
+#include "gatunChunkCache.h"
+#include "gatunChunkSetDecoder.h"
+#include "gatunParallel.h"
+#include "gatunPieceRequest.h"
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+
+namespace gatun
+{
+namespace
+{
+constexpr std::uint32_t None = 0xffffffffu;
+
+/** Copies tuples of so many bytes; pairs say from where to where. */
+template <typename Pairs>
+void CopyTuples(const void* from, void* to, std::size_t bytes, const Pairs& pairs)
+{
+  const auto* const source = static_cast<const std::uint8_t*>(from);
+  auto* const target = static_cast<std::uint8_t*>(to);
+  for (const auto& pair : pairs)
+  {
+    std::memcpy(target + pair.To * bytes, source + pair.From * bytes, bytes);
+  }
+}
+
+/** Where each of some things goes that are sorted by their numbers. */
+std::vector<std::uint32_t> FindRanks(const std::vector<std::int64_t>& numbers)
+{
+  std::vector<std::uint32_t> order(numbers.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(),
+    [&](std::uint32_t a, std::uint32_t b) { return numbers[a] < numbers[b]; });
+  std::vector<std::uint32_t> ranks(order.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i)
+  {
+    ranks[order[i]] = i;
+  }
+  return ranks;
+}
+}
+
+//------------------------------------------------------------------------------
+CoarseChunk DecodeCoarse(
+  const std::shared_ptr<ChunkCache>& cache, const CoarseLayout& layout, std::uint32_t chunk)
+{
+  const ChunkSetDecoder decoder(cache, { chunk }, {}, false);
+  std::vector<MergeTree::Tet> tets(static_cast<std::size_t>(decoder.GetNumberOfTets()));
+  static_assert(sizeof(MergeTree::Tet) == 4 * sizeof(std::int32_t));
+  PieceTarget target;
+  target.Connectivity = tets.data();
+  target.WideIds = false;
+  decoder.Fill(target, {}, 0, false, {});
+  // Places in the chunk become points of the file, and these their ancestors.
+  auto ancestors = layout.GetPoints(chunk);
+  for (auto& point : ancestors)
+  {
+    point = layout.GetAncestors()[point];
+  }
+  CoarseChunk left;
+  for (std::uint32_t cell = 0; cell < tets.size(); ++cell)
+  {
+    if (Simplify(tets[cell], ancestors))
+    {
+      left.Cells.push_back(cell);
+      left.Tets.push_back(tets[cell]);
+    }
+  }
+  return left;
+}
+
+//------------------------------------------------------------------------------
+CoarsePiece::CoarsePiece(std::shared_ptr<ChunkCache> cache,
+  std::shared_ptr<const CoarseLayout> layout, const PieceRequest& request, const Progress& progress)
+  : Cache(std::move(cache))
+  , File(Cache->GetFile())
+  , Layout(std::move(layout))
+  , Request(request)
+{
+  this->AddTets(progress);
+  this->AddPoints();
+  const bool isWhole = request.Chunks.size() == this->File->GetChunks().size() &&
+    (request.WithUnusedPoints || this->File->GetNumberOfUnusedPoints() == 0);
+  if (request.RestoreOrder && isWhole)
+  {
+    this->RestoreOrder();
+  }
+}
+
+//------------------------------------------------------------------------------
+CoarsePiece::Part& CoarsePiece::GetPart(std::uint32_t chunk)
+{
+  const auto found = std::find_if(
+    this->Parts.begin(), this->Parts.end(), [=](const Part& part) { return part.Chunk == chunk; });
+  return found != this->Parts.end() ? *found : this->Parts.emplace_back(Part{ chunk, {}, {} });
+}
+
+//------------------------------------------------------------------------------
+void CoarsePiece::AddTets(const Progress& progress)
+{
+  auto chunks = this->Request.Chunks;
+  if (this->Request.GhostLevels > 0)
+  {
+    chunks = this->Request.Universe;
+    if (chunks.empty())
+    {
+      chunks.resize(this->File->GetChunks().size());
+      std::iota(chunks.begin(), chunks.end(), 0u);
+    }
+  }
+  std::vector<CoarseChunk> left(chunks.size());
+  ParallelFor(
+    chunks.size(),
+    [&](std::size_t i) { left[i] = DecodeCoarse(this->Cache, *this->Layout, chunks[i]); },
+    progress);
+  for (std::size_t i = 0; i < chunks.size(); ++i)
+  {
+    if (std::binary_search(this->Request.Chunks.begin(), this->Request.Chunks.end(), chunks[i]))
+    {
+      auto& cells = this->Parts.emplace_back(Part{ chunks[i], {}, {} }).Cells;
+      for (std::size_t k = 0; k < left[i].Tets.size(); ++k)
+      {
+        cells.push_back({ left[i].Cells[k], static_cast<std::uint32_t>(this->Tets.size()) });
+        this->Tets.push_back(left[i].Tets[k]);
+      }
+      left[i] = {};
+    }
+  }
+  this->OwnTets = this->Tets.size();
+  this->AddGhosts(left, chunks);
+}
+
+//------------------------------------------------------------------------------
+/** Layers of tetrahedra that share a point with those that are there already. */
+void CoarsePiece::AddGhosts(
+  std::vector<CoarseChunk>& around, const std::vector<std::uint32_t>& chunks)
+{
+  std::vector<bool> reached(
+    this->Request.GhostLevels > 0 ? this->Layout->GetAncestors().size() : 0, false);
+  std::size_t known = 0;
+  for (unsigned level = 0; level < this->Request.GhostLevels; ++level)
+  {
+    for (auto i = known; i < this->Tets.size(); ++i)
+    {
+      for (const auto corner : this->Tets[i])
+      {
+        reached[corner] = true;
+      }
+    }
+    if (known > 0 && known == this->Tets.size())
+    {
+      return; // all that can be reached
+    }
+    known = this->Tets.size();
+    for (std::size_t i = 0; i < chunks.size(); ++i)
+    {
+      auto& tets = around[i].Tets;
+      for (std::size_t k = 0; k < tets.size(); ++k)
+      {
+        const bool touches = std::any_of(
+          tets[k].begin(), tets[k].end(), [&](std::uint32_t corner) { return reached[corner]; });
+        if (around[i].Cells[k] != None && touches)
+        {
+          this->GetPart(chunks[i]).Cells.push_back(
+            { around[i].Cells[k], static_cast<std::uint32_t>(this->Tets.size()) });
+          this->Tets.push_back(tets[k]);
+          around[i].Cells[k] = None;
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/** Whether a point belongs to the piece: see PieceTarget::PointGhosts. */
+bool CoarsePiece::Owns(std::uint32_t point) const
+{
+  const auto has = [](const std::vector<std::uint32_t>& set, std::uint32_t chunk)
+  { return std::binary_search(set.begin(), set.end(), chunk); };
+  if (point >= this->File->GetNumberOfPoints() - this->File->GetNumberOfUnusedPoints())
+  {
+    return this->Request.WithUnusedPoints;
+  }
+  const SharedGroup* const group = this->Layout->FindGroup(point);
+  if (!group)
+  {
+    return has(this->Request.Chunks, this->Layout->GetGiver(point));
+  }
+  const auto& universe = this->Request.Universe;
+  const auto owner = std::find_if(group->Chunks.begin(), group->Chunks.end(),
+    [&](std::uint32_t chunk) { return universe.empty() || has(universe, chunk); });
+  return owner != group->Chunks.end() && has(this->Request.Chunks, *owner);
+}
+
+//------------------------------------------------------------------------------
+void CoarsePiece::AddPoints()
+{
+  const auto& ancestors = this->Layout->GetAncestors();
+  std::vector<std::uint32_t> places(ancestors.size(), None);
+  // First marks, then places in the order of the file: the piece's own, then those of ghosts.
+  constexpr std::uint32_t ofPiece = 0;
+  constexpr std::uint32_t ofGhosts = 1;
+  for (std::size_t i = this->Tets.size(); i > 0; --i)
+  {
+    for (const auto corner : this->Tets[i - 1])
+    {
+      places[corner] = i > this->OwnTets ? ofGhosts : ofPiece;
+    }
+  }
+  const auto markOwned = [&](std::uint32_t first, std::uint32_t last)
+  {
+    for (auto point = first; point < last; ++point)
+    {
+      if (ancestors[point] == point && this->Owns(point))
+      {
+        places[point] = ofPiece;
+      }
+    }
+  };
+  for (const auto chunk : this->Request.Chunks)
+  {
+    this->Layout->EachRun(chunk, markOwned);
+  }
+  const auto used = static_cast<std::uint32_t>(
+    this->File->GetNumberOfPoints() - this->File->GetNumberOfUnusedPoints());
+  markOwned(used, static_cast<std::uint32_t>(ancestors.size()));
+  for (const auto kind : { ofPiece, ofGhosts })
+  {
+    for (std::uint32_t point = 0; point < places.size(); ++point)
+    {
+      if (places[point] == kind)
+      {
+        this->Points.push_back(point);
+      }
+    }
+    this->OwnPoints = kind == ofPiece ? this->Points.size() : this->OwnPoints;
+  }
+  for (std::uint32_t i = 0; i < this->Points.size(); ++i)
+  {
+    places[this->Points[i]] = i;
+  }
+  for (auto& tet : this->Tets)
+  {
+    for (auto& corner : tet)
+    {
+      corner = places[corner];
+    }
+  }
+
+  // From chunks that are decoded anyway, as far as possible.
+  const auto take = [&](std::uint32_t chunk)
+  {
+    auto& copies = this->GetPart(chunk).Points;
+    std::uint32_t at = 0;
+    this->Layout->EachRun(chunk,
+      [&](std::uint32_t first, std::uint32_t last)
+      {
+        for (auto point = first; point < last; ++point, ++at)
+        {
+          if (places[point] != None)
+          {
+            copies.push_back({ at, places[point] });
+            places[point] = None;
+          }
+        }
+      });
+  };
+  for (const auto chunk : this->Request.Chunks)
+  {
+    take(chunk);
+  }
+  for (const auto point : this->Points)
+  {
+    if (places[point] == None)
+    {
+      continue;
+    }
+    if (point < used)
+    {
+      take(this->Layout->GetGiver(point));
+    }
+    else
+    {
+      this->GetPart(NoChunk).Points.push_back({ point - used, places[point] });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void CoarsePiece::RestoreOrder()
+{
+  const auto kept = this->File->GetKeptOrder();
+  PieceTarget target;
+  std::vector<std::int64_t> pointIds(this->Points.size());
+  std::vector<std::int64_t> cellIds(this->Tets.size());
+  target.GlobalPointIds = (kept & KeepPoints) != 0 ? pointIds.data() : nullptr;
+  target.GlobalCellIds = (kept & KeepCells) != 0 ? cellIds.data() : nullptr;
+  if (!target.GlobalPointIds && !target.GlobalCellIds)
+  {
+    return;
+  }
+  this->Fill(target, {}, 0, {});
+  if (target.GlobalPointIds)
+  {
+    const auto ranks = FindRanks(pointIds);
+    auto points = this->Points;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      points[ranks[i]] = this->Points[i];
+    }
+    this->Points = std::move(points);
+    for (auto& part : this->Parts)
+    {
+      for (Copy& copy : part.Points)
+      {
+        copy.To = ranks[copy.To];
+      }
+    }
+    for (auto& tet : this->Tets)
+    {
+      for (auto& corner : tet)
+      {
+        corner = ranks[corner];
+      }
+    }
+  }
+  if (target.GlobalCellIds)
+  {
+    const auto ranks = FindRanks(cellIds);
+    auto tets = this->Tets;
+    for (std::size_t i = 0; i < tets.size(); ++i)
+    {
+      tets[ranks[i]] = this->Tets[i];
+    }
+    this->Tets = std::move(tets);
+    for (auto& part : this->Parts)
+    {
+      for (Copy& copy : part.Cells)
+      {
+        copy.To = ranks[copy.To];
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void CoarsePiece::Fill(const PieceTarget& target, const std::vector<std::uint32_t>& arrays,
+  std::size_t step, const Progress& progress) const
+{
+  const auto storeIds = [&](auto* ids)
+  {
+    for (const auto& tet : this->Tets)
+    {
+      for (const auto corner : tet)
+      {
+        *ids++ = static_cast<std::remove_reference_t<decltype(*ids)>>(corner);
+      }
+    }
+  };
+  if (target.Connectivity && target.WideIds)
+  {
+    storeIds(static_cast<std::int64_t*>(target.Connectivity));
+  }
+  else if (target.Connectivity)
+  {
+    storeIds(static_cast<std::int32_t*>(target.Connectivity));
+  }
+  for (std::size_t i = 0; target.PointGhosts && i < this->Points.size(); ++i)
+  {
+    target.PointGhosts[i] = i >= this->OwnPoints || !this->Owns(this->Points[i]);
+  }
+  for (std::size_t i = 0; target.CellGhosts && i < this->Tets.size(); ++i)
+  {
+    target.CellGhosts[i] = i >= this->OwnTets;
+  }
+  ParallelFor(
+    this->Parts.size(),
+    [&](std::size_t i) { this->FillPart(this->Parts[i], target, arrays, step); }, progress);
+}
+
+//------------------------------------------------------------------------------
+void CoarsePiece::FillPart(const Part& part, const PieceTarget& target,
+  const std::vector<std::uint32_t>& arrays, std::size_t step) const
+{
+  const bool isChunk = part.Chunk != NoChunk;
+  const ChunkSetDecoder decoder(this->Cache,
+    isChunk ? std::vector<std::uint32_t>{ part.Chunk } : std::vector<std::uint32_t>{}, {},
+    !isChunk);
+  const auto points = static_cast<std::size_t>(decoder.GetNumberOfPoints());
+  const auto cells = static_cast<std::size_t>(decoder.GetNumberOfTets());
+  struct Wanted
+  {
+    std::vector<std::uint8_t> Values;
+    std::size_t TupleBytes;
+    void* To;
+    bool OfPoints;
+  };
+  std::vector<Wanted> wanted;
+  wanted.reserve(arrays.size() + 3);
+  const auto want = [&](void* to, std::size_t tupleBytes, bool ofPoints) -> std::uint8_t*
+  {
+    const auto& copies = ofPoints ? part.Points : part.Cells;
+    if (!to || copies.empty())
+    {
+      return nullptr;
+    }
+    wanted.push_back({ std::vector<std::uint8_t>((ofPoints ? points : cells) * tupleBytes),
+      tupleBytes, to, ofPoints });
+    return wanted.back().Values.data();
+  };
+  PieceTarget chunk;
+  chunk.Points = want(target.Points, 3 * SizeOf(this->File->GetCoordinateType()), true);
+  chunk.GlobalPointIds =
+    reinterpret_cast<std::int64_t*>(want(target.GlobalPointIds, sizeof(std::int64_t), true));
+  chunk.GlobalCellIds =
+    reinterpret_cast<std::int64_t*>(want(target.GlobalCellIds, sizeof(std::int64_t), false));
+  for (std::size_t a = 0; a < target.Arrays.size(); ++a)
+  {
+    const ArrayDescription& array = this->File->GetArrays()[arrays[a]];
+    chunk.Arrays.push_back(want(
+      target.Arrays[a], array.Components * SizeOf(array.Type), array.Where == Association::Point));
+  }
+  if (wanted.empty())
+  {
+    return;
+  }
+  decoder.Fill(chunk, arrays, step, false, {});
+  for (const Wanted& values : wanted)
+  {
+    CopyTuples(values.Values.data(), values.To, values.TupleBytes,
+      values.OfPoints ? part.Points : part.Cells);
+  }
+}
+}

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunCoarsePiece_h
+#define gatunCoarsePiece_h
+
+#include "gatunCoarseLayout.h"
+#include "gatunFileReader.h"
+#include "gatunMergeTree.h"
+#include "gatunPieceRequest.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace gatun
+{
+class ChunkCache;
+
+/** What is left of a chunk after merges. */
+struct CoarseChunk
+{
+  std::vector<std::uint32_t> Cells; ///< of the chunk
+  std::vector<MergeTree::Tet> Tets; ///< points by the file's numbers
+};
+
+/** Decodes the mesh of a chunk, and simplifies it. */
+CoarseChunk DecodeCoarse(
+  const std::shared_ptr<ChunkCache>& cache, const CoarseLayout& layout, std::uint32_t chunk);
+
+/**
+ * A piece of a file after merges: the tetrahedra of its chunks that are left, the points that are
+ * left of the chunks' and those that tetrahedra get from other chunks. Decodes chunk by chunk, and
+ * keeps no more than what is left.
+ *
+ * Order: cells chunk by chunk, ghosts last; points by the file's numbers, those of ghosts last.
+ * Where the request asks for the original order and the file has it, both follow that instead.
+ */
+class CoarsePiece
+{
+public:
+  using Progress = std::function<bool(double)>;
+
+  CoarsePiece(std::shared_ptr<ChunkCache> cache, std::shared_ptr<const CoarseLayout> layout,
+    const PieceRequest& request, const Progress& progress);
+
+  std::uint64_t GetNumberOfPoints() const { return this->Points.size(); }
+  std::uint64_t GetNumberOfTets() const { return this->Tets.size(); }
+
+  void Fill(const PieceTarget& target, const std::vector<std::uint32_t>& arrays, std::size_t step,
+    const Progress& progress) const;
+
+private:
+  /** From where in a chunk to where in the piece. */
+  struct Copy
+  {
+    std::uint32_t From;
+    std::uint32_t To;
+  };
+
+  /** What the piece has of a chunk, or of the unused points. */
+  struct Part
+  {
+    std::uint32_t Chunk;
+    std::vector<Copy> Points;
+    std::vector<Copy> Cells;
+  };
+
+  static constexpr std::uint32_t NoChunk = 0xffffffffu; // the unused points
+
+  void AddTets(const Progress& progress);
+  void AddGhosts(std::vector<CoarseChunk>& around, const std::vector<std::uint32_t>& chunks);
+  void AddPoints();
+  void RestoreOrder();
+  bool Owns(std::uint32_t point) const;
+  Part& GetPart(std::uint32_t chunk);
+  void FillPart(const Part& part, const PieceTarget& target,
+    const std::vector<std::uint32_t>& arrays, std::size_t step) const;
+
+  std::shared_ptr<ChunkCache> Cache;
+  std::shared_ptr<const FileReader> File;
+  std::shared_ptr<const CoarseLayout> Layout;
+  PieceRequest Request;
+  std::vector<std::uint32_t> Points; // by the file's numbers
+  std::vector<MergeTree::Tet> Tets;  // as places in Points
+  std::size_t OwnTets = 0;
+  std::size_t OwnPoints = 0; // those behind are there for tetrahedra only
+  std::vector<Part> Parts;
+};
+}
+
+#endif

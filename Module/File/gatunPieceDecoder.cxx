@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunPieceDecoder.h"
+
+#include "gatunChunkCache.h"
+#include "gatunChunkSetDecoder.h"
+#include "gatunCoarsePiece.h"
+#include "gatunFileReaderInternals.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace gatun
+{
+namespace
+{
+/** Chunks of the universe within so many steps of sharing a point with the given ones, these
+ * included; ascending. */
+std::vector<std::uint32_t> Surround(const FileReader& file,
+  const std::vector<std::uint32_t>& chunks, const std::vector<std::uint32_t>& universe,
+  unsigned levels)
+{
+  const auto isOutside = [&](std::uint32_t c)
+  { return !universe.empty() && !std::binary_search(universe.begin(), universe.end(), c); };
+  auto all = chunks;
+  auto last = chunks;
+  for (unsigned level = 0; level < levels && !last.empty(); ++level)
+  {
+    std::vector<std::uint32_t> next;
+    for (const auto c : last)
+    {
+      const auto& near = file.GetChunks()[c].Neighbours;
+      next.insert(next.end(), near.begin(), near.end());
+    }
+    std::sort(next.begin(), next.end());
+    next.erase(std::unique(next.begin(), next.end()), next.end());
+    std::erase_if(next, isOutside);
+    last.clear();
+    std::set_difference(next.begin(), next.end(), all.begin(), all.end(), std::back_inserter(last));
+    std::vector<std::uint32_t> merged;
+    std::merge(all.begin(), all.end(), last.begin(), last.end(), std::back_inserter(merged));
+    all.swap(merged);
+  }
+  return all;
+}
+}
+
+//--------------------------------------------------------------------------------------------------
+/**
+ * A piece with ghosts is cut from a larger set of chunks: that is decoded as a whole, then the
+ * cells that touch the piece are chosen, and what they use is copied.
+ */
+class PieceDecoder::Internals
+{
+public:
+  explicit Internals(std::shared_ptr<ChunkCache> cache)
+    : Cache(std::move(cache))
+    , File(Cache->GetFile())
+  {
+  }
+
+  void SetRequest(const PieceRequest& request, const Progress& progress);
+  void Fill(const PieceTarget& target, const Progress& progress);
+
+  const std::shared_ptr<ChunkCache> Cache;
+  const std::shared_ptr<const FileReader> File;
+  PieceRequest Request;
+  std::unique_ptr<CoarsePiece> Coarse; // with merges, instead of all below
+  std::unique_ptr<ChunkSetDecoder> Piece;
+  std::unique_ptr<ChunkSetDecoder> Around; // null without ghosts
+  std::vector<std::uint64_t> PointFrom;    // with ghosts: place in Around of each point
+  std::vector<std::uint64_t> CellFrom;     // and of each cell
+  std::vector<std::int64_t> Connectivity;  // of the piece with ghosts
+
+private:
+  void CheckRequest(const PieceRequest& request) const;
+  void ChooseGhosts(const Progress& progress);
+};
+
+void PieceDecoder::Internals::CheckRequest(const PieceRequest& request) const
+{
+  const auto ascend = [](const std::vector<std::uint32_t>& list, std::size_t end)
+  {
+    return std::adjacent_find(list.begin(), list.end(), std::greater_equal<>()) == list.end() &&
+      (list.empty() || list.back() < end);
+  };
+  const bool hasStep = request.Step < this->File->GetNumberOfSteps();
+  if (!ascend(request.Chunks, this->File->GetChunks().size()) ||
+    !ascend(request.Universe, this->File->GetChunks().size()) ||
+    !ascend(request.Arrays, this->File->GetArrays().size()) ||
+    (!hasStep && !request.Arrays.empty()))
+  {
+    throw Error(ErrorCode::InvalidInput,
+      this->File->GetPath() + ": the file has no such chunk, array or time step");
+  }
+  if (request.Merges > 0 &&
+    (!request.Tree || request.Merges > request.Tree->GetMerges().size() ||
+      request.Tree->GetNumberOfPoints() != this->File->GetNumberOfPoints()))
+  {
+    throw Error(ErrorCode::InvalidInput, this->File->GetPath() + ": there are not so many merges");
+  }
+  if (!request.Universe.empty() &&
+    !std::includes(request.Universe.begin(), request.Universe.end(), request.Chunks.begin(),
+      request.Chunks.end()))
+  {
+    throw Error(ErrorCode::InvalidInput,
+      this->File->GetPath() + ": a piece must be inside of the universe asked for");
+  }
+}
+
+void PieceDecoder::Internals::SetRequest(const PieceRequest& request, const Progress& progress)
+{
+  this->CheckRequest(request);
+  const bool same = (this->Piece || this->Coarse) && request.Merges == this->Request.Merges &&
+    request.Tree == this->Request.Tree && request.RestoreOrder == this->Request.RestoreOrder &&
+    request.Chunks == this->Request.Chunks && request.Universe == this->Request.Universe &&
+    request.GhostLevels == this->Request.GhostLevels &&
+    request.WithUnusedPoints == this->Request.WithUnusedPoints;
+  this->Request = request;
+  if (same)
+  {
+    return;
+  }
+  this->Around.reset();
+  this->Piece.reset();
+  this->Coarse.reset();
+  if (request.Merges > 0)
+  {
+    const auto layout =
+      std::make_shared<const CoarseLayout>(this->File, *request.Tree, request.Merges);
+    this->Coarse = std::make_unique<CoarsePiece>(this->Cache, layout, request, progress);
+    return;
+  }
+  auto piece = std::make_unique<ChunkSetDecoder>(
+    this->Cache, request.Chunks, request.Universe, request.WithUnusedPoints);
+  if (request.GhostLevels > 0)
+  {
+    auto chunks = Surround(*this->File, request.Chunks, request.Universe, request.GhostLevels);
+    if (chunks != request.Chunks)
+    {
+      this->Around = std::make_unique<ChunkSetDecoder>(
+        this->Cache, std::move(chunks), request.Universe, request.WithUnusedPoints);
+    }
+  }
+  this->Piece = std::move(piece);
+  if (this->Around)
+  {
+    try
+    {
+      this->ChooseGhosts(progress);
+    }
+    catch (...)
+    {
+      this->Piece.reset();
+      throw;
+    }
+  }
+}
+
+void PieceDecoder::Internals::ChooseGhosts(const Progress& progress)
+{
+  auto& around = *this->Around;
+  const auto tets = static_cast<std::size_t>(around.GetNumberOfTets());
+  std::vector<std::int64_t> all(4 * tets);
+  PieceTarget target;
+  target.Connectivity = all.data();
+  around.Fill(target, {}, 0, false, progress);
+
+  this->PointFrom = around.Locate(*this->Piece);
+  this->CellFrom.clear();
+  const auto count = static_cast<std::size_t>(around.GetNumberOfPoints());
+  std::vector<char> isOfPiece(count, 0);
+  for (const auto p : this->PointFrom)
+  {
+    isOfPiece[p] = 1;
+  }
+  std::vector<char> chosen(tets, 0);
+  const auto& owned = this->Piece->GetChunks();
+  for (std::size_t i = 0; i < around.GetChunks().size(); ++i)
+  {
+    if (std::binary_search(owned.begin(), owned.end(), around.GetChunks()[i]))
+    {
+      const auto first = around.GetFirstTet(i);
+      const auto chunkTets = this->File->GetChunks()[around.GetChunks()[i]].Tets;
+      for (auto t = first; t < first + chunkTets; ++t)
+      {
+        this->CellFrom.push_back(t);
+        chosen[t] = 1;
+      }
+    }
+  }
+  // Points of no cell belong to the piece but have no ghosts around them.
+  std::vector<char> reached(count, 0);
+  const auto reach = [&](std::size_t begin)
+  {
+    for (auto i = begin; i < this->CellFrom.size(); ++i)
+    {
+      for (unsigned corner = 0; corner < 4; ++corner)
+      {
+        reached[static_cast<std::size_t>(all[4 * this->CellFrom[i] + corner])] = 1;
+      }
+    }
+  };
+  reach(0);
+  for (unsigned level = 0; level < this->Request.GhostLevels; ++level)
+  {
+    const auto begin = this->CellFrom.size();
+    for (std::size_t t = 0; t < tets; ++t)
+    {
+      const auto touches = [&](unsigned corner)
+      { return reached[static_cast<std::size_t>(all[4 * t + corner])] != 0; };
+      if (!chosen[t] && (touches(0) || touches(1) || touches(2) || touches(3)))
+      {
+        chosen[t] = 1;
+        this->CellFrom.push_back(t);
+      }
+    }
+    if (this->CellFrom.size() == begin)
+    {
+      break; // all that can be reached, however many levels are wanted
+    }
+    reach(begin);
+  }
+  for (std::size_t p = 0; p < count; ++p)
+  {
+    if (reached[p] && !isOfPiece[p])
+    {
+      this->PointFrom.push_back(p);
+    }
+  }
+  std::vector<std::int64_t> placeOf(count, -1);
+  for (std::size_t i = 0; i < this->PointFrom.size(); ++i)
+  {
+    placeOf[this->PointFrom[i]] = static_cast<std::int64_t>(i);
+  }
+  this->Connectivity.resize(4 * this->CellFrom.size());
+  for (std::size_t i = 0; i < this->CellFrom.size(); ++i)
+  {
+    for (unsigned corner = 0; corner < 4; ++corner)
+    {
+      this->Connectivity[4 * i + corner] =
+        placeOf[static_cast<std::size_t>(all[4 * this->CellFrom[i] + corner])];
+    }
+  }
+}
+
+void PieceDecoder::Internals::Fill(const PieceTarget& target, const Progress& progress)
+{
+  if (!this->Piece && !this->Coarse)
+  {
+    throw Error(ErrorCode::InvalidInput, "no piece has been asked for");
+  }
+  if (!target.Arrays.empty() && target.Arrays.size() != this->Request.Arrays.size())
+  {
+    throw Error(ErrorCode::InvalidInput, "the target must have room for each array asked for");
+  }
+  if (this->Coarse)
+  {
+    this->Coarse->Fill(target, this->Request.Arrays, this->Request.Step, progress);
+    return;
+  }
+  if (!this->Around)
+  {
+    this->Piece->Fill(
+      target, this->Request.Arrays, this->Request.Step, this->Request.RestoreOrder, progress);
+    return;
+  }
+
+  // Decode what is wanted for the larger set, then copy the piece and its ghosts from there.
+  const auto points = static_cast<std::size_t>(this->Around->GetNumberOfPoints());
+  const auto tets = static_cast<std::size_t>(this->Around->GetNumberOfTets());
+  struct Copy
+  {
+    const std::vector<std::uint64_t>& From;
+    std::size_t Size; // bytes of a tuple
+    void* To;
+    std::vector<std::uint8_t> Buffer;
+  };
+  std::vector<Copy> copies;
+  copies.reserve(this->Request.Arrays.size() + 4);
+  const auto divert = [&](const std::vector<std::uint64_t>& from, std::size_t count,
+                        std::size_t size, void* to) -> void*
+  {
+    if (!to)
+    {
+      return nullptr;
+    }
+    copies.push_back({ from, size, to, std::vector<std::uint8_t>(count * size) });
+    return copies.back().Buffer.data();
+  };
+  PieceTarget larger;
+  larger.Points =
+    divert(this->PointFrom, points, 3 * SizeOf(this->File->GetCoordinateType()), target.Points);
+  larger.GlobalPointIds = static_cast<std::int64_t*>(
+    divert(this->PointFrom, points, sizeof(std::int64_t), target.GlobalPointIds));
+  larger.GlobalCellIds = static_cast<std::int64_t*>(
+    divert(this->CellFrom, tets, sizeof(std::int64_t), target.GlobalCellIds));
+  for (std::size_t a = 0; a < target.Arrays.size(); ++a)
+  {
+    const auto& array = this->File->GetArrays()[this->Request.Arrays[a]];
+    const bool ofPoints = array.Where == Association::Point;
+    larger.Arrays.push_back(divert(ofPoints ? this->PointFrom : this->CellFrom,
+      ofPoints ? points : tets, array.Components * SizeOf(array.Type), target.Arrays[a]));
+  }
+  this->Around->Fill(larger, this->Request.Arrays, this->Request.Step, false, progress);
+  for (const auto& copy : copies)
+  {
+    auto* to = static_cast<std::uint8_t*>(copy.To);
+    for (const auto from : copy.From)
+    {
+      std::memcpy(to, copy.Buffer.data() + from * copy.Size, copy.Size);
+      to += copy.Size;
+    }
+  }
+
+  if (target.PointGhosts)
+  {
+    // What came with ghost cells is not the piece's own.
+    const auto count = static_cast<std::size_t>(this->Piece->GetNumberOfPoints());
+    this->Piece->MarkOwners(target.PointGhosts);
+    std::memset(target.PointGhosts + count, 1, this->PointFrom.size() - count);
+  }
+  if (target.CellGhosts)
+  {
+    const auto owned = static_cast<std::size_t>(this->Piece->GetNumberOfTets());
+    std::memset(target.CellGhosts, 0, owned);
+    std::memset(target.CellGhosts + owned, 1, this->CellFrom.size() - owned);
+  }
+  for (std::size_t i = 0; target.Connectivity && i < this->Connectivity.size(); ++i)
+  {
+    if (target.WideIds)
+    {
+      static_cast<std::int64_t*>(target.Connectivity)[i] = this->Connectivity[i];
+    }
+    else
+    {
+      static_cast<std::int32_t*>(target.Connectivity)[i] =
+        static_cast<std::int32_t>(this->Connectivity[i]);
+    }
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+PieceDecoder::PieceDecoder(std::shared_ptr<const FileReader> file)
+  : PieceDecoder(std::make_shared<ChunkCache>(std::move(file)))
+{
+}
+
+PieceDecoder::PieceDecoder(std::shared_ptr<ChunkCache> cache)
+  : Self(std::make_unique<Internals>(std::move(cache)))
+{
+}
+
+PieceDecoder::~PieceDecoder() = default;
+
+void PieceDecoder::SetRequest(const PieceRequest& request, const Progress& progress)
+{
+  this->Self->SetRequest(request, progress);
+}
+
+std::uint64_t PieceDecoder::GetNumberOfPoints() const
+{
+  return this->Self->Coarse ? this->Self->Coarse->GetNumberOfPoints()
+    : this->Self->Around    ? this->Self->PointFrom.size()
+    : this->Self->Piece     ? this->Self->Piece->GetNumberOfPoints()
+                            : 0;
+}
+
+std::uint64_t PieceDecoder::GetNumberOfTets() const
+{
+  return this->Self->Coarse ? this->Self->Coarse->GetNumberOfTets()
+    : this->Self->Around    ? this->Self->CellFrom.size()
+    : this->Self->Piece     ? this->Self->Piece->GetNumberOfTets()
+                            : 0;
+}
+
+void PieceDecoder::Fill(const PieceTarget& target, const Progress& progress)
+{
+  this->Self->Fill(target, progress);
+}
+
+const std::shared_ptr<const FileReader>& PieceDecoder::GetFile() const
+{
+  return this->Self->File;
+}
+}

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunVerifyFile.h"
+
+#include "gatunChunkCache.h"
+#include "gatunFileReaderInternals.h"
+#include "gatunPartDecoder.h"
+#include "gatunPieceDecoder.h"
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+namespace gatun
+{
+namespace
+{
+/** Original numbers, if kept, must be all different. */
+class PermutationCheck
+{
+public:
+  PermutationCheck(const FileReader& file, std::uint64_t count, const char* what)
+    : File(file)
+    , What(what)
+    , Seen(static_cast<std::size_t>(count), false)
+  {
+  }
+
+  void Add(std::int64_t number)
+  {
+    auto seen = this->Seen[static_cast<std::size_t>(number)];
+    if (seen)
+    {
+      this->File.GetInternals().File.Fail(ErrorCode::Corrupt,
+        "the original order is damaged: it names " + (this->What + std::to_string(number)) +
+          " twice");
+    }
+    seen = true;
+  }
+
+private:
+  const FileReader& File;
+  const char* What;
+  std::vector<bool> Seen;
+};
+
+/** The points of blocks, also of those that no chunk needs. */
+void VerifyBlocks(const PartDecoder& parts)
+{
+  const auto count = parts.Content().Mesh.Blocks.size();
+  for (std::size_t block = 0; block <= count; ++block) // the unused points are the last one
+  {
+    if (parts.GetBlock(block).Points > 0)
+    {
+      parts.GetBlockPoints(static_cast<std::uint32_t>(block));
+    }
+  }
+}
+
+/** The order of corners, which pieces of a file have no use for. */
+void VerifyCorners(const PartDecoder& parts, std::span<const std::uint32_t> chunks)
+{
+  if ((parts.GetFile()->GetKeptOrder() & KeepCorners) == 0)
+  {
+    return;
+  }
+  const auto pointsOf = [&](std::uint32_t block) { return parts.GetBlockPoints(block); };
+  for (const auto chunk : chunks)
+  {
+    const auto kept = parts.FindMesh(chunk);
+    parts.DecodeCorners(chunk, kept ? *kept : *parts.DecodeMesh(chunk, pointsOf));
+  }
+}
+
+/** Decodes everything once, some chunks at a time. */
+void VerifyStreams(const FileReader& file, const std::function<bool(double)>& progress)
+{
+  constexpr std::size_t chunksAtOnce = 16;
+  // The decoder only borrows the file.
+  const std::shared_ptr<const FileReader> borrowed(&file, [](const FileReader*) {});
+  const auto cache = std::make_shared<ChunkCache>(borrowed);
+  const PartDecoder parts(cache);
+  VerifyBlocks(parts);
+  const auto chunks = file.GetChunks().size();
+  const auto rounds = std::max<std::size_t>(1, (chunks + chunksAtOnce - 1) / chunksAtOnce);
+  const auto steps = std::max<std::size_t>(1, file.GetNumberOfSteps());
+  PermutationCheck points(file, file.GetNumberOfPoints(), "point ");
+  PermutationCheck cells(file, file.GetNumberOfTets(), "cell ");
+  for (std::size_t round = 0; round < rounds; ++round)
+  {
+    PieceRequest request;
+    for (auto c = round * chunksAtOnce; c < std::min(chunks, (round + 1) * chunksAtOnce); ++c)
+    {
+      request.Chunks.push_back(static_cast<std::uint32_t>(c));
+    }
+    for (std::uint32_t a = 0; file.GetNumberOfSteps() > 0 && a < file.GetArrays().size(); ++a)
+    {
+      request.Arrays.push_back(a);
+    }
+    request.WithUnusedPoints = round == 0;
+    PieceDecoder decoder(cache);
+    for (std::size_t step = 0; step < steps; ++step)
+    {
+      request.Step = step;
+      decoder.SetRequest(request);
+      const auto pointCount = static_cast<std::size_t>(decoder.GetNumberOfPoints());
+      const auto tets = static_cast<std::size_t>(decoder.GetNumberOfTets());
+      std::vector<std::int64_t> connectivity(4 * tets), pointIds(pointCount), cellIds(tets);
+      std::vector<unsigned char> pointGhosts(pointCount);
+      std::vector<std::vector<std::uint8_t>> values;
+      PieceTarget target;
+      target.Connectivity = connectivity.data();
+      target.GlobalPointIds = pointIds.data();
+      target.GlobalCellIds = cellIds.data();
+      target.PointGhosts = pointGhosts.data();
+      for (const auto a : request.Arrays)
+      {
+        const auto& array = file.GetArrays()[a];
+        values.emplace_back((array.Where == Association::Point ? pointCount : tets) *
+          array.Components * SizeOf(array.Type));
+        target.Arrays.push_back(values.back().data());
+      }
+      const auto first = static_cast<double>(round * steps + step);
+      const auto all = static_cast<double>(rounds * steps);
+      decoder.Fill(
+        target, [&](double part) { return !progress || progress((first + part) / all); });
+      for (std::size_t p = 0; step == 0 && p < pointCount; ++p)
+      {
+        if (pointGhosts[p] == 0)
+        {
+          points.Add(pointIds[p]);
+        }
+      }
+      for (std::size_t t = 0; step == 0 && t < tets; ++t)
+      {
+        cells.Add(cellIds[t]);
+      }
+    }
+    VerifyCorners(parts, request.Chunks);
+  }
+}
+}
+
+//--------------------------------------------------------------------------------------------------
+bool VerifyFile(const FileReader& file, const std::function<bool(double)>& progress)
+{
+  const FileReader::Internals& content = file.GetInternals();
+  try
+  {
+    content.File.CheckSections([&](double done) { return !progress || progress(0.1 * done); });
+    for (std::size_t step = 0; step < file.GetNumberOfSteps(); ++step)
+    {
+      file.GetFieldData(step);
+    }
+    content.CheckLayers();
+    VerifyStreams(file, [&](double done) { return !progress || progress(0.1 + 0.9 * done); });
+    if (file.HasMergeTree())
+    {
+      file.GetMergeTree();
+    }
+    for (std::size_t level = 0; level < file.GetLevels().size(); ++level)
+    {
+      const auto base = file.OpenLevel(level);
+      if (!VerifyFile(*base, [&](double) { return !progress || progress(1); }))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+  catch (const Error& error)
+  {
+    if (error.Code == ErrorCode::Aborted)
+    {
+      return false;
+    }
+    throw;
+  }
+}
+}

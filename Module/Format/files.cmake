@@ -1,0 +1,21 @@
+# Format: container, sections and tables, that is, what is on disk.
+gatun_core_folder(Format
+  INCLUDES
+    Support
+    Codec
+  HEADERS
+    gatunFieldData.h
+  EXPERIMENTAL_HEADERS
+    gatunLayers.h
+  PRIVATE_HEADERS
+    gatunContainer.h
+    gatunLayerTable.h
+    gatunTableParts.h
+    gatunTables.h
+    gatunTreeTable.h
+  SOURCES
+    gatunContainer.cxx
+    gatunLayerTable.cxx
+    gatunTableParts.cxx
+    gatunTables.cxx
+    gatunTreeTable.cxx)

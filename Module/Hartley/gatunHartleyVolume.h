@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunHartleyVolume_h
+#define gatunHartleyVolume_h
+
+#include "gatunHartleyInput.h"
+#include "gatunHartleySource.h"
+#include "vtkGatunCoreModule.h"
+
+#include <functional>
+#include <memory>
+
+namespace gatun
+{
+/** A volume transformed and quantised, in memory. */
+class VTKGATUNCORE_EXPORT HartleyVolume : public HartleySource
+{
+public:
+  /** Transforms and quantises. Throws Error(InvalidInput) for empty volumes, values that are not
+   * finite and settings that make no sense. */
+  static std::shared_ptr<const HartleyVolume> Make(const VolumeInput& input,
+    std::uint32_t blockSize, const HartleyQuality& quality,
+    const std::function<bool(double)>& progress = {});
+
+  const HartleyLayout& GetLayout() const override { return this->Layout; }
+  double GetBase() const override { return this->Base; }
+  Range GetRange() const override { return this->Values; }
+  std::shared_ptr<const HartleyChunk> GetChunk(std::size_t chunk) const override
+  {
+    return this->Chunks[chunk];
+  }
+
+private:
+  HartleyLayout Layout;
+  double Base = 0;
+  Range Values;
+  std::vector<std::shared_ptr<const HartleyChunk>> Chunks;
+};
+}
+
+#endif

@@ -1,0 +1,21 @@
+# Merge: the order in which points are merged (edge collapses); no files.
+gatun_core_folder(Merge
+  INCLUDES
+    Support
+    Codec
+  EXPERIMENTAL_HEADERS
+    gatunMergeBuilder.h
+    gatunMergeInput.h
+    gatunMergeTree.h
+  PRIVATE_HEADERS
+    gatunMergeCodec.h
+    gatunMergeCosts.h
+    gatunMergeMesh.h
+    gatunMergeOrder.h
+  SOURCES
+    gatunMergeBuilder.cxx
+    gatunMergeCodec.cxx
+    gatunMergeCosts.cxx
+    gatunMergeMesh.cxx
+    gatunMergeOrder.cxx
+    gatunMergeTree.cxx)

@@ -1,0 +1,20 @@
+# Support: bytes, errors, threads, SIMD, Fourier transforms, types and versions.
+gatun_core_folder(Support
+  HEADERS
+    gatunError.h
+    gatunTypes.h
+    gatunVersion.h
+  EXPERIMENTAL_HEADERS
+    gatunParallel.h
+  PRIVATE_HEADERS
+    gatunBytes.h
+    gatunFloatEnvironment.h
+    gatunFourier.h
+    gatunInline.h
+    gatunMorton.h
+    gatunSimd.h
+    gatunWithType.h
+  SOURCES
+    gatunFourier.cxx
+    gatunParallel.cxx
+    gatunVersion.cxx)

@@ -1,0 +1,22 @@
+# Surface: isosurfaces of meshes in memory and in files.
+gatun_core_folder(Surface
+  INCLUDES
+    Support
+    Codec
+    Format
+    Merge
+    File
+  EXPERIMENTAL_HEADERS
+    gatunFileSurface.h
+    gatunIntervalTree.h
+    gatunMarch.h
+    gatunStrips.h
+    gatunSurface.h
+    gatunSurfacePart.h
+  SOURCES
+    gatunFileSurface.cxx
+    gatunIntervalTree.cxx
+    gatunMarch.cxx
+    gatunStrips.cxx
+    gatunSurface.cxx
+    gatunSurfacePart.cxx)

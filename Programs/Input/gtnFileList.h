@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gtnFileList_h
+#define gtnFileList_h
+
+// ParaView's lists of files: .pvd, in XML, and .series, in JSON.
+
+#include <string>
+#include <vector>
+
+namespace gtn
+{
+/** A time step of a mesh in files. */
+struct SeriesStep
+{
+  double Time = 0;
+  std::vector<std::string> Files; ///< the parts of the mesh
+};
+
+/** Whether a file is such a list, by its extension. */
+bool IsFileList(const std::string& file);
+
+/** The steps that it lists, by ascending time. Throws Failure. */
+std::vector<SeriesStep> ReadFileList(const std::string& file);
+}
+
+#endif

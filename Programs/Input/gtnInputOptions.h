@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gtnInputOptions_h
+#define gtnInputOptions_h
+
+#include <string>
+#include <vector>
+
+namespace gtn
+{
+/** Which parts of a mesh are read, and how. */
+struct InputOptions
+{
+  std::vector<std::string> Arrays; ///< names of the point and cell arrays to keep
+  bool AllArrays = true;           ///< keep all, and Arrays means nothing
+  bool Linearize = false;          ///< leave out the mid-edge points of quadratic cells
+  bool Quiet = false;              ///< no warnings
+};
+}
+
+#endif

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gtnRenderInput.h"
+
+#include "gtnFailure.h"
+#include "gtnInput.h"
+#include "gtnMessages.h"
+#include "gtnProgress.h"
+#include "gtnReadable.h"
+#include "gtnText.h"
+
+#include "gatunFileReader.h"
+#include "vtkGatunRayCaster.h"
+#include "vtkGatunReader.h"
+
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <array>
+
+namespace gtn
+{
+//------------------------------------------------------------------------------
+RenderInput::RenderInput(const RenderInputOptions& options, Progress& progress)
+  : File(options.File)
+{
+  if (ExtensionOf(this->File) == ".gtn")
+  {
+    this->OpenFile(options);
+  }
+  else
+  {
+    this->Read(options, progress);
+  }
+  this->RequireContent();
+}
+
+//------------------------------------------------------------------------------
+RenderInput::~RenderInput() = default;
+
+//------------------------------------------------------------------------------
+void RenderInput::OpenFile(const RenderInputOptions& options)
+{
+  CheckReadable(this->File);
+  const gatun::FileReader file(this->File);
+  static const std::vector<double> none;
+  const std::vector<double>& times = file.HasTime() ? file.GetTimes() : none;
+  const std::size_t step = ChooseStep(options.Step, this->File, times, options.Quiet);
+  if (!times.empty())
+  {
+    this->Time = times[step];
+  }
+
+  this->Choose(options, GetChoices(file));
+  this->Range = gtn::GetRange(file, this->Array, this->Component, step);
+  this->Bounds = file.GetBounds();
+  this->Tets = file.GetNumberOfTets();
+
+  vtkNew<vtkGatunReader> reader;
+  reader->SetFileName(this->File.c_str());
+  this->Reader = reader;
+}
+
+//------------------------------------------------------------------------------
+void RenderInput::Read(const RenderInputOptions& options, Progress& progress)
+{
+  InputOptions inputOptions;
+  inputOptions.Linearize = true; // the caster draws nothing else
+  inputOptions.Quiet = options.Quiet;
+  Input input({ this->File }, inputOptions);
+  const std::size_t step = ChooseStep(options.Step, this->File, input.GetTimes(), options.Quiet);
+  this->Grid = input.Read(step, progress);
+
+  this->Choose(options, GetChoices(this->Grid.Get()));
+  this->Range = gtn::GetRange(this->Grid.Get(), this->Array, this->Component);
+  for (int axis = 0; axis < 3 && this->Grid->GetNumberOfPoints() > 0; ++axis)
+  {
+    std::array<double, 2> range{};
+    this->Grid->GetPoints()->GetData()->GetRange(range.data(), axis);
+    this->Bounds[static_cast<std::size_t>(axis)] = { range[0], range[1] };
+  }
+  this->Tets = static_cast<std::uint64_t>(this->Grid->GetNumberOfCells());
+}
+
+//------------------------------------------------------------------------------
+void RenderInput::Choose(const RenderInputOptions& options, const std::vector<ArrayChoice>& choices)
+{
+  this->Array = ChooseArray(options.Array, this->File, choices, "to draw");
+  this->Component = ChooseComponent(options.Array, this->File, this->Array);
+}
+
+//------------------------------------------------------------------------------
+void RenderInput::RequireContent() const
+{
+  if (this->Tets == 0)
+  {
+    throw Failure(this->File, "has no cells");
+  }
+  for (const gatun::Range& range : this->Bounds)
+  {
+    if (!(range.Min <= range.Max))
+    {
+      throw Failure(this->File, "has no finite coordinates");
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void RenderInput::Connect(vtkGatunRayCaster* caster) const
+{
+  if (this->Reader)
+  {
+    caster->SetInputConnection(this->Reader->GetOutputPort());
+  }
+  else
+  {
+    caster->SetInputData(this->Grid);
+  }
+  // The one without a name can only be drawn as the active one.
+  caster->SetArrayName(this->Array.Name.empty() ? nullptr : this->Array.Name.c_str());
+  caster->SetArrayAssociation(this->Array.Association);
+  caster->SetArrayComponent(this->Component);
+}
+
+//------------------------------------------------------------------------------
+void RenderInput::Draw(vtkGatunRayCaster* caster) const
+{
+  if (this->Time)
+  {
+    caster->UpdateTimeStep(*this->Time);
+  }
+  else
+  {
+    caster->Update();
+  }
+}
+}

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gtnSeries.h"
+
+#include "gtnFailure.h"
+#include "gtnFileList.h"
+#include "gtnMessages.h"
+#include "gtnPrepare.h"
+#include "gtnReadable.h"
+#include "gtnReaders.h"
+#include "gtnText.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataArraySelection.h"
+#include "vtkDataObject.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkXMLUnstructuredGridReader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+
+namespace gtn
+{
+vtkStandardNewMacro(SeriesReader);
+
+namespace
+{
+
+vtkSmartPointer<vtkAlgorithm> OpenOne(const std::string& file)
+{
+  CheckReadable(file);
+  if (IsFileList(file))
+  {
+    throw Failure(file, "a list of files cannot be part of another");
+  }
+  vtkSmartPointer<vtkAlgorithm> reader = MakeReader(file);
+  if (!reader)
+  {
+    throw Failure(file, "no reader for this extension");
+  }
+  reader->UpdateInformation();
+  CheckMessages(file, false);
+  vtkInformation* info = reader->GetOutputInformation(0);
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (info->Has(Pipeline::TIME_STEPS()) && info->Length(Pipeline::TIME_STEPS()) > 1)
+  {
+    throw Failure(file, "has several time steps itself, and cannot be a step of a series");
+  }
+  return reader;
+}
+
+// NaN if the file does not tell.
+double TimeValueOf(const std::string& file)
+{
+  vtkSmartPointer<vtkAlgorithm> reader = OpenOne(file);
+  if (auto* xml = vtkXMLUnstructuredGridReader::SafeDownCast(reader))
+  {
+    // Their values are of no interest now.
+    xml->GetPointDataArraySelection()->DisableAllArrays();
+    xml->GetCellDataArraySelection()->DisableAllArrays();
+  }
+  reader->Update();
+  CheckMessages(file, true);
+  vtkDataObject* data = reader->GetOutputDataObject(0);
+  vtkDataArray* time = data->GetFieldData()->GetArray("TimeValue");
+  return time && time->GetNumberOfValues() == 1 ? time->GetComponent(0, 0)
+                                                : std::numeric_limits<double>::quiet_NaN();
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+std::vector<SeriesStep> StepsOfFiles(const std::vector<std::string>& files)
+{
+  std::vector<SeriesStep> steps;
+  bool told = true;
+  for (const std::string& file : files)
+  {
+    SeriesStep step;
+    step.Files = { file };
+    if (told)
+    {
+      step.Time = TimeValueOf(file);
+      told = std::isfinite(step.Time) && (steps.empty() || steps.back().Time < step.Time);
+    }
+    else
+    {
+      CheckReadable(file);
+    }
+    steps.push_back(step);
+  }
+  if (!told)
+  {
+    for (std::size_t i = 0; i < steps.size(); ++i)
+    {
+      steps[i].Time = static_cast<double>(i);
+    }
+  }
+  return steps;
+}
+
+//------------------------------------------------------------------------------
+SeriesReader::SeriesReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+void SeriesReader::SetSteps(const std::vector<SeriesStep>& steps, const InputOptions& options)
+{
+  this->Steps = steps;
+  this->Options = options;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int SeriesReader::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
+{
+  std::vector<double> times;
+  for (const SeriesStep& step : this->Steps)
+  {
+    times.push_back(step.Time);
+  }
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  const double range[2] = { times.front(), times.back() };
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  info->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+  info->Set(Pipeline::TIME_RANGE(), range, 2);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int SeriesReader::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  std::size_t index = 0;
+  if (info->Has(Pipeline::UPDATE_TIME_STEP()))
+  {
+    const double time = info->Get(Pipeline::UPDATE_TIME_STEP());
+    while (index + 1 < this->Steps.size() && this->Steps[index + 1].Time <= time)
+    {
+      ++index;
+    }
+  }
+
+  const SeriesStep& step = this->Steps[index];
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  try
+  {
+    vtkNew<Preparer> preparer;
+    preparer->SetOptions(this->Options);
+    vtkNew<vtkMultiBlockDataSet> parts;
+    for (const std::string& file : step.Files)
+    {
+      vtkSmartPointer<vtkAlgorithm> reader = OpenOne(file);
+      reader->Update();
+      CheckMessages(file, this->Options.Quiet);
+      parts->SetBlock(parts->GetNumberOfBlocks(), reader->GetOutputDataObject(0));
+      if (step.Files.size() == 1)
+      {
+        preparer->SetInputDataObject(reader->GetOutputDataObject(0));
+      }
+    }
+    if (step.Files.size() > 1)
+    {
+      preparer->SetInputDataObject(parts);
+    }
+    preparer->Update();
+    output->ShallowCopy(preparer->GetOutputDataObject(0));
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< ReasonOf(error));
+    return 0;
+  }
+  output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step.Time);
+  return 1;
+}
+}

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gtnRenderOptions_h
+#define gtnRenderOptions_h
+
+// What gtn render can be told.
+
+#include "gtnPictureOptions.h"
+#include "gtnRenderInput.h"
+#include "gtnSettings.h"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+
+namespace gtn
+{
+struct RenderOptions : PictureOptions
+{
+  RenderInputOptions Input;
+  bool Shade = false;
+
+  int Mode = 0; ///< of vtkGatunRayCaster::ModeType
+  std::optional<double> SampleDistance;
+  double Ratio = 0;
+  double TimeBudget = 0;
+  int Memory = 512;
+};
+
+/** Adds the command with all of its options. */
+CLI::App* AddRenderOptions(CLI::App& app, Settings& settings, RenderOptions& options);
+
+/** What a mode is called on the command line. */
+const char* NameOfMode(int mode);
+}
+
+#endif

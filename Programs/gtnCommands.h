@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gtnCommands_h
+#define gtnCommands_h
+
+// The subcommands, each in a file of its own.
+
+#include "gtnSettings.h"
+
+#include <CLI/CLI.hpp>
+
+namespace gtn
+{
+void AddBench(CLI::App& app, Settings& settings);
+void AddContour(CLI::App& app, Settings& settings);
+void AddInfo(CLI::App& app, Settings& settings);
+void AddMesh(CLI::App& app, Settings& settings);
+void AddPack(CLI::App& app, Settings& settings);
+void AddRender(CLI::App& app, Settings& settings);
+void AddSimplify(CLI::App& app, Settings& settings);
+void AddUnpack(CLI::App& app, Settings& settings);
+void AddVerify(CLI::App& app, Settings& settings);
+void AddVolume(CLI::App& app, Settings& settings);
+
+/** Prints the manual page, in man's language. */
+void PrintManual(const CLI::App& app);
+}
+
+#endif

@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// gtn volume info: what is in a .ghv file, from its directory alone.
+
+#include "gtnFailure.h"
+#include "gtnInput.h"
+#include "gtnJson.h"
+#include "gtnNames.h"
+#include "gtnProgress.h"
+#include "gtnReadable.h"
+#include "gtnText.h"
+#include "gtnVolume.h"
+#include "gtnVolumeInput.h"
+#include "gtnVolumeOptions.h"
+
+#include "gatunHartleyFile.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+namespace gtn
+{
+namespace
+{
+
+struct Options
+{
+  std::string File;
+  bool Json = false;
+  bool Verify = false;
+};
+
+double CountVoxels(const gatun::HartleyFile& file)
+{
+  const auto& size = file.GetLayout().Size;
+  return static_cast<double>(size[0]) * size[1] * size[2];
+}
+
+double BitsPerVoxel(const gatun::HartleyFile& file)
+{
+  return 8 * static_cast<double>(file.GetFileBytes()) / CountVoxels(file);
+}
+
+double RawBits(const gatun::HartleyFile& file)
+{
+  return 8 * static_cast<double>(gatun::SizeOf(file.GetVolume().Type));
+}
+
+std::string Version(const gatun::HartleyFile& file)
+{
+  const auto [major, minor] = file.GetFormatVersion();
+  return fmt::format("{}.{}", major, minor);
+}
+
+template <typename Number, std::size_t Count>
+std::string ListOf(const std::array<Number, Count>& numbers)
+{
+  std::vector<std::string> texts;
+  for (const Number number : numbers)
+  {
+    texts.push_back(fmt::format("{:.7g}", static_cast<double>(number)));
+  }
+  return Joined(texts, " ");
+}
+
+void PrintRow(const char* title, const std::string& value)
+{
+  fmt::print("  {:<16} {}\n", title, value);
+}
+
+void PrintText(const gatun::HartleyFile& file, const Options& options, bool verbose)
+{
+  const gatun::VolumeInput& volume = file.GetVolume();
+  const gatun::HartleyLayout& layout = file.GetLayout();
+  fmt::print("{}: format {}, written by Gatun {}\n", file.GetPath(), Version(file),
+    Printable(file.GetWriterVersion()));
+  PrintRow("voxels", SizeOf(layout.Size));
+  PrintRow("array", fmt::format("'{}', {}", Printable(volume.Name), NameOf(volume.Type)));
+  PrintRow("values", fmt::format("{:.7g} to {:.7g}", file.GetRange().Min, file.GetRange().Max));
+  PrintRow("first index", ListOf(volume.FirstIndex));
+  PrintRow("origin", ListOf(volume.Origin));
+  PrintRow("spacing", ListOf(volume.Spacing));
+  PrintRow("direction", ListOf(volume.Direction));
+  PrintRow("blocks", DescribeBlocks(layout));
+  PrintRow("chunks", Grouped(layout.GetNumberOfChunks()));
+  PrintRow("kept with", file.IsLossless() ? "no loss" : Describe(file.GetQuality()));
+  PrintRow("size", ByteSize(file.GetFileBytes()));
+  PrintRow("bits a voxel",
+    fmt::format("{:.3f}, 1 : {:.4g}", BitsPerVoxel(file), RawBits(file) / BitsPerVoxel(file)));
+  const double psnr = PeakSignalToNoise(file.GetRange(), file.GetRootMeanSquareError());
+  PrintRow("error",
+    fmt::format("root mean square {:.4g}, largest {:.4g}{}", file.GetRootMeanSquareError(),
+      file.GetLargestError(), std::isfinite(psnr) ? fmt::format(", {:.1f} dB", psnr) : ""));
+  PrintRow("coefficients",
+    fmt::format("{} that are not 0, {:.1f} % of the voxels", Grouped(file.GetNumberOfTerms()),
+      100 * static_cast<double>(file.GetNumberOfTerms()) / CountVoxels(file)));
+  if (options.Verify)
+  {
+    PrintRow("verified", "all checksums are right, and everything can be decoded");
+  }
+  if (verbose)
+  {
+    fmt::print("\nchunks\n  {:>8} {:>14}\n", "number", "bytes");
+    for (std::size_t chunk = 0; chunk < layout.GetNumberOfChunks(); ++chunk)
+    {
+      fmt::print("  {:>8} {:>14}\n", chunk, Grouped(file.GetChunkBytes(chunk)));
+    }
+  }
+}
+
+template <typename Number, std::size_t Count>
+void AddList(Json& json, const char* name, const std::array<Number, Count>& numbers)
+{
+  json.BeginArray(name);
+  for (const Number number : numbers)
+  {
+    json.Add({}, static_cast<double>(number));
+  }
+  json.EndArray();
+}
+
+void PrintJson(const gatun::HartleyFile& file, const Options& options, bool verbose)
+{
+  const gatun::VolumeInput& volume = file.GetVolume();
+  const gatun::HartleyLayout& layout = file.GetLayout();
+  Json json;
+  json.BeginObject();
+  json.Add("file", file.GetPath());
+  json.Add("formatVersion", Version(file));
+  json.Add("writerVersion", file.GetWriterVersion());
+  AddList(json, "size", layout.Size);
+  json.Add("array", volume.Name);
+  json.Add("type", NameOf(volume.Type));
+  AddList(json, "range", std::array{ file.GetRange().Min, file.GetRange().Max });
+  AddList(json, "firstIndex", volume.FirstIndex);
+  AddList(json, "origin", volume.Origin);
+  AddList(json, "spacing", volume.Spacing);
+  AddList(json, "direction", volume.Direction);
+  AddList(json, "block", layout.Block);
+  json.Add("whole", layout.IsWhole());
+  json.Add("blocks", static_cast<std::uint64_t>(layout.GetNumberOfBlocks()));
+  json.Add("chunks", static_cast<std::uint64_t>(layout.GetNumberOfChunks()));
+  json.Add("lossless", file.IsLossless());
+  json.Add("goal", NameOf(file.GetQuality().Kind));
+  json.Add("goalValue", file.GetQuality().Value);
+  json.Add("frequencyWeight", file.GetQuality().FrequencyWeight);
+  json.Add("rootMeanSquareError", file.GetRootMeanSquareError());
+  json.Add("largestError", file.GetLargestError());
+  json.Add("psnr", PeakSignalToNoise(file.GetRange(), file.GetRootMeanSquareError()));
+  json.Add("terms", file.GetNumberOfTerms());
+  json.Add("bytes", file.GetFileBytes());
+  json.Add("bitsPerVoxel", BitsPerVoxel(file));
+  json.Add("ratio", RawBits(file) / BitsPerVoxel(file));
+  if (options.Verify)
+  {
+    json.Add("verified", true);
+  }
+  if (verbose)
+  {
+    json.BeginArray("chunkBytes");
+    for (std::size_t chunk = 0; chunk < layout.GetNumberOfChunks(); ++chunk)
+    {
+      json.Add({}, file.GetChunkBytes(chunk));
+    }
+    json.EndArray();
+  }
+  json.EndObject();
+  fmt::print("{}", json.GetText());
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+void AddVolumeInfo(CLI::App& app, Settings& settings)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* command = AddCommand(app, settings, "info",
+    "Tell what a .ghv file holds. Only its directory is read, unless it is to be verified.",
+    "  gtn volume info head.ghv\n"
+    "  gtn volume info -v head.ghv          also the chunks\n"
+    "  gtn volume info --verify head.ghv\n"
+    "  gtn volume info --json head.ghv | jq .bitsPerVoxel");
+  command->add_flag("--json", options->Json, "Print JSON");
+  command->add_flag(
+    "--verify", options->Verify, "Check all checksums, and decode everything without keeping it");
+  command->add_option("IN", options->File, "The .ghv file")->required();
+  command->callback(
+    [options, &settings]
+    {
+      CheckReadable(options->File);
+      const gatun::HartleyFile file(options->File);
+      if (options->Verify)
+      {
+        Progress progress("verifying", settings.ShowProgress);
+        file.Verify([&progress](double fraction) { return progress(fraction); });
+        CheckInterrupt();
+      }
+      options->Json ? PrintJson(file, *options, settings.Verbose)
+                    : PrintText(file, *options, settings.Verbose);
+    });
+}
+}

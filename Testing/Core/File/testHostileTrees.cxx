@@ -1,0 +1,700 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Files whose checksums are right and that lie about how their mesh becomes simpler; and damaged
+// ones.
+
+#include "gatunEntropy.h"
+#include "gatunHostile.h"
+#include "gatunPieceDecoder.h"
+#include "gatunResidual.h"
+#include "gatunTableParts.h"
+#include "gatunTreeImage.h"
+#include "gatunVerifyFile.h"
+
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
+
+namespace
+{
+using namespace gatun;
+using namespace gatun::test;
+
+constexpr std::size_t Steps = 2;
+
+/** Several chunks with shared points, unused points, steps, and two base meshes. */
+const TreeImage& GetGoodImage()
+{
+  static const TreeImage image = []
+  {
+    const auto path = GetPath("sample.gtn");
+    WriterOptions options;
+    options.ChunkTets = 64;
+    options.Keep = KeepAll;
+    const auto sample = MakeTreeSample(3, Steps);
+    const auto merges = static_cast<std::uint32_t>(sample.Tree.GetMerges().size());
+    WriteTreeSample(path, sample, options, { merges / 3, merges / 2 });
+    TreeImage made(path);
+    // More rungs than so few points get. The ranges of the last hold for all.
+    made.Tree.Rungs = { 2, merges / 2, merges };
+    for (auto& boxes : made.Tree.Boxes)
+    {
+      boxes.resize(3, boxes.back());
+    }
+    for (auto& step : made.TreeSteps)
+    {
+      for (auto& chunks : step.Ranges)
+      {
+        for (auto& ranges : chunks)
+        {
+          ranges.resize(3, ranges.back());
+        }
+      }
+    }
+    return made;
+  }();
+  return image;
+}
+
+PieceRequest AskForAll(const FileReader& file, std::size_t merges)
+{
+  PieceRequest request;
+  request.Chunks.resize(file.GetChunks().size());
+  std::iota(request.Chunks.begin(), request.Chunks.end(), 0u);
+  request.WithUnusedPoints = true;
+  if (file.GetNumberOfSteps() > 0)
+  {
+    request.Arrays.resize(file.GetArrays().size());
+    std::iota(request.Arrays.begin(), request.Arrays.end(), 0u);
+    request.Step = file.GetNumberOfSteps() - 1;
+  }
+  request.Merges = merges;
+  return request;
+}
+
+void Decode(const std::shared_ptr<const FileReader>& file, const PieceRequest& request)
+{
+  PieceDecoder decoder(file);
+  decoder.SetRequest(request);
+  const auto points = static_cast<std::size_t>(decoder.GetNumberOfPoints());
+  const auto tets = static_cast<std::size_t>(decoder.GetNumberOfTets());
+  std::vector<double> coordinates(3 * points);
+  std::vector<std::int64_t> ids(4 * tets, -1);
+  std::vector<unsigned char> ghosts(points);
+  std::vector<Bytes> values;
+  PieceTarget target;
+  target.Points = coordinates.data();
+  target.Connectivity = ids.data();
+  target.PointGhosts = ghosts.data();
+  for (const auto a : request.Arrays)
+  {
+    const auto& array = file->GetArrays()[a];
+    values.emplace_back(
+      (array.Where == Association::Point ? points : tets) * array.Components * SizeOf(array.Type));
+    target.Arrays.push_back(values.back().data());
+  }
+  decoder.Fill(target);
+  for (const auto id : ids)
+  {
+    ASSERT_TRUE(id >= 0 && static_cast<std::size_t>(id) < points);
+  }
+}
+
+/** All that can be asked of a file with a tree: meshes after merges, whole and in pieces, bounds,
+ * base meshes. */
+void ReadTree(const std::shared_ptr<const FileReader>& file)
+{
+  const auto tree = std::make_shared<const MergeTree>(file->GetMergeTree());
+  const auto all = tree->GetMerges().size();
+  for (const auto merges : std::set<std::size_t>{ 0, std::min<std::size_t>(1, all), all / 2, all })
+  {
+    auto request = AskForAll(*file, merges);
+    request.Tree = tree;
+    Decode(file, request);
+    for (std::size_t chunk = 0; chunk < file->GetChunks().size(); ++chunk)
+    {
+      file->GetChunkBounds(chunk, merges);
+      for (const auto a : request.Arrays)
+      {
+        file->GetChunkRanges(a, request.Step, chunk, merges);
+      }
+    }
+    if (request.Chunks.size() > 1)
+    {
+      request.Chunks = { 0 };
+      request.GhostLevels = 1;
+      Decode(file, request);
+    }
+  }
+  for (std::size_t level = 0; level < file->GetLevels().size(); ++level)
+  {
+    ReadTree(file->OpenLevel(level));
+  }
+}
+
+void ReadTree(const std::string& path)
+{
+  ReadTree(std::make_shared<const FileReader>(path));
+}
+
+/** Changes a good file and expects that reading its tree fails like this, and verifying too. */
+void ExpectRefused(const std::string& what, const std::function<void(TreeImage&)>& change,
+  ErrorCode code = ErrorCode::Corrupt)
+{
+  auto image = GetGoodImage();
+  change(image);
+  const auto path = PutFile("changed.gtn", image.Build());
+  EXPECT_GATUN_ERROR(code, path, what, [&] { ReadTree(path); });
+  EXPECT_GATUN_ERROR(code, path, what, [&] { VerifyFile(FileReader(path)); });
+}
+
+/** The same of a base mesh, whose name stands behind that of the file. */
+void ExpectLevelRefused(const std::string& what, const Bytes& bytes)
+{
+  auto image = GetGoodImage();
+  image.Levels[1] = bytes;
+  const auto path = PutFile("changed.gtn", image.Build());
+  const auto name = path + ", base mesh 2";
+  EXPECT_GATUN_ERROR(ErrorCode::Corrupt, name, what, [&] { FileReader(path).OpenLevel(1); });
+  EXPECT_GATUN_ERROR(ErrorCode::Corrupt, name, what, [&] { VerifyFile(FileReader(path)); });
+  // The rest of the file is not affected.
+  EXPECT_NO_THROW(FileReader(path).OpenLevel(0));
+}
+
+const std::string NotWhatIsLeft = "it is not what is left of the mesh after its merges";
+
+TEST(HostileTrees, TheUnchangedFileIsRead)
+{
+  const auto path = PutFile("same.gtn", GetGoodImage().Build());
+  EXPECT_NO_THROW(ReadTree(path));
+  EXPECT_TRUE(VerifyFile(FileReader(path)));
+  EXPECT_EQ(FileReader(path).GetLevels().size(), 2u);
+}
+
+TEST(HostileTrees, ATreeMustBeThatOfTheMesh)
+{
+  const auto points =
+    static_cast<std::uint32_t>(GetGoodImage().Meta.Points - GetGoodImage().Meta.UnusedPoints);
+  ExpectRefused("there are more merges than points",
+    [=](TreeImage& f)
+    {
+      f.Tree.Merges = points + 1; // as many as points, but two of them are unused
+      f.Tree.Rungs.back() = points + 1;
+    });
+  ExpectRefused("the merges have no stream", [](TreeImage& f) { f.Merges.clear(); });
+  ExpectRefused("the merges have no stream",
+    [](TreeImage& f)
+    {
+      f.Tree.Merges = 0;
+      f.Tree.Rungs.clear();
+      f.Tree.Levels.clear();
+      f.Levels.clear();
+      f.Tree.Boxes.assign(f.Tree.Boxes.size(), {});
+    });
+  ExpectRefused("the file has several sections for the table of merges",
+    [](TreeImage& f) {
+      f.MoreSections.push_back({ SectionTree, f.Tree.Write(), SectionVersion, 0 });
+    });
+}
+
+TEST(HostileTrees, MeshesOfTooManyPointsHaveNoTree)
+{
+  MetaTable meta;
+  meta.Points = std::uint64_t{ 1 } << 32;
+  EXPECT_THROW(TreeTable::Read(TreeTable().Write(), meta, {}), Error);
+  --meta.Points;
+  EXPECT_NO_THROW(TreeTable::Read(TreeTable().Write(), meta, {}));
+}
+
+TEST(HostileTrees, RungsMustAscendToAllMerges)
+{
+  const std::string ascend = "numbers of merges do not ascend";
+  const std::string last = "the last rung is not that of all merges";
+  ExpectRefused(ascend, [](TreeImage& f) { f.Tree.Rungs[0] = 0; });
+  ExpectRefused(ascend, [](TreeImage& f) { f.Tree.Rungs[0] = f.Tree.Rungs[1]; });
+  ExpectRefused(ascend, [](TreeImage& f) { std::swap(f.Tree.Rungs[0], f.Tree.Rungs[1]); });
+  ExpectRefused(ascend, [](TreeImage& f) { ++f.Tree.Rungs.back(); });
+  ExpectRefused(last, [](TreeImage& f) { --f.Tree.Rungs.back(); });
+  ExpectRefused(last,
+    [](TreeImage& f)
+    {
+      f.Tree.Rungs.clear();
+      f.Tree.Boxes.assign(f.Tree.Boxes.size(), {});
+    });
+  ExpectRefused("there are too many rungs or levels",
+    [](TreeImage& f)
+    {
+      // Each is right, but they are too many.
+      f.Tree.Merges = 100;
+      f.Tree.Rungs.resize(65);
+      std::iota(f.Tree.Rungs.begin(), f.Tree.Rungs.end(), 36u);
+      ByteWriter content;
+      content.PutVarint(1);
+      PutStream(content, { 16, 20, 0 });
+      content.PutVarint(65);
+      content.Data.resize(content.Data.size() + 65, 1);
+      f.StoredTree = content.Data;
+    });
+  ExpectRefused("a count is larger",
+    [](TreeImage& f)
+    {
+      ByteWriter content;
+      content.PutVarint(1);
+      PutStream(content, { 16, 20, 0 });
+      content.PutVarint(std::uint64_t{ 1 } << 60);
+      f.StoredTree = content.Data;
+    });
+}
+
+TEST(HostileTrees, BoundsMustBeThereForAllRungsAndBeNumbers)
+{
+  ExpectRefused("a range is not a number",
+    [](TreeImage& f) { f.Tree.Boxes.back().back()[2].Max = std::nan(""); });
+  ExpectRefused("the bounds of chunks after merges are not all there",
+    [](TreeImage& f) { f.Tree.Boxes.resize(1); });
+  ExpectRefused(
+    "the table of merges", [](TreeImage& f) { f.Tree.Boxes[0].push_back(f.Tree.Boxes[0][0]); });
+  const auto content = Decompress(GetGoodImage().Tree.Write(), 1 << 20);
+  ExpectRefused("bytes behind the end",
+    [&](TreeImage& f)
+    {
+      f.StoredTree = content;
+      f.StoredTree->push_back(0);
+    });
+  for (std::size_t size = 0; size < content.size(); size += size < 40 ? 1 : 29)
+  {
+    ExpectRefused("the table of merges",
+      [&](TreeImage& f) { f.StoredTree = Bytes(content.data(), content.data() + size); });
+  }
+}
+
+TEST(HostileTrees, TablesCannotExpandAtWill)
+{
+  const auto addBomb = [](FourCC name, std::size_t size)
+  {
+    return [=](TreeImage& f)
+    {
+      f.TreeVersion = SectionVersion + (name == SectionTree ? 1 : 0); // then it is not looked at
+      if (name == SectionTreeStep)
+      {
+        f.TreeSteps.clear();
+      }
+      f.MoreSections.push_back({ name, Compress(Bytes(size, 0)), SectionVersion, 0 });
+    };
+  };
+  ExpectRefused("claims to hold", addBomb(SectionTree, (std::size_t{ 1 } << 20) + 1));
+  ExpectRefused("claims to hold", addBomb(SectionTreeStep, (std::size_t{ 1 } << 24) + 1));
+}
+
+TEST(HostileTrees, TheStreamOfMergesMustLieInTheFile)
+{
+  const auto setStream = [](StreamRef stream)
+  {
+    return [=](TreeImage& f)
+    {
+      f.KeepStream = true;
+      f.Tree.Stream = stream;
+    };
+  };
+  ExpectRefused("the stream of merges at byte 1152921504606846976 reaches past the end of the file",
+    setStream({ std::uint64_t{ 1 } << 60, 100, 0 }), ErrorCode::Truncated);
+  ExpectRefused("reaches past the end of the file", setStream({ 40, ~std::uint64_t{ 0 } - 20, 0 }),
+    ErrorCode::Truncated);
+  ExpectRefused("the stream of merges at byte 40 (100 bytes) is damaged: its checksum is wrong",
+    setStream({ 40, 100, 0 }));
+}
+
+/** A step of a stream of merges as it is coded. */
+struct CodedMerge
+{
+  std::uint32_t Place;
+  std::int64_t Distance;
+  std::int64_t Growth;
+};
+
+/** What EncodeMerges writes, but of anything. */
+Bytes EncodeAnything(std::uint32_t points, const std::vector<CodedMerge>& merges)
+{
+  EntropyEncoder coder;
+  ResidualModel models[2];
+  RunningSpread spreads[2];
+  auto left = points;
+  for (const auto& merge : merges)
+  {
+    const auto bits = static_cast<unsigned>(std::bit_width(left)) - 1;
+    const auto shorter = (2u << bits) - left;
+    const auto longer = merge.Place + shorter;
+    coder.Raw(merge.Place < shorter ? merge.Place : longer >> 1, bits);
+    if (merge.Place >= shorter)
+    {
+      coder.Raw(longer & 1, 1);
+    }
+    const std::int64_t residuals[] = { merge.Distance, merge.Growth };
+    for (unsigned i = 0; i < 2; ++i)
+    {
+      models[i].Code(coder, spreads[i].Get(), residuals[i]);
+      spreads[i].Add(residuals[i]);
+    }
+    --left;
+  }
+  return coder.Finish();
+}
+
+TEST(HostileTrees, MergesMustFollowFromEachOther)
+{
+  const auto points =
+    static_cast<std::uint32_t>(GetGoodImage().Meta.Points - GetGoodImage().Meta.UnusedPoints);
+  constexpr auto farthest = std::numeric_limits<std::int64_t>::min();
+  const std::string follow = "the merges of points do not follow from each other";
+  const std::string missing = "a point is merged into one that does not exist";
+  const std::string errors = "the errors of merges do not ascend";
+  const std::vector<std::pair<std::string, std::vector<CodedMerge>>> cases{
+    { follow, { { 3, 0, 0 }, { 0, 1, 0 } } },                           // into itself
+    { follow, { { 3, 1, 0 }, { 0, 3, 0 } } },                           // into one that is gone
+    { missing, { { 3, -4, 0 }, { 0, 1, 0 } } },                         // before the first
+    { missing, { { 3, std::int64_t{ points } - 3, 0 }, { 0, 1, 0 } } }, // the first unused one
+    { missing, { { 3, farthest, 0 }, { 0, 1, 0 } } },
+    { missing, { { 3, -(farthest + 1), 0 }, { 0, 1, 0 } } },
+    { errors, { { 3, 1, -1 }, { 0, 1, 0 } } },
+    { errors, { { 3, 1, 5 }, { 0, 1, -1 } } },
+    { errors, { { 3, 1, 0x7f81 }, { 0, 1, 0 } } }, // a NaN
+    { errors, { { 3, 1, 0x7f80 }, { 0, 1, 1 } } },
+    { errors, { { 3, 1, -(farthest + 1) }, { 0, 1, 0 } } },
+    { errors, { { 3, 1, farthest }, { 0, 1, 0 } } },
+  };
+  const auto set = [&](const std::vector<CodedMerge>& merges)
+  {
+    return [&](TreeImage& f)
+    {
+      f.Merges = EncodeAnything(points, merges);
+      f.Tree.Merges = 2;
+      f.Tree.Rungs = { 1, 2 };
+      for (auto& boxes : f.Tree.Boxes)
+      {
+        boxes.resize(2);
+      }
+      for (auto& step : f.TreeSteps)
+      {
+        for (auto& chunks : step.Ranges)
+        {
+          for (auto& ranges : chunks)
+          {
+            ranges.resize(2);
+          }
+        }
+      }
+      f.Tree.Levels.clear();
+      f.Levels.clear();
+    };
+  };
+  for (const auto& [what, merges] : cases)
+  {
+    ExpectRefused(what, set(merges));
+    ExpectRefused("the stream of merges at byte", set(merges));
+  }
+  // The same with nothing wrong: the largest error, and the last place twice.
+  auto good = GetGoodImage();
+  set({ { points - 1, -1, 0x7f80 }, { points - 2, -2, 0 } })(good);
+  const auto path = PutFile("good.gtn", good.Build());
+  EXPECT_NO_THROW(ReadTree(path));
+  const auto tree = FileReader(path).GetMergeTree();
+  ASSERT_EQ(tree.GetMerges().size(), 2u);
+  EXPECT_EQ(tree.GetMerges()[0].Point, points - 1);
+  EXPECT_EQ(tree.GetMerges()[1].Point, points - 2);
+  EXPECT_EQ(tree.GetMerges()[1].Into, points - 4);
+  EXPECT_EQ(tree.GetMerges()[1].Error, std::numeric_limits<float>::infinity());
+}
+
+TEST(HostileTrees, TheStreamOfMergesMustBeLongEnough)
+{
+  const auto& merges = GetGoodImage().Merges;
+  for (std::size_t size = 1; size < merges.size(); ++size)
+  {
+    ExpectRefused("", [&](TreeImage& f) { f.Merges.resize(size); });
+  }
+}
+
+TEST(HostileTrees, AStreamOfMergesCannotClaimMoreThanItHolds)
+{
+  const std::uint32_t points = 1u << 20;
+  for (const std::uint32_t merges : { 88u, points - 1 })
+  {
+    try
+    {
+      DecodeMerges(Bytes(10, 0), points, merges);
+      ADD_FAILURE() << "no error";
+    }
+    catch (const Error& error)
+    {
+      EXPECT_STREQ(error.what(), "there are more merges than their stream can hold");
+    }
+  }
+}
+
+TEST(HostileTrees, EachTimeStepHasItsRanges)
+{
+  const std::string behind = "bytes behind the end";
+  ExpectRefused("the ranges after merges of some time steps are missing",
+    [](TreeImage& f) { f.TreeSteps.pop_back(); });
+  ExpectRefused("there are ranges after merges of more time steps than there are",
+    [](TreeImage& f) { f.TreeSteps.push_back(f.TreeSteps.back()); });
+  ExpectRefused("a range is not a number",
+    [](TreeImage& f) { f.TreeSteps[1].Ranges[0].back().back()[2].Min = std::nan(""); });
+  ExpectRefused("the ranges of chunks after merges are not all there",
+    [](TreeImage& f) { f.TreeSteps[1].Ranges[0].pop_back(); });
+  ExpectRefused(
+    behind, [](TreeImage& f) { f.TreeSteps[0].Ranges[0].push_back(f.TreeSteps[0].Ranges[0][0]); });
+  // Arrays of cells have none.
+  ExpectRefused(behind, [](TreeImage& f) { f.TreeSteps[0].Ranges[1] = f.TreeSteps[0].Ranges[0]; });
+  ExpectRefused("the ranges after merges at byte",
+    [](TreeImage& f)
+    {
+      f.TreeSteps.clear();
+      f.StoredSteps = { {}, {} };
+    });
+}
+
+TEST(HostileTrees, WithoutATreeTheRestIsIgnored)
+{
+  for (const bool newer : { false, true })
+  {
+    auto image = GetGoodImage();
+    image.TreeVersion = newer ? 2 : 1;
+    image.StoredTree = Bytes(7, 0xff);
+    image.Levels.assign(3, Bytes(9, 1));
+    image.TreeSteps.clear();
+    image.StoredSteps.assign(5, Bytes(3, 0xff));
+    const auto path = PutFile("changed.gtn", image.Build());
+    if (newer)
+    {
+      EXPECT_NO_THROW(ReadTree(path));
+      EXPECT_TRUE(VerifyFile(FileReader(path)));
+      EXPECT_FALSE(FileReader(path).HasMergeTree());
+    }
+    else
+    {
+      EXPECT_GATUN_ERROR(
+        ErrorCode::Corrupt, path, "the table of merges", [&] { FileReader file(path); });
+    }
+  }
+}
+
+TEST(HostileTrees, BaseMeshesMustBeAsManyAsTheTreeSays)
+{
+  const std::string number = "there are not as many base meshes as the file says";
+  const std::string ascend = "numbers of merges do not ascend";
+  ExpectRefused(number, [](TreeImage& f) { f.Levels.pop_back(); });
+  ExpectRefused(number, [](TreeImage& f) { f.Levels.push_back(f.Levels.back()); });
+  ExpectRefused(number, [](TreeImage& f) { f.Tree.Levels.clear(); });
+  ExpectRefused(ascend, [](TreeImage& f) { f.Tree.Levels[0] = 0; });
+  ExpectRefused(ascend, [](TreeImage& f) { f.Tree.Levels[1] = f.Tree.Levels[0]; });
+  ExpectRefused(ascend, [](TreeImage& f) { f.Tree.Levels[1] = f.Tree.Merges + 1; });
+}
+
+TEST(HostileTrees, ABaseMeshMustBeAFile)
+{
+  const auto& good = GetGoodImage().Levels[1];
+  ExpectLevelRefused("the file is empty", {});
+  ExpectLevelRefused("this is not a .gtn file", Bytes(1000, 0));
+  auto bytes = good;
+  bytes[20] ^= 1; // only verifying looks at the headers of sections
+  auto image = GetGoodImage();
+  image.Levels[1] = bytes;
+  const auto path = PutFile("changed.gtn", image.Build());
+  EXPECT_NO_THROW(ReadTree(path));
+  EXPECT_GATUN_ERROR(ErrorCode::Corrupt, path + ", base mesh 2", "the header of section",
+    [&] { VerifyFile(FileReader(path)); });
+  bytes = good;
+  bytes[bytes.size() - TrailerSize - 1] ^= 1;
+  ExpectLevelRefused("the directory", bytes);
+}
+
+TEST(HostileTrees, ABaseMeshMustBeWhatIsLeft)
+{
+  const auto& good = GetGoodImage();
+  const auto sample = MakeTreeSample(3, Steps);
+  WriterOptions options;
+  options.ChunkTets = 64;
+  const auto path = GetPath("level.gtn");
+  const auto merges = good.Tree.Levels[1];
+  const auto expectRefused = [&](const TreeSample& other, std::size_t after)
+  { ExpectLevelRefused(NotWhatIsLeft, MakeLevel(path, other, options, after)); };
+
+  auto right = good;
+  right.Levels[1] = MakeLevel(path, sample, options, merges);
+  const auto rightPath = PutFile("right.gtn", right.Build());
+  EXPECT_TRUE(VerifyFile(FileReader(rightPath)));
+
+  ExpectLevelRefused(NotWhatIsLeft, good.Levels[0]); // another level
+  expectRefused(sample, merges - 1);
+  auto other = sample;
+  other.CoordinateType = ScalarType::Float32;
+  expectRefused(other, merges);
+  other = sample;
+  other.Arrays[0].Name = "other";
+  expectRefused(other, merges);
+  other = sample;
+  other.Arrays[1].Where = Association::Point;
+  other.Steps.clear();
+  expectRefused(other, merges);
+  other = sample;
+  other.Steps.pop_back();
+  expectRefused(other, merges);
+  other = sample;
+  other.HasTime = false;
+  other.Steps.pop_back();
+  expectRefused(other, merges);
+  other = sample; // fewer merges behind
+  auto fewer = sample.Tree.GetMerges();
+  fewer.pop_back();
+  other.Tree = MergeTree(static_cast<std::uint32_t>(sample.GetPoints()), std::move(fewer));
+  expectRefused(other, merges);
+
+  // No tree, base meshes of its own, the whole file itself, times that differ.
+  auto level = TreeImage(PutFile("level.gtn", good.Levels[1]));
+  level.TreeVersion = 2;
+  ExpectLevelRefused(NotWhatIsLeft, level.Build());
+  level.TreeVersion = 1;
+  level.Tree.Levels = { 1 };
+  level.Levels = { good.Levels[1] };
+  ExpectLevelRefused(NotWhatIsLeft, level.Build());
+  ExpectLevelRefused(NotWhatIsLeft, good.Build());
+  FileImage moved(PutFile("level.gtn", good.Levels[1]));
+  moved.Steps[1].Time += 1;
+  moved.Minor = 1;
+  ExpectLevelRefused(NotWhatIsLeft, moved.Build());
+}
+
+/** Writes another place and length of the last section into the directory. */
+Bytes PointLastSectionTo(Bytes file, std::uint64_t offset, std::uint64_t length)
+{
+  const auto directoryEnd = file.size() - TrailerSize;
+  std::memcpy(file.data() + directoryEnd - 8, &offset, sizeof(offset));
+  std::memcpy(file.data() + directoryEnd - 24, &length, sizeof(length));
+  std::uint64_t start = 0;
+  std::memcpy(&start, file.data() + directoryEnd, sizeof(start));
+  Bytes vouched(file.begin(), file.begin() + HeaderSize);
+  vouched.insert(vouched.end(), file.begin() + static_cast<std::ptrdiff_t>(start),
+    file.begin() + static_cast<std::ptrdiff_t>(directoryEnd));
+  const auto sum = Checksum(vouched);
+  std::memcpy(file.data() + directoryEnd + 16, &sum, sizeof(sum));
+  return file;
+}
+
+TEST(HostileTrees, ABaseMeshCannotBeElsewhereOrTheFileItself)
+{
+  const auto good = GetGoodImage().Build();
+  const auto size = static_cast<std::uint64_t>(good.size());
+  const auto open = [](const std::string& path) { return [=] { FileReader(path).OpenLevel(1); }; };
+  const auto verify = [](const std::string& path) { return [=] { VerifyFile(FileReader(path)); }; };
+
+  auto path = PutFile("itself.gtn", PointLastSectionTo(good, 0, size));
+  EXPECT_GATUN_ERROR(ErrorCode::Corrupt, path + ", base mesh 2", NotWhatIsLeft, open(path));
+  EXPECT_GATUN_ERROR(ErrorCode::Corrupt, path, "section 'LEVL' does not follow", verify(path));
+  path = PutFile("start.gtn", PointLastSectionTo(good, 0, 1000));
+  EXPECT_GATUN_ERROR(ErrorCode::Truncated, path + ", base mesh 2", "does not end", open(path));
+  for (const auto& [offset, length] :
+    { std::pair{ size, std::uint64_t{ 1 } }, std::pair{ size - 9, std::uint64_t{ 10 } },
+      std::pair{ ~std::uint64_t{ 0 }, std::uint64_t{ 100 } },
+      std::pair{ std::uint64_t{ 100 }, ~std::uint64_t{ 0 } } })
+  {
+    path = PutFile("outside.gtn", PointLastSectionTo(good, offset, length));
+    EXPECT_GATUN_ERROR(
+      ErrorCode::Truncated, path, "base mesh 2 at byte " + std::to_string(offset), open(path));
+    EXPECT_GATUN_ERROR(ErrorCode::Corrupt, path, "section 'LEVL'", verify(path));
+  }
+}
+
+/** Merges of any points into any others: tetrahedra get turned over, flat, and long. */
+TEST(HostileTrees, TreesThatDoNotFitTheMeshAreReadAllTheSame)
+{
+  auto image = GetGoodImage();
+  const auto points = static_cast<std::uint32_t>(image.Meta.Points);
+  const auto used = points - static_cast<std::uint32_t>(image.Meta.UnusedPoints);
+  image.Levels.clear();
+  image.Tree.Levels.clear();
+  for (unsigned seed = 0; seed < 20; ++seed)
+  {
+    std::mt19937 random(seed);
+    std::vector<std::uint32_t> left(used);
+    std::iota(left.begin(), left.end(), 0u);
+    std::shuffle(left.begin(), left.end(), random);
+    std::vector<Merge> merges;
+    while (left.size() > 1 + seed % 3)
+    {
+      const auto point = left.back();
+      left.pop_back();
+      merges.push_back({ point, left[random() % left.size()], 0 });
+    }
+    image.SetMerges(MergeTree(points, std::move(merges)));
+    const auto path = PutFile("wild.gtn", image.Build());
+    EXPECT_NO_THROW(ReadTree(path));
+  }
+}
+
+/** Small, but with all that a file can have. */
+Bytes MakeSmallFile()
+{
+  TreeSample sample(
+    { { 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1 }, { 0, 1, 2, 3, 1, 4, 2, 3 } });
+  sample.AddArray<float>("T", Association::Point, ScalarType::Float32, 1, 1,
+    [](std::size_t i, std::size_t, std::size_t) { return i * i; });
+  sample.Tree = MergeTree(5, { { 4, 1, 0.5f }, { 0, 3, 2 } });
+  const auto path = GetPath("small.gtn");
+  WriteTreeSample(path, sample, {}, { 1 });
+  return ReadFile(path);
+}
+
+TEST(HostileTrees, EveryFlippedBitIsFound)
+{
+  const auto good = MakeSmallFile();
+  ASSERT_LT(good.size(), 2500u);
+  std::size_t openedOnly = 0;
+  for (std::size_t at = 0; at < good.size(); ++at)
+  {
+    auto bytes = good;
+    bytes[at] ^= static_cast<std::uint8_t>(1u << at % 8);
+    const auto path = PutFile("flipped.gtn", bytes);
+    const auto use = [&](auto&& call)
+    {
+      try
+      {
+        call();
+        return true;
+      }
+      catch (const Error& error)
+      {
+        EXPECT_EQ(std::string(error.what()).find(path), 0u) << error.what();
+        return false;
+      }
+    };
+    openedOnly += use([&] { ReadTree(path); });
+    EXPECT_FALSE(use([&] { VerifyFile(FileReader(path)); })) << at;
+  }
+  EXPECT_GT(openedOnly, 10u);             // headers of sections
+  EXPECT_LT(openedOnly, good.size() / 2); // all else
+}
+
+TEST(HostileTrees, EveryTruncatedFileIsRefused)
+{
+  const auto good = MakeSmallFile();
+  for (std::size_t size = 0; size < good.size(); ++size)
+  {
+    const auto path = PutFile("short.gtn", Bytes(good.data(), good.data() + size));
+    EXPECT_THROW(FileReader{ path }, Error) << size;
+  }
+  // Base meshes that are too short, in files whose checksums are right.
+  auto image = GetGoodImage();
+  const auto level = image.Levels[1];
+  for (std::size_t size = 0; size < level.size(); size += size < 200 ? 1 : 97)
+  {
+    image.Levels[1] = Bytes(level.data(), level.data() + size);
+    const auto path = PutFile("short.gtn", image.Build());
+    EXPECT_THROW(FileReader(path).OpenLevel(1), Error) << size;
+    EXPECT_THROW(VerifyFile(FileReader(path)), Error) << size;
+  }
+}
+}

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Golden files with trees of merges: what is read of them is what a decoder said that was written
+// from Documentation/format.md alone. See Testing/Python/make_golden_trees.py.
+
+#include "gatunContainer.h"
+#include "gatunFileReader.h"
+#include "gatunFileReaderInternals.h"
+#include "gatunPieceDecoder.h"
+#include "gatunVerifyFile.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+#include <set>
+#include <sstream>
+
+namespace gatun
+{
+namespace
+{
+std::string GetSum(const ByteWriter& bytes)
+{
+  std::array<char, 17> text{};
+  std::snprintf(
+    text.data(), text.size(), "%016llx", static_cast<unsigned long long>(Checksum(bytes.Data)));
+  return text.data();
+}
+
+template <typename T>
+std::string GetSumOf(const std::vector<T>& values)
+{
+  ByteWriter bytes;
+  for (const T& value : values)
+  {
+    bytes.Put(value);
+  }
+  return GetSum(bytes);
+}
+
+void Put(ByteWriter& out, const Range& range)
+{
+  out.Put(range.Min);
+  out.Put(range.Max);
+}
+
+/** Lines as in trees.txt. */
+class Description
+{
+public:
+  Description(std::shared_ptr<const FileReader> file, const std::string& name)
+    : File(std::move(file))
+    , Tree(std::make_shared<const MergeTree>(this->File->GetMergeTree()))
+  {
+    this->Out << "= " << name << "\npoints " << this->File->GetNumberOfPoints() << " unused "
+              << this->File->GetNumberOfUnusedPoints() << " tets " << this->File->GetNumberOfTets()
+              << "\n";
+    this->AddTree();
+    this->AddRanges();
+    const auto count = this->Tree->GetMerges().size();
+    for (const auto merges : std::set<std::size_t>{ 1, count / 3, count / 2, count })
+    {
+      if (merges > 0 && count > 0)
+      {
+        this->AddMesh(merges);
+      }
+    }
+    for (std::size_t i = 0; i < this->File->GetLevels().size(); ++i)
+    {
+      this->Out << Description(
+        this->File->OpenLevel(i), name + ", base mesh " + std::to_string(i + 1))
+                     .Out.str();
+    }
+  }
+
+  std::ostringstream Out;
+
+private:
+  void AddTree()
+  {
+    ByteWriter bytes;
+    for (const Merge& merge : this->Tree->GetMerges())
+    {
+      bytes.Put(merge.Point);
+      bytes.Put(merge.Into);
+      bytes.Put(std::bit_cast<std::uint32_t>(merge.Error));
+    }
+    this->Out << "merges " << this->Tree->GetMerges().size() << " " << GetSum(bytes) << "\nrungs";
+    this->Rungs = this->File->GetInternals().Tree->Rungs;
+    for (const auto rung : this->Rungs)
+    {
+      this->Out << " " << rung;
+    }
+    this->Out << "\nlevels";
+    for (const auto level : this->File->GetLevels())
+    {
+      this->Out << " " << level;
+    }
+    this->Out << "\n";
+  }
+
+  /** Of each chunk, for each rung: what holds for that many merges. */
+  template <typename GetRanges>
+  std::string SumRanges(GetRanges&& getRanges) const
+  {
+    ByteWriter bytes;
+    for (std::size_t chunk = 0; chunk < this->File->GetChunks().size(); ++chunk)
+    {
+      for (const auto rung : this->Rungs)
+      {
+        for (const Range& range : getRanges(chunk, rung))
+        {
+          Put(bytes, range);
+        }
+      }
+    }
+    return GetSum(bytes);
+  }
+
+  void AddRanges()
+  {
+    this->Out << "boxes "
+              << this->SumRanges([&](std::size_t chunk, std::size_t merges) -> const Bounds&
+                   { return this->File->GetChunkBounds(chunk, merges); })
+              << "\n";
+    for (std::size_t step = 0; step < this->File->GetNumberOfSteps(); ++step)
+    {
+      for (std::size_t array = 0; array < this->File->GetArrays().size(); ++array)
+      {
+        if (this->File->GetArrays()[array].Where == Association::Point)
+        {
+          this->Out << "step " << step << " array " << array << " ranges "
+                    << this->SumRanges(
+                         [&](std::size_t chunk, std::size_t merges) -> const ArrayRanges&
+                         { return this->File->GetChunkRanges(array, step, chunk, merges); })
+                    << "\n";
+        }
+      }
+    }
+  }
+
+  void AddMesh(std::size_t merges)
+  {
+    PieceRequest request;
+    request.Chunks.resize(this->File->GetChunks().size());
+    std::iota(request.Chunks.begin(), request.Chunks.end(), 0u);
+    request.WithUnusedPoints = true;
+    request.RestoreOrder = false;
+    request.Merges = merges;
+    request.Tree = this->Tree;
+    PieceDecoder decoder(this->File);
+    decoder.SetRequest(request);
+    const auto points = static_cast<std::size_t>(decoder.GetNumberOfPoints());
+    const auto tets = static_cast<std::size_t>(decoder.GetNumberOfTets());
+    Bytes coordinates(3 * points * SizeOf(this->File->GetCoordinateType()));
+    std::vector<std::int64_t> ids(4 * tets);
+    PieceTarget target;
+    target.Points = coordinates.data();
+    target.Connectivity = ids.data();
+    decoder.Fill(target);
+    this->Out << "after " << merges << " points " << points << " " << GetSumOf(coordinates)
+              << " tets " << tets << " " << GetSumOf(ids) << "\n";
+    for (std::size_t step = 0; step < this->File->GetNumberOfSteps(); ++step)
+    {
+      for (std::uint32_t a = 0; a < this->File->GetArrays().size(); ++a)
+      {
+        const auto& array = this->File->GetArrays()[a];
+        Bytes values((array.Where == Association::Point ? points : tets) * array.Components *
+          SizeOf(array.Type));
+        request.Step = step;
+        request.Arrays = { a };
+        decoder.SetRequest(request);
+        PieceTarget only;
+        only.Arrays = { values.data() };
+        decoder.Fill(only);
+        this->Out << "after " << merges << " step " << step << " array " << a << " "
+                  << GetSumOf(values) << "\n";
+      }
+    }
+  }
+
+  std::shared_ptr<const FileReader> File;
+  std::shared_ptr<const MergeTree> Tree;
+  std::vector<std::uint32_t> Rungs;
+};
+
+TEST(TreeGolden, FilesAreReadAsAnIndependentDecoderDoes)
+{
+  const auto folder = std::filesystem::path(GATUN_TEST_DATA) / "Golden" / "v1.1";
+  std::ifstream in(folder / "trees.txt");
+  std::ostringstream expected;
+  expected << in.rdbuf();
+  ASSERT_GT(expected.str().size(), 1000u);
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  {
+    if (entry.path().extension() == ".gtn")
+    {
+      paths.push_back(entry.path());
+    }
+  }
+  std::sort(paths.begin(), paths.end());
+  std::string all;
+  for (const auto& path : paths)
+  {
+    const auto file = std::make_shared<const FileReader>(path.string());
+    EXPECT_TRUE(VerifyFile(*file)) << path;
+    EXPECT_EQ(file->GetFormatVersion(), (std::pair{ 1, 1 })) << path;
+    all += Description(file, path.filename().string()).Out.str();
+  }
+  EXPECT_EQ(all, expected.str());
+}
+}
+}

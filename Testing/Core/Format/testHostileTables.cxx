@@ -1,0 +1,355 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Files whose checksums are right and whose tables lie.
+
+#include "gatunArrayCodec.h"
+#include "gatunHostile.h"
+#include "gatunVerifyFile.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace
+{
+using namespace gatun;
+using namespace gatun::test;
+
+/** Changes a good file and expects that reading all of it fails like this. */
+void ExpectRefused(const std::string& what, const std::function<void(FileImage&)>& change,
+  ErrorCode code = ErrorCode::Corrupt)
+{
+  auto image = MakeImage();
+  change(image);
+  const auto path = PutFile("changed.gtn", image.Build());
+  EXPECT_GATUN_ERROR(code, path, what, [&] { ReadAll(path); });
+}
+
+TEST(HostileTables, TheUnchangedFileIsRead)
+{
+  const auto path = PutFile("same.gtn", MakeImage().Build());
+  EXPECT_NO_THROW(ReadAll(path));
+  EXPECT_TRUE(VerifyFile(FileReader(path)));
+}
+
+TEST(HostileTables, CountsOfTheMeshMustAddUp)
+{
+  ExpectRefused("the meta data at byte", [](FileImage& f) { f.StoredMeta = Bytes(3, 0); });
+  ExpectRefused("tetrahedra do not add up", [](FileImage& f) { ++f.Meta.Tets; });
+  ExpectRefused("points do not add up", [](FileImage& f) { ++f.Meta.Points; });
+  ExpectRefused("claims more points than its stream can hold",
+    [](FileImage& f)
+    {
+      f.Meta.UnusedPoints += 1000;
+      f.Meta.Points += 1000;
+    });
+  ExpectRefused("points do not add up",
+    [](FileImage& f) { f.Meta.Points = std::numeric_limits<std::uint64_t>::max(); });
+}
+
+TEST(HostileTables, CountsOfAChunkMustBePossible)
+{
+  ExpectRefused("impossible number of tetrahedra",
+    [](FileImage& f)
+    {
+      f.Meta.Tets += (std::uint64_t{ 1 } << 40) - f.Mesh.Chunks[0].Info.Tets;
+      f.Mesh.Chunks[0].Info.Tets = std::uint64_t{ 1 } << 40;
+    });
+  ExpectRefused("impossible number of tetrahedra",
+    [](FileImage& f)
+    {
+      f.Meta.Tets -= f.Mesh.Chunks[0].Info.Tets;
+      f.Mesh.Chunks[0].Info.Tets = 0;
+    });
+  ExpectRefused("claims more tetrahedra than its stream can hold",
+    [](FileImage& f)
+    {
+      f.Meta.Tets += 200000;
+      f.Mesh.Chunks[0].Info.Tets += 200000;
+    });
+  ExpectRefused("more points than its tetrahedra can use",
+    [](FileImage& f)
+    {
+      f.Meta.Points += 300;
+      f.Mesh.Chunks[0].Info.OwnPoints += 300;
+    });
+  ExpectRefused("the mesh of chunk 0 at byte",
+    [](FileImage& f)
+    {
+      ++f.Meta.Points;
+      ++f.Mesh.Chunks[0].Info.OwnPoints;
+    });
+  ExpectRefused("the mesh of chunk 0 at byte",
+    [](FileImage& f)
+    {
+      f.Meta.Tets += 5;
+      f.Mesh.Chunks[0].Info.Tets += 5;
+    });
+}
+
+TEST(HostileTables, GroupsMustBePossible)
+{
+  ExpectRefused(
+    "a group has no points", [](FileImage& f) { f.Mesh.Blocks[0].Groups[0].Points = 0; });
+  ExpectRefused("claims more points than its stream can hold",
+    [](FileImage& f)
+    {
+      f.Meta.Points += 100000;
+      f.Mesh.Blocks[0].Groups[0].Points += 100000;
+    });
+  ExpectRefused(
+    "fewer than two chunks", [](FileImage& f) { f.Mesh.Blocks[0].Groups[0].Chunks.resize(1); });
+  ExpectRefused("names a chunk that is not there",
+    [](FileImage& f) { f.Mesh.Blocks[0].Groups[0].Chunks.back() = 77; });
+  ExpectRefused("do not ascend",
+    [](FileImage& f)
+    {
+      auto& chunks = f.Mesh.Blocks[0].Groups[0].Chunks;
+      chunks[1] = chunks[0];
+    });
+  ExpectRefused("names a chunk that is not there",
+    [](FileImage& f)
+    {
+      auto& chunks = f.Mesh.Blocks[0].Groups[0].Chunks;
+      std::swap(chunks.front(), chunks.back());
+    });
+  ExpectRefused("the mesh of chunk",
+    [](FileImage& f)
+    {
+      // A chunk gets points that its walk does not use.
+      f.Mesh.Blocks[0].Groups[0].Chunks = { 0, 1, 2 };
+    });
+}
+
+TEST(HostileTables, StreamsMustLieInTheFile)
+{
+  // An offset that no stream of the image has stays as it is.
+  ExpectRefused(
+    "reaches past the end of the file",
+    [](FileImage& f) { f.Mesh.Chunks[0].Connectivity.Offset = std::uint64_t{ 1 } << 60; },
+    ErrorCode::Truncated);
+  ExpectRefused(
+    "its checksum is wrong", [](FileImage& f) { f.Mesh.Chunks[0].Connectivity.Offset = 600; });
+  ExpectRefused("the streams are longer than the file",
+    [](FileImage& f)
+    {
+      f.Mesh.Chunks[0].Geometry.Offset = 600;
+      f.Mesh.Chunks[0].Geometry.Length = ~std::uint64_t{ 0 };
+    });
+  ExpectRefused(
+    "reaches past the end of the file",
+    [](FileImage& f)
+    {
+      f.Steps[2].Arrays[0].Chunks[1].Offset = 600;
+      f.Steps[2].Arrays[0].Chunks[1].Length = ~std::uint64_t{ 0 } - 300;
+    },
+    ErrorCode::Truncated);
+}
+
+TEST(HostileTables, OneStreamCannotStandForManyChunks)
+{
+  ExpectRefused("the streams are longer than the file",
+    [](FileImage& f)
+    {
+      auto chunk = f.Mesh.Chunks[0];
+      chunk.Info.OwnPoints = 4;
+      f.Of(chunk.Connectivity).resize(4000, 0);
+      for (int i = 0; i < 100; ++i)
+      {
+        f.Mesh.Chunks.push_back(chunk);
+        f.Meta.Tets += chunk.Info.Tets;
+        f.Meta.Points += chunk.Info.OwnPoints;
+      }
+      for (auto& step : f.Steps)
+      {
+        for (auto& array : step.Arrays)
+        {
+          array.Chunks.resize(f.Mesh.Chunks.size(), array.Chunks[0]);
+          array.ChunkRanges.resize(f.Mesh.Chunks.size(), array.ChunkRanges[0]);
+        }
+      }
+    });
+}
+
+TEST(HostileTables, PalettesMustBeWhatTheySay)
+{
+  const auto setPalette = [](FileImage& f, std::uint64_t count, const Bytes& stream)
+  {
+    auto& palette = f.Steps[2].Arrays[0].Palettes[0];
+    palette.Count = count;
+    f.Set(palette.Stream, stream);
+  };
+  const std::string what = "the palette of array 'p'";
+  ExpectRefused(what, [&](FileImage& f) { setPalette(f, 3, Bytes(4, 0)); });
+  ExpectRefused(what, [&](FileImage& f) { setPalette(f, 1u << 17, Bytes(1000, 0)); });
+  ExpectRefused("a palette is too large",
+    [&](FileImage& f) { setPalette(f, std::uint64_t{ 1 } << 40, Bytes(4, 0)); });
+  ExpectRefused("the palette of the coordinates",
+    [&](FileImage& f)
+    {
+      f.Mesh.Palettes[1].Count = 5;
+      f.Set(f.Mesh.Palettes[1].Stream, Bytes(9, 1));
+    });
+}
+
+/** Numbers as the order of a block or of a chunk's cells. */
+Bytes EncodeNumbers(ScalarType type, std::size_t count, Key first, Key step)
+{
+  const Domain domain(type);
+  ComponentKeys keys;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    keys.Now.push_back(first + i * step);
+  }
+  return EncodeCellValues({}, { &domain, 1 }, { &keys, 1 });
+}
+
+TEST(HostileTables, OrdersMustBePermutations)
+{
+  ExpectRefused("names cell 5 twice",
+    [](FileImage& f)
+    {
+      auto& chunk = f.Mesh.Chunks[0];
+      f.Set(chunk.CellOrder, EncodeNumbers(ScalarType::UInt32, chunk.Info.Tets, 5, 0));
+    });
+  ExpectRefused("the original order of the cells of chunk 0 at byte",
+    [](FileImage& f)
+    {
+      auto& chunk = f.Mesh.Chunks[0];
+      f.Set(chunk.CellOrder, EncodeNumbers(ScalarType::UInt32, chunk.Info.Tets, 1u << 31, 0));
+    });
+  ExpectRefused("the corners of chunk 0 at byte",
+    [](FileImage& f)
+    {
+      auto& chunk = f.Mesh.Chunks[0];
+      f.Set(chunk.Corners, EncodeNumbers(ScalarType::UInt8, chunk.Info.Tets, 12, 0));
+    });
+  ExpectRefused("the order of the points of block 0 at byte",
+    [](FileImage& f)
+    {
+      auto& block = f.Mesh.Blocks[0];
+      f.Set(block.Order, EncodeNumbers(ScalarType::UInt32, block.Points, 1u << 20, 0));
+    });
+  ExpectRefused("names point 3 twice",
+    [](FileImage& f)
+    {
+      auto& block = f.Mesh.Blocks[0];
+      f.Set(block.Order, EncodeNumbers(ScalarType::UInt32, block.Points, 3, 0));
+    });
+}
+
+TEST(HostileTables, VerifyFindsABadOrderInManyChunks)
+{
+  const auto path = GetPath("many.gtn");
+  WriterOptions options;
+  options.ChunkTets = 64;
+  options.Keep = KeepAll;
+  WriteSample(path, MakeCubes(6, 0.2), options, 1);
+  FileImage image(path);
+  auto& chunks = image.Mesh.Chunks;
+  ASSERT_GT(chunks.size(), 18u);
+  for (auto* chunk : { &chunks.front(), &chunks.back() })
+  {
+    image.Set(chunk->CellOrder, EncodeNumbers(ScalarType::UInt32, chunk->Info.Tets, 0, 1));
+  }
+  const auto changed = PutFile("changed.gtn", image.Build());
+  EXPECT_GATUN_ERROR(
+    ErrorCode::Corrupt, changed, " twice", [&] { VerifyFile(FileReader(changed)); });
+}
+
+TEST(HostileTables, TimeStepsMustFollowEachOther)
+{
+  ExpectRefused("do not ascend", [](FileImage& f) { f.Steps[1].Time = f.Steps[0].Time; });
+  ExpectRefused("do not ascend", [](FileImage& f) { std::swap(f.Steps[1], f.Steps[2]); });
+  ExpectRefused("a time is not a number", [](FileImage& f) { f.Steps[1].Time = NAN; });
+  ExpectRefused("needs one before it", [](FileImage& f) { f.Steps[0].Key = false; });
+  ExpectRefused("has no time", [](FileImage& f) { f.Meta.HasTime = false; });
+  ExpectRefused("needs a time step before it and there is none",
+    [](FileImage& f)
+    {
+      // A stream that refers to the step before, in a step that must not.
+      f.Steps[1].Key = true;
+      auto bytes = f.Of(f.Steps[1].Arrays[0].Chunks[0]);
+      bytes[1] = 1;
+      f.Set(f.Steps[1].Arrays[0].Chunks[0], bytes);
+      f.Steps.resize(2);
+    });
+}
+
+TEST(HostileTables, RangesMustBeNumbers)
+{
+  ExpectRefused(
+    "a range is not a number", [](FileImage& f) { f.Mesh.Chunks[0].Info.Box[0].Min = NAN; });
+  ExpectRefused("a range is not a number", [](FileImage& f) { f.Meta.Box[2].Max = NAN; });
+  ExpectRefused(
+    "a range is not a number", [](FileImage& f) { f.Steps[0].Arrays[0].Ranges[0].Max = NAN; });
+  // Infinite bounds are numbers; what they make of the mesh is found out by decoding.
+  auto image = MakeImage();
+  image.Mesh.Chunks[0].Info.Box[0].Max = HUGE_VAL;
+  const auto path = PutFile("infinite.gtn", image.Build());
+  try
+  {
+    ReadAll(path);
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.Code, ErrorCode::Corrupt) << error.what();
+  }
+}
+
+TEST(HostileTables, DescriptionsMustBeKnown)
+{
+  const auto setByte = [](std::size_t fromEnd, std::uint8_t value)
+  {
+    return [=](FileImage& f)
+    {
+      f.Meta.Arrays.resize(1);
+      f.Steps.clear();
+      f.StoredMeta = Decompress(f.Meta.Write(), 1 << 20);
+      (*f.StoredMeta)[f.StoredMeta->size() - fromEnd] = value;
+    };
+  };
+  // The last array: name 'p', where, type, components, i32, u32, number of names.
+  ExpectRefused("neither points nor cells", setByte(12, 2));
+  ExpectRefused("a value type is unknown", setByte(11, 11));
+  ExpectRefused("too many components", setByte(10, 0));
+  ExpectRefused("a count is larger", setByte(1, 9));
+  ExpectRefused("the coordinates have an unknown type",
+    [](FileImage& f) { f.Meta.CoordinateType = ScalarType::Int32; });
+  ExpectRefused("the kept order is unknown", [](FileImage& f) { f.Meta.Keep = 8; });
+  ExpectRefused("bytes behind the end",
+    [](FileImage& f)
+    {
+      f.StoredMeta = Decompress(f.Meta.Write(), 1 << 20);
+      f.StoredMeta->push_back(0);
+    });
+}
+
+TEST(HostileTables, ArraysCannotClaimMoreValuesThanTheirStreamsHold)
+{
+  ExpectRefused("more values than its stream can hold",
+    [](FileImage& f)
+    {
+      // 65536 components of each point of a chunk out of no bytes at all
+      f.Meta.Arrays.resize(1);
+      f.Meta.Arrays[0].Components = 65536;
+      for (auto& step : f.Steps)
+      {
+        step.Arrays.resize(1);
+        auto& array = step.Arrays[0];
+        array.Palettes.resize(65536);
+        array.Ranges.resize(65537);
+        for (auto& ranges : array.ChunkRanges)
+        {
+          ranges.resize(65537);
+        }
+        for (auto& stream : array.Chunks)
+        {
+          stream = {};
+        }
+      }
+      f.Steps.resize(1);
+    });
+}
+}
