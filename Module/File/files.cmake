@@ -14,6 +14,7 @@ gatun_core_folder(File
     gatunVerifyFile.h
   EXPERIMENTAL_HEADERS
     gatunChunkCache.h
+    gatunSharedFile.h
     gatunSimplifiedFile.h
   PRIVATE_HEADERS
     gatunBaseMesh.h
@@ -41,6 +42,7 @@ gatun_core_folder(File
     gatunPartDecoder.cxx
     gatunPartition.cxx
     gatunPieceDecoder.cxx
+    gatunSharedFile.cxx
     gatunSimplifiedFile.cxx
     gatunTreeLayout.cxx
     gatunVerifyFile.cxx)

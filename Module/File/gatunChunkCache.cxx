@@ -32,8 +32,8 @@ void ChunkCache::Internals::Keep(const PartKey& key, Part part, std::uint64_t by
   {
     return;
   }
-  this->Parts.Keep(key, std::move(part), bytes);
-  if (isOfChunk && !this->KeepsChunks) // turned off meanwhile
+  this->Parts->Keep(key, std::move(part), bytes);
+  if (isOfChunk && !this->KeepsChunks && !this->Other) // turned off meanwhile
   {
     this->RemoveChunks();
   }
@@ -42,7 +42,7 @@ void ChunkCache::Internals::Keep(const PartKey& key, Part part, std::uint64_t by
 //--------------------------------------------------------------------------------------------------
 void ChunkCache::Internals::RemoveChunks()
 {
-  this->Parts.RemoveIf([](const PartKey& key) { return IsOfChunk(key.Kind); });
+  this->Parts->RemoveIf([](const PartKey& key) { return IsOfChunk(key.Kind); });
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -53,6 +53,11 @@ ChunkCache::ChunkCache(std::shared_ptr<const FileReader> file, std::uint64_t bud
 
 ChunkCache::ChunkCache(std::shared_ptr<const FileReader> file, std::shared_ptr<CacheBudget> budget)
   : Self(std::make_unique<Internals>(std::move(file), std::move(budget)))
+{
+}
+
+ChunkCache::ChunkCache(const std::shared_ptr<ChunkCache>& other, bool keepsChunks)
+  : Self(std::make_unique<Internals>(other, keepsChunks))
 {
 }
 
@@ -67,7 +72,7 @@ const std::shared_ptr<const FileReader>& ChunkCache::GetFile() const
 //--------------------------------------------------------------------------------------------------
 const std::shared_ptr<CacheBudget>& ChunkCache::GetSharedBudget() const
 {
-  return this->Self->Parts.GetBudget();
+  return this->Self->Parts->GetBudget();
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -86,7 +91,7 @@ std::uint64_t ChunkCache::GetBudget() const
 void ChunkCache::SetKeepsChunks(bool keeps)
 {
   this->Self->KeepsChunks = keeps;
-  if (!keeps)
+  if (!keeps && !this->Self->Other)
   {
     this->Self->RemoveChunks();
   }
@@ -95,7 +100,7 @@ void ChunkCache::SetKeepsChunks(bool keeps)
 //--------------------------------------------------------------------------------------------------
 ChunkCacheStatistics ChunkCache::GetStatistics() const
 {
-  const auto parts = this->Self->Parts.GetStatistics();
+  const auto parts = this->Self->Parts->GetStatistics();
   const std::lock_guard<std::mutex> lock(this->Self->Guard);
   auto all = this->Self->Done;
   all.Bytes = parts.Bytes;
@@ -106,6 +111,6 @@ ChunkCacheStatistics ChunkCache::GetStatistics() const
 //--------------------------------------------------------------------------------------------------
 void ChunkCache::Clear()
 {
-  this->Self->Parts.Clear();
+  this->Self->Parts->Clear();
 }
 }

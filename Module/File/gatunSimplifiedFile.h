@@ -10,13 +10,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace gatun
 {
 /**
  * A file that tells how its mesh becomes simpler, and its base meshes. Base meshes are opened, and
- * trees are decoded, when they are needed first; both are kept. Not thread safe.
+ * trees are decoded, when they are needed first; both are kept. Thread safe.
  */
 class VTKGATUNCORE_EXPORT SimplifiedFile
 {
@@ -59,6 +60,7 @@ private:
   void Open(std::size_t level);
   const std::shared_ptr<const MergeTree>& GetTree(Level& level);
 
+  mutable std::mutex Guard;  // of the files and trees of the levels
   std::vector<Level> Levels; // simpler and simpler
 };
 }

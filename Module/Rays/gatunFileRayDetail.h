@@ -4,6 +4,7 @@
 #define gatunFileRayDetail_h
 
 #include "gatunRayDetail.h"
+#include "gatunSharedFile.h"
 #include "gatunSimplifiedFile.h"
 #include "vtkGatunCoreModule.h"
 
@@ -21,6 +22,11 @@ class VTKGATUNCORE_EXPORT FileRayDetail final : public RayDetail
 public:
   /** Throws InvalidInput if the file does not tell, or has no such array or step. */
   FileRayDetail(std::shared_ptr<const FileReader> file, const RayValues& values);
+
+  /** The same for a file that others use, too. Its sources keep their blocks within the budget of
+   * the file, whatever budget MakeSource is given. */
+  FileRayDetail(std::shared_ptr<SharedFile> shared, const RayValues& values);
+
   ~FileRayDetail() override;
 
   std::uint64_t GetNumberOfPoints() const override;
@@ -31,7 +37,9 @@ public:
 private:
   std::uint64_t CountMerges(std::uint64_t points) const;
 
-  SimplifiedFile File;
+  std::shared_ptr<SharedFile> Shared;        // null for a file of one's own
+  const std::shared_ptr<SimplifiedFile> Own; // null for a shared one
+  SimplifiedFile& File;                      // of these two
   RayValues Values;
 };
 }
