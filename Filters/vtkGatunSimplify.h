@@ -2,30 +2,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkGatunSimplify
- * @brief Makes a tetrahedral mesh coarser, to any degree, at once.
+ * @brief Simplifies a tetrahedral mesh to any degree.
  *
- * Points are merged into neighbours, the cheapest merge first: by the squares of what it changes
- * of the values and, on the boundary, of the shape. The order of all
- * merges is found once for a mesh, which takes a while; after that, another target is a matter of
- * one pass. Tetrahedra keep their orientation, points of the boundary stay on it, and the topology
- * does not change; so a mesh can only become as coarse as that allows.
+ * The filter merges points into neighbors by edge collapses, the cheapest one first. The cost is
+ * the square of the change of the values and, on the boundary, of the shape. The order of all
+ * merges is found once for a mesh, which takes a while. Afterwards, another target takes one pass.
+ * Tetrahedra keep their orientation, points of the boundary stay on it, and the topology does not
+ * change. A mesh can only become as coarse as that allows.
  *
- * Input: a vtkUnstructuredGrid. Other linear cells become tetrahedra, as in vtkGatunWriter; ghost
- * cells are left out. Output: the points that are left, where they were and in their order, with
- * their point data; the tetrahedra that are left, with their cell data; field data.
+ * Input: a vtkUnstructuredGrid. Other linear cells are split into tetrahedra, as in vtkGatunWriter.
+ * Ghost cells are left out. Output: the remaining points at their places and in their order, with
+ * their point data; the remaining tetrahedra with their cell data; field data.
  *
- * Cost: one thread; about 150 bytes a tetrahedron, with one array, while the order of merges is
- * found, and 20 bytes a point for as long as the input does not change.
+ * *From a file.* If the input is the output of a vtkGatunReader without a region of interest, and
+ * its file has a hierarchy (vtkGatunWriter::Hierarchy), the filter finds a vtkGatunFileHandle in
+ * the information of its input and uses the order of merges in the file, and its base meshes. The
+ * reader is then not asked for the mesh. The output is what the reader gives with the same number
+ * of merges: the same points and cells in the same order, with pieces that fit together, ghost
+ * cells, time steps and the selected arrays. If the reader simplifies, too, Ratio, Percent and
+ * NumberOfPoints refer to its mesh. Metric, BoundaryWeight and array weights have no influence, as
+ * they were chosen when the file was written; see UseFileHierarchy.
  *
- * *Errors.* A target or a weight that makes no sense, and cells that cannot be made tetrahedra, are
- * reported by vtkErrorMacro and GetErrorCode; the output is empty then.
+ * *Pieces.* Without a file that has a hierarchy, each piece is simplified on its own. Pieces do not
+ * fit together then, which a warning says once.
  *
- * Based on: Van Gelder, Verma, Wilhelms: Volume decimation of irregular tetrahedral grids. Computer
- * Graphics International 1999; Yang: On-the-fly processing of compressed volume data, 2001.
+ * *Cost.* One thread; about 150 bytes a tetrahedron, with one array, while the order of merges is
+ * found, and 20 bytes a point as long as the input does not change. From a file: that of the
+ * reader.
  *
- * @warning Pieces are simplified each by itself, and do not fit together afterwards.
+ * *Errors.* A target or a weight that makes no sense, cells that cannot be converted to tetrahedra
+ * and damaged files are reported by vtkErrorMacro and GetErrorCode. The output is then empty.
  *
- * @sa vtkUnstructuredGridQuadricDecimation
+ * @par Background
+ * A. Van Gelder, V. Verma, J. Wilhelms: Volume decimation of irregular tetrahedral grids. Computer
+ * Graphics International 1999. C. Yang: On-the-fly processing of compressed volume data, 2001.
+ *
+ * @sa vtkGatunReader vtkGatunFileHandle vtkUnstructuredGridQuadricDecimation
  */
 
 #ifndef vtkGatunSimplify_h
@@ -129,9 +141,19 @@ public:
   void ClearArrayWeights();
   ///@}
 
+  ///@{
   /**
-   * How many merges there are for the input of the last update, all of them: so many points can be
-   * taken away at most.
+   * Whether the hierarchy of the file is used if the input comes from a file that has one. Off: the
+   * filter finds an order of merges of its own for the input. Default: on.
+   */
+  vtkSetMacro(UseFileHierarchy, bool);
+  vtkGetMacro(UseFileHierarchy, bool);
+  vtkBooleanMacro(UseFileHierarchy, bool);
+  ///@}
+
+  /**
+   * Number of merges that are possible for the input of the last update, which is the number of
+   * points that can be removed at most.
    */
   vtkIdType GetMostMerges();
 
@@ -144,8 +166,17 @@ protected:
   vtkGatunSimplify();
   ~vtkGatunSimplify() override;
 
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+
+  /**
+   * As vtkGatunContour::GetFileInformation.
+   */
+  virtual vtkInformation* GetFileInformation(vtkInformation* inInfo);
 
   int Target = TARGET_RATIO;
   double Ratio = 0.5;
@@ -154,6 +185,7 @@ protected:
   double MaximumError = 1e-3;
   int Metric = METRIC_MASS;
   double BoundaryWeight = 0.5;
+  bool UseFileHierarchy = true;
 
 private:
   vtkGatunSimplify(const vtkGatunSimplify&) = delete;

@@ -4,6 +4,8 @@
 #ifndef gatunExactGhosts_h
 #define gatunExactGhosts_h
 
+#include "vtkGatunIOModule.h" // For export macro
+
 class vtkInformationIntegerKey;
 
 namespace gatun
@@ -15,9 +17,9 @@ namespace gatun
  * By itself the executive also takes more for good enough, so that a consumer would get ghost cells
  * that another one had asked for. The key is in the port's information, not in an executive of
  * ours, so that it holds under every executive and where another reader drives this one, as
- * ParaView's reader of file series does.
+ * ParaView's reader of file series does. Exported for the filters.
  */
-vtkInformationIntegerKey* ExactGhostLevels();
+VTKGATUNIO_EXPORT vtkInformationIntegerKey* ExactGhostLevels();
 }
 
 #endif

@@ -175,7 +175,7 @@ void Render(const RenderOptions& options, const Settings& settings)
   caster->SetSimplificationRatio(options.Ratio);
   caster->SetTimeBudget(options.TimeBudget);
   caster->SetProperty(property);
-  input->Connect(caster);
+  input->Connect(caster, options.Memory);
   std::vector<Drawn> pictures;
   double peakMemory = 0;
   for (const std::string& file : files)

@@ -33,7 +33,7 @@ OTHER = {"ChunkTets": [1000], "KeepOrder": [7], "KeyStepInterval": [3],
          "Method": [2], "Kernel": [1], "Padding": [4]}
 # Where people who open a file are better served by another default than programs: that of the class.
 OWN_DEFAULT = {"GatunReaderCore.OnDemand": [0], "GatunContour.ComputeNormals": [0],
-               "GatunContour.ArrayComponent": [-1], "GatunContour.CacheSize": [0]}
+               "GatunContour.ArrayComponent": [-1]}
 HELPERS = {"IntVectorProperty": "SimpleIntInformationHelper",
            "DoubleVectorProperty": "SimpleDoubleInformationHelper",
            "IdTypeVectorProperty": "SimpleIdTypeInformationHelper",
