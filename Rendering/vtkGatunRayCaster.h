@@ -5,43 +5,44 @@
  * @brief Volume rendering of a tetrahedral mesh into an image, without a window.
  *
  * Input: a vtkUnstructuredGrid with point or cell scalars of any numeric type. Tetrahedra are drawn
- * as they are, other linear 3D cells are split, quadratic tetrahedra made linear; cells of other
- * kinds are an error. Hidden, refined and duplicate cells (vtkGhostType) are left out. Tetrahedra
- * with a coordinate or value that is NaN or infinite are not seen.
+ * as they are, other linear 3D cells are split, and quadratic tetrahedra are linearized. Cells of
+ * other types are an error. Hidden, refined and duplicate cells (vtkGhostType) are left out.
+ * Tetrahedra with a coordinate or value that is NaN or infinite are not visible.
  *
- * If the input is the output of a vtkGatunReader (without a region of interest or a value range),
- * the image is drawn straight from its file: chunk by chunk from front to back, each decoded when
- * its turn comes; those outside the view, transparent or hidden are not even read, and the reader
- * itself is never asked for the mesh. Other inputs must be in memory as a whole.
+ * *From a file.* If the input is the output of a vtkGatunReader without a region of interest, the
+ * filter finds a vtkGatunFileHandle in the information of its input and draws directly from the
+ * file, chunk by chunk from front to back. Chunks outside of the view, transparent or hidden ones
+ * are not even read. The filter shares the reader's open file and memory budget, and the reader is
+ * not asked for the mesh. Other inputs must be in memory as a whole.
  *
- * Output: a vtkImageData of Size, whose point arrays are
+ * Output: a vtkImageData of Size with these point arrays:
  *
- *  - RGBA (float, 4 components, the active scalars): red, green and blue with opacity multiplied
- * in, and opacity, 0 to 1;
- *  - Depth (float): how far the first visible sample is, in world units, from the eye along the
- * ray, or from the camera's plane in a parallel projection; infinity where nothing is seen, and in
- * the modes maximum and X-ray.
+ *  - RGBA (float, 4 components, the active scalars): red, green and blue, premultiplied by opacity,
+ *    and opacity, 0 to 1;
+ *  - Depth (float): the distance of the first visible sample, in world units, from the eye along
+ * the ray, or from the plane of the camera in a parallel projection; infinity where nothing is
+ *    visible, and in the modes maximum and X-ray.
  *
  * Point (0, 0) is at the lower left.
  *
- * Samples are SampleDistance apart, at whole multiples of it, counted as Depth is. Values are
- * interpolated linearly, and colour and opacity looked up afterwards, in tables of 4096 entries.
- * The image does not depend on the order of the cells, on chunks or on the number of threads, but
- * for rounding (below 1/255). Where tetrahedra overlap, colours of both are there in some order.
+ * Samples are SampleDistance apart, at integer multiples of it, measured as Depth is. Values are
+ * interpolated linearly. Color and opacity are then looked up in tables of 4096 entries. The image
+ * does not depend on the order of the cells, on chunks or on the number of threads, except for
+ * rounding (below 1/255). Where tetrahedra overlap, the order of their colors is undefined.
  *
- * Cost: memory of about 75 bytes a pixel that is reached, and 20 MB for each thread, besides
- * MemoryBudget; time in proportion to the tetrahedra that are seen and to the samples. All threads
- * of vtkSMPTools are used.
+ * *Cost.* Memory of about 75 bytes for each pixel that is reached and 20 MB for each thread, in
+ * addition to MemoryBudget, or for a file the budget of the reader. Time in proportion to the
+ * visible tetrahedra and to the samples. All threads of vtkSMPTools are used.
  *
  * *Errors.* A mesh, array, parameter or file that cannot be drawn is reported by vtkErrorMacro and
- * GetErrorCode (as vtkGatunReader has them); the output is then empty.
+ * GetErrorCode (with the codes of vtkGatunReader). The output is then empty.
  *
  * @par Background
  * C. Yang, T. Mitra, T. Chiueh: On-the-fly rendering of losslessly compressed irregular volume
  * data. IEEE Visualization 2000. P. Bunyk, A. Kaufman, C. Silva: Simple, fast and robust ray
  * casting of irregular grids. Dagstuhl 1997.
  *
- * @sa vtkGatunReader vtkUnstructuredGridVolumeRayCastMapper
+ * @sa vtkGatunReader vtkGatunFileHandle vtkUnstructuredGridVolumeRayCastMapper
  */
 
 #ifndef vtkGatunRayCaster_h

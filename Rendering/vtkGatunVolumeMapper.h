@@ -4,54 +4,58 @@
  * @class vtkGatunVolumeMapper
  * @brief Draws a tetrahedral mesh as a volume, from memory, from its file or piece by piece.
  *
- * To be used in place of vtkUnstructuredGridVolumeRayCastMapper. What is drawn, and how, is told at
- * vtkGatunRayCaster, which makes the same picture without a window. In addition, what is outside of
- * the camera's clipping range is left out, and opaque geometry of the same renderer ends the rays.
- * Opacities are over the property's unit distance, as in VTK's mappers for images; its mapper for
- * unstructured grids takes them for densities, so that they come out lower.
+ * Use it in place of vtkUnstructuredGridVolumeRayCastMapper. vtkGatunRayCaster makes the same image
+ * without a window and describes how it is made. In addition, the mapper leaves out what is outside
+ * of the camera's clipping range, and opaque geometry of the same renderer ends the rays. Opacities
+ * are over the property's unit distance, as in VTK's mappers for images. VTK's mappers for
+ * unstructured grids take them for densities, so that they come out lower.
  *
- * The input is a vtkUnstructuredGrid with point or cell scalars. What is asked of the pipeline:
+ * The input is a vtkUnstructuredGrid with point or cell scalars. What the mapper requests of the
+ * pipeline depends on it:
  *
- *  - *A vtkGatunReader without a region of interest or a value range is connected*: nothing. Bounds
- *    come from the tables of its file, and of the mesh only the chunks that are seen are read and
- *    decoded, of the array that is drawn and of the time that is asked of the reader. The reader is
- *    never executed; which arrays it is to read does not matter, and GetDataSetInput() is null.
+ *  - *The output of a vtkGatunReader without a region of interest*: information only. The mapper
+ *    finds a vtkGatunFileHandle there, takes the bounds from the tables of the file, and reads and
+ *    decodes only visible chunks, of the array that is drawn and of the time that is requested of
+ *    the reader. It shares the reader's open file and memory budget. The reader is never executed,
+ *    its selection of arrays has no influence, and GetDataSetInput() is null.
  *  - *NumberOfPieces is more than 1*: each piece once for its bounds and values, before the first
- *    picture and whenever the pipeline has changed. For a picture, from front to back, those pieces
- *    that are seen and are not kept within MemoryBudget. One piece is in memory at a time.
- *    GetDataSetInput() is null. A grid that was given as such counts as one piece.
- *  - *Otherwise*: all of the mesh.
+ *    image and whenever the pipeline has changed. For an image, the visible pieces that are not
+ *    kept within MemoryBudget, from front to back. One piece is in memory at a time.
+ *    GetDataSetInput() is null. A grid that was set as data counts as one piece.
+ *  - *Otherwise*: the whole mesh.
  *
- * Which values are drawn: see the scalar modes of vtkAbstractVolumeMapper, all of which hold but
- * that of field data; and ArrayComponent. Colours and opacities of the vtkVolumeProperty are those
- * of its first component, whichever component of the array is drawn; gradient opacity and
+ * All scalar modes of vtkAbstractVolumeMapper select the values to draw, except that of field data;
+ * see also ArrayComponent. Colors and opacities are those of the first component of the
+ * vtkVolumeProperty, whichever component of the array is drawn. Gradient opacity and
  * IndependentComponents have no influence. Clipping planes are in world coordinates.
  *
- * With the property's Shade on, surfaces of equal values are lit from both sides by the renderer's
- * lights, by Phong's model with the property's ambient, diffuse and specular parts; lights have no
- * cone and do not fade. The gradient is that of each tetrahedron, so that coarse meshes show their
- * cells. What has no gradient, as values of cells, is not shaded, nor are the blend modes but
- * composite and area.
+ * With the property's Shade on, surfaces of equal values are lit from both sides by the lights of
+ * the renderer, by Phong's model with the ambient, diffuse and specular coefficients of the
+ * property. Lights have no cone and no attenuation. The gradient is that of each tetrahedron, so
+ * that coarse meshes show their cells. Values of cells have no gradient and are not shaded. Only
+ * the blend modes composite and area are shaded.
  *
- * *Just in time.* With JustInTime on, a picture during an interaction takes about the time that
- * there is for it: points are merged into others, as vtkGatunSimplify does, until tetrahedra take a
- * quarter of it; then, with AutoAdjustSampleDistances on, rays are cast farther apart. The picture
- * at rest, for which more than 10 seconds are allocated, shows the whole mesh. How a mesh in memory
- * can be simplified is found out by a thread in the background, from the first picture on, in about
- * 5 to 10 seconds for a million tetrahedra, and again when the input changes; meanwhile, only rays
- * get fewer. That takes a copy of the mesh, about 60 bytes a tetrahedron all together, beyond
- * MemoryBudget. Simpler meshes that are likely to be wanted next, and at last the whole one, are
- * made ready in the background, too. Pieces cannot be simplified.
+ * *Just in time.* With JustInTime on, a frame during an interaction takes about the time that is
+ * allocated to it. Points are merged into others, as vtkGatunSimplify does, until tetrahedra take a
+ * quarter of that time. Then, with AutoAdjustSampleDistances on, fewer rays are cast. The image at
+ * rest, for which more than 10 seconds are allocated, shows the whole mesh. For a mesh in memory, a
+ * thread in the background finds the order of merges, from the first image on, in about 5 to 10
+ * seconds for a million tetrahedra, and again when the input changes; meanwhile, only the number of
+ * rays is reduced. That takes a copy of the mesh, about 60 bytes a tetrahedron in total, in
+ * addition to MemoryBudget. Coarser meshes that are likely to be needed next, and at last the whole
+ * one, are prepared in the background, too. Pieces cannot be simplified.
  *
- * *Errors.* What cannot be drawn is reported by vtkErrorMacro and GetErrorCode (as vtkGatunReader
- * has them), the message once for the same cause, and nothing is drawn. A mesh without cells is no
- * error. Pictures can be stopped by vtkRenderWindow::SetAbortRender, as in an observer of
- * vtkCommand::AbortCheckEvent; nothing of them is shown. vtkCommand::ProgressEvent tells how far
- * one is.
+ * *Memory.* MemoryBudget is for meshes in memory and for pieces. For a file it is the budget of the
+ * reader.
+ *
+ * *Errors.* Errors are reported by vtkErrorMacro and GetErrorCode (with the codes of
+ * vtkGatunReader), the message once for the same cause, and nothing is drawn. A mesh without cells
+ * is no error. vtkRenderWindow::SetAbortRender stops an image, as in an observer of
+ * vtkCommand::AbortCheckEvent; nothing of it is shown. vtkCommand::ProgressEvent reports progress.
  *
  * A program needs VTK::RenderingVolumeOpenGL2, as for other volume mappers.
  *
- * @sa vtkGatunRayCaster vtkGatunReader vtkUnstructuredGridVolumeRayCastMapper
+ * @sa vtkGatunRayCaster vtkGatunReader vtkGatunFileHandle vtkUnstructuredGridVolumeRayCastMapper
  */
 
 #ifndef vtkGatunVolumeMapper_h
@@ -222,8 +226,8 @@ public:
   bool PrepareSimplification();
 
   /**
-   * Bytes that this mapper has read from the file that it draws, since it opened it. 0 if it draws
-   * none.
+   * Bytes that have been read from the file that the mapper draws since it was opened, by the
+   * mapper and by all other consumers of its reader. 0 if it draws none.
    */
   vtkTypeUInt64 GetBytesRead();
 
