@@ -13,7 +13,7 @@ namespace gatun
 namespace
 {
 /** The number of points that a request leaves at most. */
-std::uint64_t CountPoints(const RayDetail& detail, const FrameRequest& request)
+std::uint64_t CountPoints(const LevelsOfDetail& detail, const FrameRequest& request)
 {
   const auto all = detail.GetNumberOfPoints();
   const auto most = all - detail.GetFewestPoints();
@@ -29,7 +29,7 @@ bool Simplifies(const FrameRequest& request)
 }
 
 //------------------------------------------------------------------------------
-FrameLimits JustInTime::GetLimits(const RayDetail* detail, const FrameRequest& request) const
+FrameLimits JustInTime::GetLimits(const LevelsOfDetail* detail, const FrameRequest& request) const
 {
   FrameLimits limits;
   limits.Pixels = request.Pixels;
@@ -53,9 +53,9 @@ FrameLimits JustInTime::GetLimits(const RayDetail* detail, const FrameRequest& r
 }
 
 //------------------------------------------------------------------------------
-Frame JustInTime::ChooseInMotion(RayLevels& levels, const FrameRequest& request)
+Frame JustInTime::ChooseInMotion(LevelOfDetailCache& levels, const FrameRequest& request)
 {
-  RayDetail* const detail = levels.FindDetail();
+  LevelsOfDetail* const detail = levels.FindLevels();
   const FrameLimits limits = this->GetLimits(detail, request);
   Frame frame;
   if (!detail)
@@ -84,7 +84,7 @@ Frame JustInTime::ChooseInMotion(RayLevels& levels, const FrameRequest& request)
 
 //------------------------------------------------------------------------------
 Frame JustInTime::Begin(
-  RayLevels& levels, const FrameRequest& request, const RaySource::Progress& progress)
+  LevelOfDetailCache& levels, const FrameRequest& request, const RaySource::Progress& progress)
 {
   if (!(request.Ratio >= 0 && request.Ratio <= 1))
   {
@@ -93,7 +93,7 @@ Frame JustInTime::Begin(
   this->Request = request;
   if (Simplifies(request))
   {
-    levels.WaitForDetail(progress);
+    levels.WaitForLevels(progress);
   }
   if (request.Budget > 0)
   {
@@ -102,17 +102,17 @@ Frame JustInTime::Begin(
   }
   Frame frame;
   frame.Distance = request.LeastDistance;
-  const RayDetail* const detail = levels.FindDetail();
+  const LevelsOfDetail* const detail = levels.FindLevels();
   frame.Points = detail ? CountPoints(*detail, request) : 0;
   frame.Source = detail ? levels.Get(frame.Points) : levels.GetWhole();
   return frame;
 }
 
 //------------------------------------------------------------------------------
-void JustInTime::End(RayLevels& levels, const Frame& frame, double rays,
+void JustInTime::End(LevelOfDetailCache& levels, const Frame& frame, double rays,
   const RayStatistics& statistics, const FrameSeconds& seconds)
 {
-  const RayDetail* const detail = levels.FindDetail();
+  const LevelsOfDetail* const detail = levels.FindLevels();
   if (frame.Points == 0)
   {
     this->AllTets = static_cast<double>(statistics.Tets);

@@ -5,9 +5,10 @@
 
 #include "gatunError.h"
 #include "gatunFileHandle.h"
-#include "gatunFileRayDetail.h"
+#include "gatunFileLevelsOfDetail.h"
+#include "gatunFileRaySource.h"
 #include "gatunFileReader.h"
-#include "gatunMemoryRayDetail.h"
+#include "gatunMemoryLevelsOfDetail.h"
 #include "gatunRayCaster.h"
 
 #include "vtkAlgorithm.h"
@@ -51,7 +52,7 @@ std::uint32_t FindArray(const FileReader& file, const RayArray& wanted)
 }
 
 /** How much of a number of bytes is for what. */
-RayLevels::Room Divide(std::uint64_t budget)
+LevelOfDetailCache::Room Divide(std::uint64_t budget)
 {
   return { budget - budget / 4, budget / 4 };
 }
@@ -123,10 +124,10 @@ void RayScene::SetGrid(
   const GridMesh original(grid, array);
   const auto mesh = std::make_shared<const MemoryRayMesh>(
     original.GetMesh(), original.GetValues(), original.GetHidden());
-  const RayLevels::Room room = Divide(budget);
+  const LevelOfDetailCache::Room room = Divide(budget);
   auto whole = MakeWholeSource(mesh, room.Whole);
-  this->Levels = std::make_unique<RayLevels>([mesh](const RaySource::Progress& progress)
-    { return std::make_shared<MemoryRayDetail>(mesh, mesh->BuildTree(progress)); },
+  this->Levels = std::make_unique<LevelOfDetailCache>([mesh](const RaySource::Progress& progress)
+    { return std::make_shared<MemoryLevelsOfDetail>(mesh, mesh->BuildTree(progress)); },
     whole, room);
   const Range values = GetWholeRange(*whole);
   this->Take(key, std::move(whole), values);
@@ -160,8 +161,8 @@ void RayScene::SetFile(
   if (simplifies && file.HasMergeTree())
   {
     this->Levels =
-      std::make_unique<RayLevels>([shared = handle.File, values](const RaySource::Progress&)
-        { return std::make_shared<FileRayDetail>(shared, values); },
+      std::make_unique<LevelOfDetailCache>([shared = handle.File, values](const RaySource::Progress&)
+        { return std::make_shared<FileLevelsOfDetail>(shared, values); },
         whole, Divide(handle.File->GetBudget()->GetBytes()));
   }
   else if (simplifies)

@@ -90,7 +90,7 @@ bool vtkGatunVolumeMapper::PrepareSimplification()
       return false;
     }
     auto* const levels = this->Internals->Scene.GetLevels();
-    levels->WaitForDetail(progress);
+    levels->WaitForLevels(progress);
     levels->Wait();
     this->UpdateProgress(1);
     return true;

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gatunFileRayDetail.h"
+#include "gatunFileLevelsOfDetail.h"
 
 #include "gatunCoarseRaySource.h"
-#include "gatunRaySourceInternals.h"
+#include "gatunFileRaySource.h"
 
 #include <algorithm>
 
 namespace gatun
 {
 //------------------------------------------------------------------------------
-FileRayDetail::FileRayDetail(std::shared_ptr<const FileReader> file, const RayValues& values)
+FileLevelsOfDetail::FileLevelsOfDetail(std::shared_ptr<const FileReader> file, const RayValues& values)
   : Own(std::make_shared<SimplifiedFile>(std::move(file)))
   , File(*this->Own)
   , Values(values)
@@ -18,7 +18,7 @@ FileRayDetail::FileRayDetail(std::shared_ptr<const FileReader> file, const RayVa
   CheckRayValues(*this->File.GetFile(), values);
 }
 
-FileRayDetail::FileRayDetail(std::shared_ptr<SharedFile> shared, const RayValues& values)
+FileLevelsOfDetail::FileLevelsOfDetail(std::shared_ptr<SharedFile> shared, const RayValues& values)
   : Shared(std::move(shared))
   , File(this->Shared->GetHierarchy())
   , Values(values)
@@ -26,29 +26,30 @@ FileRayDetail::FileRayDetail(std::shared_ptr<SharedFile> shared, const RayValues
   CheckRayValues(*this->File.GetFile(), values);
 }
 
-FileRayDetail::~FileRayDetail() = default;
+FileLevelsOfDetail::~FileLevelsOfDetail() = default;
 
 //------------------------------------------------------------------------------
-std::uint64_t FileRayDetail::GetNumberOfPoints() const
+std::uint64_t FileLevelsOfDetail::GetNumberOfPoints() const
 {
   return this->File.GetFile()->GetNumberOfPoints();
 }
 
 //------------------------------------------------------------------------------
-std::uint64_t FileRayDetail::GetFewestPoints() const
+std::uint64_t FileLevelsOfDetail::GetFewestPoints() const
 {
   return this->GetNumberOfPoints() - this->File.GetFile()->GetNumberOfMerges();
 }
 
 //------------------------------------------------------------------------------
-std::uint64_t FileRayDetail::CountMerges(std::uint64_t points) const
+std::uint64_t FileLevelsOfDetail::CountMerges(std::uint64_t points) const
 {
   const auto all = this->GetNumberOfPoints();
   return all - std::clamp(points, this->GetFewestPoints(), all);
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<RaySource> FileRayDetail::MakeSource(std::uint64_t points, std::uint64_t budget)
+std::shared_ptr<RaySource> FileLevelsOfDetail::MakeSource(
+  std::uint64_t points, std::uint64_t budget)
 {
   const auto place = this->File.Find(this->CountMerges(points));
   if (this->Shared)
@@ -70,7 +71,7 @@ std::shared_ptr<RaySource> FileRayDetail::MakeSource(std::uint64_t points, std::
 }
 
 //------------------------------------------------------------------------------
-std::uint64_t FileRayDetail::EstimateTets(std::uint64_t points) const
+std::uint64_t FileLevelsOfDetail::EstimateTets(std::uint64_t points) const
 {
   return this->File.EstimateTets(this->CountMerges(points));
 }
