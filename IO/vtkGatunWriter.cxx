@@ -79,9 +79,7 @@ gatun::LayerRequest FindLayerArray(
     }
     gatun::LayerRequest request;
     request.Array = static_cast<std::uint32_t>(i);
-    request.Component = component >= 0 ? static_cast<std::uint32_t>(component)
-      : array.Components > 1           ? array.Components
-                                       : 0;
+    request.Component = array.Components > 1 ? std::max(component, -1) : 0;
     request.Values = arrays[i].Values;
     return request;
   }

@@ -2,9 +2,9 @@
 #ifndef gatunFileReaderInternals_h
 #define gatunFileReaderInternals_h
 
-#include "gatunContainer.h"
 #include "gatunFileReader.h"
 #include "gatunGeometry.h"
+#include "gatunInputFile.h"
 #include "gatunLayers.h"
 #include "gatunTables.h"
 #include "gatunTreeTable.h"
@@ -29,7 +29,7 @@ public:
   /** How the values of an array become keys at a step. */
   std::vector<Domain> MakeDomains(std::size_t array, std::size_t step) const;
 
-  /** Runs decode and puts file, what and where in front of what it throws. */
+  /** Runs decode. Adds file, name and position of the stream to errors that lack them. */
   template <typename Decode>
   auto Guarded(const std::string& what, const StreamRef& where, Decode&& decode) const
   {
@@ -39,12 +39,12 @@ public:
     }
     catch (const Error& error)
     {
-      if (error.Code != ErrorCode::Corrupt || this->IsComplete(error))
+      if (error.Code != ErrorCode::Corrupt || !error.Path.empty())
       {
         throw;
       }
-      this->File.Fail(ErrorCode::Corrupt,
-        what + " at byte " + std::to_string(where.Offset) + " is damaged: " + error.what());
+      this->File.Fail(
+        ErrorCode::Corrupt, what, where.Offset, std::string("is damaged: ") + error.what());
     }
   }
 
@@ -96,11 +96,6 @@ private:
   void CheckLevel(const Internals& whole, std::size_t level) const;
   void AddStepBytes(std::span<const std::uint8_t> packed);
   void CheckLastStep() const;
-  bool IsComplete(const Error& error) const
-  {
-    return std::string(error.what())
-             .compare(0, this->File.GetPath().size(), this->File.GetPath()) == 0;
-  }
 };
 }
 

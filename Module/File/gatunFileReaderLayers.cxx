@@ -40,7 +40,7 @@ void FileReader::Internals::CheckLayers() const
   const auto& ranges = this->Steps.front().Arrays[layers.Array].ChunkRanges;
   for (std::size_t chunk = 0; chunk < ranges.size(); ++chunk)
   {
-    if (!IsInside(layers, layers.Chunks[chunk], ranges[chunk][layers.Component]))
+    if (!IsInside(layers, layers.Chunks[chunk], GetRange(ranges[chunk], layers.Component)))
     {
       this->File.Fail(ErrorCode::Corrupt,
         "the values of chunk " + std::to_string(chunk) + " are not in the layers that " +

@@ -21,7 +21,7 @@ std::size_t FindRung(const FileReader::Internals& file, std::size_t merges)
 {
   if (merges > file.Tree->Merges)
   {
-    ThrowInvalid(file.File.GetPath() + ": there are not so many merges");
+    ThrowInvalid("the file has fewer merges than that", file.File.GetPath());
   }
   return file.Tree->FindRung(merges);
 }
@@ -126,7 +126,7 @@ std::shared_ptr<const FileReader> FileReader::OpenLevel(std::size_t level) const
 {
   if (level >= this->GetLevels().size())
   {
-    ThrowInvalid(this->GetPath() + ": there is no such base mesh");
+    ThrowInvalid("there is no such base mesh", this->GetPath());
   }
   return std::shared_ptr<const FileReader>(new FileReader(*this, level));
 }

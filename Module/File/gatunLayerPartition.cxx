@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -69,8 +68,8 @@ Moments FindMoments(const MeshAccess& mesh, const LayerValues& values)
   const std::vector<bool> used = FindUsed(mesh);
   const auto counts = [&](std::uint64_t point, double value)
   { return used[static_cast<std::size_t>(point)] && std::isfinite(value); };
-  std::vector<Range> ranges(static_cast<std::size_t>(points / ItemsPerTask + 1),
-    { std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() });
+  std::vector<Range> ranges(
+    static_cast<std::size_t>(points / ItemsPerTask + 1), Range::MakeEmpty());
   ForTasks(points,
     [&](std::size_t task, std::uint64_t begin, std::uint64_t end)
     {
@@ -79,8 +78,7 @@ Moments FindMoments(const MeshAccess& mesh, const LayerValues& values)
         const double value = values.Get(p);
         if (counts(p, value))
         {
-          ranges[task].Min = std::min(ranges[task].Min, value);
-          ranges[task].Max = std::max(ranges[task].Max, value);
+          ranges[task].Include(value);
         }
       }
     });
@@ -88,8 +86,7 @@ Moments FindMoments(const MeshAccess& mesh, const LayerValues& values)
   result.Values = ranges[0];
   for (const Range& range : ranges)
   {
-    result.Values.Min = std::min(result.Values.Min, range.Min);
-    result.Values.Max = std::max(result.Values.Max, range.Max);
+    result.Values.Include(range);
   }
   // Relative to the largest one, so that no sum overflows.
   const double scale = std::max(std::abs(result.Values.Min), std::abs(result.Values.Max));
@@ -318,8 +315,8 @@ LayerBuckets SortByLayers(
       for (auto t = begin; t < end; ++t)
       {
         const Range range = values.GetRange(mesh, t);
-        const std::size_t first = range.Min <= range.Max ? layers.Find(range.Min) : 0;
-        const std::size_t last = range.Min <= range.Max ? layers.Find(range.Max) : 0;
+        const std::size_t first = range.IsEmpty() ? 0 : layers.Find(range.Min);
+        const std::size_t last = range.IsEmpty() ? 0 : layers.Find(range.Max);
         places[static_cast<std::size_t>(t)] = static_cast<std::uint32_t>(first * count + last);
       }
     });
@@ -396,13 +393,11 @@ LayerBuckets SortByLayers(
 LayerSpan FindLayerSpan(const MeshAccess& mesh, const LayerValues& values, const Layers& layers,
   std::span<const std::uint32_t> tets)
 {
-  Range all{ std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
+  Range all = Range::MakeEmpty();
   for (const auto tet : tets)
   {
-    const Range range = values.GetRange(mesh, tet);
-    all.Min = std::min(all.Min, range.Min);
-    all.Max = std::max(all.Max, range.Max);
+    all.Include(values.GetRange(mesh, tet));
   }
-  return all.Min <= all.Max ? LayerSpan{ layers.Find(all.Min), layers.Find(all.Max) } : LayerSpan{};
+  return all.IsEmpty() ? LayerSpan{} : LayerSpan{ layers.Find(all.Min), layers.Find(all.Max) };
 }
 }

@@ -78,14 +78,12 @@ void CheckIds(const MeshAccess& mesh)
 std::size_t Halve(
   const MeshAccess& mesh, std::vector<Centroid>& items, const Part& part, std::uint32_t chunkTets)
 {
-  std::array<Range, 3> box;
+  Bounds box;
   for (auto i = part.Begin; i < part.End; ++i)
   {
     for (unsigned axis = 0; axis < 3; ++axis)
     {
-      const double place = GetCentroid(mesh, items[i].Tet, axis);
-      box[axis].Min = std::min(box[axis].Min, place);
-      box[axis].Max = std::max(box[axis].Max, place);
+      box[axis].Include(GetCentroid(mesh, items[i].Tet, axis));
     }
   }
   unsigned longest = 0;
@@ -204,7 +202,7 @@ Bounds GetBox(const MeshAccess& mesh)
   Bounds box;
   for (std::uint64_t p = 0; p < mesh.GetMesh().Points; ++p)
   {
-    mesh.Extend(box, p);
+    mesh.Include(box, p);
   }
   return box;
 }

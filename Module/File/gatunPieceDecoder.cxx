@@ -90,21 +90,19 @@ void PieceDecoder::Internals::CheckRequest(const PieceRequest& request) const
     !ascend(request.Arrays, this->File->GetArrays().size()) ||
     (!hasStep && !request.Arrays.empty()))
   {
-    throw Error(ErrorCode::InvalidInput,
-      this->File->GetPath() + ": the file has no such chunk, array or time step");
+    ThrowInvalid("the file has no such chunk, array or time step", this->File->GetPath());
   }
   if (request.Merges > 0 &&
     (!request.Tree || request.Merges > request.Tree->GetMerges().size() ||
       request.Tree->GetNumberOfPoints() != this->File->GetNumberOfPoints()))
   {
-    throw Error(ErrorCode::InvalidInput, this->File->GetPath() + ": there are not so many merges");
+    ThrowInvalid("the file has fewer merges than the piece asks for", this->File->GetPath());
   }
   if (!request.Universe.empty() &&
     !std::includes(request.Universe.begin(), request.Universe.end(), request.Chunks.begin(),
       request.Chunks.end()))
   {
-    throw Error(ErrorCode::InvalidInput,
-      this->File->GetPath() + ": a piece must be inside of the universe asked for");
+    ThrowInvalid("a piece must be inside the requested universe", this->File->GetPath());
   }
 }
 

@@ -14,7 +14,7 @@ SimplifiedFile::SimplifiedFile(std::shared_ptr<const FileReader> file)
   if (!file->HasMergeTree())
   {
     ThrowInvalid(
-      file->GetPath() + ": there is no hierarchy in the file; make one with gtn pack --hierarchy");
+      "there is no hierarchy in the file; make one with gtn pack --hierarchy", file->GetPath());
   }
   this->Levels.push_back({ 0, file, nullptr });
   for (const auto merges : file->GetLevels())

@@ -13,12 +13,6 @@ namespace
 // Below that many points a chunk gets everywhere anyway.
 constexpr std::uint32_t FewPoints = 256;
 
-void Extend(Range& range, const Range& other)
-{
-  range.Min = std::min(range.Min, other.Min);
-  range.Max = std::max(range.Max, other.Max);
-}
-
 MergeTree Renumber(const MergeTree& tree, const std::vector<std::uint32_t>& ids)
 {
   std::vector<std::uint32_t> places(ids.size());
@@ -84,7 +78,7 @@ std::vector<Range> TreeLayout::FindRanges(
   for (auto i = merges; i > 0; --i)
   {
     const Merge& merge = this->Tree.GetMerges()[i - 1];
-    Extend(ways[merge.Point], ways[merge.Into]);
+    ways[merge.Point].Include(ways[merge.Into]);
   }
   std::vector<Range> chunks(this->Runs.size());
   for (std::size_t c = 0; c < chunks.size(); ++c)
@@ -93,7 +87,7 @@ std::vector<Range> TreeLayout::FindRanges(
     {
       for (auto i = first; i < last; ++i)
       {
-        Extend(chunks[c], ways[static_cast<std::size_t>(i)]);
+        chunks[c].Include(ways[static_cast<std::size_t>(i)]);
       }
     }
   }

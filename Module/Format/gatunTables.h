@@ -130,12 +130,6 @@ struct StepTable
     std::span<const std::uint8_t> bytes, const MetaTable& meta, const MeshTable& mesh);
 };
 
-/** Number of ranges that an array of so many components has. */
-constexpr std::size_t GetRangeCount(std::uint32_t components)
-{
-  return components > 1 ? std::size_t{ components } + 1 : components;
-}
-
 Bytes WriteFieldData(const FieldData& field);
 FieldData ReadFieldData(std::span<const std::uint8_t> bytes);
 }

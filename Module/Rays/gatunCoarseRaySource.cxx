@@ -303,7 +303,7 @@ CoarseRaySource::CoarseRaySource(std::shared_ptr<const FileReader> file, const M
   CheckRayValues(*file, values);
   if (merges > tree.GetMerges().size() || tree.GetNumberOfPoints() != file->GetNumberOfPoints())
   {
-    ThrowInvalid(file->GetPath() + ": there are not so many merges");
+    ThrowInvalid("there are not so many merges", file->GetPath());
   }
   const auto forParts = GetBudgetForParts(budget);
   this->Self =

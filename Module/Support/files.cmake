@@ -15,6 +15,7 @@ gatun_core_folder(Support
     gatunSimd.h
     gatunWithType.h
   SOURCES
+    gatunError.cxx
     gatunFourier.cxx
     gatunParallel.cxx
     gatunVersion.cxx)
