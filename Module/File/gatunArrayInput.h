@@ -21,7 +21,7 @@ struct ArrayInput
 {
   const ArrayDescription* Description = nullptr;
   const std::uint8_t* Now = nullptr;
-  const std::uint8_t* Before = nullptr; // the step before, if it serves prediction
+  const std::uint8_t* Before = nullptr; // the previous step, if it is used for prediction
   std::vector<Domain> Domains;
 
   const std::uint8_t* At(const std::uint8_t* values, std::size_t tuple, std::size_t component) const

@@ -17,7 +17,7 @@
 
 namespace gatun
 {
-/** What FileReader has read of its file; the decoders take their streams from here. */
+/** The tables of a file. Decoders find their streams here. */
 class FileReader::Internals
 {
 public:
@@ -26,7 +26,7 @@ public:
   /** A base mesh of a file. */
   Internals(const Internals& whole, std::size_t level);
 
-  /** How the values of an array become keys at a step. */
+  /** The domains of the components of an array at a step. */
   std::vector<Domain> MakeDomains(std::size_t array, std::size_t step) const;
 
   /** Runs decode. Adds file, name and position of the stream to errors that lack them. */
@@ -48,7 +48,7 @@ public:
     }
   }
 
-  /** The step from which steps up to this one are decoded. */
+  /** The key step from which a step is decoded. */
   std::size_t FindKeyStep(std::size_t step) const
   {
     while (step > 0 && !this->Steps[step].Key)
@@ -58,14 +58,14 @@ public:
     return step;
   }
 
-  /** Whether streams of an array at a step may refer to the step before. */
+  /** Whether streams of an array at a step may refer to the previous step. */
   bool HasBefore(std::size_t array, std::size_t step) const
   {
     return step > 0 && !this->Steps[step].Key && !this->Steps[step].Arrays[array].HasPalette() &&
       !this->Steps[step - 1].Arrays[array].HasPalette();
   }
 
-  /** Throws unless the chunks' values, at the first step, are in the layers that they should be. */
+  /** Throws unless the values of the chunks at the first step are within their layers. */
   void CheckLayers() const;
 
   /** The name of a base mesh in messages. */
@@ -88,7 +88,7 @@ public:
   std::vector<StreamRef> Levels;
 
 private:
-  std::uint64_t StepBytes = 0; // of the tables of all steps, unpacked
+  std::uint64_t StepBytes = 0; // unpacked size of the tables of all steps
 
   void Read();
   void ReadLayers();

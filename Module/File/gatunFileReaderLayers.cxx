@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a file tells of the layers by which it is organised, and what parts of it take.
+// FileReader: layers and the sizes of parts.
 
 #include "gatunFileReader.h"
 #include "gatunFileReaderInternals.h"
@@ -86,7 +86,7 @@ std::uint64_t FileReader::GetPieceBytes(std::span<const std::uint32_t> chunks,
     for (const auto array : arrays)
     {
       const auto& streams = this->Self->Steps.at(step).Arrays.at(array).Blocks;
-      bytes += streams.empty() ? 0 : streams.at(block).Length; // of cells there is nothing
+      bytes += streams.empty() ? 0 : streams.at(block).Length; // cell arrays have no blocks
     }
   }
   return bytes;

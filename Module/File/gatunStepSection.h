@@ -59,7 +59,7 @@ private:
   double LastTime = 0;
   Bytes LastField;
   StreamRef LastFieldRef;
-  std::vector<Bytes> Before;       // values of the step before
+  std::vector<Bytes> Before;       // values of the previous step
   std::vector<bool> BeforeIsPlain; // whether that step had no palette
 };
 }

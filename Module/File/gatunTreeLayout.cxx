@@ -10,7 +10,7 @@ namespace gatun
 {
 namespace
 {
-// Below that many points a chunk gets everywhere anyway.
+// Coarser meshes need no rungs: their chunks extend over the whole mesh.
 constexpr std::uint32_t FewPoints = 256;
 
 MergeTree Renumber(const MergeTree& tree, const std::vector<std::uint32_t>& ids)
@@ -64,7 +64,7 @@ TreeLayout::TreeLayout(const MergeTree& tree, std::vector<std::uint32_t> ids, co
 std::vector<Range> TreeLayout::FindRanges(
   std::uint32_t merges, const std::function<double(std::uint32_t)>& getValue) const
 {
-  // Of each point, over all that it is merged into.
+  // For each point, the range over all points that it is merged into.
   std::vector<Range> ways(this->Ids.size());
   for (std::size_t i = 0; i < ways.size(); ++i)
   {
@@ -74,7 +74,7 @@ std::vector<Range> TreeLayout::FindRanges(
       ways[i] = { value, value };
     }
   }
-  // Backwards: who is merged into is merged later itself.
+  // Backwards, because a point that is merged into is itself merged later.
   for (auto i = merges; i > 0; --i)
   {
     const Merge& merge = this->Tree.GetMerges()[i - 1];
