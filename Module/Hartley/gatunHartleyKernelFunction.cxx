@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
+
 #include "gatunHartleyKernelFunction.h"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 
 namespace gatun
 {
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 KaiserBessel::KaiserBessel(std::size_t values, std::size_t points)
   : Points(static_cast<double>(points))
 {
@@ -29,7 +30,7 @@ KaiserBessel::KaiserBessel(std::size_t values, std::size_t points)
   }
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 double KaiserBessel::GetTransform(double place) const
 {
   const double angle = std::numbers::pi * Taps * place / this->Points;

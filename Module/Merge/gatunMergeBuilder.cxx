@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
+
 #include "gatunMergeBuilder.h"
 
 #include "gatunError.h"
@@ -219,7 +220,7 @@ void Check(const MergeInput& input, const MergeSettings& settings)
 }
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 MergeTree BuildMergeTree(const MergeInput& input, const MergeSettings& settings,
   const std::function<bool(double)>& progress)
 {

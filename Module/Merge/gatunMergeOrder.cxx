@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
+
 #include "gatunMergeOrder.h"
 
 #include "gatunMorton.h"
@@ -11,7 +12,7 @@
 
 namespace gatun
 {
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 LocalMergeInput::LocalMergeInput(const MergeInput& input)
 {
   this->OrderPoints(input);
@@ -35,7 +36,7 @@ LocalMergeInput::LocalMergeInput(const MergeInput& input)
   }
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 void LocalMergeInput::OrderPoints(const MergeInput& input)
 {
   Bounds box;
@@ -64,7 +65,7 @@ void LocalMergeInput::OrderPoints(const MergeInput& input)
   }
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 /** By the lowest of their points, and where that is the same, as they were. */
 void LocalMergeInput::OrderTets(const MergeInput& input)
 {

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
+
 #include "gatunCoarseRaySource.h"
 
 #include "gatunChunkCache.h"
@@ -54,7 +55,7 @@ constexpr std::uint32_t NoChunk = 0xffffffffu;
 constexpr std::uint64_t RoomToWait = std::uint64_t{ 32 } << 20;
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 class CoarseRaySource::Internals
 {
 public:
@@ -97,7 +98,7 @@ private:
   std::unordered_map<std::uint32_t, Waiting> Kept;
 };
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 /** Chunks that others get points from, and that have not given them yet. */
 std::vector<std::uint32_t> CoarseRaySource::Internals::FindSources(
   std::span<const std::size_t> chunks) const
@@ -119,7 +120,7 @@ std::vector<std::uint32_t> CoarseRaySource::Internals::FindSources(
   return sources;
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 void CoarseRaySource::Internals::Give(std::uint32_t chunk, const RayBlock& block)
 {
   if (this->HasGiven[chunk] != 0)
@@ -134,14 +135,14 @@ void CoarseRaySource::Internals::Give(std::uint32_t chunk, const RayBlock& block
   this->HasGiven[chunk] = 1;
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 RayPoint CoarseRaySource::Internals::Get(std::uint32_t point) const
 {
   const auto giver = this->Layout.GetGiver(point);
   return this->Given[giver][FindPlace(this->Layout.GetGiven(giver), point)];
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 Waiting CoarseRaySource::Internals::Simplify(std::uint32_t chunk, const RayBlock& whole) const
 {
   // Of each point its ancestor: by the place in the chunk, or behind those as one of the others.
@@ -213,7 +214,7 @@ Waiting CoarseRaySource::Internals::Simplify(std::uint32_t chunk, const RayBlock
   return left;
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 std::shared_ptr<const RayBlock> CoarseRaySource::Internals::Finish(Waiting left) const
 {
   auto block = std::make_shared<RayBlock>();
@@ -228,7 +229,7 @@ std::shared_ptr<const RayBlock> CoarseRaySource::Internals::Finish(Waiting left)
   return block;
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 /** Until it is asked for, if there is room for it. */
 void CoarseRaySource::Internals::Keep(std::uint32_t chunk, Waiting left)
 {
@@ -239,7 +240,7 @@ void CoarseRaySource::Internals::Keep(std::uint32_t chunk, Waiting left)
   }
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 bool CoarseRaySource::Internals::Take(std::uint32_t chunk, Waiting& left)
 {
   const auto found = this->Kept.find(chunk);
@@ -253,7 +254,7 @@ bool CoarseRaySource::Internals::Take(std::uint32_t chunk, Waiting& left)
   return true;
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 void CoarseRaySource::Internals::Make(
   std::span<const std::size_t> missing, Blocks& made, const Progress& progress)
 {
@@ -296,7 +297,7 @@ void CoarseRaySource::Internals::Make(
     [&](double done) { return !progress || progress(share + (1 - share) * done); });
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 CoarseRaySource::CoarseRaySource(std::shared_ptr<const FileReader> file, const MergeTree& tree,
   std::size_t merges, const RayValues& values, std::uint64_t budget)
 {
@@ -312,19 +313,19 @@ CoarseRaySource::CoarseRaySource(std::shared_ptr<const FileReader> file, const M
 
 CoarseRaySource::~CoarseRaySource() = default;
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 std::size_t CoarseRaySource::GetNumberOfBlocks() const
 {
   return this->Self->File->GetChunks().size();
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 const Bounds& CoarseRaySource::GetBounds(std::size_t block) const
 {
   return this->Self->File->GetChunkBounds(block, this->Self->Layout.GetMerges());
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 Range CoarseRaySource::GetRange(std::size_t block) const
 {
   const auto& values = this->Self->Values;
@@ -333,7 +334,7 @@ Range CoarseRaySource::GetRange(std::size_t block) const
     values.Component);
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 RaySource::Blocks CoarseRaySource::GetBlocks(
   std::span<const std::size_t> blocks, const Progress& progress)
 {

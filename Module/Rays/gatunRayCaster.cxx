@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
+
 #include "gatunRayCaster.h"
 
 #include "gatunError.h"
@@ -67,7 +68,7 @@ struct SeenBox
 };
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 class RayCaster::Internals
 {
 public:
@@ -150,7 +151,7 @@ public:
   void CountMemory();
 };
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 /** Blocks behind the limits of all pixels need not be fetched. With a sample to spare. */
 void RayCaster::Internals::LimitTiles()
 {
@@ -173,7 +174,7 @@ void RayCaster::Internals::LimitTiles()
   }
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 /** Whether all of a box is on the negative side of a plane, beyond rounding. */
 bool RayCaster::Internals::IsCutAway(const Bounds& box) const
 {
@@ -193,7 +194,7 @@ bool RayCaster::Internals::IsCutAway(const Bounds& box) const
     });
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 std::unique_ptr<RayTile> RayCaster::Internals::MakeTile(std::size_t index) const
 {
   const RayView& view = this->View;
@@ -227,7 +228,7 @@ std::unique_ptr<RayTile> RayCaster::Internals::MakeTile(std::size_t index) const
   return tile;
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 void RayCaster::Internals::DrawTile(std::size_t index, std::span<const Work> works)
 {
   TileSlot& slot = this->Tiles[index];
@@ -255,7 +256,7 @@ void RayCaster::Internals::DrawTile(std::size_t index, std::span<const Work> wor
   }
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 void RayCaster::Internals::Colour(const Fragment& sum, float largest, float* rgba) const
 {
   std::array<float, 4> colour{};
@@ -289,7 +290,7 @@ void RayCaster::Internals::Colour(const Fragment& sum, float largest, float* rgb
   std::copy(colour.begin(), colour.end(), rgba);
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 void RayCaster::Internals::FinishTile(
   TileSlot& slot, int x0, int y0, float* rgba, float* depth) const
 {
@@ -342,7 +343,7 @@ void RayCaster::Internals::FinishTile(
   }
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 SeenBox RayCaster::Internals::See(const Bounds& box) const
 {
   const double inf = std::numeric_limits<double>::infinity();
@@ -373,7 +374,7 @@ SeenBox RayCaster::Internals::See(const Bounds& box) const
   return seen;
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 /** Depth in units of z in ray coordinates. */
 void RayCaster::Internals::RequireFewSamples(double farthest) const
 {
@@ -385,7 +386,7 @@ void RayCaster::Internals::RequireFewSamples(double farthest) const
   }
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 void RayCaster::Internals::CountMemory()
 {
   std::uint64_t bytes = 0;
@@ -406,7 +407,7 @@ void RayCaster::Internals::CountMemory()
   this->Statistics.MostFragments = std::max(this->Statistics.MostFragments, fragments);
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 RayCaster::RayCaster(
   const RayView& view, RayTable table, const RayLimits& limits, const RaySettings& settings)
   : Self(std::make_unique<Internals>(view, std::move(table), limits, settings))
@@ -415,7 +416,7 @@ RayCaster::RayCaster(
 
 RayCaster::~RayCaster() = default;
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 /** Whether such values in a box cannot be seen, whatever else there is. */
 bool RayCaster::Internals::IsNeverSeen(const Bounds& box, const Range& values) const
 {
@@ -423,7 +424,7 @@ bool RayCaster::Internals::IsNeverSeen(const Bounds& box, const Range& values) c
     this->See(box).IsOutside;
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 bool RayCaster::IsHidden(const Bounds& box, const Range& values) const
 {
   const auto& self = *this->Self;
@@ -486,7 +487,7 @@ std::vector<std::size_t> RayCaster::Internals::FindCandidates(const RaySource& s
   return blocks;
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 /** Calls use(blocks) for the blocks of a source, as many at a time as there are threads. Those are
  * left out that skips says when their turn has come. */
 template <typename Skips, typename Use>
@@ -527,7 +528,7 @@ void RayCaster::Internals::TakeTurns(
   }
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 void RayCaster::Draw(RaySource& source, const Progress& progress)
 {
   this->Self->TakeTurns(
@@ -537,7 +538,7 @@ void RayCaster::Draw(RaySource& source, const Progress& progress)
     [&](const RaySource::Blocks& blocks) { this->Draw(blocks); });
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 /** Brings blocks into view, each in a work of its own. */
 std::span<Work> RayCaster::Internals::SetBlocks(
   std::span<const std::shared_ptr<const RayBlock>> blocks)
@@ -558,13 +559,13 @@ std::span<Work> RayCaster::Internals::SetBlocks(
   return works;
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 std::size_t RayCaster::GetNumberOfTiles() const
 {
   return this->Self->Tiles.size();
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 std::vector<std::uint64_t> RayCaster::GetFingerprints(RaySource& source, const Progress& progress)
 {
   auto& self = *this->Self;
@@ -597,7 +598,7 @@ std::vector<std::uint64_t> RayCaster::GetFingerprints(RaySource& source, const P
   return result;
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 void RayCaster::Restrict(std::span<const std::uint8_t> tiles)
 {
   auto& self = *this->Self;
@@ -611,7 +612,7 @@ void RayCaster::Restrict(std::span<const std::uint8_t> tiles)
   }
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 void RayCaster::Draw(std::span<const std::shared_ptr<const RayBlock>> blocks)
 {
   auto& self = *this->Self;
@@ -644,7 +645,7 @@ void RayCaster::Draw(std::span<const std::shared_ptr<const RayBlock>> blocks)
   self.CountMemory();
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 void RayCaster::Finish(float* rgba, float* depth)
 {
   auto& self = *this->Self;
@@ -658,7 +659,7 @@ void RayCaster::Finish(float* rgba, float* depth)
     });
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 RayStatistics RayCaster::GetStatistics() const
 {
   RayStatistics result = this->Self->Statistics;
@@ -675,7 +676,7 @@ RayStatistics RayCaster::GetStatistics() const
   return result;
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 const char* RayCaster::GetInstructions() const
 {
   return this->Self->Kernel.Name;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
+
 #include "gatunRayTable.h"
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 
 namespace gatun
 {
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 RayTable::RayTable(RayMode mode, const RayColour& colour, const Range& range, double sampleDistance,
   double unitDistance)
   : Mode(mode)
@@ -59,7 +60,7 @@ RayTable::RayTable(RayMode mode, const RayColour& colour, const Range& range, do
   }
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 bool RayTable::IsTransparent(const Range& values) const
 {
   if (!(values.Min <= values.Max))

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
+
 #include "gatunIntervalTree.h"
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 
 namespace gatun
 {
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 IntervalTree::IntervalTree(std::span<const Range> ranges)
   : Count(ranges.size())
 {
@@ -22,7 +23,7 @@ IntervalTree::IntervalTree(std::span<const Range> ranges)
   this->Root = this->Build(ranges, std::move(members));
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 std::int32_t IntervalTree::Build(std::span<const Range> ranges, std::vector<std::uint32_t> members)
 {
   if (members.empty())
@@ -65,7 +66,7 @@ std::int32_t IntervalTree::Build(std::span<const Range> ranges, std::vector<std:
   return static_cast<std::int32_t>(place);
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 std::vector<std::uint32_t> IntervalTree::FindAny(std::span<const double> values) const
 {
   std::vector<bool> found(this->Count, false);
