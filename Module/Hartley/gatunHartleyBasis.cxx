@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunHartleyBasis.h"
 
 #include "gatunHartleyKernel.h"
@@ -13,7 +12,7 @@
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 class HartleyBasis::PairBrush : public HartleyPainter::Brush
 {
 public:
@@ -105,7 +104,7 @@ private:
   std::array<std::array<std::vector<HartleyShare>, 2>, BlocksAtOnce> Shares;
 };
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyBasis::HartleyBasis(const HartleyLayout::Triple& block, const HartleyLattice& lattice,
   const std::function<bool(double)>& progress)
   : Lattice(lattice)
@@ -155,7 +154,7 @@ HartleyBasis::HartleyBasis(const HartleyLayout::Triple& block, const HartleyLatt
     progress);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyBasis::FindPairs()
 {
   const auto& n = this->Block;
@@ -188,13 +187,13 @@ void HartleyBasis::FindPairs()
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::unique_ptr<HartleyPainter::Brush> HartleyBasis::MakeBrush() const
 {
   return std::make_unique<PairBrush>(*this);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<float> HartleyBasis::PaintUnit(const HartleyLayout::Triple& filled) const
 {
   std::vector<float> picture(this->Lattice.GetNumberOfPoints());

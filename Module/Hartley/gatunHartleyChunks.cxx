@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunHartleyChunks.h"
 
 #include "gatunParallel.h"
@@ -11,7 +10,7 @@ namespace gatun
 {
 namespace
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t GetBytes(const HartleyChunk& chunk)
 {
   return chunk.Starts.size() * sizeof(chunk.Starts[0]) +
@@ -19,7 +18,7 @@ std::uint64_t GetBytes(const HartleyChunk& chunk)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyChunks::Load(std::span<const HartleyLayout::Triple> blocks)
 {
   Map wanted;
@@ -58,7 +57,7 @@ void HartleyChunks::Load(std::span<const HartleyLayout::Triple> blocks)
   this->Used = std::move(wanted);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::span<const HartleyTerm> HartleyChunks::GetTerms(const HartleyLayout::Triple& place) const
 {
   const std::size_t chunk = this->Layout.GetChunkOfBlock(place);

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #if defined(__AVX2__) && defined(__FMA__)
 #define GATUN_SIMD AVX2
 #include "gatunHartleyLoops.h"
@@ -10,7 +9,7 @@
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const HartleyKernelLoops* GetAVX2HartleyKernel()
 {
 #if defined(__AVX2__) && defined(__FMA__)

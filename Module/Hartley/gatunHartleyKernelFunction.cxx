@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunHartleyKernelFunction.h"
 
 #include <algorithm>
@@ -9,7 +8,7 @@
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 KaiserBessel::KaiserBessel(std::size_t values, std::size_t points)
   : Points(static_cast<double>(points))
 {
@@ -30,7 +29,7 @@ KaiserBessel::KaiserBessel(std::size_t values, std::size_t points)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 double KaiserBessel::GetTransform(double place) const
 {
   const double angle = std::numbers::pi * Taps * place / this->Points;

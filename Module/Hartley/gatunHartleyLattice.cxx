@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunHartleyLattice.h"
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyLattice HartleyLattice::Make(
   const HartleyLayout::Triple& block, const HartleyView::Vector& step)
 {

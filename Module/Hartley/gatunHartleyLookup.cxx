@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunHartleyLookup.h"
 
 #include <algorithm>
@@ -19,7 +18,7 @@ constexpr float FewestSamples = 0.005f;
 constexpr double MostOpacity = 1 - 1e-7;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyLookup::HartleyLookup(const HartleyShading& shading, double base, const Range& range)
   : Shading(shading)
   , Base(static_cast<float>(base))
@@ -53,7 +52,7 @@ HartleyLookup::HartleyLookup(const HartleyShading& shading, double base, const R
     : this->Find(this->Base)[3] <= 0;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const std::array<float, 4>& HartleyLookup::Find(float density) const
 {
   const float at = (density - this->First) * this->PerDensity + 0.5f;
@@ -61,7 +60,7 @@ const std::array<float, 4>& HartleyLookup::Find(float density) const
     ->Table[static_cast<std::size_t>(std::clamp(at, 0.0f, static_cast<float>(TableSize - 1)))];
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyLookup::Add(float first, float samples, std::array<float, 4>& channels) const
 {
   if (this->Shading.Law == HartleyLaw::XRay)
@@ -106,7 +105,7 @@ void HartleyLookup::Add(float first, float samples, std::array<float, 4>& channe
   channels[3] += this->Shading.Law == HartleyLaw::Exponential ? depth : through * opacity;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyLookup::AddSlab(const std::array<float, 4>& channels, std::array<float, 4>& pixel) const
 {
   if (this->Shading.Law == HartleyLaw::XRay)

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #ifndef gatunHartleyLoops_h
 #define gatunHartleyLoops_h
 
@@ -13,7 +12,7 @@ namespace gatun
 {
 namespace GATUN_SIMD
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 inline void Combine(
   const float* values, const HartleyShare* shares, std::size_t shareCount, float* sum)
 {
@@ -34,7 +33,7 @@ inline void Combine(
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 inline float SumBands(const float* line, const HartleyBetween& between, const HartleyBand* across,
   const HartleyBand* down, std::size_t count, float least)
 {
@@ -82,7 +81,7 @@ inline float SumBands(const float* line, const HartleyBetween& between, const Ha
   return sum;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** R. G. Keys: Cubic convolution interpolation for digital image processing. IEEE Transactions on
  * Acoustics, Speech, and Signal Processing 29(6), 1981. */
 GATUN_INLINE Float4 GetCubicWeights(float x)
@@ -92,7 +91,7 @@ GATUN_INLINE Float4 GetCubicWeights(float x)
     -0.5f * y * x * x };
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 inline void Interpolate(const float* first, std::size_t nextRow, float x, float y, float* channels)
 {
   const Float4 across = GetCubicWeights(x);
@@ -108,7 +107,7 @@ inline void Interpolate(const float* first, std::size_t nextRow, float x, float 
   Store(channels, sum);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 constexpr HartleyKernelLoops MakeHartleyKernel()
 {
   return { Combine, SumBands, Interpolate };

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunHartleyPaperSlice.h"
 
 #include "gatunHartleyKernel.h"
@@ -31,7 +30,7 @@ Vector Cross(const Vector& a, const Vector& b)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 class HartleyPaperSlice::PaperBrush : public HartleyPainter::Brush
 {
 public:
@@ -160,7 +159,7 @@ private:
   std::vector<float> Channels;
 };
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 SpectrumPlan HartleyPaperSlice::MakePlan(const HartleyLayout::Triple& block, double padding)
 {
   SpectrumPlan plan;
@@ -173,7 +172,7 @@ SpectrumPlan HartleyPaperSlice::MakePlan(const HartleyLayout::Triple& block, dou
   return plan;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyPaperSlice::HartleyPaperSlice(
   const HartleyLattice& lattice, const HartleyView& view, std::shared_ptr<HartleySpectra> spectra)
   : Lattice(lattice)
@@ -197,13 +196,13 @@ HartleyPaperSlice::HartleyPaperSlice(
   this->Down = Cross(along, this->Across);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::unique_ptr<HartleyPainter::Brush> HartleyPaperSlice::MakeBrush() const
 {
   return std::make_unique<PaperBrush>(*this);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<float> HartleyPaperSlice::PaintUnit(const HartleyLayout::Triple& filled) const
 {
   std::vector<float> picture(this->Lattice.GetNumberOfPoints());
@@ -213,7 +212,7 @@ std::vector<float> HartleyPaperSlice::PaintUnit(const HartleyLayout::Triple& fil
   return picture;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<float> HartleyPaperSlice::PaintOwn(
   std::size_t block, std::span<const HartleyTerm> terms) const
 {

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunHartleyProjector.h"
 
 #include "gatunError.h"
@@ -36,7 +35,7 @@ constexpr std::uint64_t MostBasisBytes = std::uint64_t{ 1 } << 30;
 // otherwise.
 constexpr std::uint32_t LargestBasisBlock = 16;
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void Check(const HartleyView& view)
 {
   if (view.Width == 0 || view.Height == 0)
@@ -61,7 +60,7 @@ void Check(const HartleyView& view)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void Check(const HartleyShading& shading)
 {
   if (shading.Law != HartleyLaw::XRay && shading.Table.size() < 2)
@@ -75,7 +74,7 @@ void Check(const HartleyShading& shading)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void Check(const HartleyOptions& options)
 {
   if (!(options.Padding >= 1 && options.Padding <= 8))
@@ -85,7 +84,7 @@ void Check(const HartleyOptions& options)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 struct HartleyProjector::Internals
 {
   std::shared_ptr<const HartleySource> Source;
@@ -119,7 +118,7 @@ struct HartleyProjector::Internals
 
 namespace
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void Paint(const HartleyPainter& painter, std::span<const HartleyPainter::Task> tasks)
 {
   const auto threads = static_cast<std::size_t>(GetNumberOfThreads());
@@ -135,7 +134,7 @@ void Paint(const HartleyPainter& painter, std::span<const HartleyPainter::Task> 
     });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** The blocks along an axis that may be seen between two sheared coordinates: first, end. */
 std::array<std::uint32_t, 2> FindBlocks(const HartleyLattice& lattice, std::size_t axis,
   std::uint32_t blocks, double middleAlong, double low, double high)
@@ -150,7 +149,7 @@ std::array<std::uint32_t, 2> FindBlocks(const HartleyLattice& lattice, std::size
   return { static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(std::max(first, end)) };
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** The sheared coordinates of a picture's pixels: lowest and highest, across and down. */
 std::array<std::array<double, 2>, 2> GetBox(const HartleyLattice& lattice, const HartleyView& view)
 {
@@ -168,7 +167,7 @@ std::array<std::array<double, 2>, 2> GetBox(const HartleyLattice& lattice, const
   return box;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void FinishXRay(const HartleyShading& shading, double base, HartleyPicture& picture)
 {
   const auto offset = static_cast<float>(base);
@@ -204,7 +203,7 @@ void FinishXRay(const HartleyShading& shading, double base, HartleyPicture& pict
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyMethod HartleyProjector::Internals::GetMethod() const
 {
   if (this->Options.Method != HartleyMethod::Automatic)
@@ -218,7 +217,7 @@ HartleyMethod HartleyProjector::Internals::GetMethod() const
     : HartleyMethod::Basis;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyProjector::Internals::UseSpectra(const SpectrumPlan& plan)
 {
   if (!this->Spectra || !(this->Spectra->GetPlan() == plan))
@@ -227,7 +226,7 @@ void HartleyProjector::Internals::UseSpectra(const SpectrumPlan& plan)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyProjector::Internals::Prepare(
   const HartleyView& view, const std::function<bool(double)>& progress)
 {
@@ -268,7 +267,7 @@ void HartleyProjector::Internals::Prepare(
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const std::vector<float>& HartleyProjector::Internals::GetUnit(const Triple& filled)
 {
   auto& unit = this->Units[filled];
@@ -279,7 +278,7 @@ const std::vector<float>& HartleyProjector::Internals::GetUnit(const Triple& fil
   return unit;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyProjector::HartleyProjector(
   std::shared_ptr<const HartleySource> source, const HartleyOptions& options)
   : Data(std::make_unique<Internals>())
@@ -293,10 +292,10 @@ HartleyProjector::HartleyProjector(
     *this->Data->Source, this->Data->GetMethod() == HartleyMethod::Basis ? options.CacheBytes : 0);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyProjector::~HartleyProjector() = default;
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyPicture HartleyProjector::Draw(const HartleyView& view, const HartleyShading& shading,
   const std::function<bool(double)>& progress)
 {
@@ -424,7 +423,7 @@ HartleyPicture HartleyProjector::Draw(const HartleyView& view, const HartleyShad
   return picture;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<HartleyProjector::BlockPicture> HartleyProjector::DrawBlocks(
   const HartleyView& view, std::size_t chunk)
 {

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunHartleyRay.h"
 
 #include <algorithm>
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyRay::HartleyRay(const HartleyLayout::Triple& block, const HartleyLattice& lattice)
   : Lattice(lattice)
 {
@@ -19,7 +18,7 @@ HartleyRay::HartleyRay(const HartleyLayout::Triple& block, const HartleyLattice&
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyRay::AddWeights(double across, double down, std::span<double> weights)
 {
   const auto& size = this->Lattice.Block;
@@ -87,7 +86,7 @@ void HartleyRay::AddWeights(double across, double down, std::span<double> weight
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyRay::AddPoint(
   double across, double down, double along, double length, std::span<double> weights)
 {

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunHartleySlab.h"
 
 #include "gatunHartleyKernel.h"
@@ -16,7 +15,7 @@ namespace
 // A picture through which less light comes is complete.
 constexpr float Opaque = 1.0f / 1024;
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Columns from first up to, not including, end, for which start + column step is in a range. */
 void ClipColumns(double start, double step, double low, double high, double& first, double& end)
 {
@@ -35,7 +34,7 @@ void ClipColumns(double start, double step, double low, double high, double& fir
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleySlab::Start(const HartleyLattice& lattice, const std::array<std::uint32_t, 2>& first,
   const std::array<std::uint32_t, 2>& end, double middleAlong)
 {
@@ -53,7 +52,7 @@ void HartleySlab::Start(const HartleyLattice& lattice, const std::array<std::uin
   this->Channels.assign(this->Points[0] * this->Points[1], {});
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::array<std::size_t, 2> HartleySlab::GetCorner(
   const HartleyLattice& lattice, const std::array<std::uint32_t, 2>& place) const
 {
@@ -67,7 +66,7 @@ std::array<std::size_t, 2> HartleySlab::GetCorner(
   return corner;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleySlab::Add(
   const HartleyLattice& lattice, const HartleyLookup& lookup, std::span<const Part> parts)
 {
@@ -110,7 +109,7 @@ void HartleySlab::Add(
     });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool HartleySlab::AddTo(const HartleyLattice& lattice, const HartleyView& view,
   const HartleyLookup& lookup, std::vector<std::array<float, 4>>& pixels) const
 {

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunHartleySlice.h"
 
 #include "gatunFourier.h"
@@ -25,7 +24,7 @@ constexpr float Negligible = 1e-4f;
 // The spectrum of a hat is looked up; so many steps a cycle.
 constexpr std::size_t HatSteps = 1024;
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** The spectrum of a hat: sin(pi f)^2 / (pi f)^2. */
 double GetHat(double frequency)
 {
@@ -34,7 +33,7 @@ double GetHat(double frequency)
   return sinc * sinc;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** The sum of the spectrum of a hat over a frequency and all others that look like it on the
  * lattice, of which there are two points a voxel: at those a hat is 1/2, 1 and 1/2. */
 double GetAllHats(double frequency)
@@ -43,7 +42,7 @@ double GetAllHats(double frequency)
   return (1 + std::cos(std::numbers::pi * frequency)) / 2;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** A multiple of the spectrum's points, brought to the first period. */
 struct Wrapped
 {
@@ -61,7 +60,7 @@ struct Wrapped
 };
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 class HartleySlice::SliceBrush : public HartleyPainter::Brush
 {
 public:
@@ -208,7 +207,7 @@ private:
   std::vector<std::complex<double>> Spectrum;
 };
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 SpectrumPlan HartleySlice::MakePlan(
   const HartleyLayout::Triple& block, const HartleyLattice& lattice, double padding)
 {
@@ -231,20 +230,20 @@ SpectrumPlan HartleySlice::MakePlan(
   return plan;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleySlice::HartleySlice(const HartleyLattice& lattice, std::shared_ptr<HartleySpectra> spectra)
   : Lattice(lattice)
   , Spectra(std::move(spectra))
 {
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::unique_ptr<HartleyPainter::Brush> HartleySlice::MakeBrush() const
 {
   return std::make_unique<SliceBrush>(*this);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<float> HartleySlice::PaintUnit(const HartleyLayout::Triple& filled) const
 {
   std::vector<float> picture(this->Lattice.GetNumberOfPoints());

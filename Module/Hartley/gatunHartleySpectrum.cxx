@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunHartleySpectrum.h"
 
 #include "gatunFourier.h"
@@ -18,7 +17,7 @@ namespace
 {
 constexpr std::size_t LinesAtOnce = 8;
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** The spectra of lines of voxels, about their middle. One a thread. */
 class LineTransform
 {
@@ -89,7 +88,7 @@ private:
   std::vector<std::complex<double>> In, Out, Turns;
 };
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<double> GetVoxels(
   const HartleyLayout::Triple& block, std::span<const HartleyTerm> terms)
 {
@@ -102,7 +101,7 @@ std::vector<double> GetVoxels(
   return values;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** The coefficients of a block whose first voxels along each axis are 1. */
 std::vector<HartleyTerm> GetUnitTerms(
   const HartleyLayout::Triple& block, const HartleyLayout::Triple& filled)
@@ -130,7 +129,7 @@ std::vector<HartleyTerm> GetUnitTerms(
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleySpectrum::HartleySpectrum(const SpectrumPlan& plan, std::span<const HartleyTerm> terms)
   : Points(plan.Points)
   , Stride(plan.Points[2] + Before + After)
@@ -248,7 +247,7 @@ HartleySpectrum::HartleySpectrum(const SpectrumPlan& plan, std::span<const Hartl
     });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::shared_ptr<const HartleySpectrum> HartleySpectra::Get(
   std::size_t block, std::span<const HartleyTerm> terms)
 {
@@ -269,7 +268,7 @@ std::shared_ptr<const HartleySpectrum> HartleySpectra::Get(
   return made;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::shared_ptr<const HartleySpectrum> HartleySpectra::GetUnit(const HartleyLayout::Triple& filled)
 {
   {
@@ -290,7 +289,7 @@ std::shared_ptr<const HartleySpectrum> HartleySpectra::GetUnit(const HartleyLayo
   return made;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool HartleySpectra::HasRoom(const HartleySpectrum& spectrum) const
 {
   return (this->Kept.size() + this->KeptUnits.size() + 1) * spectrum.GetBytes() <= this->Bytes;

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunMergeBuilder.h"
 
 #include "gatunError.h"
@@ -220,7 +219,7 @@ void Check(const MergeInput& input, const MergeSettings& settings)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 MergeTree BuildMergeTree(const MergeInput& input, const MergeSettings& settings,
   const std::function<bool(double)>& progress)
 {

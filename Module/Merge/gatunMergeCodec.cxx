@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunMergeCodec.h"
 
 #include "gatunEntropy.h"
@@ -85,7 +84,7 @@ std::int64_t ToKey(float error)
 constexpr std::int64_t InfinityKey = 0x7f80;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Bytes EncodeMerges(const MergeTree& tree, std::uint32_t points)
 {
   PointsLeft left(points);
@@ -108,7 +107,7 @@ Bytes EncodeMerges(const MergeTree& tree, std::uint32_t points)
   return coder.Finish();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 MergeTree DecodeMerges(
   std::span<const std::uint8_t> stream, std::uint32_t points, std::uint32_t merges)
 {

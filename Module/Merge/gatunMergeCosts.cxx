@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunMergeCosts.h"
 
 #include <glm/geometric.hpp>
@@ -43,7 +42,7 @@ double GetMeanSquare(double a, double b, double c, double bc, double ca, double 
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 MergeCosts::MergeCosts(MergeMesh& mesh, const MergeInput& input, const MergeSettings& settings)
   : Mesh(mesh)
   , Input(input)
@@ -55,7 +54,7 @@ MergeCosts::MergeCosts(MergeMesh& mesh, const MergeInput& input, const MergeSett
   this->FindSamples();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void MergeCosts::SetScales()
 {
   double weights = 0;
@@ -78,7 +77,7 @@ void MergeCosts::SetScales()
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Gradients at points are the means of those in the tetrahedra around. */
 void MergeCosts::FindSamples()
 {
@@ -138,7 +137,7 @@ void MergeCosts::FindSamples()
   this->MeanWeight = tets > 0 ? 1 / static_cast<double>(tets) : 0;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** As a part of the mesh, of six times a volume. */
 double MergeCosts::GetWeight(double volume) const
 {
@@ -146,7 +145,7 @@ double MergeCosts::GetWeight(double volume) const
                                                     : this->MeanWeight;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint32_t MergeCosts::GetPlace(std::uint32_t neighbour)
 {
   Place& place = this->Places[neighbour];
@@ -158,7 +157,7 @@ std::uint32_t MergeCosts::GetPlace(std::uint32_t neighbour)
   return place.At;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void MergeCosts::Gather(std::uint32_t point)
 {
   ++this->Stamp;
@@ -186,7 +185,7 @@ void MergeCosts::Gather(std::uint32_t point)
   this->GatherFaces(point);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void MergeCosts::GatherFields(std::uint32_t point)
 {
   const std::size_t fields = this->Fields;
@@ -246,7 +245,7 @@ void MergeCosts::GatherFields(std::uint32_t point)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void MergeCosts::GatherFaces(std::uint32_t point)
 {
   this->Faces.clear();
@@ -283,7 +282,7 @@ void MergeCosts::GatherFaces(std::uint32_t point)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** By how much the slope of a field along an edge changes from one end to the other, times its
  * length: its second derivative times the square of the length. */
 double MergeCosts::GetBend(const Sample& a, const Sample& b, const Vec& edge) const
@@ -291,7 +290,7 @@ double MergeCosts::GetBend(const Sample& a, const Sample& b, const Vec& edge) co
   return glm::dot(edge, a.Gradient - b.Gradient);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** What the fields change by, as the tetrahedra are now: of each that stays, how far the value of
  * the new corner is from where its field leads to. Negative if one would turn over; whatever is
  * more than enough, if that is certain before all have been looked at. */
@@ -325,7 +324,7 @@ double MergeCosts::GetFieldChange(std::uint32_t place, double enough) const
   return change;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** How much worse the new tetrahedra are, by their size and shape, at interpolating fields that
  * bend like those of the whole mesh; 0 if they are better. */
 double MergeCosts::GetBendChange(std::uint32_t place, double enough)
@@ -363,7 +362,7 @@ double MergeCosts::GetBendChange(std::uint32_t place, double enough)
   return change < 0 ? 0 : BendWeight * change;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** The volume between the boundary as it is and as it would be. Negative if a face would turn over.
  */
 double MergeCosts::GetShapeChange(std::uint32_t place) const
@@ -387,7 +386,7 @@ double MergeCosts::GetShapeChange(std::uint32_t place) const
   return ShapeWeight * volume * this->PerWhole;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Takes the merge into a neighbour if it is better than the best so far. */
 void MergeCosts::Try(
   std::uint32_t point, std::uint32_t place, bool checkTopology, MergeChoice& best)
@@ -435,7 +434,7 @@ void MergeCosts::Try(
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 MergeChoice MergeCosts::Choose(std::uint32_t point, std::uint32_t tryFirst, bool checkTopology)
 {
   this->Gather(point);

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunMergeMesh.h"
 
 #include <algorithm>
@@ -38,7 +37,7 @@ std::array<unsigned, 2> FindOthers(unsigned at, unsigned other)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 MergeMesh::MergeMesh(std::size_t points, std::span<const Tet> tets)
   : Tets(tets.begin(), tets.end())
   , BoundaryFaces(tets.size(), 0)
@@ -84,7 +83,7 @@ MergeMesh::MergeMesh(std::size_t points, std::span<const Tet> tets)
   this->FindBoundary();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void MergeMesh::FindBoundary()
 {
   // Of each face, its corner of the lowest number knows all who have it.
@@ -144,7 +143,7 @@ void MergeMesh::FindBoundary()
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::span<const std::uint32_t> MergeMesh::GetRing(std::uint32_t point)
 {
   // Those that are gone are left out when somebody asks.
@@ -163,7 +162,7 @@ std::span<const std::uint32_t> MergeMesh::GetRing(std::uint32_t point)
   return { first, count };
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void MergeMesh::AddMark(std::vector<Mark>& marks, std::uint32_t point, std::uint8_t bits) const
 {
   const std::uint32_t stamp = &marks == &this->Firsts ? this->FirstStamp : this->SecondStamp;
@@ -180,7 +179,7 @@ unsigned MergeMesh::GetMarks(std::uint32_t point) const
     (second.Stamp == this->SecondStamp ? second.Bits : 0u);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void MergeMesh::MarkNeighbours(std::vector<Mark>& marks, std::uint32_t point,
   std::uint8_t neighbour, std::uint8_t boundaryNeighbour)
 {
@@ -202,7 +201,7 @@ void MergeMesh::MarkNeighbours(std::vector<Mark>& marks, std::uint32_t point,
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void MergeMesh::MarkEdge(std::uint32_t point, std::uint32_t into)
 {
   this->EdgeLink.clear();
@@ -226,7 +225,7 @@ void MergeMesh::MarkEdge(std::uint32_t point, std::uint32_t into)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool MergeMesh::IsInEdgeLink(std::uint32_t a, std::uint32_t b) const
 {
   return std::any_of(this->EdgeLink.begin(), this->EdgeLink.end(),
@@ -274,7 +273,7 @@ bool MergeMesh::IsBoundaryFace(std::uint32_t a, std::uint32_t b, std::uint32_t c
   return false;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool MergeMesh::MayMerge(std::uint32_t point, std::uint32_t into)
 {
   if (this->Marked != point)
@@ -296,7 +295,7 @@ bool MergeMesh::MayMerge(std::uint32_t point, std::uint32_t into)
     !(edgeOnBoundary && this->ShareBoundaryFace(point, into));
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Points of both links are in that of the edge; and so are edges of both with the outer point,
  * which only belongs to the edge if that is on the boundary. */
 bool MergeMesh::ShareNoOtherPoint(std::uint32_t point, std::uint32_t into, bool edgeOnBoundary)
@@ -323,7 +322,7 @@ bool MergeMesh::ShareNoOtherPoint(std::uint32_t point, std::uint32_t into, bool 
   return true;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Edges of both links, which make a triangle with each of the two points, are in that of the edge;
  * and there are no triangles of both. */
 bool MergeMesh::ShareNoOtherTriangle(std::uint32_t point, std::uint32_t into)
@@ -362,7 +361,7 @@ bool MergeMesh::ShareNoOtherTriangle(std::uint32_t point, std::uint32_t into)
   return true;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Triangles of both links with the outer point: two boundary faces that would become one. */
 bool MergeMesh::ShareBoundaryFace(std::uint32_t point, std::uint32_t into)
 {
@@ -388,7 +387,7 @@ bool MergeMesh::ShareBoundaryFace(std::uint32_t point, std::uint32_t into)
   return false;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Of a tetrahedron that vanishes, two faces become one; if one of them was on the boundary, who is
  * on the other side of the other one is there now. */
 void MergeMesh::PassBoundaryOn(std::uint32_t tet, std::uint32_t point, std::uint32_t into)
@@ -423,7 +422,7 @@ void MergeMesh::PassBoundaryOn(std::uint32_t tet, std::uint32_t point, std::uint
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void MergeMesh::Merge(std::uint32_t point, std::uint32_t into)
 {
   this->Marked = None;
@@ -466,7 +465,7 @@ void MergeMesh::Merge(std::uint32_t point, std::uint32_t into)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void MergeMesh::Compact()
 {
   std::vector<std::uint32_t> pool;

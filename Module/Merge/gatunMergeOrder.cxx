@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunMergeOrder.h"
 
 #include "gatunMorton.h"
@@ -12,7 +11,7 @@
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 LocalMergeInput::LocalMergeInput(const MergeInput& input)
 {
   this->OrderPoints(input);
@@ -36,7 +35,7 @@ LocalMergeInput::LocalMergeInput(const MergeInput& input)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void LocalMergeInput::OrderPoints(const MergeInput& input)
 {
   Bounds box;
@@ -65,7 +64,7 @@ void LocalMergeInput::OrderPoints(const MergeInput& input)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** By the lowest of their points, and where that is the same, as they were. */
 void LocalMergeInput::OrderTets(const MergeInput& input)
 {

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunMergeTree.h"
 
 #include "gatunError.h"
@@ -21,7 +20,7 @@ float RoundUp(float error)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 MergeTree::MergeTree(std::uint32_t points, std::vector<Merge> merges)
   : Points(points)
   , Merges(std::move(merges))
@@ -42,14 +41,14 @@ MergeTree::MergeTree(std::uint32_t points, std::vector<Merge> merges)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::size_t MergeTree::CountMergesForPoints(std::uint64_t pointsLeft) const
 {
   const std::uint64_t gone = this->Points - std::min<std::uint64_t>(pointsLeft, this->Points);
   return std::min<std::size_t>(gone, this->Merges.size());
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::size_t MergeTree::CountMergesForError(double error) const
 {
   const auto& all = this->Merges;
@@ -58,7 +57,7 @@ std::size_t MergeTree::CountMergesForError(double error) const
     all.begin());
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<std::uint32_t> MergeTree::FindAncestors(std::size_t merges) const
 {
   std::vector<std::uint32_t> ancestors(this->Points);

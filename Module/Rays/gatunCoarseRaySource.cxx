@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunCoarseRaySource.h"
 
 #include "gatunChunkCache.h"
@@ -55,7 +54,7 @@ constexpr std::uint32_t NoChunk = 0xffffffffu;
 constexpr std::uint64_t RoomToWait = std::uint64_t{ 32 } << 20;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 class CoarseRaySource::Internals
 {
 public:
@@ -98,7 +97,7 @@ private:
   std::unordered_map<std::uint32_t, Waiting> Kept;
 };
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Chunks that others get points from, and that have not given them yet. */
 std::vector<std::uint32_t> CoarseRaySource::Internals::FindSources(
   std::span<const std::size_t> chunks) const
@@ -120,7 +119,7 @@ std::vector<std::uint32_t> CoarseRaySource::Internals::FindSources(
   return sources;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void CoarseRaySource::Internals::Give(std::uint32_t chunk, const RayBlock& block)
 {
   if (this->HasGiven[chunk] != 0)
@@ -135,14 +134,14 @@ void CoarseRaySource::Internals::Give(std::uint32_t chunk, const RayBlock& block
   this->HasGiven[chunk] = 1;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 RayPoint CoarseRaySource::Internals::Get(std::uint32_t point) const
 {
   const auto giver = this->Layout.GetGiver(point);
   return this->Given[giver][FindPlace(this->Layout.GetGiven(giver), point)];
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Waiting CoarseRaySource::Internals::Simplify(std::uint32_t chunk, const RayBlock& whole) const
 {
   // Of each point its ancestor: by the place in the chunk, or behind those as one of the others.
@@ -214,7 +213,7 @@ Waiting CoarseRaySource::Internals::Simplify(std::uint32_t chunk, const RayBlock
   return left;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::shared_ptr<const RayBlock> CoarseRaySource::Internals::Finish(Waiting left) const
 {
   auto block = std::make_shared<RayBlock>();
@@ -229,7 +228,7 @@ std::shared_ptr<const RayBlock> CoarseRaySource::Internals::Finish(Waiting left)
   return block;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Until it is asked for, if there is room for it. */
 void CoarseRaySource::Internals::Keep(std::uint32_t chunk, Waiting left)
 {
@@ -240,7 +239,7 @@ void CoarseRaySource::Internals::Keep(std::uint32_t chunk, Waiting left)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool CoarseRaySource::Internals::Take(std::uint32_t chunk, Waiting& left)
 {
   const auto found = this->Kept.find(chunk);
@@ -254,7 +253,7 @@ bool CoarseRaySource::Internals::Take(std::uint32_t chunk, Waiting& left)
   return true;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void CoarseRaySource::Internals::Make(
   std::span<const std::size_t> missing, Blocks& made, const Progress& progress)
 {
@@ -297,7 +296,7 @@ void CoarseRaySource::Internals::Make(
     [&](double done) { return !progress || progress(share + (1 - share) * done); });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 CoarseRaySource::CoarseRaySource(std::shared_ptr<const FileReader> file, const MergeTree& tree,
   std::size_t merges, const RayValues& values, std::uint64_t budget)
 {
@@ -313,19 +312,19 @@ CoarseRaySource::CoarseRaySource(std::shared_ptr<const FileReader> file, const M
 
 CoarseRaySource::~CoarseRaySource() = default;
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::size_t CoarseRaySource::GetNumberOfBlocks() const
 {
   return this->Self->File->GetChunks().size();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const Bounds& CoarseRaySource::GetBounds(std::size_t block) const
 {
   return this->Self->File->GetChunkBounds(block, this->Self->Layout.GetMerges());
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Range CoarseRaySource::GetRange(std::size_t block) const
 {
   const auto& values = this->Self->Values;
@@ -334,7 +333,7 @@ Range CoarseRaySource::GetRange(std::size_t block) const
     values.Component);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 RaySource::Blocks CoarseRaySource::GetBlocks(
   std::span<const std::size_t> blocks, const Progress& progress)
 {

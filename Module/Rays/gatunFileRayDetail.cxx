@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunFileRayDetail.h"
 
 #include "gatunCoarseRaySource.h"
@@ -10,7 +9,7 @@
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 FileRayDetail::FileRayDetail(std::shared_ptr<const FileReader> file, const RayValues& values)
   : File(std::move(file))
   , Values(values)
@@ -20,26 +19,26 @@ FileRayDetail::FileRayDetail(std::shared_ptr<const FileReader> file, const RayVa
 
 FileRayDetail::~FileRayDetail() = default;
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t FileRayDetail::GetNumberOfPoints() const
 {
   return this->File.GetFile()->GetNumberOfPoints();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t FileRayDetail::GetFewestPoints() const
 {
   return this->GetNumberOfPoints() - this->File.GetFile()->GetNumberOfMerges();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t FileRayDetail::CountMerges(std::uint64_t points) const
 {
   const auto all = this->GetNumberOfPoints();
   return all - std::clamp(points, this->GetFewestPoints(), all);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::shared_ptr<RaySource> FileRayDetail::MakeSource(std::uint64_t points, std::uint64_t budget)
 {
   const auto place = this->File.Find(this->CountMerges(points));
@@ -51,7 +50,7 @@ std::shared_ptr<RaySource> FileRayDetail::MakeSource(std::uint64_t points, std::
     place.File, *place.Tree, place.Merges, this->Values, budget);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t FileRayDetail::EstimateTets(std::uint64_t points) const
 {
   return this->File.EstimateTets(this->CountMerges(points));

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunFrameBudget.h"
 
 #include <algorithm>
@@ -59,7 +58,7 @@ int FindStep(std::uint64_t points, const FrameLimits& limits)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void FrameBudget::Recent::Add(double number)
 {
   if (std::isfinite(number) && number >= 0)
@@ -68,7 +67,7 @@ void FrameBudget::Recent::Add(double number)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 double FrameBudget::Recent::Get() const
 {
   if (this->Count == 0)
@@ -82,7 +81,7 @@ double FrameBudget::Recent::Get() const
   return sorted[count / 2];
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void FrameBudget::Learn(const FrameWork& work, const FrameTime& time)
 {
   if (work.Tets > 0)
@@ -93,26 +92,26 @@ void FrameBudget::Learn(const FrameWork& work, const FrameTime& time)
   this->Fixed.Add(time.Fixed);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 double FrameBudget::Predict(const FrameWork& work) const
 {
   return this->Fixed.Get() + this->PerTet.Get() * work.Tets + this->PerRay.Get() * GetRayWork(work);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 double FrameBudget::GetTetTime(const FrameLimits& limits, std::uint64_t points) const
 {
   return this->PerTet.Get() * static_cast<double>(limits.EstimateTets(points));
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 double FrameBudget::GetTime(const FrameLimits& limits, std::uint64_t points, double distance) const
 {
   return this->Predict(
     { static_cast<double>(limits.EstimateTets(points)), limits.Pixels / (distance * distance) });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t FrameBudget::ChoosePoints(
   double budget, const FrameLimits& limits, const FrameChoice& present) const
 {
@@ -142,7 +141,7 @@ std::uint64_t FrameBudget::ChoosePoints(
   return GetStep(best, limits);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 double FrameBudget::ChooseDistance(
   double budget, const FrameLimits& limits, std::uint64_t points, const FrameChoice& present) const
 {
@@ -165,14 +164,14 @@ double FrameBudget::ChooseDistance(
   return std::clamp(distance, limits.LeastDistance, limits.LargestDistance);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t FrameBudget::StepDown(std::uint64_t points, const FrameLimits& limits)
 {
   const int step = FindStep(points, limits);
   return GetStep(GetStep(step, limits) == points ? step + 1 : step, limits);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t FrameBudget::StepUp(std::uint64_t points, const FrameLimits& limits)
 {
   int step = FindStep(points, limits);

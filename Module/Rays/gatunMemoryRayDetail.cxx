@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunMemoryRayDetail.h"
 
 #include "gatunError.h"
@@ -93,7 +92,7 @@ BlockStarts CutIntoBlocks(std::size_t tets)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 class MemoryRayMesh::Internals
 {
 public:
@@ -106,7 +105,7 @@ public:
     const Progress& progress);
 };
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void MemoryRayMesh::Internals::TakePoints(const MeshAccess& mesh, const RayValuesInput& values)
 {
   this->Points.resize(mesh.GetMesh().Points);
@@ -128,7 +127,7 @@ void MemoryRayMesh::Internals::TakePoints(const MeshAccess& mesh, const RayValue
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void MemoryRayMesh::Internals::TakeTets(const MeshAccess& mesh, const RayValuesInput& values,
   const unsigned char* hidden, const Progress& progress)
 {
@@ -164,7 +163,7 @@ void MemoryRayMesh::Internals::TakeTets(const MeshAccess& mesh, const RayValuesI
   this->Whole = std::move(list);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 MemoryRayMesh::MemoryRayMesh(const MeshInput& mesh, const RayValuesInput& values,
   const unsigned char* hidden, const Progress& progress)
   : Self(std::make_unique<Internals>())
@@ -176,13 +175,13 @@ MemoryRayMesh::MemoryRayMesh(const MeshInput& mesh, const RayValuesInput& values
 
 MemoryRayMesh::~MemoryRayMesh() = default;
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t MemoryRayMesh::GetNumberOfPoints() const
 {
   return this->Self->Points.size();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 MergeTree MemoryRayMesh::BuildTree(const Progress& progress) const
 {
   const auto& self = *this->Self;
@@ -301,7 +300,7 @@ private:
 };
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::shared_ptr<RaySource> MakeWholeSource(
   std::shared_ptr<const MemoryRayMesh> mesh, std::uint64_t budget)
 {
@@ -309,7 +308,7 @@ std::shared_ptr<RaySource> MakeWholeSource(
   return std::make_shared<ListSource>(std::move(mesh), internals.Whole, internals.Starts, budget);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 class MemoryRayDetail::Internals
 {
 public:
@@ -327,7 +326,7 @@ public:
   std::shared_ptr<const TetList> MakeTets(std::uint64_t points);
 };
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** What is left of a base. */
 std::shared_ptr<const TetList> MemoryRayDetail::Internals::Simplify(
   const TetList& base, std::uint64_t points) const
@@ -363,7 +362,7 @@ std::shared_ptr<const TetList> MemoryRayDetail::Internals::Simplify(
   return result;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Of so many points. Makes the bases on the way to it. */
 std::shared_ptr<const TetList> MemoryRayDetail::Internals::MakeTets(std::uint64_t points)
 {
@@ -395,7 +394,7 @@ std::shared_ptr<const TetList> MemoryRayDetail::Internals::MakeTets(std::uint64_
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 MemoryRayDetail::MemoryRayDetail(std::shared_ptr<const MemoryRayMesh> mesh, MergeTree tree)
   : Self(std::make_unique<Internals>())
 {
@@ -413,19 +412,19 @@ MemoryRayDetail::MemoryRayDetail(std::shared_ptr<const MemoryRayMesh> mesh, Merg
 
 MemoryRayDetail::~MemoryRayDetail() = default;
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t MemoryRayDetail::GetNumberOfPoints() const
 {
   return this->Self->GetPoints();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t MemoryRayDetail::GetFewestPoints() const
 {
   return this->Self->GetFewest();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::shared_ptr<RaySource> MemoryRayDetail::MakeSource(std::uint64_t points, std::uint64_t budget)
 {
   auto& self = *this->Self;
@@ -443,7 +442,7 @@ std::shared_ptr<RaySource> MemoryRayDetail::MakeSource(std::uint64_t points, std
   return std::make_shared<ListSource>(self.Mesh, std::move(list), std::move(starts), budget);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t MemoryRayDetail::EstimateTets(std::uint64_t points) const
 {
   const auto& self = *this->Self;

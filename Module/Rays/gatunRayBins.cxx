@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunRayBins.h"
 
 #include <algorithm>
@@ -8,7 +7,7 @@
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void RayBins::SetBlock(const RayKernel& kernel, const RayView& view, const RayTable& table,
   const RayBlock& block, RayFilter filter, ReleaseFrom from)
 {
@@ -35,7 +34,7 @@ void RayBins::SetBlock(const RayKernel& kernel, const RayView& view, const RayTa
   this->Next = 0;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool RayBins::Fill(const RayKernel& kernel, const SetUpContext& context, const RayShading* shading,
   std::size_t tiles, bool repeatable)
 {
@@ -83,7 +82,7 @@ bool RayBins::Fill(const RayKernel& kernel, const SetUpContext& context, const R
   return this->Next > first;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void RayBins::FingerprintPoints()
 {
   this->Fingerprints.resize(this->Points.size());
@@ -99,7 +98,7 @@ void RayBins::FingerprintPoints()
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t RayBins::GetFingerprint(std::uint32_t tet) const
 {
   const RayBlock& block = *this->Block;
@@ -113,7 +112,7 @@ std::uint64_t RayBins::GetFingerprint(std::uint32_t tet) const
     : MixFingerprints(mixed, std::bit_cast<std::uint64_t>(block.CellValues[tet]));
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::size_t RayBins::GetMemorySize() const
 {
   return this->Points.capacity() * sizeof(RayPoint) + this->Fingerprints.capacity() * 8 +

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #ifndef gatunRayBins_h
 #define gatunRayBins_h
 
@@ -79,7 +78,7 @@ private:
   std::vector<RayShade> Shades;
 };
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 template <typename Use>
 bool RayBins::Skim(int tilesX, Use&& use)
 {

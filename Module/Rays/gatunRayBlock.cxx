@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunRayBlock.h"
 
 #include <algorithm>
@@ -105,7 +104,7 @@ bool HasNegativeVolume(const RayPoint& a, const RayPoint& b, const RayPoint& c, 
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void RayBlock::Prepare()
 {
   this->Turned.resize(this->Tets.size());
@@ -132,7 +131,7 @@ void RayBlock::Prepare()
   this->Neighbours = FindNeighbours(this->Tets, this->Points.size());
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::size_t RayBlock::GetMemorySize() const
 {
   return this->Points.capacity() * sizeof(RayPoint) + this->Turned.capacity() +

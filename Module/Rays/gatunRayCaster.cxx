@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunRayCaster.h"
 
 #include "gatunError.h"
@@ -68,7 +67,7 @@ struct SeenBox
 };
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 class RayCaster::Internals
 {
 public:
@@ -151,7 +150,7 @@ public:
   void CountMemory();
 };
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Blocks behind the limits of all pixels need not be fetched. With a sample to spare. */
 void RayCaster::Internals::LimitTiles()
 {
@@ -174,7 +173,7 @@ void RayCaster::Internals::LimitTiles()
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Whether all of a box is on the negative side of a plane, beyond rounding. */
 bool RayCaster::Internals::IsCutAway(const Bounds& box) const
 {
@@ -194,7 +193,7 @@ bool RayCaster::Internals::IsCutAway(const Bounds& box) const
     });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::unique_ptr<RayTile> RayCaster::Internals::MakeTile(std::size_t index) const
 {
   const RayView& view = this->View;
@@ -228,7 +227,7 @@ std::unique_ptr<RayTile> RayCaster::Internals::MakeTile(std::size_t index) const
   return tile;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void RayCaster::Internals::DrawTile(std::size_t index, std::span<const Work> works)
 {
   TileSlot& slot = this->Tiles[index];
@@ -256,7 +255,7 @@ void RayCaster::Internals::DrawTile(std::size_t index, std::span<const Work> wor
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void RayCaster::Internals::Colour(const Fragment& sum, float largest, float* rgba) const
 {
   std::array<float, 4> colour{};
@@ -290,7 +289,7 @@ void RayCaster::Internals::Colour(const Fragment& sum, float largest, float* rgb
   std::copy(colour.begin(), colour.end(), rgba);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void RayCaster::Internals::FinishTile(
   TileSlot& slot, int x0, int y0, float* rgba, float* depth) const
 {
@@ -343,7 +342,7 @@ void RayCaster::Internals::FinishTile(
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 SeenBox RayCaster::Internals::See(const Bounds& box) const
 {
   const double inf = std::numeric_limits<double>::infinity();
@@ -374,7 +373,7 @@ SeenBox RayCaster::Internals::See(const Bounds& box) const
   return seen;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Depth in units of z in ray coordinates. */
 void RayCaster::Internals::RequireFewSamples(double farthest) const
 {
@@ -386,7 +385,7 @@ void RayCaster::Internals::RequireFewSamples(double farthest) const
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void RayCaster::Internals::CountMemory()
 {
   std::uint64_t bytes = 0;
@@ -407,7 +406,7 @@ void RayCaster::Internals::CountMemory()
   this->Statistics.MostFragments = std::max(this->Statistics.MostFragments, fragments);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 RayCaster::RayCaster(
   const RayView& view, RayTable table, const RayLimits& limits, const RaySettings& settings)
   : Self(std::make_unique<Internals>(view, std::move(table), limits, settings))
@@ -416,7 +415,7 @@ RayCaster::RayCaster(
 
 RayCaster::~RayCaster() = default;
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Whether such values in a box cannot be seen, whatever else there is. */
 bool RayCaster::Internals::IsNeverSeen(const Bounds& box, const Range& values) const
 {
@@ -424,7 +423,7 @@ bool RayCaster::Internals::IsNeverSeen(const Bounds& box, const Range& values) c
     this->See(box).IsOutside;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool RayCaster::IsHidden(const Bounds& box, const Range& values) const
 {
   const auto& self = *this->Self;
@@ -487,7 +486,7 @@ std::vector<std::size_t> RayCaster::Internals::FindCandidates(const RaySource& s
   return blocks;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Calls use(blocks) for the blocks of a source, as many at a time as there are threads. Those are
  * left out that skips says when their turn has come. */
 template <typename Skips, typename Use>
@@ -528,7 +527,7 @@ void RayCaster::Internals::TakeTurns(
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void RayCaster::Draw(RaySource& source, const Progress& progress)
 {
   this->Self->TakeTurns(
@@ -538,7 +537,7 @@ void RayCaster::Draw(RaySource& source, const Progress& progress)
     [&](const RaySource::Blocks& blocks) { this->Draw(blocks); });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Brings blocks into view, each in a work of its own. */
 std::span<Work> RayCaster::Internals::SetBlocks(
   std::span<const std::shared_ptr<const RayBlock>> blocks)
@@ -559,13 +558,13 @@ std::span<Work> RayCaster::Internals::SetBlocks(
   return works;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::size_t RayCaster::GetNumberOfTiles() const
 {
   return this->Self->Tiles.size();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<std::uint64_t> RayCaster::GetFingerprints(RaySource& source, const Progress& progress)
 {
   auto& self = *this->Self;
@@ -598,7 +597,7 @@ std::vector<std::uint64_t> RayCaster::GetFingerprints(RaySource& source, const P
   return result;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void RayCaster::Restrict(std::span<const std::uint8_t> tiles)
 {
   auto& self = *this->Self;
@@ -612,7 +611,7 @@ void RayCaster::Restrict(std::span<const std::uint8_t> tiles)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void RayCaster::Draw(std::span<const std::shared_ptr<const RayBlock>> blocks)
 {
   auto& self = *this->Self;
@@ -645,7 +644,7 @@ void RayCaster::Draw(std::span<const std::shared_ptr<const RayBlock>> blocks)
   self.CountMemory();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void RayCaster::Finish(float* rgba, float* depth)
 {
   auto& self = *this->Self;
@@ -659,7 +658,7 @@ void RayCaster::Finish(float* rgba, float* depth)
     });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 RayStatistics RayCaster::GetStatistics() const
 {
   RayStatistics result = this->Self->Statistics;
@@ -676,7 +675,7 @@ RayStatistics RayCaster::GetStatistics() const
   return result;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const char* RayCaster::GetInstructions() const
 {
   return this->Self->Kernel.Name;

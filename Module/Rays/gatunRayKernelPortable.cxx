@@ -1,19 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #define GATUN_SIMD Portable
 #include "gatunRayLoops.h"
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const RayKernel& GetPortableRayKernel()
 {
   static constexpr RayKernel kernel = Portable::MakeKernel("portable");
   return kernel;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const RayKernel& GetBestRayKernel()
 {
 #if defined(__x86_64__)

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunRayLevels.h"
 
 #include "gatunError.h"
@@ -39,7 +38,7 @@ struct Level
 };
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 class RayLevels::Internals
 {
 public:
@@ -121,7 +120,7 @@ private:
 };
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Level* RayLevels::Internals::Find(std::uint64_t points)
 {
   const auto found = std::find_if(this->Levels.begin(), this->Levels.end(),
@@ -129,7 +128,7 @@ Level* RayLevels::Internals::Find(std::uint64_t points)
   return found == this->Levels.end() ? nullptr : &*found;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void RayLevels::Internals::Add(Level level)
 {
   level.Used = ++this->Uses;
@@ -148,7 +147,7 @@ void RayLevels::Internals::Add(Level level)
   this->Levels.push_back(std::move(level));
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool RayLevels::Internals::IsReady(std::uint64_t points)
 {
   if (this->IsWhole(points))
@@ -159,14 +158,14 @@ bool RayLevels::Internals::IsReady(std::uint64_t points)
   return level && level->IsComplete;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool RayLevels::Internals::IsWorthwhile(std::uint64_t points)
 {
   return !this->IsReady(points) &&
     this->GetBytes(points) <= (this->IsWhole(points) ? this->Space.Whole : this->Space.Simpler);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void RayLevels::Internals::FindDetail()
 {
   std::shared_ptr<RayDetail> detail;
@@ -205,7 +204,7 @@ void RayLevels::Internals::FindDetail()
   this->Changed.notify_all();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Lets pictures have their share of the processor. False to stop. */
 bool RayLevels::Internals::Rest(Clock::duration worked)
 {
@@ -217,7 +216,7 @@ bool RayLevels::Internals::Rest(Clock::duration worked)
   return !this->MustStop;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Makes its blocks, as far as there is time. */
 void RayLevels::Internals::Complete(Level& level)
 {
@@ -239,7 +238,7 @@ void RayLevels::Internals::Complete(Level& level)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void RayLevels::Internals::Work()
 {
   this->FindDetail();
@@ -294,7 +293,7 @@ void RayLevels::Internals::Work()
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 RayLevels::RayLevels(MakeDetail makeDetail, std::shared_ptr<RaySource> whole, const Room& room)
   : Self(std::make_unique<Internals>(std::move(makeDetail), std::move(whole), room))
 {
@@ -307,7 +306,7 @@ RayLevels::RayLevels(MakeDetail makeDetail, std::shared_ptr<RaySource> whole, co
     });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 RayLevels::~RayLevels()
 {
   {
@@ -319,7 +318,7 @@ RayLevels::~RayLevels()
   this->Self->Worker.join();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 RayDetail* RayLevels::FindDetail() const
 {
   const std::lock_guard<std::mutex> lock(this->Self->Guard);
@@ -330,7 +329,7 @@ RayDetail* RayLevels::FindDetail() const
   return this->Self->Detail.get();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 RayDetail& RayLevels::WaitForDetail(const Progress& progress)
 {
   auto& self = *this->Self;
@@ -349,7 +348,7 @@ RayDetail& RayLevels::WaitForDetail(const Progress& progress)
   return *this->FindDetail();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::shared_ptr<RaySource> RayLevels::GetWhole()
 {
   auto& self = *this->Self;
@@ -363,7 +362,7 @@ std::shared_ptr<RaySource> RayLevels::GetWhole()
   return self.Whole;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::shared_ptr<RaySource> RayLevels::Get(std::uint64_t points)
 {
   auto& self = *this->Self;
@@ -392,7 +391,7 @@ std::shared_ptr<RaySource> RayLevels::Get(std::uint64_t points)
   return level->Source;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t RayLevels::FindReady(std::uint64_t wanted) const
 {
   const auto& self = *this->Self;
@@ -413,7 +412,7 @@ std::uint64_t RayLevels::FindReady(std::uint64_t wanted) const
   return best;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void RayLevels::Prepare(const std::vector<std::uint64_t>& points)
 {
   auto& self = *this->Self;
@@ -437,7 +436,7 @@ void RayLevels::Prepare(const std::vector<std::uint64_t>& points)
   self.Changed.notify_all();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void RayLevels::SetDrawing(bool drawing)
 {
   auto& self = *this->Self;
@@ -446,7 +445,7 @@ void RayLevels::SetDrawing(bool drawing)
   self.Changed.notify_all();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void RayLevels::Wait()
 {
   auto& self = *this->Self;

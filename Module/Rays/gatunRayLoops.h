@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #ifndef gatunRayLoops_h
 #define gatunRayLoops_h
 
@@ -23,7 +22,7 @@ namespace
 {
 using Tet = RayKernel::Tet;
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 // Lane i has what is of corner i of a tetrahedron; of the face opposite to it, the three corners.
 
 template <typename Vector>
@@ -44,7 +43,7 @@ GATUN_INLINE Vector ThirdCorners(Vector v)
   return __builtin_shufflevector(v, v, 3, 3, 3, 2);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 // Points
 
 GATUN_INLINE bool IsFinite(double v)
@@ -90,7 +89,7 @@ void Transform(const RayView& view, double low, double scale, const RayPoint* po
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 // Which tetrahedra may be seen
 
 GATUN_INLINE float Clamp(float v, float low, float high)
@@ -190,7 +189,7 @@ void Look(const RayView& view, RayFilter filter, const SeenPoint* points, const 
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 // Planes of the faces
 
 /** For each set of faces through which rays enter: those first, then the others. */
@@ -372,7 +371,7 @@ void SetUp(const SetUpContext& context, const RayPoint* points, const Tet* tets,
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 template <RayMode Mode, bool Shaded>
 void DrawIn(const DrawContext& context, const TetItems& items, RayTile& tile)
 {

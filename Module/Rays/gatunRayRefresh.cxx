@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunRayRefresh.h"
 
 #include <algorithm>
@@ -8,13 +7,13 @@
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 RayRefresh::RayRefresh(MakeCaster makeCaster)
   : Maker(std::move(makeCaster))
 {
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 double RayRefresh::Draw(
   std::shared_ptr<RaySource> source, float* rgba, const RaySource::Progress& progress)
 {

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunRayShading.h"
 
 #include <glm/geometric.hpp>
@@ -53,7 +52,7 @@ Vec GetGradient(const std::array<Vec, 4>& p, const std::array<double, 4>& values
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 RayShade GetShade(const RayShading& shading, const RayBlock& block, std::size_t tet)
 {
   RayShade shade;

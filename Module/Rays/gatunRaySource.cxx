@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunRaySource.h"
 
 #include "gatunChunkCache.h"
@@ -15,7 +14,7 @@
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::shared_ptr<const RayBlock> RayBlockCache::Find(std::size_t block)
 {
   for (Entry& entry : this->Entries)
@@ -29,7 +28,7 @@ std::shared_ptr<const RayBlock> RayBlockCache::Find(std::size_t block)
   return nullptr;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void RayBlockCache::Add(std::size_t block, std::shared_ptr<const RayBlock> made)
 {
   const auto size = made->GetMemorySize();
@@ -48,7 +47,7 @@ void RayBlockCache::Add(std::size_t block, std::shared_ptr<const RayBlock> made)
   this->Entries.push_back({ block, ++this->Clock, std::move(made) });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Range GetDrawnRange(const ArrayRanges& ranges, int component)
 {
   if (component >= 0)
@@ -63,7 +62,7 @@ Range GetDrawnRange(const ArrayRanges& ranges, int component)
   return { std::max(0.0, -last.Max), std::max(-last.Min, last.Max) };
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void CheckRayValues(const FileReader& file, const RayValues& values)
 {
   const auto& arrays = file.GetArrays();
@@ -83,7 +82,7 @@ void CheckRayValues(const FileReader& file, const RayValues& values)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 RayBlock DecodeRayBlock(
   const std::shared_ptr<ChunkCache>& parts, const RayValues& values, std::size_t chunk)
 {
@@ -128,7 +127,7 @@ RayBlock DecodeRayBlock(
   return block;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 // A file
 
 class FileRaySource::Internals
@@ -140,7 +139,7 @@ public:
   std::shared_ptr<ChunkCache> Parts; // for the points that chunks share
 };
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 FileRaySource::FileRaySource(
   std::shared_ptr<const FileReader> file, const RayValues& values, std::uint64_t budget)
 {
@@ -153,19 +152,19 @@ FileRaySource::FileRaySource(
 
 FileRaySource::~FileRaySource() = default;
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::size_t FileRaySource::GetNumberOfBlocks() const
 {
   return this->Self->File->GetChunks().size();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const Bounds& FileRaySource::GetBounds(std::size_t block) const
 {
   return this->Self->File->GetChunks()[block].Box;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Range FileRaySource::GetRange(std::size_t block) const
 {
   const auto& values = this->Self->Values;
@@ -173,7 +172,7 @@ Range FileRaySource::GetRange(std::size_t block) const
     this->Self->File->GetChunkRanges(values.Array, values.Step, block), values.Component);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 RaySource::Blocks FileRaySource::GetBlocks(
   std::span<const std::size_t> blocks, const Progress& progress)
 {
@@ -182,7 +181,7 @@ RaySource::Blocks FileRaySource::GetBlocks(
     { block = DecodeRayBlock(this->Self->Parts, this->Self->Values, chunk); });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 // Memory
 
 class MemoryRaySource::Internals
@@ -207,7 +206,7 @@ public:
   void Make(std::size_t index, RayBlock& block) const;
 };
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 MemoryRaySource::MemoryRaySource(const MeshInput& mesh, const RayValuesInput& values,
   const unsigned char* hidden, std::uint64_t budget, std::uint32_t blockTets,
   const Progress& progress)
@@ -223,7 +222,7 @@ MemoryRaySource::MemoryRaySource(const MeshInput& mesh, const RayValuesInput& va
 
 MemoryRaySource::~MemoryRaySource() = default;
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void MemoryRaySource::Internals::Measure(std::size_t block)
 {
   const bool ofCells = this->Values.Where == Association::Cell;
@@ -246,7 +245,7 @@ void MemoryRaySource::Internals::Measure(std::size_t block)
     });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void MemoryRaySource::Internals::Make(std::size_t index, RayBlock& block) const
 {
   std::unordered_map<std::uint64_t, std::uint32_t> places;
@@ -283,25 +282,25 @@ void MemoryRaySource::Internals::Make(std::size_t index, RayBlock& block) const
     });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::size_t MemoryRaySource::GetNumberOfBlocks() const
 {
   return this->Self->Boxes.size();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const Bounds& MemoryRaySource::GetBounds(std::size_t block) const
 {
   return this->Self->Boxes[block];
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Range MemoryRaySource::GetRange(std::size_t block) const
 {
   return this->Self->Ranges[block];
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 RaySource::Blocks MemoryRaySource::GetBlocks(
   std::span<const std::size_t> blocks, const Progress& progress)
 {

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunRayTable.h"
 
 #include <algorithm>
@@ -8,7 +7,7 @@
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 RayTable::RayTable(RayMode mode, const RayColour& colour, const Range& range, double sampleDistance,
   double unitDistance)
   : Mode(mode)
@@ -60,7 +59,7 @@ RayTable::RayTable(RayMode mode, const RayColour& colour, const Range& range, do
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool RayTable::IsTransparent(const Range& values) const
 {
   if (!(values.Min <= values.Max))

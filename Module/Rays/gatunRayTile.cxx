@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunRayTile.h"
 
 #include <algorithm>
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 RayTile::RayTile(int width, int height)
 {
   this->Near.fill(0);
@@ -30,7 +29,7 @@ RayTile::RayTile(int width, int height)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::size_t RayTile::CountFragments() const
 {
   auto count = this->Others.size();
@@ -41,7 +40,7 @@ std::size_t RayTile::CountFragments() const
   return count;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void RayTile::Clear(int slot, int pixel)
 {
   const int cell = ToCell(pixel);
@@ -51,7 +50,7 @@ void RayTile::Clear(int slot, int pixel)
   this->Firsts[slot][pixel] = -Never;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Fragment RayTile::Get(int slot, int pixel) const
 {
   const int cell = ToCell(pixel);
@@ -59,7 +58,7 @@ Fragment RayTile::Get(int slot, int pixel) const
     static_cast<std::uint32_t>(pixel), this->Sums[slot][pixel] };
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void RayTile::SetAside(int slot, int pixel)
 {
   if (this->Others.size() >= this->MostOthers)
@@ -70,7 +69,7 @@ void RayTile::SetAside(int slot, int pixel)
   this->Clear(slot, pixel);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void RayTile::MergeSlots(int pixel)
 {
   const int cell = ToCell(pixel);
@@ -84,7 +83,7 @@ void RayTile::MergeSlots(int pixel)
   this->Clear(1, pixel);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void RayTile::Consolidate()
 {
   auto& others = this->Others;
@@ -108,7 +107,7 @@ void RayTile::Consolidate()
   this->MostOthers = std::max<std::size_t>(this->MostOthers, 2 * n);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void Fragment::Append(const Fragment& behind)
 {
   for (unsigned i = 0; i < 3; ++i)

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunRayView.h"
 
 #include "gatunError.h"
@@ -22,7 +21,7 @@ void Require(bool holds, const char* what)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 RayView::RayView(const std::array<std::array<double, 4>, 3>& toEye, const RayFrustum& frustum,
   int width, int height, double sampleDistance)
   : Perspective(!frustum.Parallel)
@@ -59,7 +58,7 @@ RayView::RayView(const std::array<std::array<double, 4>, 3>& toEye, const RayFru
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::array<double, 3> RayView::Transform(const std::array<double, 3>& point) const
 {
   std::array<double, 3> result{};
@@ -71,7 +70,7 @@ std::array<double, 3> RayView::Transform(const std::array<double, 3>& point) con
   return result;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 double RayView::GetSamplesPerDepth(double x, double y) const
 {
   if (!this->Perspective)
@@ -83,7 +82,7 @@ double RayView::GetSamplesPerDepth(double x, double y) const
   return std::sqrt(1 + u * u + v * v) / this->SampleDistance;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void ClipByPlane(const RayView& view, const std::array<double, 4>& plane, RayLimits& limits)
 {
   // The plane in ray coordinates is n . p + d = 0 with n M = (a, b, c): by Cramer's rule.

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunRelease.h"
 
 #include <algorithm>
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 template <ReleaseFrom From>
 void Release::Find(std::span<const RayBlock::Tet> neighbours, std::span<const std::uint8_t> facing)
 {
@@ -72,7 +71,7 @@ void Release::Find(std::span<const RayBlock::Tet> neighbours, std::span<const st
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void Release::FindOrder(
   std::span<const RayBlock::Tet> neighbours, std::span<const std::uint8_t> facing, ReleaseFrom from)
 {

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunFileSurface.h"
 
 #include "gatunChunkSetDecoder.h"
@@ -37,7 +36,7 @@ struct FileSurface::Mesh
   std::vector<double> Values;
 };
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 FileSurface::FileSurface(std::shared_ptr<const FileReader> file, std::uint64_t cacheBudget,
   std::shared_ptr<const MergeTree> tree, std::size_t merges)
   : Cache(std::make_shared<ChunkCache>(std::move(file)))
@@ -51,7 +50,7 @@ FileSurface::FileSurface(std::shared_ptr<const FileReader> file, std::uint64_t c
 
 FileSurface::~FileSurface() = default;
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void FileSurface::SetCacheBudget(std::uint64_t bytes)
 {
   // After merges, chunks are decoded for their tetrahedra first, and then again for points.
@@ -60,7 +59,7 @@ void FileSurface::SetCacheBudget(std::uint64_t bytes)
   this->Cache->SetBudget(bytes + (this->Layout ? CoarseCache : SharedCache));
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void FileSurface::Check(const FileSurfaceRequest& request) const
 {
   const FileReader& file = *this->GetFile();
@@ -98,7 +97,7 @@ void FileSurface::Check(const FileSurfaceRequest& request) const
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const IntervalTree& FileSurface::GetRanges(const FileSurfaceRequest& request)
 {
   const TreeKey key{ request.Array, request.Component, request.Step };
@@ -119,21 +118,21 @@ const IntervalTree& FileSurface::GetRanges(const FileSurfaceRequest& request)
   return this->Ranges->second;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<std::uint32_t> FileSurface::FindChunks(const FileSurfaceRequest& request)
 {
   this->Check(request);
   return this->GetRanges(request).FindAny(request.Options.Values);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const Bounds& FileSurface::GetBounds(std::uint32_t chunk) const
 {
   return this->Layout ? this->GetFile()->GetChunkBounds(chunk, this->Layout->GetMerges())
                       : this->GetFile()->GetChunks()[chunk].Box;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool FileSurface::Touch(std::uint32_t a, std::uint32_t b) const
 {
   const Bounds& one = this->GetBounds(a);
@@ -142,7 +141,7 @@ bool FileSurface::Touch(std::uint32_t a, std::uint32_t b) const
     [](const Range& x, const Range& y) { return x.Min <= y.Max && y.Min <= x.Max; });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 FileSurface::Mesh FileSurface::Decode(
   std::vector<std::uint32_t> chunks, const FileSurfaceRequest& request) const
 {
@@ -207,7 +206,7 @@ FileSurface::Mesh FileSurface::Decode(
   return mesh;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<SurfacePart> FileSurface::MakeParts(const std::vector<std::uint32_t>& chunks,
   const FileSurfaceRequest& request, const Progress& progress) const
 {
@@ -223,7 +222,7 @@ std::vector<SurfacePart> FileSurface::MakeParts(const std::vector<std::uint32_t>
   return parts;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<SurfacePart> FileSurface::MakeCoarseParts(const std::vector<std::uint32_t>& chunks,
   const FileSurfaceRequest& request, const Progress& progress) const
 {
@@ -248,7 +247,7 @@ std::vector<SurfacePart> FileSurface::MakeCoarseParts(const std::vector<std::uin
   return parts;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Surface FileSurface::Extract(const FileSurfaceRequest& request, const Progress& progress)
 {
   const auto all = this->FindChunks(request);

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunIntervalTree.h"
 
 #include <algorithm>
@@ -8,7 +7,7 @@
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 IntervalTree::IntervalTree(std::span<const Range> ranges)
   : Count(ranges.size())
 {
@@ -23,7 +22,7 @@ IntervalTree::IntervalTree(std::span<const Range> ranges)
   this->Root = this->Build(ranges, std::move(members));
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::int32_t IntervalTree::Build(std::span<const Range> ranges, std::vector<std::uint32_t> members)
 {
   if (members.empty())
@@ -66,7 +65,7 @@ std::int32_t IntervalTree::Build(std::span<const Range> ranges, std::vector<std:
   return static_cast<std::int32_t>(place);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<std::uint32_t> IntervalTree::FindAny(std::span<const double> values) const
 {
   std::vector<bool> found(this->Count, false);

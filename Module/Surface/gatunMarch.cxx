@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunMarch.h"
 
 #include "gatunError.h"
@@ -203,7 +202,7 @@ private:
 };
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 MarchedSurface March(
   const MarchInput& mesh, std::uint64_t first, std::uint64_t last, std::span<const double> values)
 {

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunStrips.h"
 
 #include <algorithm>
@@ -104,7 +103,7 @@ private:
 };
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<std::vector<std::uint32_t>> MakeStrips(
   std::span<const std::array<std::uint32_t, 3>> triangles)
 {

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunSurface.h"
 
 #include "gatunError.h"
@@ -114,7 +113,7 @@ private:
 };
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Surface::Surface(
   std::vector<SurfacePart> parts, ScalarType coordinateType, const std::vector<std::size_t>& ghosts)
   : Parts(std::move(parts))
@@ -181,7 +180,7 @@ Surface::Surface(
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void Surface::Copy(std::size_t tupleSize, void* to,
   const std::vector<std::uint8_t>& (*from)(const SurfacePart&, std::size_t), std::size_t i) const
 {
@@ -204,7 +203,7 @@ void Surface::Copy(std::size_t tupleSize, void* to,
     });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void Surface::FillPoints(void* to) const
 {
   this->Copy(
@@ -212,7 +211,7 @@ void Surface::FillPoints(void* to) const
     [](const SurfacePart& part, std::size_t) -> const auto& { return part.Points; }, 0);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void Surface::FillPointArray(std::size_t i, std::size_t tupleSize, void* to) const
 {
   this->Copy(
@@ -220,7 +219,7 @@ void Surface::FillPointArray(std::size_t i, std::size_t tupleSize, void* to) con
     [](const SurfacePart& part, std::size_t a) -> const auto& { return part.PointArrays[a]; }, i);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void Surface::FillCellArray(std::size_t i, std::size_t tupleSize, void* to) const
 {
   auto* out = static_cast<std::uint8_t*>(to);
@@ -234,7 +233,7 @@ void Surface::FillCellArray(std::size_t i, std::size_t tupleSize, void* to) cons
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void Surface::FillNormals(float* to) const
 {
   std::vector<std::array<double, 3>> sums(this->Points, std::array<double, 3>{});

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-
 #include "gatunSurfacePart.h"
 
 #include "gatunParallel.h"
@@ -168,7 +167,7 @@ std::vector<Vector> AddGradients(const SurfaceInput& input, const MarchedSurface
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 SurfacePart MakeSurfacePart(
   const SurfaceInput& input, const SurfaceOptions& options, std::uint64_t first, std::uint64_t last)
 {
@@ -200,7 +199,7 @@ SurfacePart MakeSurfacePart(
   return part;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<SurfacePart> MakeSurfaceParts(const SurfaceInput& input, const SurfaceOptions& options,
   std::uint64_t tets, const std::function<bool(double)>& progress)
 {
@@ -217,7 +216,7 @@ std::vector<SurfacePart> MakeSurfaceParts(const SurfaceInput& input, const Surfa
   return parts;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void SetMarchValues(MarchInput& mesh, const TupleView& array, std::size_t tuples, int component,
   std::vector<double>& converted)
 {
