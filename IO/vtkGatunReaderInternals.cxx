@@ -63,12 +63,13 @@ std::pair<std::size_t, std::size_t> FindRange(
   if (found == arrays.end())
   {
     gatun::ThrowInvalid(
-      file.GetPath() + ": there is no " + place + " array '" + name + "' for the value range");
+      "there is no " + place + " array '" + name + "' for the value range", file.GetPath());
   }
   if (component >= static_cast<int>(found->Components))
   {
-    gatun::ThrowInvalid(file.GetPath() + ": the " + place + " array '" + name +
-      "' has no component " + std::to_string(component) + " for the value range");
+    gatun::ThrowInvalid("the " + place + " array '" + name + "' has no component " +
+        std::to_string(component) + " for the value range",
+      file.GetPath());
   }
   const std::size_t length = found->Components > 1 ? found->Components : 0;
   return { static_cast<std::size_t>(found - arrays.begin()),

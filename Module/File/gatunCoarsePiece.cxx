@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
+
 #include "gatunCoarsePiece.h"
 
 #include "gatunChunkCache.h"
@@ -17,7 +18,7 @@ namespace
 {
 constexpr std::uint32_t None = 0xffffffffu;
 
-/** Copies tuples of so many bytes; pairs say from where to where. */
+/** Copies tuples. Pairs contain source and destination. */
 template <typename Pairs>
 void CopyTuples(const void* from, void* to, std::size_t bytes, const Pairs& pairs)
 {
@@ -29,7 +30,7 @@ void CopyTuples(const void* from, void* to, std::size_t bytes, const Pairs& pair
   }
 }
 
-/** Where each of some things goes that are sorted by their numbers. */
+/** Ranks of items by their numbers. */
 std::vector<std::uint32_t> FindRanks(const std::vector<std::int64_t>& numbers)
 {
   std::vector<std::uint32_t> order(numbers.size());
@@ -45,7 +46,7 @@ std::vector<std::uint32_t> FindRanks(const std::vector<std::int64_t>& numbers)
 }
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 CoarseChunk DecodeCoarse(
   const std::shared_ptr<ChunkCache>& cache, const CoarseLayout& layout, std::uint32_t chunk)
 {
@@ -56,7 +57,7 @@ CoarseChunk DecodeCoarse(
   target.Connectivity = tets.data();
   target.WideIds = false;
   decoder.Fill(target, {}, 0, false, {});
-  // Places in the chunk become points of the file, and these their ancestors.
+  // Positions in the chunk become points of the file, and these their ancestors.
   auto ancestors = layout.GetPoints(chunk);
   for (auto& point : ancestors)
   {
@@ -74,7 +75,7 @@ CoarseChunk DecodeCoarse(
   return left;
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 CoarsePiece::CoarsePiece(std::shared_ptr<ChunkCache> cache,
   std::shared_ptr<const CoarseLayout> layout, const PieceRequest& request, const Progress& progress)
   : Cache(std::move(cache))
@@ -92,7 +93,7 @@ CoarsePiece::CoarsePiece(std::shared_ptr<ChunkCache> cache,
   }
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 CoarsePiece::Part& CoarsePiece::GetPart(std::uint32_t chunk)
 {
   const auto found = std::find_if(
@@ -100,7 +101,7 @@ CoarsePiece::Part& CoarsePiece::GetPart(std::uint32_t chunk)
   return found != this->Parts.end() ? *found : this->Parts.emplace_back(Part{ chunk, {}, {} });
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 void CoarsePiece::AddTets(const Progress& progress)
 {
   auto chunks = this->Request.Chunks;
@@ -135,8 +136,8 @@ void CoarsePiece::AddTets(const Progress& progress)
   this->AddGhosts(left, chunks);
 }
 
-//------------------------------------------------------------------------------
-/** Layers of tetrahedra that share a point with those that are there already. */
+//--------------------------------------------------------------------------------------------------
+/** Adds layers of tetrahedra that share a point with the previous ones. */
 void CoarsePiece::AddGhosts(
   std::vector<CoarseChunk>& around, const std::vector<std::uint32_t>& chunks)
 {
@@ -154,7 +155,7 @@ void CoarsePiece::AddGhosts(
     }
     if (known > 0 && known == this->Tets.size())
     {
-      return; // all that can be reached
+      return; // nothing more can be reached
     }
     known = this->Tets.size();
     for (std::size_t i = 0; i < chunks.size(); ++i)
@@ -176,7 +177,7 @@ void CoarsePiece::AddGhosts(
   }
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 /** Whether a point belongs to the piece: see PieceTarget::PointGhosts. */
 bool CoarsePiece::Owns(std::uint32_t point) const
 {
@@ -197,12 +198,13 @@ bool CoarsePiece::Owns(std::uint32_t point) const
   return owner != group->Chunks.end() && has(this->Request.Chunks, *owner);
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 void CoarsePiece::AddPoints()
 {
   const auto& ancestors = this->Layout->GetAncestors();
   std::vector<std::uint32_t> places(ancestors.size(), None);
-  // First marks, then places in the order of the file: the piece's own, then those of ghosts.
+  // First marks, then positions in the order of the file: points of the piece, then those of
+  // ghosts.
   constexpr std::uint32_t ofPiece = 0;
   constexpr std::uint32_t ofGhosts = 1;
   for (std::size_t i = this->Tets.size(); i > 0; --i)
@@ -252,7 +254,7 @@ void CoarsePiece::AddPoints()
     }
   }
 
-  // From chunks that are decoded anyway, as far as possible.
+  // Chunks that are decoded anyway come first.
   const auto take = [&](std::uint32_t chunk)
   {
     auto& copies = this->GetPart(chunk).Points;
@@ -291,7 +293,7 @@ void CoarsePiece::AddPoints()
   }
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 void CoarsePiece::RestoreOrder()
 {
   const auto kept = this->File->GetKeptOrder();
@@ -348,7 +350,7 @@ void CoarsePiece::RestoreOrder()
   }
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 void CoarsePiece::Fill(const PieceTarget& target, const std::vector<std::uint32_t>& arrays,
   std::size_t step, const Progress& progress) const
 {
@@ -383,7 +385,7 @@ void CoarsePiece::Fill(const PieceTarget& target, const std::vector<std::uint32_
     [&](std::size_t i) { this->FillPart(this->Parts[i], target, arrays, step); }, progress);
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 void CoarsePiece::FillPart(const Part& part, const PieceTarget& target,
   const std::vector<std::uint32_t>& arrays, std::size_t step) const
 {

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
+
 #include "gatunSimplifiedFile.h"
 
 #include "gatunError.h"
@@ -8,13 +9,13 @@
 
 namespace gatun
 {
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 SimplifiedFile::SimplifiedFile(std::shared_ptr<const FileReader> file)
 {
   if (!file->HasMergeTree())
   {
     ThrowInvalid(
-      file->GetPath() + ": there is no hierarchy in the file; make one with gtn pack --hierarchy");
+      "there is no hierarchy in the file; make one with gtn pack --hierarchy", file->GetPath());
   }
   this->Levels.push_back({ 0, file, nullptr });
   for (const auto merges : file->GetLevels())
@@ -23,7 +24,7 @@ SimplifiedFile::SimplifiedFile(std::shared_ptr<const FileReader> file)
   }
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 void SimplifiedFile::Open(std::size_t level)
 {
   if (!this->Levels[level].File)
@@ -32,7 +33,7 @@ void SimplifiedFile::Open(std::size_t level)
   }
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 const std::shared_ptr<const MergeTree>& SimplifiedFile::GetTree(Level& level)
 {
   if (!level.Tree)
@@ -42,14 +43,14 @@ const std::shared_ptr<const MergeTree>& SimplifiedFile::GetTree(Level& level)
   return level.Tree;
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 const MergeTree& SimplifiedFile::GetTree()
 {
   const std::lock_guard<std::mutex> lock(this->Guard);
   return *this->GetTree(this->Levels.front());
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 SimplifiedFile::Place SimplifiedFile::Find(std::size_t merges, bool withBaseMeshes)
 {
   const std::lock_guard<std::mutex> lock(this->Guard);
@@ -64,17 +65,17 @@ SimplifiedFile::Place SimplifiedFile::Find(std::size_t merges, bool withBaseMesh
   return { level.File, more > 0 ? this->GetTree(level) : nullptr, more };
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 std::uint64_t SimplifiedFile::EstimateTets(std::size_t merges) const
 {
-  // Tetrahedra go as points do.
+  // Assumes that tetrahedra and points decrease in proportion.
   const FileReader& file = *this->GetFile();
   const auto used = static_cast<double>(file.GetNumberOfPoints() - file.GetNumberOfUnusedPoints());
   const double left = used > 0 ? std::max(0.0, used - static_cast<double>(merges)) / used : 1;
   return static_cast<std::uint64_t>(left * static_cast<double>(file.GetNumberOfTets()));
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 std::uint64_t SimplifiedFile::GetBytesRead() const
 {
   const std::lock_guard<std::mutex> lock(this->Guard);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
+
 #ifndef gatunVerifyFile_h
 #define gatunVerifyFile_h
 
@@ -10,8 +11,8 @@
 
 namespace gatun
 {
-/** Reads a whole file and checks every checksum and that every stream decodes. Returns false if
- * progress asked to stop. Throws gatun::Error at the first thing that is wrong. */
+/** Checks all checksums of a file and decodes all streams. Returns false if progress asked to stop.
+ * Throws Error for the first defect. */
 VTKGATUNCORE_EXPORT bool VerifyFile(
   const FileReader& file, const std::function<bool(double)>& progress = {});
 }

@@ -82,7 +82,7 @@ void AddLayers(Json& json, const gatun::FileReader& file)
   const gatun::Layers& layers = file.GetLayers();
   json.BeginObject("layers");
   json.Add("array", file.GetArrays()[layers.Array].Name);
-  if (layers.Component < file.GetArrays()[layers.Array].Components)
+  if (layers.Component >= 0)
   {
     json.Add("component", static_cast<std::uint64_t>(layers.Component));
   }
