@@ -34,6 +34,12 @@
 
 vtkStandardNewMacro(vtkGatunRayCaster);
 
+// One numbering for all classes that draw.
+static_assert(int{ vtkGatunRayCaster::COMPOSITE_BLEND } == gatun::CompositeBlend);
+static_assert(int{ vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND } == gatun::MaximumIntensityBlend);
+static_assert(int{ vtkGatunRayCaster::AREA_BLEND } == gatun::AreaBlend);
+static_assert(int{ vtkGatunRayCaster::XRAY_BLEND } == gatun::XRayBlend);
+
 //------------------------------------------------------------------------------
 class vtkGatunRayCaster::vtkPipeline : public gatun::ImagePipeline
 {
