@@ -198,8 +198,8 @@ Bytes MeshTable::Write(std::uint8_t keep) const
   {
     out.PutVarint(chunk.Info.Tets);
     out.PutVarint(chunk.Info.OwnPoints);
-    out.PutVarint(chunk.Info.Level);
-    out.PutVarint(chunk.Info.Bucket);
+    out.PutVarint(0); // reserved
+    out.PutVarint(0);
     for (const auto& range : chunk.Info.Box)
     {
       PutRange(out, range);
@@ -272,9 +272,9 @@ MeshTable MeshTable::Read(std::span<const std::uint8_t> bytes, const MetaTable& 
   {
     chunk.Info.Tets = in.GetVarint();
     chunk.Info.OwnPoints = in.GetVarint();
-    chunk.Info.Level = GetSmall(in);
-    chunk.Info.Bucket = GetSmall(in);
-    Check(chunk.Info.Level == 0 && chunk.Info.Bucket == 0,
+    const std::uint32_t level = GetSmall(in); // reserved
+    const std::uint32_t bucket = GetSmall(in);
+    Check(level == 0 && bucket == 0,
       "a chunk belongs to a level or bucket, which this version does not know");
     for (auto& range : chunk.Info.Box)
     {

@@ -115,8 +115,6 @@ struct ChunkInfo
   std::uint64_t FirstTet = 0;     ///< its tetrahedra are FirstTet ... FirstTet + Tets - 1
   std::uint64_t FirstPoint = 0;   ///< its own points are FirstPoint ... FirstPoint + OwnPoints - 1
   Bounds Box;
-  std::uint32_t Level = 0;  ///< level of detail, 0 the full mesh
-  std::uint32_t Bucket = 0; ///< layer bucket, 0 when the file is not organised by layers
   std::vector<std::uint32_t> Neighbours; ///< chunks that share a point with this one, ascending
 };
 
