@@ -122,6 +122,11 @@ private:
   List Uses; // last used first
   Map Parts;
 };
+
+inline ChunkCache::Internals& InternalsOf(ChunkCache& cache)
+{
+  return *cache.Self;
+}
 }
 
 #endif

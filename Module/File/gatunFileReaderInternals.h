@@ -102,6 +102,11 @@ private:
              .compare(0, this->File.GetPath().size(), this->File.GetPath()) == 0;
   }
 };
+
+inline const FileReader::Internals& InternalsOf(const FileReader& file)
+{
+  return *file.Self;
+}
 }
 
 #endif
