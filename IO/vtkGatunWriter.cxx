@@ -32,7 +32,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <functional>
 #include <set>
 #include <stdexcept>
@@ -44,16 +43,6 @@ namespace
 {
 
 using gatun::Association;
-
-//------------------------------------------------------------------------------
-std::string Line(const std::string& what, std::uint64_t bytes, std::uint64_t tets)
-{
-  char text[64];
-  const double bits = tets > 0 ? 8.0 * static_cast<double>(bytes) / static_cast<double>(tets) : 0;
-  std::snprintf(
-    text, sizeof(text), "%14llu %11.3f  ", static_cast<unsigned long long>(bytes), bits);
-  return text + what + "\n";
-}
 
 //------------------------------------------------------------------------------
 // By which of the arrays to organise a file; component -1 is the length. Throws if it is not there.
@@ -112,10 +101,6 @@ public:
   std::vector<gatun::ArrayDescription> Arrays;
   gatun::MergeTree Tree;
   std::set<std::string> Warned;
-
-  // Of the last file.
-  gatun::FileStatistics Statistics;
-  std::vector<std::string> StatisticsNames;
 
   void Discard()
   {
@@ -548,14 +533,7 @@ void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
     return;
   }
 
-  self.Statistics = self.File->Finish();
-  self.StatisticsNames.clear();
-  for (const gatun::ArrayDescription& array : self.Arrays)
-  {
-    self.StatisticsNames.push_back(
-      (array.Where == Association::Point ? "point array " : "cell array ") + array.Name);
-  }
-  const gatun::FileStatistics& statistics = self.Statistics;
+  const gatun::FileStatistics statistics = self.File->Finish();
   this->WrittenPoints = self.Mesh->Mesh.Points;
   this->WrittenTets = self.Mesh->Mesh.Tets;
   this->WrittenSteps = steps;
@@ -572,31 +550,4 @@ void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
   this->HierarchyBytes = statistics.TreeBytes;
   this->LevelBytes = statistics.LevelBytes;
   this->DirectoryBytes = statistics.DirectoryBytes;
-}
-
-//------------------------------------------------------------------------------
-std::string vtkGatunWriter::GetStatistics() const
-{
-  const gatun::FileStatistics& statistics = this->Internals->Statistics;
-  const std::uint64_t tets = this->WrittenTets;
-  std::string text = std::to_string(tets) + " tetrahedra, " + std::to_string(this->WrittenPoints) +
-    " points, " + std::to_string(this->WrittenSteps) + " time steps\n" +
-    "         bytes    bits/tet\n";
-  text += Line("connectivity", statistics.ConnectivityBytes, tets);
-  text += Line("coordinates", this->GeometryBytes, tets);
-  for (std::size_t i = 0;
-       i < std::min(statistics.ArrayBytes.size(), this->Internals->StatisticsNames.size()); ++i)
-  {
-    text += Line(this->Internals->StatisticsNames[i], statistics.ArrayBytes[i], tets);
-  }
-  text += Line("order", statistics.OrderBytes, tets);
-  text += Line("field data", statistics.FieldDataBytes, tets);
-  if (statistics.TreeBytes > 0)
-  {
-    text += Line("hierarchy", statistics.TreeBytes, tets);
-    text += Line("base meshes", statistics.LevelBytes, tets);
-  }
-  text += Line("directory", statistics.DirectoryBytes, tets);
-  text += Line("file", statistics.FileBytes, tets);
-  return text;
 }
