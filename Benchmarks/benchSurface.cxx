@@ -106,7 +106,7 @@ std::unique_ptr<SurfaceMaker> MakeSurfaceMaker(
   {
     auto maker = std::make_unique<GatunMaker>(array);
     maker->Reader->SetFileName(file.c_str());
-    maker->Reader->SetCacheSize(0);
+    maker->Reader->SetMemoryBudget(0);
     maker->Contour->SetInputConnection(maker->Reader->GetOutputPort());
     return maker;
   }

@@ -83,7 +83,7 @@ Grid LoadWhole(const std::string& file)
     return Load(file);
   }
   vtkNew<vtkGatunReader> reader;
-  reader->SetCacheSize(0);
+  reader->SetMemoryBudget(0);
   reader->SetFileName(file.c_str());
   reader->Update();
   if (reader->GetErrorCode() != 0)
@@ -103,7 +103,7 @@ void DrawWhole(vtkGatunRayCaster* caster, const Options& options)
 void DrawFile(vtkGatunRayCaster* caster, const Options& options)
 {
   vtkNew<vtkGatunReader> reader;
-  reader->SetCacheSize(0);
+  reader->SetMemoryBudget(0);
   reader->SetFileName(options.File.c_str());
   caster->SetInputConnection(reader->GetOutputPort());
   Draw(caster, MakeScene(gatun::FileReader(options.File), options.Array), options);

@@ -39,7 +39,7 @@ std::unique_ptr<SurfaceMaker> Open(const Options& options)
   auto maker = MakeSurfaceMaker(options.Way, options.File, options.Array);
   if (maker->GetReader())
   {
-    maker->GetReader()->SetCacheSize(options.Cache);
+    maker->GetReader()->SetMemoryBudget(options.Cache);
   }
   return maker;
 }

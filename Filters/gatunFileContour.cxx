@@ -22,7 +22,7 @@ namespace
 {
 /** The arrays of the surface: those that the reader would read, as of any other input. */
 SurfaceOutput ChooseArrays(
-  const FileHandle& handle, const ContourSettings& settings, FileSurfaceRequest& request)
+  const PublishedFile& handle, const ContourSettings& settings, FileSurfaceRequest& request)
 {
   const FileReader& file = *handle.File->GetFile();
   const auto& arrays = file.GetArrays();
@@ -55,7 +55,7 @@ SurfaceOutput ChooseArrays(
 }
 
 //------------------------------------------------------------------------------
-void FileContour::Open(const FileHandle& handle)
+void FileContour::Open(const PublishedFile& handle)
 {
   if (this->Extractor && handle.File == this->File && handle.Merges == this->Merges)
   {
@@ -82,7 +82,7 @@ void FileContour::Close()
 }
 
 //------------------------------------------------------------------------------
-void FileContour::Fill(const FileHandle& handle, const ContourSettings& settings,
+void FileContour::Fill(const PublishedFile& handle, const ContourSettings& settings,
   vtkInformation* inInfo, vtkInformation* outInfo, const ContourProgress& progress,
   vtkPolyData* output)
 {

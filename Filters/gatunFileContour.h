@@ -16,7 +16,7 @@ class vtkPolyData;
 
 namespace gatun
 {
-struct FileHandle;
+struct PublishedFile;
 class SharedFile;
 
 /** Makes isosurfaces of the file behind a reader. Keeps what the next isovalues need. */
@@ -24,7 +24,7 @@ class FileContour
 {
 public:
   /** InInfo: of the input, with the time; outInfo: with the piece. Throws Error. */
-  void Fill(const FileHandle& handle, const ContourSettings& settings, vtkInformation* inInfo,
+  void Fill(const PublishedFile& handle, const ContourSettings& settings, vtkInformation* inInfo,
     vtkInformation* outInfo, const ContourProgress& progress, vtkPolyData* output);
 
   /** Lets go of the file. */
@@ -38,7 +38,7 @@ public:
   void ClearStatistics() { this->Statistics = {}; }
 
 private:
-  void Open(const FileHandle& handle);
+  void Open(const PublishedFile& handle);
 
   std::shared_ptr<SharedFile> File;
   std::size_t Merges = 0;

@@ -189,7 +189,7 @@ int vtkGatunContour::RequestData(
     return !gatun::IsAborted(this);
   };
   vtkInformation* const inInfo = inputVector[0]->GetInformationObject(0);
-  const gatun::FileHandle* const file = gatun::GetUsableFile(this->GetFileInformation(inInfo));
+  const gatun::PublishedFile* const file = gatun::GetUsableFile(this->GetFileInformation(inInfo));
   try
   {
     const auto settings = self.GetSettings(this);

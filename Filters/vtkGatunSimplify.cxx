@@ -44,6 +44,11 @@ vtkStandardNewMacro(vtkGatunSimplify);
 
 namespace
 {
+static_assert(int{ vtkGatunSimplify::TARGET_RATIO } == gatun::SimplifyTarget::Ratio);
+static_assert(
+  int{ vtkGatunSimplify::TARGET_NUMBER_OF_POINTS } == gatun::SimplifyTarget::NumberOfPoints);
+static_assert(int{ vtkGatunSimplify::TARGET_RMS_ERROR } == gatun::SimplifyTarget::RMSError);
+
 void CopyTuples(vtkDataSetAttributes* from, vtkIdList* ids, vtkDataSetAttributes* to)
 {
   vtkNew<vtkIdList> places;
@@ -109,7 +114,7 @@ public:
   gatun::MergeWeights UsedWeights;
   gatun::MergeSettings Settings;
   gatun::MergeTree Tree;
-  double OutputError = 0;
+  double OutputRMSError = 0;
 
   // The file that the last output came from, if it came from one.
   std::shared_ptr<gatun::SharedFile> File;
@@ -117,37 +122,29 @@ public:
   gatun::PieceReader Pieces;
   bool HasWarned = false; // that pieces do not fit together
 
-  static const gatun::FileHandle* FindHierarchy(vtkGatunSimplify* self, vtkInformation* inInfo);
-  static gatun::SimplifyTarget GetTarget(const vtkGatunSimplify* self);
+  static const gatun::PublishedFile* FindHierarchy(vtkGatunSimplify* self, vtkInformation* inInfo);
 
   void ForgetFile();
   void ForgetGrid();
-  void FillFromFile(vtkGatunSimplify* self, const gatun::FileHandle& handle, vtkInformation* inInfo,
-    vtkInformation* outInfo, vtkUnstructuredGrid* output);
+  void FillFromFile(vtkGatunSimplify* self, const gatun::PublishedFile& handle,
+    vtkInformation* inInfo, vtkInformation* outInfo, vtkUnstructuredGrid* output);
   void FillFromGrid(vtkGatunSimplify* self, vtkInformation* outInfo, vtkUnstructuredGrid* input,
     vtkUnstructuredGrid* output);
   void Prepare(vtkGatunSimplify* self, vtkUnstructuredGrid* input);
+  static gatun::SimplifyProperties Target(const vtkGatunSimplify* self);
 };
 
 //------------------------------------------------------------------------------
 /** The file that the input comes from, if its hierarchy is to be used. */
-const gatun::FileHandle* vtkGatunSimplify::vtkInternals::FindHierarchy(
+const gatun::PublishedFile* vtkGatunSimplify::vtkInternals::FindHierarchy(
   vtkGatunSimplify* self, vtkInformation* inInfo)
 {
   if (!self->UseFileHierarchy)
   {
     return nullptr;
   }
-  const gatun::FileHandle* const handle = gatun::GetUsableFile(self->GetFileInformation(inInfo));
+  const gatun::PublishedFile* const handle = gatun::GetUsableFile(self->GetFileInformation(inInfo));
   return handle && handle->File->GetFile()->HasMergeTree() ? handle : nullptr;
-}
-
-//------------------------------------------------------------------------------
-gatun::SimplifyTarget vtkGatunSimplify::vtkInternals::GetTarget(const vtkGatunSimplify* self)
-{
-  const double values[] = { self->Ratio, self->Percent, static_cast<double>(self->NumberOfPoints),
-    self->MaximumError };
-  return { self->Target, values[self->Target] };
 }
 
 //------------------------------------------------------------------------------
@@ -169,7 +166,7 @@ void vtkGatunSimplify::vtkInternals::ForgetGrid()
 //------------------------------------------------------------------------------
 /** The merges of the file, after those that the reader makes. */
 void vtkGatunSimplify::vtkInternals::FillFromFile(vtkGatunSimplify* self,
-  const gatun::FileHandle& handle, vtkInformation* inInfo, vtkInformation* outInfo,
+  const gatun::PublishedFile& handle, vtkInformation* inInfo, vtkInformation* outInfo,
   vtkUnstructuredGrid* output)
 {
   this->ForgetGrid();
@@ -181,8 +178,8 @@ void vtkGatunSimplify::vtkInternals::FillFromFile(vtkGatunSimplify* self,
   const gatun::FileReader& file = *handle.File->GetFile();
   gatun::SimplifiedFile& hierarchy = handle.File->GetHierarchy();
   // The target is about the reader's mesh, except for an error, which is about the whole mesh.
-  const gatun::SimplifyTarget target = GetTarget(self);
-  const bool isError = target.Kind == gatun::SimplifyTarget::MaximumError;
+  const gatun::SimplifyTarget target = Target(self).GetTarget();
+  const bool isError = target.Kind == gatun::SimplifyTarget::RMSError;
   const std::size_t before = isError ? 0 : handle.Merges;
   const std::size_t merges = before +
     gatun::CountMerges(target, file.GetNumberOfPoints() - before, file.GetNumberOfMerges() - before,
@@ -210,8 +207,9 @@ void vtkGatunSimplify::vtkInternals::FillFromGrid(vtkGatunSimplify* self, vtkInf
 {
   this->ForgetFile();
   this->Prepare(self, input);
-  const std::size_t merges = gatun::CountMerges(GetTarget(self), this->Tree.GetNumberOfPoints(),
-    this->Tree.GetMerges().size(), [this]() -> const gatun::MergeTree& { return this->Tree; });
+  const std::size_t merges =
+    gatun::CountMerges(Target(self).GetTarget(), this->Tree.GetNumberOfPoints(),
+      this->Tree.GetMerges().size(), [this]() -> const gatun::MergeTree& { return this->Tree; });
   if (merges == 0)
   {
     output->ShallowCopy(this->Tets);
@@ -225,7 +223,7 @@ void vtkGatunSimplify::vtkInternals::FillFromGrid(vtkGatunSimplify* self, vtkInf
       "input is a vtkGatunReader whose file has a hierarchy (gtn pack --hierarchy).");
   }
   FillOutput(this->Tets, this->Tree, merges, output);
-  this->OutputError = this->Tree.GetLargestError(merges);
+  this->OutputRMSError = this->Tree.GetLargestError(merges);
 }
 
 //------------------------------------------------------------------------------
@@ -262,6 +260,13 @@ void vtkGatunSimplify::vtkInternals::Prepare(vtkGatunSimplify* self, vtkUnstruct
   this->Stamp = input->GetMTime();
   this->UsedWeights = std::move(weights);
   this->Settings = settings;
+}
+
+//------------------------------------------------------------------------------
+gatun::SimplifyProperties vtkGatunSimplify::vtkInternals::Target(const vtkGatunSimplify* self)
+{
+  return { self->SimplificationTarget, self->SimplificationRatio,
+    self->SimplificationNumberOfPoints, self->SimplificationRMSError };
 }
 
 //------------------------------------------------------------------------------
@@ -305,12 +310,12 @@ vtkIdType vtkGatunSimplify::GetMostMerges()
 }
 
 //------------------------------------------------------------------------------
-double vtkGatunSimplify::GetOutputError()
+double vtkGatunSimplify::GetOutputRMSError()
 {
   auto& self = *this->Internals;
   if (!self.File || self.FileMerges == 0)
   {
-    return self.OutputError;
+    return self.OutputRMSError;
   }
   try
   {
@@ -367,8 +372,8 @@ int vtkGatunSimplify::RequestData(
   output->Initialize();
   this->SetErrorCode(vtkErrorCode::NoError);
   auto& self = *this->Internals;
-  self.OutputError = 0;
-  const gatun::FileHandle* const file = vtkInternals::FindHierarchy(this, inInfo);
+  self.OutputRMSError = 0;
+  const gatun::PublishedFile* const file = vtkInternals::FindHierarchy(this, inInfo);
   try
   {
     if (file)
@@ -401,12 +406,7 @@ int vtkGatunSimplify::RequestData(
 void vtkGatunSimplify::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const char* const targets[] = { "Ratio", "Percent", "NumberOfPoints", "MaximumError" };
-  os << indent << "Target: " << targets[this->Target] << "\n";
-  os << indent << "Ratio: " << this->Ratio << "\n";
-  os << indent << "Percent: " << this->Percent << "\n";
-  os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
-  os << indent << "MaximumError: " << this->MaximumError << "\n";
+  vtkInternals::Target(this).Print(os, indent);
   os << indent << "Metric: " << (this->Metric == METRIC_MASS ? "Mass" : "Density") << "\n";
   os << indent << "BoundaryWeight: " << this->BoundaryWeight << "\n";
   os << indent << "UseFileHierarchy: " << (this->UseFileHierarchy ? "On" : "Off") << "\n";

@@ -4,38 +4,44 @@
  * @class vtkGatunSimplify
  * @brief Simplifies a tetrahedral mesh to any degree.
  *
- * The filter merges points into neighbors by edge collapses, the cheapest one first. The cost is
- * the square of the change of the values and, on the boundary, of the shape. The order of all
- * merges is found once for a mesh, which takes a while. Afterwards, another target takes one pass.
- * Tetrahedra keep their orientation, points of the boundary stay on it, and the topology does not
- * change. A mesh can only become as coarse as that allows.
+ * The filter collapses edges: a point is merged into a neighbor, the cheapest merge first. The cost
+ * of a merge is the squared change of the values and, on the boundary, of the shape. The order of
+ * all merges is computed once for a mesh. After that, each target takes one pass over the mesh.
+ * Tetrahedra keep their orientation, boundary points stay on the boundary, and the topology does
+ * not change, which limits how coarse a mesh can become.
  *
- * Input: a vtkUnstructuredGrid. Other linear cells are split into tetrahedra, as in vtkGatunWriter.
- * Ghost cells are left out. Output: the remaining points at their places and in their order, with
- * their point data; the remaining tetrahedra with their cell data; field data.
+ * Input: a vtkUnstructuredGrid. Other linear 3D cells are split into tetrahedra, as in
+ * vtkGatunWriter. Ghost cells are left out. Output: the remaining points, unmoved and in their
+ * order, with their point data; the remaining tetrahedra with their cell data; the field data.
  *
  * *From a file.* If the input is the output of a vtkGatunReader without a region of interest, and
  * its file has a hierarchy (vtkGatunWriter::Hierarchy), the filter finds a vtkGatunFileHandle in
  * the information of its input and uses the order of merges in the file, and its base meshes. The
  * reader is then not asked for the mesh. The output is what the reader gives with the same number
  * of merges: the same points and cells in the same order, with pieces that fit together, ghost
- * cells, time steps and the selected arrays. If the reader simplifies, too, Ratio, Percent and
- * NumberOfPoints refer to its mesh. Metric, BoundaryWeight and array weights have no influence, as
- * they were chosen when the file was written; see UseFileHierarchy.
+ * cells, time steps and the selected arrays. If the reader simplifies, too, SimplificationRatio and
+ * SimplificationNumberOfPoints refer to its mesh. Metric, BoundaryWeight and array weights have no
+ * influence, since they were chosen when the file was written; see UseFileHierarchy.
  *
- * *Pieces.* Without a file that has a hierarchy, each piece is simplified on its own. Pieces do not
- * fit together then, which a warning says once.
+ * *Pieces.* Without a file that has a hierarchy, each piece is simplified on its own, and pieces do
+ * not fit together. The filter warns once.
  *
- * *Cost.* One thread; about 150 bytes a tetrahedron, with one array, while the order of merges is
- * found, and 20 bytes a point as long as the input does not change. From a file: that of the
- * reader.
+ * *Cost.* From a file, that of the reader. Otherwise: the filter uses one thread. The computation
+ * of the order takes about 150 bytes a tetrahedron, with one array. The order is kept as long as
+ * the input does not change and takes 20 bytes a point.
  *
- * *Errors.* A target or a weight that makes no sense, cells that cannot be converted to tetrahedra
- * and damaged files are reported by vtkErrorMacro and GetErrorCode. The output is then empty.
+ * *Abort.* AbortExecute is checked while the order is computed. The output is then empty and
+ * GetErrorCode is vtkGatunErrorCode::AbortedError.
+ *
+ * *Errors.* A target or a weight that is NaN, a weight for an array that does not exist, and cells
+ * that cannot be converted to tetrahedra are reported by vtkErrorMacro. GetErrorCode is then
+ * vtkGatunErrorCode::InvalidInputError, and the output is empty.
  *
  * @par Background
  * A. Van Gelder, V. Verma, J. Wilhelms: Volume decimation of irregular tetrahedral grids. Computer
- * Graphics International 1999. C. Yang: On-the-fly processing of compressed volume data, 2001.
+ * Graphics International 1999 (cost of a merge by mass and by density).
+ * C.-K. Yang: On-the-fly processing of compressed volume data. Dissertation proposal, State
+ * University of New York at Stony Brook, 2001, section 5 (tree of merges).
  *
  * @sa vtkGatunReader vtkGatunFileHandle vtkUnstructuredGridQuadricDecimation
  */
@@ -56,66 +62,66 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * What tells how far to go.
+   * Kinds of simplification targets.
    */
-  enum TargetType
+  enum SimplificationTargetType
   {
-    TARGET_RATIO = 0,            ///< Ratio
-    TARGET_PERCENT = 1,          ///< Percent
-    TARGET_NUMBER_OF_POINTS = 2, ///< NumberOfPoints
-    TARGET_ERROR = 3             ///< MaximumError
+    TARGET_RATIO = 0,            ///< SimplificationRatio
+    TARGET_NUMBER_OF_POINTS = 1, ///< SimplificationNumberOfPoints
+    TARGET_RMS_ERROR = 2         ///< SimplificationRMSError
   };
 
   ///@{
   /**
-   * See TargetType. Default: TARGET_RATIO.
+   * Property that gives the target, one of SimplificationTargetType. Default: TARGET_RATIO.
    */
-  vtkSetClampMacro(Target, int, TARGET_RATIO, TARGET_ERROR);
-  vtkGetMacro(Target, int);
+  vtkSetClampMacro(SimplificationTarget, int, TARGET_RATIO, TARGET_RMS_ERROR);
+  vtkGetMacro(SimplificationTarget, int);
+  void SetSimplificationTargetToRatio() { this->SetSimplificationTarget(TARGET_RATIO); }
+  void SetSimplificationTargetToNumberOfPoints()
+  {
+    this->SetSimplificationTarget(TARGET_NUMBER_OF_POINTS);
+  }
+  void SetSimplificationTargetToRMSError() { this->SetSimplificationTarget(TARGET_RMS_ERROR); }
   ///@}
 
   ///@{
   /**
-   * The part of the points that is merged away: 0 (nothing) to 1 (as many as can be). Default: 0.5.
+   * Fraction of points removed, from 0 (none) to 1 (as many as possible). NaN is an error. Default:
+   * 0.5.
    */
-  vtkSetMacro(Ratio, double);
-  vtkGetMacro(Ratio, double);
+  vtkSetClampMacro(SimplificationRatio, double, 0.0, 1.0);
+  vtkGetMacro(SimplificationRatio, double);
   ///@}
 
   ///@{
   /**
-   * How many points in a hundred are left, 0 to 100. Default: 50.
+   * Number of points of the result, 0 or more, as far as possible; a larger number than that of the
+   * mesh keeps all. Default: 10000.
    */
-  vtkSetMacro(Percent, double);
-  vtkGetMacro(Percent, double);
+  vtkSetClampMacro(SimplificationNumberOfPoints, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(SimplificationNumberOfPoints, vtkIdType);
   ///@}
 
   ///@{
   /**
-   * How many points are left, if that is possible; all if the mesh has fewer. Default: 10000.
+   * Largest root mean square error of the result, 0 or more: an estimate for the
+   * values, relative to their range, and for the shape of the boundary.
+   * Default: 0.001.
    */
-  vtkSetMacro(NumberOfPoints, vtkIdType);
-  vtkGetMacro(NumberOfPoints, vtkIdType);
-  ///@}
-
-  ///@{
-  /**
-   * Merges end before the error becomes larger: an estimate of the root mean square error of the
-   * values, as a part of their range, and of the shape. Default: 0.001.
-   */
-  vtkSetMacro(MaximumError, double);
-  vtkGetMacro(MaximumError, double);
+  vtkSetClampMacro(SimplificationRMSError, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(SimplificationRMSError, double);
   ///@}
 
   enum MetricType
   {
-    METRIC_MASS = 0,   ///< tetrahedra count by their volume
-    METRIC_DENSITY = 1 ///< all alike
+    METRIC_MASS = 0,   ///< by its volume
+    METRIC_DENSITY = 1 ///< the same for all
   };
 
   ///@{
   /**
-   * How much a change of values counts in each tetrahedron; see MetricType. Default: METRIC_MASS.
+   * Weight of a change of values in a tetrahedron, one of MetricType. Default: METRIC_MASS.
    */
   vtkSetClampMacro(Metric, int, METRIC_MASS, METRIC_DENSITY);
   vtkGetMacro(Metric, int);
@@ -123,18 +129,18 @@ public:
 
   ///@{
   /**
-   * How much of the cost of merges on the boundary is that of shape, 0 to 1; the rest is that of
+   * Share of the shape in the cost of a merge on the boundary, 0 to 1; the rest is that of the
    * values. Default: 0.5.
    */
-  vtkSetMacro(BoundaryWeight, double);
+  vtkSetClampMacro(BoundaryWeight, double, 0.0, 1.0);
   vtkGetMacro(BoundaryWeight, double);
   ///@}
 
   ///@{
   /**
-   * How much a point array counts, relative to others, 0 or more; each value relative to the range
-   * of its component. Without any weight set, the active scalars count, or, if there are none, all
-   * point arrays alike.
+   * Weight of a point array relative to that of other arrays, 0 or more. Values count relative to
+   * the range of their component. If no weight is set, the active scalars count, or all point
+   * arrays equally if there are no active scalars.
    */
   void SetArrayWeight(const char* name, double weight);
   double GetArrayWeight(const char* name);
@@ -152,15 +158,15 @@ public:
   ///@}
 
   /**
-   * Number of merges that are possible for the input of the last update, which is the number of
-   * points that can be removed at most.
+   * Number of merges for the input of the last update, which is the largest number of points that
+   * can be removed.
    */
   vtkIdType GetMostMerges();
 
   /**
-   * The error of the merges that led to the output, see MaximumError.
+   * Root mean square error of the output, as SimplificationRMSError has it.
    */
-  double GetOutputError();
+  double GetOutputRMSError();
 
 protected:
   vtkGatunSimplify();
@@ -178,11 +184,10 @@ protected:
    */
   virtual vtkInformation* GetFileInformation(vtkInformation* inInfo);
 
-  int Target = TARGET_RATIO;
-  double Ratio = 0.5;
-  double Percent = 50;
-  vtkIdType NumberOfPoints = 10000;
-  double MaximumError = 1e-3;
+  int SimplificationTarget = TARGET_RATIO;
+  double SimplificationRatio = 0.5;
+  vtkIdType SimplificationNumberOfPoints = 10000;
+  double SimplificationRMSError = 1e-3;
   int Metric = METRIC_MASS;
   double BoundaryWeight = 0.5;
   bool UseFileHierarchy = true;

@@ -31,7 +31,7 @@ bool IsUpToDate(vtkDataObject* output, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-const FileHandle* GetFileHandle(vtkInformation* info)
+const PublishedFile* GetPublishedFile(vtkInformation* info)
 {
   auto* const object =
     info ? vtkGatunFileHandle::SafeDownCast(info->Get(vtkGatunFileHandle::FILE_HANDLE())) : nullptr;
@@ -39,9 +39,9 @@ const FileHandle* GetFileHandle(vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-const FileHandle* GetUsableFile(vtkInformation* info)
+const PublishedFile* GetUsableFile(vtkInformation* info)
 {
-  const FileHandle* const handle = GetFileHandle(info);
+  const PublishedFile* const handle = GetPublishedFile(info);
   return handle && handle->CanReplaceOutput() ? handle : nullptr;
 }
 

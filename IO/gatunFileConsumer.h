@@ -6,7 +6,7 @@
 
 // For consumers of a reader that use its file in place of its output.
 
-#include "gatunFileHandle.h"
+#include "gatunPublishedFile.h"
 #include "vtkGatunIOModule.h" // For export macro
 
 #include <cstddef>
@@ -17,10 +17,10 @@ namespace gatun
 {
 /** The handle in the information of an output; null if there is none. It lives as long as it is in
  * there. */
-VTKGATUNIO_EXPORT const FileHandle* GetFileHandle(vtkInformation* info);
+VTKGATUNIO_EXPORT const PublishedFile* GetPublishedFile(vtkInformation* info);
 
 /** The same, but null where the file cannot stand in for the output. */
-VTKGATUNIO_EXPORT const FileHandle* GetUsableFile(vtkInformation* info);
+VTKGATUNIO_EXPORT const PublishedFile* GetUsableFile(vtkInformation* info);
 
 /** Makes a consumer of a file ask for nothing that the reader would have to decode: for what its
  * output has already, or for a piece without any cells. Info: that of the consumer's input. */

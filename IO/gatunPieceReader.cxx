@@ -160,7 +160,7 @@ PieceReader::PieceReader() = default;
 PieceReader::~PieceReader() = default;
 
 //------------------------------------------------------------------------------
-void PieceReader::Choose(const FileHandle& handle, std::size_t merges)
+void PieceReader::Choose(const PublishedFile& handle, std::size_t merges)
 {
   const auto& file = handle.File->GetFile();
   SimplifiedFile::Place place{ file, nullptr, 0 };
@@ -181,8 +181,8 @@ void PieceReader::Choose(const FileHandle& handle, std::size_t merges)
 }
 
 //------------------------------------------------------------------------------
-PieceRequest PieceReader::MakeRequest(
-  const FileHandle& handle, const PortRequest& port, const std::vector<std::uint32_t>& chunks) const
+PieceRequest PieceReader::MakeRequest(const PublishedFile& handle, const PortRequest& port,
+  const std::vector<std::uint32_t>& chunks) const
 {
   const FileReader& file = *handle.File->GetFile();
   PieceRequest request;
@@ -308,7 +308,7 @@ void PieceReader::MakeGhosts(PieceTarget& target)
 }
 
 //------------------------------------------------------------------------------
-void PieceReader::Read(const FileHandle& handle, const PieceRequest& request, bool globalIds,
+void PieceReader::Read(const PublishedFile& handle, const PieceRequest& request, bool globalIds,
   vtkUnstructuredGrid* output, const Progress& progress)
 {
   const FileReader& file = *handle.File->GetFile();

@@ -4,8 +4,8 @@
 #ifndef gatunPieceReader_h
 #define gatunPieceReader_h
 
-#include "gatunFileHandle.h"
 #include "gatunPieceDecoder.h"
+#include "gatunPublishedFile.h"
 #include "vtkGatunIOModule.h" // For export macro
 
 #include "vtkSmartPointer.h"
@@ -51,7 +51,7 @@ public:
 
   /** Chooses the mesh in the file that is decoded for a number of merges: the whole mesh or a base
    * mesh. */
-  void Choose(const FileHandle& handle, std::size_t merges);
+  void Choose(const PublishedFile& handle, std::size_t merges);
 
   /** The mesh that was chosen, and the number of merges from there. */
   const FileReader& GetMesh() const { return *this->Parts->GetFile(); }
@@ -59,11 +59,11 @@ public:
 
   /** The request for the part of the chosen mesh that a port is asked for. Chunks: those of the
    * region of interest, ascending. */
-  PieceRequest MakeRequest(const FileHandle& handle, const PortRequest& port,
+  PieceRequest MakeRequest(const PublishedFile& handle, const PortRequest& port,
     const std::vector<std::uint32_t>& chunks) const;
 
   /** Reads. GlobalIds: whether to make global ids where the output has none. */
-  void Read(const FileHandle& handle, const PieceRequest& request, bool globalIds,
+  void Read(const PublishedFile& handle, const PieceRequest& request, bool globalIds,
     vtkUnstructuredGrid* output, const Progress& progress);
 
   bool HasMesh() const { return this->Mesh != nullptr; }

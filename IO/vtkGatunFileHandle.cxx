@@ -3,8 +3,8 @@
 
 #include "vtkGatunFileHandle.h"
 
-#include "gatunFileHandle.h"
 #include "gatunFileReader.h"
+#include "gatunPublishedFile.h"
 
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkMath.h"
@@ -21,7 +21,7 @@ vtkInformationKeyRestrictedMacro(vtkGatunFileHandle, FILE_HANDLE, ObjectBase, "v
 
 //------------------------------------------------------------------------------
 vtkGatunFileHandle::vtkGatunFileHandle()
-  : Contents(std::make_unique<gatun::FileHandle>())
+  : Contents(std::make_unique<gatun::PublishedFile>())
 {
 }
 
@@ -128,13 +128,13 @@ vtkTypeUInt64 vtkGatunFileHandle::GetFoundChunks()
 }
 
 //------------------------------------------------------------------------------
-const gatun::FileHandle& vtkGatunFileHandle::GetContents() const
+const gatun::PublishedFile& vtkGatunFileHandle::GetContents() const
 {
   return *this->Contents;
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunFileHandle::SetContents(gatun::FileHandle&& contents)
+void vtkGatunFileHandle::SetContents(gatun::PublishedFile&& contents)
 {
   *this->Contents = std::move(contents);
   this->Modified();

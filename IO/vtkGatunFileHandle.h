@@ -34,7 +34,7 @@
 
 namespace gatun
 {
-struct FileHandle;
+struct PublishedFile;
 }
 class vtkInformationObjectBaseKey;
 
@@ -125,8 +125,8 @@ public:
    * Contents of the handle, for Gatun's own classes. They are set once, before the handle is
    * published.
    */
-  const gatun::FileHandle& GetContents() const;
-  void SetContents(gatun::FileHandle&& contents);
+  const gatun::PublishedFile& GetContents() const;
+  void SetContents(gatun::PublishedFile&& contents);
   ///@}
 
 protected:
@@ -137,7 +137,7 @@ private:
   vtkGatunFileHandle(const vtkGatunFileHandle&) = delete;
   void operator=(const vtkGatunFileHandle&) = delete;
 
-  const std::unique_ptr<gatun::FileHandle> Contents;
+  const std::unique_ptr<gatun::PublishedFile> Contents;
 };
 
 #endif

@@ -2,33 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkGatunMergeBlocks
- * @brief Makes one vtkUnstructuredGrid of the blocks of a composite dataset, or of several pieces.
+ * @brief Merges the blocks of a composite dataset, or several pieces, into one vtkUnstructuredGrid.
  *
  * Input, one or more connections: any vtkDataSet (a piece), any vtkCompositeDataSet (blocks).
  *
- * Output: all points and cells, one input after the other. Points keep their type if all blocks
- * have the same, float or double, else they are double. If there is a composite input:
+ * Output: all points and cells, one input after the other. Points keep their type, float or double,
+ * if all blocks have the same type; otherwise they are double. With a composite input there are
+ * also
  *
- *  - the cell array BlockId (int) tells the block: 0 for the first dataset in the order of
- *    traversal, missing datasets not counted; partitions of a vtkPartitionedDataSet are one block;
- *  - the field array BlockNames (string) has the names of the blocks, in the order of BlockId; a
- *    block without a name is called "Block" and its number.
+ *  - the cell array BlockId (int): the number of the block, from 0 in the order of traversal,
+ * missing datasets not counted; the partitions of a vtkPartitionedDataSet are one block;
+ *  - the field array BlockNames (string): the names of the blocks in the order of BlockId; a block
+ *    without a name is called "Block" and its number.
  *
- * Point and cell arrays are known by name, type and number of components. One that some blocks lack
- * is filled up there, with NaN (float, double) or 0, and a warning says so; string arrays are left
- * out then. Field arrays come from the composite dataset, and from the blocks where the name is
- * new.
+ * Point and cell arrays are identified by name, type and number of components. If some blocks lack
+ * an array, its values there are NaN (float, double) or 0, with a warning; string arrays are left
+ * out in that case. Field arrays come from the composite dataset and, with new names, from the
+ * blocks.
  *
- * Points: those of different blocks stay apart even where they coincide, unless all blocks have
- * global point ids (vtkDataSetAttributes::GetGlobalIds), by which they are then merged, or unless
- * MergeCoincidentPoints is on. Ghost cells (DUPLICATECELL in vtkGhostType) are left out, and points
- * that only they use.
+ * Points of different blocks stay separate even if they coincide, unless all blocks have global
+ * point ids (vtkDataSetAttributes::GetGlobalIds), by which they are then merged, or
+ * MergeCoincidentPoints is on. Ghost cells (DUPLICATECELL in vtkGhostType) are left out, with the
+ * points that only they use.
  *
- * Cost: memory for the output, twice where points are merged; one thread. Time goes through: the
- * filter may stand between vtkExodusIIReader and vtkGatunWriter.
+ * *Cost.* Memory for the output, twice if points are merged; one thread. Time requests are passed
+ * on: the filter may stand between vtkExodusIIReader and vtkGatunWriter.
  *
- * *Errors.* Too little memory is reported by vtkErrorMacro; GetErrorCode is then
- * vtkErrorCode::UnknownError, and the output is empty. Nothing is thrown.
+ * *Errors.* Lack of memory is reported by vtkErrorMacro; GetErrorCode is then
+ * vtkErrorCode::UnknownError, and the output is empty. No exception is thrown.
  *
  * @warning Blocks with displaced points (vtkExodusIIReader::ApplyDisplacements) change from one
  * time step to the next, so vtkGatunWriter refuses them.
@@ -51,8 +52,8 @@ public:
 
   ///@{
   /**
-   * Whether to make one of points whose coordinates are equal, also within a block; of their values
-   * one is kept. Default: off.
+   * Whether to merge points with equal coordinates, also within a block. The merged point keeps the
+   * values of one of them. Default: off.
    */
   vtkSetMacro(MergeCoincidentPoints, bool);
   vtkGetMacro(MergeCoincidentPoints, bool);
@@ -70,7 +71,7 @@ protected:
   bool MergeCoincidentPoints = false;
 
 private:
-  /** input: that of port 0. */
+  /** input: the information of port 0. */
   void Merge(vtkInformationVector* input, vtkUnstructuredGrid* output);
 
   vtkGatunMergeBlocks(const vtkGatunMergeBlocks&) = delete;

@@ -7,6 +7,7 @@
 #include "gatunExactGhosts.h"
 #include "gatunFileReader.h"
 #include "vtkGatunCompat.h"
+#include "vtkGatunErrorCode.h"
 #include "vtkGatunFileHandle.h"
 #include "vtkGatunReaderInternals.h"
 
@@ -75,16 +76,11 @@ void vtkGatunReader::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "ValueRangeComponent: " << this->ValueRangeComponent << "\n";
   os << indent << "ValueRange: " << this->ValueRange[0] << " " << this->ValueRange[1] << "\n";
-  os << indent << "CacheSize: " << this->CacheSize << "\n";
+  os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
   const char* const modes[] = { "Never", "Always", "Large" };
   os << indent << "OnDemand: " << modes[this->OnDemand] << "\n";
   os << indent << "LargeMesh: " << this->LargeMesh << "\n";
-  const char* const targets[] = { "Ratio", "Percent", "NumberOfPoints", "Error" };
-  os << indent << "SimplificationTarget: " << targets[this->SimplificationTarget] << "\n";
-  os << indent << "SimplificationRatio: " << this->SimplificationRatio << "\n";
-  os << indent << "SimplificationPercent: " << this->SimplificationPercent << "\n";
-  os << indent << "SimplificationPoints: " << this->SimplificationPoints << "\n";
-  os << indent << "SimplificationError: " << this->SimplificationError << "\n";
+  vtkInternals::GetProperties(*this).Print(os, indent);
   os << indent << "HasHierarchy: " << (this->GetHasHierarchy() ? "true" : "false") << "\n";
   os << indent << "IsOnDemand: " << (this->GetIsOnDemand() ? "true" : "false") << "\n";
   os << indent << "CachedBytes: " << this->GetCachedBytes() << "\n";
@@ -184,12 +180,12 @@ vtkTypeUInt64 vtkGatunReader::GetBytesRead()
 
 //------------------------------------------------------------------------------
 // The output does not depend on it, so this is no modification.
-void vtkGatunReader::SetCacheSize(int mebibytes)
+void vtkGatunReader::SetMemoryBudget(int mebibytes)
 {
-  this->CacheSize = std::max(0, mebibytes);
+  this->MemoryBudget = std::max(0, mebibytes);
   if (const auto& file = this->Internals->File)
   {
-    file->GetBudget()->SetBytes(MebibytesToBytes(this->CacheSize));
+    file->GetBudget()->SetBytes(MebibytesToBytes(this->MemoryBudget));
   }
 }
 
@@ -256,7 +252,7 @@ void vtkGatunReader::PublishFailure(vtkInformation* outInfo) noexcept
 {
   try
   {
-    gatun::FileHandle contents;
+    gatun::PublishedFile contents;
     contents.Path = this->FileName;
     contents.Failure = std::current_exception();
     contents.Reason = gatun::DescribeFailure(this->FileName).Message;
@@ -324,7 +320,7 @@ int vtkGatunReader::RequestInformation(vtkInformation* vtkNotUsed(request),
   }
   try
   {
-    self.Open(this->FileName, MebibytesToBytes(this->CacheSize));
+    self.Open(this->FileName, MebibytesToBytes(this->MemoryBudget));
     outInfo->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
     outInfo->Set(gatun::ExactGhostLevels(), 1);
     outInfo->Set(CHUNK_TABLE(), self.Table);
@@ -380,9 +376,9 @@ int vtkGatunReader::RequestData(vtkInformation* vtkNotUsed(request),
     this->UpdateProgress(0);
     if (!self.IsOpen(this->FileName))
     {
-      self.Open(this->FileName, MebibytesToBytes(this->CacheSize));
+      self.Open(this->FileName, MebibytesToBytes(this->MemoryBudget));
     }
-    const gatun::FileHandle handle = self.Describe(*this);
+    const gatun::PublishedFile handle = self.Describe(*this);
     // Again, as a reader of file series may have changed to another file since.
     vtkInternals::Publish(handle, outInfo);
     if (handle.Failure)
@@ -414,7 +410,7 @@ int vtkGatunReader::RequestData(vtkInformation* vtkNotUsed(request),
     this->Fail(outputVector);
     // An aborted update is none; the next one starts anew.
     self.ReadAgain = true;
-    return this->GetErrorCode() == AbortedError ? 1 : 0;
+    return this->GetErrorCode() == vtkGatunErrorCode::AbortedError ? 1 : 0;
   }
   return 1;
 }

@@ -57,15 +57,14 @@
  * cells work as on the whole mesh. Global ids are those of the base mesh if one is read.
  *
  * *Cost.* Memory: the output, the same again while ghost cells are chosen, and the mesh that was
- * read last. Decoded chunks are kept within CacheSize, so that other pieces, arrays and time steps
- * need not decode them again. Decoding uses all threads of vtkSMPTools.
+ * read last. Decoded chunks are kept within MemoryBudget, so that other pieces, arrays and time
+ * steps need not decode them again. Decoding uses all threads of vtkSMPTools.
  *
  * *Errors.* Errors are reported by vtkErrorMacro with a message that begins with the name of the
  * file. GetErrorCode is then one of vtkErrorCode::NoFileNameError, FileNotFoundError,
  * CannotOpenFileError (a folder, no permission), UnrecognizedFileTypeError (not a `.gtn` file),
  * PrematureEndOfFileError (truncated), FileFormatError (damaged), UnknownError (such as too little
- * memory), NewerVersionError, WrongParameterError or AbortedError (without a message). The output
- * is then empty.
+ * memory), or of vtkGatunErrorCode. The output is then empty.
  *
  * @warning With a region of interest the output consists of whole chunks and has cells outside.
  * @warning The original order can be restored only if the whole mesh is requested.
@@ -93,16 +92,6 @@ public:
   vtkTypeMacro(vtkGatunReader, vtkUnstructuredGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /**
-   * Error codes beyond those of vtkErrorCode.
-   */
-  enum ErrorIds
-  {
-    NewerVersionError = 40003,   ///< written by a later major version of the format
-    WrongParameterError = 40007, ///< such as an array for the value range that is not there
-    AbortedError = 40008         ///< AbortExecute was set
-  };
-
   ///@{
   /**
    * Name of the file to read. Default: none.
@@ -112,7 +101,7 @@ public:
   ///@}
 
   /**
-   * Whether the file begins as a `.gtn` file does, of whatever version: 1 or 0.
+   * Whether the file begins as a `.gtn` file of any version: 1 or 0.
    */
   virtual int CanReadFile(VTK_FILEPATH const char* name);
 
@@ -238,14 +227,14 @@ public:
 
   ///@{
   /**
-   * How much memory decoded chunks may take, in MiB, so that neighbouring pieces with ghost cells,
-   * other arrays and other time steps need not decode them again; those go first that were not used
-   * for longest. It has no influence on the output, and changing it does not update anything. 0
-   * keeps nothing; if a mesh is larger than what fits, part of it is decoded anew at each time
-   * step. Default: 512, enough for about ten million tetrahedra with an array or two.
+   * Memory for decoded chunks, in MiB, 0 or more. Neighboring pieces with ghost cells, other
+   * arrays and other time steps reuse these chunks; the least recently used ones are dropped first.
+   * With 0 no chunk is kept. If the mesh needs more, part of it is decoded again for each time
+   * step. The output does not depend on the budget, and a change does not modify the reader.
+   * Default: 512, enough for about ten million tetrahedra with one or two arrays.
    */
-  void SetCacheSize(int mebibytes);
-  vtkGetMacro(CacheSize, int);
+  void SetMemoryBudget(int mebibytes);
+  vtkGetMacro(MemoryBudget, int);
   ///@}
 
   /**
@@ -279,58 +268,59 @@ public:
   ///@}
 
   /**
-   * What tells how simple the mesh is to be.
+   * Kinds of simplification targets.
    */
   enum SimplificationTargetType
   {
     TARGET_RATIO = 0,            ///< SimplificationRatio
-    TARGET_PERCENT = 1,          ///< SimplificationPercent
-    TARGET_NUMBER_OF_POINTS = 2, ///< SimplificationPoints
-    TARGET_ERROR = 3             ///< SimplificationError
+    TARGET_NUMBER_OF_POINTS = 1, ///< SimplificationNumberOfPoints
+    TARGET_RMS_ERROR = 2         ///< SimplificationRMSError
   };
 
   ///@{
   /**
-   * See SimplificationTargetType. Default: TARGET_RATIO.
+   * Property that gives the target, one of SimplificationTargetType. Default: TARGET_RATIO.
    */
-  vtkSetClampMacro(SimplificationTarget, int, TARGET_RATIO, TARGET_ERROR);
+  vtkSetClampMacro(SimplificationTarget, int, TARGET_RATIO, TARGET_RMS_ERROR);
   vtkGetMacro(SimplificationTarget, int);
+  void SetSimplificationTargetToRatio() { this->SetSimplificationTarget(TARGET_RATIO); }
+  void SetSimplificationTargetToNumberOfPoints()
+  {
+    this->SetSimplificationTarget(TARGET_NUMBER_OF_POINTS);
+  }
+  void SetSimplificationTargetToRMSError() { this->SetSimplificationTarget(TARGET_RMS_ERROR); }
   ///@}
 
   ///@{
   /**
-   * The part of the points that is merged away: 0 (nothing) to 1 (as many as can be). Default: 0.
+   * Fraction of points removed, from 0 (none) to 1 (as many as possible). NaN is an error. Default:
+   * 0.
    */
-  vtkSetMacro(SimplificationRatio, double);
+  vtkSetClampMacro(SimplificationRatio, double, 0.0, 1.0);
   vtkGetMacro(SimplificationRatio, double);
   ///@}
 
   ///@{
   /**
-   * How many points in a hundred are left, 0 to 100. Default: 100.
+   * Number of points of the result, 0 or more, as far as possible; a larger number than that of the
+   * mesh keeps all. Default: 100000.
    */
-  vtkSetMacro(SimplificationPercent, double);
-  vtkGetMacro(SimplificationPercent, double);
+  vtkSetClampMacro(SimplificationNumberOfPoints, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(SimplificationNumberOfPoints, vtkIdType);
   ///@}
 
   ///@{
   /**
-   * How many points are left, if that is possible; all if the mesh has fewer. Default: 100000.
+   * Largest root mean square error of the result, 0 or more; see
+   * vtkGatunSimplify::SetSimplificationRMSError.
+   * Default: 0.
    */
-  vtkSetMacro(SimplificationPoints, vtkIdType);
-  vtkGetMacro(SimplificationPoints, vtkIdType);
-  ///@}
-
-  ///@{
-  /**
-   * Merges end before the first that costs more; see vtkGatunSimplify::MaximumError. Default: 0.
-   */
-  vtkSetMacro(SimplificationError, double);
-  vtkGetMacro(SimplificationError, double);
+  vtkSetClampMacro(SimplificationRMSError, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(SimplificationRMSError, double);
   ///@}
 
   /**
-   * Whether the file tells how its mesh becomes simpler, after UpdateInformation.
+   * Whether the file has a hierarchy (vtkGatunWriter::Hierarchy), after UpdateInformation.
    */
   bool GetHasHierarchy();
 
@@ -348,7 +338,7 @@ public:
 
   /**
    * Memory of what is kept now of the file, for the reader and its consumers, in bytes; never more
-   * than CacheSize.
+   * than MemoryBudget.
    */
   vtkTypeUInt64 GetCachedBytes();
 
@@ -415,14 +405,13 @@ protected:
   int ValueRangeAssociation = 0;
   int ValueRangeComponent = -1;
   double ValueRange[2] = { 0, 1 };
-  int CacheSize = 512;
+  int MemoryBudget = 512;
   int OnDemand = ON_DEMAND_NEVER;
   vtkIdType LargeMesh = 5000000;
   int SimplificationTarget = TARGET_RATIO;
   double SimplificationRatio = 0;
-  double SimplificationPercent = 100;
-  vtkIdType SimplificationPoints = 100000;
-  double SimplificationError = 0;
+  vtkIdType SimplificationNumberOfPoints = 100000;
+  double SimplificationRMSError = 0;
 
 private:
   vtkGatunReader(const vtkGatunReader&) = delete;

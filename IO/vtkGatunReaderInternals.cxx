@@ -8,7 +8,6 @@
 #include "gatunErrorCodes.h"
 #include "gatunFileReader.h"
 #include "gatunOutline.h"
-#include "gatunSimplifyTarget.h"
 #include "vtkGatunFileHandle.h"
 
 #include "vtkDataObject.h"
@@ -98,11 +97,20 @@ void vtkGatunReader::vtkInternals::Open(const std::string& path, std::uint64_t b
 }
 
 //------------------------------------------------------------------------------
+gatun::SimplifyProperties vtkGatunReader::vtkInternals::GetProperties(const vtkGatunReader& reader)
+{
+  static_assert(int{ TARGET_RATIO } == gatun::SimplifyTarget::Ratio);
+  static_assert(int{ TARGET_NUMBER_OF_POINTS } == gatun::SimplifyTarget::NumberOfPoints);
+  static_assert(int{ TARGET_RMS_ERROR } == gatun::SimplifyTarget::RMSError);
+  return { reader.SimplificationTarget, reader.SimplificationRatio,
+    reader.SimplificationNumberOfPoints, reader.SimplificationRMSError };
+}
+
+//------------------------------------------------------------------------------
 /** Whether a simplification is asked for, possible or not. */
 bool vtkGatunReader::vtkInternals::Simplifies(const vtkGatunReader& reader)
 {
-  return !(reader.SimplificationTarget == TARGET_RATIO && reader.SimplificationRatio == 0) &&
-    !(reader.SimplificationTarget == TARGET_PERCENT && reader.SimplificationPercent == 100);
+  return !GetProperties(reader).GetTarget().IsWholeMesh();
 }
 
 //------------------------------------------------------------------------------
@@ -112,12 +120,8 @@ std::size_t vtkGatunReader::vtkInternals::CountMerges(const vtkGatunReader& read
   {
     return 0;
   }
-  const double values[] = { reader.SimplificationRatio, reader.SimplificationPercent,
-    static_cast<double>(reader.SimplificationPoints), reader.SimplificationError };
-  const gatun::SimplifyTarget target{ reader.SimplificationTarget,
-    values[reader.SimplificationTarget] };
   gatun::SimplifiedFile& hierarchy = this->File->GetHierarchy();
-  return gatun::CountMerges(target, this->GetFile().GetNumberOfPoints(),
+  return gatun::CountMerges(GetProperties(reader).GetTarget(), this->GetFile().GetNumberOfPoints(),
     this->GetFile().GetNumberOfMerges(),
     [&hierarchy]() -> const gatun::MergeTree& { return hierarchy.GetTree(); });
 }
@@ -142,9 +146,9 @@ bool vtkGatunReader::vtkInternals::IsOnDemand(const vtkGatunReader& reader) cons
 
 //------------------------------------------------------------------------------
 /** The handle for consumers, of the file that is open. */
-gatun::FileHandle vtkGatunReader::vtkInternals::Describe(const vtkGatunReader& reader) const
+gatun::PublishedFile vtkGatunReader::vtkInternals::Describe(const vtkGatunReader& reader) const
 {
-  gatun::FileHandle handle;
+  gatun::PublishedFile handle;
   handle.Path = this->Path;
   handle.File = this->File;
   handle.RestoreOrder = reader.RestoreOrder;
@@ -173,7 +177,7 @@ gatun::FileHandle vtkGatunReader::vtkInternals::Describe(const vtkGatunReader& r
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunReader::vtkInternals::Publish(gatun::FileHandle contents, vtkInformation* outInfo)
+void vtkGatunReader::vtkInternals::Publish(gatun::PublishedFile contents, vtkInformation* outInfo)
 {
   vtkNew<vtkGatunFileHandle> handle;
   handle->SetContents(std::move(contents));

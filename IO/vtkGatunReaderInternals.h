@@ -5,9 +5,10 @@
 #define vtkGatunReaderInternals_h
 
 #include "gatunArrayChoice.h"
-#include "gatunFileHandle.h"
 #include "gatunFileSignature.h"
 #include "gatunPieceReader.h"
+#include "gatunPublishedFile.h"
+#include "gatunSimplifyTarget.h"
 #include "vtkGatunReader.h"
 
 #include "vtkSmartPointer.h"
@@ -50,11 +51,12 @@ public:
   const gatun::FileReader& GetFile() const { return *this->File->GetFile(); }
 
   void Open(const std::string& path, std::uint64_t budget);
+  static gatun::SimplifyProperties GetProperties(const vtkGatunReader& reader);
   static bool Simplifies(const vtkGatunReader& reader);
   std::size_t CountMerges(const vtkGatunReader& reader) const;
   bool IsOnDemand(const vtkGatunReader& reader) const;
-  gatun::FileHandle Describe(const vtkGatunReader& reader) const;
-  static void Publish(gatun::FileHandle contents, vtkInformation* outInfo);
+  gatun::PublishedFile Describe(const vtkGatunReader& reader) const;
+  static void Publish(gatun::PublishedFile contents, vtkInformation* outInfo);
   std::vector<std::uint32_t> ChunksOf(const vtkGatunReader& reader, std::size_t step) const;
   void MakeOutline(const gatun::PieceRequest& request, bool isEmpty, vtkUnstructuredGrid* output);
 };

@@ -12,6 +12,7 @@
 #include "gatunTetMesh.h"
 #include "gatunWriterArrays.h"
 #include "vtkGatunCompat.h"
+#include "vtkGatunErrorCode.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
@@ -32,7 +33,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <functional>
 #include <set>
 #include <stdexcept>
@@ -92,10 +92,6 @@ public:
   std::vector<gatun::ArrayDescription> Arrays;
   gatun::MergeTree Tree;
   std::set<std::string> Warned;
-
-  // Of the last file.
-  gatun::FileStatistics Statistics;
-  std::vector<std::string> StatisticsNames;
 
   void Discard()
   {
@@ -329,7 +325,7 @@ int vtkGatunWriter::Write()
   vtkInternals& self = *this->Internals;
   if (this->GetNumberOfInputConnections(0) < 1)
   {
-    this->SetErrorCode(WrongInputError);
+    this->SetErrorCode(vtkGatunErrorCode::InvalidInputError);
     vtkErrorMacro("No input was set.");
     return 0;
   }
@@ -550,31 +546,4 @@ void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
     self.Statistics = self.File->Finish();
     self.PublishStatistics();
   }
-}
-
-//------------------------------------------------------------------------------
-std::string vtkGatunWriter::GetStatistics() const
-{
-  const gatun::FileStatistics& statistics = this->Internals->Statistics;
-  const std::uint64_t tets = this->WrittenTets;
-  std::string text = std::to_string(tets) + " tetrahedra, " + std::to_string(this->WrittenPoints) +
-    " points, " + std::to_string(this->WrittenSteps) + " time steps\n" +
-    "         bytes    bits/tet\n";
-  text += Line("connectivity", statistics.ConnectivityBytes, tets);
-  text += Line("coordinates", this->GeometryBytes, tets);
-  for (std::size_t i = 0;
-       i < std::min(statistics.ArrayBytes.size(), this->Internals->StatisticsNames.size()); ++i)
-  {
-    text += Line(this->Internals->StatisticsNames[i], statistics.ArrayBytes[i], tets);
-  }
-  text += Line("order", statistics.OrderBytes, tets);
-  text += Line("field data", statistics.FieldDataBytes, tets);
-  if (statistics.TreeBytes > 0)
-  {
-    text += Line("hierarchy", statistics.TreeBytes, tets);
-    text += Line("base meshes", statistics.LevelBytes, tets);
-  }
-  text += Line("directory", statistics.DirectoryBytes, tets);
-  text += Line("file", statistics.FileBytes, tets);
-  return text;
 }

@@ -14,10 +14,12 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace gatun
 {
@@ -132,6 +134,35 @@ RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, double sampleDistanc
     Widen(frustum.Bottom, frustum.Top, grid.Height);
   }
   return RayView(rows, frustum, grid.Width, grid.Height, sampleDistance);
+}
+
+//------------------------------------------------------------------------------
+void RequireNumber(const char* property, double value)
+{
+  if (std::isnan(value))
+  {
+    ThrowInvalid(property + std::string(" is not a number"));
+  }
+}
+
+//------------------------------------------------------------------------------
+std::optional<RayMode> RayModeOf(int blendMode)
+{
+  static_assert(int{ CompositeBlend } == vtkVolumeMapper::COMPOSITE_BLEND);
+  static_assert(int{ MaximumIntensityBlend } == vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND);
+  switch (blendMode)
+  {
+    case CompositeBlend:
+      return RayMode::Composite;
+    case MaximumIntensityBlend:
+      return RayMode::Maximum;
+    case AreaBlend:
+      return RayMode::Area;
+    case XRayBlend:
+      return RayMode::XRay;
+    default:
+      return std::nullopt;
+  }
 }
 
 //------------------------------------------------------------------------------

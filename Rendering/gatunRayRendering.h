@@ -51,6 +51,21 @@ RayEye MakeRayEye(vtkCamera* camera, const RayGrid& grid, vtkMatrix4x4* volumeMa
 RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, double sampleDistance,
   vtkMatrix4x4* volumeMatrix, bool clippingRange);
 
+/** Throws Error(InvalidInput) if a property is NaN, which clamping lets through. */
+void RequireNumber(const char* property, double value);
+
+/** Blend modes of vtkGatunRayCaster and vtkGatunVolumeMapper. */
+enum BlendMode
+{
+  CompositeBlend = 0,
+  MaximumIntensityBlend = 1,
+  AreaBlend = 100,
+  XRayBlend = 101
+};
+
+/** The core's mode for a blend mode; nothing if there is no such mode. */
+std::optional<RayMode> RayModeOf(int blendMode);
+
 /** Colours and opacities of a property, for values in a range. Unit distance: the property's. */
 RayTable MakeRayTable(
   vtkVolumeProperty* property, RayMode mode, const Range& values, double sampleDistance);

@@ -4,11 +4,11 @@
 #include "gatunRayScene.h"
 
 #include "gatunError.h"
-#include "gatunFileHandle.h"
 #include "gatunFileLevelsOfDetail.h"
 #include "gatunFileRaySource.h"
 #include "gatunFileReader.h"
 #include "gatunMemoryLevelsOfDetail.h"
+#include "gatunPublishedFile.h"
 #include "gatunRayCaster.h"
 
 #include "vtkAlgorithm.h"
@@ -141,7 +141,7 @@ std::uint64_t RayScene::GetBytesRead() const
 
 //------------------------------------------------------------------------------
 void RayScene::SetFile(
-  const FileHandle& handle, std::size_t step, const RayArray& array, bool simplifies)
+  const PublishedFile& handle, std::size_t step, const RayArray& array, bool simplifies)
 {
   Key key;
   key.File = handle.File;
@@ -160,10 +160,10 @@ void RayScene::SetFile(
     std::make_shared<FileRaySource>(handle.File->MakeView(handle.File->GetFile(), false), values);
   if (simplifies && file.HasMergeTree())
   {
-    this->Levels =
-      std::make_unique<LevelOfDetailCache>([shared = handle.File, values](const RaySource::Progress&)
-        { return std::make_shared<FileLevelsOfDetail>(shared, values); },
-        whole, Divide(handle.File->GetBudget()->GetBytes()));
+    this->Levels = std::make_unique<LevelOfDetailCache>(
+      [shared = handle.File, values](const RaySource::Progress&)
+      { return std::make_shared<FileLevelsOfDetail>(shared, values); },
+      whole, Divide(handle.File->GetBudget()->GetBytes()));
   }
   else if (simplifies)
   {

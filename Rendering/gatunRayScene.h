@@ -20,7 +20,7 @@ class vtkUnstructuredGrid;
 
 namespace gatun
 {
-struct FileHandle;
+struct PublishedFile;
 class RayCaster;
 struct RayView;
 class SharedFile;
@@ -44,7 +44,7 @@ public:
   void SetGrid(vtkUnstructuredGrid* grid, const RayArray& array, std::uint64_t budget,
     bool simplifies = false);
   void SetFile(
-    const FileHandle& handle, std::size_t step, const RayArray& array, bool simplifies = false);
+    const PublishedFile& handle, std::size_t step, const RayArray& array, bool simplifies = false);
   void SetPieces(const RayProducer& producer, int pieces, const RayArray& array,
     std::uint64_t budget, const RaySource::Progress& progress = {});
   void Clear();

@@ -35,6 +35,12 @@
 
 vtkStandardNewMacro(vtkGatunRayCaster);
 
+// One numbering for all classes that draw.
+static_assert(int{ vtkGatunRayCaster::COMPOSITE_BLEND } == gatun::CompositeBlend);
+static_assert(int{ vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND } == gatun::MaximumIntensityBlend);
+static_assert(int{ vtkGatunRayCaster::AREA_BLEND } == gatun::AreaBlend);
+static_assert(int{ vtkGatunRayCaster::XRAY_BLEND } == gatun::XRayBlend);
+
 //------------------------------------------------------------------------------
 class vtkGatunRayCaster::vtkPipeline : public gatun::ImagePipeline
 {
@@ -82,6 +88,34 @@ vtkGatunRayCaster::vtkGatunRayCaster()
 vtkGatunRayCaster::~vtkGatunRayCaster()
 {
   this->SetArrayName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunRayCaster::SetBlendMode(int mode)
+{
+  if (!gatun::RayModeOf(mode))
+  {
+    vtkErrorMacro("Blend mode " << mode << " is not supported.");
+  }
+  else if (mode != this->BlendMode)
+  {
+    this->BlendMode = mode;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunRayCaster::SetSize(int width, int height)
+{
+  constexpr int most = 32000;
+  width = std::clamp(width, 1, most);
+  height = std::clamp(height, 1, most);
+  if (width != this->Size[0] || height != this->Size[1])
+  {
+    this->Size[0] = width;
+    this->Size[1] = height;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -279,7 +313,7 @@ int vtkGatunRayCaster::RequestData(
   this->SetErrorCode(vtkErrorCode::NoError);
   auto& self = *this->Internals;
   self.Statistics = {};
-  const gatun::FileHandle* const file = gatun::GetUsableFile(inInfo);
+  const gatun::PublishedFile* const file = gatun::GetUsableFile(inInfo);
   try
   {
     if (!self.Camera || !self.Property)
@@ -287,6 +321,8 @@ int vtkGatunRayCaster::RequestData(
       throw gatun::Error(gatun::ErrorCode::InvalidInput,
         self.Camera ? "no property with colours is set" : "no camera is set");
     }
+    gatun::RequireNumber("OpacityLimit", this->OpacityLimit);
+    gatun::RequireNumber("TimeBudget", this->TimeBudget);
     const auto view =
       gatun::MakeRayView(self.Camera, gatun::RayGrid{ this->Size[0], this->Size[1] },
         this->SampleDistance, self.VolumeMatrix, false);
@@ -321,8 +357,8 @@ int vtkGatunRayCaster::RequestData(
     settings.FromBothEnds = this->FromBothEnds;
     settings.Portable = this->PortableInstructions;
     gatun::RayCaster caster(view,
-      gatun::MakeRayTable(self.Property, static_cast<gatun::RayMode>(this->Mode),
-        self.Scene.GetRange(), view.SampleDistance),
+      gatun::MakeRayTable(self.Property, *gatun::RayModeOf(this->BlendMode), self.Scene.GetRange(),
+        view.SampleDistance),
       gatun::MakeRayLimits(view, self.ClippingPlanes, self.VolumeMatrix), settings);
     self.Draw(*this, merges, caster, view, progress);
 
@@ -358,8 +394,7 @@ int vtkGatunRayCaster::RequestData(
 void vtkGatunRayCaster::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const char* const modes[] = { "Composite", "Area", "Maximum", "XRay" };
-  os << indent << "Mode: " << modes[this->Mode] << "\n";
+  os << indent << "BlendMode: " << this->BlendMode << "\n";
   os << indent << "Camera: " << this->Internals->Camera.Get() << "\n";
   os << indent << "Property: " << this->Internals->Property.Get() << "\n";
   os << indent << "VolumeMatrix: " << this->Internals->VolumeMatrix.Get() << "\n";

@@ -4,38 +4,39 @@
  * @class vtkGatunRayCaster
  * @brief Volume rendering of a tetrahedral mesh into an image, without a window.
  *
- * Input: a vtkUnstructuredGrid with point or cell scalars of any numeric type. Tetrahedra are drawn
- * as they are, other linear 3D cells are split, and quadratic tetrahedra are linearized. Cells of
- * other types are an error. Hidden, refined and duplicate cells (vtkGhostType) are left out.
- * Tetrahedra with a coordinate or value that is NaN or infinite are not visible.
+ * Input: a vtkUnstructuredGrid with point or cell scalars of any numeric type. Other linear 3D
+ * cells are split into tetrahedra, quadratic tetrahedra are made linear, and cells of other types
+ * are an error. Hidden, refined and duplicate cells (vtkGhostType) are left out. Tetrahedra with a
+ * coordinate or value that is NaN or infinite are invisible.
  *
- * *From a file.* If the input is the output of a vtkGatunReader without a region of interest, the
- * filter finds a vtkGatunFileHandle in the information of its input and draws directly from the
- * file, chunk by chunk from front to back. Chunks outside of the view, transparent or hidden ones
- * are not even read. The filter shares the reader's open file and memory budget, and the reader is
- * not asked for the mesh. Other inputs must be in memory as a whole.
+ * If the input is the output of a vtkGatunReader (without a region of interest or a value range),
+ * the filter finds a vtkGatunFileHandle in the information of its input and draws from the file:
+ * chunk by chunk from front to back, each decoded when it is needed. Chunks that are outside the
+ * view, transparent or hidden are not read. The filter shares the open file and the memory budget
+ * of the reader, and the reader is not asked for the mesh. Other inputs must be in memory as a
+ * whole.
  *
- * Output: a vtkImageData of Size with these point arrays:
+ * Output: a vtkImageData of Size with the point arrays
  *
- *  - RGBA (float, 4 components, the active scalars): red, green and blue, premultiplied by opacity,
+ *  - RGBA (float, 4 components, the active scalars): red, green and blue premultiplied by opacity,
  *    and opacity, 0 to 1;
- *  - Depth (float): the distance of the first visible sample, in world units, from the eye along
- * the ray, or from the plane of the camera in a parallel projection; infinity where nothing is
- *    visible, and in the modes maximum and X-ray.
+ *  - Depth (float): distance of the first visible sample in world units, from the eye along the
+ * ray, or from the camera's plane in a parallel projection. It is infinite in empty pixels and in
+ * the blend modes maximum intensity and X-ray.
  *
  * Point (0, 0) is at the lower left.
  *
- * Samples are SampleDistance apart, at integer multiples of it, measured as Depth is. Values are
- * interpolated linearly. Color and opacity are then looked up in tables of 4096 entries. The image
- * does not depend on the order of the cells, on chunks or on the number of threads, except for
- * rounding (below 1/255). Where tetrahedra overlap, the order of their colors is undefined.
+ * Samples lie at whole multiples of SampleDistance, measured as Depth. Values are interpolated
+ * linearly; tables of 4096 entries then give color and opacity. The image does not depend on the
+ * order of the cells, on chunks or on the number of threads, except for rounding (below 1/255). The
+ * order of overlapping tetrahedra is undefined.
  *
- * *Cost.* Memory of about 75 bytes for each pixel that is reached and 20 MB for each thread, in
- * addition to MemoryBudget, or for a file the budget of the reader. Time in proportion to the
- * visible tetrahedra and to the samples. All threads of vtkSMPTools are used.
+ * *Cost.* Memory: about 75 bytes for each covered pixel and 20 MB for each thread, in addition to
+ * MemoryBudget or, for a file, to the budget of the reader. Time: in proportion to the visible
+ * tetrahedra and to the samples. All threads of vtkSMPTools are used.
  *
  * *Errors.* A mesh, array, parameter or file that cannot be drawn is reported by vtkErrorMacro and
- * GetErrorCode (with the codes of vtkGatunReader). The output is then empty.
+ * GetErrorCode (see vtkGatunReader). The output is then empty.
  *
  * @par Background
  * C. Yang, T. Mitra, T. Chiueh: On-the-fly rendering of losslessly compressed irregular volume
@@ -66,28 +67,34 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * What becomes of the samples of a ray.
+   * How the samples of a ray are blended. The numbers are those of vtkVolumeMapper where it has the
+   * mode, and beyond its range where it does not.
    */
-  enum ModeType
+  enum BlendModes
   {
-    Composite = 0, ///< colour and opacity, front to back
-    Area = 1,    ///< the same, but one sample for all that a tetrahedron has of a ray: the mean of
-                 ///< the values at the two faces, with the length in between
-    Maximum = 2, ///< the colour and opacity of the largest value
-    XRay = 3     ///< absorption adds up whatever lies in front; colours are averaged
+    COMPOSITE_BLEND = 0,         ///< color and opacity, composited front to back
+    MAXIMUM_INTENSITY_BLEND = 1, ///< color and opacity of the largest value
+    AREA_BLEND = 100, ///< composite with one sample for each tetrahedron that a ray crosses: the
+                      ///< mean of the values at the two faces, over the length in between
+    XRAY_BLEND = 101  ///< sum of the absorption along the ray; colors are averaged
   };
 
   ///@{
   /**
-   * See ModeType. Default: Composite.
+   * Blend mode, one of BlendModes. Any other value is reported as an error and changes nothing.
+   * Default: COMPOSITE_BLEND.
    */
-  vtkSetClampMacro(Mode, int, Composite, XRay);
-  vtkGetMacro(Mode, int);
+  void SetBlendMode(int mode);
+  vtkGetMacro(BlendMode, int);
+  void SetBlendModeToComposite() { this->SetBlendMode(COMPOSITE_BLEND); }
+  void SetBlendModeToMaximumIntensity() { this->SetBlendMode(MAXIMUM_INTENSITY_BLEND); }
+  void SetBlendModeToArea() { this->SetBlendMode(AREA_BLEND); }
+  void SetBlendModeToXRay() { this->SetBlendMode(XRAY_BLEND); }
   ///@}
 
   ///@{
   /**
-   * Who looks. Its clipping range is not used. Default: none, which is an error.
+   * The camera. Its clipping range is not used. Default: none, which is an error.
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();
@@ -95,9 +102,9 @@ public:
 
   ///@{
   /**
-   * Colours and opacities. Of it count: the colour function (of one or three channels), the scalar
-   * opacity and its unit distance; and Shade with its parts, see vtkGatunVolumeMapper, by a light
-   * at the camera. Default: none, which is an error.
+   * Colors and opacities. The caster uses the color function (of one or three channels), the scalar
+   * opacity and its unit distance, and Shade with its coefficients (see vtkGatunVolumeMapper), with
+   * a light at the camera. Default: none, which is an error.
    */
   void SetProperty(vtkVolumeProperty* property);
   vtkVolumeProperty* GetProperty();
@@ -105,7 +112,7 @@ public:
 
   ///@{
   /**
-   * Where the mesh is in the world; affine. Default: none, it is where its coordinates say.
+   * Affine transformation of the mesh into world coordinates. Default: none, the identity.
    */
   void SetVolumeMatrix(vtkMatrix4x4* matrix);
   vtkMatrix4x4* GetVolumeMatrix();
@@ -113,7 +120,7 @@ public:
 
   ///@{
   /**
-   * Only what is on the positive side of all planes is drawn; in world coordinates. Default: none.
+   * Clipping planes in world coordinates. The positive side of all planes is drawn. Default: none.
    */
   void SetClippingPlanes(vtkPlaneCollection* planes);
   vtkPlaneCollection* GetClippingPlanes();
@@ -123,23 +130,24 @@ public:
   /**
    * Width and height of the image in pixels, 1 to 32000 each. Default: 512, 512.
    */
-  vtkSetVector2Macro(Size, int);
+  void SetSize(int width, int height);
+  void SetSize(const int size[2]) { this->SetSize(size[0], size[1]); }
   vtkGetVector2Macro(Size, int);
   ///@}
 
   ///@{
   /**
-   * Distance of samples in world units; 0: the size of a pixel at the camera's focal point.
-   * Default: 0.
+   * Distance between the samples of a ray in world units, 0 or more. 0 is the size of a pixel at
+   * the camera's focal point. Default: 0.
    */
-  vtkSetMacro(SampleDistance, double);
+  vtkSetClampMacro(SampleDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SampleDistance, double);
   ///@}
 
   ///@{
   /**
-   * Name of the array to draw; none for the active scalars, of the points or else of the cells.
-   * Default: none.
+   * Name of the array to draw. Without a name, the active scalars of the points are drawn, or those
+   * of the cells if there are none. Default: none.
    */
   vtkSetStringMacro(ArrayName);
   vtkGetStringMacro(ArrayName);
@@ -147,8 +155,7 @@ public:
 
   ///@{
   /**
-   * Whether the array is of the points (0), of the cells (1), or of either (-1), points first.
-   * Default: -1.
+   * Association of the array: points (0), cells (1), or points, then cells (-1). Default: -1.
    */
   vtkSetClampMacro(ArrayAssociation, int, -1, 1);
   vtkGetMacro(ArrayAssociation, int);
@@ -156,7 +163,7 @@ public:
 
   ///@{
   /**
-   * Component of the array to draw, from 0; -1 for the length of its tuples. Default: 0.
+   * Component of the array to draw, from 0; -1 is the length of the tuple. Default: 0.
    */
   vtkSetClampMacro(ArrayComponent, int, -1, VTK_INT_MAX);
   vtkGetMacro(ArrayComponent, int);
@@ -164,8 +171,7 @@ public:
 
   ///@{
   /**
-   * Once less light than this comes through, what is behind is not drawn: 0 (draw all) to 1.
-   * Default: 0.001.
+   * Transparency at which a ray ends, from 0 (never) to 1. Default: 0.001.
    */
   vtkSetClampMacro(OpacityLimit, double, 0.0, 1.0);
   vtkGetMacro(OpacityLimit, double);
@@ -173,8 +179,9 @@ public:
 
   ///@{
   /**
-   * How much of the mesh is kept ready for the next image, in MiB. Beyond it, it is made or decoded
-   * anew each time. Default: 512.
+   * Memory for the parts of a mesh in memory that are kept for the next image, in MiB, 0 or more.
+   * What does not fit is converted again for each image. For a file, the budget is that of the
+   * reader. Default: 512.
    */
   vtkSetClampMacro(MemoryBudget, int, 0, VTK_INT_MAX);
   vtkGetMacro(MemoryBudget, int);
@@ -182,19 +189,18 @@ public:
 
   ///@{
   /**
-   * Part of the mesh's points that is merged away, 0 to 1, as far as that is possible; others are
-   * an error. A file must have been written with a hierarchy (vtkGatunWriter::Hierarchy) for it; of
-   * a mesh in memory, it is first found out how to simplify it (see vtkGatunSimplify), which is
-   * kept for the next image. Default: 0.
+   * Fraction of points removed, from 0 (none) to 1 (as many as possible). Above 0, a file must have
+   * a hierarchy (vtkGatunWriter::Hierarchy). For a mesh in memory, the order of edge collapses is
+   * computed first (see vtkGatunSimplify) and kept for the next image. Default: 0.
    */
-  vtkSetMacro(SimplificationRatio, double);
+  vtkSetClampMacro(SimplificationRatio, double, 0.0, 1.0);
   vtkGetMacro(SimplificationRatio, double);
   ///@}
 
   ///@{
   /**
-   * Seconds that an image may take, without decoding and simplifying: as many points are merged
-   * away as that needs, by what the images before took. 0 for all that it needs. Default: 0.
+   * Time for an image in seconds, 0 to 1e6, decoding and simplification not included. The number of
+   * points removed follows from the times of the images before. 0 is no limit. Default: 0.
    */
   vtkSetClampMacro(TimeBudget, double, 0.0, 1e6);
   vtkGetMacro(TimeBudget, double);
@@ -202,7 +208,7 @@ public:
 
   ///@{
   /**
-   * Whether to use only instructions that every processor has. Default: off.
+   * Whether to use only instructions of the baseline processor. Default: off.
    */
   vtkSetMacro(PortableInstructions, bool);
   vtkGetMacro(PortableInstructions, bool);
@@ -211,8 +217,8 @@ public:
 
   ///@{
   /**
-   * Whether tetrahedra are also released from behind, so that rays grow from both ends: fewer
-   * tetrahedra wait for others, but less is hidden early. Default: off.
+   * Whether tetrahedra are also released from the back, so that rays grow from both ends. Fewer
+   * tetrahedra wait for others then, but fewer are hidden early. Default: off.
    */
   vtkSetMacro(FromBothEnds, bool);
   vtkGetMacro(FromBothEnds, bool);
@@ -220,22 +226,22 @@ public:
   ///@}
 
   /**
-   * What is known of the last image. Times are of all threads together, in seconds.
+   * Statistics of the last image. Times are in seconds, summed over all threads.
    */
   enum StatisticType
   {
-    FetchTime = 0,          ///< making or decoding chunks
-    OrderTime,              ///< projecting and ordering tetrahedra
-    SetUpTime,              ///< planes of their faces
+    FetchTime = 0,          ///< conversion or decoding of chunks
+    OrderTime,              ///< projection and order of tetrahedra
+    SetUpTime,              ///< planes of faces
     DrawTime,               ///< samples
-    FinishTime,             ///< fragments into pixels
-    NumberOfTetrahedra,     ///< of chunks that were drawn
-    NumberOfSeenTetrahedra, ///< of those, that may own a sample
-    NumberOfChunks,         ///< drawn
-    NumberOfSkippedChunks,  ///< outside, transparent or hidden
-    MostWaitingTetrahedra,  ///< for others to be drawn, in a chunk
-    MostFragments,          ///< of rays, in all pixels together
-    MostBytes               ///< of image and chunks at work, without those kept ready
+    FinishTime,             ///< compositing of fragments
+    NumberOfTetrahedra,     ///< in the chunks drawn
+    NumberOfSeenTetrahedra, ///< of these, those that may contain a sample
+    NumberOfChunks,         ///< chunks drawn
+    NumberOfSkippedChunks,  ///< chunks outside the view, transparent or hidden
+    MostWaitingTetrahedra,  ///< largest number of tetrahedra of a chunk that wait for others
+    MostFragments,          ///< largest number of ray fragments, in all pixels together
+    MostBytes               ///< peak memory of image and chunks, without MemoryBudget
   };
   double GetStatistic(int which);
 
@@ -254,7 +260,7 @@ protected:
   int RequestData(
     vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
-  int Mode = Composite;
+  int BlendMode = COMPOSITE_BLEND;
   int Size[2] = { 512, 512 };
   double SampleDistance = 0;
   char* ArrayName = nullptr;

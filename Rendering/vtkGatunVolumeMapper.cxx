@@ -4,8 +4,8 @@
 #include "vtkGatunVolumeMapper.h"
 
 #include "gatunErrorCodes.h"
-#include "gatunFileHandle.h"
 #include "gatunFileReader.h"
+#include "gatunPublishedFile.h"
 #include "vtkGatunVolumeMapperInternals.h"
 
 #include "vtkDataSet.h"
@@ -21,6 +21,12 @@ using gatun::InputKind;
 
 namespace
 {
+// One numbering for all classes that draw.
+static_assert(int{ vtkGatunVolumeMapper::COMPOSITE_BLEND } == gatun::CompositeBlend);
+static_assert(int{ vtkGatunVolumeMapper::MAXIMUM_INTENSITY_BLEND } == gatun::MaximumIntensityBlend);
+static_assert(int{ vtkGatunVolumeMapper::AREA_BLEND } == gatun::AreaBlend);
+static_assert(int{ vtkGatunVolumeMapper::XRAY_BLEND } == gatun::XRayBlend);
+
 //------------------------------------------------------------------------------
 void ToArray(const gatun::Bounds& box, double* bounds)
 {
@@ -47,8 +53,11 @@ vtkGatunVolumeMapper::~vtkGatunVolumeMapper() = default;
 //------------------------------------------------------------------------------
 void vtkGatunVolumeMapper::SetBlendMode(int mode)
 {
-  mode = std::clamp<int>(mode, COMPOSITE_BLEND, XRAY_BLEND);
-  if (mode != this->BlendMode)
+  if (!gatun::RayModeOf(mode))
+  {
+    vtkErrorMacro("Blend mode " << mode << " is not supported.");
+  }
+  else if (mode != this->BlendMode)
   {
     this->BlendMode = mode;
     this->Modified();

@@ -4,54 +4,51 @@
  * @class vtkGatunVolumeMapper
  * @brief Draws a tetrahedral mesh as a volume, from memory, from its file or piece by piece.
  *
- * Use it in place of vtkUnstructuredGridVolumeRayCastMapper. vtkGatunRayCaster makes the same image
- * without a window and describes how it is made. In addition, the mapper leaves out what is outside
- * of the camera's clipping range, and opaque geometry of the same renderer ends the rays. Opacities
- * are over the property's unit distance, as in VTK's mappers for images. VTK's mappers for
- * unstructured grids take them for densities, so that they come out lower.
+ * Use it in place of vtkUnstructuredGridVolumeRayCastMapper. It draws the image that
+ * vtkGatunRayCaster computes without a window; see there for the method. In addition, the camera's
+ * clipping range cuts the volume, and opaque geometry in the same renderer ends the rays. Opacities
+ * refer to the property's unit distance, as in VTK's mappers for images. VTK's mappers for
+ * unstructured grids take them as densities, so that their images are more transparent.
  *
- * The input is a vtkUnstructuredGrid with point or cell scalars. What the mapper requests of the
- * pipeline depends on it:
+ * The input is a vtkUnstructuredGrid with point or cell scalars. There are three modes:
  *
- *  - *The output of a vtkGatunReader without a region of interest*: information only. The mapper
- *    finds a vtkGatunFileHandle there, takes the bounds from the tables of the file, and reads and
- *    decodes only visible chunks, of the array that is drawn and of the time that is requested of
- *    the reader. It shares the reader's open file and memory budget. The reader is never executed,
- *    its selection of arrays has no influence, and GetDataSetInput() is null.
- *  - *NumberOfPieces is more than 1*: each piece once for its bounds and values, before the first
- *    image and whenever the pipeline has changed. For an image, the visible pieces that are not
- *    kept within MemoryBudget, from front to back. One piece is in memory at a time.
- *    GetDataSetInput() is null. A grid that was set as data counts as one piece.
- *  - *Otherwise*: the whole mesh.
+ *  - *The input is a vtkGatunReader without a region of interest or a value range.* The mapper
+ * finds a vtkGatunFileHandle in the information of its input and draws the file. It shares the open
+ * file and the memory budget of the reader. The bounds come from the tables of the file. Only the
+ * visible chunks are read and decoded, for the array that is drawn and the time that the reader is
+ * asked for. The reader never executes, its array selection does not matter, and GetDataSetInput()
+ * is null.
+ *  - *NumberOfPieces is more than 1.* The mapper asks for each piece once, before the first image
+ * and whenever the pipeline has changed, to learn its bounds and values. For an image it asks for
+ *    those visible pieces, from front to back, that are not kept within MemoryBudget. One piece is
+ * in memory at a time. GetDataSetInput() is null. A grid set as data counts as one piece.
+ *  - *Otherwise* the whole mesh is in memory.
  *
- * All scalar modes of vtkAbstractVolumeMapper select the values to draw, except that of field data;
- * see also ArrayComponent. Colors and opacities are those of the first component of the
- * vtkVolumeProperty, whichever component of the array is drawn. Gradient opacity and
- * IndependentComponents have no influence. Clipping planes are in world coordinates.
+ * The scalar modes of vtkAbstractVolumeMapper, except field data, and ArrayComponent select the
+ * values to draw. The first component of the vtkVolumeProperty gives colors and opacities,
+ * whichever component of the array is drawn. Gradient opacity and IndependentComponents have no
+ * effect. Clipping planes are in world coordinates.
  *
- * With the property's Shade on, surfaces of equal values are lit from both sides by the lights of
- * the renderer, by Phong's model with the ambient, diffuse and specular coefficients of the
- * property. Lights have no cone and no attenuation. The gradient is that of each tetrahedron, so
- * that coarse meshes show their cells. Values of cells have no gradient and are not shaded. Only
- * the blend modes composite and area are shaded.
+ * If the property's Shade is on, isosurfaces are lit from both sides by the renderer's lights, with
+ * Phong's model and the property's ambient, diffuse and specular coefficients. Lights have no cone
+ * and no attenuation. The gradient is constant in each tetrahedron, so coarse meshes look faceted.
+ * Cell values have no gradient and are not shaded. Only the blend modes composite and area shade.
  *
- * *Just in time.* With JustInTime on, a frame during an interaction takes about the time that is
- * allocated to it. Points are merged into others, as vtkGatunSimplify does, until tetrahedra take a
- * quarter of that time. Then, with AutoAdjustSampleDistances on, fewer rays are cast. The image at
- * rest, for which more than 10 seconds are allocated, shows the whole mesh. For a mesh in memory, a
- * thread in the background finds the order of merges, from the first image on, in about 5 to 10
- * seconds for a million tetrahedra, and again when the input changes; meanwhile, only the number of
- * rays is reduced. That takes a copy of the mesh, about 60 bytes a tetrahedron in total, in
- * addition to MemoryBudget. Coarser meshes that are likely to be needed next, and at last the whole
- * one, are prepared in the background, too. Pieces cannot be simplified.
+ * *Just in time.* If JustInTime is on, a frame during an interaction takes about the time allowed
+ * for it. Points are merged into others, as in vtkGatunSimplify, until tetrahedra take a quarter of
+ * that time. If that does not suffice and AutoAdjustSampleDistances is on, rays are cast farther
+ * apart. The image at rest, for which more than 10 seconds are allocated, shows the whole mesh. For
+ * a mesh in memory, a background thread computes the order of merges from the first image on, in
+ * about 5 to 10 seconds for a million tetrahedra, and again when the input changes. Until then only
+ * the number of rays is reduced. This takes a copy of the mesh, about 60 bytes a tetrahedron in
+ * all, in addition to MemoryBudget. The background thread also prepares the levels of detail that
+ * are likely to be needed next and finally the whole mesh. Pieces cannot be simplified.
  *
- * *Memory.* MemoryBudget is for meshes in memory and for pieces. For a file it is the budget of the
- * reader.
- *
- * *Errors.* Errors are reported by vtkErrorMacro and GetErrorCode (with the codes of
- * vtkGatunReader), the message once for the same cause, and nothing is drawn. A mesh without cells
- * is no error. vtkRenderWindow::SetAbortRender stops an image, as in an observer of
- * vtkCommand::AbortCheckEvent; nothing of it is shown. vtkCommand::ProgressEvent reports progress.
+ * *Errors.* What cannot be drawn is reported by vtkErrorMacro, once for each cause, and by
+ * GetErrorCode (see vtkGatunReader); nothing is drawn then. A mesh without cells is not an error.
+ * vtkRenderWindow::SetAbortRender stops an image, as in an observer of
+ * vtkCommand::AbortCheckEvent; nothing of that image is shown. vtkCommand::ProgressEvent reports
+ * the progress of an image.
  *
  * A program needs VTK::RenderingVolumeOpenGL2, as for other volume mappers.
  *
@@ -74,18 +71,19 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * What becomes of the samples of a ray, beyond COMPOSITE_BLEND and MAXIMUM_INTENSITY_BLEND.
+   * Blend modes in addition to COMPOSITE_BLEND and MAXIMUM_INTENSITY_BLEND of the superclass, with
+   * numbers beyond those of vtkVolumeMapper.
    */
   enum
   {
-    AREA_BLEND = 2, ///< as composite, with one sample for all that a tetrahedron has of a ray
-    XRAY_BLEND = 3  ///< absorption adds up whatever lies in front; colours are averaged
+    AREA_BLEND = 100, ///< composite with one sample for each tetrahedron that a ray crosses
+    XRAY_BLEND = 101  ///< sum of the absorption along the ray; colors are averaged
   };
 
   ///@{
   /**
-   * COMPOSITE_BLEND (the default), MAXIMUM_INTENSITY_BLEND, AREA_BLEND or XRAY_BLEND; see
-   * vtkGatunRayCaster::ModeType. Values beyond are taken for the nearest.
+   * Blend mode: COMPOSITE_BLEND (the default), MAXIMUM_INTENSITY_BLEND, AREA_BLEND or XRAY_BLEND;
+   * see vtkGatunRayCaster::BlendModes. Any other value is reported as an error and changes nothing.
    */
   void SetBlendMode(int mode) override;
   void SetBlendModeToArea() { this->SetBlendMode(AREA_BLEND); }
@@ -94,17 +92,17 @@ public:
 
   ///@{
   /**
-   * Distance of samples in world units; 0: that of rays at the camera's focal point. A negative
-   * one is an error. Default: 0.
+   * Distance between the samples of a ray in world units, 0 or more. 0 is the distance of rays at
+   * the camera's focal point. Default: 0.
    */
-  vtkSetMacro(SampleDistance, double);
+  vtkSetClampMacro(SampleDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SampleDistance, double);
   ///@}
 
   ///@{
   /**
-   * Distance of rays in pixels, 1 to 100; between them the picture is interpolated. While
-   * AutoAdjustSampleDistances is on, it tells what was used last. Default: 1.
+   * Distance between rays in pixels, 1 to 100. The image is interpolated between rays. If
+   * AutoAdjustSampleDistances is on, this is the distance in the last image. Default: 1.
    */
   vtkSetClampMacro(ImageSampleDistance, float, 1.0f, 100.0f);
   vtkGetMacro(ImageSampleDistance, float);
@@ -112,19 +110,18 @@ public:
 
   ///@{
   /**
-   * Whether ImageSampleDistance is chosen for each picture, so that it takes the time allocated to
-   * the volume (see vtkRenderWindow::SetDesiredUpdateRate), as far as the last one tells. A picture
-   * at rest has time for the least distance. Default: on.
+   * Whether ImageSampleDistance is chosen for each image from the time of the last one, so that the
+   * image takes the time allocated to the volume (see vtkRenderWindow::SetDesiredUpdateRate). An
+   * image at rest has the least distance. Default: on.
    */
-  vtkSetMacro(AutoAdjustSampleDistances, vtkTypeBool);
-  vtkGetMacro(AutoAdjustSampleDistances, vtkTypeBool);
-  vtkBooleanMacro(AutoAdjustSampleDistances, vtkTypeBool);
+  vtkSetMacro(AutoAdjustSampleDistances, bool);
+  vtkGetMacro(AutoAdjustSampleDistances, bool);
+  vtkBooleanMacro(AutoAdjustSampleDistances, bool);
   ///@}
 
   ///@{
   /**
-   * Least and largest distance that AutoAdjustSampleDistances may choose, 1 to 100. Defaults: 1
-   * and 10.
+   * Limits for AutoAdjustSampleDistances, 1 to 100. Defaults: 1 and 10.
    */
   vtkSetClampMacro(MinimumImageSampleDistance, float, 1.0f, 100.0f);
   vtkGetMacro(MinimumImageSampleDistance, float);
@@ -134,17 +131,17 @@ public:
 
   ///@{
   /**
-   * Whether opaque geometry that the renderer has drawn before hides what is behind it. Off: the
-   * volume is drawn as if it were a picture at the depth of its centre. Default: on.
+   * Whether opaque geometry drawn before by the renderer hides the parts of the volume behind it.
+   * Off: the volume is drawn as an image at the depth of its center. Default: on.
    */
-  vtkSetMacro(IntermixIntersectingGeometry, vtkTypeBool);
-  vtkGetMacro(IntermixIntersectingGeometry, vtkTypeBool);
-  vtkBooleanMacro(IntermixIntersectingGeometry, vtkTypeBool);
+  vtkSetMacro(IntermixIntersectingGeometry, bool);
+  vtkGetMacro(IntermixIntersectingGeometry, bool);
+  vtkBooleanMacro(IntermixIntersectingGeometry, bool);
   ///@}
 
   ///@{
   /**
-   * Component of the array to draw, from 0; -1 for the length of its tuples. Default: 0.
+   * Component of the array to draw, from 0; -1 is the length of the tuple. Default: 0.
    */
   vtkSetClampMacro(ArrayComponent, int, -1, VTK_INT_MAX);
   vtkGetMacro(ArrayComponent, int);
@@ -152,8 +149,7 @@ public:
 
   ///@{
   /**
-   * Once less light than this comes through, what is behind is not drawn: 0 (draw all) to 1.
-   * Default: 0.001.
+   * Transparency at which a ray ends, from 0 (never) to 1. Default: 0.001.
    */
   vtkSetClampMacro(OpacityLimit, double, 0.0, 1.0);
   vtkGetMacro(OpacityLimit, double);
@@ -161,8 +157,9 @@ public:
 
   ///@{
   /**
-   * How much of the mesh is kept ready for the next picture, in MiB. Beyond it, it is made, decoded
-   * or pulled anew each time. Default: 512.
+   * Memory for the parts of a mesh in memory, or of pieces, that are kept for the next image, in
+   * MiB, 0 or more. What does not fit is converted or pulled again for each image. For a file, the
+   * budget is that of the reader. Default: 512.
    */
   vtkSetClampMacro(MemoryBudget, int, 0, VTK_INT_MAX);
   vtkGetMacro(MemoryBudget, int);
@@ -170,8 +167,8 @@ public:
 
   ///@{
   /**
-   * In how many pieces the mesh is asked for; 1 for all of it at once. The pipeline must be able to
-   * make pieces, without duplicate cells. Default: 1.
+   * Number of pieces in which the mapper asks for the mesh, 1 or more. The pipeline must be able to
+   * produce pieces without duplicate cells. Default: 1.
    */
   vtkSetClampMacro(NumberOfPieces, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfPieces, int);
@@ -179,17 +176,17 @@ public:
 
   ///@{
   /**
-   * Whether pictures during an interaction are to be drawn within their time, by simpler meshes;
-   * see above. Default: off.
+   * Whether coarser meshes keep frames during an interaction within their time; see above. Default:
+   * off.
    */
-  vtkSetMacro(JustInTime, vtkTypeBool);
-  vtkGetMacro(JustInTime, vtkTypeBool);
-  vtkBooleanMacro(JustInTime, vtkTypeBool);
+  vtkSetMacro(JustInTime, bool);
+  vtkGetMacro(JustInTime, bool);
+  vtkBooleanMacro(JustInTime, bool);
   ///@}
 
   ///@{
   /**
-   * Seconds that a picture may take during an interaction, with JustInTime on; 0 for what is
+   * Time for a frame during an interaction if JustInTime is on, in seconds, 0 to 1e6. 0 is the time
    * allocated to the volume (see vtkRenderWindow::SetDesiredUpdateRate). Default: 0.
    */
   vtkSetClampMacro(TimeBudget, double, 0.0, 1e6);
@@ -198,30 +195,29 @@ public:
 
   ///@{
   /**
-   * Part of the mesh's points that is merged away in all pictures, 0 to 1, as far as that is
-   * possible; others are an error. The first picture waits until it is known how. Where nothing but
-   * the ratio has changed since the last picture, only the squares of 16 by 16 pixels are drawn
-   * that change, unless JustInTime is on. Default: 0.
+   * Fraction of points removed in all images, from 0 (none) to 1 (as many as possible). The first
+   * image waits for the order of edge collapses. If only the ratio has changed since the last image
+   * and JustInTime is off, only those squares of 16 by 16 pixels are drawn again that change.
+   * Default: 0.
    */
-  vtkSetMacro(SimplificationRatio, double);
+  vtkSetClampMacro(SimplificationRatio, double, 0.0, 1.0);
   vtkGetMacro(SimplificationRatio, double);
   ///@}
 
   /**
-   * How many points the mesh of the last picture had; 0 if that is not known, as where nothing is
-   * simplified.
+   * Number of points of the mesh in the last image; 0 if it is unknown, as without simplification.
    */
   vtkIdType GetNumberOfDrawnPoints();
 
   /**
-   * What part of the last picture was drawn anew, 0 to 1; see SimplificationRatio.
+   * Fraction of the last image that was drawn again, 0 to 1; see SimplificationRatio.
    */
   double GetPartDrawn();
 
   /**
-   * Waits until it is known how the input can be simplified, which otherwise is found out while
-   * pictures are drawn. False if it cannot be, and while neither JustInTime is on nor
-   * SimplificationRatio above 0. AbortExecute stops waiting.
+   * Computes the order of merges for the input now instead of in the background, and waits for it.
+   * Returns false if the input cannot be simplified, or if JustInTime is off and
+   * SimplificationRatio is 0. AbortExecute ends the wait.
    */
   bool PrepareSimplification();
 
@@ -233,21 +229,21 @@ public:
 
   ///@{
   /**
-   * Of the whole mesh; from its file or its pieces where these are drawn.
+   * Bounds of the whole mesh, from the file or the pieces if these are drawn.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
   ///@}
 
   /**
-   * The input, if all of it is in memory; otherwise null.
+   * The input if all of it is in memory, otherwise null.
    */
   vtkDataSet* GetDataSetInput() override;
 
   ///@{
   /**
-   * Asks of the pipeline what is needed before a picture is drawn: the mesh, or less, see above.
-   * Ports and requests do not matter.
+   * Updates the part of the pipeline that is needed before an image is drawn; see above. Ports and
+   * requests have no effect.
    */
   void Update() override;
   void Update(int port) override;
@@ -273,15 +269,15 @@ protected:
 
   double SampleDistance = 0;
   float ImageSampleDistance = 1;
-  vtkTypeBool AutoAdjustSampleDistances = 1;
+  bool AutoAdjustSampleDistances = true;
   float MinimumImageSampleDistance = 1;
   float MaximumImageSampleDistance = 10;
-  vtkTypeBool IntermixIntersectingGeometry = 1;
+  bool IntermixIntersectingGeometry = true;
   int ArrayComponent = 0;
   double OpacityLimit = 0.001;
   int MemoryBudget = 512;
   int NumberOfPieces = 1;
-  vtkTypeBool JustInTime = 0;
+  bool JustInTime = false;
   double TimeBudget = 0;
   double SimplificationRatio = 0;
 

@@ -33,22 +33,6 @@ namespace
 {
 
 //------------------------------------------------------------------------------
-gatun::RayMode ToMode(int blendMode)
-{
-  switch (blendMode)
-  {
-    case vtkGatunVolumeMapper::MAXIMUM_INTENSITY_BLEND:
-      return gatun::RayMode::Maximum;
-    case vtkGatunVolumeMapper::AREA_BLEND:
-      return gatun::RayMode::Area;
-    case vtkGatunVolumeMapper::XRAY_BLEND:
-      return gatun::RayMode::XRay;
-    default:
-      return gatun::RayMode::Composite;
-  }
-}
-
-//------------------------------------------------------------------------------
 // Seconds. Images that are allocated as much are at rest: what interacts allocates a second or
 // less, what waits, minutes.
 constexpr double LeastTimeAtRest = 10;
@@ -120,7 +104,8 @@ void vtkGatunVolumeMapper::vtkInternals::UpdateInformation(const gatun::RayProdu
 
 //------------------------------------------------------------------------------
 /** The file to be drawn in place of the input, if there is one; it may have failed to open. */
-const gatun::FileHandle* vtkGatunVolumeMapper::vtkInternals::FindFile(vtkGatunVolumeMapper* mapper)
+const gatun::PublishedFile* vtkGatunVolumeMapper::vtkInternals::FindFile(
+  vtkGatunVolumeMapper* mapper)
 {
   const gatun::RayProducer producer = gatun::GetProducer(mapper);
   if (!producer.Algorithm)
@@ -128,16 +113,17 @@ const gatun::FileHandle* vtkGatunVolumeMapper::vtkInternals::FindFile(vtkGatunVo
     return nullptr;
   }
   this->UpdateInformation(producer);
-  const gatun::FileHandle* const handle =
-    gatun::GetFileHandle(producer.Algorithm->GetOutputInformation(producer.Port));
+  const gatun::PublishedFile* const handle =
+    gatun::GetPublishedFile(producer.Algorithm->GetOutputInformation(producer.Port));
   return handle && (!handle->File || handle->CanReplaceOutput()) ? handle : nullptr;
 }
 
 //------------------------------------------------------------------------------
 /** The same, but throws if it failed to open. */
-const gatun::FileHandle& vtkGatunVolumeMapper::vtkInternals::GetFile(vtkGatunVolumeMapper* mapper)
+const gatun::PublishedFile& vtkGatunVolumeMapper::vtkInternals::GetFile(
+  vtkGatunVolumeMapper* mapper)
 {
-  const gatun::FileHandle* const handle = this->FindFile(mapper);
+  const gatun::PublishedFile* const handle = this->FindFile(mapper);
   if (!handle->File)
   {
     std::rethrow_exception(handle->Failure);
@@ -212,7 +198,7 @@ bool vtkGatunVolumeMapper::vtkInternals::Simplifies(vtkGatunVolumeMapper* mapper
   {
     return true;
   }
-  const gatun::FileHandle* const file = this->FindFile(mapper);
+  const gatun::PublishedFile* const file = this->FindFile(mapper);
   return file && file->Merges > 0;
 }
 
@@ -248,7 +234,7 @@ bool vtkGatunVolumeMapper::vtkInternals::SetScene(
       return false;
     case InputKind::File:
     {
-      const gatun::FileHandle& file = this->GetFile(mapper);
+      const gatun::PublishedFile& file = this->GetFile(mapper);
       const auto step = gatun::GetRequestedStep(
         *file.File->GetFile(), producer.Algorithm->GetOutputInformation(producer.Port));
       this->Scene.SetFile(file, step, GetArray(mapper), this->Simplifies(mapper));
@@ -304,11 +290,11 @@ gatun::FrameRequest vtkGatunVolumeMapper::vtkInternals::GetRequest(
   {
     request.Budget = mapper->TimeBudget > 0 ? mapper->TimeBudget : allocated;
   }
-  const gatun::FileHandle* const file = this->FindFile(mapper);
+  const gatun::PublishedFile* const file = this->FindFile(mapper);
   request.Ratio = mapper->SimplificationRatio;
   request.Merges = file ? file->Merges : 0;
   request.Pixels = static_cast<double>(viewport.Width) * viewport.Height;
-  const bool adjusts = mapper->AutoAdjustSampleDistances != 0;
+  const bool adjusts = mapper->AutoAdjustSampleDistances;
   request.LeastDistance =
     adjusts ? mapper->MinimumImageSampleDistance : mapper->ImageSampleDistance;
   request.LargestDistance = adjusts
@@ -354,8 +340,8 @@ gatun::RayStatistics vtkGatunVolumeMapper::vtkInternals::Draw(vtkGatunVolumeMapp
   settings.Opaque = static_cast<float>(mapper->OpacityLimit);
   settings.Shading =
     gatun::MakeRayShading(volume->GetProperty(), camera, renderer->GetLights(), matrix);
-  auto table = gatun::MakeRayTable(
-    volume->GetProperty(), ToMode(mapper->BlendMode), this->Scene.GetRange(), view.SampleDistance);
+  auto table = gatun::MakeRayTable(volume->GetProperty(), *gatun::RayModeOf(mapper->BlendMode),
+    this->Scene.GetRange(), view.SampleDistance);
   if (frame.Source && !mapper->JustInTime)
   {
     // The user may be looking for the best ratio.
@@ -401,6 +387,11 @@ void vtkGatunVolumeMapper::vtkInternals::DrawFrame(
   {
     return;
   }
+  gatun::RequireNumber("ImageSampleDistance", mapper->ImageSampleDistance);
+  gatun::RequireNumber("MinimumImageSampleDistance", mapper->MinimumImageSampleDistance);
+  gatun::RequireNumber("MaximumImageSampleDistance", mapper->MaximumImageSampleDistance);
+  gatun::RequireNumber("OpacityLimit", mapper->OpacityLimit);
+  gatun::RequireNumber("TimeBudget", mapper->TimeBudget);
   vtkRenderWindow* const window = renderer->GetRenderWindow();
   const auto progress = [mapper, window](double fraction)
   {
@@ -427,7 +418,7 @@ void vtkGatunVolumeMapper::vtkInternals::DrawFrame(
   const double before = vtkTimerLog::GetUniversalTime();
   const auto statistics = this->Draw(mapper, renderer, volume, viewport, grid, progress, frame);
   const double cast = vtkTimerLog::GetUniversalTime() - before;
-  this->Picture.Show(renderer, volume, mapper->IntermixIntersectingGeometry != 0);
+  this->Picture.Show(renderer, volume, mapper->IntermixIntersectingGeometry);
   if (inMotion)
   {
     window->WaitForCompletion(); // or the next picture would pay for this one

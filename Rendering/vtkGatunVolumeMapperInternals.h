@@ -22,7 +22,7 @@
 
 namespace gatun
 {
-struct FileHandle;
+struct PublishedFile;
 
 /** The kinds of input that the mapper draws in different ways. */
 enum class InputKind
@@ -85,8 +85,8 @@ public:
   vtkMTimeType FailedTime = 0;
 
   void UpdateInformation(const gatun::RayProducer& producer);
-  const gatun::FileHandle* FindFile(vtkGatunVolumeMapper* mapper);
-  const gatun::FileHandle& GetFile(vtkGatunVolumeMapper* mapper);
+  const gatun::PublishedFile* FindFile(vtkGatunVolumeMapper* mapper);
+  const gatun::PublishedFile& GetFile(vtkGatunVolumeMapper* mapper);
   gatun::InputKind GetKind(vtkGatunVolumeMapper* mapper);
   std::string GetCause(vtkGatunVolumeMapper* mapper, const gatun::VTKFailure& failure);
   static gatun::RayArray GetArray(vtkGatunVolumeMapper* mapper);

@@ -4,30 +4,30 @@
  * @class vtkGatunTetrahedralize
  * @brief Fills a closed surface (vtkPolyData) with tetrahedra (vtkUnstructuredGrid) by TetGen.
  *
- * Input: polygons and strips, of which triangles are made; lines and vertices are ignored, and so
- * are points that lie exactly on each other (they are merged) and triangles that thereby lose a
- * corner. The surface must be closed: each edge in exactly two triangles, and must not cut itself.
- * The sense of the triangles does not matter. A surface inside another one bounds a cavity, a
+ * Input: polygons and strips, which are split into triangles. Lines and vertices are ignored.
+ * Coincident points are merged, and triangles that lose a corner by that are dropped. The surface
+ * must be closed, with each edge in exactly two triangles, and must not intersect itself. The
+ * orientation of the triangles does not matter. A surface inside another one bounds a cavity, a
  * third one in that cavity a solid again, and so on.
  *
  * Output: tetrahedra of positive volume with 64-bit ids. The points of the surface come first, in
- * the order in which the cleaned input has them, with the very same coordinates; then those that
- * TetGen adds, on the surface (see PreserveSurface) and inside. Coordinates are of the type of the
- * input's, or as OutputPointsPrecision says. Arrays of the surface are not carried over.
+ * the order of the cleaned input and with the same coordinates, followed by the points that TetGen
+ * adds on the surface (see PreserveSurface) and inside. Coordinates have the type of the input, or
+ * the type given by OutputPointsPrecision. Arrays of the surface are not passed on.
  *
- * An error (no output, an error code, a message) is reported for an empty surface, one that is
- * open, non-manifold or not finite, one that cuts itself, and when TetGen gives up.
+ * *Errors.* A surface that is empty, open, non-manifold, not finite or intersects itself, and a
+ * failure of TetGen are reported by vtkErrorMacro and GetErrorCode. The output is then empty.
  *
- * Cost: one thread; some 400 bytes and 3 to 10 microseconds a tetrahedron.
+ * *Cost.* One thread; about 400 bytes and 3 to 10 microseconds a tetrahedron.
+ *
+ * TetGen runs in a process of its own. A crash of TetGen does not affect the caller, and an abort
+ * takes effect at once.
  *
  * @warning A program that ships with this library is subject to the GNU Affero General Public
  * License, version 3, because TetGen is. No other part of Gatun uses TetGen.
  *
- * TetGen runs in a process of its own (where the system has fork), so that whatever happens to it
- * does not happen to the caller, and abort works at once. Elsewhere its failures may be fatal.
- *
  * @warning A very high quality may make TetGen run until the memory is full. See Quality and
- * MinDihedral for what is known to end.
+ * MinDihedral for safe values.
  *
  * @par Background
  * Hang Si: "TetGen, a Delaunay-Based Quality Tetrahedral Mesh Generator". ACM Transactions on
@@ -51,9 +51,10 @@ public:
 
   ///@{
   /**
-   * Largest ratio of circumradius to shortest edge that a tetrahedron may have; smaller is better
-   * and makes more tetrahedra. 0: no points are added for quality. Otherwise 1 to 100, below 1.2
-   * TetGen may not end. Sharp corners of the surface limit what can be reached. Default: 1.414.
+   * Largest ratio of circumradius to shortest edge of a tetrahedron, 0 or 1 to 100. A smaller ratio
+   * gives better and more tetrahedra. 0: no points are added for quality. Values between 0 and 1
+   * are an error; below 1.2 TetGen may not end. Sharp corners of the surface limit the quality.
+   * Default: 1.414.
    */
   vtkSetClampMacro(Quality, double, 0.0, 100.0);
   vtkGetMacro(Quality, double);
@@ -61,8 +62,8 @@ public:
 
   ///@{
   /**
-   * Smallest dihedral angle to aim at, in degrees, 0 (do not) to 30; above 18 TetGen may not end.
-   * Default: 0.
+   * Target for the smallest dihedral angle, in degrees, 0 (none) to 30. Above 18 TetGen may not
+   * end. Default: 0.
    */
   vtkSetClampMacro(MinDihedral, double, 0.0, 30.0);
   vtkGetMacro(MinDihedral, double);
@@ -78,9 +79,9 @@ public:
 
   ///@{
   /**
-   * Whether the triangles of the surface must be faces of the mesh as they are, so that points are
-   * only added inside. Quality then suffers where the surface is coarse. Default: off, which lets
-   * TetGen split triangles; the surface keeps its shape either way.
+   * Whether the triangles of the surface are faces of the mesh, so that points are added inside
+   * only. The quality is then lower where the surface is coarse. Off: TetGen may split triangles;
+   * the shape of the surface does not change. Default: off.
    */
   vtkSetMacro(PreserveSurface, bool);
   vtkGetMacro(PreserveSurface, bool);
@@ -89,9 +90,9 @@ public:
 
   ///@{
   /**
-   * Switches for TetGen besides those made of the properties, such as "O4" or "S100000": letters,
-   * digits and any of "./-+". They come last, so they win. Switches that change what is put out
-   * (such as "o2" for quadratic tetrahedra) are an error. Default: none.
+   * Switches for TetGen in addition to those of the properties, such as "O4" or "S100000": letters,
+   * digits and any of "./-+". They come last and take precedence. Switches that change the output,
+   * such as "o2" for quadratic tetrahedra, are an error. Default: none.
    */
   vtkSetStringMacro(Switches);
   vtkGetStringMacro(Switches);
@@ -99,8 +100,7 @@ public:
 
   ///@{
   /**
-   * Whether TetGen is to keep silent, rather than to print what it does on the standard output.
-   * Default: on.
+   * Whether TetGen prints nothing on the standard output. Default: on.
    */
   vtkSetMacro(Quiet, bool);
   vtkGetMacro(Quiet, bool);

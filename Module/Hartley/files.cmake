@@ -6,15 +6,15 @@ gatun_core_folder(Hartley
     Format
   HEADERS
     gatunHartleyFile.h
-  EXPERIMENTAL_HEADERS
     gatunHartleyInput.h
     gatunHartleyLayout.h
+    gatunHartleySource.h
+    gatunHartleyVolume.h
+  EXPERIMENTAL_HEADERS
     gatunHartleyProjector.h
     gatunHartleyShading.h
-    gatunHartleySource.h
     gatunHartleyTransform.h
     gatunHartleyView.h
-    gatunHartleyVolume.h
   PRIVATE_HEADERS
     gatunHartleyBasis.h
     gatunHartleyBlocks.h

@@ -10,7 +10,8 @@
 namespace gatun
 {
 //------------------------------------------------------------------------------
-FileLevelsOfDetail::FileLevelsOfDetail(std::shared_ptr<const FileReader> file, const RayValues& values)
+FileLevelsOfDetail::FileLevelsOfDetail(
+  std::shared_ptr<const FileReader> file, const RayValues& values)
   : Own(std::make_shared<SimplifiedFile>(std::move(file)))
   , File(*this->Own)
   , Values(values)

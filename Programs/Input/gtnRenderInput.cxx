@@ -113,7 +113,7 @@ void RenderInput::Connect(vtkGatunRayCaster* caster, int memory) const
 {
   if (this->Reader)
   {
-    this->Reader->SetCacheSize(memory);
+    this->Reader->SetMemoryBudget(memory);
     caster->SetInputConnection(this->Reader->GetOutputPort());
   }
   else

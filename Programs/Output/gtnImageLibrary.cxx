@@ -8,11 +8,7 @@
 
 #include <cstdlib>
 
-#ifdef _WIN32
-#include <windows.h>
-#else
 #include <dlfcn.h>
-#endif
 
 namespace gtn
 {
@@ -20,11 +16,6 @@ namespace gtn
 // Next to the other libraries.
 void* FindImageSymbol(const char* name)
 {
-#ifdef _WIN32
-  const HMODULE library = ::LoadLibraryA("gtnImages.dll");
-  void* const symbol = library ? reinterpret_cast<void*>(::GetProcAddress(library, name)) : nullptr;
-  const std::string reason = "cannot load gtnImages.dll";
-#else
   // OpenImageIO would start a thread a processor as soon as it is loaded, and end the program where
   // that fails. The pictures are made by threads of VTK; writing them needs one.
   ::setenv("OPENIMAGEIO_THREADS", "1", 0);
@@ -32,7 +23,6 @@ void* FindImageSymbol(const char* name)
   void* const symbol = library ? ::dlsym(library, name) : nullptr;
   const char* const error = symbol ? nullptr : ::dlerror();
   const std::string reason = error ? Printable(error) : "the library gtnImages is of another gtn";
-#endif
   if (!symbol)
   {
     throw Failure("cannot read or write images: " + reason);

@@ -181,7 +181,7 @@ assert vtkSMPTools.SetBackend("STDThread")
 for threads in (1, 2, 3, 8):
     vtkSMPTools.Initialize(threads)
     assert vtkSMPTools.GetEstimatedNumberOfThreads() == min(threads, os.cpu_count())
-    for key, source in (("grid", large), ("file", gc.open_file(path, CacheSize=0))):
+    for key, source in (("grid", large), ("file", gc.open_file(path, MemoryBudget=0))):
         output = gc.contour_of(source, [0.1, 0.4], "wave", ComputeNormals=True)
         gc.assert_whole(output)
         gc.assert_identical(output, expected.setdefault(key, output))

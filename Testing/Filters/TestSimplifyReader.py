@@ -68,21 +68,18 @@ def write(name, **options):
 
 
 # By every target, whole and in pieces; with base meshes and without; in the original order and not.
-TARGETS = [({"Ratio": 0.6}, {"SimplificationRatio": 0.6}),
-           ({"Target": 1, "Percent": 35}, {"SimplificationTarget": 1, "SimplificationPercent": 35}),
-           ({"Target": 2, "NumberOfPoints": 300},
-            {"SimplificationTarget": 2, "SimplificationPoints": 300}),
-           ({"Target": 3, "MaximumError": 0.004},
-            {"SimplificationTarget": 3, "SimplificationError": 0.004})]
+TARGETS = [{"SimplificationRatio": 0.6},
+           {"SimplificationTarget": 1, "SimplificationNumberOfPoints": 300},
+           {"SimplificationTarget": 2, "SimplificationRMSError": 0.004}]
 for options in ({}, {"Levels": 5}, {"Levels": 5, "KeepOrder": 7}):
     path = write("simplify-reader.gtn", Hierarchy=True, **options)
     reader = open_file(path)
-    for own, others in TARGETS:
-        simplifier, twin = simplify(reader, **own), open_file(path, **others)
+    for target in TARGETS:
+        simplifier, twin = simplify(reader, **target), open_file(path, **target)
         whole = compare(simplifier, twin)
         assert reader.GetDecodedChunks() == 0 and reader.GetOutput().GetNumberOfCells() == 0
         assert simplifier.GetMostMerges() > 0
-        assert simplifier.GetOutputError() > 0
+        assert simplifier.GetOutputRMSError() > 0
         count = 0
         for piece in range(4):
             count += compare(simplifier, twin, piece=(piece, 4, 0))
@@ -97,22 +94,22 @@ reader.UpdateInformation()
 reader.SetPointArrayStatus("place", 0)
 left = len(points) - int(len(points) * 0.6)
 left -= int(left * 0.5)
-twin = open_file(path, SimplificationTarget=2, SimplificationPoints=left, GenerateGlobalIds=True)
+twin = open_file(path, SimplificationTarget=1, SimplificationNumberOfPoints=left, GenerateGlobalIds=True)
 twin.UpdateInformation()
 twin.SetPointArrayStatus("place", 0)
-simplifier = simplify(reader, Ratio=0.5)
+simplifier = simplify(reader, SimplificationRatio=0.5)
 compare(simplifier, twin)
 assert simplifier.GetOutput().GetNumberOfPoints() == left
 assert not simplifier.GetOutput().GetPointData().HasArray("place")
 # An error is that of the whole mesh: one that the reader exceeds changes nothing.
-simplifier = simplify(reader, Target=3, MaximumError=0)
+simplifier = simplify(reader, SimplificationTarget=2, SimplificationRMSError=0)
 twin.SetSimplificationTarget(0)
 twin.SetSimplificationRatio(0.6)
 compare(simplifier, twin)
 
 # On demand, the reader gives an outline, and the filter the mesh.
 reader = open_file(path, OnDemand=1)
-compare(simplify(reader, Ratio=0.7), open_file(path, SimplificationRatio=0.7))
+compare(simplify(reader, SimplificationRatio=0.7), open_file(path, SimplificationRatio=0.7))
 assert reader.GetDecodedChunks() == 0
 
 # Times, which consumers ask for in turn.
@@ -125,7 +122,7 @@ writer.SetHierarchy(True)
 writer.SetChunkTets(400)
 assert writer.Write() == 1
 reader = open_file(stepped)
-first, second = simplify(reader, Ratio=0.5), simplify(reader, Ratio=0.8)
+first, second = simplify(reader, SimplificationRatio=0.5), simplify(reader, SimplificationRatio=0.8)
 twins = [open_file(stepped, SimplificationRatio=ratio) for ratio in (0.5, 0.8)]
 for time, other in ((0.5, 2.0), (2.0, 0.0), (0.0, 0.7), (9.0, -1.0)):
     compare(first, twins[0], time=time, piece=(1, 3, 1))
@@ -161,7 +158,7 @@ kept = open_file(path)
 for source, options in ((open_file(plain), {}), (elevated(open_file(path)), {}),
                         (open_file(path, UseBox=True, Box=(0, 2, 0, 2, 0, 2)), {}),
                         (kept, {"UseFileHierarchy": False})):
-    simplifier = simplify(source, Ratio=0.6, **options)
+    simplifier = simplify(source, SimplificationRatio=0.6, **options)
     warnings = heard_of(simplifier)
     simplifier.Update()
     assert source.GetOutput().GetNumberOfCells() == len(tets), "asked for the mesh"
@@ -171,14 +168,14 @@ for source, options in ((open_file(plain), {}), (elevated(open_file(path)), {}),
     for piece in range(3):
         simplifier.UpdatePiece(piece, 3, 0)
     assert len(warnings) == 1 and "do not fit together" in warnings[0], warnings
-    simplifier.SetRatio(0)
+    simplifier.SetSimplificationRatio(0)
     for piece in range(3):
         simplifier.UpdatePiece(piece, 3, 0)
     assert len(warnings) == 1
 
 # To and fro with one filter. The order that it finds for the mesh is not that of the file, which was
 # found for the mesh in the order of the input, but gives as many points.
-simplifier = simplify(kept, Ratio=0.6)
+simplifier = simplify(kept, SimplificationRatio=0.6)
 twin = open_file(path, SimplificationRatio=0.6)
 for hierarchy in (True, False, True):
     simplifier.SetUseFileHierarchy(hierarchy)
@@ -189,7 +186,7 @@ for hierarchy in (True, False, True):
 assert "UseFileHierarchy: On" in str(simplifier) and vtkGatunSimplify().GetUseFileHierarchy()
 
 # The pieces of a file with a hierarchy fit together: no point of the whole is between two of them.
-simplifier = simplify(open_file(path), Ratio=0.6)
+simplifier = simplify(open_file(path), SimplificationRatio=0.6)
 simplifier.Update()
 together = vtkAppendFilter()
 together.MergePointsOn()
@@ -207,12 +204,12 @@ assert together.GetOutput().GetNumberOfPoints() == simplifier.GetOutput().GetNum
 assert together.GetOutput().GetNumberOfCells() == simplifier.GetOutput().GetNumberOfCells()
 
 # Errors: a target that makes no sense, and a damaged file; then all is well again.
-simplifier = simplify(open_file(path), Ratio=1.5)
+simplifier = simplify(open_file(path), SimplificationRatio=float("nan"))
 errors = gm.Errors(simplifier)
 simplifier.Update()
 assert "the ratio must be from 0 to 1" in str(errors) and simplifier.GetErrorCode() != 0
 assert simplifier.GetOutput().GetNumberOfPoints() == 0
-simplifier.SetRatio(0.5)
+simplifier.SetSimplificationRatio(0.5)
 compare(simplifier, open_file(path, SimplificationRatio=0.5))
 with open(path, "rb") as file:
     content = file.read()
@@ -220,7 +217,7 @@ damaged = bytearray(content)
 for at in range(len(content) // 4, len(content) // 4 * 3, 40):
     damaged[at] ^= 255
 reader = open_file(path)
-simplifier = simplify(reader, Ratio=0.6)
+simplifier = simplify(reader, SimplificationRatio=0.6)
 both = [gm.Errors(reader), gm.Errors(simplifier)]
 with open(path, "wb") as file:
     file.write(damaged)

@@ -9,7 +9,7 @@ import numpy as np
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 import gatunMeshes as gm
-from gatun import vtkGatunReader, vtkGatunWriter
+from gatun import vtkGatunErrorCode, vtkGatunReader, vtkGatunWriter
 
 grid = gm.block(n=12)
 path = gm.temporary("selections.gtn")
@@ -98,9 +98,6 @@ parts = [writer.GetConnectivityBytes(), writer.GetGeometryBytes(), writer.GetOrd
          writer.GetArrayBytes(), writer.GetFieldDataBytes(), writer.GetDirectoryBytes()]
 assert sum(parts) == os.path.getsize(path) == writer.GetFileBytes(), (parts, writer.GetFileBytes())
 assert writer.GetConnectivityBytes() > 0 and writer.GetOrderBytes() > 0
-text = writer.GetStatistics()
-for word in ("connectivity", "point array wave", "cell array cell", str(writer.GetFileBytes())):
-    assert word in text, text
 
 # Writing does what Update does, and the same bytes each time.
 first = open(path, "rb").read()
@@ -152,7 +149,7 @@ for stop in (0.0, 0.2, 0.6):
     writer.SetInputDataObject(grid)
     writer.SetChunkTets(300)
     watch = Watch(writer, stop)
-    assert writer.Write() == 0 and writer.GetErrorCode() == vtkGatunWriter.AbortedError
+    assert writer.Write() == 0 and writer.GetErrorCode() == vtkGatunErrorCode.AbortedError
     assert not errors.messages
     assert open(path, "rb").read() == content
     watch.end()
@@ -169,7 +166,7 @@ for stop in (0.0, 0.3):
     reader.SetFileName(path)
     watch = Watch(reader, stop)
     reader.Update()
-    assert reader.GetErrorCode() == vtkGatunReader.AbortedError and not errors.messages
+    assert reader.GetErrorCode() == vtkGatunErrorCode.AbortedError and not errors.messages
     assert reader.GetOutput().GetNumberOfPoints() == 0
     watch.end()
     reader.Update()

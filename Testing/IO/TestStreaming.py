@@ -41,7 +41,7 @@ def make_pipeline(path, kind, pieces):
     """A surface of the file, by a streamer unless it is made in one piece."""
     reader = vtkGatunReader()
     reader.SetFileName(path)
-    reader.SetCacheSize(8)
+    reader.SetMemoryBudget(8)
     if kind == "contour":
         surface = vtkContourGrid()
         surface.SetInputArrayToProcess(0, 0, 0, 0, "wave")

@@ -36,7 +36,7 @@ if WAYS[way]:
     array = reader.PointData[0].GetName()
     shown.SetRepresentationType(representation)
     if budget is not None:
-        shown.MemoryBudget = reader.CacheSize = budget
+        shown.MemoryBudget = reader.MemoryBudget = budget
     simple.ColorBy(shown, ("POINTS", array))
     simple.ResetCamera(view)
     simple.Render(view)

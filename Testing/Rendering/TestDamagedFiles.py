@@ -107,7 +107,7 @@ class Mapper(Front):
 def make_reader(budget=64):
     reader = gv.vtkGatunReader()
     reader.SetFileName(path)
-    reader.SetCacheSize(budget)
+    reader.SetMemoryBudget(budget)
     return reader
 
 

@@ -43,7 +43,7 @@ vtkSMPTools.Initialize(0)
 for chunk in (1000, 65536):
     reader = gv.write(grid, "cast%d.gtn" % chunk, chunk)
     for budget in (0, 512):
-        reader.SetCacheSize(budget)
+        reader.SetMemoryBudget(budget)
         caster = gv.make_caster(reader)
         check_same(expected, gv.picture_of(caster))
         caster.GetCamera().Azimuth(40)
@@ -65,8 +65,8 @@ check_same(gv.picture_of(caster), gv.picture_of(whole))
 
 # Arrays, components, modes, samples.
 for options in ({"ArrayName": "vector", "ArrayComponent": -1}, {"ArrayName": "cell"},
-                {"ArrayName": "vector", "ArrayComponent": 2}, {"Mode": 1}, {"Mode": 2}, {"Mode": 3},
-                {"SampleDistance": 0.03}):
+                {"ArrayName": "vector", "ArrayComponent": 2}, {"BlendMode": 1}, {"BlendMode": 100},
+                {"BlendMode": 101}, {"SampleDistance": 0.03}):
     there = gv.draw(grid, **options)
     assert (there[0][..., 3] > 0.01).mean() > 0.1, options
     check_same(there, gv.draw(reader, **options))

@@ -182,7 +182,7 @@ blocks = handle_of(fewer.reader).GetMemory()
 assert 30 * mesh.GetNumberOfCells() < blocks < 100 * mesh.GetNumberOfCells(), blocks
 assert full > 1.5 * blocks
 for budget in (2, 1, 0):
-    reader.SetCacheSize(budget)  # holds at once
+    reader.SetMemoryBudget(budget)  # holds at once
     assert handle.GetMemory() <= handle.GetMemoryBudget() == budget << 20
     for i, action in enumerate(consumers.actions):
         result = action()

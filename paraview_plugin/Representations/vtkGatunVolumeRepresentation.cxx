@@ -114,7 +114,7 @@ int vtkGatunVolumeRepresentation::GetBlendMode()
 void vtkGatunVolumeRepresentation::SetMemoryBudget(int mebibytes)
 {
   this->VolumeMapper->SetMemoryBudget(mebibytes);
-  this->OtherFile->SetCacheSize(mebibytes);
+  this->OtherFile->SetMemoryBudget(mebibytes);
 }
 
 //------------------------------------------------------------------------------
@@ -126,7 +126,7 @@ int vtkGatunVolumeRepresentation::GetMemoryBudget()
 //------------------------------------------------------------------------------
 void vtkGatunVolumeRepresentation::SetAutoAdjustSampleDistances(bool on)
 {
-  this->VolumeMapper->SetAutoAdjustSampleDistances(on ? 1 : 0);
+  this->VolumeMapper->SetAutoAdjustSampleDistances(on);
   if (!on)
   {
     // The one last chosen may be that of an interaction.
@@ -137,7 +137,7 @@ void vtkGatunVolumeRepresentation::SetAutoAdjustSampleDistances(bool on)
 //------------------------------------------------------------------------------
 bool vtkGatunVolumeRepresentation::GetAutoAdjustSampleDistances()
 {
-  return this->VolumeMapper->GetAutoAdjustSampleDistances() != 0;
+  return this->VolumeMapper->GetAutoAdjustSampleDistances();
 }
 
 //------------------------------------------------------------------------------
@@ -339,7 +339,7 @@ void vtkGatunVolumeRepresentation::PrepareToDraw(vtkInformation* inInfo)
   this->Actor->SetEnableLOD(0);
   this->VolumeMapper->RemoveAllClippingPlanes();
   const bool isAlone = Processes().All == 1;
-  this->VolumeMapper->SetJustInTime(isAlone && this->JustInTime ? 1 : 0);
+  this->VolumeMapper->SetJustInTime(isAlone && this->JustInTime);
   this->VolumeMapper->SetSimplificationRatio(isAlone ? this->SimplificationRatio : 0);
   if (!piece)
   {
@@ -405,7 +405,7 @@ bool vtkGatunVolumeRepresentation::ConnectFile(
     if (file.Merges > 0)
     {
       this->OtherFile->SetSimplificationTarget(vtkGatunReader::TARGET_NUMBER_OF_POINTS);
-      this->OtherFile->SetSimplificationPoints(whole->GetNumberOfPoints() - file.Merges);
+      this->OtherFile->SetSimplificationNumberOfPoints(whole->GetNumberOfPoints() - file.Merges);
     }
   }
   source->UpdateTimeStep(file.Time);

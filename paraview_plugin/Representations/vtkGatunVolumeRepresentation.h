@@ -66,8 +66,8 @@ public:
 
   ///@{
   /**
-   * What becomes of the samples of a ray: vtkGatunVolumeMapper's COMPOSITE_BLEND (0, the default),
-   * MAXIMUM_INTENSITY_BLEND (1), AREA_BLEND (2) or XRAY_BLEND (3).
+   * Blend mode of vtkGatunVolumeMapper: COMPOSITE_BLEND (0, the default), MAXIMUM_INTENSITY_BLEND
+   * (1), AREA_BLEND (100) or XRAY_BLEND (101).
    */
   void SetBlendMode(int mode);
   int GetBlendMode();
@@ -90,6 +90,7 @@ public:
    */
   void SetAutoAdjustSampleDistances(bool on);
   bool GetAutoAdjustSampleDistances();
+  vtkBooleanMacro(AutoAdjustSampleDistances, bool);
   ///@}
 
   ///@{
@@ -101,6 +102,7 @@ public:
    */
   void SetJustInTime(bool on);
   bool GetJustInTime();
+  vtkBooleanMacro(JustInTime, bool);
   ///@}
 
   ///@{

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef gatunFileHandle_h
-#define gatunFileHandle_h
+#ifndef gatunPublishedFile_h
+#define gatunPublishedFile_h
 
 #include "gatunSharedFile.h"
 
@@ -16,7 +16,7 @@ namespace gatun
 {
 /** The contents of a vtkGatunFileHandle: a file and the settings of its reader. They never change
  * after they were published. */
-struct FileHandle
+struct PublishedFile
 {
   std::string Path;
   std::shared_ptr<SharedFile> File; ///< null if the file cannot be opened
