@@ -48,16 +48,6 @@ using gatun::Association;
 // Building a hierarchy takes about nine times as long as writing the rest.
 constexpr double PartOfTree = 0.9;
 
-//------------------------------------------------------------------------------
-std::string Line(const std::string& what, std::uint64_t bytes, std::uint64_t tets)
-{
-  char text[64];
-  const double bits = tets > 0 ? 8.0 * static_cast<double>(bytes) / static_cast<double>(tets) : 0;
-  std::snprintf(
-    text, sizeof(text), "%14llu %11.3f  ", static_cast<unsigned long long>(bytes), bits);
-  return text + what + "\n";
-}
-
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
@@ -73,7 +63,7 @@ public:
   std::function<bool(double)> MakeProgress(std::size_t part);
   gatun::WriterOptions MakeOptions(
     vtkUnstructuredGrid* tets, const std::vector<gatun::BridgedArray>& arrays);
-  void PublishStatistics();
+  void PublishStatistics(const gatun::FileStatistics& statistics);
 
   vtkGatunWriter* const Owner;
   vtkNew<vtkDataArraySelection> PointSelection;
@@ -183,15 +173,8 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunWriter::vtkInternals::PublishStatistics()
+void vtkGatunWriter::vtkInternals::PublishStatistics(const gatun::FileStatistics& statistics)
 {
-  this->StatisticsNames.clear();
-  for (const gatun::ArrayDescription& array : this->Arrays)
-  {
-    this->StatisticsNames.push_back(
-      (array.Where == Association::Point ? "point array " : "cell array ") + array.Name);
-  }
-  const gatun::FileStatistics& statistics = this->Statistics;
   this->Owner->WrittenPoints = this->Mesh->Mesh.Points;
   this->Owner->WrittenTets = this->Mesh->Mesh.Tets;
   this->Owner->WrittenSteps = this->GetNumberOfSteps();
@@ -543,7 +526,6 @@ void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
   ++self.Step;
   if (self.Step >= self.GetNumberOfSteps())
   {
-    self.Statistics = self.File->Finish();
-    self.PublishStatistics();
+    self.PublishStatistics(self.File->Finish());
   }
 }
