@@ -1,8 +1,9 @@
-// Reads the compressed mesh named on the command line and says how large it is.
+// Reads a compressed mesh and prints its size:  ReadMesh mesh.gtn
 #include <vtkGatunReader.h>
 #include <vtkNew.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <cstdlib>
 #include <iostream>
 
 int main(int argc, char* argv[])
@@ -10,7 +11,11 @@ int main(int argc, char* argv[])
   vtkNew<vtkGatunReader> reader;
   reader->SetFileName(argc > 1 ? argv[1] : "mesh.gtn");
   reader->Update();
+  if (reader->GetErrorCode() != 0)
+  {
+    return EXIT_FAILURE; // the reader has printed why
+  }
   vtkUnstructuredGrid* mesh = reader->GetOutput();
   std::cout << mesh->GetNumberOfPoints() << " points, " << mesh->GetNumberOfCells() << " cells\n";
-  return mesh->GetNumberOfCells() > 0 ? 0 : 1;
+  return EXIT_SUCCESS;
 }
