@@ -20,7 +20,8 @@ int main(int argc, char* argv[])
   { return (k * (n + 1) + j) * (n + 1) + i; };
   for (std::int64_t p = 0; p < (n + 1) * (n + 1) * (n + 1); ++p)
   {
-    const std::array<std::int64_t, 3> at{ p % (n + 1), p / (n + 1) % (n + 1), p / (n + 1) / (n + 1) };
+    const std::array<std::int64_t, 3> at{ p % (n + 1), p / (n + 1) % (n + 1),
+      p / (n + 1) / (n + 1) };
     for (const auto x : at)
     {
       coordinates.push_back(static_cast<float>(x) / n);
