@@ -4,6 +4,7 @@
 #include "gatunRayRendering.h"
 
 #include "gatunError.h"
+#include "vtkGatunRayCaster.h"
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
@@ -14,6 +15,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -132,6 +134,27 @@ RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, double sampleDistanc
     Widen(frustum.Bottom, frustum.Top, grid.Height);
   }
   return RayView(rows, frustum, grid.Width, grid.Height, sampleDistance);
+}
+
+//------------------------------------------------------------------------------
+std::optional<RayMode> RayModeOf(int blendMode)
+{
+  static_assert(int{ vtkGatunRayCaster::COMPOSITE_BLEND } == vtkVolumeMapper::COMPOSITE_BLEND);
+  static_assert(
+    int{ vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND } == vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND);
+  switch (blendMode)
+  {
+    case vtkGatunRayCaster::COMPOSITE_BLEND:
+      return RayMode::Composite;
+    case vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND:
+      return RayMode::Maximum;
+    case vtkGatunRayCaster::AREA_BLEND:
+      return RayMode::Area;
+    case vtkGatunRayCaster::XRAY_BLEND:
+      return RayMode::XRay;
+    default:
+      return std::nullopt;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -51,6 +51,9 @@ RayEye MakeRayEye(vtkCamera* camera, const RayGrid& grid, vtkMatrix4x4* volumeMa
 RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, double sampleDistance,
   vtkMatrix4x4* volumeMatrix, bool clippingRange);
 
+/** The core's name of a blend mode of vtkGatunRayCaster; nothing if there is no such mode. */
+std::optional<RayMode> RayModeOf(int blendMode);
+
 /** Colours and opacities of a property, for values in a range. Unit distance: the property's. */
 RayTable MakeRayTable(
   vtkVolumeProperty* property, RayMode mode, const Range& values, double sampleDistance);

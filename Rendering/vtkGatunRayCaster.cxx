@@ -84,6 +84,20 @@ vtkGatunRayCaster::~vtkGatunRayCaster()
 }
 
 //------------------------------------------------------------------------------
+void vtkGatunRayCaster::SetBlendMode(int mode)
+{
+  if (!gatun::RayModeOf(mode))
+  {
+    vtkErrorMacro("Blend mode " << mode << " is not supported.");
+  }
+  else if (mode != this->BlendMode)
+  {
+    this->BlendMode = mode;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkGatunRayCaster::SetCamera(vtkCamera* camera)
 {
   if (camera != this->Internals->Camera)
@@ -320,8 +334,8 @@ int vtkGatunRayCaster::RequestData(
     settings.FromBothEnds = this->FromBothEnds;
     settings.Portable = this->PortableInstructions;
     gatun::RayCaster caster(view,
-      gatun::MakeRayTable(self.Property, static_cast<gatun::RayMode>(this->Mode),
-        self.Scene.GetRange(), view.SampleDistance),
+      gatun::MakeRayTable(self.Property, *gatun::RayModeOf(this->BlendMode), self.Scene.GetRange(),
+        view.SampleDistance),
       gatun::MakeRayLimits(view, self.ClippingPlanes, self.VolumeMatrix), settings);
     self.Draw(*this, ratio, caster, view, progress);
 
@@ -357,8 +371,7 @@ int vtkGatunRayCaster::RequestData(
 void vtkGatunRayCaster::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const char* const modes[] = { "Composite", "Area", "Maximum", "XRay" };
-  os << indent << "Mode: " << modes[this->Mode] << "\n";
+  os << indent << "BlendMode: " << this->BlendMode << "\n";
   os << indent << "Camera: " << this->Internals->Camera.Get() << "\n";
   os << indent << "Property: " << this->Internals->Property.Get() << "\n";
   os << indent << "VolumeMatrix: " << this->Internals->VolumeMatrix.Get() << "\n";

@@ -11,6 +11,7 @@
 #include "gatunRayRefresh.h"
 #include "gatunRayRendering.h"
 #include "gatunRayScene.h"
+#include "vtkGatunRayCaster.h"
 #include "vtkGatunReader.h"
 
 #include "vtkDataSet.h"
@@ -65,21 +66,12 @@ struct Viewport
   }
 };
 
-//------------------------------------------------------------------------------
-gatun::RayMode ToMode(int blendMode)
-{
-  switch (blendMode)
-  {
-    case vtkGatunVolumeMapper::MAXIMUM_INTENSITY_BLEND:
-      return gatun::RayMode::Maximum;
-    case vtkGatunVolumeMapper::AREA_BLEND:
-      return gatun::RayMode::Area;
-    case vtkGatunVolumeMapper::XRAY_BLEND:
-      return gatun::RayMode::XRay;
-    default:
-      return gatun::RayMode::Composite;
-  }
-}
+// One numbering for all classes that draw.
+static_assert(int{ vtkGatunVolumeMapper::COMPOSITE_BLEND } == vtkGatunRayCaster::COMPOSITE_BLEND);
+static_assert(int{ vtkGatunVolumeMapper::MAXIMUM_INTENSITY_BLEND } ==
+  vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND);
+static_assert(int{ vtkGatunVolumeMapper::AREA_BLEND } == vtkGatunRayCaster::AREA_BLEND);
+static_assert(int{ vtkGatunVolumeMapper::XRAY_BLEND } == vtkGatunRayCaster::XRAY_BLEND);
 
 //------------------------------------------------------------------------------
 void ToArray(const gatun::Bounds& box, double* bounds)
@@ -399,8 +391,8 @@ gatun::RayStatistics vtkGatunVolumeMapper::vtkInternals::Draw(vtkGatunVolumeMapp
   settings.Opaque = static_cast<float>(mapper->OpacityLimit);
   settings.Shading =
     gatun::MakeRayShading(volume->GetProperty(), camera, renderer->GetLights(), matrix);
-  auto table = gatun::MakeRayTable(
-    volume->GetProperty(), ToMode(mapper->BlendMode), this->Scene.GetRange(), view.SampleDistance);
+  auto table = gatun::MakeRayTable(volume->GetProperty(), *gatun::RayModeOf(mapper->BlendMode),
+    this->Scene.GetRange(), view.SampleDistance);
   if (frame.Source && !mapper->JustInTime)
   {
     // Somebody may be looking for the best ratio.
@@ -501,8 +493,11 @@ vtkGatunVolumeMapper::~vtkGatunVolumeMapper() = default;
 //------------------------------------------------------------------------------
 void vtkGatunVolumeMapper::SetBlendMode(int mode)
 {
-  mode = std::clamp<int>(mode, COMPOSITE_BLEND, XRAY_BLEND);
-  if (mode != this->BlendMode)
+  if (!gatun::RayModeOf(mode))
+  {
+    vtkErrorMacro("Blend mode " << mode << " is not supported.");
+  }
+  else if (mode != this->BlendMode)
   {
     this->BlendMode = mode;
     this->Modified();
