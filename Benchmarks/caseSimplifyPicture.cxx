@@ -141,11 +141,13 @@ void ComparePictures(const Options& options)
         std::vector<Operation> operations;
         for (std::size_t i = 0; i < grids.size(); ++i)
         {
-          operations.push_back({ "volume",
-            [&, i]
-            { Draw(grids[i], scene, options, size, vtkGatunRayCaster::COMPOSITE_BLEND, pictures[i]); } });
+          operations.push_back({ "volume", [&, i] {
+                                  Draw(grids[i], scene, options, size,
+                                    vtkGatunRayCaster::COMPOSITE_BLEND, pictures[i]);
+                                } });
           operations.push_back({ "area",
-            [&, i] { Draw(grids[i], scene, options, size, vtkGatunRayCaster::AREA_BLEND, ignored); } });
+            [&, i]
+            { Draw(grids[i], scene, options, size, vtkGatunRayCaster::AREA_BLEND, ignored); } });
         }
         RunInterleaved(operations, options.Rounds);
         json.BeginObject();

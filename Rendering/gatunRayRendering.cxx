@@ -4,7 +4,6 @@
 #include "gatunRayRendering.h"
 
 #include "gatunError.h"
-#include "vtkGatunRayCaster.h"
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
@@ -139,18 +138,15 @@ RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, double sampleDistanc
 //------------------------------------------------------------------------------
 std::optional<RayMode> RayModeOf(int blendMode)
 {
-  static_assert(int{ vtkGatunRayCaster::COMPOSITE_BLEND } == vtkVolumeMapper::COMPOSITE_BLEND);
-  static_assert(
-    int{ vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND } == vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND);
   switch (blendMode)
   {
-    case vtkGatunRayCaster::COMPOSITE_BLEND:
+    case vtkVolumeMapper::COMPOSITE_BLEND:
       return RayMode::Composite;
-    case vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND:
+    case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
       return RayMode::Maximum;
-    case vtkGatunRayCaster::AREA_BLEND:
+    case AreaBlend:
       return RayMode::Area;
-    case vtkGatunRayCaster::XRAY_BLEND:
+    case XRayBlend:
       return RayMode::XRay;
     default:
       return std::nullopt;

@@ -27,10 +27,17 @@
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <chrono>
+
+static_assert(int{ vtkGatunRayCaster::COMPOSITE_BLEND } == vtkVolumeMapper::COMPOSITE_BLEND);
+static_assert(
+  int{ vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND } == vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND);
+static_assert(int{ vtkGatunRayCaster::AREA_BLEND } == gatun::AreaBlend);
+static_assert(int{ vtkGatunRayCaster::XRAY_BLEND } == gatun::XRayBlend);
 
 vtkStandardNewMacro(vtkGatunRayCaster);
 
