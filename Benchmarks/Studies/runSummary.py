@@ -4,7 +4,7 @@
 
 """Measures the rows of README.md's table: default settings, synthetic meshes, peers in turns.
 
-Writes summary.md, the folder summary, and, unless the run is a small one, the table in README.md.
+Writes summary.md, the folder summary, and, if they go to Documentation/studies, the table in README.md.
 """
 
 import json
@@ -143,7 +143,7 @@ def main():
             results = measure(benchmarkRunner.Runner(options.programs, pathlib.Path(work)), options)
         raw.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
     summaryReport.write(results, options.out)
-    if results["mode"] == "full":
+    if options.out.resolve() == generatedParts.STUDIES:
         generatedParts.update()
     print(f"The results are in {options.out / PAGE}.md and {folder}")
 

@@ -21,7 +21,7 @@ SKIPPED = ("build", ".git")
 MEASURED = [re.compile(pattern) for pattern in (
     r"\d (times|x) as (fast|long|large|much|many|slow|wrong|small)",
     r"\d times (faster|slower|smaller|larger|fewer|less|more|better|worse)",
-    r"\d\*?\*? (bits|bytes) (per|a) (tetrahedron|voxel)\b.* (than|instead|beside|against)",
+    r"\d\*{0,2} bits (per|a) (tetrahedron|point|voxel)",
     r"\d (M|million) (tets|tetrahedra) (per|a) second",
     r"\d(\.\d+)? (ms|milliseconds)\b",
     r"\d % (of the|fewer|less|more|smaller|larger|faster|slower)")]
