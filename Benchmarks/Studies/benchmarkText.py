@@ -52,20 +52,21 @@ def image(plots, name, text, folder="benchmarks"):
     return f"![{text}]({folder}/{name}.png)\n" if name in plots else ""
 
 
-def machine(results):
+ROUNDS = """Where a table compares times measured in rounds, the methods take turns in each round, so that
+    other load on the machine affects all of them alike. In a cell *a (b to c)*, *a* is the median
+    over the rounds, *b* the smallest and *c* the largest value; a ratio is computed within each
+    round."""
+
+
+def machine(results, rounds=ROUNDS):
     """Where, when and how the results were measured."""
     known = results["machine"]
     text = f"""*Machine:* {known["processor"]}, {known["processors"]} processors,
         {known["memory"] / 2**30:.1f} GiB; {known["system"]}; {known["compiler"]}
         ({known["build"]}); VTK {known["vtk"]}, threads by {known["backend"]};
-        Gatun {known["gatun"]}. """
-    if "date" in known:
-        text += f"""*Measured:* {known["date"]}, commit {known["commit"]}. """
-    text += f"""The load average was {known["loadBefore"][0]:.2f} at the start and
-        {known["loadAfter"][0]:.2f} at the end. The things compared in a table take turns in
-        interleaved rounds, so that other load on the machine affects all of them alike. Where a
-        cell reads *a (b to c)*, *a* is the median over the rounds, *b* the smallest and *c* the
-        largest value; a ratio is computed within each round."""
+        Gatun {known["gatun"]}. *Measured:* {known["date"]}, commit {known["commit"]}. The load
+        average was {known["loadBefore"][0]:.2f} at the start and {known["loadAfter"][0]:.2f} at the
+        end. {rounds}"""
     text = paragraph(text)
     for note in results.get("notes", []):
         text += "\n" + paragraph("*Note:* " + note)

@@ -58,7 +58,7 @@ How well `vtkGatunVolumeMapper` keeps a time budget with `JustInTime` on ([guide
 `Utilities/bench.sh --budget` (Benchmarks/Studies/runBudget.py) writes this page. All results,
 including the time of each frame, are in [results.json](just-in-time-study/results.json).
 
-""" + benchmarkText.machine(results)
+""" + benchmarkText.machine(results, "")
 
 
 def _table(results):

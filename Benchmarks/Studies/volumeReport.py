@@ -145,8 +145,8 @@ def _images(results, plots):
     return text + "\n" + image(plots, "tables", "Errors by size of blocks", FOLDER)
 
 
-def _paper_wins(one):
-    """How many of the values that the dissertation has are better or worse than ours."""
+def count_against_paper(one):
+    """How many of the dissertation's values are larger than ours, and how many smaller."""
     better, worse = 0, 0
     for run in one["pictures"]:
         for block in run["blocks"]:
@@ -158,6 +158,11 @@ def _paper_wins(one):
                     ours = block["views"][view][law]["mse"]
                     better += ours < paper[i + offset]
                     worse += ours > paper[i + offset]
+    return better, worse
+
+
+def _paper_wins(one):
+    better, worse = count_against_paper(one)
     return paragraph(f"""Compared with the dissertation's values for its own volume, the error is smaller in
         {better} and larger in {worse} of {better + worse} cases.""")
 
