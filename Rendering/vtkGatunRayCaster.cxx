@@ -272,13 +272,13 @@ int vtkGatunRayCaster::RequestUpdateExtent(
 void vtkGatunRayCaster::vtkInternals::Draw(const vtkGatunRayCaster& self, double ratio,
   gatun::RayCaster& caster, const gatun::RayView& view, const gatun::RaySource::Progress& progress)
 {
-  gatun::RayLevels* const levels = this->Scene.GetLevels();
+  gatun::LevelOfDetailCache* const levels = this->Scene.GetLevels();
   if (!levels)
   {
     this->Scene.Draw(caster, view, progress);
     return;
   }
-  levels->WaitForDetail(progress);
+  levels->WaitForLevels(progress);
   const double pixels = static_cast<double>(self.Size[0]) * self.Size[1];
   const auto start = std::chrono::steady_clock::now();
   const gatun::Frame frame =

@@ -112,7 +112,7 @@ struct PictureSetup
 class Drawing
 {
 public:
-  explicit Drawing(gatun::RayLevels* levels)
+  explicit Drawing(gatun::LevelOfDetailCache* levels)
     : Levels(levels)
   {
     this->Tell(true);
@@ -130,7 +130,7 @@ private:
     }
   }
 
-  gatun::RayLevels* const Levels;
+  gatun::LevelOfDetailCache* const Levels;
 };
 
 //------------------------------------------------------------------------------
@@ -452,7 +452,7 @@ void vtkGatunVolumeMapper::vtkInternals::DrawFrame(
   // From here on, as the time for the input says nothing of the next picture.
   mapper->Timer->StartTimer();
   const auto key = std::make_pair(renderer, volume);
-  gatun::RayLevels* const levels = this->Scene.GetLevels();
+  gatun::LevelOfDetailCache* const levels = this->Scene.GetLevels();
   gatun::JustInTime* const frames = levels ? &this->Frames[key] : nullptr;
   const gatun::FrameRequest request = this->GetRequest(mapper, volume, viewport);
   const gatun::Frame frame = frames ? frames->Begin(*levels, request, progress) : gatun::Frame{};
@@ -539,7 +539,7 @@ bool vtkGatunVolumeMapper::PrepareSimplification()
       return false;
     }
     auto* const levels = this->Internals->Scene.GetLevels();
-    levels->WaitForDetail(progress);
+    levels->WaitForLevels(progress);
     levels->Wait();
     this->UpdateProgress(1);
     return true;

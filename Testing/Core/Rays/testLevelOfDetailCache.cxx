@@ -4,7 +4,7 @@
 // A mesh with several numbers of points, some of them made in the background.
 
 #include "gatunError.h"
-#include "gatunRayLevels.h"
+#include "gatunLevelOfDetailCache.h"
 
 #include <gtest/gtest.h>
 
@@ -80,10 +80,10 @@ private:
   Bounds Box;
 };
 
-class FakeDetail final : public RayDetail
+class FakeLevels final : public LevelsOfDetail
 {
 public:
-  explicit FakeDetail(std::shared_ptr<Record> record)
+  explicit FakeLevels(std::shared_ptr<Record> record)
     : Told(std::move(record))
   {
   }
@@ -107,14 +107,15 @@ private:
 struct Sample
 {
   std::shared_ptr<Record> Told = std::make_shared<Record>();
-  RayLevels::Room Room{ std::uint64_t{ 1 } << 30, std::uint64_t{ 1 } << 30 };
+  LevelOfDetailCache::Room Room{ std::uint64_t{ 1 } << 30, std::uint64_t{ 1 } << 30 };
 
-  std::unique_ptr<RayLevels> Make()
+  std::unique_ptr<LevelOfDetailCache> Make()
   {
-    auto levels = std::make_unique<RayLevels>([told = this->Told](const RaySource::Progress&)
-      { return std::make_shared<FakeDetail>(told); },
-      std::make_shared<FakeSource>(this->Told), this->Room);
-    levels->WaitForDetail();
+    auto levels =
+      std::make_unique<LevelOfDetailCache>([told = this->Told](const RaySource::Progress&)
+        { return std::make_shared<FakeLevels>(told); },
+        std::make_shared<FakeSource>(this->Told), this->Room);
+    levels->WaitForLevels();
     levels->Wait();
     // As if there were nothing but the detail.
     this->Told->Sources = 0;
@@ -132,7 +133,7 @@ void Draw(RaySource& source)
 }
 
 //------------------------------------------------------------------------------
-TEST(RayLevels, WhatIsWantedBecomesReady)
+TEST(LevelOfDetailCache, WhatIsWantedBecomesReady)
 {
   Sample sample;
   const auto levels = sample.Make();
@@ -153,7 +154,7 @@ TEST(RayLevels, WhatIsWantedBecomesReady)
 }
 
 //------------------------------------------------------------------------------
-TEST(RayLevels, WhatIsNotReadyIsMadeAtOnce)
+TEST(LevelOfDetailCache, WhatIsNotReadyIsMadeAtOnce)
 {
   Sample sample;
   const auto levels = sample.Make();
@@ -165,7 +166,7 @@ TEST(RayLevels, WhatIsNotReadyIsMadeAtOnce)
 }
 
 //------------------------------------------------------------------------------
-TEST(RayLevels, NoSourceIsUsedByTwoThreads)
+TEST(LevelOfDetailCache, NoSourceIsUsedByTwoThreads)
 {
   Sample sample;
   sample.Told->BlockTime = std::chrono::microseconds(300);
@@ -187,7 +188,7 @@ TEST(RayLevels, NoSourceIsUsedByTwoThreads)
 }
 
 //------------------------------------------------------------------------------
-TEST(RayLevels, WhatWasBegunIsGoneOnWith)
+TEST(LevelOfDetailCache, WhatWasBegunIsGoneOnWith)
 {
   Sample sample;
   sample.Told->BlockTime = std::chrono::milliseconds(20);
@@ -200,7 +201,7 @@ TEST(RayLevels, WhatWasBegunIsGoneOnWith)
 }
 
 //------------------------------------------------------------------------------
-TEST(RayLevels, TheEndDoesNotWaitForWhatIsWanted)
+TEST(LevelOfDetailCache, TheEndDoesNotWaitForWhatIsWanted)
 {
   Sample sample;
   sample.Told->BlockTime = std::chrono::milliseconds(20);
@@ -213,7 +214,7 @@ TEST(RayLevels, TheEndDoesNotWaitForWhatIsWanted)
 }
 
 //------------------------------------------------------------------------------
-TEST(RayLevels, ThoseNotUsedForLongestGoFirst)
+TEST(LevelOfDetailCache, ThoseNotUsedForLongestGoFirst)
 {
   Sample sample;
   sample.Room.Simpler = 64 * 5 * 3000; // 3000 points
@@ -233,45 +234,46 @@ TEST(RayLevels, ThoseNotUsedForLongestGoFirst)
 }
 
 //------------------------------------------------------------------------------
-TEST(RayLevels, FailuresOfTheDetailAreTold)
+TEST(LevelOfDetailCache, FailuresAreReported)
 {
   const auto told = std::make_shared<Record>();
-  const auto fail = [](const RaySource::Progress&) -> std::shared_ptr<RayDetail>
+  const auto fail = [](const RaySource::Progress&) -> std::shared_ptr<LevelsOfDetail>
   { throw Error(ErrorCode::InvalidInput, "no way"); };
-  RayLevels levels(fail, std::make_shared<FakeSource>(told), {});
-  EXPECT_THROW(levels.WaitForDetail(), Error);
-  EXPECT_THROW(levels.FindDetail(), Error);
+  LevelOfDetailCache levels(fail, std::make_shared<FakeSource>(told), {});
+  EXPECT_THROW(levels.WaitForLevels(), Error);
+  EXPECT_THROW(levels.FindLevels(), Error);
   levels.Prepare({ 5 });
   levels.Wait();
   Draw(*levels.GetWhole());
 }
 
 //------------------------------------------------------------------------------
-TEST(RayLevels, WaitingCanBeStoppedWhileTheWorkGoesOn)
+TEST(LevelOfDetailCache, WaitingCanBeStoppedWhileTheWorkGoesOn)
 {
   const auto told = std::make_shared<Record>();
   std::atomic<bool> mayEnd{ false };
   std::atomic<bool> wasStopped{ false };
-  const auto make = [&](const RaySource::Progress& progress) -> std::shared_ptr<RayDetail>
+  const auto make = [&](const RaySource::Progress& progress) -> std::shared_ptr<LevelsOfDetail>
   {
     while (!mayEnd && progress(0.5))
     {
       std::this_thread::yield();
     }
     wasStopped = !mayEnd;
-    return std::make_shared<FakeDetail>(told);
+    return std::make_shared<FakeLevels>(told);
   };
   {
-    RayLevels levels(make, std::make_shared<FakeSource>(told), {});
-    EXPECT_THROW(levels.WaitForDetail([](double) { return false; }), Error);
-    EXPECT_EQ(levels.FindDetail(), nullptr);
+    LevelOfDetailCache levels(make, std::make_shared<FakeSource>(told), {});
+    EXPECT_THROW(levels.WaitForLevels([](double) { return false; }), Error);
+    EXPECT_EQ(levels.FindLevels(), nullptr);
     levels.Prepare({ 5 }); // nothing is known yet
     mayEnd = true;
-    EXPECT_EQ(levels.WaitForDetail().GetNumberOfPoints(), Points);
+    EXPECT_EQ(levels.WaitForLevels().GetNumberOfPoints(), Points);
   }
   EXPECT_FALSE(wasStopped);
   mayEnd = false;
-  RayLevels(make, std::make_shared<FakeSource>(told), {}); // ends although nothing is known
+  LevelOfDetailCache(
+    make, std::make_shared<FakeSource>(told), {}); // ends although nothing is known
   EXPECT_TRUE(wasStopped);
 }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef gatunRayDetail_h
-#define gatunRayDetail_h
+#ifndef gatunLevelsOfDetail_h
+#define gatunLevelsOfDetail_h
 
 #include "gatunRaySource.h"
 #include "vtkGatunCoreModule.h"
@@ -16,10 +16,10 @@ namespace gatun
  *
  * MakeSource is called by one thread at a time; the other methods may be called meanwhile.
  */
-class VTKGATUNCORE_EXPORT RayDetail
+class VTKGATUNCORE_EXPORT LevelsOfDetail
 {
 public:
-  virtual ~RayDetail() = default;
+  virtual ~LevelsOfDetail() = default;
 
   virtual std::uint64_t GetNumberOfPoints() const = 0; ///< of the whole mesh
   virtual std::uint64_t GetFewestPoints() const = 0;   ///< it cannot be simpler

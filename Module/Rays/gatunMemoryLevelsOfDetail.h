@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef gatunMemoryRayDetail_h
-#define gatunMemoryRayDetail_h
+#ifndef gatunMemoryLevelsOfDetail_h
+#define gatunMemoryLevelsOfDetail_h
 
+#include "gatunLevelsOfDetail.h"
 #include "gatunMergeTree.h"
-#include "gatunRayDetail.h"
 #include "gatunRaySource.h"
 #include "vtkGatunCoreModule.h"
 
@@ -55,12 +55,12 @@ VTKGATUNCORE_EXPORT std::shared_ptr<RaySource> MakeWholeSource(
  * needed, so that what is made for a number of points begins with at most twice as many. All
  * together they take about as much as the whole mesh.
  */
-class VTKGATUNCORE_EXPORT MemoryRayDetail final : public RayDetail
+class VTKGATUNCORE_EXPORT MemoryLevelsOfDetail final : public LevelsOfDetail
 {
 public:
   /** Throws InvalidInput if the tree is not that of so many points. */
-  MemoryRayDetail(std::shared_ptr<const MemoryRayMesh> mesh, MergeTree tree);
-  ~MemoryRayDetail() override;
+  MemoryLevelsOfDetail(std::shared_ptr<const MemoryRayMesh> mesh, MergeTree tree);
+  ~MemoryLevelsOfDetail() override;
 
   std::uint64_t GetNumberOfPoints() const override;
   std::uint64_t GetFewestPoints() const override;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gatunFileRayDetail.h"
+#include "gatunFileLevelsOfDetail.h"
 
 #include "gatunCoarseRaySource.h"
 #include "gatunRaySourceInternals.h"
@@ -10,36 +10,38 @@
 namespace gatun
 {
 //------------------------------------------------------------------------------
-FileRayDetail::FileRayDetail(std::shared_ptr<const FileReader> file, const RayValues& values)
+FileLevelsOfDetail::FileLevelsOfDetail(
+  std::shared_ptr<const FileReader> file, const RayValues& values)
   : File(std::move(file))
   , Values(values)
 {
   CheckRayValues(*this->File.GetFile(), values);
 }
 
-FileRayDetail::~FileRayDetail() = default;
+FileLevelsOfDetail::~FileLevelsOfDetail() = default;
 
 //------------------------------------------------------------------------------
-std::uint64_t FileRayDetail::GetNumberOfPoints() const
+std::uint64_t FileLevelsOfDetail::GetNumberOfPoints() const
 {
   return this->File.GetFile()->GetNumberOfPoints();
 }
 
 //------------------------------------------------------------------------------
-std::uint64_t FileRayDetail::GetFewestPoints() const
+std::uint64_t FileLevelsOfDetail::GetFewestPoints() const
 {
   return this->GetNumberOfPoints() - this->File.GetFile()->GetNumberOfMerges();
 }
 
 //------------------------------------------------------------------------------
-std::uint64_t FileRayDetail::CountMerges(std::uint64_t points) const
+std::uint64_t FileLevelsOfDetail::CountMerges(std::uint64_t points) const
 {
   const auto all = this->GetNumberOfPoints();
   return all - std::clamp(points, this->GetFewestPoints(), all);
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<RaySource> FileRayDetail::MakeSource(std::uint64_t points, std::uint64_t budget)
+std::shared_ptr<RaySource> FileLevelsOfDetail::MakeSource(
+  std::uint64_t points, std::uint64_t budget)
 {
   const auto place = this->File.Find(this->CountMerges(points));
   if (place.Merges == 0)
@@ -51,7 +53,7 @@ std::shared_ptr<RaySource> FileRayDetail::MakeSource(std::uint64_t points, std::
 }
 
 //------------------------------------------------------------------------------
-std::uint64_t FileRayDetail::EstimateTets(std::uint64_t points) const
+std::uint64_t FileLevelsOfDetail::EstimateTets(std::uint64_t points) const
 {
   return this->File.EstimateTets(this->CountMerges(points));
 }

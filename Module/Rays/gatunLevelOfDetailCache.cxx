@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gatunRayLevels.h"
+#include "gatunLevelOfDetailCache.h"
 
 #include "gatunError.h"
 #include "gatunParallel.h"
@@ -39,24 +39,24 @@ struct Level
 }
 
 //------------------------------------------------------------------------------
-class RayLevels::Internals
+class LevelOfDetailCache::Internals
 {
 public:
-  Internals(MakeDetail makeDetail, std::shared_ptr<RaySource> whole, const Room& room)
-    : Maker(std::move(makeDetail))
+  Internals(MakeLevels makeLevels, std::shared_ptr<RaySource> whole, const Room& room)
+    : Maker(std::move(makeLevels))
     , Whole(std::move(whole))
     , Space(room)
   {
   }
 
-  const MakeDetail Maker;
+  const MakeLevels Maker;
   const std::shared_ptr<RaySource> Whole;
   const Room Space;
   std::atomic<double> Done{ 0 }; // part of the detail
 
   mutable std::mutex Guard; // of all that follows
   std::condition_variable Changed;
-  std::shared_ptr<RayDetail> Detail;
+  std::shared_ptr<LevelsOfDetail> Detail;
   std::exception_ptr Failure; // why there is none
   std::vector<Level> Levels;  // simpler ones
   bool IsWholeComplete = false;
@@ -87,7 +87,7 @@ public:
 
   // Without:
   void Work();
-  void FindDetail();
+  void FindLevels();
   void Complete(Level& level);
   bool Rest(Clock::duration worked);
 };
@@ -121,7 +121,7 @@ private:
 }
 
 //------------------------------------------------------------------------------
-Level* RayLevels::Internals::Find(std::uint64_t points)
+Level* LevelOfDetailCache::Internals::Find(std::uint64_t points)
 {
   const auto found = std::find_if(this->Levels.begin(), this->Levels.end(),
     [&](const Level& level) { return level.Points == points; });
@@ -129,7 +129,7 @@ Level* RayLevels::Internals::Find(std::uint64_t points)
 }
 
 //------------------------------------------------------------------------------
-void RayLevels::Internals::Add(Level level)
+void LevelOfDetailCache::Internals::Add(Level level)
 {
   level.Used = ++this->Uses;
   std::uint64_t bytes = this->GetBytes(level.Points);
@@ -148,7 +148,7 @@ void RayLevels::Internals::Add(Level level)
 }
 
 //------------------------------------------------------------------------------
-bool RayLevels::Internals::IsReady(std::uint64_t points)
+bool LevelOfDetailCache::Internals::IsReady(std::uint64_t points)
 {
   if (this->IsWhole(points))
   {
@@ -159,16 +159,16 @@ bool RayLevels::Internals::IsReady(std::uint64_t points)
 }
 
 //------------------------------------------------------------------------------
-bool RayLevels::Internals::IsWorthwhile(std::uint64_t points)
+bool LevelOfDetailCache::Internals::IsWorthwhile(std::uint64_t points)
 {
   return !this->IsReady(points) &&
     this->GetBytes(points) <= (this->IsWhole(points) ? this->Space.Whole : this->Space.Simpler);
 }
 
 //------------------------------------------------------------------------------
-void RayLevels::Internals::FindDetail()
+void LevelOfDetailCache::Internals::FindLevels()
 {
-  std::shared_ptr<RayDetail> detail;
+  std::shared_ptr<LevelsOfDetail> detail;
   std::exception_ptr failure;
   try
   {
@@ -206,7 +206,7 @@ void RayLevels::Internals::FindDetail()
 
 //------------------------------------------------------------------------------
 /** Lets pictures have their share of the processor. False to stop. */
-bool RayLevels::Internals::Rest(Clock::duration worked)
+bool LevelOfDetailCache::Internals::Rest(Clock::duration worked)
 {
   std::unique_lock<std::mutex> lock(this->Guard);
   if (this->IsDrawing)
@@ -218,7 +218,7 @@ bool RayLevels::Internals::Rest(Clock::duration worked)
 
 //------------------------------------------------------------------------------
 /** Makes its blocks, as far as there is time. */
-void RayLevels::Internals::Complete(Level& level)
+void LevelOfDetailCache::Internals::Complete(Level& level)
 {
   auto before = Clock::now();
   if (!level.Source)
@@ -239,9 +239,9 @@ void RayLevels::Internals::Complete(Level& level)
 }
 
 //------------------------------------------------------------------------------
-void RayLevels::Internals::Work()
+void LevelOfDetailCache::Internals::Work()
 {
-  this->FindDetail();
+  this->FindLevels();
   std::unique_lock<std::mutex> lock(this->Guard);
   for (;;)
   {
@@ -294,8 +294,9 @@ void RayLevels::Internals::Work()
 }
 
 //------------------------------------------------------------------------------
-RayLevels::RayLevels(MakeDetail makeDetail, std::shared_ptr<RaySource> whole, const Room& room)
-  : Self(std::make_unique<Internals>(std::move(makeDetail), std::move(whole), room))
+LevelOfDetailCache::LevelOfDetailCache(
+  MakeLevels makeLevels, std::shared_ptr<RaySource> whole, const Room& room)
+  : Self(std::make_unique<Internals>(std::move(makeLevels), std::move(whole), room))
 {
   Internals* const self = this->Self.get();
   self->Worker = std::thread(
@@ -307,7 +308,7 @@ RayLevels::RayLevels(MakeDetail makeDetail, std::shared_ptr<RaySource> whole, co
 }
 
 //------------------------------------------------------------------------------
-RayLevels::~RayLevels()
+LevelOfDetailCache::~LevelOfDetailCache()
 {
   {
     const std::lock_guard<std::mutex> lock(this->Self->Guard);
@@ -319,7 +320,7 @@ RayLevels::~RayLevels()
 }
 
 //------------------------------------------------------------------------------
-RayDetail* RayLevels::FindDetail() const
+LevelsOfDetail* LevelOfDetailCache::FindLevels() const
 {
   const std::lock_guard<std::mutex> lock(this->Self->Guard);
   if (this->Self->Failure)
@@ -330,7 +331,7 @@ RayDetail* RayLevels::FindDetail() const
 }
 
 //------------------------------------------------------------------------------
-RayDetail& RayLevels::WaitForDetail(const Progress& progress)
+LevelsOfDetail& LevelOfDetailCache::WaitForLevels(const Progress& progress)
 {
   auto& self = *this->Self;
   constexpr std::chrono::milliseconds between(50);
@@ -345,11 +346,11 @@ RayDetail& RayLevels::WaitForDetail(const Progress& progress)
     lock.lock();
   }
   lock.unlock();
-  return *this->FindDetail();
+  return *this->FindLevels();
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<RaySource> RayLevels::GetWhole()
+std::shared_ptr<RaySource> LevelOfDetailCache::GetWhole()
 {
   auto& self = *this->Self;
   std::unique_lock<std::mutex> lock(self.Guard);
@@ -363,7 +364,7 @@ std::shared_ptr<RaySource> RayLevels::GetWhole()
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<RaySource> RayLevels::Get(std::uint64_t points)
+std::shared_ptr<RaySource> LevelOfDetailCache::Get(std::uint64_t points)
 {
   auto& self = *this->Self;
   std::unique_lock<std::mutex> lock(self.Guard);
@@ -392,7 +393,7 @@ std::shared_ptr<RaySource> RayLevels::Get(std::uint64_t points)
 }
 
 //------------------------------------------------------------------------------
-std::uint64_t RayLevels::FindReady(std::uint64_t wanted) const
+std::uint64_t LevelOfDetailCache::FindReady(std::uint64_t wanted) const
 {
   const auto& self = *this->Self;
   const std::lock_guard<std::mutex> lock(self.Guard);
@@ -413,7 +414,7 @@ std::uint64_t RayLevels::FindReady(std::uint64_t wanted) const
 }
 
 //------------------------------------------------------------------------------
-void RayLevels::Prepare(const std::vector<std::uint64_t>& points)
+void LevelOfDetailCache::Prepare(const std::vector<std::uint64_t>& points)
 {
   auto& self = *this->Self;
   const std::lock_guard<std::mutex> lock(self.Guard);
@@ -437,7 +438,7 @@ void RayLevels::Prepare(const std::vector<std::uint64_t>& points)
 }
 
 //------------------------------------------------------------------------------
-void RayLevels::SetDrawing(bool drawing)
+void LevelOfDetailCache::SetDrawing(bool drawing)
 {
   auto& self = *this->Self;
   const std::lock_guard<std::mutex> lock(self.Guard);
@@ -446,7 +447,7 @@ void RayLevels::SetDrawing(bool drawing)
 }
 
 //------------------------------------------------------------------------------
-void RayLevels::Wait()
+void LevelOfDetailCache::Wait()
 {
   auto& self = *this->Self;
   std::unique_lock<std::mutex> lock(self.Guard);

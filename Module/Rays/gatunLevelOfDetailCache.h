@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef gatunRayLevels_h
-#define gatunRayLevels_h
+#ifndef gatunLevelOfDetailCache_h
+#define gatunLevelOfDetailCache_h
 
-#include "gatunRayDetail.h"
+#include "gatunLevelsOfDetail.h"
 #include "gatunRaySource.h"
 #include "vtkGatunCoreModule.h"
 
@@ -23,13 +23,13 @@ namespace gatun
  * rests as long as it works. It stops within a block's time when something else is wanted, and when
  * this is destroyed. All methods are for one thread.
  */
-class VTKGATUNCORE_EXPORT RayLevels
+class VTKGATUNCORE_EXPORT LevelOfDetailCache
 {
 public:
   using Progress = RaySource::Progress;
 
   /** Called in the background; see BuildMergeTree for what becomes of progress. */
-  using MakeDetail = std::function<std::shared_ptr<RayDetail>(const Progress& progress)>;
+  using MakeLevels = std::function<std::shared_ptr<LevelsOfDetail>(const Progress& progress)>;
 
   /** How many bytes may be used. */
   struct Room
@@ -39,17 +39,17 @@ public:
   };
 
   /** Whole: what is drawn of all points. */
-  RayLevels(MakeDetail makeDetail, std::shared_ptr<RaySource> whole, const Room& room);
-  ~RayLevels();
-  RayLevels(const RayLevels&) = delete;
-  RayLevels& operator=(const RayLevels&) = delete;
+  LevelOfDetailCache(MakeLevels makeLevels, std::shared_ptr<RaySource> whole, const Room& room);
+  ~LevelOfDetailCache();
+  LevelOfDetailCache(const LevelOfDetailCache&) = delete;
+  LevelOfDetailCache& operator=(const LevelOfDetailCache&) = delete;
 
   /** How the mesh can be simplified; null while that is not known. Throws what making it threw. */
-  RayDetail* FindDetail() const;
+  LevelsOfDetail* FindLevels() const;
 
   /** The same, once it is known. Progress: how far that is; if it returns false, Error(Aborted) is
    * thrown, but work goes on. */
-  RayDetail& WaitForDetail(const Progress& progress = {});
+  LevelsOfDetail& WaitForLevels(const Progress& progress = {});
 
   /** All of the mesh. */
   std::shared_ptr<RaySource> GetWhole();

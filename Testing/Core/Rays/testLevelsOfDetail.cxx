@@ -4,7 +4,7 @@
 // A mesh in memory that is drawn with fewer points: what its sources hold is what merging leaves.
 
 #include "gatunError.h"
-#include "gatunMemoryRayDetail.h"
+#include "gatunMemoryLevelsOfDetail.h"
 #include "gatunRayPictures.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,10 @@ struct Sample
       this->Mesh.GetInput(), this->GetValues(), this->GetHidden());
   }
   MergeTree MakeTree() const { return this->MakeMesh()->BuildTree(); }
-  MemoryRayDetail MakeDetail(MergeTree tree) const { return { this->MakeMesh(), std::move(tree) }; }
+  MemoryLevelsOfDetail MakeLevels(MergeTree tree) const
+  {
+    return { this->MakeMesh(), std::move(tree) };
+  }
 };
 
 /** A tetrahedron as it is drawn: corners with their values, sorted, and the value of its own. */
@@ -153,7 +156,7 @@ std::vector<Drawn> Merge(const Sample& sample, const MergeTree& tree, std::uint6
 }
 
 //------------------------------------------------------------------------------
-TEST(RayDetail, SourcesHoldWhatMergingLeaves)
+TEST(LevelsOfDetail, SourcesHoldWhatMergingLeaves)
 {
   for (const auto where : { Association::Point, Association::Cell })
   {
@@ -161,7 +164,7 @@ TEST(RayDetail, SourcesHoldWhatMergingLeaves)
     {
       const Sample sample(where, 8, hides);
       const MergeTree tree = sample.MakeTree();
-      auto detail = sample.MakeDetail(tree);
+      auto detail = sample.MakeLevels(tree);
       ASSERT_EQ(detail.GetNumberOfPoints(), 729u);
       ASSERT_LT(detail.GetFewestPoints(), 300u);
       // Up and down, so that some begin with bases that are there and others do not.
@@ -181,7 +184,7 @@ TEST(RayDetail, SourcesHoldWhatMergingLeaves)
 }
 
 //------------------------------------------------------------------------------
-TEST(RayDetail, TetrahedraNeedNotHaveAnyPointInCommon)
+TEST(LevelsOfDetail, TetrahedraNeedNotHaveAnyPointInCommon)
 {
   for (const std::size_t tets : { 1u, 2u, 3u, 7u, 64u })
   {
@@ -189,16 +192,16 @@ TEST(RayDetail, TetrahedraNeedNotHaveAnyPointInCommon)
     std::iota(mesh.Ids.begin(), mesh.Ids.end(), std::int64_t{ 0 });
     const Sample sample(Association::Point, std::move(mesh), false);
     const MergeTree tree(1000, {});
-    auto detail = sample.MakeDetail(tree);
+    auto detail = sample.MakeLevels(tree);
     EXPECT_EQ(Collect(*detail.MakeSource(1000, Plenty)), Merge(sample, tree, 1000));
   }
 }
 
 //------------------------------------------------------------------------------
-TEST(RayDetail, TheWholeMeshLooksTheSameToTheLastBit)
+TEST(LevelsOfDetail, TheWholeMeshLooksTheSameToTheLastBit)
 {
   const Sample sample(Association::Point, 20);
-  auto detail = sample.MakeDetail(MergeTree(9261, {}));
+  auto detail = sample.MakeLevels(MergeTree(9261, {}));
   MemoryRaySource plain(sample.Mesh.GetInput(), sample.GetValues(), nullptr, Plenty);
   const auto whole = detail.MakeSource(9261, Plenty);
   ASSERT_GT(plain.GetNumberOfBlocks(), 1u);
@@ -210,10 +213,10 @@ TEST(RayDetail, TheWholeMeshLooksTheSameToTheLastBit)
 }
 
 //------------------------------------------------------------------------------
-TEST(RayDetail, NumbersOfTetsAreGuessedBetweenThoseKnown)
+TEST(LevelsOfDetail, NumbersOfTetsAreGuessedBetweenThoseKnown)
 {
   const Sample sample(Association::Point);
-  auto detail = sample.MakeDetail(sample.MakeTree());
+  auto detail = sample.MakeLevels(sample.MakeTree());
   std::uint64_t before = 0;
   for (std::uint64_t points = detail.GetFewestPoints(); points <= 729; points += 50)
   {
@@ -225,22 +228,22 @@ TEST(RayDetail, NumbersOfTetsAreGuessedBetweenThoseKnown)
 }
 
 //------------------------------------------------------------------------------
-TEST(RayDetail, ATreeOfAnotherMeshIsRefused)
+TEST(LevelsOfDetail, ATreeOfAnotherMeshIsRefused)
 {
   const Sample sample(Association::Point);
-  EXPECT_THROW(sample.MakeDetail(MergeTree(728, {})), Error);
-  EXPECT_THROW(sample.MakeDetail(MergeTree()), Error);
+  EXPECT_THROW(sample.MakeLevels(MergeTree(728, {})), Error);
+  EXPECT_THROW(sample.MakeLevels(MergeTree()), Error);
 }
 
 //------------------------------------------------------------------------------
-TEST(RayDetail, SourcesOutliveWhatMadeThem)
+TEST(LevelsOfDetail, SourcesOutliveWhatMadeThem)
 {
   const Sample sample(Association::Point);
   const MergeTree tree = sample.MakeTree();
   std::shared_ptr<RaySource> source;
   {
     Sample original(sample);
-    source = original.MakeDetail(tree).MakeSource(300, Plenty);
+    source = original.MakeLevels(tree).MakeSource(300, Plenty);
     std::fill(original.Mesh.Ids.begin(), original.Mesh.Ids.end(), -1);
   }
   EXPECT_EQ(Collect(*source), Merge(sample, tree, 300));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gatunMemoryRayDetail.h"
+#include "gatunMemoryLevelsOfDetail.h"
 
 #include "gatunError.h"
 #include "gatunMergeBuilder.h"
@@ -309,7 +309,7 @@ std::shared_ptr<RaySource> MakeWholeSource(
 }
 
 //------------------------------------------------------------------------------
-class MemoryRayDetail::Internals
+class MemoryLevelsOfDetail::Internals
 {
 public:
   std::shared_ptr<const MemoryRayMesh> Mesh;
@@ -328,7 +328,7 @@ public:
 
 //------------------------------------------------------------------------------
 /** What is left of a base. */
-std::shared_ptr<const TetList> MemoryRayDetail::Internals::Simplify(
+std::shared_ptr<const TetList> MemoryLevelsOfDetail::Internals::Simplify(
   const TetList& base, std::uint64_t points) const
 {
   const auto ancestors = this->Tree.FindAncestors(this->Tree.CountMergesForPoints(points));
@@ -364,7 +364,7 @@ std::shared_ptr<const TetList> MemoryRayDetail::Internals::Simplify(
 
 //------------------------------------------------------------------------------
 /** Of so many points. Makes the bases on the way to it. */
-std::shared_ptr<const TetList> MemoryRayDetail::Internals::MakeTets(std::uint64_t points)
+std::shared_ptr<const TetList> MemoryLevelsOfDetail::Internals::MakeTets(std::uint64_t points)
 {
   auto base = this->Mesh->GetInternals().Whole;
   for (std::size_t halvings = 1;; ++halvings)
@@ -395,7 +395,8 @@ std::shared_ptr<const TetList> MemoryRayDetail::Internals::MakeTets(std::uint64_
 }
 
 //------------------------------------------------------------------------------
-MemoryRayDetail::MemoryRayDetail(std::shared_ptr<const MemoryRayMesh> mesh, MergeTree tree)
+MemoryLevelsOfDetail::MemoryLevelsOfDetail(
+  std::shared_ptr<const MemoryRayMesh> mesh, MergeTree tree)
   : Self(std::make_unique<Internals>())
 {
   const auto points = mesh->GetNumberOfPoints();
@@ -410,22 +411,23 @@ MemoryRayDetail::MemoryRayDetail(std::shared_ptr<const MemoryRayMesh> mesh, Merg
   this->Self->Tree = std::move(tree);
 }
 
-MemoryRayDetail::~MemoryRayDetail() = default;
+MemoryLevelsOfDetail::~MemoryLevelsOfDetail() = default;
 
 //------------------------------------------------------------------------------
-std::uint64_t MemoryRayDetail::GetNumberOfPoints() const
+std::uint64_t MemoryLevelsOfDetail::GetNumberOfPoints() const
 {
   return this->Self->GetPoints();
 }
 
 //------------------------------------------------------------------------------
-std::uint64_t MemoryRayDetail::GetFewestPoints() const
+std::uint64_t MemoryLevelsOfDetail::GetFewestPoints() const
 {
   return this->Self->GetFewest();
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<RaySource> MemoryRayDetail::MakeSource(std::uint64_t points, std::uint64_t budget)
+std::shared_ptr<RaySource> MemoryLevelsOfDetail::MakeSource(
+  std::uint64_t points, std::uint64_t budget)
 {
   auto& self = *this->Self;
   points = std::clamp(points, self.GetFewest(), self.GetPoints());
@@ -443,7 +445,7 @@ std::shared_ptr<RaySource> MemoryRayDetail::MakeSource(std::uint64_t points, std
 }
 
 //------------------------------------------------------------------------------
-std::uint64_t MemoryRayDetail::EstimateTets(std::uint64_t points) const
+std::uint64_t MemoryLevelsOfDetail::EstimateTets(std::uint64_t points) const
 {
   const auto& self = *this->Self;
   points = std::clamp(points, self.GetFewest(), self.GetPoints());

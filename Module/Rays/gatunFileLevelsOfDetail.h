@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef gatunFileRayDetail_h
-#define gatunFileRayDetail_h
+#ifndef gatunFileLevelsOfDetail_h
+#define gatunFileLevelsOfDetail_h
 
-#include "gatunRayDetail.h"
+#include "gatunLevelsOfDetail.h"
 #include "gatunSimplifiedFile.h"
 #include "vtkGatunCoreModule.h"
 
@@ -16,12 +16,12 @@ namespace gatun
  * A file that tells how its mesh becomes simpler. What is drawn of fewer points comes from the
  * simplest base mesh that has enough of them, if the file has any; else from the whole mesh.
  */
-class VTKGATUNCORE_EXPORT FileRayDetail final : public RayDetail
+class VTKGATUNCORE_EXPORT FileLevelsOfDetail final : public LevelsOfDetail
 {
 public:
   /** Throws InvalidInput if the file does not tell, or has no such array or step. */
-  FileRayDetail(std::shared_ptr<const FileReader> file, const RayValues& values);
-  ~FileRayDetail() override;
+  FileLevelsOfDetail(std::shared_ptr<const FileReader> file, const RayValues& values);
+  ~FileLevelsOfDetail() override;
 
   std::uint64_t GetNumberOfPoints() const override;
   std::uint64_t GetFewestPoints() const override;
