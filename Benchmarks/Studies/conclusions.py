@@ -98,12 +98,11 @@ def _simplification(results):
 def _isosurfaces(results):
     parts = []
     for mesh in results["meshes"]:
-        layers = span(isosurfaceReport.ratios(mesh, isosurfaceReport.median_seconds), ratio)
-        plain = span(isosurfaceReport.ratios(mesh, isosurfaceReport.median_seconds, "zlib", "spatial"),
-                     ratio)
+        layers = span(isosurfaceReport.time_ratios(mesh), ratio)
+        plain = span(isosurfaceReport.time_ratios(mesh, "zlib", "spatial"), ratio)
         parts.append(f"{mesh['name']} {layers} ({plain} without layers)")
     raw = [value for mesh in results["meshes"]
-           for value in isosurfaceReport.ratios(mesh, isosurfaceReport.median_seconds, "raw")]
+           for value in isosurfaceReport.time_ratios(mesh, "raw")]
     return f"""From a file with layers to an isosurface, relative to a zlib `.vtu` file and
         `vtkContour3DLinearGrid`: {"; ".join(parts)} times as fast. Small meshes gain no time. A raw
         `.vtu` file in the page cache takes {span(raw, ratio)} times the time of a file with layers,
