@@ -128,8 +128,9 @@ def _volumes(results):
     times = [volumeReport.median(way) / peer for way in runs["ways"]
              if way["way"] == "gatun" and way["law"] == "xray"]
     return f"""Before quantization, images of blocks differ from exact line integrals by a mean square error of
-        at most {lines:.4f} (of 255), and from the dissertation's reference, sums of samples, by at most
-        {own:.2f}, all of it ({between:.2f}) the error of that reference. Whole images are closer to the
+        at most {lines:.4f}, where the largest sum along a ray is 255. They differ from the dissertation's
+        reference, sums of samples, by at most {own:.2f}; the error of that reference itself is
+        {between:.2f} there. Whole images are closer to the
         reference than the dissertation's in {better} cases and farther from it in {worse}; its opacity
         scale is unknown. The opacity of a whole ray under the exponential model, which is exact for
         each block, is up to {worst6:.1f} of 255 off at a pixel. An X-ray view at
