@@ -98,12 +98,11 @@ def _simplification(results):
 def _isosurfaces(results):
     parts = []
     for mesh in results["meshes"]:
-        layers = span(isosurfaceReport.ratios(mesh, isosurfaceReport.median_seconds), ratio)
-        plain = span(isosurfaceReport.ratios(mesh, isosurfaceReport.median_seconds, "zlib", "spatial"),
-                     ratio)
+        layers = span(isosurfaceReport.time_ratios(mesh), ratio)
+        plain = span(isosurfaceReport.time_ratios(mesh, "zlib", "spatial"), ratio)
         parts.append(f"{mesh['name']} {layers} ({plain} without layers)")
     raw = [value for mesh in results["meshes"]
-           for value in isosurfaceReport.ratios(mesh, isosurfaceReport.median_seconds, "raw")]
+           for value in isosurfaceReport.time_ratios(mesh, "raw")]
     return f"""From a file with layers to an isosurface, relative to a zlib `.vtu` file and
         `vtkContour3DLinearGrid`: {"; ".join(parts)} times as fast. Small meshes gain no time. A raw
         `.vtu` file in the page cache takes {span(raw, ratio)} times the time of a file with layers,
@@ -129,8 +128,9 @@ def _volumes(results):
     times = [volumeReport.median(way) / peer for way in runs["ways"]
              if way["way"] == "gatun" and way["law"] == "xray"]
     return f"""Before quantization, images of blocks differ from exact line integrals by a mean square error of
-        at most {lines:.4f} (of 255), and from the dissertation's reference, sums of samples, by at most
-        {own:.2f}, all of it ({between:.2f}) the error of that reference. Whole images are closer to the
+        at most {lines:.4f}, where the largest sum along a ray is 255. They differ from the dissertation's
+        reference, sums of samples, by at most {own:.2f}; the error of that reference itself is
+        {between:.2f} there. Whole images are closer to the
         reference than the dissertation's in {better} cases and farther from it in {worse}; its opacity
         scale is unknown. The opacity of a whole ray under the exponential model, which is exact for
         each block, is up to {worst6:.1f} of 255 off at a pixel. An X-ray view at

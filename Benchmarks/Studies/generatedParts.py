@@ -37,7 +37,7 @@ def render_readme():
     text = (ROOT / "README.md").read_text(encoding="utf-8")
     before, rest = text.split(BEGIN, 1)
     table = importlib.import_module("summaryReport").readme_table(load("summary"))
-    return before + BEGIN + table + END + rest.split(END, 1)[1]
+    return before + BEGIN + "\n" + table + "\n" + END + rest.split(END, 1)[1]
 
 
 def all_parts():

@@ -17,14 +17,14 @@ ARRAY = "Density"
 # memory in bytes that making the largest mesh takes. VTK's ZSweep mapper needs minutes for larger
 # meshes or images.
 MODES = {
-    "full": {"sizes": (256, 512, 1024), "rounds": (6, 2, 2), "bigRounds": (4, 1, 1),
-             "small": 512, "large": 1024, "zsweep": 256, "pictures": 3, "huge": 20000000,
+    "full": {"sizes": (256, 512, 1024), "rounds": (6, 2, 2), "bigRounds": (4, 2, 2),
+             "small": 512, "large": 1024, "zsweep": 256, "images": 3, "huge": 20000000,
              "hugeNeeds": 12 * 2**30, "zsweepMeshes": ("bluntfin", "comb")},
     "quick": {"sizes": (256, 512), "rounds": (3, 1, 1), "bigRounds": (2, 1, 1),
-              "small": 256, "large": 512, "zsweep": 128, "pictures": 2, "huge": 1000000,
+              "small": 256, "large": 512, "zsweep": 128, "images": 2, "huge": 1000000,
               "hugeNeeds": 2**30, "zsweepMeshes": ("bluntfin", "comb")},
     "smoke": {"sizes": (64,), "rounds": (1, 1, 1), "bigRounds": (1, 1, 1),
-              "small": 64, "large": 64, "zsweep": 64, "pictures": 1, "huge": 8000,
+              "small": 64, "large": 64, "zsweep": 64, "images": 1, "huge": 8000,
               "hugeNeeds": 0, "zsweepMeshes": ("delaunay", "lattice")},
 }
 
@@ -83,14 +83,13 @@ def _compare_mappers(runner, name, file, wanted):
     return cases
 
 
-def _time_pictures(runner, name, files, wanted):
+def _time_images(runner, name, files, wanted):
     """From a file to its first image; each run is a separate process, and the methods take turns."""
     size = wanted["large"] if name == "big" else wanted["small"]
-    rounds = 1 if name == "big" else wanted["pictures"]
     budgets = [("gtn", budget) for budget in (0, 32, 512)]
     ways = budgets + [("vtu-zlib", 0), ("vtu-raw", 0)]
     runs = [[] for _ in ways]
-    for _ in range(rounds):
+    for _ in range(wanted["images"]):
         for found, (form, budget) in zip(runs, ways):
             found.append(runner.case("picture", files[form], "--size", size, "--budget", budget,
                                      "--array", ARRAY, threads=2, window=True))
@@ -128,5 +127,5 @@ def measure(runner, mode, sizes, delaunay, data):
         cases = _compare_mappers(runner, name, files["vtu-raw"], wanted)
         meshes.append({"name": name, "about": ABOUT[name], "tets": cases[0]["tets"],
                        "render": cases,
-                       "pictures": _time_pictures(runner, name, files, wanted)})
+                       "pictures": _time_images(runner, name, files, wanted)})
     return {"meshes": meshes, "hugeTets": wanted["huge"], "huge": _measure_huge(runner, wanted)}

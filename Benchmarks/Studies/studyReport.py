@@ -225,7 +225,7 @@ its share of the largest chunk. *Fragments* is the largest number in all pixels 
 that of the image and the chunk at work. A chunk is in memory as a whole while it is drawn, so fewer
 waiting tetrahedra do not make it smaller. Chunks are drawn from front to back, one at a time, so the
 chunk limits the number that waits. Each mesh was therefore also stored in one chunk (of at most
-1,048,576 tetrahedra), where the question of the proposal applies in full. *Ends* tells whether
+1,048,576 tetrahedra), where the question of the proposal applies in full. *Ends* states whether
 everything behind an opaque fragment is left out (a transmittance below 1/1000). One thread, decoding
 included; milliseconds by stage and in total.
 

@@ -56,14 +56,14 @@ def _surfaces(results):
 
 def _simplification(results):
     quadric, gatun = (1000 * one["rms"] for one in results["simplification"]["compared"]["meshes"])
-    yield _row("RMS error at 10 % of the Delaunay mesh", "thousandths of the range", [gatun],
+    yield _row("Field error at 10 % of the Delaunay mesh", "RMS, 1/1000 of the range", [gatun],
                [quadric], "`vtkUnstructuredGridQuadricDecimation`")
 
 
 def _volume(results):
     volume = results["volume"]
     if volume:
-        yield _row(f"Volume at {volume['zfp']['psnr']:.0f} dB", "bits per voxel",
+        yield _row(f"Size of a volume at a PSNR of {volume['zfp']['psnr']:.0f} dB", "bits per voxel",
                    [volume["gatun"]["bits"]], [volume["zfp"]["bits"]], "zfp")
 
 
@@ -83,7 +83,7 @@ def _advantage(row):
 def readme_table(results):
     """Eight rows; an advantage below 1 is bold."""
     return table(["measurement", "Gatun", "peer", "advantage (range)"],
-                 [[f"{row['what']}, {row['unit']}", number(statistics.median(row["own"])),
+                 [[f"{row['what']} ({row['unit']})", number(statistics.median(row["own"])),
                    f"{number(statistics.median(row['peer']))}: {row['name']}", _advantage(row)]
                   for row in rows(results)])
 

@@ -27,8 +27,8 @@ struct Merge
  * gone.
  *
  * Based on: Yang, Chiueh: An Integrated Pipeline of Decompression, Simplification and Rendering for
- * Irregular Volume Data, technical report, SUNY at Stony Brook, 2001; Yang: On-the-fly Processing of
- * Compressed Volume Data, 2001, section 5.
+ * Irregular Volume Data, technical report, SUNY at Stony Brook, 2001; Yang: On-the-fly Processing
+ * of Compressed Volume Data, 2001, section 5.
  */
 class VTKGATUNCORE_EXPORT MergeTree
 {
