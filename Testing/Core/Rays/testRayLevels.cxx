@@ -203,7 +203,7 @@ TEST(RayLevels, WhatWasBegunIsGoneOnWith)
 TEST(RayLevels, TheEndDoesNotWaitForWhatIsWanted)
 {
   Sample sample;
-  sample.Told->BlockTime = std::chrono::milliseconds(20);
+  sample.Told->BlockTime = std::chrono::milliseconds(200);
   {
     const auto levels = sample.Make();
     levels->Prepare({ 500, 600, 700, 800, 900, 1000, Points });
