@@ -125,7 +125,7 @@ Stages DrawWhole(vtkGatunRayCaster* caster, const Options& options)
     [&]
     {
       vtkNew<vtkGatunReader> reader;
-      reader->SetCacheSize(0);
+      reader->SetMemoryBudget(0);
       reader->SetFileName(options.File.c_str());
       reader->RestoreOrderOff();
       reader->Update();

@@ -43,7 +43,7 @@ using Pixels = std::vector<float>; // red, green, blue and opacity
 
 /** Draws a mesh by a scene, which is always that of the first one. */
 void Draw(vtkUnstructuredGrid* grid, const Scene& scene, const Options& options, int size,
-  vtkGatunRayCaster::ModeType mode, Pixels& pixels)
+  vtkGatunRayCaster::BlendModes mode, Pixels& pixels)
 {
   vtkNew<vtkCamera> camera;
   vtkNew<vtkVolumeProperty> property;
@@ -56,7 +56,7 @@ void Draw(vtkUnstructuredGrid* grid, const Scene& scene, const Options& options,
   caster->SetArrayName(options.Array.c_str());
   caster->SetSize(size, size);
   caster->SetMemoryBudget(0);
-  caster->SetMode(mode);
+  caster->SetBlendMode(mode);
   caster->Update();
   if (caster->GetErrorCode() != 0)
   {
@@ -141,11 +141,13 @@ void ComparePictures(const Options& options)
         std::vector<Operation> operations;
         for (std::size_t i = 0; i < grids.size(); ++i)
         {
-          operations.push_back({ "volume",
-            [&, i]
-            { Draw(grids[i], scene, options, size, vtkGatunRayCaster::Composite, pictures[i]); } });
+          operations.push_back({ "volume", [&, i] {
+                                  Draw(grids[i], scene, options, size,
+                                    vtkGatunRayCaster::COMPOSITE_BLEND, pictures[i]);
+                                } });
           operations.push_back({ "area",
-            [&, i] { Draw(grids[i], scene, options, size, vtkGatunRayCaster::Area, ignored); } });
+            [&, i]
+            { Draw(grids[i], scene, options, size, vtkGatunRayCaster::AREA_BLEND, ignored); } });
         }
         RunInterleaved(operations, options.Rounds);
         json.BeginObject();

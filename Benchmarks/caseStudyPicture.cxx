@@ -83,7 +83,7 @@ Grid LoadWhole(const std::string& file)
     return Load(file);
   }
   vtkNew<vtkGatunReader> reader;
-  reader->SetCacheSize(0);
+  reader->SetMemoryBudget(0);
   reader->SetFileName(file.c_str());
   reader->Update();
   if (reader->GetErrorCode() != 0)

@@ -38,7 +38,7 @@ std::unique_ptr<SurfaceMaker> Open(const Options& options)
   auto maker = MakeSurfaceMaker(options.Way, options.File, options.Array);
   if (options.Cache >= 0 && maker->GetGatun())
   {
-    maker->GetGatun()->SetCacheSize(options.Cache);
+    maker->GetGatun()->SetMemoryBudget(options.Cache);
   }
   return maker;
 }
@@ -148,7 +148,7 @@ void AddWays(CLI::App* command, const std::shared_ptr<Options>& options)
   command->add_option("--values", options->Values, "Isovalues")->required();
   command->add_option("--way", options->Way, "How")
     ->check(CLI::IsMember({ "file", "memory", "linear", "span" }));
-  command->add_option("--cache", options->Cache, "CacheSize of vtkGatunContour, in MiB");
+  command->add_option("--cache", options->Cache, "Memory budget of vtkGatunContour, in MiB");
 }
 } // anonymous namespace
 

@@ -188,12 +188,13 @@ endfunction ()
 
 # A Python program that imports gatun and vtkmodules, run by the interpreter of the VTK found:
 #
-#   gatun_add_python_test(<file>.py [ARGS <argument>...] [LABELS <label>...] [EXPECT_ERRORS]
-#     [TIMEOUT <seconds>])
+#   gatun_add_python_test(<file>.py [NAME <name>] [ARGS <argument>...] [LABELS <label>...]
+#     [EXPECT_ERRORS] [TIMEOUT <seconds>])
 #
-# The label is unit unless others are given; without Python wrapping there is no such test.
+# The test is named after the file and has the label unit unless others are given; without Python
+# wrapping there is no such test.
 function (gatun_add_python_test file)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "EXPECT_ERRORS" "TIMEOUT" "ARGS;LABELS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "EXPECT_ERRORS" "NAME;TIMEOUT" "ARGS;LABELS")
   if (NOT GATUN_WRAP_PYTHON)
     return ()
   endif ()
@@ -208,7 +209,10 @@ function (gatun_add_python_test file)
   if (arg_TIMEOUT)
     list(APPEND rest TIMEOUT "${arg_TIMEOUT}")
   endif ()
-  get_filename_component(test "${file}" NAME_WE)
+  set(test "${arg_NAME}")
+  if (NOT test)
+    get_filename_component(test "${file}" NAME_WE)
+  endif ()
   gatun_add_test(
     NAME        "${prefix}${test}"
     COMMAND     "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/${file}" ${arg_ARGS}

@@ -212,7 +212,7 @@ void vtkGatunContour::vtkInternals::FillFromFile(vtkGatunContour* self, vtkGatun
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   gatun::FileSurfaceRequest request;
   request.Options.Values = SortValues(this->Values);
-  this->Open(reader, static_cast<std::uint64_t>(self->CacheSize) << 20);
+  this->Open(reader, static_cast<std::uint64_t>(self->MemoryBudget) << 20);
   const gatun::FileReader& file = *this->Extractor->GetFile();
   if (inInfo->Has(Pipeline::UPDATE_TIME_STEP()))
   {
@@ -531,5 +531,5 @@ void vtkGatunContour::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ComputeScalars: " << tell(this->ComputeScalars) << "\n";
   os << indent << "OutputStrips: " << tell(this->OutputStrips) << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
-  os << indent << "CacheSize: " << this->CacheSize << "\n";
+  os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
 }

@@ -30,7 +30,7 @@
  * Other inputs are asked for the same piece.
  *
  * *Cost.* From a file: time in proportion to the chunks that are read; memory for about twice the
- * surface, a chunk for each thread, CacheSize, and points that chunks share. All threads of
+ * surface, a chunk for each thread, MemoryBudget, and points that chunks share. All threads of
  * vtkSMPTools are used.
  *
  * *Errors.* A missing array, a component that is not there, isovalues that are not finite, cells
@@ -134,12 +134,12 @@ public:
 
   ///@{
   /**
-   * How much memory decoded chunks of a file may take, in MiB, so that other isovalues need not
-   * decode them again: with 256 a slider moves smoothly. Points that chunks share are kept besides,
-   * up to 32 MiB. It has no influence on the output. Default: 0.
+   * Memory for decoded chunks of a file, in MiB, 0 or more, so that other isovalues need not decode
+   * them again. Shared points take up to 32 MiB in addition. The output does not depend on the
+   * budget. Default: 512.
    */
-  vtkSetClampMacro(CacheSize, int, 0, VTK_INT_MAX);
-  vtkGetMacro(CacheSize, int);
+  vtkSetClampMacro(MemoryBudget, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MemoryBudget, int);
   ///@}
 
   ///@{
@@ -183,7 +183,7 @@ protected:
   bool ComputeScalars = true;
   bool OutputStrips = false;
   int OutputPointsPrecision = DEFAULT_PRECISION;
-  int CacheSize = 0;
+  int MemoryBudget = 512;
 
 private:
   vtkGatunContour(const vtkGatunContour&) = delete;

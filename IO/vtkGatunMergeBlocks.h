@@ -2,36 +2,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkGatunMergeBlocks
- * @brief Makes one vtkUnstructuredGrid of the blocks of a composite dataset, or of several pieces.
+ * @brief Merges the blocks of a composite dataset, or several pieces, into one unstructured grid.
  *
- * Input, one or more connections: any vtkDataSet (a piece), any vtkCompositeDataSet (blocks).
+ * Input: one or more connections, each a vtkDataSet (a piece) or a vtkCompositeDataSet (blocks).
  *
- * Output: all points and cells, one input after the other. Points keep their type if all blocks
- * have the same, float or double, else they are double. If there is a composite input:
+ * Output: a vtkUnstructuredGrid with the points and cells of all inputs, in their order. Points are
+ * float if they are float in all blocks, otherwise double. If an input is composite, the output
+ * also has:
  *
- *  - the cell array BlockId (int) tells the block: 0 for the first dataset in the order of
- *    traversal, missing datasets not counted; partitions of a vtkPartitionedDataSet are one block;
- *  - the field array BlockNames (string) has the names of the blocks, in the order of BlockId; a
- *    block without a name is called "Block" and its number.
+ *  - the cell array BlockId (int), the index of the block in traversal order, starting at 0.
+ * Missing datasets are not counted. The partitions of a vtkPartitionedDataSet form one block;
+ *  - the field array BlockNames (string), the names of the blocks in the order of BlockId. Unnamed
+ *    blocks are called "Block" followed by their index.
  *
- * Point and cell arrays are known by name, type and number of components. One that some blocks lack
- * is filled up there, with NaN (float, double) or 0, and a warning says so; string arrays are left
- * out then. Field arrays come from the composite dataset, and from the blocks where the name is
- * new.
+ * Point and cell arrays are matched by name, type and number of components. Where a block lacks an
+ * array, its values are filled with NaN (float, double) or 0 and a warning is issued; string arrays
+ * that some blocks lack are dropped. Field arrays of the composite dataset take precedence over
+ * those of its blocks.
  *
- * Points: those of different blocks stay apart even where they coincide, unless all blocks have
- * global point ids (vtkDataSetAttributes::GetGlobalIds), by which they are then merged, or unless
- * MergeCoincidentPoints is on. Ghost cells (DUPLICATECELL in vtkGhostType) are left out, and points
- * that only they use.
+ * Points of different blocks stay separate even where they coincide, except in two cases: if all
+ * blocks have global point ids (vtkDataSetAttributes::GetGlobalIds), points are merged by these
+ * ids; if MergeCoincidentPoints is on, they are merged by coordinates. Ghost cells (DUPLICATECELL
+ * in vtkGhostType) are dropped together with the points that only they use.
  *
- * Cost: memory for the output, twice where points are merged; one thread. Time goes through: the
- * filter may stand between vtkExodusIIReader and vtkGatunWriter.
+ * Cost: memory for the output, twice that where points are merged; one thread. Time steps pass
+ * through, so that the filter can connect a vtkExodusIIReader to a vtkGatunWriter.
  *
- * *Errors.* Too little memory is reported by vtkErrorMacro; GetErrorCode is then
- * vtkErrorCode::UnknownError, and the output is empty. Nothing is thrown.
+ * *Errors.* If memory runs out, the filter reports it by vtkErrorMacro, GetErrorCode returns
+ * vtkErrorCode::UnknownError, and the output is empty. No exception is thrown.
  *
- * @warning Blocks with displaced points (vtkExodusIIReader::ApplyDisplacements) change from one
- * time step to the next, so vtkGatunWriter refuses them.
+ * @warning Blocks with displaced points (vtkExodusIIReader::ApplyDisplacements) move from one time
+ * step to the next; vtkGatunWriter rejects them.
  *
  * @sa vtkGatunWriter vtkAppendFilter
  */
@@ -51,8 +52,8 @@ public:
 
   ///@{
   /**
-   * Whether to make one of points whose coordinates are equal, also within a block; of their values
-   * one is kept. Default: off.
+   * Merge points with equal coordinates, also within a block. The merged point keeps the values of
+   * one of them. Default: off.
    */
   vtkSetMacro(MergeCoincidentPoints, bool);
   vtkGetMacro(MergeCoincidentPoints, bool);
@@ -70,7 +71,7 @@ protected:
   bool MergeCoincidentPoints = false;
 
 private:
-  /** input: that of port 0. */
+  /** Merges the connections of port 0. */
   void Merge(vtkInformationVector* input, vtkUnstructuredGrid* output);
 
   vtkGatunMergeBlocks(const vtkGatunMergeBlocks&) = delete;

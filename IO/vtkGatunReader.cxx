@@ -302,7 +302,7 @@ public:
       this->ForgetMesh();
       this->DecodedBefore += this->Cache->GetStatistics().MeshesDecoded;
       this->Cache =
-        std::make_shared<gatun::ChunkCache>(place.File, MebibytesToBytes(reader.CacheSize));
+        std::make_shared<gatun::ChunkCache>(place.File, MebibytesToBytes(reader.MemoryBudget));
     }
     request.Merges = place.Merges;
     request.Tree = place.Tree;
@@ -607,7 +607,7 @@ void vtkGatunReader::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "ValueRangeComponent: " << this->ValueRangeComponent << "\n";
   os << indent << "ValueRange: " << this->ValueRange[0] << " " << this->ValueRange[1] << "\n";
-  os << indent << "CacheSize: " << this->CacheSize << "\n";
+  os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
   const char* const modes[] = { "Never", "Always", "Large" };
   os << indent << "OnDemand: " << modes[this->OnDemand] << "\n";
   os << indent << "LargeMesh: " << this->LargeMesh << "\n";
@@ -718,12 +718,12 @@ vtkTypeUInt64 vtkGatunReader::GetBytesRead()
 
 //------------------------------------------------------------------------------
 // The output does not depend on it, so this is no modification.
-void vtkGatunReader::SetCacheSize(int mebibytes)
+void vtkGatunReader::SetMemoryBudget(int mebibytes)
 {
-  this->CacheSize = std::max(0, mebibytes);
+  this->MemoryBudget = std::max(0, mebibytes);
   if (this->Internals->Cache)
   {
-    this->Internals->Cache->SetBudget(MebibytesToBytes(this->CacheSize));
+    this->Internals->Cache->SetBudget(MebibytesToBytes(this->MemoryBudget));
   }
 }
 
@@ -865,7 +865,7 @@ int vtkGatunReader::RequestInformation(vtkInformation* vtkNotUsed(request),
   }
   try
   {
-    self.Open(this->FileName, MebibytesToBytes(this->CacheSize));
+    self.Open(this->FileName, MebibytesToBytes(this->MemoryBudget));
     outInfo->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
     outInfo->Set(gatun::ExactGhostLevels(), 1);
     outInfo->Set(CHUNK_TABLE(), self.Table);
@@ -921,7 +921,7 @@ int vtkGatunReader::RequestData(vtkInformation* vtkNotUsed(request),
     const int piece = vtkStreamingDemandDrivenPipeline::GetUpdatePiece(outInfo);
     if (!self.IsOpen(this->FileName))
     {
-      self.Open(this->FileName, MebibytesToBytes(this->CacheSize));
+      self.Open(this->FileName, MebibytesToBytes(this->MemoryBudget));
     }
     gatun::PieceRequest request;
     if (self.File->HasTime() && outInfo->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))

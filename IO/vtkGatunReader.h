@@ -52,8 +52,8 @@
  * cells work as on the whole mesh; global ids are those of the base mesh where one is read.
  *
  * *Cost.* Memory: the output, as much again while ghost cells are chosen, and the mesh last read;
- * besides, chunks that were decoded are kept up to CacheSize, so that other pieces, arrays and time
- * steps need not decode them again. Decoding uses all threads of vtkSMPTools.
+ * besides, chunks that were decoded are kept up to MemoryBudget, so that other pieces, arrays and
+ * time steps need not decode them again. Decoding uses all threads of vtkSMPTools.
  *
  * *Errors.* Reported by vtkErrorMacro with a message that begins with the file's name; GetErrorCode
  * is then one of vtkErrorCode::NoFileNameError, FileNotFoundError, CannotOpenFileError (a folder,
@@ -233,14 +233,14 @@ public:
 
   ///@{
   /**
-   * How much memory decoded chunks may take, in MiB, so that neighbouring pieces with ghost cells,
-   * other arrays and other time steps need not decode them again; those go first that were not used
-   * for longest. It has no influence on the output, and changing it does not update anything. 0
-   * keeps nothing; if a mesh is larger than what fits, part of it is decoded anew at each time
-   * step. Default: 512, enough for about ten million tetrahedra with an array or two.
+   * Memory for decoded chunks, in MiB, 0 or more. Neighboring pieces with ghost cells, other
+   * arrays and other time steps reuse these chunks; the least recently used ones are dropped first.
+   * With 0 no chunk is kept. If the mesh needs more, part of it is decoded again for each time
+   * step. The output does not depend on the budget, and a change does not modify the reader.
+   * Default: 512, enough for about ten million tetrahedra with one or two arrays.
    */
-  void SetCacheSize(int mebibytes);
-  vtkGetMacro(CacheSize, int);
+  void SetMemoryBudget(int mebibytes);
+  vtkGetMacro(MemoryBudget, int);
   ///@}
 
   /**
@@ -349,7 +349,7 @@ public:
   static vtkInformationIntegerKey* ON_DEMAND();
 
   /**
-   * Bytes of decoded chunks that are kept now; never more than CacheSize.
+   * Bytes of decoded chunks that are kept now; never more than MemoryBudget.
    */
   vtkTypeUInt64 GetCachedBytes();
 
@@ -416,7 +416,7 @@ protected:
   int ValueRangeAssociation = 0;
   int ValueRangeComponent = -1;
   double ValueRange[2] = { 0, 1 };
-  int CacheSize = 512;
+  int MemoryBudget = 512;
   int OnDemand = ON_DEMAND_NEVER;
   vtkIdType LargeMesh = 5000000;
   int SimplificationTarget = TARGET_RATIO;

@@ -97,7 +97,7 @@ void PrintJson(const RenderOptions& options, const RenderInput& input, vtkVolume
   json.Add("tets", input.GetNumberOfTets());
   json.Add("array", input.GetArray());
   json.Add("component", input.GetComponent());
-  json.Add("mode", NameOfMode(options.Mode));
+  json.Add("mode", NameOfMode(options.BlendMode));
   json.Add("width", options.Width);
   json.Add("height", options.Height);
   json.Add("unitDistance", property->GetScalarOpacityUnitDistance());
@@ -169,7 +169,7 @@ void Render(const RenderOptions& options, const Settings& settings)
 
   vtkNew<vtkGatunRayCaster> caster;
   caster->SetSize(options.Width, options.Height);
-  caster->SetMode(options.Mode);
+  caster->SetBlendMode(options.BlendMode);
   caster->SetSampleDistance(options.SampleDistance.value_or(0));
   caster->SetMemoryBudget(options.Memory);
   caster->SetSimplificationRatio(options.Ratio);

@@ -3,7 +3,7 @@
 
 #include "gatunFileDetail.h"
 
-#include "gatunFileRayDetail.h"
+#include "gatunFileLevelsOfDetail.h"
 #include "gatunFileReader.h"
 
 namespace gatun
@@ -15,9 +15,9 @@ bool HasDetail(const FileReader& file)
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<RayDetail> MakeFileDetail(
+std::shared_ptr<LevelsOfDetail> MakeFileDetail(
   std::shared_ptr<const FileReader> file, const RayValues& values, const RaySource::Progress&)
 {
-  return std::make_shared<FileRayDetail>(std::move(file), values);
+  return std::make_shared<FileLevelsOfDetail>(std::move(file), values);
 }
 }

@@ -6,7 +6,7 @@
 
 // Files that hold how their mesh can be simplified.
 
-#include "gatunRayDetail.h"
+#include "gatunLevelsOfDetail.h"
 #include "gatunRaySource.h"
 
 #include <memory>
@@ -19,7 +19,7 @@ class FileReader;
 bool HasDetail(const FileReader& file);
 
 /** A file that can, with any number of its points. May be called in the background. */
-std::shared_ptr<RayDetail> MakeFileDetail(std::shared_ptr<const FileReader> file,
+std::shared_ptr<LevelsOfDetail> MakeFileDetail(std::shared_ptr<const FileReader> file,
   const RayValues& values, const RaySource::Progress& progress);
 }
 

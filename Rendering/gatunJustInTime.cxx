@@ -13,7 +13,7 @@ namespace gatun
 namespace
 {
 /** How many points a ratio leaves. */
-std::uint64_t CountPoints(const RayDetail& detail, double ratio)
+std::uint64_t CountPoints(const LevelsOfDetail& detail, double ratio)
 {
   const auto all = detail.GetNumberOfPoints();
   return all -
@@ -23,7 +23,7 @@ std::uint64_t CountPoints(const RayDetail& detail, double ratio)
 }
 
 //------------------------------------------------------------------------------
-FrameLimits JustInTime::GetLimits(const RayDetail* detail, const FrameRequest& request) const
+FrameLimits JustInTime::GetLimits(const LevelsOfDetail* detail, const FrameRequest& request) const
 {
   FrameLimits limits;
   limits.Pixels = request.Pixels;
@@ -47,9 +47,9 @@ FrameLimits JustInTime::GetLimits(const RayDetail* detail, const FrameRequest& r
 }
 
 //------------------------------------------------------------------------------
-Frame JustInTime::ChooseInMotion(RayLevels& levels, const FrameRequest& request)
+Frame JustInTime::ChooseInMotion(LevelOfDetailCache& levels, const FrameRequest& request)
 {
-  RayDetail* const detail = levels.FindDetail();
+  LevelsOfDetail* const detail = levels.FindLevels();
   const FrameLimits limits = this->GetLimits(detail, request);
   Frame frame;
   if (!detail)
@@ -78,7 +78,7 @@ Frame JustInTime::ChooseInMotion(RayLevels& levels, const FrameRequest& request)
 
 //------------------------------------------------------------------------------
 Frame JustInTime::Begin(
-  RayLevels& levels, const FrameRequest& request, const RaySource::Progress& progress)
+  LevelOfDetailCache& levels, const FrameRequest& request, const RaySource::Progress& progress)
 {
   if (!(request.Ratio >= 0 && request.Ratio <= 1))
   {
@@ -87,7 +87,7 @@ Frame JustInTime::Begin(
   this->Request = request;
   if (request.Ratio > 0)
   {
-    levels.WaitForDetail(progress);
+    levels.WaitForLevels(progress);
   }
   if (request.Budget > 0)
   {
@@ -96,17 +96,17 @@ Frame JustInTime::Begin(
   }
   Frame frame;
   frame.Distance = request.LeastDistance;
-  const RayDetail* const detail = levels.FindDetail();
+  const LevelsOfDetail* const detail = levels.FindLevels();
   frame.Points = detail ? CountPoints(*detail, request.Ratio) : 0;
   frame.Source = detail ? levels.Get(frame.Points) : levels.GetWhole();
   return frame;
 }
 
 //------------------------------------------------------------------------------
-void JustInTime::End(RayLevels& levels, const Frame& frame, double rays,
+void JustInTime::End(LevelOfDetailCache& levels, const Frame& frame, double rays,
   const RayStatistics& statistics, const FrameSeconds& seconds)
 {
-  const RayDetail* const detail = levels.FindDetail();
+  const LevelsOfDetail* const detail = levels.FindLevels();
   if (frame.Points == 0)
   {
     this->AllTets = static_cast<double>(statistics.Tets);

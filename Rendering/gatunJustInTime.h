@@ -5,8 +5,8 @@
 #define gatunJustInTime_h
 
 #include "gatunFrameBudget.h"
+#include "gatunLevelOfDetailCache.h"
 #include "gatunRayCaster.h"
-#include "gatunRayLevels.h"
 
 #include <cstdint>
 #include <memory>
@@ -47,15 +47,16 @@ class JustInTime
 public:
   /** Progress: while it has to be found out how the mesh can be simplified, which only a ratio
    * needs at once. Throws InvalidInput for a ratio that is none. */
-  Frame Begin(RayLevels& levels, const FrameRequest& request, const RaySource::Progress& progress);
+  Frame Begin(
+    LevelOfDetailCache& levels, const FrameRequest& request, const RaySource::Progress& progress);
 
   /** The picture has been drawn, with so many rays. */
-  void End(RayLevels& levels, const Frame& frame, double rays, const RayStatistics& statistics,
-    const FrameSeconds& seconds);
+  void End(LevelOfDetailCache& levels, const Frame& frame, double rays,
+    const RayStatistics& statistics, const FrameSeconds& seconds);
 
 private:
-  Frame ChooseInMotion(RayLevels& levels, const FrameRequest& request);
-  FrameLimits GetLimits(const RayDetail* detail, const FrameRequest& request) const;
+  Frame ChooseInMotion(LevelOfDetailCache& levels, const FrameRequest& request);
+  FrameLimits GetLimits(const LevelsOfDetail* detail, const FrameRequest& request) const;
 
   FrameBudget Budget;
   FrameChoice Present;       // of the last picture in motion

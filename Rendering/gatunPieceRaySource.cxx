@@ -164,12 +164,9 @@ void PieceRaySource::KeepBlocks()
   }
   std::vector<std::size_t> all(this->GetNumberOfBlocks());
   std::iota(all.begin(), all.end(), std::size_t{ 0 });
-  auto bytes = this->Cache.GetBytes();
-  for (const auto& block : this->GetBlocks(all, {}))
-  {
-    bytes += block->GetMemorySize();
-  }
-  this->IsFull = this->Cache.GetBytes() < bytes;
+  const auto before = this->Cache.GetStatistics().Entries;
+  this->GetBlocks(all, {});
+  this->IsFull = this->Cache.GetStatistics().Entries < before + all.size();
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -132,6 +133,24 @@ RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, double sampleDistanc
     Widen(frustum.Bottom, frustum.Top, grid.Height);
   }
   return RayView(rows, frustum, grid.Width, grid.Height, sampleDistance);
+}
+
+//------------------------------------------------------------------------------
+std::optional<RayMode> RayModeOf(int blendMode)
+{
+  switch (blendMode)
+  {
+    case vtkVolumeMapper::COMPOSITE_BLEND:
+      return RayMode::Composite;
+    case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
+      return RayMode::Maximum;
+    case AreaBlend:
+      return RayMode::Area;
+    case XRayBlend:
+      return RayMode::XRay;
+    default:
+      return std::nullopt;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -6,7 +6,7 @@
 #include "gatunError.h"
 #include "gatunFileDetail.h"
 #include "gatunFileReader.h"
-#include "gatunMemoryRayDetail.h"
+#include "gatunMemoryLevelsOfDetail.h"
 #include "gatunRayCaster.h"
 #include "vtkGatunReader.h"
 
@@ -51,7 +51,7 @@ std::uint32_t FindArray(const FileReader& file, const RayArray& wanted)
 }
 
 /** How much of a number of bytes is for what. */
-RayLevels::Room Divide(std::uint64_t budget)
+LevelOfDetailCache::Room Divide(std::uint64_t budget)
 {
   return { budget - budget / 4, budget / 4 };
 }
@@ -131,10 +131,10 @@ void RayScene::SetGrid(
   const GridMesh original(grid, array);
   const auto mesh = std::make_shared<const MemoryRayMesh>(
     original.GetMesh(), original.GetValues(), original.GetHidden());
-  const RayLevels::Room room = Divide(budget);
+  const LevelOfDetailCache::Room room = Divide(budget);
   auto whole = MakeWholeSource(mesh, room.Whole);
-  this->Levels = std::make_unique<RayLevels>([mesh](const RaySource::Progress& progress)
-    { return std::make_shared<MemoryRayDetail>(mesh, mesh->BuildTree(progress)); },
+  this->Levels = std::make_unique<LevelOfDetailCache>([mesh](const RaySource::Progress& progress)
+    { return std::make_shared<MemoryLevelsOfDetail>(mesh, mesh->BuildTree(progress)); },
     whole, room);
   const Range values = GetWholeRange(*whole);
   this->Take(key, std::move(whole), values);
@@ -184,13 +184,14 @@ void RayScene::SetFile(const std::string& path, double time, const RayArray& arr
   RequireComponent(array, file->GetArrays()[index].Components);
   const RayValues values{ index, array.Component, key.Step };
   const bool hasLevels = simplifies && HasDetail(*file);
-  const RayLevels::Room room = Divide(budget);
+  const LevelOfDetailCache::Room room = Divide(budget);
   auto whole = std::make_shared<FileRaySource>(file, values, hasLevels ? room.Whole : budget);
   if (hasLevels)
   {
-    this->Levels = std::make_unique<RayLevels>([file, values](const RaySource::Progress& progress)
-      { return MakeFileDetail(file, values, progress); },
-      whole, room);
+    this->Levels =
+      std::make_unique<LevelOfDetailCache>([file, values](const RaySource::Progress& progress)
+        { return MakeFileDetail(file, values, progress); },
+        whole, room);
   }
   else if (simplifies)
   {

@@ -6,8 +6,8 @@
 
 #include "gatunFileInput.h"
 #include "gatunGridRaySource.h"
+#include "gatunLevelOfDetailCache.h"
 #include "gatunPieceRaySource.h"
-#include "gatunRayLevels.h"
 #include "gatunRaySource.h"
 #include "gatunTypes.h"
 
@@ -61,7 +61,7 @@ public:
   std::uint64_t GetBytesRead() const;
 
   /** Simpler meshes; null if they are not wanted, or cannot be made. */
-  RayLevels* GetLevels() { return this->Levels.get(); }
+  LevelOfDetailCache* GetLevels() { return this->Levels.get(); }
 
   /** Why simpler meshes that were wanted cannot be made; empty if they can. */
   const std::string& GetObstacle() const { return this->Obstacle; }
@@ -101,7 +101,7 @@ private:
 
   Key Known;
   std::shared_ptr<RaySource> Source;
-  std::unique_ptr<RayLevels> Levels;
+  std::unique_ptr<LevelOfDetailCache> Levels;
   std::string Obstacle;
   PieceRaySource* Pieces = nullptr; // the source, if it is one
   Range Values;

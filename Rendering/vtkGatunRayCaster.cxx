@@ -27,10 +27,17 @@
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <chrono>
+
+static_assert(int{ vtkGatunRayCaster::COMPOSITE_BLEND } == vtkVolumeMapper::COMPOSITE_BLEND);
+static_assert(
+  int{ vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND } == vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND);
+static_assert(int{ vtkGatunRayCaster::AREA_BLEND } == gatun::AreaBlend);
+static_assert(int{ vtkGatunRayCaster::XRAY_BLEND } == gatun::XRayBlend);
 
 vtkStandardNewMacro(vtkGatunRayCaster);
 
@@ -81,6 +88,20 @@ vtkGatunRayCaster::vtkGatunRayCaster()
 vtkGatunRayCaster::~vtkGatunRayCaster()
 {
   this->SetArrayName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunRayCaster::SetBlendMode(int mode)
+{
+  if (!gatun::RayModeOf(mode))
+  {
+    vtkErrorMacro("Blend mode " << mode << " is not supported.");
+  }
+  else if (mode != this->BlendMode)
+  {
+    this->BlendMode = mode;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -251,13 +272,13 @@ int vtkGatunRayCaster::RequestUpdateExtent(
 void vtkGatunRayCaster::vtkInternals::Draw(const vtkGatunRayCaster& self, double ratio,
   gatun::RayCaster& caster, const gatun::RayView& view, const gatun::RaySource::Progress& progress)
 {
-  gatun::RayLevels* const levels = this->Scene.GetLevels();
+  gatun::LevelOfDetailCache* const levels = this->Scene.GetLevels();
   if (!levels)
   {
     this->Scene.Draw(caster, view, progress);
     return;
   }
-  levels->WaitForDetail(progress);
+  levels->WaitForLevels(progress);
   const double pixels = static_cast<double>(self.Size[0]) * self.Size[1];
   const auto start = std::chrono::steady_clock::now();
   const gatun::Frame frame =
@@ -320,8 +341,8 @@ int vtkGatunRayCaster::RequestData(
     settings.FromBothEnds = this->FromBothEnds;
     settings.Portable = this->PortableInstructions;
     gatun::RayCaster caster(view,
-      gatun::MakeRayTable(self.Property, static_cast<gatun::RayMode>(this->Mode),
-        self.Scene.GetRange(), view.SampleDistance),
+      gatun::MakeRayTable(self.Property, *gatun::RayModeOf(this->BlendMode), self.Scene.GetRange(),
+        view.SampleDistance),
       gatun::MakeRayLimits(view, self.ClippingPlanes, self.VolumeMatrix), settings);
     self.Draw(*this, ratio, caster, view, progress);
 
@@ -357,8 +378,7 @@ int vtkGatunRayCaster::RequestData(
 void vtkGatunRayCaster::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const char* const modes[] = { "Composite", "Area", "Maximum", "XRay" };
-  os << indent << "Mode: " << modes[this->Mode] << "\n";
+  os << indent << "BlendMode: " << this->BlendMode << "\n";
   os << indent << "Camera: " << this->Internals->Camera.Get() << "\n";
   os << indent << "Property: " << this->Internals->Property.Get() << "\n";
   os << indent << "VolumeMatrix: " << this->Internals->VolumeMatrix.Get() << "\n";

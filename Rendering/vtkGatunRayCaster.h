@@ -20,7 +20,7 @@
  * in, and opacity, 0 to 1;
  *  - Depth (float): how far the first visible sample is, in world units, from the eye along the
  * ray, or from the camera's plane in a parallel projection; infinity where nothing is seen, and in
- * the modes maximum and X-ray.
+ * the blend modes maximum intensity and X-ray.
  *
  * Point (0, 0) is at the lower left.
  *
@@ -65,23 +65,29 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * What becomes of the samples of a ray.
+   * How the samples of a ray are blended. The numbers are those of vtkVolumeMapper where it has the
+   * mode, and beyond its range where it does not.
    */
-  enum ModeType
+  enum BlendModes
   {
-    Composite = 0, ///< colour and opacity, front to back
-    Area = 1,    ///< the same, but one sample for all that a tetrahedron has of a ray: the mean of
-                 ///< the values at the two faces, with the length in between
-    Maximum = 2, ///< the colour and opacity of the largest value
-    XRay = 3     ///< absorption adds up whatever lies in front; colours are averaged
+    COMPOSITE_BLEND = 0,         ///< color and opacity, composited front to back
+    MAXIMUM_INTENSITY_BLEND = 1, ///< color and opacity of the largest value
+    AREA_BLEND = 100, ///< composite with one sample for each tetrahedron that a ray crosses: the
+                      ///< mean of the values at the two faces, over the length in between
+    XRAY_BLEND = 101  ///< sum of the absorption along the ray; colors are averaged
   };
 
   ///@{
   /**
-   * See ModeType. Default: Composite.
+   * Blend mode, one of BlendModes. Any other value is reported as an error and changes nothing.
+   * Default: COMPOSITE_BLEND.
    */
-  vtkSetClampMacro(Mode, int, Composite, XRay);
-  vtkGetMacro(Mode, int);
+  void SetBlendMode(int mode);
+  vtkGetMacro(BlendMode, int);
+  void SetBlendModeToComposite() { this->SetBlendMode(COMPOSITE_BLEND); }
+  void SetBlendModeToMaximumIntensity() { this->SetBlendMode(MAXIMUM_INTENSITY_BLEND); }
+  void SetBlendModeToArea() { this->SetBlendMode(AREA_BLEND); }
+  void SetBlendModeToXRay() { this->SetBlendMode(XRAY_BLEND); }
   ///@}
 
   ///@{
@@ -172,8 +178,8 @@ public:
 
   ///@{
   /**
-   * How much of the mesh is kept ready for the next image, in MiB. Beyond it, it is made or decoded
-   * anew each time. Default: 512.
+   * Memory for the parts of the mesh that are kept for the next image, in MiB, 0 or more. What
+   * does not fit is converted or decoded again for each image. Default: 512.
    */
   vtkSetClampMacro(MemoryBudget, int, 0, VTK_INT_MAX);
   vtkGetMacro(MemoryBudget, int);
@@ -253,7 +259,7 @@ protected:
   int RequestData(
     vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
-  int Mode = Composite;
+  int BlendMode = COMPOSITE_BLEND;
   int Size[2] = { 512, 512 };
   double SampleDistance = 0;
   char* ArrayName = nullptr;

@@ -11,6 +11,7 @@
 #include "gatunRayRefresh.h"
 #include "gatunRayRendering.h"
 #include "gatunRayScene.h"
+#include "vtkGatunRayCaster.h"
 #include "vtkGatunReader.h"
 
 #include "vtkDataSet.h"
@@ -65,21 +66,12 @@ struct Viewport
   }
 };
 
-//------------------------------------------------------------------------------
-gatun::RayMode ToMode(int blendMode)
-{
-  switch (blendMode)
-  {
-    case vtkGatunVolumeMapper::MAXIMUM_INTENSITY_BLEND:
-      return gatun::RayMode::Maximum;
-    case vtkGatunVolumeMapper::AREA_BLEND:
-      return gatun::RayMode::Area;
-    case vtkGatunVolumeMapper::XRAY_BLEND:
-      return gatun::RayMode::XRay;
-    default:
-      return gatun::RayMode::Composite;
-  }
-}
+// One numbering for all classes that draw.
+static_assert(int{ vtkGatunVolumeMapper::COMPOSITE_BLEND } == vtkGatunRayCaster::COMPOSITE_BLEND);
+static_assert(int{ vtkGatunVolumeMapper::MAXIMUM_INTENSITY_BLEND } ==
+  vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND);
+static_assert(int{ vtkGatunVolumeMapper::AREA_BLEND } == vtkGatunRayCaster::AREA_BLEND);
+static_assert(int{ vtkGatunVolumeMapper::XRAY_BLEND } == vtkGatunRayCaster::XRAY_BLEND);
 
 //------------------------------------------------------------------------------
 void ToArray(const gatun::Bounds& box, double* bounds)
@@ -120,7 +112,7 @@ struct PictureSetup
 class Drawing
 {
 public:
-  explicit Drawing(gatun::RayLevels* levels)
+  explicit Drawing(gatun::LevelOfDetailCache* levels)
     : Levels(levels)
   {
     this->Tell(true);
@@ -138,7 +130,7 @@ private:
     }
   }
 
-  gatun::RayLevels* const Levels;
+  gatun::LevelOfDetailCache* const Levels;
 };
 
 //------------------------------------------------------------------------------
@@ -399,8 +391,8 @@ gatun::RayStatistics vtkGatunVolumeMapper::vtkInternals::Draw(vtkGatunVolumeMapp
   settings.Opaque = static_cast<float>(mapper->OpacityLimit);
   settings.Shading =
     gatun::MakeRayShading(volume->GetProperty(), camera, renderer->GetLights(), matrix);
-  auto table = gatun::MakeRayTable(
-    volume->GetProperty(), ToMode(mapper->BlendMode), this->Scene.GetRange(), view.SampleDistance);
+  auto table = gatun::MakeRayTable(volume->GetProperty(), *gatun::RayModeOf(mapper->BlendMode),
+    this->Scene.GetRange(), view.SampleDistance);
   if (frame.Source && !mapper->JustInTime)
   {
     // Somebody may be looking for the best ratio.
@@ -460,7 +452,7 @@ void vtkGatunVolumeMapper::vtkInternals::DrawFrame(
   // From here on, as the time for the input says nothing of the next picture.
   mapper->Timer->StartTimer();
   const auto key = std::make_pair(renderer, volume);
-  gatun::RayLevels* const levels = this->Scene.GetLevels();
+  gatun::LevelOfDetailCache* const levels = this->Scene.GetLevels();
   gatun::JustInTime* const frames = levels ? &this->Frames[key] : nullptr;
   const gatun::FrameRequest request = this->GetRequest(mapper, volume, viewport);
   const gatun::Frame frame = frames ? frames->Begin(*levels, request, progress) : gatun::Frame{};
@@ -501,8 +493,11 @@ vtkGatunVolumeMapper::~vtkGatunVolumeMapper() = default;
 //------------------------------------------------------------------------------
 void vtkGatunVolumeMapper::SetBlendMode(int mode)
 {
-  mode = std::clamp<int>(mode, COMPOSITE_BLEND, XRAY_BLEND);
-  if (mode != this->BlendMode)
+  if (!gatun::RayModeOf(mode))
+  {
+    vtkErrorMacro("Blend mode " << mode << " is not supported.");
+  }
+  else if (mode != this->BlendMode)
   {
     this->BlendMode = mode;
     this->Modified();
@@ -544,7 +539,7 @@ bool vtkGatunVolumeMapper::PrepareSimplification()
       return false;
     }
     auto* const levels = this->Internals->Scene.GetLevels();
-    levels->WaitForDetail(progress);
+    levels->WaitForLevels(progress);
     levels->Wait();
     this->UpdateProgress(1);
     return true;

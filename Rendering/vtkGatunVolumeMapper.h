@@ -70,18 +70,19 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * What becomes of the samples of a ray, beyond COMPOSITE_BLEND and MAXIMUM_INTENSITY_BLEND.
+   * Blend modes in addition to COMPOSITE_BLEND and MAXIMUM_INTENSITY_BLEND of the superclass, with
+   * numbers beyond those of vtkVolumeMapper.
    */
   enum
   {
-    AREA_BLEND = 2, ///< as composite, with one sample for all that a tetrahedron has of a ray
-    XRAY_BLEND = 3  ///< absorption adds up whatever lies in front; colours are averaged
+    AREA_BLEND = 100, ///< composite with one sample for each tetrahedron that a ray crosses
+    XRAY_BLEND = 101  ///< sum of the absorption along the ray; colors are averaged
   };
 
   ///@{
   /**
-   * COMPOSITE_BLEND (the default), MAXIMUM_INTENSITY_BLEND, AREA_BLEND or XRAY_BLEND; see
-   * vtkGatunRayCaster::ModeType. Values beyond are taken for the nearest.
+   * Blend mode: COMPOSITE_BLEND (the default), MAXIMUM_INTENSITY_BLEND, AREA_BLEND or XRAY_BLEND;
+   * see vtkGatunRayCaster::BlendModes. Any other value is reported as an error and changes nothing.
    */
   void SetBlendMode(int mode) override;
   void SetBlendModeToArea() { this->SetBlendMode(AREA_BLEND); }
@@ -157,8 +158,8 @@ public:
 
   ///@{
   /**
-   * How much of the mesh is kept ready for the next picture, in MiB. Beyond it, it is made, decoded
-   * or pulled anew each time. Default: 512.
+   * Memory for the parts of the mesh that are kept for the next image, in MiB, 0 or more. What
+   * does not fit is converted, decoded or pulled again for each image. Default: 512.
    */
   vtkSetClampMacro(MemoryBudget, int, 0, VTK_INT_MAX);
   vtkGetMacro(MemoryBudget, int);

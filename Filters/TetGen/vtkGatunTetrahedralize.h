@@ -2,32 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkGatunTetrahedralize
- * @brief Fills a closed surface (vtkPolyData) with tetrahedra (vtkUnstructuredGrid) by TetGen.
+ * @brief Generates a tetrahedral mesh inside a closed surface by TetGen.
  *
- * Input: polygons and strips, of which triangles are made; lines and vertices are ignored, and so
- * are points that lie exactly on each other (they are merged) and triangles that thereby lose a
- * corner. The surface must be closed: each edge in exactly two triangles, and must not cut itself.
- * The sense of the triangles does not matter. A surface inside another one bounds a cavity, a
- * third one in that cavity a solid again, and so on.
+ * Input: a vtkPolyData with polygons or triangle strips, which are triangulated. Lines and vertices
+ * are ignored. Coincident points are merged, and triangles that become degenerate by that are
+ * dropped. The surface must be closed, that is, each edge belongs to exactly two triangles, and
+ * free of self-intersections. The orientation of the triangles does not matter. Components may be
+ * nested: a surface inside another one bounds a cavity, a surface inside that cavity bounds a
+ * solid, and so on.
  *
- * Output: tetrahedra of positive volume with 64-bit ids. The points of the surface come first, in
- * the order in which the cleaned input has them, with the very same coordinates; then those that
- * TetGen adds, on the surface (see PreserveSurface) and inside. Coordinates are of the type of the
- * input's, or as OutputPointsPrecision says. Arrays of the surface are not carried over.
+ * Output: a vtkUnstructuredGrid of tetrahedra with positive volume and 64-bit ids. The points of
+ * the cleaned input come first, in their order and with unchanged coordinates. They are followed by
+ * the points that TetGen adds on the surface (see PreserveSurface) and inside. The coordinate type
+ * is that of the input unless OutputPointsPrecision asks for another. Arrays of the surface are not
+ * carried over.
  *
- * An error (no output, an error code, a message) is reported for an empty surface, one that is
- * open, non-manifold or not finite, one that cuts itself, and when TetGen gives up.
+ * Errors: the filter sets an error code, reports a message and leaves the output empty if the
+ * surface is empty, open, non-manifold, self-intersecting or has coordinates that are not finite,
+ * and if TetGen fails.
  *
- * Cost: one thread; some 400 bytes and 3 to 10 microseconds a tetrahedron.
+ * Cost: one thread, about 400 bytes and 3 to 10 microseconds per tetrahedron.
  *
  * @warning A program that ships with this library is subject to the GNU Affero General Public
  * License, version 3, because TetGen is. No other part of Gatun uses TetGen.
  *
- * TetGen runs in a process of its own (where the system has fork), so that whatever happens to it
- * does not happen to the caller, and abort works at once. Elsewhere its failures may be fatal.
+ * TetGen runs in a child process, so that a crash does not affect the caller and an abort takes
+ * effect at once.
  *
- * @warning A very high quality may make TetGen run until the memory is full. See Quality and
- * MinDihedral for what is known to end.
+ * @warning With very strict quality bounds TetGen may run until memory is exhausted. See Quality
+ * and MinDihedral for bounds that are known to terminate.
  *
  * @par Background
  * Hang Si: "TetGen, a Delaunay-Based Quality Tetrahedral Mesh Generator". ACM Transactions on
@@ -51,9 +54,9 @@ public:
 
   ///@{
   /**
-   * Largest ratio of circumradius to shortest edge that a tetrahedron may have; smaller is better
-   * and makes more tetrahedra. 0: no points are added for quality. Otherwise 1 to 100, below 1.2
-   * TetGen may not end. Sharp corners of the surface limit what can be reached. Default: 1.414.
+   * Largest allowed ratio of circumradius to shortest edge, from 1 to 100, or 0 to add no points
+   * for quality. Smaller values give better and more tetrahedra. TetGen may not terminate
+   * below 1.2. Sharp corners of the surface limit the quality that can be reached. Default: 1.414.
    */
   vtkSetClampMacro(Quality, double, 0.0, 100.0);
   vtkGetMacro(Quality, double);
@@ -61,8 +64,8 @@ public:
 
   ///@{
   /**
-   * Smallest dihedral angle to aim at, in degrees, 0 (do not) to 30; above 18 TetGen may not end.
-   * Default: 0.
+   * Smallest dihedral angle to aim at, in degrees, from 0 (no bound) to 30. TetGen may not
+   * terminate above 18. Default: 0.
    */
   vtkSetClampMacro(MinDihedral, double, 0.0, 30.0);
   vtkGetMacro(MinDihedral, double);
@@ -70,7 +73,7 @@ public:
 
   ///@{
   /**
-   * Largest volume of a tetrahedron, in cubic units of the surface, 0 for no limit. Default: 0.
+   * Largest volume of a tetrahedron, in cubic units of the surface; 0 for no limit. Default: 0.
    */
   vtkSetClampMacro(MaximumVolume, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumVolume, double);
@@ -78,9 +81,9 @@ public:
 
   ///@{
   /**
-   * Whether the triangles of the surface must be faces of the mesh as they are, so that points are
-   * only added inside. Quality then suffers where the surface is coarse. Default: off, which lets
-   * TetGen split triangles; the surface keeps its shape either way.
+   * Keep the triangles of the surface as faces of the mesh, so that points are added inside only.
+   * This costs quality where the surface is coarse. If off, TetGen may split triangles; the shape
+   * of the surface does not change. Default: off.
    */
   vtkSetMacro(PreserveSurface, bool);
   vtkGetMacro(PreserveSurface, bool);
@@ -89,9 +92,9 @@ public:
 
   ///@{
   /**
-   * Switches for TetGen besides those made of the properties, such as "O4" or "S100000": letters,
-   * digits and any of "./-+". They come last, so they win. Switches that change what is put out
-   * (such as "o2" for quadratic tetrahedra) are an error. Default: none.
+   * Additional TetGen switches, such as "O4" or "S100000": letters, digits and any of "./-+". They
+   * take precedence over the properties. Switches that change the kind of output, such as "o2" for
+   * quadratic tetrahedra, are an error. Default: none.
    */
   vtkSetStringMacro(Switches);
   vtkGetStringMacro(Switches);
@@ -99,8 +102,7 @@ public:
 
   ///@{
   /**
-   * Whether TetGen is to keep silent, rather than to print what it does on the standard output.
-   * Default: on.
+   * Suppress the messages that TetGen prints to standard output. Default: on.
    */
   vtkSetMacro(Quiet, bool);
   vtkGetMacro(Quiet, bool);
@@ -109,9 +111,10 @@ public:
 
   ///@{
   /**
-   * vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION, or DEFAULT_PRECISION: as the input's.
-   * TetGen computes in double; rounding to single may flatten the smallest tetrahedra of a very
-   * fine mesh. Default: DEFAULT_PRECISION.
+   * Precision of the output points: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION, or
+   * DEFAULT_PRECISION for that of the input. TetGen computes in double precision; rounding to
+   * single precision may flatten the smallest tetrahedra of a very fine mesh. Default:
+   * DEFAULT_PRECISION.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);

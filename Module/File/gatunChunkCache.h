@@ -3,6 +3,7 @@
 #ifndef gatunChunkCache_h
 #define gatunChunkCache_h
 
+#include "gatunCacheBudget.h"
 #include "gatunFileReader.h"
 #include "vtkGatunCoreModule.h"
 
@@ -11,13 +12,13 @@
 
 namespace gatun
 {
-/** What a ChunkCache has done so far, and holds. */
+/** The contents and the work of a ChunkCache. */
 struct ChunkCacheStatistics
 {
   std::uint64_t Bytes = 0;     ///< held now
-  std::uint64_t PeakBytes = 0; ///< the most ever held since the budget was set; never more than it
+  std::uint64_t PeakBytes = 0; ///< maximum since the budget was set; never more than the budget
 
-  // Each part that a decoder asked for was decoded from the file or found here.
+  // Each part that a decoder needs is either decoded from the file or found in the cache.
   std::uint64_t MeshesDecoded = 0; ///< connectivity and coordinates of a chunk
   std::uint64_t MeshesFound = 0;
   std::uint64_t ArraysDecoded = 0; ///< an array of a chunk at one time step
@@ -25,41 +26,47 @@ struct ChunkCacheStatistics
 };
 
 /**
- * Parts of one file that have been decoded: meshes and arrays of chunks, and of the points that
- * chunks share. When they are more than the budget allows, those go that were not used for longest.
+ * Decoded parts of one file: meshes and arrays of chunks and of shared points. When the parts
+ * exceed the budget, those that have not been used for the longest time are removed.
  *
- * Give one cache to all PieceDecoders of a file that are to profit from each other, in whatever
- * threads: it is thread safe, and what it hands out never changes. Two threads that want the same
- * part at the same time may both decode it.
+ * PieceDecoders of a file that use the same cache share their work. They may run in any thread: the
+ * cache is thread safe, and parts never change. Two threads that need the same part at the same
+ * time may both decode it.
  *
- * Memory: every byte of what is held is counted, and never more than the budget is held. What
- * decoders are at work on comes on top, even if it does not fit here.
+ * Memory: the cache counts every byte of its parts and never holds more than the budget. The parts
+ * that decoders are using come on top, even those that do not fit into the cache.
  */
 class VTKGATUNCORE_EXPORT ChunkCache
 {
 public:
-  /** Enough for about ten million tetrahedra with an array or two. */
+  /** Enough for about ten million tetrahedra with one or two arrays. */
   static constexpr std::uint64_t DefaultBudget = std::uint64_t{ 512 } << 20;
 
   /** Budget: in bytes; with 0 nothing is kept. */
   explicit ChunkCache(std::shared_ptr<const FileReader> file, std::uint64_t budget = DefaultBudget);
+
+  /** A cache that shares a budget with others. */
+  ChunkCache(std::shared_ptr<const FileReader> file, std::shared_ptr<CacheBudget> budget);
   ~ChunkCache();
   ChunkCache(const ChunkCache&) = delete;
   ChunkCache& operator=(const ChunkCache&) = delete;
 
   const std::shared_ptr<const FileReader>& GetFile() const;
 
-  /** Drops what is more than the new budget at once. */
+  const std::shared_ptr<CacheBudget>& GetSharedBudget() const;
+
+  /** Sets the bytes of the budget, also for all caches that share it. Parts that do not fit are
+   * removed at once. */
   void SetBudget(std::uint64_t bytes);
   std::uint64_t GetBudget() const;
 
-  /** Whether parts of chunks are kept, or only those of points that chunks share, which one chunk
-   * after the other needs. Default: true. False drops those of chunks at once. */
+  /** Whether to keep parts of chunks, or only those of shared points, which each chunk needs again.
+   * Default: true. False removes the parts of chunks at once. */
   void SetKeepsChunks(bool keeps);
 
   ChunkCacheStatistics GetStatistics() const;
 
-  /** Drops everything. */
+  /** Removes all parts. */
   void Clear();
 
   class Internals;

@@ -3,22 +3,20 @@
 #ifndef gatunChunkCacheInternals_h
 #define gatunChunkCacheInternals_h
 
+#include "gatunCache.h"
 #include "gatunChunkCache.h"
 
+#include <atomic>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <list>
-#include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <utility>
-#include <vector>
 
 namespace gatun
 {
-/** What a part is of. */
+/** The kinds of parts. */
 enum class PartKind : std::uint8_t
 {
   BlockPoints,
@@ -32,7 +30,7 @@ enum class PartKind : std::uint8_t
   Domains // of an array at a step; index 0
 };
 
-/** Names a part of a file; array and step are 0 but for arrays. */
+/** Names a part of a file; array and step are 0 except for arrays. */
 struct PartKey
 {
   PartKind Kind = PartKind::ChunkMesh;
@@ -43,15 +41,15 @@ struct PartKey
   auto operator<=>(const PartKey&) const = default;
 };
 
-/** The cache as decoders see it. Each kind of part is always of one and the same type. */
+/** The cache as decoders see it. All parts of a kind have the same type. */
 class ChunkCache::Internals
 {
 public:
   using Part = std::shared_ptr<const void>;
 
-  Internals(std::shared_ptr<const FileReader> file, std::uint64_t budget)
+  Internals(std::shared_ptr<const FileReader> file, std::shared_ptr<CacheBudget> budget)
     : File(std::move(file))
-    , Budget(budget)
+    , Parts(std::move(budget))
   {
   }
 
@@ -59,33 +57,28 @@ public:
   template <typename T>
   std::shared_ptr<const T> Find(const PartKey& key)
   {
-    return std::static_pointer_cast<const T>(this->FindPart(key));
+    return std::static_pointer_cast<const T>(this->Parts.Find(key));
   }
 
   /** The part at the latest step not before first and not after key.Step, and that step. */
   template <typename T>
   std::pair<std::shared_ptr<const T>, std::size_t> FindLatest(const PartKey& key, std::size_t first)
   {
-    const std::lock_guard<std::mutex> lock(this->Guard);
-    auto found = this->Parts.upper_bound(key);
-    if (found == this->Parts.begin())
-    {
-      return {};
-    }
-    --found;
     auto from = key;
     from.Step = first;
-    if (found->first < from)
+    const auto found = this->Parts.FindLast(from, key);
+    if (!found)
     {
       return {};
     }
-    return { std::static_pointer_cast<const T>(this->Use(found->second)), found->first.Step };
+    return { std::static_pointer_cast<const T>(found->second), found->first.Step };
   }
 
-  /** Keeps a part of so many bytes, all told, if the budget allows any part of that size. */
+  /** Keeps a part that takes a given number of bytes, if the budget allows any part of that size.
+   */
   void Keep(const PartKey& key, Part part, std::uint64_t bytes);
 
-  /** Counts what was decoded and what was found. */
+  /** Counts decoded and found parts. */
   void Count(std::uint64_t ChunkCacheStatistics::*what, std::uint64_t count = 1)
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
@@ -97,30 +90,12 @@ public:
 private:
   friend class ChunkCache;
 
-  struct Entry
-  {
-    PartKey Key;
-    Part Content;
-    std::uint64_t Bytes = 0;
-  };
-  using List = std::list<Entry>;
-  using Map = std::map<PartKey, List::iterator>;
+  void RemoveChunks();
 
-  // What keeping a part takes besides the part: the nodes of list and map.
-  static constexpr std::uint64_t Overhead =
-    sizeof(Entry) + 2 * sizeof(void*) + sizeof(Map::value_type) + 4 * sizeof(void*);
-
-  Part FindPart(const PartKey& key);
-  Part Use(List::iterator entry);
-  /** Takes out parts until so much is free; the caller destroys them, without the lock. */
-  List MakeRoom(std::uint64_t bytes);
-
-  mutable std::mutex Guard; // of all below
-  std::uint64_t Budget;
-  bool KeepsChunks = true;
+  Cache<PartKey, void> Parts;
+  std::atomic<bool> KeepsChunks{ true };
+  mutable std::mutex Guard; // of what follows
   ChunkCacheStatistics Done;
-  List Uses; // last used first
-  Map Parts;
 };
 }
 

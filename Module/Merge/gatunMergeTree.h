@@ -26,8 +26,9 @@ struct Merge
  * point is where its ancestor is, and tetrahedra of which two corners have the same ancestor are
  * gone.
  *
- * Based on: Yang, Chiueh: I/O conscious volume rendering / On-the-fly simplification, in: Yang,
- * On-the-fly Processing of Compressed Volume Data, 2001, section 5.
+ * Based on: Yang, Chiueh: An Integrated Pipeline of Decompression, Simplification and Rendering for
+ * Irregular Volume Data, technical report, SUNY at Stony Brook, 2001; Yang: On-the-fly Processing
+ * of Compressed Volume Data, 2001, section 5.
  */
 class VTKGATUNCORE_EXPORT MergeTree
 {

@@ -8,13 +8,13 @@ gatun_core_folder(Rays
     File
   EXPERIMENTAL_HEADERS
     gatunCoarseRaySource.h
-    gatunFileRayDetail.h
+    gatunFileLevelsOfDetail.h
     gatunFrameBudget.h
-    gatunMemoryRayDetail.h
+    gatunLevelOfDetailCache.h
+    gatunLevelsOfDetail.h
+    gatunMemoryLevelsOfDetail.h
     gatunRayBlock.h
     gatunRayCaster.h
-    gatunRayDetail.h
-    gatunRayLevels.h
     gatunRayRefresh.h
     gatunRayShading.h
     gatunRaySource.h
@@ -30,15 +30,15 @@ gatun_core_folder(Rays
     gatunRelease.h
   SOURCES
     gatunCoarseRaySource.cxx
-    gatunFileRayDetail.cxx
+    gatunFileLevelsOfDetail.cxx
     gatunFrameBudget.cxx
-    gatunMemoryRayDetail.cxx
+    gatunLevelOfDetailCache.cxx
+    gatunMemoryLevelsOfDetail.cxx
     gatunRayBins.cxx
     gatunRayBlock.cxx
     gatunRayCaster.cxx
     gatunRayKernelAVX2.cxx
     gatunRayKernelPortable.cxx
-    gatunRayLevels.cxx
     gatunRayRefresh.cxx
     gatunRayShading.cxx
     gatunRaySource.cxx

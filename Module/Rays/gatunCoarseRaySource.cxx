@@ -52,20 +52,32 @@ constexpr std::uint32_t NoChunk = 0xffffffffu;
 
 /** What waits takes no more memory than this and a quarter of what may be kept. */
 constexpr std::uint64_t RoomToWait = std::uint64_t{ 32 } << 20;
+
+/** Throws InvalidInput unless the file has these values and the tree is the file's. */
+std::shared_ptr<const FileReader> Check(const std::shared_ptr<const FileReader>& file,
+  const MergeTree& tree, std::size_t merges, const RayValues& values)
+{
+  CheckRayValues(*file, values);
+  if (merges > tree.GetMerges().size() || tree.GetNumberOfPoints() != file->GetNumberOfPoints())
+  {
+    ThrowInvalid(file->GetPath() + ": there are not so many merges");
+  }
+  return file;
+}
 }
 
 //------------------------------------------------------------------------------
 class CoarseRaySource::Internals
 {
 public:
-  Internals(std::shared_ptr<const FileReader> file, const MergeTree& tree, std::size_t merges,
-    const RayValues& values, std::uint64_t forBlocks, std::uint64_t forParts)
-    : File(std::move(file))
+  Internals(std::shared_ptr<ChunkCache> parts, const MergeTree& tree, std::size_t merges,
+    const RayValues& values, const std::shared_ptr<CacheBudget>& budget)
+    : File(Check(parts->GetFile(), tree, merges, values))
     , Layout(File, tree, merges)
     , Values(values)
-    , Cache(forBlocks)
-    , RoomLeft(RoomToWait + forBlocks / 4)
-    , Parts(std::make_shared<ChunkCache>(File, forParts))
+    , Cache(budget)
+    , RoomLeft(RoomToWait + budget->GetBytes() / 4)
+    , Parts(std::move(parts))
     , Given(File->GetChunks().size())
     , HasGiven(File->GetChunks().size(), 0)
   {
@@ -300,14 +312,16 @@ void CoarseRaySource::Internals::Make(
 CoarseRaySource::CoarseRaySource(std::shared_ptr<const FileReader> file, const MergeTree& tree,
   std::size_t merges, const RayValues& values, std::uint64_t budget)
 {
-  CheckRayValues(*file, values);
-  if (merges > tree.GetMerges().size() || tree.GetNumberOfPoints() != file->GetNumberOfPoints())
-  {
-    ThrowInvalid(file->GetPath() + ": there are not so many merges");
-  }
   const auto forParts = GetBudgetForParts(budget);
-  this->Self =
-    std::make_unique<Internals>(std::move(file), tree, merges, values, budget - forParts, forParts);
+  this->Self = std::make_unique<Internals>(std::make_shared<ChunkCache>(std::move(file), forParts),
+    tree, merges, values, std::make_shared<CacheBudget>(budget - forParts));
+}
+
+CoarseRaySource::CoarseRaySource(std::shared_ptr<ChunkCache> parts, const MergeTree& tree,
+  std::size_t merges, const RayValues& values)
+{
+  const auto budget = parts->GetSharedBudget();
+  this->Self = std::make_unique<Internals>(std::move(parts), tree, merges, values, budget);
 }
 
 CoarseRaySource::~CoarseRaySource() = default;

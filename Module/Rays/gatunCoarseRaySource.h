@@ -27,6 +27,11 @@ public:
    * merges. */
   CoarseRaySource(std::shared_ptr<const FileReader> file, const MergeTree& tree, std::size_t merges,
     const RayValues& values, std::uint64_t budget);
+
+  /** Uses a cache that others use, too, and keeps blocks within the same budget. */
+  CoarseRaySource(std::shared_ptr<ChunkCache> parts, const MergeTree& tree, std::size_t merges,
+    const RayValues& values);
+
   ~CoarseRaySource() override;
 
   std::size_t GetNumberOfBlocks() const override;

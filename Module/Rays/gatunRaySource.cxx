@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunRaySource.h"
 
+#include "gatunCache.h"
 #include "gatunChunkCache.h"
 #include "gatunError.h"
 #include "gatunParallel.h"
@@ -15,36 +16,42 @@
 namespace gatun
 {
 //------------------------------------------------------------------------------
+class RayBlockCache::Internals
+{
+public:
+  Cache<std::size_t, RayBlock> Blocks;
+};
+
+//------------------------------------------------------------------------------
+RayBlockCache::RayBlockCache(std::uint64_t budget)
+  : RayBlockCache(std::make_shared<CacheBudget>(budget))
+{
+}
+
+RayBlockCache::RayBlockCache(std::shared_ptr<CacheBudget> budget)
+  : Self(new Internals{ Cache<std::size_t, RayBlock>(std::move(budget)) })
+{
+}
+
+RayBlockCache::~RayBlockCache() = default;
+
+//------------------------------------------------------------------------------
 std::shared_ptr<const RayBlock> RayBlockCache::Find(std::size_t block)
 {
-  for (Entry& entry : this->Entries)
-  {
-    if (entry.Block == block)
-    {
-      entry.Used = ++this->Clock;
-      return entry.Made;
-    }
-  }
-  return nullptr;
+  return this->Self->Blocks.Find(block);
 }
 
 //------------------------------------------------------------------------------
 void RayBlockCache::Add(std::size_t block, std::shared_ptr<const RayBlock> made)
 {
-  const auto size = made->GetMemorySize();
-  if (size > this->Budget)
-  {
-    return;
-  }
-  while (this->Bytes + size > this->Budget)
-  {
-    const auto oldest = std::min_element(this->Entries.begin(), this->Entries.end(),
-      [](const Entry& a, const Entry& b) { return a.Used < b.Used; });
-    this->Bytes -= oldest->Made->GetMemorySize();
-    this->Entries.erase(oldest);
-  }
-  this->Bytes += size;
-  this->Entries.push_back({ block, ++this->Clock, std::move(made) });
+  const auto bytes = made->GetMemorySize();
+  this->Self->Blocks.Keep(block, std::move(made), bytes);
+}
+
+//------------------------------------------------------------------------------
+CacheStatistics RayBlockCache::GetStatistics() const
+{
+  return this->Self->Blocks.GetStatistics();
 }
 
 //------------------------------------------------------------------------------
@@ -134,21 +141,35 @@ RayBlock DecodeRayBlock(
 class FileRaySource::Internals
 {
 public:
+  Internals(
+    std::shared_ptr<ChunkCache> parts, const RayValues& values, std::shared_ptr<CacheBudget> budget)
+    : File(parts->GetFile())
+    , Values(values)
+    , Cache(std::move(budget))
+    , Parts(std::move(parts))
+  {
+    CheckRayValues(*this->File, values);
+  }
+
   std::shared_ptr<const FileReader> File;
   RayValues Values;
   RayBlockCache Cache;
-  std::shared_ptr<ChunkCache> Parts; // for the points that chunks share
+  std::shared_ptr<ChunkCache> Parts; // for shared points
 };
 
 //------------------------------------------------------------------------------
 FileRaySource::FileRaySource(
   std::shared_ptr<const FileReader> file, const RayValues& values, std::uint64_t budget)
 {
-  CheckRayValues(*file, values);
   const auto forParts = GetBudgetForParts(budget);
-  auto parts = std::make_shared<ChunkCache>(file, forParts);
-  this->Self = std::make_unique<Internals>(
-    Internals{ std::move(file), values, RayBlockCache(budget - forParts), std::move(parts) });
+  this->Self = std::make_unique<Internals>(std::make_shared<ChunkCache>(std::move(file), forParts),
+    values, std::make_shared<CacheBudget>(budget - forParts));
+}
+
+FileRaySource::FileRaySource(std::shared_ptr<ChunkCache> parts, const RayValues& values)
+{
+  auto budget = parts->GetSharedBudget();
+  this->Self = std::make_unique<Internals>(std::move(parts), values, std::move(budget));
 }
 
 FileRaySource::~FileRaySource() = default;
@@ -213,7 +234,7 @@ MemoryRaySource::MemoryRaySource(const MeshInput& mesh, const RayValuesInput& va
   const Progress& progress)
 {
   const MeshAccess access(mesh);
-  this->Self = std::make_unique<Internals>(Internals{ access, values, hidden, RayBlockCache(budget),
+  this->Self.reset(new Internals{ access, values, hidden, RayBlockCache(budget),
     MakePartition(access, blockTets, progress), {}, {} });
   const auto blocks = this->Self->Parts.GetChunkCount();
   this->Self->Boxes.resize(blocks);

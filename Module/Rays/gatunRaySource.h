@@ -3,6 +3,7 @@
 #ifndef gatunRaySource_h
 #define gatunRaySource_h
 
+#include "gatunCacheBudget.h"
 #include "gatunFileReader.h"
 #include "gatunMeshInput.h"
 #include "gatunRayBlock.h"
@@ -18,6 +19,8 @@
 
 namespace gatun
 {
+class ChunkCache;
+
 /** A mesh in blocks, as much of which is made as is asked for. Not thread safe. */
 class VTKGATUNCORE_EXPORT RaySource
 {
@@ -36,32 +39,30 @@ public:
   virtual Blocks GetBlocks(std::span<const std::size_t> blocks, const Progress& progress) = 0;
 };
 
-/** Keeps blocks up to a number of bytes; those go first that were not used for longest. */
+/** Keeps blocks within a budget. Blocks that have not been used for the longest time are removed
+ * first. Thread safe. */
 class VTKGATUNCORE_EXPORT RayBlockCache
 {
 public:
-  explicit RayBlockCache(std::uint64_t budget)
-    : Budget(budget)
-  {
-  }
+  /** Budget: in bytes. */
+  explicit RayBlockCache(std::uint64_t budget);
 
-  /** Null if it is not here. */
+  /** A cache that shares a budget with others. */
+  explicit RayBlockCache(std::shared_ptr<CacheBudget> budget);
+
+  ~RayBlockCache();
+  RayBlockCache(const RayBlockCache&) = delete;
+  RayBlockCache& operator=(const RayBlockCache&) = delete;
+
+  /** The block, or null if it is not here. */
   std::shared_ptr<const RayBlock> Find(std::size_t block);
   void Add(std::size_t block, std::shared_ptr<const RayBlock> made);
 
-  std::uint64_t GetBytes() const { return this->Bytes; }
+  CacheStatistics GetStatistics() const;
 
 private:
-  struct Entry
-  {
-    std::size_t Block;
-    std::uint64_t Used;
-    std::shared_ptr<const RayBlock> Made;
-  };
-  std::uint64_t Budget;
-  std::uint64_t Bytes = 0;
-  std::uint64_t Clock = 0;
-  std::vector<Entry> Entries; // as many as there are blocks, at most
+  class Internals;
+  std::unique_ptr<Internals> Self;
 };
 
 /** Which values are drawn. */
@@ -83,6 +84,10 @@ public:
   /** Throws InvalidInput if the file has no such array or step. */
   FileRaySource(
     std::shared_ptr<const FileReader> file, const RayValues& values, std::uint64_t budget);
+
+  /** Uses a cache that others use, too, and keeps blocks within the same budget. */
+  FileRaySource(std::shared_ptr<ChunkCache> parts, const RayValues& values);
+
   ~FileRaySource() override;
 
   std::size_t GetNumberOfBlocks() const override;

@@ -5,9 +5,12 @@ gatun_core_folder(Support
     gatunTypes.h
     gatunVersion.h
   EXPERIMENTAL_HEADERS
+    gatunCacheBudget.h
     gatunParallel.h
   PRIVATE_HEADERS
     gatunBytes.h
+    gatunCache.h
+    gatunCacheBudgetInternals.h
     gatunFloatEnvironment.h
     gatunFourier.h
     gatunInline.h
@@ -15,6 +18,7 @@ gatun_core_folder(Support
     gatunSimd.h
     gatunWithType.h
   SOURCES
+    gatunCacheBudget.cxx
     gatunFourier.cxx
     gatunParallel.cxx
     gatunVersion.cxx)

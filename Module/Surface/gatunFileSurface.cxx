@@ -39,13 +39,19 @@ struct FileSurface::Mesh
 //------------------------------------------------------------------------------
 FileSurface::FileSurface(std::shared_ptr<const FileReader> file, std::uint64_t cacheBudget,
   std::shared_ptr<const MergeTree> tree, std::size_t merges)
-  : Cache(std::make_shared<ChunkCache>(std::move(file)))
+  : FileSurface(std::make_shared<ChunkCache>(std::move(file)), std::move(tree), merges)
+{
+  this->SetCacheBudget(cacheBudget);
+}
+
+FileSurface::FileSurface(
+  std::shared_ptr<ChunkCache> cache, std::shared_ptr<const MergeTree> tree, std::size_t merges)
+  : Cache(std::move(cache))
 {
   if (merges > 0)
   {
     this->Layout = std::make_shared<const CoarseLayout>(this->GetFile(), *tree, merges);
   }
-  this->SetCacheBudget(cacheBudget);
 }
 
 FileSurface::~FileSurface() = default;

@@ -60,13 +60,18 @@ public:
   /** Cache: see SetCacheBudget. Tree: null without merges. */
   explicit FileSurface(std::shared_ptr<const FileReader> file, std::uint64_t cacheBudget = 0,
     std::shared_ptr<const MergeTree> tree = nullptr, std::size_t merges = 0);
+
+  /** Uses a cache that others use, too. Its owner sets its budget and what it keeps. */
+  explicit FileSurface(std::shared_ptr<ChunkCache> cache,
+    std::shared_ptr<const MergeTree> tree = nullptr, std::size_t merges = 0);
+
   ~FileSurface();
   FileSurface(const FileSurface&) = delete;
   FileSurface& operator=(const FileSurface&) = delete;
 
   const std::shared_ptr<const FileReader>& GetFile() const { return this->Cache->GetFile(); }
 
-  /** How many bytes of decoded chunks are kept for the next isovalues. */
+  /** Sets the number of bytes of decoded chunks that the cache keeps for the next isovalues. */
   void SetCacheBudget(std::uint64_t bytes);
 
   /** The chunks that surfaces of the values pass through, ascending. */

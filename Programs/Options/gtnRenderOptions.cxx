@@ -13,6 +13,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -22,9 +23,15 @@ namespace gtn
 namespace
 {
 
-constexpr std::array<const char*, 4> Modes{ "composite", "area", "mip", "xray" };
-static_assert(vtkGatunRayCaster::Composite == 0 && vtkGatunRayCaster::Area == 1 &&
-  vtkGatunRayCaster::Maximum == 2 && vtkGatunRayCaster::XRay == 3);
+struct NamedMode
+{
+  const char* Name;
+  int BlendMode;
+};
+
+constexpr std::array<NamedMode, 4> Modes{ { { "composite", vtkGatunRayCaster::COMPOSITE_BLEND },
+  { "area", vtkGatunRayCaster::AREA_BLEND }, { "mip", vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND },
+  { "xray", vtkGatunRayCaster::XRAY_BLEND } } };
 
 void AddMeshOptions(CLI::App* command, RenderOptions& options)
 {
@@ -46,15 +53,15 @@ void AddModeOption(CLI::App* command, RenderOptions& options)
       "--mode",
       [&options](const std::string& name)
       {
-        while (name != Modes.at(static_cast<std::size_t>(options.Mode)))
-        {
-          ++options.Mode;
-        }
+        options.BlendMode = std::find_if(Modes.begin(), Modes.end(),
+          [&name](const NamedMode& mode) {
+            return name == mode.Name;
+          })->BlendMode;
       },
       "composite (the default): colour and opacity from front to back; area: the same, but one "
       "sample a tetrahedron, which is fast and coarse; mip: the largest value; xray: opacities add "
       "up, whatever lies in front")
-    ->check(CLI::IsMember(std::vector<std::string>(Modes.begin(), Modes.end())))
+    ->check(CLI::IsMember({ "composite", "area", "mip", "xray" }))
     ->option_text("NAME")
     ->group("Picture");
 }
@@ -104,9 +111,11 @@ void AddCostOptions(CLI::App* command, RenderOptions& options)
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
-const char* NameOfMode(int mode)
+const char* NameOfMode(int blendMode)
 {
-  return Modes.at(static_cast<std::size_t>(mode));
+  return std::find_if(Modes.begin(), Modes.end(),
+    [blendMode](const NamedMode& mode) { return blendMode == mode.BlendMode; })
+    ->Name;
 }
 
 //------------------------------------------------------------------------------

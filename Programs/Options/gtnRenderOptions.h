@@ -21,7 +21,7 @@ struct RenderOptions : PictureOptions
   RenderInputOptions Input;
   bool Shade = false;
 
-  int Mode = 0; ///< of vtkGatunRayCaster::ModeType
+  int BlendMode = 0; ///< of vtkGatunRayCaster::BlendModes
   std::optional<double> SampleDistance;
   double Ratio = 0;
   double TimeBudget = 0;
@@ -31,8 +31,8 @@ struct RenderOptions : PictureOptions
 /** Adds the command with all of its options. */
 CLI::App* AddRenderOptions(CLI::App& app, Settings& settings, RenderOptions& options);
 
-/** What a mode is called on the command line. */
-const char* NameOfMode(int mode);
+/** The name of a blend mode on the command line. */
+const char* NameOfMode(int blendMode);
 }
 
 #endif

@@ -181,7 +181,7 @@ assert vtkSMPTools.SetBackend("STDThread")
 for threads in (1, 2, 3, 8):
     vtkSMPTools.Initialize(threads)
     assert vtkSMPTools.GetEstimatedNumberOfThreads() == min(threads, os.cpu_count())
-    for key, source in (("grid", large), ("file", gc.open_file(path, CacheSize=0))):
+    for key, source in (("grid", large), ("file", gc.open_file(path, MemoryBudget=0))):
         output = gc.contour_of(source, [0.1, 0.4], "wave", ComputeNormals=True)
         gc.assert_whole(output)
         gc.assert_identical(output, expected.setdefault(key, output))
@@ -293,18 +293,18 @@ for change in (lambda: contour.SetValue(0, 0.5), lambda: contour.SetValue(1, 0.6
 contour = vtkGatunContour()
 assert contour.GetNumberOfContours() == 0 and contour.GetArrayComponent() == -1
 assert not contour.GetComputeNormals() and contour.GetComputeScalars()
-assert not contour.GetOutputStrips() and contour.GetCacheSize() == 0
+assert not contour.GetOutputStrips() and contour.GetMemoryBudget() == 512
 assert contour.GetOutputPointsPrecision() == vtkGatunContour.DEFAULT_PRECISION
 contour.SetArrayComponent(-5)
 assert contour.GetArrayComponent() == -1
-contour.SetCacheSize(-1)
-assert contour.GetCacheSize() == 0
+contour.SetMemoryBudget(-1)
+assert contour.GetMemoryBudget() == 0
 contour.SetOutputPointsPrecision(7)
 assert contour.GetOutputPointsPrecision() == vtkGatunContour.DEFAULT_PRECISION
 assert contour.GetNumberOfChunks() == contour.GetNumberOfChunksUsed() == contour.GetBytesRead() == 0
 contour.SetValue(2, 7.25)
 text = str(contour)
 for name in ("Values:", "7.25", "ArrayComponent: -1", "ComputeNormals: Off", "ComputeScalars: On",
-             "OutputStrips: Off", "OutputPointsPrecision: 2", "CacheSize: 0"):
+             "OutputStrips: Off", "OutputPointsPrecision: 2", "MemoryBudget: 0"):
     assert name in text, name
 assert contour.IsA("vtkPolyDataAlgorithm")

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 """Chunks that were decoded are kept: pieces, arrays and time steps do not decode them again, as far
-as CacheSize allows; the output is the same whatever it is."""
+as MemoryBudget allows; the output is the same whatever it is."""
 
 import os
 
@@ -24,7 +24,7 @@ path = gm.temporary("cache.gtn")
 def new_reader(size=None):
     made = vtkGatunReader()
     if size is not None:
-        made.SetCacheSize(size)
+        made.SetMemoryBudget(size)
     made.SetFileName(path)
     made.UpdateInformation()
     return made
@@ -37,13 +37,13 @@ def sweep(reader, ghosts):
     for piece in range(PIECES):
         reader.UpdatePiece(piece, PIECES, ghosts)
         assert reader.GetErrorCode() == 0
-        assert reader.GetCachedBytes() <= reader.GetCacheSize() << 20
+        assert reader.GetCachedBytes() <= reader.GetMemoryBudget() << 20
         copies.append(vtkUnstructuredGrid())
         copies[-1].DeepCopy(reader.GetOutput())
     return copies, reader.GetBytesRead() - read, reader.GetDecodedChunks() - decoded
 
 
-assert vtkGatunReader().GetCacheSize() == 512
+assert vtkGatunReader().GetMemoryBudget() == 512
 assert vtkGatunReader().GetCachedBytes() == vtkGatunReader().GetDecodedChunks() == 0
 
 for keep in (0, 7):
@@ -85,8 +85,8 @@ time, full = reader.GetMTime(), reader.GetCachedBytes()
 output = reader.GetOutput().GetMTime()
 assert full > 2 << 20
 for size in (2, 0, -5):
-    reader.SetCacheSize(size)
-    assert reader.GetCacheSize() == max(0, size)
+    reader.SetMemoryBudget(size)
+    assert reader.GetMemoryBudget() == max(0, size)
     assert reader.GetCachedBytes() <= max(0, size) << 20
 reader.Update()
 assert reader.GetMTime() == time and reader.GetOutput().GetMTime() == output

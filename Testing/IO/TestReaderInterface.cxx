@@ -132,8 +132,8 @@ int TestReaderInterface(int argc, char* argv[])
 
   CheckPrinted(reader,
     { "FileName", "RestoreOrder", "GenerateGlobalIds", "UseBox", "Box", "UseValueRange",
-      "ValueRangeArray", "ValueRangeAssociation", "ValueRangeComponent", "ValueRange", "CacheSize",
-      "CachedBytes", "DecodedChunks", "BytesRead", "PointDataArraySelection",
+      "ValueRangeArray", "ValueRangeAssociation", "ValueRangeComponent", "ValueRange",
+      "MemoryBudget", "CachedBytes", "DecodedChunks", "BytesRead", "PointDataArraySelection",
       "CellDataArraySelection" });
   CheckPrinted(writer,
     { "FileName", "WriteUnlistedArrays", "KeepOrder", "ChunkTets", "KeyStepInterval",

@@ -18,8 +18,8 @@ folder = sys.argv[1]
 # What a property is set to, to see whether that arrives.
 OTHER = {"ChunkTets": [1000], "KeepOrder": [7], "KeyStepInterval": [3],
          "ValueRangeComponent": [2], "Box": [6, 5, 4, 3, 2, 1], "ValueRange": [-4, 9],
-         "ValueRangeArray": ["some array"], "CacheSize": [64], "FileName": ["some file"],
-         "OnDemand": [1], "LargeMesh": [6000000000], "SampleDistance": [0.25], "BlendMode": [3],
+         "ValueRangeArray": ["some array"], "FileName": ["some file"],
+         "OnDemand": [1], "LargeMesh": [6000000000], "SampleDistance": [0.25], "BlendMode": [101],
          "MemoryBudget": [100], "TimeBudget": [0.5], "Target": [2], "Ratio": [0.25],
          "Percent": [75], "NumberOfPoints": [77], "MaximumError": [0.125], "Metric": [1],
          "BoundaryWeight": [0.75], "ArrayComponent": [2], "OutputPointsPrecision": [1],
@@ -33,7 +33,7 @@ OTHER = {"ChunkTets": [1000], "KeepOrder": [7], "KeyStepInterval": [3],
          "Method": [2], "Kernel": [1], "Padding": [4]}
 # Where people who open a file are better served by another default than programs: that of the class.
 OWN_DEFAULT = {"GatunReaderCore.OnDemand": [0], "GatunContour.ComputeNormals": [0],
-               "GatunContour.ArrayComponent": [-1], "GatunContour.CacheSize": [0]}
+               "GatunContour.ArrayComponent": [-1]}
 HELPERS = {"IntVectorProperty": "SimpleIntInformationHelper",
            "DoubleVectorProperty": "SimpleDoubleInformationHelper",
            "IdTypeVectorProperty": "SimpleIdTypeInformationHelper",

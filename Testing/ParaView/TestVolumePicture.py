@@ -88,13 +88,13 @@ require_both_same()
 
 # Modes; those of one rank alone need no cells to be put in order.
 modes = {}
-for mode in (2, 1, 3):
+for mode in (100, 1, 101):
     set_both(BlendMode=mode)
-    if ranks == 1 or mode == 2:
+    if ranks == 1 or mode == 100:
         modes[mode] = require_both_same()
     else:
         modes[mode] = pictures()[1]
-    drawing.require_other(modes[mode], first[1]) if mode != 2 else None
+    drawing.require_other(modes[mode], first[1]) if mode != 100 else None
 set_both(BlendMode=0)
 drawing.require_same(pictures()[1], first[1])
 

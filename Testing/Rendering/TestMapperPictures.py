@@ -7,11 +7,12 @@ projection, place and mode."""
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPlaneCollection
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkRenderingVolume import vtkVolumeMapper
 
 import gatunVolumes as gv
 
 MESH = gv.wave()
-MODES = {"Composite": 0, "MaximumIntensity": 2, "Area": 1, "XRay": 3}  # as the ray caster has them
+MODES = {"Composite": 0, "MaximumIntensity": 1, "Area": 100, "XRay": 101}
 
 
 def compare(scene, **options):
@@ -38,11 +39,22 @@ compare(scene)
 scene = gv.Scene(MESH)
 for name, mode in [*MODES.items(), ("Composite", 0)]:
     getattr(scene.mapper, "SetBlendModeTo" + name)()
-    compare(scene, Mode=mode)
-scene.mapper.SetBlendMode(17)
-assert scene.mapper.GetBlendMode() == scene.mapper.XRAY_BLEND
-scene.mapper.SetBlendMode(-1)
-assert scene.mapper.GetBlendMode() == scene.mapper.COMPOSITE_BLEND
+    assert scene.mapper.GetBlendMode() == mode, name
+    compare(scene, BlendMode=mode)
+
+# Both classes number the modes alike, and as vtkVolumeMapper does. Modes that they do not have, such
+# as its MINIMUM_INTENSITY_BLEND, are refused.
+for one in (scene.mapper, gv.make_caster(MESH)):
+    errors = gv.gm.Errors(one).messages
+    for name, mode in MODES.items():
+        getattr(one, "SetBlendModeTo" + name)()
+        assert one.GetBlendMode() == mode, name
+    for mode in (-1, vtkVolumeMapper.MINIMUM_INTENSITY_BLEND, 99, 102):
+        before = one.GetMTime()
+        one.SetBlendMode(mode)
+        assert len(errors) == 1 and "not supported" in errors.pop(), mode
+        assert one.GetBlendMode() == MODES["XRay"] and one.GetMTime() == before, mode
+assert scene.mapper.MAXIMUM_INTENSITY_BLEND == vtkVolumeMapper.MAXIMUM_INTENSITY_BLEND
 
 # Sample distance, in world units whatever the volume's scale.
 compare(gv.Scene(MESH, SampleDistance=0.07), SampleDistance=0.07)

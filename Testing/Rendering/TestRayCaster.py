@@ -64,8 +64,8 @@ check_same(gv.picture_of(caster), gv.picture_of(whole))
 
 # Arrays, components, modes, samples.
 for options in ({"ArrayName": "vector", "ArrayComponent": -1}, {"ArrayName": "cell"},
-                {"ArrayName": "vector", "ArrayComponent": 2}, {"Mode": 1}, {"Mode": 2}, {"Mode": 3},
-                {"SampleDistance": 0.03}):
+                {"ArrayName": "vector", "ArrayComponent": 2}, {"BlendMode": 1}, {"BlendMode": 100},
+                {"BlendMode": 101}, {"SampleDistance": 0.03}):
     there = gv.draw(grid, **options)
     assert (there[0][..., 3] > 0.01).mean() > 0.1, options
     check_same(there, gv.draw(reader, **options))

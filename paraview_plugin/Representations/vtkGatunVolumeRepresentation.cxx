@@ -73,7 +73,7 @@ vtkGatunVolumeRepresentation::vtkGatunVolumeRepresentation()
   this->Superclass::SetActiveVolumeMapper("Gatun");
   this->VolumeMapper->SetTimeBudget(0.1);
   this->File->SetOnDemand(vtkGatunReader::ON_DEMAND_ALWAYS);
-  this->File->SetCacheSize(0);
+  this->File->SetMemoryBudget(0);
 }
 
 vtkGatunVolumeRepresentation::~vtkGatunVolumeRepresentation() = default;

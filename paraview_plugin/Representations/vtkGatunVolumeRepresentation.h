@@ -61,8 +61,8 @@ public:
 
   ///@{
   /**
-   * What becomes of the samples of a ray: vtkGatunVolumeMapper's COMPOSITE_BLEND (0, the default),
-   * MAXIMUM_INTENSITY_BLEND (1), AREA_BLEND (2) or XRAY_BLEND (3).
+   * Blend mode of vtkGatunVolumeMapper: COMPOSITE_BLEND (0, the default), MAXIMUM_INTENSITY_BLEND
+   * (1), AREA_BLEND (100) or XRAY_BLEND (101).
    */
   void SetBlendMode(int mode);
   int GetBlendMode();

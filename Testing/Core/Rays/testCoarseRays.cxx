@@ -5,7 +5,7 @@
 
 #include "gatunCoarseRaySource.h"
 #include "gatunError.h"
-#include "gatunFileRayDetail.h"
+#include "gatunFileLevelsOfDetail.h"
 #include "gatunMergeBuilder.h"
 #include "gatunRayPictures.h"
 #include "gatunTestFile.h"
@@ -199,7 +199,7 @@ TEST_P(CoarsePictures, AreThoseOfTheSimplifiedMesh)
 TEST_P(CoarseRays, DetailComesFromWhatIsNearest)
 {
   this->Write(18, 4000, 8); // 34,992 tetrahedra
-  FileRayDetail detail(this->File, {});
+  FileLevelsOfDetail detail(this->File, {});
   ASSERT_GE(this->File->GetLevels().size(), 1u);
   const auto points = this->Mesh.Points.size();
   const auto merges = this->Tree.GetMerges().size();
@@ -233,7 +233,7 @@ TEST(CoarseRaysErrors, FilesWithoutATreeAndWrongWishes)
   const auto file = std::make_shared<const FileReader>(path);
   try
   {
-    const FileRayDetail detail(file, {});
+    const FileLevelsOfDetail detail(file, {});
     FAIL();
   }
   catch (const Error& error)

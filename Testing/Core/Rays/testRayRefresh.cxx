@@ -5,7 +5,7 @@
 // tell.
 
 #include "gatunError.h"
-#include "gatunMemoryRayDetail.h"
+#include "gatunMemoryLevelsOfDetail.h"
 #include "gatunRayPictures.h"
 #include "gatunRayRefresh.h"
 
@@ -34,7 +34,7 @@ public:
     const auto copy = std::make_shared<const MemoryRayMesh>(mesh.GetInput(),
       RayValuesInput{ Association::Point, ScalarType::Float64, 1, 0, reference.Values.data() },
       nullptr);
-    this->Detail = std::make_unique<MemoryRayDetail>(copy, copy->BuildTree());
+    this->Detail = std::make_unique<MemoryLevelsOfDetail>(copy, copy->BuildTree());
     this->Settings.Repeatable = true;
     this->Settings.Opaque = opaque;
   }
@@ -67,7 +67,7 @@ private:
   Viewer Onlooker;
   RayMode Mode;
   RaySettings Settings;
-  std::unique_ptr<MemoryRayDetail> Detail;
+  std::unique_ptr<MemoryLevelsOfDetail> Detail;
 };
 
 //------------------------------------------------------------------------------

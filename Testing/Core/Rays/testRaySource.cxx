@@ -6,6 +6,8 @@
 
 #include "gatunRayPictures.h"
 
+#include "gatunChunkCache.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -277,16 +279,19 @@ TEST(RayCaster, RangesOfChunksAreThoseOfWhatIsDrawn)
 TEST(RayCaster, CacheKeepsTheBlocksThatWereUsedLastWithinItsBudget)
 {
   const auto blocks = MakeBlocks(ToReference(MakeCubes(4, 0.1)), 48);
-  const auto size = blocks[0]->GetMemorySize();
+  RayBlockCache one(std::uint64_t{ 1 } << 30);
+  one.Add(0, blocks[0]);
+  const auto size = one.GetStatistics().Bytes;
+  EXPECT_GE(size, blocks[0]->GetMemorySize());
   RayBlockCache cache(3 * size + size / 2);
   for (std::size_t i = 0; i < 3; ++i)
   {
     cache.Add(i, blocks[0]);
   }
-  EXPECT_EQ(cache.GetBytes(), 3 * size);
+  EXPECT_EQ(cache.GetStatistics().Bytes, 3 * size);
   EXPECT_NE(cache.Find(0), nullptr); // now 1 was not used for longest
   cache.Add(7, blocks[0]);
-  EXPECT_EQ(cache.GetBytes(), 3 * size);
+  EXPECT_EQ(cache.GetStatistics().Bytes, 3 * size);
   EXPECT_EQ(cache.Find(1), nullptr);
   for (const std::size_t kept : { 0, 2, 7 })
   {
@@ -294,8 +299,54 @@ TEST(RayCaster, CacheKeepsTheBlocksThatWereUsedLastWithinItsBudget)
   }
   RayBlockCache none(size - 1);
   none.Add(0, blocks[0]);
-  EXPECT_EQ(none.GetBytes(), 0u);
+  EXPECT_EQ(none.GetStatistics().Bytes, 0u);
   EXPECT_EQ(none.Find(0), nullptr);
+}
+
+//------------------------------------------------------------------------------
+TEST(RayCaster, SourcesOfAFileShareItsCacheAndOneBudget)
+{
+  const auto cubes = MakeCubes(6, 0.1);
+  std::vector<ArrayDescription> arrays(2);
+  arrays[0].Name = "first";
+  arrays[1].Name = "second";
+  const std::string path = std::string(GATUN_TEST_TEMP) + "/shared_cache.gtn";
+  WriterOptions options;
+  options.ChunkTets = 100;
+  FileWriter writer(path, cubes.GetInput(), arrays, options);
+  std::vector<float> values(cubes.GetPoints());
+  std::iota(values.begin(), values.end(), 0.0f);
+  const std::array<const void*, 2> both{ values.data(), values.data() };
+  writer.WriteStep(both, {}, false, 0);
+  writer.Finish();
+  const auto file = std::make_shared<const FileReader>(path);
+  const auto chunks = file->GetChunks().size();
+  FileRaySource alone(file, {}, 0);
+  std::vector<std::size_t> all(chunks);
+  std::iota(all.begin(), all.end(), std::size_t{ 0 });
+  const auto expected = alone.GetBlocks(all, {});
+  for (const std::uint64_t bytes : { 0, 50000, 100000000 })
+  {
+    const auto budget = std::make_shared<CacheBudget>(bytes);
+    const auto parts = std::make_shared<ChunkCache>(file, budget);
+    FileRaySource first(parts, { 0, 0, 0 });
+    FileRaySource second(parts, { 1, 0, 0 });
+    for (int round = 0; round < 2; ++round)
+    {
+      for (auto* const source : { &first, &second })
+      {
+        const auto blocks = source->GetBlocks(all, {});
+        for (const auto i : all)
+        {
+          EXPECT_EQ(blocks[i]->Tets, expected[i]->Tets);
+        }
+      }
+    }
+    EXPECT_LE(budget->GetStatistics().PeakBytes, bytes);
+    const bool isEnough = bytes > 50000;
+    EXPECT_EQ(budget->GetStatistics().Entries > 2 * chunks, isEnough);
+    EXPECT_EQ(parts->GetStatistics().MeshesDecoded == chunks, isEnough) << "by the two together";
+  }
 }
 }
 }

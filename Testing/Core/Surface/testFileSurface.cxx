@@ -560,9 +560,8 @@ TEST(FileSurface, DoesNotDependOnThreadsNorOnTheCache)
   const auto file = MakeFile("threads.gtn", 64);
   auto request = AskFor({ 2.2, 5.7 });
   request.Options.Normals = true;
-  const auto bytesOf = [&](std::uint64_t budget)
+  const auto bytesBy = [&](FileSurface& extractor)
   {
-    FileSurface extractor(file, budget);
     const auto surface = extractor.Extract(request);
     std::vector<double> points(3 * surface.GetNumberOfPoints());
     surface.FillPoints(points.data());
@@ -570,11 +569,26 @@ TEST(FileSurface, DoesNotDependOnThreadsNorOnTheCache)
     surface.FillNormals(normals.data());
     return std::tuple(points, normals, surface.GetTriangles());
   };
+  const auto bytesOf = [&](std::uint64_t budget)
+  {
+    FileSurface extractor(file, budget);
+    return bytesBy(extractor);
+  };
   const auto expected = bytesOf(ChunkCache::DefaultBudget);
   ASSERT_GT(std::get<0>(expected).size(), 1000u);
   EXPECT_EQ(bytesOf(0), expected);
   EXPECT_EQ(bytesOf(5000), expected);
   ParallelFor(1, [&](std::size_t) { EXPECT_EQ(bytesOf(0), expected); });
+
+  // What one extractor has decoded another one finds in a cache that they share.
+  const auto cache = std::make_shared<ChunkCache>(file);
+  FileSurface first(cache);
+  FileSurface second(cache);
+  EXPECT_EQ(bytesBy(first), expected);
+  const auto decoded = cache->GetStatistics().MeshesDecoded;
+  EXPECT_GT(decoded, 0u);
+  EXPECT_EQ(bytesBy(second), expected);
+  EXPECT_EQ(cache->GetStatistics().MeshesDecoded, decoded);
 }
 
 //------------------------------------------------------------------------------

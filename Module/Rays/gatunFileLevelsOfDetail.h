@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunFileLevelsOfDetail_h
+#define gatunFileLevelsOfDetail_h
+
+#include "gatunLevelsOfDetail.h"
+#include "gatunSimplifiedFile.h"
+#include "vtkGatunCoreModule.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace gatun
+{
+/**
+ * A file that tells how its mesh becomes simpler. What is drawn of fewer points comes from the
+ * simplest base mesh that has enough of them, if the file has any; else from the whole mesh.
+ */
+class VTKGATUNCORE_EXPORT FileLevelsOfDetail final : public LevelsOfDetail
+{
+public:
+  /** Throws InvalidInput if the file does not tell, or has no such array or step. */
+  FileLevelsOfDetail(std::shared_ptr<const FileReader> file, const RayValues& values);
+  ~FileLevelsOfDetail() override;
+
+  std::uint64_t GetNumberOfPoints() const override;
+  std::uint64_t GetFewestPoints() const override;
+  std::shared_ptr<RaySource> MakeSource(std::uint64_t points, std::uint64_t budget) override;
+  std::uint64_t EstimateTets(std::uint64_t points) const override;
+
+private:
+  std::uint64_t CountMerges(std::uint64_t points) const;
+
+  SimplifiedFile File;
+  RayValues Values;
+};
+}
+
+#endif

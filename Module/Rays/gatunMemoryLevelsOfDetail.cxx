@@ -1,0 +1,464 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunMemoryLevelsOfDetail.h"
+
+#include "gatunError.h"
+#include "gatunMergeBuilder.h"
+#include "gatunPartition.h"
+#include "gatunRaySourceInternals.h"
+
+#include <algorithm>
+#include <bit>
+#include <map>
+#include <mutex>
+#include <string>
+
+namespace gatun
+{
+namespace
+{
+using Tet = MergeTree::Tet;
+
+/** Tetrahedra, those near each other together. */
+struct TetList
+{
+  std::vector<Tet> Tets;
+  std::vector<double> Values; // of them, if they are what is drawn
+
+  void Add(const TetList& from)
+  {
+    this->Tets.insert(this->Tets.end(), from.Tets.begin(), from.Tets.end());
+    this->Values.insert(this->Values.end(), from.Values.begin(), from.Values.end());
+  }
+};
+
+/** Where the blocks of a list begin, and the last one ends. */
+using BlockStarts = std::vector<std::size_t>;
+
+/** Which place in a block of so many tetrahedra each point gets: one after the other, as they come.
+ */
+class PointPlaces
+{
+public:
+  explicit PointPlaces(std::size_t tets)
+    : Shift(64 - static_cast<unsigned>(std::bit_width(4 * tets + 1)))
+    , Slots(std::size_t{ 1 } << (64 - this->Shift))
+  {
+  }
+
+  /** The place of a point, and whether it is new here. */
+  std::pair<std::uint32_t, bool> Find(std::uint32_t point)
+  {
+    auto i = (point * 0x9e3779b97f4a7c15u) >> this->Shift;
+    for (;; i = (i + 1) & (this->Slots.size() - 1))
+    {
+      Slot& slot = this->Slots[i];
+      if (slot.Point == point)
+      {
+        return { slot.Place, false };
+      }
+      if (slot.Point == None)
+      {
+        slot = { point, this->Count++ };
+        return { slot.Place, true };
+      }
+    }
+  }
+
+private:
+  static constexpr std::uint32_t None = 0xffffffffu;
+  struct Slot
+  {
+    std::uint32_t Point = None;
+    std::uint32_t Place = 0;
+  };
+  unsigned Shift;
+  std::vector<Slot> Slots;
+  std::uint32_t Count = 0;
+};
+
+/** Enough blocks for all threads to have work, none so small that its borders count for more than
+ * what is in it. */
+BlockStarts CutIntoBlocks(std::size_t tets)
+{
+  const auto size = std::clamp<std::size_t>(tets / 8, 4096, MemoryRaySource::DefaultBlockTets);
+  BlockStarts starts;
+  for (std::size_t first = 0; first < tets; first += size)
+  {
+    starts.push_back(first);
+  }
+  starts.push_back(tets);
+  return starts;
+}
+}
+
+//------------------------------------------------------------------------------
+class MemoryRayMesh::Internals
+{
+public:
+  std::vector<RayPoint> Points;
+  std::shared_ptr<const TetList> Whole;
+  BlockStarts Starts; // of the whole mesh's blocks
+
+  void TakePoints(const MeshAccess& mesh, const RayValuesInput& values);
+  void TakeTets(const MeshAccess& mesh, const RayValuesInput& values, const unsigned char* hidden,
+    const Progress& progress);
+};
+
+//------------------------------------------------------------------------------
+void MemoryRayMesh::Internals::TakePoints(const MeshAccess& mesh, const RayValuesInput& values)
+{
+  this->Points.resize(mesh.GetMesh().Points);
+  for (std::size_t i = 0; i < this->Points.size(); ++i)
+  {
+    this->Points[i] = { mesh.GetCoordinate(i, 0), mesh.GetCoordinate(i, 1),
+      mesh.GetCoordinate(i, 2), 0 };
+  }
+  if (values.Where == Association::Point)
+  {
+    WithValues(values,
+      [&](auto&& getValue)
+      {
+        for (std::size_t i = 0; i < this->Points.size(); ++i)
+        {
+          this->Points[i].Value = getValue(i);
+        }
+      });
+  }
+}
+
+//------------------------------------------------------------------------------
+void MemoryRayMesh::Internals::TakeTets(const MeshAccess& mesh, const RayValuesInput& values,
+  const unsigned char* hidden, const Progress& progress)
+{
+  const auto parts = MakePartition(mesh, MemoryRaySource::DefaultBlockTets, progress);
+  auto list = std::make_shared<TetList>();
+  list->Tets.reserve(parts.Tets.size());
+  WithValues(values,
+    [&](auto&& getValue)
+    {
+      for (std::size_t chunk = 0; chunk < parts.GetChunkCount(); ++chunk)
+      {
+        this->Starts.push_back(list->Tets.size());
+        for (auto i = parts.ChunkStart[chunk]; i < parts.ChunkStart[chunk + 1]; ++i)
+        {
+          const auto tet = parts.Tets[i];
+          if (hidden && hidden[tet] != 0)
+          {
+            continue;
+          }
+          auto& corners = list->Tets.emplace_back();
+          for (unsigned c = 0; c < 4; ++c)
+          {
+            corners[c] = static_cast<std::uint32_t>(mesh.GetId(tet, c));
+          }
+          if (values.Where == Association::Cell)
+          {
+            list->Values.push_back(getValue(tet));
+          }
+        }
+      }
+    });
+  this->Starts.push_back(list->Tets.size());
+  this->Whole = std::move(list);
+}
+
+//------------------------------------------------------------------------------
+MemoryRayMesh::MemoryRayMesh(const MeshInput& mesh, const RayValuesInput& values,
+  const unsigned char* hidden, const Progress& progress)
+  : Self(std::make_unique<Internals>())
+{
+  const MeshAccess access(mesh);
+  this->Self->TakeTets(access, values, hidden, progress);
+  this->Self->TakePoints(access, values);
+}
+
+MemoryRayMesh::~MemoryRayMesh() = default;
+
+//------------------------------------------------------------------------------
+std::uint64_t MemoryRayMesh::GetNumberOfPoints() const
+{
+  return this->Self->Points.size();
+}
+
+//------------------------------------------------------------------------------
+MergeTree MemoryRayMesh::BuildTree(const Progress& progress) const
+{
+  const auto& self = *this->Self;
+  std::vector<std::array<double, 3>> points;
+  std::vector<double> field;
+  points.reserve(self.Points.size());
+  field.reserve(self.Points.size());
+  for (const RayPoint& p : self.Points)
+  {
+    points.push_back({ p.X, p.Y, p.Z });
+    field.push_back(p.Value);
+  }
+  const TetList& list = *self.Whole;
+  std::vector<std::uint32_t> uses(list.Values.empty() ? 0 : points.size(), 0);
+  for (std::size_t i = 0; i < list.Values.size(); ++i)
+  {
+    for (const auto point : list.Tets[i])
+    {
+      field[point] += list.Values[i];
+      ++uses[point];
+    }
+  }
+  for (std::size_t i = 0; i < uses.size(); ++i)
+  {
+    field[i] /= std::max(uses[i], 1u);
+  }
+  return BuildMergeTree({ points, list.Tets, { { field, 1 } } }, {}, progress);
+}
+
+namespace
+{
+/** A list of tetrahedra in blocks. */
+class ListSource final : public RaySource
+{
+public:
+  ListSource(std::shared_ptr<const MemoryRayMesh> mesh, std::shared_ptr<const TetList> list,
+    BlockStarts starts, std::uint64_t budget)
+    : Mesh(std::move(mesh))
+    , List(std::move(list))
+    , Starts(std::move(starts))
+    , Cache(budget)
+    , Boxes(this->Starts.size() - 1)
+    , Ranges(this->Boxes.size())
+  {
+    ParallelFor(this->Boxes.size(), [&](std::size_t block) { this->Measure(block); });
+  }
+
+  std::size_t GetNumberOfBlocks() const override { return this->Boxes.size(); }
+  const Bounds& GetBounds(std::size_t block) const override { return this->Boxes[block]; }
+  Range GetRange(std::size_t block) const override { return this->Ranges[block]; }
+
+  Blocks GetBlocks(std::span<const std::size_t> blocks, const Progress& progress) override
+  {
+    return FindOrMake(this->Cache, blocks, progress,
+      [&](std::size_t index, RayBlock& block) { this->Make(index, block); });
+  }
+
+private:
+  const std::vector<RayPoint>& GetPoints() const { return this->Mesh->GetInternals().Points; }
+
+  void Measure(std::size_t block)
+  {
+    const TetList& list = *this->List;
+    Bounds& box = this->Boxes[block];
+    for (auto i = this->Starts[block]; i < this->Starts[block + 1]; ++i)
+    {
+      for (const auto point : list.Tets[i])
+      {
+        const RayPoint& p = this->GetPoints()[point];
+        const std::array<double, 3> place{ p.X, p.Y, p.Z };
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          if (std::isfinite(place[axis]))
+          {
+            box[axis].Min = std::min(box[axis].Min, place[axis]);
+            box[axis].Max = std::max(box[axis].Max, place[axis]);
+          }
+        }
+        Extend(this->Ranges[block], list.Values.empty() ? p.Value : list.Values[i]);
+      }
+    }
+  }
+
+  void Make(std::size_t index, RayBlock& block) const
+  {
+    const TetList& list = *this->List;
+    const auto first = static_cast<std::ptrdiff_t>(this->Starts[index]);
+    const auto last = static_cast<std::ptrdiff_t>(this->Starts[index + 1]);
+    block.Tets.assign(list.Tets.begin() + first, list.Tets.begin() + last);
+    if (!list.Values.empty())
+    {
+      block.CellValues.assign(list.Values.begin() + first, list.Values.begin() + last);
+    }
+    PointPlaces places(block.Tets.size());
+    for (Tet& tet : block.Tets)
+    {
+      for (auto& corner : tet)
+      {
+        const auto [place, isNew] = places.Find(corner);
+        if (isNew)
+        {
+          block.Points.push_back(this->GetPoints()[corner]);
+        }
+        corner = place;
+      }
+    }
+    block.Points.shrink_to_fit();
+  }
+
+  std::shared_ptr<const MemoryRayMesh> Mesh;
+  std::shared_ptr<const TetList> List;
+  BlockStarts Starts;
+  RayBlockCache Cache;
+  std::vector<Bounds> Boxes;
+  std::vector<Range> Ranges;
+};
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<RaySource> MakeWholeSource(
+  std::shared_ptr<const MemoryRayMesh> mesh, std::uint64_t budget)
+{
+  const auto& internals = mesh->GetInternals();
+  return std::make_shared<ListSource>(std::move(mesh), internals.Whole, internals.Starts, budget);
+}
+
+//------------------------------------------------------------------------------
+class MemoryLevelsOfDetail::Internals
+{
+public:
+  std::shared_ptr<const MemoryRayMesh> Mesh;
+  MergeTree Tree;
+
+  mutable std::mutex Guard;                                    // of what follows
+  std::map<std::size_t, std::shared_ptr<const TetList>> Bases; // by halvings
+  std::map<std::uint64_t, std::uint64_t> Counts;               // tetrahedra by numbers of points
+
+  std::uint64_t GetPoints() const { return this->Tree.GetNumberOfPoints(); }
+  std::uint64_t GetFewest() const { return this->GetPoints() - this->Tree.GetMerges().size(); }
+
+  std::shared_ptr<const TetList> Simplify(const TetList& base, std::uint64_t points) const;
+  std::shared_ptr<const TetList> MakeTets(std::uint64_t points);
+};
+
+//------------------------------------------------------------------------------
+/** What is left of a base. */
+std::shared_ptr<const TetList> MemoryLevelsOfDetail::Internals::Simplify(
+  const TetList& base, std::uint64_t points) const
+{
+  const auto ancestors = this->Tree.FindAncestors(this->Tree.CountMergesForPoints(points));
+  const std::size_t count = base.Tets.size();
+  constexpr std::size_t most = std::size_t{ 1 } << 16;
+  std::vector<TetList> parts((count + most - 1) / most);
+  ParallelFor(parts.size(),
+    [&](std::size_t part)
+    {
+      TetList& list = parts[part];
+      for (auto i = part * most; i < std::min(count, (part + 1) * most); ++i)
+      {
+        Tet tet = base.Tets[i];
+        if (gatun::Simplify(tet, ancestors))
+        {
+          list.Tets.push_back(tet);
+          if (!base.Values.empty())
+          {
+            list.Values.push_back(base.Values[i]);
+          }
+        }
+      }
+    });
+  auto result = std::make_shared<TetList>();
+  for (TetList& part : parts)
+  {
+    result->Add(part);
+    part = {};
+  }
+  result->Tets.shrink_to_fit();
+  return result;
+}
+
+//------------------------------------------------------------------------------
+/** Of so many points. Makes the bases on the way to it. */
+std::shared_ptr<const TetList> MemoryLevelsOfDetail::Internals::MakeTets(std::uint64_t points)
+{
+  auto base = this->Mesh->GetInternals().Whole;
+  for (std::size_t halvings = 1;; ++halvings)
+  {
+    const std::uint64_t ofBase = this->GetPoints() >> halvings;
+    if (ofBase < points || ofBase <= this->GetFewest())
+    {
+      return this->Simplify(*base, points);
+    }
+    std::shared_ptr<const TetList> next;
+    {
+      const std::lock_guard<std::mutex> lock(this->Guard);
+      next = this->Bases[halvings];
+    }
+    if (!next)
+    {
+      next = this->Simplify(*base, ofBase);
+      const std::lock_guard<std::mutex> lock(this->Guard);
+      this->Bases[halvings] = next;
+      this->Counts[ofBase] = next->Tets.size();
+    }
+    base = std::move(next);
+    if (ofBase == points)
+    {
+      return base;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+MemoryLevelsOfDetail::MemoryLevelsOfDetail(
+  std::shared_ptr<const MemoryRayMesh> mesh, MergeTree tree)
+  : Self(std::make_unique<Internals>())
+{
+  const auto points = mesh->GetNumberOfPoints();
+  if (tree.GetNumberOfPoints() != points)
+  {
+    throw Error(ErrorCode::InvalidInput,
+      "the merges are those of a mesh of " + std::to_string(tree.GetNumberOfPoints()) +
+        " points, not of " + std::to_string(points));
+  }
+  this->Self->Counts = { { 0, 0 }, { points, mesh->GetInternals().Whole->Tets.size() } };
+  this->Self->Mesh = std::move(mesh);
+  this->Self->Tree = std::move(tree);
+}
+
+MemoryLevelsOfDetail::~MemoryLevelsOfDetail() = default;
+
+//------------------------------------------------------------------------------
+std::uint64_t MemoryLevelsOfDetail::GetNumberOfPoints() const
+{
+  return this->Self->GetPoints();
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t MemoryLevelsOfDetail::GetFewestPoints() const
+{
+  return this->Self->GetFewest();
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<RaySource> MemoryLevelsOfDetail::MakeSource(
+  std::uint64_t points, std::uint64_t budget)
+{
+  auto& self = *this->Self;
+  points = std::clamp(points, self.GetFewest(), self.GetPoints());
+  if (points == self.GetPoints())
+  {
+    return MakeWholeSource(self.Mesh, budget);
+  }
+  auto list = self.MakeTets(points);
+  {
+    const std::lock_guard<std::mutex> lock(self.Guard);
+    self.Counts[points] = list->Tets.size();
+  }
+  auto starts = CutIntoBlocks(list->Tets.size());
+  return std::make_shared<ListSource>(self.Mesh, std::move(list), std::move(starts), budget);
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t MemoryLevelsOfDetail::EstimateTets(std::uint64_t points) const
+{
+  const auto& self = *this->Self;
+  points = std::clamp(points, self.GetFewest(), self.GetPoints());
+  const std::lock_guard<std::mutex> lock(self.Guard);
+  const auto high = self.Counts.lower_bound(points);
+  if (high->first == points)
+  {
+    return high->second;
+  }
+  const auto low = std::prev(high);
+  const double part =
+    static_cast<double>(points - low->first) / static_cast<double>(high->first - low->first);
+  return low->second +
+    static_cast<std::uint64_t>(part * static_cast<double>(high->second - low->second));
+}
+}

@@ -1,0 +1,280 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A mesh with several numbers of points, some of them made in the background.
+
+#include "gatunError.h"
+#include "gatunLevelOfDetailCache.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <map>
+#include <mutex>
+#include <thread>
+
+namespace gatun::test
+{
+namespace
+{
+constexpr std::uint64_t Points = 100000;
+
+/** What happened, whoever did it. */
+struct Record
+{
+  std::atomic<int> Sources{ 0 };
+  std::atomic<int> Blocks{ 0 };
+  std::atomic<int> Clashes{ 0 }; // two threads where only one may be
+  std::chrono::microseconds BlockTime{ 0 };
+};
+
+/** Notices another thread in the same place. */
+class Alone
+{
+public:
+  Alone(std::atomic<bool>& flag, Record& record)
+    : Flag(flag)
+  {
+    record.Clashes += this->Flag.exchange(true) ? 1 : 0;
+  }
+  ~Alone() { this->Flag = false; }
+  Alone(const Alone&) = delete;
+  Alone& operator=(const Alone&) = delete;
+
+private:
+  std::atomic<bool>& Flag;
+};
+
+class FakeSource final : public RaySource
+{
+public:
+  explicit FakeSource(std::shared_ptr<Record> record)
+    : Told(std::move(record))
+  {
+  }
+
+  std::size_t GetNumberOfBlocks() const override { return 10; }
+  const Bounds& GetBounds(std::size_t) const override { return this->Box; }
+  Range GetRange(std::size_t) const override { return {}; }
+  Blocks GetBlocks(std::span<const std::size_t> blocks, const Progress&) override
+  {
+    const Alone alone(this->InUse, *this->Told);
+    for (const auto block : blocks)
+    {
+      if (!this->Made[block])
+      {
+        std::this_thread::sleep_for(this->Told->BlockTime);
+        this->Made[block] = true;
+        ++this->Told->Blocks;
+      }
+    }
+    return Blocks(blocks.size());
+  }
+
+  std::map<std::size_t, bool> Made;
+
+private:
+  std::shared_ptr<Record> Told;
+  std::atomic<bool> InUse{ false };
+  Bounds Box;
+};
+
+class FakeLevels final : public LevelsOfDetail
+{
+public:
+  explicit FakeLevels(std::shared_ptr<Record> record)
+    : Told(std::move(record))
+  {
+  }
+
+  std::uint64_t GetNumberOfPoints() const override { return Points; }
+  std::uint64_t GetFewestPoints() const override { return 10; }
+  std::shared_ptr<RaySource> MakeSource(std::uint64_t, std::uint64_t) override
+  {
+    const Alone alone(this->InUse, *this->Told);
+    ++this->Told->Sources;
+    std::this_thread::sleep_for(this->Told->BlockTime);
+    return std::make_shared<FakeSource>(this->Told);
+  }
+  std::uint64_t EstimateTets(std::uint64_t points) const override { return 5 * points; }
+
+private:
+  std::shared_ptr<Record> Told;
+  std::atomic<bool> InUse{ false };
+};
+
+struct Sample
+{
+  std::shared_ptr<Record> Told = std::make_shared<Record>();
+  LevelOfDetailCache::Room Room{ std::uint64_t{ 1 } << 30, std::uint64_t{ 1 } << 30 };
+
+  std::unique_ptr<LevelOfDetailCache> Make()
+  {
+    auto levels =
+      std::make_unique<LevelOfDetailCache>([told = this->Told](const RaySource::Progress&)
+        { return std::make_shared<FakeLevels>(told); },
+        std::make_shared<FakeSource>(this->Told), this->Room);
+    levels->WaitForLevels();
+    levels->Wait();
+    // As if there were nothing but the detail.
+    this->Told->Sources = 0;
+    this->Told->Blocks = 0;
+    return levels;
+  }
+};
+
+void Draw(RaySource& source)
+{
+  for (std::size_t block = 0; block < source.GetNumberOfBlocks(); ++block)
+  {
+    source.GetBlocks({ &block, 1 }, {});
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(LevelOfDetailCache, WhatIsWantedBecomesReady)
+{
+  Sample sample;
+  const auto levels = sample.Make();
+  EXPECT_EQ(levels->FindReady(1), Points / 8); // nobody had to ask
+  levels->Prepare({ 500, 2000, Points });
+  levels->Wait();
+  EXPECT_EQ(sample.Told->Sources, 2);
+  EXPECT_EQ(sample.Told->Blocks, 30);
+  EXPECT_EQ(levels->FindReady(500), 500u);
+  EXPECT_EQ(levels->FindReady(400), 500u);
+  EXPECT_EQ(levels->FindReady(1100), 500u); // 1.1 halvings away against twice 0.9
+  EXPECT_EQ(levels->FindReady(1900), 2000u);
+  EXPECT_EQ(levels->FindReady(Points), Points / 8);
+  Draw(*levels->Get(500));
+  Draw(*levels->GetWhole());
+  EXPECT_EQ(sample.Told->Blocks, 30); // nothing was left to be made
+  EXPECT_EQ(levels->Get(Points), levels->GetWhole());
+}
+
+//------------------------------------------------------------------------------
+TEST(LevelOfDetailCache, WhatIsNotReadyIsMadeAtOnce)
+{
+  Sample sample;
+  const auto levels = sample.Make();
+  const auto source = levels->Get(777);
+  EXPECT_EQ(sample.Told->Sources, 1);
+  EXPECT_EQ(levels->Get(777), source);
+  EXPECT_EQ(levels->Get(1), levels->Get(10)); // as few as can be
+  EXPECT_EQ(sample.Told->Sources, 2);
+}
+
+//------------------------------------------------------------------------------
+TEST(LevelOfDetailCache, NoSourceIsUsedByTwoThreads)
+{
+  Sample sample;
+  sample.Told->BlockTime = std::chrono::microseconds(300);
+  const auto levels = sample.Make();
+  for (int frame = 0; frame < 200; ++frame)
+  {
+    const std::uint64_t wanted = 1000 + 100 * static_cast<std::uint64_t>(frame % 13);
+    levels->SetDrawing(true);
+    levels->Prepare({ wanted, wanted + 500, Points });
+    const auto ready = levels->FindReady(wanted);
+    Draw(*(frame % 11 == 0 ? levels->GetWhole() : levels->Get(ready == 0 ? wanted : ready)));
+    levels->SetDrawing(false);
+    if (frame % 17 == 0)
+    {
+      levels->Get(5000 + static_cast<std::uint64_t>(frame));
+    }
+  }
+  EXPECT_EQ(sample.Told->Clashes, 0);
+}
+
+//------------------------------------------------------------------------------
+TEST(LevelOfDetailCache, WhatWasBegunIsGoneOnWith)
+{
+  Sample sample;
+  sample.Told->BlockTime = std::chrono::milliseconds(20);
+  const auto levels = sample.Make();
+  levels->Prepare({ 500 });
+  std::this_thread::sleep_for(std::chrono::milliseconds(90));
+  Draw(*levels->Get(500));
+  EXPECT_EQ(sample.Told->Sources, 1);
+  EXPECT_EQ(sample.Told->Blocks, 10);
+}
+
+//------------------------------------------------------------------------------
+TEST(LevelOfDetailCache, TheEndDoesNotWaitForWhatIsWanted)
+{
+  Sample sample;
+  sample.Told->BlockTime = std::chrono::milliseconds(200);
+  {
+    const auto levels = sample.Make();
+    levels->Prepare({ 500, 600, 700, 800, 900, 1000, Points });
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  EXPECT_LT(sample.Told->Blocks, 20);
+}
+
+//------------------------------------------------------------------------------
+TEST(LevelOfDetailCache, ThoseNotUsedForLongestGoFirst)
+{
+  Sample sample;
+  sample.Room.Simpler = 64 * 5 * 3000; // 3000 points
+  const auto levels = sample.Make();
+  const auto first = levels->Get(1000);
+  const auto second = levels->Get(1001);
+  levels->Get(1000);
+  levels->Get(900);
+  levels->Get(800); // 1001 has to go
+  EXPECT_EQ(levels->Get(1000), first);
+  EXPECT_NE(levels->Get(1001), second);
+  // What does not fit is never made ready, but is made when it is needed.
+  levels->Prepare({ 3500 });
+  levels->Wait();
+  EXPECT_LT(levels->FindReady(3500), 3500u);
+  EXPECT_NE(levels->Get(3500), nullptr);
+}
+
+//------------------------------------------------------------------------------
+TEST(LevelOfDetailCache, FailuresAreReported)
+{
+  const auto told = std::make_shared<Record>();
+  const auto fail = [](const RaySource::Progress&) -> std::shared_ptr<LevelsOfDetail>
+  { throw Error(ErrorCode::InvalidInput, "no way"); };
+  LevelOfDetailCache levels(fail, std::make_shared<FakeSource>(told), {});
+  EXPECT_THROW(levels.WaitForLevels(), Error);
+  EXPECT_THROW(levels.FindLevels(), Error);
+  levels.Prepare({ 5 });
+  levels.Wait();
+  Draw(*levels.GetWhole());
+}
+
+//------------------------------------------------------------------------------
+TEST(LevelOfDetailCache, WaitingCanBeStoppedWhileTheWorkGoesOn)
+{
+  const auto told = std::make_shared<Record>();
+  std::atomic<bool> mayEnd{ false };
+  std::atomic<bool> wasStopped{ false };
+  const auto make = [&](const RaySource::Progress& progress) -> std::shared_ptr<LevelsOfDetail>
+  {
+    while (!mayEnd && progress(0.5))
+    {
+      std::this_thread::yield();
+    }
+    wasStopped = !mayEnd;
+    return std::make_shared<FakeLevels>(told);
+  };
+  {
+    LevelOfDetailCache levels(make, std::make_shared<FakeSource>(told), {});
+    EXPECT_THROW(levels.WaitForLevels([](double) { return false; }), Error);
+    EXPECT_EQ(levels.FindLevels(), nullptr);
+    levels.Prepare({ 5 }); // nothing is known yet
+    mayEnd = true;
+    EXPECT_EQ(levels.WaitForLevels().GetNumberOfPoints(), Points);
+  }
+  EXPECT_FALSE(wasStopped);
+  mayEnd = false;
+  LevelOfDetailCache(
+    make, std::make_shared<FakeSource>(told), {}); // ends although nothing is known
+  EXPECT_TRUE(wasStopped);
+}
+}
+}
