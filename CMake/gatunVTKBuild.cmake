@@ -1,7 +1,7 @@
 # The build for a plain VTK: libraries, Python package, CMake package, the gtn program.
 
-# Every VTK module that anything here links, tests and tools included, is named: VTK's package
-# makes the targets of a module's own dependencies (MPI, X11) only for the components asked for.
+# All VTK modules that are linked here, also by tests and programs. VTK's package makes the targets of
+# a module's own dependencies (MPI, X11) only for the components asked for.
 set(gatun_vtk_components
   CommonCore
   CommonDataModel
@@ -33,6 +33,9 @@ set(gatun_vtk_components
   TestingRendering
   jsoncpp
   kissfft)
+if (GATUN_CORE_ONLY)
+  set(gatun_vtk_components CommonCore kissfft)
+endif ()
 if (GATUN_WRAP_PYTHON)
   list(APPEND gatun_vtk_components
     Python
@@ -141,4 +144,6 @@ install(FILES LICENSE
 
 #--------------------------------------------------------------------------------------------------
 # Programs
-add_subdirectory(Programs)
+if (NOT GATUN_CORE_ONLY)
+  add_subdirectory(Programs)
+endif ()

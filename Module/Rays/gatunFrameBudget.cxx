@@ -76,7 +76,9 @@ double FrameBudget::Recent::Get() const
   }
   auto sorted = this->Last;
   const auto count = std::min(this->Count, sorted.size());
-  std::sort(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(count));
+  const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(count);
+  // Not std::sort: GCC 14 takes its steps for more than 16 elements to be reached, and warns.
+  std::partial_sort(sorted.begin(), end, end);
   // Of two, the larger.
   return sorted[count / 2];
 }

@@ -7,7 +7,6 @@
 #include "gatunHostile.h"
 #include "gatunTreeTable.h"
 
-#include <chrono>
 #include <cstdlib>
 #include <ctime>
 #include <iostream>
@@ -29,13 +28,15 @@ std::size_t GetAddressSpace()
   return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-/** Opens a file with little memory, in a process of its own: exit code 0 unless memory ran out. */
+/** Opens a file with little memory and 20 s of processor time: exit code 0 unless memory ran out. */
 void OpenWithLimit(const std::string& path)
 {
   const auto limit =
     GetAddressSpace() + (std::size_t{ 64 } << 20) + 256 * std::filesystem::file_size(path);
   const ::rlimit memory{ limit, limit };
   ::setrlimit(RLIMIT_AS, &memory);
+  const ::rlimit seconds{ 20, 20 };
+  ::setrlimit(RLIMIT_CPU, &seconds);
   try
   {
     FileReader reader(path);
@@ -64,9 +65,7 @@ protected:
     ::testing::FLAGS_gtest_death_test_style = "fast";
     const auto path = PutFile("bomb.gtn", image.Build());
     EXPECT_LT(std::filesystem::file_size(path), 300000u);
-    const auto begin = std::chrono::steady_clock::now();
     EXPECT_EXIT(OpenWithLimit(path), ::testing::ExitedWithCode(0), what);
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
   }
 
   /** Chunks of one tetrahedron each, all with streams of one byte. */

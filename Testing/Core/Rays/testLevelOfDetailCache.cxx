@@ -204,7 +204,7 @@ TEST(LevelOfDetailCache, WhatWasBegunIsGoneOnWith)
 TEST(LevelOfDetailCache, TheEndDoesNotWaitForWhatIsWanted)
 {
   Sample sample;
-  sample.Told->BlockTime = std::chrono::milliseconds(20);
+  sample.Told->BlockTime = std::chrono::milliseconds(200);
   {
     const auto levels = sample.Make();
     levels->Prepare({ 500, 600, 700, 800, 900, 1000, Points });
