@@ -32,6 +32,7 @@ set(gatun_vtk_components
   TestingCore
   TestingRendering
   jsoncpp
+  png
   kissfft)
 if (GATUN_WRAP_PYTHON)
   list(APPEND gatun_vtk_components

@@ -13,12 +13,7 @@ namespace gtn
 //------------------------------------------------------------------------------
 void TargetOptions::Apply(vtkGatunSimplify* simplifier) const
 {
-  if (this->Percent)
-  {
-    simplifier->SetTarget(vtkGatunSimplify::TARGET_PERCENT);
-    simplifier->SetPercent(*this->Percent);
-  }
-  else if (this->Points)
+  if (this->Points)
   {
     simplifier->SetTarget(vtkGatunSimplify::TARGET_NUMBER_OF_POINTS);
     simplifier->SetNumberOfPoints(static_cast<vtkIdType>(*this->Points));
@@ -37,12 +32,7 @@ void TargetOptions::Apply(vtkGatunSimplify* simplifier) const
 //------------------------------------------------------------------------------
 void TargetOptions::Apply(vtkGatunReader* reader) const
 {
-  if (this->Percent)
-  {
-    reader->SetSimplificationTarget(vtkGatunReader::TARGET_PERCENT);
-    reader->SetSimplificationPercent(*this->Percent);
-  }
-  else if (this->Points)
+  if (this->Points)
   {
     reader->SetSimplificationTarget(vtkGatunReader::TARGET_NUMBER_OF_POINTS);
     reader->SetSimplificationPoints(static_cast<vtkIdType>(*this->Points));
@@ -59,25 +49,22 @@ void TargetOptions::Apply(vtkGatunReader* reader) const
 }
 
 //------------------------------------------------------------------------------
-std::array<CLI::Option*, 4> AddTarget(
-  CLI::App* command, TargetOptions& options, const char* without)
+std::array<CLI::Option*, 3> AddTarget(
+  CLI::App* command, TargetOptions& options, const char* defaultRatio)
 {
   const std::array targets{ command
                               ->add_option("--ratio", options.Ratio,
                                 fmt::format(
-                                  "Part of the points to merge away, 0 to 1 ({})", without))
+                                  "Fraction of points removed, 0 to 1 (default: {})", defaultRatio))
                               ->check(CLI::Range(0., 1.))
                               ->option_text("R"),
-    command->add_option("--percent", options.Percent, "Points left of a hundred, 0 to 100")
-      ->check(CLI::Range(0., 100.))
-      ->option_text("P"),
-    command->add_option("--vertices", options.Points, "Points left")
+    command->add_option("--points", options.Points, "Number of points to keep, at most")
       ->check(CLI::NonNegativeNumber)
       ->option_text("N"),
     command
-      ->add_option("--error", options.Error,
-        "Largest error: an estimate of the root mean square error of the values, as a part of "
-        "their range, and of the shape")
+      ->add_option("--rms-error", options.Error,
+        "Maximum root mean square error, 0 or more: an estimate for the values, relative to their "
+        "range, and for the shape")
       ->check(CLI::NonNegativeNumber)
       ->option_text("E") };
   for (std::size_t i = 0; i < targets.size(); ++i)

@@ -3,7 +3,7 @@
 #ifndef gtnTarget_h
 #define gtnTarget_h
 
-// How far to simplify a mesh.
+// The simplification target of a mesh.
 
 #include <CLI/CLI.hpp>
 
@@ -16,25 +16,23 @@ class vtkGatunSimplify;
 
 namespace gtn
 {
-/** At most one of them. */
+/** At most one of them is given. */
 struct TargetOptions
 {
   std::optional<double> Ratio;
-  std::optional<double> Percent;
   std::optional<std::int64_t> Points;
   std::optional<double> Error;
 
-  bool IsGiven() const { return this->Ratio || this->Percent || this->Points || this->Error; }
+  bool IsGiven() const { return this->Ratio || this->Points || this->Error; }
 
-  /** Without any of them, half of the points go. */
+  /** Without any of them, half of the points are removed. */
   void Apply(vtkGatunSimplify* simplifier) const;
   void Apply(vtkGatunReader* reader) const;
 };
 
-/** --ratio, --percent, --vertices and --error, which it returns. Without: what happens then, for
- * the help. */
-std::array<CLI::Option*, 4> AddTarget(
-  CLI::App* command, TargetOptions& options, const char* without);
+/** Adds and returns --ratio, --points and --rms-error. The default is for the help text. */
+std::array<CLI::Option*, 3> AddTarget(
+  CLI::App* command, TargetOptions& options, const char* defaultRatio);
 }
 
 #endif
