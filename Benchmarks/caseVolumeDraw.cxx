@@ -154,13 +154,13 @@ void DrawPicture(const Options& options)
     : 0;
   WritePicture(picture, shading.Law, options.White > 0 ? options.White : largest, options.Picture);
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("pixels", static_cast<std::uint64_t>(view.Width));
-      json.Add(
-        "bits", 8 * static_cast<double>(bytes) / static_cast<double>(volume.GetNumberOfVoxels()));
-      json.Add("psnr", GetPSNR(volume.GetRange(), error * error));
-      json.Add("white", largest);
+      json["pixels"] = static_cast<std::uint64_t>(view.Width);
+      json["bits"] =
+        8 * static_cast<double>(bytes) / static_cast<double>(volume.GetNumberOfVoxels());
+      json["psnr"] = GetPSNR(volume.GetRange(), error * error);
+      json["white"] = largest;
     });
 }
 } // anonymous namespace

@@ -88,12 +88,10 @@ public:
     ++this->Count;
   }
 
-  void Write(gtn::Json& json, const char* name) const
+  void Write(Json::Value& json, const char* name) const
   {
-    json.BeginObject(name);
-    json.Add("mse", this->Squares / static_cast<double>(this->Count));
-    json.Add("worst", this->Worst);
-    json.EndObject();
+    json[name]["mse"] = this->Squares / static_cast<double>(this->Count);
+    json[name]["worst"] = this->Worst;
   }
 
 private:
@@ -109,7 +107,7 @@ struct Shadings
   gatun::HartleyShading Linear;
 };
 
-void Compare(gtn::Json& json, const ReferencePicture& reference, const HartleyView& view,
+void Compare(Json::Value& json, const ReferencePicture& reference, const HartleyView& view,
   gatun::HartleyProjector& projector, const Shadings& shadings, double base)
 {
   const gatun::HartleyPicture xray = projector.Draw(view, shadings.XRay);
@@ -160,33 +158,31 @@ void PrintPictures(const Options& options)
     references.push_back(Cast(reference, views.back(), shadings.Exponential, shadings.Linear));
   }
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("pixels", static_cast<std::uint64_t>(pixels));
-      json.Add("opacity", options.Opacity);
-      json.BeginArray("blocks");
+      json["pixels"] = static_cast<std::uint64_t>(pixels);
+      json["opacity"] = options.Opacity;
+      json["blocks"] = Json::arrayValue;
       for (const std::uint32_t block : options.Blocks)
       {
         for (const double rate : options.Rates)
         {
           const auto source = MakeSource(volume, block, rate);
           gatun::HartleyProjector projector(source);
-          json.BeginObject();
-          json.Add("block", static_cast<std::uint64_t>(block));
-          json.Add("rate", rate);
-          json.BeginArray("views");
+          Json::Value blockJson;
+          blockJson["block"] = static_cast<std::uint64_t>(block);
+          blockJson["rate"] = rate;
+          blockJson["views"] = Json::arrayValue;
           for (std::size_t i = 0; i < views.size(); ++i)
           {
-            json.BeginObject();
-            json.Add("met", static_cast<std::uint64_t>(references[i].Met));
-            Compare(json, references[i], views[i], projector, shadings, source->GetBase());
-            json.EndObject();
+            Json::Value viewJson;
+            viewJson["met"] = static_cast<std::uint64_t>(references[i].Met);
+            Compare(viewJson, references[i], views[i], projector, shadings, source->GetBase());
+            blockJson["views"].append(viewJson);
           }
-          json.EndArray();
-          json.EndObject();
+          json["blocks"].append(blockJson);
         }
       }
-      json.EndArray();
     });
 }
 } // anonymous namespace

@@ -32,6 +32,7 @@ set(gatun_vtk_components
   TestingCore
   TestingRendering
   jsoncpp
+  png
   kissfft)
 if (GATUN_CORE_ONLY)
   set(gatun_vtk_components CommonCore kissfft)

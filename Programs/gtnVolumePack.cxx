@@ -58,25 +58,22 @@ void Print(
   const std::string name = array->GetName() ? array->GetName() : "";
   if (options.Json)
   {
-    Json json;
-    json.BeginObject();
-    json.Add("file", options.Out);
-    json.BeginArray("size");
+    Json::Value json;
+    json["file"] = options.Out;
+    json["size"] = Json::arrayValue;
     for (int axis = 0; axis < 3; ++axis)
     {
-      json.Add({}, size[axis]);
+      json["size"].append(size[axis]);
     }
-    json.EndArray();
-    json.Add("array", name);
-    json.Add("bytes", static_cast<std::uint64_t>(writer->GetFileBytes()));
-    json.Add("bitsPerVoxel", bits);
-    json.Add("ratio", raw / bits);
-    json.Add("rootMeanSquareError", error);
-    json.Add("largestError", writer->GetLargestError());
-    json.Add("psnr", psnr);
-    json.Add("seconds", seconds);
-    json.EndObject();
-    fmt::print("{}", json.GetText());
+    json["array"] = name;
+    json["bytes"] = static_cast<std::uint64_t>(writer->GetFileBytes());
+    json["bitsPerVoxel"] = bits;
+    json["ratio"] = raw / bits;
+    json["rootMeanSquareError"] = error;
+    json["largestError"] = writer->GetLargestError();
+    json["psnr"] = psnr;
+    json["seconds"] = seconds;
+    fmt::print("{}", JsonText(json));
     return;
   }
   fmt::print("{}: {} x {} x {} voxels, '{}', {}\n", options.Out, size[0], size[1], size[2],

@@ -1,19 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// gtn volume render: a volume as a picture, from its Hartley coefficients, or as many from all
-// around.
+// gtn volume render: renders a volume from its Hartley coefficients.
 
 #include "gtnFailure.h"
-#include "gtnJson.h"
-#include "gtnMessages.h"
+#include "gtnImageOptions.h"
 #include "gtnOptions.h"
-#include "gtnOutput.h"
 #include "gtnParse.h"
-#include "gtnPictureOptions.h"
 #include "gtnProgress.h"
-#include "gtnRenderStatistics.h"
 #include "gtnText.h"
+#include "gtnTurntable.h"
 #include "gtnVolume.h"
 #include "gtnVolumeOptions.h"
 #include "gtnVolumeSource.h"
@@ -28,7 +24,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <memory>
 
 namespace gtn
@@ -42,7 +37,7 @@ static_assert(vtkHartleyProjection::LAW_XRAY == 0 && vtkHartleyProjection::LAW_E
 constexpr std::array<const char*, 3> Methods{ "automatic", "basis", "slice" };
 constexpr std::array<const char*, 2> Kernels{ "kaiser-bessel", "trilinear" };
 
-struct Options : PictureOptions
+struct Options : ImageOptions
 {
   VolumeInputOptions Input;
   CompressionOptions Compression;
@@ -57,21 +52,8 @@ struct Options : PictureOptions
   int Memory = 1024;
 };
 
-struct Drawn
-{
-  std::string File;
-  vtkSmartPointer<vtkCamera> Camera;
-  double Seconds = 0;
-  std::uint64_t Blocks = 0;
-  std::uint64_t Terms = 0;
-};
-
 void Check(const Options& options)
 {
-  if (!IsPicture(options.Out))
-  {
-    throw UsageError(options.Out + ": the name must end in " + PictureFormats);
-  }
   if ((options.Extinction || options.Zero) && options.Law != vtkHartleyProjection::LAW_EXPONENTIAL)
   {
     throw UsageError("--extinction and --zero are for --law exponential");
@@ -109,136 +91,42 @@ void SetUp(vtkHartleyProjection* projection, const Options& options, const Volum
   }
 }
 
-Drawn Draw(const Options& options, const Settings& settings, const VolumeSource& source,
-  vtkHartleyProjection* projection, const std::string& file, double turn, Progress& progress)
-{
-  const double aspect = static_cast<double>(options.Width) / options.Height;
-  Drawn drawn{ file, MakeCamera(options.Camera, source.GetBounds(), aspect, turn) };
-  projection->SetCamera(drawn.Camera);
-  const auto start = std::chrono::steady_clock::now();
-  progress.Watch(projection);
-  projection->Update();
-  CheckInterrupt();
-  CheckMessages(source.GetFile(), settings.Quiet);
-  drawn.Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  drawn.Blocks = static_cast<std::uint64_t>(projection->GetNumberOfBlocksDrawn());
-  drawn.Terms = projection->GetNumberOfTerms();
-  return drawn;
-}
-
-double MedianSeconds(const std::vector<Drawn>& pictures)
-{
-  std::vector<double> seconds;
-  for (const Drawn& picture : pictures)
-  {
-    seconds.push_back(picture.Seconds);
-  }
-  std::sort(seconds.begin(), seconds.end());
-  const std::size_t middle = seconds.size() / 2;
-  return seconds.size() % 2 == 1 ? seconds[middle] : (seconds[middle - 1] + seconds[middle]) / 2;
-}
-
-void PrintJson(const Options& options, const VolumeSource& source, vtkHartleyProjection* projection,
-  const std::vector<Drawn>& pictures, double peakMemory)
-{
-  Json json;
-  json.BeginObject();
-  json.Add("input", source.GetFile());
-  json.BeginArray("size");
-  for (const std::uint32_t voxels : source.GetSize())
-  {
-    json.Add({}, static_cast<std::uint64_t>(voxels));
-  }
-  json.EndArray();
-  json.Add("array", source.GetArray());
-  json.Add("law", Laws.at(static_cast<std::size_t>(options.Law)));
-  json.Add("method", Methods.at(static_cast<std::size_t>(projection->GetMethodUsed())));
-  json.Add("width", options.Width);
-  json.Add("height", options.Height);
-  json.BeginArray("pictures");
-  for (const Drawn& picture : pictures)
-  {
-    json.BeginObject();
-    json.Add("file", picture.File);
-    AddCamera(json, "camera", picture.Camera);
-    json.Add("seconds", picture.Seconds);
-    json.Add("blocks", picture.Blocks);
-    json.Add("terms", picture.Terms);
-    json.EndObject();
-  }
-  json.EndArray();
-  json.Add("medianSeconds", MedianSeconds(pictures));
-  json.Add("bytesRead", static_cast<std::uint64_t>(projection->GetBytesRead()));
-  json.Add("peakMemory", peakMemory);
-  json.EndObject();
-  fmt::print("{}", json.GetText());
-}
-
-void PrintRow(const char* title, const std::string& value)
-{
-  fmt::print("  {:<28} {:>14}\n", title, value);
-}
-
-void PrintText(const Options& options, const VolumeSource& source, vtkHartleyProjection* projection,
-  const std::vector<Drawn>& pictures, double peakMemory)
-{
-  const bool many = pictures.size() > 1;
-  fmt::print("{}{}: {} x {}, '{}' of {} voxels, {:.2f} s{}\n", pictures.front().File,
-    many ? " to " + FileOf(pictures.back().File) : std::string(), options.Width, options.Height,
-    Printable(source.GetArray()), SizeOf(source.GetSize()), MedianSeconds(pictures),
-    many ? " each" : "");
-  if (options.Statistics)
-  {
-    PrintRow("method", Methods.at(static_cast<std::size_t>(projection->GetMethodUsed())));
-    PrintRow("blocks drawn", Grouped(pictures.back().Blocks));
-    PrintRow("coefficients added up", Grouped(pictures.back().Terms));
-    if (source.IsFile())
-    {
-      PrintRow("read", ByteSize(projection->GetBytesRead()));
-    }
-    if (peakMemory > 0)
-    {
-      PrintRow("peak memory", ByteSize(static_cast<std::uint64_t>(peakMemory)));
-    }
-  }
-}
-
 void Render(const Options& options, const Settings& settings)
 {
   Check(options);
-  const std::vector<std::string> files = NamePictures(options);
-  for (const std::string& file : files)
-  {
-    CheckWritable(file, options.Overwrite);
-  }
+  CheckImages(options);
   const VolumeSource source(options.Input, settings);
   vtkNew<vtkHartleyProjection> projection;
   SetUp(projection, options, source);
-  std::vector<Drawn> pictures;
-  double peakMemory = 0;
-  for (const std::string& file : files)
+  const auto render = [&](vtkCamera* camera, Progress& progress)
   {
-    const auto number = static_cast<double>(pictures.size());
-    const auto count = static_cast<double>(files.size());
-    Progress progress(
-      files.size() > 1 ? fmt::format("drawing {} of {}", number + 1, count) : "drawing",
-      settings.ShowProgress);
-    pictures.push_back(
-      Draw(options, settings, source, projection, file, 360 * number / count, progress));
-    peakMemory = GetPeakMemory();
-    WritePicture(projection->GetOutput(), options.Background,
-      MakeRemarks({ source.GetFile(), source.GetArray(), source.GetRange() }, settings.CommandLine,
-        pictures.back().Camera),
-      file);
-  }
-  if (options.Json)
+    projection->SetCamera(camera);
+    progress.Watch(projection);
+    projection->Update();
+    return projection->GetOutput();
+  };
+  const auto getStatistics = [&]() -> Statistics
   {
-    PrintJson(options, source, projection, pictures, peakMemory);
-  }
-  else if (!settings.Quiet || options.Statistics)
-  {
-    PrintText(options, source, projection, pictures, peakMemory);
-  }
+    return { { "blocks", "blocks drawn", Statistic::Count,
+               static_cast<double>(projection->GetNumberOfBlocksDrawn()) },
+      { "terms", "coefficients added up", Statistic::Count,
+        static_cast<double>(projection->GetNumberOfTerms()) } };
+  };
+  const RenderedImages rendered = RenderImages(options, settings,
+    { { source.GetFile(), source.GetArray(), source.GetRange() }, source.GetBounds(), render,
+      getStatistics });
+
+  const char* const method = Methods.at(static_cast<std::size_t>(projection->GetMethodUsed()));
+  Json::Value json;
+  json["input"] = source.GetFile();
+  json["size"] = JsonArray(source.GetSize());
+  json["array"] = source.GetArray();
+  json["law"] = Laws.at(static_cast<std::size_t>(options.Law));
+  json["method"] = method;
+  PrintImages(options, settings, rendered,
+    fmt::format("'{}' of {} voxels, method {}", Printable(source.GetArray()),
+      SizeOf(source.GetSize()), method),
+    json);
 }
 
 // An option that takes one of some names; the number of the name is what it sets.
@@ -262,10 +150,10 @@ void AddChoice(CLI::App* command, const char* option, const std::array<const cha
 
 void AddLawOptions(CLI::App* command, Options& options)
 {
-  const char* const group = "Colours and opacities";
+  const char* const group = "Colors and opacities";
   AddChoice(command, "--law", Laws, options.Law,
     "transfer (the default): opacity by the transfer function; exponential: by the extinction, "
-    "exact for each block; xray: grey, the sum along the ray",
+    "exact for each block; xray: gray, the sum along the ray",
     group);
   command
     ->add_option("--extinction", options.Extinction,
@@ -366,10 +254,10 @@ void AddVolumeRender(CLI::App& app, Settings& settings)
     "  gtn volume render --law exponential --extinction 0.001 head.nii.gz head.exr\n"
     "  gtn volume render --turntable 36 head.ghv around.png");
   AddForce(command, options->Overwrite);
-  AddPictureOptions(command, *options);
+  AddImageOptions(command, *options);
   AddViewOptions(command, options->Camera, "volume");
   AddRotation(command, options->Camera);
-  AddColourOptions(command, *options, "volume");
+  AddColorOptions(command, *options, "volume");
   AddLawOptions(command, *options);
   AddMethodOptions(command, *options);
   AddVolumeInput(command, options->Input);

@@ -118,7 +118,7 @@ of_file = render("exact.ghv")
 assert of_file.shape[2] == 4 and 0 < of_file[..., 3].max() and not of_file[[0, -1]][..., 3].any()
 of_image = render("--error", 0, "in.vti")
 assert abs(of_file - of_image).max() <= 1
-for options in (["--law", "xray"], ["--law", "exponential"], ["--zoom", 2], ["--tf", "grey"],
+for options in (["--law", "xray"], ["--law", "exponential"], ["--zoom", 2], ["--tf", "gray"],
                 ["--azimuth", 90], ["--rotate", "0.25,0.25,0.25"], ["--background", "white"],
                 ["--opacity", 0.2], ["--range", "100,200"], ["--unit-distance", 20]):
     other = render(*options, "exact.ghv")
@@ -148,10 +148,10 @@ assert np.hypot(found[0] - x.mean(), found[1] - y.mean()) < 0.8, (found, x.mean(
 
 report = json.loads(render("--json", "exact.ghv", out="picture.exr"))
 assert report["size"] == [18, 14, 12] and report["law"] == "transfer" and report["method"] == "basis"
-assert report["pictures"][0]["terms"] > 0 and report["bytesRead"] > 0 and os.path.exists("picture.exr")
+assert report["images"][0]["terms"] > 0 and report["images"][0]["bytesRead"] > 0 and os.path.exists("picture.exr")
 gtn("volume", "render", "--turntable", 3, "--size", "20x20", "--stats", "exact.ghv", "turn.png",
     says="turn-000.png to turn-002.png")
 assert all(os.path.exists(f"turn-00{i}.png") for i in range(3))
 with open("view.json", "w") as file:
-    json.dump(report["pictures"][0]["camera"], file)
+    json.dump(report["images"][0]["camera"], file)
 assert abs(render("--camera", "view.json", "exact.ghv") - of_file).max() <= 1

@@ -51,7 +51,7 @@ fails("render", "--array", "density", "in.ghv", "out.png", code=2, says="--array
 
 # What is there stays.
 for arguments in (("pack", "in.vti", "in.ghv"), ("unpack", "in.ghv", "in.vti"),):
-    fails(*arguments, says="exists; give -f to replace it")
+    fails(*arguments, says="exists; use -f to overwrite it")
 fails("pack", "in.vti", "no/out.ghv", says="gtn: no/out.ghv: there is no folder no")
 
 # Input.
@@ -92,10 +92,10 @@ for name, content in (("a1", values[0][None]), ("a2", values[0][None, :, :9]),
 fails("pack", "a*.png", "out.ghv", says="gtn: a2.png: has 9 x 14 pixels, unlike a1.png with 18 x 14")
 fails("pack", "b1.png", "b2.png", "out.ghv",
       says="gtn: b2.png: has values of type uint16, unlike b1.png with uint8")
-fails("pack", "c?.png", "out.ghv", says="gtn: c1.png: is a picture of 3 channels, and slices have one")
+fails("pack", "c?.png", "out.ghv", says="gtn: c1.png: is an image of 3 channels, and slices have one")
 gv.write_image(gv.make_image(gv.field()), "double.vti")
 gtn("volume", "pack", "-q", "double.vti", "double.ghv")
-fails("unpack", "double.ghv", "s%d.png", says=".png files hold values of type uint8 or uint16")
+fails("unpack", "double.ghv", "s%d.png", says="do not fit into .png files, which take uint8 and uint16")
 
 # Damaged files: right, or one message for the file.
 with open("in.ghv", "rb") as file:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "gtnPictureOptions.h"
+#include "gtnImageOptions.h"
 
 #include "gtnFailure.h"
 #include "gtnJson.h"
@@ -32,7 +32,7 @@ std::pair<std::string_view, std::string_view> Split(std::string_view text, char 
                             : std::pair(text.substr(0, place), text.substr(place + 1));
 }
 
-void ParseSize(const std::string& text, PictureOptions& options)
+void ParseSize(const std::string& text, ImageOptions& options)
 {
   constexpr int most = 32000;
   const auto [width, height] = Split(text, 'x');
@@ -47,12 +47,12 @@ void ParseSize(const std::string& text, PictureOptions& options)
   }
 }
 
-void ParseTransferRange(const std::string& text, PictureOptions& options)
+void ParseTransferRange(const std::string& text, ImageOptions& options)
 {
   options.Range = ParseRange("--range", text);
 }
 
-void ParseBackground(const std::string& text, PictureOptions& options)
+void ParseBackground(const std::string& text, ImageOptions& options)
 {
   options.Background.reset();
   if (text == "transparent")
@@ -62,7 +62,7 @@ void ParseBackground(const std::string& text, PictureOptions& options)
   if (text == "black" || text == "white")
   {
     const double part = text == "black" ? 0 : 1;
-    options.Background = Colour{ part, part, part };
+    options.Background = Color{ part, part, part };
     return;
   }
   const auto number = text.size() == 7 && text[0] == '#'
@@ -73,12 +73,12 @@ void ParseBackground(const std::string& text, PictureOptions& options)
     Refuse("--background", text, "#RRGGBB (as #202830), black, white or transparent");
   }
   options.Background =
-    Colour{ (*number >> 16) / 255., (*number >> 8 & 255) / 255., (*number & 255) / 255. };
+    Color{ (*number >> 16) / 255., (*number >> 8 & 255) / 255., (*number & 255) / 255. };
 }
 
 // An option whose text a function takes apart.
-void AddParsed(CLI::App* command, const char* name, PictureOptions& options,
-  void (*parse)(const std::string&, PictureOptions&), const std::string& description,
+void AddParsed(CLI::App* command, const char* name, ImageOptions& options,
+  void (*parse)(const std::string&, ImageOptions&), const std::string& description,
   const char* value, const char* group)
 {
   command
@@ -86,23 +86,6 @@ void AddParsed(CLI::App* command, const char* name, PictureOptions& options,
       name, [&options, parse](const std::string& text) { parse(text, options); }, description)
     ->option_text(value)
     ->group(group);
-}
-
-// On one line.
-std::string DescribeCamera(vtkCamera* camera)
-{
-  Json json;
-  AddCamera(json, {}, camera);
-  std::string line;
-  for (const char c : json.GetText())
-  {
-    if (c == '\n' || (c == ' ' && (line.empty() || line.back() == ' ')))
-    {
-      continue;
-    }
-    line += c;
-  }
-  return line;
 }
 
 } // anonymous namespace
@@ -121,17 +104,18 @@ gatun::Range ParseRange(const char* option, const std::string& text)
 }
 
 //------------------------------------------------------------------------------
-void AddPictureOptions(CLI::App* command, PictureOptions& options)
+void AddImageOptions(CLI::App* command, ImageOptions& options)
 {
-  const char* const group = "Picture";
+  const char* const group = "Image";
   AddParsed(command, "--size", options, ParseSize,
     "Width and height in pixels, 1 to 32000 each (default: 1024x768)", "WxH", group);
   AddParsed(command, "--background", options, ParseBackground,
-    "#RRGGBB, black, white, or transparent (the default)", "COLOUR", group);
+    "Background color: #RRGGBB, black, white or transparent (default: transparent)", "COLOUR",
+    group);
   command
     ->add_option("--turntable", options.Turntable,
-      "So many pictures from all around, 1 to 9999, with -000, -001 and so on before the extension "
-      "of OUT")
+      "Render N images, 1 to 9999, from all around; -000, -001 and so on are added to the name of "
+      "OUT")
     ->check(Between(1, 9999))
     ->option_text("N")
     ->group(group);
@@ -145,52 +129,52 @@ void AddViewOptions(CLI::App* command, CameraOptions& camera, const std::string&
                      const char* description, const char* text)
   { command->add_option(name, value, description)->check(check)->option_text(text)->group(group); };
   add("--azimuth", camera.Azimuth, Between(-360, 360),
-    "Turn the camera around the axis that points up, -360 to 360 (default: 30; 0 if --camera tells "
-    "the position)",
+    "Rotation of the camera about the up axis in degrees, -360 to 360 (default: 30, or 0 if "
+    "--camera has a position)",
     "DEG");
   add("--elevation", camera.Elevation, Between(-180, 180),
-    "Then raise it, -180 to 180; 90 looks down (default: 20; 0 if --camera tells the position)",
+    "Elevation of the camera in degrees, -180 to 180; 90 looks down (default: 20, or 0 if --camera "
+    "has a position)",
     "DEG");
-  add("--roll", camera.Roll, Between(-360, 360), "Then turn it around where it looks, -360 to 360",
-    "DEG [0]");
+  add("--roll", camera.Roll, Between(-360, 360),
+    "Rotation of the camera about its viewing direction in degrees, -360 to 360 (default: 0)",
+    "DEG");
   add("--zoom", camera.Zoom, Between(0.2, 1000),
-    fmt::format(
-      "More than 1 shows less, and larger, 0.2 to 1000; at 1 all of the {} is in the picture", what)
-      .c_str(),
-    "F [1]");
+    fmt::format("Magnification, 0.2 to 1000; 1 shows the whole {} (default: 1)", what).c_str(),
+    "F");
   command
     ->add_option("--camera", camera.File,
-      "JSON object with any of position, focalPoint, viewUp (three numbers each), viewAngle "
-      "(degrees, 30) and parallelScale; what it does not tell is as without. Pictures keep theirs "
-      "as Gatun:camera")
+      "File with a JSON object with any of position, focalPoint, viewUp (three numbers each), "
+      "viewAngle (degrees) and parallelScale; missing members have their defaults. Images store "
+      "their camera in this form under the key Gatun:camera")
     ->option_text("FILE")
     ->group(group);
 }
 
 //------------------------------------------------------------------------------
-void AddColourOptions(CLI::App* command, PictureOptions& options, const std::string& what)
+void AddColorOptions(CLI::App* command, ImageOptions& options, const std::string& what)
 {
-  const char* const group = "Colours and opacities";
+  const char* const group = "Colors and opacities";
   command
     ->add_option("--tf", options.TransferFunction,
-      fmt::format("Transfer function: {}, or a .json file of a colour map as ParaView exports it "
-                  "(the first one in it). Presets, and files whose colours are for 0 to 1, are "
-                  "stretched to the values of the array; other files are taken as they are. Values "
-                  "beyond its ends are as those at the ends",
-        Joined(GetPresetNames())))
-    ->option_text(fmt::format("FILE|PRESET [{}]", options.TransferFunction))
+      fmt::format("Transfer function: a preset ({}), or a .json file with a color map of ParaView "
+                  "(default: {}). Presets and color maps from 0 to 1 are scaled to the range of "
+                  "the array. Values outside the range are clamped",
+        Joined(GetPresetNames()), options.TransferFunction))
+    ->option_text("PRESET|FILE")
     ->group(group);
   AddParsed(command, "--range", options, ParseTransferRange,
-    "Stretch the transfer function, whatever it is, to these values", "LO,HI", group);
+    "Range of values to scale the transfer function to", "LO,HI", group);
   command
-    ->add_option("--opacity", options.Opacity, "Multiply opacities, 0 to 1000; they stay at most 1")
+    ->add_option("--opacity", options.Opacity,
+      "Factor for all opacities, 0 to 1000; the results are clamped to 1 (default: 1)")
     ->check(Between(0, 1000))
-    ->option_text("F [1]")
+    ->option_text("F")
     ->group(group);
   command
     ->add_option("--unit-distance", options.UnitDistance,
-      fmt::format("The length of ray that has the opacity of the transfer function, above 0, in "
-                  "units of the coordinates (default: a hundredth of the {}'s diagonal)",
+      fmt::format("Length of a ray over which the opacity of the transfer function accumulates, "
+                  "above 0, in units of the coordinates (default: 1/100 of the diagonal of the {})",
         what))
     ->check(Positive())
     ->option_text("D")
@@ -198,7 +182,7 @@ void AddColourOptions(CLI::App* command, PictureOptions& options, const std::str
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> NamePictures(const PictureOptions& options)
+std::vector<std::string> NameImages(const ImageOptions& options)
 {
   const std::string& out = options.Out;
   const int turntable = options.Turntable;
@@ -219,7 +203,7 @@ std::vector<std::string> NamePictures(const PictureOptions& options)
 }
 
 //------------------------------------------------------------------------------
-Transfer MakeTransfer(const PictureOptions& options, const PictureContent& content)
+Transfer MakeTransfer(const ImageOptions& options, const ImageContent& content)
 {
   Transfer transfer = FindTransfer(options.TransferFunction);
   if (options.Range)
@@ -260,10 +244,10 @@ double DiagonalOf(const gatun::Bounds& bounds)
 
 //------------------------------------------------------------------------------
 std::vector<std::pair<std::string, std::string>> MakeRemarks(
-  const PictureContent& content, const std::string& commandLine, vtkCamera* camera)
+  const ImageContent& content, const std::string& commandLine, vtkCamera* camera)
 {
   return { { "Software", std::string("Gatun ") + gatun::PackageVersion() },
     { "Gatun:command", Printable(commandLine) }, { "Gatun:input", Printable(content.File) },
-    { "Gatun:camera", DescribeCamera(camera) } };
+    { "Gatun:camera", JsonLine(DescribeCamera(camera)) } };
 }
 }
