@@ -67,7 +67,7 @@ double SimplifyToTets(vtkGatunSimplify* filter, vtkIdType points, std::uint64_t 
   double seconds = 0;
   const auto update = [&](vtkIdType number)
   {
-    filter->SetNumberOfPoints(number);
+    filter->SetSimplificationNumberOfPoints(number);
     seconds = SecondsOf([&] { UpdateChecked(filter); });
   };
   while (low < high)
@@ -93,8 +93,8 @@ void SimplifyByGatun(const Options& options)
   vtkNew<vtkGatunSimplify> filter;
   filter->SetInputData(grid);
   filter->SetArrayWeight(options.Array.c_str(), 1);
-  filter->SetTarget(vtkGatunSimplify::TARGET_NUMBER_OF_POINTS);
-  filter->SetNumberOfPoints(grid->GetNumberOfPoints());
+  filter->SetSimplificationTarget(vtkGatunSimplify::TARGET_NUMBER_OF_POINTS);
+  filter->SetSimplificationNumberOfPoints(grid->GetNumberOfPoints());
   const PeakMemory memory;
   const double build = SecondsOf([&] { UpdateChecked(filter); });
   const std::uint64_t peak = PeakMemory::GetPeak();

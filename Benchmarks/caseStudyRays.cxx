@@ -7,6 +7,8 @@
 #include "benchCases.h"
 #include "benchScene.h"
 
+#include "gatunFileRaySource.h"
+#include "gatunFileReader.h"
 #include "gatunParallel.h"
 #include "gatunRayCaster.h"
 

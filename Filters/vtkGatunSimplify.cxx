@@ -38,6 +38,11 @@ vtkStandardNewMacro(vtkGatunSimplify);
 
 namespace
 {
+static_assert(int{ vtkGatunSimplify::TARGET_RATIO } == gatun::SimplifyTarget::Ratio);
+static_assert(
+  int{ vtkGatunSimplify::TARGET_NUMBER_OF_POINTS } == gatun::SimplifyTarget::NumberOfPoints);
+static_assert(int{ vtkGatunSimplify::TARGET_RMS_ERROR } == gatun::SimplifyTarget::RMSError);
+
 void CopyTuples(vtkDataSetAttributes* from, vtkIdList* ids, vtkDataSetAttributes* to)
 {
   vtkNew<vtkIdList> places;
@@ -103,9 +108,10 @@ public:
   gatun::MergeWeights UsedWeights;
   gatun::MergeSettings Settings;
   gatun::MergeTree Tree;
-  double OutputError = 0;
+  double OutputRMSError = 0;
 
   void Prepare(vtkGatunSimplify* self, vtkUnstructuredGrid* input);
+  static gatun::SimplifyProperties Target(const vtkGatunSimplify* self);
   std::size_t CountMerges(const vtkGatunSimplify* self) const;
 };
 
@@ -146,11 +152,16 @@ void vtkGatunSimplify::vtkInternals::Prepare(vtkGatunSimplify* self, vtkUnstruct
 }
 
 //------------------------------------------------------------------------------
+gatun::SimplifyProperties vtkGatunSimplify::vtkInternals::Target(const vtkGatunSimplify* self)
+{
+  return { self->SimplificationTarget, self->SimplificationRatio,
+    self->SimplificationNumberOfPoints, self->SimplificationRMSError };
+}
+
+//------------------------------------------------------------------------------
 std::size_t vtkGatunSimplify::vtkInternals::CountMerges(const vtkGatunSimplify* self) const
 {
-  const double values[] = { self->Ratio, self->Percent, static_cast<double>(self->NumberOfPoints),
-    self->MaximumError };
-  return gatun::CountMerges({ self->Target, values[self->Target] }, this->Tree.GetNumberOfPoints(),
+  return gatun::CountMerges(Target(self).GetTarget(), this->Tree.GetNumberOfPoints(),
     this->Tree.GetMerges().size(), [this]() -> const gatun::MergeTree& { return this->Tree; });
 }
 
@@ -193,9 +204,9 @@ vtkIdType vtkGatunSimplify::GetMostMerges()
 }
 
 //------------------------------------------------------------------------------
-double vtkGatunSimplify::GetOutputError()
+double vtkGatunSimplify::GetOutputRMSError()
 {
-  return this->Internals->OutputError;
+  return this->Internals->OutputRMSError;
 }
 
 //------------------------------------------------------------------------------
@@ -207,7 +218,7 @@ int vtkGatunSimplify::RequestData(
   output->Initialize();
   this->SetErrorCode(vtkErrorCode::NoError);
   auto& self = *this->Internals;
-  self.OutputError = 0;
+  self.OutputRMSError = 0;
   try
   {
     self.Prepare(this, input);
@@ -219,7 +230,7 @@ int vtkGatunSimplify::RequestData(
     else
     {
       FillOutput(self.Tets, self.Tree, merges, output);
-      self.OutputError = self.Tree.GetLargestError(merges);
+      self.OutputRMSError = self.Tree.GetLargestError(merges);
     }
     this->UpdateProgress(1);
     return 1;
@@ -241,12 +252,7 @@ int vtkGatunSimplify::RequestData(
 void vtkGatunSimplify::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const char* const targets[] = { "Ratio", "Percent", "NumberOfPoints", "MaximumError" };
-  os << indent << "Target: " << targets[this->Target] << "\n";
-  os << indent << "Ratio: " << this->Ratio << "\n";
-  os << indent << "Percent: " << this->Percent << "\n";
-  os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
-  os << indent << "MaximumError: " << this->MaximumError << "\n";
+  vtkInternals::Target(this).Print(os, indent);
   os << indent << "Metric: " << (this->Metric == METRIC_MASS ? "Mass" : "Density") << "\n";
   os << indent << "BoundaryWeight: " << this->BoundaryWeight << "\n";
   this->Internals->Weights.Print(os, indent);

@@ -44,55 +44,54 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * What tells how far to go.
+   * Kinds of simplification targets.
    */
-  enum TargetType
+  enum SimplificationTargetType
   {
-    TARGET_RATIO = 0,            ///< Ratio
-    TARGET_PERCENT = 1,          ///< Percent
-    TARGET_NUMBER_OF_POINTS = 2, ///< NumberOfPoints
-    TARGET_ERROR = 3             ///< MaximumError
+    TARGET_RATIO = 0,            ///< SimplificationRatio
+    TARGET_NUMBER_OF_POINTS = 1, ///< SimplificationNumberOfPoints
+    TARGET_RMS_ERROR = 2         ///< SimplificationRMSError
   };
 
   ///@{
   /**
-   * See TargetType. Default: TARGET_RATIO.
+   * Property that gives the target, one of SimplificationTargetType. Default: TARGET_RATIO.
    */
-  vtkSetClampMacro(Target, int, TARGET_RATIO, TARGET_ERROR);
-  vtkGetMacro(Target, int);
+  vtkSetClampMacro(SimplificationTarget, int, TARGET_RATIO, TARGET_RMS_ERROR);
+  vtkGetMacro(SimplificationTarget, int);
+  void SetSimplificationTargetToRatio() { this->SetSimplificationTarget(TARGET_RATIO); }
+  void SetSimplificationTargetToNumberOfPoints()
+  {
+    this->SetSimplificationTarget(TARGET_NUMBER_OF_POINTS);
+  }
+  void SetSimplificationTargetToRMSError() { this->SetSimplificationTarget(TARGET_RMS_ERROR); }
   ///@}
 
   ///@{
   /**
-   * The part of the points that is merged away: 0 (nothing) to 1 (as many as can be). Default: 0.5.
+   * Fraction of points removed, from 0 (none) to 1 (as many as possible). Default: 0.5.
    */
-  vtkSetMacro(Ratio, double);
-  vtkGetMacro(Ratio, double);
+  vtkSetMacro(SimplificationRatio, double);
+  vtkGetMacro(SimplificationRatio, double);
   ///@}
 
   ///@{
   /**
-   * How many points in a hundred are left, 0 to 100. Default: 50.
+   * Number of points of the result, as far as possible; a larger number than that of the mesh keeps
+   * all. Default: 10000.
    */
-  vtkSetMacro(Percent, double);
-  vtkGetMacro(Percent, double);
+  vtkSetMacro(SimplificationNumberOfPoints, vtkIdType);
+  vtkGetMacro(SimplificationNumberOfPoints, vtkIdType);
   ///@}
 
   ///@{
   /**
-   * How many points are left, if that is possible; all if the mesh has fewer. Default: 10000.
+   * Largest root mean square error of the result, 0 or more: an estimate for the
+   * values, relative to their range, and for the shape of the boundary.
+   * Default: 0.001.
    */
-  vtkSetMacro(NumberOfPoints, vtkIdType);
-  vtkGetMacro(NumberOfPoints, vtkIdType);
-  ///@}
-
-  ///@{
-  /**
-   * Merges end before the error becomes larger: an estimate of the root mean square error of the
-   * values, as a part of their range, and of the shape. Default: 0.001.
-   */
-  vtkSetMacro(MaximumError, double);
-  vtkGetMacro(MaximumError, double);
+  vtkSetMacro(SimplificationRMSError, double);
+  vtkGetMacro(SimplificationRMSError, double);
   ///@}
 
   enum MetricType
@@ -136,9 +135,9 @@ public:
   vtkIdType GetMostMerges();
 
   /**
-   * The error of the merges that led to the output, see MaximumError.
+   * Root mean square error of the output, as SimplificationRMSError has it.
    */
-  double GetOutputError();
+  double GetOutputRMSError();
 
 protected:
   vtkGatunSimplify();
@@ -147,11 +146,10 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  int Target = TARGET_RATIO;
-  double Ratio = 0.5;
-  double Percent = 50;
-  vtkIdType NumberOfPoints = 10000;
-  double MaximumError = 1e-3;
+  int SimplificationTarget = TARGET_RATIO;
+  double SimplificationRatio = 0.5;
+  vtkIdType SimplificationNumberOfPoints = 10000;
+  double SimplificationRMSError = 1e-3;
   int Metric = METRIC_MASS;
   double BoundaryWeight = 0.5;
 

@@ -18,6 +18,7 @@
 #include "gatunSimplifiedFile.h"
 #include "gatunSimplifyTarget.h"
 #include "vtkGatunCompat.h"
+#include "vtkGatunErrorCode.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -261,11 +262,19 @@ public:
     this->CellArrays.SetArrays(this->NamesOf(Association::Cell));
   }
 
-  /** Whether any simplification is asked for, be it possible or not. */
+  static gatun::SimplifyProperties Target(const vtkGatunReader& reader)
+  {
+    static_assert(int{ TARGET_RATIO } == gatun::SimplifyTarget::Ratio);
+    static_assert(int{ TARGET_NUMBER_OF_POINTS } == gatun::SimplifyTarget::NumberOfPoints);
+    static_assert(int{ TARGET_RMS_ERROR } == gatun::SimplifyTarget::RMSError);
+    return { reader.SimplificationTarget, reader.SimplificationRatio,
+      reader.SimplificationNumberOfPoints, reader.SimplificationRMSError };
+  }
+
+  /** Whether a simplification is asked for, possible or not. */
   static bool Simplifies(const vtkGatunReader& reader)
   {
-    return !(reader.SimplificationTarget == TARGET_RATIO && reader.SimplificationRatio == 0) &&
-      !(reader.SimplificationTarget == TARGET_PERCENT && reader.SimplificationPercent == 100);
+    return !Target(reader).GetTarget().IsWholeMesh();
   }
 
   std::size_t CountMerges(const vtkGatunReader& reader)
@@ -274,15 +283,11 @@ public:
     {
       return 0;
     }
-    const double values[] = { reader.SimplificationRatio, reader.SimplificationPercent,
-      static_cast<double>(reader.SimplificationPoints), reader.SimplificationError };
-    const gatun::SimplifyTarget target{ reader.SimplificationTarget,
-      values[reader.SimplificationTarget] };
     if (!this->Simplified)
     {
       this->Simplified = std::make_unique<gatun::SimplifiedFile>(this->File);
     }
-    return gatun::CountMerges(target, this->File->GetNumberOfPoints(),
+    return gatun::CountMerges(Target(reader).GetTarget(), this->File->GetNumberOfPoints(),
       this->File->GetNumberOfMerges(),
       [this]() -> const gatun::MergeTree& { return this->Simplified->GetTree(); });
   }
@@ -611,12 +616,7 @@ void vtkGatunReader::PrintSelf(ostream& os, vtkIndent indent)
   const char* const modes[] = { "Never", "Always", "Large" };
   os << indent << "OnDemand: " << modes[this->OnDemand] << "\n";
   os << indent << "LargeMesh: " << this->LargeMesh << "\n";
-  const char* const targets[] = { "Ratio", "Percent", "NumberOfPoints", "Error" };
-  os << indent << "SimplificationTarget: " << targets[this->SimplificationTarget] << "\n";
-  os << indent << "SimplificationRatio: " << this->SimplificationRatio << "\n";
-  os << indent << "SimplificationPercent: " << this->SimplificationPercent << "\n";
-  os << indent << "SimplificationPoints: " << this->SimplificationPoints << "\n";
-  os << indent << "SimplificationError: " << this->SimplificationError << "\n";
+  vtkInternals::Target(*this).Print(os, indent);
   os << indent << "HasHierarchy: " << (this->GetHasHierarchy() ? "true" : "false") << "\n";
   os << indent << "IsOnDemand: " << (this->GetIsOnDemand() ? "true" : "false") << "\n";
   os << indent << "CachedBytes: " << this->GetCachedBytes() << "\n";
@@ -988,7 +988,7 @@ int vtkGatunReader::RequestData(vtkInformation* vtkNotUsed(request),
     this->Fail(outputVector);
     // An aborted update is none; the next one starts anew.
     self.ReadAgain = true;
-    return this->GetErrorCode() == AbortedError ? 1 : 0;
+    return this->GetErrorCode() == vtkGatunErrorCode::AbortedError ? 1 : 0;
   }
   return 1;
 }

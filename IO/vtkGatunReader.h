@@ -58,9 +58,8 @@
  * *Errors.* Reported by vtkErrorMacro with a message that begins with the file's name; GetErrorCode
  * is then one of vtkErrorCode::NoFileNameError, FileNotFoundError, CannotOpenFileError (a folder,
  * no permission), UnrecognizedFileTypeError (not a `.gtn` file), PrematureEndOfFileError
- * (truncated), FileFormatError (damaged), UnknownError (such as too little memory),
- * NewerVersionError, WrongParameterError or AbortedError (which comes without a message). The
- * output is then empty.
+ * (truncated), FileFormatError (damaged), UnknownError (such as too little memory), or of
+ * vtkGatunErrorCode. The output is then empty.
  *
  * @warning With a region of interest the output holds whole chunks, hence also cells outside.
  * @warning The original order can be restored only where the whole mesh is asked for.
@@ -87,16 +86,6 @@ public:
   static vtkGatunReader* New();
   vtkTypeMacro(vtkGatunReader, vtkUnstructuredGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  /**
-   * Error codes beyond those of vtkErrorCode.
-   */
-  enum ErrorIds
-  {
-    NewerVersionError = 40003,   ///< written by a later major version of the format
-    WrongParameterError = 40007, ///< such as an array for the value range that is not there
-    AbortedError = 40008         ///< AbortExecute was set
-  };
 
   ///@{
   /**
@@ -274,27 +263,32 @@ public:
   ///@}
 
   /**
-   * What tells how simple the mesh is to be.
+   * Kinds of simplification targets.
    */
   enum SimplificationTargetType
   {
     TARGET_RATIO = 0,            ///< SimplificationRatio
-    TARGET_PERCENT = 1,          ///< SimplificationPercent
-    TARGET_NUMBER_OF_POINTS = 2, ///< SimplificationPoints
-    TARGET_ERROR = 3             ///< SimplificationError
+    TARGET_NUMBER_OF_POINTS = 1, ///< SimplificationNumberOfPoints
+    TARGET_RMS_ERROR = 2         ///< SimplificationRMSError
   };
 
   ///@{
   /**
-   * See SimplificationTargetType. Default: TARGET_RATIO.
+   * Property that gives the target, one of SimplificationTargetType. Default: TARGET_RATIO.
    */
-  vtkSetClampMacro(SimplificationTarget, int, TARGET_RATIO, TARGET_ERROR);
+  vtkSetClampMacro(SimplificationTarget, int, TARGET_RATIO, TARGET_RMS_ERROR);
   vtkGetMacro(SimplificationTarget, int);
+  void SetSimplificationTargetToRatio() { this->SetSimplificationTarget(TARGET_RATIO); }
+  void SetSimplificationTargetToNumberOfPoints()
+  {
+    this->SetSimplificationTarget(TARGET_NUMBER_OF_POINTS);
+  }
+  void SetSimplificationTargetToRMSError() { this->SetSimplificationTarget(TARGET_RMS_ERROR); }
   ///@}
 
   ///@{
   /**
-   * The part of the points that is merged away: 0 (nothing) to 1 (as many as can be). Default: 0.
+   * Fraction of points removed, from 0 (none) to 1 (as many as possible). Default: 0.
    */
   vtkSetMacro(SimplificationRatio, double);
   vtkGetMacro(SimplificationRatio, double);
@@ -302,26 +296,21 @@ public:
 
   ///@{
   /**
-   * How many points in a hundred are left, 0 to 100. Default: 100.
+   * Number of points of the result, as far as possible; a larger number than that of the mesh keeps
+   * all. Default: 100000.
    */
-  vtkSetMacro(SimplificationPercent, double);
-  vtkGetMacro(SimplificationPercent, double);
+  vtkSetMacro(SimplificationNumberOfPoints, vtkIdType);
+  vtkGetMacro(SimplificationNumberOfPoints, vtkIdType);
   ///@}
 
   ///@{
   /**
-   * How many points are left, if that is possible; all if the mesh has fewer. Default: 100000.
+   * Largest root mean square error of the result; see
+   * vtkGatunSimplify::SetSimplificationRMSError.
+   * Default: 0.
    */
-  vtkSetMacro(SimplificationPoints, vtkIdType);
-  vtkGetMacro(SimplificationPoints, vtkIdType);
-  ///@}
-
-  ///@{
-  /**
-   * Merges end before the first that costs more; see vtkGatunSimplify::MaximumError. Default: 0.
-   */
-  vtkSetMacro(SimplificationError, double);
-  vtkGetMacro(SimplificationError, double);
+  vtkSetMacro(SimplificationRMSError, double);
+  vtkGetMacro(SimplificationRMSError, double);
   ///@}
 
   /**
@@ -421,9 +410,8 @@ protected:
   vtkIdType LargeMesh = 5000000;
   int SimplificationTarget = TARGET_RATIO;
   double SimplificationRatio = 0;
-  double SimplificationPercent = 100;
-  vtkIdType SimplificationPoints = 100000;
-  double SimplificationError = 0;
+  vtkIdType SimplificationNumberOfPoints = 100000;
+  double SimplificationRMSError = 0;
 
 private:
   vtkGatunReader(const vtkGatunReader&) = delete;

@@ -11,6 +11,7 @@
 #include "gatunTetInput.h"
 #include "gatunTetMesh.h"
 #include "vtkGatunCompat.h"
+#include "vtkGatunErrorCode.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
@@ -272,7 +273,7 @@ int vtkGatunWriter::Write()
   vtkInternals& self = *this->Internals;
   if (this->GetNumberOfInputConnections(0) < 1)
   {
-    this->SetErrorCode(WrongInputError);
+    this->SetErrorCode(vtkGatunErrorCode::InvalidInputError);
     vtkErrorMacro("No input was set.");
     return 0;
   }

@@ -39,8 +39,8 @@
  * *Errors.* Reported by vtkErrorMacro with a message that begins with the file's name; Write then
  * returns 0 and GetErrorCode is one of vtkErrorCode::NoFileNameError, CannotOpenFileError (the
  * folder is missing, no permission, or a read-only file is there), OutOfDiskSpaceError,
- * UnknownError (such as too little memory, or because the input's pipeline failed or threw),
- * WrongInputError or AbortedError (without a message).
+ * UnknownError (such as too little memory, or because the input's pipeline failed or threw), or of
+ * vtkGatunErrorCode.
  *
  * @warning The whole mesh must fit into memory.
  * @warning Unless KeepOrder says otherwise, points and cells come back in another order.
@@ -67,15 +67,6 @@ public:
   vtkTypeMacro(vtkGatunWriter, vtkWriter);
   using vtkAlgorithm::Update;
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  /**
-   * Error codes beyond those of vtkErrorCode.
-   */
-  enum ErrorIds
-  {
-    WrongInputError = 40007, ///< the grid cannot be written as it is
-    AbortedError = 40008     ///< AbortExecute was set
-  };
 
   /**
    * Flags for SetKeepOrder.

@@ -9,6 +9,7 @@
 #include "gatunHartleyFile.h"
 #include "gatunVolumeBridge.h"
 #include "vtkGatunCompat.h"
+#include "vtkGatunErrorCode.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -306,7 +307,7 @@ int vtkHartleyVolumeReader::RequestData(vtkInformation* vtkNotUsed(request),
     this->Fail(outputVector);
     // An aborted update is none; the next one starts anew.
     self.ReadAgain = true;
-    return this->GetErrorCode() == AbortedError ? 1 : 0;
+    return this->GetErrorCode() == vtkGatunErrorCode::AbortedError ? 1 : 0;
   }
   return 1;
 }

@@ -38,15 +38,6 @@ public:
   vtkTypeMacro(vtkHartleyVolumeReader, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /**
-   * Error codes beyond those of vtkErrorCode.
-   */
-  enum ErrorIds
-  {
-    NewerVersionError = 40003, ///< written by a later major version of the format
-    AbortedError = 40008       ///< AbortExecute was set
-  };
-
   ///@{
   /**
    * Name of the file to read. Default: none.

@@ -8,6 +8,7 @@
 #include "gatunHartleyFile.h"
 #include "gatunVolumeBridge.h"
 #include "vtkGatunCompat.h"
+#include "vtkGatunErrorCode.h"
 
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
@@ -67,7 +68,7 @@ int vtkHartleyVolumeWriter::Write()
   this->SetErrorCode(vtkErrorCode::NoError);
   if (this->GetNumberOfInputConnections(0) < 1)
   {
-    this->SetErrorCode(WrongInputError);
+    this->SetErrorCode(vtkGatunErrorCode::InvalidInputError);
     vtkErrorMacro("No input was set.");
     return 0;
   }
@@ -143,7 +144,7 @@ int vtkHartleyVolumeWriter::RequestData(vtkInformation* vtkNotUsed(request),
   catch (...)
   {
     this->HandleFailure();
-    return this->GetErrorCode() == AbortedError ? 1 : 0;
+    return this->GetErrorCode() == vtkGatunErrorCode::AbortedError ? 1 : 0;
   }
   this->WriteTime.Modified();
   this->UpdateProgress(1);

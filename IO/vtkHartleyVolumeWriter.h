@@ -46,15 +46,6 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Error codes beyond those of vtkErrorCode.
-   */
-  enum ErrorIds
-  {
-    WrongInputError = 40007, ///< the volume cannot be written as it is
-    AbortedError = 40008     ///< AbortExecute was set
-  };
-
-  /**
    * What tells how well the volume is kept.
    */
   enum GoalType

@@ -78,7 +78,7 @@ void SimplifyMesh(const Options& options, const Settings& settings)
   if (!settings.Quiet)
   {
     fmt::print("  of {} points, error {:.3g}\n", Grouped(grid->GetNumberOfPoints()),
-      simplifier->GetOutputError());
+      simplifier->GetOutputRMSError());
   }
 }
 } // anonymous namespace
@@ -93,7 +93,7 @@ void AddSimplify(CLI::App& app, Settings& settings)
     "unless weights or metric are given here.",
     "  gtn simplify --ratio 0.9 mesh.gtn coarse.gtn\n"
     "  gtn simplify --vertices 10000 --weight pressure=2 --weight velocity mesh.vtu coarse.vtu\n"
-    "  gtn simplify --error 1e-3 mesh.gtn coarse.gtn");
+    "  gtn simplify --rms-error 1e-3 mesh.gtn coarse.gtn");
   AddForce(command, options->Overwrite);
   AddTarget(command, options->Target, "default: 0.5");
   AddMergeOptions(command, options->Merges);

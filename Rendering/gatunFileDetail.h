@@ -8,6 +8,7 @@
 
 #include "gatunLevelsOfDetail.h"
 #include "gatunRaySource.h"
+#include "gatunRayValues.h"
 
 #include <memory>
 

@@ -4,6 +4,7 @@
 #ifndef gatunGridRaySource_h
 #define gatunGridRaySource_h
 
+#include "gatunMemoryRaySource.h"
 #include "gatunRaySource.h"
 #include "gatunTetMesh.h"
 #include "gatunTypes.h"

@@ -5,6 +5,7 @@
 #define gatunPieceRaySource_h
 
 #include "gatunGridRaySource.h"
+#include "gatunRayBlockCache.h"
 #include "gatunRaySource.h"
 #include "gatunTypes.h"
 

@@ -138,11 +138,13 @@ RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, double sampleDistanc
 //------------------------------------------------------------------------------
 std::optional<RayMode> RayModeOf(int blendMode)
 {
+  static_assert(int{ CompositeBlend } == vtkVolumeMapper::COMPOSITE_BLEND);
+  static_assert(int{ MaximumIntensityBlend } == vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND);
   switch (blendMode)
   {
-    case vtkVolumeMapper::COMPOSITE_BLEND:
+    case CompositeBlend:
       return RayMode::Composite;
-    case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
+    case MaximumIntensityBlend:
       return RayMode::Maximum;
     case AreaBlend:
       return RayMode::Area;

@@ -51,12 +51,16 @@ RayEye MakeRayEye(vtkCamera* camera, const RayGrid& grid, vtkMatrix4x4* volumeMa
 RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, double sampleDistance,
   vtkMatrix4x4* volumeMatrix, bool clippingRange);
 
-/** Blend modes beyond those of vtkVolumeMapper, with numbers that VTK does not use. */
-constexpr int AreaBlend = 100;
-constexpr int XRayBlend = 101;
+/** Blend modes of vtkGatunRayCaster and vtkGatunVolumeMapper. */
+enum BlendMode
+{
+  CompositeBlend = 0,
+  MaximumIntensityBlend = 1,
+  AreaBlend = 100,
+  XRayBlend = 101
+};
 
-/** Returns the core's blend mode for one of vtkGatunRayCaster, or nothing if there is no such mode.
- */
+/** The core's mode for a blend mode; nothing if there is no such mode. */
 std::optional<RayMode> RayModeOf(int blendMode);
 
 /** Colours and opacities of a property, for values in a range. Unit distance: the property's. */

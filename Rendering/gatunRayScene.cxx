@@ -5,6 +5,7 @@
 
 #include "gatunError.h"
 #include "gatunFileDetail.h"
+#include "gatunFileRaySource.h"
 #include "gatunFileReader.h"
 #include "gatunMemoryLevelsOfDetail.h"
 #include "gatunRayCaster.h"

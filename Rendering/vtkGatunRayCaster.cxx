@@ -27,19 +27,18 @@
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <chrono>
 
-static_assert(int{ vtkGatunRayCaster::COMPOSITE_BLEND } == vtkVolumeMapper::COMPOSITE_BLEND);
-static_assert(
-  int{ vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND } == vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND);
+vtkStandardNewMacro(vtkGatunRayCaster);
+
+// One numbering for all classes that draw.
+static_assert(int{ vtkGatunRayCaster::COMPOSITE_BLEND } == gatun::CompositeBlend);
+static_assert(int{ vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND } == gatun::MaximumIntensityBlend);
 static_assert(int{ vtkGatunRayCaster::AREA_BLEND } == gatun::AreaBlend);
 static_assert(int{ vtkGatunRayCaster::XRAY_BLEND } == gatun::XRayBlend);
-
-vtkStandardNewMacro(vtkGatunRayCaster);
 
 //------------------------------------------------------------------------------
 class vtkGatunRayCaster::vtkPipeline : public gatun::ImagePipeline

@@ -11,7 +11,6 @@
 #include "gatunRayRefresh.h"
 #include "gatunRayRendering.h"
 #include "gatunRayScene.h"
-#include "vtkGatunRayCaster.h"
 #include "vtkGatunReader.h"
 
 #include "vtkDataSet.h"
@@ -67,11 +66,10 @@ struct Viewport
 };
 
 // One numbering for all classes that draw.
-static_assert(int{ vtkGatunVolumeMapper::COMPOSITE_BLEND } == vtkGatunRayCaster::COMPOSITE_BLEND);
-static_assert(int{ vtkGatunVolumeMapper::MAXIMUM_INTENSITY_BLEND } ==
-  vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND);
-static_assert(int{ vtkGatunVolumeMapper::AREA_BLEND } == vtkGatunRayCaster::AREA_BLEND);
-static_assert(int{ vtkGatunVolumeMapper::XRAY_BLEND } == vtkGatunRayCaster::XRAY_BLEND);
+static_assert(int{ vtkGatunVolumeMapper::COMPOSITE_BLEND } == gatun::CompositeBlend);
+static_assert(int{ vtkGatunVolumeMapper::MAXIMUM_INTENSITY_BLEND } == gatun::MaximumIntensityBlend);
+static_assert(int{ vtkGatunVolumeMapper::AREA_BLEND } == gatun::AreaBlend);
+static_assert(int{ vtkGatunVolumeMapper::XRAY_BLEND } == gatun::XRayBlend);
 
 //------------------------------------------------------------------------------
 void ToArray(const gatun::Bounds& box, double* bounds)

@@ -12,6 +12,30 @@
 namespace gatun
 {
 //------------------------------------------------------------------------------
+SimplifyTarget SimplifyProperties::GetTarget() const
+{
+  switch (this->Target)
+  {
+    case SimplifyTarget::Ratio:
+      return { SimplifyTarget::Ratio, this->Ratio };
+    case SimplifyTarget::NumberOfPoints:
+      return { SimplifyTarget::NumberOfPoints, static_cast<double>(this->NumberOfPoints) };
+    default:
+      return { SimplifyTarget::RMSError, this->RMSError };
+  }
+}
+
+//------------------------------------------------------------------------------
+void SimplifyProperties::Print(ostream& os, vtkIndent indent) const
+{
+  const char* const names[] = { "Ratio", "NumberOfPoints", "RMSError" };
+  os << indent << "SimplificationTarget: " << names[this->Target] << "\n";
+  os << indent << "SimplificationRatio: " << this->Ratio << "\n";
+  os << indent << "SimplificationNumberOfPoints: " << this->NumberOfPoints << "\n";
+  os << indent << "SimplificationRMSError: " << this->RMSError << "\n";
+}
+
+//------------------------------------------------------------------------------
 std::size_t CountMerges(const SimplifyTarget& target, std::uint64_t points, std::size_t most,
   const std::function<const MergeTree&()>& getTree)
 {
@@ -27,13 +51,6 @@ std::size_t CountMerges(const SimplifyTarget& target, std::uint64_t points, std:
       }
       left = all - std::floor(all * value);
       break;
-    case SimplifyTarget::Percent:
-      if (!(value >= 0 && value <= 100))
-      {
-        ThrowInvalid("the percentage must be from 0 to 100");
-      }
-      left = std::ceil(all * value / 100);
-      break;
     case SimplifyTarget::NumberOfPoints:
       if (!(value >= 0))
       {
@@ -44,7 +61,7 @@ std::size_t CountMerges(const SimplifyTarget& target, std::uint64_t points, std:
     default:
       if (!(value >= 0))
       {
-        ThrowInvalid("the error must be 0 or more");
+        ThrowInvalid("the RMS error must be 0 or more");
       }
       return getTree().CountMergesForError(value);
   }

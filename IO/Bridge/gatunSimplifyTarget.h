@@ -6,6 +6,10 @@
 
 #include "vtkGatunIOModule.h" // For export macro
 
+#include "vtkIOStream.h"
+#include "vtkIndent.h"
+#include "vtkType.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -14,25 +18,42 @@ namespace gatun
 {
 class MergeTree;
 
-/** How simple a mesh is to be, as vtkGatunSimplify and vtkGatunReader ask for it. */
+/** A simplification target. */
 struct SimplifyTarget
 {
+  /** The numbers are those of SimplificationTargetType of vtkGatunReader and vtkGatunSimplify. */
   enum KindType
   {
     Ratio = 0,
-    Percent = 1,
-    NumberOfPoints = 2,
-    MaximumError = 3
+    NumberOfPoints = 1,
+    RMSError = 2
   };
 
   int Kind = Ratio;
-  double Value = 0; ///< of whatever kind
+  double Value = 0; ///< of this kind
+
+  /** Whether the target is the whole mesh. */
+  bool IsWholeMesh() const { return this->Kind == Ratio && this->Value == 0; }
+};
+
+/** The simplification properties of vtkGatunReader and vtkGatunSimplify. */
+struct VTKGATUNIO_EXPORT SimplifyProperties
+{
+  int Target;
+  double Ratio;
+  vtkIdType NumberOfPoints;
+  double RMSError;
+
+  SimplifyTarget GetTarget() const;
+
+  /** For PrintSelf. */
+  void Print(ostream& os, vtkIndent indent) const;
 };
 
 /**
- * How many merges lead there, of a mesh with so many points and so many merges at most. The tree is
- * asked for only where the kind needs it. Throws gatun::Error (InvalidInput) for values that make
- * no sense. Exported for the filters.
+ * Number of merges that reach the target, for a mesh with a given number of points and of merges.
+ * Calls getTree only if the kind of target needs it. Throws gatun::Error (InvalidInput) for a value
+ * that is out of range or NaN. Exported for the filters.
  */
 VTKGATUNIO_EXPORT std::size_t CountMerges(const SimplifyTarget& target, std::uint64_t points,
   std::size_t most, const std::function<const MergeTree&()>& getTree);

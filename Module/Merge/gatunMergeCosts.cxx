@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunMergeCosts.h"
 
-#include <glm/geometric.hpp>
+#include "gatunVector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,11 +22,6 @@ constexpr double BendWeight = 10;
 /** What is inside the mesh and was not, or the other way round, counts like a field that is wrong
  * by this part of its range, squared. With less, thin parts melt away. */
 constexpr double ShapeWeight = 0.7;
-
-glm::dvec3 ToVec(const std::array<double, 3>& p)
-{
-  return { p[0], p[1], p[2] };
-}
 
 /**
  * The mean square of the error of linear interpolation in a tetrahedron, of a field of constant
@@ -100,11 +95,11 @@ void MergeCosts::FindSamples()
     {
       continue;
     }
-    const Vec origin = ToVec(this->Input.Points[corners[0]]);
-    const Vec a = ToVec(this->Input.Points[corners[1]]) - origin;
-    const Vec b = ToVec(this->Input.Points[corners[2]]) - origin;
-    const Vec c = ToVec(this->Input.Points[corners[3]]) - origin;
-    const double volume = glm::dot(a, glm::cross(b, c));
+    const Vec origin = ToVector(this->Input.Points[corners[0]]);
+    const Vec a = ToVector(this->Input.Points[corners[1]]) - origin;
+    const Vec b = ToVector(this->Input.Points[corners[2]]) - origin;
+    const Vec c = ToVector(this->Input.Points[corners[3]]) - origin;
+    const double volume = GetDeterminant(a, b, c);
     if (!std::isfinite(volume))
     {
       continue;
@@ -176,10 +171,10 @@ void MergeCosts::Gather(std::uint32_t point)
       ++this->Neighbours[star.Corners[k]].Tets;
     }
   }
-  const Vec here = ToVec(this->Input.Points[point]);
+  const Vec here = ToVector(this->Input.Points[point]);
   for (Neighbour& neighbour : this->Neighbours)
   {
-    neighbour.Offset = ToVec(this->Input.Points[neighbour.Point]) - here;
+    neighbour.Offset = ToVector(this->Input.Points[neighbour.Point]) - here;
   }
   this->GatherFields(point);
   this->GatherFaces(point);

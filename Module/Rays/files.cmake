@@ -9,40 +9,50 @@ gatun_core_folder(Rays
   EXPERIMENTAL_HEADERS
     gatunCoarseRaySource.h
     gatunFileLevelsOfDetail.h
+    gatunFileRaySource.h
     gatunFrameBudget.h
     gatunLevelOfDetailCache.h
     gatunLevelsOfDetail.h
     gatunMemoryLevelsOfDetail.h
+    gatunMemoryRaySource.h
     gatunRayBlock.h
+    gatunRayBlockCache.h
     gatunRayCaster.h
     gatunRayRefresh.h
     gatunRayShading.h
     gatunRaySource.h
     gatunRayTable.h
+    gatunRayValues.h
     gatunRayView.h
   PRIVATE_HEADERS
+    gatunBlockMesh.h
     gatunRayBins.h
+    gatunRayBlockMaker.h
+    gatunRayDecoder.h
     gatunRayDrawer.h
     gatunRayKernel.h
     gatunRayLoops.h
-    gatunRaySourceInternals.h
     gatunRayTile.h
     gatunRelease.h
   SOURCES
     gatunCoarseRaySource.cxx
     gatunFileLevelsOfDetail.cxx
+    gatunFileRaySource.cxx
     gatunFrameBudget.cxx
     gatunLevelOfDetailCache.cxx
     gatunMemoryLevelsOfDetail.cxx
+    gatunMemoryRaySource.cxx
     gatunRayBins.cxx
     gatunRayBlock.cxx
+    gatunRayBlockCache.cxx
     gatunRayCaster.cxx
+    gatunRayDecoder.cxx
     gatunRayKernelAVX2.cxx
     gatunRayKernelPortable.cxx
     gatunRayRefresh.cxx
     gatunRayShading.cxx
-    gatunRaySource.cxx
     gatunRayTable.cxx
     gatunRayTile.cxx
+    gatunRayValues.cxx
     gatunRayView.cxx
     gatunRelease.cxx)

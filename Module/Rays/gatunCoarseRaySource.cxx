@@ -6,7 +6,9 @@
 #include "gatunCoarseLayout.h"
 #include "gatunError.h"
 #include "gatunParallel.h"
-#include "gatunRaySourceInternals.h"
+#include "gatunRayBlockCache.h"
+#include "gatunRayBlockMaker.h"
+#include "gatunRayDecoder.h"
 
 #include <algorithm>
 #include <unordered_map>

@@ -5,6 +5,7 @@
 
 #include "gatunMergeTree.h"
 #include "gatunRaySource.h"
+#include "gatunRayValues.h"
 #include "vtkGatunCoreModule.h"
 
 #include <cstddef>
@@ -14,6 +15,9 @@
 
 namespace gatun
 {
+class ChunkCache;
+class FileReader;
+
 /**
  * The chunks of a file after so many merges, simplified as they are decoded. Where a chunk gets
  * corners from others, these are decoded with it, unless they have been before: what others need of

@@ -3,7 +3,7 @@
 #include "gatunFileLevelsOfDetail.h"
 
 #include "gatunCoarseRaySource.h"
-#include "gatunRaySourceInternals.h"
+#include "gatunFileRaySource.h"
 
 #include <algorithm>
 

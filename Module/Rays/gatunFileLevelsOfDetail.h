@@ -4,6 +4,7 @@
 #define gatunFileLevelsOfDetail_h
 
 #include "gatunLevelsOfDetail.h"
+#include "gatunRayValues.h"
 #include "gatunSimplifiedFile.h"
 #include "vtkGatunCoreModule.h"
 

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunMemoryLevelsOfDetail.h"
 
+#include "gatunBlockMesh.h"
 #include "gatunError.h"
+#include "gatunMemoryRaySource.h"
 #include "gatunMergeBuilder.h"
+#include "gatunParallel.h"
 #include "gatunPartition.h"
-#include "gatunRaySourceInternals.h"
+#include "gatunWithType.h"
 
 #include <algorithm>
-#include <bit>
 #include <map>
 #include <mutex>
 #include <string>
@@ -32,50 +34,15 @@ struct TetList
   }
 };
 
+/** Calls use(getValue), where getValue(i) is the value of tuple i that is drawn. */
+template <typename Use>
+void WithValues(const RayValuesInput& input, Use&& use)
+{
+  WithComponent(input.Type, input.Values, input.Components, input.Component, use);
+}
+
 /** Where the blocks of a list begin, and the last one ends. */
 using BlockStarts = std::vector<std::size_t>;
-
-/** Which place in a block of so many tetrahedra each point gets: one after the other, as they come.
- */
-class PointPlaces
-{
-public:
-  explicit PointPlaces(std::size_t tets)
-    : Shift(64 - static_cast<unsigned>(std::bit_width(4 * tets + 1)))
-    , Slots(std::size_t{ 1 } << (64 - this->Shift))
-  {
-  }
-
-  /** The place of a point, and whether it is new here. */
-  std::pair<std::uint32_t, bool> Find(std::uint32_t point)
-  {
-    auto i = (point * 0x9e3779b97f4a7c15u) >> this->Shift;
-    for (;; i = (i + 1) & (this->Slots.size() - 1))
-    {
-      Slot& slot = this->Slots[i];
-      if (slot.Point == point)
-      {
-        return { slot.Place, false };
-      }
-      if (slot.Point == None)
-      {
-        slot = { point, this->Count++ };
-        return { slot.Place, true };
-      }
-    }
-  }
-
-private:
-  static constexpr std::uint32_t None = 0xffffffffu;
-  struct Slot
-  {
-    std::uint32_t Point = None;
-    std::uint32_t Place = 0;
-  };
-  unsigned Shift;
-  std::vector<Slot> Slots;
-  std::uint32_t Count = 0;
-};
 
 /** Enough blocks for all threads to have work, none so small that its borders count for more than
  * what is in it. */
@@ -214,90 +181,51 @@ MergeTree MemoryRayMesh::BuildTree(const Progress& progress) const
 namespace
 {
 /** A list of tetrahedra in blocks. */
-class ListSource final : public RaySource
+class ListMesh final : public BlockMesh
 {
 public:
-  ListSource(std::shared_ptr<const MemoryRayMesh> mesh, std::shared_ptr<const TetList> list,
-    BlockStarts starts, std::uint64_t budget)
+  ListMesh(std::shared_ptr<const MemoryRayMesh> mesh, std::shared_ptr<const TetList> list,
+    BlockStarts starts)
     : Mesh(std::move(mesh))
     , List(std::move(list))
     , Starts(std::move(starts))
-    , Cache(budget)
-    , Boxes(this->Starts.size() - 1)
-    , Ranges(this->Boxes.size())
   {
-    ParallelFor(this->Boxes.size(), [&](std::size_t block) { this->Measure(block); });
   }
 
-  std::size_t GetNumberOfBlocks() const override { return this->Boxes.size(); }
-  const Bounds& GetBounds(std::size_t block) const override { return this->Boxes[block]; }
-  Range GetRange(std::size_t block) const override { return this->Ranges[block]; }
+  std::size_t GetNumberOfBlocks() const override { return this->Starts.size() - 1; }
 
-  Blocks GetBlocks(std::span<const std::size_t> blocks, const Progress& progress) override
+  void GetTets(
+    std::size_t block, std::vector<Tet>& tets, std::vector<double>& values) const override
   {
-    return FindOrMake(this->Cache, blocks, progress,
-      [&](std::size_t index, RayBlock& block) { this->Make(index, block); });
+    const auto first = static_cast<std::ptrdiff_t>(this->Starts[block]);
+    const auto last = static_cast<std::ptrdiff_t>(this->Starts[block + 1]);
+    const TetList& list = *this->List;
+    tets.assign(list.Tets.begin() + first, list.Tets.begin() + last);
+    if (!list.Values.empty())
+    {
+      values.assign(list.Values.begin() + first, list.Values.begin() + last);
+    }
+  }
+
+  void GetPoints(std::span<const std::uint32_t> points, RayPoint* result) const override
+  {
+    const auto& all = this->Mesh->GetInternals().Points;
+    std::transform(
+      points.begin(), points.end(), result, [&](std::uint32_t point) { return all[point]; });
   }
 
 private:
-  const std::vector<RayPoint>& GetPoints() const { return this->Mesh->GetInternals().Points; }
-
-  void Measure(std::size_t block)
-  {
-    const TetList& list = *this->List;
-    Bounds& box = this->Boxes[block];
-    for (auto i = this->Starts[block]; i < this->Starts[block + 1]; ++i)
-    {
-      for (const auto point : list.Tets[i])
-      {
-        const RayPoint& p = this->GetPoints()[point];
-        const std::array<double, 3> place{ p.X, p.Y, p.Z };
-        for (std::size_t axis = 0; axis < 3; ++axis)
-        {
-          if (std::isfinite(place[axis]))
-          {
-            box[axis].Min = std::min(box[axis].Min, place[axis]);
-            box[axis].Max = std::max(box[axis].Max, place[axis]);
-          }
-        }
-        Extend(this->Ranges[block], list.Values.empty() ? p.Value : list.Values[i]);
-      }
-    }
-  }
-
-  void Make(std::size_t index, RayBlock& block) const
-  {
-    const TetList& list = *this->List;
-    const auto first = static_cast<std::ptrdiff_t>(this->Starts[index]);
-    const auto last = static_cast<std::ptrdiff_t>(this->Starts[index + 1]);
-    block.Tets.assign(list.Tets.begin() + first, list.Tets.begin() + last);
-    if (!list.Values.empty())
-    {
-      block.CellValues.assign(list.Values.begin() + first, list.Values.begin() + last);
-    }
-    PointPlaces places(block.Tets.size());
-    for (Tet& tet : block.Tets)
-    {
-      for (auto& corner : tet)
-      {
-        const auto [place, isNew] = places.Find(corner);
-        if (isNew)
-        {
-          block.Points.push_back(this->GetPoints()[corner]);
-        }
-        corner = place;
-      }
-    }
-    block.Points.shrink_to_fit();
-  }
-
   std::shared_ptr<const MemoryRayMesh> Mesh;
   std::shared_ptr<const TetList> List;
   BlockStarts Starts;
-  RayBlockCache Cache;
-  std::vector<Bounds> Boxes;
-  std::vector<Range> Ranges;
 };
+
+std::shared_ptr<RaySource> MakeListSource(std::shared_ptr<const MemoryRayMesh> mesh,
+  std::shared_ptr<const TetList> list, BlockStarts starts, std::uint64_t budget)
+{
+  return std::make_shared<MemoryRaySource>(
+    std::make_unique<ListMesh>(std::move(mesh), std::move(list), std::move(starts)), budget);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -305,7 +233,7 @@ std::shared_ptr<RaySource> MakeWholeSource(
   std::shared_ptr<const MemoryRayMesh> mesh, std::uint64_t budget)
 {
   const auto& internals = mesh->GetInternals();
-  return std::make_shared<ListSource>(std::move(mesh), internals.Whole, internals.Starts, budget);
+  return MakeListSource(std::move(mesh), internals.Whole, internals.Starts, budget);
 }
 
 //------------------------------------------------------------------------------
@@ -441,7 +369,7 @@ std::shared_ptr<RaySource> MemoryLevelsOfDetail::MakeSource(
     self.Counts[points] = list->Tets.size();
   }
   auto starts = CutIntoBlocks(list->Tets.size());
-  return std::make_shared<ListSource>(self.Mesh, std::move(list), std::move(starts), budget);
+  return MakeListSource(self.Mesh, std::move(list), std::move(starts), budget);
 }
 
 //------------------------------------------------------------------------------

@@ -5,7 +5,9 @@
 
 #include "gatunLevelsOfDetail.h"
 #include "gatunMergeTree.h"
+#include "gatunMeshInput.h"
 #include "gatunRaySource.h"
+#include "gatunRayValues.h"
 #include "vtkGatunCoreModule.h"
 
 #include <cstdint>

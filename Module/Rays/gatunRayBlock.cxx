@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunRayBlock.h"
 
+#include "gatunVector.h"
+
 #include <algorithm>
 #include <span>
 
@@ -92,15 +94,8 @@ bool IsBefore(const RayPoint& a, const RayPoint& b)
 
 bool HasNegativeVolume(const RayPoint& a, const RayPoint& b, const RayPoint& c, const RayPoint& d)
 {
-  const double ux = b.X - a.X;
-  const double uy = b.Y - a.Y;
-  const double uz = b.Z - a.Z;
-  const double vx = c.X - a.X;
-  const double vy = c.Y - a.Y;
-  const double vz = c.Z - a.Z;
-  return (uy * vz - uz * vy) * (d.X - a.X) + (uz * vx - ux * vz) * (d.Y - a.Y) +
-    (ux * vy - uy * vx) * (d.Z - a.Z) <
-    0;
+  const auto fromA = [&](const RayPoint& p) { return glm::dvec3(p.X - a.X, p.Y - a.Y, p.Z - a.Z); };
+  return GetDeterminant(fromA(d), fromA(b), fromA(c)) < 0;
 }
 }
 

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunRayShading.h"
 
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
+#include "gatunVector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,17 +13,11 @@ namespace
 {
 using Vec = glm::dvec3;
 
-Vec ToVec(const std::array<double, 3>& v)
-{
-  return { v[0], v[1], v[2] };
-}
-
 Vec ToWorld(const RayShading& shading, const RayPoint& point)
 {
-  const auto& m = shading.ToWorld;
-  const auto get = [&](std::size_t row)
-  { return m[row][0] * point.X + m[row][1] * point.Y + m[row][2] * point.Z + m[row][3]; };
-  return { get(0), get(1), get(2) };
+  const auto& rows = shading.ToWorld;
+  const Vec p(point.X, point.Y, point.Z);
+  return { Transform(rows[0], p), Transform(rows[1], p), Transform(rows[2], p) };
 }
 
 /** Of length 1, or 0 where there is no direction. */
@@ -37,7 +30,7 @@ Vec Normalize(const Vec& v)
 /** From a point to what is there, or far away. */
 Vec GetDirection(const std::array<double, 4>& to, const Vec& from)
 {
-  return Normalize(Vec(to[0], to[1], to[2]) - to[3] * from);
+  return Normalize(Vec(ToVector(to)) - to[3] * from);
 }
 
 /** Up to a positive factor. */
@@ -48,7 +41,7 @@ Vec GetGradient(const std::array<Vec, 4>& p, const std::array<double, 4>& values
   const Vec w = p[3] - p[0];
   const Vec sum = (values[1] - values[0]) * glm::cross(v, w) +
     (values[2] - values[0]) * glm::cross(w, u) + (values[3] - values[0]) * glm::cross(u, v);
-  return glm::dot(u, glm::cross(v, w)) < 0 ? -sum : sum;
+  return GetDeterminant(u, v, w) < 0 ? -sum : sum;
 }
 }
 
@@ -81,11 +74,12 @@ RayShade GetShade(const RayShading& shading, const RayBlock& block, std::size_t 
   {
     const Vec toLight = GetDirection(light.Position, middle);
     const double along = glm::dot(normal, toLight);
-    scale += shading.Diffuse * std::abs(along) * ToVec(light.Diffuse);
+    scale += shading.Diffuse * std::abs(along) * ToVector(light.Diffuse);
     const double mirrored = glm::dot(2 * along * normal - toLight, toEye);
     if (mirrored > 0)
     {
-      add += shading.Specular * std::pow(mirrored, shading.SpecularPower) * ToVec(light.Specular);
+      add +=
+        shading.Specular * std::pow(mirrored, shading.SpecularPower) * ToVector(light.Specular);
     }
   }
   for (int c = 0; c < 3; ++c)

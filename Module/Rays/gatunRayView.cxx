@@ -3,6 +3,7 @@
 #include "gatunRayView.h"
 
 #include "gatunError.h"
+#include "gatunVector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,36 +39,29 @@ RayView::RayView(const std::array<std::array<double, 4>, 3>& toEye, const RayFru
   const double w = frustum.Right - frustum.Left;
   const double h = frustum.Top - frustum.Bottom;
   Require(std::isfinite(w) && std::isfinite(h) && w > 0 && h > 0, "the view has no extent");
-  const double determinant = toEye[0][0] * (toEye[1][1] * toEye[2][2] - toEye[1][2] * toEye[2][1]) +
-    toEye[0][1] * (toEye[1][2] * toEye[2][0] - toEye[1][0] * toEye[2][2]) +
-    toEye[0][2] * (toEye[1][0] * toEye[2][1] - toEye[1][1] * toEye[2][0]);
+  const std::array rows{ ToVector(toEye[0]), ToVector(toEye[1]), ToVector(toEye[2]) };
+  const double determinant =
+    GetDeterminant(glm::dvec3(rows[0]), glm::dvec3(rows[1]), glm::dvec3(rows[2]));
   Require(std::isfinite(determinant) && determinant != 0, "the camera's matrix has no inverse");
 
   this->ScaleX = w / width;
   this->ScaleY = h / height;
   this->CentreX = -frustum.Left / this->ScaleX - 0.5 - OffsetX;
   this->CentreY = -frustum.Bottom / this->ScaleY - 0.5 - OffsetY;
-  for (std::size_t i = 0; i < 4; ++i)
-  {
-    const double depth = -toEye[2][i];
-    const double one = i == 3 ? 1 : 0;
-    const double times = frustum.Parallel ? one : depth;
-    this->ToRays[0][i] = toEye[0][i] / this->ScaleX + this->CentreX * times;
-    this->ToRays[1][i] = toEye[1][i] / this->ScaleY + this->CentreY * times;
-    this->ToRays[2][i] = frustum.Parallel ? depth / sampleDistance : depth;
-  }
+  const glm::dvec4 depth = -rows[2];
+  const glm::dvec4 times = frustum.Parallel ? glm::dvec4(0, 0, 0, 1) : depth;
+  this->ToRays[0] = ToArray(rows[0] / this->ScaleX + this->CentreX * times);
+  this->ToRays[1] = ToArray(rows[1] / this->ScaleY + this->CentreY * times);
+  this->ToRays[2] = ToArray(frustum.Parallel ? depth / sampleDistance : depth);
 }
 
 //------------------------------------------------------------------------------
 std::array<double, 3> RayView::Transform(const std::array<double, 3>& point) const
 {
-  std::array<double, 3> result{};
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    const auto& row = this->ToRays[i];
-    result[i] = row[0] * point[0] + row[1] * point[1] + row[2] * point[2] + row[3];
-  }
-  return result;
+  const glm::dvec3 p = ToVector(point);
+  const auto& rows = this->ToRays;
+  return { gatun::Transform(rows[0], p), gatun::Transform(rows[1], p),
+    gatun::Transform(rows[2], p) };
 }
 
 //------------------------------------------------------------------------------
@@ -85,19 +79,16 @@ double RayView::GetSamplesPerDepth(double x, double y) const
 //------------------------------------------------------------------------------
 void ClipByPlane(const RayView& view, const std::array<double, 4>& plane, RayLimits& limits)
 {
-  // The plane in ray coordinates is n . p + d = 0 with n M = (a, b, c): by Cramer's rule.
-  const auto& m = view.ToRays;
-  const auto cross = [](const auto& a, const auto& b)
-  {
-    return std::array<double, 3>{ a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-      a[0] * b[1] - a[1] * b[0] };
-  };
-  const auto dot = [](const auto& a, const auto& b)
-  { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
-  const double volume = dot(m[0], cross(m[1], m[2]));
-  const std::array<double, 3> n = { dot(plane, cross(m[1], m[2])) / volume,
-    dot(plane, cross(m[2], m[0])) / volume, dot(plane, cross(m[0], m[1])) / volume };
-  const double d = plane[3] - (n[0] * m[0][3] + n[1] * m[1][3] + n[2] * m[2][3]);
+  // The plane in ray coordinates is n . p + d = 0 with n M = (a, b, c). By Cramer's rule.
+  const glm::dvec3 a(ToVector(view.ToRays[0]));
+  const glm::dvec3 b(ToVector(view.ToRays[1]));
+  const glm::dvec3 c(ToVector(view.ToRays[2]));
+  const glm::dvec3 shift(view.ToRays[0][3], view.ToRays[1][3], view.ToRays[2][3]);
+  const glm::dvec3 given(ToVector(plane));
+  const glm::dvec3 n = glm::dvec3(GetDeterminant(given, b, c), GetDeterminant(given, c, a),
+                         GetDeterminant(given, a, b)) /
+    GetDeterminant(a, b, c);
+  const double d = plane[3] - glm::dot(n, shift);
   const auto width = static_cast<std::size_t>(view.Width);
   const auto pixels = width * static_cast<std::size_t>(view.Height);
   limits.Planes.push_back(plane);
@@ -109,8 +100,8 @@ void ClipByPlane(const RayView& view, const std::array<double, 4>& plane, RayLim
     const std::size_t row = i / width;
     const auto y = static_cast<double>(row);
     // Along the ray it is slope * z + offset.
-    const double across = n[0] * x + n[1] * y;
-    const double slope = view.Perspective ? across + n[2] : n[2];
+    const double across = n.x * x + n.y * y;
+    const double slope = view.Perspective ? across + n.z : n.z;
     const double offset = view.Perspective ? d : across + d;
     const double perZ = view.Perspective ? view.GetSamplesPerDepth(x, y) : 1;
     const auto where = static_cast<float>(std::clamp(-offset / slope * perZ, -1e9, 1e9));

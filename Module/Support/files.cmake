@@ -16,6 +16,7 @@ gatun_core_folder(Support
     gatunInline.h
     gatunMorton.h
     gatunSimd.h
+    gatunVector.h
     gatunWithType.h
   SOURCES
     gatunCacheBudget.cxx

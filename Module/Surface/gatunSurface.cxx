@@ -4,6 +4,7 @@
 
 #include "gatunError.h"
 #include "gatunParallel.h"
+#include "gatunVector.h"
 
 #include <algorithm>
 #include <bit>
@@ -236,22 +237,22 @@ void Surface::FillCellArray(std::size_t i, std::size_t tupleSize, void* to) cons
 //------------------------------------------------------------------------------
 void Surface::FillNormals(float* to) const
 {
-  std::vector<std::array<double, 3>> sums(this->Points, std::array<double, 3>{});
+  std::vector<glm::dvec3> sums(this->Points, glm::dvec3(0));
   for (std::size_t p = 0; p < this->Parts.size(); ++p)
   {
     for (std::size_t i = 0; i < this->Parts[p].NumberOfPoints; ++i)
     {
       const std::uint32_t place = this->Places[this->Same[this->First[p] + i]];
-      for (unsigned axis = 0; place != None && axis < 3; ++axis)
+      if (place != None)
       {
-        sums[place][axis] += this->Parts[p].Gradients[i][axis];
+        sums[place] += ToVector(this->Parts[p].Gradients[i]);
       }
     }
   }
   for (const auto& sum : sums)
   {
-    const double length = std::hypot(sum[0], sum[1], sum[2]);
-    for (unsigned axis = 0; axis < 3; ++axis)
+    const double length = std::hypot(sum.x, sum.y, sum.z);
+    for (int axis = 0; axis < 3; ++axis)
     {
       *to++ = length > 0 && std::isfinite(length) ? static_cast<float>(-sum[axis] / length) : 0;
     }

@@ -3,6 +3,7 @@
 #include "gatunSurfacePart.h"
 
 #include "gatunParallel.h"
+#include "gatunVector.h"
 #include "gatunWithType.h"
 
 #include <algorithm>
@@ -16,8 +17,6 @@ namespace gatun
 namespace
 {
 constexpr std::uint64_t TetsPerPart = 1u << 16;
-
-using Vector = std::array<double, 3>;
 
 /** A number between two of a type, as one of that type; whole numbers are rounded, halves away from
  * zero, as VTK does. */
@@ -74,12 +73,12 @@ std::vector<std::uint8_t> Gather(const TupleView& array, std::span<const std::ui
   return out;
 }
 
-Vector GetPoint(const TupleView& points, std::size_t point)
+glm::dvec3 GetPoint(const TupleView& points, std::size_t point)
 {
   const auto get = [&](auto zero)
   {
     const auto* const x = static_cast<const decltype(zero)*>(points.Values) + 3 * point;
-    return Vector{ x[0], x[1], x[2] };
+    return glm::dvec3{ x[0], x[1], x[2] };
   };
   return points.Type == ScalarType::Float32 ? get(float{}) : get(double{});
 }
@@ -91,30 +90,20 @@ void Locate(const TupleView& points, std::span<const Crossing> crossings, T* to)
 {
   for (const Crossing& crossing : crossings)
   {
-    const Vector low = GetPoint(points, crossing.Low);
-    const Vector high = GetPoint(points, crossing.High);
-    for (unsigned axis = 0; axis < 3; ++axis)
+    const glm::dvec3 low = GetPoint(points, crossing.Low);
+    const glm::dvec3 high = GetPoint(points, crossing.High);
+    const glm::dvec3 place = crossing.Part == 1 ? high : low + crossing.Part * (high - low);
+    for (int axis = 0; axis < 3; ++axis)
     {
-      *to++ = static_cast<T>(
-        crossing.Part == 1 ? high[axis] : low[axis] + crossing.Part * (high[axis] - low[axis]));
+      *to++ = static_cast<T>(place[axis]);
     }
   }
 }
 
-Vector Subtract(const Vector& a, const Vector& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-Vector Cross(const Vector& a, const Vector& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
 /** Six times the gradient of what is linear in a tetrahedron, times the volume. */
-Vector GetGradient(const SurfaceInput& input, std::uint32_t cell)
+glm::dvec3 GetGradient(const SurfaceInput& input, std::uint32_t cell)
 {
-  std::array<Vector, 4> x;
+  std::array<glm::dvec3, 4> x;
   std::array<double, 4> s;
   for (unsigned i = 0; i < 4; ++i)
   {
@@ -126,29 +115,23 @@ Vector GetGradient(const SurfaceInput& input, std::uint32_t cell)
     s[i] = input.Mesh.WideValues ? static_cast<const double*>(input.Mesh.Values)[id]
                                  : static_cast<const float*>(input.Mesh.Values)[id];
   }
-  const Vector a = Subtract(x[1], x[0]);
-  const Vector b = Subtract(x[2], x[0]);
-  const Vector c = Subtract(x[3], x[0]);
-  const Vector bc = Cross(b, c);
-  const Vector ca = Cross(c, a);
-  const Vector ab = Cross(a, b);
+  const glm::dvec3 a = x[1] - x[0];
+  const glm::dvec3 b = x[2] - x[0];
+  const glm::dvec3 c = x[3] - x[0];
+  const glm::dvec3 bc = glm::cross(b, c);
   // The gradient is this divided by six times the volume, which has the sign of the orientation.
-  const double sign = a[0] * bc[0] + a[1] * bc[1] + a[2] * bc[2] < 0 ? -1 : 1;
-  Vector sum{};
-  for (unsigned axis = 0; axis < 3; ++axis)
-  {
-    sum[axis] =
-      sign * ((s[1] - s[0]) * bc[axis] + (s[2] - s[0]) * ca[axis] + (s[3] - s[0]) * ab[axis]);
-  }
-  return sum;
+  const double sign = glm::dot(a, bc) < 0 ? -1 : 1;
+  return sign *
+    ((s[1] - s[0]) * bc + (s[2] - s[0]) * glm::cross(c, a) + (s[3] - s[0]) * glm::cross(a, b));
 }
 
-std::vector<Vector> AddGradients(const SurfaceInput& input, const MarchedSurface& surface)
+std::vector<std::array<double, 3>> AddGradients(
+  const SurfaceInput& input, const MarchedSurface& surface)
 {
-  std::vector<Vector> sums(surface.Points.size(), Vector{});
+  std::vector<std::array<double, 3>> sums(surface.Points.size(), std::array<double, 3>{});
   for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
   {
-    const Vector gradient = GetGradient(input, surface.Cells[i]);
+    const glm::dvec3 gradient = GetGradient(input, surface.Cells[i]);
     // Of the two triangles of a section with four corners, the second one adds to its own only.
     const bool second = i > 0 && surface.Cells[i] == surface.Cells[i - 1];
     for (const std::uint32_t point : surface.Triangles[i])
@@ -156,10 +139,7 @@ std::vector<Vector> AddGradients(const SurfaceInput& input, const MarchedSurface
       const auto& before = surface.Triangles[i - (second ? 1 : 0)];
       if (!second || std::find(before.begin(), before.end(), point) == before.end())
       {
-        for (unsigned axis = 0; axis < 3; ++axis)
-        {
-          sums[point][axis] += gradient[axis];
-        }
+        sums[point] = ToArray(ToVector(sums[point]) + gradient);
       }
     }
   }

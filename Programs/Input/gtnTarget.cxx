@@ -11,73 +11,54 @@
 namespace gtn
 {
 //------------------------------------------------------------------------------
-void TargetOptions::Apply(vtkGatunSimplify* simplifier) const
+template <class Algorithm>
+void TargetOptions::ApplyTo(Algorithm* algorithm) const
 {
-  if (this->Percent)
+  if (this->Points)
   {
-    simplifier->SetTarget(vtkGatunSimplify::TARGET_PERCENT);
-    simplifier->SetPercent(*this->Percent);
+    algorithm->SetSimplificationTargetToNumberOfPoints();
+    algorithm->SetSimplificationNumberOfPoints(static_cast<vtkIdType>(*this->Points));
   }
-  else if (this->Points)
+  else if (this->RMSError)
   {
-    simplifier->SetTarget(vtkGatunSimplify::TARGET_NUMBER_OF_POINTS);
-    simplifier->SetNumberOfPoints(static_cast<vtkIdType>(*this->Points));
-  }
-  else if (this->Error)
-  {
-    simplifier->SetTarget(vtkGatunSimplify::TARGET_ERROR);
-    simplifier->SetMaximumError(*this->Error);
+    algorithm->SetSimplificationTargetToRMSError();
+    algorithm->SetSimplificationRMSError(*this->RMSError);
   }
   else
   {
-    simplifier->SetRatio(this->Ratio.value_or(0.5));
+    algorithm->SetSimplificationTargetToRatio();
+    algorithm->SetSimplificationRatio(this->Ratio.value_or(0.5));
   }
+}
+
+//------------------------------------------------------------------------------
+void TargetOptions::Apply(vtkGatunSimplify* simplifier) const
+{
+  this->ApplyTo(simplifier);
 }
 
 //------------------------------------------------------------------------------
 void TargetOptions::Apply(vtkGatunReader* reader) const
 {
-  if (this->Percent)
-  {
-    reader->SetSimplificationTarget(vtkGatunReader::TARGET_PERCENT);
-    reader->SetSimplificationPercent(*this->Percent);
-  }
-  else if (this->Points)
-  {
-    reader->SetSimplificationTarget(vtkGatunReader::TARGET_NUMBER_OF_POINTS);
-    reader->SetSimplificationPoints(static_cast<vtkIdType>(*this->Points));
-  }
-  else if (this->Error)
-  {
-    reader->SetSimplificationTarget(vtkGatunReader::TARGET_ERROR);
-    reader->SetSimplificationError(*this->Error);
-  }
-  else
-  {
-    reader->SetSimplificationRatio(this->Ratio.value_or(0.5));
-  }
+  this->ApplyTo(reader);
 }
 
 //------------------------------------------------------------------------------
-std::array<CLI::Option*, 4> AddTarget(
+std::array<CLI::Option*, 3> AddTarget(
   CLI::App* command, TargetOptions& options, const char* without)
 {
   const std::array targets{ command
                               ->add_option("--ratio", options.Ratio,
-                                fmt::format(
-                                  "Part of the points to merge away, 0 to 1 ({})", without))
+                                fmt::format("Fraction of points to remove, 0 to 1 ({})", without))
                               ->check(CLI::Range(0., 1.))
                               ->option_text("R"),
-    command->add_option("--percent", options.Percent, "Points left of a hundred, 0 to 100")
-      ->check(CLI::Range(0., 100.))
-      ->option_text("P"),
-    command->add_option("--vertices", options.Points, "Points left")
+    command->add_option("--vertices", options.Points, "Number of points to keep")
       ->check(CLI::NonNegativeNumber)
       ->option_text("N"),
     command
-      ->add_option("--error", options.Error,
-        "Largest error: an estimate of the root mean square error of the values, as a part of "
-        "their range, and of the shape")
+      ->add_option("--rms-error", options.RMSError,
+        "Largest root mean square error: an estimate for the values, relative to their range, and "
+        "for the shape of the boundary")
       ->check(CLI::NonNegativeNumber)
       ->option_text("E") };
   for (std::size_t i = 0; i < targets.size(); ++i)

@@ -20,20 +20,23 @@ namespace gtn
 struct TargetOptions
 {
   std::optional<double> Ratio;
-  std::optional<double> Percent;
   std::optional<std::int64_t> Points;
-  std::optional<double> Error;
+  std::optional<double> RMSError;
 
-  bool IsGiven() const { return this->Ratio || this->Percent || this->Points || this->Error; }
+  bool IsGiven() const { return this->Ratio || this->Points || this->RMSError; }
 
   /** Without any of them, half of the points go. */
   void Apply(vtkGatunSimplify* simplifier) const;
   void Apply(vtkGatunReader* reader) const;
+
+private:
+  template <class Algorithm>
+  void ApplyTo(Algorithm* algorithm) const;
 };
 
-/** --ratio, --percent, --vertices and --error, which it returns. Without: what happens then, for
- * the help. */
-std::array<CLI::Option*, 4> AddTarget(
+/** Adds and returns --ratio, --vertices and --rms-error. Without: text for the help on the default.
+ */
+std::array<CLI::Option*, 3> AddTarget(
   CLI::App* command, TargetOptions& options, const char* without);
 }
 

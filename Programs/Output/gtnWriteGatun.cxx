@@ -7,6 +7,7 @@
 #include "gtnMessages.h"
 #include "gtnProgress.h"
 
+#include "vtkGatunErrorCode.h"
 #include "vtkGatunWriter.h"
 #include "vtkHartleyVolumeWriter.h"
 
@@ -33,7 +34,7 @@ void RunWriter(Writer* writer, const std::string& inputName, Progress& progress)
   const std::string file = writer->GetFileName();
   const std::string reason = errors.empty() ? "cannot write" : errors.front();
   const unsigned long code = writer->GetErrorCode();
-  const bool inputIsToBlame = code == Writer::WrongInputError ||
+  const bool inputIsToBlame = code == vtkGatunErrorCode::InvalidInputError ||
     (code == vtkErrorCode::UnknownError && !reason.starts_with(file));
   if (inputIsToBlame && reason.starts_with(file + ": "))
   {

@@ -154,8 +154,8 @@ np.testing.assert_array_equal(np.array(texts, np.float64), points_of(sphere))
 
 # The simplified mesh: as the file tells, or found out.
 gtn("pack", "-q", "--chunk", 500, "--hierarchy", "mesh.vtu", "any.gtn")
-for option, value, least, most in (("--ratio", 0.7, 0.25, 0.7), ("--percent", 30, 0.25, 0.7),
-                                   ("--vertices", 900, 0.2, 0.7), ("--error", 0.02, 0.01, 0.99)):
+for option, value, least, most in (("--ratio", 0.7, 0.25, 0.7), ("--vertices", 900, 0.2, 0.7),
+                                   ("--rms-error", 0.02, 0.01, 0.99)):
     for source in ("any.gtn", "mesh.gtn", "mesh.vtu"):
         gtn("simplify", "-q", "-f", option, value, source, "coarse.vtu")
         coarse = contour(option, value, "--value", 5, source=source)

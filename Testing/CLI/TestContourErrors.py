@@ -34,10 +34,10 @@ for number in ("0", "-1", "1001", "5000000", "nan", "1.5", "many"):
     fails("--number", number, code=2, says="--number")
 many = ",".join(str(i) for i in range(1001))
 fails("--value", many, code=2, says="--value: 1,001 isovalues are too many; 1,000 are the most")
-for option, value in (("--ratio", 2), ("--percent", -1), ("--vertices", -1), ("--error", -1),
+for option, value in (("--ratio", 2), ("--vertices", -1), ("--rms-error", -1),
                       ("--precision", "half"), ("--component", -1), ("--component", "length")):
     fails("--value", 1, option, value, code=2, says=option)
-fails("--value", 1, "--ratio", 0.5, "--percent", 5, code=2, says="--percent")
+fails("--value", 1, "--ratio", 0.5, "--vertices", 5, code=2, says="--vertices")
 for out in ("new.vtu", "new.gtn", "new", "new.vtk"):
     fails("--value", 1, code=2, says=f"{out}: the name must end in .vtp, .stl, .ply or .obj", out=out)
 fails("--value", 1, "--normals", code=2, says="--normals: .stl files hold no normals", out="new.stl")

@@ -40,8 +40,7 @@ def assert_same(one, other):
 
 
 # simplify: by the hierarchy as without.
-for number, target in enumerate((("--ratio", 0.9), ("--percent", 30), ("--vertices", 500),
-                                 ("--error", 0.01))):
+for number, target in enumerate((("--ratio", 0.9), ("--vertices", 500), ("--rms-error", 0.01))):
     gtn("simplify", "-q", *target, "mesh.vtu", f"expected{number}.vtu")
     gtn("simplify", "-q", *target, "kept.gtn", f"got{number}.vtu")
     assert_same(f"expected{number}.vtu", f"got{number}.vtu")

@@ -37,22 +37,15 @@ def check(name, prepare):
 gtn("simplify", "-q", "mesh.vtu", "half.vtu")
 assert check("half.vtu", lambda s: None) == points - points // 2
 gtn("simplify", "-q", "--ratio", 0.8, "mesh.gtn", "fifth.vtu")
-assert check("fifth.vtu", lambda s: s.SetRatio(0.8)) < 0.21 * points
-out = gtn("simplify", "--percent", 40, "mesh.vtu", "percent.vtu", says="tetrahedra")
+assert check("fifth.vtu", lambda s: s.SetSimplificationRatio(0.8)) < 0.21 * points
+out = gtn("simplify", "--ratio", 0.6, "mesh.vtu", "ratio.vtu", says="tetrahedra")
 assert f"of {points:,} points" in out, out
-
-
-def percent(s):
-    s.SetTarget(s.TARGET_PERCENT)
-    s.SetPercent(40)
-
-
-check("percent.vtu", percent)
+check("ratio.vtu", lambda s: s.SetSimplificationRatio(0.6))
 
 
 def number(s):
-    s.SetTarget(s.TARGET_NUMBER_OF_POINTS)
-    s.SetNumberOfPoints(150)
+    s.SetSimplificationTarget(s.TARGET_NUMBER_OF_POINTS)
+    s.SetSimplificationNumberOfPoints(150)
     s.SetMetric(s.METRIC_DENSITY)
     s.SetBoundaryWeight(0.25)
     s.SetArrayWeight("velocity", 2)
@@ -65,11 +58,11 @@ assert check("number.vtu", number) == 150
 
 
 def error(s):
-    s.SetTarget(s.TARGET_ERROR)
-    s.SetMaximumError(0.02)
+    s.SetSimplificationTarget(s.TARGET_RMS_ERROR)
+    s.SetSimplificationRMSError(0.02)
 
 
-gtn("simplify", "-q", "--error", "0.02", "mesh.vtu", "error.vtu")
+gtn("simplify", "-q", "--rms-error", "0.02", "mesh.vtu", "error.vtu")
 assert check("error.vtu", error) < points
 
 # The other formats: the same mesh.
@@ -82,8 +75,8 @@ gtn("verify", "-q", "half.gtn", "half.vtk")
 gtn("simplify", "mesh.vtu", "half.vtu", code=1, says="exists")
 gtn("simplify", "-f", "-q", "mesh.vtu", "half.vtu")
 for arguments in (
-        ("--ratio", "1.5"), ("--ratio", "-1"), ("--percent", "101"), ("--vertices", "-3"),
-        ("--error", "-1"), ("--ratio", "0.5", "--percent", "5"), ("--metric", "colour"),
+        ("--ratio", "1.5"), ("--ratio", "-1"), ("--vertices", "-3"), ("--rms-error", "-1"),
+        ("--ratio", "0.5", "--vertices", "5"), ("--metric", "colour"),
         ("--boundary-weight", "2"), ("--weight", "velocity=much"), ("--weight", "velocity=-1")):
     gtn("simplify", *arguments, "mesh.vtu", "new.vtu", code=2)
 gtn("simplify", "mesh.vtu", "new.stl", code=2, says=".gtn, .vtu or .vtk")

@@ -13,9 +13,9 @@ from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
 
 import gatunContours as gc
 import gatunMeshes as gm
-from gatun import vtkGatunContour, vtkGatunReader, vtkGatunWriter
+from gatun import vtkGatunErrorCode, vtkGatunContour, vtkGatunReader, vtkGatunWriter
 
-INVALID = vtkGatunReader.WrongParameterError
+INVALID = vtkGatunErrorCode.InvalidInputError
 
 points, tets = gm.lattice(8, seed=3)
 wave = (np.sin(4 * points[:, 0]) * np.cos(3 * points[:, 1]) + points[:, 2] ** 2).astype(np.float32)
@@ -371,7 +371,7 @@ for source, output in zip(sources(), expected):
     tag = contour.AddObserver("ProgressEvent", lambda caller, _: caller.SetAbortExecute(1))
     contour.Update()
     assert contour.GetOutput().GetNumberOfPoints() == 0
-    assert contour.GetErrorCode() == vtkGatunReader.AbortedError and not str(errors)
+    assert contour.GetErrorCode() == vtkGatunErrorCode.AbortedError and not str(errors)
     contour.RemoveObserver(tag)
     contour.SetAbortExecute(0)
     contour.Modified()

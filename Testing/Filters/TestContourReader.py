@@ -232,9 +232,8 @@ for kind, options in gc.kinds_of_files("wave").items():
         counts = []
         for target in ({"SimplificationRatio": 0.3}, {"SimplificationRatio": 0.9},
                        {"SimplificationRatio": 1.0}, {"SimplificationRatio": 0.6},
-                       {"SimplificationTarget": 1, "SimplificationPercent": 40},
-                       {"SimplificationTarget": 2, "SimplificationPoints": 700},
-                       {"SimplificationTarget": 3, "SimplificationError": 0.004},
+                       {"SimplificationTarget": 1, "SimplificationNumberOfPoints": 700},
+                       {"SimplificationTarget": 2, "SimplificationRMSError": 0.004},
                        {"SimplificationTarget": 0, "SimplificationRatio": 0.0}):
             for name, value in target.items():
                 getattr(reader, "Set" + name)(value)

@@ -56,7 +56,7 @@ grid, points, tets, wave = make_box()
 whole = volumes(points, tets).sum()
 
 # Nothing to do: the mesh as it is.
-output = simplify(grid, Ratio=0).GetOutput()
+output = simplify(grid, SimplificationRatio=0).GetOutput()
 assert output.GetNumberOfPoints() == len(points) and output.GetNumberOfCells() == len(tets)
 
 # Each target; all tell the same in their own way.
@@ -64,8 +64,8 @@ for left in (600, 200, 50):
     ratio = 1 - left / len(points)
     counts = set()
     for options in (
-            {"Target": 0, "Ratio": ratio + 1e-12}, {"Target": 1, "Percent": 100 * (1 - ratio) - 1e-9},
-            {"Target": 2, "NumberOfPoints": left}):
+            {"SimplificationTarget": 0, "SimplificationRatio": ratio + 1e-12},
+            {"SimplificationTarget": 1, "SimplificationNumberOfPoints": left}):
         simplifier = simplify(grid, **options)
         output = simplifier.GetOutput()
         new_points, new_tets = arrays_of(output)
@@ -92,15 +92,18 @@ for left in (600, 200, 50):
     assert len(counts) == 1, counts
 
     # The error that was reached, as a target, leads to the same mesh or to a coarser one of that error.
-    again = simplify(grid, Target=3, MaximumError=simplifier.GetOutputError())
+    again = simplify(
+        grid, SimplificationTarget=2, SimplificationRMSError=simplifier.GetOutputRMSError())
     assert again.GetOutput().GetNumberOfPoints() <= left
-    assert again.GetOutputError() == simplifier.GetOutputError()
-    less = simplify(grid, Target=3, MaximumError=0.999 * simplifier.GetOutputError())
+    assert again.GetOutputRMSError() == simplifier.GetOutputRMSError()
+    less = simplify(grid, SimplificationTarget=2,
+                    SimplificationRMSError=0.999 * simplifier.GetOutputRMSError())
     assert less.GetOutput().GetNumberOfPoints() > again.GetOutput().GetNumberOfPoints()
 
 # More points than there are: all. As far as possible: few.
-assert simplify(grid, Target=2, NumberOfPoints=10 ** 9).GetOutput().GetNumberOfPoints() == len(points)
-simplifier = simplify(grid, Ratio=1)
+output = simplify(grid, SimplificationTarget=1, SimplificationNumberOfPoints=10 ** 9).GetOutput()
+assert output.GetNumberOfPoints() == len(points)
+simplifier = simplify(grid, SimplificationRatio=1)
 assert simplifier.GetOutput().GetNumberOfPoints() == len(points) - simplifier.GetMostMerges() < 20
 assert simplifier.GetOutput().GetNumberOfCells() > 0
 
@@ -120,7 +123,7 @@ def was_built():
 assert was_built()
 sizes = []
 for ratio in (0.1, 0.9, 0.5):
-    simplifier.SetRatio(ratio)
+    simplifier.SetSimplificationRatio(ratio)
     assert not was_built()
     sizes.append(simplifier.GetOutput().GetNumberOfCells())
 assert sizes[0] > sizes[2] > sizes[1]
@@ -150,8 +153,8 @@ def spread(name, axis):
     result = vtkGatunSimplify()
     result.SetInputDataObject(grid)
     result.SetArrayWeight(name, 1)
-    result.SetTarget(result.TARGET_NUMBER_OF_POINTS)
-    result.SetNumberOfPoints(120)
+    result.SetSimplificationTargetToNumberOfPoints()
+    result.SetSimplificationNumberOfPoints(120)
     result.Update()
     left = vtk_to_numpy(result.GetOutput().GetPoints().GetData())
     return np.median(np.abs(left[:, axis] - 0.5))
@@ -164,11 +167,13 @@ assert spread("step z", 2) < spread("step x", 2)
 simplifier = vtkGatunSimplify()
 simplifier.SetInputDataObject(grid)
 for name, bad, good, words in (
-        ("Ratio", -0.1, 0.5, "ratio"), ("Ratio", 1.1, 0.5, "ratio"),
-        ("Ratio", float("nan"), 0.5, "ratio"), ("Percent", 101, 50, "percentage"),
-        ("NumberOfPoints", -1, 10, "number of points"), ("MaximumError", float("nan"), 1, "error"),
-        ("MaximumError", -1, 1, "error"), ("BoundaryWeight", 2, 0.5, "weight")):
-    simplifier.SetTarget({"Percent": 1, "NumberOfPoints": 2, "MaximumError": 3}.get(name, 0))
+        ("SimplificationRatio", -0.1, 0.5, "ratio"), ("SimplificationRatio", 1.1, 0.5, "ratio"),
+        ("SimplificationRatio", float("nan"), 0.5, "ratio"),
+        ("SimplificationNumberOfPoints", -1, 10, "number of points"),
+        ("SimplificationRMSError", float("nan"), 1, "error"),
+        ("SimplificationRMSError", -1, 1, "error"), ("BoundaryWeight", 2, 0.5, "weight")):
+    simplifier.SetSimplificationTarget(
+        {"SimplificationNumberOfPoints": 1, "SimplificationRMSError": 2}.get(name, 0))
     getattr(simplifier, "Set" + name)(bad)
     expect_error(simplifier, words)
     getattr(simplifier, "Set" + name)(good)
@@ -191,7 +196,7 @@ expect_error(bad, "cannot be")
 # An input that fails leaves nothing of its own behind: back to the one before, all is as it was.
 small, small_points, small_tets, _ = make_box(3)
 broken = gm.make_grid(small_points, np.where(small_tets == 5, 10 ** 6, small_tets))
-simplifier = simplify(grid, Ratio=0.5)
+simplifier = simplify(grid, SimplificationRatio=0.5)
 before = arrays_of(simplifier.GetOutput())
 simplifier.SetInputDataObject(broken)
 expect_error(simplifier, "does not exist")
@@ -215,7 +220,7 @@ simplifier.Update()
 assert simplifier.GetOutput().GetNumberOfPoints() == 365, simplifier.GetOutput().GetNumberOfPoints()
 assert warnings
 bare = gm.make_grid(points, tets)
-assert simplify(bare, Ratio=0.5).GetOutput().GetNumberOfPoints() == len(points) - len(points) // 2
+assert simplify(bare, SimplificationRatio=0.5).GetOutput().GetNumberOfPoints() == len(points) - len(points) // 2
 
 # Stopped, and then not.
 simplifier = vtkGatunSimplify()

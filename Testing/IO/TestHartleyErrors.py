@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 import gatunHartley as gh
 import gatunMeshes as gm
-from gatun import vtkHartleyVolumeReader, vtkHartleyVolumeWriter
+from gatun import vtkGatunErrorCode, vtkHartleyVolumeReader, vtkHartleyVolumeWriter
 
 folder = os.path.join(os.environ["GATUN_TEST_TEMP"], "hartley-errors")
 os.makedirs(folder, exist_ok=True)
@@ -27,7 +27,7 @@ gh.write(good, path)
 before = open(path, "rb").read()
 
 
-def refuse(image, *texts, expected=vtkHartleyVolumeWriter.WrongInputError, to=path, array=None,
+def refuse(image, *texts, expected=vtkGatunErrorCode.InvalidInputError, to=path, array=None,
            **options):
     writer = vtkHartleyVolumeWriter()
     errors = gm.Errors(writer)
@@ -113,7 +113,7 @@ writer.SetInputData(good)
 writer.SetFileName(path)
 writer.AddObserver("ProgressEvent", lambda *_: writer.SetAbortExecute(1))
 errors = gm.Errors(writer)
-assert writer.Write() == 0 and writer.GetErrorCode() == vtkHartleyVolumeWriter.AbortedError
+assert writer.Write() == 0 and writer.GetErrorCode() == vtkGatunErrorCode.AbortedError
 assert not errors.messages and open(path, "rb").read() == before
 assert os.listdir(folder) == ["volume.ghv"]
 
@@ -192,7 +192,7 @@ reader = gh.open_file(path)
 tag = reader.AddObserver("ProgressEvent", lambda *_: reader.SetAbortExecute(1))
 errors = gm.Errors(reader)
 reader.Update()
-assert not errors.messages and reader.GetErrorCode() == vtkHartleyVolumeReader.AbortedError
+assert not errors.messages and reader.GetErrorCode() == vtkGatunErrorCode.AbortedError
 reader.RemoveObserver(tag)
 reader.SetAbortExecute(0)
 reader.Update()

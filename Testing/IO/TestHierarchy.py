@@ -5,10 +5,9 @@
 and without base meshes, in pieces, regions and time steps; and says what it cannot do."""
 
 import numpy as np
-from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 import gatunMeshes as gm
-from gatun import vtkGatunReader, vtkGatunSimplify
+from gatun import vtkGatunErrorCode, vtkGatunReader, vtkGatunSimplify
 
 points, tets = gm.lattice(18, seed=3)  # 29,478 tetrahedra
 grid = gm.make_grid(points, tets)
@@ -23,7 +22,7 @@ simplifier.SetInputDataObject(grid)
 
 
 def simplified(**options):
-    simplifier.SetTarget(0)
+    simplifier.SetSimplificationTarget(0)
     for name, value in options.items():
         getattr(simplifier, "Set" + name)(value)
     simplifier.Update()
@@ -43,27 +42,23 @@ gm.write(grid, levels, ChunkTets=1000, Hierarchy=True, Levels=9)
 
 # Every target, from every file; in the original order where the file keeps it.
 TARGETS = (
-    ({"SimplificationRatio": 0.3}, {"Ratio": 0.3}),
-    ({"SimplificationRatio": 0.9}, {"Ratio": 0.9}),
-    ({"SimplificationRatio": 1}, {"Ratio": 1}),
-    ({"SimplificationTarget": 1, "SimplificationPercent": 40}, {"Target": 1, "Percent": 40}),
-    ({"SimplificationTarget": 2, "SimplificationPoints": 700}, {"Target": 2, "NumberOfPoints": 700}),
-    ({"SimplificationTarget": 3, "SimplificationError": 0.004},
-     {"Target": 3, "MaximumError": 0.004}),
+    {"SimplificationRatio": 0.3}, {"SimplificationRatio": 0.9}, {"SimplificationRatio": 1},
+    {"SimplificationTarget": 1, "SimplificationNumberOfPoints": 700},
+    {"SimplificationTarget": 2, "SimplificationRMSError": 0.004},
 )
-for of_reader, of_filter in TARGETS:
-    expected = simplified(**of_filter)
+for target in TARGETS:
+    expected = simplified(**target)
     assert 0 < expected.GetNumberOfPoints() < len(points)
-    got = gm.read(kept, **of_reader)
+    got = gm.read(kept, **target)
     np.testing.assert_array_equal(gm.coordinates(got), gm.coordinates(expected))
     gm.assert_same_arrays(got.GetPointData(), expected.GetPointData())
     gm.assert_same_arrays(got.GetCellData(), expected.GetCellData())
     for path in (kept, plain, levels):
-        gm.assert_same_mesh(gm.read(path, **of_reader), expected)
+        gm.assert_same_mesh(gm.read(path, **target), expected)
 
 # More points than there are, or nothing to do: the mesh.
-for options in ({"SimplificationTarget": 2, "SimplificationPoints": 10 ** 9},
-                {"SimplificationTarget": 1}, {"SimplificationTarget": 3}, {}):
+for options in ({"SimplificationTarget": 1, "SimplificationNumberOfPoints": 10 ** 9},
+                {"SimplificationTarget": 2}, {}):
     gm.assert_same_mesh(gm.read(plain, **options), grid)
 
 # One reader, to and fro, reads no more than it must.
@@ -75,11 +70,11 @@ reader.SetSimplificationRatio(0.6)
 reader.Update()
 few = reader.GetDecodedChunks()
 bytes_read = reader.GetBytesRead()
-gm.assert_same_mesh(reader.GetOutput(), simplified(Ratio=0.6))
+gm.assert_same_mesh(reader.GetOutput(), simplified(SimplificationRatio=0.6))
 reader.SetSimplificationRatio(0.7)  # from the same base mesh, which is kept
 reader.Update()
 assert reader.GetDecodedChunks() == few
-gm.assert_same_mesh(reader.GetOutput(), simplified(Ratio=0.7))
+gm.assert_same_mesh(reader.GetOutput(), simplified(SimplificationRatio=0.7))
 reader.SetSimplificationRatio(0)
 reader.Update()
 assert reader.GetDecodedChunks() > 2 * few and reader.GetBytesRead() > 2 * bytes_read
@@ -96,7 +91,7 @@ for piece in range(3):
     cells = numbers(output.GetCellData(), "cell id")
     assert ghosts.any() and not ghosts.all()
     ids.extend(cells[ghosts == 0])
-expected = numbers(simplified(Ratio=0.5).GetCellData(), "cell id")
+expected = numbers(simplified(SimplificationRatio=0.5).GetCellData(), "cell id")
 np.testing.assert_array_equal(np.sort(ids), np.sort(expected))
 
 # A region: whole chunks, of the simplified mesh, all that touch it.
@@ -107,7 +102,7 @@ reader.SetUseBox(True)
 reader.SetBox(0, 0.2, 0, 0.2, 0, 0.2)
 reader.Update()
 got = set(numbers(reader.GetOutput().GetCellData(), "cell id"))
-whole = simplified(Ratio=0.8)
+whole = simplified(SimplificationRatio=0.8)
 corners = gm.coordinates(whole)[gm.connectivity(whole).reshape(-1, 4)]
 inside = (corners.min(1) <= 0.2).all(1)
 wanted = set(numbers(whole.GetCellData(), "cell id")[inside])
@@ -132,7 +127,7 @@ def expect_error(path, words, **options):
         getattr(failing, "Set" + name)(value)
     failing.Update()
     assert words in str(errors) and path in str(errors), (words, str(errors))
-    assert failing.GetErrorCode() == vtkErrorCode.UserError + 2 or failing.GetErrorCode() != 0
+    assert failing.GetErrorCode() == vtkGatunErrorCode.InvalidInputError
     assert failing.GetOutput().GetNumberOfCells() == 0
     # Asked for something else, the same reader works.
     errors.messages.clear()
@@ -149,12 +144,10 @@ expect_error(without, "there is no hierarchy in the file; make one with gtn pack
              SimplificationRatio=0.5)
 for ratio in (-0.1, 1.5, float("nan")):
     expect_error(plain, "the ratio must be from 0 to 1", SimplificationRatio=ratio)
-expect_error(plain, "the error must be 0 or more", SimplificationTarget=3,
-             SimplificationError=float("nan"))
-expect_error(plain, "the number of points must be 0 or more", SimplificationTarget=2,
-             SimplificationPoints=-5)
-expect_error(plain, "the percentage must be from 0 to 100", SimplificationTarget=1,
-             SimplificationPercent=101)
+expect_error(plain, "the RMS error must be 0 or more", SimplificationTarget=2,
+             SimplificationRMSError=float("nan"))
+expect_error(plain, "the number of points must be 0 or more", SimplificationTarget=1,
+             SimplificationNumberOfPoints=-5)
 
 # Meshes that cannot be simplified have a hierarchy without merges.
 one = gm.make_grid(np.float32([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]), [[0, 1, 2, 3]])

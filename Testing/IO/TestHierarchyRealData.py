@@ -31,7 +31,7 @@ for file in files:
     kept = vtkGatunReader()
     kept.SetFileName(path)
     for ratio in (1e-4, 0.1, 0.5, 0.9, 0.99, 1):
-        simplify.SetRatio(ratio)
+        simplify.SetSimplificationRatio(ratio)
         simplify.Update()
         kept.SetSimplificationRatio(ratio)
         kept.Update()
@@ -43,7 +43,7 @@ for file in files:
         gm.assert_same_arrays(got.GetPointData(), expected.GetPointData())
         gm.assert_same_arrays(got.GetCellData(), expected.GetCellData())
     # Without the order, from base meshes, in one mesh as in parts.
-    simplify.SetRatio(0.8)
+    simplify.SetSimplificationRatio(0.8)
     simplify.Update()
     expected = np.sort(gm.values_of(simplify.GetOutput().GetCellData().GetArray("cell id")).ravel())
     gm.write(grid, path, ChunkTets=5000, Hierarchy=True, Levels=8)

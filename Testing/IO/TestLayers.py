@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonMisc import vtkErrorCode
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as pipeline
 
 import gatunMeshes as gm
-from gatun import vtkGatunReader, vtkGatunWriter
+from gatun import vtkGatunErrorCode, vtkGatunReader, vtkGatunWriter
 from gatunTimeSource import TimeSource, connect
 
 points, tets = gm.lattice(14, seed=5)  # 16,464 tetrahedra
@@ -124,7 +124,7 @@ def expect_error(text, **options):
         getattr(writer, "Set" + name)(value)
     errors = gm.Errors(writer)
     assert writer.Write() == 0
-    assert writer.GetErrorCode() == vtkGatunWriter.WrongInputError != vtkErrorCode.NoError
+    assert writer.GetErrorCode() == vtkGatunErrorCode.InvalidInputError != vtkErrorCode.NoError
     assert len(errors.messages) == 1 and text in str(errors), str(errors)
     assert not os.path.exists(writer.GetFileName())
 

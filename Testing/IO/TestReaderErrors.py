@@ -11,7 +11,7 @@ import numpy as np
 from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 import gatunMeshes as gm
-from gatun import vtkGatunReader
+from gatun import vtkGatunErrorCode, vtkGatunReader
 
 NOT_FOUND, CANNOT_OPEN = vtkErrorCode.FileNotFoundError, vtkErrorCode.CannotOpenFileError
 UNRECOGNIZED, PREMATURE = vtkErrorCode.UnrecognizedFileTypeError, vtkErrorCode.PrematureEndOfFileError
@@ -101,7 +101,7 @@ for place in range(0, len(content), 61):
     changed = bytearray(content)
     changed[place] ^= 0x5A
     put(changed)
-    if expect_error(bad, UNRECOGNIZED, PREMATURE, FORMAT, vtkGatunReader.NewerVersionError,
+    if expect_error(bad, UNRECOGNIZED, PREMATURE, FORMAT, vtkGatunErrorCode.NewerVersionError,
                     or_right=True) is None:
         harmless.append(place)
 assert len(harmless) < 0.1 * len(range(0, len(content), 61)), (harmless, len(content))

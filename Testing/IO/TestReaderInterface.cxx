@@ -10,6 +10,7 @@
 #include "vtkDataArraySelection.h"
 #include "vtkErrorCode.h"
 #include "vtkFloatArray.h"
+#include "vtkGatunErrorCode.h"
 #include "vtkGatunMergeBlocks.h"
 #include "vtkGatunReader.h"
 #include "vtkGatunWriter.h"
@@ -140,6 +141,14 @@ int TestReaderInterface(int argc, char* argv[])
       "WriteAllTimeSteps", "LinearizeQuadratic", "WrittenPoints", "WrittenTets", "WrittenSteps",
       "FileBytes", "ConnectivityBytes", "GeometryBytes", "OrderBytes", "ArrayBytes",
       "FieldDataBytes", "DirectoryBytes", "PointDataArraySelection", "CellDataArraySelection" });
+  const auto nameOf = [](unsigned long code)
+  { return std::string(vtkGatunErrorCode::GetStringFromErrorCode(code)); };
+  Check(nameOf(vtkGatunErrorCode::NewerVersionError) == "NewerVersionError" &&
+      nameOf(vtkGatunErrorCode::InvalidInputError) == "InvalidInputError" &&
+      nameOf(vtkGatunErrorCode::AbortedError) == "AbortedError" &&
+      nameOf(vtkErrorCode::FileNotFoundError) ==
+        vtkErrorCode::GetStringFromErrorCode(vtkErrorCode::FileNotFoundError),
+    "names of error codes");
   vtkNew<vtkGatunMergeBlocks> merge;
   CheckPrinted(merge, { "MergeCoincidentPoints" });
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

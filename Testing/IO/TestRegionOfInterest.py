@@ -7,7 +7,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import gatunMeshes as gm
-from gatun import vtkGatunReader
+from gatun import vtkGatunErrorCode, vtkGatunReader
 
 points, tets = gm.lattice(16)
 grid = gm.make_grid(points, tets)
@@ -122,6 +122,6 @@ for options, what in ((dict(ValueRangeArray="height"), "no point array 'height'"
     for name, value in options.items():
         getattr(reader, "Set" + name)(value)
     reader.Update()
-    assert reader.GetErrorCode() == vtkGatunReader.WrongParameterError
+    assert reader.GetErrorCode() == vtkGatunErrorCode.InvalidInputError
     assert path in str(errors) and what in str(errors), str(errors)
     assert reader.GetOutput().GetNumberOfCells() == 0

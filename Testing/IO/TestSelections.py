@@ -9,7 +9,7 @@ import numpy as np
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 import gatunMeshes as gm
-from gatun import vtkGatunReader, vtkGatunWriter
+from gatun import vtkGatunErrorCode, vtkGatunReader, vtkGatunWriter
 
 grid = gm.block(n=12)
 path = gm.temporary("selections.gtn")
@@ -152,7 +152,7 @@ for stop in (0.0, 0.2, 0.6):
     writer.SetInputDataObject(grid)
     writer.SetChunkTets(300)
     watch = Watch(writer, stop)
-    assert writer.Write() == 0 and writer.GetErrorCode() == vtkGatunWriter.AbortedError
+    assert writer.Write() == 0 and writer.GetErrorCode() == vtkGatunErrorCode.AbortedError
     assert not errors.messages
     assert open(path, "rb").read() == content
     watch.end()
@@ -169,7 +169,7 @@ for stop in (0.0, 0.3):
     reader.SetFileName(path)
     watch = Watch(reader, stop)
     reader.Update()
-    assert reader.GetErrorCode() == vtkGatunReader.AbortedError and not errors.messages
+    assert reader.GetErrorCode() == vtkGatunErrorCode.AbortedError and not errors.messages
     assert reader.GetOutput().GetNumberOfPoints() == 0
     watch.end()
     reader.Update()

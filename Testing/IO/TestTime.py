@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as pipeline
 
 import gatunMeshes as gm
-from gatun import vtkGatunReader, vtkGatunWriter
+from gatun import vtkGatunErrorCode, vtkGatunReader, vtkGatunWriter
 from gatunTimeSource import TimeSource, connect
 
 points, tets = gm.lattice(5)
@@ -193,7 +193,7 @@ for make, what in ((moved, "points or the cells"), (other_cells, "points or the 
     writer = write_all(path, source_of(make))
     errors = gm.Errors(writer)
     assert writer.Write() == 0
-    assert writer.GetErrorCode() == vtkGatunWriter.WrongInputError
+    assert writer.GetErrorCode() == vtkGatunErrorCode.InvalidInputError
     assert path in str(errors) and what in str(errors) and "time step 3" in str(errors), str(errors)
     assert open(path, "rb").read() == before
     # The writer is as good as new.

@@ -18,7 +18,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkUnstruct
 from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 import gatunMeshes as gm
-from gatun import vtkGatunWriter
+from gatun import vtkGatunErrorCode, vtkGatunWriter
 
 folder = os.path.join(os.environ["GATUN_TEST_TEMP"], "writer-errors")
 os.makedirs(folder, exist_ok=True)
@@ -30,7 +30,7 @@ gm.write(gm.make_grid(points, tets), path)
 before = open(path, "rb").read()
 
 
-def refuse(grid, *texts, expected=vtkGatunWriter.WrongInputError, to=path, **options):
+def refuse(grid, *texts, expected=vtkGatunErrorCode.InvalidInputError, to=path, **options):
     writer = vtkGatunWriter()
     errors = gm.Errors(writer)
     if grid is not None:

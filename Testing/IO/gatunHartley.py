@@ -9,9 +9,9 @@ from vtkmodules.vtkCommonCore import vtkAbstractArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 import gatunMeshes as gm
-from gatun import vtkHartleyVolumeReader, vtkHartleyVolumeWriter
+from gatun import vtkGatunErrorCode, vtkHartleyVolumeReader, vtkHartleyVolumeWriter
 
-INVALID = vtkHartleyVolumeWriter.WrongInputError
+INVALID = vtkGatunErrorCode.InvalidInputError
 
 
 def make_volume(values, first=(0, 0, 0), origin=(0, 0, 0), spacing=(1, 1, 1), direction=None,

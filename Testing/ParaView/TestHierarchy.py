@@ -27,7 +27,7 @@ for ratio in (0, 0.1, 0.3, 0.5, 0.75, 0.9, 0.99):
     if ratio <= 0.9:
         assert abs(volume - sample.VOLUME) < 1e-5 * sample.VOLUME, (ratio, volume)
 reader.SimplificationTarget = "Number Of Points"
-reader.SimplificationPoints = 300
+reader.SimplificationNumberOfPoints = 300
 assert sample.owned(reader)[0] == 300
 reader.SimplificationTarget = "Ratio"
 reader.SimplificationRatio = 0

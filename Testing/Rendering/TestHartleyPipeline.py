@@ -14,9 +14,9 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 import gatunHartley as gh
 import gatunMeshes as gm
 import gatunRays as gr
-from gatun import vtkHartleyProjection, vtkHartleyVolumeReader
+from gatun import vtkGatunErrorCode, vtkHartleyProjection, vtkHartleyVolumeReader
 
-INVALID = 40007
+INVALID = vtkGatunErrorCode.InvalidInputError
 field = gh.blobs((30, 26, 34), seed=6, scale=1000).astype(np.int16)
 image = gh.make_volume(field, (2, 3, 4), (1, 2, 3), (0.5, 0.6, 0.7))
 camera = gr.make_camera((0.2, 0.3, -1), focus=image.GetCenter(), scale=15)
@@ -244,7 +244,7 @@ projection = gr.make_projection(image, camera, Size=(20, 20))
 errors = gm.Errors(projection)
 tag = projection.AddObserver("ProgressEvent", lambda *_: projection.SetAbortExecute(1))
 projection.Update()
-assert not errors.messages and projection.GetErrorCode() == vtkHartleyVolumeReader.AbortedError
+assert not errors.messages and projection.GetErrorCode() == vtkGatunErrorCode.AbortedError
 assert projection.GetOutput().GetNumberOfPoints() == 0
 projection.RemoveObserver(tag)
 projection.SetAbortExecute(0)

@@ -95,7 +95,7 @@ assert points == POINTS - math.floor(0.75 * POINTS), points
 assert progress[-1] == 1
 simplify = vtkGatunSimplify()
 simplify.SetInputDataObject(mesh)
-simplify.SetRatio(0.75)
+simplify.SetSimplificationRatio(0.75)
 _, expected = at(make(simplify), AT_REST)
 # Equal costs may be in another order there.
 assert abs(picture - expected).mean() < 0.2 * abs(picture - full).mean()

@@ -70,8 +70,8 @@ for path in files[:2]:
             gv.require_same(at(scene, AT_REST), expected)
             assert scene.mapper.GetNumberOfDrawnPoints() == POINTS - math.floor(POINTS * ratio)
         # By the reader, whose mesh is never made.
-        reader = make_reader(path, SimplificationTarget=2,
-                             SimplificationPoints=POINTS - math.floor(POINTS * ratio))
+        reader = make_reader(path, SimplificationTarget=1,
+                             SimplificationNumberOfPoints=POINTS - math.floor(POINTS * ratio))
         scene = make(reader)
         gv.require_same(at(scene, AT_REST), expected)
         assert reader.GetOutput().GetNumberOfCells() == 0

@@ -3,6 +3,7 @@
 
 // Real meshes, from all sides and from within: pictures against the slow reference.
 
+#include "gatunMemoryRaySource.h"
 #include "gatunRayCaster.h"
 #include "gatunRayReference.h"
 

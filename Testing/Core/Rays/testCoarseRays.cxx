@@ -6,6 +6,7 @@
 #include "gatunCoarseRaySource.h"
 #include "gatunError.h"
 #include "gatunFileLevelsOfDetail.h"
+#include "gatunFileRaySource.h"
 #include "gatunMergeBuilder.h"
 #include "gatunRayPictures.h"
 #include "gatunTestFile.h"

@@ -5,6 +5,7 @@
 
 #include "gatunError.h"
 #include "gatunMemoryLevelsOfDetail.h"
+#include "gatunMemoryRaySource.h"
 #include "gatunRayPictures.h"
 
 #include <gtest/gtest.h>

@@ -4,9 +4,13 @@
 // Where the blocks of a picture come from: what a mesh in memory, a file or a cache hands out is
 // what was put in, and what is passed over cannot be seen.
 
-#include "gatunRayPictures.h"
-
 #include "gatunChunkCache.h"
+#include "gatunFileRaySource.h"
+#include "gatunFileReader.h"
+#include "gatunFileWriter.h"
+#include "gatunMemoryRaySource.h"
+#include "gatunRayBlockCache.h"
+#include "gatunRayPictures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef gatunRaySourceInternals_h
-#define gatunRaySourceInternals_h
+#ifndef gatunRayBlockMaker_h
+#define gatunRayBlockMaker_h
 
-// What sources of blocks have in common.
+// Blocks from a cache; those that are missing are made.
 
 #include "gatunParallel.h"
+#include "gatunRayBlockCache.h"
 #include "gatunRaySource.h"
-#include "gatunWithType.h"
 
 #include <cstddef>
 #include <memory>
@@ -17,23 +17,8 @@
 
 namespace gatun
 {
-class ChunkCache;
-
-/** Calls use(getValue), where getValue(i) is the value of tuple i that is to be drawn. */
-template <typename Use>
-void WithValues(const RayValuesInput& input, Use&& use)
-{
-  WithComponent(input.Type, input.Values, input.Components, input.Component, use);
-}
-
-inline void Extend(Range& range, double value)
-{
-  // NaN compares as false.
-  range.Min = value < range.Min ? value : range.Min;
-  range.Max = value > range.Max ? value : range.Max;
-}
-
-/** Takes blocks out of a cache; make(blocks that are missing, where they go) makes the others. */
+/** Takes blocks out of a cache. Calls make(missing blocks, span of their results) for the others.
+ */
 template <typename Make>
 RaySource::Blocks FindOrMakeTogether(
   RayBlockCache& cache, std::span<const std::size_t> blocks, Make&& make)
@@ -64,7 +49,7 @@ RaySource::Blocks FindOrMakeTogether(
   return result;
 }
 
-/** The same, where make(block, where it goes) makes one of them, in parallel. */
+/** The same, where make(block, result) makes one block. Calls run in parallel. */
 template <typename Make>
 RaySource::Blocks FindOrMake(RayBlockCache& cache, std::span<const std::size_t> blocks,
   const RaySource::Progress& progress, Make&& make)
@@ -85,19 +70,6 @@ RaySource::Blocks FindOrMake(RayBlockCache& cache, std::span<const std::size_t> 
     });
 }
 
-/** How much of a budget of bytes is for what many chunks share, which is small, and is needed again
- * before long. */
-inline std::uint64_t GetBudgetForParts(std::uint64_t budget)
-{
-  return std::min(budget / 4, std::uint64_t{ 16 } << 20);
-}
-
-/** Throws InvalidInput if a file has no such array, component or step. */
-void CheckRayValues(const FileReader& file, const RayValues& values);
-
-/** A chunk of a file, which is yet to be prepared: its shared points, then its own. */
-RayBlock DecodeRayBlock(
-  const std::shared_ptr<ChunkCache>& parts, const RayValues& values, std::size_t chunk);
 }
 
 #endif

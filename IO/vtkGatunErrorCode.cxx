@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkGatunErrorCode.h"
+
+#include "gatunError.h"
+
+namespace
+{
+
+constexpr int CodeOf(gatun::ErrorCode code)
+{
+  return vtkErrorCode::UserError + static_cast<int>(code);
+}
+
+// gatun::DescribeFailure makes the codes by this rule.
+static_assert(vtkGatunErrorCode::NewerVersionError == CodeOf(gatun::ErrorCode::UnsupportedVersion));
+static_assert(vtkGatunErrorCode::InvalidInputError == CodeOf(gatun::ErrorCode::InvalidInput));
+static_assert(vtkGatunErrorCode::AbortedError == CodeOf(gatun::ErrorCode::Aborted));
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+const char* vtkGatunErrorCode::GetStringFromErrorCode(unsigned long error)
+{
+  switch (error)
+  {
+    case NewerVersionError:
+      return "NewerVersionError";
+    case InvalidInputError:
+      return "InvalidInputError";
+    case AbortedError:
+      return "AbortedError";
+    default:
+      return vtkErrorCode::GetStringFromErrorCode(error);
+  }
+}
