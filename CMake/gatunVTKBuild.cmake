@@ -76,9 +76,7 @@ vtk_module_build(
   UTILITY_TARGET      gatunBuildFlags
   TEST_DIRECTORY_NAME NONE)
 
-if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-  vtk_module_compile_options(VTK::GatunCore PRIVATE -Wpedantic)
-endif ()
+vtk_module_compile_options(VTK::GatunCore PRIVATE -Wpedantic)
 
 #--------------------------------------------------------------------------------------------------
 # Python: `from gatun import vtkGatunReader`, from the build tree as well as once installed.
