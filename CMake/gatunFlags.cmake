@@ -2,6 +2,10 @@
 #
 #   gatunSanitizers   the sanitizers of GATUN_SANITIZE, for everything, generated code included
 #   gatunBuildFlags   that, and warnings, for code written by hand
+if (NOT CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  message(FATAL_ERROR "Gatun is compiled by GCC or clang, not by ${CMAKE_CXX_COMPILER_ID}.")
+endif ()
+
 option(GATUN_WARNINGS_AS_ERRORS "Stop at the first compiler warning" OFF)
 
 set(GATUN_SANITIZE "" CACHE STRING
@@ -10,9 +14,6 @@ set_property(CACHE GATUN_SANITIZE PROPERTY STRINGS "" "address,undefined" "threa
 
 add_library(gatunSanitizers INTERFACE)
 if (GATUN_SANITIZE)
-  if (NOT CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-    message(FATAL_ERROR "GATUN_SANITIZE needs GCC or clang.")
-  endif ()
   string(REPLACE ";" "," sanitizers "${GATUN_SANITIZE}")
   target_compile_options(gatunSanitizers INTERFACE
     "-fsanitize=${sanitizers}" -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
@@ -31,25 +32,19 @@ add_library(gatunBuildFlags INTERFACE)
 target_link_libraries(gatunBuildFlags INTERFACE gatunSanitizers)
 # No -Wpedantic: it finds a stray semicolon in every use of vtkTypeMacro. The core, which has none,
 # gets it in gatunVTKBuild.cmake.
-if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-  target_compile_options(gatunBuildFlags INTERFACE
-    -Wall
-    -Wextra
-    -Wshadow
-    -Wundef
-    -Wcast-align
-    -Wcast-qual
-    -Wformat=2
-    "$<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor;-Woverloaded-virtual>"
-    "$<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wduplicated-cond;-Wlogical-op;-Wno-psabi>"
-    # The walk joins conditions without branching on purpose.
-    "$<$<COMPILE_LANG_AND_ID:CXX,Clang>:-Wno-bitwise-instead-of-logical>"
-    "$<$<BOOL:${GATUN_WARNINGS_AS_ERRORS}>:-Werror>")
-elseif (MSVC)
-  target_compile_options(gatunBuildFlags INTERFACE
-    /W4
-    "$<$<BOOL:${GATUN_WARNINGS_AS_ERRORS}>:/WX>")
-endif ()
+target_compile_options(gatunBuildFlags INTERFACE
+  -Wall
+  -Wextra
+  -Wshadow
+  -Wundef
+  -Wcast-align
+  -Wcast-qual
+  -Wformat=2
+  "$<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor;-Woverloaded-virtual>"
+  "$<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wduplicated-cond;-Wlogical-op;-Wno-psabi>"
+  # The walk joins conditions without branching on purpose.
+  "$<$<COMPILE_LANG_AND_ID:CXX,Clang>:-Wno-bitwise-instead-of-logical>"
+  "$<$<BOOL:${GATUN_WARNINGS_AS_ERRORS}>:-Werror>")
 
 # A static library names what it links, even privately, to those who link it.
 if (NOT BUILD_SHARED_LIBS AND NOT GATUN_BUILD_PARAVIEW_PLUGIN)

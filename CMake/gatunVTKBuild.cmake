@@ -43,6 +43,12 @@ if (GATUN_WRAP_PYTHON)
     WrappingPythonCore
     WrappingTools)
 endif ()
+# VTK's Python modules belong to the Python that is installed with VTK, if there is one. The first
+# Python in PATH may be another.
+if (GATUN_WRAP_PYTHON AND NOT DEFINED Python3_EXECUTABLE AND NOT DEFINED Python3_ROOT_DIR)
+  find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore)
+  set(Python3_ROOT_DIR "${VTK_PREFIX_PATH}")
+endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${gatun_vtk_components})
 
 set(gatun_cmake_destination "${CMAKE_INSTALL_LIBDIR}/cmake/gatun")
@@ -71,9 +77,7 @@ vtk_module_build(
   UTILITY_TARGET      gatunBuildFlags
   TEST_DIRECTORY_NAME NONE)
 
-if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-  vtk_module_compile_options(VTK::GatunCore PRIVATE -Wpedantic)
-endif ()
+vtk_module_compile_options(VTK::GatunCore PRIVATE -Wpedantic)
 
 #--------------------------------------------------------------------------------------------------
 # Python: `from gatun import vtkGatunReader`, from the build tree as well as once installed.

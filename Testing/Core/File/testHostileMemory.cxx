@@ -28,7 +28,7 @@ std::size_t GetAddressSpace()
   return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-/** Opens a file with little memory and 20 s of processor time: exit code 0 unless memory ran out. */
+/** Opens a file with little memory and 20 s of time. The exit code is 0 unless memory ran out. */
 void OpenWithLimit(const std::string& path)
 {
   const auto limit =
