@@ -10,6 +10,7 @@
 #include "gatunMergeGrid.h"
 #include "gatunTetInput.h"
 #include "gatunTetMesh.h"
+#include "gatunWriterArrays.h"
 #include "vtkGatunCompat.h"
 #include "vtkGatunErrorCode.h"
 
@@ -45,6 +46,9 @@ namespace
 
 using gatun::Association;
 
+// Building a hierarchy takes about nine times as long as writing the rest.
+constexpr double PartOfTree = 0.9;
+
 //------------------------------------------------------------------------------
 std::string Line(const std::string& what, std::uint64_t bytes, std::uint64_t tets)
 {
@@ -55,55 +59,32 @@ std::string Line(const std::string& what, std::uint64_t bytes, std::uint64_t tet
   return text + what + "\n";
 }
 
-//------------------------------------------------------------------------------
-// By which of the arrays to organise a file; component -1 is the length. Throws if it is not there.
-gatun::LayerRequest FindLayerArray(
-  const std::vector<gatun::BridgedArray>& arrays, const std::string& name, int component)
-{
-  bool isOfCells = false;
-  for (std::size_t i = 0; i < arrays.size(); ++i)
-  {
-    const gatun::ArrayDescription& array = arrays[i].Description;
-    if (array.Name != name)
-    {
-      continue;
-    }
-    if (array.Where != Association::Point)
-    {
-      isOfCells = true;
-      continue;
-    }
-    if (component >= static_cast<int>(array.Components))
-    {
-      gatun::ThrowInvalid("array '" + name + "' has no component " + std::to_string(component) +
-        " to make layers of");
-    }
-    gatun::LayerRequest request;
-    request.Array = static_cast<std::uint32_t>(i);
-    request.Component = component >= 0 ? static_cast<std::uint32_t>(component)
-      : array.Components > 1           ? array.Components
-                                       : 0;
-    request.Values = arrays[i].Values;
-    return request;
-  }
-  gatun::ThrowInvalid(isOfCells ? "layers need a point array, and '" + name + "' is one of cells"
-                                : "there is no point array '" + name + "' to make layers of");
-}
-
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
 class vtkGatunWriter::vtkInternals
 {
 public:
+  explicit vtkInternals(vtkGatunWriter* owner)
+    : Owner(owner)
+  {
+  }
+
+  void Warn(const std::string& what);
+  std::function<bool(double)> MakeProgress(std::size_t part);
+  gatun::WriterOptions MakeOptions(
+    vtkUnstructuredGrid* tets, const std::vector<gatun::BridgedArray>& arrays);
+  void PublishStatistics();
+
+  vtkGatunWriter* const Owner;
   vtkNew<vtkDataArraySelection> PointSelection;
   vtkNew<vtkDataArraySelection> CellSelection;
   gatun::MergeWeights Weights;
 
-  // The times to write, if the input has any and all are wanted, and which one is next.
+  // The times to write, if all time steps of the input are wanted, and the next one of them.
   std::vector<double> Times;
   std::size_t Step = 0;
-  bool Writing = false; ///< within Write, which goes through the times
+  bool Writing = false; // whether Write is running
 
   // While a file is being written.
   std::unique_ptr<gatun::FileWriter> File;
@@ -127,43 +108,119 @@ public:
     this->Step = 0;
   }
 
-  bool Wants(vtkAbstractArray* array, vtkDataArraySelection* selection, bool unlisted) const
-  {
-    const char* name = array->GetName();
-    if (!name || !*name)
-    {
-      return true;
-    }
-    return selection->ArrayExists(name) ? selection->ArrayIsEnabled(name) != 0 : unlisted;
-  }
+  std::size_t GetNumberOfSteps() const { return std::max<std::size_t>(1, this->Times.size()); }
 
-  std::vector<gatun::BridgedArray> Bridge(vtkUnstructuredGrid* grid, bool unlisted) const
+  // Throws unless a time step has the mesh and the arrays of the first one.
+  void CheckUnchanged(
+    const gatun::TetMesh& mesh, const std::vector<gatun::ArrayDescription>& arrays) const
   {
-    std::vector<gatun::BridgedArray> arrays;
-    const auto add =
-      [&](vtkDataSetAttributes* attributes, Association where, vtkDataArraySelection* selection)
+    const std::string step = " in time step " + std::to_string(this->Step) + " (time " +
+      std::to_string(this->Times[this->Step]) + ")";
+    const gatun::MeshInput& first = this->Mesh->Mesh;
+    const gatun::MeshInput& now = mesh.Mesh;
+    if (now.Points != first.Points || now.Tets != first.Tets ||
+      now.CoordinateType != first.CoordinateType || now.WideIds != first.WideIds ||
+      mesh.Hash() != this->MeshHash)
     {
-      for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
-      {
-        vtkAbstractArray* array = attributes->GetAbstractArray(i);
-        if (this->Wants(array, selection, unlisted))
-        {
-          arrays.push_back(gatun::Bridge(array, where));
-          arrays.back().Description.AttributeRoles = gatun::AttributeRolesOf(attributes, array);
-        }
-      }
-    };
-    add(grid->GetPointData(), Association::Point, this->PointSelection);
-    add(grid->GetCellData(), Association::Cell, this->CellSelection);
-    return arrays;
+      gatun::ThrowInvalid("the points or the cells change" + step +
+        "; one file holds one mesh, so write such steps as a series of files");
+    }
+    if (arrays != this->Arrays)
+    {
+      gatun::ThrowInvalid("the point or cell arrays change" + step);
+    }
   }
 };
 
+//------------------------------------------------------------------------------
+// Reports a warning once for each file.
+void vtkGatunWriter::vtkInternals::Warn(const std::string& what)
+{
+  if (this->Warned.insert(what).second)
+  {
+    vtkWarningWithObjectMacro(this->Owner, << this->Owner->FileName << ": " << what);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Reports progress of a part of the work. Part 0 is the mesh, part i + 1 is time step i.
+std::function<bool(double)> vtkGatunWriter::vtkInternals::MakeProgress(std::size_t part)
+{
+  const double parts = static_cast<double>(this->GetNumberOfSteps()) + 1;
+  return [this, part, parts](double fraction)
+  {
+    const double forTree = this->Owner->Hierarchy ? PartOfTree : 0;
+    const double done = (static_cast<double>(part) + fraction) / parts;
+    this->Owner->UpdateProgress(forTree + (1 - forTree) * done);
+    return !gatun::IsAborted(this->Owner);
+  };
+}
+
+//------------------------------------------------------------------------------
+gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
+  vtkUnstructuredGrid* tets, const std::vector<gatun::BridgedArray>& arrays)
+{
+  gatun::WriterOptions options;
+  options.Keep = static_cast<std::uint8_t>(this->Owner->KeepOrder);
+  options.ChunkTets = static_cast<std::uint32_t>(this->Owner->ChunkTets);
+  options.KeyStepInterval = static_cast<std::uint32_t>(this->Owner->KeyStepInterval);
+  options.ReplaceReadOnly = this->Owner->ReplaceReadOnly;
+  if (this->Owner->LayerArray && *this->Owner->LayerArray)
+  {
+    options.Layers =
+      gatun::FindLayerArray(arrays, this->Owner->LayerArray, this->Owner->LayerComponent);
+    options.Layers->Count = static_cast<std::uint32_t>(this->Owner->NumberOfLayers);
+    options.Layers->Spacing = static_cast<gatun::LayerSpacing>(this->Owner->LayerSpacing);
+  }
+  if (this->Owner->Hierarchy)
+  {
+    this->Tree = gatun::BuildMergeTree(tets, this->Weights,
+      { static_cast<gatun::MergeMetric>(this->Owner->Metric), this->Owner->BoundaryWeight },
+      [this](double fraction)
+      {
+        this->Owner->UpdateProgress(PartOfTree * fraction);
+        return !gatun::IsAborted(this->Owner);
+      });
+    options.Tree = &this->Tree;
+    options.Levels = static_cast<unsigned>(this->Owner->Levels);
+  }
+  return options;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunWriter::vtkInternals::PublishStatistics()
+{
+  this->StatisticsNames.clear();
+  for (const gatun::ArrayDescription& array : this->Arrays)
+  {
+    this->StatisticsNames.push_back(
+      (array.Where == Association::Point ? "point array " : "cell array ") + array.Name);
+  }
+  const gatun::FileStatistics& statistics = this->Statistics;
+  this->Owner->WrittenPoints = this->Mesh->Mesh.Points;
+  this->Owner->WrittenTets = this->Mesh->Mesh.Tets;
+  this->Owner->WrittenSteps = this->GetNumberOfSteps();
+  this->Owner->FileBytes = statistics.FileBytes;
+  this->Owner->ConnectivityBytes = statistics.ConnectivityBytes;
+  this->Owner->GeometryBytes = statistics.GeometryBytes + statistics.SharedGeometryBytes;
+  this->Owner->OrderBytes = statistics.OrderBytes;
+  this->Owner->ArrayBytes = 0;
+  for (const std::uint64_t bytes : statistics.ArrayBytes)
+  {
+    this->Owner->ArrayBytes += bytes;
+  }
+  this->Owner->FieldDataBytes = statistics.FieldDataBytes;
+  this->Owner->HierarchyBytes = statistics.TreeBytes;
+  this->Owner->LevelBytes = statistics.LevelBytes;
+  this->Owner->DirectoryBytes = statistics.DirectoryBytes;
+}
+
+//------------------------------------------------------------------------------
 vtkStandardNewMacro(vtkGatunWriter);
 
 //------------------------------------------------------------------------------
 vtkGatunWriter::vtkGatunWriter()
-  : Internals(std::make_unique<vtkInternals>())
+  : Internals(std::make_unique<vtkInternals>(this))
 {
 }
 
@@ -289,7 +346,7 @@ int vtkGatunWriter::Write()
   }
   catch (...)
   {
-    // What VTK and the algorithms before this one throw, too.
+    // This includes exceptions of VTK and of upstream algorithms.
     this->HandleFailure();
   }
   self.Discard();
@@ -299,8 +356,8 @@ int vtkGatunWriter::Write()
 }
 
 //------------------------------------------------------------------------------
-// A step an update. The pipeline could go on by itself (CONTINUE_EXECUTING), but does so forever
-// if the input fails on the way. Returns whether the file is complete.
+// Updates the input for each time step. The pipeline could continue by itself (CONTINUE_EXECUTING),
+// but would never stop if the input fails. Returns whether the file is complete.
 bool vtkGatunWriter::WriteSteps()
 {
   vtkInternals& self = *this->Internals;
@@ -321,7 +378,8 @@ bool vtkGatunWriter::WriteSteps()
 }
 
 //------------------------------------------------------------------------------
-// Within a catch block: reports, and gives up the file. Returns whether it was an abort.
+// To be called in a catch block. Reports the error and discards the file. Returns whether the error
+// is an abort.
 bool vtkGatunWriter::HandleFailure() noexcept
 {
   this->Internals->Discard();
@@ -339,7 +397,7 @@ bool vtkGatunWriter::HandleFailure() noexcept
   }
   catch (...)
   {
-    return false; // not even memory for the message
+    return false; // there is no memory for the message
   }
 }
 
@@ -434,47 +492,23 @@ int vtkGatunWriter::RequestData(vtkInformation* vtkNotUsed(request),
 }
 
 //------------------------------------------------------------------------------
-// Writes the current step, with the mesh before the first and the end after the last one.
+// Writes the current time step. The first step also writes the mesh, the last one completes the
+// file.
 void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
 {
   vtkInternals& self = *this->Internals;
-  const std::string path = this->FileName;
-  const bool hasSteps = !self.Times.empty();
-  const std::size_t steps = std::max<std::size_t>(1, self.Times.size());
-
-  // The mesh counts as a step, and the hierarchy, which takes far longer, as nine times the rest.
-  const double forTree = this->Hierarchy ? 0.9 : 0;
-  const auto progressOf = [this, steps, forTree](std::size_t part)
-  {
-    return [this, steps, part, forTree](double fraction)
-    {
-      const double done = (static_cast<double>(part) + fraction) / (static_cast<double>(steps) + 1);
-      this->UpdateProgress(forTree + (1 - forTree) * done);
-      return !gatun::IsAborted(this);
-    };
-  };
-  const auto warn = [this, &self, &path](const std::string& what)
-  {
-    if (self.Warned.insert(what).second)
-    {
-      vtkWarningMacro(<< path << ": " << what);
-    }
-  };
-  const std::string here = hasSteps ? " in time step " + std::to_string(self.Step) + " (time " +
-      std::to_string(self.Times[self.Step]) + ")"
-                                    : "";
-
   const gatun::TetInput tets = gatun::MakeTetInput(input, this->LinearizeQuadratic);
   for (const std::string& warning : tets.Warnings)
   {
-    warn(warning);
+    self.Warn(warning);
   }
   auto mesh = std::make_unique<gatun::TetMesh>(tets.Grid);
   if (mesh->PointsConverted)
   {
-    warn("integer coordinates are written as double");
+    self.Warn("integer coordinates are written as double");
   }
-  const std::vector<gatun::BridgedArray> arrays = self.Bridge(tets.Grid, this->WriteUnlistedArrays);
+  const std::vector<gatun::BridgedArray> arrays = gatun::BridgeSelected(
+    tets.Grid, self.PointSelection, self.CellSelection, this->WriteUnlistedArrays);
   std::vector<gatun::ArrayDescription> descriptions;
   std::vector<const void*> values;
   for (const gatun::BridgedArray& array : arrays)
@@ -485,93 +519,38 @@ void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
 
   if (!self.File)
   {
-    gatun::WriterOptions options;
-    options.Keep = static_cast<std::uint8_t>(this->KeepOrder);
-    options.ChunkTets = static_cast<std::uint32_t>(this->ChunkTets);
-    options.KeyStepInterval = static_cast<std::uint32_t>(this->KeyStepInterval);
-    options.ReplaceReadOnly = this->ReplaceReadOnly;
-    if (this->LayerArray && *this->LayerArray)
-    {
-      options.Layers = FindLayerArray(arrays, this->LayerArray, this->LayerComponent);
-      options.Layers->Count = static_cast<std::uint32_t>(this->NumberOfLayers);
-      options.Layers->Spacing = static_cast<gatun::LayerSpacing>(this->LayerSpacing);
-    }
-    if (this->Hierarchy)
-    {
-      self.Tree = gatun::BuildMergeTree(tets.Grid, self.Weights,
-        { static_cast<gatun::MergeMetric>(this->Metric), this->BoundaryWeight },
-        [this, forTree](double fraction)
-        {
-          this->UpdateProgress(forTree * fraction);
-          return !gatun::IsAborted(this);
-        });
-      options.Tree = &self.Tree;
-      options.Levels = static_cast<unsigned>(this->Levels);
-    }
+    const gatun::WriterOptions options = self.MakeOptions(tets.Grid, arrays);
     self.Mesh = std::move(mesh);
-    self.MeshHash = steps > 1 ? self.Mesh->Hash() : 0;
+    self.MeshHash = self.GetNumberOfSteps() > 1 ? self.Mesh->Hash() : 0;
     self.Arrays = descriptions;
     self.File = std::make_unique<gatun::FileWriter>(
-      path, self.Mesh->Mesh, self.Arrays, options, progressOf(0));
+      this->FileName, self.Mesh->Mesh, self.Arrays, options, self.MakeProgress(0));
   }
   else
   {
-    const gatun::MeshInput& first = self.Mesh->Mesh;
-    if (mesh->Mesh.Points != first.Points || mesh->Mesh.Tets != first.Tets ||
-      mesh->Mesh.CoordinateType != first.CoordinateType || mesh->Mesh.WideIds != first.WideIds ||
-      mesh->Hash() != self.MeshHash)
-    {
-      gatun::ThrowInvalid("the points or the cells change" + here +
-        "; one file holds one mesh, so write such steps as a series of files");
-    }
-    if (descriptions != self.Arrays)
-    {
-      gatun::ThrowInvalid("the point or cell arrays are others" + here + " than before");
-    }
+    self.CheckUnchanged(*mesh, descriptions);
   }
 
   std::vector<std::string> refused;
   const gatun::FieldData field = gatun::BridgeFieldData(tets.Grid->GetFieldData(), refused);
   for (const std::string& name : refused)
   {
-    warn("the field array '" + name + "' is left out, being of a type that cannot be written");
+    self.Warn(
+      "the field array '" + name + "' is left out, because arrays of its type cannot be written");
   }
   vtkInformation* info = input->GetInformation();
+  const bool hasSteps = !self.Times.empty();
   const bool hasTime = hasSteps || info->Has(vtkDataObject::DATA_TIME_STEP());
   const double time = hasSteps ? self.Times[self.Step]
     : hasTime                  ? info->Get(vtkDataObject::DATA_TIME_STEP())
                                : 0.0;
-  self.File->WriteStep(values, field, hasTime, time, progressOf(self.Step + 1));
+  self.File->WriteStep(values, field, hasTime, time, self.MakeProgress(self.Step + 1));
   ++self.Step;
-  if (self.Step < steps)
+  if (self.Step >= self.GetNumberOfSteps())
   {
-    return;
+    self.Statistics = self.File->Finish();
+    self.PublishStatistics();
   }
-
-  self.Statistics = self.File->Finish();
-  self.StatisticsNames.clear();
-  for (const gatun::ArrayDescription& array : self.Arrays)
-  {
-    self.StatisticsNames.push_back(
-      (array.Where == Association::Point ? "point array " : "cell array ") + array.Name);
-  }
-  const gatun::FileStatistics& statistics = self.Statistics;
-  this->WrittenPoints = self.Mesh->Mesh.Points;
-  this->WrittenTets = self.Mesh->Mesh.Tets;
-  this->WrittenSteps = steps;
-  this->FileBytes = statistics.FileBytes;
-  this->ConnectivityBytes = statistics.ConnectivityBytes;
-  this->GeometryBytes = statistics.GeometryBytes + statistics.SharedGeometryBytes;
-  this->OrderBytes = statistics.OrderBytes;
-  this->ArrayBytes = 0;
-  for (const std::uint64_t bytes : statistics.ArrayBytes)
-  {
-    this->ArrayBytes += bytes;
-  }
-  this->FieldDataBytes = statistics.FieldDataBytes;
-  this->HierarchyBytes = statistics.TreeBytes;
-  this->LevelBytes = statistics.LevelBytes;
-  this->DirectoryBytes = statistics.DirectoryBytes;
 }
 
 //------------------------------------------------------------------------------

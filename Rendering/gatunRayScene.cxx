@@ -48,7 +48,7 @@ std::uint32_t FindArray(const FileReader& file, const RayArray& wanted)
       ++before;
     }
   }
-  throw Error(ErrorCode::InvalidInput, file.GetPath() + ": " + DescribeMissing(wanted));
+  ThrowInvalid(DescribeMissing(wanted), file.GetPath());
 }
 
 /** How much of a number of bytes is for what. */

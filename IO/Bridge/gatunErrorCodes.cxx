@@ -8,30 +8,22 @@
 #include "vtkErrorCode.h"
 
 #include <cerrno>
-#include <cstring>
-#include <filesystem>
 #include <new>
-#include <system_error>
 
 namespace
 {
 
 //------------------------------------------------------------------------------
-unsigned long CodeOf(const gatun::Error& error, const std::string& path)
+unsigned long GetCode(const gatun::Error& error)
 {
-  const std::string message = error.what();
-  const auto tells = [&message](int number)
-  { return message.find(std::strerror(number)) != std::string::npos; };
   switch (error.Code)
   {
     case gatun::ErrorCode::Ok:
       return vtkErrorCode::NoError;
     case gatun::ErrorCode::CannotOpen:
-    {
-      std::error_code ignored;
-      return std::filesystem::exists(path, ignored) || ignored ? vtkErrorCode::CannotOpenFileError
-                                                               : vtkErrorCode::FileNotFoundError;
-    }
+      return error.SystemError == ENOENT || error.SystemError == ENOTDIR
+        ? vtkErrorCode::FileNotFoundError
+        : vtkErrorCode::CannotOpenFileError;
     case gatun::ErrorCode::NotGatun:
       return vtkErrorCode::UnrecognizedFileTypeError;
     case gatun::ErrorCode::Truncated:
@@ -39,8 +31,9 @@ unsigned long CodeOf(const gatun::Error& error, const std::string& path)
     case gatun::ErrorCode::Corrupt:
       return vtkErrorCode::FileFormatError;
     case gatun::ErrorCode::CannotWrite:
-      return tells(ENOSPC) || tells(EDQUOT) ? vtkErrorCode::OutOfDiskSpaceError
-                                            : vtkErrorCode::CannotOpenFileError;
+      return error.SystemError == ENOSPC || error.SystemError == EDQUOT
+        ? vtkErrorCode::OutOfDiskSpaceError
+        : vtkErrorCode::CannotOpenFileError;
     case gatun::ErrorCode::UnsupportedVersion:
     case gatun::ErrorCode::InvalidInput:
     case gatun::ErrorCode::Aborted:
@@ -52,15 +45,15 @@ unsigned long CodeOf(const gatun::Error& error, const std::string& path)
 //------------------------------------------------------------------------------
 gatun::VTKFailure Describe(const std::string& path)
 {
-  const auto named = [&path](const std::string& what)
-  { return what.compare(0, path.size(), path) == 0 ? what : path + ": " + what; };
   try
   {
     throw;
   }
   catch (const gatun::Error& error)
   {
-    return { CodeOf(error, path), named(error.what()), error.Code == gatun::ErrorCode::Aborted };
+    const std::string message = error.what();
+    return { GetCode(error), error.Path.empty() ? path + ": " + message : message,
+      error.Code == gatun::ErrorCode::Aborted };
   }
   catch (const std::bad_alloc&)
   {
@@ -68,7 +61,7 @@ gatun::VTKFailure Describe(const std::string& path)
   }
   catch (const std::exception& error)
   {
-    return { vtkErrorCode::UnknownError, named(error.what()), false };
+    return { vtkErrorCode::UnknownError, path + ": " + error.what(), false };
   }
   catch (...)
   {

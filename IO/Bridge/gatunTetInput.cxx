@@ -27,12 +27,14 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
+#include <utility>
 
 namespace
 {
 
 //------------------------------------------------------------------------------
-// What a cell type becomes.
+// The treatment of a cell type.
 enum class Treatment
 {
   Keep,
@@ -47,7 +49,7 @@ struct CellKind
   vtkIdType Points = 0;
 };
 
-CellKind KindOf(int type)
+CellKind GetKind(int type)
 {
   switch (type)
   {
@@ -74,14 +76,15 @@ CellKind KindOf(int type)
 using TypeCounts = std::array<vtkIdType, 256>;
 
 //------------------------------------------------------------------------------
-// "12 vtkHexahedron, 3 vtkWedge" of the types with this treatment; empty if there are none.
+// Lists the types with a treatment, such as "12 vtkHexahedron, 3 vtkWedge". Empty if there are
+// none.
 std::string List(const TypeCounts& counts, Treatment how)
 {
   std::string list;
   for (int type = 0; type < static_cast<int>(counts.size()); ++type)
   {
     const vtkIdType count = counts[static_cast<std::size_t>(type)];
-    if (count > 0 && KindOf(type).How == how)
+    if (count > 0 && GetKind(type).How == how)
     {
       const char* name = vtkCellTypes::GetClassNameFromTypeId(type);
       list += (list.empty() ? "" : ", ") + std::to_string(count) + " " +
@@ -107,7 +110,7 @@ void CheckLengths(vtkDataSetAttributes* attributes, vtkIdType tuples, const std:
 }
 
 //------------------------------------------------------------------------------
-// Tetrahedra by their corners, and the input cell of each.
+// Tetrahedra and the input cell of each.
 struct Tets
 {
   std::vector<vtkIdType> Corners;
@@ -121,7 +124,7 @@ struct Tets
 };
 
 //------------------------------------------------------------------------------
-// The tetrahedra that vtkDataSetTriangleFilter makes of some cells, by ascending cell.
+// Splits some cells by vtkDataSetTriangleFilter. The tetrahedra are sorted by cell.
 Tets Split(vtkPoints* points, vtkUnsignedCharArray* types, vtkCellArray* cells,
   const std::vector<vtkIdType>& ids)
 {
@@ -196,6 +199,285 @@ void GatherAll(
   }
 }
 
+//------------------------------------------------------------------------------
+// The steps of MakeTetInput.
+class TetInputMaker
+{
+public:
+  TetInputMaker(vtkUnstructuredGrid* input, bool linearizeQuadratic)
+    : Input(input)
+    , LinearizeQuadratic(linearizeQuadratic)
+    , Types(input->GetCellTypesArray())
+    , Cells(input->GetCells())
+    , Ghosts(gatun::GhostsWith(input->GetCellData(), vtkDataSetAttributes::DUPLICATECELL))
+    , PointIsUsed(static_cast<std::size_t>(input->GetNumberOfPoints()))
+  {
+  }
+
+  gatun::TetInput Make()
+  {
+    this->CheckTypes();
+    CheckLengths(this->Input->GetPointData(), this->Input->GetNumberOfPoints(), "point");
+    CheckLengths(this->Input->GetCellData(), this->Input->GetNumberOfCells(), "cell");
+    if (this->IsMadeOfTets())
+    {
+      this->Result.Grid = this->Input;
+      return this->Result;
+    }
+    this->SelectCells();
+    this->SplitCells();
+    this->CompactPoints();
+    this->MakeGrid();
+    this->CopyCellData();
+    this->RemoveGhosts();
+    this->Result.Grid->GetFieldData()->ShallowCopy(this->Input->GetFieldData());
+    return this->Result;
+  }
+
+private:
+  void CheckTypes();
+  bool IsMadeOfTets() const;
+  void CheckCell(vtkIdType cell, vtkIdType size, const vtkIdType* corners) const;
+  void SelectCells();
+  void SplitCells();
+  void CompactPoints();
+  void MakeGrid();
+  void CopyCellData();
+  void RemoveGhosts();
+
+  vtkUnstructuredGrid* const Input;
+  const bool LinearizeQuadratic;
+  vtkUnsignedCharArray* const Types;
+  vtkCellArray* const Cells;
+  vtkUnsignedCharArray* const Ghosts; // null if there are no ghost cells
+  TypeCounts Counts = {};
+
+  std::vector<bool> PointIsUsed; // by any cell of the input
+  std::vector<vtkIdType> CellsToSplit;
+  Tets Output;                       // sorted by the cells of the input
+  std::vector<vtkIdType> PointsKept; // of the input
+  gatun::TetInput Result;
+};
+
+//------------------------------------------------------------------------------
+// Counts the cell types and refuses those that cannot be written.
+void TetInputMaker::CheckTypes()
+{
+  const vtkIdType count = this->Input->GetNumberOfCells();
+  if (count > 0)
+  {
+    if (!this->Types || !this->Cells ||
+      this->Types->GetNumberOfValues() != this->Cells->GetNumberOfCells())
+    {
+      gatun::ThrowInvalid("the number of cell types is not that of the cells");
+    }
+    gatun::CheckOffsets(this->Cells);
+    const unsigned char* values = this->Types->GetPointer(0);
+    for (vtkIdType cell = 0; cell < count; ++cell)
+    {
+      ++this->Counts[values[cell]];
+    }
+  }
+  const std::string refused = List(this->Counts, Treatment::Refuse);
+  if (!refused.empty())
+  {
+    gatun::ThrowInvalid("only 3D cells can be written, not " + refused +
+      "; take the tetrahedra out first, as vtkDataSetTriangleFilter does with TetrahedraOnly");
+  }
+  const std::string quadratic = List(this->Counts, Treatment::Linearize);
+  if (!quadratic.empty() && !this->LinearizeQuadratic)
+  {
+    gatun::ThrowInvalid(
+      quadratic + ": quadratic cells are written only with LinearizeQuadratic on, as linear ones");
+  }
+}
+
+//------------------------------------------------------------------------------
+// Whether the input can be written as it is.
+bool TetInputMaker::IsMadeOfTets() const
+{
+  const vtkIdType count = this->Input->GetNumberOfCells();
+  if (this->Ghosts || this->Counts[VTK_TETRA] != count)
+  {
+    return false;
+  }
+  if (count > 0 && this->Cells->IsHomogeneous() != 4)
+  {
+    gatun::ThrowInvalid("there is a tetrahedron that does not have 4 points");
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void TetInputMaker::CheckCell(vtkIdType cell, vtkIdType size, const vtkIdType* corners) const
+{
+  const CellKind kind = GetKind(this->Types->GetValue(cell));
+  if (size != kind.Points)
+  {
+    gatun::ThrowInvalid("cell " + std::to_string(cell) + " has " + std::to_string(size) +
+      " points, not " + std::to_string(kind.Points));
+  }
+  const vtkIdType points = this->Input->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    if (corners[i] < 0 || corners[i] >= points)
+    {
+      gatun::ThrowInvalid("cell " + std::to_string(cell) + " names point " +
+        std::to_string(corners[i]) + " of " + std::to_string(points));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Finds the points in use, the tetrahedra that stay, and the cells to split. Ghosts are left out.
+void TetInputMaker::SelectCells()
+{
+  auto iterator = vtk::TakeSmartPointer(this->Cells->NewIterator());
+  for (vtkIdType cell = 0; cell < this->Input->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    iterator->GetCellAtId(cell, size, corners);
+    this->CheckCell(cell, size, corners);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      this->PointIsUsed[static_cast<std::size_t>(corners[i])] = true;
+    }
+    if (this->Ghosts && (this->Ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL))
+    {
+      continue;
+    }
+    if (GetKind(this->Types->GetValue(cell)).How == Treatment::Split)
+    {
+      this->CellsToSplit.push_back(cell);
+    }
+    else
+    {
+      this->Output.Add(corners, cell);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Splits cells and merges the results into the tetrahedra.
+void TetInputMaker::SplitCells()
+{
+  if (!this->CellsToSplit.empty())
+  {
+    const Tets simple = std::move(this->Output);
+    const Tets parts =
+      Split(this->Input->GetPoints(), this->Types, this->Cells, this->CellsToSplit);
+    this->Result.Warnings.push_back(List(this->Counts, Treatment::Split) + " were split: " +
+      std::to_string(parts.Cells.size()) + " tetrahedra are written in their place");
+    this->Output = {};
+    for (std::size_t s = 0, p = 0; s < simple.Cells.size() || p < parts.Cells.size();)
+    {
+      const bool takePart =
+        s == simple.Cells.size() || (p < parts.Cells.size() && parts.Cells[p] < simple.Cells[s]);
+      const Tets& from = takePart ? parts : simple;
+      std::size_t& i = takePart ? p : s;
+      this->Output.Add(&from.Corners[4 * i], from.Cells[i]);
+      ++i;
+    }
+  }
+  const std::string quadratic = List(this->Counts, Treatment::Linearize);
+  if (!quadratic.empty())
+  {
+    this->Result.Warnings.push_back(
+      quadratic + " are written as linear ones, without mid-edge points");
+  }
+}
+
+//------------------------------------------------------------------------------
+// Removes points that were in use and no longer are, and renumbers the others.
+void TetInputMaker::CompactPoints()
+{
+  std::vector<bool> isStillUsed(this->PointIsUsed.size());
+  for (const vtkIdType corner : this->Output.Corners)
+  {
+    isStillUsed[static_cast<std::size_t>(corner)] = true;
+  }
+  std::vector<vtkIdType> newId(this->PointIsUsed.size(), -1);
+  for (std::size_t i = 0; i < newId.size(); ++i)
+  {
+    if (isStillUsed[i] || !this->PointIsUsed[i])
+    {
+      newId[i] = static_cast<vtkIdType>(this->PointsKept.size());
+      this->PointsKept.push_back(static_cast<vtkIdType>(i));
+    }
+  }
+  for (vtkIdType& corner : this->Output.Corners)
+  {
+    corner = newId[static_cast<std::size_t>(corner)];
+  }
+}
+
+//------------------------------------------------------------------------------
+// Makes the grid, with its points, their data and the cells.
+void TetInputMaker::MakeGrid()
+{
+  this->Result.Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkUnstructuredGrid* grid = this->Result.Grid;
+  if (this->PointsKept.size() == this->PointIsUsed.size())
+  {
+    grid->SetPoints(this->Input->GetPoints());
+    grid->GetPointData()->ShallowCopy(this->Input->GetPointData());
+  }
+  else
+  {
+    vtkNew<vtkPoints> kept;
+    kept->SetData(vtkDataArray::SafeDownCast(
+      gatun::Gather(this->Input->GetPoints()->GetData(), this->PointsKept)));
+    grid->SetPoints(kept);
+    GatherAll(this->Input->GetPointData(), this->PointsKept, grid->GetPointData());
+  }
+  grid->SetCells(VTK_TETRA,
+    this->Cells->IsStorage64Bit() ? MakeCells<vtkTypeInt64Array>(this->Output.Corners)
+                                  : MakeCells<vtkTypeInt32Array>(this->Output.Corners));
+}
+
+//------------------------------------------------------------------------------
+void TetInputMaker::CopyCellData()
+{
+  vtkCellData* cellData = this->Result.Grid->GetCellData();
+  GatherAll(this->Input->GetCellData(), this->Output.Cells, cellData);
+  if (this->CellsToSplit.empty())
+  {
+    return;
+  }
+  cellData->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
+  if (!cellData->HasArray("OriginalCellIds"))
+  {
+    vtkNew<vtkIdTypeArray> origin;
+    origin->SetName("OriginalCellIds");
+    origin->SetNumberOfValues(static_cast<vtkIdType>(this->Output.Cells.size()));
+    std::copy(this->Output.Cells.begin(), this->Output.Cells.end(), origin->GetPointer(0));
+    cellData->AddArray(origin);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Clears the marks of ghosts, which are no longer there. Leaves the arrays of the input as they
+// are.
+void TetInputMaker::RemoveGhosts()
+{
+  if (!this->Ghosts)
+  {
+    return;
+  }
+  vtkPointData* pointData = this->Result.Grid->GetPointData();
+  if (gatun::GhostsWith(pointData, vtkDataSetAttributes::DUPLICATEPOINT))
+  {
+    // A copy, because the array may be that of the input.
+    std::vector<vtkIdType> all(static_cast<std::size_t>(this->Result.Grid->GetNumberOfPoints()));
+    std::iota(all.begin(), all.end(), vtkIdType{ 0 });
+    pointData->AddArray(
+      gatun::Gather(pointData->GetAbstractArray(vtkDataSetAttributes::GhostArrayName()), all));
+  }
+  gatun::ClearGhosts(this->Result.Grid->GetCellData(), vtkDataSetAttributes::DUPLICATECELL);
+  gatun::ClearGhosts(pointData, vtkDataSetAttributes::DUPLICATEPOINT);
+}
+
 } // anonymous namespace
 
 namespace gatun
@@ -204,187 +486,7 @@ namespace gatun
 //------------------------------------------------------------------------------
 TetInput MakeTetInput(vtkUnstructuredGrid* input, bool linearizeQuadratic)
 {
-  const vtkIdType points = input->GetNumberOfPoints();
-  const vtkIdType cellCount = input->GetNumberOfCells();
-  vtkUnsignedCharArray* types = input->GetCellTypesArray();
-  vtkCellArray* cells = input->GetCells();
-  TypeCounts counts = {};
-  if (cellCount > 0)
-  {
-    if (!types || !cells || types->GetNumberOfValues() != cells->GetNumberOfCells())
-    {
-      gatun::ThrowInvalid("the number of cell types is not that of the cells");
-    }
-    CheckOffsets(cells);
-    const unsigned char* values = types->GetPointer(0);
-    for (vtkIdType cell = 0; cell < cellCount; ++cell)
-    {
-      ++counts[values[cell]];
-    }
-  }
-  const std::string refused = List(counts, Treatment::Refuse);
-  if (!refused.empty())
-  {
-    gatun::ThrowInvalid("only 3D cells can be written, not " + refused +
-      "; take the tetrahedra out first, as vtkDataSetTriangleFilter does with TetrahedraOnly");
-  }
-  const std::string quadratic = List(counts, Treatment::Linearize);
-  if (!quadratic.empty() && !linearizeQuadratic)
-  {
-    gatun::ThrowInvalid(quadratic +
-      ": quadratic cells are written only with LinearizeQuadratic on, as linear "
-      "ones");
-  }
-  CheckLengths(input->GetPointData(), points, "point");
-  CheckLengths(input->GetCellData(), cellCount, "cell");
-
-  TetInput result;
-  const std::string split = List(counts, Treatment::Split);
-  vtkUnsignedCharArray* ghosts =
-    GhostsWith(input->GetCellData(), vtkDataSetAttributes::DUPLICATECELL);
-  if (split.empty() && quadratic.empty() && !ghosts)
-  {
-    if (cellCount > 0 && cells->IsHomogeneous() != 4)
-    {
-      gatun::ThrowInvalid("there is a tetrahedron that does not have 4 points");
-    }
-    result.Grid = input;
-    return result;
-  }
-
-  // Which points were in use, which cells stay, and which of them are to be split.
-  std::vector<bool> usedBefore(static_cast<std::size_t>(points));
-  std::vector<vtkIdType> toSplit;
-  Tets simple;
-  auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
-  for (vtkIdType cell = 0; cell < cellCount; ++cell)
-  {
-    vtkIdType size = 0;
-    const vtkIdType* corners = nullptr;
-    iterator->GetCellAtId(cell, size, corners);
-    const CellKind kind = KindOf(types->GetValue(cell));
-    if (size != kind.Points)
-    {
-      gatun::ThrowInvalid("cell " + std::to_string(cell) + " has " + std::to_string(size) +
-        " points, not " + std::to_string(kind.Points));
-    }
-    for (vtkIdType i = 0; i < size; ++i)
-    {
-      if (corners[i] < 0 || corners[i] >= points)
-      {
-        gatun::ThrowInvalid("cell " + std::to_string(cell) + " names point " +
-          std::to_string(corners[i]) + " of " + std::to_string(points));
-      }
-      usedBefore[static_cast<std::size_t>(corners[i])] = true;
-    }
-    if (ghosts && (ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL))
-    {
-      continue;
-    }
-    if (kind.How == Treatment::Split)
-    {
-      toSplit.push_back(cell);
-    }
-    else
-    {
-      simple.Add(corners, cell);
-    }
-  }
-  Tets parts;
-  if (!toSplit.empty())
-  {
-    parts = Split(input->GetPoints(), types, cells, toSplit);
-    result.Warnings.push_back(split + " were split: " + std::to_string(parts.Cells.size()) +
-      " tetrahedra are written in their place");
-  }
-  if (!quadratic.empty())
-  {
-    result.Warnings.push_back(quadratic + " are written as linear ones, without mid-edge points");
-  }
-
-  // Both by ascending cell of the input.
-  Tets tets;
-  for (std::size_t s = 0, p = 0; s < simple.Cells.size() || p < parts.Cells.size();)
-  {
-    const bool takePart =
-      s == simple.Cells.size() || (p < parts.Cells.size() && parts.Cells[p] < simple.Cells[s]);
-    Tets& from = takePart ? parts : simple;
-    std::size_t& i = takePart ? p : s;
-    tets.Add(&from.Corners[4 * i], from.Cells[i]);
-    ++i;
-  }
-
-  // Points that were in use and no longer are go.
-  std::vector<vtkIdType> pointsKept;
-  std::vector<bool> usedAfter(static_cast<std::size_t>(points));
-  for (const vtkIdType corner : tets.Corners)
-  {
-    usedAfter[static_cast<std::size_t>(corner)] = true;
-  }
-  std::vector<vtkIdType> newId(static_cast<std::size_t>(points), -1);
-  for (vtkIdType point = 0; point < points; ++point)
-  {
-    const auto i = static_cast<std::size_t>(point);
-    if (usedAfter[i] || !usedBefore[i])
-    {
-      newId[i] = static_cast<vtkIdType>(pointsKept.size());
-      pointsKept.push_back(point);
-    }
-  }
-  for (vtkIdType& corner : tets.Corners)
-  {
-    corner = newId[static_cast<std::size_t>(corner)];
-  }
-
-  result.Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  if (pointsKept.size() == newId.size())
-  {
-    result.Grid->SetPoints(input->GetPoints());
-    result.Grid->GetPointData()->ShallowCopy(input->GetPointData());
-  }
-  else
-  {
-    vtkNew<vtkPoints> kept;
-    kept->SetData(vtkDataArray::SafeDownCast(Gather(input->GetPoints()->GetData(), pointsKept)));
-    result.Grid->SetPoints(kept);
-    GatherAll(input->GetPointData(), pointsKept, result.Grid->GetPointData());
-  }
-  result.Grid->SetCells(VTK_TETRA,
-    cells->IsStorage64Bit() ? MakeCells<vtkTypeInt64Array>(tets.Corners)
-                            : MakeCells<vtkTypeInt32Array>(tets.Corners));
-  vtkCellData* cellData = result.Grid->GetCellData();
-  GatherAll(input->GetCellData(), tets.Cells, cellData);
-  if (!toSplit.empty())
-  {
-    cellData->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
-    if (!cellData->HasArray("OriginalCellIds"))
-    {
-      vtkNew<vtkIdTypeArray> origin;
-      origin->SetName("OriginalCellIds");
-      origin->SetNumberOfValues(static_cast<vtkIdType>(tets.Cells.size()));
-      std::copy(tets.Cells.begin(), tets.Cells.end(), origin->GetPointer(0));
-      cellData->AddArray(origin);
-    }
-  }
-  if (ghosts)
-  {
-    if (GhostsWith(result.Grid->GetPointData(), vtkDataSetAttributes::DUPLICATEPOINT))
-    {
-      // Not in the arrays of the input.
-      const char* name = vtkDataSetAttributes::GhostArrayName();
-      std::vector<vtkIdType> all(static_cast<std::size_t>(result.Grid->GetNumberOfPoints()));
-      for (std::size_t i = 0; i < all.size(); ++i)
-      {
-        all[i] = static_cast<vtkIdType>(i);
-      }
-      result.Grid->GetPointData()->AddArray(
-        Gather(result.Grid->GetPointData()->GetAbstractArray(name), all));
-    }
-    ClearGhosts(cellData, vtkDataSetAttributes::DUPLICATECELL);
-    ClearGhosts(result.Grid->GetPointData(), vtkDataSetAttributes::DUPLICATEPOINT);
-  }
-  result.Grid->GetFieldData()->ShallowCopy(input->GetFieldData());
-  return result;
+  return TetInputMaker(input, linearizeQuadratic).Make();
 }
 
 }

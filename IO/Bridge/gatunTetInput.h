@@ -14,25 +14,26 @@ class vtkUnstructuredGrid;
 
 namespace gatun
 {
-/** A grid of nothing but tetrahedra. */
+/** A grid that consists of tetrahedra. */
 struct TetInput
 {
-  vtkSmartPointer<vtkUnstructuredGrid> Grid; ///< the input itself where nothing had to be done
-  std::vector<std::string> Warnings;         ///< what was done to it
+  vtkSmartPointer<vtkUnstructuredGrid> Grid; ///< the input itself if it needs no changes
+  std::vector<std::string> Warnings;         ///< the changes that were made
 };
 
 /**
- * Makes tetrahedra of what a grid has:
+ * Converts the cells of a grid to tetrahedra:
  *
- *  - ghost cells (DUPLICATECELL) go, and points that only they use;
- *  - other linear 3D cells are split by vtkDataSetTriangleFilter, tetrahedra stay as they are; cell
- *    data are carried, and the new cell array OriginalCellIds (vtkIdType, unless there is one of
- *    that name) tells the cell of the input; global ids of cells are no longer marked as such;
- *  - quadratic tetrahedra become linear if asked for, and points that only they used go.
+ *  - Ghost cells (DUPLICATECELL) are removed, and so are points that only ghost cells use.
+ *  - Other linear 3D cells are split by vtkDataSetTriangleFilter. Cell data are copied to the
+ *    parts. The new cell array OriginalCellIds (vtkIdType, unless there is one of that name)
+ *    contains the cell of the input. Global ids of cells are no longer marked as such.
+ *  - Quadratic tetrahedra become linear if linearizeQuadratic is true. Points that only they used
+ *    are removed.
  *
- * Throws gatun::Error (InvalidInput) for all other cells, for cells of a wrong size, for offsets
- * that do not fit, for arrays of a wrong length, and, as far as cells had to be looked at, for
- * point ids out of range. Exported for the gtn program.
+ * Throws Error(InvalidInput) for all other cells, cells of a wrong size, offsets that do not fit,
+ * and arrays of a wrong length. Point ids are checked only if cells are removed, split or
+ * converted. Exported for the gtn program.
  */
 VTKGATUNIO_EXPORT TetInput MakeTetInput(vtkUnstructuredGrid* input, bool linearizeQuadratic);
 }

@@ -12,8 +12,8 @@ namespace gatun
 NeighbourFit::NeighbourFit(const Topology& topology, std::span<const std::array<double, 3>> places)
   : Start(topology.Records.size() + 2, 0)
 {
-  // An edge tells its later end of its earlier one; but shared vertices are known from the start.
-  // What is between two of them is put behind all the lists, as branches would cost more.
+  // The later end of an edge knows the earlier one, but shared vertices are known from the start.
+  // Edges between two shared vertices are appended to all lists, because branches would cost more.
   const auto none = static_cast<std::uint32_t>(topology.Records.size());
   const auto eachPair = [&](auto&& pair)
   {
@@ -49,8 +49,8 @@ NeighbourFit::NeighbourFit(const Topology& topology, std::span<const std::array<
 void NeighbourFit::Weigh(const std::array<double, 3>& centre, std::span<Neighbour> neighbours,
   std::span<const std::array<double, 3>> places) const
 {
-  // Weighted least squares of value = c0 + c . (x - centre); what is wanted is c0, a weighted sum
-  // of the values. With fewer than four neighbours c is left out.
+  // Weighted least squares of value = c0 + c . (x - center). The result is c0, a weighted sum of
+  // the values. With fewer than four neighbors, c is left out.
   double mean = 0;
   for (const auto& n : neighbours)
   {
@@ -136,7 +136,7 @@ Key CodeKey(Coder& coder, const Domain& domain, ResidualModel& model, unsigned s
   return key;
 }
 
-/** A chunk's point values predicted from the gate or the neighbours, in one array of keys. */
+/** Predicts a chunk's point values from the gate or the neighbors. */
 class SpatialPredictor
 {
 public:
@@ -154,7 +154,7 @@ public:
     double Number = 0;
     unsigned Spread = 0;
     unsigned Group = 0;
-    bool Known = false; // false: nothing to predict from
+    bool Known = false; // whether there is anything to predict from
   };
 
   Prediction Predict(std::size_t own, std::span<const Key> keys) const
@@ -281,7 +281,7 @@ void CodeCells(Coder& coder, const ArrayModes& modes, std::span<const std::uint3
   const Key none = domain.FromNumber(0);
   for (std::size_t i = 0; i < keys.Now.size(); ++i)
   {
-    std::size_t from = i - 1; // wraps for the first, which has none
+    std::size_t from = i - 1; // wraps around for the first one, which has no predecessor
     if (modes.Spatial == SpatialMode::Gate && parents[i] != Topology::NoTet)
     {
       from = parents[i];
@@ -303,7 +303,7 @@ void CodeCells(Coder& coder, const ArrayModes& modes, std::span<const std::uint3
   }
 }
 
-/** Encodes with every combination of modes that is possible and returns the shortest stream. */
+/** Encodes with all possible combinations of modes and returns the shortest stream. */
 template <typename Code>
 Bytes EncodeBest(std::span<const SpatialMode> spatial, bool hasBefore, Code&& code)
 {

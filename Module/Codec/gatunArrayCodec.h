@@ -2,7 +2,7 @@
 #ifndef gatunArrayCodec_h
 #define gatunArrayCodec_h
 
-// Values of arrays, and coordinates outside a walk, predicted from values decoded before.
+// Encoding of array values, and of coordinates outside a walk, by prediction from earlier values.
 
 #include "gatunBytes.h"
 #include "gatunDomain.h"
@@ -16,23 +16,23 @@
 
 namespace gatun
 {
-/** How the values of a stream are predicted within their time step. */
+/** Prediction of the values of a stream within their time step. */
 enum class SpatialMode : std::uint8_t
 {
-  Previous = 0, ///< the value coded before
-  Gate = 1,     ///< points: the rule that predicted the coordinates; cells: the tetrahedron behind
-  Fit = 2       ///< points: a linear function fitted to the known neighbours
+  Previous = 0, ///< the previous value of the stream
+  Gate = 1,     ///< points: the rule that predicted the coordinates; cells: the parent tetrahedron
+  Fit = 2       ///< points: a linear function fitted to the known neighbors
 };
 
-/** How the values of the step before are used. */
+/** Use of the values of the previous time step. */
 enum class TemporalMode : std::uint8_t
 {
   None = 0,
-  Repeat = 1, ///< the value of the step before, and nothing else
-  Change = 2  ///< the value of the step before plus the spatial prediction of the change
+  Repeat = 1, ///< the value of the previous step
+  Change = 2  ///< the value of the previous step plus a spatial prediction of the change
 };
 
-/** For each own vertex of a chunk the neighbours known before it and their weights. */
+/** The neighbors of each own vertex of a chunk that are known before it, and their weights. */
 class NeighbourFit
 {
 public:
@@ -42,7 +42,7 @@ public:
     double Weight;
   };
 
-  /** Places are the coordinates of all vertices of the topology, in the order of the walk. */
+  /** places: coordinates of all vertices of the topology in the order of the walk. */
   NeighbourFit(const Topology& topology, std::span<const std::array<double, 3>> places);
 
   std::span<const Neighbour> Of(std::size_t ownVertex) const
@@ -51,7 +51,7 @@ public:
       this->Start[ownVertex + 1] - this->Start[ownVertex] };
   }
 
-  /** Memory that the lists take. */
+  /** The memory of the lists. */
   std::size_t GetBytes() const
   {
     return this->Start.capacity() * sizeof(std::uint32_t) +
@@ -66,27 +66,27 @@ private:
   std::vector<Neighbour> List;
 };
 
-/** All that point arrays of a chunk are predicted from; made once for all of them. */
+/** The data from which all point arrays of a chunk are predicted. */
 struct PointContext
 {
   const Topology* Mesh = nullptr;
-  std::vector<Vertex> OwnIds;              // of each own vertex its number in the walk
+  std::vector<Vertex> OwnIds;              // the number of each own vertex in the walk
   const PredictionRules* Rules = nullptr;  // of the chunk's geometry
-  std::span<const std::uint8_t> UsedRules; // of each own vertex
+  std::span<const std::uint8_t> UsedRules; // the rule of each own vertex
   const NeighbourFit* Fit = nullptr;       // may be null if no stream uses it
 };
 
 /**
  * The values of one component. For points of a chunk there is a key for every vertex of the walk,
- * and the shared ones are known beforehand; else keys are in the order of coding.
+ * and those of shared vertices are known. Otherwise keys are in the order of coding.
  */
 struct ComponentKeys
 {
   std::vector<Key> Now;
-  std::vector<Key> Before; // of the time step before, or empty
+  std::vector<Key> Before; // of the previous time step, or empty
 };
 
-/** The modes that a stream says it uses; throws on unknown ones. */
+/** The modes of a stream. Throws if they are unknown. */
 struct ArrayModes
 {
   SpatialMode Spatial = SpatialMode::Previous;
@@ -95,13 +95,13 @@ struct ArrayModes
   static ArrayModes Read(std::span<const std::uint8_t> stream);
 };
 
-/** Encodes own points; tries all modes and keeps the shortest stream. */
+/** Encodes own points with all modes and returns the shortest stream. */
 Bytes EncodePointValues(const PointContext& context, std::span<const Domain> domains,
   std::span<ComponentKeys> components);
 void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext& context,
   std::span<const Domain> domains, std::span<ComponentKeys> components);
 
-/** The same for the tetrahedra of a chunk; parents may be empty. */
+/** Encodes values of the tetrahedra of a chunk. parents may be empty. */
 Bytes EncodeCellValues(std::span<const std::uint32_t> parents, std::span<const Domain> domains,
   std::span<ComponentKeys> components);
 void DecodeCellValues(std::span<const std::uint8_t> stream, std::span<const std::uint32_t> parents,

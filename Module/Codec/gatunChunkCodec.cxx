@@ -37,7 +37,7 @@ unsigned FindCorner(const std::array<std::uint32_t, 4>& tet, std::uint32_t verte
   return tet[1] == vertex ? 1 : tet[2] == vertex ? 2 : tet[3] == vertex ? 3 : 0;
 }
 
-/** Tells the walk what is true. */
+/** Provides the mesh to the walk of the encoder. */
 class EncoderSide
 {
 public:
@@ -105,7 +105,7 @@ public:
 
   std::vector<std::uint32_t> OwnOrder;
   std::vector<std::uint32_t> TetOrder;
-  std::vector<std::uint32_t> InputOf; // of each vertex of the walk
+  std::vector<std::uint32_t> InputOf; // the input's vertex of each one of the walk
 
 private:
   void Visit(std::uint32_t tet)
@@ -122,7 +122,7 @@ private:
 
   Tets Input;
   const FaceTable& Faces;
-  std::vector<std::uint32_t> Unvisited; // of each group of faces the first that may be
+  std::vector<std::uint32_t> Unvisited; // the first face of each group that may be unvisited
   const std::uint32_t Shared;
   std::span<const LatticePoint> OwnPlaces;
   std::vector<char> Visited;
@@ -131,7 +131,7 @@ private:
   std::uint32_t Seed = 0;
 };
 
-/** Takes vertices from the walk and decodes their coordinates. */
+/** Receives vertices from the walk of the decoder and decodes their coordinates. */
 class DecoderSide
 {
 public:
@@ -171,12 +171,13 @@ private:
   ChunkMesh& Mesh;
 };
 
-/** The rotation that turns walked corners into those of the input; flip says if they mirror it. */
+/** The rotation that converts walked corners to those of the input. flip: whether they are
+ * mirrored. */
 std::uint8_t FindRotation(const std::array<std::uint32_t, 4>& walked,
   const std::array<std::uint32_t, 4>& wanted, bool& flip)
 {
-  // By the places of the first two wanted corners among the walked ones; even permutations have
-  // one entry for each pair, and the mirrored ones the same with 2 and 3 exchanged.
+  // Indexed by the positions of the first two wanted corners among the walked ones. Each pair has
+  // one even permutation; mirrored corners use the same with 2 and 3 exchanged.
   static const auto rotations = []
   {
     std::array<std::uint8_t, 16> table{};
@@ -204,8 +205,8 @@ std::uint8_t FindRotation(const std::array<std::uint32_t, 4>& walked,
   return rotations[4 * mirror(first) + mirror(second)];
 }
 
-/** Codes which tetrahedra mirror the order of the walk, as their parents may do, and mirrors them.
- */
+/** Codes whether tetrahedra mirror the order of the walk, with those of their parents as context,
+ * and mirrors them. */
 template <typename Coder>
 void CodeFlips(Coder& coder, std::vector<char>& flips, Topology& walk)
 {
@@ -270,7 +271,7 @@ Attempt TryWalk(const WalkInput& input, Tets tets, const FaceTable& faces,
   return result;
 }
 
-/** Bits that the beginning of a walk takes. */
+/** The number of bits for the beginning of a walk. */
 template <Ranking Rule>
 double SampleWalk(
   WalkInput input, Tets tets, const FaceTable& faces, std::span<const LatticePoint> ownPlaces)
@@ -286,7 +287,7 @@ double SampleWalk(
 Attempt EncodeConnectivity(
   const WalkInput& input, Tets tets, std::span<const LatticePoint> ownPlaces)
 {
-  constexpr double sure = 0.7; // of the other's bits: then a sample is enough to choose
+  constexpr double sure = 0.7; // ratio of the samples' bits that decides without a full encoding
   const FaceTable faces(tets);
   const double sphere = SampleWalk<Ranking::Sphere>(input, tets, faces, ownPlaces);
   const double angle = SampleWalk<Ranking::Angle>(input, tets, faces, ownPlaces);
@@ -333,10 +334,10 @@ void CodeGeometry(
   }
 }
 
-/** About the bits of a geometry stream with these rules, themselves counted too. */
+/** Estimates the bits of a geometry stream with these rules, including the rules. */
 double SampleGeometry(ChunkMesh& mesh, const PredictionRules& rules)
 {
-  // Enough that what the models learn does not count for more than it will in the end.
+  // Large enough that the adaptation of the models does not dominate.
   constexpr std::size_t least = 4096;
   const auto count = mesh.Walk.Records.size();
   const auto sample = std::min(count, std::max(count / 8, least));
@@ -382,10 +383,10 @@ PredictionRules ReadRules(ByteReader& in)
   return rules;
 }
 
-/** Encodes with the fitted rule or those of grids, whichever is shorter. */
+/** Encodes with the fitted rule or the rules for grids, whichever is shorter. */
 Bytes EncodeGeometry(ChunkMesh& mesh, const PredictionRules& fitted)
 {
-  constexpr double sure = 0.9; // of the other's bits: then a sample is enough to choose
+  constexpr double sure = 0.9; // ratio of the samples' bits that decides without a full encoding
   const auto& grid = GetGridRules();
   const double fittedBits = SampleGeometry(mesh, fitted);
   const double gridBits = SampleGeometry(mesh, grid);

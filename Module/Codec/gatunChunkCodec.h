@@ -2,7 +2,7 @@
 #ifndef gatunChunkCodec_h
 #define gatunChunkCodec_h
 
-// The mesh of one chunk: connectivity and geometry streams.
+// Encoding of the mesh of a chunk as a connectivity and a geometry stream.
 
 #include "gatunArrayCodec.h"
 #include "gatunBytes.h"
@@ -18,14 +18,14 @@
 
 namespace gatun
 {
-/** No chunk has more tetrahedra; all numbers inside of one fit 32 bits with room to spare. */
+/** The maximum number of tetrahedra in a chunk. All numbers in a chunk fit 32 bits. */
 constexpr std::uint32_t MaxChunkTets = 1u << 20;
 
-/** A chunk's connectivity stream has at least one byte for so many tetrahedra (and a shared block
- * one byte for so many points), so that a short file cannot ask for much memory. */
+/** A connectivity stream has at least one byte for this number of tetrahedra, and a shared block
+ * one byte for this number of points. This bounds the memory that a short file can request. */
 constexpr std::uint32_t MaxItemsPerByte = 256;
 
-/** What is needed of a chunk before its streams are decoded. */
+/** The data of a chunk that must be known before its streams are decoded. */
 struct ChunkFrame
 {
   std::uint32_t Tets = 0;
@@ -36,16 +36,16 @@ struct ChunkFrame
   PointDomain Domains;
 };
 
-/** A mesh in the order of its walk, which arrays are coded in. */
+/** A mesh in the order of its walk, which is the order of its arrays. */
 struct ChunkMesh
 {
   Topology Walk;
-  std::vector<PointKeys> Keys; // of every vertex in the order of the walk
+  std::vector<PointKeys> Keys; // of all vertices in the order of the walk
   PredictionRules Rules;
-  std::vector<std::uint8_t> UsedRules; // one an own vertex
+  std::vector<std::uint8_t> UsedRules; // one for each own vertex
   PointDomain Domains;
 
-  /** What point arrays need; with the neighbours' weights if withFit. */
+  /** Prepares the context of point arrays, with weights of neighbors if withFit. */
   void MakeContext(bool withFit);
   PointContext Context;
   std::optional<NeighbourFit> Fit;
@@ -59,22 +59,22 @@ struct EncodedChunk
   std::vector<std::uint32_t> OwnOrder; // own vertex -> own vertex of the input
   std::vector<std::uint32_t> TetOrder; // tetrahedron -> tetrahedron of the input
 
-  /** Of each tetrahedron the rotation that gives the input's corners: see RotateCorners. */
+  /** For each tetrahedron, the rotation that restores the input's corners: see RotateCorners. */
   std::vector<std::uint8_t> Corners;
 };
 
 /**
- * Encodes a chunk. Vertices of tets: shared ones first, in the order of the frame, then own ones,
- * with their keys in ownKeys. Every vertex must be used. Same input, same bytes.
+ * Encodes a chunk. Shared vertices come first, in the order of the frame, then own vertices with
+ * ownKeys. Every vertex must be used. The bytes depend only on the input.
  */
 EncodedChunk EncodeChunk(const ChunkFrame& frame,
   std::span<const std::array<std::uint32_t, 4>> tets, std::span<const PointKeys> ownKeys);
 
-/** Decodes what EncodeChunk made. Safe on hostile input. */
+/** Decodes the streams of EncodeChunk. Safe on hostile input: throws Error(Corrupt). */
 ChunkMesh DecodeChunk(const ChunkFrame& frame, std::span<const std::uint8_t> connectivity,
   std::span<const std::uint8_t> geometry);
 
-/** The even permutation number rotation, 0 to 11, of four corners; 0 leaves them. */
+/** Applies one of the 12 even permutations of four corners; 0 is the identity. */
 template <typename T>
 std::array<T, 4> RotateCorners(const std::array<T, 4>& corners, unsigned rotation)
 {

@@ -2,8 +2,8 @@
 #ifndef gatunDomain_h
 #define gatunDomain_h
 
-// Values as keys: unsigned integers in the order of the values, so that a small difference of
-// values is a small difference of keys, whatever the type.
+// Conversion of values to keys. Keys are unsigned integers in the order of the values, so that
+// close values have close keys, for every type.
 
 #include "gatunTypes.h"
 
@@ -18,10 +18,10 @@ namespace gatun
 {
 using Key = std::uint64_t;
 
-/** Distinct keys, ascending; then a value's key is its rank in here. */
+/** Distinct keys, ascending. With a palette, the key of a value is its rank in the palette. */
 using Palette = std::vector<Key>;
 
-/** How the values of one component are mapped to keys, and keys to numbers for predictions. */
+/** Maps the values of a component to keys, and keys to numbers for prediction. */
 class Domain
 {
 public:
@@ -40,7 +40,7 @@ public:
   unsigned GetBits() const { return this->Bits; }
   const std::shared_ptr<const Palette>& GetPalette() const { return this->Ranks; }
 
-  /** The key of a value at an address, without the palette. */
+  /** The key of the value at an address, regardless of the palette. */
   static Key ReadPlain(ScalarType type, const void* value)
   {
     Key raw = 0;
@@ -92,7 +92,7 @@ public:
     std::memcpy(value, &key, SizeOf(type));
   }
 
-  /** The key of a value that the palette, if there is one, is known to hold. */
+  /** The key of a value. The palette, if there is one, must contain it. */
   Key Read(const void* value) const
   {
     const Key plain = ReadPlain(this->Type, value);
@@ -100,7 +100,7 @@ public:
     {
       return plain;
     }
-    // Branch-free search; the palette holds the value.
+    // Branch-free binary search.
     const Key* low = this->Ranks->data();
     for (std::size_t count = this->Ranks->size(); count > 1;)
     {
@@ -116,16 +116,16 @@ public:
     WritePlain(this->Type, this->Ranks ? (*this->Ranks)[key] : key, value);
   }
 
-  /** Whether a key can occur; all can but for ranks outside the palette. */
+  /** Whether a key is valid: any key, or a rank within the palette. */
   bool IsValid(Key key) const { return !this->Ranks || key < this->Ranks->size(); }
 
-  /** The number that predictions compute with: the value, or its rank. */
+  /** The number for prediction: the value, or its rank. */
   double ToNumber(Key key) const
   {
     return this->Ranks ? static_cast<double>(key) : PlainToNumber(this->Type, key);
   }
 
-  /** The value itself as a number, palette or not. */
+  /** The value as a number, with or without palette. */
   double ToValue(Key key) const
   {
     return PlainToNumber(this->Type, this->Ranks ? (*this->Ranks)[key] : key);
@@ -158,7 +158,7 @@ public:
     }
   }
 
-  /** The key nearest to a predicted number; what is not finite counts as 0. */
+  /** The key closest to a predicted number. Numbers that are not finite count as 0. */
   Key FromNumber(double number) const
   {
     if (!std::isfinite(number))

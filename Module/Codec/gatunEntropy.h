@@ -17,8 +17,8 @@
 namespace gatun
 {
 /**
- * The probability that a decision is 1, learnt from the decisions seen so far: 22 bits of
- * probability and a count that makes the first decisions weigh more than the later ones.
+ * Adaptive probability that a decision is 1: 22 bits of probability and a count. The first
+ * decisions have more weight than later ones.
  */
 class BitModel
 {
@@ -59,8 +59,8 @@ private:
 };
 
 /**
- * The probabilities of 16 symbols, learnt from the symbols seen so far, in units of 2^-15: symbol s
- * has what lies from Starts[s] up to Starts[s + 1], or to the whole.
+ * Adaptive probabilities of 16 symbols in units of 2^-15. Symbol s has the interval from Starts[s]
+ * to Starts[s + 1], or to 2^15 for the last symbol.
  */
 class SymbolModel
 {
@@ -75,7 +75,7 @@ public:
     return end - this->Read(symbol);
   }
 
-  /** The symbol that has a number below 2^15. */
+  /** The symbol whose interval contains a number below 2^15. */
   unsigned Find(std::uint32_t number) const
   {
     return CountUpTo(this->Starts[0], this->Starts[1], static_cast<std::int16_t>(number)) - 1;
@@ -101,7 +101,7 @@ private:
     return static_cast<std::uint32_t>(this->Starts[symbol / 8][symbol % 8]);
   }
 
-  // Where the starts end when only one symbol occurs.
+  // The limits of the starts if only one symbol occurs.
   static constexpr auto Targets = []
   {
     constexpr auto row = [](int symbol) -> Row
@@ -129,15 +129,15 @@ private:
     return rates;
   }();
 
-  // All equally likely at first.
+  // All symbols are equally likely at first.
   Row Starts{ Short8{ 0, 2048, 4096, 6144, 8192, 10240, 12288, 14336 },
     Short8{ 16384, 18432, 20480, 22528, 24576, 26624, 28672, 30720 } };
   std::uint32_t Count = 0;
 };
 
 /**
- * Collects decisions, symbols and raw bits, and writes them as one stream when all are there.
- * The rANS part has to be written last decision first, hence the collecting.
+ * Collects decisions, symbols and raw bits, and writes them as one stream at the end, because rANS
+ * encodes the last decision first.
  */
 class EntropyEncoder
 {
@@ -161,17 +161,17 @@ public:
     return symbol;
   }
 
-  /** The low count bits of value as they are; count from 0 to 64. */
+  /** Adds the low bits of a value without modeling; count is 0 to 64. */
   std::uint64_t Raw(std::uint64_t value, unsigned count);
 
-  /** Length of the stream in bits, nearly. */
+  /** The approximate length of the stream in bits. */
   double EstimateBits() const;
 
-  /** Length of the rANS part as a varint, the rANS part, the raw bits. */
+  /** Returns the length of the rANS part as a varint, the rANS part, and the raw bits. */
   Bytes Finish();
 
 private:
-  /** The part of 2^Bits that stands for what was decided. */
+  /** The interval of 2^Bits that represents a decision. */
   struct Part
   {
     std::uint32_t Start;
@@ -185,7 +185,8 @@ private:
   unsigned PendingBits = 0;
 };
 
-/** Reads what EntropyEncoder wrote. A damaged stream gives wrong values or throws; never more. */
+/** Reads the output of EntropyEncoder. Safe on hostile input: a damaged stream yields wrong values
+ * or throws Error(Corrupt). */
 class EntropyDecoder
 {
 public:
@@ -198,7 +199,7 @@ public:
     const std::uint64_t p = model.GetProbability();
     const std::uint64_t slot = this->State & 0xffff;
     const bool bit = slot < p;
-    // Without branches, as many decisions are as good as random.
+    // Without branches, because many decisions are unpredictable.
     const std::uint64_t mask = std::uint64_t{ 0 } - bit;
     const std::uint64_t part = p * (this->State >> 16);
     const std::uint64_t one = part + slot;
@@ -252,7 +253,7 @@ private:
     this->State = (this->State << 32) | word;
   }
 
-  /** At most 32 bits. */
+  /** count is at most 32. */
   std::uint64_t Take(unsigned count)
   {
     if (this->RawEnd - this->RawNext >= 8)

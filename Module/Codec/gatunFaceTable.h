@@ -13,8 +13,8 @@
 namespace gatun
 {
 /**
- * Which tetrahedra have a face in common, however many. Face 4 t + i is the one of tetrahedron t
- * opposite to its corner i; all faces with the same three corners form a group.
+ * Finds the tetrahedra that share a face. Face 4 t + i is the face of tetrahedron t opposite to its
+ * corner i. All faces with the same three corners form a group of any size.
  */
 class FaceTable
 {
@@ -56,16 +56,16 @@ public:
     }
   }
 
-  /** A tetrahedron that names a vertex twice; it has no faces here. */
+  /** Whether a tetrahedron has a vertex twice. Its faces are left out. */
   static bool IsDegenerate(const Tet& t)
   {
     return t[0] == t[1] || t[0] == t[2] || t[0] == t[3] || t[1] == t[2] || t[1] == t[3] ||
       t[2] == t[3];
   }
 
-  std::vector<std::uint32_t> GroupOf; // of each face
+  std::vector<std::uint32_t> GroupOf; // the group of each face
   std::vector<std::uint32_t> Next;    // the next face of the group, or None
-  std::vector<std::uint32_t> Firsts;  // of each group its first face
+  std::vector<std::uint32_t> Firsts;  // the first face of each group
 
 private:
   static std::array<std::uint32_t, 3> GetSorted(std::span<const Tet> tets, std::size_t face)

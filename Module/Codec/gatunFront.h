@@ -2,7 +2,7 @@
 #ifndef gatunFront_h
 #define gatunFront_h
 
-// The open surface between the tetrahedra that a walk has visited and those it has not.
+// The open surface between the tetrahedra that a walk has visited and the others.
 
 #include "gatunInline.h"
 
@@ -33,13 +33,13 @@ constexpr unsigned LastSide(unsigned side)
 }
 
 /**
- * What lies over a side of an open face: a side of another open face, or the border, of which the
- * far corner of the face that ended there is known. Also the number of visited tetrahedra there.
+ * The neighbor over a side of an open face: a side of another open face, or the border with the far
+ * corner of the last face there. Also counts the visited tetrahedra around the edge.
  */
 class Link
 {
 public:
-  static constexpr unsigned MostTets = 7; // more count as so many
+  static constexpr unsigned MostTets = 7; // larger numbers are clamped
 
   Link() = default;
 
@@ -73,11 +73,11 @@ private:
 
 /**
  * Open faces in the order of their creation. A face is a triangle seen from outside the visited
- * part, with Apex the fourth corner of the tetrahedron behind it. Over each of its sides lies
- * exactly one other open face, or the border; where the front touches itself in an edge, its faces
- * there are linked in pairs.
+ * part. Apex is the fourth corner of the tetrahedron behind it. Each side has exactly one other
+ * open face, or the border, as its neighbor. Where the front touches itself in an edge, its faces
+ * are linked in pairs.
  *
- * Faces wait in a ring, so that memory follows the size of the front and not of the mesh.
+ * Faces are in a ring buffer, so that memory grows with the front and not with the mesh.
  */
 class Front
 {
@@ -101,7 +101,7 @@ public:
   /** The oldest open face, or None. */
   std::uint32_t NextGate()
   {
-    // Four at a time, as there is no telling which are closed. Those behind the last are.
+    // Four at a time, because closed faces are unpredictable. Faces beyond the last one are closed.
     while (this->Head < this->Tail)
     {
       const unsigned open = this->IsOpen(this->Head) | this->IsOpen(this->Head + 1) << 1 |
@@ -119,11 +119,11 @@ public:
   Face& GetFace(std::uint32_t id) { return this->Faces[id & this->Mask]; }
   const Face& GetFace(std::uint32_t id) const { return this->Faces[id & this->Mask]; }
 
-  /** The face that a link leads to, or any if it is the border. The mask drops its other bits. */
+  /** The face of a link, or an arbitrary one for the border. The mask removes the other bits. */
   Face& GetFace(Link link) { return this->Faces[link.GetFaceAndMore() & this->Mask]; }
   const Face& GetFace(Link link) const { return this->Faces[link.GetFaceAndMore() & this->Mask]; }
 
-  /** From now on up to four faces can be added without moving those that there are. */
+  /** Makes room for four faces, so that adding them does not move the others. */
   void MakeRoom()
   {
     if (this->Tail - this->Head + 4 > this->Faces.size())
@@ -132,7 +132,7 @@ public:
     }
   }
 
-  /** Adds a face that is not linked yet. */
+  /** Adds a face without links. */
   std::uint32_t AddFace(const std::array<Vertex, 3>& corners, Vertex apex, std::uint32_t tet)
   {
     const auto id = this->Tail++;
@@ -140,7 +140,7 @@ public:
     return id;
   }
 
-  /** Links two sides, of which one may be the border, over an edge with so many tetrahedra. */
+  /** Links two sides over an edge with a given number of tetrahedra. One may be the border. */
   GATUN_INLINE void Connect(Link a, Link b, unsigned tets)
   {
     a = a.WithTets(tets);
@@ -155,7 +155,7 @@ public:
     }
   }
 
-  /** Tells what lies around a face that was closed that there is nothing behind it. */
+  /** Turns the links of the neighbors of a closed face to the border. */
   void CloseAtBorder(const Face& face)
   {
     for (unsigned i = 0; i < 3; ++i)
@@ -164,7 +164,7 @@ public:
     }
   }
 
-  /** Brings what lies around a gate that comes soon near the processor. */
+  /** Prefetches the neighborhood of an upcoming gate. */
   void Prefetch(std::uint32_t gate) const
   {
 #if defined(__GNUC__)

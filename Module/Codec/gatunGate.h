@@ -2,7 +2,7 @@
 #ifndef gatunGate_h
 #define gatunGate_h
 
-// An open face and what can be known of the tetrahedron behind it before it is decoded.
+// An open face and candidates for the fourth vertex of the tetrahedron behind it.
 
 #include "gatunFront.h"
 #include "gatunInline.h"
@@ -17,7 +17,7 @@
 
 namespace gatun
 {
-/** A vertex and how near it is to being the one wanted; the lower number wins among equals. */
+/** A vertex and its rank; lower is better, and the lower number wins among equals. */
 struct RankedVertex
 {
   float Rank = NeverRank;
@@ -29,7 +29,7 @@ struct RankedVertex
   }
 };
 
-/** The sense in which the faces around a vertex are visited. */
+/** The direction in which the faces around a vertex are visited. */
 enum class Turn
 {
   Forward,
@@ -37,9 +37,9 @@ enum class Turn
 };
 
 /**
- * Visits the open faces around a vertex, from the one that a link leads to, at most so many. Calls
+ * Visits a limited number of open faces around a vertex, starting at the face of a link. Calls
  * use(vertex, side, Sense) with the next vertex around and the side of the face that leads on, as a
- * link; ends when it returns false. Returns the link that was not followed any more.
+ * link. Stops when use returns false. Returns the link that was not followed.
  */
 template <Turn Sense, typename Use>
 GATUN_INLINE Link TurnAround(const Front& front, Link link, unsigned most, Use&& use)
@@ -49,7 +49,7 @@ GATUN_INLINE Link TurnAround(const Front& front, Link link, unsigned most, Use&&
     const auto& face = front.GetFace(link);
     if (!face.Open)
     {
-      break; // once around, back at the gate
+      break; // a full turn, back at the gate
     }
     const auto side = link.GetSide();
     const auto next = Sense == Turn::Forward ? LastSide(side) : NextSide(side);
@@ -62,14 +62,14 @@ GATUN_INLINE Link TurnAround(const Front& front, Link link, unsigned most, Use&&
   return link;
 }
 
-/** a or b without a branch, for conditions that are as good as random. */
+/** a or b without a branch, for unpredictable conditions. */
 GATUN_INLINE std::uint32_t Choose(bool condition, std::uint32_t a, std::uint32_t b)
 {
   const std::uint32_t mask = 0u - std::uint32_t{ condition };
   return (a & mask) | (b & ~mask);
 }
 
-/** How many tetrahedra a face's three sides have (1, 2, more), 0 to 26. */
+/** Grades the numbers of tetrahedra at a face's sides (1, 2, more), 0 to 26. */
 inline unsigned GradeTets(const Front::Face& face)
 {
   unsigned grade = 0;
@@ -80,7 +80,7 @@ inline unsigned GradeTets(const Front::Face& face)
   return grade;
 }
 
-/** Each side of the gate proposes the far corner of the open face over it. */
+/** An open face whose sides propose the far corners of the open faces over them as candidates. */
 template <Ranking Rule>
 class Gate
 {
@@ -98,14 +98,14 @@ public:
   };
   using Circle = std::conditional_t<UsesAngle, NoCircle, GateCircle>;
 
-  /** Makes the proposals. */
+  /** Collects the proposals. */
   GATUN_INLINE Gate(
     const Front& front, std::span<const LatticePoint> places, const Front::Face& face)
     : Face(face)
     , Plane(places[face.Corners[0]], places[face.Corners[1]], places[face.Corners[2]])
     , Ring(Plane)
   {
-    std::array<Vertex, 3> lanes; // a corner of the gate instead of what is not there
+    std::array<Vertex, 3> lanes; // a corner of the gate where there is no proposal
     for (unsigned i = 0; i < 3; ++i)
     {
       const auto link = face.Over[i];
@@ -142,7 +142,7 @@ public:
     return rank;
   }
 
-  /** How many sides propose the best candidate. */
+  /** The number of sides that propose the best candidate. */
   unsigned CountBest() const
   {
     const Vertex best = this->GetBest();
@@ -150,19 +150,19 @@ public:
       unsigned{ this->Ids[2] == best };
   }
 
-  /** Tetrahedra at the side of the best candidate. */
+  /** The number of tetrahedra at the side of the best candidate. */
   unsigned GetBestTets() const
   {
     return this->HasCandidate() ? this->Face.Over[this->Best].GetTets() : 0;
   }
 
-  /** How many different vertices are proposed. */
+  /** The number of distinct proposals. */
   unsigned CountCandidates() const
   {
     return this->HasCandidate() ? 1 + this->GetOthers().Count : 0;
   }
 
-  /** The candidates after the best one, in the order of their ranks. */
+  /** The other candidates, sorted by rank. */
   Others GetOthers() const
   {
     Others result;
@@ -192,7 +192,8 @@ public:
     }
   }
 
-  /** Pairs (sides at the border, of those coplanar with it), 0 to 9. */
+  /** Grades the number of sides at the border and the number of coplanar ones among them, 0 to 9.
+   */
   unsigned GetBorderGrade(std::span<const LatticePoint> places) const
   {
     unsigned border = 0;
@@ -207,7 +208,7 @@ public:
     return border * (border + 1) / 2 + coplanar;
   }
 
-  /** What a vertex that is met on this gate can be predicted from. */
+  /** The known vertices that predict a vertex met on this gate. */
   GateRecord GetRecord() const
   {
     const auto& c = this->Face.Corners;
@@ -218,10 +219,11 @@ public:
     return record;
   }
 
-  /** The least rank by spheres of the far corners of the faces next to those over the sides. */
+  /** The lowest sphere rank among the far corners of the faces next to those over the sides. */
   float GetRingRank(const Front& front, std::span<const LatticePoint> places) const
   {
-    std::array<Vertex, 8> seen; // a corner of the gate, never in front of it, for what is not there
+    std::array<Vertex, 8>
+      seen; // a corner of the gate, which is never in front of it, where there is none
     seen.fill(this->Face.Corners[0]);
     for (unsigned i = 0; i < 3; ++i)
     {
@@ -242,13 +244,13 @@ public:
   const Front::Face Face;
   const GatePlane Plane;
   const Circle Ring;
-  std::array<Vertex, 3> Far; // over each side: the far corner of the face or of the border there
-  std::array<Vertex, 3> Ids; // what each side proposes, or NoVertex
+  std::array<Vertex, 3> Far; // the far corner of the face or the border over each side
+  std::array<Vertex, 3> Ids; // the proposal of each side, or NoVertex
   std::array<float, 3> Ranks;
   unsigned Best = 0;
 
 private:
-  /** The far corner over a side next to the gate's; one of the gate if that is nothing new. */
+  /** The far corner over a side of a neighboring face, or a corner of the gate if it is not new. */
   Vertex GetRingVertex(const Front& front, Link link) const
   {
     const Vertex far = front.GetFace(link).Corners[link.GetSide()];

@@ -5,7 +5,7 @@ namespace gatun
 {
 namespace
 {
-/** Solves a * x = b in place by elimination with pivoting; false if a is singular. */
+/** Solves a * x = b in place by elimination with pivoting. Returns false if a is singular. */
 template <std::size_t N>
 bool Solve(std::array<std::array<double, N>, N>& a, std::array<double, N>& b)
 {
@@ -67,7 +67,7 @@ const PredictionRules& GetGridRules()
     { 256, 0, 256, 0, 0, -256, 0 },   //
     { 0, -256, 0, 0, 256, 0, 256 },   //
     { 0, 256, 256, 0, -256, 0, 0 },   //
-    { 0, 0, 512, -256, 0, 0, 0 },     // a row goes on
+    { 0, 0, 512, -256, 0, 0, 0 },     // continuation of a row
     { -256, 0, 0, 0, 0, 256, 256 },   //
     { 0, 0, 256, -256, 0, 0, 256 },   //
     { 0, 0, 0, 0, 0, 0, 256 },        //
@@ -79,7 +79,7 @@ const PredictionRules& GetGridRules()
 PredictionRules FitRule(std::span<const GateRecord> records, std::span<const Vertex> ids,
   std::span<const PointKeys> keys, const PointDomain& domain)
 {
-  // Offsets from the gate's third corner; its own weight is what the others leave of 1.
+  // Offsets from the gate's third corner, whose weight is 1 minus the sum of the others.
   constexpr std::size_t unknowns = GateRecord::Size - 1;
   constexpr unsigned centre = 2;
   std::array<std::array<double, unknowns>, unknowns> normal{};

@@ -2,7 +2,7 @@
 #ifndef gatunGeometry_h
 #define gatunGeometry_h
 
-// Coordinates of own vertices, each predicted from the gate on which it was met.
+// Encoding of own vertices' coordinates, predicted from the gates on which the vertices were met.
 
 #include "gatunDomain.h"
 #include "gatunMeasure.h"
@@ -19,14 +19,14 @@ namespace gatun
 using PointKeys = std::array<Key, 3>;
 using PointDomain = std::array<Domain, 3>;
 
-/** Maps coordinates to the 16-bit lattice of a chunk. Deterministic; not finite counts as lowest.
- */
+/** Maps coordinates to the 16-bit lattice of a chunk. Deterministic. Coordinates that are not
+ * finite map to the lowest place. */
 class Lattice
 {
 public:
   Lattice() = default;
 
-  /** From the smallest and largest finite coordinates of the chunk. */
+  /** box: the finite coordinates of the chunk. */
   explicit Lattice(const Bounds& box)
   {
     double extent = 0;
@@ -49,7 +49,7 @@ private:
   float Map(double value, unsigned axis) const
   {
     const double place = (value - this->Low[axis]) * this->Scale;
-    // The comparisons also send what is not a number to 0.
+    // The comparisons map NaN to 0.
     const double bounded = place > 0 ? (place < 65535.0 ? place : 65535.0) : 0.0;
     return static_cast<float>(static_cast<std::int32_t>(bounded)) * (1.0F / 256.0F);
   }
@@ -62,23 +62,22 @@ private:
 using PredictionRule = std::array<std::int16_t, GateRecord::Size>;
 
 /**
- * The rules of a chunk. With one, it is fitted to the chunk; with several, each vertex names the
- * one that predicts it best, which pays where vertices lie in rows, as in grids of hexahedra.
+ * The prediction rules of a chunk. A single rule is fitted to the chunk. With several rules, each
+ * vertex selects the best one, which suits vertices in rows, as in grids of hexahedra.
  */
 using PredictionRules = std::vector<PredictionRule>;
 
 constexpr std::size_t MaxRules = 16;
 
-/** Rules that continue the rows, parallelograms and parallelepipeds of split hexahedra. */
+/** Rules that extrapolate the rows, parallelograms and parallelepipeds of split hexahedra. */
 const PredictionRules& GetGridRules();
 
-/** The single rule with the least squared errors, for vertices in no particular order. */
+/** The single rule with the least squared error, for irregular meshes. */
 PredictionRules FitRule(std::span<const GateRecord> records, std::span<const Vertex> ids,
   std::span<const PointKeys> keys, const PointDomain& domain);
 
 /**
- * What a rule predicts for several components at once; those of a gate's known vertex number k are
- * getNumbers(k).
+ * Predicts several components by a rule. getNumbers(k) returns those of the gate's known vertex k.
  */
 template <std::size_t N, typename GetNumbers>
 GATUN_INLINE std::array<double, N> ApplyRule(const PredictionRule& rule, GetNumbers&& getNumbers)
@@ -86,7 +85,7 @@ GATUN_INLINE std::array<double, N> ApplyRule(const PredictionRule& rule, GetNumb
   std::array<double, N> result{};
   for (unsigned k = 0; k < GateRecord::Size; ++k)
   {
-    // What has no weight may be a NaN. Adding the +0 that is put in its place changes nothing.
+    // Vertices without weight may be NaN. They are replaced by +0, which does not change the sum.
     const auto mask = std::uint64_t{ 0 } - (rule[k] != 0);
     const double weight = rule[k];
     const std::array<double, N> numbers = getNumbers(k);
@@ -117,7 +116,7 @@ public:
   {
   }
 
-  /** Tells of the next vertex of the walk, shared or own, so that others are predicted from it. */
+  /** Registers the next vertex of the walk, shared or own, for the prediction of others. */
   void Meet(const PointKeys& keys)
   {
     auto& numbers = this->Numbers.emplace_back();
@@ -128,8 +127,8 @@ public:
   }
 
   /**
-   * Codes the next own vertex; keys has those of every vertex met before. Returns its keys and
-   * leaves in usedRule the number of the rule that predicted it.
+   * Codes the next own vertex. keys contains those of all vertices met so far. Returns the keys of
+   * the vertex; usedRule receives its rule.
    */
   PointKeys Code(const GateRecord& record, std::span<const PointKeys> keys, const PointKeys& truth,
     std::uint8_t& usedRule)
@@ -170,9 +169,9 @@ public:
   }
 
 private:
-  using PointNumbers = std::array<double, 4>; // three, and one more as pairs are faster
+  using PointNumbers = std::array<double, 4>; // three, and one more because pairs are faster
 
-  /** Bits of the difference of the largest and the smallest key of gate and apex. */
+  /** The number of bits of the range of the keys of gate and apex. */
   static unsigned GetSpread(
     const GateRecord& record, unsigned component, std::span<const PointKeys> keys)
   {
@@ -244,7 +243,7 @@ private:
   const PredictionRules Rules;
   std::vector<BitModel> RuleModels;
   std::vector<ResidualModel> Residuals;
-  std::vector<PointNumbers> Numbers; // of every vertex met
+  std::vector<PointNumbers> Numbers; // of all vertices met
   PointKeys Previous{};
 };
 }

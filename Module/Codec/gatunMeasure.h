@@ -2,11 +2,11 @@
 #ifndef gatunMeasure_h
 #define gatunMeasure_h
 
-// How likely a vertex is the fourth corner of the tetrahedron behind a gate, judged by geometry.
+// Geometric ranking of candidates for the fourth corner of the tetrahedron behind a gate.
 //
-// Every value here steers what the decoder does next, so encoder and decoder must agree to the
-// last bit: IEEE binary32 with + - * / and sqrt in the order written, no contraction. The
-// specification repeats each formula; change both or neither.
+// Every value affects the decoder's decisions, so encoder and decoder must agree bit for bit: IEEE
+// binary32 with + - * / and sqrt in the order written, without contraction. The specification
+// repeats each formula; never change only one of them.
 
 #include "gatunInline.h"
 #include "gatunLanes.h"
@@ -25,11 +25,12 @@ struct alignas(16) LatticePoint
 {
   float X = 0, Y = 0, Z = 0;
 
-  /** Bit i: the i-th neighbour chunk uses it too, bit 31 for all from there; 0: it is own. */
+  /** Bit i is set if the i-th neighbor chunk uses the vertex, bit 31 for all further chunks. 0 for
+   * own vertices. */
   std::uint32_t Users = 0;
 };
 
-/** A vector in the first three lanes; the last is not used, and 0 or what comes of that. */
+/** A vector in the first three lanes. The last lane is unused: 0, or a result of 0. */
 struct Vec3
 {
   Float4 Lanes;
@@ -37,7 +38,7 @@ struct Vec3
   GATUN_INLINE float operator[](std::size_t i) const { return this->Lanes[i]; }
 };
 
-/** Four vectors, a lane each. */
+/** Four vectors, one in each lane. */
 struct Vec3x4
 {
   Float4 X, Y, Z;
@@ -103,14 +104,14 @@ GATUN_INLINE Vec3x4 Splat(const LatticePoint& p)
   return { Splat(p.X), Splat(p.Y), Splat(p.Z) };
 }
 
-/** The rules by which candidates are ranked; the encoder chooses one for a chunk. */
+/** The ranking of candidates. The encoder chooses one for each chunk. */
 enum class Ranking : std::uint8_t
 {
-  Sphere = 0, ///< least signed distance of the circumsphere's centre: Delaunay meshes
+  Sphere = 0, ///< least signed distance of the circumsphere's center: Delaunay meshes
   Angle = 1   ///< least dihedral angle over the shared edge: split hexahedra
 };
 
-/** The rank of what is not in front of the gate. */
+/** The rank of vertices that are not in front of the gate. */
 constexpr float NeverRank = std::numeric_limits<float>::infinity();
 
 /** The plane of a gate. */
@@ -129,8 +130,8 @@ public:
   }
 
   /**
-   * For the far vertices over the edges opposite to the corners a, b, c: minus the squared cosine
-   * of the dihedral angle at the edge, with the sign of the cosine: -1 for 0, 1 for 180 degrees.
+   * Ranks the far vertices over the edges opposite to the corners a, b, c: minus the squared cosine
+   * of the dihedral angle at the edge, with the sign of the cosine. -1 for 0 degrees, 1 for 180.
    */
   GATUN_INLINE Float4 GetAngles(const Vec3x4& far) const
   {
@@ -147,14 +148,14 @@ public:
       height, zero, SelectGreater(zero, inward, angle, zero - angle), Splat(NeverRank));
   }
 
-  /** The ranks given of those places that lie in front of the gate. */
+  /** Keeps the ranks of places in front of the gate. */
   GATUN_INLINE Float4 SelectInFront(const Vec3x4& places, Float4 ranks) const
   {
     const auto height = Dot(places - Splat(this->A), Splat(this->Normal));
     return SelectGreater(height, Splat(0.0F), ranks, Splat(NeverRank));
   }
 
-  /** Whether d lies within about 6 degrees of the plane, as seen from the gate's corner s. */
+  /** Whether d is within about 6 degrees of the plane, seen from the gate's corner s. */
   bool IsCoplanar(const LatticePoint& d, const LatticePoint& s) const
   {
     const Vec3 p = ToVector(d) - ToVector(s);
@@ -169,7 +170,7 @@ public:
   const float NormalSquared;
 };
 
-/** The circumcircle of a gate. All that is not finite in here comes with heights of 0. */
+/** The circumcircle of a gate. It is not finite only if heights are 0. */
 class GateCircle
 {
 public:
@@ -190,8 +191,8 @@ public:
   }
 
   /**
-   * Twice the signed distance from the gate's circumcentre to the centre of the sphere through the
-   * gate and each of four places, over the length of the normal.
+   * Twice the signed distance from the gate's circumcenter to the center of the sphere through the
+   * gate and each of four places, divided by the length of the normal.
    */
   GATUN_INLINE Float4 GetSpheres(const GatePlane& plane, const Vec3x4& places) const
   {
@@ -201,10 +202,10 @@ public:
     return SelectGreater(height, Splat(0.0F), distance / height, Splat(NeverRank));
   }
 
-  /** Twice the vector from the gate's first corner to the circumcentre. */
+  /** Twice the vector from the gate's first corner to the circumcenter. */
   Vec3 Centre;
 
-  /** Makes a rank of GetSpheres a multiple of the radius. */
+  /** Converts a rank of GetSpheres to a multiple of the radius. */
   float Unit;
   float FourRadiusSquared;
 };

@@ -11,7 +11,7 @@
 
 namespace gatun
 {
-/** A running mean of the lengths of residuals, in bits. */
+/** A running mean of the lengths of residuals in bits. */
 class RunningSpread
 {
 public:
@@ -27,13 +27,13 @@ private:
   unsigned Sum = 4 * 20;
 };
 
-/** How large residuals are, relative to the spread of the values around, in one context. */
+/** Models the size of residuals relative to the spread of surrounding values, in one context. */
 class ResidualModel
 {
 public:
   /**
    * Codes a residual: its length in bits relative to spread (the length of a typical difference),
-   * its sign, its second bit, and the rest as it is. Returns the residual.
+   * its sign, its second bit, and the raw remaining bits. Returns the residual.
    */
   template <typename Coder>
   std::int64_t Code(Coder& coder, unsigned spread, std::int64_t residual)
@@ -51,16 +51,16 @@ public:
     this->Grade = relative < -7 ? 1 : relative < -3 ? 2 : 3;
     const std::uint64_t sign = coder.Bit(this->Sign, residual < 0);
     magnitude = this->CodeMagnitude(coder, length, magnitude);
-    // Its two's complement, without a branch, as signs are as good as random.
+    // The two's complement without a branch, because signs are unpredictable.
     return static_cast<std::int64_t>((magnitude ^ (0 - sign)) + sign);
   }
 
-  /** How well the residual last coded was predicted, from 0 (it was 0) to 3. */
+  /** Grades the last residual from 0 (it was 0) to 3. */
   unsigned Grade = 0;
 
 private:
-  // Symbols of Near: 0 is a residual of 0, 1 to 14 are lengths around the spread, 15 is all else;
-  // of Far: 0 is a length as it is, 1 to 15 are lengths far below the spread.
+  // Symbols of Near: 0 is a residual of 0, 1 to 14 are lengths around the spread, 15 is an escape.
+  // Symbols of Far: 0 is a raw length, 1 to 15 are lengths far below the spread.
   static constexpr int NearShift = 12;
   static constexpr int FarShift = 27;
   static constexpr unsigned Escape = SymbolModel::Symbols - 1;

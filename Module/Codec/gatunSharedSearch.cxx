@@ -9,7 +9,7 @@ SharedSearch::SharedSearch(std::span<const LatticePoint> vertices)
   : PlaceOf(vertices.size())
   , Entries(vertices.size() + 3)
 {
-  // About two vertices a cell where they lie on the six sides of a box.
+  // About two vertices in each cell if the vertices are on the six sides of a box.
   this->Bits = static_cast<unsigned>(
     std::clamp((static_cast<int>(std::bit_width(vertices.size())) - 4) / 2, 0, 6));
   this->CellsPerUnit = static_cast<float>(1u << this->Bits) * (1.0F / 256.0F);

@@ -14,19 +14,20 @@
 
 namespace gatun
 {
-/** Finds the shared vertices, not met yet, that lie in front of a gate and near it. */
+/** Finds shared vertices in front of a gate and close to it that have not been met. */
 class SharedSearch
 {
 public:
   static constexpr unsigned Most = 8;
-  static constexpr std::uint32_t Patience = 512; // times that four vertices are looked at
+  static constexpr std::uint32_t Patience =
+    512; // the maximum number of groups of four vertices to examine
 
   struct Hits
   {
     std::array<RankedVertex, Most> List; // Id is the index of a shared vertex
     unsigned Count = 0;
 
-    /** The rank that a vertex must be below to be among the best. */
+    /** Vertices with a lower rank are among the best. */
     float GetBound() const { return this->Count < Most ? NeverRank : this->List[Most - 1].Rank; }
 
     void Add(const RankedVertex& hit)
@@ -43,10 +44,10 @@ public:
   explicit SharedSearch(std::span<const LatticePoint> vertices);
 
   /**
-   * The vertices in front of a gate whose distance to its centroid is at most reach times its
-   * longest side: the Most best by getRanks(places, squared distances), the best first. The search
-   * goes over the rows of cells of a grid, the middle ones first, and gives up, with what it has,
-   * when it runs out of patience.
+   * Finds the best vertices in front of a gate whose distance to its centroid is at most reach
+   * times its longest side. getRanks(places, squared distances) ranks them; the best one is first.
+   * The search visits the rows of cells of a grid from the middle outwards and stops after Patience
+   * groups of vertices.
    */
   template <typename GetRanks>
   Hits Find(const GatePlane& plane, float reach, GetRanks&& getRanks) const
@@ -95,7 +96,7 @@ public:
 private:
   static constexpr std::uint32_t Gone = 0xffffffffu;
 
-  /** The cells that a search goes through. */
+  /** The cells that a search visits. */
   struct Area
   {
     Area(const SharedSearch& search, const GatePlane& plane, float reach);
@@ -108,7 +109,7 @@ private:
 
     unsigned CountOf(unsigned axis) const { return this->High[axis] - this->Low[axis] + 1; }
 
-    /** The i-th cell along an axis: from the middle one outwards, one to each side in turn. */
+    /** The i-th cell along an axis, from the middle outwards, alternating between the sides. */
     unsigned Outwards(unsigned axis, unsigned i) const
     {
       const auto low = this->Low[axis];
@@ -135,12 +136,13 @@ private:
       this->CellOf(p.X);
   }
 
-  std::vector<std::uint32_t> PlaceOf; // of each vertex its place among the entries
+  std::vector<std::uint32_t> PlaceOf; // the position of each vertex in Entries
 
-  /** By cell, then by index, which is in Users; far away when met. Three more at the end. */
+  /** Sorted by cell, then by index, which is in Users. Met vertices are far away. Three more at the
+   * end. */
   std::vector<LatticePoint> Entries;
   std::vector<std::uint32_t> CellStart;
-  unsigned Bits = 0; // of the number of cells along each axis
+  unsigned Bits = 0; // the number of cells along each axis is a power of two
   float CellsPerUnit = 1;
 };
 }

@@ -11,23 +11,24 @@
 namespace gatun
 {
 /**
- * What was known when a walk met an own vertex: the gate's corners, the apex behind it, and the
- * far corners over the gate's three sides. All NoVertex when the vertex began a component.
+ * The known vertices at the moment when a walk met an own vertex: the gate's corners, the apex
+ * behind it, and the far corners over the gate's three sides. All are NoVertex if the vertex began
+ * a component.
  */
 struct GateRecord
 {
   static constexpr unsigned Size = 7;
   std::array<Vertex, Size> Known{ NoVertex, NoVertex, NoVertex, NoVertex, NoVertex, NoVertex,
     NoVertex };
-  std::uint8_t EdgeGrade = 0;      // how many tetrahedra the gate's edges have, 0 to 26
-  std::uint8_t CandidateGrade = 0; // how many vertices competed with this one, 0 to 3
+  std::uint8_t EdgeGrade = 0;      // numbers of tetrahedra at the gate's edges, 0 to 26
+  std::uint8_t CandidateGrade = 0; // number of other candidates, 0 to 3
 
   bool IsSeed() const { return this->Known[0] == NoVertex; }
 };
 
 /**
- * A chunk's mesh as its walk leaves it. Vertices are numbered in the order in which the walk met
- * them, whether shared or own.
+ * The mesh of a chunk after its walk. Shared and own vertices are numbered in the order in which
+ * the walk met them.
  */
 struct Topology
 {
@@ -35,12 +36,12 @@ struct Topology
   static constexpr std::uint32_t NoTet = 0xffffffffu;
 
   std::vector<std::array<Vertex, 4>> Tets;
-  std::vector<std::uint32_t> Parents; // tetrahedron behind the gate, NoTet for a seed
+  std::vector<std::uint32_t> Parents; // the tetrahedron behind the gate, NoTet for a seed
 
-  // Of each vertex: its place among the chunk's shared vertices with SharedFlag, or among its own.
+  // The number of each vertex among the chunk's shared vertices, with SharedFlag, or its own ones.
   std::vector<std::uint32_t> Sources;
-  std::vector<GateRecord> Records;            // one an own vertex
-  std::vector<std::array<Vertex, 2>> EdgeLog; // every edge that the walk made, in that order
+  std::vector<GateRecord> Records;            // one for each own vertex
+  std::vector<std::array<Vertex, 2>> EdgeLog; // all edges in the order in which the walk made them
 
   bool IsShared(Vertex v) const { return (this->Sources[v] & SharedFlag) != 0; }
 };

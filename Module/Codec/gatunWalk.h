@@ -2,11 +2,11 @@
 #ifndef gatunWalk_h
 #define gatunWalk_h
 
-// The breadth-first walk over a chunk's tetrahedra, the same code for encoder and decoder.
+// The breadth-first walk over a chunk's tetrahedra. Encoder and decoder use the same code.
 //
 // C.-K. Yang, T. Mitra, T.-c. Chiueh, "On-the-fly rendering of losslessly compressed irregular
-// volume data", IEEE Visualization 2000: a tetrahedron is grown on each open face (gate) and its
-// fourth vertex is named by its neighbourhood. New here: the neighbourhood is ranked by geometry,
+// volume data", IEEE Visualization 2000: a tetrahedron is grown on each open face (gate), and its
+// fourth vertex is coded by its neighborhood. In addition, the neighborhood is ranked by geometry,
 // in the spirit of U. Bischoff, J. Rossignac, "TetStreamer", 2005.
 
 #include "gatunEntropy.h"
@@ -23,28 +23,28 @@
 
 namespace gatun
 {
-/** What names the vertices of a chunk: its sizes, and what its directory entry says. */
+/** The sizes and shared vertices of a chunk, from its directory entry. */
 struct WalkInput
 {
   std::uint32_t Tets = 0;
   std::uint32_t OwnVertices = 0;
   std::span<const LatticePoint> Shared;
   bool Plain = false; // no gates: every tetrahedron is coded by the ids of its vertices
-  std::uint32_t Stop = 0xffffffff; // an encoder that only tries may stop after so many tetrahedra
+  std::uint32_t Stop = 0xffffffff; // the number of tetrahedra to code, for trial encodings
 };
 
 /**
- * Side tells an encoder what is true and takes from a decoder what it learnt:
+ * Side provides the mesh to an encoder and receives it from a decoder:
  *
- *   std::uint32_t FindTet(face)         encoder: begin the unvisited tetrahedron over a gate; its
- *                                       number, or NoTet
- *   void NextSeed()                     encoder: begin any unvisited tetrahedron
- *   Vertex GetTarget(i)                 encoder: vertex i of the tetrahedron begun (3 is the one
- *                                       opposite to the gate), or NoVertex if not met yet
+ *   std::uint32_t FindTet(face)         encoder: begins the unvisited tetrahedron over a gate.
+ *                                       Returns its number, or NoTet
+ *   void NextSeed()                     encoder: begins any unvisited tetrahedron
+ *   Vertex GetTarget(i)                 encoder: vertex i of that tetrahedron (3 is opposite to
+ *                                       the gate), or NoVertex if it has not been met
  *   bool IsTargetShared(i), std::uint32_t GetTargetShared(i)
- *                                       encoder: for a vertex not met yet
- *   void MeetShared(i, index)           vertex i was met: shared vertex number index
- *   LatticePoint MeetOwn(i, record)     vertex i was met: the next own one; returns its place
+ *                                       encoder: for a vertex that has not been met
+ *   void MeetShared(i, index)           vertex i has been met: shared vertex number index
+ *   LatticePoint MeetOwn(i, record)     vertex i has been met: the next own one. Returns its place
  */
 template <Ranking Rule, typename Coder, typename Side>
 class Walk
@@ -57,7 +57,7 @@ public:
     , Out(out)
     , Search(input.Shared)
   {
-    // Sized once, as vectors that grow cost more than the walk itself.
+    // Sized once, because growing vectors would cost more than the walk itself.
     const auto vertices = std::size_t{ input.OwnVertices } + input.Shared.size();
     const auto tets = std::min(input.Tets, input.Stop);
     this->Places.resize(vertices);
@@ -97,14 +97,14 @@ public:
   }
 
 private:
-  static constexpr unsigned MaxFan = 32;  // faces visited around a corner in one sense
+  static constexpr unsigned MaxFan = 32;  // faces visited around a corner in one direction
   static constexpr unsigned MaxRing = 15; // ring vertices that can be named
   static constexpr unsigned MostInRing = 3 * 2 * MaxFan;
 
-  // By the sides of the gate; other orders cost grids some bits.
+  // The order of the sides of the gate. Other orders cost some bits in grids.
   static constexpr std::array<unsigned, 3> OrderOfFaces{ 2, 0, 1 };
 
-  // How far shared vertices are looked for, in longest edges: grids are often much stretched.
+  // The search radius for shared vertices in longest edges. Grids are often stretched.
   static constexpr float SearchReach = Rule == Ranking::Angle ? 3.0F : 1.25F;
 
   //------------------------------------------------------------------------------------------------
@@ -137,7 +137,7 @@ private:
     return id;
   }
 
-  /** A number below count as it is. */
+  /** Codes a number below count without modeling. */
   std::uint32_t CodeIndex(std::uint32_t value, std::size_t count)
   {
     const auto bits = static_cast<unsigned>(std::bit_width(count > 0 ? count - 1 : 0));
@@ -167,7 +167,7 @@ private:
       v[0] == v[1] || v[0] == v[2] || v[0] == v[3] || v[1] == v[2] || v[1] == v[3] || v[2] == v[3];
     if (degenerate || this->Input.Plain)
     {
-      // One that names a vertex twice has fewer than four faces and stays out of the front.
+      // A tetrahedron with a vertex twice has fewer than four faces and stays out of the front.
       this->Finish(v, Topology::NoTet);
       return;
     }
@@ -223,7 +223,7 @@ private:
       target = border ? NoVertex : this->Truth.GetTarget(3);
     }
 
-    // Most faces whose corners another chunk has, too, are its border with that chunk.
+    // Most faces whose corners another chunk uses are the interface with that chunk.
     const bool isInterface = this->GetUsers(face) != 0;
     if (isInterface &&
       this->Symbols.Bit(this->Models.Interface[this->GradeInterface(face)], border))
@@ -233,7 +233,7 @@ private:
       return;
     }
 
-    // The best candidate first: it is right most of the time.
+    // The best candidate is usually right, so it comes first.
     const Gate<Rule> gate(this->Open, this->Places, face);
     face.Open = 0;
     if (gate.HasCandidate() &&
@@ -272,7 +272,7 @@ private:
   }
 
   //------------------------------------------------------------------------------------------------
-  // The fourth vertex, when it is not the best candidate
+  // The fourth vertex, if it is not the best candidate
 
   Vertex MeetNew(const Gate<Rule>& gate)
   {
@@ -332,7 +332,8 @@ private:
     return vertex;
   }
 
-  /** Far corners of the open faces around the gate's corners, but for its candidates. */
+  /** Collects the far corners of the open faces around the gate's corners, except its candidates.
+   */
   void FillRing(const Gate<Rule>& gate)
   {
     ++this->Stamp;
@@ -347,7 +348,7 @@ private:
     unsigned count = 0;
     const auto add = [&](Vertex v, Link, Turn)
     {
-      // Without a branch, as one cannot tell which were there before.
+      // Without a branch, because the condition is unpredictable.
       this->RingIds[count] = v;
       count += this->Stamps[v] != this->Stamp;
       this->Stamps[v] = this->Stamp;
@@ -359,7 +360,7 @@ private:
     }
     for (unsigned i = 0; i < count; i += 4)
     {
-      const auto* ids = &this->RingIds[i]; // behind the last ones those of other rings
+      const auto* ids = &this->RingIds[i]; // beyond the end, ids of other rings
       const auto ranks = gate.GetSpheres(Gather(
         this->Places[ids[0]], this->Places[ids[1]], this->Places[ids[2]], this->Places[ids[3]]));
       for (unsigned lane = 0; lane < 4; ++lane)
@@ -370,7 +371,7 @@ private:
     this->RingSize = count;
   }
 
-  /** Visits the faces around a corner of the gate until use says that it is enough. */
+  /** Visits the faces around a corner of the gate until use returns false. */
   template <typename Use>
   void TurnBothWays(const Gate<Rule>& gate, unsigned corner, Use&& use)
   {
@@ -382,7 +383,7 @@ private:
     }
   }
 
-  /** Codes a vertex by its rank in the ring; NoVertex if it is not among the first. */
+  /** Codes a vertex by its rank in the ring. Returns NoVertex if it is not among the first ones. */
   Vertex CodeRing(Vertex target)
   {
     const auto count = std::min(this->RingSize, MaxRing);
@@ -409,7 +410,7 @@ private:
     ThrowCorrupt("a walk names no vertex of a list");
   }
 
-  /** Moves the best vertex of the ring from place begin on there: most often only one is needed. */
+  /** Moves the best vertex from position begin on to begin. Usually only one vertex is needed. */
   Vertex TakeNextOfRing(unsigned begin)
   {
     unsigned best = begin;
@@ -425,8 +426,8 @@ private:
   // A new tetrahedron in the front
 
   /**
-   * What is on the two sides of the edge from each of the gate's corners to the fourth vertex: a
-   * new face, or what lay over the edge in the open face that the new one would have closed.
+   * The neighbors on both sides of the edges from the gate's corners to the fourth vertex: a new
+   * face, or the neighbor over that edge of an open face that the tetrahedron closes.
    */
   struct Sides
   {
@@ -434,7 +435,7 @@ private:
     std::array<Link, 3> Right;
   };
 
-  static constexpr std::size_t MostNewEdges = 6; // of a tetrahedron
+  static constexpr std::size_t MostNewEdges = 6; // of one tetrahedron
 
   std::uint32_t Finish(const std::array<Vertex, 4>& corners, std::uint32_t parent)
   {
@@ -444,7 +445,7 @@ private:
     return tet;
   }
 
-  /** For what a tetrahedron adds. */
+  /** Makes room for the faces and edges of a tetrahedron. */
   void MakeRoom()
   {
     this->Open.MakeRoom();
@@ -457,7 +458,7 @@ private:
 
   GATUN_INLINE void LogEdge(Vertex a, Vertex b) { this->Out.EdgeLog[this->Edges++] = { a, b }; }
 
-  /** Opens the face over side i of a triangle, linked there. */
+  /** Opens the face over side i of a triangle and links it there. */
   GATUN_INLINE void Raise(const std::array<Vertex, 3>& c, unsigned i, Vertex fourth,
     std::uint32_t tet, Link base, Sides& sides)
   {
@@ -469,7 +470,7 @@ private:
     sides.Right[next] = Link::ToSide(face, 1);
   }
 
-  /** A tetrahedron with a known fourth vertex closes the open faces that it shares. */
+  /** Adds a tetrahedron with a known fourth vertex, which closes the open faces that it shares. */
   void Attach(const Gate<Rule>& gate, Vertex fourth)
   {
     const unsigned glued = unsigned{ gate.Ids[0] == fourth } |
@@ -496,8 +497,8 @@ private:
   }
 
   /**
-   * Adds the tetrahedron on a gate. Bit i of Glued: it shares the open face over side i of the
-   * gate; IsNew: its fourth vertex was met just now.
+   * Adds the tetrahedron on a gate. Bit i of Glued is set if it shares the open face over side i of
+   * the gate. IsNew: whether its fourth vertex is new.
    */
   template <unsigned Glued, bool IsNew = false>
   void AttachGlued(const Gate<Rule>& gate, Vertex fourth)
@@ -548,7 +549,7 @@ private:
     }
   }
 
-  /** Links what lies on both sides of a tetrahedron at an edge that was in the front before. */
+  /** Links the neighbors on both sides of a tetrahedron at an edge that is already in the front. */
   GATUN_INLINE void JoinAround(Link left, Link right)
   {
     const bool closed =
@@ -562,7 +563,7 @@ private:
   //------------------------------------------------------------------------------------------------
   // A front that touches itself
 
-  /** A side of the front on an edge that a new tetrahedron is about to have. */
+  /** A side of the front at an edge of the new tetrahedron. */
   struct Touch
   {
     Link Edge;
@@ -570,7 +571,7 @@ private:
     bool FromFourth = false; // the side runs from the fourth vertex to the corner
   };
 
-  /** Looks for the edge from a corner to a vertex among those around the corner. */
+  /** Searches the edges around a corner for the one to a vertex. */
   Touch FindTouch(const Gate<Rule>& gate, unsigned corner, Vertex fourth)
   {
     Touch touch;
@@ -587,7 +588,7 @@ private:
     return touch;
   }
 
-  /** Of the four faces at the edge those are linked that do not have the visited part between. */
+  /** Links those of the four faces at an edge that have no visited tetrahedra between them. */
   void JoinTouching(const Touch& touch, Link left, Link right)
   {
     const auto before = this->Open.GetFace(touch.Edge).Over[touch.Edge.GetSide()];
@@ -606,7 +607,7 @@ private:
 
   std::uint32_t Tets = 0; // made so far
   Vertex Vertices = 0;    // met so far
-  std::uint32_t Owns = 0; // of those, own ones
+  std::uint32_t Owns = 0; // own ones among them
   std::size_t Edges = 0;  // logged so far
   std::vector<LatticePoint> Places;
   std::vector<std::uint32_t> Stamps;

@@ -2,7 +2,7 @@
 #ifndef gatunWalkModels_h
 #define gatunWalkModels_h
 
-// The probabilities that a walk learns, and the circumstances that it learns them for.
+// The adaptive probabilities of a walk and their contexts.
 
 #include "gatunEntropy.h"
 #include "gatunGate.h"
@@ -31,7 +31,7 @@ struct CommonWalkModels
 template <Ranking Rule>
 class WalkModels;
 
-/** Delaunay meshes: empty spheres, the larger the less likely. */
+/** Contexts for Delaunay meshes: large empty spheres are unlikely. */
 template <>
 class WalkModels<Ranking::Sphere> : public CommonWalkModels
 {
@@ -66,7 +66,7 @@ private:
   static constexpr unsigned Grades = 33;
   static constexpr unsigned Radii = 32;
 
-  /** 0 to 31 by the place of the sphere's centre; 32: not in front of the gate. */
+  /** Grades the position of the sphere's center, 0 to 31. 32: not in front of the gate. */
   static unsigned GetGrade(const Gate<Ranking::Sphere>& gate, float rank)
   {
     if (rank == NeverRank)
@@ -78,7 +78,7 @@ private:
     return place < 31.0F ? static_cast<unsigned>(place) : 31;
   }
 
-  /** 0 to 31: half octaves of the circumcircle's radius. */
+  /** Grades the circumcircle's radius in half octaves, 0 to 31. */
   static unsigned GetRadius(const Gate<Ranking::Sphere>& gate)
   {
     return static_cast<unsigned>(
@@ -90,7 +90,7 @@ private:
   std::vector<BitModel> NewModels;
 };
 
-/** Split hexahedra: the same few angles everywhere. */
+/** Contexts for split hexahedra, which have few different angles. */
 template <>
 class WalkModels<Ranking::Angle> : public CommonWalkModels
 {
@@ -121,7 +121,7 @@ public:
 private:
   static constexpr unsigned Grades = 18;
 
-  /** 0 to 15 by the angle; 16: not in front of the gate, 17: there is no such candidate. */
+  /** Grades the angle, 0 to 15. 16: not in front of the gate. 17: no candidate. */
   static unsigned GetGrade(float rank)
   {
     if (rank == NeverRank)

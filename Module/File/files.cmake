@@ -12,10 +12,12 @@ gatun_core_folder(File
     gatunPieceDecoder.h
     gatunPieceRequest.h
     gatunVerifyFile.h
+    gatunWriterOptions.h
   EXPERIMENTAL_HEADERS
     gatunChunkCache.h
     gatunSimplifiedFile.h
   PRIVATE_HEADERS
+    gatunArrayInput.h
     gatunBaseMesh.h
     gatunChunkCacheInternals.h
     gatunChunkSetDecoder.h
@@ -24,9 +26,14 @@ gatun_core_folder(File
     gatunFileReaderInternals.h
     gatunLayerPartition.h
     gatunMeshAccess.h
+    gatunMeshSection.h
     gatunPartDecoder.h
     gatunPartition.h
+    gatunStepSection.h
     gatunTreeLayout.h
+    gatunTreeSection.h
+    gatunWriterCheck.h
+    gatunWriterState.h
   SOURCES
     gatunBaseMesh.cxx
     gatunChunkCache.cxx
@@ -38,9 +45,14 @@ gatun_core_folder(File
     gatunFileReaderTree.cxx
     gatunFileWriter.cxx
     gatunLayerPartition.cxx
+    gatunMeshSection.cxx
     gatunPartDecoder.cxx
     gatunPartition.cxx
     gatunPieceDecoder.cxx
     gatunSimplifiedFile.cxx
+    gatunStepSection.cxx
     gatunTreeLayout.cxx
-    gatunVerifyFile.cxx)
+    gatunTreeSection.cxx
+    gatunVerifyFile.cxx
+    gatunWriterCheck.cxx
+    gatunWriterState.cxx)

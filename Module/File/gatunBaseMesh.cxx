@@ -8,7 +8,7 @@ namespace gatun
 {
 namespace
 {
-/** The merges behind the first so many; places: of the points that are left then. */
+/** The merges after the first ones. places: the numbers of the remaining points. */
 MergeTree MakeRest(const MergeTree& tree, std::size_t merges,
   const std::vector<std::uint32_t>& places, std::size_t points)
 {

@@ -13,23 +13,23 @@
 
 namespace gatun
 {
-/** What is left of a mesh after so many merges, as a mesh of its own. */
+/** The mesh after a number of merges, as a mesh of its own. */
 class BaseMesh
 {
 public:
   BaseMesh(const MeshAccess& mesh, const MergeTree& tree, std::size_t merges);
 
-  /** Valid for as long as this is. */
+  /** Valid during the lifetime of this object. */
   MeshInput GetInput() const;
 
-  /** The merges that follow, in the numbers of the points that are left. */
+  /** The remaining merges, in the numbers of the remaining points. */
   const MergeTree& GetTree() const { return this->Tree; }
 
-  /** The tuples, of so many bytes, of the points or tetrahedra that are left. */
+  /** The tuples of the remaining points or tetrahedra. */
   Bytes Gather(const void* values, Association where, std::size_t tupleBytes) const;
 
 private:
-  std::vector<std::uint32_t> Points; // of the whole mesh
+  std::vector<std::uint32_t> Points; // numbers in the whole mesh
   std::vector<std::uint32_t> Tets;
   ScalarType CoordinateType;
   Bytes Coordinates;

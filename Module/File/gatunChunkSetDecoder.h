@@ -15,18 +15,18 @@
 namespace gatun
 {
 /**
- * Decodes a set of chunks into one mesh, without ghosts. Points: the groups of shared points that
- * the set touches, in the order of the file, then own points chunk by chunk, then unused ones.
+ * Decodes a set of chunks into one mesh without ghosts. The points are sorted: groups of shared
+ * points that the set uses, in the order of the file, then own points chunk by chunk, then unused
+ * points.
  *
- * Keeps nothing but where things go; what it decodes is in the cache. Time and memory of all it
- * does grow with the set, not with the file.
+ * Decoded parts are kept in the cache only. Time and memory grow with the set, not with the file.
  */
 class ChunkSetDecoder
 {
 public:
   using Progress = std::function<bool(double)>;
 
-  /** Universe as in PieceRequest: it decides which points belong to the set. */
+  /** universe: see PieceRequest. It determines the points that belong to the set. */
   ChunkSetDecoder(const std::shared_ptr<ChunkCache>& cache, std::vector<std::uint32_t> chunks,
     std::vector<std::uint32_t> universe, bool withUnusedPoints);
 
@@ -34,30 +34,31 @@ public:
   std::uint64_t GetNumberOfTets() const { return this->Tets; }
   const std::vector<std::uint32_t>& GetChunks() const { return this->Chunks; }
 
-  /** First cell of the i-th chunk of the set. */
+  /** The first cell of the i-th chunk of the set. */
   std::uint64_t GetFirstTet(std::size_t i) const { return this->FirstTet[i]; }
 
-  /** Whether all chunks and unused points are in the set, so that an order can be restored. */
+  /** Whether the set contains all chunks and unused points, so that an order can be restored. */
   bool IsWhole() const;
 
   /** Fills the target with the arrays (indices into GetArrays()) of a step. */
   void Fill(const PieceTarget& target, const std::vector<std::uint32_t>& arrays, std::size_t step,
     bool restoreOrder, const Progress& progress) const;
 
-  /** 0 for each point that belongs to the set, 1 for those of a chunk that is not in it. */
+  /** Sets 0 for points that belong to the set and 1 for those that belong to other chunks. */
   void MarkOwners(unsigned char* ghosts) const;
 
-  /** Place in this set of each point that a smaller set of chunks has, in that set's order. */
+  /** The positions in this set of the points of a subset of the chunks, in the order of the subset.
+   */
   std::vector<std::uint64_t> Locate(const ChunkSetDecoder& part) const;
 
 private:
   static constexpr std::uint64_t Absent = ~std::uint64_t{ 0 };
 
-  /** Shared points of which the set uses some, or the unused points; where they go. */
+  /** A block of shared points that the set uses, or the unused points, and their positions. */
   struct Block
   {
     std::uint32_t Index = 0;               // in the file
-    std::vector<std::uint64_t> GroupStart; // of each group; Absent: not here
+    std::vector<std::uint64_t> GroupStart; // the position of each group, or Absent
   };
 
   struct Job; // one call of Fill
@@ -65,7 +66,7 @@ private:
   const FileReader::Internals& Content() const { return this->Parts.Content(); }
   /** A shared point belongs to the lowest chunk of the universe that uses it. */
   bool Owns(const SharedGroup& group) const;
-  /** Place of a block of the file in Blocks; it must be there. */
+  /** The index in Blocks of a block of the file, which must be there. */
   std::size_t FindBlock(std::uint32_t index) const;
 
   void Plan(Job& job) const;
@@ -85,7 +86,7 @@ private:
   std::vector<std::uint64_t> FirstTet;
   std::vector<std::uint64_t> FirstOwn;
   std::uint64_t FirstUnused = 0;
-  std::vector<Block> Blocks; // those needed, in the order of the file
+  std::vector<Block> Blocks; // in the order of the file
 };
 }
 

@@ -113,7 +113,7 @@ bool CoarseLayout::Has(std::uint32_t chunk, std::uint32_t point) const
   {
     return point >= entry.Info.FirstPoint && point < entry.Info.FirstPoint + entry.Info.OwnPoints;
   }
-  // The last part that does not begin behind the point.
+  // The last part that begins at or before the point.
   const auto begin = [&](const ChunkEntry::Part& part)
   { return mesh.Blocks[part.Block].FirstPoint + part.FirstInBlock; };
   const auto next = std::partition_point(entry.Shared.begin(), entry.Shared.end(),

@@ -18,11 +18,11 @@
 namespace gatun
 {
 /**
- * Which chunks of a file get points from which others after so many merges: a chunk's tetrahedra
- * have the ancestors of its points as corners, wherever those are.
+ * The dependencies between the chunks of a file after a number of merges. The corners of a chunk's
+ * tetrahedra become the ancestors of its points, which may belong to other chunks.
  *
- * Immutable and thread safe once made. Memory: four bytes a point of the file, and some for each
- * point that a chunk gets from another one.
+ * Immutable and thread safe. Memory: four bytes for each point of the file, and some more for each
+ * point that a chunk takes from another one.
  */
 class CoarseLayout
 {
@@ -31,33 +31,33 @@ public:
 
   std::size_t GetMerges() const { return this->Merges; }
 
-  /** Of each point of the file. */
+  /** The ancestor of each point of the file. */
   const std::vector<std::uint32_t>& GetAncestors() const { return this->Ancestors; }
 
-  /** Points of a chunk by the file's numbers, in the order in which ChunkSetDecoder gives them. */
+  /** The points of a chunk by their numbers in the file, in the order of ChunkSetDecoder. */
   std::vector<std::uint32_t> GetPoints(std::uint32_t chunk) const;
 
-  /** Calls use(first, last) for runs of the points of a chunk, ascending. */
+  /** Calls use(first, last) for ascending runs of the points of a chunk. */
   void EachRun(std::uint32_t chunk,
     const std::function<void(std::uint32_t first, std::uint32_t last)>& use) const;
 
-  /** Whether a point is an own or a shared one of a chunk. */
+  /** Whether a chunk uses a point. */
   bool Has(std::uint32_t chunk, std::uint32_t point) const;
 
-  /** Other chunks that have points which points of this one are merged into; ascending. */
+  /** The other chunks whose points are ancestors of points of this chunk, ascending. */
   std::span<const std::uint32_t> GetSources(std::uint32_t chunk) const
   {
     return this->Sources[chunk];
   }
 
-  /** Points of a chunk that points of others are merged into; ascending. Of the chunks that share a
-   * point, the first gives it. */
+  /** The points of a chunk that are ancestors of points of other chunks, ascending. A shared point
+   * is provided by the first of its chunks. */
   std::span<const std::uint32_t> GetGiven(std::uint32_t chunk) const { return this->Given[chunk]; }
 
-  /** The chunk that gives a point which is used. */
+  /** The chunk that provides a used point. */
   std::uint32_t GetGiver(std::uint32_t point) const;
 
-  /** The group of a shared point; null for others. */
+  /** The group of a shared point, null for other points. */
   const SharedGroup* FindGroup(std::uint32_t point) const;
 
 private:
@@ -66,7 +66,7 @@ private:
   std::vector<std::uint32_t> Ancestors;
   std::vector<std::vector<std::uint32_t>> Sources;
   std::vector<std::vector<std::uint32_t>> Given;
-  std::vector<std::pair<std::uint32_t, const SharedGroup*>> Groups; // with their first points
+  std::vector<std::pair<std::uint32_t, const SharedGroup*>> Groups; // groups by their first points
 };
 }
 

@@ -17,7 +17,7 @@ namespace
 {
 constexpr std::uint32_t None = 0xffffffffu;
 
-/** Copies tuples of so many bytes; pairs say from where to where. */
+/** Copies tuples. Pairs contain source and destination. */
 template <typename Pairs>
 void CopyTuples(const void* from, void* to, std::size_t bytes, const Pairs& pairs)
 {
@@ -29,7 +29,7 @@ void CopyTuples(const void* from, void* to, std::size_t bytes, const Pairs& pair
   }
 }
 
-/** Where each of some things goes that are sorted by their numbers. */
+/** Ranks of items by their numbers. */
 std::vector<std::uint32_t> FindRanks(const std::vector<std::int64_t>& numbers)
 {
   std::vector<std::uint32_t> order(numbers.size());
@@ -56,7 +56,7 @@ CoarseChunk DecodeCoarse(
   target.Connectivity = tets.data();
   target.WideIds = false;
   decoder.Fill(target, {}, 0, false, {});
-  // Places in the chunk become points of the file, and these their ancestors.
+  // Positions in the chunk become points of the file, and these their ancestors.
   auto ancestors = layout.GetPoints(chunk);
   for (auto& point : ancestors)
   {
@@ -136,7 +136,7 @@ void CoarsePiece::AddTets(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-/** Layers of tetrahedra that share a point with those that are there already. */
+/** Adds layers of tetrahedra that share a point with the previous ones. */
 void CoarsePiece::AddGhosts(
   std::vector<CoarseChunk>& around, const std::vector<std::uint32_t>& chunks)
 {
@@ -154,7 +154,7 @@ void CoarsePiece::AddGhosts(
     }
     if (known > 0 && known == this->Tets.size())
     {
-      return; // all that can be reached
+      return; // nothing more can be reached
     }
     known = this->Tets.size();
     for (std::size_t i = 0; i < chunks.size(); ++i)
@@ -202,7 +202,8 @@ void CoarsePiece::AddPoints()
 {
   const auto& ancestors = this->Layout->GetAncestors();
   std::vector<std::uint32_t> places(ancestors.size(), None);
-  // First marks, then places in the order of the file: the piece's own, then those of ghosts.
+  // First marks, then positions in the order of the file: points of the piece, then those of
+  // ghosts.
   constexpr std::uint32_t ofPiece = 0;
   constexpr std::uint32_t ofGhosts = 1;
   for (std::size_t i = this->Tets.size(); i > 0; --i)
@@ -252,7 +253,7 @@ void CoarsePiece::AddPoints()
     }
   }
 
-  // From chunks that are decoded anyway, as far as possible.
+  // Chunks that are decoded anyway come first.
   const auto take = [&](std::uint32_t chunk)
   {
     auto& copies = this->GetPart(chunk).Points;

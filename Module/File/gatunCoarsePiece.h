@@ -19,24 +19,24 @@ namespace gatun
 {
 class ChunkCache;
 
-/** What is left of a chunk after merges. */
+/** A chunk after merges. */
 struct CoarseChunk
 {
-  std::vector<std::uint32_t> Cells; ///< of the chunk
-  std::vector<MergeTree::Tet> Tets; ///< points by the file's numbers
+  std::vector<std::uint32_t> Cells; ///< remaining cells by their numbers in the chunk
+  std::vector<MergeTree::Tet> Tets; ///< corners by their numbers in the file
 };
 
-/** Decodes the mesh of a chunk, and simplifies it. */
+/** Decodes and simplifies the mesh of a chunk. */
 CoarseChunk DecodeCoarse(
   const std::shared_ptr<ChunkCache>& cache, const CoarseLayout& layout, std::uint32_t chunk);
 
 /**
- * A piece of a file after merges: the tetrahedra of its chunks that are left, the points that are
- * left of the chunks' and those that tetrahedra get from other chunks. Decodes chunk by chunk, and
- * keeps no more than what is left.
+ * A piece of a file after merges: the remaining tetrahedra and points of its chunks, and the
+ * corners that tetrahedra take from other chunks. Decodes chunk by chunk and keeps only the
+ * remaining parts.
  *
- * Order: cells chunk by chunk, ghosts last; points by the file's numbers, those of ghosts last.
- * Where the request asks for the original order and the file has it, both follow that instead.
+ * Cells are sorted chunk by chunk with ghosts last, points by their numbers in the file with those
+ * of ghosts last. If the request asks for the original order and the file has it, both follow it.
  */
 class CoarsePiece
 {
@@ -53,14 +53,14 @@ public:
     const Progress& progress) const;
 
 private:
-  /** From where in a chunk to where in the piece. */
+  /** A position in a chunk and the position in the piece. */
   struct Copy
   {
     std::uint32_t From;
     std::uint32_t To;
   };
 
-  /** What the piece has of a chunk, or of the unused points. */
+  /** The part of the piece from one chunk, or from the unused points. */
   struct Part
   {
     std::uint32_t Chunk;
@@ -83,10 +83,10 @@ private:
   std::shared_ptr<const FileReader> File;
   std::shared_ptr<const CoarseLayout> Layout;
   PieceRequest Request;
-  std::vector<std::uint32_t> Points; // by the file's numbers
-  std::vector<MergeTree::Tet> Tets;  // as places in Points
+  std::vector<std::uint32_t> Points; // by their numbers in the file
+  std::vector<MergeTree::Tet> Tets;  // corners as positions in Points
   std::size_t OwnTets = 0;
-  std::size_t OwnPoints = 0; // those behind are there for tetrahedra only
+  std::size_t OwnPoints = 0; // further points are only corners of tetrahedra
   std::vector<Part> Parts;
 };
 }

@@ -76,8 +76,8 @@ void FileReader::Internals::Read()
   this->ReadTree();
 }
 
-/** Counts what the table of a step is unpacked: each may be any number of times as large as packed,
- * but not all of them. */
+/** Adds the unpacked size of a step's table. The expansion of one table may be large, but not that
+ * of all of them. */
 void FileReader::Internals::AddStepBytes(std::span<const std::uint8_t> packed)
 {
   this->StepBytes += ByteReader(packed).GetVarint();
@@ -89,7 +89,7 @@ void FileReader::Internals::AddStepBytes(std::span<const std::uint8_t> packed)
 
 void FileReader::Internals::CheckLastStep() const
 {
-  // Step by step, so that a table named many times is not read many times.
+  // Checked for each step, so that a table that is listed many times is not read many times.
   const auto fail = [&](const char* what) { this->File.Fail(ErrorCode::Corrupt, what); };
   const auto count = this->Steps.size();
   if (count > 1 && !this->Meta.HasTime)
@@ -272,7 +272,7 @@ FileStatistics FileReader::GetStatistics() const
   std::uint64_t lastField = 0;
   for (const auto& step : this->Self->Steps)
   {
-    // Steps may have their field data in common.
+    // Steps may share their field data.
     s.FieldDataBytes += step.Field.Offset != lastField ? step.Field.Length : 0;
     lastField = step.Field.Offset;
     for (std::size_t a = 0; a < step.Arrays.size(); ++a)

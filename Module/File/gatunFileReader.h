@@ -16,15 +16,15 @@
 namespace gatun
 {
 /**
- * An open .gtn file: all that its directory tells, without decoding any chunk.
+ * An open .gtn file. Provides the content of its directory without decoding chunks.
  *
- * Safe on hostile input: whatever the bytes are, every method returns or throws gatun::Error with
- * a message "file: what is wrong, and where". Immutable and thread safe once made.
+ * Safe on hostile input: for any bytes, every method returns or throws Error with file and
+ * position. Immutable and thread safe.
  */
 class VTKGATUNCORE_EXPORT FileReader
 {
 public:
-  /** Whether the file begins as a .gtn file does, of whatever version. Never throws. */
+  /** Whether the file has the signature of .gtn files of any version. Never throws. */
   static bool CanRead(const std::string& path) noexcept;
 
   explicit FileReader(const std::string& path);
@@ -35,8 +35,8 @@ public:
   const std::string& GetPath() const;
   std::uint64_t GetNumberOfPoints() const;
   std::uint64_t GetNumberOfTets() const;
-  std::uint64_t GetNumberOfSharedPoints() const; ///< used by several chunks
-  std::uint64_t GetNumberOfUnusedPoints() const; ///< used by no tetrahedron; they come last
+  std::uint64_t GetNumberOfSharedPoints() const; ///< shared by several chunks
+  std::uint64_t GetNumberOfUnusedPoints() const; ///< used by no tetrahedron; numbered last
   ScalarType GetCoordinateType() const;
   bool HasWideIds() const;           ///< MeshInput::WideIds
   std::uint8_t GetKeptOrder() const; ///< flags of KeepOrder
@@ -46,57 +46,58 @@ public:
 
   const std::vector<ArrayDescription>& GetArrays() const;
 
-  /** Number of steps; 1 for a file without time (0 if no values were ever written). */
+  /** The number of time steps. 1 for a file without time, 0 if no values were written. */
   std::size_t GetNumberOfSteps() const;
   bool HasTime() const;
-  const std::vector<double>& GetTimes() const; ///< one a step, strictly ascending
+  const std::vector<double>& GetTimes() const; ///< one for each step, strictly ascending
 
   const std::vector<ChunkInfo>& GetChunks() const;
 
-  /** Ranges of an array over the whole mesh, or over one chunk (shared points included). */
+  /** The ranges of an array over the mesh or over one chunk, shared points included. */
   const ArrayRanges& GetRanges(std::size_t array, std::size_t step) const;
   const ArrayRanges& GetChunkRanges(std::size_t array, std::size_t step, std::size_t chunk) const;
 
-  /** Field data of a step; decoded anew at each call. */
+  /** The field data of a step, decoded at each call. */
   FieldData GetFieldData(std::size_t step) const;
 
   FileStatistics GetStatistics() const;
 
-  /** Bytes of the mesh and of each array (of the step) that a chunk alone takes in the file. */
+  /** The size in the file of the mesh of a chunk and of its array at a step, without shared points.
+   */
   std::uint64_t GetChunkMeshBytes(std::size_t chunk) const;
   std::uint64_t GetChunkArrayBytes(std::size_t chunk, std::size_t array, std::size_t step) const;
 
-  /** Bytes of the mesh and of arrays (at a step, without those before it) that some chunks take,
-   * with what they need of the points that they share with others. */
+  /** The size in the file of the meshes of some chunks and of their arrays at a step, with the
+   * shared points that they need. Previous steps are not counted. */
   std::uint64_t GetPieceBytes(std::span<const std::uint32_t> chunks,
     std::span<const std::uint32_t> arrays, std::size_t step) const;
 
-  /** By which values the file is organised, if it is. */
+  /** The layers that the file is organized by, if any. */
   bool HasLayers() const;
-  const Layers& GetLayers() const; ///< without bounds and chunks if it is not
+  const Layers& GetLayers() const; ///< empty if there are none
 
-  /** Whether the file tells how its mesh becomes simpler. */
+  /** Whether the file has a merge tree. */
   bool HasMergeTree() const;
-  std::size_t GetNumberOfMerges() const; ///< 0 if it does not
+  std::size_t GetNumberOfMerges() const; ///< 0 without merge tree
 
-  /** The tree, of the points as the file numbers them (see PieceDecoder); decoded anew at each
-   * call. A file that has none gives one without merges. */
+  /** The merge tree in the numbers of the file's points (see PieceDecoder), decoded at each call.
+   * Without merge tree, returns a tree without merges. */
   MergeTree GetMergeTree() const;
 
-  /** Of each base mesh in the file, how many merges it has behind it; ascending. */
+  /** The number of merges that lead to each base mesh of the file, ascending. */
   const std::vector<std::uint32_t>& GetLevels() const;
 
-  /** A base mesh, with the rest of the tree if there is one. Its points are those that are left of
-   * this one's, in an order of their own. */
+  /** A base mesh with the remaining merges, if any. Its points are the remaining ones of this mesh
+   * in an order of their own. */
   std::shared_ptr<const FileReader> OpenLevel(std::size_t level) const;
 
-  /** Bounds of a chunk, and ranges of an array over it, after any number of merges up to this one.
-   * They hold for all that its tetrahedra become. */
+  /** The bounds of a chunk and the ranges of an array after any number of merges up to the given
+   * one. They include all corners that the chunk's tetrahedra can get. */
   const Bounds& GetChunkBounds(std::size_t chunk, std::size_t merges) const;
   const ArrayRanges& GetChunkRanges(
     std::size_t array, std::size_t step, std::size_t chunk, std::size_t merges) const;
 
-  /** Bytes read from the file since it was opened, by all threads. */
+  /** The number of bytes read from the file since it was opened, by all threads. */
   std::uint64_t GetBytesRead() const;
 
   class Internals;

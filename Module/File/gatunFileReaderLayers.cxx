@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a file tells of the layers by which it is organised, and what parts of it take.
+// FileReader: layers and the sizes of parts.
 
 #include "gatunFileReader.h"
 #include "gatunFileReaderInternals.h"
@@ -40,7 +40,7 @@ void FileReader::Internals::CheckLayers() const
   const auto& ranges = this->Steps.front().Arrays[layers.Array].ChunkRanges;
   for (std::size_t chunk = 0; chunk < ranges.size(); ++chunk)
   {
-    if (!IsInside(layers, layers.Chunks[chunk], ranges[chunk][layers.Component]))
+    if (!IsInside(layers, layers.Chunks[chunk], GetRange(ranges[chunk], layers.Component)))
     {
       this->File.Fail(ErrorCode::Corrupt,
         "the values of chunk " + std::to_string(chunk) + " are not in the layers that " +
@@ -86,7 +86,7 @@ std::uint64_t FileReader::GetPieceBytes(std::span<const std::uint32_t> chunks,
     for (const auto array : arrays)
     {
       const auto& streams = this->Self->Steps.at(step).Arrays.at(array).Blocks;
-      bytes += streams.empty() ? 0 : streams.at(block).Length; // of cells there is nothing
+      bytes += streams.empty() ? 0 : streams.at(block).Length; // cell arrays have no blocks
     }
   }
   return bytes;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What a file tells of how its mesh becomes simpler.
+// FileReader: merge tree and base meshes.
 
 #include "gatunError.h"
 #include "gatunFileReader.h"
@@ -16,12 +16,12 @@ constexpr const char* TreeName = "the table of merges";
 constexpr const char* TreeStepName = "the ranges after merges";
 constexpr const char* MergesName = "the stream of merges";
 
-/** Throws unless the file has so many merges. */
+/** The rung of a number of merges. Throws if the file has fewer merges. */
 std::size_t FindRung(const FileReader::Internals& file, std::size_t merges)
 {
   if (merges > file.Tree->Merges)
   {
-    ThrowInvalid(file.File.GetPath() + ": there are not so many merges");
+    ThrowInvalid("the file has fewer merges than that", file.File.GetPath());
   }
   return file.Tree->FindRung(merges);
 }
@@ -66,7 +66,7 @@ void FileReader::Internals::ReadTree()
 }
 
 //------------------------------------------------------------------------------
-/** Throws unless this can be what is left of the whole. */
+/** Throws unless this can be a base mesh of the whole. */
 void FileReader::Internals::CheckLevel(const Internals& whole, std::size_t level) const
 {
   const auto merges = whole.Tree->Levels[level];
@@ -106,7 +106,7 @@ MergeTree FileReader::GetMergeTree() const
   return this->Self->Guarded(MergesName, where,
     [&]
     {
-      // Unused points come last, and are never merged.
+      // Unused points come last and are never merged.
       const auto used = points - static_cast<std::uint32_t>(this->GetNumberOfUnusedPoints());
       auto tree =
         DecodeMerges(this->Self->File.Read(where, MergesName), used, this->Self->Tree->Merges);
@@ -126,7 +126,7 @@ std::shared_ptr<const FileReader> FileReader::OpenLevel(std::size_t level) const
 {
   if (level >= this->GetLevels().size())
   {
-    ThrowInvalid(this->GetPath() + ": there is no such base mesh");
+    ThrowInvalid("there is no such base mesh", this->GetPath());
   }
   return std::shared_ptr<const FileReader>(new FileReader(*this, level));
 }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -16,14 +15,14 @@ namespace
 {
 constexpr std::uint64_t ItemsPerTask = 1u << 16;
 
-// Tetrahedra that the histogram is made of, at most.
+// The maximum number of tetrahedra in the histogram.
 constexpr std::uint64_t MostSamples = 1u << 20;
 
-// Joining takes time that grows with the square of the number of buckets.
+// The time to join buckets grows with the square of their number.
 constexpr std::size_t ManyBuckets = 1u << 14;
 
 //------------------------------------------------------------------------------
-/** Calls body with the first and the last but one of some items, in parallel. */
+/** Calls body(task, begin, end) for ranges of items in parallel. */
 template <typename Body>
 void ForTasks(std::uint64_t items, Body&& body)
 {
@@ -33,7 +32,7 @@ void ForTasks(std::uint64_t items, Body&& body)
 }
 
 //------------------------------------------------------------------------------
-/** Whether points have tetrahedra. */
+/** Marks the points that tetrahedra use. */
 std::vector<bool> FindUsed(const MeshAccess& mesh)
 {
   std::vector<bool> used(static_cast<std::size_t>(mesh.GetMesh().Points), false);
@@ -47,7 +46,7 @@ std::vector<bool> FindUsed(const MeshAccess& mesh)
   return used;
 }
 
-/** Of the finite values of the points of tetrahedra. */
+/** Statistics of the finite values of used points. */
 struct Moments
 {
   Range Values;
@@ -55,7 +54,7 @@ struct Moments
   double Deviation = 0;
 };
 
-/** What sums up to mean and deviation. */
+/** Sums for mean and deviation. */
 struct Sums
 {
   double Count = 0;
@@ -69,8 +68,8 @@ Moments FindMoments(const MeshAccess& mesh, const LayerValues& values)
   const std::vector<bool> used = FindUsed(mesh);
   const auto counts = [&](std::uint64_t point, double value)
   { return used[static_cast<std::size_t>(point)] && std::isfinite(value); };
-  std::vector<Range> ranges(static_cast<std::size_t>(points / ItemsPerTask + 1),
-    { std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() });
+  std::vector<Range> ranges(
+    static_cast<std::size_t>(points / ItemsPerTask + 1), Range::MakeEmpty());
   ForTasks(points,
     [&](std::size_t task, std::uint64_t begin, std::uint64_t end)
     {
@@ -79,8 +78,7 @@ Moments FindMoments(const MeshAccess& mesh, const LayerValues& values)
         const double value = values.Get(p);
         if (counts(p, value))
         {
-          ranges[task].Min = std::min(ranges[task].Min, value);
-          ranges[task].Max = std::max(ranges[task].Max, value);
+          ranges[task].Include(value);
         }
       }
     });
@@ -88,10 +86,9 @@ Moments FindMoments(const MeshAccess& mesh, const LayerValues& values)
   result.Values = ranges[0];
   for (const Range& range : ranges)
   {
-    result.Values.Min = std::min(result.Values.Min, range.Min);
-    result.Values.Max = std::max(result.Values.Max, range.Max);
+    result.Values.Include(range);
   }
-  // Relative to the largest one, so that no sum overflows.
+  // Relative to the largest value, so that no sum overflows.
   const double scale = std::max(std::abs(result.Values.Min), std::abs(result.Values.Max));
   if (!(scale > 0) || !std::isfinite(scale))
   {
@@ -126,7 +123,7 @@ Moments FindMoments(const MeshAccess& mesh, const LayerValues& values)
 }
 
 //------------------------------------------------------------------------------
-/** Where the standard normal distribution has this part of it below. */
+/** The quantile of the standard normal distribution. */
 double FindNormalQuantile(double part)
 {
   double low = -10;
@@ -140,7 +137,7 @@ double FindNormalQuantile(double part)
 }
 
 //------------------------------------------------------------------------------
-/** A number that looks random, always the same for the same seed. */
+/** A pseudorandom number that depends only on the seed. */
 std::uint64_t Scramble(std::uint64_t seed)
 {
   seed += 0x9e3779b97f4a7c15u;
@@ -149,7 +146,7 @@ std::uint64_t Scramble(std::uint64_t seed)
   return seed ^ (seed >> 31);
 }
 
-/** The values in the middle of tetrahedra, of all or of some spread evenly, ascending. */
+/** The values in the middle of evenly sampled tetrahedra, ascending. */
 std::vector<double> SampleMiddles(const MeshAccess& mesh, const LayerValues& values)
 {
   const std::uint64_t tets = mesh.GetMesh().Tets;
@@ -160,7 +157,7 @@ std::vector<double> SampleMiddles(const MeshAccess& mesh, const LayerValues& val
     {
       for (auto i = begin; i < end; ++i)
       {
-        // One out of each run of tetrahedra, but not always the same of them.
+        // One tetrahedron of each run, at a pseudorandom position.
         const std::uint64_t first = tets * i / count;
         const std::uint64_t run = tets * (i + 1) / count - first;
         const Range range = values.GetRange(mesh, first + Scramble(i) % run);
@@ -173,12 +170,12 @@ std::vector<double> SampleMiddles(const MeshAccess& mesh, const LayerValues& val
 }
 
 //------------------------------------------------------------------------------
-/** Tetrahedra of the same layers. */
+/** Tetrahedra of the same first and last layer. */
 struct Bucket
 {
   LayerSpan Span;
   std::size_t Tets = 0;
-  std::uint32_t JoinedTo = 0; // itself unless it was joined
+  std::uint32_t JoinedTo = 0; // its own number unless it was joined
 };
 
 double GetWidth(const LayerSpan& span)
@@ -191,7 +188,7 @@ LayerSpan Join(const LayerSpan& a, const LayerSpan& b)
   return { std::min(a.First, b.First), std::max(a.Last, b.Last) };
 }
 
-/** Tetrahedra that are read in vain, over all layers, if these two are one. */
+/** The number of tetrahedra read needlessly, over all layers, if two buckets are joined. */
 double GetCost(const Bucket& a, const Bucket& b)
 {
   const double width = GetWidth(Join(a.Span, b.Span));
@@ -207,7 +204,7 @@ void Join(std::vector<Bucket>& buckets, std::size_t from, std::size_t to)
   buckets[from].JoinedTo = static_cast<std::uint32_t>(to);
 }
 
-/** Joins the buckets that begin in the same layer while they are small. They come sorted. */
+/** Joins small buckets that begin in the same layer. The buckets must be sorted. */
 void JoinRows(std::vector<Bucket>& buckets, std::size_t smallest)
 {
   std::size_t open = 0;
@@ -225,7 +222,7 @@ void JoinRows(std::vector<Bucket>& buckets, std::size_t smallest)
   }
 }
 
-/** Joins what is too small, the smallest first, with what costs least. */
+/** Joins buckets that are too small, the smallest first, with those of least cost. */
 void JoinSmall(std::vector<Bucket>& buckets, std::size_t smallest)
 {
   std::vector<std::size_t> left;
@@ -257,8 +254,8 @@ void JoinSmall(std::vector<Bucket>& buckets, std::size_t smallest)
 //------------------------------------------------------------------------------
 std::uint32_t GetDefaultLayers(std::uint64_t tets)
 {
-  // Measured on meshes of one and of five million tetrahedra. Thinner layers share nearly all of
-  // their points, and more is read of a larger file; thicker ones save less time.
+  // Measured on meshes of one and five million tetrahedra. Thinner layers share nearly all of their
+  // points and make files larger. Thicker layers save less time.
   constexpr double measured = 12;
   constexpr double measuredTets = 1e7;
   constexpr std::uint64_t leastTets = 16384;
@@ -295,7 +292,7 @@ std::vector<double> FindLayerBounds(
       : spacing == LayerSpacing::Normal
       ? moments.Mean + moments.Deviation * FindNormalQuantile(part)
       : middles[static_cast<std::size_t>(part * static_cast<double>(middles.size()))];
-    // Below the first bound and from the last one on there must be something.
+    // The first and the last layer must not be empty.
     const double last = bounds.empty() ? all.Min : bounds.back();
     if (bound > last && bound <= all.Max && std::isfinite(bound))
     {
@@ -318,8 +315,8 @@ LayerBuckets SortByLayers(
       for (auto t = begin; t < end; ++t)
       {
         const Range range = values.GetRange(mesh, t);
-        const std::size_t first = range.Min <= range.Max ? layers.Find(range.Min) : 0;
-        const std::size_t last = range.Min <= range.Max ? layers.Find(range.Max) : 0;
+        const std::size_t first = range.IsEmpty() ? 0 : layers.Find(range.Min);
+        const std::size_t last = range.IsEmpty() ? 0 : layers.Find(range.Max);
         places[static_cast<std::size_t>(t)] = static_cast<std::uint32_t>(first * count + last);
       }
     });
@@ -347,7 +344,7 @@ LayerBuckets SortByLayers(
   }
   JoinSmall(buckets, smallest);
 
-  // Those that are left, in the order of their layers.
+  // The remaining buckets, sorted by their layers.
   std::vector<std::uint32_t> left;
   for (std::uint32_t i = 0; i < buckets.size(); ++i)
   {
@@ -396,13 +393,11 @@ LayerBuckets SortByLayers(
 LayerSpan FindLayerSpan(const MeshAccess& mesh, const LayerValues& values, const Layers& layers,
   std::span<const std::uint32_t> tets)
 {
-  Range all{ std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
+  Range all = Range::MakeEmpty();
   for (const auto tet : tets)
   {
-    const Range range = values.GetRange(mesh, tet);
-    all.Min = std::min(all.Min, range.Min);
-    all.Max = std::max(all.Max, range.Max);
+    all.Include(values.GetRange(mesh, tet));
   }
-  return all.Min <= all.Max ? LayerSpan{ layers.Find(all.Min), layers.Find(all.Max) } : LayerSpan{};
+  return all.IsEmpty() ? LayerSpan{} : LayerSpan{ layers.Find(all.Min), layers.Find(all.Max) };
 }
 }

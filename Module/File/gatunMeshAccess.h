@@ -12,7 +12,7 @@
 
 namespace gatun
 {
-/** Reads coordinates and connectivity of a MeshInput whatever their types. */
+/** Reads coordinates and connectivity of a MeshInput of any type. */
 class MeshAccess
 {
 public:
@@ -28,7 +28,7 @@ public:
       : static_cast<const double*>(this->Mesh.Coordinates)[3 * point + axis];
   }
 
-  /** Unsigned, so that a negative id is far too large. */
+  /** The id is unsigned, so that negative ids are out of range. */
   std::uint64_t GetId(std::uint64_t tet, unsigned corner) const
   {
     return this->Mesh.WideIds
@@ -37,16 +37,15 @@ public:
           static_cast<const std::int32_t*>(this->Mesh.Connectivity)[4 * tet + corner]));
   }
 
-  /** Makes a box hold the finite coordinates of a point. */
-  void Extend(Bounds& box, std::uint64_t point) const
+  /** Adds the finite coordinates of a point to a box. */
+  void Include(Bounds& box, std::uint64_t point) const
   {
     for (unsigned axis = 0; axis < 3; ++axis)
     {
       const double x = this->GetCoordinate(point, axis);
       if (std::isfinite(x))
       {
-        box[axis].Min = std::min(box[axis].Min, x);
-        box[axis].Max = std::max(box[axis].Max, x);
+        box[axis].Include(x);
       }
     }
   }

@@ -24,7 +24,7 @@ void CheckBelow(const std::vector<Key>& ids, Key end)
 }
 
 //--------------------------------------------------------------------------------------------------
-// Memory that parts take, to the byte.
+// The exact memory of parts.
 
 template <typename T>
 std::uint64_t BytesIn(const std::vector<T>& list)
@@ -152,8 +152,8 @@ void PartDecoder::EachShared(
 {
   const auto& table = this->Content().Mesh;
   const auto& parts = table.Chunks[chunk].Shared;
-  std::vector<std::shared_ptr<const Part>> held;               // one a part of the chunk
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> places; // part, place in its block
+  std::vector<std::shared_ptr<const Part>> held;               // one for each part of the chunk
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> places; // part, position in its block
   for (const auto& part : parts)
   {
     const auto count = table.Blocks[part.Block].Groups[part.Group].Points;
@@ -217,7 +217,7 @@ std::shared_ptr<const ChunkMesh> PartDecoder::DecodeMesh(
 std::shared_ptr<const NeighbourFit> PartDecoder::GetFit(
   std::uint32_t chunk, const ChunkMesh& mesh) const
 {
-  // Apart from the mesh, which others may be using, and as not every chunk needs one.
+  // Separate from the mesh, which other threads may use, because not every chunk needs it.
   const PartKey key{ PartKind::ChunkFit, chunk };
   if (auto found = this->Kept().Find<NeighbourFit>(key))
   {

@@ -18,13 +18,13 @@
 
 namespace gatun
 {
-// Parts as the cache keeps them.
+// The parts that the cache keeps.
 using PointsPart = std::vector<PointKeys>;       // of a block
 using OrderPart = std::vector<std::uint32_t>;    // original ids of points or cells
-using ArrayPart = std::vector<std::vector<Key>>; // one a component; of every vertex of a chunk
-using DomainsPart = std::vector<Domain>;         // one a component
+using ArrayPart = std::vector<std::vector<Key>>; // keys of all vertices, for each component
+using DomainsPart = std::vector<Domain>;         // one for each component
 
-/** An array of a block or chunk at a step; null if there is none. */
+/** An array of a block or chunk and its time step. Values is null if there is none. */
 struct ArrayAtStep
 {
   std::shared_ptr<const ArrayPart> Values;
@@ -32,15 +32,15 @@ struct ArrayAtStep
 };
 
 /**
- * Takes the parts that a file is made of out of a cache, or decodes and keeps them there. Blocks of
- * shared points are numbered as in the file; the unused points are the block behind the last one.
+ * Provides the parts of a file from a cache, or decodes them and keeps them there. Blocks of shared
+ * points are numbered as in the file. The unused points are the block after the last one.
  *
  * Thread safe. Safe on hostile input: throws Error.
  */
 class PartDecoder
 {
 public:
-  /** What a chunk needs of the blocks that it shares points with. */
+  /** Provides the parts of the blocks that a chunk needs. */
   template <typename Part>
   using OfBlock = std::function<std::shared_ptr<const Part>(std::uint32_t block)>;
 
@@ -54,39 +54,40 @@ public:
   const FileReader::Internals& Content() const { return this->File->GetInternals(); }
   const BlockEntry& GetBlock(std::size_t block) const;
 
-  /** How the values of an array become keys at a step. */
+  /** The domains of the components of an array at a step. */
   std::shared_ptr<const DomainsPart> GetDomains(std::uint32_t array, std::size_t step) const;
 
   std::shared_ptr<const PointsPart> GetBlockPoints(std::uint32_t block) const;
   std::shared_ptr<const OrderPart> GetBlockOrder(std::uint32_t block) const;
 
-  /** The mesh of a chunk with its context but for the fit; null if it is not in the cache. */
+  /** The mesh of a chunk with its context except the fit. Null if it is not in the cache. */
   std::shared_ptr<const ChunkMesh> FindMesh(std::uint32_t chunk) const;
   std::shared_ptr<const ChunkMesh> DecodeMesh(
     std::uint32_t chunk, const OfBlock<PointsPart>& pointsOf) const;
 
-  /** Original ids of a chunk's own points, and of its cells. */
+  /** The original ids of a chunk's own points and of its cells. */
   std::shared_ptr<const OrderPart> GetPointOrder(
     std::uint32_t chunk, const ChunkMesh& mesh, const OfBlock<OrderPart>& orderOf) const;
   std::shared_ptr<const OrderPart> GetCellOrder(std::uint32_t chunk, const ChunkMesh& mesh) const;
 
-  /** Rotations of a chunk's cells; not kept, as only the connectivity needs them. */
+  /** The rotations of a chunk's cells. Not kept, because only the connectivity needs them. */
   std::vector<Key> DecodeCorners(std::uint32_t chunk, const ChunkMesh& mesh) const;
 
-  /** The array at the latest step in the cache that is not before first and not after step. */
+  /** The array at the latest step in the cache from first to step. */
   ArrayAtStep FindBlockArray(
     std::uint32_t block, std::uint32_t array, std::size_t first, std::size_t step) const;
   ArrayAtStep FindChunkArray(
     std::uint32_t chunk, std::uint32_t array, std::size_t first, std::size_t step) const;
 
-  /** An array at a step; before: the same at the step before, which may be null at a key step. */
+  /** Decodes an array at a step. before: the array at the previous step, may be null at key steps.
+   */
   std::shared_ptr<const ArrayPart> DecodeBlockArray(std::uint32_t block, std::uint32_t array,
     std::size_t step, const DomainsPart& domains, const ArrayPart* before) const;
   std::shared_ptr<const ArrayPart> DecodeChunkArray(std::uint32_t chunk, const ChunkMesh& mesh,
     std::uint32_t array, std::size_t step, const DomainsPart& domains, const ArrayPart* before,
     const OfBlock<ArrayPart>& valuesOf) const;
 
-  /** Keeps arrays for later; those of steps on the way need not be. */
+  /** Keeps arrays in the cache. Arrays of intermediate steps need not be kept. */
   void KeepBlockArray(std::uint32_t block, std::uint32_t array, const ArrayAtStep& values) const;
   void KeepChunkArray(std::uint32_t chunk, std::uint32_t array, const ArrayAtStep& values) const;
 
@@ -102,7 +103,7 @@ private:
   std::vector<ComponentKeys> MakeKeys(
     std::uint32_t array, std::size_t step, std::size_t count, const ArrayPart* before) const;
 
-  /** Calls use(vertex, part, place in its block) for the shared vertices of a chunk's walk. */
+  /** Calls use(vertex, part, position in its block) for the shared vertices of a chunk's walk. */
   template <typename Part, typename Use>
   void EachShared(
     std::uint32_t chunk, const ChunkMesh& mesh, const OfBlock<Part>& partOf, Use&& use) const;

@@ -17,10 +17,10 @@ namespace
 {
 constexpr std::size_t TetsPerTask = 1u << 16;
 
-// Groups with fewer points are stored together with others of the same first chunk.
+// Smaller groups are stored together with others of the same first chunk.
 constexpr std::uint32_t LargeGroup = 256;
 
-/** Four times the centroid along an axis; what is not a number comes first. */
+/** Four times the centroid along an axis. NaN comes first. */
 float GetCentroid(const MeshAccess& mesh, std::uint32_t tet, unsigned axis)
 {
   double sum = 0;
@@ -74,18 +74,16 @@ void CheckIds(const MeshAccess& mesh)
     });
 }
 
-/** Cuts one part in two along its longest axis; returns where. */
+/** Divides a part along its longest axis. Returns the position of the second half. */
 std::size_t Halve(
   const MeshAccess& mesh, std::vector<Centroid>& items, const Part& part, std::uint32_t chunkTets)
 {
-  std::array<Range, 3> box;
+  Bounds box;
   for (auto i = part.Begin; i < part.End; ++i)
   {
     for (unsigned axis = 0; axis < 3; ++axis)
     {
-      const double place = GetCentroid(mesh, items[i].Tet, axis);
-      box[axis].Min = std::min(box[axis].Min, place);
-      box[axis].Max = std::max(box[axis].Max, place);
+      box[axis].Include(GetCentroid(mesh, items[i].Tet, axis));
     }
   }
   unsigned longest = 0;
@@ -100,7 +98,7 @@ std::size_t Halve(
   {
     items[i].Place = GetCentroid(mesh, items[i].Tet, longest);
   }
-  // So that the chunks in the end hold about as many tetrahedra each.
+  // All chunks end up with about the same number of tetrahedra.
   const auto count = part.End - part.Begin;
   const auto chunks = (count + chunkTets - 1) / chunkTets;
   const auto middle = part.Begin + count * (chunks / 2) / chunks;
@@ -109,7 +107,7 @@ std::size_t Halve(
   return middle;
 }
 
-// Buckets of layers with less than this part of a chunk are joined with others.
+// Buckets of layers with less than this fraction of a chunk are joined with others.
 constexpr std::uint32_t SmallestPart = 16;
 
 /** All tetrahedra as one bucket. */
@@ -126,7 +124,7 @@ LayerBuckets MakeOneBucket(const MeshAccess& mesh)
   return all;
 }
 
-/** Finds the layers and what is in them. */
+/** Finds the layers and their buckets. */
 LayerBuckets MakeBuckets(const MeshAccess& mesh, std::uint32_t chunkTets, LayerPartition& layers)
 {
   const LayerValues values(layers.Array, layers.Request);
@@ -204,12 +202,12 @@ Bounds GetBox(const MeshAccess& mesh)
   Bounds box;
   for (std::uint64_t p = 0; p < mesh.GetMesh().Points; ++p)
   {
-    mesh.Extend(box, p);
+    mesh.Include(box, p);
   }
   return box;
 }
 
-/** One use of a shared point by a chunk. */
+/** The use of a shared point by a chunk. */
 struct Use
 {
   std::uint32_t Point;
@@ -217,7 +215,7 @@ struct Use
   auto operator<=>(const Use&) const = default;
 };
 
-/** Marks each point as unused or own, and returns the uses of the points of several chunks. */
+/** Marks each point as unused or own, and returns the uses of shared points. */
 std::vector<Use> FindShared(const MeshAccess& mesh, Partition& out)
 {
   std::vector<Use> uses;
@@ -241,7 +239,7 @@ std::vector<Use> FindShared(const MeshAccess& mesh, Partition& out)
           uses.push_back({ p, chunk });
           if (out.SharedIndex[p] == Partition::OwnPoint)
           {
-            out.SharedIndex[p] = 0; // found to be shared
+            out.SharedIndex[p] = 0; // a shared point
             uses.push_back({ p, firstChunk[p] });
           }
         }
@@ -279,7 +277,7 @@ void GroupShared(const MeshAccess& mesh, const std::vector<Use>& uses, Partition
       point });
   }
 
-  // Large groups are blocks of their own; the small ones of a first chunk make one together.
+  // Large groups are blocks of their own. The small groups of a first chunk form one block.
   const auto addGroup = [&](BlockEntry& block, const std::vector<std::uint32_t>& users,
                           std::vector<PlacedPoint>& points)
   {

@@ -2,7 +2,7 @@
 #ifndef gatunPartition_h
 #define gatunPartition_h
 
-// Cuts a mesh into chunks and finds the points that they share.
+// Partitions a mesh into chunks and finds the points that they share.
 
 #include "gatunLayerPartition.h"
 #include "gatunMeshAccess.h"
@@ -14,21 +14,21 @@
 
 namespace gatun
 {
-/** A mesh cut into chunks. Indices are those of the input; they fit 32 bits. */
+/** The chunks of a mesh. Indices refer to the input and fit 32 bits. */
 struct Partition
 {
   static constexpr std::uint32_t Unused = 0xffffffffu;
 
-  std::vector<std::uint32_t> Tets; // all, chunk by chunk, ascending within a chunk
+  std::vector<std::uint32_t> Tets; // chunk by chunk, ascending within a chunk
   std::vector<std::size_t> ChunkStart;
 
-  // The points used by several chunks, in the order of the file: blocks, groups, Morton order.
+  // The shared points in the order of the file: by block, group and Morton code.
   std::vector<std::uint32_t> SharedPoints;
   std::vector<BlockEntry> Blocks; // groups and counts only
 
   std::vector<std::uint32_t> UnusedPoints;
 
-  // Of each point: its place in SharedPoints, or OwnPoint, or UnusedPoint.
+  // For each point, its position in SharedPoints, or OwnPoint, or Unused.
   static constexpr std::uint32_t OwnPoint = 0xfffffffeu;
   std::vector<std::uint32_t> SharedIndex;
 
@@ -37,8 +37,9 @@ struct Partition
 
 /**
  * Halves the tetrahedra along the longest axis of their centroids until no part has more than
- * chunkTets; with layers, those of each bucket of layers by themselves. The same result for any
- * number of threads. Throws InvalidInput if a tetrahedron names a point that is not there.
+ * chunkTets. With layers, each bucket of layers is halved separately. The result does not depend on
+ * the number of threads. Throws Error(InvalidInput) if a tetrahedron refers to a point that does
+ * not exist.
  */
 Partition MakePartition(const MeshAccess& mesh, std::uint32_t chunkTets,
   const std::function<bool(double)>& progress, LayerPartition* layers = nullptr);

@@ -14,8 +14,8 @@ namespace gatun
 {
 namespace
 {
-/** Chunks of the universe within so many steps of sharing a point with the given ones, these
- * included; ascending. */
+/** The given chunks and those within a number of layers of chunks around them that share points,
+ * ascending. */
 std::vector<std::uint32_t> Surround(const FileReader& file,
   const std::vector<std::uint32_t>& chunks, const std::vector<std::uint32_t>& universe,
   unsigned levels)
@@ -47,8 +47,8 @@ std::vector<std::uint32_t> Surround(const FileReader& file,
 
 //--------------------------------------------------------------------------------------------------
 /**
- * A piece with ghosts is cut from a larger set of chunks: that is decoded as a whole, then the
- * cells that touch the piece are chosen, and what they use is copied.
+ * A piece with ghosts is extracted from a larger set of chunks. The set is decoded as a whole, and
+ * the cells that touch the piece are copied with their points.
  */
 class PieceDecoder::Internals
 {
@@ -65,11 +65,11 @@ public:
   const std::shared_ptr<ChunkCache> Cache;
   const std::shared_ptr<const FileReader> File;
   PieceRequest Request;
-  std::unique_ptr<CoarsePiece> Coarse; // with merges, instead of all below
+  std::unique_ptr<CoarsePiece> Coarse; // replaces the members below if there are merges
   std::unique_ptr<ChunkSetDecoder> Piece;
   std::unique_ptr<ChunkSetDecoder> Around; // null without ghosts
-  std::vector<std::uint64_t> PointFrom;    // with ghosts: place in Around of each point
-  std::vector<std::uint64_t> CellFrom;     // and of each cell
+  std::vector<std::uint64_t> PointFrom;    // with ghosts: the position of each point in Around
+  std::vector<std::uint64_t> CellFrom;     // and that of each cell
   std::vector<std::int64_t> Connectivity;  // of the piece with ghosts
 
 private:
@@ -90,21 +90,19 @@ void PieceDecoder::Internals::CheckRequest(const PieceRequest& request) const
     !ascend(request.Arrays, this->File->GetArrays().size()) ||
     (!hasStep && !request.Arrays.empty()))
   {
-    throw Error(ErrorCode::InvalidInput,
-      this->File->GetPath() + ": the file has no such chunk, array or time step");
+    ThrowInvalid("the file has no such chunk, array or time step", this->File->GetPath());
   }
   if (request.Merges > 0 &&
     (!request.Tree || request.Merges > request.Tree->GetMerges().size() ||
       request.Tree->GetNumberOfPoints() != this->File->GetNumberOfPoints()))
   {
-    throw Error(ErrorCode::InvalidInput, this->File->GetPath() + ": there are not so many merges");
+    ThrowInvalid("the file has fewer merges than the piece asks for", this->File->GetPath());
   }
   if (!request.Universe.empty() &&
     !std::includes(request.Universe.begin(), request.Universe.end(), request.Chunks.begin(),
       request.Chunks.end()))
   {
-    throw Error(ErrorCode::InvalidInput,
-      this->File->GetPath() + ": a piece must be inside of the universe asked for");
+    ThrowInvalid("a piece must be inside the requested universe", this->File->GetPath());
   }
 }
 
@@ -189,7 +187,7 @@ void PieceDecoder::Internals::ChooseGhosts(const Progress& progress)
       }
     }
   }
-  // Points of no cell belong to the piece but have no ghosts around them.
+  // Unused points belong to the piece but have no ghosts.
   std::vector<char> reached(count, 0);
   const auto reach = [&](std::size_t begin)
   {
@@ -217,7 +215,7 @@ void PieceDecoder::Internals::ChooseGhosts(const Progress& progress)
     }
     if (this->CellFrom.size() == begin)
     {
-      break; // all that can be reached, however many levels are wanted
+      break; // nothing more can be reached
     }
     reach(begin);
   }
@@ -266,7 +264,7 @@ void PieceDecoder::Internals::Fill(const PieceTarget& target, const Progress& pr
     return;
   }
 
-  // Decode what is wanted for the larger set, then copy the piece and its ghosts from there.
+  // Decodes the larger set and copies the piece and its ghosts.
   const auto points = static_cast<std::size_t>(this->Around->GetNumberOfPoints());
   const auto tets = static_cast<std::size_t>(this->Around->GetNumberOfTets());
   struct Copy
@@ -315,7 +313,7 @@ void PieceDecoder::Internals::Fill(const PieceTarget& target, const Progress& pr
 
   if (target.PointGhosts)
   {
-    // What came with ghost cells is not the piece's own.
+    // Points that belong only to ghost cells are duplicates.
     const auto count = static_cast<std::size_t>(this->Piece->GetNumberOfPoints());
     this->Piece->MarkOwners(target.PointGhosts);
     std::memset(target.PointGhosts + count, 1, this->PointFrom.size() - count);

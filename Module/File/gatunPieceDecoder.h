@@ -18,29 +18,30 @@ class ChunkCache;
 /**
  * Decodes pieces of a file into arrays of the caller, chunks in parallel.
  *
- * Order of the cells: chunk by chunk, ghosts last. Order of the points: those shared by chunks,
- * then each chunk's own, then unused ones, ghosts' last. What it decodes it leaves in a cache, so
- * that another time step, other arrays or a piece with the same chunks need not decode all again.
- * Not thread safe; but several may use one cache, each in a thread of its own.
+ * Cells are sorted chunk by chunk, ghosts last. Points are sorted: shared points, own points of
+ * each chunk, unused points, points of ghosts. Decoded parts stay in a cache, which speeds up
+ * further time steps, arrays and pieces with the same chunks. Not thread safe, but decoders in
+ * several threads may use one cache.
  */
 class VTKGATUNCORE_EXPORT PieceDecoder
 {
 public:
-  using Progress = std::function<bool(double)>; ///< as in FileWriter; abort throws Aborted
+  using Progress =
+    std::function<bool(double)>; ///< as in FileWriter; an abort throws Error(Aborted)
 
-  /** With a cache of its own, or with one that others may use too. */
+  /** With a cache of its own, or with a cache that others may use. */
   explicit PieceDecoder(std::shared_ptr<const FileReader> file);
   explicit PieceDecoder(std::shared_ptr<ChunkCache> cache);
   ~PieceDecoder();
   PieceDecoder(const PieceDecoder&) = delete;
   PieceDecoder& operator=(const PieceDecoder&) = delete;
 
-  /** Prepares a request; afterwards the sizes are known (with ghosts this decodes the mesh). */
+  /** Prepares a request and determines its sizes. With ghosts, this decodes the mesh. */
   void SetRequest(const PieceRequest& request, const Progress& progress = {});
   std::uint64_t GetNumberOfPoints() const;
   std::uint64_t GetNumberOfTets() const;
 
-  /** Fills the target for the request last set. May be called again with other pointers. */
+  /** Fills the target for the current request. May be called again with other pointers. */
   void Fill(const PieceTarget& target, const Progress& progress = {});
 
   const std::shared_ptr<const FileReader>& GetFile() const;

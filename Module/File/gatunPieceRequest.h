@@ -12,41 +12,41 @@
 
 namespace gatun
 {
-/** Which part of a file to decode. */
+/** The part of a file to decode. */
 struct PieceRequest
 {
-  std::vector<std::uint32_t> Chunks; ///< ascending; their tetrahedra make the piece
+  std::vector<std::uint32_t> Chunks; ///< ascending; their tetrahedra form the piece
 
-  /** Ascending, with all of Chunks: the mesh that the piece is one of, as if the file had no other
-   * chunks. Ghosts come from there, and there is the owner of each point. Empty: the whole file. */
+  /** The chunks that form the whole mesh, ascending, a superset of Chunks. Ghosts and owners of
+   * points are among them. Empty for all chunks of the file. */
   std::vector<std::uint32_t> Universe;
 
   std::vector<std::uint32_t> Arrays; ///< indices into GetArrays(), ascending
   std::size_t Step = 0;
-  unsigned GhostLevels = 0;      ///< layers of cells around the piece, sharing a point
-  bool WithUnusedPoints = false; ///< points of no tetrahedron too (give them to one piece)
-  bool RestoreOrder = true;      ///< original order, if kept and all chunks are asked for
+  unsigned GhostLevels = 0;      ///< layers of cells around the piece that share points
+  bool WithUnusedPoints = false; ///< whether to include unused points (in one piece only)
+  bool RestoreOrder = true;      ///< original order, if the file keeps it and the piece is whole
 
-  /** How many merges to make, by the tree of the file; corners keep no order then but orientation.
-   * With ghosts the whole universe is decoded. */
+  /** The number of merges of the file's tree to apply. Corners keep their orientation but not their
+   * order. With ghosts, the whole universe is decoded. */
   std::size_t Merges = 0;
-  std::shared_ptr<const MergeTree> Tree; ///< the file's, if there are merges
+  std::shared_ptr<const MergeTree> Tree; ///< the file's tree, if there are merges
 
   bool operator==(const PieceRequest&) const = default;
 };
 
-/** Where the caller wants the piece; each pointer may be null if not wanted. Sizes as announced. */
+/** Memory for a piece, with the sizes that the decoder reports. Null pointers are skipped. */
 struct PieceTarget
 {
-  void* Points = nullptr;                 ///< 3 values a point of GetCoordinateType()
-  void* Connectivity = nullptr;           ///< 4 ids a cell
-  bool WideIds = true;                    ///< ids are std::int64_t, else std::int32_t
+  void* Points = nullptr;                 ///< 3 values of GetCoordinateType() for each point
+  void* Connectivity = nullptr;           ///< 4 ids for each cell
+  bool WideIds = true;                    ///< whether ids are std::int64_t or std::int32_t
   std::vector<void*> Arrays;              ///< one for each array of the request, or empty
-  std::int64_t* GlobalPointIds = nullptr; ///< original ids where the file keeps point order
-  std::int64_t* GlobalCellIds = nullptr;  ///< original ids where the file keeps cell order
+  std::int64_t* GlobalPointIds = nullptr; ///< original ids if the file keeps the order of points
+  std::int64_t* GlobalCellIds = nullptr;  ///< original ids if the file keeps the order of cells
 
-  /** 0: of the piece; 1: a duplicate, owned by another (VTK's DUPLICATEPOINT, DUPLICATECELL).
-   * A shared point is owned by the lowest chunk of the universe that uses it. */
+  /** 0 for elements of the piece, 1 for duplicates that another piece owns (VTK's DUPLICATEPOINT,
+   * DUPLICATECELL). A shared point belongs to the lowest chunk of the universe that uses it. */
   unsigned char* PointGhosts = nullptr;
   unsigned char* CellGhosts = nullptr;
 };

@@ -14,7 +14,7 @@ SimplifiedFile::SimplifiedFile(std::shared_ptr<const FileReader> file)
   if (!file->HasMergeTree())
   {
     ThrowInvalid(
-      file->GetPath() + ": there is no hierarchy in the file; make one with gtn pack --hierarchy");
+      "there is no hierarchy in the file; make one with gtn pack --hierarchy", file->GetPath());
   }
   this->Levels.push_back({ 0, file, nullptr });
   for (const auto merges : file->GetLevels())
@@ -65,7 +65,7 @@ SimplifiedFile::Place SimplifiedFile::Find(std::size_t merges, bool withBaseMesh
 //------------------------------------------------------------------------------
 std::uint64_t SimplifiedFile::EstimateTets(std::size_t merges) const
 {
-  // Tetrahedra go as points do.
+  // Assumes that tetrahedra and points decrease in proportion.
   const FileReader& file = *this->GetFile();
   const auto used = static_cast<double>(file.GetNumberOfPoints() - file.GetNumberOfUnusedPoints());
   const double left = used > 0 ? std::max(0.0, used - static_cast<double>(merges)) / used : 1;

@@ -15,43 +15,42 @@
 namespace gatun
 {
 /**
- * A file that tells how its mesh becomes simpler, and its base meshes. Base meshes are opened, and
- * trees are decoded, when they are needed first; both are kept. Not thread safe.
+ * A file with a merge tree and its base meshes. Base meshes are opened and trees decoded at their
+ * first use, and both are kept. Not thread safe.
  */
 class VTKGATUNCORE_EXPORT SimplifiedFile
 {
 public:
-  /** Where a simpler mesh is had from. */
+  /** The source of a simplified mesh. */
   struct Place
   {
     std::shared_ptr<const FileReader> File; ///< the file itself or a base mesh in it
-    std::shared_ptr<const MergeTree> Tree;  ///< of that; null if nothing is left to be merged
-    std::size_t Merges = 0;                 ///< to be made yet
+    std::shared_ptr<const MergeTree> Tree;  ///< its merge tree, null if no merges remain
+    std::size_t Merges = 0;                 ///< the merges to apply
   };
 
-  /** Throws InvalidInput if the file does not tell. */
+  /** Throws Error(InvalidInput) if the file has no merge tree. */
   explicit SimplifiedFile(std::shared_ptr<const FileReader> file);
 
   const std::shared_ptr<const FileReader>& GetFile() const { return this->Levels.front().File; }
 
-  /** The tree of the whole mesh. */
+  /** The merge tree of the whole mesh. */
   const MergeTree& GetTree();
 
-  /** The simplest base mesh that so many merges, at most as many as there are, start from; without
-   * base meshes, the file itself. */
+  /** The coarsest base mesh from which a number of merges can be reached, or the file itself. */
   Place Find(std::size_t merges, bool withBaseMeshes = true);
 
-  /** About how many tetrahedra are left then. */
+  /** The approximate number of tetrahedra after a number of merges. */
   std::uint64_t EstimateTets(std::size_t merges) const;
 
-  /** Bytes read from the file, for base meshes too. */
+  /** The number of bytes read from the file, including base meshes. */
   std::uint64_t GetBytesRead() const;
 
 private:
   /** The whole mesh, or a base mesh. */
   struct Level
   {
-    std::uint32_t Merges; // that it has behind it
+    std::uint32_t Merges; // that lead to it
     std::shared_ptr<const FileReader> File;
     std::shared_ptr<const MergeTree> Tree;
   };
@@ -59,7 +58,7 @@ private:
   void Open(std::size_t level);
   const std::shared_ptr<const MergeTree>& GetTree(Level& level);
 
-  std::vector<Level> Levels; // simpler and simpler
+  std::vector<Level> Levels; // from fine to coarse
 };
 }
 

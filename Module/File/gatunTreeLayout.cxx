@@ -10,14 +10,8 @@ namespace gatun
 {
 namespace
 {
-// Below that many points a chunk gets everywhere anyway.
+// Coarser meshes need no rungs: their chunks extend over the whole mesh.
 constexpr std::uint32_t FewPoints = 256;
-
-void Extend(Range& range, const Range& other)
-{
-  range.Min = std::min(range.Min, other.Min);
-  range.Max = std::max(range.Max, other.Max);
-}
 
 MergeTree Renumber(const MergeTree& tree, const std::vector<std::uint32_t>& ids)
 {
@@ -70,7 +64,7 @@ TreeLayout::TreeLayout(const MergeTree& tree, std::vector<std::uint32_t> ids, co
 std::vector<Range> TreeLayout::FindRanges(
   std::uint32_t merges, const std::function<double(std::uint32_t)>& getValue) const
 {
-  // Of each point, over all that it is merged into.
+  // For each point, the range over all points that it is merged into.
   std::vector<Range> ways(this->Ids.size());
   for (std::size_t i = 0; i < ways.size(); ++i)
   {
@@ -80,11 +74,11 @@ std::vector<Range> TreeLayout::FindRanges(
       ways[i] = { value, value };
     }
   }
-  // Backwards: who is merged into is merged later itself.
+  // Backwards, because a point that is merged into is itself merged later.
   for (auto i = merges; i > 0; --i)
   {
     const Merge& merge = this->Tree.GetMerges()[i - 1];
-    Extend(ways[merge.Point], ways[merge.Into]);
+    ways[merge.Point].Include(ways[merge.Into]);
   }
   std::vector<Range> chunks(this->Runs.size());
   for (std::size_t c = 0; c < chunks.size(); ++c)
@@ -93,7 +87,7 @@ std::vector<Range> TreeLayout::FindRanges(
     {
       for (auto i = first; i < last; ++i)
       {
-        Extend(chunks[c], ways[static_cast<std::size_t>(i)]);
+        chunks[c].Include(ways[static_cast<std::size_t>(i)]);
       }
     }
   }

@@ -14,22 +14,22 @@
 
 namespace gatun
 {
-/** A tree of merges in the numbers of a file, and where the points of its chunks get to. */
+/** A merge tree in the numbers of a file, and the ranges of its chunks after merges. */
 class TreeLayout
 {
 public:
-  /** Ids: of each point of the file, which one of the given tree it is. */
+  /** ids: the point of the given tree for each point of the file. */
   TreeLayout(const MergeTree& tree, std::vector<std::uint32_t> ids, const MeshTable& mesh);
 
   const MergeTree& GetTree() const { return this->Tree; }
 
-  /** Numbers of merges that leave a half of the points, a quarter and so on, and all merges. */
+  /** The numbers of merges that leave half of the points, a quarter and so on, and all merges. */
   const std::vector<std::uint32_t>& GetRungs() const { return this->Rungs; }
 
   /**
-   * Of each chunk, for each rung: the range of a value over all points that its own and shared ones
-   * are merged into, themselves included, by any number of merges up to there. NaN is left out. The
-   * value is that of a point of the given tree.
+   * For each chunk and rung, the range of a value over the chunk's points and all points that they
+   * are merged into by any number of merges up to the rung. NaN is ignored. getValue takes a point
+   * of the given tree.
    */
   std::vector<std::vector<Range>> FindRanges(
     const std::function<double(std::uint32_t)>& getValue) const;
@@ -42,7 +42,7 @@ private:
   MergeTree Tree;
   std::vector<std::uint32_t> Rungs;
 
-  /** The points of each chunk, from one up to before another one. */
+  /** The points of each chunk as half-open intervals. */
   std::vector<std::vector<std::pair<std::uint64_t, std::uint64_t>>> Runs;
 };
 }

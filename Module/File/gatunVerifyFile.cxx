@@ -15,7 +15,7 @@ namespace gatun
 {
 namespace
 {
-/** Original numbers, if kept, must be all different. */
+/** Checks that original numbers are distinct. */
 class PermutationCheck
 {
 public:
@@ -44,11 +44,11 @@ private:
   std::vector<bool> Seen;
 };
 
-/** The points of blocks, also of those that no chunk needs. */
+/** Decodes the points of all blocks, including those that no chunk needs. */
 void VerifyBlocks(const PartDecoder& parts)
 {
   const auto count = parts.Content().Mesh.Blocks.size();
-  for (std::size_t block = 0; block <= count; ++block) // the unused points are the last one
+  for (std::size_t block = 0; block <= count; ++block) // the unused points are the last block
   {
     if (parts.GetBlock(block).Points > 0)
     {
@@ -57,7 +57,7 @@ void VerifyBlocks(const PartDecoder& parts)
   }
 }
 
-/** The order of corners, which pieces of a file have no use for. */
+/** Decodes the order of corners, which pieces do not need. */
 void VerifyCorners(const PartDecoder& parts, std::span<const std::uint32_t> chunks)
 {
   if ((parts.GetFile()->GetKeptOrder() & KeepCorners) == 0)
@@ -72,11 +72,11 @@ void VerifyCorners(const PartDecoder& parts, std::span<const std::uint32_t> chun
   }
 }
 
-/** Decodes everything once, some chunks at a time. */
+/** Decodes all streams once, some chunks at a time. */
 void VerifyStreams(const FileReader& file, const std::function<bool(double)>& progress)
 {
   constexpr std::size_t chunksAtOnce = 16;
-  // The decoder only borrows the file.
+  // The decoder does not own the file.
   const std::shared_ptr<const FileReader> borrowed(&file, [](const FileReader*) {});
   const auto cache = std::make_shared<ChunkCache>(borrowed);
   const PartDecoder parts(cache);

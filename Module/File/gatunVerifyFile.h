@@ -10,8 +10,8 @@
 
 namespace gatun
 {
-/** Reads a whole file and checks every checksum and that every stream decodes. Returns false if
- * progress asked to stop. Throws gatun::Error at the first thing that is wrong. */
+/** Checks all checksums of a file and decodes all streams. Returns false if progress asked to stop.
+ * Throws Error for the first defect. */
 VTKGATUNCORE_EXPORT bool VerifyFile(
   const FileReader& file, const std::function<bool(double)>& progress = {});
 }

@@ -8,14 +8,24 @@ gatun_core_folder(Format
   EXPERIMENTAL_HEADERS
     gatunLayers.h
   PRIVATE_HEADERS
+    gatunAtomicFile.h
+    gatunCompress.h
     gatunContainer.h
+    gatunFileHandle.h
+    gatunInputFile.h
     gatunLayerTable.h
+    gatunOutputFile.h
     gatunTableParts.h
     gatunTables.h
     gatunTreeTable.h
   SOURCES
+    gatunAtomicFile.cxx
+    gatunCompress.cxx
     gatunContainer.cxx
+    gatunFileHandle.cxx
+    gatunInputFile.cxx
     gatunLayerTable.cxx
+    gatunOutputFile.cxx
     gatunTableParts.cxx
     gatunTables.cxx
     gatunTreeTable.cxx)

@@ -8,18 +8,18 @@
 
 namespace gatun
 {
-/** An array that belongs to the whole mesh: numbers, or texts. */
+/** An array of numbers or strings that belongs to the whole mesh. */
 struct FieldArray
 {
   std::string Name;
-  std::int32_t VTKType = 0; ///< as in ArrayDescription; VTK_STRING for texts
+  std::int32_t VTKType = 0; ///< as in ArrayDescription; VTK_STRING for strings
   std::uint32_t Components = 1;
   std::vector<std::string> ComponentNames;
 
   bool IsText = false;
   ScalarType Type = ScalarType::Float64; ///< of Values, if not IsText
-  std::vector<std::uint8_t> Values;      ///< the numbers' bytes, little-endian
-  std::vector<std::string> Texts;        ///< if IsText; may contain any bytes
+  std::vector<std::uint8_t> Values;      ///< the bytes of the numbers, little-endian
+  std::vector<std::string> Texts;        ///< the strings, if IsText; may contain any bytes
 
   bool operator==(const FieldArray&) const = default;
 };

@@ -9,11 +9,14 @@
 namespace gatun
 {
 //------------------------------------------------------------------------------
-Bytes WriteLayers(const Layers& layers)
+Bytes WriteLayers(const Layers& layers, const MetaTable& meta)
 {
+  // Files number the length of the tuple behind the components.
+  const auto component = layers.Component < 0 ? meta.Arrays.at(layers.Array).Components
+                                              : static_cast<std::uint32_t>(layers.Component);
   ByteWriter out;
   out.PutVarint(layers.Array);
-  out.PutVarint(layers.Component);
+  out.PutVarint(component);
   out.Put(static_cast<std::uint8_t>(layers.Spacing));
   out.PutVarint(layers.GetCount());
   for (const double bound : layers.Bounds)
@@ -37,9 +40,10 @@ Layers ReadLayers(std::span<const std::uint8_t> bytes, const MetaTable& meta, co
   layers.Array = GetSmall(in);
   Check(layers.Array < meta.Arrays.size() && meta.Arrays[layers.Array].Where == Association::Point,
     "the layers are those of no point array");
-  layers.Component = GetSmall(in);
-  Check(layers.Component < GetRangeCount(meta.Arrays[layers.Array].Components),
-    "the layers are those of no component");
+  const auto components = meta.Arrays[layers.Array].Components;
+  const auto component = GetSmall(in);
+  Check(component < GetRangeCount(components), "the layers are those of no component");
+  layers.Component = component < components ? static_cast<int>(component) : -1;
   const auto spacing = in.Get<std::uint8_t>();
   layers.Spacing = spacing <= static_cast<std::uint8_t>(LayerSpacing::Histogram)
     ? static_cast<LayerSpacing>(spacing)
@@ -71,7 +75,7 @@ Layers ReadLayers(std::span<const std::uint8_t> bytes, const MetaTable& meta, co
 //------------------------------------------------------------------------------
 bool IsInside(const Layers& layers, const LayerSpan& span, const Range& values)
 {
-  return values.Min > values.Max ||
+  return values.IsEmpty() ||
     (layers.Find(values.Min) >= span.First && layers.Find(values.Max) <= span.Last);
 }
 }

@@ -3,7 +3,7 @@
 #ifndef gatunLayerTable_h
 #define gatunLayerTable_h
 
-// What a LAYR section says: by which values a file is organised. See Documentation/format.md, 14.
+// The LAYR section: the layers that a file is organized by. See Documentation/format.md, 14.
 
 #include "gatunBytes.h"
 #include "gatunLayers.h"
@@ -13,12 +13,12 @@
 
 namespace gatun
 {
-Bytes WriteLayers(const Layers& layers);
+Bytes WriteLayers(const Layers& layers, const MetaTable& meta);
 
 Layers ReadLayers(
   std::span<const std::uint8_t> bytes, const MetaTable& meta, const MeshTable& mesh);
 
-/** Whether a chunk whose values are in this range can have this span. */
+/** Whether a range of values lies within a span of layers. */
 bool IsInside(const Layers& layers, const LayerSpan& span, const Range& values);
 }
 

@@ -3,9 +3,9 @@
 #ifndef gatunLayers_h
 #define gatunLayers_h
 
-// Files that are organised by layers: the range of an array's values is cut into layers, and a
-// chunk holds tetrahedra whose values lie in the same ones, so that what needs only some values, as
-// an isosurface does, is in few chunks. See Documentation/layers.md.
+// Files that are organized by layers. The range of an array's values is divided into layers, and a
+// chunk holds tetrahedra with values in the same layers. Algorithms that need only some values,
+// such as isosurfaces, then decode few chunks. See Documentation/layers.md.
 
 #include "vtkGatunCoreModule.h"
 
@@ -16,33 +16,32 @@
 
 namespace gatun
 {
-/** How the range of values is cut into layers. The numbers are those of the file format. */
+/** Spacing of the layers. The numbers are those of the file format. */
 enum class LayerSpacing : std::uint8_t
 {
-  Other = 0,    ///< of a file by a later writer
-  Uniform = 1,  ///< layers as wide as each other
-  Normal = 2,   ///< by the normal distribution that has the values' mean and deviation
-  Histogram = 3 ///< about as many tetrahedra in each
+  Other = 0,    ///< unknown, from a later writer
+  Uniform = 1,  ///< layers of equal width
+  Normal = 2,   ///< quantiles of the normal distribution with the values' mean and deviation
+  Histogram = 3 ///< about equal numbers of tetrahedra
 };
 
 constexpr std::uint32_t MaxLayers = 4096;
 
-/** By which values to organise a file that is to be written. */
+/** The layers to organize a new file by. */
 struct LayerRequest
 {
-  std::uint32_t Array = 0; ///< of the descriptions, one on points
+  std::uint32_t Array = 0; ///< index of a point array
 
-  /** Which of the array's ranges (see ArrayRanges): a component, or, if there are several, their
-   * number for the length of the tuple. */
-  std::uint32_t Component = 0;
+  /** A component of the array, or -1 for the length of the tuple if there are several. */
+  int Component = 0;
 
-  /** 1 to MaxLayers, or 0 for as many as pay with a mesh of this size. There may be fewer in the
-   * end, as none is without any value. */
+  /** The number of layers, 1 to MaxLayers, or 0 for a default that suits the size of the mesh.
+   * Empty layers are left out, so the file may have fewer. */
   std::uint32_t Count = 0;
 
   LayerSpacing Spacing = LayerSpacing::Histogram;
 
-  /** The array at the first time step, which must stay there until the writer is made. */
+  /** The array at the first time step. It must exist until the writer has been constructed. */
   const void* Values = nullptr;
 };
 
@@ -55,24 +54,24 @@ struct LayerSpan
   bool operator==(const LayerSpan&) const = default;
 };
 
-/** By which values, at its first time step, a file is organised. */
+/** The layers of a file, which refer to its first time step. */
 struct Layers
 {
   std::uint32_t Array = 0;
-  std::uint32_t Component = 0; ///< as in LayerRequest
+  int Component = 0; ///< as in LayerRequest
   LayerSpacing Spacing = LayerSpacing::Other;
 
-  /** Ascending, finite: layer i has values from Bounds[i - 1] to below Bounds[i]. */
+  /** Ascending and finite. Layer i contains Bounds[i - 1] <= value < Bounds[i]. */
   std::vector<double> Bounds;
 
-  std::vector<LayerSpan> Chunks; ///< of each, where its values are
+  std::vector<LayerSpan> Chunks; ///< the layers of the values of each chunk
 
   std::uint32_t GetCount() const { return static_cast<std::uint32_t>(this->Bounds.size()) + 1; }
 
-  /** The layer of a value; the first one of what is not a number. */
+  /** The layer of a value. NaN is in the first one. */
   std::uint32_t Find(double value) const
   {
-    // Comparisons with what is not a number are false.
+    // Comparisons with NaN are false.
     return static_cast<std::uint32_t>(std::partition_point(this->Bounds.begin(), this->Bounds.end(),
                                         [value](double bound) { return bound <= value; }) -
       this->Bounds.begin());

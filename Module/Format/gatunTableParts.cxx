@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunTableParts.h"
 
+#include "gatunCompress.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

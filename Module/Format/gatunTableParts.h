@@ -3,7 +3,7 @@
 #ifndef gatunTableParts_h
 #define gatunTableParts_h
 
-// What all tables of a file are made of. See Documentation/format.md, 2.6, 2.7 and 3.1.
+// Common elements of tables. See Documentation/format.md, 2.6, 2.7 and 3.1.
 
 #include "gatunContainer.h"
 #include "gatunTypes.h"
@@ -13,16 +13,16 @@
 
 namespace gatun
 {
-// Tables that are smaller may be any number of times as large as their compressed form. In memory
-// a table takes up to some 40 times its bytes (META, TABL), or 3 times (STEP and the like).
+// The expansion of smaller tables is not limited. In memory, a table takes up to 40 times its bytes
+// (META, TABL), or 3 times (STEP and others).
 constexpr std::uint64_t SmallTable = 1u << 20;
 constexpr std::uint64_t SmallStep = 16u << 20;
 
-// How much larger than its compressed form a table may be, unless it is small anyway; and how much
-// larger than the file the tables of all its time steps may be.
+// The maximum ratio of a table to its compressed form, unless it is small, and of the tables of all
+// time steps to the file.
 constexpr std::uint64_t TableExpansion = 512;
 
-/** Throws Error(Corrupt) unless this is right. */
+/** Throws Error(Corrupt) unless right is true. */
 inline void Check(bool right, const char* what)
 {
   if (!right)
@@ -37,14 +37,13 @@ StreamRef GetStream(ByteReader& in);
 void PutRange(ByteWriter& out, const Range& range);
 Range GetRange(ByteReader& in);
 
-/** A varint below 2^32. */
+/** Reads a varint below 2^32. */
 std::uint32_t GetSmall(ByteReader& in);
 
-/** Packs a table; refuses what Unpack would refuse, as no file is better than one that cannot be
- * read. */
+/** Packs a table. Throws Error(InvalidInput) if Unpack would refuse it. */
 Bytes Pack(const ByteWriter& out, std::uint64_t small);
 
-/** Unpacks a table, unless it is larger than small and much larger than its packed form. */
+/** Unpacks a table. Throws if it is larger than small and expands by more than TableExpansion. */
 Bytes Unpack(std::span<const std::uint8_t> bytes, std::uint64_t small);
 }
 

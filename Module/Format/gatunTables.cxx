@@ -2,6 +2,7 @@
 #include "gatunTables.h"
 
 #include "gatunChunkCodec.h"
+#include "gatunCompress.h"
 #include "gatunTableParts.h"
 
 #include <algorithm>
@@ -13,10 +14,10 @@ namespace gatun
 {
 namespace
 {
-// A stream cannot hold more values: each takes a decision, and none is cheaper than 2^-15.5 bits.
+// The maximum number of values in a stream. Each takes a decision of at least 2^-15.5 bits.
 constexpr std::uint64_t MaxValuesPerByte = 1u << 19;
 
-// All lists of neighbours together have at most so many entries, and so many more a chunk.
+// The maximum number of entries in all lists of neighbors, plus that for each chunk.
 constexpr std::uint64_t MaxNeighbours = 2u << 20;
 constexpr std::uint64_t MaxNeighboursPerChunk = 1024;
 
@@ -69,7 +70,7 @@ PaletteRef GetPalette(ByteReader& in)
   return palette;
 }
 
-/** Points below 2^32 altogether, and not more than their stream can hold. */
+/** Checks that there are less than 2^32 points and not more than their stream can contain. */
 void CheckPoints(std::uint64_t points, const StreamRef& geometry)
 {
   Check(points < (std::uint64_t{ 1 } << 32), "a block has too many points");
@@ -77,7 +78,7 @@ void CheckPoints(std::uint64_t points, const StreamRef& geometry)
     "a block claims more points than its stream can hold");
 }
 
-/** Not more values than their stream can hold. */
+/** Checks that there are not more values than their stream can contain. */
 void CheckValues(const ArrayDescription& array, std::uint64_t tuples, const StreamRef& stream)
 {
   Check(tuples * array.Components / MaxValuesPerByte <= stream.Length,
@@ -198,8 +199,8 @@ Bytes MeshTable::Write(std::uint8_t keep) const
   {
     out.PutVarint(chunk.Info.Tets);
     out.PutVarint(chunk.Info.OwnPoints);
-    out.PutVarint(chunk.Info.Level);
-    out.PutVarint(chunk.Info.Bucket);
+    out.PutVarint(0); // reserved
+    out.PutVarint(0);
     for (const auto& range : chunk.Info.Box)
     {
       PutRange(out, range);
@@ -272,9 +273,9 @@ MeshTable MeshTable::Read(std::span<const std::uint8_t> bytes, const MetaTable& 
   {
     chunk.Info.Tets = in.GetVarint();
     chunk.Info.OwnPoints = in.GetVarint();
-    chunk.Info.Level = GetSmall(in);
-    chunk.Info.Bucket = GetSmall(in);
-    Check(chunk.Info.Level == 0 && chunk.Info.Bucket == 0,
+    const auto level = GetSmall(in);
+    const auto bucket = GetSmall(in);
+    Check(level == 0 && bucket == 0,
       "a chunk belongs to a level or bucket, which this version does not know");
     for (auto& range : chunk.Info.Box)
     {
@@ -366,7 +367,7 @@ void MeshTable::FindNeighbours()
 
 void MeshTable::CheckLengths(std::uint64_t fileSize) const
 {
-  // Streams may have bytes in common, but those that counts are judged by may not have all.
+  // Streams may overlap, but the streams that justify the counts must not overlap entirely.
   std::uint64_t left = fileSize;
   const auto take = [&](const StreamRef& stream)
   {
@@ -415,7 +416,7 @@ std::vector<std::uint32_t> MeshTable::GetSharedUsers(std::size_t chunk) const
   {
     const auto& group = this->Blocks[part.Block].Groups[part.Group];
     std::uint32_t mask = 0;
-    // Bit 31 is the last to be set, as the group's chunks and the neighbours ascend.
+    // Bit 31 is the last to be set, because the group's chunks and the neighbors ascend.
     for (auto c = group.Chunks.begin(); c != group.Chunks.end() && mask >> 31 == 0; ++c)
     {
       if (*c != chunk)
@@ -553,7 +554,7 @@ Bytes WriteFieldData(const FieldData& field)
 
 FieldData ReadFieldData(std::span<const std::uint8_t> bytes)
 {
-  // Field data may be long runs of the same value, so the limit is generous here.
+  // Field data may be long runs of one value, so the limit is generous.
   const auto data = Decompress(bytes, 65536 * (bytes.size() + 1));
   ByteReader in(data);
   FieldData field(in.GetCount(9));

@@ -2,7 +2,7 @@
 #ifndef gatunTables_h
 #define gatunTables_h
 
-// What META, TABL and STEP sections say: the parts of a file and where they are.
+// The META, TABL and STEP sections, which describe and locate the parts of a file.
 
 #include "gatunContainer.h"
 #include "gatunFieldData.h"
@@ -34,14 +34,14 @@ struct MetaTable
   static MetaTable Read(std::span<const std::uint8_t> bytes);
 };
 
-/** Points used by one and the same set of chunks. */
+/** Points that are shared by the same set of chunks. */
 struct SharedGroup
 {
   std::vector<std::uint32_t> Chunks; // two or more, ascending
   std::uint32_t Points = 0;
 };
 
-/** Shared points that are decoded together; or the unused points, without groups. */
+/** Shared points that are decoded together, or the unused points, which have no groups. */
 struct BlockEntry
 {
   std::vector<SharedGroup> Groups;
@@ -49,7 +49,7 @@ struct BlockEntry
   StreamRef Geometry;
   StreamRef Order; // original ids, if KeepPoints
 
-  std::uint64_t FirstPoint = 0; // not stored: the blocks' points follow each other
+  std::uint64_t FirstPoint = 0; // not stored: blocks are consecutive
 };
 
 struct ChunkEntry
@@ -61,7 +61,7 @@ struct ChunkEntry
   StreamRef CellOrder;  // original ids, if KeepCells
   StreamRef Corners;    // rotations, if KeepCorners
 
-  // Not stored: groups of blocks with this chunk's shared points, in the order of the file.
+  // Not stored: the groups that contain this chunk's shared points, in the order of the file.
   struct Part
   {
     std::uint32_t Block = 0;
@@ -73,7 +73,7 @@ struct ChunkEntry
 
 struct PaletteRef
 {
-  std::uint64_t Count = 0; // 0: no palette
+  std::uint64_t Count = 0; // 0 if there is no palette
   StreamRef Stream;
 };
 
@@ -86,19 +86,20 @@ struct MeshTable
 
   Bytes Write(std::uint8_t keep) const;
 
-  /** Reads the table and fills what is not stored; checks it against the counts of meta. */
+  /** Reads the table, checks it against the counts of meta, and computes the fields that are not
+   * stored. */
   static MeshTable Read(std::span<const std::uint8_t> bytes, const MetaTable& meta);
 
-  /** Fills what is not stored from the groups of the blocks: places, parts, neighbours. */
+  /** Computes the fields that are not stored from the groups: positions, parts, neighbors. */
   void LinkGroups();
 
-  /** Of each shared point of a chunk, in its order, the neighbours that use it too: bit i for the
-   * i-th neighbour, bit 31 for the 32nd and all behind it. */
+  /** The neighbors that use each shared point of a chunk: bit i for the i-th neighbor, bit 31 for
+   * the 32nd and all further ones. */
   std::vector<std::uint32_t> GetSharedUsers(std::size_t chunk) const;
 
   std::uint64_t GetSharedPoints() const;
 
-  /** Throws unless the streams that justify the counts fit a file of so many bytes together. */
+  /** Throws unless a file of the given size can contain the streams that the counts need. */
   void CheckLengths(std::uint64_t fileSize) const;
 
 private:
@@ -109,11 +110,12 @@ private:
 /** One array at one time step. */
 struct ArrayStep
 {
-  std::vector<PaletteRef> Palettes; // one a component
+  std::vector<PaletteRef> Palettes; // one for each component
   ArrayRanges Ranges;
   std::vector<ArrayRanges> ChunkRanges;
-  std::vector<StreamRef> Chunks; // one a chunk
-  std::vector<StreamRef> Blocks; // one a block and one for the unused points; point arrays only
+  std::vector<StreamRef> Chunks; // one for each chunk
+  std::vector<StreamRef>
+    Blocks; // one for each block, and one for the unused points; point arrays only
 
   bool HasPalette() const;
 };
@@ -121,20 +123,14 @@ struct ArrayStep
 struct StepTable
 {
   double Time = 0;
-  bool Key = true; // decodes without the step before it
-  StreamRef Field; // length 0: no field data
+  bool Key = true; // whether it decodes without the previous step
+  StreamRef Field; // length 0 if there are no field data
   std::vector<ArrayStep> Arrays;
 
   Bytes Write() const;
   static StepTable Read(
     std::span<const std::uint8_t> bytes, const MetaTable& meta, const MeshTable& mesh);
 };
-
-/** Number of ranges that an array of so many components has. */
-constexpr std::size_t GetRangeCount(std::uint32_t components)
-{
-  return components > 1 ? std::size_t{ components } + 1 : components;
-}
 
 Bytes WriteFieldData(const FieldData& field);
 FieldData ReadFieldData(std::span<const std::uint8_t> bytes);

@@ -10,7 +10,7 @@ namespace gatun
 {
 namespace
 {
-/** Numbers of merges from 1 to most, ascending. */
+/** Reads ascending numbers of merges from 1 to most. */
 std::vector<std::uint32_t> GetAscending(ByteReader& in, std::uint32_t most)
 {
   std::vector<std::uint32_t> numbers(in.GetCount(1));

@@ -3,8 +3,7 @@
 #ifndef gatunTreeTable_h
 #define gatunTreeTable_h
 
-// What TREE and TRNG sections say: how the mesh of a file becomes simpler. See
-// Documentation/format.md, 13.
+// The TREE and TRNG sections, which describe the merge tree. See Documentation/format.md, 13.
 
 #include "gatunContainer.h"
 #include "gatunTables.h"
@@ -16,7 +15,7 @@
 
 namespace gatun
 {
-/** The tree of merges, and where chunks can get to by it. */
+/** The merge tree and the bounds of chunks after merges. */
 struct TreeTable
 {
   static constexpr std::size_t MaxRungs = 64;
@@ -24,27 +23,28 @@ struct TreeTable
   std::uint32_t Merges = 0;
   StreamRef Stream;
 
-  /** Numbers of merges, ascending; the last is all of them. */
+  /** Numbers of merges, ascending. The last one is the number of all merges. */
   std::vector<std::uint32_t> Rungs;
 
-  /** Of each chunk, for each rung: where its points are after any number of merges up to there. */
+  /** For each chunk and rung, the bounds of its points after any number of merges up to the rung.
+   */
   std::vector<std::vector<Bounds>> Boxes;
 
-  /** Of each base mesh, how many merges it has behind it; ascending. */
+  /** The number of merges that lead to each base mesh, ascending. */
   std::vector<std::uint32_t> Levels;
 
   Bytes Write() const;
   static TreeTable Read(
     std::span<const std::uint8_t> bytes, const MetaTable& meta, const MeshTable& mesh);
 
-  /** The first rung that so many merges do not reach beyond. */
+  /** The first rung that is not below a number of merges. */
   std::size_t FindRung(std::size_t merges) const;
 };
 
-/** The values that a chunk's points can get by merges, at one time step. */
+/** The ranges of point arrays after merges, at one time step. */
 struct TreeStepTable
 {
-  /** Of each point array (those of cells have none), of each chunk, for each rung. */
+  /** For each point array (none for cell arrays), chunk and rung. */
   std::vector<std::vector<std::vector<ArrayRanges>>> Ranges;
 
   Bytes Write() const;

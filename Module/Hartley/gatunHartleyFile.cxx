@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunHartleyFile.h"
 
-#include "gatunContainer.h"
 #include "gatunError.h"
 #include "gatunHartleyBlocks.h"
 #include "gatunHartleyCodec.h"
@@ -12,6 +11,7 @@
 #include "gatunHartleyTables.h"
 #include "gatunHartleyTransform.h"
 #include "gatunHartleyVoxels.h"
+#include "gatunInputFile.h"
 
 #include <algorithm>
 #include <memory>
@@ -57,14 +57,13 @@ struct HartleyFile::Internals
     }
     catch (const Error& error)
     {
-      // Messages of the file itself are complete.
-      if (error.Code != ErrorCode::Corrupt ||
-        std::string(error.what()).starts_with(this->File.GetPath()))
+      // An error that names its file is complete.
+      if (error.Code != ErrorCode::Corrupt || !error.Path.empty())
       {
         throw;
       }
-      this->File.Fail(ErrorCode::Corrupt,
-        what + " at byte " + std::to_string(where.Offset) + " is damaged: " + error.what());
+      this->File.Fail(
+        ErrorCode::Corrupt, what, where.Offset, std::string("is damaged: ") + error.what());
     }
   }
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gatunContainer.h"
 #include "gatunError.h"
 #include "gatunHartleyBlocks.h"
 #include "gatunHartleyEncoder.h"
 #include "gatunHartleyFile.h"
 #include "gatunHartleyTables.h"
+#include "gatunOutputFile.h"
 #include "gatunVersion.h"
 
 #include <algorithm>

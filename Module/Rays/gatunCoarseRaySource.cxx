@@ -62,7 +62,7 @@ std::shared_ptr<const FileReader> Check(const std::shared_ptr<const FileReader>&
   CheckRayValues(*file, values);
   if (merges > tree.GetMerges().size() || tree.GetNumberOfPoints() != file->GetNumberOfPoints())
   {
-    ThrowInvalid(file->GetPath() + ": there are not so many merges");
+    ThrowInvalid("there are not so many merges", file->GetPath());
   }
   return file;
 }

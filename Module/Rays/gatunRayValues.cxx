@@ -16,18 +16,17 @@ void CheckRayValues(const FileReader& file, const RayValues& values)
   const auto& arrays = file.GetArrays();
   if (values.Array >= arrays.size())
   {
-    throw Error(ErrorCode::InvalidInput, file.GetPath() + ": there is no such array");
+    ThrowInvalid("there is no such array", file.GetPath());
   }
   const auto& array = arrays[values.Array];
   if (values.Component < -1 || values.Component >= static_cast<int>(array.Components))
   {
-    throw Error(ErrorCode::InvalidInput,
-      file.GetPath() + ": array '" + array.Name + "' has no component " +
-        std::to_string(values.Component));
+    ThrowInvalid("array '" + array.Name + "' has no component " + std::to_string(values.Component),
+      file.GetPath());
   }
   if (values.Step >= file.GetNumberOfSteps())
   {
-    throw Error(ErrorCode::InvalidInput, file.GetPath() + ": there is no such time step");
+    ThrowInvalid("there is no such time step", file.GetPath());
   }
 }
 

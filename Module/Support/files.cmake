@@ -20,6 +20,7 @@ gatun_core_folder(Support
     gatunWithType.h
   SOURCES
     gatunCacheBudget.cxx
+    gatunError.cxx
     gatunFourier.cxx
     gatunParallel.cxx
     gatunVersion.cxx)

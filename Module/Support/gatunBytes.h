@@ -32,7 +32,7 @@ public:
     std::memcpy(this->Data.data() + at, &value, sizeof(T));
   }
 
-  /** LEB128: seven bits a byte, lowest first, the top bit says that more follow. */
+  /** LEB128: seven bits per byte, lowest first. The top bit is set if more bytes follow. */
   void PutVarint(std::uint64_t value)
   {
     for (; value >= 0x80; value >>= 7)
@@ -56,7 +56,7 @@ public:
   Bytes Data;
 };
 
-/** Reads what ByteWriter wrote; every read is checked against the end. */
+/** Reads the output of ByteWriter. Every read is checked against the end: safe on hostile input. */
 class ByteReader
 {
 public:
@@ -93,7 +93,7 @@ public:
     ThrowCorrupt("an integer is longer than 64 bits");
   }
 
-  /** A count of things of which each takes at least bytesEach bytes of what is left to read. */
+  /** A count of items. Throws if items of bytesEach bytes would not fit into the remaining data. */
   std::uint64_t GetCount(std::uint64_t bytesEach)
   {
     const auto count = this->GetVarint();

@@ -7,8 +7,8 @@
 namespace gatun
 {
 /**
- * While it lives, this thread rounds to nearest and keeps subnormal numbers, as the codec's
- * predictions demand. Programs built with -ffast-math leave threads in another state.
+ * Sets this thread to round to nearest and to keep subnormal numbers until destruction. The codec's
+ * predictions depend on it. Programs built with -ffast-math leave threads in another state.
  */
 class FloatEnvironment
 {

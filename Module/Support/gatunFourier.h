@@ -3,8 +3,8 @@
 #ifndef gatunFourier_h
 #define gatunFourier_h
 
-// Fourier transforms by KissFFT, of any size, without scaling. An object keeps working memory: one
-// a thread.
+// Fourier transforms of any size by KissFFT, without scaling. An object has working memory, so each
+// thread needs its own, unless stated otherwise.
 
 #include <complex>
 #include <cstddef>
@@ -12,14 +12,14 @@
 
 namespace gatun
 {
-/** out[u] = sum over x of in[x] exp(-2 pi i u x / size). Several threads may use one. */
+/** out[u] = sum over x of in[x] exp(-2 pi i u x / size). Thread safe. */
 class FourierTransform
 {
 public:
   explicit FourierTransform(std::size_t size);
   ~FourierTransform();
 
-  /** In and out may not be the same. */
+  /** in and out must differ. */
   void Forward(const std::complex<double>* in, std::complex<double>* out) const;
 
 private:
@@ -30,16 +30,15 @@ private:
   std::unique_ptr<void, Free> Plan;
 };
 
-/** Spectra of real pictures back to pictures: out[y][x] = sum over v, u of F(v, u)
- * exp(2 pi i (u x / width + v y / height)). Both sizes are even. It keeps working memory: one a
- * thread. */
+/** Transforms spectra of real images back to images: out[y][x] = sum over v, u of F(v, u)
+ * exp(2 pi i (u x / width + v y / height)). Both sizes must be even. Not thread safe. */
 class InversePlaneTransform
 {
 public:
   InversePlaneTransform(std::size_t height, std::size_t width);
   ~InversePlaneTransform();
 
-  /** Of in, in each row only the frequencies 0 to width / 2; it is overwritten. */
+  /** Rows of in contain the frequencies 0 to width / 2. in is overwritten. */
   void Run(std::complex<double>* in, double* out);
 
 private:
@@ -50,7 +49,7 @@ private:
   std::unique_ptr<void, Free> Plan;
 };
 
-/** The next size that is not smaller and has no prime factors above 5. */
+/** The smallest size that is not below the given one and has no prime factor above 5. */
 std::size_t GetFastSize(std::size_t size);
 }
 

@@ -2,8 +2,8 @@
 #ifndef gatunInline_h
 #define gatunInline_h
 
-// Before functions called for every decision or candidate from many places, where compilers would
-// rather not repeat them.
+// Forces inlining of functions that are called for every decision or candidate. Compilers do not
+// inline them on their own, because they have many callers.
 #if defined(__GNUC__)
 #define GATUN_INLINE [[gnu::always_inline]] inline
 #else

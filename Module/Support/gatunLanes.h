@@ -2,8 +2,8 @@
 #ifndef gatunLanes_h
 #define gatunLanes_h
 
-// Several numbers at once. Each lane is computed by itself, binary32 as IEEE 754 says, so that it
-// makes no difference whether the processor has such registers.
+// Vectors of numbers. Lanes are independent, and floats are IEEE 754 binary32, so that results do
+// not depend on the registers of the processor.
 
 #include "gatunInline.h"
 
@@ -18,20 +18,20 @@ namespace gatun
 using Float4 = float __attribute__((vector_size(16)));
 using Short8 = std::int16_t __attribute__((vector_size(16)));
 
-/** In each lane a where l > r, else b. */
+/** a in lanes where l > r, else b. */
 GATUN_INLINE Float4 SelectGreater(Float4 l, Float4 r, Float4 a, Float4 b)
 {
   return l > r ? a : b;
 }
 
-/** The first three lanes, and 0 in the last, whatever bits are there. */
+/** The first three lanes, and 0 in the last one, regardless of its bits. */
 GATUN_INLINE Float4 KeepThree(Float4 v)
 {
   using Bits = std::int32_t __attribute__((vector_size(16)));
   return std::bit_cast<Float4>(std::bit_cast<Bits>(v) & Bits{ -1, -1, -1, 0 });
 }
 
-/** How many lanes of low and high are not above a number. */
+/** The number of lanes of low and high that are not above a number. */
 GATUN_INLINE unsigned CountUpTo(Short8 low, Short8 high, std::int16_t number)
 {
   const auto all =
@@ -119,21 +119,21 @@ inline Float4 KeepThree(const Float4& v)
 }
 #endif
 
-// Compilers make one instruction of each of these.
+// Each of these compiles to one instruction.
 
-/** The first three lanes turned by one. */
+/** The first three lanes, rotated by one. */
 GATUN_INLINE Float4 Rotate(Float4 v)
 {
   return Float4{ v[1], v[2], v[0], v[3] };
 }
 
-/** The lanes 0 and 1 of both in turn. */
+/** Interleaves lanes 0 and 1 of both. */
 GATUN_INLINE Float4 Interleave(Float4 a, Float4 b)
 {
   return Float4{ a[0], b[0], a[1], b[1] };
 }
 
-/** The lanes 2 and 3 of both in turn. */
+/** Interleaves lanes 2 and 3 of both. */
 GATUN_INLINE Float4 InterleaveHigh(Float4 a, Float4 b)
 {
   return Float4{ a[2], b[2], a[3], b[3] };

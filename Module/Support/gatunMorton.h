@@ -11,7 +11,7 @@
 
 namespace gatun
 {
-/** Interleaves the bits of a place in a box, 21 an axis; what is not a number counts as 0. */
+/** Interleaves the bits of a position in a box, 21 for each axis. NaN counts as 0. */
 inline std::uint64_t GetMortonCode(const Bounds& box, const std::array<double, 3>& point)
 {
   constexpr unsigned bits = 21;

@@ -1,4 +1,8 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// Compiled as C++17, see Module/CMakeLists.txt.
+
 #include "gatunParallel.h"
 
 #include "gatunError.h"
@@ -16,10 +20,10 @@ namespace gatun
 {
 namespace
 {
-// Whether this thread is at work on a body of ParallelFor.
+// Whether this thread executes a body of ParallelFor.
 thread_local bool IsWithinBody = false;
 
-/** Hands out bodies one by one, so that threads stay busy however uneven the bodies are. */
+/** Distributes bodies one by one, so that threads stay busy if the bodies are uneven. */
 class Work
 {
 public:
@@ -90,7 +94,7 @@ private:
   std::exception_ptr Failure;
 };
 
-/** Whether vtkSMPTools would run on one thread although nobody asked for that. */
+/** Whether vtkSMPTools has one thread although the user did not choose that. */
 bool IsSequentialByDefault()
 {
   return std::strcmp(vtkSMPTools::GetBackend(), "Sequential") == 0 &&
@@ -111,6 +115,7 @@ void WithThreads(Run&& run)
 }
 }
 
+//--------------------------------------------------------------------------------------------------
 int GetNumberOfThreads()
 {
   int threads = 1;
@@ -118,16 +123,35 @@ int GetNumberOfThreads()
   return threads > 1 ? threads : 1;
 }
 
+//--------------------------------------------------------------------------------------------------
+void SetNumberOfThreads(int count)
+{
+  vtkSMPTools::Initialize(count);
+}
+
+//--------------------------------------------------------------------------------------------------
+void WithNumberOfThreads(int count, const std::function<void()>& work)
+{
+  vtkSMPTools::LocalScope(vtkSMPTools::Config(count), [&work] { work(); });
+}
+
+//--------------------------------------------------------------------------------------------------
+std::string GetThreadBackend()
+{
+  return vtkSMPTools::GetBackend();
+}
+
+//--------------------------------------------------------------------------------------------------
 void ParallelFor(std::size_t count, const std::function<void(std::size_t)>& body,
   const std::function<bool(double)>& progress)
 {
-  // So that who wants to stop is heard even where other threads do all of it.
+  // An abort must be noticed even if other threads execute all bodies.
   if (progress && count > 0 && !progress(0))
   {
     throw Error(ErrorCode::Aborted, "aborted");
   }
   Work work(count, body, progress);
-  // All threads are at work where one of them is, and not every VTK knows how to nest.
+  // All threads are busy within a body, and not every version of VTK supports nesting.
   if (count > 1 && !IsWithinBody)
   {
     WithThreads(
@@ -146,7 +170,7 @@ void ParallelFor(std::size_t count, const std::function<void(std::size_t)>& body
         vtkSMPTools::For(0, takers, 1, take);
       });
   }
-  work.Take(); // for one body, and for backends that leave the calling thread idle
+  work.Take(); // for a single body, and for backends that leave the calling thread idle
   work.Rethrow();
 }
 }

@@ -1,29 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
+
 #ifndef gatunParallel_h
 #define gatunParallel_h
 
-#include "vtkGatunCoreModule.h"
+// The only interface between the core and VTK's threads. Other code does not include vtkSMPTools.h,
+// because that of VTK 9.1 is not valid C++20.
+
+#include "vtkGatunCoreModule.h" // For export macro
 
 #include <cstddef>
 #include <functional>
+#include <string>
 
 namespace gatun
 {
 /**
- * Calls body(0) ... body(count - 1), each once, on the threads of vtkSMPTools; the one seam between
- * the core and VTK. Where the backend is Sequential only because nobody chose another (as in
- * Debian's ParaView), STDThread is used.
+ * Calls body(0) ... body(count - 1), each once, on the threads of vtkSMPTools. If the backend is
+ * Sequential by default, as in Debian's ParaView, STDThread is used instead.
  *
- * The first exception of a body is thrown again here once all threads have come back; bodies that
- * had not begun by then are skipped. The calling thread calls progress(fraction) before all bodies,
- * and may do so between its own; when that returns false the rest is skipped and Error(Aborted)
- * thrown. Within a body, another ParallelFor runs on the thread of that body.
+ * If a body throws, the bodies that have not begun are skipped, and the first exception is thrown
+ * again by the calling thread. The calling thread calls progress(fraction) before all bodies, and
+ * may do so between its own; if that returns false, the rest is skipped and Error(Aborted) thrown.
+ * A ParallelFor within a body runs on the thread of that body.
  */
 VTKGATUNCORE_EXPORT void ParallelFor(std::size_t count,
   const std::function<void(std::size_t)>& body, const std::function<bool(double)>& progress = {});
 
-/** How many bodies ParallelFor runs at the same time at most. */
+/** The maximum number of bodies that ParallelFor runs at the same time. */
 VTKGATUNCORE_EXPORT int GetNumberOfThreads();
+
+/** Sets the number of threads of vtkSMPTools for the whole process; 0 for the default. */
+VTKGATUNCORE_EXPORT void SetNumberOfThreads(int count);
+
+/** Calls work while vtkSMPTools has a given number of threads. */
+VTKGATUNCORE_EXPORT void WithNumberOfThreads(int count, const std::function<void()>& work);
+
+/** The name of the backend of vtkSMPTools. */
+VTKGATUNCORE_EXPORT std::string GetThreadBackend();
 }
 
 #endif

@@ -5,9 +5,9 @@
 
 // Eight floats or four doubles at once, for the ray caster.
 //
-// Sources that include this are compiled once for each set of instructions, with GATUN_SIMD naming
-// it: everything here, and in the kernels built on it, lives in a namespace of that name, so that
-// code for newer processors can never be linked in for older ones.
+// Sources that include this header are compiled once for each instruction set, which GATUN_SIMD
+// names. This code and the kernels that use it are in a namespace of that name, so that code for
+// newer processors is never linked in place of code for older ones.
 
 #include "gatunInline.h"
 
@@ -71,7 +71,7 @@ GATUN_INLINE Vector Larger(Vector a, Vector b)
   return a > b ? a : b;
 }
 
-/** Lane order[i] of v as lane i. */
+/** Moves lane order[i] of v to lane i. */
 GATUN_INLINE Float4 Permute(Float4 v, Int4 order)
 {
 #if defined(__AVX2__)
@@ -81,7 +81,7 @@ GATUN_INLINE Float4 Permute(Float4 v, Int4 order)
 #endif
 }
 
-/** Four floats from each of two places. */
+/** Four floats from each of two addresses. */
 GATUN_INLINE Float8 Load44(const float* first, const float* second)
 {
 #if defined(__AVX2__)
@@ -137,7 +137,7 @@ GATUN_INLINE unsigned ToBits(Long4 comparison)
 #endif
 }
 
-/** The next integers up; of numbers from -2^30 to 2^30. */
+/** Rounds numbers from -2^30 to 2^30 up to integers. */
 GATUN_INLINE Float8 RoundUp(Float8 v)
 {
 #if defined(__AVX2__)
@@ -149,7 +149,7 @@ GATUN_INLINE Float8 RoundUp(Float8 v)
 }
 
 #if defined(__AVX2__)
-/** For each set of lanes the permutation that brings them to the front. */
+/** For each set of lanes, the permutation that moves them to the front. */
 struct Packing
 {
   constexpr Packing()
@@ -171,7 +171,7 @@ struct Packing
 inline constexpr Packing PackingOf;
 #endif
 
-/** Brings the lanes that are set in bits to the front. */
+/** Moves the lanes whose bits are set to the front. */
 class Packer
 {
 public:
@@ -185,7 +185,7 @@ public:
   {
   }
 
-  /** Stores them; what lies behind them, up to eight elements in all, may be overwritten. */
+  /** Stores the selected lanes. Up to eight elements may be overwritten. */
   GATUN_INLINE void Store(Float8 v, float* to) const
   {
 #if defined(__AVX2__)

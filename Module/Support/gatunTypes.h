@@ -1,18 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
+
 #ifndef gatunTypes_h
 #define gatunTypes_h
 
-// What a .gtn file describes: arrays, chunks, time steps. No VTK data types.
+// Descriptions of arrays, ranges, chunks and statistics. No VTK data types.
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace gatun
 {
-/** How one value is stored. The numbers are those of the file format. */
+/** Storage type of a value. The numbers are those of the file format. */
 enum class ScalarType : std::uint8_t
 {
   Int8 = 1,
@@ -27,7 +30,7 @@ enum class ScalarType : std::uint8_t
   Float64 = 10
 };
 
-/** Bytes of one value of a type. */
+/** The size of a value in bytes. */
 constexpr std::size_t SizeOf(ScalarType type)
 {
   switch (type)
@@ -52,7 +55,7 @@ constexpr bool IsFloating(ScalarType type)
   return type == ScalarType::Float32 || type == ScalarType::Float64;
 }
 
-/** What an array's tuples belong to. */
+/** The elements of the mesh that the tuples of an array belong to. */
 enum class Association : std::uint8_t
 {
   Point = 0,
@@ -67,24 +70,50 @@ struct ArrayDescription
   ScalarType Type = ScalarType::Float32;
   std::uint32_t Components = 1;
 
-  /** The type number that the array had in VTK (vtkType.h), so that char, id and bit arrays return
-   * as they were; 0 when unknown. */
+  /** The array's type number in VTK (vtkType.h), which restores char, id and bit arrays; 0 if it is
+   * unknown. */
   std::int32_t VTKType = 0;
 
-  /** Bit i set: the array was active attribute i of its vtkDataSetAttributes (SCALARS = 0, ...). */
+  /** Bit i is set if the array was active attribute i of its vtkDataSetAttributes (SCALARS = 0,
+   * ...).
+   */
   std::uint32_t AttributeRoles = 0;
 
-  /** One name a component, or empty. */
+  /** One name for each component, or empty. */
   std::vector<std::string> ComponentNames;
 
   bool operator==(const ArrayDescription&) const = default;
 };
 
-/** Smallest and largest value; Min > Max when there is none (no tuples, or only NaN). */
+/** Smallest and largest of some values. NaN is ignored. */
 struct Range
 {
+  // The empty range as files store it. Values beyond these limits do not shrink it correctly: code
+  // that must handle infinite values starts with MakeEmpty().
   double Min = 1e300;
   double Max = -1e300;
+
+  /** An empty range for values of any size, infinity included. */
+  static constexpr Range MakeEmpty()
+  {
+    return { std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
+  }
+
+  /** Whether the range holds no value (no tuples, or only NaN). */
+  constexpr bool IsEmpty() const { return !(this->Min <= this->Max); }
+
+  constexpr void Include(double value)
+  {
+    // Comparisons with NaN are false.
+    this->Min = value < this->Min ? value : this->Min;
+    this->Max = value > this->Max ? value : this->Max;
+  }
+
+  constexpr void Include(const Range& other)
+  {
+    this->Min = other.Min < this->Min ? other.Min : this->Min;
+    this->Max = other.Max > this->Max ? other.Max : this->Max;
+  }
 };
 
 /**
@@ -93,10 +122,45 @@ struct Range
  */
 using ArrayRanges = std::vector<Range>;
 
-/** x, y, z: smallest and largest of the finite coordinates; Min > Max for a mesh without any. */
-using Bounds = std::array<Range, 3>;
+/** The number of ranges of an array. */
+constexpr std::size_t GetRangeCount(std::uint32_t components)
+{
+  return components > 1 ? std::size_t{ components } + 1 : components;
+}
 
-/** Which original order a file keeps; flags. */
+/** The range of a component, or of the length of the tuple if component is -1. */
+inline const Range& GetRange(const ArrayRanges& ranges, int component)
+{
+  return component < 0 ? ranges.back() : ranges[static_cast<std::size_t>(component)];
+}
+
+/** Ranges of the finite x, y and z coordinates. */
+struct Bounds : std::array<Range, 3>
+{
+  /** Whether there is no point. */
+  constexpr bool IsEmpty() const
+  {
+    return (*this)[0].IsEmpty() || (*this)[1].IsEmpty() || (*this)[2].IsEmpty();
+  }
+
+  constexpr void Include(const std::array<double, 3>& point)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      (*this)[axis].Include(point[axis]);
+    }
+  }
+
+  constexpr void Include(const Bounds& other)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      (*this)[axis].Include(other[axis]);
+    }
+  }
+};
+
+/** Flags: the parts of the original order that a file keeps. */
 enum KeepOrder : std::uint8_t
 {
   KeepNone = 0,
@@ -106,7 +170,7 @@ enum KeepOrder : std::uint8_t
   KeepAll = 7
 };
 
-/** A part of the mesh that is decoded by itself. */
+/** A part of the mesh that is decoded independently. */
 struct ChunkInfo
 {
   std::uint64_t Tets = 0;
@@ -115,23 +179,21 @@ struct ChunkInfo
   std::uint64_t FirstTet = 0;     ///< its tetrahedra are FirstTet ... FirstTet + Tets - 1
   std::uint64_t FirstPoint = 0;   ///< its own points are FirstPoint ... FirstPoint + OwnPoints - 1
   Bounds Box;
-  std::uint32_t Level = 0;  ///< level of detail, 0 the full mesh
-  std::uint32_t Bucket = 0; ///< layer bucket, 0 when the file is not organised by layers
-  std::vector<std::uint32_t> Neighbours; ///< chunks that share a point with this one, ascending
+  std::vector<std::uint32_t> Neighbours; ///< chunks that share points with this one, ascending
 };
 
-/** Sizes of a file's parts in bytes. */
+/** Sizes of the parts of a file in bytes. */
 struct FileStatistics
 {
   std::uint64_t FileBytes = 0;
   std::uint64_t ConnectivityBytes = 0;
-  std::uint64_t GeometryBytes = 0;       ///< of the chunks' own points
-  std::uint64_t SharedGeometryBytes = 0; ///< of the points used by several chunks, and unused
-  std::vector<std::uint64_t> ArrayBytes; ///< one an array, all time steps, shared points as well
-  std::uint64_t OrderBytes = 0;          ///< what KeepOrder costs
+  std::uint64_t GeometryBytes = 0;       ///< points that belong to one chunk
+  std::uint64_t SharedGeometryBytes = 0; ///< shared and unused points
+  std::vector<std::uint64_t> ArrayBytes; ///< each array over all time steps
+  std::uint64_t OrderBytes = 0;          ///< the original order, see KeepOrder
   std::uint64_t FieldDataBytes = 0;
-  std::uint64_t TreeBytes = 0;      ///< how the mesh becomes simpler
-  std::uint64_t LevelBytes = 0;     ///< base meshes with all that is theirs
+  std::uint64_t TreeBytes = 0;      ///< the merge tree and the ranges after merges
+  std::uint64_t LevelBytes = 0;     ///< base meshes with their arrays
   std::uint64_t DirectoryBytes = 0; ///< headers, tables, meta data
 };
 }

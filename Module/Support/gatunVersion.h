@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file gatunVersion.h
- * @brief The version of the package and the version of the file format, which move apart.
+ * @brief The version of the package and the versions of the file formats, which are independent.
  *
- * The package version counts releases of the software. The format version is the one written into
- * new `.gtn` files: a new major number breaks older readers, a new minor number only adds what
- * they may skip. The build takes the package version from the macros below.
+ * The package version counts releases of the software. The format version is written to new `.gtn`
+ * files. Older readers reject files with a newer major number; with a newer minor number they skip
+ * additions. The build takes the package version from the macros below.
  */
 
 #ifndef gatunVersion_h
@@ -21,18 +21,18 @@
 #define GATUN_FORMAT_VERSION_MAJOR 1
 #define GATUN_FORMAT_VERSION_MINOR 2
 
-// The same of `.ghv` files.
+// The format version of `.ghv` files.
 #define GATUN_VOLUME_FORMAT_VERSION_MAJOR 1
 #define GATUN_VOLUME_FORMAT_VERSION_MINOR 0
 
 namespace gatun
 {
 
-/// Version of the library that is loaded, such as "0.1.0"; it may differ from the macros, which
-/// are those of the headers. Never null, lives as long as the program. Thread safe.
+/// The version of the loaded library, such as "0.1.0". It may differ from the macros, which belong
+/// to the headers. Never null, valid until the program ends. Thread safe.
 VTKGATUNCORE_EXPORT const char* PackageVersion() noexcept;
 
-/// Version of the format that the loaded library writes, such as "1.0". As above.
+/// The version of the format that the loaded library writes, such as "1.0". As above.
 VTKGATUNCORE_EXPORT const char* FormatVersion() noexcept;
 
 } // namespace gatun

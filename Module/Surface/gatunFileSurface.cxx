@@ -70,7 +70,7 @@ void FileSurface::Check(const FileSurfaceRequest& request) const
 {
   const FileReader& file = *this->GetFile();
   const auto& arrays = file.GetArrays();
-  const auto fail = [&](const std::string& what) { ThrowInvalid(file.GetPath() + ": " + what); };
+  const auto fail = [&](const std::string& what) { ThrowInvalid(what, file.GetPath()); };
   if (request.Array >= arrays.size() || arrays[request.Array].Where != Association::Point)
   {
     fail("there is no such point array to make isosurfaces of");

@@ -83,9 +83,8 @@ void ContourInput::OpenFile(const ContourInputOptions& options, const Settings& 
   const std::vector<ArrayChoice> choices = GetChoices(file);
   this->Choose(options, choices);
   this->Range = gtn::GetRange(file, this->Array, this->Component, step);
-  const int component = this->Component < 0 ? this->Array.Components : this->Component;
   this->Layered = file.HasLayers() && file.GetLayers().Array == this->Array.Index &&
-    file.GetLayers().Component == static_cast<std::uint32_t>(component);
+    file.GetLayers().Component == this->Component;
 
   vtkNew<vtkGatunReader> reader;
   reader->SetFileName(this->File.c_str());

@@ -56,7 +56,7 @@ void DescribeLayers(const gatun::FileReader& file, Description& description)
 {
   const gatun::Layers& layers = file.GetLayers();
   const gatun::ArrayDescription& array = file.GetArrays()[layers.Array];
-  const bool isMagnitude = layers.Component >= array.Components;
+  const bool isMagnitude = layers.Component < 0;
   Description& part = description.AddPart("layers", "layers");
   part.Add("array", "array", Entry(array.Name));
   part.Add("component", array.Components == 1 ? nullptr : "component",

@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Compiled as C++17, see CMakeLists.txt.
-
 #include "gtnThreads.h"
 
-#include "vtkSMPTools.h"
+#include "gatunParallel.h"
 
 #include <algorithm>
 #include <thread>
@@ -27,18 +25,18 @@ int Limited(int count)
 //------------------------------------------------------------------------------
 void SetThreads(int count)
 {
-  vtkSMPTools::Initialize(Limited(count));
+  gatun::SetNumberOfThreads(Limited(count));
 }
 
 //------------------------------------------------------------------------------
 void WithThreads(int count, const std::function<void()>& work)
 {
-  vtkSMPTools::LocalScope(vtkSMPTools::Config(Limited(count)), [&work] { work(); });
+  gatun::WithNumberOfThreads(Limited(count), work);
 }
 
 //------------------------------------------------------------------------------
 std::string ThreadBackend()
 {
-  return vtkSMPTools::GetBackend();
+  return gatun::GetThreadBackend();
 }
 }

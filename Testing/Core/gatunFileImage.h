@@ -5,7 +5,8 @@
 
 // A .gtn file taken apart, to be changed and put together again with right checksums.
 
-#include "gatunContainer.h"
+#include "gatunCompress.h"
+#include "gatunInputFile.h"
 #include "gatunTables.h"
 
 #include <algorithm>

@@ -17,6 +17,7 @@
 #include <fstream>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -106,10 +107,11 @@ inline void ReadAll(const std::string& path)
   decoder.Fill(target);
 }
 
-/** Runs something that must fail, with a message "file: ... what ...". */
+/** Runs something that must fail with an error that names the file. path: the beginning of the
+ * message, a file or a file and an embedded one. what: part of the message. */
 template <typename Run>
-void ExpectError(
-  ErrorCode code, const std::string& path, const std::string& what, Run&& run, const char* where)
+void ExpectError(ErrorCode code, const std::string& path, const std::string& what, Run&& run,
+  const char* where, std::optional<int> systemError = {})
 {
   try
   {
@@ -120,6 +122,9 @@ void ExpectError(
   {
     const std::string message = error.what();
     EXPECT_EQ(static_cast<int>(error.Code), static_cast<int>(code)) << where << ": " << message;
+    EXPECT_EQ(error.SystemError, systemError.value_or(error.SystemError))
+      << where << ": " << message;
+    EXPECT_EQ(error.Path, path.substr(0, path.find(", base mesh "))) << where << ": " << message;
     EXPECT_EQ(message.find(path + ": "), 0u) << where << ": " << message;
     EXPECT_NE(message.find(what), std::string::npos) << where << ": " << message;
   }
@@ -127,6 +132,10 @@ void ExpectError(
 
 #define EXPECT_GATUN_ERROR(code, path, what, run) \
   ::gatun::test::ExpectError(code, path, what, run, __FILE__)
+
+/** The same for a system call that fails with a value of errno. */
+#define EXPECT_GATUN_SYSTEM_ERROR(code, path, systemError, run) \
+  ::gatun::test::ExpectError(code, path, {}, run, __FILE__, systemError)
 }
 
 #endif

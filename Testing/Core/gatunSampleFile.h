@@ -28,8 +28,8 @@ inline void WriteSample(const std::string& path, const TestMesh& mesh, const Wri
   int steps, const PointValue& valueOf = GetUsualValue, const FieldData& field = {})
 {
   std::vector<ArrayDescription> arrays(2);
-  arrays[0].Name = "p";
-  arrays[1].Name = "c";
+  arrays[0].Name = std::string("p"); // GCC 12 warns about a plain "p"
+  arrays[1].Name = std::string("c");
   arrays[1].Where = Association::Cell;
   arrays[1].Type = ScalarType::Int16;
   arrays[1].Components = 2;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "fuzzInput.h"
-#include "gatunContainer.h"
+#include "gatunCompress.h"
 
 #include <cstdlib>
 

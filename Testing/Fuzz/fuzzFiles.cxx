@@ -201,11 +201,9 @@ bool DecodeFile(const std::string& path)
   const auto check = [&](const Error& error)
   {
     const std::string what = error.what();
-    const bool saysFile = what.compare(0, path.size() + 2, path + ": ") == 0 ||
-      what.compare(0, path.size() + 12, path + ", base mesh ") == 0;
-    if (!saysFile || what.size() < path.size() + 8)
+    if (error.Path != path || !what.starts_with(path) || what.size() < path.size() + 8)
     {
-      Stop("an error does not say which file is wrong: " + what);
+      Stop("an error does not name the file: " + what);
     }
     if (error.Code != ErrorCode::NotGatun && error.Code != ErrorCode::UnsupportedVersion &&
       error.Code != ErrorCode::Truncated && error.Code != ErrorCode::Corrupt)

@@ -43,7 +43,7 @@ void Decode(const std::string& path)
   }
   catch (const Error& error)
   {
-    if (!std::string(error.what()).starts_with(path))
+    if (error.Path != path)
     {
       std::abort();
     }

@@ -21,7 +21,7 @@ void ReadTables(fuzz::Input& in)
   const auto mesh = MeshTable::Read(next(), meta);
   const auto layers = ReadLayers(next(), meta, mesh);
   // What was read must be read again from what it writes, and make sense.
-  const auto again = ReadLayers(WriteLayers(layers), meta, mesh);
+  const auto again = ReadLayers(WriteLayers(layers, meta), meta, mesh);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (again.Bounds != layers.Bounds || again.Chunks != layers.Chunks ||
     layers.Chunks.size() != mesh.Chunks.size() || layers.Find(-infinity) != 0 ||

@@ -387,7 +387,7 @@ void AddLayerFiles(Corpus& corpus)
       WriterOptions options;
       options.ChunkTets = 64;
       options.Layers.emplace();
-      options.Layers->Component = count % 3;
+      options.Layers->Component = count % 3 == 2 ? -1 : 1; // a component, or lengths
       options.Layers->Count = count;
       options.Layers->Spacing = static_cast<LayerSpacing>(1 + count % 3);
       options.Layers->Values = sample.Steps[0][0].data();

@@ -17,7 +17,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkSMPTools.h"
 #include "vtkTestUtilities.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -169,9 +168,8 @@ int TestReaderMemory(int argc, char* argv[])
   std::cout << "sanitizers need address space of their own\n";
   return Skipped;
 #endif
-  // No threads: they would need memory that nobody can do without.
+  // vtkSMPTools reads this at its first use. Threads would fail for lack of memory by themselves.
   ::setenv("VTK_SMP_BACKEND_IN_USE", "Sequential", 1);
-  vtkSMPTools::SetBackend("Sequential");
 
   char* temporary =
     vtkTestUtilities::GetArgOrEnvOrDefault("-T", argc, argv, "VTK_TEMP_DIR", "Testing/Temporary");

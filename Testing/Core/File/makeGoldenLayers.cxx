@@ -17,7 +17,7 @@ using namespace gatun::test;
 
 /** Layers of an array of a sample at its first step. */
 WriterOptions MakeOptions(const TreeSample& sample, std::uint32_t chunkTets, std::uint32_t array,
-  std::uint32_t component, std::uint32_t count, LayerSpacing spacing)
+  int component, std::uint32_t count, LayerSpacing spacing)
 {
   WriterOptions options;
   options.ChunkTets = chunkTets;
@@ -83,7 +83,7 @@ int main(int argc, char* argv[])
   WriteWithoutTree(
     folder + "odd.gtn", odd, MakeOptions(odd, 128, 0, 0, 5, LayerSpacing::Histogram));
   auto lengths = MakeTreeSample(5, 3);
-  auto options = MakeOptions(lengths, 100, 0, 2, 6, LayerSpacing::Normal);
+  auto options = MakeOptions(lengths, 100, 0, -1, 6, LayerSpacing::Normal);
   options.Keep = KeepAll;
   WriteWithoutTree(folder + "lengths.gtn", lengths, options);
   auto same = MakeTreeSample(2, 1);

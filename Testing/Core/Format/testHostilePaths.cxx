@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Paths that are not what a reader or a writer hopes for, and disks that are full.
+// Unusual paths and full disks.
 
 #include "gatunHostile.h"
 #include "gatunVerifyFile.h"
 
+#include <cerrno>
 #include <csignal>
 #include <iterator>
 
@@ -61,20 +62,25 @@ TEST(HostilePaths, WhatIsNoFileIsNotRead)
       ErrorCode::CannotOpen, path, "cannot open: " + what, [&] { FileReader reader(path); });
     EXPECT_FALSE(FileReader::CanRead(path));
   };
+  const auto fail = [](const std::string& path, int error)
+  {
+    EXPECT_GATUN_SYSTEM_ERROR(ErrorCode::CannotOpen, path, error, [&] { FileReader reader(path); });
+    EXPECT_FALSE(FileReader::CanRead(path));
+  };
   const auto folder = GetPath("folder");
   fs::create_directory(folder);
   const auto pipe = GetPath("pipe");
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  expect(GetPath("missing.gtn"), "No such file");
-  expect("", "No such file");
+  fail(GetPath("missing.gtn"), ENOENT);
+  EXPECT_THROW(FileReader(""), Error);
   expect(folder, "is a directory");
   expect(folder + "/", "is a directory");
   expect(pipe, "is not a regular file"); // and does not wait for a writer
   expect("/dev/null", "is not a regular file");
   expect("/dev/zero", "is not a regular file");
-  expect(GetPath(std::string(300, 'x')), "File name too long");
+  fail(GetPath(std::string(300, 'x')), ENAMETOOLONG);
   fs::create_symlink("loop", GetPath("loop"));
-  expect(GetPath("loop"), "Too many levels of symbolic links");
+  fail(GetPath("loop"), ELOOP);
 }
 
 TEST(HostilePaths, AFileThatMayNotBeReadIsNotRead)
@@ -83,8 +89,7 @@ TEST(HostilePaths, AFileThatMayNotBeReadIsNotRead)
   Write(path);
   ASSERT_EQ(::chmod(path.c_str(), 0), 0);
   const Stranger stranger;
-  EXPECT_GATUN_ERROR(
-    ErrorCode::CannotOpen, path, "Permission denied", [&] { FileReader reader(path); });
+  EXPECT_GATUN_SYSTEM_ERROR(ErrorCode::CannotOpen, path, EACCES, [&] { FileReader reader(path); });
   EXPECT_FALSE(FileReader::CanRead(path));
 }
 
@@ -108,8 +113,10 @@ TEST(HostilePaths, WhatIsNoFileIsNotReplaced)
   expect(folder, "is a directory");
   expect(pipe, "is not a regular file");
   expect("/dev/null", "is not a regular file");
-  expect(GetPath("missing/a.gtn"), "No such file");
-  expect(GetPath(std::string(300, 'x')), "File name too long");
+  const auto fail = [](const std::string& path, int error)
+  { EXPECT_GATUN_SYSTEM_ERROR(ErrorCode::CannotWrite, path, error, [&] { Write(path); }); };
+  fail(GetPath("missing/a.gtn"), ENOENT);
+  fail(GetPath(std::string(300, 'x')), ENAMETOOLONG);
   EXPECT_EQ(ListFolder(pipe), (std::vector<std::string>{ "folder", "pipe" }));
   EXPECT_TRUE(fs::is_fifo(pipe));
 }
@@ -124,7 +131,7 @@ TEST(HostilePaths, AFolderThatMayNotBeWrittenStaysAsItIs)
   ASSERT_EQ(::chmod(folder.c_str(), 0555), 0);
   {
     const Stranger stranger;
-    EXPECT_GATUN_ERROR(ErrorCode::CannotWrite, path, "Permission denied", [&] { Write(path, 2); });
+    EXPECT_GATUN_SYSTEM_ERROR(ErrorCode::CannotWrite, path, EACCES, [&] { Write(path, 2); });
   }
   ASSERT_EQ(::chmod(folder.c_str(), 0755), 0);
   EXPECT_EQ(Slurp(path), old);
@@ -136,9 +143,10 @@ TEST(HostilePaths, AReadOnlyFileIsReplacedOnRequestOnly)
   const auto path = GetPath("read-only.gtn");
   Write(path);
   const auto old = Slurp(path);
-  const auto refuse = [&](const std::string& why)
+  const auto refuse = [&](const std::string& why, std::optional<int> error = {})
   {
-    EXPECT_GATUN_ERROR(ErrorCode::CannotWrite, path, why, [&] { Write(path, 2); });
+    ExpectError(
+      ErrorCode::CannotWrite, path, why, [&] { Write(path, 2); }, __FILE__, error);
     EXPECT_EQ(Slurp(path), old);
     EXPECT_EQ(ListFolder(path), (std::vector<std::string>{ "read-only.gtn" }));
   };
@@ -153,7 +161,7 @@ TEST(HostilePaths, AReadOnlyFileIsReplacedOnRequestOnly)
   if (::geteuid() == 0)
   {
     const Stranger stranger;
-    refuse("cannot write: Permission denied");
+    refuse("cannot write", EACCES);
   }
   ASSERT_EQ(::chmod(path.c_str(), 0444), 0);
   WriterOptions options;
@@ -238,8 +246,7 @@ TEST(HostilePaths, AFileThatGrowsTooLargeLeavesTheOldOne)
   {
     {
       const FileSizeLimit full(limit);
-      EXPECT_GATUN_ERROR(
-        ErrorCode::CannotWrite, path, "cannot write: File too large", [&] { Write(path, 8); });
+      EXPECT_GATUN_SYSTEM_ERROR(ErrorCode::CannotWrite, path, EFBIG, [&] { Write(path, 8); });
     }
     EXPECT_EQ(Slurp(path), old);
     EXPECT_EQ(ListFolder(path), (std::vector<std::string>{ "old.gtn" }));
@@ -259,7 +266,7 @@ TEST(HostilePaths, AFullDiskLeavesTheOldFile)
   const auto path = disk + "/old.gtn";
   Write(path);
   const auto old = Slurp(path);
-  EXPECT_GATUN_ERROR(ErrorCode::CannotWrite, path, "No space left", [&] { Write(path, 10); });
+  EXPECT_GATUN_SYSTEM_ERROR(ErrorCode::CannotWrite, path, ENOSPC, [&] { Write(path, 10); });
   EXPECT_EQ(Slurp(path), old);
   EXPECT_EQ(ListFolder(path), (std::vector<std::string>{ "old.gtn" }));
   EXPECT_EQ(::umount(disk.c_str()), 0);

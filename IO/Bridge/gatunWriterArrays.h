@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunWriterArrays_h
+#define gatunWriterArrays_h
+
+// The arrays of a grid that a writer needs. Private to VTK::GatunIO.
+
+#include "gatunArrayBridge.h"
+#include "gatunLayers.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataArraySelection;
+class vtkUnstructuredGrid;
+
+namespace gatun
+{
+/**
+ * The point and cell arrays that selections enable. unlisted: whether to include arrays that the
+ * selections do not list. Arrays without a name are always included.
+ */
+std::vector<BridgedArray> BridgeSelected(vtkUnstructuredGrid* grid,
+  vtkDataArraySelection* pointArrays, vtkDataArraySelection* cellArrays, bool unlisted);
+
+/**
+ * The request for layers of a point array. component: -1 for the length of the tuple. Throws
+ * Error(InvalidInput) if there is no such array or component.
+ */
+LayerRequest FindLayerArray(
+  const std::vector<BridgedArray>& arrays, const std::string& name, int component);
+}
+
+#endif

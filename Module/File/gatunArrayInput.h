@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunArrayInput_h
+#define gatunArrayInput_h
+
+#include "gatunArrayCodec.h"
+#include "gatunDomain.h"
+#include "gatunTypes.h"
+#include "gatunWithType.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gatun
+{
+/** The values of an array at one time step, and the domains that convert them to keys. */
+struct ArrayInput
+{
+  const ArrayDescription* Description = nullptr;
+  const std::uint8_t* Now = nullptr;
+  const std::uint8_t* Before = nullptr; // the previous step, if it is used for prediction
+  std::vector<Domain> Domains;
+
+  const std::uint8_t* At(const std::uint8_t* values, std::size_t tuple, std::size_t component) const
+  {
+    return values +
+      (tuple * this->Description->Components + component) * SizeOf(this->Description->Type);
+  }
+
+  /** The keys of some tuples. */
+  std::vector<ComponentKeys> GetKeys(std::span<const std::uint32_t> tupleOf) const
+  {
+    std::vector<ComponentKeys> keys(this->Domains.size());
+    for (std::size_t c = 0; c < keys.size(); ++c)
+    {
+      keys[c].Now.resize(tupleOf.size());
+      for (std::size_t i = 0; i < tupleOf.size(); ++i)
+      {
+        keys[c].Now[i] = this->Domains[c].Read(this->At(this->Now, tupleOf[i], c));
+      }
+      if (this->Before)
+      {
+        keys[c].Before.resize(tupleOf.size());
+        for (std::size_t i = 0; i < tupleOf.size(); ++i)
+        {
+          keys[c].Before[i] = this->Domains[c].Read(this->At(this->Before, tupleOf[i], c));
+        }
+      }
+    }
+    return keys;
+  }
+
+  ComponentReader GetReader() const
+  {
+    return { this->Description->Type, this->Now, this->Description->Components };
+  }
+
+  /** Adds tuples to the ranges of the components and of the length. */
+  void Include(ArrayRanges& ranges, std::span<const std::uint32_t> tuples) const
+  {
+    const auto components = this->Description->Components;
+    for (std::size_t r = 0; r < ranges.size(); ++r)
+    {
+      WithComponent(this->Description->Type, this->Now, components,
+        r < components ? static_cast<int>(r) : -1,
+        [&](auto&& getValue)
+        {
+          for (const auto tuple : tuples)
+          {
+            ranges[r].Include(getValue(tuple));
+          }
+        });
+    }
+  }
+};
+}
+
+#endif

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunMeshSection_h
+#define gatunMeshSection_h
+
+#include "gatunArrayCodec.h"
+#include "gatunLayerPartition.h"
+#include "gatunWriterState.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace gatun
+{
+/** Partitions the mesh of a file and writes its MESH sections: palettes, blocks and chunks. */
+class MeshSection
+{
+public:
+  explicit MeshSection(WriterState& state)
+    : State(state)
+  {
+  }
+
+  /** Fills table, bounds and chunks of the state. */
+  void Write(const std::function<bool(double)>& progress);
+
+  /** The layers that the file is organized by, if any. */
+  const std::optional<LayerPartition>& GetLayers() const { return this->Layers; }
+
+private:
+  /** The points of a chunk and its tetrahedra in local numbers. Shared points come first, in the
+   * order of the frame, then own ones in the order of the input. */
+  struct LocalMesh
+  {
+    std::vector<std::uint32_t> Shared;
+    std::vector<std::uint32_t> Own;
+    std::vector<std::array<std::uint32_t, 4>> Tets;
+  };
+
+  struct ChunkStreams
+  {
+    Bytes Connectivity, Geometry, PointOrder, CellOrder, Corners;
+  };
+
+  void MakePartition(const std::function<bool(double)>& progress);
+  void WritePalettes(StreamBatch& batch);
+  void WriteBlock(BlockEntry& block, std::span<const std::uint32_t> points, StreamBatch& batch);
+  void WriteChunks(const std::function<bool(double)>& progress);
+  void FindBounds();
+
+  std::vector<PointKeys> GetPointKeys(std::span<const std::uint32_t> points) const;
+  std::vector<std::uint32_t> GetSharedPoints(std::size_t chunk) const;
+  std::vector<std::uint32_t> GetOwnPoints(std::size_t chunk) const;
+  LocalMesh MakeLocalMesh(std::size_t chunk) const;
+  ChunkFrame MakeFrame(std::size_t chunk, std::span<const std::uint32_t> shared) const;
+  ChunkStreams EncodeChunk(std::size_t chunk);
+  void EncodeOrder(
+    ChunkState& chunk, const std::vector<std::uint8_t>& corners, ChunkStreams& streams) const;
+  void AddStreams(const ChunkStreams& streams, ChunkEntry& entry, StreamBatch& batch);
+
+  WriterState& State;
+  PointDomain Domains;
+  std::optional<LayerPartition> Layers;
+};
+}
+
+#endif

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunTreeSection.h"
+
+#include "gatunMergeCodec.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace gatun
+{
+//--------------------------------------------------------------------------------------------------
+TreeSection::TreeSection(WriterState& state)
+  : State(state)
+  , Layout(*state.Options.Tree, this->GetPointOrder(), state.Table)
+{
+  this->Tree.Merges = static_cast<std::uint32_t>(this->Layout.GetTree().GetMerges().size());
+  this->Tree.Rungs = this->Layout.GetRungs();
+  this->FindBoxes();
+  if (this->Tree.Merges > 0)
+  {
+    this->WriteMerges();
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+/** The point of the input for each point of the file. */
+std::vector<std::uint32_t> TreeSection::GetPointOrder() const
+{
+  auto points = this->State.Parts.SharedPoints;
+  for (std::size_t c = 0; c < this->State.Chunks.size(); ++c)
+  {
+    const auto first = points.size();
+    points.resize(first + static_cast<std::size_t>(this->State.Table.Chunks[c].Info.OwnPoints));
+    const auto& sources = this->State.Chunks[c].Mesh.Walk.Sources;
+    for (std::size_t v = 0; v < sources.size(); ++v)
+    {
+      if ((sources[v] & Topology::SharedFlag) == 0)
+      {
+        points[first + sources[v]] = this->State.Chunks[c].PointOf[v];
+      }
+    }
+  }
+  points.insert(
+    points.end(), this->State.Parts.UnusedPoints.begin(), this->State.Parts.UnusedPoints.end());
+  return points;
+}
+
+//--------------------------------------------------------------------------------------------------
+void TreeSection::FindBoxes()
+{
+  this->Tree.Boxes.assign(this->State.Chunks.size(), std::vector<Bounds>(this->Tree.Rungs.size()));
+  for (unsigned axis = 0; axis < 3; ++axis)
+  {
+    const auto ranges = this->Layout.FindRanges(
+      [&](std::uint32_t point)
+      {
+        const double x = this->State.Mesh.GetCoordinate(point, axis);
+        return std::isfinite(x) ? x : std::nan("");
+      });
+    for (std::size_t c = 0; c < ranges.size(); ++c)
+    {
+      for (std::size_t rung = 0; rung < ranges[c].size(); ++rung)
+      {
+        this->Tree.Boxes[c][rung][axis] = ranges[c][rung];
+      }
+    }
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+void TreeSection::WriteMerges()
+{
+  StreamBatch batch;
+  const auto used =
+    static_cast<std::uint32_t>(this->State.Meta.Points - this->State.Meta.UnusedPoints);
+  const auto& merges = this->Layout.GetTree().GetMerges();
+  if (std::any_of(merges.begin(), merges.end(),
+        [=](const auto& merge) { return merge.Point >= used || merge.Into >= used; }))
+  {
+    ThrowInvalid("the tree merges points that no tetrahedron has");
+  }
+  const auto stream = EncodeMerges(this->Layout.GetTree(), used);
+  batch.Add(stream, this->Tree.Stream);
+  this->State.Statistics.TreeBytes += stream.size();
+  batch.Write(this->State.File, SectionMerges, 0);
+}
+
+//--------------------------------------------------------------------------------------------------
+void TreeSection::WriteStep(const std::vector<ArrayInput>& inputs)
+{
+  TreeStepTable step;
+  for (const ArrayInput& input : inputs)
+  {
+    auto& chunks = step.Ranges.emplace_back();
+    if (input.Description->Where != Association::Point)
+    {
+      continue;
+    }
+    const auto components = input.Description->Components;
+    const auto count = GetRangeCount(components);
+    const auto reader = input.GetReader();
+    chunks.assign(this->State.Chunks.size(),
+      std::vector<ArrayRanges>(this->Tree.Rungs.size(), ArrayRanges(count)));
+    for (std::size_t r = 0; r < count; ++r)
+    {
+      const int component = r < components ? static_cast<int>(r) : -1;
+      const auto ranges =
+        this->Layout.FindRanges([&](std::uint32_t point) { return reader.Get(point, component); });
+      for (std::size_t c = 0; c < ranges.size(); ++c)
+      {
+        for (std::size_t rung = 0; rung < ranges[c].size(); ++rung)
+        {
+          chunks[c][rung][r] = ranges[c][rung];
+        }
+      }
+    }
+  }
+  const auto bytes = step.Write();
+  this->State.Statistics.TreeBytes += bytes.size();
+  this->State.File.AddSection(SectionTreeStep, bytes, 0);
+}
+
+//--------------------------------------------------------------------------------------------------
+void TreeSection::WriteTable(std::vector<std::uint32_t> levels)
+{
+  this->Tree.Levels = std::move(levels);
+  const auto bytes = this->Tree.Write();
+  this->State.Statistics.TreeBytes += bytes.size();
+  this->State.File.AddSection(SectionTree, bytes, 0);
+}
+}

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunWriterCheck.h"
+
+#include "gatunChunkCodec.h"
+#include "gatunError.h"
+
+#include <string>
+
+namespace gatun
+{
+namespace
+{
+void CheckLayers(
+  const MeshInput& mesh, const std::vector<ArrayDescription>& arrays, const LayerRequest& layers)
+{
+  if (layers.Array >= arrays.size())
+  {
+    ThrowInvalid("the array that layers are to be made of is not there");
+  }
+  const auto& array = arrays[layers.Array];
+  if (array.Where != Association::Point)
+  {
+    ThrowInvalid("layers need a point array, and '" + array.Name + "' is one of cells");
+  }
+  const auto components = static_cast<int>(array.Components);
+  if (layers.Component >= components || layers.Component < (components > 1 ? -1 : 0))
+  {
+    ThrowInvalid("array '" + array.Name + "' has no component " + std::to_string(layers.Component) +
+      " to make layers of");
+  }
+  if (layers.Count > MaxLayers)
+  {
+    ThrowInvalid("there must be from 1 to " + std::to_string(MaxLayers) + " layers, not " +
+      std::to_string(layers.Count));
+  }
+  if (layers.Spacing < LayerSpacing::Uniform || layers.Spacing > LayerSpacing::Histogram)
+  {
+    ThrowInvalid("the spacing of the layers is unknown");
+  }
+  if (mesh.Points > 0 && !layers.Values)
+  {
+    ThrowInvalid("layers need the values of array '" + array.Name + "'");
+  }
+}
+}
+
+//--------------------------------------------------------------------------------------------------
+void CheckWriterInput(
+  const MeshInput& mesh, const std::vector<ArrayDescription>& arrays, const WriterOptions& options)
+{
+  if (!IsFloating(mesh.CoordinateType))
+  {
+    ThrowInvalid("coordinates must be float or double");
+  }
+  if ((mesh.Points > 0 && !mesh.Coordinates) || (mesh.Tets > 0 && !mesh.Connectivity))
+  {
+    ThrowInvalid("the mesh has no coordinates or no connectivity");
+  }
+  if (options.ChunkTets != 0 && (options.ChunkTets < 64 || options.ChunkTets > MaxChunkTets))
+  {
+    ThrowInvalid("a chunk must have from 64 to " + std::to_string(MaxChunkTets) +
+      " tetrahedra, not " + std::to_string(options.ChunkTets));
+  }
+  if (options.KeyStepInterval < 1)
+  {
+    ThrowInvalid("the interval of key steps must be at least 1");
+  }
+  if (options.Keep > KeepAll)
+  {
+    ThrowInvalid("the order to keep is unknown");
+  }
+  if (options.Tree && options.Tree->GetNumberOfPoints() != mesh.Points)
+  {
+    ThrowInvalid("the tree of merges is not that of the mesh");
+  }
+  if (options.Levels > 0 && !options.Tree)
+  {
+    ThrowInvalid("base meshes need a tree of merges");
+  }
+  if (options.Layers)
+  {
+    CheckLayers(mesh, arrays, *options.Layers);
+  }
+  for (const auto& array : arrays)
+  {
+    if (array.Components < 1 || array.Components > 65536)
+    {
+      ThrowInvalid("array '" + array.Name + "' must have from 1 to 65536 components");
+    }
+  }
+}
+}

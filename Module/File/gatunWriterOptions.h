@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunWriterOptions_h
+#define gatunWriterOptions_h
+
+#include "gatunLayers.h"
+#include "gatunMergeTree.h"
+#include "gatunTypes.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace gatun
+{
+/** Options of FileWriter. */
+struct WriterOptions
+{
+  std::uint8_t Keep = KeepNone; ///< the parts of the original order to keep, flags of KeepOrder
+
+  /** The maximum number of tetrahedra in a chunk, 64 to 1048576. 0 is 65536, or 262144 for meshes
+   * of more than 10 million tetrahedra; with layers, half of that. */
+  std::uint32_t ChunkTets = 0;
+
+  /** The interval of time steps that are coded independently of their predecessor, 1 or more. */
+  std::uint32_t KeyStepInterval = 8;
+
+  /** Whether to replace an existing read-only file, which is an error otherwise. */
+  bool ReplaceReadOnly = false;
+
+  /** A merge tree of all points of the mesh, or null. It must exist until Finish has returned. */
+  const MergeTree* Tree = nullptr;
+
+  /** The maximum number of base meshes to store: with half of the points, a quarter and so on, down
+   * to some 20,000 tetrahedra. Base meshes need a tree. */
+  unsigned Levels = 0;
+
+  /** The layers to organize the file and its base meshes by, if any. */
+  std::optional<LayerRequest> Layers;
+};
+}
+
+#endif

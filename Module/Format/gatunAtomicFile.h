@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunAtomicFile_h
+#define gatunAtomicFile_h
+
+#include "gatunFileHandle.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace gatun
+{
+/**
+ * A file that appears at its path only when it is complete.
+ *
+ * Until Commit, the data are in a temporary file in the folder of the target. The temporary file
+ * has no name where the file system allows that (O_TMPFILE), so that nothing remains if the process
+ * is killed. On other file systems it is named "<target>.part-XXXXXX", and the destructor removes
+ * it.
+ *
+ * Commit links an unnamed file to its path. A link cannot replace a file; therefore an existing
+ * target is replaced in two steps, a link to "<target>.part-XXXXXX" and a rename. A process that is
+ * killed in between leaves that name behind, but the file is complete.
+ *
+ * Symbolic links are followed. A file that is replaced passes on its permissions; the permissions
+ * of a new file follow the umask. Methods throw Error(CannotWrite).
+ */
+class AtomicFile
+{
+public:
+  /** replaceReadOnly: whether to replace an existing file that this user may not write. */
+  AtomicFile(const std::string& path, bool replaceReadOnly);
+
+  /** A scratch file in the folder of another one. It has no name and cannot be committed. */
+  static AtomicFile MakeScratch(const AtomicFile& neighbor);
+
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  /** The path as given. */
+  const std::string& GetPath() const { return this->Path; }
+
+  /** The number of bytes written. */
+  std::uint64_t GetSize() const { return this->Size; }
+
+  void Write(std::span<const std::uint8_t> bytes);
+
+  /** Reads bytes that have been written. */
+  void ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const;
+
+  /** Moves the data to the disk and the file to its path. */
+  void Commit();
+
+private:
+  AtomicFile(const std::string& path, const std::string& target);
+
+  void CheckTarget(bool replaceReadOnly);
+  void Create(bool mayHaveName);
+  int CreateUnnamed(::mode_t mode);
+  int CreateNamed(::mode_t mode);
+  int Link();
+  [[noreturn]] void Fail(int systemError) const;
+
+  std::string Path;
+  std::string Target;       // the path without symbolic links
+  std::string Temporary;    // the current name, if any
+  bool Replaces = false;    // whether the target exists
+  ::mode_t Permissions = 0; // of the existing target
+  FileHandle Handle;
+  std::uint64_t Size = 0;
+};
+}
+
+#endif

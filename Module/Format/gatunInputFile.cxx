@@ -1,0 +1,338 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunInputFile.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+namespace gatun
+{
+namespace
+{
+std::string ToText(FourCC name)
+{
+  std::string text;
+  for (unsigned i = 0; i < 4; ++i)
+  {
+    const char c = static_cast<char>((name >> (8 * i)) & 0xff);
+    text += c >= ' ' && c <= '~' ? c : '?';
+  }
+  return text;
+}
+}
+
+//--------------------------------------------------------------------------------------------------
+InputFile::InputFile(const std::string& path, const ContainerKind& kind)
+  : Kind(kind)
+  , Path(path)
+{
+  // Without O_NONBLOCK, opening a pipe would block.
+  if (const int error = this->Handle.Open(path, O_RDONLY | O_NONBLOCK))
+  {
+    this->Fail(ErrorCode::CannotOpen, "cannot open", {}, {}, error);
+  }
+  struct stat status
+  {
+  };
+  if (::fstat(this->Handle.GetDescriptor(), &status) != 0 || !S_ISREG(status.st_mode))
+  {
+    this->Fail(ErrorCode::CannotOpen,
+      S_ISDIR(status.st_mode) ? "cannot open: is a directory"
+                              : "cannot open: is not a regular file");
+  }
+  this->Size = static_cast<std::uint64_t>(status.st_size);
+  this->ReadDirectory();
+}
+
+//--------------------------------------------------------------------------------------------------
+InputFile::InputFile(const InputFile& whole, const StreamRef& section, const std::string& name)
+  : Kind(whole.Kind)
+  , Path(whole.Path)
+  , Part(name)
+  , Base(whole.Base + section.Offset)
+  , Size(section.Length)
+{
+  whole.CheckInside(section, name);
+  if (const int error = this->Handle.Duplicate(whole.Handle))
+  {
+    this->Fail(ErrorCode::CannotOpen, "cannot open", {}, {}, error);
+  }
+  this->ReadDirectory();
+}
+
+//--------------------------------------------------------------------------------------------------
+void InputFile::Fail(ErrorCode code, const std::string& what, std::optional<std::uint64_t> offset,
+  const std::string& problem, int systemError) const
+{
+  if (offset)
+  {
+    *offset += this->Base;
+  }
+  throw Error(code, { this->Path, this->Part, what, offset, problem, systemError });
+}
+
+//--------------------------------------------------------------------------------------------------
+void InputFile::ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const
+{
+  this->BytesRead += bytes.size();
+  auto rest = bytes;
+  const int error = this->Handle.ReadAt(this->Base + offset, rest);
+  const auto reached = offset + (bytes.size() - rest.size());
+  if (error != 0)
+  {
+    this->Fail(ErrorCode::CannotOpen, "cannot read", reached, {}, error);
+  }
+  if (!rest.empty())
+  {
+    this->Fail(ErrorCode::Truncated, "the file became shorter", reached);
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+void InputFile::CheckInside(const StreamRef& stream, const std::string& what) const
+{
+  if (stream.Offset > this->Size || stream.Length > this->Size - stream.Offset)
+  {
+    this->Fail(ErrorCode::Truncated, what, stream.Offset,
+      "reaches past the end of the file (" + std::to_string(this->Size) + " bytes)");
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+void InputFile::FailSum(const StreamRef& stream, const std::string& what) const
+{
+  this->Fail(ErrorCode::Corrupt, what, stream.Offset,
+    "(" + std::to_string(stream.Length) + " bytes) is damaged: its checksum is wrong");
+}
+
+//--------------------------------------------------------------------------------------------------
+Bytes InputFile::Read(const StreamRef& stream, const std::string& what) const
+{
+  this->CheckInside(stream, what);
+  Bytes bytes(static_cast<std::size_t>(stream.Length));
+  this->ReadAt(stream.Offset, bytes);
+  if (Checksum(bytes) != stream.Sum)
+  {
+    this->FailSum(stream, what);
+  }
+  return bytes;
+}
+
+//--------------------------------------------------------------------------------------------------
+void InputFile::CheckSum(const StreamRef& stream, const std::string& what) const
+{
+  this->CheckInside(stream, what);
+  RunningChecksum sum;
+  Bytes buffer(static_cast<std::size_t>(std::min(CopyBytes, stream.Length)));
+  for (std::uint64_t at = 0; at < stream.Length; at += buffer.size())
+  {
+    const auto bytes = std::span(buffer).first(
+      static_cast<std::size_t>(std::min<std::uint64_t>(buffer.size(), stream.Length - at)));
+    this->ReadAt(stream.Offset + at, bytes);
+    sum.Add(bytes);
+  }
+  if (sum.Get() != stream.Sum)
+  {
+    this->FailSum(stream, what);
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+bool InputFile::IsReadable(const SectionRef& section) const
+{
+  const auto& known = this->Kind.Sections;
+  return std::find(known.begin(), known.end(), section.Name) != known.end() &&
+    section.Version == SectionVersion;
+}
+
+//--------------------------------------------------------------------------------------------------
+/** Reads and checks signature and version. */
+void InputFile::ReadHeader(std::span<std::uint8_t, HeaderSize> header)
+{
+  const auto beginning =
+    header.first(static_cast<std::size_t>(std::min<std::uint64_t>(HeaderSize, this->Size)));
+  this->ReadAt(0, beginning);
+  const auto& magic = this->Kind.FileMagic;
+  if (this->Size < magic.size() || !std::equal(magic.begin(), magic.end(), header.begin()))
+  {
+    // The file that contains an embedded file has been recognized, so it is damaged.
+    this->Fail(this->Part.empty() ? ErrorCode::NotGatun : ErrorCode::Corrupt,
+      this->Size == 0
+        ? "the file is empty"
+        : "this is not a " + std::string(this->Kind.Suffix) + " file (its first bytes differ)");
+  }
+  if (this->Size < HeaderSize + TrailerSize)
+  {
+    this->Fail(ErrorCode::Truncated,
+      "the file is truncated: " + std::to_string(this->Size) + " bytes are too few");
+  }
+  ByteReader in(std::span<const std::uint8_t>(header).subspan(magic.size()));
+  this->Major = in.Get<std::uint16_t>();
+  this->Minor = in.Get<std::uint16_t>();
+  if (this->Major != this->Kind.Major)
+  {
+    this->Fail(ErrorCode::UnsupportedVersion,
+      "version " + std::to_string(this->Major) + "." + std::to_string(this->Minor) +
+        " of the format is not supported, only " + std::to_string(this->Kind.Major) +
+        ".x; a newer version of Gatun may read it");
+  }
+  const auto reserved = HeaderSize - sizeof(std::uint32_t);
+  if (in.Get<std::uint32_t>() != 0)
+  {
+    this->Fail(ErrorCode::Corrupt, "the file's header is damaged", reserved);
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+/** Reads the directory by means of the trailer. Returns the position of the directory. */
+StreamRef InputFile::ReadTrailer(std::span<const std::uint8_t> header, Bytes& directory) const
+{
+  std::array<std::uint8_t, TrailerSize> trailer{};
+  const auto start = this->Size - TrailerSize;
+  this->ReadAt(start, trailer);
+  ByteReader end(trailer);
+  StreamRef where;
+  where.Offset = end.Get<std::uint64_t>();
+  where.Length = end.Get<std::uint64_t>();
+  where.Sum = end.Get<std::uint64_t>();
+  const auto& magic = this->Kind.TrailerMagic;
+  const auto last = end.GetBytes(magic.size());
+  if (!std::equal(magic.begin(), magic.end(), last.begin()))
+  {
+    this->Fail(ErrorCode::Truncated,
+      "the file does not end as it should; it is truncated, or damaged in its last bytes (size " +
+        std::to_string(this->Size) + ")");
+  }
+  if (where.Offset < HeaderSize + SectionHeaderSize || where.Offset > start ||
+    where.Length != start - where.Offset)
+  {
+    this->Fail(ErrorCode::Corrupt, "the trailer", start, "is damaged: it points to no directory");
+  }
+  directory.resize(static_cast<std::size_t>(where.Length));
+  this->ReadAt(where.Offset, directory);
+  if (GetFrameChecksum(header, directory) != where.Sum)
+  {
+    this->Fail(ErrorCode::Corrupt, "the directory", where.Offset,
+      "or the file's header is damaged: their checksum is wrong");
+  }
+  return where;
+}
+
+//--------------------------------------------------------------------------------------------------
+void InputFile::ReadSections(const Bytes& directory)
+{
+  ByteReader list(directory);
+  const auto count = list.GetCount(SectionHeaderSize + sizeof(std::uint64_t));
+  for (std::uint64_t i = 0; i < count; ++i)
+  {
+    auto section = GetSectionHeader(list);
+    section.Payload.Offset = list.Get<std::uint64_t>();
+    if (!this->IsReadable(section) && (section.Flags & FlagMandatory))
+    {
+      this->Fail(ErrorCode::UnsupportedVersion,
+        "the file has a section '" + ToText(section.Name) + "' (version " +
+          std::to_string(section.Version) + ") that only a newer version of Gatun can read");
+    }
+    this->Sections.push_back(section);
+  }
+  if (list.GetRemaining() != 0)
+  {
+    ThrowCorrupt("there are bytes behind its end");
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+void InputFile::ReadDirectory()
+{
+  std::array<std::uint8_t, HeaderSize> header{};
+  this->ReadHeader(header);
+  Bytes directory;
+  const auto where = this->ReadTrailer(header, directory);
+  try
+  {
+    this->ReadSections(directory);
+  }
+  catch (const Error& error)
+  {
+    if (!error.Path.empty())
+    {
+      throw;
+    }
+    this->Fail(ErrorCode::Corrupt, "the directory", where.Offset,
+      std::string("is damaged: ") + error.what());
+  }
+}
+
+//--------------------------------------------------------------------------------------------------
+std::vector<StreamRef> InputFile::FindSections(FourCC name) const
+{
+  std::vector<StreamRef> found;
+  for (const auto& section : this->Sections)
+  {
+    if (section.Name == name && this->IsReadable(section))
+    {
+      found.push_back(section.Payload);
+    }
+  }
+  return found;
+}
+
+//--------------------------------------------------------------------------------------------------
+StreamRef InputFile::FindSection(FourCC name, const char* what) const
+{
+  const auto found = this->FindSections(name);
+  if (found.size() != 1)
+  {
+    this->Fail(ErrorCode::Corrupt,
+      (found.empty() ? "the file has no section for " : "the file has several sections for ") +
+        std::string(what));
+  }
+  return found.front();
+}
+
+//--------------------------------------------------------------------------------------------------
+void InputFile::CheckSections(const std::function<bool(double)>& progress) const
+{
+  std::uint64_t next = HeaderSize;
+  for (std::size_t i = 0; i < this->Sections.size(); ++i)
+  {
+    const auto& section = this->Sections[i];
+    const std::string what = "section '" + ToText(section.Name) + "'";
+    if (section.Payload.Offset != next + SectionHeaderSize)
+    {
+      this->Fail(ErrorCode::Corrupt, what + " does not follow the one before it", next);
+    }
+    std::array<std::uint8_t, SectionHeaderSize> bytes{};
+    this->ReadAt(next, bytes);
+    ByteWriter expected;
+    PutSectionHeader(expected, section);
+    if (!std::equal(bytes.begin(), bytes.end(), expected.Data.begin()))
+    {
+      this->Fail(ErrorCode::Corrupt, "the header of " + what, next, "is damaged");
+    }
+    this->CheckSum(section.Payload, what);
+    next = section.Payload.Offset + section.Payload.Length;
+    if (progress &&
+      !progress(static_cast<double>(i + 1) / static_cast<double>(this->Sections.size())))
+    {
+      this->Fail(ErrorCode::Aborted, "aborted");
+    }
+  }
+  std::array<std::uint8_t, SectionHeaderSize> last{};
+  this->ReadAt(next, last);
+  ByteReader in(last);
+  const auto directory = GetSectionHeader(in);
+  if (directory.Name != SectionDirectory || directory.Version != SectionVersion ||
+    directory.Flags != FlagMandatory ||
+    directory.Payload.Length != this->Size - TrailerSize - next - SectionHeaderSize)
+  {
+    this->Fail(ErrorCode::Corrupt, "the header of the directory", next, "is damaged");
+  }
+  this->CheckSum(
+    { next + SectionHeaderSize, directory.Payload.Length, directory.Payload.Sum }, "the directory");
+}
+}

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunInputFile_h
+#define gatunInputFile_h
+
+#include "gatunContainer.h"
+#include "gatunFileHandle.h"
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gatun
+{
+/** Reads a container. The constructor checks header, trailer and directory. Thread safe. Safe on
+ * hostile input: the memory used is bounded by the length of the file. */
+class InputFile
+{
+public:
+  explicit InputFile(const std::string& path, const ContainerKind& kind = MeshContainer);
+
+  /** A file that is embedded in another one as a section. Messages add the name to the path. */
+  InputFile(const InputFile& whole, const StreamRef& section, const std::string& name);
+
+  const std::string& GetPath() const { return this->Path; }
+  std::uint64_t GetSize() const { return this->Size; }
+  std::uint64_t GetBytesRead() const { return this->BytesRead; }
+  const std::vector<SectionRef>& GetSections() const { return this->Sections; }
+  std::uint16_t GetMajor() const { return this->Major; }
+  std::uint16_t GetMinor() const { return this->Minor; }
+
+  /** Reads a stream and checks its checksum. what: the name of the stream in messages. */
+  Bytes Read(const StreamRef& stream, const std::string& what) const;
+
+  /** Checks the checksum of a stream of any length. */
+  void CheckSum(const StreamRef& stream, const std::string& what) const;
+
+  /** The payloads of the sections of a name, except those of unknown versions. */
+  std::vector<StreamRef> FindSections(FourCC name) const;
+
+  /** The payload of the only section of a name; throws unless there is exactly one. */
+  StreamRef FindSection(FourCC name, const char* what) const;
+
+  /** Checks the headers and checksums of all sections, and that they fill the file without gaps. */
+  void CheckSections(const std::function<bool(double)>& progress) const;
+
+  /** Throws an error of this file. offset counts from the beginning of this container. The other
+   * parts of the message: see ErrorDetails. */
+  [[noreturn]] void Fail(ErrorCode code, const std::string& what,
+    std::optional<std::uint64_t> offset = {}, const std::string& problem = {},
+    int systemError = 0) const;
+
+private:
+  void ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const;
+  bool IsReadable(const SectionRef& section) const;
+  void ReadHeader(std::span<std::uint8_t, HeaderSize> header);
+  StreamRef ReadTrailer(std::span<const std::uint8_t> header, Bytes& directory) const;
+  void ReadSections(const Bytes& directory);
+  void ReadDirectory();
+  void CheckInside(const StreamRef& stream, const std::string& what) const;
+  [[noreturn]] void FailSum(const StreamRef& stream, const std::string& what) const;
+
+  const ContainerKind& Kind;
+  std::string Path;
+  std::string Part; // the name of an embedded file
+  FileHandle Handle;
+  std::uint64_t Base = 0; // the position of an embedded file
+  std::uint64_t Size = 0;
+  std::uint16_t Major = 0;
+  std::uint16_t Minor = 0;
+  std::vector<SectionRef> Sections;
+  mutable std::atomic<std::uint64_t> BytesRead{ 0 };
+};
+}
+
+#endif
