@@ -69,18 +69,19 @@ public:
 
   ///@{
   /**
-   * Fraction of points removed, from 0 (none) to 1 (as many as possible). Default: 0.5.
+   * Fraction of points removed, from 0 (none) to 1 (as many as possible). NaN is an error. Default:
+   * 0.5.
    */
-  vtkSetMacro(SimplificationRatio, double);
+  vtkSetClampMacro(SimplificationRatio, double, 0.0, 1.0);
   vtkGetMacro(SimplificationRatio, double);
   ///@}
 
   ///@{
   /**
-   * Number of points of the result, as far as possible; a larger number than that of the mesh keeps
-   * all. Default: 10000.
+   * Number of points of the result, 0 or more, as far as possible; a larger number than that of the
+   * mesh keeps all. Default: 10000.
    */
-  vtkSetMacro(SimplificationNumberOfPoints, vtkIdType);
+  vtkSetClampMacro(SimplificationNumberOfPoints, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(SimplificationNumberOfPoints, vtkIdType);
   ///@}
 
@@ -90,7 +91,7 @@ public:
    * values, relative to their range, and for the shape of the boundary.
    * Default: 0.001.
    */
-  vtkSetMacro(SimplificationRMSError, double);
+  vtkSetClampMacro(SimplificationRMSError, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SimplificationRMSError, double);
   ///@}
 
@@ -113,7 +114,7 @@ public:
    * How much of the cost of merges on the boundary is that of shape, 0 to 1; the rest is that of
    * values. Default: 0.5.
    */
-  vtkSetMacro(BoundaryWeight, double);
+  vtkSetClampMacro(BoundaryWeight, double, 0.0, 1.0);
   vtkGetMacro(BoundaryWeight, double);
   ///@}
 

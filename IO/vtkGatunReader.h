@@ -288,28 +288,29 @@ public:
 
   ///@{
   /**
-   * Fraction of points removed, from 0 (none) to 1 (as many as possible). Default: 0.
+   * Fraction of points removed, from 0 (none) to 1 (as many as possible). NaN is an error. Default:
+   * 0.
    */
-  vtkSetMacro(SimplificationRatio, double);
+  vtkSetClampMacro(SimplificationRatio, double, 0.0, 1.0);
   vtkGetMacro(SimplificationRatio, double);
   ///@}
 
   ///@{
   /**
-   * Number of points of the result, as far as possible; a larger number than that of the mesh keeps
-   * all. Default: 100000.
+   * Number of points of the result, 0 or more, as far as possible; a larger number than that of the
+   * mesh keeps all. Default: 100000.
    */
-  vtkSetMacro(SimplificationNumberOfPoints, vtkIdType);
+  vtkSetClampMacro(SimplificationNumberOfPoints, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(SimplificationNumberOfPoints, vtkIdType);
   ///@}
 
   ///@{
   /**
-   * Largest root mean square error of the result; see
+   * Largest root mean square error of the result, 0 or more; see
    * vtkGatunSimplify::SetSimplificationRMSError.
    * Default: 0.
    */
-  vtkSetMacro(SimplificationRMSError, double);
+  vtkSetClampMacro(SimplificationRMSError, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SimplificationRMSError, double);
   ///@}
 

@@ -178,7 +178,7 @@ public:
   };
   vtkSetClampMacro(Metric, int, METRIC_MASS, METRIC_DENSITY);
   vtkGetMacro(Metric, int);
-  vtkSetMacro(BoundaryWeight, double);
+  vtkSetClampMacro(BoundaryWeight, double, 0.0, 1.0);
   vtkGetMacro(BoundaryWeight, double);
   ///@}
 

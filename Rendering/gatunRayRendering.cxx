@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace gatun
 {
@@ -133,6 +134,15 @@ RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, double sampleDistanc
     Widen(frustum.Bottom, frustum.Top, grid.Height);
   }
   return RayView(rows, frustum, grid.Width, grid.Height, sampleDistance);
+}
+
+//------------------------------------------------------------------------------
+void RequireNumber(const char* property, double value)
+{
+  if (std::isnan(value))
+  {
+    ThrowInvalid(property + std::string(" is not a number"));
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -51,6 +51,9 @@ RayEye MakeRayEye(vtkCamera* camera, const RayGrid& grid, vtkMatrix4x4* volumeMa
 RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, double sampleDistance,
   vtkMatrix4x4* volumeMatrix, bool clippingRange);
 
+/** Throws Error(InvalidInput) if a property is NaN, which clamping lets through. */
+void RequireNumber(const char* property, double value);
+
 /** Blend modes of vtkGatunRayCaster and vtkGatunVolumeMapper. */
 enum BlendMode
 {

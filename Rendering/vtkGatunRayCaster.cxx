@@ -104,6 +104,20 @@ void vtkGatunRayCaster::SetBlendMode(int mode)
 }
 
 //------------------------------------------------------------------------------
+void vtkGatunRayCaster::SetSize(int width, int height)
+{
+  constexpr int most = 32000;
+  width = std::clamp(width, 1, most);
+  height = std::clamp(height, 1, most);
+  if (width != this->Size[0] || height != this->Size[1])
+  {
+    this->Size[0] = width;
+    this->Size[1] = height;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkGatunRayCaster::SetCamera(vtkCamera* camera)
 {
   if (camera != this->Internals->Camera)
@@ -306,6 +320,8 @@ int vtkGatunRayCaster::RequestData(
       throw gatun::Error(gatun::ErrorCode::InvalidInput,
         self.Camera ? "no property with colours is set" : "no camera is set");
     }
+    gatun::RequireNumber("OpacityLimit", this->OpacityLimit);
+    gatun::RequireNumber("TimeBudget", this->TimeBudget);
     const auto view =
       gatun::MakeRayView(self.Camera, gatun::RayGrid{ this->Size[0], this->Size[1] },
         this->SampleDistance, self.VolumeMatrix, false);

@@ -128,16 +128,17 @@ public:
   /**
    * Width and height of the image in pixels, 1 to 32000 each. Default: 512, 512.
    */
-  vtkSetVector2Macro(Size, int);
+  void SetSize(int width, int height);
+  void SetSize(const int size[2]) { this->SetSize(size[0], size[1]); }
   vtkGetVector2Macro(Size, int);
   ///@}
 
   ///@{
   /**
-   * Distance of samples in world units; 0: the size of a pixel at the camera's focal point.
-   * Default: 0.
+   * Distance between the samples of a ray in world units, 0 or more. 0 is the size of a pixel at
+   * the camera's focal point. Default: 0.
    */
-  vtkSetMacro(SampleDistance, double);
+  vtkSetClampMacro(SampleDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SampleDistance, double);
   ///@}
 
@@ -187,12 +188,11 @@ public:
 
   ///@{
   /**
-   * Part of the mesh's points that is merged away, 0 to 1, as far as that is possible; others are
-   * an error. A file must have been written with a hierarchy (vtkGatunWriter::Hierarchy) for it; of
-   * a mesh in memory, it is first found out how to simplify it (see vtkGatunSimplify), which is
-   * kept for the next image. Default: 0.
+   * Fraction of points removed, from 0 (none) to 1 (as many as possible). Above 0, a file must have
+   * a hierarchy (vtkGatunWriter::Hierarchy). For a mesh in memory, the order of edge collapses is
+   * computed first (see vtkGatunSimplify) and kept for the next image. Default: 0.
    */
-  vtkSetMacro(SimplificationRatio, double);
+  vtkSetClampMacro(SimplificationRatio, double, 0.0, 1.0);
   vtkGetMacro(SimplificationRatio, double);
   ///@}
 

@@ -343,7 +343,7 @@ gatun::FrameRequest vtkGatunVolumeMapper::vtkInternals::GetRequest(
   }
   request.Ratio = GetRatio(mapper);
   request.Pixels = static_cast<double>(viewport.Width) * viewport.Height;
-  const bool adjusts = mapper->AutoAdjustSampleDistances != 0;
+  const bool adjusts = mapper->AutoAdjustSampleDistances;
   request.LeastDistance =
     adjusts ? mapper->MinimumImageSampleDistance : mapper->ImageSampleDistance;
   request.LargestDistance = adjusts
@@ -436,6 +436,11 @@ void vtkGatunVolumeMapper::vtkInternals::DrawFrame(
   {
     return;
   }
+  gatun::RequireNumber("ImageSampleDistance", mapper->ImageSampleDistance);
+  gatun::RequireNumber("MinimumImageSampleDistance", mapper->MinimumImageSampleDistance);
+  gatun::RequireNumber("MaximumImageSampleDistance", mapper->MaximumImageSampleDistance);
+  gatun::RequireNumber("OpacityLimit", mapper->OpacityLimit);
+  gatun::RequireNumber("TimeBudget", mapper->TimeBudget);
   vtkRenderWindow* const window = renderer->GetRenderWindow();
   const auto progress = [mapper, window](double fraction)
   {
@@ -462,7 +467,7 @@ void vtkGatunVolumeMapper::vtkInternals::DrawFrame(
   const double before = vtkTimerLog::GetUniversalTime();
   const auto statistics = this->Draw(mapper, renderer, volume, viewport, grid, progress, frame);
   const double cast = vtkTimerLog::GetUniversalTime() - before;
-  this->Picture.Show(renderer, volume, mapper->IntermixIntersectingGeometry != 0);
+  this->Picture.Show(renderer, volume, mapper->IntermixIntersectingGeometry);
   if (inMotion)
   {
     window->WaitForCompletion(); // or the next picture would pay for this one

@@ -91,10 +91,10 @@ public:
 
   ///@{
   /**
-   * Distance of samples in world units; 0: that of rays at the camera's focal point. A negative
-   * one is an error. Default: 0.
+   * Distance between the samples of a ray in world units, 0 or more. 0 is the distance of rays at
+   * the camera's focal point. Default: 0.
    */
-  vtkSetMacro(SampleDistance, double);
+  vtkSetClampMacro(SampleDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SampleDistance, double);
   ///@}
 
@@ -113,9 +113,9 @@ public:
    * the volume (see vtkRenderWindow::SetDesiredUpdateRate), as far as the last one tells. A picture
    * at rest has time for the least distance. Default: on.
    */
-  vtkSetMacro(AutoAdjustSampleDistances, vtkTypeBool);
-  vtkGetMacro(AutoAdjustSampleDistances, vtkTypeBool);
-  vtkBooleanMacro(AutoAdjustSampleDistances, vtkTypeBool);
+  vtkSetMacro(AutoAdjustSampleDistances, bool);
+  vtkGetMacro(AutoAdjustSampleDistances, bool);
+  vtkBooleanMacro(AutoAdjustSampleDistances, bool);
   ///@}
 
   ///@{
@@ -134,9 +134,9 @@ public:
    * Whether opaque geometry that the renderer has drawn before hides what is behind it. Off: the
    * volume is drawn as if it were a picture at the depth of its centre. Default: on.
    */
-  vtkSetMacro(IntermixIntersectingGeometry, vtkTypeBool);
-  vtkGetMacro(IntermixIntersectingGeometry, vtkTypeBool);
-  vtkBooleanMacro(IntermixIntersectingGeometry, vtkTypeBool);
+  vtkSetMacro(IntermixIntersectingGeometry, bool);
+  vtkGetMacro(IntermixIntersectingGeometry, bool);
+  vtkBooleanMacro(IntermixIntersectingGeometry, bool);
   ///@}
 
   ///@{
@@ -179,9 +179,9 @@ public:
    * Whether pictures during an interaction are to be drawn within their time, by simpler meshes;
    * see above. Default: off.
    */
-  vtkSetMacro(JustInTime, vtkTypeBool);
-  vtkGetMacro(JustInTime, vtkTypeBool);
-  vtkBooleanMacro(JustInTime, vtkTypeBool);
+  vtkSetMacro(JustInTime, bool);
+  vtkGetMacro(JustInTime, bool);
+  vtkBooleanMacro(JustInTime, bool);
   ///@}
 
   ///@{
@@ -195,12 +195,12 @@ public:
 
   ///@{
   /**
-   * Part of the mesh's points that is merged away in all pictures, 0 to 1, as far as that is
-   * possible; others are an error. The first picture waits until it is known how. Where nothing but
-   * the ratio has changed since the last picture, only the squares of 16 by 16 pixels are drawn
-   * that change, unless JustInTime is on. Default: 0.
+   * Fraction of points removed in all images, from 0 (none) to 1 (as many as possible). The first
+   * image waits for the order of edge collapses. If only the ratio has changed since the last image
+   * and JustInTime is off, only those squares of 16 by 16 pixels are drawn again that change.
+   * Default: 0.
    */
-  vtkSetMacro(SimplificationRatio, double);
+  vtkSetClampMacro(SimplificationRatio, double, 0.0, 1.0);
   vtkGetMacro(SimplificationRatio, double);
   ///@}
 
@@ -270,15 +270,15 @@ protected:
 
   double SampleDistance = 0;
   float ImageSampleDistance = 1;
-  vtkTypeBool AutoAdjustSampleDistances = 1;
+  bool AutoAdjustSampleDistances = true;
   float MinimumImageSampleDistance = 1;
   float MaximumImageSampleDistance = 10;
-  vtkTypeBool IntermixIntersectingGeometry = 1;
+  bool IntermixIntersectingGeometry = true;
   int ArrayComponent = 0;
   double OpacityLimit = 0.001;
   int MemoryBudget = 512;
   int NumberOfPieces = 1;
-  vtkTypeBool JustInTime = 0;
+  bool JustInTime = false;
   double TimeBudget = 0;
   double SimplificationRatio = 0;
 

@@ -106,6 +106,7 @@ void AddArrays(vtkPointData* data, const MergeWeights& weights, MergeGrid& grid)
 //------------------------------------------------------------------------------
 bool MergeWeights::Set(const char* name, double weight)
 {
+  weight = weight < 0 ? 0 : weight; // NaN stays, and is refused later
   if (!name || (this->Weights.count(name) && this->Weights[name] == weight))
   {
     return false;

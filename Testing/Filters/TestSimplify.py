@@ -166,15 +166,20 @@ assert spread("step z", 2) < spread("step x", 2)
 # What makes no sense, and a good update afterwards.
 simplifier = vtkGatunSimplify()
 simplifier.SetInputDataObject(grid)
-for name, bad, good, words in (
-        ("SimplificationRatio", -0.1, 0.5, "ratio"), ("SimplificationRatio", 1.1, 0.5, "ratio"),
-        ("SimplificationRatio", float("nan"), 0.5, "ratio"),
-        ("SimplificationNumberOfPoints", -1, 10, "number of points"),
-        ("SimplificationRMSError", float("nan"), 1, "error"),
-        ("SimplificationRMSError", -1, 1, "error"), ("BoundaryWeight", 2, 0.5, "weight")):
-    simplifier.SetSimplificationTarget(
-        {"SimplificationNumberOfPoints": 1, "SimplificationRMSError": 2}.get(name, 0))
-    getattr(simplifier, "Set" + name)(bad)
+for name, value, clamped in (
+        ("SimplificationRatio", -0.1, 0), ("SimplificationRatio", 1.1, 1),
+        ("SimplificationNumberOfPoints", -1, 0), ("SimplificationRMSError", -1, 0),
+        ("BoundaryWeight", 2, 1), ("BoundaryWeight", -2, 0)):
+    getattr(simplifier, "Set" + name)(value)
+    assert getattr(simplifier, "Get" + name)() == clamped, name
+simplifier.SetArrayWeight("wave", -1)
+assert simplifier.GetArrayWeight("wave") == 0
+simplifier.ClearArrayWeights()
+for name, good, words in (
+        ("SimplificationRatio", 0.5, "ratio"), ("SimplificationRMSError", 1, "error"),
+        ("BoundaryWeight", 0.5, "weight")):
+    simplifier.SetSimplificationTarget(2 if name == "SimplificationRMSError" else 0)
+    getattr(simplifier, "Set" + name)(float("nan"))
     expect_error(simplifier, words)
     getattr(simplifier, "Set" + name)(good)
     simplifier.Update()

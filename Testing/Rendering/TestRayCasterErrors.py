@@ -32,10 +32,22 @@ def expect_good(caster):
     np.testing.assert_allclose(gv.picture_of(caster)[0], good[0], atol=1 / 255)
 
 
+# Ranges are clamped.
+caster = gv.make_caster(grid)
+for size, clamped in ((0, 10), (1, 10)), ((-3, 10), (1, 10)), ((10, 40000), (10, 32000)):
+    caster.SetSize(size)
+    assert caster.GetSize() == clamped, size
+for name, low, high in (("SampleDistance", 0, None), ("OpacityLimit", 0, 1), ("TimeBudget", 0, 1e6),
+                        ("SimplificationRatio", 0, 1)):
+    getattr(caster, "Set" + name)(-1)
+    assert getattr(caster, "Get" + name)() == low, name
+    getattr(caster, "Set" + name)(1e9)
+    assert getattr(caster, "Get" + name)() == (1e9 if high is None else high), name
+
+NAN = float("nan")
 for name, bad, right in (
-        ("Size", (0, 10), (gv.WIDTH, gv.HEIGHT)), ("Size", (-3, 10), (gv.WIDTH, gv.HEIGHT)),
-        ("Size", (10, 40000), (gv.WIDTH, gv.HEIGHT)), ("SampleDistance", -1, 0),
-        ("SampleDistance", float("nan"), 0), ("Camera", None, gv.box_camera()),
+        ("SampleDistance", NAN, 0), ("OpacityLimit", NAN, 0.001), ("TimeBudget", NAN, 0),
+        ("SimplificationRatio", NAN, 0), ("Camera", None, gv.box_camera()),
         ("Property", None, gv.box_property()), ("ArrayName", "nothing", None),
         ("ArrayComponent", 5, 0), ("ArrayAssociation", 1, -1)):
     caster = gv.make_caster(grid)

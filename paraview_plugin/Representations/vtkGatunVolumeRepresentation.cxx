@@ -117,7 +117,7 @@ int vtkGatunVolumeRepresentation::GetMemoryBudget()
 //------------------------------------------------------------------------------
 void vtkGatunVolumeRepresentation::SetAutoAdjustSampleDistances(bool on)
 {
-  this->VolumeMapper->SetAutoAdjustSampleDistances(on ? 1 : 0);
+  this->VolumeMapper->SetAutoAdjustSampleDistances(on);
   if (!on)
   {
     // The one last chosen may be that of an interaction.
@@ -128,7 +128,7 @@ void vtkGatunVolumeRepresentation::SetAutoAdjustSampleDistances(bool on)
 //------------------------------------------------------------------------------
 bool vtkGatunVolumeRepresentation::GetAutoAdjustSampleDistances()
 {
-  return this->VolumeMapper->GetAutoAdjustSampleDistances() != 0;
+  return this->VolumeMapper->GetAutoAdjustSampleDistances();
 }
 
 //------------------------------------------------------------------------------
@@ -332,7 +332,7 @@ void vtkGatunVolumeRepresentation::PrepareToDraw(vtkInformation* inInfo)
   this->Actor->SetEnableLOD(0);
   this->VolumeMapper->RemoveAllClippingPlanes();
   const bool isAlone = Processes().All == 1;
-  this->VolumeMapper->SetJustInTime(isAlone && this->JustInTime ? 1 : 0);
+  this->VolumeMapper->SetJustInTime(isAlone && this->JustInTime);
   this->VolumeMapper->SetSimplificationRatio(isAlone ? this->SimplificationRatio : 0);
   if (!piece)
   {

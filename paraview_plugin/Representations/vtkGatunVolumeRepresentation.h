@@ -83,6 +83,7 @@ public:
    */
   void SetAutoAdjustSampleDistances(bool on);
   bool GetAutoAdjustSampleDistances();
+  vtkBooleanMacro(AutoAdjustSampleDistances, bool);
   ///@}
 
   ///@{
@@ -94,6 +95,7 @@ public:
    */
   void SetJustInTime(bool on);
   bool GetJustInTime();
+  vtkBooleanMacro(JustInTime, bool);
   ///@}
 
   ///@{
