@@ -39,15 +39,15 @@ struct HartleyFile::Internals
 
   const HartleyLayout& GetLayout() const { return this->Meta.Layout; }
   const HartleyOrder& GetOrder() const;
-  const HartleyQuantiser& GetQuantiser() const;
+  const HartleyQuantizer& GetQuantizer() const;
   HartleyIntegers GetIntegers(std::size_t chunk) const;
 
-  /** Calls use(place, values) with the voxels, less the base, of those blocks of a chunk that
-   * isWanted(place) asks for. */
+  /** Calls use(place, values) with the voxels, minus the base, of the blocks of a chunk for which
+   * isWanted(place) is true. */
   template <typename IsWanted, typename Use>
   void DecodeBlocks(std::size_t chunk, IsWanted&& isWanted, Use&& use) const;
 
-  /** Runs what may find that a stream is damaged, and tells where that is. */
+  /** Runs a function and adds the position of the stream to errors of damaged streams. */
   template <typename Run>
   auto Guarded(const std::string& what, const StreamRef& where, Run&& run) const
   {
@@ -57,7 +57,7 @@ struct HartleyFile::Internals
     }
     catch (const Error& error)
     {
-      // Messages of the file itself are complete.
+      // The file's own messages are complete.
       if (error.Code != ErrorCode::Corrupt ||
         std::string(error.what()).starts_with(this->File.GetPath()))
       {
@@ -73,11 +73,11 @@ struct HartleyFile::Internals
   HartleyTable Table;
 
 private:
-  // Both grow with the block, so that they are made when something is decoded.
+  // Their size depends on the block size. They are made when a chunk is decoded first.
   mutable std::once_flag OrderIsMade;
   mutable std::unique_ptr<const HartleyOrder> Order;
-  mutable std::once_flag QuantiserIsMade;
-  mutable std::unique_ptr<const HartleyQuantiser> Quantiser;
+  mutable std::once_flag QuantizerIsMade;
+  mutable std::unique_ptr<const HartleyQuantizer> Quantizer;
 };
 
 //--------------------------------------------------------------------------------------------------
@@ -100,7 +100,7 @@ HartleyFile::Internals::Internals(const std::string& path)
       {
         this->File.Fail(ErrorCode::Corrupt,
           std::string(TableName) + " is damaged: " + GetChunkName(chunk) +
-            " reaches past the end of the file");
+            " extends beyond the end of the file");
       }
     };
     std::for_each(entry.Streams.begin(), entry.Streams.end(), check);
@@ -113,8 +113,7 @@ HartleyFile::Internals::Internals(const std::string& path)
           GetLeastHartleySegmentBytes(this->GetLayout().GetVoxelsPerBlock(), segment))
         {
           this->File.Fail(ErrorCode::Corrupt,
-            std::string(TableName) + " is damaged: " + GetChunkName(chunk) +
-              " is shorter than it can be");
+            std::string(TableName) + " is damaged: " + GetChunkName(chunk) + " is too short");
         }
       }
     }
@@ -130,15 +129,15 @@ const HartleyOrder& HartleyFile::Internals::GetOrder() const
 }
 
 //--------------------------------------------------------------------------------------------------
-const HartleyQuantiser& HartleyFile::Internals::GetQuantiser() const
+const HartleyQuantizer& HartleyFile::Internals::GetQuantizer() const
 {
-  std::call_once(this->QuantiserIsMade,
+  std::call_once(this->QuantizerIsMade,
     [&]
     {
-      this->Quantiser =
-        std::make_unique<const HartleyQuantiser>(this->GetLayout().Block, this->Meta.Steps);
+      this->Quantizer =
+        std::make_unique<const HartleyQuantizer>(this->GetLayout().Block, this->Meta.Steps);
     });
-  return *this->Quantiser;
+  return *this->Quantizer;
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -173,7 +172,7 @@ HartleyIntegers HartleyFile::Internals::GetIntegers(std::size_t chunk) const
   {
     this->File.Fail(ErrorCode::Corrupt,
       name + " at byte " + std::to_string(entry.Streams.front().Offset) +
-        " is damaged: it has not as many coefficients as it should");
+        " is damaged: its number of coefficients is wrong");
   }
   return integers;
 }
@@ -187,7 +186,7 @@ void HartleyFile::Internals::DecodeBlocks(std::size_t chunk, IsWanted&& isWanted
   const auto name = "the corrections of " + GetChunkName(chunk);
   const auto count = this->GetLayout().GetVoxelsPerBlock();
   const bool corrected = this->Meta.HasCorrections();
-  const auto& quantiser = this->GetQuantiser();
+  const auto& quantizer = this->GetQuantizer();
   this->Guarded(name, entry.Corrections,
     [&]
     {
@@ -206,7 +205,7 @@ void HartleyFile::Internals::DecodeBlocks(std::size_t chunk, IsWanted&& isWanted
           const bool wanted = isWanted(place);
           if (wanted)
           {
-            quantiser.Restore(std::span(integers).subspan(block * count, count), values);
+            quantizer.Restore(std::span(integers).subspan(block * count, count), values);
             transform.Inverse(values);
           }
           if (corrected)
@@ -249,9 +248,9 @@ const VolumeInput& HartleyFile::GetVolume() const
 }
 
 //--------------------------------------------------------------------------------------------------
-const HartleyQuality& HartleyFile::GetQuality() const
+const HartleyRateControl& HartleyFile::GetRateControl() const
 {
-  return this->Data->Meta.Quality;
+  return this->Data->Meta.RateControl;
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -290,15 +289,15 @@ std::uint64_t HartleyFile::GetNumberOfTerms() const
 }
 
 //--------------------------------------------------------------------------------------------------
-double HartleyFile::GetRootMeanSquareError() const
+double HartleyFile::GetRMSError() const
 {
-  return this->Data->Meta.RootMeanSquareError;
+  return this->Data->Meta.RMSError;
 }
 
 //--------------------------------------------------------------------------------------------------
-double HartleyFile::GetLargestError() const
+double HartleyFile::GetMaximumError() const
 {
-  return this->Data->Meta.LargestError;
+  return this->Data->Meta.MaximumError;
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -339,7 +338,7 @@ std::shared_ptr<const HartleyChunk> HartleyFile::GetChunk(std::size_t chunk) con
     [&]
     {
       return HartleyEncoder::MakeTerms(
-        self.GetQuantiser(), self.GetLayout().GetVoxelsPerBlock(), self.GetIntegers(chunk));
+        self.GetQuantizer(), self.GetLayout().GetVoxelsPerBlock(), self.GetIntegers(chunk));
     });
 }
 
@@ -355,7 +354,7 @@ void HartleyFile::GetVoxels(const HartleyLayout::Triple& first, const HartleyLay
     if (first[axis] >= end[axis] || end[axis] > layout.Size[axis])
     {
       ThrowInvalid("voxels " + std::to_string(first[axis]) + " to " + std::to_string(end[axis]) +
-        " of " + std::to_string(layout.Size[axis]) + " were asked for");
+        " of " + std::to_string(layout.Size[axis]) + " were requested");
     }
     firstBlock[axis] = first[axis] / layout.Block[axis];
     endBlock[axis] = (end[axis] - 1) / layout.Block[axis] + 1;

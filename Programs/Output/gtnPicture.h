@@ -3,7 +3,7 @@
 #ifndef gtnPicture_h
 #define gtnPicture_h
 
-// What vtkGatunRayCaster or vtkHartleyProjection drew, as a file.
+// What vtkGatunRayCaster or vtkGatunHartleyProjection drew, as a file.
 
 #include <array>
 #include <optional>

@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 import gatunHartley as gh
 import gatunMeshes as gm
-from gatun import vtkHartleyVolumeReader, vtkHartleyVolumeWriter
+from gatun import vtkGatunHartleyEncoder, vtkGatunHartleyReader, vtkGatunHartleyWriter
 
 folder = os.path.join(os.environ["GATUN_TEST_TEMP"], "hartley-errors")
 os.makedirs(folder, exist_ok=True)
@@ -27,9 +27,9 @@ gh.write(good, path)
 before = open(path, "rb").read()
 
 
-def refuse(image, *texts, expected=vtkHartleyVolumeWriter.WrongInputError, to=path, array=None,
+def refuse(image, *texts, expected=vtkGatunHartleyWriter.WrongInputError, to=path, array=None,
            **options):
-    writer = vtkHartleyVolumeWriter()
+    writer = vtkGatunHartleyWriter()
     errors = gm.Errors(writer)
     if image is not None:
         writer.SetInputDataObject(image)
@@ -67,7 +67,7 @@ refuse(bare, "there are no active point")
 refuse(bare, "there is no point array 'density'", array=(0, "density"))
 cells = gh.make_volume(values)
 gm.add_array(cells.GetCellData(), np.zeros(cells.GetNumberOfCells()), "cell")
-refuse(cells, "needs an array on the points", "vtkCellDataToPointData", array=(1, "cell"))
+refuse(cells, "needs a point array", "vtkCellDataToPointData", array=(1, "cell"))
 vectors = gh.make_volume(values)
 gm.add_array(vectors.GetPointData(), np.zeros((values.size, 3)), "velocity")
 refuse(vectors, "'velocity' has 3 components", "vtkImageExtractComponents", array=(0, "velocity"))
@@ -88,13 +88,20 @@ for wide in ([-1e300, 1e300], [-1e308, 1e308], [0, 1e40], [0, 5e-324]):
     refuse(gh.make_volume(np.array([[wide]])), "beyond single precision")
 refuse(gh.make_volume(np.array([[[-2 ** 63, 2 ** 63 - 1]]], np.int64)), "beyond 2^53")
 
-# Settings that make no sense.
-for size in (-1, 1, 65, 1000000, 2147483647, -2147483648):
-    refuse(good, "not possible; it is 2 to 64, or 0 for", BlockSize=size)
-for options in ({"Quality": 0}, {"Quality": 101}, {"Quality": np.nan},
-                {"Goal": 1, "MaximumError": -1}, {"Goal": 1, "MaximumError": np.inf},
-                {"Goal": 2, "PSNR": np.nan}, {"Goal": 3, "Rate": 0}, {"Goal": 3, "Rate": -1},
-                {"FrequencyWeight": -0.5}, {"FrequencyWeight": 5}, {"FrequencyWeight": np.nan}):
+# Properties are clamped to their range; what is not a number is an error.
+for owner in (vtkGatunHartleyWriter(), vtkGatunHartleyEncoder()):
+    for name, values_, expected_ in (
+        ("BlockSize", (-1, 1, 65, 2147483647, -2147483648), (0, 2, 64, 64, 0)),
+        ("RateControl", (-1, 4), (0, 3)), ("Quality", (0, 101), (1, 100)), ("RMSError", (-1,), (0,)),
+        ("PSNR", (0, 201), (1, 200)), ("BitsPerVoxel", (0, -1, 65), (0.001, 0.001, 64)),
+        ("FrequencyWeight", (-0.5, 5), (0, 4)),
+    ):
+        for value, clamped in zip(values_, expected_):
+            getattr(owner, "Set" + name)(value)
+            assert getattr(owner, "Get" + name)() == clamped, (name, value)
+for options in ({"Quality": np.nan}, {"RateControl": 1, "RMSError": np.nan},
+                {"RateControl": 2, "PSNR": np.nan}, {"RateControl": 3, "BitsPerVoxel": np.nan},
+                {"FrequencyWeight": np.nan}):
     refuse(good, **options)
 
 # Where it cannot be written.
@@ -108,12 +115,12 @@ assert open(path, "rb").read() == before
 os.chmod(path, 0o600)
 
 # An abort.
-writer = vtkHartleyVolumeWriter()
+writer = vtkGatunHartleyWriter()
 writer.SetInputData(good)
 writer.SetFileName(path)
 writer.AddObserver("ProgressEvent", lambda *_: writer.SetAbortExecute(1))
 errors = gm.Errors(writer)
-assert writer.Write() == 0 and writer.GetErrorCode() == vtkHartleyVolumeWriter.AbortedError
+assert writer.Write() == 0 and writer.GetErrorCode() == vtkGatunHartleyWriter.AbortedError
 assert not errors.messages and open(path, "rb").read() == before
 assert os.listdir(folder) == ["volume.ghv"]
 
@@ -133,7 +140,7 @@ os.remove(extra)
 
 # Files.
 def fail(name, *texts, expected=None):
-    reader = vtkHartleyVolumeReader()
+    reader = vtkGatunHartleyReader()
     errors = gm.Errors(reader)
     reader.SetFileName(name)
     reader.Update()
@@ -169,7 +176,7 @@ expected = gh.values_of(gh.read(path)).copy()
 for place in range(0, len(before), 11):
     with open(damaged, "wb") as file:
         file.write(before[:place] + bytes([before[place] ^ 0x41]) + before[place + 1:])
-    reader = vtkHartleyVolumeReader()
+    reader = vtkGatunHartleyReader()
     errors = gm.Errors(reader)
     reader.SetFileName(damaged)
     reader.Update()
@@ -192,7 +199,7 @@ reader = gh.open_file(path)
 tag = reader.AddObserver("ProgressEvent", lambda *_: reader.SetAbortExecute(1))
 errors = gm.Errors(reader)
 reader.Update()
-assert not errors.messages and reader.GetErrorCode() == vtkHartleyVolumeReader.AbortedError
+assert not errors.messages and reader.GetErrorCode() == vtkGatunHartleyReader.AbortedError
 reader.RemoveObserver(tag)
 reader.SetAbortExecute(0)
 reader.Update()

@@ -9,9 +9,10 @@ from vtkmodules.vtkCommonCore import vtkAbstractArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 import gatunMeshes as gm
-from gatun import vtkHartleyVolumeReader, vtkHartleyVolumeWriter
+from gatun import vtkGatunHartleyReader, vtkGatunHartleyWriter
 
-INVALID = vtkHartleyVolumeWriter.WrongInputError
+LOSSLESS = {"RateControl": vtkGatunHartleyWriter.RATE_CONTROL_RMS_ERROR, "RMSError": 0}
+INVALID = vtkGatunHartleyWriter.WrongInputError
 
 
 def make_volume(values, first=(0, 0, 0), origin=(0, 0, 0), spacing=(1, 1, 1), direction=None,
@@ -47,15 +48,15 @@ def blobs(shape, seed=1, scale=1.0):
     grid = np.stack(np.meshgrid(*(np.arange(n) for n in shape), indexing="ij"), -1).astype(float)
     field = np.zeros(shape)
     for _ in range(5):
-        centre = rng.uniform(0.2, 0.8, 3) * shape
+        center = rng.uniform(0.2, 0.8, 3) * shape
         width = rng.uniform(0.1, 0.25) * max(shape)
-        field += rng.uniform(0.3, 1) * np.exp(-(((grid - centre) / width) ** 2).sum(-1))
+        field += rng.uniform(0.3, 1) * np.exp(-(((grid - center) / width) ** 2).sum(-1))
     return field * (scale / field.max())
 
 
 def write(image, path, **options):
-    """Writes by vtkHartleyVolumeWriter; must succeed. Returns the writer."""
-    writer = vtkHartleyVolumeWriter()
+    """Writes by vtkGatunHartleyWriter; must succeed. Returns the writer."""
+    writer = vtkGatunHartleyWriter()
     writer.SetInputData(image)
     writer.SetFileName(path)
     for name, value in options.items():
@@ -67,7 +68,7 @@ def write(image, path, **options):
 
 
 def open_file(path):
-    reader = vtkHartleyVolumeReader()
+    reader = vtkGatunHartleyReader()
     reader.SetFileName(path)
     return reader
 
