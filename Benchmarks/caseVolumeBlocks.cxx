@@ -171,7 +171,7 @@ struct Sums
 };
 
 /** Every so manieth ray that meets the block, beginning with another in each block. */
-Sums Compare(const gatun::HartleyProjector::BlockPicture& picture, const ReferenceVolume& block,
+Sums Compare(const gatun::HartleyProjector::BlockImage& picture, const ReferenceVolume& block,
   std::size_t number, std::size_t every)
 {
   Sums sums;
@@ -286,7 +286,7 @@ void AddVolumeBlocks(CLI::App& app)
   command->add_option("VOLUME", options->File, "A .vti or NIfTI file; head:SIZE, smooth:SIZE")
     ->required();
   command->add_option("--block", options->Block, "Voxels of a block; 0: all in one");
-  command->add_option("--rate", options->Rate, "Bits a voxel; 0: not quantised");
+  command->add_option("--rate", options->Rate, "Bits a voxel; 0: not quantized");
   command->add_option("--blocks", options->Blocks, "At most so many blocks");
   command->add_option("--rays", options->Rays, "At most about so many rays for each view")
     ->check(CLI::Range(1, 1000000000));

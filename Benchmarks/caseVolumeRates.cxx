@@ -58,14 +58,14 @@ void AddGatun(Json::Value& json, const Volume& volume, const Options& options)
         writing.BlockSize = block;
         if (wanted > 0)
         {
-          writing.Quality.Kind = gatun::HartleyQuality::Goal::PSNR;
-          writing.Quality.Value = wanted;
+          writing.RateControl.Mode = gatun::HartleyRateMode::PSNR;
+          writing.RateControl.Value = wanted;
         }
         else
         {
-          writing.Quality = MakeQuality(0);
+          writing.RateControl = MakeQuality(0);
         }
-        writing.Quality.FrequencyWeight = weight;
+        writing.RateControl.FrequencyWeight = weight;
         gatun::HartleyWritten written;
         const double packing = SecondsOf(
           [&] { written = gatun::WriteHartleyFile(options.Scratch, volume.GetInput(), writing); });
@@ -79,7 +79,7 @@ void AddGatun(Json::Value& json, const Volume& volume, const Options& options)
         Json::Value pointJson;
         pointJson["wanted"] = wanted;
         AddPoint(pointJson, volume, static_cast<double>(written.FileBytes),
-          written.RootMeanSquareError * written.RootMeanSquareError, written.LargestError);
+          written.RMSError * written.RMSError, written.MaximumError);
         pointJson["packing"] = packing;
         pointJson["unpacking"] = unpacking;
         settingJson["points"].append(pointJson);
@@ -182,7 +182,7 @@ void AddVolumeRates(CLI::App& app)
   command->add_option("SCRATCH", options->Scratch, "A .ghv file that may be written")->required();
   command->add_option("--blocks", options->Blocks, "Voxels of a block");
   command->add_option("--psnr", options->Errors, "Errors that are wanted, in dB; 0: lossless");
-  command->add_option("--weights", options->Weights, "FrequencyWeight of the quantiser");
+  command->add_option("--weights", options->Weights, "FrequencyWeight of the quantizer");
   command->callback([options] { PrintRates(*options); });
 }
 }

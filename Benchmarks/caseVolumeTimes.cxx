@@ -18,7 +18,7 @@ namespace bench
 {
 namespace
 {
-using gatun::HartleyLaw;
+using gatun::HartleyOpacityModel;
 
 struct Options
 {
@@ -41,8 +41,8 @@ struct Drawer
   std::uint32_t Block = 0;
   double Rate = 0;
   std::function<void(const gatun::HartleyView&)> Draw;
-  std::shared_ptr<gatun::HartleyPicture> Picture; ///< Gatun's last
-  int Views = 0;                                  ///< so far
+  std::shared_ptr<gatun::HartleyImage> Picture; ///< Gatun's last
+  int Views = 0;                                ///< so far
   Cost First{};
 };
 
@@ -103,8 +103,9 @@ std::vector<Drawer> MakeOwn(const Volume& volume, const Options& options, Json::
       {
         // One each: what is kept of a view is of no use for another.
         const auto projector = std::make_shared<gatun::HartleyProjector>(source);
-        Drawer drawer{ "gatun", law, block, rate, {}, std::make_shared<gatun::HartleyPicture>() };
-        const gatun::HartleyShading shading = MakeGrey(volume, GetLaw(law), options.Opacity);
+        Drawer drawer{ "gatun", law, block, rate, {}, std::make_shared<gatun::HartleyImage>() };
+        const gatun::HartleyShading shading =
+          MakeGrey(volume, GetOpacityModel(law), options.Opacity);
         drawer.Draw = [projector, shading, picture = drawer.Picture](const auto& view)
         { *picture = projector->Draw(view, shading); };
         drawers.push_back(std::move(drawer));
@@ -134,7 +135,7 @@ void AddPeers(std::vector<Drawer>& drawers, const Volume& volume, const Options&
   for (const std::string& law : options.Laws)
   {
     const auto window = std::make_shared<FixedPointWindow>(
-      volume, options.Pixels, MakeGrey(volume, GetLaw(law), options.Opacity));
+      volume, options.Pixels, MakeGrey(volume, GetOpacityModel(law), options.Opacity));
     drawers.push_back({ "fixed-point", law, 0, 0,
       [window](const gatun::HartleyView& view)
       {

@@ -88,20 +88,20 @@ void PrintText(const gatun::HartleyFile& file, const Options& options, bool verb
   PrintRow("direction", ListOf(volume.Direction));
   PrintRow("blocks", DescribeBlocks(layout));
   PrintRow("chunks", Grouped(layout.GetNumberOfChunks()));
-  PrintRow("kept with", file.IsLossless() ? "no loss" : Describe(file.GetQuality()));
+  PrintRow("rate control", file.IsLossless() ? "lossless" : Describe(file.GetRateControl()));
   PrintRow("size", ByteSize(file.GetFileBytes()));
-  PrintRow("bits a voxel",
+  PrintRow("bits per voxel",
     fmt::format("{:.3f}, 1 : {:.4g}", BitsPerVoxel(file), RawBits(file) / BitsPerVoxel(file)));
-  const double psnr = PeakSignalToNoise(file.GetRange(), file.GetRootMeanSquareError());
+  const double psnr = PeakSignalToNoise(file.GetRange(), file.GetRMSError());
   PrintRow("error",
-    fmt::format("root mean square {:.4g}, largest {:.4g}{}", file.GetRootMeanSquareError(),
-      file.GetLargestError(), std::isfinite(psnr) ? fmt::format(", {:.1f} dB", psnr) : ""));
+    fmt::format("root mean square {:.4g}, largest {:.4g}{}", file.GetRMSError(),
+      file.GetMaximumError(), std::isfinite(psnr) ? fmt::format(", {:.1f} dB", psnr) : ""));
   PrintRow("coefficients",
-    fmt::format("{} that are not 0, {:.1f} % of the voxels", Grouped(file.GetNumberOfTerms()),
+    fmt::format("{} nonzero, {:.1f} % of the voxels", Grouped(file.GetNumberOfTerms()),
       100 * static_cast<double>(file.GetNumberOfTerms()) / CountVoxels(file)));
   if (options.Verify)
   {
-    PrintRow("verified", "all checksums are right, and everything can be decoded");
+    PrintRow("verified", "all checksums are right, and all chunks can be decoded");
   }
   if (verbose)
   {
@@ -134,12 +134,12 @@ void PrintJson(const gatun::HartleyFile& file, const Options& options, bool verb
   json["blocks"] = static_cast<std::uint64_t>(layout.GetNumberOfBlocks());
   json["chunks"] = static_cast<std::uint64_t>(layout.GetNumberOfChunks());
   json["lossless"] = file.IsLossless();
-  json["goal"] = NameOf(file.GetQuality().Kind);
-  json["goalValue"] = file.GetQuality().Value;
-  json["frequencyWeight"] = file.GetQuality().FrequencyWeight;
-  json["rootMeanSquareError"] = file.GetRootMeanSquareError();
-  json["largestError"] = file.GetLargestError();
-  json["psnr"] = PeakSignalToNoise(file.GetRange(), file.GetRootMeanSquareError());
+  json["rateControl"] = NameOf(file.GetRateControl().Mode);
+  json["rateControlValue"] = file.GetRateControl().Value;
+  json["frequencyWeight"] = file.GetRateControl().FrequencyWeight;
+  json["rootMeanSquareError"] = file.GetRMSError();
+  json["largestError"] = file.GetMaximumError();
+  json["psnr"] = PeakSignalToNoise(file.GetRange(), file.GetRMSError());
   json["terms"] = file.GetNumberOfTerms();
   json["bytes"] = file.GetFileBytes();
   json["bitsPerVoxel"] = BitsPerVoxel(file);

@@ -7,6 +7,7 @@ gatun_core_folder(Hartley
   HEADERS
     gatunHartleyFile.h
   EXPERIMENTAL_HEADERS
+    gatunHartleyFrame.h
     gatunHartleyInput.h
     gatunHartleyLayout.h
     gatunHartleyProjector.h
@@ -31,12 +32,13 @@ gatun_core_folder(Hartley
     gatunHartleyOrder.h
     gatunHartleyPainter.h
     gatunHartleyPaperSlice.h
-    gatunHartleyQuantiser.h
+    gatunHartleyQuantizer.h
     gatunHartleyRay.h
     gatunHartleySlab.h
     gatunHartleySlice.h
     gatunHartleySpectrum.h
     gatunHartleyTables.h
+    gatunHartleyVector.h
     gatunHartleyVoxels.h
   SOURCES
     gatunHartleyBasis.cxx
@@ -45,6 +47,7 @@ gatun_core_folder(Hartley
     gatunHartleyCorrections.cxx
     gatunHartleyEncoder.cxx
     gatunHartleyFile.cxx
+    gatunHartleyFrame.cxx
     gatunHartleyKernelAVX2.cxx
     gatunHartleyKernelFunction.cxx
     gatunHartleyKernelPortable.cxx
@@ -55,7 +58,7 @@ gatun_core_folder(Hartley
     gatunHartleyOrder.cxx
     gatunHartleyPaperSlice.cxx
     gatunHartleyProjector.cxx
-    gatunHartleyQuantiser.cxx
+    gatunHartleyQuantizer.cxx
     gatunHartleyRay.cxx
     gatunHartleySlab.cxx
     gatunHartleySlice.cxx

@@ -25,29 +25,29 @@ def fails(*arguments, code=1, says=None):
 # The command line.
 fails(code=2, says="a command is missing; see gtn volume --help")
 fails("squeeze", code=2)
-fails("pack", "in.vti", code=2, says="behind it, the name of a .ghv file")
+fails("pack", "in.vti", code=2, says="followed by the name of a .ghv file")
 fails("pack", "in.vti", "out.gtn", code=2, says="out.gtn: the name must end in .ghv")
 for option, texts in (("--block", ("0", "1", "65", "x", "8.5", "-8")), ("--quality", ("0", "101", "nan")),
-                      ("--error", ("-1", "nan", "inf")), ("--psnr", ("0", "x")),
-                      ("--rate", ("0", "65")), ("--weight", ("-1", "5", "nan")),
+                      ("--rms-error", ("-1", "nan", "inf")), ("--psnr", ("0", "x")),
+                      ("--bits-per-voxel", ("0", "65")), ("--weight", ("-1", "5", "nan")),
                       ("--spacing", ("1,1", "1,1,1,1", "1,0,1", "1,-1,1", "1,nan,1", "a,b,c", ""))):
     for text in texts:
         fails("pack", f"{option}={text}", "in.vti", "out.ghv", code=2, says=option)
-fails("pack", "--quality", 5, "--rate", 1, "in.vti", "out.ghv", code=2, says="--rate")
+fails("pack", "--quality", 5, "--bits-per-voxel", 1, "in.vti", "out.ghv", code=2, says="--bits-per-voxel")
 fails("unpack", "in.ghv", "out.xyz", code=2, says="out.xyz: the name must end in one of .vti")
 fails("unpack", "in.ghv", "out.png", code=2, says="slices need a number, as slice_%04d.png")
 fails("unpack", "in.ghv", "out_%d.vti", code=2, says="out_%d.vti: the name must end in .tif")
 for name in ("%s.png", "a%d_%d.png", "%", "%12345d.png"):
     fails("unpack", "in.ghv", name, code=2, says=name)
 fails("render", "in.ghv", "out.jpg", code=2, says="out.jpg: the name must end in .png or .exr")
-for option, text in (("--rotate", "1,2"), ("--rotate", "a,b,c"), ("--law", "magic"), ("--window", "2,1"),
+for option, text in (("--rotate", "1,2"), ("--rotate", "a,b,c"), ("--opacity-model", "magic"), ("--window", "2,1"),
                      ("--padding", "9"), ("--method", "guess"), ("--kernel", "cubic"),
                      ("--size", "0x5"), ("--extinction", "-1"), ("--sample-distance", "0")):
     fails("render", f"{option}={text}", "in.ghv", "out.png", code=2, says=option)
 fails("render", "--rotate", "0,0,0", "--azimuth", 3, "in.ghv", "out.png", code=2, says="--rotate")
-fails("render", "--extinction", 1, "in.ghv", "out.png", code=2, says="are for --law exponential")
-fails("render", "--window", "1,2", "in.ghv", "out.png", code=2, says="--window is for --law xray")
-fails("render", "--array", "density", "in.ghv", "out.png", code=2, says="--array and --spacing are for")
+fails("render", "--extinction", 1, "in.ghv", "out.png", code=2, says="require --opacity-model exponential")
+fails("render", "--window", "1,2", "in.ghv", "out.png", code=2, says="--window requires --opacity-model xray")
+fails("render", "--array", "density", "in.ghv", "out.png", code=2, says="--array and --spacing do not apply")
 
 # What is there stays.
 for arguments in (("pack", "in.vti", "in.ghv"), ("unpack", "in.ghv", "in.vti"),):

@@ -1,24 +1,28 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "vtkHartleyVolumeReader.h"
+#include "vtkGatunHartleyReader.h"
 
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
 #include "gatunFileInput.h"
 #include "gatunHartleyFile.h"
+#include "gatunReport.h"
 #include "gatunVolumeBridge.h"
 #include "vtkGatunCompat.h"
 #include "vtkGatunErrorCode.h"
+#include "vtkGatunHartleyCoefficients.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkErrorCode.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTimeStamp.h"
 
@@ -27,19 +31,40 @@
 #include <new>
 #include <string>
 
-vtkStandardNewMacro(vtkHartleyVolumeReader);
+vtkStandardNewMacro(vtkGatunHartleyReader);
 
 //------------------------------------------------------------------------------
-class vtkHartleyVolumeReader::vtkInternals
+class vtkGatunHartleyReader::vtkInternals
 {
 public:
   gatun::CurrentFileOf<gatun::HartleyFile> File;
 
-  // Bumped when the file changed on disk, or when what was read last must not be kept.
+  // Published. A new object for each file that is opened.
+  vtkSmartPointer<vtkGatunHartleyCoefficients> Coefficients;
+
+  // Modified when the file changed on disk and when the last output is not valid.
   vtkTimeStamp FileTime;
   bool ReadAgain = false;
 
   const gatun::HartleyFile* Get() const { return this->File.GetLast().get(); }
+
+  /** Opens the file if that is necessary. */
+  const gatun::HartleyFile& Open(const char* path)
+  {
+    const std::shared_ptr<const gatun::HartleyFile>& file = this->File.Get(path);
+    if (!this->Coefficients || this->Coefficients->GetSource() != file)
+    {
+      this->Coefficients = vtkSmartPointer<vtkGatunHartleyCoefficients>::New();
+      this->Coefficients->SetSource(file, file->GetVolume());
+    }
+    return *file;
+  }
+
+  void Close()
+  {
+    this->File.Close();
+    this->Coefficients = nullptr;
+  }
 
   double CountVoxels() const
   {
@@ -54,27 +79,29 @@ public:
 };
 
 //------------------------------------------------------------------------------
-vtkHartleyVolumeReader::vtkHartleyVolumeReader()
+vtkGatunHartleyReader::vtkGatunHartleyReader()
   : Internals(std::make_unique<vtkInternals>())
 {
   this->SetNumberOfInputPorts(0);
 }
 
 //------------------------------------------------------------------------------
-vtkHartleyVolumeReader::~vtkHartleyVolumeReader()
+vtkGatunHartleyReader::~vtkGatunHartleyReader()
 {
   this->SetFileName(nullptr);
 }
 
 //------------------------------------------------------------------------------
-void vtkHartleyVolumeReader::PrintSelf(ostream& os, vtkIndent indent)
+void vtkGatunHartleyReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "BlockSize: " << this->GetBlockSize() << "\n";
-  os << indent << "Goal: " << this->GetGoal() << "\n";
-  os << indent << "GoalValue: " << this->GetGoalValue() << "\n";
+  os << indent << "RateControl: " << this->GetRateControl() << "\n";
+  os << indent << "RateControlValue: " << this->GetRateControlValue() << "\n";
   os << indent << "Lossless: " << (this->GetLossless() ? "true" : "false") << "\n";
+  os << indent << "MeasuredRMSError: " << this->GetMeasuredRMSError() << "\n";
+  os << indent << "MaximumError: " << this->GetMaximumError() << "\n";
   os << indent << "NumberOfBlocks: " << this->GetNumberOfBlocks() << "\n";
   os << indent << "NumberOfChunks: " << this->GetNumberOfChunks() << "\n";
   os << indent << "FileBytes: " << this->GetFileBytes() << "\n";
@@ -83,7 +110,7 @@ void vtkHartleyVolumeReader::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-int vtkHartleyVolumeReader::CanReadFile(const char* name)
+int vtkGatunHartleyReader::CanReadFile(const char* name)
 {
   try
   {
@@ -91,68 +118,82 @@ int vtkHartleyVolumeReader::CanReadFile(const char* name)
   }
   catch (const std::bad_alloc&)
   {
-    return 0; // there is not even memory for the name
+    return 0; // no memory for the name
   }
 }
 
 //------------------------------------------------------------------------------
-int vtkHartleyVolumeReader::GetBlockSize()
+int vtkGatunHartleyReader::GetBlockSize()
 {
   const gatun::HartleyFile* const file = this->Internals->Get();
   return file && !file->GetLayout().IsWhole() ? static_cast<int>(file->GetLayout().Block[0]) : 0;
 }
 
 //------------------------------------------------------------------------------
-int vtkHartleyVolumeReader::GetGoal()
+int vtkGatunHartleyReader::GetRateControl()
 {
   const gatun::HartleyFile* const file = this->Internals->Get();
-  return file ? static_cast<int>(file->GetQuality().Kind) : 0;
+  return file ? static_cast<int>(file->GetRateControl().Mode) : 0;
 }
 
 //------------------------------------------------------------------------------
-double vtkHartleyVolumeReader::GetGoalValue()
+double vtkGatunHartleyReader::GetRateControlValue()
 {
   const gatun::HartleyFile* const file = this->Internals->Get();
-  return file ? file->GetQuality().Value : 0;
+  return file ? file->GetRateControl().Value : 0;
 }
 
 //------------------------------------------------------------------------------
-bool vtkHartleyVolumeReader::GetLossless()
+double vtkGatunHartleyReader::GetMeasuredRMSError()
+{
+  const gatun::HartleyFile* const file = this->Internals->Get();
+  return file ? file->GetRMSError() : 0;
+}
+
+//------------------------------------------------------------------------------
+double vtkGatunHartleyReader::GetMaximumError()
+{
+  const gatun::HartleyFile* const file = this->Internals->Get();
+  return file ? file->GetMaximumError() : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGatunHartleyReader::GetLossless()
 {
   const gatun::HartleyFile* const file = this->Internals->Get();
   return file && file->IsLossless();
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkHartleyVolumeReader::GetNumberOfBlocks()
+vtkIdType vtkGatunHartleyReader::GetNumberOfBlocks()
 {
   const gatun::HartleyFile* const file = this->Internals->Get();
   return file ? static_cast<vtkIdType>(file->GetLayout().GetNumberOfBlocks()) : 0;
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkHartleyVolumeReader::GetNumberOfChunks()
+vtkIdType vtkGatunHartleyReader::GetNumberOfChunks()
 {
   const gatun::HartleyFile* const file = this->Internals->Get();
   return file ? static_cast<vtkIdType>(file->GetLayout().GetNumberOfChunks()) : 0;
 }
 
 //------------------------------------------------------------------------------
-vtkTypeUInt64 vtkHartleyVolumeReader::GetFileBytes()
+vtkTypeUInt64 vtkGatunHartleyReader::GetFileBytes()
 {
   const gatun::HartleyFile* const file = this->Internals->Get();
   return file ? file->GetFileBytes() : 0;
 }
 
 //------------------------------------------------------------------------------
-double vtkHartleyVolumeReader::GetBitsPerVoxel()
+double vtkGatunHartleyReader::GetBitsPerVoxel()
 {
   const double voxels = this->Internals->CountVoxels();
   return voxels > 0 ? 8 * static_cast<double>(this->GetFileBytes()) / voxels : 0;
 }
 
 //------------------------------------------------------------------------------
-void vtkHartleyVolumeReader::GetRange(double range[2])
+void vtkGatunHartleyReader::GetRange(double range[2])
 {
   const gatun::HartleyFile* const file = this->Internals->Get();
   range[0] = file ? file->GetRange().Min : 0;
@@ -160,18 +201,18 @@ void vtkHartleyVolumeReader::GetRange(double range[2])
 }
 
 //------------------------------------------------------------------------------
-vtkTypeUInt64 vtkHartleyVolumeReader::GetBytesRead()
+vtkTypeUInt64 vtkGatunHartleyReader::GetBytesRead()
 {
   const gatun::HartleyFile* const file = this->Internals->Get();
   return file ? file->GetBytesRead() : 0;
 }
 
 //------------------------------------------------------------------------------
-int vtkHartleyVolumeReader::ComputePipelineMTime(vtkInformation* vtkNotUsed(request),
+int vtkGatunHartleyReader::ComputePipelineMTime(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** vtkNotUsed(inInfoVec), vtkInformationVector* vtkNotUsed(outInfoVec),
   int vtkNotUsed(requestFromOutputPort), vtkMTimeType* mtime)
 {
-  // Here and not in GetMTime: there it would change in the middle of a request.
+  // Not in GetMTime, which must not change during a request.
   vtkInternals& self = *this->Internals;
   if (self.ReadAgain || (this->FileName && self.File.HasChanged(this->FileName)))
   {
@@ -183,50 +224,37 @@ int vtkHartleyVolumeReader::ComputePipelineMTime(vtkInformation* vtkNotUsed(requ
 }
 
 //------------------------------------------------------------------------------
-// Within a catch block: reports, and leaves nothing of what was read before. What was thrown ends
-// here, and nothing else may be thrown if memory has run out.
-void vtkHartleyVolumeReader::Fail(vtkInformationVector* outputVector) noexcept
+// Within a catch block: reports the exception and empties the output.
+void vtkGatunHartleyReader::Fail(vtkInformationVector* outputVector) noexcept
 {
   const gatun::VTKFailure failure =
     gatun::DescribeFailure(this->FileName ? this->FileName : "(no file)");
   this->SetErrorCode(failure.Code);
-  try
-  {
-    if (auto* output = vtkDataObject::GetData(outputVector->GetInformationObject(0)))
-    {
-      output->Initialize();
-    }
-    if (!failure.Aborted)
-    {
-      vtkErrorMacro(<< failure.Message);
-    }
-  }
-  catch (const std::bad_alloc&)
-  {
-    // The error code tells it.
-  }
+  gatun::ReportFailure(
+    this, failure, vtkDataObject::GetData(outputVector->GetInformationObject(0)));
 }
 
 //------------------------------------------------------------------------------
-int vtkHartleyVolumeReader::RequestInformation(vtkInformation* vtkNotUsed(request),
+int vtkGatunHartleyReader::RequestInformation(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
   vtkInternals& self = *this->Internals;
   vtkInformation* const outInfo = outputVector->GetInformationObject(0);
+  outInfo->Remove(vtkGatunHartleyCoefficients::COEFFICIENTS());
   if (!this->FileName || !*this->FileName)
   {
     if (auto* output = vtkDataObject::GetData(outInfo))
     {
       output->Initialize();
     }
-    self.File.Close();
+    self.Close();
     this->SetErrorCode(vtkErrorCode::NoFileNameError);
     vtkErrorMacro("No FileName was set.");
     return 0;
   }
   try
   {
-    const gatun::VolumeInput& volume = self.File.Get(this->FileName)->GetVolume();
+    const gatun::VolumeInput& volume = self.Open(this->FileName).GetVolume();
     outInfo->Set(
       vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), gatun::ExtentOf(volume).data(), 6);
     outInfo->Set(vtkDataObject::ORIGIN(), volume.Origin.data(), 3);
@@ -237,10 +265,11 @@ int vtkHartleyVolumeReader::RequestInformation(vtkInformation* vtkNotUsed(reques
       gatun::ArrayFiller(gatun::DescribeVolumeArray(volume), 0).Finish());
     vtkDataObject::SetActiveAttributeInfo(outInfo, vtkDataObject::FIELD_ASSOCIATION_POINTS,
       vtkDataSetAttributes::SCALARS, array->GetName(), array->GetDataType(), 1, -1);
+    outInfo->Set(vtkGatunHartleyCoefficients::COEFFICIENTS(), self.Coefficients);
   }
   catch (...)
   {
-    self.File.Close();
+    self.Close();
     this->Fail(outputVector);
     return 0;
   }
@@ -249,7 +278,7 @@ int vtkHartleyVolumeReader::RequestInformation(vtkInformation* vtkNotUsed(reques
 }
 
 //------------------------------------------------------------------------------
-int vtkHartleyVolumeReader::RequestData(vtkInformation* vtkNotUsed(request),
+int vtkGatunHartleyReader::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
   vtkInternals& self = *this->Internals;
@@ -260,7 +289,8 @@ int vtkHartleyVolumeReader::RequestData(vtkInformation* vtkNotUsed(request),
   {
     output->GetPointData()->Initialize();
     this->UpdateProgress(0);
-    const gatun::HartleyFile& file = *self.File.Get(this->FileName);
+    const gatun::HartleyFile& file = self.Open(this->FileName);
+    outInfo->Set(vtkGatunHartleyCoefficients::COEFFICIENTS(), self.Coefficients);
     const gatun::VolumeInput& volume = file.GetVolume();
     const std::array<int, 6> whole = gatun::ExtentOf(volume);
     std::array<int, 6> extent = whole;
@@ -305,7 +335,7 @@ int vtkHartleyVolumeReader::RequestData(vtkInformation* vtkNotUsed(request),
   catch (...)
   {
     this->Fail(outputVector);
-    // An aborted update is none; the next one starts anew.
+    // The next update has to read again, also after an abort.
     self.ReadAgain = true;
     return this->GetErrorCode() == vtkGatunErrorCode::AbortedError ? 1 : 0;
   }

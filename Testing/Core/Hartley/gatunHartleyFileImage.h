@@ -14,9 +14,9 @@
 
 namespace gatun::test
 {
-struct HartleyImage
+struct HartleyFileImage
 {
-  explicit HartleyImage(const std::string& path)
+  explicit HartleyFileImage(const std::string& path)
   {
     const InputFile file(path, VolumeContainer);
     const auto read = [&](FourCC name, const char* what)

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "vtkHartleyVolumeWriter.h"
+#include "vtkGatunHartleyWriter.h"
 
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
 #include "gatunHartleyFile.h"
+#include "gatunReport.h"
 #include "gatunVolumeBridge.h"
 #include "vtkGatunCompat.h"
 #include "vtkGatunErrorCode.h"
@@ -21,49 +22,55 @@
 
 #include <stdexcept>
 
-vtkStandardNewMacro(vtkHartleyVolumeWriter);
+vtkStandardNewMacro(vtkGatunHartleyWriter);
 
 //------------------------------------------------------------------------------
-vtkHartleyVolumeWriter::vtkHartleyVolumeWriter()
+vtkGatunHartleyWriter::vtkGatunHartleyWriter()
 {
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
 }
 
 //------------------------------------------------------------------------------
-vtkHartleyVolumeWriter::~vtkHartleyVolumeWriter()
+vtkGatunHartleyWriter::~vtkGatunHartleyWriter()
 {
   this->SetFileName(nullptr);
 }
 
 //------------------------------------------------------------------------------
-void vtkHartleyVolumeWriter::PrintSelf(ostream& os, vtkIndent indent)
+void vtkGatunHartleyWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const char* const goals[] = { "Quality", "Error", "PSNR", "Rate" };
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
-  os << indent << "BlockSize: " << this->BlockSize << "\n";
-  os << indent << "Goal: " << goals[this->Goal] << "\n";
-  os << indent << "Quality: " << this->Quality << "\n";
-  os << indent << "MaximumError: " << this->MaximumError << "\n";
-  os << indent << "PSNR: " << this->PSNR << "\n";
-  os << indent << "Rate: " << this->Rate << "\n";
-  os << indent << "FrequencyWeight: " << this->FrequencyWeight << "\n";
+  gatun::PrintParameters(os, indent,
+    { this->BlockSize, this->RateControl, this->Quality, this->RMSError, this->PSNR,
+      this->BitsPerVoxel, this->FrequencyWeight });
   os << indent << "ReplaceReadOnly: " << (this->ReplaceReadOnly ? "On" : "Off") << "\n";
   os << indent << "FileBytes: " << this->FileBytes << "\n";
-  os << indent << "RootMeanSquareError: " << this->RootMeanSquareError << "\n";
-  os << indent << "LargestError: " << this->LargestError << "\n";
+  os << indent << "MeasuredRMSError: " << this->MeasuredRMSError << "\n";
+  os << indent << "MaximumError: " << this->MaximumError << "\n";
 }
 
 //------------------------------------------------------------------------------
-int vtkHartleyVolumeWriter::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+void vtkGatunHartleyWriter::SetBlockSize(int size)
+{
+  const int clamped = gatun::ClampBlockSize(size);
+  if (clamped != this->BlockSize)
+  {
+    this->BlockSize = clamped;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunHartleyWriter::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   return 1;
 }
 
 //------------------------------------------------------------------------------
-int vtkHartleyVolumeWriter::Write()
+int vtkGatunHartleyWriter::Write()
 {
   this->SetErrorCode(vtkErrorCode::NoError);
   if (this->GetNumberOfInputConnections(0) < 1)
@@ -84,26 +91,26 @@ int vtkHartleyVolumeWriter::Write()
   }
   catch (...)
   {
-    // What VTK and the algorithms before this one throw, too.
+    // Including exceptions of VTK and of upstream algorithms.
     this->HandleFailure();
   }
   return this->GetErrorCode() == vtkErrorCode::NoError ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------
-void vtkHartleyVolumeWriter::Update()
+void vtkGatunHartleyWriter::Update()
 {
   this->Write();
 }
 
 //------------------------------------------------------------------------------
-void vtkHartleyVolumeWriter::Update(int vtkNotUsed(port))
+void vtkGatunHartleyWriter::Update(int vtkNotUsed(port))
 {
   this->Write();
 }
 
 //------------------------------------------------------------------------------
-vtkTypeBool vtkHartleyVolumeWriter::ProcessRequest(
+vtkTypeBool vtkGatunHartleyWriter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
@@ -127,7 +134,7 @@ vtkTypeBool vtkHartleyVolumeWriter::ProcessRequest(
 }
 
 //------------------------------------------------------------------------------
-int vtkHartleyVolumeWriter::RequestData(vtkInformation* vtkNotUsed(request),
+int vtkGatunHartleyWriter::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
 {
   this->SetErrorCode(vtkErrorCode::NoError);
@@ -152,23 +159,18 @@ int vtkHartleyVolumeWriter::RequestData(vtkInformation* vtkNotUsed(request),
 }
 
 //------------------------------------------------------------------------------
-void vtkHartleyVolumeWriter::WriteVolume(vtkImageData* image)
+void vtkGatunHartleyWriter::WriteVolume(vtkImageData* image)
 {
   if (!image)
   {
     gatun::ThrowInvalid("the input is not a vtkImageData");
   }
-  if (this->BlockSize < 0)
-  {
-    gatun::ThrowInvalid("a block size of " + std::to_string(this->BlockSize) +
-      " is not possible; it is 2 to 64, or 0 for the whole volume");
-  }
   const gatun::BridgedVolume bridged =
     gatun::BridgeVolume(image, this->GetInputArrayInformation(0));
   gatun::HartleyWriterOptions options;
   options.BlockSize = static_cast<std::uint32_t>(this->BlockSize);
-  options.Quality = gatun::MakeHartleyQuality({ this->Goal, this->Quality, this->MaximumError,
-    this->PSNR, this->Rate, this->FrequencyWeight });
+  options.RateControl = gatun::MakeRateControl({ this->BlockSize, this->RateControl, this->Quality,
+    this->RMSError, this->PSNR, this->BitsPerVoxel, this->FrequencyWeight });
   options.ReplaceReadOnly = this->ReplaceReadOnly;
   const gatun::HartleyWritten written =
     gatun::WriteHartleyFile(this->FileName, bridged.Volume, options,
@@ -178,27 +180,16 @@ void vtkHartleyVolumeWriter::WriteVolume(vtkImageData* image)
         return !gatun::IsAborted(this);
       });
   this->FileBytes = written.FileBytes;
-  this->RootMeanSquareError = written.RootMeanSquareError;
-  this->LargestError = written.LargestError;
+  this->MeasuredRMSError = written.RMSError;
+  this->MaximumError = written.MaximumError;
 }
 
 //------------------------------------------------------------------------------
-// Within a catch block: reports.
-void vtkHartleyVolumeWriter::HandleFailure() noexcept
+// Within a catch block: reports the exception.
+void vtkGatunHartleyWriter::HandleFailure() noexcept
 {
-  this->SetErrorCode(vtkErrorCode::UnknownError);
-  try
-  {
-    const gatun::VTKFailure failure =
-      gatun::DescribeFailure(this->FileName ? this->FileName : "(no file)");
-    this->SetErrorCode(failure.Code);
-    if (!failure.Aborted)
-    {
-      vtkErrorMacro(<< failure.Message);
-    }
-  }
-  catch (...)
-  {
-    // Not even memory for the message; the code tells it.
-  }
+  const gatun::VTKFailure failure =
+    gatun::DescribeFailure(this->FileName ? this->FileName : "(no file)");
+  this->SetErrorCode(failure.Code);
+  gatun::ReportFailure(this, failure, nullptr);
 }

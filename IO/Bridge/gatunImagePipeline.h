@@ -10,8 +10,8 @@
 namespace gatun
 {
 /**
- * For algorithms that make pictures. Where the input cannot be made, VTK does not ask for a picture
- * at all, and the one of before would stay for that of now.
+ * The executive of algorithms that render images. If the upstream pipeline fails, VTK does not run
+ * the algorithm, which would keep its previous image. This executive releases it.
  */
 class ImagePipeline : public vtkCompositeDataPipeline
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "gatunHartleyPicture.h"
+#include "gatunHartleyOutput.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -38,7 +38,7 @@ Pixel Over(const Pixel& pixel, const std::array<double, 3>& background)
 }
 
 //------------------------------------------------------------------------------
-// As files of images have it: opacity is not multiplied in.
+// Not premultiplied, as in image files.
 void SetBytes(const Pixel& pixel, unsigned char* bytes)
 {
   const double alpha = pixel[3];
@@ -61,17 +61,17 @@ vtkNew<vtkFloatArray> MakeFloats(const char* name, int components, vtkIdType tup
 }
 
 //------------------------------------------------------------------------------
-void FillImage(const HartleyPicture& picture, const PictureOutput& options,
-  const std::array<int, 6>& extent, vtkImageData* image)
+void FillImage(const HartleyImage& drawn, const ImageOutput& options,
+  const std::array<int, 6>& extent, vtkImageData* output)
 {
-  image->SetExtent(extent[0], extent[1], extent[2], extent[3], extent[4], extent[5]);
-  const vtkIdType pixels = image->GetNumberOfPoints();
-  vtkNew<vtkUnsignedCharArray> colours;
-  colours->SetName("Color");
-  colours->SetNumberOfComponents(4);
-  colours->SetNumberOfTuples(pixels);
+  output->SetExtent(extent[0], extent[1], extent[2], extent[3], extent[4], extent[5]);
+  const vtkIdType pixels = output->GetNumberOfPoints();
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("Color");
+  colors->SetNumberOfComponents(4);
+  colors->SetNumberOfTuples(pixels);
   const vtkNew<vtkFloatArray> rgba = MakeFloats("RGBA", 4, options.Floats ? pixels : 0);
-  const bool hasSums = options.Floats && !picture.Sums.empty();
+  const bool hasSums = options.Floats && !drawn.Sums.empty();
   const vtkNew<vtkFloatArray> sums = MakeFloats("Sum", 1, hasSums ? pixels : 0);
   const vtkNew<vtkFloatArray> samples = MakeFloats("Samples", 1, hasSums ? pixels : 0);
   vtkIdType to = 0;
@@ -80,30 +80,30 @@ void FillImage(const HartleyPicture& picture, const PictureOutput& options,
     for (int column = extent[0]; column <= extent[1]; ++column, ++to)
     {
       const std::size_t from =
-        static_cast<std::size_t>(row) * picture.Width + static_cast<std::size_t>(column);
-      const Pixel& drawn = picture.Colours[from];
-      const Pixel pixel = options.Background ? Over(drawn, *options.Background) : drawn;
-      SetBytes(pixel, colours->GetPointer(4 * to));
+        static_cast<std::size_t>(row) * drawn.Width + static_cast<std::size_t>(column);
+      const Pixel& color = drawn.Colors[from];
+      const Pixel pixel = options.Background ? Over(color, *options.Background) : color;
+      SetBytes(pixel, colors->GetPointer(4 * to));
       if (options.Floats)
       {
         std::copy(pixel.begin(), pixel.end(), rgba->GetPointer(4 * to));
       }
       if (hasSums)
       {
-        sums->SetValue(to, picture.Sums[from]);
-        samples->SetValue(to, picture.Samples[from]);
+        sums->SetValue(to, drawn.Sums[from]);
+        samples->SetValue(to, drawn.Samples[from]);
       }
     }
   }
-  image->GetPointData()->SetScalars(colours);
+  output->GetPointData()->SetScalars(colors);
   if (options.Floats)
   {
-    image->GetPointData()->AddArray(rgba);
+    output->GetPointData()->AddArray(rgba);
   }
   if (hasSums)
   {
-    image->GetPointData()->AddArray(sums);
-    image->GetPointData()->AddArray(samples);
+    output->GetPointData()->AddArray(sums);
+    output->GetPointData()->AddArray(samples);
   }
 }
 }

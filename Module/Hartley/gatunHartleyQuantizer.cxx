@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gatunHartleyQuantiser.h"
+#include "gatunHartleyQuantizer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,17 +9,17 @@ namespace gatun
 {
 namespace
 {
-// What is added before rounding down. Values between two integers are more often near the smaller
-// one, and that costs fewer bits.
+// Added before rounding down. Values between two integers are more often near the smaller one,
+// which also takes fewer bits.
 constexpr double RoundingOfOne = 0.30;
 constexpr double RoundingOfMore = 0.42;
 
-// Shifts are multiples of this in a file.
+// Files store shifts as multiples of this.
 constexpr double ShiftUnit = 1.0 / 256;
 
 constexpr double Largest = 4611686018427387904.0; // 2^62
 
-/** The square of a frequency in periods a voxel, along an axis. */
+/** The square of a frequency along an axis, in periods per voxel. */
 double GetSquare(std::uint32_t index, std::uint32_t size)
 {
   const double k =
@@ -29,7 +29,7 @@ double GetSquare(std::uint32_t index, std::uint32_t size)
 }
 
 //--------------------------------------------------------------------------------------------------
-HartleyQuantiser::HartleyQuantiser(const HartleyLayout::Triple& block, const HartleySteps& steps)
+HartleyQuantizer::HartleyQuantizer(const HartleyLayout::Triple& block, const HartleySteps& steps)
   : Steps(steps)
 {
   if (steps.Weight == 0)
@@ -37,7 +37,7 @@ HartleyQuantiser::HartleyQuantiser(const HartleyLayout::Triple& block, const Har
     return;
   }
   this->PerIndex.reserve(std::size_t{ block[0] } * block[1] * block[2]);
-  constexpr double most = 3 * 0.25; // half a period a voxel, in all directions
+  constexpr double most = 3 * 0.25; // half a period per voxel along each axis
   for (std::uint32_t w = 0; w < block[2]; ++w)
   {
     for (std::uint32_t v = 0; v < block[1]; ++v)
@@ -53,12 +53,12 @@ HartleyQuantiser::HartleyQuantiser(const HartleyLayout::Triple& block, const Har
 }
 
 //--------------------------------------------------------------------------------------------------
-void HartleyQuantiser::Quantise(
+void HartleyQuantizer::Quantize(
   std::span<const double> coefficients, std::span<std::int64_t> integers) const
 {
   const auto round = [](double value)
   {
-    // Half a step to either side; lround() would ask for the rounding mode.
+    // Faster than lround(), which reads the rounding mode.
     const double size = std::min(std::abs(value) + 0.5, Largest);
     const auto integer = static_cast<std::int64_t>(size);
     return value < 0 ? -integer : integer;
@@ -89,7 +89,7 @@ void HartleyQuantiser::Quantise(
 }
 
 //--------------------------------------------------------------------------------------------------
-void HartleyQuantiser::Restore(
+void HartleyQuantizer::Restore(
   std::span<const std::int64_t> integers, std::span<double> coefficients) const
 {
   for (std::size_t i = 0; i < integers.size(); ++i)
@@ -99,7 +99,7 @@ void HartleyQuantiser::Restore(
 }
 
 //--------------------------------------------------------------------------------------------------
-void HartleyShiftSums::Add(const HartleyQuantiser& quantiser, std::span<const double> coefficients,
+void HartleyShiftSums::Add(const HartleyQuantizer& quantizer, std::span<const double> coefficients,
   std::span<const std::int64_t> integers)
 {
   for (std::size_t i = 1; i < integers.size(); ++i)
@@ -109,7 +109,7 @@ void HartleyShiftSums::Add(const HartleyQuantiser& quantiser, std::span<const do
       const auto size = std::abs(integers[i]);
       const auto kind = static_cast<std::size_t>(std::min<std::int64_t>(size, 3) - 1);
       this->Sums[kind] +=
-        static_cast<double>(size) - std::abs(coefficients[i]) / quantiser.GetStep(i);
+        static_cast<double>(size) - std::abs(coefficients[i]) / quantizer.GetStep(i);
       ++this->Counts[kind];
     }
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef gatunHartleyQuantiser_h
-#define gatunHartleyQuantiser_h
+#ifndef gatunHartleyQuantizer_h
+#define gatunHartleyQuantizer_h
 
 #include "gatunHartleyLayout.h"
 
@@ -12,35 +12,35 @@
 
 namespace gatun
 {
-/** What turns coefficients into integers, and back. Part of a file. */
+/** The parameters of the quantizer, as stored in a file. */
 struct HartleySteps
 {
   double Step = 1;   ///< of the lowest frequencies
-  double Weight = 0; ///< HartleyQuality::FrequencyWeight
+  double Weight = 0; ///< HartleyRateControl::FrequencyWeight
 
-  /** By how much of a step values that became 1, 2, and 3 or more are smaller than that, on the
-   * average; not used for frequency 0. */
+  /** The mean difference, in steps, between the integers 1, 2, 3 and more and the values that were
+   * quantized to them. Not used for frequency 0. */
   std::array<double, 3> Shifts{};
 
-  /** Whether all values are rounded to the nearest, so that no error is larger than half a step;
-   * otherwise those between two integers rather become the smaller one. */
+  /** Whether all values are rounded to the nearest integer, which limits errors to half a step.
+   * Otherwise rounding is biased toward 0. */
   bool Nearest = false;
 
   bool operator==(const HartleySteps&) const = default;
 };
 
-/** Quantises blocks of one size. Immutable. */
-class HartleyQuantiser
+/** Quantizes and restores blocks of one size. Immutable. */
+class HartleyQuantizer
 {
 public:
-  HartleyQuantiser(const HartleyLayout::Triple& block, const HartleySteps& steps);
+  HartleyQuantizer(const HartleyLayout::Triple& block, const HartleySteps& steps);
 
   const HartleySteps& GetSteps() const { return this->Steps; }
 
-  /** The coefficients of a block as integers, of at most 2^62. */
-  void Quantise(std::span<const double> coefficients, std::span<std::int64_t> integers) const;
+  /** Quantizes the coefficients of a block to integers of at most 2^62. */
+  void Quantize(std::span<const double> coefficients, std::span<std::int64_t> integers) const;
 
-  /** An integer as a coefficient again, index as HartleyTransform has it. */
+  /** Restores a coefficient. Index: as in HartleyTransform. */
   double Restore(std::size_t index, std::int64_t integer) const
   {
     if (integer == 0)
@@ -58,7 +58,7 @@ public:
     return integer < 0 ? -value : value;
   }
 
-  /** All of a block. */
+  /** Restores the coefficients of a block. */
   void Restore(std::span<const std::int64_t> integers, std::span<double> coefficients) const;
 
   double GetStep(std::size_t index) const
@@ -68,16 +68,16 @@ public:
 
 private:
   HartleySteps Steps;
-  std::vector<double> PerIndex; ///< steps, if they differ
+  std::vector<double> PerIndex; ///< steps; empty if they are equal
 };
 
-/** Collects the shifts of HartleySteps. */
+/** Measures HartleySteps::Shifts. */
 struct HartleyShiftSums
 {
   std::array<double, 3> Sums{};
   std::array<std::uint64_t, 3> Counts{};
 
-  void Add(const HartleyQuantiser& quantiser, std::span<const double> coefficients,
+  void Add(const HartleyQuantizer& quantizer, std::span<const double> coefficients,
     std::span<const std::int64_t> integers);
   void Add(const HartleyShiftSums& other);
   std::array<double, 3> Get() const;
