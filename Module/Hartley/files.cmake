@@ -38,7 +38,6 @@ gatun_core_folder(Hartley
     gatunHartleySlice.h
     gatunHartleySpectrum.h
     gatunHartleyTables.h
-    gatunHartleyVector.h
     gatunHartleyVoxels.h
   SOURCES
     gatunHartleyBasis.cxx

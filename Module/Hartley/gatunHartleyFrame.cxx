@@ -3,7 +3,7 @@
 #include "gatunHartleyFrame.h"
 
 #include "gatunError.h"
-#include "gatunHartleyVector.h"
+#include "gatunVector.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -28,7 +28,7 @@ constexpr double LeastSine = 1e-6;
 //------------------------------------------------------------------------------
 Mat ToMat(const std::array<std::array<double, 3>, 3>& columns)
 {
-  return { ToVec(columns[0]), ToVec(columns[1]), ToVec(columns[2]) };
+  return { ToVector(columns[0]), ToVector(columns[1]), ToVector(columns[2]) };
 }
 
 //------------------------------------------------------------------------------
@@ -63,7 +63,7 @@ VolumePlace::VolumePlace(const VolumeInput& volume)
     length *= glm::length(axes[axis]);
   }
   const double determinant = glm::determinant(axes);
-  if (!std::isfinite(determinant) || !IsFinite(ToVec(volume.Origin)))
+  if (!std::isfinite(determinant) || !IsFinite(ToVector(volume.Origin)))
   {
     ThrowInvalid("origin, spacing and direction are not all finite numbers");
   }
@@ -75,7 +75,7 @@ VolumePlace::VolumePlace(const VolumeInput& volume)
   this->Inverse = ToArrays(glm::inverse(axes));
   const Vec first(volume.FirstIndex[0], volume.FirstIndex[1], volume.FirstIndex[2]);
   const Vec middle = (Vec(volume.Size[0], volume.Size[1], volume.Size[2]) - 1.0) / 2.0;
-  this->First = ToArray(ToVec(volume.Origin) + axes * first);
+  this->First = ToArray(ToVector(volume.Origin) + axes * first);
   this->Center = this->ToWorld(ToArray(middle));
   for (unsigned corner = 0; corner < 8; ++corner)
   {
@@ -89,19 +89,19 @@ VolumePlace::VolumePlace(const VolumeInput& volume)
 //------------------------------------------------------------------------------
 VolumePlace::Vector VolumePlace::ToWorld(const Vector& index) const
 {
-  return ToArray(ToVec(this->First) + ToMat(this->Axes) * ToVec(index));
+  return ToArray(ToVector(this->First) + ToMat(this->Axes) * ToVector(index));
 }
 
 //------------------------------------------------------------------------------
 VolumePlace::Vector VolumePlace::ToIndex(const Vector& world) const
 {
-  return ToArray(ToMat(this->Inverse) * (ToVec(world) - ToVec(this->First)));
+  return ToArray(ToMat(this->Inverse) * (ToVector(world) - ToVector(this->First)));
 }
 
 //------------------------------------------------------------------------------
 VolumePlace::Vector VolumePlace::ToIndexStep(const Vector& step) const
 {
-  return ToArray(ToMat(this->Inverse) * ToVec(step));
+  return ToArray(ToMat(this->Inverse) * ToVector(step));
 }
 
 //------------------------------------------------------------------------------
@@ -120,25 +120,26 @@ double GetFittingScale(const VolumePlace& place, double aspect)
 HartleyFrame MakeHartleyFrame(const HartleyEye& eye, const std::array<int, 2>& size,
   const VolumePlace& place, double sampleDistance)
 {
-  const double lengths = glm::length(ToVec(eye.Direction)) * glm::length(ToVec(eye.Up));
-  const Vec across = glm::cross(ToVec(eye.Direction), ToVec(eye.Up));
+  const double lengths = glm::length(ToVector(eye.Direction)) * glm::length(ToVector(eye.Up));
+  const Vec across = glm::cross(ToVector(eye.Direction), ToVector(eye.Up));
   if (!(lengths > 0) || !std::isfinite(lengths) || !(glm::length(across) > LeastSine * lengths))
   {
     ThrowInvalid("ViewDirection and ViewUp do not define a view: they are zero, not finite, or "
                  "collinear");
   }
-  if (!(eye.ParallelScale > 0) || !std::isfinite(eye.ParallelScale) || !IsFinite(ToVec(eye.Focus)))
+  if (!(eye.ParallelScale > 0) || !std::isfinite(eye.ParallelScale) ||
+    !IsFinite(ToVector(eye.Focus)))
   {
     ThrowInvalid("the parallel scale or the focal point is not a finite number");
   }
-  const Vec forward = glm::normalize(ToVec(eye.Direction));
+  const Vec forward = glm::normalize(ToVector(eye.Direction));
   const Vec right = glm::normalize(across);
   const Vec up = glm::cross(right, forward);
 
   HartleyFrame frame;
   frame.Spacing = 2 * eye.ParallelScale / size[1];
   frame.First = { (1 - size[0]) * frame.Spacing / 2, (1 - size[1]) * frame.Spacing / 2 };
-  const Vec first = ToVec(eye.Focus) + right * frame.First[0] + up * frame.First[1];
+  const Vec first = ToVector(eye.Focus) + right * frame.First[0] + up * frame.First[1];
   frame.View.Width = static_cast<unsigned>(size[0]);
   frame.View.Height = static_cast<unsigned>(size[1]);
   frame.View.Origin = place.ToIndex(ToArray(first));

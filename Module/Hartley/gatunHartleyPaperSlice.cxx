@@ -4,7 +4,7 @@
 
 #include "gatunHartleyKernel.h"
 #include "gatunHartleyTransform.h"
-#include "gatunHartleyVector.h"
+#include "gatunVector.h"
 
 #include <glm/geometric.hpp>
 
@@ -19,8 +19,8 @@ class HartleyPaperSlice::PaperBrush : public HartleyPainter::Brush
 public:
   explicit PaperBrush(const HartleyPaperSlice& slice)
     : Slice(slice)
-    , Across(ToVec(slice.Across))
-    , Down(ToVec(slice.Down))
+    , Across(ToVector(slice.Across))
+    , Down(ToVector(slice.Down))
     , Inverse({ static_cast<std::uint32_t>(slice.Size), static_cast<std::uint32_t>(slice.Size), 1 })
     , Values(slice.Size * slice.Size)
   {
@@ -166,10 +166,10 @@ HartleyPaperSlice::HartleyPaperSlice(
   // With rays along an axis, pixels coincide with voxels.
   this->Size += (this->Size + this->Spectra->GetPlan().Block[0]) % 2;
 
-  const double length = glm::length(ToVec(view.Step));
+  const double length = glm::length(ToVector(view.Step));
   this->SamplesPerVoxel = 1 / length;
-  const glm::dvec3 along = ToVec(view.Step) / length;
-  const glm::dvec3 column = ToVec(view.ColumnStep);
+  const glm::dvec3 along = ToVector(view.Step) / length;
+  const glm::dvec3 column = ToVector(view.ColumnStep);
   const glm::dvec3 across = glm::normalize(column - glm::dot(column, along) * along);
   this->Across = ToArray(across);
   this->Down = ToArray(glm::cross(along, across));

@@ -10,8 +10,8 @@
 #include "gatunHartleyPaperSlice.h"
 #include "gatunHartleySlab.h"
 #include "gatunHartleySlice.h"
-#include "gatunHartleyVector.h"
 #include "gatunParallel.h"
+#include "gatunVector.h"
 
 #include <glm/geometric.hpp>
 
@@ -53,7 +53,7 @@ void Check(const HartleyView& view)
     }
   }
   const double volume =
-    glm::dot(ToVec(view.ColumnStep), glm::cross(ToVec(view.RowStep), ToVec(view.Step)));
+    glm::dot(ToVector(view.ColumnStep), glm::cross(ToVector(view.RowStep), ToVector(view.Step)));
   if (!std::isfinite(volume) || volume == 0)
   {
     ThrowInvalid("the columns, rows and rays of the view are linearly dependent");
@@ -508,8 +508,8 @@ HartleyProjector::BlockImage HartleyProjector::Internals::MakeBlockImage(
   made.View.Height = made.Height;
   const glm::dvec3 size(this->Layout.Block[0], this->Layout.Block[1], this->Layout.Block[2]);
   const glm::dvec3 middle = glm::dvec3(place[0], place[1], place[2]) * size + (size - 1.0) / 2.0;
-  made.View.Origin = ToArray(middle - ToVec(made.View.ColumnStep) * ((made.Width - 1) / 2.0) -
-    ToVec(made.View.RowStep) * ((made.Height - 1) / 2.0));
+  made.View.Origin = ToArray(middle - ToVector(made.View.ColumnStep) * ((made.Width - 1) / 2.0) -
+    ToVector(made.View.RowStep) * ((made.Height - 1) / 2.0));
   return made;
 }
 
