@@ -55,7 +55,7 @@ class Stages
 public:
   explicit Stages(const std::string& path)
     : File(std::make_shared<gatun::FileReader>(path))
-    , Content(File->GetInternals())
+    , Content(gatun::InternalsOf(*File))
   {
   }
 

@@ -77,7 +77,7 @@ public:
 
   ///@{
   /**
-   * Makes so many isovalues, spread evenly from the first to the last of a range.
+   * Makes a given number of isovalues, spread evenly over a range.
    */
   void GenerateValues(int number, double range[2]);
   void GenerateValues(int number, double first, double last);
@@ -115,8 +115,8 @@ public:
 
   ///@{
   /**
-   * Whether neighbouring triangles are joined to triangle strips, in the order in which they come
-   * from tetrahedron to tetrahedron. Default: off.
+   * Whether neighboring triangles are joined to triangle strips, in the order of the tetrahedra.
+   * Default: off.
    */
   vtkSetMacro(OutputStrips, bool);
   vtkGetMacro(OutputStrips, bool);

@@ -4,26 +4,34 @@
  * @class vtkGatunSimplify
  * @brief Makes a tetrahedral mesh coarser, to any degree, at once.
  *
- * Points are merged into neighbours, the cheapest merge first: by the squares of what it changes
- * of the values and, on the boundary, of the shape. The order of all
- * merges is found once for a mesh, which takes a while; after that, another target is a matter of
- * one pass. Tetrahedra keep their orientation, points of the boundary stay on it, and the topology
- * does not change; so a mesh can only become as coarse as that allows.
+ * The filter collapses edges: a point is merged into a neighbor, the cheapest merge first. The cost
+ * of a merge is the squared change of the values and, on the boundary, of the shape. The order of
+ * all merges is computed once for a mesh. After that, each target takes one pass over the mesh.
+ * Tetrahedra keep their orientation, boundary points stay on the boundary, and the topology does
+ * not change, which limits how coarse a mesh can become.
  *
- * Input: a vtkUnstructuredGrid. Other linear cells become tetrahedra, as in vtkGatunWriter; ghost
- * cells are left out. Output: the points that are left, where they were and in their order, with
- * their point data; the tetrahedra that are left, with their cell data; field data.
+ * Input: a vtkUnstructuredGrid. Other linear 3D cells are split into tetrahedra, as in
+ * vtkGatunWriter. Ghost cells are left out. Output: the remaining points, unmoved and in their
+ * order, with their point data; the remaining tetrahedra with their cell data; the field data.
  *
- * Cost: one thread; about 150 bytes a tetrahedron, with one array, while the order of merges is
- * found, and 20 bytes a point for as long as the input does not change.
+ * *Cost.* The filter uses one thread. The computation of the order takes about 150 bytes a
+ * tetrahedron, with one array. The order is kept as long as the input does not change and takes 20
+ * bytes a point.
  *
- * *Errors.* A target or a weight that makes no sense, and cells that cannot be made tetrahedra, are
- * reported by vtkErrorMacro and GetErrorCode; the output is empty then.
+ * *Abort.* AbortExecute is checked while the order is computed. The output is then empty and
+ * GetErrorCode is vtkGatunErrorCode::AbortedError.
  *
- * Based on: Van Gelder, Verma, Wilhelms: Volume decimation of irregular tetrahedral grids. Computer
- * Graphics International 1999; Yang: On-the-fly processing of compressed volume data, 2001.
+ * *Errors.* A target or a weight that is NaN, a weight for an array that does not exist, and cells
+ * that cannot be converted to tetrahedra are reported by vtkErrorMacro. GetErrorCode is then
+ * vtkGatunErrorCode::InvalidInputError, and the output is empty.
  *
- * @warning Pieces are simplified each by itself, and do not fit together afterwards.
+ * @par Background
+ * A. Van Gelder, V. Verma, J. Wilhelms: Volume decimation of irregular tetrahedral grids. Computer
+ * Graphics International 1999 (cost of a merge by mass and by density).
+ * C.-K. Yang: On-the-fly processing of compressed volume data. Dissertation proposal, State
+ * University of New York at Stony Brook, 2001, section 5 (tree of merges).
+ *
+ * @warning Each piece is simplified on its own. Simplified pieces do not fit together.
  *
  * @sa vtkUnstructuredGridQuadricDecimation
  */
@@ -97,13 +105,13 @@ public:
 
   enum MetricType
   {
-    METRIC_MASS = 0,   ///< tetrahedra count by their volume
-    METRIC_DENSITY = 1 ///< all alike
+    METRIC_MASS = 0,   ///< by its volume
+    METRIC_DENSITY = 1 ///< the same for all
   };
 
   ///@{
   /**
-   * How much a change of values counts in each tetrahedron; see MetricType. Default: METRIC_MASS.
+   * Weight of a change of values in a tetrahedron, one of MetricType. Default: METRIC_MASS.
    */
   vtkSetClampMacro(Metric, int, METRIC_MASS, METRIC_DENSITY);
   vtkGetMacro(Metric, int);
@@ -111,7 +119,7 @@ public:
 
   ///@{
   /**
-   * How much of the cost of merges on the boundary is that of shape, 0 to 1; the rest is that of
+   * Share of the shape in the cost of a merge on the boundary, 0 to 1; the rest is that of the
    * values. Default: 0.5.
    */
   vtkSetClampMacro(BoundaryWeight, double, 0.0, 1.0);
@@ -120,9 +128,9 @@ public:
 
   ///@{
   /**
-   * How much a point array counts, relative to others, 0 or more; each value relative to the range
-   * of its component. Without any weight set, the active scalars count, or, if there are none, all
-   * point arrays alike.
+   * Weight of a point array relative to that of other arrays, 0 or more. Values count relative to
+   * the range of their component. If no weight is set, the active scalars count, or all point
+   * arrays equally if there are no active scalars.
    */
   void SetArrayWeight(const char* name, double weight);
   double GetArrayWeight(const char* name);
@@ -130,8 +138,8 @@ public:
   ///@}
 
   /**
-   * How many merges there are for the input of the last update, all of them: so many points can be
-   * taken away at most.
+   * Number of merges for the input of the last update, which is the largest number of points that
+   * can be removed.
    */
   vtkIdType GetMostMerges();
 

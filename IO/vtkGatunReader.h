@@ -96,7 +96,7 @@ public:
   ///@}
 
   /**
-   * Whether the file begins as a `.gtn` file does, of whatever version: 1 or 0.
+   * Whether the file begins as a `.gtn` file of any version: 1 or 0.
    */
   virtual int CanReadFile(VTK_FILEPATH const char* name);
 
@@ -315,7 +315,7 @@ public:
   ///@}
 
   /**
-   * Whether the file tells how its mesh becomes simpler, after UpdateInformation.
+   * Whether the file has a hierarchy (vtkGatunWriter::Hierarchy), after UpdateInformation.
    */
   bool GetHasHierarchy();
 

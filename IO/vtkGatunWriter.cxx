@@ -33,7 +33,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <functional>
 #include <set>
 #include <stdexcept>
@@ -48,16 +47,6 @@ using gatun::Association;
 
 // Building a hierarchy takes about nine times as long as writing the rest.
 constexpr double PartOfTree = 0.9;
-
-//------------------------------------------------------------------------------
-std::string Line(const std::string& what, std::uint64_t bytes, std::uint64_t tets)
-{
-  char text[64];
-  const double bits = tets > 0 ? 8.0 * static_cast<double>(bytes) / static_cast<double>(tets) : 0;
-  std::snprintf(
-    text, sizeof(text), "%14llu %11.3f  ", static_cast<unsigned long long>(bytes), bits);
-  return text + what + "\n";
-}
 
 } // anonymous namespace
 
@@ -74,7 +63,7 @@ public:
   std::function<bool(double)> MakeProgress(std::size_t part);
   gatun::WriterOptions MakeOptions(
     vtkUnstructuredGrid* tets, const std::vector<gatun::BridgedArray>& arrays);
-  void PublishStatistics();
+  void PublishStatistics(const gatun::FileStatistics& statistics);
 
   vtkGatunWriter* const Owner;
   vtkNew<vtkDataArraySelection> PointSelection;
@@ -93,10 +82,6 @@ public:
   std::vector<gatun::ArrayDescription> Arrays;
   gatun::MergeTree Tree;
   std::set<std::string> Warned;
-
-  // Of the last file.
-  gatun::FileStatistics Statistics;
-  std::vector<std::string> StatisticsNames;
 
   void Discard()
   {
@@ -188,15 +173,8 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunWriter::vtkInternals::PublishStatistics()
+void vtkGatunWriter::vtkInternals::PublishStatistics(const gatun::FileStatistics& statistics)
 {
-  this->StatisticsNames.clear();
-  for (const gatun::ArrayDescription& array : this->Arrays)
-  {
-    this->StatisticsNames.push_back(
-      (array.Where == Association::Point ? "point array " : "cell array ") + array.Name);
-  }
-  const gatun::FileStatistics& statistics = this->Statistics;
   this->Owner->WrittenPoints = this->Mesh->Mesh.Points;
   this->Owner->WrittenTets = this->Mesh->Mesh.Tets;
   this->Owner->WrittenSteps = this->GetNumberOfSteps();
@@ -548,34 +526,6 @@ void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
   ++self.Step;
   if (self.Step >= self.GetNumberOfSteps())
   {
-    self.Statistics = self.File->Finish();
-    self.PublishStatistics();
+    self.PublishStatistics(self.File->Finish());
   }
-}
-
-//------------------------------------------------------------------------------
-std::string vtkGatunWriter::GetStatistics() const
-{
-  const gatun::FileStatistics& statistics = this->Internals->Statistics;
-  const std::uint64_t tets = this->WrittenTets;
-  std::string text = std::to_string(tets) + " tetrahedra, " + std::to_string(this->WrittenPoints) +
-    " points, " + std::to_string(this->WrittenSteps) + " time steps\n" +
-    "         bytes    bits/tet\n";
-  text += Line("connectivity", statistics.ConnectivityBytes, tets);
-  text += Line("coordinates", this->GeometryBytes, tets);
-  for (std::size_t i = 0;
-       i < std::min(statistics.ArrayBytes.size(), this->Internals->StatisticsNames.size()); ++i)
-  {
-    text += Line(this->Internals->StatisticsNames[i], statistics.ArrayBytes[i], tets);
-  }
-  text += Line("order", statistics.OrderBytes, tets);
-  text += Line("field data", statistics.FieldDataBytes, tets);
-  if (statistics.TreeBytes > 0)
-  {
-    text += Line("hierarchy", statistics.TreeBytes, tets);
-    text += Line("base meshes", statistics.LevelBytes, tets);
-  }
-  text += Line("directory", statistics.DirectoryBytes, tets);
-  text += Line("file", statistics.FileBytes, tets);
-  return text;
 }

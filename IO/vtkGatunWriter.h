@@ -55,7 +55,6 @@
 #include "vtkWriter.h"
 
 #include <memory> // For std::unique_ptr
-#include <string> // For std::string
 
 class vtkDataArraySelection;
 class vtkUnstructuredGrid;
@@ -111,8 +110,8 @@ public:
   /**
    * Which original order the file keeps, so that the reader can restore it: KEEP_NONE to KEEP_ALL,
    * or a sum of flags. Each costs file size. With KEEP_ALL every array read equals the one written.
-   * Where cells were split, ghosts dropped or quadratic cells linearised, what is kept is the order
-   * after that. Range: 0 to 7. Default: KEEP_NONE.
+   * Where cells were split, ghosts dropped or quadratic cells made linear, the file keeps the
+   * order after that. Range: 0 to 7. Default: KEEP_NONE.
    */
   vtkSetClampMacro(KeepOrder, int, KEEP_NONE, KEEP_ALL);
   vtkGetMacro(KeepOrder, int);
@@ -125,9 +124,9 @@ public:
 
   ///@{
   /**
-   * Tetrahedra in a chunk, the smallest part that can be read, at most: 64 to 1048576, or 0 for
-   * 65536 (262144 for meshes of over 10 million; with layers the half). Small chunks make larger
-   * files. Default: 0.
+   * Largest number of tetrahedra in a chunk, the smallest part that can be read: 64 to 1048576, or
+   * 0 for 65536 (262144 for meshes of over 10 million; half of it with layers). Small chunks make
+   * larger files. Default: 0.
    */
   virtual void SetChunkTets(int tets);
   vtkGetMacro(ChunkTets, int);
@@ -135,9 +134,9 @@ public:
 
   ///@{
   /**
-   * Every how many time steps one is stored without reference to the one before: a small number
-   * lets the reader jump to any step faster, a large one makes smaller files. Range: 1 and more.
-   * Default: 8.
+   * Number of time steps from one key step, which is stored without reference to the step before,
+   * to the next, 1 or more. With a small number the reader jumps to any step faster; with a large
+   * one files are smaller. Default: 8.
    */
   vtkSetClampMacro(KeyStepInterval, int, 1, VTK_INT_MAX);
   vtkGetMacro(KeyStepInterval, int);
@@ -145,10 +144,10 @@ public:
 
   ///@{
   /**
-   * Whether to store how the mesh becomes simpler, so that it can be read and drawn with any number
-   * of points (vtkGatunReader::SimplificationRatio, vtkGatunVolumeMapper): the order in which
-   * points are merged into others, as vtkGatunSimplify finds it, for the values of the first time
-   * step. It takes that filter's time and memory. Default: off.
+   * Whether to store a hierarchy, so that the mesh can be read and drawn with any number of points
+   * (vtkGatunReader::SimplificationRatio, vtkGatunVolumeMapper): the order in which
+   * vtkGatunSimplify merges points, for the values of the first time step. This takes the time and
+   * memory of that filter. Default: off.
    */
   vtkSetMacro(Hierarchy, bool);
   vtkGetMacro(Hierarchy, bool);
@@ -157,10 +156,10 @@ public:
 
   ///@{
   /**
-   * How many base meshes to store with the hierarchy, at most: with a half of the points, a
-   * quarter, an eighth and so on, while they have more than 20,000 tetrahedra. With them a coarse
-   * mesh is read at the cost of one that has at most twice as many points; together they make the
-   * file up to twice as large. Without effect if Hierarchy is off. Range: 0 to 64. Default: 0.
+   * Largest number of base meshes to store with the hierarchy, 0 to 64. They have a half of the
+   * points, a quarter, an eighth and so on, as long as more than 20,000 tetrahedra remain. With
+   * base meshes, the cost of a coarse mesh is that of a mesh with at most twice as many points.
+   * Together they make the file up to twice as large. No effect if Hierarchy is off. Default: 0.
    */
   vtkSetClampMacro(Levels, int, 0, 64);
   vtkGetMacro(Levels, int);
@@ -168,8 +167,8 @@ public:
 
   ///@{
   /**
-   * What the hierarchy is made for: see vtkGatunSimplify. METRIC_MASS or METRIC_DENSITY (default:
-   * mass), and the part that shape has on the boundary, 0 to 1 (default: 0.5).
+   * Metric of the hierarchy, METRIC_MASS (the default) or METRIC_DENSITY, and share of the shape in
+   * the cost of a merge on the boundary, 0 to 1 (default: 0.5); see vtkGatunSimplify.
    */
   enum MetricType
   {
@@ -184,10 +183,11 @@ public:
 
   ///@{
   /**
-   * The point array by whose values, at the first time step, the file is organised: the range of
-   * the values is cut into layers, and tetrahedra of the same layers are put into the same chunks.
-   * An isosurface then needs few chunks; the file becomes larger, more so with more layers. Base
-   * meshes are organised alike. Empty or null: the file is organised by places only. Default: null.
+   * Point array by whose values, at the first time step, the file is organized. The range of the
+   * values is cut into layers, and tetrahedra of the same layers are put into the same chunks. An
+   * isosurface then needs few chunks. The file becomes larger with the number of layers. Base
+   * meshes are organized in the same way. Empty or null: the file is organized by position only.
+   * Default: null.
    */
   vtkSetStringMacro(LayerArray);
   vtkGetStringMacro(LayerArray);
@@ -204,8 +204,8 @@ public:
 
   ///@{
   /**
-   * How many layers to make, at most: fewer where some would be empty. 0: as many as pay with a
-   * mesh of this size, 4 below 5.8 million tetrahedra. Range: 0 to 4096. Default: 0.
+   * Largest number of layers, 0 to 4096; empty layers are left out. 0: chosen by the size of the
+   * mesh, 4 below 5.8 million tetrahedra. Default: 0.
    */
   vtkSetClampMacro(NumberOfLayers, int, 0, 4096);
   vtkGetMacro(NumberOfLayers, int);
@@ -213,9 +213,9 @@ public:
 
   ///@{
   /**
-   * How the range of values is cut into layers: into equal parts, by the quantiles of the normal
-   * distribution that has the values' mean and deviation, or such that each layer has about as many
-   * tetrahedra. Default: LAYERS_HISTOGRAM.
+   * Spacing of the layers: equal parts of the range, the quantiles of the normal distribution with
+   * the mean and deviation of the values, or about the same number of tetrahedra in each layer.
+   * Default: LAYERS_HISTOGRAM.
    */
   enum LayerSpacingType
   {
@@ -232,8 +232,9 @@ public:
 
   ///@{
   /**
-   * How much a point array counts for the hierarchy, relative to others, 0 or more. Without any
-   * weight set, the active scalars count, or, if there are none, all point arrays alike.
+   * Weight of a point array for the hierarchy relative to that of other arrays, 0 or more. If no
+   * weight is set, the active scalars count, or all point arrays equally if there are no active
+   * scalars.
    */
   void SetArrayWeight(const char* name, double weight);
   double GetArrayWeight(const char* name);
@@ -272,7 +273,7 @@ public:
 
   /**
    * Writes the file, even if nothing has changed since it was last written. Returns 1 on success
-   * and 0 on failure, where GetErrorCode tells why.
+   * and 0 on failure; GetErrorCode then gives the reason.
    */
   int Write() override;
 
@@ -286,9 +287,10 @@ public:
 
   ///@{
   /**
-   * What the last successful Write wrote: number of points, tetrahedra and time steps (1 without
-   * time); sizes in bytes of the file, connectivity, coordinates, the kept order, all point and
-   * cell arrays, field data, and of all else. 0 before.
+   * Statistics of the last file written: number of points, tetrahedra and time steps (1 without
+   * time), size of the file, and size of its parts: connectivity, coordinates, original order,
+   * point and cell arrays, field data, hierarchy, base meshes, and headers and tables. Sizes are in
+   * bytes and those of the parts add up to that of the file. 0 before the first file.
    */
   vtkGetMacro(WrittenPoints, vtkTypeUInt64);
   vtkGetMacro(WrittenTets, vtkTypeUInt64);
@@ -303,11 +305,6 @@ public:
   vtkGetMacro(LevelBytes, vtkTypeUInt64);
   vtkGetMacro(DirectoryBytes, vtkTypeUInt64);
   ///@}
-
-  /**
-   * The same as a text of several lines, with bits for each tetrahedron and a line for each array.
-   */
-  std::string GetStatistics() const;
 
 protected:
   vtkGatunWriter();

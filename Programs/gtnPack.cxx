@@ -16,6 +16,7 @@
 #include "gtnText.h"
 #include "gtnWriteGatun.h"
 
+#include "gatunFileReader.h"
 #include "vtkGatunWriter.h"
 
 #include "vtkAlgorithm.h"
@@ -76,12 +77,7 @@ void PrintSizes(vtkGatunWriter* writer, const Options& options, bool verbose)
   fmt::print("{}: {} tetrahedra, {} points{}\n", options.Out, Grouped(writer->GetWrittenTets()),
     Grouped(writer->GetWrittenPoints()),
     steps > 1 ? fmt::format(", {} time steps", steps) : std::string());
-  if (verbose)
-  {
-    fmt::print("{}", writer->GetStatistics());
-    return;
-  }
-  const auto print = [tets](const char* name, vtkTypeUInt64 bytes)
+  const auto print = [tets](const std::string& name, vtkTypeUInt64 bytes)
   {
     if (bytes > 0)
     {
@@ -96,6 +92,15 @@ void PrintSizes(vtkGatunWriter* writer, const Options& options, bool verbose)
   print("connectivity", writer->GetConnectivityBytes());
   print("points", writer->GetGeometryBytes());
   print("arrays", writer->GetArrayBytes());
+  if (verbose)
+  {
+    const gatun::FileReader file(options.Out);
+    const std::vector<std::uint64_t> bytes = file.GetStatistics().ArrayBytes;
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+    {
+      print("  " + Printable(file.GetArrays()[i].Name), bytes[i]);
+    }
+  }
   print("order", writer->GetOrderBytes());
   print("field data", writer->GetFieldDataBytes());
   print("hierarchy", writer->GetHierarchyBytes());

@@ -4,37 +4,37 @@
  * @class vtkGatunRayCaster
  * @brief Volume rendering of a tetrahedral mesh into an image, without a window.
  *
- * Input: a vtkUnstructuredGrid with point or cell scalars of any numeric type. Tetrahedra are drawn
- * as they are, other linear 3D cells are split, quadratic tetrahedra made linear; cells of other
- * kinds are an error. Hidden, refined and duplicate cells (vtkGhostType) are left out. Tetrahedra
- * with a coordinate or value that is NaN or infinite are not seen.
+ * Input: a vtkUnstructuredGrid with point or cell scalars of any numeric type. Other linear 3D
+ * cells are split into tetrahedra, quadratic tetrahedra are made linear, and cells of other types
+ * are an error. Hidden, refined and duplicate cells (vtkGhostType) are left out. Tetrahedra with a
+ * coordinate or value that is NaN or infinite are invisible.
  *
  * If the input is the output of a vtkGatunReader (without a region of interest or a value range),
- * the image is drawn straight from its file: chunk by chunk from front to back, each decoded when
- * its turn comes; those outside the view, transparent or hidden are not even read, and the reader
- * itself is never asked for the mesh. Other inputs must be in memory as a whole.
+ * the image is drawn from the file: chunk by chunk from front to back, each decoded when it is
+ * needed. Chunks that are outside the view, transparent or hidden are not read, and the reader
+ * never executes. Other inputs must be in memory as a whole.
  *
- * Output: a vtkImageData of Size, whose point arrays are
+ * Output: a vtkImageData of Size with the point arrays
  *
- *  - RGBA (float, 4 components, the active scalars): red, green and blue with opacity multiplied
- * in, and opacity, 0 to 1;
- *  - Depth (float): how far the first visible sample is, in world units, from the eye along the
- * ray, or from the camera's plane in a parallel projection; infinity where nothing is seen, and in
+ *  - RGBA (float, 4 components, the active scalars): red, green and blue premultiplied by opacity,
+ *    and opacity, 0 to 1;
+ *  - Depth (float): distance of the first visible sample in world units, from the eye along the
+ * ray, or from the camera's plane in a parallel projection. It is infinite in empty pixels and in
  * the blend modes maximum intensity and X-ray.
  *
  * Point (0, 0) is at the lower left.
  *
- * Samples are SampleDistance apart, at whole multiples of it, counted as Depth is. Values are
- * interpolated linearly, and colour and opacity looked up afterwards, in tables of 4096 entries.
- * The image does not depend on the order of the cells, on chunks or on the number of threads, but
- * for rounding (below 1/255). Where tetrahedra overlap, colours of both are there in some order.
+ * Samples lie at whole multiples of SampleDistance, measured as Depth. Values are interpolated
+ * linearly; tables of 4096 entries then give color and opacity. The image does not depend on the
+ * order of the cells, on chunks or on the number of threads, except for rounding (below 1/255). The
+ * order of overlapping tetrahedra is undefined.
  *
- * Cost: memory of about 75 bytes a pixel that is reached, and 20 MB for each thread, besides
- * MemoryBudget; time in proportion to the tetrahedra that are seen and to the samples. All threads
- * of vtkSMPTools are used.
+ * *Cost.* Memory: about 75 bytes for each covered pixel and 20 MB for each thread, in addition to
+ * MemoryBudget. Time: in proportion to the visible tetrahedra and to the samples. All threads of
+ * vtkSMPTools are used.
  *
  * *Errors.* A mesh, array, parameter or file that cannot be drawn is reported by vtkErrorMacro and
- * GetErrorCode (as vtkGatunReader has them); the output is then empty.
+ * GetErrorCode (see vtkGatunReader). The output is then empty.
  *
  * @par Background
  * C. Yang, T. Mitra, T. Chiueh: On-the-fly rendering of losslessly compressed irregular volume
@@ -92,7 +92,7 @@ public:
 
   ///@{
   /**
-   * Who looks. Its clipping range is not used. Default: none, which is an error.
+   * The camera. Its clipping range is not used. Default: none, which is an error.
    */
   void SetCamera(vtkCamera* camera);
   vtkCamera* GetCamera();
@@ -100,9 +100,9 @@ public:
 
   ///@{
   /**
-   * Colours and opacities. Of it count: the colour function (of one or three channels), the scalar
-   * opacity and its unit distance; and Shade with its parts, see vtkGatunVolumeMapper, by a light
-   * at the camera. Default: none, which is an error.
+   * Colors and opacities. The caster uses the color function (of one or three channels), the scalar
+   * opacity and its unit distance, and Shade with its coefficients (see vtkGatunVolumeMapper), with
+   * a light at the camera. Default: none, which is an error.
    */
   void SetProperty(vtkVolumeProperty* property);
   vtkVolumeProperty* GetProperty();
@@ -110,7 +110,7 @@ public:
 
   ///@{
   /**
-   * Where the mesh is in the world; affine. Default: none, it is where its coordinates say.
+   * Affine transformation of the mesh into world coordinates. Default: none, the identity.
    */
   void SetVolumeMatrix(vtkMatrix4x4* matrix);
   vtkMatrix4x4* GetVolumeMatrix();
@@ -118,7 +118,7 @@ public:
 
   ///@{
   /**
-   * Only what is on the positive side of all planes is drawn; in world coordinates. Default: none.
+   * Clipping planes in world coordinates. The positive side of all planes is drawn. Default: none.
    */
   void SetClippingPlanes(vtkPlaneCollection* planes);
   vtkPlaneCollection* GetClippingPlanes();
@@ -144,8 +144,8 @@ public:
 
   ///@{
   /**
-   * Name of the array to draw; none for the active scalars, of the points or else of the cells.
-   * Default: none.
+   * Name of the array to draw. Without a name, the active scalars of the points are drawn, or those
+   * of the cells if there are none. Default: none.
    */
   vtkSetStringMacro(ArrayName);
   vtkGetStringMacro(ArrayName);
@@ -153,8 +153,7 @@ public:
 
   ///@{
   /**
-   * Whether the array is of the points (0), of the cells (1), or of either (-1), points first.
-   * Default: -1.
+   * Association of the array: points (0), cells (1), or points, then cells (-1). Default: -1.
    */
   vtkSetClampMacro(ArrayAssociation, int, -1, 1);
   vtkGetMacro(ArrayAssociation, int);
@@ -162,7 +161,7 @@ public:
 
   ///@{
   /**
-   * Component of the array to draw, from 0; -1 for the length of its tuples. Default: 0.
+   * Component of the array to draw, from 0; -1 is the length of the tuple. Default: 0.
    */
   vtkSetClampMacro(ArrayComponent, int, -1, VTK_INT_MAX);
   vtkGetMacro(ArrayComponent, int);
@@ -170,8 +169,7 @@ public:
 
   ///@{
   /**
-   * Once less light than this comes through, what is behind is not drawn: 0 (draw all) to 1.
-   * Default: 0.001.
+   * Transparency at which a ray ends, from 0 (never) to 1. Default: 0.001.
    */
   vtkSetClampMacro(OpacityLimit, double, 0.0, 1.0);
   vtkGetMacro(OpacityLimit, double);
@@ -198,8 +196,8 @@ public:
 
   ///@{
   /**
-   * Seconds that an image may take, without decoding and simplifying: as many points are merged
-   * away as that needs, by what the images before took. 0 for all that it needs. Default: 0.
+   * Time for an image in seconds, 0 to 1e6, decoding and simplification not included. The number of
+   * points removed follows from the times of the images before. 0 is no limit. Default: 0.
    */
   vtkSetClampMacro(TimeBudget, double, 0.0, 1e6);
   vtkGetMacro(TimeBudget, double);
@@ -207,7 +205,7 @@ public:
 
   ///@{
   /**
-   * Whether to use only instructions that every processor has. Default: off.
+   * Whether to use only instructions of the baseline processor. Default: off.
    */
   vtkSetMacro(PortableInstructions, bool);
   vtkGetMacro(PortableInstructions, bool);
@@ -216,8 +214,8 @@ public:
 
   ///@{
   /**
-   * Whether tetrahedra are also released from behind, so that rays grow from both ends: fewer
-   * tetrahedra wait for others, but less is hidden early. Default: off.
+   * Whether tetrahedra are also released from the back, so that rays grow from both ends. Fewer
+   * tetrahedra wait for others then, but fewer are hidden early. Default: off.
    */
   vtkSetMacro(FromBothEnds, bool);
   vtkGetMacro(FromBothEnds, bool);
@@ -225,22 +223,22 @@ public:
   ///@}
 
   /**
-   * What is known of the last image. Times are of all threads together, in seconds.
+   * Statistics of the last image. Times are in seconds, summed over all threads.
    */
   enum StatisticType
   {
-    FetchTime = 0,          ///< making or decoding chunks
-    OrderTime,              ///< projecting and ordering tetrahedra
-    SetUpTime,              ///< planes of their faces
+    FetchTime = 0,          ///< conversion or decoding of chunks
+    OrderTime,              ///< projection and order of tetrahedra
+    SetUpTime,              ///< planes of faces
     DrawTime,               ///< samples
-    FinishTime,             ///< fragments into pixels
-    NumberOfTetrahedra,     ///< of chunks that were drawn
-    NumberOfSeenTetrahedra, ///< of those, that may own a sample
-    NumberOfChunks,         ///< drawn
-    NumberOfSkippedChunks,  ///< outside, transparent or hidden
-    MostWaitingTetrahedra,  ///< for others to be drawn, in a chunk
-    MostFragments,          ///< of rays, in all pixels together
-    MostBytes               ///< of image and chunks at work, without those kept ready
+    FinishTime,             ///< compositing of fragments
+    NumberOfTetrahedra,     ///< in the chunks drawn
+    NumberOfSeenTetrahedra, ///< of these, those that may contain a sample
+    NumberOfChunks,         ///< chunks drawn
+    NumberOfSkippedChunks,  ///< chunks outside the view, transparent or hidden
+    MostWaitingTetrahedra,  ///< largest number of tetrahedra of a chunk that wait for others
+    MostFragments,          ///< largest number of ray fragments, in all pixels together
+    MostBytes               ///< peak memory of image and chunks, without MemoryBudget
   };
   double GetStatistic(int which);
 

@@ -4,50 +4,49 @@
  * @class vtkGatunVolumeMapper
  * @brief Draws a tetrahedral mesh as a volume, from memory, from its file or piece by piece.
  *
- * To be used in place of vtkUnstructuredGridVolumeRayCastMapper. What is drawn, and how, is told at
- * vtkGatunRayCaster, which makes the same picture without a window. In addition, what is outside of
- * the camera's clipping range is left out, and opaque geometry of the same renderer ends the rays.
- * Opacities are over the property's unit distance, as in VTK's mappers for images; its mapper for
- * unstructured grids takes them for densities, so that they come out lower.
+ * Use it in place of vtkUnstructuredGridVolumeRayCastMapper. It draws the image that
+ * vtkGatunRayCaster computes without a window; see there for the method. In addition, the camera's
+ * clipping range cuts the volume, and opaque geometry in the same renderer ends the rays. Opacities
+ * refer to the property's unit distance, as in VTK's mappers for images. VTK's mappers for
+ * unstructured grids take them as densities, so that their images are more transparent.
  *
- * The input is a vtkUnstructuredGrid with point or cell scalars. What is asked of the pipeline:
+ * The input is a vtkUnstructuredGrid with point or cell scalars. There are three modes:
  *
- *  - *A vtkGatunReader without a region of interest or a value range is connected*: nothing. Bounds
- *    come from the tables of its file, and of the mesh only the chunks that are seen are read and
- *    decoded, of the array that is drawn and of the time that is asked of the reader. The reader is
- *    never executed; which arrays it is to read does not matter, and GetDataSetInput() is null.
- *  - *NumberOfPieces is more than 1*: each piece once for its bounds and values, before the first
- *    picture and whenever the pipeline has changed. For a picture, from front to back, those pieces
- *    that are seen and are not kept within MemoryBudget. One piece is in memory at a time.
- *    GetDataSetInput() is null. A grid that was given as such counts as one piece.
- *  - *Otherwise*: all of the mesh.
+ *  - *The input is a vtkGatunReader without a region of interest or a value range.* The mapper
+ * draws the file. The bounds come from the tables of the file. Only the visible chunks are read and
+ *    decoded, for the array that is drawn and the time that the reader is asked for. The reader
+ * never executes, its array selection does not matter, and GetDataSetInput() is null.
+ *  - *NumberOfPieces is more than 1.* The mapper asks for each piece once, before the first image
+ * and whenever the pipeline has changed, to learn its bounds and values. For an image it asks for
+ *    those visible pieces, from front to back, that are not kept within MemoryBudget. One piece is
+ * in memory at a time. GetDataSetInput() is null. A grid set as data counts as one piece.
+ *  - *Otherwise* the whole mesh is in memory.
  *
- * Which values are drawn: see the scalar modes of vtkAbstractVolumeMapper, all of which hold but
- * that of field data; and ArrayComponent. Colours and opacities of the vtkVolumeProperty are those
- * of its first component, whichever component of the array is drawn; gradient opacity and
- * IndependentComponents have no influence. Clipping planes are in world coordinates.
+ * The scalar modes of vtkAbstractVolumeMapper, except field data, and ArrayComponent select the
+ * values to draw. The first component of the vtkVolumeProperty gives colors and opacities,
+ * whichever component of the array is drawn. Gradient opacity and IndependentComponents have no
+ * effect. Clipping planes are in world coordinates.
  *
- * With the property's Shade on, surfaces of equal values are lit from both sides by the renderer's
- * lights, by Phong's model with the property's ambient, diffuse and specular parts; lights have no
- * cone and do not fade. The gradient is that of each tetrahedron, so that coarse meshes show their
- * cells. What has no gradient, as values of cells, is not shaded, nor are the blend modes but
- * composite and area.
+ * If the property's Shade is on, isosurfaces are lit from both sides by the renderer's lights, with
+ * Phong's model and the property's ambient, diffuse and specular coefficients. Lights have no cone
+ * and no attenuation. The gradient is constant in each tetrahedron, so coarse meshes look faceted.
+ * Cell values have no gradient and are not shaded. Only the blend modes composite and area shade.
  *
- * *Just in time.* With JustInTime on, a picture during an interaction takes about the time that
- * there is for it: points are merged into others, as vtkGatunSimplify does, until tetrahedra take a
- * quarter of it; then, with AutoAdjustSampleDistances on, rays are cast farther apart. The picture
- * at rest, for which more than 10 seconds are allocated, shows the whole mesh. How a mesh in memory
- * can be simplified is found out by a thread in the background, from the first picture on, in about
- * 5 to 10 seconds for a million tetrahedra, and again when the input changes; meanwhile, only rays
- * get fewer. That takes a copy of the mesh, about 60 bytes a tetrahedron all together, beyond
- * MemoryBudget. Simpler meshes that are likely to be wanted next, and at last the whole one, are
- * made ready in the background, too. Pieces cannot be simplified.
+ * *Just in time.* If JustInTime is on, a frame during an interaction takes about the time allowed
+ * for it. Points are merged into others, as in vtkGatunSimplify, until tetrahedra take a quarter of
+ * that time. If that does not suffice and AutoAdjustSampleDistances is on, rays are cast farther
+ * apart. The image at rest, for which more than 10 seconds are allocated, shows the whole mesh. For
+ * a mesh in memory, a background thread computes the order of merges from the first image on, in
+ * about 5 to 10 seconds for a million tetrahedra, and again when the input changes. Until then only
+ * the number of rays is reduced. This takes a copy of the mesh, about 60 bytes a tetrahedron in
+ * all, in addition to MemoryBudget. The background thread also prepares the levels of detail that
+ * are likely to be needed next and finally the whole mesh. Pieces cannot be simplified.
  *
- * *Errors.* What cannot be drawn is reported by vtkErrorMacro and GetErrorCode (as vtkGatunReader
- * has them), the message once for the same cause, and nothing is drawn. A mesh without cells is no
- * error. Pictures can be stopped by vtkRenderWindow::SetAbortRender, as in an observer of
- * vtkCommand::AbortCheckEvent; nothing of them is shown. vtkCommand::ProgressEvent tells how far
- * one is.
+ * *Errors.* What cannot be drawn is reported by vtkErrorMacro, once for each cause, and by
+ * GetErrorCode (see vtkGatunReader); nothing is drawn then. A mesh without cells is not an error.
+ * vtkRenderWindow::SetAbortRender stops an image, as in an observer of
+ * vtkCommand::AbortCheckEvent; nothing of that image is shown. vtkCommand::ProgressEvent reports
+ * the progress of an image.
  *
  * A program needs VTK::RenderingVolumeOpenGL2, as for other volume mappers.
  *
@@ -100,8 +99,8 @@ public:
 
   ///@{
   /**
-   * Distance of rays in pixels, 1 to 100; between them the picture is interpolated. While
-   * AutoAdjustSampleDistances is on, it tells what was used last. Default: 1.
+   * Distance between rays in pixels, 1 to 100. The image is interpolated between rays. If
+   * AutoAdjustSampleDistances is on, this is the distance in the last image. Default: 1.
    */
   vtkSetClampMacro(ImageSampleDistance, float, 1.0f, 100.0f);
   vtkGetMacro(ImageSampleDistance, float);
@@ -109,9 +108,9 @@ public:
 
   ///@{
   /**
-   * Whether ImageSampleDistance is chosen for each picture, so that it takes the time allocated to
-   * the volume (see vtkRenderWindow::SetDesiredUpdateRate), as far as the last one tells. A picture
-   * at rest has time for the least distance. Default: on.
+   * Whether ImageSampleDistance is chosen for each image from the time of the last one, so that the
+   * image takes the time allocated to the volume (see vtkRenderWindow::SetDesiredUpdateRate). An
+   * image at rest has the least distance. Default: on.
    */
   vtkSetMacro(AutoAdjustSampleDistances, bool);
   vtkGetMacro(AutoAdjustSampleDistances, bool);
@@ -120,8 +119,7 @@ public:
 
   ///@{
   /**
-   * Least and largest distance that AutoAdjustSampleDistances may choose, 1 to 100. Defaults: 1
-   * and 10.
+   * Limits for AutoAdjustSampleDistances, 1 to 100. Defaults: 1 and 10.
    */
   vtkSetClampMacro(MinimumImageSampleDistance, float, 1.0f, 100.0f);
   vtkGetMacro(MinimumImageSampleDistance, float);
@@ -131,8 +129,8 @@ public:
 
   ///@{
   /**
-   * Whether opaque geometry that the renderer has drawn before hides what is behind it. Off: the
-   * volume is drawn as if it were a picture at the depth of its centre. Default: on.
+   * Whether opaque geometry drawn before by the renderer hides the parts of the volume behind it.
+   * Off: the volume is drawn as an image at the depth of its center. Default: on.
    */
   vtkSetMacro(IntermixIntersectingGeometry, bool);
   vtkGetMacro(IntermixIntersectingGeometry, bool);
@@ -141,7 +139,7 @@ public:
 
   ///@{
   /**
-   * Component of the array to draw, from 0; -1 for the length of its tuples. Default: 0.
+   * Component of the array to draw, from 0; -1 is the length of the tuple. Default: 0.
    */
   vtkSetClampMacro(ArrayComponent, int, -1, VTK_INT_MAX);
   vtkGetMacro(ArrayComponent, int);
@@ -149,8 +147,7 @@ public:
 
   ///@{
   /**
-   * Once less light than this comes through, what is behind is not drawn: 0 (draw all) to 1.
-   * Default: 0.001.
+   * Transparency at which a ray ends, from 0 (never) to 1. Default: 0.001.
    */
   vtkSetClampMacro(OpacityLimit, double, 0.0, 1.0);
   vtkGetMacro(OpacityLimit, double);
@@ -167,8 +164,8 @@ public:
 
   ///@{
   /**
-   * In how many pieces the mesh is asked for; 1 for all of it at once. The pipeline must be able to
-   * make pieces, without duplicate cells. Default: 1.
+   * Number of pieces in which the mapper asks for the mesh, 1 or more. The pipeline must be able to
+   * produce pieces without duplicate cells. Default: 1.
    */
   vtkSetClampMacro(NumberOfPieces, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfPieces, int);
@@ -176,8 +173,8 @@ public:
 
   ///@{
   /**
-   * Whether pictures during an interaction are to be drawn within their time, by simpler meshes;
-   * see above. Default: off.
+   * Whether coarser meshes keep frames during an interaction within their time; see above. Default:
+   * off.
    */
   vtkSetMacro(JustInTime, bool);
   vtkGetMacro(JustInTime, bool);
@@ -186,7 +183,7 @@ public:
 
   ///@{
   /**
-   * Seconds that a picture may take during an interaction, with JustInTime on; 0 for what is
+   * Time for a frame during an interaction if JustInTime is on, in seconds, 0 to 1e6. 0 is the time
    * allocated to the volume (see vtkRenderWindow::SetDesiredUpdateRate). Default: 0.
    */
   vtkSetClampMacro(TimeBudget, double, 0.0, 1e6);
@@ -205,46 +202,44 @@ public:
   ///@}
 
   /**
-   * How many points the mesh of the last picture had; 0 if that is not known, as where nothing is
-   * simplified.
+   * Number of points of the mesh in the last image; 0 if it is unknown, as without simplification.
    */
   vtkIdType GetNumberOfDrawnPoints();
 
   /**
-   * What part of the last picture was drawn anew, 0 to 1; see SimplificationRatio.
+   * Fraction of the last image that was drawn again, 0 to 1; see SimplificationRatio.
    */
   double GetPartDrawn();
 
   /**
-   * Waits until it is known how the input can be simplified, which otherwise is found out while
-   * pictures are drawn. False if it cannot be, and while neither JustInTime is on nor
-   * SimplificationRatio above 0. AbortExecute stops waiting.
+   * Computes the order of merges for the input now instead of in the background, and waits for it.
+   * Returns false if the input cannot be simplified, or if JustInTime is off and
+   * SimplificationRatio is 0. AbortExecute ends the wait.
    */
   bool PrepareSimplification();
 
   /**
-   * Bytes that this mapper has read from the file that it draws, since it opened it. 0 if it draws
-   * none.
+   * Bytes read from the file since this mapper opened it; 0 without a file.
    */
   vtkTypeUInt64 GetBytesRead();
 
   ///@{
   /**
-   * Of the whole mesh; from its file or its pieces where these are drawn.
+   * Bounds of the whole mesh, from the file or the pieces if these are drawn.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
   ///@}
 
   /**
-   * The input, if all of it is in memory; otherwise null.
+   * The input if all of it is in memory, otherwise null.
    */
   vtkDataSet* GetDataSetInput() override;
 
   ///@{
   /**
-   * Asks of the pipeline what is needed before a picture is drawn: the mesh, or less, see above.
-   * Ports and requests do not matter.
+   * Updates the part of the pipeline that is needed before an image is drawn; see above. Ports and
+   * requests have no effect.
    */
   void Update() override;
   void Update(int port) override;

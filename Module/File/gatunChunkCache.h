@@ -70,9 +70,10 @@ public:
   void Clear();
 
   class Internals;
-  Internals& GetInternals() { return *this->Self; }
 
 private:
+  friend Internals& InternalsOf(ChunkCache& cache);
+
   std::unique_ptr<Internals> Self;
 };
 }

@@ -97,6 +97,11 @@ private:
   mutable std::mutex Guard; // of what follows
   ChunkCacheStatistics Done;
 };
+
+inline ChunkCache::Internals& InternalsOf(ChunkCache& cache)
+{
+  return *cache.Self;
+}
 }
 
 #endif

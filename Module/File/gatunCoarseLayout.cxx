@@ -37,7 +37,7 @@ CoarseLayout::CoarseLayout(
       ThrowInvalid("the tree merges points that no tetrahedron has");
     }
   }
-  for (const BlockEntry& block : this->File->GetInternals().Mesh.Blocks)
+  for (const BlockEntry& block : InternalsOf(*this->File).Mesh.Blocks)
   {
     auto point = block.FirstPoint;
     for (const SharedGroup& group : block.Groups)
@@ -78,7 +78,7 @@ CoarseLayout::CoarseLayout(
 void CoarseLayout::EachRun(
   std::uint32_t chunk, const std::function<void(std::uint32_t, std::uint32_t)>& use) const
 {
-  const MeshTable& mesh = this->File->GetInternals().Mesh;
+  const MeshTable& mesh = InternalsOf(*this->File).Mesh;
   const ChunkEntry& entry = mesh.Chunks[chunk];
   for (const auto& part : entry.Shared)
   {
@@ -107,7 +107,7 @@ std::vector<std::uint32_t> CoarseLayout::GetPoints(std::uint32_t chunk) const
 //------------------------------------------------------------------------------
 bool CoarseLayout::Has(std::uint32_t chunk, std::uint32_t point) const
 {
-  const MeshTable& mesh = this->File->GetInternals().Mesh;
+  const MeshTable& mesh = InternalsOf(*this->File).Mesh;
   const ChunkEntry& entry = mesh.Chunks[chunk];
   if (point >= mesh.GetSharedPoints())
   {

@@ -101,9 +101,10 @@ public:
   std::uint64_t GetBytesRead() const;
 
   class Internals;
-  const Internals& GetInternals() const { return *this->Self; }
 
 private:
+  friend const Internals& InternalsOf(const FileReader& file);
+
   FileReader(const FileReader& whole, std::size_t level);
 
   std::unique_ptr<Internals> Self;

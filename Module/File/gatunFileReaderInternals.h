@@ -97,6 +97,11 @@ private:
   void AddStepBytes(std::span<const std::uint8_t> packed);
   void CheckLastStep() const;
 };
+
+inline const FileReader::Internals& InternalsOf(const FileReader& file)
+{
+  return *file.Self;
+}
 }
 
 #endif

@@ -51,7 +51,7 @@ public:
   }
 
   const std::shared_ptr<const FileReader>& GetFile() const { return this->File; }
-  const FileReader::Internals& Content() const { return this->File->GetInternals(); }
+  const FileReader::Internals& Content() const { return InternalsOf(*this->File); }
   const BlockEntry& GetBlock(std::size_t block) const;
 
   /** The domains of the components of an array at a step. */
@@ -92,7 +92,7 @@ public:
   void KeepChunkArray(std::uint32_t chunk, std::uint32_t array, const ArrayAtStep& values) const;
 
 private:
-  ChunkCache::Internals& Kept() const { return this->Cache->GetInternals(); }
+  ChunkCache::Internals& Kept() const { return InternalsOf(*this->Cache); }
 
   std::shared_ptr<const NeighbourFit> GetFit(std::uint32_t chunk, const ChunkMesh& mesh) const;
   std::vector<Key> DecodeCellIntegers(const StreamRef& where, const std::string& what,

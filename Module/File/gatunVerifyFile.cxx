@@ -31,9 +31,10 @@ public:
     auto seen = this->Seen[static_cast<std::size_t>(number)];
     if (seen)
     {
-      this->File.GetInternals().File.Fail(ErrorCode::Corrupt,
-        "the original order is damaged: it names " + (this->What + std::to_string(number)) +
-          " twice");
+      InternalsOf(this->File)
+        .File.Fail(ErrorCode::Corrupt,
+          "the original order is damaged: it names " + (this->What + std::to_string(number)) +
+            " twice");
     }
     seen = true;
   }
@@ -144,7 +145,7 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
 //--------------------------------------------------------------------------------------------------
 bool VerifyFile(const FileReader& file, const std::function<bool(double)>& progress)
 {
-  const FileReader::Internals& content = file.GetInternals();
+  const FileReader::Internals& content = InternalsOf(file);
   try
   {
     content.File.CheckSections([&](double done) { return !progress || progress(0.1 * done); });

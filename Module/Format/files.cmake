@@ -5,7 +5,6 @@ gatun_core_folder(Format
     Codec
   HEADERS
     gatunFieldData.h
-  EXPERIMENTAL_HEADERS
     gatunLayers.h
   PRIVATE_HEADERS
     gatunAtomicFile.h

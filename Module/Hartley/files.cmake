@@ -6,16 +6,16 @@ gatun_core_folder(Hartley
     Format
   HEADERS
     gatunHartleyFile.h
-  EXPERIMENTAL_HEADERS
-    gatunHartleyFrame.h
     gatunHartleyInput.h
     gatunHartleyLayout.h
+    gatunHartleySource.h
+    gatunHartleyVolume.h
+  EXPERIMENTAL_HEADERS
+    gatunHartleyFrame.h
     gatunHartleyProjector.h
     gatunHartleyShading.h
-    gatunHartleySource.h
     gatunHartleyTransform.h
     gatunHartleyView.h
-    gatunHartleyVolume.h
   PRIVATE_HEADERS
     gatunHartleyBasis.h
     gatunHartleyBlocks.h

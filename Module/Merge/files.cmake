@@ -3,10 +3,11 @@ gatun_core_folder(Merge
   INCLUDES
     Support
     Codec
+  HEADERS
+    gatunMergeTree.h
   EXPERIMENTAL_HEADERS
     gatunMergeBuilder.h
     gatunMergeInput.h
-    gatunMergeTree.h
   PRIVATE_HEADERS
     gatunMergeCodec.h
     gatunMergeCosts.h

@@ -98,9 +98,6 @@ parts = [writer.GetConnectivityBytes(), writer.GetGeometryBytes(), writer.GetOrd
          writer.GetArrayBytes(), writer.GetFieldDataBytes(), writer.GetDirectoryBytes()]
 assert sum(parts) == os.path.getsize(path) == writer.GetFileBytes(), (parts, writer.GetFileBytes())
 assert writer.GetConnectivityBytes() > 0 and writer.GetOrderBytes() > 0
-text = writer.GetStatistics()
-for word in ("connectivity", "point array wave", "cell array cell", str(writer.GetFileBytes())):
-    assert word in text, text
 
 # Writing does what Update does, and the same bytes each time.
 first = open(path, "rb").read()

@@ -607,7 +607,7 @@ TEST_P(TreeFileRead, LayoutSaysWhichChunksGetPointsFromWhich)
 
 TEST_P(TreeFileRead, RangesAreThoseOfAllThatPointsAreMergedInto)
 {
-  const MeshTable& mesh = this->File->GetInternals().Mesh;
+  const MeshTable& mesh = InternalsOf(*this->File).Mesh;
   const auto points = static_cast<std::uint32_t>(this->File->GetNumberOfPoints());
   // The tree in other numbers, which the layout has to undo.
   std::vector<std::uint32_t> ids(points);

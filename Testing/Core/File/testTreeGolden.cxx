@@ -92,7 +92,7 @@ private:
       bytes.Put(std::bit_cast<std::uint32_t>(merge.Error));
     }
     this->Out << "merges " << this->Tree->GetMerges().size() << " " << GetSum(bytes) << "\nrungs";
-    this->Rungs = this->File->GetInternals().Tree->Rungs;
+    this->Rungs = InternalsOf(*this->File).Tree->Rungs;
     for (const auto rung : this->Rungs)
     {
       this->Out << " " << rung;
