@@ -3,6 +3,7 @@
 #ifndef gatunHartleyChunks_h
 #define gatunHartleyChunks_h
 
+#include "gatunCache.h"
 #include "gatunHartleySource.h"
 
 #include <cstdint>
@@ -20,7 +21,7 @@ public:
   HartleyChunks(const HartleySource& source, std::uint64_t bytes)
     : Source(source)
     , Layout(source.GetLayout())
-    , Bytes(bytes)
+    , Kept(std::make_shared<CacheBudget>(bytes), CachePolicy::KeepFirst)
   {
   }
 
@@ -35,10 +36,8 @@ private:
 
   const HartleySource& Source;
   HartleyLayout Layout;
-  std::uint64_t Bytes;
-  std::uint64_t KeptBytes = 0;
   Map Used;
-  Map Kept; // the first ones that came, as going through all of them again finds most in this way
+  Cache<std::size_t, HartleyChunk> Kept; // the first ones, because all are used in a cycle
 };
 }
 
