@@ -7,7 +7,8 @@
 // C.-K. Yang, T. Mitra, T.-c. Chiueh, "On-the-fly rendering of losslessly compressed irregular
 // volume data", IEEE Visualization 2000: a tetrahedron is grown on each open face (gate), and its
 // fourth vertex is coded by its neighborhood. In addition, the neighborhood is ranked by geometry,
-// in the spirit of U. Bischoff, J. Rossignac, "TetStreamer", 2005.
+// in the spirit of U. Bischoff, J. Rossignac, "TetStreamer: compressed back-to-front transmission
+// of Delaunay tetrahedra meshes", Data Compression Conference 2005.
 
 #include "gatunEntropy.h"
 #include "gatunGate.h"

@@ -3,6 +3,7 @@
 #ifndef gatunHartleyChunks_h
 #define gatunHartleyChunks_h
 
+#include "gatunCache.h"
 #include "gatunHartleySource.h"
 
 #include <cstdint>
@@ -20,7 +21,7 @@ public:
   HartleyChunks(const HartleySource& source, std::uint64_t bytes)
     : Source(source)
     , Layout(source.GetLayout())
-    , Bytes(bytes)
+    , Kept(std::make_shared<CacheBudget>(bytes), CachePolicy::KeepFirst)
   {
   }
 
@@ -35,11 +36,10 @@ private:
 
   const HartleySource& Source;
   HartleyLayout Layout;
-  std::uint64_t Bytes;
-  std::uint64_t KeptBytes = 0;
   Map Used;
-  Map Kept; // never evicted: each image asks for the same chunks in the same order, where an LRU
-            // cache that is too small never hits
+  // Never evicted: each image asks for the same chunks in the same order, where an LRU cache that is
+  // too small never hits.
+  Cache<std::size_t, HartleyChunk> Kept;
 };
 }
 

@@ -300,47 +300,25 @@ HartleySpectrum::HartleySpectrum(const SpectrumPlan& plan, std::span<const Hartl
 std::shared_ptr<const HartleySpectrum> HartleySpectra::Get(
   std::size_t block, std::span<const HartleyTerm> terms)
 {
+  if (auto found = this->Kept.Find(block))
   {
-    const std::lock_guard lock(this->Mutex);
-    const auto found = this->Kept.find(block);
-    if (found != this->Kept.end())
-    {
-      return found->second;
-    }
+    return found;
   }
   auto made = std::make_shared<const HartleySpectrum>(this->Plan, terms);
-  const std::lock_guard lock(this->Mutex);
-  if (this->HasRoom(*made))
-  {
-    this->Kept.emplace(block, made);
-  }
+  this->Kept.Keep(block, made, made->GetBytes());
   return made;
 }
 
 //------------------------------------------------------------------------------
 std::shared_ptr<const HartleySpectrum> HartleySpectra::GetUnit(const HartleyLayout::Triple& filled)
 {
+  if (auto found = this->KeptUnits.Find(filled))
   {
-    const std::lock_guard lock(this->Mutex);
-    const auto found = this->KeptUnits.find(filled);
-    if (found != this->KeptUnits.end())
-    {
-      return found->second;
-    }
+    return found;
   }
   auto made =
     std::make_shared<const HartleySpectrum>(this->Plan, GetUnitTerms(this->Plan.Block, filled));
-  const std::lock_guard lock(this->Mutex);
-  if (this->HasRoom(*made))
-  {
-    this->KeptUnits.emplace(filled, made);
-  }
+  this->KeptUnits.Keep(filled, made, made->GetBytes());
   return made;
-}
-
-//------------------------------------------------------------------------------
-bool HartleySpectra::HasRoom(const HartleySpectrum& spectrum) const
-{
-  return (this->Kept.size() + this->KeptUnits.size() + 1) * spectrum.GetBytes() <= this->Bytes;
 }
 }

@@ -3,17 +3,15 @@
 #ifndef gatunHartleySpectrum_h
 #define gatunHartleySpectrum_h
 
+#include "gatunCache.h"
 #include "gatunHartleyKernelFunction.h"
 #include "gatunHartleyLayout.h"
 #include "gatunHartleySource.h"
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 namespace gatun
@@ -68,7 +66,8 @@ class HartleySpectra
 public:
   HartleySpectra(SpectrumPlan plan, std::uint64_t bytes)
     : Plan(std::move(plan))
-    , Bytes(bytes)
+    , Kept(std::make_shared<CacheBudget>(bytes), CachePolicy::KeepFirst)
+    , KeptUnits(Kept.GetBudget(), CachePolicy::KeepFirst)
   {
   }
 
@@ -80,14 +79,10 @@ public:
   std::shared_ptr<const HartleySpectrum> GetUnit(const HartleyLayout::Triple& filled);
 
 private:
-  /** Whether the budget allows to keep one more. */
-  bool HasRoom(const HartleySpectrum& spectrum) const;
-
   SpectrumPlan Plan;
-  std::uint64_t Bytes;
-  std::mutex Mutex;
-  std::unordered_map<std::size_t, std::shared_ptr<const HartleySpectrum>> Kept;
-  std::map<HartleyLayout::Triple, std::shared_ptr<const HartleySpectrum>> KeptUnits;
+  // The first ones are kept, because all are used in a cycle.
+  Cache<std::size_t, HartleySpectrum> Kept;
+  Cache<HartleyLayout::Triple, HartleySpectrum> KeptUnits;
 };
 }
 
