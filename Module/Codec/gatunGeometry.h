@@ -1,4 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
+
 #ifndef gatunGeometry_h
 #define gatunGeometry_h
 

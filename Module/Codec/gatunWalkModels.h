@@ -1,4 +1,6 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
+
 #ifndef gatunWalkModels_h
 #define gatunWalkModels_h
 

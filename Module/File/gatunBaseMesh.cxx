@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
+
 #include "gatunBaseMesh.h"
 
 #include <cstring>
@@ -23,7 +24,7 @@ MergeTree MakeRest(const MergeTree& tree, std::size_t merges,
 }
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 BaseMesh::BaseMesh(const MeshAccess& mesh, const MergeTree& tree, std::size_t merges)
   : CoordinateType(mesh.GetMesh().CoordinateType)
   , WideIds(mesh.GetMesh().WideIds)
@@ -67,7 +68,7 @@ BaseMesh::BaseMesh(const MeshAccess& mesh, const MergeTree& tree, std::size_t me
   this->Tree = MakeRest(tree, merges, places, this->Points.size());
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 MeshInput BaseMesh::GetInput() const
 {
   MeshInput input;
@@ -81,7 +82,7 @@ MeshInput BaseMesh::GetInput() const
   return input;
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 Bytes BaseMesh::Gather(const void* values, Association where, std::size_t tupleBytes) const
 {
   const auto& tuples = where == Association::Point ? this->Points : this->Tets;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
+
 #include "gatunSimplifiedFile.h"
 
 #include "gatunError.h"
@@ -8,7 +9,7 @@
 
 namespace gatun
 {
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 SimplifiedFile::SimplifiedFile(std::shared_ptr<const FileReader> file)
 {
   if (!file->HasMergeTree())
@@ -23,7 +24,7 @@ SimplifiedFile::SimplifiedFile(std::shared_ptr<const FileReader> file)
   }
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 void SimplifiedFile::Open(std::size_t level)
 {
   if (!this->Levels[level].File)
@@ -32,7 +33,7 @@ void SimplifiedFile::Open(std::size_t level)
   }
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 const std::shared_ptr<const MergeTree>& SimplifiedFile::GetTree(Level& level)
 {
   if (!level.Tree)
@@ -42,13 +43,13 @@ const std::shared_ptr<const MergeTree>& SimplifiedFile::GetTree(Level& level)
   return level.Tree;
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 const MergeTree& SimplifiedFile::GetTree()
 {
   return *this->GetTree(this->Levels.front());
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 SimplifiedFile::Place SimplifiedFile::Find(std::size_t merges, bool withBaseMeshes)
 {
   std::size_t found = 0;
@@ -62,7 +63,7 @@ SimplifiedFile::Place SimplifiedFile::Find(std::size_t merges, bool withBaseMesh
   return { level.File, more > 0 ? this->GetTree(level) : nullptr, more };
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 std::uint64_t SimplifiedFile::EstimateTets(std::size_t merges) const
 {
   // Assumes that tetrahedra and points decrease in proportion.
@@ -72,7 +73,7 @@ std::uint64_t SimplifiedFile::EstimateTets(std::size_t merges) const
   return static_cast<std::uint64_t>(left * static_cast<double>(file.GetNumberOfTets()));
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 std::uint64_t SimplifiedFile::GetBytesRead() const
 {
   std::uint64_t bytes = 0;

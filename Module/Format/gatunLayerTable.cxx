@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
+
 #include "gatunLayerTable.h"
 
 #include "gatunTableParts.h"
@@ -8,7 +9,7 @@
 
 namespace gatun
 {
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 Bytes WriteLayers(const Layers& layers, const MetaTable& meta)
 {
   // Files number the length of the tuple behind the components.
@@ -31,7 +32,7 @@ Bytes WriteLayers(const Layers& layers, const MetaTable& meta)
   return Pack(out, SmallTable);
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 Layers ReadLayers(std::span<const std::uint8_t> bytes, const MetaTable& meta, const MeshTable& mesh)
 {
   const auto data = Unpack(bytes, SmallTable);
@@ -72,7 +73,7 @@ Layers ReadLayers(std::span<const std::uint8_t> bytes, const MetaTable& meta, co
   return layers;
 }
 
-//------------------------------------------------------------------------------
+//--------------------------------------------------------------------------------------------------
 bool IsInside(const Layers& layers, const LayerSpan& span, const Range& values)
 {
   return values.IsEmpty() ||

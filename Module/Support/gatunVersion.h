@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
+
 /**
  * @file gatunVersion.h
  * @brief The version of the package and the versions of the file formats, which are independent.
