@@ -37,8 +37,8 @@ private:
   const HartleySource& Source;
   HartleyLayout Layout;
   Map Used;
-  // Never evicted: each image asks for the same chunks in the same order, where an LRU cache that is
-  // too small never hits.
+  // Never evicted: each image asks for the same chunks in the same order, where an LRU cache that
+  // is too small never hits.
   Cache<std::size_t, HartleyChunk> Kept;
 };
 }
