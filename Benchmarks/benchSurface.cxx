@@ -57,6 +57,7 @@ class GatunMaker final : public FilterMaker<vtkGatunContour>
 public:
   using FilterMaker::FilterMaker;
   vtkGatunContour* GetGatun() override { return this->Contour; }
+  vtkGatunReader* GetReader() override { return this->Reader; }
   vtkNew<vtkGatunReader> Reader;
 };
 
@@ -105,6 +106,7 @@ std::unique_ptr<SurfaceMaker> MakeSurfaceMaker(
   {
     auto maker = std::make_unique<GatunMaker>(array);
     maker->Reader->SetFileName(file.c_str());
+    maker->Reader->SetMemoryBudget(0);
     maker->Contour->SetInputConnection(maker->Reader->GetOutputPort());
     return maker;
   }

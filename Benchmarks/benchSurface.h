@@ -14,6 +14,7 @@
 #include <vector>
 
 class vtkGatunContour;
+class vtkGatunReader;
 class vtkPolyData;
 
 namespace bench
@@ -29,6 +30,9 @@ public:
 
   /** Gatun's filter; null for other ways. */
   virtual vtkGatunContour* GetGatun() { return nullptr; }
+
+  /** The reader of the file that surfaces are made from; null for other ways. */
+  virtual vtkGatunReader* GetReader() { return nullptr; }
 };
 
 /**

@@ -33,6 +33,7 @@ void DrawFile(VolumeWindow& window, const Options& options)
 {
   vtkNew<vtkGatunReader> reader;
   reader->SetFileName(options.File.c_str());
+  reader->SetMemoryBudget(options.Budget);
   const Mapper mapper = MakeMapper("gatun", options.Array, options.Budget);
   mapper->SetInputConnection(reader->GetOutputPort());
   window.SetVolume(mapper, MakeScene(gatun::FileReader(options.File), options.Array));

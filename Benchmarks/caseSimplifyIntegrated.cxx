@@ -144,6 +144,7 @@ Stages DrawWhole(vtkGatunRayCaster* caster, const Options& options)
 void DrawFile(vtkGatunRayCaster* caster, const Options& options)
 {
   vtkNew<vtkGatunReader> reader;
+  reader->SetMemoryBudget(0);
   reader->SetFileName(options.File.c_str());
   caster->SetInputConnection(reader->GetOutputPort());
   caster->SetSimplificationRatio(options.Ratio);

@@ -103,6 +103,7 @@ void DrawWhole(vtkGatunRayCaster* caster, const Options& options)
 void DrawFile(vtkGatunRayCaster* caster, const Options& options)
 {
   vtkNew<vtkGatunReader> reader;
+  reader->SetMemoryBudget(0);
   reader->SetFileName(options.File.c_str());
   caster->SetInputConnection(reader->GetOutputPort());
   Draw(caster, MakeScene(gatun::FileReader(options.File), options.Array), options);

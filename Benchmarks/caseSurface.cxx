@@ -10,6 +10,7 @@
 
 #include "gatunParallel.h"
 #include "vtkGatunContour.h"
+#include "vtkGatunReader.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -30,15 +31,15 @@ struct Options
   std::string Way = "file";
   std::string Array;
   std::vector<double> Values;
-  int Cache = -1; ///< MiB; -1: what the filter has
+  int Cache = 0; ///< MiB
 };
 
 std::unique_ptr<SurfaceMaker> Open(const Options& options)
 {
   auto maker = MakeSurfaceMaker(options.Way, options.File, options.Array);
-  if (options.Cache >= 0 && maker->GetGatun())
+  if (maker->GetReader())
   {
-    maker->GetGatun()->SetMemoryBudget(options.Cache);
+    maker->GetReader()->SetMemoryBudget(options.Cache);
   }
   return maker;
 }
@@ -148,7 +149,7 @@ void AddWays(CLI::App* command, const std::shared_ptr<Options>& options)
   command->add_option("--values", options->Values, "Isovalues")->required();
   command->add_option("--way", options->Way, "How")
     ->check(CLI::IsMember({ "file", "memory", "linear", "span" }));
-  command->add_option("--cache", options->Cache, "Memory budget of vtkGatunContour, in MiB");
+  command->add_option("--cache", options->Cache, "Memory of decoded chunks, in MiB");
 }
 } // anonymous namespace
 

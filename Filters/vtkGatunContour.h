@@ -2,49 +2,52 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkGatunContour
- * @brief Isosurfaces of a tetrahedral mesh, from memory or straight from a compressed file.
+ * @brief Isosurfaces of a tetrahedral mesh, from memory or directly from a compressed file.
  *
- * Input: a vtkUnstructuredGrid with point scalars of any numeric type. Tetrahedra are taken as they
- * are, other linear 3D cells are split, quadratic tetrahedra made linear, as in vtkGatunWriter;
- * ghost cells are left out. Which array: SetInputArrayToProcess, by default the active point
- * scalars; of several components see ArrayComponent.
+ * Input: a vtkUnstructuredGrid with point scalars of any numeric type. Tetrahedra are used as they
+ * are, other linear 3D cells are split, and quadratic tetrahedra are linearized, as in
+ * vtkGatunWriter. Ghost cells are left out. SetInputArrayToProcess selects the array; the default
+ * is the active point scalars. For arrays with several components see ArrayComponent.
  *
- * If the input is the output of a vtkGatunReader (without a region of interest or a value range),
- * the surface is made straight from its file: only the chunks that it passes through are read, as
- * the ranges of their values tell, each decoded when its turn comes, and the reader itself is never
- * asked for the mesh: unless it has one already, its output is an empty piece afterwards, until
- * somebody asks for another (vtkAlgorithm::UpdatePiece). Files written with layers of the array
- * (vtkGatunWriter::LayerArray) have the fewest such chunks. If the reader simplifies, the surface
- * is that of the simplified mesh; time steps and the selection of arrays are the reader's, too.
+ * *From a file.* If the input is the output of a vtkGatunReader without a region of interest, the
+ * filter finds a vtkGatunFileHandle in the information of its input and makes the surface from the
+ * file. It reads only the chunks whose range of values contains an isovalue, and decodes them one
+ * after the other on each thread. The reader is not asked for the mesh: unless it already has one,
+ * its output is an empty piece afterwards, until another piece is requested
+ * (vtkAlgorithm::UpdatePiece). Files with layers of the array (vtkGatunWriter::LayerArray) have the
+ * fewest such chunks. If the reader simplifies, the surface is that of the simplified mesh. Time
+ * steps and the selection of arrays are those of the reader, too.
  *
- * Output: a vtkPolyData of triangles, or of triangle strips. All point arrays are interpolated, and
- * cell arrays passed to the triangles, but for global ids and, of points, pedigree ids and arrays
- * of vtkIdType. Points with the same coordinates are one.
+ * Output: a vtkPolyData of triangles or of triangle strips. All point arrays are interpolated, and
+ * cell arrays are passed to the triangles. Global ids are left out, and so are pedigree ids and
+ * arrays of vtkIdType on the points. Points with the same coordinates are merged.
  *
- * The triangles are those of vtkContourGrid: a corner whose value is the isovalue is one above it;
- * triangles with two corners in one point are left out. Where a field is constant at the isovalue
- * there is no surface. Tetrahedra with a value that is NaN or infinite have none either. The order
- * is that of the tetrahedra, and does not depend on the number of threads.
+ * The triangles are those of vtkContourGrid. A corner whose value is the isovalue counts as above
+ * it. Triangles with two corners in one point are left out. Where a field is constant at the
+ * isovalue there is no surface, nor in tetrahedra with a value that is NaN or infinite. The
+ * triangles have the order of the tetrahedra, whatever the number of threads.
  *
  * *Pieces.* Of a file, each piece takes its share of the chunks that the surface passes through.
  * Other inputs are asked for the same piece.
  *
  * *Cost.* From a file: time in proportion to the chunks that are read; memory for about twice the
- * surface, a chunk for each thread, MemoryBudget, and points that chunks share. All threads of
- * vtkSMPTools are used.
+ * surface and a chunk for each thread. Decoded chunks are kept within the memory budget of the
+ * reader, so that other isovalues need not decode them again. If that budget is small, shared
+ * points take up to 32 MiB more (64 MiB for simplified meshes) while the surface is made. All
+ * threads of vtkSMPTools are used.
  *
- * *Errors.* A missing array, a component that is not there, isovalues that are not finite, cells
- * that cannot be made tetrahedra and damaged files are reported by vtkErrorMacro and GetErrorCode
- * (as vtkGatunReader has them); the output is then empty.
+ * *Errors.* A missing array, a component that does not exist, isovalues that are not finite, cells
+ * that cannot be converted to tetrahedra and damaged files are reported by vtkErrorMacro and
+ * GetErrorCode (with the codes of vtkGatunReader). The output is then empty.
  *
  * @par Background
  * C. Yang: On-the-fly processing of compressed volume data, 2001 (layers of values). P. Cignoni, P.
  * Marino, C. Montani, E. Puppo, R. Scopigno: Speeding up isosurface extraction using interval
  * trees. IEEE Transactions on Visualization and Computer Graphics 3(2), 1997.
  *
- * @warning With OutputStrips there are no cell arrays, as a strip goes through many cells.
+ * @warning With OutputStrips there are no cell arrays, since a strip passes through many cells.
  *
- * @sa vtkGatunReader vtkContourGrid vtkContour3DLinearGrid
+ * @sa vtkGatunReader vtkGatunFileHandle vtkContourGrid vtkContour3DLinearGrid
  */
 
 #ifndef vtkGatunContour_h
@@ -134,18 +137,8 @@ public:
 
   ///@{
   /**
-   * Memory for decoded chunks of a file, in MiB, 0 or more, so that other isovalues need not decode
-   * them again. Shared points take up to 32 MiB in addition. The output does not depend on the
-   * budget. Default: 512.
-   */
-  vtkSetClampMacro(MemoryBudget, int, 0, VTK_INT_MAX);
-  vtkGetMacro(MemoryBudget, int);
-  ///@}
-
-  ///@{
-  /**
-   * What the last update needed of a file: chunks in the file, those that the surfaces pass
-   * through, and tetrahedra in these; 0 without a file.
+   * Statistics of the last update from a file: the number of chunks in the file, of those that the
+   * surfaces pass through, and of the tetrahedra in these; 0 without a file.
    */
   vtkIdType GetNumberOfChunks();
   vtkIdType GetNumberOfChunksUsed();
@@ -153,7 +146,8 @@ public:
   ///@}
 
   /**
-   * Bytes read from the file since it was opened; 0 without a file.
+   * Bytes that the reader and all its consumers have read from the file since it was opened; 0
+   * without a file.
    */
   vtkTypeUInt64 GetBytesRead();
 
@@ -173,17 +167,16 @@ protected:
     vtkInformationVector* outputVector) override;
 
   /**
-   * Where the input comes from: what it is connected to, unless a subclass knows of algorithms in
-   * between that pass it on as it is. Such a subclass gets the reader's output, too.
+   * The information in which to look for a vtkGatunFileHandle: that of the input, unless a subclass
+   * knows of algorithms in between that pass on the mesh unchanged.
    */
-  virtual vtkAlgorithm* FindProducer();
+  virtual vtkInformation* GetFileInformation(vtkInformation* inInfo);
 
   int ArrayComponent = -1;
   bool ComputeNormals = false;
   bool ComputeScalars = true;
   bool OutputStrips = false;
   int OutputPointsPrecision = DEFAULT_PRECISION;
-  int MemoryBudget = 512;
 
 private:
   vtkGatunContour(const vtkGatunContour&) = delete;

@@ -5,7 +5,11 @@
 
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
+#include "gatunExactGhosts.h"
+#include "gatunFileConsumer.h"
+#include "gatunFileReader.h"
 #include "gatunMergeGrid.h"
+#include "gatunPieceReader.h"
 #include "gatunSimplifyTarget.h"
 #include "gatunTetInput.h"
 #include "vtkGatunCompat.h"
@@ -18,12 +22,14 @@
 #include "vtkErrorCode.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -110,10 +116,115 @@ public:
   gatun::MergeTree Tree;
   double OutputRMSError = 0;
 
+  // The file that the last output came from, if it came from one.
+  std::shared_ptr<gatun::SharedFile> File;
+  std::size_t FileMerges = 0;
+  gatun::PieceReader Pieces;
+  bool HasWarned = false; // that pieces do not fit together
+
+  static const gatun::PublishedFile* FindHierarchy(vtkGatunSimplify* self, vtkInformation* inInfo);
+
+  void ForgetFile();
+  void ForgetGrid();
+  void FillFromFile(vtkGatunSimplify* self, const gatun::PublishedFile& handle,
+    vtkInformation* inInfo, vtkInformation* outInfo, vtkUnstructuredGrid* output);
+  void FillFromGrid(vtkGatunSimplify* self, vtkInformation* outInfo, vtkUnstructuredGrid* input,
+    vtkUnstructuredGrid* output);
   void Prepare(vtkGatunSimplify* self, vtkUnstructuredGrid* input);
   static gatun::SimplifyProperties Target(const vtkGatunSimplify* self);
-  std::size_t CountMerges(const vtkGatunSimplify* self) const;
 };
+
+//------------------------------------------------------------------------------
+/** The file that the input comes from, if its hierarchy is to be used. */
+const gatun::PublishedFile* vtkGatunSimplify::vtkInternals::FindHierarchy(
+  vtkGatunSimplify* self, vtkInformation* inInfo)
+{
+  if (!self->UseFileHierarchy)
+  {
+    return nullptr;
+  }
+  const gatun::PublishedFile* const handle = gatun::GetUsableFile(self->GetFileInformation(inInfo));
+  return handle && handle->File->GetFile()->HasMergeTree() ? handle : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunSimplify::vtkInternals::ForgetFile()
+{
+  this->Pieces.Close();
+  this->File.reset();
+  this->FileMerges = 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunSimplify::vtkInternals::ForgetGrid()
+{
+  this->Tets = nullptr;
+  this->Input = nullptr;
+  this->Tree = {};
+}
+
+//------------------------------------------------------------------------------
+/** The merges of the file, after those that the reader makes. */
+void vtkGatunSimplify::vtkInternals::FillFromFile(vtkGatunSimplify* self,
+  const gatun::PublishedFile& handle, vtkInformation* inInfo, vtkInformation* outInfo,
+  vtkUnstructuredGrid* output)
+{
+  this->ForgetGrid();
+  if (handle.File != this->File)
+  {
+    this->ForgetFile();
+    this->File = handle.File;
+  }
+  const gatun::FileReader& file = *handle.File->GetFile();
+  gatun::SimplifiedFile& hierarchy = handle.File->GetHierarchy();
+  // The target is about the reader's mesh, except for an error, which is about the whole mesh.
+  const gatun::SimplifyTarget target = Target(self).GetTarget();
+  const bool isError = target.Kind == gatun::SimplifyTarget::RMSError;
+  const std::size_t before = isError ? 0 : handle.Merges;
+  const std::size_t merges = before +
+    gatun::CountMerges(target, file.GetNumberOfPoints() - before, file.GetNumberOfMerges() - before,
+      [&hierarchy]() -> const gatun::MergeTree& { return hierarchy.GetTree(); });
+  this->FileMerges = std::max(merges, handle.Merges);
+
+  gatun::PortRequest port(file, outInfo);
+  port.Step = gatun::GetRequestedStep(file, inInfo);
+  this->Pieces.Choose(handle, this->FileMerges);
+  std::vector<std::uint32_t> chunks(this->Pieces.GetMesh().GetChunks().size());
+  std::iota(chunks.begin(), chunks.end(), 0u);
+  this->Pieces.Read(handle, this->Pieces.MakeRequest(handle, port, chunks),
+    handle.GenerateGlobalIds || port.Pieces > 1, output,
+    [self](double fraction)
+    {
+      self->UpdateProgress(fraction);
+      return !gatun::IsAborted(self);
+    });
+  gatun::SetStepTime(file, port.Step, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunSimplify::vtkInternals::FillFromGrid(vtkGatunSimplify* self, vtkInformation* outInfo,
+  vtkUnstructuredGrid* input, vtkUnstructuredGrid* output)
+{
+  this->ForgetFile();
+  this->Prepare(self, input);
+  const std::size_t merges =
+    gatun::CountMerges(Target(self).GetTarget(), this->Tree.GetNumberOfPoints(),
+      this->Tree.GetMerges().size(), [this]() -> const gatun::MergeTree& { return this->Tree; });
+  if (merges == 0)
+  {
+    output->ShallowCopy(this->Tets);
+    return;
+  }
+  if (vtkStreamingDemandDrivenPipeline::GetUpdateNumberOfPieces(outInfo) > 1 && !this->HasWarned)
+  {
+    this->HasWarned = true;
+    vtkWarningWithObjectMacro(self,
+      "Each piece is simplified on its own, so that pieces do not fit together. They do if the "
+      "input is a vtkGatunReader whose file has a hierarchy (gtn pack --hierarchy).");
+  }
+  FillOutput(this->Tets, this->Tree, merges, output);
+  this->OutputRMSError = this->Tree.GetLargestError(merges);
+}
 
 //------------------------------------------------------------------------------
 /** Finds the order of merges, unless it is known. */
@@ -159,13 +270,6 @@ gatun::SimplifyProperties vtkGatunSimplify::vtkInternals::Target(const vtkGatunS
 }
 
 //------------------------------------------------------------------------------
-std::size_t vtkGatunSimplify::vtkInternals::CountMerges(const vtkGatunSimplify* self) const
-{
-  return gatun::CountMerges(Target(self).GetTarget(), this->Tree.GetNumberOfPoints(),
-    this->Tree.GetMerges().size(), [this]() -> const gatun::MergeTree& { return this->Tree; });
-}
-
-//------------------------------------------------------------------------------
 vtkGatunSimplify::vtkGatunSimplify()
   : Internals(std::make_unique<vtkInternals>())
 {
@@ -200,37 +304,85 @@ void vtkGatunSimplify::ClearArrayWeights()
 //------------------------------------------------------------------------------
 vtkIdType vtkGatunSimplify::GetMostMerges()
 {
-  return static_cast<vtkIdType>(this->Internals->Tree.GetMerges().size());
+  const auto& self = *this->Internals;
+  return static_cast<vtkIdType>(
+    self.File ? self.File->GetFile()->GetNumberOfMerges() : self.Tree.GetMerges().size());
 }
 
 //------------------------------------------------------------------------------
 double vtkGatunSimplify::GetOutputRMSError()
 {
-  return this->Internals->OutputRMSError;
+  auto& self = *this->Internals;
+  if (!self.File || self.FileMerges == 0)
+  {
+    return self.OutputRMSError;
+  }
+  try
+  {
+    // The tree is not needed for the output if that is a base mesh.
+    return self.File->GetHierarchy().GetTree().GetLargestError(self.FileMerges);
+  }
+  catch (...)
+  {
+    vtkErrorMacro(<< gatun::DescribeFailure(self.File->GetFile()->GetPath().c_str()).Message);
+    return 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkInformation* vtkGatunSimplify::GetFileInformation(vtkInformation* inInfo)
+{
+  return inInfo;
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunSimplify::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkInformation* const outInfo = outputVector->GetInformationObject(0);
+  outInfo->Remove(gatun::ExactGhostLevels());
+  if (vtkInternals::FindHierarchy(this, inputVector[0]->GetInformationObject(0)))
+  {
+    // As the reader, whose ghost levels depend on nothing but the request.
+    outInfo->Set(gatun::ExactGhostLevels(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunSimplify::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  vtkInformation* const inInfo = inputVector[0]->GetInformationObject(0);
+  // Only where the handle is that of the input itself: others are asked as always.
+  if (gatun::GetUsableFile(inInfo) && vtkInternals::FindHierarchy(this, inInfo))
+  {
+    gatun::RequestNothing(inInfo);
+  }
+  return 1;
 }
 
 //------------------------------------------------------------------------------
 int vtkGatunSimplify::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  auto* const input = vtkUnstructuredGrid::GetData(inputVector[0], 0);
-  auto* const output = vtkUnstructuredGrid::GetData(outputVector, 0);
+  vtkInformation* const inInfo = inputVector[0]->GetInformationObject(0);
+  vtkInformation* const outInfo = outputVector->GetInformationObject(0);
+  auto* const output = vtkUnstructuredGrid::GetData(outInfo);
   output->Initialize();
   this->SetErrorCode(vtkErrorCode::NoError);
   auto& self = *this->Internals;
   self.OutputRMSError = 0;
+  const gatun::PublishedFile* const file = vtkInternals::FindHierarchy(this, inInfo);
   try
   {
-    self.Prepare(this, input);
-    const std::size_t merges = self.CountMerges(this);
-    if (merges == 0)
+    if (file)
     {
-      output->ShallowCopy(self.Tets);
+      self.FillFromFile(this, *file, inInfo, outInfo, output);
     }
     else
     {
-      FillOutput(self.Tets, self.Tree, merges, output);
-      self.OutputRMSError = self.Tree.GetLargestError(merges);
+      self.FillFromGrid(this, outInfo, vtkUnstructuredGrid::GetData(inInfo), output);
     }
     this->UpdateProgress(1);
     return 1;
@@ -238,7 +390,9 @@ int vtkGatunSimplify::RequestData(
   catch (...)
   {
     output->Initialize();
-    const gatun::VTKFailure failure = gatun::DescribeFailure("The mesh cannot be simplified");
+    self.Pieces.ForgetMesh();
+    const gatun::VTKFailure failure =
+      gatun::DescribeFailure(file ? file->Path.c_str() : "The mesh cannot be simplified");
     this->SetErrorCode(failure.Code);
     if (!failure.Aborted)
     {
@@ -255,5 +409,6 @@ void vtkGatunSimplify::PrintSelf(ostream& os, vtkIndent indent)
   vtkInternals::Target(this).Print(os, indent);
   os << indent << "Metric: " << (this->Metric == METRIC_MASS ? "Mass" : "Density") << "\n";
   os << indent << "BoundaryWeight: " << this->BoundaryWeight << "\n";
+  os << indent << "UseFileHierarchy: " << (this->UseFileHierarchy ? "On" : "Off") << "\n";
   this->Internals->Weights.Print(os, indent);
 }

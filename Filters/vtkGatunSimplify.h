@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkGatunSimplify
- * @brief Makes a tetrahedral mesh coarser, to any degree, at once.
+ * @brief Simplifies a tetrahedral mesh to any degree.
  *
  * The filter collapses edges: a point is merged into a neighbor, the cheapest merge first. The cost
  * of a merge is the squared change of the values and, on the boundary, of the shape. The order of
@@ -14,9 +14,21 @@
  * vtkGatunWriter. Ghost cells are left out. Output: the remaining points, unmoved and in their
  * order, with their point data; the remaining tetrahedra with their cell data; the field data.
  *
- * *Cost.* The filter uses one thread. The computation of the order takes about 150 bytes a
- * tetrahedron, with one array. The order is kept as long as the input does not change and takes 20
- * bytes a point.
+ * *From a file.* If the input is the output of a vtkGatunReader without a region of interest, and
+ * its file has a hierarchy (vtkGatunWriter::Hierarchy), the filter finds a vtkGatunFileHandle in
+ * the information of its input and uses the order of merges in the file, and its base meshes. The
+ * reader is then not asked for the mesh. The output is what the reader gives with the same number
+ * of merges: the same points and cells in the same order, with pieces that fit together, ghost
+ * cells, time steps and the selected arrays. If the reader simplifies, too, SimplificationRatio and
+ * SimplificationNumberOfPoints refer to its mesh. Metric, BoundaryWeight and array weights have no
+ * influence, since they were chosen when the file was written; see UseFileHierarchy.
+ *
+ * *Pieces.* Without a file that has a hierarchy, each piece is simplified on its own, and pieces do
+ * not fit together. The filter warns once.
+ *
+ * *Cost.* From a file, that of the reader. Otherwise: the filter uses one thread. The computation
+ * of the order takes about 150 bytes a tetrahedron, with one array. The order is kept as long as
+ * the input does not change and takes 20 bytes a point.
  *
  * *Abort.* AbortExecute is checked while the order is computed. The output is then empty and
  * GetErrorCode is vtkGatunErrorCode::AbortedError.
@@ -31,9 +43,7 @@
  * C.-K. Yang: On-the-fly processing of compressed volume data. Dissertation proposal, State
  * University of New York at Stony Brook, 2001, section 5 (tree of merges).
  *
- * @warning Each piece is simplified on its own. Simplified pieces do not fit together.
- *
- * @sa vtkUnstructuredGridQuadricDecimation
+ * @sa vtkGatunReader vtkGatunFileHandle vtkUnstructuredGridQuadricDecimation
  */
 
 #ifndef vtkGatunSimplify_h
@@ -137,6 +147,16 @@ public:
   void ClearArrayWeights();
   ///@}
 
+  ///@{
+  /**
+   * Whether the hierarchy of the file is used if the input comes from a file that has one. Off: the
+   * filter finds an order of merges of its own for the input. Default: on.
+   */
+  vtkSetMacro(UseFileHierarchy, bool);
+  vtkGetMacro(UseFileHierarchy, bool);
+  vtkBooleanMacro(UseFileHierarchy, bool);
+  ///@}
+
   /**
    * Number of merges for the input of the last update, which is the largest number of points that
    * can be removed.
@@ -152,8 +172,17 @@ protected:
   vtkGatunSimplify();
   ~vtkGatunSimplify() override;
 
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+
+  /**
+   * As vtkGatunContour::GetFileInformation.
+   */
+  virtual vtkInformation* GetFileInformation(vtkInformation* inInfo);
 
   int SimplificationTarget = TARGET_RATIO;
   double SimplificationRatio = 0.5;
@@ -161,6 +190,7 @@ protected:
   double SimplificationRMSError = 1e-3;
   int Metric = METRIC_MASS;
   double BoundaryWeight = 0.5;
+  bool UseFileHierarchy = true;
 
 private:
   vtkGatunSimplify(const vtkGatunSimplify&) = delete;

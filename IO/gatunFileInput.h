@@ -4,33 +4,13 @@
 #ifndef gatunFileInput_h
 #define gatunFileInput_h
 
-// Filters that go to the file of a reader instead of its output.
-
 #include "gatunFileSignature.h"
-#include "vtkGatunIOModule.h" // For export macro
 
-#include <cstddef>
 #include <memory>
 #include <string>
 
-class vtkAlgorithm;
-class vtkGatunReader;
-class vtkInformation;
-
 namespace gatun
 {
-class FileReader;
-
-/** The reader whose file can be used instead of its output; null if that is not the same. */
-VTKGATUNIO_EXPORT vtkGatunReader* GetFileReader(vtkAlgorithm* input);
-
-/** Makes a consumer of a reader's file ask for nothing that the reader would have to decode: for
- * what its output has already, or for a piece without any cells. Info: of the consumer's input. */
-VTKGATUNIO_EXPORT void RequestNothing(vtkGatunReader* reader, vtkInformation* info);
-
-/** The last step not later than a time, or the first. */
-VTKGATUNIO_EXPORT std::size_t FindStep(const FileReader& file, double time);
-
 /** A file that is opened anew when it has changed. FileT: FileReader, or what else is made of a
  * path and throws gatun::Error. */
 template <typename FileT>
@@ -73,8 +53,6 @@ private:
   std::string Path;
   FileSignature Signature;
 };
-
-using CurrentFile = CurrentFileOf<FileReader>;
 }
 
 #endif

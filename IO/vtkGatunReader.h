@@ -2,69 +2,74 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkGatunReader
- * @brief Reads a compressed tetrahedral mesh (`.gtn`), whole or in parts.
+ * @brief Reads a compressed tetrahedral mesh (`.gtn`), whole or in pieces.
  *
- * The output is a vtkUnstructuredGrid of tetrahedra, bit for bit that which vtkGatunWriter was
- * given: points as float or double, connectivity with 32- or 64-bit ids (whichever the input had),
- * point, cell and field arrays of their VTK types with component names and roles (active scalars,
- * vectors, ..., global ids). Information keys of arrays are not stored in `.gtn` files. Unless the
- * file keeps the input's order and RestoreOrder is on, points and cells come in the file's own
- * order and the corners of a tetrahedron may be rotated; its orientation never changes.
+ * The output is a vtkUnstructuredGrid of tetrahedra. It equals the input of vtkGatunWriter bit for
+ * bit: points as float or double, connectivity with 32- or 64-bit ids (as in the input), point,
+ * cell and field arrays of their VTK types with component names and roles (active scalars, vectors,
+ * ..., global ids). Information keys of arrays are not stored in `.gtn` files. Unless the file
+ * keeps the order of the input and RestoreOrder is on, points and cells come in the order of the
+ * file, and the corners of a tetrahedron may be rotated. Its orientation never changes.
  *
- * *Parts.* A file consists of chunks, and piece p of n is the chunks floor(p C / n) to
- * floor((p + 1) C / n) - 1 of the C that pass the region of interest; only these are read. Points
- * that no cell uses belong to piece 0. With more pieces than chunks some are empty. On request
- * there are layers of ghost cells: vtkGhostType then marks what another piece owns. Global ids are
- * the same in all pieces.
+ * *Pieces.* A file consists of chunks. If C of them pass the region of interest, piece p of n
+ * consists of the chunks floor(p C / n) to floor((p + 1) C / n) - 1. Only these are read. Points
+ * that no cell uses belong to piece 0. With more pieces than chunks some pieces are empty. On
+ * request the reader adds layers of ghost cells; vtkGhostType then marks the points and cells of
+ * other pieces. Global ids are the same in all pieces.
  *
- * *Regions of interest.* With a box or a value range, the chunks that pass are the mesh, as if the
- * file had no others: pieces divide them, ghost cells come from among them, and each of their
- * points is owned by exactly one piece. Where the region ends there are no ghosts, and the output
- * has a surface.
+ * *Regions of interest.* With a box or a value range, the chunks that pass form the mesh, as if the
+ * file had no others. Pieces divide them, ghost cells are taken from them, and each of their points
+ * is owned by exactly one piece. The region ends without ghost cells, and the output has a surface
+ * there.
  *
  * *Arrays.* Only the selected arrays are read from the file. All are selected by default.
  *
- * *Time.* The step is the last one not later than the time asked for, or the first one when all are
- * later; the output's vtkDataObject::DATA_TIME_STEP() tells which. As long as the piece stays the
- * same, all steps share their points and cells.
+ * *Time.* The reader gives the last step that is not later than the requested time, or the first
+ * step if all are later. vtkDataObject::DATA_TIME_STEP() of the output is its time. While the piece
+ * stays the same, all steps share their points and cells.
  *
- * *Consumers.* Several filters behind the reader may ask for different pieces, ghost levels and
- * times, in turn: each gets exactly what it asked for. Who asks for no time gets the one last asked
- * for, as everywhere in VTK.
+ * *Consumers.* Several filters behind the reader may request different pieces, ghost levels and
+ * times in turn. Each gets exactly what it requests. A filter that requests no time gets the time
+ * that was requested last, as everywhere in VTK.
  *
- * *Change on disk.* Each update looks whether the file was replaced or rewritten since, and then
- * reads it anew.
+ * *Consumers of the file.* UpdateInformation publishes a vtkGatunFileHandle in the information of
+ * the output. vtkGatunContour, vtkGatunSimplify, vtkGatunRayCaster and vtkGatunVolumeMapper take
+ * what they need from there. They share the open file, the decoded chunks and the memory budget of
+ * the reader, and the reader decodes nothing for them. With a region of interest they use the
+ * output.
  *
- * *On demand.* With OnDemand, always or for large meshes, the output is not the mesh but its
- * outline: the 8 corners of its bounds and 12 lines, with the selected arrays, whose values span
- * what those of the mesh do at the current step, component by component, and, of up to three
- * components, also in length. Piece 0 has it, all others are empty. Nothing is decoded.
- * ON_DEMAND() in the output's information and GetIsOnDemand tell it from a mesh.
- * vtkGatunVolumeMapper and vtkGatunRayCaster draw the mesh all the same, as they draw the file,
- * simplified as it is asked for here, or more if they are to.
- * With a box or a value range the output is always a mesh, that of the chunks that pass.
+ * *Change on disk.* Each update checks whether the file was replaced or rewritten. If so, the
+ * reader opens it anew.
  *
- * *Simplification.* Files written with a hierarchy (vtkGatunWriter::Hierarchy) can be read with any
- * number of points: see SimplificationTarget. Whatever the piece, the tetrahedra are those that
- * vtkGatunSimplify leaves of the whole mesh, so pieces fit together. Where the file has base meshes
- * (vtkGatunWriter::Levels), only the simplest one that is still fine enough is decoded, unless the
+ * *On demand.* With OnDemand, always or for large meshes, the output is the outline of the mesh:
+ * the 8 corners of its bounds and 12 lines. The outline has the selected arrays. Their values span
+ * the ranges of those of the mesh at the current step, component by component and, for up to three
+ * components, in length. Piece 0 has the outline, all others are empty. Nothing is decoded.
+ * ON_DEMAND() in the information of the output and GetIsOnDemand distinguish it from a mesh. The
+ * consumers of the file use the mesh all the same. With a region of interest the output is always a
+ * mesh.
+ *
+ * *Simplification.* Files with a hierarchy (vtkGatunWriter::Hierarchy) can be read with any number
+ * of points; see SimplificationTarget. The tetrahedra of all pieces together are those that
+ * vtkGatunSimplify leaves of the whole mesh, so that pieces fit together. If the file has base
+ * meshes (vtkGatunWriter::Levels), only the coarsest one that is fine enough is decoded, unless the
  * original order is to be restored, which base meshes do not have. Time, arrays, regions and ghost
- * cells work as on the whole mesh; global ids are those of the base mesh where one is read.
+ * cells work as on the whole mesh. Global ids are those of the base mesh if one is read.
  *
- * *Cost.* Memory: the output, as much again while ghost cells are chosen, and the mesh last read;
- * besides, chunks that were decoded are kept up to MemoryBudget, so that other pieces, arrays and
- * time steps need not decode them again. Decoding uses all threads of vtkSMPTools.
+ * *Cost.* Memory: the output, the same again while ghost cells are chosen, and the mesh that was
+ * read last. Decoded chunks are kept within MemoryBudget, so that other pieces, arrays and time
+ * steps need not decode them again. Decoding uses all threads of vtkSMPTools.
  *
- * *Errors.* Reported by vtkErrorMacro with a message that begins with the file's name; GetErrorCode
- * is then one of vtkErrorCode::NoFileNameError, FileNotFoundError, CannotOpenFileError (a folder,
- * no permission), UnrecognizedFileTypeError (not a `.gtn` file), PrematureEndOfFileError
- * (truncated), FileFormatError (damaged), UnknownError (such as too little memory), or of
- * vtkGatunErrorCode. The output is then empty.
+ * *Errors.* Errors are reported by vtkErrorMacro with a message that begins with the name of the
+ * file. GetErrorCode is then one of vtkErrorCode::NoFileNameError, FileNotFoundError,
+ * CannotOpenFileError (a folder, no permission), UnrecognizedFileTypeError (not a `.gtn` file),
+ * PrematureEndOfFileError (truncated), FileFormatError (damaged), UnknownError (such as too little
+ * memory), or of vtkGatunErrorCode. The output is then empty.
  *
- * @warning With a region of interest the output holds whole chunks, hence also cells outside.
- * @warning The original order can be restored only where the whole mesh is asked for.
+ * @warning With a region of interest the output consists of whole chunks and has cells outside.
+ * @warning The original order can be restored only if the whole mesh is requested.
  *
- * @sa vtkGatunWriter
+ * @sa vtkGatunWriter vtkGatunFileHandle
  */
 
 #ifndef vtkGatunReader_h
@@ -320,13 +325,6 @@ public:
   bool GetHasHierarchy();
 
   /**
-   * The part of the points that is merged away by the simplification that is asked for, as the
-   * SimplificationRatio that leaves just as many; -1 if what is asked for cannot be done: then the
-   * update says why. Updates the information if any simplification is asked for.
-   */
-  double GetSimplification();
-
-  /**
    * Whether the output is the outline of the mesh, with the file and the properties as they are:
    * true or false, after UpdateInformation. False without a readable file.
    */
@@ -339,12 +337,13 @@ public:
   static vtkInformationIntegerKey* ON_DEMAND();
 
   /**
-   * Bytes of decoded chunks that are kept now; never more than MemoryBudget.
+   * Memory of what is kept now of the file, for the reader and its consumers, in bytes; never more
+   * than MemoryBudget.
    */
   vtkTypeUInt64 GetCachedBytes();
 
   /**
-   * How often the mesh of a chunk was decoded since the file was opened.
+   * Number of chunks whose mesh was decoded for the reader's output since the file was opened.
    */
   vtkTypeUInt64 GetDecodedChunks();
 
@@ -371,8 +370,8 @@ public:
   vtkTable* GetChunkTable();
 
   /**
-   * Bytes read from the file since this reader opened it, which happens in UpdateInformation when
-   * the name or the file changed. 0 without an open file.
+   * Bytes that the reader and its consumers have read from the file since it was opened, which
+   * happens in UpdateInformation when the name or the file has changed. 0 without an open file.
    */
   vtkTypeUInt64 GetBytesRead();
 
@@ -419,6 +418,7 @@ private:
   void operator=(const vtkGatunReader&) = delete;
 
   void Fail(vtkInformationVector* outputVector) noexcept;
+  void PublishFailure(vtkInformation* outInfo) noexcept;
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -105,7 +105,7 @@ void Render(const RenderOptions& options, const Settings& settings)
   caster->SetSimplificationRatio(options.Ratio);
   caster->SetTimeBudget(options.TimeBudget);
   caster->SetProperty(property);
-  input->Connect(caster);
+  input->Connect(caster, options.Memory);
   const auto render = [&](vtkCamera* camera, Progress& progress)
   {
     RequireFewSamples(options, input->GetBounds(), camera);

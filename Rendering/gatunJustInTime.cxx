@@ -12,13 +12,19 @@ namespace gatun
 {
 namespace
 {
-/** How many points a ratio leaves. */
-std::uint64_t CountPoints(const LevelsOfDetail& detail, double ratio)
+/** The number of points that a request leaves at most. */
+std::uint64_t CountPoints(const LevelsOfDetail& detail, const FrameRequest& request)
 {
   const auto all = detail.GetNumberOfPoints();
-  return all -
-    CountMerges({ SimplifyTarget::Ratio, ratio }, all,
-      static_cast<std::size_t>(all - detail.GetFewestPoints()), {});
+  const auto most = all - detail.GetFewestPoints();
+  const std::uint64_t merges =
+    CountMerges({ SimplifyTarget::Ratio, request.Ratio }, all, static_cast<std::size_t>(most), {});
+  return all - std::max(merges, std::min(request.Merges, most));
+}
+
+bool Simplifies(const FrameRequest& request)
+{
+  return request.Ratio > 0 || request.Merges > 0;
 }
 }
 
@@ -33,7 +39,7 @@ FrameLimits JustInTime::GetLimits(const LevelsOfDetail* detail, const FrameReque
   {
     // A picture of fewer is hardly faster, and shows next to nothing.
     constexpr std::uint64_t enough = 500;
-    limits.MostPoints = CountPoints(*detail, request.Ratio);
+    limits.MostPoints = CountPoints(*detail, request);
     limits.FewestPoints = std::min(limits.MostPoints, std::max(detail->GetFewestPoints(), enough));
     limits.EstimateTets = [detail](std::uint64_t points) { return detail->EstimateTets(points); };
   }
@@ -62,7 +68,7 @@ Frame JustInTime::ChooseInMotion(LevelOfDetailCache& levels, const FrameRequest&
   }
   const auto wanted = this->Budget.ChoosePoints(request.Budget, limits, this->Present);
   frame.Points = wanted;
-  if (wanted != limits.MostPoints || request.Ratio > 0)
+  if (wanted != limits.MostPoints || Simplifies(request))
   {
     // Another one than what would be best, as long as that is not ready.
     const auto ready = levels.FindReady(wanted);
@@ -85,7 +91,7 @@ Frame JustInTime::Begin(
     throw Error(ErrorCode::InvalidInput, "the simplification ratio must be from 0 to 1");
   }
   this->Request = request;
-  if (request.Ratio > 0)
+  if (Simplifies(request))
   {
     levels.WaitForLevels(progress);
   }
@@ -97,7 +103,7 @@ Frame JustInTime::Begin(
   Frame frame;
   frame.Distance = request.LeastDistance;
   const LevelsOfDetail* const detail = levels.FindLevels();
-  frame.Points = detail ? CountPoints(*detail, request.Ratio) : 0;
+  frame.Points = detail ? CountPoints(*detail, request) : 0;
   frame.Source = detail ? levels.Get(frame.Points) : levels.GetWhole();
   return frame;
 }

@@ -13,11 +13,12 @@
 
 namespace gatun
 {
-/** What is wanted of a picture. */
+/** The requirements of a frame. */
 struct FrameRequest
 {
-  double Budget = 0; ///< seconds that it may take; 0: all that it needs
-  double Ratio = 0;  ///< part of the points that is merged away in any case
+  double Budget = 0;        ///< seconds that it may take; 0: all that it needs
+  double Ratio = 0;         ///< fraction of points removed in any case
+  std::uint64_t Merges = 0; ///< number of points removed in any case
   double Pixels = 0;
   double LeastDistance = 1; ///< of rays
   double LargestDistance = 1;

@@ -4,14 +4,14 @@
 #include "gatunRayScene.h"
 
 #include "gatunError.h"
-#include "gatunFileDetail.h"
+#include "gatunFileLevelsOfDetail.h"
 #include "gatunFileRaySource.h"
 #include "gatunFileReader.h"
 #include "gatunMemoryLevelsOfDetail.h"
+#include "gatunPublishedFile.h"
 #include "gatunRayCaster.h"
-#include "vtkGatunReader.h"
 
-#include "vtkInformation.h"
+#include "vtkAlgorithm.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -59,13 +59,6 @@ LevelOfDetailCache::Room Divide(std::uint64_t budget)
 }
 
 //------------------------------------------------------------------------------
-double GetRatio(vtkAlgorithm* input, double ratio)
-{
-  vtkGatunReader* const reader = GetFileReader(input);
-  const double asked = reader ? reader->GetSimplification() : 0;
-  return ratio >= 0 && asked > ratio ? asked : ratio; // one that is wrong stays so
-}
-
 RayScene::RayScene() = default;
 RayScene::~RayScene() = default;
 
@@ -84,7 +77,6 @@ void RayScene::Clear()
   this->Drop();
   this->Known = {};
   this->Values = {};
-  this->File.Close();
 }
 
 //------------------------------------------------------------------------------
@@ -128,7 +120,7 @@ void RayScene::SetGrid(
     this->Take(key, std::move(source), values);
     return;
   }
-  // A copy, as the grid may change while simpler meshes are made in the background.
+  // A copy, as the grid may change while coarser meshes are made in the background.
   const GridMesh original(grid, array);
   const auto mesh = std::make_shared<const MemoryRayMesh>(
     original.GetMesh(), original.GetValues(), original.GetHidden());
@@ -142,65 +134,43 @@ void RayScene::SetGrid(
 }
 
 //------------------------------------------------------------------------------
-void RayScene::OpenFile(const std::string& path)
-{
-  if (this->File.IsNew(path))
-  {
-    this->Clear();
-  }
-  this->File.Get(path);
-}
-
-//------------------------------------------------------------------------------
-const Bounds& RayScene::GetFileBounds(const std::string& path)
-{
-  this->OpenFile(path);
-  return this->File.GetLast()->GetBounds();
-}
-
-//------------------------------------------------------------------------------
 std::uint64_t RayScene::GetBytesRead() const
 {
-  const auto& file = this->File.GetLast();
-  return file ? file->GetBytesRead() : 0;
+  return this->Known.File ? this->Known.File->GetBytesRead() : 0;
 }
 
 //------------------------------------------------------------------------------
-void RayScene::SetFile(const std::string& path, double time, const RayArray& array,
-  std::uint64_t budget, bool simplifies)
+void RayScene::SetFile(
+  const PublishedFile& handle, std::size_t step, const RayArray& array, bool simplifies)
 {
-  this->OpenFile(path);
   Key key;
-  const auto& file = this->File.GetLast();
-  key.File = file;
-  key.Step = FindStep(*file, time);
+  key.File = handle.File;
+  key.Step = step;
   key.Array = array;
-  key.Budget = budget;
   key.Simplifies = simplifies;
   if (this->IsKnown(key))
   {
     return;
   }
-  const auto index = FindArray(*file, array);
-  RequireComponent(array, file->GetArrays()[index].Components);
-  const RayValues values{ index, array.Component, key.Step };
-  const bool hasLevels = simplifies && HasDetail(*file);
-  const LevelOfDetailCache::Room room = Divide(budget);
-  auto whole = std::make_shared<FileRaySource>(file, values, hasLevels ? room.Whole : budget);
-  if (hasLevels)
+  const FileReader& file = *handle.File->GetFile();
+  const auto index = FindArray(file, array);
+  RequireComponent(array, file.GetArrays()[index].Components);
+  const RayValues values{ index, array.Component, step };
+  auto whole =
+    std::make_shared<FileRaySource>(handle.File->MakeView(handle.File->GetFile(), false), values);
+  if (simplifies && file.HasMergeTree())
   {
-    this->Levels =
-      std::make_unique<LevelOfDetailCache>([file, values](const RaySource::Progress& progress)
-        { return MakeFileDetail(file, values, progress); },
-        whole, room);
+    this->Levels = std::make_unique<LevelOfDetailCache>(
+      [shared = handle.File, values](const RaySource::Progress&)
+      { return std::make_shared<FileLevelsOfDetail>(shared, values); },
+      whole, Divide(handle.File->GetBudget()->GetBytes()));
   }
   else if (simplifies)
   {
     this->Obstacle =
-      path + ": there is no hierarchy in the file; make one with gtn pack --hierarchy";
+      handle.Path + ": there is no hierarchy in the file; make one with gtn pack --hierarchy";
   }
-  this->Take(
-    key, std::move(whole), GetDrawnRange(file->GetRanges(index, key.Step), array.Component));
+  this->Take(key, std::move(whole), GetDrawnRange(file.GetRanges(index, step), array.Component));
 }
 
 //------------------------------------------------------------------------------

@@ -4,7 +4,6 @@
 #ifndef gatunRayScene_h
 #define gatunRayScene_h
 
-#include "gatunFileInput.h"
 #include "gatunGridRaySource.h"
 #include "gatunLevelOfDetailCache.h"
 #include "gatunPieceRaySource.h"
@@ -17,23 +16,19 @@
 #include <memory>
 #include <string>
 
-class vtkAlgorithm;
 class vtkUnstructuredGrid;
 
 namespace gatun
 {
-class FileReader;
+struct PublishedFile;
 class RayCaster;
 struct RayView;
-
-/** The part of the points to be merged away: that which is wanted, or what is asked of the reader
- * whose file is drawn, if that is more. */
-double GetRatio(vtkAlgorithm* input, double ratio);
+class SharedFile;
 
 /**
- * What is drawn: a grid in memory, a file of which only what is seen is ever decoded, or a pipeline
- * of which a piece at a time is in memory. What has been prepared is kept, up to a budget, until
- * something else is to be drawn.
+ * The mesh of an image: a grid in memory, a file of which only visible chunks are decoded, or a
+ * pipeline of which one piece at a time is in memory. Prepared blocks are kept until another mesh
+ * is to be drawn: those of a file within its budget, others within a budget of their own.
  *
  * Methods throw gatun::Error: no such array, cells that cannot be drawn, a file that is damaged.
  */
@@ -45,25 +40,22 @@ public:
   RayScene(RayScene&&) = delete;
   RayScene& operator=(RayScene&&) = delete;
 
-  /** Simplifies: whether simpler meshes are to be drawn, too, if that is possible. */
+  /** Simplifies: whether coarser meshes are to be drawn, too, if that is possible. */
   void SetGrid(vtkUnstructuredGrid* grid, const RayArray& array, std::uint64_t budget,
     bool simplifies = false);
-  void SetFile(const std::string& path, double time, const RayArray& array, std::uint64_t budget,
-    bool simplifies = false);
+  void SetFile(
+    const PublishedFile& handle, std::size_t step, const RayArray& array, bool simplifies = false);
   void SetPieces(const RayProducer& producer, int pieces, const RayArray& array,
     std::uint64_t budget, const RaySource::Progress& progress = {});
   void Clear();
 
-  /** Of the points of a file. Opens it, and decodes nothing. */
-  const Bounds& GetFileBounds(const std::string& path);
-
-  /** From the file, since it was opened; 0 without one. */
+  /** From the file, since it was opened, by all its consumers; 0 without one. */
   std::uint64_t GetBytesRead() const;
 
-  /** Simpler meshes; null if they are not wanted, or cannot be made. */
+  /** Coarser meshes; null if they are not wanted, or cannot be made. */
   LevelOfDetailCache* GetLevels() { return this->Levels.get(); }
 
-  /** Why simpler meshes that were wanted cannot be made; empty if they can. */
+  /** The reason why coarser meshes that were wanted cannot be made; empty if they can. */
   const std::string& GetObstacle() const { return this->Obstacle; }
 
   /** Draws what was set, or, if it is not null, another source of the same mesh. */
@@ -81,7 +73,7 @@ private:
   struct Key
   {
     const void* Grid = nullptr;
-    std::shared_ptr<const FileReader> File; // held, so that no other comes to be at its address
+    std::shared_ptr<SharedFile> File; // held, so that no other comes to be at its address
     std::size_t Step = 0;
     RayProducer Producer;
     int Pieces = 0;
@@ -97,7 +89,6 @@ private:
   bool IsKnown(const Key& key);
   void Drop();
   void Take(const Key& key, std::shared_ptr<RaySource> source, const Range& values);
-  void OpenFile(const std::string& path);
 
   Key Known;
   std::shared_ptr<RaySource> Source;
@@ -105,8 +96,6 @@ private:
   std::string Obstacle;
   PieceRaySource* Pieces = nullptr; // the source, if it is one
   Range Values;
-
-  CurrentFile File;
 };
 }
 

@@ -5,13 +5,14 @@
 
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
+#include "gatunFileConsumer.h"
+#include "gatunFileReader.h"
 #include "gatunImagePipeline.h"
 #include "gatunJustInTime.h"
 #include "gatunRayCaster.h"
 #include "gatunRayRendering.h"
 #include "gatunRayScene.h"
 #include "vtkGatunCompat.h"
-#include "vtkGatunReader.h"
 
 #include "vtkCamera.h"
 #include "vtkErrorCode.h"
@@ -72,7 +73,7 @@ public:
   gatun::JustInTime Frames;
   gatun::RayStatistics Statistics;
 
-  void Draw(const vtkGatunRayCaster& self, double ratio, gatun::RayCaster& caster,
+  void Draw(const vtkGatunRayCaster& self, std::size_t merges, gatun::RayCaster& caster,
     const gatun::RayView& view, const gatun::RaySource::Progress& progress);
 };
 
@@ -269,9 +270,9 @@ int vtkGatunRayCaster::RequestUpdateExtent(
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* const info = inputs[0]->GetInformationObject(0);
-  if (vtkGatunReader* const reader = gatun::GetFileReader(this->GetInputAlgorithm()))
+  if (gatun::GetUsableFile(info))
   {
-    gatun::RequestNothing(reader, info);
+    gatun::RequestNothing(info);
     return 1;
   }
   info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
@@ -281,8 +282,8 @@ int vtkGatunRayCaster::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
-/** Draws the mesh, or a simpler one. */
-void vtkGatunRayCaster::vtkInternals::Draw(const vtkGatunRayCaster& self, double ratio,
+/** Draws the mesh, or a coarser one. Merges: the least number of them. */
+void vtkGatunRayCaster::vtkInternals::Draw(const vtkGatunRayCaster& self, std::size_t merges,
   gatun::RayCaster& caster, const gatun::RayView& view, const gatun::RaySource::Progress& progress)
 {
   gatun::LevelOfDetailCache* const levels = this->Scene.GetLevels();
@@ -294,8 +295,8 @@ void vtkGatunRayCaster::vtkInternals::Draw(const vtkGatunRayCaster& self, double
   levels->WaitForLevels(progress);
   const double pixels = static_cast<double>(self.Size[0]) * self.Size[1];
   const auto start = std::chrono::steady_clock::now();
-  const gatun::Frame frame =
-    this->Frames.Begin(*levels, { self.TimeBudget, ratio, pixels, 1, 1 }, progress);
+  const gatun::Frame frame = this->Frames.Begin(
+    *levels, { self.TimeBudget, self.SimplificationRatio, merges, pixels, 1, 1 }, progress);
   this->Scene.Draw(caster, view, progress, frame.Source.get());
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   this->Frames.End(
@@ -307,12 +308,12 @@ int vtkGatunRayCaster::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkImageData* const image = vtkImageData::GetData(outputs, 0);
-  vtkUnstructuredGrid* const grid = vtkUnstructuredGrid::GetData(inputs[0], 0);
+  vtkInformation* const inInfo = inputs[0]->GetInformationObject(0);
   image->Initialize();
   this->SetErrorCode(vtkErrorCode::NoError);
   auto& self = *this->Internals;
   self.Statistics = {};
-  vtkGatunReader* const reader = gatun::GetFileReader(this->GetInputAlgorithm());
+  const gatun::PublishedFile* const file = gatun::GetUsableFile(inInfo);
   try
   {
     if (!self.Camera || !self.Property)
@@ -327,17 +328,17 @@ int vtkGatunRayCaster::RequestData(
         this->SampleDistance, self.VolumeMatrix, false);
     const gatun::RayArray array{ this->ArrayName ? this->ArrayName : "", this->ArrayAssociation,
       this->ArrayComponent, {} };
-    const auto budget = static_cast<std::uint64_t>(this->MemoryBudget) << 20;
-    const double ratio = gatun::GetRatio(this->GetInputAlgorithm(), this->SimplificationRatio);
-    const bool simplifies = ratio != 0 || this->TimeBudget > 0;
-    if (reader)
+    const std::size_t merges = file ? file->Merges : 0;
+    const bool simplifies = this->SimplificationRatio != 0 || merges > 0 || this->TimeBudget > 0;
+    if (file)
     {
-      const double time = gatun::GetRequestedTime(gatun::GetProducer(this));
-      self.Scene.SetFile(reader->GetFileName(), time, array, budget, simplifies);
+      const auto step = gatun::GetRequestedStep(*file->File->GetFile(), inInfo);
+      self.Scene.SetFile(*file, step, array, simplifies);
     }
     else
     {
-      self.Scene.SetGrid(grid, array, budget, simplifies);
+      const auto budget = static_cast<std::uint64_t>(this->MemoryBudget) << 20;
+      self.Scene.SetGrid(vtkUnstructuredGrid::GetData(inInfo), array, budget, simplifies);
     }
     if (!self.Scene.GetObstacle().empty())
     {
@@ -359,7 +360,7 @@ int vtkGatunRayCaster::RequestData(
       gatun::MakeRayTable(self.Property, *gatun::RayModeOf(this->BlendMode), self.Scene.GetRange(),
         view.SampleDistance),
       gatun::MakeRayLimits(view, self.ClippingPlanes, self.VolumeMatrix), settings);
-    self.Draw(*this, ratio, caster, view, progress);
+    self.Draw(*this, merges, caster, view, progress);
 
     image->SetDimensions(this->Size[0], this->Size[1], 1);
     vtkNew<vtkFloatArray> colours;

@@ -10,9 +10,11 @@
  * coordinate or value that is NaN or infinite are invisible.
  *
  * If the input is the output of a vtkGatunReader (without a region of interest or a value range),
- * the image is drawn from the file: chunk by chunk from front to back, each decoded when it is
- * needed. Chunks that are outside the view, transparent or hidden are not read, and the reader
- * never executes. Other inputs must be in memory as a whole.
+ * the filter finds a vtkGatunFileHandle in the information of its input and draws from the file:
+ * chunk by chunk from front to back, each decoded when it is needed. Chunks that are outside the
+ * view, transparent or hidden are not read. The filter shares the open file and the memory budget
+ * of the reader, and the reader is not asked for the mesh. Other inputs must be in memory as a
+ * whole.
  *
  * Output: a vtkImageData of Size with the point arrays
  *
@@ -30,8 +32,8 @@
  * order of overlapping tetrahedra is undefined.
  *
  * *Cost.* Memory: about 75 bytes for each covered pixel and 20 MB for each thread, in addition to
- * MemoryBudget. Time: in proportion to the visible tetrahedra and to the samples. All threads of
- * vtkSMPTools are used.
+ * MemoryBudget or, for a file, to the budget of the reader. Time: in proportion to the visible
+ * tetrahedra and to the samples. All threads of vtkSMPTools are used.
  *
  * *Errors.* A mesh, array, parameter or file that cannot be drawn is reported by vtkErrorMacro and
  * GetErrorCode (see vtkGatunReader). The output is then empty.
@@ -41,7 +43,7 @@
  * data. IEEE Visualization 2000. P. Bunyk, A. Kaufman, C. Silva: Simple, fast and robust ray
  * casting of irregular grids. Dagstuhl 1997.
  *
- * @sa vtkGatunReader vtkUnstructuredGridVolumeRayCastMapper
+ * @sa vtkGatunReader vtkGatunFileHandle vtkUnstructuredGridVolumeRayCastMapper
  */
 
 #ifndef vtkGatunRayCaster_h
@@ -177,8 +179,9 @@ public:
 
   ///@{
   /**
-   * Memory for the parts of the mesh that are kept for the next image, in MiB, 0 or more. What
-   * does not fit is converted or decoded again for each image. Default: 512.
+   * Memory for the parts of a mesh in memory that are kept for the next image, in MiB, 0 or more.
+   * What does not fit is converted again for each image. For a file, the budget is that of the
+   * reader. Default: 512.
    */
   vtkSetClampMacro(MemoryBudget, int, 0, VTK_INT_MAX);
   vtkGetMacro(MemoryBudget, int);

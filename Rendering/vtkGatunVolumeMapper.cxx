@@ -3,68 +3,24 @@
 
 #include "vtkGatunVolumeMapper.h"
 
-#include "gatunError.h"
 #include "gatunErrorCodes.h"
-#include "gatunJustInTime.h"
-#include "gatunRayCaster.h"
-#include "gatunRayPicture.h"
-#include "gatunRayRefresh.h"
-#include "gatunRayRendering.h"
-#include "gatunRayScene.h"
-#include "vtkGatunReader.h"
+#include "gatunFileReader.h"
+#include "gatunPublishedFile.h"
+#include "vtkGatunVolumeMapperInternals.h"
 
 #include "vtkDataSet.h"
 #include "vtkErrorCode.h"
-#include "vtkFloatArray.h"
 #include "vtkMath.h"
-#include "vtkMatrix4x4.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPlaneCollection.h"
-#include "vtkRenderWindow.h"
-#include "vtkRenderer.h"
-#include "vtkTimerLog.h"
-#include "vtkTrivialProducer.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkVolume.h"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
-#include <set>
-#include <span>
-#include <string>
-#include <utility>
 
 vtkStandardNewMacro(vtkGatunVolumeMapper);
 
+using gatun::InputKind;
+
 namespace
 {
-
-//------------------------------------------------------------------------------
-enum class InputKind
-{
-  None,
-  Grid,
-  File,
-  Pieces
-};
-
-//------------------------------------------------------------------------------
-/** Where a renderer draws, in pixels of its window. */
-struct Viewport
-{
-  int Width = 0;
-  int Height = 0;
-  int X = 0;
-  int Y = 0;
-
-  explicit Viewport(vtkRenderer* renderer)
-  {
-    renderer->GetTiledSizeAndOrigin(&this->Width, &this->Height, &this->X, &this->Y);
-  }
-};
-
 // One numbering for all classes that draw.
 static_assert(int{ vtkGatunVolumeMapper::COMPOSITE_BLEND } == gatun::CompositeBlend);
 static_assert(int{ vtkGatunVolumeMapper::MAXIMUM_INTENSITY_BLEND } == gatun::MaximumIntensityBlend);
@@ -84,405 +40,6 @@ void ToArray(const gatun::Bounds& box, double* bounds)
     }
   }
 }
-
-//------------------------------------------------------------------------------
-// Seconds. Pictures that are allocated as much are at rest: what interacts allocates a second or
-// less, what waits, minutes.
-constexpr double LeastTimeAtRest = 10;
-
-//------------------------------------------------------------------------------
-/** All that a picture depends on but the number of points. */
-struct PictureSetup
-{
-  const void* Mesh;
-  const void* Renderer;
-  const void* Volume;
-  gatun::RayView View;
-  gatun::RayTable Table;
-  gatun::RayLimits Limits;
-  gatun::RaySettings Settings;
-
-  bool operator==(const PictureSetup&) const = default;
-};
-
-//------------------------------------------------------------------------------
-/** Tells those who work in the background that a picture is being drawn. */
-class Drawing
-{
-public:
-  explicit Drawing(gatun::LevelOfDetailCache* levels)
-    : Levels(levels)
-  {
-    this->Tell(true);
-  }
-  ~Drawing() { this->Tell(false); }
-  Drawing(const Drawing&) = delete;
-  Drawing& operator=(const Drawing&) = delete;
-
-private:
-  void Tell(bool drawing)
-  {
-    if (this->Levels)
-    {
-      this->Levels->SetDrawing(drawing);
-    }
-  }
-
-  gatun::LevelOfDetailCache* const Levels;
-};
-
-//------------------------------------------------------------------------------
-gatun::RayGrid MakeGrid(vtkRenderer* renderer, const Viewport& viewport, float distance)
-{
-  const bool toBorders =
-    distance > 1 || std::max(viewport.Width, viewport.Height) > gatun::RayPicture::MostPixels;
-  const auto count = [&](int pixels)
-  { return toBorders ? std::max(2, static_cast<int>(std::ceil(pixels / distance))) : pixels; };
-  return { count(viewport.Width), count(viewport.Height), renderer->GetTiledAspectRatio(),
-    toBorders };
-}
-
-} // anonymous namespace
-
-//------------------------------------------------------------------------------
-class vtkGatunVolumeMapper::vtkInternals
-{
-public:
-  gatun::RayScene Scene;
-  gatun::RayPicture Picture;
-  std::set<std::string> Told; // causes why nothing is drawn, since something was
-
-  std::string Obstacle;     // that was told
-  std::uint64_t Points = 0; // of what the last picture shows; 0: all
-  double PartDrawn = 0;     // of its tiles
-
-  // What the picture that was taken last can be brought up to date with, if that is possible.
-  std::shared_ptr<const PictureSetup> Setup;
-  std::unique_ptr<gatun::RayRefresh> Refresh;
-
-  // Seconds for each ray of the last picture.
-  std::map<std::pair<vtkRenderer*, vtkVolume*>, double> TimeOfRays;
-  std::map<std::pair<vtkRenderer*, vtkVolume*>, gatun::JustInTime> Frames;
-
-  static InputKind GetKind(vtkGatunVolumeMapper* mapper);
-  static std::string GetCause(vtkGatunVolumeMapper* mapper, const gatun::VTKFailure& failure);
-  static gatun::RayArray GetArray(vtkGatunVolumeMapper* mapper);
-  static std::uint64_t GetBudget(vtkGatunVolumeMapper* mapper);
-  static double GetRatio(vtkGatunVolumeMapper* mapper);
-  static bool Simplifies(vtkGatunVolumeMapper* mapper);
-  static void Pull(vtkGatunVolumeMapper* mapper);
-  bool SetScene(vtkGatunVolumeMapper* mapper, const gatun::RaySource::Progress& progress);
-  float ChooseDistance(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
-    const Viewport& viewport) const;
-  gatun::FrameRequest GetRequest(
-    vtkGatunVolumeMapper* mapper, vtkVolume* volume, const Viewport& viewport) const;
-  void TellObstacle(vtkGatunVolumeMapper* mapper);
-  gatun::RayStatistics Draw(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
-    const Viewport& viewport, const gatun::RayGrid& grid,
-    const gatun::RaySource::Progress& progress, const gatun::Frame& frame);
-  void DrawAnew(const PictureSetup& setup, std::shared_ptr<gatun::RaySource> source,
-    const gatun::RayGrid& grid, const gatun::RaySource::Progress& progress);
-  void DrawFrame(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
-};
-
-//------------------------------------------------------------------------------
-InputKind vtkGatunVolumeMapper::vtkInternals::GetKind(vtkGatunVolumeMapper* mapper)
-{
-  vtkAlgorithm* const input = gatun::GetProducer(mapper).Algorithm;
-  if (!input)
-  {
-    return InputKind::None;
-  }
-  if (gatun::GetFileReader(input))
-  {
-    return InputKind::File;
-  }
-  // A grid that was given as such is there as a whole, whatever piece is asked for.
-  return mapper->NumberOfPieces > 1 && !vtkTrivialProducer::SafeDownCast(input) ? InputKind::Pieces
-                                                                                : InputKind::Grid;
-}
-
-//------------------------------------------------------------------------------
-gatun::RayArray vtkGatunVolumeMapper::vtkInternals::GetArray(vtkGatunVolumeMapper* mapper)
-{
-  gatun::RayArray array;
-  array.Component = mapper->ArrayComponent;
-  const int mode = mapper->ScalarMode;
-  if (mode == VTK_SCALAR_MODE_DEFAULT)
-  {
-    return array;
-  }
-  const bool ofPoints =
-    mode == VTK_SCALAR_MODE_USE_POINT_DATA || mode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA;
-  const bool ofCells =
-    mode == VTK_SCALAR_MODE_USE_CELL_DATA || mode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
-  if (!ofPoints && !ofCells)
-  {
-    throw gatun::Error(
-      gatun::ErrorCode::InvalidInput, "only arrays of points and of cells can be drawn");
-  }
-  array.Association = ofPoints ? 0 : 1;
-  if (mode == VTK_SCALAR_MODE_USE_POINT_DATA || mode == VTK_SCALAR_MODE_USE_CELL_DATA)
-  {
-    return array;
-  }
-  if (mapper->ArrayAccessMode == VTK_GET_ARRAY_BY_ID)
-  {
-    array.Index = mapper->ArrayId;
-    return array;
-  }
-  array.Name = mapper->ArrayName;
-  if (array.Name.empty())
-  {
-    throw gatun::Error(gatun::ErrorCode::InvalidInput, "no array to draw is selected");
-  }
-  return array;
-}
-
-//------------------------------------------------------------------------------
-std::uint64_t vtkGatunVolumeMapper::vtkInternals::GetBudget(vtkGatunVolumeMapper* mapper)
-{
-  return static_cast<std::uint64_t>(mapper->MemoryBudget) << 20;
-}
-
-//------------------------------------------------------------------------------
-double vtkGatunVolumeMapper::vtkInternals::GetRatio(vtkGatunVolumeMapper* mapper)
-{
-  return gatun::GetRatio(gatun::GetProducer(mapper).Algorithm, mapper->SimplificationRatio);
-}
-
-//------------------------------------------------------------------------------
-bool vtkGatunVolumeMapper::vtkInternals::Simplifies(vtkGatunVolumeMapper* mapper)
-{
-  return mapper->JustInTime || GetRatio(mapper) != 0;
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunVolumeMapper::vtkInternals::Pull(vtkGatunVolumeMapper* mapper)
-{
-  const gatun::RayProducer producer = gatun::GetProducer(mapper);
-  switch (GetKind(mapper))
-  {
-    case InputKind::None:
-      break;
-    case InputKind::Grid:
-      gatun::PullPiece(producer, 0, 1);
-      break;
-    case InputKind::File:
-    case InputKind::Pieces:
-      // vtkVolume draws nothing where there is no object, even if it is empty.
-      producer.Algorithm->UpdateDataObject();
-      break;
-  }
-}
-
-//------------------------------------------------------------------------------
-/** Whether there is something to draw. */
-bool vtkGatunVolumeMapper::vtkInternals::SetScene(
-  vtkGatunVolumeMapper* mapper, const gatun::RaySource::Progress& progress)
-{
-  const gatun::RayProducer producer = gatun::GetProducer(mapper);
-  const auto budget = GetBudget(mapper);
-  switch (GetKind(mapper))
-  {
-    case InputKind::None:
-      return false;
-    case InputKind::File:
-      this->Scene.SetFile(gatun::GetFileReader(producer.Algorithm)->GetFileName(),
-        gatun::GetRequestedTime(producer), GetArray(mapper), budget, Simplifies(mapper));
-      return true;
-    case InputKind::Pieces:
-      this->Scene.SetPieces(producer, mapper->NumberOfPieces, GetArray(mapper), budget, progress);
-      return true;
-    case InputKind::Grid:
-      break;
-  }
-  Pull(mapper);
-  auto* const grid = vtkUnstructuredGrid::SafeDownCast(mapper->GetDataObjectInput());
-  if (!grid)
-  {
-    throw gatun::Error(gatun::ErrorCode::InvalidInput, "the input is not a vtkUnstructuredGrid");
-  }
-  if (grid->GetNumberOfCells() == 0)
-  {
-    return false;
-  }
-  this->Scene.SetGrid(grid, GetArray(mapper), budget, Simplifies(mapper));
-  return true;
-}
-
-//------------------------------------------------------------------------------
-float vtkGatunVolumeMapper::vtkInternals::ChooseDistance(vtkGatunVolumeMapper* mapper,
-  vtkRenderer* renderer, vtkVolume* volume, const Viewport& viewport) const
-{
-  if (!mapper->AutoAdjustSampleDistances)
-  {
-    return mapper->ImageSampleDistance;
-  }
-  const float least = mapper->MinimumImageSampleDistance;
-  const auto known = this->TimeOfRays.find({ renderer, volume });
-  const double allocated = volume->GetAllocatedRenderTime();
-  if (known == this->TimeOfRays.end() || !(allocated > 0))
-  {
-    return least;
-  }
-  const double all = known->second * viewport.Width * viewport.Height;
-  const auto wanted = static_cast<float>(std::sqrt(all / allocated));
-  return std::max(least, std::min(wanted, mapper->MaximumImageSampleDistance));
-}
-
-//------------------------------------------------------------------------------
-gatun::FrameRequest vtkGatunVolumeMapper::vtkInternals::GetRequest(
-  vtkGatunVolumeMapper* mapper, vtkVolume* volume, const Viewport& viewport) const
-{
-  gatun::FrameRequest request;
-  const double allocated = volume->GetAllocatedRenderTime();
-  if (mapper->JustInTime && allocated > 0 && allocated < LeastTimeAtRest)
-  {
-    request.Budget = mapper->TimeBudget > 0 ? mapper->TimeBudget : allocated;
-  }
-  request.Ratio = GetRatio(mapper);
-  request.Pixels = static_cast<double>(viewport.Width) * viewport.Height;
-  const bool adjusts = mapper->AutoAdjustSampleDistances;
-  request.LeastDistance =
-    adjusts ? mapper->MinimumImageSampleDistance : mapper->ImageSampleDistance;
-  request.LargestDistance = adjusts
-    ? std::max(mapper->MinimumImageSampleDistance, mapper->MaximumImageSampleDistance)
-    : mapper->ImageSampleDistance;
-  return request;
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunVolumeMapper::vtkInternals::TellObstacle(vtkGatunVolumeMapper* mapper)
-{
-  const std::string& obstacle = this->Scene.GetObstacle();
-  if (obstacle != this->Obstacle)
-  {
-    this->Obstacle = obstacle;
-    if (!obstacle.empty())
-    {
-      vtkWarningWithObjectMacro(mapper, << obstacle);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-gatun::RayStatistics vtkGatunVolumeMapper::vtkInternals::Draw(vtkGatunVolumeMapper* mapper,
-  vtkRenderer* renderer, vtkVolume* volume, const Viewport& viewport, const gatun::RayGrid& grid,
-  const gatun::RaySource::Progress& progress, const gatun::Frame& frame)
-{
-  vtkCamera* const camera = renderer->GetActiveCamera();
-  vtkNew<vtkMatrix4x4> matrix;
-  volume->GetMatrix(matrix);
-  const auto view = gatun::MakeRayView(camera, grid, mapper->SampleDistance, matrix, true);
-  auto limits = gatun::MakeRayLimits(view, mapper->GetClippingPlanes(), matrix);
-  if (mapper->IntermixIntersectingGeometry && renderer->GetNumberOfPropsRendered() > 0)
-  {
-    vtkNew<vtkFloatArray> depths;
-    renderer->GetRenderWindow()->GetZbufferData(viewport.X, viewport.Y,
-      viewport.X + viewport.Width - 1, viewport.Y + viewport.Height - 1, depths);
-    const std::span<const float> zBuffer(
-      depths->GetPointer(0), static_cast<std::size_t>(depths->GetNumberOfValues()));
-    gatun::LimitByZBuffer(view, camera, grid, zBuffer, viewport.Width, viewport.Height, limits);
-  }
-  gatun::RaySettings settings;
-  settings.Opaque = static_cast<float>(mapper->OpacityLimit);
-  settings.Shading =
-    gatun::MakeRayShading(volume->GetProperty(), camera, renderer->GetLights(), matrix);
-  auto table = gatun::MakeRayTable(volume->GetProperty(), *gatun::RayModeOf(mapper->BlendMode),
-    this->Scene.GetRange(), view.SampleDistance);
-  if (frame.Source && !mapper->JustInTime)
-  {
-    // Somebody may be looking for the best ratio.
-    settings.Repeatable = true;
-    this->DrawAnew({ this->Scene.GetLevels(), renderer, volume, view, std::move(table),
-                     std::move(limits), settings },
-      frame.Source, grid, progress);
-    return {};
-  }
-  this->Refresh.reset();
-  gatun::RayCaster caster(view, std::move(table), limits, settings);
-  this->Scene.Draw(caster, view, progress, frame.Source.get());
-  this->Picture.Take(caster, grid);
-  this->PartDrawn = 1;
-  return caster.GetStatistics();
-}
-
-//------------------------------------------------------------------------------
-/** Draws what another number of points changes. */
-void vtkGatunVolumeMapper::vtkInternals::DrawAnew(const PictureSetup& setup,
-  std::shared_ptr<gatun::RaySource> source, const gatun::RayGrid& grid,
-  const gatun::RaySource::Progress& progress)
-{
-  if (!this->Refresh || *this->Setup != setup)
-  {
-    this->Setup = std::make_shared<const PictureSetup>(setup);
-    this->Refresh = std::make_unique<gatun::RayRefresh>(
-      [kept = this->Setup]
-      {
-        return std::make_unique<gatun::RayCaster>(
-          kept->View, kept->Table, kept->Limits, kept->Settings);
-      });
-  }
-  this->PartDrawn = this->Picture.Take(*this->Refresh, std::move(source), grid, progress);
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunVolumeMapper::vtkInternals::DrawFrame(
-  vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
-{
-  const Viewport viewport(renderer);
-  if (viewport.Width <= 0 || viewport.Height <= 0)
-  {
-    return;
-  }
-  gatun::RequireNumber("ImageSampleDistance", mapper->ImageSampleDistance);
-  gatun::RequireNumber("MinimumImageSampleDistance", mapper->MinimumImageSampleDistance);
-  gatun::RequireNumber("MaximumImageSampleDistance", mapper->MaximumImageSampleDistance);
-  gatun::RequireNumber("OpacityLimit", mapper->OpacityLimit);
-  gatun::RequireNumber("TimeBudget", mapper->TimeBudget);
-  vtkRenderWindow* const window = renderer->GetRenderWindow();
-  const auto progress = [mapper, window](double fraction)
-  {
-    mapper->UpdateProgress(fraction);
-    return window->CheckAbortStatus() == 0;
-  };
-  if (!this->SetScene(mapper, progress))
-  {
-    return;
-  }
-  this->TellObstacle(mapper);
-  // From here on, as the time for the input says nothing of the next picture.
-  mapper->Timer->StartTimer();
-  const auto key = std::make_pair(renderer, volume);
-  gatun::LevelOfDetailCache* const levels = this->Scene.GetLevels();
-  gatun::JustInTime* const frames = levels ? &this->Frames[key] : nullptr;
-  const gatun::FrameRequest request = this->GetRequest(mapper, volume, viewport);
-  const gatun::Frame frame = frames ? frames->Begin(*levels, request, progress) : gatun::Frame{};
-  const bool inMotion = frames && request.Budget > 0;
-  const float distance = inMotion ? static_cast<float>(frame.Distance)
-                                  : this->ChooseDistance(mapper, renderer, volume, viewport);
-  const gatun::RayGrid grid = MakeGrid(renderer, viewport, distance);
-  const Drawing drawing(levels);
-  const double before = vtkTimerLog::GetUniversalTime();
-  const auto statistics = this->Draw(mapper, renderer, volume, viewport, grid, progress, frame);
-  const double cast = vtkTimerLog::GetUniversalTime() - before;
-  this->Picture.Show(renderer, volume, mapper->IntermixIntersectingGeometry);
-  if (inMotion)
-  {
-    window->WaitForCompletion(); // or the next picture would pay for this one
-  }
-  mapper->Timer->StopTimer();
-  const double rays = static_cast<double>(grid.Width) * grid.Height;
-  mapper->ImageSampleDistance = distance;
-  mapper->TimeToDraw = mapper->Timer->GetElapsedTime();
-  this->TimeOfRays[key] = mapper->TimeToDraw / rays;
-  this->Points = frame.Points;
-  if (frames && mapper->JustInTime)
-  {
-    frames->End(*levels, frame, rays, statistics, { cast, mapper->TimeToDraw });
-  }
-  mapper->UpdateProgress(1);
 }
 
 //------------------------------------------------------------------------------
@@ -536,7 +93,7 @@ bool vtkGatunVolumeMapper::PrepareSimplification()
       this->UpdateProgress(fraction);
       return this->GetAbortExecute() == 0;
     };
-    if (!vtkInternals::Simplifies(this) || !this->Internals->SetScene(this, progress) ||
+    if (!this->Internals->Simplifies(this) || !this->Internals->SetScene(this, progress) ||
       !this->Internals->Scene.GetLevels())
     {
       return false;
@@ -552,16 +109,6 @@ bool vtkGatunVolumeMapper::PrepareSimplification()
     this->Fail();
     return false;
   }
-}
-
-//------------------------------------------------------------------------------
-/** One for all the damage in a file, as threads meet the blocks that are damaged in any order. */
-std::string vtkGatunVolumeMapper::vtkInternals::GetCause(
-  vtkGatunVolumeMapper* mapper, const gatun::VTKFailure& failure)
-{
-  return failure.Code == vtkErrorCode::FileFormatError && GetKind(mapper) == InputKind::File
-    ? gatun::GetFileReader(gatun::GetProducer(mapper).Algorithm)->GetFileName()
-    : failure.Message;
 }
 
 //------------------------------------------------------------------------------
@@ -597,16 +144,14 @@ double* vtkGatunVolumeMapper::GetBounds()
   auto& self = *this->Internals;
   try
   {
-    switch (vtkInternals::GetKind(this))
+    switch (self.GetKind(this))
     {
       case InputKind::None:
         break;
       case InputKind::Grid:
         return this->Superclass::GetBounds();
       case InputKind::File:
-        ToArray(self.Scene.GetFileBounds(
-                  gatun::GetFileReader(gatun::GetProducer(this).Algorithm)->GetFileName()),
-          this->Bounds);
+        ToArray(self.GetFile(this).File->GetFile()->GetBounds(), this->Bounds);
         break;
       case InputKind::Pieces:
         self.SetScene(this, {});
@@ -624,8 +169,8 @@ double* vtkGatunVolumeMapper::GetBounds()
 //------------------------------------------------------------------------------
 vtkDataSet* vtkGatunVolumeMapper::GetDataSetInput()
 {
-  return vtkInternals::GetKind(this) == InputKind::Grid ? this->Superclass::GetDataSetInput()
-                                                        : nullptr;
+  return this->Internals->GetKind(this) == InputKind::Grid ? this->Superclass::GetDataSetInput()
+                                                           : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -645,7 +190,7 @@ vtkTypeBool vtkGatunVolumeMapper::Update(int, vtkInformationVector*)
 {
   try
   {
-    vtkInternals::Pull(this);
+    this->Internals->Pull(this);
     return 1;
   }
   catch (...)

@@ -13,9 +13,11 @@
  * The input is a vtkUnstructuredGrid with point or cell scalars. There are three modes:
  *
  *  - *The input is a vtkGatunReader without a region of interest or a value range.* The mapper
- * draws the file. The bounds come from the tables of the file. Only the visible chunks are read and
- *    decoded, for the array that is drawn and the time that the reader is asked for. The reader
- * never executes, its array selection does not matter, and GetDataSetInput() is null.
+ * finds a vtkGatunFileHandle in the information of its input and draws the file. It shares the open
+ * file and the memory budget of the reader. The bounds come from the tables of the file. Only the
+ * visible chunks are read and decoded, for the array that is drawn and the time that the reader is
+ * asked for. The reader never executes, its array selection does not matter, and GetDataSetInput()
+ * is null.
  *  - *NumberOfPieces is more than 1.* The mapper asks for each piece once, before the first image
  * and whenever the pipeline has changed, to learn its bounds and values. For an image it asks for
  *    those visible pieces, from front to back, that are not kept within MemoryBudget. One piece is
@@ -50,7 +52,7 @@
  *
  * A program needs VTK::RenderingVolumeOpenGL2, as for other volume mappers.
  *
- * @sa vtkGatunRayCaster vtkGatunReader vtkUnstructuredGridVolumeRayCastMapper
+ * @sa vtkGatunRayCaster vtkGatunReader vtkGatunFileHandle vtkUnstructuredGridVolumeRayCastMapper
  */
 
 #ifndef vtkGatunVolumeMapper_h
@@ -155,8 +157,9 @@ public:
 
   ///@{
   /**
-   * Memory for the parts of the mesh that are kept for the next image, in MiB, 0 or more. What
-   * does not fit is converted, decoded or pulled again for each image. Default: 512.
+   * Memory for the parts of a mesh in memory, or of pieces, that are kept for the next image, in
+   * MiB, 0 or more. What does not fit is converted or pulled again for each image. For a file, the
+   * budget is that of the reader. Default: 512.
    */
   vtkSetClampMacro(MemoryBudget, int, 0, VTK_INT_MAX);
   vtkGetMacro(MemoryBudget, int);
@@ -219,7 +222,8 @@ public:
   bool PrepareSimplification();
 
   /**
-   * Bytes read from the file since this mapper opened it; 0 without a file.
+   * Bytes that have been read from the file that the mapper draws since it was opened, by the
+   * mapper and by all other consumers of its reader. 0 if it draws none.
    */
   vtkTypeUInt64 GetBytesRead();
 

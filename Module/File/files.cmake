@@ -15,6 +15,7 @@ gatun_core_folder(File
     gatunWriterOptions.h
   EXPERIMENTAL_HEADERS
     gatunChunkCache.h
+    gatunSharedFile.h
     gatunSimplifiedFile.h
   PRIVATE_HEADERS
     gatunArrayInput.h
@@ -49,6 +50,7 @@ gatun_core_folder(File
     gatunPartDecoder.cxx
     gatunPartition.cxx
     gatunPieceDecoder.cxx
+    gatunSharedFile.cxx
     gatunSimplifiedFile.cxx
     gatunStepSection.cxx
     gatunTreeLayout.cxx

@@ -33,8 +33,8 @@ void ChunkCache::Internals::Keep(const PartKey& key, Part part, std::uint64_t by
   {
     return;
   }
-  this->Parts.Keep(key, std::move(part), bytes);
-  if (isOfChunk && !this->KeepsChunks) // turned off meanwhile
+  this->Parts->Keep(key, std::move(part), bytes);
+  if (isOfChunk && !this->KeepsChunks && !this->Other) // turned off meanwhile
   {
     this->RemoveChunks();
   }
@@ -43,7 +43,7 @@ void ChunkCache::Internals::Keep(const PartKey& key, Part part, std::uint64_t by
 //--------------------------------------------------------------------------------------------------
 void ChunkCache::Internals::RemoveChunks()
 {
-  this->Parts.RemoveIf([](const PartKey& key) { return IsOfChunk(key.Kind); });
+  this->Parts->RemoveIf([](const PartKey& key) { return IsOfChunk(key.Kind); });
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -54,6 +54,11 @@ ChunkCache::ChunkCache(std::shared_ptr<const FileReader> file, std::uint64_t bud
 
 ChunkCache::ChunkCache(std::shared_ptr<const FileReader> file, std::shared_ptr<CacheBudget> budget)
   : Self(std::make_unique<Internals>(std::move(file), std::move(budget)))
+{
+}
+
+ChunkCache::ChunkCache(const std::shared_ptr<ChunkCache>& other, bool keepsChunks)
+  : Self(std::make_unique<Internals>(other, keepsChunks))
 {
 }
 
@@ -68,7 +73,7 @@ const std::shared_ptr<const FileReader>& ChunkCache::GetFile() const
 //--------------------------------------------------------------------------------------------------
 const std::shared_ptr<CacheBudget>& ChunkCache::GetSharedBudget() const
 {
-  return this->Self->Parts.GetBudget();
+  return this->Self->Parts->GetBudget();
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -87,7 +92,7 @@ std::uint64_t ChunkCache::GetBudget() const
 void ChunkCache::SetKeepsChunks(bool keeps)
 {
   this->Self->KeepsChunks = keeps;
-  if (!keeps)
+  if (!keeps && !this->Self->Other)
   {
     this->Self->RemoveChunks();
   }
@@ -96,7 +101,7 @@ void ChunkCache::SetKeepsChunks(bool keeps)
 //--------------------------------------------------------------------------------------------------
 ChunkCacheStatistics ChunkCache::GetStatistics() const
 {
-  const auto parts = this->Self->Parts.GetStatistics();
+  const auto parts = this->Self->Parts->GetStatistics();
   const std::lock_guard<std::mutex> lock(this->Self->Guard);
   auto all = this->Self->Done;
   all.Bytes = parts.Bytes;
@@ -107,6 +112,6 @@ ChunkCacheStatistics ChunkCache::GetStatistics() const
 //--------------------------------------------------------------------------------------------------
 void ChunkCache::Clear()
 {
-  this->Self->Parts.Clear();
+  this->Self->Parts->Clear();
 }
 }

@@ -48,6 +48,11 @@ public:
 
   /** A cache that shares a budget with others. */
   ChunkCache(std::shared_ptr<const FileReader> file, std::shared_ptr<CacheBudget> budget);
+
+  /** A view of the parts of another cache, with statistics of its own: parts that are found or kept
+   * through it are those of the other cache, which counts them, too. A view that does not keep
+   * chunks finds those that others keep. */
+  ChunkCache(const std::shared_ptr<ChunkCache>& other, bool keepsChunks);
   ~ChunkCache();
   ChunkCache(const ChunkCache&) = delete;
   ChunkCache& operator=(const ChunkCache&) = delete;
@@ -62,7 +67,7 @@ public:
   std::uint64_t GetBudget() const;
 
   /** Whether to keep parts of chunks, or only those of shared points, which each chunk needs again.
-   * Default: true. False removes the parts of chunks at once. */
+   * Default: true. False removes the parts of chunks at once, except in a view. */
   void SetKeepsChunks(bool keeps);
 
   ChunkCacheStatistics GetStatistics() const;

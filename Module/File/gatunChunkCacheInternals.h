@@ -50,7 +50,15 @@ public:
 
   Internals(std::shared_ptr<const FileReader> file, std::shared_ptr<CacheBudget> budget)
     : File(std::move(file))
-    , Parts(std::move(budget))
+    , Parts(std::make_shared<Cache<PartKey, void>>(std::move(budget)))
+  {
+  }
+
+  Internals(std::shared_ptr<ChunkCache> other, bool keepsChunks)
+    : File(other->GetFile())
+    , Other(std::move(other))
+    , Parts(this->Other->Self->Parts)
+    , KeepsChunks(keepsChunks)
   {
   }
 
@@ -58,7 +66,7 @@ public:
   template <typename T>
   std::shared_ptr<const T> Find(const PartKey& key)
   {
-    return std::static_pointer_cast<const T>(this->Parts.Find(key));
+    return std::static_pointer_cast<const T>(this->Parts->Find(key));
   }
 
   /** The part at the latest step not before first and not after key.Step, and that step. */
@@ -67,7 +75,7 @@ public:
   {
     auto from = key;
     from.Step = first;
-    const auto found = this->Parts.FindLast(from, key);
+    const auto found = this->Parts->FindLast(from, key);
     if (!found)
     {
       return {};
@@ -82,8 +90,14 @@ public:
   /** Counts decoded and found parts. */
   void Count(std::uint64_t ChunkCacheStatistics::*what, std::uint64_t count = 1)
   {
-    const std::lock_guard<std::mutex> lock(this->Guard);
-    this->Done.*what += count;
+    {
+      const std::lock_guard<std::mutex> lock(this->Guard);
+      this->Done.*what += count;
+    }
+    if (this->Other)
+    {
+      this->Other->Self->Count(what, count);
+    }
   }
 
   const std::shared_ptr<const FileReader> File;
@@ -93,7 +107,8 @@ private:
 
   void RemoveChunks();
 
-  Cache<PartKey, void> Parts;
+  const std::shared_ptr<ChunkCache> Other; // null unless this is a view
+  const std::shared_ptr<Cache<PartKey, void>> Parts;
   std::atomic<bool> KeepsChunks{ true };
   mutable std::mutex Guard; // of what follows
   ChunkCacheStatistics Done;

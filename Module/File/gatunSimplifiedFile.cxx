@@ -46,12 +46,14 @@ const std::shared_ptr<const MergeTree>& SimplifiedFile::GetTree(Level& level)
 //--------------------------------------------------------------------------------------------------
 const MergeTree& SimplifiedFile::GetTree()
 {
+  const std::lock_guard<std::mutex> lock(this->Guard);
   return *this->GetTree(this->Levels.front());
 }
 
 //--------------------------------------------------------------------------------------------------
 SimplifiedFile::Place SimplifiedFile::Find(std::size_t merges, bool withBaseMeshes)
 {
+  const std::lock_guard<std::mutex> lock(this->Guard);
   std::size_t found = 0;
   for (std::size_t i = 0; withBaseMeshes && i < this->Levels.size(); ++i)
   {
@@ -76,6 +78,7 @@ std::uint64_t SimplifiedFile::EstimateTets(std::size_t merges) const
 //--------------------------------------------------------------------------------------------------
 std::uint64_t SimplifiedFile::GetBytesRead() const
 {
+  const std::lock_guard<std::mutex> lock(this->Guard);
   std::uint64_t bytes = 0;
   for (const Level& level : this->Levels)
   {

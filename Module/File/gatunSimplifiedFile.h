@@ -11,13 +11,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace gatun
 {
 /**
  * A file with a merge tree and its base meshes. Base meshes are opened and trees decoded at their
- * first use, and both are kept. Not thread safe.
+ * first use, and both are kept. Thread safe.
  */
 class VTKGATUNCORE_EXPORT SimplifiedFile
 {
@@ -59,6 +60,7 @@ private:
   void Open(std::size_t level);
   const std::shared_ptr<const MergeTree>& GetTree(Level& level);
 
+  mutable std::mutex Guard;  // of the files and trees of the levels
   std::vector<Level> Levels; // from fine to coarse
 };
 }

@@ -12,7 +12,16 @@ namespace gatun
 //------------------------------------------------------------------------------
 FileLevelsOfDetail::FileLevelsOfDetail(
   std::shared_ptr<const FileReader> file, const RayValues& values)
-  : File(std::move(file))
+  : Own(std::make_shared<SimplifiedFile>(std::move(file)))
+  , File(*this->Own)
+  , Values(values)
+{
+  CheckRayValues(*this->File.GetFile(), values);
+}
+
+FileLevelsOfDetail::FileLevelsOfDetail(std::shared_ptr<SharedFile> shared, const RayValues& values)
+  : Shared(std::move(shared))
+  , File(this->Shared->GetHierarchy())
   , Values(values)
 {
   CheckRayValues(*this->File.GetFile(), values);
@@ -44,6 +53,16 @@ std::shared_ptr<RaySource> FileLevelsOfDetail::MakeSource(
   std::uint64_t points, std::uint64_t budget)
 {
   const auto place = this->File.Find(this->CountMerges(points));
+  if (this->Shared)
+  {
+    auto parts = this->Shared->MakeView(place.File, false);
+    if (place.Merges == 0)
+    {
+      return std::make_shared<FileRaySource>(std::move(parts), this->Values);
+    }
+    return std::make_shared<CoarseRaySource>(
+      std::move(parts), *place.Tree, place.Merges, this->Values);
+  }
   if (place.Merges == 0)
   {
     return std::make_shared<FileRaySource>(place.File, this->Values, budget);

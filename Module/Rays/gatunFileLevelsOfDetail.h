@@ -5,6 +5,7 @@
 
 #include "gatunLevelsOfDetail.h"
 #include "gatunRayValues.h"
+#include "gatunSharedFile.h"
 #include "gatunSimplifiedFile.h"
 #include "vtkGatunCoreModule.h"
 
@@ -22,6 +23,11 @@ class VTKGATUNCORE_EXPORT FileLevelsOfDetail final : public LevelsOfDetail
 public:
   /** Throws InvalidInput if the file has no merge tree, or no such array or step. */
   FileLevelsOfDetail(std::shared_ptr<const FileReader> file, const RayValues& values);
+
+  /** The same for a file that others use, too. Its sources keep their blocks within the budget of
+   * the file, whatever budget MakeSource is given. */
+  FileLevelsOfDetail(std::shared_ptr<SharedFile> shared, const RayValues& values);
+
   ~FileLevelsOfDetail() override;
 
   std::uint64_t GetNumberOfPoints() const override;
@@ -32,7 +38,9 @@ public:
 private:
   std::uint64_t CountMerges(std::uint64_t points) const;
 
-  SimplifiedFile File;
+  std::shared_ptr<SharedFile> Shared;        // null for a file of one's own
+  const std::shared_ptr<SimplifiedFile> Own; // null for a shared one
+  SimplifiedFile& File;                      // of these two
   RayValues Values;
 };
 }

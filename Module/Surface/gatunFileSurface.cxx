@@ -57,12 +57,43 @@ FileSurface::FileSurface(
 FileSurface::~FileSurface() = default;
 
 //------------------------------------------------------------------------------
+std::uint64_t FileSurface::GetLeastCache() const
+{
+  return this->Layout ? CoarseCache : SharedCache;
+}
+
+//------------------------------------------------------------------------------
+/** While it lives, the surface has a cache that is large enough to work with. */
+class FileSurface::WorkingCache
+{
+public:
+  explicit WorkingCache(FileSurface& surface)
+    : Surface(surface)
+    , Given(surface.Cache)
+  {
+    const auto least = surface.GetLeastCache();
+    if (this->Given->GetBudget() < least)
+    {
+      surface.Cache = std::make_shared<ChunkCache>(this->Given->GetFile(), least);
+      surface.Cache->SetKeepsChunks(surface.Layout != nullptr);
+    }
+  }
+  ~WorkingCache() { this->Surface.Cache = this->Given; }
+  WorkingCache(const WorkingCache&) = delete;
+  WorkingCache& operator=(const WorkingCache&) = delete;
+
+private:
+  FileSurface& Surface;
+  const std::shared_ptr<ChunkCache> Given;
+};
+
+//------------------------------------------------------------------------------
 void FileSurface::SetCacheBudget(std::uint64_t bytes)
 {
   // After merges, chunks are decoded for their tetrahedra first, and then again for points.
   const bool keepsChunks = bytes > 0 || this->Layout;
   this->Cache->SetKeepsChunks(keepsChunks);
-  this->Cache->SetBudget(bytes + (this->Layout ? CoarseCache : SharedCache));
+  this->Cache->SetBudget(bytes + this->GetLeastCache());
 }
 
 //------------------------------------------------------------------------------
@@ -257,6 +288,7 @@ std::vector<SurfacePart> FileSurface::MakeCoarseParts(const std::vector<std::uin
 Surface FileSurface::Extract(const FileSurfaceRequest& request, const Progress& progress)
 {
   const auto all = this->FindChunks(request);
+  const WorkingCache working(*this);
   const auto at = [&](std::size_t piece)
   { return all.begin() + static_cast<std::ptrdiff_t>(all.size() * piece / request.Pieces); };
   const std::vector<std::uint32_t> own(at(request.Piece), at(request.Piece + 1));

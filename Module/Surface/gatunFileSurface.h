@@ -62,7 +62,9 @@ public:
   explicit FileSurface(std::shared_ptr<const FileReader> file, std::uint64_t cacheBudget = 0,
     std::shared_ptr<const MergeTree> tree = nullptr, std::size_t merges = 0);
 
-  /** Uses a cache that others use, too. Its owner sets its budget and what it keeps. */
+  /** Uses a cache that others use, too. Its owner sets its budget and what it keeps. If the budget
+   * is too small for the parts that one chunk after the other needs, up to 32 MiB (64 MiB with
+   * merges) are kept in addition while a surface is extracted. */
   explicit FileSurface(std::shared_ptr<ChunkCache> cache,
     std::shared_ptr<const MergeTree> tree = nullptr, std::size_t merges = 0);
 
@@ -96,6 +98,9 @@ private:
     bool operator==(const TreeKey&) const = default;
   };
 
+  class WorkingCache;
+
+  std::uint64_t GetLeastCache() const;
   void Check(const FileSurfaceRequest& request) const;
   const IntervalTree& GetRanges(const FileSurfaceRequest& request);
   bool Touch(std::uint32_t a, std::uint32_t b) const;

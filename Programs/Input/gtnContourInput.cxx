@@ -88,6 +88,7 @@ void ContourInput::OpenFile(const ContourInputOptions& options, const Settings& 
 
   vtkNew<vtkGatunReader> reader;
   reader->SetFileName(this->File.c_str());
+  reader->SetMemoryBudget(0); // each chunk is decoded once
   for (const ArrayChoice& choice : choices)
   {
     const bool isOfPoints = choice.Association == vtkDataObject::POINT;

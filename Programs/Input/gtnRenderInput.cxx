@@ -109,10 +109,11 @@ void RenderInput::RequireContent() const
 }
 
 //------------------------------------------------------------------------------
-void RenderInput::Connect(vtkGatunRayCaster* caster) const
+void RenderInput::Connect(vtkGatunRayCaster* caster, int memory) const
 {
   if (this->Reader)
   {
+    this->Reader->SetMemoryBudget(memory);
     caster->SetInputConnection(this->Reader->GetOutputPort());
   }
   else

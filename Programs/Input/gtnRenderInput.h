@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-class vtkAlgorithm;
+class vtkGatunReader;
 class vtkGatunRayCaster;
 class vtkUnstructuredGrid;
 
@@ -52,8 +52,9 @@ public:
   int GetComponent() const { return this->Component; }
   std::uint64_t GetNumberOfTets() const { return this->Tets; }
 
-  /** Gives the caster its input, and what of it to draw. */
-  void Connect(vtkGatunRayCaster* caster) const;
+  /** Gives the caster its input and the array to draw. Memory: of decoded parts of a file, in MiB.
+   */
+  void Connect(vtkGatunRayCaster* caster, int memory) const;
 
   /** Makes the caster draw. */
   void Draw(vtkGatunRayCaster* caster) const;
@@ -65,7 +66,7 @@ private:
   void RequireContent() const;
 
   const std::string File;
-  vtkSmartPointer<vtkAlgorithm> Reader;      // of a .gtn file
+  vtkSmartPointer<vtkGatunReader> Reader;    // of a .gtn file
   vtkSmartPointer<vtkUnstructuredGrid> Grid; // of others
   std::optional<double> Time;
   ArrayChoice Array;

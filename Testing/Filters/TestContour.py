@@ -293,18 +293,16 @@ for change in (lambda: contour.SetValue(0, 0.5), lambda: contour.SetValue(1, 0.6
 contour = vtkGatunContour()
 assert contour.GetNumberOfContours() == 0 and contour.GetArrayComponent() == -1
 assert not contour.GetComputeNormals() and contour.GetComputeScalars()
-assert not contour.GetOutputStrips() and contour.GetMemoryBudget() == 512
+assert not contour.GetOutputStrips()
 assert contour.GetOutputPointsPrecision() == vtkGatunContour.DEFAULT_PRECISION
 contour.SetArrayComponent(-5)
 assert contour.GetArrayComponent() == -1
-contour.SetMemoryBudget(-1)
-assert contour.GetMemoryBudget() == 0
 contour.SetOutputPointsPrecision(7)
 assert contour.GetOutputPointsPrecision() == vtkGatunContour.DEFAULT_PRECISION
 assert contour.GetNumberOfChunks() == contour.GetNumberOfChunksUsed() == contour.GetBytesRead() == 0
 contour.SetValue(2, 7.25)
 text = str(contour)
 for name in ("Values:", "7.25", "ArrayComponent: -1", "ComputeNormals: Off", "ComputeScalars: On",
-             "OutputStrips: Off", "OutputPointsPrecision: 2", "MemoryBudget: 0"):
+             "OutputStrips: Off", "OutputPointsPrecision: 2"):
     assert name in text, name
 assert contour.IsA("vtkPolyDataAlgorithm")

@@ -46,7 +46,7 @@ for kind, options in gc.kinds_of_files("wave").items():
 
     # The reader decodes nothing; only some chunks of the file are looked at.
     reader = gc.open_file(path)
-    contour = gc.make_contour(reader, 0.4, "wave", MemoryBudget=64)
+    contour = gc.make_contour(reader, 0.4, "wave")
     contour.Update()
     assert gc.assert_same(contour.GetOutput(), gc.reference(whole, 0.4, "wave")) > 1000
     assert reader.GetDecodedChunks() == 0 and reader.GetOutput().GetNumberOfCells() == 0
@@ -78,7 +78,7 @@ for kind, options in gc.kinds_of_files("wave").items():
     contour.SetValue(0, high + 1)
     contour.Update()
     assert contour.GetNumberOfChunksUsed() == 0 and contour.GetBytesRead() == more
-    contour.SetMemoryBudget(0)
+    reader.SetMemoryBudget(0)  # for both, and at once
     contour.SetValue(0, 0.4)
     contour.Update()
     assert contour.GetBytesRead() > more

@@ -91,7 +91,6 @@ strips = sample.counts(surface)[1]
 assert ranks <= strips < triangles, (strips, triangles)
 assert arrays(surface)[1] == set()
 surface.OutputPointsPrecision = "Double"
-surface.MemoryBudget = 0
 assert sample.counts(surface)[1] == strips
 surface.OutputStrips = 0
 same(surface, expected)
@@ -174,7 +173,6 @@ for mode in ("Always", "Never"):
 state = sample.temporary("contour.pvsm")
 surface = contour(readers["Always"], value=0.7)
 surface.ComputeNormals = 0
-surface.MemoryBudget = 5
 kept = sample.counts(surface)
 simple.SaveState(state)
 for source in list(simple.GetSources().values()):
@@ -184,6 +182,6 @@ simple.LoadState(state)
 found = [source for source in simple.GetSources().values()
          if source.GetXMLName() == "GatunContour" and list(source.Isosurfaces) == [0.7]]
 assert len(found) == 1, found
-assert found[0].MemoryBudget == 5 and not found[0].ComputeNormals
+assert not found[0].ComputeNormals
 assert sample.counts(found[0]) == kept, (sample.counts(found[0]), kept)
 os.remove(state)

@@ -166,6 +166,6 @@ assert bytes_read() == few
 drawing.look(view, 2.9, 2.2, 2.6)
 many = bytes_read()
 assert few < many < size, (few, many, size)
-part.MemoryBudget = 0
+one.MemoryBudget = 0
 assert bytes_read() > many
 drawing.require_same(drawing.draw(view), first[1])

@@ -12,7 +12,7 @@ import time
 
 from gatunParaView import load_plugin
 
-# How: the reader's OnDemand, the representation, its MemoryBudget.
+# How: the reader's OnDemand, the representation, the memory budget of whichever has the mesh.
 WAYS = {"idle": None,
         "Volume": ("Never", "Volume", None),
         "Gatun Volume": ("Never", "Gatun Volume", 512),
@@ -36,7 +36,7 @@ if WAYS[way]:
     array = reader.PointData[0].GetName()
     shown.SetRepresentationType(representation)
     if budget is not None:
-        shown.MemoryBudget = budget
+        shown.MemoryBudget = reader.MemoryBudget = budget
     simple.ColorBy(shown, ("POINTS", array))
     simple.ResetCamera(view)
     simple.Render(view)

@@ -80,10 +80,10 @@ class Front:
 
 
 class Caster(Front):
-    def __init__(self, reader, budget=64):
+    def __init__(self, reader):
         scene = gv.Scene(reader, SIZE)  # for its camera
         caster = gv.make_caster(
-            reader, Camera=scene.camera, Property=gv.make_property(), Size=SIZE, MemoryBudget=budget)
+            reader, Camera=scene.camera, Property=gv.make_property(), Size=SIZE)
         super().__init__(reader, caster, scene)
 
     def draw(self):
@@ -95,8 +95,8 @@ class Caster(Front):
 
 
 class Mapper(Front):
-    def __init__(self, reader, budget=64):
-        scene = gv.Scene(reader, SIZE, MemoryBudget=budget)
+    def __init__(self, reader):
+        scene = gv.Scene(reader, SIZE)
         super().__init__(reader, scene.mapper, scene)
 
     def draw(self):
@@ -104,9 +104,10 @@ class Mapper(Front):
         return None if gv.difference(picture, np.array(gv.BACKGROUND)) < 0.01 else picture
 
 
-def make_reader():
+def make_reader(budget=64):
     reader = gv.vtkGatunReader()
     reader.SetFileName(path)
+    reader.SetMemoryBudget(budget)
     return reader
 
 
@@ -124,7 +125,7 @@ def check(front, expected):
 
 for kind in (Caster, Mapper):
     pictures = []
-    streaming = kind(make_reader(), budget=0)  # reads each chunk for each picture
+    streaming = kind(make_reader(budget=0))  # reads each chunk for each picture
     signs = []
     streaming.algorithm.AddObserver("ProgressEvent", lambda *_: signs.append(0))
     for view in VIEWS:

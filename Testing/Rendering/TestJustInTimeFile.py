@@ -66,7 +66,7 @@ for path in files[:2]:
         assert ratio < 0.9 or gv.difference(expected, full) > 0.005, gv.difference(expected, full)
         # By the mapper, with next to no memory for it and with enough.
         for budget in 0, 100:
-            scene = make(make_reader(path), SimplificationRatio=ratio, MemoryBudget=budget)
+            scene = make(make_reader(path, MemoryBudget=budget), SimplificationRatio=ratio)
             gv.require_same(at(scene, AT_REST), expected)
             assert scene.mapper.GetNumberOfDrawnPoints() == POINTS - math.floor(POINTS * ratio)
         # By the reader, whose mesh is never made.

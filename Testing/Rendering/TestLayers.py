@@ -16,7 +16,8 @@ for options in ({"NumberOfLayers": 4}, {"NumberOfLayers": 40}, {"LayerArray": "v
     reader = vtkGatunReader()
     reader.SetFileName(name)
     for budget in (0, 512):
-        drawn = gv.draw(reader, MemoryBudget=budget)
+        reader.SetMemoryBudget(budget)
+        drawn = gv.draw(reader)
         gv.require_same(drawn[0], expected[0], tolerance=1 / 255)
     assert reader.GetOutput().GetNumberOfCells() == 0, "drawn from the file"
 

@@ -72,7 +72,7 @@ many = close.mapper.GetBytesRead()
 assert many > 2 * few, (few, many)
 close.render()
 assert close.mapper.GetBytesRead() == many
-close.set(MemoryBudget=0)
+close.source.SetMemoryBudget(0)
 close.render()
 assert close.mapper.GetBytesRead() > many
 

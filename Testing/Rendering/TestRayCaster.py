@@ -43,7 +43,8 @@ vtkSMPTools.Initialize(0)
 for chunk in (1000, 65536):
     reader = gv.write(grid, "cast%d.gtn" % chunk, chunk)
     for budget in (0, 512):
-        caster = gv.make_caster(reader, MemoryBudget=budget)
+        reader.SetMemoryBudget(budget)
+        caster = gv.make_caster(reader)
         check_same(expected, gv.picture_of(caster))
         caster.GetCamera().Azimuth(40)
         turned = gv.draw(grid, Camera=gv.box_camera(azimuth=30))  # a camera of its own

@@ -122,7 +122,8 @@ caster.Modified()
 np.testing.assert_allclose(gv.picture_of(caster)[0], expected[0], atol=1 / 255)
 
 # Stopped in the middle: no picture; then a whole one.
-caster = gv.make_caster(reader, MemoryBudget=0)
+reader.SetMemoryBudget(0)
+caster = gv.make_caster(reader)
 observer = caster.AddObserver("ProgressEvent", lambda source, event: caster.SetAbortExecute(1))
 caster.Update()
 assert caster.GetOutput().GetNumberOfPoints() == 0

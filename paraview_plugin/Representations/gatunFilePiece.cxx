@@ -3,63 +3,81 @@
 
 #include "gatunFilePiece.h"
 
-#include "vtkGatunReader.h"
+#include "vtkGatunFileHandle.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkMetaReader.h"
 #include "vtkNew.h"
 #include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace gatun
 {
 namespace
 {
 constexpr const char* PathName = "GatunDrawnFile";
-constexpr const char* NumbersName = "GatunDrawnTimeAndSimplification";
+constexpr const char* TimeName = "GatunDrawnTime";
+constexpr const char* MergesName = "GatunDrawnMerges";
+
+/** The algorithm whose output the input is, unchanged, and the port of that output. */
+std::pair<vtkAlgorithm*, int> FindInput(vtkAlgorithm* consumer)
+{
+  int port = 0;
+  if (consumer->GetNumberOfInputConnections(0) != 1)
+  {
+    return { nullptr, port };
+  }
+  vtkAlgorithm* input = consumer->GetInputAlgorithm(0, 0, port);
+  // ParaView puts it behind every source; it passes on what it gets.
+  if (input && input->IsA("vtkPVPostFilter") && input->GetNumberOfInputConnections(0) == 1)
+  {
+    input = input->GetInputAlgorithm(0, 0, port);
+  }
+  return { input, port };
+}
 }
 
 //------------------------------------------------------------------------------
 vtkAlgorithm* FindProducer(vtkAlgorithm* consumer)
 {
-  if (consumer->GetNumberOfInputConnections(0) != 1)
-  {
-    return nullptr;
-  }
-  vtkAlgorithm* input = consumer->GetInputAlgorithm(0, 0);
-  // ParaView puts it behind every source; it passes on what it gets.
-  if (input && input->IsA("vtkPVPostFilter") && input->GetNumberOfInputConnections(0) == 1)
-  {
-    input = input->GetInputAlgorithm(0, 0);
-  }
-  if (auto* const series = vtkMetaReader::SafeDownCast(input))
-  {
-    input = series->GetReader();
-  }
-  return input;
+  vtkAlgorithm* const input = FindInput(consumer).first;
+  auto* const series = vtkMetaReader::SafeDownCast(input);
+  return series ? series->GetReader() : input;
 }
 
 //------------------------------------------------------------------------------
-vtkGatunReader* FindReader(vtkAlgorithm* consumer)
+vtkInformation* FindSource(vtkAlgorithm* consumer)
 {
-  return vtkGatunReader::SafeDownCast(FindProducer(consumer));
+  const auto [input, port] = FindInput(consumer);
+  return input ? input->GetOutputInformation(port) : nullptr;
 }
 
 //------------------------------------------------------------------------------
-DrawnFile DescribeFile(vtkGatunReader* reader, vtkDataObject* made)
+vtkGatunFileHandle* FindHandle(vtkAlgorithm* consumer)
+{
+  vtkInformation* const source = FindSource(consumer);
+  return source ? vtkGatunFileHandle::SafeDownCast(source->Get(vtkGatunFileHandle::FILE_HANDLE()))
+                : nullptr;
+}
+
+//------------------------------------------------------------------------------
+DrawnFile DescribeFile(vtkGatunFileHandle* handle, vtkDataObject* output)
 {
   DrawnFile file;
-  file.Path = reader->GetFileName() ? reader->GetFileName() : "";
-  if (made && made->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP()))
+  file.Path = handle->GetFileName();
+  file.Merges = handle->GetNumberOfMerges();
+  if (output && output->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP()))
   {
-    file.Time = made->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP());
+    file.Time = output->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP());
   }
-  file.Simplification = std::max(0.0, reader->GetSimplification());
   return file;
 }
 
@@ -70,11 +88,14 @@ void MarkPiece(vtkUnstructuredGrid* piece, const DrawnFile& file)
   path->SetName(PathName);
   path->InsertNextValue(file.Path);
   piece->GetFieldData()->AddArray(path);
-  vtkNew<vtkDoubleArray> numbers;
-  numbers->SetName(NumbersName);
-  numbers->InsertNextValue(file.Time);
-  numbers->InsertNextValue(file.Simplification);
-  piece->GetFieldData()->AddArray(numbers);
+  vtkNew<vtkDoubleArray> time;
+  time->SetName(TimeName);
+  time->InsertNextValue(file.Time);
+  piece->GetFieldData()->AddArray(time);
+  vtkNew<vtkIdTypeArray> merges;
+  merges->SetName(MergesName);
+  merges->InsertNextValue(file.Merges);
+  piece->GetFieldData()->AddArray(merges);
 }
 
 //------------------------------------------------------------------------------
@@ -82,11 +103,13 @@ DrawnFile GetMark(vtkUnstructuredGrid* piece)
 {
   vtkFieldData* const field = piece->GetFieldData();
   auto* const path = vtkStringArray::SafeDownCast(field->GetAbstractArray(PathName));
-  auto* const numbers = vtkDoubleArray::SafeDownCast(field->GetArray(NumbersName));
-  if (!path || !numbers || path->GetNumberOfValues() < 1 || numbers->GetNumberOfValues() < 2)
+  auto* const time = vtkDoubleArray::SafeDownCast(field->GetArray(TimeName));
+  auto* const merges = vtkIdTypeArray::SafeDownCast(field->GetArray(MergesName));
+  if (!path || path->GetNumberOfValues() < 1 || !time || time->GetNumberOfValues() < 1 || !merges ||
+    merges->GetNumberOfValues() < 1)
   {
     return {};
   }
-  return { path->GetValue(0), numbers->GetValue(0), numbers->GetValue(1) };
+  return { path->GetValue(0), time->GetValue(0), merges->GetValue(0) };
 }
 }

@@ -4,36 +4,45 @@
 #ifndef gatunFilePiece_h
 #define gatunFilePiece_h
 
+#include "vtkType.h" // For vtkIdType
+
 #include <string>
 
 class vtkAlgorithm;
 class vtkDataObject;
-class vtkGatunReader;
+class vtkGatunFileHandle;
+class vtkInformation;
 class vtkUnstructuredGrid;
 
-// What goes from where a file is read to where it is drawn, instead of its mesh.
+// The way of a file from the process that reads it to the process that draws it. Within a process
+// that is the handle of the file. To another process it is the name of the file, as field data of
+// the piece that ParaView delivers.
 
 namespace gatun
 {
+/** A file to be drawn in place of a piece. */
 struct DrawnFile
 {
   std::string Path; ///< empty for none
   double Time = 0;
-  double Simplification = 0; ///< the part of the points that is merged away
+  vtkIdType Merges = 0; ///< number of merges that the reader makes
 };
 
 /** The algorithm that the input of a representation or filter comes from, with nothing in between
- * that may have changed the data; null if there is none. */
+ * that may have changed the data; of a series of files the reader itself. Null if there is none. */
 vtkAlgorithm* FindProducer(vtkAlgorithm* consumer);
 
-/** The reader that the input of a representation or filter comes from in this way; null if there is
- * none. */
-vtkGatunReader* FindReader(vtkAlgorithm* consumer);
+/** The information of the output that the input of a representation or filter comes from, with
+ * nothing in between that may have changed the data; null if there is none. */
+vtkInformation* FindSource(vtkAlgorithm* consumer);
 
-/** The reader's file, at the time of what it made, simplified as the reader is to. */
-DrawnFile DescribeFile(vtkGatunReader* reader, vtkDataObject* made);
+/** The file handle there; null if there is none. */
+vtkGatunFileHandle* FindHandle(vtkAlgorithm* consumer);
 
-/** Adds to the piece's field data what file is to be drawn in its place. */
+/** The file of a handle at the time of the reader's output. */
+DrawnFile DescribeFile(vtkGatunFileHandle* handle, vtkDataObject* output);
+
+/** Adds the file that is to be drawn in place of a piece to the field data of the piece. */
 void MarkPiece(vtkUnstructuredGrid* piece, const DrawnFile& file);
 
 /** The file to be drawn in place of a piece, if it is marked. */

@@ -4,7 +4,6 @@
 #include "vtkGatunPVContour.h"
 
 #include "gatunFilePiece.h"
-#include "vtkGatunReader.h"
 
 #include "vtkObjectFactory.h"
 
@@ -16,10 +15,10 @@ vtkGatunPVContour::vtkGatunPVContour() = default;
 vtkGatunPVContour::~vtkGatunPVContour() = default;
 
 //------------------------------------------------------------------------------
-vtkAlgorithm* vtkGatunPVContour::FindProducer()
+vtkInformation* vtkGatunPVContour::GetFileInformation(vtkInformation* inInfo)
 {
-  vtkGatunReader* const reader = gatun::FindReader(this);
-  return reader ? reader : this->Superclass::FindProducer();
+  vtkInformation* const source = gatun::FindSource(this);
+  return source ? source : this->Superclass::GetFileInformation(inInfo);
 }
 
 //------------------------------------------------------------------------------

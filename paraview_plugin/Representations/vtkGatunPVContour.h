@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
+
 /**
  * @class vtkGatunPVContour
- * @brief Isosurfaces in ParaView, where something is between a reader and its filters.
+ * @brief Isosurfaces in ParaView, where a vtkPVPostFilter is between a reader and its filters.
  *
- * As vtkGatunContour, but it knows a reader of .gtn files behind ParaView's reader of series, too,
- * and makes the surface straight from the file. Its input is asked for as any other: what the
- * reader tells of itself is then what it would be without this filter.
+ * The filter finds the file handle of a reader behind ParaView's vtkPVPostFilter, too, and then
+ * works directly from the file. It asks for its input like any other filter, so that the
+ * information that ParaView shows of the reader is the same as without this filter.
  *
- * @sa vtkGatunContour vtkGatunReader
+ * @sa vtkGatunContour vtkGatunFileHandle
  */
 
 #ifndef vtkGatunPVContour_h
@@ -28,7 +29,7 @@ protected:
   vtkGatunPVContour();
   ~vtkGatunPVContour() override;
 
-  vtkAlgorithm* FindProducer() override;
+  vtkInformation* GetFileInformation(vtkInformation* inInfo) override;
 
 private:
   vtkGatunPVContour(const vtkGatunPVContour&) = delete;

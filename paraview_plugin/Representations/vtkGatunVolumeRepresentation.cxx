@@ -6,6 +6,8 @@
 #include "gatunBoxParts.h"
 #include "gatunFilePiece.h"
 #include "gatunMeshPiece.h"
+#include "vtkGatunFileHandle.h"
+#include "vtkGatunHandleSource.h"
 #include "vtkGatunReader.h"
 #include "vtkGatunVolumeMapper.h"
 
@@ -15,8 +17,8 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkErrorCode.h"
-#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -28,7 +30,6 @@
 #include "vtkPVRenderView.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPolyDataMapper.h"
-#include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeProperty.h"
 #include "vtkVolumeRepresentationPreprocessor.h"
@@ -63,6 +64,14 @@ vtkDataObject* GetData(vtkAlgorithmOutput* producer)
   return producer ? producer->GetProducer()->GetOutputDataObject(producer->GetIndex()) : nullptr;
 }
 
+//------------------------------------------------------------------------------
+/** The handle in the information of a source. */
+vtkGatunFileHandle* GetHandle(vtkAlgorithm* source)
+{
+  return vtkGatunFileHandle::SafeDownCast(
+    source->GetOutputInformation(0)->Get(vtkGatunFileHandle::FILE_HANDLE()));
+}
+
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
@@ -72,8 +81,7 @@ vtkGatunVolumeRepresentation::vtkGatunVolumeRepresentation()
   this->Superclass::AddVolumeMapper("Gatun", this->VolumeMapper);
   this->Superclass::SetActiveVolumeMapper("Gatun");
   this->VolumeMapper->SetTimeBudget(0.1);
-  this->File->SetOnDemand(vtkGatunReader::ON_DEMAND_ALWAYS);
-  this->File->SetMemoryBudget(0);
+  this->OtherFile->SetOnDemand(vtkGatunReader::ON_DEMAND_ALWAYS);
 }
 
 vtkGatunVolumeRepresentation::~vtkGatunVolumeRepresentation() = default;
@@ -106,6 +114,7 @@ int vtkGatunVolumeRepresentation::GetBlendMode()
 void vtkGatunVolumeRepresentation::SetMemoryBudget(int mebibytes)
 {
   this->VolumeMapper->SetMemoryBudget(mebibytes);
+  this->OtherFile->SetMemoryBudget(mebibytes);
 }
 
 //------------------------------------------------------------------------------
@@ -185,7 +194,7 @@ void vtkGatunVolumeRepresentation::SetActiveVolumeMapper(const char*) {}
 //------------------------------------------------------------------------------
 vtkIdType vtkGatunVolumeRepresentation::GetBytesRead()
 {
-  return this->DrawsFile ? static_cast<vtkIdType>(this->VolumeMapper->GetBytesRead()) : 0;
+  return this->Drawn ? static_cast<vtkIdType>(this->VolumeMapper->GetBytesRead()) : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -204,21 +213,19 @@ void vtkGatunVolumeRepresentation::MakePiece(vtkDataObject* input)
 {
   vtkMath::UninitializeBounds(this->DataBounds);
   this->Piece = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  this->Handle = nullptr;
   if (!input)
   {
     return; // a process without data
   }
-  vtkGatunReader* const reader = gatun::FindReader(this);
-  if (reader && reader->GetIsOnDemand())
+  vtkGatunFileHandle* const handle = gatun::FindHandle(this);
+  if (handle && handle->GetCanReplaceOutput() && handle->GetIsOnDemand())
   {
-    const gatun::DrawnFile file = gatun::DescribeFile(reader, input);
+    this->Handle = handle;
     this->Piece->ShallowCopy(input);
-    gatun::MarkPiece(this->Piece, file);
+    gatun::MarkPiece(this->Piece, gatun::DescribeFile(handle, input));
     // All processes need to know the bounds, and only the first one has the outline.
-    if (this->PrepareFile(file))
-    {
-      this->File->GetOutput()->GetBounds(this->DataBounds);
-    }
+    handle->GetBounds(this->DataBounds);
     return;
   }
   if (auto* const grid = vtkUnstructuredGrid::SafeDownCast(input))
@@ -327,7 +334,7 @@ void vtkGatunVolumeRepresentation::PrepareToDraw(vtkInformation* inInfo)
 {
   vtkAlgorithmOutput* const producer = vtkPVRenderView::GetPieceProducer(inInfo, this);
   auto* const piece = vtkUnstructuredGrid::SafeDownCast(GetData(producer));
-  this->DrawsFile = false;
+  this->Drawn = nullptr;
   this->Shown = piece;
   this->Actor->SetEnableLOD(0);
   this->VolumeMapper->RemoveAllClippingPlanes();
@@ -349,14 +356,12 @@ void vtkGatunVolumeRepresentation::PrepareToDraw(vtkInformation* inInfo)
   const gatun::DrawnFile file = gatun::GetMark(piece);
   if (!file.Path.empty())
   {
-    if (!this->PrepareFile(file) || !this->CutToPart())
+    if (!this->ConnectFile(piece, file) || !this->CutToPart())
     {
+      this->Drawn = nullptr;
       this->Actor->SetMapper(nullptr);
       return;
     }
-    this->DrawsFile = true;
-    this->Shown = this->File->GetOutput();
-    this->VolumeMapper->SetInputConnection(this->File->GetOutputPort());
     // The parts of a file fit together, as all processes make the same merges.
     this->VolumeMapper->SetSimplificationRatio(this->SimplificationRatio);
   }
@@ -375,13 +380,43 @@ void vtkGatunVolumeRepresentation::PrepareToDraw(vtkInformation* inInfo)
 }
 
 //------------------------------------------------------------------------------
-/** Makes the outline of a file at a time, from its tables. */
-bool vtkGatunVolumeRepresentation::PrepareFile(const gatun::DrawnFile& file)
+/** Connects the mapper to a file, by its handle if this process has read the piece. */
+bool vtkGatunVolumeRepresentation::ConnectFile(
+  vtkUnstructuredGrid* piece, const gatun::DrawnFile& file)
 {
-  this->File->SetFileName(file.Path.c_str());
-  this->File->SetSimplificationRatio(file.Simplification);
-  this->File->UpdateTimeStep(file.Time);
-  return this->File->GetErrorCode() == vtkErrorCode::NoError;
+  vtkAlgorithm* source = this->OtherFile;
+  if (this->Handle && this->Handle->GetFileName() == file.Path &&
+    this->Handle->GetNumberOfMerges() == file.Merges)
+  {
+    this->OwnFile->SetFile(this->Handle, piece);
+    source = this->OwnFile;
+  }
+  else
+  {
+    this->OwnFile->SetFile(nullptr, nullptr);
+    this->OtherFile->SetFileName(file.Path.c_str());
+    this->OtherFile->SetSimplificationTarget(vtkGatunReader::TARGET_RATIO);
+    this->OtherFile->UpdateInformation();
+    vtkGatunFileHandle* const whole = GetHandle(this->OtherFile);
+    if (!whole || !whole->GetIsOpen())
+    {
+      return false;
+    }
+    if (file.Merges > 0)
+    {
+      this->OtherFile->SetSimplificationTarget(vtkGatunReader::TARGET_NUMBER_OF_POINTS);
+      this->OtherFile->SetSimplificationNumberOfPoints(whole->GetNumberOfPoints() - file.Merges);
+    }
+  }
+  source->UpdateTimeStep(file.Time);
+  if (source->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    return false;
+  }
+  this->Drawn = GetHandle(source);
+  this->Shown = vtkDataSet::SafeDownCast(source->GetOutputDataObject(0));
+  this->VolumeMapper->SetInputConnection(source->GetOutputPort());
+  return this->Drawn != nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -402,8 +437,9 @@ bool vtkGatunVolumeRepresentation::CutToPart()
   }
   vtkNew<vtkMatrix4x4> matrix;
   this->Actor->GetMatrix(matrix);
-  const vtkBoundingBox world =
-    gatun::MoveBox(vtkBoundingBox(this->File->GetOutput()->GetBounds()), matrix);
+  double bounds[6];
+  this->Drawn->GetBounds(bounds);
+  const vtkBoundingBox world = gatun::MoveBox(vtkBoundingBox(bounds), matrix);
   const auto parts = gatun::SplitBox(world, processes.All);
   vtkNew<vtkPlaneCollection> planes;
   gatun::AddCuts(parts[static_cast<std::size_t>(processes.Own)], world, planes);
@@ -414,26 +450,22 @@ bool vtkGatunVolumeRepresentation::CutToPart()
 //------------------------------------------------------------------------------
 double vtkGatunVolumeRepresentation::ChooseUnitDistance()
 {
-  if (!this->DrawsFile)
+  if (!this->Drawn)
   {
     return this->UnitDistance;
   }
   // As ParaView does, by default: the diagonal by the cells along an edge of a cube.
-  const double diagonal = vtkBoundingBox(this->Shown->GetBounds()).GetDiagonalLength();
-  const double ofOutline =
-    diagonal / std::cbrt(static_cast<double>(this->Shown->GetNumberOfCells()));
+  double bounds[6];
+  this->Drawn->GetBounds(bounds);
+  const double diagonal = vtkBoundingBox(bounds).GetDiagonalLength();
+  constexpr double cellsOfOutline = 12;
+  const double ofOutline = diagonal / std::cbrt(cellsOfOutline);
   if (!(std::abs(this->UnitDistance - ofOutline) <= 1e-6 * ofOutline))
   {
-    return this->UnitDistance; // somebody chose it
+    return this->UnitDistance; // chosen by the user
   }
-  double tets = 0;
-  auto* const cells =
-    vtkIdTypeArray::SafeDownCast(this->File->GetChunkTable()->GetColumnByName("Cells"));
-  for (vtkIdType chunk = 0; chunk < cells->GetNumberOfValues(); ++chunk)
-  {
-    tets += static_cast<double>(cells->GetValue(chunk));
-  }
-  return tets > 0 ? diagonal / std::cbrt(tets) : this->UnitDistance;
+  const vtkIdType tets = this->Drawn->GetNumberOfTetrahedra();
+  return tets > 0 ? diagonal / std::cbrt(static_cast<double>(tets)) : this->UnitDistance;
 }
 
 //------------------------------------------------------------------------------
@@ -481,7 +513,7 @@ void vtkGatunVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "UnitDistance: " << this->UnitDistance << "\n";
-  os << indent << "DrawsFile: " << (this->DrawsFile ? "true" : "false") << "\n";
+  os << indent << "DrawsFile: " << (this->Drawn ? "true" : "false") << "\n";
   os << indent << "VolumeMapper:\n";
   this->VolumeMapper->PrintSelf(os, indent.GetNextIndent());
 }

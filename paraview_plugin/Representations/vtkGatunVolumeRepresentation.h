@@ -5,21 +5,24 @@
  * @class vtkGatunVolumeRepresentation
  * @brief ParaView's "Gatun Volume": unstructured grids as volumes, by vtkGatunVolumeMapper.
  *
- * *A mesh in memory* is drawn as it is, whatever linear 3D cells it has; surfaces and lines among
- * them are left out, and a mesh of nothing else is shown as a surface. Among several processes the
- * cells are redistributed as for ParaView's own volumes.
+ * *A mesh in memory* is drawn as it is, with any linear 3D cells. Surfaces and lines among them are
+ * left out, and a mesh that consists only of those is shown as a surface. Among several processes
+ * the cells are redistributed as for ParaView's own volumes.
  *
- * *A vtkGatunReader that reads on demand*, as the input itself: its file is drawn, from which only
- * what is seen is read and decoded, and nothing but the outline is asked of the pipeline. Each of
- * several processes that draw has a part of the bounds: it reads and draws the file, cut to its
- * part. The pictures of the parts together are, pixel by pixel, that of one process, but for
- * rounding. Maximum and X-ray pictures cannot be put together so; the first process draws them. The
- * file must be found by its name where it is drawn.
+ * *A file on demand*: if the input is a vtkGatunReader on demand, the representation draws the
+ * file. Only visible chunks are read and decoded, and the pipeline is asked for the outline alone.
+ * A process that reads the file draws it by the vtkGatunFileHandle of the reader, and shares the
+ * open file, decoded chunks and memory budget with it. A process that only draws opens the file by
+ * its name, so it must find it there.
  *
- * Colours are those of the array, and of its component or length, as chosen for colouring. A
- * separate array for opacities, several components mapped at once and colours taken from the array
- * directly have no influence. While somebody interacts, the volume is drawn with fewer rays, or as
- * a simpler mesh, never as a surface.
+ * *Several processes.* Each process that draws has a part of the bounds. It draws the file, clipped
+ * to its part. Pixel by pixel, the images of the parts together are that of one process, except for
+ * rounding. Maximum and X-ray images cannot be composited this way; the first process draws them.
+ *
+ * Colors are those of the array, and of its component or length, as chosen for coloring. A separate
+ * array for opacities, several components mapped at once and colors taken directly from the array
+ * have no influence. During an interaction the volume is drawn with fewer rays or as a coarser
+ * mesh, never as a surface.
  *
  * @sa vtkGatunVolumeMapper vtkGatunReader
  */
@@ -38,6 +41,8 @@ struct DrawnFile;
 }
 class vtkBoundingBox;
 class vtkDataSet;
+class vtkGatunFileHandle;
+class vtkGatunHandleSource;
 class vtkGatunReader;
 class vtkGatunVolumeMapper;
 class vtkUnstructuredGrid;
@@ -70,7 +75,9 @@ public:
 
   ///@{
   /**
-   * How much of the mesh is kept ready for the next picture in each process, in MiB. Default: 512.
+   * Memory for the parts of the mesh that are kept for the next image in each process, in MiB. For
+   * a file on demand the budget is that of its reader, unless another process draws it than the one
+   * that reads it. Default: 512.
    */
   void SetMemoryBudget(int mebibytes);
   int GetMemoryBudget();
@@ -158,15 +165,17 @@ private:
   void DeliverPiece(vtkInformation* inInfo, vtkInformation* outInfo);
   void DeliverOutline(vtkInformation* inInfo);
   void PrepareToDraw(vtkInformation* inInfo);
-  bool PrepareFile(const gatun::DrawnFile& file);
+  bool ConnectFile(vtkUnstructuredGrid* piece, const gatun::DrawnFile& file);
   bool CutToPart();
   double ChooseUnitDistance();
 
   vtkNew<vtkGatunVolumeMapper> VolumeMapper;
-  vtkNew<vtkGatunReader> File;
+  vtkNew<vtkGatunHandleSource> OwnFile;       // of the reader in this process
+  vtkNew<vtkGatunReader> OtherFile;           // of a reader in another process
+  vtkSmartPointer<vtkGatunFileHandle> Handle; // of the piece, if it comes from a file on demand
+  vtkSmartPointer<vtkGatunFileHandle> Drawn;  // of the file that the mapper draws, while it does
   vtkSmartPointer<vtkUnstructuredGrid> Piece;
   vtkDataSet* Shown = nullptr; // what tells which arrays there are
-  bool DrawsFile = false;
   bool JustInTime = false;
   double SimplificationRatio = 0;
   double UnitDistance = 1;

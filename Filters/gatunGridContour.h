@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunGridContour_h
+#define gatunGridContour_h
+
+#include "gatunContourSettings.h"
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+namespace gatun
+{
+/** Makes the isosurfaces of a grid in memory. Returns warnings. Throws Error. */
+std::vector<std::string> ContourGrid(vtkUnstructuredGrid* grid, const ContourSettings& settings,
+  const ContourProgress& progress, vtkPolyData* output);
+}
+
+#endif

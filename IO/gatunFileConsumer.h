@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunFileConsumer_h
+#define gatunFileConsumer_h
+
+// For consumers of a reader that use its file in place of its output.
+
+#include "gatunPublishedFile.h"
+#include "vtkGatunIOModule.h" // For export macro
+
+#include <cstddef>
+
+class vtkInformation;
+
+namespace gatun
+{
+/** The handle in the information of an output; null if there is none. It lives as long as it is in
+ * there. */
+VTKGATUNIO_EXPORT const PublishedFile* GetPublishedFile(vtkInformation* info);
+
+/** The same, but null where the file cannot stand in for the output. */
+VTKGATUNIO_EXPORT const PublishedFile* GetUsableFile(vtkInformation* info);
+
+/** Makes a consumer of a file ask for nothing that the reader would have to decode: for what its
+ * output has already, or for a piece without any cells. Info: that of the consumer's input. */
+VTKGATUNIO_EXPORT void RequestNothing(vtkInformation* info);
+
+/** The last step not later than a time, or the first. */
+VTKGATUNIO_EXPORT std::size_t FindStep(const FileReader& file, double time);
+
+/** The step that is asked for in the information of an output; the first if no time is. */
+VTKGATUNIO_EXPORT std::size_t GetRequestedStep(const FileReader& file, vtkInformation* info);
+}
+
+#endif

@@ -1,0 +1,381 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunPieceReader.h"
+
+#include "gatunArrayBridge.h"
+#include "gatunFileConsumer.h"
+#include "gatunFileReader.h"
+#include "gatunParallel.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataObject.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkTypeInt64Array.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace gatun
+{
+namespace
+{
+//------------------------------------------------------------------------------
+// Offsets 0, 4, 8, ... of tetrahedra.
+template <typename ArrayT>
+vtkSmartPointer<ArrayT> MakeOffsets(vtkIdType tets)
+{
+  using ValueT = typename ArrayT::ValueType;
+  auto offsets = vtkSmartPointer<ArrayT>::New();
+  offsets->SetNumberOfValues(tets + 1);
+  ValueT* values = offsets->GetPointer(0);
+  constexpr vtkIdType block = 1 << 20;
+  ParallelFor(static_cast<std::size_t>(tets / block + 1),
+    [values, tets](std::size_t part)
+    {
+      const auto begin = static_cast<vtkIdType>(part) * block;
+      const vtkIdType end = std::min(begin + block, tets + 1);
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        values[i] = static_cast<ValueT>(4 * i);
+      }
+    });
+  return offsets;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkIdTypeArray> MakeIds(const char* name, vtkIdType values)
+{
+  auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
+  ids->SetName(name);
+  ids->SetNumberOfValues(values);
+  return ids;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkUnsignedCharArray> MakeGhostArray(vtkIdType values)
+{
+  auto ghosts = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfValues(values);
+  return ghosts;
+}
+
+//------------------------------------------------------------------------------
+std::int64_t* PointerTo(vtkIdTypeArray* ids)
+{
+  return reinterpret_cast<std::int64_t*>(ids->GetPointer(0));
+}
+
+//------------------------------------------------------------------------------
+// Adds ghost flags; those that the file holds (of hidden points, say) stay.
+void AddGhosts(vtkDataSetAttributes* attributes, vtkUnsignedCharArray* ghosts)
+{
+  if (!ghosts)
+  {
+    return;
+  }
+  auto* stored = vtkUnsignedCharArray::SafeDownCast(attributes->GetArray(ghosts->GetName()));
+  if (!stored || stored->GetNumberOfValues() != ghosts->GetNumberOfValues())
+  {
+    attributes->AddArray(ghosts);
+    return;
+  }
+  for (vtkIdType i = 0; i < ghosts->GetNumberOfValues(); ++i)
+  {
+    stored->SetValue(i, static_cast<unsigned char>(stored->GetValue(i) | ghosts->GetValue(i)));
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkDataSetAttributes* AttributesOf(vtkUnstructuredGrid* grid, Association where)
+{
+  if (where == Association::Point)
+  {
+    return grid->GetPointData();
+  }
+  return grid->GetCellData();
+}
+
+//------------------------------------------------------------------------------
+// Whether an array of the request is, or is named like, global ids.
+bool HasGlobalIds(const FileReader& file, const PieceRequest& request, Association where)
+{
+  const char* name = where == Association::Point ? "GlobalPointIds" : "GlobalCellIds";
+  return std::any_of(request.Arrays.begin(), request.Arrays.end(),
+    [&](std::uint32_t index)
+    {
+      const ArrayDescription& array = file.GetArrays()[index];
+      return array.Where == where &&
+        (array.Name == name || (array.AttributeRoles >> vtkDataSetAttributes::GLOBALIDS & 1u) != 0);
+    });
+}
+}
+
+//------------------------------------------------------------------------------
+PortRequest::PortRequest(const FileReader& file, vtkInformation* outInfo)
+  : Piece(vtkStreamingDemandDrivenPipeline::GetUpdatePiece(outInfo))
+  , Pieces(std::max(1, vtkStreamingDemandDrivenPipeline::GetUpdateNumberOfPieces(outInfo)))
+  , Step(GetRequestedStep(file, outInfo))
+{
+  if (this->Pieces > 1)
+  {
+    this->GhostLevels = static_cast<unsigned>(
+      std::max(0, vtkStreamingDemandDrivenPipeline::GetUpdateGhostLevel(outInfo)));
+  }
+}
+
+//------------------------------------------------------------------------------
+void AddStepFieldData(const FileReader& file, std::size_t step, vtkUnstructuredGrid* output)
+{
+  if (step < file.GetNumberOfSteps())
+  {
+    AddFieldData(output->GetFieldData(), file.GetFieldData(step));
+  }
+}
+
+//------------------------------------------------------------------------------
+void SetStepTime(const FileReader& file, std::size_t step, vtkUnstructuredGrid* output)
+{
+  if (file.HasTime() && step < file.GetTimes().size())
+  {
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), file.GetTimes()[step]);
+  }
+}
+
+//------------------------------------------------------------------------------
+PieceReader::PieceReader() = default;
+PieceReader::~PieceReader() = default;
+
+//------------------------------------------------------------------------------
+void PieceReader::Choose(const PublishedFile& handle, std::size_t merges)
+{
+  const auto& file = handle.File->GetFile();
+  SimplifiedFile::Place place{ file, nullptr, 0 };
+  if (merges > 0)
+  {
+    // Base meshes have no original order.
+    const bool keepsOrder = handle.RestoreOrder && file->GetKeptOrder() != KeepNone;
+    place = handle.File->GetHierarchy().Find(merges, !keepsOrder);
+  }
+  if (!this->Parts || place.File != this->Parts->GetFile())
+  {
+    this->DecodedBefore = this->GetDecodedChunks();
+    this->ForgetMesh();
+    this->Parts = handle.File->MakeView(place.File, true);
+  }
+  this->Tree = place.Tree;
+  this->Merges = place.Merges;
+}
+
+//------------------------------------------------------------------------------
+PieceRequest PieceReader::MakeRequest(const PublishedFile& handle, const PortRequest& port,
+  const std::vector<std::uint32_t>& chunks) const
+{
+  const FileReader& file = *handle.File->GetFile();
+  PieceRequest request;
+  request.Step = port.Step;
+  request.Merges = this->Merges;
+  request.Tree = this->Tree;
+  request.RestoreOrder = handle.RestoreOrder;
+  const bool exists = port.Piece >= 0 && port.Piece < port.Pieces;
+  if (exists)
+  {
+    const auto at = [&](int piece)
+    {
+      return chunks.begin() +
+        static_cast<std::ptrdiff_t>(
+          chunks.size() * static_cast<std::size_t>(piece) / static_cast<std::size_t>(port.Pieces));
+    };
+    request.Chunks.assign(at(port.Piece), at(port.Piece + 1));
+  }
+  // Without steps, arrays have no values.
+  for (std::uint32_t i = 0; i < file.GetArrays().size() && file.GetNumberOfSteps() > 0; ++i)
+  {
+    if (handle.Selected[i])
+    {
+      request.Arrays.push_back(i);
+    }
+  }
+  request.GhostLevels = port.GhostLevels;
+  const bool isWhole = chunks.size() == this->GetMesh().GetChunks().size();
+  if (request.GhostLevels > 0 && !isWhole)
+  {
+    request.Universe = chunks;
+  }
+  request.WithUnusedPoints = exists && port.Piece == 0;
+  return request;
+}
+
+//------------------------------------------------------------------------------
+void PieceReader::ForgetMesh()
+{
+  this->Decoder.reset();
+  this->Mesh = nullptr;
+  this->PointIds = nullptr;
+  this->CellIds = nullptr;
+  this->PointGhosts = nullptr;
+  this->CellGhosts = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void PieceReader::ClearCache()
+{
+  if (this->Parts)
+  {
+    this->Parts->Clear();
+  }
+}
+
+//------------------------------------------------------------------------------
+void PieceReader::Close()
+{
+  this->ForgetMesh();
+  this->Parts.reset();
+  this->Tree.reset();
+  this->Merges = 0;
+  this->DecodedBefore = 0;
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t PieceReader::GetDecodedChunks() const
+{
+  return this->DecodedBefore + (this->Parts ? this->Parts->GetStatistics().MeshesDecoded : 0);
+}
+
+//------------------------------------------------------------------------------
+bool PieceReader::HasMeshOf(const PieceRequest& request) const
+{
+  PieceRequest mesh = request;
+  mesh.Arrays = this->MeshRequest.Arrays;
+  mesh.Step = this->MeshRequest.Step;
+  return this->Mesh && mesh == this->MeshRequest;
+}
+
+//------------------------------------------------------------------------------
+/** Makes a mesh with room for the request that the decoder has. */
+void PieceReader::MakeMesh(const FileReader& file, PieceTarget& target)
+{
+  const auto points = static_cast<vtkIdType>(this->Decoder->GetNumberOfPoints());
+  const auto tets = static_cast<vtkIdType>(this->Decoder->GetNumberOfTets());
+
+  vtkNew<vtkPoints> coordinates;
+  coordinates->SetDataType(
+    file.GetCoordinateType() == ScalarType::Float64 ? VTK_DOUBLE : VTK_FLOAT);
+  coordinates->SetNumberOfPoints(points);
+  target.Points = coordinates->GetVoidPointer(0);
+
+  vtkNew<vtkCellArray> cells;
+  target.WideIds = file.HasWideIds() || tets >= std::numeric_limits<vtkTypeInt32>::max() / 4;
+  if (target.WideIds)
+  {
+    vtkNew<vtkTypeInt64Array> connectivity;
+    connectivity->SetNumberOfValues(4 * tets);
+    target.Connectivity = connectivity->GetPointer(0);
+    cells->SetData(MakeOffsets<vtkTypeInt64Array>(tets), connectivity);
+  }
+  else
+  {
+    vtkNew<vtkTypeInt32Array> connectivity;
+    connectivity->SetNumberOfValues(4 * tets);
+    target.Connectivity = connectivity->GetPointer(0);
+    cells->SetData(MakeOffsets<vtkTypeInt32Array>(tets), connectivity);
+  }
+  this->Mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  this->Mesh->SetPoints(coordinates);
+  this->Mesh->SetCells(VTK_TETRA, cells);
+}
+
+//------------------------------------------------------------------------------
+void PieceReader::MakeGhosts(PieceTarget& target)
+{
+  this->PointGhosts = MakeGhostArray(static_cast<vtkIdType>(this->Decoder->GetNumberOfPoints()));
+  this->CellGhosts = MakeGhostArray(static_cast<vtkIdType>(this->Decoder->GetNumberOfTets()));
+  target.PointGhosts = this->PointGhosts->GetPointer(0);
+  target.CellGhosts = this->CellGhosts->GetPointer(0);
+}
+
+//------------------------------------------------------------------------------
+void PieceReader::Read(const PublishedFile& handle, const PieceRequest& request, bool globalIds,
+  vtkUnstructuredGrid* output, const Progress& progress)
+{
+  const FileReader& file = *handle.File->GetFile();
+  const bool meshIsThere = this->HasMeshOf(request);
+  if (!meshIsThere)
+  {
+    this->ForgetMesh();
+  }
+  if (!this->Decoder)
+  {
+    this->Decoder = std::make_unique<PieceDecoder>(this->Parts);
+  }
+  const double share = request.GhostLevels > 0 && !meshIsThere ? 0.5 : 0.0;
+  this->Decoder->SetRequest(
+    request, [&progress, share](double fraction) { return progress(share * fraction); });
+  const auto points = static_cast<vtkIdType>(this->Decoder->GetNumberOfPoints());
+  const auto tets = static_cast<vtkIdType>(this->Decoder->GetNumberOfTets());
+
+  PieceTarget target;
+  if (!meshIsThere)
+  {
+    this->MakeMesh(file, target);
+    this->MeshRequest = request;
+    if (request.GhostLevels > 0)
+    {
+      this->MakeGhosts(target);
+    }
+  }
+  const bool pointIds = globalIds && !HasGlobalIds(file, request, Association::Point);
+  const bool cellIds = globalIds && !HasGlobalIds(file, request, Association::Cell);
+  if (pointIds && !this->PointIds)
+  {
+    this->PointIds = MakeIds("GlobalPointIds", points);
+    target.GlobalPointIds = PointerTo(this->PointIds);
+  }
+  if (cellIds && !this->CellIds)
+  {
+    this->CellIds = MakeIds("GlobalCellIds", tets);
+    target.GlobalCellIds = PointerTo(this->CellIds);
+  }
+  std::vector<ArrayFiller> fillers;
+  for (const std::uint32_t array : request.Arrays)
+  {
+    const ArrayDescription& description = file.GetArrays()[array];
+    fillers.emplace_back(description, description.Where == Association::Point ? points : tets);
+    target.Arrays.push_back(fillers.back().GetBuffer());
+  }
+  this->Decoder->Fill(target,
+    [&progress, share](double fraction) { return progress(share + (1 - share) * fraction); });
+
+  output->CopyStructure(this->Mesh);
+  for (std::size_t i = 0; i < fillers.size(); ++i)
+  {
+    const ArrayDescription& description = file.GetArrays()[request.Arrays[i]];
+    AddWithRoles(
+      AttributesOf(output, description.Where), fillers[i].Finish(), description.AttributeRoles);
+  }
+  if (pointIds)
+  {
+    output->GetPointData()->SetGlobalIds(this->PointIds);
+  }
+  if (cellIds)
+  {
+    output->GetCellData()->SetGlobalIds(this->CellIds);
+  }
+  AddGhosts(output->GetPointData(), this->PointGhosts);
+  AddGhosts(output->GetCellData(), this->CellGhosts);
+  AddStepFieldData(file, request.Step, output);
+}
+}

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunPieceReader_h
+#define gatunPieceReader_h
+
+#include "gatunPieceDecoder.h"
+#include "gatunPublishedFile.h"
+#include "vtkGatunIOModule.h" // For export macro
+
+#include "vtkSmartPointer.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+class vtkIdTypeArray;
+class vtkInformation;
+class vtkUnsignedCharArray;
+class vtkUnstructuredGrid;
+
+namespace gatun
+{
+/** A request of a pipeline. */
+struct PortRequest
+{
+  int Piece = 0;
+  int Pieces = 1;
+  unsigned GhostLevels = 0;
+  std::size_t Step = 0;
+
+  /** Takes it from the information of an output. */
+  VTKGATUNIO_EXPORT PortRequest(const FileReader& file, vtkInformation* outInfo);
+};
+
+/**
+ * Reads pieces of an open file into grids. It keeps the mesh that was read last, which other arrays
+ * and time steps share. Methods throw Error. Exported for the filters.
+ */
+class VTKGATUNIO_EXPORT PieceReader
+{
+public:
+  using Progress = std::function<bool(double)>;
+
+  PieceReader();
+  ~PieceReader();
+  PieceReader(const PieceReader&) = delete;
+  PieceReader& operator=(const PieceReader&) = delete;
+
+  /** Chooses the mesh in the file that is decoded for a number of merges: the whole mesh or a base
+   * mesh. */
+  void Choose(const PublishedFile& handle, std::size_t merges);
+
+  /** The mesh that was chosen, and the number of merges from there. */
+  const FileReader& GetMesh() const { return *this->Parts->GetFile(); }
+  std::size_t GetMerges() const { return this->Merges; }
+
+  /** The request for the part of the chosen mesh that a port is asked for. Chunks: those of the
+   * region of interest, ascending. */
+  PieceRequest MakeRequest(const PublishedFile& handle, const PortRequest& port,
+    const std::vector<std::uint32_t>& chunks) const;
+
+  /** Reads. GlobalIds: whether to make global ids where the output has none. */
+  void Read(const PublishedFile& handle, const PieceRequest& request, bool globalIds,
+    vtkUnstructuredGrid* output, const Progress& progress);
+
+  bool HasMesh() const { return this->Mesh != nullptr; }
+
+  /** Frees the mesh that was read last. */
+  void ForgetMesh();
+
+  /** Removes the decoded parts of the mesh that was chosen last from the cache, for all consumers.
+   */
+  void ClearCache();
+
+  /** Lets go of the file. */
+  void Close();
+
+  /** Meshes of chunks that were decoded for this object. */
+  std::uint64_t GetDecodedChunks() const;
+
+private:
+  bool HasMeshOf(const PieceRequest& request) const;
+  void MakeMesh(const FileReader& file, PieceTarget& target);
+  void MakeGhosts(PieceTarget& target);
+
+  // The mesh that is decoded.
+  std::shared_ptr<ChunkCache> Parts;
+  std::shared_ptr<const MergeTree> Tree;
+  std::size_t Merges = 0;
+  std::uint64_t DecodedBefore = 0; // by other views
+
+  // The mesh last read, which other steps and arrays share.
+  std::unique_ptr<PieceDecoder> Decoder;
+  PieceRequest MeshRequest;
+  vtkSmartPointer<vtkUnstructuredGrid> Mesh;
+  vtkSmartPointer<vtkIdTypeArray> PointIds;
+  vtkSmartPointer<vtkIdTypeArray> CellIds;
+  vtkSmartPointer<vtkUnsignedCharArray> PointGhosts;
+  vtkSmartPointer<vtkUnsignedCharArray> CellGhosts;
+};
+
+/** Adds the field data of a step of a file to a grid. */
+void AddStepFieldData(const FileReader& file, std::size_t step, vtkUnstructuredGrid* output);
+
+/** Sets the time of a step of a file in the information of an output. */
+VTKGATUNIO_EXPORT void SetStepTime(
+  const FileReader& file, std::size_t step, vtkUnstructuredGrid* output);
+}
+
+#endif

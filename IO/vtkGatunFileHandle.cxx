@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkGatunFileHandle.h"
+
+#include "gatunFileReader.h"
+#include "gatunPublishedFile.h"
+
+#include "vtkInformationObjectBaseKey.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+
+#include <utility>
+
+vtkStandardNewMacro(vtkGatunFileHandle);
+
+// NeedToExecute, StoreMetaData and CopyDefaultInformation of the key are those of its superclass,
+// which do nothing. A handle is no request: it makes nobody execute, it is not kept with data, and
+// no filter gets it that does not copy it.
+vtkInformationKeyRestrictedMacro(vtkGatunFileHandle, FILE_HANDLE, ObjectBase, "vtkGatunFileHandle");
+
+//------------------------------------------------------------------------------
+vtkGatunFileHandle::vtkGatunFileHandle()
+  : Contents(std::make_unique<gatun::PublishedFile>())
+{
+}
+
+vtkGatunFileHandle::~vtkGatunFileHandle() = default;
+
+//------------------------------------------------------------------------------
+const char* vtkGatunFileHandle::GetFileName()
+{
+  return this->Contents->Path.c_str();
+}
+
+//------------------------------------------------------------------------------
+bool vtkGatunFileHandle::GetIsOpen()
+{
+  return this->Contents->File != nullptr;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkGatunFileHandle::GetReason()
+{
+  return this->Contents->Reason.c_str();
+}
+
+//------------------------------------------------------------------------------
+bool vtkGatunFileHandle::GetCanReplaceOutput()
+{
+  return this->Contents->CanReplaceOutput();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGatunFileHandle::GetNumberOfPoints()
+{
+  const auto& file = this->Contents->File;
+  return file ? static_cast<vtkIdType>(file->GetFile()->GetNumberOfPoints()) : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGatunFileHandle::GetNumberOfTetrahedra()
+{
+  const auto& file = this->Contents->File;
+  return file ? static_cast<vtkIdType>(file->GetFile()->GetNumberOfTets()) : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunFileHandle::GetBounds(double bounds[6])
+{
+  vtkMath::UninitializeBounds(bounds);
+  if (const auto& file = this->Contents->File)
+  {
+    const gatun::Bounds& box = file->GetFile()->GetBounds();
+    for (std::size_t axis = 0; axis < 3 && box[0].Min <= box[0].Max; ++axis)
+    {
+      bounds[2 * axis] = box[axis].Min;
+      bounds[2 * axis + 1] = box[axis].Max;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGatunFileHandle::GetNumberOfMerges()
+{
+  return static_cast<vtkIdType>(this->Contents->Merges);
+}
+
+//------------------------------------------------------------------------------
+bool vtkGatunFileHandle::GetIsOnDemand()
+{
+  return this->Contents->OnDemand;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeUInt64 vtkGatunFileHandle::GetMemory()
+{
+  const auto& file = this->Contents->File;
+  return file ? file->GetBudget()->GetStatistics().Bytes : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeUInt64 vtkGatunFileHandle::GetMemoryBudget()
+{
+  const auto& file = this->Contents->File;
+  return file ? file->GetBudget()->GetBytes() : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeUInt64 vtkGatunFileHandle::GetBytesRead()
+{
+  const auto& file = this->Contents->File;
+  return file ? file->GetBytesRead() : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeUInt64 vtkGatunFileHandle::GetDecodedChunks()
+{
+  const auto& file = this->Contents->File;
+  return file ? file->GetStatistics().MeshesDecoded : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeUInt64 vtkGatunFileHandle::GetFoundChunks()
+{
+  const auto& file = this->Contents->File;
+  return file ? file->GetStatistics().MeshesFound : 0;
+}
+
+//------------------------------------------------------------------------------
+const gatun::PublishedFile& vtkGatunFileHandle::GetContents() const
+{
+  return *this->Contents;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunFileHandle::SetContents(gatun::PublishedFile&& contents)
+{
+  *this->Contents = std::move(contents);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunFileHandle::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << this->GetFileName() << "\n";
+  os << indent << "IsOpen: " << (this->GetIsOpen() ? "true" : "false") << "\n";
+  os << indent << "Reason: " << this->GetReason() << "\n";
+  os << indent << "NumberOfPoints: " << this->GetNumberOfPoints() << "\n";
+  os << indent << "NumberOfTetrahedra: " << this->GetNumberOfTetrahedra() << "\n";
+  os << indent << "NumberOfMerges: " << this->GetNumberOfMerges() << "\n";
+  os << indent << "IsOnDemand: " << (this->GetIsOnDemand() ? "true" : "false") << "\n";
+  os << indent << "Memory: " << this->GetMemory() << "\n";
+  os << indent << "MemoryBudget: " << this->GetMemoryBudget() << "\n";
+  os << indent << "BytesRead: " << this->GetBytesRead() << "\n";
+  os << indent << "DecodedChunks: " << this->GetDecodedChunks() << "\n";
+  os << indent << "FoundChunks: " << this->GetFoundChunks() << "\n";
+}

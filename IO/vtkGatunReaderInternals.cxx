@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkGatunReaderInternals.h"
+
+#include "gatunChunkTable.h"
+#include "gatunError.h"
+#include "gatunErrorCodes.h"
+#include "gatunFileReader.h"
+#include "gatunOutline.h"
+#include "vtkGatunFileHandle.h"
+
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkInformationObjectBaseKey.h"
+#include "vtkNew.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace
+{
+
+using gatun::Association;
+
+//------------------------------------------------------------------------------
+bool Touches(const gatun::Range& range, double low, double high)
+{
+  return range.Min <= range.Max && range.Min <= high && range.Max >= low;
+}
+
+//------------------------------------------------------------------------------
+/** The names of the arrays of a file on its points or cells, each once. */
+std::vector<std::string> NamesOf(const gatun::FileReader& file, Association where)
+{
+  std::vector<std::string> names;
+  for (const gatun::ArrayDescription& array : file.GetArrays())
+  {
+    if (array.Where == where && !array.Name.empty() &&
+      std::find(names.begin(), names.end(), array.Name) == names.end())
+    {
+      names.push_back(array.Name);
+    }
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+/** The array of a value range and which of its ranges that is: that of a component or, with -1, of
+ * the length of the tuples. */
+std::pair<std::size_t, std::size_t> FindRange(
+  const gatun::FileReader& file, const std::string& name, Association where, int component)
+{
+  const auto& arrays = file.GetArrays();
+  const auto found = std::find_if(arrays.begin(), arrays.end(),
+    [&](const gatun::ArrayDescription& array)
+    { return array.Where == where && array.Name == name; });
+  const std::string place = where == Association::Point ? "point" : "cell";
+  if (found == arrays.end())
+  {
+    gatun::ThrowInvalid(
+      "there is no " + place + " array '" + name + "' for the value range", file.GetPath());
+  }
+  if (component >= static_cast<int>(found->Components))
+  {
+    gatun::ThrowInvalid("the " + place + " array '" + name + "' has no component " +
+        std::to_string(component) + " for the value range",
+      file.GetPath());
+  }
+  const std::size_t length = found->Components > 1 ? found->Components : 0;
+  return { static_cast<std::size_t>(found - arrays.begin()),
+    component < 0 ? length : static_cast<std::size_t>(component) };
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+/** Opens the file unless it is open and unchanged; a file opened anew has new caches. */
+void vtkGatunReader::vtkInternals::Open(const std::string& path, std::uint64_t budget)
+{
+  const gatun::FileSignature signature = gatun::SignatureOf(path);
+  if (this->IsOpen(path) && signature == this->Signature)
+  {
+    return;
+  }
+  this->Close();
+  this->Path = path;
+  this->Signature = signature;
+  auto file = std::make_shared<gatun::SharedFile>(path, budget);
+  this->Table = gatun::MakeChunkTable(*file->GetFile());
+  this->File = std::move(file);
+  this->PointArrays.SetArrays(NamesOf(this->GetFile(), Association::Point));
+  this->CellArrays.SetArrays(NamesOf(this->GetFile(), Association::Cell));
+}
+
+//------------------------------------------------------------------------------
+gatun::SimplifyProperties vtkGatunReader::vtkInternals::GetProperties(const vtkGatunReader& reader)
+{
+  static_assert(int{ TARGET_RATIO } == gatun::SimplifyTarget::Ratio);
+  static_assert(int{ TARGET_NUMBER_OF_POINTS } == gatun::SimplifyTarget::NumberOfPoints);
+  static_assert(int{ TARGET_RMS_ERROR } == gatun::SimplifyTarget::RMSError);
+  return { reader.SimplificationTarget, reader.SimplificationRatio,
+    reader.SimplificationNumberOfPoints, reader.SimplificationRMSError };
+}
+
+//------------------------------------------------------------------------------
+/** Whether a simplification is asked for, possible or not. */
+bool vtkGatunReader::vtkInternals::Simplifies(const vtkGatunReader& reader)
+{
+  return !GetProperties(reader).GetTarget().IsWholeMesh();
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkGatunReader::vtkInternals::CountMerges(const vtkGatunReader& reader) const
+{
+  if (!Simplifies(reader))
+  {
+    return 0;
+  }
+  gatun::SimplifiedFile& hierarchy = this->File->GetHierarchy();
+  return gatun::CountMerges(GetProperties(reader).GetTarget(), this->GetFile().GetNumberOfPoints(),
+    this->GetFile().GetNumberOfMerges(),
+    [&hierarchy]() -> const gatun::MergeTree& { return hierarchy.GetTree(); });
+}
+
+//------------------------------------------------------------------------------
+/** Whether the output is an outline. */
+bool vtkGatunReader::vtkInternals::IsOnDemand(const vtkGatunReader& reader) const
+{
+  if (!this->File || reader.UseBox || reader.UseValueRange)
+  {
+    return false;
+  }
+  if (reader.OnDemand != ON_DEMAND_LARGE)
+  {
+    return reader.OnDemand == ON_DEMAND_ALWAYS;
+  }
+  const std::size_t merges = this->CountMerges(reader);
+  const std::uint64_t tets = merges > 0 ? this->File->GetHierarchy().EstimateTets(merges)
+                                        : this->GetFile().GetNumberOfTets();
+  return tets > static_cast<std::uint64_t>(reader.LargeMesh);
+}
+
+//------------------------------------------------------------------------------
+/** The handle for consumers, of the file that is open. */
+gatun::PublishedFile vtkGatunReader::vtkInternals::Describe(const vtkGatunReader& reader) const
+{
+  gatun::PublishedFile handle;
+  handle.Path = this->Path;
+  handle.File = this->File;
+  handle.RestoreOrder = reader.RestoreOrder;
+  handle.GenerateGlobalIds = reader.GenerateGlobalIds;
+  for (const gatun::ArrayDescription& array : this->GetFile().GetArrays())
+  {
+    const auto& choice = array.Where == Association::Point ? this->PointArrays : this->CellArrays;
+    handle.Selected.push_back(choice.Wants(array.Name));
+  }
+  if (reader.UseBox || reader.UseValueRange)
+  {
+    handle.Reason = "the reader is restricted to a region of interest";
+  }
+  try
+  {
+    handle.Merges = this->CountMerges(reader);
+    handle.OnDemand = this->IsOnDemand(reader);
+  }
+  catch (...)
+  {
+    // The reader reports it when it is asked for data.
+    handle.Failure = std::current_exception();
+    handle.Reason = gatun::DescribeFailure(this->Path.c_str()).Message;
+  }
+  return handle;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunReader::vtkInternals::Publish(gatun::PublishedFile contents, vtkInformation* outInfo)
+{
+  vtkNew<vtkGatunFileHandle> handle;
+  handle->SetContents(std::move(contents));
+  outInfo->Set(vtkGatunFileHandle::FILE_HANDLE(), handle);
+}
+
+//------------------------------------------------------------------------------
+/** The chunks of the chosen mesh that the region of interest leaves. */
+std::vector<std::uint32_t> vtkGatunReader::vtkInternals::ChunksOf(
+  const vtkGatunReader& reader, std::size_t step) const
+{
+  const gatun::FileReader& mesh = this->Pieces.GetMesh();
+  const std::size_t merges = this->Pieces.GetMerges();
+  const bool byValue = reader.UseValueRange && reader.ValueRangeArray && *reader.ValueRangeArray;
+  std::pair<std::size_t, std::size_t> range;
+  if (byValue)
+  {
+    range = FindRange(this->GetFile(), reader.ValueRangeArray,
+      reader.ValueRangeAssociation == vtkDataObject::FIELD_ASSOCIATION_CELLS ? Association::Cell
+                                                                             : Association::Point,
+      reader.ValueRangeComponent);
+  }
+  const auto isOutside = [&](std::uint32_t chunk)
+  {
+    for (std::size_t axis = 0; reader.UseBox && axis < 3; ++axis)
+    {
+      if (!Touches(mesh.GetChunkBounds(chunk, merges)[axis], reader.Box[2 * axis],
+            reader.Box[2 * axis + 1]))
+      {
+        return true;
+      }
+    }
+    return byValue &&
+      !(step < mesh.GetNumberOfSteps() &&
+        Touches(mesh.GetChunkRanges(range.first, step, chunk, merges)[range.second],
+          reader.ValueRange[0], reader.ValueRange[1]));
+  };
+  std::vector<std::uint32_t> chunks(mesh.GetChunks().size());
+  std::iota(chunks.begin(), chunks.end(), 0u);
+  std::erase_if(chunks, isOutside);
+  return chunks;
+}
+
+//------------------------------------------------------------------------------
+/** Makes the outline; empty: the same without points and cells. */
+void vtkGatunReader::vtkInternals::MakeOutline(
+  const gatun::PieceRequest& request, bool isEmpty, vtkUnstructuredGrid* output)
+{
+  if (this->Pieces.HasMesh())
+  {
+    this->Pieces.ForgetMesh();
+    this->Pieces.ClearCache();
+  }
+  gatun::MakeOutline(this->GetFile(), request.Arrays, request.Step, isEmpty, output);
+  gatun::AddStepFieldData(this->GetFile(), request.Step, output);
+  output->GetInformation()->Set(ON_DEMAND(), 1);
+}

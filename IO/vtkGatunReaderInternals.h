@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef vtkGatunReaderInternals_h
+#define vtkGatunReaderInternals_h
+
+#include "gatunArrayChoice.h"
+#include "gatunFileSignature.h"
+#include "gatunPieceReader.h"
+#include "gatunPublishedFile.h"
+#include "gatunSimplifyTarget.h"
+#include "vtkGatunReader.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkTable.h"
+#include "vtkTimeStamp.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+/** The file of a reader, and the settings of the reader as the core takes them. Methods throw
+ * gatun::Error. */
+class vtkGatunReader::vtkInternals
+{
+public:
+  // The file, as it was when opened.
+  std::string Path;
+  gatun::FileSignature Signature;
+  std::shared_ptr<gatun::SharedFile> File;
+  vtkSmartPointer<vtkTable> Table;
+
+  // Bumped when the file changed on disk, or when what was read last must not be kept.
+  vtkTimeStamp FileTime;
+  bool ReadAgain = false;
+
+  gatun::ArrayChoice PointArrays;
+  gatun::ArrayChoice CellArrays;
+  gatun::PieceReader Pieces;
+
+  void Close()
+  {
+    this->Pieces.Close();
+    this->File.reset();
+    this->Table = nullptr;
+  }
+
+  bool IsOpen(const std::string& path) const { return this->File && this->Path == path; }
+  const gatun::FileReader& GetFile() const { return *this->File->GetFile(); }
+
+  void Open(const std::string& path, std::uint64_t budget);
+  static gatun::SimplifyProperties GetProperties(const vtkGatunReader& reader);
+  static bool Simplifies(const vtkGatunReader& reader);
+  std::size_t CountMerges(const vtkGatunReader& reader) const;
+  bool IsOnDemand(const vtkGatunReader& reader) const;
+  gatun::PublishedFile Describe(const vtkGatunReader& reader) const;
+  static void Publish(gatun::PublishedFile contents, vtkInformation* outInfo);
+  std::vector<std::uint32_t> ChunksOf(const vtkGatunReader& reader, std::size_t step) const;
+  void MakeOutline(const gatun::PieceRequest& request, bool isEmpty, vtkUnstructuredGrid* output);
+};
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunSharedFile.h"
+
+#include <algorithm>
+
+namespace gatun
+{
+//------------------------------------------------------------------------------
+SharedFile::SharedFile(const std::string& path, std::uint64_t budget)
+  : File(std::make_shared<const FileReader>(path))
+  , Budget(std::make_shared<CacheBudget>(budget))
+{
+}
+
+//------------------------------------------------------------------------------
+SimplifiedFile& SharedFile::GetHierarchy()
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  if (!this->Hierarchy)
+  {
+    this->Hierarchy = std::make_unique<SimplifiedFile>(this->File);
+  }
+  return *this->Hierarchy;
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<ChunkCache> SharedFile::MakeView(
+  const std::shared_ptr<const FileReader>& mesh, bool keepsChunks)
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  auto& cache = this->Caches[mesh.get()];
+  if (!cache)
+  {
+    cache = std::make_shared<ChunkCache>(mesh, this->Budget);
+  }
+  return std::make_shared<ChunkCache>(cache, keepsChunks);
+}
+
+//------------------------------------------------------------------------------
+ChunkCacheStatistics SharedFile::GetStatistics() const
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  ChunkCacheStatistics sum;
+  for (const auto& entry : this->Caches)
+  {
+    const auto one = entry.second->GetStatistics();
+    sum.Bytes += one.Bytes;
+    sum.PeakBytes = std::max(sum.PeakBytes, one.PeakBytes);
+    sum.MeshesDecoded += one.MeshesDecoded;
+    sum.MeshesFound += one.MeshesFound;
+    sum.ArraysDecoded += one.ArraysDecoded;
+    sum.ArraysFound += one.ArraysFound;
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t SharedFile::GetBytesRead() const
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  return this->Hierarchy ? this->Hierarchy->GetBytesRead() : this->File->GetBytesRead();
+}
+}

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunSharedFile_h
+#define gatunSharedFile_h
+
+#include "gatunCacheBudget.h"
+#include "gatunChunkCache.h"
+#include "gatunFileReader.h"
+#include "gatunSimplifiedFile.h"
+#include "vtkGatunCoreModule.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+namespace gatun
+{
+/**
+ * An open file and everything that its consumers share: one FileReader, the merge tree and the base
+ * meshes, the caches of decoded parts, and one budget for all of them. The file is opened once, in
+ * the constructor. Thread safe.
+ */
+class VTKGATUNCORE_EXPORT SharedFile
+{
+public:
+  /** Opens the file. Budget: memory for decoded parts and for what consumers derive from them, in
+   * bytes. Throws Error as FileReader does. */
+  SharedFile(const std::string& path, std::uint64_t budget);
+
+  const std::shared_ptr<const FileReader>& GetFile() const { return this->File; }
+
+  const std::shared_ptr<CacheBudget>& GetBudget() const { return this->Budget; }
+
+  /** The merge tree and the base meshes. Throws InvalidInput if the file has no hierarchy. */
+  SimplifiedFile& GetHierarchy();
+
+  /** The decoded parts of the file or of one of its base meshes, for one consumer: every call
+   * returns another view of the same cache, with statistics of its own. A view that does not keep
+   * chunks finds those of the others. */
+  std::shared_ptr<ChunkCache> MakeView(
+    const std::shared_ptr<const FileReader>& mesh, bool keepsChunks);
+
+  /** The decoding that all consumers have done, and the memory of decoded parts. */
+  ChunkCacheStatistics GetStatistics() const;
+
+  /** Bytes read from the file since it was opened, for base meshes too. */
+  std::uint64_t GetBytesRead() const;
+
+private:
+  const std::shared_ptr<const FileReader> File;
+  const std::shared_ptr<CacheBudget> Budget;
+  mutable std::mutex Guard; // of what follows
+  std::unique_ptr<SimplifiedFile> Hierarchy;
+  std::map<const FileReader*, std::shared_ptr<ChunkCache>> Caches; // each keeps its mesh alive
+};
+}
+
+#endif

@@ -1,0 +1,447 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkGatunVolumeMapperInternals.h"
+
+#include "gatunError.h"
+#include "gatunFileConsumer.h"
+#include "gatunFileReader.h"
+
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkErrorCode.h"
+#include "vtkFloatArray.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPlaneCollection.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkTimerLog.h"
+#include "vtkTrivialProducer.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <span>
+
+using gatun::InputKind;
+using gatun::PictureSetup;
+using gatun::Viewport;
+
+namespace
+{
+
+//------------------------------------------------------------------------------
+// Seconds. Images that are allocated as much are at rest: what interacts allocates a second or
+// less, what waits, minutes.
+constexpr double LeastTimeAtRest = 10;
+
+//------------------------------------------------------------------------------
+/** Tells the threads in the background that a frame is being drawn. */
+class Drawing
+{
+public:
+  explicit Drawing(gatun::LevelOfDetailCache* levels)
+    : Levels(levels)
+  {
+    this->Tell(true);
+  }
+  ~Drawing() { this->Tell(false); }
+  Drawing(const Drawing&) = delete;
+  Drawing& operator=(const Drawing&) = delete;
+
+private:
+  void Tell(bool drawing)
+  {
+    if (this->Levels)
+    {
+      this->Levels->SetDrawing(drawing);
+    }
+  }
+
+  gatun::LevelOfDetailCache* const Levels;
+};
+
+//------------------------------------------------------------------------------
+gatun::RayGrid MakeGrid(vtkRenderer* renderer, const Viewport& viewport, float distance)
+{
+  const bool toBorders =
+    distance > 1 || std::max(viewport.Width, viewport.Height) > gatun::RayPicture::MostPixels;
+  const auto count = [&](int pixels)
+  { return toBorders ? std::max(2, static_cast<int>(std::ceil(pixels / distance))) : pixels; };
+  return { count(viewport.Width), count(viewport.Height), renderer->GetTiledAspectRatio(),
+    toBorders };
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+gatun::Viewport::Viewport(vtkRenderer* renderer)
+{
+  renderer->GetTiledSizeAndOrigin(&this->Width, &this->Height, &this->X, &this->Y);
+}
+
+//------------------------------------------------------------------------------
+/** Brings the information of the input up to date, in which a reader publishes its file. */
+void vtkGatunVolumeMapper::vtkInternals::UpdateInformation(const gatun::RayProducer& producer)
+{
+  auto* const pipeline = vtkDemandDrivenPipeline::SafeDownCast(producer.Algorithm->GetExecutive());
+  if (!pipeline)
+  {
+    return;
+  }
+  pipeline->UpdatePipelineMTime();
+  const vtkMTimeType time = pipeline->GetPipelineMTime();
+  if (producer.Algorithm == this->FailedInput && time == this->FailedTime)
+  {
+    return;
+  }
+  const bool isKnown = pipeline->UpdateInformation() != 0;
+  this->FailedInput = isKnown ? nullptr : producer.Algorithm;
+  this->FailedTime = time;
+}
+
+//------------------------------------------------------------------------------
+/** The file to be drawn in place of the input, if there is one; it may have failed to open. */
+const gatun::PublishedFile* vtkGatunVolumeMapper::vtkInternals::FindFile(
+  vtkGatunVolumeMapper* mapper)
+{
+  const gatun::RayProducer producer = gatun::GetProducer(mapper);
+  if (!producer.Algorithm)
+  {
+    return nullptr;
+  }
+  this->UpdateInformation(producer);
+  const gatun::PublishedFile* const handle =
+    gatun::GetPublishedFile(producer.Algorithm->GetOutputInformation(producer.Port));
+  return handle && (!handle->File || handle->CanReplaceOutput()) ? handle : nullptr;
+}
+
+//------------------------------------------------------------------------------
+/** The same, but throws if it failed to open. */
+const gatun::PublishedFile& vtkGatunVolumeMapper::vtkInternals::GetFile(
+  vtkGatunVolumeMapper* mapper)
+{
+  const gatun::PublishedFile* const handle = this->FindFile(mapper);
+  if (!handle->File)
+  {
+    std::rethrow_exception(handle->Failure);
+  }
+  return *handle;
+}
+
+//------------------------------------------------------------------------------
+InputKind vtkGatunVolumeMapper::vtkInternals::GetKind(vtkGatunVolumeMapper* mapper)
+{
+  vtkAlgorithm* const input = gatun::GetProducer(mapper).Algorithm;
+  if (!input)
+  {
+    return InputKind::None;
+  }
+  if (this->FindFile(mapper))
+  {
+    return InputKind::File;
+  }
+  // A grid that was given as such is there as a whole, whatever piece is asked for.
+  return mapper->NumberOfPieces > 1 && !vtkTrivialProducer::SafeDownCast(input) ? InputKind::Pieces
+                                                                                : InputKind::Grid;
+}
+
+//------------------------------------------------------------------------------
+gatun::RayArray vtkGatunVolumeMapper::vtkInternals::GetArray(vtkGatunVolumeMapper* mapper)
+{
+  gatun::RayArray array;
+  array.Component = mapper->ArrayComponent;
+  const int mode = mapper->ScalarMode;
+  if (mode == VTK_SCALAR_MODE_DEFAULT)
+  {
+    return array;
+  }
+  const bool ofPoints =
+    mode == VTK_SCALAR_MODE_USE_POINT_DATA || mode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA;
+  const bool ofCells =
+    mode == VTK_SCALAR_MODE_USE_CELL_DATA || mode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
+  if (!ofPoints && !ofCells)
+  {
+    throw gatun::Error(
+      gatun::ErrorCode::InvalidInput, "only arrays of points and of cells can be drawn");
+  }
+  array.Association = ofPoints ? 0 : 1;
+  if (mode == VTK_SCALAR_MODE_USE_POINT_DATA || mode == VTK_SCALAR_MODE_USE_CELL_DATA)
+  {
+    return array;
+  }
+  if (mapper->ArrayAccessMode == VTK_GET_ARRAY_BY_ID)
+  {
+    array.Index = mapper->ArrayId;
+    return array;
+  }
+  array.Name = mapper->ArrayName;
+  if (array.Name.empty())
+  {
+    throw gatun::Error(gatun::ErrorCode::InvalidInput, "no array to draw is selected");
+  }
+  return array;
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t vtkGatunVolumeMapper::vtkInternals::GetBudget(vtkGatunVolumeMapper* mapper)
+{
+  return static_cast<std::uint64_t>(mapper->MemoryBudget) << 20;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGatunVolumeMapper::vtkInternals::Simplifies(vtkGatunVolumeMapper* mapper)
+{
+  if (mapper->JustInTime || mapper->SimplificationRatio != 0)
+  {
+    return true;
+  }
+  const gatun::PublishedFile* const file = this->FindFile(mapper);
+  return file && file->Merges > 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeMapper::vtkInternals::Pull(vtkGatunVolumeMapper* mapper)
+{
+  const gatun::RayProducer producer = gatun::GetProducer(mapper);
+  switch (GetKind(mapper))
+  {
+    case InputKind::None:
+      break;
+    case InputKind::Grid:
+      gatun::PullPiece(producer, 0, 1);
+      break;
+    case InputKind::File:
+    case InputKind::Pieces:
+      // vtkVolume draws nothing where there is no object, even if it is empty.
+      producer.Algorithm->UpdateDataObject();
+      break;
+  }
+}
+
+//------------------------------------------------------------------------------
+/** Whether there is something to draw. */
+bool vtkGatunVolumeMapper::vtkInternals::SetScene(
+  vtkGatunVolumeMapper* mapper, const gatun::RaySource::Progress& progress)
+{
+  const gatun::RayProducer producer = gatun::GetProducer(mapper);
+  const auto budget = GetBudget(mapper);
+  switch (GetKind(mapper))
+  {
+    case InputKind::None:
+      return false;
+    case InputKind::File:
+    {
+      const gatun::PublishedFile& file = this->GetFile(mapper);
+      const auto step = gatun::GetRequestedStep(
+        *file.File->GetFile(), producer.Algorithm->GetOutputInformation(producer.Port));
+      this->Scene.SetFile(file, step, GetArray(mapper), this->Simplifies(mapper));
+      return true;
+    }
+    case InputKind::Pieces:
+      this->Scene.SetPieces(producer, mapper->NumberOfPieces, GetArray(mapper), budget, progress);
+      return true;
+    case InputKind::Grid:
+      break;
+  }
+  Pull(mapper);
+  auto* const grid = vtkUnstructuredGrid::SafeDownCast(mapper->GetDataObjectInput());
+  if (!grid)
+  {
+    throw gatun::Error(gatun::ErrorCode::InvalidInput, "the input is not a vtkUnstructuredGrid");
+  }
+  if (grid->GetNumberOfCells() == 0)
+  {
+    return false;
+  }
+  this->Scene.SetGrid(grid, GetArray(mapper), budget, this->Simplifies(mapper));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+float vtkGatunVolumeMapper::vtkInternals::ChooseDistance(vtkGatunVolumeMapper* mapper,
+  vtkRenderer* renderer, vtkVolume* volume, const Viewport& viewport) const
+{
+  if (!mapper->AutoAdjustSampleDistances)
+  {
+    return mapper->ImageSampleDistance;
+  }
+  const float least = mapper->MinimumImageSampleDistance;
+  const auto known = this->TimeOfRays.find({ renderer, volume });
+  const double allocated = volume->GetAllocatedRenderTime();
+  if (known == this->TimeOfRays.end() || !(allocated > 0))
+  {
+    return least;
+  }
+  const double all = known->second * viewport.Width * viewport.Height;
+  const auto wanted = static_cast<float>(std::sqrt(all / allocated));
+  return std::max(least, std::min(wanted, mapper->MaximumImageSampleDistance));
+}
+
+//------------------------------------------------------------------------------
+gatun::FrameRequest vtkGatunVolumeMapper::vtkInternals::GetRequest(
+  vtkGatunVolumeMapper* mapper, vtkVolume* volume, const Viewport& viewport)
+{
+  gatun::FrameRequest request;
+  const double allocated = volume->GetAllocatedRenderTime();
+  if (mapper->JustInTime && allocated > 0 && allocated < LeastTimeAtRest)
+  {
+    request.Budget = mapper->TimeBudget > 0 ? mapper->TimeBudget : allocated;
+  }
+  const gatun::PublishedFile* const file = this->FindFile(mapper);
+  request.Ratio = mapper->SimplificationRatio;
+  request.Merges = file ? file->Merges : 0;
+  request.Pixels = static_cast<double>(viewport.Width) * viewport.Height;
+  const bool adjusts = mapper->AutoAdjustSampleDistances;
+  request.LeastDistance =
+    adjusts ? mapper->MinimumImageSampleDistance : mapper->ImageSampleDistance;
+  request.LargestDistance = adjusts
+    ? std::max(mapper->MinimumImageSampleDistance, mapper->MaximumImageSampleDistance)
+    : mapper->ImageSampleDistance;
+  return request;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeMapper::vtkInternals::TellObstacle(vtkGatunVolumeMapper* mapper)
+{
+  const std::string& obstacle = this->Scene.GetObstacle();
+  if (obstacle != this->Obstacle)
+  {
+    this->Obstacle = obstacle;
+    if (!obstacle.empty())
+    {
+      vtkWarningWithObjectMacro(mapper, << obstacle);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+gatun::RayStatistics vtkGatunVolumeMapper::vtkInternals::Draw(vtkGatunVolumeMapper* mapper,
+  vtkRenderer* renderer, vtkVolume* volume, const Viewport& viewport, const gatun::RayGrid& grid,
+  const gatun::RaySource::Progress& progress, const gatun::Frame& frame)
+{
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  vtkNew<vtkMatrix4x4> matrix;
+  volume->GetMatrix(matrix);
+  const auto view = gatun::MakeRayView(camera, grid, mapper->SampleDistance, matrix, true);
+  auto limits = gatun::MakeRayLimits(view, mapper->GetClippingPlanes(), matrix);
+  if (mapper->IntermixIntersectingGeometry && renderer->GetNumberOfPropsRendered() > 0)
+  {
+    vtkNew<vtkFloatArray> depths;
+    renderer->GetRenderWindow()->GetZbufferData(viewport.X, viewport.Y,
+      viewport.X + viewport.Width - 1, viewport.Y + viewport.Height - 1, depths);
+    const std::span<const float> zBuffer(
+      depths->GetPointer(0), static_cast<std::size_t>(depths->GetNumberOfValues()));
+    gatun::LimitByZBuffer(view, camera, grid, zBuffer, viewport.Width, viewport.Height, limits);
+  }
+  gatun::RaySettings settings;
+  settings.Opaque = static_cast<float>(mapper->OpacityLimit);
+  settings.Shading =
+    gatun::MakeRayShading(volume->GetProperty(), camera, renderer->GetLights(), matrix);
+  auto table = gatun::MakeRayTable(volume->GetProperty(), *gatun::RayModeOf(mapper->BlendMode),
+    this->Scene.GetRange(), view.SampleDistance);
+  if (frame.Source && !mapper->JustInTime)
+  {
+    // The user may be looking for the best ratio.
+    settings.Repeatable = true;
+    this->DrawAnew({ this->Scene.GetLevels(), renderer, volume, view, std::move(table),
+                     std::move(limits), settings },
+      frame.Source, grid, progress);
+    return {};
+  }
+  this->Refresh.reset();
+  gatun::RayCaster caster(view, std::move(table), limits, settings);
+  this->Scene.Draw(caster, view, progress, frame.Source.get());
+  this->Picture.Take(caster, grid);
+  this->PartDrawn = 1;
+  return caster.GetStatistics();
+}
+
+//------------------------------------------------------------------------------
+/** Draws the tiles that another number of points changes. */
+void vtkGatunVolumeMapper::vtkInternals::DrawAnew(const PictureSetup& setup,
+  std::shared_ptr<gatun::RaySource> source, const gatun::RayGrid& grid,
+  const gatun::RaySource::Progress& progress)
+{
+  if (!this->Refresh || *this->Setup != setup)
+  {
+    this->Setup = std::make_shared<const PictureSetup>(setup);
+    this->Refresh = std::make_unique<gatun::RayRefresh>(
+      [kept = this->Setup]
+      {
+        return std::make_unique<gatun::RayCaster>(
+          kept->View, kept->Table, kept->Limits, kept->Settings);
+      });
+  }
+  this->PartDrawn = this->Picture.Take(*this->Refresh, std::move(source), grid, progress);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeMapper::vtkInternals::DrawFrame(
+  vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+{
+  const Viewport viewport(renderer);
+  if (viewport.Width <= 0 || viewport.Height <= 0)
+  {
+    return;
+  }
+  gatun::RequireNumber("ImageSampleDistance", mapper->ImageSampleDistance);
+  gatun::RequireNumber("MinimumImageSampleDistance", mapper->MinimumImageSampleDistance);
+  gatun::RequireNumber("MaximumImageSampleDistance", mapper->MaximumImageSampleDistance);
+  gatun::RequireNumber("OpacityLimit", mapper->OpacityLimit);
+  gatun::RequireNumber("TimeBudget", mapper->TimeBudget);
+  vtkRenderWindow* const window = renderer->GetRenderWindow();
+  const auto progress = [mapper, window](double fraction)
+  {
+    mapper->UpdateProgress(fraction);
+    return window->CheckAbortStatus() == 0;
+  };
+  if (!this->SetScene(mapper, progress))
+  {
+    return;
+  }
+  this->TellObstacle(mapper);
+  // From here on, as the time for the input says nothing of the next picture.
+  mapper->Timer->StartTimer();
+  const auto key = std::make_pair(renderer, volume);
+  gatun::LevelOfDetailCache* const levels = this->Scene.GetLevels();
+  gatun::JustInTime* const frames = levels ? &this->Frames[key] : nullptr;
+  const gatun::FrameRequest request = this->GetRequest(mapper, volume, viewport);
+  const gatun::Frame frame = frames ? frames->Begin(*levels, request, progress) : gatun::Frame{};
+  const bool inMotion = frames && request.Budget > 0;
+  const float distance = inMotion ? static_cast<float>(frame.Distance)
+                                  : this->ChooseDistance(mapper, renderer, volume, viewport);
+  const gatun::RayGrid grid = MakeGrid(renderer, viewport, distance);
+  const Drawing drawing(levels);
+  const double before = vtkTimerLog::GetUniversalTime();
+  const auto statistics = this->Draw(mapper, renderer, volume, viewport, grid, progress, frame);
+  const double cast = vtkTimerLog::GetUniversalTime() - before;
+  this->Picture.Show(renderer, volume, mapper->IntermixIntersectingGeometry);
+  if (inMotion)
+  {
+    window->WaitForCompletion(); // or the next picture would pay for this one
+  }
+  mapper->Timer->StopTimer();
+  const double rays = static_cast<double>(grid.Width) * grid.Height;
+  mapper->ImageSampleDistance = distance;
+  mapper->TimeToDraw = mapper->Timer->GetElapsedTime();
+  this->TimeOfRays[key] = mapper->TimeToDraw / rays;
+  this->Points = frame.Points;
+  if (frames && mapper->JustInTime)
+  {
+    frames->End(*levels, frame, rays, statistics, { cast, mapper->TimeToDraw });
+  }
+  mapper->UpdateProgress(1);
+}
+
+//------------------------------------------------------------------------------
+/** The same for all the damage in a file, as threads meet damaged blocks in any order. */
+std::string vtkGatunVolumeMapper::vtkInternals::GetCause(
+  vtkGatunVolumeMapper* mapper, const gatun::VTKFailure& failure)
+{
+  return failure.Code == vtkErrorCode::FileFormatError && GetKind(mapper) == InputKind::File
+    ? this->FindFile(mapper)->Path
+    : failure.Message;
+}

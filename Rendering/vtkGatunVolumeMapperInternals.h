@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef vtkGatunVolumeMapperInternals_h
+#define vtkGatunVolumeMapperInternals_h
+
+#include "gatunErrorCodes.h"
+#include "gatunJustInTime.h"
+#include "gatunRayCaster.h"
+#include "gatunRayPicture.h"
+#include "gatunRayRefresh.h"
+#include "gatunRayRendering.h"
+#include "gatunRayScene.h"
+#include "vtkGatunVolumeMapper.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace gatun
+{
+struct PublishedFile;
+
+/** The kinds of input that the mapper draws in different ways. */
+enum class InputKind
+{
+  None,
+  Grid,
+  File,
+  Pieces
+};
+
+/** The part of a window that a renderer draws into, in pixels. */
+struct Viewport
+{
+  int Width = 0;
+  int Height = 0;
+  int X = 0;
+  int Y = 0;
+
+  explicit Viewport(vtkRenderer* renderer);
+};
+
+/** All that an image depends on except the number of points. */
+struct PictureSetup
+{
+  const void* Mesh;
+  const void* Renderer;
+  const void* Volume;
+  RayView View;
+  RayTable Table;
+  RayLimits Limits;
+  RaySettings Settings;
+
+  bool operator==(const PictureSetup&) const = default;
+};
+}
+
+/** The input of a mapper, and its frames. Methods throw gatun::Error. */
+class vtkGatunVolumeMapper::vtkInternals
+{
+public:
+  gatun::RayScene Scene;
+  gatun::RayPicture Picture;
+  std::set<std::string> Told; // causes of failures that were reported since the last image
+
+  std::string Obstacle;     // that was reported
+  std::uint64_t Points = 0; // of the mesh in the last image; 0: all
+  double PartDrawn = 0;     // of the tiles of the last image
+
+  // For bringing the last image up to date, if that is possible.
+  std::shared_ptr<const gatun::PictureSetup> Setup;
+  std::unique_ptr<gatun::RayRefresh> Refresh;
+
+  // Seconds for each ray of the last image.
+  std::map<std::pair<vtkRenderer*, vtkVolume*>, double> TimeOfRays;
+  std::map<std::pair<vtkRenderer*, vtkVolume*>, gatun::JustInTime> Frames;
+
+  // The input whose information could not be made, and when: it is not asked again before it has
+  // changed, as it would report the same error.
+  const void* FailedInput = nullptr;
+  vtkMTimeType FailedTime = 0;
+
+  void UpdateInformation(const gatun::RayProducer& producer);
+  const gatun::PublishedFile* FindFile(vtkGatunVolumeMapper* mapper);
+  const gatun::PublishedFile& GetFile(vtkGatunVolumeMapper* mapper);
+  gatun::InputKind GetKind(vtkGatunVolumeMapper* mapper);
+  std::string GetCause(vtkGatunVolumeMapper* mapper, const gatun::VTKFailure& failure);
+  static gatun::RayArray GetArray(vtkGatunVolumeMapper* mapper);
+  static std::uint64_t GetBudget(vtkGatunVolumeMapper* mapper);
+  bool Simplifies(vtkGatunVolumeMapper* mapper);
+  void Pull(vtkGatunVolumeMapper* mapper);
+  bool SetScene(vtkGatunVolumeMapper* mapper, const gatun::RaySource::Progress& progress);
+  float ChooseDistance(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
+    const gatun::Viewport& viewport) const;
+  gatun::FrameRequest GetRequest(
+    vtkGatunVolumeMapper* mapper, vtkVolume* volume, const gatun::Viewport& viewport);
+  void TellObstacle(vtkGatunVolumeMapper* mapper);
+  gatun::RayStatistics Draw(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
+    const gatun::Viewport& viewport, const gatun::RayGrid& grid,
+    const gatun::RaySource::Progress& progress, const gatun::Frame& frame);
+  void DrawAnew(const gatun::PictureSetup& setup, std::shared_ptr<gatun::RaySource> source,
+    const gatun::RayGrid& grid, const gatun::RaySource::Progress& progress);
+  void DrawFrame(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
+};
+
+#endif
