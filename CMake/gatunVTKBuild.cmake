@@ -102,6 +102,11 @@ if (GATUN_WRAP_PYTHON)
     string(REPLACE "VTK::" "vtk" module "${module}")
     list(APPEND gatun_python_modules "${module}")
   endforeach ()
+  # The package searches its modules in this order. VTK's rendering is loaded for classes that need it.
+  if ("vtkGatunRendering" IN_LIST gatun_python_modules)
+    list(REMOVE_ITEM gatun_python_modules vtkGatunRendering)
+    list(APPEND gatun_python_modules vtkGatunRendering)
+  endif ()
   list(TRANSFORM gatun_python_modules REPLACE "(.+)" "    \"\\1\",")
   list(JOIN gatun_python_modules "\n" gatun_python_modules)
   configure_file(

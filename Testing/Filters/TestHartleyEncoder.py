@@ -87,6 +87,8 @@ first.SetZoom(2)
 assert (draw(first) != before).any() and encoder.GetNumberOfEncodings() == 1
 first.SetZoom(1)
 encoder.SetQuality(10)
+encoder.UpdateInformation()
+assert coefficients_of(encoder) is None  # those of before are not valid any more
 coarse = draw(first)
 assert (coarse != before).any() and encoder.GetNumberOfEncodings() == 2
 assert first.GetNumberOfVolumes() == 2
