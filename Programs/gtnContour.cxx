@@ -215,8 +215,8 @@ void Contour(const Options& options, const Settings& settings)
   const std::vector<double> values = MakeValues(options, input);
   if (settings.Verbose && input.IsFile() && !input.IsLayered())
   {
-    fmt::print("{}: not organized by layers of '{}', as gtn pack --layers does it; so a surface "
-               "needs more of the file\n",
+    fmt::print("{}: not organized by layers of '{}' (see gtn pack --layers); surfaces need more of "
+               "the file\n",
       options.Input.File, Printable(input.GetArray()));
   }
   vtkNew<vtkGatunContour> contour;

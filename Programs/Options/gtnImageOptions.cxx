@@ -110,7 +110,7 @@ void AddImageOptions(CLI::App* command, ImageOptions& options)
   AddParsed(command, "--size", options, ParseSize,
     "Width and height in pixels, 1 to 32000 each (default: 1024x768)", "WxH", group);
   AddParsed(command, "--background", options, ParseBackground,
-    "Background color: #RRGGBB, black, white or transparent (default: transparent)", "COLOUR",
+    "Background color: #RRGGBB, black, white or transparent (default: transparent)", "COLOR",
     group);
   command
     ->add_option("--turntable", options.Turntable,

@@ -95,13 +95,15 @@ void AddCostOptions(CLI::App* command, RenderOptions& options)
       "Fraction of points removed before rendering, 0 to 1 (default: 0). The edge collapses are "
       "read from the hierarchy of a .gtn file (gtn pack --hierarchy), or computed first")
     ->check(CLI::Range(0., 1.))
-    ->option_text("R");
+    ->option_text("R")
+    ->group(group);
   command
     ->add_option("--budget", options.TimeBudget,
       "Time budget per image in seconds, once the mesh is loaded; the level of detail is chosen by "
       "the times of the images before (default: no limit)")
     ->check(CLI::NonNegativeNumber)
-    ->option_text("SECONDS");
+    ->option_text("SECONDS")
+    ->group(group);
   command->add_flag("--stats", options.Statistics, "Print statistics; medians for a turntable")
     ->group(group);
   command->add_flag("--json", options.Json, "Print the statistics of each image as JSON")

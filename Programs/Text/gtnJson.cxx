@@ -60,6 +60,7 @@ std::string Written(const Json::Value& value, const char* indentation)
 {
   Json::StreamWriterBuilder builder;
   builder["indentation"] = indentation;
+  builder["enableYAMLCompatibility"] = true; // a colon, and no space before it
   return Json::writeString(builder, WithFiniteNumbers(value));
 }
 

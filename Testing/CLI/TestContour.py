@@ -227,9 +227,9 @@ for source in ("mesh.gtn", "mesh.vtu"):
 run = gtn("contour", "-f", "-q", "--value", 100, "mesh.gtn", "none.vtp")
 assert run == "", run
 
-# A file that is organised by layers of the array is told from one that is not.
+# A file that is organized by layers of the array is told from one that is not.
 gtn("pack", "-q", "--chunk", 500, "--layers", "distance:6", "mesh.vtu", "layers.gtn")
-told = "not organised by layers of 'distance'"
+told = "not organized by layers of 'distance'"
 assert told in gtn("contour", "-f", "-v", "--value", 5, "mesh.gtn", "layers.vtp")
 assert told not in gtn("contour", "-f", "-v", "--value", 5, "layers.gtn", "layers.vtp")
 assert told not in gtn("contour", "-f", "-v", "--value", 5, "mesh.vtu", "layers.vtp")

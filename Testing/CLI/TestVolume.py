@@ -89,6 +89,9 @@ for block in (2, 5, 16, "whole"):
     assert info["range"] == [values.min(), values.max()] and info["frequencyWeight"] == 1
     assert info["rateControl"] == "quality" and info["rateControlValue"] == 60 and not info["lossless"]
     assert len(info["chunkBytes"]) == info["chunks"] and 0 < sum(info["chunkBytes"]) < info["bytes"]
+# Infinity is no number of JSON.
+text = gtn("volume", "info", "--json", "exact.ghv")
+assert json.loads(text)["lossless"] and json.loads(text)["psnr"] is None and "9999" not in text
 text = gtn("volume", "info", "-v", "--verify", "exact.ghv")
 for part in ("18 x 14 x 12", "'density', int16", "lossless", "bits per voxel", "verified", "chunks"):
     assert part in text, (part, text)

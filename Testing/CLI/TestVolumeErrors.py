@@ -4,6 +4,8 @@
 """What gtn volume cannot do it says, and leaves nothing behind; what was there stays."""
 
 import os
+import struct
+import zlib
 
 import numpy as np
 
@@ -96,6 +98,43 @@ fails("pack", "c?.png", "out.ghv", says="gtn: c1.png: is an image of 3 channels,
 gv.write_image(gv.make_image(gv.field()), "double.vti")
 gtn("volume", "pack", "-q", "double.vti", "double.ghv")
 fails("unpack", "double.ghv", "s%d.png", says="do not fit into .png files, which take uint8 and uint16")
+
+# PNG files of all kinds that hold one number a pixel, and others.
+def png(width, height, bits, color_type, rows, *more):
+    def chunk(kind, content):
+        return (struct.pack(">I", len(content)) + kind + content +
+                struct.pack(">I", zlib.crc32(kind + content)))
+    header = struct.pack(">IIBBBBB", width, height, bits, color_type, 0, 0, 0)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + b"".join(chunk(*pair) for pair in more) +
+            chunk(b"IDAT", zlib.compress(b"".join(b"\0" + row for row in rows))) + chunk(b"IEND", b""))
+
+
+def put(name, content):
+    with open(name, "wb") as image:
+        image.write(content)
+
+
+for name, content, values in (
+        ("one.png", png(4, 1, 1, 0, [b"\xa0"]), [255, 0, 255, 0]),
+        ("eight.png", png(4, 1, 8, 0, [b"\1\2\3\xff"]), [1, 2, 3, 255]),
+        ("see.png", png(4, 1, 8, 0, [b"\1\2\3\4"], (b"tRNS", b"\0\1")), [1, 2, 3, 4]),
+        ("wide.png", png(4, 1, 16, 0, [b"\1\0\0\1\xff\xff\0\0"]), [256, 1, 65535, 0])):
+    put(name, content)
+    gtn("volume", "pack", "-qf", "--error", 0, name, "png.ghv")
+    gtn("volume", "unpack", "-qf", "png.ghv", "png.vti")
+    found = gv.vtk_to_numpy(gv.read_image("png.vti").GetPointData().GetScalars())
+    assert list(found) == values, (name, found)
+put("palette.png", png(2, 1, 8, 3, [b"\0\1"], (b"PLTE", bytes(6))))
+fails("pack", "palette.png", "out.ghv", says="gtn: palette.png: is an image of 3 channels")
+put("huge.png", png(1 << 30, 1 << 30, 8, 0, [b"\0"]))
+fails("pack", "huge.png", "out.ghv", says="gtn: huge.png: is too short for its size")
+noise = np.random.default_rng(1).integers(0, 65536, (40, 40), np.uint16)
+good = png(40, 40, 16, 0, [row.astype(">u2").tobytes() for row in noise])
+for place in [*range(0, len(good), len(good) // 40), *range(len(good) - 16, len(good), 3)]:
+    put("hurt.png", good[:place])
+    fails("pack", "hurt.png", "out.ghv", says="gtn: hurt.png: ")
+    put("hurt.png", good[:place] + bytes([good[place] ^ 0x55]) + good[place + 1:])
+    fails("pack", "hurt.png", "out.ghv", says="gtn: hurt.png: ")
 
 # Damaged files: right, or one message for the file.
 with open("in.ghv", "rb") as file:
