@@ -4,37 +4,36 @@
  * @class vtkGatunWriter
  * @brief Writes a tetrahedral vtkUnstructuredGrid as a compressed mesh (`.gtn`), without loss.
  *
- * Input: a vtkUnstructuredGrid of vtkTetra cells with 32- or 64-bit ids and float or double points,
- * which goes into the file without a copy. Other integer types of points are converted to double,
- * with a warning, and refused where that is not exact. Meshes without points or cells are valid, as
- * are unused and duplicate points, NaN and infinite coordinates, flat, inverted and duplicate
- * tetrahedra, and faces shared by more than two.
+ * *Input.* A vtkUnstructuredGrid of vtkTetra cells with 32- or 64-bit ids and float or double
+ * points, which is not copied. Points of integer types are converted to double with a warning. It
+ * is an error if the conversion is not exact. Meshes without points or cells are valid, and so are
+ * unused and duplicate points, NaN and infinite coordinates, flat, inverted and duplicate
+ * tetrahedra, and faces shared by more than two tetrahedra.
  *
- * Arrays: point, cell and field arrays of every numeric VTK type, bits included, and field arrays
- * of strings, with component names and roles (active scalars, ..., global ids). Arrays that do not
- * lie in memory tuple by tuple are copied. String and variant arrays of points or cells are refused
- * with an error; field arrays of variants are left out with a warning.
+ * *Arrays.* Point, cell and field arrays of all numeric VTK types including bits, and field arrays
+ * of strings, are written with component names and attribute roles (active scalars, ..., global
+ * ids). Arrays with a memory layout other than consecutive tuples are copied. String and variant
+ * arrays of points or cells are an error. Field arrays of variants are skipped with a warning.
  *
- * Other cells: linear 3D cells (vtkHexahedron, vtkVoxel, vtkWedge, vtkPyramid, vtkPentagonalPrism,
- * vtkHexagonalPrism) are split by vtkDataSetTriangleFilter with a warning; the cell array
- * OriginalCellIds then tells the cell of the input (an array of that name is kept as it is), and
- * global ids of cells lose that role, being no longer unique. vtkQuadraticTetra needs
- * LinearizeQuadratic. All else is refused with an error that names the types.
+ * *Other cells.* Linear 3D cells (vtkHexahedron, vtkVoxel, vtkWedge, vtkPyramid,
+ * vtkPentagonalPrism, vtkHexagonalPrism) are split by vtkDataSetTriangleFilter with a warning. The
+ * new cell array OriginalCellIds contains the cells of the input, unless the input has an array of
+ * that name. Global ids of cells lose their role, because they are no longer unique.
+ * vtkQuadraticTetra needs LinearizeQuadratic. All other cells are an error that names their types.
  *
- * Ghosts: cells marked DUPLICATECELL in vtkGhostType are left out, and points that only they use;
- * the marks for duplicates then go, too. Other marks (hidden cells and points) are kept.
+ * *Ghosts.* Cells marked DUPLICATECELL in vtkGhostType are skipped, and so are points that only
+ * they use. The marks of duplicates are cleared. Other marks (hidden cells and points) are kept.
  *
- * Time: with WriteAllTimeSteps, all time steps of the input go into one file over one mesh, which
- * must be the same in all; if points or cells change, or an array comes, goes or changes its type,
- * that is an error naming the step. Without, the step at hand is written, with its time if it has
- * one (vtkDataObject::DATA_TIME_STEP()).
+ * *Time.* With WriteAllTimeSteps, one file contains all time steps of the input over one mesh. It
+ * is an error if the mesh or the list of arrays changes. Otherwise the current step is written,
+ * with its time if it has one (vtkDataObject::DATA_TIME_STEP()).
  *
- * The file appears under its name once it is complete; after an error or an abort, a file that was
- * there before is as it was. One that is read-only is replaced with ReplaceReadOnly only.
+ * The file appears at its path when it is complete. After an error or an abort, an existing file is
+ * unchanged. A read-only file is replaced with ReplaceReadOnly only.
  *
- * *Cost.* Peak memory below 3 times the mesh and one step of its arrays, the input included; when
- * cells are split, that of the split mesh in addition. All threads of vtkSMPTools are used; the
- * bytes written do not depend on their number.
+ * *Cost.* Peak memory is below 3 times the size of the mesh and one step of its arrays, including
+ * the input. If cells are split, the split mesh is additional. The writer uses all threads of
+ * vtkSMPTools. The bytes do not depend on their number.
  *
  * *Errors.* Reported by vtkErrorMacro with a message that begins with the file's name; Write then
  * returns 0 and GetErrorCode is one of vtkErrorCode::NoFileNameError, CannotOpenFileError (the
@@ -43,7 +42,7 @@
  * WrongInputError or AbortedError (without a message).
  *
  * @warning The whole mesh must fit into memory.
- * @warning Unless KeepOrder says otherwise, points and cells come back in another order.
+ * @warning Readers return points and cells in another order unless KeepOrder is set.
  *
  * @sa vtkGatunReader vtkGatunMergeBlocks
  */
@@ -99,8 +98,8 @@ public:
 
   ///@{
   /**
-   * Which arrays to write, by name. An array that the selection does not list is written or not as
-   * WriteUnlistedArrays says; arrays without a name always are. Default: empty, so all are written.
+   * The arrays to write, by name. WriteUnlistedArrays determines whether arrays that the selection
+   * does not list are written. Arrays without a name are always written. Default: empty.
    */
   vtkDataArraySelection* GetPointDataArraySelection();
   vtkDataArraySelection* GetCellDataArraySelection();
@@ -108,8 +107,7 @@ public:
 
   ///@{
   /**
-   * Whether to write arrays that the selections do not list. Off: only those that they list and
-   * enable. Default: on.
+   * Whether to write arrays that the selections do not list. Default: on.
    */
   vtkSetMacro(WriteUnlistedArrays, bool);
   vtkGetMacro(WriteUnlistedArrays, bool);
@@ -118,10 +116,10 @@ public:
 
   ///@{
   /**
-   * Which original order the file keeps, so that the reader can restore it: KEEP_NONE to KEEP_ALL,
-   * or a sum of flags. Each costs file size. With KEEP_ALL every array read equals the one written.
-   * Where cells were split, ghosts dropped or quadratic cells linearised, what is kept is the order
-   * after that. Range: 0 to 7. Default: KEEP_NONE.
+   * The parts of the original order that the file keeps for the reader to restore: KEEP_NONE,
+   * KEEP_ALL, or a sum of flags. Each flag increases the file size. With KEEP_ALL, all arrays are
+   * read as they were written. The order is that after splitting cells, skipping ghosts and
+   * linearizing quadratic cells. Range: 0 to 7. Default: KEEP_NONE.
    */
   vtkSetClampMacro(KeepOrder, int, KEEP_NONE, KEEP_ALL);
   vtkGetMacro(KeepOrder, int);
@@ -134,9 +132,9 @@ public:
 
   ///@{
   /**
-   * Tetrahedra in a chunk, the smallest part that can be read, at most: 64 to 1048576, or 0 for
-   * 65536 (262144 for meshes of over 10 million; with layers the half). Small chunks make larger
-   * files. Default: 0.
+   * The maximum number of tetrahedra in a chunk, the smallest part that can be read: 64 to 1048576,
+   * or 0 for 65536 (262144 for meshes of more than 10 million tetrahedra; half of that with
+   * layers). Small chunks make larger files. Default: 0.
    */
   virtual void SetChunkTets(int tets);
   vtkGetMacro(ChunkTets, int);
@@ -144,9 +142,9 @@ public:
 
   ///@{
   /**
-   * Every how many time steps one is stored without reference to the one before: a small number
-   * lets the reader jump to any step faster, a large one makes smaller files. Range: 1 and more.
-   * Default: 8.
+   * The interval of key steps, which are stored without reference to the previous step. With a
+   * small interval, readers access arbitrary steps faster. With a large one, files are smaller.
+   * Range: 1 and more. Default: 8.
    */
   vtkSetClampMacro(KeyStepInterval, int, 1, VTK_INT_MAX);
   vtkGetMacro(KeyStepInterval, int);
@@ -154,10 +152,10 @@ public:
 
   ///@{
   /**
-   * Whether to store how the mesh becomes simpler, so that it can be read and drawn with any number
-   * of points (vtkGatunReader::SimplificationRatio, vtkGatunVolumeMapper): the order in which
-   * points are merged into others, as vtkGatunSimplify finds it, for the values of the first time
-   * step. It takes that filter's time and memory. Default: off.
+   * Whether to store a merge tree, so that the mesh can be read and drawn with any number of points
+   * (vtkGatunReader::SimplificationRatio, vtkGatunVolumeMapper). The tree contains the edge
+   * collapses that vtkGatunSimplify performs for the values of the first time step. It takes the
+   * time and memory of that filter. Default: off.
    */
   vtkSetMacro(Hierarchy, bool);
   vtkGetMacro(Hierarchy, bool);
@@ -166,10 +164,10 @@ public:
 
   ///@{
   /**
-   * How many base meshes to store with the hierarchy, at most: with a half of the points, a
-   * quarter, an eighth and so on, while they have more than 20,000 tetrahedra. With them a coarse
-   * mesh is read at the cost of one that has at most twice as many points; together they make the
-   * file up to twice as large. Without effect if Hierarchy is off. Range: 0 to 64. Default: 0.
+   * The maximum number of base meshes to store with the hierarchy: with half of the points, a
+   * quarter, an eighth and so on, down to 20,000 tetrahedra. With them, reading a coarse mesh costs
+   * as much as reading a mesh with at most twice as many points. They make the file up to twice as
+   * large. Without effect if Hierarchy is off. Range: 0 to 64. Default: 0.
    */
   vtkSetClampMacro(Levels, int, 0, 64);
   vtkGetMacro(Levels, int);
@@ -177,8 +175,8 @@ public:
 
   ///@{
   /**
-   * What the hierarchy is made for: see vtkGatunSimplify. METRIC_MASS or METRIC_DENSITY (default:
-   * mass), and the part that shape has on the boundary, 0 to 1 (default: 0.5).
+   * The error metric of the hierarchy, METRIC_MASS or METRIC_DENSITY (default: METRIC_MASS), and
+   * the weight of the shape of the boundary, 0 to 1 (default: 0.5). See vtkGatunSimplify.
    */
   enum MetricType
   {
@@ -193,10 +191,10 @@ public:
 
   ///@{
   /**
-   * The point array by whose values, at the first time step, the file is organised: the range of
-   * the values is cut into layers, and tetrahedra of the same layers are put into the same chunks.
-   * An isosurface then needs few chunks; the file becomes larger, more so with more layers. Base
-   * meshes are organised alike. Empty or null: the file is organised by places only. Default: null.
+   * The point array that organizes the file by layers. The range of its values at the first time
+   * step is divided into layers, and tetrahedra of the same layers are in the same chunks.
+   * Isosurfaces then need few chunks. The file size grows with the number of layers. Base meshes
+   * have layers, too. Empty or null: no layers. Default: null.
    */
   vtkSetStringMacro(LayerArray);
   vtkGetStringMacro(LayerArray);
@@ -204,8 +202,8 @@ public:
 
   ///@{
   /**
-   * The component of LayerArray to make layers of, or -1 for the length of its tuples. Of arrays
-   * with one component, -1 is that component. Range: -1 and more. Default: -1.
+   * The component of LayerArray that defines the layers, or -1 for the length of its tuples. For
+   * arrays with one component, -1 is that component. Range: -1 to 65535. Default: -1.
    */
   vtkSetClampMacro(LayerComponent, int, -1, 65535);
   vtkGetMacro(LayerComponent, int);
@@ -213,8 +211,8 @@ public:
 
   ///@{
   /**
-   * How many layers to make, at most: fewer where some would be empty. 0: as many as pay with a
-   * mesh of this size, 4 below 5.8 million tetrahedra. Range: 0 to 4096. Default: 0.
+   * The maximum number of layers. Empty layers are left out. 0: a number that suits the size of the
+   * mesh, such as 4 below 5.8 million tetrahedra. Range: 0 to 4096. Default: 0.
    */
   vtkSetClampMacro(NumberOfLayers, int, 0, 4096);
   vtkGetMacro(NumberOfLayers, int);
@@ -222,9 +220,8 @@ public:
 
   ///@{
   /**
-   * How the range of values is cut into layers: into equal parts, by the quantiles of the normal
-   * distribution that has the values' mean and deviation, or such that each layer has about as many
-   * tetrahedra. Default: LAYERS_HISTOGRAM.
+   * The spacing of the layers: layers of equal width, quantiles of the normal distribution with the
+   * values' mean and deviation, or about equal numbers of tetrahedra. Default: LAYERS_HISTOGRAM.
    */
   enum LayerSpacingType
   {
@@ -241,8 +238,8 @@ public:
 
   ///@{
   /**
-   * How much a point array counts for the hierarchy, relative to others, 0 or more. Without any
-   * weight set, the active scalars count, or, if there are none, all point arrays alike.
+   * The weight of a point array in the hierarchy relative to others, 0 or more. If no weights are
+   * set, the active scalars have weight 1, or all point arrays if there are no active scalars.
    */
   void SetArrayWeight(const char* name, double weight);
   double GetArrayWeight(const char* name);
@@ -251,8 +248,7 @@ public:
 
   ///@{
   /**
-   * Whether to write all time steps of an input that has any, in place of the one at hand.
-   * Default: off.
+   * Whether to write all time steps of the input instead of the current one. Default: off.
    */
   vtkSetMacro(WriteAllTimeSteps, bool);
   vtkGetMacro(WriteAllTimeSteps, bool);
@@ -261,8 +257,8 @@ public:
 
   ///@{
   /**
-   * Whether to write quadratic tetrahedra as linear ones, which loses the shape of their edges and
-   * the points in the middle of these. Default: off, where they are an error.
+   * Whether to write quadratic tetrahedra as linear ones, without mid-edge points. If off, they are
+   * an error. Default: off.
    */
   vtkSetMacro(LinearizeQuadratic, bool);
   vtkGetMacro(LinearizeQuadratic, bool);
@@ -271,8 +267,8 @@ public:
 
   ///@{
   /**
-   * Whether to replace an existing file that is read-only: marked so, or of somebody else. Default:
-   * off, where that is an error.
+   * Whether to replace an existing file that is marked read-only or that the user may not write. If
+   * off, such a file is an error. Default: off.
    */
   vtkSetMacro(ReplaceReadOnly, bool);
   vtkGetMacro(ReplaceReadOnly, bool);
@@ -280,14 +276,14 @@ public:
   ///@}
 
   /**
-   * Writes the file, even if nothing has changed since it was last written. Returns 1 on success
-   * and 0 on failure, where GetErrorCode tells why.
+   * Writes the file, even if nothing has changed since the last time. Returns 1 on success and 0 on
+   * failure. GetErrorCode returns the reason.
    */
   int Write() override;
 
   ///@{
   /**
-   * The same as Write.
+   * Equivalent to Write.
    */
   void Update() override;
   void Update(int port) override;
@@ -295,9 +291,9 @@ public:
 
   ///@{
   /**
-   * What the last successful Write wrote: number of points, tetrahedra and time steps (1 without
-   * time); sizes in bytes of the file, connectivity, coordinates, the kept order, all point and
-   * cell arrays, field data, and of all else. 0 before.
+   * Statistics of the last successful Write: numbers of points, tetrahedra and time steps (1
+   * without time), and sizes in bytes of the file, connectivity, coordinates, the kept order, all
+   * point and cell arrays, field data, merge tree, base meshes, and the rest. Initially 0.
    */
   vtkGetMacro(WrittenPoints, vtkTypeUInt64);
   vtkGetMacro(WrittenTets, vtkTypeUInt64);
@@ -314,7 +310,7 @@ public:
   ///@}
 
   /**
-   * The same as a text of several lines, with bits for each tetrahedron and a line for each array.
+   * Returns the statistics as lines of text, with bits per tetrahedron and a line for each array.
    */
   std::string GetStatistics() const;
 
@@ -329,7 +325,7 @@ protected:
     vtkInformationVector* outputVector) override;
 
   /**
-   * Not used: RequestData does the work, a time step a call.
+   * Not used. Each call of RequestData writes a time step.
    */
   void WriteData() override {}
 

@@ -20,6 +20,7 @@ gatun_core_folder(File
     gatunArrayInput.h
     gatunBaseMesh.h
     gatunChunkCacheInternals.h
+    gatunChunkSet.h
     gatunChunkSetDecoder.h
     gatunCoarseLayout.h
     gatunCoarsePiece.h
@@ -37,6 +38,7 @@ gatun_core_folder(File
   SOURCES
     gatunBaseMesh.cxx
     gatunChunkCache.cxx
+    gatunChunkSet.cxx
     gatunChunkSetDecoder.cxx
     gatunCoarseLayout.cxx
     gatunCoarsePiece.cxx
