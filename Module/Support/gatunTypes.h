@@ -88,8 +88,8 @@ struct ArrayDescription
 /** Smallest and largest of some values. NaN is ignored. */
 struct Range
 {
-  // The empty range as files store it. Values beyond these limits do not shrink it correctly: code
-  // that must handle infinite values starts with MakeEmpty().
+  // The empty range as files store it. It cannot represent a range of values that are all beyond
+  // these limits. Code that must handle infinite values starts with MakeEmpty().
   double Min = 1e300;
   double Max = -1e300;
 

@@ -375,7 +375,7 @@ void AddTreeFiles(Corpus& corpus)
   fs::remove(path);
 }
 
-/** Files that are organised by layers, and the tables that tell so. */
+/** Files with layers and their tables. */
 void AddLayerFiles(Corpus& corpus)
 {
   const auto path = (corpus.GetFolder() / "layers.gtn").string();
