@@ -33,6 +33,10 @@
 #include <cmath>
 #include <optional>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkGatunContour);
 
 namespace
@@ -533,3 +537,7 @@ void vtkGatunContour::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
 }
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

@@ -34,6 +34,10 @@
 #include <utility>
 #include <vector>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkGatunSimplify);
 
 namespace
@@ -257,3 +261,7 @@ void vtkGatunSimplify::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BoundaryWeight: " << this->BoundaryWeight << "\n";
   this->Internals->Weights.Print(os, indent);
 }
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

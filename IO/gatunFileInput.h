@@ -13,9 +13,15 @@
 #include <memory>
 #include <string>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkAlgorithm;
 class vtkGatunReader;
 class vtkInformation;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {

@@ -39,6 +39,10 @@
 #include <utility>
 #include <vector>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 namespace
 {
 
@@ -551,3 +555,7 @@ void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
   this->LevelBytes = statistics.LevelBytes;
   this->DirectoryBytes = statistics.DirectoryBytes;
 }
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

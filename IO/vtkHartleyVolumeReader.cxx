@@ -27,6 +27,10 @@
 #include <new>
 #include <string>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkHartleyVolumeReader);
 
 //------------------------------------------------------------------------------
@@ -311,3 +315,7 @@ int vtkHartleyVolumeReader::RequestData(vtkInformation* vtkNotUsed(request),
   }
   return 1;
 }
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

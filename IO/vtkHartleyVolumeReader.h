@@ -31,6 +31,10 @@
 
 #include <memory> // For std::unique_ptr
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 class VTKGATUNIO_EXPORT vtkHartleyVolumeReader : public vtkImageAlgorithm
 {
 public:
@@ -112,5 +116,9 @@ private:
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 };
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 #endif

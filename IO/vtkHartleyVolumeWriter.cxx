@@ -21,6 +21,10 @@
 
 #include <stdexcept>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkHartleyVolumeWriter);
 
 //------------------------------------------------------------------------------
@@ -202,3 +206,7 @@ void vtkHartleyVolumeWriter::HandleFailure() noexcept
     // Not even memory for the message; the code tells it.
   }
 }
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

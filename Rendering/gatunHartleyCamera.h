@@ -9,10 +9,18 @@
 #include "gatunHartleyProjector.h"
 #include "gatunHartleyVolume.h"
 
+#include "vtkType.h" // For VTK_ABI_NAMESPACE_BEGIN
+
 #include <array>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkCamera;
 class vtkVolumeProperty;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {

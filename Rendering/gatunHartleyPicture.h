@@ -6,10 +6,18 @@
 
 #include "gatunHartleyProjector.h"
 
+#include "vtkType.h" // For VTK_ABI_NAMESPACE_BEGIN
+
 #include <array>
 #include <optional>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkImageData;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {

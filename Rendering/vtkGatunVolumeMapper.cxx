@@ -36,6 +36,10 @@
 #include <string>
 #include <utility>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkGatunVolumeMapper);
 
 namespace
@@ -709,3 +713,7 @@ void vtkGatunVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
   os << indent << "SimplificationRatio: " << this->SimplificationRatio << "\n";
 }
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

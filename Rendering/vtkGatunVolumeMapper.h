@@ -61,6 +61,10 @@
 
 #include <memory> // For std::unique_ptr
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 class VTKGATUNRENDERING_EXPORT vtkGatunVolumeMapper : public vtkUnstructuredGridVolumeMapper
 {
 public:
@@ -286,5 +290,9 @@ private:
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 };
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 #endif

@@ -37,6 +37,10 @@
 #include <optional>
 #include <string>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkHartleyProjection);
 
 namespace
@@ -655,3 +659,7 @@ void vtkHartleyProjection::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
   os << indent << "NumberOfVolumes: " << this->NumberOfVolumes << "\n";
 }
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

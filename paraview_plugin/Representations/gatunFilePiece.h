@@ -4,12 +4,20 @@
 #ifndef gatunFilePiece_h
 #define gatunFilePiece_h
 
+#include "vtkType.h" // For VTK_ABI_NAMESPACE_BEGIN
+
 #include <string>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkAlgorithm;
 class vtkDataObject;
 class vtkGatunReader;
 class vtkUnstructuredGrid;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 // What goes from where a file is read to where it is drawn, instead of its mesh.
 

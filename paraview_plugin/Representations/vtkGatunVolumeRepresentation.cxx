@@ -36,6 +36,10 @@
 #include <algorithm>
 #include <cmath>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkGatunVolumeRepresentation);
 
 namespace
@@ -485,3 +489,7 @@ void vtkGatunVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VolumeMapper:\n";
   this->VolumeMapper->PrintSelf(os, indent.GetNextIndent());
 }
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
