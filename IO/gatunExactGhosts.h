@@ -4,7 +4,15 @@
 #ifndef gatunExactGhosts_h
 #define gatunExactGhosts_h
 
+#include "vtkType.h" // For VTK_ABI_NAMESPACE_BEGIN
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkInformationIntegerKey;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {

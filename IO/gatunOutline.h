@@ -4,11 +4,19 @@
 #ifndef gatunOutline_h
 #define gatunOutline_h
 
+#include "vtkType.h" // For VTK_ABI_NAMESPACE_BEGIN
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkUnstructuredGrid;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {

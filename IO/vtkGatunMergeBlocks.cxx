@@ -40,6 +40,10 @@
 #include <utility>
 #include <vector>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkGatunMergeBlocks);
 
 namespace
@@ -353,3 +357,7 @@ void vtkGatunMergeBlocks::Merge(vtkInformationVector* input, vtkUnstructuredGrid
     output->GetFieldData()->AddArray(names);
   }
 }
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

@@ -43,6 +43,10 @@
 #include "vtkGatunIOModule.h" // For export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 class VTKGATUNIO_EXPORT vtkGatunMergeBlocks : public vtkUnstructuredGridAlgorithm
 {
 public:
@@ -77,5 +81,9 @@ private:
   vtkGatunMergeBlocks(const vtkGatunMergeBlocks&) = delete;
   void operator=(const vtkGatunMergeBlocks&) = delete;
 };
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 #endif

@@ -27,6 +27,10 @@
 #include <limits>
 #include <string_view>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkGatunTetrahedralize);
 
 namespace
@@ -298,3 +302,7 @@ int vtkGatunTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
   output->Initialize();
   return 0;
 }
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

@@ -45,6 +45,10 @@
 #include "vtkGatunTetGenModule.h" // For export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 class VTKGATUNTETGEN_EXPORT vtkGatunTetrahedralize : public vtkUnstructuredGridAlgorithm
 {
 public:
@@ -140,5 +144,9 @@ private:
   vtkGatunTetrahedralize(const vtkGatunTetrahedralize&) = delete;
   void operator=(const vtkGatunTetrahedralize&) = delete;
 };
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 #endif

@@ -17,10 +17,16 @@
 #include <string>
 #include <vector>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkAbstractArray;
 class vtkDataArray;
 class vtkDataSetAttributes;
 class vtkFieldData;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {

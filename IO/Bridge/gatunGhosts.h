@@ -4,8 +4,16 @@
 #ifndef gatunGhosts_h
 #define gatunGhosts_h
 
+#include "vtkType.h" // For VTK_ABI_NAMESPACE_BEGIN
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkDataSetAttributes;
 class vtkUnsignedCharArray;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {

@@ -10,6 +10,10 @@
 
 #include <algorithm>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkGatunPVProjection);
 
 namespace
@@ -123,3 +127,7 @@ void vtkGatunPVProjection::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OpacityUnit: " << this->OpacityUnit << "\n";
   os << indent << "NumberOfOpacityPoints: " << this->OpacityPoints.size() << "\n";
 }
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
