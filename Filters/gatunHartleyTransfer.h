@@ -7,8 +7,14 @@
 #include "gatunHartleyShading.h"
 #include "gatunTypes.h"
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkPiecewiseFunction;
 class vtkScalarsToColors;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {

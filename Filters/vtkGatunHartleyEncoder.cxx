@@ -24,6 +24,10 @@
 #include <algorithm>
 #include <array>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkGatunHartleyEncoder);
 
 namespace
@@ -197,3 +201,6 @@ void vtkGatunHartleyEncoder::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfCoefficients: " << this->GetNumberOfCoefficients() << "\n";
   os << indent << "NumberOfEncodings: " << this->NumberOfEncodings << "\n";
 }
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

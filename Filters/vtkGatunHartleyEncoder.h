@@ -39,6 +39,9 @@
 
 #include <memory> // For std::unique_ptr
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class VTKGATUNFILTERS_EXPORT vtkGatunHartleyEncoder : public vtkImageAlgorithm
 {
 public:
@@ -168,5 +171,9 @@ private:
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 };
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 #endif

@@ -34,6 +34,10 @@
 #include <optional>
 #include <string>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkGatunHartleyProjection);
 
 namespace
@@ -571,3 +575,6 @@ void vtkGatunHartleyProjection::PrintSelf(ostream& os, vtkIndent indent)
   print("FittingParallelScale", this->FittingParallelScale);
   print("NumberOfVolumes", this->NumberOfVolumes);
 }
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

@@ -67,6 +67,9 @@
 
 #include <memory> // For std::unique_ptr
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkPiecewiseFunction;
 class vtkScalarsToColors;
 
@@ -420,5 +423,9 @@ private:
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 };
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 #endif

@@ -11,6 +11,10 @@
 
 #include <utility>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkGatunHartleyCoefficients);
 vtkInformationKeyRestrictedMacro(
   vtkGatunHartleyCoefficients, COEFFICIENTS, ObjectBase, "vtkGatunHartleyCoefficients");
@@ -98,3 +102,6 @@ void vtkGatunHartleyCoefficients::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfBlocks: " << this->GetNumberOfBlocks() << "\n";
   os << indent << "NumberOfChunks: " << this->GetNumberOfChunks() << "\n";
 }
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

@@ -23,7 +23,13 @@
 
 #include <memory> // For std::shared_ptr
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkInformationObjectBaseKey;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {
@@ -31,6 +37,9 @@ class HartleySource;
 struct VolumeInput;
 }
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class VTKGATUNIO_EXPORT vtkGatunHartleyCoefficients : public vtkObject
 {
 public:
@@ -93,5 +102,9 @@ private:
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 };
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 #endif

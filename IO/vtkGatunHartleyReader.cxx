@@ -31,6 +31,10 @@
 #include <new>
 #include <string>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkGatunHartleyReader);
 
 //------------------------------------------------------------------------------
@@ -341,3 +345,6 @@ int vtkGatunHartleyReader::RequestData(vtkInformation* vtkNotUsed(request),
   }
   return 1;
 }
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

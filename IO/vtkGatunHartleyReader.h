@@ -33,6 +33,9 @@
 
 #include <memory> // For std::unique_ptr
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class VTKGATUNIO_EXPORT vtkGatunHartleyReader : public vtkImageAlgorithm
 {
 public:
@@ -124,5 +127,9 @@ private:
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 };
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 #endif

@@ -22,6 +22,10 @@
 
 #include <stdexcept>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkGatunHartleyWriter);
 
 //------------------------------------------------------------------------------
@@ -193,3 +197,6 @@ void vtkGatunHartleyWriter::HandleFailure() noexcept
   this->SetErrorCode(failure.Code);
   gatun::ReportFailure(this, failure, nullptr);
 }
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

@@ -35,6 +35,9 @@
 #include "vtkGatunIOModule.h" // For export macro
 #include "vtkWriter.h"
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkImageData;
 
 class VTKGATUNIO_EXPORT vtkGatunHartleyWriter : public vtkWriter
@@ -197,5 +200,9 @@ private:
   void WriteVolume(vtkImageData* image);
   void HandleFailure() noexcept;
 };
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 #endif

@@ -17,6 +17,9 @@
 #include "vtkGatunRenderingModule.h" // For export macro
 #include "vtkObject.h"
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkCamera;
 class vtkGatunHartleyProjection;
 class vtkVolumeProperty;
@@ -60,5 +63,9 @@ private:
   vtkGatunHartleyView(const vtkGatunHartleyView&) = delete;
   void operator=(const vtkGatunHartleyView&) = delete;
 };
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 #endif

@@ -7,8 +7,14 @@
 #include "gatunErrorCodes.h"
 #include "vtkGatunIOModule.h" // For export macro
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkDataObject;
 class vtkObject;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {

@@ -20,6 +20,9 @@
 #include <array>  // For std::array
 #include <vector> // For std::vector
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class VTKGATUNPARAVIEW_EXPORT vtkGatunPVProjection : public vtkGatunHartleyProjection
 {
 public:
@@ -87,5 +90,9 @@ private:
   vtkGatunPVProjection(const vtkGatunPVProjection&) = delete;
   void operator=(const vtkGatunPVProjection&) = delete;
 };
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 #endif
