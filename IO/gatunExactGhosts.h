@@ -4,28 +4,22 @@
 #ifndef gatunExactGhosts_h
 #define gatunExactGhosts_h
 
-#include "vtkType.h" // For VTK_ABI_NAMESPACE_BEGIN
+#include "vtkGatunIOModule.h" // For export macro
 
-#ifdef VTK_ABI_NAMESPACE_BEGIN
-VTK_ABI_NAMESPACE_BEGIN
-#endif
 class vtkInformationIntegerKey;
-#ifdef VTK_ABI_NAMESPACE_END
-VTK_ABI_NAMESPACE_END
-#endif
 
 namespace gatun
 {
 /**
- * Key of the output information, set to 1 in RequestInformation. The executive then reexecutes the
- * algorithm unless the output has exactly the requested number of ghost levels.
+ * Key for output information, set to 1 in RequestInformation: what the port holds is only good
+ * enough if it has exactly as many ghost levels as are asked for.
  *
- * By default the executive accepts an output with more ghost levels, so that one consumer would get
- * the ghost cells that another one requested. This is a key rather than a custom executive so that
- * it works under any executive, and where another reader drives this one, such as ParaView's reader
- * of file series.
+ * By itself the executive also takes more for good enough, so that a consumer would get ghost cells
+ * that another one had asked for. The key is in the port's information, not in an executive of
+ * ours, so that it holds under every executive and where another reader drives this one, as
+ * ParaView's reader of file series does. Exported for the filters.
  */
-vtkInformationIntegerKey* ExactGhostLevels();
+VTKGATUNIO_EXPORT vtkInformationIntegerKey* ExactGhostLevels();
 }
 
 #endif
