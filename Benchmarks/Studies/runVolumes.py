@@ -64,9 +64,9 @@ TURNS = {"ct": (-0.5, 0.1, 0), "head": (-0.5, 0.15, 0)}
 # Large blocks are drawn by slices in any case.
 FEW_WAYS = ("gatun", "trilinear-1", "trilinear-2")
 ALL_WAYS = (*FEW_WAYS, "slice")
-LAWS = {"xray": ("--opacity-model", "xray"),
-        "exponential": ("--opacity-model", "exponential", "--opacity", 0.25),
-        "function": ("--opacity-model", "linear")}
+LAWS = {"xray": ("--law", "xray"),
+        "exponential": ("--law", "exponential", "--opacity", 0.25),
+        "function": ("--law", "linear")}
 
 
 def find(name, wanted, data):
