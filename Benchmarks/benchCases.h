@@ -53,11 +53,9 @@ namespace bench
 template <typename Fill>
 void PrintJson(Fill&& fill)
 {
-  gtn::Json json;
-  json.BeginObject();
+  Json::Value json(Json::objectValue);
   fill(json);
-  json.EndObject();
-  std::fputs(json.GetText().c_str(), stdout);
+  std::fputs(gtn::JsonText(json).c_str(), stdout);
 }
 }
 

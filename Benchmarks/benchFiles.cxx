@@ -123,19 +123,18 @@ Grid Load(const std::string& file)
 void PrintTimes(const std::vector<Operation>& operations, std::uint64_t tets)
 {
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("threads", gatun::GetNumberOfThreads());
-      json.Add("tets", tets);
-      json.BeginArray("files");
+      json["threads"] = gatun::GetNumberOfThreads();
+      json["tets"] = tets;
+      json["files"] = Json::arrayValue;
       for (const Operation& operation : operations)
       {
-        json.BeginObject();
-        json.Add("format", operation.Name);
-        AddTimes(json, operation);
-        json.EndObject();
+        Json::Value fileJson;
+        fileJson["format"] = operation.Name;
+        AddTimes(fileJson, operation);
+        json["files"].append(fileJson);
       }
-      json.EndArray();
     });
 }
 }

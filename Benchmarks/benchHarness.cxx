@@ -61,21 +61,16 @@ void WarmUpAndRunInterleaved(std::vector<Operation>& operations, int rounds)
 }
 
 //------------------------------------------------------------------------------
-void AddTimes(gtn::Json& json, const Operation& operation)
+void AddTimes(Json::Value& json, const Operation& operation)
 {
-  json.Add("first", operation.First);
+  json["first"] = operation.First;
   AddList(json, "seconds", operation.Seconds);
 }
 
 //------------------------------------------------------------------------------
-void AddList(gtn::Json& json, const char* name, const std::vector<double>& values)
+void AddList(Json::Value& json, const char* name, const std::vector<double>& values)
 {
-  json.BeginArray(name);
-  for (const double value : values)
-  {
-    json.Add({}, value);
-  }
-  json.EndArray();
+  json[name] = gtn::JsonArray(values);
 }
 
 //------------------------------------------------------------------------------
@@ -101,11 +96,11 @@ Cost CostOf(const std::function<void()>& work)
 }
 
 //------------------------------------------------------------------------------
-void AddCost(gtn::Json& json, const Cost& cost)
+void AddCost(Json::Value& json, const Cost& cost)
 {
-  json.Add("seconds", cost.Seconds);
-  json.Add("before", cost.Before);
-  json.Add("peak", cost.Peak);
+  json["seconds"] = cost.Seconds;
+  json["before"] = cost.Before;
+  json["peak"] = cost.Peak;
 }
 
 //------------------------------------------------------------------------------

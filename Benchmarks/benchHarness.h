@@ -39,10 +39,10 @@ void RunInterleaved(std::vector<Operation>& operations, int rounds);
 void WarmUpAndRunInterleaved(std::vector<Operation>& operations, int rounds);
 
 /** Adds the timings of an operation to the object at hand. */
-void AddTimes(gtn::Json& json, const Operation& operation);
+void AddTimes(Json::Value& json, const Operation& operation);
 
 /** Adds a list of numbers. */
-void AddList(gtn::Json& json, const char* name, const std::vector<double>& values);
+void AddList(Json::Value& json, const char* name, const std::vector<double>& values);
 
 /** The memory of this process in bytes, resident now, and the most since Reset (or since the start
  * where the system cannot forget the peak). */
@@ -68,7 +68,7 @@ struct Cost
 Cost CostOf(const std::function<void()>& work);
 
 /** Adds seconds, before and peak. */
-void AddCost(gtn::Json& json, const Cost& cost);
+void AddCost(Json::Value& json, const Cost& cost);
 
 std::uint64_t FileSize(const std::string& file);
 }

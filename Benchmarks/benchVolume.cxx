@@ -217,10 +217,10 @@ unsigned Volume::GetPixels(double scale) const
 }
 
 //------------------------------------------------------------------------------
-gatun::HartleyShading MakeGrey(const Volume& volume, gatun::HartleyLaw law, double opacity)
+gatun::HartleyShading MakeGrey(const Volume& volume, gatun::HartleyOpacityModel law, double opacity)
 {
   gatun::HartleyShading shading;
-  shading.Law = law;
+  shading.OpacityModel = law;
   shading.Zero = volume.GetLowest();
   shading.Extinction = -std::log(1 - opacity) / volume.GetRange();
   shading.First = volume.GetLowest();
@@ -230,12 +230,12 @@ gatun::HartleyShading MakeGrey(const Volume& volume, gatun::HartleyLaw law, doub
 }
 
 //------------------------------------------------------------------------------
-gatun::HartleyQuality MakeQuality(double rate)
+gatun::HartleyRateControl MakeQuality(double rate)
 {
-  gatun::HartleyQuality quality;
-  quality.Kind = rate > 0 ? gatun::HartleyQuality::Goal::Rate : gatun::HartleyQuality::Goal::Error;
-  quality.Value = rate;
-  return quality;
+  gatun::HartleyRateControl control;
+  control.Mode = rate > 0 ? gatun::HartleyRateMode::BitsPerVoxel : gatun::HartleyRateMode::RMSError;
+  control.Value = rate;
+  return control;
 }
 
 //------------------------------------------------------------------------------
@@ -258,14 +258,14 @@ const std::vector<std::string>& GetLawNames()
 }
 
 //------------------------------------------------------------------------------
-gatun::HartleyLaw GetLaw(const std::string& name)
+gatun::HartleyOpacityModel GetOpacityModel(const std::string& name)
 {
   if (name == "xray")
   {
-    return gatun::HartleyLaw::XRay;
+    return gatun::HartleyOpacityModel::XRay;
   }
-  return name == "exponential" ? gatun::HartleyLaw::Exponential
-                               : gatun::HartleyLaw::TransferFunction;
+  return name == "exponential" ? gatun::HartleyOpacityModel::Exponential
+                               : gatun::HartleyOpacityModel::TransferFunction;
 }
 
 //------------------------------------------------------------------------------

@@ -69,19 +69,20 @@ private:
 
 /** Grey from the lowest density to the highest. The most opaque sample has this opacity, and under
  * the exponential law it goes by that, else linearly. */
-gatun::HartleyShading MakeGrey(const Volume& volume, gatun::HartleyLaw law, double opacity);
+gatun::HartleyShading MakeGrey(
+  const Volume& volume, gatun::HartleyOpacityModel law, double opacity);
 
 /** Lossless for 0, else so many bits a voxel. */
-gatun::HartleyQuality MakeQuality(double rate);
+gatun::HartleyRateControl MakeQuality(double rate);
 
 /** The volume transformed, in memory; for 0 the coefficients as they are, in single precision, else
- * quantised. */
+ * quantized. */
 std::shared_ptr<const gatun::HartleySource> MakeSource(
   const Volume& volume, std::uint32_t block, double rate);
 
 /** The names of laws: xray, exponential, linear. */
 const std::vector<std::string>& GetLawNames();
-gatun::HartleyLaw GetLaw(const std::string& name);
+gatun::HartleyOpacityModel GetOpacityModel(const std::string& name);
 
 /** The four rotations of the dissertation's tables, by their number. */
 const std::array<Turns, 4>& GetPaperTurns();

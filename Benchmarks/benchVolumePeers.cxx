@@ -25,7 +25,7 @@ namespace bench
 {
 namespace
 {
-using gatun::HartleyLaw;
+using gatun::HartleyOpacityModel;
 using gatun::HartleyView;
 using gatun::test::ReferenceVolume;
 using gatun::test::Vector;
@@ -61,13 +61,13 @@ FixedPointWindow::FixedPointWindow(
   for (int i = 0; i <= nodes; ++i)
   {
     const double density = volume.GetLowest() + volume.GetRange() * i / nodes;
-    const auto [red, green, blue, opacity] = shading.Law == HartleyLaw::XRay
+    const auto [red, green, blue, opacity] = shading.OpacityModel == HartleyOpacityModel::XRay
       ? std::array<double, 4>{ 1, 1, 1, 0.005 * i / nodes }
       : ReferenceVolume::Shade(shading, density);
     colours->AddRGBPoint(density, red, green, blue);
     opacities->AddPoint(density, opacity);
   }
-  if (shading.Law == HartleyLaw::XRay)
+  if (shading.OpacityModel == HartleyOpacityModel::XRay)
   {
     this->Mapper->SetBlendModeToAdditive();
   }

@@ -76,21 +76,21 @@ public:
   }
 
   /** Seconds of the first picture, and until it is known how to simplify the mesh. */
-  void Prepare(gtn::Json& json)
+  void Prepare(Json::Value& json)
   {
-    json.Add("first", SecondsOf([&] { this->Draw(0, AtRest); }));
-    json.Add("prepare", SecondsOf([&] { this->Drawn->PrepareSimplification(); }));
-    json.Add("whole", SecondsOf([&] { this->Draw(0, AtRest); }));
+    json["first"] = SecondsOf([&] { this->Draw(0, AtRest); });
+    json["prepare"] = SecondsOf([&] { this->Drawn->PrepareSimplification(); });
+    json["whole"] = SecondsOf([&] { this->Draw(0, AtRest); });
   }
 
-  void Follow(gtn::Json& json, double budget)
+  void Follow(Json::Value& json, double budget)
   {
     // Another volume: nothing has been learnt of it.
     this->Window.SetVolume(this->Drawn, this->View);
     this->Drawn->SetTimeBudget(budget);
     double turn = 0;
-    json.BeginObject();
-    json.Add("budget", budget);
+    Json::Value entry;
+    entry["budget"] = budget;
     for (const Phase& phase : Phases)
     {
       Track track;
@@ -101,15 +101,13 @@ public:
         track.Points.push_back(static_cast<double>(this->Drawn->GetNumberOfDrawnPoints()));
         track.Distances.push_back(this->Drawn->GetImageSampleDistance());
       }
-      json.BeginObject(phase.Name);
-      AddList(json, "seconds", track.Seconds);
-      AddList(json, "points", track.Points);
-      AddList(json, "distances", track.Distances);
-      json.EndObject();
+      AddList(entry[phase.Name], "seconds", track.Seconds);
+      AddList(entry[phase.Name], "points", track.Points);
+      AddList(entry[phase.Name], "distances", track.Distances);
     }
-    json.Add("rest", SecondsOf([&] { this->Draw(turn, AtRest); }));
-    json.Add("difference", this->CompareToFull(turn));
-    json.EndObject();
+    entry["rest"] = SecondsOf([&] { this->Draw(turn, AtRest); });
+    entry["difference"] = this->CompareToFull(turn);
+    json.append(entry);
   }
 
 private:
@@ -146,21 +144,20 @@ void TimePath(const Options& options)
   const Grid grid = Load(options.File);
   PathRun run(options, grid);
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("threads", gatun::GetNumberOfThreads());
-      json.Add("tets", static_cast<std::uint64_t>(grid->GetNumberOfCells()));
-      json.Add("points", static_cast<std::uint64_t>(grid->GetNumberOfPoints()));
-      json.Add("size", options.Size);
-      json.Add("memory", options.Memory);
-      json.Add("onlyRays", options.OnlyRays);
+      json["threads"] = gatun::GetNumberOfThreads();
+      json["tets"] = static_cast<std::uint64_t>(grid->GetNumberOfCells());
+      json["points"] = static_cast<std::uint64_t>(grid->GetNumberOfPoints());
+      json["size"] = options.Size;
+      json["memory"] = options.Memory;
+      json["onlyRays"] = options.OnlyRays;
       run.Prepare(json);
-      json.BeginArray("paths");
+      json["paths"] = Json::arrayValue;
       for (const double budget : options.Budgets)
       {
-        run.Follow(json, budget);
+        run.Follow(json["paths"], budget);
       }
-      json.EndArray();
     });
 }
 

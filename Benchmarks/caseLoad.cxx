@@ -69,11 +69,11 @@ void MeasurePeak(const Options& options)
       }
     });
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("threads", gatun::GetNumberOfThreads());
+      json["threads"] = gatun::GetNumberOfThreads();
       AddCost(json, cost);
-      json.Add("gridBytes", 1024 * static_cast<std::uint64_t>(grid->GetActualMemorySize()));
+      json["gridBytes"] = 1024 * static_cast<std::uint64_t>(grid->GetActualMemorySize());
     });
 }
 

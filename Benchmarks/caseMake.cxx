@@ -86,21 +86,21 @@ void Prepare(const Options& options)
 void PrintMachine()
 {
   PrintJson(
-    [](gtn::Json& json)
+    [](Json::Value& json)
     {
-      json.Add("gatun", gatun::PackageVersion());
-      json.Add("vtk", vtkVersion::GetVTKVersion());
-      json.Add("backend", gtn::ThreadBackend());
-      json.Add("threads", gatun::GetNumberOfThreads());
+      json["gatun"] = gatun::PackageVersion();
+      json["vtk"] = vtkVersion::GetVTKVersion();
+      json["backend"] = gtn::ThreadBackend();
+      json["threads"] = gatun::GetNumberOfThreads();
 #if defined(__clang__)
-      json.Add("compiler", "clang " __clang_version__);
+      json["compiler"] = "clang " __clang_version__;
 #elif defined(__GNUC__)
-      json.Add("compiler", "GCC " __VERSION__);
+      json["compiler"] = "GCC " __VERSION__;
 #else
-      json.Add("compiler", "unknown");
+      json["compiler"] = "unknown";
 #endif
-      json.Add("build", BENCH_BUILD_TYPE);
-      json.Add("tetgen", HasDelaunay());
+      json["build"] = BENCH_BUILD_TYPE;
+      json["tetgen"] = HasDelaunay();
     });
 }
 

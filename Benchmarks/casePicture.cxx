@@ -57,15 +57,15 @@ void TimePicture(const Options& options)
     CostOf([&] { isGatun ? DrawFile(window, options) : DrawGrid(window, options); });
   const Seen seen = window.Look();
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("threads", gatun::GetNumberOfThreads());
-      json.Add("mapper", isGatun ? "gatun" : "bunyk");
-      json.Add("size", options.Size);
-      json.Add("budget", options.Budget);
+      json["threads"] = gatun::GetNumberOfThreads();
+      json["mapper"] = isGatun ? "gatun" : "bunyk";
+      json["size"] = options.Size;
+      json["budget"] = options.Budget;
       AddCost(json, cost);
-      json.Add("covered", seen.Covered);
-      json.Add("mean", seen.Mean);
+      json["covered"] = seen.Covered;
+      json["mean"] = seen.Mean;
     });
 }
 

@@ -103,28 +103,26 @@ void TimePieces(const Options& options)
   }
   WarmUpAndRunInterleaved(operations, options.Rounds);
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("threads", gatun::GetNumberOfThreads());
-      json.Add("fileBytes", FileSize(options.File));
-      json.BeginArray("cases");
+      json["threads"] = gatun::GetNumberOfThreads();
+      json["fileBytes"] = FileSize(options.File);
+      json["cases"] = Json::arrayValue;
       for (std::size_t i = 0; i < cases.size(); ++i)
       {
-        json.BeginObject();
-        json.Add("pieces", cases[i].Pieces);
-        json.Add("ghostLevels", cases[i].GhostLevels);
-        json.Add("tets", cases[i].Tets);
-        json.Add("bytesRead", cases[i].Bytes);
-        AddTimes(json, operations[i]);
-        json.BeginArray("slowestPiece");
+        Json::Value caseJson;
+        caseJson["pieces"] = cases[i].Pieces;
+        caseJson["ghostLevels"] = cases[i].GhostLevels;
+        caseJson["tets"] = cases[i].Tets;
+        caseJson["bytesRead"] = cases[i].Bytes;
+        AddTimes(caseJson, operations[i]);
+        caseJson["slowestPiece"] = Json::arrayValue;
         for (std::size_t round = 1; round < cases[i].Each.size(); ++round)
         {
-          json.Add({}, cases[i].Each[round]);
+          caseJson["slowestPiece"].append(cases[i].Each[round]);
         }
-        json.EndArray();
-        json.EndObject();
+        json["cases"].append(caseJson);
       }
-      json.EndArray();
     });
 }
 
@@ -205,12 +203,12 @@ void TimeRegions(const Options& options, const std::string& scratch)
   writer->SetFileName(scratch.c_str());
   std::vector<int> chunkTets{ 65536, 8192 };
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("threads", gatun::GetNumberOfThreads());
-      json.Add("tets", static_cast<std::uint64_t>(grid->GetNumberOfCells()));
-      json.Add("array", array->GetName());
-      json.BeginArray("files");
+      json["threads"] = gatun::GetNumberOfThreads();
+      json["tets"] = static_cast<std::uint64_t>(grid->GetNumberOfCells());
+      json["array"] = array->GetName();
+      json["files"] = Json::arrayValue;
       for (const int chunk : chunkTets)
       {
         writer->SetChunkTets(chunk);
@@ -226,25 +224,23 @@ void TimeRegions(const Options& options, const std::string& scratch)
             [&region, array] { region.Result = ReadRegion(region, array->GetName()); } });
         }
         WarmUpAndRunInterleaved(operations, options.Rounds);
-        json.BeginObject();
-        json.Add("chunkTets", chunk);
-        json.Add(
-          "chunks", static_cast<std::uint64_t>(gatun::FileReader(scratch).GetChunks().size()));
-        json.Add("fileBytes", FileSize(scratch));
-        json.BeginArray("regions");
+        Json::Value fileJson;
+        fileJson["chunkTets"] = chunk;
+        fileJson["chunks"] =
+          static_cast<std::uint64_t>(gatun::FileReader(scratch).GetChunks().size());
+        fileJson["fileBytes"] = FileSize(scratch);
+        fileJson["regions"] = Json::arrayValue;
         for (std::size_t i = 0; i < regions.size(); ++i)
         {
-          json.BeginObject();
-          json.Add("region", regions[i].Name);
-          json.Add("tets", regions[i].Result.Tets);
-          json.Add("bytesRead", regions[i].Result.Bytes);
-          AddTimes(json, operations[i]);
-          json.EndObject();
+          Json::Value regionJson;
+          regionJson["region"] = regions[i].Name;
+          regionJson["tets"] = regions[i].Result.Tets;
+          regionJson["bytesRead"] = regions[i].Result.Bytes;
+          AddTimes(regionJson, operations[i]);
+          fileJson["regions"].append(regionJson);
         }
-        json.EndArray();
-        json.EndObject();
+        json["files"].append(fileJson);
       }
-      json.EndArray();
     });
 }
 

@@ -68,25 +68,24 @@ void Print(const Options& options, vtkUnstructuredGrid* grid, std::uint64_t hits
   const std::vector<Contender>& contenders, const std::vector<Operation>& operations)
 {
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("threads", gatun::GetNumberOfThreads());
-      json.Add("tets", static_cast<std::uint64_t>(grid->GetNumberOfCells()));
-      json.Add("size", options.Size);
-      json.Add("orthographic", options.Orthographic);
-      json.Add("hits", hits);
-      json.BeginArray("mappers");
+      json["threads"] = gatun::GetNumberOfThreads();
+      json["tets"] = static_cast<std::uint64_t>(grid->GetNumberOfCells());
+      json["size"] = options.Size;
+      json["orthographic"] = options.Orthographic;
+      json["hits"] = hits;
+      json["mappers"] = Json::arrayValue;
       for (std::size_t i = 0; i < contenders.size(); ++i)
       {
-        json.BeginObject();
-        json.Add("mapper", contenders[i].Name);
-        json.Add("covered", contenders[i].FirstPicture.Covered);
-        json.Add("mean", contenders[i].FirstPicture.Mean);
-        AddList(json, "firstFrames", contenders[i].FirstFrames);
-        AddList(json, "seconds", operations[i].Seconds);
-        json.EndObject();
+        Json::Value mapperJson;
+        mapperJson["mapper"] = contenders[i].Name;
+        mapperJson["covered"] = contenders[i].FirstPicture.Covered;
+        mapperJson["mean"] = contenders[i].FirstPicture.Mean;
+        AddList(mapperJson, "firstFrames", contenders[i].FirstFrames);
+        AddList(mapperJson, "seconds", operations[i].Seconds);
+        json["mappers"].append(mapperJson);
       }
-      json.EndArray();
     });
 }
 

@@ -190,23 +190,22 @@ void TimeSeries(const Options& options)
   };
   WarmUpAndRunInterleaved(operations, options.Rounds);
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("threads", gatun::GetNumberOfThreads());
-      json.Add("steps", options.Steps);
-      json.Add("tets", static_cast<std::uint64_t>(Load(series.Vtu[0])->GetNumberOfCells()));
-      json.Add("gtnBytes", series.GatunBytes);
-      json.Add("gtnMeshBytes", series.GatunMeshBytes);
-      json.Add("vtuBytes", series.VtuBytes);
-      json.BeginArray("cases");
+      json["threads"] = gatun::GetNumberOfThreads();
+      json["steps"] = options.Steps;
+      json["tets"] = static_cast<std::uint64_t>(Load(series.Vtu[0])->GetNumberOfCells());
+      json["gtnBytes"] = series.GatunBytes;
+      json["gtnMeshBytes"] = series.GatunMeshBytes;
+      json["vtuBytes"] = series.VtuBytes;
+      json["cases"] = Json::arrayValue;
       for (const Operation& operation : operations)
       {
-        json.BeginObject();
-        json.Add("case", operation.Name);
-        AddTimes(json, operation);
-        json.EndObject();
+        Json::Value caseJson;
+        caseJson["case"] = operation.Name;
+        AddTimes(caseJson, operation);
+        json["cases"].append(caseJson);
       }
-      json.EndArray();
     });
 }
 

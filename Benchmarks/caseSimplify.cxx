@@ -99,26 +99,25 @@ void SimplifyByGatun(const Options& options)
   const double build = SecondsOf([&] { UpdateChecked(filter); });
   const std::uint64_t peak = PeakMemory::GetPeak();
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("tets", CountCells(grid));
-      json.Add("points", static_cast<std::uint64_t>(grid->GetNumberOfPoints()));
-      json.Add("seconds", build);
-      json.Add("before", memory.GetBefore());
-      json.Add("peak", peak);
-      json.BeginArray("meshes");
+      json["tets"] = CountCells(grid);
+      json["points"] = static_cast<std::uint64_t>(grid->GetNumberOfPoints());
+      json["seconds"] = build;
+      json["before"] = memory.GetBefore();
+      json["peak"] = peak;
+      json["meshes"] = Json::arrayValue;
       for (std::size_t i = 0; i < options.Tets.size(); ++i)
       {
         const double seconds = SimplifyToTets(filter, grid->GetNumberOfPoints(), options.Tets[i]);
         auto* const output = filter->GetOutput();
-        json.BeginObject();
-        json.Add("tets", CountCells(output));
-        json.Add("points", static_cast<std::uint64_t>(output->GetNumberOfPoints()));
-        json.Add("seconds", seconds);
-        json.EndObject();
+        Json::Value meshJson;
+        meshJson["tets"] = CountCells(output);
+        meshJson["points"] = static_cast<std::uint64_t>(output->GetNumberOfPoints());
+        meshJson["seconds"] = seconds;
+        json["meshes"].append(meshJson);
         WriteMesh(output, i < options.Others.size() ? options.Others[i] : std::string());
       }
-      json.EndArray();
     });
 }
 
@@ -141,14 +140,14 @@ void SimplifyByQuadrics(const Options& options)
     WriteMesh(output, options.Out);
   }
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("part", options.Part);
-      json.Add("tets", CountCells(output));
-      json.Add("points", static_cast<std::uint64_t>(output->GetNumberOfPoints()));
-      json.Add("seconds", seconds);
-      json.Add("before", memory.GetBefore());
-      json.Add("peak", peak);
+      json["part"] = options.Part;
+      json["tets"] = CountCells(output);
+      json["points"] = static_cast<std::uint64_t>(output->GetNumberOfPoints());
+      json["seconds"] = seconds;
+      json["before"] = memory.GetBefore();
+      json["peak"] = peak;
     });
 }
 
@@ -186,37 +185,37 @@ void Build(const Options& options)
   const double ancestors =
     SecondsOf([&] { gone = tree.FindAncestors(tree.GetMerges().size() / 2).size(); });
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("tets", CountCells(grid));
-      json.Add("points", std::uint64_t{ gone });
-      json.Add("merges", std::uint64_t{ tree.GetMerges().size() });
+      json["tets"] = CountCells(grid);
+      json["points"] = std::uint64_t{ gone };
+      json["merges"] = std::uint64_t{ tree.GetMerges().size() };
       AddList(json, "seconds", seconds);
-      json.Add("ancestors", ancestors);
-      json.Add("before", memory.GetBefore());
-      json.Add("peak", peak);
+      json["ancestors"] = ancestors;
+      json["before"] = memory.GetBefore();
+      json["peak"] = peak;
     });
 }
 
 void AddComparison(
-  gtn::Json& json, const Samples& samples, vtkUnstructuredGrid* grid, const Options& options)
+  Json::Value& json, const Samples& samples, vtkUnstructuredGrid* grid, const Options& options)
 {
   const Deviation deviation = Compare(samples, grid, options.Array);
   const Shapes shapes = LookAtShapes(grid);
-  json.Add("tets", CountCells(grid));
-  json.Add("points", static_cast<std::uint64_t>(grid->GetNumberOfPoints()));
-  json.Add("rms", deviation.Rms);
-  json.Add("largest", deviation.Largest);
-  json.Add("rmsInside", deviation.RmsInside);
-  json.Add("outside", std::uint64_t{ deviation.Outside });
-  json.Add("boundaryMean", deviation.BoundaryMean);
-  json.Add("boundaryLargest", deviation.BoundaryLargest);
-  json.Add("volume", shapes.Volume);
-  json.Add("worst", shapes.Worst);
-  json.Add("firstPercentile", shapes.FirstPercentile);
-  json.Add("median", shapes.Median);
-  json.Add("flat", std::uint64_t{ shapes.Flat });
-  json.Add("inverted", std::uint64_t{ shapes.Inverted });
+  json["tets"] = CountCells(grid);
+  json["points"] = static_cast<std::uint64_t>(grid->GetNumberOfPoints());
+  json["rms"] = deviation.Rms;
+  json["largest"] = deviation.Largest;
+  json["rmsInside"] = deviation.RmsInside;
+  json["outside"] = std::uint64_t{ deviation.Outside };
+  json["boundaryMean"] = deviation.BoundaryMean;
+  json["boundaryLargest"] = deviation.BoundaryLargest;
+  json["volume"] = shapes.Volume;
+  json["worst"] = shapes.Worst;
+  json["firstPercentile"] = shapes.FirstPercentile;
+  json["median"] = shapes.Median;
+  json["flat"] = std::uint64_t{ shapes.Flat };
+  json["inverted"] = std::uint64_t{ shapes.Inverted };
 }
 
 void CompareAll(const Options& options)
@@ -224,20 +223,17 @@ void CompareAll(const Options& options)
   const Grid grid = Load(options.File);
   const Samples samples = MakeSamples(grid, options.Array, options.Samples);
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("samples", std::uint64_t{ samples.Places.size() });
-      json.BeginObject("original");
-      AddComparison(json, samples, grid, options);
-      json.EndObject();
-      json.BeginArray("meshes");
+      json["samples"] = std::uint64_t{ samples.Places.size() };
+      AddComparison(json["original"], samples, grid, options);
+      json["meshes"] = Json::arrayValue;
       for (const auto& file : options.Others)
       {
-        json.BeginObject();
-        AddComparison(json, samples, Load(file), options);
-        json.EndObject();
+        Json::Value meshJson;
+        AddComparison(meshJson, samples, Load(file), options);
+        json["meshes"].append(meshJson);
       }
-      json.EndArray();
     });
 }
 

@@ -169,17 +169,17 @@ void TimePicture(const Options& options)
     });
   const auto tets = caster->GetStatistic(vtkGatunRayCaster::NumberOfTetrahedra);
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("ratio", options.Ratio);
-      json.Add("whole", options.Whole);
+      json["ratio"] = options.Ratio;
+      json["whole"] = options.Whole;
       AddCost(json, cost);
-      json.Add("tets", tets);
+      json["tets"] = tets;
       if (options.Whole)
       {
-        json.Add("decompress", stages.Decompress);
-        json.Add("simplify", stages.Simplify);
-        json.Add("render", stages.Render);
+        json["decompress"] = stages.Decompress;
+        json["simplify"] = stages.Simplify;
+        json["render"] = stages.Render;
       }
     });
 }

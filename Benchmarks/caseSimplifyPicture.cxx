@@ -131,9 +131,9 @@ void ComparePictures(const Options& options)
   }
   const Scene scene = MakeScene(grids.front(), options.Array);
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.BeginArray("sizes");
+      json["sizes"] = Json::arrayValue;
       for (const int size : options.Sizes)
       {
         std::vector<Pixels> pictures(grids.size());
@@ -150,29 +150,27 @@ void ComparePictures(const Options& options)
             { Draw(grids[i], scene, options, size, vtkGatunRayCaster::AREA_BLEND, ignored); } });
         }
         RunInterleaved(operations, options.Rounds);
-        json.BeginObject();
-        json.Add("size", size);
-        json.BeginArray("meshes");
+        Json::Value sizeJson;
+        sizeJson["size"] = size;
+        sizeJson["meshes"] = Json::arrayValue;
         for (std::size_t i = 0; i < grids.size(); ++i)
         {
           const Difference difference = Compare(pictures[0], pictures[i]);
-          json.BeginObject();
-          json.Add("tets", static_cast<std::uint64_t>(grids[i]->GetNumberOfCells()));
-          json.Add("rms", difference.Rms);
-          json.Add("largest", difference.Largest);
-          json.Add("covered", difference.Covered);
-          AddList(json, "volumeSeconds", operations[2 * i].Seconds);
-          AddList(json, "areaSeconds", operations[2 * i + 1].Seconds);
-          json.EndObject();
+          Json::Value meshJson;
+          meshJson["tets"] = static_cast<std::uint64_t>(grids[i]->GetNumberOfCells());
+          meshJson["rms"] = difference.Rms;
+          meshJson["largest"] = difference.Largest;
+          meshJson["covered"] = difference.Covered;
+          AddList(meshJson, "volumeSeconds", operations[2 * i].Seconds);
+          AddList(meshJson, "areaSeconds", operations[2 * i + 1].Seconds);
+          sizeJson["meshes"].append(meshJson);
           if (i < options.Out.size() && size == options.Sizes.front())
           {
             WritePicture(pictures[i], size, options.Out[i]);
           }
         }
-        json.EndArray();
-        json.EndObject();
+        json["sizes"].append(sizeJson);
       }
-      json.EndArray();
     });
 }
 

@@ -50,58 +50,54 @@ std::uint64_t RawBytes(vtkUnstructuredGrid* grid)
   return bytes;
 }
 
-void AddParts(gtn::Json& json, const std::string& file)
+void AddParts(Json::Value& json, const std::string& file)
 {
   const gatun::FileReader reader(file);
   const gatun::FileStatistics sizes = reader.GetStatistics();
-  json.Add("chunks", static_cast<std::uint64_t>(reader.GetChunks().size()));
-  json.Add("sharedPoints", reader.GetNumberOfSharedPoints());
-  json.BeginObject("parts");
-  json.Add("file", sizes.FileBytes);
-  json.Add("connectivity", sizes.ConnectivityBytes);
-  json.Add("geometry", sizes.GeometryBytes);
-  json.Add("sharedGeometry", sizes.SharedGeometryBytes);
-  json.Add("order", sizes.OrderBytes);
-  json.Add("fieldData", sizes.FieldDataBytes);
-  json.Add("directory", sizes.DirectoryBytes);
-  json.EndObject();
-  json.BeginArray("arrays");
+  json["chunks"] = static_cast<std::uint64_t>(reader.GetChunks().size());
+  json["sharedPoints"] = reader.GetNumberOfSharedPoints();
+  json["parts"]["file"] = sizes.FileBytes;
+  json["parts"]["connectivity"] = sizes.ConnectivityBytes;
+  json["parts"]["geometry"] = sizes.GeometryBytes;
+  json["parts"]["sharedGeometry"] = sizes.SharedGeometryBytes;
+  json["parts"]["order"] = sizes.OrderBytes;
+  json["parts"]["fieldData"] = sizes.FieldDataBytes;
+  json["parts"]["directory"] = sizes.DirectoryBytes;
+  json["arrays"] = Json::arrayValue;
   for (std::size_t i = 0; i < reader.GetArrays().size(); ++i)
   {
     const gatun::ArrayDescription& array = reader.GetArrays()[i];
-    json.BeginObject();
-    json.Add("name", array.Name);
-    json.Add("of", array.Where == gatun::Association::Point ? "points" : "cells");
-    json.Add("components", static_cast<std::uint64_t>(array.Components));
-    json.Add("valueBytes", static_cast<std::uint64_t>(gatun::SizeOf(array.Type)));
-    json.Add("bytes", sizes.ArrayBytes[i]);
-    json.EndObject();
+    Json::Value arrayJson;
+    arrayJson["name"] = array.Name;
+    arrayJson["of"] = array.Where == gatun::Association::Point ? "points" : "cells";
+    arrayJson["components"] = static_cast<std::uint64_t>(array.Components);
+    arrayJson["valueBytes"] = static_cast<std::uint64_t>(gatun::SizeOf(array.Type));
+    arrayJson["bytes"] = sizes.ArrayBytes[i];
+    json["arrays"].append(arrayJson);
   }
-  json.EndArray();
 }
 
 void Size(const Options& options)
 {
   const Grid grid = Load(options.In);
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("points", static_cast<std::uint64_t>(grid->GetNumberOfPoints()));
-      json.Add("tets", static_cast<std::uint64_t>(grid->GetNumberOfCells()));
-      json.Add("rawBytes", RawBytes(grid));
-      json.Add("gridBytes", 1024 * static_cast<std::uint64_t>(grid->GetActualMemorySize()));
-      json.BeginArray("files");
+      json["points"] = static_cast<std::uint64_t>(grid->GetNumberOfPoints());
+      json["tets"] = static_cast<std::uint64_t>(grid->GetNumberOfCells());
+      json["rawBytes"] = RawBytes(grid);
+      json["gridBytes"] = 1024 * static_cast<std::uint64_t>(grid->GetActualMemorySize());
+      json["files"] = Json::arrayValue;
       for (const Format& format : GetFormats())
       {
         const std::string file = format.GetFile(options.Folder);
         const double seconds = SecondsOf([&] { Write(format, grid, file); });
-        json.BeginObject();
-        json.Add("format", format.Name);
-        json.Add("bytes", FileSize(file));
-        json.Add("seconds", seconds);
-        json.EndObject();
+        Json::Value fileJson;
+        fileJson["format"] = format.Name;
+        fileJson["bytes"] = FileSize(file);
+        fileJson["seconds"] = seconds;
+        json["files"].append(fileJson);
       }
-      json.EndArray();
       AddParts(json, GetFormats()[0].GetFile(options.Folder));
     });
 }

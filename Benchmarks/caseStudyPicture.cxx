@@ -116,14 +116,14 @@ void TimePicture(const Options& options)
     CostOf([&] { options.Whole ? DrawWhole(caster, options) : DrawFile(caster, options); });
   const Seen seen = Look(caster->GetOutput());
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("threads", gatun::GetNumberOfThreads());
-      json.Add("size", options.Size);
-      json.Add("whole", options.Whole);
+      json["threads"] = gatun::GetNumberOfThreads();
+      json["size"] = options.Size;
+      json["whole"] = options.Whole;
       AddCost(json, cost);
-      json.Add("covered", seen.Covered);
-      json.Add("mean", seen.Mean);
+      json["covered"] = seen.Covered;
+      json["mean"] = seen.Mean;
     });
 }
 

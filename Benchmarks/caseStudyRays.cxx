@@ -77,31 +77,31 @@ void Draw(RayCase& one, const std::shared_ptr<const gatun::FileReader>& file, st
   one.Picture = Look(rgba);
 }
 
-void Print(const RayCase& one, const Operation& operation, gtn::Json& json)
+void Print(const RayCase& one, const Operation& operation, Json::Value& json)
 {
   const gatun::RayStatistics& known = one.Statistics;
-  json.BeginObject();
-  json.Add("light", one.Light);
-  json.Add("size", one.Size);
-  json.Add("opaque", static_cast<double>(one.Settings.Opaque));
-  json.Add("bothEnds", one.Settings.FromBothEnds);
-  json.Add("prefilter", one.Settings.Prefilter);
-  json.Add("tets", known.Tets);
-  json.Add("seenTets", known.SeenTets);
-  json.Add("blocks", known.Blocks);
-  json.Add("skippedBlocks", known.SkippedBlocks);
-  json.Add("mostWaiting", known.MostWaiting);
-  json.Add("mostFragments", known.MostFragments);
-  json.Add("mostBytes", known.MostBytes);
-  json.Add("fetch", known.FetchTime);
-  json.Add("order", known.OrderTime);
-  json.Add("setUp", known.SetUpTime);
-  json.Add("draw", known.DrawTime);
-  json.Add("finish", known.FinishTime);
-  json.Add("covered", one.Picture.Covered);
-  json.Add("mean", one.Picture.Mean);
-  AddTimes(json, operation);
-  json.EndObject();
+  Json::Value entry;
+  entry["light"] = one.Light;
+  entry["size"] = one.Size;
+  entry["opaque"] = static_cast<double>(one.Settings.Opaque);
+  entry["bothEnds"] = one.Settings.FromBothEnds;
+  entry["prefilter"] = one.Settings.Prefilter;
+  entry["tets"] = known.Tets;
+  entry["seenTets"] = known.SeenTets;
+  entry["blocks"] = known.Blocks;
+  entry["skippedBlocks"] = known.SkippedBlocks;
+  entry["mostWaiting"] = known.MostWaiting;
+  entry["mostFragments"] = known.MostFragments;
+  entry["mostBytes"] = known.MostBytes;
+  entry["fetch"] = known.FetchTime;
+  entry["order"] = known.OrderTime;
+  entry["setUp"] = known.SetUpTime;
+  entry["draw"] = known.DrawTime;
+  entry["finish"] = known.FinishTime;
+  entry["covered"] = one.Picture.Covered;
+  entry["mean"] = one.Picture.Mean;
+  AddTimes(entry, operation);
+  json.append(entry);
 }
 
 void Time(const Options& options, std::vector<RayCase>& cases,
@@ -120,18 +120,17 @@ void Time(const Options& options, std::vector<RayCase>& cases,
     largest = std::max(largest, chunk.Tets);
   }
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("threads", gatun::GetNumberOfThreads());
-      json.Add("tets", file->GetNumberOfTets());
-      json.Add("chunks", static_cast<std::uint64_t>(file->GetChunks().size()));
-      json.Add("largestChunk", largest);
-      json.BeginArray("cases");
+      json["threads"] = gatun::GetNumberOfThreads();
+      json["tets"] = file->GetNumberOfTets();
+      json["chunks"] = static_cast<std::uint64_t>(file->GetChunks().size());
+      json["largestChunk"] = largest;
+      json["cases"] = Json::arrayValue;
       for (std::size_t i = 0; i < cases.size(); ++i)
       {
-        Print(cases[i], operations[i], json);
+        Print(cases[i], operations[i], json["cases"]);
       }
-      json.EndArray();
     });
 }
 

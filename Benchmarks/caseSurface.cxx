@@ -53,15 +53,15 @@ std::uint64_t GetBytesRead()
   return file >> name >> bytes && name == "rchar:" ? bytes : 0;
 }
 
-void AddSurface(gtn::Json& json, vtkPolyData* surface, SurfaceMaker& maker)
+void AddSurface(Json::Value& json, vtkPolyData* surface, SurfaceMaker& maker)
 {
-  json.Add("triangles", static_cast<std::uint64_t>(surface->GetNumberOfPolys()));
-  json.Add("points", static_cast<std::uint64_t>(surface->GetNumberOfPoints()));
+  json["triangles"] = static_cast<std::uint64_t>(surface->GetNumberOfPolys());
+  json["points"] = static_cast<std::uint64_t>(surface->GetNumberOfPoints());
   if (vtkGatunContour* const gatun = maker.GetGatun())
   {
-    json.Add("chunks", static_cast<std::uint64_t>(gatun->GetNumberOfChunks()));
-    json.Add("chunksUsed", static_cast<std::uint64_t>(gatun->GetNumberOfChunksUsed()));
-    json.Add("tetsUsed", static_cast<std::uint64_t>(gatun->GetNumberOfTetrahedraUsed()));
+    json["chunks"] = static_cast<std::uint64_t>(gatun->GetNumberOfChunks());
+    json["chunksUsed"] = static_cast<std::uint64_t>(gatun->GetNumberOfChunksUsed());
+    json["tetsUsed"] = static_cast<std::uint64_t>(gatun->GetNumberOfTetrahedraUsed());
   }
 }
 
@@ -78,11 +78,11 @@ void MeasureOne(const Options& options)
     });
   const std::uint64_t bytes = GetBytesRead() - before;
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("threads", gatun::GetNumberOfThreads());
+      json["threads"] = gatun::GetNumberOfThreads();
       AddCost(json, cost);
-      json.Add("bytes", bytes);
+      json["bytes"] = bytes;
       AddSurface(json, surface, *maker);
     });
 }
@@ -97,10 +97,10 @@ void MeasureRepeated(const Options& options)
     seconds.push_back(SecondsOf([&] { maker->Make({ value }); }));
   }
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("threads", gatun::GetNumberOfThreads());
-      json.Add("open", open);
+      json["threads"] = gatun::GetNumberOfThreads();
+      json["open"] = open;
       AddList(json, "seconds", seconds);
     });
 }
@@ -127,10 +127,10 @@ void PrintQuantiles(const Options& options)
       std::clamp(part, 0.0, 1.0) * static_cast<double>(values.size() - 1))]);
   }
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("tets", static_cast<std::uint64_t>(grid->GetNumberOfCells()));
-      json.Add("points", static_cast<std::uint64_t>(grid->GetNumberOfPoints()));
+      json["tets"] = static_cast<std::uint64_t>(grid->GetNumberOfCells());
+      json["points"] = static_cast<std::uint64_t>(grid->GetNumberOfPoints());
       AddList(json, "values", found);
     });
 }

@@ -46,33 +46,30 @@ void MeasureWays(const Options& options)
   }
   WarmUpAndRunInterleaved(operations, options.Rounds);
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("threads", gatun::GetNumberOfThreads());
-      json.Add("tets", static_cast<std::uint64_t>(grid->GetNumberOfCells()));
-      json.BeginArray("ways");
+      json["threads"] = gatun::GetNumberOfThreads();
+      json["tets"] = static_cast<std::uint64_t>(grid->GetNumberOfCells());
+      json["ways"] = Json::arrayValue;
       for (std::size_t i = 0; i < operations.size(); ++i)
       {
-        json.BeginObject();
-        json.Add("way", operations[i].Name);
-        json.Add("triangles", static_cast<std::uint64_t>(triangles[i]));
-        AddTimes(json, operations[i]);
-        json.EndObject();
+        Json::Value wayJson;
+        wayJson["way"] = operations[i].Name;
+        wayJson["triangles"] = static_cast<std::uint64_t>(triangles[i]);
+        AddTimes(wayJson, operations[i]);
+        json["ways"].append(wayJson);
       }
-      json.EndArray();
     });
 }
 
 /** How many strips there are, and points that they name. */
-void AddStrips(gtn::Json& json, const char* name, vtkPolyData* surface, double seconds)
+void AddStrips(Json::Value& json, const char* name, vtkPolyData* surface, double seconds)
 {
   vtkCellArray* const strips = surface->GetStrips();
-  json.BeginObject(name);
-  json.Add("seconds", seconds);
-  json.Add("strips", static_cast<std::uint64_t>(strips->GetNumberOfCells()));
-  json.Add("corners", static_cast<std::uint64_t>(strips->GetNumberOfConnectivityIds()));
-  json.Add("loose", static_cast<std::uint64_t>(surface->GetNumberOfPolys()));
-  json.EndObject();
+  json[name]["seconds"] = seconds;
+  json[name]["strips"] = static_cast<std::uint64_t>(strips->GetNumberOfCells());
+  json[name]["corners"] = static_cast<std::uint64_t>(strips->GetNumberOfConnectivityIds());
+  json[name]["loose"] = static_cast<std::uint64_t>(surface->GetNumberOfPolys());
 }
 
 void MeasureStrips(const Options& options)
@@ -87,10 +84,10 @@ void MeasureStrips(const Options& options)
   stripper->SetInputData(triangles);
   const double vtk = SecondsOf([&] { stripper->Update(); });
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("triangles", static_cast<std::uint64_t>(triangles->GetNumberOfPolys()));
-      json.Add("seconds", plain);
+      json["triangles"] = static_cast<std::uint64_t>(triangles->GetNumberOfPolys());
+      json["seconds"] = plain;
       AddStrips(json, "gatun", strips, own);
       AddStrips(json, "vtkStripper", stripper->GetOutput(), vtk);
     });

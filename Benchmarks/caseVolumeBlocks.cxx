@@ -171,7 +171,7 @@ struct Sums
 };
 
 /** Every so manieth ray that meets the block, beginning with another in each block. */
-Sums Compare(const gatun::HartleyProjector::BlockPicture& picture, const ReferenceVolume& block,
+Sums Compare(const gatun::HartleyProjector::BlockImage& picture, const ReferenceVolume& block,
   std::size_t number, std::size_t every)
 {
   Sums sums;
@@ -239,12 +239,12 @@ void PrintBlocks(const Options& options)
   const auto source = MakeSource(volume, options.Block, options.Rate);
   const std::vector<Chosen> chosen = Choose(volume, source->GetLayout(), options.Blocks);
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("block", static_cast<std::uint64_t>(options.Block));
-      json.Add("rate", options.Rate);
-      json.Add("blocks", static_cast<std::uint64_t>(chosen.size()));
-      json.BeginArray("ways");
+      json["block"] = static_cast<std::uint64_t>(options.Block);
+      json["rate"] = options.Rate;
+      json["blocks"] = static_cast<std::uint64_t>(chosen.size());
+      json["ways"] = Json::arrayValue;
       for (const Way& way : GetWays())
       {
         if (!options.Ways.empty() &&
@@ -253,28 +253,26 @@ void PrintBlocks(const Options& options)
           continue;
         }
         gatun::HartleyProjector projector(source, way.Options);
-        json.BeginObject();
-        json.Add("way", way.Name);
-        json.BeginArray("views");
+        Json::Value wayJson;
+        wayJson["way"] = way.Name;
+        wayJson["views"] = Json::arrayValue;
         for (const Turns& turns : GetPaperTurns())
         {
           const HartleyView view = gatun::test::MakeTurnedView(volume.GetSize(), turns, 16, 1);
           const Sums sums = Measure(volume, *source, projector, view, chosen, options.Rays);
           const double scale = 255 / sums.Largest;
           const double mean = scale * scale / static_cast<double>(sums.Rays);
-          json.BeginObject();
-          json.Add("rays", static_cast<std::uint64_t>(sums.Rays));
-          json.Add("largest", sums.Largest);
-          json.Add("samples", mean * sums.OfSamples);
-          json.Add("lines", mean * sums.OfLines);
-          json.Add("between", mean * sums.Between);
-          json.Add("worst", scale * sums.WorstLine);
-          json.EndObject();
+          Json::Value viewJson;
+          viewJson["rays"] = static_cast<std::uint64_t>(sums.Rays);
+          viewJson["largest"] = sums.Largest;
+          viewJson["samples"] = mean * sums.OfSamples;
+          viewJson["lines"] = mean * sums.OfLines;
+          viewJson["between"] = mean * sums.Between;
+          viewJson["worst"] = scale * sums.WorstLine;
+          wayJson["views"].append(viewJson);
         }
-        json.EndArray();
-        json.EndObject();
+        json["ways"].append(wayJson);
       }
-      json.EndArray();
     });
 }
 } // anonymous namespace
@@ -288,7 +286,7 @@ void AddVolumeBlocks(CLI::App& app)
   command->add_option("VOLUME", options->File, "A .vti or NIfTI file; head:SIZE, smooth:SIZE")
     ->required();
   command->add_option("--block", options->Block, "Voxels of a block; 0: all in one");
-  command->add_option("--rate", options->Rate, "Bits a voxel; 0: not quantised");
+  command->add_option("--rate", options->Rate, "Bits a voxel; 0: not quantized");
   command->add_option("--blocks", options->Blocks, "At most so many blocks");
   command->add_option("--rays", options->Rays, "At most about so many rays for each view")
     ->check(CLI::Range(1, 1000000000));

@@ -21,7 +21,7 @@ namespace bench
 {
 namespace
 {
-using gatun::HartleyLaw;
+using gatun::HartleyOpacityModel;
 
 struct Options
 {
@@ -65,15 +65,15 @@ void SetTable(gatun::HartleyShading& shading, const std::vector<double>& nodes)
   }
 }
 
-gatun::HartleyPicture Cast(
+gatun::HartleyImage Cast(
   const Volume& volume, const gatun::HartleyView& view, const gatun::HartleyShading& shading)
 {
   const gatun::test::ReferenceVolume reference = volume.GetReference();
-  gatun::HartleyPicture picture;
+  gatun::HartleyImage picture;
   picture.Width = view.Width;
   picture.Height = view.Height;
-  picture.Colours.resize(std::size_t{ view.Width } * view.Height);
-  picture.Sums.resize(picture.Colours.size());
+  picture.Colors.resize(std::size_t{ view.Width } * view.Height);
+  picture.Sums.resize(picture.Colors.size());
   gatun::ParallelFor(view.Height,
     [&](std::size_t row)
     {
@@ -83,29 +83,29 @@ gatun::HartleyPicture Cast(
         const std::size_t i = row * view.Width + column;
         picture.Sums[i] = static_cast<float>(reference.SumSamples(point, view.Step) +
           volume.GetLowest() * reference.IntegrateWeight(point, view.Step));
-        if (shading.Law != HartleyLaw::XRay)
+        if (shading.OpacityModel != HartleyOpacityModel::XRay)
         {
           const auto colour = reference.Cast(point, view.Step, shading);
-          std::copy(colour.begin(), colour.end(), picture.Colours[i].begin());
+          std::copy(colour.begin(), colour.end(), picture.Colors[i].begin());
         }
       }
     });
   return picture;
 }
 
-void WritePicture(
-  const gatun::HartleyPicture& picture, HartleyLaw law, double white, const std::string& file)
+void WritePicture(const gatun::HartleyImage& picture, HartleyOpacityModel law, double white,
+  const std::string& file)
 {
   vtkNew<vtkImageData> image;
   image->SetDimensions(static_cast<int>(picture.Width), static_cast<int>(picture.Height), 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   auto* out = static_cast<unsigned char*>(image->GetScalarPointer());
-  for (std::size_t i = 0; i < picture.Colours.size(); ++i)
+  for (std::size_t i = 0; i < picture.Colors.size(); ++i)
   {
     for (std::size_t c = 0; c < 3; ++c)
     {
       const double value =
-        law == HartleyLaw::XRay ? picture.Sums[i] / white : picture.Colours[i][c];
+        law == HartleyOpacityModel::XRay ? picture.Sums[i] / white : picture.Colors[i][c];
       *out++ = static_cast<unsigned char>(std::lround(255 * std::clamp(value, 0.0, 1.0)));
     }
   }
@@ -122,7 +122,7 @@ void DrawPicture(const Options& options)
     throw Failure("--nodes takes fives, two at least, and --turns three numbers");
   }
   const Volume volume(options.File);
-  gatun::HartleyShading shading = MakeGrey(volume, GetLaw(options.Law), options.Opacity);
+  gatun::HartleyShading shading = MakeGrey(volume, GetOpacityModel(options.Law), options.Opacity);
   if (!options.Nodes.empty())
   {
     SetTable(shading, options.Nodes);
@@ -130,7 +130,7 @@ void DrawPicture(const Options& options)
   const gatun::HartleyView view =
     volume.MakeView({ options.Turns[0], options.Turns[1], options.Turns[2] },
       volume.GetPixels(options.Scale), options.Scale);
-  gatun::HartleyPicture picture;
+  gatun::HartleyImage picture;
   std::uint64_t bytes = 0;
   double error = 0;
   if (options.Voxels)
@@ -141,26 +141,27 @@ void DrawPicture(const Options& options)
   {
     gatun::HartleyWriterOptions writing;
     writing.BlockSize = options.Block;
-    writing.Quality = MakeQuality(options.Rate);
+    writing.RateControl = MakeQuality(options.Rate);
     const auto written = gatun::WriteHartleyFile(options.Scratch, volume.GetInput(), writing);
     bytes = written.FileBytes;
-    error = written.RootMeanSquareError;
+    error = written.RMSError;
     gatun::HartleyProjector projector(std::make_shared<const gatun::HartleyFile>(options.Scratch));
     picture = projector.Draw(view, shading);
   }
   // Sums are there for X-rays only.
-  const double largest = shading.Law == HartleyLaw::XRay
+  const double largest = shading.OpacityModel == HartleyOpacityModel::XRay
     ? *std::max_element(picture.Sums.begin(), picture.Sums.end())
     : 0;
-  WritePicture(picture, shading.Law, options.White > 0 ? options.White : largest, options.Picture);
+  WritePicture(
+    picture, shading.OpacityModel, options.White > 0 ? options.White : largest, options.Picture);
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("pixels", static_cast<std::uint64_t>(view.Width));
-      json.Add(
-        "bits", 8 * static_cast<double>(bytes) / static_cast<double>(volume.GetNumberOfVoxels()));
-      json.Add("psnr", GetPSNR(volume.GetRange(), error * error));
-      json.Add("white", largest);
+      json["pixels"] = static_cast<std::uint64_t>(view.Width);
+      json["bits"] =
+        8 * static_cast<double>(bytes) / static_cast<double>(volume.GetNumberOfVoxels());
+      json["psnr"] = GetPSNR(volume.GetRange(), error * error);
+      json["white"] = largest;
     });
 }
 } // anonymous namespace

@@ -16,7 +16,7 @@ namespace bench
 {
 namespace
 {
-using gatun::HartleyLaw;
+using gatun::HartleyOpacityModel;
 using gatun::HartleyView;
 using gatun::test::ReferenceVolume;
 
@@ -88,12 +88,10 @@ public:
     ++this->Count;
   }
 
-  void Write(gtn::Json& json, const char* name) const
+  void Write(Json::Value& json, const char* name) const
   {
-    json.BeginObject(name);
-    json.Add("mse", this->Squares / static_cast<double>(this->Count));
-    json.Add("worst", this->Worst);
-    json.EndObject();
+    json[name]["mse"] = this->Squares / static_cast<double>(this->Count);
+    json[name]["worst"] = this->Worst;
   }
 
 private:
@@ -109,12 +107,12 @@ struct Shadings
   gatun::HartleyShading Linear;
 };
 
-void Compare(gtn::Json& json, const ReferencePicture& reference, const HartleyView& view,
+void Compare(Json::Value& json, const ReferencePicture& reference, const HartleyView& view,
   gatun::HartleyProjector& projector, const Shadings& shadings, double base)
 {
-  const gatun::HartleyPicture xray = projector.Draw(view, shadings.XRay);
-  const gatun::HartleyPicture exponential = projector.Draw(view, shadings.Exponential);
-  const gatun::HartleyPicture linear = projector.Draw(view, shadings.Linear);
+  const gatun::HartleyImage xray = projector.Draw(view, shadings.XRay);
+  const gatun::HartleyImage exponential = projector.Draw(view, shadings.Exponential);
+  const gatun::HartleyImage linear = projector.Draw(view, shadings.Linear);
   Difference samples, lines, grey, opacity, law, other;
   const double scale = 255 / reference.Largest;
   for (std::size_t i = 0; i < reference.Pixels.size(); ++i)
@@ -127,12 +125,12 @@ void Compare(gtn::Json& json, const ReferencePicture& reference, const HartleyVi
     const double sum = xray.Sums[i] - base * xray.Samples[i];
     samples.Add(scale * sum, scale * pixel.Samples);
     lines.Add(scale * sum, scale * pixel.Line);
-    grey.Add(255.0 * exponential.Colours[i][0], 255 * pixel.Exponential[0]);
-    opacity.Add(255.0 * exponential.Colours[i][3], 255 * pixel.Exponential[3]);
+    grey.Add(255.0 * exponential.Colors[i][0], 255 * pixel.Exponential[0]);
+    opacity.Add(255.0 * exponential.Colors[i][3], 255 * pixel.Exponential[3]);
     // What equation 6 says of the line integral, without any blocks.
-    law.Add(255.0 * exponential.Colours[i][3],
+    law.Add(255.0 * exponential.Colors[i][3],
       255 * (1 - std::exp(-shadings.Exponential.Extinction * pixel.Line)));
-    other.Add(255.0 * linear.Colours[i][0], 255 * pixel.Linear[0]);
+    other.Add(255.0 * linear.Colors[i][0], 255 * pixel.Linear[0]);
   }
   samples.Write(json, "xraySamples");
   lines.Write(json, "xrayLines");
@@ -146,8 +144,8 @@ void PrintPictures(const Options& options)
 {
   const Volume volume(options.File);
   const ReferenceVolume reference = volume.GetReference();
-  const Shadings shadings{ {}, MakeGrey(volume, HartleyLaw::Exponential, options.Opacity),
-    MakeGrey(volume, HartleyLaw::TransferFunction, options.Opacity) };
+  const Shadings shadings{ {}, MakeGrey(volume, HartleyOpacityModel::Exponential, options.Opacity),
+    MakeGrey(volume, HartleyOpacityModel::TransferFunction, options.Opacity) };
   const double length = std::sqrt(gatun::test::Dot(
     { volume.GetSize()[0] + 1.0, volume.GetSize()[1] + 1.0, volume.GetSize()[2] + 1.0 },
     { volume.GetSize()[0] + 1.0, volume.GetSize()[1] + 1.0, volume.GetSize()[2] + 1.0 }));
@@ -160,33 +158,31 @@ void PrintPictures(const Options& options)
     references.push_back(Cast(reference, views.back(), shadings.Exponential, shadings.Linear));
   }
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("pixels", static_cast<std::uint64_t>(pixels));
-      json.Add("opacity", options.Opacity);
-      json.BeginArray("blocks");
+      json["pixels"] = static_cast<std::uint64_t>(pixels);
+      json["opacity"] = options.Opacity;
+      json["blocks"] = Json::arrayValue;
       for (const std::uint32_t block : options.Blocks)
       {
         for (const double rate : options.Rates)
         {
           const auto source = MakeSource(volume, block, rate);
           gatun::HartleyProjector projector(source);
-          json.BeginObject();
-          json.Add("block", static_cast<std::uint64_t>(block));
-          json.Add("rate", rate);
-          json.BeginArray("views");
+          Json::Value blockJson;
+          blockJson["block"] = static_cast<std::uint64_t>(block);
+          blockJson["rate"] = rate;
+          blockJson["views"] = Json::arrayValue;
           for (std::size_t i = 0; i < views.size(); ++i)
           {
-            json.BeginObject();
-            json.Add("met", static_cast<std::uint64_t>(references[i].Met));
-            Compare(json, references[i], views[i], projector, shadings, source->GetBase());
-            json.EndObject();
+            Json::Value viewJson;
+            viewJson["met"] = static_cast<std::uint64_t>(references[i].Met);
+            Compare(viewJson, references[i], views[i], projector, shadings, source->GetBase());
+            blockJson["views"].append(viewJson);
           }
-          json.EndArray();
-          json.EndObject();
+          json["blocks"].append(blockJson);
         }
       }
-      json.EndArray();
     });
 }
 } // anonymous namespace
@@ -200,7 +196,7 @@ void AddVolumePictures(CLI::App& app)
   command->add_option("VOLUME", options->File, "A .vti or NIfTI file; head:SIZE, smooth:SIZE")
     ->required();
   command->add_option("--blocks", options->Blocks, "Voxels of a block; 0: all in one");
-  command->add_option("--rates", options->Rates, "Bits a voxel; 0: not quantised");
+  command->add_option("--rates", options->Rates, "Bits a voxel; 0: not quantized");
   command->add_option("--opacity", options->Opacity, "Of a sample of the highest density")
     ->check(CLI::Range(0.0001, 0.9999));
   command->add_option("--scale", options->Scale, "Pixels a voxel")->check(CLI::Range(0.1, 16.0));

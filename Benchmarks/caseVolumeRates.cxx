@@ -33,39 +33,39 @@ struct Options
 };
 
 void AddPoint(
-  gtn::Json& json, const Volume& volume, double bytes, double meanSquareError, double worst)
+  Json::Value& json, const Volume& volume, double bytes, double meanSquareError, double worst)
 {
-  json.Add("bits", 8 * bytes / static_cast<double>(volume.GetNumberOfVoxels()));
+  json["bits"] = 8 * bytes / static_cast<double>(volume.GetNumberOfVoxels());
   // No error makes no number, and JSON has no other.
-  json.Add("psnr", GetPSNR(volume.GetRange(), meanSquareError));
-  json.Add("worst", worst);
+  json["psnr"] = GetPSNR(volume.GetRange(), meanSquareError);
+  json["worst"] = worst;
 }
 
-void AddGatun(gtn::Json& json, const Volume& volume, const Options& options)
+void AddGatun(Json::Value& json, const Volume& volume, const Options& options)
 {
-  json.BeginArray("gatun");
+  json["gatun"] = Json::arrayValue;
   for (const std::uint32_t block : options.Blocks)
   {
     for (const double weight : options.Weights)
     {
-      json.BeginObject();
-      json.Add("block", static_cast<std::uint64_t>(block));
-      json.Add("weight", weight);
-      json.BeginArray("points");
+      Json::Value settingJson;
+      settingJson["block"] = static_cast<std::uint64_t>(block);
+      settingJson["weight"] = weight;
+      settingJson["points"] = Json::arrayValue;
       for (const double wanted : options.Errors)
       {
         gatun::HartleyWriterOptions writing;
         writing.BlockSize = block;
         if (wanted > 0)
         {
-          writing.Quality.Kind = gatun::HartleyQuality::Goal::PSNR;
-          writing.Quality.Value = wanted;
+          writing.RateControl.Mode = gatun::HartleyRateMode::PSNR;
+          writing.RateControl.Value = wanted;
         }
         else
         {
-          writing.Quality = MakeQuality(0);
+          writing.RateControl = MakeQuality(0);
         }
-        writing.Quality.FrequencyWeight = weight;
+        writing.RateControl.FrequencyWeight = weight;
         gatun::HartleyWritten written;
         const double packing = SecondsOf(
           [&] { written = gatun::WriteHartleyFile(options.Scratch, volume.GetInput(), writing); });
@@ -76,23 +76,21 @@ void AddGatun(gtn::Json& json, const Volume& volume, const Options& options)
             const gatun::HartleyFile file(options.Scratch);
             file.GetVoxels({}, volume.GetSize(), voxels.data());
           });
-        json.BeginObject();
-        json.Add("wanted", wanted);
-        AddPoint(json, volume, static_cast<double>(written.FileBytes),
-          written.RootMeanSquareError * written.RootMeanSquareError, written.LargestError);
-        json.Add("packing", packing);
-        json.Add("unpacking", unpacking);
-        json.EndObject();
+        Json::Value pointJson;
+        pointJson["wanted"] = wanted;
+        AddPoint(pointJson, volume, static_cast<double>(written.FileBytes),
+          written.RMSError * written.RMSError, written.MaximumError);
+        pointJson["packing"] = packing;
+        pointJson["unpacking"] = unpacking;
+        settingJson["points"].append(pointJson);
       }
-      json.EndArray();
-      json.EndObject();
+      json["gatun"].append(settingJson);
     }
   }
-  json.EndArray();
 }
 
 /** Voxels as a reader would give them back: integers, within the range. */
-void AddPeer(gtn::Json& json, const Volume& volume, double value, ZfpResult result)
+void AddPeer(Json::Value& json, const Volume& volume, double value, ZfpResult result)
 {
   double squares = 0;
   double worst = 0;
@@ -107,61 +105,53 @@ void AddPeer(gtn::Json& json, const Volume& volume, double value, ZfpResult resu
     squares += error * error;
     worst = std::max(worst, std::abs(error));
   }
-  json.BeginObject();
-  json.Add("value", value);
-  AddPoint(json, volume, static_cast<double>(result.Bytes),
+  Json::Value entry;
+  entry["value"] = value;
+  AddPoint(entry, volume, static_cast<double>(result.Bytes),
     squares / static_cast<double>(result.Voxels.size()), worst);
-  json.EndObject();
+  json.append(entry);
 }
 
-void AddZfp(gtn::Json& json, const Volume& volume)
+void AddZfp(Json::Value& json, const Volume& volume)
 {
   if (!HasZfp())
   {
     return;
   }
   const int bits = volume.GetImage()->GetScalarSize() == 1 ? 8 : 16;
-  const auto run = [&](ZfpMode mode, double value) {
-    AddPeer(json, volume, value, RunZfp(volume.GetVoxels(), volume.GetSize(), mode, value, bits));
+  const auto run = [&](const char* name, ZfpMode mode, double value)
+  {
+    AddPeer(json["zfp"][name], volume, value,
+      RunZfp(volume.GetVoxels(), volume.GetSize(), mode, value, bits));
   };
-  json.BeginObject("zfp");
-  json.BeginArray("accuracy");
   for (int part = 1; part <= 11; ++part)
   {
-    run(ZfpMode::Accuracy, volume.GetRange() * std::pow(2, -part));
+    run("accuracy", ZfpMode::Accuracy, volume.GetRange() * std::pow(2, -part));
   }
-  json.EndArray();
-  json.BeginArray("precision");
   for (const int planes : { 2, 4, 6, 8, 10, 12, 14, 16 })
   {
-    run(ZfpMode::Precision, planes);
+    run("precision", ZfpMode::Precision, planes);
   }
-  json.EndArray();
   if (volume.IsInteger())
   {
-    json.BeginArray("integers");
     for (const int planes : { 2, 4, 6, 8, 10, 12, 14, 16, 18 })
     {
-      run(ZfpMode::Integers, planes);
+      run("integers", ZfpMode::Integers, planes);
     }
-    json.EndArray();
-    json.BeginArray("reversible");
-    run(ZfpMode::Reversible, 0);
-    json.EndArray();
+    run("reversible", ZfpMode::Reversible, 0);
   }
-  json.EndObject();
 }
 
 void PrintRates(const Options& options)
 {
   const Volume volume(options.File);
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("voxels", static_cast<std::uint64_t>(volume.GetNumberOfVoxels()));
-      json.Add("type", volume.GetImage()->GetScalarTypeAsString());
-      json.Add("lowest", volume.GetLowest());
-      json.Add("highest", volume.GetHighest());
+      json["voxels"] = static_cast<std::uint64_t>(volume.GetNumberOfVoxels());
+      json["type"] = volume.GetImage()->GetScalarTypeAsString();
+      json["lowest"] = volume.GetLowest();
+      json["highest"] = volume.GetHighest();
       AddGatun(json, volume, options);
       AddZfp(json, volume);
       const std::string file = options.Scratch + ".vti";
@@ -173,8 +163,8 @@ void PrintRates(const Options& options)
       {
         throw Failure(file, "cannot be written");
       }
-      json.Add("vti",
-        8 * static_cast<double>(FileSize(file)) / static_cast<double>(volume.GetNumberOfVoxels()));
+      json["vti"] =
+        8 * static_cast<double>(FileSize(file)) / static_cast<double>(volume.GetNumberOfVoxels());
       std::remove(file.c_str());
       std::remove(options.Scratch.c_str());
     });
@@ -192,7 +182,7 @@ void AddVolumeRates(CLI::App& app)
   command->add_option("SCRATCH", options->Scratch, "A .ghv file that may be written")->required();
   command->add_option("--blocks", options->Blocks, "Voxels of a block");
   command->add_option("--psnr", options->Errors, "Errors that are wanted, in dB; 0: lossless");
-  command->add_option("--weights", options->Weights, "FrequencyWeight of the quantiser");
+  command->add_option("--weights", options->Weights, "FrequencyWeight of the quantizer");
   command->callback([options] { PrintRates(*options); });
 }
 }

@@ -18,7 +18,7 @@ namespace bench
 {
 namespace
 {
-using gatun::HartleyLaw;
+using gatun::HartleyOpacityModel;
 
 struct Options
 {
@@ -41,8 +41,8 @@ struct Drawer
   std::uint32_t Block = 0;
   double Rate = 0;
   std::function<void(const gatun::HartleyView&)> Draw;
-  std::shared_ptr<gatun::HartleyPicture> Picture; ///< Gatun's last
-  int Views = 0;                                  ///< so far
+  std::shared_ptr<gatun::HartleyImage> Picture; ///< Gatun's last
+  int Views = 0;                                ///< so far
   Cost First{};
 };
 
@@ -63,29 +63,29 @@ std::uint64_t CountTerms(const gatun::HartleySource& source)
   return terms;
 }
 
-void AddDrawer(gtn::Json& json, const Drawer& drawer, const Operation& operation)
+void AddDrawer(Json::Value& json, const Drawer& drawer, const Operation& operation)
 {
-  json.BeginObject();
-  json.Add("way", drawer.Way);
-  json.Add("law", drawer.Law);
+  Json::Value entry;
+  entry["way"] = drawer.Way;
+  entry["law"] = drawer.Law;
   if (drawer.Picture)
   {
-    json.Add("block", static_cast<std::uint64_t>(drawer.Block));
-    json.Add("rate", drawer.Rate);
-    json.Add("termsDrawn", drawer.Picture->Terms);
-    json.Add("blocksDrawn", drawer.Picture->Blocks);
-    json.Add("method", drawer.Picture->Method == gatun::HartleyMethod::Slice ? "slice" : "basis");
+    entry["block"] = static_cast<std::uint64_t>(drawer.Block);
+    entry["rate"] = drawer.Rate;
+    entry["termsDrawn"] = drawer.Picture->Terms;
+    entry["blocksDrawn"] = drawer.Picture->Blocks;
+    entry["method"] = drawer.Picture->Method == gatun::HartleyMethod::Slice ? "slice" : "basis";
   }
-  AddCost(json, drawer.First);
-  AddList(json, "later", operation.Seconds);
-  json.EndObject();
+  AddCost(entry, drawer.First);
+  AddList(entry, "later", operation.Seconds);
+  json.append(entry);
 }
 
 /** Of Gatun: each law of each block size and rate, and all of it is kept. */
-std::vector<Drawer> MakeOwn(const Volume& volume, const Options& options, gtn::Json& json)
+std::vector<Drawer> MakeOwn(const Volume& volume, const Options& options, Json::Value& json)
 {
   std::vector<Drawer> drawers;
-  json.BeginArray("sources");
+  json["sources"] = Json::arrayValue;
   for (const std::uint32_t block : options.Blocks)
   {
     for (const double rate : options.Rates)
@@ -93,25 +93,25 @@ std::vector<Drawer> MakeOwn(const Volume& volume, const Options& options, gtn::J
       std::shared_ptr<const gatun::HartleyVolume> source;
       const Cost cost = CostOf(
         [&] { source = gatun::HartleyVolume::Make(volume.GetInput(), block, MakeQuality(rate)); });
-      json.BeginObject();
-      json.Add("block", static_cast<std::uint64_t>(block));
-      json.Add("rate", rate);
-      AddCost(json, cost);
-      json.Add("terms", CountTerms(*source));
-      json.EndObject();
+      Json::Value sourceJson;
+      sourceJson["block"] = static_cast<std::uint64_t>(block);
+      sourceJson["rate"] = rate;
+      AddCost(sourceJson, cost);
+      sourceJson["terms"] = CountTerms(*source);
+      json["sources"].append(sourceJson);
       for (const std::string& law : options.Laws)
       {
         // One each: what is kept of a view is of no use for another.
         const auto projector = std::make_shared<gatun::HartleyProjector>(source);
-        Drawer drawer{ "gatun", law, block, rate, {}, std::make_shared<gatun::HartleyPicture>() };
-        const gatun::HartleyShading shading = MakeGrey(volume, GetLaw(law), options.Opacity);
+        Drawer drawer{ "gatun", law, block, rate, {}, std::make_shared<gatun::HartleyImage>() };
+        const gatun::HartleyShading shading =
+          MakeGrey(volume, GetOpacityModel(law), options.Opacity);
         drawer.Draw = [projector, shading, picture = drawer.Picture](const auto& view)
         { *picture = projector->Draw(view, shading); };
         drawers.push_back(std::move(drawer));
       }
     }
   }
-  json.EndArray();
   return drawers;
 }
 
@@ -135,7 +135,7 @@ void AddPeers(std::vector<Drawer>& drawers, const Volume& volume, const Options&
   for (const std::string& law : options.Laws)
   {
     const auto window = std::make_shared<FixedPointWindow>(
-      volume, options.Pixels, MakeGrey(volume, GetLaw(law), options.Opacity));
+      volume, options.Pixels, MakeGrey(volume, GetOpacityModel(law), options.Opacity));
     drawers.push_back({ "fixed-point", law, 0, 0,
       [window](const gatun::HartleyView& view)
       {
@@ -153,11 +153,11 @@ void PrintTimes(const Options& options)
 {
   const Volume volume(options.File);
   PrintJson(
-    [&](gtn::Json& json)
+    [&](Json::Value& json)
     {
-      json.Add("threads", gatun::GetNumberOfThreads());
-      json.Add("pixels", static_cast<std::uint64_t>(options.Pixels));
-      json.Add("voxels", static_cast<std::uint64_t>(volume.GetNumberOfVoxels()));
+      json["threads"] = gatun::GetNumberOfThreads();
+      json["pixels"] = static_cast<std::uint64_t>(options.Pixels);
+      json["voxels"] = static_cast<std::uint64_t>(volume.GetNumberOfVoxels());
       std::vector<Drawer> drawers = MakeOwn(volume, options, json);
       if (options.Peers)
       {
@@ -172,12 +172,11 @@ void PrintTimes(const Options& options)
         operations.push_back({ drawer.Way, draw });
       }
       RunInterleaved(operations, options.Rounds);
-      json.BeginArray("ways");
+      json["ways"] = Json::arrayValue;
       for (std::size_t i = 0; i < drawers.size(); ++i)
       {
-        AddDrawer(json, drawers[i], operations[i]);
+        AddDrawer(json["ways"], drawers[i], operations[i]);
       }
-      json.EndArray();
     });
 }
 } // anonymous namespace

@@ -327,21 +327,18 @@ void Measure(const std::string& path, int rounds)
       }
     }
   }
-  gtn::Json json;
-  json.BeginObject();
-  json.Add("threads", 1);
-  json.Add("tets", gatun::FileReader(path).GetNumberOfTets());
-  json.BeginArray("stages");
+  Json::Value json;
+  json["threads"] = 1;
+  json["tets"] = gatun::FileReader(path).GetNumberOfTets();
+  json["stages"] = Json::arrayValue;
   for (const bench::Operation& stage : stages)
   {
-    json.BeginObject();
-    json.Add("stage", stage.Name);
-    bench::AddTimes(json, stage);
-    json.EndObject();
+    Json::Value stageJson;
+    stageJson["stage"] = stage.Name;
+    bench::AddTimes(stageJson, stage);
+    json["stages"].append(stageJson);
   }
-  json.EndArray();
-  json.EndObject();
-  std::fputs(json.GetText().c_str(), stdout);
+  std::fputs(gtn::JsonText(json).c_str(), stdout);
 }
 
 } // anonymous namespace

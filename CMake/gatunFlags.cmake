@@ -2,6 +2,10 @@
 #
 #   gatunSanitizers   the sanitizers of GATUN_SANITIZE, for everything, generated code included
 #   gatunBuildFlags   that, and warnings, for code written by hand
+if (NOT CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  message(FATAL_ERROR "Gatun is compiled by GCC or clang, not by ${CMAKE_CXX_COMPILER_ID}.")
+endif ()
+
 option(GATUN_WARNINGS_AS_ERRORS "Stop at the first compiler warning" OFF)
 
 set(GATUN_SANITIZE "" CACHE STRING

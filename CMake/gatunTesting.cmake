@@ -5,24 +5,29 @@
 #   cli        runs the gtn program
 #   paraview   runs pvbatch or pvpython with the plugin
 #   fuzz       decoders on hostile input
-#   package    installs, and builds a consumer of what was installed
-#   long       more than a minute, in addition to one of the above
+#   package    installs, and builds a consumer of the installed files
 #
-# and exit code 125 counts as skipped. Tests find their surroundings in the environment:
+# and, in addition to one of these,
+#
+#   data       reads large real meshes; skipped without GATUN_DATA_DIR
+#   long       more than a minute
+#
+# Exit code 125 counts as skipped. Tests get these variables in the environment:
 #
 #   GATUN_TEST_DATA   Testing/Data of the sources
 #   GATUN_TEST_TEMP   a folder to write into
-#   GATUN_DATA_DIR    a folder of large real meshes, set by the user or not at all; a test that
+#   GATUN_DATA_DIR, GATUN_CELLS_DIR
+#                     folders of large real meshes, set by the user or not at all; a test that
 #                     needs them skips itself without
 
 set(GATUN_TEST_DATA "${PROJECT_SOURCE_DIR}/Testing/Data")
 set(GATUN_TEST_TEMP "${PROJECT_BINARY_DIR}/Testing/Temporary/gatun")
 file(MAKE_DIRECTORY "${GATUN_TEST_TEMP}")
 
-set(gatun_test_labels unit image cli paraview fuzz package long)
+set(gatun_test_labels unit image cli paraview fuzz package data long)
 
-# What no test may print, unless it says EXPECT_ERRORS: messages of VTK, leaked VTK objects, a
-# failed image comparison, an uncaught Python exception.
+# A test fails if it prints one of these, unless it is added with EXPECT_ERRORS: messages of VTK, leaked
+# VTK objects, a failed image comparison, an uncaught Python exception.
 set(gatun_test_fail_regex
   "(\n|^)ERROR: "
   "ERR\\|"
@@ -31,10 +36,13 @@ set(gatun_test_fail_regex
   "ImageNotFound"
   "Traceback \\(most recent call last\\)")
 
+set(GATUN_TEST_PREFIX "" CACHE STRING "Prepended to the names of all tests")
+mark_as_advanced(GATUN_TEST_PREFIX)
+
 # Prefix of the test names of the current folder: "io." in Testing/IO.
 macro (_gatun_test_prefix)
   get_filename_component(prefix "${CMAKE_CURRENT_SOURCE_DIR}" NAME)
-  string(TOLOWER "${prefix}." prefix)
+  string(TOLOWER "${GATUN_TEST_PREFIX}${prefix}." prefix)
 endmacro ()
 
 function (_gatun_check_labels)
@@ -180,12 +188,13 @@ endfunction ()
 
 # A Python program that imports gatun and vtkmodules, run by the interpreter of the VTK found:
 #
-#   gatun_add_python_test(<file>.py [ARGS <argument>...] [LABELS <label>...] [EXPECT_ERRORS]
-#     [TIMEOUT <seconds>])
+#   gatun_add_python_test(<file>.py [NAME <name>] [ARGS <argument>...] [LABELS <label>...]
+#     [EXPECT_ERRORS] [TIMEOUT <seconds>])
 #
-# The label is unit unless others are given; without Python wrapping there is no such test.
+# The test is named after the file and has the label unit unless others are given; without Python
+# wrapping there is no such test.
 function (gatun_add_python_test file)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "EXPECT_ERRORS" "TIMEOUT" "ARGS;LABELS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "EXPECT_ERRORS" "NAME;TIMEOUT" "ARGS;LABELS")
   if (NOT GATUN_WRAP_PYTHON)
     return ()
   endif ()
@@ -200,7 +209,10 @@ function (gatun_add_python_test file)
   if (arg_TIMEOUT)
     list(APPEND rest TIMEOUT "${arg_TIMEOUT}")
   endif ()
-  get_filename_component(test "${file}" NAME_WE)
+  set(test "${arg_NAME}")
+  if (NOT test)
+    get_filename_component(test "${file}" NAME_WE)
+  endif ()
   gatun_add_test(
     NAME        "${prefix}${test}"
     COMMAND     "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/${file}" ${arg_ARGS}
@@ -286,23 +298,36 @@ endfunction ()
 
 # A fuzz target, a file with LLVMFuzzerTestOneInput():
 #
-#   gatun_add_fuzz_target(<name> SOURCES <file>... [LINK <target>...] CORPUS <folder>...)
+#   gatun_add_fuzz_target(<name> SOURCES <file>... [LINK <target>...] CORPUS <archive>)
 #
-# In every build the test fuzz.<name> runs it over the corpus. With GATUN_BUILD_FUZZERS there is
-# also the libFuzzer program fuzz-<name>, which fuzz.<name>-short runs for some seconds.
+# The build unpacks the archive into the folder Corpus/<name> of the build tree. In every build the
+# test fuzz.<name> runs the target on its inputs. With GATUN_BUILD_FUZZERS there is also the libFuzzer
+# program fuzz-<name>, which fuzz.<name>-short runs for some seconds.
 function (gatun_add_fuzz_target name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK;CORPUS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "CORPUS" "SOURCES;LINK")
   _gatun_test_prefix()
-  list(TRANSFORM arg_CORPUS PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
+
+  set(archive "${CMAKE_CURRENT_SOURCE_DIR}/${arg_CORPUS}")
+  set(corpus "${CMAKE_CURRENT_BINARY_DIR}/Corpus/${name}")
+  add_custom_command(
+    OUTPUT  "${corpus}.stamp"
+    COMMAND "${CMAKE_COMMAND}" -E rm -rf "${corpus}"
+    COMMAND "${CMAKE_COMMAND}" -E make_directory "${corpus}"
+    COMMAND "${CMAKE_COMMAND}" -E chdir "${corpus}" "${CMAKE_COMMAND}" -E tar xf "${archive}"
+    COMMAND "${CMAKE_COMMAND}" -E touch "${corpus}.stamp"
+    DEPENDS "${archive}"
+    COMMENT "Unpacking ${arg_CORPUS}"
+    VERBATIM)
 
   add_executable("fuzz-regression-${name}"
     ${arg_SOURCES}
-    "${PROJECT_SOURCE_DIR}/Testing/Fuzz/fuzzRegression.cxx")
+    "${PROJECT_SOURCE_DIR}/Testing/Fuzz/fuzzRegression.cxx"
+    "${corpus}.stamp")
   target_link_libraries("fuzz-regression-${name}"
     PRIVATE gatunCoreInternals gatunCoreTestHeaders ${arg_LINK} gatunBuildFlags)
   gatun_add_test(
     NAME    "${prefix}${name}"
-    COMMAND "fuzz-regression-${name}" ${arg_CORPUS}
+    COMMAND "fuzz-regression-${name}" "${corpus}"
     LABELS  fuzz)
 
   if (GATUN_BUILD_FUZZERS)
@@ -310,11 +335,12 @@ function (gatun_add_fuzz_target name)
     target_link_libraries("fuzz-${name}"
       PRIVATE gatunCoreInternals gatunCoreTestHeaders ${arg_LINK} gatunBuildFlags)
     target_link_options("fuzz-${name}" PRIVATE -fsanitize=fuzzer)
+    add_dependencies("fuzz-${name}" "fuzz-regression-${name}")
     set(found "${GATUN_TEST_TEMP}/fuzz-${name}")
     file(MAKE_DIRECTORY "${found}")
     gatun_add_test(
       NAME    "${prefix}${name}-short"
-      COMMAND "fuzz-${name}" -max_total_time=20 "-artifact_prefix=${found}-" "${found}" ${arg_CORPUS}
+      COMMAND "fuzz-${name}" -max_total_time=20 "-artifact_prefix=${found}-" "${found}" "${corpus}"
       LABELS  fuzz)
   endif ()
 endfunction ()

@@ -1,7 +1,7 @@
 # The build for a plain VTK: libraries, Python package, CMake package, the gtn program.
 
-# Every VTK module that anything here links, tests and tools included, is named: VTK's package
-# makes the targets of a module's own dependencies (MPI, X11) only for the components asked for.
+# All VTK modules that are linked here, also by tests and programs. VTK's package makes the targets of
+# a module's own dependencies (MPI, X11) only for the components asked for.
 set(gatun_vtk_components
   CommonCore
   CommonDataModel
@@ -32,12 +32,22 @@ set(gatun_vtk_components
   TestingCore
   TestingRendering
   jsoncpp
+  png
   kissfft)
+if (GATUN_CORE_ONLY)
+  set(gatun_vtk_components CommonCore kissfft)
+endif ()
 if (GATUN_WRAP_PYTHON)
   list(APPEND gatun_vtk_components
     Python
     WrappingPythonCore
     WrappingTools)
+endif ()
+# VTK's Python modules belong to the Python that is installed with VTK, if there is one. The first
+# Python in PATH may be another.
+if (GATUN_WRAP_PYTHON AND NOT DEFINED Python3_EXECUTABLE AND NOT DEFINED Python3_ROOT_DIR)
+  find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore)
+  set(Python3_ROOT_DIR "${VTK_PREFIX_PATH}")
 endif ()
 find_package(VTK 9.1 REQUIRED COMPONENTS ${gatun_vtk_components})
 
@@ -67,9 +77,7 @@ vtk_module_build(
   UTILITY_TARGET      gatunBuildFlags
   TEST_DIRECTORY_NAME NONE)
 
-if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-  vtk_module_compile_options(VTK::GatunCore PRIVATE -Wpedantic)
-endif ()
+vtk_module_compile_options(VTK::GatunCore PRIVATE -Wpedantic)
 
 #--------------------------------------------------------------------------------------------------
 # Python: `from gatun import vtkGatunReader`, from the build tree as well as once installed.
@@ -94,6 +102,11 @@ if (GATUN_WRAP_PYTHON)
     string(REPLACE "VTK::" "vtk" module "${module}")
     list(APPEND gatun_python_modules "${module}")
   endforeach ()
+  # The package searches its modules in this order. VTK's rendering is loaded for classes that need it.
+  if ("vtkGatunRendering" IN_LIST gatun_python_modules)
+    list(REMOVE_ITEM gatun_python_modules vtkGatunRendering)
+    list(APPEND gatun_python_modules vtkGatunRendering)
+  endif ()
   list(TRANSFORM gatun_python_modules REPLACE "(.+)" "    \"\\1\",")
   list(JOIN gatun_python_modules "\n" gatun_python_modules)
   configure_file(
@@ -141,4 +154,6 @@ install(FILES LICENSE
 
 #--------------------------------------------------------------------------------------------------
 # Programs
-add_subdirectory(Programs)
+if (NOT GATUN_CORE_ONLY)
+  add_subdirectory(Programs)
+endif ()

@@ -7,9 +7,17 @@
 #include "gatunSurface.h"
 #include "gatunTypes.h"
 
+#include "vtkType.h" // For VTK_ABI_NAMESPACE_BEGIN
+
 #include <vector>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkPolyData;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {

@@ -25,6 +25,10 @@
 #include <cmath>
 #include <vector>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkGatunContour);
 
 namespace
@@ -238,3 +242,7 @@ void vtkGatunContour::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutputStrips: " << tell(this->OutputStrips) << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
 }
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

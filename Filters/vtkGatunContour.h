@@ -58,6 +58,10 @@
 
 #include <memory> // For std::unique_ptr
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 class VTKGATUNFILTERS_EXPORT vtkGatunContour : public vtkPolyDataAlgorithm
 {
 public:
@@ -185,5 +189,9 @@ private:
   class vtkInternals;
   const std::unique_ptr<vtkInternals> Internals;
 };
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 #endif

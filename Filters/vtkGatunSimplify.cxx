@@ -40,6 +40,10 @@
 #include <utility>
 #include <vector>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkGatunSimplify);
 
 namespace
@@ -412,3 +416,7 @@ void vtkGatunSimplify::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UseFileHierarchy: " << (this->UseFileHierarchy ? "On" : "Off") << "\n";
   this->Internals->Weights.Print(os, indent);
 }
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

@@ -24,7 +24,7 @@ public:
   bool NeedToExecute(vtkInformation* pipelineInfo, vtkInformation* dataInfo) override
   {
     using Pipeline = vtkStreamingDemandDrivenPipeline;
-    // The whole has no ghosts, whatever is asked for.
+    // A single piece has no ghosts, whatever the request.
     return Pipeline::GetUpdateNumberOfPieces(pipelineInfo) > 1 &&
       std::max(0, Pipeline::GetUpdateGhostLevel(pipelineInfo)) !=
       dataInfo->Get(vtkDataObject::DATA_NUMBER_OF_GHOST_LEVELS());

@@ -6,18 +6,24 @@
 
 #include "vtkGatunIOModule.h" // For export macro
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkInformationIntegerKey;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {
 /**
- * Key for output information, set to 1 in RequestInformation: what the port holds is only good
- * enough if it has exactly as many ghost levels as are asked for.
+ * Key of the output information, set to 1 in RequestInformation. The executive then executes the
+ * algorithm again unless the output has exactly the requested number of ghost levels.
  *
- * By itself the executive also takes more for good enough, so that a consumer would get ghost cells
- * that another one had asked for. The key is in the port's information, not in an executive of
- * ours, so that it holds under every executive and where another reader drives this one, as
- * ParaView's reader of file series does. Exported for the filters.
+ * By default the executive accepts an output with more ghost levels, so that one consumer would get
+ * the ghost cells that another one requested. This is a key rather than a custom executive so that
+ * it works under any executive, and where another reader drives this one, such as ParaView's reader
+ * of file series. Exported for the filters.
  */
 VTKGATUNIO_EXPORT vtkInformationIntegerKey* ExactGhostLevels();
 }

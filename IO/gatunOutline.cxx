@@ -42,8 +42,8 @@ double LengthOf(const Tuple& tuple)
 
 //------------------------------------------------------------------------------
 /**
- * A tuple within the ranges whose length is as near as can be to one that is wanted; Fixed: a
- * component that has a value of its own, or none.
+ * Finds a tuple within the ranges whose magnitude is as close as possible to the requested one.
+ * Fixed is the index of a component whose value is given, if any.
  */
 Tuple FindTuple(
   const ArrayRanges& ranges, std::size_t components, double length, std::size_t fixed, double value)
@@ -60,7 +60,7 @@ Tuple FindTuple(
       shortest[c] = longest[c] = value;
     }
   }
-  // Lengths grow on the way from one to the other.
+  // The magnitude grows monotonically from the shortest tuple to the longest.
   const auto at = [&](double share)
   {
     Tuple tuple(components);
@@ -85,7 +85,7 @@ Tuple FindTuple(
 }
 
 //------------------------------------------------------------------------------
-/** Tuples that have the ranges, in turn. */
+/** Generates tuples that together span the ranges. */
 std::vector<Tuple> MakeTuples(const ArrayRanges& ranges, std::size_t components, vtkIdType count)
 {
   const auto size = static_cast<std::size_t>(count);
@@ -95,7 +95,7 @@ std::vector<Tuple> MakeTuples(const ArrayRanges& ranges, std::size_t components,
   std::vector<Tuple> tuples;
   if (components > 1 && isFinite && 2 * components + 2 <= size)
   {
-    // As short as may be, else the lengths of these would exceed those of the mesh.
+    // Keep magnitudes small; otherwise they would exceed those of the mesh.
     const Range& lengths = ranges.back();
     for (std::size_t c = 0; c < components; ++c)
     {
@@ -122,7 +122,7 @@ std::vector<Tuple> MakeTuples(const ArrayRanges& ranges, std::size_t components,
 }
 
 //------------------------------------------------------------------------------
-/** What an array's type can hold of a value. */
+/** Converts a value to the type of an array, saturating at its limits. */
 double ToType(vtkDataArray* array, double value)
 {
   const int type = array->GetDataType();
@@ -134,7 +134,7 @@ double ToType(vtkDataArray* array, double value)
   {
     return 0;
   }
-  // The largest number of 64 bits is none of the doubles; the next one is too large.
+  // The largest 64-bit integers are not representable as double; rounding up would overflow.
   const double largest = array->GetDataTypeMax();
   const double fits = array->GetDataTypeSize() == 8 ? std::nextafter(largest, 0.0) : largest;
   return std::clamp(std::round(value), array->GetDataTypeMin(), fits);

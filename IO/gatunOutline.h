@@ -4,23 +4,32 @@
 #ifndef gatunOutline_h
 #define gatunOutline_h
 
+#include "vtkType.h" // For VTK_ABI_NAMESPACE_BEGIN
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkUnstructuredGrid;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {
 class FileReader;
 
 /**
- * Makes the outline of a file's mesh, from its tables alone: the corners of its bounds, 12 lines,
- * and the arrays of these indices, whose values have the ranges that the mesh's have at the step:
- * that of each component and, of up to three components, that of the length of the tuples, too.
- * Global and pedigree ids are arrays like any other there, and ghost flags are left out.
+ * Creates the outline of the mesh of a file from its tables alone: the 8 corners of the bounds, 12
+ * lines, and the arrays with the given indices. The values of an array span the range of the mesh
+ * at the given step, for each component and, with up to three components, for the magnitude as
+ * well. Global and pedigree ids become ordinary arrays; ghost arrays are skipped.
  *
- * Empty: the same without points and cells; so is the outline of a mesh without finite coordinates.
+ * If isEmpty is set, or the mesh has no finite coordinates, the output has the arrays but no points
+ * and cells.
  */
 void MakeOutline(const FileReader& file, const std::vector<std::uint32_t>& arrays, std::size_t step,
   bool isEmpty, vtkUnstructuredGrid* output);

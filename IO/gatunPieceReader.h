@@ -16,10 +16,16 @@
 #include <memory>
 #include <vector>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkIdTypeArray;
 class vtkInformation;
 class vtkUnsignedCharArray;
 class vtkUnstructuredGrid;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {

@@ -5,6 +5,10 @@
 
 #include "gatunError.h"
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 namespace
 {
 
@@ -35,3 +39,7 @@ const char* vtkGatunErrorCode::GetStringFromErrorCode(unsigned long error)
       return vtkErrorCode::GetStringFromErrorCode(error);
   }
 }
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

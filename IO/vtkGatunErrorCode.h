@@ -16,6 +16,10 @@
 #include "vtkErrorCode.h"
 #include "vtkGatunIOModule.h" // For export macro
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 class VTKGATUNIO_EXPORT vtkGatunErrorCode
 {
 public:
@@ -34,5 +38,9 @@ public:
    */
   static const char* GetStringFromErrorCode(unsigned long error);
 };
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 #endif

@@ -12,6 +12,10 @@
 
 #include <utility>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkGatunFileHandle);
 
 // NeedToExecute, StoreMetaData and CopyDefaultInformation of the key are those of its superclass,
@@ -157,3 +161,6 @@ void vtkGatunFileHandle::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DecodedChunks: " << this->GetDecodedChunks() << "\n";
   os << indent << "FoundChunks: " << this->GetFoundChunks() << "\n";
 }
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

@@ -36,6 +36,9 @@ namespace gatun
 {
 struct PublishedFile;
 }
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkInformationObjectBaseKey;
 
 class VTKGATUNIO_EXPORT vtkGatunFileHandle : public vtkObject
@@ -139,5 +142,9 @@ private:
 
   const std::unique_ptr<gatun::PublishedFile> Contents;
 };
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 #endif

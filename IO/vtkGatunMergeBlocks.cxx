@@ -40,17 +40,21 @@
 #include <utility>
 #include <vector>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkGatunMergeBlocks);
 
 namespace
 {
 
 //------------------------------------------------------------------------------
-// What there is to merge.
+// The datasets to merge.
 struct Blocks
 {
   std::vector<vtkSmartPointer<vtkDataSet>> Pieces; ///< shallow copies
-  std::vector<int> Block;                          ///< of each piece
+  std::vector<int> Block;                          ///< block index of each piece
   std::vector<std::string> Names;                  ///< of each block
   bool Composite = false;
   vtkNew<vtkFieldData> Field;
@@ -148,7 +152,7 @@ struct Blocks
 };
 
 //------------------------------------------------------------------------------
-// Gives each piece those arrays that only others have. Returns their names.
+// Adds to each piece the arrays that only other pieces have. Returns their names.
 std::set<std::string> FillUp(
   const std::vector<vtkSmartPointer<vtkDataSet>>& pieces, int association)
 {
@@ -195,7 +199,7 @@ std::set<std::string> FillUp(
 }
 
 //------------------------------------------------------------------------------
-// The type that holds the points of all pieces without loss.
+// Returns the point type that represents the points of all pieces without loss.
 int PointType(const std::vector<vtkSmartPointer<vtkDataSet>>& pieces)
 {
   bool single = true;
@@ -246,7 +250,7 @@ int vtkGatunMergeBlocks::RequestData(vtkInformation* vtkNotUsed(request),
   }
   catch (...)
   {
-    // What was thrown ends here, whether or not there is memory for the message.
+    // The exception stops here, whether or not there is memory for the message.
     const gatun::VTKFailure failure = gatun::DescribeFailure("The blocks cannot be merged");
     this->SetErrorCode(failure.Code);
     try
@@ -256,7 +260,7 @@ int vtkGatunMergeBlocks::RequestData(vtkInformation* vtkNotUsed(request),
     }
     catch (const std::bad_alloc&)
     {
-      // The error code tells it.
+      // The error code reports it.
     }
     return 0;
   }
@@ -285,7 +289,7 @@ void vtkGatunMergeBlocks::Merge(vtkInformationVector* input, vtkUnstructuredGrid
     }
   }
 
-  // A piece of nothing has no say in which arrays there are, unless there is nothing else.
+  // Empty pieces do not determine which arrays exist, unless all pieces are empty.
   std::vector<vtkSmartPointer<vtkDataSet>> pieces;
   std::vector<int> blockOf;
   for (std::size_t i = 0; i < blocks.Pieces.size(); ++i)
@@ -335,7 +339,7 @@ void vtkGatunMergeBlocks::Merge(vtkInformationVector* input, vtkUnstructuredGrid
       append->AddInputData(piece);
     }
     append->Update();
-    // Keeps the time that was set above.
+    // Preserves the time set above.
     output->CopyStructure(append->GetOutput());
     output->GetPointData()->ShallowCopy(append->GetOutput()->GetPointData());
     output->GetCellData()->ShallowCopy(append->GetOutput()->GetCellData());
@@ -353,3 +357,7 @@ void vtkGatunMergeBlocks::Merge(vtkInformationVector* input, vtkUnstructuredGrid
     output->GetFieldData()->AddArray(names);
   }
 }
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

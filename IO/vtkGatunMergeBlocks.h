@@ -2,37 +2,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkGatunMergeBlocks
- * @brief Merges the blocks of a composite dataset, or several pieces, into one vtkUnstructuredGrid.
+ * @brief Merges the blocks of a composite dataset, or several pieces, into one unstructured grid.
  *
- * Input, one or more connections: any vtkDataSet (a piece), any vtkCompositeDataSet (blocks).
+ * Input: one or more connections, each a vtkDataSet (a piece) or a vtkCompositeDataSet (blocks).
  *
- * Output: all points and cells, one input after the other. Points keep their type, float or double,
- * if all blocks have the same type; otherwise they are double. With a composite input there are
- * also
+ * Output: a vtkUnstructuredGrid with the points and cells of all inputs, in their order. Points are
+ * float if they are float in all blocks, otherwise double. If an input is composite, the output
+ * also has:
  *
- *  - the cell array BlockId (int): the number of the block, from 0 in the order of traversal,
- * missing datasets not counted; the partitions of a vtkPartitionedDataSet are one block;
- *  - the field array BlockNames (string): the names of the blocks in the order of BlockId; a block
- *    without a name is called "Block" and its number.
+ *  - the cell array BlockId (int), the index of the block in traversal order, starting at 0.
+ * Missing datasets are not counted. The partitions of a vtkPartitionedDataSet form one block;
+ *  - the field array BlockNames (string), the names of the blocks in the order of BlockId. Unnamed
+ *    blocks are called "Block" followed by their index.
  *
- * Point and cell arrays are identified by name, type and number of components. If some blocks lack
- * an array, its values there are NaN (float, double) or 0, with a warning; string arrays are left
- * out in that case. Field arrays come from the composite dataset and, with new names, from the
- * blocks.
+ * Point and cell arrays are matched by name, type and number of components. Where a block lacks an
+ * array, its values are filled with NaN (float, double) or 0 and a warning is issued; string arrays
+ * that some blocks lack are dropped. Field arrays of the composite dataset take precedence over
+ * those of its blocks.
  *
- * Points of different blocks stay separate even if they coincide, unless all blocks have global
- * point ids (vtkDataSetAttributes::GetGlobalIds), by which they are then merged, or
- * MergeCoincidentPoints is on. Ghost cells (DUPLICATECELL in vtkGhostType) are left out, with the
- * points that only they use.
+ * Points of different blocks stay separate even where they coincide, except in two cases: if all
+ * blocks have global point ids (vtkDataSetAttributes::GetGlobalIds), points are merged by these
+ * ids; if MergeCoincidentPoints is on, they are merged by coordinates. Ghost cells (DUPLICATECELL
+ * in vtkGhostType) are dropped together with the points that only they use.
  *
- * *Cost.* Memory for the output, twice if points are merged; one thread. Time requests are passed
- * on: the filter may stand between vtkExodusIIReader and vtkGatunWriter.
+ * Cost: memory for the output, twice that where points are merged; one thread. Time steps pass
+ * through, so that the filter can connect a vtkExodusIIReader to a vtkGatunWriter.
  *
- * *Errors.* Lack of memory is reported by vtkErrorMacro; GetErrorCode is then
+ * *Errors.* If memory runs out, the filter reports it by vtkErrorMacro, GetErrorCode returns
  * vtkErrorCode::UnknownError, and the output is empty. No exception is thrown.
  *
- * @warning Blocks with displaced points (vtkExodusIIReader::ApplyDisplacements) change from one
- * time step to the next, so vtkGatunWriter refuses them.
+ * @warning Blocks with displaced points (vtkExodusIIReader::ApplyDisplacements) move from one time
+ * step to the next; vtkGatunWriter rejects them.
  *
  * @sa vtkGatunWriter vtkAppendFilter
  */
@@ -43,6 +43,10 @@
 #include "vtkGatunIOModule.h" // For export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 class VTKGATUNIO_EXPORT vtkGatunMergeBlocks : public vtkUnstructuredGridAlgorithm
 {
 public:
@@ -52,8 +56,8 @@ public:
 
   ///@{
   /**
-   * Whether to merge points with equal coordinates, also within a block. The merged point keeps the
-   * values of one of them. Default: off.
+   * Merge points with equal coordinates, also within a block. The merged point keeps the values of
+   * one of them. Default: off.
    */
   vtkSetMacro(MergeCoincidentPoints, bool);
   vtkGetMacro(MergeCoincidentPoints, bool);
@@ -71,11 +75,15 @@ protected:
   bool MergeCoincidentPoints = false;
 
 private:
-  /** input: the information of port 0. */
+  /** Merges the connections of port 0. */
   void Merge(vtkInformationVector* input, vtkUnstructuredGrid* output);
 
   vtkGatunMergeBlocks(const vtkGatunMergeBlocks&) = delete;
   void operator=(const vtkGatunMergeBlocks&) = delete;
 };
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 #endif

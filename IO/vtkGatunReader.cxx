@@ -29,6 +29,10 @@
 #include <utility>
 #include <vector>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 static_assert(sizeof(vtkIdType) == sizeof(std::int64_t), "Gatun needs a VTK with 64-bit ids.");
 
 namespace
@@ -414,3 +418,7 @@ int vtkGatunReader::RequestData(vtkInformation* vtkNotUsed(request),
   }
   return 1;
 }
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

@@ -40,6 +40,10 @@
 #include <utility>
 #include <vector>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 namespace
 {
 
@@ -529,3 +533,7 @@ void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
     self.PublishStatistics(self.File->Finish());
   }
 }
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

@@ -16,14 +16,14 @@
 
 #include <fmt/core.h>
 
+#include <unistd.h>
+
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <memory>
 #include <string_view>
 #include <vector>
-
-#include <unistd.h>
 
 namespace gtn
 {
@@ -34,10 +34,10 @@ CLI::App* AddCommand(CLI::App& app, Settings& settings, const std::string& name,
   CLI::App* command = app.add_subcommand(name, description);
   command->footer("Examples:\n" + examples);
 
-  auto* quiet = command->add_flag("-q,--quiet", settings.Quiet, "Print errors only");
-  auto* verbose = command->add_flag("-v,--verbose", settings.Verbose, "Print more");
+  auto* quiet = command->add_flag("-q,--quiet", settings.Quiet, "Print only errors");
+  auto* verbose = command->add_flag("-v,--verbose", settings.Verbose, "Print more details");
   auto* progress = command->add_flag("--progress,!--no-progress", settings.ShowProgress,
-    "Show a progress bar on stderr, or none (default: if stderr is a terminal)");
+    "Show a progress bar on stderr, or hide it (default: shown if stderr is a terminal)");
   verbose->excludes(quiet);
   for (CLI::Option* option : { quiet, verbose, progress })
   {
@@ -45,7 +45,9 @@ CLI::App* AddCommand(CLI::App& app, Settings& settings, const std::string& name,
   }
   if (withThreads)
   {
-    command->add_option("--threads", settings.Threads, "Threads to use (default: one a processor)")
+    command
+      ->add_option(
+        "--threads", settings.Threads, "Number of threads, 1 to 1024 (default: one per processor)")
       ->check(CLI::Range(1, 1024))
       ->option_text("N")
       ->group(CommonGroup);
@@ -80,14 +82,16 @@ int Run(int argc, char* argv[])
   Settings settings;
   settings.CommandLine = JoinArguments(argc, argv);
   settings.ShowProgress = isatty(fileno(stderr)) != 0;
-  CLI::App app{ "Losslessly compressed tetrahedral meshes, and volumes as Hartley coefficients.",
-    "gtn" };
+  CLI::App app{
+    "Compress, inspect, render, contour and simplify tetrahedral meshes (.gtn) and volumes (.ghv).",
+    "gtn"
+  };
   app.set_version_flag("--version",
     fmt::format("gtn {} (format {})", gatun::PackageVersion(), gatun::FormatVersion()));
   app.require_subcommand(0, 1); // none is looked at below, after unknown options
   app.formatter(std::make_shared<HelpFormatter>());
-  app.footer(
-    "gtn COMMAND --help tells more, with examples. Exit codes: 0 done, 1 failed, 2 usage.");
+  app.footer("gtn COMMAND --help prints the options of a command and examples.\n"
+             "Exit codes: 0 success, 1 failure, 2 wrong usage.");
   app.failure_message([](const CLI::App*, const CLI::Error& error)
     { return fmt::format("gtn: {}; see gtn --help\n", error.what()); });
   bool manual = false;

@@ -228,51 +228,45 @@ void PrintJson(const std::vector<Format>& formats, const std::vector<Case>& case
   const Options& options, vtkUnstructuredGrid* grid)
 {
   const auto tets = static_cast<double>(grid->GetNumberOfCells());
-  Json json;
-  json.BeginObject();
-  json.Add("input", options.In);
-  json.Add("tets", static_cast<std::uint64_t>(grid->GetNumberOfCells()));
-  json.Add("points", static_cast<std::uint64_t>(grid->GetNumberOfPoints()));
-  json.BeginObject("machine");
-  json.Add("processor", NameOfProcessor());
-  json.Add("processors", static_cast<std::uint64_t>(std::thread::hardware_concurrency()));
-  json.Add("gatun", gatun::PackageVersion());
-  json.Add("vtk", vtkVersion::GetVTKVersion());
-  json.Add("smpBackend", ThreadBackend());
-  json.EndObject();
-  json.BeginArray("files");
+  Json::Value json;
+  json["input"] = options.In;
+  json["tets"] = static_cast<std::uint64_t>(grid->GetNumberOfCells());
+  json["points"] = static_cast<std::uint64_t>(grid->GetNumberOfPoints());
+  json["machine"]["processor"] = NameOfProcessor();
+  json["machine"]["processors"] = static_cast<std::uint64_t>(std::thread::hardware_concurrency());
+  json["machine"]["gatun"] = gatun::PackageVersion();
+  json["machine"]["vtk"] = vtkVersion::GetVTKVersion();
+  json["machine"]["smpBackend"] = ThreadBackend();
+  json["files"] = Json::arrayValue;
   for (const Format& format : formats)
   {
-    json.BeginObject();
-    json.Add("format", format.Name);
-    json.Add("bytes", format.Bytes);
-    json.Add("bitsPerTet", 8. * static_cast<double>(format.Bytes) / tets);
-    json.Add("timesGtn", static_cast<double>(format.Bytes) / static_cast<double>(formats[0].Bytes));
-    json.Add("writeSeconds", format.WriteSeconds);
-    json.EndObject();
+    Json::Value fileJson;
+    fileJson["format"] = format.Name;
+    fileJson["bytes"] = format.Bytes;
+    fileJson["bitsPerTet"] = 8. * static_cast<double>(format.Bytes) / tets;
+    fileJson["timesGtn"] =
+      static_cast<double>(format.Bytes) / static_cast<double>(formats[0].Bytes);
+    fileJson["writeSeconds"] = format.WriteSeconds;
+    json["files"].append(fileJson);
   }
-  json.EndArray();
-  json.BeginArray("loads");
+  json["loads"] = Json::arrayValue;
   for (std::size_t i = 0; i < cases.size(); ++i)
   {
     const Case& one = cases[i];
-    json.BeginObject();
-    json.Add("format", formats[one.Format].Name);
-    json.Add("threads", one.Threads);
-    json.BeginArray("seconds");
+    Json::Value loadJson;
+    loadJson["format"] = formats[one.Format].Name;
+    loadJson["threads"] = one.Threads;
+    loadJson["seconds"] = Json::arrayValue;
     for (const double seconds : one.Seconds)
     {
-      json.Add({}, seconds);
+      loadJson["seconds"].append(seconds);
     }
-    json.EndArray();
-    json.Add("median", one.Median());
-    json.Add("tetsPerSecond", tets / one.Median());
-    json.Add("timesGtn", one.Median() / cases[i - one.Format].Median());
-    json.EndObject();
+    loadJson["median"] = one.Median();
+    loadJson["tetsPerSecond"] = tets / one.Median();
+    loadJson["timesGtn"] = one.Median() / cases[i - one.Format].Median();
+    json["loads"].append(loadJson);
   }
-  json.EndArray();
-  json.EndObject();
-  fmt::print("{}", json.GetText());
+  fmt::print("{}", JsonText(json));
 }
 
 void Bench(Options options, const Settings& settings)
@@ -319,26 +313,32 @@ void AddBench(CLI::App& app, Settings& settings)
 {
   auto options = std::make_shared<Options>();
   CLI::App* command = AddCommand(app, settings, "bench",
-    "Measure size, time to write and time to load a mesh as .gtn and as .vtu: raw, zlib and LZMA.\n"
-    "The files go into a temporary folder, the rounds of all of them take turns, and what is told\n"
-    "is the median. Of a mesh with time steps, the first one is taken.",
+    "Measure the size, writing time and loading time of a mesh as .gtn and as .vtu (raw, zlib and "
+    "LZMA).\n"
+    "The files are written to a temporary folder. Rounds are interleaved, and medians are printed. "
+    "Only\n"
+    "the first time step of a mesh is used.",
     "  gtn bench mesh.vtu\n"
     "  gtn bench --repeat 9 --threads 1,2,4 --json mesh.vtu > bench.json",
     false);
-  command->add_option("--repeat", options->Repeat, "Rounds, after one to warm up")
+  command
+    ->add_option("--repeat", options->Repeat,
+      "Number of measured rounds after a warm-up round, 1 to 1000 (default: 5)")
     ->check(CLI::Range(1, 1000))
-    ->option_text("N [5]");
+    ->option_text("N");
   command
     ->add_option("--threads", options->Threads,
-      "Numbers of threads to load with (default: 1, and one a processor)")
+      "Numbers of threads for loading, 1 to 1024 each (default: 1, and one per processor)")
     ->delimiter(',')
     ->allow_extra_args(false)
     ->check(CLI::Range(1, 1024))
     ->option_text("N,...");
-  command->add_option("--folder", options->Folder, "Where to put the temporary folder")
-    ->option_text("PATH");
+  command
+    ->add_option(
+      "--folder", options->Folder, "Parent of the temporary folder (default: that of the system)")
+    ->option_text("FOLDER");
   command->add_flag("--json", options->Json, "Print JSON");
-  command->add_option("IN", options->In, std::string("A mesh: ") + InputFormats)->required();
+  command->add_option("IN", options->In, std::string("The mesh: ") + InputFormats)->required();
   command->callback([options, &settings] { Bench(*options, settings); });
 }
 }

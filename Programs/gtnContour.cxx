@@ -75,11 +75,11 @@ void Check(const Options& options)
   const std::string extension = ExtensionOf(options.Out);
   if (options.Values.empty() && options.Number == 0)
   {
-    throw UsageError("give isovalues by --value, or how many by --number");
+    throw UsageError("give isovalues by --value or their number by --number");
   }
   if (options.Values.size() > MostValues)
   {
-    throw UsageError(fmt::format("--value: {} isovalues are too many; {} are the most",
+    throw UsageError(fmt::format("--value: {} isovalues are too many; the maximum is {}",
       Grouped(options.Values.size()), Grouped(MostValues)));
   }
   if (options.Strips && !format.Strips)
@@ -215,8 +215,8 @@ void Contour(const Options& options, const Settings& settings)
   const std::vector<double> values = MakeValues(options, input);
   if (settings.Verbose && input.IsFile() && !input.IsLayered())
   {
-    fmt::print("{}: not organised by layers of '{}', as gtn pack --layers does it; so a surface "
-               "needs more of the file\n",
+    fmt::print("{}: not organized by layers of '{}' (see gtn pack --layers); surfaces need more of "
+               "the file\n",
       options.Input.File, Printable(input.GetArray()));
   }
   vtkNew<vtkGatunContour> contour;
@@ -268,56 +268,57 @@ void AddContour(CLI::App& app, Settings& settings)
 {
   auto options = std::make_shared<Options>();
   CLI::App* command = AddCommand(app, settings, "contour",
-    "Write isosurfaces of a mesh as .vtp, .stl, .ply or .obj. Of a .gtn file only those chunks "
-    "are\n"
-    "read that a surface passes through; other meshes are read as a whole. A .vtp file has the\n"
-    "arrays, interpolated; .stl, .ply and .obj files have none. An isovalue that the mesh does "
-    "not\n"
-    "have gives no surface, and a warning.",
+    "Write isosurfaces of a mesh to a .vtp, .stl, .ply or .obj file. Only those chunks of a .gtn "
+    "file\n"
+    "are read that a surface passes through; other meshes are read as a whole. A .vtp file has "
+    "the\n"
+    "interpolated arrays of the mesh, other files have no arrays. An isovalue outside the range of "
+    "the\n"
+    "array gives no surface and a warning.",
     "  gtn contour --value 0.5 mesh.gtn surface.vtp\n"
     "  gtn contour --array pressure --value 1e5,2e5 --normals --stats mesh.gtn surface.vtp\n"
     "  gtn contour --array velocity --component magnitude --number 5 mesh.vtu surface.stl\n"
     "  gtn contour --ratio 0.9 --value 0.5 any.gtn coarse.ply");
   AddForce(command, options->Overwrite);
-  CLI::Option* const values =
-    command
-      ->add_option_function<std::vector<std::string>>(
-        "--value",
-        [options](const std::vector<std::string>& texts) {
-          std::transform(
-            texts.begin(), texts.end(), std::back_inserter(options->Values), ParseValue);
-        },
-        "Isovalues, in the units of the array; may be given several times")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->option_text("V,...");
+  CLI::Option* const values = command
+                                ->add_option_function<std::vector<std::string>>(
+                                  "--value",
+                                  [options](const std::vector<std::string>& texts) {
+                                    std::transform(texts.begin(), texts.end(),
+                                      std::back_inserter(options->Values), ParseValue);
+                                  },
+                                  "Isovalues, 1 to 1000 of them; may be repeated")
+                                ->delimiter(',')
+                                ->allow_extra_args(false)
+                                ->option_text("V,...");
   command
     ->add_option("--number", options->Number,
-      fmt::format("So many isovalues instead, 1 to {}, spread evenly between the smallest and the "
-                  "largest value of the array",
+      fmt::format("Number of isovalues, 1 to {}, evenly spaced within the range of the array; "
+                  "replaces --value",
         MostValues))
     ->check(Between(1, MostValues))
     ->option_text("N")
     ->excludes(values);
-  AddArray(command, options->Input.Array, "Point array of the isovalues");
+  AddArray(command, options->Input.Array, "Point array to contour");
   AddStep(command, options->Input.Step);
-  AddTarget(command, options->Input.Target, "default: none");
+  AddTarget(command, options->Input.Target, "0");
   AddArrays(command, options->Input.Carried,
-    "Point and cell arrays that the surface is to have, in a .vtp file (default: all)");
+    "Point and cell arrays to interpolate to a .vtp file (default: all)");
   command->add_flag(
-    "--normals", options->Normals, "With normals of the points, towards lower values (not .stl)");
+    "--normals", options->Normals, "Compute point normals, toward lower values (.vtp, .ply, .obj)");
   command->add_flag("--strips", options->Strips,
-    "Triangle strips in place of triangles; arrays of cells are left out (.vtp)");
+    "Write triangle strips instead of triangles, without cell arrays (.vtp)");
   command
     ->add_option_function<std::string>(
       "--precision", [options](const std::string& name) { options->Double = name == "double"; },
-      "Of the points: single or double (default: that of IN; .stl and .ply: always single)")
+      "Precision of the points: single or double (default: that of the input; single for .stl and "
+      ".ply)")
     ->check(CLI::IsMember({ "single", "double" }))
     ->option_text("NAME");
-  command->add_flag("--stats", options->Statistics, "Print what it took");
-  command->add_option("IN", options->Input.File, std::string("A mesh: ") + InputFormats)
+  command->add_flag("--stats", options->Statistics, "Print statistics");
+  command->add_option("IN", options->Input.File, std::string("The mesh: ") + InputFormats)
     ->required();
-  command->add_option("OUT", options->Out, std::string("The surface: ") + SurfaceFormats)
+  command->add_option("OUT", options->Out, std::string("The surface to write: ") + SurfaceFormats)
     ->required();
   command->callback(
     [options, &settings]

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// gtn info: what is in a file, from its directory alone.
+// gtn info: prints the contents of a file.
 
 #include "gtnArraySetting.h"
 #include "gtnCommands.h"
+#include "gtnDescription.h"
 #include "gtnFailure.h"
 #include "gtnHistogram.h"
 #include "gtnInput.h"
@@ -19,8 +20,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <optional>
 
 namespace gtn
@@ -36,13 +39,7 @@ struct Options
   int Component = -1;
 };
 
-std::string Version(const gatun::FileReader& file)
-{
-  const auto [major, minor] = file.GetFormatVersion();
-  return fmt::format("{}.{}", major, minor);
-}
-
-// One of each component, over all time steps.
+// The ranges of the components of an array over all time steps.
 std::vector<gatun::Range> RangesOf(const gatun::FileReader& file, std::size_t array)
 {
   std::vector<gatun::Range> ranges(file.GetArrays()[array].Components);
@@ -58,296 +55,177 @@ std::vector<gatun::Range> RangesOf(const gatun::FileReader& file, std::size_t ar
   return ranges;
 }
 
-std::string Text(const gatun::Range& range)
+// A list of [smallest, largest] for JSON, and a text with the first few of them.
+template <typename Ranges>
+Entry EntryOf(const Ranges& ranges, const char* separator, int digits)
 {
-  return range.Min > range.Max ? "(none)" : fmt::format("{:.7g} to {:.7g}", range.Min, range.Max);
+  constexpr std::size_t enough = 9;
+  Json::Value json(Json::arrayValue);
+  std::vector<std::string> texts;
+  for (const gatun::Range& range : ranges)
+  {
+    const bool any = range.Min <= range.Max;
+    json.append(any ? JsonArray(std::array{ range.Min, range.Max })
+                    : JsonArray(std::array<Json::Value, 2>()));
+    texts.push_back(
+      any ? fmt::format("{:.{}g} to {:.{}g}", range.Min, digits, range.Max, digits) : "(none)");
+  }
+  if (texts.size() > enough)
+  {
+    texts.resize(enough);
+    texts.emplace_back("...");
+  }
+  return { json, Joined(texts, separator) };
 }
 
-double BitsPerTet(const gatun::FileReader& file, std::uint64_t bytes)
+Entry BitsPerTet(const gatun::FileReader& file, std::uint64_t bytes)
 {
   const auto tets = static_cast<double>(file.GetNumberOfTets());
-  return tets > 0 ? 8. * static_cast<double>(bytes) / tets : std::nan("");
+  const double bits = tets > 0 ? 8. * static_cast<double>(bytes) / tets : std::nan("");
+  return { bits, fmt::format("{:.3f}", bits) };
 }
 
-struct Part
+Table DescribeArrays(const gatun::FileReader& file)
 {
-  std::string Name; ///< as in JSON
-  std::string Title;
-  std::uint64_t Bytes;
-};
-
-std::vector<Part> PartsOf(const gatun::FileReader& file)
-{
+  Table table{ "arrays", "arrays",
+    { { "name", "name", false }, { "association", "of", false }, { "type", "type", false },
+      { "components", "comp." }, { "componentNames", nullptr }, { "bytes", "bytes" },
+      { "bitsPerTet", "bits/tet" }, { "ranges", "values", false } } };
   const gatun::FileStatistics sizes = file.GetStatistics();
-  std::vector<Part> parts{ { "connectivity", "connectivity", sizes.ConnectivityBytes },
-    { "geometry", "points", sizes.GeometryBytes },
-    { "sharedGeometry", "points of several chunks", sizes.SharedGeometryBytes },
-    { "order", "original order", sizes.OrderBytes },
-    { "fieldData", "field data", sizes.FieldDataBytes },
-    { "hierarchy", "hierarchy", sizes.TreeBytes },
-    { "baseMeshes", "base meshes", sizes.LevelBytes },
-    { "directory", "directory", sizes.DirectoryBytes } };
-  for (std::size_t i = 0; i < sizes.ArrayBytes.size() && i < file.GetArrays().size(); ++i)
-  {
-    const std::string& name = file.GetArrays()[i].Name;
-    parts.push_back({ {}, "array " + Printable(name), sizes.ArrayBytes[i] });
-  }
-  return parts;
-}
-
-void PrintChunks(const gatun::FileReader& file)
-{
-  fmt::print("\nchunks\n  {:>7} {:>9} {:>9} {:>9} {:>9} {:>11}  {}\n", "number", "tets", "points",
-    "shared", "neighb.", "mesh bytes", "bounds");
-  for (std::size_t i = 0; i < file.GetChunks().size(); ++i)
-  {
-    const gatun::ChunkInfo& chunk = file.GetChunks()[i];
-    fmt::print("  {:>7} {:>9} {:>9} {:>9} {:>9} {:>11}  [{:.5g}, {:.5g}] x [{:.5g}, {:.5g}] x "
-               "[{:.5g}, {:.5g}]\n",
-      i, chunk.Tets, chunk.OwnPoints, chunk.SharedPoints, chunk.Neighbours.size(),
-      file.GetChunkMeshBytes(i), chunk.Box[0].Min, chunk.Box[0].Max, chunk.Box[1].Min,
-      chunk.Box[1].Max, chunk.Box[2].Min, chunk.Box[2].Max);
-  }
-}
-
-/** How the mesh becomes simpler: with so many merges of points, and from which base meshes. */
-void PrintHierarchy(const gatun::FileReader& file)
-{
-  const std::size_t merges = file.GetNumberOfMerges();
-  fmt::print("  hierarchy        {} of the points can be merged away ({:.2f} bits a point)\n",
-    Grouped(merges),
-    8. * static_cast<double>(file.GetStatistics().TreeBytes) /
-      static_cast<double>(std::max<std::uint64_t>(1, file.GetNumberOfPoints())));
-  for (std::size_t i = 0; i < file.GetLevels().size(); ++i)
-  {
-    const auto level = file.OpenLevel(i);
-    fmt::print("  base mesh {:<2}     {} points, {} tetrahedra\n", i + 1,
-      Grouped(level->GetNumberOfPoints()), Grouped(level->GetNumberOfTets()));
-  }
-}
-
-void PrintText(const gatun::FileReader& file, bool verbose)
-{
-  fmt::print("{}\n", Printable(file.GetPath()));
-  fmt::print("  format           {}, written by Gatun {}\n", Version(file),
-    Printable(file.GetWriterVersion()));
-  fmt::print("  tetrahedra       {}\n", Grouped(file.GetNumberOfTets()));
-  fmt::print("  points           {} ({} of several chunks, {} of no tetrahedron), {}\n",
-    Grouped(file.GetNumberOfPoints()), Grouped(file.GetNumberOfSharedPoints()),
-    Grouped(file.GetNumberOfUnusedPoints()), NameOf(file.GetCoordinateType()));
-  fmt::print("  chunks           {}\n", Grouped(file.GetChunks().size()));
-  fmt::print("  kept order       {}\n", NameOfOrder(file.GetKeptOrder()));
-  if (file.HasMergeTree())
-  {
-    PrintHierarchy(file);
-  }
-  PrintLayers(file);
-  const gatun::Bounds& bounds = file.GetBounds();
-  for (int i = 0; i < 3; ++i)
-  {
-    fmt::print("  {}                {}\n", "xyz"[i], Text(bounds[i]));
-  }
-  if (file.HasTime())
-  {
-    const std::vector<double>& times = file.GetTimes();
-    fmt::print("  time steps       {}, {} to {}\n", times.size(), Number(times.front()),
-      Number(times.back()));
-    if (verbose)
-    {
-      std::vector<std::string> list;
-      for (const double time : times)
-      {
-        list.push_back(Number(time));
-      }
-      fmt::print("  times            {}\n", Joined(list));
-    }
-  }
-
-  if (!file.GetArrays().empty())
-  {
-    fmt::print("\narrays\n");
-  }
   for (std::size_t i = 0; i < file.GetArrays().size(); ++i)
   {
     const gatun::ArrayDescription& array = file.GetArrays()[i];
-    const std::vector<gatun::Range> ranges = RangesOf(file, i);
-    fmt::print("  {} {} {}", array.Where == gatun::Association::Point ? "point" : "cell ",
-      Printable(array.Name), NameOf(array.Type));
-    if (array.Components != 1)
-    {
-      fmt::print("({})", array.Components);
-    }
-    constexpr std::size_t enough = 9;
-    for (std::size_t j = 0; j < ranges.size() && j < enough; ++j)
-    {
-      fmt::print("{} {}", j == 0 ? "," : ";", Text(ranges[j]));
-    }
-    fmt::print("{}\n", ranges.size() > enough ? "; ..." : "");
+    const std::uint64_t bytes = i < sizes.ArrayBytes.size() ? sizes.ArrayBytes[i] : 0;
+    table.Rows.push_back({ Entry(array.Name),
+      Entry(array.Where == gatun::Association::Point ? "point" : "cell"), Entry(NameOf(array.Type)),
+      Entry(array.Components), Entry(JsonArray(array.ComponentNames), {}), Entry(bytes),
+      BitsPerTet(file, bytes), EntryOf(RangesOf(file, i), "; ", 7) });
   }
+  return table;
+}
 
-  const std::uint64_t all = file.GetStatistics().FileBytes;
-  fmt::print("\n{:<32} {:>14} {:>10}\n", "sizes", "bytes", "bits/tet");
-  for (const Part& part : PartsOf(file))
+Table DescribeSizes(const gatun::FileReader& file)
+{
+  Table table{ "sizes", "sizes",
+    { { "part", "part", false }, { "bytes", "bytes" }, { "bitsPerTet", "bits/tet" } }, {}, true };
+  const auto add = [&](const char* key, const char* title, std::uint64_t bytes) {
+    table.Rows.push_back({ Entry(key, title), Entry(bytes), BitsPerTet(file, bytes) });
+  };
+  const gatun::FileStatistics sizes = file.GetStatistics();
+  add("connectivity", "connectivity", sizes.ConnectivityBytes);
+  add("geometry", "points", sizes.GeometryBytes);
+  add("sharedGeometry", "shared points", sizes.SharedGeometryBytes);
+  add("arrays", "arrays",
+    std::accumulate(sizes.ArrayBytes.begin(), sizes.ArrayBytes.end(), std::uint64_t{ 0 }));
+  add("order", "original order", sizes.OrderBytes);
+  add("fieldData", "field data", sizes.FieldDataBytes);
+  add("hierarchy", "hierarchy", sizes.TreeBytes);
+  add("baseMeshes", "base meshes", sizes.LevelBytes);
+  add("directory", "directory", sizes.DirectoryBytes);
+  add("file", "file", sizes.FileBytes);
+  return table;
+}
+
+Table DescribeChunks(const gatun::FileReader& file)
+{
+  Table table{ "chunkTable", "chunks",
+    { { nullptr, "number" }, { "tets", "tets" }, { "ownPoints", "points" },
+      { "sharedPoints", "shared" }, { "firstTet", "first tet" }, { "neighbours", "neighbors" },
+      { "meshBytes", "mesh bytes" }, { "bounds", "bounds", false } } };
+  if (file.HasLayers())
   {
-    fmt::print(
-      "  {:<30} {:>14} {:>10.3f}\n", part.Title, Grouped(part.Bytes), BitsPerTet(file, part.Bytes));
+    table.Columns.push_back({ "layers", "layers", false });
   }
-  fmt::print("  {:<30} {:>14} {:>10.3f}\n", "file", Grouped(all), BitsPerTet(file, all));
-  if (verbose)
-  {
-    PrintChunks(file);
-  }
-}
-
-void AddRange(Json& json, const gatun::Range& range)
-{
-  const bool any = range.Min <= range.Max;
-  json.BeginArray();
-  json.Add({}, any ? range.Min : std::nan(""));
-  json.Add({}, any ? range.Max : std::nan(""));
-  json.EndArray();
-}
-
-void AddSize(Json& json, const gatun::FileReader& file, std::string_view name, std::uint64_t bytes)
-{
-  json.BeginObject(name);
-  json.Add("bytes", bytes);
-  json.Add("bitsPerTet", BitsPerTet(file, bytes));
-  json.EndObject();
-}
-
-void AddChunks(Json& json, const gatun::FileReader& file)
-{
-  json.BeginArray("chunkTable");
   for (std::size_t i = 0; i < file.GetChunks().size(); ++i)
   {
     const gatun::ChunkInfo& chunk = file.GetChunks()[i];
-    json.BeginObject();
-    json.Add("tets", chunk.Tets);
-    json.Add("ownPoints", chunk.OwnPoints);
-    json.Add("sharedPoints", chunk.SharedPoints);
-    json.Add("firstTet", chunk.FirstTet);
-    json.Add("neighbours", static_cast<std::uint64_t>(chunk.Neighbours.size()));
-    json.Add("meshBytes", file.GetChunkMeshBytes(i));
+    std::vector<Entry> row{ Entry(i), Entry(chunk.Tets), Entry(chunk.OwnPoints),
+      Entry(chunk.SharedPoints), Entry(chunk.FirstTet), Entry(chunk.Neighbours.size()),
+      Entry(file.GetChunkMeshBytes(i)), EntryOf(chunk.Box, ", ", 5) };
     if (file.HasLayers())
     {
-      json.BeginArray("layers");
-      json.Add({}, static_cast<std::uint64_t>(file.GetLayers().Chunks[i].First));
-      json.Add({}, static_cast<std::uint64_t>(file.GetLayers().Chunks[i].Last));
-      json.EndArray();
+      const auto& [first, last] = file.GetLayers().Chunks[i];
+      row.emplace_back(JsonArray(std::array{ first, last }), fmt::format("{} to {}", first, last));
     }
-    json.BeginArray("bounds");
-    for (const gatun::Range& range : chunk.Box)
-    {
-      AddRange(json, range);
-    }
-    json.EndArray();
-    json.EndObject();
+    table.Rows.push_back(std::move(row));
   }
-  json.EndArray();
+  return table;
 }
 
-void PrintJson(const gatun::FileReader& file, bool verbose, const Histogram* histogram)
+// The part of the points that can be removed, and the coarser meshes that are stored.
+void DescribeHierarchy(const gatun::FileReader& file, Description& description)
 {
-  Json json;
-  json.BeginObject();
-  json.Add("file", file.GetPath());
-  json.Add("formatVersion", Version(file));
-  json.Add("writerVersion", file.GetWriterVersion());
-  json.Add("tets", file.GetNumberOfTets());
-  json.Add("points", file.GetNumberOfPoints());
-  json.Add("sharedPoints", file.GetNumberOfSharedPoints());
-  json.Add("unusedPoints", file.GetNumberOfUnusedPoints());
-  json.Add("coordinateType", NameOf(file.GetCoordinateType()));
-  json.Add("idBits", file.HasWideIds() ? 64 : 32);
-  json.Add("chunks", static_cast<std::uint64_t>(file.GetChunks().size()));
-  json.Add("hasHierarchy", file.HasMergeTree());
-  json.Add("merges", static_cast<std::uint64_t>(file.GetNumberOfMerges()));
-  json.BeginArray("baseMeshes");
+  const bool any = file.HasMergeTree();
+  const std::size_t merges = file.GetNumberOfMerges();
+  description.Add("hasHierarchy", nullptr, { any, {} });
+  description.Add("merges", any ? "hierarchy" : nullptr,
+    { std::uint64_t{ merges },
+      fmt::format("{} edge collapses, {:.2f} bits per point", Grouped(merges),
+        8. * static_cast<double>(file.GetStatistics().TreeBytes) /
+          static_cast<double>(std::max<std::uint64_t>(1, file.GetNumberOfPoints()))) });
+  Table levels{ "baseMeshes", "base meshes",
+    { { nullptr, "number" }, { "points", "points" }, { "tets", "tetrahedra" } } };
   for (std::size_t i = 0; i < file.GetLevels().size(); ++i)
   {
     const auto level = file.OpenLevel(i);
-    json.BeginObject();
-    json.Add("points", level->GetNumberOfPoints());
-    json.Add("tets", level->GetNumberOfTets());
-    json.EndObject();
+    levels.Rows.push_back(
+      { Entry(i + 1), Entry(level->GetNumberOfPoints()), Entry(level->GetNumberOfTets()) });
   }
-  json.EndArray();
-  json.Add("hasLayers", file.HasLayers());
-  AddLayers(json, file);
-  json.BeginObject("keptOrder");
-  json.Add("points", (file.GetKeptOrder() & gatun::KeepPoints) != 0);
-  json.Add("cells", (file.GetKeptOrder() & gatun::KeepCells) != 0);
-  json.Add("corners", (file.GetKeptOrder() & gatun::KeepCorners) != 0);
-  json.EndObject();
-  json.BeginArray("bounds");
-  for (const gatun::Range& range : file.GetBounds())
-  {
-    AddRange(json, range);
-  }
-  json.EndArray();
-  json.BeginArray("times");
-  if (file.HasTime())
-  {
-    for (const double time : file.GetTimes())
-    {
-      json.Add({}, time);
-    }
-  }
-  json.EndArray();
-
-  const gatun::FileStatistics sizes = file.GetStatistics();
-  json.BeginArray("arrays");
-  for (std::size_t i = 0; i < file.GetArrays().size(); ++i)
-  {
-    const gatun::ArrayDescription& array = file.GetArrays()[i];
-    json.BeginObject();
-    json.Add("name", array.Name);
-    json.Add("association", array.Where == gatun::Association::Point ? "point" : "cell");
-    json.Add("type", NameOf(array.Type));
-    json.Add("components", static_cast<std::uint64_t>(array.Components));
-    json.BeginArray("componentNames");
-    for (const std::string& name : array.ComponentNames)
-    {
-      json.Add({}, name);
-    }
-    json.EndArray();
-    json.BeginArray("ranges");
-    for (const gatun::Range& range : RangesOf(file, i))
-    {
-      AddRange(json, range);
-    }
-    json.EndArray();
-    const std::uint64_t bytes = i < sizes.ArrayBytes.size() ? sizes.ArrayBytes[i] : 0;
-    json.Add("bytes", bytes);
-    json.Add("bitsPerTet", BitsPerTet(file, bytes));
-    json.EndObject();
-  }
-  json.EndArray();
-
-  json.BeginObject("sizes");
-  for (const Part& part : PartsOf(file))
-  {
-    if (!part.Name.empty())
-    {
-      AddSize(json, file, part.Name, part.Bytes);
-    }
-  }
-  AddSize(json, file, "file", sizes.FileBytes);
-  json.EndObject();
-  if (verbose)
-  {
-    AddChunks(json, file);
-  }
-  if (histogram)
-  {
-    histogram->Add(json);
-  }
-  json.EndObject();
-  fmt::print("{}", json.GetText());
+  description.Add(std::move(levels));
 }
 
-// What --histogram says; without a name if it is not there.
+Entry DescribeTimes(const gatun::FileReader& file, bool verbose)
+{
+  const std::vector<double> times = file.HasTime() ? file.GetTimes() : std::vector<double>();
+  std::vector<std::string> texts;
+  for (const double time : times)
+  {
+    texts.push_back(Number(time));
+  }
+  const std::string span =
+    times.empty() ? "none" : fmt::format("{}, {} to {}", times.size(), texts.front(), texts.back());
+  return { JsonArray(times), verbose && !times.empty() ? span + ": " + Joined(texts) : span };
+}
+
+Description Describe(const gatun::FileReader& file, bool verbose)
+{
+  const auto [major, minor] = file.GetFormatVersion();
+  const std::uint8_t kept = file.GetKeptOrder();
+  Json::Value order;
+  order["points"] = (kept & gatun::KeepPoints) != 0;
+  order["cells"] = (kept & gatun::KeepCells) != 0;
+  order["corners"] = (kept & gatun::KeepCorners) != 0;
+
+  Description description(Printable(file.GetPath()));
+  description.Add("file", nullptr, Entry(file.GetPath()));
+  description.Add("formatVersion", "format", Entry(fmt::format("{}.{}", major, minor)));
+  description.Add("writerVersion", "written by Gatun", Entry(file.GetWriterVersion()));
+  description.Add("tets", "tetrahedra", Entry(file.GetNumberOfTets()));
+  description.Add("points", "points", Entry(file.GetNumberOfPoints()));
+  description.Add("sharedPoints", "  of many chunks", Entry(file.GetNumberOfSharedPoints()));
+  description.Add("unusedPoints", "  of no cell", Entry(file.GetNumberOfUnusedPoints()));
+  description.Add("coordinateType", "coordinates", Entry(NameOf(file.GetCoordinateType())));
+  description.Add("idBits", "id bits", Entry(std::uint64_t{ file.HasWideIds() ? 64U : 32U }));
+  description.Add("chunks", "chunks", Entry(file.GetChunks().size()));
+  description.Add("keptOrder", "kept order", { order, NameOfOrder(kept) });
+  description.Add("bounds", "bounds", EntryOf(file.GetBounds(), ", ", 7));
+  description.Add("times", "time steps", DescribeTimes(file, verbose));
+  description.Add("hasLayers", nullptr, { file.HasLayers(), {} });
+  DescribeHierarchy(file, description);
+  description.Add(DescribeArrays(file));
+  description.Add(DescribeSizes(file));
+  if (file.HasLayers())
+  {
+    DescribeLayers(file, description);
+  }
+  if (verbose)
+  {
+    description.Add(DescribeChunks(file));
+  }
+  return description;
+}
+
+// Parses --histogram. The name is empty without it.
 HistogramOptions HistogramOf(const Options& options)
 {
   constexpr int most = 1000;
@@ -373,22 +251,22 @@ void AddInfo(CLI::App& app, Settings& settings)
 {
   auto options = std::make_shared<Options>();
   CLI::App* command = AddCommand(app, settings, "info",
-    "Tell what a .gtn file holds and what its parts take. Only its directory is read, and with\n"
-    "--histogram one array, some chunks at a time.",
+    "Print the contents of a .gtn file and the sizes of its parts. Only the directory of the file "
+    "is\n"
+    "read; with --histogram also one array, a few chunks at a time.",
     "  gtn info mesh.gtn\n"
-    "  gtn info -v mesh.gtn             also the times and the chunk table\n"
+    "  gtn info -v mesh.gtn             # with the times and the chunk table\n"
     "  gtn info --histogram pressure:30 mesh.gtn\n"
     "  gtn info --json mesh.gtn | jq .sizes.connectivity.bitsPerTet");
   command->add_flag("--json", options->Json, "Print JSON");
-  auto* histogramOption =
-    command
-      ->add_option("--histogram", options->Histogram,
-        "How the values of an array are spread at the first time step, in 1 to 1000 bins; of a "
-        "point "
-        "array besides what an isosurface in the middle of each bin would read of the file")
-      ->option_text("ARRAY[:BINS [20]]");
+  auto* histogramOption = command
+                            ->add_option("--histogram", options->Histogram,
+                              "Print the histogram of an array at the first time step, with 1 to "
+                              "1000 bins (default: 20). For a point array, also print how much of "
+                              "the file an isosurface in the middle of each bin reads")
+                            ->option_text("ARRAY[:BINS]");
   AddComponent(command, "--component", options->Component,
-    "Component for --histogram, from 0, or magnitude, the length of tuples (the default)")
+    "Component for --histogram: a number from 0, or magnitude (default: magnitude)")
     ->needs(histogramOption);
   command->add_option("IN", options->File, "The .gtn file")->required();
   command->callback(
@@ -397,21 +275,12 @@ void AddInfo(CLI::App& app, Settings& settings)
       const HistogramOptions wanted = HistogramOf(*options);
       CheckReadable(options->File);
       const auto file = std::make_shared<const gatun::FileReader>(options->File);
-      std::unique_ptr<Histogram> histogram;
+      Description description = Describe(*file, settings.Verbose);
       if (!wanted.Array.empty())
       {
-        histogram = std::make_unique<Histogram>(file, wanted);
+        Histogram(file, wanted).Describe(description);
       }
-      if (options->Json)
-      {
-        PrintJson(*file, settings.Verbose, histogram.get());
-        return;
-      }
-      PrintText(*file, settings.Verbose);
-      if (histogram)
-      {
-        histogram->Print();
-      }
+      fmt::print("{}", options->Json ? JsonText(description.GetJson()) : description.GetText());
     });
 }
 }

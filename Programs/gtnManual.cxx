@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// gtn --man: the manual page, made of what --help says.
+// gtn --man: the manual page, generated from the texts of --help.
 
 #include "gtnCommands.h"
 #include "gtnHelp.h"
@@ -19,7 +19,7 @@ namespace gtn
 namespace
 {
 
-// Text as it is, whatever it would mean to roff.
+// Text without a meaning to roff.
 std::string Escaped(std::string_view text)
 {
   std::string escaped;
@@ -101,9 +101,10 @@ void PrintManual(const CLI::App& app)
   fmt::print(".TH GTN 1 \"\" \"Gatun {}\" \"User Commands\"\n", gatun::PackageVersion());
   fmt::print(".SH NAME\ngtn \\- losslessly compressed tetrahedral meshes, and volumes\n");
   fmt::print(".SH SYNOPSIS\n.B gtn\n\\fIcommand\\fR [\\fIoptions\\fR] \\fIfiles\\fR\n");
-  fmt::print(".SH DESCRIPTION\nA .gtn file holds a mesh of tetrahedra with all its arrays, bit for "
-             "bit, for one or more steps of time. A .ghv file holds a regular volume as Hartley "
-             "coefficients. The commands are:\n");
+  fmt::print(
+    ".SH DESCRIPTION\nA .gtn file stores a tetrahedral mesh with all of its arrays and "
+    "time steps, bit for bit. A .ghv file stores a regular volume as Hartley coefficients. "
+    "The commands are:\n");
   for (const CLI::App* command : ChildrenOf(app))
   {
     fmt::print(".TP\n.B {}\n{}\n", command->get_name(), Escaped(SummaryOf(*command)));
@@ -115,8 +116,8 @@ void PrintManual(const CLI::App& app)
   fmt::print(".SH COMMON OPTIONS\n");
   PrintOptions(*ChildrenOf(app).front(), CommonGroup, false);
   PrintOptions(app, CommonGroup, true);
-  fmt::print(".SH EXIT STATUS\n.TP\n.B 0\nDone, and all is well.\n.TP\n.B 1\nFailed, or a file is "
-             "damaged or differs; a message on stderr says which and why.\n.TP\n.B 2\nThe command "
-             "line makes no sense.\n");
+  fmt::print(".SH EXIT STATUS\n.TP\n.B 0\nSuccess.\n.TP\n.B 1\nFailure, or a file is damaged or "
+             "differs. A message on stderr names the file and the reason.\n.TP\n.B 2\nThe command "
+             "line is wrong.\n");
 }
 }

@@ -72,7 +72,7 @@ void Mesh(const Options& options, const Settings& settings)
   WriteMesh(Fill(surface, options, settings), options.Out, settings);
 #else
   static_cast<void>(settings);
-  throw Failure(options.In, "cannot be filled, because this gtn is built without TetGen");
+  throw Failure(options.In, "cannot be filled: gtn was built without TetGen");
 #endif
 }
 
@@ -83,33 +83,39 @@ void AddMesh(CLI::App& app, Settings& settings)
 {
   auto options = std::make_shared<Options>();
   CLI::App* command = AddCommand(app, settings, "mesh",
-    GTN_HAS_TETGEN ? "Fill a closed surface with tetrahedra, by TetGen (GNU AGPL)."
-                   : "Fill a closed surface with tetrahedra (not built in: needs TetGen).",
+    GTN_HAS_TETGEN ? "Fill a closed surface with tetrahedra by TetGen (GNU AGPL)."
+                   : "Fill a closed surface with tetrahedra (unavailable: built without TetGen).",
     "  gtn mesh part.stl part.gtn\n"
     "  gtn mesh --quality 1.2 --max-volume 0.5 part.stl part.vtu");
   AddForce(command, options->Overwrite);
   command
     ->add_option("--quality", options->Quality,
-      "Largest ratio of circumradius to shortest edge, 1 to 100; 0: none; below 1.2 it may not end")
+      "Maximum ratio of circumradius to shortest edge, 1 to 100, or 0 for no limit; TetGen may not "
+      "terminate below 1.2 (default: 1.414)")
     ->check(CLI::Range(0., 100.))
-    ->option_text("R [1.414]");
+    ->option_text("R");
   command
     ->add_option("--min-dihedral", options->MinDihedral,
-      "Smallest angle between faces to aim at, in degrees, 0 to 30; above 18 it may not end")
+      "Minimum dihedral angle to aim at, in degrees, 0 to 30; TetGen may not terminate above 18 "
+      "(default: 0)")
     ->check(CLI::Range(0., 30.))
-    ->option_text("A [0]");
+    ->option_text("A");
   command
     ->add_option("--max-volume", options->MaximumVolume,
-      "Largest volume of a tetrahedron, in cubic units of the surface; 0: no limit")
+      "Maximum volume of a tetrahedron, in cubic units of the coordinates, or 0 for no limit "
+      "(default: 0)")
     ->check(CLI::NonNegativeNumber)
-    ->option_text("V [0]");
-  command->add_flag("--preserve-surface", options->PreserveSurface,
-    "Keep the triangles of the surface as they are");
-  command->add_option("--switches", options->Switches, "More switches for TetGen, such as O4")
+    ->option_text("V");
+  command->add_flag(
+    "--preserve-surface", options->PreserveSurface, "Do not split triangles of the surface");
+  command
+    ->add_option(
+      "--switches", options->Switches, "Additional switches for TetGen, such as O4 (default: none)")
     ->option_text("S");
-  command->add_option("SURFACE", options->In, "A closed surface: .stl .ply .obj .vtp .vtk")
+  command->add_option("SURFACE", options->In, "The closed surface: .stl .ply .obj .vtp .vtk")
     ->required();
-  command->add_option("OUT", options->Out, std::string("The mesh: ") + MeshFormats)->required();
+  command->add_option("OUT", options->Out, std::string("The mesh to write: ") + MeshFormats)
+    ->required();
   command->callback([options, &settings] { Mesh(*options, settings); });
 }
 }

@@ -109,7 +109,7 @@ void PrintSizes(vtkGatunWriter* writer, const Options& options, bool verbose)
   print("file", writer->GetFileBytes());
   if (writer->GetHierarchyBytes() > 0 && writer->GetWrittenPoints() > 0)
   {
-    fmt::print("  the hierarchy takes {:.2f} bits a point\n",
+    fmt::print("  the hierarchy takes {:.2f} bits per point\n",
       8. * static_cast<double>(writer->GetHierarchyBytes()) /
         static_cast<double>(writer->GetWrittenPoints()));
   }
@@ -160,8 +160,10 @@ void AddPack(CLI::App& app, Settings& settings)
 {
   auto options = std::make_shared<Options>();
   CLI::App* command = AddCommand(app, settings, "pack",
-    "Write meshes as a .gtn file, without loss. Several files, or one that has time steps, become\n"
-    "the time steps of one mesh. Blocks are merged, cells other than tetrahedra are split.",
+    "Write meshes to a .gtn file, without loss. Several files, or one file with time steps, become "
+    "the\n"
+    "time steps of one mesh. Blocks are merged, and cells other than tetrahedra are split into\n"
+    "tetrahedra.",
     "  gtn pack mesh.vtu mesh.gtn\n"
     "  gtn pack --keep-order all --arrays pressure mesh.vtu mesh.gtn\n"
     "  gtn pack --levels 8 --weight pressure mesh.vtu mesh.gtn\n"
@@ -173,47 +175,46 @@ void AddPack(CLI::App& app, Settings& settings)
   AddArrays(command, options->Input);
   command
     ->add_option("--keep-order", options->KeepOrder,
-      "Keep the order of points, of cells, or all: of both and of the cells' corners (default: "
-      "none)")
+      "Order to keep: none, points, cells, or all (points, cells, and the corners of each cell) "
+      "(default: none)")
     ->check(CLI::IsMember({ "none", "points", "cells", "all" }))
     ->option_text("WHAT");
   command
     ->add_option("--chunk", options->ChunkTets,
-      "Tetrahedra in a chunk, at most, 64 to 1048576 (default: 65536, or 262144 if more than 10 "
-      "million; with layers the half)")
+      "Maximum number of tetrahedra per chunk, 64 to 1048576 (default: 65536; 262144 for more than "
+      "10 million tetrahedra; half of that with --layers)")
     ->check(CLI::Range(64, 1048576))
     ->option_text("N");
   command
     ->add_option("--key-steps", options->KeySteps,
-      "Every how many time steps one is coded without the one before (default: 8)")
+      "Interval of key steps, which are coded independently of other time steps, 1 to 1000000 "
+      "(default: 8)")
     ->check(CLI::Range(1, 1000000))
     ->option_text("N");
   command->add_flag("--hierarchy", options->Hierarchy,
-    "Store how the mesh becomes simpler, so that it can be read and drawn with any number of "
-    "points "
-    "(see gtn simplify)");
+    "Store a hierarchy of edge collapses, so that the mesh can be read and rendered at any level "
+    "of detail (see gtn simplify)");
   command
     ->add_option("--levels", options->Levels,
-      "Store the hierarchy and up to so many base meshes, with a half of the points, a quarter and "
-      "so on, so that simple meshes are read fast")
+      "Store the hierarchy and up to N coarser meshes, 0 to 64, each with half of the points of "
+      "the one before, so that coarse levels of detail are read fast (default: 0)")
     ->check(CLI::Range(0, 64))
-    ->option_text("N [0]");
+    ->option_text("N");
   AddMergeOptions(command, options->Merges);
-  auto* layers =
-    command
-      ->add_option("--layers", options->Layers,
-        "Organise the file by the values of a point array at the first time step, so that an "
-        "isosurface needs few chunks: 1 to 4096 layers of values, or 0 for as many as pay, "
-        "uniform, "
-        "normal or by histogram. A name that ends like that needs both behind it")
-      ->option_text("ARRAY[:N [0]][:SPACING [histogram]]");
+  auto* layers = command
+                   ->add_option("--layers", options->Layers,
+                     "Arrange the chunks by the values of a point array at the first time step, so "
+                     "that an isosurface needs few of them. N is the number of layers, 1 to 4096, "
+                     "or 0 to choose it (default: 0). SPACING is uniform, normal or histogram "
+                     "(default: histogram). Give both if the name of the array has colons")
+                   ->option_text("ARRAY[:N][:SPACING]");
   AddComponent(command, "--layer-component", options->LayerComponent,
-    "Component for --layers, from 0, or magnitude, the length of tuples (the default)")
+    "Component for --layers: a number from 0, or magnitude (default: magnitude)")
     ->needs(layers);
   command->add_flag("--linearize", options->Input.Linearize,
-    "Take quadratic tetrahedra as linear ones, without their mid-edge points");
-  auto* files = command->add_option(
-    FilesArgument, options->In, std::string("Meshes, then the .gtn file. Meshes: ") + InputFormats);
+    "Convert quadratic tetrahedra to linear ones by dropping their mid-edge points");
+  auto* files = command->add_option(FilesArgument, options->In,
+    std::string("One or more meshes, then the .gtn file to write. Meshes: ") + InputFormats);
   files->required();
   command->callback(
     [=, &settings]
@@ -221,12 +222,11 @@ void AddPack(CLI::App& app, Settings& settings)
       options->Input.Quiet = settings.Quiet;
       if (options->In.size() < 2)
       {
-        throw UsageError("pack takes meshes and, behind them, the name of a .gtn file");
+        throw UsageError("pack takes one or more meshes and then the name of a .gtn file");
       }
       if (options->Merges.AreGiven && !options->Hierarchy && options->Levels == 0)
       {
-        throw UsageError(
-          "--weight, --metric and --boundary-weight are for --hierarchy or --levels");
+        throw UsageError("--weight, --metric and --boundary-weight need --hierarchy or --levels");
       }
       options->Out = options->In.back();
       options->In.pop_back();

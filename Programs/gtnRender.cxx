@@ -1,22 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// gtn render: a mesh as a picture, or as many from all around.
+// gtn render: renders a mesh into an image, or into the images of a turntable.
 
-#include "gtnCamera.h"
 #include "gtnCommands.h"
 #include "gtnFailure.h"
 #include "gtnJson.h"
-#include "gtnMessages.h"
-#include "gtnOptions.h"
-#include "gtnOutput.h"
-#include "gtnPicture.h"
 #include "gtnProgress.h"
 #include "gtnRenderInput.h"
 #include "gtnRenderOptions.h"
 #include "gtnRenderStatistics.h"
 #include "gtnText.h"
 #include "gtnTransfer.h"
+#include "gtnTurntable.h"
 
 #include "vtkGatunRayCaster.h"
 
@@ -29,7 +25,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 
@@ -37,13 +32,6 @@ namespace gtn
 {
 namespace
 {
-
-struct Drawn
-{
-  std::string File;
-  vtkSmartPointer<vtkCamera> Camera;
-  Measurement Taken{};
-};
 
 // The caster counts the samples of a ray, from the eye on, in floating-point numbers.
 void RequireFewSamples(const RenderOptions& options, const gatun::Bounds& bounds, vtkCamera* camera)
@@ -64,105 +52,47 @@ void RequireFewSamples(const RenderOptions& options, const gatun::Bounds& bounds
   if (!(farthest / distance < most))
   {
     throw Failure(options.Input.File,
-      fmt::format("a sample distance of {:.3g} is too small for a mesh that reaches to {:.3g} from "
-                  "the camera; give a larger --sample-distance",
+      fmt::format("a sample distance of {:.3g} is too small for a mesh that extends to {:.3g} from "
+                  "the camera; use a larger --sample-distance",
         distance, farthest));
   }
 }
 
-Drawn DrawPicture(const RenderOptions& options, const RenderInput& input, vtkGatunRayCaster* caster,
-  const std::string& file, double turn, Progress& progress)
+Statistics StatisticsOf(vtkGatunRayCaster* caster)
 {
-  const double aspect = static_cast<double>(options.Width) / options.Height;
-  Drawn drawn{ file, MakeCamera(options.Camera, input.GetBounds(), aspect, turn) };
-  RequireFewSamples(options, input.GetBounds(), drawn.Camera);
-  caster->SetCamera(drawn.Camera);
-  const double readBefore = CountBytesRead();
-  const auto start = std::chrono::steady_clock::now();
-  progress.Watch(caster);
-  input.Draw(caster);
-  CheckInterrupt();
-  CheckMessages(options.Input.File, options.Input.Quiet);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  drawn.Taken = Measure(caster, seconds.count(), CountBytesRead() - readBefore);
-  return drawn;
-}
-
-void PrintJson(const RenderOptions& options, const RenderInput& input, vtkVolumeProperty* property,
-  const std::vector<Drawn>& pictures, double peakMemory)
-{
-  Json json;
-  json.BeginObject();
-  json.Add("input", options.Input.File);
-  json.Add("tets", input.GetNumberOfTets());
-  json.Add("array", input.GetArray());
-  json.Add("component", input.GetComponent());
-  json.Add("mode", NameOfMode(options.BlendMode));
-  json.Add("width", options.Width);
-  json.Add("height", options.Height);
-  json.Add("unitDistance", property->GetScalarOpacityUnitDistance());
-  json.Add("shaded", property->GetShade() != 0);
-  json.BeginArray("pictures");
-  std::vector<Measurement> all;
-  for (const Drawn& picture : pictures)
-  {
-    json.BeginObject();
-    json.Add("file", picture.File);
-    AddCamera(json, "camera", picture.Camera);
-    AddMeasurement(json, picture.Taken);
-    json.EndObject();
-    all.push_back(picture.Taken);
-  }
-  json.EndArray();
-  json.BeginObject("median");
-  AddMeasurement(json, MedianOf(all));
-  json.EndObject();
-  json.Add("peakMemory", peakMemory);
-  json.EndObject();
-  fmt::print("{}", json.GetText());
-}
-
-void PrintText(const RenderOptions& options, const RenderInput& input,
-  const std::vector<Drawn>& pictures, double peakMemory)
-{
-  std::vector<Measurement> all;
-  for (const Drawn& picture : pictures)
-  {
-    all.push_back(picture.Taken);
-  }
-  const Measurement median = MedianOf(all);
-  const std::string many =
-    pictures.size() > 1 ? fmt::format(" to {}", FileOf(pictures.back().File)) : "";
-  fmt::print("{}{}: {} x {}, '{}' of {} tetrahedra, {:.2f} s{}\n", pictures.front().File, many,
-    options.Width, options.Height, Printable(input.GetArray()), Grouped(input.GetNumberOfTets()),
-    median[0], pictures.size() > 1 ? " each" : "");
-  if (options.Statistics)
-  {
-    if (pictures.size() > 1)
-    {
-      fmt::print("  median of {} pictures\n", pictures.size());
-    }
-    PrintTable(median, peakMemory);
-  }
+  const auto get = [caster](int which) { return caster->GetStatistic(which); };
+  return {
+    { "fetchSeconds", "  decoding, all threads", Statistic::Seconds,
+      get(vtkGatunRayCaster::FetchTime) },
+    { "orderSeconds", "  projecting and ordering", Statistic::Seconds,
+      get(vtkGatunRayCaster::OrderTime) },
+    { "setUpSeconds", "  planes of faces", Statistic::Seconds, get(vtkGatunRayCaster::SetUpTime) },
+    { "drawSeconds", "  samples", Statistic::Seconds, get(vtkGatunRayCaster::DrawTime) },
+    { "finishSeconds", "  fragments into pixels", Statistic::Seconds,
+      get(vtkGatunRayCaster::FinishTime) },
+    { "tets", "tetrahedra of drawn chunks", Statistic::Count,
+      get(vtkGatunRayCaster::NumberOfTetrahedra) },
+    { "seenTets", "  seen", Statistic::Count, get(vtkGatunRayCaster::NumberOfSeenTetrahedra) },
+    { "chunks", "chunks drawn", Statistic::Count, get(vtkGatunRayCaster::NumberOfChunks) },
+    { "skippedChunks", "chunks skipped", Statistic::Count,
+      get(vtkGatunRayCaster::NumberOfSkippedChunks) },
+    { "mostWaiting", "most tetrahedra waiting", Statistic::Count,
+      get(vtkGatunRayCaster::MostWaitingTetrahedra) },
+    { "mostFragments", "most fragments", Statistic::Count, get(vtkGatunRayCaster::MostFragments) },
+    { "mostBytes", "most for image and chunks", Statistic::Bytes,
+      get(vtkGatunRayCaster::MostBytes) },
+  };
 }
 
 void Render(const RenderOptions& options, const Settings& settings)
 {
-  if (!IsPicture(options.Out))
-  {
-    throw UsageError(options.Out + ": the name must end in " + PictureFormats);
-  }
-  const std::vector<std::string> files = NamePictures(options);
-  for (const std::string& file : files)
-  {
-    CheckWritable(file, options.Overwrite);
-  }
+  CheckImages(options);
   std::unique_ptr<const RenderInput> input;
   {
     Progress progress("reading", settings.ShowProgress);
     input = std::make_unique<const RenderInput>(options.Input, progress);
   }
-  const PictureContent content{ options.Input.File, input->GetArray(), input->GetRange() };
+  const ImageContent content{ options.Input.File, input->GetArray(), input->GetRange() };
   const vtkSmartPointer<vtkVolumeProperty> property = MakeProperty(MakeTransfer(options, content),
     options.UnitDistance.value_or(DiagonalOf(input->GetBounds()) / 100));
   property->SetShade(options.Shade);
@@ -176,29 +106,29 @@ void Render(const RenderOptions& options, const Settings& settings)
   caster->SetTimeBudget(options.TimeBudget);
   caster->SetProperty(property);
   input->Connect(caster, options.Memory);
-  std::vector<Drawn> pictures;
-  double peakMemory = 0;
-  for (const std::string& file : files)
+  const auto render = [&](vtkCamera* camera, Progress& progress)
   {
-    const auto number = static_cast<double>(pictures.size());
-    const auto count = static_cast<double>(files.size());
-    Progress progress(
-      files.size() > 1 ? fmt::format("drawing {} of {}", number + 1, count) : "drawing",
-      settings.ShowProgress);
-    pictures.push_back(DrawPicture(options, *input, caster, file, 360 * number / count, progress));
-    // Of one picture, before the libraries come that write it, which have no part in drawing.
-    peakMemory = GetPeakMemory();
-    WritePicture(caster->GetOutput(), options.Background,
-      MakeRemarks(content, settings.CommandLine, pictures.back().Camera), file);
-  }
-  if (options.Json)
-  {
-    PrintJson(options, *input, property, pictures, peakMemory);
-  }
-  else if (!settings.Quiet || options.Statistics)
-  {
-    PrintText(options, *input, pictures, peakMemory);
-  }
+    RequireFewSamples(options, input->GetBounds(), camera);
+    caster->SetCamera(camera);
+    progress.Watch(caster);
+    input->Draw(caster);
+    return caster->GetOutput();
+  };
+  const RenderedImages rendered = RenderImages(options, settings,
+    { content, input->GetBounds(), render, [&] { return StatisticsOf(caster); } });
+
+  Json::Value json;
+  json["input"] = options.Input.File;
+  json["tets"] = Json::UInt64{ input->GetNumberOfTets() };
+  json["array"] = input->GetArray();
+  json["component"] = input->GetComponent();
+  json["mode"] = NameOfMode(options.BlendMode);
+  json["unitDistance"] = property->GetScalarOpacityUnitDistance();
+  json["shaded"] = property->GetShade() != 0;
+  PrintImages(options, settings, rendered,
+    fmt::format(
+      "'{}' of {} tetrahedra", Printable(input->GetArray()), Grouped(input->GetNumberOfTets())),
+    json);
 }
 
 } // anonymous namespace

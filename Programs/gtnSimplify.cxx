@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// gtn simplify: a mesh with fewer points.
+// gtn simplify: writes a mesh with fewer points.
 
 #include "gtnCommands.h"
 #include "gtnFailure.h"
@@ -42,7 +42,7 @@ struct Options
   MergeOptions Merges;
 };
 
-/** The reader, if the file tells how its mesh becomes simpler and nothing else is wanted. */
+/** Returns the reader if the file has a hierarchy and no option asks for another one. */
 vtkGatunReader* FindHierarchy(const Input& input, const Options& options)
 {
   auto* const reader = vtkGatunReader::SafeDownCast(input.GetSource());
@@ -88,18 +88,21 @@ void AddSimplify(CLI::App& app, Settings& settings)
 {
   auto options = std::make_shared<Options>();
   CLI::App* command = AddCommand(app, settings, "simplify",
-    "Merge points of a mesh into others, so that data and boundary change as little as possible.\n"
-    "Files that gtn pack wrote with --hierarchy or --levels know how, and are simplified at once,\n"
-    "unless weights or metric are given here.",
+    "Simplify a mesh by edge collapses that change the data and the boundary as little as "
+    "possible.\n"
+    "A .gtn file that was packed with --hierarchy or --levels stores the collapses and is "
+    "simplified\n"
+    "fast; --weight, --metric and --boundary-weight compute new ones.",
     "  gtn simplify --ratio 0.9 mesh.gtn coarse.gtn\n"
-    "  gtn simplify --vertices 10000 --weight pressure=2 --weight velocity mesh.vtu coarse.vtu\n"
+    "  gtn simplify --points 10000 --weight pressure=2 --weight velocity mesh.vtu coarse.vtu\n"
     "  gtn simplify --rms-error 1e-3 mesh.gtn coarse.gtn");
   AddForce(command, options->Overwrite);
-  AddTarget(command, options->Target, "default: 0.5");
+  AddTarget(command, options->Target, "0.5");
   AddMergeOptions(command, options->Merges);
   AddStep(command, options->Step);
-  command->add_option("IN", options->In, std::string("A mesh: ") + InputFormats)->required();
-  command->add_option("OUT", options->Out, std::string("The mesh: ") + MeshFormats)->required();
+  command->add_option("IN", options->In, std::string("The mesh: ") + InputFormats)->required();
+  command->add_option("OUT", options->Out, std::string("The mesh to write: ") + MeshFormats)
+    ->required();
   command->callback(
     [=, &settings]
     {

@@ -59,7 +59,7 @@ void AddUnpack(CLI::App& app, Settings& settings)
 {
   auto options = std::make_shared<Options>();
   CLI::App* command = AddCommand(app, settings, "unpack",
-    "Write a .gtn file, or one of its time steps, as .vtu or .vtk.",
+    "Write a .gtn file, or one of its time steps, to a .vtu or .vtk file.",
     "  gtn unpack mesh.gtn mesh.vtu\n"
     "  gtn unpack --arrays pressure,velocity --step 10 run.gtn step10.vtu\n"
     "  gtn unpack -f --compressor none mesh.gtn mesh.vtu");
@@ -67,11 +67,12 @@ void AddUnpack(CLI::App& app, Settings& settings)
   AddStep(command, options->Step);
   AddArrays(command, options->Input);
   command
-    ->add_option(
-      "--compressor", options->How, "Of a .vtu file: none, zlib, lz4 or lzma (default: zlib)")
+    ->add_option("--compressor", options->How,
+      "Compressor of a .vtu file: none, zlib, lz4 or lzma (default: zlib)")
     ->check(CLI::IsMember({ "none", "zlib", "lz4", "lzma" }))
     ->option_text("NAME");
-  command->add_option("IN", options->In, "The .gtn file (or any that pack takes)")->required();
+  command->add_option("IN", options->In, "The .gtn file, or any other file that pack reads")
+    ->required();
   command->add_option("OUT", options->Out, "The .vtu or .vtk file")->required();
   command->callback(
     [=, &settings]

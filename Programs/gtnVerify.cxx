@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// gtn verify: whether a file is intact, and whether it holds what another one holds.
+// gtn verify: checks a file, and compares it with another one.
 
 #include "gtnCommands.h"
 #include "gtnCompare.h"
@@ -39,7 +39,7 @@ struct Options
   InputOptions Input;
 };
 
-// Names to tell the two by, in messages.
+// Distinct names for messages.
 std::pair<std::string, std::string> ShortNames(const std::string& first, const std::string& second)
 {
   std::pair<std::string, std::string> names(FileOf(first), FileOf(second));
@@ -87,14 +87,11 @@ void CompareWithOriginals(const Options& options, const Settings& settings, std:
   }
   if (!settings.Quiet)
   {
-    fmt::print("{}: identical to {}{}{}\n", options.File, original.GetName(),
+    const std::size_t alike = comparison.GetIndistinguishablePoints();
+    fmt::print("{}: identical to {}{}{}{}\n", options.File, original.GetName(),
       options.Originals.size() > 1 ? fmt::format(" and {} more", options.Originals.size() - 1) : "",
-      steps > 1 ? fmt::format(", {} time steps", steps) : "");
-    if (settings.Verbose && comparison.GetAmbiguousPoints() > 0)
-    {
-      fmt::print("  {} points coincide with others in all values and neighbours\n",
-        Grouped(comparison.GetAmbiguousPoints()));
-    }
+      steps > 1 ? fmt::format(", {} time steps", steps) : "",
+      alike > 0 ? fmt::format(", up to {} indistinguishable points", Grouped(alike)) : "");
   }
 }
 
@@ -145,19 +142,22 @@ void AddVerify(CLI::App& app, Settings& settings)
 {
   auto options = std::make_shared<Options>();
   CLI::App* command = AddCommand(app, settings, "verify",
-    "Check that a .gtn file is intact: all checksums, and that all of it decodes. With ORIGINAL,\n"
-    "also that nothing differs from it, bit by bit, at any time step; where the file does not "
-    "keep\n"
-    "the order of points or cells, up to that order. Says what differs first; the exit code is 1.",
+    "Check a .gtn file. All checksums are checked, and everything is decoded. With ORIGINAL, each\n"
+    "time step is also compared with it, bit by bit. Points and cells are compared in order where\n"
+    "the file keeps their order, and as sets elsewhere. As sets, points that coincide in their\n"
+    "coordinates and all of their values are indistinguishable: a cell may use one in place of\n"
+    "another. The number of such points is reported. The first difference is reported, and the "
+    "exit\n"
+    "code is 1.",
     "  gtn verify mesh.gtn\n"
     "  gtn verify mesh.gtn mesh.vtu\n"
     "  gtn verify run.gtn run_0.vtu run_1.vtu run_2.vtu");
   AddArrays(command, options->Input, "Compare only these point and cell arrays");
-  command->add_flag(
-    "--linearize", options->Input.Linearize, "ORIGINAL was packed with --linearize");
+  command->add_flag("--linearize", options->Input.Linearize,
+    "Linearize ORIGINAL, which was packed with --linearize");
   command->add_option("IN", options->File, "The .gtn file")->required();
-  command->add_option(
-    "ORIGINAL", options->Originals, "What was packed: one file, or one a time step");
+  command->add_option("ORIGINAL", options->Originals,
+    "The source of the .gtn file: one file, or one for each time step");
   command->callback(
     [=, &settings]
     {

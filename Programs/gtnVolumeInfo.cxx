@@ -88,20 +88,20 @@ void PrintText(const gatun::HartleyFile& file, const Options& options, bool verb
   PrintRow("direction", ListOf(volume.Direction));
   PrintRow("blocks", DescribeBlocks(layout));
   PrintRow("chunks", Grouped(layout.GetNumberOfChunks()));
-  PrintRow("kept with", file.IsLossless() ? "no loss" : Describe(file.GetQuality()));
+  PrintRow("rate control", file.IsLossless() ? "lossless" : Describe(file.GetRateControl()));
   PrintRow("size", ByteSize(file.GetFileBytes()));
-  PrintRow("bits a voxel",
+  PrintRow("bits per voxel",
     fmt::format("{:.3f}, 1 : {:.4g}", BitsPerVoxel(file), RawBits(file) / BitsPerVoxel(file)));
-  const double psnr = PeakSignalToNoise(file.GetRange(), file.GetRootMeanSquareError());
+  const double psnr = PeakSignalToNoise(file.GetRange(), file.GetRMSError());
   PrintRow("error",
-    fmt::format("root mean square {:.4g}, largest {:.4g}{}", file.GetRootMeanSquareError(),
-      file.GetLargestError(), std::isfinite(psnr) ? fmt::format(", {:.1f} dB", psnr) : ""));
+    fmt::format("root mean square {:.4g}, largest {:.4g}{}", file.GetRMSError(),
+      file.GetMaximumError(), std::isfinite(psnr) ? fmt::format(", {:.1f} dB", psnr) : ""));
   PrintRow("coefficients",
-    fmt::format("{} that are not 0, {:.1f} % of the voxels", Grouped(file.GetNumberOfTerms()),
+    fmt::format("{} nonzero, {:.1f} % of the voxels", Grouped(file.GetNumberOfTerms()),
       100 * static_cast<double>(file.GetNumberOfTerms()) / CountVoxels(file)));
   if (options.Verify)
   {
-    PrintRow("verified", "all checksums are right, and everything can be decoded");
+    PrintRow("verified", "all checksums are right, and all chunks can be decoded");
   }
   if (verbose)
   {
@@ -113,64 +113,50 @@ void PrintText(const gatun::HartleyFile& file, const Options& options, bool verb
   }
 }
 
-template <typename Number, std::size_t Count>
-void AddList(Json& json, const char* name, const std::array<Number, Count>& numbers)
-{
-  json.BeginArray(name);
-  for (const Number number : numbers)
-  {
-    json.Add({}, static_cast<double>(number));
-  }
-  json.EndArray();
-}
-
 void PrintJson(const gatun::HartleyFile& file, const Options& options, bool verbose)
 {
   const gatun::VolumeInput& volume = file.GetVolume();
   const gatun::HartleyLayout& layout = file.GetLayout();
-  Json json;
-  json.BeginObject();
-  json.Add("file", file.GetPath());
-  json.Add("formatVersion", Version(file));
-  json.Add("writerVersion", file.GetWriterVersion());
-  AddList(json, "size", layout.Size);
-  json.Add("array", volume.Name);
-  json.Add("type", NameOf(volume.Type));
-  AddList(json, "range", std::array{ file.GetRange().Min, file.GetRange().Max });
-  AddList(json, "firstIndex", volume.FirstIndex);
-  AddList(json, "origin", volume.Origin);
-  AddList(json, "spacing", volume.Spacing);
-  AddList(json, "direction", volume.Direction);
-  AddList(json, "block", layout.Block);
-  json.Add("whole", layout.IsWhole());
-  json.Add("blocks", static_cast<std::uint64_t>(layout.GetNumberOfBlocks()));
-  json.Add("chunks", static_cast<std::uint64_t>(layout.GetNumberOfChunks()));
-  json.Add("lossless", file.IsLossless());
-  json.Add("goal", NameOf(file.GetQuality().Kind));
-  json.Add("goalValue", file.GetQuality().Value);
-  json.Add("frequencyWeight", file.GetQuality().FrequencyWeight);
-  json.Add("rootMeanSquareError", file.GetRootMeanSquareError());
-  json.Add("largestError", file.GetLargestError());
-  json.Add("psnr", PeakSignalToNoise(file.GetRange(), file.GetRootMeanSquareError()));
-  json.Add("terms", file.GetNumberOfTerms());
-  json.Add("bytes", file.GetFileBytes());
-  json.Add("bitsPerVoxel", BitsPerVoxel(file));
-  json.Add("ratio", RawBits(file) / BitsPerVoxel(file));
+  Json::Value json;
+  json["file"] = file.GetPath();
+  json["formatVersion"] = Version(file);
+  json["writerVersion"] = file.GetWriterVersion();
+  json["size"] = JsonArray(layout.Size);
+  json["array"] = volume.Name;
+  json["type"] = NameOf(volume.Type);
+  json["range"] = JsonArray(std::array{ file.GetRange().Min, file.GetRange().Max });
+  json["firstIndex"] = JsonArray(volume.FirstIndex);
+  json["origin"] = JsonArray(volume.Origin);
+  json["spacing"] = JsonArray(volume.Spacing);
+  json["direction"] = JsonArray(volume.Direction);
+  json["block"] = JsonArray(layout.Block);
+  json["whole"] = layout.IsWhole();
+  json["blocks"] = static_cast<std::uint64_t>(layout.GetNumberOfBlocks());
+  json["chunks"] = static_cast<std::uint64_t>(layout.GetNumberOfChunks());
+  json["lossless"] = file.IsLossless();
+  json["rateControl"] = NameOf(file.GetRateControl().Mode);
+  json["rateControlValue"] = file.GetRateControl().Value;
+  json["frequencyWeight"] = file.GetRateControl().FrequencyWeight;
+  json["rootMeanSquareError"] = file.GetRMSError();
+  json["largestError"] = file.GetMaximumError();
+  json["psnr"] = PeakSignalToNoise(file.GetRange(), file.GetRMSError());
+  json["terms"] = file.GetNumberOfTerms();
+  json["bytes"] = file.GetFileBytes();
+  json["bitsPerVoxel"] = BitsPerVoxel(file);
+  json["ratio"] = RawBits(file) / BitsPerVoxel(file);
   if (options.Verify)
   {
-    json.Add("verified", true);
+    json["verified"] = true;
   }
   if (verbose)
   {
-    json.BeginArray("chunkBytes");
+    json["chunkBytes"] = Json::arrayValue;
     for (std::size_t chunk = 0; chunk < layout.GetNumberOfChunks(); ++chunk)
     {
-      json.Add({}, file.GetChunkBytes(chunk));
+      json["chunkBytes"].append(file.GetChunkBytes(chunk));
     }
-    json.EndArray();
   }
-  json.EndObject();
-  fmt::print("{}", json.GetText());
+  fmt::print("{}", JsonText(json));
 }
 
 } // anonymous namespace

@@ -16,7 +16,7 @@
 #include "gtnVolumeOptions.h"
 #include "gtnWriteGatun.h"
 
-#include "vtkHartleyVolumeWriter.h"
+#include "vtkGatunHartleyWriter.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -44,7 +44,7 @@ struct Options
 };
 
 void Print(
-  const Options& options, vtkImageData* volume, vtkHartleyVolumeWriter* writer, double seconds)
+  const Options& options, vtkImageData* volume, vtkGatunHartleyWriter* writer, double seconds)
 {
   const int* const size = volume->GetDimensions();
   vtkDataArray* const array = volume->GetPointData()->GetScalars();
@@ -53,37 +53,34 @@ void Print(
   const double bits = 8 * static_cast<double>(writer->GetFileBytes()) / voxels;
   double range[2];
   array->GetRange(range);
-  const double error = writer->GetRootMeanSquareError();
+  const double error = writer->GetMeasuredRMSError();
   const double psnr = PeakSignalToNoise({ range[0], range[1] }, error);
   const std::string name = array->GetName() ? array->GetName() : "";
   if (options.Json)
   {
-    Json json;
-    json.BeginObject();
-    json.Add("file", options.Out);
-    json.BeginArray("size");
+    Json::Value json;
+    json["file"] = options.Out;
+    json["size"] = Json::arrayValue;
     for (int axis = 0; axis < 3; ++axis)
     {
-      json.Add({}, size[axis]);
+      json["size"].append(size[axis]);
     }
-    json.EndArray();
-    json.Add("array", name);
-    json.Add("bytes", static_cast<std::uint64_t>(writer->GetFileBytes()));
-    json.Add("bitsPerVoxel", bits);
-    json.Add("ratio", raw / bits);
-    json.Add("rootMeanSquareError", error);
-    json.Add("largestError", writer->GetLargestError());
-    json.Add("psnr", psnr);
-    json.Add("seconds", seconds);
-    json.EndObject();
-    fmt::print("{}", json.GetText());
+    json["array"] = name;
+    json["bytes"] = static_cast<std::uint64_t>(writer->GetFileBytes());
+    json["bitsPerVoxel"] = bits;
+    json["ratio"] = raw / bits;
+    json["rootMeanSquareError"] = error;
+    json["largestError"] = writer->GetMaximumError();
+    json["psnr"] = psnr;
+    json["seconds"] = seconds;
+    fmt::print("{}", JsonText(json));
     return;
   }
   fmt::print("{}: {} x {} x {} voxels, '{}', {}\n", options.Out, size[0], size[1], size[2],
     Printable(name), ByteSize(writer->GetFileBytes()));
   fmt::print("  {:.3f} bits a voxel, 1 : {:.4g}\n", bits, raw / bits);
   fmt::print("  root mean square error {:.4g}, largest error {:.4g}{}\n", error,
-    writer->GetLargestError(), std::isfinite(psnr) ? fmt::format(", {:.1f} dB", psnr) : "");
+    writer->GetMaximumError(), std::isfinite(psnr) ? fmt::format(", {:.1f} dB", psnr) : "");
 }
 
 void Pack(const Options& options, const Settings& settings)
@@ -94,7 +91,7 @@ void Pack(const Options& options, const Settings& settings)
   }
   CheckWritable(options.Out, options.Overwrite);
   const vtkSmartPointer<vtkImageData> volume = ReadVolume(options.Input, settings);
-  vtkNew<vtkHartleyVolumeWriter> writer;
+  vtkNew<vtkGatunHartleyWriter> writer;
   options.Compression.Apply(writer.Get());
   const auto start = std::chrono::steady_clock::now();
   {
@@ -118,12 +115,12 @@ void AddVolumePack(CLI::App& app, Settings& settings)
 {
   auto options = std::make_shared<Options>();
   CLI::App* command = AddCommand(app, settings, "pack",
-    "Write a regular volume as Hartley coefficients (.ghv), as well as is asked for. Slices come\n"
-    "in the order of the numbers in their names.",
+    "Write a regular volume as Hartley coefficients (.ghv). Slices are ordered by the numbers in\n"
+    "their names.",
     "  gtn volume pack head.nii.gz head.ghv\n"
     "  gtn volume pack --block 16 --psnr 45 head.vti head.ghv\n"
-    "  gtn volume pack --error 0 head.mha head.ghv              without loss\n"
-    "  gtn volume pack --rate 1 --spacing 0.5,0.5,2 slices/ head.ghv\n"
+    "  gtn volume pack --rms-error 0 head.mha head.ghv          lossless\n"
+    "  gtn volume pack --bits-per-voxel 1 --spacing 0.5,0.5,2 slices/ head.ghv\n"
     "  gtn volume pack slice_*.png head.ghv");
   AddForce(command, options->Overwrite);
   AddVolumeInput(command, options->Input);
@@ -138,7 +135,7 @@ void AddVolumePack(CLI::App& app, Settings& settings)
     {
       if (options->Input.Files.size() < 2)
       {
-        throw UsageError("pack takes a volume and, behind it, the name of a .ghv file");
+        throw UsageError("pack takes a volume, followed by the name of a .ghv file");
       }
       options->Out = options->Input.Files.back();
       options->Input.Files.pop_back();

@@ -1,24 +1,23 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// gtn volume render: a volume as a picture, from its Hartley coefficients, or as many from all
-// around.
+// gtn volume render: renders a volume from its Hartley coefficients.
 
 #include "gtnFailure.h"
-#include "gtnJson.h"
+#include "gtnImageOptions.h"
 #include "gtnMessages.h"
 #include "gtnOptions.h"
-#include "gtnOutput.h"
 #include "gtnParse.h"
-#include "gtnPictureOptions.h"
 #include "gtnProgress.h"
-#include "gtnRenderStatistics.h"
 #include "gtnText.h"
+#include "gtnTurntable.h"
 #include "gtnVolume.h"
 #include "gtnVolumeOptions.h"
 #include "gtnVolumeSource.h"
 
-#include "vtkHartleyProjection.h"
+#include "vtkGatunHartleyEncoder.h"
+#include "vtkGatunHartleyProjection.h"
+#include "vtkGatunHartleyView.h"
 
 #include "vtkCamera.h"
 #include "vtkNew.h"
@@ -28,7 +27,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <memory>
 
 namespace gtn
@@ -36,17 +34,18 @@ namespace gtn
 namespace
 {
 
-constexpr std::array<const char*, 3> Laws{ "xray", "exponential", "transfer" };
-static_assert(vtkHartleyProjection::LAW_XRAY == 0 && vtkHartleyProjection::LAW_EXPONENTIAL == 1 &&
-  vtkHartleyProjection::LAW_TRANSFER_FUNCTION == 2);
+constexpr std::array<const char*, 3> OpacityModels{ "xray", "exponential", "transfer" };
+static_assert(vtkGatunHartleyProjection::OPACITY_MODEL_XRAY == 0 &&
+  vtkGatunHartleyProjection::OPACITY_MODEL_EXPONENTIAL == 1 &&
+  vtkGatunHartleyProjection::OPACITY_MODEL_TRANSFER_FUNCTION == 2);
 constexpr std::array<const char*, 3> Methods{ "automatic", "basis", "slice" };
 constexpr std::array<const char*, 2> Kernels{ "kaiser-bessel", "trilinear" };
 
-struct Options : PictureOptions
+struct Options : ImageOptions
 {
   VolumeInputOptions Input;
   CompressionOptions Compression;
-  int Law = vtkHartleyProjection::LAW_TRANSFER_FUNCTION;
+  int OpacityModel = vtkGatunHartleyProjection::OPACITY_MODEL_TRANSFER_FUNCTION;
   std::optional<double> Extinction;
   std::optional<double> Zero;
   std::optional<gatun::Range> Window;
@@ -54,40 +53,27 @@ struct Options : PictureOptions
   int Method = 0;
   int Kernel = 0;
   double Padding = 2;
-  int Memory = 1024;
-};
-
-struct Drawn
-{
-  std::string File;
-  vtkSmartPointer<vtkCamera> Camera;
-  double Seconds = 0;
-  std::uint64_t Blocks = 0;
-  std::uint64_t Terms = 0;
+  int Memory = 512;
 };
 
 void Check(const Options& options)
 {
-  if (!IsPicture(options.Out))
+  if ((options.Extinction || options.Zero) &&
+    options.OpacityModel != vtkGatunHartleyProjection::OPACITY_MODEL_EXPONENTIAL)
   {
-    throw UsageError(options.Out + ": the name must end in " + PictureFormats);
+    throw UsageError("--extinction and --zero require --opacity-model exponential");
   }
-  if ((options.Extinction || options.Zero) && options.Law != vtkHartleyProjection::LAW_EXPONENTIAL)
+  if (options.Window && options.OpacityModel != vtkGatunHartleyProjection::OPACITY_MODEL_XRAY)
   {
-    throw UsageError("--extinction and --zero are for --law exponential");
-  }
-  if (options.Window && options.Law != vtkHartleyProjection::LAW_XRAY)
-  {
-    throw UsageError("--window is for --law xray");
+    throw UsageError("--window requires --opacity-model xray");
   }
 }
 
-void SetUp(vtkHartleyProjection* projection, const Options& options, const VolumeSource& source)
+void SetUp(
+  vtkGatunHartleyProjection* projection, const Options& options, const VolumeSource& source)
 {
-  source.Connect(projection);
-  options.Compression.Apply(projection);
   projection->SetSize(options.Width, options.Height);
-  projection->SetLaw(options.Law);
+  projection->SetOpacityModel(options.OpacityModel);
   projection->SetExtinction(options.Extinction.value_or(0));
   projection->SetUseZero(options.Zero.has_value());
   projection->SetZero(options.Zero.value_or(0));
@@ -101,147 +87,75 @@ void SetUp(vtkHartleyProjection* projection, const Options& options, const Volum
   projection->SetPadding(options.Padding);
   projection->SetMemoryBudget(options.Memory);
   projection->OutputFloatsOn();
-  if (options.Law != vtkHartleyProjection::LAW_XRAY)
+  if (options.OpacityModel != vtkGatunHartleyProjection::OPACITY_MODEL_XRAY)
   {
-    projection->SetProperty(MakeProperty(
-      MakeTransfer(options, { source.GetFile(), source.GetArray(), source.GetRange() }),
-      options.UnitDistance.value_or(DiagonalOf(source.GetBounds()) / 100)));
+    vtkGatunHartleyView::SetProperty(projection,
+      MakeProperty(
+        MakeTransfer(options, { source.GetFile(), source.GetArray(), source.GetRange() }),
+        options.UnitDistance.value_or(DiagonalOf(source.GetBounds()) / 100)));
   }
 }
 
-Drawn Draw(const Options& options, const Settings& settings, const VolumeSource& source,
-  vtkHartleyProjection* projection, const std::string& file, double turn, Progress& progress)
+// Connects a .ghv file as it is; encodes other volumes first.
+void Connect(vtkGatunHartleyProjection* projection, vtkGatunHartleyEncoder* encoder,
+  const Options& options, const Settings& settings, const VolumeSource& source)
 {
-  const double aspect = static_cast<double>(options.Width) / options.Height;
-  Drawn drawn{ file, MakeCamera(options.Camera, source.GetBounds(), aspect, turn) };
-  projection->SetCamera(drawn.Camera);
-  const auto start = std::chrono::steady_clock::now();
-  progress.Watch(projection);
-  projection->Update();
+  if (source.IsFile())
+  {
+    source.Connect(projection);
+    return;
+  }
+  source.Connect(encoder);
+  options.Compression.Apply(encoder);
+  projection->SetInputConnection(encoder->GetOutputPort());
+  Progress progress("compressing", settings.ShowProgress);
+  progress.Watch(encoder);
+  encoder->Update();
   CheckInterrupt();
   CheckMessages(source.GetFile(), settings.Quiet);
-  drawn.Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  drawn.Blocks = static_cast<std::uint64_t>(projection->GetNumberOfBlocksDrawn());
-  drawn.Terms = projection->GetNumberOfTerms();
-  return drawn;
-}
-
-double MedianSeconds(const std::vector<Drawn>& pictures)
-{
-  std::vector<double> seconds;
-  for (const Drawn& picture : pictures)
-  {
-    seconds.push_back(picture.Seconds);
-  }
-  std::sort(seconds.begin(), seconds.end());
-  const std::size_t middle = seconds.size() / 2;
-  return seconds.size() % 2 == 1 ? seconds[middle] : (seconds[middle - 1] + seconds[middle]) / 2;
-}
-
-void PrintJson(const Options& options, const VolumeSource& source, vtkHartleyProjection* projection,
-  const std::vector<Drawn>& pictures, double peakMemory)
-{
-  Json json;
-  json.BeginObject();
-  json.Add("input", source.GetFile());
-  json.BeginArray("size");
-  for (const std::uint32_t voxels : source.GetSize())
-  {
-    json.Add({}, static_cast<std::uint64_t>(voxels));
-  }
-  json.EndArray();
-  json.Add("array", source.GetArray());
-  json.Add("law", Laws.at(static_cast<std::size_t>(options.Law)));
-  json.Add("method", Methods.at(static_cast<std::size_t>(projection->GetMethodUsed())));
-  json.Add("width", options.Width);
-  json.Add("height", options.Height);
-  json.BeginArray("pictures");
-  for (const Drawn& picture : pictures)
-  {
-    json.BeginObject();
-    json.Add("file", picture.File);
-    AddCamera(json, "camera", picture.Camera);
-    json.Add("seconds", picture.Seconds);
-    json.Add("blocks", picture.Blocks);
-    json.Add("terms", picture.Terms);
-    json.EndObject();
-  }
-  json.EndArray();
-  json.Add("medianSeconds", MedianSeconds(pictures));
-  json.Add("bytesRead", static_cast<std::uint64_t>(projection->GetBytesRead()));
-  json.Add("peakMemory", peakMemory);
-  json.EndObject();
-  fmt::print("{}", json.GetText());
-}
-
-void PrintRow(const char* title, const std::string& value)
-{
-  fmt::print("  {:<28} {:>14}\n", title, value);
-}
-
-void PrintText(const Options& options, const VolumeSource& source, vtkHartleyProjection* projection,
-  const std::vector<Drawn>& pictures, double peakMemory)
-{
-  const bool many = pictures.size() > 1;
-  fmt::print("{}{}: {} x {}, '{}' of {} voxels, {:.2f} s{}\n", pictures.front().File,
-    many ? " to " + FileOf(pictures.back().File) : std::string(), options.Width, options.Height,
-    Printable(source.GetArray()), SizeOf(source.GetSize()), MedianSeconds(pictures),
-    many ? " each" : "");
-  if (options.Statistics)
-  {
-    PrintRow("method", Methods.at(static_cast<std::size_t>(projection->GetMethodUsed())));
-    PrintRow("blocks drawn", Grouped(pictures.back().Blocks));
-    PrintRow("coefficients added up", Grouped(pictures.back().Terms));
-    if (source.IsFile())
-    {
-      PrintRow("read", ByteSize(projection->GetBytesRead()));
-    }
-    if (peakMemory > 0)
-    {
-      PrintRow("peak memory", ByteSize(static_cast<std::uint64_t>(peakMemory)));
-    }
-  }
 }
 
 void Render(const Options& options, const Settings& settings)
 {
   Check(options);
-  const std::vector<std::string> files = NamePictures(options);
-  for (const std::string& file : files)
-  {
-    CheckWritable(file, options.Overwrite);
-  }
+  CheckImages(options);
   const VolumeSource source(options.Input, settings);
-  vtkNew<vtkHartleyProjection> projection;
+  vtkNew<vtkGatunHartleyProjection> projection;
   SetUp(projection, options, source);
-  std::vector<Drawn> pictures;
-  double peakMemory = 0;
-  for (const std::string& file : files)
+  vtkNew<vtkGatunHartleyEncoder> encoder;
+  Connect(projection, encoder, options, settings, source);
+  const auto render = [&](vtkCamera* camera, Progress& progress)
   {
-    const auto number = static_cast<double>(pictures.size());
-    const auto count = static_cast<double>(files.size());
-    Progress progress(
-      files.size() > 1 ? fmt::format("drawing {} of {}", number + 1, count) : "drawing",
-      settings.ShowProgress);
-    pictures.push_back(
-      Draw(options, settings, source, projection, file, 360 * number / count, progress));
-    peakMemory = GetPeakMemory();
-    WritePicture(projection->GetOutput(), options.Background,
-      MakeRemarks({ source.GetFile(), source.GetArray(), source.GetRange() }, settings.CommandLine,
-        pictures.back().Camera),
-      file);
-  }
-  if (options.Json)
+    vtkGatunHartleyView::SetView(projection, camera);
+    progress.Watch(projection);
+    projection->Update();
+    return projection->GetOutput();
+  };
+  const auto getStatistics = [&]() -> Statistics
   {
-    PrintJson(options, source, projection, pictures, peakMemory);
-  }
-  else if (!settings.Quiet || options.Statistics)
-  {
-    PrintText(options, source, projection, pictures, peakMemory);
-  }
+    return { { "blocks", "blocks drawn", Statistic::Count,
+               static_cast<double>(projection->GetNumberOfBlocksDrawn()) },
+      { "terms", "coefficients summed", Statistic::Count,
+        static_cast<double>(projection->GetNumberOfCoefficients()) } };
+  };
+  const RenderedImages rendered = RenderImages(options, settings,
+    { { source.GetFile(), source.GetArray(), source.GetRange() }, source.GetBounds(), render,
+      getStatistics });
+
+  const char* const method = Methods.at(static_cast<std::size_t>(projection->GetMethodUsed()));
+  Json::Value json;
+  json["input"] = source.GetFile();
+  json["size"] = JsonArray(source.GetSize());
+  json["array"] = source.GetArray();
+  json["opacityModel"] = OpacityModels.at(static_cast<std::size_t>(options.OpacityModel));
+  json["method"] = method;
+  PrintImages(options, settings, rendered,
+    fmt::format("'{}' of {} voxels, method {}", Printable(source.GetArray()),
+      SizeOf(source.GetSize()), method),
+    json);
 }
 
-// An option that takes one of some names; the number of the name is what it sets.
+// An option whose value is one of several names; sets the number of the name.
 template <std::size_t Count>
 void AddChoice(CLI::App* command, const char* option, const std::array<const char*, Count>& names,
   int& number, const std::string& description, const char* group)
@@ -260,67 +174,70 @@ void AddChoice(CLI::App* command, const char* option, const std::array<const cha
     ->group(group);
 }
 
-void AddLawOptions(CLI::App* command, Options& options)
+void AddOpacityModelOptions(CLI::App* command, Options& options)
 {
-  const char* const group = "Colours and opacities";
-  AddChoice(command, "--law", Laws, options.Law,
-    "transfer (the default): opacity by the transfer function; exponential: by the extinction, "
-    "exact for each block; xray: grey, the sum along the ray",
+  const char* const group = "Colors and opacities";
+  AddChoice(command, "--opacity-model", OpacityModels, options.OpacityModel,
+    "transfer (the default): opacity by the transfer function; exponential: opacity by the "
+    "extinction, independent of the block size; xray: gray, by the sum along the ray",
     group);
   command
     ->add_option("--extinction", options.Extinction,
-      "For exponential: a length l of ray through the value v has the opacity 1 - exp(-K (v - V0) "
+      "For exponential: a ray of length l through the value v has the opacity 1 - exp(-K (v - V0) "
       "l) "
-      "(default: 1 in a tenth of the diagonal, for the largest value)")
+      "(default: an optical depth of 1 in a tenth of the diagonal, for the largest value)")
     ->check(Positive())
     ->option_text("K")
     ->group(group);
   command
     ->add_option("--zero", options.Zero,
-      "For exponential: V0, the value up to which there is nothing (default: the smallest one)")
+      "For exponential: V0, the value that is transparent (default: the smallest one)")
     ->option_text("V0")
     ->group(group);
   command
     ->add_option_function<std::string>(
       "--window",
       [&options](const std::string& text) { options.Window = ParseRange("--window", text); },
-      "For xray: the sums that are black and white (default: those of the picture)")
+      "For xray: the sums that are drawn black and white (default: those of the image)")
     ->option_text("LO,HI")
     ->group(group);
 }
 
 void AddMethodOptions(CLI::App* command, Options& options)
 {
-  const char* const group = "How it is drawn";
+  const char* const group = "Method";
   command
     ->add_option("--sample-distance", options.SampleDistance,
-      "The length of ray of which each value in a sum stands, above 0, in units of the coordinates "
+      "The length of a ray that a sample stands for, above 0, in units of the coordinates "
       "(default: the edge of a voxel)")
     ->check(Positive())
     ->option_text("D")
     ->group(group);
   AddChoice(command, "--method", Methods, options.Method,
-    "Pictures of blocks are sums of those of basis functions (basis), or slices through their "
-    "spectra (slice); automatic: basis for blocks of up to 16 voxels",
+    "How blocks are projected: as sums of the images of basis functions (basis) or by slices "
+    "through their spectra (slice); automatic: basis for blocks of up to 16 voxels",
     group);
   AddChoice(command, "--kernel", Kernels, options.Kernel,
-    "For slice: kaiser-bessel (the default), nearly exact, or trilinear, for comparison", group);
+    "For slice: interpolation by kaiser-bessel (the default), nearly exact, or trilinear, for "
+    "comparison",
+    group);
   command
     ->add_option("--padding", options.Padding,
-      "For slice: size of a block with the zeros around it, in blocks, 1 to 8")
+      "For slice: size of a zero-padded block relative to the block, 1 to 8")
     ->check(Between(1, 8))
     ->option_text("F [2]")
     ->group(group);
   command
     ->add_option("--memory", options.Memory,
-      "For slice: MiB of spectra to keep for the next picture, 0 to 1048576")
+      "MiB of coefficients or spectra to keep from image to image, 0 to 1048576")
     ->check(CLI::Range(0, 1 << 20))
-    ->option_text("MIB [1024]")
+    ->option_text("MIB [512]")
     ->group(group);
   command
-    ->add_flag("--stats", options.Statistics, "Print what it took; of a turntable, the last one")
+    ->add_flag(
+      "--stats", options.Statistics, "Print statistics; of a turntable, those of the last image")
     ->group(group);
-  command->add_flag("--json", options.Json, "Print the same of each picture, as JSON")
+  command->add_flag("--json", options.Json, "Print the statistics of each image as JSON")
     ->group(group);
 }
 
@@ -337,9 +254,9 @@ void AddRotation(CLI::App* command, CameraOptions& camera)
                                       Refuse("--rotate", text, "three numbers, as 0.25,0.25,0.25");
                                     }
                                   },
-                                  "Instead of all that: rotations of the volume about x, then y, "
-                                  "then z, in units of pi; it is "
-                                  "then looked at along z, with x to the right and y down")
+                                  "Instead of the above: rotations of the volume about x, then "
+                                  "y, then z, in units of pi; the view is along z, with x to "
+                                  "the right and y down")
                                 ->option_text("X,Y,Z")
                                 ->group("View");
   for (const char* const other : { "--azimuth", "--elevation", "--camera" })
@@ -357,23 +274,24 @@ void AddVolumeRender(CLI::App& app, Settings& settings)
   options->TransferFunction = "bone";
   options->Camera.Parallel = true;
   CLI::App* command = AddCommand(app, settings, "render",
-    "Draw a volume into a .png or .exr file, from its Hartley coefficients: a .ghv file as it is,\n"
-    "chunk by chunk; others are compressed first, in memory. The projection is always parallel.",
+    "Draw a volume from its Hartley coefficients into a .png or .exr file. A .ghv file is drawn\n"
+    "chunk by chunk; other volumes are compressed in memory first. The projection is parallel.",
     "  gtn volume render head.ghv head.png\n"
     "  gtn volume render --tf bone --range 0,1500 --elevation 10 --background black head.ghv "
     "a.png\n"
-    "  gtn volume render --law xray --rotate 0.25,0.25,0.25 --size 512x512 head.ghv xray.png\n"
-    "  gtn volume render --law exponential --extinction 0.001 head.nii.gz head.exr\n"
+    "  gtn volume render --opacity-model xray --rotate 0.25,0.25,0.25 --size 512x512 head.ghv "
+    "xray.png\n"
+    "  gtn volume render --opacity-model exponential --extinction 0.001 head.nii.gz head.exr\n"
     "  gtn volume render --turntable 36 head.ghv around.png");
   AddForce(command, options->Overwrite);
-  AddPictureOptions(command, *options);
+  AddImageOptions(command, *options);
   AddViewOptions(command, options->Camera, "volume");
   AddRotation(command, options->Camera);
-  AddColourOptions(command, *options, "volume");
-  AddLawOptions(command, *options);
+  AddColorOptions(command, *options, "volume");
+  AddOpacityModelOptions(command, *options);
   AddMethodOptions(command, *options);
   AddVolumeInput(command, options->Input);
-  AddCompression(command, options->Compression, "Compression, of what is no .ghv file");
+  AddCompression(command, options->Compression, "Compression of other volumes than .ghv files");
   command
     ->add_option_function<std::string>(
       "IN", [options](const std::string& file) { options->Input.Files = { file }; },

@@ -10,10 +10,16 @@
 #include <memory>
 #include <vector>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkRayCastImageDisplayHelper;
 class vtkRenderer;
 class vtkVolume;
 class vtkWindow;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {

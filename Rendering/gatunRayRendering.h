@@ -8,14 +8,22 @@
 
 #include "gatunRayCaster.h"
 
+#include "vtkType.h" // For VTK_ABI_NAMESPACE_BEGIN
+
 #include <optional>
 #include <span>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkCamera;
 class vtkLightCollection;
 class vtkMatrix4x4;
 class vtkPlaneCollection;
 class vtkVolumeProperty;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {

@@ -33,6 +33,10 @@
 #include <algorithm>
 #include <chrono>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkGatunRayCaster);
 
 // One numbering for all classes that draw.
@@ -411,3 +415,7 @@ void vtkGatunRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PortableInstructions: " << (this->PortableInstructions ? "On" : "Off") << "\n";
   os << indent << "FromBothEnds: " << (this->FromBothEnds ? "On" : "Off") << "\n";
 }
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

@@ -15,6 +15,10 @@
 
 #include <algorithm>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkGatunVolumeMapper);
 
 using gatun::InputKind;
@@ -254,3 +258,7 @@ void vtkGatunVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
   os << indent << "SimplificationRatio: " << this->SimplificationRatio << "\n";
 }
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

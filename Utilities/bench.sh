@@ -2,49 +2,47 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Measures Gatun and its peers; setup.sh bench calls it. GATUN_BUILD names the build to use.
+# Measures Gatun and its peers. setup.sh bench calls it. GATUN_BUILD names the build to use.
 #
-#   bench.sh [FILE...]           all of it, in about half an hour, into Documentation/studies/: the page
-#                                benchmarks.md, its pictures and figures in the folder benchmarks/
-#   bench.sh --quick [FILE...]   small meshes, some minutes, into bench-quick/ of the build
-#   bench.sh --report            nothing is measured, the page is made anew
-#   bench.sh --study             the dissertation's study of rendering, in a quarter of an hour,
-#                                into Documentation/studies/rendering-study.md and rendering-study/; may be
-#                                followed by --quick or --report
-#   bench.sh --simplification    the study of simplification, in half an hour, into
-#                                Documentation/studies/simplification-study.md and simplification-study/;
-#                                likewise
-#   bench.sh --budget            how well just-in-time rendering keeps to a time, in ten minutes, into
-#                                Documentation/studies/just-in-time.md and just-in-time/; as --study
-#   bench.sh --isosurfaces       the study of isosurfaces, in a quarter of an hour, into
-#                                Documentation/studies/isosurface-study.md and isosurface-study/; as --study
-#   bench.sh --volumes           the study of regular volumes, in three quarters of an hour, into
-#                                Documentation/studies/volume-study.md and volume-study/; as --study
+#   bench.sh [FILE...]           the benchmarks, about half an hour; writes benchmarks.md
+#   bench.sh --readme            the table of README.md, a few minutes; writes summary.md and the table
+#   bench.sh --study             the rendering study, about 40 minutes; writes rendering-study.md
+#   bench.sh --budget            the just-in-time study, 6 minutes; writes just-in-time-study.md
+#   bench.sh --simplification    the simplification study, 30 minutes; writes simplification-study.md
+#   bench.sh --isosurfaces       the isosurface study, 6 minutes; writes isosurface-study.md
+#   bench.sh --volumes           the volume study, 45 minutes; writes volume-study.md
+#   bench.sh --pages             measures nothing and writes all pages again from their results
 #
-# FILEs are meshes to be measured too. GATUN_DATA_DIR names a folder of more of them, if set: sizes
-# of every .vtu and Exodus file there are told, and the blunt fin and the combustion chamber are
-# rendered. A page that may be quoted wants a machine with nothing else to do.
+# Pages are written to Documentation/studies, their plots and results to a folder of the same name.
+# Each of the first seven may be followed by
+#
+#   --quick     small data, some minutes; writes to bench-quick/ of the build instead
+#   --report    measures nothing and writes the page and its plots again
+#
+# FILEs are further meshes to measure. If GATUN_DATA_DIR names a folder, its meshes are measured, too:
+# the sizes of every .vtu and Exodus file, and images of the blunt fin and the combustion chamber.
+# A page that is to be quoted needs a machine without other load.
 
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${GATUN_BUILD:-$root/build/release}
 
-script=runBenchmarks.py
-if [ "${1:-}" = --study ]; then
-  script=runStudy.py
-  shift
-elif [ "${1:-}" = --simplification ]; then
-  script=runSimplification.py
-  shift
-elif [ "${1:-}" = --budget ]; then
-  script=runBudget.py
-  shift
-elif [ "${1:-}" = --isosurfaces ]; then
-  script=runIsosurfaces.py
-  shift
-elif [ "${1:-}" = --volumes ]; then
-  script=runVolumes.py
+case ${1:-} in
+  --readme) script=runSummary.py ;;
+  --study) script=runStudy.py ;;
+  --budget) script=runBudget.py ;;
+  --simplification) script=runSimplification.py ;;
+  --isosurfaces) script=runIsosurfaces.py ;;
+  --volumes) script=runVolumes.py ;;
+  --pages) script=generatedParts.py ;;
+  *) script=runBenchmarks.py ;;
+esac
+export PYTHONDONTWRITEBYTECODE=1
+if [ "$script" = generatedParts.py ]; then
+  exec /usr/bin/python3 "$root/Benchmarks/Studies/$script" --update
+fi
+if [ "$script" != runBenchmarks.py ]; then
   shift
 fi
 out=$root/Documentation/studies
@@ -55,5 +53,5 @@ for argument; do
 done
 
 # Debian's Python, which has matplotlib.
-PYTHONDONTWRITEBYTECODE=1 exec /usr/bin/python3 "$root/Benchmarks/Studies/$script" \
+exec /usr/bin/python3 "$root/Benchmarks/Studies/$script" \
   --programs "$build/bin" --out "$out" "$@"

@@ -4,12 +4,37 @@
 #
 # Checks the sources under version control:
 #
-#   Utilities/lint.sh          layout, as clang-format has it, and characters beyond ASCII
-#   Utilities/lint.sh --fix    the same, repairing the layout
-#   Utilities/lint.sh --tidy   also clang-tidy, on the sources that build/release compiles (slow)
+#   Utilities/lint.sh          layout (clang-format), characters beyond ASCII, includes between
+#                              folders, archives of fuzz inputs
+#   Utilities/lint.sh --fix    the same, and repair the layout
+#   Utilities/lint.sh --tidy   clang-tidy on the sources of the libraries and programs
+#   Utilities/lint.sh --analyze
+#                              clang-tidy's analyzer on the sources of the core
+#
+# clang-tidy takes the compiler's options from the build tree GATUN_BUILD (build/release) and runs
+# GATUN_JOBS processes (number of processors).
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+if [ "${1:-}" = --tidy ] || [ "${1:-}" = --analyze ]; then
+  build=${GATUN_BUILD:-build/release}
+  options=(--quiet -p "$build")
+  folders=('Module/*.cxx' 'IO/*.cxx' 'Filters/*.cxx' 'Rendering/*.cxx' 'Programs/*.cxx')
+  if [ "$1" = --analyze ]; then
+    options+=("--checks=-*,clang-analyzer-*,-clang-analyzer-cplusplus.NewDeleteLeaks,\
+-clang-analyzer-optin.cplusplus.VirtualCall,-clang-analyzer-optin.mpi.*")
+    folders=('Module/*.cxx')
+  fi
+  # Sources that this build leaves out have no entry in compile_commands.json.
+  git ls-files "${folders[@]}" | while read -r source; do
+    if grep -qF "$PWD/$source\"" "$build/compile_commands.json"; then
+      echo "$source"
+    fi
+  done | xargs -P "${GATUN_JOBS:-$(nproc)}" -n 1 clang-tidy "${options[@]}" 2> >(
+    grep -v 'warnings\? generated\.$' >&2)
+  exit
+fi
 
 mapfile -t sources < <(git ls-files '*.h' '*.cxx' '*.txx')
 failed=0
@@ -26,12 +51,7 @@ if git ls-files -z '*.h' '*.cxx' '*.txx' '*.cmake' '*.sh' '*.xml' '*CMakeLists.t
   failed=1
 fi
 
-if [ "${1:-}" = --tidy ]; then
-  git ls-files '*.cxx' | while read -r source; do
-    if grep -qF "$PWD/$source\"" build/release/compile_commands.json; then
-      echo "$source"
-    fi
-  done | xargs -P "$(nproc)" -n 1 clang-tidy --quiet -p build/release || failed=1
-fi
+Utilities/check_includes.py || failed=1
+Testing/Fuzz/corpus.py check || failed=1
 
 exit $failed

@@ -2,29 +2,38 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Sets Gatun up on Debian 12, from a system with nothing installed, and runs it.
+# Builds and runs Gatun on Debian 12 or 13, from a system with nothing installed.
 #
 #   Utilities/setup.sh demo [FILE]   install what is needed, build, show what Gatun does (to FILE,
-#                                    a mesh that VTK can read, or to one that the demo makes)
+#                                    a mesh that VTK can read, or to a mesh that the demo makes)
 #   Utilities/setup.sh test          build for VTK and for ParaView, run the tests of both
+#   Utilities/setup.sh lint          check layout, includes and the findings of clang-tidy; the
+#                                    sources follow clang 14, that of Debian 12
 #   Utilities/setup.sh bench [--quick] [FILE...]
 #                                    build, measure against VTK's own files (with --quick: less),
 #                                    with the meshes it makes and with FILEs; see bench.sh
 #
-# Packages are installed with apt-get, as root or through sudo. What is done already is not done
-# again. From the environment:
+# Packages are installed with apt-get, as root or through sudo. Steps already done are skipped.
+# Variables of the environment:
 #
 #   GATUN_BUILD_DIR        where to build                       (build, next to the sources)
 #   GATUN_PARAVIEW_PREFIX  where ParaView is unpacked           ($GATUN_BUILD_DIR/paraview-prefix)
-#   GATUN_JOBS             how much to do at once               (as many as there are processors)
+#   GATUN_JOBS             number of parallel jobs              (number of processors)
 #   GATUN_NO_INSTALL       if set, packages are never installed (missing ones are an error)
-#   GATUN_DATA_DIR         large meshes for tests and benchmarks (none: those tests are skipped)
+#   GATUN_DATA_DIR, GATUN_CELLS_DIR
+#                          large meshes for tests and benchmarks (none: those tests are skipped)
+#   CI                     true: compiler warnings are errors, and `test` also runs the core and the
+#                          fuzz inputs with AddressSanitizer and UndefinedBehaviorSanitizer
 
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${GATUN_BUILD_DIR:-$root/build}
 jobs=${GATUN_JOBS:-$(nproc)}
+in_ci=OFF
+if [ "${CI:-}" = true ]; then
+  in_ci=ON
+fi
 
 packages_build=(
   cmake g++ libcli11-dev libfmt-dev libglm-dev libopenimageio-dev libtet1.5-dev
@@ -32,10 +41,17 @@ packages_build=(
 packages_window=(libgl1-mesa-dri xauth xvfb)
 packages_test=(libgtest-dev openimageio-tools python3-h5py python3-xxhash python3-zstandard)
 packages_bench=(libzfp-dev python3-matplotlib)
-# ParaView itself, its window's libraries, and what its Python side imports.
-packages_paraview=(
-  libqt5opengl5-dev libqt5svg5-dev libqt5x11extras5-dev mpi-default-bin paraview paraview-dev
-  python3-mpi4py qtbase5-dev qtdeclarative5-dev qttools5-dev qtxmlpatterns5-dev-tools)
+packages_lint=(clang-format clang-tidy git python3)
+# ParaView itself, its window's libraries, and the imports of its Python modules.
+packages_paraview=(mpi-default-bin paraview paraview-dev python3-mpi4py)
+if [ "$(. /etc/os-release && echo "${VERSION_CODENAME:-}")" = bookworm ]; then
+  packages_paraview+=(
+    libqt5opengl5-dev libqt5svg5-dev libqt5x11extras5-dev qtbase5-dev qtdeclarative5-dev
+    qttools5-dev qtxmlpatterns5-dev-tools)
+else
+  packages_paraview+=(
+    qt6-5compat-dev qt6-base-dev qt6-declarative-dev qt6-svg-dev qt6-tools-dev)
+fi
 
 say() {
   printf '== %s\n' "$*"
@@ -85,13 +101,22 @@ install_packages() {
   }
 }
 
+# Prints the paths of Python modules below a folder that carry the version of Python.
+find_versioned_modules() {
+  find "$1" -name '*.cpython-*.so' 2>/dev/null || true
+}
+
 # Sets $paraview to a folder with a complete ParaView, its CMake package and its Python modules.
 #
 # Debian's python3-paraview cannot be installed next to python3-vtk9, but ParaView's CMake package
-# needs it: without it, the three packages of ParaView are unpacked into a folder of their own.
+# needs it. Without it, the three packages of ParaView are unpacked into a separate folder.
+#
+# In Debian 13, ParaView's CMake package names Python modules <module>.so, but the files are called
+# <module>.cpython-<version>-<platform>.so. Links in the separate folder make up for that.
 find_paraview() {
-  local version stamp folder
-  if [ "$(dpkg-query -W -f '${db:Status-Status}' python3-paraview 2>/dev/null)" = installed ]; then
+  local version stamp folder module
+  if [ "$(dpkg-query -W -f '${db:Status-Status}' python3-paraview 2>/dev/null)" = installed ] &&
+    [ -z "$(find_versioned_modules /usr/lib/python3/dist-packages/paraview)" ]; then
     paraview=/usr
     return 0
   fi
@@ -113,22 +138,34 @@ find_paraview() {
       dpkg -x "$package" "$folder"
     done
   )
+  find_versioned_modules "$paraview/lib/python3/dist-packages" | while read -r module; do
+    ln -sf "${module##*/}" "${module%%.cpython-*}.so"
+  done
   rm -rf "$folder/packages"
   printf '%s\n' "$version" >"$stamp"
 }
 
-# build_tree <preset> <cmake argument>...
-build_tree() {
+# configure_tree <preset> <cmake argument>...
+#
+# The Python is Debian's, which the VTK and ParaView of Debian belong to; the first one in PATH may
+# be another.
+configure_tree() {
   local preset=$1
   shift
-  say "Building $build/$preset"
-  # Configuring says a lot that helps nobody unless it fails.
-  (cd "$root" && cmake --preset "$preset" -B "$build/$preset" "$@") >"$build/$preset.log" 2>&1 || {
+  # The output of CMake is of interest only if it fails.
+  (cd "$root" && cmake --preset "$preset" -B "$build/$preset" -DPython3_EXECUTABLE=/usr/bin/python3 \
+    "-DGATUN_WARNINGS_AS_ERRORS=$in_ci" "$@") >"$build/$preset.log" 2>&1 || {
     cat "$build/$preset.log" >&2
     die "cannot configure $build/$preset"
   }
   grep '^-- Gatun' "$build/$preset.log" || true
-  cmake --build "$build/$preset" --parallel "$jobs"
+}
+
+# build_tree <preset> <cmake argument>...
+build_tree() {
+  say "Building $build/$1"
+  configure_tree "$@"
+  cmake --build "$build/$1" --parallel "$jobs"
 }
 
 build_vtk() {
@@ -155,22 +192,38 @@ run_demo() {
 }
 
 run_test() {
+  local trees=(release paraview)
   install_packages "${packages_build[@]}" "${packages_window[@]}" "${packages_test[@]}" \
     "${packages_paraview[@]}"
   find_paraview
   build_vtk -DGATUN_BUILD_TESTING=ON
   build_paraview -DGATUN_BUILD_TESTING=ON
+  if [ "$in_ci" = ON ]; then
+    build_tree core-asan-ubsan
+    trees+=(core-asan-ubsan)
+  fi
 
-  # One run of ctest over both trees, so that there is one summary.
+  # One run of ctest over all trees, so that there is one summary.
   mkdir -p "$build/tests"
-  cat >"$build/tests/CTestTestfile.cmake" <<END
-subdirs("$build/release" "$build/paraview")
-END
-  say "Testing $build/release and $build/paraview"
-  # Without -noreset the server starts anew whenever its last client leaves, and refuses whoever
-  # comes in that moment.
+  printf 'subdirs("%s")\n' "${trees[@]/#/$build/}" >"$build/tests/CTestTestfile.cmake"
+  say "Testing ${trees[*]} in $build"
+  export ASAN_OPTIONS=strict_string_checks=1:detect_stack_use_after_return=1
+  export LSAN_OPTIONS=suppressions=$root/Testing/lsan.supp:print_suppressions=0
+  export UBSAN_OPTIONS=print_stacktrace=1
+  # Without -noreset the server restarts when its last client leaves, and refuses clients that
+  # connect in that moment.
   exec xvfb-run -a -s '-screen 0 1280x1024x24 -noreset' \
-    ctest --test-dir "$build/tests" --output-on-failure --no-label-summary --parallel "$jobs"
+    ctest --test-dir "$build/tests" --output-on-failure --no-label-summary --parallel "$jobs" "$@"
+}
+
+run_lint() {
+  install_packages "${packages_lint[@]}" "${packages_build[@]}" "${packages_test[@]}"
+  say "Checking layout, includes and archives"
+  "$root/Utilities/lint.sh"
+  # clang-tidy needs the compiler's options and the headers that CMake writes, but no build.
+  configure_tree release -DGATUN_BUILD_TESTING=ON
+  say "Running clang-tidy"
+  GATUN_BUILD=$build/release GATUN_JOBS=$jobs "$root/Utilities/lint.sh" --tidy
 }
 
 run_bench() {
@@ -185,7 +238,7 @@ run_bench() {
 
 command=${1:-}
 case $command in
-  demo | test | bench)
+  demo | test | lint | bench)
     shift
     command -v apt-get >/dev/null || die "this needs Debian or a system like it (apt-get)"
     mkdir -p "$build"

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Pictures of what runBenchmarks.py has measured; needs matplotlib."""
+"""Plots of the results of runBenchmarks.py; needs matplotlib."""
 
 import matplotlib
 
@@ -12,7 +12,7 @@ import renderingReport
 matplotlib.use("Agg")
 from matplotlib import pyplot
 
-COLOURS = {"gtn": "#0072b2", "vtu-raw": "#999999", "vtu-zlib": "#e69f00", "vtu-lzma": "#cc79a7",
+COLORS = {"gtn": "#0072b2", "vtu-raw": "#999999", "vtu-zlib": "#e69f00", "vtu-lzma": "#cc79a7",
            "vtu-zlib-best": "#d55e00", "vtu-lzma-best": "#7b3294"}
 STAGES = ["#0072b2", "#56b4e9", "#009e73", "#e69f00", "#d55e00", "#cc79a7", "#999999", "#f0e442"]
 
@@ -26,12 +26,12 @@ def save(figure, folder, name, done):
 
 
 def grouped(groups, series, title, unit):
-    """Horizontal bars: series is a list of (name, colour, one value a group)."""
+    """Horizontal bars: series is a list of (name, color, one value a group)."""
     figure, axes = pyplot.subplots(figsize=(9, 1 + 0.17 * len(groups) * (len(series) + 1)))
     height = 0.8 / len(series)
-    for i, (name, colour, values) in enumerate(series):
+    for i, (name, color, values) in enumerate(series):
         places = [g + i * height for g in range(len(groups))]
-        bars = axes.barh(places, values, height, color=colour, label=name)
+        bars = axes.barh(places, values, height, color=color, label=name)
         axes.bar_label(bars, [benchmarkText.number(v) for v in values], padding=2, fontsize=7)
     axes.set_yticks([g + 0.4 - height / 2 for g in range(len(groups))], groups, fontsize=8)
     axes.invert_yaxis()
@@ -58,12 +58,12 @@ def _stacked(groups, series, title, unit):
 
 def _sizes(results, folder, done):
     inputs = results["inputs"]
-    series = [(text, COLOURS[name],
+    series = [(text, COLORS[name],
                [benchmarkReport.bits(benchmarkReport.by_format(one["size"])[name]["bytes"],
                                      one["size"]["tets"]) for one in inputs])
               for name, text in benchmarkReport.FORMATS.items()]
     save(grouped([benchmarkReport.label(one) for one in inputs], series, "File size",
-                   "bits for each tetrahedron"), folder, "sizes", done)
+                   "bits per tetrahedron"), folder, "sizes", done)
 
 
 def _parts(results, folder, done):
@@ -78,19 +78,19 @@ def _parts(results, folder, done):
               ("shared points", part("sharedGeometry")), ("arrays", arrays),
               ("directory", part("directory")), ("field data", part("fieldData"))]
     save(_stacked([benchmarkReport.label(one) for one in inputs], series, "Parts of .gtn files",
-                   "bits for each tetrahedron"), folder, "parts", done)
+                   "bits per tetrahedron"), folder, "parts", done)
 
 
 def _load(results, folder, done):
     loads = [(f"{benchmarkReport.label(one)}, {load['threads']} threads", load)
              for one in results["inputs"] for load in one.get("load", [])]
     names = [one["format"] for one in loads[0][1]["files"]]
-    series = [(benchmarkReport.FORMATS[name], COLOURS[name],
+    series = [(benchmarkReport.FORMATS[name], COLORS[name],
                [load["tets"] / 1e6
                 / benchmarkReport.median(benchmarkReport.by_format(load)[name])
                 for _, load in loads]) for name in names]
     save(grouped([text for text, _ in loads], series, "Loading to vtkUnstructuredGrid",
-                   "million tetrahedra a second"), folder, "load", done)
+                   "million tetrahedra per second"), folder, "load", done)
 
 
 def _stages(results, folder, done):
@@ -99,7 +99,7 @@ def _stages(results, folder, done):
     series = [(name, [1e9 * each[name] / one["stages"]["tets"]
                       for each, one in zip(seconds, inputs)]) for name in seconds[0]]
     save(_stacked([benchmarkReport.label(one) for one in inputs], series,
-                   "Decoding on one thread", "nanoseconds for each tetrahedron"),
+                   "Decoding on one thread", "nanoseconds per tetrahedron"),
           folder, "stages", done)
 
 
@@ -121,11 +121,11 @@ def _render(results, folder, done):
         return
     cases = [(mesh, case) for mesh in rendering["meshes"] for case in mesh["render"]
              if "projected" in renderingReport.by_mapper(case)]
-    series = [(renderingReport.MAPPERS[name], colour,
+    series = [(renderingReport.MAPPERS[name], color,
                [renderingReport.later_ratio(case, name) for _, case in cases])
-              for name, colour in (("bunyk", "#e69f00"), ("projected", "#56b4e9"))]
+              for name, color in (("bunyk", "#e69f00"), ("projected", "#56b4e9"))]
     figure = grouped([renderingReport.describe(mesh, case) for mesh, case in cases], series,
-                      "Later pictures: time against Gatun's mapper", "times as long")
+                      "Later frames: time relative to Gatun's mapper", "times as long")
     figure.axes[0].axvline(1, color="#0072b2", linewidth=1)
     save(figure, folder, "render", done)
 
@@ -136,23 +136,23 @@ def _memory(results, folder, done):
         return
     meshes = sorted(rendering["meshes"], key=lambda mesh: mesh["tets"])
     figure, axes = pyplot.subplots(figsize=(7, 4))
-    for form, colour in ("gtn", COLOURS["gtn"]), ("vtu-zlib", COLOURS["vtu-zlib"]):
+    for form, color in ("gtn", COLORS["gtn"]), ("vtu-zlib", COLORS["vtu-zlib"]):
         places = [(mesh["tets"], renderingReport.most_memory(
-            renderingReport.find_pictures(mesh, form))) for mesh in meshes]
+            renderingReport.find_images(mesh, form))) for mesh in meshes]
         if form == "gtn":
             places += [(rendering["hugeTets"], renderingReport.above_idle(one["run"]))
                        for one in rendering["huge"] if one["chunkTets"] == 65536]
-        axes.loglog(*zip(*places), "o-", color=colour, label=renderingReport.FILES[form])
+        axes.loglog(*zip(*places), "o-", color=color, label=renderingReport.FILES[form])
     axes.set_xlabel("tetrahedra")
     axes.set_ylabel("MiB above the idle process")
-    axes.set_title("Memory from file to picture, budget 0", fontsize=10)
+    axes.set_title("Memory from file to image, MemoryBudget 0", fontsize=10)
     axes.grid(which="major", alpha=0.3)
     axes.legend(fontsize=8)
     save(figure, folder, "memory", done)
 
 
 def draw(results, folder):
-    """Writes all pictures; returns their names."""
+    """Writes all plots; returns their names."""
     done = set()
     for make in _sizes, _parts, _load, _stages, _regions, _render, _memory:
         make(results, folder, done)

@@ -1,14 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""The page made of what runBenchmarks.py has measured."""
+"""The page of the results of runBenchmarks.py."""
 
 import statistics
 
 import benchmarkGoals
 import benchmarkText
 import renderingReport
-from benchmarkText import number, picture, table
+from benchmarkText import image, number, ratio, spread, table
 
 FORMATS = {
     "gtn": ".gtn",
@@ -28,20 +28,23 @@ def bits(size, tets):
     return 8 * size / tets
 
 
+def seconds_of(timed):
+    """The rounds, or the only run where there was one."""
+    return timed["seconds"] or [timed["first"]]
+
+
 def median(timed):
-    """Of the rounds, or of the only run where there was one."""
-    return statistics.median(timed["seconds"] or [timed["first"]])
+    return statistics.median(seconds_of(timed))
 
 
 def by_format(measured):
     return {one["format"]: one for one in measured["files"]}
 
 
-def ratio(measured, other, own="gtn"):
-    """How many times longer another format takes: the median over the rounds of both."""
+def ratios(measured, other, own="gtn"):
+    """The time of another format divided by that of .gtn, in each round."""
     files = by_format(measured)
-    pairs = list(zip(files[other]["seconds"], files[own]["seconds"]))
-    return statistics.median(a / b for a, b in pairs)
+    return benchmarkText.rounds_of(zip(files[other]["seconds"], files[own]["seconds"]))
 
 
 # --------------------------------------------------------------------------------------------------
@@ -49,15 +52,12 @@ def ratio(measured, other, own="gtn"):
 
 
 def head(results):
-    text = """# Benchmarks
+    return """# Benchmarks
 
-Made by `Utilities/setup.sh bench` (Benchmarks/Studies/runBenchmarks.py); all figures behind this
-page, each round of each timing, are in [results.json](benchmarks/results.json).
+`Utilities/setup.sh bench` (Benchmarks/Studies/runBenchmarks.py) writes this page. All results,
+including each round of each timing, are in [results.json](benchmarks/results.json).
 
-""" + benchmarkText.machine(results["machine"])
-    if results["mode"] != "full":
-        text += f"\n**A {results['mode']} run on small meshes: not to be quoted.**\n"
-    return text
+""" + benchmarkText.machine(results)
 
 
 def goals(results):
@@ -67,10 +67,10 @@ def goals(results):
             for goal in benchmarkGoals.judge(results)]
     return """## Goals
 
-What the project set out to reach, and how far it has come. *Must* is what it promises, *aim* is
-what it would like. Where several meshes speak to one goal, the worst one counts.
+The goals of the project and the current state. *Required* is the value that the project promises;
+*target* is the value that it aims for. Where a goal covers several meshes, the worst mesh counts.
 
-""" + table(["what", "unit", "others, measured here", "must", "aim", "now", "verdict"], rows)
+""" + table(["goal", "unit", "others, measured here", "required", "target", "now", "verdict"], rows)
 
 
 def inputs(results):
@@ -81,14 +81,14 @@ def inputs(results):
                      one["about"]])
     return """## Meshes
 
-*Permuted* meshes have their points and tetrahedra in random order, made with a fixed seed, so that
-nobody gains from the order in which a mesh was made; *natural* is that order. Meshes of a data
-folder (`GATUN_DATA_DIR`) and meshes given on the command line appear here too.
+The benchmark generates flow, delaunay and big. The points and tetrahedra of *permuted* meshes are
+in random order (with a fixed seed), so that no format benefits from the order in which a mesh was
+generated. The other meshes come from the data folder `GATUN_DATA_DIR` or from the command line.
 
-""" + table(["mesh", "tetrahedra", "points", "chunks", "what"], rows)
+""" + table(["mesh", "tetrahedra", "points", "chunks", "description"], rows)
 
 
-def sizes(results, pictures):
+def sizes(results, plots):
     rows = []
     for one in results["inputs"]:
         size = one["size"]
@@ -112,28 +112,29 @@ def sizes(results, pictures):
                         geometry, shared])
     return """## Size
 
-Bits for each tetrahedron, whole files. *.vtu* as VTK writes it when told nothing else (64-bit ids,
-blocks of 32 KiB), *best*: level 9, 32-bit ids, blocks of 32 MiB. *Raw memory*: coordinates, 32-bit
-connectivity and arrays, nothing else. `.gtn` files do not keep the order of points and cells here.
+Bits per tetrahedron of the whole file. *.vtu* files are written with VTK's default settings (64-bit
+ids, blocks of 32 KiB). *Best* means level 9, 32-bit ids and blocks of 32 MiB. *Raw memory* is the
+size of coordinates, 32-bit connectivity and arrays. The `.gtn` files have the default settings:
+they do not keep the order of points and cells.
 
-""" + table(["mesh", *FORMATS.values(), "raw memory"], rows) + "\n" + picture(
-        pictures, "sizes", "Bits for each tetrahedron by format") + """
-Where the bits of the `.gtn` files are, for each tetrahedron; the last two columns are bits for each
-point of one chunk only, and for each point that several chunks share.
+""" + table(["mesh", *FORMATS.values(), "raw memory"], rows) + "\n" + image(
+        plots, "sizes", "Bits per tetrahedron by format") + """
+Bits per tetrahedron of each part of the `.gtn` files. The last two columns are bits per point that
+only one chunk uses, and bits per point that several chunks share.
 
 """ + table(["mesh", "connectivity", "own points", "shared points", "arrays", "directory",
-             "bits/own point", "bits/shared point"], parts) + "\n" + picture(
-                 pictures, "parts", "Bits for each tetrahedron by part")
+             "bits/own point", "bits/shared point"], parts) + "\n" + image(
+                 plots, "parts", "Bits per tetrahedron by part")
 
 
-def loading(results, pictures):
+def loading(results, plots):
     rows = []
     for one in results["inputs"]:
         for load in one.get("load", []):
             files = by_format(load)
             rows.append([label(one), load["threads"]]
                         + [number(load["tets"] / median(files[name]) / 1e6) for name in files]
-                        + [f"{ratio(load, name):.2f}" for name in files if name != "gtn"])
+                        + [spread(ratios(load, name), ratio) for name in files if name != "gtn"])
     memory = []
     for one in results["inputs"]:
         peak = one.get("peak")
@@ -143,25 +144,26 @@ def loading(results, pictures):
                 f"{(peak[name]['peak'] - peak[name]['before']) / grid:.2f}" for name in peak])
     return """## Loading
 
-From file to `vtkUnstructuredGrid` in memory, by `vtkGatunReader` and by
-`vtkXMLUnstructuredGridReader`: million tetrahedra a second, and how many times longer VTK's reader
-takes than Gatun's (more than 1: Gatun is faster). Each number of threads is a process of its own;
-after one round to warm up, all formats take turns round by round, forwards and backwards; medians,
-ratios within each round. The files are in the page cache, so the disk does not count; where it
-does, the smaller file gains.
+Loading a file into a `vtkUnstructuredGrid`, by `vtkGatunReader` and by
+`vtkXMLUnstructuredGridReader`. The speed is in million tetrahedra per second (median). The ratios
+are the time of VTK's reader divided by Gatun's time: above 1, Gatun is faster. Each number of threads
+runs in a separate process. After one warm-up round the formats take turns, in alternating
+directions. The files are in the page cache, so the speed of the disk does not matter; from a slow
+disk, a smaller file has an advantage.
 
 """ + table(["mesh", "threads", ".gtn", "raw", "zlib", "LZMA", "raw / .gtn", "zlib / .gtn",
-             "LZMA / .gtn"], rows) + "\n" + picture(
-                 pictures, "load", "Million tetrahedra a second by format") + """
-Most memory in use while loading, over what the process had before, as a multiple of the grid
-loaded (1 is the grid itself); each in a process of its own, 2 threads.
+             "LZMA / .gtn"], rows) + "\n" + image(
+                 plots, "load", "Million tetrahedra per second by format") + """
+Peak memory while loading, above that of the process before, as a multiple of the size of the grid
+(1 is the grid itself). Each file is loaded in a separate process with 2 threads.
 
 """ + table(["mesh", "grid, MiB", ".gtn", ".vtu raw", ".vtu zlib"], memory)
 
 
 def stage_seconds(measured):
-    """Median seconds of each stage; "rest" is what the whole takes beyond the others."""
-    seconds = {stage["stage"]: median(stage) for stage in measured["stages"]}
+    """Median seconds of each stage; "hand over" is the rest of the whole."""
+    seconds = {stage["stage"].replace("neighbour", "neighbor"): median(stage)
+               for stage in measured["stages"]}
     check = seconds.pop("check alone")
     whole = seconds.pop("all at once")
     seconds["checksum"] = check
@@ -171,7 +173,7 @@ def stage_seconds(measured):
     return seconds
 
 
-def stages(results, pictures):
+def stages(results, plots):
     names = None
     rows = []
     for one in results["inputs"]:
@@ -183,13 +185,12 @@ def stages(results, pictures):
                         + [f"{scale * sum(seconds.values()):.1f}"])
     return """## Where the time goes
 
-Decoding by the core, without VTK, on one thread: nanoseconds for each tetrahedron by stage, taken
-one after the other over all chunks. *Hand over* is what decoding all at once takes beyond the sum:
-writing points, connectivity and values to their places in the caller's memory, and making that
-memory.
+Decoding by the core, without VTK, on one thread: nanoseconds per tetrahedron by stage. Each stage is
+timed separately over all chunks. *Hand over* is the time that complete decoding takes beyond the sum
+of the other stages: allocating the caller's memory and writing points, connectivity and values to it.
 
-""" + table(["mesh", *(names or []), "all"], rows) + "\n" + picture(
-        pictures, "stages", "Nanoseconds for each tetrahedron by stage")
+""" + table(["mesh", *(names or []), "all"], rows) + "\n" + image(
+        plots, "stages", "Nanoseconds per tetrahedron by stage")
 
 
 def writing(results):
@@ -200,7 +201,8 @@ def writing(results):
             files = by_format(write)
             rows.append([label(one), write["threads"]]
                         + [number(write["tets"] / median(files[name]) / 1e6) for name in files]
-                        + [number(write["tets"] / lzma / 1e6), f"{ratio(write, 'vtu-zlib'):.2f}"])
+                        + [number(write["tets"] / lzma / 1e6),
+                           spread(ratios(write, "vtu-zlib"), ratio)])
     memory = []
     for one in results["inputs"]:
         peak = one.get("peakWrite")
@@ -209,10 +211,10 @@ def writing(results):
                            f"{(peak['peak'] - peak['before']) / peak['gridBytes']:.2f}"])
     return """## Writing
 
-Million tetrahedra a second; LZMA was written once only.
+Million tetrahedra per second (median). The LZMA file is written only once.
 
 """ + table(["mesh", "threads", ".gtn", "raw", "zlib", "LZMA", "zlib / .gtn"], rows) + """
-Memory that writing `.gtn` takes beyond the input, as a multiple of it, 2 threads.
+Peak memory while writing `.gtn` with 2 threads, above the input, as a multiple of the input.
 
 """ + table(["mesh", "input, MiB", ".gtn"], memory)
 
@@ -220,9 +222,9 @@ Memory that writing `.gtn` takes beyond the input, as a multiple of it, 2 thread
 def pieces(results):
     text = """## Pieces
 
-All pieces read one after the other, each by a reader of its own as the ranks of a parallel program
-would; time is the sum, then that of the slowest piece, which is what a parallel program waits for.
-2 threads. VTK's `.vtu` reader cannot divide a file: there is nothing to compare with.
+All pieces are read one after the other, each by a separate reader, as the ranks of a parallel
+program would do. The times are the sum over all pieces and the time of the slowest piece, with 2
+threads. VTK's `.vtu` reader cannot read a piece of a file, so there is no comparison.
 
 """
     for one in results["inputs"]:
@@ -231,74 +233,75 @@ would; time is the sum, then that of the slowest piece, which is what a parallel
             rows = [[case["pieces"], case["ghostLevels"], f"{case['tets']:,}",
                      f"{case['bytesRead']:,}",
                      f"{100 * case['bytesRead'] / measured['fileBytes']:.1f}",
-                     number(1000 * median(case)),
-                     number(1000 * statistics.median(case["slowestPiece"]))]
+                     milliseconds(seconds_of(case)), milliseconds(case["slowestPiece"])]
                     for case in measured["cases"]]
             text += table(["pieces", "ghost levels", "tetrahedra", "bytes read", "% of file",
                            "all, ms", "slowest, ms"], rows)
     return text
 
 
-def regions(results, pictures):
+def milliseconds(seconds):
+    return spread([1000 * one for one in seconds])
+
+
+def regions(results, plots):
     text = """## Parts of a mesh
 
-What the reader reads from the file when it is asked for a box, or for values of Density. What it
-gives are whole chunks: small chunks fit better, and cost some file size.
+The bytes that the reader reads for a box or for a range of values of Density. The reader returns
+whole chunks. Smaller chunks fit a region better but make the file larger.
 
 """
     for one in results["inputs"]:
         for file in one.get("roi", {}).get("files", []):
             rows = [[region["region"], f"{region['tets']:,}", f"{region['bytesRead']:,}",
                      f"{100 * region['bytesRead'] / file['fileBytes']:.1f}",
-                     number(1000 * median(region))] for region in file["regions"]]
+                     milliseconds(seconds_of(region))] for region in file["regions"]]
             text += (f"Mesh {label(one)}, {file['chunks']} chunks of at most {file['chunkTets']:,} "
                      f"tetrahedra, {file['fileBytes']:,} bytes:\n\n")
-            text += table(["asked for", "tetrahedra", "bytes read", "% of file", "ms"], rows) + "\n"
-    return text + picture(pictures, "roi", "Bytes read for parts of a mesh")
+            text += table(["requested", "tetrahedra", "bytes read", "% of file", "ms"], rows) + "\n"
+    return text + image(plots, "roi", "Bytes read for parts of a mesh")
 
 
 def series(results):
     measured = results["series"]
-    seconds = {case["case"]: median(case) for case in measured["cases"]}
+    seconds = {case["case"]: seconds_of(case) for case in measured["cases"]}
     steps = measured["steps"]
     rows = [["all in one .gtn", f"{measured['gtnBytes']:,}"],
-            ["of that the mesh", f"{measured['gtnMeshBytes']:,}"],
-            [".vtu zlib, one a step, and a .pvd", f"{measured['vtuBytes']:,}"],
+            ["of these, the mesh", f"{measured['gtnMeshBytes']:,}"],
+            [".vtu zlib, one per step, and a .pvd", f"{measured['vtuBytes']:,}"],
             [".vtu / .gtn", f"{measured['vtuBytes'] / measured['gtnBytes']:.1f}"]]
-    timed = [[order, number(1000 * seconds[f"gtn {order}"] / steps),
-              number(1000 * seconds[f"vtu-zlib {order}"] / steps),
-              f"{seconds[f'vtu-zlib {order}'] / seconds[f'gtn {order}']:.2f}"]
-             for order in ("forward", "at random")]
+    timed = []
+    for order in "forward", "at random":
+        own, other = seconds[f"gtn {order}"], seconds[f"vtu-zlib {order}"]
+        timed.append([order, number(1000 * statistics.median(own) / steps),
+                      number(1000 * statistics.median(other) / steps),
+                      spread(benchmarkText.rounds_of(zip(other, own)), ratio)])
     text = f"""## Time series
 
-{steps} steps of one float array, which changes everywhere from step to step, over one mesh
-({measured["mesh"]}, {measured["tets"]:,} tetrahedra).
+{steps} time steps of one float array on one mesh ({measured["mesh"]}, {measured["tets"]:,}
+tetrahedra). Every value changes from step to step.
 
 """ + table(["files", "bytes"], rows) + """
-Milliseconds a step, through all steps, opening included, 2 threads:
+Milliseconds per step for reading all steps, including opening, with 2 threads:
 
 """ + table(["order", ".gtn", ".vtu zlib", ".vtu / .gtn"], timed)
     rows = [[one["name"], one["steps"], f"{one['tets']:,}", f"{one['inputBytes']:,}",
              f"{one['gtnBytes']:,}", f"{one['vtuBytes']:,}"] for one in results.get("exodus", [])]
     if rows:
-        text += "\nFiles with time steps of the data folder, bytes (their cells cut into "
-        text += "tetrahedra, but for the input):\n\n"
+        text += "\nFiles with time steps of the data folder, in bytes (with their cells split into "
+        text += "tetrahedra, except for the input):\n\n"
         text += table(["file", "steps", "tetrahedra", "input", ".gtn", ".vtu zlib, all steps"],
                       rows)
     return text
 
 
+def page(results, plots):
+    parts = [head(results), goals(results), inputs(results), sizes(results, plots),
+             loading(results, plots), stages(results, plots), writing(results),
+             pieces(results), regions(results, plots), series(results),
+             *renderingReport.sections(results, plots)]
+    return "\n".join(part.rstrip() + "\n" for part in parts)
+
+
 def write(results, out):
-    """Writes benchmarks.md, and pictures into benchmarks/ where matplotlib is there."""
-    try:
-        import benchmarkPlots
-        pictures = benchmarkPlots.draw(results, out / "benchmarks")
-    except ImportError:
-        print("Without matplotlib (python3-matplotlib) there are no pictures.")
-        pictures = set()
-    page = [head(results), goals(results), inputs(results), sizes(results, pictures),
-            loading(results, pictures), stages(results, pictures), writing(results),
-            pieces(results), regions(results, pictures), series(results),
-            *renderingReport.sections(results, pictures)]
-    (out / "benchmarks.md").write_text("\n".join(part.rstrip() + "\n" for part in page),
-                                       encoding="utf-8")
+    benchmarkText.write_page(results, out, "benchmarks", page, "benchmarkPlots")

@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Runs the programs that measure, and says where."""
+"""Runs the programs that measure, and records where and when."""
 
 import argparse
+import datetime
 import json
 import os
 import pathlib
@@ -15,19 +16,19 @@ import displays
 
 
 def make_parser(description, page):
-    """Arguments that all programs which write a page have in common."""
+    """The arguments that all programs that write a page have in common."""
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("--programs", type=pathlib.Path, required=True,
                         help="the folder of gatunBenchmarks and gtn")
     parser.add_argument("--out", type=pathlib.Path, required=True,
-                        help=f"where {page}.md and the folder {page} go")
+                        help=f"the folder for {page}.md and the folder {page}")
     modes = parser.add_mutually_exclusive_group()
     modes.add_argument("--quick", dest="mode", action="store_const", const="quick",
                        help="small meshes, few rounds")
     modes.add_argument("--smoke", dest="mode", action="store_const", const="smoke",
-                       help="tiny meshes, to see whether it runs at all")
+                       help="tiny meshes, to check that everything runs")
     parser.add_argument("--report", action="store_true",
-                        help="measure nothing, make the page and its pictures anew")
+                        help="measure nothing, write the page and its plots again")
     parser.set_defaults(mode="full")
     return parser
 
@@ -35,11 +36,11 @@ def make_parser(description, page):
 class Runner:
     """Runs the programs and prints what it does."""
 
-    def __init__(self, programs, work, pictures=None):
-        """Work: a folder for what is not kept; pictures: one for those of the page."""
+    def __init__(self, programs, work, images=None):
+        """work: a scratch folder; images: the folder for the images of the page."""
         self.programs = programs
         self.work = work
-        self.pictures = pictures
+        self.images = images
         self.start = time.monotonic()
 
     def path(self, *parts):
@@ -67,8 +68,8 @@ class Runner:
         print(f"{time.monotonic() - self.start:7.1f} s  {text}", flush=True)
 
     def case(self, *arguments, threads=0, window=False):
-        """A case of gatunBenchmarks. One with a window is given a display, and Mesa's rasterizer,
-        where OpenGL is software, as many threads as the case (0: none besides its own)."""
+        """Runs a case of gatunBenchmarks. A case with a window gets a display. Mesa's software
+        rasterizer gets as many threads as the case (0: none but its own)."""
         self.say(" ".join(map(str, arguments)) + (f" ({threads} threads)" if threads else ""))
         environment = {"LP_NUM_THREADS": str(threads if threads > 1 else 0)} if window else None
         out = self.run("gatunBenchmarks", "--threads", threads, *arguments,
@@ -83,10 +84,19 @@ def processor():
     return "unknown"
 
 
+def commit():
+    """The commit of the source tree; "unknown" outside of a clone."""
+    done = subprocess.run(["git", "describe", "--always", "--dirty", "--abbrev=7"],
+                          cwd=pathlib.Path(__file__).parent, stdout=subprocess.PIPE,
+                          stderr=subprocess.DEVNULL, text=True, check=False)
+    return done.stdout.strip() or "unknown"
+
+
 def machine(runner):
     known = runner.case("machine")
     memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
     known.update(processor=processor(), processors=len(os.sched_getaffinity(0)),
                  memory=memory, system=f"{os.uname().sysname} {os.uname().release}",
-                 python=sys.version.split()[0], loadBefore=os.getloadavg())
+                 python=sys.version.split()[0], loadBefore=os.getloadavg(),
+                 date=datetime.date.today().isoformat(), commit=commit())
     return known

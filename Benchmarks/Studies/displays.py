@@ -8,7 +8,7 @@ import shutil
 
 
 def prefix():
-    """What a command with a window begins with; None if there is no display to be had."""
+    """The beginning of a command with a window; None if no display is available."""
     if os.environ.get("DISPLAY"):
         return []
     if shutil.which("xvfb-run"):

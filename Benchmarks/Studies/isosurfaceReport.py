@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""The page made of what runIsosurfaces.py has measured."""
+"""The page of the results of runIsosurfaces.py."""
 
 import statistics
 
-from benchmarkText import machine, number, paragraph, picture, table
+import benchmarkText
+from benchmarkText import image, number, paragraph, rounds_of, span, spread, table
 
 FOLDER = "isosurface-study"
 NAMES = {"layers": "Gatun, layers", "spatial": "Gatun, spatial",
@@ -18,17 +19,28 @@ def memory(run):
     return run["peak"] - run["before"]
 
 
-def ratio(mesh, what, peer="zlib", own="layers"):
-    """How many times less than the peer, of each value."""
+def seconds(run):
+    """The rounds of a way; only their median where they were not kept."""
+    return run.get("rounds", [run["seconds"]])
+
+
+def ratios(mesh, what, peer="zlib", own="layers"):
+    """The amount of the peer divided by ours, for each value."""
     return [what(run[peer]) / what(run[own]) for run in mesh["cold"]]
 
 
-def spread(values):
-    return f"{number(min(values))} to {number(max(values))}"
+def time_ratios(mesh, peer="zlib", own="layers"):
+    """The time of the peer divided by ours, in each round of each value."""
+    return [value for run in mesh["cold"]
+            for value in rounds_of(zip(seconds(run[peer]), seconds(run[own])))]
+
+
+def read_bytes(run):
+    return run["bytes"]
 
 
 def repeated(mesh, way):
-    """Seconds: to open; the values for the first and for the second time; a step of a slider."""
+    """Seconds: opening; the values for the first and for the second time; a step of a slider."""
     runs = mesh["repeated"][way]
     half = len(runs["sweep"]["seconds"]) // 2
     return [runs["sweep"]["open"],
@@ -38,29 +50,34 @@ def repeated(mesh, way):
 
 
 def _head(results):
-    text = """# The study of isosurfaces
+    text = """# The isosurface study
 
-What it takes to get an isosurface of a file with Gatun ([how](../isosurfaces.md)) and with VTK's own classes.
-`Utilities/bench.sh --isosurfaces` (Benchmarks/Studies/runIsosurfaces.py) made this page; every figure
-behind it is in [results.json](isosurface-study/results.json). Isovalues are the quantiles 10, 30, 50,
-70 and 90 % of the values at the points. Files are in the system's cache; all processors are used.
+The cost of extracting an isosurface from a file with Gatun ([guide](../isosurfaces.md)) and with
+VTK's own classes. `Utilities/bench.sh --isosurfaces` (Benchmarks/Studies/runIsosurfaces.py) writes
+this page. All results are in [results.json](isosurface-study/results.json). The isovalues are the 10,
+30, 50, 70 and 90 % quantiles of the values at the points. Files are in the page cache, and all
+processors are used.
 
-""" + machine(results["machine"])
-    if results["mode"] != "full":
-        text += f"\n**A {results['mode']} run on small meshes: not to be quoted.**\n"
+""" + benchmarkText.machine(results)
     rows = [[mesh["name"], f"{mesh['tets']:,}", f"{mesh['points']:,}",
              *(number(mesh["bytes"][kind] / MIB)
                for kind in ("vtu-raw", "vtu-zlib", "spatial", "layers")), mesh["about"]]
             for mesh in results["meshes"]]
     return text + "\n" + table(["mesh", "tetrahedra", "points", "MiB, raw .vtu", "zlib .vtu",
-                                "Gatun, spatial", "Gatun, layers", "what"], rows)
+                                "Gatun, spatial", "Gatun, layers", "description"], rows)
 
 
-def _cold(results, pictures):
-    text = "## From a file to the surface\n\n" + paragraph("""A process of its own for each surface: from
-        opening the file to the triangles, with merged points and the array interpolated. Bytes are all
-        that the process reads meanwhile; memory is the peak above what the process had before.
-        Medians.""")
+def _comparison(mesh, peer, own):
+    return f"""time {span(time_ratios(mesh, peer, own))}, bytes
+        {span(ratios(mesh, read_bytes, peer, own))}, memory
+        {span(ratios(mesh, memory, peer, own))}"""
+
+
+def _cold(results, plots):
+    text = "## From a file to the surface\n\n" + paragraph("""Each surface is extracted by a separate
+        process. The time is that from opening the file to the triangles, with merged points and the
+        array interpolated. The bytes are all that the process reads in that time. The memory is
+        the peak above that of the process before.""")
     for mesh in results["meshes"]:
         rows = []
         for run in mesh["cold"]:
@@ -69,45 +86,40 @@ def _cold(results, pictures):
                 used = (f"{one['chunksUsed']:.0f} of {one['chunks']:.0f}, "
                         f"{100 * one['tetsUsed'] / mesh['tets']:.1f} %" if "chunks" in one else "")
                 rows.append([f"{run['value']:.4g}", f"{one['triangles']:,.0f}", name,
-                             number(1000 * one["seconds"]), f"{one['bytes'] / MIB:.2f}",
+                             spread(1000 * s for s in seconds(one)), f"{one['bytes'] / MIB:.2f}",
                              number(memory(one) / MIB), used])
         text += f"\n### {mesh['name']}\n\n" + table(
-            ["isovalue", "triangles", "way", "ms", "MiB read", "MiB at most",
+            ["isovalue", "triangles", "method", "ms", "MiB read", "peak, MiB",
              "chunks, tetrahedra decoded"], rows)
-        text += "\n" + paragraph(f"""Layers against zlib and vtkContour3DLinearGrid, over the isovalues:
-            time {spread(ratio(mesh, lambda run: run["seconds"]))} times less, bytes
-            {spread(ratio(mesh, lambda run: run["bytes"]))} times fewer, memory
-            {spread(ratio(mesh, memory))} times less. Against the raw file: time
-            {spread(ratio(mesh, lambda run: run["seconds"], "raw"))}, bytes
-            {spread(ratio(mesh, lambda run: run["bytes"], "raw"))}, memory
-            {spread(ratio(mesh, memory, "raw"))}. Without layers, against zlib: time
-            {spread(ratio(mesh, lambda run: run["seconds"], "zlib", "spatial"))}, bytes
-            {spread(ratio(mesh, lambda run: run["bytes"], "zlib", "spatial"))}, memory
-            {spread(ratio(mesh, memory, "zlib", "spatial"))}.""")
-    return text + "\n" + picture(pictures, "cold", "Time, bytes and memory of each way", FOLDER)
+        text += "\n" + paragraph(f"""Ratios over the isovalues and their rounds (above 1: Gatun needs less). Zlib .vtu
+            to Gatun with layers: {_comparison(mesh, "zlib", "layers")}. Raw .vtu to Gatun with
+            layers: {_comparison(mesh, "raw", "layers")}. Zlib .vtu to Gatun without layers:
+            {_comparison(mesh, "zlib", "spatial")}.""")
+    return text + "\n" + image(plots, "cold", "Time, bytes and memory of each method", FOLDER)
 
 
 def _repeated(results):
     rows = [[mesh["name"], NAMES[way], *(number(1000 * s) for s in repeated(mesh, way))]
             for mesh in results["meshes"] for way in mesh["repeated"]]
-    return "## One value after the other\n\n" + paragraph("""The file stays open, the mesh (VTK) or the
-        decoded chunks (Gatun, up to 256 MiB) in memory. Milliseconds: to open, or to load the mesh; one of
-        the five values for the first time, and for the second time; one step of a slider, of half a percent
-        of the range of the values. Medians.""") + "\n" + table(
-            ["mesh", "way", "open", "first time", "again", "slider"], rows)
+    return "## One value after the other\n\n" + paragraph("""The file stays open, and the mesh (VTK) or
+        the decoded chunks (Gatun, up to 256 MiB) stay in memory. Milliseconds (medians) for opening
+        the file or loading the mesh, for one of the five values the first time and the second
+        time, and for one step of a slider of half a percent of the range of values.""") + (
+            "\n" + table(["mesh", "method", "open", "first time", "again", "slider"], rows))
 
 
 def _memory(results):
     rows = []
     for mesh in results["meshes"]:
         for run in mesh["memory"]:
-            own, linear, span = (statistics.median(way["seconds"]) for way in run["ways"])
+            own, linear, tree = (statistics.median(way["seconds"]) for way in run["ways"])
+            relative = rounds_of(zip(run["ways"][1]["seconds"], run["ways"][0]["seconds"]))
             rows.append([mesh["name"], f"{run['value']:.4g}", f"{run['ways'][0]['triangles']:,}",
-                         *(number(1000 * s) for s in (own, linear, span)),
-                         f"**{number(linear / own)}**", number(mesh["tets"] / own / 1e6)])
-    return "## A mesh in memory\n\n" + paragraph("""The same filter on a vtkUnstructuredGrid, next to
-        vtkContour3DLinearGrid (merged points) and to vtkContourGrid with vtkSpanSpace, whose tree is made
-        before. Milliseconds, medians of interleaved runs.""") + "\n" + table(
+                         *(number(1000 * s) for s in (own, linear, tree)),
+                         f"**{spread(relative)}**", number(mesh["tets"] / own / 1e6)])
+    return "## A mesh in memory\n\n" + paragraph("""The same filter on a vtkUnstructuredGrid, compared with
+        vtkContour3DLinearGrid (merged points) and with vtkContourGrid and vtkSpanSpace, whose tree is
+        built before. Milliseconds, medians of interleaved rounds.""") + "\n" + table(
             ["mesh", "isovalue", "triangles", "Gatun", "3DLinearGrid", "SpanSpace",
              "3DLinearGrid / Gatun", "M tets/s, Gatun"], rows)
 
@@ -117,20 +129,20 @@ def _strips(results):
     for mesh in results["meshes"]:
         for kind, run in mesh["strips"].items():
             corners = 3 * run["triangles"]
-            for name, way in (("walk order", "gatun"), ("vtkStripper", "vtkStripper")):
+            for name, way in (("vtkGatunContour", "gatun"), ("vtkStripper", "vtkStripper")):
                 strips = run[way]["strips"] + run[way]["loose"]
                 named = run[way]["corners"] + 3 * run[way]["loose"]
                 rows.append([mesh["name"], kind, name, f"{run['triangles']:,}", f"{strips:,}",
                              number(run["triangles"] / strips),
                              f"{100 * (1 - named / corners):.0f} %"])
-    return "## Strips\n\n" + paragraph("""Triangle strips at the median: those that vtkGatunContour makes
-        of the triangles in the order in which the walk through the mesh yields them, and those that
-        vtkStripper finds afterwards, which may take any triangle next. Saved: of the points that single
-        triangles name.""") + "\n" + table(
-            ["mesh", "file", "strips", "triangles", "strips", "triangles a strip", "saved"], rows)
+    return "## Strips\n\n" + paragraph("""Triangle strips at the median value. vtkGatunContour takes the
+        triangles in the order in which the walk through the mesh yields them. vtkStripper works on
+        the finished surface and may continue a strip with any triangle. *Saved* is relative to the
+        point ids of single triangles.""") + "\n" + table(
+            ["mesh", "file", "made by", "triangles", "strips", "triangles per strip", "saved"], rows)
 
 
-def _sweep(results, pictures):
+def _sweep(results, plots):
     rows = []
     for mesh in results["meshes"]:
         spatial = mesh["bytes"]["spatial"]
@@ -141,21 +153,18 @@ def _sweep(results, pictures):
                          f"{one['bytes'] / MIB:.2f}", f"{100 * (one['bytes'] / spatial - 1):+.0f} %",
                          f"{100 * mean['tetsUsed'] / mesh['tets']:.1f} %",
                          f"{mean['bytes'] / MIB:.2f}", number(1000 * mean["seconds"])])
-    return "## How many layers\n\n" + paragraph("""What layers cost in bytes, against the file without
-        any, and what a surface then takes: means over the five isovalues.""") + "\n" + table(
-            ["mesh", "layers", "chunks", "MiB", "cost", "tetrahedra decoded", "MiB read", "ms"],
-            rows) + "\n" + picture(pictures, "layers", "Cost and use of layers", FOLDER)
+    return "## Number of layers\n\n" + paragraph("""The size of a file by its number of layers, relative to
+        the file without layers, and the cost of a surface: means over the five isovalues.""") + (
+            "\n" + table(["mesh", "layers", "chunks", "MiB", "size", "tetrahedra decoded", "MiB read",
+                          "ms"], rows) + "\n" + image(plots, "layers", "Cost and benefit of layers",
+                                                      FOLDER))
+
+
+def page(results, plots):
+    parts = [_head(results), _cold(results, plots), _repeated(results), _memory(results),
+             _strips(results), _sweep(results, plots)]
+    return "\n".join(part.rstrip() + "\n" for part in parts)
 
 
 def write(results, out):
-    """Writes isosurface-study.md, and plots where matplotlib is there."""
-    try:
-        import isosurfacePlots
-        pictures = isosurfacePlots.draw(results, out / FOLDER)
-    except ImportError:
-        print("Without matplotlib (python3-matplotlib) there are no plots.")
-        pictures = set()
-    page = [_head(results), _cold(results, pictures), _repeated(results), _memory(results),
-            _strips(results), _sweep(results, pictures)]
-    (out / "isosurface-study.md").write_text(
-        "\n".join(part.rstrip() + "\n" for part in page if part), encoding="utf-8")
+    benchmarkText.write_page(results, out, "isosurface-study", page, "isosurfacePlots")

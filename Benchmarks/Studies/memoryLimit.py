@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Runs a command with a limit of memory: a control group of its own, else a limit of addresses.
+"""Runs a command with a memory limit: in a control group, or else with a limit of the address space.
 
-The group is made below that of this process (version 1) or next to it (version 2, where a group
-with processes cannot have groups below), never elsewhere, so that limits set by others stay in
-force. It is gone when the command has ended. What a group counts is what is in memory: the heap,
-and those pages of files that no other group has brought in before. A limit of addresses (ulimit -v)
-counts whatever is mapped, libraries above all, and so tells much less.
+The group is made below that of this process (version 1) or next to it (version 2, where a group with
+processes cannot have groups below), so that other limits stay in force. It is removed when the command
+has ended. A group counts resident memory: the heap, and those pages of files that no other group has
+loaded before. A limit of the address space (ulimit -v) counts all mapped memory, above all libraries,
+and so says much less.
 """
 
 import os

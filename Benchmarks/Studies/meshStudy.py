@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Studies that measure the same things of several meshes and write a page of it."""
+"""Studies that measure the same quantities for several meshes and write a page."""
 
 import json
 import os
@@ -16,14 +16,14 @@ ABOUT = {
     "comb": "combustion chamber, the paper's Combustion",
     "kiefer_bracket": "bracket, von Mises stress by finite elements",
     "delaunay": "ball meshed by TetGen, smooth field",
-    "lattice": "body-centred lattice with jitter",
-    "flow": "made: structured grid around a nose, five tetrahedra a hexahedron",
-    "big": "made: a cube of hexahedra, five tetrahedra each",
+    "lattice": "body-centered lattice with jitter",
+    "flow": "synthetic: structured grid around a nose, five tetrahedra per hexahedron",
+    "big": "synthetic: a cube of hexahedra, five tetrahedra each",
 }
 
 
 def _make_source(runner, name, wanted, delaunay, data):
-    """The mesh; None if it cannot be had here."""
+    """The mesh; None if it is not available."""
     if "tets" not in wanted:
         found = sorted(data.glob(f"{name}_tets*.vtu")) if data else []
         return found[0] if found else None
@@ -34,7 +34,7 @@ def _make_source(runner, name, wanted, delaunay, data):
 
 
 def _measure(runner, options, modes, results, measure_mesh):
-    """All meshes, or those that are asked for, in the place of what there was of them."""
+    """Measures all meshes, or those of --only, whose results replace the previous ones."""
     mode = modes[options.mode]
     if not options.only:
         results = {"mode": options.mode, "machine": benchmarkRunner.machine(runner), "meshes": []}
@@ -45,7 +45,7 @@ def _measure(runner, options, modes, results, measure_mesh):
         delaunay = results["machine"]["tetgen"]
         source = _make_source(runner, name, wanted, delaunay, data)
         if source is None:
-            runner.say(f"{name} is left out: GATUN_DATA_DIR has it not")
+            runner.say(f"{name} is left out: it is not in GATUN_DATA_DIR")
             continue
         about = "lattice" if name == "delaunay" and not delaunay else name
         results["meshes"] = [mesh for mesh in results["meshes"] if mesh["name"] != about]
@@ -57,12 +57,12 @@ def _measure(runner, options, modes, results, measure_mesh):
 
 
 def run(page, description, modes, measure_mesh, write):
-    """The program: measure_mesh(runner, name, source, wanted, mode, results) returns what is to be kept of
-    a mesh, and write(results, folder) makes the page. Of each mode, "meshes" tells for what is made the
-    tetrahedra, and for what is there if GATUN_DATA_DIR is set the array."""
+    """The program. measure_mesh(runner, name, source, wanted, mode, results) returns the results of
+    a mesh, and write(results, folder) writes the page. "meshes" of each mode names the number of
+    tetrahedra of synthetic meshes and the array of meshes of GATUN_DATA_DIR."""
     parser = benchmarkRunner.make_parser(description, page)
     parser.add_argument("--only", nargs="+", choices=modes["full"]["meshes"],
-                        help="measure these meshes only, and keep what is there of the others")
+                        help="measure these meshes only, and keep the results of the others")
     options = parser.parse_args()
     folder = options.out / page
     folder.mkdir(parents=True, exist_ok=True)

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Rendering, as runBenchmarks.py measures it: mappers side by side, and from file to picture.
+"""The rendering cases of runBenchmarks.py: mappers side by side, and from file to image.
 
-A window needs a display: without one, programs are run under xvfb-run, where it is installed.
+A window needs a display. Without one, programs run under xvfb-run, if it is installed.
 """
 
 import shutil
@@ -13,18 +13,18 @@ import systemMemory
 
 ARRAY = "Density"
 
-# Sizes of pictures; rounds: later pictures, those of slow mappers, first pictures. hugeNeeds: so
-# much memory must be free to make the largest mesh, in bytes. VTK's ZSweep mapper needs minutes for
-# anything larger than what it is given here.
+# Sizes of images; rounds: later frames, those of slow mappers, first frames. hugeNeeds: the free
+# memory in bytes that making the largest mesh takes. VTK's ZSweep mapper needs minutes for larger
+# meshes or images.
 MODES = {
-    "full": {"sizes": (256, 512, 1024), "rounds": (6, 2, 2), "bigRounds": (4, 1, 1),
-             "small": 512, "large": 1024, "zsweep": 256, "pictures": 3, "huge": 20000000,
+    "full": {"sizes": (256, 512, 1024), "rounds": (6, 2, 2), "bigRounds": (4, 2, 2),
+             "small": 512, "large": 1024, "zsweep": 256, "images": 3, "huge": 20000000,
              "hugeNeeds": 12 * 2**30, "zsweepMeshes": ("bluntfin", "comb")},
     "quick": {"sizes": (256, 512), "rounds": (3, 1, 1), "bigRounds": (2, 1, 1),
-              "small": 256, "large": 512, "zsweep": 128, "pictures": 2, "huge": 1000000,
+              "small": 256, "large": 512, "zsweep": 128, "images": 2, "huge": 1000000,
               "hugeNeeds": 2**30, "zsweepMeshes": ("bluntfin", "comb")},
     "smoke": {"sizes": (64,), "rounds": (1, 1, 1), "bigRounds": (1, 1, 1),
-              "small": 64, "large": 64, "zsweep": 64, "pictures": 1, "huge": 8000,
+              "small": 64, "large": 64, "zsweep": 64, "images": 1, "huge": 8000,
               "hugeNeeds": 0, "zsweepMeshes": ("delaunay", "lattice")},
 }
 
@@ -33,7 +33,7 @@ ABOUT = {
     "comb": "combustion chamber, in the order of its grid",
     "delaunay": "ball meshed by TetGen, sorted along a Morton curve",
     "big": "structured grid around a nose, in the order of the grid",
-    "lattice": "body-centred lattice with jitter, sorted along a Morton curve",
+    "lattice": "body-centered lattice with jitter, sorted along a Morton curve",
 }
 
 
@@ -47,7 +47,7 @@ def _write_flavours(runner, name, vtu, *options):
 
 
 def _make_meshes(runner, sizes, delaunay, data):
-    """Yields name and files of each mesh, which are gone afterwards."""
+    """Yields name and files of each mesh, and deletes the files afterwards."""
     sources = []
     if data:
         for name in "bluntfin", "comb":
@@ -67,7 +67,7 @@ def _make_meshes(runner, sizes, delaunay, data):
 
 
 def _compare_mappers(runner, name, file, wanted):
-    """Pictures of a mesh in memory by all mappers, in turns."""
+    """Images of a mesh in memory by all mappers, which take turns."""
     rounds, slow, first = wanted["bigRounds"] if name == "big" else wanted["rounds"]
     every = ("--rounds", rounds, "--slow-rounds", slow, "--first-rounds", first, "--array", ARRAY)
 
@@ -83,14 +83,13 @@ def _compare_mappers(runner, name, file, wanted):
     return cases
 
 
-def _time_pictures(runner, name, files, wanted):
-    """From a file to its first picture, each in a process of its own, taking turns."""
+def _time_images(runner, name, files, wanted):
+    """From a file to its first image; each run is a separate process, and the methods take turns."""
     size = wanted["large"] if name == "big" else wanted["small"]
-    rounds = 1 if name == "big" else wanted["pictures"]
     budgets = [("gtn", budget) for budget in (0, 32, 512)]
     ways = budgets + [("vtu-zlib", 0), ("vtu-raw", 0)]
     runs = [[] for _ in ways]
-    for _ in range(rounds):
+    for _ in range(wanted["images"]):
         for found, (form, budget) in zip(runs, ways):
             found.append(runner.case("picture", files[form], "--size", size, "--budget", budget,
                                      "--array", ARRAY, threads=2, window=True))
@@ -99,13 +98,13 @@ def _time_pictures(runner, name, files, wanted):
 
 
 def _measure_huge(runner, wanted):
-    """Memory of a picture of a mesh that few machines can hold."""
+    """Memory for an image of a mesh that few machines can hold."""
     if systemMemory.read("MemAvailable") < wanted["hugeNeeds"]:
         return []
     made = runner.path("rendering", "huge.vtu")
     runner.case("make", "flow1", wanted["huge"], made)
     found = []
-    # More than ten million tetrahedra are written in chunks of 262144 unless told otherwise.
+    # The default is chunks of 262144 for more than ten million tetrahedra.
     for chunk in 65536, 262144:
         packed = runner.path("rendering", f"huge-{chunk}.gtn")
         runner.run("gtn", "pack", "-q", "-f", "--chunk", chunk, made, packed)
@@ -117,7 +116,8 @@ def _measure_huge(runner, wanted):
 
 
 def measure(runner, mode, sizes, delaunay, data):
-    """All of it, with the meshes of a data folder if there is one; None without a display."""
+    """Measures everything, with the meshes of a data folder if there is one; None without a
+    display."""
     if displays.prefix() is None:
         print("Without a display or xvfb-run, rendering is not measured.")
         return None
@@ -127,5 +127,5 @@ def measure(runner, mode, sizes, delaunay, data):
         cases = _compare_mappers(runner, name, files["vtu-raw"], wanted)
         meshes.append({"name": name, "about": ABOUT[name], "tets": cases[0]["tets"],
                        "render": cases,
-                       "pictures": _time_pictures(runner, name, files, wanted)})
+                       "pictures": _time_images(runner, name, files, wanted)})
     return {"meshes": meshes, "hugeTets": wanted["huge"], "huge": _measure_huge(runner, wanted)}

@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Run gatunBenchmarks, case by case, and write what it measures as JSON, pictures and a page.
+"""Runs gatunBenchmarks, case by case, and writes the results as JSON, plots and a page.
 
-Each case is a process of its own, so that neither memory nor threads of one case reach the next.
+Each case is a separate process, so that neither memory nor threads of one case affect the next.
 """
 
 import json
@@ -20,8 +20,8 @@ import benchmarkRunner
 import renderingCases
 import renderingReport
 
-# Tetrahedra of the meshes made, rounds of timings, time steps; "big" is measured permuted only.
-# TetGen makes more of the series' than asked for, 200000.
+# Tetrahedra of the generated meshes, rounds of timings, time steps; "big" is measured permuted only.
+# TetGen makes more tetrahedra of the series mesh than requested, about 200000.
 MODES = {
     "full": {"flow": 1000000, "delaunay": 1000000, "big": 5000000, "series": 158000,
              "steps": 50, "rounds": 7, "few": 3},
@@ -32,7 +32,7 @@ MODES = {
 }
 
 DESCRIPTIONS = {
-    "flow": "structured grid around a nose, five tetrahedra a hexahedron; Density, Momentum (3), "
+    "flow": "structured grid around a nose, five tetrahedra per hexahedron; Density, Momentum (3), "
             "Energy, Pressure (float, with solver noise of 1e-6)",
     "big": "the same kind of grid, larger, with Density only",
     "delaunay": "ball meshed by TetGen (Delaunay, quality); Density (float, smooth)",
@@ -40,7 +40,7 @@ DESCRIPTIONS = {
 
 
 def make_inputs(runner, sizes, delaunay):
-    """Writes the meshes; returns those to measure sizes and speed of."""
+    """Writes the meshes; returns those whose size and speed are measured."""
     kinds = ["flow"] + (["delaunay"] if delaunay else [])
     inputs = []
     for kind in kinds:
@@ -60,7 +60,7 @@ def make_inputs(runner, sizes, delaunay):
 
 
 def as_vtu(runner, file):
-    """A .vtu file of whatever gtn can read, in its original order."""
+    """A .vtu file of any file that gtn can read, in its original order."""
     if file.suffix == ".vtu":
         return file
     packed = runner.path("import", file.name + ".gtn")
@@ -83,7 +83,7 @@ def user_inputs(runner, files):
 
 
 def data_inputs(runner, folder):
-    """Every .vtu file with all its arrays; of those with a Density, that alone, permuted."""
+    """Every .vtu file with all its arrays; the CFD meshes also with Density alone, permuted."""
     inputs = []
     for file in sorted(folder.glob("*.vtu")):
         prepared = runner.path("data", file.name)
@@ -99,7 +99,7 @@ def data_inputs(runner, folder):
 
 
 def measure_input(runner, one, sizes):
-    """All that concerns one mesh."""
+    """All measurements of one mesh."""
     label = f"{one['name']}-{one['order']}"
     folder = runner.folder(label)
     result = {key: one[key] for key in ("name", "order", "about")}
@@ -139,7 +139,7 @@ def measure_series(runner, sizes, delaunay):
 
 
 def measure_exodus(runner, file):
-    """A file with time steps in one .gtn file, and as .vtu files, one a step."""
+    """A file with time steps as one .gtn file and as one .vtu file per step."""
     packed = runner.path("exodus", "all.gtn")
     runner.run("gtn", "pack", "-q", "-f", file, packed)
     info = json.loads(runner.run("gtn", "info", "--json", packed))
@@ -179,7 +179,7 @@ def measure(runner, options):
 def main():
     parser = benchmarkRunner.make_parser(__doc__, "benchmarks")
     parser.add_argument("files", type=pathlib.Path, nargs="*", metavar="FILE",
-                        help="meshes to measure too, whatever gtn reads")
+                        help="more meshes to measure, in any format that gtn reads")
     options = parser.parse_args()
     folder = options.out / "benchmarks"
     folder.mkdir(parents=True, exist_ok=True)
@@ -193,7 +193,7 @@ def main():
     benchmarkReport.write(results, options.out)
     rendering = results.get("rendering")
     if options.mode == "smoke" and rendering and renderingReport.differing(rendering):
-        sys.exit("runBenchmarks: mappers draw different pictures")
+        sys.exit("runBenchmarks: mappers draw different images")
     print(f"The results are in {options.out / 'benchmarks.md'} and {folder}")
 
 

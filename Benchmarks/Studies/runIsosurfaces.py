@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Isosurfaces straight from files next to VTK's: time, bytes and memory from a cold process to the surface,
-one value after the other, meshes in memory, triangle strips, and files by the number of layers."""
+"""Isosurfaces straight from files, compared with VTK: time, bytes and memory from a new process to the
+surface, one value after the other, meshes in memory, triangle strips, and the number of layers."""
 
 import statistics
 
@@ -25,14 +25,15 @@ MODES = {
               "rounds": 1, "layers": (1, 4)},
 }
 
-# Of each way: the file that it starts from, and how gatunBenchmarks calls it.
+# For each method: the file that it starts from, and its name in gatunBenchmarks.
 WAYS = {"layers": ("layers", "file"), "spatial": ("spatial", "file"),
         "zlib": ("vtu-zlib", "linear"), "raw": ("vtu-raw", "linear"), "span": ("vtu-zlib", "span")}
 
 
 def median(runs):
-    """Of the same case, run several times."""
-    return {key: statistics.median(run[key] for run in runs) for key in runs[0]}
+    """The medians of the runs of one case, with the seconds of each round."""
+    return {**{key: statistics.median(run[key] for run in runs) for key in runs[0]},
+            "rounds": [run["seconds"] for run in runs]}
 
 
 def pack(runner, source, file, *options):
@@ -54,7 +55,7 @@ def make_files(runner, name, source, array):
 
 
 def measure_cold(runner, files, array, values, ways, rounds):
-    """Of each value: the ways in turn, each in a process of its own, several times."""
+    """For each value: the methods take turns, each in a separate process, for several rounds."""
     cold = []
     for value in values:
         runs = {way: [] for way in ways}
@@ -68,7 +69,7 @@ def measure_cold(runner, files, array, values, ways, rounds):
 
 
 def measure_repeated(runner, files, array, values):
-    """The values up and down again; then small steps, as of a slider, around the one in the middle."""
+    """The values up and down again; then small steps around the middle value, as of a slider."""
     middle = values[len(values) // 2]
     step = (values[-1] - values[0]) / 200
     slider = [middle + i * step for i in range(10)]

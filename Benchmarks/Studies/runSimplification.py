@@ -2,9 +2,9 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Simplification next to VTK's: what is left of field, shape and pictures, at what time and memory.
+"""Simplification compared with VTK's: errors of field, shape and images, time and memory.
 
-Also Figures 18 and 19 of Yang's dissertation proposal (2001), redone.
+Also repeats Figures 17, 18 and 19 of Yang's dissertation proposal (2001).
 """
 
 import statistics
@@ -14,8 +14,8 @@ import simplificationReport
 
 PARTS = (50, 25, 10, 2)
 
-# Tetrahedra, for what is made; the array, for what is there if GATUN_DATA_DIR is set; parts of the
-# tetrahedra to be left, in percent.
+# Synthetic meshes name the number of tetrahedra, meshes of GATUN_DATA_DIR the array; parts are the
+# remaining tetrahedra in percent.
 MODES = {
     "full": {
         "meshes": {"bluntfin": {"array": "Density"}, "comb": {"array": "Density"},
@@ -37,8 +37,8 @@ MODES = {
 
 
 def simplify_both(runner, name, source, array, parts):
-    """By VTK to so many percent, and by Gatun to as many tetrahedra as that left, or fewer; where
-    VTK does nothing, to as many as were asked for."""
+    """VTK simplifies to each percentage, Gatun to at most as many tetrahedra as VTK left; where VTK
+    does nothing, to the number that was asked for."""
     files = {way: [runner.path("simplification", f"{name}-{way}{part}.vtu") for part in parts]
              for way in ("quadric", "gatun")}
     quadric = [runner.case("simplify-quadric", source, "--array", array, "--part", part / 100,
@@ -67,14 +67,14 @@ def measure_mesh(runner, name, source, wanted, mode, results):
     result.update(parts=parts, compared=compare(runner, source, files, array, mode))
     results["samples"] = mode["samples"]
     if name == mode["pictures"][0]:
-        results["pictures"] = measure_pictures(runner, source, mode, runner.pictures)
+        results["pictures"] = measure_pictures(runner, source, mode, runner.images)
     if name == mode["integrated"][0]:
         results["integrated"] = measure_integrated(runner, source, mode)
     return result
 
 
 def measure_pictures(runner, source, mode, folder):
-    """Figures 18 and 19: pictures by the original, and by both ways of making it simpler."""
+    """Figures 18 and 19: images of the original and of both simplifications."""
     name, parts, size = mode["pictures"]
     array = mode["meshes"][name].get("array", "Density")
     files, _ = simplify_both(runner, name, source, array, parts)
@@ -87,9 +87,16 @@ def measure_pictures(runner, source, mode, folder):
             "gatun": drawn[1:len(parts) + 1], "quadric": drawn[len(parts) + 1:]}
 
 
+def _median(rounds):
+    """The medians of the rounds of one case, with the seconds of each."""
+    return {**{key: statistics.median(one[key] for one in rounds)
+               for key in rounds[0] if key != "whole"},
+            "rounds": [one["seconds"] for one in rounds]}
+
+
 def measure_integrated(runner, source, mode):
-    """Figure 17: from a file to the picture of a simplified mesh; decompressing, simplifying and drawing
-    one after the other, all in one, and all in one with base meshes."""
+    """Figure 17: from a file to the image of a simplified mesh; staged, integrated, and integrated
+    with base meshes. The methods take turns."""
     name, ratios, size = mode["integrated"]
     array = mode["meshes"][name].get("array", "Density")
     files = {way: runner.path("simplification", f"{name}-{way}.gtn") for way in ("tree", "levels")}
@@ -98,15 +105,13 @@ def measure_integrated(runner, source, mode):
         runner.run("gtn", "pack", "-q", *options, "--weight", array, source, files[way])
     runs = []
     for ratio in ratios:
-        run = {"ratio": ratio}
-        for way, file, options in (("staged", "tree", ("--whole",)), ("integrated", "tree", ()),
-                                   ("levels", "levels", ())):
-            rounds = [runner.case("simplify-integrated", files[file], "--array", array, "--size",
-                                  size, "--ratio", ratio, *options)
-                      for _ in range(mode["rounds"])]
-            run[way] = {key: statistics.median(one[key] for one in rounds)
-                        for key in rounds[0] if key != "whole"}
-        runs.append(run)
+        ways = (("staged", "tree", ("--whole",)), ("integrated", "tree", ()), ("levels", "levels", ()))
+        rounds = {way: [] for way, _, _ in ways}
+        for _ in range(mode["rounds"]):
+            for way, file, options in ways:
+                rounds[way].append(runner.case("simplify-integrated", files[file], "--array", array,
+                                               "--size", size, "--ratio", ratio, *options))
+        runs.append({"ratio": ratio, **{way: _median(found) for way, found in rounds.items()}})
     return {"name": name, "size": size, "runs": runs,
             "bytes": {way: file.stat().st_size for way, file in files.items()}}
 

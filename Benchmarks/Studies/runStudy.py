@@ -2,10 +2,10 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""The evaluation of on-the-fly rendering in Yang's dissertation proposal (2001), redone.
+"""Repeats the evaluation of on-the-fly rendering in Yang's dissertation proposal (2001).
 
-Memory and time of rendering while decompressing against decompressing first (Figures 13 and 14,
-Table 4), release of tetrahedra from one end or from both (section 4.4), and the pre-filter.
+Memory and time of rendering while decompressing, compared with decompressing first (Figures 13 and
+14, Table 4); release of tetrahedra from one end or from both (section 4.4); the pre-filter.
 """
 
 import json
@@ -25,8 +25,8 @@ ARRAY = "Density"
 SIZES = (128, 256, 512, 1024)
 GIB = 1024
 
-# Tetrahedra; limits of memory in MiB besides none; rounds. The blunt fin and the combustion chamber
-# are the paper's own; they are there if GATUN_DATA_DIR is set.
+# Tetrahedra; memory limits in MiB besides none; rounds. The blunt fin and the combustion chamber are
+# meshes of the proposal; they must be in GATUN_DATA_DIR.
 MODES = {
     "full": {
         "meshes": {"bluntfin": {"limits": (64, 32), "rounds": 3},
@@ -52,12 +52,12 @@ ABOUT = {
     "bluntfin": "NASA's blunt fin, the paper's Blunt",
     "comb": "combustion chamber, the paper's Combustion",
     "delaunay": "ball meshed by TetGen",
-    "lattice": "body-centred lattice with jitter",
-    "big": "structured grid around a nose, five tetrahedra a hexahedron",
+    "lattice": "body-centered lattice with jitter",
+    "big": "structured grid around a nose, five tetrahedra per hexahedron",
     "huge": "the same, larger",
 }
 
-# What is compared: name, file, options.
+# The methods: name, file, options.
 WAYS = (("gatun", "gtn", ()), ("small", "small", ()), ("generic", "gtn", ("--whole",)),
         ("vtu", "vtu-zlib", ("--whole",)))
 
@@ -67,7 +67,7 @@ TIMEOUT = 300
 
 
 def make_source(runner, name, tets, delaunay, data):
-    """The mesh as it comes; None if it cannot be had here."""
+    """The mesh; None if it is not available."""
     if name in ("bluntfin", "comb"):
         found = sorted(data.glob(f"{name}_tets*.vtu")) if data else []
         return found[0] if found else None
@@ -93,7 +93,7 @@ def make_files(runner, name, source, wanted):
 
 
 def draw(runner, way, limiter, file, options, size, limit):
-    """One picture in a process of its own: what it printed, or why there is none."""
+    """Draws one image in a separate process; returns its output, or the reason of its failure."""
     threads = len(os.sched_getaffinity(0))
     command = runner.command("gatunBenchmarks", "--threads", threads, "study-picture", file,
                              "--array", ARRAY, "--size", size, *options)
@@ -104,7 +104,7 @@ def draw(runner, way, limiter, file, options, size, limit):
 
 
 def measure_limits(runner, files, wanted, sizes, limiter):
-    """Pictures of all sizes under all limits, in all ways, in turns."""
+    """Images of all sizes under all limits with all methods, which take turns."""
     cases = []
     for limit in (0, *wanted["limits"]):
         for size in sizes:

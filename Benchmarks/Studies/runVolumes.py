@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Regular volumes as Hartley coefficients: Tables 1 and 2 of the dissertation anew, bits against errors
-next to zfp, time for a view next to renderers of voxels, and pictures at several qualities."""
+"""Regular volumes as Hartley coefficients: repeats Tables 1 and 2 of the dissertation, and measures bits
+by error compared with zfp, time for a view compared with voxel renderers, and image quality."""
 
 import json
 import os
@@ -18,12 +18,12 @@ PAGE = "volume-study"
 ABOUT = {
     "ct": ("CT_AVM.nii.gz", "CT of a head with contrast agent in its vessels"),
     "mr": ("brain1_mr_int16.vti", "MR of a brain"),
-    "head": (None, "made: ellipsoids, vessels, noise"),
-    "smooth": (None, "made: waves under a bell"),
+    "head": (None, "synthetic: ellipsoids, vessels, noise"),
+    "smooth": (None, "synthetic: waves under a bell"),
 }
 
-# Scales, pixels a voxel, are such that pixels along an axis do not all fall on the same place of a block;
-# but for tiny volumes, where what shows is interpolation between the points of pictures of blocks.
+# The scale (pixels per voxel) is such that pixels along an axis fall on different places of a block,
+# except for tiny volumes, where interpolation between the points of the images of blocks dominates.
 MODES = {
     "full": {
         "volumes": {"ct": {}, "mr": {}, "head": {"size": 128}},
@@ -70,7 +70,7 @@ LAWS = {"xray": ("--law", "xray"),
 
 
 def find(name, wanted, data):
-    """What gatunBenchmarks calls the volume; None if it cannot be had here."""
+    """The name of the volume for gatunBenchmarks; None if it is not available."""
     if "size" in wanted:
         return f"{name}:{wanted['size']}"
     file = data / ABOUT[name][0] if data else None
@@ -78,7 +78,7 @@ def find(name, wanted, data):
 
 
 def measure_blocks(runner, volume, mode):
-    """Table 1: all ways of making a block's picture as it is, and ours at one bit a voxel."""
+    """Table 1: all methods for the image of a block, and ours at one bit per voxel."""
     runs = []
     for block in mode["blocks"]:
         for rate, ways in ((0, ALL_WAYS if block and block < 32 else FEW_WAYS), (1, ("gatun",))):
@@ -88,7 +88,7 @@ def measure_blocks(runner, volume, mode):
 
 
 def measure_pictures(runner, volume, mode):
-    """Table 2; the first of the opacities at one bit a voxel too."""
+    """Table 2; the first opacity also at one bit per voxel."""
     return [runner.case("volume-pictures", volume, "--blocks", *mode["blocks"], "--rates", 0,
                         *((1,) if opacity == mode["opacities"][0] else ()),
                         "--opacity", opacity, "--scale", mode["scale"])
@@ -102,7 +102,7 @@ def measure_rates(runner, volume, mode):
 
 
 def measure_times(runner, _, volume, mode):
-    """By size of blocks; by quality; by size of pictures; by threads."""
+    """By size of blocks, quality, size of the image, and number of threads."""
     def run(blocks, rates, pixels, threads=0):
         return runner.case("volume-times", volume, "--blocks", *blocks, "--rates", *rates,
                            "--pixels", pixels, "--rounds", mode["rounds"], "--peers",
@@ -116,7 +116,7 @@ def measure_times(runner, _, volume, mode):
 
 
 def draw_plate(runner, name, volume, mode):
-    """A row for each law: voxel by voxel first, then at ever fewer bits; and with ever larger blocks."""
+    """A row per opacity model: from voxels first, then at fewer and fewer bits, and with larger blocks."""
     plates = {"qualities": [(4, rate) for rate in mode["qualities"]],
               "sizes": [(block, 0) for block in mode["plate blocks"]]}
     pictures = []
@@ -133,8 +133,7 @@ def draw_plate(runner, name, volume, mode):
             pictures.append({"law": law, "plate": plate, "block": block, "rate": rate,
                              "file": str(file), **run})
             return run
-        # The same white for all; what is brighter than most is white. The picture that tells is
-        # drawn anew with it.
+        # All images share one white, which the image from voxels determines; it is then drawn again.
         white = 0.6 * draw("voxels", 2, 0, "--voxels")["white"]
         pictures.pop()
         draw("voxels", 2, 0, "--voxels")
@@ -152,8 +151,8 @@ def measure_volume(runner, name, volume, mode):
 
 
 def measure(runner, options, results, save):
-    """All of it, or what is asked for, in the place of what there was of that. What there is, is saved
-    after each part."""
+    """Measures everything, or the parts of --only, whose results replace the previous ones. Saves after
+    each part."""
     mode = MODES[options.mode]
     if not options.only:
         results = {"mode": options.mode, "machine": benchmarkRunner.machine(runner), "volumes": []}
@@ -165,14 +164,14 @@ def measure(runner, options, results, save):
         if name not in parts:
             continue
         if volume is None:
-            runner.say(f"{name} is left out: GATUN_DATA_DIR has it not")
+            runner.say(f"{name} is left out: it is not in GATUN_DATA_DIR")
             continue
         results["volumes"] = [one for one in results["volumes"] if one["name"] != name]
         results["volumes"].append(measure_volume(runner, name, volume, mode))
         save(results)
     for part, make in PARTS.items():
         if part in parts:
-            # The real volume if it is there, else the made one.
+            # The real volume if it is available, else the synthetic one.
             name = mode[part]
             volume = find(name, mode["volumes"][name], data)
             if volume is None:
@@ -191,7 +190,7 @@ PARTS = {"times": measure_times, "plate": draw_plate}
 
 
 def save(results, file):
-    """Without the names of pictures that are not kept."""
+    """Saves the results without the names of temporary images."""
     kept = {**results}
     if "plate" in kept:
         kept["plate"] = {**kept["plate"], "runs": [
@@ -203,7 +202,7 @@ def save(results, file):
 def main():
     parser = benchmarkRunner.make_parser(__doc__, PAGE)
     parser.add_argument("--only", nargs="+", choices=[*MODES["full"]["volumes"], *PARTS],
-                        help="measure these only, and keep what is there of the rest")
+                        help="measure these only, and keep the results of the others")
     options = parser.parse_args()
     folder = options.out / PAGE
     folder.mkdir(parents=True, exist_ok=True)
@@ -217,7 +216,7 @@ def main():
         with tempfile.TemporaryDirectory(prefix=f"gatun-{PAGE}-") as work:
             runner = benchmarkRunner.Runner(options.programs, pathlib.Path(work), folder)
             results = measure(runner, options, results, lambda results: save(results, raw))
-            # The plate is put together while its pictures are there.
+            # The plate is assembled while its images exist.
             volumeReport.write(results, options.out)
     print(f"The results are in {options.out / PAGE}.md and {folder}")
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Plots of what runSimplification.py has measured; needs matplotlib."""
+"""Plots of the results of runSimplification.py; needs matplotlib."""
 
 import statistics
 
@@ -9,7 +9,7 @@ import benchmarkPlots
 import simplificationReport
 from benchmarkPlots import pyplot
 
-COLOURS = {"quadric": "#d55e00", "gatun": "#0072b2"}
+COLORS = {"quadric": "#d55e00", "gatun": "#0072b2"}
 NAMES = {"quadric": "VTK", "gatun": "Gatun"}
 
 
@@ -18,7 +18,7 @@ def _percent(axes, parts, label):
     axes.set_xticks(parts, parts)
     axes.minorticks_off()
     axes.invert_xaxis()
-    axes.set_xlabel("% of the tetrahedra left", fontsize=8)
+    axes.set_xlabel("% of the tetrahedra remaining", fontsize=8)
     axes.set_ylabel(label, fontsize=8)
     axes.tick_params(labelsize=7)
     axes.grid(alpha=0.3)
@@ -31,11 +31,11 @@ def _field(results, folder, done):
     figure, grid = pyplot.subplots(1, len(meshes), squeeze=False,
                                    figsize=(2.3 * len(meshes) + 0.5, 3))
     for axes, mesh in zip(grid[0], meshes):
-        for way, colour in COLOURS.items():
+        for way, color in COLORS.items():
             axes.plot([part for part, _, _ in simplificationReport.cases(mesh)],
                       [{"quadric": quadric, "gatun": gatun}[way]["rms"]
                        for _, quadric, gatun in simplificationReport.cases(mesh)],
-                      "o-", color=colour, markersize=3, label=NAMES[way])
+                      "o-", color=color, markersize=3, label=NAMES[way])
         axes.set_yscale("log")
         axes.set_title(mesh["name"], fontsize=9)
         _percent(axes, [part for part, _, _ in simplificationReport.cases(mesh)],
@@ -47,13 +47,13 @@ def _field(results, folder, done):
 def _figure19(results, folder, done):
     shown = results["pictures"]
     figure, axes = pyplot.subplots(figsize=(5, 3.5))
-    for way, colour in COLOURS.items():
-        axes.plot(shown["parts"], [mesh["rms"] for mesh in shown[way]], "o-", color=colour,
+    for way, color in COLORS.items():
+        axes.plot(shown["parts"], [mesh["rms"] for mesh in shown[way]], "o-", color=color,
                   markersize=3, label=NAMES[way])
     axes.set_ylim(bottom=0)
-    axes.set_title(f"{shown['name']}: RMS difference of pictures (Figure 19)", fontsize=9)
+    axes.set_title(f"{shown['name']}: RMS difference of images (Figure 19)", fontsize=9)
     axes.legend(fontsize=8)
-    _percent(axes, shown["parts"], "of colours, 0 to 1")
+    _percent(axes, shown["parts"], "of colors, 0 to 1")
     benchmarkPlots.save(figure, folder, "figure19", done)
 
 
@@ -61,10 +61,10 @@ def _figure18(results, folder, done):
     shown = results["pictures"]
     figure, axes = pyplot.subplots(figsize=(5, 3.5))
     meshes = [shown["original"], *shown["gatun"]]
-    for kind, colour, name in (("volumeSeconds", "#0072b2", "volume-based"),
+    for kind, color, name in (("volumeSeconds", "#0072b2", "volume-based"),
                                ("areaSeconds", "#e69f00", "area-based")):
         axes.plot([100, *shown["parts"]],
-                  [1000 * statistics.median(mesh[kind]) for mesh in meshes], "o-", color=colour,
+                  [1000 * statistics.median(mesh[kind]) for mesh in meshes], "o-", color=color,
                   markersize=3, label=name)
     axes.set_ylim(bottom=0)
     axes.set_title(f"{shown['name']}: time to draw (Figure 18)", fontsize=9)
@@ -77,14 +77,14 @@ def _figure17(results, folder, done):
     shown = results["integrated"]
     figure, axes = pyplot.subplots(figsize=(5, 3.5))
     ratios = [run["ratio"] for run in shown["runs"]]
-    for way, colour, name in (("staged", "#d55e00", "one after the other"),
+    for way, color, name in (("staged", "#d55e00", "one after the other"),
                               ("integrated", "#0072b2", "all in one"),
                               ("levels", "#009e73", "with base meshes")):
-        axes.plot(ratios, [run[way]["seconds"] for run in shown["runs"]], "o-", color=colour,
+        axes.plot(ratios, [run[way]["seconds"] for run in shown["runs"]], "o-", color=color,
                   markersize=3, label=name)
     axes.set_ylim(bottom=0)
-    axes.set_title(f"{shown['name']}: from file to picture (Figure 17)", fontsize=9)
-    axes.set_xlabel("part of the points merged away", fontsize=8)
+    axes.set_title(f"{shown['name']}: from file to image (Figure 17)", fontsize=9)
+    axes.set_xlabel("fraction of points removed", fontsize=8)
     axes.set_ylabel("seconds", fontsize=8)
     axes.tick_params(labelsize=7)
     axes.grid(alpha=0.3)
@@ -93,7 +93,7 @@ def _figure17(results, folder, done):
 
 
 def _pictures(results, folder, done):
-    """The original and some parts, Gatun above VTK; the single pictures go away."""
+    """The original and some simplified meshes, Gatun above VTK; the single images are deleted."""
     shown = results["pictures"]
     parts = [part for part in (50, 10, 2) if part in shown["parts"]]
     if (folder / "original.png").exists():

@@ -1,22 +1,23 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""The page made of what runSimplification.py has measured."""
+"""The page of the results of runSimplification.py."""
 
 import statistics
 
-from benchmarkText import machine, number, paragraph, picture, table
+import benchmarkText
+from benchmarkText import image, number, paragraph, ratio, rounds_of, spread, table
 
 FOLDER = "simplification-study"
 
 
 def did_nothing(mesh, i):
-    """Whether VTK left the mesh as it was when it was asked for the i-th part."""
+    """Whether VTK returned the mesh unchanged when it was asked for the i-th part."""
     return mesh["quadric"][i]["tets"] == mesh["compared"]["original"]["tets"]
 
 
 def cases(mesh):
-    """Percent, VTK and Gatun, of all parts for which VTK did something."""
+    """Percent, VTK and Gatun, for all parts for which VTK changed the mesh."""
     compared = mesh["compared"]
     return [(part, compared["quadric"][i], compared["gatun"][i])
             for i, part in enumerate(mesh["parts"]) if not did_nothing(mesh, i)]
@@ -42,38 +43,37 @@ def _small(value):
 def _who_wins(results):
     ratios = [(field_ratio(quadric, gatun), mesh["name"], part) for mesh in results["meshes"]
               for part, quadric, gatun in cases(mesh)]
-    lost = [f"{name} at {part} % ({ratio:.2f})" for ratio, name, part in ratios if ratio >= 1]
-    text = f"""By the root mean square error of the field, Gatun's meshes are better in
-        {len(ratios) - len(lost)} of {len(ratios)} cases; on the geometric mean its error is
-        {statistics.geometric_mean(ratio for ratio, _, _ in ratios):.2f} times VTK's."""
+    lost = [f"{name} at {part} % ({value:.2f})" for value, name, part in ratios if value >= 1]
+    text = f"""Gatun's root mean square error of the field is smaller in {len(ratios) - len(lost)} of
+        {len(ratios)} cases. Its geometric mean is
+        {statistics.geometric_mean(value for value, _, _ in ratios):.2f} times VTK's error."""
     if lost:
-        text += f""" It is worse for {", ".join(lost)}. That is where the field is smooth. VTK
-            moves points to where the error is least, and gives them new values; a merge leaves
-            points and values as they are, which is why it can be stored and undone. Linear
-            interpolation between the values of a smooth field is wrong in one direction over
-            large parts, which new values even out."""
+        text += f""" VTK is better for {", ".join(lost)}, where the field is smooth. VTK moves points to
+            the place of the least error and gives them new values. An edge collapse of Gatun
+            keeps points and values, so that it can be stored and undone. Linear interpolation
+            between exact values of a smooth field errs in one direction over large regions, which
+            new values compensate."""
     return paragraph(text)
 
 
 def _head(results):
-    text = """# The study of simplification
+    text = """# The simplification study
 
-How good the meshes are that Gatun makes coarser ([how](../simplification.md)), next to
-`vtkUnstructuredGridQuadricDecimation`, VTK's own way (Vo et al. 2007), and Figures 18 and 19 of
-C. Yang, *On-the-fly Processing of Compressed Volume Data*, dissertation proposal, Stony Brook, 2001, redone.
-`Utilities/bench.sh --simplification` (Benchmarks/Studies/runSimplification.py) made this page;
-every figure behind it is in [results.json](simplification-study/results.json).
+The quality of the meshes that Gatun simplifies ([guide](../simplification.md)), compared with
+`vtkUnstructuredGridQuadricDecimation`, VTK's own filter (Vo et al. 2007). The page also repeats
+Figures 17, 18 and 19 of C. Yang, *On-the-fly Processing of Compressed Volume Data*, dissertation
+proposal, Stony Brook, 2001, for one mesh each. `Utilities/bench.sh --simplification`
+(Benchmarks/Studies/runSimplification.py) writes it. All results are in
+[results.json](simplification-study/results.json).
 
-""" + machine(results["machine"])
-    if results["mode"] != "full":
-        text += f"\n**A {results['mode']} run on small meshes: not to be quoted.**\n"
+""" + benchmarkText.machine(results)
     rows = [[mesh["name"], f"{mesh['compared']['original']['tets']:,}",
              f"{mesh['compared']['original']['points']:,}", mesh["about"]]
             for mesh in results["meshes"]]
-    return text + "\n" + table(["mesh", "tetrahedra", "points", "what"], rows)
+    return text + "\n" + table(["mesh", "tetrahedra", "points", "description"], rows)
 
 
-def _field(results, pictures):
+def _field(results, plots):
     rows = []
     for mesh in results["meshes"]:
         for part, quadric, gatun in cases(mesh):
@@ -82,12 +82,12 @@ def _field(results, pictures):
                          f"**{field_ratio(quadric, gatun):.2f}**", _small(quadric["largest"]),
                          _small(gatun["largest"]), f"{quadric['outside']:,}",
                          f"{gatun['outside']:,}"])
-    text = "## The field\n\n" + _who_wins(results) + "\n" + paragraph(f"""VTK is asked for a part of
-        the tetrahedra, Gatun then merges until there are as many as VTK left, or fewer. The error
-        is that against the original mesh at {results["samples"]:,} places, evenly over its volume,
-        as a part of the field's range. Places that are outside of the coarser mesh take the
-        value of the nearest place on its boundary, and are counted. Of places in several
-        tetrahedra, the first one counts.""") + "\n" + table(
+    text = "## The field\n\n" + _who_wins(results) + "\n" + paragraph(f"""VTK is asked for a
+        percentage of the tetrahedra. Gatun then merges until it has no more tetrahedra than VTK. The
+        error is the difference from the original mesh at {results["samples"]:,} positions, evenly
+        distributed over its volume, relative to the range of the field. A position outside of
+        the coarser mesh takes the value of the nearest position on its boundary and is counted. If
+        a position is in several tetrahedra, the first one counts.""") + "\n" + table(
             ["mesh", "%", "tets, VTK", "tets, Gatun", "RMS, VTK", "RMS, Gatun", "Gatun / VTK",
              "max, VTK", "max, Gatun", "outside, VTK", "outside, Gatun"], rows)
     nothing = [(mesh["name"], part, mesh["quadric"][i]["seconds"]) for mesh in results["meshes"]
@@ -95,15 +95,15 @@ def _field(results, pictures):
     if nothing:
         asked = ", ".join(f"{name} to {part} % ({number(seconds)} s)"
                           for name, part, seconds in nothing)
-        text += "\n" + paragraph(f"""Asked for these, VTK gave back the mesh as it was, without
-            a word: {asked}.""") + "\n" + table(
+        text += "\n" + paragraph(f"""VTK returned the mesh unchanged, without a message, for these
+            requests: {asked}.""") + "\n" + table(
                 ["mesh", "%", "tets, Gatun", "RMS, Gatun", "max, Gatun"],
                 [[mesh["name"], part, f"{gatun['tets']:,}", _small(gatun["rms"]),
                   _small(gatun["largest"])]
                  for mesh in results["meshes"]
                  for i, (part, gatun) in enumerate(zip(mesh["parts"], mesh["compared"]["gatun"]))
                  if did_nothing(mesh, i)])
-    return text + "\n" + picture(pictures, "field", "Error of the field by tetrahedra left", FOLDER)
+    return text + "\n" + image(plots, "field", "Error of the field by remaining tetrahedra", FOLDER)
 
 
 def _shape(results):
@@ -118,11 +118,12 @@ def _shape(results):
                 row += [_small(way[key]) for way in ways]
             row += [f"{way['inverted']} / {way['flat']}" for way in ways]
             rows.append(row)
-    return "## Boundary and shape\n\n" + paragraph("""Pairs are VTK, Gatun. Distance of the
-        original's boundary from the new one, mean and largest, as parts of the diagonal; change of the volume,
-        as a part of it; mean ratio of the tetrahedra (1 is regular, 0 flat): the worst, that which
-        1 % are below, the median; how many are inverted and how many flat. Gatun's cost
-        function does not ask for good shapes, which shows; it turns nothing over.""") + "\n" + (
+    return "## Boundary and shape\n\n" + paragraph("""Each pair is VTK, Gatun. The columns are: distance
+        of the original boundary from the new one, mean and largest, relative to the diagonal; change of
+        the volume, relative; mean ratio of the tetrahedra (1 is regular, 0 flat): the worst, the 1 %
+        quantile, the median; number of inverted and of flat tetrahedra. Gatun's cost function does
+        not ask for well-shaped tetrahedra, and the table shows it. Gatun inverts no
+        tetrahedron.""") + "\n" + (
         table(
             ["mesh", "%", "mean", "", "largest", "", "volume", "", "worst", "", "1 %", "", "median",
              "", "inverted / flat", ""], rows))
@@ -139,16 +140,16 @@ def _speed(results):
                      ", ".join(number(run["seconds"]) for run in mesh["gatun"]["meshes"]),
                      ", ".join(number(run["seconds"]) for run in mesh["quadric"]),
                      number(max(memory(run) for run in mesh["quadric"]))])
-    return "## Time and memory\n\n" + paragraph("""One thread. Gatun finds all merges once
-        (`gatun::BuildMergeTree`; the filter `vtkGatunSimplify` converts and copies besides); then
-        each mesh is a matter of one pass. VTK starts anew for each. Seconds, and MiB above those of the
-        process with the mesh in it. Meshes in the order of the table above: 50 %, and so
-        on.""") + (
+    return "## Time and memory\n\n" + paragraph("""One thread. Gatun finds the order of all merges once
+        (`gatun::BuildMergeTree`; the filter `vtkGatunSimplify` also converts and copies the mesh); each
+        mesh then takes one pass. VTK starts again for each mesh. Seconds, and peak MiB above those of the
+        process with the mesh in it. The meshes are in the order of the table above: 50 %, and so
+        on. Each case ran once.""") + (
             "\n" + table(["mesh", "tetrahedra", "merges, s", "M tets/s", "MiB", "filter, s", "MiB",
-                          "then each mesh, s", "VTK, each mesh, s", "MiB"], rows))
+                          "each mesh, s", "VTK, each mesh, s", "MiB"], rows))
 
 
-def _pictures(results, pictures):
+def _images(results, plots):
     if "pictures" not in results:
         return ""
     shown = results["pictures"]
@@ -156,44 +157,49 @@ def _pictures(results, pictures):
     for part, gatun, quadric in zip(shown["parts"], shown["gatun"], shown["quadric"]):
         rows.append([part, f"{quadric['tets']:,}", f"{gatun['tets']:,}", _small(quadric["rms"]),
                      _small(gatun["rms"]), _small(quadric["largest"]), _small(gatun["largest"])])
-    times = [["100", f"{shown['original']['tets']:,}",
-              *(number(1000 * statistics.median(shown["original"][kind]))
-                for kind in ("volumeSeconds", "areaSeconds"))]]
-    for part, gatun in zip(shown["parts"], shown["gatun"]):
-        times.append([part, f"{gatun['tets']:,}",
-                      *(number(1000 * statistics.median(gatun[kind]))
-                        for kind in ("volumeSeconds", "areaSeconds"))])
+    times = []
+    for part, mesh in zip((100, *shown["parts"]), (shown["original"], *shown["gatun"])):
+        times.append([part, f"{mesh['tets']:,}",
+                      *(spread(1000 * s for s in mesh[kind])
+                        for kind in ("volumeSeconds", "areaSeconds")),
+                      spread(rounds_of(zip(mesh["areaSeconds"], mesh["volumeSeconds"])), ratio)])
     size = f"{shown['size']} x {shown['size']}"
     gain = {kind: statistics.median(shown["original"][kind]) /
             statistics.median(shown["gatun"][-1][kind])
             for kind in ("volumeSeconds", "areaSeconds")}
-    return f"## Pictures ({shown['name']})\n\n" + picture(
-        pictures, "pictures", "The original and simplified meshes, as volumes", FOLDER) + "\n" + (
-            "### How far from the picture of the original (Figure 19)\n\n") + paragraph(f"""Root
-        mean square and largest difference of the colours, 0 to 1, from the picture of the whole mesh,
-        {size}, over the pixels that either covers. The paper has this for Gatun's way only, by
-        points merged, and finds it "minimal" but for very aggressive ratios.""") + "\n" + table(
+    return f"## Images ({shown['name']})\n\n" + image(
+        plots, "pictures", "The original and simplified meshes, as volumes", FOLDER) + "\n" + (
+            "### Difference from the image of the original (Figure 19)\n\n") + paragraph(f"""Root
+        mean square and largest difference of the colors, 0 to 1, from the image of the whole mesh,
+        {size} pixels, over the pixels that either mesh covers. The proposal shows this for its
+        own method only, by the percentage of points merged, and finds the error "minimal" except
+        for very aggressive ratios.""") + "\n" + table(
             ["% of tets", "tets, VTK", "tets, Gatun", "RMS, VTK", "RMS, Gatun", "max, VTK",
-             "max, Gatun"], rows) + "\n" + picture(
-                 pictures, "figure19", "Difference of pictures", FOLDER) + (
-            "\n### Samples in volumes or at areas (Figure 18)\n\n") + paragraph(f"""The paper draws
-        with samples at even distances ("volume-based") and with one for all that a tetrahedron has
-        of a ray ("area-based"), and is surprised that the first gains from simplification too. So it
-        does here: at {shown["parts"][-1]} % of the tetrahedra, volumes are drawn
-        {gain["volumeSeconds"]:.1f} times as fast as the whole mesh, areas {gain["areaSeconds"]:.1f}
-        times. `vtkGatunRayCaster`, all processors, {size}; milliseconds, everything included,
-        medians.""") + "\n" + table(
-            ["% of tets", "tetrahedra", "volume, ms", "area, ms"], times) + "\n" + picture(
-                pictures, "figure18", "Time to draw by tetrahedra left", FOLDER)
+             "max, Gatun"], rows) + "\n" + image(
+                 plots, "figure19", "Difference of images", FOLDER) + (
+            "\n### Volume-based or area-based samples (Figure 18)\n\n") + paragraph(f"""The proposal
+        draws with samples at even distances ("volume-based") and with one sample per tetrahedron and
+        ray ("area-based"), and is surprised that the first gains from simplification, too. It
+        does here: at {shown["parts"][-1]} % of the tetrahedra, volume-based images are drawn
+        {gain["volumeSeconds"]:.1f} times as fast as those of the whole mesh, area-based images
+        {gain["areaSeconds"]:.1f} times. Area-based sampling is not faster in itself: above 1 in the
+        last column, it takes longer. `vtkGatunRayCaster`, all processors, {size}; milliseconds in
+        total.""") + "\n" + table(
+            ["% of tets", "tetrahedra", "volume, ms", "area, ms", "area / volume"], times) + (
+                "\n" + image(plots, "figure18", "Time to draw by remaining tetrahedra", FOLDER))
 
 
 def simplify_share(run):
-    """How much of the time, from file to picture, goes into simplifying."""
+    """The share of simplification in the time from file to image."""
     staged = run["staged"]
     return staged["simplify"] / staged["seconds"]
 
 
-def _integrated(results, pictures):
+def _seconds(run):
+    return spread(run.get("rounds", [run["seconds"]]))
+
+
+def _integrated(results, plots):
     if "integrated" not in results:
         return ""
     shown = results["integrated"]
@@ -202,35 +208,30 @@ def _integrated(results, pictures):
         ways = [run[way] for way in ("staged", "integrated", "levels")]
         rows.append([f"{run['ratio']:g}", f"{run['integrated']['tets']:,.0f}",
                      *(number(run["staged"][stage]) for stage in ("decompress", "simplify", "render")),
-                     *(number(way["seconds"]) for way in ways),
-                     *(number(memory(way)) for way in ways)])
+                     *map(_seconds, ways), *(number(memory(way)) for way in ways)])
     shares = [f"{100 * simplify_share(run):.0f}" for run in shown["runs"] if run["ratio"] > 0]
     plain = shown["runs"][0]["integrated"]["seconds"]
     size = f"{shown['size']} x {shown['size']}"
-    return f"## All in one ({shown['name']}, Figure 17)\n\n" + paragraph(f"""From a `.gtn` file with a
-        hierarchy to the picture of a simplified mesh, {size}, all processors, in a process of its own: seconds,
-        and MiB at most above those before. *Staged*: the mesh is decompressed into a grid
-        (`vtkGatunReader`), simplified by the file's merges, and drawn. *Integrated*: chunks are
-        simplified as they are decoded, and freed once they are drawn (`vtkGatunRayCaster`), with nothing
-        kept. *With base meshes*: the same of a file that has them
-        ({shown['bytes']['levels'] / 2**20:.1f} MiB in place of
+    return f"## Integrated simplification ({shown['name']}, Figure 17)\n\n" + paragraph(f"""From a `.gtn`
+        file with a hierarchy to the image of a simplified mesh, {size} pixels, all processors, in a
+        separate process: seconds, and peak MiB above those of the new process. The ratio is the fraction
+        of points removed. *Staged*: the mesh is decompressed into a grid (`vtkGatunReader`), simplified
+        with the merges of the file, and drawn. *Integrated*: chunks are simplified as they are decoded,
+        and freed once they are drawn (`vtkGatunRayCaster` with MemoryBudget 0). *With base meshes*: the
+        same with a file that has levels of detail ({shown['bytes']['levels'] / 2**20:.1f} MiB instead of
         {shown['bytes']['tree'] / 2**20:.1f}).""") + "\n" + table(
             ["ratio", "tetrahedra", "decompress", "simplify", "draw", "staged", "integrated",
              "with base meshes", "MiB, staged", "integrated", "with base meshes"], rows) + "\n" + (
-            paragraph(f"""Simplifying takes {", ".join(shares)} % of the staged time; the paper says less
-        than 5 %. Without any simplification the integrated way takes {number(plain)} s.""")) + (
-            "\n" + picture(pictures, "figure17", "Seconds from file to picture", FOLDER))
+            paragraph(f"""Simplification takes {", ".join(shares)} % of the staged time; the proposal reports
+        less than 5 %. Without simplification the integrated method takes {number(plain)} s.""")) + (
+            "\n" + image(plots, "figure17", "Seconds from file to image", FOLDER))
+
+
+def page(results, plots):
+    parts = [_head(results), _field(results, plots), _shape(results), _speed(results),
+             _images(results, plots), _integrated(results, plots)]
+    return "\n".join(part.rstrip() + "\n" for part in parts if part)
 
 
 def write(results, out):
-    """Writes simplification-study.md, and plots where matplotlib is there."""
-    try:
-        import simplificationPlots
-        pictures = simplificationPlots.draw(results, out / FOLDER)
-    except ImportError:
-        print("Without matplotlib (python3-matplotlib) there are no plots.")
-        pictures = set()
-    page = [_head(results), _field(results, pictures), _shape(results), _speed(results),
-            _pictures(results, pictures), _integrated(results, pictures)]
-    (out / "simplification-study.md").write_text(
-        "\n".join(part.rstrip() + "\n" for part in page if part), encoding="utf-8")
+    benchmarkText.write_page(results, out, "simplification-study", page, "simplificationPlots")

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Pictures of what runStudy.py has measured; needs matplotlib."""
+"""Plots of the results of runStudy.py; needs matplotlib."""
 
 import statistics
 
@@ -9,18 +9,18 @@ import benchmarkPlots
 import studyReport
 from benchmarkPlots import pyplot
 
-COLOURS = {"gatun": "#0072b2", "small": "#56b4e9", "generic": "#d55e00", "vtu": "#e69f00"}
+COLORS = {"gatun": "#0072b2", "small": "#56b4e9", "generic": "#d55e00", "vtu": "#e69f00"}
 
 
 def _memory(results, folder, done):
     """The paper's Figure 13."""
     meshes = results["meshes"]
     figure, axes = pyplot.subplots(figsize=(8, 4))
-    width = 0.8 / len(COLOURS)
-    for i, (way, colour) in enumerate(COLOURS.items()):
+    width = 0.8 / len(COLORS)
+    for i, (way, color) in enumerate(COLORS.items()):
         values = [studyReport.memory(studyReport.find_case(
             mesh, 0, studyReport.usual_size(mesh))["ways"][way]) for mesh in meshes]
-        bars = axes.bar([m + i * width for m in range(len(meshes))], values, width, color=colour,
+        bars = axes.bar([m + i * width for m in range(len(meshes))], values, width, color=color,
                         label=studyReport.WAYS[way])
         axes.bar_label(bars, [f"{value:,.0f}" for value in values], fontsize=7)
     axes.set_xticks([m + 1.5 * width for m in range(len(meshes))],
@@ -28,7 +28,7 @@ def _memory(results, folder, done):
     axes.set_yscale("log")
     axes.set_ylim(bottom=1)
     axes.set_ylabel("MiB above the idle process")
-    axes.set_title("Peak memory from file to picture (Figure 13)", fontsize=10)
+    axes.set_title("Peak memory from file to image (Figure 13)", fontsize=10)
     axes.legend(fontsize=8)
     benchmarkPlots.save(figure, folder, "memory", done)
 
@@ -46,9 +46,9 @@ def _time(results, folder, done):
         for axes in row[len(limits):]:
             axes.set_axis_off()
         for axes, limit in zip(row, limits):
-            for i, (way, colour) in enumerate(COLOURS.items()):
+            for i, (way, color) in enumerate(COLORS.items()):
                 # Crosses one above the other.
-                _draw_line(axes, mesh, limit, way, colour, 1.5 * max(times) * 1.4**i)
+                _draw_line(axes, mesh, limit, way, color, 1.5 * max(times) * 1.4**i)
             axes.set_yscale("log")
             axes.set_ylim(0.7 * min(times), 6 * max(times))
             axes.set_xscale("log", base=2)
@@ -58,12 +58,12 @@ def _time(results, folder, done):
             axes.grid(alpha=0.3)
         row[0].set_ylabel("seconds", fontsize=7)
     grid[0][0].legend(fontsize=6)
-    figure.suptitle("Time from file to picture by its width; a cross: there is none (Figure 14)",
+    figure.suptitle("Time from file to image by its width; a cross: no image (Figure 14)",
                     fontsize=10)
     benchmarkPlots.save(figure, folder, "time", done)
 
 
-def _draw_line(axes, mesh, limit, way, colour, top):
+def _draw_line(axes, mesh, limit, way, color, top):
     """Times of a way by size; crosses at a height where it fails."""
     worked = []
     failed = []
@@ -73,9 +73,9 @@ def _draw_line(axes, mesh, limit, way, colour, top):
             failed.append((size, top))
         else:
             worked.append((size, studyReport.seconds(runs)))
-    axes.plot([x for x, _ in worked], [y for _, y in worked], "o-", color=colour, markersize=3,
+    axes.plot([x for x, _ in worked], [y for _, y in worked], "o-", color=color, markersize=3,
               linewidth=1, label=studyReport.WAYS[way])
-    axes.plot([x for x, _ in failed], [y for _, y in failed], "x", color=colour, markersize=5)
+    axes.plot([x for x, _ in failed], [y for _, y in failed], "x", color=color, markersize=5)
 
 
 def _release(results, folder, done):
@@ -114,7 +114,7 @@ def _prefilter(results, folder, done):
         axes.set_xscale("log", base=2)
         axes.set_xticks([size for size, _, _ in pairs], [size for size, _, _ in pairs])
     axes.set_ylim(0, 100)
-    axes.set_xlabel("width of the picture, pixels")
+    axes.set_xlabel("width of the image, pixels")
     axes.set_ylabel("% of the tetrahedra")
     axes.set_title("Dropped by the pre-filter", fontsize=10)
     axes.grid(alpha=0.3)
@@ -123,7 +123,7 @@ def _prefilter(results, folder, done):
 
 
 def draw(results, folder):
-    """Writes all pictures; returns their names."""
+    """Writes all plots; returns their names."""
     done = set()
     for make in _memory, _time, _release, _prefilter:
         make(results, folder, done)

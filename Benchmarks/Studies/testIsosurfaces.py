@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""The study of isosurfaces on tiny meshes: it runs through, and what must hold anywhere holds.
+"""Runs the isosurface study on tiny meshes and checks what must hold for any mesh.
 
 Usage: testIsosurfaces.py FOLDER_OF_PROGRAMS SCRATCH_FOLDER
 """
@@ -30,7 +30,7 @@ def main():
     for mesh in results["meshes"]:
         for run in mesh["cold"]:
             counts = {run[way]["triangles"] for way in ("layers", "spatial", "span")}
-            require(len(counts) == 1 and counts.pop() > 0, "the ways make different surfaces")
+            require(len(counts) == 1 and counts.pop() > 0, "the methods make different surfaces")
             require(run["layers"]["bytes"] < run["raw"]["bytes"], "more is read than there is")
         for run in mesh["memory"]:
             require(run["ways"][0]["triangles"] == run["ways"][2]["triangles"],
@@ -39,7 +39,7 @@ def main():
             require(run["gatun"]["corners"] - 2 * run["gatun"]["strips"] == run["triangles"],
                     "strips have another number of triangles")
     page = (out / "isosurface-study.md").read_text(encoding="utf-8")
-    for part in "MiB read", "slider", "triangles a strip", "How many layers":
+    for part in "MiB read", "slider", "triangles per strip", "Number of layers":
         require(part in page, f"the page says nothing of {part}")
 
 

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""The study of simplification on tiny meshes: it runs through, and what must hold anywhere holds.
+"""Runs the simplification study on tiny meshes and checks what must hold for any mesh.
 
 Usage: testSimplification.py FOLDER_OF_PROGRAMS SCRATCH_FOLDER
 """
@@ -31,22 +31,22 @@ def main():
     for mesh in results["meshes"]:
         original = mesh["compared"]["original"]
         require(original["rms"] < 1e-6 and original["outside"] == 0 and
-                original["boundaryLargest"] < 1e-6, f"{mesh['name']}: it is far from itself")
+                original["boundaryLargest"] < 1e-6, f"{mesh['name']}: it differs from itself")
         errors = [original["rms"]]
         for quadric, gatun in zip(mesh["compared"]["quadric"], mesh["compared"]["gatun"]):
             require(0 < gatun["tets"] <= quadric["tets"], f"{mesh['name']}: too many tetrahedra")
-            require(gatun["inverted"] == gatun["flat"] == 0, f"{mesh['name']}: turned over or flat")
+            require(gatun["inverted"] == gatun["flat"] == 0, f"{mesh['name']}: inverted or flat")
             errors.append(gatun["rms"])
         require(errors == sorted(errors) and errors[-1] > 1e-3,
                 f"{mesh['name']}: errors do not grow with what is left out: {errors}")
     shown = results["pictures"]
     require(shown["original"]["rms"] == 0 and shown["original"]["covered"] > 0.1,
-            "the picture of the original is far from itself, or empty")
+            "the image of the original differs from itself or is empty")
     require(0 < shown["gatun"][0]["rms"] < shown["gatun"][-1]["rms"] < 0.2,
-            "pictures do not become worse")
+            "images do not become worse")
     runs = results["integrated"]["runs"]
     require(len({run[way]["tets"] for run in runs[1:] for way in ("staged", "integrated", "levels")})
-            == 1, "the ways from file to picture draw different meshes")
+            == 1, "the methods draw different meshes")
     require(runs[1]["integrated"]["tets"] < 0.7 * runs[0]["integrated"]["tets"],
             "nothing is simplified on the way from the file")
     page = (out / "simplification-study.md").read_text(encoding="utf-8")

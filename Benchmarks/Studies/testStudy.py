@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""The study on tiny meshes: it runs through, and what must hold on any mesh holds.
+"""Runs the rendering study on tiny meshes and checks what must hold for any mesh.
 
 Usage: testStudy.py FOLDER_OF_PROGRAMS SCRATCH_FOLDER
 """
@@ -29,13 +29,13 @@ def main():
                    check=True, env=environment)
     results = json.loads((out / "rendering-study" / "results.json").read_text(encoding="utf-8"))
     require(len(results["meshes"]) == 2, "a mesh is missing")
-    require(not studyReport.differing(results), "not all draw the same pictures")
+    require(not studyReport.differing(results), "the images differ")
     for mesh in results["meshes"]:
         for case in mesh["limits"]:
             works = [not studyReport.failure(runs) for runs in case["ways"].values()]
             # No program of this size can begin within 16 MiB of addresses.
             require(works == [case["limit"] != 16] * 4,
-                    f"{mesh['name']}: not what is to be expected under {case['limit']} MiB")
+                    f"{mesh['name']}: unexpected result under {case['limit']} MiB")
         for size, on, off in studyReport.prefilter_pairs(mesh):
             require(0 < on["seenTets"] < off["seenTets"] == off["tets"],
                     f"{mesh['name']}: the pre-filter drops nothing, or all, at {size}")
@@ -48,7 +48,7 @@ def main():
             require(both["mostWaiting"] < front["mostWaiting"],
                     f"{light}: more tetrahedra wait when released from both ends")
             require(abs(both["mean"] - front["mean"]) < 2e-3,
-                    f"{light}: another picture when released from both ends")
+                    f"{light}: another image when released from both ends")
     page = (out / "rendering-study.md").read_text(encoding="utf-8")
     for part in "Figure 13", "Figure 14", "section 4.4", "pre-filter", "fails":
         require(part in page, f"the page says nothing of {part}")

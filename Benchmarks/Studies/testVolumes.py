@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""The study of regular volumes on tiny ones: it runs through, and what must hold anywhere holds.
+"""Runs the volume study on tiny volumes and checks what must hold for any volume.
 
 Usage: testVolumes.py FOLDER_OF_PROGRAMS SCRATCH_FOLDER
 """
@@ -28,9 +28,9 @@ def check_blocks(run):
     ways = {way["way"]: way["views"] for way in run["ways"]}
     for i, own in enumerate(ways["gatun"]):
         require(own["lines"] < 0.2, f"blocks of {run['block']}: {own['lines']} in view {i}")
-        # Where nothing is between, both yardsticks say the same.
+        # Where the references agree, so do the errors.
         require(abs(own["samples"] - own["lines"]) <= 0.001 + 2.5 * own["between"],
-                "the sums tell another story")
+                "the sums disagree with the integrals")
     require(ways["trilinear-2"][3]["lines"] > 10 * ways["gatun"][3]["lines"],
             "the paper's kernel is as good as ours")
 
@@ -75,10 +75,10 @@ def main():
             check_pictures(run)
         check_rates(one["rates"])
     ways = {one["way"] for one in results["times"]["runs"]["blocks"]["ways"]}
-    require(ways >= {"gatun", "plain"}, "a way was not timed")
-    require(len(results["plate"]["runs"]) == 15, "a picture is missing")
+    require(ways >= {"gatun", "plain"}, "a renderer was not timed")
+    require(len(results["plate"]["runs"]) == 15, "an image is missing")
     page = (out / "volume-study.md").read_text(encoding="utf-8")
-    for part in "Table 1", "Table 2", "Bits against errors", "Time for a view":
+    for part in "Table 1", "Table 2", "Bits by error", "Time for a view":
         require(part in page, f"the page says nothing of {part}")
 
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Plots of what runVolumes.py has measured; needs matplotlib."""
+"""Plots of the results of runVolumes.py; needs matplotlib."""
 
 import pathlib
 
@@ -9,7 +9,7 @@ import benchmarkPlots
 import volumeReport
 from benchmarkPlots import pyplot
 
-COLOURS = benchmarkPlots.STAGES
+COLORS = benchmarkPlots.STAGES
 
 
 def _style(axes, title, across, up):
@@ -33,23 +33,23 @@ def _tables(results, folder, done):
                   label="paper")
         axes.set_yscale("log")
     least = 1e-3
-    for one, colour in zip(results["volumes"], COLOURS):
+    for one, color in zip(results["volumes"], COLORS):
         runs = [run for run in one["blocks"] if run["rate"] == 0 and run["block"]]
         blocks = [run["block"] for run in runs]
         for way, what, style, name in (("gatun", "samples", "o-", "ours, sums"),
                                        ("gatun", "lines", "o:", "ours, lines"),
                                        ("trilinear-2", "samples", "x--", "paper's kernel, padded")):
             values = [volumeReport.find(run["ways"], way=way)["views"][3][what] for run in runs]
-            grid[0].plot(blocks, [max(least, value) for value in values], style, color=colour,
+            grid[0].plot(blocks, [max(least, value) for value in values], style, color=color,
                          markersize=4, linewidth=1, label=f"{one['name']}: {name}")
         for run, style in zip(one["pictures"], ("o-", "s--")):
             values = [block["views"][3]["exponential"]["mse"] for block in run["blocks"]
                       if block["rate"] == 0 and block["block"]]
-            grid[1].plot(blocks, [max(least, value) for value in values], style, color=colour,
+            grid[1].plot(blocks, [max(least, value) for value in values], style, color=color,
                          markersize=4, linewidth=1,
                          label=f"{one['name']}, opacity {run['opacity']:g}")
     for axes, title in zip(grid, ("Table 1: blocks, turns 0.48 0.1 0.95",
-                                  "Table 2: exponential law, turns 0.48 0.1 0.95")):
+                                  "Table 2: exponential model, turns 0.48 0.1 0.95")):
         _style(axes, title, "voxels along a block", "mean square error (at least 0.001)")
         _ticks(axes, [2, 4, 8, 16, 32, 64])
         axes.legend(fontsize=6)
@@ -68,14 +68,14 @@ def _rates(results, folder, done):
     figure, grid = pyplot.subplots(1, len(volumes), figsize=(4.2 * len(volumes), 4), squeeze=False)
     for axes, one in zip(grid[0], volumes):
         rates = one["rates"]
-        for series, colour in zip(rates["gatun"], COLOURS):
-            _series(axes, series["points"], "o-", color=colour,
+        for series, color in zip(rates["gatun"], COLORS):
+            _series(axes, series["points"], "o-", color=color,
                     label=f"Gatun, blocks of {volumeReport.size(series['block'])}")
         for name, style in (("accuracy", "k^--"), ("precision", "kv:"), ("integers", "ks-.")):
             _series(axes, rates.get("zfp", {}).get(name, []), style, label=f"zfp, {name}")
         axes.axvline(rates["vti"], color="#999999", linewidth=1, label=".vti, zlib, lossless")
         axes.set_xscale("log")
-        _style(axes, one["name"], "bits a voxel", "PSNR, dB")
+        _style(axes, one["name"], "bits per voxel", "PSNR, dB")
     grid[0][0].legend(fontsize=6)
     benchmarkPlots.save(figure, folder, "rates", done)
 
@@ -89,36 +89,36 @@ def _times(results, folder, done):
 
     def peers(axes, run):
         for way, style in (("plain", "-"), ("fixed-point", "--")):
-            for law, colour in laws:
+            for law, color in laws:
                 one = volumeReport.find(run["ways"], way=way, law=law)
                 if one:
-                    axes.axhline(1000 * volumeReport.median(one), color=colour, linestyle=style,
+                    axes.axhline(1000 * volumeReport.median(one), color=color, linestyle=style,
                                  linewidth=0.8, label=f"{way}, {law}")
-    for law, colour in laws:
+    for law, color in laws:
         own = [one for one in runs["blocks"]["ways"] if one["way"] == "gatun" and one["law"] == law]
         places = [one["block"] or 128 for one in own]
-        grid[0].plot(places, [1000 * volumeReport.median(one) for one in own], "o-", color=colour,
+        grid[0].plot(places, [1000 * volumeReport.median(one) for one in own], "o-", color=color,
                      markersize=3, label=f"Gatun, {law}")
         own = [one for one in runs["rates"]["ways"] if one["way"] == "gatun" and one["law"] == law]
         terms = [volumeReport.find(runs["rates"]["sources"], block=one["block"],
                                    rate=one["rate"])["terms"] / 1e6 for one in own]
         grid[1].plot(*zip(*sorted(zip(terms, (1000 * volumeReport.median(one) for one in own)))),
-                     "o-", color=colour, markersize=3)
+                     "o-", color=color, markersize=3)
         for way, block, style in (("gatun", 8, "o-"), ("plain", 0, "x-"), ("fixed-point", 0, "^--")):
             found = [(run["pixels"], one) for run in runs["pixels"] for one in run["ways"]
                      if one["way"] == way and one["law"] == law and one.get("block", 0) == block]
             if found:
                 grid[2].plot([pixels for pixels, _ in found],
                              [1000 * volumeReport.median(one) for _, one in found], style,
-                             color=colour, markersize=3, label=f"{way}, {law}")
+                             color=color, markersize=3, label=f"{way}, {law}")
     peers(grid[0], runs["blocks"])
     peers(grid[1], runs["rates"])
     places = sorted({one["block"] or 128 for one in runs["blocks"]["ways"] if one["way"] == "gatun"})
-    _style(grid[0], "one bit a voxel", "voxels along a block", "ms a view")
+    _style(grid[0], "one bit per voxel", "voxels along a block", "ms per view")
     grid[0].set_xscale("log", base=2)
     grid[0].set_xticks(places, ["whole" if place == 128 else place for place in places])
-    _style(grid[1], "blocks of 8", "million coefficients that are not 0", "ms a view")
-    _style(grid[2], "blocks of 8, one bit a voxel", "pixels along a picture", "ms a view")
+    _style(grid[1], "blocks of 8", "million nonzero coefficients", "ms per view")
+    _style(grid[2], "blocks of 8, one bit per voxel", "pixels along the image", "ms per view")
     for axes in grid:
         axes.set_yscale("log")
     grid[0].legend(fontsize=5)
@@ -128,15 +128,15 @@ def _times(results, folder, done):
 
 def _title(run):
     if run["plate"] == "voxels":
-        return "voxel by voxel"
+        return "from voxels"
     if run["plate"] == "sizes":
         return f"blocks of {volumeReport.size(run['block'])}"
-    error = f"{run['psnr']:.1f} dB" if run["psnr"] is not None else "no loss"
+    error = f"{run['psnr']:.1f} dB" if run["psnr"] is not None else "lossless"
     return f"{run['bits']:.2f} bits, {error}"
 
 
 def _plates(results, folder, done):
-    """Only while the pictures are there; the plates of before stay else."""
+    """Only while the images exist; otherwise the previous plates stay."""
     runs = results.get("plate", {}).get("runs", [])
     for plate in "qualities", "sizes":
         if runs and all("file" in run and pathlib.Path(run["file"]).exists() for run in runs):
@@ -149,7 +149,7 @@ def _plate(runs, folder, name):
     laws = list(dict.fromkeys(run["law"] for run in runs))
     columns = len(runs) // len(laws)
     images = [pyplot.imread(run["file"])[:, :, :3] for run in runs]
-    # What all of them leave black around the volume is cut off.
+    # The black margin that all of them share is cut off.
     seen = sum(image.sum(axis=2) for image in images) > 0.1 * len(images)
     rows, across = seen.any(axis=1).nonzero()[0], seen.any(axis=0).nonzero()[0]
     cut = (slice(rows[0], rows[-1] + 1), slice(across[0], across[-1] + 1))

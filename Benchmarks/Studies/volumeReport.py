@@ -1,18 +1,19 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""The page made of what runVolumes.py has measured."""
+"""The page of the results of runVolumes.py."""
 
 import statistics
 
-from benchmarkText import machine, number, paragraph, picture, table
+import benchmarkText
+from benchmarkText import image, number, paragraph, spread, table
 
 FOLDER = "volume-study"
 MIB = 2**20
 VIEWS = ("0 0 0", "0.5 0 1", "0.25 0.25 0.25", "0.48 0.1 0.95")
 
-# Of the dissertation, by size of blocks: the four views; and the exponential and the linear law,
-# each from the second and the fourth.
+# The dissertation's values by size of blocks: Table 1 for the four views; Table 2 for the exponential
+# and the linear opacity model, each for the second and the fourth view.
 PAPER1 = {4: (0, 0.153, 25.543, 35.980), 8: (0.529, 1.536, 15.990, 23.536),
           16: (0.433, 1.026, 9.980, 18.336), 32: (0.301, 1.006, 4.670, 10.312),
           64: (0.149, 0.217, 3.252, 3.513)}
@@ -22,7 +23,7 @@ PAPER2 = {2: (3.115, 5.339, 4.935, 8.377), 4: (7.0699, 8.001, 9.129, 10.560),
 
 
 def error(value):
-    """A mean square error, from hardly anything to a lot."""
+    """A mean square error, small or large."""
     if value is None:
         return "?"
     if value == 0:
@@ -37,7 +38,7 @@ def size(block):
 
 
 def find(runs, **wanted):
-    """The first that has all that is wanted; None if there is none."""
+    """The first run with these values; None if there is none."""
     return next((run for run in runs
                  if all(run.get(key) == value for key, value in wanted.items())), None)
 
@@ -46,36 +47,40 @@ def median(run):
     return statistics.median(run["later"])
 
 
+def model(name):
+    """The opacity model of a run."""
+    return {"xray": "X-ray", "exponential": "exponential"}.get(name, name)
+
+
 def _head(results):
-    text = """# The study of regular volumes
+    text = """# The volume study
 
-How good and how fast pictures are that come from Hartley coefficients without going back to voxels, next to
-the dissertation's own figures (C. Yang: On-the-fly processing of compressed volume data, 2001, Tables 1 and
-2), to a voxel-by-voxel ray caster, to zfp and to VTK. `Utilities/bench.sh --volumes`
-(Benchmarks/Studies/runVolumes.py) made this page; every figure behind it is in
-[results.json](volume-study/results.json).
+Quality and speed of images drawn from Hartley coefficients without reconstructing voxels
+([method](../hartley.md)). The page compares them with the dissertation's own results (C. Yang:
+On-the-fly processing of compressed volume data, 2001, Tables 1 and 2), with a ray caster for voxels,
+with zfp and with VTK. `Utilities/bench.sh --volumes` (Benchmarks/Studies/runVolumes.py) writes it.
+All results are in [results.json](volume-study/results.json).
 
-""" + machine(results["machine"])
-    if results["mode"] != "full":
-        text += f"\n**A {results['mode']} run on small volumes: not to be quoted.**\n"
+""" + benchmarkText.machine(results)
     rows = [[one["name"], f"{one['rates']['voxels']:,}", one["rates"]["type"],
              f"{one['rates']['lowest']:g} to {one['rates']['highest']:g}", one["about"]]
             for one in results["volumes"]]
-    return text + "\n" + table(["volume", "voxels", "type", "values", "what"], rows)
+    return text + "\n" + table(["volume", "voxels", "type", "values", "description"], rows)
 
 
 def _blocks(results):
-    text = "## Table 1: pictures of blocks\n\n" + paragraph("""Mean square error of the pictures of single
-        blocks, scaled so that the largest sum along a ray is 255, over rays that meet the block and over
-        blocks that are not empty (a fixed, evenly spread selection of them). Turns about x, y, z in units
-        of pi, voxels are cubes. *Sums*: against sums of trilinear samples a voxel apart, one on the
-        plane through the block's centre, which is what the paper compares with. *Lines*: against exact
-        integrals of the same trilinear hats along the same rays. *Between*: of the sums against the
-        integrals, which is the error of the yardstick itself: no picture made of integrals can be
-        closer to the sums. *Slice*: by slices of spectra for all sizes of blocks, with the
-        Kaiser-Bessel kernel. *Paper's kernel*: trilinear slices of spectra, without padding and with
-        as much again, against the sums, by the same program. *1 bit*: ours at one bit a voxel, against
-        sums of the original voxels.""")
+    text = "## Table 1: images of blocks\n\n" + paragraph("""Mean square error of the images of single
+        blocks, scaled so that the largest sum along a ray is 255. The mean is over the rays that meet a
+        block and over blocks that are not empty (a fixed, evenly spread selection). Turns are about x, y
+        and z in units of pi, and voxels are cubes. *Sums*: relative to sums of trilinear samples at
+        distances of a voxel, one of them on the plane through the center of the block. The
+        dissertation compares with such sums. *Lines*: relative to exact integrals of the same
+        trilinear basis functions along the same rays. *Between*: the difference of the sums from the
+        integrals, that is, the error of the reference itself. An image made of integrals cannot be closer
+        to the sums than that. *Slice*: by slices of spectra for all sizes of blocks, with the
+        Kaiser-Bessel kernel. *Paper's kernel*: trilinear slices of spectra, without padding and
+        padded to twice the size, relative to the sums, computed by this program. *1 bit*: ours at one
+        bit per voxel, relative to sums of the original voxels.""")
     for one in results["volumes"]:
         rows = []
         for run in one["blocks"]:
@@ -98,22 +103,23 @@ def _blocks(results):
 
 
 def _worst(one):
-    """What is worst of all sizes of blocks and views, without loss."""
+    """The worst of all sizes of blocks and views, without quantization."""
     own = [view for run in one["blocks"] if run["rate"] == 0 for view in run["ways"][0]["views"]]
     sums = max(own, key=lambda view: view["samples"])
-    return paragraph(f"""Ours at worst: {error(sums['samples'])} against the sums, where the yardstick's own
-        error is {error(sums['between'])}; {error(max(view['lines'] for view in own))} against the
-        integrals.""")
+    return paragraph(f"""Our largest errors are {error(sums['samples'])} relative to the sums, where the error
+        of the reference itself is {error(sums['between'])}, and
+        {error(max(view['lines'] for view in own))} relative to the integrals.""")
 
 
-def _pictures(results, pictures):
-    text = "## Table 2: whole pictures\n\n" + paragraph("""Mean square error of pictures from 0 to 255, over
-        all rays that meet the volume, against a ray caster that takes the trilinear volume sample by
-        sample, a voxel apart, front to back, by equations 1, 2 and 5. Grey goes from the lowest to the
-        highest density. *Opacity*: that of a sample of the highest density, by which K is set; the
-        paper does not tell its own. *Equation 6*: opacity under the exponential law against
-        1 - exp(-K times the line integral), without any blocks; its largest difference is next to it.
-        *X-ray*: against line integrals, the largest of which is 255.""")
+def _images(results, plots):
+    text = "## Table 2: whole images\n\n" + paragraph("""Mean square error of images with values from 0 to
+        255, over all rays that meet the volume. The reference is a ray caster that samples the
+        trilinear volume at distances of a voxel, front to back, by equations 1, 2 and 5. Gray goes from
+        the lowest to the highest density. *Opacity* is that of a sample of the highest density, which
+        determines K; the dissertation does not state its own. *Equation 6*: opacity under the
+        exponential model relative to 1 - exp(-K times the line integral), without blocks, and its
+        largest difference. It is exact on the lattice of a slab, from which
+        pixels are interpolated. *X-ray*: relative to line integrals, the largest of which is 255.""")
     for one in results["volumes"]:
         for run in one["pictures"]:
             rows = []
@@ -135,16 +141,39 @@ def _pictures(results, pictures):
             text += f"\n### {one['name']}, opacity {run['opacity']:g}\n\n" + table(
                 ["block", "turns", "X-ray", "equation 6", "largest", "paper, exponential", "ours",
                  "paper, linear", "ours", "exponential, 1 bit"], rows)
-    return text + "\n" + picture(pictures, "tables", "Errors against sizes of blocks", FOLDER)
+        text += "\n" + _paper_wins(one)
+    return text + "\n" + image(plots, "tables", "Errors by size of blocks", FOLDER)
 
 
-def _rates(results, pictures):
-    text = "## Bits against errors\n\n" + paragraph("""Bits a voxel of the whole file (and its PSNR) for
-        an error that is wanted of the voxels, as a reader gives them back (rounded to the volume's type). PSNR: 20 log10(range / root mean
-        square error). zfp 1.0 compresses a copy in single precision to a given accuracy (the best of
-        its settings in most of these), and integers promoted to 32 bits to a number of bit planes; what
-        comes back is rounded likewise. Lossless: `.ghv` at error 0, zfp's reversible mode on
-        integers, and VTK's own .vti with zlib.""")
+def count_against_paper(one):
+    """How many of the dissertation's values are larger than ours, and how many smaller."""
+    better, worse = 0, 0
+    for run in one["pictures"]:
+        for block in run["blocks"]:
+            if block["rate"] != 0 or block["block"] not in PAPER2:
+                continue
+            paper = PAPER2[block["block"]]
+            for i, view in ((0, 1), (1, 3)):
+                for offset, law in ((0, "exponential"), (2, "linear")):
+                    ours = block["views"][view][law]["mse"]
+                    better += ours < paper[i + offset]
+                    worse += ours > paper[i + offset]
+    return better, worse
+
+
+def _paper_wins(one):
+    better, worse = count_against_paper(one)
+    return paragraph(f"""Compared with the dissertation's values for its own volume, the error is smaller in
+        {better} and larger in {worse} of {better + worse} cases.""")
+
+
+def _rates(results, plots):
+    text = "## Bits by error\n\n" + paragraph("""Bits per voxel of the whole file (and its PSNR) for a
+        requested error of the voxels that the reader returns, rounded to the type of the volume. PSNR
+        is 20 log10(range / root mean square error). zfp 1.0 compresses a single-precision copy to a
+        given accuracy (mostly the best of its modes) and integers promoted to 32 bits to a number of
+        bit planes; its results are rounded likewise. Lossless: `.ghv` with error 0, zfp's
+        reversible mode for integers, and VTK's own .vti with zlib.""")
     rows = []
     for one in results["volumes"]:
         for series in one["rates"]["gatun"]:
@@ -165,13 +194,13 @@ def _rates(results, pictures):
                      f"{reversible[0]['bits']:.3f}" if reversible else "",
                      "; ".join(f"{point['bits']:.3f}: {psnr(point)}"
                                for point in zfp.get("accuracy", []))])
-    text += "\n" + paragraph("Bits and dB of peers:") + "\n" + table(
+    text += "\n" + paragraph("Bits per voxel and dB of the peers:") + "\n" + table(
         ["volume", ".vti, zlib", "zfp, reversible", "zfp, accuracy"], rows)
-    return text + "\n" + picture(pictures, "rates", "PSNR against bits a voxel", FOLDER)
+    return text + "\n" + image(plots, "rates", "PSNR by bits per voxel", FOLDER)
 
 
 def psnr(point):
-    """Null is what JSON makes of infinity."""
+    """JSON has null for infinity."""
     return f"{point['psnr']:.1f}" if point["psnr"] is not None else "exact"
 
 
@@ -180,66 +209,62 @@ def _way(run):
             "fixed-point": "vtkFixedPointVolumeRayCastMapper"}[run["way"]]
 
 
-def _times(results, pictures):
+def _times(results, plots):
     part = results.get("times")
     if not part:
         return ""
     runs = part["runs"]
-    text = f"## Time for a view: {part['name']}\n\n" + paragraph("""Each view is from another side; seconds are
-        medians of views after the first, all ways in turn. *First* includes what is kept for later views
-        and for the same size of blocks (spectra); memory is the peak above what there was before the first
-        view. vtkFixedPointVolumeRayCastMapper takes the same samples, a voxel apart, of the same pixels
-        (X-ray: additive blending), in a window that nobody sees; *plain sums* are trilinear samples
+    text = f"## Time for a view: {part['name']}\n\n" + paragraph("""Each view has another direction. The
+        methods take turns. *First* includes data that later views reuse (spectra). *Later* is the median
+        of the later views, with their range. Memory is the peak above that before the first view.
+        vtkFixedPointVolumeRayCastMapper takes the same samples, at distances of a voxel, for the same
+        pixels (X-ray: additive blending), in an offscreen window. *Plain sums* are trilinear samples
         summed along each ray, on all threads.""")
 
     def rows_of(run, *extra):
-        return [[*extra, _way(one), one["law"],
-                 f"{one['rate']:g}" if one["rate"] else "no loss" if one["way"] == "gatun" else "",
+        return [[*extra, _way(one), model(one["law"]),
+                 f"{one['rate']:g}" if one["rate"] else "lossless" if one["way"] == "gatun" else "",
                  one.get("method", ""),
                  f"{find(run['sources'], block=one['block'], rate=one['rate'])['terms']:,}"
                  if one["way"] == "gatun" else "",
-                 number(1000 * one["seconds"]), f"**{number(1000 * median(one))}**",
+                 number(1000 * one["seconds"]), spread(1000 * s for s in one["later"]),
                  number((one["peak"] - one["before"]) / MIB)]
                 for one in ({"rate": 0, "block": 0, **way} for way in run["ways"])]
-    head = ["way", "law", "bits a voxel", "method", "coefficients not 0", "first, ms", "later, ms",
-            "MiB"]
+    head = ["renderer", "model", "bits per voxel", "method", "nonzero coefficients", "first, ms",
+            "later, ms", "MiB"]
     text += f"\n### By size of blocks, {runs['blocks']['pixels']} x {runs['blocks']['pixels']}\n\n"
     text += table(head, rows_of(runs["blocks"]))
     text += "\n### By quality\n\n" + table(head, rows_of(runs["rates"]))
-    text += "\n### By size of the picture\n\n" + table(
+    text += "\n### By size of the image\n\n" + table(
         ["pixels", *head], [row for run in runs["pixels"] for row in rows_of(run, run["pixels"])])
-    text += "\n### By threads\n\n" + table(
+    text += "\n### By number of threads\n\n" + table(
         ["threads", *head], [row for run in runs["threads"] for row in rows_of(run, run["threads"])])
-    return text + "\n" + picture(pictures, "times", "Time for a view", FOLDER)
+    return text + "\n" + image(plots, "times", "Time for a view", FOLDER)
 
 
-def _plate(results, pictures):
+def _plate(results, plots):
     if "plate" not in results:
         return ""
     runs = [run for run in results["plate"]["runs"]
             if run["law"] == "xray" and run["plate"] != "voxels"]
-    rows = [[size(run["block"]), f"{run['rate']} bits" if run["rate"] else "no loss",
+    rows = [[size(run["block"]), f"{run['rate']} bits" if run["rate"] else "lossless",
              f"{run['bits']:.3f}", psnr(run)] for run in runs]
-    return f"## Pictures: {results['plate']['name']}\n\n" + paragraph("""From top to bottom: X-ray, grey
-        under the exponential law, and colours by a transfer function. Voxel by voxel on the left; then
-        blocks of 4 voxels from the file, at ever fewer bits a voxel.""") + "\n" + picture(
-            pictures, "qualities", "The same view at several qualities", FOLDER) + "\n" + paragraph(
-                """The same without loss, in ever larger blocks. That a block counts as if its mean
-                density were everywhere in it shows in colours and, under a transfer function, in
-                opacities; X-rays are the same for all.""") + "\n" + picture(
-                    pictures, "sizes", "The same view with several sizes of blocks", FOLDER) + (
-                        "\n" + table(["block", "wanted", "bits a voxel", "PSNR"], rows))
+    return f"## Images: {results['plate']['name']}\n\n" + paragraph("""From top to bottom: X-ray, gray
+        under the exponential model, and colors by a transfer function. The left column is drawn
+        from voxels, the others from blocks of 4 voxels at fewer and fewer bits per voxel.""") + (
+            "\n" + image(plots, "qualities", "The same view at several qualities", FOLDER)) + (
+            "\n" + paragraph("""The same without loss, in larger and larger blocks. A block is colored by
+        its mean density along the ray. The error shows in colors and, under a transfer
+        function, in opacities. X-rays do not depend on the size of the blocks.""")) + (
+            "\n" + image(plots, "sizes", "The same view with several sizes of blocks", FOLDER)) + (
+            "\n" + table(["block", "requested", "bits per voxel", "PSNR"], rows))
+
+
+def page(results, plots):
+    parts = [_head(results), _plate(results, plots), _blocks(results), _images(results, plots),
+             _rates(results, plots), _times(results, plots)]
+    return "\n".join(part.rstrip() + "\n" for part in parts if part)
 
 
 def write(results, out):
-    """Writes volume-study.md, and plots where matplotlib is there."""
-    try:
-        import volumePlots
-        pictures = volumePlots.draw(results, out / FOLDER)
-    except ImportError:
-        print("Without matplotlib (python3-matplotlib) there are no plots.")
-        pictures = set()
-    page = [_head(results), _plate(results, pictures), _blocks(results), _pictures(results, pictures),
-            _rates(results, pictures), _times(results, pictures)]
-    (out / "volume-study.md").write_text(
-        "\n".join(part.rstrip() + "\n" for part in page if part), encoding="utf-8")
+    benchmarkText.write_page(results, out, "volume-study", page, "volumePlots")

@@ -33,7 +33,7 @@ enum ExitCode
 
 [[noreturn]] void BeChild(const std::function<void(Bytes&)>& work, int target, bool quiet)
 {
-  // A crash is expected here, and nobody's business.
+  // A crash is expected here; do not run the signal handlers of the parent.
   for (const int signal : { SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGINT, SIGTERM })
   {
     std::signal(signal, SIG_DFL);
@@ -70,7 +70,7 @@ enum ExitCode
   }
 }
 
-// Reads until the other side closes; false if keepGoing said so.
+// Reads until the other end closes. Returns false if keepGoing returned false.
 bool ReadAll(int source, const std::function<bool()>& keepGoing, Bytes& result)
 {
   constexpr std::size_t step = std::size_t(1) << 20;
@@ -96,7 +96,7 @@ bool ReadAll(int source, const std::function<bool()>& keepGoing, Bytes& result)
   }
 }
 
-// Ends the child, however the parent leaves.
+// Kills and reaps the child on every exit path of the parent.
 class Child
 {
 public:
@@ -141,7 +141,7 @@ ChildOutcome RunInChild(const std::function<void(Bytes&)>& work,
 {
   result.clear();
 #if GATUN_HAS_FORK
-  std::fflush(nullptr); // or the copy would print it once more
+  std::fflush(nullptr); // otherwise the child would print buffered output again
   int ends[2];
   if (pipe(ends) == 0)
   {
@@ -164,7 +164,7 @@ ChildOutcome RunInChild(const std::function<void(Bytes&)>& work,
       {
         return ChildOutcome::Done;
       }
-      // The system ends processes by SIGKILL when it runs out of memory.
+      // The kernel sends SIGKILL when the system is out of memory.
       const bool noMemory = (WIFEXITED(status) && WEXITSTATUS(status) == NoMemory) ||
         (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
       return noMemory ? ChildOutcome::OutOfMemory : ChildOutcome::Crashed;

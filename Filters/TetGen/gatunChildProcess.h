@@ -3,7 +3,7 @@
 #ifndef gatunChildProcess_h
 #define gatunChildProcess_h
 
-// Runs code that may crash, print or never end in a process of its own.
+// Runs code that may crash, print or never return in a child process.
 
 #include <functional>
 #include <vector>
@@ -21,11 +21,11 @@ enum class ChildOutcome
 using Bytes = std::vector<unsigned char>;
 
 /**
- * Calls work in a copy of this process and hands back what it put into its argument. What work
- * changes elsewhere is lost with the copy, and work must not use threads. While it runs, keepGoing
- * is called about ten times a second, and ends it by returning false. What the copy prints is
- * thrown away if quiet. Where the system cannot copy processes, work is called directly, and its
- * exceptions pass. Throws std::bad_alloc.
+ * Calls work in a forked child process and returns the bytes that it stored in its argument. All
+ * other side effects of work are lost. Work must not use threads. While it runs, keepGoing is
+ * called about ten times a second; the child is killed when keepGoing returns false. If quiet is
+ * set, the output of the child is discarded. On systems without fork(), work is called directly and
+ * its exceptions propagate. Throws std::bad_alloc.
  */
 ChildOutcome RunInChild(const std::function<void(Bytes&)>& work,
   const std::function<bool()>& keepGoing, bool quiet, Bytes& result);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// TetGen 1.5 throws a number when it gives up, but frees its memory twice on the way out; it also
-// has assertions, prints, and may run for ever. So it has a process of its own.
+// TetGen 1.5 throws an integer when it fails, but frees memory twice during unwinding. It also has
+// assertions, prints messages, and may not terminate. Therefore it runs in a child process.
 
 #include "gatunTetGen.h"
 
@@ -22,7 +22,7 @@ namespace gatun
 namespace
 {
 
-// tetgenio frees with delete[] what its members point to.
+// tetgenio releases its members with delete[].
 void FillInput(tetgenio& in, const TetGenSurface& surface, const TetGenHoles& holes)
 {
   in.firstnumber = 0;
@@ -103,7 +103,7 @@ void Take(const unsigned char*& bytes, std::vector<T>& values)
   bytes += count * sizeof(T);
 }
 
-// Calls TetGen and hands what it makes to use, in another process.
+// Calls TetGen in a child process and passes its output to use.
 Bytes CallTetGen(const TetGenSurface& surface, const TetGenHoles& holes, const TetGenRun& run,
   const std::function<void(const tetgenio&, Bytes&)>& use)
 {
@@ -132,10 +132,10 @@ Bytes CallTetGen(const TetGenSurface& surface, const TetGenHoles& holes, const T
   return bytes;
 }
 
-// Says why TetGen failed, as far as it can be found out.
+// Determines why TetGen failed, as far as possible.
 [[noreturn]] void ThrowReason(const TetGenSurface& surface, TetGenRun run)
 {
-  // With d, TetGen only looks for faces that cut each other, and puts them out.
+  // With the switch d, TetGen only detects and returns intersecting faces.
   run.Switches = "pzdQ";
   const Bytes bytes = CallTetGen(surface, {}, run,
     [](const tetgenio& out, Bytes& result) { Append<int>(result, { out.numberoftrifaces }); });
@@ -179,8 +179,8 @@ double Volume(const TetGenMesh& mesh, const std::array<int, 4>& tet)
     e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]));
 }
 
-// How many components of the surface lie between the outside and each region; the region is solid
-// where the number is odd.
+// Counts the surface components between the outside and each region. A region is solid if the count
+// is odd.
 std::map<int, int> DepthOfRegions(const TetGenMesh& mesh)
 {
   constexpr int outside = -1;
@@ -268,7 +268,7 @@ TetGenMesh RunTetGen(const TetGenSurface& surface, const TetGenHoles& holes, con
 //------------------------------------------------------------------------------
 TetGenHoles FindCavities(const TetGenSurface& surface, TetGenRun run)
 {
-  // Without quality this is quick, and A tells the parts of space apart.
+  // This is fast without quality bounds; the switch A labels the regions.
   run.Switches = run.Quiet ? "pzAQ" : "pzA";
   const TetGenMesh mesh = RunTetGen(surface, {}, run);
   struct Largest

@@ -3,7 +3,7 @@
 #ifndef gatunTetGen_h
 #define gatunTetGen_h
 
-// TetGen's tetrahedralize() on vectors, without its types and its ways to fail.
+// A wrapper of TetGen's tetrahedralize() that takes vectors and reports errors by exceptions.
 
 #include <array>
 #include <functional>
@@ -13,14 +13,14 @@
 
 namespace gatun
 {
-/** Why TetGen gave up; what() is a sentence without a full stop. */
+/** The reason why TetGen failed. what() is a sentence without a period. */
 class TetGenError : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/** KeepGoing returned false. */
+/** Thrown after KeepGoing returned false. */
 struct TetGenStopped
 {
 };
@@ -35,27 +35,27 @@ struct TetGenMesh
 {
   std::vector<double> Points; ///< those of the surface come first
   std::vector<std::array<int, 4>> Tets;
-  std::vector<int> Regions; ///< one a tetrahedron, if the switches have A
+  std::vector<int> Regions; ///< one for each tetrahedron, if the switches contain A
 };
 
-/** A point strictly inside each part of space to be left empty. */
+/** One point strictly inside each cavity. */
 using TetGenHoles = std::vector<std::array<double, 3>>;
 
 /** How to run TetGen. */
 struct TetGenRun
 {
-  std::string Switches; ///< to which p and z belong
+  std::string Switches; ///< must contain p and z
   bool Quiet = true;
-  std::function<bool()> KeepGoing; ///< called now and then; false ends it all
+  std::function<bool()> KeepGoing; ///< polled while TetGen runs; returns false to stop it
 };
 
 /** Runs TetGen on a surface. Throws TetGenError, TetGenStopped and std::bad_alloc. Not safe to call
  * from two threads at once. */
 TetGenMesh RunTetGen(const TetGenSurface& surface, const TetGenHoles& holes, const TetGenRun& run);
 
-/** Finds the cavities of a surface of several components: a point inside each. Coming from
- * outside, one is in a solid behind the first component, in a cavity behind the second, and so on.
- * The switches of the run are not used. Throws like RunTetGen. */
+/** Finds the cavities of a surface with several components and returns a point inside each. Regions
+ * alternate with nesting depth: the outermost component bounds a solid, a component inside it
+ * bounds a cavity, and so on. The switches of the run are ignored. Throws like RunTetGen. */
 TetGenHoles FindCavities(const TetGenSurface& surface, TetGenRun run);
 }
 

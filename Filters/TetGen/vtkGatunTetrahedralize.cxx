@@ -27,6 +27,10 @@
 #include <limits>
 #include <string_view>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkGatunTetrahedralize);
 
 namespace
@@ -47,7 +51,7 @@ void CheckFinite(vtkPolyData* surface)
   }
 }
 
-// Triangles only, without points that coincide and triangles that lost a corner by that.
+// Returns triangles without coincident points and without degenerate triangles.
 vtkSmartPointer<vtkPolyData> CleanTriangles(vtkPolyData* surface)
 {
   vtkNew<vtkPolyData> polygons;
@@ -156,7 +160,7 @@ void FillOutput(const gatun::TetGenMesh& mesh, int pointType, vtkUnstructuredGri
   output->SetCells(VTK_TETRA, cells);
 }
 
-// TetGen reads numbers with a point in every locale and knows no exponents in some places.
+// TetGen expects a decimal point in every locale and does not accept exponents everywhere.
 std::string ToText(double value)
 {
   char text[400];
@@ -168,7 +172,7 @@ void CheckSwitches(std::string_view switches)
 {
   constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
                                        "0123456789./-+";
-  // They read files, write files, or change what the output consists of.
+  // These read or write files, or change the kind of output.
   constexpr std::string_view refused = "cdfgikmnorswv";
   if (switches.size() > 200 || switches.find_first_not_of(allowed) != switches.npos ||
     switches.find_first_of(refused) != switches.npos)
@@ -252,7 +256,7 @@ int vtkGatunTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
     CheckClosed(triangles);
     this->UpdateProgress(0.05);
     const gatun::TetGenSurface surface = ToTetGen(triangles);
-    // Nobody knows how far TetGen is; the bar moves on, more and more slowly.
+    // TetGen does not report progress; approach 1 asymptotically.
     double progress = 0.05;
     gatun::TetGenRun run;
     run.Switches = switches;
@@ -298,3 +302,7 @@ int vtkGatunTetrahedralize::RequestData(vtkInformation* vtkNotUsed(request),
   output->Initialize();
   return 0;
 }
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

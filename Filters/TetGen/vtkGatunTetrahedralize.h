@@ -2,32 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkGatunTetrahedralize
- * @brief Fills a closed surface (vtkPolyData) with tetrahedra (vtkUnstructuredGrid) by TetGen.
+ * @brief Generates a tetrahedral mesh inside a closed surface by TetGen.
  *
- * Input: polygons and strips, which are split into triangles. Lines and vertices are ignored.
- * Coincident points are merged, and triangles that lose a corner by that are dropped. The surface
- * must be closed, with each edge in exactly two triangles, and must not intersect itself. The
- * orientation of the triangles does not matter. A surface inside another one bounds a cavity, a
- * third one in that cavity a solid again, and so on.
+ * Input: a vtkPolyData with polygons or triangle strips, which are triangulated. Lines and vertices
+ * are ignored. Coincident points are merged, and triangles that become degenerate by that are
+ * dropped. The surface must be closed, that is, each edge belongs to exactly two triangles, and
+ * free of self-intersections. The orientation of the triangles does not matter. Components may be
+ * nested: a surface inside another one bounds a cavity, a surface inside that cavity bounds a
+ * solid, and so on.
  *
- * Output: tetrahedra of positive volume with 64-bit ids. The points of the surface come first, in
- * the order of the cleaned input and with the same coordinates, followed by the points that TetGen
- * adds on the surface (see PreserveSurface) and inside. Coordinates have the type of the input, or
- * the type given by OutputPointsPrecision. Arrays of the surface are not passed on.
+ * Output: a vtkUnstructuredGrid of tetrahedra with positive volume and 64-bit ids. The points of
+ * the cleaned input come first, in their order and with unchanged coordinates. They are followed by
+ * the points that TetGen adds on the surface (see PreserveSurface) and inside. The coordinate type
+ * is that of the input unless OutputPointsPrecision asks for another. Arrays of the surface are not
+ * carried over.
  *
- * *Errors.* A surface that is empty, open, non-manifold, not finite or intersects itself, and a
- * failure of TetGen are reported by vtkErrorMacro and GetErrorCode. The output is then empty.
+ * Errors: the filter sets an error code, reports a message and leaves the output empty if the
+ * surface is empty, open, non-manifold, self-intersecting or has coordinates that are not finite,
+ * and if TetGen fails.
  *
- * *Cost.* One thread; about 400 bytes and 3 to 10 microseconds a tetrahedron.
- *
- * TetGen runs in a process of its own. A crash of TetGen does not affect the caller, and an abort
- * takes effect at once.
+ * Cost: one thread, about 400 bytes and 3 to 10 microseconds per tetrahedron.
  *
  * @warning A program that ships with this library is subject to the GNU Affero General Public
  * License, version 3, because TetGen is. No other part of Gatun uses TetGen.
  *
- * @warning A very high quality may make TetGen run until the memory is full. See Quality and
- * MinDihedral for safe values.
+ * TetGen runs in a child process, so that a crash does not affect the caller and an abort takes
+ * effect at once.
+ *
+ * @warning With very strict quality bounds TetGen may run until memory is exhausted. See Quality
+ * and MinDihedral for bounds that are known to terminate.
  *
  * @par Background
  * Hang Si: "TetGen, a Delaunay-Based Quality Tetrahedral Mesh Generator". ACM Transactions on
@@ -42,6 +45,10 @@
 #include "vtkGatunTetGenModule.h" // For export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 class VTKGATUNTETGEN_EXPORT vtkGatunTetrahedralize : public vtkUnstructuredGridAlgorithm
 {
 public:
@@ -51,10 +58,9 @@ public:
 
   ///@{
   /**
-   * Largest ratio of circumradius to shortest edge of a tetrahedron, 0 or 1 to 100. A smaller ratio
-   * gives better and more tetrahedra. 0: no points are added for quality. Values between 0 and 1
-   * are an error; below 1.2 TetGen may not end. Sharp corners of the surface limit the quality.
-   * Default: 1.414.
+   * Largest allowed ratio of circumradius to shortest edge, from 1 to 100, or 0 to add no points
+   * for quality. Smaller values give better and more tetrahedra. TetGen may not terminate
+   * below 1.2. Sharp corners of the surface limit the quality that can be reached. Default: 1.414.
    */
   vtkSetClampMacro(Quality, double, 0.0, 100.0);
   vtkGetMacro(Quality, double);
@@ -62,8 +68,8 @@ public:
 
   ///@{
   /**
-   * Target for the smallest dihedral angle, in degrees, 0 (none) to 30. Above 18 TetGen may not
-   * end. Default: 0.
+   * Smallest dihedral angle to aim at, in degrees, from 0 (no bound) to 30. TetGen may not
+   * terminate above 18. Default: 0.
    */
   vtkSetClampMacro(MinDihedral, double, 0.0, 30.0);
   vtkGetMacro(MinDihedral, double);
@@ -71,7 +77,7 @@ public:
 
   ///@{
   /**
-   * Largest volume of a tetrahedron, in cubic units of the surface, 0 for no limit. Default: 0.
+   * Largest volume of a tetrahedron, in cubic units of the surface; 0 for no limit. Default: 0.
    */
   vtkSetClampMacro(MaximumVolume, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumVolume, double);
@@ -79,9 +85,9 @@ public:
 
   ///@{
   /**
-   * Whether the triangles of the surface are faces of the mesh, so that points are added inside
-   * only. The quality is then lower where the surface is coarse. Off: TetGen may split triangles;
-   * the shape of the surface does not change. Default: off.
+   * Keep the triangles of the surface as faces of the mesh, so that points are added inside only.
+   * This costs quality where the surface is coarse. If off, TetGen may split triangles; the shape
+   * of the surface does not change. Default: off.
    */
   vtkSetMacro(PreserveSurface, bool);
   vtkGetMacro(PreserveSurface, bool);
@@ -90,9 +96,9 @@ public:
 
   ///@{
   /**
-   * Switches for TetGen in addition to those of the properties, such as "O4" or "S100000": letters,
-   * digits and any of "./-+". They come last and take precedence. Switches that change the output,
-   * such as "o2" for quadratic tetrahedra, are an error. Default: none.
+   * Additional TetGen switches, such as "O4" or "S100000": letters, digits and any of "./-+". They
+   * take precedence over the properties. Switches that change the kind of output, such as "o2" for
+   * quadratic tetrahedra, are an error. Default: none.
    */
   vtkSetStringMacro(Switches);
   vtkGetStringMacro(Switches);
@@ -100,7 +106,7 @@ public:
 
   ///@{
   /**
-   * Whether TetGen prints nothing on the standard output. Default: on.
+   * Suppress the messages that TetGen prints to standard output. Default: on.
    */
   vtkSetMacro(Quiet, bool);
   vtkGetMacro(Quiet, bool);
@@ -109,9 +115,10 @@ public:
 
   ///@{
   /**
-   * vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION, or DEFAULT_PRECISION: as the input's.
-   * TetGen computes in double; rounding to single may flatten the smallest tetrahedra of a very
-   * fine mesh. Default: DEFAULT_PRECISION.
+   * Precision of the output points: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION, or
+   * DEFAULT_PRECISION for that of the input. TetGen computes in double precision; rounding to
+   * single precision may flatten the smallest tetrahedra of a very fine mesh. Default:
+   * DEFAULT_PRECISION.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
@@ -137,5 +144,9 @@ private:
   vtkGatunTetrahedralize(const vtkGatunTetrahedralize&) = delete;
   void operator=(const vtkGatunTetrahedralize&) = delete;
 };
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 #endif

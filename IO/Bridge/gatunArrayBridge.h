@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// VTK's arrays and those that a .gtn file describes, in both directions.
+// Conversion between VTK arrays and the arrays of a .gtn file.
 
 #ifndef gatunArrayBridge_h
 #define gatunArrayBridge_h
@@ -17,14 +17,20 @@
 #include <string>
 #include <vector>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkAbstractArray;
 class vtkDataArray;
 class vtkDataSetAttributes;
 class vtkFieldData;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {
-/** An array that a file can hold, and its values one tuple after the other. */
+/** An array that a file can hold, with contiguous values in tuple order. */
 struct BridgedArray
 {
   ArrayDescription Description;
@@ -33,56 +39,57 @@ struct BridgedArray
 };
 
 /**
- * Describes a numeric array. Arrays that lie in memory tuple by tuple are not copied; others (SOA,
- * implicit, bit arrays) are. Bits become UInt8 0 and 1. Throws gatun::Error (InvalidInput) for
- * arrays that are not numeric.
+ * Describes a numeric array. Arrays with contiguous tuples are not copied; others (SOA, implicit
+ * and bit arrays) are. Bits become UInt8 values 0 and 1. Throws gatun::Error (InvalidInput) if the
+ * array is not numeric.
  */
 VTKGATUNIO_EXPORT BridgedArray Bridge(vtkAbstractArray* array, Association where);
 
-/** The array itself, or a copy of the same type, with its values one tuple after the other in
- * memory; of a bit array, a copy with a byte 0 or 1 each. */
+/** Returns the array itself if its tuples are contiguous in memory, otherwise a contiguous copy of
+ * the same type. A bit array is copied to bytes 0 and 1. */
 VTKGATUNIO_EXPORT vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array);
 
-/** An array of the same type, names included, with the tuples of these ids. */
+/** Returns an array of the same type and names with the given tuples. */
 vtkSmartPointer<vtkAbstractArray> Gather(
   vtkAbstractArray* array, const std::vector<vtkIdType>& tuples);
 
-/** The AttributeRoles of an array: bit i is set if it is active attribute i. */
+/** Returns ArrayDescription::AttributeRoles of an array: bit i is set if it is active attribute i.
+ */
 VTKGATUNIO_EXPORT std::uint32_t AttributeRolesOf(
   vtkDataSetAttributes* attributes, vtkAbstractArray* array);
 
 /**
- * Makes an array of the VTK type that the description tells, or, where that is not what the values
- * are stored as on this machine, of one of the same size.
+ * Creates an array of the VTK type in the description. If that type has another size on this
+ * machine, a type with the size of the stored values is used.
  */
 class VTKGATUNIO_EXPORT ArrayFiller
 {
 public:
   ArrayFiller(const ArrayDescription& description, vtkIdType tuples);
 
-  /** Where the values go, of the description's Type. */
+  /** Returns the memory for the values, which have the type Type of the description. */
   void* GetBuffer();
 
-  /** The array, once the values are there. */
+  /** Returns the array once the buffer is filled. */
   vtkSmartPointer<vtkDataArray> Finish();
 
 private:
   vtkSmartPointer<vtkDataArray> Array;
   bool Bits = false;
-  std::vector<unsigned char> Bytes; ///< of a bit array, one each
+  std::vector<unsigned char> Bytes; ///< one byte per value of a bit array
 };
 
-/** Adds an array even if there is one of that name, and gives it its roles. */
+/** Adds an array, even if another one has the same name, and sets its attribute roles. */
 VTKGATUNIO_EXPORT void AddWithRoles(
   vtkDataSetAttributes* attributes, vtkAbstractArray* array, std::uint32_t attributeRoles);
 
 /**
- * Field data for a file. Arrays that it cannot hold (of variants) are left out, and named in
- * refused.
+ * Converts field data for a file. Arrays that a file cannot hold (variant arrays) are skipped;
+ * their names are appended to refused.
  */
 FieldData BridgeFieldData(vtkFieldData* field, std::vector<std::string>& refused);
 
-/** Adds a file's field data. Throws gatun::Error (Corrupt) if sizes do not fit. */
+/** Adds the field data of a file. Throws gatun::Error (Corrupt) if sizes are inconsistent. */
 void AddFieldData(vtkFieldData* field, const FieldData& arrays);
 }
 

@@ -7,19 +7,25 @@
 #include "vtkGatunIOModule.h" // For export macro
 #include "vtkType.h"
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkCellArray;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {
 /**
- * Whether cells are what their arrays say: VTK does not look, neither when it reads a file nor when
- * it follows the ids. Each throws gatun::Error (InvalidInput). Exported for the gtn program.
+ * Checks of cell arrays, which VTK itself does not validate. Each throws gatun::Error
+ * (InvalidInput). Exported for the gtn program.
  */
 ///@{
-/** Offsets begin with 0, never fall, and end within the connectivity. */
+/** Offsets must start at 0, be nondecreasing, and end within the connectivity. */
 VTKGATUNIO_EXPORT void CheckOffsets(vtkCellArray* cells);
 
-/** All ids are those of points. */
+/** All ids must be in [0, points). */
 VTKGATUNIO_EXPORT void CheckPointIds(vtkCellArray* cells, vtkIdType points);
 ///@}
 }

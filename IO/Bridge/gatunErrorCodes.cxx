@@ -83,7 +83,7 @@ VTKFailure DescribeFailure(const char* path) noexcept
   }
   catch (...)
   {
-    // Short enough for a string that allocates nothing.
+    // Short enough for the small string optimization, which does not allocate.
     return { vtkErrorCode::UnknownError, "out of memory", false };
   }
 }

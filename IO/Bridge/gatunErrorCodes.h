@@ -11,19 +11,19 @@
 
 namespace gatun
 {
-/** How a failure is told in VTK. */
+/** An exception in terms of VTK. */
 struct VTKFailure
 {
   unsigned long Code; ///< for vtkAlgorithm::SetErrorCode
   std::string Message;
-  bool Aborted; ///< the user asked for it: no message is due
+  bool Aborted; ///< whether the user asked for it, so that no message is needed
 };
 
 /**
- * To be called within a catch block: describes the exception that is being handled. The codes are
- * those of vtkErrorCode where it has one, else vtkErrorCode::UserError + gatun::ErrorCode.
- * path: the file concerned, which begins the message. Whatever was thrown, and however little
- * memory there is, nothing is thrown from here; without any memory the message is short.
+ * Describes the current exception. To be called in a catch block. The codes are those of
+ * vtkErrorCode where it has one, otherwise vtkErrorCode::UserError + gatun::ErrorCode. path: the
+ * file concerned, which begins the message unless the exception names a file. Never throws; if
+ * there is no memory, the message is short.
  */
 VTKGATUNIO_EXPORT VTKFailure DescribeFailure(const char* path) noexcept;
 }

@@ -4,15 +4,23 @@
 #ifndef gatunGhosts_h
 #define gatunGhosts_h
 
+#include "vtkType.h" // For VTK_ABI_NAMESPACE_BEGIN
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkDataSetAttributes;
 class vtkUnsignedCharArray;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {
-/** The array vtkGhostType, if any of its flags has this bit, else nullptr. */
+/** Returns the array vtkGhostType if any of its values has the given bit, otherwise nullptr. */
 vtkUnsignedCharArray* GhostsWith(vtkDataSetAttributes* attributes, unsigned char bit);
 
-/** Takes a bit out of all flags of vtkGhostType, in place, and the array away if none is left. */
+/** Clears a bit in all values of vtkGhostType in place; removes the array if no bit remains. */
 void ClearGhosts(vtkDataSetAttributes* attributes, unsigned char bit);
 }
 

@@ -16,7 +16,7 @@ namespace gatun
 {
 namespace
 {
-/** A mesh as the core takes it. */
+/** The points, cells and weighted fields of a grid as input of the core. */
 struct MergeGrid
 {
   std::vector<std::array<double, 3>> Points;

@@ -15,19 +15,25 @@
 #include <ostream>
 #include <string>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkUnstructuredGrid;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {
-/** How much each point array counts when a mesh is simplified. */
+/** Weights of the point arrays in the cost of simplification. */
 class VTKGATUNIO_EXPORT MergeWeights
 {
 public:
-  /** These return whether anything has changed. */
+  /** Both return whether a weight changed. */
   bool Set(const char* name, double weight);
   bool Clear();
 
-  double Get(const char* name) const; ///< 0 if none was set
+  double Get(const char* name) const; ///< 0 if unset
   const std::map<std::string, double>& GetAll() const { return this->Weights; }
   void Print(std::ostream& os, vtkIndent indent) const;
 
@@ -38,10 +44,10 @@ private:
 };
 
 /**
- * Finds how a grid of nothing but tetrahedra becomes simpler. Without any weights the active
- * scalars count, or, if there are none, all point arrays alike. Throws gatun::Error (InvalidInput)
- * for cells with points that do not exist and for weights of arrays that do not. Exported for the
- * filters.
+ * Builds the merge tree of a grid of tetrahedra. Without weights, the cost is that of the active
+ * scalars or, if there are none, of all point arrays with equal weights. Throws gatun::Error
+ * (InvalidInput) if a cell refers to a missing point or a weight to a missing array. Exported for
+ * the filters.
  */
 VTKGATUNIO_EXPORT MergeTree BuildMergeTree(vtkUnstructuredGrid* tets, const MergeWeights& weights,
   const MergeSettings& settings, const std::function<bool(double)>& progress);

@@ -11,24 +11,30 @@
 
 #include <cstddef>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkDataArray;
 class vtkUnstructuredGrid;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {
-/** A grid of nothing but tetrahedra as the core takes it; the owners keep its memory. */
+/** A grid of tetrahedra as input of the core. The smart pointers keep its memory alive. */
 struct VTKGATUNIO_EXPORT TetMesh
 {
   MeshInput Mesh;
-  bool PointsConverted = false; ///< to double, as they were neither float nor double
+  bool PointsConverted = false; ///< to double, from a type other than float and double
   vtkSmartPointer<vtkDataArray> Coordinates;
   vtkSmartPointer<vtkDataArray> Connectivity;
 
-  /** Throws gatun::Error (InvalidInput) for coordinates that are integers beyond 2^53. */
+  /** Throws gatun::Error (InvalidInput) if integer coordinates exceed 2^53. */
   explicit TetMesh(vtkUnstructuredGrid* grid);
   ~TetMesh();
 
-  /** A number that almost certainly differs for another mesh. */
+  /** A hash of coordinates and connectivity. */
   std::size_t Hash() const;
 };
 }

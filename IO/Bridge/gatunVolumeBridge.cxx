@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <ostream>
 #include <string>
 
 namespace gatun
@@ -36,8 +37,7 @@ void RequirePointArray(vtkInformation* wanted)
   if (where != vtkDataObject::FIELD_ASSOCIATION_POINTS &&
     where != vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS)
   {
-    ThrowInvalid("a volume needs an array on the points; vtkCellDataToPointData makes one of an "
-                 "array on the cells");
+    ThrowInvalid("a volume needs a point array; vtkCellDataToPointData converts cell arrays");
   }
 }
 }
@@ -45,6 +45,10 @@ void RequirePointArray(vtkInformation* wanted)
 //------------------------------------------------------------------------------
 vtkDataArray* FindVolumeArray(vtkImageData* image, vtkInformation* wanted)
 {
+  if (image->GetNumberOfPoints() == 0)
+  {
+    ThrowInvalid("the volume is empty");
+  }
   RequirePointArray(wanted);
   vtkPointData* const data = image->GetPointData();
   vtkAbstractArray* array = nullptr;
@@ -66,19 +70,19 @@ vtkDataArray* FindVolumeArray(vtkImageData* image, vtkInformation* wanted)
     if (!array)
     {
       ThrowInvalid(std::string("there are no active point ") +
-        vtkDataSetAttributes::GetLongAttributeTypeAsString(role) + "; choose an array by its name");
+        vtkDataSetAttributes::GetAttributeTypeAsString(role) + "; select an array by its name");
     }
   }
   const std::string title = "the point array '" + NameOf(array) + "' ";
   auto* const numbers = vtkDataArray::SafeDownCast(array);
   if (!numbers || array->GetDataType() == VTK_BIT)
   {
-    ThrowInvalid(title + "is a " + array->GetClassName() + ", which is no array of numbers");
+    ThrowInvalid(title + "is a " + array->GetClassName() + ", which is not a numeric array");
   }
   if (array->GetNumberOfComponents() != 1)
   {
     ThrowInvalid(title + "has " + std::to_string(array->GetNumberOfComponents()) +
-      " components, and a volume one; vtkImageExtractComponents takes one out");
+      " components, but a volume has one; use vtkImageExtractComponents");
   }
   if (array->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
@@ -91,10 +95,6 @@ vtkDataArray* FindVolumeArray(vtkImageData* image, vtkInformation* wanted)
 //------------------------------------------------------------------------------
 BridgedVolume BridgeVolume(vtkImageData* image, vtkInformation* wanted)
 {
-  if (image->GetNumberOfPoints() == 0)
-  {
-    ThrowInvalid("the volume is empty");
-  }
   const BridgedArray array = Bridge(FindVolumeArray(image, wanted), Association::Point);
   BridgedVolume bridged;
   bridged.Owner = array.Owner;
@@ -145,26 +145,48 @@ std::array<int, 6> ExtentOf(const VolumeInput& volume)
 }
 
 //------------------------------------------------------------------------------
-HartleyQuality MakeHartleyQuality(const HartleyGoal& goal)
+int ClampBlockSize(int blockSize)
 {
-  HartleyQuality quality;
-  quality.FrequencyWeight = goal.FrequencyWeight;
-  quality.Kind = static_cast<HartleyQuality::Goal>(goal.Goal);
-  switch (quality.Kind)
+  return blockSize <= 0 ? 0
+                        : std::clamp(blockSize, static_cast<int>(HartleyLayout::SmallestBlock),
+                            static_cast<int>(HartleyLayout::LargestBlock));
+}
+
+//------------------------------------------------------------------------------
+HartleyRateControl MakeRateControl(const HartleyParameters& parameters)
+{
+  HartleyRateControl control;
+  control.FrequencyWeight = parameters.FrequencyWeight;
+  control.Mode = static_cast<HartleyRateMode>(parameters.RateControl);
+  switch (control.Mode)
   {
-    case HartleyQuality::Goal::Quality:
-      quality.Value = goal.Quality;
+    case HartleyRateMode::Quality:
+      control.Value = parameters.Quality;
       break;
-    case HartleyQuality::Goal::Error:
-      quality.Value = goal.Error;
+    case HartleyRateMode::RMSError:
+      control.Value = parameters.RMSError;
       break;
-    case HartleyQuality::Goal::PSNR:
-      quality.Value = goal.PSNR;
+    case HartleyRateMode::PSNR:
+      control.Value = parameters.PSNR;
       break;
-    case HartleyQuality::Goal::Rate:
-      quality.Value = goal.Rate;
+    case HartleyRateMode::BitsPerVoxel:
+      control.Value = parameters.BitsPerVoxel;
       break;
   }
-  return quality;
+  return control;
+}
+
+//------------------------------------------------------------------------------
+void PrintParameters(std::ostream& os, vtkIndent indent, const HartleyParameters& parameters)
+{
+  constexpr std::array<const char*, 4> modes{ "Quality", "RMSError", "PSNR", "BitsPerVoxel" };
+  os << indent << "BlockSize: " << parameters.BlockSize << "\n";
+  os << indent << "RateControl: " << modes.at(static_cast<std::size_t>(parameters.RateControl))
+     << "\n";
+  os << indent << "Quality: " << parameters.Quality << "\n";
+  os << indent << "RMSError: " << parameters.RMSError << "\n";
+  os << indent << "PSNR: " << parameters.PSNR << "\n";
+  os << indent << "BitsPerVoxel: " << parameters.BitsPerVoxel << "\n";
+  os << indent << "FrequencyWeight: " << parameters.FrequencyWeight << "\n";
 }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// VTK's images and the volumes that the core knows, in both directions.
+// Conversion between VTK's images and the volumes of the core.
 
 #ifndef gatunVolumeBridge_h
 #define gatunVolumeBridge_h
@@ -10,17 +10,25 @@
 #include "gatunHartleyVolume.h"
 
 #include "vtkGatunIOModule.h" // For export macro
+#include "vtkIndent.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <iosfwd>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkDataArray;
 class vtkImageData;
 class vtkInformation;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {
-/** A volume, and what keeps its values alive. */
+/** A volume and the array that owns its values. */
 struct BridgedVolume
 {
   VolumeInput Volume;
@@ -28,36 +36,44 @@ struct BridgedVolume
 };
 
 /**
- * Describes an image as a volume, with one of its point arrays: wanted is what
- * vtkAlgorithm::GetInputArrayInformation tells. Values that lie in memory one after the other are
- * not copied. Throws gatun::Error (InvalidInput) where there is no such array, or it is none of
- * single numbers.
+ * Describes a point array of an image as a volume. Wanted: the array selection of
+ * vtkAlgorithm::GetInputArrayInformation. Contiguous values are not copied. Throws gatun::Error
+ * (InvalidInput) if there is no such array or if it does not have one numeric component.
  */
 VTKGATUNIO_EXPORT BridgedVolume BridgeVolume(vtkImageData* image, vtkInformation* wanted);
 
-/** The point array that BridgeVolume takes. Throws what that does. */
+/** The point array that BridgeVolume uses. Throws the same errors. */
 VTKGATUNIO_EXPORT vtkDataArray* FindVolumeArray(vtkImageData* image, vtkInformation* wanted);
 
-/** How a reader makes a volume's array. */
+/** The description by which a reader creates the array of a volume. */
 VTKGATUNIO_EXPORT ArrayDescription DescribeVolumeArray(const VolumeInput& volume);
 
-/** The extent of a volume. Throws gatun::Error (Corrupt) where it does not fit into VTK's. */
+/** The extent of a volume. Throws gatun::Error (Corrupt) if it exceeds VTK's range. */
 VTKGATUNIO_EXPORT std::array<int, 6> ExtentOf(const VolumeInput& volume);
 
-/** How well to keep a volume, as VTK's classes are told. */
-struct HartleyGoal
+/** The compression parameters of VTK's classes, with their defaults. */
+struct HartleyParameters
 {
-  int Goal = 0; ///< number of a HartleyQuality::Goal
+  int BlockSize = 8;
+  int RateControl = 0; ///< number of a HartleyRateMode
   double Quality = 60;
-  double Error = 0;
+  double RMSError = 0;
   double PSNR = 50;
-  double Rate = 1;
+  double BitsPerVoxel = 1;
   double FrequencyWeight = 0;
 
-  bool operator==(const HartleyGoal&) const = default;
+  bool operator==(const HartleyParameters&) const = default;
 };
 
-VTKGATUNIO_EXPORT HartleyQuality MakeHartleyQuality(const HartleyGoal& goal);
+/** The nearest block size that is possible: 0 (or less) for the whole volume, or 2 to 64. */
+VTKGATUNIO_EXPORT int ClampBlockSize(int blockSize);
+
+/** The mode and the value that belongs to it. */
+VTKGATUNIO_EXPORT HartleyRateControl MakeRateControl(const HartleyParameters& parameters);
+
+/** Prints the parameters for PrintSelf. */
+VTKGATUNIO_EXPORT void PrintParameters(
+  std::ostream& os, vtkIndent indent, const HartleyParameters& parameters);
 }
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What differs between VTK 9.1, ParaView 5.11's VTK and later ones.
+// Differences between the VTK versions that Gatun supports, from 9.1 on.
 
 #ifndef vtkGatunCompat_h
 #define vtkGatunCompat_h
@@ -11,7 +11,7 @@
 
 namespace gatun
 {
-/** Whether somebody asked the algorithm to stop. To be called from the main thread. */
+/** Whether an abort of the algorithm was requested. Call it from the main thread only. */
 inline bool IsAborted(vtkAlgorithm* algorithm)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20221118)

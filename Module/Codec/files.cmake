@@ -16,6 +16,7 @@ gatun_core_folder(Codec
     gatunResidual.h
     gatunSharedSearch.h
     gatunTopology.h
+    gatunVertexRing.h
     gatunWalk.h
     gatunWalkModels.h
   SOURCES

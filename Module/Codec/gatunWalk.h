@@ -9,12 +9,14 @@
 // C.-K. Yang, T. Mitra, T.-c. Chiueh, "On-the-fly rendering of losslessly compressed irregular
 // volume data", IEEE Visualization 2000: a tetrahedron is grown on each open face (gate), and its
 // fourth vertex is coded by its neighborhood. In addition, the neighborhood is ranked by geometry,
-// in the spirit of A. Bischoff, J. Rossignac, "TetStreamer", 2005.
+// in the spirit of U. Bischoff, J. Rossignac, "TetStreamer: compressed back-to-front transmission
+// of Delaunay tetrahedra meshes", Data Compression Conference 2005.
 
 #include "gatunEntropy.h"
 #include "gatunGate.h"
 #include "gatunSharedSearch.h"
 #include "gatunTopology.h"
+#include "gatunVertexRing.h"
 #include "gatunWalkModels.h"
 
 #include <algorithm>
@@ -58,12 +60,12 @@ public:
     , Input(input)
     , Out(out)
     , Search(input.Shared)
+    , Ring(std::size_t{ input.OwnVertices } + input.Shared.size())
   {
     // Sized once, because growing vectors would cost more than the walk itself.
     const auto vertices = std::size_t{ input.OwnVertices } + input.Shared.size();
     const auto tets = std::min(input.Tets, input.Stop);
     this->Places.resize(vertices);
-    this->Stamps.resize(vertices);
     out.Sources.resize(vertices);
     out.Records.resize(input.OwnVertices);
     out.Tets.resize(tets);
@@ -99,9 +101,7 @@ public:
   }
 
 private:
-  static constexpr unsigned MaxFan = 32;  // faces visited around a corner in one direction
   static constexpr unsigned MaxRing = 15; // ring vertices that can be named
-  static constexpr unsigned MostInRing = 3 * 2 * MaxFan;
 
   // The order of the sides of the gate. Other orders cost some bits in grids.
   static constexpr std::array<unsigned, 3> OrderOfFaces{ 2, 0, 1 };
@@ -338,39 +338,17 @@ private:
    */
   void FillRing(const Gate<Rule>& gate)
   {
-    ++this->Stamp;
+    this->Ring.Begin(gate);
     for (unsigned i = 0; i < 3; ++i)
     {
-      this->Stamps[gate.Face.Corners[i]] = this->Stamp;
-      if (gate.Ids[i] != NoVertex)
-      {
-        this->Stamps[gate.Ids[i]] = this->Stamp;
-      }
+      this->TurnBothWays(gate, i,
+        [this](Vertex v, Link, Turn)
+        {
+          this->Ring.Add(v);
+          return true;
+        });
     }
-    unsigned count = 0;
-    const auto add = [&](Vertex v, Link, Turn)
-    {
-      // Without a branch, because the condition is unpredictable.
-      this->RingIds[count] = v;
-      count += this->Stamps[v] != this->Stamp;
-      this->Stamps[v] = this->Stamp;
-      return true;
-    };
-    for (unsigned i = 0; i < 3; ++i)
-    {
-      this->TurnBothWays(gate, i, add);
-    }
-    for (unsigned i = 0; i < count; i += 4)
-    {
-      const auto* ids = &this->RingIds[i]; // beyond the end, ids of other rings
-      const auto ranks = gate.GetSpheres(Gather(
-        this->Places[ids[0]], this->Places[ids[1]], this->Places[ids[2]], this->Places[ids[3]]));
-      for (unsigned lane = 0; lane < 4; ++lane)
-      {
-        this->Ring[i + lane] = { ranks[lane], ids[lane] };
-      }
-    }
-    this->RingSize = count;
+    this->Ring.Rank(gate, this->Places);
   }
 
   /** Visits the faces around a corner of the gate until use returns false. */
@@ -378,23 +356,24 @@ private:
   void TurnBothWays(const Gate<Rule>& gate, unsigned corner, Use&& use)
   {
     const auto& over = gate.Face.Over;
-    const auto end = TurnAround<Turn::Forward>(this->Open, over[NextSide(corner)], MaxFan, use);
+    const auto end =
+      TurnAround<Turn::Forward>(this->Open, over[NextSide(corner)], VertexRing::MaxFan, use);
     if (end.IsBorder())
     {
-      TurnAround<Turn::Back>(this->Open, over[LastSide(corner)], MaxFan, use);
+      TurnAround<Turn::Back>(this->Open, over[LastSide(corner)], VertexRing::MaxFan, use);
     }
   }
 
   /** Codes a vertex by its rank in the ring. Returns NoVertex if it is not among the first ones. */
   Vertex CodeRing(Vertex target)
   {
-    const auto count = std::min(this->RingSize, MaxRing);
+    const auto count = std::min(this->Ring.GetSize(), MaxRing);
     bool isListed = false;
     if constexpr (Coder::Encoding)
     {
       for (unsigned i = 0; i < count && !isListed; ++i)
       {
-        isListed = this->TakeNextOfRing(i) == target;
+        isListed = this->Ring.TakeNext(i) == target;
       }
     }
     if (!this->Symbols.Bit(this->Models.RingListed, isListed))
@@ -403,25 +382,13 @@ private:
     }
     for (unsigned i = 0; i < count; ++i)
     {
-      const Vertex next = this->TakeNextOfRing(i);
+      const Vertex next = this->Ring.TakeNext(i);
       if (this->Symbols.Bit(this->Models.RingRank[std::min(i, 5u)], next == target))
       {
         return next;
       }
     }
     ThrowCorrupt("a walk names no vertex of a list");
-  }
-
-  /** Moves the best vertex from position begin on to begin. Usually only one vertex is needed. */
-  Vertex TakeNextOfRing(unsigned begin)
-  {
-    unsigned best = begin;
-    for (auto i = begin + 1; i < this->RingSize; ++i)
-    {
-      best = Choose(this->Ring[i] < this->Ring[best], i, best);
-    }
-    std::swap(this->Ring[begin], this->Ring[best]);
-    return this->Ring[begin].Id;
   }
 
   //------------------------------------------------------------------------------------------------
@@ -605,6 +572,7 @@ private:
   Topology& Out;
   Front Open;
   SharedSearch Search;
+  VertexRing Ring;
   WalkModels<Rule> Models;
 
   std::uint32_t Tets = 0; // made so far
@@ -612,11 +580,6 @@ private:
   std::uint32_t Owns = 0; // own ones among them
   std::size_t Edges = 0;  // logged so far
   std::vector<LatticePoint> Places;
-  std::vector<std::uint32_t> Stamps;
-  std::uint32_t Stamp = 0;
-  std::array<Vertex, MostInRing> RingIds{};
-  std::array<RankedVertex, MostInRing> Ring;
-  unsigned RingSize = 0;
 };
 }
 

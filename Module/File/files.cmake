@@ -21,6 +21,7 @@ gatun_core_folder(File
     gatunArrayInput.h
     gatunBaseMesh.h
     gatunChunkCacheInternals.h
+    gatunChunkSet.h
     gatunChunkSetDecoder.h
     gatunCoarseLayout.h
     gatunCoarsePiece.h
@@ -38,6 +39,7 @@ gatun_core_folder(File
   SOURCES
     gatunBaseMesh.cxx
     gatunChunkCache.cxx
+    gatunChunkSet.cxx
     gatunChunkSetDecoder.cxx
     gatunCoarseLayout.cxx
     gatunCoarsePiece.cxx

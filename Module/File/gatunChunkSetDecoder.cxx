@@ -17,11 +17,11 @@ namespace gatun
 {
 namespace
 {
-/** Steps walked at once, chunk by chunk. More take more memory for shared points; with fewer, the
- * meshes that the cache has no room for are decoded more often. */
+/** The number of steps to decode at once, chunk by chunk. More steps need more memory for shared
+ * points. With fewer steps, meshes that do not fit into the cache are decoded more often. */
 constexpr std::size_t StepsAtOnce = 16;
 
-/** Calls use with a function that writes a key as a value of a type, chosen once for many values.
+/** Calls use(write), where write(key, to) stores the value of a key. The type is dispatched once.
  */
 template <typename Use>
 void WithWriter(const Domain& domain, Use&& use)
@@ -47,7 +47,7 @@ void WithWriter(const Domain& domain, Use&& use)
   }
 }
 
-/** Where the i-th of some things goes: by its original id if there is an order, else in a row. */
+/** The position of the i-th item: its original id if there is an order, otherwise consecutive. */
 struct Places
 {
   const OrderPart* Order;
@@ -63,31 +63,31 @@ struct Places
 //--------------------------------------------------------------------------------------------------
 struct ChunkSetDecoder::Job
 {
-  /** An array that is wanted. */
+  /** An array of the request. */
   struct Wanted
   {
     std::uint32_t Index;
     std::uint8_t* Values;
     bool OfPoints;
-    std::size_t First; // earliest step at which any chunk needs to decode it, or the job's step
+    std::size_t First; // the earliest step that any chunk needs to decode, or the job's step
     std::vector<std::shared_ptr<const DomainsPart>> Domains; // from Begin on
   };
 
-  /** What is held of a block. */
+  /** The decoded parts of a block. */
   struct BlockWork
   {
     std::shared_ptr<const PointsPart> Points;
     std::shared_ptr<const OrderPart> Order;
-    std::vector<ArrayAtStep> Reached;                                 // of each array
-    std::vector<std::vector<std::shared_ptr<const ArrayPart>>> Steps; // of each, from Begin on
+    std::vector<ArrayAtStep> Reached;                                 // for each array
+    std::vector<std::vector<std::shared_ptr<const ArrayPart>>> Steps; // for each, from Begin on
     bool NeedsPoints = false;
   };
 
-  /** What is held of a chunk until it is done. */
+  /** The decoded parts of a chunk, until it is finished. */
   struct ChunkWork
   {
     std::shared_ptr<const ChunkMesh> Mesh;
-    std::vector<ArrayAtStep> Reached; // of each array
+    std::vector<ArrayAtStep> Reached; // for each array
   };
 
   const InputFile& File;
@@ -102,13 +102,13 @@ struct ChunkSetDecoder::Job
   std::vector<Wanted> Arrays;
   std::vector<BlockWork> Blocks;
   std::vector<ChunkWork> Chunks;
-  std::size_t Begin = 0; // steps to walk now
+  std::size_t Begin = 0; // the steps to decode now
   std::size_t End = 0;
 
   bool IsLast() const { return this->End == this->Step; }
 
-  // Places filled so far, where an order is restored: a damaged file might name one twice and
-  // leave another one as it was.
+  // The positions filled so far if an order is restored. A damaged file could contain one twice and
+  // leave another one uninitialized.
   mutable std::vector<std::atomic<bool>> PointTaken;
   mutable std::vector<std::atomic<bool>> CellTaken;
 
@@ -160,136 +160,8 @@ struct ChunkSetDecoder::Job
 ChunkSetDecoder::ChunkSetDecoder(const std::shared_ptr<ChunkCache>& cache,
   std::vector<std::uint32_t> chunks, std::vector<std::uint32_t> universe, bool withUnusedPoints)
   : Parts(cache)
-  , Chunks(std::move(chunks))
-  , Universe(std::move(universe))
-  , WithUnused(withUnusedPoints)
+  , Set(this->Parts.Content(), std::move(chunks), std::move(universe), withUnusedPoints)
 {
-  const auto& mesh = this->Content().Mesh;
-  std::vector<std::uint32_t> needed;
-  for (const auto c : this->Chunks)
-  {
-    for (const auto& part : mesh.Chunks[c].Shared)
-    {
-      needed.push_back(part.Block);
-    }
-  }
-  std::sort(needed.begin(), needed.end());
-  needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
-  for (const auto index : needed)
-  {
-    this->Blocks.push_back(
-      { index, std::vector<std::uint64_t>(mesh.Blocks[index].Groups.size(), Absent) });
-  }
-  for (const auto c : this->Chunks)
-  {
-    for (const auto& part : mesh.Chunks[c].Shared)
-    {
-      this->Blocks[this->FindBlock(part.Block)].GroupStart[part.Group] = 0;
-    }
-  }
-  for (auto& block : this->Blocks)
-  {
-    for (std::size_t g = 0; g < block.GroupStart.size(); ++g)
-    {
-      if (block.GroupStart[g] != Absent)
-      {
-        block.GroupStart[g] = this->Points;
-        this->Points += mesh.Blocks[block.Index].Groups[g].Points;
-      }
-    }
-  }
-  for (const auto c : this->Chunks)
-  {
-    this->FirstOwn.push_back(this->Points);
-    this->FirstTet.push_back(this->Tets);
-    this->Points += mesh.Chunks[c].Info.OwnPoints;
-    this->Tets += mesh.Chunks[c].Info.Tets;
-  }
-  this->FirstUnused = this->Points;
-  if (this->WithUnused && mesh.Unused.Points > 0)
-  {
-    this->Points += mesh.Unused.Points;
-    this->Blocks.push_back({ static_cast<std::uint32_t>(mesh.Blocks.size()), {} });
-  }
-}
-
-std::size_t ChunkSetDecoder::FindBlock(std::uint32_t index) const
-{
-  return static_cast<std::size_t>(
-    std::lower_bound(this->Blocks.begin(), this->Blocks.end(), index,
-      [](const Block& block, std::uint32_t wanted) { return block.Index < wanted; }) -
-    this->Blocks.begin());
-}
-
-bool ChunkSetDecoder::IsWhole() const
-{
-  const auto& content = this->Content();
-  return this->Chunks.size() == content.Mesh.Chunks.size() &&
-    (this->WithUnused || content.Meta.UnusedPoints == 0);
-}
-
-void ChunkSetDecoder::MarkOwners(unsigned char* ghosts) const
-{
-  std::memset(ghosts, 0, static_cast<std::size_t>(this->Points));
-  for (const auto& block : this->Blocks)
-  {
-    for (std::size_t g = 0; g < block.GroupStart.size(); ++g)
-    {
-      const auto& group = this->Content().Mesh.Blocks[block.Index].Groups[g];
-      if (block.GroupStart[g] != Absent && !this->Owns(group))
-      {
-        std::memset(ghosts + block.GroupStart[g], 1, group.Points);
-      }
-    }
-  }
-}
-
-bool ChunkSetDecoder::Owns(const SharedGroup& group) const
-{
-  const auto has = [](const std::vector<std::uint32_t>& set, std::uint32_t chunk)
-  { return std::binary_search(set.begin(), set.end(), chunk); };
-  const auto owner = this->Universe.empty()
-    ? group.Chunks.begin()
-    : std::find_if(group.Chunks.begin(), group.Chunks.end(),
-        [&](std::uint32_t chunk) { return has(this->Universe, chunk); });
-  return owner != group.Chunks.end() && has(this->Chunks, *owner);
-}
-
-std::vector<std::uint64_t> ChunkSetDecoder::Locate(const ChunkSetDecoder& part) const
-{
-  const auto& mesh = this->Content().Mesh;
-  std::vector<std::uint64_t> places(static_cast<std::size_t>(part.Points));
-  const auto copy = [&](std::uint64_t from, std::uint64_t to, std::uint64_t count)
-  {
-    for (std::uint64_t i = 0; i < count; ++i)
-    {
-      places[static_cast<std::size_t>(from + i)] = to + i;
-    }
-  };
-  for (const auto& block : part.Blocks)
-  {
-    for (std::size_t g = 0; g < block.GroupStart.size(); ++g)
-    {
-      if (block.GroupStart[g] != Absent)
-      {
-        copy(block.GroupStart[g], this->Blocks[this->FindBlock(block.Index)].GroupStart[g],
-          mesh.Blocks[block.Index].Groups[g].Points);
-      }
-    }
-  }
-  for (std::size_t i = 0, j = 0; j < part.Chunks.size(); ++i)
-  {
-    if (this->Chunks[i] == part.Chunks[j])
-    {
-      copy(part.FirstOwn[j], this->FirstOwn[i], mesh.Chunks[part.Chunks[j]].Info.OwnPoints);
-      ++j;
-    }
-  }
-  if (part.WithUnused)
-  {
-    copy(part.FirstUnused, this->FirstUnused, mesh.Unused.Points);
-  }
-  return places;
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -298,7 +170,7 @@ void ChunkSetDecoder::Fill(const PieceTarget& target, const std::vector<std::uin
 {
   const auto& content = this->Content();
   const auto keep = content.Meta.Keep;
-  const auto restore = restoreOrder && this->IsWhole() ? keep : 0;
+  const auto restore = restoreOrder && this->Set.IsWhole() ? keep : 0;
   const bool restorePoints = (restore & KeepPoints) != 0;
   const bool restoreCells = (restore & KeepCells) != 0;
   Job job{ content.File, target, restorePoints, restoreCells, (restore & KeepCorners) != 0,
@@ -307,11 +179,13 @@ void ChunkSetDecoder::Fill(const PieceTarget& target, const std::vector<std::uin
     content.FindKeyStep(step), {}, {}, {}, 0, 0, {}, {} };
   if (restorePoints)
   {
-    job.PointTaken = std::vector<std::atomic<bool>>(static_cast<std::size_t>(this->Points));
+    job.PointTaken =
+      std::vector<std::atomic<bool>>(static_cast<std::size_t>(this->Set.GetNumberOfPoints()));
   }
   if (restoreCells)
   {
-    job.CellTaken = std::vector<std::atomic<bool>>(static_cast<std::size_t>(this->Tets));
+    job.CellTaken =
+      std::vector<std::atomic<bool>>(static_cast<std::size_t>(this->Set.GetNumberOfTets()));
   }
   for (std::size_t a = 0; a < target.Arrays.size(); ++a)
   {
@@ -323,8 +197,8 @@ void ChunkSetDecoder::Fill(const PieceTarget& target, const std::vector<std::uin
   }
   this->Plan(job);
 
-  // What is in the cache first, before it has to make room for the rest.
-  std::vector<std::size_t> order(this->Chunks.size());
+  // Cached chunks come first, before they are evicted.
+  std::vector<std::size_t> order(this->Set.GetChunks().size());
   std::iota(order.begin(), order.end(), std::size_t{ 0 });
   std::stable_partition(
     order.begin(), order.end(), [&](std::size_t i) { return job.Chunks[i].Mesh != nullptr; });
@@ -342,7 +216,7 @@ void ChunkSetDecoder::Fill(const PieceTarget& target, const std::vector<std::uin
         array.Domains.push_back(this->Parts.GetDomains(array.Index, at));
       }
     }
-    ParallelFor(this->Blocks.size(),
+    ParallelFor(this->Set.GetBlocks().size(),
       [&](std::size_t b)
       {
         const FloatEnvironment guard;
@@ -351,7 +225,7 @@ void ChunkSetDecoder::Fill(const PieceTarget& target, const std::vector<std::uin
     const auto done = static_cast<double>(job.Begin - first) / steps;
     const auto share = static_cast<double>(job.End - job.Begin + 1) / steps;
     ParallelFor(
-      this->Chunks.size(),
+      this->Set.GetChunks().size(),
       [&](std::size_t i)
       {
         const FloatEnvironment guard;
@@ -361,28 +235,28 @@ void ChunkSetDecoder::Fill(const PieceTarget& target, const std::vector<std::uin
   }
 }
 
-/** Takes what there is out of the cache, so that it stays, and sees what has to be decoded. */
+/** Takes parts from the cache, so that they stay, and determines the parts to decode. */
 void ChunkSetDecoder::Plan(Job& job) const
 {
-  job.Blocks.resize(this->Blocks.size());
-  job.Chunks.resize(this->Chunks.size());
+  job.Blocks.resize(this->Set.GetBlocks().size());
+  job.Chunks.resize(this->Set.GetChunks().size());
   for (auto& block : job.Blocks)
   {
     block.NeedsPoints = job.Target.Points != nullptr;
   }
-  for (std::size_t i = 0; i < this->Chunks.size(); ++i)
+  for (std::size_t i = 0; i < this->Set.GetChunks().size(); ++i)
   {
     auto& work = job.Chunks[i];
-    work.Mesh = this->Parts.FindMesh(this->Chunks[i]);
-    for (const auto& part : this->Content().Mesh.Chunks[this->Chunks[i]].Shared)
+    work.Mesh = this->Parts.FindMesh(this->Set.GetChunks()[i]);
+    for (const auto& part : this->Content().Mesh.Chunks[this->Set.GetChunks()[i]].Shared)
     {
-      auto& needed = job.Blocks[this->FindBlock(part.Block)].NeedsPoints;
+      auto& needed = job.Blocks[this->Set.FindBlock(part.Block)].NeedsPoints;
       needed = needed || !work.Mesh;
     }
     for (auto& array : job.Arrays)
     {
       work.Reached.push_back(
-        this->Parts.FindChunkArray(this->Chunks[i], array.Index, job.KeyStep, job.Step));
+        this->Parts.FindChunkArray(this->Set.GetChunks()[i], array.Index, job.KeyStep, job.Step));
       const auto& reached = work.Reached.back();
       array.First = std::min(array.First, reached.Values ? reached.Step + 1 : job.KeyStep);
     }
@@ -397,7 +271,7 @@ void ChunkSetDecoder::Plan(Job& job) const
 //--------------------------------------------------------------------------------------------------
 void ChunkSetDecoder::DecodeBlock(Job& job, std::size_t b) const
 {
-  const auto index = this->Blocks[b].Index;
+  const auto index = this->Set.GetBlocks()[b].Index;
   auto& work = job.Blocks[b];
   if (work.NeedsPoints && !work.Points)
   {
@@ -454,7 +328,7 @@ void ChunkSetDecoder::DecodeBlock(Job& job, std::size_t b) const
 void ChunkSetDecoder::StoreBlock(const Job& job, std::size_t b) const
 {
   const auto& content = this->Content();
-  const auto& block = this->Blocks[b];
+  const auto& block = this->Set.GetBlocks()[b];
   const auto& entry = this->Parts.GetBlock(block.Index);
   const auto& work = job.Blocks[b];
   const auto& target = job.Target;
@@ -491,16 +365,16 @@ void ChunkSetDecoder::StoreBlock(const Job& job, std::size_t b) const
   };
   if (entry.Groups.empty())
   {
-    store(0, static_cast<std::size_t>(entry.Points), this->FirstUnused, true);
+    store(0, static_cast<std::size_t>(entry.Points), this->Set.GetFirstUnusedPoint(), true);
     return;
   }
   std::size_t first = 0;
   for (std::size_t g = 0; g < entry.Groups.size(); ++g)
   {
     const auto& group = entry.Groups[g];
-    if (block.GroupStart[g] != Absent)
+    if (block.GroupStart[g] != ChunkSet::Absent)
     {
-      store(first, group.Points, block.GroupStart[g], this->Owns(group));
+      store(first, group.Points, block.GroupStart[g], this->Set.Owns(group));
     }
     first += group.Points;
   }
@@ -509,19 +383,19 @@ void ChunkSetDecoder::StoreBlock(const Job& job, std::size_t b) const
 //--------------------------------------------------------------------------------------------------
 void ChunkSetDecoder::DecodeChunkInto(Job& job, std::size_t i) const
 {
-  const auto chunk = this->Chunks[i];
+  const auto chunk = this->Set.GetChunks()[i];
   auto& work = job.Chunks[i];
   auto mesh = std::move(work.Mesh);
   if (!mesh && job.Begin > job.KeyStep)
   {
-    mesh = this->Parts.FindMesh(chunk); // decoded for the steps before
+    mesh = this->Parts.FindMesh(chunk); // decoded for the previous steps
   }
   if (!mesh)
   {
     mesh = this->Parts.DecodeMesh(chunk,
       [&](std::uint32_t block)
       {
-        const auto& held = job.Blocks[this->FindBlock(block)].Points;
+        const auto& held = job.Blocks[this->Set.FindBlock(block)].Points;
         return held ? held : this->Parts.GetBlockPoints(block);
       });
   }
@@ -532,7 +406,7 @@ void ChunkSetDecoder::DecodeChunkInto(Job& job, std::size_t i) const
     {
       const auto& array = job.Arrays[a];
       const auto valuesOf = [&](std::uint32_t block)
-      { return job.Blocks[this->FindBlock(block)].Steps[a][step - job.Begin]; };
+      { return job.Blocks[this->Set.FindBlock(block)].Steps[a][step - job.Begin]; };
       reached = { this->Parts.DecodeChunkArray(chunk, *mesh, array.Index, step,
                     *array.Domains[step - job.Begin], reached.Values.get(), valuesOf),
         step };
@@ -552,7 +426,7 @@ void ChunkSetDecoder::DecodeChunkInto(Job& job, std::size_t i) const
 void ChunkSetDecoder::StoreChunk(const Job& job, std::size_t i, const ChunkMesh& mesh) const
 {
   const auto& content = this->Content();
-  const auto chunk = this->Chunks[i];
+  const auto chunk = this->Set.GetChunks()[i];
   const auto& info = content.Mesh.Chunks[chunk].Info;
   const auto& target = job.Target;
   const auto& ownIds = mesh.Context.OwnIds;
@@ -561,8 +435,8 @@ void ChunkSetDecoder::StoreChunk(const Job& job, std::size_t i, const ChunkMesh&
   std::shared_ptr<const OrderPart> points, cells;
   if (job.NeedsPointOrder)
   {
-    points = this->Parts.GetPointOrder(
-      chunk, mesh, [&](std::uint32_t block) { return job.Blocks[this->FindBlock(block)].Order; });
+    points = this->Parts.GetPointOrder(chunk, mesh,
+      [&](std::uint32_t block) { return job.Blocks[this->Set.FindBlock(block)].Order; });
   }
   if (job.NeedsCellOrder)
   {
@@ -570,8 +444,9 @@ void ChunkSetDecoder::StoreChunk(const Job& job, std::size_t i, const ChunkMesh&
   }
   const Places pointIds{ points.get(), info.FirstPoint };
   const Places cellIds{ cells.get(), info.FirstTet };
-  const Places pointPlaces{ job.RestorePoints ? points.get() : nullptr, this->FirstOwn[i] };
-  const Places cellPlaces{ job.RestoreCells ? cells.get() : nullptr, this->FirstTet[i] };
+  const Places pointPlaces{ job.RestorePoints ? points.get() : nullptr,
+    this->Set.GetFirstOwnPoint(i) };
+  const Places cellPlaces{ job.RestoreCells ? cells.get() : nullptr, this->Set.GetFirstTet(i) };
 
   for (std::size_t own = 0; own < ownIds.size(); ++own)
   {
@@ -628,9 +503,9 @@ void ChunkSetDecoder::StoreConnectivity(const Job& job, std::size_t i, const Chu
   const OrderPart* points, const OrderPart* cells) const
 {
   const auto& content = this->Content();
-  const auto chunk = this->Chunks[i];
-  const Places pointPlaces{ points, this->FirstOwn[i] };
-  const Places cellPlaces{ cells, this->FirstTet[i] };
+  const auto chunk = this->Set.GetChunks()[i];
+  const Places pointPlaces{ points, this->Set.GetFirstOwnPoint(i) };
+  const Places cellPlaces{ cells, this->Set.GetFirstTet(i) };
   std::vector<std::uint64_t> ids(mesh.Keys.size());
   for (std::size_t own = 0; own < mesh.Context.OwnIds.size(); ++own)
   {
@@ -640,8 +515,8 @@ void ChunkSetDecoder::StoreConnectivity(const Job& job, std::size_t i, const Chu
   for (const auto& part : content.Mesh.Chunks[chunk].Shared)
   {
     const auto count = content.Mesh.Blocks[part.Block].Groups[part.Group].Points;
-    const auto b = this->FindBlock(part.Block);
-    const auto start = this->Blocks[b].GroupStart[part.Group];
+    const auto b = this->Set.FindBlock(part.Block);
+    const auto start = this->Set.GetBlocks()[b].GroupStart[part.Group];
     for (std::uint64_t p = 0; p < count; ++p)
     {
       sharedPlaces.push_back(

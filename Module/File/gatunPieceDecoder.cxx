@@ -159,14 +159,14 @@ void PieceDecoder::Internals::SetRequest(const PieceRequest& request, const Prog
 
 void PieceDecoder::Internals::ChooseGhosts(const Progress& progress)
 {
-  auto& around = *this->Around;
+  const ChunkSet& around = this->Around->GetSet();
   const auto tets = static_cast<std::size_t>(around.GetNumberOfTets());
   std::vector<std::int64_t> all(4 * tets);
   PieceTarget target;
   target.Connectivity = all.data();
-  around.Fill(target, {}, 0, false, progress);
+  this->Around->Fill(target, {}, 0, false, progress);
 
-  this->PointFrom = around.Locate(*this->Piece);
+  this->PointFrom = around.Locate(this->Piece->GetSet());
   this->CellFrom.clear();
   const auto count = static_cast<std::size_t>(around.GetNumberOfPoints());
   std::vector<char> isOfPiece(count, 0);
@@ -175,7 +175,7 @@ void PieceDecoder::Internals::ChooseGhosts(const Progress& progress)
     isOfPiece[p] = 1;
   }
   std::vector<char> chosen(tets, 0);
-  const auto& owned = this->Piece->GetChunks();
+  const auto& owned = this->Piece->GetSet().GetChunks();
   for (std::size_t i = 0; i < around.GetChunks().size(); ++i)
   {
     if (std::binary_search(owned.begin(), owned.end(), around.GetChunks()[i]))
@@ -317,7 +317,7 @@ void PieceDecoder::Internals::Fill(const PieceTarget& target, const Progress& pr
   {
     // Points that belong only to ghost cells are duplicates.
     const auto count = static_cast<std::size_t>(this->Piece->GetNumberOfPoints());
-    this->Piece->MarkOwners(target.PointGhosts);
+    this->Piece->GetSet().MarkOwners(target.PointGhosts);
     std::memset(target.PointGhosts + count, 1, this->PointFrom.size() - count);
   }
   if (target.CellGhosts)

@@ -275,8 +275,8 @@ MeshTable MeshTable::Read(std::span<const std::uint8_t> bytes, const MetaTable& 
   {
     chunk.Info.Tets = in.GetVarint();
     chunk.Info.OwnPoints = in.GetVarint();
-    const std::uint32_t level = GetSmall(in); // reserved
-    const std::uint32_t bucket = GetSmall(in);
+    const auto level = GetSmall(in); // reserved
+    const auto bucket = GetSmall(in);
     Check(level == 0 && bucket == 0,
       "a chunk belongs to a level or bucket, which this version does not know");
     for (auto& range : chunk.Info.Box)

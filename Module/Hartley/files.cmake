@@ -11,6 +11,7 @@ gatun_core_folder(Hartley
     gatunHartleySource.h
     gatunHartleyVolume.h
   EXPERIMENTAL_HEADERS
+    gatunHartleyFrame.h
     gatunHartleyProjector.h
     gatunHartleyShading.h
     gatunHartleyTransform.h
@@ -31,7 +32,7 @@ gatun_core_folder(Hartley
     gatunHartleyOrder.h
     gatunHartleyPainter.h
     gatunHartleyPaperSlice.h
-    gatunHartleyQuantiser.h
+    gatunHartleyQuantizer.h
     gatunHartleyRay.h
     gatunHartleySlab.h
     gatunHartleySlice.h
@@ -45,6 +46,7 @@ gatun_core_folder(Hartley
     gatunHartleyCorrections.cxx
     gatunHartleyEncoder.cxx
     gatunHartleyFile.cxx
+    gatunHartleyFrame.cxx
     gatunHartleyKernelAVX2.cxx
     gatunHartleyKernelFunction.cxx
     gatunHartleyKernelPortable.cxx
@@ -55,7 +57,7 @@ gatun_core_folder(Hartley
     gatunHartleyOrder.cxx
     gatunHartleyPaperSlice.cxx
     gatunHartleyProjector.cxx
-    gatunHartleyQuantiser.cxx
+    gatunHartleyQuantizer.cxx
     gatunHartleyRay.cxx
     gatunHartleySlab.cxx
     gatunHartleySlice.cxx

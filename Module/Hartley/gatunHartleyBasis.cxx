@@ -31,7 +31,7 @@ public:
   }
 
 private:
-  // What of the pictures a segment takes stays in the cache while so many blocks pass.
+  // A segment of the images stays in the cache while this number of blocks uses it.
   static constexpr std::size_t BlocksAtOnce = 32;
 
   void PaintSome(std::span<const Task> tasks)
@@ -46,7 +46,7 @@ private:
     const std::size_t step = this->Basis.Pairs.size() * 2 * HartleySegment;
     for (std::size_t segment = 0; segment < this->Basis.Segments; ++segment)
     {
-      const float* const values = this->Basis.Pictures.data() + segment * step;
+      const float* const values = this->Basis.Images.data() + segment * step;
       const std::size_t first = segment * HartleySegment;
       const std::size_t count = std::min(HartleySegment, half - first);
       for (std::size_t i = 0; i < tasks.size(); ++i)
@@ -55,8 +55,8 @@ private:
         const auto& shares = this->Shares[i];
         kernel.Combine(values, shares[0].data(), shares[0].size(), even.data());
         kernel.Combine(values, shares[1].data(), shares[1].size(), odd.data());
-        float* const front = tasks[i].Picture + first;
-        float* const back = tasks[i].Picture + points - 1 - first;
+        float* const front = tasks[i].Image + first;
+        float* const back = tasks[i].Image + points - 1 - first;
         for (std::size_t k = 0; k < count; ++k)
         {
           front[k] = even[k] + odd[k];
@@ -66,7 +66,7 @@ private:
     }
   }
 
-  /** How much of each pair's pictures a block has: even, odd. */
+  /** The weights of each pair's even and odd image in the image of a block. */
   void Collect(std::span<const HartleyTerm> terms, std::array<std::vector<HartleyShare>, 2>& shares)
   {
     this->Touched.clear();
@@ -99,7 +99,7 @@ private:
   }
 
   const HartleyBasis& Basis;
-  std::vector<std::array<float, 2>> Weights; // of each pair: even, odd; 0 between blocks
+  std::vector<std::array<float, 2>> Weights; // of each pair: even, odd; 0 outside of Collect
   std::vector<std::uint32_t> Touched;
   std::array<std::array<std::vector<HartleyShare>, 2>, BlocksAtOnce> Shares;
 };
@@ -115,10 +115,10 @@ HartleyBasis::HartleyBasis(const HartleyLayout::Triple& block, const HartleyLatt
   const std::size_t voxels = this->Places.size();
   const std::size_t step = this->Pairs.size() * 2 * HartleySegment;
   this->Segments = (this->Half + HartleySegment - 1) / HartleySegment;
-  this->Pictures.resize(this->Segments * step);
+  this->Images.resize(this->Segments * step);
 
-  // At one point, the pictures of all basis functions are the transform of the ray's weights. Some
-  // points at once are sorted to basis functions.
+  // The values of all images at one point are the transform of the ray's weights. Transposing a
+  // batch of points at a time gives the images.
   constexpr std::size_t pointsAtOnce = 16;
   static_assert(HartleySegment % pointsAtOnce == 0);
   ParallelFor((this->Half + pointsAtOnce - 1) / pointsAtOnce,
@@ -136,7 +136,7 @@ HartleyBasis::HartleyBasis(const HartleyLayout::Triple& block, const HartleyLatt
           lattice.GetPlace(1, (first + i) / lattice.Points[0]), mine);
         transform.Forward(mine);
       }
-      float* even = this->Pictures.data() + first / HartleySegment * step + first % HartleySegment;
+      float* even = this->Images.data() + first / HartleySegment * step + first % HartleySegment;
       for (const Pair& pair : this->Pairs)
       {
         float* const odd = even + HartleySegment;
@@ -169,8 +169,8 @@ void HartleyBasis::FindPairs()
       {
         const std::uint32_t other =
           (opposite(w, n[2]) * n[1] + opposite(v, n[1])) * n[0] + opposite(u, n[0]);
-        // The frequency n / 2 stands for its opposite as well, whose functions have the other sign
-        // at places that are half a voxel off whole ones.
+        // The frequency n / 2 is its own opposite up to the sign, which differs at positions
+        // between voxels, where the middle of a block of even size is.
         const int signs = (2 * u == n[0]) + (2 * v == n[1]) + (2 * w == n[2]);
         const float mirror = signs % 2 == 0 ? 1.0f : -1.0f;
         if (index <= other)
@@ -196,7 +196,7 @@ std::unique_ptr<HartleyPainter::Brush> HartleyBasis::MakeBrush() const
 //------------------------------------------------------------------------------
 std::vector<float> HartleyBasis::PaintUnit(const HartleyLayout::Triple& filled) const
 {
-  std::vector<float> picture(this->Lattice.GetNumberOfPoints());
+  std::vector<float> image(this->Lattice.GetNumberOfPoints());
   ParallelFor(this->Lattice.Points[1],
     [&](std::size_t row)
     {
@@ -216,9 +216,9 @@ std::vector<float> HartleyBasis::PaintUnit(const HartleyLayout::Triple& filled) 
             sum = std::accumulate(from, from + filled[0], sum);
           }
         }
-        picture[row * this->Lattice.Points[0] + column] = static_cast<float>(sum);
+        image[row * this->Lattice.Points[0] + column] = static_cast<float>(sum);
       }
     });
-  return picture;
+  return image;
 }
 }

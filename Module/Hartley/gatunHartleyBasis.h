@@ -10,12 +10,12 @@
 namespace gatun
 {
 /**
- * Pictures of blocks as sums of the pictures of their basis functions, which are computed once for
- * a direction and serve all blocks: exact, and the work for a block is that of its coefficients
- * that are not zero.
+ * Computes the image of a block as the weighted sum of the images of its Hartley basis functions.
+ * These are computed once for a direction and shared by all blocks. The result is exact except for
+ * rounding. The time for a block is proportional to the number of its nonzero coefficients.
  *
- * A basis function and its partner of the opposite frequency are mirror images. What is kept of the
- * two is the even and the odd part of the one, on one half of the points.
+ * The basis functions of opposite frequencies are mirror images of each other. Only the even and
+ * the odd part of one of them are stored, on one half of the points.
  */
 class HartleyBasis : public HartleyPainter
 {
@@ -29,15 +29,15 @@ public:
 private:
   class PairBrush;
 
-  /** Coefficients of opposite frequencies, or one that is its own opposite. */
+  /** Two coefficients of opposite frequencies, or one whose frequency is its own opposite. */
   struct Pair
   {
     std::uint32_t First;
     std::uint32_t Second;
-    float Mirror; // the picture of Second is that of First mirrored, times this
+    float Mirror; // image of Second = Mirror * mirrored image of First
   };
 
-  /** What a coefficient adds to the weights of its pair's even and odd picture. */
+  /** The contribution of a coefficient to the weights of its pair's even and odd image. */
   struct Place
   {
     std::uint32_t Pair;
@@ -49,11 +49,11 @@ private:
 
   HartleyLattice Lattice;
   HartleyLayout::Triple Block{};
-  std::size_t Half = 0;     // points that are kept: up to the middle one
-  std::size_t Segments = 0; // of so many of them that the sums of all stay in registers
+  std::size_t Half = 0;     // number of stored points: up to the middle one
+  std::size_t Segments = 0; // of HartleySegment points, whose sums stay in registers
   std::vector<Pair> Pairs;
-  std::vector<Place> Places;   // of each coefficient
-  std::vector<float> Pictures; // of each segment and pair: even, odd
+  std::vector<Place> Places; // of each coefficient
+  std::vector<float> Images; // of each segment and pair: even, odd
 };
 }
 

@@ -3,7 +3,7 @@
 #ifndef gatunHartleyBlocks_h
 #define gatunHartleyBlocks_h
 
-// Going through the chunks of a volume, and the blocks of a chunk.
+// Iteration over the chunks of a volume and the blocks of a chunk.
 
 #include "gatunError.h"
 #include "gatunHartleyLayout.h"
@@ -14,7 +14,7 @@
 
 namespace gatun
 {
-/** How many blocks a chunk has along each axis. */
+/** The number of blocks of a chunk along each axis. */
 inline HartleyLayout::Triple GetHartleyGrid(const HartleyLayout& layout, std::size_t chunk)
 {
   const auto box = layout.GetBlocksOfChunk(chunk);
@@ -46,7 +46,8 @@ void ForEachHartleyBlock(const HartleyLayout& layout, std::size_t chunk, Visit&&
   }
 }
 
-/** ParallelFor; but a single chunk is left to the parallel loops within its work. */
+/** ParallelFor, except that a single chunk runs on the calling thread, so that its own loops can be
+ * parallel. */
 template <typename Body>
 void ForEachHartleyChunk(
   std::size_t count, Body&& body, const std::function<bool(double)>& progress = {})

@@ -29,14 +29,8 @@ void HartleyChunks::Load(std::span<const HartleyLayout::Triple> blocks)
   std::vector<Map::value_type*> missing;
   for (auto& one : wanted)
   {
-    for (const Map* const map : { &this->Used, &this->Kept })
-    {
-      const auto found = map->find(one.first);
-      if (found != map->end())
-      {
-        one.second = found->second;
-      }
-    }
+    const auto used = this->Used.find(one.first);
+    one.second = used != this->Used.end() ? used->second : this->Kept.Find(one.first);
     if (!one.second)
     {
       missing.push_back(&one);
@@ -47,12 +41,7 @@ void HartleyChunks::Load(std::span<const HartleyLayout::Triple> blocks)
     [&](std::size_t i) { missing[i]->second = this->Source.GetChunk(missing[i]->first); });
   for (const auto* const one : missing)
   {
-    const std::uint64_t bytes = GetBytes(*one->second);
-    if (this->KeptBytes + bytes <= this->Bytes)
-    {
-      this->KeptBytes += bytes;
-      this->Kept.insert(*one);
-    }
+    this->Kept.Keep(one->first, one->second, GetBytes(*one->second));
   }
   this->Used = std::move(wanted);
 }

@@ -3,6 +3,7 @@
 #ifndef gatunHartleyChunks_h
 #define gatunHartleyChunks_h
 
+#include "gatunCache.h"
 #include "gatunHartleySource.h"
 
 #include <cstdint>
@@ -12,22 +13,22 @@
 
 namespace gatun
 {
-/** The chunks that are in use, got from a source, and those that are kept for the next picture. */
+/** Gets chunks from a source and keeps as many of them for the next image as a budget allows. */
 class HartleyChunks
 {
 public:
-  /** bytes: how much may be kept besides what is in use. */
+  /** Bytes: budget of the chunks that are kept in addition to those in use. */
   HartleyChunks(const HartleySource& source, std::uint64_t bytes)
     : Source(source)
     , Layout(source.GetLayout())
-    , Bytes(bytes)
+    , Kept(std::make_shared<CacheBudget>(bytes), CachePolicy::KeepFirst)
   {
   }
 
-  /** Gets the chunks that blocks are in, in parallel, and lets those of the call before go. */
+  /** Gets the chunks of blocks, in parallel, and releases those of the previous call. */
   void Load(std::span<const HartleyLayout::Triple> blocks);
 
-  /** Of a block that was loaded. */
+  /** The coefficients of a loaded block. */
   std::span<const HartleyTerm> GetTerms(const HartleyLayout::Triple& place) const;
 
 private:
@@ -35,10 +36,10 @@ private:
 
   const HartleySource& Source;
   HartleyLayout Layout;
-  std::uint64_t Bytes;
-  std::uint64_t KeptBytes = 0;
   Map Used;
-  Map Kept; // the first ones that came, as going through all of them again finds most in this way
+  // Never evicted: each image asks for the same chunks in the same order, where an LRU cache that
+  // is too small never hits.
+  Cache<std::size_t, HartleyChunk> Kept;
 };
 }
 

@@ -22,7 +22,7 @@ constexpr unsigned Levels = 4 + 4 * 38;
 constexpr unsigned Escapes = 64;
 constexpr unsigned LastSymbol = SymbolModel::Symbols - 1;
 
-// How much each kind of neighbour counts for the size that is expected.
+// Weights of the neighbors in the expected size.
 constexpr unsigned WeightOfPartner = 4;
 constexpr unsigned WeightOfInner = 6;
 constexpr unsigned WeightOfBlock = 1;
@@ -30,12 +30,28 @@ constexpr unsigned WeightOfRamp = 6;
 constexpr unsigned LargestWeight =
   WeightOfPartner + 3 * 2 * (WeightOfInner + WeightOfBlock) + WeightOfRamp;
 
-// The mean of a position in the blocks before: how much of it is in the size that is expected, in
-// sixteenths, and how slowly it changes.
+// Means of sizes are fixed-point numbers in sixteenths.
+constexpr unsigned MeanBits = 4;
+constexpr std::uint64_t MeanUnit = 1u << MeanBits;
+
+// The running mean of a position over the previous blocks: its weight in the expected size, in
+// sixteenths, and the number of blocks that it averages.
 constexpr std::uint64_t PartOfRunning = 2;
 constexpr std::int64_t BlocksOfRunning = 16;
 
-// Blocks of this many values or more tell exactly where their last one is that is not 0.
+// A running mean that differs from the expected size by more than a factor of two and this, in
+// sixteenths, selects other models.
+constexpr std::uint64_t TrendMargin = 4;
+
+// The lowest coefficient of a ramp divided by the difference of the means two blocks apart, in
+// sixteenths: about 4 / pi.
+constexpr std::int64_t RampNumerator = 163;
+constexpr std::int64_t RampDenominator = 128;
+
+// Classes of the size of a predicted value, for its sign.
+constexpr unsigned SignStrengths = 8;
+
+// Blocks of this many values or more store the exact position of their last nonzero value.
 constexpr std::size_t LongBlock = 1u << 15;
 
 std::uint64_t GetSize(std::int64_t value)
@@ -48,7 +64,7 @@ std::uint64_t Count(std::int64_t value)
   return std::min(GetSize(value), LargestCounted);
 }
 
-/** A class for a mean in sixteenths; four to an octave. */
+/** The class of a mean in sixteenths; four classes per octave. */
 unsigned GetLevel(std::uint64_t mean)
 {
   if (mean < 4)
@@ -60,7 +76,7 @@ unsigned GetLevel(std::uint64_t mean)
   return std::min(level, Levels - 1);
 }
 
-/** How likely sizes from 1 on are where a mean was expected. */
+/** Models of sizes from 1, for each expected mean. */
 struct SizeModels
 {
   std::array<SymbolModel, Levels> Symbols;
@@ -71,7 +87,7 @@ struct SizeModels
 template <typename Coder>
 std::uint64_t CodeSize(Coder& coder, SizeModels& models, std::uint64_t mean, std::uint64_t size)
 {
-  const auto width = static_cast<unsigned>(std::bit_width(mean >> 4));
+  const auto width = static_cast<unsigned>(std::bit_width(mean >> MeanBits));
   const unsigned shift = width > 3 ? width - 3 : 0;
   const std::uint64_t rest = size - 1;
   const std::uint64_t part = rest >> shift;
@@ -80,7 +96,7 @@ std::uint64_t CodeSize(Coder& coder, SizeModels& models, std::uint64_t mean, std
   std::uint64_t coded = symbol;
   if (symbol == LastSymbol)
   {
-    // How many binary digits there are beyond, and what they are.
+    // The number of binary digits of the excess, and the digits.
     const std::uint64_t beyond = part - LastSymbol + 1;
     const auto digits = static_cast<unsigned>(std::bit_width(beyond));
     unsigned count = 1;
@@ -102,18 +118,20 @@ std::uint64_t CodeSize(Coder& coder, SizeModels& models, std::uint64_t mean, std
   return ((coded << shift) | low) + 1;
 }
 
-// 1 / n in units of 2^-16.
+// 1 / n in units of 2^-ReciprocalBits.
+constexpr unsigned ReciprocalBits = 16;
 constexpr auto Reciprocals = []
 {
+  constexpr std::uint32_t one = 1u << ReciprocalBits;
   std::array<std::uint32_t, LargestWeight + 1> values{};
   for (std::uint32_t n = 1; n < values.size(); ++n)
   {
-    values[n] = (65536 + n / 2) / n;
+    values[n] = (one + n / 2) / n;
   }
   return values;
 }();
 
-/** Codes blocks, or a segment of one; the encoder and the decoder in one. */
+/** Codes blocks, or a segment of one block. One class for the encoder and the decoder. */
 template <typename Coder, typename Integer>
 class Walk
 {
@@ -184,7 +202,8 @@ private:
   Integer& GetMean(std::size_t block) const { return this->Integers[block * this->BlockLength]; }
 
   //------------------------------------------------------------------------------------------------
-  /** The values of frequency 0, from those of the blocks before along each axis. */
+  /** Codes the values of frequency 0, predicted from those of the previous block along each axis.
+   */
   void CodeMeans()
   {
     const std::size_t row = this->Grid[0];
@@ -263,7 +282,7 @@ private:
   }
 
   //------------------------------------------------------------------------------------------------
-  /** Behind which position all values of each block are 0. */
+  /** Codes the position after which all values of a block are 0, for each block. */
   void CodeEnds()
   {
     this->Ends.resize(this->Blocks);
@@ -321,7 +340,7 @@ private:
     return positions[rank].Band;
   }
 
-  /** One more than the last position from begin to end that has a value. */
+  /** One more than the last position in [begin, end) with a nonzero value. */
   std::size_t CodeLast(std::span<Integer> values, std::size_t begin, std::size_t end)
   {
     std::size_t last = end;
@@ -351,7 +370,7 @@ private:
     {
       const auto distance = distances[axis];
       this->Before[axis] = place[axis] > 0 ? this->Block - distance * this->BlockLength : nullptr;
-      // How the mean changes along the axis, over two blocks.
+      // The change of the mean along the axis, over two blocks.
       const bool hasNext = place[axis] + 1 < this->Grid[axis];
       const std::int64_t own = this->GetMean(block);
       const std::int64_t before = place[axis] > 0 ? this->GetMean(block - distance) : own;
@@ -369,89 +388,20 @@ private:
     const Position& position = this->Order.GetPositions()[rank];
     const Integer* const own = this->Block + position.Index;
     const Integer* const partner = this->Block + position.Partner;
+    const Expectation expected = this->Expect(position, own, partner, rank);
+
     auto& models = *this->Models;
-
-    // What size is to be expected, from what is known: a weighted mean.
-    std::uint64_t sum = 0;
-    unsigned weight = 0;
-    // What the value itself would be if its block were a ramp, in sixteenths.
-    std::int64_t foretold = 0;
-    if (position.Flags & HartleyOrder::KnowsPartner)
-    {
-      sum += WeightOfPartner * Count(*partner);
-      weight += WeightOfPartner;
-    }
-    unsigned axes = 0;
-    for (unsigned axis = 0; axis < 3; ++axis)
-    {
-      const auto wave = position.Wave[axis];
-      axes += wave != 0;
-      if (position.Flags & (1u << axis))
-      {
-        const auto step = this->Order.GetStepInwards(axis, wave);
-        const auto inner = static_cast<std::int64_t>(own[step]);
-        const std::int64_t length = wave < 0 ? -wave : wave;
-        if (length > 1)
-        {
-          sum += WeightOfInner * Count(inner);
-          weight += WeightOfInner;
-          foretold -= std::clamp<std::int64_t>(inner, -MostForetold, MostForetold) * 16 *
-            (length - 1) / length;
-          if (position.Flags & (16u << axis))
-          {
-            sum += WeightOfInner * Count(partner[this->Order.GetStepInwards(axis, -wave)]);
-            weight += WeightOfInner;
-          }
-        }
-      }
-      if (const Integer* const before = this->Before[axis])
-      {
-        sum += WeightOfBlock * (Count(before[position.Index]) + Count(before[position.Partner]));
-        weight += 2 * WeightOfBlock;
-      }
-    }
-    if (axes == 1)
-    {
-      for (unsigned axis = 0; axis < 3; ++axis)
-      {
-        const auto wave = position.Wave[axis];
-        if (wave != 0)
-        {
-          const std::int64_t length = wave < 0 ? -wave : wave;
-          const auto slope =
-            std::clamp<std::int64_t>(this->Slopes[axis], -MostForetold, MostForetold) * 163 /
-            (128 * length);
-          foretold += (length % 2 != 0) == (wave > 0) ? slope : -slope;
-        }
-      }
-      sum += WeightOfRamp * (GetSize(foretold) / 16);
-      weight += WeightOfRamp;
-    }
-    std::uint64_t mean = (sum * Reciprocals[weight]) >> 12;
-    unsigned trend = 0; // whether this position used to have smaller or larger values than that
-    if (!this->Running.empty())
-    {
-      const auto running = this->Running[rank];
-      mean = ((16 - PartOfRunning) * mean + PartOfRunning * running) / 16;
-      trend = running > 2 * mean + 4 ? 2 : 2 * running + 4 < mean ? 1 : 0;
-    }
-
     const auto value = Coder::Encoding ? static_cast<std::int64_t>(*own) : 0;
-    const auto level = GetLevel(mean);
+    const auto level = GetLevel(expected.Mean);
     const bool second = position.Flags & HartleyOrder::KnowsPartner;
     std::int64_t coded = 0;
-    if (this->Code.Bit(models.Zero[4 * trend + 2 * second + (axes > 1)][level], value != 0))
+    if (this->Code.Bit(
+          models.Zero[4 * expected.Trend + 2 * second + (expected.Axes > 1)][level], value != 0))
     {
-      const unsigned strength =
-        std::min<unsigned>(7, static_cast<unsigned>(std::bit_width(GetSize(foretold) >> 1)));
-      const bool down = foretold < 0;
-      // Opposite frequencies of a ramp have opposite signs.
       const auto other = second ? static_cast<std::int64_t>(*partner) : 0;
-      const unsigned relation = other == 0 ? 0 : (other < 0) == down ? 1 : 2;
-      const bool negative =
-        this->Code.Bit(models.Sign[4 * axes + relation][strength], (value < 0) != down) != down;
+      const bool negative = this->CodeSign(expected, other, value < 0);
       const auto size =
-        static_cast<std::int64_t>(CodeSize(this->Code, models.Size, mean, GetSize(value)));
+        static_cast<std::int64_t>(CodeSize(this->Code, models.Size, expected.Mean, GetSize(value)));
       coded = negative ? -size : size;
       if constexpr (!Coder::Encoding)
       {
@@ -461,13 +411,127 @@ private:
     if (!this->Running.empty())
     {
       auto& running = this->Running[rank];
+      const auto size = static_cast<std::int64_t>(MeanUnit * Count(coded));
       running = static_cast<std::uint64_t>(static_cast<std::int64_t>(running) +
-        (static_cast<std::int64_t>(16 * Count(coded)) - static_cast<std::int64_t>(running)) /
-          BlocksOfRunning);
+        (size - static_cast<std::int64_t>(running)) / BlocksOfRunning);
     }
   }
 
-  static constexpr std::int64_t MostForetold = std::int64_t{ 1 } << 40;
+  /** The prediction of a value from those that are coded already. */
+  struct Expectation
+  {
+    std::uint64_t Mean = 0;     ///< of the size, in sixteenths
+    std::int64_t Predicted = 0; ///< the value if the block were a ramp, in sixteenths
+    unsigned Axes = 0;          ///< along which the frequency is not 0
+    unsigned Trend = 0;         ///< whether sizes at this position were smaller (1) or larger (2)
+  };
+
+  /** A weighted sum of sizes. */
+  struct WeightedSum
+  {
+    std::uint64_t Sum = 0;
+    unsigned Weight = 0;
+
+    void Add(unsigned weight, std::uint64_t size)
+    {
+      this->Sum += weight * size;
+      this->Weight += weight;
+    }
+  };
+
+  Expectation Expect(
+    const Position& position, const Integer* own, const Integer* partner, std::size_t rank) const
+  {
+    Expectation expected;
+    WeightedSum sizes;
+    if (position.Flags & HartleyOrder::KnowsPartner)
+    {
+      sizes.Add(WeightOfPartner, Count(*partner));
+    }
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      expected.Axes += position.Wave[axis] != 0;
+      if (position.Flags & (HartleyOrder::KnowsInner << axis))
+      {
+        this->AddInner(position, axis, own, partner, sizes, expected);
+      }
+      if (const Integer* const before = this->Before[axis])
+      {
+        sizes.Add(WeightOfBlock, Count(before[position.Index]));
+        sizes.Add(WeightOfBlock, Count(before[position.Partner]));
+      }
+    }
+    if (expected.Axes == 1)
+    {
+      expected.Predicted += this->PredictRamp(position);
+      sizes.Add(WeightOfRamp, GetSize(expected.Predicted) / MeanUnit);
+    }
+    expected.Mean = (sizes.Sum * Reciprocals[sizes.Weight]) >> (ReciprocalBits - MeanBits);
+    if (!this->Running.empty())
+    {
+      const auto running = this->Running[rank];
+      expected.Mean =
+        ((MeanUnit - PartOfRunning) * expected.Mean + PartOfRunning * running) / MeanUnit;
+      expected.Trend = running > 2 * expected.Mean + TrendMargin ? 2
+        : 2 * running + TrendMargin < expected.Mean              ? 1
+                                                                 : 0;
+    }
+    return expected;
+  }
+
+  /** Adds the next lower frequencies along an axis. */
+  void AddInner(const Position& position, unsigned axis, const Integer* own, const Integer* partner,
+    WeightedSum& sizes, Expectation& expected) const
+  {
+    const auto wave = position.Wave[axis];
+    const auto inner = static_cast<std::int64_t>(own[this->Order.GetStepInwards(axis, wave)]);
+    const std::int64_t length = wave < 0 ? -wave : wave;
+    if (length <= 1)
+    {
+      return;
+    }
+    sizes.Add(WeightOfInner, Count(inner));
+    expected.Predicted -= std::clamp<std::int64_t>(inner, -MostPredicted, MostPredicted) *
+      static_cast<std::int64_t>(MeanUnit) * (length - 1) / length;
+    if (position.Flags & (HartleyOrder::KnowsInnerPartner << axis))
+    {
+      sizes.Add(WeightOfInner, Count(partner[this->Order.GetStepInwards(axis, -wave)]));
+    }
+  }
+
+  /** The value at a frequency along one axis, in sixteenths, if the block were a ramp with the
+   * slope of the neighboring means. */
+  std::int64_t PredictRamp(const Position& position) const
+  {
+    std::int64_t predicted = 0;
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      const auto wave = position.Wave[axis];
+      if (wave != 0)
+      {
+        const std::int64_t length = wave < 0 ? -wave : wave;
+        const auto slope =
+          std::clamp<std::int64_t>(this->Slopes[axis], -MostPredicted, MostPredicted) *
+          RampNumerator / (RampDenominator * length);
+        predicted += (length % 2 != 0) == (wave > 0) ? slope : -slope;
+      }
+    }
+    return predicted;
+  }
+
+  /** Partner: the value at the opposite frequency, or 0. Returns whether the value is negative. */
+  bool CodeSign(const Expectation& expected, std::int64_t partner, bool isNegative)
+  {
+    const unsigned strength = std::min<unsigned>(
+      SignStrengths - 1, static_cast<unsigned>(std::bit_width(GetSize(expected.Predicted) >> 1)));
+    const bool down = expected.Predicted < 0;
+    // Opposite frequencies of a ramp have opposite signs.
+    const unsigned relation = partner == 0 ? 0 : (partner < 0) == down ? 1 : 2;
+    auto& model = this->Models->Sign[4 * expected.Axes + relation][strength];
+    return this->Code.Bit(model, isNegative != down) != down;
+  }
+
+  static constexpr std::int64_t MostPredicted = std::int64_t{ 1 } << 40;
 
   Coder& Code;
   const HartleyOrder& Order;
@@ -477,7 +541,7 @@ private:
   std::size_t Blocks;
   std::unique_ptr<ModelSet> Models;
   std::vector<std::size_t> Ends;
-  std::vector<std::uint64_t> Running; ///< mean sizes of a position in the blocks so far, sixteenths
+  std::vector<std::uint64_t> Running; ///< running means of each position, in sixteenths
   Integer* Block = nullptr;
   std::array<const Integer*, 3> Before{};
   std::array<std::int64_t, 3> Slopes{};

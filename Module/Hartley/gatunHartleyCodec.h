@@ -3,7 +3,7 @@
 #ifndef gatunHartleyCodec_h
 #define gatunHartleyCodec_h
 
-// Quantised coefficients as streams of bytes. Specified in Documentation/ghv-format.md.
+// Entropy coding of quantized coefficients. Specified in Documentation/ghv-format.md.
 
 #include "gatunBytes.h"
 #include "gatunHartleyLayout.h"
@@ -14,26 +14,27 @@
 
 namespace gatun
 {
-/** Coefficients of no more than this, so that sums of a few do not overflow. */
+/** Upper bound of the coefficients' absolute values, so that sums of several do not overflow. */
 constexpr std::int64_t LargestHartleyInteger = std::int64_t{ 1 } << 62;
 
 /**
- * The blocks of a chunk in one stream. Integers are those of the blocks one after the other, each
- * by index; grid tells how many blocks there are along each axis.
+ * Encodes the blocks of a chunk as one stream. Integers: block by block, each by index; grid:
+ * number of blocks along each axis.
  */
 Bytes EncodeHartleyBlocks(const HartleyOrder& order, const HartleyLayout::Triple& grid,
   std::span<const std::int64_t> integers);
 
-/** Integers must be 0 before. Throws Error(Corrupt) for streams that nobody wrote. */
+/** Integers must be 0 initially. Safe on hostile input: throws Error(Corrupt) for invalid streams.
+ */
 void DecodeHartleyBlocks(const HartleyOrder& order, const HartleyLayout::Triple& grid,
   std::span<const std::uint8_t> stream, std::span<std::int64_t> integers);
 
-/** What a segment has at least, behind its stream zeros if need be, so that a short file cannot
- * claim a large block. */
+/** The minimum length of a segment. Shorter streams are padded with zeros, so that a short file
+ * cannot claim a large block. */
 std::size_t GetLeastHartleySegmentBytes(std::size_t blockLength, std::size_t segment);
 
-/** One segment of a block, which has several: positions of the order from segment *
- * HartleyOrder::SegmentLength on. Segments may be coded at the same time. */
+/** Encodes and decodes one segment of a long block: HartleyOrder::SegmentLength positions of the
+ * order, the first of which is segment * SegmentLength. Segments may be coded in parallel. */
 Bytes EncodeHartleySegment(
   const HartleyOrder& order, std::size_t segment, std::span<const std::int64_t> integers);
 void DecodeHartleySegment(const HartleyOrder& order, std::size_t segment,

@@ -16,14 +16,14 @@ namespace gatun
 {
 namespace
 {
-// Where a voxel may be from its value for each kind of correction: none, the last bit of the
-// voxel, its last four.
+// The largest distance of a voxel from its value for each kind of correction: none, the last bit of
+// the voxel, its last four bits.
 constexpr double FarthestPlain = 0.49;
 constexpr double FarthestParity = 0.98;
 constexpr double FarthestNibble = 7.9;
 constexpr unsigned NibbleBits = 4;
 
-/** The integer next to a value that has the given last bits. */
+/** The nearest integer to a value with the given last bits. */
 double GetNearest(double value, unsigned bits, std::uint64_t last)
 {
   const double period = static_cast<double>(1u << bits);
@@ -31,7 +31,7 @@ double GetNearest(double value, unsigned bits, std::uint64_t last)
   return offset + period * std::floor((value - offset) / period + 0.5);
 }
 
-/** One voxel, less the base: what it is. The truth counts when encoding only. */
+/** Codes and returns a voxel minus the base. The encoder passes the true voxel. */
 template <typename Coder>
 double CodeVoxel(
   Coder& coder, HartleyCorrectionModels& models, double value, double truth, double length)
@@ -61,7 +61,7 @@ double CodeVoxel(
   return std::clamp(voxel, 0.0, length);
 }
 
-/** Calls visit(index) for the voxels of a block that lie in the volume. */
+/** Calls visit(index) for the voxels of a block that are inside the volume. */
 template <typename Visit>
 void ForEachVoxel(const HartleyLayout& layout, const HartleyLayout::Triple& place, Visit&& visit)
 {
@@ -82,7 +82,7 @@ void ForEachVoxel(const HartleyLayout& layout, const HartleyLayout::Triple& plac
 
 //--------------------------------------------------------------------------------------------------
 Bytes EncodeHartleyCorrections(const VolumeInput& input, const HartleyLayout& layout,
-  std::size_t chunk, const HartleyQuantiser& quantiser, const Range& range,
+  std::size_t chunk, const HartleyQuantizer& quantizer, const Range& range,
   std::span<const std::int64_t> integers)
 {
   const auto count = layout.GetVoxelsPerBlock();
@@ -95,7 +95,7 @@ Bytes EncodeHartleyCorrections(const VolumeInput& input, const HartleyLayout& la
   ForEachHartleyBlock(layout, chunk,
     [&](std::size_t block, const HartleyLayout::Triple& place)
     {
-      quantiser.Restore(integers.subspan(block * count, count), values);
+      quantizer.Restore(integers.subspan(block * count, count), values);
       transform.Inverse(values);
       LoadBlock(input, layout, place, range.Min, truth);
       ForEachVoxel(layout, place,

@@ -3,15 +3,15 @@
 #ifndef gatunHartleyCorrections_h
 #define gatunHartleyCorrections_h
 
-// What makes a volume of integers lossless: voxels that are not what rounding gives. All other
-// voxels are so far from where rounding would change that it does not matter in which order a
-// machine adds.
+// Lossless volumes of integers: corrections of the voxels whose rounded value is wrong or
+// uncertain. The values of all other voxels are far enough from a rounding boundary that the order
+// of additions does not matter.
 
 #include "gatunBytes.h"
 #include "gatunEntropy.h"
 #include "gatunHartleyInput.h"
 #include "gatunHartleyLayout.h"
-#include "gatunHartleyQuantiser.h"
+#include "gatunHartleyQuantizer.h"
 
 #include <array>
 #include <cstdint>
@@ -19,32 +19,32 @@
 
 namespace gatun
 {
-/** The largest range of voxels for which double precision leaves no doubt. */
+/** The largest range of voxels for which double precision suffices. */
 constexpr double LargestLosslessRange = 1ull << 40;
 
 Bytes EncodeHartleyCorrections(const VolumeInput& input, const HartleyLayout& layout,
-  std::size_t chunk, const HartleyQuantiser& quantiser, const Range& range,
+  std::size_t chunk, const HartleyQuantizer& quantizer, const Range& range,
   std::span<const std::int64_t> integers);
 
-/** How likely voxels are wrong. */
+/** Probabilities of corrections. */
 struct HartleyCorrectionModels
 {
-  std::array<BitModel, 4> Wrong; ///< by which of the last two were
+  std::array<BitModel, 4> Wrong; ///< by the state of the last two voxels
   BitModel Far;
   BitModel Farther;
   unsigned Recent = 0;
 };
 
-/** Reads the corrections of a chunk, which come block by block. */
+/** Decodes the corrections of a chunk, block by block. */
 class HartleyCorrector
 {
 public:
-  /** Range: of the voxels. */
+  /** Range: that of the voxels. Safe on hostile input. */
   HartleyCorrector(
     std::span<const std::uint8_t> stream, const HartleyLayout& layout, const Range& range);
 
-  /** Makes the values of a block, less the base, what the voxels are. Blocks must come in their
-   * order; without values they are passed over. */
+  /** Replaces the values of a block, minus the base, by those of the voxels. Blocks must be given
+   * in order; blocks without values are skipped. */
   void Correct(const HartleyLayout::Triple& place, std::span<double> values);
 
 private:

@@ -19,25 +19,24 @@ namespace gatun
 {
 namespace
 {
-// Coefficients of volumes of up to this many voxels are kept; of others they are made anew.
+// Coefficients of volumes of up to this many voxels are kept. Others are recomputed when needed.
 constexpr std::size_t KeptVoxels = std::size_t{ 1 } << 27;
 
 constexpr std::size_t SampleChunks = 12;
 
-// Steps of lossless volumes: of integers, whose error is corrected, in their unit; of floating
-// point, in ranges.
+// Steps of lossless volumes: of integers, whose errors are corrected, in their unit; of
+// floating-point numbers relative to the range.
 constexpr double StepOfIntegers = 1;
 constexpr double StepOfFloat32 = 1.0 / (1 << 24);
 constexpr double StepOfFloat64 = 1.0 / (std::uint64_t{ 1 } << 46);
 
-// How much smaller than asked for an error may come out, and how far off a rate.
+// The accepted errors relative to their bound, and relative deviations of the rate.
 constexpr double ErrorTolerance = 0.98;
 constexpr double RateTolerance = 0.01;
 constexpr int MostAttempts = 12;
 
 /**
- * Finds a step with which something that grows with it is between two bounds. Steps known to be
- * good and bad close in on each other.
+ * Finds a step for which a monotonically increasing measure is between two bounds, by bracketing.
  */
 class StepSearch
 {
@@ -50,8 +49,8 @@ public:
   {
   }
 
-  /** The best step found, beginning with first: one with which what is measured is in the bounds,
-   * or else is less. measure(step, number of the attempt). */
+  /** Searches from first. The measure of the result is within the bounds or, if no such step is
+   * found, below them. Calls measure(step, number of the attempt). */
   template <typename Measure>
   double Find(double first, Measure&& measure) const
   {
@@ -93,7 +92,7 @@ public:
       }
       else
       {
-        // Between the two by what was measured, but never next to one of them.
+        // Interpolates, but keeps a distance from both ends.
         const double place = ofGood > 0 ? std::log(aim / ofGood) / std::log(ofBad / ofGood) : 0.5;
         step = good * std::pow(bad / good, std::clamp(place, 0.05, 0.95));
       }
@@ -114,7 +113,7 @@ double CountFilled(const HartleyLayout& layout, const HartleyLayout::Triple& pla
   return static_cast<double>(filled[0]) * filled[1] * filled[2];
 }
 
-/** A part of the progress of the whole. */
+/** Maps the progress of a part to that of the whole. */
 HartleyEncoder::Progress GetPart(
   const HartleyEncoder::Progress& progress, double first, double last)
 {
@@ -125,7 +124,7 @@ HartleyEncoder::Progress GetPart(
   return [=](double done) { return progress(first + done * (last - first)); };
 }
 
-/** That of one attempt of a search, which seldom needs many. */
+/** Maps the progress of one attempt of a search; few attempts are expected. */
 HartleyEncoder::Progress GetAttempt(const HartleyEncoder::Progress& progress, int count)
 {
   const auto begin = [](int i) { return 1 - std::exp2(-0.5 * i); };
@@ -135,9 +134,9 @@ HartleyEncoder::Progress GetAttempt(const HartleyEncoder::Progress& progress, in
 
 //--------------------------------------------------------------------------------------------------
 HartleyEncoder::HartleyEncoder(const VolumeInput& input, std::uint32_t blockSize,
-  const HartleyQuality& quality, const Progress& progress)
+  const HartleyRateControl& control, const Progress& progress)
   : Input(input)
-  , Quality(quality)
+  , RateControl(control)
   , Layout(HartleyLayout::Make(input.Size, blockSize))
 {
   this->CheckQuality();
@@ -154,21 +153,21 @@ HartleyEncoder::HartleyEncoder(const VolumeInput& input, std::uint32_t blockSize
     this->SetStep(1);
     return;
   }
-  switch (quality.Kind)
+  switch (control.Mode)
   {
-    case HartleyQuality::Goal::Quality:
-      this->SetStep(range * std::exp2(-quality.Value / 10));
+    case HartleyRateMode::Quality:
+      this->SetStep(range * std::exp2(-control.Value / 10));
       break;
-    case HartleyQuality::Goal::Error:
+    case HartleyRateMode::RMSError:
       if (!this->IsLossless())
       {
-        this->FindStepOfError(quality.Value, GetPart(progress, 0.3, 1));
+        this->FindStepOfError(control.Value, GetPart(progress, 0.3, 1));
       }
       else if (!IsFloating(input.Type))
       {
         if (range > LargestLosslessRange)
         {
-          ThrowInvalid("the voxels range over more than 2^40, which is too much to be lossless");
+          ThrowInvalid("the range of the voxels exceeds 2^40, the limit of lossless volumes");
         }
         this->SetStep(StepOfIntegers);
       }
@@ -177,11 +176,11 @@ HartleyEncoder::HartleyEncoder(const VolumeInput& input, std::uint32_t blockSize
         this->SetStep(range * (input.Type == ScalarType::Float32 ? StepOfFloat32 : StepOfFloat64));
       }
       break;
-    case HartleyQuality::Goal::PSNR:
-      this->FindStepOfError(range * std::pow(10.0, -quality.Value / 20), GetPart(progress, 0.3, 1));
+    case HartleyRateMode::PSNR:
+      this->FindStepOfError(range * std::pow(10.0, -control.Value / 20), GetPart(progress, 0.3, 1));
       break;
-    case HartleyQuality::Goal::Rate:
-      this->FindStepOfRate(quality.Value, GetPart(progress, 0.3, 1));
+    case HartleyRateMode::BitsPerVoxel:
+      this->FindStepOfRate(control.Value, GetPart(progress, 0.3, 1));
       break;
   }
 }
@@ -193,35 +192,35 @@ void HartleyEncoder::CheckQuality() const
   {
     if (!(value >= least && value <= most))
     {
-      ThrowInvalid(std::string(what) + " is " + std::to_string(value) + ", but has to be from " +
+      ThrowInvalid(std::string(what) + " is " + std::to_string(value) + ", but must be from " +
         std::to_string(least) + " to " + std::to_string(most));
     }
   };
-  const auto value = this->Quality.Value;
-  switch (this->Quality.Kind)
+  const auto value = this->RateControl.Value;
+  switch (this->RateControl.Mode)
   {
-    case HartleyQuality::Goal::Quality:
+    case HartleyRateMode::Quality:
       check("the quality", value, 1, 100);
       break;
-    case HartleyQuality::Goal::Error:
-      check("the error", value, 0, 1e300);
+    case HartleyRateMode::RMSError:
+      check("the RMS error", value, 0, 1e300);
       break;
-    case HartleyQuality::Goal::PSNR:
-      check("the signal-to-noise ratio in dB", value, 1, 200);
+    case HartleyRateMode::PSNR:
+      check("the peak signal-to-noise ratio in dB", value, 1, 200);
       break;
-    case HartleyQuality::Goal::Rate:
-      check("the rate in bits a voxel", value, 1e-6, 64);
+    case HartleyRateMode::BitsPerVoxel:
+      check("the number of bits per voxel", value, 1e-6, 64);
       break;
     default:
-      ThrowInvalid("there is no such kind of quality");
+      ThrowInvalid("the rate control mode is unknown");
   }
-  check("the weight of frequencies", this->Quality.FrequencyWeight, 0, 4);
+  check("the frequency weight", this->RateControl.FrequencyWeight, 0, 4);
 }
 
 //--------------------------------------------------------------------------------------------------
 bool HartleyEncoder::IsLossless() const
 {
-  return this->Quality.Kind == HartleyQuality::Goal::Error && this->Quality.Value == 0;
+  return this->RateControl.Mode == HartleyRateMode::RMSError && this->RateControl.Value == 0;
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -234,7 +233,7 @@ double HartleyEncoder::GetNumberOfVoxels() const
 //--------------------------------------------------------------------------------------------------
 void HartleyEncoder::Transform(const Progress& progress)
 {
-  // Of a volume that is one block, too, as each time takes as long.
+  // A volume of one block is always kept: the search would transform it in each attempt.
   const auto count = this->Layout.GetNumberOfChunks();
   if (count > 1 && this->GetNumberOfVoxels() > static_cast<double>(KeptVoxels))
   {
@@ -280,18 +279,18 @@ void HartleyEncoder::ChooseSample()
 }
 
 //--------------------------------------------------------------------------------------------------
-/** Also measures the shifts that belong to the step. */
+/** Sets the step and measures its shifts. */
 void HartleyEncoder::SetStep(double step)
 {
   HartleySteps steps;
   steps.Step = step;
-  steps.Weight = this->Quality.FrequencyWeight;
+  steps.Weight = this->RateControl.FrequencyWeight;
   steps.Nearest = this->IsLossless();
   if (steps.Nearest)
   {
     steps.Weight = 0;
   }
-  auto quantiser = std::make_unique<const HartleyQuantiser>(this->Layout.Block, steps);
+  auto quantizer = std::make_unique<const HartleyQuantizer>(this->Layout.Block, steps);
   if (!steps.Nearest)
   {
     const auto voxels = this->Layout.GetVoxelsPerBlock();
@@ -305,8 +304,8 @@ void HartleyEncoder::SetStep(double step)
         for (std::size_t at = 0; at < coefficients.size(); at += voxels)
         {
           const auto own = std::span(coefficients).subspan(at, voxels);
-          quantiser->Quantise(own, integers);
-          sums[i].Add(*quantiser, own, integers);
+          quantizer->Quantize(own, integers);
+          sums[i].Add(*quantizer, own, integers);
         }
       });
     HartleyShiftSums all;
@@ -315,14 +314,14 @@ void HartleyEncoder::SetStep(double step)
       all.Add(sum);
     }
     steps.Shifts = all.Get();
-    quantiser = std::make_unique<const HartleyQuantiser>(this->Layout.Block, steps);
+    quantizer = std::make_unique<const HartleyQuantizer>(this->Layout.Block, steps);
   }
-  this->Quantiser = std::move(quantiser);
+  this->Quantizer = std::move(quantizer);
 }
 
 //--------------------------------------------------------------------------------------------------
-/** Root mean square error of the sample's coefficients, which is that of its voxels before they are
- * rounded. */
+/** Root mean square error of the sample's coefficients, which equals that of its voxels before
+ * rounding. */
 double HartleyEncoder::GetSampleError() const
 {
   const auto voxels = this->Layout.GetVoxelsPerBlock();
@@ -337,10 +336,10 @@ double HartleyEncoder::GetSampleError() const
       for (std::size_t at = 0; at < coefficients.size(); at += voxels)
       {
         const auto own = std::span(coefficients).subspan(at, voxels);
-        this->Quantiser->Quantise(own, integers);
+        this->Quantizer->Quantize(own, integers);
         for (std::size_t k = 0; k < voxels; ++k)
         {
-          const double error = own[k] - this->Quantiser->Restore(k, integers[k]);
+          const double error = own[k] - this->Quantizer->Restore(k, integers[k]);
           squares[i] += error * error;
         }
       }
@@ -375,7 +374,7 @@ double HartleyEncoder::GetError(const Progress& progress) const
 }
 
 //--------------------------------------------------------------------------------------------------
-/** With this step all coefficients are 0. */
+/** A step for which all coefficients are quantized to 0. */
 double HartleyEncoder::GetLargestStep() const
 {
   return 4 * (this->Values.Max - this->Values.Min) *
@@ -383,13 +382,13 @@ double HartleyEncoder::GetLargestStep() const
 }
 
 //--------------------------------------------------------------------------------------------------
-/** The largest step, nearly, with which the error is not larger than asked for. */
+/** Approximates the largest step whose error is at most target. */
 void HartleyEncoder::FindStepOfError(double target, const Progress& progress)
 {
   const double largest = this->GetLargestStep();
   const double smallest = StepOfFloat64 * (this->Values.Max - this->Values.Min);
   StepSearch search(ErrorTolerance * target, target, smallest, largest);
-  // The error before rounding, of the sample, tells nearly where to look.
+  // The sample's error before rounding is a first estimate.
   double step = search.Find(std::min(target * std::sqrt(12.0), largest),
     [&](double attempt, int)
     {
@@ -404,13 +403,13 @@ void HartleyEncoder::FindStepOfError(double target, const Progress& progress)
     });
   if (step <= smallest)
   {
-    ThrowInvalid("the error that was asked for is too small for these voxels; 0 is lossless");
+    ThrowInvalid("the requested error is too small for these voxels; 0 is lossless");
   }
   this->SetStep(step);
 }
 
 //--------------------------------------------------------------------------------------------------
-/** The step with which the file has as many bits a voxel as asked for, nearly. */
+/** Approximates the step for which the file has target bits per voxel. */
 void HartleyEncoder::FindStepOfRate(double target, const Progress& progress)
 {
   const double range = this->Values.Max - this->Values.Min;
@@ -437,7 +436,7 @@ void HartleyEncoder::FindStepOfRate(double target, const Progress& progress)
 }
 
 //--------------------------------------------------------------------------------------------------
-/** Bits a voxel of a file, from some of its chunks. */
+/** Estimates the bits per voxel of a file from some of its chunks. */
 double HartleyEncoder::GetRate(
   const std::vector<std::size_t>& chunks, const Progress& progress) const
 {
@@ -472,7 +471,7 @@ HartleyIntegers HartleyEncoder::GetIntegers(std::size_t chunk) const
   HartleyIntegers integers(coefficients.size());
   for (std::size_t at = 0; at < integers.size(); at += voxels)
   {
-    this->Quantiser->Quantise(
+    this->Quantizer->Quantize(
       std::span(coefficients).subspan(at, voxels), std::span(integers).subspan(at, voxels));
   }
   return integers;
@@ -492,7 +491,7 @@ VoxelErrors HartleyEncoder::GetErrors(std::size_t chunk, const HartleyIntegers& 
   ForEachHartleyBlock(this->Layout, chunk,
     [&](std::size_t block, const HartleyLayout::Triple& place)
     {
-      this->Quantiser->Restore(std::span(integers).subspan(block * voxels, voxels), values);
+      this->Quantizer->Restore(std::span(integers).subspan(block * voxels, voxels), values);
       transform.Inverse(values);
       errors.Add(
         CompareBlock(values, this->Input, this->Layout, place, this->GetBase(), this->Values));
@@ -534,7 +533,7 @@ EncodedHartleyChunk HartleyEncoder::Encode(std::size_t chunk, const HartleyInteg
   if (this->IsLossless() && !IsFloating(this->Input.Type))
   {
     encoded.Corrections = EncodeHartleyCorrections(
-      this->Input, this->Layout, chunk, *this->Quantiser, this->Values, integers);
+      this->Input, this->Layout, chunk, *this->Quantizer, this->Values, integers);
   }
   return encoded;
 }
@@ -552,7 +551,7 @@ std::uint64_t EncodedHartleyChunk::GetBytes() const
 
 //--------------------------------------------------------------------------------------------------
 std::shared_ptr<const HartleyChunk> HartleyEncoder::MakeTerms(
-  const HartleyQuantiser& quantiser, std::size_t voxelsPerBlock, const HartleyIntegers& integers)
+  const HartleyQuantizer& quantizer, std::size_t voxelsPerBlock, const HartleyIntegers& integers)
 {
   auto chunk = std::make_shared<HartleyChunk>();
   const auto count =
@@ -566,7 +565,7 @@ std::shared_ptr<const HartleyChunk> HartleyEncoder::MakeTerms(
     {
       if (integers[at + k] != 0)
       {
-        const double value = quantiser.Restore(k, integers[at + k]);
+        const double value = quantizer.Restore(k, integers[at + k]);
         if (std::abs(value) > std::numeric_limits<float>::max())
         {
           ThrowCorrupt("a coefficient is beyond single precision");

@@ -6,7 +6,7 @@
 #include "gatunBytes.h"
 #include "gatunHartleyInput.h"
 #include "gatunHartleyOrder.h"
-#include "gatunHartleyQuantiser.h"
+#include "gatunHartleyQuantizer.h"
 #include "gatunHartleySource.h"
 #include "gatunHartleyVoxels.h"
 
@@ -18,57 +18,57 @@
 
 namespace gatun
 {
-/** The quantised coefficients of a chunk: its blocks one after the other, index by index. */
+/** The quantized coefficients of a chunk: its blocks one after the other, index by index. */
 using HartleyIntegers = std::vector<std::int64_t>;
 
-/** A chunk as a file has it. */
+/** A chunk as it is stored in a file. */
 struct EncodedHartleyChunk
 {
   std::vector<Bytes> Streams; ///< one, or one for each segment
-  Bytes Corrections;          ///< of lossless integers
-  std::uint64_t Terms = 0;    ///< coefficients that are not 0
+  Bytes Corrections;          ///< of lossless volumes of integers
+  std::uint64_t Terms = 0;    ///< nonzero coefficients
 
   std::uint64_t GetBytes() const;
 };
 
 /**
- * From a volume to quantised coefficients: transforms, and finds the step that a quality asks for.
- * What a file has and what a volume in memory has both come from here. The volume's values must
- * live as long as this.
+ * Transforms a volume, chooses the quantizer's step by a rate control and quantizes the
+ * coefficients, for files as well as for volumes in memory. The values of the volume must outlive
+ * the encoder.
  */
 class HartleyEncoder
 {
 public:
   using Progress = std::function<bool(double)>;
 
-  /** Throws Error(InvalidInput), as HartleyVolume::Make does. */
-  HartleyEncoder(const VolumeInput& input, std::uint32_t blockSize, const HartleyQuality& quality,
-    const Progress& progress);
+  /** Throws the errors of HartleyVolume::Make. */
+  HartleyEncoder(const VolumeInput& input, std::uint32_t blockSize,
+    const HartleyRateControl& control, const Progress& progress);
 
   const HartleyLayout& GetLayout() const { return this->Layout; }
   double GetBase() const { return this->Values.Min; }
   const Range& GetRange() const { return this->Values; }
-  const HartleyQuantiser& GetQuantiser() const { return *this->Quantiser; }
+  const HartleyQuantizer& GetQuantizer() const { return *this->Quantizer; }
 
-  /** Whether voxels come back exactly (integers), or but for rounding (floating point). */
+  /** Whether voxels are restored exactly (integers) or up to rounding (floating point). */
   bool IsLossless() const;
 
   /** Thread safe. */
   HartleyIntegers GetIntegers(std::size_t chunk) const;
 
-  /** A chunk's streams. Thread safe. */
+  /** Encodes a chunk. Thread safe. */
   EncodedHartleyChunk Encode(std::size_t chunk, const HartleyIntegers& integers) const;
 
-  /** Errors of the voxels of a chunk that come of its integers. Thread safe. */
+  /** Errors of the voxels that the integers of a chunk restore. Thread safe. */
   VoxelErrors GetErrors(std::size_t chunk, const HartleyIntegers& integers) const;
 
-  /** Bytes of a file beside its streams, nearly. */
+  /** Estimates of the size of a file without its streams, and of the overhead of a stream. */
   static constexpr std::uint64_t BytesOfFile = 420;
   static constexpr std::uint64_t BytesOfStream = 14;
 
-  /** The terms of a chunk. */
+  /** The nonzero coefficients of a chunk. */
   static std::shared_ptr<const HartleyChunk> MakeTerms(
-    const HartleyQuantiser& quantiser, std::size_t voxelsPerBlock, const HartleyIntegers& integers);
+    const HartleyQuantizer& quantizer, std::size_t voxelsPerBlock, const HartleyIntegers& integers);
 
 private:
   void CheckQuality() const;
@@ -86,14 +86,14 @@ private:
   const HartleyOrder& GetOrder() const;
 
   VolumeInput Input;
-  HartleyQuality Quality;
+  HartleyRateControl RateControl;
   HartleyLayout Layout;
   Range Values;
-  std::vector<std::vector<double>> Kept; ///< coefficients of chunks, unless the volume is large
-  std::vector<std::size_t> Sample;       ///< chunks of which steps are estimated
-  std::vector<std::vector<double>> SampleCoefficients; ///< if none are kept
-  std::unique_ptr<const HartleyQuantiser> Quantiser;
-  mutable std::once_flag OrderIsMade; ///< takes memory, and not all need it
+  std::vector<std::vector<double>> Kept; ///< coefficients of chunks; empty if the volume is large
+  std::vector<std::size_t> Sample;       ///< chunks from which steps are estimated
+  std::vector<std::vector<double>> SampleCoefficients; ///< if Kept is empty
+  std::unique_ptr<const HartleyQuantizer> Quantizer;
+  mutable std::once_flag OrderIsMade; ///< made when it is used first
   mutable std::unique_ptr<const HartleyOrder> Order;
 };
 }

@@ -39,15 +39,15 @@ struct HartleyFile::Internals
 
   const HartleyLayout& GetLayout() const { return this->Meta.Layout; }
   const HartleyOrder& GetOrder() const;
-  const HartleyQuantiser& GetQuantiser() const;
+  const HartleyQuantizer& GetQuantizer() const;
   HartleyIntegers GetIntegers(std::size_t chunk) const;
 
-  /** Calls use(place, values) with the voxels, less the base, of those blocks of a chunk that
-   * isWanted(place) asks for. */
+  /** Calls use(place, values) with the voxels, minus the base, of the blocks of a chunk for which
+   * isWanted(place) is true. */
   template <typename IsWanted, typename Use>
   void DecodeBlocks(std::size_t chunk, IsWanted&& isWanted, Use&& use) const;
 
-  /** Runs what may find that a stream is damaged, and tells where that is. */
+  /** Runs a function and adds the position of the stream to errors of damaged streams. */
   template <typename Run>
   auto Guarded(const std::string& what, const StreamRef& where, Run&& run) const
   {
@@ -72,11 +72,11 @@ struct HartleyFile::Internals
   HartleyTable Table;
 
 private:
-  // Both grow with the block, so that they are made when something is decoded.
+  // Their size depends on the block size. They are made when a chunk is decoded first.
   mutable std::once_flag OrderIsMade;
   mutable std::unique_ptr<const HartleyOrder> Order;
-  mutable std::once_flag QuantiserIsMade;
-  mutable std::unique_ptr<const HartleyQuantiser> Quantiser;
+  mutable std::once_flag QuantizerIsMade;
+  mutable std::unique_ptr<const HartleyQuantizer> Quantizer;
 };
 
 //--------------------------------------------------------------------------------------------------
@@ -99,7 +99,7 @@ HartleyFile::Internals::Internals(const std::string& path)
       {
         this->File.Fail(ErrorCode::Corrupt,
           std::string(TableName) + " is damaged: " + GetChunkName(chunk) +
-            " reaches past the end of the file");
+            " extends beyond the end of the file");
       }
     };
     std::for_each(entry.Streams.begin(), entry.Streams.end(), check);
@@ -112,8 +112,7 @@ HartleyFile::Internals::Internals(const std::string& path)
           GetLeastHartleySegmentBytes(this->GetLayout().GetVoxelsPerBlock(), segment))
         {
           this->File.Fail(ErrorCode::Corrupt,
-            std::string(TableName) + " is damaged: " + GetChunkName(chunk) +
-              " is shorter than it can be");
+            std::string(TableName) + " is damaged: " + GetChunkName(chunk) + " is too short");
         }
       }
     }
@@ -129,15 +128,15 @@ const HartleyOrder& HartleyFile::Internals::GetOrder() const
 }
 
 //--------------------------------------------------------------------------------------------------
-const HartleyQuantiser& HartleyFile::Internals::GetQuantiser() const
+const HartleyQuantizer& HartleyFile::Internals::GetQuantizer() const
 {
-  std::call_once(this->QuantiserIsMade,
+  std::call_once(this->QuantizerIsMade,
     [&]
     {
-      this->Quantiser =
-        std::make_unique<const HartleyQuantiser>(this->GetLayout().Block, this->Meta.Steps);
+      this->Quantizer =
+        std::make_unique<const HartleyQuantizer>(this->GetLayout().Block, this->Meta.Steps);
     });
-  return *this->Quantiser;
+  return *this->Quantizer;
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -172,7 +171,7 @@ HartleyIntegers HartleyFile::Internals::GetIntegers(std::size_t chunk) const
   {
     this->File.Fail(ErrorCode::Corrupt,
       name + " at byte " + std::to_string(entry.Streams.front().Offset) +
-        " is damaged: it has not as many coefficients as it should");
+        " is damaged: its number of coefficients is wrong");
   }
   return integers;
 }
@@ -186,7 +185,7 @@ void HartleyFile::Internals::DecodeBlocks(std::size_t chunk, IsWanted&& isWanted
   const auto name = "the corrections of " + GetChunkName(chunk);
   const auto count = this->GetLayout().GetVoxelsPerBlock();
   const bool corrected = this->Meta.HasCorrections();
-  const auto& quantiser = this->GetQuantiser();
+  const auto& quantizer = this->GetQuantizer();
   this->Guarded(name, entry.Corrections,
     [&]
     {
@@ -205,7 +204,7 @@ void HartleyFile::Internals::DecodeBlocks(std::size_t chunk, IsWanted&& isWanted
           const bool wanted = isWanted(place);
           if (wanted)
           {
-            quantiser.Restore(std::span(integers).subspan(block * count, count), values);
+            quantizer.Restore(std::span(integers).subspan(block * count, count), values);
             transform.Inverse(values);
           }
           if (corrected)
@@ -248,9 +247,9 @@ const VolumeInput& HartleyFile::GetVolume() const
 }
 
 //--------------------------------------------------------------------------------------------------
-const HartleyQuality& HartleyFile::GetQuality() const
+const HartleyRateControl& HartleyFile::GetRateControl() const
 {
-  return this->Data->Meta.Quality;
+  return this->Data->Meta.RateControl;
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -289,15 +288,15 @@ std::uint64_t HartleyFile::GetNumberOfTerms() const
 }
 
 //--------------------------------------------------------------------------------------------------
-double HartleyFile::GetRootMeanSquareError() const
+double HartleyFile::GetRMSError() const
 {
-  return this->Data->Meta.RootMeanSquareError;
+  return this->Data->Meta.RMSError;
 }
 
 //--------------------------------------------------------------------------------------------------
-double HartleyFile::GetLargestError() const
+double HartleyFile::GetMaximumError() const
 {
-  return this->Data->Meta.LargestError;
+  return this->Data->Meta.MaximumError;
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -338,7 +337,7 @@ std::shared_ptr<const HartleyChunk> HartleyFile::GetChunk(std::size_t chunk) con
     [&]
     {
       return HartleyEncoder::MakeTerms(
-        self.GetQuantiser(), self.GetLayout().GetVoxelsPerBlock(), self.GetIntegers(chunk));
+        self.GetQuantizer(), self.GetLayout().GetVoxelsPerBlock(), self.GetIntegers(chunk));
     });
 }
 
@@ -354,7 +353,7 @@ void HartleyFile::GetVoxels(const HartleyLayout::Triple& first, const HartleyLay
     if (first[axis] >= end[axis] || end[axis] > layout.Size[axis])
     {
       ThrowInvalid("voxels " + std::to_string(first[axis]) + " to " + std::to_string(end[axis]) +
-        " of " + std::to_string(layout.Size[axis]) + " were asked for");
+        " of " + std::to_string(layout.Size[axis]) + " were requested");
     }
     firstBlock[axis] = first[axis] / layout.Block[axis];
     endBlock[axis] = (end[axis] - 1) / layout.Block[axis] + 1;

@@ -14,34 +14,36 @@
 
 namespace gatun
 {
+/** Parameters of WriteHartleyFile. */
 struct HartleyWriterOptions
 {
   std::uint32_t BlockSize = 8; ///< HartleyLayout::Make
-  HartleyQuality Quality;
-  bool ReplaceReadOnly = false; ///< as WriterOptions has it
+  HartleyRateControl RateControl;
+  bool ReplaceReadOnly = false; ///< as in WriterOptions
 };
 
-/** What came of writing. */
+/** Statistics of a written file. */
 struct HartleyWritten
 {
   std::uint64_t FileBytes = 0;
-  double RootMeanSquareError = 0; ///< of the voxels that the file gives back
-  double LargestError = 0;
+  double RMSError = 0;     ///< root mean square error of the decoded voxels
+  double MaximumError = 0; ///< largest error of a decoded voxel
 };
 
-/** Writes a volume as a .ghv file, which appears under its name only when it is complete. */
+/** Writes a volume as a .ghv file. The file appears under its name when it is complete. Throws the
+ * errors of HartleyVolume::Make and Error(CannotWrite). */
 VTKGATUNCORE_EXPORT HartleyWritten WriteHartleyFile(const std::string& path,
   const VolumeInput& volume, const HartleyWriterOptions& options,
   const std::function<bool(double)>& progress = {});
 
 /**
- * An open .ghv file. Safe on hostile input, immutable and thread safe once made, as FileReader.
- * Chunks are decoded when they are asked for and not kept.
+ * An open .ghv file. Safe on hostile input; immutable and thread safe. Chunks are decoded on
+ * request and not kept.
  */
 class VTKGATUNCORE_EXPORT HartleyFile : public HartleySource
 {
 public:
-  /** Whether the file begins as a .ghv file does. Never throws. */
+  /** Whether the file has the signature of a .ghv file. Never throws. */
   static bool CanRead(const std::string& path) noexcept;
 
   explicit HartleyFile(const std::string& path);
@@ -51,31 +53,31 @@ public:
 
   const std::string& GetPath() const;
   const VolumeInput& GetVolume() const; ///< without values
-  const HartleyQuality& GetQuality() const;
+  const HartleyRateControl& GetRateControl() const;
   bool IsLossless() const;
   const std::string& GetWriterVersion() const;
   std::pair<int, int> GetFormatVersion() const;
   std::uint64_t GetFileBytes() const;
-  std::uint64_t GetNumberOfTerms() const; ///< coefficients that are not 0
+  std::uint64_t GetNumberOfTerms() const; ///< nonzero coefficients
 
-  /** Errors of the voxels that it gives back, measured when it was written. */
-  double GetRootMeanSquareError() const;
-  double GetLargestError() const;
+  /** Errors of the decoded voxels, measured by the writer. */
+  double GetRMSError() const;
+  double GetMaximumError() const;
 
   std::uint64_t GetChunkBytes(std::size_t chunk) const;
-  std::uint64_t GetBytesRead() const; ///< since it was opened
+  std::uint64_t GetBytesRead() const; ///< since the file was opened
 
   const HartleyLayout& GetLayout() const override;
   double GetBase() const override;
   Range GetRange() const override;
   std::shared_ptr<const HartleyChunk> GetChunk(std::size_t chunk) const override;
 
-  /** Writes voxels from first up to, not including, end, x fastest, in the volume's type: rounded
-   * to the nearest and clamped to the volume's range. Decodes only the chunks that are needed. */
+  /** Writes the voxels [first, end), x fastest, in the volume's type. They are rounded to the
+   * nearest value and clamped to the volume's range. Decodes the required chunks only. */
   void GetVoxels(const HartleyLayout::Triple& first, const HartleyLayout::Triple& end, void* values,
     const std::function<bool(double)>& progress = {}) const;
 
-  /** Checks all sums and decodes everything. Throws at what is wrong. */
+  /** Verifies all checksums and decodes all chunks. Throws if something is wrong. */
   void Verify(const std::function<bool(double)>& progress = {}) const;
 
 private:

@@ -19,30 +19,31 @@ struct VolumeInput
   ScalarType Type = ScalarType::UInt8;
   const void* Values = nullptr; ///< x fastest
 
-  // What readers get back, and nothing here depends on.
+  // Readers return these members unchanged. The encoder does not use them.
   std::string Name;
   std::int32_t VTKType = 0; ///< as in ArrayDescription
   std::array<double, 3> Origin{};
   std::array<double, 3> Spacing{ 1, 1, 1 };
   std::array<double, 9> Direction{ 1, 0, 0, 0, 1, 0, 0, 0, 1 }; ///< rows
-  std::array<std::int32_t, 3> FirstIndex{};                     ///< where the extent begins
+  std::array<std::int32_t, 3> FirstIndex{};                     ///< first index of the extent
 };
 
-/** How well a volume is kept. Exactly one of Quality, Error and PSNR says it. */
-struct HartleyQuality
+/** The quantity that determines the quantizer's step. The numbers are part of the file format. */
+enum class HartleyRateMode : std::uint8_t
 {
-  enum class Goal : std::uint8_t
-  {
-    Quality =
-      0,       ///< Value from 1 to 100: the step of the quantiser is range * 2^(-Value / 10) (say)
-    Error = 1, ///< Value: root mean square error of the voxels, in their unit; 0: lossless
-    PSNR = 2,  ///< Value: 20 log10(range / root mean square error), in dB
-    Rate = 3   ///< Value: bits a voxel of the whole file
-  };
-  Goal Kind = Goal::Quality;
+  Quality = 0,     ///< 1 to 100: the step is range * 2^(-Value / 10)
+  RMSError = 1,    ///< upper bound of the root mean square error of the voxels; 0: lossless
+  PSNR = 2,        ///< lower bound of 20 log10(range / root mean square error), in dB
+  BitsPerVoxel = 3 ///< size of the whole file
+};
+
+/** Rate control: how accurately a volume is stored. */
+struct HartleyRateControl
+{
+  HartleyRateMode Mode = HartleyRateMode::Quality;
   double Value = 60;
 
-  /** How much coarser the highest frequencies are quantised than the lowest, 0 (not at all) to 4.
+  /** How much coarser the highest frequencies are quantized than the lowest: 0 (not at all) to 4.
    */
   double FrequencyWeight = 0;
 };

@@ -3,42 +3,43 @@
 #ifndef gatunHartleyKernel_h
 #define gatunHartleyKernel_h
 
-// The loops of the projector that have a version for each set of instructions.
+// The inner loops of the projector, which have a version for each instruction set.
 
 #include <cstddef>
 #include <cstdint>
 
 namespace gatun
 {
-/** Where values are, and how much of them to take. */
+/** A run of values and its weight. */
 struct HartleyShare
 {
   std::uint32_t First;
   float Scale;
 };
 
-/** So many sums stay in registers. */
+/** The number of sums that stay in registers. */
 constexpr std::size_t HartleySegment = 32;
 
-/** A frequency, in cycles a voxel, and the spectrum of a hat there. */
+/** A frequency, in cycles per voxel, and the spectrum of the tent function (a trilinear basis
+ * function along one axis) at that frequency. */
 struct HartleyBand
 {
   double Frequency;
-  float Hat;
+  float Tent;
 };
 
-/** How values between the points of a spectrum's line are found. */
+/** Interpolation between the points of a spectrum's line. */
 struct HartleyBetween
 {
-  static constexpr std::size_t Taps = 8; // of which some may be 0
+  static constexpr std::size_t Taps = 8; // some may be 0
 
-  const float* Weights; // of the taps, for Steps + 1 places from one point to the next
+  const float* Weights; // of the taps, for Steps + 1 positions from one point to the next
   float Steps;
-  const float* Hats; // spectrum of a hat, HatSteps a cycle, from frequency 0 on
-  float HatSteps;
-  double Points; // in a period, of one cycle a voxel
+  const float* Tents; // spectrum of the tent function, TentSteps per cycle, from frequency 0
+  float TentSteps;
+  double Points; // in a period, which is one cycle per voxel
   double ShearX, ShearY;
-  bool Alternates; // whether every other period has the other sign
+  bool Alternates; // whether the sign changes from each period to the next
 };
 
 struct HartleyKernelLoops
@@ -47,21 +48,22 @@ struct HartleyKernelLoops
   void (*Combine)(
     const float* values, const HartleyShare* shares, std::size_t shareCount, float* sum);
 
-  /** Sums what a line of a spectrum has where count bands across meet count bands down, times the
-   * hats; the line is that of the taps of frequency 0. Meetings with less than least are left out.
-   */
+  /** Sums the values of a spectrum's line for each combination of count bands across and count
+   * bands down, weighted by the tent functions' spectra. Line: the first tap of frequency 0.
+   * Combinations with a weight below least are skipped. */
   float (*SumBands)(const float* line, const HartleyBetween& between, const HartleyBand* across,
     const HartleyBand* down, std::size_t count, float least);
 
-  /** Four channels at a place of a lattice between its points (first: of the four by four points
-   * around it the first; next row: so many floats on; x, y: from 0 to 1), by cubic convolution. */
+  /** Interpolates four channels between the points of a lattice by cubic convolution. First: the
+   * first of the four by four surrounding points; nextRow: distance of rows in floats; x, y:
+   * position in the middle cell, 0 to 1. */
   void (*Interpolate)(const float* first, std::size_t nextRow, float x, float y, float* channels);
 };
 
-/** The fastest that this processor has. */
+/** The fastest version that this processor supports. */
 const HartleyKernelLoops& GetBestHartleyKernel();
 const HartleyKernelLoops& GetPortableHartleyKernel();
-const HartleyKernelLoops* GetAVX2HartleyKernel(); ///< null where it was not made
+const HartleyKernelLoops* GetAVX2HartleyKernel(); ///< null if it was not compiled
 }
 
 #endif

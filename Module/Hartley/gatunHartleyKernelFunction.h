@@ -9,8 +9,8 @@
 namespace gatun
 {
 /**
- * The Kaiser-Bessel function, by which values between equally spaced ones are found: a sum over the
- * nearest ones, of a signal that has been divided by the function's Fourier transform before.
+ * The Kaiser-Bessel interpolation kernel for equally spaced samples of a spectrum. The signal must
+ * have been divided by the Fourier transform of the kernel before its spectrum was computed.
  *
  * P. J. Beatty, D. G. Nishimura, J. M. Pauly: Rapid gridding reconstruction with a minimal
  * oversampling ratio. IEEE Transactions on Medical Imaging 24(6), 2005 (for its shape parameter).
@@ -19,16 +19,16 @@ class KaiserBessel
 {
 public:
   static constexpr int Taps = 6;
-  static constexpr std::size_t Steps = 512; ///< of the table, between two points
+  static constexpr std::size_t Steps = 512; ///< table entries between two points
 
-  /** For a signal of so many values, with so many points in a period of its spectrum. */
+  /** Values: length of the signal; points: in one period of its spectrum. */
   KaiserBessel(std::size_t values, std::size_t points);
 
-  /** Fourier transform at a value, counted from the middle of the signal. */
+  /** The Fourier transform of the kernel at a position relative to the middle of the signal. */
   double GetTransform(double place) const;
 
-  /** For Steps + 1 places from one point to the next, the weights of the points from two before
-   * the one; those behind the taps are 0. */
+  /** The weights of Stored points, for Steps + 1 positions from one point to the next. The first
+   * weight is that of the second point before the position; those after the taps are 0. */
   static constexpr std::size_t Stored = 8;
   const float* GetWeights() const { return this->Table.data(); }
 

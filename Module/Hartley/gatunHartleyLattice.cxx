@@ -24,7 +24,7 @@ HartleyLattice HartleyLattice::Make(
   for (int i = 0; i < 2; ++i)
   {
     made.Shear[i] = step[made.Axes[i]] / step[along];
-    // Hats reach a voxel further than the voxels' places.
+    // Trilinear basis functions reach one voxel beyond the position of their voxel.
     const double reach =
       (made.Block[i] + 1) / 2 + std::abs(made.Shear[i]) * (made.Block[2] + 1) / 2;
     made.Points[i] = 2 * static_cast<std::size_t>(std::ceil(reach / Spacing)) + 1;

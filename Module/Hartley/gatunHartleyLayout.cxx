@@ -38,7 +38,7 @@ std::size_t GetNumber(const HartleyLayout::Triple& place, const HartleyLayout::T
   return place[0] + std::size_t{ sizes[0] } * (place[1] + std::size_t{ sizes[1] } * place[2]);
 }
 
-/** How many parts of a length there are in a whole. */
+/** Division, rounded up. */
 HartleyLayout::Triple Divide(const HartleyLayout::Triple& whole, const HartleyLayout::Triple& part)
 {
   HartleyLayout::Triple count{};
@@ -57,7 +57,7 @@ HartleyLayout HartleyLayout::Make(const Triple& size, std::uint32_t blockSize)
   {
     ThrowInvalid("the volume of " + ToText(size) + " voxels is empty");
   }
-  // Two sizes cannot overflow, and the third is divided by.
+  // The product of two sizes cannot overflow.
   if (std::uint64_t{ size[0] } * size[1] > MostVoxels / size[2])
   {
     ThrowInvalid("the volume of " + ToText(size) + " voxels is too large; 2^40 are the most");

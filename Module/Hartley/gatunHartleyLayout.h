@@ -12,9 +12,9 @@
 namespace gatun
 {
 /**
- * How a regular volume is cut into blocks, and the blocks into chunks. Everything is numbered x
- * fastest, then y, then z. The last blocks along an axis reach beyond the volume; voxels there are
- * 0 in the block (that is, the volume's base value, see HartleySource).
+ * The division of a regular volume into blocks, and of the blocks into chunks. Indices run fastest
+ * along x, then y, then z. The last blocks along an axis may extend beyond the volume. Their values
+ * are 0 there, which corresponds to the base value of the volume; see HartleySource.
  */
 struct VTKGATUNCORE_EXPORT HartleyLayout
 {
@@ -22,15 +22,17 @@ struct VTKGATUNCORE_EXPORT HartleyLayout
 
   static constexpr std::uint32_t SmallestBlock = 2;
   static constexpr std::uint32_t LargestBlock = 64;
-  static constexpr std::uint32_t ChunkVoxels = 64; ///< along an axis, at most, of several blocks
+  static constexpr std::uint32_t ChunkVoxels =
+    64; ///< along an axis, at most, of a chunk of several blocks
 
   Triple Size{};  ///< voxels of the volume along x, y and z
   Triple Block{}; ///< voxels of a block
   Triple Chunk{}; ///< blocks of a chunk
 
-  /** Cubes of blockSize voxels, 2 to 64, thinner where the volume is; 0: one block for the whole
-   * volume, a little larger where that makes its transform fast. Throws Error(InvalidInput) for
-   * other sizes, and for volumes that are empty or have more than 2^40 voxels. */
+  /** Cubic blocks of blockSize (2 to 64) voxels along each axis, clipped to the size of the volume.
+   * 0: one block for the whole volume, slightly enlarged if that makes its transform faster. Throws
+   * Error(InvalidInput) for other block sizes and for volumes that are empty or have more than 2^40
+   * voxels. */
   static HartleyLayout Make(const Triple& size, std::uint32_t blockSize);
 
   bool IsWhole() const { return this->GetNumberOfBlocks() == 1; }
@@ -41,7 +43,7 @@ struct VTKGATUNCORE_EXPORT HartleyLayout
   std::size_t GetNumberOfChunks() const;
   std::size_t GetVoxelsPerBlock() const;
 
-  /** A chunk's blocks: from First up to, not including, End. */
+  /** The blocks [First, End) of a chunk. */
   struct Box
   {
     Triple First{};
@@ -53,7 +55,7 @@ struct VTKGATUNCORE_EXPORT HartleyLayout
   Triple GetBlockPlace(std::size_t block) const;
   std::size_t GetChunkOfBlock(const Triple& place) const;
 
-  /** How many of a block's voxels lie in the volume, along each axis. */
+  /** The number of a block's voxels inside the volume, along each axis. */
   Triple GetFilled(const Triple& place) const;
 
   bool operator==(const HartleyLayout&) const = default;

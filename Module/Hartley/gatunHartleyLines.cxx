@@ -27,7 +27,7 @@ HartleyLines::HartleyLines(std::uint32_t length)
   : Length(length)
 {
   const double n = length;
-  const double centre = (n - 1) / 2;
+  const double center = (n - 1) / 2;
   const double scale = 1 / std::sqrt(n);
   if (length <= LongestProduct)
   {
@@ -38,7 +38,7 @@ HartleyLines::HartleyLines(std::uint32_t length)
       for (std::size_t x = 0; x < this->Length; ++x)
       {
         const double angle = 2 * std::numbers::pi * GetFrequency(k, this->Length) *
-          (static_cast<double>(x) - centre) / n;
+          (static_cast<double>(x) - center) / n;
         const double value = scale * (std::cos(angle) + std::sin(angle));
         this->Matrix[k * this->Length + x] = value;
         this->Transposed[x * this->Length + k] = value;
@@ -50,7 +50,7 @@ HartleyLines::HartleyLines(std::uint32_t length)
   this->Sines.resize(this->Length);
   for (std::size_t k = 0; k < this->Length; ++k)
   {
-    const double angle = 2 * std::numbers::pi * GetFrequency(k, this->Length) * centre / n;
+    const double angle = 2 * std::numbers::pi * GetFrequency(k, this->Length) * center / n;
     this->Cosines[k] = scale * std::cos(angle);
     this->Sines[k] = scale * std::sin(angle);
   }
@@ -110,7 +110,7 @@ void HartleyLines::MultiplySideBySide(
 void HartleyLines::MultiplyInRow(
   double* values, std::size_t lineStride, std::size_t count, bool forward, Memory& memory) const
 {
-  // Along a row of results, so that it goes through the rows of the other matrix.
+  // Row by row of the other matrix, which is contiguous.
   const auto& matrix = forward ? this->Transposed : this->Matrix;
   memory.Values.resize(this->Length);
   double* const out = memory.Values.data();
@@ -148,7 +148,7 @@ void HartleyLines::TransformFast(double* values, std::size_t lineStride, std::si
       lines[line * n + i] = values[line * lineStride + i * stride];
     }
   }
-  // Two real lines at a time are the real and the imaginary parts of a complex one.
+  // Two real lines at a time form the real and the imaginary parts of a complex line.
   for (std::size_t line = 0; line < count; line += 2)
   {
     double* const first = lines + line * n;
@@ -195,8 +195,7 @@ void HartleyLines::TransformFast(double* values, std::size_t lineStride, std::si
 }
 
 //--------------------------------------------------------------------------------------------------
-/** From coefficients about the first value to those about the centre, or back before the transform
- * that is its own inverse. */
+/** Moves the origin of the coefficients between the first value and the center. */
 void HartleyLines::Rotate(double* values, bool forward) const
 {
   const auto n = this->Length;
@@ -207,13 +206,13 @@ void HartleyLines::Rotate(double* values, bool forward) const
     const double minus = values[n - k];
     const double c = this->Cosines[k];
     const double s = forward ? -this->Sines[k] : this->Sines[k];
-    // The sine of -k is the opposite one.
+    // The sine is odd.
     values[k] = c * plus + s * minus;
     values[n - k] = c * minus - s * plus;
   }
   if (n % 2 == 0)
   {
-    // There is no -n / 2; about the first value its cosine is what is left.
+    // There is no frequency -n / 2; about the first value, n / 2 has a cosine only.
     values[n / 2] *= this->Cosines[n / 2] - this->Sines[n / 2];
   }
 }

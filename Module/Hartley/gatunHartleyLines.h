@@ -13,13 +13,13 @@ namespace gatun
 class FourierTransform;
 
 /**
- * The discrete Hartley transform in one dimension, about the centre and orthonormal, of lines of
- * one length: short ones by a product with its matrix, long ones by a fast Fourier transform.
+ * The one-dimensional orthonormal discrete Hartley transform about the center, for lines of one
+ * length. Short lines are multiplied by its matrix; long ones use a fast Fourier transform.
  */
 class HartleyLines
 {
 public:
-  /** What a thread works in. */
+  /** The working memory of a thread. */
   struct Memory
   {
     std::vector<double> Values;
@@ -31,8 +31,8 @@ public:
   HartleyLines(const HartleyLines&) = delete;
   HartleyLines& operator=(const HartleyLines&) = delete;
 
-  /** Transforms count lines in place; thread safe. Line l has its values at
-   * values[l * lineStride + i * stride]; one of the strides is 1. */
+  /** Transforms count lines in place. The values of line l are values[l * lineStride + i * stride];
+   * one of the strides is 1. Thread safe. */
   void Transform(double* values, std::size_t lineStride, std::size_t stride, std::size_t count,
     bool forward, Memory& memory) const;
 
@@ -46,9 +46,9 @@ private:
   void Rotate(double* values, bool forward) const;
 
   std::size_t Length;
-  std::vector<double> Matrix;     ///< of frequency and place, if short
-  std::vector<double> Transposed; ///< of place and frequency
-  std::vector<double> Cosines;    ///< of the angles by which the centre moves, if long
+  std::vector<double> Matrix;     ///< by frequency and position; of short lines
+  std::vector<double> Transposed; ///< by position and frequency
+  std::vector<double> Cosines;    ///< of the phase of the center; of long lines
   std::vector<double> Sines;
   std::unique_ptr<FourierTransform> Fast;
 };

@@ -11,10 +11,10 @@ namespace
 {
 constexpr std::size_t TableSize = 4096;
 
-// Where rays have fewer samples in a block than this, its mean density means nothing.
+// Rays with fewer samples in a block do not determine its mean density.
 constexpr float FewestSamples = 0.005f;
 
-// The most that one sample may hide: opacities of 1 have no finite optical depth.
+// Upper bound of the opacity of a sample: an opacity of 1 has no finite optical depth.
 constexpr double MostOpacity = 1 - 1e-7;
 }
 
@@ -26,7 +26,7 @@ HartleyLookup::HartleyLookup(const HartleyShading& shading, double base, const R
   , Most(static_cast<float>(range.Max))
   , First(static_cast<float>(shading.First))
 {
-  if (shading.Law == HartleyLaw::XRay)
+  if (shading.OpacityModel == HartleyOpacityModel::XRay)
   {
     return;
   }
@@ -47,7 +47,7 @@ HartleyLookup::HartleyLookup(const HartleyShading& shading, double base, const R
     const double opacity = std::clamp(static_cast<double>(this->Table[i][3]), 0.0, MostOpacity);
     this->Table[i][3] = static_cast<float>(-std::log1p(-opacity));
   }
-  this->BaseClear = shading.Law == HartleyLaw::Exponential
+  this->BaseClear = shading.OpacityModel == HartleyOpacityModel::Exponential
     ? shading.Extinction * (base - shading.Zero) <= 0
     : this->Find(this->Base)[3] <= 0;
 }
@@ -63,7 +63,7 @@ const std::array<float, 4>& HartleyLookup::Find(float density) const
 //------------------------------------------------------------------------------
 void HartleyLookup::Add(float first, float samples, std::array<float, 4>& channels) const
 {
-  if (this->Shading.Law == HartleyLaw::XRay)
+  if (this->Shading.OpacityModel == HartleyOpacityModel::XRay)
   {
     channels[0] += first;
     channels[1] += samples;
@@ -76,10 +76,10 @@ void HartleyLookup::Add(float first, float samples, std::array<float, 4>& channe
   const float mean = std::clamp(first / samples + this->Base, this->Least, this->Most);
   const auto& found = this->Find(mean);
   float depth = 0;
-  float through = 1; // of what was there before
-  if (this->Shading.Law == HartleyLaw::Exponential)
+  float through = 1; // transmittance of the blocks in front
+  if (this->Shading.OpacityModel == HartleyOpacityModel::Exponential)
   {
-    // Equation 6: the opacity does not need the mean.
+    // Equation 6: the opacity does not depend on the mean.
     const auto zero = static_cast<float>(this->Shading.Zero);
     depth = static_cast<float>(this->Shading.Extinction) *
       std::max(0.0f, first + samples * (this->Base - zero));
@@ -100,26 +100,27 @@ void HartleyLookup::Add(float first, float samples, std::array<float, 4>& channe
   {
     channels[i] += through * opacity * found[i];
   }
-  // Of the exponential law what lies in a slab is kept as its optical depth, which is as linear in
-  // the densities as the pictures are.
-  channels[3] += this->Shading.Law == HartleyLaw::Exponential ? depth : through * opacity;
+  // The exponential model accumulates the optical depth, which is linear in the densities.
+  channels[3] +=
+    this->Shading.OpacityModel == HartleyOpacityModel::Exponential ? depth : through * opacity;
 }
 
 //------------------------------------------------------------------------------
 void HartleyLookup::AddSlab(const std::array<float, 4>& channels, std::array<float, 4>& pixel) const
 {
-  if (this->Shading.Law == HartleyLaw::XRay)
+  if (this->Shading.OpacityModel == HartleyOpacityModel::XRay)
   {
     pixel[0] += channels[0];
     pixel[1] += channels[1];
     return;
   }
   const float opaque = std::max(0.0f, channels[3]);
-  const float opacity =
-    this->Shading.Law == HartleyLaw::Exponential ? -std::expm1(-opaque) : std::min(1.0f, opaque);
+  const float opacity = this->Shading.OpacityModel == HartleyOpacityModel::Exponential
+    ? -std::expm1(-opaque)
+    : std::min(1.0f, opaque);
   for (std::size_t i = 0; i < 3; ++i)
   {
-    // Where opacity ends, the splines of the slab swing, and colour must not be more than that.
+    // The interpolation overshoots at edges; a premultiplied color must not exceed the opacity.
     pixel[i] += pixel[3] * std::clamp(channels[i], 0.0f, opacity);
   }
   pixel[3] *= 1 - opacity;

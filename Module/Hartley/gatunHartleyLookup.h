@@ -11,23 +11,20 @@
 
 namespace gatun
 {
-/** A law with its transfer function, ready for use. */
+/** An opacity model with its transfer function, tabulated. */
 class HartleyLookup
 {
 public:
   HartleyLookup(const HartleyShading& shading, double base, const Range& range);
 
-  HartleyLaw GetLaw() const { return this->Shading.Law; }
-
-  /** Whether blocks in which all voxels have the base value show nothing. */
+  /** Whether blocks whose voxels all have the base value are transparent. */
   bool IsBaseClear() const { return this->BaseClear; }
 
-  /** What a block adds behind what is there: first is the integral of its densities, less that of
-   * the base value; samples that of ones. */
+  /** Composites a block behind the content of a lattice point. First: the integral of its densities
+   * minus the base value; samples: the integral of ones. */
   void Add(float first, float samples, std::array<float, 4>& channels) const;
 
-  /** The same with what a slab has at a place of the picture. The fourth number is the part of
-   * light that comes through. */
+  /** Composites a slab behind the content of a pixel, whose fourth number is the transmittance. */
   void AddSlab(const std::array<float, 4>& channels, std::array<float, 4>& pixel) const;
 
 private:
@@ -35,7 +32,7 @@ private:
 
   HartleyShading Shading;
   float Base = 0;
-  float Least = 0, Most = 0; // densities that there are
+  float Least = 0, Most = 0; // range of the densities
   float First = 0, PerDensity = 1;
   bool BaseClear = false;
   std::vector<std::array<float, 4>> Table; // red, green, blue, optical depth of a sample

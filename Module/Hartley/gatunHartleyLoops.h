@@ -3,7 +3,7 @@
 #ifndef gatunHartleyLoops_h
 #define gatunHartleyLoops_h
 
-// Compiled once for each set of instructions; see gatunSimd.h.
+// Compiled once for each instruction set; see gatunSimd.h.
 
 #include "gatunHartleyKernel.h"
 #include "gatunSimd.h"
@@ -37,7 +37,8 @@ inline void Combine(
 inline float SumBands(const float* line, const HartleyBetween& between, const HartleyBand* across,
   const HartleyBand* down, std::size_t count, float least)
 {
-  // Makes frequencies positive, so that cutting off rounds them down; even, as periods count.
+  // Makes frequencies positive, so that truncation rounds down. Even, to preserve the parity of the
+  // period.
   constexpr int offset = 64;
 
   Float8 total{};
@@ -45,18 +46,18 @@ inline float SumBands(const float* line, const HartleyBetween& between, const Ha
   {
     for (std::size_t i = 0; i < count; ++i)
     {
-      float hat = across[i].Hat * down[j].Hat;
-      if (hat < least)
+      float tent = across[i].Tent * down[j].Tent;
+      if (tent < least)
       {
         continue;
       }
       const double along =
         -(between.ShearX * across[i].Frequency + between.ShearY * down[j].Frequency);
-      const auto hatAt = static_cast<float>(along < 0 ? -along : along) * between.HatSteps;
-      const auto hatStep = static_cast<std::int32_t>(hatAt);
-      const float* const hats = between.Hats + hatStep;
-      hat *= hats[0] + (hatAt - static_cast<float>(hatStep)) * (hats[1] - hats[0]);
-      if (hat < least)
+      const auto tentAt = static_cast<float>(along < 0 ? -along : along) * between.TentSteps;
+      const auto tentStep = static_cast<std::int32_t>(tentAt);
+      const float* const tents = between.Tents + tentStep;
+      tent *= tents[0] + (tentAt - static_cast<float>(tentStep)) * (tents[1] - tents[0]);
+      if (tent < least)
       {
         continue;
       }
@@ -69,8 +70,8 @@ inline float SumBands(const float* line, const HartleyBetween& between, const Ha
       const Float8 one = Load<Float8>(weights);
       const Float8 two = Load<Float8>(weights + 8);
       const Float8 mixed = one + Splat8(stepAt - static_cast<float>(step)) * (two - one);
-      hat = between.Alternates && period % 2 != 0 ? -hat : hat;
-      total += Splat8(hat) * mixed * Load<Float8>(line + point);
+      tent = between.Alternates && period % 2 != 0 ? -tent : tent;
+      total += Splat8(tent) * mixed * Load<Float8>(line + point);
     }
   }
   float sum = 0;

@@ -66,7 +66,7 @@ HartleyOrder::HartleyOrder(const Triple& block)
   const Shells shells(block);
   const std::uint32_t count = block[0] * block[1] * block[2];
 
-  // How many there are in each shell, and so where each shell begins.
+  // The size of each shell, and from these the first position of each shell.
   std::vector<std::uint32_t> starts;
   for (std::uint32_t index = 0; index < count; ++index)
   {
@@ -79,7 +79,8 @@ HartleyOrder::HartleyOrder(const Triple& block)
     starts[shell] += starts[shell - 1];
   }
 
-  // Shell 0 has nothing but frequency 0. Where there are too many others, bands take several.
+  // Shell 0 contains frequency 0 only. If there are more other shells than bands, a band contains
+  // several.
   const auto others = static_cast<std::uint32_t>(starts.size()) - 2;
   const auto getBand = [&](std::uint32_t shell)
   { return shell == 0 || others < Bands ? shell : 1 + (shell - 1) * (Bands - 1) / others; };
@@ -150,10 +151,10 @@ HartleyOrder::HartleyOrder(const Triple& block)
         static_cast<std::uint32_t>(position.Index + this->GetStepInwards(axis, wave));
       if (isKnown(inner))
       {
-        position.Flags |= static_cast<std::uint8_t>(1u << axis);
+        position.Flags |= static_cast<std::uint8_t>(KnowsInner << axis);
         if (isKnown(this->Positions[ranks[inner]].Partner))
         {
-          position.Flags |= static_cast<std::uint8_t>(16u << axis);
+          position.Flags |= static_cast<std::uint8_t>(KnowsInnerPartner << axis);
         }
       }
     }

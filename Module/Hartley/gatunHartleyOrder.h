@@ -12,33 +12,35 @@
 namespace gatun
 {
 /**
- * The order in which the coefficients of a block are coded: by shells of the frequency's length, in
- * a shell by index, but for the opposite frequency, which comes right behind. Immutable.
+ * The order in which the coefficients of a block are coded: by the length of the frequency, grouped
+ * into shells; within a shell by index, each followed by its opposite frequency. Immutable.
  */
 class HartleyOrder
 {
 public:
-  static constexpr unsigned Bands = 16; ///< at most; groups of shells, the first with frequency 0
-  static constexpr std::uint32_t SegmentLength = 1u << 18; ///< of long blocks; coded by themselves
+  static constexpr unsigned Bands = 16; ///< at most; groups of shells. The first is frequency 0
+  static constexpr std::uint32_t SegmentLength = 1u << 18; ///< of long blocks; coded independently
 
   struct Position
   {
-    std::uint32_t Index = 0;            ///< as HartleyTransform has it
+    std::uint32_t Index = 0;            ///< as in HartleyTransform
     std::uint32_t Partner = 0;          ///< index of the opposite frequency
     std::array<std::int32_t, 3> Wave{}; ///< the frequency, in periods of the block
     std::uint8_t Band = 0;
     std::uint8_t Flags = 0;
   };
 
-  // Flags: which other values have been coded before, in the same segment. Bits 0 to 2: that at the
-  // frequency one lower along each axis; bits 4 to 6: the partner of that.
+  // Flags: the values that precede this one in the same segment. KnowsInner << axis: that of the
+  // next lower frequency along an axis; KnowsInnerPartner << axis: the partner of that.
+  static constexpr unsigned KnowsInner = 1;
   static constexpr std::uint8_t KnowsPartner = 8;
+  static constexpr unsigned KnowsInnerPartner = 16;
 
   explicit HartleyOrder(const HartleyLayout::Triple& block);
 
   const std::vector<Position>& GetPositions() const { return this->Positions; }
 
-  /** Where a band begins; one more for the end. */
+  /** The first position of each band; the last entry is the end. */
   const std::vector<std::uint32_t>& GetBandStarts() const { return this->BandStarts; }
 
   std::size_t GetNumberOfSegments() const
@@ -46,7 +48,7 @@ public:
     return (this->Positions.size() + SegmentLength - 1) / SegmentLength;
   }
 
-  /** How far it is from an index to that of the frequency that is one lower along an axis. */
+  /** The offset from an index to that of the next lower frequency along an axis. */
   std::ptrdiff_t GetStepInwards(unsigned axis, std::int32_t wave) const
   {
     return wave > 0 ? -this->Strides[axis] : wave < -1 ? this->Strides[axis] : this->Wraps[axis];

@@ -13,21 +13,21 @@
 namespace gatun
 {
 /**
- * Makes the pictures of blocks under one direction: at each point of the lattice the integral of
- * the block's trilinear hats along the ray, in samples.
+ * Computes the images of blocks for one direction: at each lattice point, the integral of the
+ * block's trilinear basis functions along the ray, in samples.
  */
 class HartleyPainter
 {
 public:
-  /** A block to paint: all points of its picture are overwritten. */
+  /** A block to project. All points of its image are overwritten. */
   struct Task
   {
     std::size_t Block = 0;
     std::span<const HartleyTerm> Terms;
-    float* Picture = nullptr;
+    float* Image = nullptr;
   };
 
-  /** What one thread works in. */
+  /** The working memory of one thread. */
   class Brush
   {
   public:
@@ -39,7 +39,7 @@ public:
 
   virtual std::unique_ptr<Brush> MakeBrush() const = 0;
 
-  /** The picture of a block whose voxels are 1, of which only so many are there along x, y, z. */
+  /** The image of a block whose first voxels along x, y and z (filled) are 1 and the others 0. */
   virtual std::vector<float> PaintUnit(const HartleyLayout::Triple& filled) const = 0;
 };
 }

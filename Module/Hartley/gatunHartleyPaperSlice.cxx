@@ -4,38 +4,23 @@
 
 #include "gatunHartleyKernel.h"
 #include "gatunHartleyTransform.h"
+#include "gatunVector.h"
+
+#include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 
 namespace gatun
 {
-namespace
-{
-using Vector = HartleyView::Vector;
-
-double Dot(const Vector& a, const Vector& b)
-{
-  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-}
-
-Vector Scaled(const Vector& a, double scale)
-{
-  return { a[0] * scale, a[1] * scale, a[2] * scale };
-}
-
-Vector Cross(const Vector& a, const Vector& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-}
-
 //------------------------------------------------------------------------------
 class HartleyPaperSlice::PaperBrush : public HartleyPainter::Brush
 {
 public:
   explicit PaperBrush(const HartleyPaperSlice& slice)
     : Slice(slice)
+    , Across(ToVector(slice.Across))
+    , Down(ToVector(slice.Down))
     , Inverse({ static_cast<std::uint32_t>(slice.Size), static_cast<std::uint32_t>(slice.Size), 1 })
     , Values(slice.Size * slice.Size)
   {
@@ -46,11 +31,11 @@ public:
     for (const Task& task : tasks)
     {
       this->PaintOwn(*this->Slice.Spectra->Get(task.Block, task.Terms));
-      this->ToLattice(task.Picture);
+      this->ToLattice(task.Image);
     }
   }
 
-  /** The picture that lies in the plane across the rays. */
+  /** The image in the plane orthogonal to the rays. */
   std::span<const double> PaintOwn(const HartleySpectrum& spectrum)
   {
     const auto size = static_cast<std::ptrdiff_t>(this->Slice.Size);
@@ -62,12 +47,8 @@ public:
       {
         const auto across = static_cast<double>(2 * column <= size ? column : column - size);
         const auto down = static_cast<double>(2 * row <= size ? row : row - size);
-        std::array<double, 3> place;
-        for (std::size_t i = 0; i < 3; ++i)
-        {
-          place[i] = (across * this->Slice.Across[i] + down * this->Slice.Down[i]) / length *
-            static_cast<double>(points[i]);
-        }
+        const glm::dvec3 place = (across * this->Across + down * this->Down) / length *
+          glm::dvec3(points[0], points[1], points[2]);
         this->Values[static_cast<std::size_t>(row * size + column)] =
           this->FindBetween(spectrum, place) * this->Slice.SamplesPerVoxel / length;
       }
@@ -76,9 +57,9 @@ public:
     return this->Values;
   }
 
-  void ToLattice(float* picture)
+  void ToLattice(float* image)
   {
-    // Around the picture there is nothing.
+    // The image is surrounded by zeros.
     constexpr std::size_t margin = 2;
     const std::size_t size = this->Slice.Size;
     const std::size_t width = size + 2 * margin;
@@ -98,12 +79,12 @@ public:
     {
       for (std::size_t x = 0; x < lattice.Points[0]; ++x)
       {
-        Vector place{};
+        glm::dvec3 place(0);
         place[lattice.Axes[0]] = lattice.GetPlace(0, x);
         place[lattice.Axes[1]] = lattice.GetPlace(1, y);
-        const double column = Dot(place, this->Slice.Across) + middle;
-        const double row = Dot(place, this->Slice.Down) + middle;
-        float& pixel = picture[y * lattice.Points[0] + x];
+        const double column = glm::dot(place, this->Across) + middle;
+        const double row = glm::dot(place, this->Down) + middle;
+        float& pixel = image[y * lattice.Points[0] + x];
         pixel = 0;
         const double most = static_cast<double>(size);
         if (column > -1 && row > -1 && column < most && row < most)
@@ -123,23 +104,24 @@ public:
   }
 
 private:
-  double FindBetween(const HartleySpectrum& spectrum, const std::array<double, 3>& place) const
+  double FindBetween(const HartleySpectrum& spectrum, const glm::dvec3& place) const
   {
     const auto& plan = this->Slice.Spectra->GetPlan();
-    std::array<std::array<std::size_t, 2>, 3> index;
+    std::array<std::array<std::size_t, 2>, 3> indices;
     std::array<std::array<double, 2>, 3> weight;
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const double floor = std::floor(place[i]);
+      const double at = place[static_cast<int>(i)];
+      const double floor = std::floor(at);
       const bool even = plan.Block[i] % 2 == 0;
       for (std::size_t side = 0; side < 2; ++side)
       {
         const auto points = static_cast<std::ptrdiff_t>(plan.Points[i]);
-        const auto at = static_cast<std::ptrdiff_t>(floor) + static_cast<std::ptrdiff_t>(side);
-        const auto wrapped = (at % points + points) % points;
-        const bool odd = (at - wrapped) / points % 2 != 0;
-        index[i][side] = static_cast<std::size_t>(wrapped);
-        weight[i][side] = side == 0 ? 1 - (place[i] - floor) : place[i] - floor;
+        const auto index = static_cast<std::ptrdiff_t>(floor) + static_cast<std::ptrdiff_t>(side);
+        const auto wrapped = (index % points + points) % points;
+        const bool odd = (index - wrapped) / points % 2 != 0;
+        indices[i][side] = static_cast<std::size_t>(wrapped);
+        weight[i][side] = side == 0 ? 1 - (at - floor) : at - floor;
         weight[i][side] *= even && odd ? -1 : 1;
       }
     }
@@ -148,12 +130,13 @@ private:
     {
       const std::size_t x = corner & 1, y = corner >> 1 & 1, z = corner >> 2;
       sum += weight[0][x] * weight[1][y] * weight[2][z] *
-        static_cast<double>(spectrum.GetLine(index[0][x], index[1][y])[index[2][z]]);
+        static_cast<double>(spectrum.GetLine(indices[0][x], indices[1][y])[indices[2][z]]);
     }
     return sum;
   }
 
   const HartleyPaperSlice& Slice;
+  glm::dvec3 Across, Down;
   HartleyTransform Inverse;
   std::vector<double> Values;
   std::vector<float> Channels;
@@ -180,20 +163,16 @@ HartleyPaperSlice::HartleyPaperSlice(
 {
   const auto& points = this->Spectra->GetPlan().Points;
   this->Size = *std::max_element(points.begin(), points.end());
-  // Pixels see voxels' places where the rays are along an axis.
+  // With rays along an axis, pixels coincide with voxels.
   this->Size += (this->Size + this->Spectra->GetPlan().Block[0]) % 2;
 
-  const double length = std::sqrt(Dot(view.Step, view.Step));
+  const double length = glm::length(ToVector(view.Step));
   this->SamplesPerVoxel = 1 / length;
-  const Vector along = Scaled(view.Step, 1 / length);
-  Vector across = view.ColumnStep;
-  const double depth = Dot(across, along);
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    across[i] -= depth * along[i];
-  }
-  this->Across = Scaled(across, 1 / std::sqrt(Dot(across, across)));
-  this->Down = Cross(along, this->Across);
+  const glm::dvec3 along = ToVector(view.Step) / length;
+  const glm::dvec3 column = ToVector(view.ColumnStep);
+  const glm::dvec3 across = glm::normalize(column - glm::dot(column, along) * along);
+  this->Across = ToArray(across);
+  this->Down = ToArray(glm::cross(along, across));
 }
 
 //------------------------------------------------------------------------------
@@ -205,11 +184,11 @@ std::unique_ptr<HartleyPainter::Brush> HartleyPaperSlice::MakeBrush() const
 //------------------------------------------------------------------------------
 std::vector<float> HartleyPaperSlice::PaintUnit(const HartleyLayout::Triple& filled) const
 {
-  std::vector<float> picture(this->Lattice.GetNumberOfPoints());
+  std::vector<float> image(this->Lattice.GetNumberOfPoints());
   PaperBrush brush(*this);
   brush.PaintOwn(*this->Spectra->GetUnit(filled));
-  brush.ToLattice(picture.data());
-  return picture;
+  brush.ToLattice(image.data());
+  return image;
 }
 
 //------------------------------------------------------------------------------

@@ -11,9 +11,9 @@
 namespace gatun
 {
 /**
- * Pictures of blocks as in Yang's dissertation, for comparison: slices at right angles to the rays,
- * through spectra of blocks with zeros around them, with trilinear interpolation, and pixels as
- * large as a voxel. They are brought to the lattice by cubic convolution.
+ * Computes the images of blocks as Yang's dissertation does, for comparison: slices orthogonal to
+ * the rays through the spectra of zero-padded blocks, with trilinear interpolation and pixels of
+ * the size of a voxel. The images are resampled to the lattice by cubic convolution.
  */
 class HartleyPaperSlice : public HartleyPainter
 {
@@ -28,13 +28,14 @@ public:
   std::unique_ptr<Brush> MakeBrush() const override;
   std::vector<float> PaintUnit(const HartleyLayout::Triple& filled) const override;
 
-  /** Pixels along each side of a block's own picture, before it is brought to the lattice. */
+  /** Pixels along each side of a block's image before resampling. */
   std::size_t GetSize() const { return this->Size; }
 
-  /** Unit vectors across and down that picture, whose middle sees the block's. */
+  /** Unit vectors across and down that image, which is centered on the block. */
   const Vector& GetAcross() const { return this->Across; }
   const Vector& GetDown() const { return this->Down; }
 
+  /** The image of a block before resampling. */
   std::vector<float> PaintOwn(std::size_t block, std::span<const HartleyTerm> terms) const;
 
 private:
@@ -44,7 +45,7 @@ private:
   std::shared_ptr<HartleySpectra> Spectra;
   std::size_t Size = 0;
   Vector Across{}, Down{};
-  double SamplesPerVoxel = 1; // of the rays' length
+  double SamplesPerVoxel = 1; // per unit length of a ray
 };
 }
 

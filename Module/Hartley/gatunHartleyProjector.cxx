@@ -4,12 +4,16 @@
 
 #include "gatunError.h"
 #include "gatunHartleyBasis.h"
+#include "gatunHartleyBlocks.h"
 #include "gatunHartleyChunks.h"
 #include "gatunHartleyLookup.h"
 #include "gatunHartleyPaperSlice.h"
 #include "gatunHartleySlab.h"
 #include "gatunHartleySlice.h"
 #include "gatunParallel.h"
+#include "gatunVector.h"
+
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -24,15 +28,14 @@ namespace
 using Vector = HartleyView::Vector;
 using Triple = HartleyLayout::Triple;
 
-// Blocks of a slab whose pictures are kept at the same time take this many bytes at most, but for a
-// row of them.
+// Upper bound of the memory for the images of blocks that are projected at the same time. One row
+// of blocks may take more.
 constexpr std::size_t BatchBytes = std::size_t{ 32 } << 20;
 
-// The most that pictures of basis functions may take.
+// Upper bound of the memory for the images of basis functions.
 constexpr std::uint64_t MostBasisBytes = std::uint64_t{ 1 } << 30;
 
-// The most voxels along an axis of blocks that are drawn by their basis functions unless told
-// otherwise.
+// Automatic chooses Basis for blocks of up to this many voxels along each axis.
 constexpr std::uint32_t LargestBasisBlock = 16;
 
 //------------------------------------------------------------------------------
@@ -40,37 +43,34 @@ void Check(const HartleyView& view)
 {
   if (view.Width == 0 || view.Height == 0)
   {
-    ThrowInvalid("a picture without pixels");
+    ThrowInvalid("the image has no pixels");
   }
-  const auto& a = view.ColumnStep;
-  const auto& b = view.RowStep;
-  const auto& c = view.Step;
-  const double volume = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-    a[2] * (b[0] * c[1] - b[1] * c[0]);
-  for (const Vector* const vector : { &view.Origin, &a, &b, &c })
+  for (const Vector* const vector : { &view.Origin, &view.ColumnStep, &view.RowStep, &view.Step })
   {
     if (!std::all_of(vector->begin(), vector->end(), [](double v) { return std::isfinite(v); }))
     {
-      ThrowInvalid("a view with numbers that are not finite");
+      ThrowInvalid("the view has numbers that are not finite");
     }
   }
+  const double volume =
+    glm::dot(ToVector(view.ColumnStep), glm::cross(ToVector(view.RowStep), ToVector(view.Step)));
   if (!std::isfinite(volume) || volume == 0)
   {
-    ThrowInvalid("a view whose columns, rows and rays do not span a space");
+    ThrowInvalid("the columns, rows and rays of the view are linearly dependent");
   }
 }
 
 //------------------------------------------------------------------------------
 void Check(const HartleyShading& shading)
 {
-  if (shading.Law != HartleyLaw::XRay && shading.Table.size() < 2)
+  if (shading.OpacityModel != HartleyOpacityModel::XRay && shading.Table.size() < 2)
   {
-    ThrowInvalid("a transfer function of less than two entries");
+    ThrowInvalid("the transfer function has less than two entries");
   }
-  if (shading.Law == HartleyLaw::Exponential &&
+  if (shading.OpacityModel == HartleyOpacityModel::Exponential &&
     (!std::isfinite(shading.Extinction) || shading.Extinction < 0 || !std::isfinite(shading.Zero)))
   {
-    ThrowInvalid("an exponential law whose extinction is negative or not finite");
+    ThrowInvalid("the extinction or zero is negative or not finite");
   }
 }
 
@@ -79,7 +79,7 @@ void Check(const HartleyOptions& options)
 {
   if (!(options.Padding >= 1 && options.Padding <= 8))
   {
-    ThrowInvalid("a padding that is not from 1 to 8");
+    ThrowInvalid("the padding is not between 1 and 8");
   }
 }
 }
@@ -91,9 +91,9 @@ struct HartleyProjector::Internals
   HartleyLayout Layout;
   HartleyOptions Options;
 
-  // For one direction.
+  // For one direction of the rays.
   std::optional<HartleyLattice> Lattice;
-  HartleyView View; // of the painter
+  HartleyView View; // that Painter was made for
   std::unique_ptr<HartleyPainter> Painter;
   std::map<Triple, std::vector<float>> Units;
 
@@ -104,8 +104,10 @@ struct HartleyProjector::Internals
   void Prepare(const HartleyView& view, const std::function<bool(double)>& progress);
   void UseSpectra(const SpectrumPlan& plan);
   const std::vector<float>& GetUnit(const Triple& filled);
+  BlockImage MakeBlockImage(HartleyPainter::Brush& brush, const HartleyView& view,
+    const Triple& place, std::span<const HartleyTerm> terms) const;
 
-  /** The place of a block that is given along the lattice's axes. */
+  /** The place of a block whose position along the lattice's axes is given. */
   Triple ToPlace(std::uint32_t across, std::uint32_t down, std::uint32_t along) const
   {
     Triple place{};
@@ -124,7 +126,7 @@ void Paint(const HartleyPainter& painter, std::span<const HartleyPainter::Task> 
   const auto threads = static_cast<std::size_t>(GetNumberOfThreads());
   if (tasks.size() <= threads / 2)
   {
-    painter.MakeBrush()->Paint(tasks); // the brush has work for several threads
+    painter.MakeBrush()->Paint(tasks); // which is parallel itself
     return;
   }
   const std::size_t each = std::max<std::size_t>(1, tasks.size() / (threads * 8));
@@ -135,7 +137,8 @@ void Paint(const HartleyPainter& painter, std::span<const HartleyPainter::Task> 
 }
 
 //------------------------------------------------------------------------------
-/** The blocks along an axis that may be seen between two sheared coordinates: first, end. */
+/** The range [first, end) of blocks along an axis that may be visible between two sheared
+ * coordinates. */
 std::array<std::uint32_t, 2> FindBlocks(const HartleyLattice& lattice, std::size_t axis,
   std::uint32_t blocks, double middleAlong, double low, double high)
 {
@@ -150,7 +153,7 @@ std::array<std::uint32_t, 2> FindBlocks(const HartleyLattice& lattice, std::size
 }
 
 //------------------------------------------------------------------------------
-/** The sheared coordinates of a picture's pixels: lowest and highest, across and down. */
+/** The lowest and highest sheared coordinates of the pixels, across and down. */
 std::array<std::array<double, 2>, 2> GetBox(const HartleyLattice& lattice, const HartleyView& view)
 {
   const auto origin = lattice.Project(view.Origin);
@@ -168,21 +171,21 @@ std::array<std::array<double, 2>, 2> GetBox(const HartleyLattice& lattice, const
 }
 
 //------------------------------------------------------------------------------
-void FinishXRay(const HartleyShading& shading, double base, HartleyPicture& picture)
+void FinishXRay(const HartleyShading& shading, double base, HartleyImage& image)
 {
   const auto offset = static_cast<float>(base);
-  picture.Sums.resize(picture.Colours.size());
-  picture.Samples.resize(picture.Colours.size());
+  image.Sums.resize(image.Colors.size());
+  image.Samples.resize(image.Colors.size());
   float least = 0;
   float most = 0;
   bool any = false;
-  for (std::size_t i = 0; i < picture.Colours.size(); ++i)
+  for (std::size_t i = 0; i < image.Colors.size(); ++i)
   {
-    const auto& pixel = picture.Colours[i];
+    const auto& pixel = image.Colors[i];
     const float samples = std::max(0.0f, pixel[1]);
     const float sum = pixel[0] + offset * samples;
-    picture.Sums[i] = sum;
-    picture.Samples[i] = samples;
+    image.Sums[i] = sum;
+    image.Samples[i] = samples;
     if (samples > 0)
     {
       least = any ? std::min(least, sum) : sum;
@@ -193,12 +196,12 @@ void FinishXRay(const HartleyShading& shading, double base, HartleyPicture& pict
   const bool given = shading.Black != shading.White;
   const float black = given ? static_cast<float>(shading.Black) : least;
   const float white = given ? static_cast<float>(shading.White) : most;
-  for (std::size_t i = 0; i < picture.Colours.size(); ++i)
+  for (std::size_t i = 0; i < image.Colors.size(); ++i)
   {
-    const float opacity = std::min(1.0f, picture.Samples[i]);
-    const float grey =
-      white != black ? std::clamp((picture.Sums[i] - black) / (white - black), 0.0f, 1.0f) : 0.0f;
-    picture.Colours[i] = { grey * opacity, grey * opacity, grey * opacity, opacity };
+    const float opacity = std::min(1.0f, image.Samples[i]);
+    const float gray =
+      white != black ? std::clamp((image.Sums[i] - black) / (white - black), 0.0f, 1.0f) : 0.0f;
+    image.Colors[i] = { gray * opacity, gray * opacity, gray * opacity, opacity };
   }
 }
 }
@@ -249,9 +252,9 @@ void HartleyProjector::Internals::Prepare(
       lattice.GetNumberOfPoints() * sizeof(float);
     if (bytes > MostBasisBytes)
     {
-      ThrowInvalid("the basis functions of blocks of " + std::to_string(block[0]) + " x " +
-        std::to_string(block[1]) + " x " + std::to_string(block[2]) + " voxels have pictures of " +
-        std::to_string(bytes >> 20) + " MiB; draw blocks as large as this by slices");
+      ThrowInvalid("the images of the basis functions of blocks of " + std::to_string(block[0]) +
+        " x " + std::to_string(block[1]) + " x " + std::to_string(block[2]) + " voxels take " +
+        std::to_string(bytes >> 20) + " MiB; use the method Slice for blocks of this size");
     }
     this->Painter = std::make_unique<HartleyBasis>(block, lattice, progress);
   }
@@ -287,7 +290,7 @@ HartleyProjector::HartleyProjector(
   this->Data->Source = std::move(source);
   this->Data->Layout = this->Data->Source->GetLayout();
   this->Data->Options = options;
-  // Of slices, spectra are kept instead.
+  // The method Slice keeps spectra instead of coefficients.
   this->Data->Chunks.emplace(
     *this->Data->Source, this->Data->GetMethod() == HartleyMethod::Basis ? options.CacheBytes : 0);
 }
@@ -296,12 +299,156 @@ HartleyProjector::HartleyProjector(
 HartleyProjector::~HartleyProjector() = default;
 
 //------------------------------------------------------------------------------
-HartleyPicture HartleyProjector::Draw(const HartleyView& view, const HartleyShading& shading,
+/** One call of HartleyProjector::Draw, slab by slab from front to back. */
+class HartleyProjector::Drawing
+{
+public:
+  Drawing(Internals& data, const HartleyView& view, const HartleyShading& shading)
+    : Data(data)
+    , Lattice(*data.Lattice)
+    , View(view)
+    , Lookup(shading, data.Source->GetBase(), data.Source->GetRange())
+    , IsXRay(shading.OpacityModel == HartleyOpacityModel::XRay)
+    , Box(GetBox(*data.Lattice, view))
+  {
+    const Triple blocks = data.Layout.GetBlocks();
+    const double direction = this->Lattice.Backwards ? -1 : 1;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      this->Counts[i] = blocks[static_cast<std::size_t>(this->Lattice.Axes[i])];
+    }
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      this->Descending[i] = direction * this->Lattice.Shear[i] < 0;
+    }
+    this->Image.Width = view.Width;
+    this->Image.Height = view.Height;
+    this->Image.Method = data.GetMethod();
+    const float light = this->IsXRay ? 0.0f : 1.0f;
+    this->Image.Colors.assign(std::size_t{ view.Width } * view.Height, { 0, 0, 0, light });
+  }
+
+  std::uint32_t GetNumberOfSlabs() const { return this->Counts[2]; }
+
+  /** Returns false if slabs behind this one are not visible. */
+  bool DrawSlab(std::uint32_t step)
+  {
+    const std::uint32_t along = this->Lattice.Backwards ? this->Counts[2] - 1 - step : step;
+    const double middle = along * this->Lattice.Block[2] + (this->Lattice.Block[2] - 1) / 2;
+    std::array<std::uint32_t, 2> first, end;
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      const auto seen =
+        FindBlocks(this->Lattice, i, this->Counts[i], middle, this->Box[i][0], this->Box[i][1]);
+      first[i] = seen[0];
+      end[i] = seen[1];
+    }
+    if (first[0] >= end[0] || first[1] >= end[1])
+    {
+      return true;
+    }
+    this->Slab.Start(this->Lattice, first, end, middle);
+    this->ListPlaces(first, end, along);
+    this->Data.Chunks->Load(this->Places);
+    const std::size_t width = end[0] - first[0];
+    const std::size_t rowsAtOnce = std::max<std::size_t>(
+      1, BatchBytes / (this->Lattice.GetNumberOfPoints() * sizeof(float) * width));
+    for (std::size_t from = 0; from < this->Places.size(); from += rowsAtOnce * width)
+    {
+      const std::size_t count = std::min(this->Places.size() - from, rowsAtOnce * width);
+      this->DrawBatch(std::span(this->Places).subspan(from, count));
+    }
+    return this->Slab.AddTo(this->Lattice, this->View, this->Lookup, this->Image.Colors) ||
+      this->IsXRay;
+  }
+
+  HartleyImage Finish(const HartleyShading& shading)
+  {
+    if (this->IsXRay)
+    {
+      FinishXRay(shading, this->Data.Source->GetBase(), this->Image);
+      return std::move(this->Image);
+    }
+    for (auto& pixel : this->Image.Colors)
+    {
+      pixel[3] = 1 - pixel[3];
+    }
+    return std::move(this->Image);
+  }
+
+private:
+  /** The visible blocks of a slab, in an order in which no block is behind a later one. */
+  void ListPlaces(const std::array<std::uint32_t, 2>& first,
+    const std::array<std::uint32_t, 2>& end, std::uint32_t along)
+  {
+    this->Places.clear();
+    for (std::uint32_t row = 0; row < end[1] - first[1]; ++row)
+    {
+      const std::uint32_t down = this->Descending[1] ? end[1] - 1 - row : first[1] + row;
+      for (std::uint32_t column = 0; column < end[0] - first[0]; ++column)
+      {
+        const std::uint32_t across = this->Descending[0] ? end[0] - 1 - column : first[0] + column;
+        this->Places.push_back(this->Data.ToPlace(across, down, along));
+      }
+    }
+  }
+
+  /** Projects blocks whose chunks are loaded and adds them to the slab. */
+  void DrawBatch(std::span<const Triple> places)
+  {
+    const std::size_t points = this->Lattice.GetNumberOfPoints();
+    this->Parts.clear();
+    this->Tasks.clear();
+    this->Images.resize(std::max(this->Images.size(), places.size() * points));
+    for (const Triple& place : places)
+    {
+      const auto terms = this->Data.Chunks->GetTerms(place);
+      if (terms.empty() && this->Lookup.IsBaseClear() && !this->IsXRay)
+      {
+        continue;
+      }
+      HartleySlab::Part part;
+      part.Place = { place[static_cast<std::size_t>(this->Lattice.Axes[0])],
+        place[static_cast<std::size_t>(this->Lattice.Axes[1])] };
+      part.Unit = this->Data.GetUnit(this->Data.Layout.GetFilled(place)).data();
+      if (!terms.empty())
+      {
+        float* const image = this->Images.data() + this->Tasks.size() * points;
+        part.Image = image;
+        this->Tasks.push_back({ this->Data.Layout.GetBlockNumber(place), terms, image });
+        this->Image.Terms += terms.size();
+      }
+      this->Parts.push_back(part);
+    }
+    this->Image.Blocks += this->Parts.size();
+    Paint(*this->Data.Painter, this->Tasks);
+    this->Slab.Add(this->Lattice, this->Lookup, this->Parts);
+  }
+
+  Internals& Data;
+  const HartleyLattice& Lattice;
+  const HartleyView& View;
+  HartleyLookup Lookup;
+  bool IsXRay;
+  std::array<std::array<double, 2>, 2> Box; // of all pixels, in sheared coordinates
+  std::array<std::uint32_t, 3> Counts{};    // of blocks, along the lattice's axes
+  std::array<bool, 2> Descending{};         // whether rays meet blocks of high indices first
+  HartleyImage Image;
+
+  // Reused from slab to slab.
+  HartleySlab Slab;
+  std::vector<float> Images;
+  std::vector<Triple> Places;
+  std::vector<HartleySlab::Part> Parts;
+  std::vector<HartleyPainter::Task> Tasks;
+};
+
+//------------------------------------------------------------------------------
+HartleyImage HartleyProjector::Draw(const HartleyView& view, const HartleyShading& shading,
   const std::function<bool(double)>& progress)
 {
   Check(view);
   Check(shading);
-  auto& data = *this->Data;
   const auto report = [&](double fraction)
   {
     if (progress && !progress(fraction))
@@ -309,181 +456,76 @@ HartleyPicture HartleyProjector::Draw(const HartleyView& view, const HartleyShad
       throw Error(ErrorCode::Aborted, "aborted");
     }
   };
-  // Pictures of basis functions are this part of the work, say.
+  // An estimate of the images of basis functions' share of the work.
   constexpr double preparing = 0.2;
-  data.Prepare(view, [&](double fraction) { return !progress || progress(preparing * fraction); });
+  this->Data->Prepare(
+    view, [&](double fraction) { return !progress || progress(preparing * fraction); });
 
-  const HartleyLattice& lattice = *data.Lattice;
-  const HartleyLookup lookup(shading, data.Source->GetBase(), data.Source->GetRange());
-  const Triple blocks = data.Layout.GetBlocks();
-  std::array<std::uint32_t, 3> counts;
-  for (std::size_t i = 0; i < 3; ++i)
+  Drawing drawing(*this->Data, view, shading);
+  const std::uint32_t slabs = drawing.GetNumberOfSlabs();
+  for (std::uint32_t slab = 0; slab < slabs; ++slab)
   {
-    counts[i] = blocks[static_cast<std::size_t>(lattice.Axes[i])];
-  }
-  const auto box = GetBox(lattice, view);
-  const double direction = lattice.Backwards ? -1 : 1;
-  const std::array<bool, 2> descending{ direction * lattice.Shear[0] < 0,
-    direction * lattice.Shear[1] < 0 };
-
-  HartleyPicture picture;
-  picture.Width = view.Width;
-  picture.Height = view.Height;
-  picture.Method = data.GetMethod();
-  const bool xray = shading.Law == HartleyLaw::XRay;
-  picture.Colours.assign(std::size_t{ view.Width } * view.Height, { 0, 0, 0, xray ? 0.0f : 1.0f });
-
-  HartleySlab slab;
-  std::vector<float> pictures;
-  std::vector<Triple> places;
-  std::vector<HartleySlab::Part> parts;
-  std::vector<HartleyPainter::Task> tasks;
-  for (std::uint32_t step = 0; step < counts[2]; ++step)
-  {
-    report(preparing + (1 - preparing) * step / counts[2]);
-    const std::uint32_t along = lattice.Backwards ? counts[2] - 1 - step : step;
-    const double middle = along * lattice.Block[2] + (lattice.Block[2] - 1) / 2;
-    std::array<std::uint32_t, 2> first, end;
-    for (std::size_t i = 0; i < 2; ++i)
-    {
-      const auto seen = FindBlocks(lattice, i, counts[i], middle, box[i][0], box[i][1]);
-      first[i] = seen[0];
-      end[i] = seen[1];
-    }
-    if (first[0] >= end[0] || first[1] >= end[1])
-    {
-      continue;
-    }
-    slab.Start(lattice, first, end, middle);
-
-    const std::uint32_t width = end[0] - first[0];
-    const std::uint32_t height = end[1] - first[1];
-    places.clear();
-    for (std::uint32_t row = 0; row < height; ++row)
-    {
-      for (std::uint32_t column = 0; column < width; ++column)
-      {
-        places.push_back(data.ToPlace(descending[0] ? end[0] - 1 - column : first[0] + column,
-          descending[1] ? end[1] - 1 - row : first[1] + row, along));
-      }
-    }
-    data.Chunks->Load(places);
-
-    const std::size_t points = lattice.GetNumberOfPoints();
-    const std::size_t rowsAtOnce =
-      std::max<std::size_t>(1, BatchBytes / (points * sizeof(float) * width));
-    for (std::size_t from = 0; from < places.size(); from += rowsAtOnce * width)
-    {
-      const std::size_t to = std::min(places.size(), from + rowsAtOnce * width);
-      parts.clear();
-      tasks.clear();
-      pictures.resize(std::max(pictures.size(), (to - from) * points));
-      for (const Triple& place : std::span(places).subspan(from, to - from))
-      {
-        const auto terms = data.Chunks->GetTerms(place);
-        if (terms.empty() && lookup.IsBaseClear() && !xray)
-        {
-          continue;
-        }
-        HartleySlab::Part part;
-        part.Place = { place[static_cast<std::size_t>(lattice.Axes[0])],
-          place[static_cast<std::size_t>(lattice.Axes[1])] };
-        part.Unit = data.GetUnit(data.Layout.GetFilled(place)).data();
-        if (!terms.empty())
-        {
-          float* const room = pictures.data() + tasks.size() * points;
-          part.Picture = room;
-          tasks.push_back({ data.Layout.GetBlockNumber(place), terms, room });
-          picture.Terms += terms.size();
-        }
-        parts.push_back(part);
-      }
-      picture.Blocks += parts.size();
-      Paint(*data.Painter, tasks);
-      slab.Add(lattice, lookup, parts);
-    }
-    if (!slab.AddTo(lattice, view, lookup, picture.Colours) && !xray)
+    report(preparing + (1 - preparing) * slab / slabs);
+    if (!drawing.DrawSlab(slab))
     {
       break;
     }
   }
-
-  if (xray)
-  {
-    FinishXRay(shading, data.Source->GetBase(), picture);
-  }
-  else
-  {
-    for (auto& pixel : picture.Colours)
-    {
-      pixel[3] = 1 - pixel[3];
-    }
-  }
+  HartleyImage image = drawing.Finish(shading);
   report(1);
-  return picture;
+  return image;
 }
 
 //------------------------------------------------------------------------------
-std::vector<HartleyProjector::BlockPicture> HartleyProjector::DrawBlocks(
+HartleyProjector::BlockImage HartleyProjector::Internals::MakeBlockImage(
+  HartleyPainter::Brush& brush, const HartleyView& view, const Triple& place,
+  std::span<const HartleyTerm> terms) const
+{
+  const HartleyLattice& lattice = *this->Lattice;
+  const auto* const paper = dynamic_cast<const HartleyPaperSlice*>(this->Painter.get());
+  const std::size_t block = this->Layout.GetBlockNumber(place);
+  BlockImage made;
+  made.View.Step = view.Step;
+  if (paper)
+  {
+    made.Width = made.Height = static_cast<unsigned>(paper->GetSize());
+    made.View.ColumnStep = paper->GetAcross();
+    made.View.RowStep = paper->GetDown();
+    made.Sums = paper->PaintOwn(block, terms);
+  }
+  else
+  {
+    made.Width = static_cast<unsigned>(lattice.Points[0]);
+    made.Height = static_cast<unsigned>(lattice.Points[1]);
+    made.View.ColumnStep = made.View.RowStep = {};
+    made.View.ColumnStep[static_cast<std::size_t>(lattice.Axes[0])] = HartleyLattice::Spacing;
+    made.View.RowStep[static_cast<std::size_t>(lattice.Axes[1])] = HartleyLattice::Spacing;
+    made.Sums.resize(lattice.GetNumberOfPoints());
+    const HartleyPainter::Task task{ block, terms, made.Sums.data() };
+    brush.Paint({ &task, 1 });
+  }
+  made.View.Width = made.Width;
+  made.View.Height = made.Height;
+  const glm::dvec3 size(this->Layout.Block[0], this->Layout.Block[1], this->Layout.Block[2]);
+  const glm::dvec3 middle = glm::dvec3(place[0], place[1], place[2]) * size + (size - 1.0) / 2.0;
+  made.View.Origin = ToArray(middle - ToVector(made.View.ColumnStep) * ((made.Width - 1) / 2.0) -
+    ToVector(made.View.RowStep) * ((made.Height - 1) / 2.0));
+  return made;
+}
+
+//------------------------------------------------------------------------------
+std::vector<HartleyProjector::BlockImage> HartleyProjector::DrawBlocks(
   const HartleyView& view, std::size_t chunk)
 {
   Check(view);
   auto& data = *this->Data;
   data.Prepare(view, {});
-  const HartleyLattice& lattice = *data.Lattice;
-  const auto* const paper = dynamic_cast<const HartleyPaperSlice*>(data.Painter.get());
   const auto terms = data.Source->GetChunk(chunk);
-  const auto box = data.Layout.GetBlocksOfChunk(chunk);
-
-  std::vector<BlockPicture> pictures;
   const auto brush = data.Painter->MakeBrush();
-  std::size_t number = 0;
-  for (std::uint32_t z = box.First[2]; z < box.End[2]; ++z)
-  {
-    for (std::uint32_t y = box.First[1]; y < box.End[1]; ++y)
-    {
-      for (std::uint32_t x = box.First[0]; x < box.End[0]; ++x, ++number)
-      {
-        const Triple place{ x, y, z };
-        const std::size_t block = data.Layout.GetBlockNumber(place);
-        BlockPicture made;
-        Vector middle;
-        for (std::size_t i = 0; i < 3; ++i)
-        {
-          middle[i] = place[i] * static_cast<double>(data.Layout.Block[i]) +
-            (static_cast<double>(data.Layout.Block[i]) - 1) / 2;
-        }
-        made.View.Step = view.Step;
-        made.View.Origin = middle;
-        if (paper)
-        {
-          made.Width = made.Height = static_cast<unsigned>(paper->GetSize());
-          made.View.ColumnStep = paper->GetAcross();
-          made.View.RowStep = paper->GetDown();
-          made.Sums = paper->PaintOwn(block, terms->GetBlock(number));
-        }
-        else
-        {
-          made.Width = static_cast<unsigned>(lattice.Points[0]);
-          made.Height = static_cast<unsigned>(lattice.Points[1]);
-          made.View.ColumnStep = made.View.RowStep = {};
-          made.View.ColumnStep[static_cast<std::size_t>(lattice.Axes[0])] = HartleyLattice::Spacing;
-          made.View.RowStep[static_cast<std::size_t>(lattice.Axes[1])] = HartleyLattice::Spacing;
-          made.Sums.resize(lattice.GetNumberOfPoints());
-          const HartleyPainter::Task task{ block, terms->GetBlock(number), made.Sums.data() };
-          brush->Paint({ &task, 1 });
-        }
-        made.View.Width = made.Width;
-        made.View.Height = made.Height;
-        for (std::size_t i = 0; i < 3; ++i)
-        {
-          made.View.Origin[i] -= (made.Width - 1) / 2.0 * made.View.ColumnStep[i] +
-            (made.Height - 1) / 2.0 * made.View.RowStep[i];
-        }
-        pictures.push_back(std::move(made));
-      }
-    }
-  }
-  return pictures;
+  std::vector<BlockImage> images;
+  ForEachHartleyBlock(data.Layout, chunk,
+    [&](std::size_t number, const Triple& place)
+    { images.push_back(data.MakeBlockImage(*brush, view, place, terms->GetBlock(number))); });
+  return images;
 }
 }

@@ -16,18 +16,18 @@
 
 namespace gatun
 {
-/** By which way a block's picture is made of its coefficients. */
+/** How the image of a block is computed from its coefficients. */
 enum class HartleyMethod : std::uint8_t
 {
-  Automatic = 0, ///< Basis for blocks of up to 16 voxels along each axis, Slice for larger ones
-  Basis = 1,     ///< the sum of the pictures of its basis functions, which all blocks share
-  Slice = 2      ///< a slice through its spectrum, transformed back in two dimensions
+  Automatic = 0, ///< Basis for blocks of up to 16 voxels along each axis, otherwise Slice
+  Basis = 1,     ///< weighted sum of the images of the basis functions, which all blocks share
+  Slice = 2      ///< inverse transform of a slice through the block's spectrum
 };
 
-/** How values between the points of a spectrum are found, for HartleyMethod::Slice. */
+/** Interpolation of spectra, for HartleyMethod::Slice. */
 enum class HartleyKernel : std::uint8_t
 {
-  KaiserBessel = 0, ///< with voxels corrected beforehand; exact to about 1e-5
+  KaiserBessel = 0, ///< with corrected voxels; exact to about 1e-5
   Trilinear = 1     ///< as in Yang's dissertation, for comparison
 };
 
@@ -36,40 +36,43 @@ struct HartleyOptions
   HartleyMethod Method = HartleyMethod::Automatic;
   HartleyKernel Kernel = HartleyKernel::KaiserBessel;
 
-  /** Size of a block with the zeros around it, for spectra, in sizes of the block; 1 to 8. */
+  /** Slice: size of a zero-padded block relative to the block, 1 to 8. */
   double Padding = 2;
 
-  /** How much memory may be kept from one picture to the next, in bytes: for the coefficients of
-   * chunks that have been used, or, of slices, for spectra of blocks. What is in memory already, as
-   * that of a HartleyVolume, counts as well but takes no more. */
-  std::uint64_t CacheBytes = std::uint64_t{ 1 } << 30;
+  /** Upper bound of the memory that is kept from one image to the next, in bytes. It holds the
+   * coefficients of chunks or, with the method Slice, the spectra of blocks. Coefficients that the
+   * source holds in memory anyway count but take no additional memory. */
+  std::uint64_t CacheBytes = std::uint64_t{ 512 } << 20;
 };
 
-/** All arrays row after row, beginning with the row of HartleyView::Origin. */
-struct HartleyPicture
+/** An image. All arrays are stored row by row; the first row is that of HartleyView::Origin. */
+struct HartleyImage
 {
   unsigned Width = 0;
   unsigned Height = 0;
-  std::vector<std::array<float, 4>> Colours; ///< red, green, blue, times opacity; opacity
-  std::vector<float> Sums;                   ///< of the densities along the ray; by XRay only
-  std::vector<float> Samples;                ///< how many of them lie in the volume; by XRay only
+  std::vector<std::array<float, 4>> Colors; ///< red, green, blue, opacity; premultiplied
+  std::vector<float> Sums;                  ///< XRay only: sum of the densities along the ray
+  std::vector<float> Samples;               ///< XRay only: number of samples in the volume
 
-  // What it took.
-  std::uint64_t Terms = 0;  ///< coefficients that were added up
-  std::uint64_t Blocks = 0; ///< that were drawn
+  // Statistics.
+  std::uint64_t Terms = 0;  ///< coefficients that were summed
+  std::uint64_t Blocks = 0; ///< blocks that were drawn
   HartleyMethod Method = HartleyMethod::Basis;
 };
 
 /**
- * Draws a volume from its Hartley coefficients, without going back to voxels. Blocks are sums of
- * trilinear hats around their voxels, so that neighbours overlap by a voxel and add up to the
- * trilinear volume, without gaps; sums are line integrals of that, in samples (HartleyView::Step).
- * A block counts as if its mean density were everywhere in it, weighed by the part of the ray that
- * is in it; under HartleyLaw::Exponential its opacity is exact.
+ * Draws a volume from its Hartley coefficients, without reconstructing voxels. A block is the sum
+ * of the trilinear basis functions of its voxels. Neighboring blocks overlap by one voxel and add
+ * up to the trilinearly interpolated volume. Sums along rays are line integrals of that volume, in
+ * samples (HartleyView::Step).
+ *
+ * The color of a block is that of its mean density along the ray, and so is its opacity in the
+ * model TransferFunction. In the model Exponential, the opacity of a block is exact at the points
+ * of HartleyLattice; between them it is interpolated.
  *
  * C. Yang: On-the-fly processing of compressed volume data, 2001, section 3.3, equations 6 to 10.
  *
- * Keeps what can be used for the next picture; one picture at a time.
+ * An object keeps intermediate results for the next image. It draws one image at a time.
  */
 class VTKGATUNCORE_EXPORT HartleyProjector
 {
@@ -80,26 +83,27 @@ public:
   HartleyProjector(const HartleyProjector&) = delete;
   HartleyProjector& operator=(const HartleyProjector&) = delete;
 
-  /** Parallel. Throws Error(InvalidInput) for views without pixels or with vectors that are not
-   * finite or span no space, Error(Aborted), and what the source throws. */
-  HartleyPicture Draw(const HartleyView& view, const HartleyShading& shading,
+  /** Parallel. Throws Error(InvalidInput) for views that have no pixels or whose vectors are not
+   * finite or linearly dependent, Error(Aborted), and the errors of the source. */
+  HartleyImage Draw(const HartleyView& view, const HartleyShading& shading,
     const std::function<bool(double)>& progress = {});
 
-  /** A block's picture by itself, at points of the plane of Sampling. */
-  struct BlockPicture
+  /** The image of one block. */
+  struct BlockImage
   {
     unsigned Width = 0;
     unsigned Height = 0;
-    HartleyView View; ///< of its pixels: index coordinates of the volume
+    HartleyView View; ///< of its pixels, in index coordinates of the volume
     std::vector<float> Sums;
   };
 
-  /** For studies: the picture of each block of a chunk, under the view's direction; the view's
-   * pixels do not matter. Sums are those of the voxels less the base. */
-  std::vector<BlockPicture> DrawBlocks(const HartleyView& view, std::size_t chunk);
+  /** For studies: the image of each block of a chunk in the direction of a view, whose pixels are
+   * not used. Sums are those of the voxels minus the base value. */
+  std::vector<BlockImage> DrawBlocks(const HartleyView& view, std::size_t chunk);
 
 private:
   struct Internals;
+  class Drawing;
   std::unique_ptr<Internals> Data;
 };
 }

@@ -24,7 +24,7 @@ void HartleyRay::AddWeights(double across, double down, std::span<double> weight
   const auto& size = this->Lattice.Block;
   const std::array<double, 2> place{ across, down };
 
-  // Where the ray is within reach of the voxels' hats, from the block's middle on.
+  // The part of the ray in the support of the block, measured from the block's middle.
   double first = -(size[2] + 1) / 2;
   double last = (size[2] + 1) / 2;
   for (int i = 0; i < 2; ++i)
@@ -49,7 +49,7 @@ void HartleyRay::AddWeights(double across, double down, std::span<double> weight
     return;
   }
 
-  // Where it crosses planes of voxels.
+  // Intersections with planes of voxels.
   this->Breaks = { first, last };
   const auto cross = [&](double at, double slope, double planes)
   {
@@ -73,7 +73,7 @@ void HartleyRay::AddWeights(double across, double down, std::span<double> weight
   }
   std::sort(this->Breaks.begin(), this->Breaks.end());
 
-  // Two points of Gauss are exact for cubics.
+  // Two-point Gauss quadrature is exact for cubics.
   const double offset = 1 / (2 * std::sqrt(3.0));
   for (std::size_t i = 1; i < this->Breaks.size(); ++i)
   {

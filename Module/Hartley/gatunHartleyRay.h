@@ -11,16 +11,17 @@
 namespace gatun
 {
 /**
- * How much each voxel of a block counts in the integral along a ray: the integral of its trilinear
- * hat. Exact but for rounding: between planes of voxels it is that of a cubic polynomial.
+ * The weight of each voxel of a block in the integral along a ray, that is, the integral of its
+ * trilinear basis function. Exact except for rounding: between planes of voxels the integrand is a
+ * cubic polynomial.
  */
 class HartleyRay
 {
 public:
   HartleyRay(const HartleyLayout::Triple& block, const HartleyLattice& lattice);
 
-  /** Adds to the weights of the voxels (x fastest) for the ray at a place of the picture, relative
-   * to its middle. */
+  /** Adds the weights of the voxels (x fastest) for the ray at a position relative to the middle of
+   * the block's image. */
   void AddWeights(double across, double down, std::span<double> weights);
 
 private:

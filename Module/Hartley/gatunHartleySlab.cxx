@@ -12,11 +12,11 @@ namespace gatun
 {
 namespace
 {
-// A picture through which less light comes is complete.
+// Pixels that transmit less than this count as opaque.
 constexpr float Opaque = 1.0f / 1024;
 
 //------------------------------------------------------------------------------
-/** Columns from first up to, not including, end, for which start + column step is in a range. */
+/** Restricts the columns [first, end) to those where start + column * step is in a range. */
 void ClipColumns(double start, double step, double low, double high, double& first, double& end)
 {
   if (step == 0)
@@ -101,7 +101,7 @@ void HartleySlab::Add(
             const float samples = part.Unit[from + i];
             if (samples > 0)
             {
-              lookup.Add(part.Picture ? part.Picture[from + i] : 0, samples, to[i]);
+              lookup.Add(part.Image ? part.Image[from + i] : 0, samples, to[i]);
             }
           }
         }
@@ -127,7 +127,7 @@ bool HartleySlab::AddTo(const HartleyLattice& lattice, const HartleyView& view,
       float most = 0;
       for (unsigned y = begin; y < std::min(begin + rowsAtOnce, view.Height); ++y)
       {
-        // In points of the slab's lattice; interpolation needs one before and two behind.
+        // In lattice points. Interpolation needs one point before and two after a position.
         std::array<double, 2> start, step;
         double first = 0;
         double end = view.Width;
@@ -142,7 +142,7 @@ bool HartleySlab::AddTo(const HartleyLattice& lattice, const HartleyView& view,
         {
           const double across = start[0] + x * step[0];
           const double down = start[1] + x * step[1];
-          // Clamped, as the ends of the range are rounded.
+          // Rounding may put the first and last column just outside of the range.
           const std::size_t left =
             std::clamp<std::size_t>(static_cast<std::size_t>(across), 1, this->Points[0] - 3);
           const std::size_t top =

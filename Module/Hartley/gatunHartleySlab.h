@@ -3,7 +3,7 @@
 #ifndef gatunHartleySlab_h
 #define gatunHartleySlab_h
 
-// Blocks of a slab, added up or composited on one lattice.
+// The blocks of a slab, summed or composited on one lattice.
 
 #include "gatunHartleyLattice.h"
 #include "gatunHartleyLookup.h"
@@ -16,33 +16,33 @@
 
 namespace gatun
 {
-/** The lattice of some blocks of a slab. */
+/** The lattice of a rectangle of blocks. */
 struct HartleySlab
 {
-  /** Points around the blocks' pictures, for interpolation. */
+  /** Points around the images of the blocks, for interpolation. */
   static constexpr std::size_t Margin = 2;
 
   std::array<double, 2> Origin{}; ///< sheared coordinates of the first point
   std::array<std::size_t, 2> Points{};
   std::vector<std::array<float, 4>> Channels;
 
-  /** For blocks from first up to, not including, end, across and down. */
+  /** Clears the lattice and sets its extent to the blocks [first, end), across and down. */
   void Start(const HartleyLattice& lattice, const std::array<std::uint32_t, 2>& first,
     const std::array<std::uint32_t, 2>& end, double middleAlong);
 
-  /** A block, and the pictures that are known of it. */
+  /** A block and its images. */
   struct Part
   {
     std::array<std::uint32_t, 2> Place{}; ///< across, down
-    const float* Unit = nullptr;          ///< of ones
-    const float* Picture = nullptr;       ///< null: nothing but the base value
+    const float* Unit = nullptr;          ///< of a block of ones
+    const float* Image = nullptr;         ///< null: all voxels have the base value
   };
 
-  /** Adds blocks, those in front first, behind what is there. */
+  /** Composites blocks, given from front to back, behind the present content. */
   void Add(const HartleyLattice& lattice, const HartleyLookup& lookup, std::span<const Part> parts);
 
-  /** Adds what is here behind what is in a picture. Returns whether there are pixels through which
-   * light still comes. */
+  /** Composites the slab behind the content of an image. Returns whether a pixel is not opaque
+   * afterwards. */
   bool AddTo(const HartleyLattice& lattice, const HartleyView& view, const HartleyLookup& lookup,
     std::vector<std::array<float, 4>>& pixels) const;
 

@@ -14,19 +14,19 @@ namespace gatun
 {
 namespace
 {
-// A picture on the lattice has no frequencies above 1 / Spacing, so that higher ones of the hats
-// show as lower ones: of these bands on each side of the lowest.
+// The lattice cannot represent frequencies above 1 / Spacing: higher frequencies of the tent
+// functions alias to lower ones. This number of bands on each side of the lowest is summed.
 constexpr int Bands = 1;
 
-// Frequencies at which hats have less than this are left out.
+// Frequencies at which the tent functions' spectrum is smaller are skipped.
 constexpr float Negligible = 1e-4f;
 
-// The spectrum of a hat is looked up; so many steps a cycle.
-constexpr std::size_t HatSteps = 1024;
+// Resolution of the table of the tent function's spectrum, in steps per cycle.
+constexpr std::size_t TentSteps = 1024;
 
 //------------------------------------------------------------------------------
-/** The spectrum of a hat: sin(pi f)^2 / (pi f)^2. */
-double GetHat(double frequency)
+/** The spectrum of the tent function: sin(pi f)^2 / (pi f)^2. */
+double GetTent(double frequency)
 {
   const double angle = std::numbers::pi * frequency;
   const double sinc = std::abs(angle) < 1e-6 ? 1 : std::sin(angle) / angle;
@@ -34,20 +34,20 @@ double GetHat(double frequency)
 }
 
 //------------------------------------------------------------------------------
-/** The sum of the spectrum of a hat over a frequency and all others that look like it on the
- * lattice, of which there are two points a voxel: at those a hat is 1/2, 1 and 1/2. */
-double GetAllHats(double frequency)
+/** The sum of the tent function's spectrum over a frequency and all its aliases on the lattice,
+ * where the tent function has the values 1/2, 1 and 1/2. */
+double GetAliasedTents(double frequency)
 {
   static_assert(HartleyLattice::PerVoxel == 2);
   return (1 + std::cos(std::numbers::pi * frequency)) / 2;
 }
 
 //------------------------------------------------------------------------------
-/** A multiple of the spectrum's points, brought to the first period. */
+/** A point of the periodic spectrum, mapped to the first period. */
 struct Wrapped
 {
   std::size_t Index;
-  bool Odd; // so many periods away
+  bool Odd; // whether the number of periods between the two is odd
 
   Wrapped(std::ptrdiff_t at, std::size_t points)
   {
@@ -76,16 +76,16 @@ public:
     for (int axis = 0; axis < 2; ++axis)
     {
       this->Even[axis] = this->Plan.Block[this->Plan.Axes[axis]] % 2 == 0;
-      this->MakeHats(axis, axis == 0 ? this->Width : this->Height);
+      this->MakeBands(axis, axis == 0 ? this->Width : this->Height);
     }
-    // Across and down there are bands up to three cycles, and no more than that along the rays.
+    // Bands reach three cycles across and down, and no more along the rays.
     constexpr std::size_t cycles = 2 * (Bands * HartleyLattice::PerVoxel + 1);
-    for (std::size_t i = 0; i <= cycles * HatSteps + 1; ++i)
+    for (std::size_t i = 0; i <= cycles * TentSteps + 1; ++i)
     {
-      this->HatTable.push_back(static_cast<float>(GetHat(static_cast<double>(i) / HatSteps)));
+      this->TentTable.push_back(static_cast<float>(GetTent(static_cast<double>(i) / TentSteps)));
     }
     this->Between = { this->Plan.Correction->GetWeights(), static_cast<float>(KaiserBessel::Steps),
-      this->HatTable.data(), static_cast<float>(HatSteps),
+      this->TentTable.data(), static_cast<float>(TentSteps),
       static_cast<double>(this->Plan.Points[2]), slice.Lattice.Shear[0], slice.Lattice.Shear[1],
       this->Plan.Block[this->Plan.Axes[2]] % 2 == 0 };
   }
@@ -94,17 +94,17 @@ public:
   {
     for (const Task& task : tasks)
     {
-      this->PaintSlice(*this->Slice.Spectra->Get(task.Block, task.Terms), task.Picture);
+      this->PaintSlice(*this->Slice.Spectra->Get(task.Block, task.Terms), task.Image);
     }
   }
 
-  void PaintSlice(const HartleySpectrum& spectrum, float* picture)
+  void PaintSlice(const HartleySpectrum& spectrum, float* image)
   {
     ParallelFor(this->Height, [&](std::size_t row) { this->CutRow(spectrum, row); });
     this->ToFourier();
     this->Inverse.Run(this->Spectrum.data(), this->Values.data());
 
-    // The middle of the picture is where the transform has its origin.
+    // The transform has its origin in the middle of the image.
     const auto& points = this->Slice.Lattice.Points;
     for (std::size_t y = 0; y < points[1]; ++y)
     {
@@ -112,7 +112,7 @@ public:
       for (std::size_t x = 0; x < points[0]; ++x)
       {
         const std::size_t column = (x + this->Width - points[0] / 2) % this->Width;
-        picture[y * points[0] + x] = static_cast<float>(this->Values[row * this->Width + column]);
+        image[y * points[0] + x] = static_cast<float>(this->Values[row * this->Width + column]);
       }
     }
   }
@@ -120,10 +120,10 @@ public:
 private:
   static constexpr std::size_t BandCount = 2 * Bands + 1;
 
-  void MakeHats(int axis, std::size_t count)
+  void MakeBands(int axis, std::size_t count)
   {
     const auto points = static_cast<double>(this->Plan.Points[axis]);
-    // How much the same part of the spectrum is met by one band and the next.
+    // How much neighboring bands sample the same part of the spectrum: 1 for rays along an axis.
     const auto same = static_cast<float>(std::max(0.0,
       1 -
         HartleyLattice::PerVoxel *
@@ -135,20 +135,19 @@ private:
       {
         const double frequency =
           static_cast<double>(this->GetSigned(i, count)) / points + band * HartleyLattice::PerVoxel;
-        this->Hats[axis].push_back({ frequency, static_cast<float>(GetHat(frequency)) });
+        this->BandsOf[axis].push_back({ frequency, static_cast<float>(GetTent(frequency)) });
       }
-      // What is left of all other bands goes to the outermost of these, half to each: so views
-      // along an axis, for which bands differ by nothing else, are exact. In other views bands are
-      // of different parts of the spectrum.
-      HartleyBand* const bands = &this->Hats[axis][i * BandCount];
-      float rest =
-        static_cast<float>(GetAllHats(static_cast<double>(this->GetSigned(i, count)) / points));
+      // The sum of all other bands is divided among the two outermost ones. That is exact for rays
+      // along an axis, where all bands sample the same part of the spectrum.
+      HartleyBand* const bands = &this->BandsOf[axis][i * BandCount];
+      float rest = static_cast<float>(
+        GetAliasedTents(static_cast<double>(this->GetSigned(i, count)) / points));
       for (std::size_t band = 0; band < BandCount; ++band)
       {
-        rest -= bands[band].Hat;
+        rest -= bands[band].Tent;
       }
-      bands[0].Hat += same * rest / 2;
-      bands[BandCount - 1].Hat += same * rest / 2;
+      bands[0].Tent += same * rest / 2;
+      bands[BandCount - 1].Tent += same * rest / 2;
     }
   }
 
@@ -162,20 +161,20 @@ private:
   {
     const auto& kernel = GetBestHartleyKernel();
     const Wrapped v(this->GetSigned(row, this->Height), this->Plan.Points[1]);
-    const HartleyBand* const down = this->Hats[1].data() + row * BandCount;
+    const HartleyBand* const down = this->BandsOf[1].data() + row * BandCount;
     for (std::size_t column = 0; column < this->Width; ++column)
     {
       const Wrapped u(this->GetSigned(column, this->Width), this->Plan.Points[0]);
       const float sum =
         kernel.SumBands(spectrum.GetLine(u.Index, v.Index) - HartleySpectrum::Before, this->Between,
-          this->Hats[0].data() + column * BandCount, down, BandCount, Negligible);
+          this->BandsOf[0].data() + column * BandCount, down, BandCount, Negligible);
       const bool turned = (this->Even[0] && u.Odd) != (this->Even[1] && v.Odd);
       this->Values[row * this->Width + column] = static_cast<double>(turned ? -sum : sum);
     }
   }
 
-  /** From the Hartley to the Fourier spectrum of the picture: H(f) is the real less the imaginary
-   * part, and H(-f) their sum. */
+  /** Converts the Hartley spectrum of the image to its Fourier spectrum: H(f) is the real minus the
+   * imaginary part, H(-f) their sum. */
   void ToFourier()
   {
     const std::size_t half = this->Width / 2 + 1;
@@ -200,8 +199,8 @@ private:
   std::size_t Width, Height;
   InversePlaneTransform Inverse;
   std::array<bool, 2> Even{};
-  std::array<std::vector<HartleyBand>, 2> Hats; // of each column, of each row: BandCount
-  std::vector<float> HatTable;
+  std::array<std::vector<HartleyBand>, 2> BandsOf; // BandCount of each column, of each row
+  std::vector<float> TentTable;
   HartleyBetween Between{};
   std::vector<double> Values;
   std::vector<std::complex<double>> Spectrum;
@@ -219,7 +218,7 @@ SpectrumPlan HartleySlice::MakePlan(
   {
     size[i] = block[plan.Axes[i]];
   }
-  // Across, a picture must fit whatever the shear is, or it would come in again on the other side.
+  // Across the rays, the image must fit for every shear; otherwise it would wrap around.
   for (int i = 0; i < 2; ++i)
   {
     plan.Points[i] = GetFastSize(size[i] + size[2] + 2);
@@ -246,8 +245,8 @@ std::unique_ptr<HartleyPainter::Brush> HartleySlice::MakeBrush() const
 //------------------------------------------------------------------------------
 std::vector<float> HartleySlice::PaintUnit(const HartleyLayout::Triple& filled) const
 {
-  std::vector<float> picture(this->Lattice.GetNumberOfPoints());
-  SliceBrush(*this).PaintSlice(*this->Spectra->GetUnit(filled), picture.data());
-  return picture;
+  std::vector<float> image(this->Lattice.GetNumberOfPoints());
+  SliceBrush(*this).PaintSlice(*this->Spectra->GetUnit(filled), image.data());
+  return image;
 }
 }

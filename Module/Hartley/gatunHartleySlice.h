@@ -11,22 +11,22 @@
 namespace gatun
 {
 /**
- * Pictures of blocks by the projection-slice theorem: the spectrum of a block's picture is the
- * slice through the middle of the block's spectrum, across the rays, times the spectrum of the
- * hats. In the lattice's sheared coordinates the slice meets the spectrum's points along two axes,
- * and only along the third values have to be found between them.
+ * Computes the image of a block by the projection-slice theorem: the spectrum of the image is the
+ * central slice of the block's spectrum, orthogonal to the rays, times the spectrum of the
+ * trilinear basis function. In the sheared coordinates of the lattice, the slice passes through the
+ * points of the spectrum along two axes. Interpolation is needed along the third axis only.
  *
  * M. Levoy: Volume rendering using the Fourier projection-slice theorem. Graphics Interface, 1992.
  */
 class HartleySlice : public HartleyPainter
 {
 public:
-  /** How fine spectra have to be for a direction; padding: points of a period along the rays, in
-   * voxels of the block. */
+  /** The resolution of the spectra for a direction. Padding: points of a period along the rays
+   * divided by the voxels of a block. */
   static SpectrumPlan MakePlan(
     const HartleyLayout::Triple& block, const HartleyLattice& lattice, double padding);
 
-  /** Spectra are those of such a plan. */
+  /** Spectra: made by such a plan. */
   HartleySlice(const HartleyLattice& lattice, std::shared_ptr<HartleySpectra> spectra);
 
   std::unique_ptr<Brush> MakeBrush() const override;

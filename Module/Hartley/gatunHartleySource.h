@@ -13,20 +13,20 @@
 
 namespace gatun
 {
-/** A coefficient of a block that is not zero. */
+/** A nonzero coefficient of a block. */
 struct HartleyTerm
 {
-  std::uint32_t Index = 0; ///< in the block, x fastest, as HartleyTransform has them
+  std::uint32_t Index = 0; ///< in the block, x fastest, as in HartleyTransform
   float Value = 0;
 
   bool operator==(const HartleyTerm&) const = default;
 };
 
-/** The coefficients of a chunk's blocks, block after block in the order of HartleyLayout. */
+/** The coefficients of a chunk, block by block in the order of HartleyLayout. */
 struct HartleyChunk
 {
-  std::vector<std::uint64_t> Starts; ///< one a block, and the end
-  std::vector<HartleyTerm> Terms;    ///< of each block by ascending index
+  std::vector<std::uint64_t> Starts; ///< of each block; the last entry is the end
+  std::vector<HartleyTerm> Terms;    ///< in each block by ascending index
 
   std::span<const HartleyTerm> GetBlock(std::size_t blockOfChunk) const
   {
@@ -36,8 +36,8 @@ struct HartleyChunk
 };
 
 /**
- * A volume as Hartley coefficients, in memory or in a file. What is transformed are the voxels less
- * a base value, which is the smallest of the volume, so that nothing is where the volume ends.
+ * A volume as Hartley coefficients, in memory or in a file. They are the transform of the voxels
+ * minus a base value, the smallest voxel, so that the volume is zero at its borders.
  */
 class VTKGATUNCORE_EXPORT HartleySource
 {
@@ -47,10 +47,10 @@ public:
   virtual const HartleyLayout& GetLayout() const = 0;
   virtual double GetBase() const = 0;
 
-  /** Smallest and largest voxel, before they were compressed. */
+  /** Smallest and largest voxel before compression. */
   virtual Range GetRange() const = 0;
 
-  /** Thread safe. Throws Error, of a file that is damaged. */
+  /** Thread safe. Throws Error if the file is damaged. */
   virtual std::shared_ptr<const HartleyChunk> GetChunk(std::size_t chunk) const = 0;
 };
 }

@@ -15,10 +15,12 @@ namespace gatun
 {
 namespace
 {
+using Complex = std::complex<float>;
+
 constexpr std::size_t LinesAtOnce = 8;
 
 //------------------------------------------------------------------------------
-/** The spectra of lines of voxels, about their middle. One a thread. */
+/** Computes the spectra of lines of voxels about their middle. Each thread needs one of its own. */
 class LineTransform
 {
 public:
@@ -37,7 +39,7 @@ public:
     }
   }
 
-  /** The places of the line's voxels; what lies behind them is always 0. */
+  /** The input. The padding after the voxels is always 0. */
   std::span<std::complex<double>> GetVoxels() { return { this->In.data(), this->Voxels }; }
 
   std::span<const std::complex<double>> Run()
@@ -50,8 +52,8 @@ public:
     return this->Out;
   }
 
-  /** Transforms neighbouring lines, whose voxels are so far apart; use(frequency, line, value) gets
-   * what comes of them. */
+  /** Transforms count neighboring lines. Apart: distance of a line's voxels. Calls use(frequency,
+   * line, value) for the results. */
   template <typename Use>
   void RunSome(const std::complex<float>* first, std::size_t apart, std::size_t count, Use&& use)
   {
@@ -130,168 +132,193 @@ std::vector<HartleyTerm> GetUnitTerms(
 }
 
 //------------------------------------------------------------------------------
+/** The transforms of a spectrum, one axis after the other. */
+class HartleySpectrum::Builder
+{
+public:
+  Builder(HartleySpectrum& spectrum, const SpectrumPlan& plan)
+    : Spectrum(spectrum)
+    , Points(plan.Points)
+    , Half(plan.Points[2] / 2 + 1)
+    , Groups((Half + LinesAtOnce - 1) / LinesAtOnce)
+  {
+    const std::array<std::size_t, 3> strides{ 1, plan.Block[0],
+      std::size_t{ plan.Block[0] } * plan.Block[1] };
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const auto axis = static_cast<std::size_t>(plan.Axes[i]);
+      this->Size[i] = plan.Block[axis];
+      this->Strides[i] = strides[axis];
+      this->Alternates[i] = this->Size[i] % 2 == 0;
+    }
+  }
+
+  /** Transforms voxels along the third axis. One half of the frequencies suffices, because the
+   * voxels are real. */
+  std::vector<Complex> TransformThird(
+    std::span<const double> voxels, const KaiserBessel* correction) const
+  {
+    const std::size_t length = this->Size[2];
+    std::vector<double> factors(length, 1.0);
+    for (std::size_t z = 0; correction && z < length; ++z)
+    {
+      const double place = static_cast<double>(z) - (static_cast<double>(length) - 1) / 2;
+      factors[z] = 1 / correction->GetTransform(place);
+    }
+    std::vector<Complex> out(this->Size[1] * this->Size[0] * this->Half);
+    ParallelFor(this->Size[1],
+      [&](std::size_t y)
+      {
+        LineTransform line(length, this->Points[2]);
+        for (std::size_t x = 0; x < this->Size[0]; ++x)
+        {
+          const auto in = line.GetVoxels();
+          const double* const from = voxels.data() + x * this->Strides[0] + y * this->Strides[1];
+          for (std::size_t z = 0; z < length; ++z)
+          {
+            in[z] = from[z * this->Strides[2]] * factors[z];
+          }
+          const auto found = line.Run();
+          std::copy(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(this->Half),
+            out.begin() + static_cast<std::ptrdiff_t>((y * this->Size[0] + x) * this->Half));
+        }
+      });
+    return out;
+  }
+
+  /** Transforms along the first axis. Several neighboring lines at a time, because the values of a
+   * line are far apart in memory. */
+  std::vector<Complex> TransformFirst(const std::vector<Complex>& in) const
+  {
+    std::vector<Complex> out(this->Size[1] * this->Points[0] * this->Half);
+    ParallelFor(this->Size[1],
+      [&](std::size_t y)
+      {
+        LineTransform line(this->Size[0], this->Points[0]);
+        for (std::size_t group = 0; group < this->Groups; ++group)
+        {
+          const std::size_t first = group * LinesAtOnce;
+          line.RunSome(in.data() + y * this->Size[0] * this->Half + first, this->Half,
+            std::min(LinesAtOnce, this->Half - first),
+            [&](std::size_t u, std::size_t i, std::complex<double> value)
+            { out[(y * this->Points[0] + u) * this->Half + first + i] = Complex(value); });
+        }
+      });
+    return out;
+  }
+
+  /** Transforms along the second axis and stores the Hartley spectrum with both halves of the
+   * frequencies. */
+  void TransformSecond(const std::vector<Complex>& in)
+  {
+    ParallelFor(this->Points[0],
+      [&](std::size_t u)
+      {
+        LineTransform line(this->Size[1], this->Points[1]);
+        for (std::size_t group = 0; group < this->Groups; ++group)
+        {
+          const std::size_t first = group * LinesAtOnce;
+          line.RunSome(in.data() + u * this->Half + first, this->Points[0] * this->Half,
+            std::min(LinesAtOnce, this->Half - first),
+            [&](std::size_t v, std::size_t i, std::complex<double> value)
+            { this->Store(u, v, first + i, value); });
+        }
+      });
+  }
+
+  /** Continues each line before and after its period. */
+  void Extend()
+  {
+    const float sign = this->Alternates[2] ? -1.0f : 1.0f;
+    ParallelFor(this->Points[1],
+      [&](std::size_t v)
+      {
+        for (std::size_t u = 0; u < this->Points[0]; ++u)
+        {
+          float* const line = &this->At(u, v, 0);
+          for (std::size_t i = 1; i <= Before; ++i)
+          {
+            line[-static_cast<std::ptrdiff_t>(i)] = sign * line[this->Points[2] - i];
+          }
+          for (std::size_t i = 0; i < After; ++i)
+          {
+            line[this->Points[2] + i] = sign * line[i];
+          }
+        }
+      });
+  }
+
+private:
+  float& At(std::size_t u, std::size_t v, std::size_t w)
+  {
+    return this->Spectrum.Values[(v * this->Points[0] + u) * this->Spectrum.Stride + Before + w];
+  }
+
+  std::size_t Opposite(std::size_t axis, std::size_t u) const
+  {
+    return u == 0 ? 0 : this->Points[axis] - u;
+  }
+
+  /** Stores a frequency and its opposite. */
+  void Store(std::size_t u, std::size_t v, std::size_t w, const std::complex<double>& value)
+  {
+    this->At(u, v, w) = static_cast<float>(value.real() - value.imag());
+    if (w > 0 && 2 * w < this->Points[2])
+    {
+      const bool turned =
+        (this->Alternates[0] && u > 0) != ((this->Alternates[1] && v > 0) != this->Alternates[2]);
+      const double mirrored = value.real() + value.imag();
+      this->At(this->Opposite(0, u), this->Opposite(1, v), this->Opposite(2, w)) =
+        static_cast<float>(turned ? -mirrored : mirrored);
+    }
+  }
+
+  HartleySpectrum& Spectrum;
+  std::array<std::size_t, 3> Points;
+  std::array<std::size_t, 3> Size{};    // of a block, along the plan's axes
+  std::array<std::size_t, 3> Strides{}; // of its voxels
+  std::array<bool, 3> Alternates{};     // whether the sign changes from each period to the next
+  std::size_t Half;                     // frequencies along the third axis that are transformed
+  std::size_t Groups;                   // of lines that are transformed at a time
+};
+
+//------------------------------------------------------------------------------
 HartleySpectrum::HartleySpectrum(const SpectrumPlan& plan, std::span<const HartleyTerm> terms)
   : Points(plan.Points)
   , Stride(plan.Points[2] + Before + After)
 {
-  using Complex = std::complex<float>;
-  const std::vector<double> voxels = GetVoxels(plan.Block, terms);
-  std::array<std::size_t, 3> strides{ 1, plan.Block[0],
-    std::size_t{ plan.Block[0] } * plan.Block[1] };
-  std::array<std::size_t, 3> size;
-  for (int i = 0; i < 3; ++i)
-  {
-    size[i] = plan.Block[plan.Axes[i]];
-  }
-  const auto stride = [&](int i) { return strides[plan.Axes[i]]; };
-
-  // Along the third axis. One half of the frequencies is enough: the voxels are real.
-  const std::size_t half = this->Points[2] / 2 + 1;
-  std::vector<double> correction(size[2], 1.0);
-  if (plan.Correction)
-  {
-    for (std::size_t z = 0; z < size[2]; ++z)
-    {
-      correction[z] = 1 /
-        plan.Correction->GetTransform(
-          static_cast<double>(z) - (static_cast<double>(size[2]) - 1) / 2);
-    }
-  }
-  std::vector<Complex> one(size[1] * size[0] * half);
-  ParallelFor(size[1],
-    [&](std::size_t y)
-    {
-      LineTransform line(size[2], this->Points[2]);
-      for (std::size_t x = 0; x < size[0]; ++x)
-      {
-        const auto in = line.GetVoxels();
-        const double* const from = voxels.data() + x * stride(0) + y * stride(1);
-        for (std::size_t z = 0; z < size[2]; ++z)
-        {
-          in[z] = from[z * stride(2)] * correction[z];
-        }
-        const auto out = line.Run();
-        std::copy(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(half),
-          one.begin() + static_cast<std::ptrdiff_t>((y * size[0] + x) * half));
-      }
-    });
-
-  // Along the first. Some neighbouring lines at once, as a line's values are far apart.
-  const std::size_t groups = (half + LinesAtOnce - 1) / LinesAtOnce;
-  std::vector<Complex> two(size[1] * this->Points[0] * half);
-  ParallelFor(size[1],
-    [&](std::size_t y)
-    {
-      LineTransform line(size[0], this->Points[0]);
-      for (std::size_t group = 0; group < groups; ++group)
-      {
-        line.RunSome(one.data() + y * size[0] * half + group * LinesAtOnce, half,
-          std::min(LinesAtOnce, half - group * LinesAtOnce),
-          [&](std::size_t u, std::size_t i, std::complex<double> value)
-          { two[(y * this->Points[0] + u) * half + group * LinesAtOnce + i] = Complex(value); });
-      }
-    });
-  std::vector<Complex>().swap(one);
-
-  // Along the second; the other half of the frequencies comes with it.
-  std::array<bool, 3> turns;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    turns[i] = size[i] % 2 == 0;
-  }
+  Builder builder(*this, plan);
+  std::vector<Complex> lines =
+    builder.TransformThird(GetVoxels(plan.Block, terms), plan.Correction.get());
+  lines = builder.TransformFirst(lines);
   this->Values.resize(this->Points[0] * this->Points[1] * this->Stride);
-  const auto at = [&](std::size_t u, std::size_t v, std::size_t w) -> float&
-  { return this->Values[(v * this->Points[0] + u) * this->Stride + Before + w]; };
-  const auto opposite = [&](std::size_t axis, std::size_t u)
-  { return u == 0 ? 0 : this->Points[axis] - u; };
-  ParallelFor(this->Points[0],
-    [&](std::size_t u)
-    {
-      LineTransform line(size[1], this->Points[1]);
-      for (std::size_t group = 0; group < groups; ++group)
-      {
-        line.RunSome(two.data() + u * half + group * LinesAtOnce, this->Points[0] * half,
-          std::min(LinesAtOnce, half - group * LinesAtOnce),
-          [&](std::size_t v, std::size_t i, std::complex<double> value)
-          {
-            const std::size_t w = group * LinesAtOnce + i;
-            at(u, v, w) = static_cast<float>(value.real() - value.imag());
-            if (w > 0 && 2 * w < this->Points[2])
-            {
-              const bool turned = (turns[0] && u > 0) != ((turns[1] && v > 0) != turns[2]);
-              const double mirrored = value.real() + value.imag();
-              at(opposite(0, u), opposite(1, v), opposite(2, w)) =
-                static_cast<float>(turned ? -mirrored : mirrored);
-            }
-          });
-      }
-    });
-
-  // What lies before and behind a period.
-  const float sign = turns[2] ? -1.0f : 1.0f;
-  ParallelFor(this->Points[1],
-    [&](std::size_t v)
-    {
-      for (std::size_t u = 0; u < this->Points[0]; ++u)
-      {
-        float* const line = &at(u, v, 0);
-        for (std::size_t i = 1; i <= Before; ++i)
-        {
-          line[-static_cast<std::ptrdiff_t>(i)] = sign * line[this->Points[2] - i];
-        }
-        for (std::size_t i = 0; i < After; ++i)
-        {
-          line[this->Points[2] + i] = sign * line[i];
-        }
-      }
-    });
+  builder.TransformSecond(lines);
+  builder.Extend();
 }
 
 //------------------------------------------------------------------------------
 std::shared_ptr<const HartleySpectrum> HartleySpectra::Get(
   std::size_t block, std::span<const HartleyTerm> terms)
 {
+  if (auto found = this->Kept.Find(block))
   {
-    const std::lock_guard lock(this->Mutex);
-    const auto found = this->Kept.find(block);
-    if (found != this->Kept.end())
-    {
-      return found->second;
-    }
+    return found;
   }
   auto made = std::make_shared<const HartleySpectrum>(this->Plan, terms);
-  const std::lock_guard lock(this->Mutex);
-  if (this->HasRoom(*made))
-  {
-    this->Kept.emplace(block, made);
-  }
+  this->Kept.Keep(block, made, made->GetBytes());
   return made;
 }
 
 //------------------------------------------------------------------------------
 std::shared_ptr<const HartleySpectrum> HartleySpectra::GetUnit(const HartleyLayout::Triple& filled)
 {
+  if (auto found = this->KeptUnits.Find(filled))
   {
-    const std::lock_guard lock(this->Mutex);
-    const auto found = this->KeptUnits.find(filled);
-    if (found != this->KeptUnits.end())
-    {
-      return found->second;
-    }
+    return found;
   }
   auto made =
     std::make_shared<const HartleySpectrum>(this->Plan, GetUnitTerms(this->Plan.Block, filled));
-  const std::lock_guard lock(this->Mutex);
-  if (this->HasRoom(*made))
-  {
-    this->KeptUnits.emplace(filled, made);
-  }
+  this->KeptUnits.Keep(filled, made, made->GetBytes());
   return made;
-}
-
-//------------------------------------------------------------------------------
-bool HartleySpectra::HasRoom(const HartleySpectrum& spectrum) const
-{
-  return (this->Kept.size() + this->KeptUnits.size() + 1) * spectrum.GetBytes() <= this->Bytes;
 }
 }

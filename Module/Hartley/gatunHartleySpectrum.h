@@ -3,27 +3,25 @@
 #ifndef gatunHartleySpectrum_h
 #define gatunHartleySpectrum_h
 
+#include "gatunCache.h"
 #include "gatunHartleyKernelFunction.h"
 #include "gatunHartleyLayout.h"
 #include "gatunHartleySource.h"
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 namespace gatun
 {
-/** How spectra of blocks are made finer, so that values between their points can be found. */
+/** The resolution of zero-padded spectra, for interpolation between their points. */
 struct SpectrumPlan
 {
   HartleyLayout::Triple Block{};
-  std::array<int, 3> Axes{ 0, 1, 2 };             ///< lines lie along the third
-  std::array<std::size_t, 3> Points{};            ///< frequencies along Axes, in one period
+  std::array<int, 3> Axes{ 0, 1, 2 };             ///< lines run along the third
+  std::array<std::size_t, 3> Points{};            ///< frequencies of one period, along Axes
   std::shared_ptr<const KaiserBessel> Correction; ///< along Axes[2]; null: none
 
   bool operator==(const SpectrumPlan& other) const
@@ -34,17 +32,16 @@ struct SpectrumPlan
 };
 
 /**
- * The Hartley spectrum of a block about its middle, at multiples of 1 / Points cycles a voxel from
- * 0 up to 1. It goes on with period 1 along axes of which the block has an odd number of voxels;
- * with the other sign in every other period where that number is even, as the middle is then
- * between voxels.
+ * The Hartley spectrum of a block about its middle, at multiples of 1 / Points cycles per voxel
+ * from 0 to 1. It has the period 1. Along axes where the block has an even number of voxels, its
+ * middle is between voxels and the sign changes from each period to the next.
  */
 class HartleySpectrum
 {
 public:
   HartleySpectrum(const SpectrumPlan& plan, std::span<const HartleyTerm> terms);
 
-  /** All values along the third axis; Before lie before the first, and After behind the last. */
+  /** The values along the third axis. Before values precede the first, After follow the last. */
   const float* GetLine(std::size_t first, std::size_t second) const
   {
     return this->Values.data() + (second * this->Points[0] + first) * this->Stride + Before;
@@ -56,18 +53,21 @@ public:
   static constexpr std::size_t After = 6;
 
 private:
+  class Builder;
+
   std::array<std::size_t, 3> Points;
-  std::size_t Stride; // of lines
+  std::size_t Stride; // from one line to the next
   std::vector<float> Values;
 };
 
-/** The spectra of blocks that are kept from picture to picture. Thread safe. */
+/** Computes the spectra of blocks and keeps as many of them as a budget allows. Thread safe. */
 class HartleySpectra
 {
 public:
   HartleySpectra(SpectrumPlan plan, std::uint64_t bytes)
     : Plan(std::move(plan))
-    , Bytes(bytes)
+    , Kept(std::make_shared<CacheBudget>(bytes), CachePolicy::KeepFirst)
+    , KeptUnits(Kept.GetBudget(), CachePolicy::KeepFirst)
   {
   }
 
@@ -75,18 +75,14 @@ public:
 
   std::shared_ptr<const HartleySpectrum> Get(std::size_t block, std::span<const HartleyTerm> terms);
 
-  /** Of a block of which the first voxels along each axis are 1. */
+  /** The spectrum of a block whose first voxels along each axis (filled) are 1. */
   std::shared_ptr<const HartleySpectrum> GetUnit(const HartleyLayout::Triple& filled);
 
 private:
-  /** Whether there is room for one more. */
-  bool HasRoom(const HartleySpectrum& spectrum) const;
-
   SpectrumPlan Plan;
-  std::uint64_t Bytes;
-  std::mutex Mutex;
-  std::unordered_map<std::size_t, std::shared_ptr<const HartleySpectrum>> Kept;
-  std::map<HartleyLayout::Triple, std::shared_ptr<const HartleySpectrum>> KeptUnits;
+  // The first ones are kept, because all are used in a cycle.
+  Cache<std::size_t, HartleySpectrum> Kept;
+  Cache<HartleyLayout::Triple, HartleySpectrum> KeptUnits;
 };
 }
 

@@ -50,7 +50,7 @@ std::uint32_t GetSize(ByteReader& in)
   return static_cast<std::uint32_t>(size);
 }
 
-/** Whether a type can have both ends of a range. */
+/** Whether a type can represent both ends of a range. */
 bool Holds(ScalarType type, const Range& range)
 {
   bool holds = false;
@@ -58,7 +58,7 @@ bool Holds(ScalarType type, const Range& range)
     [&](const auto* typed)
     {
       using T = std::remove_cv_t<std::remove_pointer_t<decltype(typed)>>;
-      // Integers are never beyond what doubles hold.
+      // Integers are limited to the exact range of doubles.
       const double least = std::is_floating_point_v<T> || sizeof(T) < 8
         ? static_cast<double>(std::numeric_limits<T>::lowest())
         : std::is_signed_v<T> ? -LargestVoxelInteger
@@ -97,7 +97,7 @@ StreamRef GetStream(ByteReader& in, std::uint64_t& end)
   return stream;
 }
 
-// What an entry of a stream takes at least, and one of a chunk beside its streams.
+// The minimum size of a stream's entry, and of a chunk's entry without its streams.
 constexpr std::uint64_t StreamBytes = 10;
 constexpr std::uint64_t ChunkBytes = 1;
 }
@@ -147,10 +147,10 @@ Bytes HartleyMeta::Write() const
   {
     out.Put(static_cast<std::int16_t>(std::lround(shift * ShiftUnits)));
   }
-  out.Put(static_cast<std::uint8_t>(this->Quality.Kind));
-  out.Put(this->Quality.Value);
-  out.Put(this->RootMeanSquareError);
-  out.Put(this->LargestError);
+  out.Put(static_cast<std::uint8_t>(this->RateControl.Mode));
+  out.Put(this->RateControl.Value);
+  out.Put(this->RMSError);
+  out.Put(this->MaximumError);
   return std::move(out.Data);
 }
 
@@ -213,31 +213,31 @@ HartleyMeta HartleyMeta::Read(std::span<const std::uint8_t> bytes)
   }
   meta.Lossless = flags & FlagLossless;
   meta.Steps.Step =
-    GetBetween(in, std::numeric_limits<double>::min(), LargestStep, "the step of the quantiser");
+    GetBetween(in, std::numeric_limits<double>::min(), LargestStep, "the step of the quantizer");
   meta.Steps.Weight = GetBetween(in, 0, 4, "the weight of frequencies");
-  meta.Quality.FrequencyWeight = meta.Steps.Weight;
+  meta.RateControl.FrequencyWeight = meta.Steps.Weight;
   for (double& shift : meta.Steps.Shifts)
   {
     shift = in.Get<std::int16_t>() / ShiftUnits;
     if (std::abs(shift) > 0.5)
     {
-      ThrowCorrupt("a shift of the quantiser is out of range");
+      ThrowCorrupt("a shift of the quantizer is out of range");
     }
   }
   meta.Steps.Nearest = meta.Lossless;
   const auto kind = in.Get<std::uint8_t>();
-  if (kind > static_cast<std::uint8_t>(HartleyQuality::Goal::Rate))
+  if (kind > static_cast<std::uint8_t>(HartleyRateMode::BitsPerVoxel))
   {
-    ThrowCorrupt("there is no kind of quality " + std::to_string(kind));
+    ThrowCorrupt("there is no rate control mode " + std::to_string(kind));
   }
-  meta.Quality.Kind = static_cast<HartleyQuality::Goal>(kind);
-  meta.Quality.Value = GetFinite(in, "the quality");
+  meta.RateControl.Mode = static_cast<HartleyRateMode>(kind);
+  meta.RateControl.Value = GetFinite(in, "the quality");
   constexpr double most = std::numeric_limits<double>::max();
-  meta.RootMeanSquareError = GetBetween(in, 0, most, "the error");
-  meta.LargestError = GetBetween(in, 0, most, "the largest error");
+  meta.RMSError = GetBetween(in, 0, most, "the error");
+  meta.MaximumError = GetBetween(in, 0, most, "the largest error");
   if (in.GetRemaining() != 0)
   {
-    ThrowCorrupt("there are bytes behind their end");
+    ThrowCorrupt("there are bytes after their end");
   }
   return meta;
 }
@@ -283,7 +283,7 @@ HartleyTable HartleyTable::Read(std::span<const std::uint8_t> bytes, const Hartl
   const auto bytesEach = ChunkBytes + StreamBytes * (streams + meta.HasCorrections());
   if (count > in.GetRemaining() / bytesEach)
   {
-    ThrowCorrupt("there are fewer chunks than the volume has");
+    ThrowCorrupt("there are fewer chunks than the volume needs");
   }
   HartleyTable table;
   table.Chunks.resize(static_cast<std::size_t>(count));
@@ -294,7 +294,7 @@ HartleyTable HartleyTable::Read(std::span<const std::uint8_t> bytes, const Hartl
     chunk.Terms = in.GetVarint();
     if (chunk.Terms > CountHartleyBlocks(layout, i) * layout.GetVoxelsPerBlock())
     {
-      ThrowCorrupt("chunk " + std::to_string(i) + " has more coefficients than there can be");
+      ThrowCorrupt("chunk " + std::to_string(i) + " has more coefficients than its blocks");
     }
     chunk.Streams.reserve(static_cast<std::size_t>(streams));
     for (std::uint64_t s = 0; s < streams; ++s)
@@ -308,7 +308,7 @@ HartleyTable HartleyTable::Read(std::span<const std::uint8_t> bytes, const Hartl
   }
   if (in.GetRemaining() != 0)
   {
-    ThrowCorrupt("there are bytes behind its end");
+    ThrowCorrupt("there are bytes after its end");
   }
   return table;
 }

@@ -3,11 +3,11 @@
 #ifndef gatunHartleyTables_h
 #define gatunHartleyTables_h
 
-// What a .ghv file tells about itself. See Documentation/ghv-format.md.
+// The tables of a .ghv file. See Documentation/ghv-format.md.
 
 #include "gatunContainer.h"
 #include "gatunHartleyLayout.h"
-#include "gatunHartleyQuantiser.h"
+#include "gatunHartleyQuantizer.h"
 #include "gatunHartleyVolume.h"
 
 #include <string>
@@ -24,25 +24,25 @@ struct HartleyMeta
   Range Values;
   HartleySteps Steps;
   bool Lossless = false;
-  HartleyQuality Quality;
-  double RootMeanSquareError = 0;
-  double LargestError = 0;
+  HartleyRateControl RateControl;
+  double RMSError = 0;
+  double MaximumError = 0;
 
-  HartleyLayout Layout; ///< follows from the sizes
+  HartleyLayout Layout; ///< computed from the sizes
 
-  /** Whether there are streams that correct voxels. */
+  /** Whether the chunks have streams of corrections. */
   bool HasCorrections() const { return this->Lossless && !IsFloating(this->Volume.Type); }
 
   Bytes Write() const;
   static HartleyMeta Read(std::span<const std::uint8_t> bytes);
 };
 
-/** Where a chunk is. */
+/** The position of a chunk in the file. */
 struct HartleyChunkEntry
 {
   std::uint64_t Terms = 0;
   std::vector<StreamRef> Streams; ///< one, or one for each segment
-  StreamRef Corrections;          ///< of no length where there are none
+  StreamRef Corrections;          ///< empty if there are none
 
   std::uint64_t GetBytes() const;
 };
@@ -56,7 +56,7 @@ struct HartleyTable
   static HartleyTable Read(std::span<const std::uint8_t> bytes, const HartleyMeta& meta);
 };
 
-/** How many streams the blocks of a chunk have. */
+/** The number of streams of a chunk's coefficients. */
 std::size_t CountHartleyStreams(const HartleyLayout& layout);
 }
 

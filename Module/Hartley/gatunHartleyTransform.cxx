@@ -18,8 +18,8 @@ namespace
 // Blocks of more values than this are transformed by several threads.
 constexpr std::size_t ParallelValues = std::size_t{ 1 } << 19;
 
-/** The frequency -k along an axis. k = n / 2 is its own opposite but for the sign: between voxels,
- * where the centre is, its cosine is 0. */
+/** The frequency -k along an axis. k = n / 2 is its own opposite up to the sign, because its cosine
+ * is 0 at the center, which is between voxels. */
 struct Opposite
 {
   std::uint32_t Index = 0;
@@ -38,13 +38,13 @@ Opposite GetOpposite(std::uint32_t index, std::uint32_t size)
 
 //--------------------------------------------------------------------------------------------------
 /**
- * Lines along x, y and z are transformed in one dimension, which gives products of three cas. With
+ * Transforms lines along x, y and z in one dimension, which gives products of three cas. With
  *
  *   2 cas(a + b + c) = cas(a) cas(b) cas(-c) + cas(a) cas(-b) cas(c) + cas(-a) cas(b) cas(c)
  *                    - cas(-a) cas(-b) cas(-c)
  *
- * values at a frequency and at its reflections become those of the true transform. That step is
- * its own inverse.
+ * the values at a frequency and its reflections are combined to those of the Hartley transform.
+ * That step is its own inverse.
  */
 struct HartleyTransform::Internals
 {
@@ -52,7 +52,7 @@ struct HartleyTransform::Internals
   std::size_t Count;
   std::array<std::optional<HartleyLines>, 3> Lines;
 
-  /** Calls body(i, memory) for all i below count, in parallel where the block is large. */
+  /** Calls body(i, memory) for all i below count, in parallel if the block is large. */
   template <typename Memory, typename Body>
   void ForEach(std::size_t count, Memory& memory, Body&& body)
   {
@@ -94,7 +94,7 @@ void HartleyTransform::Internals::TransformLines(
   {
     return;
   }
-  // Lines that lie side by side are transformed together.
+  // Adjacent lines are transformed together.
   const std::size_t inner = axis == 0 ? 1
     : axis == 1                       ? this->Size[0]
                                       : this->Size[0] * std::size_t{ this->Size[1] };
@@ -136,7 +136,7 @@ void HartleyTransform::Internals::CombineRows(
   const std::array<double*, 4> rows{ getRow(v, w), getRow(minusV.Index, w), getRow(v, minusW.Index),
     getRow(minusV.Index, minusW.Index) };
 
-  // Each row as it is, and reflected.
+  // Each row, and its reflection.
   memory.resize(8 * n);
   const double signU = n % 2 == 0 ? -1.0 : 1.0;
   for (unsigned r = 0; r < 4; ++r)
@@ -184,7 +184,7 @@ void HartleyTransform::Internals::CombineRows(
 //--------------------------------------------------------------------------------------------------
 void HartleyTransform::Internals::CombineReflections(std::span<double> values)
 {
-  // In fewer than two dimensions the product is the true transform.
+  // In fewer than two dimensions, the product is the Hartley transform.
   if ((this->Size[0] > 1) + (this->Size[1] > 1) + (this->Size[2] > 1) < 2)
   {
     return;

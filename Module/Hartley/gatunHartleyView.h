@@ -10,10 +10,10 @@
 namespace gatun
 {
 /**
- * Which ray each pixel of a picture sees: parallel rays, in index coordinates, in which voxel
- * (i, j, k) is at (i, j, k). Spacing and orientation of a volume, and the pixels' aspect, are all
- * in these vectors, which need not be at right angles. The ray of a pixel goes through Origin +
- * column ColumnStep + row RowStep.
+ * The parallel rays of an image, in index coordinates: voxel (i, j, k) is at (i, j, k). The ray of
+ * a pixel passes through Origin + column * ColumnStep + row * RowStep. The vectors include the
+ * spacing and orientation of the volume and the aspect ratio of the pixels. They need not be
+ * orthogonal.
  */
 struct HartleyView
 {
@@ -21,10 +21,10 @@ struct HartleyView
 
   unsigned Width = 0;
   unsigned Height = 0;
-  Vector Origin{}; ///< seen by pixel (0, 0)
+  Vector Origin{}; ///< a point on the ray of pixel (0, 0)
   Vector ColumnStep{ 1, 0, 0 };
   Vector RowStep{ 0, 1, 0 };
-  Vector Step{ 0, 0, 1 }; ///< one sample further along a ray, away from the eye
+  Vector Step{ 0, 0, 1 }; ///< from one sample to the next, away from the viewer
 
   bool operator==(const HartleyView&) const = default;
 };

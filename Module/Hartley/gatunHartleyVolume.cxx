@@ -9,7 +9,7 @@ namespace gatun
 {
 //--------------------------------------------------------------------------------------------------
 std::shared_ptr<const HartleyVolume> HartleyVolume::Make(const VolumeInput& input,
-  std::uint32_t blockSize, const HartleyQuality& quality,
+  std::uint32_t blockSize, const HartleyRateControl& control,
   const std::function<bool(double)>& progress)
 {
   constexpr double encoded = 0.8;
@@ -21,7 +21,7 @@ std::shared_ptr<const HartleyVolume> HartleyVolume::Make(const VolumeInput& inpu
     }
     return [=, &progress](double done) { return progress(first + done * (last - first)); };
   };
-  const HartleyEncoder encoder(input, blockSize, quality, getPart(0, encoded));
+  const HartleyEncoder encoder(input, blockSize, control, getPart(0, encoded));
   auto volume = std::make_shared<HartleyVolume>();
   volume->Layout = encoder.GetLayout();
   volume->Base = encoder.GetBase();
@@ -32,9 +32,20 @@ std::shared_ptr<const HartleyVolume> HartleyVolume::Make(const VolumeInput& inpu
     [&](std::size_t chunk)
     {
       volume->Chunks[chunk] = HartleyEncoder::MakeTerms(
-        encoder.GetQuantiser(), volume->Layout.GetVoxelsPerBlock(), encoder.GetIntegers(chunk));
+        encoder.GetQuantizer(), volume->Layout.GetVoxelsPerBlock(), encoder.GetIntegers(chunk));
     },
     getPart(encoded, 1));
   return volume;
+}
+
+//--------------------------------------------------------------------------------------------------
+std::uint64_t HartleyVolume::GetNumberOfTerms() const
+{
+  std::uint64_t terms = 0;
+  for (const auto& chunk : this->Chunks)
+  {
+    terms += chunk->Terms.size();
+  }
+  return terms;
 }
 }

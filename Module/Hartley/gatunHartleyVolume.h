@@ -7,24 +7,26 @@
 #include "gatunHartleySource.h"
 #include "vtkGatunCoreModule.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 
 namespace gatun
 {
-/** A volume transformed and quantised, in memory. */
+/** The quantized coefficients of a volume, in memory. */
 class VTKGATUNCORE_EXPORT HartleyVolume : public HartleySource
 {
 public:
-  /** Transforms and quantises. Throws Error(InvalidInput) for empty volumes, values that are not
-   * finite and settings that make no sense. */
+  /** Transforms and quantizes a volume. Parallel. Throws Error(InvalidInput) for empty volumes,
+   * values that are not finite and invalid parameters; Error(Aborted) if progress returns false. */
   static std::shared_ptr<const HartleyVolume> Make(const VolumeInput& input,
-    std::uint32_t blockSize, const HartleyQuality& quality,
+    std::uint32_t blockSize, const HartleyRateControl& control,
     const std::function<bool(double)>& progress = {});
 
   const HartleyLayout& GetLayout() const override { return this->Layout; }
   double GetBase() const override { return this->Base; }
   Range GetRange() const override { return this->Values; }
+  std::uint64_t GetNumberOfTerms() const; ///< nonzero coefficients
   std::shared_ptr<const HartleyChunk> GetChunk(std::size_t chunk) const override
   {
     return this->Chunks[chunk];

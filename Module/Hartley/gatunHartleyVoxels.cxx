@@ -26,8 +26,8 @@ using Triple = HartleyLayout::Triple;
     std::to_string(voxel / input.Size[0] / input.Size[1]) + ") " + what);
 }
 
-/** Calls row(first voxel of the volume, first value of the block, voxels) for what a block has of
- * each row of the volume. */
+/** Calls row(first voxel of the volume, first value of the block, number of voxels) for each row of
+ * voxels of a block. */
 template <typename Row>
 void ForEachRow(const HartleyLayout& layout, const Triple& place, Row&& row)
 {
@@ -52,7 +52,7 @@ Range GetVoxelRange(const VolumeInput& input, const std::function<bool(double)>&
   struct Found
   {
     Range Values;
-    std::size_t Bad = std::numeric_limits<std::size_t>::max(); // not finite, or too large
+    std::size_t Bad = std::numeric_limits<std::size_t>::max(); // first invalid voxel
   };
   std::vector<Found> slices(input.Size[2]);
   ParallelFor(
@@ -99,7 +99,7 @@ Range GetVoxelRange(const VolumeInput& input, const std::function<bool(double)>&
     {
       FailAt(input, found.Bad,
         IsFloating(input.Type) ? "is not a finite number"
-                               : "is beyond 2^53, where integers are not kept exactly");
+                               : "is beyond 2^53, the exact range of double precision");
     }
     range.Min = std::min(range.Min, found.Values.Min);
     range.Max = std::max(range.Max, found.Values.Max);
@@ -108,8 +108,8 @@ Range GetVoxelRange(const VolumeInput& input, const std::function<bool(double)>&
   if (!(length <= LargestVoxelRange) || (length > 0 && length < SmallestVoxelRange))
   {
     std::ostringstream text;
-    text << "the voxels range over " << range.Min << " to " << range.Max
-         << ", which is beyond single precision; multiply them by another unit";
+    text << "the voxels range from " << range.Min << " to " << range.Max
+         << ", which is beyond single precision; scale them";
     ThrowInvalid(text.str());
   }
   return range;
@@ -141,7 +141,7 @@ void LoadBlock(const VolumeInput& input, const HartleyLayout& layout, const Trip
 void StoreBlock(std::span<const double> values, const HartleyLayout& layout, const Triple& place,
   double base, const Range& range, const VoxelBox& box)
 {
-  // Where block and box meet.
+  // The intersection of block and box.
   const auto filled = layout.GetFilled(place);
   Triple first{};
   Triple end{};

@@ -3,7 +3,8 @@
 #ifndef gatunHartleyVoxels_h
 #define gatunHartleyVoxels_h
 
-// Between the voxels of a volume and the values of a block, which are less by the base value.
+// Conversion between the voxels of a volume and the values of a block, which are voxels minus the
+// base value.
 
 #include "gatunHartleyInput.h"
 #include "gatunHartleyLayout.h"
@@ -16,18 +17,18 @@
 
 namespace gatun
 {
-/** Integers beyond 2^53 are not all doubles. */
+/** Doubles represent all integers up to 2^53. */
 constexpr double LargestVoxelInteger = 9007199254740992.0;
 
-/** Coefficients are in single precision where they are drawn, and larger than voxels. */
+/** Coefficients are drawn in single precision and can be larger than voxels. */
 constexpr double LargestVoxelRange = 1e30;
 constexpr double SmallestVoxelRange = 1e-30;
 
-/** Smallest and largest voxel. Throws Error(InvalidInput) where a voxel is not finite, integers are
- * beyond what a double holds, or the range is beyond single precision. */
+/** Smallest and largest voxel. Throws Error(InvalidInput) if a voxel is not finite, an integer is
+ * larger than LargestVoxelInteger or the range is outside of single precision. */
 Range GetVoxelRange(const VolumeInput& input, const std::function<bool(double)>& progress = {});
 
-/** The values of a block; those beyond the volume are 0. */
+/** Loads the values of a block. Those outside of the volume are 0. */
 void LoadBlock(const VolumeInput& input, const HartleyLayout& layout,
   const HartleyLayout::Triple& place, double base, std::span<double> values);
 
@@ -40,20 +41,20 @@ struct VoxelBox
   void* Values = nullptr; ///< x fastest
 };
 
-/** A value as a voxel: what is nearest in the range. The base of integers is one. */
+/** Converts a value to the nearest voxel in the range. The base of integers is an integer. */
 inline double RoundVoxel(double value, double base, bool integer, const Range& range)
 {
-  // Half a unit is lost next to a large base.
+  // Rounds before adding the base: next to a large base the fraction would be lost.
   const double rounded = (integer ? std::floor(value + 0.5) : value) + base;
-  // In this order NaN cannot pass.
+  // The order of the comparisons excludes NaN.
   return rounded > range.Min ? (rounded < range.Max ? rounded : range.Max) : range.Min;
 }
 
-/** Writes what a box has of a block. */
+/** Writes the part of a block that is inside a box. */
 void StoreBlock(std::span<const double> values, const HartleyLayout& layout,
   const HartleyLayout::Triple& place, double base, const Range& range, const VoxelBox& box);
 
-/** Sums of errors of voxels. */
+/** Accumulated errors of voxels. */
 struct VoxelErrors
 {
   double Squares = 0;
@@ -62,7 +63,7 @@ struct VoxelErrors
   void Add(const VoxelErrors& other);
 };
 
-/** How far a block's voxels are from those of the volume once they have been rounded. */
+/** The errors of a block's voxels after rounding. */
 VoxelErrors CompareBlock(std::span<const double> values, const VolumeInput& input,
   const HartleyLayout& layout, const HartleyLayout::Triple& place, double base, const Range& range);
 }

@@ -19,7 +19,7 @@ namespace
 {
 constexpr std::size_t ChunksPerBatch = 64;
 
-// The part of the progress that goes by before anything is written.
+// The encoder's share of the progress.
 constexpr double PartOfEncoder = 0.6;
 
 void CheckPlace(const VolumeInput& volume)
@@ -37,7 +37,7 @@ void CheckPlace(const VolumeInput& volume)
   check(volume.Direction, "direction");
 }
 
-/** Streams of some chunks, which become a section. */
+/** The streams of several chunks, which form a section. */
 class Batch
 {
 public:
@@ -76,20 +76,20 @@ HartleyWritten WriteHartleyFile(const std::string& path, const VolumeInput& volu
     return [=, &progress](double done) { return progress(first + done * (last - first)); };
   };
   CheckPlace(volume);
-  // Before anything else, so that a path that cannot be written to is found at once.
+  // Opened first, so that an error is found before the volume is encoded.
   OutputFile file(
     path, options.ReplaceReadOnly, GATUN_VOLUME_FORMAT_VERSION_MINOR, VolumeContainer);
   const HartleyEncoder encoder(
-    volume, options.BlockSize, options.Quality, getPart(0, PartOfEncoder));
+    volume, options.BlockSize, options.RateControl, getPart(0, PartOfEncoder));
   HartleyMeta meta;
   meta.WriterVersion = PackageVersion();
   meta.Volume = volume;
   meta.BlockSize = options.BlockSize;
   meta.Layout = encoder.GetLayout();
   meta.Values = encoder.GetRange();
-  meta.Steps = encoder.GetQuantiser().GetSteps();
+  meta.Steps = encoder.GetQuantizer().GetSteps();
   meta.Lossless = encoder.IsLossless();
-  meta.Quality = options.Quality;
+  meta.RateControl = options.RateControl;
 
   HartleyTable table;
   const auto chunks = meta.Layout.GetNumberOfChunks();
@@ -133,11 +133,10 @@ HartleyWritten WriteHartleyFile(const std::string& path, const VolumeInput& volu
     batch.Write(file);
   }
   const auto& size = volume.Size;
-  meta.RootMeanSquareError =
-    std::sqrt(errors.Squares / (static_cast<double>(size[0]) * size[1] * size[2]));
-  meta.LargestError = errors.Largest;
+  meta.RMSError = std::sqrt(errors.Squares / (static_cast<double>(size[0]) * size[1] * size[2]));
+  meta.MaximumError = errors.Largest;
   file.AddSection(SectionTable, table.Write(meta));
   file.AddSection(SectionMeta, meta.Write());
-  return { file.Commit(), meta.RootMeanSquareError, meta.LargestError };
+  return { file.Commit(), meta.RMSError, meta.MaximumError };
 }
 }

@@ -12,22 +12,23 @@
 namespace gatun
 {
 /**
- * Merges points until no more can be. Each merge is the cheapest that is known: of each point the
- * best neighbour to be merged into, by the square of what the fields and the shape of the boundary
- * change for each tetrahedron that vanishes. Points of the boundary are merged into such points
- * only; no tetrahedron and no face of the boundary is turned over or made flat; the topology stays.
+ * Merges points (half-edge collapses) until no more merges are possible. Each merge is the cheapest
+ * one that is known. The cost of merging a point into a neighbor is the square of the change of the
+ * fields and of the shape of the boundary, divided by the number of tetrahedra that vanish. Points
+ * of the boundary are merged only into points of the boundary. No tetrahedron and no face of the
+ * boundary is turned over or made flat. The topology does not change.
  *
- * The error of a merge tells of all changes up to it: an estimate of the root mean square error of
- * the fields, as a part of their ranges, and of the shape. It never becomes less.
+ * The error of a merge covers all changes up to it: it is an estimate of the root mean square error
+ * of the fields, relative to their ranges, and of the shape. Errors never decrease.
  *
- * What changes a little around a point is looked at when its turn comes, so that a merge which has
- * become cheaper may come late. Points whose coordinates or values are not numbers stay, and so do
- * their neighbours.
+ * Small changes around a point are evaluated when its turn comes, so that a merge that has become
+ * cheaper may come late. Points whose coordinates or values are not finite are kept, and so are
+ * their neighbors.
  *
- * Progress: called with the part that is done; returns false to stop, by Error(Aborted).
+ * Progress: called with the fraction done; returns false to stop, and Error(Aborted) is thrown.
  *
  * Based on: Van Gelder, Verma, Wilhelms: Volume decimation of irregular tetrahedral grids. Computer
- * Graphics International 1999. The squares of what the fields change are in the spirit of: Garland,
+ * Graphics International 1999. The quadratic error of the fields is in the spirit of: Garland,
  * Zhou: Quadric-based simplification in any dimension. ACM Transactions on Graphics 24(2), 2005.
  */
 VTKGATUNCORE_EXPORT MergeTree BuildMergeTree(const MergeInput& input,

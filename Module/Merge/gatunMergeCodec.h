@@ -11,12 +11,12 @@
 
 namespace gatun
 {
-/** The merges of a tree as a stream; only the first so many points may be merged. See
+/** Encodes the merges of a tree; only the first points, as many as given, may be merged. See
  * Documentation/format.md, 13.2. */
 Bytes EncodeMerges(const MergeTree& tree, std::uint32_t points);
 
-/** What EncodeMerges wrote, of a tree of so many points with so many merges. Throws if the merges
- * do not follow from each other. */
+/** Decodes a stream of EncodeMerges for a tree with the given numbers of points and merges. Throws
+ * Error if the stream is damaged or the merges are inconsistent. */
 MergeTree DecodeMerges(
   std::span<const std::uint8_t> stream, std::uint32_t points, std::uint32_t merges);
 }

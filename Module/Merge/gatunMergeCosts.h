@@ -15,69 +15,68 @@
 
 namespace gatun
 {
-/** What it costs to merge a point into a neighbour; Into is None where that is not possible. */
+/** The best merge of a point into a neighbor; Into is None if there is none. */
 struct MergeChoice
 {
   std::uint32_t Into = MergeMesh::None;
 
-  /** The change, by the number of tetrahedra that vanish: what is best does most for it. */
+  /** The change divided by the number of tetrahedra that vanish. */
   double Cost = 0;
 
-  /** The square of the change of the fields and of the shape, over the mesh, as a part of the
-   * ranges and of the mesh. */
+  /** The square of the change of the fields and of the shape, integrated over the mesh, relative to
+   * the ranges of the fields and to the volume. */
   double Change = 0;
 };
 
-/** Finds where points had best be merged to. */
+/** Finds the best merge of a point. */
 class MergeCosts
 {
 public:
   MergeCosts(MergeMesh& mesh, const MergeInput& input, const MergeSettings& settings);
 
-  /** The cheapest merge of a point that turns no tetrahedron or face over, and keeps the topology
-   * if that is looked at. Faster if the neighbour that is tried first turns out to be a good one.
-   */
+  /** Returns the cheapest merge of a point that turns no tetrahedron or face over, and preserves
+   * the topology if that is checked. A good first neighbor to try makes this faster. */
   MergeChoice Choose(std::uint32_t point, std::uint32_t tryFirst, bool checkTopology);
 
 private:
   using Vec = glm::dvec3;
 
-  /** A field at a point of the mesh: the value, over the range and times the root of the weight,
-   * and how it changes around there in the mesh that was given. */
+  /** A field at a point of the mesh: the value, divided by the range and times the square root of
+   * the weight, and the gradient there in the given mesh. */
   struct Sample
   {
     double Value = 0;
     Vec Gradient{ 0 };
   };
 
-  /** A point that has an edge with the one at hand. */
+  /** A point with an edge to the current one. */
   struct Neighbour
   {
     std::uint32_t Point;
-    std::uint32_t Tets;      // that have both, and vanish by a merge
+    std::uint32_t Tets;      // with both points; they vanish by a merge
     bool OnBoundary = false; // whether the edge is
-    Vec Offset;              // from the point at hand
+    Vec Offset;              // from the current point
   };
 
-  /** A tetrahedron at the point at hand, as if that were anywhere: six times the volume is
-   * dot(Normal, offset) + Volume, positive as it is now. */
+  /** A tetrahedron of the current point, as a function of the position of that point: six times the
+   * volume is dot(Normal, offset) + Volume, and positive at offset 0. */
   struct StarTet
   {
     Vec Normal;
     double Volume;
     double LeastVolume;
-    double Weight;                        // of what changes in it
+    double Weight;                        // of changes in it
     std::array<std::uint32_t, 3> Corners; // as places among the neighbours
   };
 
-  /** A face on the boundary, at the point. */
+  /** A boundary face of the current point. */
   struct Face
   {
     std::uint32_t First, Second; // as places among the neighbours
-    Vec Normal;                  // of the length of twice the area
+    Vec Normal;                  // its length is twice the area
   };
 
-  /** Of a point, among the neighbours of the one at hand, if the stamp is that of now. */
+  /** The place of a point among the neighbors of the current one, if the stamp is up to date. */
   struct Place
   {
     std::uint32_t Stamp = 0;
@@ -102,19 +101,19 @@ private:
   const MergeSettings& Settings;
   std::size_t Fields = 0;
   double PerWhole = 0;         // 1 / volume of the mesh
-  double MeanWeight = 0;       // of a tetrahedron where all weigh alike
+  double MeanWeight = 0;       // of a tetrahedron, if all have the same weight
   std::vector<double> Scales;  // of the fields
   std::vector<Sample> Samples; // of each point, all fields
   std::vector<Place> Places;   // of each point
   std::uint32_t Stamp = 0;
 
-  // Around the point at hand.
+  // Around the current point.
   std::vector<Neighbour> Neighbours;
-  std::vector<Sample> Around; // of each neighbour, all fields, less the point's value
+  std::vector<Sample> Around; // of each neighbor, all fields, minus the value of the point
   std::vector<StarTet> Tets;
   std::vector<Vec> Slopes;                  // of each tetrahedron, all fields
   std::vector<std::array<double, 3>> Bends; // of the edges opposite to the point, likewise
-  std::vector<double> Spokes;               // of the edges of a place at hand, likewise
+  std::vector<double> Spokes;               // of the edges of the current place, likewise
   double BendBefore = 0;
   std::vector<Face> Faces;
 };

@@ -12,26 +12,26 @@
 
 namespace gatun
 {
-/** How much a change of the fields counts in each tetrahedron. */
+/** The weight of a tetrahedron for changes of the fields. */
 enum class MergeMetric : std::uint8_t
 {
-  Mass,   ///< as much as its volume is
-  Density ///< the same in all, so more where tetrahedra are small
+  Mass,   ///< its volume
+  Density ///< the same for all, so that regions of small tetrahedra count more
 };
 
 struct MergeSettings
 {
   MergeMetric Metric = MergeMetric::Mass;
 
-  /** How much of the cost of a merge on the boundary is its change of shape, 0 to 1; the rest is
-   * that of the fields. */
+  /** Weight of the change of shape in the cost of a merge on the boundary, 0 to 1. The change of
+   * the fields has the rest. */
   double BoundaryWeight = 0.5;
 };
 
-/** A mesh and what counts of it. */
+/** A mesh and the fields that simplification preserves. */
 struct MergeInput
 {
-  /** Values at the points that are to change little. */
+  /** A value for each point. */
   struct Field
   {
     std::span<const double> Values;
@@ -40,7 +40,7 @@ struct MergeInput
 
   std::span<const std::array<double, 3>> Points;
   std::span<const MergeTree::Tet> Tets;
-  std::vector<Field> Fields; ///< none: only shape counts
+  std::vector<Field> Fields; ///< empty: only the shape counts
 };
 }
 

@@ -14,9 +14,8 @@ namespace gatun
 /**
  * The connectivity of a mesh while its points are merged.
  *
- * A face that only one tetrahedron has is on the boundary, and so are its edges and corners. For
- * what is said of links, there is one more point outside, which makes a tetrahedron with each such
- * face.
+ * A face of only one tetrahedron is on the boundary, and so are its edges and corners. Links are
+ * those of the mesh with one more point outside, which forms a tetrahedron with each boundary face.
  */
 class MergeMesh
 {
@@ -26,12 +25,12 @@ public:
 
   MergeMesh(std::size_t points, std::span<const Tet> tets);
 
-  /** None as the first corner: the tetrahedron is gone. */
+  /** The first corner of a removed tetrahedron is None. */
   const Tet& GetTet(std::uint32_t tet) const { return this->Tets[tet]; }
   std::size_t GetNumberOfTets() const { return this->Tets.size(); }
   std::size_t GetNumberOfPoints() const { return this->Rings.size(); }
 
-  /** The tetrahedra that have a point. */
+  /** Returns the tetrahedra of a point. */
   std::span<const std::uint32_t> GetRing(std::uint32_t point);
 
   /** Bit i: the face opposite to corner i is on the boundary. */
@@ -39,13 +38,13 @@ public:
   bool IsOnBoundary(std::uint32_t point) const { return this->OnBoundary[point] != 0; }
 
   /**
-   * Whether the mesh stays of the same topology when a point is merged into a neighbour: the links
-   * of the two have in common just the link of their edge (Dey, Edelsbrunner, Guha, Nekhayev:
-   * Topology preserving edge contraction, 1999).
+   * Whether merging a point into a neighbor preserves the topology: the intersection of the links
+   * of the two points must be the link of their edge (Dey, Edelsbrunner, Guha, Nekhayev: Topology
+   * preserving edge contraction, 1999).
    */
   bool MayMerge(std::uint32_t point, std::uint32_t into);
 
-  /** Merges a point into a neighbour. */
+  /** Merges a point into a neighbor. */
   void Merge(std::uint32_t point, std::uint32_t into);
 
 private:
@@ -53,10 +52,10 @@ private:
   {
     std::size_t First = 0;
     std::uint32_t Count = 0;
-    bool HasGone = false; // tetrahedra that are gone
+    bool HasGone = false; // whether it lists removed tetrahedra
   };
 
-  /** What a point is to the one at hand. */
+  /** Relations of a point to the current one. */
   struct Mark
   {
     std::uint32_t Stamp = 0;
@@ -86,12 +85,12 @@ private:
   std::vector<std::uint32_t> Pool; // of the rings
   std::size_t Used = 0;            // of the pool, by rings
 
-  // Of the two points at hand; those of the first are good for several second ones.
+  // Marks of the two current points. Those of the first are used for several second points.
   std::vector<Mark> Firsts, Seconds;
   std::uint32_t FirstStamp = 0;
   std::uint32_t SecondStamp = 0;
   std::uint32_t Marked = None;                        // the first point
-  std::vector<std::array<std::uint32_t, 2>> EdgeLink; // what makes a tetrahedron with both
+  std::vector<std::array<std::uint32_t, 2>> EdgeLink; // forms a tetrahedron with both
   std::vector<std::uint32_t> Moved;                   // to the ring of another point
 };
 }

@@ -65,7 +65,7 @@ void LocalMergeInput::OrderPoints(const MergeInput& input)
 }
 
 //------------------------------------------------------------------------------
-/** By the lowest of their points, and where that is the same, as they were. */
+/** Sorts by the lowest point of each tetrahedron; the sort is stable. */
 void LocalMergeInput::OrderTets(const MergeInput& input)
 {
   std::vector<std::uint32_t> places(this->Ids.size());

@@ -11,18 +11,17 @@
 
 namespace gatun
 {
-/** A mesh with its points and tetrahedra in an order in which those that are near each other are
- * near in memory, too. Whatever walks from neighbour to neighbour is faster so, if they were not
- * before. */
+/** A mesh whose points and tetrahedra are sorted spatially, so that neighbors are near each other
+ * in memory. This makes algorithms that visit neighbors faster. */
 class LocalMergeInput
 {
 public:
   explicit LocalMergeInput(const MergeInput& input);
 
-  /** Valid for as long as this is. */
+  /** Valid as long as this object exists. */
   const MergeInput& Get() const { return this->Local; }
 
-  /** Which point of the given mesh each one is. */
+  /** For each point, its number in the given mesh. */
   const std::vector<std::uint32_t>& GetIds() const { return this->Ids; }
 
 private:

@@ -13,21 +13,21 @@
 
 namespace gatun
 {
-/** A point is merged into another one, and is gone from then on. */
+/** An edge collapse: a point is merged into another one and removed. */
 struct Merge
 {
   std::uint32_t Point;
   std::uint32_t Into;
-  float Error; ///< what it costs; in a tree the largest cost of all up to this one
+  float Error; ///< cost; in a tree, the largest cost of all merges up to this one
 };
 
 /**
- * How a tetrahedral mesh becomes simpler: merges, one after the other. After so many of them, each
- * point is where its ancestor is, and tetrahedra of which two corners have the same ancestor are
- * gone.
+ * A sequence of merges that simplifies a tetrahedral mesh. After a number of merges, each point is
+ * replaced by its ancestor, and tetrahedra with two corners of the same ancestor are removed.
  *
- * Based on: Yang, Chiueh: I/O conscious volume rendering / On-the-fly simplification, in: Yang,
- * On-the-fly Processing of Compressed Volume Data, 2001, section 5.
+ * Based on: Chuan-kai Yang, Tzi-cker Chiueh: An integrated pipeline of decompression,
+ * simplification and rendering for irregular volume data. Technical report, ECSL, Computer Science
+ * Department, SUNY at Stony Brook, March 2001.
  */
 class VTKGATUNCORE_EXPORT MergeTree
 {
@@ -36,26 +36,26 @@ public:
 
   MergeTree() = default;
 
-  /** Throws InvalidInput unless each merge is of two points that there still are. Errors are
-   * rounded up to eight significant bits, which is what files keep of them. */
+  /** Throws InvalidInput unless both points of each merge still exist. Errors are rounded up to
+   * eight significant bits, the precision of files. */
   MergeTree(std::uint32_t points, std::vector<Merge> merges);
 
   std::uint32_t GetNumberOfPoints() const { return this->Points; }
   const std::vector<Merge>& GetMerges() const { return this->Merges; }
 
-  /** How many merges leave so many points, or as few as there can be. */
+  /** Returns the number of merges that leave a given number of points, or all merges. */
   std::size_t CountMergesForPoints(std::uint64_t pointsLeft) const;
 
-  /** The largest error of the first so many merges. */
+  /** Returns the largest error of a given number of first merges. */
   double GetLargestError(std::size_t merges) const
   {
     return merges == 0 ? 0 : this->Merges[merges - 1].Error;
   }
 
-  /** How many merges there are before the first that costs more. NaN counts as 0. */
+  /** Returns the number of merges before the first one with a larger error. NaN counts as 0. */
   std::size_t CountMergesForError(double error) const;
 
-  /** Of each point, where it is after the first so many merges: itself, or another one. */
+  /** Returns the ancestor of each point after a given number of merges. */
   std::vector<std::uint32_t> FindAncestors(std::size_t merges) const;
 
 private:
@@ -63,7 +63,7 @@ private:
   std::vector<Merge> Merges;
 };
 
-/** Replaces corners by their ancestors; false if the tetrahedron is gone. */
+/** Replaces corners by their ancestors. Returns false if the tetrahedron vanishes. */
 inline bool Simplify(MergeTree::Tet& tet, std::span<const std::uint32_t> ancestors)
 {
   for (auto& corner : tet)

@@ -33,6 +33,7 @@ gatun_core_folder(Rays
     gatunRayKernel.h
     gatunRayLoops.h
     gatunRayTile.h
+    gatunRayVisibility.h
     gatunRelease.h
   SOURCES
     gatunCoarseRaySource.cxx
@@ -55,4 +56,5 @@ gatun_core_folder(Rays
     gatunRayTile.cxx
     gatunRayValues.cxx
     gatunRayView.cxx
+    gatunRayVisibility.cxx
     gatunRelease.cxx)

@@ -18,7 +18,7 @@ namespace gatun
 {
 namespace
 {
-/** The place of something in an ascending list; the list's length if it is not there. */
+/** The place of a number in an ascending list; the length of the list if it is not there. */
 std::size_t FindPlace(std::span<const std::uint32_t> list, std::uint32_t wanted)
 {
   const auto found = std::lower_bound(list.begin(), list.end(), wanted);
@@ -26,10 +26,10 @@ std::size_t FindPlace(std::span<const std::uint32_t> list, std::uint32_t wanted)
                                                  : list.size();
 }
 
-/** What is left of a chunk, which waits for corners that it gets from other ones. */
+/** A simplified chunk without the corners that it gets from other chunks. */
 struct Waiting
 {
-  /** A corner from another chunk: its place in Points, and the file's number of it. */
+  /** A corner from another chunk: its place in Points, and its number in the file. */
   struct Foreign
   {
     std::uint32_t Place;
@@ -38,7 +38,7 @@ struct Waiting
 
   std::vector<MergeTree::Tet> Tets;
   std::vector<double> CellValues; // if these are drawn
-  std::vector<RayPoint> Points;   // those of other chunks are not known yet
+  std::vector<RayPoint> Points;   // those from other chunks are not set yet
   std::vector<Foreign> Others;
 
   std::uint64_t GetMemorySize() const
@@ -49,10 +49,10 @@ struct Waiting
   }
 };
 
-/** Stands for a chunk that need not be decoded. */
+/** Marks a chunk that need not be decoded. */
 constexpr std::uint32_t NoChunk = 0xffffffffu;
 
-/** What waits takes no more memory than this and a quarter of what may be kept. */
+/** The memory of waiting chunks is limited to this and a quarter of the budget. */
 constexpr std::uint64_t RoomToWait = std::uint64_t{ 32 } << 20;
 
 /** Throws InvalidInput unless the file has these values and the tree is the file's. */
@@ -62,7 +62,7 @@ std::shared_ptr<const FileReader> Check(const std::shared_ptr<const FileReader>&
   CheckRayValues(*file, values);
   if (merges > tree.GetMerges().size() || tree.GetNumberOfPoints() != file->GetNumberOfPoints())
   {
-    ThrowInvalid("there are not so many merges", file->GetPath());
+    ThrowInvalid("the merge tree has fewer merges, or belongs to another mesh", file->GetPath());
   }
   return file;
 }
@@ -91,7 +91,7 @@ public:
   CoarseLayout Layout;
   RayValues Values;
   RayBlockCache Cache;
-  std::uint64_t RoomLeft; // for what waits
+  std::uint64_t RoomLeft; // for waiting chunks
   std::shared_ptr<ChunkCache> Parts;
 
 private:
@@ -103,16 +103,16 @@ private:
   void Keep(std::uint32_t chunk, Waiting left);
   bool Take(std::uint32_t chunk, Waiting& left);
 
-  // Of each chunk: what CoarseLayout::GetGiven lists, once it has been decoded.
+  // For each decoded chunk: the points that CoarseLayout::GetGiven lists.
   std::vector<std::vector<RayPoint>> Given;
   std::vector<char> HasGiven;
 
-  // Chunks that were decoded as others needed them, and have not been asked for yet.
+  // Chunks that were decoded because others needed them, and have not been requested yet.
   std::unordered_map<std::uint32_t, Waiting> Kept;
 };
 
 //------------------------------------------------------------------------------
-/** Chunks that others get points from, and that have not given them yet. */
+/** Chunks that have not yet given the points that others get from them. */
 std::vector<std::uint32_t> CoarseRaySource::Internals::FindSources(
   std::span<const std::size_t> chunks) const
 {
@@ -158,7 +158,7 @@ RayPoint CoarseRaySource::Internals::Get(std::uint32_t point) const
 //------------------------------------------------------------------------------
 Waiting CoarseRaySource::Internals::Simplify(std::uint32_t chunk, const RayBlock& whole) const
 {
-  // Of each point its ancestor: by the place in the chunk, or behind those as one of the others.
+  // The ancestor of each point: its place in the chunk or, behind these, among the others.
   const auto points = this->Layout.GetPoints(chunk);
   std::vector<std::uint32_t> ancestors(points.size());
   std::vector<std::uint32_t> others;
@@ -243,7 +243,7 @@ std::shared_ptr<const RayBlock> CoarseRaySource::Internals::Finish(Waiting left)
 }
 
 //------------------------------------------------------------------------------
-/** Until it is asked for, if there is room for it. */
+/** Keeps a chunk until it is requested, if there is room for it. */
 void CoarseRaySource::Internals::Keep(std::uint32_t chunk, Waiting left)
 {
   const auto bytes = left.GetMemorySize();
@@ -271,11 +271,11 @@ bool CoarseRaySource::Internals::Take(std::uint32_t chunk, Waiting& left)
 void CoarseRaySource::Internals::Make(
   std::span<const std::size_t> missing, Blocks& made, const Progress& progress)
 {
-  // First those that only give corners, then those that are asked for and do not wait already.
+  // First the chunks that only give corners, then the requested ones that are not waiting yet.
   auto chunks = this->FindSources(missing);
   const auto sources = chunks.size();
   std::vector<Waiting> left(sources);
-  std::vector<std::size_t> places; // of those that are asked for, in left
+  std::vector<std::size_t> places; // of the requested chunks, in left
   for (const auto chunk : missing)
   {
     places.push_back(left.size());

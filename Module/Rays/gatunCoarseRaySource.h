@@ -19,16 +19,17 @@ class ChunkCache;
 class FileReader;
 
 /**
- * The chunks of a file after so many merges, simplified as they are decoded. Where a chunk gets
- * corners from others, these are decoded with it, unless they have been before: what others need of
- * them is kept, which is little, and what is left of them waits until it is asked for, up to 32 MiB
- * and a quarter of the budget. Blocks that have been made are kept up to a number of bytes.
+ * The chunks of a file after a given number of merges, simplified as they are decoded. If a chunk
+ * gets corners from other chunks that have not been decoded yet, these are decoded with it. The
+ * points that others need are kept, which takes little memory. The simplified chunks themselves are
+ * kept until they are requested, up to 32 MiB and a quarter of the budget. Blocks are kept within
+ * the budget.
  */
 class VTKGATUNCORE_EXPORT CoarseRaySource final : public RaySource
 {
 public:
-  /** Tree: the file's. Throws InvalidInput if the file has no such array or step, or not so many
-   * merges. */
+  /** Tree: that of the file. Budget: in bytes. Throws InvalidInput if the file has no such array or
+   * step, or fewer merges. */
   CoarseRaySource(std::shared_ptr<const FileReader> file, const MergeTree& tree, std::size_t merges,
     const RayValues& values, std::uint64_t budget);
 

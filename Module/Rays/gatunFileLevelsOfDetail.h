@@ -15,13 +15,13 @@
 namespace gatun
 {
 /**
- * A file that tells how its mesh becomes simpler. What is drawn of fewer points comes from the
- * simplest base mesh that has enough of them, if the file has any; else from the whole mesh.
+ * The levels of detail of a file with a merge tree. A level comes from the coarsest base mesh of
+ * the file that has enough points, or from the whole mesh.
  */
 class VTKGATUNCORE_EXPORT FileLevelsOfDetail final : public LevelsOfDetail
 {
 public:
-  /** Throws InvalidInput if the file does not tell, or has no such array or step. */
+  /** Throws InvalidInput if the file has no merge tree, or no such array or step. */
   FileLevelsOfDetail(std::shared_ptr<const FileReader> file, const RayValues& values);
 
   /** The same for a file that others use, too. Its sources keep their blocks within the budget of

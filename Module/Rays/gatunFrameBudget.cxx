@@ -9,13 +9,13 @@ namespace gatun
 {
 namespace
 {
-// Of the budget: what is aimed at, as what disturbs a picture only ever makes it slower; and
-// between what a picture is good enough to change nothing.
+// Fractions of the budget: the target, below 1 because disturbances only make frames slower; and
+// the limits between which nothing is changed.
 constexpr double Aim = 0.9;
 constexpr double Low = 0.8;
 constexpr double High = 1;
 
-// The part of the budget up to which tetrahedra may go on while rays are made fewer.
+// The fraction of the budget that tetrahedra may take while the number of rays is reduced.
 constexpr double TetShare = 0.25;
 
 constexpr double RayPower = 1.2;
@@ -23,17 +23,17 @@ constexpr double TetPower = 0.2;
 
 constexpr int StepsToHalf = 4;
 
-// So many steps away, the number of points that is drawn is as good as the best one.
+// A level that is at most this number of steps away from the best one is kept.
 constexpr int StepsToKeep = 4;
 
-/** Amount of work for samples. */
+/** The amount of work for samples. */
 double GetRayWork(const FrameWork& work)
 {
   return std::pow(std::max(work.Rays, 1.0), RayPower) *
     std::pow(std::max(work.Tets, 1.0), TetPower);
 }
 
-/** The number of points so many steps down. Halvings are exact. */
+/** The number of points a given number of steps down. Halvings are exact. */
 std::uint64_t GetStep(int step, const FrameLimits& limits)
 {
   const std::uint64_t halved =
@@ -43,7 +43,7 @@ std::uint64_t GetStep(int step, const FrameLimits& limits)
   return std::max({ points, limits.FewestPoints, std::uint64_t{ 1 } });
 }
 
-/** The first step down with so many points at most, or the lowest. */
+/** The first level with at most a given number of points, or the lowest one. */
 int FindStep(std::uint64_t points, const FrameLimits& limits)
 {
   int step = 0;
@@ -76,8 +76,10 @@ double FrameBudget::Recent::Get() const
   }
   auto sorted = this->Last;
   const auto count = std::min(this->Count, sorted.size());
-  std::sort(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(count));
-  // Of two, the larger.
+  const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(count);
+  // Not std::sort, for which GCC 14 issues a false warning about the bounds of the array.
+  std::partial_sort(sorted.begin(), end, end);
+  // The larger one of two.
   return sorted[count / 2];
 }
 

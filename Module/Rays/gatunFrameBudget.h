@@ -12,71 +12,72 @@
 
 namespace gatun
 {
-/** What a picture is made of. */
+/** The amount of work for a frame. */
 struct FrameWork
 {
-  double Tets = 0; ///< that are drawn
-  double Rays = 0; ///< that are cast
+  double Tets = 0; ///< drawn tetrahedra
+  double Rays = 0; ///< cast rays
 };
 
-/** Where its time went, in seconds. */
+/** The time of a frame, in seconds. */
 struct FrameTime
 {
-  double Tets = 0;  ///< what is done once for each tetrahedron: making, ordering, planes
-  double Rays = 0;  ///< what is done for samples and pixels
+  double Tets = 0;  ///< work for each tetrahedron: making, ordering, planes
+  double Rays = 0;  ///< work for samples and pixels
   double Fixed = 0; ///< the rest
 };
 
-/** How a picture is drawn so that it takes no longer than it may. */
+/** The resolution of a frame: level of detail and distance of rays. */
 struct FrameChoice
 {
-  std::uint64_t Points = 0; ///< of the mesh; 0: none has been drawn yet
+  std::uint64_t Points = 0; ///< of the level of detail; 0: no frame has been drawn yet
   double Distance = 1;      ///< of rays, in pixels
 };
 
-/** Between what a picture can be chosen. */
+/** The limits of the choice. */
 struct FrameLimits
 {
-  std::uint64_t MostPoints = 0; ///< all of them
+  std::uint64_t MostPoints = 0; ///< of the whole mesh
   std::uint64_t FewestPoints = 0;
   double Pixels = 0;        ///< rays where their distance is 1
   double LeastDistance = 1; ///< of rays
   double LargestDistance = 1;
-  std::function<std::uint64_t(std::uint64_t)> EstimateTets; ///< of a number of points
+  std::function<std::uint64_t(std::uint64_t)>
+    EstimateTets; ///< tetrahedra of a level with this number of points
 };
 
 /**
- * Chooses how simple a mesh and how coarse a picture must be for the time that there is, by what
- * the last pictures took. The mesh comes first: it is simplified until what is done for its
- * tetrahedra takes at most a quarter of the time; if that is not enough, as most of the time goes
- * into samples, rays are cast farther apart. Numbers of points are steps of a ladder, four to a
- * halving, and the present one is kept as long as it does about as well: to draw another number,
- * blocks have to be made. The distance of rays follows at once.
+ * Chooses the level of detail and the distance of rays for a time budget, from the times of the
+ * last frames. The mesh is simplified first, until the work for its tetrahedra takes at most a
+ * quarter of the time. If that is not enough, because samples take most of the time, rays are cast
+ * farther apart. There are four levels of detail for each factor of 2 in points. The present level
+ * is kept while it is about as good as the best one, because a new level needs new blocks. The
+ * distance of rays is adapted at once.
  *
- * Time for samples is taken to grow with the rays to the power 1.2 (coarser pictures have coarser
- * samples) and with the tetrahedra to the power 0.2, as it was measured. Of each kind of cost, the
- * median of the last three pictures counts, so that one that was disturbed changes nothing.
+ * Time for samples grows with the number of rays to the power 1.2 (coarser frames have coarser
+ * samples) and with the number of tetrahedra to the power 0.2; both were measured. Each cost is the
+ * median of the last three frames, so that one disturbed frame has no effect.
  */
 class VTKGATUNCORE_EXPORT FrameBudget
 {
 public:
   void Learn(const FrameWork& work, const FrameTime& time);
 
-  /** How long a picture will take, in seconds. */
+  /** Returns the expected time of a frame, in seconds. */
   double Predict(const FrameWork& work) const;
 
-  /** How many points fit a budget of seconds, if the present choice has to change at all. */
+  /** Returns the number of points for a budget in seconds; the present one if it is good enough. */
   std::uint64_t ChoosePoints(
     double budget, const FrameLimits& limits, const FrameChoice& present) const;
 
-  /** How far apart rays are, where so many points are drawn. */
+  /** Returns the distance of rays for a number of points. */
   double ChooseDistance(double budget, const FrameLimits& limits, std::uint64_t points,
     const FrameChoice& present) const;
 
-  /** The step of the ladder below a number of points, or that of the fewest. */
+  /** Returns the next level below a number of points, or the fewest points. */
   static std::uint64_t StepDown(std::uint64_t points, const FrameLimits& limits);
 
-  /** The next step above a number of points, or all. */
+  /** Returns the next level above a number of points, or all points. */
   static std::uint64_t StepUp(std::uint64_t points, const FrameLimits& limits);
 
 private:
@@ -92,7 +93,7 @@ private:
     double Get() const;
 
   private:
-    double Guess; // until there is any
+    double Guess; // until there is a measurement
     std::array<double, 3> Last{};
     std::size_t Count = 0;
   };

@@ -21,19 +21,19 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 
-// Of a block that is ready, about, and of what its tetrahedra are made from.
+// Approximate memory of a prepared block and of the data that it is made from.
 constexpr std::uint64_t BytesPerTet = 64;
 
-// What is made ready first has at most so many points: few enough to be drawn at once, enough to
-// show something.
+// Maximum number of points of the first level: few enough to be drawn at once, enough to show
+// something.
 constexpr std::uint64_t FirstPoints = 20000;
 
-/** A mesh that is ready. */
+/** A level of detail. */
 struct Level
 {
   std::uint64_t Points = 0;
   std::shared_ptr<RaySource> Source;
-  bool IsComplete = false; // all of its blocks were made, or it is in use; else only some were
+  bool IsComplete = false; // all of its blocks were made, or it is in use
   std::uint64_t Used = 0;  // when
 };
 }
@@ -52,19 +52,19 @@ public:
   const MakeLevels Maker;
   const std::shared_ptr<RaySource> Whole;
   const Room Space;
-  std::atomic<double> Done{ 0 }; // part of the detail
+  std::atomic<double> Done{ 0 }; // fraction, of finding the levels of detail
 
   mutable std::mutex Guard; // of all that follows
   std::condition_variable Changed;
   std::shared_ptr<LevelsOfDetail> Detail;
-  std::exception_ptr Failure; // why there is none
-  std::vector<Level> Levels;  // simpler ones
+  std::exception_ptr Failure; // the reason why there are none
+  std::vector<Level> Levels;  // coarser than the whole mesh
   bool IsWholeComplete = false;
   std::uint64_t Uses = 0;
   std::deque<std::uint64_t> Wanted;
-  std::uint64_t Now = 0; // what the worker is at; 0: nothing
-  bool MustStop = false; // with that
-  bool IsHeld = false;   // it must not begin anything
+  std::uint64_t Now = 0; // the level in work; 0: none
+  bool MustStop = false; // working on that level
+  bool IsHeld = false;   // the worker must not begin another level
   bool IsDrawing = false;
   bool IsEnding = false;
 
@@ -94,7 +94,7 @@ public:
 
 namespace
 {
-/** Keeps the worker from working. */
+/** Stops the worker during its life. */
 template <typename Internals>
 class Hold
 {
@@ -193,7 +193,7 @@ void LevelOfDetailCache::Internals::FindLevels()
   this->Failure = failure;
   if (this->Detail)
   {
-    // Nobody can have asked for anything yet.
+    // There can be no requests yet.
     auto points = this->Detail->GetNumberOfPoints();
     while (points > FirstPoints)
     {
@@ -205,7 +205,7 @@ void LevelOfDetailCache::Internals::FindLevels()
 }
 
 //------------------------------------------------------------------------------
-/** Lets pictures have their share of the processor. False to stop. */
+/** Leaves a share of the processor to frames. Returns false to stop. */
 bool LevelOfDetailCache::Internals::Rest(Clock::duration worked)
 {
   std::unique_lock<std::mutex> lock(this->Guard);
@@ -217,7 +217,7 @@ bool LevelOfDetailCache::Internals::Rest(Clock::duration worked)
 }
 
 //------------------------------------------------------------------------------
-/** Makes its blocks, as far as there is time. */
+/** Makes the blocks of a level until it must stop. */
 void LevelOfDetailCache::Internals::Complete(Level& level)
 {
   auto before = Clock::now();
@@ -275,7 +275,7 @@ void LevelOfDetailCache::Internals::Work()
       }
       catch (...)
       {
-        // Whoever needs it will meet the same failure, and tell it.
+        // Get will meet the same failure and report it.
         level.Source = nullptr;
       }
       lock.lock();
@@ -302,7 +302,7 @@ LevelOfDetailCache::LevelOfDetailCache(
   self->Worker = std::thread(
     [self]
     {
-      // As within a body, everything happens on this thread.
+      // Within a body of ParallelFor, everything runs on this thread.
       ParallelFor(1, [self](std::size_t) { self->Work(); });
     });
 }
@@ -358,7 +358,7 @@ std::shared_ptr<RaySource> LevelOfDetailCache::GetWhole()
   {
     const Hold hold(self, lock);
   }
-  // What is in use is not made ready behind one's back.
+  // A source in use is not prepared in the background.
   self.IsWholeComplete = true;
   return self.Whole;
 }
@@ -377,7 +377,7 @@ std::shared_ptr<RaySource> LevelOfDetailCache::Get(std::uint64_t points)
   if (!self.IsReady(points))
   {
     const Hold hold(self, lock);
-    // The worker may have been at just that.
+    // The worker may have begun this level.
     if (!self.Find(points))
     {
       Level level;

@@ -15,61 +15,62 @@
 namespace gatun
 {
 /**
- * A mesh with several numbers of points, ready for drawing. Those that were not used for longest go
- * first when there is no more room.
+ * Levels of detail of a mesh that are ready for drawing. When there is no room left, the levels
+ * that have not been used for the longest time are removed.
  *
- * A thread in the background finds out first how the mesh can be simplified, makes one ready that
- * is simple enough to be drawn at once, and then what is wanted next. While pictures are drawn, it
- * rests as long as it works. It stops within a block's time when something else is wanted, and when
- * this is destroyed. All methods are for one thread.
+ * A background thread first determines how the mesh can be simplified, then prepares a level that
+ * is coarse enough to be drawn at once, then the levels that are requested. While frames are drawn,
+ * it rests as long as it works. It stops within the time of a block when other levels are requested
+ * and when this object is destroyed. All methods must be called from one thread.
  */
 class VTKGATUNCORE_EXPORT LevelOfDetailCache
 {
 public:
   using Progress = RaySource::Progress;
 
-  /** Called in the background; see BuildMergeTree for what becomes of progress. */
+  /** Called in the background. Must call progress; see BuildMergeTree. */
   using MakeLevels = std::function<std::shared_ptr<LevelsOfDetail>(const Progress& progress)>;
 
-  /** How many bytes may be used. */
+  /** Budgets in bytes. */
   struct Room
   {
     std::uint64_t Whole = 0;   ///< for blocks of the whole mesh, which its source keeps
-    std::uint64_t Simpler = 0; ///< for those of simpler ones
+    std::uint64_t Simpler = 0; ///< for blocks of coarser levels
   };
 
-  /** Whole: what is drawn of all points. */
+  /** Whole: the source of the whole mesh. */
   LevelOfDetailCache(MakeLevels makeLevels, std::shared_ptr<RaySource> whole, const Room& room);
   ~LevelOfDetailCache();
   LevelOfDetailCache(const LevelOfDetailCache&) = delete;
   LevelOfDetailCache& operator=(const LevelOfDetailCache&) = delete;
 
-  /** How the mesh can be simplified; null while that is not known. Throws what making it threw. */
+  /** Returns the levels of detail, or null while they are not known. Throws the exception of
+   * makeLevels. */
   LevelsOfDetail* FindLevels() const;
 
-  /** The same, once it is known. Progress: how far that is; if it returns false, Error(Aborted) is
-   * thrown, but work goes on. */
+  /** Waits until the levels of detail are known. If progress returns false, Error(Aborted) is
+   * thrown, and the work continues in the background. */
   LevelsOfDetail& WaitForLevels(const Progress& progress = {});
 
-  /** All of the mesh. */
+  /** Returns the whole mesh. */
   std::shared_ptr<RaySource> GetWhole();
 
-  /** The mesh with so many points. What is not there is made now, while the background rests. The
-   * detail must be known. */
+  /** Returns the level with a given number of points. If it is not ready, it is made now, while the
+   * background thread rests. The levels of detail must be known. */
   std::shared_ptr<RaySource> Get(std::uint64_t points);
 
-  /** Of what is ready and simpler than the whole mesh, the number of points that comes nearest; 0
-   * for none. One that has more than wanted counts as twice as far away. */
+  /** Returns the number of points of the nearest ready level that is coarser than the whole mesh; 0
+   * if there is none. The distance of a level with more points than wanted counts twice. */
   std::uint64_t FindReady(std::uint64_t wanted) const;
 
-  /** Has these made ready, one after the other, in place of what was wanted before. Those for which
-   * there is no room are left out. Does nothing while the detail is not known. */
+  /** Requests levels, which are prepared one after the other; replaces earlier requests. Levels for
+   * which there is no room are skipped. Does nothing while the levels of detail are not known. */
   void Prepare(const std::vector<std::uint64_t>& points);
 
-  /** Tells whether a picture is being drawn. */
+  /** States whether a frame is being drawn. */
   void SetDrawing(bool drawing);
 
-  /** Waits until all that is wanted is ready. */
+  /** Waits until all requested levels are ready. */
   void Wait();
 
 private:

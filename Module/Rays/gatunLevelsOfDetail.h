@@ -12,9 +12,10 @@
 namespace gatun
 {
 /**
- * A mesh that can be drawn with any number of points, from all of them to the fewest.
+ * The levels of detail of a mesh: any number of points, from all of them to the fewest.
  *
- * MakeSource is called by one thread at a time; the other methods may be called meanwhile.
+ * Only one thread at a time may call MakeSource; other threads may call the other methods
+ * meanwhile.
  */
 class VTKGATUNCORE_EXPORT LevelsOfDetail
 {
@@ -22,16 +23,16 @@ public:
   virtual ~LevelsOfDetail() = default;
 
   virtual std::uint64_t GetNumberOfPoints() const = 0; ///< of the whole mesh
-  virtual std::uint64_t GetFewestPoints() const = 0;   ///< it cannot be simpler
+  virtual std::uint64_t GetFewestPoints() const = 0;   ///< of the coarsest level
 
   /**
-   * What is drawn with so many points, or as near to that as can be. Making it costs little against
-   * its blocks, which are made when they are asked for, and kept up to a number of bytes. A source
-   * must not be used by two threads at once; two sources may be used by a thread each.
+   * Returns the level with a given number of points, or the nearest one. A source takes little
+   * time; its blocks are made when they are requested, and kept within a budget in bytes. Two
+   * threads must not use the same source at the same time, but may use different ones.
    */
   virtual std::shared_ptr<RaySource> MakeSource(std::uint64_t points, std::uint64_t budget) = 0;
 
-  /** About how many tetrahedra that has. */
+  /** Estimates the number of tetrahedra of a level. */
   virtual std::uint64_t EstimateTets(std::uint64_t points) const = 0;
 };
 }

@@ -21,11 +21,11 @@ namespace
 {
 using Tet = MergeTree::Tet;
 
-/** Tetrahedra, those near each other together. */
+/** Tetrahedra in spatial order. */
 struct TetList
 {
   std::vector<Tet> Tets;
-  std::vector<double> Values; // of them, if they are what is drawn
+  std::vector<double> Values; // of the tetrahedra, if these are drawn
 
   void Add(const TetList& from)
   {
@@ -41,11 +41,11 @@ void WithValues(const RayValuesInput& input, Use&& use)
   WithComponent(input.Type, input.Values, input.Components, input.Component, use);
 }
 
-/** Where the blocks of a list begin, and the last one ends. */
+/** The beginnings of the blocks of a list, and its end. */
 using BlockStarts = std::vector<std::size_t>;
 
-/** Enough blocks for all threads to have work, none so small that its borders count for more than
- * what is in it. */
+/** Makes enough blocks to occupy all threads, but none so small that its boundary dominates its
+ * cost. */
 BlockStarts CutIntoBlocks(std::size_t tets)
 {
   const auto size = std::clamp<std::size_t>(tets / 8, 4096, MemoryRaySource::DefaultBlockTets);
@@ -255,7 +255,7 @@ public:
 };
 
 //------------------------------------------------------------------------------
-/** What is left of a base. */
+/** Simplifies a base to a given number of points. */
 std::shared_ptr<const TetList> MemoryLevelsOfDetail::Internals::Simplify(
   const TetList& base, std::uint64_t points) const
 {
@@ -291,7 +291,8 @@ std::shared_ptr<const TetList> MemoryLevelsOfDetail::Internals::Simplify(
 }
 
 //------------------------------------------------------------------------------
-/** Of so many points. Makes the bases on the way to it. */
+/** Returns the tetrahedra of the level with a given number of points. Makes the bases on the way
+ * to it. */
 std::shared_ptr<const TetList> MemoryLevelsOfDetail::Internals::MakeTets(std::uint64_t points)
 {
   auto base = this->Mesh->GetInternals().Whole;

@@ -16,17 +16,17 @@
 namespace gatun
 {
 /**
- * A copy of a mesh with the values that are drawn, which never changes: other threads may use it
- * whatever becomes of the original. Takes 16 bytes a tetrahedron and 32 bytes a point, and 8 bytes
- * a tetrahedron if its values are drawn.
+ * An immutable copy of a mesh with the values that are drawn. Other threads may use it after the
+ * original has changed. Memory: 16 bytes for each tetrahedron, 32 bytes for each point, and 8 bytes
+ * for each tetrahedron if values of tetrahedra are drawn.
  */
 class VTKGATUNCORE_EXPORT MemoryRayMesh
 {
 public:
   using Progress = RaySource::Progress;
 
-  /** Hidden: as of MemoryRaySource. Throws InvalidInput if a tetrahedron names a point that is not
-   * there. */
+  /** Hidden: see MemoryRaySource. Throws InvalidInput if a tetrahedron has a point that does not
+   * exist. */
   MemoryRayMesh(const MeshInput& mesh, const RayValuesInput& values, const unsigned char* hidden,
     const Progress& progress = {});
   ~MemoryRayMesh();
@@ -35,8 +35,8 @@ public:
 
   std::uint64_t GetNumberOfPoints() const;
 
-  /** The merges that change what is drawn least. Values of tetrahedra count as those of their
-   * points, on average. Throws as BuildMergeTree does. */
+  /** Returns the merges that change the drawn values least. Values of tetrahedra are averaged at
+   * their points. Throws as BuildMergeTree does. */
   MergeTree BuildTree(const Progress& progress = {}) const;
 
   class Internals;
@@ -46,21 +46,21 @@ private:
   std::unique_ptr<Internals> Self;
 };
 
-/** All of a mesh, in the blocks of MemoryRaySource; it looks the same to the last bit. */
+/** Returns the whole mesh in the blocks of MemoryRaySource. Images are the same to the last bit. */
 VTKGATUNCORE_EXPORT std::shared_ptr<RaySource> MakeWholeSource(
   std::shared_ptr<const MemoryRayMesh> mesh, std::uint64_t budget);
 
 /**
- * A mesh in memory with the merges that make it simpler.
+ * The levels of detail of a mesh in memory with a merge tree.
  *
- * Of the mesh with half of its points, a quarter, and so on, the tetrahedra are kept once they were
- * needed, so that what is made for a number of points begins with at most twice as many. All
- * together they take about as much as the whole mesh.
+ * Tetrahedra of the levels with half of the points, a quarter, and so on, are kept once they have
+ * been made. A level is made from the next of these, which has at most twice as many points.
+ * Together they take about as much memory as the whole mesh.
  */
 class VTKGATUNCORE_EXPORT MemoryLevelsOfDetail final : public LevelsOfDetail
 {
 public:
-  /** Throws InvalidInput if the tree is not that of so many points. */
+  /** Throws InvalidInput if the tree has another number of points. */
   MemoryLevelsOfDetail(std::shared_ptr<const MemoryRayMesh> mesh, MergeTree tree);
   ~MemoryLevelsOfDetail() override;
 

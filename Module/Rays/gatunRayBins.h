@@ -14,7 +14,7 @@
 
 namespace gatun
 {
-/** A number that stands for a sequence and what comes after it. */
+/** The hash of a sequence, from that of its beginning and its next element. */
 inline std::uint64_t MixFingerprints(std::uint64_t before, std::uint64_t next)
 {
   std::uint64_t mixed = (before ^ next) * 0x9e3779b97f4a7c15u;
@@ -23,24 +23,24 @@ inline std::uint64_t MixFingerprints(std::uint64_t before, std::uint64_t next)
 }
 
 /**
- * A block as a view sees it: its tetrahedra in the order in which they are released, set up for
- * each tile that they reach. Only so many at a time are, so that a view from nearby, where each is
- * in many tiles, takes no more memory than one from afar.
+ * The tetrahedra of a block in a view, in the order of their release, set up for each tile that
+ * they reach. They are set up in batches of limited size: a close view, in which each tetrahedron
+ * reaches many tiles, needs no more memory than a distant one.
  */
 class RayBins
 {
 public:
-  /** Brings a block into view; it must stay until another is. */
+  /** Projects a block. The block must exist until the next call. */
   void SetBlock(const RayKernel& kernel, const RayView& view, const RayTable& table,
     const RayBlock& block, RayFilter filter, ReleaseFrom from);
 
-  /** Calls use(tile, fingerprint) for each of the items that Fill would make next if nothing were
-   * opaque, in their order in each tile; false when there are none left. */
+  /** Calls use(tile, fingerprint) for each item that Fill would make next if nothing were opaque,
+   * in the order of each tile. Returns false when there are none left. */
   template <typename Use>
   bool Skim(int tilesX, Use&& use);
 
-  /** Puts the next tetrahedra into the bins of the tiles; false when there are none left. Shading:
-   * null for none. */
+  /** Puts the next tetrahedra into the bins of the tiles. Returns false when there are none left.
+   * Shading may be null. */
   bool Fill(const RayKernel& kernel, const SetUpContext& context, const RayShading* shading,
     std::size_t tiles, bool repeatable);
 
@@ -69,9 +69,9 @@ private:
   std::vector<SeenTet> Seen;
   std::vector<std::uint8_t> Facing;
   Release Released;
-  std::vector<std::uint32_t> Order;  // those that are seen
+  std::vector<std::uint32_t> Order;  // visible tetrahedra
   std::size_t Next = 0;              // in the order
-  std::vector<std::uint32_t> Starts; // of each tile's items
+  std::vector<std::uint32_t> Starts; // of the items of each tile
   std::vector<std::uint32_t> Places;
   std::vector<TetItem> Items;
   std::vector<std::uint32_t> Origins; // see TetItems

@@ -13,7 +13,7 @@ namespace
 {
 constexpr auto None = RayBlock::NoNeighbour;
 
-/** Faces that wait for a partner, in lists: one for each point that is the first corner of some. */
+/** Faces whose second tetrahedron has not come yet, in one list for each first corner. */
 class WaitingFaces
 {
 public:
@@ -22,7 +22,8 @@ public:
   {
   }
 
-  /** Takes the face with these corners out, or puts this one in and returns None. */
+  /** Removes and returns the face with these corners. If there is none, adds this one and returns
+   * None. */
   std::uint32_t Match(
     std::uint32_t first, std::uint32_t second, std::uint32_t third, std::uint32_t face)
   {

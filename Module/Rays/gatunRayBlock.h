@@ -13,24 +13,23 @@
 
 namespace gatun
 {
-/** A point of a mesh with its value. NaN: nothing is seen of the tetrahedra that have it. */
+/** A point of a mesh with its value. Tetrahedra with a point whose value is NaN are invisible. */
 struct alignas(32) RayPoint
 {
   double X, Y, Z, Value;
 };
 
-/** Tetrahedra that are drawn together; some ten thousand are best. */
+/** Tetrahedra that are drawn together; some ten thousand are best for speed. */
 struct VTKGATUNCORE_EXPORT RayBlock
 {
   using Tet = std::array<std::uint32_t, 4>;
   static constexpr std::uint32_t NoNeighbour = 0xffffffffu;
 
   std::vector<RayPoint> Points;
-  std::vector<Tet> Tets; ///< point indices
-  std::vector<double>
-    CellValues; ///< if not empty, of the tetrahedra, instead of the points' values
+  std::vector<Tet> Tets;          ///< point indices
+  std::vector<double> CellValues; ///< if not empty: values of the tetrahedra, used instead
 
-  /** Takes getValue(i) for the value of each point or tetrahedron. */
+  /** Sets the value of each point or tetrahedron i to getValue(i). */
   template <typename GetValue>
   void SetValues(Association where, GetValue&& getValue)
   {
@@ -50,16 +49,16 @@ struct VTKGATUNCORE_EXPORT RayBlock
   }
 
   /**
-   * Makes ready for drawing, once for all views: puts the corners of each tetrahedron into the
-   * order of their coordinates, so that all who have a face, in whatever block, see the same face;
-   * and finds the rest.
+   * Prepares the block for drawing, once for all views. Sorts the corners of each tetrahedron by
+   * their coordinates, so that tetrahedra of any block get exactly the same plane for a face that
+   * they share, and computes the members below.
    */
   void Prepare();
 
-  std::vector<std::uint8_t> Turned; ///< of each tetrahedron: whether its volume is negative
+  std::vector<std::uint8_t> Turned; ///< for each tetrahedron: whether its volume is negative
 
-  /** Of each face, opposite to corner i, the face of another tetrahedron t that it is, as 4 t + i.
-   * Where more than two tetrahedra share a face, two of them get each other. */
+  /** For each face, opposite to corner i: the same face of its neighbor, tetrahedron t, as
+   * 4 t + i. If more than two tetrahedra share a face, two of them become neighbors. */
   std::vector<Tet> Neighbours;
 
   std::size_t GetMemorySize() const;

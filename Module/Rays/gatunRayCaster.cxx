@@ -7,6 +7,7 @@
 #include "gatunRayBins.h"
 #include "gatunRayKernel.h"
 #include "gatunRayTile.h"
+#include "gatunRayVisibility.h"
 
 #include <algorithm>
 #include <chrono>
@@ -18,7 +19,7 @@ namespace gatun
 {
 namespace
 {
-/** Adds the time of its life to a sum. */
+/** Adds its lifetime to a sum. */
 class Timed
 {
 public:
@@ -39,7 +40,7 @@ private:
   const std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
 };
 
-/** A block at work. */
+/** A block in use. */
 struct Work
 {
   RayBins Bins;
@@ -48,7 +49,7 @@ struct Work
   double SetUpTime = 0;
 };
 
-/** A tile, or room for one, and its times. */
+/** A tile, once it is needed, and its times. */
 struct TileSlot
 {
   std::unique_ptr<RayTile> Tile;
@@ -58,13 +59,6 @@ struct TileSlot
   bool IsLeftOut = false;
 };
 
-/** Where a box is seen. */
-struct SeenBox
-{
-  bool IsOutside = false;
-  double FirstX = 0, FirstY = 0, LastX = 0, LastY = 0; // pixels
-  double Nearest = 0, Farthest = 0;                    // depth in units of z in ray coordinates
-};
 }
 
 //------------------------------------------------------------------------------
@@ -79,8 +73,7 @@ public:
   int TilesX;
   int TilesY;
   std::vector<TileSlot> Tiles;
-  std::vector<float> TileLimits; // what is behind them is in none of the tile's pixels
-  double MostPerDepth;           // samples, of all pixels
+  RayVisibility Visibility;
   std::vector<Work> Works;
   RayStatistics Statistics;
 
@@ -94,33 +87,16 @@ public:
     , TilesX((view.Width + RayTile::Size - 1) / RayTile::Size)
     , TilesY((view.Height + RayTile::Size - 1) / RayTile::Size)
     , Tiles(static_cast<std::size_t>(TilesX) * static_cast<std::size_t>(TilesY))
-    , TileLimits(Tiles.size(), RayTile::Always)
-    , MostPerDepth(0)
+    , Visibility(View, Table, Limits)
   {
-    for (const int x : { 0, view.Width })
-    {
-      for (const int y : { 0, view.Height })
-      {
-        this->MostPerDepth = std::max(this->MostPerDepth, view.GetSamplesPerDepth(x, y));
-      }
-    }
-    if (!limits.Far.empty())
-    {
-      this->LimitTiles();
-    }
   }
 
-  std::size_t GetTile(int x, int y) const
-  {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(this->TilesX) +
-      static_cast<std::size_t>(x);
-  }
   int GetX(std::size_t tile) const { return static_cast<int>(tile) % this->TilesX * RayTile::Size; }
   int GetY(std::size_t tile) const { return static_cast<int>(tile) / this->TilesX * RayTile::Size; }
 
   RayFilter GetFilter() const
   {
-    // In mode Area there are no samples that a tetrahedron could be between.
+    // In mode Area every tetrahedron on a ray has a sample.
     return !this->Settings.Prefilter      ? RayFilter::None
       : this->Table.Mode == RayMode::Area ? RayFilter::Pixels
                                           : RayFilter::Samples;
@@ -134,64 +110,15 @@ public:
     return hasSurfaces && this->Settings.Shading ? &*this->Settings.Shading : nullptr;
   }
 
-  void LimitTiles();
-  std::vector<std::size_t> FindCandidates(const RaySource& source);
   template <typename Skips, typename Use>
   void TakeTurns(RaySource& source, const Progress& progress, Skips&& skips, Use&& use);
   std::span<Work> SetBlocks(std::span<const std::shared_ptr<const RayBlock>> blocks);
-  bool IsNeverSeen(const Bounds& box, const Range& values) const;
-  bool IsCutAway(const Bounds& box) const;
   std::unique_ptr<RayTile> MakeTile(std::size_t index) const;
   void DrawTile(std::size_t index, std::span<const Work> works);
   void FinishTile(TileSlot& slot, int x0, int y0, float* rgba, float* depth) const;
-  void Colour(const Fragment& sum, float largest, float* rgba) const;
-  SeenBox See(const Bounds& box) const;
-  void RequireFewSamples(double farthest) const;
+  void GetColor(const Fragment& sum, float largest, float* rgba) const;
   void CountMemory();
 };
-
-//------------------------------------------------------------------------------
-/** Blocks behind the limits of all pixels need not be fetched. With a sample to spare. */
-void RayCaster::Internals::LimitTiles()
-{
-  std::fill(this->TileLimits.begin(), this->TileLimits.end(), RayTile::Never);
-  const auto width = static_cast<std::size_t>(this->View.Width);
-  for (int y = 0; y < this->View.Height; ++y)
-  {
-    for (int x = 0; x < this->View.Width; ++x)
-    {
-      const auto pixel = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
-      const float near = this->Limits.Near[pixel];
-      const float far = this->Limits.Far[pixel];
-      if (near < far)
-      {
-        const auto tile = this->GetTile(x / RayTile::Size, y / RayTile::Size);
-        this->TileLimits[tile] =
-          std::max(this->TileLimits[tile], std::min(far + 1, RayTile::Always));
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-/** Whether all of a box is on the negative side of a plane, beyond rounding. */
-bool RayCaster::Internals::IsCutAway(const Bounds& box) const
-{
-  return std::any_of(this->Limits.Planes.begin(), this->Limits.Planes.end(),
-    [&](const std::array<double, 4>& plane)
-    {
-      double most = plane[3];
-      double size = std::abs(plane[3]);
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        const double first = plane[axis] * box[axis].Min;
-        const double last = plane[axis] * box[axis].Max;
-        most += std::max(first, last);
-        size += std::max(std::abs(first), std::abs(last));
-      }
-      return most < -1e-6 * size;
-    });
-}
 
 //------------------------------------------------------------------------------
 std::unique_ptr<RayTile> RayCaster::Internals::MakeTile(std::size_t index) const
@@ -250,13 +177,13 @@ void RayCaster::Internals::DrawTile(std::size_t index, std::span<const Work> wor
       slot.Tile = this->MakeTile(index);
     }
     this->Kernel.Draw(this->Table.Mode, context, items, *slot.Tile);
-    this->TileLimits[index] = slot.Tile->Limit;
+    this->Visibility.SetTileLimit(index, slot.Tile->Limit);
     slot.MostFragments = std::max(slot.MostFragments, slot.Tile->CountFragments());
   }
 }
 
 //------------------------------------------------------------------------------
-void RayCaster::Internals::Colour(const Fragment& sum, float largest, float* rgba) const
+void RayCaster::Internals::GetColor(const Fragment& sum, float largest, float* rgba) const
 {
   std::array<float, 4> colour{};
   switch (this->Table.Mode)
@@ -331,7 +258,7 @@ void RayCaster::Internals::FinishTile(
     {
       const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(this->View.Width) +
         static_cast<std::size_t>(x);
-      this->Colour(sum, largest, rgba + 4 * at);
+      this->GetColor(sum, largest, rgba + 4 * at);
       if (depth)
       {
         depth[at] = sum.First == -RayTile::Never
@@ -339,49 +266,6 @@ void RayCaster::Internals::FinishTile(
           : static_cast<float>(sum.First * this->View.SampleDistance);
       }
     }
-  }
-}
-
-//------------------------------------------------------------------------------
-SeenBox RayCaster::Internals::See(const Bounds& box) const
-{
-  const double inf = std::numeric_limits<double>::infinity();
-  SeenBox seen{ false, inf, inf, -inf, -inf, inf, -inf };
-  if (!(box[0].Min <= box[0].Max))
-  {
-    seen.IsOutside = true; // of a block whose tetrahedra are all hidden, or have no place
-    return seen;
-  }
-  for (unsigned corner = 0; corner < 8; ++corner)
-  {
-    const auto get = [&](unsigned axis)
-    { return (corner >> axis & 1) != 0 ? box[axis].Max : box[axis].Min; };
-    const auto p = this->View.Transform({ get(0), get(1), get(2) });
-    const double perDepth = this->View.Perspective ? 1 / p[2] : 1;
-    const bool inFront = !this->View.Perspective || p[2] > 0;
-    seen.FirstX = std::min(seen.FirstX, inFront ? p[0] * perDepth : -inf);
-    seen.FirstY = std::min(seen.FirstY, inFront ? p[1] * perDepth : -inf);
-    seen.LastX = std::max(seen.LastX, inFront ? p[0] * perDepth : inf);
-    seen.LastY = std::max(seen.LastY, inFront ? p[1] * perDepth : inf);
-    seen.Nearest = std::min(seen.Nearest, p[2]);
-    seen.Farthest = std::max(seen.Farthest, p[2]);
-  }
-  const double perUnit = this->View.Perspective ? 1 : this->View.SampleDistance;
-  seen.IsOutside = seen.LastX < -1 || seen.LastY < -1 || seen.FirstX > this->View.Width ||
-    seen.FirstY > this->View.Height || seen.Farthest < 0 ||
-    seen.Farthest * perUnit < this->View.Near || seen.Nearest * perUnit > this->View.Far;
-  return seen;
-}
-
-//------------------------------------------------------------------------------
-/** Depth in units of z in ray coordinates. */
-void RayCaster::Internals::RequireFewSamples(double farthest) const
-{
-  if (farthest * (this->View.Perspective ? this->MostPerDepth : 1) > RayView::MostSamples)
-  {
-    throw Error(ErrorCode::InvalidInput,
-      "the sample distance is too small: there are more than 4 million of them to the far side of "
-      "the mesh");
   }
 }
 
@@ -416,84 +300,20 @@ RayCaster::RayCaster(
 RayCaster::~RayCaster() = default;
 
 //------------------------------------------------------------------------------
-/** Whether such values in a box cannot be seen, whatever else there is. */
-bool RayCaster::Internals::IsNeverSeen(const Bounds& box, const Range& values) const
-{
-  return this->Table.IsTransparent(values) || !(box[0].Min <= box[0].Max) || this->IsCutAway(box) ||
-    this->See(box).IsOutside;
-}
-
-//------------------------------------------------------------------------------
 bool RayCaster::IsHidden(const Bounds& box, const Range& values) const
 {
-  const auto& self = *this->Self;
-  if (self.IsNeverSeen(box, values))
-  {
-    return true;
-  }
-  const SeenBox seen = self.See(box);
-  // In perspective, samples are not nearer than depth says.
-  const double nearest =
-    self.View.Perspective ? seen.Nearest / self.View.SampleDistance : seen.Nearest;
-  const auto toTile = [](double pixel, int tiles)
-  { return static_cast<int>(std::clamp(pixel / RayTile::Size, 0.0, tiles - 1.0)); };
-  for (int y = toTile(seen.FirstY - 1, self.TilesY); y <= toTile(seen.LastY + 1, self.TilesY); ++y)
-  {
-    for (int x = toTile(seen.FirstX - 1, self.TilesX); x <= toTile(seen.LastX + 1, self.TilesX);
-         ++x)
-    {
-      if (nearest < self.TileLimits[self.GetTile(x, y)])
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-/** The blocks of a source that may be seen, the nearest first. */
-std::vector<std::size_t> RayCaster::Internals::FindCandidates(const RaySource& source)
-{
-  struct Candidate
-  {
-    std::size_t Block;
-    double Depth;
-  };
-  std::vector<Candidate> candidates;
-  double farthest = 0;
-  for (std::size_t block = 0; block < source.GetNumberOfBlocks(); ++block)
-  {
-    const SeenBox seen = this->See(source.GetBounds(block));
-    farthest = seen.IsOutside ? farthest : std::max(farthest, seen.Farthest);
-    if (this->IsNeverSeen(source.GetBounds(block), source.GetRange(block)))
-    {
-      ++this->Statistics.SkippedBlocks;
-    }
-    else
-    {
-      candidates.push_back({ block, seen.Nearest + seen.Farthest });
-    }
-  }
-  this->RequireFewSamples(farthest);
-  std::sort(candidates.begin(), candidates.end(),
-    [](const Candidate& a, const Candidate& b)
-    { return a.Depth != b.Depth ? a.Depth < b.Depth : a.Block < b.Block; });
-  std::vector<std::size_t> blocks;
-  for (const Candidate& candidate : candidates)
-  {
-    blocks.push_back(candidate.Block);
-  }
-  return blocks;
+  return this->Self->Visibility.IsHidden(box, values);
 }
 
 //------------------------------------------------------------------------------
-/** Calls use(blocks) for the blocks of a source, as many at a time as there are threads. Those are
- * left out that skips says when their turn has come. */
+/** Calls use(blocks) for the blocks of a source, as many at a time as there are threads. Skips the
+ * blocks for which skips(block) returns true when their turn has come. */
 template <typename Skips, typename Use>
 void RayCaster::Internals::TakeTurns(
   RaySource& source, const Progress& progress, Skips&& skips, Use&& use)
 {
-  const auto candidates = this->FindCandidates(source);
+  const auto candidates = this->Visibility.FindCandidates(source);
+  this->Statistics.SkippedBlocks += source.GetNumberOfBlocks() - candidates.size();
   const auto most = static_cast<std::size_t>(GetNumberOfThreads());
   std::vector<std::size_t> turn;
   std::size_t next = 0;
@@ -538,7 +358,7 @@ void RayCaster::Draw(RaySource& source, const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-/** Brings blocks into view, each in a work of its own. */
+/** Projects blocks, each with its own Work. */
 std::span<Work> RayCaster::Internals::SetBlocks(
   std::span<const std::shared_ptr<const RayBlock>> blocks)
 {
@@ -569,7 +389,7 @@ std::vector<std::uint64_t> RayCaster::GetFingerprints(RaySource& source, const P
 {
   auto& self = *this->Self;
   std::vector<std::uint64_t> result(self.Tiles.size(), 0);
-  // Which call of the kernel was the last for a tile: when one ends matters, too.
+  // The last call of the kernel for each tile. The boundaries of calls affect the result, too.
   std::vector<std::uint64_t> calls(self.Tiles.size(), 0);
   std::uint64_t call = 0;
   self.TakeTurns(
@@ -606,7 +426,7 @@ void RayCaster::Restrict(std::span<const std::uint8_t> tiles)
     if (tiles[tile] == 0)
     {
       self.Tiles[tile].IsLeftOut = true;
-      self.TileLimits[tile] = RayTile::Never;
+      self.Visibility.SetTileLimit(tile, RayTile::Never);
     }
   }
 }
@@ -616,7 +436,7 @@ void RayCaster::Draw(std::span<const std::shared_ptr<const RayBlock>> blocks)
 {
   auto& self = *this->Self;
   const auto works = self.SetBlocks(blocks);
-  const SetUpContext context{ &self.View, self.TilesX, self.TileLimits.data(),
+  const SetUpContext context{ &self.View, self.TilesX, self.Visibility.GetTileLimits(),
     self.Table.VisibleCells.data(), RayTable::Size, self.Table.Low, self.Table.Scale };
   for (;;)
   {

@@ -21,30 +21,30 @@ namespace gatun
 {
 struct RaySettings
 {
-  /** Where less light than this comes through, nothing behind is drawn; 0 to draw all. */
+  /** Early ray termination: nothing is drawn behind a transmittance below this; 0 draws all. */
   float Opaque = 1e-3f;
 
-  /** How lights fall on the volume; none: it looks as its colours say. Modes Composite and Area. */
+  /** Shading in modes Composite and Area, or none. */
   std::optional<RayShading> Shading = {};
 
-  /** Whether rays may grow from their far ends too; see gatunRelease.h. */
+  /** Whether rays may also grow from their far ends; see gatunRelease.h. */
   bool FromBothEnds = false;
 
-  /** Whether tetrahedra between the rays, or between samples, are left out before their planes are
-   * set up: the paper's pre-filter. It changes no picture. */
+  /** Whether to skip tetrahedra between the rays, or between samples, before their planes are set
+   * up: the paper's pre-filter. It does not change the image. */
   bool Prefilter = true;
 
-  /** Whether to use only instructions that every processor has. */
+  /** Whether to use only instructions that all processors have. */
   bool Portable = false;
 
-  /** Whether a tile of the picture comes out the same to the last bit whatever the others show, and
-   * however many of them are drawn. Threads may have less to do at the same time. */
+  /** Whether a tile of the image is the same to the last bit no matter what other tiles show and
+   * which of them are drawn. May leave threads idle. */
   bool Repeatable = false;
 
   bool operator==(const RaySettings&) const = default;
 };
 
-/** What has been done so far; times are of all threads together, in seconds. */
+/** Statistics of an image. Times are sums over all threads, in seconds. */
 struct RayStatistics
 {
   double FetchTime = 0;  ///< making or decoding blocks
@@ -53,23 +53,24 @@ struct RayStatistics
   double DrawTime = 0;   ///< samples
   double FinishTime = 0; ///< fragments into pixels
   std::uint64_t Tets = 0;
-  std::uint64_t SeenTets = 0;      ///< those that may own a sample
+  std::uint64_t SeenTets = 0;      ///< tetrahedra that may contain a sample
   std::uint64_t Blocks = 0;        ///< drawn
-  std::uint64_t SkippedBlocks = 0; ///< outside, transparent or hidden: never fetched
-  std::uint64_t MostWaiting = 0;   ///< tetrahedra that waited for others, in one block
-  std::uint64_t MostFragments = 0; ///< in all pixels together, before pictures were finished
-  std::uint64_t MostBytes = 0;     ///< of picture and blocks at work, without those of the source
+  std::uint64_t SkippedBlocks = 0; ///< never fetched: outside, transparent or hidden
+  std::uint64_t MostWaiting = 0; ///< maximum number of tetrahedra of a block that waited for others
+  std::uint64_t MostFragments = 0; ///< maximum sum over all pixels, before the image was finished
+  std::uint64_t MostBytes = 0; ///< maximum memory of image and blocks in use, without the source
 };
 
 /**
  * Casts rays through tetrahedra, block by block in any order (front to back is fastest), into one
- * picture. The picture is the same up to rounding for any order, any blocks, any number of threads.
+ * image. Up to rounding, the image depends neither on the order nor on the blocks nor on the number
+ * of threads.
  *
- * What is summed up for a pixel is kept in fragments, each of samples that follow each other; two
- * are merged when one ends where the other begins. Memory: about 75 bytes a pixel that is reached,
- * and 300 bytes a tetrahedron of the blocks that are at work, one for each thread.
+ * The sums of a pixel are in fragments of consecutive samples. Two fragments are merged when one
+ * ends where the other begins. Memory: about 75 bytes for each pixel that is reached, and 300 bytes
+ * for each tetrahedron of the blocks in use, one block for each thread.
  *
- * Methods throw Error(Aborted) when progress says so, after which only Finish makes sense.
+ * Methods throw Error(Aborted) when progress returns false. After that, only Finish may be called.
  *
  * Based on: Yang, Mitra, Chiueh: On-the-fly rendering of losslessly compressed irregular volume
  * data. IEEE Visualization 2000.
@@ -79,48 +80,47 @@ class VTKGATUNCORE_EXPORT RayCaster
 public:
   using Progress = RaySource::Progress;
 
-  /** Limits: see RayLimits; may be empty. */
+  /** Limits may be empty. */
   RayCaster(const RayView& view, RayTable table, const RayLimits& limits = {},
     const RaySettings& settings = {});
   ~RayCaster();
   RayCaster(const RayCaster&) = delete;
   RayCaster& operator=(const RayCaster&) = delete;
 
-  /** Draws all blocks of a source that can be seen, front to back. */
+  /** Draws all visible blocks of a source, front to back. */
   void Draw(RaySource& source, const Progress& progress = {});
 
-  /** Draws some blocks. */
+  /** Draws the given blocks. */
   void Draw(std::span<const std::shared_ptr<const RayBlock>> blocks);
 
-  /** Pictures are drawn in squares of 16 by 16 pixels, row by row from below. */
+  /** The image is divided into tiles of 16 by 16 pixels, row by row from below. */
   std::size_t GetNumberOfTiles() const;
 
   /**
-   * Of each tile, a number that stands for all that decides what it shows: the tetrahedra that
-   * reach it and the order in which they are drawn. With the same view, table, limits and settings,
-   * and Repeatable, tiles with equal numbers look the same to the last bit. (Different ones come
-   * out equal with a probability of 1 in 2^64.) Makes all blocks that are in the picture, and
-   * orders them, but draws nothing.
+   * Returns a fingerprint of each tile: a hash of the tetrahedra that reach it and of their order.
+   * With the same view, table, limits and settings, and Repeatable, tiles with equal fingerprints
+   * are the same to the last bit. (The probability that different tiles have equal fingerprints is
+   * 1 in 2^64.) Makes and orders all blocks of the image, but draws nothing.
    */
   std::vector<std::uint64_t> GetFingerprints(RaySource& source, const Progress& progress = {});
 
-  /** Before anything is drawn: leaves out all tiles for which this is 0, also when finishing. */
+  /** Leaves out the tiles whose element is 0, also in Finish. Call this before drawing. */
   void Restrict(std::span<const std::uint8_t> tiles);
 
-  /** Whether nothing with such values in a box could be seen, as far as is known now. */
+  /** Whether values of a range in a box are invisible, as far as is known now. */
   bool IsHidden(const Bounds& box, const Range& values) const;
 
   /**
-   * Writes the picture, as far as it is not restricted: for each pixel, row by row from below, red,
-   * green, blue (with opacity multiplied in) and opacity; and, if depth is not null, how far the
-   * first sample is that can be seen, in world units as samples are measured, or infinity. (Mode
-   * Maximum and XRay: infinity.)
+   * Writes the image, except for tiles that Restrict left out: for each pixel, row by row from
+   * below, red, green, blue (premultiplied by opacity) and opacity. If depth is not null, it gets
+   * the distance of the first visible sample in world units, measured as sample distances are, or
+   * infinity. In modes Maximum and XRay it is always infinity.
    */
   void Finish(float* rgba, float* depth = nullptr);
 
   RayStatistics GetStatistics() const;
 
-  /** The set of instructions in use, as "AVX2". */
+  /** The instruction set in use, such as "AVX2". */
   const char* GetInstructions() const;
 
 private:

@@ -3,7 +3,7 @@
 #ifndef gatunRayDrawer_h
 #define gatunRayDrawer_h
 
-// Draws tetrahedra into a tile of the picture. Part of gatunRayLoops.h, see there.
+// Draws tetrahedra into a tile of the image. Part of gatunRayLoops.h, see there.
 
 #include "gatunRayKernel.h"
 #include "gatunSimd.h"
@@ -16,7 +16,7 @@ namespace gatun
 {
 namespace GATUN_SIMD
 {
-/** How long a ray of perspective is where it is one unit deep. */
+/** The length of the ray of a pixel from the eye to depth 1, in a perspective projection. */
 GATUN_INLINE double GetLengthPerDepth(const RayView& view, double x, double y)
 {
   const double u = (x - view.CentreX) * view.ScaleX;
@@ -25,15 +25,15 @@ GATUN_INLINE double GetLengthPerDepth(const RayView& view, double x, double y)
 }
 
 /**
- * A ray is in a tetrahedron from the farthest plane through which it enters to the nearest one
- * through which it leaves; the samples from there to there are the tetrahedron's own. Eight pixels
- * are looked at together, four by two. Samples wait in a queue, so that one loop without surprises
- * takes the colours of many; each knows the sum of colours to which it goes, and the queue keeps
- * the order of each sum's samples.
+ * A ray is inside a tetrahedron from the farthest plane through which it enters to the nearest one
+ * through which it leaves. The samples in between belong to the tetrahedron. Eight pixels are
+ * processed together, four by two. Samples go into a queue, so that a single loop without
+ * unpredictable branches looks up the colors of many. Each sample has the index of the sum to which
+ * it is added, and the queue keeps the order of the samples of each sum.
  *
- * A tetrahedron behind what has been drawn of a pixel continues that fragment. Any other begins one
- * of its own, and fragments that touch are merged. So the order of the tetrahedra matters for
- * speed, not for the picture.
+ * A tetrahedron directly behind the fragment of a pixel extends that fragment. Any other begins a
+ * fragment of its own, and fragments that touch are merged. So the order of the tetrahedra affects
+ * the speed, not the image.
  */
 template <bool Perspective, RayMode Mode, bool Shaded>
 class RayDrawer
@@ -80,7 +80,7 @@ public:
         case 3:
           this->DrawItem<3>(items[i]);
           break;
-        default: // not of any use: it would be entered everywhere and left nowhere
+        default: // degenerate: rays would only enter it
           break;
       }
     }
@@ -100,7 +100,7 @@ public:
 private:
   static constexpr bool HasFragments = Mode == RayMode::Composite || Mode == RayMode::Area;
   static constexpr float Endless = 1e30f;
-  static constexpr unsigned Most = 1024; // samples that wait
+  static constexpr unsigned Most = 1024; // samples in the queue
 
   /** Four by two pixels that a tetrahedron covers. */
   struct Block
@@ -157,7 +157,7 @@ private:
     Int8 hits = in < out;
     if (ToBits(hits) == 0)
     {
-      return; // as most of what is around a tetrahedron
+      return; // most blocks around a tetrahedron
     }
 
     Block block;
@@ -271,7 +271,7 @@ private:
     }
   }
 
-  /** Adds the samples that wait to their sums. */
+  /** Adds the samples in the queue to their sums. */
   void Flush()
   {
     RayTile& tile = this->Tile;
@@ -322,14 +322,15 @@ private:
     this->Waiting = 0;
   }
 
-  /** What is behind an opaque sample need not be drawn. */
+  /** Skips everything behind an opaque sample. */
   void HideFrom(int cell, float end)
   {
     float& far = this->Tile.Far[cell];
     far = end < far ? end : far;
   }
 
-  /** Finds each pixel's fragment, or begins one. Returns the pixels that have two which touch. */
+  /** Finds or begins the fragment of each pixel. Returns the pixels with two fragments that touch.
+   */
   GATUN_INLINE unsigned Place(Block& block, Int8 hits)
   {
     RayTile& tile = this->Tile;
@@ -365,7 +366,7 @@ private:
     return static_cast<int>(lane / 4 * RayTile::Size + lane % 4);
   }
 
-  /** Continues the fragment in slot 1, or begins one there. */
+  /** Extends the fragment in slot 1, or begins one there. */
   void PlaceElsewhere(int cell, int pixel, float begin, float end)
   {
     RayTile& tile = this->Tile;
@@ -396,7 +397,7 @@ private:
     }
   }
 
-  /** Where values are linear, the largest is at one end. */
+  /** Values are linear, so the largest one is at an end. */
   GATUN_INLINE void KeepLargest(const TetItem& item, const Block& block, Int8 hits)
   {
     const auto first = GetPlaceInTable(item, block, block.Begin);

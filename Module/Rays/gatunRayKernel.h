@@ -3,7 +3,7 @@
 #ifndef gatunRayKernel_h
 #define gatunRayKernel_h
 
-// The loops of the ray caster that have a version for each set of instructions.
+// The loops of the ray caster that have a version for each instruction set.
 
 #include "gatunInline.h"
 #include "gatunRayBlock.h"
@@ -18,30 +18,32 @@
 
 namespace gatun
 {
-/** Where a point is seen: pixel, and how many samples away; NaN when not in front of the eye. */
+/** The projection of a point: pixel, and distance in samples; NaN if it is not in front of the eye.
+ */
 struct alignas(16) SeenPoint
 {
   float X, Y, Samples, Value;
 };
 
-/** The pixels that a tetrahedron may cover: none, if it can own no sample. */
+/** The pixels that a tetrahedron may cover; none, if it cannot contain a sample. */
 struct SeenTet
 {
-  float Nearest; // no sample of it is nearer, in samples
+  float Nearest; // lower bound of its samples
   std::int16_t FirstX, FirstY, LastX, LastY;
 
   bool IsEmpty() const { return this->LastX < this->FirstX; }
 };
 
-/** Which tetrahedra are left out before their planes are set up. */
+/** The tetrahedra that are skipped before their planes are set up. */
 enum class RayFilter : std::uint8_t
 {
-  None,   ///< only those outside of the picture
-  Pixels, ///< those between the rays, too: no pixel is in the box that they cover
-  Samples ///< and those between two samples of all rays
+  None,   ///< those outside of the image
+  Pixels, ///< also those between the rays: their bounding box contains no pixel
+  Samples ///< also those between two samples of all rays
 };
 
-/** Calls use(tile) for each tile that a tetrahedron may reach and that is not opaque before. */
+/** Calls use(tile) for each tile that a tetrahedron may reach and that is not opaque in front of
+ * it. */
 template <typename Use>
 GATUN_INLINE void ForEachTile(const SeenTet& seen, int tilesX, const float* limits, Use&& use)
 {
@@ -71,8 +73,8 @@ struct TetItem
   float TMin, TMax;
 
   std::uint8_t FirstX, FirstY, LastX, LastY;
-  std::uint8_t Entries; // how many of the planes rays enter through
-  bool Transparent;     // between TMin and TMax nothing is to be seen
+  std::uint8_t Entries; // number of planes through which rays enter
+  bool Transparent;     // values from TMin to TMax are invisible
 };
 
 /** Items of a tile. */
@@ -81,21 +83,21 @@ struct TetItems
   const TetItem* Items;
   std::size_t Count;
 
-  // How those that the items are of are shaded: Shades[Origins[i]]; null if they are not.
+  // The shade of item i is Shades[Origins[i]]; null without shading.
   const std::uint32_t* Origins;
   const RayShade* Shades;
 };
 
-/** What is drawn with. */
+/** The parameters of Draw. */
 struct DrawContext
 {
   const RayView* View;
   const RayTable::Cell* Table;
-  float Opaque; // a fragment that lets through less hides all that is behind it
+  float Opaque; // a fragment with a lower transmittance hides everything behind it
   int X, Y;     // the tile's first pixel
 };
 
-/** What SetUp needs besides the mesh. */
+/** The parameters of SetUp besides the mesh. */
 struct SetUpContext
 {
   const RayView* View;
@@ -106,26 +108,27 @@ struct SetUpContext
   double Low, Scale; // RayTable's
 };
 
-/** The loops that have a version for each set of instructions. */
+/** The loops that have a version for each instruction set. */
 struct RayKernel
 {
   using Tet = std::array<std::uint32_t, 4>;
 
   const char* Name;
 
-  /** Brings points into ray coordinates, and values into the table: (value - low) scale. */
+  /** Transforms points to ray coordinates, and values to places in the table: (value - low) scale.
+   */
   void (*Transform)(const RayView& view, double low, double scale, const RayPoint* points,
     std::size_t count, RayPoint* rayPoints, SeenPoint* seenPoints);
 
-  /** Finds which pixels tetrahedra may cover, none for those that the filter leaves out, and their
-   * faces towards the eye (bit i: the one opposite to corner i) and away from it (bit 4 + i).
-   * Turned: whether the volume is negative in world coordinates. */
+  /** Finds the pixels that tetrahedra may cover (none for those that the filter skips), their faces
+   * towards the eye (bit i: the face opposite to corner i) and away from it (bit 4 + i). Turned:
+   * whether the volume is negative in world coordinates. */
   void (*Look)(const RayView& view, RayFilter filter, const SeenPoint* points, const Tet* tets,
     const std::uint8_t* turned, std::size_t count, SeenTet* seen, std::uint8_t* facing);
 
-  /** Makes the items of some of the tetrahedra for all tiles that they reach; places holds, for
-   * each tile, where the next item belongs. CellValues: null, or what counts instead of values at
-   * points. Origins: null, or where each item is told of which of the chosen it is. */
+  /** Makes the items of the chosen tetrahedra for all tiles that they reach. Places: for each tile,
+   * the place of its next item. CellValues: null, or the values of tetrahedra, which replace those
+   * at points. Origins: null, or gets the index into chosen for each item. */
   void (*SetUp)(const SetUpContext& context, const RayPoint* points, const Tet* tets,
     const double* cellValues, const SeenTet* seen, const std::uint32_t* chosen, std::size_t count,
     std::uint32_t* places, TetItem* items, std::uint32_t* origins);
@@ -134,13 +137,13 @@ struct RayKernel
   void (*Draw)(RayMode mode, const DrawContext& context, const TetItems& items, RayTile& tile);
 };
 
-/** For any processor. */
+/** The kernel for any processor. */
 const RayKernel& GetPortableRayKernel();
 
-/** For those with AVX2 and FMA; null if this is built for another kind of processor. */
+/** The kernel for processors with AVX2 and FMA; null in builds for another architecture. */
 const RayKernel* GetAVX2RayKernel();
 
-/** The fastest for the one that this runs on. */
+/** The fastest kernel for this processor. */
 const RayKernel& GetBestRayKernel();
 }
 

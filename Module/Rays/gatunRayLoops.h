@@ -3,8 +3,8 @@
 #ifndef gatunRayLoops_h
 #define gatunRayLoops_h
 
-// The loops of a RayKernel. Included by one source for each set of instructions, which names it
-// with GATUN_SIMD; nothing of the standard library that leaves a function behind may be used here,
+// The loops of a RayKernel. Included by one source for each instruction set, which it names with
+// GATUN_SIMD. Functions of the standard library that are not always inlined must not be used here;
 // see gatunSimd.h.
 
 #include "gatunRayDrawer.h"
@@ -23,7 +23,7 @@ namespace
 using Tet = RayKernel::Tet;
 
 //------------------------------------------------------------------------------
-// Lane i has what is of corner i of a tetrahedron; of the face opposite to it, the three corners.
+// Lane i belongs to corner i of a tetrahedron, and to the three corners of the opposite face.
 
 template <typename Vector>
 GATUN_INLINE Vector FirstCorners(Vector v)
@@ -61,7 +61,7 @@ void Transform(const RayView& view, double low, double scale, const RayPoint* po
   for (std::size_t i = 0; i < count; ++i)
   {
     const RayPoint& p = points[i];
-    // The value by itself: a NaN in it must not reach the coordinates, nor theirs the value.
+    // The value is separate: NaN must not spread from values to coordinates or back.
     Double4 r =
       columns[0] * SplatD(p.X) + columns[1] * SplatD(p.Y) + columns[2] * SplatD(p.Z) + columns[3];
     r[3] = (p.Value - low) * scale;
@@ -90,14 +90,14 @@ void Transform(const RayView& view, double low, double scale, const RayPoint* po
 }
 
 //------------------------------------------------------------------------------
-// Which tetrahedra may be seen
+// Visible tetrahedra
 
 GATUN_INLINE float Clamp(float v, float low, float high)
 {
   return v < low ? low : v > high ? high : v;
 }
 
-/** The next integers up and down, of small numbers. */
+/** The next integers above and below small numbers. */
 GATUN_INLINE int Up(float v)
 {
   const int i = static_cast<int>(v);
@@ -113,7 +113,7 @@ GATUN_INLINE int Down(float v)
 void Look(const RayView& view, RayFilter filter, const SeenPoint* points, const Tet* tets,
   const std::uint8_t* turned, std::size_t count, SeenTet* seen, std::uint8_t* facing)
 {
-  // Single precision, hence margins: in pixels, and in samples.
+  // Margins for single precision, in pixels and in samples.
   constexpr float margin = 1.0f / 512;
   constexpr float relative = 1e-6f;
   const auto lastX = static_cast<float>(view.Width - 1);
@@ -132,7 +132,7 @@ void Look(const RayView& view, RayFilter filter, const SeenPoint* points, const 
     const auto c = Load<Float4>(&points[tets[i][2]]);
     const auto d = Load<Float4>(&points[tets[i][3]]);
 
-    // The area of each face as it is seen; its sign tells on which side it is.
+    // The projected area of each face. Its sign is the side of the face.
     const auto ab = __builtin_shufflevector(a, b, 0, 4, 1, 5);
     const auto cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);
     const auto x = __builtin_shufflevector(ab, cd, 0, 1, 4, 5);
@@ -152,7 +152,7 @@ void Look(const RayView& view, RayFilter filter, const SeenPoint* points, const 
     bool mayOwn = true;
     if (!(sum[2] - sum[2] == 0)) [[unlikely]]
     {
-      // A point is not finite, or not in front of the eye: then it may be seen anywhere.
+      // With a point that is not finite or not in front of the eye, any pixel may be covered.
       const bool finite = sum[0] == sum[0];
       const bool behind = a[2] != a[2] && b[2] != b[2] && c[2] != c[2] && d[2] != d[2];
       mayOwn = finite && !behind;
@@ -192,7 +192,7 @@ void Look(const RayView& view, RayFilter filter, const SeenPoint* points, const 
 //------------------------------------------------------------------------------
 // Planes of the faces
 
-/** For each set of faces through which rays enter: those first, then the others. */
+/** For each set of faces through which rays enter: these faces first, then the others. */
 struct EntriesFirst
 {
   constexpr EntriesFirst()
@@ -240,7 +240,7 @@ void SetUp(const SetUpContext& context, const RayPoint* points, const Tet* tets,
   constexpr std::size_t ahead = 8;
   for (std::size_t i = 0; i < count; ++i)
   {
-    // The order is that of release, not of memory.
+    // The tetrahedra are in the order of release, not of memory.
     if (i + 2 * ahead < count)
     {
       __builtin_prefetch(&tets[chosen[i + 2 * ahead]]);
@@ -268,9 +268,8 @@ void SetUp(const SetUpContext& context, const RayPoint* points, const Tet* tets,
     const auto t = cellValues ? SplatD((cellValues[chosen[i]] - context.Low) * context.Scale)
                               : __builtin_shufflevector(zv01, zv23, 2, 3, 6, 7);
 
-    // Lane f is the face opposite to vertex f; its corners a, b, c are in the order of the
-    // vertices, which is the same in the tetrahedron on the other side, so that both find bit for
-    // bit the same plane.
+    // Lane f is the face opposite to vertex f. Its corners a, b, c are in the order of the
+    // vertices, which is the same in the neighbor, so that both compute the same plane bit for bit.
     const auto ax = FirstCorners(x);
     const auto ay = FirstCorners(y);
     const auto az = FirstCorners(z);
@@ -284,12 +283,12 @@ void SetUp(const SetUpContext& context, const RayPoint* points, const Tet* tets,
     const auto ny = uz * vx - ux * vz;
     const auto nz = ux * vy - uy * vx;
 
-    // Six times the volume, positive or negative; of the faces that turn the other way negated.
+    // Six times the signed volume, with the opposite sign for faces of the other orientation.
     const double volume = nx[3] * (x[3] - x[0]) + ny[3] * (y[3] - y[0]) + nz[3] * (z[3] - z[0]);
     const Double4 volumes = { -volume, volume, -volume, volume };
 
-    // Depth along the ray is a quotient; where the plane holds the ray (nearly), it is as if it
-    // did not quite.
+    // Depth along the ray is a quotient. If the plane (nearly) contains the ray, its divisor is
+    // kept away from zero.
     Double4 divisor = nz;
     Double4 least = (Absolute(nx) + Absolute(ny)) * SplatD(1e-12);
     if (perspective)
@@ -298,7 +297,7 @@ void SetUp(const SetUpContext& context, const RayPoint* points, const Tet* tets,
       const auto cy = ny * ay;
       const auto cz = nz * az;
       divisor = cx + cy + cz;
-      // The second term is for the eye in a corner, where all of the first is zero.
+      // The second term is for an eye at a corner, where the first term is zero.
       least = (Absolute(cx) + Absolute(cy) + Absolute(cz)) * SplatD(1e-14) +
         (Absolute(nx) + Absolute(ny) + Absolute(nz)) * SplatD(1e-30);
     }
@@ -334,7 +333,7 @@ void SetUp(const SetUpContext& context, const RayPoint* points, const Tet* tets,
     item.Transparent = hasNaN ||
       context.VisibleCells[static_cast<int>(item.TMax) + 1] ==
         context.VisibleCells[static_cast<int>(item.TMin)];
-    // Without thickness no sample; nor where numbers have become too large.
+    // Flat tetrahedra contain no sample. Nor do those whose numbers have overflowed.
     const bool isHollow = !IsFinite(volume) || volume == 0 || !IsFinite(Sum(base + stepX + stepY));
 
     const SeenTet& where = seen[chosen[i]];

@@ -15,8 +15,8 @@
 namespace gatun
 {
 /**
- * A picture of which only those tiles are drawn anew that another mesh changes, as when a simpler
- * one takes the place of what was drawn. It is the same to the last bit as if all were drawn.
+ * Updates an image when another mesh is drawn, such as another level of detail: only tiles that
+ * change are drawn again. The image is the same to the last bit as if all tiles were drawn.
  */
 class VTKGATUNCORE_EXPORT RayRefresh
 {
@@ -26,15 +26,15 @@ public:
 
   explicit RayRefresh(MakeCaster makeCaster);
 
-  /** Draws a mesh; see RayCaster::Finish for what becomes of rgba, which must be what the last call
-   * left. If an exception is thrown, the next call draws everything. Returns the part of the tiles
-   * that were drawn. The source is kept until the next call, which finds out what it showed. */
+  /** Draws a mesh into rgba, which must hold the result of the last call; see RayCaster::Finish.
+   * Returns the fraction of tiles that were drawn. After an exception, the next call draws
+   * everything. The source is kept until the next call, which compares the two. */
   double Draw(
     std::shared_ptr<RaySource> source, float* rgba, const RaySource::Progress& progress = {});
 
 private:
   MakeCaster Maker;
-  std::shared_ptr<RaySource> Last;         // of the last picture
+  std::shared_ptr<RaySource> Last;         // of the last image
   std::vector<std::uint64_t> Fingerprints; // of its tiles, or none yet
 };
 }

@@ -20,20 +20,20 @@ Vec ToWorld(const RayShading& shading, const RayPoint& point)
   return { Transform(rows[0], p), Transform(rows[1], p), Transform(rows[2], p) };
 }
 
-/** Of length 1, or 0 where there is no direction. */
+/** A vector of length 1, or 0 if v has no direction. */
 Vec Normalize(const Vec& v)
 {
   const double length = glm::length(v);
   return length > 0 && std::isfinite(length) ? v / length : Vec(0.0);
 }
 
-/** From a point to what is there, or far away. */
+/** The direction from a point to a position, which may be at infinity. */
 Vec GetDirection(const std::array<double, 4>& to, const Vec& from)
 {
   return Normalize(Vec(ToVector(to)) - to[3] * from);
 }
 
-/** Up to a positive factor. */
+/** The gradient of the values times a positive factor. */
 Vec GetGradient(const std::array<Vec, 4>& p, const std::array<double, 4>& values)
 {
   const Vec u = p[1] - p[0];

@@ -12,11 +12,11 @@
 
 namespace gatun
 {
-/** A light, without falloff. */
+/** A light without attenuation. */
 struct RayLight
 {
-  /** In world coordinates, where it is (with 1 at the end), or the direction in which it is, for
-   * one that is far away (with 0). */
+  /** The position in world coordinates, with 1 at the end; or the direction to a light at infinity,
+   * with 0 at the end. */
   std::array<double, 4> Position{ 0, 0, 1, 0 };
 
   std::array<double, 3> Diffuse{ 1, 1, 1 }; ///< red, green, blue
@@ -26,34 +26,34 @@ struct RayLight
 };
 
 /**
- * How lights fall on surfaces of equal values: Phong's model, from both sides. The normal of a
- * tetrahedron is its gradient; one that has none, as where values are the same, is not shaded.
+ * Two-sided Phong shading of surfaces of equal values. The normal of a tetrahedron is its gradient.
+ * A tetrahedron without a gradient, such as one with constant values, is not shaded.
  */
 struct RayShading
 {
   std::vector<RayLight> Lights;
   std::array<double, 4> Eye{ 0, 0, 1, 0 }; ///< as a light's Position
-  double Ambient = 0.1;                    ///< parts of the colour, as in vtkVolumeProperty
+  double Ambient = 0.1;                    ///< fractions of the color, as in vtkVolumeProperty
   double Diffuse = 0.7;
   double Specular = 0.2;
   double SpecularPower = 10;
 
-  /** From the mesh's coordinates to those of the world, affine, in rows. */
+  /** Affine matrix, in rows, from the coordinates of the mesh to those of the world. */
   std::array<std::array<double, 4>, 3> ToWorld{ { { 1, 0, 0, 0 }, { 0, 1, 0, 0 },
     { 0, 0, 1, 0 } } };
 
   bool operator==(const RayShading&) const = default;
 };
 
-/** What becomes of a colour: as much of it as Scale says, and besides as much of white as Add says;
- * red, green and blue, the fourth numbers being 1 and 0. */
+/** The effect of light on a color: Scale times the color, plus Add times white. Red, green and
+ * blue; the fourth numbers are 1 and 0. */
 struct alignas(32) RayShade
 {
   std::array<float, 4> Scale{ 1, 1, 1, 1 };
   std::array<float, 4> Add{};
 };
 
-/** For the tetrahedra of a block. */
+/** Returns the effect of light on a tetrahedron of a block. */
 VTKGATUNCORE_EXPORT RayShade GetShade(
   const RayShading& shading, const RayBlock& block, std::size_t tet);
 }

@@ -14,7 +14,7 @@ RayTable::RayTable(RayMode mode, const RayColour& colour, const Range& range, do
   , Cells(Size + 1)
   , VisibleCells(Size + 2)
 {
-  // Fully opaque would be of infinite depth.
+  // Full opacity would be an infinite optical depth.
   constexpr double mostOpaque = 1 - 1e-7;
   const bool hasRange = range.Min < range.Max && std::isfinite(range.Max - range.Min);
   this->Low = range.Min <= range.Max ? range.Min : 0;

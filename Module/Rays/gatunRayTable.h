@@ -13,25 +13,26 @@
 
 namespace gatun
 {
-/** What becomes of the samples of a ray. */
+/** Blend modes: how the samples of a ray become a pixel. */
 enum class RayMode : std::uint8_t
 {
-  Composite, ///< colour and opacity, front to back
-  Area,      ///< the same, with one sample for all that is between two faces
-  Maximum,   ///< the sample with the largest value is seen
-  XRay       ///< absorption adds up, whatever lies in front
+  Composite, ///< color and opacity, front to back
+  Area,      ///< the same, with one sample for each segment between two faces
+  Maximum,   ///< maximum intensity: the sample with the largest value
+  XRay       ///< sum of absorption, independent of the order
 };
 
-/** Colour and opacity of a value: red, green, blue, and opacity over the unit distance; 0 to 1. */
+/** The color and opacity of a value: red, green, blue, and opacity over the unit distance; 0 to 1.
+ */
 using RayColour = std::function<std::array<double, 4>(double value)>;
 
 /**
- * Colours of all values between two, with what is the same for all samples worked in. Between the
- * entries of the table, what it holds is linear.
+ * A table of the transfer function over a range of values, prepared for the samples of one image.
+ * Between the entries of the table, colors and opacities are linear.
  */
 struct VTKGATUNCORE_EXPORT RayTable
 {
-  /** A cell: what it holds at its lower end, and how much more at the upper one.
+  /** A cell: its entry at the lower end, and the difference to that at the upper end.
    * Composite: (r a, g a, b a, -a), a the opacity of a sample; Maximum: the same with a that of a
    * unit. Area: (r, g, b, o), o the optical depth of a sample distance. XRay: (r o, g o, b o, o).
    */
@@ -45,22 +46,22 @@ struct VTKGATUNCORE_EXPORT RayTable
   static constexpr int Size = 4096;
 
   /**
-   * Range: the values that matter; those beyond look as its ends do. Opacities are over
+   * Range: values outside of it get the color of its nearer end. Opacities are over
    * unitDistance, in world units as sampleDistance.
    */
   RayTable(RayMode mode, const RayColour& colour, const Range& range, double sampleDistance,
     double unitDistance);
 
-  /** Whether nothing is seen of values from one to another. */
+  /** Whether all values of a range are fully transparent. */
   bool IsTransparent(const Range& values) const;
 
   bool operator==(const RayTable&) const = default;
 
   RayMode Mode;
-  double Low = 0;                          ///< value at the beginning
-  double Scale = 0;                        ///< cells a unit of value
-  std::vector<Cell> Cells;                 ///< one more than Size, the last without change
-  std::vector<std::uint32_t> VisibleCells; ///< how many of those before each can be seen at all
+  double Low = 0;                          ///< value of the first entry
+  double Scale = 0;                        ///< cells for each unit of value
+  std::vector<Cell> Cells;                 ///< Size + 1, the last without change
+  std::vector<std::uint32_t> VisibleCells; ///< number of visible cells before each
 };
 }
 

@@ -103,7 +103,7 @@ void RayTile::Consolidate()
     }
   }
   others.resize(n);
-  // However many remain, the work stays in proportion to what is drawn.
+  // The work stays proportional to the number of samples, however many fragments remain.
   this->MostOthers = std::max<std::size_t>(this->MostOthers, 2 * n);
 }
 

@@ -3,7 +3,7 @@
 #ifndef gatunRayTile_h
 #define gatunRayTile_h
 
-// The picture while it is being drawn.
+// The image while it is being drawn.
 
 #include <array>
 #include <cstddef>
@@ -12,34 +12,34 @@
 
 namespace gatun
 {
-/** What was seen from one face or sample of a ray to another. */
+/** The sum of consecutive samples of a ray. */
 struct Fragment
 {
-  float Begin, End; // in samples; what begins where this ends follows it
-  float First;      // the first of its samples to be seen at all
+  float Begin, End; // in samples; a fragment that begins where this one ends follows it
+  float First;      // its first visible sample
   std::uint32_t Pixel;
-  alignas(16) std::array<float, 4> Sum; // r, g, b with opacity in them, and the light let through
+  alignas(16) std::array<float, 4> Sum; // premultiplied r, g, b and transmittance
 
-  /** Puts another one behind this one. */
+  /** Appends a fragment behind this one. */
   void Append(const Fragment& behind);
 };
 
-/** The pixels of a square of the picture, and what has been drawn there. */
+/** The pixels of a square of the image. */
 struct RayTile
 {
   static constexpr int Size = 16;
   static constexpr int Pixels = Size * Size;
 
-  // Numbers that are loaded four by two: with room for what is beyond the last pixels.
+  // Numbers that are loaded four by two, with padding behind the last pixels.
   static constexpr int Stride = Size + 4;
   static constexpr int Cells = Stride * (Size + 1);
   using Cellwise = std::array<float, Cells>;
 
   static constexpr float Never = -3e38f; // the End of no fragment
-  static constexpr float Always = 8e6f;  // farther than any sample; there are numbers between these
+  static constexpr float Always = 8e6f;  // farther than any sample
   static constexpr int Slots = 2;        // fragments of a pixel that may grow
 
-  /** With pixels up to width and height; those beyond are never drawn. */
+  /** Pixels beyond width and height are never drawn. */
   RayTile(int width, int height);
 
   static constexpr int ToCell(int pixel) { return pixel / Size * Stride + pixel % Size; }
@@ -50,7 +50,7 @@ struct RayTile
   /** Moves the fragment in a slot to the others. */
   void SetAside(int slot, int pixel);
 
-  /** Makes one fragment of the two in a pixel's slots, of which one ends where the other begins. */
+  /** Merges the two fragments in the slots of a pixel. One must end where the other begins. */
   void MergeSlots(int pixel);
 
   /** Sorts the others by pixel and depth, and merges those that touch. */
@@ -64,7 +64,7 @@ struct RayTile
   Cellwise Far;  // nor those from it on
   std::array<Cellwise, Slots> Begin;
   std::array<Cellwise, Slots> End; // in mode Maximum, that of slot 0 is the largest place
-  std::vector<Fragment> Others;    // of pixels that have more than fit
+  std::vector<Fragment> Others;    // of pixels with more fragments than slots
   std::size_t MostOthers = std::size_t{ 4 } * Pixels;
   float Limit = Always; // the largest Far
 };

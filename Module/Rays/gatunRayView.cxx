@@ -32,8 +32,8 @@ RayView::RayView(const std::array<std::array<double, 4>, 3>& toEye, const RayFru
   , Near(frustum.Near)
   , Far(frustum.Far)
 {
-  Require(width > 0 && height > 0, "the picture has no pixels");
-  Require(width <= 32000 && height <= 32000, "the picture has more than 32000 pixels in a row");
+  Require(width > 0 && height > 0, "the image has no pixels");
+  Require(width <= 32000 && height <= 32000, "the image has more than 32000 pixels in a row");
   Require(std::isfinite(sampleDistance) && sampleDistance > 0,
     "the sample distance must be a positive number");
   const double w = frustum.Right - frustum.Left;

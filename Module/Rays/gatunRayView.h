@@ -11,37 +11,37 @@
 
 namespace gatun
 {
-/** The part of space that a picture shows, as OpenGL's glFrustum and glOrtho have it. */
+/** The view volume of an image, with the parameters of OpenGL's glFrustum and glOrtho. */
 struct RayFrustum
 {
   bool Parallel = false;
-  /** Borders of the picture, to the right and upwards: in world units, or in perspective those at
-   * depth 1. */
+  /** Borders of the image, to the right and upwards, in world units. In perspective they are those
+   * at depth 1. */
   double Left = -1, Right = 1, Bottom = -1, Top = 1;
-  double Near = 0;   ///< depth in front of which nothing is seen; world units
-  double Far = 1e30; ///< and behind which
+  double Near = 0;   ///< depth of the near clipping plane, in world units
+  double Far = 1e30; ///< depth of the far clipping plane
 };
 
 /**
- * Rays through the pixels of a picture, and the samples on them.
+ * The rays through the pixels of an image, and the samples on them.
  *
- * Sample k of a ray is k sample distances away: from the eye, along the ray, in a perspective; from
- * the camera's plane in a parallel projection. Pixel (0, 0) is at the lower left. The ray of a
- * pixel is through its centre but for a ten-thousandth, so that symmetric meshes look the same from
- * all sides.
+ * Sample k of a ray has a distance of k sample distances: from the eye and along the ray in a
+ * perspective projection, from the camera's plane in a parallel one. Pixel (0, 0) is at the lower
+ * left. The ray of a pixel passes its center at a ten-thousandth of a pixel, so that symmetric
+ * meshes look the same from all sides.
  *
- * Ray coordinates are, in a parallel projection, x and y in pixels and z the depth in sample
- * distances; in a perspective z is the depth Z in world units, and x and y are pixels times Z.
- * Either way they are affine in world coordinates, planes stay planes, and z grows away from the
- * eye. The ray of pixel (i, j) is where x, or x / Z, is i, and so on.
+ * Ray coordinates in a parallel projection: x and y are in pixels, z is the depth in sample
+ * distances. In a perspective projection z is the depth Z in world units, and x and y are pixels
+ * times Z. Both are affine in world coordinates: planes stay planes, and z grows away from the eye.
+ * The ray of pixel (i, j) has x = i and y = j, or x / Z = i and y / Z = j in perspective.
  */
 struct VTKGATUNCORE_EXPORT RayView
 {
-  /** Where the ray of a pixel meets it, right of its centre and above it; in pixels. */
+  /** Offset of a ray from the center of its pixel, to the right and upwards, in pixels. */
   static constexpr double OffsetX = 2.7e-4;
   static constexpr double OffsetY = 3.1e-4;
 
-  /** Samples from the eye at most: beyond, single precision no longer tells them apart. */
+  /** Largest number of a sample. Beyond it, single precision cannot distinguish samples. */
   static constexpr double MostSamples = 4e6;
 
   bool Perspective = false;
@@ -61,33 +61,34 @@ struct VTKGATUNCORE_EXPORT RayView
   double Far = 1e30;
 
   /**
-   * toEye brings world coordinates to those of the eye (x to the right, y up, z towards who looks),
-   * in rows, affine. Throws InvalidInput for a picture, a distance or a matrix that is of no use.
+   * toEye is an affine matrix, in rows, from world coordinates to those of the eye (x to the right,
+   * y up, z towards the viewer). Throws InvalidInput for an unusable image size, distance or
+   * matrix.
    */
   RayView(const std::array<std::array<double, 4>, 3>& toEye, const RayFrustum& frustum, int width,
     int height, double sampleDistance);
 
-  /** Ray coordinates of a point in world coordinates. */
+  /** Transforms a point from world coordinates to ray coordinates. */
   std::array<double, 3> Transform(const std::array<double, 3>& point) const;
 
-  /** How far a unit of depth is along the ray of a pixel, in samples. */
+  /** Returns the length of a unit of depth along the ray of a pixel, in samples. */
   double GetSamplesPerDepth(double x, double y) const;
 
   bool operator==(const RayView&) const = default;
 };
 
-/** For each pixel, row by row from below, the samples between which a ray counts; or none. */
+/** For each pixel, row by row from below, the samples between which the ray is drawn; or empty. */
 struct RayLimits
 {
   std::vector<float> Near, Far;
 
-  /** What is on the negative side of one is limited away: nobody need look at it. */
+  /** Planes whose negative sides are outside of the limits. Blocks there are skipped. */
   std::vector<std::array<double, 4>> Planes;
 
   bool operator==(const RayLimits&) const = default;
 };
 
-/** Cuts away what is on the negative side of a plane a x + b y + c z + d = 0 in world coordinates.
+/** Removes the negative side of a plane a x + b y + c z + d = 0 in world coordinates from limits.
  */
 VTKGATUNCORE_EXPORT void ClipByPlane(
   const RayView& view, const std::array<double, 4>& plane, RayLimits& limits);

@@ -12,7 +12,7 @@
 
 namespace gatun
 {
-/** From where rays must have come for a tetrahedron to be ready. */
+/** The side from which rays must have reached a tetrahedron before it is ready. */
 enum class ReleaseFrom : std::uint8_t
 {
   Front, ///< from the eye
@@ -20,12 +20,12 @@ enum class ReleaseFrom : std::uint8_t
 };
 
 /**
- * The order in which tetrahedra are drawn and let go while they arrive one after the other: the
+ * The order in which tetrahedra are drawn and released as they arrive one after the other: the
  * readiness check of Yang, Mitra and Chiueh (On-the-fly rendering of losslessly compressed
- * irregular volume data, 2000). A face is processed when a tetrahedron that has it has been drawn,
- * or when no other has it. A tetrahedron is ready once all its faces towards the eye are processed;
- * or all those away from it, if rays may grow from both ends. Of those that are ready the newest
- * goes first. Those that wait for each other, in a cycle, are drawn at the end.
+ * irregular volume data, 2000). A face is processed when one of its tetrahedra has been drawn, or
+ * if it is on the boundary. A tetrahedron is ready once all its faces towards the eye are
+ * processed; or all those away from the eye, if rays may grow from both ends. The newest ready
+ * tetrahedron is drawn first. Tetrahedra that wait for each other in a cycle are drawn at the end.
  */
 class Release
 {
@@ -36,7 +36,7 @@ public:
 
   const std::vector<std::uint32_t>& GetOrder() const { return this->Order; }
 
-  /** How many at most had arrived and were not ready. */
+  /** The maximum number of tetrahedra that had arrived but were not ready. */
   std::size_t GetMostWaiting() const { return this->MostWaiting; }
 
   std::size_t GetMemorySize() const

@@ -88,8 +88,8 @@ struct ArrayDescription
 /** Smallest and largest of some values. NaN is ignored. */
 struct Range
 {
-  // The empty range as files store it. Values beyond these limits do not shrink it correctly: code
-  // that must handle infinite values starts with MakeEmpty().
+  // The empty range as files store it. It cannot represent a range of values that are all beyond
+  // these limits. Code that must handle infinite values starts with MakeEmpty().
   double Min = 1e300;
   double Max = -1e300;
 
@@ -179,7 +179,7 @@ struct ChunkInfo
   std::uint64_t FirstTet = 0;     ///< its tetrahedra are FirstTet ... FirstTet + Tets - 1
   std::uint64_t FirstPoint = 0;   ///< its own points are FirstPoint ... FirstPoint + OwnPoints - 1
   Bounds Box;
-  std::vector<std::uint32_t> Neighbours; ///< chunks that share points with this one, ascending
+  std::vector<std::uint32_t> Neighbours; ///< chunks that share a point with this one, ascending
 };
 
 /** Sizes of the parts of a file in bytes. */

@@ -21,36 +21,37 @@ namespace gatun
 {
 class CoarseLayout;
 
-/** Which isosurfaces of a file are wanted. */
+/** A request for isosurfaces of a file. */
 struct FileSurfaceRequest
 {
   SurfaceOptions Options;
-  std::uint32_t Array = 0; ///< a point array, that of the isovalues: index into GetArrays()
-  int Component = -1;      ///< of it; -1: the length of the tuples
+  std::uint32_t Array = 0; ///< the point array of the isovalues: index into GetArrays()
+  int Component = -1;      ///< of that array; -1: the length of the tuples
   std::size_t Step = 0;
-  std::vector<std::uint32_t> Arrays; ///< to be carried along: indices, ascending
+  std::vector<std::uint32_t> Arrays; ///< arrays to interpolate: indices, ascending
 
-  /** Of the chunks that the surface passes through, piece p of n has those from number p K / n to
-   * (p + 1) K / n - 1. Normals are those of the whole surface. */
+  /** If the surface passes through K chunks, piece p of n consists of numbers p K / n to
+   * (p + 1) K / n - 1 of these. Normals are those of the whole surface. */
   unsigned Piece = 0;
   unsigned Pieces = 1;
 };
 
 struct FileSurfaceStatistics
 {
-  std::size_t Chunks = 0; ///< decoded
-  std::uint64_t Tets = 0; ///< in these
+  std::size_t Chunks = 0; ///< decoded chunks
+  std::uint64_t Tets = 0; ///< in these chunks
 };
 
 /**
- * Isosurfaces of a file: only the chunks that they pass through are decoded, as the ranges of their
- * values tell, each when its turn comes. Keeps what it has decoded in a cache, for the next values.
+ * Isosurfaces of a file. Decodes only the chunks that the surfaces pass through, which the ranges
+ * of their values show, one after the other. Keeps decoded chunks in a cache for the next
+ * isovalues.
  *
- * After merges: isosurfaces of the simplified mesh.
+ * With merges, the isosurfaces are those of the simplified mesh.
  *
- * Memory: the surface, the cache, a chunk for each thread and, up to 32 MiB, points that chunks
- * share; with merges, what is left of the chunks of about two million tetrahedra. Not thread safe;
- * uses all threads of vtkSMPTools.
+ * Memory: the surface, the cache, a chunk for each thread and up to 32 MiB of shared points; with
+ * merges, the simplified chunks of about two million tetrahedra. Not thread safe; uses all threads
+ * of vtkSMPTools.
  */
 class VTKGATUNCORE_EXPORT FileSurface
 {
@@ -76,19 +77,19 @@ public:
   /** Sets the number of bytes of decoded chunks that the cache keeps for the next isovalues. */
   void SetCacheBudget(std::uint64_t bytes);
 
-  /** The chunks that surfaces of the values pass through, ascending. */
+  /** Returns the chunks that the surfaces pass through, ascending. */
   std::vector<std::uint32_t> FindChunks(const FileSurfaceRequest& request);
 
-  /** Throws Error: a request that makes no sense, a damaged file, Aborted. */
+  /** Throws Error for an invalid request, a damaged file, and if progress returns false. */
   Surface Extract(const FileSurfaceRequest& request, const Progress& progress = {});
 
-  /** Of what was extracted last. */
+  /** Statistics of the last call of Extract. */
   const FileSurfaceStatistics& GetStatistics() const { return this->Statistics; }
 
 private:
   struct Mesh;
 
-  /** What a tree of ranges was made for. */
+  /** The parameters of a tree of ranges. */
   struct TreeKey
   {
     std::uint32_t Array = 0;

@@ -14,12 +14,12 @@
 namespace gatun
 {
 /**
- * Finds which of many ranges of values an isosurface passes through, in time that grows with the
- * logarithm of their number and with those that are found (Edelsbrunner's interval tree; for
- * isosurfaces: Cignoni, Marino, Montani, Puppo, Scopigno 1997).
+ * Finds the ranges of values that an isosurface passes through, in time O(log n + k) for k of n
+ * ranges (Edelsbrunner's interval tree; for isosurfaces: Cignoni, Marino, Montani, Puppo, Scopigno
+ * 1997).
  *
- * An isosurface passes through a range if Min < value <= Max, as a corner whose value is the
- * isovalue counts as one above.
+ * An isosurface passes through a range if Min < value <= Max, because a corner whose value is the
+ * isovalue counts as one above it.
  */
 class VTKGATUNCORE_EXPORT IntervalTree
 {
@@ -53,7 +53,7 @@ public:
     }
   }
 
-  /** Those that isosurfaces of any of the values pass through, ascending. */
+  /** Returns the ranges that isosurfaces of any of the values pass through, ascending. */
   std::vector<std::uint32_t> FindAny(std::span<const double> values) const;
 
 private:

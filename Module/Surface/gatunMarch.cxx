@@ -12,31 +12,31 @@ namespace gatun
 {
 namespace
 {
-// The six edges of a tetrahedron, and what edges the triangles have of each set of corners that are
-// inside (bit i for corner i): the cases of vtkTetra, so that the same triangles come out.
+// The six edges of a tetrahedron, and the edges of the triangles for each set of inside corners
+// (bit i for corner i). These are the cases of vtkTetra, so that the triangles are the same.
 constexpr std::uint8_t Edges[6][2] = { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 0, 3 }, { 1, 3 }, { 2, 3 } };
 constexpr std::uint8_t Cases[16][6] = { {}, { 3, 0, 2 }, { 1, 0, 4 }, { 2, 3, 4, 2, 4, 1 },
   { 2, 1, 5 }, { 5, 3, 1, 1, 3, 0 }, { 2, 0, 5, 5, 0, 4 }, { 5, 3, 4 }, { 4, 3, 5 },
   { 4, 0, 5, 5, 0, 2 }, { 5, 0, 3, 1, 0, 5 }, { 2, 5, 1 }, { 4, 3, 1, 1, 3, 2 }, { 4, 0, 1 },
   { 2, 0, 3 }, {} };
 
-/** How many triangles a case has: two where two corners are inside. */
+/** The number of triangles of a case: two if two corners are inside. */
 constexpr unsigned CountTriangles(unsigned inside)
 {
   return std::popcount(inside) == 2 ? 2 : 1;
 }
 
-/** Finds points again by their edge and isovalue. */
+/** Finds points by their edge and isovalue. */
 class EdgeTable
 {
 public:
-  /** Grows beyond so many. */
+  /** Grows if there are more points than expected. */
   explicit EdgeTable(std::size_t expected)
     : Slots(std::bit_ceil(2 * expected + 1), Slot{ 0, 0, 0, None })
   {
   }
 
-  /** The place that was given to an edge and isovalue; a new one is next, and given to it. */
+  /** Returns the place of an edge and isovalue. A new one gets the place next. */
   std::uint32_t Find(std::uint32_t low, std::uint32_t high, std::uint32_t value, std::uint32_t next)
   {
     if (2 * this->Used >= this->Slots.size())
@@ -95,7 +95,7 @@ private:
   std::size_t Used = 0;
 };
 
-/** How far an isovalue is from one value to a larger one. */
+/** The fraction of the way from a low value to a high one at which the isovalue is. */
 double Divide(double value, double low, double high)
 {
   const double whole = high - low;
@@ -146,7 +146,7 @@ public:
   }
 
 private:
-  /** Negative ids become far too large. */
+  /** Negative ids become large, and thus out of range. */
   static std::uint64_t ToUnsigned(Id id)
   {
     return static_cast<std::uint64_t>(static_cast<std::int64_t>(id));

@@ -13,11 +13,10 @@
 namespace gatun
 {
 /**
- * Joins triangles to strips, each triangle to a strip that begins or ends at one of its edges, in
- * the order in which they come: neighbours that come soon after each other, as from a walk from
- * tetrahedron to tetrahedron, make long strips. Fronts stay where they are: triangle i of a strip
- * is its points i, i + 1, i + 2, turned over if i is odd. A triangle that fits nowhere begins a
- * strip.
+ * Joins triangles into strips. Each triangle, in the order of the input, is appended to a strip
+ * that begins or ends at one of its edges, or else begins a strip. Neighbors that are close in the
+ * input make long strips. Orientations are kept: triangle i of a strip consists of its points i, i
+ * + 1, i + 2, with reversed orientation if i is odd.
  */
 VTKGATUNCORE_EXPORT std::vector<std::vector<std::uint32_t>> MakeStrips(
   std::span<const std::array<std::uint32_t, 3>> triangles);

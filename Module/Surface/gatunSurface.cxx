@@ -16,10 +16,10 @@ namespace gatun
 {
 namespace
 {
-// Points are sorted into so many tables by their coordinates, which are filled at the same time.
+// The number of hash tables, which are filled in parallel.
 constexpr std::size_t Tables = 16;
 
-/** The same for equal coordinates, also for zeros of either sign. */
+/** A hash that is the same for equal coordinates, and for zeros of either sign. */
 template <typename T>
 std::uint32_t Hash(const T* x)
 {
@@ -33,7 +33,7 @@ std::uint32_t Hash(const T* x)
   return static_cast<std::uint32_t>(hash);
 }
 
-/** Finds for each point the first one with the same coordinates. */
+/** Finds the first point with the same coordinates for each point. */
 template <typename T>
 class Joiner
 {
@@ -134,7 +134,7 @@ Surface::Surface(
     ? Joiner<float>(this->Parts, this->First).Join()
     : Joiner<double>(this->Parts, this->First).Join();
 
-  // The points that triangles are left of are numbered in their order.
+  // The points of the remaining triangles are numbered in their order.
   this->Places.assign(this->Same.size(), None);
   for (std::size_t p = 0; p < this->Parts.size(); ++p)
   {

@@ -14,17 +14,17 @@
 namespace gatun
 {
 /**
- * Isosurfaces put together from parts. Points with the same coordinates become one, the first of
- * them; triangles with two corners in one point go, as do points that no triangle is left of. So
- * parts fit without cracks if the same edges have the same ends in all of them.
+ * Isosurfaces assembled from parts. Points with the same coordinates are merged into the first of
+ * them. Degenerate triangles are removed, as are points without triangles. There are no cracks
+ * between parts if their common edges have the same end points.
  *
- * Order: that of the parts. The result does not depend on the number of threads.
+ * The order is that of the parts. The result does not depend on the number of threads.
  */
 class VTKGATUNCORE_EXPORT Surface
 {
 public:
-  /** Parts must all have been made with the same options and arrays. Of the parts in ghosts,
-   * ascending, only the gradients are taken. Throws Error (InvalidInput) for more than 2^32 - 1
+  /** All parts must have been made with the same options and arrays. Only the gradients of the
+   * parts in ghosts, ascending, are used. Throws Error (InvalidInput) for more than 2^32 - 1
    * points. */
   explicit Surface(std::vector<SurfacePart> parts, ScalarType coordinateType,
     const std::vector<std::size_t>& ghosts = {});
@@ -32,17 +32,17 @@ public:
   std::size_t GetNumberOfPoints() const { return this->Points; }
   std::size_t GetNumberOfTriangles() const { return this->Triangles.size(); }
 
-  /** Three places of points a triangle. */
+  /** Returns three points for each triangle. */
   const std::vector<std::array<std::uint32_t, 3>>& GetTriangles() const { return this->Triangles; }
 
-  /** Three values a point, of the type that was asked for. */
+  /** Writes three coordinates for each point, of the requested type. */
   void FillPoints(void* to) const;
 
-  /** Array number i, and bytes of a tuple of it. */
+  /** Writes the tuples of array i, each of tupleSize bytes. */
   void FillPointArray(std::size_t i, std::size_t tupleSize, void* to) const;
   void FillCellArray(std::size_t i, std::size_t tupleSize, void* to) const;
 
-  /** Three values a point: unit vectors towards lower values, or 0, 0, 0 where there are none. */
+  /** Writes a unit vector towards lower values for each point, or 0, 0, 0 if there is none. */
   void FillNormals(float* to) const;
 
 private:
@@ -53,12 +53,13 @@ private:
 
   std::vector<SurfacePart> Parts;
   ScalarType CoordinateType;
-  std::vector<std::size_t> First;    // of each part: number of its first point
-  std::vector<std::uint32_t> Same;   // of each point of a part: the first with its coordinates
-  std::vector<std::uint32_t> Places; // of each of these first ones: place in the surface, or None
+  std::vector<std::size_t> First;    // for each part: the number of its first point
+  std::vector<std::uint32_t> Same;   // for each point of a part: the first with its coordinates
+  std::vector<std::uint32_t> Places; // for each of these: its place in the surface, or None
   std::size_t Points = 0;
   std::vector<std::array<std::uint32_t, 3>> Triangles;
-  std::vector<std::vector<std::uint32_t>> Kept; // of each part with cell arrays: its triangles left
+  std::vector<std::vector<std::uint32_t>>
+    Kept; // for each part with cell arrays: its triangles left
 };
 }
 

@@ -18,14 +18,14 @@ namespace
 {
 constexpr std::uint64_t TetsPerPart = 1u << 16;
 
-/** A number between two of a type, as one of that type; whole numbers are rounded, halves away from
- * zero, as VTK does. */
+/** Converts an interpolated number to the type of the array. Integers are rounded, halves away from
+ * zero, as in VTK. */
 template <typename T>
 T Convert(double value)
 {
   if constexpr (std::is_integral_v<T>)
   {
-    // The largest 64-bit numbers round to one that is too large.
+    // The largest 64-bit numbers are rounded up beyond the range of the type.
     constexpr double end = static_cast<double>(std::numeric_limits<T>::max() / 2 + 1) * 2;
     const double whole = std::round(value);
     return whole >= end ? std::numeric_limits<T>::max() : static_cast<T>(whole);
@@ -83,8 +83,8 @@ glm::dvec3 GetPoint(const TupleView& points, std::size_t point)
   return points.Type == ScalarType::Float32 ? get(float{}) : get(double{});
 }
 
-/** The coordinates of crossings; at the end of an edge exactly those of the point there, so that
- * all edges that end there have the same. */
+/** Writes the coordinates of crossings. At the end of an edge they are exactly those of the point
+ * there, so that they are the same for all edges of the point. */
 template <typename T>
 void Locate(const TupleView& points, std::span<const Crossing> crossings, T* to)
 {
@@ -100,7 +100,7 @@ void Locate(const TupleView& points, std::span<const Crossing> crossings, T* to)
   }
 }
 
-/** Six times the gradient of what is linear in a tetrahedron, times the volume. */
+/** Six times the volume of a tetrahedron times the gradient of its values. */
 glm::dvec3 GetGradient(const SurfaceInput& input, std::uint32_t cell)
 {
   std::array<glm::dvec3, 4> x;
@@ -132,7 +132,7 @@ std::vector<std::array<double, 3>> AddGradients(
   for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
   {
     const glm::dvec3 gradient = GetGradient(input, surface.Cells[i]);
-    // Of the two triangles of a section with four corners, the second one adds to its own only.
+    // The second triangle of a section with four corners adds only to its own point.
     const bool second = i > 0 && surface.Cells[i] == surface.Cells[i - 1];
     for (const std::uint32_t point : surface.Triangles[i])
     {

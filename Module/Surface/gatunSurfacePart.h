@@ -3,7 +3,7 @@
 #ifndef gatunSurfacePart_h
 #define gatunSurfacePart_h
 
-// Isosurfaces in a part of a mesh, with all that is on them.
+// Isosurfaces in a part of a mesh, with their arrays.
 
 #include "gatunMarch.h"
 #include "gatunTypes.h"
@@ -18,7 +18,7 @@
 
 namespace gatun
 {
-/** Values of an array, tuple by tuple. */
+/** The values of an array, tuple by tuple. */
 struct TupleView
 {
   const void* Values = nullptr;
@@ -28,11 +28,11 @@ struct TupleView
   std::size_t GetTupleSize() const { return this->Components * SizeOf(this->Type); }
 };
 
-/** A mesh in memory, as isosurfaces need it. */
+/** A mesh in memory. */
 struct SurfaceInput
 {
   MarchInput Mesh;
-  TupleView Points; ///< coordinates, of three components
+  TupleView Points; ///< coordinates; three components
   std::vector<TupleView> PointArrays;
   std::vector<TupleView> CellArrays;
 };
@@ -44,17 +44,18 @@ struct SurfaceOptions
   bool Normals = false;
 };
 
-/** Isosurfaces in a part of a mesh. Tuples lie one after the other. */
+/** Isosurfaces in a part of a mesh. Tuples are contiguous. */
 struct SurfacePart
 {
   std::size_t NumberOfPoints = 0;
   std::vector<std::uint8_t> Points;
   std::vector<std::vector<std::uint8_t>> PointArrays; ///< interpolated between the ends of edges
-  std::vector<std::vector<std::uint8_t>> CellArrays;  ///< of each triangle, as its tetrahedron
+  std::vector<std::vector<std::uint8_t>>
+    CellArrays; ///< the values of the tetrahedron of each triangle
   std::vector<std::array<std::uint32_t, 3>> Triangles;
 
-  /** With normals, of each point: the gradients of the part's tetrahedra around the edge that it is
-   * on, times their volumes, added up. Not normalised, so that parts can be added, too. */
+  /** With normals: for each point, the sum of the gradients of the tetrahedra of the part around
+   * its edge, weighted by their volumes. Not normalized, so that parts can be added. */
   std::vector<std::array<double, 3>> Gradients;
 };
 
@@ -62,15 +63,15 @@ struct SurfacePart
 VTKGATUNCORE_EXPORT SurfacePart MakeSurfacePart(const SurfaceInput& input,
   const SurfaceOptions& options, std::uint64_t first, std::uint64_t last);
 
-/** Finds those in all tetrahedra, in parts, in parallel. Progress: as in ParallelFor. */
+/** Finds the isosurfaces in all tetrahedra, in parts, in parallel. Progress: see ParallelFor. */
 VTKGATUNCORE_EXPORT std::vector<SurfacePart> MakeSurfaceParts(const SurfaceInput& input,
   const SurfaceOptions& options, std::uint64_t tets,
   const std::function<bool(double)>& progress = {});
 
 /**
- * Makes a component of an array, or the length of its tuples if component is -1 (of one component:
- * the value itself), the values of the mesh that isosurfaces are of. If they have to be converted,
- * to double, they go to converted, which must stay as long as the mesh is used.
+ * Sets the values of a mesh to a component of an array, or to the length of its tuples if component
+ * is -1 (to the value itself for arrays with one component). If values must be converted to double,
+ * they are stored in converted, which must exist as long as the mesh is used.
  */
 VTKGATUNCORE_EXPORT void SetMarchValues(MarchInput& mesh, const TupleView& array,
   std::size_t tuples, int component, std::vector<double>& converted);

@@ -3,21 +3,23 @@
 
 #include "gtnCompare.h"
 
-#include "gtnComplex.h"
-#include "gtnFailure.h"
 #include "gtnText.h"
 
 #include "gatunParallel.h"
 #include "gatunTypes.h"
 
+#include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkStringArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace gtn
@@ -47,214 +49,139 @@ std::vector<Hash> Sorted(std::vector<Hash> hashes)
   return hashes;
 }
 
-Complex MakeComplex(const GridView& grid, const std::vector<Hash>& points,
-  const std::vector<Hash>& cells, bool keepCorners)
+// Hashes for elements whose order is kept, and for others.
+std::vector<Hash> Numbered(std::size_t count, bool isKept)
 {
-  Complex complex{ points, cells, std::vector<Tet>(grid.Cells), keepCorners };
-  ForEach(grid.Cells, [&](std::size_t i) { complex.Tets[i] = grid.Corners(i); });
-  return complex;
-}
-
-//------------------------------------------------------------------------------
-// Point labels by place, where the order is kept.
-std::vector<Hash> Numbered(std::size_t count)
-{
-  std::vector<Hash> labels(count);
-  for (std::size_t i = 0; i < count; ++i)
+  std::vector<Hash> hashes(count);
+  for (std::size_t i = 0; i < count && isKept; ++i)
   {
-    labels[i] = { i, 1 };
+    hashes[i] = { i, 1 };
   }
-  return labels;
-}
-
-void AddArrays(std::vector<Hash>& hashes, const std::vector<ArrayView>& arrays)
-{
-  ForEach(hashes.size(),
-    [&](std::size_t i)
-    {
-      for (const ArrayView& array : arrays)
-      {
-        hashes[i] = HashOf(array.Tuple(i), array.TupleBytes, hashes[i]);
-      }
-    });
-}
-
-std::vector<Hash> HashesOf(
-  const ArrayView& array, std::size_t count, const std::vector<Hash>& before)
-{
-  std::vector<Hash> hashes(before);
-  hashes.resize(count);
-  ForEach(
-    count, [&](std::size_t i) { hashes[i] = HashOf(array.Tuple(i), array.TupleBytes, hashes[i]); });
   return hashes;
 }
 
-constexpr auto None = static_cast<std::size_t>(-1);
-
-// The first place in hashes that has no counterpart among the others, which are sorted.
-std::size_t FirstMissing(const std::vector<Hash>& hashes, std::vector<Hash> others)
+void AddArray(std::vector<Hash>& hashes, const ArrayView& array)
 {
-  others = Sorted(std::move(others));
+  ForEach(hashes.size(),
+    [&](std::size_t i) { hashes[i] = HashOf(array.Tuple(i), array.TupleBytes, hashes[i]); });
+}
+
+// Adds the corners of each cell: in order, or sorted, with the parity of the permutation. If two
+// corners are equal, the parity says nothing.
+void AddCorners(std::vector<Hash>& hashes, const std::vector<Tet>& tets,
+  const std::vector<Hash>& points, bool keepCorners)
+{
+  ForEach(hashes.size(),
+    [&](std::size_t cell)
+    {
+      std::array<Hash, 5> key{};
+      for (std::size_t i = 0; i < 4; ++i)
+      {
+        key[i] = points[static_cast<std::size_t>(tets[cell][i])];
+        for (std::size_t j = i; j > 0 && !keepCorners && key[j] < key[j - 1]; --j)
+        {
+          std::swap(key[j], key[j - 1]);
+          key[4].Low ^= 1;
+        }
+      }
+      if (!keepCorners && std::adjacent_find(key.begin(), key.begin() + 4) != key.begin() + 4)
+      {
+        key[4] = {};
+      }
+      hashes[cell] = HashOf(key.data(), sizeof(key), hashes[cell]);
+    });
+}
+
+// The elements of hashes that the others do not have, or not as often. Sorted.
+std::vector<Hash> Missing(const std::vector<Hash>& hashes, const std::vector<Hash>& others)
+{
   const std::vector<Hash> own = Sorted(hashes);
+  const std::vector<Hash> sorted = Sorted(others);
   std::vector<Hash> missing;
   std::set_difference(
-    own.begin(), own.end(), others.begin(), others.end(), std::back_inserter(missing));
-  if (missing.empty())
-  {
-    return None;
-  }
-  for (std::size_t i = 0; i < hashes.size(); ++i)
-  {
-    if (std::binary_search(missing.begin(), missing.end(), hashes[i]))
-    {
-      return i;
-    }
-  }
-  return None;
+    own.begin(), own.end(), sorted.begin(), sorted.end(), std::back_inserter(missing));
+  return missing;
 }
 
-//------------------------------------------------------------------------------
-// Descriptions: everything but the values.
-
-std::string Text(const std::vector<std::string>& names)
+// The property in which two sets differ, an element of the second that shows it, and an element of
+// the first that is like it in the properties before.
+struct Mismatch
 {
-  return names.empty() ? "none" : Printable(Joined(names));
-}
+  std::size_t Property;
+  std::size_t First;
+  std::size_t Second;
+};
 
-std::string CompareDescription(
-  const ArrayView& a, const ArrayView& b, const std::string& nameOfA, const std::string& nameOfB)
-{
-  const auto differs = [&](const std::string& what, const std::string& inA, const std::string& inB)
-  { return fmt::format("{}: {} {} in {}, {} in {}", a.Title, what, inA, nameOfA, inB, nameOfB); };
-  if (a.Type != b.Type)
-  {
-    return differs(
-      "type is", vtkImageScalarTypeNameMacro(a.Type), vtkImageScalarTypeNameMacro(b.Type));
-  }
-  if (a.Components != b.Components)
-  {
-    return differs(
-      "number of components is", std::to_string(a.Components), std::to_string(b.Components));
-  }
-  if (a.ComponentNames != b.ComponentNames)
-  {
-    return differs("component names are", Text(a.ComponentNames), Text(b.ComponentNames));
-  }
-  if (a.Roles != b.Roles)
-  {
-    return differs(
-      "roles (bits of vtkDataSetAttributes) are", std::to_string(a.Roles), std::to_string(b.Roles));
-  }
-  return {};
-}
+using Property = std::function<void(std::vector<Hash>&)>;
 
-std::string CompareDescriptions(const std::vector<ArrayView>& a, const std::vector<ArrayView>& b,
-  const std::string& nameOfA, const std::string& nameOfB)
+// Adds properties to the hashes of two sets, and compares the sets. Only if they differ, this is
+// done again, property by property.
+std::optional<Mismatch> CompareSets(std::vector<Hash>& first, std::vector<Hash>& second,
+  const std::vector<std::pair<Property, Property>>& properties)
 {
-  for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i)
+  std::vector<Hash> a = first;
+  std::vector<Hash> b = second;
+  for (const auto& [addToFirst, addToSecond] : properties)
   {
-    if (i >= a.size())
-    {
-      return fmt::format("{} is in {} only", b[i].Title, nameOfB);
-    }
-    if (i >= b.size())
-    {
-      return fmt::format("{} is in {} only", a[i].Title, nameOfA);
-    }
-    if (a[i].Name != b[i].Name)
-    {
-      return fmt::format(
-        "array number {} is {} in {}, {} in {}", i, a[i].Title, nameOfA, b[i].Title, nameOfB);
-    }
-    std::string difference = CompareDescription(a[i], b[i], nameOfA, nameOfB);
-    if (!difference.empty())
-    {
-      return difference;
-    }
+    addToFirst(a);
+    addToSecond(b);
   }
-  return {};
-}
-
-//------------------------------------------------------------------------------
-std::string CompareFieldArrays(
-  vtkAbstractArray* a, vtkAbstractArray* b, const std::string& nameOfA, const std::string& nameOfB)
-{
-  const std::string title =
-    fmt::format("field array '{}'", Printable(a->GetName() ? a->GetName() : ""));
-  if (a->GetNumberOfTuples() != b->GetNumberOfTuples())
+  std::swap(a, first);
+  std::swap(b, second);
+  if (Sorted(first) == Sorted(second))
   {
-    return fmt::format("{} has {} tuples in {}, {} in {}", title, a->GetNumberOfTuples(), nameOfA,
-      b->GetNumberOfTuples(), nameOfB);
-  }
-  if (a->GetDataType() != b->GetDataType())
-  {
-    return fmt::format(
-      "{} is {} in {}, {} in {}", title, a->GetClassName(), nameOfA, b->GetClassName(), nameOfB);
-  }
-  if (auto* textsOfA = vtkStringArray::SafeDownCast(a))
-  {
-    auto* textsOfB = vtkStringArray::SafeDownCast(b);
-    for (vtkIdType i = 0; i < a->GetNumberOfValues(); ++i)
-    {
-      if (textsOfA->GetValue(i) != textsOfB->GetValue(i))
-      {
-        return fmt::format("{}: text {} is \"{}\" in {}, \"{}\" in {}", title, i,
-          Printable(textsOfA->GetValue(i)), nameOfA, Printable(textsOfB->GetValue(i)), nameOfB);
-      }
-    }
     return {};
   }
-  const ArrayView viewOfA = ViewOf(a, "field array");
-  const ArrayView viewOfB = ViewOf(b, "field array");
-  std::string difference = CompareDescription(viewOfA, viewOfB, nameOfA, nameOfB);
-  for (vtkIdType i = 0; i < a->GetNumberOfTuples() && difference.empty(); ++i)
+  for (std::size_t property = 0;; ++property)
   {
-    if (std::memcmp(viewOfA.Tuple(i), viewOfB.Tuple(i), viewOfA.TupleBytes) != 0)
+    const std::vector<Hash> beforeA = a;
+    const std::vector<Hash> beforeB = b;
+    properties[property].first(a);
+    properties[property].second(b);
+    const std::vector<Hash> lost = Missing(b, a);
+    if (lost.empty())
     {
-      difference = fmt::format("{}: tuple {} is {} in {}, {} in {}", title, i, viewOfA.Text(i),
-        nameOfA, viewOfB.Text(i), nameOfB);
+      continue;
     }
+    const auto isIn = [](const std::vector<Hash>& sorted, const Hash& hash)
+    { return std::binary_search(sorted.begin(), sorted.end(), hash); };
+    const std::vector<Hash> lostOfFirst = Missing(a, b);
+    std::size_t j = 0;
+    while (!isIn(lost, b[j]))
+    {
+      ++j;
+    }
+    std::size_t i = 0;
+    while (i < a.size() && !(beforeA[i] == beforeB[j] && isIn(lostOfFirst, a[i])))
+    {
+      ++i;
+    }
+    return Mismatch{ property, i, j };
   }
-  return difference;
 }
 
-std::string CompareFieldData(
-  vtkFieldData* a, vtkFieldData* b, const std::string& nameOfA, const std::string& nameOfB)
+// The properties of elements that have arrays.
+std::vector<std::pair<Property, Property>> PropertiesOf(
+  const std::vector<ArrayView>& first, const std::vector<ArrayView>& second)
 {
-  const auto title = [](vtkAbstractArray* array)
-  { return fmt::format("field array '{}'", Printable(array->GetName() ? array->GetName() : "")); };
-  for (int i = 0; i < std::max(a->GetNumberOfArrays(), b->GetNumberOfArrays()); ++i)
+  std::vector<std::pair<Property, Property>> properties;
+  for (std::size_t i = 0; i < first.size(); ++i)
   {
-    vtkAbstractArray* arrayOfA = i < a->GetNumberOfArrays() ? a->GetAbstractArray(i) : nullptr;
-    vtkAbstractArray* arrayOfB = i < b->GetNumberOfArrays() ? b->GetAbstractArray(i) : nullptr;
-    if (!arrayOfA || !arrayOfB)
-    {
-      return fmt::format(
-        "{} is in {} only", title(arrayOfA ? arrayOfA : arrayOfB), arrayOfA ? nameOfA : nameOfB);
-    }
-    if (title(arrayOfA) != title(arrayOfB))
-    {
-      return fmt::format("field array number {} is {} in {}, {} in {}", i, title(arrayOfA), nameOfA,
-        title(arrayOfB), nameOfB);
-    }
-    std::string difference = CompareFieldArrays(arrayOfA, arrayOfB, nameOfA, nameOfB);
-    if (!difference.empty())
-    {
-      return difference;
-    }
+    properties.emplace_back([&array = first[i]](std::vector<Hash>& hashes)
+      { AddArray(hashes, array); },
+      [&array = second[i]](std::vector<Hash>& hashes) { AddArray(hashes, array); });
   }
-  return {};
+  return properties;
 }
 
 std::string CornersText(const GridView& grid, std::size_t cell)
 {
-  const Tet tet = grid.Corners(cell);
-  std::string text;
-  for (const std::int64_t id : tet)
+  std::vector<std::string> texts;
+  for (const std::int64_t id : grid.Tets[cell])
   {
-    text += (text.empty() ? "" : ", ") + grid.Coordinates.Text(id);
+    texts.push_back(grid.PointArrays[0].Text(static_cast<std::size_t>(id)));
   }
-  return text;
+  return Joined(texts);
 }
 
 } // anonymous namespace
@@ -268,6 +195,21 @@ Comparison::Comparison(std::string first, std::string second, std::uint8_t keptO
 }
 
 //------------------------------------------------------------------------------
+std::size_t Comparison::GetIndistinguishablePoints() const
+{
+  const std::vector<Hash> sorted = Sorted(this->First.Points);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+  {
+    count +=
+      (i > 0 && sorted[i] == sorted[i - 1]) || (i + 1 < sorted.size() && sorted[i] == sorted[i + 1])
+      ? 1
+      : 0;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
 std::string Comparison::Compare(const GridView& first, const GridView& second)
 {
   const std::string& a = this->First.Name;
@@ -276,228 +218,197 @@ std::string Comparison::Compare(const GridView& first, const GridView& second)
   {
     return fmt::format("{} has {} points, {} has {}", a, first.Points, b, second.Points);
   }
-  if (first.Cells != second.Cells)
+  if (first.Tets.size() != second.Tets.size())
   {
-    return fmt::format("{} has {} tetrahedra, {} has {}", a, first.Cells, b, second.Cells);
+    return fmt::format(
+      "{} has {} tetrahedra, {} has {}", a, first.Tets.size(), b, second.Tets.size());
   }
-  std::string difference;
-  if (first.Points > 0)
-  {
-    difference = CompareDescription(first.Coordinates, second.Coordinates, a, b);
-  }
+  std::string difference = this->CompareArrays(
+    first.PointArrays, second.PointArrays, (this->Kept & gatun::KeepPoints) != 0);
   if (difference.empty())
   {
-    difference = CompareDescriptions(first.PointArrays, second.PointArrays, a, b);
+    difference = this->CompareArrays(
+      first.CellArrays, second.CellArrays, (this->Kept & gatun::KeepCells) != 0);
   }
-  if (difference.empty())
+  for (std::size_t i = 0;
+       i < first.Tets.size() && this->Kept == gatun::KeepAll && difference.empty(); ++i)
   {
-    difference = CompareDescriptions(first.CellArrays, second.CellArrays, a, b);
+    const Tet& ofA = first.Tets[i];
+    const Tet& ofB = second.Tets[i];
+    if (ofA != ofB)
+    {
+      difference =
+        fmt::format("the corners of cell {}: points {}, {}, {}, {} in {}, {}, {}, {}, {} in {}", i,
+          ofA[0], ofA[1], ofA[2], ofA[3], a, ofB[0], ofB[1], ofB[2], ofB[3], b);
+    }
   }
-  if (difference.empty())
+  if (this->Kept != gatun::KeepAll)
   {
-    difference = this->CompareOrdered(first, second);
+    difference = difference.empty() ? this->ComparePoints(first, second) : difference;
+    difference = difference.empty() ? this->CompareCells(first, second) : difference;
   }
-  if (difference.empty() && this->Kept != gatun::KeepAll)
-  {
-    difference = this->CompareUnordered(first, second);
-  }
-  if (difference.empty())
-  {
-    difference = CompareFieldData(first.Field, second.Field, a, b);
-  }
-  return difference;
+  return difference.empty() ? this->CompareFieldData(first.Grid, second.Grid) : difference;
 }
 
 //------------------------------------------------------------------------------
-std::string Comparison::CompareOrdered(const GridView& first, const GridView& second) const
+std::string Comparison::CompareTuples(const ArrayView& first, const ArrayView& second) const
 {
-  const auto compare = [&](const ArrayView& a, const ArrayView& b, std::size_t count,
-                         const char* what) -> std::string
+  const auto count = static_cast<std::size_t>(first.Owner->GetNumberOfTuples());
+  if (count == 0 || std::memcmp(first.Bytes, second.Bytes, count * first.TupleBytes) == 0)
   {
-    if (count == 0 || std::memcmp(a.Bytes, b.Bytes, count * a.TupleBytes) == 0)
+    return {};
+  }
+  std::size_t i = 0;
+  while (std::memcmp(first.Tuple(i), second.Tuple(i), first.TupleBytes) == 0)
+  {
+    ++i;
+  }
+  const char* const what = first.Title.starts_with("cell") ? "cell"
+    : first.Title.starts_with("field")                     ? "tuple"
+                                                           : "point";
+  return fmt::format("{} of {} {}: {} in {}, {} in {}", first.Title, what, i, first.Text(i),
+    this->First.Name, second.Text(i), this->Second.Name);
+}
+
+//------------------------------------------------------------------------------
+std::string Comparison::CompareArrays(
+  const std::vector<ArrayView>& first, const std::vector<ArrayView>& second, bool withValues) const
+{
+  const std::string& nameOfA = this->First.Name;
+  const std::string& nameOfB = this->Second.Name;
+  for (std::size_t i = 0; i < std::max(first.size(), second.size()); ++i)
+  {
+    if (i >= first.size() || i >= second.size())
     {
-      return {};
+      return i >= first.size() ? fmt::format("{} is in {} only", second[i].Title, nameOfB)
+                               : fmt::format("{} is in {} only", first[i].Title, nameOfA);
     }
-    for (std::size_t i = 0; i < count; ++i)
+    const ArrayView& a = first[i];
+    const ArrayView& b = second[i];
+    if (a.Title != b.Title)
     {
-      if (std::memcmp(a.Tuple(i), b.Tuple(i), a.TupleBytes) != 0)
+      return fmt::format("{} in {} is {} in {}", a.Title, nameOfA, b.Title, nameOfB);
+    }
+    if (a.Kind != b.Kind)
+    {
+      return fmt::format("{} is {} in {}, {} in {}", a.Title, a.Kind, nameOfA, b.Kind, nameOfB);
+    }
+    std::string difference = withValues ? this->CompareTuples(a, b) : "";
+    if (!difference.empty())
+    {
+      return difference;
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::string Comparison::CompareFieldData(
+  vtkUnstructuredGrid* first, vtkUnstructuredGrid* second) const
+{
+  const auto title = [](vtkAbstractArray* array)
+  { return fmt::format("field array '{}'", Printable(array->GetName() ? array->GetName() : "")); };
+  const std::string& nameOfA = this->First.Name;
+  const std::string& nameOfB = this->Second.Name;
+  const int count = first->GetFieldData()->GetNumberOfArrays();
+  const int other = second->GetFieldData()->GetNumberOfArrays();
+  for (int i = 0; i < std::max(count, other); ++i)
+  {
+    vtkAbstractArray* const a = first->GetFieldData()->GetAbstractArray(i);
+    vtkAbstractArray* const b = second->GetFieldData()->GetAbstractArray(i);
+    if (i >= count || i >= other)
+    {
+      return i >= count ? fmt::format("{} is in {} only", title(b), nameOfB)
+                        : fmt::format("{} is in {} only", title(a), nameOfA);
+    }
+    const auto kind = [&title](vtkAbstractArray* array)
+    {
+      return fmt::format("{}, {} tuples of {}", title(array), array->GetNumberOfTuples(),
+        array->GetDataTypeAsString());
+    };
+    if (kind(a) != kind(b))
+    {
+      return fmt::format("{} in {} is {} in {}", kind(a), nameOfA, kind(b), nameOfB);
+    }
+    auto* const strings = vtkStringArray::SafeDownCast(a);
+    for (vtkIdType j = 0; strings && j < a->GetNumberOfValues(); ++j)
+    {
+      const std::string& ofA = strings->GetValue(j);
+      const std::string& ofB = vtkStringArray::SafeDownCast(b)->GetValue(j);
+      if (ofA != ofB)
       {
-        return fmt::format("{} of {} {}: {} in {}, {} in {}", a.Title, what, i, a.Text(i),
-          this->First.Name, b.Text(i), this->Second.Name);
+        return fmt::format("{}: string {} is \"{}\" in {}, \"{}\" in {}", title(a), j,
+          Printable(ofA), nameOfA, Printable(ofB), nameOfB);
       }
     }
-    return {};
-  };
-
-  std::string difference;
-  if (this->Kept & gatun::KeepPoints)
-  {
-    difference = compare(first.Coordinates, second.Coordinates, first.Points, "point");
-    for (std::size_t i = 0; i < first.PointArrays.size() && difference.empty(); ++i)
+    std::string difference = strings
+      ? ""
+      : this->CompareArrays({ ArrayView(a, "field array") }, { ArrayView(b, "field array") }, true);
+    if (!difference.empty())
     {
-      difference = compare(first.PointArrays[i], second.PointArrays[i], first.Points, "point");
-    }
-  }
-  if (this->Kept & gatun::KeepCells)
-  {
-    for (std::size_t i = 0; i < first.CellArrays.size() && difference.empty(); ++i)
-    {
-      difference = compare(first.CellArrays[i], second.CellArrays[i], first.Cells, "cell");
-    }
-  }
-  constexpr std::uint8_t all = gatun::KeepAll;
-  for (std::size_t i = 0; i < first.Cells && this->Kept == all && difference.empty(); ++i)
-  {
-    const Tet a = first.Corners(i);
-    const Tet b = second.Corners(i);
-    if (a != b)
-    {
-      difference = fmt::format("the corners of cell {}: points {}, {}, {}, {} in {}, "
-                               "{}, {}, {}, {} in {}",
-        i, a[0], a[1], a[2], a[3], this->First.Name, b[0], b[1], b[2], b[3], this->Second.Name);
-    }
-  }
-  return difference;
-}
-
-//------------------------------------------------------------------------------
-std::string Comparison::CompareUnordered(const GridView& first, const GridView& second)
-{
-  const bool keepCorners = (this->Kept & gatun::KeepCorners) != 0;
-  const auto add = [this](Side& side, const GridView& grid)
-  {
-    const bool isFirst = side.Points.size() != grid.Points || side.Cells.size() != grid.Cells;
-    if (isFirst)
-    {
-      side.Points =
-        this->Kept & gatun::KeepPoints ? Numbered(grid.Points) : std::vector<Hash>(grid.Points);
-      side.Cells =
-        this->Kept & gatun::KeepCells ? Numbered(grid.Cells) : std::vector<Hash>(grid.Cells);
-    }
-    AddArrays(side.Points, { grid.Coordinates });
-    AddArrays(side.Points, grid.PointArrays);
-    AddArrays(side.Cells, grid.CellArrays);
-  };
-  add(this->First, first);
-  add(this->Second, second);
-
-  Complex a = MakeComplex(first, this->First.Points, this->First.Cells, keepCorners);
-  Complex b = MakeComplex(second, this->Second.Points, this->Second.Cells, keepCorners);
-  // Both are refined by the same number of rounds, or labels could not be compared.
-  std::size_t classes = CountDistinct(a.Points);
-  bool same = Sorted(a.Points) == Sorted(b.Points);
-  while (same && classes < a.Points.size())
-  {
-    a.Refine();
-    b.Refine();
-    same = Sorted(a.Points) == Sorted(b.Points);
-    const std::size_t now = CountDistinct(a.Points);
-    if (now == classes)
-    {
-      break;
-    }
-    classes = now;
-  }
-  this->Ambiguous = a.Points.size() - classes;
-  same = same && Sorted(a.HashTets()) == Sorted(b.HashTets());
-  if (same && this->Ambiguous > 0)
-  {
-    std::size_t budget = std::max<std::size_t>(1000 * a.Tets.size(), 10000000);
-    std::size_t budgetOfSecond = budget;
-    std::vector<Hash> partsOfFirst;
-    std::vector<Hash> partsOfSecond;
-    if (!a.HashAmbiguousParts(budget, partsOfFirst) ||
-      !b.HashAmbiguousParts(budgetOfSecond, partsOfSecond))
-    {
-      return fmt::format("undecided: {} points coincide with others in all values and neighbours, "
-                         "too many to try all ways to match them; pack with --keep-order all to "
-                         "compare place by place",
-        this->Ambiguous);
-    }
-    same = partsOfFirst == partsOfSecond;
-  }
-  if (same)
-  {
-    return {};
-  }
-  // Look closer, at this step alone.
-  std::string difference = this->ExplainPoints(first, second);
-  if (difference.empty())
-  {
-    difference = this->ExplainCells(first, second);
-  }
-  if (difference.empty())
-  {
-    difference = fmt::format("{} and {} have the same points, cells and values, but these do not "
-                             "belong together in the same way",
-      this->First.Name, this->Second.Name);
-  }
-  return difference;
-}
-
-//------------------------------------------------------------------------------
-std::string Comparison::ExplainPoints(const GridView& first, const GridView& second) const
-{
-  const std::vector<Hash> placesOfFirst = HashesOf(first.Coordinates, first.Points, {});
-  const std::vector<Hash> placesOfSecond = HashesOf(second.Coordinates, second.Points, {});
-  const std::size_t lost = FirstMissing(placesOfSecond, placesOfFirst);
-  if (lost != None)
-  {
-    return fmt::format("point {} of {}, at {}, is not in {}", lost, this->Second.Name,
-      second.Coordinates.Text(lost), this->First.Name);
-  }
-  for (std::size_t j = 0; j < first.PointArrays.size(); ++j)
-  {
-    const ArrayView& array = second.PointArrays[j];
-    const std::vector<Hash> valuesOfFirst =
-      HashesOf(first.PointArrays[j], first.Points, placesOfFirst);
-    const std::vector<Hash> valuesOfSecond = HashesOf(array, second.Points, placesOfSecond);
-    const std::size_t i = FirstMissing(valuesOfSecond, valuesOfFirst);
-    if (i != None)
-    {
-      const auto same = std::find(placesOfFirst.begin(), placesOfFirst.end(), placesOfSecond[i]);
-      return fmt::format("{} at {} (point {} of {}): {} in {}, {} in {}", array.Title,
-        second.Coordinates.Text(i), i, this->Second.Name,
-        first.PointArrays[j].Text(same - placesOfFirst.begin()), this->First.Name, array.Text(i),
-        this->Second.Name);
+      return difference;
     }
   }
   return {};
 }
 
 //------------------------------------------------------------------------------
-std::string Comparison::ExplainCells(const GridView& first, const GridView& second) const
+std::string Comparison::ComparePoints(const GridView& first, const GridView& second)
 {
+  const bool isKept = (this->Kept & gatun::KeepPoints) != 0;
+  if (this->First.Points.size() != first.Points)
+  {
+    this->First.Points = Numbered(first.Points, isKept);
+    this->Second.Points = Numbered(second.Points, isKept);
+  }
+  const auto mismatch = isKept ? std::nullopt
+                               : CompareSets(this->First.Points, this->Second.Points,
+                                   PropertiesOf(first.PointArrays, second.PointArrays));
+  if (!mismatch)
+  {
+    return {};
+  }
+  const auto [property, i, j] = *mismatch;
+  const ArrayView& array = second.PointArrays[property];
+  const std::string place = second.PointArrays[0].Text(j);
+  return property == 0 ? fmt::format("point {} of {}, at {}, is not in {}", j, this->Second.Name,
+                           place, this->First.Name)
+                       : fmt::format("{} at {} (point {} of {}): {} in {}, {} in {}", array.Title,
+                           place, j, this->Second.Name, first.PointArrays[property].Text(i),
+                           this->First.Name, array.Text(j), this->Second.Name);
+}
+
+//------------------------------------------------------------------------------
+std::string Comparison::CompareCells(const GridView& first, const GridView& second)
+{
+  const bool isKept = (this->Kept & gatun::KeepCells) != 0;
   const bool keepCorners = (this->Kept & gatun::KeepCorners) != 0;
-  const auto tets = [keepCorners](const GridView& grid)
+  if (this->First.Cells.size() != first.Tets.size())
   {
-    std::vector<Hash> points = HashesOf(grid.Coordinates, grid.Points, {});
-    AddArrays(points, grid.PointArrays);
-    return MakeComplex(grid, points, std::vector<Hash>(grid.Cells), keepCorners).HashTets();
-  };
-  const std::vector<Hash> tetsOfFirst = tets(first);
-  const std::vector<Hash> tetsOfSecond = tets(second);
-  const std::size_t lost = FirstMissing(tetsOfSecond, tetsOfFirst);
-  if (lost != None)
-  {
-    return fmt::format("cell {} of {}, with corners {}, is not in {}", lost, this->Second.Name,
-      CornersText(second, lost), this->First.Name);
+    this->First.Cells = Numbered(first.Tets.size(), isKept);
+    this->Second.Cells = Numbered(second.Tets.size(), isKept);
   }
-  for (std::size_t j = 0; j < first.CellArrays.size(); ++j)
+  std::vector<std::pair<Property, Property>> properties =
+    PropertiesOf(first.CellArrays, second.CellArrays);
+  properties.insert(properties.begin(),
+    { [&](std::vector<Hash>& hashes)
+      { AddCorners(hashes, first.Tets, this->First.Points, keepCorners); },
+      [&](std::vector<Hash>& hashes)
+      { AddCorners(hashes, second.Tets, this->Second.Points, keepCorners); } });
+  const auto mismatch = CompareSets(this->First.Cells, this->Second.Cells, properties);
+  if (!mismatch)
   {
-    const ArrayView& array = second.CellArrays[j];
-    const std::vector<Hash> valuesOfFirst = HashesOf(first.CellArrays[j], first.Cells, tetsOfFirst);
-    const std::vector<Hash> valuesOfSecond = HashesOf(array, second.Cells, tetsOfSecond);
-    const std::size_t i = FirstMissing(valuesOfSecond, valuesOfFirst);
-    if (i != None)
-    {
-      const auto same = std::find(tetsOfFirst.begin(), tetsOfFirst.end(), tetsOfSecond[i]);
-      return fmt::format("{} of cell {} of {}, with corners {}: {} in {}, {} in {}", array.Title, i,
-        this->Second.Name, CornersText(second, i),
-        first.CellArrays[j].Text(same - tetsOfFirst.begin()), this->First.Name, array.Text(i),
-        this->Second.Name);
-    }
+    return {};
   }
-  return {};
+  const auto [property, i, j] = *mismatch;
+  const std::string cell =
+    fmt::format("cell {} of {}, with corners {}", j, this->Second.Name, CornersText(second, j));
+  if (property == 0)
+  {
+    return fmt::format("{}, is not in {}", cell, this->First.Name);
+  }
+  const ArrayView& array = second.CellArrays[property - 1];
+  return fmt::format("{} of {}: {} in {}, {} in {}", array.Title, cell,
+    first.CellArrays[property - 1].Text(i), this->First.Name, array.Text(j), this->Second.Name);
 }
 }

@@ -13,48 +13,48 @@
 namespace gtn
 {
 /**
- * Tells whether two grids of tetrahedra are the same, bit for bit, step after step of time.
+ * Compares two grids of tetrahedra bit for bit, time step after time step.
  *
- * Where an order is kept (flags of gatun::KeepOrder), values are compared place by place. Where it
- * is not, points and cells are matched by all that is known of them: a point is its coordinates
- * and the values of its arrays, at this step and those before; a tetrahedron is its four points up
- * to an even permutation, and its values. What coincides in all that is told apart by its
- * neighbours, and theirs. Each point and each cell is a hash then, and the sorted hashes of both
- * grids must be equal.
+ * Where an order is kept (flags of gatun::KeepOrder), points or cells are compared place by place.
+ * Elsewhere they are compared as sets. A point is its coordinates and the values of its arrays, at
+ * this step and at all steps before. A cell is its four points, up to even permutations, and the
+ * values of its arrays. Each point and each cell is represented by a hash of 128 bits, and the
+ * sorted hashes of the two grids must be equal.
  *
- * This is exact, but for a hash of 128 bits. Points that coincide in everything and are alike in
- * their surroundings, too, are matched in all ways; where that would take too long, the outcome is
- * a difference that says "undecided".
+ * Points that coincide in all values are indistinguishable: a cell may use one in place of another,
+ * and that is not reported as a difference. Without such points, no difference means that the grids
+ * are identical but for their order.
  */
 class Comparison
 {
 public:
-  /** Names of the two, for messages. */
+  /** Takes the names of the grids, for messages. */
   Comparison(std::string first, std::string second, std::uint8_t keptOrder);
 
-  /** Compares a step. Returns the first difference in words, or nothing. */
+  /** Compares a step. Returns a description of the first difference, or an empty string. */
   std::string Compare(const GridView& first, const GridView& second);
 
-  /** How many points coincide with others in everything but their neighbours, at the last step. */
-  std::size_t GetAmbiguousPoints() const { return this->Ambiguous; }
+  /** Returns the number of points that coincide with another one in all values so far. */
+  std::size_t GetIndistinguishablePoints() const;
 
 private:
   struct Side
   {
     std::string Name;
-    std::vector<Hash> Points; ///< what is known of each point, over all steps so far
-    std::vector<Hash> Cells;  ///< the same of each cell without its corners
+    std::vector<Hash> Points; ///< of the steps so far
+    std::vector<Hash> Cells;
   };
 
-  std::string CompareOrdered(const GridView& first, const GridView& second) const;
-  std::string CompareUnordered(const GridView& first, const GridView& second);
-  std::string ExplainPoints(const GridView& first, const GridView& second) const;
-  std::string ExplainCells(const GridView& first, const GridView& second) const;
+  std::string CompareTuples(const ArrayView& first, const ArrayView& second) const;
+  std::string CompareArrays(const std::vector<ArrayView>& first,
+    const std::vector<ArrayView>& second, bool withValues) const;
+  std::string CompareFieldData(vtkUnstructuredGrid* first, vtkUnstructuredGrid* second) const;
+  std::string ComparePoints(const GridView& first, const GridView& second);
+  std::string CompareCells(const GridView& first, const GridView& second);
 
   Side First;
   Side Second;
   std::uint8_t Kept;
-  std::size_t Ambiguous = 0;
 };
 }
 

@@ -6,18 +6,15 @@
 #include "gtnFailure.h"
 #include "gtnText.h"
 
-#include "vtkAbstractArray.h"
-#include "vtkBitArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkFieldData.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVariant.h"
 
 #include <fmt/core.h>
 
@@ -29,175 +26,119 @@ namespace gtn
 namespace
 {
 
-template <typename T>
-T Load(const unsigned char* bytes)
+template <typename Float, typename Bits>
+std::string TextOfFloat(const unsigned char* bytes)
 {
-  T value;
-  std::memcpy(&value, bytes, sizeof(T));
-  return value;
+  Float value;
+  Bits bits;
+  std::memcpy(&value, bytes, sizeof(value));
+  std::memcpy(&bits, bytes, sizeof(bits));
+  return std::isnan(value) ? fmt::format("nan(0x{:0{}x})", bits, 2 * sizeof(bits))
+                           : fmt::format("{}", value);
 }
 
-std::string TextOfValue(int type, const unsigned char* bytes)
+void AddViews(std::vector<ArrayView>& views, vtkDataSetAttributes* attributes,
+  const std::string& kind, std::size_t tuples)
 {
-  switch (type)
-  {
-    case VTK_FLOAT:
-    {
-      const auto value = Load<float>(bytes);
-      return std::isnan(value) ? fmt::format("nan(0x{:08x})", Load<std::uint32_t>(bytes))
-                               : fmt::format("{}", value);
-    }
-    case VTK_DOUBLE:
-    {
-      const auto value = Load<double>(bytes);
-      return std::isnan(value) ? fmt::format("nan(0x{:016x})", Load<std::uint64_t>(bytes))
-                               : fmt::format("{}", value);
-    }
-    default:
-      break;
-  }
-  switch (type)
-  {
-    vtkTemplateMacro(return std::to_string(
-      static_cast<std::conditional_t<sizeof(VTK_TT) == 1, int, VTK_TT>>(Load<VTK_TT>(bytes))));
-    default:
-      return "?";
-  }
-}
-
-unsigned RolesOf(vtkDataSetAttributes* attributes, vtkAbstractArray* array)
-{
-  unsigned roles = 0;
-  for (int i = 0; i < vtkDataSetAttributes::NUM_ATTRIBUTES; ++i)
-  {
-    if (attributes->GetAbstractAttribute(i) == array)
-    {
-      roles |= 1u << i;
-    }
-  }
-  return roles;
-}
-
-std::vector<ArrayView> ViewsOf(
-  vtkDataSetAttributes* attributes, const std::string& kind, std::size_t tuples)
-{
-  std::vector<ArrayView> views;
   for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
   {
-    vtkAbstractArray* array = attributes->GetAbstractArray(i);
-    ArrayView view = ViewOf(array, kind);
+    vtkAbstractArray* const array = attributes->GetAbstractArray(i);
+    ArrayView& view = views.emplace_back(array, kind);
     if (static_cast<std::size_t>(array->GetNumberOfTuples()) != tuples)
     {
       throw Failure(
         fmt::format("{} has {} values, not {}", view.Title, array->GetNumberOfTuples(), tuples));
     }
-    view.Roles = RolesOf(attributes, array);
-    views.push_back(view);
+    for (int role = 0; role < vtkDataSetAttributes::NUM_ATTRIBUTES; ++role)
+    {
+      if (attributes->GetAbstractAttribute(role) == array)
+      {
+        view.Kind += std::string(", active ") + attributes->GetAttributeTypeAsString(role);
+      }
+    }
   }
-  return views;
 }
 
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
-std::string ArrayView::Text(std::size_t i) const
+ArrayView::ArrayView(vtkAbstractArray* array, const std::string& kind)
+  : Title(fmt::format("{} '{}'", kind, Printable(array->GetName() ? array->GetName() : "")))
+  , Owner(vtkDataArray::SafeDownCast(array))
 {
-  const std::size_t valueBytes = this->TupleBytes / this->Components;
-  std::string text = this->Components > 1 ? "(" : "";
-  for (int j = 0; j < this->Components; ++j)
+  if (!this->Owner)
   {
-    text += (j > 0 ? ", " : "") + TextOfValue(this->Type, this->Tuple(i) + j * valueBytes);
+    throw Failure(this->Title + " is not numeric");
   }
-  return text + (this->Components > 1 ? ")" : "");
+  std::vector<std::string> names;
+  for (int i = 0; array->HasAComponentName() && i < array->GetNumberOfComponents(); ++i)
+  {
+    const char* const name = array->GetComponentName(i);
+    names.emplace_back(name ? name : "");
+  }
+  this->Kind = fmt::format(
+    "{}, {} component(s)", array->GetDataTypeAsString(), array->GetNumberOfComponents());
+  this->Kind += names.empty() ? "" : fmt::format(" ({})", Printable(Joined(names)));
+  if (array->GetDataType() == VTK_BIT)
+  {
+    auto bytes = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    bytes->DeepCopy(this->Owner);
+    this->Owner = bytes;
+  }
+  // Arrays that are not stored tuple by tuple are copied by this call.
+  this->Bytes = static_cast<const unsigned char*>(this->Owner->GetVoidPointer(0));
+  this->TupleBytes =
+    static_cast<std::size_t>(this->Owner->GetDataTypeSize()) * this->Owner->GetNumberOfComponents();
 }
 
 //------------------------------------------------------------------------------
-ArrayView ViewOf(vtkAbstractArray* array, const std::string& kind)
+std::string ArrayView::Text(std::size_t i) const
 {
-  ArrayView view;
-  view.Name = array->GetName() ? array->GetName() : "";
-  view.Title = fmt::format("{} '{}'", kind, Printable(view.Name));
-  view.Owner = vtkDataArray::SafeDownCast(array);
-  if (!view.Owner)
+  const auto components = static_cast<std::size_t>(this->Owner->GetNumberOfComponents());
+  std::vector<std::string> texts;
+  for (std::size_t j = 0; j < components; ++j)
   {
-    throw Failure(view.Title + " is not numeric");
+    const unsigned char* const value = this->Tuple(i) + j * (this->TupleBytes / components);
+    const vtkVariant variant =
+      this->Owner->GetVariantValue(static_cast<vtkIdType>(i * components + j));
+    texts.push_back(variant.IsFloat()       ? TextOfFloat<float, std::uint32_t>(value)
+        : variant.IsDouble()                ? TextOfFloat<double, std::uint64_t>(value)
+        : this->Owner->GetDataTypeMin() < 0 ? std::to_string(variant.ToTypeInt64())
+                                            : std::to_string(variant.ToTypeUInt64()));
   }
-  view.Type = array->GetDataType();
-  view.Components = array->GetNumberOfComponents();
-  for (int i = 0; array->HasAComponentName() && i < view.Components; ++i)
-  {
-    const char* name = array->GetComponentName(i);
-    view.ComponentNames.emplace_back(name ? name : "");
-  }
-  if (auto* bits = vtkBitArray::SafeDownCast(array))
-  {
-    vtkNew<vtkUnsignedCharArray> bytes;
-    bytes->SetNumberOfComponents(view.Components);
-    bytes->SetNumberOfTuples(bits->GetNumberOfTuples());
-    for (vtkIdType i = 0; i < bits->GetNumberOfValues(); ++i)
-    {
-      bytes->SetValue(i, static_cast<unsigned char>(bits->GetValue(i)));
-    }
-    view.Owner = bytes;
-    view.Type = VTK_UNSIGNED_CHAR;
-  }
-  // Other layouts than tuple by tuple are copied by this call.
-  view.Bytes = static_cast<const unsigned char*>(view.Owner->GetVoidPointer(0));
-  view.TupleBytes =
-    static_cast<std::size_t>(view.Owner->GetDataTypeSize()) * view.Owner->GetNumberOfComponents();
-  if (array->GetDataType() == VTK_BIT)
-  {
-    view.Type = VTK_BIT;
-  }
-  return view;
+  return components == 1 ? texts[0] : fmt::format("({})", Joined(texts));
 }
 
 //------------------------------------------------------------------------------
 GridView::GridView(vtkUnstructuredGrid* grid)
-  : Points(grid->GetNumberOfPoints())
-  , Cells(grid->GetNumberOfCells())
-  , PointArrays(ViewsOf(grid->GetPointData(), "point array", this->Points))
-  , CellArrays(ViewsOf(grid->GetCellData(), "cell array", this->Cells))
-  , Field(grid->GetFieldData())
+  : Grid(grid)
+  , Points(static_cast<std::size_t>(grid->GetNumberOfPoints()))
+  , Tets(static_cast<std::size_t>(grid->GetNumberOfCells()))
 {
-  if (grid->GetPoints())
+  if (this->Points > 0)
   {
-    this->Coordinates = ViewOf(grid->GetPoints()->GetData(), "point array");
+    this->PointArrays.emplace_back(grid->GetPoints()->GetData(), "").Title = "the coordinates";
   }
-  else
+  AddViews(this->PointArrays, grid->GetPointData(), "point array", this->Points);
+  AddViews(this->CellArrays, grid->GetCellData(), "cell array", this->Tets.size());
+  if (this->Tets.empty())
   {
-    this->Coordinates.Type = VTK_FLOAT;
-    this->Coordinates.Components = 3;
-    this->Coordinates.TupleBytes = 12;
+    return;
   }
-  this->Coordinates.Title = "the coordinates";
-  if (this->Cells > 0)
+  vtkCellArray* const cells = grid->GetCells();
+  if (cells->IsHomogeneous() != 4)
   {
-    vtkCellArray* cells = grid->GetCells();
-    if (cells->IsHomogeneous() != 4)
+    throw Failure("has cells that are not tetrahedra");
+  }
+  const auto read = [this](const auto* ids)
+  {
+    for (Tet& tet : this->Tets)
     {
-      throw Failure("has cells that are not tetrahedra");
+      tet = { ids[0], ids[1], ids[2], ids[3] };
+      ids += 4;
     }
-    this->Connectivity = cells->GetConnectivityArray();
-    if (cells->IsStorage64Bit())
-    {
-      this->Wide = static_cast<const std::int64_t*>(this->Connectivity->GetVoidPointer(0));
-    }
-    else
-    {
-      this->Narrow = static_cast<const std::int32_t*>(this->Connectivity->GetVoidPointer(0));
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-Tet GridView::Corners(std::size_t cell) const
-{
-  Tet tet;
-  for (int i = 0; i < 4; ++i)
-  {
-    tet[i] = this->Wide ? this->Wide[4 * cell + i] : this->Narrow[4 * cell + i];
-  }
-  return tet;
+  };
+  cells->IsStorage64Bit() ? read(cells->GetConnectivityArray64()->GetPointer(0))
+                          : read(cells->GetConnectivityArray32()->GetPointer(0));
 }
 }

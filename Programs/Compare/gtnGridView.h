@@ -15,7 +15,6 @@
 
 class vtkAbstractArray;
 class vtkDataArray;
-class vtkFieldData;
 class vtkUnstructuredGrid;
 
 namespace gtn
@@ -23,48 +22,35 @@ namespace gtn
 /** The values of an array as bytes, tuple by tuple. */
 struct ArrayView
 {
-  std::string Name;
+  /** Throws Failure for arrays that are not numeric. */
+  ArrayView(vtkAbstractArray* array, const std::string& kind);
+
   std::string Title; ///< "point array 'pressure'"
-  int Type = 0;      ///< VTK's number
-  int Components = 1;
-  std::vector<std::string> ComponentNames;
-  unsigned Roles = 0; ///< bit i: active attribute i
+  std::string Kind;  ///< "float, 3 components (x, y, z), active Scalars"
   const unsigned char* Bytes = nullptr;
   std::size_t TupleBytes = 0;
   vtkSmartPointer<vtkDataArray> Owner;
 
   const unsigned char* Tuple(std::size_t i) const { return this->Bytes + i * this->TupleBytes; }
 
-  /** The tuple's values for people; what they do not show is shown by its bytes. */
+  /** The values of a tuple. NaN is printed with its bits. */
   std::string Text(std::size_t i) const;
 };
 
 using Tet = std::array<std::int64_t, 4>;
 
-class GridView
+/** Views of the arrays of a grid, which must live as long. */
+struct GridView
 {
-public:
-  /** The grid must live as long, and consist of tetrahedra. Throws Failure for arrays that are not
-   * numeric. */
+  /** Throws Failure for other cells than tetrahedra, and for arrays that are not numeric. */
   explicit GridView(vtkUnstructuredGrid* grid);
 
-  std::size_t Points = 0;
-  std::size_t Cells = 0;
-  ArrayView Coordinates;
-  std::vector<ArrayView> PointArrays;
+  vtkUnstructuredGrid* Grid;
+  std::size_t Points;
+  std::vector<ArrayView> PointArrays; ///< the coordinates come first
   std::vector<ArrayView> CellArrays;
-  vtkFieldData* Field = nullptr;
-
-  Tet Corners(std::size_t cell) const;
-
-private:
-  const std::int64_t* Wide = nullptr;
-  const std::int32_t* Narrow = nullptr;
-  vtkSmartPointer<vtkDataArray> Connectivity;
+  std::vector<Tet> Tets;
 };
-
-/** An array's values as bytes; bits become a byte each. */
-ArrayView ViewOf(vtkAbstractArray* array, const std::string& kind);
 }
 
 #endif

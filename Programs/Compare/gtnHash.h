@@ -12,24 +12,16 @@
 
 namespace gtn
 {
-/** 128 bits, taken for equal only if what they were made of is. */
+/** A hash of 128 bits. Two of them are taken to be equal only if their sources are. */
 struct Hash
 {
   std::uint64_t Low = 0;
   std::uint64_t High = 0;
 
   auto operator<=>(const Hash&) const = default;
-
-  /** Adds up, so that the sum does not depend on the order. */
-  Hash& operator+=(const Hash& other)
-  {
-    this->Low += other.Low;
-    this->High += other.High;
-    return *this;
-  }
 };
 
-/** Of some bytes, and of what is told by a hash made before. */
+/** Returns the hash of some bytes and of an earlier hash. */
 inline Hash HashOf(const void* bytes, std::size_t size, const Hash& before = {})
 {
   const XXH128_hash_t first = XXH3_128bits_withSeed(bytes, size, before.Low);

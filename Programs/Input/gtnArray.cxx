@@ -48,14 +48,14 @@ std::array<CLI::Option*, 2> AddArray(
 {
   CLI::Option* const array = command
                                ->add_option("--array", options.Name,
-                                 what + " (default: the active scalars, or else the first one)")
+                                 what + " (default: the active scalars, or else the first array)")
                                ->option_text("NAME");
   CLI::Option* const component =
     command
       ->add_option_function<std::string>(
         "--component",
         [&options](const std::string& text) { options.Component = ParseComponent(text); },
-        "Component of the array, from 0, or magnitude, the length of its tuples (the default)")
+        "Component of the array: a number from 0, or magnitude (default: magnitude)")
       ->option_text("N|magnitude");
   return { array, component };
 }

@@ -56,7 +56,7 @@ public:
   /** Whether it is read while surfaces are made. */
   bool IsFile() const { return this->Reader; }
 
-  /** Of a file: whether it is organised by layers of the values. */
+  /** Of a file: whether it is organized by layers of the values. */
   bool IsLayered() const { return this->Layered; }
 
   /** Gives the filter its input, and what of it to take. */

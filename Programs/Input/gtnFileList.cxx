@@ -4,8 +4,8 @@
 #include "gtnFileList.h"
 
 #include "gtnFailure.h"
+#include "gtnJson.h"
 #include "gtnMessages.h"
-#include "gtnParseJson.h"
 #include "gtnReadable.h"
 #include "gtnText.h"
 
@@ -100,14 +100,14 @@ std::vector<SeriesStep> ReadCollection(const std::string& file)
 
 std::vector<SeriesStep> ReadSeries(const std::string& file)
 {
-  ::Json::Value root;
-  std::string reason; // the message below tells enough
+  Json::Value root;
+  std::string reason; // the message below is enough
   if (!ParseJson(file, root, reason) || !root.isObject() || !root["files"].isArray())
   {
     throw Failure(file, "is not a .series file");
   }
   Steps steps(file);
-  for (const ::Json::Value& entry : root["files"])
+  for (const Json::Value& entry : root["files"])
   {
     if (!entry.isObject() || !entry["name"].isString())
     {

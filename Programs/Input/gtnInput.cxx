@@ -110,7 +110,7 @@ vtkUnstructuredGrid* Input::Read(std::size_t step, Progress& progress)
 namespace
 {
 
-// VTK's readers believe what a file says of its cells, and its filters follow that blindly.
+// VTK's readers do not check the cells of a file, and its filters rely on them.
 void CheckCells(const std::string& file, vtkPolyData* surface)
 {
   for (vtkCellArray* cells :

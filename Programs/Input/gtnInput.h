@@ -3,7 +3,7 @@
 #ifndef gtnInput_h
 #define gtnInput_h
 
-// Meshes of whatever format, as one tetrahedral grid, with time steps where there are any.
+// Meshes of any format as one tetrahedral grid, with time steps if there are any.
 
 #include "gtnInputOptions.h"
 
@@ -20,29 +20,29 @@ namespace gtn
 {
 class Progress;
 
-/** What help texts say of readable formats. */
+/** The formats that can be read, for help texts. */
 extern const char* const InputFormats;
 
 class Input
 {
 public:
-  /** Opens a file, or several: the time steps of one mesh, in the order given. Nothing but what
-   * the formats tell about time is read. Throws Failure. */
+  /** Opens a file, or several files as the time steps of one mesh, in the given order. Reads only
+   * the time values. Throws Failure. */
   Input(const std::vector<std::string>& files, const InputOptions& options);
   ~Input();
   Input(const Input&) = delete;
   Input& operator=(const Input&) = delete;
 
-  /** The file's name, or the first one's. */
+  /** Returns the name of the first file. */
   const std::string& GetName() const { return this->Name; }
 
-  /** The end of a pipeline that makes vtkUnstructuredGrid and answers requests for time. */
+  /** Returns the end of a pipeline that produces vtkUnstructuredGrid for any time step. */
   vtkAlgorithm* GetAlgorithm() const { return this->Algorithm; }
 
-  /** The reader at its beginning. */
+  /** Returns the reader at its beginning. */
   vtkAlgorithm* GetSource() const;
 
-  /** Ascending; empty without time. */
+  /** Returns the times in ascending order, or nothing without time. */
   const std::vector<double>& GetTimes() const { return this->Times; }
 
   /** Reads a step, 0 without time. The grid lives until the next call. Throws Failure. */
@@ -55,7 +55,7 @@ private:
   std::vector<double> Times;
 };
 
-/** A surface from .stl .ply .obj .vtp .vtk. Throws Failure. */
+/** Reads a surface from a file: .stl .ply .obj .vtp .vtk. Throws Failure. */
 vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& file, Progress& progress, bool quiet);
 }
 

@@ -14,7 +14,7 @@ namespace gtn
 class Progress;
 
 /** The points and faces of a Wavefront .obj file; nothing else is read. Throws Failure, which names
- * the line, whatever the bytes are, and Interrupted.
+ * the line, for any content of the file, and Interrupted.
  *
  * Not by vtkOBJReader: it follows indices that do not exist, and splits points where a texture has
  * a seam, so that a closed surface is no longer closed. */

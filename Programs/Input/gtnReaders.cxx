@@ -6,8 +6,8 @@
 #include "gtnFailure.h"
 #include "gtnText.h"
 
+#include "vtkGatunHartleyReader.h"
 #include "vtkGatunReader.h"
-#include "vtkHartleyVolumeReader.h"
 
 #include "vtkExodusIIReader.h"
 #include "vtkGenericDataObjectReader.h"
@@ -149,7 +149,7 @@ vtkSmartPointer<vtkAlgorithm> MakeVolumeReader(const std::string& file)
   const std::string extension = ExtensionOf(file);
   if (extension == ".ghv")
   {
-    return Make<vtkHartleyVolumeReader>(file);
+    return Make<vtkGatunHartleyReader>(file);
   }
   if (extension == ".vti")
   {

@@ -83,15 +83,15 @@ double TimeValueOf(const std::string& file)
 std::vector<SeriesStep> StepsOfFiles(const std::vector<std::string>& files)
 {
   std::vector<SeriesStep> steps;
-  bool told = true;
+  bool hasTimes = true;
   for (const std::string& file : files)
   {
     SeriesStep step;
     step.Files = { file };
-    if (told)
+    if (hasTimes)
     {
       step.Time = TimeValueOf(file);
-      told = std::isfinite(step.Time) && (steps.empty() || steps.back().Time < step.Time);
+      hasTimes = std::isfinite(step.Time) && (steps.empty() || steps.back().Time < step.Time);
     }
     else
     {
@@ -99,7 +99,7 @@ std::vector<SeriesStep> StepsOfFiles(const std::vector<std::string>& files)
     }
     steps.push_back(step);
   }
-  if (!told)
+  if (!hasTimes)
   {
     for (std::size_t i = 0; i < steps.size(); ++i)
     {

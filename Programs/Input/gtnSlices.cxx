@@ -5,7 +5,6 @@
 
 #include "gtnFailure.h"
 #include "gtnImageFile.h"
-#include "gtnImageLibrary.h"
 #include "gtnInput.h"
 #include "gtnNames.h"
 #include "gtnOutput.h"
@@ -19,14 +18,16 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkSortFileNames.h"
+#include "vtkStringArray.h"
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cctype>
+#include <glob.h>
+
 #include <cstring>
 #include <filesystem>
-#include <string_view>
+#include <regex>
 
 namespace gtn
 {
@@ -35,61 +36,10 @@ const char* const SliceFormats = ".tif .tiff .png";
 namespace
 {
 
-bool IsDigit(char c)
-{
-  return c >= '0' && c <= '9';
-}
+// One %d, or one with at most two digits in between.
+const std::regex NumberedName("([^%]*)%([0-9]{0,2})d([^%]*)");
 
-// The digits at the beginning, without leading zeros; the text then begins behind them.
-std::string_view TakeNumber(std::string_view& text)
-{
-  std::size_t end = 0;
-  while (end < text.size() && IsDigit(text[end]))
-  {
-    ++end;
-  }
-  std::string_view digits = text.substr(0, end);
-  text.remove_prefix(end);
-  while (digits.size() > 1 && digits.front() == '0')
-  {
-    digits.remove_prefix(1);
-  }
-  return digits;
-}
-
-// Whether a name is as a pattern with * and ? has it.
-bool Fits(std::string_view name, std::string_view pattern)
-{
-  std::size_t i = 0;
-  std::size_t j = 0;
-  std::size_t star = pattern.npos; // the last one, and what it stands for so far
-  std::size_t from = 0;
-  while (i < name.size())
-  {
-    if (j < pattern.size() && pattern[j] == '*')
-    {
-      star = j++;
-      from = i;
-    }
-    else if (j < pattern.size() && (pattern[j] == '?' || pattern[j] == name[i]))
-    {
-      ++i;
-      ++j;
-    }
-    else if (star != pattern.npos)
-    {
-      j = star + 1;
-      i = ++from;
-    }
-    else
-    {
-      return false;
-    }
-  }
-  return pattern.substr(j).find_first_not_of('*') == pattern.npos;
-}
-
-// Collects slices, of whatever file, into one volume.
+// Collects the slices of all files into one volume.
 class Stack
 {
 public:
@@ -98,18 +48,18 @@ public:
   {
   }
 
-  void Add(const std::string& file, const Slice& slice)
+  void Add(const std::string& file, const Image& slice)
   {
-    if (slice.Channels != 1)
+    if (slice.Channels.size() != 1)
     {
       throw Failure(file,
-        fmt::format("is a picture of {} channels, and slices have one; make it grey beforehand",
-          slice.Channels));
+        fmt::format("is an image of {} channels, and slices have one; convert it to gray first",
+          slice.Channels.size()));
     }
     if (this->First.empty())
     {
       this->First = file;
-      this->Shape = slice;
+      this->Shape = { slice.Width, slice.Height, {}, slice.Type };
       // A lone file may have many.
       this->Values.reserve(this->Files * gatun::SizeOf(slice.Type) *
         static_cast<std::size_t>(slice.Width) * static_cast<std::size_t>(slice.Height));
@@ -154,7 +104,7 @@ public:
 private:
   const std::size_t Files;
   std::string First;
-  Slice Shape;
+  Image Shape;
   std::vector<unsigned char> Values;
   int Slices = 0;
 };
@@ -169,90 +119,75 @@ bool IsSlice(const std::string& file)
 }
 
 //------------------------------------------------------------------------------
-bool IsBefore(const std::string& one, const std::string& other)
+std::vector<std::string> SortByNumbers(const std::vector<std::string>& files)
 {
-  std::string_view a = one;
-  std::string_view b = other;
-  while (!a.empty() && !b.empty())
+  vtkNew<vtkStringArray> names;
+  for (const std::string& file : files)
   {
-    if (IsDigit(a.front()) && IsDigit(b.front()))
-    {
-      const std::string_view x = TakeNumber(a);
-      const std::string_view y = TakeNumber(b);
-      if (x != y)
-      {
-        return x.size() != y.size() ? x.size() < y.size() : x < y;
-      }
-      continue;
-    }
-    if (a.front() != b.front())
-    {
-      return a.front() < b.front();
-    }
-    a.remove_prefix(1);
-    b.remove_prefix(1);
+    names->InsertNextValue(file);
   }
-  // Those that differ in leading zeros only have an order, too.
-  return a.empty() && b.empty() ? one < other : a.empty();
+  vtkNew<vtkSortFileNames> sort;
+  sort->NumericSortOn();
+  sort->SetInputFileNames(names);
+  vtkStringArray* const sorted = sort->GetFileNames();
+  return { sorted->GetPointer(0), sorted->GetPointer(0) + sorted->GetNumberOfValues() };
 }
 
 //------------------------------------------------------------------------------
 std::vector<std::string> FindSlices(const std::string& folderOrPattern)
 {
-  const std::filesystem::path path(folderOrPattern);
   std::error_code error;
-  const bool isFolder = std::filesystem::is_directory(path, error);
-  const std::string pattern = isFolder ? "*" : path.filename().string();
-  if (!isFolder &&
-    (pattern.find_first_of("*?") == pattern.npos || std::filesystem::exists(path, error)))
+  const bool isFolder = std::filesystem::is_directory(folderOrPattern, error);
+  std::vector<std::string> files;
+  if (isFolder)
+  {
+    for (const auto& entry : std::filesystem::directory_iterator(folderOrPattern, error))
+    {
+      files.push_back(entry.path().string());
+    }
+    if (error)
+    {
+      throw Failure(folderOrPattern, error.message());
+    }
+  }
+  else if (folderOrPattern.find_first_of("*?[") == std::string::npos ||
+    std::filesystem::exists(folderOrPattern, error))
   {
     return { folderOrPattern };
   }
-  const std::filesystem::path folder = isFolder ? path : path.parent_path();
-  std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(
-         folder.empty() ? std::filesystem::path(".") : folder, error))
+  else
   {
-    const std::string name = entry.path().filename().string();
-    if (IsSlice(name) && Fits(name, pattern) && !entry.is_directory(error))
-    {
-      files.push_back((folder / name).string());
-    }
+    glob_t found{};
+    ::glob(folderOrPattern.c_str(), 0, nullptr, &found);
+    files.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
+    ::globfree(&found);
   }
-  if (error)
-  {
-    throw Failure(folderOrPattern, error.message());
-  }
+  std::erase_if(files,
+    [&error](const std::string& file)
+    { return !IsSlice(file) || std::filesystem::is_directory(file, error); });
   if (files.empty())
   {
     throw Failure(
       folderOrPattern, fmt::format("{} no slices ({})", isFolder ? "has" : "fits", SliceFormats));
   }
-  std::sort(files.begin(), files.end(), IsBefore);
-  return files;
+  return SortByNumbers(files);
 }
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> ReadSlices(const std::vector<std::string>& files, Progress& progress)
 {
-  static auto* const read = FindImageFunction<ReadSlicesFunction>(ReadSlicesName);
   Stack stack(files.size());
   for (std::size_t i = 0; i < files.size(); ++i)
   {
-    const std::string& file = files[i];
-    CheckReadable(file);
-    std::string reason;
-    const auto take = [&](const Slice& slice)
-    {
-      stack.Add(file, slice);
-      progress(static_cast<double>(i) / static_cast<double>(files.size()));
-      CheckInterrupt();
-      return true;
-    };
-    if (!read(file, take, reason))
-    {
-      FailForImage(file, file, reason, "cannot be read");
-    }
+    CheckReadable(files[i]);
+    ReadImageFile(files[i],
+      [&](const Image& slice)
+      {
+        stack.Add(files[i], slice);
+        progress(static_cast<double>(i) / static_cast<double>(files.size()));
+        CheckInterrupt();
+        return true;
+      });
   }
   return stack.Finish();
 }
@@ -260,20 +195,14 @@ vtkSmartPointer<vtkImageData> ReadSlices(const std::vector<std::string>& files, 
 //------------------------------------------------------------------------------
 bool HasNumber(const std::string& name)
 {
-  const std::size_t place = name.find('%');
-  if (place == name.npos)
+  if (name.find('%') == std::string::npos)
   {
     return false;
   }
-  std::size_t end = place + 1;
-  while (end < name.size() && end < place + 3 && IsDigit(name[end]))
-  {
-    ++end;
-  }
-  if (end >= name.size() || name[end] != 'd' || name.find('%', end) != name.npos)
+  if (!std::regex_match(name, NumberedName))
   {
     throw UsageError(
-      name + ": % must be that of one %d, or of one as %04d, for the slice's number");
+      name + ": % must be that of one %d, or of one as %04d, for the number of the slice");
   }
   return true;
 }
@@ -281,18 +210,13 @@ bool HasNumber(const std::string& name)
 //------------------------------------------------------------------------------
 std::vector<std::string> NameSlices(const std::string& name, int count)
 {
-  const std::size_t place = name.find('%');
-  const std::size_t end = name.find('d', place);
-  std::size_t digits = 0;
-  for (std::size_t i = place + 1; i < end; ++i)
-  {
-    digits = 10 * digits + static_cast<std::size_t>(name[i] - '0');
-  }
+  std::smatch parts;
+  std::regex_match(name, parts, NumberedName);
+  const int digits = parts[2].length() > 0 ? std::stoi(parts[2]) : 0;
   std::vector<std::string> names;
   for (int i = 0; i < count; ++i)
   {
-    names.push_back(
-      fmt::format("{}{:0{}}{}", name.substr(0, place), i, digits, name.substr(end + 1)));
+    names.push_back(fmt::format("{}{:0{}}{}", parts[1].str(), i, digits, parts[3].str()));
   }
   return names;
 }
@@ -300,19 +224,16 @@ std::vector<std::string> NameSlices(const std::string& name, int count)
 //------------------------------------------------------------------------------
 void WriteSlices(vtkImageData* volume, const std::vector<std::string>& files, Progress& progress)
 {
-  static auto* const write = FindImageFunction<WriteSliceFunction>(WriteSliceName);
   const gatun::BridgedArray values =
     gatun::Bridge(volume->GetPointData()->GetScalars(), gatun::Association::Point);
-  Slice slice;
-  slice.Width = volume->GetDimensions()[0];
-  slice.Height = volume->GetDimensions()[1];
-  slice.Type = values.Description.Type;
-  const bool isPng = ExtensionOf(files.front()) == ".png";
-  if (isPng && slice.Type != gatun::ScalarType::UInt8 && slice.Type != gatun::ScalarType::UInt16)
+  Image slice{ volume->GetDimensions()[0], volume->GetDimensions()[1], { "Y" },
+    values.Description.Type };
+  if (ExtensionOf(files.front()) == ".png" && slice.Type != gatun::ScalarType::UInt8 &&
+    slice.Type != gatun::ScalarType::UInt16)
   {
     throw Failure(files.front(),
-      fmt::format(".png files hold values of type uint8 or uint16, and these are {}; .tif files "
-                  "hold them",
+      fmt::format("values of type {} do not fit into .png files, which take uint8 and uint16; use "
+                  ".tif files",
         NameOf(slice.Type)));
   }
   const std::size_t row = gatun::SizeOf(slice.Type) * static_cast<std::size_t>(slice.Width);
@@ -325,13 +246,7 @@ void WriteSlices(vtkImageData* volume, const std::vector<std::string>& files, Pr
     {
       std::memcpy(turned.data() + y * row, from, row);
     }
-    TemporaryFile temporary(files[i]);
-    std::string reason;
-    if (!write(slice, temporary.GetName(), reason))
-    {
-      FailForImage(files[i], temporary.GetName(), reason, "cannot be written");
-    }
-    temporary.Commit();
+    WriteImageFile(slice, files[i]);
     progress(static_cast<double>(i + 1) / static_cast<double>(files.size()));
     CheckInterrupt();
   }

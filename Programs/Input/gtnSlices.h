@@ -3,8 +3,8 @@
 #ifndef gtnSlices_h
 #define gtnSlices_h
 
-// Volumes as pictures, one a slice, or several in a file. The first one is at the smallest z; rows
-// go down in a picture, and up in a volume.
+// Volumes as images: one slice a file, or several in a file. The first slice is at the smallest z.
+// Rows of an image go down, and rows of a volume go up.
 
 #include "vtkSmartPointer.h"
 
@@ -17,29 +17,28 @@ namespace gtn
 {
 class Progress;
 
-/** Extensions of files that hold slices. */
+/** Extensions of files with slices. */
 extern const char* const SliceFormats;
 bool IsSlice(const std::string& file);
 
-/** The slices that are meant, in the order of the numbers in their names: those in a folder, those
- * that a pattern with * and ? in the last part of a path fits, or the file itself. Throws Failure
- * if there are none. */
+/** Returns the slices in a folder, those that a pattern of glob(7) matches, or the file itself,
+ * sorted by the numbers in their names. Throws Failure if there are none. */
 std::vector<std::string> FindSlices(const std::string& folderOrPattern);
 
-/** Whether a name comes before another one, where numbers in them count as such. */
-bool IsBefore(const std::string& one, const std::string& other);
+/** Sorts names; numbers in them are compared as numbers. */
+std::vector<std::string> SortByNumbers(const std::vector<std::string>& files);
 
 /** Reads slices of one size and type. Throws Failure. */
 vtkSmartPointer<vtkImageData> ReadSlices(const std::vector<std::string>& files, Progress& progress);
 
-/** Whether a name has a %d, with or without a number of digits, for that of a slice. Throws
- * UsageError for anything else behind a percent sign. */
+/** Whether a name has a %d, with or without a number of digits, for the number of a slice. Throws
+ * UsageError for any other percent sign. */
 bool HasNumber(const std::string& name);
 
-/** Names of so many slices. */
+/** Returns the names of a given number of slices. */
 std::vector<std::string> NameSlices(const std::string& name, int count);
 
-/** Writes a volume as slices, each of which gets its name when it is complete. Throws Failure. */
+/** Writes a volume as slices. Each file gets its name when it is complete. Throws Failure. */
 void WriteSlices(vtkImageData* volume, const std::vector<std::string>& files, Progress& progress);
 }
 

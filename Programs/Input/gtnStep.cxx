@@ -22,12 +22,12 @@ namespace gtn
 std::array<CLI::Option*, 2> AddStep(CLI::App* command, StepOptions& options)
 {
   CLI::Option* const time =
-    command->add_option("--time", options.Time, "The step at exactly this time")->option_text("T");
-  CLI::Option* const step = command
-                              ->add_option("--step", options.Step,
-                                "The step of this number, from 0 (default: the first step)")
-                              ->option_text("N")
-                              ->excludes(time);
+    command->add_option("--time", options.Time, "Time of the step; must match exactly")
+      ->option_text("T");
+  CLI::Option* const step =
+    command->add_option("--step", options.Step, "Index of the step, from 0 (default: 0)")
+      ->option_text("N")
+      ->excludes(time);
   return { time, step };
 }
 
@@ -62,7 +62,7 @@ std::size_t ChooseStep(
   }
   if (!options.Step && times.size() > 1 && !quiet)
   {
-    Say(fmt::format("{}: has {} time steps, of which the first is taken", file, times.size()));
+    Say(fmt::format("{}: has {} time steps; using the first one", file, times.size()));
   }
   return step;
 }

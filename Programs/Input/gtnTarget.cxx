@@ -45,20 +45,21 @@ void TargetOptions::Apply(vtkGatunReader* reader) const
 
 //------------------------------------------------------------------------------
 std::array<CLI::Option*, 3> AddTarget(
-  CLI::App* command, TargetOptions& options, const char* without)
+  CLI::App* command, TargetOptions& options, const char* defaultRatio)
 {
   const std::array targets{ command
                               ->add_option("--ratio", options.Ratio,
-                                fmt::format("Fraction of points to remove, 0 to 1 ({})", without))
+                                fmt::format(
+                                  "Fraction of points removed, 0 to 1 (default: {})", defaultRatio))
                               ->check(CLI::Range(0., 1.))
                               ->option_text("R"),
-    command->add_option("--vertices", options.Points, "Number of points to keep")
+    command->add_option("--points", options.Points, "Number of points to keep, at most")
       ->check(CLI::NonNegativeNumber)
       ->option_text("N"),
     command
       ->add_option("--rms-error", options.RMSError,
-        "Largest root mean square error: an estimate for the values, relative to their range, and "
-        "for the shape of the boundary")
+        "Maximum root mean square error, 0 or more: an estimate for the values, relative to their "
+        "range, and for the shape")
       ->check(CLI::NonNegativeNumber)
       ->option_text("E") };
   for (std::size_t i = 0; i < targets.size(); ++i)

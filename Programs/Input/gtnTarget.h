@@ -3,7 +3,7 @@
 #ifndef gtnTarget_h
 #define gtnTarget_h
 
-// How far to simplify a mesh.
+// The simplification target of a mesh.
 
 #include <CLI/CLI.hpp>
 
@@ -16,7 +16,7 @@ class vtkGatunSimplify;
 
 namespace gtn
 {
-/** At most one of them. */
+/** At most one of them is given. */
 struct TargetOptions
 {
   std::optional<double> Ratio;
@@ -25,7 +25,7 @@ struct TargetOptions
 
   bool IsGiven() const { return this->Ratio || this->Points || this->RMSError; }
 
-  /** Without any of them, half of the points go. */
+  /** Without any of them, half of the points are removed. */
   void Apply(vtkGatunSimplify* simplifier) const;
   void Apply(vtkGatunReader* reader) const;
 
@@ -34,10 +34,9 @@ private:
   void ApplyTo(Algorithm* algorithm) const;
 };
 
-/** Adds and returns --ratio, --vertices and --rms-error. Without: text for the help on the default.
- */
+/** Adds and returns --ratio, --points and --rms-error. The default is for the help text. */
 std::array<CLI::Option*, 3> AddTarget(
-  CLI::App* command, TargetOptions& options, const char* without);
+  CLI::App* command, TargetOptions& options, const char* defaultRatio);
 }
 
 #endif

@@ -134,7 +134,7 @@ vtkSmartPointer<vtkImageData> ReadVolume(
   }
   else
   {
-    std::sort(files.begin(), files.end(), IsBefore);
+    files = SortByNumbers(files);
     for (const std::string& file : files)
     {
       if (!IsSlice(file))

@@ -10,10 +10,9 @@
 #include "gtnText.h"
 
 #include "gatunHartleyFile.h"
-#include "vtkHartleyProjection.h"
-#include "vtkHartleyVolumeReader.h"
 
 #include "vtkDataArray.h"
+#include "vtkImageAlgorithm.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -31,7 +30,7 @@ VolumeSource::VolumeSource(const VolumeInputOptions& options, const Settings& se
   }
   if (!options.Array.empty() || options.Spacing)
   {
-    throw UsageError("--array and --spacing are for volumes that are not .ghv files yet");
+    throw UsageError("--array and --spacing do not apply to .ghv files");
   }
   this->OpenFile();
 }
@@ -47,7 +46,7 @@ void VolumeSource::OpenFile()
   const gatun::VolumeInput& volume = file.GetVolume();
   this->Array = volume.Name;
   this->Range = file.GetRange();
-  vtkNew<vtkHartleyVolumeReader> reader;
+  vtkNew<vtkGatunHartleyReader> reader;
   reader->SetFileName(this->File.c_str());
   this->Reader = reader;
 
@@ -91,15 +90,21 @@ void VolumeSource::SetPlace(vtkImageData* volume)
 }
 
 //------------------------------------------------------------------------------
-void VolumeSource::Connect(vtkHartleyProjection* projection) const
+std::uint64_t VolumeSource::GetBytesRead() const
+{
+  return this->Reader ? this->Reader->GetBytesRead() : 0;
+}
+
+//------------------------------------------------------------------------------
+void VolumeSource::Connect(vtkImageAlgorithm* algorithm) const
 {
   if (this->Reader)
   {
-    projection->SetInputConnection(this->Reader->GetOutputPort());
+    algorithm->SetInputConnection(this->Reader->GetOutputPort());
   }
   else
   {
-    projection->SetInputData(this->Volume);
+    algorithm->SetInputData(this->Volume);
   }
 }
 }

@@ -3,11 +3,12 @@
 #ifndef gtnVolumeSource_h
 #define gtnVolumeSource_h
 
-// The volume that is drawn: a .ghv file, of which no voxel is made, or any other in memory.
+// The volume that is drawn: a .ghv file, which is not decoded to voxels, or a volume in memory.
 
 #include "gtnVolumeInput.h"
 
 #include "gatunTypes.h"
+#include "vtkGatunHartleyReader.h"
 
 #include "vtkSmartPointer.h"
 
@@ -15,8 +16,7 @@
 #include <cstdint>
 #include <string>
 
-class vtkAlgorithm;
-class vtkHartleyProjection;
+class vtkImageAlgorithm;
 class vtkImageData;
 
 namespace gtn
@@ -41,7 +41,11 @@ public:
   /** Whether it is a .ghv file. */
   bool IsFile() const { return this->Reader; }
 
-  void Connect(vtkHartleyProjection* projection) const;
+  /** Bytes read from the .ghv file since it was opened. */
+  std::uint64_t GetBytesRead() const;
+
+  /** Makes the volume the input of an algorithm. */
+  void Connect(vtkImageAlgorithm* algorithm) const;
 
 private:
   void OpenFile();
@@ -49,7 +53,7 @@ private:
   void SetPlace(vtkImageData* volume);
 
   const std::string File;
-  vtkSmartPointer<vtkAlgorithm> Reader;
+  vtkSmartPointer<vtkGatunHartleyReader> Reader;
   vtkSmartPointer<vtkImageData> Volume;
   std::string Array;
   gatun::Range Range;

@@ -5,7 +5,6 @@
 
 #include "gtnFailure.h"
 #include "gtnJson.h"
-#include "gtnParseJson.h"
 #include "gtnText.h"
 
 #include "vtkCamera.h"
@@ -18,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace gtn
 {
@@ -26,7 +26,7 @@ namespace
 
 using Vector = std::array<double, 3>;
 
-// What a file says; any of it may be missing.
+// The values in a file, any of which may be missing.
 struct CameraFile
 {
   std::optional<Vector> Position;
@@ -37,7 +37,7 @@ struct CameraFile
 };
 
 std::optional<Vector> ReadVector(
-  const ::Json::Value& root, const std::string& file, const std::string& name)
+  const Json::Value& root, const std::string& file, const std::string& name)
 {
   if (!root.isMember(name))
   {
@@ -53,13 +53,13 @@ std::optional<Vector> ReadVector(
 
 // A number above zero and below a limit.
 std::optional<double> ReadPositive(
-  const ::Json::Value& root, const std::string& file, const std::string& name, double limit)
+  const Json::Value& root, const std::string& file, const std::string& name, double limit)
 {
   if (!root.isMember(name))
   {
     return {};
   }
-  const ::Json::Value& value = root[name];
+  const Json::Value& value = root[name];
   if (!value.isNumeric() || !(value.asDouble() > 0 && value.asDouble() < limit))
   {
     throw Failure(file,
@@ -71,7 +71,7 @@ std::optional<double> ReadPositive(
 
 CameraFile ReadCameraFile(const std::string& file)
 {
-  const ::Json::Value root = ReadJson(file);
+  const Json::Value root = ReadJson(file);
   if (!root.isObject())
   {
     throw Failure(file, "is not a camera: it holds no object");
@@ -99,11 +99,11 @@ CameraFile ReadCameraFile(const std::string& file)
 // As vtkRenderer::ResetCamera does, which would need a window to know the aspect.
 void ShowAll(vtkCamera* camera, const gatun::Bounds& bounds, double aspect)
 {
-  Vector centre{};
+  Vector center{};
   double radius = 0;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    centre[i] = bounds[i].Min / 2 + bounds[i].Max / 2;
+    center[i] = bounds[i].Min / 2 + bounds[i].Max / 2;
     radius = std::hypot(radius, bounds[i].Max / 2 - bounds[i].Min / 2);
   }
   radius = radius > 0 ? radius : 0.5; // a lone point
@@ -115,8 +115,8 @@ void ShowAll(vtkCamera* camera, const gatun::Bounds& bounds, double aspect)
     scale /= aspect;
   }
   const double distance = radius / std::sin(halfAngle);
-  camera->SetFocalPoint(centre.data());
-  camera->SetPosition(centre[0], centre[1], centre[2] + distance);
+  camera->SetFocalPoint(center.data());
+  camera->SetPosition(center[0], center[1], center[2] + distance);
   camera->SetParallelScale(scale);
 }
 
@@ -177,8 +177,8 @@ void Elevate(vtkCamera* camera, double degrees)
   vtkMath::RotateVectorByWXYZ(arm.data(), rotation.data(), raised.data());
   Vector up{};
   vtkMath::RotateVectorByWXYZ(camera->GetViewUp(), rotation.data(), up.data());
-  const double* const centre = camera->GetFocalPoint();
-  camera->SetPosition(centre[0] + raised[0], centre[1] + raised[1], centre[2] + raised[2]);
+  const double* const center = camera->GetFocalPoint();
+  camera->SetPosition(center[0] + raised[0], center[1] + raised[1], center[2] + raised[2]);
   camera->SetViewUp(up.data());
 }
 
@@ -200,20 +200,10 @@ void Turn(vtkCamera* camera, const Vector& turns)
   const Vector forward = toScene({ 0, 0, 1 });
   const Vector up = toScene({ 0, -1, 0 });
   const double distance = camera->GetDistance();
-  const double* const centre = camera->GetFocalPoint();
-  camera->SetPosition(centre[0] - distance * forward[0], centre[1] - distance * forward[1],
-    centre[2] - distance * forward[2]);
+  const double* const center = camera->GetFocalPoint();
+  camera->SetPosition(center[0] - distance * forward[0], center[1] - distance * forward[1],
+    center[2] - distance * forward[2]);
   camera->SetViewUp(up.data());
-}
-
-void AddVector(Json& json, std::string_view name, const double* vector)
-{
-  json.BeginArray(name);
-  for (int i = 0; i < 3; ++i)
-  {
-    json.Add({}, vector[i]);
-  }
-  json.EndArray();
 }
 
 } // anonymous namespace
@@ -240,7 +230,7 @@ vtkSmartPointer<vtkCamera> MakeCamera(
   {
     Turn(camera, *options.Turns);
   }
-  // Whoever says where the camera is wants it there.
+  // A given position is kept.
   const bool isPlaced = wanted.Position || options.Turns;
   camera->Azimuth(options.Azimuth.value_or(isPlaced ? 0 : 30) + turn);
   Elevate(camera, options.Elevation.value_or(isPlaced ? 0 : 20));
@@ -250,14 +240,15 @@ vtkSmartPointer<vtkCamera> MakeCamera(
 }
 
 //------------------------------------------------------------------------------
-void AddCamera(Json& json, std::string_view name, vtkCamera* camera)
+Json::Value DescribeCamera(vtkCamera* camera)
 {
-  json.BeginObject(name);
-  AddVector(json, "position", camera->GetPosition());
-  AddVector(json, "focalPoint", camera->GetFocalPoint());
-  AddVector(json, "viewUp", camera->GetViewUp());
-  json.Add("viewAngle", camera->GetViewAngle());
-  json.Add("parallelScale", camera->GetParallelScale());
-  json.EndObject();
+  const auto vector = [](const double* numbers) { return JsonArray(std::span(numbers, 3)); };
+  Json::Value json;
+  json["position"] = vector(camera->GetPosition());
+  json["focalPoint"] = vector(camera->GetFocalPoint());
+  json["viewUp"] = vector(camera->GetViewUp());
+  json["viewAngle"] = camera->GetViewAngle();
+  json["parallelScale"] = camera->GetParallelScale();
+  return json;
 }
 }

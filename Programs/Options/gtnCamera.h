@@ -3,7 +3,9 @@
 #ifndef gtnCamera_h
 #define gtnCamera_h
 
-// From where a mesh is looked at.
+// The camera of an image.
+
+#include "gtnJson.h"
 
 #include "gatunTypes.h"
 
@@ -12,36 +14,33 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <string_view>
 
 class vtkCamera;
 
 namespace gtn
 {
-class Json;
-
 struct CameraOptions
 {
-  std::string File; ///< with what the camera is, or none
+  std::string File; ///< with a camera as JSON; may be empty
   std::optional<double> Azimuth;
   std::optional<double> Elevation;
   double Roll = 0;
   double Zoom = 1;
   bool Parallel = false;
 
-  /** Instead of a file: rotations of what is seen about x, then y, then z, in units of pi; it is
-   * then looked at along z, with x to the right and y downwards. */
+  /** Replaces the file: rotations of the scene about x, then y, then z, in units of pi. The camera
+   * looks along z, with x to the right and y down. */
   std::optional<std::array<double, 3>> Turns;
 };
 
-/** A camera that sees all of a box, as vtkRenderer::ResetCamera places it, but for what the file
- * says; then moved as the other options say, with so many degrees added to the azimuth. Throws
- * Failure, for the file, if what it says makes no view. */
+/** Makes a camera that sees a whole box, as vtkRenderer::ResetCamera places it, with the values of
+ * the file in place of those. Then the other options move it, with a given number of degrees added
+ * to the azimuth. Throws Failure for the file if the result is no view. */
 vtkSmartPointer<vtkCamera> MakeCamera(
   const CameraOptions& options, const gatun::Bounds& bounds, double aspect, double turn);
 
-/** Describes a camera as such a file does. */
-void AddCamera(Json& json, std::string_view name, vtkCamera* camera);
+/** Returns a camera in the form of such a file. */
+Json::Value DescribeCamera(vtkCamera* camera);
 }
 
 #endif

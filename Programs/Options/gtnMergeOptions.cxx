@@ -38,24 +38,27 @@ std::map<std::string, double> MergeOptions::GetWeights() const
 std::vector<CLI::Option*> AddMergeOptions(CLI::App* command, MergeOptions& options)
 {
   const auto given = [&options](const std::string&) { options.AreGiven = true; };
-  return { command
-             ->add_option("--weight", options.Weights,
-               "A point array that counts, and how much relative to others (default: the active "
-               "scalars, or else all alike); may be given several times")
-             ->option_text("NAME[=WEIGHT]")
-             ->allow_extra_args(false)
-             ->each(given),
+  return {
+    command
+      ->add_option("--weight", options.Weights,
+        "Point array whose error is minimized, and its weight relative to other arrays, 0 or more "
+        "(default: the active scalars, or else all arrays, with weight 1); may be repeated")
+      ->option_text("NAME[=WEIGHT]")
+      ->allow_extra_args(false)
+      ->each(given),
     command
       ->add_option("--metric", options.Metric,
-        "How much each tetrahedron counts: mass, as its volume; density, all alike (default: mass)")
+        "Weight of each tetrahedron: its volume (mass), or the same for all (density) (default: "
+        "mass)")
       ->check(CLI::IsMember({ "mass", "density" }))
       ->option_text("NAME")
       ->each(given),
     command
       ->add_option("--boundary-weight", options.BoundaryWeight,
-        "How much the shape of the boundary counts there, 0 to 1; the rest is the data")
+        "Weight of the boundary's shape relative to the data, 0 to 1 (default: 0.5)")
       ->check(CLI::Range(0., 1.))
-      ->option_text("W [0.5]")
-      ->each(given) };
+      ->option_text("W")
+      ->each(given)
+  };
 }
 }

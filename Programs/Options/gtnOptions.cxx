@@ -8,7 +8,7 @@ namespace gtn
 //------------------------------------------------------------------------------
 void AddForce(CLI::App* command, bool& overwrite)
 {
-  command->add_flag("-f,--force", overwrite, "Replace OUT if it exists");
+  command->add_flag("-f,--force", overwrite, "Overwrite OUT if it exists");
 }
 
 //------------------------------------------------------------------------------

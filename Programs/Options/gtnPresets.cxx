@@ -25,35 +25,35 @@ struct Preset
 const std::vector<Preset>& GetPresets()
 {
   static const std::vector<Preset> presets{
-    // Two colours around a pale middle; what is high is hardly hidden by what is low.
+    // Two colors around a pale middle; low values hardly hide high ones.
     { "cool-warm",
       { { { 0, 0.20, 0.28, 0.78 }, { 0.5, 0.88, 0.87, 0.86 }, { 1, 0.74, 0.04, 0.14 } },
         { { 0, 0.05 }, { 0.25, 0.03 }, { 0.5, 0.02 }, { 0.75, 0.15 }, { 1, 0.5 } },
-        ColourSpace::Lab } },
-    // From dark to light, told apart by whatever eyes.
+        ColorSpace::Lab } },
+    // From dark to light, for all kinds of color vision.
     { "dusk",
       { { { 0, 0.30, 0.10, 0.45 }, { 0.3, 0.23, 0.36, 0.60 }, { 0.6, 0.13, 0.62, 0.54 },
           { 0.85, 0.60, 0.83, 0.25 }, { 1, 0.99, 0.91, 0.20 } },
-        { { 0, 0.01 }, { 0.3, 0.06 }, { 1, 0.45 } }, ColourSpace::Lab } },
+        { { 0, 0.01 }, { 0.3, 0.06 }, { 1, 0.45 } }, ColorSpace::Lab } },
     // What is high glows.
     { "heat",
       { { { 0, 0.10, 0.00, 0.02 }, { 0.35, 0.70, 0.06, 0.02 }, { 0.7, 1.00, 0.55, 0.05 },
           { 1, 1.00, 0.98, 0.80 } },
-        { { 0, 0 }, { 0.1, 0.01 }, { 0.5, 0.08 }, { 1, 0.40 } }, ColourSpace::RGB } },
-    // The same everywhere but for its grey: what is in front hides what is behind.
-    { "grey",
+        { { 0, 0 }, { 0.1, 0.01 }, { 0.5, 0.08 }, { 1, 0.40 } }, ColorSpace::RGB } },
+    // The same opacity for all values: the front hides the back.
+    { "gray",
       { { { 0, 0.08, 0.08, 0.08 }, { 1, 0.96, 0.96, 0.96 } }, { { 0, 0.02 }, { 1, 0.25 } },
-        ColourSpace::RGB } },
-    // Dark shadows of what is dense, as on film turned over; for --mode xray too.
+        ColorSpace::RGB } },
+    // Dense parts are bright, as on an X-ray film; for --mode xray, too.
     { "xray",
       { { { 0, 0.75, 0.85, 1.00 }, { 1, 1.00, 1.00, 1.00 } }, { { 0, 0 }, { 1, 0.06 } },
-        ColourSpace::RGB } },
+        ColorSpace::RGB } },
     // Of a scan: air is not seen, soft tissue is a haze, bones are solid.
     { "bone",
       { { { 0, 0.35, 0.10, 0.05 }, { 0.35, 0.80, 0.42, 0.30 }, { 0.55, 0.95, 0.80, 0.62 },
           { 1, 1.00, 0.99, 0.95 } },
         { { 0, 0 }, { 0.25, 0 }, { 0.35, 0.03 }, { 0.5, 0.06 }, { 0.65, 0.5 }, { 1, 0.9 } },
-        ColourSpace::RGB } },
+        ColorSpace::RGB } },
   };
   return presets;
 }

@@ -35,7 +35,7 @@ constexpr std::array<NamedMode, 4> Modes{ { { "composite", vtkGatunRayCaster::CO
 
 void AddMeshOptions(CLI::App* command, RenderOptions& options)
 {
-  const char* const group = "What is drawn";
+  const char* const group = "Data";
   for (CLI::Option* option : AddArray(command, options.Input.Array, "Point or cell array"))
   {
     option->group(group);
@@ -58,53 +58,55 @@ void AddModeOption(CLI::App* command, RenderOptions& options)
             return name == mode.Name;
           })->BlendMode;
       },
-      "composite (the default): colour and opacity from front to back; area: the same, but one "
-      "sample a tetrahedron, which is fast and coarse; mip: the largest value; xray: opacities add "
-      "up, whatever lies in front")
+      "Blend mode: composite (front to back), area (composite with one sample per tetrahedron, "
+      "fast and coarse), mip (maximum intensity) or xray (sum of opacities) (default: composite)")
     ->check(CLI::IsMember({ "composite", "area", "mip", "xray" }))
     ->option_text("NAME")
-    ->group("Picture");
+    ->group("Image");
 }
 
 void AddShadeOption(CLI::App* command, RenderOptions& options)
 {
   command
-    ->add_flag("--shade", options.Shade,
-      "Light from the camera falls on surfaces of equal values (modes composite and area)")
-    ->group("Colours and opacities");
+    ->add_flag(
+      "--shade", options.Shade, "Shade isosurfaces by a headlight (modes composite and area)")
+    ->group("Colors and opacities");
 }
 
 void AddCostOptions(CLI::App* command, RenderOptions& options)
 {
-  const char* const group = "Cost";
+  const char* const group = "Sampling and cost";
   command
     ->add_option("--sample-distance", options.SampleDistance,
-      "Of samples along a ray, above 0, in units of the coordinates (default: as wide as a pixel "
-      "in the middle of the mesh)")
+      "Distance between samples along a ray, above 0, in units of the coordinates (default: the "
+      "width of a pixel at the center of the mesh)")
     ->check(Positive())
     ->option_text("D")
     ->group(group);
   command
-    ->add_option(
-      "--memory", options.Memory, "MiB of decoded mesh to keep for the next picture, 0 to 1048576")
+    ->add_option("--memory", options.Memory,
+      "Memory budget for decoded chunks that are kept for the next image, in MiB, 0 to 1048576 "
+      "(default: 512)")
     ->check(CLI::Range(0, 1 << 20))
-    ->option_text("MIB [512]")
+    ->option_text("MIB")
     ->group(group);
   command
     ->add_option("--ratio", options.Ratio,
-      "Part of the points to merge away, 0 to 1; of a .gtn file that has a hierarchy (gtn pack "
-      "--hierarchy), or found out first")
+      "Fraction of points removed before rendering, 0 to 1 (default: 0). The edge collapses are "
+      "read from the hierarchy of a .gtn file (gtn pack --hierarchy), or computed first")
     ->check(CLI::Range(0., 1.))
-    ->option_text("R [0]");
+    ->option_text("R")
+    ->group(group);
   command
     ->add_option("--budget", options.TimeBudget,
-      "Seconds that a picture may take once the mesh is there: as many points are merged away as "
-      "that needs, by what was measured on the pictures before")
+      "Time budget per image in seconds, once the mesh is loaded; the level of detail is chosen by "
+      "the times of the images before (default: no limit)")
     ->check(CLI::NonNegativeNumber)
-    ->option_text("SECONDS");
-  command->add_flag("--stats", options.Statistics, "Print what it took; of a turntable, medians")
+    ->option_text("SECONDS")
     ->group(group);
-  command->add_flag("--json", options.Json, "Print the same of each picture, as JSON")
+  command->add_flag("--stats", options.Statistics, "Print statistics; medians for a turntable")
+    ->group(group);
+  command->add_flag("--json", options.Json, "Print the statistics of each image as JSON")
     ->group(group);
 }
 
@@ -122,32 +124,31 @@ const char* NameOfMode(int blendMode)
 CLI::App* AddRenderOptions(CLI::App& app, Settings& settings, RenderOptions& options)
 {
   CLI::App* command = AddCommand(app, settings, "render",
-    "Draw a mesh as a volume, into a .png or .exr file; no display is needed. A .gtn file is "
-    "drawn\n"
-    "as it is: only those chunks that are seen are decoded, one by one, and the mesh is never in\n"
-    "memory as a whole; other meshes are. The .exr file has floats, opacity multiplied in, and "
-    "the\n"
-    "distance of what is seen as channel Z.",
+    "Render a mesh as a volume to a .png or .exr file; no display is needed. Only the visible "
+    "chunks of\n"
+    "a .gtn file are decoded, one after the other; other meshes are read as a whole. An .exr file "
+    "has\n"
+    "float values with premultiplied opacity, and the depth as channel Z.",
     "  gtn render mesh.gtn mesh.png\n"
     "  gtn render --array pressure --tf heat --background black --size 1920x1080 mesh.gtn "
     "mesh.png\n"
     "  gtn render --tf bone --range 0,1500 --opacity 2 --elevation 90 scan.gtn scan.png\n"
-    "  gtn render --turntable 36 --stats mesh.gtn around.png      around-000.png to "
-    "around-035.png\n"
+    "  gtn render --turntable 36 mesh.gtn around.png      # around-000.png to around-035.png\n"
     "  gtn render --mode xray --tf xray --camera view.json mesh.vtu mesh.exr");
   AddForce(command, options.Overwrite);
-  AddPictureOptions(command, options);
+  AddImageOptions(command, options);
   AddModeOption(command, options);
   AddMeshOptions(command, options);
   AddViewOptions(command, options.Camera, "mesh");
   command
     ->add_flag("--parallel", options.Camera.Parallel, "Parallel projection (default: perspective)")
     ->group("View");
-  AddColourOptions(command, options, "mesh");
+  AddColorOptions(command, options, "mesh");
   AddShadeOption(command, options);
   AddCostOptions(command, options);
-  command->add_option("IN", options.Input.File, std::string("A mesh: ") + InputFormats)->required();
-  command->add_option("OUT", options.Out, "The .png or .exr file")->required();
+  command->add_option("IN", options.Input.File, std::string("The mesh: ") + InputFormats)
+    ->required();
+  command->add_option("OUT", options.Out, "The .png or .exr file to write")->required();
   return command;
 }
 }

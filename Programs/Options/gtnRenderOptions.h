@@ -3,9 +3,9 @@
 #ifndef gtnRenderOptions_h
 #define gtnRenderOptions_h
 
-// What gtn render can be told.
+// The options of gtn render.
 
-#include "gtnPictureOptions.h"
+#include "gtnImageOptions.h"
 #include "gtnRenderInput.h"
 #include "gtnSettings.h"
 
@@ -16,7 +16,7 @@
 
 namespace gtn
 {
-struct RenderOptions : PictureOptions
+struct RenderOptions : ImageOptions
 {
   RenderInputOptions Input;
   bool Shade = false;

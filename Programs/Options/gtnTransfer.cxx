@@ -15,21 +15,21 @@ namespace gtn
 //------------------------------------------------------------------------------
 bool IsNormalized(const Transfer& transfer)
 {
-  return transfer.Colours.front().Value == 0 && transfer.Colours.back().Value == 1;
+  return transfer.Colors.front().Value == 0 && transfer.Colors.back().Value == 1;
 }
 
 //------------------------------------------------------------------------------
 void Stretch(Transfer& transfer, const gatun::Range& range)
 {
-  const double first = transfer.Colours.front().Value;
-  const double extent = transfer.Colours.back().Value - first;
+  const double first = transfer.Colors.front().Value;
+  const double extent = transfer.Colors.back().Value - first;
   const auto move = [&](double& value)
   {
     // Exact at both ends, and without overflow where the range is as wide as numbers go.
     const double t = (value - first) / extent;
     value = range.Min * (1 - t) + range.Max * t;
   };
-  for (ColourNode& node : transfer.Colours)
+  for (ColorNode& node : transfer.Colors)
   {
     move(node.Value);
   }
@@ -51,32 +51,32 @@ void ScaleOpacity(Transfer& transfer, double factor)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkVolumeProperty> MakeProperty(const Transfer& transfer, double unitDistance)
 {
-  vtkNew<vtkColorTransferFunction> colours;
-  colours->SetAllowDuplicateScalars(1);
+  vtkNew<vtkColorTransferFunction> colors;
+  colors->SetAllowDuplicateScalars(1);
   switch (transfer.Space)
   {
-    case ColourSpace::RGB:
-      colours->SetColorSpaceToRGB();
+    case ColorSpace::RGB:
+      colors->SetColorSpaceToRGB();
       break;
-    case ColourSpace::HSV:
-      colours->SetColorSpaceToHSV();
+    case ColorSpace::HSV:
+      colors->SetColorSpaceToHSV();
       break;
-    case ColourSpace::Lab:
-      colours->SetColorSpaceToLab();
+    case ColorSpace::Lab:
+      colors->SetColorSpaceToLab();
       break;
-    case ColourSpace::LabCIEDE2000:
-      colours->SetColorSpaceToLabCIEDE2000();
+    case ColorSpace::LabCIEDE2000:
+      colors->SetColorSpaceToLabCIEDE2000();
       break;
-    case ColourSpace::Diverging:
-      colours->SetColorSpaceToDiverging();
+    case ColorSpace::Diverging:
+      colors->SetColorSpaceToDiverging();
       break;
-    case ColourSpace::Step:
-      colours->SetColorSpaceToStep();
+    case ColorSpace::Step:
+      colors->SetColorSpaceToStep();
       break;
   }
-  for (const ColourNode& node : transfer.Colours)
+  for (const ColorNode& node : transfer.Colors)
   {
-    colours->AddRGBPoint(node.Value, node.Red, node.Green, node.Blue);
+    colors->AddRGBPoint(node.Value, node.Red, node.Green, node.Blue);
   }
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AllowDuplicateScalarsOn();
@@ -85,7 +85,7 @@ vtkSmartPointer<vtkVolumeProperty> MakeProperty(const Transfer& transfer, double
     opacity->AddPoint(node.Value, node.Opacity, node.Midpoint, node.Sharpness);
   }
   vtkNew<vtkVolumeProperty> property;
-  property->SetColor(colours);
+  property->SetColor(colors);
   property->SetScalarOpacity(opacity);
   property->SetScalarOpacityUnitDistance(unitDistance);
   return property;

@@ -3,7 +3,7 @@
 #ifndef gtnTransfer_h
 #define gtnTransfer_h
 
-// Which value has which colour and opacity.
+// Which value has which color and opacity.
 
 #include "gatunTypes.h"
 
@@ -16,7 +16,7 @@ class vtkVolumeProperty;
 
 namespace gtn
 {
-struct ColourNode
+struct ColorNode
 {
   double Value;
   double Red;
@@ -33,8 +33,8 @@ struct OpacityNode
   double Sharpness = 0;
 };
 
-/** How colours between two nodes are mixed, as vtkColorTransferFunction can. */
-enum class ColourSpace
+/** How colors between two nodes are mixed, as vtkColorTransferFunction can. */
+enum class ColorSpace
 {
   RGB,
   HSV,
@@ -45,28 +45,28 @@ enum class ColourSpace
 };
 
 /** Nodes by ascending value; several may be at one value, where there is a jump. Outside them,
- * their outermost colours and opacities go on. */
+ * their outermost colors and opacities go on. */
 struct Transfer
 {
-  std::vector<ColourNode> Colours;    ///< at least two, not all at one value
+  std::vector<ColorNode> Colors;      ///< at least two, not all at one value
   std::vector<OpacityNode> Opacities; ///< at least one
-  ColourSpace Space = ColourSpace::RGB;
+  ColorSpace Space = ColorSpace::RGB;
 };
 
 /** Names of the transfer functions that are built in. */
 std::vector<std::string> GetPresetNames();
 
-/** A built-in one, for values of 0 to 1, or one from a file: a colour map as ParaView exports it.
+/** A built-in one, for values of 0 to 1, or one from a file: a color map as ParaView exports it.
  * Throws UsageError if the name is neither, and Failure if the file is no good. */
 Transfer FindTransfer(const std::string& presetOrFile);
 
 /** From a file. Throws Failure. */
 Transfer ReadTransfer(const std::string& file);
 
-/** Whether the colours are for values of 0 to 1, to be stretched to those of the mesh. */
+/** Whether the colors are for values of 0 to 1, to be stretched to those of the mesh. */
 bool IsNormalized(const Transfer& transfer);
 
-/** Moves all nodes as it takes to bring the first colour to Min and the last one to Max. */
+/** Moves all nodes as it takes to bring the first color to Min and the last one to Max. */
 void Stretch(Transfer& transfer, const gatun::Range& range);
 
 /** Multiplies all opacities, which stay at most 1. */

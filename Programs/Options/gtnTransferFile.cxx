@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Colour maps in the files that ParaView exports and imports: a list of maps, of which the first
+// Color maps in the files that ParaView exports and imports: a list of maps, of which the first
 // one counts. RGBPoints: value, red, green, blue of each node. Points, which may be missing: value,
 // opacity, midpoint, sharpness of each node.
 
 #include "gtnTransfer.h"
 
 #include "gtnFailure.h"
-#include "gtnParseJson.h"
+#include "gtnJson.h"
 #include "gtnText.h"
 
 #include <fmt/core.h>
@@ -35,7 +35,7 @@ public:
   [[noreturn]] void Fail(const std::string& reason) const { throw Failure(this->File, reason); }
 
   /** Numbers in groups of four, the first of each ascending, the others 0 to 1. */
-  std::vector<double> ReadNodes(const ::Json::Value& map, const std::string& name) const
+  std::vector<double> ReadNodes(const Json::Value& map, const std::string& name) const
   {
     std::vector<double> numbers = NumbersOf(map[name], this->File, name);
     if (numbers.empty() || numbers.size() % 4 != 0)
@@ -60,22 +60,22 @@ public:
     return numbers;
   }
 
-  ColourSpace ReadSpace(const ::Json::Value& map) const
+  ColorSpace ReadSpace(const Json::Value& map) const
   {
-    constexpr std::array<std::pair<std::string_view, ColourSpace>, 8> known{ {
-      { "RGB", ColourSpace::RGB },
-      { "HSV", ColourSpace::HSV },
-      { "Lab", ColourSpace::Lab },
-      { "CIELAB", ColourSpace::Lab },
-      { "LabCIEDE2000", ColourSpace::LabCIEDE2000 },
-      { "Lab/CIEDE2000", ColourSpace::LabCIEDE2000 },
-      { "Diverging", ColourSpace::Diverging },
-      { "Step", ColourSpace::Step },
+    constexpr std::array<std::pair<std::string_view, ColorSpace>, 8> known{ {
+      { "RGB", ColorSpace::RGB },
+      { "HSV", ColorSpace::HSV },
+      { "Lab", ColorSpace::Lab },
+      { "CIELAB", ColorSpace::Lab },
+      { "LabCIEDE2000", ColorSpace::LabCIEDE2000 },
+      { "Lab/CIEDE2000", ColorSpace::LabCIEDE2000 },
+      { "Diverging", ColorSpace::Diverging },
+      { "Step", ColorSpace::Step },
     } };
-    const ::Json::Value& space = map["ColorSpace"];
+    const Json::Value& space = map["ColorSpace"];
     if (space.isNull())
     {
-      return ColourSpace::RGB;
+      return ColorSpace::RGB;
     }
     const std::string name = space.isString() ? space.asString() : "";
     const auto* const found = std::find_if(
@@ -98,23 +98,23 @@ private:
 //------------------------------------------------------------------------------
 Transfer ReadTransfer(const std::string& file)
 {
-  const ::Json::Value root = ReadJson(file);
+  const Json::Value root = ReadJson(file);
   const MapFile mapFile(file);
   const bool isList = root.isArray() && !root.empty();
-  const ::Json::Value map = isList ? root[0] : root;
+  const Json::Value map = isList ? root[0] : root;
   if (!map.isObject() || !map.isMember("RGBPoints"))
   {
-    mapFile.Fail("is not a colour map: there are no RGBPoints");
+    mapFile.Fail("is not a color map: there are no RGBPoints");
   }
 
   Transfer transfer;
-  const std::vector<double> colours = mapFile.ReadNodes(map, "RGBPoints");
-  for (std::size_t i = 0; i < colours.size(); i += 4)
+  const std::vector<double> colors = mapFile.ReadNodes(map, "RGBPoints");
+  for (std::size_t i = 0; i < colors.size(); i += 4)
   {
-    transfer.Colours.push_back({ colours[i], colours[i + 1], colours[i + 2], colours[i + 3] });
+    transfer.Colors.push_back({ colors[i], colors[i + 1], colors[i + 2], colors[i + 3] });
   }
-  const double first = transfer.Colours.front().Value;
-  const double last = transfer.Colours.back().Value;
+  const double first = transfer.Colors.front().Value;
+  const double last = transfer.Colors.back().Value;
   if (!(first < last))
   {
     mapFile.Fail("RGBPoints are all at one value");

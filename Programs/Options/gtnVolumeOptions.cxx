@@ -17,7 +17,7 @@ namespace gtn
 namespace
 {
 
-using Goal = gatun::HartleyQuality::Goal;
+using Mode = gatun::HartleyRateMode;
 
 int ParseBlock(const std::string& text)
 {
@@ -39,21 +39,20 @@ void AddCompression(CLI::App* command, CompressionOptions& options, const char* 
   command
     ->add_option_function<std::string>(
       "--block", [&options](const std::string& text) { options.BlockSize = ParseBlock(text); },
-      "Voxels of a block along each axis, 2 to 64, or whole: one block. Smaller ones are drawn "
-      "with "
-      "better opacities, larger ones take fewer bits")
+      "Voxels of a block along each axis, 2 to 64, or whole: one block. Small blocks give more "
+      "accurate opacities, large blocks need fewer bits")
     ->option_text("N|whole [8]")
     ->group(group);
   const auto add =
-    [&](const char* name, Goal goal, double low, double high, const char* text, const char* value)
+    [&](const char* name, Mode mode, double low, double high, const char* text, const char* value)
   {
     return command
       ->add_option_function<double>(
         name,
-        [&options, goal](double number)
+        [&options, mode](double number)
         {
-          options.Quality.Kind = goal;
-          options.Quality.Value = number;
+          options.RateControl.Mode = mode;
+          options.RateControl.Value = number;
         },
         text)
       ->check(Between(low, high))
@@ -61,55 +60,57 @@ void AddCompression(CLI::App* command, CompressionOptions& options, const char* 
       ->group(group);
   };
   const double most = std::numeric_limits<double>::max();
-  const std::array goals{
-    add("--quality", Goal::Quality, 1, 100,
-      "How well to keep the values, 1 to 100: ten more make errors half as large", "Q [60]"),
-    add("--error", Goal::Error, 0, most,
-      "Root mean square error at most, in the unit of the values; 0: none, but for rounding", "E"),
-    add("--psnr", Goal::PSNR, 1, 300,
-      "Peak signal to noise ratio at least, in dB: 20 log10(range / root mean square error)", "DB"),
-    add("--rate", Goal::Rate, 0.001, 64, "Bits a voxel of the whole file, within 1 %", "BITS")
-  };
-  for (std::size_t i = 0; i < goals.size(); ++i)
+  const std::array modes{ add("--quality", Mode::Quality, 1, 100,
+                            "Quality, 1 to 100: an increase of 10 halves the quantizer's step",
+                            "Q [60]"),
+    add("--rms-error", Mode::RMSError, 0, most,
+      "Upper bound of the root mean square error, in the unit of the values; 0: lossless", "E"),
+    add("--psnr", Mode::PSNR, 1, 200,
+      "Lower bound of the peak signal-to-noise ratio, in dB: 20 log10(range / root mean square "
+      "error)",
+      "DB"),
+    add("--bits-per-voxel", Mode::BitsPerVoxel, 0.001, 64,
+      "Size of the file in bits per voxel, within 1 %", "BITS") };
+  for (std::size_t i = 0; i < modes.size(); ++i)
   {
     for (std::size_t j = 0; j < i; ++j)
     {
-      goals[i]->excludes(goals[j]);
+      modes[i]->excludes(modes[j]);
     }
   }
   command
-    ->add_option("--weight", options.Quality.FrequencyWeight,
-      "How much coarser the highest frequencies are kept than the lowest, 0 (not at all) to 4")
+    ->add_option("--weight", options.RateControl.FrequencyWeight,
+      "How much coarser the highest frequencies are quantized than the lowest, 0 (not at all) to 4")
     ->check(Between(0, 4))
     ->option_text("W [0]")
     ->group(group);
 }
 
 //------------------------------------------------------------------------------
-const char* NameOf(Goal goal)
+const char* NameOf(Mode mode)
 {
-  constexpr std::array<const char*, 4> names{ "quality", "error", "psnr", "rate" };
-  return names.at(static_cast<std::size_t>(goal));
+  constexpr std::array<const char*, 4> names{ "quality", "rmsError", "psnr", "bitsPerVoxel" };
+  return names.at(static_cast<std::size_t>(mode));
 }
 
 //------------------------------------------------------------------------------
-std::string Describe(const gatun::HartleyQuality& quality)
+std::string Describe(const gatun::HartleyRateControl& control)
 {
-  const std::string weight = quality.FrequencyWeight > 0
-    ? fmt::format(", frequency weight {:.4g}", quality.FrequencyWeight)
+  const std::string weight = control.FrequencyWeight > 0
+    ? fmt::format(", frequency weight {:.4g}", control.FrequencyWeight)
     : "";
-  switch (quality.Kind)
+  switch (control.Mode)
   {
-    case Goal::Error:
-      return fmt::format("root mean square error {:.4g} at most{}", quality.Value, weight);
-    case Goal::PSNR:
-      return fmt::format("{:.4g} dB at least{}", quality.Value, weight);
-    case Goal::Rate:
-      return fmt::format("{:.4g} bits a voxel{}", quality.Value, weight);
-    case Goal::Quality:
+    case Mode::RMSError:
+      return fmt::format("RMS error up to {:.4g}{}", control.Value, weight);
+    case Mode::PSNR:
+      return fmt::format("PSNR of at least {:.4g} dB{}", control.Value, weight);
+    case Mode::BitsPerVoxel:
+      return fmt::format("{:.4g} bits per voxel{}", control.Value, weight);
+    case Mode::Quality:
       break;
   }
-  return fmt::format("quality {:.4g}{}", quality.Value, weight);
+  return fmt::format("quality {:.4g}{}", control.Value, weight);
 }
 
 //------------------------------------------------------------------------------

@@ -3,7 +3,7 @@
 #ifndef gtnVolumeOptions_h
 #define gtnVolumeOptions_h
 
-// How volumes are compressed.
+// Options of the compression of volumes.
 
 #include "gatunHartleyVolume.h"
 
@@ -16,44 +16,44 @@ namespace gtn
 struct CompressionOptions
 {
   int BlockSize = 8; ///< 0: whole
-  gatun::HartleyQuality Quality;
+  gatun::HartleyRateControl RateControl;
 
-  /** Applies them to a vtkHartleyVolumeWriter or a vtkHartleyProjection. */
+  /** Sets the properties of a vtkGatunHartleyWriter or a vtkGatunHartleyEncoder. */
   template <typename Algorithm>
   void Apply(Algorithm* algorithm) const
   {
-    using Goal = gatun::HartleyQuality::Goal;
+    using Mode = gatun::HartleyRateMode;
     algorithm->SetBlockSize(this->BlockSize);
-    algorithm->SetGoal(static_cast<int>(this->Quality.Kind));
-    switch (this->Quality.Kind)
+    algorithm->SetRateControl(static_cast<int>(this->RateControl.Mode));
+    switch (this->RateControl.Mode)
     {
-      case Goal::Quality:
-        algorithm->SetQuality(this->Quality.Value);
+      case Mode::Quality:
+        algorithm->SetQuality(this->RateControl.Value);
         break;
-      case Goal::Error:
-        algorithm->SetMaximumError(this->Quality.Value);
+      case Mode::RMSError:
+        algorithm->SetRMSError(this->RateControl.Value);
         break;
-      case Goal::PSNR:
-        algorithm->SetPSNR(this->Quality.Value);
+      case Mode::PSNR:
+        algorithm->SetPSNR(this->RateControl.Value);
         break;
-      case Goal::Rate:
-        algorithm->SetRate(this->Quality.Value);
+      case Mode::BitsPerVoxel:
+        algorithm->SetBitsPerVoxel(this->RateControl.Value);
         break;
     }
-    algorithm->SetFrequencyWeight(this->Quality.FrequencyWeight);
+    algorithm->SetFrequencyWeight(this->RateControl.FrequencyWeight);
   }
 };
 
-/** --block, --quality, --error, --psnr, --rate and --weight. */
+/** --block, --quality, --rms-error, --psnr, --bits-per-voxel and --weight. */
 void AddCompression(CLI::App* command, CompressionOptions& options, const char* group);
 
 /** "quality 60". */
-std::string Describe(const gatun::HartleyQuality& quality);
+std::string Describe(const gatun::HartleyRateControl& control);
 
-/** As in JSON: "quality", "error", "psnr", "rate". */
-const char* NameOf(gatun::HartleyQuality::Goal goal);
+/** As in JSON: "quality", "rmsError", "psnr", "bitsPerVoxel". */
+const char* NameOf(gatun::HartleyRateMode mode);
 
-/** "blocks of 8 x 8 x 8 voxels", or that the whole volume is one. */
+/** "512 blocks of 8 x 8 x 8 voxels". */
 std::string DescribeBlocks(const gatun::HartleyLayout& layout);
 
 /** Peak signal to noise ratio, in dB; infinite without an error. */

@@ -149,11 +149,11 @@ std::string Bar(std::uint64_t count, std::uint64_t most)
 Histogram::Histogram(
   const std::shared_ptr<const gatun::FileReader>& file, const HistogramOptions& options)
   : Array(FindArray(*file, options.Array))
-  , Description(file->GetArrays()[this->Array])
+  , Source(file->GetArrays()[this->Array])
   , BinCount(static_cast<std::size_t>(options.Bins))
   , HasTime(file->HasTime())
 {
-  const std::uint32_t components = this->Description.Components;
+  const std::uint32_t components = this->Source.Components;
   if (options.Component >= static_cast<int>(components))
   {
     throw Failure(file->GetPath(),
@@ -167,7 +167,7 @@ Histogram::Histogram(
     throw Failure(file->GetPath(), "the file has no values");
   }
   this->Read(file);
-  if (this->Description.Where == gatun::Association::Point)
+  if (this->Source.Where == gatun::Association::Point)
   {
     this->FindNeeds(*file);
   }
@@ -246,87 +246,48 @@ void Histogram::FindNeeds(const gatun::FileReader& file)
 }
 
 //------------------------------------------------------------------------------
-void Histogram::Print() const
+void Histogram::Describe(Description& description) const
 {
-  const bool ofPoints = this->Description.Where == gatun::Association::Point;
-  fmt::print(
-    "\nhistogram of {} array {}", ofPoints ? "point" : "cell", Printable(this->Description.Name));
-  if (this->Description.Components > 1)
+  const bool ofPoints = this->Source.Where == gatun::Association::Point;
+  const bool isMagnitude = this->Component >= this->Source.Components;
+  Description& part = description.AddPart(
+    "histogram", this->HasTime ? "histogram of the first time step" : "histogram");
+  part.Add("array", "array", Entry(this->Source.Name));
+  part.Add("association", "of", Entry(ofPoints ? "point" : "cell"));
+  part.Add("component", this->Source.Components > 1 ? "component" : nullptr,
+    isMagnitude ? Entry("magnitude") : Entry(this->Component));
+  part.Add("notANumber", this->NoNumbers > 0 ? "not a number" : nullptr, Entry(this->NoNumbers));
+  part.Add("infinite", this->Infinite > 0 ? "infinite" : nullptr, Entry(this->Infinite));
+
+  Table table{ "bins", "bins", { { "from", "from" }, { "to", "to" }, { "count", "values" } } };
+  if (ofPoints)
   {
-    fmt::print(", {}",
-      this->Component < this->Description.Components ? fmt::format("component {}", this->Component)
-                                                     : std::string("length of the tuples"));
+    part.Add("allBytes", nullptr, Entry(this->AllBytes));
+    table.Title = "bins, and the chunks that an isosurface in the middle of each reads";
+    table.Columns.insert(table.Columns.end(),
+      { { "chunks", "chunks" }, { "tets", "tetrahedra" }, { "bytes", "bytes" }, { nullptr, "%" } });
   }
-  fmt::print("{}\n", this->HasTime ? ", first time step" : "");
+  table.Columns.push_back({ nullptr, "", false });
   std::uint64_t most = 0;
   for (const HistogramBin& bin : this->Bins)
   {
     most = std::max(most, bin.Count);
   }
-  fmt::print("  {:>12} {:>12} {:>14}  {:<{}}", "from", "to", "values", "", BarWidth);
-  fmt::print("{}\n", ofPoints ? "  isosurface in the middle reads" : "");
   for (const HistogramBin& bin : this->Bins)
   {
-    fmt::print("  {:>12.6g} {:>12.6g} {:>14}  ", bin.From, bin.To, Grouped(bin.Count));
+    std::vector<Entry> row{ { bin.From, fmt::format("{:.6g}", bin.From) },
+      { bin.To, fmt::format("{:.6g}", bin.To) }, Entry(bin.Count) };
     if (ofPoints)
     {
-      const double part = static_cast<double>(bin.Bytes) /
+      const double share = static_cast<double>(bin.Bytes) /
         static_cast<double>(std::max<std::uint64_t>(1, this->AllBytes));
-      fmt::print("{:<{}}  {} chunks, {} ({:.0f} %)\n", Bar(bin.Count, most), BarWidth,
-        Grouped(bin.Chunks), ByteSize(bin.Bytes), 100 * part);
+      row.insert(row.end(),
+        { Entry(bin.Chunks), Entry(bin.Tets), Entry(bin.Bytes),
+          Entry({}, fmt::format("{:.0f}", 100 * share)) });
     }
-    else
-    {
-      fmt::print("{}\n", Bar(bin.Count, most));
-    }
+    row.emplace_back(Json::Value(), Bar(bin.Count, most));
+    table.Rows.push_back(std::move(row));
   }
-  if (this->NoNumbers > 0)
-  {
-    fmt::print("  not a number: {}\n", Grouped(this->NoNumbers));
-  }
-  if (this->Infinite > 0)
-  {
-    fmt::print("  infinite: {}\n", Grouped(this->Infinite));
-  }
-}
-
-//------------------------------------------------------------------------------
-void Histogram::Add(Json& json) const
-{
-  const bool ofPoints = this->Description.Where == gatun::Association::Point;
-  json.BeginObject("histogram");
-  json.Add("array", this->Description.Name);
-  json.Add("association", ofPoints ? "point" : "cell");
-  if (this->Component < this->Description.Components)
-  {
-    json.Add("component", static_cast<std::uint64_t>(this->Component));
-  }
-  else
-  {
-    json.Add("component", "magnitude");
-  }
-  json.Add("notANumber", this->NoNumbers);
-  json.Add("infinite", this->Infinite);
-  if (ofPoints)
-  {
-    json.Add("allBytes", this->AllBytes);
-  }
-  json.BeginArray("bins");
-  for (const HistogramBin& bin : this->Bins)
-  {
-    json.BeginObject();
-    json.Add("from", bin.From);
-    json.Add("to", bin.To);
-    json.Add("count", bin.Count);
-    if (ofPoints)
-    {
-      json.Add("chunks", bin.Chunks);
-      json.Add("tets", bin.Tets);
-      json.Add("bytes", bin.Bytes);
-    }
-    json.EndObject();
-  }
-  json.EndArray();
-  json.EndObject();
+  part.Add(std::move(table));
 }
 }

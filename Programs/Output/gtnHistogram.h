@@ -5,7 +5,7 @@
 
 // How the values of an array of a .gtn file are spread, and what an isosurface of it would read.
 
-#include "gtnJson.h"
+#include "gtnDescription.h"
 
 #include "gatunFileReader.h"
 
@@ -43,15 +43,15 @@ public:
   /** Decodes the array, some chunks at a time. Throws Failure if it is not there. */
   Histogram(const std::shared_ptr<const gatun::FileReader>& file, const HistogramOptions& options);
 
-  void Print() const;
-  void Add(Json& json) const;
+  /** Adds a part with the histogram. */
+  void Describe(Description& description) const;
 
 private:
   void Read(const std::shared_ptr<const gatun::FileReader>& file);
   void FindNeeds(const gatun::FileReader& file);
 
   std::uint32_t Array = 0;
-  gatun::ArrayDescription Description;
+  gatun::ArrayDescription Source;
   std::uint32_t Component = 0; // their number: the length
   std::size_t BinCount;
   std::vector<HistogramBin> Bins;

@@ -22,7 +22,7 @@ const char* NameOf(gatun::LayerSpacing spacing)
                                                  : "other";
 }
 
-/** Chunks whose values are in as many layers. */
+/** The chunks whose values are in the same number of layers. */
 struct Spanning
 {
   std::vector<std::uint32_t> Chunks;
@@ -42,7 +42,7 @@ std::map<std::uint32_t, Spanning> SpansOf(const gatun::FileReader& file)
   return spans;
 }
 
-/** Of the mesh and, if there is any value, of the array at the first step. */
+/** Returns the bytes of the mesh and, if it has values, of the array at the first step. */
 std::uint64_t BytesOf(const gatun::FileReader& file, const Spanning& span)
 {
   const std::uint32_t array = file.GetLayers().Array;
@@ -52,63 +52,32 @@ std::uint64_t BytesOf(const gatun::FileReader& file, const Spanning& span)
 }
 
 //------------------------------------------------------------------------------
-void PrintLayers(const gatun::FileReader& file)
+void DescribeLayers(const gatun::FileReader& file, Description& description)
 {
-  if (!file.HasLayers())
-  {
-    return;
-  }
   const gatun::Layers& layers = file.GetLayers();
   const gatun::ArrayDescription& array = file.GetArrays()[layers.Array];
-  const std::string component = array.Components == 1 ? ""
-    : layers.Component < array.Components ? fmt::format(", component {}", layers.Component)
-                                          : std::string(", length of the tuples");
-  fmt::print("  layers           {} of {}{} ({})\n", layers.GetCount(), Printable(array.Name),
-    component, NameOf(layers.Spacing));
-  for (const auto& [width, span] : SpansOf(file))
-  {
-    fmt::print("    in {:<4}        {} chunks, {} tetrahedra, {} bytes of mesh and array\n", width,
-      Grouped(span.Chunks.size()), Grouped(span.Tets), Grouped(BytesOf(file, span)));
-  }
-}
-
-//------------------------------------------------------------------------------
-void AddLayers(Json& json, const gatun::FileReader& file)
-{
-  if (!file.HasLayers())
-  {
-    return;
-  }
-  const gatun::Layers& layers = file.GetLayers();
-  json.BeginObject("layers");
-  json.Add("array", file.GetArrays()[layers.Array].Name);
-  if (layers.Component >= 0)
-  {
-    json.Add("component", static_cast<std::uint64_t>(layers.Component));
-  }
-  else
-  {
-    json.Add("component", "magnitude");
-  }
-  json.Add("spacing", NameOf(layers.Spacing));
-  json.Add("count", static_cast<std::uint64_t>(layers.GetCount()));
-  json.BeginArray("bounds");
+  const bool isMagnitude = layers.Component < 0;
+  Description& part = description.AddPart("layers", "layers");
+  part.Add("array", "array", Entry(array.Name));
+  part.Add("component", array.Components == 1 ? nullptr : "component",
+    isMagnitude ? Entry("magnitude") : Entry(layers.Component));
+  part.Add("spacing", "spacing", Entry(NameOf(layers.Spacing)));
+  part.Add("count", "count", Entry(layers.GetCount()));
+  std::vector<std::string> bounds;
   for (const double bound : layers.Bounds)
   {
-    json.Add({}, bound);
+    bounds.push_back(fmt::format("{:.6g}", bound));
   }
-  json.EndArray();
-  json.BeginArray("spans");
+  part.Add("bounds", "bounds", { JsonArray(layers.Bounds), Joined(bounds) });
+
+  Table spans{ "spans", "chunks by the number of layers that their values are in",
+    { { "layers", "layers" }, { "chunks", "chunks" }, { "tets", "tetrahedra" },
+      { "bytes", "bytes of mesh and array" } } };
   for (const auto& [width, span] : SpansOf(file))
   {
-    json.BeginObject();
-    json.Add("layers", static_cast<std::uint64_t>(width));
-    json.Add("chunks", static_cast<std::uint64_t>(span.Chunks.size()));
-    json.Add("tets", span.Tets);
-    json.Add("bytes", BytesOf(file, span));
-    json.EndObject();
+    spans.Rows.push_back(
+      { Entry(width), Entry(span.Chunks.size()), Entry(span.Tets), Entry(BytesOf(file, span)) });
   }
-  json.EndArray();
-  json.EndObject();
+  part.Add(std::move(spans));
 }
 }

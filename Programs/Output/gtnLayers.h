@@ -3,17 +3,16 @@
 #ifndef gtnLayers_h
 #define gtnLayers_h
 
-// The layers of values by which a .gtn file is organised, as gtn info tells them.
+// The layers of values by which a .gtn file is organized, as gtn info prints them.
 
-#include "gtnJson.h"
+#include "gtnDescription.h"
 
 #include "gatunFileReader.h"
 
 namespace gtn
 {
-/** Both do nothing without layers. */
-void PrintLayers(const gatun::FileReader& file);
-void AddLayers(Json& json, const gatun::FileReader& file);
+/** Adds the layers of a file that has some. */
+void DescribeLayers(const gatun::FileReader& file, Description& description);
 }
 
 #endif

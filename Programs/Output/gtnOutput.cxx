@@ -33,7 +33,7 @@ void CheckWritable(const std::string& file, bool overwrite)
   }
   if (!overwrite && std::filesystem::exists(file, error))
   {
-    throw Failure(file, "exists; give -f to replace it");
+    throw Failure(file, "exists; use -f to overwrite it");
   }
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder, error))

@@ -13,14 +13,14 @@ namespace gtn
 /** Throws Failure if the file exists and may not be replaced, or if its folder is missing. */
 void CheckWritable(const std::string& file, bool overwrite);
 
-/** Throws Failure, without the file's name, if a writer of VTK's says that it could not write, or
- * tells of errors. Those kept by CatchMessages are taken. */
+/** Throws Failure, without the file's name, if a writer of VTK failed or
+ * reported errors. Takes the errors that CatchMessages kept. */
 void CheckWritten(vtkAlgorithm* writer, bool good, const std::string& file);
 
-/** Makes a file of these bytes. Throws Failure, without the file's name. */
+/** Writes these bytes to a file. Throws Failure, without the file's name. */
 void WriteBytes(const std::string& file, std::string_view bytes);
 
-/** A name to write to first; the file gets its own name when it is complete. */
+/** A temporary name for a file, which gets its own name when it is complete. */
 class TemporaryFile
 {
 public:

@@ -3,10 +3,7 @@
 
 #include "gtnRenderStatistics.h"
 
-#include "gtnJson.h"
 #include "gtnText.h"
-
-#include "vtkGatunRayCaster.h"
 
 #include <fmt/core.h>
 
@@ -19,27 +16,10 @@
 
 namespace gtn
 {
-const std::array<Statistic, 14> Statistics{ {
-  { "seconds", "time", Statistic::Seconds },
-  { "fetchSeconds", "  decoding, all threads", Statistic::Seconds },
-  { "orderSeconds", "  projecting and ordering", Statistic::Seconds },
-  { "setUpSeconds", "  planes of faces", Statistic::Seconds },
-  { "drawSeconds", "  samples", Statistic::Seconds },
-  { "finishSeconds", "  fragments into pixels", Statistic::Seconds },
-  { "tets", "tetrahedra of drawn chunks", Statistic::Count },
-  { "seenTets", "  seen", Statistic::Count },
-  { "chunks", "chunks drawn", Statistic::Count },
-  { "skippedChunks", "chunks skipped", Statistic::Count },
-  { "mostWaiting", "most tetrahedra waiting", Statistic::Count },
-  { "mostFragments", "most fragments", Statistic::Count },
-  { "mostBytes", "most for image and chunks", Statistic::Bytes },
-  { "bytesRead", "read while drawing", Statistic::Bytes },
-} };
-
 namespace
 {
 
-// The number behind a name in a file of the system; NaN if there is none.
+// Returns the number after a name in a file of the system, or NaN if there is none.
 double ReadNumber(const char* file, std::string_view name)
 {
   std::ifstream stream(file);
@@ -53,56 +33,39 @@ double ReadNumber(const char* file, std::string_view name)
   return std::nan("");
 }
 
-std::string Text(double value, Statistic::KindType kind)
+std::string Text(const Statistic& statistic)
 {
-  if (!std::isfinite(value))
+  if (!std::isfinite(statistic.Value))
   {
     return "unknown";
   }
-  const auto whole = static_cast<std::uint64_t>(value);
-  return kind == Statistic::Seconds ? fmt::format("{:.3f} s", value)
-    : kind == Statistic::Count      ? Grouped(whole)
-                                    : ByteSize(whole);
+  const auto whole = static_cast<std::uint64_t>(statistic.Value);
+  return statistic.Kind == Statistic::Seconds ? fmt::format("{:.3f} s", statistic.Value)
+    : statistic.Kind == Statistic::Count      ? Grouped(whole)
+                                              : ByteSize(whole);
 }
 
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
-Measurement Measure(vtkGatunRayCaster* caster, double seconds, double bytesRead)
+Statistics MedianOf(const std::vector<Statistics>& all)
 {
-  return { seconds, caster->GetStatistic(vtkGatunRayCaster::FetchTime),
-    caster->GetStatistic(vtkGatunRayCaster::OrderTime),
-    caster->GetStatistic(vtkGatunRayCaster::SetUpTime),
-    caster->GetStatistic(vtkGatunRayCaster::DrawTime),
-    caster->GetStatistic(vtkGatunRayCaster::FinishTime),
-    caster->GetStatistic(vtkGatunRayCaster::NumberOfTetrahedra),
-    caster->GetStatistic(vtkGatunRayCaster::NumberOfSeenTetrahedra),
-    caster->GetStatistic(vtkGatunRayCaster::NumberOfChunks),
-    caster->GetStatistic(vtkGatunRayCaster::NumberOfSkippedChunks),
-    caster->GetStatistic(vtkGatunRayCaster::MostWaitingTetrahedra),
-    caster->GetStatistic(vtkGatunRayCaster::MostFragments),
-    caster->GetStatistic(vtkGatunRayCaster::MostBytes), bytesRead };
-}
-
-//------------------------------------------------------------------------------
-Measurement MedianOf(const std::vector<Measurement>& all)
-{
-  Measurement median{};
+  Statistics median = all.front();
   for (std::size_t i = 0; i < median.size(); ++i)
   {
     std::vector<double> values;
-    for (const Measurement& one : all)
+    for (const Statistics& one : all)
     {
-      if (!std::isnan(one[i]))
+      if (!std::isnan(one[i].Value))
       {
-        values.push_back(one[i]);
+        values.push_back(one[i].Value);
       }
     }
     std::sort(values.begin(), values.end());
     const std::size_t middle = values.size() / 2;
-    median[i] = values.empty() ? std::nan("")
-      : values.size() % 2 == 1 ? values[middle]
-                               : (values[middle - 1] + values[middle]) / 2;
+    median[i].Value = values.empty() ? std::nan("")
+      : values.size() % 2 == 1       ? values[middle]
+                                     : (values[middle - 1] + values[middle]) / 2;
   }
   return median;
 }
@@ -120,29 +83,24 @@ double GetPeakMemory()
 }
 
 //------------------------------------------------------------------------------
-void PrintTable(const Measurement& measurement, double peakMemory)
+void PrintTable(const Statistics& statistics)
 {
-  for (std::size_t i = 0; i < Statistics.size(); ++i)
+  for (const Statistic& one : statistics)
   {
-    fmt::print("  {:<28} {:>14}\n", Statistics[i].Title, Text(measurement[i], Statistics[i].Kind));
+    fmt::print("  {:<28} {:>14}\n", one.Title, Text(one));
   }
-  fmt::print("  {:<28} {:>14}\n", "peak memory of the program", Text(peakMemory, Statistic::Bytes));
 }
 
 //------------------------------------------------------------------------------
-void AddMeasurement(Json& json, const Measurement& measurement)
+Json::Value JsonOf(const Statistics& statistics)
 {
-  for (std::size_t i = 0; i < Statistics.size(); ++i)
+  Json::Value json(Json::objectValue);
+  for (const Statistic& one : statistics)
   {
-    const double value = measurement[i];
-    if (Statistics[i].Kind == Statistic::Seconds || !std::isfinite(value))
-    {
-      json.Add(Statistics[i].Name, value);
-    }
-    else
-    {
-      json.Add(Statistics[i].Name, static_cast<std::uint64_t>(value));
-    }
+    const bool isReal = one.Kind == Statistic::Seconds || !std::isfinite(one.Value);
+    json[one.Name] =
+      isReal ? Json::Value(one.Value) : Json::Value(static_cast<Json::UInt64>(one.Value));
   }
+  return json;
 }
 }

@@ -3,17 +3,14 @@
 #ifndef gtnRenderStatistics_h
 #define gtnRenderStatistics_h
 
-// What a picture took.
+// Statistics of rendering an image.
 
-#include <array>
+#include "gtnJson.h"
+
 #include <vector>
-
-class vtkGatunRayCaster;
 
 namespace gtn
 {
-class Json;
-
 struct Statistic
 {
   enum KindType
@@ -23,30 +20,25 @@ struct Statistic
     Bytes
   };
 
-  const char* Name; ///< as in JSON
+  const char* Name; ///< in JSON
   const char* Title;
   KindType Kind;
+  double Value; ///< NaN: unknown
 };
 
-/** What Measure tells, in that order. */
-extern const std::array<Statistic, 14> Statistics;
-using Measurement = std::array<double, 14>; ///< NaN: not known
+using Statistics = std::vector<Statistic>;
 
-/** What the caster knows of its last picture, with the seconds that went by and the bytes that the
- * program read meanwhile. */
-Measurement Measure(vtkGatunRayCaster* caster, double seconds, double bytesRead);
+/** Returns the median of each statistic. All images have the same ones. */
+Statistics MedianOf(const std::vector<Statistics>& all);
 
-/** Of each statistic by itself. */
-Measurement MedianOf(const std::vector<Measurement>& all);
-
-/** Bytes that the program has read from files so far; NaN where that is not known. */
+/** Returns the bytes that the program has read from files so far, or NaN if unknown. */
 double CountBytesRead();
 
-/** The most memory that the program had so far; NaN where that is not known. */
+/** Returns the peak memory of the program so far, or NaN if unknown. */
 double GetPeakMemory();
 
-void PrintTable(const Measurement& measurement, double peakMemory);
-void AddMeasurement(Json& json, const Measurement& measurement);
+void PrintTable(const Statistics& statistics);
+Json::Value JsonOf(const Statistics& statistics);
 }
 
 #endif

@@ -11,7 +11,7 @@ namespace gtn
 {
 class Progress;
 
-/** What help texts say of formats that WriteSurface writes. */
+/** The formats that WriteSurface writes, for help texts. */
 extern const char* const SurfaceFormats;
 
 /** What a format of surfaces holds besides points and triangles. */

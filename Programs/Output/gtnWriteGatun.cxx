@@ -8,8 +8,8 @@
 #include "gtnProgress.h"
 
 #include "vtkGatunErrorCode.h"
+#include "vtkGatunHartleyWriter.h"
 #include "vtkGatunWriter.h"
-#include "vtkHartleyVolumeWriter.h"
 
 #include "vtkErrorCode.h"
 #include "vtkNew.h"
@@ -44,7 +44,7 @@ void RunWriter(Writer* writer, const std::string& inputName, Progress& progress)
 }
 
 template void RunWriter(vtkGatunWriter*, const std::string&, Progress&);
-template void RunWriter(vtkHartleyVolumeWriter*, const std::string&, Progress&);
+template void RunWriter(vtkGatunHartleyWriter*, const std::string&, Progress&);
 
 //------------------------------------------------------------------------------
 void WriteGatun(vtkUnstructuredGrid* grid, const std::string& file, Progress& progress)

@@ -11,7 +11,7 @@ namespace gtn
 {
 class Progress;
 
-/** Lets a vtkGatunWriter or vtkHartleyVolumeWriter write whose input and file name are set. Throws
+/** Lets a vtkGatunWriter or vtkGatunHartleyWriter write whose input and file name are set. Throws
  * Failure for inputName or for the file, whichever is to blame, and Interrupted. */
 template <typename Writer>
 void RunWriter(Writer* writer, const std::string& inputName, Progress& progress);

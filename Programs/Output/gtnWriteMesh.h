@@ -13,7 +13,7 @@ namespace gtn
 {
 struct Settings;
 
-/** What help texts say of formats that WriteMesh writes. */
+/** The formats that WriteMesh writes, for help texts. */
 extern const char* const MeshFormats;
 
 /** Throws UsageError unless the name ends in one of these. */

@@ -29,7 +29,7 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/** What an exception tells, in words: the one for lack of memory has none. */
+/** Returns the message of an exception; std::bad_alloc has none of its own. */
 const char* ReasonOf(const std::exception& error) noexcept;
 
 /** The user pressed Ctrl+C. */

@@ -9,7 +9,7 @@
 
 namespace gtn
 {
-/** The group, in help texts, of the options that all subcommands have. */
+/** The group of the options that all subcommands have. */
 extern const char* const CommonGroup;
 
 /** The name of the argument that takes the input files and the output behind them. */

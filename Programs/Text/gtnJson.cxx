@@ -3,143 +3,133 @@
 
 #include "gtnJson.h"
 
-#include <fmt/core.h>
+#include "gtnFailure.h"
+#include "gtnReadable.h"
+#include "gtnText.h"
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <string_view>
+#include <utility>
 
 namespace gtn
 {
 namespace
 {
 
-// Length of the UTF-8 sequence at the start of the text; 0 if there is none.
-std::size_t SequenceLength(std::string_view text)
+// "* Line 1, Column 5\n  Missing '}'\n..." becomes "line 1, column 5: Missing '}'".
+std::string FirstOf(const std::string& errors)
 {
-  const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(0);
-  const std::size_t length = first < 0x80 ? 1
-    : first >= 0xc2 && first < 0xe0       ? 2
-    : first >= 0xe0 && first < 0xf0       ? 3
-    : first >= 0xf0 && first < 0xf5       ? 4
-                                          : 0;
-  if (length > text.size())
+  constexpr std::string_view start = "* Line ";
+  const std::size_t lineEnd = errors.find('\n');
+  if (!errors.starts_with(start) || lineEnd == errors.npos)
   {
-    return 0;
+    return Printable(errors);
   }
-  for (std::size_t i = 1; i < length; ++i)
+  std::string place = "line " + errors.substr(start.size(), lineEnd - start.size());
+  if (const std::size_t column = place.find("Column"); column != place.npos)
   {
-    if ((byte(i) & 0xc0) != 0x80)
-    {
-      return 0;
-    }
+    place[column] = 'c';
   }
-  // Overlong forms, surrogates, beyond the last character.
-  const bool wrong = (first == 0xe0 && byte(1) < 0xa0) || (first == 0xed && byte(1) >= 0xa0) ||
-    (first == 0xf0 && byte(1) < 0x90) || (first == 0xf4 && byte(1) >= 0x90);
-  return wrong ? 0 : length;
+  const std::size_t from = errors.find_first_not_of(" \n", lineEnd);
+  const std::size_t to = std::min(errors.find('\n', from), errors.size());
+  return from == errors.npos
+    ? Printable(place)
+    : Printable(place + ": " + errors.substr(from, to - from - (errors[to - 1] == '.' ? 1 : 0)));
 }
 
-std::string Quoted(std::string_view text)
+// Infinity would be written as 1e+9999, which some programs refuse.
+Json::Value WithFiniteNumbers(Json::Value value)
 {
-  std::string quoted = "\"";
-  while (!text.empty())
+  if (value.isDouble() && !std::isfinite(value.asDouble()))
   {
-    const std::size_t length = SequenceLength(text);
-    const auto first = static_cast<unsigned char>(text[0]);
-    if (length == 0)
-    {
-      quoted += "\\ufffd";
-    }
-    else if (first == '"' || first == '\\')
-    {
-      quoted += '\\';
-      quoted += text[0];
-    }
-    else if (first < 0x20)
-    {
-      quoted += fmt::format("\\u{:04x}", first);
-    }
-    else
-    {
-      quoted += text.substr(0, length);
-    }
-    text.remove_prefix(length == 0 ? 1 : length);
+    return {};
   }
-  return quoted + '"';
+  if (value.isArray() || value.isObject())
+  {
+    for (Json::Value& part : value)
+    {
+      part = WithFiniteNumbers(std::move(part));
+    }
+  }
+  return value;
+}
+
+std::string Written(const Json::Value& value, const char* indentation)
+{
+  Json::StreamWriterBuilder builder;
+  builder["indentation"] = indentation;
+  builder["enableYAMLCompatibility"] = true; // a colon, and no space before it
+  return Json::writeString(builder, WithFiniteNumbers(value));
 }
 
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
-Json& Json::Add(std::string_view name, double value)
+std::string JsonText(const Json::Value& value)
 {
-  return this->AddRaw(name, std::isfinite(value) ? fmt::format("{}", value) : "null");
+  return Written(value, "  ") + "\n";
 }
 
 //------------------------------------------------------------------------------
-Json& Json::Add(std::string_view name, std::uint64_t value)
+std::string JsonLine(const Json::Value& value)
 {
-  return this->AddRaw(name, std::to_string(value));
+  return Written(value, "");
 }
 
 //------------------------------------------------------------------------------
-Json& Json::Add(std::string_view name, std::string_view value)
+bool ParseJson(const std::string& file, Json::Value& root, std::string& reason)
 {
-  return this->AddRaw(name, Quoted(value));
-}
-
-//------------------------------------------------------------------------------
-Json& Json::AddRaw(std::string_view name, std::string_view value)
-{
-  this->Start(name);
-  this->Text += value;
-  return *this;
-}
-
-//------------------------------------------------------------------------------
-void Json::Start(std::string_view name)
-{
-  if (!this->First)
+  try
   {
-    this->Text += ',';
+    std::ifstream stream(file, std::ios::binary);
+    std::string errors;
+    if (Json::parseFromStream(Json::CharReaderBuilder(), stream, &root, &errors))
+    {
+      return true;
+    }
+    reason = FirstOf(errors);
   }
-  if (this->Depth > 0)
+  catch (const Json::Exception& error)
   {
-    this->Text += '\n';
-    this->Text.append(2 * this->Depth, ' ');
+    // Such as too many brackets.
+    reason = Printable(error.what());
   }
-  if (name.data())
-  {
-    this->Text += Quoted(name) + ": ";
-  }
-  this->First = false;
+  return false;
 }
 
 //------------------------------------------------------------------------------
-Json& Json::Begin(std::string_view name, char bracket)
+Json::Value ReadJson(const std::string& file)
 {
-  this->Start(name);
-  this->Text += bracket;
-  ++this->Depth;
-  this->First = true;
-  return *this;
+  CheckReadable(file);
+  Json::Value root;
+  std::string reason;
+  if (!ParseJson(file, root, reason))
+  {
+    throw Failure(file, "is not JSON: " + reason);
+  }
+  return root;
 }
 
 //------------------------------------------------------------------------------
-Json& Json::End(char bracket)
+std::vector<double> NumbersOf(
+  const Json::Value& array, const std::string& file, const std::string& name)
 {
-  --this->Depth;
-  if (!this->First)
+  bool good = array.isArray();
+  std::vector<double> numbers;
+  for (Json::ArrayIndex i = 0; good && i < array.size(); ++i)
   {
-    this->Text += '\n';
-    this->Text.append(2 * this->Depth, ' ');
+    good = array[i].isNumeric() && std::isfinite(array[i].asDouble());
+    if (good)
+    {
+      numbers.push_back(array[i].asDouble());
+    }
   }
-  this->Text += bracket;
-  if (this->Depth == 0)
+  if (!good)
   {
-    this->Text += '\n';
+    throw Failure(file, name + " is not a list of finite numbers");
   }
-  this->First = false;
-  return *this;
+  return numbers;
 }
 }

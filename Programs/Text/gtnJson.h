@@ -3,52 +3,46 @@
 #ifndef gtnJson_h
 #define gtnJson_h
 
-#include <cstdint>
+// JSON as text and as files. The values themselves are those of jsoncpp, which keeps the members of
+// an object in alphabetical order.
+
+#include "vtk_jsoncpp.h"
+
 #include <string>
-#include <string_view>
+#include <vector>
 
 namespace gtn
 {
-/** Builds a JSON text, indented, piece after piece. */
-class Json
+/** The indented text of a value, or the text on one line without a line break at its end.
+ *
+ * The text is ASCII: jsoncpp escapes all other characters, so that it is JSON whatever the bytes of
+ * a string are. Numbers have 17 digits and read back as the same number. Numbers that are not
+ * finite become null. */
+std::string JsonText(const Json::Value& value);
+std::string JsonLine(const Json::Value& value);
+
+/** An array of the elements of a range, which may be empty. */
+template <typename Elements>
+Json::Value JsonArray(const Elements& elements)
 {
-public:
-  /** A name is given inside objects only. */
-  Json& BeginObject(std::string_view name = {}) { return this->Begin(name, '{'); }
-  Json& EndObject() { return this->End('}'); }
-  Json& BeginArray(std::string_view name = {}) { return this->Begin(name, '['); }
-  Json& EndArray() { return this->End(']'); }
-
-  /** Numbers that are not finite become null; bytes that are not UTF-8 become U+FFFD. */
-  Json& Add(std::string_view name, double value);
-  Json& Add(std::string_view name, std::uint64_t value);
-  Json& Add(std::string_view name, int value) { return this->AddRaw(name, std::to_string(value)); }
-  Json& Add(std::string_view name, bool value)
+  Json::Value array(Json::arrayValue);
+  for (const auto& element : elements)
   {
-    return this->AddRaw(name, value ? "true" : "false");
+    array.append(element);
   }
-  Json& Add(std::string_view name, const char* value)
-  {
-    return this->Add(name, std::string_view(value));
-  }
-  Json& Add(std::string_view name, std::string_view value);
-  Json& Add(std::string_view name, const std::string& value)
-  {
-    return this->Add(name, std::string_view(value));
-  }
+  return array;
+}
 
-  const std::string& GetText() const { return this->Text; }
+/** Reads a file. Returns false, and sets the reason, if it is not JSON. */
+bool ParseJson(const std::string& file, Json::Value& root, std::string& reason);
 
-private:
-  Json& Begin(std::string_view name, char bracket);
-  Json& End(char bracket);
-  Json& AddRaw(std::string_view name, std::string_view value);
-  void Start(std::string_view name);
+/** Reads a file. Throws Failure if there is no such file, or if it is not JSON. */
+Json::Value ReadJson(const std::string& file);
 
-  std::string Text;
-  int Depth = 0;
-  bool First = true;
-};
+/** Returns the numbers of an array. Throws Failure for the file, with the given name of the array,
+ * if it is not an array of finite numbers. */
+std::vector<double> NumbersOf(
+  const Json::Value& array, const std::string& file, const std::string& name);
 }
 
 #endif

@@ -134,7 +134,7 @@ void CheckMessages(const std::string& file, bool quiet)
 //------------------------------------------------------------------------------
 void Say(std::string_view message) noexcept
 {
-  // Not by fmt::print, which throws, and needs memory, which may be what is missing.
+  // Not by fmt::print, which may throw and may need memory.
   std::fflush(stdout);
   std::fputs("gtn: ", stderr);
   std::fwrite(message.data(), 1, message.size(), stderr);

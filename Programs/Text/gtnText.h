@@ -3,7 +3,7 @@
 #ifndef gtnText_h
 #define gtnText_h
 
-// Words and numbers for people.
+// Strings and numbers for people.
 
 #include <cstdint>
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace gtn
 {
-/** One line without control characters, fit for a terminal whatever a file's bytes are. */
+/** Returns one line without control characters, which is safe to print. */
 std::string Printable(std::string_view text);
 
 /** 1234567 as "1,234,567". */

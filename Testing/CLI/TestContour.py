@@ -154,8 +154,8 @@ np.testing.assert_array_equal(np.array(texts, np.float64), points_of(sphere))
 
 # The simplified mesh: as the file tells, or found out.
 gtn("pack", "-q", "--chunk", 500, "--hierarchy", "mesh.vtu", "any.gtn")
-for option, value, least, most in (("--ratio", 0.7, 0.25, 0.7), ("--vertices", 900, 0.2, 0.7),
-                                   ("--rms-error", 0.02, 0.01, 0.99)):
+for option, value, least, most in (("--ratio", 0.7, 0.25, 0.7),
+                                   ("--points", 900, 0.2, 0.7), ("--rms-error", 0.02, 0.01, 0.99)):
     for source in ("any.gtn", "mesh.gtn", "mesh.vtu"):
         gtn("simplify", "-q", "-f", option, value, source, "coarse.vtu")
         coarse = contour(option, value, "--value", 5, source=source)
@@ -175,7 +175,7 @@ for asked in ("--step", "--time"):
                     contour_of("run.gtn", [4], lambda c, s=step: c.UpdateTimeStep(s)))
         moved = points_of(contour(asked, step, "--value", 4, source="run.gtn")).mean(axis=0)
         assert np.abs(moved - CENTRE + step).max() < 0.3, moved
-gtn("contour", "--value", 4, "run.gtn", "first.vtp", says="run.gtn: has 3 time steps, of which")
+gtn("contour", "--value", 4, "run.gtn", "first.vtp", says="run.gtn: has 3 time steps; using the first one")
 
 
 # What it takes.
@@ -227,9 +227,9 @@ for source in ("mesh.gtn", "mesh.vtu"):
 run = gtn("contour", "-f", "-q", "--value", 100, "mesh.gtn", "none.vtp")
 assert run == "", run
 
-# A file that is organised by layers of the array is told from one that is not.
+# A file that is organized by layers of the array is told from one that is not.
 gtn("pack", "-q", "--chunk", 500, "--layers", "distance:6", "mesh.vtu", "layers.gtn")
-told = "not organised by layers of 'distance'"
+told = "not organized by layers of 'distance'"
 assert told in gtn("contour", "-f", "-v", "--value", 5, "mesh.gtn", "layers.vtp")
 assert told not in gtn("contour", "-f", "-v", "--value", 5, "layers.gtn", "layers.vtp")
 assert told not in gtn("contour", "-f", "-v", "--value", 5, "mesh.vtu", "layers.vtp")

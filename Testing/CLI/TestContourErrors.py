@@ -28,16 +28,16 @@ def fails(*arguments, code=1, says=None, mesh="mesh.gtn", out="new.vtp"):
 # The command line.
 for value in ("nan", "inf", "1,nan", "x", "", "1e999", "2.5x"):
     fails(f"--value={value}", code=2, says="--value")
-fails(code=2, says="give isovalues by --value, or how many by --number")
+fails(code=2, says="give isovalues by --value or their number by --number")
 fails("--value", 1, "--number", 2, code=2, says="--number")
 for number in ("0", "-1", "1001", "5000000", "nan", "1.5", "many"):
     fails("--number", number, code=2, says="--number")
 many = ",".join(str(i) for i in range(1001))
-fails("--value", many, code=2, says="--value: 1,001 isovalues are too many; 1,000 are the most")
-for option, value in (("--ratio", 2), ("--vertices", -1), ("--rms-error", -1),
+fails("--value", many, code=2, says="--value: 1,001 isovalues are too many; the maximum is 1,000")
+for option, value in (("--ratio", 2), ("--points", -1), ("--rms-error", -1),
                       ("--precision", "half"), ("--component", -1), ("--component", "length")):
     fails("--value", 1, option, value, code=2, says=option)
-fails("--value", 1, "--ratio", 0.5, "--vertices", 5, code=2, says="--vertices")
+fails("--value", 1, "--ratio", 0.5, "--points", 5, code=2, says="--points")
 for out in ("new.vtu", "new.gtn", "new", "new.vtk"):
     fails("--value", 1, code=2, says=f"{out}: the name must end in .vtp, .stl, .ply or .obj", out=out)
 fails("--value", 1, "--normals", code=2, says="--normals: .stl files hold no normals", out="new.stl")
@@ -120,7 +120,7 @@ fails("--number", 3, says="gtn: damaged.gtn: ", mesh="damaged.gtn")
 for name in FORMATS:
     with open("old." + name, "w") as file:
         file.write("old")
-    fails("--value", 2, says=f"gtn: old.{name}: exists; give -f to replace it", out="old." + name)
+    fails("--value", 2, says=f"gtn: old.{name}: exists; use -f to overwrite it", out="old." + name)
     # Even so it must not be lost when there is none in its place.
     fails("-f", "--value", 2, "--array", "heat", says="heat", out="old." + name)
     with open("old." + name) as file:

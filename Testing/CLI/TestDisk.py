@@ -43,6 +43,8 @@ try:
     gtn("pack", "-f", "mesh.vtu", "small/old.gtn", code=1, says="gtn: small/old.gtn: ")
     gtn("unpack", "mesh.gtn", "small/new.vtu", code=1, says="gtn: small/new.vtu: ")
     gtn("unpack", "mesh.gtn", "small/new.vtk", code=1, says="gtn: small/new.vtk: ")
+    gtn("render", "--size", "900x900", "--shade", "mesh.gtn", "small/new.png", code=1,
+        says="gtn: small/new.png: No space left on device")
     assert os.listdir("small") == ["old.gtn"], os.listdir("small")
     with open("small/old.gtn") as file:
         assert file.read() == "old"

@@ -62,7 +62,7 @@ gtn("unpack", "--step", "3", "mesh.gtn", "new.vtu", code=1, says="has no time st
 gtn("unpack", "--time", "3", "mesh.gtn", "new.vtu", code=1, says="has no time steps")
 
 # Output.
-gtn("pack", "mesh.vtu", "mesh.gtn", code=1, says="gtn: mesh.gtn: exists; give -f to replace it")
+gtn("pack", "mesh.vtu", "mesh.gtn", code=1, says="gtn: mesh.gtn: exists; use -f to overwrite it")
 gtn("unpack", "mesh.gtn", "mesh.vtu", code=1, says="gtn: mesh.vtu: exists")
 gtn("pack", "-f", "mesh.vtu", "folder", code=2)
 os.mkdir("folder.gtn")
@@ -87,7 +87,7 @@ for out in ("mesh.gtn", "back.vtu"):
     os.chmod(out, 0o444)
     with open(out, "rb") as file:
         old = file.read()
-    gtn(*command, out, code=1, says=f"gtn: {out}: exists; give -f to replace it")
+    gtn(*command, out, code=1, says=f"gtn: {out}: exists; use -f to overwrite it")
     with open(out, "rb") as file:
         assert file.read() == old
     gtn(command[0], "-f", *command[1:], out, says="tetrahedra")

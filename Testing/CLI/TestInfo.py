@@ -4,8 +4,11 @@
 """info --json is JSON and agrees with the mesh; the text says the same."""
 
 import json
+import re
 
-from gatunCli import enter_folder, gtn, standard_mesh, write
+from vtkmodules.vtkIOLegacy import vtkUnstructuredGridWriter
+
+from gatunCli import enter_folder, gtn, lattice, make_grid, standard_mesh, write
 
 enter_folder("info")
 grid = standard_mesh(6)
@@ -33,7 +36,7 @@ assert info["chunks"] == len(info["chunkTable"]) > 1
 assert sum(chunk["tets"] for chunk in info["chunkTable"]) == info["tets"]
 sizes = info["sizes"]
 parts = sum(part["bytes"] for name, part in sizes.items() if name != "file")
-parts += sum(array["bytes"] for array in info["arrays"])
+assert sizes["arrays"]["bytes"] == sum(array["bytes"] for array in info["arrays"])
 assert parts == sizes["file"]["bytes"], (parts, sizes["file"]["bytes"])
 with open("mesh.gtn", "rb") as file:
     assert len(file.read()) == sizes["file"]["bytes"]
@@ -41,5 +44,28 @@ assert abs(sizes["file"]["bitsPerTet"] - 8 * sizes["file"]["bytes"] / info["tets
 assert "chunkTable" not in json.loads(gtn("info", "--json", "mesh.gtn"))
 
 text = gtn("info", "-v", "mesh.gtn")
-for words in ("tetrahedra       1,296", "kept order       cells", "point velocity float64(3)", "chunks"):
+for words in ("tetrahedra       1,296", "kept order       cells", "\narrays\n", "\nchunks\n"):
     assert words in text, words
+assert re.search(r"\n  velocity +point  float64 +3 ", text), text
+
+# Names with bytes that are no UTF-8, quotes and control characters: JSON all the same, in ASCII.
+points, tets = lattice(2)
+names = [b"p", b"quote\"back\\slash", b"tab\tbell\a", b"caf\xc3\xff"]
+grid = make_grid(points, tets, {f"{i}": points[:, 0] / 3 for i in range(len(names))})
+for i, name in enumerate(names):
+    grid.GetPointData().GetArray(i).SetName(name)
+writer = vtkUnstructuredGridWriter()
+writer.SetInputData(grid)
+writer.SetFileName("names.vtk")
+writer.SetFileTypeToBinary()
+assert writer.Write()
+gtn("pack", "-q", "names.vtk", "names.gtn")
+text = gtn("info", "--json", "names.gtn")
+assert text.isascii()
+arrays = json.loads(text)["arrays"]
+assert len(arrays) == len(names) and arrays[1]["name"].encode() == names[1], arrays
+# Numbers have all of their digits.
+assert arrays[0]["ranges"] == [[float(x) for x in ((points[:, 0] / 3).min(), (points[:, 0] / 3).max())]]
+
+# Members are sorted, so that the texts of two files can be compared line by line.
+assert list(json.loads(text)) == sorted(json.loads(text))

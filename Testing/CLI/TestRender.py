@@ -130,7 +130,7 @@ gtn(*around, "--turntable", 4, "mesh.gtn", "around.png", code=1, says="around-00
 # Modes and presets differ, and none of them is empty.
 pictures = []
 more = [["--mode", mode] for mode in ("composite", "area", "mip", "xray")]
-more += [["--tf", name] for name in ("cool-warm", "heat", "grey", "xray", "bone")]
+more += [["--tf", name] for name in ("cool-warm", "heat", "gray", "xray", "bone")]
 more += [["--component", "0"], ["--opacity", "3"], ["--zoom", "1.5"], ["--roll", "30"]]
 more += [["--parallel"], ["--range", "0,1"], ["--elevation", "90"]]
 for options in more:
@@ -145,16 +145,16 @@ for options in more:
 text = gtn("render", "-f", "--stats", *around[2:], "mesh.gtn", "some.png", says="chunks skipped")
 assert "tetrahedra of drawn chunks            3,072" in text, text
 told = json.loads(gtn("render", "-f", "--json", "--turntable", 3, *around[2:], "mesh.gtn", "t.png"))
-assert [picture["file"] for picture in told["pictures"]] == ["t-000.png", "t-001.png", "t-002.png"]
+assert [picture["file"] for picture in told["images"]] == ["t-000.png", "t-001.png", "t-002.png"]
 assert told["array"] == "pressure" and told["tets"] == 3072 and told["width"] == WIDTH
-for picture in told["pictures"] + [told["median"]]:
+for picture in told["images"] + [told["median"]]:
     assert picture["tets"] == 3072 and picture["chunks"] > 1 and 0 < picture["seenTets"] <= 3072
-assert told["pictures"][0]["bytesRead"] > told["pictures"][1]["bytesRead"], "nothing was kept"
+assert told["images"][0]["bytesRead"] > told["images"][1]["bytesRead"], "nothing was kept"
 assert told["peakMemory"] > 1 << 20
 bounds = json.loads(gtn("info", "--json", "mesh.gtn"))["bounds"]
 diagonal = np.sqrt(sum((high - low) ** 2 for low, high in bounds))
 assert abs(told["unitDistance"] - diagonal / 100) < 1e-9 * diagonal
-camera = told["pictures"][0]["camera"]
+camera = told["images"][0]["camera"]
 centre = [(low + high) / 2 for low, high in bounds]
 assert np.allclose(camera["focalPoint"], centre)
 arm = np.subtract(camera["position"], centre)

@@ -39,9 +39,9 @@ for option, value in (
 ):
     fails(option, value, code=2, says=option)
 fails(code=2, says="new.jpg: the name must end in .png or .exr", out="new.jpg")
-presets = "the presets are cool-warm, dusk, heat, grey, xray, bone"
+presets = "the presets are cool-warm, dusk, heat, gray, xray, bone"
 fails("--tf", "viridis", code=2, says=presets)
-assert "cool-warm, dusk, heat, grey, xray, bone" in " ".join(gtn("render", "--help").split())
+assert "cool-warm, dusk, heat, gray, xray, bone" in " ".join(gtn("render", "--help").split())
 
 # The mesh.
 for mesh in ("mesh.gtn", "mesh.vtu"):
@@ -49,7 +49,7 @@ for mesh in ("mesh.gtn", "mesh.vtu"):
     fails("--array", "heat", says=f"gtn: {mesh}: {there}", mesh=mesh)
     fails("--array", "velocity", "--component", 3, says="numbered 0 to 2", mesh=mesh)
     fails("--time", 1, says="has no time steps", mesh=mesh)
-    fails("--sample-distance", 1e-9, says="give a larger --sample-distance", mesh=mesh)
+    fails("--sample-distance", 1e-9, says="use a larger --sample-distance", mesh=mesh)
 fails(says="gtn: missing.gtn: no such file", mesh="missing.gtn")
 with open("mesh.json", "w") as file:
     file.write("{}")
@@ -119,7 +119,7 @@ assert 10 < found < 30, found
 gtn(*SMALL, "-q", "mesh.gtn", "old.png")
 with open("old.png", "rb") as file:
     old = file.read()
-fails(says="gtn: old.png: exists; give -f to replace it", out="old.png")
+fails(says="gtn: old.png: exists; use -f to overwrite it", out="old.png")
 fails("-f", says="gtn: damaged.gtn: ", mesh="damaged.gtn", out="old.png")
 fails(says="there is no folder nowhere", out="nowhere/new.png")
 with open("old.png", "rb") as file:

@@ -52,7 +52,7 @@ def number(s):
     s.SetArrayWeight("pressure", 1)
 
 
-gtn("simplify", "-q", "--vertices", 150, "--metric", "density", "--boundary-weight", 0.25,
+gtn("simplify", "-q", "--points", 150, "--metric", "density", "--boundary-weight", 0.25,
     "--weight", "velocity=2", "--weight", "pressure", "mesh.vtu", "number.vtu")
 assert check("number.vtu", number) == 150
 
@@ -75,8 +75,8 @@ gtn("verify", "-q", "half.gtn", "half.vtk")
 gtn("simplify", "mesh.vtu", "half.vtu", code=1, says="exists")
 gtn("simplify", "-f", "-q", "mesh.vtu", "half.vtu")
 for arguments in (
-        ("--ratio", "1.5"), ("--ratio", "-1"), ("--vertices", "-3"), ("--rms-error", "-1"),
-        ("--ratio", "0.5", "--vertices", "5"), ("--metric", "colour"),
+        ("--ratio", "1.5"), ("--ratio", "-1"), ("--percent", "40"), ("--points", "-3"),
+        ("--rms-error", "-1"), ("--ratio", "0.5", "--points", "5"), ("--metric", "color"),
         ("--boundary-weight", "2"), ("--weight", "velocity=much"), ("--weight", "velocity=-1")):
     gtn("simplify", *arguments, "mesh.vtu", "new.vtu", code=2)
 gtn("simplify", "mesh.vtu", "new.stl", code=2, says=".gtn, .vtu or .vtk")

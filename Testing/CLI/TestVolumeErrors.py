@@ -4,6 +4,8 @@
 """What gtn volume cannot do it says, and leaves nothing behind; what was there stays."""
 
 import os
+import struct
+import zlib
 
 import numpy as np
 
@@ -25,33 +27,33 @@ def fails(*arguments, code=1, says=None):
 # The command line.
 fails(code=2, says="a command is missing; see gtn volume --help")
 fails("squeeze", code=2)
-fails("pack", "in.vti", code=2, says="behind it, the name of a .ghv file")
+fails("pack", "in.vti", code=2, says="followed by the name of a .ghv file")
 fails("pack", "in.vti", "out.gtn", code=2, says="out.gtn: the name must end in .ghv")
 for option, texts in (("--block", ("0", "1", "65", "x", "8.5", "-8")), ("--quality", ("0", "101", "nan")),
-                      ("--error", ("-1", "nan", "inf")), ("--psnr", ("0", "x")),
-                      ("--rate", ("0", "65")), ("--weight", ("-1", "5", "nan")),
+                      ("--rms-error", ("-1", "nan", "inf")), ("--psnr", ("0", "x")),
+                      ("--bits-per-voxel", ("0", "65")), ("--weight", ("-1", "5", "nan")),
                       ("--spacing", ("1,1", "1,1,1,1", "1,0,1", "1,-1,1", "1,nan,1", "a,b,c", ""))):
     for text in texts:
         fails("pack", f"{option}={text}", "in.vti", "out.ghv", code=2, says=option)
-fails("pack", "--quality", 5, "--rate", 1, "in.vti", "out.ghv", code=2, says="--rate")
+fails("pack", "--quality", 5, "--bits-per-voxel", 1, "in.vti", "out.ghv", code=2, says="--bits-per-voxel")
 fails("unpack", "in.ghv", "out.xyz", code=2, says="out.xyz: the name must end in one of .vti")
 fails("unpack", "in.ghv", "out.png", code=2, says="slices need a number, as slice_%04d.png")
 fails("unpack", "in.ghv", "out_%d.vti", code=2, says="out_%d.vti: the name must end in .tif")
 for name in ("%s.png", "a%d_%d.png", "%", "%12345d.png"):
     fails("unpack", "in.ghv", name, code=2, says=name)
 fails("render", "in.ghv", "out.jpg", code=2, says="out.jpg: the name must end in .png or .exr")
-for option, text in (("--rotate", "1,2"), ("--rotate", "a,b,c"), ("--law", "magic"), ("--window", "2,1"),
+for option, text in (("--rotate", "1,2"), ("--rotate", "a,b,c"), ("--opacity-model", "magic"), ("--window", "2,1"),
                      ("--padding", "9"), ("--method", "guess"), ("--kernel", "cubic"),
                      ("--size", "0x5"), ("--extinction", "-1"), ("--sample-distance", "0")):
     fails("render", f"{option}={text}", "in.ghv", "out.png", code=2, says=option)
 fails("render", "--rotate", "0,0,0", "--azimuth", 3, "in.ghv", "out.png", code=2, says="--rotate")
-fails("render", "--extinction", 1, "in.ghv", "out.png", code=2, says="are for --law exponential")
-fails("render", "--window", "1,2", "in.ghv", "out.png", code=2, says="--window is for --law xray")
-fails("render", "--array", "density", "in.ghv", "out.png", code=2, says="--array and --spacing are for")
+fails("render", "--extinction", 1, "in.ghv", "out.png", code=2, says="require --opacity-model exponential")
+fails("render", "--window", "1,2", "in.ghv", "out.png", code=2, says="--window requires --opacity-model xray")
+fails("render", "--array", "density", "in.ghv", "out.png", code=2, says="--array and --spacing do not apply")
 
 # What is there stays.
 for arguments in (("pack", "in.vti", "in.ghv"), ("unpack", "in.ghv", "in.vti"),):
-    fails(*arguments, says="exists; give -f to replace it")
+    fails(*arguments, says="exists; use -f to overwrite it")
 fails("pack", "in.vti", "no/out.ghv", says="gtn: no/out.ghv: there is no folder no")
 
 # Input.
@@ -92,10 +94,47 @@ for name, content in (("a1", values[0][None]), ("a2", values[0][None, :, :9]),
 fails("pack", "a*.png", "out.ghv", says="gtn: a2.png: has 9 x 14 pixels, unlike a1.png with 18 x 14")
 fails("pack", "b1.png", "b2.png", "out.ghv",
       says="gtn: b2.png: has values of type uint16, unlike b1.png with uint8")
-fails("pack", "c?.png", "out.ghv", says="gtn: c1.png: is a picture of 3 channels, and slices have one")
+fails("pack", "c?.png", "out.ghv", says="gtn: c1.png: is an image of 3 channels, and slices have one")
 gv.write_image(gv.make_image(gv.field()), "double.vti")
 gtn("volume", "pack", "-q", "double.vti", "double.ghv")
-fails("unpack", "double.ghv", "s%d.png", says=".png files hold values of type uint8 or uint16")
+fails("unpack", "double.ghv", "s%d.png", says="do not fit into .png files, which take uint8 and uint16")
+
+# PNG files of all kinds that hold one number a pixel, and others.
+def png(width, height, bits, color_type, rows, *more):
+    def chunk(kind, content):
+        return (struct.pack(">I", len(content)) + kind + content +
+                struct.pack(">I", zlib.crc32(kind + content)))
+    header = struct.pack(">IIBBBBB", width, height, bits, color_type, 0, 0, 0)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + b"".join(chunk(*pair) for pair in more) +
+            chunk(b"IDAT", zlib.compress(b"".join(b"\0" + row for row in rows))) + chunk(b"IEND", b""))
+
+
+def put(name, content):
+    with open(name, "wb") as image:
+        image.write(content)
+
+
+for name, content, values in (
+        ("one.png", png(4, 1, 1, 0, [b"\xa0"]), [255, 0, 255, 0]),
+        ("eight.png", png(4, 1, 8, 0, [b"\1\2\3\xff"]), [1, 2, 3, 255]),
+        ("see.png", png(4, 1, 8, 0, [b"\1\2\3\4"], (b"tRNS", b"\0\1")), [1, 2, 3, 4]),
+        ("wide.png", png(4, 1, 16, 0, [b"\1\0\0\1\xff\xff\0\0"]), [256, 1, 65535, 0])):
+    put(name, content)
+    gtn("volume", "pack", "-qf", "--rms-error", 0, name, "png.ghv")
+    gtn("volume", "unpack", "-qf", "png.ghv", "png.vti")
+    found = gv.vtk_to_numpy(gv.read_image("png.vti").GetPointData().GetScalars())
+    assert list(found) == values, (name, found)
+put("palette.png", png(2, 1, 8, 3, [b"\0\1"], (b"PLTE", bytes(6))))
+fails("pack", "palette.png", "out.ghv", says="gtn: palette.png: is an image of 3 channels")
+put("huge.png", png(1 << 30, 1 << 30, 8, 0, [b"\0"]))
+fails("pack", "huge.png", "out.ghv", says="gtn: huge.png: is too short for its size")
+noise = np.random.default_rng(1).integers(0, 65536, (40, 40), np.uint16)
+good = png(40, 40, 16, 0, [row.astype(">u2").tobytes() for row in noise])
+for place in [*range(0, len(good), len(good) // 40), *range(len(good) - 16, len(good), 3)]:
+    put("hurt.png", good[:place])
+    fails("pack", "hurt.png", "out.ghv", says="gtn: hurt.png: ")
+    put("hurt.png", good[:place] + bytes([good[place] ^ 0x55]) + good[place + 1:])
+    fails("pack", "hurt.png", "out.ghv", says="gtn: hurt.png: ")
 
 # Damaged files: right, or one message for the file.
 with open("in.ghv", "rb") as file:

@@ -18,7 +18,7 @@ if not folder or not all(os.path.exists(name) for name in files):
 enter_folder("volume-real")
 for name in files:
     values = gv.values_of(gv.read_image(name)).astype(float)
-    for options, most in ((["--error", 0], 0), (["--psnr", 45], None)):
+    for options, most in ((["--rms-error", 0], 0), (["--psnr", 45], None)):
         packed = json.loads(gtn("volume", "pack", "-f", "--json", *options, name, "scan.ghv"))
         gtn("volume", "unpack", "-f", "scan.ghv", "scan.vti")
         errors = gv.values_of(gv.read_image("scan.vti")) - values

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Field data, written without compression; what is read must be written and read alike.
+// Field data, written without compression; data that are read must survive writing and reading.
 
 #include "fuzzInput.h"
 #include "gatunFileImage.h"

@@ -91,7 +91,7 @@ void DecodePiece(PieceDecoder& decoder, const FileReader& file, const PieceReque
   }
 }
 
-/** After so many merges, if any. */
+/** After a number of merges, if any. */
 void DecodePieces(const std::shared_ptr<const FileReader>& file,
   const std::shared_ptr<const MergeTree>& tree, std::size_t merges)
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Any bytes as a stream of blocks of coefficients, or of a segment, and as corrections of voxels.
-// Three bytes choose the block, three the grid, one what is decoded.
+// Three bytes choose the block, three the grid, and one the part to decode.
 
 #include "fuzzInput.h"
 #include "gatunHartleyCodec.h"

@@ -30,7 +30,7 @@ ChunkFrame TakeFrame(Input& in, std::uint32_t mostTets);
  */
 std::vector<Tet> TakeTets(Input& in, std::uint32_t mostTets, std::uint32_t& points);
 
-/** An array whose stream is to be decoded: what is known of it beforehand. */
+/** The description of an array whose stream is decoded. */
 struct ArrayFrame
 {
   std::vector<std::uint32_t> Parents; // of cells; may be empty

@@ -7,7 +7,7 @@
 #include "gatunEntropy.h"
 #include "gatunFileImage.h"
 #include "gatunHartleyCodec.h"
-#include "gatunHartleyImage.h"
+#include "gatunHartleyFileImage.h"
 #include "gatunHartleySample.h"
 #include "gatunMergeCodec.h"
 #include "gatunPalette.h"
@@ -122,9 +122,9 @@ void AddVolumes(Corpus& corpus)
     const auto volume = test::MakePhantom(setting.Size, setting.Type);
     HartleyWriterOptions options;
     options.BlockSize = setting.BlockSize;
-    options.Quality = { HartleyQuality::Goal::Error, setting.Error, 0 };
+    options.RateControl = { HartleyRateMode::RMSError, setting.Error, 0 };
     WriteHartleyFile(path, volume.Input, options);
-    const test::HartleyImage image(path);
+    const test::HartleyFileImage image(path);
     ByteWriter parts;
     const auto putPart = [&](const Bytes& part)
     {
@@ -375,7 +375,7 @@ void AddTreeFiles(Corpus& corpus)
   fs::remove(path);
 }
 
-/** Files that are organised by layers, and the tables that tell so. */
+/** Files with layers and their tables. */
 void AddLayerFiles(Corpus& corpus)
 {
   const auto path = (corpus.GetFolder() / "layers.gtn").string();

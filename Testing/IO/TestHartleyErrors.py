@@ -13,7 +13,8 @@ from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 import gatunHartley as gh
 import gatunMeshes as gm
-from gatun import vtkGatunErrorCode, vtkHartleyVolumeReader, vtkHartleyVolumeWriter
+from gatun import (
+    vtkGatunErrorCode, vtkGatunHartleyEncoder, vtkGatunHartleyReader, vtkGatunHartleyWriter)
 
 folder = os.path.join(os.environ["GATUN_TEST_TEMP"], "hartley-errors")
 os.makedirs(folder, exist_ok=True)
@@ -29,7 +30,7 @@ before = open(path, "rb").read()
 
 def refuse(image, *texts, expected=vtkGatunErrorCode.InvalidInputError, to=path, array=None,
            **options):
-    writer = vtkHartleyVolumeWriter()
+    writer = vtkGatunHartleyWriter()
     errors = gm.Errors(writer)
     if image is not None:
         writer.SetInputDataObject(image)
@@ -67,7 +68,7 @@ refuse(bare, "there are no active point")
 refuse(bare, "there is no point array 'density'", array=(0, "density"))
 cells = gh.make_volume(values)
 gm.add_array(cells.GetCellData(), np.zeros(cells.GetNumberOfCells()), "cell")
-refuse(cells, "needs an array on the points", "vtkCellDataToPointData", array=(1, "cell"))
+refuse(cells, "needs a point array", "vtkCellDataToPointData", array=(1, "cell"))
 vectors = gh.make_volume(values)
 gm.add_array(vectors.GetPointData(), np.zeros((values.size, 3)), "velocity")
 refuse(vectors, "'velocity' has 3 components", "vtkImageExtractComponents", array=(0, "velocity"))
@@ -88,13 +89,20 @@ for wide in ([-1e300, 1e300], [-1e308, 1e308], [0, 1e40], [0, 5e-324]):
     refuse(gh.make_volume(np.array([[wide]])), "beyond single precision")
 refuse(gh.make_volume(np.array([[[-2 ** 63, 2 ** 63 - 1]]], np.int64)), "beyond 2^53")
 
-# Settings that make no sense.
-for size in (-1, 1, 65, 1000000, 2147483647, -2147483648):
-    refuse(good, "not possible; it is 2 to 64, or 0 for", BlockSize=size)
-for options in ({"Quality": 0}, {"Quality": 101}, {"Quality": np.nan},
-                {"Goal": 1, "MaximumError": -1}, {"Goal": 1, "MaximumError": np.inf},
-                {"Goal": 2, "PSNR": np.nan}, {"Goal": 3, "Rate": 0}, {"Goal": 3, "Rate": -1},
-                {"FrequencyWeight": -0.5}, {"FrequencyWeight": 5}, {"FrequencyWeight": np.nan}):
+# Properties are clamped to their range; what is not a number is an error.
+for owner in (vtkGatunHartleyWriter(), vtkGatunHartleyEncoder()):
+    for name, values_, expected_ in (
+        ("BlockSize", (-1, 1, 65, 2147483647, -2147483648), (0, 2, 64, 64, 0)),
+        ("RateControl", (-1, 4), (0, 3)), ("Quality", (0, 101), (1, 100)), ("RMSError", (-1,), (0,)),
+        ("PSNR", (0, 201), (1, 200)), ("BitsPerVoxel", (0, -1, 65), (0.001, 0.001, 64)),
+        ("FrequencyWeight", (-0.5, 5), (0, 4)),
+    ):
+        for value, clamped in zip(values_, expected_):
+            getattr(owner, "Set" + name)(value)
+            assert getattr(owner, "Get" + name)() == clamped, (name, value)
+for options in ({"Quality": np.nan}, {"RateControl": 1, "RMSError": np.nan},
+                {"RateControl": 2, "PSNR": np.nan}, {"RateControl": 3, "BitsPerVoxel": np.nan},
+                {"FrequencyWeight": np.nan}):
     refuse(good, **options)
 
 # Where it cannot be written.
@@ -108,7 +116,7 @@ assert open(path, "rb").read() == before
 os.chmod(path, 0o600)
 
 # An abort.
-writer = vtkHartleyVolumeWriter()
+writer = vtkGatunHartleyWriter()
 writer.SetInputData(good)
 writer.SetFileName(path)
 writer.AddObserver("ProgressEvent", lambda *_: writer.SetAbortExecute(1))
@@ -133,7 +141,7 @@ os.remove(extra)
 
 # Files.
 def fail(name, *texts, expected=None):
-    reader = vtkHartleyVolumeReader()
+    reader = vtkGatunHartleyReader()
     errors = gm.Errors(reader)
     reader.SetFileName(name)
     reader.Update()
@@ -169,7 +177,7 @@ expected = gh.values_of(gh.read(path)).copy()
 for place in range(0, len(before), 11):
     with open(damaged, "wb") as file:
         file.write(before[:place] + bytes([before[place] ^ 0x41]) + before[place + 1:])
-    reader = vtkHartleyVolumeReader()
+    reader = vtkGatunHartleyReader()
     errors = gm.Errors(reader)
     reader.SetFileName(damaged)
     reader.Update()

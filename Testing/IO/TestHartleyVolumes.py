@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Volumes come back from .ghv files: where they were, of their type, as exactly as was asked for, in
-whichever parts."""
+"""Volumes are restored from .ghv files with their position and type, within the requested error, in
+any parts."""
 
 import os
 
@@ -15,9 +15,9 @@ import gatunHartley as gh
 import gatunMeshes as gm
 
 path = gm.temporary("volume.ghv")
-LOSSLESS = {"Goal": 1, "MaximumError": 0}
+LOSSLESS = gh.LOSSLESS
 
-# Every type, without loss: integers as they were, floating-point numbers but for rounding.
+# Every type, lossless: integers exactly, floating-point numbers up to rounding.
 field = gh.blobs((19, 13, 22), seed=4)
 types = {c.VTK_CHAR: np.int8, c.VTK_SIGNED_CHAR: np.int8, c.VTK_UNSIGNED_CHAR: np.uint8,
          c.VTK_SHORT: np.int16, c.VTK_UNSIGNED_SHORT: np.uint16, c.VTK_INT: np.int32,
@@ -36,7 +36,7 @@ for vtk_type, kind in types.items():
             gh.describe(image.GetPointData().GetScalars()), vtk_type
         error = abs(gh.values_of(again).astype(float) - values.astype(float)).max()
         assert error <= (0 if whole else 2e-6), (vtk_type, size, error)
-        assert abs(error - writer.GetLargestError()) <= 1e-12 + 1e-6 * error
+        assert abs(error - writer.GetMaximumError()) <= 1e-12 + 1e-6 * error
         assert again.GetPointData().GetNumberOfArrays() == 1
 
 # Where it was: extents, origins, spacings, directions; sizes that fit no block, flat ones and lines.
@@ -65,7 +65,7 @@ reader.UpdateInformation()
 key = vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT()
 assert reader.GetOutputInformation(0).Get(key) == image.GetExtent()
 assert reader.GetNumberOfChunks() == 3 * 3 * 2, reader.GetNumberOfChunks()
-assert reader.GetBlockSize() == 8 and reader.GetLossless() and reader.GetGoal() == 1
+assert reader.GetBlockSize() == 8 and reader.GetLossless() and reader.GetRateControl() == 1
 assert reader.GetFileBytes() == os.path.getsize(path)
 assert abs(reader.GetBitsPerVoxel() - 8 * os.path.getsize(path) / values.size) < 1e-9
 span = [0, 0]
@@ -88,7 +88,7 @@ assert one.GetBytesRead() - opened < 0.2 * one.GetFileBytes(), one.GetBytesRead(
 one.UpdateExtent((0, -1, 0, -1, 0, -1))
 assert one.GetErrorCode() == 0
 
-# Goals: each is met, and better ones take more.
+# Rate control: each bound is met, and smaller errors take more bits.
 values = (1000 * gh.blobs((40, 50, 60), seed=7) + rng.normal(0, 10, (40, 50, 60))).astype(np.int16)
 image = gh.make_volume(values)
 span = float(values.max()) - float(values.min())
@@ -99,29 +99,29 @@ def pack(**options):
     writer = gh.write(image, path, **options)
     error = gh.values_of(gh.read(path)).astype(float) - values
     rms = np.sqrt((error ** 2).mean())
-    assert abs(rms - writer.GetRootMeanSquareError()) < 1e-6 * rms + 1e-9, (rms, writer)
-    assert abs(error).max() == writer.GetLargestError()
+    assert abs(rms - writer.GetMeasuredRMSError()) < 1e-6 * rms + 1e-9, (rms, writer)
+    assert abs(error).max() == writer.GetMaximumError()
     assert writer.GetFileBytes() == os.path.getsize(path)
     return 8 * os.path.getsize(path) / values.size, rms
 
 
-for name, goal, settings in (("Quality", 0, (30, 50, 70)), ("MaximumError", 1, (20, 5, 1)),
-                             ("PSNR", 2, (35, 45, 60)), ("Rate", 3, (0.5, 1, 3))):
-    results = [pack(Goal=goal, **{name: value}) for value in settings]
+for name, mode, settings in (("Quality", 0, (30, 50, 70)), ("RMSError", 1, (20, 5, 1)),
+                             ("PSNR", 2, (35, 45, 60)), ("BitsPerVoxel", 3, (0.5, 1, 3))):
+    results = [pack(RateControl=mode, **{name: value}) for value in settings]
     bits, errors = zip(*results)
     print(name, *("%g: %.3f bits, rms %.3f;" % (value, *one) for value, one in zip(settings, results)))
     assert bits[0] < bits[1] < bits[2] and errors[0] > errors[1] > errors[2], results
     for value, (taken, rms) in zip(settings, results):
         met = {0: True, 1: rms <= value, 2: 20 * np.log10(span / rms) >= value, 3: abs(taken / value - 1) <= 0.01}
-        assert met[goal], (name, value, taken, rms)
+        assert met[mode], (name, value, taken, rms)
 # Within the range of before, whatever the error.
-pack(Goal=0, Quality=10)
+pack(RateControl=0, Quality=10)
 coarse = gh.values_of(gh.read(path))
 assert values.min() <= coarse.min() and coarse.max() <= values.max()
 
 # The array is the one that is asked for.
 other = gm.add_array(image.GetPointData(), np.arange(values.size, dtype=np.float32), "other")
-writer = gh.vtkHartleyVolumeWriter()
+writer = gh.vtkGatunHartleyWriter()
 writer.SetInputData(image)
 writer.SetFileName(path)
 writer.SetInputArrayToProcess(0, 0, 0, 0, "other")

@@ -9,8 +9,9 @@ from vtkmodules.vtkCommonCore import vtkAbstractArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 import gatunMeshes as gm
-from gatun import vtkGatunErrorCode, vtkHartleyVolumeReader, vtkHartleyVolumeWriter
+from gatun import vtkGatunErrorCode, vtkGatunHartleyReader, vtkGatunHartleyWriter
 
+LOSSLESS = {"RateControl": vtkGatunHartleyWriter.RATE_CONTROL_RMS_ERROR, "RMSError": 0}
 INVALID = vtkGatunErrorCode.InvalidInputError
 
 
@@ -47,15 +48,15 @@ def blobs(shape, seed=1, scale=1.0):
     grid = np.stack(np.meshgrid(*(np.arange(n) for n in shape), indexing="ij"), -1).astype(float)
     field = np.zeros(shape)
     for _ in range(5):
-        centre = rng.uniform(0.2, 0.8, 3) * shape
+        center = rng.uniform(0.2, 0.8, 3) * shape
         width = rng.uniform(0.1, 0.25) * max(shape)
-        field += rng.uniform(0.3, 1) * np.exp(-(((grid - centre) / width) ** 2).sum(-1))
+        field += rng.uniform(0.3, 1) * np.exp(-(((grid - center) / width) ** 2).sum(-1))
     return field * (scale / field.max())
 
 
 def write(image, path, **options):
-    """Writes by vtkHartleyVolumeWriter; must succeed. Returns the writer."""
-    writer = vtkHartleyVolumeWriter()
+    """Writes by vtkGatunHartleyWriter; must succeed. Returns the writer."""
+    writer = vtkGatunHartleyWriter()
     writer.SetInputData(image)
     writer.SetFileName(path)
     for name, value in options.items():
@@ -67,7 +68,7 @@ def write(image, path, **options):
 
 
 def open_file(path):
-    reader = vtkHartleyVolumeReader()
+    reader = vtkGatunHartleyReader()
     reader.SetFileName(path)
     return reader
 

@@ -15,7 +15,7 @@ ranks = rank_and_ranks()[1]
 wavelet = simple.Wavelet(WholeExtent=[-10, 12, -9, 9, -8, 10])
 wavelet.UpdatePipeline()
 path = sample.temporary("wavelet.ghv")
-simple.SaveData(path, proxy=wavelet, Goal="Error", MaximumError=0)
+simple.SaveData(path, proxy=wavelet, RateControl="RMS Error", RMSError=0)
 assert os.path.getsize(path) > 1000
 
 
@@ -35,7 +35,7 @@ def place_of(proxy):
 
 
 reader = simple.OpenDataFile(path)
-assert reader.GetXMLName() == "HartleyVolumeReader", reader
+assert reader.GetXMLName() == "GatunHartleyReader", reader
 assert place_of(reader)[0] == place_of(wavelet)[0], (place_of(reader), place_of(wavelet))
 assert place_of(reader)[2] == place_of(wavelet)[2], (place_of(reader), place_of(wavelet))
 if ranks == 1:
@@ -50,7 +50,7 @@ else:
     assert abs(sums[0] / sums[1] - 1) < 1e-4, sums
 assert reader.GetProperty("BitsPerVoxel") is not None
 
-# Drawn from the file, and from voxels.
+# Drawn from the file, from an encoder, and from voxels by default parameters.
 low, high = wavelet.PointData["RTData"].GetRange()
 
 
@@ -61,17 +61,26 @@ def draw(source, **options):
     return projection
 
 
-settings = dict(PictureSize=[60, 40], ViewDirection=[0.3, 0.5, -1], Goal="Error", MaximumError=0)
-pictures = [values(draw(source, **settings), "Color")[1].astype(int) for source in (reader, wavelet)]
+settings = dict(ImageSize=[60, 40], ViewDirection=[0.3, 0.5, -1])
+encoder = simple.GatunHartleyEncoder(Input=wavelet, RateControl="RMS Error", RMSError=0)
+pictures = [values(draw(source, **settings), "Color")[1].astype(int) for source in (reader, encoder)]
 assert pictures[0].shape == (2400 // ranks, 4) and pictures[0][:, 3].max() > 100
 difference = abs(pictures[0] - pictures[1])
 assert difference.max() <= 2
+encoder.RateControl = "Quality"
+by_default = values(draw(wavelet, **settings), "Color")[1].astype(int)
+encoded = values(draw(encoder, **settings), "Color")[1].astype(int)
+assert (by_default == encoded).all()
+# Close to lossless, but not the same. Colors of pixels that are nearly transparent mean little.
+assert 0 < abs(encoded - pictures[1])[:, 3].max() < 30
+encoder.Quality = 10
+assert (values(draw(encoder, **settings), "Color")[1] != encoded).any()
 projection = draw(reader, **settings)
 # Each rank has its part; neighbours have the points where they meet.
 assert 2400 <= sample.counts(projection)[0] < 2400 + 60 * ranks, sample.counts(projection)
 assert abs(projection.ValueRange[0] - low) < 0.01 and abs(projection.ValueRange[1] - high) < 0.01
-for name, value in (("Law", "X-Ray"), ("Law", "Exponential"), ("Law", "Transfer Function"),
-                    ("ColourMap", "Heat"), ("Opacities", [0, 1, 1, 0]), ("Zoom", 2),
+for name, value in (("OpacityModel", "X-Ray"), ("OpacityModel", "Exponential"),
+                    ("OpacityModel", "Transfer Function"), ("ColorMap", "Heat"), ("Opacities", [0, 1, 1, 0]), ("Zoom", 2),
                     ("ViewUp", [1, 0, 0]), ("UseBackground", 1)):
     before = values(projection, "Color")[1]
     setattr(projection, name, value)

@@ -25,9 +25,10 @@ OTHER = {"ChunkTets": [1000], "KeepOrder": [7], "KeyStepInterval": [3],
          "Levels": [5], "LayerArray": ["some array"], "LayerComponent": [1], "NumberOfLayers": [9],
          "LayerSpacing": [2], "SimplificationTarget": [2], "SimplificationRatio": [0.25],
          "SimplificationNumberOfPoints": [123], "SimplificationRMSError": [0.125],
-         "BlockSize": [16], "Goal": [2], "Quality": [33], "PSNR": [44], "Rate": [2],
+         "BlockSize": [16], "RateControl": [2], "Quality": [33], "PSNR": [44], "BitsPerVoxel": [2],
+         "RMSError": [0.125],
          "FrequencyWeight": [1.5], "ViewDirection": [1, 2, 3], "ViewUp": [0, 2, 1], "Zoom": [3],
-         "Size": [64, 32], "Law": [1], "ColorMap": [3], "ValueRange": [-4, 9], "OpacityUnit": [5],
+         "Size": [64, 32], "OpacityModel": [1], "ColorMap": [3], "ValueRange": [-4, 9], "OpacityUnit": [5],
          "Extinction": [0.5], "Zero": [-3], "Window": [2, 7], "Background": [0.5, 0.25, 1],
          "Method": [2], "Kernel": [1], "Padding": [4]}
 # Where people who open a file are better served by another default than programs: that of the class.
@@ -101,7 +102,7 @@ for group, proxy in proxies:
             continue
         if "Default:" not in text:
             problems.append(what + " does not tell its default")
-        if proxy.get("class").startswith(("vtkGatun", "vtkHartley")) and node.get("repeat_command") != "1" \
+        if proxy.get("class").startswith("vtkGatun") and node.get("repeat_command") != "1" \
                 and node.get("command") != "SetInputArrayToProcess":
             plain.append(node)
             if values_of(node) is None and node.get("name") != "FileName":
@@ -134,7 +135,8 @@ assert not problems, "\n" + "\n".join(problems)
 assert checked >= 20, checked
 assert {proxy.get("class") for _, proxy in proxies} >= \
     {"vtkGatunReader", "vtkGatunWriter", "vtkGatunMergeBlocks", "vtkGatunVolumeRepresentation",
-     "vtkHartleyVolumeReader", "vtkHartleyVolumeWriter", "vtkGatunPVProjection"}
+     "vtkGatunHartleyEncoder", "vtkGatunHartleyReader", "vtkGatunHartleyWriter",
+     "vtkGatunPVProjection"}
 
 # The reader and the writer that people get have the properties of those that do the work.
 path = sample.temporary("properties.gtn")

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""vtkHartleyProjection does again what has changed, and nothing else; files are drawn as they are,
-without voxels; what cannot be drawn is told, and then the next picture is right."""
+"""vtkGatunHartleyProjection repeats the work that a change requires, and nothing else; files are drawn
+without voxels; errors are reported, and the next image is right."""
 
 import os
 
@@ -14,13 +14,14 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 import gatunHartley as gh
 import gatunMeshes as gm
 import gatunRays as gr
-from gatun import vtkGatunErrorCode, vtkHartleyProjection, vtkHartleyVolumeReader
+from gatun import (
+    vtkGatunErrorCode, vtkGatunHartleyProjection, vtkGatunHartleyReader, vtkGatunHartleyView)
 
 INVALID = vtkGatunErrorCode.InvalidInputError
 field = gh.blobs((30, 26, 34), seed=6, scale=1000).astype(np.int16)
 image = gh.make_volume(field, (2, 3, 4), (1, 2, 3), (0.5, 0.6, 0.7))
 camera = gr.make_camera((0.2, 0.3, -1), focus=image.GetCenter(), scale=15)
-colours = gr.make_property([(0, 0, 0, 1), (1000, 1, 1, 0)], [(0, 0), (1000, 0.4)], 0.5)
+colors = gr.make_property([(0, 0, 0, 1), (1000, 1, 1, 0)], [(0, 0), (1000, 0.4)], 0.5)
 
 
 def update(projection):
@@ -29,26 +30,39 @@ def update(projection):
     return gr.array_of(projection).copy()
 
 
-# What changes a picture changes it, and changes what it is made from only where it must.
-projection = gr.make_projection(image, camera, Size=(60, 50), Property=colours)
+# A change of the view or the shading changes the image, but does not encode the volume again.
+encoder = gr.make_encoder(image)
+projection = gr.make_projection(encoder, camera, Size=(60, 50), Property=colors)
 picture = update(projection)
-assert projection.GetNumberOfVolumes() == 1 and projection.GetNumberOfTerms() > 0
+assert projection.GetNumberOfVolumes() == 1 and projection.GetNumberOfCoefficients() > 0
 assert projection.GetNumberOfBlocksDrawn() > 0 and projection.GetMethodUsed() == 1
+assert encoder.GetNumberOfEncodings() == 1
 time = projection.GetOutput().GetMTime()
 assert (update(projection) == picture).all() and projection.GetOutput().GetMTime() == time
-for change in (lambda: camera.Azimuth(20), lambda: camera.Zoom(1.5), lambda: camera.Roll(30),
-               lambda: colours.GetScalarOpacity().AddPoint(500, 0.1),
-               lambda: colours.GetRGBTransferFunction().AddRGBPoint(500, 0, 1, 0),
-               lambda: colours.SetScalarOpacityUnitDistance(2), projection.SetLawToExponential,
+
+
+def turn(change):
+    change()
+    assert vtkGatunHartleyView.SetView(projection, camera)
+
+
+for change in (lambda: turn(lambda: camera.Azimuth(20)), lambda: turn(lambda: camera.Zoom(1.5)),
+               lambda: turn(lambda: camera.Roll(30)), lambda: projection.SetZoom(1.2),
+               lambda: projection.SetFocalPoint(image.GetOrigin()),
+               lambda: colors.GetScalarOpacity().AddPoint(500, 0.1),
+               lambda: colors.GetRGBTransferFunction().AddRGBPoint(500, 0, 1, 0),
+               lambda: projection.SetScalarOpacityUnitDistance(2),
+               lambda: projection.SetColorTransferFunction(None),
+               projection.SetOpacityModelToExponential,
                lambda: projection.SetExtinction(0.01), lambda: projection.SetZero(300) or
                projection.UseZeroOn(), projection.UseBackgroundOn,
-               lambda: projection.SetBackground(1, 0, 0), projection.SetLawToXRay,
+               lambda: projection.SetBackground(1, 0, 0), projection.SetOpacityModelToXRay,
                lambda: projection.SetWindow(0, 30000), lambda: projection.SetSize(50, 50)):
     change()
     changed = update(projection)
     assert changed.shape != picture.shape or (changed != picture).any()
     picture = changed
-    assert projection.GetNumberOfVolumes() == 1
+    assert projection.GetNumberOfVolumes() == 1 and encoder.GetNumberOfEncodings() == 1
 for method, kernel, padding in ((2, 0, 2), (2, 1, 4), (2, 0, 1.5), (0, 0, 2)):
     projection.SetMethod(method)
     projection.SetKernel(kernel)
@@ -56,27 +70,37 @@ for method, kernel, padding in ((2, 0, 2), (2, 1, 4), (2, 0, 1.5), (0, 0, 2)):
     update(projection)
     assert projection.GetMethodUsed() == (method or 1) and projection.GetNumberOfVolumes() == 1
 count = 1
-for change in (lambda: projection.SetQuality(20), lambda: projection.SetBlockSize(4),
-               lambda: projection.SetGoal(3), lambda: projection.SetRate(0.5),
-               lambda: projection.SetFrequencyWeight(1), image.Modified):
+for change in (lambda: encoder.SetQuality(20), lambda: encoder.SetBlockSize(4),
+               lambda: encoder.SetRateControl(3), lambda: encoder.SetBitsPerVoxel(0.5),
+               lambda: encoder.SetFrequencyWeight(1), image.Modified):
     change()
     update(projection)
     count += 1
-    assert projection.GetNumberOfVolumes() == count, change
-vtk_to_numpy(image.GetPointData().GetScalars())[:] = field.ravel() // 2
-image.GetPointData().GetScalars().Modified()
-halved = update(projection)
-assert projection.GetNumberOfVolumes() == count + 1
-found = [0, 0]
-projection.GetRange(found)
-assert found == [(field // 2).min(), (field // 2).max()], found
-vtk_to_numpy(image.GetPointData().GetScalars())[:] = field.ravel()
-image.GetPointData().GetScalars().Modified()
+    assert projection.GetNumberOfVolumes() == encoder.GetNumberOfEncodings() == count, change
 
-# A part of the picture is that part.
-whole = gr.make_projection(image, camera, Size=(60, 50), Law=0)
+# The projection encodes an image that comes without coefficients, once for each of its versions.
+values = vtk_to_numpy(image.GetPointData().GetScalars())
+direct = gr.make_projection(image, camera, Size=(60, 50))
+picture = update(direct)
+camera.Azimuth(1)
+assert vtkGatunHartleyView.SetView(direct, camera)
+assert (update(direct) != picture).any() and direct.GetNumberOfVolumes() == 1
+values[:] = field.ravel() // 2
+image.GetPointData().GetScalars().Modified()
+update(direct)
+assert direct.GetNumberOfVolumes() == 2
+found = [0, 0]
+direct.GetRange(found)
+assert found == [(field // 2).min(), (field // 2).max()], found
+values[:] = field.ravel()
+image.GetPointData().GetScalars().Modified()
+by_defaults = gr.make_projection(gr.make_encoder(image), camera, Size=(60, 50))
+assert (update(direct) == update(by_defaults)).all()
+
+# A part of the image.
+whole = gr.make_projection(image, camera, Size=(60, 50), OpacityModel=0)
 picture = update(whole)
-part = gr.make_projection(image, camera, Size=(60, 50), Law=0)
+part = gr.make_projection(image, camera, Size=(60, 50), OpacityModel=0)
 part.UpdateExtent((10, 29, 5, 5, 0, 0))
 assert part.GetOutput().GetExtent() == (10, 29, 5, 5, 0, 0)
 assert (gr.array_of(part) == picture[5:6, 10:30]).all()
@@ -94,24 +118,27 @@ assert whole.GetOutput().GetPointData().GetScalars().GetName() == "Color"
 whole.OutputFloatsOff()
 assert (update(whole) == picture).all() and names(whole) == ["Color"]
 
-# A file is drawn as the image was that was packed, and no voxel is made for it.
+# A file is drawn like the image from which it was written, without voxels.
 path = gm.temporary("projection.ghv")
-for size, options in ((8, {}), (16, {"Quality": 30}), (0, gr.LOSSLESS), (5, {"Goal": 3, "Rate": 2})):
+for size, options in ((8, {}), (16, {"Quality": 30}), (0, gr.LOSSLESS), (5, {"RateControl": 3, "BitsPerVoxel": 2})):
     gh.write(image, path, BlockSize=size, **options)
     reader = gh.open_file(path)
-    for law in (0, 1, 2):
-        settings = dict(Size=(60, 50), Property=colours, Law=law)
+    for model in (0, 1, 2):
+        settings = dict(Size=(60, 50), Property=colors, OpacityModel=model)
         of_image = gr.draw(image, camera, "RGBA", BlockSize=size, **options, **settings)
         projection = gr.make_projection(reader, camera, **settings)
         update(projection)
-        assert abs(gr.array_of(projection, "RGBA") - of_image).max() < 1e-4, (size, law)
+        assert abs(gr.array_of(projection, "RGBA") - of_image).max() < 1e-4, (size, model)
         assert reader.GetOutput().GetNumberOfPoints() == 0
-        assert 0 < projection.GetBytesRead() and projection.GetNumberOfVolumes() == 1
+        assert 0 < reader.GetBytesRead() and projection.GetNumberOfVolumes() == 1
+    read = reader.GetBytesRead()
     camera.Azimuth(5)
+    assert vtkGatunHartleyView.SetView(projection, camera)
     update(projection)
+    assert reader.GetBytesRead() == read  # the coefficients fit into the memory budget
     assert projection.GetNumberOfVolumes() == 1 and reader.GetOutput().GetNumberOfPoints() == 0
 
-# Voxels that the reader has, or is asked for, are left alone.
+# Voxels that the reader has, or that another consumer requests, remain.
 reader = gh.open_file(path)
 reader.Update()
 assert reader.GetOutput().GetNumberOfPoints() == field.size
@@ -119,6 +146,7 @@ projection = gr.make_projection(reader, camera, Size=(60, 50))
 update(projection)
 assert reader.GetOutput().GetNumberOfPoints() == field.size
 camera.Azimuth(5)
+assert vtkGatunHartleyView.SetView(projection, camera)
 update(projection)
 assert reader.GetOutput().GetNumberOfPoints() == field.size
 reader = gh.open_file(path)
@@ -128,12 +156,12 @@ reader.UpdateWholeExtent()
 assert reader.GetOutput().GetNumberOfPoints() == field.size
 assert (update(projection) == picture).all()
 
-# Another file of that name is another picture.
+# Another file of the same name is another volume.
 gh.write(gh.make_volume(field[::-1].copy(), (2, 3, 4), (1, 2, 3), (0.5, 0.6, 0.7)), path)
 assert (update(projection) != picture).any() and projection.GetNumberOfVolumes() == 2
 
 
-# What cannot be drawn.
+# Errors.
 def refuse(projection, *texts, code=INVALID):
     errors = gm.Errors(projection)
     projection.Update()
@@ -147,32 +175,35 @@ def refuse(projection, *texts, code=INVALID):
 
 
 expected = gr.draw(image, camera, Size=(20, 20))
+# Properties are clamped to their range; what is not a number is an error, and can be repaired.
+projection = vtkGatunHartleyProjection()
+for name, value, clamped in (
+    ("Size", (0, 5), (1, 5)), ("Size", (32001, 2147483647), (32000, 32000)), ("Zoom", -1, 1e-6),
+    ("ParallelScale", -1, 0), ("SampleDistance", -1, 0), ("Extinction", -1, 0), ("Padding", 0.5, 1),
+    ("Padding", 9, 8), ("MemoryBudget", -1, 0), ("OpacityModel", 3, 2), ("Method", -1, 0),
+    ("Kernel", 2, 1), ("ScalarOpacityUnitDistance", -1, 0), ("Background", (-1, 2, 0.5), (0, 1, 0.5)),
+):
+    gr.set_all(projection, {name: value})
+    assert getattr(projection, "Get" + name)() == clamped, (name, value)
 bad = {
-    "Size": ((0, 5), (5, 0), (-1, 5), (32001, 5), (2147483647, 2147483647)),
-    "BlockSize": (-1, 1, 65, 1000000), "Quality": (0, np.nan), "SampleDistance": (-1, np.nan, np.inf),
-    "FrequencyWeight": (-1, 9), "Window": ((np.nan, 1), (0, np.inf)),
+    "SampleDistance": (np.nan,), "Window": ((np.nan, 1), (0, np.inf)), "Zero": (np.nan,),
+    "Extinction": (np.nan,), "ScalarOpacityUnitDistance": (np.nan,),
 }
 for name, values in bad.items():
     for value in values:
-        projection = gr.make_projection(image, camera, **{"Size": (20, 20), name: value})
+        projection = gr.make_projection(image, camera, **{"Size": (20, 20), "UseZero": name == "Zero",
+                                                          name: value})
         refuse(projection)
-        before = vtkHartleyProjection()
-        kept = getattr(before, "Get" + name)() if name != "Size" else (20, 20)
-        getattr(projection, "Set" + name)(*(kept if isinstance(kept, tuple) else (kept,)))
+        kept = getattr(vtkGatunHartleyProjection(), "Get" + name)()
+        gr.set_all(projection, {"UseZero": False, name: kept})
         assert np.array_equal(update(projection), expected), (name, value)
-for value in (0.5, 9, np.nan):
-    refuse(gr.make_projection(image, camera, Size=(20, 20), Method=2, Padding=value))
+refuse(gr.make_projection(image, camera, Size=(20, 20), Method=2, Padding=np.nan))
 for options in (dict(ViewDirection=(0, 0, 0)), dict(ViewUp=(0, 0, 0)), dict(ViewUp=(0, 0, 3)),
                 dict(ViewDirection=(np.nan, 0, 1)), dict(ViewUp=(np.inf, 0, 1))):
-    refuse(gr.make_projection(image, None, **options), "do not make a view")
-for zoom in (0, -1, np.nan, np.inf):
-    refuse(gr.make_projection(image, None, Zoom=zoom), "zoom")
-camera.ParallelProjectionOff()
-projection = gr.make_projection(image, camera, Size=(20, 20))
-refuse(projection, "perspective", "one direction for the projection-slice theorem",
-       "ParallelProjectionOn")
-camera.ParallelProjectionOn()
-assert np.array_equal(update(projection), expected)
+    refuse(gr.make_projection(image, None, **options), "do not define a view")
+for options in (dict(Zoom=np.nan), dict(ParallelScale=np.nan),
+                dict(UseFocalPoint=True, FocalPoint=(0, np.nan, 0))):
+    refuse(gr.make_projection(image, None, **options), "not a finite number")
 
 small = field[:6, :7, :8].astype(float)
 for spacing in ((0, 1, 1), (1, 1, 0), (np.nan, 1, 1), (1, np.inf, 1)):
@@ -196,20 +227,21 @@ bits.SetNumberOfValues(small.size)
 vectors.GetPointData().AddArray(bits)
 for where, name, text in ((0, "velocity", "has 3 components"), (0, "bits", "vtkBitArray"),
                           (0, "nothing", "there is no point array 'nothing'"),
-                          (1, "cell", "needs an array on the points")):
+                          (1, "cell", "needs a point array")):
     projection = gr.make_projection(vectors, camera, Size=(20, 20))
     projection.SetInputArrayToProcess(0, 0, 0, where, name)
     refuse(projection, text)
     projection.SetInputArrayToProcess(0, 0, 0, 0, "density")
     update(projection)
 
-# One voxel, one layer, constant values, huge ranges: pictures.
+# One voxel, one layer, constant values and huge ranges can be drawn.
 for fine in (np.ones((1, 1, 1)), np.arange(40.0).reshape(1, 5, 8), np.full((9, 9, 9), -5.0),
              np.array([[[-1e20, 1e20]]]), np.full((3, 3, 3), 1e30, np.float32)):
-    for law in (0, 1, 2):
+    for model in (0, 1, 2):
         for block in (0, 8):
-            rgba = gr.draw(gh.make_volume(fine), None, "RGBA", Law=law, BlockSize=block, Size=(9, 9))
-            assert np.isfinite(rgba).all() and rgba.min() >= 0 and rgba.max() <= 1.00001, (fine, law)
+            rgba = gr.draw(gh.make_volume(fine), None, "RGBA", OpacityModel=model, BlockSize=block,
+                           Size=(9, 9))
+            assert np.isfinite(rgba).all() and rgba.min() >= 0 and rgba.max() <= 1.00001, (fine, model)
 
 # Damaged files and missing ones.
 with open(path, "rb") as file:
@@ -239,7 +271,7 @@ projection.Update()
 assert len(heard.messages) == 1 and projection.GetErrorCode() != 0
 assert projection.GetOutput().GetNumberOfPoints() == 0
 
-# Aborted: no message, no picture; and then the right one.
+# After an abort there is no message and no image; the next image is right.
 projection = gr.make_projection(image, camera, Size=(20, 20))
 errors = gm.Errors(projection)
 tag = projection.AddObserver("ProgressEvent", lambda *_: projection.SetAbortExecute(1))

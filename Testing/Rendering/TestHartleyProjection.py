@@ -1,13 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Pictures from Hartley coefficients are those of the trilinear volume, wherever the volume is and
-whoever looks: against integrals along rays that numpy adds up."""
+"""Images from Hartley coefficients are those of the trilinear volume, for any position of the volume
+and any view: compared with integrals along rays that numpy computes."""
 
 import numpy as np
 
 import gatunHartley as gh
 import gatunRays as gr
+from gatun import vtkGatunHartleyView
 
 SIZE = (40, 33)
 
@@ -46,23 +47,23 @@ for number, (name, place) in enumerate(places.items()):
         for options in (dict(BlockSize=2), dict(BlockSize=8), dict(BlockSize=0),
                         dict(BlockSize=16, Method=2)):
             step = 0.25 * (turn + 1)
-            sums = gr.draw(image, camera, "Sum", Law=0, Size=SIZE, SampleDistance=step,
+            sums = gr.draw(image, camera, "Sum", OpacityModel=0, Size=SIZE, SampleDistance=step,
                            **gr.LOSSLESS, **options)
             note("sums " + str(options), abs(sums * step - exact) / exact.max())
-            # Opacity is exact under the exponential law, in whatever blocks.
-            rgba = gr.draw(image, camera, "RGBA", Law=1, Size=SIZE, Extinction=0.003, Zero=0,
+            # In the exponential model, opacity does not depend on the blocks.
+            rgba = gr.draw(image, camera, "RGBA", OpacityModel=1, Size=SIZE, Extinction=0.003, Zero=0,
                            UseZero=True, **gr.LOSSLESS, **options)
             note("opacity " + str(options), abs(rgba[..., 3] - (1 - np.exp(-0.003 * exact))))
 for key, (mean, largest) in worst.items():
     print("%-40s mean %.1e, largest %.1e" % (key, mean, largest))
-# Pixels lie between the points of blocks' pictures, and silhouettes are sharp.
+# Images of blocks are interpolated at the pixels, and silhouettes are sharp.
 assert max(mean for mean, _ in worst.values()) < 2e-3
 assert max(largest for _, largest in worst.values()) < 2e-2
 
 # Samples are the sum of a volume of ones.
 image = gh.make_volume(field, **places["oblique"])
 camera = gr.make_camera((0.3, -0.5, 0.8), focus=image.GetCenter(), scale=14)
-samples = gr.draw(image, camera, "Samples", Law=0, Size=SIZE, SampleDistance=0.5)
+samples = gr.draw(image, camera, "Samples", OpacityModel=0, Size=SIZE, SampleDistance=0.5)
 exact = gr.integrals(image, np.ones_like(field), camera, SIZE) / 0.5
 errors = abs(samples - exact) / exact.max()
 assert errors.mean() < 2e-3 and errors.max() < 2e-2, (errors.mean(), errors.max())
@@ -70,17 +71,17 @@ assert errors.mean() < 2e-3 and errors.max() < 2e-2, (errors.mean(), errors.max(
 # Along the axes sums are just sums, with the sample distance that is the default.
 camera = gr.make_camera((0, 0, -1), focus=(8, 5, 0), scale=5.5)
 plain = gh.make_volume(field)
-sums = gr.draw(plain, camera, "Sum", Law=0, Size=(17, 11), **gr.LOSSLESS)
+sums = gr.draw(plain, camera, "Sum", OpacityModel=0, Size=(17, 11), **gr.LOSSLESS)
 assert abs(sums - field.sum(0)).max() < 1e-3 * sums.max()
 camera = gr.make_camera((1, 0, 0), (0, 0, 1), (8, 5, 6.5), 7)
-sums = gr.draw(plain, camera, "Sum", Law=0, Size=(11, 14), **gr.LOSSLESS)
+sums = gr.draw(plain, camera, "Sum", OpacityModel=0, Size=(11, 14), **gr.LOSSLESS)
 assert abs(sums - field.sum(2)[:, ::-1]).max() < 1e-3 * sums.max()  # right is towards -y
 
 # The same data with axes in another order, and a direction that puts them back: the same picture.
 camera = gr.make_camera((0.4, 0.5, -0.7), focus=plain.GetCenter(), scale=12)
 colours = gr.make_property([(7, 0, 0, 1), (107, 1, 0.5, 0)], [(7, 0), (107, 0.3)])
-for law in (0, 1, 2):
-    settings = dict(Law=law, Property=colours, Size=SIZE, **gr.LOSSLESS)
+for model in (0, 1, 2):
+    settings = dict(OpacityModel=model, Property=colours, Size=SIZE, **gr.LOSSLESS)
     expected = gr.draw(plain, camera, "RGBA", **settings)
     assert len(np.unique(np.rint(255 * expected))) > 50
     for order in ((1, 2, 0), (2, 1, 0), (0, 2, 1)):
@@ -91,14 +92,14 @@ for law in (0, 1, 2):
         same = gh.make_volume(moved, direction=direction)
         assert np.allclose(same.GetBounds(), plain.GetBounds())
         got = gr.draw(same, camera, "RGBA", **settings)
-        assert abs(got - expected).max() <= 0.004, (law, order, abs(got - expected).max())
+        assert abs(got - expected).max() <= 0.004, (model, order, abs(got - expected).max())
     # So with voxels that are counted backwards, where the blocks are others.
     flipped = gh.make_volume(np.ascontiguousarray(field[:, :, ::-1]), spacing=(-1, 1, 1),
                              origin=(16, 0, 0))
     got = gr.draw(flipped, camera, "RGBA", **settings)
     errors = abs(got - expected)
-    print("backwards, law %d: mean %.1e, largest %.1e" % (law, errors.mean(), errors.max()))
-    assert errors.mean() < 0.01 and errors.max() < 0.1, law
+    print("backwards, model %d: mean %.1e, largest %.1e" % (model, errors.mean(), errors.max()))
+    assert errors.mean() < 0.01 and errors.max() < 0.1, model
 
 # A constant volume: opacity is that of so much length, and the colour that of the value.
 box = gh.make_volume(np.full((20, 24, 28), 5, np.uint8), spacing=(0.5, 0.5, 0.5))
@@ -122,18 +123,18 @@ assert abs(over[..., 3] - 1).max() < 1e-6
 assert abs(over[..., 1] - (0.2 * expected + 1 - expected)).max() < 0.005
 
 # The window of an X-ray, and by itself.
-sums = gr.draw(plain, camera, "Sum", Law=0, Size=SIZE)
-shown = gr.draw(plain, camera, "RGBA", Law=0, Size=SIZE, Window=(500, 900))
-inside = gr.draw(plain, camera, "Samples", Law=0, Size=SIZE) > 1
+sums = gr.draw(plain, camera, "Sum", OpacityModel=0, Size=SIZE)
+shown = gr.draw(plain, camera, "RGBA", OpacityModel=0, Size=SIZE, Window=(500, 900))
+inside = gr.draw(plain, camera, "Samples", OpacityModel=0, Size=SIZE) > 1
 expected = np.clip((sums - 500) / 400, 0, 1)
 assert inside.any() and abs(shown[..., 0] - expected)[inside].max() < 1e-3
-shown = gr.draw(plain, camera, "RGBA", Law=0, Size=SIZE)
+shown = gr.draw(plain, camera, "RGBA", OpacityModel=0, Size=SIZE)
 assert shown[..., 0].max() > 0.999
 
 # Without a camera all of the volume is seen, and pixels are square.
 for view in (dict(), dict(ViewDirection=(1, 2, -3), ViewUp=(0, 0, 1)), dict(Size=(160, 40)),
              dict(Size=(40, 160))):
-    projection = gr.make_projection(plain, None, Law=0, **{"Size": (50, 50), **view})
+    projection = gr.make_projection(plain, None, OpacityModel=0, **{"Size": (50, 50), **view})
     projection.Update()
     samples = gr.array_of(projection, "Samples")
     assert samples.max() > 0 and not samples[[0, -1]].any() and not samples[:, [0, -1]].any()
@@ -141,14 +142,15 @@ for view in (dict(), dict(ViewDirection=(1, 2, -3), ViewUp=(0, 0, 1)), dict(Size
     assert abs(spacing[0] - spacing[1]) < 1e-12 * spacing[0]
     total = samples.sum() * spacing[0] * spacing[1]
     assert abs(total - field.size) < 0.03 * field.size, (total, field.size)
-    zoomed = gr.draw(plain, None, "Samples", Law=0, Zoom=2, **{"Size": (50, 50), **view})
+    zoomed = gr.draw(plain, None, "Samples", OpacityModel=0, Zoom=2, **{"Size": (50, 50), **view})
     assert (zoomed > 0).sum() > 1.9 * (samples > 0).sum()
 
 # ResetCamera keeps the direction and shows all.
 camera = gr.make_camera((1, 1, 1), (0, 0, 1), (50, 60, 70), 0.1)
 camera.ParallelProjectionOff()
-projection = gr.make_projection(plain, camera, Law=0, Size=(30, 60))
-projection.ResetCamera()
+projection = gr.make_projection(plain, None, OpacityModel=0, Size=(30, 60))
+assert vtkGatunHartleyView.ResetCamera(projection, camera)
+assert vtkGatunHartleyView.SetView(projection, camera)
 projection.Update()
 assert np.allclose(camera.GetDirectionOfProjection(), np.ones(3) / 3 ** 0.5)
 assert camera.GetParallelProjection() and np.allclose(camera.GetFocalPoint(), plain.GetCenter())

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Pictures of regular volumes, and integrals along rays by numpy alone."""
+"""Images of regular volumes, and integrals along rays by numpy alone."""
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -9,9 +9,8 @@ from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkColorTransferFunction, vtkVolumeProperty
 
 import gatunMeshes as gm
-from gatun import vtkHartleyProjection
-
-LOSSLESS = {"Goal": 1, "MaximumError": 0}
+from gatun import vtkGatunHartleyEncoder, vtkGatunHartleyProjection, vtkGatunHartleyView
+from gatunHartley import LOSSLESS
 
 
 def make_camera(direction, up=(0, 1, 0), focus=(0, 0, 0), scale=10.0):
@@ -40,23 +39,50 @@ def make_property(colours, opacities, distance=1.0):
     return made
 
 
-def make_projection(source, camera=None, **options):
+ENCODING = ("BlockSize", "RateControl", "Quality", "RMSError", "PSNR", "BitsPerVoxel",
+            "FrequencyWeight")
+
+
+def connect(source, algorithm):
     """source: an image, or an algorithm."""
-    projection = vtkHartleyProjection()
     if source.IsA("vtkAlgorithm"):
-        projection.SetInputConnection(source.GetOutputPort())
+        algorithm.SetInputConnection(source.GetOutputPort())
     else:
-        projection.SetInputData(source)
-    projection.SetCamera(camera)
-    projection.OutputFloatsOn()
+        algorithm.SetInputData(source)
+    return algorithm
+
+
+def set_all(algorithm, options):
     for name, value in options.items():
         value = value if isinstance(value, (tuple, list)) else (value,)
-        getattr(projection, "Set" + name)(*value)
+        getattr(algorithm, "Set" + name)(*value)
+    return algorithm
+
+
+def make_encoder(source, **options):
+    return set_all(connect(source, vtkGatunHartleyEncoder()), options)
+
+
+def make_projection(source, camera=None, **options):
+    """source: an image, or an algorithm. Options: of the projection, Property, or those of an encoder,
+    which is then put in between."""
+    encoding = {name: value for name, value in options.items() if name in ENCODING}
+    drawing = {name: value for name, value in options.items()
+               if name not in ENCODING and name != "Property"}
+    projection = vtkGatunHartleyProjection()
+    projection.Encoder = make_encoder(source, **encoding) if encoding else None
+    connect(projection.Encoder or source, projection)
+    projection.OutputFloatsOn()
+    set_all(projection, drawing)
+    if "Property" in options:
+        vtkGatunHartleyView.SetProperty(projection, options["Property"])
+    if camera:
+        assert vtkGatunHartleyView.SetView(projection, camera)
     return projection
 
 
 def array_of(projection, name="Color"):
-    """Of the picture that is there, by rows from below."""
+    """Of the current image, by rows from below."""
     image = projection.GetOutput()
     width, height, _ = image.GetDimensions()
     values = vtk_to_numpy(image.GetPointData().GetArray(name))

@@ -4,11 +4,19 @@
 #ifndef gatunBoxParts_h
 #define gatunBoxParts_h
 
+#include "vtkType.h" // For VTK_ABI_NAMESPACE_BEGIN
+
 #include <vector>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkBoundingBox;
 class vtkMatrix4x4;
 class vtkPlaneCollection;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {

@@ -8,11 +8,17 @@
 
 #include <string>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkAlgorithm;
 class vtkDataObject;
 class vtkGatunFileHandle;
 class vtkInformation;
 class vtkUnstructuredGrid;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 // The way of a file from the process that reads it to the process that draws it. Within a process
 // that is the handle of the file. To another process it is the name of the file, as field data of

@@ -18,6 +18,10 @@
 #include <cmath>
 #include <vector>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkGatunGatherImages);
 
 namespace
@@ -119,3 +123,7 @@ int vtkGatunGatherImages::RequestData(
   output->SetOrigin(origin.data());
   return 1;
 }
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

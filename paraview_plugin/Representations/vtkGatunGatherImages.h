@@ -15,6 +15,10 @@
 #include "vtkGatunParaViewModule.h" // For export macro
 #include "vtkImageAlgorithm.h"
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 class VTKGATUNPARAVIEW_EXPORT vtkGatunGatherImages : public vtkImageAlgorithm
 {
 public:
@@ -37,5 +41,9 @@ private:
   vtkGatunGatherImages(const vtkGatunGatherImages&) = delete;
   void operator=(const vtkGatunGatherImages&) = delete;
 };
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 #endif

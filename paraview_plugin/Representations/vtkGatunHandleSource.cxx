@@ -11,6 +11,10 @@
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkGatunHandleSource);
 
 //------------------------------------------------------------------------------
@@ -62,3 +66,6 @@ void vtkGatunHandleSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Handle: " << this->Handle.Get() << "\n";
   os << indent << "Grid: " << this->Grid.Get() << "\n";
 }
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

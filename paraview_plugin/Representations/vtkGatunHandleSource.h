@@ -19,6 +19,9 @@
 #include "vtkSmartPointer.h"        // For ivars
 #include "vtkUnstructuredGridAlgorithm.h"
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class vtkGatunFileHandle;
 
 class VTKGATUNPARAVIEW_EXPORT vtkGatunHandleSource : public vtkUnstructuredGridAlgorithm
@@ -49,5 +52,9 @@ private:
   vtkSmartPointer<vtkGatunFileHandle> Handle;
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
 };
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 #endif

@@ -18,6 +18,10 @@
 #include "vtkGatunContour.h"
 #include "vtkGatunParaViewModule.h" // For export macro
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 class VTKGATUNPARAVIEW_EXPORT vtkGatunPVContour : public vtkGatunContour
 {
 public:
@@ -35,5 +39,9 @@ private:
   vtkGatunPVContour(const vtkGatunPVContour&) = delete;
   void operator=(const vtkGatunPVContour&) = delete;
 };
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 #endif

@@ -3,16 +3,16 @@
 
 #include "vtkGatunPVProjection.h"
 
-#include "gatunFilePiece.h"
-#include "vtkHartleyVolumeReader.h"
-
 #include "vtkColorTransferFunction.h"
-#include "vtkNew.h"
+#include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkVolumeProperty.h"
 
 #include <algorithm>
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 
 vtkStandardNewMacro(vtkGatunPVProjection);
 
@@ -82,27 +82,30 @@ void vtkGatunPVProjection::SetOpacityPoint(int index, double position, double op
 }
 
 //------------------------------------------------------------------------------
-vtkAlgorithm* vtkGatunPVProjection::FindProducer()
+vtkInformation* vtkGatunPVProjection::GetCoefficientsInformation()
 {
-  auto* const reader = vtkHartleyVolumeReader::SafeDownCast(gatun::FindProducer(this));
-  return reader ? reader : this->Superclass::FindProducer();
+  // ParaView puts this filter behind every source. It does not change images.
+  vtkAlgorithm* const input = this->GetInputAlgorithm(0, 0);
+  return input && input->IsA("vtkPVPostFilter") && input->GetNumberOfInputConnections(0) == 1
+    ? input->GetInputInformation(0, 0)
+    : this->Superclass::GetCoefficientsInformation();
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunPVProjection::FillDefaultProperty(
-  vtkVolumeProperty* property, const double range[2], double diagonal)
+vtkGatunHartleyProjection::TransferFunction vtkGatunPVProjection::MakeTransferFunction(
+  const double range[2], double diagonal)
 {
   const bool isGiven = this->ValueRange[0] < this->ValueRange[1];
   const double low = isGiven ? this->ValueRange[0] : range[0];
   const double extent = isGiven ? this->ValueRange[1] - low
     : range[0] < range[1]       ? range[1] - range[0]
                                 : 1;
-  vtkNew<vtkColorTransferFunction> colours;
+  const auto colors = vtkSmartPointer<vtkColorTransferFunction>::New();
   for (const Node& node : GetNodes(this->ColorMap))
   {
-    colours->AddRGBPoint(low + node[0] * extent, node[1], node[2], node[3]);
+    colors->AddRGBPoint(low + node[0] * extent, node[1], node[2], node[3]);
   }
-  vtkNew<vtkPiecewiseFunction> opacity;
+  const auto opacity = vtkSmartPointer<vtkPiecewiseFunction>::New();
   for (const auto& point : this->OpacityPoints)
   {
     opacity->AddPoint(low + point[0] * extent, std::clamp(point[1], 0., 1.));
@@ -112,9 +115,7 @@ void vtkGatunPVProjection::FillDefaultProperty(
     opacity->AddPoint(low, 0);
     opacity->AddPoint(low + extent, 1);
   }
-  property->SetColor(colours);
-  property->SetScalarOpacity(opacity);
-  property->SetScalarOpacityUnitDistance(this->OpacityUnit * diagonal / 100);
+  return { colors, opacity, this->OpacityUnit * diagonal / 100 };
 }
 
 //------------------------------------------------------------------------------
@@ -126,3 +127,7 @@ void vtkGatunPVProjection::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OpacityUnit: " << this->OpacityUnit << "\n";
   os << indent << "NumberOfOpacityPoints: " << this->OpacityPoints.size() << "\n";
 }
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

@@ -2,34 +2,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkGatunPVProjection
- * @brief Pictures of Hartley volumes in ParaView, with colours that its panels can set.
+ * @brief Renders volumes from Hartley coefficients in ParaView, with color maps for its panel.
  *
- * As vtkHartleyProjection, but it knows a reader of .ghv files also where ParaView puts something
- * in between, and has colour maps and opacities of its own.
+ * Differs from vtkGatunHartleyProjection in two ways. It finds the coefficients of its input
+ * although ParaView puts a filter behind each source. And it has color maps and opacities of its
+ * own, which replace ColorTransferFunction, ScalarOpacity and ScalarOpacityUnitDistance.
  *
- * @sa vtkHartleyProjection vtkHartleyVolumeReader
+ * @sa vtkGatunHartleyProjection vtkGatunHartleyEncoder vtkGatunHartleyReader
  */
 
 #ifndef vtkGatunPVProjection_h
 #define vtkGatunPVProjection_h
 
+#include "vtkGatunHartleyProjection.h"
 #include "vtkGatunParaViewModule.h" // For export macro
-#include "vtkHartleyProjection.h"
 
 #include <array>  // For std::array
 #include <vector> // For std::vector
 
-class VTKGATUNPARAVIEW_EXPORT vtkGatunPVProjection : public vtkHartleyProjection
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+class VTKGATUNPARAVIEW_EXPORT vtkGatunPVProjection : public vtkGatunHartleyProjection
 {
 public:
   static vtkGatunPVProjection* New();
-  vtkTypeMacro(vtkGatunPVProjection, vtkHartleyProjection);
+  vtkTypeMacro(vtkGatunPVProjection, vtkGatunHartleyProjection);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum ColorMapType
   {
-    MAP_GREY = 0,
-    MAP_BONE = 1, ///< of a scan: brown shadows, pale bones
+    MAP_GRAY = 0,
+    MAP_BONE = 1, ///< for scans: brown for low values, pale for bones
     MAP_HEAT = 2,
     MAP_COOL_WARM = 3
   };
@@ -38,14 +42,14 @@ public:
   /**
    * See ColorMapType. Default: MAP_BONE.
    */
-  vtkSetClampMacro(ColorMap, int, MAP_GREY, MAP_COOL_WARM);
+  vtkSetClampMacro(ColorMap, int, MAP_GRAY, MAP_COOL_WARM);
   vtkGetMacro(ColorMap, int);
   ///@}
 
   ///@{
   /**
-   * The values that colours and opacities are spread over; if the second one is not larger, those
-   * of the volume. Default: 0, 0.
+   * The range of values that colors and opacities are mapped to. If the second value is not larger
+   * than the first, the range of the volume. Default: 0, 0.
    */
   vtkSetVector2Macro(ValueRange, double);
   vtkGetVector2Macro(ValueRange, double);
@@ -53,8 +57,8 @@ public:
 
   ///@{
   /**
-   * Opacities, by position: 0 is the first value of the range, 1 the last one. Without any, they
-   * rise evenly from 0 to 1. Default: none.
+   * Opacities by position: 0 is the first value of the range, 1 the last. Without points, the
+   * opacity rises linearly from 0 to 1. Default: none.
    */
   void SetNumberOfOpacityPoints(int number);
   int GetNumberOfOpacityPoints();
@@ -63,7 +67,8 @@ public:
 
   ///@{
   /**
-   * Opacities are those of so many hundredths of the volume's diagonal. Default: 1.
+   * The length of a ray that opacities refer to, in hundredths of the volume's diagonal: 1e-6 to
+   * 1e6. Default: 1.
    */
   vtkSetClampMacro(OpacityUnit, double, 1e-6, 1e6);
   vtkGetMacro(OpacityUnit, double);
@@ -73,9 +78,8 @@ protected:
   vtkGatunPVProjection();
   ~vtkGatunPVProjection() override;
 
-  vtkAlgorithm* FindProducer() override;
-  void FillDefaultProperty(
-    vtkVolumeProperty* property, const double range[2], double diagonal) override;
+  vtkInformation* GetCoefficientsInformation() override;
+  TransferFunction MakeTransferFunction(const double range[2], double diagonal) override;
 
   int ColorMap = MAP_BONE;
   double ValueRange[2] = { 0, 0 };
@@ -86,5 +90,9 @@ private:
   vtkGatunPVProjection(const vtkGatunPVProjection&) = delete;
   void operator=(const vtkGatunPVProjection&) = delete;
 };
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 #endif

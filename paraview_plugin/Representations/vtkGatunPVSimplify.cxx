@@ -7,6 +7,10 @@
 
 #include "vtkObjectFactory.h"
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkGatunPVSimplify);
 
 //------------------------------------------------------------------------------
@@ -26,3 +30,6 @@ void vtkGatunPVSimplify::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
 }
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

@@ -18,6 +18,9 @@
 #include "vtkGatunParaViewModule.h" // For export macro
 #include "vtkGatunSimplify.h"
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
 class VTKGATUNPARAVIEW_EXPORT vtkGatunPVSimplify : public vtkGatunSimplify
 {
 public:
@@ -35,5 +38,9 @@ private:
   vtkGatunPVSimplify(const vtkGatunPVSimplify&) = delete;
   void operator=(const vtkGatunPVSimplify&) = delete;
 };
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 #endif

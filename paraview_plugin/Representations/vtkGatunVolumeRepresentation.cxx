@@ -37,6 +37,10 @@
 #include <algorithm>
 #include <cmath>
 
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 vtkStandardNewMacro(vtkGatunVolumeRepresentation);
 
 namespace
@@ -517,3 +521,7 @@ void vtkGatunVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VolumeMapper:\n";
   this->VolumeMapper->PrintSelf(os, indent.GetNextIndent());
 }
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

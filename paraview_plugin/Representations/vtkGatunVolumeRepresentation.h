@@ -39,6 +39,11 @@ namespace gatun
 {
 struct DrawnFile;
 }
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
 class vtkBoundingBox;
 class vtkDataSet;
 class vtkGatunFileHandle;
@@ -181,5 +186,9 @@ private:
   double UnitDistance = 1;
   double LastBox[6] = { 1, -1, 1, -1, 1, -1 };
 };
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 #endif

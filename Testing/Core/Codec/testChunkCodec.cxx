@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunChunkCodec.h"
 
@@ -509,7 +510,7 @@ TEST(Entropy, MixesSymbolsDecisionsAndRawBits)
   std::vector<std::uint64_t> wanted;
   for (int i = 0; i < 50000; ++i)
   {
-    // All symbols at first, then few, then others: what is learnt must be unlearnt.
+    // All symbols at first, then few, then others: the model must adapt each time.
     const auto r = random();
     const auto most = i < 10000 ? 16u : 3u;
     const auto symbol = static_cast<unsigned>(r % most + (i > 30000 ? 13 : 0)) % 16;

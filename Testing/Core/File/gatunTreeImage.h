@@ -3,7 +3,7 @@
 #ifndef gatunTreeImage_h
 #define gatunTreeImage_h
 
-// A .gtn file with a tree of merges taken apart, to be changed and put together again.
+// Takes a .gtn file with a merge tree apart, so that tests can change and reassemble it.
 
 #include "gatunMergeCodec.h"
 #include "gatunTreeSample.h"

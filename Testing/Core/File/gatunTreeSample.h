@@ -3,8 +3,8 @@
 #ifndef gatunTreeSample_h
 #define gatunTreeSample_h
 
-// Small files with a tree of merges and base meshes. FileWriter makes no base meshes of small
-// meshes, so they are put into the file afterwards.
+// Small files with a merge tree and base meshes. FileWriter makes no base meshes of small meshes,
+// so they are added to the file afterwards.
 
 #include "gatunBaseMesh.h"
 #include "gatunFileImage.h"
@@ -24,7 +24,7 @@
 
 namespace gatun::test
 {
-/** A mesh with arrays at some steps, and how it becomes simpler. */
+/** A mesh with arrays at some steps and a merge tree. */
 struct TreeSample
 {
   ScalarType CoordinateType = ScalarType::Float64;
@@ -118,7 +118,7 @@ inline Bytes ReadFile(const std::string& path)
   return { std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>() };
 }
 
-/** The sections of a file but for its directory, with their payloads. */
+/** The sections of a file except its directory, with their payloads. */
 inline std::vector<FileImage::Section> ReadSections(const std::string& path)
 {
   const InputFile file(path);
@@ -169,7 +169,7 @@ void WriteValues(
   writer.Finish();
 }
 
-/** Writes what is left after so many merges, and returns its bytes. */
+/** Writes the mesh after a number of merges and returns the bytes of the file. */
 inline Bytes MakeLevel(
   const std::string& path, const TreeSample& sample, WriterOptions options, std::size_t merges)
 {
@@ -177,7 +177,7 @@ inline Bytes MakeLevel(
   const BaseMesh base(MeshAccess(input), sample.Tree, merges);
   options.Keep = KeepNone;
   options.Tree = &base.GetTree();
-  Bytes layerValues; // what is left of those that layers are made of
+  Bytes layerValues; // the remaining values that define the layers
   if (options.Layers)
   {
     const auto& array = sample.Arrays[options.Layers->Array];

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Writes the golden files that are organised by layers: makeGoldenLayers FOLDER. What they hold is
-// found out by Testing/Python/make_golden_layers.py.
+// Writes the golden files with layers: makeGoldenLayers FOLDER.
+// Testing/Python/make_golden_layers.py determines their contents.
 
 #include "gatunTreeSample.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Writes the golden files with trees of merges: makeGoldenTrees FOLDER. What they hold is found out
-// by Testing/Python/make_golden_trees.py.
+// Writes the golden files with merge trees: makeGoldenTrees FOLDER.
+// Testing/Python/make_golden_trees.py determines their contents.
 
 #include "gatunTreeSample.h"
 

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunFileReader.h"
 #include "gatunFileWriter.h"
@@ -333,7 +334,7 @@ TEST(File, AbortLeavesTheOldFile)
   }
 }
 
-/** Decodes all of a file; what is wrong with it must come out as an Error that names it. */
+/** Decodes a whole file. Defects must be reported as an Error that names the file. */
 bool ReadsOrExplains(const std::string& path, const Piece& right)
 {
   try

@@ -28,13 +28,15 @@ std::size_t GetAddressSpace()
   return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-/** Opens a file with little memory, in a process of its own: exit code 0 unless memory ran out. */
+/** Opens a file with little memory and 20 s of time. The exit code is 0 unless memory ran out. */
 void OpenWithLimit(const std::string& path)
 {
   const auto limit =
     GetAddressSpace() + (std::size_t{ 64 } << 20) + 256 * std::filesystem::file_size(path);
   const ::rlimit memory{ limit, limit };
   ::setrlimit(RLIMIT_AS, &memory);
+  const ::rlimit seconds{ 20, 20 };
+  ::setrlimit(RLIMIT_CPU, &seconds);
   try
   {
     FileReader reader(path);

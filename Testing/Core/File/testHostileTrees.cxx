@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Files whose checksums are right and that lie about how their mesh becomes simpler; and damaged
-// ones.
+// Files with valid checksums and invalid merge trees, and damaged files.
 
 #include "gatunEntropy.h"
 #include "gatunHostile.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Golden files with layers: what is read of them is what a decoder said that was written from
+// Golden files with layers. They must be read as by an independent decoder, which was written from
 // Documentation/format.md alone. See Testing/Python/make_golden_layers.py.
 
 #include "gatunFileReader.h"

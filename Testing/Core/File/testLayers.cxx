@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Files that are organised by layers: what layers are, what is in them, and that nothing else
-// changes.
+// Files that are organized by layers: the layers, their contents, and that nothing else changes.
 
 #include "gatunError.h"
 #include "gatunFileReaderInternals.h"
@@ -493,7 +492,7 @@ TEST(Layers, BaseMeshesHaveThemToo)
     const auto level = file->OpenLevel(i);
     ASSERT_TRUE(level->HasLayers());
     EXPECT_EQ(level->GetLayers().GetCount(), 5u);
-    // Its own, of what is left.
+    // Its own layers, of the remaining values.
     EXPECT_NE(level->GetLayers().Bounds, file->GetLayers().Bounds);
   }
   // A mesh after merges is that of the file without layers.

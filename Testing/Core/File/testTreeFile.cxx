@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Files that tell how their mesh becomes simpler: what is read of them after so many merges is what
-// merging in memory gives.
+// Files with a merge tree. A mesh that is read after a number of merges must equal the result of
+// merging in memory.
 
 #include "gatunChunkCache.h"
 #include "gatunCoarseLayout.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Versions, unknown sections, wrong beginnings and ends, and compressed parts that expand a lot.
+// Versions, unknown sections, wrong headers and trailers, and compression bombs.
 
 #include "gatunHostile.h"
 #include "gatunVerifyFile.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Files whose checksums are right and whose tables lie.
+// Files with valid checksums and invalid tables.
 
 #include "gatunArrayCodec.h"
 #include "gatunHostile.h"

@@ -70,13 +70,13 @@ Phantom<Value> MakePhantom(const std::array<std::uint32_t, 3>& size, const Funct
 }
 
 /** From 0 to 1 over about two voxels around the surface of an ellipsoid. */
-inline double GetInside(const std::array<double, 3>& point, const std::array<double, 3>& centre,
+inline double GetInside(const std::array<double, 3>& point, const std::array<double, 3>& center,
   const std::array<double, 3>& radii, double voxel)
 {
   double squares = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const double part = (point[axis] - centre[axis]) / radii[axis];
+    const double part = (point[axis] - center[axis]) / radii[axis];
     squares += part * part;
   }
   const double depth = (1 - std::sqrt(squares)) * std::min({ radii[0], radii[1], radii[2] });

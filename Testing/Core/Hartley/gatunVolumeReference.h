@@ -99,7 +99,7 @@ public:
 
   double GetBase() const { return this->Base; }
 
-  Vector GetCentre() const
+  Vector GetCenter() const
   {
     return { (this->Low[0] + this->High[0]) / 2, (this->Low[1] + this->High[1]) / 2,
       (this->Low[2] + this->High[2]) / 2 };
@@ -144,7 +144,7 @@ public:
     return part;
   }
 
-  /** Samples a step apart, one of them on the plane through the centre at right angles to the ray.
+  /** Samples a step apart, one of them on the plane through the center at right angles to the ray.
    */
   RaySamples GetSamples(const Vector& point, const Vector& step) const
   {
@@ -152,7 +152,7 @@ public:
     RaySamples samples;
     if (part.Begin < part.End)
     {
-      samples.Phase = Dot(AddTimes(this->GetCentre(), -1, point), step) / Dot(step, step);
+      samples.Phase = Dot(AddTimes(this->GetCenter(), -1, point), step) / Dot(step, step);
       samples.First = static_cast<std::int64_t>(std::ceil(part.Begin - samples.Phase));
       samples.End = static_cast<std::int64_t>(std::floor(part.End - samples.Phase)) + 1;
     }
@@ -213,7 +213,7 @@ public:
     return out;
   }
 
-  /** Colour and opacity of one sample. */
+  /** Color and opacity of one sample. */
   static std::array<double, 4> Shade(const HartleyShading& shading, double density)
   {
     const auto last = static_cast<double>(shading.Table.size() - 1);
@@ -226,7 +226,7 @@ public:
     {
       found[i] = (1 - part) * shading.Table[low][i] + part * shading.Table[low + 1][i];
     }
-    if (shading.Law == HartleyLaw::Exponential)
+    if (shading.OpacityModel == HartleyOpacityModel::Exponential)
     {
       found[3] = 1 - std::exp(-shading.Extinction * std::max(0.0, density - shading.Zero));
     }
@@ -312,13 +312,13 @@ private:
 
 /**
  * The view of a volume that was turned about x, then y, then z, by angles in units of pi, and is
- * looked at along z; the middle of the picture sees the volume's middle. Scale: pixels a voxel.
+ * looked at along z; the middle of the image sees the volume's middle. Scale: pixels a voxel.
  */
 inline HartleyView MakeTurnedView(
   const ReferenceVolume::Triple& size, const Vector& turns, unsigned pixels, double scale)
 {
   const double pi = 3.14159265358979323846;
-  // Rows of the matrix that turns the volume are the picture's axes, seen from the volume.
+  // Rows of the matrix that turns the volume are the image's axes, seen from the volume.
   std::array<Vector, 3> axes{ { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
   for (std::size_t about = 3; about-- > 0;)
   {

@@ -14,14 +14,14 @@ namespace
 {
 using namespace gatun;
 using namespace gatun::test;
-using Goal = HartleyQuality::Goal;
+using Mode = HartleyRateMode;
 
 struct Golden
 {
   const char* Name;
   SampleVolume Volume;
   std::uint32_t BlockSize;
-  HartleyQuality Quality;
+  HartleyRateControl RateControl;
 };
 }
 
@@ -44,22 +44,22 @@ int main(int argc, char* argv[])
   all.push_back({ "small.ghv",
     MakeVolume({ 4, 2, 2 }, ScalarType::UInt8,
       [](auto x, auto y, auto z) { return 10 * x + 3 * y + 7 * z * z; }),
-    2, { Goal::Error, 1, 0 } });
-  all.push_back({ "quality.ghv", std::move(placed), 8, { Goal::Quality, 50, 1.5 } });
+    2, { Mode::RMSError, 1, 0 } });
+  all.push_back({ "quality.ghv", std::move(placed), 8, { Mode::Quality, 50, 1.5 } });
   all.push_back(
-    { "blocks_of_2.ghv", MakePhantom({ 19, 23, 9 }, ScalarType::UInt8), 2, { Goal::PSNR, 40, 0 } });
+    { "blocks_of_2.ghv", MakePhantom({ 19, 23, 9 }, ScalarType::UInt8), 2, { Mode::PSNR, 40, 0 } });
   all.push_back({ "blocks_of_5.ghv", MakePhantom({ 70, 12, 11 }, ScalarType::UInt16), 5,
-    { Goal::Rate, 3, 0 } });
+    { Mode::BitsPerVoxel, 3, 0 } });
   all.push_back({ "blocks_of_32.ghv", MakePhantom({ 40, 33, 32 }, ScalarType::Float32), 32,
-    { Goal::PSNR, 30, 0 } });
+    { Mode::PSNR, 30, 0 } });
   all.push_back(
-    { "thin.ghv", MakePhantom({ 100, 1, 37 }, ScalarType::Int8), 64, { Goal::Error, 1, 0 } });
+    { "thin.ghv", MakePhantom({ 100, 1, 37 }, ScalarType::Int8), 64, { Mode::RMSError, 1, 0 } });
   all.push_back(
-    { "whole.ghv", MakePhantom({ 31, 22, 17 }, ScalarType::UInt8), 0, { Goal::Error, 2, 0 } });
+    { "whole.ghv", MakePhantom({ 31, 22, 17 }, ScalarType::UInt8), 0, { Mode::RMSError, 2, 0 } });
   all.push_back(
-    { "segments.ghv", MakePhantom({ 72, 64, 60 }, ScalarType::UInt8), 0, { Goal::PSNR, 25, 0 } });
-  all.push_back(
-    { "lossless.ghv", MakePhantom({ 20, 17, 11 }, ScalarType::Int16), 8, { Goal::Error, 0, 0 } });
+    { "segments.ghv", MakePhantom({ 72, 64, 60 }, ScalarType::UInt8), 0, { Mode::PSNR, 25, 0 } });
+  all.push_back({ "lossless.ghv", MakePhantom({ 20, 17, 11 }, ScalarType::Int16), 8,
+    { Mode::RMSError, 0, 0 } });
   all.push_back({ "lossless_spikes.ghv",
     MakeVolume({ 32, 32, 32 }, ScalarType::Int32,
       [](auto x, auto y, auto z)
@@ -68,9 +68,9 @@ int main(int argc, char* argv[])
           : x == 7 && y == z    ? 2147483647.0
                                 : 3.9 * (GetNoise(x, y, z) > 0.99);
       }),
-    32, { Goal::Error, 0, 0 } });
+    32, { Mode::RMSError, 0, 0 } });
   all.push_back({ "lossless_floats.ghv", MakePhantom({ 9, 10, 11 }, ScalarType::Float64), 4,
-    { Goal::Error, 0, 0 } });
+    { Mode::RMSError, 0, 0 } });
   all.push_back({ "constant.ghv",
     MakeVolume({ 20, 20, 20 }, ScalarType::UInt64, [](auto, auto, auto) { return 7; }), 8, {} });
   for (const auto& golden : all)
@@ -79,7 +79,7 @@ int main(int argc, char* argv[])
     {
       HartleyWriterOptions options;
       options.BlockSize = golden.BlockSize;
-      options.Quality = golden.Quality;
+      options.RateControl = golden.RateControl;
       WriteHartleyFile(std::string(argv[1]) + "/" + golden.Name, golden.Volume.Input, options);
     }
     catch (const Error& error)

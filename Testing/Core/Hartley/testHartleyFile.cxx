@@ -21,18 +21,18 @@ namespace gatun::test
 namespace
 {
 using Triple = HartleyLayout::Triple;
-using Goal = HartleyQuality::Goal;
+using Mode = HartleyRateMode;
 
 constexpr std::array AllTypes{ ScalarType::Int8, ScalarType::UInt8, ScalarType::Int16,
   ScalarType::UInt16, ScalarType::Int32, ScalarType::UInt32, ScalarType::Int64, ScalarType::UInt64,
   ScalarType::Float32, ScalarType::Float64 };
 
-HartleyWriterOptions MakeOptions(std::uint32_t blockSize, Goal goal, double value)
+HartleyWriterOptions MakeOptions(std::uint32_t blockSize, Mode mode, double value)
 {
   HartleyWriterOptions options;
   options.BlockSize = blockSize;
-  options.Quality.Kind = goal;
-  options.Quality.Value = value;
+  options.RateControl.Mode = mode;
+  options.RateControl.Value = value;
   return options;
 }
 
@@ -47,14 +47,15 @@ std::string Describe(const SampleVolume& volume, std::uint32_t blockSize)
 void ExpectLossless(const SampleVolume& volume, std::uint32_t blockSize)
 {
   const auto path = GetPath("lossless.ghv");
-  const auto written = WriteHartleyFile(path, volume.Input, MakeOptions(blockSize, Goal::Error, 0));
+  const auto written =
+    WriteHartleyFile(path, volume.Input, MakeOptions(blockSize, Mode::RMSError, 0));
   const HartleyFile file(path);
   EXPECT_TRUE(file.IsLossless());
   const auto voxels = ReadVoxels(file);
   if (!IsFloating(volume.Input.Type))
   {
     EXPECT_EQ(voxels, volume.Data) << Describe(volume, blockSize);
-    EXPECT_EQ(written.LargestError, 0);
+    EXPECT_EQ(written.MaximumError, 0);
   }
   else
   {
@@ -64,7 +65,7 @@ void ExpectLossless(const SampleVolume& volume, std::uint32_t blockSize)
       : 2.3e-16 * std::max(64 * range, std::abs(file.GetRange().Max));
     const auto difference = Compare(volume, voxels);
     EXPECT_LE(difference.Largest, 4 * precision) << Describe(volume, blockSize);
-    EXPECT_EQ(written.LargestError, difference.Largest);
+    EXPECT_EQ(written.MaximumError, difference.Largest);
   }
   file.Verify();
 }
@@ -122,7 +123,7 @@ TEST(HartleyFile, LargeBlocksHaveSegments)
   const auto volume = MakePhantom({ 90, 80, 75 }, ScalarType::UInt8);
   ExpectLossless(volume, 0);
   const auto path = GetPath("whole.ghv");
-  WriteHartleyFile(path, volume.Input, MakeOptions(0, Goal::PSNR, 45));
+  WriteHartleyFile(path, volume.Input, MakeOptions(0, Mode::PSNR, 45));
   const HartleyFile file(path);
   EXPECT_EQ(file.GetLayout().GetNumberOfChunks(), 1u);
   EXPECT_EQ(file.GetLayout().GetVoxelsPerBlock(), 90u * 80u * 75u);
@@ -139,8 +140,8 @@ TEST(HartleyFile, TellsWhatItWasMadeOf)
   volume.Input.Spacing = { 0.5, 0, 2 };
   volume.Input.Direction = { 0, 1, 0, -1, 0, 0, 0, 0, 1 };
   volume.Input.FirstIndex = { -4, 0, 7 };
-  auto options = MakeOptions(4, Goal::Quality, 35);
-  options.Quality.FrequencyWeight = 1.5;
+  auto options = MakeOptions(4, Mode::Quality, 35);
+  options.RateControl.FrequencyWeight = 1.5;
   const auto path = GetPath("described.ghv");
   const auto written = WriteHartleyFile(path, volume.Input, options);
   EXPECT_TRUE(HartleyFile::CanRead(path));
@@ -156,34 +157,34 @@ TEST(HartleyFile, TellsWhatItWasMadeOf)
   EXPECT_EQ(file.GetVolume().Direction, volume.Input.Direction);
   EXPECT_EQ(file.GetVolume().FirstIndex, volume.Input.FirstIndex);
   EXPECT_EQ(file.GetVolume().Values, nullptr);
-  EXPECT_EQ(file.GetQuality().Kind, Goal::Quality);
-  EXPECT_EQ(file.GetQuality().Value, 35);
-  EXPECT_EQ(file.GetQuality().FrequencyWeight, 1.5);
+  EXPECT_EQ(file.GetRateControl().Mode, Mode::Quality);
+  EXPECT_EQ(file.GetRateControl().Value, 35);
+  EXPECT_EQ(file.GetRateControl().FrequencyWeight, 1.5);
   EXPECT_FALSE(file.IsLossless());
   EXPECT_EQ(file.GetFormatVersion(), std::pair(1, 0));
   EXPECT_EQ(file.GetFileBytes(), written.FileBytes);
   EXPECT_EQ(file.GetFileBytes(), std::filesystem::file_size(path));
   EXPECT_EQ(file.GetLayout(), HartleyLayout::Make(volume.Input.Size, 4));
-  EXPECT_EQ(file.GetRootMeanSquareError(), written.RootMeanSquareError);
-  EXPECT_EQ(file.GetLargestError(), written.LargestError);
+  EXPECT_EQ(file.GetRMSError(), written.RMSError);
+  EXPECT_EQ(file.GetMaximumError(), written.MaximumError);
   const auto difference = Compare(volume, ReadVoxels(file));
-  EXPECT_NEAR(difference.RootMeanSquare, written.RootMeanSquareError, 1e-12);
-  EXPECT_EQ(difference.Largest, written.LargestError);
+  EXPECT_NEAR(difference.RootMeanSquare, written.RMSError, 1e-12);
+  EXPECT_EQ(difference.Largest, written.MaximumError);
 }
 
 TEST(HartleyFile, HasTheCoefficientsOfTheVolumeInMemory)
 {
   for (const std::uint32_t blockSize : { 2u, 5u, 8u, 33u, 0u })
   {
-    for (const auto& options :
-      { MakeOptions(blockSize, Goal::Quality, 40), MakeOptions(blockSize, Goal::PSNR, 35),
-        MakeOptions(blockSize, Goal::Rate, 1.5), MakeOptions(blockSize, Goal::Error, 0) })
+    for (const auto& options : { MakeOptions(blockSize, Mode::Quality, 40),
+           MakeOptions(blockSize, Mode::PSNR, 35), MakeOptions(blockSize, Mode::BitsPerVoxel, 1.5),
+           MakeOptions(blockSize, Mode::RMSError, 0) })
     {
       const auto volume = MakePhantom({ 70, 36, 51 }, ScalarType::Int16);
       const auto path = GetPath("same.ghv");
       WriteHartleyFile(path, volume.Input, options);
       const HartleyFile file(path);
-      const auto memory = HartleyVolume::Make(volume.Input, blockSize, options.Quality);
+      const auto memory = HartleyVolume::Make(volume.Input, blockSize, options.RateControl);
       ASSERT_EQ(file.GetLayout(), memory->GetLayout());
       EXPECT_EQ(file.GetBase(), memory->GetBase());
       EXPECT_EQ(file.GetRange().Min, memory->GetRange().Min);
@@ -211,7 +212,7 @@ TEST(HartleyFile, GivesPartsOfTheVolume)
     for (const double error : { 0.0, 500.0 })
     {
       const auto path = GetPath("parts.ghv");
-      WriteHartleyFile(path, volume.Input, MakeOptions(blockSize, Goal::Error, error));
+      WriteHartleyFile(path, volume.Input, MakeOptions(blockSize, Mode::RMSError, error));
       const HartleyFile file(path);
       const auto all = ReadVoxels(file);
       const auto before = file.GetBytesRead();
@@ -246,7 +247,7 @@ TEST(HartleyFile, ReadsOnlyTheChunksThatAreAskedFor)
 {
   const auto volume = MakePhantom({ 200, 130, 3 }, ScalarType::UInt8);
   const auto path = GetPath("seek.ghv");
-  WriteHartleyFile(path, volume.Input, MakeOptions(8, Goal::Quality, 60));
+  WriteHartleyFile(path, volume.Input, MakeOptions(8, Mode::Quality, 60));
   const HartleyFile file(path);
   const auto before = file.GetBytesRead();
   unsigned char voxel = 0;
@@ -267,7 +268,7 @@ void ExpectPromises(const SampleVolume& volume, std::uint32_t blockSize,
   const auto voxels = static_cast<double>(volume.GetCount());
   for (const double error : errors)
   {
-    WriteHartleyFile(path, volume.Input, MakeOptions(blockSize, Goal::Error, error));
+    WriteHartleyFile(path, volume.Input, MakeOptions(blockSize, Mode::RMSError, error));
     const auto found = Compare(volume, ReadVoxels(HartleyFile(path))).RootMeanSquare;
     EXPECT_LE(found, error * (1 + 1e-12)) << Describe(volume, blockSize);
     EXPECT_GE(found, 0.9 * error) << Describe(volume, blockSize);
@@ -275,14 +276,14 @@ void ExpectPromises(const SampleVolume& volume, std::uint32_t blockSize,
     const HartleyFile file(path);
     const double range = file.GetRange().Max - file.GetRange().Min;
     const double psnr = 20 * std::log10(range / error);
-    WriteHartleyFile(path, volume.Input, MakeOptions(blockSize, Goal::PSNR, psnr));
+    WriteHartleyFile(path, volume.Input, MakeOptions(blockSize, Mode::PSNR, psnr));
     const auto again = Compare(volume, ReadVoxels(HartleyFile(path))).RootMeanSquare;
     EXPECT_NEAR(again, found, 1e-9 * found) << Describe(volume, blockSize);
   }
   for (const double rate : rates)
   {
     const auto written =
-      WriteHartleyFile(path, volume.Input, MakeOptions(blockSize, Goal::Rate, rate));
+      WriteHartleyFile(path, volume.Input, MakeOptions(blockSize, Mode::BitsPerVoxel, rate));
     EXPECT_NEAR(8 * static_cast<double>(written.FileBytes) / voxels, rate, 0.02 * rate)
       << Describe(volume, blockSize);
   }
@@ -343,10 +344,10 @@ TEST(HartleyFile, HigherQualityIsBetterAndLarger)
   for (const double quality : { 1, 10, 25, 40, 55, 70, 85, 100 })
   {
     const auto written =
-      WriteHartleyFile(path, volume.Input, MakeOptions(8, Goal::Quality, quality));
-    EXPECT_LT(written.RootMeanSquareError, lastError) << quality;
+      WriteHartleyFile(path, volume.Input, MakeOptions(8, Mode::Quality, quality));
+    EXPECT_LT(written.RMSError, lastError) << quality;
     EXPECT_GT(written.FileBytes, lastBytes) << quality;
-    lastError = written.RootMeanSquareError;
+    lastError = written.RMSError;
     lastBytes = written.FileBytes;
   }
   // The step is 1024th of the range then.
@@ -358,8 +359,9 @@ TEST(HartleyFile, ConstantVolumesTakeNothing)
   for (const auto type : AllTypes)
   {
     const auto volume = MakeVolume({ 70, 50, 40 }, type, [](auto, auto, auto) { return 42.0; });
-    for (const auto& options : { MakeOptions(8, Goal::Quality, 60), MakeOptions(8, Goal::Error, 0),
-           MakeOptions(0, Goal::PSNR, 50), MakeOptions(16, Goal::Rate, 1) })
+    for (const auto& options :
+      { MakeOptions(8, Mode::Quality, 60), MakeOptions(8, Mode::RMSError, 0),
+        MakeOptions(0, Mode::PSNR, 50), MakeOptions(16, Mode::BitsPerVoxel, 1) })
     {
       const auto path = GetPath("constant.ghv");
       const auto written = WriteHartleyFile(path, volume.Input, options);
@@ -379,7 +381,7 @@ TEST(HartleyFile, BytesDoNotDependOnThreads)
     {
       const auto path = GetPath("threads.ghv");
       const auto write = [&]
-      { WriteHartleyFile(path, volume.Input, MakeOptions(blockSize, Goal::PSNR, 50)); };
+      { WriteHartleyFile(path, volume.Input, MakeOptions(blockSize, Mode::PSNR, 50)); };
       if (parallel)
       {
         write();
@@ -405,7 +407,7 @@ TEST(HartleyFile, CanBeStopped)
     {
       try
       {
-        WriteHartleyFile(path, volume.Input, MakeOptions(blockSize, Goal::Quality, 50),
+        WriteHartleyFile(path, volume.Input, MakeOptions(blockSize, Mode::Quality, 50),
           [&](double done) { return done < when; });
         ADD_FAILURE() << "not stopped";
       }
@@ -416,7 +418,7 @@ TEST(HartleyFile, CanBeStopped)
       EXPECT_TRUE(ListFolder(path).empty());
     }
   }
-  WriteHartleyFile(path, volume.Input, MakeOptions(8, Goal::Quality, 50));
+  WriteHartleyFile(path, volume.Input, MakeOptions(8, Mode::Quality, 50));
   const HartleyFile file(path);
   std::vector<std::int16_t> voxels(volume.GetCount());
   EXPECT_THROW(
@@ -428,8 +430,8 @@ TEST(HartleyFile, CanBeStopped)
 TEST(HartleyFile, ProgressGoesForward)
 {
   const auto volume = MakePhantom({ 130, 90, 70 }, ScalarType::Int16);
-  for (const auto& options : { MakeOptions(8, Goal::Quality, 50), MakeOptions(0, Goal::PSNR, 45),
-         MakeOptions(16, Goal::Rate, 1) })
+  for (const auto& options : { MakeOptions(8, Mode::Quality, 50), MakeOptions(0, Mode::PSNR, 45),
+         MakeOptions(16, Mode::BitsPerVoxel, 1) })
   {
     double last = 0;
     const auto path = GetPath("progress.ghv");
@@ -467,13 +469,13 @@ void ExpectRefused(
   };
   check([&] { WriteHartleyFile(path, volume, options); });
   EXPECT_TRUE(ListFolder(path).empty());
-  check([&] { HartleyVolume::Make(volume, options.BlockSize, options.Quality); });
+  check([&] { HartleyVolume::Make(volume, options.BlockSize, options.RateControl); });
 }
 }
 
 TEST(HartleyFile, RefusesVoxelsItCannotKeep)
 {
-  const auto options = MakeOptions(8, Goal::Quality, 50);
+  const auto options = MakeOptions(8, Mode::Quality, 50);
   for (const double bad : { std::nan(""), HUGE_VAL, -HUGE_VAL })
   {
     for (const auto type : { ScalarType::Float32, ScalarType::Float64 })
@@ -498,30 +500,31 @@ TEST(HartleyFile, RefusesVoxelsItCannotKeep)
   ExpectRefused(narrow.Input, options, "beyond single precision");
   const auto range = MakeVolume(
     { 4, 4, 4 }, ScalarType::Int64, [](auto x, auto, auto) { return x == 1 ? 9e15 : 0; });
-  ExpectRefused(range.Input, MakeOptions(8, Goal::Error, 0), "more than 2^40");
+  ExpectRefused(range.Input, MakeOptions(8, Mode::RMSError, 0), "exceeds 2^40");
 }
 
 TEST(HartleyFile, RefusesSettingsThatMakeNoSense)
 {
   const auto volume = MakePhantom({ 9, 8, 7 }, ScalarType::UInt8);
-  ExpectRefused(volume.Input, MakeOptions(1, Goal::Quality, 50), "blocks of 1 voxels");
-  ExpectRefused(volume.Input, MakeOptions(100000, Goal::Quality, 50), "blocks of 100000 voxels");
-  ExpectRefused(volume.Input, MakeOptions(8, Goal::Quality, 0), "the quality is 0");
-  ExpectRefused(volume.Input, MakeOptions(8, Goal::Quality, 101), "the quality is 101");
-  ExpectRefused(volume.Input, MakeOptions(8, Goal::Error, -1), "the error is -1");
-  ExpectRefused(volume.Input, MakeOptions(8, Goal::Error, std::nan("")), "the error is nan");
+  ExpectRefused(volume.Input, MakeOptions(1, Mode::Quality, 50), "blocks of 1 voxels");
+  ExpectRefused(volume.Input, MakeOptions(100000, Mode::Quality, 50), "blocks of 100000 voxels");
+  ExpectRefused(volume.Input, MakeOptions(8, Mode::Quality, 0), "the quality is 0");
+  ExpectRefused(volume.Input, MakeOptions(8, Mode::Quality, 101), "the quality is 101");
+  ExpectRefused(volume.Input, MakeOptions(8, Mode::RMSError, -1), "the RMS error is -1");
+  ExpectRefused(volume.Input, MakeOptions(8, Mode::RMSError, std::nan("")), "the RMS error is nan");
   const auto noise = MakeVolume({ 9, 8, 7 }, ScalarType::Float64, GetNoise);
-  ExpectRefused(noise.Input, MakeOptions(8, Goal::Error, 1e-250), "is too small");
-  ExpectRefused(volume.Input, MakeOptions(8, Goal::PSNR, 0), "the signal-to-noise ratio");
-  ExpectRefused(volume.Input, MakeOptions(8, Goal::Rate, 0), "the rate in bits a voxel");
-  auto options = MakeOptions(8, Goal::Quality, 50);
-  options.Quality.FrequencyWeight = 5;
-  ExpectRefused(volume.Input, options, "the weight of frequencies");
+  ExpectRefused(noise.Input, MakeOptions(8, Mode::RMSError, 1e-250), "is too small");
+  ExpectRefused(volume.Input, MakeOptions(8, Mode::PSNR, 0), "the peak signal-to-noise ratio");
+  ExpectRefused(
+    volume.Input, MakeOptions(8, Mode::BitsPerVoxel, 0), "the number of bits per voxel");
+  auto options = MakeOptions(8, Mode::Quality, 50);
+  options.RateControl.FrequencyWeight = 5;
+  ExpectRefused(volume.Input, options, "the frequency weight");
   auto empty = volume.Input;
   empty.Size[1] = 0;
-  ExpectRefused(empty, MakeOptions(8, Goal::Quality, 50), "is empty");
+  ExpectRefused(empty, MakeOptions(8, Mode::Quality, 50), "is empty");
   auto nothing = volume.Input;
   nothing.Values = nullptr;
-  ExpectRefused(nothing, MakeOptions(8, Goal::Quality, 50), "has no values");
+  ExpectRefused(nothing, MakeOptions(8, Mode::Quality, 50), "has no values");
 }
 }

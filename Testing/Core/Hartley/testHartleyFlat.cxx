@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Pictures of constant volumes: no seams between blocks and no gaps, from any side. What each ray
+// Images of constant volumes: no seams between blocks and no gaps, from any side. What each ray
 // should come to is known: the part of it in the volume, times the constant.
 
 #include "gatunHartleyTransform.h"
@@ -108,9 +108,9 @@ std::vector<Vector> MakeTurns()
   return turns;
 }
 
-/** The largest differences between pictures and what they should be, as parts of the largest value
- * that a picture should have. Rays count that meet what is more than two voxels from the border:
- * at the silhouette a picture falls to nothing within a voxel, and interpolation shows. */
+/** The largest differences between images and what they should be, as parts of the largest value
+ * that an image should have. Rays count that meet what is more than two voxels from the border:
+ * at the silhouette an image falls to nothing within a voxel, and interpolation shows. */
 struct Unevenness
 {
   double Sums = 0;
@@ -118,7 +118,7 @@ struct Unevenness
   double Exponential = 0;
   double Function = 0;
   double Density = 0; ///< means over the samples, as parts of the constant
-  double Colour = 0;  ///< of full colour
+  double Color = 0;   ///< of full color
   std::size_t Pixels = 0;
 };
 
@@ -133,15 +133,15 @@ void Measure(HartleyProjector& projector, const HartleyLayout::Triple& size, con
     std::sqrt(static_cast<double>(size[0] * size[0] + size[1] * size[1] + size[2] * size[2]));
   const HartleyView view = MakeTurnedView(size, turns, 73, 73 / (length + 3));
   HartleyShading shading;
-  const HartleyPicture xray = projector.Draw(view, shading);
+  const HartleyImage xray = projector.Draw(view, shading);
   shading.First = 0;
   shading.Last = 200;
   shading.Table = { { 0, 0.2f, 0.9f, 0 }, { 1, 0.6f, 0.1f, 0.06f } };
-  shading.Law = HartleyLaw::Exponential;
+  shading.OpacityModel = HartleyOpacityModel::Exponential;
   shading.Extinction = 0.0003;
-  const HartleyPicture exponential = projector.Draw(view, shading);
-  shading.Law = HartleyLaw::TransferFunction;
-  const HartleyPicture function = projector.Draw(view, shading);
+  const HartleyImage exponential = projector.Draw(view, shading);
+  shading.OpacityModel = HartleyOpacityModel::TransferFunction;
+  const HartleyImage function = projector.Draw(view, shading);
   std::vector<std::pair<std::size_t, double>> seen;
   double most = 0;
   for (unsigned row = 0; row < view.Height; ++row)
@@ -168,14 +168,14 @@ void Measure(HartleyProjector& projector, const HartleyLayout::Triple& size, con
     compare(worst.Samples, xray.Samples[i], samples, most);
     compare(worst.Density, xray.Sums[i] / xray.Samples[i] / Constant, 1, 1);
     compare(
-      worst.Exponential, exponential.Colours[i][3], getExponential(samples), getExponential(most));
-    compare(worst.Function, function.Colours[i][3], getFunction(samples), getFunction(most));
-    for (const auto* picture : { &exponential, &function })
+      worst.Exponential, exponential.Colors[i][3], getExponential(samples), getExponential(most));
+    compare(worst.Function, function.Colors[i][3], getFunction(samples), getFunction(most));
+    for (const auto* image : { &exponential, &function })
     {
-      const auto& colour = picture->Colours[i];
-      compare(worst.Colour, colour[0] / colour[3], 0.5, 1);
-      compare(worst.Colour, colour[1] / colour[3], 0.4, 1);
-      compare(worst.Colour, colour[2] / colour[3], 0.5, 1);
+      const auto& color = image->Colors[i];
+      compare(worst.Color, color[0] / color[3], 0.5, 1);
+      compare(worst.Color, color[1] / color[3], 0.4, 1);
+      compare(worst.Color, color[2] / color[3], 0.5, 1);
     }
   }
   worst.Pixels = seen.size();
@@ -198,7 +198,7 @@ TEST_P(HartleyFlat, FromTwentySides)
   const auto constant = MakeConstant(size, Constant);
   if (isBase)
   {
-    source = HartleyVolume::Make(constant.GetInput(), block, { HartleyQuality::Goal::Error, 0, 0 });
+    source = HartleyVolume::Make(constant.GetInput(), block, { HartleyRateMode::RMSError, 0, 0 });
   }
   else
   {
@@ -215,7 +215,7 @@ TEST_P(HartleyFlat, FromTwentySides)
     EXPECT_LT(worst.Samples, 0.01);
     EXPECT_LT(worst.Exponential, 0.01);
     EXPECT_LT(worst.Function, 0.01);
-    EXPECT_LT(worst.Colour, 0.01);
+    EXPECT_LT(worst.Color, 0.01);
     EXPECT_GT(worst.Pixels, 100u);
   }
 }

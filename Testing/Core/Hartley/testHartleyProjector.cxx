@@ -65,10 +65,10 @@ void ForEachPixel(const HartleyView& view, Use&& use)
 }
 
 /** Densities are as bright as they are large, and as opaque. */
-HartleyShading MakeGrey(HartleyLaw law)
+HartleyShading MakeGrey(HartleyOpacityModel law)
 {
   HartleyShading shading;
-  shading.Law = law;
+  shading.OpacityModel = law;
   for (int i = 0; i < 256; ++i)
   {
     const float part = static_cast<float>(i) / 255;
@@ -77,7 +77,7 @@ HartleyShading MakeGrey(HartleyLaw law)
   return shading;
 }
 
-/** How far pictures of blocks are from integrals along the same rays, in parts of the largest. */
+/** How far images of blocks are from integrals along the same rays, in parts of the largest. */
 Difference CompareBlocks(const Phantom<std::uint8_t>& volume, std::uint32_t blockSize,
   const Vector& turns, const HartleyOptions& options)
 {
@@ -89,7 +89,7 @@ Difference CompareBlocks(const Phantom<std::uint8_t>& volume, std::uint32_t bloc
   std::vector<std::pair<double, double>> pixels;
   for (std::size_t chunk = 0; chunk < layout.GetNumberOfChunks(); ++chunk)
   {
-    const auto pictures = projector.DrawBlocks(view, chunk);
+    const auto images = projector.DrawBlocks(view, chunk);
     const auto box = layout.GetBlocksOfChunk(chunk);
     std::size_t number = 0;
     for (std::uint32_t z = box.First[2]; z < box.End[2]; ++z)
@@ -102,22 +102,21 @@ Difference CompareBlocks(const Phantom<std::uint8_t>& volume, std::uint32_t bloc
           const Triple first{ x * layout.Block[0], y * layout.Block[1], z * layout.Block[2] };
           const ReferenceVolume reference(volume.Values.data(), volume.Size, source->GetBase(),
             first, { first[0] + filled[0], first[1] + filled[1], first[2] + filled[2] });
-          const auto& picture = pictures[number++];
-          for (unsigned row = 0; row < picture.Height; ++row)
+          const auto& image = images[number++];
+          for (unsigned row = 0; row < image.Height; ++row)
           {
-            for (unsigned column = 0; column < picture.Width; ++column)
+            for (unsigned column = 0; column < image.Width; ++column)
             {
               const double expected =
-                reference.Integrate(GetPixel(picture.View, column, row), picture.View.Step);
+                reference.Integrate(GetPixel(image.View, column, row), image.View.Step);
               most = std::max(most, expected);
-              pixels.emplace_back(
-                picture.Sums[std::size_t{ row } * picture.Width + column], expected);
+              pixels.emplace_back(image.Sums[std::size_t{ row } * image.Width + column], expected);
             }
           }
         }
       }
     }
-    EXPECT_EQ(number, pictures.size());
+    EXPECT_EQ(number, images.size());
   }
   Difference difference;
   for (const auto& [found, expected] : pixels)
@@ -183,7 +182,7 @@ TEST(HartleyProjector, TrilinearSlicesAreWorse)
   const auto more = CompareBlocks(volume, 16, turns, paper);
   EXPECT_LT(padded.Mean, bare.Mean);
   EXPECT_LT(more.Mean, padded.Mean);
-  EXPECT_LT(padded.Mean, 0.1); // a picture of the block all the same
+  EXPECT_LT(padded.Mean, 0.1); // an image of the block all the same
   EXPECT_GT(padded.Mean, 10 * CompareBlocks(volume, 16, turns, { HartleyMethod::Slice }).Mean);
 }
 
@@ -202,7 +201,7 @@ TEST(HartleyProjector, XRay)
       SCOPED_TRACE(testing::Message()
         << "block " << block << " turns " << turns[0] << " " << turns[1] << " " << turns[2]);
       const auto view = MakeTurnedView(volume.Size, turns, 71, 1.1);
-      const auto picture = projector.Draw(view, {});
+      const auto image = projector.Draw(view, {});
       Difference sums, samples;
       double most = 0;
       ForEachPixel(view,
@@ -210,9 +209,9 @@ TEST(HartleyProjector, XRay)
         {
           const double expected = reference.Integrate(point, view.Step);
           most = std::max(most, expected);
-          sums.Add(static_cast<double>(picture.Sums[i]), expected);
+          sums.Add(static_cast<double>(image.Sums[i]), expected);
           samples.Add(
-            static_cast<double>(picture.Samples[i]), reference.IntegrateWeight(point, view.Step));
+            static_cast<double>(image.Samples[i]), reference.IntegrateWeight(point, view.Step));
         });
       EXPECT_LT(sums.Mean, 1.6e-3 * most);
       EXPECT_LT(sums.Largest, 1.5e-2 * most);
@@ -234,12 +233,12 @@ TEST(HartleyProjector, AnyParallelView)
   view.ColumnStep = { 0.7, 0.2, -0.1 };
   view.RowStep = { -0.3, 0.6, 0.5 };
   view.Step = { 0.4, 0.3, -1.7 };
-  const Vector middle = reference.GetCentre();
+  const Vector middle = reference.GetCenter();
   view.Origin = AddTimes(AddTimes(middle, -20, view.ColumnStep), -15, view.RowStep);
   for (const std::uint32_t block : { 4u, 0u })
   {
     HartleyProjector projector(MakeSource(volume.Values, volume.Size, block));
-    const auto picture = projector.Draw(view, {});
+    const auto image = projector.Draw(view, {});
     Difference sums;
     double most = 0;
     ForEachPixel(view,
@@ -247,12 +246,12 @@ TEST(HartleyProjector, AnyParallelView)
       {
         const double expected = reference.Integrate(point, view.Step);
         most = std::max(most, expected);
-        sums.Add(static_cast<double>(picture.Sums[i]), expected);
+        sums.Add(static_cast<double>(image.Sums[i]), expected);
       });
     EXPECT_GT(most, 1);
     EXPECT_LT(sums.Largest, 5e-3 * most);
 
-    // A part of the picture by itself.
+    // A part of the image by itself.
     HartleyView part = view;
     part.Origin = GetPixel(view, 13, 11);
     part.Width = 9;
@@ -263,7 +262,7 @@ TEST(HartleyProjector, AnyParallelView)
       for (unsigned column = 0; column < part.Width; ++column)
       {
         EXPECT_NEAR(cut.Sums[row * part.Width + column],
-          picture.Sums[(row + 11) * view.Width + column + 13], 1e-4 * most);
+          image.Sums[(row + 11) * view.Width + column + 13], 1e-4 * most);
       }
     }
   }
@@ -275,7 +274,7 @@ TEST(HartleyProjector, ExponentialLawIsExact)
 {
   const auto volume = MakeHead({ 37, 33, 35 });
   const ReferenceVolume reference(volume.Values.data(), volume.Size, 0);
-  HartleyShading shading = MakeGrey(HartleyLaw::Exponential);
+  HartleyShading shading = MakeGrey(HartleyOpacityModel::Exponential);
   shading.Extinction = 4e-4;
   for (const std::uint32_t block : { 2u, 5u, 8u, 16u, 32u, 0u })
   {
@@ -285,13 +284,13 @@ TEST(HartleyProjector, ExponentialLawIsExact)
       SCOPED_TRACE(testing::Message()
         << "block " << block << " turns " << turns[0] << " " << turns[1] << " " << turns[2]);
       const auto view = MakeTurnedView(volume.Size, turns, 61, 1);
-      const auto picture = projector.Draw(view, shading);
+      const auto image = projector.Draw(view, shading);
       Difference opacity;
       ForEachPixel(view,
         [&](std::size_t i, const Vector& point)
         {
           const double depth = shading.Extinction * reference.Integrate(point, view.Step);
-          opacity.Add(static_cast<double>(picture.Colours[i][3]), 1 - std::exp(-depth));
+          opacity.Add(static_cast<double>(image.Colors[i][3]), 1 - std::exp(-depth));
         });
       EXPECT_LT(opacity.Mean, 2e-3);
       EXPECT_LT(opacity.Largest, 2e-2);
@@ -309,14 +308,14 @@ TEST(HartleyProjector, ExponentialLawCountsFromZero)
     value += 3;
   }
   const ReferenceVolume reference(volume.Values.data(), volume.Size, 0);
-  HartleyShading shading = MakeGrey(HartleyLaw::Exponential);
+  HartleyShading shading = MakeGrey(HartleyOpacityModel::Exponential);
   shading.Extinction = 0.01;
   shading.Zero = 1.5;
   for (const std::uint32_t block : { 4u, 0u })
   {
     HartleyProjector projector(MakeSource(volume.Values, volume.Size, block));
     const auto view = MakeTurnedView(volume.Size, { 0.1, 0.2, 0.3 }, 31, 1);
-    const auto picture = projector.Draw(view, shading);
+    const auto image = projector.Draw(view, shading);
     Difference opacity;
     ForEachPixel(view,
       [&](std::size_t i, const Vector& point)
@@ -324,7 +323,7 @@ TEST(HartleyProjector, ExponentialLawCountsFromZero)
         const double depth = shading.Extinction *
           (reference.Integrate(point, view.Step) -
             shading.Zero * reference.IntegrateWeight(point, view.Step));
-        opacity.Add(static_cast<double>(picture.Colours[i][3]), 1 - std::exp(-depth));
+        opacity.Add(static_cast<double>(image.Colors[i][3]), 1 - std::exp(-depth));
       });
     EXPECT_LT(opacity.Largest, 1e-2);
     EXPECT_LT(opacity.Mean, 2e-3);
@@ -345,11 +344,11 @@ TEST(HartleyProjector, TransferFunctionComesCloserWithSmallerBlocks)
     double before = 0;
     for (const std::uint32_t block : { 2u, 8u, 32u })
     {
-      HartleyShading shading = MakeGrey(HartleyLaw::TransferFunction);
+      HartleyShading shading = MakeGrey(HartleyOpacityModel::TransferFunction);
       shading.First = static_cast<double>(*least);
       shading.Last = static_cast<double>(*most);
       HartleyProjector projector(MakeSource(volume.Values, volume.Size, block));
-      const auto picture = projector.Draw(view, shading);
+      const auto image = projector.Draw(view, shading);
       Difference difference;
       ForEachPixel(view,
         [&](std::size_t i, const Vector& point)
@@ -357,7 +356,7 @@ TEST(HartleyProjector, TransferFunctionComesCloserWithSmallerBlocks)
           const auto expected = reference.Cast(point, view.Step, shading, 4);
           for (std::size_t channel = 0; channel < 4; ++channel)
           {
-            difference.Add(static_cast<double>(picture.Colours[i][channel]), expected[channel]);
+            difference.Add(static_cast<double>(image.Colors[i][channel]), expected[channel]);
           }
         });
       EXPECT_GT(difference.Mean, before);
@@ -381,7 +380,7 @@ TEST(HartleyProjector, FrontHidesBack)
       values[i] = place[axis] < 8 ? 100 : place[axis] < 16 ? 0 : 200;
     }
     HartleyShading shading;
-    shading.Law = HartleyLaw::TransferFunction;
+    shading.OpacityModel = HartleyOpacityModel::TransferFunction;
     shading.Table.assign(256, { 0, 0, 0, 0 });
     for (std::size_t i = 50; i < 256; ++i)
     {
@@ -404,7 +403,7 @@ TEST(HartleyProjector, FrontHidesBack)
           view.Step[axis] = side;
           view.Step[(axis + 1) % 3] = slope;
           view.Step[(axis + 2) % 3] = -slope / 2;
-          const auto pixel = projector.Draw(view, shading).Colours[0];
+          const auto pixel = projector.Draw(view, shading).Colors[0];
           EXPECT_GT(pixel[side > 0 ? 0 : 2], 0.97f);
           EXPECT_LT(pixel[side > 0 ? 2 : 0], 0.03f);
           EXPECT_GT(pixel[3], 0.999f);
@@ -419,7 +418,7 @@ TEST(HartleyProjector, FrontHidesBack)
 TEST(HartleyProjector, SideHidesSide)
 {
   HartleyShading shading;
-  shading.Law = HartleyLaw::TransferFunction;
+  shading.OpacityModel = HartleyOpacityModel::TransferFunction;
   for (int i = 0; i < 256; ++i)
   {
     shading.Table.push_back({ i > 150 ? 0.0f : 1.0f, 0, i > 150 ? 1.0f : 0.0f, 0.95f });
@@ -451,7 +450,7 @@ TEST(HartleyProjector, SideHidesSide)
           view.RowStep[3 - across - along] = 1;
           view.Step[along] = forward;
           view.Step[across] = sideways;
-          const auto pixel = projector.Draw(view, shading).Colours[0];
+          const auto pixel = projector.Draw(view, shading).Colors[0];
           EXPECT_GT(pixel[sideways > 0 ? 0 : 2], 0.95f);
           EXPECT_LT(pixel[sideways > 0 ? 2 : 0], 0.05f);
         }
@@ -471,14 +470,14 @@ TEST(HartleyProjector, SmallAndConstantVolumes)
     {
       HartleyProjector projector(MakeSource(values, size, block));
       const auto view = MakeTurnedView(size, { 0.25, 0.25, 0.25 }, 15, 1.3);
-      const auto picture = projector.Draw(view, {});
+      const auto image = projector.Draw(view, {});
       ForEachPixel(view,
         [&](std::size_t i, const Vector& point)
         {
           const double expected = ones.IntegrateWeight(point, view.Step);
           // A voxel by itself is the sharpest thing that there is to interpolate.
-          EXPECT_NEAR(picture.Samples[i], expected, 0.05);
-          EXPECT_NEAR(picture.Sums[i], -7.5f * picture.Samples[i], 1e-4);
+          EXPECT_NEAR(image.Samples[i], expected, 0.05);
+          EXPECT_NEAR(image.Sums[i], -7.5f * image.Samples[i], 1e-4);
         });
     }
   }
@@ -508,19 +507,19 @@ TEST(HartleyProjector, BadInput)
 
   auto bad = view;
   bad.Width = 0;
-  expectInvalid([&] { draw(bad); }, "without pixels");
+  expectInvalid([&] { draw(bad); }, "no pixels");
   bad = view;
   bad.Step = {};
-  expectInvalid([&] { draw(bad); }, "span");
+  expectInvalid([&] { draw(bad); }, "linearly dependent");
   bad.Step = view.RowStep;
-  expectInvalid([&] { draw(bad); }, "span");
+  expectInvalid([&] { draw(bad); }, "linearly dependent");
   bad = view;
   bad.Origin[1] = std::nan("");
   expectInvalid([&] { draw(bad); }, "not finite");
   HartleyShading shading;
-  shading.Law = HartleyLaw::TransferFunction;
+  shading.OpacityModel = HartleyOpacityModel::TransferFunction;
   expectInvalid([&] { draw(view, shading); }, "transfer function");
-  shading = MakeGrey(HartleyLaw::Exponential);
+  shading = MakeGrey(HartleyOpacityModel::Exponential);
   shading.Extinction = -1;
   expectInvalid([&] { draw(view, shading); }, "extinction");
   expectInvalid(
@@ -535,9 +534,9 @@ TEST(HartleyProjector, BadInput)
       HartleyProjector(MakeSource(large.Values, large.Size, 0), { HartleyMethod::Basis })
         .Draw(view, {});
     },
-    "slices");
+    "Slice");
 
-  // A picture that is given up leaves the projector as it was.
+  // An image that is given up leaves the projector as it was.
   HartleyProjector projector(MakeSource(volume.Values, volume.Size, 4));
   const auto whole = projector.Draw(view, {});
   int calls = 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The reference that pictures of volumes are compared with, against what is known without it.
+// The reference that images of volumes are compared with, against what is known without it.
 
 #include "gatunVolumePhantoms.h"
 #include "gatunVolumeReference.h"
@@ -148,7 +148,7 @@ TEST(HartleyReference, SumsAlongAnAxisAreExact)
   }
 }
 
-/** One of the samples lies on the plane through the centre. */
+/** One of the samples lies on the plane through the center. */
 TEST(HartleyReference, SamplesHaveTheirPhase)
 {
   const ReferenceVolume volume(std::vector<float>(27, 1).data(), { 3, 3, 3 }, 0);
@@ -157,20 +157,20 @@ TEST(HartleyReference, SamplesHaveTheirPhase)
   const RaySamples samples = volume.GetSamples(point, step);
   ASSERT_LT(samples.First, samples.End);
   const Vector place = AddTimes(point, samples.Phase, step);
-  EXPECT_NEAR(Dot(AddTimes(place, -1, volume.GetCentre()), step), 0, 1e-12);
+  EXPECT_NEAR(Dot(AddTimes(place, -1, volume.GetCenter()), step), 0, 1e-12);
   EXPECT_GT(volume.GetWeight(AddTimes(place, static_cast<double>(samples.First), step)), 0);
   EXPECT_EQ(volume.GetWeight(AddTimes(place, static_cast<double>(samples.First - 1), step)), 0);
   EXPECT_EQ(volume.GetWeight(AddTimes(place, static_cast<double>(samples.End), step)), 0);
 }
 
-/** Under the exponential law the opacity is that of the sum; of a constant, colours are in closed
+/** Under the exponential law the opacity is that of the sum; of a constant, colors are in closed
  * form under any. */
 TEST(HartleyReference, CastsByTheLaws)
 {
   const auto head = MakeHead({ 20, 20, 20 });
   const ReferenceVolume volume(head.Values.data(), head.Size, 0);
   HartleyShading shading;
-  shading.Law = HartleyLaw::Exponential;
+  shading.OpacityModel = HartleyOpacityModel::Exponential;
   shading.Extinction = 0.002;
   shading.Table = { { 0, 0, 0, 0 }, { 1, 0.5f, 0.25f, 0.5f } };
   const Vector point{ 0, 3, -5 };
@@ -181,14 +181,14 @@ TEST(HartleyReference, CastsByTheLaws)
 
   const auto constant = MakeConstant({ 9, 9, 9 }, 100);
   const ReferenceVolume flat(constant.Values.data(), constant.Size, 0);
-  shading.Law = HartleyLaw::TransferFunction;
+  shading.OpacityModel = HartleyOpacityModel::TransferFunction;
   shading.Last = 200;
   const auto through = flat.Cast({ 4, 4, -3.7 }, { 0, 0, 1 }, shading);
   EXPECT_NEAR(through[3], 1 - std::pow(0.75, 9), 1e-6);
   EXPECT_NEAR(through[0], 0.5 * through[3], 1e-6);
 }
 
-/** The middle of a picture sees the middle of the volume; the axes turn as they should. */
+/** The middle of an image sees the middle of the volume; the axes turn as they should. */
 TEST(HartleyReference, TurnsViews)
 {
   const Triple size{ 10, 20, 30 };

@@ -193,7 +193,7 @@ struct Gaussian
 {
   std::array<Vector, 3> Axes;
   Vector Widths{};
-  Vector Centre{}; ///< from that of the block
+  Vector Center{}; ///< from that of the block
 
   static double Dot(const Vector& a, const Vector& b)
   {
@@ -202,7 +202,7 @@ struct Gaussian
 
   double Get(const Vector& x) const
   {
-    const Vector d{ x[0] - this->Centre[0], x[1] - this->Centre[1], x[2] - this->Centre[2] };
+    const Vector d{ x[0] - this->Center[0], x[1] - this->Center[1], x[2] - this->Center[2] };
     double squares = 0;
     for (unsigned i = 0; i < 3; ++i)
     {
@@ -228,11 +228,11 @@ struct Gaussian
       this->Widths[2];
   }
 
-  /** Its Hartley transform about the block's centre, at a frequency in periods a voxel. */
+  /** Its Hartley transform about the block's center, at a frequency in periods a voxel. */
   double Transform(const Vector& k) const
   {
     const double pi = std::numbers::pi;
-    const double angle = 2 * pi * Dot(k, this->Centre);
+    const double angle = 2 * pi * Dot(k, this->Center);
     return this->GetIntegral() * std::exp(-2 * pi * pi * this->GetCovariance(k, k)) *
       (std::cos(angle) + std::sin(angle));
   }
@@ -245,8 +245,8 @@ struct Gaussian
     const double ab = this->GetCovariance(a, b);
     const double bb = this->GetCovariance(b, b);
     const double determinant = aa * bb - ab * ab;
-    const double u = x - Dot(a, this->Centre);
-    const double v = y - Dot(b, this->Centre);
+    const double u = x - Dot(a, this->Center);
+    const double v = y - Dot(b, this->Center);
     return this->GetIntegral() / (2 * std::numbers::pi * std::sqrt(determinant)) *
       std::exp(-(bb * u * u - 2 * ab * u * v + aa * v * v) / (2 * determinant));
   }
@@ -290,9 +290,9 @@ TEST(HartleyTransform, HasTheProjectionSliceTheorem)
     std::vector<Vector> places;
     for (std::uint32_t i = 0; i < GetCount(size); ++i)
     {
-      constexpr double centre = (voxels - 1) / 2.0;
+      constexpr double center = (voxels - 1) / 2.0;
       places.push_back(
-        { i % voxels - centre, i / voxels % voxels - centre, i / (voxels * voxels) - centre });
+        { i % voxels - center, i / voxels % voxels - center, i / (voxels * voxels) - center });
       values.push_back(gaussian.Get(places.back()));
     }
     // Coefficients of the block, against the transform of the Gaussian.
@@ -348,9 +348,9 @@ TEST(HartleyTransform, HasTheProjectionSliceTheorem)
     double difference = 0;
     for (std::uint32_t i = 0; i < slice.size(); ++i)
     {
-      constexpr double centre = (pixels - 1) / 2.0;
+      constexpr double center = (pixels - 1) / 2.0;
       const double expected =
-        gaussian.Project(view[0], view[1], i % pixels - centre, i / pixels - centre);
+        gaussian.Project(view[0], view[1], i % pixels - center, i / pixels - center);
       largest = std::max(largest, expected);
       difference = std::max(difference, std::abs(slice[i] - expected));
     }

@@ -4,7 +4,7 @@
 // Volumes in files that are damaged, or that lie.
 
 #include "../gatunSanitizer.h"
-#include "gatunHartleyImage.h"
+#include "gatunHartleyFileImage.h"
 #include "gatunHartleySample.h"
 #include "gatunHostile.h"
 
@@ -21,7 +21,7 @@ namespace
 {
 using namespace gatun;
 using namespace gatun::test;
-using Goal = HartleyQuality::Goal;
+using Mode = HartleyRateMode;
 
 std::string WriteSampleVolume(const HartleyLayout::Triple& size, std::uint32_t blockSize,
   double error, ScalarType type = ScalarType::UInt8)
@@ -30,7 +30,7 @@ std::string WriteSampleVolume(const HartleyLayout::Triple& size, std::uint32_t b
   const auto volume = MakePhantom(size, type);
   HartleyWriterOptions options;
   options.BlockSize = blockSize;
-  options.Quality = { Goal::Error, error, 0 };
+  options.RateControl = { Mode::RMSError, error, 0 };
   WriteHartleyFile(path, volume.Input, options);
   return path;
 }
@@ -65,10 +65,10 @@ Bytes ReadBytes(const std::string& path)
 }
 
 /** Changes a good file and expects that reading all of it fails like this. */
-void ExpectRefused(const std::string& what, const std::function<void(HartleyImage&)>& change,
+void ExpectRefused(const std::string& what, const std::function<void(HartleyFileImage&)>& change,
   ErrorCode code = ErrorCode::Corrupt, std::uint32_t blockSize = 4)
 {
-  HartleyImage image(WriteSampleVolume({ 9, 70, 5 }, blockSize, 0));
+  HartleyFileImage image(WriteSampleVolume({ 9, 70, 5 }, blockSize, 0));
   change(image);
   const auto path = PutFile("changed.ghv", image.Build());
   EXPECT_GATUN_ERROR(code, path, what, [&] { ReadContent(path); });
@@ -82,7 +82,7 @@ TEST(HostileHartley, TheUnchangedFileIsRead)
   {
     const auto path = WriteSampleVolume({ 9, 70, 5 }, blockSize, 0);
     const auto content = ReadContent(path);
-    const HartleyImage image(path);
+    const HartleyFileImage image(path);
     EXPECT_EQ(image.Build(), ReadBytes(path));
     EXPECT_EQ(ReadContent(PutFile("same.ghv", image.Build())), content);
   }
@@ -125,7 +125,7 @@ TEST(HostileHartley, StreamsOfNoiseDoNoHarm)
   std::mt19937 random(3);
   for (const std::uint32_t blockSize : { 2u, 4u, 64u, 0u })
   {
-    HartleyImage image(WriteSampleVolume({ 80, 70, 50 }, blockSize, 0));
+    HartleyFileImage image(WriteSampleVolume({ 80, 70, 50 }, blockSize, 0));
     const auto good = image.Streams;
     int refused = 0;
     constexpr int attempts = 60;
@@ -179,9 +179,9 @@ TEST(HostileHartley, OtherFilesAreNotVolumes)
 TEST(HostileHartley, NewerVersionsAreNamed)
 {
   ExpectRefused(
-    "version 2.0 of the format is not supported", [](HartleyImage& f) { f.Major = 2; },
+    "version 2.0 of the format is not supported", [](HartleyFileImage& f) { f.Major = 2; },
     ErrorCode::UnsupportedVersion);
-  HartleyImage image(WriteSampleVolume({ 9, 7, 5 }, 4, 0));
+  HartleyFileImage image(WriteSampleVolume({ 9, 7, 5 }, 4, 0));
   image.Minor = 7;
   const auto path = PutFile("minor.ghv", image.Build());
   EXPECT_EQ(HartleyFile(path).GetFormatVersion(), std::pair(1, 7));
@@ -191,75 +191,77 @@ TEST(HostileHartley, NewerVersionsAreNamed)
 TEST(HostileHartley, MetaDataMustBePossible)
 {
   const auto nan = std::nan("");
-  ExpectRefused("the meta data at byte", [](HartleyImage& f) { f.MetaBytes = Bytes(3, 0); });
+  ExpectRefused("the meta data at byte", [](HartleyFileImage& f) { f.MetaBytes = Bytes(3, 0); });
   ExpectRefused("the meta data at byte",
-    [](HartleyImage& f)
+    [](HartleyFileImage& f)
     {
       f.MetaBytes = f.Meta.Write();
       f.MetaBytes->push_back(0);
     });
-  ExpectRefused("is empty", [](HartleyImage& f) { f.Meta.Volume.Size[1] = 0; });
+  ExpectRefused("is empty", [](HartleyFileImage& f) { f.Meta.Volume.Size[1] = 0; });
   ExpectRefused("too large",
-    [](HartleyImage& f) {
+    [](HartleyFileImage& f) {
       f.Meta.Volume.Size = { 1u << 31, 1u << 31, 1u << 31 };
     });
-  ExpectRefused("blocks of 1 voxels", [](HartleyImage& f) { f.Meta.BlockSize = 1; });
-  ExpectRefused("blocks of 65 voxels", [](HartleyImage& f) { f.Meta.BlockSize = 65; });
-  ExpectRefused(
-    "there is no type 0", [](HartleyImage& f) { f.Meta.Volume.Type = static_cast<ScalarType>(0); });
+  ExpectRefused("blocks of 1 voxels", [](HartleyFileImage& f) { f.Meta.BlockSize = 1; });
+  ExpectRefused("blocks of 65 voxels", [](HartleyFileImage& f) { f.Meta.BlockSize = 65; });
+  ExpectRefused("there is no type 0",
+    [](HartleyFileImage& f) { f.Meta.Volume.Type = static_cast<ScalarType>(0); });
   ExpectRefused("there is no type 11",
-    [](HartleyImage& f) { f.Meta.Volume.Type = static_cast<ScalarType>(11); });
-  ExpectRefused("the origin", [=](HartleyImage& f) { f.Meta.Volume.Origin[2] = nan; });
-  ExpectRefused("the spacing", [=](HartleyImage& f) { f.Meta.Volume.Spacing[0] = HUGE_VAL; });
-  ExpectRefused("the direction", [=](HartleyImage& f) { f.Meta.Volume.Direction[8] = nan; });
-  ExpectRefused("the smallest voxel", [=](HartleyImage& f) { f.Meta.Values.Min = nan; });
+    [](HartleyFileImage& f) { f.Meta.Volume.Type = static_cast<ScalarType>(11); });
+  ExpectRefused("the origin", [=](HartleyFileImage& f) { f.Meta.Volume.Origin[2] = nan; });
+  ExpectRefused("the spacing", [=](HartleyFileImage& f) { f.Meta.Volume.Spacing[0] = HUGE_VAL; });
+  ExpectRefused("the direction", [=](HartleyFileImage& f) { f.Meta.Volume.Direction[8] = nan; });
+  ExpectRefused("the smallest voxel", [=](HartleyFileImage& f) { f.Meta.Values.Min = nan; });
   for (const Range range :
     { Range{ -1, 200 }, Range{ 0, 256 }, Range{ 0.5, 200 }, Range{ 0, 199.5 }, Range{ 100, 50 } })
   {
-    ExpectRefused("the range of the voxels", [=](HartleyImage& f) { f.Meta.Values = range; });
+    ExpectRefused("the range of the voxels", [=](HartleyFileImage& f) { f.Meta.Values = range; });
   }
   for (const double step : { 0.0, -1.0, nan, HUGE_VAL, 1e300, 1e-320 })
   {
-    ExpectRefused("the step of the quantiser", [=](HartleyImage& f) { f.Meta.Steps.Step = step; });
+    ExpectRefused(
+      "the step of the quantizer", [=](HartleyFileImage& f) { f.Meta.Steps.Step = step; });
   }
   for (const double weight : { -0.1, 4.1, nan })
   {
     ExpectRefused(
-      "the weight of frequencies", [=](HartleyImage& f) { f.Meta.Steps.Weight = weight; });
+      "the weight of frequencies", [=](HartleyFileImage& f) { f.Meta.Steps.Weight = weight; });
   }
-  ExpectRefused("a shift of the quantiser", [](HartleyImage& f) { f.Meta.Steps.Shifts[2] = 0.6; });
-  ExpectRefused("there is no kind of quality",
-    [](HartleyImage& f) { f.Meta.Quality.Kind = static_cast<Goal>(4); });
-  ExpectRefused("the quality", [=](HartleyImage& f) { f.Meta.Quality.Value = nan; });
-  ExpectRefused("the error", [=](HartleyImage& f) { f.Meta.RootMeanSquareError = -1; });
-  ExpectRefused("the largest error", [=](HartleyImage& f) { f.Meta.LargestError = nan; });
+  ExpectRefused(
+    "a shift of the quantizer", [](HartleyFileImage& f) { f.Meta.Steps.Shifts[2] = 0.6; });
+  ExpectRefused("there is no rate control mode",
+    [](HartleyFileImage& f) { f.Meta.RateControl.Mode = static_cast<Mode>(4); });
+  ExpectRefused("the quality", [=](HartleyFileImage& f) { f.Meta.RateControl.Value = nan; });
+  ExpectRefused("the error", [=](HartleyFileImage& f) { f.Meta.RMSError = -1; });
+  ExpectRefused("the largest error", [=](HartleyFileImage& f) { f.Meta.MaximumError = nan; });
 }
 
 TEST(HostileHartley, TablesMustFitTheVolume)
 {
   ExpectRefused(
-    "fewer chunks than the volume has", [](HartleyImage& f) { f.TableBytes = Bytes(); });
-  ExpectRefused("fewer chunks than the volume has",
-    [](HartleyImage& f) {
+    "fewer chunks than the volume needs", [](HartleyFileImage& f) { f.TableBytes = Bytes(); });
+  ExpectRefused("fewer chunks than the volume needs",
+    [](HartleyFileImage& f) {
       f.Meta.Volume.Size = { 1u << 20, 1u << 10, 1u << 10 };
     });
-  ExpectRefused("there are bytes behind its end",
-    [](HartleyImage& f)
+  ExpectRefused("there are bytes after its end",
+    [](HartleyFileImage& f)
     {
       f.TableBytes = f.Table.Write(f.Meta);
       f.TableBytes->push_back(0);
     });
-  ExpectRefused("more coefficients than there can be",
-    [](HartleyImage& f) { f.Table.Chunks[1].Terms = 1u << 20; });
-  ExpectRefused("it has not as many coefficients as it should",
-    [](HartleyImage& f) { ++f.Table.Chunks[1].Terms; });
-  ExpectRefused("chunk 0 at byte", [](HartleyImage& f) { f.Streams[0].clear(); });
+  ExpectRefused("more coefficients than its blocks",
+    [](HartleyFileImage& f) { f.Table.Chunks[1].Terms = 1u << 20; });
   ExpectRefused(
-    "the corrections of chunk 0 at byte", [](HartleyImage& f) { f.Streams[1].clear(); });
+    "its number of coefficients is wrong", [](HartleyFileImage& f) { ++f.Table.Chunks[1].Terms; });
+  ExpectRefused("chunk 0 at byte", [](HartleyFileImage& f) { f.Streams[0].clear(); });
+  ExpectRefused(
+    "the corrections of chunk 0 at byte", [](HartleyFileImage& f) { f.Streams[1].clear(); });
   for (const bool far : { false, true })
   {
-    ExpectRefused(far ? "a stream is too far away" : "reaches past the end of the file",
-      [=](HartleyImage& f)
+    ExpectRefused(far ? "a stream is too far away" : "extends beyond the end of the file",
+      [=](HartleyFileImage& f)
       {
         f.Table.Chunks.back().Corrections.Length = far ? std::uint64_t{ 1 } << 63 : 100000;
         f.TableBytes = f.Table.Write(f.Meta);
@@ -269,12 +271,12 @@ TEST(HostileHartley, TablesMustFitTheVolume)
 
 TEST(HostileHartley, SegmentsAreNotShorterThanTheyCanBe)
 {
-  HartleyImage image(WriteSampleVolume({ 80, 70, 50 }, 0, 50));
+  HartleyFileImage image(WriteSampleVolume({ 80, 70, 50 }, 0, 50));
   ASSERT_EQ(image.Streams.size(), 2u);
   image.Streams[1].resize(10);
   const auto path = PutFile("short.ghv", image.Build());
   EXPECT_GATUN_ERROR(
-    ErrorCode::Corrupt, path, "chunk 0 is shorter than it can be", [&] { HartleyFile f(path); });
+    ErrorCode::Corrupt, path, "chunk 0 is too short", [&] { HartleyFile f(path); });
 }
 
 //--------------------------------------------------------------------------------------------------
@@ -319,19 +321,19 @@ TEST(HostileHartley, SmallFilesDoNotTakeMuchMemory)
   GTEST_SKIP() << "a sanitizer has memory of its own";
 #endif
   ::testing::GTEST_FLAG(death_test_style) = "threadsafe";
-  const auto open = [](const HartleyImage& image, const char* what)
+  const auto open = [](const HartleyFileImage& image, const char* what)
   {
     const auto path = PutFile("large.ghv", image.Build());
     EXPECT_EXIT(OpenWithLimit(path), ::testing::ExitedWithCode(0), what);
   };
   {
-    HartleyImage image(WriteSampleVolume({ 9, 7, 5 }, 8, 4));
+    HartleyFileImage image(WriteSampleVolume({ 9, 7, 5 }, 8, 4));
     image.Meta.Volume.Size = { 1u << 14, 1u << 13, 1u << 13 };
-    open(image, "fewer chunks than the volume has");
+    open(image, "fewer chunks than the volume needs");
   }
   {
     // 2^32 voxels in 2^14 chunks that all look the same.
-    HartleyImage image(WriteSampleVolume({ 64, 64, 64 }, 8, 4));
+    HartleyFileImage image(WriteSampleVolume({ 64, 64, 64 }, 8, 4));
     image.Meta.Volume.Size = { 1u << 11, 1u << 11, 1u << 10 };
     image.Table.Chunks.resize(1u << 14, image.Table.Chunks[0]);
     image.Streams.resize(1u << 14, Bytes(image.Streams[0]));
@@ -339,11 +341,11 @@ TEST(HostileHartley, SmallFilesDoNotTakeMuchMemory)
   }
   {
     // One block of 2^30 voxels.
-    HartleyImage image(WriteSampleVolume({ 9, 7, 5 }, 0, 4));
+    HartleyFileImage image(WriteSampleVolume({ 9, 7, 5 }, 0, 4));
     image.Meta.Volume.Size = { 1u << 10, 1u << 10, 1u << 10 };
-    open(image, "fewer chunks than the volume has");
+    open(image, "fewer chunks than the volume needs");
     image.Table.Chunks[0].Streams.resize(1u << 12);
-    open(image, "shorter than it can be");
+    open(image, "is too short");
     image.Streams.assign(1u << 12, Bytes(256));
     open(image, "opened");
   }

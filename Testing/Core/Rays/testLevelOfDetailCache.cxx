@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A mesh with several numbers of points, some of them made in the background.
+// Levels of detail of a mesh, some of them made in the background.
 
 #include "gatunError.h"
 #include "gatunLevelOfDetailCache.h"
@@ -10,6 +10,8 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
+#include <latch>
 #include <map>
 #include <mutex>
 #include <thread>
@@ -20,13 +22,14 @@ namespace
 {
 constexpr std::uint64_t Points = 100000;
 
-/** What happened, whoever did it. */
+/** Counts the work of all threads. */
 struct Record
 {
   std::atomic<int> Sources{ 0 };
   std::atomic<int> Blocks{ 0 };
   std::atomic<int> Clashes{ 0 }; // two threads where only one may be
-  std::chrono::microseconds BlockTime{ 0 };
+  RaySource::Progress Progress;  // given to whom makes the levels; false when the cache ends
+  std::function<void()> OnBlock = [] {}; // called for each block that is made
 };
 
 /** Notices another thread in the same place. */
@@ -64,7 +67,7 @@ public:
     {
       if (!this->Made[block])
       {
-        std::this_thread::sleep_for(this->Told->BlockTime);
+        this->Told->OnBlock();
         this->Made[block] = true;
         ++this->Told->Blocks;
       }
@@ -94,7 +97,6 @@ public:
   {
     const Alone alone(this->InUse, *this->Told);
     ++this->Told->Sources;
-    std::this_thread::sleep_for(this->Told->BlockTime);
     return std::make_shared<FakeSource>(this->Told);
   }
   std::uint64_t EstimateTets(std::uint64_t points) const override { return 5 * points; }
@@ -111,13 +113,16 @@ struct Sample
 
   std::unique_ptr<LevelOfDetailCache> Make()
   {
-    auto levels =
-      std::make_unique<LevelOfDetailCache>([told = this->Told](const RaySource::Progress&)
-        { return std::make_shared<FakeLevels>(told); },
-        std::make_shared<FakeSource>(this->Told), this->Room);
+    auto levels = std::make_unique<LevelOfDetailCache>(
+      [told = this->Told](const RaySource::Progress& progress)
+      {
+        told->Progress = progress;
+        return std::make_shared<FakeLevels>(told);
+      },
+      std::make_shared<FakeSource>(this->Told), this->Room);
     levels->WaitForLevels();
     levels->Wait();
-    // As if there were nothing but the detail.
+    // As if nothing had been made yet.
     this->Told->Sources = 0;
     this->Told->Blocks = 0;
     return levels;
@@ -169,7 +174,7 @@ TEST(LevelOfDetailCache, WhatIsNotReadyIsMadeAtOnce)
 TEST(LevelOfDetailCache, NoSourceIsUsedByTwoThreads)
 {
   Sample sample;
-  sample.Told->BlockTime = std::chrono::microseconds(300);
+  sample.Told->OnBlock = [] { std::this_thread::sleep_for(std::chrono::microseconds(300)); };
   const auto levels = sample.Make();
   for (int frame = 0; frame < 200; ++frame)
   {
@@ -191,10 +196,24 @@ TEST(LevelOfDetailCache, NoSourceIsUsedByTwoThreads)
 TEST(LevelOfDetailCache, WhatWasBegunIsGoneOnWith)
 {
   Sample sample;
-  sample.Told->BlockTime = std::chrono::milliseconds(20);
   const auto levels = sample.Make();
+  std::latch begun(1);
+  std::latch goOn(1);
+  sample.Told->OnBlock = [&]
+  {
+    if (sample.Told->Blocks == 4)
+    {
+      begun.count_down();
+      goOn.wait();
+    }
+  };
   levels->Prepare({ 500 });
-  std::this_thread::sleep_for(std::chrono::milliseconds(90));
+  begun.wait();
+  levels->Prepare({}); // stops the background after the block that it is at
+  goOn.count_down();
+  levels->Wait();
+  EXPECT_EQ(sample.Told->Blocks, 5);
+  EXPECT_NE(levels->FindReady(500), 500u);
   Draw(*levels->Get(500));
   EXPECT_EQ(sample.Told->Sources, 1);
   EXPECT_EQ(sample.Told->Blocks, 10);
@@ -204,17 +223,26 @@ TEST(LevelOfDetailCache, WhatWasBegunIsGoneOnWith)
 TEST(LevelOfDetailCache, TheEndDoesNotWaitForWhatIsWanted)
 {
   Sample sample;
-  sample.Told->BlockTime = std::chrono::milliseconds(20);
+  std::latch begun(1);
   {
     const auto levels = sample.Make();
+    sample.Told->OnBlock = [&]
+    {
+      begun.count_down();
+      while (sample.Told->Progress(0)) // until the cache ends
+      {
+        std::this_thread::yield();
+      }
+    };
     levels->Prepare({ 500, 600, 700, 800, 900, 1000, Points });
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    begun.wait();
   }
-  EXPECT_LT(sample.Told->Blocks, 20);
+  EXPECT_EQ(sample.Told->Sources, 1);
+  EXPECT_EQ(sample.Told->Blocks, 1);
 }
 
 //------------------------------------------------------------------------------
-TEST(LevelOfDetailCache, ThoseNotUsedForLongestGoFirst)
+TEST(LevelOfDetailCache, TheLeastRecentlyUsedAreRemovedFirst)
 {
   Sample sample;
   sample.Room.Simpler = 64 * 5 * 3000; // 3000 points

@@ -1,0 +1,177 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""The page in front of the studies: a conclusion of each, with numbers from its results.json."""
+
+import statistics
+
+import benchmarkReport
+import budgetReport
+import isosurfaceReport
+import renderingReport
+import simplificationReport
+import studyReport
+import volumeReport
+from benchmarkText import number, paragraph, ratio, span
+
+
+def _ratios_of_loads(results, threads):
+    return [statistics.median(benchmarkReport.ratios(load, "vtu-zlib")) for one in results["inputs"]
+            for load in one.get("load", []) if load["threads"] == threads]
+
+
+def _benchmarks(results):
+    best, arrays = [], []
+    for one in results["inputs"]:
+        files = benchmarkReport.by_format(one["size"])
+        smaller = files["vtu-lzma-best"]["bytes"] / files["gtn"]["bytes"]
+        (best if smaller >= 1 else arrays).append((smaller, benchmarkReport.label(one)))
+    later = [renderingReport.later_ratio(case, "bunyk") for mesh in results["rendering"]["meshes"]
+             for case in mesh["render"] if "bunyk" in renderingReport.by_mapper(case)]
+    big = next(mesh for mesh in results["rendering"]["meshes"] if mesh["name"] == "big")
+    images = renderingReport.image_ratios(renderingReport.find_images(big, "vtu-zlib"),
+                                          renderingReport.find_images(big, "gtn", 512))
+    memory = [renderingReport.most_memory(renderingReport.find_images(big, form, budget))
+              for form, budget in (("gtn", 512), ("gtn", 0), ("vtu-zlib", 0))]
+    lost = (" It is larger for " + ", ".join(name for _, name in arrays) + ".") if arrays else ""
+    return f"""A `.gtn` file is {span([value for value, _ in best], ratio)} times smaller than the best LZMA
+        `.vtu` file in {len(best)} of {len(best) + len(arrays)} cases.{lost} With 2 threads it loads
+        {span(_ratios_of_loads(results, 2), ratio)} times as fast as a zlib `.vtu` file, with one
+        thread {span(_ratios_of_loads(results, 1), ratio)} times. Later frames of
+        `vtkGatunVolumeMapper` are {span(later, ratio)} times as fast as those of VTK's
+        `vtkUnstructuredGridVolumeRayCastMapper`. From the file of {big["tets"]:,} tetrahedra to the
+        first image it is {ratio(statistics.median(images))} times as fast and needs
+        {number(memory[0])} MiB with default settings ({number(memory[1])} MiB with a `MemoryBudget` of
+        0) instead of {number(memory[2])} MiB."""
+
+
+def _rendering(results):
+    usual = [studyReport.find_case(mesh, 0, studyReport.usual_size(mesh))["ways"]
+             for mesh in results["meshes"]]
+    factors = [studyReport.memory(ways["generic"]) / studyReport.memory(ways["gatun"])
+               for ways in usual]
+    small = [mesh["name"] for mesh, factor in zip(results["meshes"], factors) if factor < 1.5]
+    times = [studyReport.seconds(ways["generic"]) / studyReport.seconds(ways["gatun"])
+             for ways in usual]
+    return f"""Decompressing a mesh before drawing it takes {span(factors, ratio)} times the memory of drawing
+        it while it is decompressed, and {span(times, ratio)} times the time. The advantage in memory
+        grows with the mesh; there is none on small meshes such as {" and ".join(small)}, whose few
+        chunks are all at work at once. Release from both ends of the rays, which the proposal
+        prefers, breaks rays into more fragments and takes longer in most cases; Gatun releases from
+        the front. The pre-filter pays little."""
+
+
+def _budget(results):
+    shares, rays = [], []
+    for mesh in results["meshes"]:
+        for way, found in (("simplified", shares), ("rays", rays)):
+            found += [100 * budgetReport.shares(mesh[way], path)[0] for path in mesh[way]["paths"]]
+
+    def percent(value):
+        return f"{value:.0f}"
+    return f"""With fewer points and fewer rays, {span(shares, percent)} % of the frames are in time, depending
+        on mesh and budget; with fewer rays alone, {span(rays, percent)} %. At tight budgets the
+        images are coarse: the page has the numbers of points and the distances of rays. The meshes are
+        in memory; files were not measured."""
+
+
+def _simplification(results):
+    cases = [(simplificationReport.field_ratio(quadric, gatun), f"{mesh['name']} at {part} %")
+             for mesh in results["meshes"]
+             for part, quadric, gatun in simplificationReport.cases(mesh)]
+    better = [value for value, _ in cases if value < 1]
+    worse = [value for value, _ in cases if value >= 1]
+    names = ", ".join(name for value, name in cases if value >= 1)
+    builds = [1e6 * statistics.median(mesh["build"]["seconds"])
+              / mesh["compared"]["original"]["tets"] for mesh in results["meshes"]]
+    shares = [100 * simplificationReport.simplify_share(run)
+              for run in results["integrated"]["runs"] if run["ratio"] > 0]
+    return f"""The RMS error of the field is {span(better, ratio)} times that of
+        `vtkUnstructuredGridQuadricDecimation` at equal numbers of tetrahedra in {len(better)} of
+        {len(cases)} cases, and {span(worse, ratio)} times in the others, which have smooth
+        fields ({names}). Finding the order of the merges takes {span(builds)} seconds per million
+        tetrahedra, once; each mesh then takes one pass, where VTK starts again. Simplifying from a
+        file takes {span(shares)} % of the time to the image, where the proposal reports less than
+        5 %."""
+
+
+def _isosurfaces(results):
+    parts = []
+    for mesh in results["meshes"]:
+        layers = span(isosurfaceReport.time_ratios(mesh), ratio)
+        plain = span(isosurfaceReport.time_ratios(mesh, "zlib", "spatial"), ratio)
+        parts.append(f"{mesh['name']} {layers} ({plain} without layers)")
+    raw = [value for mesh in results["meshes"]
+           for value in isosurfaceReport.time_ratios(mesh, "raw")]
+    return f"""From a file with layers to an isosurface, relative to a zlib `.vtu` file and
+        `vtkContour3DLinearGrid`: {"; ".join(parts)} times as fast. Small meshes gain no time. A raw
+        `.vtu` file in the page cache takes {span(raw, ratio)} times the time of a file with layers,
+        and reads many times the bytes. A file with layers is larger than one without."""
+
+
+def _volumes(results):
+    own, between, lines = 0, 0, 0
+    for one in results["volumes"]:
+        for run in one["blocks"]:
+            for view in run["ways"][0]["views"] if run["rate"] == 0 else []:
+                lines = max(lines, view["lines"])
+                if view["samples"] > own:
+                    own, between = view["samples"], view["between"]
+    worst6 = max(view["equation6"]["worst"] for one in results["volumes"] for run in one["pictures"]
+                 for block in run["blocks"] if block["rate"] == 0 for view in block["views"])
+    better, worse = 0, 0
+    for one in results["volumes"]:
+        counts = volumeReport.count_against_paper(one)
+        better, worse = better + counts[0], worse + counts[1]
+    runs = results["times"]["runs"]["blocks"]
+    peer = volumeReport.median(volumeReport.find(runs["ways"], way="fixed-point", law="xray"))
+    times = [volumeReport.median(way) / peer for way in runs["ways"]
+             if way["way"] == "gatun" and way["law"] == "xray"]
+    return f"""Before quantization, images of blocks differ from exact line integrals by a mean square error of
+        at most {lines:.4f}, where the largest sum along a ray is 255. They differ from the dissertation's
+        reference, sums of samples, by at most {own:.2f}; the error of that reference itself is
+        {between:.2f} there. Whole images are closer to the
+        reference than the dissertation's in {better} cases and farther from it in {worse}; its opacity
+        scale is unknown. The opacity of a whole ray under the exponential model, which is exact for
+        each block, is up to {worst6:.1f} of 255 off at a pixel. An X-ray view at
+        {runs["pixels"]} x {runs["pixels"]} pixels takes {span(times, ratio)} times the time of
+        `vtkFixedPointVolumeRayCastMapper` with voxels, depending on the size of the blocks: drawing
+        from coefficients makes files smaller, not images faster. Fewer coefficients hardly save
+        time."""
+
+
+SECTIONS = (
+    ("benchmarks", "Benchmarks", "Sizes, loading, writing, pieces, rendering", _benchmarks),
+    ("rendering-study", "Rendering", "Drawing while decompressing, after the dissertation proposal",
+     _rendering),
+    ("just-in-time-study", "Just-in-time rendering", "Keeping a time budget", _budget),
+    ("simplification-study", "Simplification", "Errors, time and memory, compared with VTK's filter",
+     _simplification),
+    ("isosurface-study", "Isosurfaces", "From files and in memory, compared with VTK's filters",
+     _isosurfaces),
+    ("volume-study", "Volumes", "Hartley coefficients, compared with voxels and zfp", _volumes),
+)
+
+
+def page(all_results):
+    parts = ["""# The studies
+
+Each page here is written by a program from a file results.json next to it, and states the machine,
+the date, the commit and the spread of its rounds. This page, written by
+Benchmarks/Studies/conclusions.py, has the main conclusion of each. The [summary](summary.md) has the
+rows of the table in README.md.
+"""]
+    for name, title, about, conclude in SECTIONS:
+        parts.append(f"## [{title}]({name}.md)\n\n"
+                     + paragraph(f"*{about}.* {conclude(all_results[name])}"))
+    parts.append("""## Measuring again
+
+`Utilities/bench.sh` lists the commands. `--report` writes a page again from its results.json, and
+`Benchmarks/Studies/generatedParts.py --update` writes all pages, this one and the table in README.md.
+A test compares all of them with their results.
+
+The studies use meshes that the benchmark generates. They also use the blunt fin, the combustion
+chamber and other files if `GATUN_DATA_DIR` names a folder with them. Those files are not part of
+the project; rows about them cannot be repeated without them.
+""")
+    return "\n".join(part.rstrip() + "\n" for part in parts)

@@ -1,0 +1,431 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkGatunHartleyProjection
+ * @brief Renders a volume from its Hartley coefficients, without reconstructing voxels.
+ *
+ * Input: a vtkImageData of any size, spacing and direction. If its information has the key
+ * vtkGatunHartleyCoefficients::COEFFICIENTS(), the coefficients of that key are drawn:
+ *
+ *  - Behind a vtkGatunHartleyReader, the projection draws from the reader's open file and requests
+ * no voxels. The reader's output remains empty unless another consumer requests it.
+ *  - Behind a vtkGatunHartleyEncoder, it draws the coefficients that the encoder has computed.
+ *
+ * Other filters do not pass the key on. An input without the key is encoded by this class, with the
+ * defaults of vtkGatunHartleyEncoder, when it has changed. It must have a point array of one
+ * component and any numeric type except bits, with finite values. SetInputArrayToProcess selects
+ * the array; the default is the active point scalars.
+ *
+ * Output: a vtkImageData of Size. Point (0, 0) is at the lower left. Origin and spacing are in
+ * world units, relative to the focal point. Point arrays:
+ *
+ *  - Color (unsigned char, 4 components, active scalars): red, green, blue and opacity, not
+ *    premultiplied;
+ *
+ * and if OutputFloats is on:
+ *
+ *  - RGBA (float, 4 components): premultiplied, 0 to 1;
+ *  - Sum (float), with OPACITY_MODEL_XRAY only: sum of the values along the ray, one for each
+ *    SampleDistance;
+ *  - Samples (float), with OPACITY_MODEL_XRAY only: number of samples inside the volume. Sum /
+ *    Samples is the mean value.
+ *
+ * *Rays.* The volume is the trilinear interpolation of its voxels, and sums are integrals of it.
+ * The result does not depend on the position of samples. With OPACITY_MODEL_EXPONENTIAL, the
+ * opacity of a block is exact at the points of a lattice with twice the resolution of the voxels,
+ * and interpolated between them. With OPACITY_MODEL_TRANSFER_FUNCTION, the opacity is that of a
+ * block with its mean value along the ray. The color is that of the mean value in both models.
+ * Smaller blocks reduce these errors.
+ *
+ * *Pieces.* Each piece is a part of the image. Every process draws the whole image.
+ *
+ * *Cost.* With blocks of up to 16 voxels, projecting a block takes time in proportion to the number
+ * of its nonzero coefficients; compositing takes time in proportion to the number of blocks. With
+ * larger blocks, the time depends on the number of voxels. Memory: the nonzero coefficients, 8
+ * bytes each (of a file those of several chunks only), and MemoryBudget. Uses all threads of
+ * vtkSMPTools.
+ *
+ * *Errors.* Unsuitable arrays, views, parameters and files are reported by vtkErrorMacro and
+ * GetErrorCode, as for vtkGatunReader. The output is then empty.
+ *
+ * @par Background
+ * C. Yang: On-the-fly processing of compressed volume data, 2001, section 3. T. Malzbender: Fourier
+ * volume rendering. ACM Transactions on Graphics 12(3), 1993.
+ *
+ * @warning The projection is parallel. The projection-slice theorem does not apply to perspective
+ * projections.
+ *
+ * @sa vtkGatunHartleyEncoder vtkGatunHartleyReader vtkGatunHartleyView
+ */
+
+#ifndef vtkGatunHartleyProjection_h
+#define vtkGatunHartleyProjection_h
+
+#include "vtkGatunFiltersModule.h" // For export macro
+#include "vtkImageAlgorithm.h"
+#include "vtkSmartPointer.h" // For TransferFunction
+
+#include <memory> // For std::unique_ptr
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+class vtkPiecewiseFunction;
+class vtkScalarsToColors;
+
+class VTKGATUNFILTERS_EXPORT vtkGatunHartleyProjection : public vtkImageAlgorithm
+{
+public:
+  static vtkGatunHartleyProjection* New();
+  vtkTypeMacro(vtkGatunHartleyProjection, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Direction of the rays in world coordinates. Any length above 0. Default: 0, 0, -1.
+   */
+  vtkSetVector3Macro(ViewDirection, double);
+  vtkGetVector3Macro(ViewDirection, double);
+  ///@}
+
+  ///@{
+  /**
+   * A direction that points up in the image. Not collinear with ViewDirection. Default: 0, 1, 0.
+   */
+  vtkSetVector3Macro(ViewUp, double);
+  vtkGetVector3Macro(ViewUp, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether FocalPoint is in the middle of the image. Otherwise the center of the volume is.
+   * Default: off.
+   */
+  vtkSetMacro(UseFocalPoint, bool);
+  vtkGetMacro(UseFocalPoint, bool);
+  vtkBooleanMacro(UseFocalPoint, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The point in the middle of the image, in world coordinates, if UseFocalPoint is on. Default: 0,
+   * 0, 0.
+   */
+  vtkSetVector3Macro(FocalPoint, double);
+  vtkGetVector3Macro(FocalPoint, double);
+  ///@}
+
+  ///@{
+  /**
+   * Half the height of the image in world units, as vtkCamera has it. 0: the image shows all of the
+   * volume (FittingParallelScale). Not negative. Default: 0.
+   */
+  vtkSetClampMacro(ParallelScale, double, 0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ParallelScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Magnification: divides the parallel scale. 1e-6 to 1e6. Default: 1.
+   */
+  vtkSetClampMacro(Zoom, double, 1e-6, 1e6);
+  vtkGetMacro(Zoom, double);
+  ///@}
+
+  ///@{
+  /**
+   * Width and height of the image in pixels, 1 to 32000 each. Default: 512, 512.
+   */
+  void SetSize(int width, int height);
+  void SetSize(const int size[2]) { this->SetSize(size[0], size[1]); }
+  vtkGetVector2Macro(Size, int);
+  ///@}
+
+  /**
+   * How the values along a ray determine the color and opacity of a pixel.
+   */
+  enum OpacityModelType
+  {
+    OPACITY_MODEL_XRAY = 0,             ///< gray level by the sum of the values
+    OPACITY_MODEL_EXPONENTIAL = 1,      ///< opacity by Extinction, color by the transfer function
+    OPACITY_MODEL_TRANSFER_FUNCTION = 2 ///< opacity and color by the transfer functions
+  };
+
+  ///@{
+  /**
+   * See OpacityModelType. Default: OPACITY_MODEL_TRANSFER_FUNCTION.
+   */
+  vtkSetClampMacro(OpacityModel, int, OPACITY_MODEL_XRAY, OPACITY_MODEL_TRANSFER_FUNCTION);
+  vtkGetMacro(OpacityModel, int);
+  void SetOpacityModelToXRay() { this->SetOpacityModel(OPACITY_MODEL_XRAY); }
+  void SetOpacityModelToExponential() { this->SetOpacityModel(OPACITY_MODEL_EXPONENTIAL); }
+  void SetOpacityModelToTransferFunction()
+  {
+    this->SetOpacityModel(OPACITY_MODEL_TRANSFER_FUNCTION);
+  }
+  ///@}
+
+  ///@{
+  /**
+   * Colors of values. Null: gray, from black at the smallest value of the volume to white at the
+   * largest. Default: null.
+   */
+  void SetColorTransferFunction(vtkScalarsToColors* colors);
+  vtkScalarsToColors* GetColorTransferFunction();
+  ///@}
+
+  ///@{
+  /**
+   * Opacities of values for a ray of the length ScalarOpacityUnitDistance. Null: from 0 at the
+   * smallest value of the volume to 1 at the largest. Default: null.
+   */
+  void SetScalarOpacity(vtkPiecewiseFunction* opacity);
+  vtkPiecewiseFunction* GetScalarOpacity();
+  ///@}
+
+  ///@{
+  /**
+   * The length that ScalarOpacity refers to, in world units. 0: a thirtieth of the volume's
+   * diagonal. Not negative. Default: 0.
+   */
+  vtkSetClampMacro(ScalarOpacityUnitDistance, double, 0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ScalarOpacityUnitDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * With OPACITY_MODEL_EXPONENTIAL, a ray of length l through the value v has the opacity
+   * 1 - exp(-Extinction (v - Zero) l). 0: the largest value reaches an optical depth of 1 in a
+   * tenth of the volume's diagonal. Not negative. Default: 0.
+   */
+  vtkSetClampMacro(Extinction, double, 0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Extinction, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether OPACITY_MODEL_EXPONENTIAL measures values from Zero. Otherwise it measures them from
+   * the smallest value of the volume. Default: off.
+   */
+  vtkSetMacro(UseZero, bool);
+  vtkGetMacro(UseZero, bool);
+  vtkBooleanMacro(UseZero, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The value that is transparent, if UseZero is on. A block whose mean value along a ray is lower
+   * is transparent, too. Default: 0.
+   */
+  vtkSetMacro(Zero, double);
+  vtkGetMacro(Zero, double);
+  ///@}
+
+  ///@{
+  /**
+   * With OPACITY_MODEL_XRAY, the values of Sum that are drawn black and white. If they are equal,
+   * the smallest and the largest sum of the image. Default: 0, 0.
+   */
+  vtkSetVector2Macro(Window, double);
+  vtkGetVector2Macro(Window, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to composite the volume over Background; the image is then opaque. Default: off.
+   */
+  vtkSetMacro(UseBackground, bool);
+  vtkGetMacro(UseBackground, bool);
+  vtkBooleanMacro(UseBackground, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Red, green and blue, 0 to 1 each. Default: 0, 0, 0.
+   */
+  void SetBackground(double red, double green, double blue);
+  void SetBackground(const double color[3]) { this->SetBackground(color[0], color[1], color[2]); }
+  vtkGetVector3Macro(Background, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the output has the array RGBA and, with OPACITY_MODEL_XRAY, Sum and Samples. Default:
+   * off.
+   */
+  vtkSetMacro(OutputFloats, bool);
+  vtkGetMacro(OutputFloats, bool);
+  vtkBooleanMacro(OutputFloats, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The unit of sums: the length of a ray that a sample stands for, in world units. 0: the edge of
+   * a cube of the same volume as the cell of a voxel. Sum, Samples and Window depend on it;
+   * opacities do not. Not negative. Default: 0.
+   */
+  vtkSetClampMacro(SampleDistance, double, 0, VTK_DOUBLE_MAX);
+  vtkGetMacro(SampleDistance, double);
+  ///@}
+
+  /**
+   * How the image of a block is computed from its coefficients.
+   */
+  enum MethodType
+  {
+    METHOD_AUTOMATIC = 0, ///< METHOD_BASIS for blocks of up to 16 voxels along each axis, otherwise
+                          ///< METHOD_SLICE
+    METHOD_BASIS = 1,     ///< weighted sum of the images of the basis functions
+    METHOD_SLICE = 2      ///< inverse transform of a slice through the block's spectrum
+  };
+
+  ///@{
+  /**
+   * See MethodType. Default: METHOD_AUTOMATIC.
+   */
+  vtkSetClampMacro(Method, int, METHOD_AUTOMATIC, METHOD_SLICE);
+  vtkGetMacro(Method, int);
+  ///@}
+
+  /**
+   * Interpolation of spectra by METHOD_SLICE.
+   */
+  enum KernelType
+  {
+    KERNEL_KAISER_BESSEL = 0, ///< nearly exact
+    KERNEL_TRILINEAR = 1      ///< as in Yang's dissertation, for comparison
+  };
+
+  ///@{
+  /**
+   * See KernelType. Default: KERNEL_KAISER_BESSEL.
+   */
+  vtkSetClampMacro(Kernel, int, KERNEL_KAISER_BESSEL, KERNEL_TRILINEAR);
+  vtkGetMacro(Kernel, int);
+  ///@}
+
+  ///@{
+  /**
+   * Size of a zero-padded block relative to the block, for METHOD_SLICE: 1 to 8. Default: 2.
+   */
+  vtkSetClampMacro(Padding, double, 1, 8);
+  vtkGetMacro(Padding, double);
+  ///@}
+
+  ///@{
+  /**
+   * Upper bound of the memory that is kept from one image to the next, in MiB. It holds
+   * coefficients of a file's chunks or, with METHOD_SLICE, spectra of blocks. What does not fit is
+   * computed again for each image. Not negative. Default: 512.
+   */
+  vtkSetClampMacro(MemoryBudget, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MemoryBudget, int);
+  ///@}
+
+  ///@{
+  /**
+   * The center of the volume, and the ParallelScale for which an image of Size shows all of it.
+   * After UpdateInformation; zeros if the volume is not known.
+   */
+  vtkGetVector3Macro(VolumeCenter, double);
+  vtkGetMacro(FittingParallelScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Statistics of the last image: blocks that were drawn, coefficients that were summed, and the
+   * method (see MethodType).
+   */
+  vtkIdType GetNumberOfBlocksDrawn();
+  vtkTypeUInt64 GetNumberOfCoefficients();
+  int GetMethodUsed();
+  ///@}
+
+  /**
+   * Number of different volumes that this object has drawn.
+   */
+  vtkGetMacro(NumberOfVolumes, vtkTypeUInt64);
+
+  /**
+   * Smallest and largest value, before compression, of the volume that was drawn last.
+   */
+  void GetRange(double range[2]) VTK_SIZEHINT(2);
+
+  /**
+   * Includes the transfer functions.
+   */
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkGatunHartleyProjection();
+  ~vtkGatunHartleyProjection() override;
+
+  /**
+   * The information that is searched for the key of the coefficients. Default: that of the input.
+   */
+  virtual vtkInformation* GetCoefficientsInformation();
+
+  /**
+   * Transfer functions of an image. A null pointer stands for a linear ramp.
+   */
+  struct TransferFunction
+  {
+    vtkSmartPointer<vtkScalarsToColors> Colors;
+    vtkSmartPointer<vtkPiecewiseFunction> Opacity;
+    double UnitDistance = 1;
+  };
+
+  /**
+   * Returns the transfer functions for a volume of a given range and diagonal, the latter in world
+   * units. Default: the functions that were set.
+   */
+  virtual TransferFunction MakeTransferFunction(const double range[2], double diagonal);
+
+  vtkExecutive* CreateDefaultExecutive() override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestUpdateExtent(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(
+    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+  double ViewDirection[3] = { 0, 0, -1 };
+  double ViewUp[3] = { 0, 1, 0 };
+  bool UseFocalPoint = false;
+  double FocalPoint[3] = { 0, 0, 0 };
+  double ParallelScale = 0;
+  double Zoom = 1;
+  int Size[2] = { 512, 512 };
+  int OpacityModel = OPACITY_MODEL_TRANSFER_FUNCTION;
+  double ScalarOpacityUnitDistance = 0;
+  double Extinction = 0;
+  bool UseZero = false;
+  double Zero = 0;
+  double Window[2] = { 0, 0 };
+  bool UseBackground = false;
+  double Background[3] = { 0, 0, 0 };
+  bool OutputFloats = false;
+  double SampleDistance = 0;
+  int Method = METHOD_AUTOMATIC;
+  int Kernel = KERNEL_KAISER_BESSEL;
+  double Padding = 2;
+  int MemoryBudget = 512;
+  double VolumeCenter[3] = { 0, 0, 0 };
+  double FittingParallelScale = 0;
+  vtkTypeUInt64 NumberOfVolumes = 0;
+
+private:
+  vtkGatunHartleyProjection(const vtkGatunHartleyProjection&) = delete;
+  void operator=(const vtkGatunHartleyProjection&) = delete;
+
+  class vtkPipeline;
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
+
+#endif

@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkGatunHartleyWriter.h"
+
+#include "gatunError.h"
+#include "gatunErrorCodes.h"
+#include "gatunHartleyFile.h"
+#include "gatunReport.h"
+#include "gatunVolumeBridge.h"
+#include "vtkGatunCompat.h"
+#include "vtkGatunErrorCode.h"
+
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkErrorCode.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <stdexcept>
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
+vtkStandardNewMacro(vtkGatunHartleyWriter);
+
+//------------------------------------------------------------------------------
+vtkGatunHartleyWriter::vtkGatunHartleyWriter()
+{
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
+//------------------------------------------------------------------------------
+vtkGatunHartleyWriter::~vtkGatunHartleyWriter()
+{
+  this->SetFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunHartleyWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  gatun::PrintParameters(os, indent,
+    { this->BlockSize, this->RateControl, this->Quality, this->RMSError, this->PSNR,
+      this->BitsPerVoxel, this->FrequencyWeight });
+  os << indent << "ReplaceReadOnly: " << (this->ReplaceReadOnly ? "On" : "Off") << "\n";
+  os << indent << "FileBytes: " << this->FileBytes << "\n";
+  os << indent << "MeasuredRMSError: " << this->MeasuredRMSError << "\n";
+  os << indent << "MaximumError: " << this->MaximumError << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunHartleyWriter::SetBlockSize(int size)
+{
+  const int clamped = gatun::ClampBlockSize(size);
+  if (clamped != this->BlockSize)
+  {
+    this->BlockSize = clamped;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunHartleyWriter::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunHartleyWriter::Write()
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  if (this->GetNumberOfInputConnections(0) < 1)
+  {
+    this->SetErrorCode(vtkGatunErrorCode::InvalidInputError);
+    vtkErrorMacro("No input was set.");
+    return 0;
+  }
+  try
+  {
+    const vtkMTimeType before = this->WriteTime.GetMTime();
+    this->Modified();
+    this->UpdateWholeExtent();
+    if (this->WriteTime.GetMTime() == before && this->GetErrorCode() == vtkErrorCode::NoError)
+    {
+      throw std::runtime_error("not written, as the input could not be updated");
+    }
+  }
+  catch (...)
+  {
+    // Including exceptions of VTK and of upstream algorithms.
+    this->HandleFailure();
+  }
+  return this->GetErrorCode() == vtkErrorCode::NoError ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunHartleyWriter::Update()
+{
+  this->Write();
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunHartleyWriter::Update(int vtkNotUsed(port))
+{
+  this->Write();
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkGatunHartleyWriter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
+  {
+    return 1;
+  }
+  if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    using Pipeline = vtkStreamingDemandDrivenPipeline;
+    vtkInformation* const info = inputVector[0]->GetInformationObject(0);
+    info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+    info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    if (info->Has(Pipeline::WHOLE_EXTENT()))
+    {
+      info->Set(Pipeline::UPDATE_EXTENT(), info->Get(Pipeline::WHOLE_EXTENT()), 6);
+    }
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunHartleyWriter::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  if (!this->FileName || !*this->FileName)
+  {
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    vtkErrorMacro("No FileName was set.");
+    return 0;
+  }
+  try
+  {
+    this->WriteVolume(vtkImageData::GetData(inputVector[0]));
+  }
+  catch (...)
+  {
+    this->HandleFailure();
+    return this->GetErrorCode() == vtkGatunErrorCode::AbortedError ? 1 : 0;
+  }
+  this->WriteTime.Modified();
+  this->UpdateProgress(1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunHartleyWriter::WriteVolume(vtkImageData* image)
+{
+  if (!image)
+  {
+    gatun::ThrowInvalid("the input is not a vtkImageData");
+  }
+  const gatun::BridgedVolume bridged =
+    gatun::BridgeVolume(image, this->GetInputArrayInformation(0));
+  gatun::HartleyWriterOptions options;
+  options.BlockSize = static_cast<std::uint32_t>(this->BlockSize);
+  options.RateControl = gatun::MakeRateControl({ this->BlockSize, this->RateControl, this->Quality,
+    this->RMSError, this->PSNR, this->BitsPerVoxel, this->FrequencyWeight });
+  options.ReplaceReadOnly = this->ReplaceReadOnly;
+  const gatun::HartleyWritten written =
+    gatun::WriteHartleyFile(this->FileName, bridged.Volume, options,
+      [this](double fraction)
+      {
+        this->UpdateProgress(fraction);
+        return !gatun::IsAborted(this);
+      });
+  this->FileBytes = written.FileBytes;
+  this->MeasuredRMSError = written.RMSError;
+  this->MaximumError = written.MaximumError;
+}
+
+//------------------------------------------------------------------------------
+// Within a catch block: reports the exception.
+void vtkGatunHartleyWriter::HandleFailure() noexcept
+{
+  const gatun::VTKFailure failure =
+    gatun::DescribeFailure(this->FileName ? this->FileName : "(no file)");
+  this->SetErrorCode(failure.Code);
+  gatun::ReportFailure(this, failure, nullptr);
+}
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

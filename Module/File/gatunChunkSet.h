@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunChunkSet_h
+#define gatunChunkSet_h
+
+#include "gatunFileReaderInternals.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace gatun
+{
+/**
+ * The layout of a mesh that consists of a set of chunks. The points are sorted: groups of shared
+ * points that the set uses, in the order of the file, then own points chunk by chunk, then unused
+ * points. Time and memory grow with the set, not with the file.
+ */
+class ChunkSet
+{
+public:
+  static constexpr std::uint64_t Absent = ~std::uint64_t{ 0 };
+
+  /** A block of shared points that the set uses, or the unused points, and their positions. */
+  struct Block
+  {
+    std::uint32_t Index = 0;               // in the file
+    std::vector<std::uint64_t> GroupStart; // the position of each group, or Absent
+  };
+
+  /** universe: see PieceRequest. It determines the points that belong to the set. */
+  ChunkSet(const FileReader::Internals& content, std::vector<std::uint32_t> chunks,
+    std::vector<std::uint32_t> universe, bool withUnusedPoints);
+
+  std::uint64_t GetNumberOfPoints() const { return this->Points; }
+  std::uint64_t GetNumberOfTets() const { return this->Tets; }
+
+  /** The chunks by their numbers in the file. Other methods number them by their index here. */
+  const std::vector<std::uint32_t>& GetChunks() const { return this->Chunks; }
+
+  /** The first cell of the i-th chunk. */
+  std::uint64_t GetFirstTet(std::size_t i) const { return this->FirstTet[i]; }
+
+  /** The first own point of the i-th chunk. */
+  std::uint64_t GetFirstOwnPoint(std::size_t i) const { return this->FirstOwn[i]; }
+
+  std::uint64_t GetFirstUnusedPoint() const { return this->FirstUnused; }
+
+  /** The blocks in the order of the file. */
+  const std::vector<Block>& GetBlocks() const { return this->Blocks; }
+
+  /** The index in GetBlocks() of a block of the file, which must be there. */
+  std::size_t FindBlock(std::uint32_t index) const;
+
+  /** Whether the set contains all chunks and unused points, so that an order can be restored. */
+  bool IsWhole() const;
+
+  /** Whether the points of a group belong to the set: they belong to the lowest chunk of the
+   * universe that uses them. */
+  bool Owns(const SharedGroup& group) const;
+
+  /** Sets 0 for points that belong to the set and 1 for those that belong to other chunks. */
+  void MarkOwners(unsigned char* ghosts) const;
+
+  /** The positions in this set of the points of a subset of the chunks, in the order of the subset.
+   */
+  std::vector<std::uint64_t> Locate(const ChunkSet& part) const;
+
+private:
+  const FileReader::Internals& Content;
+  std::vector<std::uint32_t> Chunks;
+  std::vector<std::uint32_t> Universe;
+  bool WithUnused;
+  std::uint64_t Points = 0;
+  std::uint64_t Tets = 0;
+  std::vector<std::uint64_t> FirstTet;
+  std::vector<std::uint64_t> FirstOwn;
+  std::uint64_t FirstUnused = 0;
+  std::vector<Block> Blocks;
+};
+}
+
+#endif
