@@ -7,13 +7,14 @@ the time that it asked for, whatever another one asked for before."""
 import random
 
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkUnstructuredGrid
 from vtkmodules.vtkCommonExecutionModel import (
     vtkCompositeDataPipeline, vtkStreamingDemandDrivenPipeline as pipeline)
 
 import gatunMeshes as gm
-from gatun import vtkGatunReader, vtkGatunWriter
+from gatun import vtkGatunContour, vtkGatunReader, vtkGatunSimplify, vtkGatunWriter
 
 points, tets = gm.lattice(6)
 TIMES = [0.0, 0.5, 2.0]
@@ -138,3 +139,59 @@ one, other = Consumer(reader), Consumer(reader)
 one.UpdateTimeStep(TIMES[2])
 other.Update()
 assert other.given.GetInformation().Get(vtkDataObject.DATA_TIME_STEP()) == TIMES[2]
+
+
+# Consumers of the file on the same port: neither do they change what others get, nor the other way round.
+def contour_of(reader):
+    contour = vtkGatunContour()
+    contour.SetInputConnection(reader.GetOutputPort())
+    contour.SetInputArrayToProcess(0, 0, 0, 0, "wave")
+    contour.SetArrayComponent(0)
+    contour.SetValue(0, 0.3)
+    return contour
+
+
+def simplified_of(reader):
+    simplify = vtkGatunSimplify()
+    simplify.SetInputConnection(reader.GetOutputPort())
+    simplify.SetSimplificationRatio(0.5)
+    return simplify
+
+
+def copy_of(algorithm, request):
+    """What it makes anew for a request."""
+    algorithm.Modified()
+    algorithm.UpdateTimeStep(*request)
+    assert algorithm.GetErrorCode() == 0
+    copy = algorithm.GetOutput().NewInstance()
+    copy.DeepCopy(algorithm.GetOutput())
+    return copy
+
+
+writer.SetHierarchy(True)
+assert writer.Write() == 1
+for request in REQUESTS:  # in another order than before
+    right[request] = alone(request)[0]
+MAKERS = (contour_of, simplified_of)
+expected = {(make, request): copy_of(make(new_reader()), request)
+            for make in MAKERS for request in REQUESTS}
+cells = [expected[contour_of, request].GetNumberOfCells() for request in REQUESTS]
+assert max(cells) > 100 and len(set(cells)) > 4, cells
+reader = new_reader()
+consumer = Consumer(reader)
+of_file = {make: make(reader) for make in MAKERS}
+chance = random.Random(2)
+for _ in range(80):
+    request, kind = chance.choice(REQUESTS), chance.randrange(3)
+    if kind == 2:
+        gm.assert_equal(right[request], consumer.ask(*request))
+        continue
+    given = copy_of(of_file[MAKERS[kind]], request)
+    if kind == 1:
+        gm.assert_equal(expected[MAKERS[kind], request], given)
+    else:
+        assert given.GetNumberOfCells() == expected[MAKERS[kind], request].GetNumberOfCells()
+        if given.GetNumberOfPoints():
+            np.testing.assert_array_equal(
+                vtk_to_numpy(given.GetPoints().GetData()),
+                vtk_to_numpy(expected[MAKERS[kind], request].GetPoints().GetData()))
