@@ -4,7 +4,7 @@
 #ifndef gatunExactGhosts_h
 #define gatunExactGhosts_h
 
-#include "vtkType.h" // For VTK_ABI_NAMESPACE_BEGIN
+#include "vtkGatunIOModule.h" // For export macro
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
@@ -17,15 +17,15 @@ VTK_ABI_NAMESPACE_END
 namespace gatun
 {
 /**
- * Key of the output information, set to 1 in RequestInformation. The executive then reexecutes the
- * algorithm unless the output has exactly the requested number of ghost levels.
+ * Key of the output information, set to 1 in RequestInformation. The executive then executes the
+ * algorithm again unless the output has exactly the requested number of ghost levels.
  *
  * By default the executive accepts an output with more ghost levels, so that one consumer would get
  * the ghost cells that another one requested. This is a key rather than a custom executive so that
  * it works under any executive, and where another reader drives this one, such as ParaView's reader
- * of file series.
+ * of file series. Exported for the filters.
  */
-vtkInformationIntegerKey* ExactGhostLevels();
+VTKGATUNIO_EXPORT vtkInformationIntegerKey* ExactGhostLevels();
 }
 
 #endif

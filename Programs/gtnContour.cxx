@@ -221,7 +221,6 @@ void Contour(const Options& options, const Settings& settings)
   }
   vtkNew<vtkGatunContour> contour;
   input.Connect(contour);
-  contour->SetMemoryBudget(0); // no chunk is needed twice
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     contour->SetValue(static_cast<int>(i), values[i]);

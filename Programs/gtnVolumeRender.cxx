@@ -5,6 +5,7 @@
 
 #include "gtnFailure.h"
 #include "gtnImageOptions.h"
+#include "gtnMessages.h"
 #include "gtnOptions.h"
 #include "gtnParse.h"
 #include "gtnProgress.h"

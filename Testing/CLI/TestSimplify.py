@@ -37,15 +37,15 @@ def check(name, prepare):
 gtn("simplify", "-q", "mesh.vtu", "half.vtu")
 assert check("half.vtu", lambda s: None) == points - points // 2
 gtn("simplify", "-q", "--ratio", 0.8, "mesh.gtn", "fifth.vtu")
-assert check("fifth.vtu", lambda s: s.SetRatio(0.8)) < 0.21 * points
+assert check("fifth.vtu", lambda s: s.SetSimplificationRatio(0.8)) < 0.21 * points
 out = gtn("simplify", "--ratio", 0.6, "mesh.vtu", "ratio.vtu", says="tetrahedra")
 assert f"of {points:,} points" in out, out
-check("ratio.vtu", lambda s: s.SetRatio(0.6))
+check("ratio.vtu", lambda s: s.SetSimplificationRatio(0.6))
 
 
 def number(s):
-    s.SetTarget(s.TARGET_NUMBER_OF_POINTS)
-    s.SetNumberOfPoints(150)
+    s.SetSimplificationTarget(s.TARGET_NUMBER_OF_POINTS)
+    s.SetSimplificationNumberOfPoints(150)
     s.SetMetric(s.METRIC_DENSITY)
     s.SetBoundaryWeight(0.25)
     s.SetArrayWeight("velocity", 2)
@@ -58,8 +58,8 @@ assert check("number.vtu", number) == 150
 
 
 def error(s):
-    s.SetTarget(s.TARGET_ERROR)
-    s.SetMaximumError(0.02)
+    s.SetSimplificationTarget(s.TARGET_RMS_ERROR)
+    s.SetSimplificationRMSError(0.02)
 
 
 gtn("simplify", "-q", "--rms-error", "0.02", "mesh.vtu", "error.vtu")

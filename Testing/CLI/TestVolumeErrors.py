@@ -120,7 +120,7 @@ for name, content, values in (
         ("see.png", png(4, 1, 8, 0, [b"\1\2\3\4"], (b"tRNS", b"\0\1")), [1, 2, 3, 4]),
         ("wide.png", png(4, 1, 16, 0, [b"\1\0\0\1\xff\xff\0\0"]), [256, 1, 65535, 0])):
     put(name, content)
-    gtn("volume", "pack", "-qf", "--error", 0, name, "png.ghv")
+    gtn("volume", "pack", "-qf", "--rms-error", 0, name, "png.ghv")
     gtn("volume", "unpack", "-qf", "png.ghv", "png.vti")
     found = gv.vtk_to_numpy(gv.read_image("png.vti").GetPointData().GetScalars())
     assert list(found) == values, (name, found)

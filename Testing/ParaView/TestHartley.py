@@ -70,7 +70,9 @@ assert difference.max() <= 2
 encoder.RateControl = "Quality"
 by_default = values(draw(wavelet, **settings), "Color")[1].astype(int)
 encoded = values(draw(encoder, **settings), "Color")[1].astype(int)
-assert (by_default == encoded).all() and 2 < abs(encoded - pictures[1]).max() < 60
+assert (by_default == encoded).all()
+# Close to lossless, but not the same. Colors of pixels that are nearly transparent mean little.
+assert 0 < abs(encoded - pictures[1])[:, 3].max() < 30
 encoder.Quality = 10
 assert (values(draw(encoder, **settings), "Color")[1] != encoded).any()
 projection = draw(reader, **settings)

@@ -110,8 +110,10 @@ reader = make_reader(files[2], SimplificationRatio=0.5)
 messages = gm.Errors(reader)
 assert gv.difference(at(make(reader), AT_REST), full) > 0.02  # nothing is drawn
 assert "there is no hierarchy" in str(messages)
-for ratio in -0.5, 1.5, float("nan"):
+for ratio, clamped in (-0.5, 0), (1.5, 1):
     scene = make(make_reader(files[0]), SimplificationRatio=ratio)
-    messages = gm.Errors(scene.mapper)
-    at(scene, AT_REST)
-    assert "ratio must be from 0 to 1" in str(messages), (ratio, str(messages))
+    assert scene.mapper.GetSimplificationRatio() == clamped
+scene = make(make_reader(files[0]), SimplificationRatio=float("nan"))
+messages = gm.Errors(scene.mapper)
+at(scene, AT_REST)
+assert "simplification ratio must be from 0 to 1" in str(messages), str(messages)
