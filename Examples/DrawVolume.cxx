@@ -37,6 +37,7 @@ int main(int argc, char* argv[])
 
   vtkNew<vtkRenderer> renderer;
   renderer->AddVolume(volume);
+  renderer->ResetCamera(); // the bounds come from the file
   vtkNew<vtkRenderWindow> window;
   window->SetSize(600, 600);
   window->AddRenderer(renderer);

@@ -49,6 +49,7 @@ int main(int argc, char* argv[])
   mesh.Connectivity = connectivity.data();
   gatun::ArrayDescription array;
   array.Name = "wave";
+  array.AttributeRoles = 1; // the active scalars
   try
   {
     gatun::FileWriter writer(argc > 1 ? argv[1] : "mesh.gtn", mesh, { array }, {});

@@ -81,7 +81,8 @@ vtkSmartPointer<vtkTable> MakeChunkTable(const FileReader& file)
     const ChunkInfo& chunk = chunks[static_cast<std::size_t>(row)];
     cells->SetValue(row, static_cast<vtkIdType>(chunk.Tets));
     firstCells->SetValue(row, static_cast<vtkIdType>(chunk.FirstTet));
-    points->SetValue(row, static_cast<vtkIdType>(chunk.OwnPoints + chunk.SharedPoints));
+    points->SetValue(
+      row, static_cast<vtkIdType>(chunk.OwnPoints) + static_cast<vtkIdType>(chunk.SharedPoints));
     for (int axis = 0; axis < 3; ++axis)
     {
       bounds->SetTypedComponent(row, 2 * axis, chunk.Box[axis].Min);

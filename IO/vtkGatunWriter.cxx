@@ -47,8 +47,6 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
-using gatun::Association;
-
 // Building a hierarchy takes about nine times as long as writing the rest.
 constexpr double PartOfTree = 0.9;
 

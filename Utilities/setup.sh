@@ -7,7 +7,7 @@
 #   Utilities/setup.sh demo [FILE]   install what is needed, build, show what Gatun does (to FILE,
 #                                    a mesh that VTK can read, or to a mesh that the demo makes)
 #   Utilities/setup.sh test          build for VTK and for ParaView, run the tests of both
-#   Utilities/setup.sh lint          check layout, includes and the findings of clang-tidy; the
+#   Utilities/setup.sh lint [--tidy] check layout and includes; with --tidy also run clang-tidy; the
 #                                    sources follow clang 14, that of Debian 12
 #   Utilities/setup.sh bench [--quick] [FILE...]
 #                                    build, measure against VTK's own files (with --quick: less),
@@ -220,6 +220,9 @@ run_lint() {
   install_packages "${packages_lint[@]}" "${packages_build[@]}" "${packages_test[@]}"
   say "Checking layout, includes and archives"
   "$root/Utilities/lint.sh"
+  if [ "${1:-}" != --tidy ]; then
+    return
+  fi
   # clang-tidy needs the compiler's options and the headers that CMake writes, but no build.
   configure_tree release -DGATUN_BUILD_TESTING=ON
   say "Running clang-tidy"

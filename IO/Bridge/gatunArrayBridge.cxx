@@ -196,8 +196,8 @@ vtkSmartPointer<vtkAbstractArray> Gather(
   if (numbers && array->GetDataType() != VTK_BIT)
   {
     const auto values = Contiguous(numbers);
-    const auto bytes =
-      static_cast<std::size_t>(values->GetDataTypeSize() * values->GetNumberOfComponents());
+    const auto bytes = static_cast<std::size_t>(values->GetDataTypeSize()) *
+      static_cast<std::size_t>(values->GetNumberOfComponents());
     const auto* from = static_cast<const unsigned char*>(values->GetVoidPointer(0));
     auto* to = static_cast<unsigned char*>(gathered->GetVoidPointer(0));
     for (const vtkIdType tuple : tuples)

@@ -95,6 +95,16 @@ std::string List(const TypeCounts& counts, Treatment how)
 }
 
 //------------------------------------------------------------------------------
+[[noreturn]] void ThrowTupleCount(
+  vtkAbstractArray& array, const std::string& place, vtkIdType tuples)
+{
+  const std::string name = array.GetName() ? array.GetName() : "";
+  gatun::ThrowInvalid("the " + place + " array '" + name + "' has " +
+    std::to_string(array.GetNumberOfTuples()) + " tuples for " + std::to_string(tuples) + " " +
+    place + "s");
+}
+
+//------------------------------------------------------------------------------
 void CheckLengths(vtkDataSetAttributes* attributes, vtkIdType tuples, const std::string& place)
 {
   for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
@@ -102,9 +112,7 @@ void CheckLengths(vtkDataSetAttributes* attributes, vtkIdType tuples, const std:
     vtkAbstractArray* array = attributes->GetAbstractArray(i);
     if (array->GetNumberOfTuples() != tuples)
     {
-      gatun::ThrowInvalid("the " + place + " array '" + (array->GetName() ? array->GetName() : "") +
-        "' has " + std::to_string(array->GetNumberOfTuples()) + " tuples for " +
-        std::to_string(tuples) + " " + place + "s");
+      ThrowTupleCount(*array, place, tuples);
     }
   }
 }
@@ -178,7 +186,7 @@ vtkSmartPointer<vtkCellArray> MakeCells(const std::vector<vtkIdType>& corners)
   std::transform(corners.begin(), corners.end(), connectivity->GetPointer(0),
     [](vtkIdType id) { return static_cast<typename ArrayT::ValueType>(id); });
   vtkNew<ArrayT> offsets;
-  offsets->SetNumberOfValues(static_cast<vtkIdType>(corners.size() / 4 + 1));
+  offsets->SetNumberOfValues(static_cast<vtkIdType>(corners.size()) / 4 + 1);
   for (vtkIdType i = 0; i < offsets->GetNumberOfValues(); ++i)
   {
     offsets->SetValue(i, static_cast<typename ArrayT::ValueType>(4 * i));

@@ -76,7 +76,7 @@ public:
   void Run()
   {
     const auto end = static_cast<std::uint32_t>(this->Out.Tets.size());
-    while (this->Tets < end)
+    while (this->Tets < end) // NOLINT(bugprone-infinite-loop): both branches add tetrahedra
     {
       const auto gate = this->Input.Plain ? Front::None : this->Open.NextGate();
       if (gate == Front::None)

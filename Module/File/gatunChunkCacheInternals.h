@@ -39,7 +39,7 @@ struct PartKey
   std::uint32_t Array = 0;
   std::size_t Step = 0;
 
-  auto operator<=>(const PartKey&) const = default;
+  auto operator<=>(const PartKey&) const = default; // NOLINT(modernize-use-nullptr)
 };
 
 /** The cache as decoders see it. All parts of a kind have the same type. */

@@ -388,6 +388,16 @@ void vtkGatunVolumeRepresentation::PrepareToDraw(vtkInformation* inInfo)
 bool vtkGatunVolumeRepresentation::ConnectFile(
   vtkUnstructuredGrid* piece, const gatun::DrawnFile& file)
 {
+  if (this->Handle)
+  {
+    // The reader may have opened the file again, or failed to, without an update of this.
+    vtkGatunFileHandle* const current = gatun::FindHandle(this);
+    if (!current || !current->GetIsOpen())
+    {
+      return false;
+    }
+    this->Handle = current;
+  }
   vtkAlgorithm* source = this->OtherFile;
   if (this->Handle && this->Handle->GetFileName() == file.Path &&
     this->Handle->GetNumberOfMerges() == file.Merges)
