@@ -20,20 +20,6 @@ namespace gatun
 {
 namespace
 {
-void Extend(Range& range, const Range& by)
-{
-  range.Min = std::min(range.Min, by.Min);
-  range.Max = std::max(range.Max, by.Max);
-}
-
-void Extend(Bounds& box, const Bounds& by)
-{
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    Extend(box[axis], by[axis]);
-  }
-}
-
 /** How far the middle of a box is from the eye, in any unit. */
 double GetDepth(const RayView& view, const Bounds& box)
 {
@@ -148,10 +134,10 @@ void PieceRaySource::Measure()
   {
     piece.Boxes.push_back(this->Grid->GetBounds(block));
     piece.Ranges.push_back(this->Grid->GetRange(block));
-    Extend(piece.Box, piece.Boxes.back());
-    Extend(this->Values, piece.Ranges.back());
+    piece.Box.Include(piece.Boxes.back());
+    this->Values.Include(piece.Ranges.back());
   }
-  Extend(this->Box, piece.Box);
+  this->Box.Include(piece.Box);
 }
 
 //------------------------------------------------------------------------------

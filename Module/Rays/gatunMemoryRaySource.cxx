@@ -185,13 +185,6 @@ void MakeBlock(const BlockMesh& mesh, std::size_t index, RayBlock& block)
   mesh.GetPoints(numbers.GetPoints(), block.Points.data());
 }
 
-void Extend(Range& range, double value)
-{
-  // NaN compares as false.
-  range.Min = value < range.Min ? value : range.Min;
-  range.Max = value > range.Max ? value : range.Max;
-}
-
 /** The finite coordinates and the values of a block. */
 void Measure(const RayBlock& block, Bounds& box, Range& range)
 {
@@ -202,17 +195,17 @@ void Measure(const RayBlock& block, Bounds& box, Range& range)
     {
       if (std::isfinite(place[axis]))
       {
-        Extend(box[axis], place[axis]);
+        box[axis].Include(place[axis]);
       }
     }
     if (block.CellValues.empty())
     {
-      Extend(range, point.Value);
+      range.Include(point.Value);
     }
   }
   for (const double value : block.CellValues)
   {
-    Extend(range, value);
+    range.Include(value);
   }
 }
 }
