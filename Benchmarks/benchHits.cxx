@@ -18,7 +18,7 @@ namespace
 {
 struct Place
 {
-  double X, Y; // pixels; those with whole numbers are centres
+  double X, Y; // pixels; those with whole numbers are centers
 };
 
 /** On which side of the line from a to b. */
@@ -65,7 +65,7 @@ std::uint64_t CountPixels(const std::array<Place, 4>& corners, int size)
 //------------------------------------------------------------------------------
 std::uint64_t CountHits(vtkUnstructuredGrid* grid, vtkCamera* camera, int size)
 {
-  // Centres are missed by a little, as lines of a lattice go through them exactly.
+  // Centers are missed by a little, as lines of a lattice go through them exactly.
   constexpr double shift = 1e-4;
   vtkMatrix4x4* const matrix = camera->GetCompositeProjectionTransformMatrix(1, -1, 1);
   std::vector<Place> places(static_cast<std::size_t>(grid->GetNumberOfPoints()));

@@ -11,7 +11,7 @@ class vtkUnstructuredGrid;
 namespace bench
 {
 /**
- * How many pairs there are of a pixel and a tetrahedron that the ray of its centre goes through:
+ * How many pairs there are of a pixel and a tetrahedron that the ray of its center goes through:
  * the work of a ray caster, if nothing hides anything. Counted by projecting the faces,
  * independently of all ray casters. All of the mesh must be in front of the camera; the picture is
  * a square.

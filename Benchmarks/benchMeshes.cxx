@@ -380,7 +380,7 @@ Grid MakeLattice(int cells, bool doublePoints)
   const vtkIdType corners = (cells + 1) * (cells + 1) * (cells + 1);
   const auto corner = [&](const std::array<int, 3>& at)
   { return (static_cast<vtkIdType>(at[2]) * (cells + 1) + at[1]) * (cells + 1) + at[0]; };
-  const auto centre = [&](const std::array<int, 3>& at)
+  const auto center = [&](const std::array<int, 3>& at)
   { return corners + (static_cast<vtkIdType>(at[2]) * cells + at[1]) * cells + at[0]; };
   std::vector<Tet> tets;
   for (unsigned axis = 0; axis < 3; ++axis)
@@ -398,7 +398,7 @@ Grid MakeLattice(int cells, bool doublePoints)
           {
             continue;
           }
-          // Around the line between two centres go the four edges of the face that it crosses.
+          // Around the line between two centers go the four edges of the face that it crosses.
           std::array<int, 3> behind = at;
           --behind[axis];
           constexpr int turns[5][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 0, 0 } };
@@ -410,7 +410,7 @@ Grid MakeLattice(int cells, bool doublePoints)
             from[up] += turns[turn][1];
             to[right] += turns[turn + 1][0];
             to[up] += turns[turn + 1][1];
-            tets.push_back({ centre(behind), centre(at), corner(from), corner(to) });
+            tets.push_back({ center(behind), center(at), corner(from), corner(to) });
           }
         }
       }

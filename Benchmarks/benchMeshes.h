@@ -28,7 +28,7 @@ Grid MakeFlow(const std::array<int, 3>& cells, bool allArrays);
 /** The same of cells^3 cubes, without the nose; Density. */
 Grid MakeBlock(int cells);
 
-/** A jittered body-centred lattice of cells^3 cubes, about twelve tetrahedra each; Density. */
+/** A jittered body-centered lattice of cells^3 cubes, about twelve tetrahedra each; Density. */
 Grid MakeLattice(int cells, bool doublePoints);
 
 /** A ball of about so many tetrahedra by TetGen, of good quality; Density without noise. */

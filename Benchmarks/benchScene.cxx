@@ -23,7 +23,7 @@ namespace bench
 namespace
 {
 /** From blue over grey to red: of the smallest value, of that half way, and of the largest. */
-constexpr std::array<std::array<double, 3>, 3> Colours{ { { 0.1, 0.2, 0.9 }, { 0.9, 0.9, 0.9 },
+constexpr std::array<std::array<double, 3>, 3> Colors{ { { 0.1, 0.2, 0.9 }, { 0.9, 0.9, 0.9 },
   { 0.9, 0.1, 0.1 } } };
 }
 
@@ -37,13 +37,13 @@ double Scene::GetDiagonal() const
 //------------------------------------------------------------------------------
 void Scene::SetUp(vtkCamera* camera, double turn) const
 {
-  const double centre[3] = { (this->Box[0] + this->Box[1]) / 2, (this->Box[2] + this->Box[3]) / 2,
+  const double center[3] = { (this->Box[0] + this->Box[1]) / 2, (this->Box[2] + this->Box[3]) / 2,
     (this->Box[4] + this->Box[5]) / 2 };
   const double radius = this->GetDiagonal() / 2;
   const double distance =
     radius / std::sin(vtkMath::RadiansFromDegrees(camera->GetViewAngle() / 2));
-  camera->SetFocalPoint(centre);
-  camera->SetPosition(centre[0], centre[1], centre[2] + distance);
+  camera->SetFocalPoint(center);
+  camera->SetPosition(center[0], center[1], center[2] + distance);
   camera->SetViewUp(0, 1, 0);
   camera->Azimuth(30);
   camera->Elevation(20);
@@ -56,19 +56,19 @@ void Scene::SetUp(vtkCamera* camera, double turn) const
 //------------------------------------------------------------------------------
 void Scene::SetUp(vtkVolumeProperty* property) const
 {
-  vtkNew<vtkColorTransferFunction> colours;
+  vtkNew<vtkColorTransferFunction> colors;
   vtkNew<vtkPiecewiseFunction> opacities;
-  for (std::size_t i = 0; i < Colours.size(); ++i)
+  for (std::size_t i = 0; i < Colors.size(); ++i)
   {
     const double at =
       this->Values[0] + (this->Values[1] - this->Values[0]) * 0.5 * static_cast<double>(i);
-    colours->AddRGBPoint(at, Colours[i][0], Colours[i][1], Colours[i][2]);
+    colors->AddRGBPoint(at, Colors[i][0], Colors[i][1], Colors[i][2]);
   }
   for (std::size_t i = 0; i < 2; ++i)
   {
     opacities->AddPoint(this->Values[i], this->Opacities[i]);
   }
-  property->SetColor(colours);
+  property->SetColor(colors);
   property->SetScalarOpacity(opacities);
   property->SetScalarOpacityUnitDistance(this->GetDiagonal() / 100);
   property->SetInterpolationTypeToLinear();
@@ -103,20 +103,20 @@ gatun::RayView Scene::MakeView(int size) const
 //------------------------------------------------------------------------------
 gatun::RayTable Scene::MakeTable(const gatun::RayView& view) const
 {
-  const auto getColour = [this](double value)
+  const auto getColor = [this](double value)
   {
     const double at = (value - this->Values[0]) / (this->Values[1] - this->Values[0]);
     const std::size_t from = at < 0.5 ? 0 : 1;
     const double part = 2 * at - static_cast<double>(from);
-    std::array<double, 4> colour{};
+    std::array<double, 4> color{};
     for (std::size_t c = 0; c < 3; ++c)
     {
-      colour[c] = Colours[from][c] + part * (Colours[from + 1][c] - Colours[from][c]);
+      color[c] = Colors[from][c] + part * (Colors[from + 1][c] - Colors[from][c]);
     }
-    colour[3] = this->Opacities[0] + at * (this->Opacities[1] - this->Opacities[0]);
-    return colour;
+    color[3] = this->Opacities[0] + at * (this->Opacities[1] - this->Opacities[0]);
+    return color;
   };
-  return gatun::RayTable(gatun::RayMode::Composite, getColour, { this->Values[0], this->Values[1] },
+  return gatun::RayTable(gatun::RayMode::Composite, getColor, { this->Values[0], this->Values[1] },
     view.SampleDistance, this->GetDiagonal() / 100);
 }
 

@@ -54,7 +54,7 @@ std::uint32_t FindPointArray(const gatun::FileReader& file, const std::string& a
 struct Seen
 {
   double Covered = 0; ///< share of the pixels that show anything
-  double Mean = 0;    ///< of all colours, 0 to 1, on black
+  double Mean = 0;    ///< of all colors, 0 to 1, on black
 };
 }
 

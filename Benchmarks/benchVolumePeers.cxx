@@ -55,7 +55,7 @@ FixedPointWindow::FixedPointWindow(
   this->Mapper->AutoAdjustSampleDistancesOff();
   this->Mapper->SetImageSampleDistance(1);
   this->Mapper->SetSampleDistance(static_cast<float>(shortest));
-  vtkNew<vtkColorTransferFunction> colours;
+  vtkNew<vtkColorTransferFunction> colors;
   vtkNew<vtkPiecewiseFunction> opacities;
   const int nodes = 256;
   for (int i = 0; i <= nodes; ++i)
@@ -64,7 +64,7 @@ FixedPointWindow::FixedPointWindow(
     const auto [red, green, blue, opacity] = shading.OpacityModel == HartleyOpacityModel::XRay
       ? std::array<double, 4>{ 1, 1, 1, 0.005 * i / nodes }
       : ReferenceVolume::Shade(shading, density);
-    colours->AddRGBPoint(density, red, green, blue);
+    colors->AddRGBPoint(density, red, green, blue);
     opacities->AddPoint(density, opacity);
   }
   if (shading.OpacityModel == HartleyOpacityModel::XRay)
@@ -73,7 +73,7 @@ FixedPointWindow::FixedPointWindow(
   }
   vtkNew<vtkVolume> prop;
   prop->SetMapper(this->Mapper);
-  prop->GetProperty()->SetColor(colours);
+  prop->GetProperty()->SetColor(colors);
   prop->GetProperty()->SetScalarOpacity(opacities);
   prop->GetProperty()->SetScalarOpacityUnitDistance(shortest);
   prop->GetProperty()->SetInterpolationTypeToLinear();
@@ -95,14 +95,14 @@ void FixedPointWindow::Render(const HartleyView& view)
   vtkImageData* const image = this->Shown.GetImage();
   const Vector direction = InSpace(image, view.Step);
   const Vector up = InSpace(image, view.RowStep);
-  double centre[3];
-  image->GetCenter(centre);
+  double center[3];
+  image->GetCenter(center);
   vtkCamera* const camera = this->Renderer->GetActiveCamera();
   const double away = 2 * image->GetLength() / Length(direction);
   camera->ParallelProjectionOn();
-  camera->SetFocalPoint(centre);
-  camera->SetPosition(centre[0] - away * direction[0], centre[1] - away * direction[1],
-    centre[2] - away * direction[2]);
+  camera->SetFocalPoint(center);
+  camera->SetPosition(center[0] - away * direction[0], center[1] - away * direction[1],
+    center[2] - away * direction[2]);
   camera->SetViewUp(up.data());
   camera->SetParallelScale(view.Height * Length(up) / 2);
   this->Renderer->ResetCameraClippingRange();

@@ -33,7 +33,7 @@ public:
   /** Draws what the view sees, and waits until it is drawn. */
   void Render(const gatun::HartleyView& view);
 
-  /** Mean of all colours of the last picture, 0 to 1. */
+  /** Mean of all colors of the last picture, 0 to 1. */
   double GetMean();
 
 private:

@@ -69,7 +69,7 @@ void Draw(vtkUnstructuredGrid* grid, const Scene& scene, const Options& options,
 
 struct Difference
 {
-  double Rms = 0; ///< of the colours, where either picture shows anything, on black
+  double Rms = 0; ///< of the colors, where either picture shows anything, on black
   double Largest = 0;
   double Covered = 0; ///< share of the pixels
 };

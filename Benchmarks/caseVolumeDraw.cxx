@@ -85,8 +85,8 @@ gatun::HartleyImage Cast(
           volume.GetLowest() * reference.IntegrateWeight(point, view.Step));
         if (shading.OpacityModel != HartleyOpacityModel::XRay)
         {
-          const auto colour = reference.Cast(point, view.Step, shading);
-          std::copy(colour.begin(), colour.end(), picture.Colors[i].begin());
+          const auto color = reference.Cast(point, view.Step, shading);
+          std::copy(color.begin(), color.end(), picture.Colors[i].begin());
         }
       }
     });
@@ -178,7 +178,7 @@ void AddVolumeDraw(CLI::App& app)
   command->add_option("SCRATCH", options->Scratch, "A .ghv file that may be written")->required();
   command->add_option("--block", options->Block, "Voxels of a block; 0: all in one");
   command->add_option("--rate", options->Rate, "Bits a voxel; 0: lossless");
-  command->add_option("--law", options->Law, "How densities become colours")
+  command->add_option("--law", options->Law, "How densities become colors")
     ->check(CLI::IsMember(GetLawNames()));
   command->add_option("--opacity", options->Opacity, "Of a sample of the highest density");
   command->add_option("--nodes", options->Nodes,

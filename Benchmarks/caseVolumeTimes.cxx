@@ -191,7 +191,7 @@ void AddVolumeTimes(CLI::App& app)
     ->required();
   command->add_option("--blocks", options->Blocks, "Voxels of a block; 0: all in one");
   command->add_option("--rates", options->Rates, "Bits a voxel; 0: lossless");
-  command->add_option("--laws", options->Laws, "How densities become colours")
+  command->add_option("--laws", options->Laws, "How densities become colors")
     ->check(CLI::IsMember(GetLawNames()));
   command->add_option("--pixels", options->Pixels, "Width and height of a picture")
     ->check(CLI::Range(16, 8192));

@@ -63,7 +63,7 @@ public:
   void Checksum() const;
   void DecodeBlocks();
   void DecodeMeshes();
-  void FitNeighbours();
+  void FitNeighbors();
   void DecodeArrays();
   void DecodeAll() const;
 
@@ -193,7 +193,7 @@ void Stages::DecodeMeshes()
   }
 }
 
-void Stages::FitNeighbours()
+void Stages::FitNeighbors()
 {
   for (std::size_t c = 0; c < this->Chunks.size(); ++c)
   {
@@ -304,7 +304,7 @@ std::vector<Stage> RunOnce(const std::string& path)
   time("check alone", [&] { work->Checksum(); });
   time("shared points", [&] { work->DecodeBlocks(); });
   time("connectivity and geometry", [&] { work->DecodeMeshes(); });
-  time("neighbour fit", [&] { work->FitNeighbours(); });
+  time("neighbor fit", [&] { work->FitNeighbors(); });
   time("arrays", [&] { work->DecodeArrays(); });
   return stages;
 }

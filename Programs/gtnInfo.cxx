@@ -130,7 +130,7 @@ Table DescribeChunks(const gatun::FileReader& file)
 {
   Table table{ "chunkTable", "chunks",
     { { nullptr, "number" }, { "tets", "tets" }, { "ownPoints", "points" },
-      { "sharedPoints", "shared" }, { "firstTet", "first tet" }, { "neighbours", "neighbors" },
+      { "sharedPoints", "shared" }, { "firstTet", "first tet" }, { "neighbors", "neighbors" },
       { "meshBytes", "mesh bytes" }, { "bounds", "bounds", false } } };
   if (file.HasLayers())
   {
@@ -140,7 +140,7 @@ Table DescribeChunks(const gatun::FileReader& file)
   {
     const gatun::ChunkInfo& chunk = file.GetChunks()[i];
     std::vector<Entry> row{ Entry(i), Entry(chunk.Tets), Entry(chunk.OwnPoints),
-      Entry(chunk.SharedPoints), Entry(chunk.FirstTet), Entry(chunk.Neighbours.size()),
+      Entry(chunk.SharedPoints), Entry(chunk.FirstTet), Entry(chunk.Neighbors.size()),
       Entry(file.GetChunkMeshBytes(i)), EntryOf(chunk.Box, ", ", 5) };
     if (file.HasLayers())
     {

@@ -37,7 +37,7 @@ FrameLimits JustInTime::GetLimits(const LevelsOfDetail* detail, const FrameReque
   limits.LargestDistance = request.LargestDistance;
   if (detail)
   {
-    // A picture of fewer is hardly faster, and shows next to nothing.
+    // An image of fewer is hardly faster, and shows next to nothing.
     constexpr std::uint64_t enough = 500;
     limits.MostPoints = CountPoints(*detail, request);
     limits.FewestPoints = std::min(limits.MostPoints, std::max(detail->GetFewestPoints(), enough));
@@ -60,7 +60,7 @@ Frame JustInTime::ChooseInMotion(LevelOfDetailCache& levels, const FrameRequest&
   Frame frame;
   if (!detail)
   {
-    // Until it is known how to simplify the mesh, the picture gets as coarse as it must.
+    // Until it is known how to simplify the mesh, the image gets as coarse as it must.
     frame.Source = levels.GetWhole();
     frame.Distance = this->Budget.ChooseDistance(request.Budget, limits, 1, this->Present);
     this->Present.Distance = frame.Distance;
@@ -129,7 +129,7 @@ void JustInTime::End(LevelOfDetailCache& levels, const Frame& frame, double rays
   const double working = std::max(0.0, seconds.Cast - statistics.FetchTime);
   const double scale = forTets + forRays > 0 ? working / (forTets + forRays) : 0;
   FrameTime time{ forTets * scale, forRays * scale, std::max(0.0, seconds.All - seconds.Cast) };
-  // Blocks are made for the first picture of a mesh; what is made again each time does not fit.
+  // Blocks are made for the first image of a mesh; what is made again each time does not fit.
   time.Tets += frame.Points == this->Last ? statistics.FetchTime : 0;
   this->Budget.Learn(work, time);
   this->Last = frame.Points;

@@ -32,7 +32,7 @@ struct Frame
   double Distance = 1;      ///< of rays, in pixels
 };
 
-/** Seconds that a picture took. */
+/** Seconds that an image took. */
 struct FrameSeconds
 {
   double Cast = 0; ///< by the ray caster
@@ -40,7 +40,7 @@ struct FrameSeconds
 };
 
 /**
- * Pictures of one volume in one renderer, each with as many points and rays as there is time for.
+ * Images of one volume in one renderer, each with as many points and rays as there is time for.
  * What is likely to be wanted next is made ready in the background.
  */
 class JustInTime
@@ -51,7 +51,7 @@ public:
   Frame Begin(
     LevelOfDetailCache& levels, const FrameRequest& request, const RaySource::Progress& progress);
 
-  /** The picture has been drawn, with so many rays. */
+  /** The image has been drawn, with so many rays. */
   void End(LevelOfDetailCache& levels, const Frame& frame, double rays,
     const RayStatistics& statistics, const FrameSeconds& seconds);
 
@@ -60,10 +60,10 @@ private:
   FrameLimits GetLimits(const LevelsOfDetail* detail, const FrameRequest& request) const;
 
   FrameBudget Budget;
-  FrameChoice Present;       // of the last picture in motion
+  FrameChoice Present;       // of the last image in motion
   FrameRequest Request;      // of this one
-  double MotionBudget = 0.1; // of the last picture in motion
-  std::uint64_t Last = 0;    // points of the last picture
+  double MotionBudget = 0.1; // of the last image in motion
+  std::uint64_t Last = 0;    // points of the last image
   double AllTets = 0;        // of the whole mesh, once they were drawn
 };
 }

@@ -99,7 +99,7 @@ RayEye MakeRayEye(vtkCamera* camera, const RayGrid& grid, vtkMatrix4x4* volumeMa
     }
   }
 
-  // The borders of the picture are where the projection gives -1 and 1.
+  // The borders of the image are where the projection gives -1 and 1.
   const auto getBorder = [&](int axis, double side)
   {
     const double scale = projection->GetElement(axis, axis);
@@ -172,56 +172,56 @@ RayTable MakeRayTable(
   vtkPiecewiseFunction* const opacity = property->GetScalarOpacity();
   const bool isGray = property->GetColorChannels() == 1;
   vtkPiecewiseFunction* const gray = isGray ? property->GetGrayTransferFunction() : nullptr;
-  vtkColorTransferFunction* const colours = isGray ? nullptr : property->GetRGBTransferFunction();
+  vtkColorTransferFunction* const colors = isGray ? nullptr : property->GetRGBTransferFunction();
 
   // Beyond their outermost points, functions that clamp do not change.
   Range range = values;
   const bool clamps =
-    opacity->GetClamping() && (isGray ? gray->GetClamping() : colours->GetClamping());
+    opacity->GetClamping() && (isGray ? gray->GetClamping() : colors->GetClamping());
   if (clamps)
   {
     std::array<double, 2> ofOpacity{};
-    std::array<double, 2> ofColour{};
+    std::array<double, 2> ofColor{};
     opacity->GetRange(ofOpacity.data());
     if (isGray)
     {
-      gray->GetRange(ofColour.data());
+      gray->GetRange(ofColor.data());
     }
     else
     {
-      colours->GetRange(ofColour.data());
+      colors->GetRange(ofColor.data());
     }
-    const double low = std::max(values.Min, std::min(ofOpacity[0], ofColour[0]));
-    const double high = std::min(values.Max, std::max(ofOpacity[1], ofColour[1]));
+    const double low = std::max(values.Min, std::min(ofOpacity[0], ofColor[0]));
+    const double high = std::min(values.Max, std::max(ofOpacity[1], ofColor[1]));
     if (low < high)
     {
       range = { low, high };
     }
   }
-  const auto getColour = [&](double value)
+  const auto getColor = [&](double value)
   {
-    std::array<double, 4> colour{};
+    std::array<double, 4> color{};
     if (isGray)
     {
-      colour.fill(gray->GetValue(value));
+      color.fill(gray->GetValue(value));
     }
     else
     {
-      colours->GetColor(value, colour.data());
+      colors->GetColor(value, color.data());
     }
-    colour[3] = opacity->GetValue(value);
-    for (double& c : colour)
+    color[3] = opacity->GetValue(value);
+    for (double& c : color)
     {
       c = c >= 0 ? std::min(c, 1.0) : 0; // NaN too
     }
-    return colour;
+    return color;
   };
   const double unit = property->GetScalarOpacityUnitDistance();
   if (!(unit > 0))
   {
     throw Error(ErrorCode::InvalidInput, "the unit distance of opacity must be positive");
   }
-  return RayTable(mode, getColour, range, sampleDistance, unit);
+  return RayTable(mode, getColor, range, sampleDistance, unit);
 }
 
 //------------------------------------------------------------------------------

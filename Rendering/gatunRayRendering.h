@@ -27,20 +27,20 @@ VTK_ABI_NAMESPACE_END
 
 namespace gatun
 {
-/** How rays are spread over a picture. */
+/** How rays are spread over an image. */
 struct RayGrid
 {
   int Width = 0;
   int Height = 0;
-  double Aspect = 0; ///< of the picture; 0: as there are as many rays
+  double Aspect = 0; ///< of the image; 0: as there are as many rays
 
-  /** Whether the outermost rays are at the borders of the picture instead of half a ray inside:
-   * between them, all of the picture can be interpolated. At least two rays each way. */
+  /** Whether the outermost rays are at the borders of the image instead of half a ray inside:
+   * between them, all of the image can be interpolated. At least two rays each way. */
   bool ToBorders = false;
 };
 
 /** What a camera sees: eye coordinates, x to the right, y upwards and z backwards, of those of the
- * world, and the borders of its picture in them. */
+ * world, and the borders of its image in them. */
 struct RayEye
 {
   std::array<std::array<double, 4>, 3> FromWorld{};
@@ -74,7 +74,7 @@ enum BlendMode
 /** The core's mode for a blend mode; nothing if there is no such mode. */
 std::optional<RayMode> RayModeOf(int blendMode);
 
-/** Colours and opacities of a property, for values in a range. Unit distance: the property's. */
+/** Colors and opacities of a property, for values in a range. Unit distance: the property's. */
 RayTable MakeRayTable(
   vtkVolumeProperty* property, RayMode mode, const Range& values, double sampleDistance);
 
@@ -88,7 +88,7 @@ RayLimits MakeRayLimits(
   const RayView& view, vtkPlaneCollection* planes, vtkMatrix4x4* volumeMatrix);
 
 /**
- * Ends rays at what is drawn already. ZBuffer: of the camera's picture, width times height values
+ * Ends rays at what is drawn already. ZBuffer: of the camera's image, width times height values
  * from 0, at the near end of the clipping range, to 1, where there is nothing.
  */
 void LimitByZBuffer(const RayView& view, vtkCamera* camera, const RayGrid& grid,

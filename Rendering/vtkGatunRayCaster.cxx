@@ -323,7 +323,7 @@ int vtkGatunRayCaster::RequestData(
     if (!self.Camera || !self.Property)
     {
       throw gatun::Error(gatun::ErrorCode::InvalidInput,
-        self.Camera ? "no property with colours is set" : "no camera is set");
+        self.Camera ? "no property with colors is set" : "no camera is set");
     }
     gatun::RequireNumber("OpacityLimit", this->OpacityLimit);
     gatun::RequireNumber("TimeBudget", this->TimeBudget);
@@ -367,15 +367,15 @@ int vtkGatunRayCaster::RequestData(
     self.Draw(*this, merges, caster, view, progress);
 
     image->SetDimensions(this->Size[0], this->Size[1], 1);
-    vtkNew<vtkFloatArray> colours;
-    colours->SetName("RGBA");
-    colours->SetNumberOfComponents(4);
-    colours->SetNumberOfTuples(image->GetNumberOfPoints());
+    vtkNew<vtkFloatArray> colors;
+    colors->SetName("RGBA");
+    colors->SetNumberOfComponents(4);
+    colors->SetNumberOfTuples(image->GetNumberOfPoints());
     vtkNew<vtkFloatArray> depths;
     depths->SetName("Depth");
     depths->SetNumberOfTuples(image->GetNumberOfPoints());
-    caster.Finish(colours->GetPointer(0), depths->GetPointer(0));
-    image->GetPointData()->SetScalars(colours);
+    caster.Finish(colors->GetPointer(0), depths->GetPointer(0));
+    image->GetPointData()->SetScalars(colors);
     image->GetPointData()->AddArray(depths);
     self.Statistics = caster.GetStatistics();
     return 1;

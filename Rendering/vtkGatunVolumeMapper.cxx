@@ -235,7 +235,7 @@ void vtkGatunVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 //------------------------------------------------------------------------------
 void vtkGatunVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Internals->Picture.Release(window);
+  this->Internals->Image.Release(window);
 }
 
 //------------------------------------------------------------------------------

@@ -25,8 +25,8 @@
 #include <exception>
 #include <span>
 
+using gatun::ImageSetup;
 using gatun::InputKind;
-using gatun::PictureSetup;
 using gatun::Viewport;
 
 namespace
@@ -67,7 +67,7 @@ private:
 gatun::RayGrid MakeGrid(vtkRenderer* renderer, const Viewport& viewport, float distance)
 {
   const bool toBorders =
-    distance > 1 || std::max(viewport.Width, viewport.Height) > gatun::RayPicture::MostPixels;
+    distance > 1 || std::max(viewport.Width, viewport.Height) > gatun::RayImage::MostPixels;
   const auto count = [&](int pixels)
   { return toBorders ? std::max(2, static_cast<int>(std::ceil(pixels / distance))) : pixels; };
   return { count(viewport.Width), count(viewport.Height), renderer->GetTiledAspectRatio(),
@@ -354,20 +354,20 @@ gatun::RayStatistics vtkGatunVolumeMapper::vtkInternals::Draw(vtkGatunVolumeMapp
   this->Refresh.reset();
   gatun::RayCaster caster(view, std::move(table), limits, settings);
   this->Scene.Draw(caster, view, progress, frame.Source.get());
-  this->Picture.Take(caster, grid);
+  this->Image.Take(caster, grid);
   this->PartDrawn = 1;
   return caster.GetStatistics();
 }
 
 //------------------------------------------------------------------------------
 /** Draws the tiles that another number of points changes. */
-void vtkGatunVolumeMapper::vtkInternals::DrawAnew(const PictureSetup& setup,
+void vtkGatunVolumeMapper::vtkInternals::DrawAnew(const ImageSetup& setup,
   std::shared_ptr<gatun::RaySource> source, const gatun::RayGrid& grid,
   const gatun::RaySource::Progress& progress)
 {
   if (!this->Refresh || *this->Setup != setup)
   {
-    this->Setup = std::make_shared<const PictureSetup>(setup);
+    this->Setup = std::make_shared<const ImageSetup>(setup);
     this->Refresh = std::make_unique<gatun::RayRefresh>(
       [kept = this->Setup]
       {
@@ -375,7 +375,7 @@ void vtkGatunVolumeMapper::vtkInternals::DrawAnew(const PictureSetup& setup,
           kept->View, kept->Table, kept->Limits, kept->Settings);
       });
   }
-  this->PartDrawn = this->Picture.Take(*this->Refresh, std::move(source), grid, progress);
+  this->PartDrawn = this->Image.Take(*this->Refresh, std::move(source), grid, progress);
 }
 
 //------------------------------------------------------------------------------
@@ -403,7 +403,7 @@ void vtkGatunVolumeMapper::vtkInternals::DrawFrame(
     return;
   }
   this->TellObstacle(mapper);
-  // From here on, as the time for the input says nothing of the next picture.
+  // From here on, as the time for the input says nothing of the next image.
   mapper->Timer->StartTimer();
   const auto key = std::make_pair(renderer, volume);
   gatun::LevelOfDetailCache* const levels = this->Scene.GetLevels();
@@ -418,10 +418,10 @@ void vtkGatunVolumeMapper::vtkInternals::DrawFrame(
   const double before = vtkTimerLog::GetUniversalTime();
   const auto statistics = this->Draw(mapper, renderer, volume, viewport, grid, progress, frame);
   const double cast = vtkTimerLog::GetUniversalTime() - before;
-  this->Picture.Show(renderer, volume, mapper->IntermixIntersectingGeometry);
+  this->Image.Show(renderer, volume, mapper->IntermixIntersectingGeometry);
   if (inMotion)
   {
-    window->WaitForCompletion(); // or the next picture would pay for this one
+    window->WaitForCompletion(); // or the next image would pay for this one
   }
   mapper->Timer->StopTimer();
   const double rays = static_cast<double>(grid.Width) * grid.Height;

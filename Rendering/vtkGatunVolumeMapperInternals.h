@@ -7,7 +7,7 @@
 #include "gatunErrorCodes.h"
 #include "gatunJustInTime.h"
 #include "gatunRayCaster.h"
-#include "gatunRayPicture.h"
+#include "gatunRayImage.h"
 #include "gatunRayRefresh.h"
 #include "gatunRayRendering.h"
 #include "gatunRayScene.h"
@@ -45,7 +45,7 @@ struct Viewport
 };
 
 /** All that an image depends on except the number of points. */
-struct PictureSetup
+struct ImageSetup
 {
   const void* Mesh;
   const void* Renderer;
@@ -55,7 +55,7 @@ struct PictureSetup
   RayLimits Limits;
   RaySettings Settings;
 
-  bool operator==(const PictureSetup&) const = default;
+  bool operator==(const ImageSetup&) const = default;
 };
 }
 
@@ -64,7 +64,7 @@ class vtkGatunVolumeMapper::vtkInternals
 {
 public:
   gatun::RayScene Scene;
-  gatun::RayPicture Picture;
+  gatun::RayImage Image;
   std::set<std::string> Told; // causes of failures that were reported since the last image
 
   std::string Obstacle;     // that was reported
@@ -72,7 +72,7 @@ public:
   double PartDrawn = 0;     // of the tiles of the last image
 
   // For bringing the last image up to date, if that is possible.
-  std::shared_ptr<const gatun::PictureSetup> Setup;
+  std::shared_ptr<const gatun::ImageSetup> Setup;
   std::unique_ptr<gatun::RayRefresh> Refresh;
 
   // Seconds for each ray of the last image.
@@ -102,7 +102,7 @@ public:
   gatun::RayStatistics Draw(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
     const gatun::Viewport& viewport, const gatun::RayGrid& grid,
     const gatun::RaySource::Progress& progress, const gatun::Frame& frame);
-  void DrawAnew(const gatun::PictureSetup& setup, std::shared_ptr<gatun::RaySource> source,
+  void DrawAnew(const gatun::ImageSetup& setup, std::shared_ptr<gatun::RaySource> source,
     const gatun::RayGrid& grid, const gatun::RaySource::Progress& progress);
   void DrawFrame(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 };

@@ -162,7 +162,7 @@ Peak memory while loading, above that of the process before, as a multiple of th
 
 def stage_seconds(measured):
     """Median seconds of each stage; "hand over" is the rest of the whole."""
-    seconds = {stage["stage"].replace("neighbour", "neighbor"): median(stage)
+    seconds = {stage["stage"].replace("neighbor", "neighbor"): median(stage)
                for stage in measured["stages"]}
     check = seconds.pop("check alone")
     whole = seconds.pop("all at once")

@@ -185,14 +185,14 @@ std::map<int, int> DepthOfRegions(const TetGenMesh& mesh)
 {
   constexpr int outside = -1;
   std::map<std::array<int, 3>, int> open; // faces seen once so far, and the region seen there
-  std::map<int, std::vector<int>> neighbours;
-  const auto connect = [&neighbours](int a, int b)
+  std::map<int, std::vector<int>> neighbors;
+  const auto connect = [&neighbors](int a, int b)
   {
-    auto& list = neighbours[a];
+    auto& list = neighbors[a];
     if (std::find(list.begin(), list.end(), b) == list.end())
     {
       list.push_back(b);
-      neighbours[b].push_back(a);
+      neighbors[b].push_back(a);
     }
   };
   for (std::size_t i = 0; i < mesh.Tets.size(); ++i)
@@ -228,11 +228,11 @@ std::map<int, int> DepthOfRegions(const TetGenMesh& mesh)
   std::vector<int> queue{ outside };
   for (std::size_t i = 0; i < queue.size(); ++i)
   {
-    for (const int neighbour : neighbours[queue[i]])
+    for (const int neighbor : neighbors[queue[i]])
     {
-      if (depth.try_emplace(neighbour, depth[queue[i]] + 1).second)
+      if (depth.try_emplace(neighbor, depth[queue[i]] + 1).second)
       {
-        queue.push_back(neighbour);
+        queue.push_back(neighbor);
       }
     }
   }
@@ -300,16 +300,16 @@ TetGenHoles FindCavities(const TetGenSurface& surface, TetGenRun run)
   TetGenHoles holes;
   for (const auto& [region, largest] : cavities)
   {
-    Point centre{};
+    Point center{};
     for (const int id : mesh.Tets[largest.Tet])
     {
       const Point p = PointAt(mesh, id);
       for (int j = 0; j < 3; ++j)
       {
-        centre[j] += p[j] / 4;
+        center[j] += p[j] / 4;
       }
     }
-    holes.push_back(centre);
+    holes.push_back(center);
   }
   return holes;
 }

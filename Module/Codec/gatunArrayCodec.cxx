@@ -11,7 +11,7 @@
 namespace gatun
 {
 //--------------------------------------------------------------------------------------------------
-NeighbourFit::NeighbourFit(const Topology& topology, std::span<const std::array<double, 3>> places)
+NeighborFit::NeighborFit(const Topology& topology, std::span<const std::array<double, 3>> places)
   : Start(topology.Records.size() + 2, 0)
 {
   // The later end of an edge knows the earlier one, but shared vertices are known from the start.
@@ -48,36 +48,36 @@ NeighbourFit::NeighbourFit(const Topology& topology, std::span<const std::array<
   }
 }
 
-void NeighbourFit::Weigh(const std::array<double, 3>& centre, std::span<Neighbour> neighbours,
+void NeighborFit::Weigh(const std::array<double, 3>& center, std::span<Neighbor> neighbors,
   std::span<const std::array<double, 3>> places) const
 {
   // Weighted least squares of value = c0 + c . (x - center). The result is c0, a weighted sum of
   // the values. With fewer than four neighbors, c is left out.
   double mean = 0;
-  for (const auto& n : neighbours)
+  for (const auto& n : neighbors)
   {
     const auto& p = places[n.Id];
-    const double x = p[0] - centre[0], y = p[1] - centre[1], z = p[2] - centre[2];
+    const double x = p[0] - center[0], y = p[1] - center[1], z = p[2] - center[2];
     mean += x * x + y * y + z * z;
   }
-  mean = mean / static_cast<double>(neighbours.size());
+  mean = mean / static_cast<double>(neighbors.size());
   const double scale = 1.0 / std::sqrt(mean);
   if (!std::isfinite(scale))
   {
-    for (auto& n : neighbours)
+    for (auto& n : neighbors)
     {
-      n.Weight = 1.0 / static_cast<double>(neighbours.size());
+      n.Weight = 1.0 / static_cast<double>(neighbors.size());
     }
     return;
   }
   double m = 0, mx = 0, my = 0, mz = 0;
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-  for (auto& n : neighbours)
+  for (auto& n : neighbors)
   {
     const auto& p = places[n.Id];
-    const double x = (p[0] - centre[0]) * scale;
-    const double y = (p[1] - centre[1]) * scale;
-    const double z = (p[2] - centre[2]) * scale;
+    const double x = (p[0] - center[0]) * scale;
+    const double y = (p[1] - center[1]) * scale;
+    const double z = (p[2] - center[2]) * scale;
     const double w = 1.0 / (x * x + y * y + z * z + 1e-6);
     n.Weight = w;
     const double wx = w * x, wy = w * y, wz = w * z;
@@ -93,7 +93,7 @@ void NeighbourFit::Weigh(const std::array<double, 3>& centre, std::span<Neighbou
     zz += wz * z;
   }
   double bx = 0, by = 0, bz = 0;
-  if (neighbours.size() >= 4)
+  if (neighbors.size() >= 4)
   {
     const double ridge = 1e-4 * (m + xx + yy + zz);
     xx += ridge;
@@ -112,12 +112,12 @@ void NeighbourFit::Weigh(const std::array<double, 3>& centre, std::span<Neighbou
     bz = (axz * mx + ayz * my + azz * mz) * inverse;
   }
   const double whole = 1.0 / (m - (bx * mx + by * my + bz * mz));
-  for (auto& n : neighbours)
+  for (auto& n : neighbors)
   {
     const auto& p = places[n.Id];
-    const double x = (p[0] - centre[0]) * scale;
-    const double y = (p[1] - centre[1]) * scale;
-    const double z = (p[2] - centre[2]) * scale;
+    const double x = (p[0] - center[0]) * scale;
+    const double y = (p[1] - center[1]) * scale;
+    const double z = (p[2] - center[2]) * scale;
     n.Weight = n.Weight * whole * (1.0 - (bx * x + by * y + bz * z));
   }
 }
@@ -168,22 +168,22 @@ public:
 private:
   Prediction PredictFit(std::size_t own, std::span<const Key> keys) const
   {
-    const auto neighbours = this->Context.Fit->Of(own);
+    const auto neighbors = this->Context.Fit->Of(own);
     Prediction result;
-    if (neighbours.empty())
+    if (neighbors.empty())
     {
       return result;
     }
     Key low = ~Key{ 0 };
     Key high = 0;
-    for (const auto& n : neighbours)
+    for (const auto& n : neighbors)
     {
       const Key key = keys[n.Id];
       low = std::min(low, key);
       high = std::max(high, key);
       result.Number += n.Weight * this->Values.ToNumber(key);
     }
-    const auto count = neighbours.size();
+    const auto count = neighbors.size();
     result.Spread = static_cast<unsigned>(std::bit_width(high - low));
     result.Group = count < 4 ? 0 : count < 6 ? 1 : count < 8 ? 2 : count < 11 ? 3 : 4;
     result.Known = true;
@@ -385,7 +385,7 @@ void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext&
   CheckBefore(modes, components);
   if (modes.Spatial == SpatialMode::Fit && !context.Fit)
   {
-    ThrowCorrupt("a stream needs neighbours that are not there");
+    ThrowCorrupt("a stream needs neighbors that are not there");
   }
   EntropyDecoder coder(stream.subspan(2));
   for (std::size_t c = 0; c < components.size(); ++c)

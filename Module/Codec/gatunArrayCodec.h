@@ -35,19 +35,19 @@ enum class TemporalMode : std::uint8_t
 };
 
 /** The neighbors of each own vertex of a chunk that are known before it, and their weights. */
-class NeighbourFit
+class NeighborFit
 {
 public:
-  struct Neighbour
+  struct Neighbor
   {
     Vertex Id;
     double Weight;
   };
 
   /** places: coordinates of all vertices of the topology in the order of the walk. */
-  NeighbourFit(const Topology& topology, std::span<const std::array<double, 3>> places);
+  NeighborFit(const Topology& topology, std::span<const std::array<double, 3>> places);
 
-  std::span<const Neighbour> Of(std::size_t ownVertex) const
+  std::span<const Neighbor> Of(std::size_t ownVertex) const
   {
     return { this->List.data() + this->Start[ownVertex],
       this->Start[ownVertex + 1] - this->Start[ownVertex] };
@@ -57,15 +57,15 @@ public:
   std::size_t GetBytes() const
   {
     return this->Start.capacity() * sizeof(std::uint32_t) +
-      this->List.capacity() * sizeof(Neighbour);
+      this->List.capacity() * sizeof(Neighbor);
   }
 
 private:
-  void Weigh(const std::array<double, 3>& centre, std::span<Neighbour> neighbours,
+  void Weigh(const std::array<double, 3>& center, std::span<Neighbor> neighbors,
     std::span<const std::array<double, 3>> places) const;
 
   std::vector<std::uint32_t> Start;
-  std::vector<Neighbour> List;
+  std::vector<Neighbor> List;
 };
 
 /** The data from which all point arrays of a chunk are predicted. */
@@ -75,7 +75,7 @@ struct PointContext
   std::vector<Vertex> OwnIds;              // the number of each own vertex in the walk
   const PredictionRules* Rules = nullptr;  // of the chunk's geometry
   std::span<const std::uint8_t> UsedRules; // the rule of each own vertex
-  const NeighbourFit* Fit = nullptr;       // may be null if no stream uses it
+  const NeighborFit* Fit = nullptr;        // may be null if no stream uses it
 };
 
 /**

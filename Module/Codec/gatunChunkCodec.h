@@ -50,7 +50,7 @@ struct ChunkMesh
   /** Prepares the context of point arrays, with weights of neighbors if withFit. */
   void MakeContext(bool withFit);
   PointContext Context;
-  std::optional<NeighbourFit> Fit;
+  std::optional<NeighborFit> Fit;
 };
 
 struct EncodedChunk

@@ -83,7 +83,7 @@ PredictionRules FitRule(std::span<const GateRecord> records, std::span<const Ver
 {
   // Offsets from the gate's third corner, whose weight is 1 minus the sum of the others.
   constexpr std::size_t unknowns = GateRecord::Size - 1;
-  constexpr unsigned centre = 2;
+  constexpr unsigned center = 2;
   std::array<std::array<double, unknowns>, unknowns> normal{};
   std::array<double, unknowns> right{};
   for (std::size_t n = 0; n < records.size(); ++n)
@@ -99,14 +99,14 @@ PredictionRules FitRule(std::span<const GateRecord> records, std::span<const Ver
       double square = 0;
       for (unsigned k = 0, u = 0; k < GateRecord::Size; ++k)
       {
-        if (k != centre)
+        if (k != center)
         {
-          offset[u] = numbers[k] - numbers[centre];
+          offset[u] = numbers[k] - numbers[center];
           square += offset[u] * offset[u];
           ++u;
         }
       }
-      const double wanted = domain[i].ToNumber(keys[ids[n]][i]) - numbers[centre];
+      const double wanted = domain[i].ToNumber(keys[ids[n]][i]) - numbers[center];
       const double weight = 1.0 / square;
       if (!std::isfinite(weight) || !std::isfinite(wanted))
       {
@@ -131,12 +131,12 @@ PredictionRules FitRule(std::span<const GateRecord> records, std::span<const Ver
   {
     for (unsigned k = 0, u = 0; k < GateRecord::Size; ++k)
     {
-      if (k != centre)
+      if (k != center)
       {
         const double weight = std::floor(256.0 * right[u] + 0.5);
         const auto bounded = std::isfinite(weight) ? std::clamp(weight, -1024.0, 1024.0) : 0.0;
         rule[k] = static_cast<std::int16_t>(bounded);
-        rule[centre] = static_cast<std::int16_t>(rule[centre] - rule[k]);
+        rule[center] = static_cast<std::int16_t>(rule[center] - rule[k]);
         ++u;
       }
     }

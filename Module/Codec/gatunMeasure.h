@@ -187,7 +187,7 @@ public:
     const float inverse = 1.0F / plane.NormalSquared;
     const Vec3 p = Cross(plane.V, plane.Normal);
     const Vec3 q = Cross(plane.Normal, plane.U);
-    this->Centre = { (Splat(dots[0]) * p.Lanes + Splat(dots[1]) * q.Lanes) * Splat(inverse) };
+    this->Center = { (Splat(dots[0]) * p.Lanes + Splat(dots[1]) * q.Lanes) * Splat(inverse) };
     this->Unit = plane.NormalSquared / std::sqrt(sides);
     this->FourRadiusSquared = sides * inverse;
   }
@@ -200,12 +200,12 @@ public:
   {
     const auto p = places - Splat(plane.A);
     const auto height = Dot(p, Splat(plane.Normal));
-    const auto distance = Dot(p, p) - Dot(p, Splat(this->Centre));
+    const auto distance = Dot(p, p) - Dot(p, Splat(this->Center));
     return SelectGreater(height, Splat(0.0F), distance / height, Splat(NeverRank));
   }
 
   /** Twice the vector from the gate's first corner to the circumcenter. */
-  Vec3 Centre;
+  Vec3 Center;
 
   /** Converts a rank of GetSpheres to a multiple of the radius. */
   float Unit;

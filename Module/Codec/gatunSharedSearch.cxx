@@ -44,13 +44,13 @@ SharedSearch::Area::Area(const SharedSearch& search, const GatePlane& plane, flo
   const auto w = ToVector(plane.C) - ToVector(plane.B);
   const float longest = std::max({ Dot(plane.U, plane.U), Dot(plane.V, plane.V), Dot(w, w) });
   const Vec3 sum{ ToVector(plane.A).Lanes + ToVector(plane.B).Lanes + ToVector(plane.C).Lanes };
-  this->Centre = { sum.Lanes * Splat(1.0F / 3.0F) };
+  this->Center = { sum.Lanes * Splat(1.0F / 3.0F) };
   this->Limit = reach * reach * longest;
   const float radius = std::sqrt(this->Limit);
   for (unsigned i = 0; i < 3; ++i)
   {
-    this->Low[i] = search.CellOf(this->Centre[i] - radius);
-    this->High[i] = search.CellOf(this->Centre[i] + radius);
+    this->Low[i] = search.CellOf(this->Center[i] - radius);
+    this->High[i] = search.CellOf(this->Center[i] + radius);
   }
 }
 }

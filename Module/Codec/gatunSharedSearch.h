@@ -105,7 +105,7 @@ private:
 
     Float4 GetDistances(const Vec3x4& places) const
     {
-      const auto d = places - Splat(this->Centre);
+      const auto d = places - Splat(this->Center);
       return Dot(d, d);
     }
 
@@ -120,7 +120,7 @@ private:
       return i % 2 == 0 ? middle - i / 2 : middle + (i + 1) / 2;
     }
 
-    Vec3 Centre;
+    Vec3 Center;
     float Limit; // of the squared distance
     std::array<unsigned, 3> Low, High;
   };

@@ -215,12 +215,12 @@ std::shared_ptr<const ChunkMesh> PartDecoder::DecodeMesh(
   return KeepIn<ChunkMesh>(this->Kept(), { PartKind::ChunkMesh, chunk }, std::move(mesh));
 }
 
-std::shared_ptr<const NeighbourFit> PartDecoder::GetFit(
+std::shared_ptr<const NeighborFit> PartDecoder::GetFit(
   std::uint32_t chunk, const ChunkMesh& mesh) const
 {
   // Separate from the mesh, which other threads may use, because not every chunk needs it.
   const PartKey key{ PartKind::ChunkFit, chunk };
-  if (auto found = this->Kept().Find<NeighbourFit>(key))
+  if (auto found = this->Kept().Find<NeighborFit>(key))
   {
     return found;
   }
@@ -232,7 +232,7 @@ std::shared_ptr<const NeighbourFit> PartDecoder::GetFit(
       places[v][i] = mesh.Domains[i].ToValue(mesh.Keys[v][i]);
     }
   }
-  auto fit = std::make_shared<const NeighbourFit>(mesh.Walk, places);
+  auto fit = std::make_shared<const NeighborFit>(mesh.Walk, places);
   this->Kept().Keep(key, fit, sizeof(*fit) + fit->GetBytes());
   return fit;
 }
@@ -243,7 +243,7 @@ void PartDecoder::DecodePoints(std::uint32_t chunk, const ChunkMesh& mesh,
 {
   const auto fit = ArrayModes::Read(stream).Spatial == SpatialMode::Fit
     ? this->GetFit(chunk, mesh)
-    : std::shared_ptr<const NeighbourFit>();
+    : std::shared_ptr<const NeighborFit>();
   auto context = mesh.Context;
   context.Fit = fit.get();
   DecodePointValues(stream, context, domains, keys);

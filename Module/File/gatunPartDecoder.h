@@ -95,7 +95,7 @@ public:
 private:
   ChunkCache::Internals& Kept() const { return InternalsOf(*this->Cache); }
 
-  std::shared_ptr<const NeighbourFit> GetFit(std::uint32_t chunk, const ChunkMesh& mesh) const;
+  std::shared_ptr<const NeighborFit> GetFit(std::uint32_t chunk, const ChunkMesh& mesh) const;
   std::vector<Key> DecodeCellIntegers(const StreamRef& where, const std::string& what,
     const ChunkMesh& mesh, ScalarType type, Key end) const;
   void DecodePoints(std::uint32_t chunk, const ChunkMesh& mesh,

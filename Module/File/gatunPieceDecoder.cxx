@@ -31,7 +31,7 @@ std::vector<std::uint32_t> Surround(const FileReader& file,
     std::vector<std::uint32_t> next;
     for (const auto c : last)
     {
-      const auto& near = file.GetChunks()[c].Neighbours;
+      const auto& near = file.GetChunks()[c].Neighbors;
       next.insert(next.end(), near.begin(), near.end());
     }
     std::sort(next.begin(), next.end());

@@ -20,8 +20,8 @@ namespace
 constexpr std::uint64_t MaxValuesPerByte = 1u << 19;
 
 // The maximum number of entries in all lists of neighbors, plus that for each chunk.
-constexpr std::uint64_t MaxNeighbours = 2u << 20;
-constexpr std::uint64_t MaxNeighboursPerChunk = 1024;
+constexpr std::uint64_t MaxNeighbors = 2u << 20;
+constexpr std::uint64_t MaxNeighborsPerChunk = 1024;
 
 constexpr std::uint32_t MaxComponents = 1u << 16;
 
@@ -336,10 +336,10 @@ void MeshTable::LinkGroups()
       inBlock += group.Points;
     }
   }
-  this->FindNeighbours();
+  this->FindNeighbors();
 }
 
-void MeshTable::FindNeighbours()
+void MeshTable::FindNeighbors()
 {
   std::uint64_t total = 0;
   std::vector<std::uint32_t> seenBy(this->Chunks.size(), 0xffffffffu);
@@ -359,11 +359,11 @@ void MeshTable::FindNeighbours()
       }
     }
     total += near.size();
-    Check(total <= MaxNeighbours + MaxNeighboursPerChunk * this->Chunks.size(),
+    Check(total <= MaxNeighbors + MaxNeighborsPerChunk * this->Chunks.size(),
       "too many chunks share points with too many others");
     std::sort(near.begin(), near.end());
     near.shrink_to_fit();
-    this->Chunks[c].Info.Neighbours = std::move(near);
+    this->Chunks[c].Info.Neighbors = std::move(near);
   }
 }
 
@@ -411,7 +411,7 @@ void MeshTable::NumberAll(const MetaTable& meta)
 std::vector<std::uint32_t> MeshTable::GetSharedUsers(std::size_t chunk) const
 {
   const auto& entry = this->Chunks[chunk];
-  const auto& near = entry.Info.Neighbours;
+  const auto& near = entry.Info.Neighbors;
   std::vector<std::uint32_t> users;
   users.reserve(static_cast<std::size_t>(entry.Info.SharedPoints));
   for (const auto& part : entry.Shared)

@@ -105,7 +105,7 @@ struct MeshTable
   void CheckLengths(std::uint64_t fileSize) const;
 
 private:
-  void FindNeighbours();
+  void FindNeighbors();
   void NumberAll(const MetaTable& meta);
 };
 

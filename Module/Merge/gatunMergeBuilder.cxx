@@ -64,7 +64,7 @@ public:
           }
         }
       }
-      // Others may have become possible, by what happened behind their neighbours.
+      // Others may have become possible, by what happened behind their neighbors.
       any = this->Merges.size() > before;
     }
     Report(progress, 1);

@@ -116,7 +116,7 @@ void MergeCosts::FindSamples()
       { return this->Samples[corners[i] * this->Fields + f].Value; };
       const Vec sum = (at(1) - at(0)) * glm::cross(b, c) + (at(2) - at(0)) * glm::cross(c, a) +
         (at(3) - at(0)) * glm::cross(a, b);
-      // What is not a number is not to reach further than to its neighbours.
+      // What is not a number is not to reach further than to its neighbors.
       for (std::size_t i = 0; i < 4 && std::isfinite(glm::dot(sum, sum)); ++i)
       {
         this->Samples[corners[i] * this->Fields + f].Gradient += volume < 0 ? -sum : sum;
@@ -141,13 +141,13 @@ double MergeCosts::GetWeight(double volume) const
 }
 
 //------------------------------------------------------------------------------
-std::uint32_t MergeCosts::GetPlace(std::uint32_t neighbour)
+std::uint32_t MergeCosts::GetPlace(std::uint32_t neighbor)
 {
-  Place& place = this->Places[neighbour];
+  Place& place = this->Places[neighbor];
   if (place.Stamp != this->Stamp)
   {
-    place = { this->Stamp, static_cast<std::uint32_t>(this->Neighbours.size()) };
-    this->Neighbours.push_back({ neighbour, 0, false, {} });
+    place = { this->Stamp, static_cast<std::uint32_t>(this->Neighbors.size()) };
+    this->Neighbors.push_back({ neighbor, 0, false, {} });
   }
   return place.At;
 }
@@ -156,7 +156,7 @@ std::uint32_t MergeCosts::GetPlace(std::uint32_t neighbour)
 void MergeCosts::Gather(std::uint32_t point)
 {
   ++this->Stamp;
-  this->Neighbours.clear();
+  this->Neighbors.clear();
   this->Tets.clear();
   const auto ring = this->Mesh.GetRing(point);
   for (const auto tet : ring)
@@ -168,13 +168,13 @@ void MergeCosts::Gather(std::uint32_t point)
     for (std::size_t k = 0; k < 3; ++k)
     {
       star.Corners[k] = this->GetPlace(corners[Others[at][k]]);
-      ++this->Neighbours[star.Corners[k]].Tets;
+      ++this->Neighbors[star.Corners[k]].Tets;
     }
   }
   const Vec here = ToVector(this->Input.Points[point]);
-  for (Neighbour& neighbour : this->Neighbours)
+  for (Neighbor& neighbor : this->Neighbors)
   {
-    neighbour.Offset = ToVector(this->Input.Points[neighbour.Point]) - here;
+    neighbor.Offset = ToVector(this->Input.Points[neighbor.Point]) - here;
   }
   this->GatherFields(point);
   this->GatherFaces(point);
@@ -185,17 +185,17 @@ void MergeCosts::GatherFields(std::uint32_t point)
 {
   const std::size_t fields = this->Fields;
   const Sample* const here = this->Samples.data() + point * fields;
-  this->Around.resize(this->Neighbours.size() * fields);
+  this->Around.resize(this->Neighbors.size() * fields);
   this->Spokes.resize(this->Around.size());
-  for (std::size_t place = 0; place < this->Neighbours.size(); ++place)
+  for (std::size_t place = 0; place < this->Neighbors.size(); ++place)
   {
-    const Neighbour& neighbour = this->Neighbours[place];
+    const Neighbor& neighbor = this->Neighbors[place];
     for (std::size_t f = 0; f < fields; ++f)
     {
       Sample& sample = this->Around[place * fields + f];
-      sample = this->Samples[neighbour.Point * fields + f];
+      sample = this->Samples[neighbor.Point * fields + f];
       sample.Value -= here[f].Value;
-      this->Spokes[place * fields + f] = this->GetBend(sample, here[f], neighbour.Offset);
+      this->Spokes[place * fields + f] = this->GetBend(sample, here[f], neighbor.Offset);
     }
   }
   this->Slopes.resize(this->Tets.size() * fields);
@@ -205,9 +205,9 @@ void MergeCosts::GatherFields(std::uint32_t point)
   {
     StarTet& tet = this->Tets[i];
     const auto& c = tet.Corners;
-    const Vec& p0 = this->Neighbours[c[0]].Offset;
-    const Vec& p1 = this->Neighbours[c[1]].Offset;
-    const Vec& p2 = this->Neighbours[c[2]].Offset;
+    const Vec& p0 = this->Neighbors[c[0]].Offset;
+    const Vec& p1 = this->Neighbors[c[1]].Offset;
+    const Vec& p2 = this->Neighbors[c[2]].Offset;
     const std::array<Vec, 3> across{ glm::cross(p1, p2), glm::cross(p2, p0), glm::cross(p0, p1) };
     // Six times the volume with the point at x: (p0 - x) . ((p1 - x) x (p2 - x)).
     const Vec normal = across[0] + across[1] + across[2];
@@ -268,8 +268,8 @@ void MergeCosts::GatherFaces(std::uint32_t point)
           isFirst = false;
         }
       }
-      Neighbour& first = this->Neighbours[face.First];
-      Neighbour& second = this->Neighbours[face.Second];
+      Neighbor& first = this->Neighbors[face.First];
+      Neighbor& second = this->Neighbors[face.Second];
       face.Normal = glm::cross(first.Offset, second.Offset);
       first.OnBoundary = second.OnBoundary = true;
       this->Faces.push_back(face);
@@ -292,7 +292,7 @@ double MergeCosts::GetBend(const Sample& a, const Sample& b, const Vec& edge) co
 double MergeCosts::GetFieldChange(std::uint32_t place, double enough) const
 {
   const std::size_t fields = this->Fields;
-  const Vec& offset = this->Neighbours[place].Offset;
+  const Vec& offset = this->Neighbors[place].Offset;
   const Sample* const to = this->Around.data() + place * fields;
   double change = 0;
   for (std::size_t i = 0; i < this->Tets.size(); ++i)
@@ -325,10 +325,10 @@ double MergeCosts::GetFieldChange(std::uint32_t place, double enough) const
 double MergeCosts::GetBendChange(std::uint32_t place, double enough)
 {
   const std::size_t fields = this->Fields;
-  const Neighbour& into = this->Neighbours[place];
-  for (std::size_t other = 0; other < this->Neighbours.size(); ++other)
+  const Neighbor& into = this->Neighbors[place];
+  for (std::size_t other = 0; other < this->Neighbors.size(); ++other)
   {
-    const Vec edge = this->Neighbours[other].Offset - into.Offset;
+    const Vec edge = this->Neighbors[other].Offset - into.Offset;
     for (std::size_t f = 0; f < fields; ++f)
     {
       this->Spokes[other * fields + f] =
@@ -362,7 +362,7 @@ double MergeCosts::GetBendChange(std::uint32_t place, double enough)
  */
 double MergeCosts::GetShapeChange(std::uint32_t place) const
 {
-  const Vec& offset = this->Neighbours[place].Offset;
+  const Vec& offset = this->Neighbors[place].Offset;
   double volume = 0;
   for (const Face& face : this->Faces)
   {
@@ -371,7 +371,7 @@ double MergeCosts::GetShapeChange(std::uint32_t place) const
       continue;
     }
     const Vec moved = glm::cross(
-      this->Neighbours[face.First].Offset - offset, this->Neighbours[face.Second].Offset - offset);
+      this->Neighbors[face.First].Offset - offset, this->Neighbors[face.Second].Offset - offset);
     if (!(glm::dot(moved, face.Normal) > 1e-3 * glm::length(moved) * glm::length(face.Normal)))
     {
       return -1;
@@ -382,11 +382,11 @@ double MergeCosts::GetShapeChange(std::uint32_t place) const
 }
 
 //------------------------------------------------------------------------------
-/** Takes the merge into a neighbour if it is better than the best so far. */
+/** Takes the merge into a neighbor if it is better than the best so far. */
 void MergeCosts::Try(
   std::uint32_t point, std::uint32_t place, bool checkTopology, MergeChoice& best)
 {
-  const Neighbour& into = this->Neighbours[place];
+  const Neighbor& into = this->Neighbors[place];
   const bool onBoundary = this->Mesh.IsOnBoundary(point);
   if (onBoundary && !into.OnBoundary)
   {
@@ -440,7 +440,7 @@ MergeChoice MergeCosts::Choose(std::uint32_t point, std::uint32_t tryFirst, bool
   {
     this->Try(point, first, checkTopology, best);
   }
-  for (std::uint32_t place = 0; place < this->Neighbours.size(); ++place)
+  for (std::uint32_t place = 0; place < this->Neighbors.size(); ++place)
   {
     if (place != first)
     {

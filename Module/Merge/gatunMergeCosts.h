@@ -50,7 +50,7 @@ private:
   };
 
   /** A point with an edge to the current one. */
-  struct Neighbour
+  struct Neighbor
   {
     std::uint32_t Point;
     std::uint32_t Tets;      // with both points; they vanish by a merge
@@ -66,13 +66,13 @@ private:
     double Volume;
     double LeastVolume;
     double Weight;                        // of changes in it
-    std::array<std::uint32_t, 3> Corners; // as places among the neighbours
+    std::array<std::uint32_t, 3> Corners; // as places among the neighbors
   };
 
   /** A boundary face of the current point. */
   struct Face
   {
-    std::uint32_t First, Second; // as places among the neighbours
+    std::uint32_t First, Second; // as places among the neighbors
     Vec Normal;                  // its length is twice the area
   };
 
@@ -86,7 +86,7 @@ private:
   void SetScales();
   void FindSamples();
   double GetWeight(double volume) const;
-  std::uint32_t GetPlace(std::uint32_t neighbour);
+  std::uint32_t GetPlace(std::uint32_t neighbor);
   void Gather(std::uint32_t point);
   void GatherFields(std::uint32_t point);
   void GatherFaces(std::uint32_t point);
@@ -108,7 +108,7 @@ private:
   std::uint32_t Stamp = 0;
 
   // Around the current point.
-  std::vector<Neighbour> Neighbours;
+  std::vector<Neighbor> Neighbors;
   std::vector<Sample> Around; // of each neighbor, all fields, minus the value of the point
   std::vector<StarTet> Tets;
   std::vector<Vec> Slopes;                  // of each tetrahedron, all fields

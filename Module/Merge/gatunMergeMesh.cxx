@@ -8,7 +8,7 @@ namespace gatun
 {
 namespace
 {
-// Marks: of the neighbours of the two points that are to become one.
+// Marks: of the neighbors of the two points that are to become one.
 constexpr std::uint8_t ByFirst = 1;           // has an edge with the first
 constexpr std::uint8_t ByFirstOnBoundary = 2; // and it is on the boundary
 constexpr std::uint8_t BySecond = 4;
@@ -180,8 +180,8 @@ unsigned MergeMesh::GetMarks(std::uint32_t point) const
 }
 
 //------------------------------------------------------------------------------
-void MergeMesh::MarkNeighbours(std::vector<Mark>& marks, std::uint32_t point,
-  std::uint8_t neighbour, std::uint8_t boundaryNeighbour)
+void MergeMesh::MarkNeighbors(std::vector<Mark>& marks, std::uint32_t point, std::uint8_t neighbor,
+  std::uint8_t boundaryNeighbor)
 {
   for (const auto tet : this->GetRing(point))
   {
@@ -195,7 +195,7 @@ void MergeMesh::MarkNeighbours(std::vector<Mark>& marks, std::uint32_t point,
         // The edge is in the faces opposite to the two other corners.
         const unsigned others = 15u & ~(1u << at) & ~(1u << i);
         this->AddMark(marks, corners[i],
-          static_cast<std::uint8_t>(neighbour | ((faces & others) != 0 ? boundaryNeighbour : 0)));
+          static_cast<std::uint8_t>(neighbor | ((faces & others) != 0 ? boundaryNeighbor : 0)));
       }
     }
   }
@@ -279,7 +279,7 @@ bool MergeMesh::MayMerge(std::uint32_t point, std::uint32_t into)
   if (this->Marked != point)
   {
     ++this->FirstStamp;
-    this->MarkNeighbours(this->Firsts, point, ByFirst, ByFirstOnBoundary);
+    this->MarkNeighbors(this->Firsts, point, ByFirst, ByFirstOnBoundary);
     this->Marked = point;
   }
   const bool edgeOnBoundary = (this->GetMarks(into) & ByFirstOnBoundary) != 0;
@@ -288,7 +288,7 @@ bool MergeMesh::MayMerge(std::uint32_t point, std::uint32_t into)
     return false;
   }
   ++this->SecondStamp;
-  this->MarkNeighbours(this->Seconds, into, BySecond, BySecondOnBoundary);
+  this->MarkNeighbors(this->Seconds, into, BySecond, BySecondOnBoundary);
   this->MarkEdge(point, into);
   return this->ShareNoOtherPoint(point, into, edgeOnBoundary) &&
     this->ShareNoOtherTriangle(point, into) &&

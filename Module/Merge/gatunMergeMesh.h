@@ -65,8 +65,8 @@ private:
   void FindBoundary();
   void AddMark(std::vector<Mark>& marks, std::uint32_t point, std::uint8_t bits) const;
   unsigned GetMarks(std::uint32_t point) const;
-  void MarkNeighbours(std::vector<Mark>& marks, std::uint32_t point, std::uint8_t neighbour,
-    std::uint8_t boundaryNeighbour);
+  void MarkNeighbors(std::vector<Mark>& marks, std::uint32_t point, std::uint8_t neighbor,
+    std::uint8_t boundaryNeighbor);
   void MarkEdge(std::uint32_t point, std::uint32_t into);
   bool ShareNoOtherPoint(std::uint32_t point, std::uint32_t into, bool edgeOnBoundary);
   bool ShareNoOtherTriangle(std::uint32_t point, std::uint32_t into);

@@ -22,7 +22,7 @@ void RayBins::SetBlock(const RayKernel& kernel, const RayView& view, const RayTa
   kernel.Look(view, filter, this->SeenPoints.data(), block.Tets.data(), block.Turned.data(),
     block.Tets.size(), this->Seen.data(), this->Facing.data());
 
-  this->Released.FindOrder(block.Neighbours, this->Facing, from);
+  this->Released.FindOrder(block.Neighbors, this->Facing, from);
   this->Order.clear();
   for (const auto tet : this->Released.GetOrder())
   {

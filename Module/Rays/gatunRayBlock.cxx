@@ -11,7 +11,7 @@ namespace gatun
 {
 namespace
 {
-constexpr auto None = RayBlock::NoNeighbour;
+constexpr auto None = RayBlock::NoNeighbor;
 
 /** Faces whose second tetrahedron has not come yet, in one list for each first corner. */
 class WaitingFaces
@@ -66,9 +66,9 @@ private:
   std::uint32_t Free = None;
 };
 
-std::vector<RayBlock::Tet> FindNeighbours(std::span<const RayBlock::Tet> tets, std::size_t points)
+std::vector<RayBlock::Tet> FindNeighbors(std::span<const RayBlock::Tet> tets, std::size_t points)
 {
-  std::vector<RayBlock::Tet> neighbours(tets.size(), { None, None, None, None });
+  std::vector<RayBlock::Tet> neighbors(tets.size(), { None, None, None, None });
   WaitingFaces waiting(points);
   for (std::size_t i = 0; i < tets.size(); ++i)
   {
@@ -80,12 +80,12 @@ std::vector<RayBlock::Tet> FindNeighbours(std::span<const RayBlock::Tet> tets, s
         waiting.Match(tet[side == 0 ? 1 : 0], tet[side <= 1 ? 2 : 1], tet[side <= 2 ? 3 : 2], face);
       if (other != None)
       {
-        neighbours[i][side] = other;
-        neighbours[other / 4][other % 4] = face;
+        neighbors[i][side] = other;
+        neighbors[other / 4][other % 4] = face;
       }
     }
   }
-  return neighbours;
+  return neighbors;
 }
 
 bool IsBefore(const RayPoint& a, const RayPoint& b)
@@ -124,7 +124,7 @@ void RayBlock::Prepare()
     this->Turned[i] = HasNegativeVolume(
       this->Points[tet[0]], this->Points[tet[1]], this->Points[tet[2]], this->Points[tet[3]]);
   }
-  this->Neighbours = FindNeighbours(this->Tets, this->Points.size());
+  this->Neighbors = FindNeighbors(this->Tets, this->Points.size());
 }
 
 //------------------------------------------------------------------------------
@@ -132,6 +132,6 @@ std::size_t RayBlock::GetMemorySize() const
 {
   return this->Points.capacity() * sizeof(RayPoint) + this->Turned.capacity() +
     this->CellValues.capacity() * sizeof(double) +
-    (this->Tets.capacity() + this->Neighbours.capacity()) * sizeof(Tet);
+    (this->Tets.capacity() + this->Neighbors.capacity()) * sizeof(Tet);
 }
 }

@@ -23,7 +23,7 @@ struct alignas(32) RayPoint
 struct VTKGATUNCORE_EXPORT RayBlock
 {
   using Tet = std::array<std::uint32_t, 4>;
-  static constexpr std::uint32_t NoNeighbour = 0xffffffffu;
+  static constexpr std::uint32_t NoNeighbor = 0xffffffffu;
 
   std::vector<RayPoint> Points;
   std::vector<Tet> Tets;          ///< point indices
@@ -59,7 +59,7 @@ struct VTKGATUNCORE_EXPORT RayBlock
 
   /** For each face, opposite to corner i: the same face of its neighbor, tetrahedron t, as
    * 4 t + i. If more than two tetrahedra share a face, two of them become neighbors. */
-  std::vector<Tet> Neighbours;
+  std::vector<Tet> Neighbors;
 
   std::size_t GetMemorySize() const;
 };

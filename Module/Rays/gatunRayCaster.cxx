@@ -185,12 +185,12 @@ void RayCaster::Internals::DrawTile(std::size_t index, std::span<const Work> wor
 //------------------------------------------------------------------------------
 void RayCaster::Internals::GetColor(const Fragment& sum, float largest, float* rgba) const
 {
-  std::array<float, 4> colour{};
+  std::array<float, 4> color{};
   switch (this->Table.Mode)
   {
     case RayMode::Composite:
     case RayMode::Area:
-      colour = { sum.Sum[0], sum.Sum[1], sum.Sum[2], 1 - sum.Sum[3] };
+      color = { sum.Sum[0], sum.Sum[1], sum.Sum[2], 1 - sum.Sum[3] };
       break;
     case RayMode::Maximum:
       if (largest != RayTile::Never)
@@ -199,21 +199,21 @@ void RayCaster::Internals::GetColor(const Fragment& sum, float largest, float* r
         const float fraction = largest - std::floor(largest);
         for (std::size_t c = 0; c < 4; ++c)
         {
-          colour[c] = cell.Value[c] + fraction * cell.Change[c];
+          color[c] = cell.Value[c] + fraction * cell.Change[c];
         }
-        colour[3] = -colour[3];
+        color[3] = -color[3];
       }
       break;
     case RayMode::XRay:
       if (const float depth = sum.Sum[3] - 1; depth > 0)
       {
         const float opacity = -std::expm1(-depth);
-        colour = { sum.Sum[0] / depth * opacity, sum.Sum[1] / depth * opacity,
+        color = { sum.Sum[0] / depth * opacity, sum.Sum[1] / depth * opacity,
           sum.Sum[2] / depth * opacity, opacity };
       }
       break;
   }
-  std::copy(colour.begin(), colour.end(), rgba);
+  std::copy(color.begin(), color.end(), rgba);
 }
 
 //------------------------------------------------------------------------------

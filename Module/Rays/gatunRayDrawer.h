@@ -19,8 +19,8 @@ namespace GATUN_SIMD
 /** The length of the ray of a pixel from the eye to depth 1, in a perspective projection. */
 GATUN_INLINE double GetLengthPerDepth(const RayView& view, double x, double y)
 {
-  const double u = (x - view.CentreX) * view.ScaleX;
-  const double v = (y - view.CentreY) * view.ScaleY;
+  const double u = (x - view.CenterX) * view.ScaleX;
+  const double v = (y - view.CenterY) * view.ScaleY;
   return __builtin_sqrt(1 + u * u + v * v);
 }
 
@@ -282,31 +282,31 @@ private:
       const auto index = static_cast<int>(place);
       const RayTable::Cell& cell = this->Context.Table[index];
       const auto fraction = Splat4(place - static_cast<float>(index));
-      auto colour = Load<Float4>(&cell.Value) + fraction * Load<Float4>(&cell.Change);
+      auto color = Load<Float4>(&cell.Value) + fraction * Load<Float4>(&cell.Change);
       const auto at = this->Sums[i];
       auto sum = Load<Float4>(&sums[at]);
       if constexpr (Mode == RayMode::XRay)
       {
-        sum += colour;
+        sum += color;
       }
       else
       {
         if constexpr (Mode == RayMode::Area)
         {
-          const float opacity = 1 - std::exp(-colour[3] * this->Lengths[i]);
-          colour = colour * Splat4(opacity);
-          colour[3] = -opacity;
+          const float opacity = 1 - std::exp(-color[3] * this->Lengths[i]);
+          color = color * Splat4(opacity);
+          color[3] = -opacity;
         }
         if constexpr (Shaded)
         {
           // Not brighter than white.
           const RayShade& shade = this->Shades[this->ShadesOf[i]];
-          const auto opacity = Splat4(-colour[3]);
-          colour = Smaller(
-            colour * Load<Float4>(&shade.Scale) + opacity * Load<Float4>(&shade.Add), opacity);
+          const auto opacity = Splat4(-color[3]);
+          color = Smaller(
+            color * Load<Float4>(&shade.Scale) + opacity * Load<Float4>(&shade.Add), opacity);
         }
         const auto before = __builtin_shufflevector(sum, sum, 3, 3, 3, 3);
-        sum += before * colour;
+        sum += before * color;
         if (before[0] == 1 && sum[3] != 1) [[unlikely]]
         {
           tile.Firsts[0].data()[at] = this->Samples[i];

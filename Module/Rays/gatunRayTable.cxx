@@ -8,7 +8,7 @@
 namespace gatun
 {
 //------------------------------------------------------------------------------
-RayTable::RayTable(RayMode mode, const RayColour& colour, const Range& range, double sampleDistance,
+RayTable::RayTable(RayMode mode, const RayColor& color, const Range& range, double sampleDistance,
   double unitDistance)
   : Mode(mode)
   , Cells(Size + 1)
@@ -22,7 +22,7 @@ RayTable::RayTable(RayMode mode, const RayColour& colour, const Range& range, do
   for (std::size_t i = 0; i <= Size; ++i)
   {
     const double value = hasRange ? this->Low + static_cast<double>(i) / this->Scale : this->Low;
-    auto [r, g, b, a] = colour(value);
+    auto [r, g, b, a] = color(value);
     const double depth =
       -std::log1p(-std::clamp(a, 0.0, mostOpaque)) * sampleDistance / unitDistance;
     std::array<double, 4> entry{};

@@ -24,7 +24,7 @@ enum class RayMode : std::uint8_t
 
 /** The color and opacity of a value: red, green, blue, and opacity over the unit distance; 0 to 1.
  */
-using RayColour = std::function<std::array<double, 4>(double value)>;
+using RayColor = std::function<std::array<double, 4>(double value)>;
 
 /**
  * A table of the transfer function over a range of values, prepared for the samples of one image.
@@ -49,7 +49,7 @@ struct VTKGATUNCORE_EXPORT RayTable
    * Range: values outside of it get the color of its nearer end. Opacities are over
    * unitDistance, in world units as sampleDistance.
    */
-  RayTable(RayMode mode, const RayColour& colour, const Range& range, double sampleDistance,
+  RayTable(RayMode mode, const RayColor& color, const Range& range, double sampleDistance,
     double unitDistance);
 
   /** Whether all values of a range are fully transparent. */

@@ -46,12 +46,12 @@ RayView::RayView(const std::array<std::array<double, 4>, 3>& toEye, const RayFru
 
   this->ScaleX = w / width;
   this->ScaleY = h / height;
-  this->CentreX = -frustum.Left / this->ScaleX - 0.5 - OffsetX;
-  this->CentreY = -frustum.Bottom / this->ScaleY - 0.5 - OffsetY;
+  this->CenterX = -frustum.Left / this->ScaleX - 0.5 - OffsetX;
+  this->CenterY = -frustum.Bottom / this->ScaleY - 0.5 - OffsetY;
   const glm::dvec4 depth = -rows[2];
   const glm::dvec4 times = frustum.Parallel ? glm::dvec4(0, 0, 0, 1) : depth;
-  this->ToRays[0] = ToArray(rows[0] / this->ScaleX + this->CentreX * times);
-  this->ToRays[1] = ToArray(rows[1] / this->ScaleY + this->CentreY * times);
+  this->ToRays[0] = ToArray(rows[0] / this->ScaleX + this->CenterX * times);
+  this->ToRays[1] = ToArray(rows[1] / this->ScaleY + this->CenterY * times);
   this->ToRays[2] = ToArray(frustum.Parallel ? depth / sampleDistance : depth);
 }
 
@@ -71,8 +71,8 @@ double RayView::GetSamplesPerDepth(double x, double y) const
   {
     return 1 / this->SampleDistance;
   }
-  const double u = (x - this->CentreX) * this->ScaleX;
-  const double v = (y - this->CentreY) * this->ScaleY;
+  const double u = (x - this->CenterX) * this->ScaleX;
+  const double v = (y - this->CenterY) * this->ScaleY;
   return std::sqrt(1 + u * u + v * v) / this->SampleDistance;
 }
 

@@ -50,9 +50,9 @@ struct VTKGATUNCORE_EXPORT RayView
   std::array<std::array<double, 4>, 3> ToRays{}; ///< ray coordinates from world coordinates
 
   // In perspective, a step of 1 in depth along the ray of pixel (x, y) is one of
-  // |((x - CentreX) ScaleX, (y - CentreY) ScaleY, 1)| in world units.
-  double CentreX = 0;
-  double CentreY = 0;
+  // |((x - CenterX) ScaleX, (y - CenterY) ScaleY, 1)| in world units.
+  double CenterX = 0;
+  double CenterY = 0;
   double ScaleX = 0;
   double ScaleY = 0;
 

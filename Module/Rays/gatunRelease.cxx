@@ -8,7 +8,7 @@ namespace gatun
 {
 //------------------------------------------------------------------------------
 template <ReleaseFrom From>
-void Release::Find(std::span<const RayBlock::Tet> neighbours, std::span<const std::uint8_t> facing)
+void Release::Find(std::span<const RayBlock::Tet> neighbors, std::span<const std::uint8_t> facing)
 {
   constexpr std::uint8_t taken = 16;
   auto& state = this->State;
@@ -31,10 +31,10 @@ void Release::Find(std::span<const RayBlock::Tet> neighbours, std::span<const st
       const auto tet = this->Ready.back();
       this->Ready.pop_back();
       this->Order.push_back(tet);
-      for (const auto face : neighbours[tet])
+      for (const auto face : neighbors[tet])
       {
         const auto other = face / 4;
-        if (face == RayBlock::NoNeighbour)
+        if (face == RayBlock::NoNeighbor)
         {
           continue;
         }
@@ -46,12 +46,12 @@ void Release::Find(std::span<const RayBlock::Tet> neighbours, std::span<const st
       }
     }
   };
-  while (arrived < neighbours.size())
+  while (arrived < neighbors.size())
   {
     const auto tet = arrived++;
     for (unsigned side = 0; side < 4; ++side)
     {
-      const bool isBorder = neighbours[tet][side] == RayBlock::NoNeighbour;
+      const bool isBorder = neighbors[tet][side] == RayBlock::NoNeighbor;
       state[tet] |= static_cast<std::uint8_t>((isBorder ? 1u : 0u) << side);
     }
     if (isReady(tet))
@@ -61,7 +61,7 @@ void Release::Find(std::span<const RayBlock::Tet> neighbours, std::span<const st
     }
     this->MostWaiting = std::max(this->MostWaiting, arrived - this->Order.size());
   }
-  for (std::uint32_t tet = 0; this->Order.size() < neighbours.size(); ++tet)
+  for (std::uint32_t tet = 0; this->Order.size() < neighbors.size(); ++tet)
   {
     if ((state[tet] & taken) == 0)
     {
@@ -73,19 +73,19 @@ void Release::Find(std::span<const RayBlock::Tet> neighbours, std::span<const st
 
 //------------------------------------------------------------------------------
 void Release::FindOrder(
-  std::span<const RayBlock::Tet> neighbours, std::span<const std::uint8_t> facing, ReleaseFrom from)
+  std::span<const RayBlock::Tet> neighbors, std::span<const std::uint8_t> facing, ReleaseFrom from)
 {
   this->Order.clear();
-  this->Order.reserve(neighbours.size());
-  this->State.assign(neighbours.size(), 0);
+  this->Order.reserve(neighbors.size());
+  this->State.assign(neighbors.size(), 0);
   this->MostWaiting = 0;
   if (from == ReleaseFrom::Front)
   {
-    this->Find<ReleaseFrom::Front>(neighbours, facing);
+    this->Find<ReleaseFrom::Front>(neighbors, facing);
   }
   else
   {
-    this->Find<ReleaseFrom::Both>(neighbours, facing);
+    this->Find<ReleaseFrom::Both>(neighbors, facing);
   }
 }
 }

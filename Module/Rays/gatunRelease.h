@@ -30,8 +30,8 @@ enum class ReleaseFrom : std::uint8_t
 class Release
 {
 public:
-  /** Neighbours: see RayBlock; facing: see RayKernel::Look. */
-  void FindOrder(std::span<const RayBlock::Tet> neighbours, std::span<const std::uint8_t> facing,
+  /** Neighbors: see RayBlock; facing: see RayKernel::Look. */
+  void FindOrder(std::span<const RayBlock::Tet> neighbors, std::span<const std::uint8_t> facing,
     ReleaseFrom from);
 
   const std::vector<std::uint32_t>& GetOrder() const { return this->Order; }
@@ -46,7 +46,7 @@ public:
 
 private:
   template <ReleaseFrom From>
-  void Find(std::span<const RayBlock::Tet> neighbours, std::span<const std::uint8_t> facing);
+  void Find(std::span<const RayBlock::Tet> neighbors, std::span<const std::uint8_t> facing);
 
   std::vector<std::uint32_t> Order;
   std::vector<std::uint32_t> Ready;

@@ -179,7 +179,7 @@ struct ChunkInfo
   std::uint64_t FirstTet = 0;     ///< its tetrahedra are FirstTet ... FirstTet + Tets - 1
   std::uint64_t FirstPoint = 0;   ///< its own points are FirstPoint ... FirstPoint + OwnPoints - 1
   Bounds Box;
-  std::vector<std::uint32_t> Neighbours; ///< chunks that share a point with this one, ascending
+  std::vector<std::uint32_t> Neighbors; ///< chunks that share a point with this one, ascending
 };
 
 /** Sizes of the parts of a file in bytes. */

@@ -38,11 +38,11 @@ std::int32_t IntervalTree::Build(std::span<const Range> ranges, std::vector<std:
   std::nth_element(ends.begin(), middle, ends.end());
 
   Node node;
-  node.Centre = *middle;
+  node.Center = *middle;
   const auto above = std::partition(
-    members.begin(), members.end(), [&](std::uint32_t i) { return ranges[i].Min < node.Centre; });
+    members.begin(), members.end(), [&](std::uint32_t i) { return ranges[i].Min < node.Center; });
   const auto here = std::partition(
-    members.begin(), above, [&](std::uint32_t i) { return ranges[i].Max < node.Centre; });
+    members.begin(), above, [&](std::uint32_t i) { return ranges[i].Max < node.Center; });
   node.Begin = this->ByMin.size();
   for (auto it = here; it != above; ++it)
   {

@@ -34,7 +34,7 @@ public:
     for (std::int32_t n = this->Root; n >= 0;)
     {
       const Node& node = this->Nodes[static_cast<std::size_t>(n)];
-      if (value <= node.Centre)
+      if (value <= node.Center)
       {
         for (std::size_t i = node.Begin; i < node.End && this->ByMin[i].Bound < value; ++i)
         {
@@ -57,10 +57,10 @@ public:
   std::vector<std::uint32_t> FindAny(std::span<const double> values) const;
 
 private:
-  /** The ranges with Min < Centre <= Max; all others are below or above it. */
+  /** The ranges with Min < Center <= Max; all others are below or above it. */
   struct Node
   {
-    double Centre = 0;
+    double Center = 0;
     std::size_t Begin = 0; // in ByMin and ByMax
     std::size_t End = 0;
     std::int32_t Below = -1;

@@ -25,7 +25,7 @@ public:
   {
     for (unsigned i = 0; i < 3; ++i)
     {
-      // A neighbour with the same front has the edge the other way round.
+      // A neighbor with the same front has the edge the other way round.
       const auto end = this->Ends.find(MakeEdge(triangle[(i + 1) % 3], triangle[i]));
       if (end != this->Ends.end())
       {

@@ -21,10 +21,10 @@ enter_folder("contour")
 SIDE = 14
 
 
-def make_mesh(centre, dtype=np.float32):
+def make_mesh(center, dtype=np.float32):
     """Spheres around a point are where "distance" is the same."""
     points, tets = lattice(SIDE, dtype=dtype)
-    distance = np.linalg.norm(points - centre, axis=1).astype(np.float32)
+    distance = np.linalg.norm(points - center, axis=1).astype(np.float32)
     data = {"distance": distance, **waves(points)}
     cells = {"material": (np.arange(len(tets)) // 100).astype(np.int32)}
     grid = make_grid(points, tets, data, cells)
@@ -32,8 +32,8 @@ def make_mesh(centre, dtype=np.float32):
     return grid
 
 
-CENTRE = np.array([7.1, 6.9, 7.2])
-write(make_mesh(CENTRE), "mesh.vtu")
+CENTER = np.array([7.1, 6.9, 7.2])
+write(make_mesh(CENTER), "mesh.vtu")
 gtn("pack", "-q", "--chunk", 500, "mesh.vtu", "mesh.gtn")
 grid = read("mesh.vtu")
 distances = vtk_to_numpy(grid.GetPointData().GetArray("distance"))
@@ -105,7 +105,7 @@ double = contour("--value", 5, "--precision", "double")
 assert points_of(double).dtype == np.float64
 assert_same(double, contour_of(
     "mesh.gtn", [5], lambda c: c.SetOutputPointsPrecision(vtkAlgorithm.DOUBLE_PRECISION)))
-write(make_mesh(CENTRE, np.float64), "double.vtu")
+write(make_mesh(CENTER, np.float64), "double.vtu")
 assert points_of(contour("--value", 5, source="double.vtu")).dtype == np.float64
 assert points_of(contour("--value", 5, "--precision", "single", source="double.vtu")).dtype == np.float32
 for source in ("mesh.gtn", "mesh.vtu"):
@@ -167,14 +167,14 @@ for option, value, least, most in (("--ratio", 0.7, 0.25, 0.7),
 
 # Time steps.
 for step in range(3):
-    write(make_mesh(CENTRE - step), f"run{step}.vtu")
+    write(make_mesh(CENTER - step), f"run{step}.vtu")
 gtn("pack", "-q", "--chunk", 500, *(f"run{step}.vtu" for step in range(3)), "run.gtn")
 for asked in ("--step", "--time"):
     for step in (1, 2):
         assert_same(contour(asked, step, "--value", 4, source="run.gtn"),
                     contour_of("run.gtn", [4], lambda c, s=step: c.UpdateTimeStep(s)))
         moved = points_of(contour(asked, step, "--value", 4, source="run.gtn")).mean(axis=0)
-        assert np.abs(moved - CENTRE + step).max() < 0.3, moved
+        assert np.abs(moved - CENTER + step).max() < 0.3, moved
 gtn("contour", "--value", 4, "run.gtn", "first.vtp", says="run.gtn: has 3 time steps; using the first one")
 
 

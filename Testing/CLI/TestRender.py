@@ -35,12 +35,12 @@ def draw(shade=False):
     """The same by vtkGatunRayCaster."""
     reader = vtkGatunReader()
     reader.SetFileName("mesh.gtn")
-    colours, opacity = vtkColorTransferFunction(), vtkPiecewiseFunction()
+    colors, opacity = vtkColorTransferFunction(), vtkPiecewiseFunction()
     for value, red, green, blue, alpha in nodes:
-        colours.AddRGBPoint(value, red, green, blue)
+        colors.AddRGBPoint(value, red, green, blue)
         opacity.AddPoint(value, alpha)
     look = vtkVolumeProperty()
-    look.SetColor(colours)
+    look.SetColor(colors)
     look.SetScalarOpacity(opacity)
     look.SetScalarOpacityUnitDistance(0.3)
     look.SetShade(shade)
@@ -67,7 +67,7 @@ straight = np.concatenate([straight, alpha], axis=2)
 
 def check(picture, expected, tolerance=1.01):
     difference = np.abs(picture - 255 * np.clip(expected, 0, 1))
-    # Colours of what is hardly seen are quotients of tiny numbers.
+    # Colors of what is hardly seen are quotients of tiny numbers.
     difference[:, :, :3] *= 1 if expected.shape[2] == 3 else alpha > 0.02
     assert difference.max() <= tolerance, difference.max()
 
@@ -155,9 +155,9 @@ bounds = json.loads(gtn("info", "--json", "mesh.gtn"))["bounds"]
 diagonal = np.sqrt(sum((high - low) ** 2 for low, high in bounds))
 assert abs(told["unitDistance"] - diagonal / 100) < 1e-9 * diagonal
 camera = told["images"][0]["camera"]
-centre = [(low + high) / 2 for low, high in bounds]
-assert np.allclose(camera["focalPoint"], centre)
-arm = np.subtract(camera["position"], centre)
+center = [(low + high) / 2 for low, high in bounds]
+assert np.allclose(camera["focalPoint"], center)
+arm = np.subtract(camera["position"], center)
 assert np.isclose(np.linalg.norm(arm), diagonal / 2 / np.sin(np.radians(15)))
 assert np.isclose(np.degrees(np.arcsin(arm[1] / np.linalg.norm(arm))), 20)
 assert np.isclose(np.degrees(np.arctan2(arm[0], arm[2])), 30)

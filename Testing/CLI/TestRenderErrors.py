@@ -186,7 +186,7 @@ assert not differ(stretched, draw(as_it_is, "--range", f"{low},{high}"))
 # Beyond its ends it goes on as at the ends.
 beyond = draw([{"RGBPoints": [-9, 0, 0, 1, -8, 1, 0, 0]}])
 assert (beyond[beyond[:, :, 3] > 0][:, :3] == [255, 0, 0]).all() and beyond[:, :, 3].max() == 255
-# Several nodes at one value are a jump: nothing but two colours there.
+# Several nodes at one value are a jump: nothing but two colors there.
 jump = [0, 0, 0, 1, 0.5, 0, 0, 1, 0.5, 1, 0, 0, 1, 1, 0, 0]
 opaque = [0, 1, 0.5, 0, 1, 1, 0.5, 0]
 picture = draw([{"RGBPoints": jump, "Points": opaque}])

@@ -33,5 +33,5 @@ for name in files:
     one, other = (gv.vtk_to_numpy(gv.read_image(file).GetPointData().GetScalars()).astype(int)
                   for file in ("of-file.png", "of-scan.png"))
     assert (one[:, 3] > 20).mean() > 0.02
-    # Where hardly anything is seen, colours that opacity is divided out of are noise.
+    # Where hardly anything is seen, colors that opacity is divided out of are noise.
     assert (abs(one - other).max(axis=1)[one[:, 3] > 8] > 3).mean() < 0.01

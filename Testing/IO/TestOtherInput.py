@@ -121,7 +121,7 @@ for storage in (32, 64):
     # The input is as it was.
     assert grid.GetCellData().GetNumberOfArrays() == 3 and grid.GetCellData().GetGlobalIds()
 
-# Neighbouring hexahedra are split so that their tetrahedra meet: no new boundary inside.
+# Neighboring hexahedra are split so that their tetrahedra meet: no new boundary inside.
 n = 4
 axis = np.arange(n + 1)
 x, y, z = (a.ravel() for a in np.meshgrid(axis[:-1], axis[:-1], axis[:-1], indexing="ij"))

@@ -14,13 +14,13 @@ from gatun import vtkGatunReader
 
 points, tets = gm.lattice(10)
 middle = points[tets].mean(1)
-# Eighths of the cube in two colours: those of one colour touch at edges only, not at faces.
-colour = (np.floor(2 * middle).astype(int).sum(1) % 2).astype(np.int32)
+# Eighths of the cube in two colors: those of one color touch at edges only, not at faces.
+color = (np.floor(2 * middle).astype(int).sum(1) % 2).astype(np.int32)
 grid = gm.make_grid(points, tets)
 gm.add_array(grid.GetPointData(), np.arange(len(points)), "point")
 gm.add_array(grid.GetPointData(), np.sin(5 * points), "wave")
 gm.add_array(grid.GetCellData(), np.arange(len(tets)), "cell")
-gm.add_array(grid.GetCellData(), colour, "colour")
+gm.add_array(grid.GetCellData(), color, "color")
 path = gm.temporary("region_pieces.gtn")
 
 
@@ -50,7 +50,7 @@ def skin_of(piece):
 REGIONS = [
     dict(UseBox=True, Box=(0.05, 0.4, -1, 2, 0.3, 0.6)),
     dict(UseBox=True, Box=(0.6, 2, 0.6, 2, 0.6, 2)),  # the lowest chunks are outside
-    dict(UseValueRange=True, ValueRangeArray="colour", ValueRangeAssociation=1, ValueRange=(1, 1)),
+    dict(UseValueRange=True, ValueRangeArray="color", ValueRangeAssociation=1, ValueRange=(1, 1)),
     dict(UseBox=True, Box=(-1, 2, -1, 2, -1, 2)),
     dict(UseBox=True, Box=(3, 4, 3, 4, 3, 4)),
 ]

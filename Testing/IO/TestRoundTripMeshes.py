@@ -91,8 +91,8 @@ check(rng.random((5, 3)), list(itertools.permutations(range(5), 4)))
 # Several components, and a hole.
 check(np.concatenate([points + 3 * i for i in range(4)]),
       np.concatenate([tets + len(points) * i for i in range(4)]))
-centre = points[tets].mean(1)
-check(points, tets[np.abs(centre - 0.5).max(1) > 0.25])
+center = points[tets].mean(1)
+check(points, tets[np.abs(center - 0.5).max(1) > 0.25])
 check(np.concatenate([np.eye(3), np.zeros((1, 3))] * 300), np.arange(1200))
 
 # One tetrahedron, points alone, nothing at all.

@@ -76,7 +76,7 @@ assert 0 < abs(encoded - pictures[1])[:, 3].max() < 30
 encoder.Quality = 10
 assert (values(draw(encoder, **settings), "Color")[1] != encoded).any()
 projection = draw(reader, **settings)
-# Each rank has its part; neighbours have the points where they meet.
+# Each rank has its part; neighbors have the points where they meet.
 assert 2400 <= sample.counts(projection)[0] < 2400 + 60 * ranks, sample.counts(projection)
 assert abs(projection.ValueRange[0] - low) < 0.01 and abs(projection.ValueRange[1] - high) < 0.01
 for name, value in (("OpacityModel", "X-Ray"), ("OpacityModel", "Exponential"),

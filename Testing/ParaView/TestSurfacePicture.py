@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""The surface of a .gtn file, coloured by a point array, looks the same on any number of ranks."""
+"""The surface of a .gtn file, colored by a point array, looks the same on any number of ranks."""
 
 import gatunSample as sample
 from gatunParaView import load_plugin
@@ -29,9 +29,9 @@ shown.SetScalarBarVisibility(view, False)
 table = simple.GetColorTransferFunction("wave")
 table.ApplyPreset("Cool to Warm", True)
 table.RescaleTransferFunction(-1.5, 3)
-centre = [sample.SIDE * f for f in (0.5, 0.5, 0.5)]
+center = [sample.SIDE * f for f in (0.5, 0.5, 0.5)]
 view.CameraPosition = [sample.SIDE * f for f in (2.4, 1.9, 2.2)]
-view.CameraFocalPoint = centre
+view.CameraFocalPoint = center
 view.CameraViewUp = [0, 0, 1]
 view.ResetCamera()
 simple.Render(view)

@@ -26,7 +26,7 @@ reader = simple.GatunReader(FileNames=[path], OnDemand="Always")
 near = {"by": 2} if ranks == 1 else {"by": 10, "pixels": 0.002 * drawing.SIZE ** 2}
 
 
-# Colour maps are made for the same ranges.
+# Color maps are made for the same ranges.
 for array, association in (("wave", "PointData"), ("point", "PointData"), ("vector", "PointData"),
                            ("cell", "CellData")):
     have, want = (drawing.ranges(one, array, association) for one in (reader, mesh))
@@ -48,7 +48,7 @@ def both(change):
 
 def to_volume(shown):
     shown.SetRepresentationType("Gatun Volume")
-    drawing.colour(shown, view)
+    drawing.color(shown, view)
     shown.ScalarOpacityUnitDistance = 3
 
 
@@ -58,8 +58,8 @@ first = both(to_volume)
 # Other arrays and components.
 def by_array(name, low, high, association="POINTS", component=None):
     def change(shown):
-        colours = [low, 0, 0, 1, high, 1, 1, 0]
-        drawing.colour(shown, view, name, colours, [low, 0, 0.5, 0, high, 1, 0.5, 0], association)
+        colors = [low, 0, 0, 1, high, 1, 1, 0]
+        drawing.color(shown, view, name, colors, [low, 0, 0.5, 0, high, 1, 0.5, 0], association)
         table = simple.GetColorTransferFunction(name)
         if component is not None:
             table.VectorMode = "Component"
@@ -158,7 +158,7 @@ for source in (voxels, tetrahedra):
     source.UpdatePipeline()
     shown_source = simple.Show(source, view)
     shown_source.SetRepresentationType("Gatun Volume")
-    drawing.colour(shown_source, view, "RTData", [40, 0, 0, 1, 280, 1, 1, 0],
+    drawing.color(shown_source, view, "RTData", [40, 0, 0, 1, 280, 1, 1, 0],
                    [40, 0, 0.5, 0, 280, 1, 0.5, 0])
     shown_source.ScalarOpacityUnitDistance = 3
     made.append(drawing.draw(view))
@@ -198,7 +198,7 @@ if ranks == 1:
             assert list(moving.TimestepValues) == [0, 1, 2]
             shown_moving = simple.Show(moving, view)
             shown_moving.SetRepresentationType("Gatun Volume")
-            drawing.colour(shown_moving, view, "ramp", [0, 0, 0, 1, 24, 1, 1, 0],
+            drawing.color(shown_moving, view, "ramp", [0, 0, 0, 1, 24, 1, 1, 0],
                            [0, 0.02, 0.5, 0, 24, 1, 0.5, 0])
             shown_moving.ScalarOpacityUnitDistance = 3
             frames.append([])

@@ -11,7 +11,7 @@ from paraview import simple
 import gatunSample as sample
 
 SIZE = 200
-COLOURS = [-2.5, 0.23, 0.3, 0.75, 0.3, 0.87, 0.87, 0.87, 3, 0.71, 0.02, 0.15]
+COLORS = [-2.5, 0.23, 0.3, 0.75, 0.3, 0.87, 0.87, 0.87, 3, 0.71, 0.02, 0.15]
 OPACITIES = [-2.5, 0, 0.5, 0, 3, 1, 0.5, 0]
 
 
@@ -33,20 +33,20 @@ def look(view, x, y, z):
     view.CameraViewAngle = 30
 
 
-def colour(shown, view, array="wave", colours=COLOURS, opacities=OPACITIES, association="POINTS"):
+def color(shown, view, array="wave", colors=COLORS, opacities=OPACITIES, association="POINTS"):
     simple.ColorBy(shown, (association, array))
     shown.SetScalarBarVisibility(view, False)
     table = simple.GetColorTransferFunction(array)
     table.ColorSpace = "RGB"
-    table.RGBPoints = colours
+    table.RGBPoints = colors
     simple.GetOpacityTransferFunction(array).Points = opacities
 
 
 def show(source, view, representation="Gatun Volume"):
-    """The representation, coloured by "wave"."""
+    """The representation, colored by "wave"."""
     shown = simple.Show(source, view)
     shown.SetRepresentationType(representation)
-    colour(shown, view)
+    color(shown, view)
     shown.ScalarOpacityUnitDistance = 3
     return shown
 

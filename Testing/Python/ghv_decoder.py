@@ -135,7 +135,7 @@ class Walk:
         self.running = [0] * len(self.order.places) if len(self.blocks) > 1 else None
         for block, place in enumerate(self.blocks):
             self.block = block
-            self.neighbours = [self.before(place, a) for a in range(3)]
+            self.neighbors = [self.before(place, a) for a in range(3)]
             self.slopes = [self.slope(block, place, a) for a in range(3)]
             for position in range(1, ends[block]):
                 self.decode_value(position, 0)
@@ -145,7 +145,7 @@ class Walk:
         self.values = [values]
         self.running = None
         self.block = 0
-        self.neighbours = [None] * 3
+        self.neighbors = [None] * 3
         self.slopes = [0] * 3
         first = segment * SEGMENT
         length = min(SEGMENT, len(values) - first)
@@ -235,8 +235,8 @@ class Walk:
                     if known(order.partner[inner]):
                         total += 6 * count(own[order.partner[inner]])
                         weight += 6
-            if self.neighbours[a] is not None:
-                other = self.values[self.neighbours[a]]
+            if self.neighbors[a] is not None:
+                other = self.values[self.neighbors[a]]
                 total += count(other[index]) + count(other[partner])
                 weight += 2
         if axes == 1:

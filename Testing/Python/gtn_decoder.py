@@ -100,8 +100,8 @@ class ChunkMesh:
         """shared: pairs of a global point number and chunks that use it, by shared index."""
         chunk = container.table.chunks[number]
         self.shared_points = [point for point, _ in shared]
-        neighbours = sorted({c for _, chunks in shared for c in chunks if c != number})
-        places = {c: min(i, 31) for i, c in enumerate(neighbours)}
+        neighbors = sorted({c for _, chunks in shared for c in chunks if c != number})
+        places = {c: min(i, 31) for i, c in enumerate(neighbors)}
         users = []
         for _, chunks in shared:
             mask = 0
@@ -165,18 +165,18 @@ class ChunkMesh:
         return predicted, key_spread(known[:4]), 1 + used
 
     def _predict_fit(self, i, domain, keys):
-        neighbours, weights = self._neighbours(i)
-        m = len(neighbours)
+        neighbors, weights = self._neighbors(i)
+        m = len(neighbors)
         if m == 0:
             return None
         predicted = 0.0
-        for u, w in zip(neighbours, weights):
+        for u, w in zip(neighbors, weights):
             predicted += w * domain.to_number(keys[u])
         group = 0 if m < 4 else 1 if m < 6 else 2 if m < 8 else 3 if m < 11 else 4
-        return predicted, key_spread([keys[u] for u in neighbours]), group
+        return predicted, key_spread([keys[u] for u in neighbors]), group
 
-    def _neighbours(self, i):
-        """Neighbours of own vertex number i, and their weights (10.6)."""
+    def _neighbors(self, i):
+        """Neighbors of own vertex number i, and their weights (10.6)."""
         if self._weights is None:
             walk = self.walk
             found = {v: [] for v in self.own}
@@ -197,7 +197,7 @@ class ChunkMesh:
 
 
 def fit_weights(c, q):
-    """Weights of neighbours at the places q around c (10.6)."""
+    """Weights of neighbors at the places q around c (10.6)."""
     m = len(q)
     if m == 0:
         return []

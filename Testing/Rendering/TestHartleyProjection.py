@@ -79,9 +79,9 @@ assert abs(sums - field.sum(2)[:, ::-1]).max() < 1e-3 * sums.max()  # right is t
 
 # The same data with axes in another order, and a direction that puts them back: the same picture.
 camera = gr.make_camera((0.4, 0.5, -0.7), focus=plain.GetCenter(), scale=12)
-colours = gr.make_property([(7, 0, 0, 1), (107, 1, 0.5, 0)], [(7, 0), (107, 0.3)])
+colors = gr.make_property([(7, 0, 0, 1), (107, 1, 0.5, 0)], [(7, 0), (107, 0.3)])
 for model in (0, 1, 2):
-    settings = dict(OpacityModel=model, Property=colours, Size=SIZE, **gr.LOSSLESS)
+    settings = dict(OpacityModel=model, Property=colors, Size=SIZE, **gr.LOSSLESS)
     expected = gr.draw(plain, camera, "RGBA", **settings)
     assert len(np.unique(np.rint(255 * expected))) > 50
     for order in ((1, 2, 0), (2, 1, 0), (0, 2, 1)):
@@ -101,7 +101,7 @@ for model in (0, 1, 2):
     print("backwards, model %d: mean %.1e, largest %.1e" % (model, errors.mean(), errors.max()))
     assert errors.mean() < 0.01 and errors.max() < 0.1, model
 
-# A constant volume: opacity is that of so much length, and the colour that of the value.
+# A constant volume: opacity is that of so much length, and the color that of the value.
 box = gh.make_volume(np.full((20, 24, 28), 5, np.uint8), spacing=(0.5, 0.5, 0.5))
 camera = gr.make_camera((0, 0, 1), focus=box.GetCenter(), scale=3)
 half = gr.make_property([(0, 0, 0, 0), (10, 1, 0.4, 0.2)], [(0, 0.4), (10, 0.4)], 4)
@@ -110,7 +110,7 @@ for distance in (0, 0.1, 3):
     expected = 1 - 0.6 ** (20 * 0.5 / 4)
     assert abs(rgba[..., 3] - expected).max() < 0.005, (distance, rgba[..., 3].min(), expected)
     assert abs(rgba[..., :3] / rgba[..., 3:] - (0.5, 0.2, 0.1)).max() < 0.002
-# Grey functions too, and bytes are the colours that are not multiplied.
+# Grey functions too, and bytes are the colors that are not multiplied.
 bytes_ = gr.draw(box, camera, Property=half, Size=(10, 10))
 assert abs(bytes_.astype(int) - (128, 51, 26, round(255 * expected))).max() <= 1, bytes_[0, 0]
 grey = gr.make_property([], [(0, 0.4)], 4)

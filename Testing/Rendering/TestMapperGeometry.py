@@ -8,15 +8,15 @@ import numpy as np
 
 import gatunVolumes as gv
 
-OPACITY = 0.4  # over the unit distance, of the volume's colour
+OPACITY = 0.4  # over the unit distance, of the volume's color
 UNIT = 0.5
 WHITE = np.ones(3)
-COLOUR = np.array([0.2, 1, 0.2])
+COLOR = np.array([0.2, 1, 0.2])
 
 
 def expect(length, behind):
     through = (1 - OPACITY) ** (length / UNIT)
-    return (1 - through) * COLOUR + through * np.asarray(behind)
+    return (1 - through) * COLOR + through * np.asarray(behind)
 
 
 def make_scene(parallel, **options):
@@ -66,7 +66,7 @@ require(middle(scene.render(), x=151), expect(1.25, WHITE))
 scene.renderer.AddActor(gv.cube((0.6, 3, -3, 3, 0.9, 1), (0, 0, 0)))
 require(middle(scene.render(), x=151 + 15), expect(0.5, (0, 0, 0)))
 
-# Without it, the volume is in front or behind as a whole, by its centre.
+# Without it, the volume is in front or behind as a whole, by its center.
 scene = make_scene(True, IntermixIntersectingGeometry=False)
 for z, expected in ((0.75, WHITE), (0.25, expect(1, WHITE))):
     plate = gv.cube((-3, 3, -3, 3, z - 0.001, z))

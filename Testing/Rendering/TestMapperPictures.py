@@ -159,7 +159,7 @@ for distance in (2, 3, 8):
     scene.set(ImageSampleDistance=distance)
     assert abs(scene.render()[..., 1].sum() / full - 1) < 0.01
 
-# New values, colours and cameras show at once.
+# New values, colors and cameras show at once.
 scene = gv.Scene(MESH)
 compare(scene)
 scene.volume.SetProperty(gv.make_property(((0, 0.5), (1, 0.0))))

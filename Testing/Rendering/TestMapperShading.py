@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 """Lights of a scene on a volume. Where values are linear, all has one normal, and the shaded picture
-is the plain one in other colours."""
+is the plain one in other colors."""
 
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkLight
@@ -20,14 +20,14 @@ PLANES.GetPointData().SetActiveScalars("linear")
 
 
 def make_property(tint=(1, 1, 1), ambient=1.0, diffuse=0.0, specular=0.0, shade=True):
-    """Colours multiplied by a tint."""
+    """Colors multiplied by a tint."""
     prop = gv.make_property()
-    colours = prop.GetRGBTransferFunction()
+    colors = prop.GetRGBTransferFunction()
     node = [0.0] * 6
-    for i in range(colours.GetSize()):
-        colours.GetNodeValue(i, node)
+    for i in range(colors.GetSize()):
+        colors.GetNodeValue(i, node)
         node[1:4] = np.multiply(node[1:4], tint)
-        colours.SetNodeValue(i, node)
+        colors.SetNodeValue(i, node)
     prop.SetShade(shade)
     prop.SetAmbient(ambient)
     prop.SetDiffuse(diffuse)
@@ -42,13 +42,13 @@ def show(prop, lights=(), mesh=PLANES, **options):
     return scene.render()[..., :3], scene
 
 
-def make_light(towards, positional=False, colour=(1, 1, 1), intensity=1.0):
+def make_light(towards, positional=False, color=(1, 1, 1), intensity=1.0):
     light = vtkLight()
     light.SetLightTypeToSceneLight()
     light.SetPositional(positional)
     light.SetFocalPoint(7, 8, 9)
     light.SetPosition(*(np.array(towards, float) + ((0, 0, 0) if positional else (7, 8, 9))))
-    light.SetDiffuseColor(*colour)
+    light.SetDiffuseColor(*color)
     light.SetIntensity(intensity)
     return light
 
@@ -63,10 +63,10 @@ assert gv.difference(shaded, plain) > 0.1
 # All ambient is as if not shaded.
 gv.require_same(show(make_property(ambient=1.0))[0], show(make_property(shade=False))[0])
 
-# Lights far away, from in front and from behind the surfaces: their cosines add up, in their colours.
+# Lights far away, from in front and from behind the surfaces: their cosines add up, in their colors.
 directions = np.array([[1, 0, 0], [0, 3, 0], [-1, 2, 1]])
 tints = np.array([[1, 1, 1], [0.2, 0.5, 1], [0.4, 0, 0.3]])
-lights = [make_light(d, colour=t) for d, t in zip(directions, tints)]
+lights = [make_light(d, color=t) for d, t in zip(directions, tints)]
 cosines = np.abs(directions @ NORMAL) / np.linalg.norm(directions, axis=1)
 expected = 0.3 + 0.5 * cosines @ tints
 gv.require_same(

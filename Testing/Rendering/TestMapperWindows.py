@@ -102,7 +102,7 @@ first = alone(MESH)
 second = alone(OTHER)
 assert gv.difference(first, second) > 0.1
 
-# Two mappers, of meshes in memory and of one reader with different colours; also in the next
+# Two mappers, of meshes in memory and of one reader with different colors; also in the next
 # pictures, when all is known already.
 for sources, expected in (
         ((MESH, OTHER), (first, second)), ((reader, reader), (first, alone(MESH, prop=thin)))):

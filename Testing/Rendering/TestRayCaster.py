@@ -20,13 +20,13 @@ def check_same(a, b, bound=1 / 255):
 
 grid = gv.box()
 expected = gv.draw(grid)
-colours, depths = expected
-assert 0.2 < (colours[..., 3] > 0.01).mean() < 0.9
-assert (colours[..., :3] <= colours[..., 3:] + 1e-6).all(), "not premultiplied"
+colors, depths = expected
+assert 0.2 < (colors[..., 3] > 0.01).mean() < 0.9
+assert (colors[..., :3] <= colors[..., 3:] + 1e-6).all(), "not premultiplied"
 
 # Depth: between the nearest and the farthest point of the box from the eye.
 seen = np.isfinite(depths)
-assert (seen == (colours[..., 3] > 0)).all()
+assert (seen == (colors[..., 3] > 0)).all()
 corners = np.array([[x, y, z] for x in (0, 10) for y in (0, 10) for z in (0, 10)])
 distances = np.linalg.norm(corners - np.array(gv.box_camera().GetPosition()), axis=1)
 assert depths[seen].min() > distances.min() - 10 and depths[seen].max() < distances.max()
@@ -94,7 +94,7 @@ for sign in (1, -1):
     planes = vtkPlaneCollection()
     planes.AddItem(plane)
     parts.append(1 - gv.draw(grid, ClippingPlanes=planes)[0][..., 3])
-np.testing.assert_allclose(parts[0] * parts[1], 1 - colours[..., 3], atol=1e-5)
+np.testing.assert_allclose(parts[0] * parts[1], 1 - colors[..., 3], atol=1e-5)
 
 # Hexahedra are split.
 hexahedra = vtkUnstructuredGrid()
@@ -109,6 +109,6 @@ for z in range(10):
             hexahedra.InsertNextCell(VTK_HEXAHEDRON, 8, [
                 corner(i, j, k) for k in (0, 1) for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))])
 split = gv.draw(hexahedra)
-assert np.abs(split[0] - colours).mean() < 0.01
+assert np.abs(split[0] - colors).mean() < 0.01
 
 print("all good")

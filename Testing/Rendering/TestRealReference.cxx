@@ -32,7 +32,7 @@ namespace
 
 constexpr int Skipped = 125;
 
-std::array<double, 4> Colour(double s)
+std::array<double, 4> Color(double s)
 {
   return { s, 1 - std::abs(2 * s - 1), 1 - s, s < 0.25 ? 0 : (s - 0.25) * 0.6 };
 }
@@ -109,20 +109,20 @@ void Compare(const ReferenceMesh& mesh, RaySource& source, const Viewer& viewer,
   Difference& difference)
 {
   Reference reference;
-  reference.Colour = Colour;
+  reference.Color = Color;
   reference.Unit = unit;
   const auto expected = reference.Render(mesh, viewer);
   RayCaster caster(
-    viewer.GetView(), RayTable(RayMode::Composite, Colour, { 0, 1 }, viewer.SampleDistance, unit));
+    viewer.GetView(), RayTable(RayMode::Composite, Color, { 0, 1 }, viewer.SampleDistance, unit));
   caster.Draw(source);
-  std::vector<float> colours(4 * expected.size());
-  caster.Finish(colours.data());
+  std::vector<float> colors(4 * expected.size());
+  caster.Finish(colors.data());
   for (std::size_t i = 0; i < expected.size(); ++i)
   {
     double most = 0;
     for (std::size_t c = 0; c < 4; ++c)
     {
-      const double d = std::abs(colours[4 * i + c] - expected[i][c]);
+      const double d = std::abs(colors[4 * i + c] - expected[i][c]);
       most = std::max(most, d);
       difference.Sum += d / 4;
     }

@@ -75,7 +75,7 @@ corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0.2, 0.2, 0.2]]
 one = cast(make(corners[:4], [[0, 1, 2, 3]]), gv.make_property(EVEN))
 assert 0.02 < (one[..., 3] > 0.05).mean() < 0.5
 four = [[4, 1, 2, 3], [0, 4, 2, 3], [0, 1, 4, 3], [0, 1, 2, 4]]
-even = gv.make_property(EVEN, colours=WHITE)
+even = gv.make_property(EVEN, colors=WHITE)
 for grid in (make(corners[:4], [[0, 1, 2, 3]]), make(corners[:4], [[1, 0, 2, 3]]), make(corners, four)):
     check("one", grid, cast(make(corners, four), even), even)
 
@@ -157,20 +157,20 @@ for grid in (mixed, bricks):
 # Transfer functions
 
 
-def with_functions(opacity, colours=WHITE, clamp=True):
+def with_functions(opacity, colors=WHITE, clamp=True):
     prop = vtkVolumeProperty()
     function = vtkPiecewiseFunction()
     function.SetAllowDuplicateScalars(True)
     function.SetClamping(clamp)
     for value, amount in opacity:
         function.AddPoint(value, amount)
-    colour_function = vtkColorTransferFunction()
-    colour_function.SetAllowDuplicateScalars(True)
-    colour_function.SetClamping(clamp)
-    for value, colour in colours:
-        colour_function.AddRGBPoint(value, *colour)
+    color_function = vtkColorTransferFunction()
+    color_function.SetAllowDuplicateScalars(True)
+    color_function.SetClamping(clamp)
+    for value, color in colors:
+        color_function.AddRGBPoint(value, *color)
     prop.SetScalarOpacity(function)
-    prop.SetColor(colour_function)
+    prop.SetColor(color_function)
     prop.SetScalarOpacityUnitDistance(0.2)
     return prop
 
@@ -195,7 +195,7 @@ steep = ((0, 0.1), (0.4999999, 0.1), (0.5000001, 0.6), (1, 0.6))
 found = same(with_functions(step), with_functions(steep))
 assert gv.difference(found, cast(plain, with_functions(((0, 0.1), (1, 0.6))))) > 0.02
 same(with_functions(((0.5, 0.3), (0.5, 0.3), (0.5, 0.3))), with_functions(EVEN))
-# Opacities and colours that are none.
+# Opacities and colors that are none.
 same(with_functions(((0, 7), (1, 7))), with_functions(((0, 1), (1, 1))))
 assert not same(with_functions(((0, -7), (1, -7))), with_functions(((0, 0), (1, 0)))).any()
 

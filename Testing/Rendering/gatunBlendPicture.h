@@ -29,11 +29,11 @@ inline int CompareBlendPicture(int argc, char* argv[], int blendMode, bool shade
   mapper->SetInputConnection(tetrahedra->GetOutputPort());
   mapper->SetBlendMode(blendMode);
 
-  vtkNew<vtkColorTransferFunction> colours;
-  colours->AddRGBPoint(80, 0.1, 0.2, 0.9);
-  colours->AddRGBPoint(160, 0.1, 0.9, 0.3);
-  colours->AddRGBPoint(200, 0.9, 0.8, 0.1);
-  colours->AddRGBPoint(270, 0.9, 0.1, 0.1);
+  vtkNew<vtkColorTransferFunction> colors;
+  colors->AddRGBPoint(80, 0.1, 0.2, 0.9);
+  colors->AddRGBPoint(160, 0.1, 0.9, 0.3);
+  colors->AddRGBPoint(200, 0.9, 0.8, 0.1);
+  colors->AddRGBPoint(270, 0.9, 0.1, 0.1);
   vtkNew<vtkPiecewiseFunction> opacities;
   opacities->AddPoint(100, 0.02);
   opacities->AddPoint(200, 0.05);
@@ -41,7 +41,7 @@ inline int CompareBlendPicture(int argc, char* argv[], int blendMode, bool shade
   opacities->AddPoint(270, 0.8);
   vtkNew<vtkVolume> volume;
   volume->SetMapper(mapper);
-  volume->GetProperty()->SetColor(colours);
+  volume->GetProperty()->SetColor(colors);
   volume->GetProperty()->SetScalarOpacity(opacities);
   volume->GetProperty()->SetScalarOpacityUnitDistance(2);
   volume->GetProperty()->SetShade(shade);

@@ -24,10 +24,10 @@ def make_camera(direction, up=(0, 1, 0), focus=(0, 0, 0), scale=10.0):
     return camera
 
 
-def make_property(colours, opacities, distance=1.0):
+def make_property(colors, opacities, distance=1.0):
     """From (value, red, green, blue) and (value, opacity)."""
     transfer = vtkColorTransferFunction()
-    for point in colours:
+    for point in colors:
         transfer.AddRGBPoint(*point)
     opacity = vtkPiecewiseFunction()
     for point in opacities:

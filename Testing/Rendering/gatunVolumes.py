@@ -73,7 +73,7 @@ def write(grid, name, chunk):
     return reader
 
 
-def cube(bounds=(0, 1, 0, 1, 0, 1), colour=(1, 1, 1)):
+def cube(bounds=(0, 1, 0, 1, 0, 1), color=(1, 1, 1)):
     """An opaque actor that has no shades."""
     source = vtkCubeSource()
     source.SetBounds(*bounds)
@@ -82,7 +82,7 @@ def cube(bounds=(0, 1, 0, 1, 0, 1), colour=(1, 1, 1)):
     actor = vtkActor()
     actor.SetMapper(mapper)
     actor.GetProperty().LightingOff()
-    actor.GetProperty().SetColor(*colour)
+    actor.GetProperty().SetColor(*color)
     return actor
 
 
@@ -92,16 +92,16 @@ def cube(bounds=(0, 1, 0, 1, 0, 1), colour=(1, 1, 1)):
 RAINBOW = ((0, (0, 0.2, 1)), (0.5, (0.2, 1, 0.2)), (1, (1, 0.3, 0)))
 
 
-def make_property(opacity=((0, 0.0), (0.3, 0.1), (1, 0.9)), unit=0.2, colours=RAINBOW):
-    """Colours at some values, by default blue to red, and opacities over a unit of length."""
+def make_property(opacity=((0, 0.0), (0.3, 0.1), (1, 0.9)), unit=0.2, colors=RAINBOW):
+    """Colors at some values, by default blue to red, and opacities over a unit of length."""
     prop = vtkVolumeProperty()
-    colour_function = vtkColorTransferFunction()
-    for value, colour in colours:
-        colour_function.AddRGBPoint(value, *colour)
+    color_function = vtkColorTransferFunction()
+    for value, color in colors:
+        color_function.AddRGBPoint(value, *color)
     opacities = vtkPiecewiseFunction()
     for value, amount in opacity:
         opacities.AddPoint(value, amount)
-    prop.SetColor(colour_function)
+    prop.SetColor(color_function)
     prop.SetScalarOpacity(opacities)
     prop.SetScalarOpacityUnitDistance(unit)
     return prop
@@ -109,8 +109,8 @@ def make_property(opacity=((0, 0.0), (0.3, 0.1), (1, 0.9)), unit=0.2, colours=RA
 
 def box_property(unit=1):
     """For the field "wave" of the box."""
-    colours = (-1, (0.1, 0.2, 0.9)), (2.3, (0.9, 0.3, 0.1))
-    return make_property(((-1, 0), (2.3, 0.3)), unit, colours)
+    colors = (-1, (0.1, 0.2, 0.9)), (2.3, (0.9, 0.3, 0.1))
+    return make_property(((-1, 0), (2.3, 0.3)), unit, colors)
 
 
 def box_camera(azimuth=30):
@@ -208,14 +208,14 @@ def picture_of(caster):
 
 
 def made_by(caster):
-    """Colours as (height, width, 4) and depths as (height, width) of what it has drawn."""
+    """Colors as (height, width, 4) and depths as (height, width) of what it has drawn."""
     image = caster.GetOutput()
     width, height, _ = image.GetDimensions()
     assert (width, height) == caster.GetSize()
     data = image.GetPointData()
     assert data.GetScalars().GetName() == "RGBA"
-    colours = vtk_to_numpy(data.GetScalars()).reshape(height, width, 4).astype(float)
-    return colours, vtk_to_numpy(data.GetArray("Depth")).reshape(height, width).copy()
+    colors = vtk_to_numpy(data.GetScalars()).reshape(height, width, 4).astype(float)
+    return colors, vtk_to_numpy(data.GetArray("Depth")).reshape(height, width).copy()
 
 
 def draw(source, **options):
@@ -230,7 +230,7 @@ def cast(scene, source, size, **options):
 
 
 def over(rgba, background=BACKGROUND):
-    """A picture in front of a colour: red, green and blue."""
+    """A picture in front of a color: red, green and blue."""
     return rgba[..., :3] + (1 - rgba[..., 3:]) * np.array(background)
 
 

@@ -39,8 +39,8 @@ def _slab(v, low, high):
     return np.abs(v - 0.5 * (low + high)) - 0.5 * (high - low)
 
 
-def _cylinder(p, centre, radius):
-    return np.hypot(p[0] - centre[0], p[1] - centre[1]) - radius
+def _cylinder(p, center, radius):
+    return np.hypot(p[0] - center[0], p[1] - center[1]) - radius
 
 
 def _intersection(a, b):
@@ -106,7 +106,7 @@ def _gradient(points):
 
 
 def _relax(points, triangles, rounds):
-    """Evens out the triangles: points move towards their neighbours' mean, and back to the
+    """Evens out the triangles: points move towards their neighbors' mean, and back to the
     surface."""
     edges = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
     count = np.bincount(edges[:, 0], minlength=len(points))[:, None]

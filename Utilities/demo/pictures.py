@@ -30,8 +30,8 @@ from vtkmodules.vtkRenderingCore import (
 
 INK = (0.13, 0.16, 0.20)
 
-# Dark blue over green and yellow to pale: even steps for the eye, and for colour-blind ones.
-COLOURS = (
+# Dark blue over green and yellow to pale: even steps for the eye, and for color-blind ones.
+COLORS = (
     (0.00, (0.110, 0.165, 0.340)),
     (0.15, (0.126, 0.310, 0.490)),
     (0.35, (0.140, 0.510, 0.545)),
@@ -45,10 +45,10 @@ COLOURS = (
 def make_table(low, high):
     table = vtkLookupTable()
     table.SetNumberOfTableValues(512)
-    places = [place for place, _ in COLOURS]
+    places = [place for place, _ in COLORS]
     for i in range(512):
-        colour = [np.interp(i / 511, places, [c[k] for _, c in COLOURS]) for k in range(3)]
-        table.SetTableValue(i, *colour, 1)
+        color = [np.interp(i / 511, places, [c[k] for _, c in COLORS]) for k in range(3)]
+        table.SetTableValue(i, *color, 1)
     table.SetRange(low, high)
     table.SetNanColor(0.7, 0.7, 0.7, 1)
     table.Build()
@@ -68,7 +68,7 @@ def skin_of(grid):
 
 
 class Field:
-    """What to colour by: a point or cell array, and the range that its colours span."""
+    """What to color by: a point or cell array, and the range that its colors span."""
 
     def __init__(self, grid):
         self.array = None
@@ -92,7 +92,7 @@ class Field:
         values = values[np.isfinite(values)]
         if len(values) == 0 or values.min() == values.max():
             return False
-        # A few extreme values must not take all the colours.
+        # A few extreme values must not take all the colors.
         low, high = np.percentile(values, [0.5, 99.5])
         if low == high:
             low, high = values.min(), values.max()
@@ -100,7 +100,7 @@ class Field:
         return True
 
 
-def colour_by(mapper, field):
+def color_by(mapper, field):
     if not field.array:
         mapper.ScalarVisibilityOff()
         return
@@ -118,17 +118,17 @@ def colour_by(mapper, field):
     mapper.SetColorModeToMapScalars()
 
 
-def actor_of(data, field=None, colour=(0.8, 0.82, 0.85), edges=False):
+def actor_of(data, field=None, color=(0.8, 0.82, 0.85), edges=False):
     mapper = vtkPolyDataMapper()
     mapper.SetInputDataObject(data)
     if field:
-        colour_by(mapper, field)
+        color_by(mapper, field)
     else:
         mapper.ScalarVisibilityOff()
     actor = vtkActor()
     actor.SetMapper(mapper)
     look = actor.GetProperty()
-    look.SetColor(*colour)
+    look.SetColor(*color)
     look.SetAmbient(0.26)
     look.SetDiffuse(0.80)
     look.SetSpecular(0.18)
@@ -282,14 +282,14 @@ def draw_isosurfaces(file, grid, field, words, name):
     reader.SetFileName(file)
     reader.Update()
     actor = actor_of(reader.GetOutput(), field)
-    shadow = actor_of(skin_of(grid), colour=(0.45, 0.5, 0.58))
+    shadow = actor_of(skin_of(grid), color=(0.45, 0.5, 0.58))
     shadow.GetProperty().SetOpacity(0.12)
     shadow.GetProperty().SetSpecular(0)
     draw([actor, shadow], words, name, scalar_bar(actor.GetMapper(), field.array))
 
 
-def piece_colour(index):
-    """Colours that follow each other far apart on the wheel, all of the same strength."""
+def piece_color(index):
+    """Colors that follow each other far apart on the wheel, all of the same strength."""
     hue = (0.55 + index * 0.61803398875) % 1.0
     wheel = [0.5 + 0.5 * np.cos(2 * np.pi * (hue - third / 3)) for third in range(3)]
     return [0.30 + 0.55 * part for part in wheel]
@@ -298,18 +298,18 @@ def piece_colour(index):
 def draw_pieces(pieces, words, name):
     """The pieces, each moved outwards from the middle of all."""
     bounds = np.array([piece.GetBounds() for piece in pieces]).reshape(-1, 3, 2)
-    centre = 0.5 * (bounds[:, :, 0].min(axis=0) + bounds[:, :, 1].max(axis=0))
+    center = 0.5 * (bounds[:, :, 0].min(axis=0) + bounds[:, :, 1].max(axis=0))
     actors = []
     for index, piece in enumerate(pieces):
         skin = skin_of(piece)
-        away = 0.30 * (np.array(piece.GetCenter()) - centre)
+        away = 0.30 * (np.array(piece.GetCenter()) - center)
         shift = vtkTransform()
         shift.Translate(*away)
         move = vtkTransformPolyDataFilter()
         move.SetInputDataObject(skin)
         move.SetTransform(shift)
         move.Update()
-        actors.append(actor_of(move.GetOutput(), colour=piece_colour(index)))
+        actors.append(actor_of(move.GetOutput(), color=piece_color(index)))
     draw(actors, words, name)
 
 

@@ -507,16 +507,16 @@ void vtkGatunVolumeRepresentation::UpdateMapperParameters()
     ? this->Shown->GetAttributes(ofCells ? vtkDataObject::CELL : vtkDataObject::POINT)
         ->GetArray(name)
     : nullptr;
-  vtkColorTransferFunction* const colours = this->Property->GetRGBTransferFunction(0);
+  vtkColorTransferFunction* const colors = this->Property->GetRGBTransferFunction(0);
   int component = 0;
   if (array && array->GetNumberOfComponents() > 1)
   {
-    component = colours->GetVectorMode() == vtkScalarsToColors::COMPONENT
-      ? std::clamp(colours->GetVectorComponent(), 0, array->GetNumberOfComponents() - 1)
+    component = colors->GetVectorMode() == vtkScalarsToColors::COMPONENT
+      ? std::clamp(colors->GetVectorComponent(), 0, array->GetNumberOfComponents() - 1)
       : -1;
   }
   this->VolumeMapper->SetArrayComponent(component);
-  this->LODMapper->SetLookupTable(colours);
+  this->LODMapper->SetLookupTable(colors);
   this->Property->SetIndependentComponents(1);
   this->Property->SetScalarOpacityUnitDistance(this->ChooseUnitDistance());
   this->Actor->SetMapper(this->VolumeMapper);

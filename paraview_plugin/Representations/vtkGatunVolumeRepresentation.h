@@ -90,7 +90,7 @@ public:
 
   ///@{
   /**
-   * Whether fewer rays are drawn while somebody interacts, so that a picture takes the time that
+   * Whether fewer rays are drawn while somebody interacts, so that an image takes the time that
    * there is. Default: on.
    */
   void SetAutoAdjustSampleDistances(bool on);
@@ -100,7 +100,7 @@ public:
 
   ///@{
   /**
-   * Whether the mesh is simplified while somebody interacts, so that a picture takes the time that
+   * Whether the mesh is simplified while somebody interacts, so that an image takes the time that
    * there is, before rays get fewer; see vtkGatunVolumeMapper. Several processes would simplify
    * their parts each by itself, so that these do not fit together: there, it has no influence.
    * Default: off.
@@ -112,7 +112,7 @@ public:
 
   ///@{
   /**
-   * Seconds that a picture may take then; 0: what VTK allocates to it. Default: 0.1.
+   * Seconds that an image may take then; 0: what VTK allocates to it. Default: 0.1.
    */
   void SetTimeBudget(double seconds);
   double GetTimeBudget();
@@ -120,7 +120,7 @@ public:
 
   ///@{
   /**
-   * Part of the points that is merged away in all pictures, 0 to 1. With several processes it only
+   * Part of the points that is merged away in all images, 0 to 1. With several processes it only
    * has influence on meshes that are drawn from their file. Default: 0.
    */
   void SetSimplificationRatio(double ratio);
@@ -128,7 +128,7 @@ public:
   ///@}
 
   /**
-   * How many points the mesh of the last picture had; 0 where nothing is simplified.
+   * How many points the mesh of the last image had; 0 where nothing is simplified.
    */
   vtkIdType GetDrawnPoints();
 

@@ -446,7 +446,7 @@ TEST(Layers, LargerMeshesHaveMore)
   EXPECT_EQ(GetDefaultLayers(~std::uint64_t{ 0 }), MaxLayers);
 }
 
-TEST(Layers, TheSmallestBucketsAreJoinedWithTheirNeighbours)
+TEST(Layers, TheSmallestBucketsAreJoinedWithTheirNeighbors)
 {
   // Many of layer 0, few of layers 0 and 1, many of layer 1, few of layer 9.
   std::vector<double> values(100, 0);

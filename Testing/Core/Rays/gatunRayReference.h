@@ -65,7 +65,7 @@ struct Viewer
   int Height = 80;
   double SampleDistance = 0.1;
 
-  /** Towards a point, with the picture's height in world units there. */
+  /** Towards a point, with the image's height in world units there. */
   static Viewer LookAt(const Vec& eye, const Vec& at, bool parallel, double height)
   {
     Viewer v;
@@ -108,12 +108,12 @@ class Reference
 {
 public:
   RayMode Mode = RayMode::Composite;
-  RayColour Colour;
+  RayColor Color;
   double Unit = 1;
   std::vector<std::array<double, 4>> Planes; // only what is on their positive side is seen
 
-  /** Brings a colour into the light that falls on a tetrahedron with such a gradient. */
-  std::function<Vec(const Vec& colour, const Vec& gradient, const Vec& middle)> Shade;
+  /** Brings a color into the light that falls on a tetrahedron with such a gradient. */
+  std::function<Vec(const Vec& color, const Vec& gradient, const Vec& middle)> Shade;
 
   std::vector<ReferencePixel> Render(const ReferenceMesh& mesh, const Viewer& viewer) const
   {
@@ -131,12 +131,12 @@ public:
         }
       }
     }
-    std::vector<ReferencePixel> picture;
+    std::vector<ReferencePixel> image;
     for (auto& ofPixel : intervals)
     {
-      picture.push_back(this->Composite(ofPixel, viewer));
+      image.push_back(this->Composite(ofPixel, viewer));
     }
-    return picture;
+    return image;
   }
 
 private:
@@ -263,19 +263,19 @@ private:
     {
       const auto add = [&](double value, double length, double distance)
       {
-        auto colour = this->Colour(value);
-        const double optical = -std::log1p(-std::min(colour[3], 1 - 1e-7)) * length / this->Unit;
+        auto color = this->Color(value);
+        const double optical = -std::log1p(-std::min(color[3], 1 - 1e-7)) * length / this->Unit;
         const double opacity = -std::expm1(-optical);
         if (this->Shade)
         {
           const Vec shaded =
-            this->Shade({ colour[0], colour[1], colour[2] }, interval.Gradient, interval.Middle);
-          std::copy(shaded.begin(), shaded.end(), colour.begin());
+            this->Shade({ color[0], color[1], color[2] }, interval.Gradient, interval.Middle);
+          std::copy(shaded.begin(), shaded.end(), color.begin());
         }
         const double weight = this->Mode == RayMode::XRay ? optical : through * opacity;
         for (std::size_t c = 0; c < 3; ++c)
         {
-          pixel[c] += weight * colour[c];
+          pixel[c] += weight * color[c];
         }
         if (weight > 0 && this->Mode != RayMode::XRay)
         {
@@ -312,7 +312,7 @@ private:
       pixel = { 0, 0, 0, 0, std::numeric_limits<double>::infinity() };
       if (std::isfinite(largest))
       {
-        const auto [r, g, b, a] = this->Colour(largest);
+        const auto [r, g, b, a] = this->Color(largest);
         pixel = { r * a, g * a, b * a, a, pixel[4] };
       }
     }

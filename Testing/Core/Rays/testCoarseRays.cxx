@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A file that is simplified while it is drawn: the same picture as that of the simplified mesh.
+// A file that is simplified while it is drawn: the same image as that of the simplified mesh.
 
 #include "gatunCoarseRaySource.h"
 #include "gatunError.h"
 #include "gatunFileLevelsOfDetail.h"
 #include "gatunFileRaySource.h"
 #include "gatunMergeBuilder.h"
-#include "gatunRayPictures.h"
+#include "gatunRayImages.h"
 #include "gatunTestFile.h"
 
 #include <gtest/gtest.h>
@@ -85,7 +85,7 @@ protected:
   }
 
   /** Draws what is left from everywhere, and also only a part of it. */
-  void ExpectSamePictures(RaySource& source, std::size_t merges, double size) const
+  void ExpectSameImages(RaySource& source, std::size_t merges, double size) const
   {
     const auto left = this->Simplify(merges);
     auto viewers = MakeViewers(size, false);
@@ -180,12 +180,12 @@ TEST_P(CoarseRays, BlocksHoldWhatIsLeftInWhateverOrderTheyAreMade)
   }
 }
 
-/** The reference for pictures has values at points only. */
-class CoarsePictures : public CoarseRays
+/** The reference for images has values at points only. */
+class CoarseImages : public CoarseRays
 {
 };
 
-TEST_P(CoarsePictures, AreThoseOfTheSimplifiedMesh)
+TEST_P(CoarseImages, AreThoseOfTheSimplifiedMesh)
 {
   this->Write(7, 150, 0);
   const auto tree = this->File->GetMergeTree();
@@ -193,7 +193,7 @@ TEST_P(CoarsePictures, AreThoseOfTheSimplifiedMesh)
   for (const std::size_t merges : { all / 3, all * 3 / 4, all * 19 / 20 })
   {
     CoarseRaySource source(this->File, tree, merges, {}, 1 << 20);
-    this->ExpectSamePictures(source, merges, 7);
+    this->ExpectSameImages(source, merges, 7);
   }
 }
 
@@ -222,7 +222,7 @@ TEST_P(CoarseRays, DetailComesFromWhatIsNearest)
     detail.MakeSource(points, 0)->GetNumberOfBlocks());
 }
 
-INSTANTIATE_TEST_SUITE_P(Values, CoarsePictures, testing::Values(Association::Point));
+INSTANTIATE_TEST_SUITE_P(Values, CoarseImages, testing::Values(Association::Point));
 INSTANTIATE_TEST_SUITE_P(
   Values, CoarseRays, testing::Values(Association::Point, Association::Cell));
 

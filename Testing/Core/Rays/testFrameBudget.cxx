@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Pictures that are to take a certain time, drawn by a machine that does nothing but tell how long
+// Images that are to take a certain time, drawn by a machine that does nothing but tell how long
 // it would have taken.
 
 #include "gatunFrameBudget.h"
@@ -127,7 +127,7 @@ TEST(FrameBudget, FramesTakeTheirTimeAfterThree)
         auto frames = run.Draw(budget, limits, 50);
         if (distance == 1 && frames.back().Choice.Points == limits.FewestPoints)
         {
-          continue; // no picture with all rays is as fast as that
+          continue; // no image with all rays is as fast as that
         }
         frames.erase(frames.begin(), frames.begin() + 3);
         EXPECT_EQ(CountGood(frames, budget, limits), 1)
@@ -200,7 +200,7 @@ TEST(FrameBudget, ThereIsNothingToChooseWhereAllFits)
 }
 
 //------------------------------------------------------------------------------
-TEST(FrameBudget, TheMeshIsSimplifiedBeforeThePictureGetsCoarser)
+TEST(FrameBudget, TheMeshIsSimplifiedBeforeTheImageGetsCoarser)
 {
   // Whatever does not fit with all tetrahedra, but does with fewer, keeps all its rays.
   const auto limits = MakeLimits(900000, 10);

@@ -6,7 +6,7 @@
 #include "gatunError.h"
 #include "gatunMemoryLevelsOfDetail.h"
 #include "gatunMemoryRaySource.h"
-#include "gatunRayPictures.h"
+#include "gatunRayImages.h"
 
 #include <gtest/gtest.h>
 
@@ -208,8 +208,8 @@ TEST(LevelsOfDetail, TheWholeMeshLooksTheSameToTheLastBit)
   ASSERT_GT(plain.GetNumberOfBlocks(), 1u);
   for (const Viewer& viewer : MakeViewers(20, false))
   {
-    const Picture expected = RenderSource(plain, viewer, Ramp, 1e-3f);
-    EXPECT_EQ(RenderSource(*whole, viewer, Ramp, 1e-3f).Colours, expected.Colours);
+    const Image expected = RenderSource(plain, viewer, Ramp, 1e-3f);
+    EXPECT_EQ(RenderSource(*whole, viewer, Ramp, 1e-3f).Colors, expected.Colors);
   }
 }
 

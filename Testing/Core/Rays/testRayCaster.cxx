@@ -5,7 +5,7 @@
 // another order.
 
 #include "gatunError.h"
-#include "gatunRayPictures.h"
+#include "gatunRayImages.h"
 
 #include <gtest/gtest.h>
 
@@ -80,7 +80,7 @@ protected:
     const auto mesh = GetMesh();
     Reference reference;
     reference.Mode = setting.Mode;
-    reference.Colour = setting.Colour;
+    reference.Color = setting.Color;
     reference.Planes = setting.Planes;
     auto viewers = MakeViewers(5, std::get<1>(GetParam()));
     viewers.resize(views, viewers.front());
@@ -150,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(RayCaster, AgainstReference,
   testing::Combine(testing::Values("Cubes", "Lattice", "Slivers", "Loose"), testing::Bool()),
   GetName);
 
-TEST(RayCaster, PictureDoesNotDependOnTheOrderOfAnything)
+TEST(RayCaster, ImageDoesNotDependOnTheOrderOfAnything)
 {
   auto mesh = ToReference(MakeCubes(7, 0.3));
   for (const bool parallel : { false, true })
@@ -182,12 +182,12 @@ TEST(RayCaster, PictureDoesNotDependOnTheOrderOfAnything)
 
 //------------------------------------------------------------------------------
 /** Phong's model by the book, with angles: a lamp in the mesh and a reddish sun. */
-Vec ShadeByAngles(const Vec& colour, const Vec& gradient, const Vec& middle, const Viewer& viewer)
+Vec ShadeByAngles(const Vec& color, const Vec& gradient, const Vec& middle, const Viewer& viewer)
 {
   const auto angle = [](const Vec& a, const Vec& b)
   { return std::acos(std::clamp(Dot(Normalize(a), Normalize(b)), -1.0, 1.0)); };
   const Vec toEye = viewer.Frustum.Parallel ? -1 * viewer.Forward : viewer.Eye - middle;
-  Vec lit = 0.2 * colour;
+  Vec lit = 0.2 * color;
   const std::array<Vec, 2> toLights{ Vec{ 1, 2, 7 } - middle, Vec{ -1, 0.3, 0.5 } };
   const std::array<Vec, 2> tints{ Vec{ 1, 1, 1 }, Vec{ 0.8, 0.3, 0.1 } };
   for (std::size_t i = 0; i < 2; ++i)
@@ -201,7 +201,7 @@ Vec ShadeByAngles(const Vec& colour, const Vec& gradient, const Vec& middle, con
     const double specular = 0.4 * std::pow(std::max(0.0, std::cos(angle(mirrored, toEye))), 5);
     for (std::size_t c = 0; c < 3; ++c)
     {
-      lit[c] += diffuse * tints[i][c] * colour[c] + specular * 0.5;
+      lit[c] += diffuse * tints[i][c] * color[c] + specular * 0.5;
     }
   }
   return { std::min(1.0, lit[0]), std::min(1.0, lit[1]), std::min(1.0, lit[2]) };
@@ -224,9 +224,9 @@ TEST_P(ShadedAgainstReference, CompositeAndArea)
     {
       Reference reference;
       reference.Mode = mode;
-      reference.Colour = Ramp;
-      reference.Shade = [&](const Vec& colour, const Vec& gradient, const Vec& middle)
-      { return ShadeByAngles(colour, gradient, middle, viewer); };
+      reference.Color = Ramp;
+      reference.Shade = [&](const Vec& color, const Vec& gradient, const Vec& middle)
+      { return ShadeByAngles(color, gradient, middle, viewer); };
       RayShading shading;
       shading.Lights = { { { 1, 2, 7, 1 }, { 1, 1, 1 }, { 0.5, 0.5, 0.5 } },
         { { -1, 0.3, 0.5, 0 }, { 0.8, 0.3, 0.1 }, { 0.5, 0.5, 0.5 } } };
@@ -357,7 +357,7 @@ TEST(RayCaster, ConstantAndLinearFieldsInABoxHaveTheOpticalDepthOfTheFormula)
     }
     // Extinction 0.4 times the value: opacity over a unit of length is 1 - exp(-0.4 value).
     Setting setting;
-    setting.Colour = [](double value) {
+    setting.Color = [](double value) {
       return std::array<double, 4>{ 1, 1, 1, -std::expm1(-0.4 * value) };
     };
     setting.Settings.Opaque = 0;
@@ -367,12 +367,12 @@ TEST(RayCaster, ConstantAndLinearFieldsInABoxHaveTheOpticalDepthOfTheFormula)
     for (const RayMode mode : { RayMode::Composite, RayMode::XRay, RayMode::Area })
     {
       setting.Mode = mode;
-      const auto picture = Render(mesh, viewer, setting);
-      for (std::size_t i = 0; i < picture.Colours.size(); i += 4)
+      const auto image = Render(mesh, viewer, setting);
+      for (std::size_t i = 0; i < image.Colors.size(); i += 4)
       {
         // One sample more or less, of extinction 0.4 at most, over 0.01.
-        ASSERT_NEAR(picture.Colours[i + 3], expected, 0.4 * 0.01);
-        ASSERT_NEAR(picture.Colours[i], picture.Colours[i + 3], 1e-5);
+        ASSERT_NEAR(image.Colors[i + 3], expected, 0.4 * 0.01);
+        ASSERT_NEAR(image.Colors[i], image.Colors[i + 3], 1e-5);
       }
     }
   }
@@ -390,14 +390,14 @@ TEST(RayCaster, BlocksThatCannotBeSeenAreNeverAskedFor)
     CountingSource all(mesh, 60);
     CountingSource some(mesh, 60);
     const auto expected = RenderSource(all, viewer, dense, 0);
-    const auto picture = RenderSource(some, viewer, dense, 1e-3f);
+    const auto image = RenderSource(some, viewer, dense, 1e-3f);
     EXPECT_LT(some.Asked, all.Asked / 2); // behind the opaque ones in front
-    EXPECT_LE(GetLargestDifference(expected, picture), 1.5e-3f);
+    EXPECT_LE(GetLargestDifference(expected, image), 1.5e-3f);
 
     const auto aside = Viewer::LookAt({ 1, 1, -20 }, { 1, 1, 4 }, parallel, 2);
     CountingSource seen(mesh, 60);
     RenderSource(seen, aside, Ramp, 0);
-    EXPECT_LT(seen.Asked, all.Asked / 2); // outside the picture
+    EXPECT_LT(seen.Asked, all.Asked / 2); // outside the image
 
     CountingSource none(mesh, 60);
     RenderSource(
@@ -424,9 +424,9 @@ TEST(RayCaster, WhatIsNotANumberIsNotSeen)
     [](const auto& tet)
     { return std::any_of(tet.begin(), tet.end(), [](auto c) { return c == 31 || c == 62; }); });
 
-  // Also where there is no value without a colour.
+  // Also where there is no value without a color.
   Setting solid;
-  solid.Colour = [](double value) { return std::array<double, 4>{ value, 0.5, 1, 0.3 }; };
+  solid.Color = [](double value) { return std::array<double, 4>{ value, 0.5, 1, 0.3 }; };
   for (const Setting& setting : { Setting{}, solid })
   {
     const auto expected = Render(without, viewer, setting);

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The ray caster where something ends: rays at limits and planes, tables at their last entries,
-// light at what is opaque, pictures before they are done.
+// light at what is opaque, images before they are done.
 
 #include "gatunError.h"
-#include "gatunRayPictures.h"
+#include "gatunRayImages.h"
 
 #include <gtest/gtest.h>
 
@@ -25,13 +25,13 @@ double Check(const ReferenceMesh& mesh, const Viewer& viewer, const Setting& set
 {
   Reference reference;
   reference.Mode = setting.Mode;
-  reference.Colour = [&](double value)
-  { return setting.Colour(std::clamp(value, setting.Values.Min, setting.Values.Max)); };
+  reference.Color = [&](double value)
+  { return setting.Color(std::clamp(value, setting.Values.Min, setting.Values.Max)); };
   reference.Planes = setting.Planes;
   reference.Unit = setting.Unit;
   const auto expected = reference.Render(mesh, viewer);
-  const auto picture = Render(mesh, viewer, setting);
-  const auto difference = Compare(picture, expected, viewer.SampleDistance);
+  const auto image = Render(mesh, viewer, setting);
+  const auto difference = Compare(image, expected, viewer.SampleDistance);
   EXPECT_LE(difference.Mean, 1e-5);
   EXPECT_LE(static_cast<double>(difference.Bad), 5e-4 * static_cast<double>(expected.size()));
   if (setting.Mode == RayMode::Composite || setting.Mode == RayMode::Area)
@@ -148,7 +148,7 @@ TEST(RayCaster, WideTetrahedraAreNearerInTheirMiddleThanAtTheirCorners)
   auto viewer = Viewer::LookAt({ 0, 0, 0 }, { 0, 0, -3 }, false, 6);
   viewer.SampleDistance = 0.25;
   Setting setting;
-  setting.Colour = [](double) { return std::array<double, 4>{ 1, 0.5, 0.2, 0.9 }; };
+  setting.Color = [](double) { return std::array<double, 4>{ 1, 0.5, 0.2, 0.9 }; };
   EXPECT_GT(Check(mesh, viewer, setting), 0.05);
 }
 
@@ -162,7 +162,7 @@ TEST(RayCaster, TheEyeMayBeWithinATetrahedronOnAFaceOrInACorner)
     viewer.SampleDistance = 0.03;
     viewer.Frustum.Near = 0.01; // whose the eye is, only rounding knows
     Setting setting;
-    setting.Colour = [](double value) {
+    setting.Color = [](double value) {
       return std::array<double, 4>{ value, 1 - value, 0.5, 0.5 * value };
     };
     for (const RayMode mode : AllModes)
@@ -180,7 +180,7 @@ TEST(RayCaster, ValuesBeyondTheTableLookAsItsEnds)
   const auto mesh = ToReference(MakeCubes(5, 0.2));
   Setting setting;
   setting.Values = { 0.4, 0.6 };
-  setting.Colour = [](double value) {
+  setting.Color = [](double value) {
     return std::array<double, 4>{ value, 1 - value, 5 * (value - 0.4), 0.9 * value - 0.2 };
   };
   for (const RayMode mode : AllModes)
@@ -203,13 +203,13 @@ TEST(RayCaster, OnlyTheLastValueMayBeVisible)
   Setting setting;
   for (const double visible : { 0, 1 })
   {
-    setting.Colour = [=](double value) {
+    setting.Color = [=](double value) {
       return std::array<double, 4>{ 1, 1, 1, value == visible ? 0.7 : 0 };
     };
     for (const RayMode mode : { RayMode::Composite, RayMode::Maximum, RayMode::XRay })
     {
       setting.Mode = mode;
-      const RayTable table(mode, setting.Colour, { 0, 1 }, 0.1, 1);
+      const RayTable table(mode, setting.Color, { 0, 1 }, 0.1, 1);
       EXPECT_FALSE(table.IsTransparent({ visible, visible }));
       EXPECT_FALSE(table.IsTransparent({ -3, 4 }));
       EXPECT_TRUE(table.IsTransparent({ 0.3, 0.6 }));
@@ -217,11 +217,11 @@ TEST(RayCaster, OnlyTheLastValueMayBeVisible)
       EXPECT_TRUE(table.IsTransparent({ 1, 0 })); // there are none
       EXPECT_EQ(table.IsTransparent({ 2, 3 }), visible == 0);
       EXPECT_EQ(table.IsTransparent({ -3, -2 }), visible == 1);
-      const auto picture = Render(mesh, viewer, setting);
+      const auto image = Render(mesh, viewer, setting);
       double light = 0;
-      for (std::size_t i = 3; i < picture.Colours.size(); i += 4)
+      for (std::size_t i = 3; i < image.Colors.size(); i += 4)
       {
-        light += picture.Colours[i];
+        light += image.Colors[i];
       }
       EXPECT_GT(light, 200);
     }
@@ -244,12 +244,12 @@ TEST(RayCaster, WhatIsVisibleOnlyBetweenTwoEntriesOfTheTableIsSeen)
     setting.Mode = mode;
     // What the table holds is linear between its entries: opacities, or optical depths.
     const bool ofDepths = mode == RayMode::Area || mode == RayMode::XRay;
-    setting.Colour = [=](double value)
+    setting.Color = [=](double value)
     {
       const double height = std::max(0.0, 1 - std::abs(value - top) / entry) / 16;
       return std::array<double, 4>{ 1, 1, 1, ofDepths ? -std::expm1(-height) : height };
     };
-    const RayTable table(mode, setting.Colour, setting.Values, viewer.SampleDistance, setting.Unit);
+    const RayTable table(mode, setting.Color, setting.Values, viewer.SampleDistance, setting.Unit);
     EXPECT_TRUE(table.IsTransparent({ top - 1.9 * entry, top - 1.1 * entry }));
     EXPECT_FALSE(table.IsTransparent({ top - 0.9 * entry, top - 0.1 * entry }));
     EXPECT_FALSE(table.IsTransparent({ top + 0.1 * entry, top + 0.9 * entry }));
@@ -265,7 +265,7 @@ TEST(RayCaster, OneValueIsARange)
   std::fill(mesh.Values.begin(), mesh.Values.end(), 7.25);
   Setting setting;
   setting.Values = { 7.25, 7.25 };
-  setting.Colour = [](double value) {
+  setting.Color = [](double value) {
     return std::array<double, 4>{ value / 10, 0.5, 0, value == 7.25 ? 0.4 : 0 };
   };
   for (const RayMode mode : AllModes)
@@ -276,11 +276,11 @@ TEST(RayCaster, OneValueIsARange)
 }
 
 //------------------------------------------------------------------------------
-TEST(RayCaster, WhatIsFullyOpaqueHasAColour)
+TEST(RayCaster, WhatIsFullyOpaqueHasAColor)
 {
   const auto mesh = ToReference(MakeCubes(4, 0.1));
   Setting setting;
-  setting.Colour = [](double value) { return std::array<double, 4>{ value, 1 - value, 0.5, 1 }; };
+  setting.Color = [](double value) { return std::array<double, 4>{ value, 1 - value, 0.5, 1 }; };
   for (const double unit : { 0.05, 1.0, 40.0 })
   {
     setting.Unit = unit;
@@ -300,7 +300,7 @@ TEST(RayCaster, WhatIsBehindOpaqueFragmentsIsLeftOutInAnyOrder)
   // in any order.
   auto mesh = ToReference(MakeCubes(7, 0.2));
   Setting setting;
-  setting.Colour = [](double value)
+  setting.Color = [](double value)
   {
     const double layer = std::sin(40 * value);
     return std::array<double, 4>{ value, 1 - value, layer > 0 ? 1.0 : 0.0, layer > 0 ? 0.9999 : 0 };
@@ -324,14 +324,14 @@ TEST(RayCaster, WhatIsBehindOpaqueFragmentsIsLeftOutInAnyOrder)
         for (const bool both : { false, true })
         {
           setting.Settings.FromBothEnds = both;
-          const auto picture = Render(mesh, viewer, setting);
-          EXPECT_LE(GetLargestDifference(expected, picture), 1.0f / 255);
+          const auto image = Render(mesh, viewer, setting);
+          EXPECT_LE(GetLargestDifference(expected, image), 1.0f / 255);
           float mostDepth = 0;
-          for (std::size_t i = 0; i < picture.Depths.size(); ++i)
+          for (std::size_t i = 0; i < image.Depths.size(); ++i)
           {
-            const float difference = picture.Depths[i] == expected.Depths[i]
+            const float difference = image.Depths[i] == expected.Depths[i]
               ? 0
-              : std::abs(picture.Depths[i] - expected.Depths[i]);
+              : std::abs(image.Depths[i] - expected.Depths[i]);
             mostDepth = std::max(mostDepth, difference);
           }
           EXPECT_LE(mostDepth, 1e-4f);
@@ -369,7 +369,7 @@ TEST(RayCaster, OrderOfReleaseKeepsFragmentsFew)
 }
 
 //------------------------------------------------------------------------------
-TEST(RayCaster, SamplesAreCountedToTheFarthestCornerOfThePicture)
+TEST(RayCaster, SamplesAreCountedToTheFarthestCornerOfTheImage)
 {
   CountingSource source(ToReference(MakeCubes(2, 0.1)), 100);
   auto viewer = Viewer::LookAt({ 1, 1, -5 }, { 1, 1, 1 }, false, 4);

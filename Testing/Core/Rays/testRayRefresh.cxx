@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Of a picture, only tiles that another number of points changes are drawn anew, and nobody can
+// Of an image, only tiles that another number of points changes are drawn anew, and nobody can
 // tell.
 
 #include "gatunError.h"
 #include "gatunMemoryLevelsOfDetail.h"
-#include "gatunRayPictures.h"
+#include "gatunRayImages.h"
 #include "gatunRayRefresh.h"
 
 #include <gtest/gtest.h>
@@ -56,11 +56,11 @@ public:
   }
   std::vector<float> Draw(std::uint64_t points) const
   {
-    auto picture = this->MakeBlank();
+    auto image = this->MakeBlank();
     const auto caster = this->MakeCaster();
     caster->Draw(*this->MakeSource(points));
-    caster->Finish(picture.data());
-    return picture;
+    caster->Finish(image.data());
+    return image;
   }
 
 private:
@@ -71,7 +71,7 @@ private:
 };
 
 //------------------------------------------------------------------------------
-TEST(RayRefresh, ThePictureIsThatFromScratch)
+TEST(RayRefresh, TheImageIsThatFromScratch)
 {
   double drawn = 0;
   double all = 0;
@@ -87,14 +87,14 @@ TEST(RayRefresh, ThePictureIsThatFromScratch)
             10, MakeViewers(10, parallel)[static_cast<std::size_t>(view)], mode, opaque);
           const auto points = subject.GetPoints();
           RayRefresh refresh([&] { return subject.MakeCaster(); });
-          auto picture = subject.MakeBlank();
+          auto image = subject.MakeBlank();
           // Far apart, and one by one, up and down; and the same again.
           for (const std::uint64_t n : { points, points - 1, points - 2, points - 9, points - 40,
                  points / 2, points / 2 + 3, points / 9, points / 9, points / 9 + 1, points })
           {
-            drawn += refresh.Draw(subject.MakeSource(n), picture.data());
+            drawn += refresh.Draw(subject.MakeSource(n), image.data());
             ++all;
-            EXPECT_EQ(picture, subject.Draw(n)) << n;
+            EXPECT_EQ(image, subject.Draw(n)) << n;
           }
         }
       }
@@ -110,36 +110,36 @@ TEST(RayRefresh, NothingIsDrawnWhereNothingChanges)
 {
   const Subject subject(8, MakeViewers(8, false)[4], RayMode::Composite, 1e-3f);
   RayRefresh refresh([&] { return subject.MakeCaster(); });
-  auto picture = subject.MakeBlank();
+  auto image = subject.MakeBlank();
   const auto source = subject.MakeSource(300);
-  EXPECT_EQ(refresh.Draw(source, picture.data()), 1);
-  const auto before = picture;
-  EXPECT_EQ(refresh.Draw(subject.MakeSource(300), picture.data()), 0);
-  EXPECT_EQ(picture, before);
+  EXPECT_EQ(refresh.Draw(source, image.data()), 1);
+  const auto before = image;
+  EXPECT_EQ(refresh.Draw(subject.MakeSource(300), image.data()), 0);
+  EXPECT_EQ(image, before);
 }
 
 //------------------------------------------------------------------------------
-TEST(RayRefresh, AfterAPictureThatWasStoppedAllIsDrawn)
+TEST(RayRefresh, AfterAImageThatWasStoppedAllIsDrawn)
 {
   const Subject subject(8, MakeViewers(8, false)[4], RayMode::Composite, 1e-3f);
   RayRefresh refresh([&] { return subject.MakeCaster(); });
-  auto picture = subject.MakeBlank();
-  refresh.Draw(subject.MakeSource(300), picture.data());
+  auto image = subject.MakeBlank();
+  refresh.Draw(subject.MakeSource(300), image.data());
   EXPECT_THROW(
-    refresh.Draw(subject.MakeSource(200), picture.data(), [](double) { return false; }), Error);
-  EXPECT_EQ(refresh.Draw(subject.MakeSource(300), picture.data()), 1);
+    refresh.Draw(subject.MakeSource(200), image.data(), [](double) { return false; }), Error);
+  EXPECT_EQ(refresh.Draw(subject.MakeSource(300), image.data()), 1);
 }
 
 //------------------------------------------------------------------------------
 TEST(RayRefresh, TilesDoNotDependOnOthers)
 {
-  // Each tile alone is what it is in the whole picture.
+  // Each tile alone is what it is in the whole image.
   for (const float opaque : { 0.0f, 0.5f })
   {
     const Subject subject(12, MakeViewers(12, false)[3], RayMode::Composite, opaque);
     const auto whole = subject.Draw(subject.GetPoints());
     const auto tiles = subject.MakeCaster()->GetNumberOfTiles();
-    auto picture = subject.MakeBlank();
+    auto image = subject.MakeBlank();
     for (std::size_t tile = 0; tile < tiles; ++tile)
     {
       std::vector<std::uint8_t> only(tiles, 0);
@@ -147,9 +147,9 @@ TEST(RayRefresh, TilesDoNotDependOnOthers)
       const auto caster = subject.MakeCaster();
       caster->Restrict(only);
       caster->Draw(*subject.MakeSource(subject.GetPoints()));
-      caster->Finish(picture.data());
+      caster->Finish(image.data());
     }
-    EXPECT_EQ(picture, whole);
+    EXPECT_EQ(image, whole);
   }
 }
 
@@ -163,7 +163,7 @@ TEST(RayRefresh, TilesDoNotDependOnOthersWhereBlocksAreSetUpBitByBit)
   const auto source = subject.MakeSource(subject.GetPoints());
   const auto whole = subject.Draw(subject.GetPoints());
   const auto tiles = subject.MakeCaster()->GetNumberOfTiles();
-  auto picture = subject.MakeBlank();
+  auto image = subject.MakeBlank();
   for (std::size_t part = 0; part < 5; ++part)
   {
     std::vector<std::uint8_t> some(tiles, 0);
@@ -174,9 +174,9 @@ TEST(RayRefresh, TilesDoNotDependOnOthersWhereBlocksAreSetUpBitByBit)
     const auto caster = subject.MakeCaster();
     caster->Restrict(some);
     caster->Draw(*source);
-    caster->Finish(picture.data());
+    caster->Finish(image.data());
   }
-  EXPECT_EQ(picture, whole);
+  EXPECT_EQ(image, whole);
 }
 }
 }

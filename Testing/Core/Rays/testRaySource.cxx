@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Where the blocks of a picture come from: what a mesh in memory, a file or a cache hands out is
+// Where the blocks of an image come from: what a mesh in memory, a file or a cache hands out is
 // what was put in, and what is passed over cannot be seen.
 
 #include "gatunChunkCache.h"
@@ -10,7 +10,7 @@
 #include "gatunFileWriter.h"
 #include "gatunMemoryRaySource.h"
 #include "gatunRayBlockCache.h"
-#include "gatunRayPictures.h"
+#include "gatunRayImages.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ namespace gatun::test
 {
 namespace
 {
-Picture DrawSource(RaySource& source, const Viewer& viewer)
+Image DrawSource(RaySource& source, const Viewer& viewer)
 {
   return RenderSource(source, viewer, Ramp, 0);
 }
@@ -79,9 +79,9 @@ TEST(RayCaster, BlocksThatPlanesCutAwayAreNeverAskedFor)
         RayCaster caster(
           view, RayTable(RayMode::Composite, Ramp, { 0, 1 }, viewer.SampleDistance, 1), limits);
         caster.Draw(source);
-        Picture picture{ std::vector<float>(4u * viewer.Width * viewer.Height), {} };
-        caster.Finish(picture.Colours.data());
-        EXPECT_LE(GetLargestDifference(Render(mesh, viewer, setting), picture), 2.0f / 255);
+        Image image{ std::vector<float>(4u * viewer.Width * viewer.Height), {} };
+        caster.Finish(image.Colors.data());
+        EXPECT_LE(GetLargestDifference(Render(mesh, viewer, setting), image), 2.0f / 255);
         asked += source.Asked;
         all += source.GetNumberOfBlocks();
       }
@@ -93,7 +93,7 @@ TEST(RayCaster, BlocksThatPlanesCutAwayAreNeverAskedFor)
 //------------------------------------------------------------------------------
 TEST(RayCaster, ABlockThatReachesBehindTheEyeIsNotPassedOver)
 {
-  // A bar from one side in front of the eye, outside of the picture, to the other side behind it.
+  // A bar from one side in front of the eye, outside of the image, to the other side behind it.
   auto mesh = ToReference(MakeCubes(3, 0));
   for (auto& point : mesh.Points)
   {
@@ -109,7 +109,7 @@ TEST(RayCaster, ABlockThatReachesBehindTheEyeIsNotPassedOver)
   for (int turn = 0; turn < 4; ++turn)
   {
     SCOPED_TRACE(turn);
-    // Towards each border of the picture once.
+    // Towards each border of the image once.
     viewer.Up = std::exchange(viewer.Right, -1 * viewer.Up);
     CountingSource source(mesh, mesh.Tets.size());
     const auto view = viewer.GetView();
@@ -126,7 +126,7 @@ TEST(RayCaster, ABlockThatReachesBehindTheEyeIsNotPassedOver)
     }
     EXPECT_EQ(behind, 4);
     const auto expected = Render(mesh, viewer, {});
-    EXPECT_GT(*std::max_element(expected.Colours.begin(), expected.Colours.end()), 0.05f);
+    EXPECT_GT(*std::max_element(expected.Colors.begin(), expected.Colors.end()), 0.05f);
     EXPECT_LE(GetLargestDifference(expected, DrawSource(source, viewer)), 1.0f / 255);
     EXPECT_EQ(source.Asked, 1u);
   }

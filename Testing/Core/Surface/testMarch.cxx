@@ -121,25 +121,25 @@ struct Field
       }
     }
     Vector towards;
-    Vector centre{};
+    Vector center{};
     for (unsigned axis = 0; axis < 3; ++axis)
     {
       towards[axis] = below[axis] / count[0] - above[axis] / count[1];
       for (const auto& point : crossed)
       {
-        centre[axis] += point.second[axis] / static_cast<double>(crossed.size());
+        center[axis] += point.second[axis] / static_cast<double>(crossed.size());
       }
     }
     if (this->IsTurnedOver(tet))
     {
       towards = { -towards[0], -towards[1], -towards[2] };
     }
-    const Vector first = Cross(towards, Subtract(crossed[0].second, centre));
+    const Vector first = Cross(towards, Subtract(crossed[0].second, center));
     const Vector second = Cross(towards, first);
     const double scale = std::sqrt(Dot(towards, towards));
     const auto angle = [&](const Vector& x)
     {
-      const Vector d = Subtract(x, centre);
+      const Vector d = Subtract(x, center);
       return std::atan2(Dot(d, second) / scale, Dot(d, first));
     };
     std::sort(crossed.begin(), crossed.end(),

@@ -60,7 +60,7 @@ TEST(Strips, FewTriangles)
 }
 
 //------------------------------------------------------------------------------
-TEST(Strips, TwoNeighboursAlwaysJoin)
+TEST(Strips, TwoNeighborsAlwaysJoin)
 {
   // Every way to write both triangles, and every edge of the first.
   const Triangle first = { 4, 9, 2 };

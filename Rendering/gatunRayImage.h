@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef gatunRayPicture_h
-#define gatunRayPicture_h
+#ifndef gatunRayImage_h
+#define gatunRayImage_h
 
 #include "vtkSmartPointer.h"
 
@@ -28,16 +28,16 @@ class RayRefresh;
 class RaySource;
 struct RayGrid;
 
-/** A picture on its way from the ray caster into a window. */
-class RayPicture
+/** An image on its way from the ray caster into a window. */
+class RayImage
 {
 public:
   /** Width and height that can be shown with a ray in each pixel; larger ones need rays to the
    * borders. Twice as many texels are in reach of every graphics card. */
   static constexpr int MostPixels = 8192;
 
-  RayPicture();
-  ~RayPicture();
+  RayImage();
+  ~RayImage();
 
   void Take(RayCaster& caster, const RayGrid& grid);
 
@@ -48,7 +48,7 @@ public:
 
   /**
    * Blends what was taken over all of a renderer's viewport; in front of all there is, or else at
-   * the depth of the volume's centre. Throws InvalidInput if VTK cannot draw pictures of volumes.
+   * the depth of the volume's center. Throws InvalidInput if VTK cannot draw images of volumes.
    */
   void Show(vtkRenderer* renderer, vtkVolume* volume, bool inFront);
 
@@ -61,7 +61,7 @@ private:
   int Width = 0; // rays
   int Height = 0;
   bool IsExact = false; // a ray is a pixel
-  std::vector<float> Colours;
+  std::vector<float> Colors;
   std::vector<unsigned short> Texels; // of the strip that is being shown
 };
 }

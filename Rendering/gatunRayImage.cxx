@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "gatunRayPicture.h"
+#include "gatunRayImage.h"
 
 #include "gatunError.h"
 #include "gatunParallel.h"
@@ -21,7 +21,7 @@ namespace gatun
 {
 namespace
 {
-// Of a strip of the picture that goes to the graphics card at once.
+// Of a strip of the image that goes to the graphics card at once.
 constexpr std::size_t MostTexels = std::size_t{ 1 } << 20;
 
 /** Row by row, of what is from 0 to 1. Times: how often each of the numbers' fours is there. */
@@ -45,45 +45,45 @@ void ToTexels(const float* numbers, std::size_t width, std::size_t times, unsign
 constexpr float Nearest = 1e-6f;
 
 /** Where the middle of a volume is. VTK's own way to find out leaves it too far behind. */
-float GetCentreDepth(vtkRenderer* renderer, vtkVolume* volume)
+float GetCenterDepth(vtkRenderer* renderer, vtkVolume* volume)
 {
-  const double* const centre = volume->GetCenter();
-  renderer->SetWorldPoint(centre[0], centre[1], centre[2], 1);
+  const double* const center = volume->GetCenter();
+  renderer->SetWorldPoint(center[0], center[1], center[2], 1);
   renderer->WorldToDisplay();
   return std::clamp(static_cast<float>(renderer->GetDisplayPoint()[2]), Nearest, 1.0f);
 }
 }
 
-RayPicture::RayPicture() = default;
-RayPicture::~RayPicture() = default;
+RayImage::RayImage() = default;
+RayImage::~RayImage() = default;
 
 //------------------------------------------------------------------------------
-void RayPicture::SetGrid(const RayGrid& grid)
+void RayImage::SetGrid(const RayGrid& grid)
 {
   this->Width = grid.Width;
   this->Height = grid.Height;
   this->IsExact = !grid.ToBorders;
-  this->Colours.resize(
+  this->Colors.resize(
     4 * static_cast<std::size_t>(grid.Width) * static_cast<std::size_t>(grid.Height));
 }
 
 //------------------------------------------------------------------------------
-void RayPicture::Take(RayCaster& caster, const RayGrid& grid)
+void RayImage::Take(RayCaster& caster, const RayGrid& grid)
 {
   this->SetGrid(grid);
-  caster.Finish(this->Colours.data());
+  caster.Finish(this->Colors.data());
 }
 
 //------------------------------------------------------------------------------
-double RayPicture::Take(RayRefresh& refresh, std::shared_ptr<RaySource> source, const RayGrid& grid,
+double RayImage::Take(RayRefresh& refresh, std::shared_ptr<RaySource> source, const RayGrid& grid,
   const std::function<bool(double)>& progress)
 {
   this->SetGrid(grid);
-  return refresh.Draw(std::move(source), this->Colours.data(), progress);
+  return refresh.Draw(std::move(source), this->Colors.data(), progress);
 }
 
 //------------------------------------------------------------------------------
-void RayPicture::Show(vtkRenderer* renderer, vtkVolume* volume, bool inFront)
+void RayImage::Show(vtkRenderer* renderer, vtkVolume* volume, bool inFront)
 {
   if (!this->Helper)
   {
@@ -95,11 +95,11 @@ void RayPicture::Show(vtkRenderer* renderer, vtkVolume* volume, bool inFront)
       "the program has no way to show volumes; VTK::RenderingVolumeOpenGL2 is not there");
   }
   this->Helper->PreMultipliedColorsOn();
-  const float depth = inFront ? Nearest : GetCentreDepth(renderer, volume);
+  const float depth = inFront ? Nearest : GetCenterDepth(renderer, volume);
 
-  // VTK puts the outermost texels' centres on the borders of the picture. Where a ray is to be a
+  // VTK puts the outermost texels' centers on the borders of the image. Where a ray is to be a
   // pixel, what a pixel shows would be between two rays, unless each is there twice. And then
-  // strips of the picture fit together, and take less memory than all of it.
+  // strips of the image fit together, and take less memory than all of it.
   const int times = this->IsExact ? 2 : 1;
   const auto perRow = static_cast<std::size_t>(times) * static_cast<std::size_t>(this->Width);
   const std::array<int, 2> whole{ times * this->Width, times * this->Height };
@@ -117,7 +117,7 @@ void RayPicture::Show(vtkRenderer* renderer, vtkVolume* volume, bool inFront)
         for (int copy = 0; copy < times; ++copy)
         {
           const auto to = row * static_cast<std::size_t>(times) + static_cast<std::size_t>(copy);
-          ToTexels(this->Colours.data() + from, static_cast<std::size_t>(this->Width),
+          ToTexels(this->Colors.data() + from, static_cast<std::size_t>(this->Width),
             static_cast<std::size_t>(times), this->Texels.data() + 4 * perRow * to);
         }
       });
@@ -133,7 +133,7 @@ void RayPicture::Show(vtkRenderer* renderer, vtkVolume* volume, bool inFront)
 }
 
 //------------------------------------------------------------------------------
-void RayPicture::Release(vtkWindow* window)
+void RayImage::Release(vtkWindow* window)
 {
   if (this->Helper)
   {

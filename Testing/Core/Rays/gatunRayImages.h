@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef gatunRayPictures_h
-#define gatunRayPictures_h
+#ifndef gatunRayImages_h
+#define gatunRayImages_h
 
-// What tests of the ray caster draw, how, and how they compare pictures.
+// What tests of the ray caster draw, how, and how they compare images.
 
 #include "gatunRayCaster.h"
 #include "gatunRayReference.h"
@@ -18,7 +18,7 @@
 
 namespace gatun::test
 {
-/** Colours with ramps, which begin and end at entries of the table, and a part that is not seen. */
+/** Colors with ramps, which begin and end at entries of the table, and a part that is not seen. */
 inline std::array<double, 4> Ramp(double value)
 {
   const double s = std::clamp(value, 0.0, 1.0);
@@ -80,16 +80,16 @@ inline RaySource::Blocks MakeBlocks(const ReferenceMesh& mesh, std::size_t tetsI
   return blocks;
 }
 
-struct Picture
+struct Image
 {
-  std::vector<float> Colours;
+  std::vector<float> Colors;
   std::vector<float> Depths;
 };
 
 struct Setting
 {
   RayMode Mode = RayMode::Composite;
-  RayColour Colour = Ramp;
+  RayColor Color = Ramp;
   RaySettings Settings;
   std::vector<std::array<double, 4>> Planes;
   std::size_t TetsInBlock = 500;
@@ -97,7 +97,7 @@ struct Setting
   double Unit = 1;      // of opacities
 };
 
-inline Picture Render(const ReferenceMesh& mesh, const Viewer& viewer, const Setting& setting)
+inline Image Render(const ReferenceMesh& mesh, const Viewer& viewer, const Setting& setting)
 {
   const RayView view = viewer.GetView();
   RayLimits limits;
@@ -106,19 +106,19 @@ inline Picture Render(const ReferenceMesh& mesh, const Viewer& viewer, const Set
     ClipByPlane(view, plane, limits);
   }
   RayCaster caster(view,
-    RayTable(setting.Mode, setting.Colour, setting.Values, viewer.SampleDistance, setting.Unit),
+    RayTable(setting.Mode, setting.Color, setting.Values, viewer.SampleDistance, setting.Unit),
     limits, setting.Settings);
   for (const auto& block : MakeBlocks(mesh, setting.TetsInBlock))
   {
     caster.Draw({ &block, 1 });
   }
   const auto pixels = static_cast<std::size_t>(viewer.Width) * viewer.Height;
-  Picture picture{ std::vector<float>(4 * pixels), std::vector<float>(pixels) };
-  caster.Finish(picture.Colours.data(), picture.Depths.data());
-  return picture;
+  Image image{ std::vector<float>(4 * pixels), std::vector<float>(pixels) };
+  caster.Finish(image.Colors.data(), image.Depths.data());
+  return image;
 }
 
-/** How far two pictures are apart: pixels that differ by more than 1 / 255, and on average. */
+/** How far two images are apart: pixels that differ by more than 1 / 255, and on average. */
 struct Difference
 {
   std::size_t Bad = 0;
@@ -128,7 +128,7 @@ struct Difference
 };
 
 inline Difference Compare(
-  const Picture& picture, const std::vector<ReferencePixel>& reference, double sampleDistance)
+  const Image& image, const std::vector<ReferencePixel>& reference, double sampleDistance)
 {
   Difference result;
   for (std::size_t i = 0; i < reference.size(); ++i)
@@ -136,15 +136,15 @@ inline Difference Compare(
     double most = 0;
     for (std::size_t c = 0; c < 4; ++c)
     {
-      const double difference = std::abs(picture.Colours[4 * i + c] - reference[i][c]);
+      const double difference = std::abs(image.Colors[4 * i + c] - reference[i][c]);
       most = std::max(most, difference);
       result.Mean += difference / (4 * static_cast<double>(reference.size()));
     }
     result.Bad += most <= 1.0 / 255 ? 0 : 1;
     const double depth = reference[i][4];
     const bool sameDepth = std::isinf(depth)
-      ? std::isinf(picture.Depths[i])
-      : std::abs(picture.Depths[i] - depth) < 0.01 * sampleDistance;
+      ? std::isinf(image.Depths[i])
+      : std::abs(image.Depths[i] - depth) < 0.01 * sampleDistance;
     result.BadDepths += sameDepth ? 0 : 1;
     result.Lit += reference[i][3] > 0.01 ? 1 : 0;
   }
@@ -173,12 +173,12 @@ inline std::vector<Viewer> MakeViewers(double size, bool parallel)
   return viewers;
 }
 
-inline float GetLargestDifference(const Picture& a, const Picture& b)
+inline float GetLargestDifference(const Image& a, const Image& b)
 {
   float most = 0;
-  for (std::size_t i = 0; i < a.Colours.size(); ++i)
+  for (std::size_t i = 0; i < a.Colors.size(); ++i)
   {
-    most = std::max(most, std::abs(a.Colours[i] - b.Colours[i]));
+    most = std::max(most, std::abs(a.Colors[i] - b.Colors[i]));
   }
   return most;
 }
@@ -233,18 +233,18 @@ private:
   std::vector<Range> Ranges;
 };
 
-inline Picture RenderSource(
-  RaySource& source, const Viewer& viewer, const RayColour& colour, float opaque)
+inline Image RenderSource(
+  RaySource& source, const Viewer& viewer, const RayColor& color, float opaque)
 {
   RaySettings settings;
   settings.Opaque = opaque;
   RayCaster caster(viewer.GetView(),
-    RayTable(RayMode::Composite, colour, { 0, 1 }, viewer.SampleDistance, 1), {}, settings);
+    RayTable(RayMode::Composite, color, { 0, 1 }, viewer.SampleDistance, 1), {}, settings);
   caster.Draw(source);
   const auto pixels = static_cast<std::size_t>(viewer.Width) * viewer.Height;
-  Picture picture{ std::vector<float>(4 * pixels), std::vector<float>(pixels) };
-  caster.Finish(picture.Colours.data(), picture.Depths.data());
-  return picture;
+  Image image{ std::vector<float>(4 * pixels), std::vector<float>(pixels) };
+  caster.Finish(image.Colors.data(), image.Depths.data());
+  return image;
 }
 }
 
