@@ -8,6 +8,7 @@
 #include "gatunFileConsumer.h"
 #include "gatunFileContour.h"
 #include "gatunGridContour.h"
+#include "gatunReport.h"
 #include "vtkGatunCompat.h"
 
 #include "vtkContourValues.h"
@@ -221,10 +222,7 @@ int vtkGatunContour::RequestData(
     const gatun::VTKFailure failure =
       gatun::DescribeFailure(file ? file->Path.c_str() : "The isosurface cannot be made");
     this->SetErrorCode(failure.Code);
-    if (!failure.Aborted)
-    {
-      vtkErrorMacro(<< failure.Message);
-    }
+    gatun::ReportFailure(this, failure, nullptr);
     return 0;
   }
 }

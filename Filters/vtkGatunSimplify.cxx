@@ -10,6 +10,7 @@
 #include "gatunFileReader.h"
 #include "gatunMergeGrid.h"
 #include "gatunPieceReader.h"
+#include "gatunReport.h"
 #include "gatunSimplifyTarget.h"
 #include "gatunTetInput.h"
 #include "vtkGatunCompat.h"
@@ -398,10 +399,7 @@ int vtkGatunSimplify::RequestData(
     const gatun::VTKFailure failure =
       gatun::DescribeFailure(file ? file->Path.c_str() : "The mesh cannot be simplified");
     this->SetErrorCode(failure.Code);
-    if (!failure.Aborted)
-    {
-      vtkErrorMacro(<< failure.Message);
-    }
+    gatun::ReportFailure(this, failure, nullptr);
     return 0;
   }
 }

@@ -47,9 +47,7 @@ void AddRanges(vtkTable* table, const gatun::FileReader& file, std::size_t array
       gatun::Range all;
       for (std::size_t step = 0; step < file.GetNumberOfSteps(); ++step)
       {
-        const gatun::Range& range = file.GetChunkRanges(array, step, chunk)[i];
-        all.Min = std::min(all.Min, range.Min);
-        all.Max = std::max(all.Max, range.Max);
+        all.Include(file.GetChunkRanges(array, step, chunk)[i]);
       }
       values[0] = all.Min;
       values[1] = all.Max;

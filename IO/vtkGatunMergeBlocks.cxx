@@ -5,6 +5,7 @@
 
 #include "gatunErrorCodes.h"
 #include "gatunGhosts.h"
+#include "gatunReport.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"
@@ -253,15 +254,7 @@ int vtkGatunMergeBlocks::RequestData(vtkInformation* vtkNotUsed(request),
     // The exception stops here, whether or not there is memory for the message.
     const gatun::VTKFailure failure = gatun::DescribeFailure("The blocks cannot be merged");
     this->SetErrorCode(failure.Code);
-    try
-    {
-      output->Initialize();
-      vtkErrorMacro(<< failure.Message);
-    }
-    catch (const std::bad_alloc&)
-    {
-      // The error code reports it.
-    }
+    gatun::ReportFailure(this, failure, output);
     return 0;
   }
   return 1;

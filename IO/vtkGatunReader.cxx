@@ -6,6 +6,7 @@
 #include "gatunErrorCodes.h"
 #include "gatunExactGhosts.h"
 #include "gatunFileReader.h"
+#include "gatunReport.h"
 #include "vtkGatunCompat.h"
 #include "vtkGatunErrorCode.h"
 #include "vtkGatunFileHandle.h"
@@ -281,23 +282,12 @@ void vtkGatunReader::Fail(vtkInformationVector* outputVector) noexcept
     this->Internals->Pieces.ClearCache();
   }
   this->SetErrorCode(failure.Code);
-  try
+  auto* output = vtkDataObject::GetData(outputVector->GetInformationObject(0));
+  if (output)
   {
-    vtkInformation* outInfo = outputVector->GetInformationObject(0);
-    if (auto* output = vtkDataObject::GetData(outInfo))
-    {
-      output->Initialize();
-      output->GetInformation()->Remove(ON_DEMAND());
-    }
-    if (!failure.Aborted)
-    {
-      vtkErrorMacro(<< failure.Message);
-    }
+    output->GetInformation()->Remove(ON_DEMAND());
   }
-  catch (const std::bad_alloc&)
-  {
-    // The error code tells it.
-  }
+  gatun::ReportFailure(this, failure, output);
 }
 
 //------------------------------------------------------------------------------

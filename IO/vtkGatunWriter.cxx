@@ -8,6 +8,7 @@
 #include "gatunErrorCodes.h"
 #include "gatunFileWriter.h"
 #include "gatunMergeGrid.h"
+#include "gatunReport.h"
 #include "gatunTetInput.h"
 #include "gatunTetMesh.h"
 #include "gatunWriterArrays.h"
@@ -369,10 +370,7 @@ bool vtkGatunWriter::HandleFailure() noexcept
     const gatun::VTKFailure failure =
       gatun::DescribeFailure(this->FileName ? this->FileName : "(no file)");
     this->SetErrorCode(failure.Code);
-    if (!failure.Aborted)
-    {
-      vtkErrorMacro(<< failure.Message);
-    }
+    gatun::ReportFailure(this, failure, nullptr);
     return failure.Aborted;
   }
   catch (...)

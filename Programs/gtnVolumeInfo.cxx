@@ -3,6 +3,7 @@
 
 // gtn volume info: what is in a .ghv file, from its directory alone.
 
+#include "gtnDescription.h"
 #include "gtnFailure.h"
 #include "gtnInput.h"
 #include "gtnJson.h"
@@ -68,95 +69,104 @@ std::string ListOf(const std::array<Number, Count>& numbers)
   return Joined(texts, " ");
 }
 
-void PrintRow(const char* title, const std::string& value)
+Entry Text(std::string text)
 {
-  fmt::print("  {:<16} {}\n", title, value);
+  return { {}, std::move(text) };
 }
 
-void PrintText(const gatun::HartleyFile& file, const Options& options, bool verbose)
+/** Numbers, as an array in JSON. */
+template <typename Numbers>
+Entry List(const Numbers& numbers)
+{
+  return { JsonArray(numbers), ListOf(numbers) };
+}
+
+void DescribeGrid(const gatun::HartleyFile& file, Description& description)
 {
   const gatun::VolumeInput& volume = file.GetVolume();
   const gatun::HartleyLayout& layout = file.GetLayout();
-  fmt::print("{}: format {}, written by Gatun {}\n", file.GetPath(), Version(file),
-    Printable(file.GetWriterVersion()));
-  PrintRow("voxels", SizeOf(layout.Size));
-  PrintRow("array", fmt::format("'{}', {}", Printable(volume.Name), NameOf(volume.Type)));
-  PrintRow("values", fmt::format("{:.7g} to {:.7g}", file.GetRange().Min, file.GetRange().Max));
-  PrintRow("first index", ListOf(volume.FirstIndex));
-  PrintRow("origin", ListOf(volume.Origin));
-  PrintRow("spacing", ListOf(volume.Spacing));
-  PrintRow("direction", ListOf(volume.Direction));
-  PrintRow("blocks", DescribeBlocks(layout));
-  PrintRow("chunks", Grouped(layout.GetNumberOfChunks()));
-  PrintRow("rate control", file.IsLossless() ? "lossless" : Describe(file.GetRateControl()));
-  PrintRow("size", ByteSize(file.GetFileBytes()));
-  PrintRow("bits per voxel",
-    fmt::format("{:.3f}, 1 : {:.4g}", BitsPerVoxel(file), RawBits(file) / BitsPerVoxel(file)));
+  const gatun::Range& range = file.GetRange();
+  description.Add("size", "voxels", { JsonArray(layout.Size), SizeOf(layout.Size) });
+  description.Add(
+    nullptr, "array", Text(fmt::format("'{}', {}", Printable(volume.Name), NameOf(volume.Type))));
+  description.Add("array", nullptr, Entry(volume.Name));
+  description.Add("type", nullptr, Entry(NameOf(volume.Type)));
+  description.Add("range", "values",
+    { JsonArray(std::array{ range.Min, range.Max }),
+      fmt::format("{:.7g} to {:.7g}", range.Min, range.Max) });
+  description.Add("firstIndex", "first index", List(volume.FirstIndex));
+  description.Add("origin", "origin", List(volume.Origin));
+  description.Add("spacing", "spacing", List(volume.Spacing));
+  description.Add("direction", "direction", List(volume.Direction));
+  description.Add(nullptr, "blocks", Text(DescribeBlocks(layout)));
+  description.Add("block", nullptr, { JsonArray(layout.Block), {} });
+  description.Add("whole", nullptr, { layout.IsWhole(), {} });
+  description.Add("blocks", nullptr, Entry(layout.GetNumberOfBlocks()));
+  description.Add("chunks", "chunks", Entry(layout.GetNumberOfChunks()));
+}
+
+void DescribeCoding(const gatun::HartleyFile& file, Description& description)
+{
+  const gatun::HartleyRateControl& rate = file.GetRateControl();
+  const double bits = BitsPerVoxel(file);
+  const double ratio = RawBits(file) / bits;
   const double psnr = PeakSignalToNoise(file.GetRange(), file.GetRMSError());
-  PrintRow("error",
-    fmt::format("root mean square {:.4g}, largest {:.4g}{}", file.GetRMSError(),
-      file.GetMaximumError(), std::isfinite(psnr) ? fmt::format(", {:.1f} dB", psnr) : ""));
-  PrintRow("coefficients",
-    fmt::format("{} nonzero, {:.1f} % of the voxels", Grouped(file.GetNumberOfTerms()),
-      100 * static_cast<double>(file.GetNumberOfTerms()) / CountVoxels(file)));
-  if (options.Verify)
-  {
-    PrintRow("verified", "all checksums are right, and all chunks can be decoded");
-  }
-  if (verbose)
-  {
-    fmt::print("\nchunks\n  {:>8} {:>14}\n", "number", "bytes");
-    for (std::size_t chunk = 0; chunk < layout.GetNumberOfChunks(); ++chunk)
-    {
-      fmt::print("  {:>8} {:>14}\n", chunk, Grouped(file.GetChunkBytes(chunk)));
-    }
-  }
+  description.Add("lossless", nullptr, { file.IsLossless(), {} });
+  description.Add("rateControl", "rate control",
+    { NameOf(rate.Mode), file.IsLossless() ? "lossless" : Describe(rate) });
+  description.Add("rateControlValue", nullptr, { rate.Value, {} });
+  description.Add("frequencyWeight", nullptr, { rate.FrequencyWeight, {} });
+  description.Add(
+    "bytes", "size", { Json::UInt64{ file.GetFileBytes() }, ByteSize(file.GetFileBytes()) });
+  description.Add(
+    "bitsPerVoxel", "bits per voxel", { bits, fmt::format("{:.3f}, 1 : {:.4g}", bits, ratio) });
+  description.Add("ratio", nullptr, { ratio, {} });
+  description.Add(nullptr, "error",
+    Text(fmt::format("root mean square {:.4g}, largest {:.4g}{}", file.GetRMSError(),
+      file.GetMaximumError(), std::isfinite(psnr) ? fmt::format(", {:.1f} dB", psnr) : "")));
+  description.Add("rootMeanSquareError", nullptr, { file.GetRMSError(), {} });
+  description.Add("largestError", nullptr, { file.GetMaximumError(), {} });
+  description.Add("psnr", nullptr, { psnr, {} });
+  description.Add("terms", "coefficients",
+    { Json::UInt64{ file.GetNumberOfTerms() },
+      fmt::format("{} nonzero, {:.1f} % of the voxels", Grouped(file.GetNumberOfTerms()),
+        100 * static_cast<double>(file.GetNumberOfTerms()) / CountVoxels(file)) });
 }
 
-void PrintJson(const gatun::HartleyFile& file, const Options& options, bool verbose)
+void DescribeChunks(const gatun::HartleyFile& file, Description& description)
 {
-  const gatun::VolumeInput& volume = file.GetVolume();
-  const gatun::HartleyLayout& layout = file.GetLayout();
-  Json::Value json;
-  json["file"] = file.GetPath();
-  json["formatVersion"] = Version(file);
-  json["writerVersion"] = file.GetWriterVersion();
-  json["size"] = JsonArray(layout.Size);
-  json["array"] = volume.Name;
-  json["type"] = NameOf(volume.Type);
-  json["range"] = JsonArray(std::array{ file.GetRange().Min, file.GetRange().Max });
-  json["firstIndex"] = JsonArray(volume.FirstIndex);
-  json["origin"] = JsonArray(volume.Origin);
-  json["spacing"] = JsonArray(volume.Spacing);
-  json["direction"] = JsonArray(volume.Direction);
-  json["block"] = JsonArray(layout.Block);
-  json["whole"] = layout.IsWhole();
-  json["blocks"] = static_cast<std::uint64_t>(layout.GetNumberOfBlocks());
-  json["chunks"] = static_cast<std::uint64_t>(layout.GetNumberOfChunks());
-  json["lossless"] = file.IsLossless();
-  json["rateControl"] = NameOf(file.GetRateControl().Mode);
-  json["rateControlValue"] = file.GetRateControl().Value;
-  json["frequencyWeight"] = file.GetRateControl().FrequencyWeight;
-  json["rootMeanSquareError"] = file.GetRMSError();
-  json["largestError"] = file.GetMaximumError();
-  json["psnr"] = PeakSignalToNoise(file.GetRange(), file.GetRMSError());
-  json["terms"] = file.GetNumberOfTerms();
-  json["bytes"] = file.GetFileBytes();
-  json["bitsPerVoxel"] = BitsPerVoxel(file);
-  json["ratio"] = RawBits(file) / BitsPerVoxel(file);
-  if (options.Verify)
+  Json::Value bytes(Json::arrayValue);
+  Table table{ nullptr, "chunks", { { nullptr, "number" }, { nullptr, "bytes" } } };
+  for (std::size_t chunk = 0; chunk < file.GetLayout().GetNumberOfChunks(); ++chunk)
   {
-    json["verified"] = true;
+    const std::uint64_t size = file.GetChunkBytes(chunk);
+    bytes.append(Json::UInt64{ size });
+    table.Rows.push_back({ Entry(chunk), Entry(size) });
+  }
+  description.Add("chunkBytes", nullptr, { std::move(bytes), {} });
+  description.Add(std::move(table));
+}
+
+Description Describe(const gatun::HartleyFile& file, bool isVerified, bool verbose)
+{
+  const std::string version = Version(file);
+  Description description(fmt::format("{}: format {}, written by Gatun {}", file.GetPath(), version,
+    Printable(file.GetWriterVersion())));
+  description.Add("file", nullptr, Entry(file.GetPath()));
+  description.Add("formatVersion", nullptr, Entry(version));
+  description.Add("writerVersion", nullptr, Entry(file.GetWriterVersion()));
+  DescribeGrid(file, description);
+  DescribeCoding(file, description);
+  if (isVerified)
+  {
+    description.Add(
+      "verified", "verified", { true, "all checksums are right, and all chunks can be decoded" });
   }
   if (verbose)
   {
-    json["chunkBytes"] = Json::arrayValue;
-    for (std::size_t chunk = 0; chunk < layout.GetNumberOfChunks(); ++chunk)
-    {
-      json["chunkBytes"].append(file.GetChunkBytes(chunk));
-    }
+    DescribeChunks(file, description);
   }
-  fmt::print("{}", JsonText(json));
+  return description;
 }
 
 } // anonymous namespace
@@ -186,8 +196,8 @@ void AddVolumeInfo(CLI::App& app, Settings& settings)
         file.Verify([&progress](double fraction) { return progress(fraction); });
         CheckInterrupt();
       }
-      options->Json ? PrintJson(file, *options, settings.Verbose)
-                    : PrintText(file, *options, settings.Verbose);
+      const Description description = Describe(file, options->Verify, settings.Verbose);
+      fmt::print("{}", options->Json ? JsonText(description.GetJson()) : description.GetText());
     });
 }
 }

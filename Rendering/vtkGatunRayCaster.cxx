@@ -12,6 +12,7 @@
 #include "gatunRayCaster.h"
 #include "gatunRayRendering.h"
 #include "gatunRayScene.h"
+#include "gatunReport.h"
 #include "vtkGatunCompat.h"
 
 #include "vtkCamera.h"
@@ -385,10 +386,7 @@ int vtkGatunRayCaster::RequestData(
     image->Initialize();
     const gatun::VTKFailure failure = gatun::DescribeFailure("The mesh cannot be drawn");
     this->SetErrorCode(failure.Code);
-    if (!failure.Aborted)
-    {
-      vtkErrorMacro(<< failure.Message);
-    }
+    gatun::ReportFailure(this, failure, nullptr);
     self.Scene.Clear();
     return 0;
   }

@@ -10,7 +10,7 @@
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 NeighborFit::NeighborFit(const Topology& topology, std::span<const std::array<double, 3>> places)
   : Start(topology.Records.size() + 2, 0)
 {
@@ -122,7 +122,7 @@ void NeighborFit::Weigh(const std::array<double, 3>& center, std::span<Neighbor>
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 namespace
 {
 template <typename Coder>
@@ -353,7 +353,7 @@ void CheckBefore(const ArrayModes& modes, std::span<const ComponentKeys> compone
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 ArrayModes ArrayModes::Read(std::span<const std::uint8_t> stream)
 {
   if (stream.size() < 2 || stream[0] > 2 || stream[1] > 2)

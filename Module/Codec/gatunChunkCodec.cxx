@@ -413,7 +413,7 @@ Bytes EncodeGeometry(ChunkMesh& mesh, const PredictionRules& fitted)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void ChunkMesh::MakeContext(bool withFit)
 {
   this->Context.Mesh = &this->Walk;

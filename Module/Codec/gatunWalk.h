@@ -109,7 +109,7 @@ private:
   // The search radius for shared vertices in longest edges. Grids are often stretched.
   static constexpr float SearchReach = Rule == Ranking::Angle ? 3.0F : 1.25F;
 
-  //------------------------------------------------------------------------------------------------
+  //----------------------------------------------------------------------------
   // Vertices
 
   Vertex MeetShared(unsigned corner, std::uint32_t index)
@@ -151,7 +151,7 @@ private:
     return coded;
   }
 
-  //------------------------------------------------------------------------------------------------
+  //----------------------------------------------------------------------------
   // A tetrahedron without a gate
 
   void GrowSeed()
@@ -210,7 +210,7 @@ private:
         Coder::Encoding ? this->Truth.GetTargetShared(corner) : 0, this->Input.Shared.size()));
   }
 
-  //------------------------------------------------------------------------------------------------
+  //----------------------------------------------------------------------------
   // A tetrahedron on a gate
 
   void GrowOnGate(std::uint32_t id)
@@ -273,7 +273,7 @@ private:
     return (borders * 27 + GradeTets(face)) * 2 + apex;
   }
 
-  //------------------------------------------------------------------------------------------------
+  //----------------------------------------------------------------------------
   // The fourth vertex, if it is not the best candidate
 
   Vertex MeetNew(const Gate<Rule>& gate)
@@ -391,7 +391,7 @@ private:
     ThrowCorrupt("a walk names no vertex of a list");
   }
 
-  //------------------------------------------------------------------------------------------------
+  //----------------------------------------------------------------------------
   // A new tetrahedron in the front
 
   /**
@@ -529,7 +529,7 @@ private:
     }
   }
 
-  //------------------------------------------------------------------------------------------------
+  //----------------------------------------------------------------------------
   // A front that touches itself
 
   /** A side of the front at an edge of the new tetrahedron. */

@@ -24,7 +24,7 @@ MergeTree MakeRest(const MergeTree& tree, std::size_t merges,
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 BaseMesh::BaseMesh(const MeshAccess& mesh, const MergeTree& tree, std::size_t merges)
   : CoordinateType(mesh.GetMesh().CoordinateType)
   , WideIds(mesh.GetMesh().WideIds)
@@ -68,7 +68,7 @@ BaseMesh::BaseMesh(const MeshAccess& mesh, const MergeTree& tree, std::size_t me
   this->Tree = MakeRest(tree, merges, places, this->Points.size());
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 MeshInput BaseMesh::GetInput() const
 {
   MeshInput input;
@@ -82,7 +82,7 @@ MeshInput BaseMesh::GetInput() const
   return input;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Bytes BaseMesh::Gather(const void* values, Association where, std::size_t tupleBytes) const
 {
   const auto& tuples = where == Association::Point ? this->Points : this->Tets;

@@ -25,7 +25,7 @@ bool IsOfChunk(PartKind kind)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void ChunkCache::Internals::Keep(const PartKey& key, Part part, std::uint64_t bytes)
 {
   const bool isOfChunk = IsOfChunk(key.Kind);
@@ -40,13 +40,13 @@ void ChunkCache::Internals::Keep(const PartKey& key, Part part, std::uint64_t by
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void ChunkCache::Internals::RemoveChunks()
 {
   this->Parts->RemoveIf([](const PartKey& key) { return IsOfChunk(key.Kind); });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 ChunkCache::ChunkCache(std::shared_ptr<const FileReader> file, std::uint64_t budget)
   : ChunkCache(std::move(file), std::make_shared<CacheBudget>(budget))
 {
@@ -64,31 +64,31 @@ ChunkCache::ChunkCache(const std::shared_ptr<ChunkCache>& other, bool keepsChunk
 
 ChunkCache::~ChunkCache() = default;
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const std::shared_ptr<const FileReader>& ChunkCache::GetFile() const
 {
   return this->Self->File;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const std::shared_ptr<CacheBudget>& ChunkCache::GetSharedBudget() const
 {
   return this->Self->Parts->GetBudget();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void ChunkCache::SetBudget(std::uint64_t bytes)
 {
   this->GetSharedBudget()->SetBytes(bytes);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t ChunkCache::GetBudget() const
 {
   return this->GetSharedBudget()->GetBytes();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void ChunkCache::SetKeepsChunks(bool keeps)
 {
   this->Self->KeepsChunks = keeps;
@@ -98,7 +98,7 @@ void ChunkCache::SetKeepsChunks(bool keeps)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 ChunkCacheStatistics ChunkCache::GetStatistics() const
 {
   const auto parts = this->Self->Parts->GetStatistics();
@@ -109,7 +109,7 @@ ChunkCacheStatistics ChunkCache::GetStatistics() const
   return all;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void ChunkCache::Clear()
 {
   this->Self->Parts->Clear();

@@ -9,7 +9,7 @@
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 ChunkSet::ChunkSet(const FileReader::Internals& content, std::vector<std::uint32_t> chunks,
   std::vector<std::uint32_t> universe, bool withUnusedPoints)
   : Content(content)
@@ -66,7 +66,7 @@ ChunkSet::ChunkSet(const FileReader::Internals& content, std::vector<std::uint32
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::size_t ChunkSet::FindBlock(std::uint32_t index) const
 {
   return static_cast<std::size_t>(
@@ -75,7 +75,7 @@ std::size_t ChunkSet::FindBlock(std::uint32_t index) const
     this->Blocks.begin());
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool ChunkSet::IsWhole() const
 {
   const auto& content = this->Content;
@@ -83,7 +83,7 @@ bool ChunkSet::IsWhole() const
     (this->WithUnused || content.Meta.UnusedPoints == 0);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void ChunkSet::MarkOwners(unsigned char* ghosts) const
 {
   std::memset(ghosts, 0, static_cast<std::size_t>(this->Points));
@@ -100,7 +100,7 @@ void ChunkSet::MarkOwners(unsigned char* ghosts) const
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool ChunkSet::Owns(const SharedGroup& group) const
 {
   const auto has = [](const std::vector<std::uint32_t>& set, std::uint32_t chunk)
@@ -112,7 +112,7 @@ bool ChunkSet::Owns(const SharedGroup& group) const
   return owner != group.Chunks.end() && has(this->Chunks, *owner);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<std::uint64_t> ChunkSet::Locate(const ChunkSet& part) const
 {
   const auto& mesh = this->Content.Mesh;

@@ -60,7 +60,7 @@ struct Places
 };
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 struct ChunkSetDecoder::Job
 {
   /** An array of the request. */
@@ -156,7 +156,7 @@ struct ChunkSetDecoder::Job
   }
 };
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 ChunkSetDecoder::ChunkSetDecoder(const std::shared_ptr<ChunkCache>& cache,
   std::vector<std::uint32_t> chunks, std::vector<std::uint32_t> universe, bool withUnusedPoints)
   : Parts(cache)
@@ -164,7 +164,7 @@ ChunkSetDecoder::ChunkSetDecoder(const std::shared_ptr<ChunkCache>& cache,
 {
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void ChunkSetDecoder::Fill(const PieceTarget& target, const std::vector<std::uint32_t>& arrays,
   std::size_t step, bool restoreOrder, const Progress& progress) const
 {
@@ -268,7 +268,7 @@ void ChunkSetDecoder::Plan(Job& job) const
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void ChunkSetDecoder::DecodeBlock(Job& job, std::size_t b) const
 {
   const auto index = this->Set.GetBlocks()[b].Index;
@@ -380,7 +380,7 @@ void ChunkSetDecoder::StoreBlock(const Job& job, std::size_t b) const
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void ChunkSetDecoder::DecodeChunkInto(Job& job, std::size_t i) const
 {
   const auto chunk = this->Set.GetChunks()[i];

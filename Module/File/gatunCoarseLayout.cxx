@@ -21,7 +21,7 @@ void SortUnique(std::vector<std::uint32_t>& list)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 CoarseLayout::CoarseLayout(
   std::shared_ptr<const FileReader> file, const MergeTree& tree, std::size_t merges)
   : File(std::move(file))
@@ -75,7 +75,7 @@ CoarseLayout::CoarseLayout(
   std::for_each(this->Given.begin(), this->Given.end(), SortUnique);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void CoarseLayout::EachRun(
   std::uint32_t chunk, const std::function<void(std::uint32_t, std::uint32_t)>& use) const
 {
@@ -91,7 +91,7 @@ void CoarseLayout::EachRun(
   use(first, first + static_cast<std::uint32_t>(entry.Info.OwnPoints));
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<std::uint32_t> CoarseLayout::GetPoints(std::uint32_t chunk) const
 {
   std::vector<std::uint32_t> points;
@@ -105,7 +105,7 @@ std::vector<std::uint32_t> CoarseLayout::GetPoints(std::uint32_t chunk) const
   return points;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool CoarseLayout::Has(std::uint32_t chunk, std::uint32_t point) const
 {
   const MeshTable& mesh = InternalsOf(*this->File).Mesh;
@@ -127,7 +127,7 @@ bool CoarseLayout::Has(std::uint32_t chunk, std::uint32_t point) const
   return point - begin(part) < mesh.Blocks[part.Block].Groups[part.Group].Points;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const SharedGroup* CoarseLayout::FindGroup(std::uint32_t point) const
 {
   if (point >= this->File->GetNumberOfSharedPoints())
@@ -139,7 +139,7 @@ const SharedGroup* CoarseLayout::FindGroup(std::uint32_t point) const
   return std::prev(next)->second;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint32_t CoarseLayout::GetGiver(std::uint32_t point) const
 {
   if (const SharedGroup* const group = this->FindGroup(point))

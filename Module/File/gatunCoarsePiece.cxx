@@ -46,7 +46,7 @@ std::vector<std::uint32_t> FindRanks(const std::vector<std::int64_t>& numbers)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 CoarseChunk DecodeCoarse(
   const std::shared_ptr<ChunkCache>& cache, const CoarseLayout& layout, std::uint32_t chunk)
 {
@@ -75,7 +75,7 @@ CoarseChunk DecodeCoarse(
   return left;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 CoarsePiece::CoarsePiece(std::shared_ptr<ChunkCache> cache,
   std::shared_ptr<const CoarseLayout> layout, const PieceRequest& request, const Progress& progress)
   : Cache(std::move(cache))
@@ -93,7 +93,7 @@ CoarsePiece::CoarsePiece(std::shared_ptr<ChunkCache> cache,
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 CoarsePiece::Part& CoarsePiece::GetPart(std::uint32_t chunk)
 {
   const auto found = std::find_if(
@@ -101,7 +101,7 @@ CoarsePiece::Part& CoarsePiece::GetPart(std::uint32_t chunk)
   return found != this->Parts.end() ? *found : this->Parts.emplace_back(Part{ chunk, {}, {} });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void CoarsePiece::AddTets(const Progress& progress)
 {
   auto chunks = this->Request.Chunks;
@@ -136,7 +136,7 @@ void CoarsePiece::AddTets(const Progress& progress)
   this->AddGhosts(left, chunks);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Adds layers of tetrahedra that share a point with the previous ones. */
 void CoarsePiece::AddGhosts(
   std::vector<CoarseChunk>& around, const std::vector<std::uint32_t>& chunks)
@@ -177,7 +177,7 @@ void CoarsePiece::AddGhosts(
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Whether a point belongs to the piece: see PieceTarget::PointGhosts. */
 bool CoarsePiece::Owns(std::uint32_t point) const
 {
@@ -198,7 +198,7 @@ bool CoarsePiece::Owns(std::uint32_t point) const
   return owner != group->Chunks.end() && has(this->Request.Chunks, *owner);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void CoarsePiece::AddPoints()
 {
   const auto& ancestors = this->Layout->GetAncestors();
@@ -293,7 +293,7 @@ void CoarsePiece::AddPoints()
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void CoarsePiece::RestoreOrder()
 {
   const auto kept = this->File->GetKeptOrder();
@@ -350,7 +350,7 @@ void CoarsePiece::RestoreOrder()
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void CoarsePiece::Fill(const PieceTarget& target, const std::vector<std::uint32_t>& arrays,
   std::size_t step, const Progress& progress) const
 {
@@ -385,7 +385,7 @@ void CoarsePiece::Fill(const PieceTarget& target, const std::vector<std::uint32_
     [&](std::size_t i) { this->FillPart(this->Parts[i], target, arrays, step); }, progress);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void CoarsePiece::FillPart(const Part& part, const PieceTarget& target,
   const std::vector<std::uint32_t>& arrays, std::size_t step) const
 {

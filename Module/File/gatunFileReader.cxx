@@ -12,7 +12,7 @@
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 FileReader::Internals::Internals(const std::string& path)
   : File(path)
 {
@@ -127,7 +127,7 @@ std::vector<Domain> FileReader::Internals::MakeDomains(std::size_t array, std::s
   return domains;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool FileReader::CanRead(const std::string& path) noexcept
 {
   return BeginsAs(path, MeshContainer);

@@ -16,7 +16,7 @@ namespace
 constexpr const char* LayersName = "the table of layers";
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void FileReader::Internals::ReadLayers()
 {
   if (this->File.FindSections(SectionLayers).empty())
@@ -29,7 +29,7 @@ void FileReader::Internals::ReadLayers()
   this->LayersAreKnown = true;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void FileReader::Internals::CheckLayers() const
 {
   if (!this->LayersAreKnown || this->Steps.empty())
@@ -49,19 +49,19 @@ void FileReader::Internals::CheckLayers() const
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool FileReader::HasLayers() const
 {
   return this->Self->LayersAreKnown;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const Layers& FileReader::GetLayers() const
 {
   return this->Self->LayersOfChunks;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t FileReader::GetPieceBytes(std::span<const std::uint32_t> chunks,
   std::span<const std::uint32_t> arrays, std::size_t step) const
 {

@@ -27,7 +27,7 @@ std::size_t FindRung(const FileReader::Internals& file, std::size_t merges)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void FileReader::Internals::ReadTree()
 {
   const auto fail = [&](const char* what) { this->File.Fail(ErrorCode::Corrupt, what); };
@@ -65,7 +65,7 @@ void FileReader::Internals::ReadTree()
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Throws unless this can be a base mesh of the whole. */
 void FileReader::Internals::CheckLevel(const Internals& whole, std::size_t level) const
 {
@@ -82,19 +82,19 @@ void FileReader::Internals::CheckLevel(const Internals& whole, std::size_t level
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool FileReader::HasMergeTree() const
 {
   return this->Self->Tree.has_value();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::size_t FileReader::GetNumberOfMerges() const
 {
   return this->HasMergeTree() ? this->Self->Tree->Merges : 0;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 MergeTree FileReader::GetMergeTree() const
 {
   const auto points = static_cast<std::uint32_t>(this->GetNumberOfPoints());
@@ -114,14 +114,14 @@ MergeTree FileReader::GetMergeTree() const
     });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const std::vector<std::uint32_t>& FileReader::GetLevels() const
 {
   static const std::vector<std::uint32_t> none;
   return this->HasMergeTree() ? this->Self->Tree->Levels : none;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::shared_ptr<const FileReader> FileReader::OpenLevel(std::size_t level) const
 {
   if (level >= this->GetLevels().size())
@@ -131,7 +131,7 @@ std::shared_ptr<const FileReader> FileReader::OpenLevel(std::size_t level) const
   return std::shared_ptr<const FileReader>(new FileReader(*this, level));
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const Bounds& FileReader::GetChunkBounds(std::size_t chunk, std::size_t merges) const
 {
   if (merges == 0 || !this->HasMergeTree())
@@ -141,7 +141,7 @@ const Bounds& FileReader::GetChunkBounds(std::size_t chunk, std::size_t merges) 
   return this->Self->Tree->Boxes.at(chunk)[FindRung(*this->Self, merges)];
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const ArrayRanges& FileReader::GetChunkRanges(
   std::size_t array, std::size_t step, std::size_t chunk, std::size_t merges) const
 {

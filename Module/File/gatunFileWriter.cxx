@@ -22,7 +22,7 @@ namespace
 constexpr std::uint64_t SmallLevel = 20'000;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 class FileWriter::Internals
 {
 public:
@@ -66,7 +66,7 @@ private:
   std::vector<std::unique_ptr<Level>> Levels;
 };
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void FileWriter::Internals::WriteMesh(const Progress& progress)
 {
   this->Mesh.Write(progress);
@@ -77,7 +77,7 @@ void FileWriter::Internals::WriteMesh(const Progress& progress)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void FileWriter::Internals::BeginLevels(const Progress& progress)
 {
   const auto& options = this->State.Options;
@@ -97,7 +97,7 @@ void FileWriter::Internals::BeginLevels(const Progress& progress)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Simplifies the mesh and writes the result, without values, to a file of its own. */
 std::unique_ptr<FileWriter::Internals::Level> FileWriter::Internals::MakeLevel(
   std::uint32_t merges, const Progress& progress) const
@@ -122,7 +122,7 @@ std::unique_ptr<FileWriter::Internals::Level> FileWriter::Internals::MakeLevel(
   return level;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void FileWriter::Internals::WriteLevelSteps(
   std::span<const void* const> values, bool hasTime, double time)
 {
@@ -141,7 +141,7 @@ void FileWriter::Internals::WriteLevelSteps(
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void FileWriter::Internals::WriteStep(std::span<const void* const> values, const FieldData& field,
   bool hasTime, double time, const Progress& progress)
 {
@@ -158,7 +158,7 @@ void FileWriter::Internals::WriteStep(std::span<const void* const> values, const
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Throws unless the values of the first step are those that define the layers. */
 void FileWriter::Internals::CheckLayers(const StepTable& step) const
 {
@@ -174,7 +174,7 @@ void FileWriter::Internals::CheckLayers(const StepTable& step) const
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void FileWriter::Internals::WriteTables()
 {
   OutputFile& file = this->State.File;
@@ -191,7 +191,7 @@ void FileWriter::Internals::WriteTables()
   file.AddSection(SectionMeta, this->State.Meta.Write());
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 FileStatistics FileWriter::Internals::Finish()
 {
   FileStatistics& s = this->State.Statistics;
@@ -211,7 +211,7 @@ FileStatistics FileWriter::Internals::Finish()
   return s;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 FileWriter::FileWriter(const std::string& path, const MeshInput& mesh,
   const std::vector<ArrayDescription>& arrays, const WriterOptions& options,
   const Progress& progress)
@@ -221,17 +221,17 @@ FileWriter::FileWriter(const std::string& path, const MeshInput& mesh,
   this->Self->WriteMesh(progress);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 FileWriter::~FileWriter() = default;
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void FileWriter::WriteStep(std::span<const void* const> values, const FieldData& field,
   bool hasTime, double time, const Progress& progress)
 {
   this->Self->WriteStep(values, field, hasTime, time, progress);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 FileStatistics FileWriter::Finish()
 {
   return this->Self->Finish();

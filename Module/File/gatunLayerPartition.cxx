@@ -22,7 +22,7 @@ constexpr std::uint64_t MostSamples = 1u << 20;
 // The time to join buckets grows with the square of their number.
 constexpr std::size_t ManyBuckets = 1u << 14;
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Calls body(task, begin, end) for ranges of items in parallel. */
 template <typename Body>
 void ForTasks(std::uint64_t items, Body&& body)
@@ -32,7 +32,7 @@ void ForTasks(std::uint64_t items, Body&& body)
     { body(task, task * ItemsPerTask, std::min(items, (task + 1) * ItemsPerTask)); });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Marks the points that tetrahedra use. */
 std::vector<bool> FindUsed(const MeshAccess& mesh)
 {
@@ -123,7 +123,7 @@ Moments FindMoments(const MeshAccess& mesh, const LayerValues& values)
   return result;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** The quantile of the standard normal distribution. */
 double FindNormalQuantile(double part)
 {
@@ -137,7 +137,7 @@ double FindNormalQuantile(double part)
   return (low + high) / 2;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** A pseudorandom number that depends only on the seed. */
 std::uint64_t Scramble(std::uint64_t seed)
 {
@@ -170,7 +170,7 @@ std::vector<double> SampleMiddles(const MeshAccess& mesh, const LayerValues& val
   return middles;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Tetrahedra of the same first and last layer. */
 struct Bucket
 {
@@ -252,7 +252,7 @@ void JoinSmall(std::vector<Bucket>& buckets, std::size_t smallest)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint32_t GetDefaultLayers(std::uint64_t tets)
 {
   // Measured on meshes of one and five million tetrahedra. Thinner layers share nearly all of their
@@ -266,7 +266,7 @@ std::uint32_t GetDefaultLayers(std::uint64_t tets)
   return std::min(static_cast<std::uint32_t>(wanted + 0.5), static_cast<std::uint32_t>(most));
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<double> FindLayerBounds(
   const MeshAccess& mesh, const LayerValues& values, LayerSpacing spacing, std::uint32_t count)
 {
@@ -303,7 +303,7 @@ std::vector<double> FindLayerBounds(
   return bounds;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 LayerBuckets SortByLayers(
   const MeshAccess& mesh, const LayerValues& values, const Layers& layers, std::size_t smallest)
 {
@@ -390,7 +390,7 @@ LayerBuckets SortByLayers(
   return result;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 LayerSpan FindLayerSpan(const MeshAccess& mesh, const LayerValues& values, const Layers& layers,
   std::span<const std::uint32_t> tets)
 {

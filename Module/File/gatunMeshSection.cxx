@@ -12,7 +12,7 @@
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void MeshSection::Write(const std::function<bool(double)>& progress)
 {
   this->MakePartition(progress);
@@ -30,7 +30,7 @@ void MeshSection::Write(const std::function<bool(double)>& progress)
   this->State.Parts.SharedIndex = {};
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void MeshSection::MakePartition(const std::function<bool(double)>& progress)
 {
   if (this->State.Options.Layers)
@@ -61,7 +61,7 @@ void MeshSection::MakePartition(const std::function<bool(double)>& progress)
   this->State.Chunks.resize(this->State.Table.Chunks.size());
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void MeshSection::WritePalettes(StreamBatch& batch)
 {
   const auto& input = this->State.Mesh.GetMesh();
@@ -81,7 +81,7 @@ void MeshSection::WritePalettes(StreamBatch& batch)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void MeshSection::WriteBlock(
   BlockEntry& block, std::span<const std::uint32_t> points, StreamBatch& batch)
 {
@@ -115,7 +115,7 @@ void MeshSection::WriteBlock(
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<PointKeys> MeshSection::GetPointKeys(std::span<const std::uint32_t> points) const
 {
   const auto& input = this->State.Mesh.GetMesh();
@@ -133,7 +133,7 @@ std::vector<PointKeys> MeshSection::GetPointKeys(std::span<const std::uint32_t> 
   return keys;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<std::uint32_t> MeshSection::GetSharedPoints(std::size_t chunk) const
 {
   std::vector<std::uint32_t> points;
@@ -147,7 +147,7 @@ std::vector<std::uint32_t> MeshSection::GetSharedPoints(std::size_t chunk) const
   return points;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** The points that no other chunk uses, in the order of the input. */
 std::vector<std::uint32_t> MeshSection::GetOwnPoints(std::size_t chunk) const
 {
@@ -171,7 +171,7 @@ std::vector<std::uint32_t> MeshSection::GetOwnPoints(std::size_t chunk) const
   return own;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 MeshSection::LocalMesh MeshSection::MakeLocalMesh(std::size_t chunk) const
 {
   LocalMesh local;
@@ -208,7 +208,7 @@ MeshSection::LocalMesh MeshSection::MakeLocalMesh(std::size_t chunk) const
   return local;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 ChunkFrame MeshSection::MakeFrame(std::size_t chunk, std::span<const std::uint32_t> shared) const
 {
   const auto& entry = this->State.Table.Chunks[chunk];
@@ -222,7 +222,7 @@ ChunkFrame MeshSection::MakeFrame(std::size_t chunk, std::span<const std::uint32
   return frame;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Encodes a chunk and keeps the state that its arrays need. Called by several threads. */
 MeshSection::ChunkStreams MeshSection::EncodeChunk(std::size_t chunk)
 {
@@ -265,7 +265,7 @@ MeshSection::ChunkStreams MeshSection::EncodeChunk(std::size_t chunk)
   return streams;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void MeshSection::EncodeOrder(
   ChunkState& chunk, const std::vector<std::uint8_t>& corners, ChunkStreams& streams) const
 {
@@ -292,7 +292,7 @@ void MeshSection::EncodeOrder(
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void MeshSection::AddStreams(const ChunkStreams& streams, ChunkEntry& entry, StreamBatch& batch)
 {
   batch.Add(streams.Connectivity, entry.Connectivity);
@@ -311,7 +311,7 @@ void MeshSection::AddStreams(const ChunkStreams& streams, ChunkEntry& entry, Str
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void MeshSection::WriteChunks(const std::function<bool(double)>& progress)
 {
   std::vector<ChunkStreams> streams(ChunksPerBatch);
@@ -330,7 +330,7 @@ void MeshSection::WriteChunks(const std::function<bool(double)>& progress)
     progress);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void MeshSection::FindBounds()
 {
   for (const auto& chunk : this->State.Table.Chunks)

@@ -24,7 +24,7 @@ void CheckBelow(const std::vector<Key>& ids, Key end)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 // The exact memory of parts.
 
 template <typename T>
@@ -76,7 +76,7 @@ std::shared_ptr<const Part> KeepIn(
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const BlockEntry& PartDecoder::GetBlock(std::size_t block) const
 {
   const auto& mesh = this->Content().Mesh;
@@ -146,7 +146,7 @@ std::shared_ptr<const OrderPart> PartDecoder::GetBlockOrder(std::uint32_t block)
     this->Kept(), key, std::make_shared<const OrderPart>(keys.Now.begin(), keys.Now.end()));
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 template <typename Part, typename Use>
 void PartDecoder::EachShared(
   std::uint32_t chunk, const ChunkMesh& mesh, const OfBlock<Part>& partOf, Use&& use) const
@@ -319,7 +319,7 @@ std::vector<Key> PartDecoder::DecodeCorners(std::uint32_t chunk, const ChunkMesh
     Name("the corners of chunk", chunk), mesh, ScalarType::UInt8, 12);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 ArrayAtStep PartDecoder::FindBlockArray(
   std::uint32_t block, std::uint32_t array, std::size_t first, std::size_t step) const
 {

@@ -47,7 +47,7 @@ std::vector<std::uint32_t> Surround(const FileReader& file,
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /**
  * A piece with ghosts is extracted from a larger set of chunks. The set is decoded as a whole, and
  * the cells that touch the piece are copied with their points.
@@ -340,7 +340,7 @@ void PieceDecoder::Internals::Fill(const PieceTarget& target, const Progress& pr
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 PieceDecoder::PieceDecoder(std::shared_ptr<const FileReader> file)
   : PieceDecoder(std::make_shared<ChunkCache>(std::move(file)))
 {

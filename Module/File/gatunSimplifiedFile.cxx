@@ -9,7 +9,7 @@
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 SimplifiedFile::SimplifiedFile(std::shared_ptr<const FileReader> file)
 {
   if (!file->HasMergeTree())
@@ -24,7 +24,7 @@ SimplifiedFile::SimplifiedFile(std::shared_ptr<const FileReader> file)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void SimplifiedFile::Open(std::size_t level)
 {
   if (!this->Levels[level].File)
@@ -33,7 +33,7 @@ void SimplifiedFile::Open(std::size_t level)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const std::shared_ptr<const MergeTree>& SimplifiedFile::GetTree(Level& level)
 {
   if (!level.Tree)
@@ -43,14 +43,14 @@ const std::shared_ptr<const MergeTree>& SimplifiedFile::GetTree(Level& level)
   return level.Tree;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const MergeTree& SimplifiedFile::GetTree()
 {
   const std::lock_guard<std::mutex> lock(this->Guard);
   return *this->GetTree(this->Levels.front());
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 SimplifiedFile::Place SimplifiedFile::Find(std::size_t merges, bool withBaseMeshes)
 {
   const std::lock_guard<std::mutex> lock(this->Guard);
@@ -65,7 +65,7 @@ SimplifiedFile::Place SimplifiedFile::Find(std::size_t merges, bool withBaseMesh
   return { level.File, more > 0 ? this->GetTree(level) : nullptr, more };
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t SimplifiedFile::EstimateTets(std::size_t merges) const
 {
   // Assumes that tetrahedra and points decrease in proportion.
@@ -75,7 +75,7 @@ std::uint64_t SimplifiedFile::EstimateTets(std::size_t merges) const
   return static_cast<std::uint64_t>(left * static_cast<double>(file.GetNumberOfTets()));
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t SimplifiedFile::GetBytesRead() const
 {
   const std::lock_guard<std::mutex> lock(this->Guard);

@@ -24,7 +24,7 @@ void Include(ArrayRanges& all, const ArrayRanges& part)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void StepSection::Check(std::span<const void* const> values, bool hasTime, double time) const
 {
   if (values.size() != this->State.Meta.Arrays.size())
@@ -42,7 +42,7 @@ void StepSection::Check(std::span<const void* const> values, bool hasTime, doubl
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 StepInput StepSection::WriteValues(std::span<const void* const> values, const FieldData& field,
   bool hasTime, double time, const std::function<bool(double)>& progress)
 {
@@ -70,7 +70,7 @@ StepInput StepSection::WriteValues(std::span<const void* const> values, const Fi
   return step;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Describes an array and adds its palettes. */
 void StepSection::AddArray(std::size_t a, const void* values, StepInput& step, StreamBatch& batch)
 {
@@ -107,7 +107,7 @@ void StepSection::AddArray(std::size_t a, const void* values, StepInput& step, S
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void StepSection::AddFieldData(const FieldData& field, StepTable& step, StreamBatch& batch)
 {
   if (field.empty())
@@ -125,7 +125,7 @@ void StepSection::AddFieldData(const FieldData& field, StepTable& step, StreamBa
   this->LastField = std::move(stream);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void StepSection::WriteBlockValues(StepInput& step)
 {
   const auto& inputs = step.Arrays;
@@ -171,7 +171,7 @@ void StepSection::WriteBlockValues(StepInput& step)
   batch.Write(this->State.File, SectionValues);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Encodes the values of a chunk, one stream for each array. Called by several threads. */
 std::vector<Bytes> StepSection::EncodeChunk(StepInput& step, std::size_t chunk)
 {
@@ -196,7 +196,7 @@ std::vector<Bytes> StepSection::EncodeChunk(StepInput& step, std::size_t chunk)
   return streams;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void StepSection::WriteChunkValues(StepInput& step, const std::function<bool(double)>& progress)
 {
   std::vector<std::vector<Bytes>> streams(ChunksPerBatch);
@@ -222,7 +222,7 @@ void StepSection::WriteChunkValues(StepInput& step, const std::function<bool(dou
     progress);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void StepSection::KeepForNextStep(std::span<const void* const> values)
 {
   this->Before.resize(values.size());
@@ -235,7 +235,7 @@ void StepSection::KeepForNextStep(std::span<const void* const> values)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void StepSection::Finish(std::span<const void* const> values, const StepInput& step)
 {
   this->State.File.AddSection(SectionStep, step.Table.Write());

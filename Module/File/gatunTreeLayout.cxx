@@ -31,7 +31,7 @@ MergeTree Renumber(const MergeTree& tree, const std::vector<std::uint32_t>& ids)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 TreeLayout::TreeLayout(const MergeTree& tree, std::vector<std::uint32_t> ids, const MeshTable& mesh)
   : Ids(std::move(ids))
   , Tree(Renumber(tree, this->Ids))
@@ -61,7 +61,7 @@ TreeLayout::TreeLayout(const MergeTree& tree, std::vector<std::uint32_t> ids, co
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<Range> TreeLayout::FindRanges(
   std::uint32_t merges, const std::function<double(std::uint32_t)>& getValue) const
 {
@@ -95,7 +95,7 @@ std::vector<Range> TreeLayout::FindRanges(
   return chunks;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<std::vector<Range>> TreeLayout::FindRanges(
   const std::function<double(std::uint32_t)>& getValue) const
 {

@@ -12,7 +12,7 @@
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 TreeSection::TreeSection(WriterState& state)
   : State(state)
   , Layout(*state.Options.Tree, this->GetPointOrder(), state.Table)
@@ -26,7 +26,7 @@ TreeSection::TreeSection(WriterState& state)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** The point of the input for each point of the file. */
 std::vector<std::uint32_t> TreeSection::GetPointOrder() const
 {
@@ -49,7 +49,7 @@ std::vector<std::uint32_t> TreeSection::GetPointOrder() const
   return points;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void TreeSection::FindBoxes()
 {
   this->Tree.Boxes.assign(this->State.Chunks.size(), std::vector<Bounds>(this->Tree.Rungs.size()));
@@ -71,7 +71,7 @@ void TreeSection::FindBoxes()
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void TreeSection::WriteMerges()
 {
   StreamBatch batch;
@@ -89,7 +89,7 @@ void TreeSection::WriteMerges()
   batch.Write(this->State.File, SectionMerges, 0);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void TreeSection::WriteStep(const std::vector<ArrayInput>& inputs)
 {
   TreeStepTable step;
@@ -124,7 +124,7 @@ void TreeSection::WriteStep(const std::vector<ArrayInput>& inputs)
   this->State.File.AddSection(SectionTreeStep, bytes, 0);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void TreeSection::WriteTable(std::vector<std::uint32_t> levels)
 {
   this->Tree.Levels = std::move(levels);

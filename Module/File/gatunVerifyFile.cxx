@@ -143,7 +143,7 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool VerifyFile(const FileReader& file, const std::function<bool(double)>& progress)
 {
   const FileReader::Internals& content = InternalsOf(file);

@@ -46,7 +46,7 @@ void CheckLayers(
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void CheckWriterInput(
   const MeshInput& mesh, const std::vector<ArrayDescription>& arrays, const WriterOptions& options)
 {

@@ -24,7 +24,7 @@ std::uint16_t GetMinorVersion(const WriterOptions& options)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 WriterState::WriterState(const std::string& path, const MeshInput& mesh,
   const std::vector<ArrayDescription>& arrays, const WriterOptions& options)
   : Mesh(mesh)
@@ -34,7 +34,7 @@ WriterState::WriterState(const std::string& path, const MeshInput& mesh,
   this->Describe(arrays);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 WriterState::WriterState(
   const WriterState& whole, const MeshInput& mesh, const WriterOptions& options)
   : Mesh(mesh)
@@ -44,7 +44,7 @@ WriterState::WriterState(
   this->Describe(whole.Meta.Arrays);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void WriterState::Describe(const std::vector<ArrayDescription>& arrays)
 {
   const MeshInput& mesh = this->Mesh.GetMesh();
@@ -63,7 +63,7 @@ void WriterState::Describe(const std::vector<ArrayDescription>& arrays)
   this->Statistics.ArrayBytes.resize(arrays.size());
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::span<const std::uint32_t> WriterState::GetBlockPoints(std::size_t block) const
 {
   const auto& entry = this->Table.Blocks[block];
@@ -71,14 +71,14 @@ std::span<const std::uint32_t> WriterState::GetBlockPoints(std::size_t block) co
     .subspan(static_cast<std::size_t>(entry.FirstPoint), static_cast<std::size_t>(entry.Points));
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::size_t WriterState::GetTupleCount(const ArrayDescription& array) const
 {
   return static_cast<std::size_t>(
     array.Where == Association::Point ? this->Meta.Points : this->Meta.Tets);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void ForEachBatch(std::size_t chunks, const std::function<void(std::size_t)>& encode,
   const std::function<void(std::size_t, std::size_t)>& finish,
   const std::function<bool(double)>& progress)

@@ -64,7 +64,7 @@ std::string GetDescriptorName(const FileHandle& handle)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 AtomicFile::AtomicFile(const std::string& path, bool replaceReadOnly)
   : Path(path)
   , Target(path)
@@ -73,7 +73,7 @@ AtomicFile::AtomicFile(const std::string& path, bool replaceReadOnly)
   this->Create(true);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 AtomicFile::AtomicFile(const std::string& path, const std::string& target)
   : Path(path)
   , Target(target)
@@ -81,13 +81,13 @@ AtomicFile::AtomicFile(const std::string& path, const std::string& target)
   this->Create(false);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 AtomicFile AtomicFile::MakeScratch(const AtomicFile& neighbor)
 {
   return { neighbor.Path, neighbor.Target };
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 AtomicFile::~AtomicFile()
 {
   if (!this->Temporary.empty())
@@ -96,14 +96,14 @@ AtomicFile::~AtomicFile()
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void AtomicFile::Fail(int systemError) const
 {
   throw Error(ErrorCode::CannotWrite,
     { .Path = this->Path, .What = "cannot write", .SystemError = systemError });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void AtomicFile::CheckTarget(bool replaceReadOnly)
 {
   struct stat status
@@ -142,7 +142,7 @@ void AtomicFile::CheckTarget(bool replaceReadOnly)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void AtomicFile::Create(bool mayHaveName)
 {
   // The kernel applies the umask. Until the permissions of an existing file are copied, nobody else
@@ -166,7 +166,7 @@ void AtomicFile::Create(bool mayHaveName)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 int AtomicFile::CreateUnnamed(::mode_t mode)
 {
   const auto folder = std::filesystem::path(this->Target).parent_path().string();
@@ -178,7 +178,7 @@ int AtomicFile::CreateUnnamed(::mode_t mode)
   return ::access(GetDescriptorName(this->Handle).c_str(), F_OK) == 0 ? 0 : errno;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 int AtomicFile::CreateNamed(::mode_t mode)
 {
   int error = EEXIST;
@@ -194,7 +194,7 @@ int AtomicFile::CreateNamed(::mode_t mode)
   return error;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void AtomicFile::Write(std::span<const std::uint8_t> bytes)
 {
   if (const int error = this->Handle.Write(bytes))
@@ -204,7 +204,7 @@ void AtomicFile::Write(std::span<const std::uint8_t> bytes)
   this->Size += bytes.size();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void AtomicFile::ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const
 {
   if (const int error = this->Handle.ReadAt(offset, bytes))
@@ -218,7 +218,7 @@ void AtomicFile::ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) con
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Gives an unnamed file the name of the target, or a temporary one if there is a file already. */
 int AtomicFile::Link()
 {
@@ -239,7 +239,7 @@ int AtomicFile::Link()
   return error;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void AtomicFile::Commit()
 {
   if (::fsync(this->Handle.GetDescriptor()) != 0)

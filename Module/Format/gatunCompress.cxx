@@ -13,7 +13,7 @@
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Bytes Compress(std::span<const std::uint8_t> bytes)
 {
   ByteWriter out;
@@ -30,7 +30,7 @@ Bytes Compress(std::span<const std::uint8_t> bytes)
   return std::move(out.Data);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Bytes Decompress(std::span<const std::uint8_t> bytes, std::uint64_t limit)
 {
   ByteReader in(bytes);

@@ -12,7 +12,7 @@
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void PutSectionHeader(ByteWriter& out, const SectionRef& section)
 {
   out.Put(section.Name);
@@ -22,7 +22,7 @@ void PutSectionHeader(ByteWriter& out, const SectionRef& section)
   out.Put(section.Payload.Sum);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 SectionRef GetSectionHeader(ByteReader& in)
 {
   SectionRef section;
@@ -34,7 +34,7 @@ SectionRef GetSectionHeader(ByteReader& in)
   return section;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Bytes MakeHeader(const ContainerKind& kind, std::uint16_t minorVersion)
 {
   ByteWriter header;
@@ -45,7 +45,7 @@ Bytes MakeHeader(const ContainerKind& kind, std::uint16_t minorVersion)
   return std::move(header.Data);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool BeginsAs(const std::string& path, const ContainerKind& kind) noexcept
 {
   try
@@ -66,13 +66,13 @@ bool BeginsAs(const std::string& path, const ContainerKind& kind) noexcept
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t Checksum(std::span<const std::uint8_t> bytes)
 {
   return XXH3_64bits(bytes.data(), bytes.size());
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t GetFrameChecksum(std::span<const std::uint8_t> header, const Bytes& directory)
 {
   Bytes both(header.begin(), header.end());
@@ -80,7 +80,7 @@ std::uint64_t GetFrameChecksum(std::span<const std::uint8_t> header, const Bytes
   return Checksum(both);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 class RunningChecksum::State
 {
 public:
@@ -97,22 +97,22 @@ public:
   std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> Hash;
 };
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 RunningChecksum::RunningChecksum()
   : Self(std::make_unique<State>())
 {
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 RunningChecksum::~RunningChecksum() = default;
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void RunningChecksum::Add(std::span<const std::uint8_t> bytes)
 {
   XXH3_64bits_update(this->Self->Hash.get(), bytes.data(), bytes.size());
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t RunningChecksum::Get() const
 {
   return XXH3_64bits_digest(this->Self->Hash.get());

@@ -25,7 +25,7 @@ std::string ToText(FourCC name)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 InputFile::InputFile(const std::string& path, const ContainerKind& kind)
   : Kind(kind)
   , Path(path)
@@ -48,7 +48,7 @@ InputFile::InputFile(const std::string& path, const ContainerKind& kind)
   this->ReadDirectory();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 InputFile::InputFile(const InputFile& whole, const StreamRef& section, const std::string& name)
   : Kind(whole.Kind)
   , Path(whole.Path)
@@ -64,7 +64,7 @@ InputFile::InputFile(const InputFile& whole, const StreamRef& section, const std
   this->ReadDirectory();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void InputFile::Fail(ErrorCode code, const std::string& what, std::optional<std::uint64_t> offset,
   const std::string& problem, int systemError) const
 {
@@ -75,7 +75,7 @@ void InputFile::Fail(ErrorCode code, const std::string& what, std::optional<std:
   throw Error(code, { this->Path, this->Part, what, offset, problem, systemError });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void InputFile::ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const
 {
   this->BytesRead += bytes.size();
@@ -92,7 +92,7 @@ void InputFile::ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) cons
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void InputFile::CheckInside(const StreamRef& stream, const std::string& what) const
 {
   if (stream.Offset > this->Size || stream.Length > this->Size - stream.Offset)
@@ -102,14 +102,14 @@ void InputFile::CheckInside(const StreamRef& stream, const std::string& what) co
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void InputFile::FailSum(const StreamRef& stream, const std::string& what) const
 {
   this->Fail(ErrorCode::Corrupt, what, stream.Offset,
     "(" + std::to_string(stream.Length) + " bytes) is damaged: its checksum is wrong");
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Bytes InputFile::Read(const StreamRef& stream, const std::string& what) const
 {
   this->CheckInside(stream, what);
@@ -122,7 +122,7 @@ Bytes InputFile::Read(const StreamRef& stream, const std::string& what) const
   return bytes;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void InputFile::CheckSum(const StreamRef& stream, const std::string& what) const
 {
   this->CheckInside(stream, what);
@@ -141,7 +141,7 @@ void InputFile::CheckSum(const StreamRef& stream, const std::string& what) const
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool InputFile::IsReadable(const SectionRef& section) const
 {
   const auto& known = this->Kind.Sections;
@@ -149,7 +149,7 @@ bool InputFile::IsReadable(const SectionRef& section) const
     section.Version == SectionVersion;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Reads and checks signature and version. */
 void InputFile::ReadHeader(std::span<std::uint8_t, HeaderSize> header)
 {
@@ -187,7 +187,7 @@ void InputFile::ReadHeader(std::span<std::uint8_t, HeaderSize> header)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Reads the directory by means of the trailer. Returns the position of the directory. */
 StreamRef InputFile::ReadTrailer(std::span<const std::uint8_t> header, Bytes& directory) const
 {
@@ -222,7 +222,7 @@ StreamRef InputFile::ReadTrailer(std::span<const std::uint8_t> header, Bytes& di
   return where;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void InputFile::ReadSections(const Bytes& directory)
 {
   ByteReader list(directory);
@@ -245,7 +245,7 @@ void InputFile::ReadSections(const Bytes& directory)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void InputFile::ReadDirectory()
 {
   std::array<std::uint8_t, HeaderSize> header{};
@@ -267,7 +267,7 @@ void InputFile::ReadDirectory()
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<StreamRef> InputFile::FindSections(FourCC name) const
 {
   std::vector<StreamRef> found;
@@ -281,7 +281,7 @@ std::vector<StreamRef> InputFile::FindSections(FourCC name) const
   return found;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 StreamRef InputFile::FindSection(FourCC name, const char* what) const
 {
   const auto found = this->FindSections(name);
@@ -294,7 +294,7 @@ StreamRef InputFile::FindSection(FourCC name, const char* what) const
   return found.front();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void InputFile::CheckSections(const std::function<bool(double)>& progress) const
 {
   std::uint64_t next = HeaderSize;

@@ -9,7 +9,7 @@
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Bytes WriteLayers(const Layers& layers, const MetaTable& meta)
 {
   // Files number the length of the tuple behind the components.
@@ -32,7 +32,7 @@ Bytes WriteLayers(const Layers& layers, const MetaTable& meta)
   return Pack(out, SmallTable);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Layers ReadLayers(std::span<const std::uint8_t> bytes, const MetaTable& meta, const MeshTable& mesh)
 {
   const auto data = Unpack(bytes, SmallTable);
@@ -73,7 +73,7 @@ Layers ReadLayers(std::span<const std::uint8_t> bytes, const MetaTable& meta, co
   return layers;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool IsInside(const Layers& layers, const LayerSpan& span, const Range& values)
 {
   return values.IsEmpty() ||

@@ -24,7 +24,7 @@ void ReadInParts(const AtomicFile& file, Use&& use)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 OutputFile::OutputFile(const std::string& path, bool replaceReadOnly, std::uint16_t minorVersion,
   const ContainerKind& kind)
   : Kind(kind)
@@ -34,7 +34,7 @@ OutputFile::OutputFile(const std::string& path, bool replaceReadOnly, std::uint1
   this->Data.Write(this->Header);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 OutputFile::OutputFile(const OutputFile& whole, std::uint16_t minorVersion)
   : Kind(whole.Kind)
   , Data(AtomicFile::MakeScratch(whole.Data))
@@ -43,7 +43,7 @@ OutputFile::OutputFile(const OutputFile& whole, std::uint16_t minorVersion)
   this->Data.Write(this->Header);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t OutputFile::AddSection(
   FourCC name, std::span<const std::uint8_t> payload, std::uint16_t flags)
 {
@@ -61,7 +61,7 @@ std::uint64_t OutputFile::AddSection(
   return section.Payload.Offset;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t OutputFile::AddSection(FourCC name, OutputFile& part)
 {
   part.WriteEnd();
@@ -81,7 +81,7 @@ std::uint64_t OutputFile::AddSection(FourCC name, OutputFile& part)
   return part.Data.GetSize();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void OutputFile::WriteEnd()
 {
   ByteWriter directory;
@@ -99,7 +99,7 @@ void OutputFile::WriteEnd()
   this->Data.Write(trailer.Data);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t OutputFile::Commit()
 {
   this->WriteEnd();

@@ -19,7 +19,7 @@ std::uint64_t GetLimit(std::span<const std::uint8_t> packed, std::uint64_t small
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void PutStream(ByteWriter& out, const StreamRef& stream)
 {
   out.PutVarint(stream.Length);
@@ -30,7 +30,7 @@ void PutStream(ByteWriter& out, const StreamRef& stream)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 StreamRef GetStream(ByteReader& in)
 {
   StreamRef stream;
@@ -43,14 +43,14 @@ StreamRef GetStream(ByteReader& in)
   return stream;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void PutRange(ByteWriter& out, const Range& range)
 {
   out.Put(range.Min);
   out.Put(range.Max);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Range GetRange(ByteReader& in)
 {
   Range range;
@@ -60,7 +60,7 @@ Range GetRange(ByteReader& in)
   return range;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint32_t GetSmall(ByteReader& in)
 {
   const auto value = in.GetVarint();
@@ -68,7 +68,7 @@ std::uint32_t GetSmall(ByteReader& in)
   return static_cast<std::uint32_t>(value);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Bytes Pack(const ByteWriter& out, std::uint64_t small)
 {
   auto packed = Compress(out.Data);
@@ -79,7 +79,7 @@ Bytes Pack(const ByteWriter& out, std::uint64_t small)
   return packed;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Bytes Unpack(std::span<const std::uint8_t> bytes, std::uint64_t small)
 {
   return Decompress(bytes, GetLimit(bytes, small));

@@ -89,7 +89,7 @@ void CheckValues(const ArrayDescription& array, std::uint64_t tuples, const Stre
 
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Bytes MetaTable::Write() const
 {
   ByteWriter out;
@@ -162,7 +162,7 @@ MetaTable MetaTable::Read(std::span<const std::uint8_t> bytes)
   return meta;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Bytes MeshTable::Write(std::uint8_t keep) const
 {
   ByteWriter out;
@@ -432,7 +432,7 @@ std::vector<std::uint32_t> MeshTable::GetSharedUsers(std::size_t chunk) const
   return users;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool ArrayStep::HasPalette() const
 {
   return std::any_of(
@@ -529,7 +529,7 @@ StepTable StepTable::Read(
   return step;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Bytes WriteFieldData(const FieldData& field)
 {
   ByteWriter out;

@@ -38,7 +38,7 @@ void PutAscending(ByteWriter& out, const std::vector<std::uint32_t>& numbers)
 constexpr std::uint64_t RangeBytes = 16;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Bytes TreeTable::Write() const
 {
   ByteWriter out;
@@ -59,7 +59,7 @@ Bytes TreeTable::Write() const
   return Pack(out, SmallTable);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 TreeTable TreeTable::Read(
   std::span<const std::uint8_t> bytes, const MetaTable& meta, const MeshTable& mesh)
 {
@@ -92,14 +92,14 @@ TreeTable TreeTable::Read(
   return tree;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::size_t TreeTable::FindRung(std::size_t merges) const
 {
   return static_cast<std::size_t>(
     std::lower_bound(this->Rungs.begin(), this->Rungs.end(), merges) - this->Rungs.begin());
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Bytes TreeStepTable::Write() const
 {
   ByteWriter out;
@@ -119,7 +119,7 @@ Bytes TreeStepTable::Write() const
   return Pack(out, SmallStep);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 TreeStepTable TreeStepTable::Read(std::span<const std::uint8_t> bytes, const MetaTable& meta,
   const MeshTable& mesh, const TreeTable& tree)
 {

@@ -201,7 +201,7 @@ private:
 
   Integer& GetMean(std::size_t block) const { return this->Integers[block * this->BlockLength]; }
 
-  //------------------------------------------------------------------------------------------------
+  //----------------------------------------------------------------------------
   /** Codes the values of frequency 0, predicted from those of the previous block along each axis.
    */
   void CodeMeans()
@@ -281,7 +281,7 @@ private:
     }
   }
 
-  //------------------------------------------------------------------------------------------------
+  //----------------------------------------------------------------------------
   /** Codes the position after which all values of a block are 0, for each block. */
   void CodeEnds()
   {
@@ -360,7 +360,7 @@ private:
     return begin + length;
   }
 
-  //------------------------------------------------------------------------------------------------
+  //----------------------------------------------------------------------------
   void SetBlock(const Triple& place, std::size_t block)
   {
     this->Block = this->GetBlock(block).data();
@@ -548,7 +548,7 @@ private:
 };
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Bytes EncodeHartleyBlocks(
   const HartleyOrder& order, const Triple& grid, std::span<const std::int64_t> integers)
 {
@@ -557,7 +557,7 @@ Bytes EncodeHartleyBlocks(
   return coder.Finish();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void DecodeHartleyBlocks(const HartleyOrder& order, const Triple& grid,
   std::span<const std::uint8_t> stream, std::span<std::int64_t> integers)
 {
@@ -565,7 +565,7 @@ void DecodeHartleyBlocks(const HartleyOrder& order, const Triple& grid,
   Walk<EntropyDecoder, std::int64_t>(coder, order, grid, integers).CodeBlocks();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::size_t GetLeastHartleySegmentBytes(std::size_t blockLength, std::size_t segment)
 {
   constexpr std::size_t positionsPerByte = 1024;
@@ -573,7 +573,7 @@ std::size_t GetLeastHartleySegmentBytes(std::size_t blockLength, std::size_t seg
   return std::min<std::size_t>(rest, HartleyOrder::SegmentLength) / positionsPerByte;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Bytes EncodeHartleySegment(
   const HartleyOrder& order, std::size_t segment, std::span<const std::int64_t> integers)
 {
@@ -583,7 +583,7 @@ Bytes EncodeHartleySegment(
   return coder.Finish();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void DecodeHartleySegment(const HartleyOrder& order, std::size_t segment,
   std::span<const std::uint8_t> stream, std::span<std::int64_t> integers)
 {

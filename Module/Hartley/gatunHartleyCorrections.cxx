@@ -80,7 +80,7 @@ void ForEachVoxel(const HartleyLayout& layout, const HartleyLayout::Triple& plac
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Bytes EncodeHartleyCorrections(const VolumeInput& input, const HartleyLayout& layout,
   std::size_t chunk, const HartleyQuantizer& quantizer, const Range& range,
   std::span<const std::int64_t> integers)
@@ -104,7 +104,7 @@ Bytes EncodeHartleyCorrections(const VolumeInput& input, const HartleyLayout& la
   return coder.Finish();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyCorrector::HartleyCorrector(
   std::span<const std::uint8_t> stream, const HartleyLayout& layout, const Range& range)
   : Coder(stream)
@@ -113,7 +113,7 @@ HartleyCorrector::HartleyCorrector(
 {
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyCorrector::Correct(const HartleyLayout::Triple& place, std::span<double> values)
 {
   ForEachVoxel(this->Layout, place,

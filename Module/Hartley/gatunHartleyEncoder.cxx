@@ -132,7 +132,7 @@ HartleyEncoder::Progress GetAttempt(const HartleyEncoder::Progress& progress, in
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyEncoder::HartleyEncoder(const VolumeInput& input, std::uint32_t blockSize,
   const HartleyRateControl& control, const Progress& progress)
   : Input(input)
@@ -185,7 +185,7 @@ HartleyEncoder::HartleyEncoder(const VolumeInput& input, std::uint32_t blockSize
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyEncoder::CheckQuality() const
 {
   const auto check = [](const char* what, double value, double least, double most)
@@ -217,20 +217,20 @@ void HartleyEncoder::CheckQuality() const
   check("the frequency weight", this->RateControl.FrequencyWeight, 0, 4);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool HartleyEncoder::IsLossless() const
 {
   return this->RateControl.Mode == HartleyRateMode::RMSError && this->RateControl.Value == 0;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 double HartleyEncoder::GetNumberOfVoxels() const
 {
   const auto& size = this->Layout.Size;
   return static_cast<double>(size[0]) * size[1] * size[2];
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyEncoder::Transform(const Progress& progress)
 {
   // A volume of one block is always kept: the search would transform it in each attempt.
@@ -245,7 +245,7 @@ void HartleyEncoder::Transform(const Progress& progress)
   this->Kept = std::move(kept);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::vector<double> HartleyEncoder::GetCoefficients(std::size_t chunk) const
 {
   const auto voxels = this->Layout.GetVoxelsPerBlock();
@@ -261,7 +261,7 @@ std::vector<double> HartleyEncoder::GetCoefficients(std::size_t chunk) const
   return values;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyEncoder::ChooseSample()
 {
   const auto chunks = this->Layout.GetNumberOfChunks();
@@ -278,7 +278,7 @@ void HartleyEncoder::ChooseSample()
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Sets the step and measures its shifts. */
 void HartleyEncoder::SetStep(double step)
 {
@@ -319,7 +319,7 @@ void HartleyEncoder::SetStep(double step)
   this->Quantizer = std::move(quantizer);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Root mean square error of the sample's coefficients, which equals that of its voxels before
  * rounding. */
 double HartleyEncoder::GetSampleError() const
@@ -357,7 +357,7 @@ double HartleyEncoder::GetSampleError() const
   return std::sqrt(sum / count);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 double HartleyEncoder::GetError(const Progress& progress) const
 {
   std::vector<VoxelErrors> errors(this->Layout.GetNumberOfChunks());
@@ -373,7 +373,7 @@ double HartleyEncoder::GetError(const Progress& progress) const
   return std::sqrt(all.Squares / this->GetNumberOfVoxels());
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** A step for which all coefficients are quantized to 0. */
 double HartleyEncoder::GetLargestStep() const
 {
@@ -381,7 +381,7 @@ double HartleyEncoder::GetLargestStep() const
     std::sqrt(static_cast<double>(this->Layout.GetVoxelsPerBlock()));
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Approximates the largest step whose error is at most target. */
 void HartleyEncoder::FindStepOfError(double target, const Progress& progress)
 {
@@ -408,7 +408,7 @@ void HartleyEncoder::FindStepOfError(double target, const Progress& progress)
   this->SetStep(step);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Approximates the step for which the file has target bits per voxel. */
 void HartleyEncoder::FindStepOfRate(double target, const Progress& progress)
 {
@@ -435,7 +435,7 @@ void HartleyEncoder::FindStepOfRate(double target, const Progress& progress)
   this->SetStep(step);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Estimates the bits per voxel of a file from some of its chunks. */
 double HartleyEncoder::GetRate(
   const std::vector<std::size_t>& chunks, const Progress& progress) const
@@ -458,7 +458,7 @@ double HartleyEncoder::GetRate(
     8 * static_cast<double>(BytesOfFile) / this->GetNumberOfVoxels();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyIntegers HartleyEncoder::GetIntegers(std::size_t chunk) const
 {
   std::vector<double> made;
@@ -477,7 +477,7 @@ HartleyIntegers HartleyEncoder::GetIntegers(std::size_t chunk) const
   return integers;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 VoxelErrors HartleyEncoder::GetErrors(std::size_t chunk, const HartleyIntegers& integers) const
 {
   if (this->IsLossless() && !IsFloating(this->Input.Type))
@@ -499,7 +499,7 @@ VoxelErrors HartleyEncoder::GetErrors(std::size_t chunk, const HartleyIntegers& 
   return errors;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const HartleyOrder& HartleyEncoder::GetOrder() const
 {
   std::call_once(this->OrderIsMade,
@@ -507,7 +507,7 @@ const HartleyOrder& HartleyEncoder::GetOrder() const
   return *this->Order;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 EncodedHartleyChunk HartleyEncoder::Encode(std::size_t chunk, const HartleyIntegers& integers) const
 {
   const auto& order = this->GetOrder();
@@ -538,7 +538,7 @@ EncodedHartleyChunk HartleyEncoder::Encode(std::size_t chunk, const HartleyInteg
   return encoded;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t EncodedHartleyChunk::GetBytes() const
 {
   std::uint64_t bytes = this->Corrections.size() + HartleyEncoder::BytesOfStream;
@@ -549,7 +549,7 @@ std::uint64_t EncodedHartleyChunk::GetBytes() const
   return bytes;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::shared_ptr<const HartleyChunk> HartleyEncoder::MakeTerms(
   const HartleyQuantizer& quantizer, std::size_t voxelsPerBlock, const HartleyIntegers& integers)
 {

@@ -32,7 +32,7 @@ std::string GetChunkName(std::size_t chunk)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 struct HartleyFile::Internals
 {
   explicit Internals(const std::string& path);
@@ -79,7 +79,7 @@ private:
   mutable std::unique_ptr<const HartleyQuantizer> Quantizer;
 };
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyFile::Internals::Internals(const std::string& path)
   : File(path, VolumeContainer)
 {
@@ -119,7 +119,7 @@ HartleyFile::Internals::Internals(const std::string& path)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const HartleyOrder& HartleyFile::Internals::GetOrder() const
 {
   std::call_once(this->OrderIsMade,
@@ -127,7 +127,7 @@ const HartleyOrder& HartleyFile::Internals::GetOrder() const
   return *this->Order;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const HartleyQuantizer& HartleyFile::Internals::GetQuantizer() const
 {
   std::call_once(this->QuantizerIsMade,
@@ -139,7 +139,7 @@ const HartleyQuantizer& HartleyFile::Internals::GetQuantizer() const
   return *this->Quantizer;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyIntegers HartleyFile::Internals::GetIntegers(std::size_t chunk) const
 {
   const auto& entry = this->Table.Chunks[chunk];
@@ -176,7 +176,7 @@ HartleyIntegers HartleyFile::Internals::GetIntegers(std::size_t chunk) const
   return integers;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 template <typename IsWanted, typename Use>
 void HartleyFile::Internals::DecodeBlocks(std::size_t chunk, IsWanted&& isWanted, Use&& use) const
 {
@@ -219,64 +219,64 @@ void HartleyFile::Internals::DecodeBlocks(std::size_t chunk, IsWanted&& isWanted
     });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool HartleyFile::CanRead(const std::string& path) noexcept
 {
   return BeginsAs(path, VolumeContainer);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyFile::HartleyFile(const std::string& path)
   : Data(std::make_unique<Internals>(path))
 {
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyFile::~HartleyFile() = default;
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const std::string& HartleyFile::GetPath() const
 {
   return this->Data->File.GetPath();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const VolumeInput& HartleyFile::GetVolume() const
 {
   return this->Data->Meta.Volume;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const HartleyRateControl& HartleyFile::GetRateControl() const
 {
   return this->Data->Meta.RateControl;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 bool HartleyFile::IsLossless() const
 {
   return this->Data->Meta.Lossless;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const std::string& HartleyFile::GetWriterVersion() const
 {
   return this->Data->Meta.WriterVersion;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::pair<int, int> HartleyFile::GetFormatVersion() const
 {
   return { this->Data->File.GetMajor(), this->Data->File.GetMinor() };
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t HartleyFile::GetFileBytes() const
 {
   return this->Data->File.GetSize();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t HartleyFile::GetNumberOfTerms() const
 {
   std::uint64_t terms = 0;
@@ -287,49 +287,49 @@ std::uint64_t HartleyFile::GetNumberOfTerms() const
   return terms;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 double HartleyFile::GetRMSError() const
 {
   return this->Data->Meta.RMSError;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 double HartleyFile::GetMaximumError() const
 {
   return this->Data->Meta.MaximumError;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t HartleyFile::GetChunkBytes(std::size_t chunk) const
 {
   return this->Data->Table.Chunks[chunk].GetBytes();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t HartleyFile::GetBytesRead() const
 {
   return this->Data->File.GetBytesRead();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 const HartleyLayout& HartleyFile::GetLayout() const
 {
   return this->Data->GetLayout();
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 double HartleyFile::GetBase() const
 {
   return this->Data->Meta.Values.Min;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Range HartleyFile::GetRange() const
 {
   return this->Data->Meta.Values;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::shared_ptr<const HartleyChunk> HartleyFile::GetChunk(std::size_t chunk) const
 {
   const auto& self = *this->Data;
@@ -341,7 +341,7 @@ std::shared_ptr<const HartleyChunk> HartleyFile::GetChunk(std::size_t chunk) con
     });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyFile::GetVoxels(const HartleyLayout::Triple& first, const HartleyLayout::Triple& end,
   void* values, const std::function<bool(double)>& progress) const
 {
@@ -393,7 +393,7 @@ void HartleyFile::GetVoxels(const HartleyLayout::Triple& first, const HartleyLay
     progress);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyFile::Verify(const std::function<bool(double)>& progress) const
 {
   constexpr double sums = 0.2; // of the time

@@ -50,7 +50,7 @@ HartleyLayout::Triple Divide(const HartleyLayout::Triple& whole, const HartleyLa
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyLayout HartleyLayout::Make(const Triple& size, std::uint32_t blockSize)
 {
   if (size[0] == 0 || size[1] == 0 || size[2] == 0)
@@ -92,37 +92,37 @@ HartleyLayout HartleyLayout::Make(const Triple& size, std::uint32_t blockSize)
   return layout;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyLayout::Triple HartleyLayout::GetBlocks() const
 {
   return Divide(this->Size, this->Block);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyLayout::Triple HartleyLayout::GetChunks() const
 {
   return Divide(this->GetBlocks(), this->Chunk);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::size_t HartleyLayout::GetNumberOfBlocks() const
 {
   return GetProduct(this->GetBlocks());
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::size_t HartleyLayout::GetNumberOfChunks() const
 {
   return GetProduct(this->GetChunks());
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::size_t HartleyLayout::GetVoxelsPerBlock() const
 {
   return GetProduct(this->Block);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyLayout::Box HartleyLayout::GetBlocksOfChunk(std::size_t chunk) const
 {
   const auto place = GetPlace(chunk, this->GetChunks());
@@ -136,19 +136,19 @@ HartleyLayout::Box HartleyLayout::GetBlocksOfChunk(std::size_t chunk) const
   return box;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::size_t HartleyLayout::GetBlockNumber(const Triple& place) const
 {
   return GetNumber(place, this->GetBlocks());
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyLayout::Triple HartleyLayout::GetBlockPlace(std::size_t block) const
 {
   return GetPlace(block, this->GetBlocks());
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::size_t HartleyLayout::GetChunkOfBlock(const Triple& place) const
 {
   return GetNumber(
@@ -156,7 +156,7 @@ std::size_t HartleyLayout::GetChunkOfBlock(const Triple& place) const
     this->GetChunks());
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyLayout::Triple HartleyLayout::GetFilled(const Triple& place) const
 {
   Triple filled{};

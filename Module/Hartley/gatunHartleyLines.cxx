@@ -22,7 +22,7 @@ double GetFrequency(std::size_t index, std::size_t length)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyLines::HartleyLines(std::uint32_t length)
   : Length(length)
 {
@@ -57,10 +57,10 @@ HartleyLines::HartleyLines(std::uint32_t length)
   this->Fast = std::make_unique<FourierTransform>(this->Length);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyLines::~HartleyLines() = default;
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyLines::Transform(double* values, std::size_t lineStride, std::size_t stride,
   std::size_t count, bool forward, Memory& memory) const
 {
@@ -78,7 +78,7 @@ void HartleyLines::Transform(double* values, std::size_t lineStride, std::size_t
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyLines::MultiplySideBySide(
   double* values, std::size_t stride, std::size_t count, bool forward, Memory& memory) const
 {
@@ -106,7 +106,7 @@ void HartleyLines::MultiplySideBySide(
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyLines::MultiplyInRow(
   double* values, std::size_t lineStride, std::size_t count, bool forward, Memory& memory) const
 {
@@ -131,7 +131,7 @@ void HartleyLines::MultiplyInRow(
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyLines::TransformFast(double* values, std::size_t lineStride, std::size_t stride,
   std::size_t count, bool forward, Memory& memory) const
 {
@@ -194,7 +194,7 @@ void HartleyLines::TransformFast(double* values, std::size_t lineStride, std::si
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /** Moves the origin of the coefficients between the first value and the center. */
 void HartleyLines::Rotate(double* values, bool forward) const
 {

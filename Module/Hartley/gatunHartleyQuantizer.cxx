@@ -28,7 +28,7 @@ double GetSquare(std::uint32_t index, std::uint32_t size)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyQuantizer::HartleyQuantizer(const HartleyLayout::Triple& block, const HartleySteps& steps)
   : Steps(steps)
 {
@@ -52,7 +52,7 @@ HartleyQuantizer::HartleyQuantizer(const HartleyLayout::Triple& block, const Har
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyQuantizer::Quantize(
   std::span<const double> coefficients, std::span<std::int64_t> integers) const
 {
@@ -88,7 +88,7 @@ void HartleyQuantizer::Quantize(
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyQuantizer::Restore(
   std::span<const std::int64_t> integers, std::span<double> coefficients) const
 {
@@ -98,7 +98,7 @@ void HartleyQuantizer::Restore(
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyShiftSums::Add(const HartleyQuantizer& quantizer, std::span<const double> coefficients,
   std::span<const std::int64_t> integers)
 {
@@ -115,7 +115,7 @@ void HartleyShiftSums::Add(const HartleyQuantizer& quantizer, std::span<const do
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyShiftSums::Add(const HartleyShiftSums& other)
 {
   for (std::size_t kind = 0; kind < this->Sums.size(); ++kind)
@@ -125,7 +125,7 @@ void HartleyShiftSums::Add(const HartleyShiftSums& other)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::array<double, 3> HartleyShiftSums::Get() const
 {
   std::array<double, 3> shifts{};

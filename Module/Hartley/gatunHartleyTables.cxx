@@ -102,14 +102,14 @@ constexpr std::uint64_t StreamBytes = 10;
 constexpr std::uint64_t ChunkBytes = 1;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::size_t CountHartleyStreams(const HartleyLayout& layout)
 {
   return (layout.GetVoxelsPerBlock() + HartleyOrder::SegmentLength - 1) /
     HartleyOrder::SegmentLength;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Bytes HartleyMeta::Write() const
 {
   ByteWriter out;
@@ -154,7 +154,7 @@ Bytes HartleyMeta::Write() const
   return std::move(out.Data);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyMeta HartleyMeta::Read(std::span<const std::uint8_t> bytes)
 {
   ByteReader in(bytes);
@@ -242,7 +242,7 @@ HartleyMeta HartleyMeta::Read(std::span<const std::uint8_t> bytes)
   return meta;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t HartleyChunkEntry::GetBytes() const
 {
   std::uint64_t bytes = this->Corrections.Length;
@@ -253,7 +253,7 @@ std::uint64_t HartleyChunkEntry::GetBytes() const
   return bytes;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Bytes HartleyTable::Write(const HartleyMeta& meta) const
 {
   ByteWriter out;
@@ -273,7 +273,7 @@ Bytes HartleyTable::Write(const HartleyMeta& meta) const
   return std::move(out.Data);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyTable HartleyTable::Read(std::span<const std::uint8_t> bytes, const HartleyMeta& meta)
 {
   ByteReader in(bytes);

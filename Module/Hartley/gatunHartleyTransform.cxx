@@ -36,7 +36,7 @@ Opposite GetOpposite(std::uint32_t index, std::uint32_t size)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 /**
  * Transforms lines along x, y and z in one dimension, which gives products of three cas. With
  *
@@ -85,7 +85,7 @@ struct HartleyTransform::Internals
   std::vector<double> Rows;
 };
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyTransform::Internals::TransformLines(
   unsigned axis, bool forward, std::span<double> values)
 {
@@ -123,7 +123,7 @@ void HartleyTransform::Internals::TransformLines(
     });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyTransform::Internals::CombineRows(
   std::uint32_t v, std::uint32_t w, std::span<double> values, std::vector<double>& memory) const
 {
@@ -181,7 +181,7 @@ void HartleyTransform::Internals::CombineRows(
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyTransform::Internals::CombineReflections(std::span<double> values)
 {
   // In fewer than two dimensions, the product is the Hartley transform.
@@ -199,7 +199,7 @@ void HartleyTransform::Internals::CombineReflections(std::span<double> values)
     });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyTransform::HartleyTransform(const HartleyLayout::Triple& size)
   : Data(std::make_unique<Internals>())
 {
@@ -214,10 +214,10 @@ HartleyTransform::HartleyTransform(const HartleyLayout::Triple& size)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyTransform::~HartleyTransform() = default;
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyTransform::Forward(std::span<double> values)
 {
   assert(values.size() == this->Data->Count);
@@ -228,7 +228,7 @@ void HartleyTransform::Forward(std::span<double> values)
   this->Data->CombineReflections(values);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void HartleyTransform::Inverse(std::span<double> values)
 {
   assert(values.size() == this->Data->Count);

@@ -7,7 +7,7 @@
 
 namespace gatun
 {
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::shared_ptr<const HartleyVolume> HartleyVolume::Make(const VolumeInput& input,
   std::uint32_t blockSize, const HartleyRateControl& control,
   const std::function<bool(double)>& progress)
@@ -38,7 +38,7 @@ std::shared_ptr<const HartleyVolume> HartleyVolume::Make(const VolumeInput& inpu
   return volume;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 std::uint64_t HartleyVolume::GetNumberOfTerms() const
 {
   std::uint64_t terms = 0;

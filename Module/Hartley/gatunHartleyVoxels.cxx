@@ -45,7 +45,7 @@ void ForEachRow(const HartleyLayout& layout, const Triple& place, Row&& row)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Range GetVoxelRange(const VolumeInput& input, const std::function<bool(double)>& progress)
 {
   const std::size_t slice = std::size_t{ input.Size[0] } * input.Size[1];
@@ -115,7 +115,7 @@ Range GetVoxelRange(const VolumeInput& input, const std::function<bool(double)>&
   return range;
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void LoadBlock(const VolumeInput& input, const HartleyLayout& layout, const Triple& place,
   double base, std::span<double> values)
 {
@@ -137,7 +137,7 @@ void LoadBlock(const VolumeInput& input, const HartleyLayout& layout, const Trip
     });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void StoreBlock(std::span<const double> values, const HartleyLayout& layout, const Triple& place,
   double base, const Range& range, const VoxelBox& box)
 {
@@ -185,14 +185,14 @@ void StoreBlock(std::span<const double> values, const HartleyLayout& layout, con
     });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void VoxelErrors::Add(const VoxelErrors& other)
 {
   this->Squares += other.Squares;
   this->Largest = std::max(this->Largest, other.Largest);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 VoxelErrors CompareBlock(std::span<const double> values, const VolumeInput& input,
   const HartleyLayout& layout, const Triple& place, double base, const Range& range)
 {

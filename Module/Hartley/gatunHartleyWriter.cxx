@@ -63,7 +63,7 @@ private:
 };
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 HartleyWritten WriteHartleyFile(const std::string& path, const VolumeInput& volume,
   const HartleyWriterOptions& options, const std::function<bool(double)>& progress)
 {

@@ -45,8 +45,7 @@ void LocalMergeInput::OrderPoints(const MergeInput& input)
     {
       if (std::isfinite(point[axis]))
       {
-        box[axis].Min = std::min(box[axis].Min, point[axis]);
-        box[axis].Max = std::max(box[axis].Max, point[axis]);
+        box[axis].Include(point[axis]);
       }
     }
   }

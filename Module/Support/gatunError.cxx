@@ -37,14 +37,14 @@ std::string MakeMessage(const ErrorDetails& details)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Error::Error(ErrorCode code, const std::string& message)
   : std::runtime_error(message)
   , Code(code)
 {
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 Error::Error(ErrorCode code, const ErrorDetails& details)
   : std::runtime_error(MakeMessage(details))
   , Code(code)
@@ -54,13 +54,13 @@ Error::Error(ErrorCode code, const ErrorDetails& details)
 {
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void ThrowCorrupt(const std::string& message)
 {
   throw Error(ErrorCode::Corrupt, message);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 void ThrowInvalid(const std::string& message, const std::string& path)
 {
   throw Error(ErrorCode::InvalidInput, { .Path = path, .What = message });

@@ -138,7 +138,10 @@ Json::Value Description::GetJson() const
   }
   for (const Table& table : this->Tables)
   {
-    json[table.Key] = JsonOf(table);
+    if (table.Key)
+    {
+      json[table.Key] = JsonOf(table);
+    }
   }
   for (const auto& [key, part] : this->Parts)
   {

@@ -39,7 +39,7 @@ struct Column
   bool IsNumber = true; ///< aligned to the right in the text
 };
 
-/** Rows of entries; each row has one for each column. */
+/** Rows of entries; each row has one for each column. A table without a key is left out of JSON. */
 struct Table
 {
   const char* Key;

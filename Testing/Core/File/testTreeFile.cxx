@@ -4,17 +4,11 @@
 // Files with a merge tree. A mesh that is read after a number of merges must equal the result of
 // merging in memory.
 
-#include "gatunChunkCache.h"
 #include "gatunCoarseLayout.h"
-#include "gatunError.h"
 #include "gatunFileReaderInternals.h"
-#include "gatunMergeBuilder.h"
-#include "gatunMergeCodec.h"
 #include "gatunPieceDecoder.h"
-#include "gatunTestFile.h"
-#include "gatunTestMeshes.h"
+#include "gatunTreeFile.h"
 #include "gatunTreeLayout.h"
-#include "gatunVerifyFile.h"
 
 #include <gtest/gtest.h>
 
@@ -22,164 +16,16 @@
 #include <array>
 #include <limits>
 #include <map>
-#include <random>
 #include <set>
 
 namespace gatun::test
 {
 namespace
 {
-MergeTree BuildTree(const TestMesh& mesh)
-{
-  std::vector<std::array<double, 3>> points(mesh.GetPoints());
-  std::vector<MergeTree::Tet> tets(mesh.GetTets());
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    std::copy_n(&mesh.Coordinates[3 * i], 3, points[i].begin());
-  }
-  for (std::size_t i = 0; i < tets.size(); ++i)
-  {
-    std::copy_n(&mesh.Ids[4 * i], 4, tets[i].begin());
-  }
-  const Values values(mesh);
-  const std::vector<double> field(values.Field.begin(), values.Field.end());
-  return BuildMergeTree({ points, tets, { { field, 1 } } });
-}
-
-/** What is left of a mesh and its values: the points in their order, then the tetrahedra. */
-struct Left
-{
-  Left(const TestMesh& mesh, const Values& values, const MergeTree& tree, std::size_t merges)
-  {
-    const auto ancestors = tree.FindAncestors(merges);
-    std::vector<std::int64_t> places(ancestors.size());
-    for (std::size_t i = 0; i < ancestors.size(); ++i)
-    {
-      if (ancestors[i] == i)
-      {
-        places[i] = static_cast<std::int64_t>(this->PointIds.size());
-        this->PointIds.push_back(static_cast<std::int64_t>(i));
-        this->Mesh.Coordinates.insert(
-          this->Mesh.Coordinates.end(), &mesh.Coordinates[3 * i], &mesh.Coordinates[3 * i] + 3);
-        this->Field.push_back(values.Field[i]);
-        this->Vector.insert(this->Vector.end(), &values.Vector[3 * i], &values.Vector[3 * i] + 3);
-      }
-    }
-    for (std::size_t t = 0; t < mesh.GetTets(); ++t)
-    {
-      std::array<std::int64_t, 4> corners{};
-      for (std::size_t c = 0; c < 4; ++c)
-      {
-        corners[c] = places[ancestors[static_cast<std::size_t>(mesh.Ids[4 * t + c])]];
-      }
-      if (std::set<std::int64_t>(corners.begin(), corners.end()).size() == 4)
-      {
-        this->CellIds.push_back(static_cast<std::int64_t>(t));
-        this->Mesh.Ids.insert(this->Mesh.Ids.end(), corners.begin(), corners.end());
-        this->Material.push_back(values.Material[t]);
-      }
-    }
-  }
-
-  TestMesh Mesh;
-  std::vector<float> Field;
-  std::vector<double> Vector;
-  std::vector<std::int32_t> Material;
-  std::vector<std::int64_t> PointIds, CellIds;
-};
-
-/** Cubes, and two points that no tetrahedron has. */
-TestMesh MakeMesh(std::int64_t n)
-{
-  auto mesh = MakeCubes(n, 0.2);
-  mesh.Coordinates.insert(mesh.Coordinates.begin(), { 50, 51, 52 });
-  mesh.Coordinates.insert(mesh.Coordinates.end(), { 60, 61, 62 });
-  for (auto& id : mesh.Ids)
-  {
-    ++id;
-  }
-  return mesh;
-}
-
 std::vector<std::size_t> SomeMerges(const MergeTree& tree)
 {
   const auto all = tree.GetMerges().size();
   return { 1, all / 10, all / 3, all / 2, all * 9 / 10, all - 1, all };
-}
-
-void ExpectSame(const MergeTree& a, const MergeTree& b)
-{
-  ASSERT_EQ(a.GetNumberOfPoints(), b.GetNumberOfPoints());
-  ASSERT_EQ(a.GetMerges().size(), b.GetMerges().size());
-  for (std::size_t i = 0; i < a.GetMerges().size(); ++i)
-  {
-    const Merge& x = a.GetMerges()[i];
-    const Merge& y = b.GetMerges()[i];
-    ASSERT_TRUE(x.Point == y.Point && x.Into == y.Into && x.Error == y.Error) << i;
-  }
-}
-
-/** Merges of any points into any others, with errors of all magnitudes. */
-MergeTree MakeWildTree(std::uint32_t points, unsigned seed)
-{
-  std::mt19937 random(seed);
-  std::vector<std::uint32_t> left(points);
-  std::iota(left.begin(), left.end(), 0u);
-  std::shuffle(left.begin(), left.end(), random);
-  std::vector<Merge> merges;
-  const float errors[] = { 0, std::numeric_limits<float>::denorm_min(), 1e-20f, 1, 1e30f,
-    std::numeric_limits<float>::max(), std::numeric_limits<float>::infinity() };
-  while (left.size() > 1)
-  {
-    const auto point = left.back();
-    left.pop_back();
-    const auto done = merges.size() * std::size(errors) / points;
-    merges.push_back({ point, left[random() % left.size()], errors[done] });
-  }
-  return { points, std::move(merges) };
-}
-
-TEST(TreeFile, StreamOfMergesGivesThemBack)
-{
-  for (const std::uint32_t points : { 0u, 1u, 2u, 3u, 4u, 5u, 7u, 8u, 9u, 1000u, 65537u })
-  {
-    const auto tree = MakeWildTree(points, points);
-    const auto stream = EncodeMerges(tree, points);
-    ExpectSame(
-      tree, DecodeMerges(stream, points, static_cast<std::uint32_t>(tree.GetMerges().size())));
-  }
-}
-
-TEST(TreeFile, DamagedStreamsOfMergesAreRefusedOrGiveATree)
-{
-  const auto tree = MakeWildTree(500, 5);
-  const auto good = EncodeMerges(tree, 500);
-  std::mt19937 random(3);
-  std::size_t refused = 0;
-  for (int i = 0; i < 3000; ++i)
-  {
-    auto bad = good;
-    if (i % 3 == 0)
-    {
-      bad.resize(random() % bad.size());
-    }
-    else
-    {
-      bad[random() % bad.size()] ^= static_cast<std::uint8_t>(1u << random() % 8);
-    }
-    try
-    {
-      const auto other = DecodeMerges(bad, 500, 499);
-      EXPECT_EQ(other.GetMerges().size(), 499u); // checked by its constructor
-    }
-    catch (const Error& error)
-    {
-      EXPECT_EQ(error.Code, ErrorCode::Corrupt);
-      ++refused;
-    }
-  }
-  EXPECT_GT(refused, 2000u);
-  EXPECT_THROW(DecodeMerges(good, 498, 499), Error);
 }
 
 class TreeFileRead : public testing::TestWithParam<std::pair<std::uint32_t, std::uint8_t>>
@@ -674,106 +520,5 @@ INSTANTIATE_TEST_SUITE_P(Files, TreeFileRead,
   testing::Values(std::pair{ 64u, KeepNone }, std::pair{ 64u, KeepAll },
     std::pair{ 700u, KeepNone }, std::pair{ 100000u, KeepAll }, std::pair{ 300u, KeepPoints },
     std::pair{ 300u, KeepCells }));
-
-TEST(TreeFile, BaseMeshesAreWhatIsLeft)
-{
-  const auto mesh = MakeMesh(22); // 63,888 tetrahedra
-  const auto tree = BuildTree(mesh);
-  const auto path = TempPath("levels.gtn");
-  WriterOptions options;
-  options.ChunkTets = 5000;
-  options.Tree = &tree;
-  options.Levels = 8;
-  Write(path, mesh, options, 2);
-  const auto file = std::make_shared<const FileReader>(path);
-  ASSERT_GE(file->GetLevels().size(), 2u);
-  EXPECT_TRUE(VerifyFile(*file));
-  for (std::size_t i = 0; i < file->GetLevels().size(); ++i)
-  {
-    const auto level = file->OpenLevel(i);
-    const auto merges = file->GetLevels()[i];
-    const auto half = (mesh.GetPoints() + (std::size_t{ 2 } << i) - 1) >> (i + 1);
-    EXPECT_EQ(level->GetNumberOfPoints(), half);
-    const auto rest = std::make_shared<const MergeTree>(level->GetMergeTree());
-    EXPECT_EQ(rest->GetMerges().size(), tree.GetMerges().size() - merges);
-    for (const std::size_t more : { std::size_t{ 0 }, rest->GetMerges().size() / 3 })
-    {
-      auto request = AskForAll(*level);
-      request.Step = 1;
-      request.Merges = more;
-      request.Tree = rest;
-      PieceDecoder decoder(level);
-      const Piece piece(decoder, request);
-      const Left left(mesh, Values(mesh, 0.25), tree, merges + more);
-      EXPECT_EQ(piece.Mesh.GetPoints(), left.Mesh.GetPoints());
-      EXPECT_EQ(GetCells(piece.Mesh, piece), GetCells(left.Mesh, left)) << i << " " << more;
-    }
-  }
-}
-
-TEST(TreeFile, MoreMergesThanThereAreAreRefused)
-{
-  const auto mesh = MakeMesh(4);
-  const auto tree = BuildTree(mesh);
-  const auto path = TempPath("few.gtn");
-  WriterOptions options;
-  options.Tree = &tree;
-  Write(path, mesh, options);
-  const FileReader file(path);
-  const auto all = file.GetNumberOfMerges();
-  EXPECT_NO_THROW(file.GetChunkBounds(0, all));
-  EXPECT_NO_THROW(file.GetChunkRanges(0, 0, 0, all));
-  EXPECT_THROW(file.GetChunkBounds(0, all + 1), Error);
-  EXPECT_THROW(file.GetChunkRanges(0, 0, 0, all + 1), Error);
-  EXPECT_NO_THROW(file.GetChunkRanges(2, 0, 0, all + 1)); // values of cells stay as they are
-  EXPECT_THROW(file.OpenLevel(0), Error);
-}
-
-TEST(TreeFile, MeshesThatCannotBeSimplifiedHaveATreeWithoutMerges)
-{
-  const auto mesh = MakeSoup(40, 200);
-  const MergeTree tree(40, {});
-  const auto path = TempPath("stiff.gtn");
-  WriterOptions options;
-  options.Tree = &tree;
-  options.Levels = 3;
-  Write(path, mesh, options);
-  const FileReader file(path);
-  EXPECT_TRUE(file.HasMergeTree());
-  EXPECT_EQ(file.GetNumberOfMerges(), 0u);
-  EXPECT_TRUE(file.GetLevels().empty());
-  EXPECT_EQ(file.GetMergeTree().GetNumberOfPoints(), 40u);
-  EXPECT_TRUE(VerifyFile(file));
-}
-
-TEST(TreeFile, FilesWithoutATreeSayThatThereIsNone)
-{
-  const auto mesh = MakeMesh(3);
-  const auto path = TempPath("notree.gtn");
-  Write(path, mesh, {});
-  const auto file = std::make_shared<const FileReader>(path);
-  EXPECT_FALSE(file->HasMergeTree());
-  EXPECT_EQ(file->GetNumberOfMerges(), 0u);
-  EXPECT_TRUE(file->GetLevels().empty());
-  EXPECT_EQ(file->GetFormatVersion(), (std::pair{ 1, 0 }));
-  auto request = AskForAll(*file);
-  request.Merges = 1;
-  PieceDecoder decoder(file);
-  EXPECT_THROW(decoder.SetRequest(request), Error);
-  request.Tree = std::make_shared<const MergeTree>(file->GetMergeTree());
-  EXPECT_THROW(decoder.SetRequest(request), Error);
-}
-
-TEST(TreeFile, TreesOfOtherMeshesAreRefused)
-{
-  const auto mesh = MakeMesh(3);
-  const auto tree = MakeWildTree(static_cast<std::uint32_t>(mesh.GetPoints() + 1), 1);
-  WriterOptions options;
-  options.Tree = &tree;
-  EXPECT_THROW(Write(TempPath("other.gtn"), mesh, options), Error);
-  options.Tree = nullptr;
-  options.Levels = 1;
-  EXPECT_THROW(Write(TempPath("other.gtn"), mesh, options), Error);
-}
 }
 }

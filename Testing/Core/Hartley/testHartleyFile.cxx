@@ -77,7 +77,7 @@ Bytes ReadBytes(const std::string& path)
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 TEST(HartleyFile, LosslessForAllTypes)
 {
   for (const auto type : AllTypes)
@@ -257,7 +257,7 @@ TEST(HartleyFile, ReadsOnlyTheChunksThatAreAskedFor)
   EXPECT_LT(file.GetChunkBytes(chunk), file.GetFileBytes() / 4);
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 namespace
 {
 /** Checks the promises of errors and rates. */
@@ -447,7 +447,7 @@ TEST(HartleyFile, ProgressGoesForward)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 namespace
 {
 void ExpectRefused(

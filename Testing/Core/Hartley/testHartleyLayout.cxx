@@ -30,7 +30,7 @@ void ExpectRefused(const Triple& size, std::uint32_t blockSize, const std::strin
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 TEST(HartleyLayout, CoversEachVoxelOnce)
 {
   for (const Triple& size : { Triple{ 1, 1, 1 }, { 20, 7, 3 }, { 130, 65, 2 }, { 64, 64, 64 } })

@@ -75,7 +75,7 @@ void ExpectRefused(const std::string& what, const std::function<void(HartleyFile
 }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 TEST(HostileHartley, TheUnchangedFileIsRead)
 {
   for (const std::uint32_t blockSize : { 4u, 0u })
@@ -156,7 +156,7 @@ TEST(HostileHartley, StreamsOfNoiseDoNoHarm)
   }
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 TEST(HostileHartley, OtherFilesAreNotVolumes)
 {
   const auto path = PutFile("empty.ghv", {});
@@ -279,7 +279,7 @@ TEST(HostileHartley, SegmentsAreNotShorterThanTheyCanBe)
     ErrorCode::Corrupt, path, "chunk 0 is too short", [&] { HartleyFile f(path); });
 }
 
-//--------------------------------------------------------------------------------------------------
+//------------------------------------------------------------------------------
 namespace
 {
 /** Opens a file with little memory, in a process of its own: exit code 0 unless memory ran out. */

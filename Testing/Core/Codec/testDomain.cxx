@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunDomain.h"
+#include "gatunPalette.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace
+{
+using namespace gatun;
+
+template <typename T>
+void ExpectMonotoneAndInvertible(ScalarType type)
+{
+  const Domain domain(type);
+  ASSERT_EQ(domain.GetBits(), 8 * sizeof(T));
+  std::vector<T> values{ std::numeric_limits<T>::lowest(), std::numeric_limits<T>::max(),
+    std::numeric_limits<T>::min(), T(0), T(1), T(3), T(100) };
+  if constexpr (std::is_signed_v<T>)
+  {
+    values.insert(values.end(), { T(-1), T(-3), T(-100) });
+  }
+  if constexpr (std::is_floating_point_v<T>)
+  {
+    const T infinity = std::numeric_limits<T>::infinity();
+    values.insert(values.end(), { infinity, -infinity, T(0.1), T(-0.1) });
+    values.push_back(std::numeric_limits<T>::denorm_min());
+  }
+  std::sort(values.begin(), values.end());
+  Key before = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const Key key = domain.Read(&values[i]);
+    if (i > 0)
+    {
+      EXPECT_EQ(before < key, values[i - 1] < values[i]);
+    }
+    T back{};
+    domain.Write(key, &back);
+    EXPECT_EQ(std::memcmp(&back, &values[i], sizeof(T)), 0);
+    EXPECT_EQ(domain.ToNumber(key), static_cast<double>(values[i]));
+    if (sizeof(T) < 8 && std::isfinite(domain.ToNumber(key)))
+    {
+      EXPECT_EQ(domain.FromNumber(domain.ToNumber(key)), key);
+    }
+    EXPECT_EQ(domain.Add(before, domain.Subtract(key, before)), key);
+    before = key;
+  }
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double number : { infinity, -infinity, infinity - infinity })
+  {
+    EXPECT_EQ(domain.FromNumber(number), domain.FromNumber(0));
+  }
+  for (const double number : { 1e308, -1e308, 1e-320, 9.3e18, -9.3e18, 1.9e19 })
+  {
+    T value{};
+    domain.Write(domain.FromNumber(number), &value); // the nearest there is, no overflow
+    const auto low = static_cast<double>(std::numeric_limits<T>::lowest());
+    const auto high = static_cast<double>(std::numeric_limits<T>::max());
+    if (std::abs(number) > 1)
+    {
+      EXPECT_EQ(static_cast<double>(value),
+        static_cast<double>(static_cast<T>(number <= low ? std::numeric_limits<T>::lowest()
+            : number >= high                             ? std::numeric_limits<T>::max()
+                                                         : static_cast<T>(number))));
+    }
+  }
+}
+}
+
+TEST(Domain, IsMonotoneAndInvertible)
+{
+  ExpectMonotoneAndInvertible<std::int8_t>(ScalarType::Int8);
+  ExpectMonotoneAndInvertible<std::uint8_t>(ScalarType::UInt8);
+  ExpectMonotoneAndInvertible<std::int16_t>(ScalarType::Int16);
+  ExpectMonotoneAndInvertible<std::uint16_t>(ScalarType::UInt16);
+  ExpectMonotoneAndInvertible<std::int32_t>(ScalarType::Int32);
+  ExpectMonotoneAndInvertible<std::uint32_t>(ScalarType::UInt32);
+  ExpectMonotoneAndInvertible<std::int64_t>(ScalarType::Int64);
+  ExpectMonotoneAndInvertible<std::uint64_t>(ScalarType::UInt64);
+  ExpectMonotoneAndInvertible<float>(ScalarType::Float32);
+  ExpectMonotoneAndInvertible<double>(ScalarType::Float64);
+}
+
+TEST(Domain, KeepsPayloadsOfNaN)
+{
+  const Domain domain(ScalarType::Float64);
+  for (const std::uint64_t bits :
+    { 0x7ff8000000000001u, 0xfff0000000000001u, 0x7fffffffffffffffu, 0xffffffffffffffffu })
+  {
+    std::uint64_t back = 0;
+    domain.Write(domain.Read(&bits), &back);
+    EXPECT_EQ(back, bits);
+  }
+}
+
+TEST(Domain, RanksInAPalette)
+{
+  const Domain domain(
+    ScalarType::UInt16, std::make_shared<const Palette>(Palette{ 2, 3, 5, 7, 1000 }));
+  for (const std::uint16_t value : { 2, 3, 5, 7, 1000 })
+  {
+    std::uint16_t back = 0;
+    domain.Write(domain.Read(&value), &back);
+    EXPECT_EQ(back, value);
+  }
+  EXPECT_TRUE(domain.IsValid(4));
+  EXPECT_FALSE(domain.IsValid(5));
+  EXPECT_EQ(domain.FromNumber(1e9), 4u);
+  EXPECT_EQ(domain.FromNumber(-3), 0u);
+}
+}

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Streams of merges.
+
+#include "gatunError.h"
+#include "gatunMergeCodec.h"
+#include "gatunWildTree.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <random>
+
+namespace gatun::test
+{
+namespace
+{
+void ExpectSame(const MergeTree& a, const MergeTree& b)
+{
+  ASSERT_EQ(a.GetNumberOfPoints(), b.GetNumberOfPoints());
+  ASSERT_EQ(a.GetMerges().size(), b.GetMerges().size());
+  for (std::size_t i = 0; i < a.GetMerges().size(); ++i)
+  {
+    const Merge& x = a.GetMerges()[i];
+    const Merge& y = b.GetMerges()[i];
+    ASSERT_TRUE(x.Point == y.Point && x.Into == y.Into && x.Error == y.Error) << i;
+  }
+}
+
+TEST(MergeCodec, StreamOfMergesGivesThemBack)
+{
+  for (const std::uint32_t points : { 0u, 1u, 2u, 3u, 4u, 5u, 7u, 8u, 9u, 1000u, 65537u })
+  {
+    const auto tree = MakeWildTree(points, points);
+    const auto stream = EncodeMerges(tree, points);
+    ExpectSame(
+      tree, DecodeMerges(stream, points, static_cast<std::uint32_t>(tree.GetMerges().size())));
+  }
+}
+
+TEST(MergeCodec, DamagedStreamsOfMergesAreRefusedOrGiveATree)
+{
+  const auto tree = MakeWildTree(500, 5);
+  const auto good = EncodeMerges(tree, 500);
+  std::mt19937 random(3);
+  std::size_t refused = 0;
+  for (int i = 0; i < 3000; ++i)
+  {
+    auto bad = good;
+    if (i % 3 == 0)
+    {
+      bad.resize(random() % bad.size());
+    }
+    else
+    {
+      bad[random() % bad.size()] ^= static_cast<std::uint8_t>(1u << random() % 8);
+    }
+    try
+    {
+      const auto other = DecodeMerges(bad, 500, 499);
+      EXPECT_EQ(other.GetMerges().size(), 499u); // checked by its constructor
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(error.Code, ErrorCode::Corrupt);
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 2000u);
+  EXPECT_THROW(DecodeMerges(good, 498, 499), Error);
+}
+}
+}
