@@ -76,7 +76,6 @@ void ExpectMonotoneAndInvertible(ScalarType type)
     }
   }
 }
-}
 
 TEST(Domain, IsMonotoneAndInvertible)
 {

@@ -5,9 +5,9 @@
 
 #include "gatunError.h"
 #include "gatunPieceDecoder.h"
+#include "gatunTestTrees.h"
 #include "gatunTreeFile.h"
 #include "gatunVerifyFile.h"
-#include "gatunWildTree.h"
 
 #include <gtest/gtest.h>
 

@@ -7,6 +7,7 @@
 #include "gatunCoarseLayout.h"
 #include "gatunFileReaderInternals.h"
 #include "gatunPieceDecoder.h"
+#include "gatunTestTrees.h"
 #include "gatunTreeFile.h"
 #include "gatunTreeLayout.h"
 

@@ -5,7 +5,7 @@
 
 #include "gatunError.h"
 #include "gatunMergeCodec.h"
-#include "gatunWildTree.h"
+#include "gatunTestTrees.h"
 
 #include <gtest/gtest.h>
 
@@ -16,18 +16,6 @@ namespace gatun::test
 {
 namespace
 {
-void ExpectSame(const MergeTree& a, const MergeTree& b)
-{
-  ASSERT_EQ(a.GetNumberOfPoints(), b.GetNumberOfPoints());
-  ASSERT_EQ(a.GetMerges().size(), b.GetMerges().size());
-  for (std::size_t i = 0; i < a.GetMerges().size(); ++i)
-  {
-    const Merge& x = a.GetMerges()[i];
-    const Merge& y = b.GetMerges()[i];
-    ASSERT_TRUE(x.Point == y.Point && x.Into == y.Into && x.Error == y.Error) << i;
-  }
-}
-
 TEST(MergeCodec, StreamOfMergesGivesThemBack)
 {
   for (const std::uint32_t points : { 0u, 1u, 2u, 3u, 4u, 5u, 7u, 8u, 9u, 1000u, 65537u })

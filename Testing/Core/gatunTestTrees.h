@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef gatunWildTree_h
-#define gatunWildTree_h
+#ifndef gatunTestTrees_h
+#define gatunTestTrees_h
 
 #include "gatunMergeTree.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -17,6 +19,18 @@
 
 namespace gatun::test
 {
+inline void ExpectSame(const MergeTree& a, const MergeTree& b)
+{
+  ASSERT_EQ(a.GetNumberOfPoints(), b.GetNumberOfPoints());
+  ASSERT_EQ(a.GetMerges().size(), b.GetMerges().size());
+  for (std::size_t i = 0; i < a.GetMerges().size(); ++i)
+  {
+    const Merge& x = a.GetMerges()[i];
+    const Merge& y = b.GetMerges()[i];
+    ASSERT_TRUE(x.Point == y.Point && x.Into == y.Into && x.Error == y.Error) << i;
+  }
+}
+
 /** Merges of any points into any others, with errors of all magnitudes. */
 inline MergeTree MakeWildTree(std::uint32_t points, unsigned seed)
 {
