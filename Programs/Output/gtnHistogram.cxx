@@ -100,7 +100,7 @@ void ForEachNumber(const std::shared_ptr<const gatun::FileReader>& file, std::ui
     }
     request.WithUnusedPoints = next >= chunks; // a file without chunks has them, too
     request.RestoreOrder = false;
-    request.Arrays = { array };
+    request.Arrays.assign(1, array);
     decoder.SetRequest(request);
     const auto count =
       static_cast<std::size_t>(ofPoints ? decoder.GetNumberOfPoints() : decoder.GetNumberOfTets());
