@@ -278,7 +278,7 @@ template <Ranking Rule>
 double SampleWalk(
   WalkInput input, Tets tets, const FaceTable& faces, std::span<const LatticePoint> ownPlaces)
 {
-  input.Stop = std::max(input.Tets / 8, 8192u);
+  input.Stop = std::max(input.Tets / 32, 2048u);
   EntropyEncoder coder;
   EncoderSide side(tets, faces, static_cast<std::uint32_t>(input.Shared.size()), ownPlaces);
   Topology walked;
@@ -340,9 +340,9 @@ void CodeGeometry(
 double SampleGeometry(ChunkMesh& mesh, const PredictionRules& rules)
 {
   // Large enough that the adaptation of the models does not dominate.
-  constexpr std::size_t least = 4096;
+  constexpr std::size_t least = 1024;
   const auto count = mesh.Walk.Records.size();
-  const auto sample = std::min(count, std::max(count / 8, least));
+  const auto sample = std::min(count, std::max(count / 32, least));
   EntropyEncoder coder;
   CodeGeometry(coder, mesh, rules, sample);
   const double scale = sample > 0 ? static_cast<double>(count) / static_cast<double>(sample) : 0.0;
