@@ -144,6 +144,7 @@ public:
     , Geometry(geometry, frame.Domains, mesh.Rules)
     , Mesh(mesh)
   {
+    this->Geometry.Reserve(std::size_t{ frame.OwnPoints } + frame.SharedKeys.size());
   }
 
   static Vertex GetTarget(unsigned) { return NoVertex; }
@@ -163,7 +164,8 @@ public:
     this->Mesh.Keys.push_back(keys);
     this->Geometry.Meet(keys);
     this->Mesh.UsedRules.push_back(rule);
-    return MapKeys(this->Map, this->Frame.Domains, keys);
+    const auto place = this->Geometry.GetLastPlace(keys);
+    return this->Map.Map(place[0], place[1], place[2]);
   }
 
 private:
@@ -414,6 +416,22 @@ Bytes EncodeGeometry(ChunkMesh& mesh, const PredictionRules& fitted)
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::array<double, 3>> ChunkMesh::GetPlaces() const
+{
+  std::vector<std::array<double, 3>> places(this->Keys.size());
+  for (unsigned i = 0; i < 3; ++i)
+  {
+    const bool isFloat32 = Float32Domain::Matches(this->Domains[i]);
+    for (std::size_t v = 0; v < places.size(); ++v)
+    {
+      const Key key = this->Keys[v][i];
+      places[v][i] = isFloat32 ? Float32Domain::ToNumber(key) : this->Domains[i].ToValue(key);
+    }
+  }
+  return places;
+}
+
+//------------------------------------------------------------------------------
 void ChunkMesh::MakeContext(bool withFit)
 {
   this->Context.Mesh = &this->Walk;
@@ -433,15 +451,7 @@ void ChunkMesh::MakeContext(bool withFit)
   if (withFit && !this->Fit)
   {
     const FloatEnvironment guard;
-    std::vector<std::array<double, 3>> places(this->Keys.size());
-    for (std::size_t v = 0; v < places.size(); ++v)
-    {
-      for (unsigned i = 0; i < 3; ++i)
-      {
-        places[v][i] = this->Domains[i].ToValue(this->Keys[v][i]);
-      }
-    }
-    this->Fit.emplace(this->Walk, places);
+    this->Fit.emplace(this->Walk, this->GetPlaces());
   }
   this->Context.Fit = this->Fit ? &*this->Fit : nullptr;
 }
