@@ -7,6 +7,8 @@
 #include "gatunFloatEnvironment.h"
 #include "gatunWalk.h"
 
+#include <optional>
+
 namespace gatun
 {
 namespace
@@ -43,40 +45,33 @@ unsigned FindCorner(const std::array<std::uint32_t, 4>& tet, std::uint32_t verte
 class EncoderSide
 {
 public:
-  EncoderSide(Tets tets, const FaceTable& faces, std::uint32_t shared,
-    std::span<const LatticePoint> ownPlaces)
-    : Input(tets)
-    , Faces(faces)
+  EncoderSide(const FaceTable& faces, std::uint32_t shared, std::span<const LatticePoint> ownPlaces)
+    : Faces(faces)
     , Unvisited(faces.Firsts)
     , Shared(shared)
     , OwnPlaces(ownPlaces)
-    , Visited(tets.size(), 0)
+    , Visited(faces.Rows.size(), 0)
     , Met(shared + ownPlaces.size(), NoVertex)
   {
     this->OwnOrder.reserve(ownPlaces.size());
-    this->TetOrder.reserve(tets.size());
+    this->TetOrder.reserve(faces.Rows.size());
     this->InputOf.reserve(this->Met.size());
   }
 
   std::uint32_t FindTet(const Front::Face& gate)
   {
-    const auto parent = this->TetOrder[gate.Open - 1];
-    const auto group =
-      this->Faces.GroupOf[4 * parent + FindCorner(this->Input[parent], this->InputOf[gate.Apex])];
-    auto& first = this->Unvisited[group];
-    while (first != FaceTable::None && this->Visited[first / 4])
-    {
-      first = this->Faces.Next[first];
-    }
-    if (first == FaceTable::None)
+    const auto& parent = this->Faces.Rows[this->TetOrder[gate.Open - 1]];
+    const auto face =
+      this->GetUnvisited(parent.Over[FindCorner(parent.Corners, this->InputOf[gate.Apex])]);
+    if (face == FaceTable::None)
     {
       return Topology::NoTet;
     }
     const auto& c = gate.Corners;
     this->Begun = { this->InputOf[c[0]], this->InputOf[c[1]], this->InputOf[c[2]],
-      this->Input[first / 4][first % 4] };
-    this->Visit(first / 4);
-    return first / 4;
+      this->Faces.Rows[face / 4].Corners[face % 4] };
+    this->Visit(face / 4);
+    return face / 4;
   }
 
   void NextSeed()
@@ -85,7 +80,7 @@ public:
     {
       ++this->Seed;
     }
-    this->Begun = this->Input[this->Seed];
+    this->Begun = this->Faces.Rows[this->Seed].Corners;
     this->Visit(this->Seed);
   }
 
@@ -110,6 +105,21 @@ public:
   std::vector<std::uint32_t> InputOf; // the input's vertex of each one of the walk
 
 private:
+  /** The first unvisited face with the same corners as one of FaceTable::Row, or None. */
+  std::uint32_t GetUnvisited(std::uint32_t over)
+  {
+    if (!FaceTable::IsGroup(over))
+    {
+      return over != FaceTable::None && this->Visited[over / 4] ? FaceTable::None : over;
+    }
+    auto& first = this->Unvisited[FaceTable::GetGroup(over)];
+    while (first != FaceTable::None && this->Visited[first / 4])
+    {
+      first = this->Faces.Next[first];
+    }
+    return first;
+  }
+
   void Visit(std::uint32_t tet)
   {
     this->Visited[tet] = 1;
@@ -122,7 +132,6 @@ private:
     this->InputOf.push_back(this->Begun[corner]);
   }
 
-  Tets Input;
   const FaceTable& Faces;
   std::vector<std::uint32_t> Unvisited; // the first face of each group that may be unvisited
   const std::uint32_t Shared;
@@ -175,6 +184,12 @@ private:
   ChunkMesh& Mesh;
 };
 
+/** Compares inline, where std::array calls a function. */
+bool IsSame(const std::array<std::uint32_t, 4>& a, const std::array<std::uint32_t, 4>& b)
+{
+  return ((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2]) | (a[3] ^ b[3])) == 0;
+}
+
 /** The rotation that converts walked corners to those of the input. flip: whether they are
  * mirrored. */
 std::uint8_t FindRotation(const std::array<std::uint32_t, 4>& walked,
@@ -193,14 +208,14 @@ std::uint8_t FindRotation(const std::array<std::uint32_t, 4>& walked,
     return table;
   }();
   flip = false;
-  if (walked == wanted)
+  if (IsSame(walked, wanted))
   {
     return 0;
   }
   const auto first = FindCorner(walked, wanted[0]);
   const auto second = FindCorner(walked, wanted[1]);
   const auto rotation = rotations[4 * first + second];
-  flip = RotateCorners(walked, rotation) != wanted;
+  flip = !IsSame(RotateCorners(walked, rotation), wanted);
   if (!flip)
   {
     return rotation;
@@ -242,7 +257,7 @@ Attempt TryWalk(const WalkInput& input, Tets tets, const FaceTable& faces,
 {
   Attempt result;
   EntropyEncoder coder;
-  EncoderSide side(tets, faces, static_cast<std::uint32_t>(input.Shared.size()), ownPlaces);
+  EncoderSide side(faces, static_cast<std::uint32_t>(input.Shared.size()), ownPlaces);
   Walk<Rule, EntropyEncoder, EncoderSide>(coder, side, input, result.Walk).Run();
 
   std::vector<char> flips(tets.size());
@@ -275,26 +290,51 @@ Attempt TryWalk(const WalkInput& input, Tets tets, const FaceTable& faces,
   return result;
 }
 
-/** The number of bits for the beginning of a walk. */
+/** The number of bits for the beginning of a walk: count tetrahedra. */
 template <Ranking Rule>
-double SampleWalk(
-  WalkInput input, Tets tets, const FaceTable& faces, std::span<const LatticePoint> ownPlaces)
+double SampleWalk(WalkInput input, std::uint32_t count, const FaceTable& faces,
+  std::span<const LatticePoint> ownPlaces)
 {
-  input.Stop = std::max(input.Tets / 32, 2048u);
+  input.Stop = count;
   EntropyEncoder coder;
-  EncoderSide side(tets, faces, static_cast<std::uint32_t>(input.Shared.size()), ownPlaces);
+  EncoderSide side(faces, static_cast<std::uint32_t>(input.Shared.size()), ownPlaces);
   Topology walked;
   Walk<Rule, EntropyEncoder, EncoderSide>(coder, side, input, walked).Run();
   return coder.EstimateBits();
 }
 
+/** The ranking with the shorter stream, if a sample shows it. */
+std::optional<Ranking> ChooseRanking(
+  const WalkInput& input, const FaceTable& faces, std::span<const LatticePoint> ownPlaces)
+{
+  // A short sample decides only if the streams differ much.
+  struct Sample
+  {
+    std::uint32_t Tets;
+    double Sure; // ratio of bits
+  };
+  for (const auto& sample : { Sample{ std::max(input.Tets / 32, 2048u), 0.7 },
+         Sample{ std::max(input.Tets / 8, 8192u), 0.85 } })
+  {
+    const double sphere = SampleWalk<Ranking::Sphere>(input, sample.Tets, faces, ownPlaces);
+    const double angle = SampleWalk<Ranking::Angle>(input, sample.Tets, faces, ownPlaces);
+    if (angle < sample.Sure * sphere)
+    {
+      return Ranking::Angle;
+    }
+    if (sphere < sample.Sure * angle)
+    {
+      return Ranking::Sphere;
+    }
+  }
+  return std::nullopt;
+}
+
 Attempt EncodeConnectivity(
   const WalkInput& input, Tets tets, std::span<const LatticePoint> ownPlaces)
 {
-  constexpr double sure = 0.7; // ratio of the samples' bits that decides without a full encoding
   const FaceTable faces(tets);
-  const double sphere = SampleWalk<Ranking::Sphere>(input, tets, faces, ownPlaces);
-  const double angle = SampleWalk<Ranking::Angle>(input, tets, faces, ownPlaces);
+  const auto ranking = ChooseRanking(input, faces, ownPlaces);
   Attempt best;
   const auto consider = [&](Attempt attempt)
   {
@@ -303,11 +343,11 @@ Attempt EncodeConnectivity(
       best = std::move(attempt);
     }
   };
-  if (!(angle < sure * sphere))
+  if (ranking != Ranking::Angle)
   {
     consider(TryWalk<Ranking::Sphere>(input, tets, faces, ownPlaces));
   }
-  if (!(sphere < sure * angle))
+  if (ranking != Ranking::Sphere)
   {
     consider(TryWalk<Ranking::Angle>(input, tets, faces, ownPlaces));
   }

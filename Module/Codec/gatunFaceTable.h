@@ -16,7 +16,7 @@ namespace gatun
 {
 /**
  * Finds the tetrahedra that share a face. Face 4 t + i is the face of tetrahedron t opposite to its
- * corner i. All faces with the same three corners form a group of any size.
+ * corner i. Any number of faces can have the same three corners.
  */
 class FaceTable
 {
@@ -24,10 +24,24 @@ public:
   static constexpr std::uint32_t None = 0xffffffffu;
   using Tet = std::array<std::uint32_t, 4>;
 
-  explicit FaceTable(std::span<const Tet> tets)
-    : GroupOf(4 * tets.size(), None)
-    , Next(4 * tets.size(), None)
+  /** A tetrahedron and, for each of its faces, the only other face with the same corners, or None,
+   * or a group of more than two faces. */
+  struct Row
   {
+    Tet Corners;
+    std::array<std::uint32_t, 4> Over;
+  };
+
+  static bool IsGroup(std::uint32_t over) { return (over & GroupBit) != 0 && over != None; }
+  static std::uint32_t GetGroup(std::uint32_t over) { return over & ~GroupBit; }
+
+  explicit FaceTable(std::span<const Tet> tets)
+    : Rows(tets.size())
+  {
+    for (std::size_t t = 0; t < tets.size(); ++t)
+    {
+      this->Rows[t] = { tets[t], { None, None, None, None } };
+    }
     // Only faces with the same lowest corner are compared.
     const auto start = CountFaces(tets);
     std::vector<Face> faces(start.back());
@@ -41,17 +55,17 @@ public:
           static_cast<std::uint32_t>(face) };
       }
     }
-    this->Firsts.reserve(2 * tets.size() + tets.size() / 2);
+    std::vector<std::uint32_t> same;
     for (std::size_t v = 0; v + 1 < start.size(); ++v)
     {
       const std::span bucket(faces.data() + start[v], start[v + 1] - start[v]);
       if (bucket.size() <= SmallBucket)
       {
-        this->CompareAll(bucket);
+        this->CompareAll(bucket, same);
       }
       else
       {
-        this->SortAndCompare(bucket);
+        this->SortAndCompare(bucket, same);
       }
     }
   }
@@ -63,11 +77,13 @@ public:
       t[2] == t[3];
   }
 
-  std::vector<std::uint32_t> GroupOf; // the group of each face
-  std::vector<std::uint32_t> Next;    // the next face of the group, or None
-  std::vector<std::uint32_t> Firsts;  // the first face of each group
+  std::vector<Row> Rows;
+  std::vector<std::uint32_t> Firsts; // the first face of each group
+  std::vector<std::uint32_t> Next;   // the next face of the group, or None; empty without groups
 
 private:
+  static constexpr std::uint32_t GroupBit = 0x80000000u;
+
   // Larger buckets are sorted, so that the time does not grow with the square of their size.
   static constexpr std::size_t SmallBucket = 128;
 
@@ -102,54 +118,67 @@ private:
     return start;
   }
 
-  /** Adds a face to the group that ends with another one. */
-  void Append(std::uint32_t last, std::uint32_t face)
-  {
-    this->GroupOf[face] = this->GroupOf[last];
-    this->Next[last] = face;
-  }
+  std::uint32_t& GetOver(std::uint32_t face) { return this->Rows[face / 4].Over[face % 4]; }
 
-  void BeginGroup(std::uint32_t face)
+  /** Notes two or more faces with the same corners, ascending. */
+  void Join(std::span<const std::uint32_t> faces)
   {
-    this->GroupOf[face] = static_cast<std::uint32_t>(this->Firsts.size());
-    this->Firsts.push_back(face);
-  }
-
-  void CompareAll(std::span<const Face> bucket)
-  {
-    for (std::size_t i = 0; i < bucket.size(); ++i)
+    if (faces.size() == 2)
     {
-      auto last = bucket[i].Id;
-      if (this->GroupOf[last] != None)
+      this->GetOver(faces[0]) = faces[1];
+      this->GetOver(faces[1]) = faces[0];
+      return;
+    }
+    const auto group = static_cast<std::uint32_t>(this->Firsts.size());
+    this->Firsts.push_back(faces[0]);
+    this->Next.resize(4 * this->Rows.size(), None);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+      this->GetOver(faces[i]) = group | GroupBit;
+      this->Next[faces[i]] = i + 1 < faces.size() ? faces[i + 1] : None;
+    }
+  }
+
+  /** same: scratch. */
+  void CompareAll(std::span<const Face> bucket, std::vector<std::uint32_t>& same)
+  {
+    for (std::size_t i = 0; i + 1 < bucket.size(); ++i)
+    {
+      if (this->GetOver(bucket[i].Id) != None)
       {
         continue; // equal to an earlier one
       }
-      this->BeginGroup(last);
+      same.assign(1, bucket[i].Id);
       for (auto j = i + 1; j < bucket.size(); ++j)
       {
         if (bucket[j].Others == bucket[i].Others)
         {
-          this->Append(last, bucket[j].Id);
-          last = bucket[j].Id;
+          same.push_back(bucket[j].Id);
         }
+      }
+      if (same.size() > 1)
+      {
+        this->Join(same);
       }
     }
   }
 
-  void SortAndCompare(std::span<Face> bucket)
+  void SortAndCompare(std::span<Face> bucket, std::vector<std::uint32_t>& same)
   {
     std::sort(bucket.begin(), bucket.end(),
       [](const Face& l, const Face& r)
       { return l.Others != r.Others ? l.Others < r.Others : l.Id < r.Id; });
-    for (std::size_t i = 0; i < bucket.size(); ++i)
+    for (std::size_t i = 0; i < bucket.size();)
     {
-      if (i > 0 && bucket[i].Others == bucket[i - 1].Others)
+      const auto others = bucket[i].Others;
+      same.clear();
+      for (; i < bucket.size() && bucket[i].Others == others; ++i)
       {
-        this->Append(bucket[i - 1].Id, bucket[i].Id);
+        same.push_back(bucket[i].Id);
       }
-      else
+      if (same.size() > 1)
       {
-        this->BeginGroup(bucket[i].Id);
+        this->Join(same);
       }
     }
   }

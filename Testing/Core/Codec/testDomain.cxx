@@ -120,7 +120,6 @@ TEST(Domain, RanksInAPalette)
   EXPECT_EQ(domain.FromNumber(1e9), 4u);
   EXPECT_EQ(domain.FromNumber(-3), 0u);
 }
-}
 
 TEST(Domain, OfFloat32IsTheSameWithoutDispatch)
 {

@@ -44,25 +44,39 @@ std::map<std::array<std::uint32_t, 3>, std::vector<std::uint32_t>> FindGroups(co
 void ExpectRight(const Tets& tets)
 {
   const FaceTable table(tets);
-  const auto groups = FindGroups(tets);
-  EXPECT_EQ(table.Firsts.size(), groups.size());
-  std::size_t faces = 0;
-  for (const auto& [corners, group] : groups)
+  ASSERT_EQ(table.Rows.size(), tets.size());
+  std::vector<std::uint32_t> over(4 * tets.size(), FaceTable::None);
+  std::size_t groups = 0;
+  for (const auto& [corners, faces] : FindGroups(tets))
   {
-    const auto number = table.GroupOf[group[0]];
-    ASSERT_LT(number, table.Firsts.size());
-    std::vector<std::uint32_t> found;
-    for (auto face = table.Firsts[number]; face != FaceTable::None; face = table.Next[face])
+    if (faces.size() == 2)
     {
-      ASSERT_EQ(table.GroupOf[face], number);
-      found.push_back(face);
+      over[faces[0]] = faces[1];
+      over[faces[1]] = faces[0];
     }
-    EXPECT_EQ(found, group);
-    faces += group.size();
+    if (faces.size() < 3)
+    {
+      continue;
+    }
+    ++groups;
+    const auto number = table.Rows[faces[0] / 4].Over[faces[0] % 4];
+    ASSERT_TRUE(FaceTable::IsGroup(number));
+    ASSERT_LT(FaceTable::GetGroup(number), table.Firsts.size());
+    std::vector<std::uint32_t> found;
+    for (auto face = table.Firsts[FaceTable::GetGroup(number)]; face != FaceTable::None;
+         face = table.Next[face])
+    {
+      found.push_back(face);
+      over[face] = number;
+    }
+    EXPECT_EQ(found, faces);
   }
-  EXPECT_EQ(static_cast<std::size_t>(
-              std::count(table.GroupOf.begin(), table.GroupOf.end(), FaceTable::None)),
-    4 * tets.size() - faces);
+  EXPECT_EQ(table.Firsts.size(), groups);
+  for (std::uint32_t face = 0; face < over.size(); ++face)
+  {
+    EXPECT_EQ(table.Rows[face / 4].Over[face % 4], over[face]);
+    EXPECT_EQ(table.Rows[face / 4].Corners, tets[face / 4]);
+  }
 }
 
 /** Tetrahedra with random corners below some number. */
