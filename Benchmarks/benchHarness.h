@@ -27,6 +27,8 @@ struct Operation
   int MostRounds = 1000; ///< for what is too slow to be run as often as the others
   double First = 0;      ///< seconds of the first run, which counts for nothing else
   std::vector<double> Seconds = {};
+  std::vector<double> CpuSeconds = {};   ///< of all threads, where the system counts them
+  std::function<void()> Prepare = [] {}; ///< runs before each run and is not timed
 };
 
 /**
@@ -71,6 +73,10 @@ Cost CostOf(const std::function<void()>& work);
 void AddCost(Json::Value& json, const Cost& cost);
 
 std::uint64_t FileSize(const std::string& file);
+
+/** Removes a file from the page cache, so that it is read from the disk. Throws Failure where the
+ * system cannot. */
+void Evict(const std::string& file);
 }
 
 #endif

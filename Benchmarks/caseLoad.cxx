@@ -22,6 +22,7 @@ struct Options
   std::string File;
   std::string Out;
   int Rounds = 5;
+  bool Cold = false;
 };
 
 void TimeLoading(const Options& options)
@@ -43,6 +44,10 @@ void TimeLoading(const Options& options)
         tets = loaded;
       };
       operations.push_back({ format.Name, load, format.IsSlow ? 3 : 1000 });
+      if (options.Cold)
+      {
+        operations.back().Prepare = [file] { Evict(file); };
+      }
     }
   }
   WarmUpAndRunInterleaved(operations, options.Rounds);
@@ -88,6 +93,8 @@ void AddLoad(CLI::App& app)
   command->add_option("FOLDER", options->File, "Where the files are")->required();
   command->add_option("--rounds", options->Rounds, "Rounds, after one to warm up")
     ->check(CLI::Range(1, 1000));
+  command->add_flag("--cold", options->Cold,
+    "Remove each file from the page cache before it is read, so that it comes from the disk");
   command->callback([options] { TimeLoading(*options); });
 }
 

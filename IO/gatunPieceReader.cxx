@@ -110,6 +110,13 @@ vtkDataSetAttributes* AttributesOf(vtkUnstructuredGrid* grid, Association where)
 }
 
 //------------------------------------------------------------------------------
+// Whether a request is for all chunks of a file, without merges.
+bool IsWhole(const FileReader& file, const PieceRequest& request)
+{
+  return request.Chunks.size() == file.GetChunks().size() && request.Merges == 0;
+}
+
+//------------------------------------------------------------------------------
 // Whether an array of the request is, or is named like, global ids.
 bool HasGlobalIds(const FileReader& file, const PieceRequest& request, Association where)
 {
@@ -321,6 +328,10 @@ void PieceReader::Read(const PublishedFile& handle, const PieceRequest& request,
   {
     this->Decoder = std::make_unique<PieceDecoder>(this->Parts);
   }
+  // The cache would only take memory if the mesh is read once. With steps, or after a change of
+  // arrays, it is likely to be needed again.
+  this->Parts->SetKeepsChunks(
+    meshIsThere || !IsWhole(this->GetMesh(), request) || file.GetNumberOfSteps() > 1);
   const double share = request.GhostLevels > 0 && !meshIsThere ? 0.5 : 0.0;
   this->Decoder->SetRequest(
     request, [&progress, share](double fraction) { return progress(share * fraction); });

@@ -58,7 +58,9 @@
  *
  * *Cost.* Memory: the output, the same again while ghost cells are chosen, and the mesh that was
  * read last. Decoded chunks are kept within MemoryBudget, so that other pieces, arrays and time
- * steps need not decode them again. Decoding uses all threads of vtkSMPTools.
+ * steps need not decode them again. They are not kept when the whole mesh of a file without time
+ * steps is read in one piece; if the choice of arrays changes later, the chunks are decoded once
+ * more and then kept. Decoding uses all threads of vtkSMPTools.
  *
  * *Errors.* Errors are reported by vtkErrorMacro with a message that begins with the name of the
  * file. GetErrorCode is then one of vtkErrorCode::NoFileNameError, FileNotFoundError,

@@ -127,14 +127,31 @@ only one chunk uses, and bits per point that several chunks share.
                  plots, "parts", "Bits per tetrahedron by part")
 
 
-def loading(results, plots):
+def load_table(results, key):
+    """Speeds of all formats, and ratios to Gatun's."""
     rows = []
     for one in results["inputs"]:
-        for load in one.get("load", []):
+        for load in one.get(key, []):
             files = by_format(load)
             rows.append([label(one), load["threads"]]
                         + [number(load["tets"] / median(files[name]) / 1e6) for name in files]
                         + [spread(ratios(load, name), ratio) for name in files if name != "gtn"])
+    return table(["mesh", "threads", ".gtn", "raw", "zlib", "LZMA", "raw / .gtn", "zlib / .gtn",
+                  "LZMA / .gtn"], rows)
+
+
+def cold_loading(results):
+    """Nothing for results from before this was measured."""
+    if not any("loadCold" in one for one in results["inputs"]):
+        return ""
+    return """
+The same, with each file removed from the page cache before it is read, so that it comes from the
+disk.
+
+""" + load_table(results, "loadCold") + "\n"
+
+
+def loading(results, plots):
     memory = []
     for one in results["inputs"]:
         peak = one.get("peak")
@@ -151,9 +168,8 @@ runs in a separate process. After one warm-up round the formats take turns, in a
 directions. The files are in the page cache, so the speed of the disk does not matter; from a slow
 disk, a smaller file has an advantage.
 
-""" + table(["mesh", "threads", ".gtn", "raw", "zlib", "LZMA", "raw / .gtn", "zlib / .gtn",
-             "LZMA / .gtn"], rows) + "\n" + image(
-                 plots, "load", "Million tetrahedra per second by format") + """
+""" + load_table(results, "load") + "\n" + image(
+        plots, "load", "Million tetrahedra per second by format") + cold_loading(results) + """
 Peak memory while loading, above that of the process before, as a multiple of the size of the grid
 (1 is the grid itself). Each file is loaded in a separate process with 2 threads.
 

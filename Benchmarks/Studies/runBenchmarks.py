@@ -106,7 +106,9 @@ def measure_input(runner, one, sizes):
     result["size"] = runner.case("size", one["file"], folder)
     if one["timed"]:
         result["load"] = [runner.case("load", folder, "--rounds", sizes["rounds"], threads=threads)
-                          for threads in (1, 2)]
+                          for threads in (1, 2, 4)]
+        result["loadCold"] = [runner.case("load", folder, "--cold", "--rounds", sizes["few"],
+                                          threads=threads) for threads in (1, 2, 4)]
     if one["timed"] and one["order"] == "permuted":
         result["write"] = [runner.case("write", one["file"], folder, "--rounds", sizes["few"],
                                        threads=threads) for threads in (1, 2)]

@@ -9,6 +9,7 @@ gatun_core_folder(Codec
     gatunEntropy.h
     gatunFaceTable.h
     gatunFront.h
+    gatunFrontGrowth.h
     gatunGate.h
     gatunGeometry.h
     gatunMeasure.h

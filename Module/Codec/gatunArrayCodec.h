@@ -61,9 +61,6 @@ public:
   }
 
 private:
-  void Weigh(const std::array<double, 3>& center, std::span<Neighbor> neighbors,
-    std::span<const std::array<double, 3>> places) const;
-
   std::vector<std::uint32_t> Start;
   std::vector<Neighbor> List;
 };

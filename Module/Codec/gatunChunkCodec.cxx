@@ -7,6 +7,8 @@
 #include "gatunFloatEnvironment.h"
 #include "gatunWalk.h"
 
+#include <optional>
+
 namespace gatun
 {
 namespace
@@ -43,40 +45,33 @@ unsigned FindCorner(const std::array<std::uint32_t, 4>& tet, std::uint32_t verte
 class EncoderSide
 {
 public:
-  EncoderSide(Tets tets, const FaceTable& faces, std::uint32_t shared,
-    std::span<const LatticePoint> ownPlaces)
-    : Input(tets)
-    , Faces(faces)
+  EncoderSide(const FaceTable& faces, std::uint32_t shared, std::span<const LatticePoint> ownPlaces)
+    : Faces(faces)
     , Unvisited(faces.Firsts)
     , Shared(shared)
     , OwnPlaces(ownPlaces)
-    , Visited(tets.size(), 0)
+    , Visited(faces.Rows.size(), 0)
     , Met(shared + ownPlaces.size(), NoVertex)
   {
     this->OwnOrder.reserve(ownPlaces.size());
-    this->TetOrder.reserve(tets.size());
+    this->TetOrder.reserve(faces.Rows.size());
     this->InputOf.reserve(this->Met.size());
   }
 
   std::uint32_t FindTet(const Front::Face& gate)
   {
-    const auto parent = this->TetOrder[gate.Open - 1];
-    const auto group =
-      this->Faces.GroupOf[4 * parent + FindCorner(this->Input[parent], this->InputOf[gate.Apex])];
-    auto& first = this->Unvisited[group];
-    while (first != FaceTable::None && this->Visited[first / 4])
-    {
-      first = this->Faces.Next[first];
-    }
-    if (first == FaceTable::None)
+    const auto& parent = this->Faces.Rows[this->TetOrder[gate.Open - 1]];
+    const auto face =
+      this->GetUnvisited(parent.Over[FindCorner(parent.Corners, this->InputOf[gate.Apex])]);
+    if (face == FaceTable::None)
     {
       return Topology::NoTet;
     }
     const auto& c = gate.Corners;
     this->Begun = { this->InputOf[c[0]], this->InputOf[c[1]], this->InputOf[c[2]],
-      this->Input[first / 4][first % 4] };
-    this->Visit(first / 4);
-    return first / 4;
+      this->Faces.Rows[face / 4].Corners[face % 4] };
+    this->Visit(face / 4);
+    return face / 4;
   }
 
   void NextSeed()
@@ -85,7 +80,7 @@ public:
     {
       ++this->Seed;
     }
-    this->Begun = this->Input[this->Seed];
+    this->Begun = this->Faces.Rows[this->Seed].Corners;
     this->Visit(this->Seed);
   }
 
@@ -110,6 +105,21 @@ public:
   std::vector<std::uint32_t> InputOf; // the input's vertex of each one of the walk
 
 private:
+  /** The first unvisited face with the same corners as one of FaceTable::Row, or None. */
+  std::uint32_t GetUnvisited(std::uint32_t over)
+  {
+    if (!FaceTable::IsGroup(over))
+    {
+      return over != FaceTable::None && this->Visited[over / 4] ? FaceTable::None : over;
+    }
+    auto& first = this->Unvisited[FaceTable::GetGroup(over)];
+    while (first != FaceTable::None && this->Visited[first / 4])
+    {
+      first = this->Faces.Next[first];
+    }
+    return first;
+  }
+
   void Visit(std::uint32_t tet)
   {
     this->Visited[tet] = 1;
@@ -122,7 +132,6 @@ private:
     this->InputOf.push_back(this->Begun[corner]);
   }
 
-  Tets Input;
   const FaceTable& Faces;
   std::vector<std::uint32_t> Unvisited; // the first face of each group that may be unvisited
   const std::uint32_t Shared;
@@ -144,6 +153,7 @@ public:
     , Geometry(geometry, frame.Domains, mesh.Rules)
     , Mesh(mesh)
   {
+    this->Geometry.Reserve(std::size_t{ frame.OwnPoints } + frame.SharedKeys.size());
   }
 
   static Vertex GetTarget(unsigned) { return NoVertex; }
@@ -163,7 +173,8 @@ public:
     this->Mesh.Keys.push_back(keys);
     this->Geometry.Meet(keys);
     this->Mesh.UsedRules.push_back(rule);
-    return MapKeys(this->Map, this->Frame.Domains, keys);
+    const auto place = this->Geometry.GetLastPlace(keys);
+    return this->Map.Map(place[0], place[1], place[2]);
   }
 
 private:
@@ -172,6 +183,12 @@ private:
   GeometryCoder<EntropyDecoder> Geometry;
   ChunkMesh& Mesh;
 };
+
+/** Compares inline, where std::array calls a function. */
+bool IsSame(const std::array<std::uint32_t, 4>& a, const std::array<std::uint32_t, 4>& b)
+{
+  return ((a[0] ^ b[0]) | (a[1] ^ b[1]) | (a[2] ^ b[2]) | (a[3] ^ b[3])) == 0;
+}
 
 /** The rotation that converts walked corners to those of the input. flip: whether they are
  * mirrored. */
@@ -191,14 +208,14 @@ std::uint8_t FindRotation(const std::array<std::uint32_t, 4>& walked,
     return table;
   }();
   flip = false;
-  if (walked == wanted)
+  if (IsSame(walked, wanted))
   {
     return 0;
   }
   const auto first = FindCorner(walked, wanted[0]);
   const auto second = FindCorner(walked, wanted[1]);
   const auto rotation = rotations[4 * first + second];
-  flip = RotateCorners(walked, rotation) != wanted;
+  flip = !IsSame(RotateCorners(walked, rotation), wanted);
   if (!flip)
   {
     return rotation;
@@ -240,7 +257,7 @@ Attempt TryWalk(const WalkInput& input, Tets tets, const FaceTable& faces,
 {
   Attempt result;
   EntropyEncoder coder;
-  EncoderSide side(tets, faces, static_cast<std::uint32_t>(input.Shared.size()), ownPlaces);
+  EncoderSide side(faces, static_cast<std::uint32_t>(input.Shared.size()), ownPlaces);
   Walk<Rule, EntropyEncoder, EncoderSide>(coder, side, input, result.Walk).Run();
 
   std::vector<char> flips(tets.size());
@@ -273,26 +290,51 @@ Attempt TryWalk(const WalkInput& input, Tets tets, const FaceTable& faces,
   return result;
 }
 
-/** The number of bits for the beginning of a walk. */
+/** The number of bits for the beginning of a walk: count tetrahedra. */
 template <Ranking Rule>
-double SampleWalk(
-  WalkInput input, Tets tets, const FaceTable& faces, std::span<const LatticePoint> ownPlaces)
+double SampleWalk(WalkInput input, std::uint32_t count, const FaceTable& faces,
+  std::span<const LatticePoint> ownPlaces)
 {
-  input.Stop = std::max(input.Tets / 8, 8192u);
+  input.Stop = count;
   EntropyEncoder coder;
-  EncoderSide side(tets, faces, static_cast<std::uint32_t>(input.Shared.size()), ownPlaces);
+  EncoderSide side(faces, static_cast<std::uint32_t>(input.Shared.size()), ownPlaces);
   Topology walked;
   Walk<Rule, EntropyEncoder, EncoderSide>(coder, side, input, walked).Run();
   return coder.EstimateBits();
 }
 
+/** The ranking with the shorter stream, if a sample shows it. */
+std::optional<Ranking> ChooseRanking(
+  const WalkInput& input, const FaceTable& faces, std::span<const LatticePoint> ownPlaces)
+{
+  // A short sample decides only if the streams differ much.
+  struct Sample
+  {
+    std::uint32_t Tets;
+    double Sure; // ratio of bits
+  };
+  for (const auto& sample : { Sample{ std::max(input.Tets / 32, 2048u), 0.7 },
+         Sample{ std::max(input.Tets / 8, 8192u), 0.85 } })
+  {
+    const double sphere = SampleWalk<Ranking::Sphere>(input, sample.Tets, faces, ownPlaces);
+    const double angle = SampleWalk<Ranking::Angle>(input, sample.Tets, faces, ownPlaces);
+    if (angle < sample.Sure * sphere)
+    {
+      return Ranking::Angle;
+    }
+    if (sphere < sample.Sure * angle)
+    {
+      return Ranking::Sphere;
+    }
+  }
+  return std::nullopt;
+}
+
 Attempt EncodeConnectivity(
   const WalkInput& input, Tets tets, std::span<const LatticePoint> ownPlaces)
 {
-  constexpr double sure = 0.7; // ratio of the samples' bits that decides without a full encoding
   const FaceTable faces(tets);
-  const double sphere = SampleWalk<Ranking::Sphere>(input, tets, faces, ownPlaces);
-  const double angle = SampleWalk<Ranking::Angle>(input, tets, faces, ownPlaces);
+  const auto ranking = ChooseRanking(input, faces, ownPlaces);
   Attempt best;
   const auto consider = [&](Attempt attempt)
   {
@@ -301,11 +343,11 @@ Attempt EncodeConnectivity(
       best = std::move(attempt);
     }
   };
-  if (!(angle < sure * sphere))
+  if (ranking != Ranking::Angle)
   {
     consider(TryWalk<Ranking::Sphere>(input, tets, faces, ownPlaces));
   }
-  if (!(sphere < sure * angle))
+  if (ranking != Ranking::Sphere)
   {
     consider(TryWalk<Ranking::Angle>(input, tets, faces, ownPlaces));
   }
@@ -340,9 +382,9 @@ void CodeGeometry(
 double SampleGeometry(ChunkMesh& mesh, const PredictionRules& rules)
 {
   // Large enough that the adaptation of the models does not dominate.
-  constexpr std::size_t least = 4096;
+  constexpr std::size_t least = 1024;
   const auto count = mesh.Walk.Records.size();
-  const auto sample = std::min(count, std::max(count / 8, least));
+  const auto sample = std::min(count, std::max(count / 32, least));
   EntropyEncoder coder;
   CodeGeometry(coder, mesh, rules, sample);
   const double scale = sample > 0 ? static_cast<double>(count) / static_cast<double>(sample) : 0.0;
@@ -414,6 +456,22 @@ Bytes EncodeGeometry(ChunkMesh& mesh, const PredictionRules& fitted)
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::array<double, 3>> ChunkMesh::GetPlaces() const
+{
+  std::vector<std::array<double, 3>> places(this->Keys.size());
+  for (unsigned i = 0; i < 3; ++i)
+  {
+    const bool isFloat32 = Float32Domain::Matches(this->Domains[i]);
+    for (std::size_t v = 0; v < places.size(); ++v)
+    {
+      const Key key = this->Keys[v][i];
+      places[v][i] = isFloat32 ? Float32Domain::ToNumber(key) : this->Domains[i].ToValue(key);
+    }
+  }
+  return places;
+}
+
+//------------------------------------------------------------------------------
 void ChunkMesh::MakeContext(bool withFit)
 {
   this->Context.Mesh = &this->Walk;
@@ -433,15 +491,7 @@ void ChunkMesh::MakeContext(bool withFit)
   if (withFit && !this->Fit)
   {
     const FloatEnvironment guard;
-    std::vector<std::array<double, 3>> places(this->Keys.size());
-    for (std::size_t v = 0; v < places.size(); ++v)
-    {
-      for (unsigned i = 0; i < 3; ++i)
-      {
-        places[v][i] = this->Domains[i].ToValue(this->Keys[v][i]);
-      }
-    }
-    this->Fit.emplace(this->Walk, places);
+    this->Fit.emplace(this->Walk, this->GetPlaces());
   }
   this->Context.Fit = this->Fit ? &*this->Fit : nullptr;
 }

@@ -47,6 +47,9 @@ struct ChunkMesh
   std::vector<std::uint8_t> UsedRules; // one for each own vertex
   PointDomain Domains;
 
+  /** The coordinates of all vertices. */
+  std::vector<std::array<double, 3>> GetPlaces() const;
+
   /** Prepares the context of point arrays, with weights of neighbors if withFit. */
   void MakeContext(bool withFit);
   PointContext Context;

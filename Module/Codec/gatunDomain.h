@@ -225,6 +225,51 @@ private:
   unsigned Bits = 8;
   Key Mask = 0xff;
 };
+
+/** A Domain of Float32 without a palette, for code that is compiled for it. */
+class Float32Domain
+{
+public:
+  static bool Matches(const Domain& domain)
+  {
+    return domain.GetType() == ScalarType::Float32 && !domain.GetPalette();
+  }
+
+  static constexpr unsigned GetBits() { return 32; }
+  static constexpr bool IsValid(Key) { return true; }
+
+  static double ToNumber(Key key)
+  {
+    const auto bits = static_cast<std::uint32_t>(key);
+    // The highest bit is that of positive numbers.
+    const auto negative = static_cast<std::uint32_t>(static_cast<std::int32_t>(~bits) >> 31);
+    return std::bit_cast<float>(bits ^ (negative | Sign));
+  }
+
+  static Key FromNumber(double number)
+  {
+    constexpr double largest = std::numeric_limits<float>::max();
+    number = std::abs(number) <= std::numeric_limits<double>::max() ? number : 0;
+    const double bounded = number > largest ? largest : number < -largest ? -largest : number;
+    const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(bounded));
+    const auto negative = static_cast<std::uint32_t>(static_cast<std::int32_t>(bits) >> 31);
+    return bits ^ (negative | Sign);
+  }
+
+  static std::int64_t Subtract(Key key, Key predicted)
+  {
+    return static_cast<std::int32_t>(
+      static_cast<std::uint32_t>(key) - static_cast<std::uint32_t>(predicted));
+  }
+
+  static Key Add(Key predicted, std::int64_t residual)
+  {
+    return static_cast<std::uint32_t>(predicted + static_cast<Key>(residual));
+  }
+
+private:
+  static constexpr std::uint32_t Sign = 0x80000000u;
+};
 }
 
 #endif

@@ -7,8 +7,8 @@ namespace gatun
 {
 void Front::Grow()
 {
-  std::vector<Face> larger(2 * this->Faces.size());
-  const auto mask = static_cast<std::uint32_t>(larger.size() - 1);
+  const std::uint32_t mask = 2 * this->Mask + 1;
+  std::vector<Face> larger(std::size_t{ mask } + 2);
   for (auto id = this->Head; id != this->Tail; ++id)
   {
     larger[id & mask] = this->GetFace(id);

@@ -22,6 +22,13 @@ using Vertex = std::uint32_t;
 
 constexpr Vertex NoVertex = 0xffffffff;
 
+/** a or b without a branch, for unpredictable conditions. */
+GATUN_INLINE std::uint32_t Choose(bool condition, std::uint32_t a, std::uint32_t b)
+{
+  const std::uint32_t mask = 0u - std::uint32_t{ condition };
+  return b ^ ((a ^ b) & mask);
+}
+
 /** The side of a triangle after one, opposite to the next corner. */
 constexpr unsigned NextSide(unsigned side)
 {
@@ -95,7 +102,7 @@ public:
   };
 
   Front()
-    : Faces(1024)
+    : Faces(1025)
     , Mask(1023)
   {
   }
@@ -128,7 +135,7 @@ public:
   /** Makes room for four faces, so that adding them does not move the others. */
   void MakeRoom()
   {
-    if (this->Tail - this->Head + 4 > this->Faces.size())
+    if (this->Tail - this->Head + 4 > this->Mask + 1)
     {
       this->Grow();
     }
@@ -138,8 +145,23 @@ public:
   std::uint32_t AddFace(const std::array<Vertex, 3>& corners, Vertex apex, std::uint32_t tet)
   {
     const auto id = this->Tail++;
-    this->GetFace(id) = { corners, apex, {}, tet + 1 };
+    this->SetFace(id, corners, apex, tet);
     return id;
+  }
+
+  /** Adds two faces for SetFace. Returns the first one; the other one follows. */
+  std::uint32_t AddTwoFaces()
+  {
+    const auto id = this->Tail;
+    this->Tail += 2;
+    return id;
+  }
+
+  /** Sets a new face, without links. */
+  GATUN_INLINE void SetFace(
+    std::uint32_t id, const std::array<Vertex, 3>& corners, Vertex apex, std::uint32_t tet)
+  {
+    this->GetFace(id) = { corners, apex, {}, tet + 1 };
   }
 
   /** Links two sides over an edge with a given number of tetrahedra. One may be the border. */
@@ -147,14 +169,8 @@ public:
   {
     a = a.WithTets(tets);
     b = b.WithTets(tets);
-    if (!a.IsBorder())
-    {
-      this->GetFace(a).Over[a.GetSide()] = b;
-    }
-    if (!b.IsBorder())
-    {
-      this->GetFace(b).Over[b.GetSide()] = a;
-    }
+    this->GetLink(a) = b;
+    this->GetLink(b) = a;
   }
 
   /** Turns the links of the neighbors of a closed face to the border. */
@@ -162,7 +178,8 @@ public:
   {
     for (unsigned i = 0; i < 3; ++i)
     {
-      this->Connect(face.Over[i], Link::ToBorder(face.Corners[i]), face.Over[i].GetTets());
+      this->GetLink(face.Over[i]) =
+        Link::ToBorder(face.Corners[i]).WithTets(face.Over[i].GetTets());
     }
   }
 
@@ -186,7 +203,14 @@ private:
   }
   void Grow();
 
-  std::vector<Face> Faces;
+  /** The link of a side, or an unused place for the border, which is unpredictable. */
+  GATUN_INLINE Link& GetLink(Link side)
+  {
+    const auto at = Choose(side.IsBorder(), this->Mask + 1, side.GetFaceAndMore() & this->Mask);
+    return this->Faces[at].Over[side.GetSide()];
+  }
+
+  std::vector<Face> Faces; // the ring buffer, and one for the links of the border
   std::uint32_t Mask;
   std::uint32_t Head = 0;
   std::uint32_t Tail = 0;

@@ -64,13 +64,6 @@ GATUN_INLINE Link TurnAround(const Front& front, Link link, unsigned most, Use&&
   return link;
 }
 
-/** a or b without a branch, for unpredictable conditions. */
-GATUN_INLINE std::uint32_t Choose(bool condition, std::uint32_t a, std::uint32_t b)
-{
-  const std::uint32_t mask = 0u - std::uint32_t{ condition };
-  return (a & mask) | (b & ~mask);
-}
-
 /** Grades the numbers of tetrahedra at a face's sides (1, 2, more), 0 to 26. */
 inline unsigned GradeTets(const Front::Face& face)
 {

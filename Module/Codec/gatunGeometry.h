@@ -11,6 +11,7 @@
 #include "gatunResidual.h"
 #include "gatunTopology.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -112,6 +113,7 @@ public:
   GeometryCoder(Coder& coder, const PointDomain& domain, PredictionRules rules)
     : Symbols(coder)
     , Components(domain)
+    , IsFloat32(std::all_of(domain.begin(), domain.end(), Float32Domain::Matches))
     , Rules(std::move(rules))
     , RuleModels(this->Rules.size() > 1 ? 27 * 4 * MaxRules : 0)
     , Residuals(3 * (MaxRules + 1) * 4)
@@ -124,8 +126,22 @@ public:
     auto& numbers = this->Numbers.emplace_back();
     for (unsigned i = 0; i < 3; ++i)
     {
-      numbers[i] = this->Components[i].ToNumber(keys[i]);
+      numbers[i] =
+        this->IsFloat32 ? Float32Domain::ToNumber(keys[i]) : this->Components[i].ToNumber(keys[i]);
     }
+  }
+
+  /** Makes room for all vertices of a walk. */
+  void Reserve(std::size_t vertices) { this->Numbers.reserve(vertices); }
+
+  /** The coordinates of the vertex that was registered last. */
+  std::array<double, 3> GetLastPlace(const PointKeys& keys) const
+  {
+    const auto& numbers = this->Numbers.back();
+    return this->IsFloat32
+      ? std::array{ numbers[0], numbers[1], numbers[2] }
+      : std::array{ this->Components[0].ToValue(keys[0]), this->Components[1].ToValue(keys[1]),
+          this->Components[2].ToValue(keys[2]) };
   }
 
   /**
@@ -134,6 +150,18 @@ public:
    */
   PointKeys Code(const GateRecord& record, std::span<const PointKeys> keys, const PointKeys& truth,
     std::uint8_t& usedRule)
+  {
+    static constexpr std::array<Float32Domain, 3> float32{};
+    return this->IsFloat32 ? this->CodeAs(float32, record, keys, truth, usedRule)
+                           : this->CodeAs(this->Components, record, keys, truth, usedRule);
+  }
+
+private:
+  using PointNumbers = std::array<double, 4>; // three, and one more because pairs are faster
+
+  template <typename DomainType>
+  PointKeys CodeAs(const std::array<DomainType, 3>& domains, const GateRecord& record,
+    std::span<const PointKeys> keys, const PointKeys& truth, std::uint8_t& usedRule)
   {
     PointKeys result{};
     unsigned group = static_cast<unsigned>(MaxRules);
@@ -148,7 +176,7 @@ public:
     unsigned grade = 0;
     for (unsigned i = 0; i < 3; ++i)
     {
-      const Domain& domain = this->Components[i];
+      const DomainType& domain = domains[i];
       Key predicted = this->Previous[i];
       unsigned spread = domain.GetBits();
       if (!record.IsSeed())
@@ -169,9 +197,6 @@ public:
     this->Previous = result;
     return result;
   }
-
-private:
-  using PointNumbers = std::array<double, 4>; // three, and one more because pairs are faster
 
   /** The number of bits of the range of the keys of gate and apex. */
   static unsigned GetSpread(
@@ -242,6 +267,7 @@ private:
 
   Coder& Symbols;
   const PointDomain& Components;
+  const bool IsFloat32; // without palettes
   const PredictionRules Rules;
   std::vector<BitModel> RuleModels;
   std::vector<ResidualModel> Residuals;

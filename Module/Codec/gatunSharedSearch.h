@@ -54,42 +54,34 @@ public:
   template <typename GetRanks>
   Hits Find(const GatePlane& plane, float reach, GetRanks&& getRanks) const
   {
-    const Area area(*this, plane, reach);
     Hits hits;
-    std::uint32_t patience = Patience;
-    for (unsigned i = 0; i < area.CountOf(2); ++i)
-    {
-      const auto z = area.Outwards(2, i);
-      for (unsigned j = 0; j < area.CountOf(1); ++j)
+    this->EachGroup(plane, reach, getRanks,
+      [&](Float4 ranks, std::uint32_t first, std::uint32_t end)
       {
-        const auto row = ((z << this->Bits) + area.Outwards(1, j)) << this->Bits;
-        const auto begin = this->CellStart[row + area.Low[0]];
-        const auto end = this->CellStart[row + area.High[0] + 1];
-        for (auto first = begin; first < end; first += 4)
+        if (Least(ranks) < hits.GetBound())
         {
-          const auto* e = &this->Entries[first];
-          const auto places = Gather(e[0], e[1], e[2], e[3]);
-          const auto distances = area.GetDistances(places);
-          const auto ranks = SelectGreater(
-            distances, Splat(area.Limit), Splat(NeverRank), getRanks(places, distances));
-          if (Least(ranks) < hits.GetBound())
+          for (unsigned lane = 0; lane < 4 && first + lane < end; ++lane)
           {
-            for (unsigned lane = 0; lane < 4 && first + lane < end; ++lane)
+            if (ranks[lane] < hits.GetBound())
             {
-              if (ranks[lane] < hits.GetBound())
-              {
-                hits.Add({ ranks[lane], e[lane].Users });
-              }
+              hits.Add({ ranks[lane], this->Entries[first + lane].Users });
             }
           }
-          if (--patience == 0)
-          {
-            return hits;
-          }
         }
-      }
-    }
+      });
     return hits;
+  }
+
+  /** The first one of the hits that Find returns, or NoVertex, in less time. */
+  template <typename GetRanks>
+  std::uint32_t FindBest(const GatePlane& plane, float reach, GetRanks&& getRanks) const
+  {
+    LeastOfGroups best;
+    this->EachGroup(plane, reach, getRanks,
+      [&](Float4 ranks, std::uint32_t first, std::uint32_t end)
+      { best.Compare(ranks, static_cast<std::int32_t>(first), static_cast<std::int32_t>(end)); });
+    const auto position = best.GetPosition();
+    return position < 0 ? NoVertex : this->Entries[static_cast<std::size_t>(position)].Users;
   }
 
   void Remove(std::uint32_t index);
@@ -124,6 +116,39 @@ private:
     float Limit; // of the squared distance
     std::array<unsigned, 3> Low, High;
   };
+
+  /** Calls use(ranks, first, end) for the groups of vertices within reach, in the order of Find.
+   * Lanes of entries from end on do not belong to the search. */
+  template <typename GetRanks, typename Use>
+  GATUN_INLINE void EachGroup(
+    const GatePlane& plane, float reach, GetRanks&& getRanks, Use&& use) const
+  {
+    const Area area(*this, plane, reach);
+    std::uint32_t patience = Patience;
+    for (unsigned i = 0; i < area.CountOf(2); ++i)
+    {
+      const auto z = area.Outwards(2, i);
+      for (unsigned j = 0; j < area.CountOf(1); ++j)
+      {
+        const auto row = ((z << this->Bits) + area.Outwards(1, j)) << this->Bits;
+        const auto begin = this->CellStart[row + area.Low[0]];
+        const auto end = this->CellStart[row + area.High[0] + 1];
+        for (auto first = begin; first < end; first += 4)
+        {
+          const auto* e = &this->Entries[first];
+          const auto places = Gather(e[0], e[1], e[2], e[3]);
+          const auto distances = area.GetDistances(places);
+          use(SelectGreater(
+                distances, Splat(area.Limit), Splat(NeverRank), getRanks(places, distances)),
+            first, end);
+          if (--patience == 0)
+          {
+            return;
+          }
+        }
+      }
+    }
+  }
 
   unsigned CellOf(float coordinate) const
   {

@@ -92,6 +92,20 @@ private:
   std::array<RankedVertex, Most> Ranked;
   unsigned Count = 0;
 };
+
+/** Visits the faces around a corner of a gate until use returns false. */
+template <Ranking Rule, typename Use>
+GATUN_INLINE void TurnBothWays(
+  const Front& front, const Gate<Rule>& gate, unsigned corner, Use&& use)
+{
+  const auto& over = gate.Face.Over;
+  const auto end =
+    TurnAround<Turn::Forward>(front, over[NextSide(corner)], VertexRing::MaxFan, use);
+  if (end.IsBorder())
+  {
+    TurnAround<Turn::Back>(front, over[LastSide(corner)], VertexRing::MaxFan, use);
+  }
+}
 }
 
 #endif

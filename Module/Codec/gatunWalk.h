@@ -13,6 +13,7 @@
 // of Delaunay tetrahedra meshes", Data Compression Conference 2005.
 
 #include "gatunEntropy.h"
+#include "gatunFrontGrowth.h"
 #include "gatunGate.h"
 #include "gatunSharedSearch.h"
 #include "gatunTopology.h"
@@ -21,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -59,24 +61,24 @@ public:
     , Truth(side)
     , Input(input)
     , Out(out)
+    , Growth(std::min(input.Tets, input.Stop),
+        std::size_t{ input.OwnVertices } + input.Shared.size(), out)
+    , Open(Growth.GetFront())
     , Search(input.Shared)
     , Ring(std::size_t{ input.OwnVertices } + input.Shared.size())
   {
     // Sized once, because growing vectors would cost more than the walk itself.
     const auto vertices = std::size_t{ input.OwnVertices } + input.Shared.size();
-    const auto tets = std::min(input.Tets, input.Stop);
     this->Places.resize(vertices);
     out.Sources.resize(vertices);
     out.Records.resize(input.OwnVertices);
-    out.Tets.resize(tets);
-    out.Parents.resize(tets);
-    out.EdgeLog.resize(tets + tets / 4 + MostNewEdges);
   }
 
   void Run()
   {
     const auto end = static_cast<std::uint32_t>(this->Out.Tets.size());
-    while (this->Tets < end) // NOLINT(bugprone-infinite-loop): both branches add tetrahedra
+    while (
+      this->Growth.GetTets() < end) // NOLINT(bugprone-infinite-loop): both branches add tetrahedra
     {
       const auto gate = this->Input.Plain ? Front::None : this->Open.NextGate();
       if (gate == Front::None)
@@ -88,7 +90,7 @@ public:
         this->GrowOnGate(gate);
       }
     }
-    this->Out.EdgeLog.resize(this->Edges);
+    this->Growth.Finish();
     if (end < this->Input.Tets)
     {
       this->Out.Sources.resize(this->Vertices);
@@ -102,9 +104,6 @@ public:
 
 private:
   static constexpr unsigned MaxRing = 15; // ring vertices that can be named
-
-  // The order of the sides of the gate. Other orders cost some bits in grids.
-  static constexpr std::array<unsigned, 3> OrderOfFaces{ 2, 0, 1 };
 
   // The search radius for shared vertices in longest edges. Grids are often stretched.
   static constexpr float SearchReach = Rule == Ranking::Angle ? 3.0F : 1.25F;
@@ -165,31 +164,16 @@ private:
     {
       v[i] = this->CodeSeedVertex(i);
     }
+    // A tetrahedron with a vertex twice has fewer than four faces and stays out of the front.
     const bool degenerate =
       v[0] == v[1] || v[0] == v[2] || v[0] == v[3] || v[1] == v[2] || v[1] == v[3] || v[2] == v[3];
     if (degenerate || this->Input.Plain)
     {
-      // A tetrahedron with a vertex twice has fewer than four faces and stays out of the front.
-      this->Finish(v, Topology::NoTet);
-      return;
+      this->Growth.AddAlone(v);
     }
-    const auto tet = this->Finish(v, Topology::NoTet);
-    this->MakeRoom();
-    const auto base = this->Open.AddFace({ v[0], v[2], v[1] }, v[3], tet);
-    Sides sides;
-    for (const unsigned i : OrderOfFaces)
+    else
     {
-      const unsigned side = i > 0 ? 3 - i : 0;
-      this->Raise({ v[0], v[1], v[2] }, i, v[3], tet, Link::ToSide(base, side), sides);
-    }
-    for (unsigned k = 0; k < 3; ++k)
-    {
-      this->LogEdge(v[k], v[NextSide(k)]);
-    }
-    for (unsigned k = 0; k < 3; ++k)
-    {
-      this->LogEdge(v[k], v[3]);
-      this->Open.Connect(sides.Left[k], sides.Right[k], 1);
+      this->Growth.AddSeed(v);
     }
   }
 
@@ -241,7 +225,7 @@ private:
     if (gate.HasCandidate() &&
       this->Symbols.Bit(this->Models.Hit(gate), !border && target == gate.GetBest()))
     {
-      this->Attach(gate, gate.GetBest());
+      this->Growth.Attach(gate, gate.GetBest());
       return;
     }
     if (!isInterface && this->Symbols.Bit(this->Models.Border(gate, this->Places), border))
@@ -251,10 +235,10 @@ private:
     }
     if (this->Symbols.Bit(this->Models.New(gate, this->Open, this->Places), target == NoVertex))
     {
-      this->template AttachGlued<0, true>(gate, this->MeetNew(gate));
+      this->Growth.AttachNew(gate, this->MeetNew(gate));
       return;
     }
-    this->Attach(gate, this->CodeKnown(gate, target));
+    this->Growth.Attach(gate, this->CodeKnown(gate, target));
   }
 
   /** The other chunks that use all corners of a face. */
@@ -293,13 +277,28 @@ private:
   std::uint32_t CodeShared(const Gate<Rule>& gate)
   {
     const auto target = Coder::Encoding ? this->Truth.GetTargetShared(3) : 0;
-    const auto hits = this->Search.Find(gate.Plane, SearchReach,
-      [&](const Vec3x4& places, Float4 distances)
+    const auto getRanks = [&](const Vec3x4& places, Float4 distances)
+    {
+      return Rule == Ranking::Sphere ? gate.GetSpheres(places)
+                                     : gate.Plane.SelectInFront(places, distances);
+    };
+    unsigned known = 0; // the number of hits that are known to be wrong
+    if constexpr (!Coder::Encoding)
+    {
+      // The best one is usually right, and alone it is found without branches.
+      const auto best = this->Search.FindBest(gate.Plane, SearchReach, getRanks);
+      if (best == NoVertex)
       {
-        return Rule == Ranking::Sphere ? gate.GetSpheres(places)
-                                       : gate.Plane.SelectInFront(places, distances);
-      });
-    for (unsigned i = 0; i < hits.Count; ++i)
+        return this->CodeIndex(target, this->Input.Shared.size());
+      }
+      if (this->Symbols.Bit(this->Models.SharedRank[0]))
+      {
+        return best;
+      }
+      known = 1;
+    }
+    const auto hits = this->Search.Find(gate.Plane, SearchReach, getRanks);
+    for (unsigned i = known; i < hits.Count; ++i)
     {
       const auto index = hits.List[i].Id;
       if (this->Symbols.Bit(this->Models.SharedRank[i], index == target))
@@ -341,7 +340,7 @@ private:
     this->Ring.Begin(gate);
     for (unsigned i = 0; i < 3; ++i)
     {
-      this->TurnBothWays(gate, i,
+      TurnBothWays(this->Open, gate, i,
         [this](Vertex v, Link, Turn)
         {
           this->Ring.Add(v);
@@ -349,19 +348,6 @@ private:
         });
     }
     this->Ring.Rank(gate, this->Places);
-  }
-
-  /** Visits the faces around a corner of the gate until use returns false. */
-  template <typename Use>
-  void TurnBothWays(const Gate<Rule>& gate, unsigned corner, Use&& use)
-  {
-    const auto& over = gate.Face.Over;
-    const auto end =
-      TurnAround<Turn::Forward>(this->Open, over[NextSide(corner)], VertexRing::MaxFan, use);
-    if (end.IsBorder())
-    {
-      TurnAround<Turn::Back>(this->Open, over[LastSide(corner)], VertexRing::MaxFan, use);
-    }
   }
 
   /** Codes a vertex by its rank in the ring. Returns NoVertex if it is not among the first ones. */
@@ -391,194 +377,18 @@ private:
     ThrowCorrupt("a walk names no vertex of a list");
   }
 
-  //----------------------------------------------------------------------------
-  // A new tetrahedron in the front
-
-  /**
-   * The neighbors on both sides of the edges from the gate's corners to the fourth vertex: a new
-   * face, or the neighbor over that edge of an open face that the tetrahedron closes.
-   */
-  struct Sides
-  {
-    std::array<Link, 3> Left;
-    std::array<Link, 3> Right;
-  };
-
-  static constexpr std::size_t MostNewEdges = 6; // of one tetrahedron
-
-  std::uint32_t Finish(const std::array<Vertex, 4>& corners, std::uint32_t parent)
-  {
-    const auto tet = this->Tets++;
-    this->Out.Tets[tet] = corners;
-    this->Out.Parents[tet] = parent;
-    return tet;
-  }
-
-  /** Makes room for the faces and edges of a tetrahedron. */
-  void MakeRoom()
-  {
-    this->Open.MakeRoom();
-    auto& log = this->Out.EdgeLog;
-    if (this->Edges + MostNewEdges > log.size())
-    {
-      log.resize(2 * log.size());
-    }
-  }
-
-  GATUN_INLINE void LogEdge(Vertex a, Vertex b) { this->Out.EdgeLog[this->Edges++] = { a, b }; }
-
-  /** Opens the face over side i of a triangle and links it there. */
-  GATUN_INLINE void Raise(const std::array<Vertex, 3>& c, unsigned i, Vertex fourth,
-    std::uint32_t tet, Link base, Sides& sides)
-  {
-    const auto next = NextSide(i);
-    const auto last = LastSide(i);
-    const auto face = this->Open.AddFace({ c[next], c[last], fourth }, c[i], tet);
-    this->Open.Connect(Link::ToSide(face, 2), base, base.GetTets() + 1);
-    sides.Left[last] = Link::ToSide(face, 0);
-    sides.Right[next] = Link::ToSide(face, 1);
-  }
-
-  /** Adds a tetrahedron with a known fourth vertex, which closes the open faces that it shares. */
-  void Attach(const Gate<Rule>& gate, Vertex fourth)
-  {
-    const unsigned glued = unsigned{ gate.Ids[0] == fourth } |
-      unsigned{ gate.Ids[1] == fourth } << 1 | unsigned{ gate.Ids[2] == fourth } << 2;
-    switch (glued)
-    {
-      case 0:
-        return this->template AttachGlued<0>(gate, fourth);
-      case 1:
-        return this->template AttachGlued<1>(gate, fourth);
-      case 2:
-        return this->template AttachGlued<2>(gate, fourth);
-      case 3:
-        return this->template AttachGlued<3>(gate, fourth);
-      case 4:
-        return this->template AttachGlued<4>(gate, fourth);
-      case 5:
-        return this->template AttachGlued<5>(gate, fourth);
-      case 6:
-        return this->template AttachGlued<6>(gate, fourth);
-      default:
-        return this->template AttachGlued<7>(gate, fourth);
-    }
-  }
-
-  /**
-   * Adds the tetrahedron on a gate. Bit i of Glued is set if it shares the open face over side i of
-   * the gate. IsNew: whether its fourth vertex is new.
-   */
-  template <unsigned Glued, bool IsNew = false>
-  void AttachGlued(const Gate<Rule>& gate, Vertex fourth)
-  {
-    constexpr std::array<bool, 3> glued{ (Glued & 1) != 0, (Glued & 2) != 0, (Glued & 4) != 0 };
-    const auto& c = gate.Face.Corners;
-    const auto& over = gate.Face.Over;
-    std::array<Touch, 3> touches;
-    for (unsigned k = 0; k < 3 && !IsNew; ++k)
-    {
-      if (!glued[NextSide(k)] && !glued[LastSide(k)])
-      {
-        touches[k] = this->FindTouch(gate, k, fourth);
-      }
-    }
-    const auto tet = this->Finish({ c[0], c[1], c[2], fourth }, gate.Face.Open - 1);
-    this->MakeRoom();
-    Sides sides;
-    for (const unsigned i : OrderOfFaces)
-    {
-      if (glued[i])
-      {
-        auto& face = this->Open.GetFace(over[i]);
-        face.Open = 0;
-        sides.Left[LastSide(i)] = face.Over[LastSide(over[i].GetSide())];
-        sides.Right[NextSide(i)] = face.Over[NextSide(over[i].GetSide())];
-      }
-      else
-      {
-        this->Raise(c, i, fourth, tet, over[i], sides);
-      }
-    }
-    for (unsigned k = 0; k < 3; ++k)
-    {
-      if (glued[NextSide(k)] || glued[LastSide(k)])
-      {
-        this->JoinAround(sides.Left[k], sides.Right[k]);
-      }
-      else if (touches[k].Found)
-      {
-        this->JoinTouching(touches[k], sides.Left[k], sides.Right[k]);
-      }
-      else
-      {
-        this->LogEdge(c[k], fourth);
-        this->Open.Connect(sides.Left[k], sides.Right[k], 1);
-      }
-    }
-  }
-
-  /** Links the neighbors on both sides of a tetrahedron at an edge that is already in the front. */
-  GATUN_INLINE void JoinAround(Link left, Link right)
-  {
-    const bool closed =
-      !left.IsBorder() && this->Open.GetFace(left).Open == 0; // all around the edge
-    if (!closed)
-    {
-      this->Open.Connect(left, right, left.GetTets() + right.GetTets() + 1);
-    }
-  }
-
-  //----------------------------------------------------------------------------
-  // A front that touches itself
-
-  /** A side of the front at an edge of the new tetrahedron. */
-  struct Touch
-  {
-    Link Edge;
-    bool Found = false;
-    bool FromFourth = false; // the side runs from the fourth vertex to the corner
-  };
-
-  /** Searches the edges around a corner for the one to a vertex. */
-  Touch FindTouch(const Gate<Rule>& gate, unsigned corner, Vertex fourth)
-  {
-    Touch touch;
-    this->TurnBothWays(gate, corner,
-      [&](Vertex v, Link side, Turn sense)
-      {
-        if (v != fourth)
-        {
-          return true;
-        }
-        touch = { side, true, sense == Turn::Forward };
-        return false;
-      });
-    return touch;
-  }
-
-  /** Links those of the four faces at an edge that have no visited tetrahedra between them. */
-  void JoinTouching(const Touch& touch, Link left, Link right)
-  {
-    const auto before = this->Open.GetFace(touch.Edge).Over[touch.Edge.GetSide()];
-    const auto tets = before.GetTets() + 1;
-    this->Open.Connect(touch.FromFourth ? left : right, touch.Edge, tets);
-    this->Open.Connect(touch.FromFourth ? right : left, before, tets);
-  }
-
   Coder& Symbols;
   Side& Truth;
   const WalkInput Input;
   Topology& Out;
-  Front Open;
+  FrontGrowth<Rule> Growth;
+  Front& Open;
   SharedSearch Search;
   VertexRing Ring;
   WalkModels<Rule> Models;
 
-  std::uint32_t Tets = 0; // made so far
   Vertex Vertices = 0;    // met so far
   std::uint32_t Owns = 0; // own ones among them
-  std::size_t Edges = 0;  // logged so far
   std::vector<LatticePoint> Places;
 };
 }

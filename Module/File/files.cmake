@@ -20,6 +20,7 @@ gatun_core_folder(File
   PRIVATE_HEADERS
     gatunArrayInput.h
     gatunBaseMesh.h
+    gatunBisection.h
     gatunChunkCacheInternals.h
     gatunChunkSet.h
     gatunChunkSetDecoder.h
@@ -27,6 +28,7 @@ gatun_core_folder(File
     gatunCoarsePiece.h
     gatunFileReaderInternals.h
     gatunLayerPartition.h
+    gatunLocalIds.h
     gatunMeshAccess.h
     gatunMeshSection.h
     gatunPartDecoder.h
@@ -38,6 +40,7 @@ gatun_core_folder(File
     gatunWriterState.h
   SOURCES
     gatunBaseMesh.cxx
+    gatunBisection.cxx
     gatunChunkCache.cxx
     gatunChunkSet.cxx
     gatunChunkSetDecoder.cxx

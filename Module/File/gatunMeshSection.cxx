@@ -4,10 +4,14 @@
 #include "gatunMeshSection.h"
 
 #include "gatunFloatEnvironment.h"
+#include "gatunLocalIds.h"
 #include "gatunPalette.h"
+#include "gatunParallel.h"
 
 #include <algorithm>
+#include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace gatun
@@ -18,11 +22,7 @@ void MeshSection::Write(const std::function<bool(double)>& progress)
   this->MakePartition(progress);
   StreamBatch batch;
   this->WritePalettes(batch);
-  for (std::size_t b = 0; b < this->State.Table.Blocks.size(); ++b)
-  {
-    this->WriteBlock(this->State.Table.Blocks[b], this->State.GetBlockPoints(b), batch);
-  }
-  this->WriteBlock(this->State.Table.Unused, this->State.Parts.UnusedPoints, batch);
+  this->WriteBlocks(batch);
   batch.Write(this->State.File, SectionMesh);
   this->WriteChunks(progress);
   this->FindBounds();
@@ -65,10 +65,16 @@ void MeshSection::MakePartition(const std::function<bool(double)>& progress)
 void MeshSection::WritePalettes(StreamBatch& batch)
 {
   const auto& input = this->State.Mesh.GetMesh();
+  std::array<std::shared_ptr<const Palette>, 3> palettes;
+  ParallelFor(palettes.size(),
+    [&](std::size_t axis)
+    {
+      palettes[axis] = FindPalette(
+        input.CoordinateType, input.Coordinates, static_cast<std::size_t>(input.Points), 3, axis);
+    });
   for (unsigned axis = 0; axis < 3; ++axis)
   {
-    auto palette = FindPalette(
-      input.CoordinateType, input.Coordinates, static_cast<std::size_t>(input.Points), 3, axis);
+    const auto& palette = palettes[axis];
     this->Domains[axis] = Domain(input.CoordinateType, palette);
     if (palette)
     {
@@ -82,12 +88,41 @@ void MeshSection::WritePalettes(StreamBatch& batch)
 }
 
 //------------------------------------------------------------------------------
-void MeshSection::WriteBlock(
-  BlockEntry& block, std::span<const std::uint32_t> points, StreamBatch& batch)
+void MeshSection::WriteBlocks(StreamBatch& batch)
 {
+  auto& blocks = this->State.Table.Blocks;
+  std::vector<BlockStreams> streams(blocks.size() + 1);
+  ParallelFor(streams.size(),
+    [&](std::size_t b)
+    {
+      streams[b] = this->EncodeBlock(b < blocks.size()
+          ? this->State.GetBlockPoints(b)
+          : std::span<const std::uint32_t>(this->State.Parts.UnusedPoints));
+    });
+  for (std::size_t b = 0; b < streams.size(); ++b)
+  {
+    auto& block = b < blocks.size() ? blocks[b] : this->State.Table.Unused;
+    for (const auto& [bytes, where, count] : { std::tuple(&streams[b].Geometry, &block.Geometry,
+                                                 &this->State.Statistics.SharedGeometryBytes),
+           std::tuple(&streams[b].Order, &block.Order, &this->State.Statistics.OrderBytes) })
+    {
+      if (!bytes->empty())
+      {
+        batch.Add(*bytes, *where);
+        *count += bytes->size();
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/** Encodes the points of a block. Called by several threads. */
+MeshSection::BlockStreams MeshSection::EncodeBlock(std::span<const std::uint32_t> points) const
+{
+  BlockStreams streams;
   if (points.empty())
   {
-    return;
+    return streams;
   }
   const FloatEnvironment guard;
   const auto pointKeys = this->GetPointKeys(points);
@@ -100,19 +135,17 @@ void MeshSection::WriteBlock(
       keys[axis].Now[i] = pointKeys[i][axis];
     }
   }
-  auto geometry = EncodeCellValues({}, this->Domains, keys);
-  geometry.resize(std::max<std::size_t>(geometry.size(), points.size() / MaxItemsPerByte + 1), 0);
-  batch.Add(geometry, block.Geometry);
-  this->State.Statistics.SharedGeometryBytes += geometry.size();
+  streams.Geometry = EncodeCellValues({}, this->Domains, keys);
+  streams.Geometry.resize(
+    std::max<std::size_t>(streams.Geometry.size(), points.size() / MaxItemsPerByte + 1), 0);
   if (this->State.Options.Keep & KeepPoints)
   {
     const Domain ids(ScalarType::UInt32);
     ComponentKeys order;
     order.Now.assign(points.begin(), points.end());
-    const auto stream = EncodeCellValues({}, { &ids, 1 }, { &order, 1 });
-    batch.Add(stream, block.Order);
-    this->State.Statistics.OrderBytes += stream.size();
+    streams.Order = EncodeCellValues({}, { &ids, 1 }, { &order, 1 });
   }
+  return streams;
 }
 
 //------------------------------------------------------------------------------
@@ -148,61 +181,27 @@ std::vector<std::uint32_t> MeshSection::GetSharedPoints(std::size_t chunk) const
 }
 
 //------------------------------------------------------------------------------
-/** The points that no other chunk uses, in the order of the input. */
-std::vector<std::uint32_t> MeshSection::GetOwnPoints(std::size_t chunk) const
-{
-  const auto begin = this->State.Parts.ChunkStart[chunk];
-  const auto end = this->State.Parts.ChunkStart[chunk + 1];
-  std::vector<std::uint32_t> own;
-  for (auto t = begin; t < end; ++t)
-  {
-    for (unsigned i = 0; i < 4; ++i)
-    {
-      const auto p =
-        static_cast<std::uint32_t>(this->State.Mesh.GetId(this->State.Parts.Tets[t], i));
-      if (this->State.Parts.SharedIndex[p] == Partition::OwnPoint)
-      {
-        own.push_back(p);
-      }
-    }
-  }
-  std::sort(own.begin(), own.end());
-  own.erase(std::unique(own.begin(), own.end()), own.end());
-  return own;
-}
-
-//------------------------------------------------------------------------------
-MeshSection::LocalMesh MeshSection::MakeLocalMesh(std::size_t chunk) const
+MeshSection::LocalMesh MeshSection::MakeLocalMesh(std::size_t chunk)
 {
   LocalMesh local;
   local.Shared = this->GetSharedPoints(chunk);
-  local.Own = this->GetOwnPoints(chunk);
-  const auto begin = this->State.Parts.ChunkStart[chunk];
-  const auto end = this->State.Parts.ChunkStart[chunk + 1];
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> sharedIds(local.Shared.size());
-  for (std::uint32_t i = 0; i < local.Shared.size(); ++i)
+  local.Own = std::move(this->State.Parts.OwnPoints[chunk]);
+  LocalIds ids(local.Shared.size() + local.Own.size());
+  for (const auto* points : { &local.Shared, &local.Own })
   {
-    sharedIds[i] = { local.Shared[i], i };
-  }
-  std::sort(sharedIds.begin(), sharedIds.end());
-  const auto toLocal = [&](std::uint32_t p)
-  {
-    if (this->State.Parts.SharedIndex[p] == Partition::OwnPoint)
+    for (const auto p : *points)
     {
-      return static_cast<std::uint32_t>(std::lower_bound(local.Own.begin(), local.Own.end(), p) -
-        local.Own.begin() + static_cast<std::ptrdiff_t>(local.Shared.size()));
+      ids.Add(p);
     }
-    return std::lower_bound(
-      sharedIds.begin(), sharedIds.end(), std::pair<std::uint32_t, std::uint32_t>{ p, 0 })
-      ->second;
-  };
-  local.Tets.resize(end - begin);
-  for (auto t = begin; t < end; ++t)
+  }
+  const auto begin = this->State.Parts.ChunkStart[chunk];
+  local.Tets.resize(this->State.Parts.ChunkStart[chunk + 1] - begin);
+  for (std::size_t t = 0; t < local.Tets.size(); ++t)
   {
     for (unsigned i = 0; i < 4; ++i)
     {
-      local.Tets[t - begin][i] =
-        toLocal(static_cast<std::uint32_t>(this->State.Mesh.GetId(this->State.Parts.Tets[t], i)));
+      local.Tets[t][i] = ids[static_cast<std::uint32_t>(
+        this->State.Mesh.GetId(this->State.Parts.Tets[begin + t], i))];
     }
   }
   return local;

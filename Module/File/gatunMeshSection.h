@@ -43,6 +43,11 @@ private:
     std::vector<std::array<std::uint32_t, 4>> Tets;
   };
 
+  struct BlockStreams
+  {
+    Bytes Geometry, Order;
+  };
+
   struct ChunkStreams
   {
     Bytes Connectivity, Geometry, PointOrder, CellOrder, Corners;
@@ -50,14 +55,14 @@ private:
 
   void MakePartition(const std::function<bool(double)>& progress);
   void WritePalettes(StreamBatch& batch);
-  void WriteBlock(BlockEntry& block, std::span<const std::uint32_t> points, StreamBatch& batch);
+  void WriteBlocks(StreamBatch& batch);
+  BlockStreams EncodeBlock(std::span<const std::uint32_t> points) const;
   void WriteChunks(const std::function<bool(double)>& progress);
   void FindBounds();
 
   std::vector<PointKeys> GetPointKeys(std::span<const std::uint32_t> points) const;
   std::vector<std::uint32_t> GetSharedPoints(std::size_t chunk) const;
-  std::vector<std::uint32_t> GetOwnPoints(std::size_t chunk) const;
-  LocalMesh MakeLocalMesh(std::size_t chunk) const;
+  LocalMesh MakeLocalMesh(std::size_t chunk);
   ChunkFrame MakeFrame(std::size_t chunk, std::span<const std::uint32_t> shared) const;
   ChunkStreams EncodeChunk(std::size_t chunk);
   void EncodeOrder(

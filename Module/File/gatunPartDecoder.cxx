@@ -224,15 +224,7 @@ std::shared_ptr<const NeighborFit> PartDecoder::GetFit(
   {
     return found;
   }
-  std::vector<std::array<double, 3>> places(mesh.Keys.size());
-  for (std::size_t v = 0; v < places.size(); ++v)
-  {
-    for (unsigned i = 0; i < 3; ++i)
-    {
-      places[v][i] = mesh.Domains[i].ToValue(mesh.Keys[v][i]);
-    }
-  }
-  auto fit = std::make_shared<const NeighborFit>(mesh.Walk, places);
+  auto fit = std::make_shared<const NeighborFit>(mesh.Walk, mesh.GetPlaces());
   this->Kept().Keep(key, fit, sizeof(*fit) + fit->GetBytes());
   return fit;
 }

@@ -3,53 +3,28 @@
 
 #include "gatunPartition.h"
 
+#include "gatunBisection.h"
 #include "gatunLayerPartition.h"
+#include "gatunLocalIds.h"
 #include "gatunMorton.h"
 #include "gatunParallel.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <atomic>
 #include <map>
 #include <numeric>
+#include <utility>
 
 namespace gatun
 {
 namespace
 {
 constexpr std::size_t TetsPerTask = 1u << 16;
+constexpr std::size_t PointsPerTask = 1u << 16;
 
 // Smaller groups are stored together with others of the same first chunk.
 constexpr std::uint32_t LargeGroup = 256;
-
-/** Four times the centroid along an axis. NaN comes first. */
-float GetCentroid(const MeshAccess& mesh, std::uint32_t tet, unsigned axis)
-{
-  double sum = 0;
-  for (unsigned i = 0; i < 4; ++i)
-  {
-    sum += mesh.GetCoordinate(mesh.GetId(tet, i), axis);
-  }
-  constexpr double largest = std::numeric_limits<float>::max();
-  return static_cast<float>(std::isnan(sum) ? -largest : std::clamp(sum, -largest, largest));
-}
-
-struct Centroid
-{
-  float Place;
-  std::uint32_t Tet;
-
-  bool operator<(const Centroid& other) const
-  {
-    return this->Place < other.Place || (this->Place == other.Place && this->Tet < other.Tet);
-  }
-};
-
-struct Part
-{
-  std::size_t Begin;
-  std::size_t End;
-};
 
 void CheckIds(const MeshAccess& mesh)
 {
@@ -74,39 +49,6 @@ void CheckIds(const MeshAccess& mesh)
         }
       }
     });
-}
-
-/** Divides a part along its longest axis. Returns the position of the second half. */
-std::size_t Halve(
-  const MeshAccess& mesh, std::vector<Centroid>& items, const Part& part, std::uint32_t chunkTets)
-{
-  Bounds box;
-  for (auto i = part.Begin; i < part.End; ++i)
-  {
-    for (unsigned axis = 0; axis < 3; ++axis)
-    {
-      box[axis].Include(GetCentroid(mesh, items[i].Tet, axis));
-    }
-  }
-  unsigned longest = 0;
-  for (unsigned axis = 1; axis < 3; ++axis)
-  {
-    if (box[axis].Max - box[axis].Min > box[longest].Max - box[longest].Min)
-    {
-      longest = axis;
-    }
-  }
-  for (auto i = part.Begin; i < part.End; ++i)
-  {
-    items[i].Place = GetCentroid(mesh, items[i].Tet, longest);
-  }
-  // All chunks end up with about the same number of tetrahedra.
-  const auto count = part.End - part.Begin;
-  const auto chunks = (count + chunkTets - 1) / chunkTets;
-  const auto middle = part.Begin + count * (chunks / 2) / chunks;
-  const auto at = [&](std::size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::nth_element(at(part.Begin), at(middle), at(part.End));
-  return middle;
 }
 
 // Buckets of layers with less than this fraction of a chunk are joined with others.
@@ -138,75 +80,25 @@ LayerBuckets MakeBuckets(const MeshAccess& mesh, std::uint32_t chunkTets, LayerP
   return SortByLayers(mesh, values, layers.Result, chunkTets / SmallestPart);
 }
 
-void CutIntoChunks(const MeshAccess& mesh, std::uint32_t chunkTets, LayerBuckets buckets,
-  Partition& out, const std::function<bool(double)>& progress)
-{
-  const auto count = buckets.Tets.size();
-  std::vector<Centroid> items(count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    items[i] = { 0, buckets.Tets[i] };
-  }
-  std::vector<Part> parts;
-  for (std::size_t i = 0; i + 1 < buckets.Start.size(); ++i)
-  {
-    parts.push_back({ buckets.Start[i], buckets.Start[i + 1] });
-  }
-  buckets = {};
-  for (bool cut = true; cut;)
-  {
-    std::vector<std::size_t> middles(parts.size(), 0);
-    ParallelFor(parts.size(),
-      [&](std::size_t i)
-      {
-        const auto& part = parts[i];
-        middles[i] =
-          part.End - part.Begin > chunkTets ? Halve(mesh, items, part, chunkTets) : part.End;
-      });
-    std::vector<Part> next;
-    cut = false;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-    {
-      next.push_back({ parts[i].Begin, middles[i] });
-      if (middles[i] < parts[i].End)
-      {
-        next.push_back({ middles[i], parts[i].End });
-        cut = true;
-      }
-    }
-    parts.swap(next);
-    if (progress && !progress(0))
-    {
-      throw Error(ErrorCode::Aborted, "aborted");
-    }
-  }
-  out.Tets.resize(count);
-  out.ChunkStart.assign(1, 0);
-  for (const auto& part : parts)
-  {
-    out.ChunkStart.push_back(part.End);
-  }
-  ParallelFor(parts.size(),
-    [&](std::size_t i)
-    {
-      const auto& part = parts[i];
-      for (auto t = part.Begin; t < part.End; ++t)
-      {
-        out.Tets[t] = items[t].Tet;
-      }
-      std::sort(out.Tets.begin() + static_cast<std::ptrdiff_t>(part.Begin),
-        out.Tets.begin() + static_cast<std::ptrdiff_t>(part.End));
-    });
-}
-
 Bounds GetBox(const MeshAccess& mesh)
 {
-  Bounds box;
-  for (std::uint64_t p = 0; p < mesh.GetMesh().Points; ++p)
+  const auto points = mesh.GetMesh().Points;
+  std::vector<Bounds> boxes((points + PointsPerTask - 1) / PointsPerTask);
+  ParallelFor(boxes.size(),
+    [&](std::size_t task)
+    {
+      const auto end = std::min<std::uint64_t>(points, (task + 1) * PointsPerTask);
+      for (std::uint64_t p = task * PointsPerTask; p < end; ++p)
+      {
+        mesh.Include(boxes[task], p);
+      }
+    });
+  Bounds all;
+  for (const auto& box : boxes)
   {
-    mesh.Include(box, p);
+    all.Include(box);
   }
-  return box;
+  return all;
 }
 
 /** The use of a shared point by a chunk. */
@@ -217,40 +109,77 @@ struct Use
   auto operator<=>(const Use&) const = default;
 };
 
-/** Marks each point as unused or own, and returns the uses of shared points. */
-std::vector<Use> FindShared(const MeshAccess& mesh, Partition& out)
+/** Lists the points of each chunk, ascending. */
+std::vector<std::vector<std::uint32_t>> ListPoints(const MeshAccess& mesh, const Partition& parts)
 {
-  std::vector<Use> uses;
-  std::vector<std::uint32_t> firstChunk(mesh.GetMesh().Points, Partition::Unused);
-  out.SharedIndex.assign(mesh.GetMesh().Points, Partition::Unused);
-  for (std::size_t c = 0; c < out.GetChunkCount(); ++c)
-  {
-    const auto chunk = static_cast<std::uint32_t>(c);
-    for (auto t = out.ChunkStart[c]; t < out.ChunkStart[c + 1]; ++t)
+  std::vector<std::vector<std::uint32_t>> lists(parts.GetChunkCount());
+  ParallelFor(lists.size(),
+    [&](std::size_t c)
     {
-      for (unsigned i = 0; i < 4; ++i)
+      LocalIds ids((parts.ChunkStart[c + 1] - parts.ChunkStart[c]) / 4);
+      for (auto t = parts.ChunkStart[c]; t < parts.ChunkStart[c + 1]; ++t)
       {
-        const auto p = static_cast<std::uint32_t>(mesh.GetId(out.Tets[t], i));
-        if (firstChunk[p] == Partition::Unused)
+        for (unsigned i = 0; i < 4; ++i)
         {
-          firstChunk[p] = chunk;
-          out.SharedIndex[p] = Partition::OwnPoint;
-        }
-        else if (firstChunk[p] != chunk && (uses.empty() || uses.back() != Use{ p, chunk }))
-        {
-          uses.push_back({ p, chunk });
-          if (out.SharedIndex[p] == Partition::OwnPoint)
-          {
-            out.SharedIndex[p] = 0; // a shared point
-            uses.push_back({ p, firstChunk[p] });
-          }
+          ids.Add(static_cast<std::uint32_t>(mesh.GetId(parts.Tets[t], i)));
         }
       }
-    }
+      lists[c] = ids.GetPoints();
+      std::sort(lists[c].begin(), lists[c].end());
+    });
+  return lists;
+}
+
+/** Marks each point as unused, own or shared, and returns the uses of shared points by point and
+ * chunk. Leaves the own points in the lists. */
+std::vector<Use> FindShared(
+  const MeshAccess& mesh, std::vector<std::vector<std::uint32_t>>& lists, Partition& out)
+{
+  const auto points = static_cast<std::size_t>(mesh.GetMesh().Points);
+  std::vector<std::atomic<std::uint8_t>> users(points); // 0, 1, or 3 if there are several
+  ParallelFor(lists.size(),
+    [&](std::size_t c)
+    {
+      for (const auto p : lists[c])
+      {
+        if (users[p].fetch_or(1, std::memory_order_relaxed) != 0)
+        {
+          users[p].fetch_or(2, std::memory_order_relaxed);
+        }
+      }
+    });
+  out.SharedIndex.resize(points);
+  ParallelFor((points + PointsPerTask - 1) / PointsPerTask,
+    [&](std::size_t task)
+    {
+      const auto end = std::min(points, (task + 1) * PointsPerTask);
+      for (auto p = task * PointsPerTask; p < end; ++p)
+      {
+        const auto count = users[p].load(std::memory_order_relaxed);
+        out.SharedIndex[p] = count == 0 ? Partition::Unused : count == 1 ? Partition::OwnPoint : 0;
+      }
+    });
+  std::vector<std::vector<Use>> uses(lists.size());
+  ParallelFor(lists.size(),
+    [&](std::size_t c)
+    {
+      for (const auto p : lists[c])
+      {
+        if (out.SharedIndex[p] != Partition::OwnPoint)
+        {
+          uses[c].push_back({ p, static_cast<std::uint32_t>(c) });
+        }
+      }
+      std::erase_if(
+        lists[c], [&](std::uint32_t p) { return out.SharedIndex[p] != Partition::OwnPoint; });
+    });
+  std::vector<Use> all;
+  for (const auto& list : uses)
+  {
+    all.insert(all.end(), list.begin(), list.end());
   }
-  std::sort(uses.begin(), uses.end());
-  uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
-  return uses;
+  std::sort(all.begin(), all.end());
+  return all;
 }
 
 struct PlacedPoint
@@ -338,8 +267,9 @@ Partition MakePartition(const MeshAccess& mesh, std::uint32_t chunkTets,
   }
   CheckIds(mesh);
   Partition result;
-  CutIntoChunks(mesh, chunkTets,
-    layers ? MakeBuckets(mesh, chunkTets, *layers) : MakeOneBucket(mesh), result, progress);
+  auto buckets = layers ? MakeBuckets(mesh, chunkTets, *layers) : MakeOneBucket(mesh);
+  result.Tets = std::move(buckets.Tets);
+  result.ChunkStart = Bisect(mesh, result.Tets, buckets.Start, chunkTets, progress);
   if (layers)
   {
     const LayerValues values(layers->Array, layers->Request);
@@ -352,7 +282,8 @@ Partition MakePartition(const MeshAccess& mesh, std::uint32_t chunkTets,
             .subspan(result.ChunkStart[c], result.ChunkStart[c + 1] - result.ChunkStart[c]));
       });
   }
-  GroupShared(mesh, FindShared(mesh, result), result);
+  result.OwnPoints = ListPoints(mesh, result);
+  GroupShared(mesh, FindShared(mesh, result.OwnPoints, result), result);
   for (std::uint32_t p = 0; p < input.Points; ++p)
   {
     if (result.SharedIndex[p] == Partition::Unused)

@@ -28,6 +28,9 @@ struct Partition
   std::vector<std::uint32_t> SharedPoints;
   std::vector<BlockEntry> Blocks; // groups and counts only
 
+  // The points that no other chunk uses, for each chunk, ascending.
+  std::vector<std::vector<std::uint32_t>> OwnPoints;
+
   std::vector<std::uint32_t> UnusedPoints;
 
   // For each point, its position in SharedPoints, or OwnPoint, or Unused.

@@ -13,6 +13,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace gatun
 {
@@ -40,6 +41,46 @@ GATUN_INLINE unsigned CountUpTo(Short8 low, Short8 high, std::int16_t number)
     std::bit_cast<std::array<std::uint64_t, 2>>(-((low <= number) + (high <= number)));
   return static_cast<unsigned>(((all[0] + all[1]) * 0x0001000100010001u) >> 48);
 }
+
+/** The least number of a sequence that comes in groups of four, and its position. The first one of
+ * equal numbers counts. NaN and infinity never do. */
+class LeastOfGroups
+{
+public:
+  /** Compares the next group, whose lanes are at first, first + 1, ... Lanes from end on are left
+   * out. */
+  GATUN_INLINE void Compare(Float4 numbers, std::int32_t first, std::int32_t end)
+  {
+    const Int4 at = Int4{ 0, 1, 2, 3 } + first;
+    const Int4 better = (numbers < this->Numbers) & (at < end);
+    this->Numbers = better ? numbers : this->Numbers;
+    this->Positions = better ? at : this->Positions;
+    this->Groups = better ? Int4{} + this->Group : this->Groups;
+    ++this->Group;
+  }
+
+  /** The position of the least number, or -1. */
+  std::int32_t GetPosition() const
+  {
+    unsigned best = 0;
+    for (unsigned lane = 1; lane < 4; ++lane)
+    {
+      const bool less = (this->Numbers[lane] < this->Numbers[best]) |
+        ((this->Numbers[lane] == this->Numbers[best]) & (this->Groups[lane] < this->Groups[best]));
+      best = less ? lane : best;
+    }
+    return this->Positions[best];
+  }
+
+private:
+  using Int4 = std::int32_t __attribute__((vector_size(16)));
+  static constexpr float Infinity = std::numeric_limits<float>::infinity();
+
+  Float4 Numbers{ Infinity, Infinity, Infinity, Infinity };
+  Int4 Positions{ -1, -1, -1, -1 };
+  Int4 Groups{};
+  std::int32_t Group = 0;
+};
 
 /** Moves each lane towards a target by 1 / 2^rate of the way. */
 GATUN_INLINE Short8 Approach(Short8 value, Short8 target, int rate)
@@ -114,6 +155,28 @@ inline Float4 SelectGreater(const Float4& l, const Float4& r, const Float4& a, c
   }
   return result;
 }
+
+class LeastOfGroups
+{
+public:
+  void Compare(const Float4& numbers, std::int32_t first, std::int32_t end)
+  {
+    for (std::int32_t lane = 0; lane < 4 && first + lane < end; ++lane)
+    {
+      if (numbers[static_cast<std::size_t>(lane)] < this->Number)
+      {
+        this->Number = numbers[static_cast<std::size_t>(lane)];
+        this->Position = first + lane;
+      }
+    }
+  }
+
+  std::int32_t GetPosition() const { return this->Position; }
+
+private:
+  float Number = std::numeric_limits<float>::infinity();
+  std::int32_t Position = -1;
+};
 
 inline Float4 KeepThree(const Float4& v)
 {

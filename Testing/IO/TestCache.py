@@ -78,12 +78,20 @@ for keep in (0, 7):
         assert decoded > chunks and read > os.path.getsize(path) // 2
     assert sweep(new_reader(0), 1)[2] > sweep(new_reader(4), 1)[2]
 
-# Its size is not a modification, and holds at once.
+# A whole mesh without time steps is read past the cache, which keeps shared points only.
 reader = new_reader()
 reader.Update()
+whole = reader.GetCachedBytes()
+assert reader.GetDecodedChunks() == chunks
+gm.assert_equal(grid, reader.GetOutput())
+
+# Its size is not a modification, and holds at once.
+reader = new_reader()
+sweep(reader, 1)
+reader.UpdatePiece(0, 1, 0)
 time, full = reader.GetMTime(), reader.GetCachedBytes()
 output = reader.GetOutput().GetMTime()
-assert full > 2 << 20
+assert full > 2 << 20 and full > 10 * whole
 for size in (2, 0, -5):
     reader.SetMemoryBudget(size)
     assert reader.GetMemoryBudget() == max(0, size)
@@ -91,14 +99,21 @@ for size in (2, 0, -5):
 reader.Update()
 assert reader.GetMTime() == time and reader.GetOutput().GetMTime() == output
 
-# Other arrays decode no mesh, and those read before are not read again.
+# The first change of arrays decodes the meshes once more, and from then on they are kept. Arrays
+# that were read before are not read again.
 reader = new_reader()
 reader.SetCellArrayStatus("noise", 0)
+reader.Update()
+assert reader.GetDecodedChunks() == chunks
+reader.SetPointArrayStatus("wave", 0)
+reader.Update()
+assert reader.GetDecodedChunks() == 2 * chunks
+reader.SetPointArrayStatus("wave", 1)
 reader.Update()
 read, decoded = reader.GetBytesRead(), reader.GetDecodedChunks()
 reader.SetCellArrayStatus("noise", 1)
 reader.Update()
-assert reader.GetDecodedChunks() == decoded == chunks
+assert reader.GetDecodedChunks() == decoded == 2 * chunks
 noise = reader.GetBytesRead() - read
 assert noise > 0
 for name in ("wave", "point"):

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -118,4 +119,33 @@ TEST(Domain, RanksInAPalette)
   EXPECT_EQ(domain.FromNumber(1e9), 4u);
   EXPECT_EQ(domain.FromNumber(-3), 0u);
 }
+
+TEST(Domain, OfFloat32IsTheSameWithoutDispatch)
+{
+  const Domain domain(ScalarType::Float32);
+  ASSERT_TRUE(Float32Domain::Matches(domain));
+  EXPECT_FALSE(Float32Domain::Matches(Domain(ScalarType::Float64)));
+  EXPECT_FALSE(Float32Domain::Matches(
+    Domain(ScalarType::Float32, std::make_shared<const Palette>(Palette{ 1, 2 }))));
+  EXPECT_EQ(Float32Domain::GetBits(), domain.GetBits());
+  std::mt19937_64 random(6);
+  Key before = 0;
+  for (int i = 0; i < 200000; ++i)
+  {
+    // All exponents, NaN and infinity among them.
+    const Key key = i < 1000 ? static_cast<Key>(i) << 22 : random() & 0xffffffffu;
+    const double number = domain.ToNumber(key);
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(Float32Domain::ToNumber(key)),
+      std::bit_cast<std::uint64_t>(number));
+    const auto residual = Float32Domain::Subtract(key, before);
+    ASSERT_EQ(residual, domain.Subtract(key, before));
+    ASSERT_EQ(Float32Domain::Add(before, residual), key);
+    ASSERT_EQ(Float32Domain::Add(key, residual), domain.Add(key, residual));
+    const double wide = std::bit_cast<double>(random());
+    for (const double predicted : { number, number * 1.00000001, number * number, wide, -0.0 })
+    {
+      ASSERT_EQ(Float32Domain::FromNumber(predicted), domain.FromNumber(predicted)) << predicted;
+    }
+    before = key;
+  }
 }

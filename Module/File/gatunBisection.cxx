@@ -1,0 +1,304 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunBisection.h"
+
+#include "gatunError.h"
+#include "gatunParallel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace gatun
+{
+namespace
+{
+constexpr std::size_t ItemsPerTask = 1u << 15;
+constexpr std::size_t Bins = 1024;
+
+/** A tetrahedron and four times its centroid. */
+struct Item
+{
+  std::array<float, 3> Place;
+  std::uint32_t Tet;
+};
+
+/** Four times the centroid of a tetrahedron along an axis. NaN comes first, and there is no -0. */
+float GetPlace(const MeshAccess& mesh, const std::array<std::uint64_t, 4>& corners, unsigned axis)
+{
+  double sum = 0;
+  for (const auto corner : corners)
+  {
+    sum += mesh.GetCoordinate(corner, axis);
+  }
+  constexpr double largest = std::numeric_limits<float>::max();
+  return static_cast<float>(std::isnan(sum) ? -largest : std::clamp(sum, -largest, largest)) + 0.0F;
+}
+
+/** The order of the tetrahedra along an axis. Without branches, because it is unpredictable. */
+struct IsBefore
+{
+  unsigned Axis;
+
+  bool operator()(const Item& l, const Item& r) const
+  {
+    const float left = l.Place[this->Axis];
+    const float right = r.Place[this->Axis];
+    return (left < right) | ((left == right) & (l.Tet < r.Tet));
+  }
+};
+
+struct Part
+{
+  std::size_t Begin;
+  std::size_t End;
+
+  std::size_t GetSize() const { return this->End - this->Begin; }
+  std::size_t CountTasks() const { return (this->GetSize() + ItemsPerTask - 1) / ItemsPerTask; }
+
+  template <typename T>
+  std::span<T> GetTask(std::vector<T>& items, std::size_t task) const
+  {
+    const auto begin = this->Begin + task * ItemsPerTask;
+    return { items.data() + begin, std::min(ItemsPerTask, this->End - begin) };
+  }
+};
+
+/** Divides parts, from one array of items into another. */
+class Divider
+{
+public:
+  Divider(const MeshAccess& mesh, std::span<const std::uint32_t> tets, std::uint32_t partTets)
+    : PartTets(partTets)
+    , From(tets.size())
+    , To(tets.size())
+  {
+    const Part all{ 0, tets.size() };
+    ParallelFor(all.CountTasks(),
+      [&](std::size_t task)
+      {
+        auto tet = tets.begin() + static_cast<std::ptrdiff_t>(task * ItemsPerTask);
+        for (auto& item : all.GetTask(this->From, task))
+        {
+          item.Tet = *tet++;
+          const std::array<std::uint64_t, 4> corners{ mesh.GetId(item.Tet, 0),
+            mesh.GetId(item.Tet, 1), mesh.GetId(item.Tet, 2), mesh.GetId(item.Tet, 3) };
+          item.Place = { GetPlace(mesh, corners, 0), GetPlace(mesh, corners, 1),
+            GetPlace(mesh, corners, 2) };
+        }
+      });
+  }
+
+  /** Writes both halves of a part in their former order. Returns the beginning of the second one.
+   */
+  std::size_t Divide(const Part& part)
+  {
+    const auto box = this->GetBox(part);
+    unsigned axis = 0;
+    for (unsigned i = 1; i < 3; ++i)
+    {
+      axis = box[i].GetLength() > box[axis].GetLength() ? i : axis;
+    }
+    const auto parts = (part.GetSize() + this->PartTets - 1) / this->PartTets;
+    const auto half = part.GetSize() * (parts / 2) / parts;
+    const IsBefore isBefore{ axis };
+    const Item pivot = this->Select(part, axis, box[axis], half);
+
+    std::vector<std::size_t> starts(part.CountTasks() + 1, 0); // of the tasks in the first half
+    ParallelFor(part.CountTasks(),
+      [&](std::size_t task)
+      {
+        for (const auto& item : part.GetTask(this->From, task))
+        {
+          starts[task + 1] += isBefore(item, pivot);
+        }
+      });
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    ParallelFor(part.CountTasks(),
+      [&](std::size_t task)
+      {
+        std::array<std::size_t, 2> next{ part.Begin + half + task * ItemsPerTask - starts[task],
+          part.Begin + starts[task] };
+        for (const auto& item : part.GetTask(this->From, task))
+        {
+          this->To[next[isBefore(item, pivot)]++] = item;
+        }
+      });
+    return part.Begin + half;
+  }
+
+  /** Continues with the halves. */
+  void Swap() { this->From.swap(this->To); }
+
+  const Item& operator[](std::size_t i) const { return this->From[i]; }
+
+private:
+  struct Extent
+  {
+    float Min = std::numeric_limits<float>::max();
+    float Max = std::numeric_limits<float>::lowest();
+
+    void Include(const Extent& other)
+    {
+      this->Min = std::min(this->Min, other.Min);
+      this->Max = std::max(this->Max, other.Max);
+    }
+    double GetLength() const { return double{ this->Max } - double{ this->Min }; }
+  };
+  using Box = std::array<Extent, 3>;
+
+  Box GetBox(const Part& part)
+  {
+    std::vector<Box> boxes(part.CountTasks());
+    ParallelFor(boxes.size(),
+      [&](std::size_t task)
+      {
+        Box box;
+        for (const auto& item : part.GetTask(this->From, task))
+        {
+          for (unsigned i = 0; i < 3; ++i)
+          {
+            box[i].Include({ item.Place[i], item.Place[i] });
+          }
+        }
+        boxes[task] = box;
+      });
+    Box all;
+    for (const auto& box : boxes)
+    {
+      for (unsigned i = 0; i < 3; ++i)
+      {
+        all[i].Include(box[i]);
+      }
+    }
+    return all;
+  }
+
+  /** The item at a position of the order along an axis. A histogram leaves few items to sort. */
+  Item Select(const Part& part, unsigned axis, const Extent& extent, std::size_t position)
+  {
+    const double scale = static_cast<double>(Bins - 1) / extent.GetLength();
+    const auto binOf = [&](const Item& item)
+    {
+      const double bin = (double{ item.Place[axis] } - double{ extent.Min }) * scale;
+      return bin < static_cast<double>(Bins) ? static_cast<std::size_t>(bin) : 0; // 0 for NaN
+    };
+    std::vector<std::array<std::uint32_t, Bins>> counts(part.CountTasks());
+    ParallelFor(counts.size(),
+      [&](std::size_t task)
+      {
+        auto& count = counts[task];
+        count.fill(0);
+        for (const auto& item : part.GetTask(this->From, task))
+        {
+          ++count[binOf(item)];
+        }
+      });
+    std::size_t bin = 0;
+    std::size_t before = 0;
+    for (;; ++bin)
+    {
+      std::size_t count = 0;
+      for (const auto& list : counts)
+      {
+        count += list[bin];
+      }
+      if (before + count > position)
+      {
+        break;
+      }
+      before += count;
+    }
+    std::vector<std::size_t> starts(counts.size() + 1, 0);
+    for (std::size_t task = 0; task < counts.size(); ++task)
+    {
+      starts[task + 1] = starts[task] + counts[task][bin];
+    }
+    std::vector<Item> rest(starts.back());
+    ParallelFor(counts.size(),
+      [&](std::size_t task)
+      {
+        auto next = starts[task];
+        for (const auto& item : part.GetTask(this->From, task))
+        {
+          if (binOf(item) == bin)
+          {
+            rest[next++] = item;
+          }
+        }
+      });
+    const auto nth = rest.begin() + static_cast<std::ptrdiff_t>(position - before);
+    std::nth_element(rest.begin(), nth, rest.end(), IsBefore{ axis });
+    return *nth;
+  }
+
+  const std::uint32_t PartTets;
+  std::vector<Item> From;
+  std::vector<Item> To;
+};
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::size_t> Bisect(const MeshAccess& mesh, std::span<std::uint32_t> tets,
+  std::span<const std::size_t> starts, std::uint32_t partTets,
+  const std::function<bool(double)>& progress)
+{
+  Divider divider(mesh, tets, partTets);
+  std::vector<std::size_t> all(starts.begin(), starts.end());
+  std::vector<Part> parts; // that are not finished
+  for (std::size_t i = 0; i + 1 < all.size(); ++i)
+  {
+    parts.push_back({ all[i], all[i + 1] });
+  }
+  while (!parts.empty())
+  {
+    if (progress && !progress(0))
+    {
+      throw Error(ErrorCode::Aborted, "aborted");
+    }
+    std::vector<std::size_t> middles(parts.size());
+    const auto divide = [&](std::size_t i)
+    {
+      const auto& part = parts[i];
+      if (part.GetSize() > partTets)
+      {
+        middles[i] = divider.Divide(part);
+        return;
+      }
+      middles[i] = part.End;
+      for (auto t = part.Begin; t < part.End; ++t)
+      {
+        tets[t] = divider[t].Tet;
+      }
+    };
+    if (parts.size() < static_cast<std::size_t>(GetNumberOfThreads()))
+    {
+      for (std::size_t i = 0; i < parts.size(); ++i)
+      {
+        divide(i); // by all threads
+      }
+    }
+    else
+    {
+      ParallelFor(parts.size(), divide);
+    }
+    divider.Swap();
+    std::vector<Part> next;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      if (middles[i] < parts[i].End)
+      {
+        next.push_back({ parts[i].Begin, middles[i] });
+        next.push_back({ middles[i], parts[i].End });
+        all.push_back(middles[i]);
+      }
+    }
+    parts.swap(next);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+}

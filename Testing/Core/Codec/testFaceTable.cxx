@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The face table against a map of all faces.
+
+#include "gatunFaceTable.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <random>
+#include <set>
+#include <vector>
+
+namespace
+{
+using namespace gatun;
+
+using Tets = std::vector<FaceTable::Tet>;
+
+/** The faces with the same corners, ascending, for each set of corners. */
+std::map<std::array<std::uint32_t, 3>, std::vector<std::uint32_t>> FindGroups(const Tets& tets)
+{
+  std::map<std::array<std::uint32_t, 3>, std::vector<std::uint32_t>> groups;
+  for (std::uint32_t t = 0; t < tets.size(); ++t)
+  {
+    if (std::set<std::uint32_t>(tets[t].begin(), tets[t].end()).size() < 4)
+    {
+      continue;
+    }
+    for (std::uint32_t i = 0; i < 4; ++i)
+    {
+      std::array<std::uint32_t, 3> corners{ tets[t][(i + 1) % 4], tets[t][(i + 2) % 4],
+        tets[t][(i + 3) % 4] };
+      std::sort(corners.begin(), corners.end());
+      groups[corners].push_back(4 * t + i);
+    }
+  }
+  return groups;
+}
+
+void ExpectRight(const Tets& tets)
+{
+  const FaceTable table(tets);
+  ASSERT_EQ(table.Rows.size(), tets.size());
+  std::vector<std::uint32_t> over(4 * tets.size(), FaceTable::None);
+  std::size_t groups = 0;
+  for (const auto& [corners, faces] : FindGroups(tets))
+  {
+    if (faces.size() == 2)
+    {
+      over[faces[0]] = faces[1];
+      over[faces[1]] = faces[0];
+    }
+    if (faces.size() < 3)
+    {
+      continue;
+    }
+    ++groups;
+    const auto number = table.Rows[faces[0] / 4].Over[faces[0] % 4];
+    ASSERT_TRUE(FaceTable::IsGroup(number));
+    ASSERT_LT(FaceTable::GetGroup(number), table.Firsts.size());
+    std::vector<std::uint32_t> found;
+    for (auto face = table.Firsts[FaceTable::GetGroup(number)]; face != FaceTable::None;
+         face = table.Next[face])
+    {
+      found.push_back(face);
+      over[face] = number;
+    }
+    EXPECT_EQ(found, faces);
+  }
+  EXPECT_EQ(table.Firsts.size(), groups);
+  for (std::uint32_t face = 0; face < over.size(); ++face)
+  {
+    EXPECT_EQ(table.Rows[face / 4].Over[face % 4], over[face]);
+    EXPECT_EQ(table.Rows[face / 4].Corners, tets[face / 4]);
+  }
+}
+
+/** Tetrahedra with random corners below some number. */
+Tets MakeSoup(std::size_t count, std::uint32_t points)
+{
+  std::mt19937 random(points);
+  Tets tets(count);
+  for (auto& tet : tets)
+  {
+    for (auto& corner : tet)
+    {
+      corner = static_cast<std::uint32_t>(random() % points);
+    }
+  }
+  return tets;
+}
+}
+
+TEST(FaceTable, FindsTheFacesOfSoups)
+{
+  ExpectRight({});
+  ExpectRight({ { 3, 2, 1, 0 } });
+  ExpectRight({ { 3, 2, 2, 0 } }); // degenerate
+  for (const std::uint32_t points : { 4u, 5u, 9u, 30u, 3000u })
+  {
+    ExpectRight(MakeSoup(2000, points));
+  }
+}
+
+TEST(FaceTable, FindsTheFacesOfFans)
+{
+  // Vertex 0 is the lowest corner of most faces, so its bucket is sorted instead of compared.
+  Tets fan;
+  for (std::uint32_t i = 0; i < 5000; ++i)
+  {
+    fan.push_back({ 2 + (i + 1) % 5000, 0, 2 + i, 1 });
+  }
+  ExpectRight(fan);
+  auto twice = fan;
+  twice.insert(twice.end(), fan.begin(), fan.begin() + 3000);
+  ExpectRight(twice);
+}

@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The partition of a mesh against one that sorts all centroids and counts the users of all points.
+
+#include "gatunPartition.h"
+
+#include "gatunBisection.h"
+#include "gatunLocalIds.h"
+#include "gatunParallel.h"
+#include "gatunTestMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <set>
+
+namespace
+{
+using namespace gatun;
+using namespace gatun::test;
+
+/** Four times the centroid, with NaN before all numbers. */
+float GetPlace(const TestMesh& mesh, std::uint32_t tet, std::size_t axis)
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    sum += mesh.Coordinates[3 * static_cast<std::size_t>(mesh.Ids[4 * tet + i]) + axis];
+  }
+  constexpr double largest = std::numeric_limits<float>::max();
+  return static_cast<float>(sum != sum ? -largest : std::clamp(sum, -largest, largest));
+}
+
+/** Sorts and halves. */
+void Halve(const TestMesh& mesh, std::vector<std::uint32_t> tets, std::size_t most,
+  std::vector<std::vector<std::uint32_t>>& parts)
+{
+  if (tets.size() <= most)
+  {
+    std::sort(tets.begin(), tets.end());
+    parts.push_back(std::move(tets));
+    return;
+  }
+  std::size_t longest = 0;
+  std::array<double, 3> length{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto [low, high] = std::minmax_element(tets.begin(), tets.end(),
+      [&](auto l, auto r) { return GetPlace(mesh, l, axis) < GetPlace(mesh, r, axis); });
+    length[axis] = double{ GetPlace(mesh, *high, axis) } - double{ GetPlace(mesh, *low, axis) };
+    longest = length[axis] > length[longest] ? axis : longest;
+  }
+  std::sort(tets.begin(), tets.end(),
+    [&](auto l, auto r)
+    {
+      const auto left = GetPlace(mesh, l, longest);
+      const auto right = GetPlace(mesh, r, longest);
+      return left < right || (left == right && l < r);
+    });
+  const auto count = (tets.size() + most - 1) / most;
+  const auto middle = tets.begin() + static_cast<std::ptrdiff_t>(tets.size() * (count / 2) / count);
+  Halve(mesh, { tets.begin(), middle }, most, parts);
+  Halve(mesh, { middle, tets.end() }, most, parts);
+}
+
+void ExpectBisected(const TestMesh& mesh, std::uint32_t most)
+{
+  std::vector<std::uint32_t> all(mesh.GetTets());
+  std::iota(all.begin(), all.end(), 0u);
+  std::vector<std::vector<std::uint32_t>> right;
+  Halve(mesh, all, most, right);
+  for (const int threads : { 1, 3 })
+  {
+    WithNumberOfThreads(threads,
+      [&]
+      {
+        auto tets = all;
+        const std::vector<std::size_t> whole{ 0, tets.size() };
+        const auto starts = Bisect(MeshAccess(mesh.GetInput()), tets, whole, most, {});
+        ASSERT_EQ(starts.size(), right.size() + 1);
+        for (std::size_t i = 0; i < right.size(); ++i)
+        {
+          EXPECT_TRUE(std::equal(right[i].begin(), right[i].end(),
+            tets.begin() + static_cast<std::ptrdiff_t>(starts[i]),
+            tets.begin() + static_cast<std::ptrdiff_t>(starts[i + 1])))
+            << "part " << i;
+        }
+      });
+  }
+}
+}
+
+TEST(Partition, BisectsAlongTheLongestAxis)
+{
+  ExpectBisected(MakeCubes(25, 0.3), 3000); // several tasks
+  ExpectBisected(MakeCubes(12, 0), 64);     // many equal centroids
+  ExpectBisected(MakeSoup(300, 5000), 100);
+}
+
+TEST(Partition, BisectsOddCoordinates)
+{
+  auto mesh = MakeCubes(12, 0.2);
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::size_t at = 0;
+  for (const double odd :
+    { std::numeric_limits<double>::quiet_NaN(), infinity, -infinity, 1e300, -1e300, -0.0 })
+  {
+    for (int i = 0; i < 20; ++i)
+    {
+      mesh.Coordinates[at += 53] = odd;
+    }
+  }
+  ExpectBisected(mesh, 100);
+  std::fill(mesh.Coordinates.begin(), mesh.Coordinates.end(), -0.0);
+  ExpectBisected(mesh, 100);
+  for (std::size_t i = 0; i < mesh.Coordinates.size(); ++i)
+  {
+    mesh.Coordinates[i] = static_cast<double>(i % 7) * 1e-45; // denormal lengths
+  }
+  ExpectBisected(mesh, 100);
+}
+
+TEST(Partition, FindsOwnSharedAndUnusedPoints)
+{
+  for (auto mesh : { MakeCubes(10, 0.3), MakeSoup(3000, 2000) })
+  {
+    mesh.Coordinates.resize(mesh.Coordinates.size() + 30, 0.5); // unused
+    const auto parts = MakePartition(MeshAccess(mesh.GetInput()), 100, {});
+    std::vector<std::set<std::uint32_t>> users(mesh.GetPoints());
+    for (std::uint32_t c = 0; c < parts.GetChunkCount(); ++c)
+    {
+      for (auto t = parts.ChunkStart[c]; t < parts.ChunkStart[c + 1]; ++t)
+      {
+        for (std::size_t i = 0; i < 4; ++i)
+        {
+          users[static_cast<std::size_t>(mesh.Ids[4 * parts.Tets[t] + i])].insert(c);
+        }
+      }
+    }
+    std::vector<std::vector<std::uint32_t>> own(parts.GetChunkCount());
+    std::size_t shared = 0;
+    std::vector<std::uint32_t> unused;
+    for (std::uint32_t p = 0; p < users.size(); ++p)
+    {
+      if (users[p].empty())
+      {
+        unused.push_back(p);
+        EXPECT_EQ(parts.SharedIndex[p], Partition::Unused);
+      }
+      else if (users[p].size() == 1)
+      {
+        own[*users[p].begin()].push_back(p);
+        EXPECT_EQ(parts.SharedIndex[p], Partition::OwnPoint);
+      }
+      else
+      {
+        ++shared;
+        ASSERT_LT(parts.SharedIndex[p], parts.SharedPoints.size());
+        EXPECT_EQ(parts.SharedPoints[parts.SharedIndex[p]], p);
+      }
+    }
+    EXPECT_EQ(parts.OwnPoints, own);
+    EXPECT_EQ(parts.SharedPoints.size(), shared);
+    EXPECT_EQ(parts.UnusedPoints, unused);
+    // Groups list the users of their points.
+    std::size_t at = 0;
+    for (const auto& block : parts.Blocks)
+    {
+      for (const auto& group : block.Groups)
+      {
+        for (std::uint32_t i = 0; i < group.Points; ++i, ++at)
+        {
+          EXPECT_TRUE(std::equal(group.Chunks.begin(), group.Chunks.end(),
+            users[parts.SharedPoints[at]].begin(), users[parts.SharedPoints[at]].end()));
+        }
+      }
+    }
+  }
+}
+
+TEST(LocalIds, NumbersPointsAsTheyCome)
+{
+  LocalIds ids(1); // grows
+  std::vector<std::uint32_t> points;
+  std::mt19937 random(1);
+  for (int i = 0; i < 4000; ++i)
+  {
+    const auto point = static_cast<std::uint32_t>(random() % 500) << (i % 20);
+    const auto number = ids.Add(point);
+    const auto known = std::find(points.begin(), points.end(), point) - points.begin();
+    ASSERT_EQ(number, static_cast<std::uint32_t>(known));
+    if (number == points.size())
+    {
+      points.push_back(point);
+    }
+    ASSERT_EQ(ids[point], number);
+  }
+  EXPECT_EQ(ids.GetPoints(), points);
+}
