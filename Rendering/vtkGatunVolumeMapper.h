@@ -201,7 +201,7 @@ public:
   /**
    * Fraction of points removed in all images, from 0 (none) to 1 (as many as possible). The first
    * image waits for the order of edge collapses. If only the ratio has changed since the last image
-   * and JustInTime is off, only those squares of 16 by 16 pixels are drawn again that change.
+   * and JustInTime is off, only those squares of 32 by 32 pixels are drawn again that change.
    * Default: 0.
    */
   vtkSetClampMacro(SimplificationRatio, double, 0.0, 1.0);

@@ -59,6 +59,18 @@ struct TileSlot
   bool IsLeftOut = false;
 };
 
+/** Sorts the fragments of a pixel and composites them. */
+Fragment Composite(std::vector<Fragment>& fragments)
+{
+  std::sort(fragments.begin(), fragments.end(),
+    [](const Fragment& a, const Fragment& b) { return a.Begin < b.Begin; });
+  Fragment sum{ 0, 0, -RayTile::Never, 0, { 0, 0, 0, 1 } };
+  for (const Fragment& fragment : fragments)
+  {
+    sum.Append(fragment);
+  }
+  return sum;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -226,38 +238,37 @@ void RayCaster::Internals::FinishTile(
   {
     tile->Consolidate();
   }
-  auto other = tile ? tile->Others.cbegin() : std::vector<Fragment>::const_iterator{};
+  const auto width = static_cast<std::size_t>(this->View.Width);
+  const int rows = std::min(RayTile::Size, this->View.Height - y0);
+  const int columns = std::min(RayTile::Size, this->View.Width - x0);
+  std::size_t next = 0; // of the others
   std::vector<Fragment> fragments;
-  for (int pixel = 0; pixel < RayTile::Pixels; ++pixel)
+  for (int y = 0; y < rows; ++y)
   {
-    const int x = x0 + pixel % RayTile::Size;
-    const int y = y0 + pixel / RayTile::Size;
-    Fragment sum{ 0, 0, -RayTile::Never, 0, { 0, 0, 0, 1 } };
-    float largest = RayTile::Never;
-    if (tile)
+    for (int x = 0; x < columns; ++x)
     {
-      fragments.clear();
-      for (; other != tile->Others.cend() && other->Pixel == static_cast<std::uint32_t>(pixel);
-           ++other)
+      const int pixel = y * RayTile::Size + x;
+      Fragment sum{ 0, 0, -RayTile::Never, 0, { 0, 0, 0, 1 } };
+      float largest = RayTile::Never;
+      if (tile)
       {
-        fragments.push_back(*other);
+        const int cell = RayTile::ToCell(pixel);
+        largest = tile->End[0][cell];
+        sum = tile->Get(0, pixel);
+        const auto& others = tile->Others;
+        const auto isNext = [&]
+        { return next < others.size() && others[next].Pixel == static_cast<std::uint32_t>(pixel); };
+        if (tile->End[1][cell] != RayTile::Never || isNext())
+        {
+          fragments.assign({ sum, tile->Get(1, pixel) });
+          for (; isNext(); ++next)
+          {
+            fragments.push_back(others[next]);
+          }
+          sum = Composite(fragments);
+        }
       }
-      for (int i = 0; i < RayTile::Slots; ++i)
-      {
-        fragments.push_back(tile->Get(i, pixel));
-      }
-      std::sort(fragments.begin(), fragments.end(),
-        [](const Fragment& a, const Fragment& b) { return a.Begin < b.Begin; });
-      for (const Fragment& fragment : fragments)
-      {
-        sum.Append(fragment);
-      }
-      largest = tile->End[0][RayTile::ToCell(pixel)];
-    }
-    if (x < this->View.Width && y < this->View.Height)
-    {
-      const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(this->View.Width) +
-        static_cast<std::size_t>(x);
+      const auto at = static_cast<std::size_t>(y0 + y) * width + static_cast<std::size_t>(x0 + x);
       this->GetColor(sum, largest, rgba + 4 * at);
       if (depth)
       {

@@ -93,7 +93,7 @@ public:
   /** Draws the given blocks. */
   void Draw(std::span<const std::shared_ptr<const RayBlock>> blocks);
 
-  /** The image is divided into tiles of 16 by 16 pixels, row by row from below. */
+  /** The image is divided into tiles of 32 by 32 pixels, row by row from below. */
   std::size_t GetNumberOfTiles() const;
 
   /**

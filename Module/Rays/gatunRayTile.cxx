@@ -87,9 +87,33 @@ void RayTile::MergeSlots(int pixel)
 void RayTile::Consolidate()
 {
   auto& others = this->Others;
-  std::sort(others.begin(), others.end(),
-    [](const Fragment& a, const Fragment& b)
-    { return a.Pixel != b.Pixel ? a.Pixel < b.Pixel : a.Begin < b.Begin; });
+  // A counting sort by pixel, then the few fragments of each pixel by depth.
+  std::array<std::uint32_t, Pixels + 1> places{};
+  for (const Fragment& fragment : others)
+  {
+    ++places[fragment.Pixel + 1];
+  }
+  for (std::size_t pixel = 0; pixel < Pixels; ++pixel)
+  {
+    places[pixel + 1] += places[pixel];
+  }
+  std::vector<Fragment> sorted(others.size());
+  for (const Fragment& fragment : others)
+  {
+    sorted[places[fragment.Pixel]++] = fragment;
+  }
+  auto first = sorted.begin();
+  for (std::size_t pixel = 0; pixel < Pixels; ++pixel)
+  {
+    const auto last = sorted.begin() + places[pixel];
+    if (last - first > 1)
+    {
+      std::sort(
+        first, last, [](const Fragment& a, const Fragment& b) { return a.Begin < b.Begin; });
+    }
+    first = last;
+  }
+  others.swap(sorted);
   std::size_t n = 0;
   for (const Fragment& next : others)
   {

@@ -27,7 +27,7 @@ struct Fragment
 /** The pixels of a square of the image. */
 struct RayTile
 {
-  static constexpr int Size = 16;
+  static constexpr int Size = 32;
   static constexpr int Pixels = Size * Size;
 
   // Numbers that are loaded four by two, with padding behind the last pixels.

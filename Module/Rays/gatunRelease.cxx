@@ -6,67 +6,91 @@
 
 namespace gatun
 {
+namespace
+{
+// The state of a tetrahedron: its open faces, those towards the eye in bits 0 to 3 and, if rays
+// grow from both ends, those away from it in bits 4 to 7; and whether it has been taken.
+constexpr std::uint16_t Taken = 256;
+
+/** The faces of a tetrahedron that have a neighbor. */
+unsigned GetInnerFaces(const RayBlock::Tet& neighbors)
+{
+  unsigned inner = 0;
+  for (unsigned side = 0; side < 4; ++side)
+  {
+    inner |= (neighbors[side] != RayBlock::NoNeighbor ? 1u : 0u) << side;
+  }
+  return inner;
+}
+
+template <ReleaseFrom From>
+bool IsReady(unsigned state)
+{
+  return From == ReleaseFrom::Front ? state == 0
+                                    : (state & Taken) == 0 && ((state & 15) == 0 || state < 16);
+}
+}
+
 //------------------------------------------------------------------------------
 template <ReleaseFrom From>
 void Release::Find(std::span<const RayBlock::Tet> neighbors, std::span<const std::uint8_t> facing)
 {
-  constexpr std::uint8_t taken = 16;
-  auto& state = this->State;
-  const auto isReady = [&](std::size_t tet)
+  const std::size_t count = neighbors.size();
+  std::uint16_t* const state = this->State.data();
+  std::uint32_t* const ready = this->Ready.data();
+  std::uint32_t* const order = this->Order.data();
+  constexpr unsigned tracked = From == ReleaseFrom::Front ? 15 : 255;
+  for (std::size_t tet = 0; tet < count; ++tet)
   {
-    const unsigned open = ~state[tet] & 15u;
-    return (facing[tet] & open) == 0 ||
-      (From == ReleaseFrom::Both && (facing[tet] >> 4 & open) == 0);
-  };
-  const auto take = [&](std::uint32_t tet)
-  {
-    state[tet] |= taken;
-    this->Ready.push_back(tet);
-  };
+    const unsigned inner = GetInnerFaces(neighbors[tet]);
+    state[tet] = static_cast<std::uint16_t>(facing[tet] & (inner | inner << 4) & tracked);
+  }
   std::size_t arrived = 0;
-  const auto drawReady = [&]
+  std::size_t drawn = 0;
+  const auto drawFrom = [&](std::uint32_t first)
   {
-    while (!this->Ready.empty())
+    std::size_t n = 0;
+    state[first] |= Taken;
+    ready[n++] = first;
+    while (n != 0)
     {
-      const auto tet = this->Ready.back();
-      this->Ready.pop_back();
-      this->Order.push_back(tet);
-      for (const auto face : neighbors[tet])
+      const auto tet = ready[--n];
+      order[drawn++] = tet;
+      // Neighbors in front have been drawn before, unless rays grow from both ends or it is unknown
+      // which are in front.
+      const unsigned behind = facing[tet] >> 4;
+      unsigned faces = From == ReleaseFrom::Front && facing[tet] != 0 ? behind : 15;
+      for (; faces != 0; faces &= faces - 1)
       {
-        const auto other = face / 4;
+        const auto face = neighbors[tet][static_cast<unsigned>(__builtin_ctz(faces))];
         if (face == RayBlock::NoNeighbor)
         {
           continue;
         }
-        state[other] |= static_cast<std::uint8_t>(1u << face % 4);
-        if (other < arrived && (state[other] & taken) == 0 && isReady(other))
-        {
-          take(other);
-        }
+        const auto other = face / 4;
+        const unsigned after = state[other] & ~(17u << face % 4);
+        // Without a branch: whether it is ready cannot be predicted.
+        const bool take = (other < arrived) & IsReady<From>(after);
+        state[other] = static_cast<std::uint16_t>(after | (take ? Taken : 0u));
+        ready[n] = other;
+        n += take ? 1 : 0;
       }
     }
   };
-  while (arrived < neighbors.size())
+  while (arrived < count)
   {
-    const auto tet = arrived++;
-    for (unsigned side = 0; side < 4; ++side)
+    const auto tet = static_cast<std::uint32_t>(arrived++);
+    if (IsReady<From>(state[tet]))
     {
-      const bool isBorder = neighbors[tet][side] == RayBlock::NoNeighbor;
-      state[tet] |= static_cast<std::uint8_t>((isBorder ? 1u : 0u) << side);
+      drawFrom(tet);
     }
-    if (isReady(tet))
-    {
-      take(static_cast<std::uint32_t>(tet));
-      drawReady();
-    }
-    this->MostWaiting = std::max(this->MostWaiting, arrived - this->Order.size());
+    this->MostWaiting = std::max(this->MostWaiting, arrived - drawn);
   }
-  for (std::uint32_t tet = 0; this->Order.size() < neighbors.size(); ++tet)
+  for (std::uint32_t tet = 0; drawn < count; ++tet)
   {
-    if ((state[tet] & taken) == 0)
+    if ((state[tet] & Taken) == 0)
     {
-      take(tet);
-      drawReady();
+      drawFrom(tet);
     }
   }
 }
@@ -75,9 +99,9 @@ void Release::Find(std::span<const RayBlock::Tet> neighbors, std::span<const std
 void Release::FindOrder(
   std::span<const RayBlock::Tet> neighbors, std::span<const std::uint8_t> facing, ReleaseFrom from)
 {
-  this->Order.clear();
-  this->Order.reserve(neighbors.size());
-  this->State.assign(neighbors.size(), 0);
+  this->Order.resize(neighbors.size());
+  this->Ready.resize(neighbors.size() + 1); // one may be written without being counted
+  this->State.resize(neighbors.size());
   this->MostWaiting = 0;
   if (from == ReleaseFrom::Front)
   {

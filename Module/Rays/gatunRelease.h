@@ -41,7 +41,7 @@ public:
 
   std::size_t GetMemorySize() const
   {
-    return (this->Order.capacity() + this->Ready.capacity()) * 4 + this->State.capacity();
+    return (this->Order.capacity() + this->Ready.capacity()) * 4 + this->State.capacity() * 2;
   }
 
 private:
@@ -50,7 +50,7 @@ private:
 
   std::vector<std::uint32_t> Order;
   std::vector<std::uint32_t> Ready;
-  std::vector<std::uint8_t> State; // bits of the faces processed, and whether it is drawn or ready
+  std::vector<std::uint16_t> State; // open faces, and whether it is drawn or ready
   std::size_t MostWaiting = 0;
 };
 }
