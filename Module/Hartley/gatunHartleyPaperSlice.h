@@ -26,6 +26,7 @@ public:
     std::shared_ptr<HartleySpectra> spectra);
 
   std::unique_ptr<Brush> MakeBrush() const override;
+  bool IsKept(std::size_t block) const override { return this->Spectra->IsKept(block); }
   std::vector<float> PaintUnit(const HartleyLayout::Triple& filled) const override;
 
   /** Pixels along each side of a block's image before resampling. */

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
@@ -99,6 +100,18 @@ struct HartleyProjector::Internals
 
   std::shared_ptr<HartleySpectra> Spectra;
   std::optional<HartleyChunks> Chunks;
+
+  // Of each block the number of its terms, once it was loaded.
+  static constexpr std::uint32_t Unknown = 0xffffffff;
+  std::vector<std::uint32_t> TermCounts;
+
+  /** Whether the coefficients of a block have to be loaded to draw it. */
+  bool NeedsTerms(const Triple& place) const
+  {
+    const std::size_t block = this->Layout.GetBlockNumber(place);
+    const std::uint32_t count = this->TermCounts[block];
+    return count == Unknown || (count > 0 && !this->Painter->IsKept(block));
+  }
 
   HartleyMethod GetMethod() const;
   void Prepare(const HartleyView& view, const std::function<bool(double)>& progress);
@@ -290,6 +303,7 @@ HartleyProjector::HartleyProjector(
   this->Data->Source = std::move(source);
   this->Data->Layout = this->Data->Source->GetLayout();
   this->Data->Options = options;
+  this->Data->TermCounts.assign(this->Data->Layout.GetNumberOfBlocks(), Internals::Unknown);
   // The method Slice keeps spectra instead of coefficients.
   this->Data->Chunks.emplace(
     *this->Data->Source, this->Data->GetMethod() == HartleyMethod::Basis ? options.CacheBytes : 0);
@@ -349,7 +363,7 @@ public:
     }
     this->Slab.Start(this->Lattice, first, end, middle);
     this->ListPlaces(first, end, along);
-    this->Data.Chunks->Load(this->Places);
+    this->LoadTerms();
     const std::size_t width = end[0] - first[0];
     const std::size_t rowsAtOnce = std::max<std::size_t>(
       1, BatchBytes / (this->Lattice.GetNumberOfPoints() * sizeof(float) * width));
@@ -393,6 +407,21 @@ private:
     }
   }
 
+  /** Loads the chunks of the listed blocks, except those of which all blocks are known to be empty
+   * or to have what they need in memory. */
+  void LoadTerms()
+  {
+    this->Wanted.clear();
+    std::copy_if(this->Places.begin(), this->Places.end(), std::back_inserter(this->Wanted),
+      [&](const Triple& place) { return this->Data.NeedsTerms(place); });
+    this->Data.Chunks->Load(this->Wanted);
+    for (const Triple& place : this->Wanted)
+    {
+      this->Data.TermCounts[this->Data.Layout.GetBlockNumber(place)] =
+        static_cast<std::uint32_t>(this->Data.Chunks->GetTerms(place).size());
+    }
+  }
+
   /** Projects blocks whose chunks are loaded and adds them to the slab. */
   void DrawBatch(std::span<const Triple> places)
   {
@@ -402,8 +431,9 @@ private:
     this->Images.resize(std::max(this->Images.size(), places.size() * points));
     for (const Triple& place : places)
     {
-      const auto terms = this->Data.Chunks->GetTerms(place);
-      if (terms.empty() && this->Lookup.IsBaseClear() && !this->IsXRay)
+      const std::size_t block = this->Data.Layout.GetBlockNumber(place);
+      const std::size_t count = this->Data.TermCounts[block];
+      if (count == 0 && this->Lookup.IsBaseClear() && !this->IsXRay)
       {
         continue;
       }
@@ -411,12 +441,16 @@ private:
       part.Place = { place[static_cast<std::size_t>(this->Lattice.Axes[0])],
         place[static_cast<std::size_t>(this->Lattice.Axes[1])] };
       part.Unit = this->Data.GetUnit(this->Data.Layout.GetFilled(place)).data();
-      if (!terms.empty())
+      if (count > 0)
       {
         float* const image = this->Images.data() + this->Tasks.size() * points;
         part.Image = image;
-        this->Tasks.push_back({ this->Data.Layout.GetBlockNumber(place), terms, image });
-        this->Image.Terms += terms.size();
+        this->Tasks.push_back({ block, {}, image });
+        if (this->Data.NeedsTerms(place))
+        {
+          this->Tasks.back().Terms = this->Data.Chunks->GetTerms(place);
+        }
+        this->Image.Terms += count;
       }
       this->Parts.push_back(part);
     }
@@ -439,6 +473,7 @@ private:
   HartleySlab Slab;
   std::vector<float> Images;
   std::vector<Triple> Places;
+  std::vector<Triple> Wanted; // places whose terms are loaded
   std::vector<HartleySlab::Part> Parts;
   std::vector<HartleyPainter::Task> Tasks;
 };

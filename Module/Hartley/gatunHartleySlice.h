@@ -30,6 +30,7 @@ public:
   HartleySlice(const HartleyLattice& lattice, std::shared_ptr<HartleySpectra> spectra);
 
   std::unique_ptr<Brush> MakeBrush() const override;
+  bool IsKept(std::size_t block) const override { return this->Spectra->IsKept(block); }
   std::vector<float> PaintUnit(const HartleyLayout::Triple& filled) const override;
 
 private:

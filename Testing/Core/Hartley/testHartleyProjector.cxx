@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <numeric>
 #include <random>
 
@@ -543,6 +544,59 @@ TEST(HartleyProjector, BadInput)
   EXPECT_THROW(projector.Draw(view, {}, [&](double) { return ++calls < 3; }), Error);
   EXPECT_EQ(calls, 3);
   EXPECT_EQ(projector.Draw(view, {}).Sums, whole.Sums);
+}
+
+//------------------------------------------------------------------------------
+/** Counts the chunks that are read from another source. */
+class CountingSource : public HartleySource
+{
+public:
+  explicit CountingSource(std::shared_ptr<const HartleySource> source)
+    : Source(std::move(source))
+  {
+  }
+  const HartleyLayout& GetLayout() const override { return this->Source->GetLayout(); }
+  double GetBase() const override { return this->Source->GetBase(); }
+  Range GetRange() const override { return this->Source->GetRange(); }
+  std::shared_ptr<const HartleyChunk> GetChunk(std::size_t chunk) const override
+  {
+    ++this->Reads;
+    return this->Source->GetChunk(chunk);
+  }
+
+  mutable std::atomic<int> Reads = 0;
+
+private:
+  std::shared_ptr<const HartleySource> Source;
+};
+
+//------------------------------------------------------------------------------
+// A file is not decoded again for the next view along the same axis.
+TEST(HartleyProjector, KeptSpectraNeedNoChunks)
+{
+  const auto volume = MakeHead({ 36, 40, 140 });
+  const auto source = std::make_shared<CountingSource>(MakeSource(volume.Values, volume.Size, 32));
+  const auto count = static_cast<int>(source->GetLayout().GetNumberOfChunks());
+  const auto shading = MakeGrey(HartleyOpacityModel::TransferFunction);
+  const auto view = MakeTurnedView(volume.Size, { 0.1, 0.2, 0.3 }, 40, 0.6);
+  const auto other = MakeTurnedView(volume.Size, { 0.12, 0.18, 0.3 }, 40, 0.6);
+  HartleyProjector keeps(source);
+  const auto image = keeps.Draw(view, shading);
+  EXPECT_GE(source->Reads, count);
+  source->Reads = 0;
+  EXPECT_EQ(keeps.Draw(view, shading).Colors, image.Colors);
+  const auto second = keeps.Draw(other, shading);
+  EXPECT_EQ(source->Reads, 0);
+  EXPECT_EQ(second.Terms, image.Terms);
+
+  // What does not fit is read again, and drawn the same.
+  HartleyOptions options;
+  options.CacheBytes = 0;
+  HartleyProjector keepsNothing(source, options);
+  EXPECT_EQ(keepsNothing.Draw(view, shading).Colors, image.Colors);
+  source->Reads = 0;
+  EXPECT_EQ(keepsNothing.Draw(other, shading).Colors, second.Colors);
+  EXPECT_GT(source->Reads, 0);
 }
 
 //------------------------------------------------------------------------------
