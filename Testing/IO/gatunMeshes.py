@@ -56,7 +56,8 @@ def make_grid(points, tets, wide=True):
         vtk_to_numpy(connectivity)[:] = tets.ravel()
     vtk_to_numpy(offsets)[:] = 4 * np.arange(len(tets) + 1)
     cells = vtkCellArray()
-    assert cells.SetData(offsets, connectivity)
+    cells.SetData(offsets, connectivity)
+    assert cells.GetNumberOfCells() == len(tets)
     grid.SetCells(VTK_TETRA, cells)
     return grid
 
