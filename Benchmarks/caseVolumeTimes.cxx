@@ -8,11 +8,15 @@
 #include "benchVolume.h"
 #include "benchVolumePeers.h"
 
+#include "gatunHartleyFile.h"
 #include "gatunParallel.h"
 
 #include <algorithm>
+#include <cmath>
+#include <ctime>
 #include <memory>
 #include <numeric>
+#include <optional>
 
 namespace bench
 {
@@ -30,6 +34,8 @@ struct Options
   double Opacity = 0.1;
   int Rounds = 3;
   bool Peers = false;
+  bool Errors = false;
+  std::string Folder;
   bool Window = false;
 };
 
@@ -41,9 +47,11 @@ struct Drawer
   std::uint32_t Block = 0;
   double Rate = 0;
   std::function<void(const gatun::HartleyView&)> Draw;
-  std::shared_ptr<gatun::HartleyImage> Picture; ///< Gatun's last
-  int Views = 0;                                ///< so far
+  std::function<std::vector<float>()> GetSums = {}; ///< X-ray: of the last view, minus the base
+  std::shared_ptr<gatun::HartleyImage> Picture;     ///< Gatun's last
+  int Views = 0;                                    ///< so far
   Cost First{};
+  std::vector<double> Processor = {}; ///< seconds of all threads, of the later views
 };
 
 /** The same views for all, none twice. */
@@ -63,6 +71,60 @@ std::uint64_t CountTerms(const gatun::HartleySource& source)
   return terms;
 }
 
+double GetProcessorSeconds()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/** The mean square error of X-rays of two views, of 255 squared, where 255 is the largest sum. The
+ * exact sums are integrals of the trilinear volume. */
+void AddErrors(
+  Json::Value& json, const std::vector<Drawer>& drawers, const Volume& volume, unsigned pixels)
+{
+  const gatun::test::ReferenceVolume reference = volume.GetReference();
+  json["errors"] = Json::arrayValue;
+  for (const int number : { 0, 3 })
+  {
+    const gatun::HartleyView view = GetView(volume, pixels, number);
+    std::vector<double> exact(std::size_t{ view.Width } * view.Height);
+    gatun::ParallelFor(view.Height,
+      [&](std::size_t row)
+      {
+        for (unsigned column = 0; column < view.Width; ++column)
+        {
+          exact[row * view.Width + column] = reference.Integrate(
+            gatun::test::GetPixel(view, column, static_cast<double>(row)), view.Step);
+        }
+      });
+    const double scale = 255 / *std::max_element(exact.begin(), exact.end());
+    for (const Drawer& drawer : drawers)
+    {
+      if (!drawer.GetSums)
+      {
+        continue;
+      }
+      drawer.Draw(view);
+      const std::vector<float> sums = drawer.GetSums();
+      double squares = 0;
+      double worst = 0;
+      for (std::size_t i = 0; i < exact.size(); ++i)
+      {
+        const double error = (static_cast<double>(sums[i]) - exact[i]) * scale;
+        squares += error * error;
+        worst = std::max(worst, std::abs(error));
+      }
+      Json::Value entry;
+      entry["way"] = drawer.Way;
+      entry["block"] = static_cast<std::uint64_t>(drawer.Block);
+      entry["rate"] = drawer.Rate;
+      entry["view"] = number;
+      entry["mse"] = squares / static_cast<double>(exact.size());
+      entry["worst"] = worst;
+      json["errors"].append(entry);
+    }
+  }
+}
+
 void AddDrawer(Json::Value& json, const Drawer& drawer, const Operation& operation)
 {
   Json::Value entry;
@@ -78,6 +140,7 @@ void AddDrawer(Json::Value& json, const Drawer& drawer, const Operation& operati
   }
   AddCost(entry, drawer.First);
   AddList(entry, "later", operation.Seconds);
+  AddList(entry, "laterProcessor", drawer.Processor);
   json.append(entry);
 }
 
@@ -90,9 +153,22 @@ std::vector<Drawer> MakeOwn(const Volume& volume, const Options& options, Json::
   {
     for (const double rate : options.Rates)
     {
-      std::shared_ptr<const gatun::HartleyVolume> source;
+      std::shared_ptr<const gatun::HartleySource> source;
+      const std::string path =
+        options.Folder + "/times-" + std::to_string(block) + "-" + std::to_string(rate) + ".ghv";
       const Cost cost = CostOf(
-        [&] { source = gatun::HartleyVolume::Make(volume.GetInput(), block, MakeQuality(rate)); });
+        [&]
+        {
+          if (options.Folder.empty())
+          {
+            source = gatun::HartleyVolume::Make(volume.GetInput(), block, MakeQuality(rate));
+          }
+          else
+          {
+            gatun::WriteHartleyFile(path, volume.GetInput(), { block, MakeQuality(rate) });
+            source = std::make_shared<gatun::HartleyFile>(path);
+          }
+        });
       Json::Value sourceJson;
       sourceJson["block"] = static_cast<std::uint64_t>(block);
       sourceJson["rate"] = rate;
@@ -102,12 +178,33 @@ std::vector<Drawer> MakeOwn(const Volume& volume, const Options& options, Json::
       for (const std::string& law : options.Laws)
       {
         // One each: what is kept of a view is of no use for another.
-        const auto projector = std::make_shared<gatun::HartleyProjector>(source);
-        Drawer drawer{ "gatun", law, block, rate, {}, std::make_shared<gatun::HartleyImage>() };
+        const auto projector = std::make_shared<std::optional<gatun::HartleyProjector>>();
+        Drawer drawer{ "gatun", law, block, rate };
+        drawer.Picture = std::make_shared<gatun::HartleyImage>();
         const gatun::HartleyShading shading =
           MakeGrey(volume, GetOpacityModel(law), options.Opacity);
-        drawer.Draw = [projector, shading, picture = drawer.Picture](const auto& view)
-        { *picture = projector->Draw(view, shading); };
+        drawer.Draw = [source, path, projector, shading, picture = drawer.Picture,
+                        isFile = !options.Folder.empty()](const auto& view)
+        {
+          if (!*projector)
+          {
+            // Opening the file counts for the first view.
+            projector->emplace(isFile ? std::make_shared<const gatun::HartleyFile>(path) : source);
+          }
+          *picture = (*projector)->Draw(view, shading);
+        };
+        if (law == "xray")
+        {
+          drawer.GetSums = [base = static_cast<float>(source->GetBase()), picture = drawer.Picture]
+          {
+            std::vector<float> sums = picture->Sums;
+            for (std::size_t i = 0; i < sums.size(); ++i)
+            {
+              sums[i] -= base * picture->Samples[i];
+            }
+            return sums;
+          };
+        }
         drawers.push_back(std::move(drawer));
       }
     }
@@ -118,16 +215,17 @@ std::vector<Drawer> MakeOwn(const Volume& volume, const Options& options, Json::
 void AddPeers(std::vector<Drawer>& drawers, const Volume& volume, const Options& options)
 {
   const auto plain = std::make_shared<PlainRaySum>(volume);
+  const auto last = std::make_shared<std::vector<float>>();
   drawers.push_back({ "plain", "xray", 0, 0,
-    [plain](const gatun::HartleyView& view)
+    [plain, last](const gatun::HartleyView& view)
     {
-      const auto sums = plain->Draw(view);
-      if (std::accumulate(sums.begin(), sums.end(), 0.0) <= 0)
+      *last = plain->Draw(view);
+      if (std::accumulate(last->begin(), last->end(), 0.0) <= 0)
       {
         throw Failure("a picture is empty");
       }
     },
-    nullptr });
+    [last] { return *last; }, nullptr });
   if (!options.Window)
   {
     return;
@@ -145,7 +243,7 @@ void AddPeers(std::vector<Drawer>& drawers, const Volume& volume, const Options&
           throw Failure("a picture is empty");
         }
       },
-      nullptr });
+      {}, nullptr });
   }
 }
 
@@ -169,13 +267,23 @@ void PrintTimes(const Options& options)
         const auto draw = [&volume, &options, &drawer]
         { drawer.Draw(GetView(volume, options.Pixels, drawer.Views++)); };
         drawer.First = CostOf(draw);
-        operations.push_back({ drawer.Way, draw });
+        operations.push_back({ drawer.Way,
+          [draw, &drawer]
+          {
+            const double before = GetProcessorSeconds();
+            draw();
+            drawer.Processor.push_back(GetProcessorSeconds() - before);
+          } });
       }
       RunInterleaved(operations, options.Rounds);
       json["ways"] = Json::arrayValue;
       for (std::size_t i = 0; i < drawers.size(); ++i)
       {
         AddDrawer(json["ways"], drawers[i], operations[i]);
+      }
+      if (options.Errors)
+      {
+        AddErrors(json, drawers, volume, options.Pixels);
       }
     });
 }
@@ -199,6 +307,9 @@ void AddVolumeTimes(CLI::App& app)
     ->check(CLI::Range(0.0001, 0.9999));
   command->add_option("--rounds", options->Rounds, "Views beyond the first")
     ->check(CLI::Range(1, 1000));
+  command->add_option("--folder", options->Folder, "Draw from files that are written here")
+    ->check(CLI::ExistingDirectory);
+  command->add_flag("--errors", options->Errors, "Compare X-rays with exact integrals, too");
   command->add_flag("--peers", options->Peers, "Measure plain sums along rays too");
   command->add_flag(
     "--window", options->Window, "And vtkFixedPointVolumeRayCastMapper, which needs a display");

@@ -22,8 +22,10 @@
  * cell arrays are passed to the triangles. Global ids are left out, and so are pedigree ids and
  * arrays of vtkIdType on the points. Points with the same coordinates are merged.
  *
- * The triangles are those of vtkContourGrid. A corner whose value is the isovalue counts as above
- * it. Triangles with two corners in one point are left out. Where a field is constant at the
+ * The triangles are those of vtkContourGrid, except that the front of every triangle faces lower
+ * values, as the normals do; those of vtkContourGrid face higher values in left-handed tetrahedra.
+ * A corner whose value is the isovalue counts as above it. Triangles with two corners in one point
+ * are left out. Where a field is constant at the
  * isovalue there is no surface, nor in tetrahedra with a value that is NaN or infinite. The
  * triangles have the order of the tetrahedra, whatever the number of threads.
  *

@@ -12,6 +12,7 @@ gatun_core_folder(Hartley
     gatunHartleyVolume.h
   EXPERIMENTAL_HEADERS
     gatunHartleyFrame.h
+    gatunHartleyImage.h
     gatunHartleyProjector.h
     gatunHartleyShading.h
     gatunHartleyTransform.h
@@ -19,12 +20,17 @@ gatun_core_folder(Hartley
   PRIVATE_HEADERS
     gatunHartleyBasis.h
     gatunHartleyBlocks.h
+    gatunHartleyBox.h
     gatunHartleyChunks.h
     gatunHartleyCodec.h
     gatunHartleyCorrections.h
+    gatunHartleyDensities.h
     gatunHartleyEncoder.h
+    gatunHartleyFourier.h
     gatunHartleyKernel.h
     gatunHartleyKernelFunction.h
+    gatunHartleyLaneLoops.h
+    gatunHartleyLanes.h
     gatunHartleyLattice.h
     gatunHartleyLines.h
     gatunHartleyLookup.h
@@ -38,14 +44,20 @@ gatun_core_folder(Hartley
     gatunHartleySlice.h
     gatunHartleySpectrum.h
     gatunHartleyTables.h
+    gatunHartleyVolumeSpectrum.h
     gatunHartleyVoxels.h
+    gatunHartleyXRay.h
+    gatunHartleyXRays.h
   SOURCES
     gatunHartleyBasis.cxx
+    gatunHartleyBox.cxx
     gatunHartleyChunks.cxx
     gatunHartleyCodec.cxx
     gatunHartleyCorrections.cxx
+    gatunHartleyDensities.cxx
     gatunHartleyEncoder.cxx
     gatunHartleyFile.cxx
+    gatunHartleyFourier.cxx
     gatunHartleyFrame.cxx
     gatunHartleyKernelAVX2.cxx
     gatunHartleyKernelFunction.cxx
@@ -65,5 +77,8 @@ gatun_core_folder(Hartley
     gatunHartleyTables.cxx
     gatunHartleyTransform.cxx
     gatunHartleyVolume.cxx
+    gatunHartleyVolumeSpectrum.cxx
     gatunHartleyVoxels.cxx
-    gatunHartleyWriter.cxx)
+    gatunHartleyWriter.cxx
+    gatunHartleyXRay.cxx
+    gatunHartleyXRays.cxx)

@@ -10,6 +10,7 @@
 #include "gatunHartleyPaperSlice.h"
 #include "gatunHartleySlab.h"
 #include "gatunHartleySlice.h"
+#include "gatunHartleyXRays.h"
 #include "gatunParallel.h"
 #include "gatunVector.h"
 
@@ -113,6 +114,8 @@ struct HartleyProjector::Internals
     return count == Unknown || (count > 0 && !this->Painter->IsKept(block));
   }
 
+  HartleyXRays XRays;
+
   HartleyMethod GetMethod() const;
   void Prepare(const HartleyView& view, const std::function<bool(double)>& progress);
   void UseSpectra(const SpectrumPlan& plan);
@@ -183,40 +186,6 @@ std::array<std::array<double, 2>, 2> GetBox(const HartleyLattice& lattice, const
   return box;
 }
 
-//------------------------------------------------------------------------------
-void FinishXRay(const HartleyShading& shading, double base, HartleyImage& image)
-{
-  const auto offset = static_cast<float>(base);
-  image.Sums.resize(image.Colors.size());
-  image.Samples.resize(image.Colors.size());
-  float least = 0;
-  float most = 0;
-  bool any = false;
-  for (std::size_t i = 0; i < image.Colors.size(); ++i)
-  {
-    const auto& pixel = image.Colors[i];
-    const float samples = std::max(0.0f, pixel[1]);
-    const float sum = pixel[0] + offset * samples;
-    image.Sums[i] = sum;
-    image.Samples[i] = samples;
-    if (samples > 0)
-    {
-      least = any ? std::min(least, sum) : sum;
-      most = any ? std::max(most, sum) : sum;
-      any = true;
-    }
-  }
-  const bool given = shading.Black != shading.White;
-  const float black = given ? static_cast<float>(shading.Black) : least;
-  const float white = given ? static_cast<float>(shading.White) : most;
-  for (std::size_t i = 0; i < image.Colors.size(); ++i)
-  {
-    const float opacity = std::min(1.0f, image.Samples[i]);
-    const float gray =
-      white != black ? std::clamp((image.Sums[i] - black) / (white - black), 0.0f, 1.0f) : 0.0f;
-    image.Colors[i] = { gray * opacity, gray * opacity, gray * opacity, opacity };
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -380,7 +349,12 @@ public:
   {
     if (this->IsXRay)
     {
-      FinishXRay(shading, this->Data.Source->GetBase(), this->Image);
+      for (const auto& pixel : this->Image.Colors)
+      {
+        this->Image.Sums.push_back(pixel[0]);
+        this->Image.Samples.push_back(pixel[1]);
+      }
+      FinishHartleyXRay(shading, this->Data.Source->GetBase(), this->Image);
       return std::move(this->Image);
     }
     for (auto& pixel : this->Image.Colors)
@@ -491,6 +465,23 @@ HartleyImage HartleyProjector::Draw(const HartleyView& view, const HartleyShadin
       throw Error(ErrorCode::Aborted, "aborted");
     }
   };
+  if (shading.OpacityModel == HartleyOpacityModel::XRay)
+  {
+    // An estimate of the spectrum's share of the work.
+    constexpr double making = 0.9;
+    report(0);
+    const auto& options = this->Data->Options;
+    if (options.Method == HartleyMethod::Automatic &&
+      options.Kernel == HartleyKernel::KaiserBessel &&
+      this->Data->XRays.Make(*this->Data->Source, options.CacheBytes,
+        [&](double done) { return !progress || progress(making * done); }))
+    {
+      report(making);
+      HartleyImage image = this->Data->XRays.Draw(view, shading);
+      report(1);
+      return image;
+    }
+  }
   // An estimate of the images of basis functions' share of the work.
   constexpr double preparing = 0.2;
   this->Data->Prepare(

@@ -3,12 +3,12 @@
 #ifndef gatunHartleyProjector_h
 #define gatunHartleyProjector_h
 
+#include "gatunHartleyImage.h"
 #include "gatunHartleyShading.h"
 #include "gatunHartleySource.h"
 #include "gatunHartleyView.h"
 #include "vtkGatunCoreModule.h"
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -16,14 +16,6 @@
 
 namespace gatun
 {
-/** How the image of a block is computed from its coefficients. */
-enum class HartleyMethod : std::uint8_t
-{
-  Automatic = 0, ///< Basis for blocks of up to 16 voxels along each axis, otherwise Slice
-  Basis = 1,     ///< weighted sum of the images of the basis functions, which all blocks share
-  Slice = 2      ///< inverse transform of a slice through the block's spectrum
-};
-
 /** Interpolation of spectra, for HartleyMethod::Slice. */
 enum class HartleyKernel : std::uint8_t
 {
@@ -41,23 +33,10 @@ struct HartleyOptions
 
   /** Upper bound of the memory that is kept from one image to the next, in bytes. It holds the
    * coefficients of chunks or, with the method Slice, the spectra of blocks. Coefficients that the
-   * source holds in memory anyway count but take no additional memory. */
+   * source holds in memory anyway count but take no additional memory. The spectrum of the whole
+   * volume, which X-rays use with the method Automatic, has a budget of the same size of its own.
+   */
   std::uint64_t CacheBytes = std::uint64_t{ 512 } << 20;
-};
-
-/** An image. All arrays are stored row by row; the first row is that of HartleyView::Origin. */
-struct HartleyImage
-{
-  unsigned Width = 0;
-  unsigned Height = 0;
-  std::vector<std::array<float, 4>> Colors; ///< red, green, blue, opacity; premultiplied
-  std::vector<float> Sums;                  ///< XRay only: sum of the densities along the ray
-  std::vector<float> Samples;               ///< XRay only: number of samples in the volume
-
-  // Statistics.
-  std::uint64_t Terms = 0;  ///< coefficients that were summed
-  std::uint64_t Blocks = 0; ///< blocks that were drawn
-  HartleyMethod Method = HartleyMethod::Basis;
 };
 
 /**

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 namespace gatun
 {
@@ -100,29 +101,69 @@ void Locate(const TupleView& points, std::span<const Crossing> crossings, T* to)
   }
 }
 
+/** A tetrahedron: its corners, and its edges from the first corner to the others. */
+struct Tetrahedron
+{
+  std::array<std::size_t, 4> Ids;
+  std::array<glm::dvec3, 3> Edges;
+
+  Tetrahedron(const SurfaceInput& input, std::uint32_t cell)
+  {
+    for (unsigned i = 0; i < 4; ++i)
+    {
+      const auto place = 4 * std::size_t{ cell } + i;
+      const auto* const ids = input.Mesh.Connectivity;
+      this->Ids[i] = input.Mesh.WideIds
+        ? static_cast<std::size_t>(static_cast<const std::int64_t*>(ids)[place])
+        : static_cast<std::size_t>(static_cast<const std::int32_t*>(ids)[place]);
+    }
+    const glm::dvec3 first = GetPoint(input.Points, this->Ids[0]);
+    for (unsigned i = 0; i < 3; ++i)
+    {
+      this->Edges[i] = GetPoint(input.Points, this->Ids[i + 1]) - first;
+    }
+  }
+
+  /** Whether the volume is negative. */
+  bool IsLeftHanded() const
+  {
+    return glm::dot(this->Edges[0], glm::cross(this->Edges[1], this->Edges[2])) < 0;
+  }
+};
+
 /** Six times the volume of a tetrahedron times the gradient of its values. */
 glm::dvec3 GetGradient(const SurfaceInput& input, std::uint32_t cell)
 {
-  std::array<glm::dvec3, 4> x;
+  const Tetrahedron tet(input, cell);
   std::array<double, 4> s;
   for (unsigned i = 0; i < 4; ++i)
   {
-    const auto place = 4 * std::size_t{ cell } + i;
-    const auto id = input.Mesh.WideIds
-      ? static_cast<std::size_t>(static_cast<const std::int64_t*>(input.Mesh.Connectivity)[place])
-      : static_cast<std::size_t>(static_cast<const std::int32_t*>(input.Mesh.Connectivity)[place]);
-    x[i] = GetPoint(input.Points, id);
-    s[i] = input.Mesh.WideValues ? static_cast<const double*>(input.Mesh.Values)[id]
-                                 : static_cast<const float*>(input.Mesh.Values)[id];
+    s[i] = input.Mesh.WideValues ? static_cast<const double*>(input.Mesh.Values)[tet.Ids[i]]
+                                 : static_cast<const float*>(input.Mesh.Values)[tet.Ids[i]];
   }
-  const glm::dvec3 a = x[1] - x[0];
-  const glm::dvec3 b = x[2] - x[0];
-  const glm::dvec3 c = x[3] - x[0];
-  const glm::dvec3 bc = glm::cross(b, c);
+  const auto& [a, b, c] = tet.Edges;
   // The gradient is this divided by six times the volume, which has the sign of the orientation.
-  const double sign = glm::dot(a, bc) < 0 ? -1 : 1;
+  const double sign = tet.IsLeftHanded() ? -1 : 1;
   return sign *
-    ((s[1] - s[0]) * bc + (s[2] - s[0]) * glm::cross(c, a) + (s[3] - s[0]) * glm::cross(a, b));
+    ((s[1] - s[0]) * glm::cross(b, c) + (s[2] - s[0]) * glm::cross(c, a) +
+      (s[3] - s[0]) * glm::cross(a, b));
+}
+
+/** Turns the triangles of left-handed tetrahedra over, so that all fronts face lower values. */
+void TurnLeftHanded(const SurfaceInput& input, MarchedSurface& surface)
+{
+  bool turn = false;
+  for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
+  {
+    if (i == 0 || surface.Cells[i] != surface.Cells[i - 1])
+    {
+      turn = Tetrahedron(input, surface.Cells[i]).IsLeftHanded();
+    }
+    if (turn)
+    {
+      std::swap(surface.Triangles[i][1], surface.Triangles[i][2]);
+    }
+  }
 }
 
 std::vector<std::array<double, 3>> AddGradients(
@@ -152,6 +193,7 @@ SurfacePart MakeSurfacePart(
   const SurfaceInput& input, const SurfaceOptions& options, std::uint64_t first, std::uint64_t last)
 {
   MarchedSurface marched = March(input.Mesh, first, last, options.Values);
+  TurnLeftHanded(input, marched);
   SurfacePart part;
   part.NumberOfPoints = marched.Points.size();
   part.Points.resize(3 * SizeOf(options.CoordinateType) * marched.Points.size());

@@ -17,8 +17,10 @@ def kinds_of_files(array):
     return {"spatial": {}, "layers": {"LayerArray": array, "NumberOfLayers": 6}}
 
 
-# The array that is made of a component or the length of another, for vtkContourGrid.
+# The array that is made of a component or the length of another, for vtkContourGrid, and the one that
+# tells whose volume is negative.
 COMPUTED = "computed scalars"
+LEFT_HANDED = "left-handed"
 
 
 def connect(algorithm, source):
@@ -56,10 +58,29 @@ def open_file(path, **options):
     return reader
 
 
+def left_handed(grid):
+    """Whether the volume of each tetrahedron is negative."""
+    corners = gm.coordinates(grid).astype(float)[gm.connectivity(grid)]
+    a, b, c = (corners[:, i] - corners[:, 0] for i in (1, 2, 3))
+    return (a * np.cross(b, c)).sum(1) < 0
+
+
+def turn_left_handed(output):
+    """Turns over the triangles of left-handed tetrahedra, whose fronts face higher values."""
+    turn = output.GetCellData().GetArray(LEFT_HANDED)
+    if turn and turn.GetNumberOfTuples():
+        triangles = vtk_to_numpy(output.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        turn = vtk_to_numpy(turn) != 0
+        triangles[turn] = triangles[turn][:, [0, 2, 1]]
+    output.GetCellData().RemoveArray(LEFT_HANDED)
+
+
 def reference(grid, values, array, component=-1, **options):
-    """The same of vtkContourGrid; a component or the length by an array that is added."""
+    """The same of vtkContourGrid, with all fronts towards lower values; a component or the length by
+    an array that is added."""
     whole = vtkUnstructuredGrid()
     whole.ShallowCopy(grid)
+    gm.add_array(whole.GetCellData(), left_handed(grid).astype(np.uint8), LEFT_HANDED)
     scalars = grid.GetPointData().GetArray(array)
     if scalars.GetNumberOfComponents() > 1:
         tuples = vtk_to_numpy(scalars).astype(np.float64)
@@ -80,6 +101,7 @@ def reference(grid, values, array, component=-1, **options):
     contour.Update()
     output = contour.GetOutput()
     output.GetPointData().RemoveArray(COMPUTED)
+    turn_left_handed(output)
     return output
 
 

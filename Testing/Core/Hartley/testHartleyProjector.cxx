@@ -190,13 +190,13 @@ TEST(HartleyProjector, TrilinearSlicesAreWorse)
 //------------------------------------------------------------------------------
 // From the lattice to pixels there is cubic convolution, which has to follow the kinks of hats at
 // the border of the volume.
-TEST(HartleyProjector, XRay)
+void CompareXRays(HartleyMethod method, const std::vector<std::uint32_t>& blocks)
 {
   const auto volume = MakeHead({ 37, 33, 35 });
   const ReferenceVolume reference(volume.Values.data(), volume.Size, 0);
-  for (const std::uint32_t block : { 2u, 5u, 8u, 16u, 32u, 0u })
+  for (const std::uint32_t block : blocks)
   {
-    HartleyProjector projector(MakeSource(volume.Values, volume.Size, block));
+    HartleyProjector projector(MakeSource(volume.Values, volume.Size, block), { method });
     for (const Vector& turns : GetTurns())
     {
       SCOPED_TRACE(testing::Message()
@@ -219,6 +219,21 @@ TEST(HartleyProjector, XRay)
       EXPECT_LT(samples.Mean, 6e-3 * 37);
     }
   }
+}
+
+TEST(HartleyProjector, XRay)
+{
+  CompareXRays(HartleyMethod::Automatic, { 2, 5, 8, 16, 32, 0 });
+}
+
+TEST(HartleyProjector, XRayByBasisFunctions)
+{
+  CompareXRays(HartleyMethod::Basis, { 2, 5, 8, 16 });
+}
+
+TEST(HartleyProjector, XRayBySlices)
+{
+  CompareXRays(HartleyMethod::Slice, { 16, 32, 0 });
 }
 
 //------------------------------------------------------------------------------

@@ -239,6 +239,49 @@ TEST(SurfaceNormals, OfALinearFieldAreExact)
 }
 
 //------------------------------------------------------------------------------
+TEST(SurfaceNormals, FrontsLookTheSameWayWhateverTheOrientation)
+{
+  Sample sample(MakeCubes(5, 0.1));
+  const Vector slope = { 1, 2, -2 };
+  sample.Fill([&](const Vector& x) { return slope[0] * x[0] + slope[1] * x[1] + slope[2] * x[2]; });
+  SurfaceOptions options;
+  options.Values = { -3.5, 0.25, 1, 7.5 };
+  const std::size_t expected = Make(sample, options).GetNumberOfTriangles();
+  for (const std::size_t turned : { 1, 2, 3 }) // all, every second and every third tetrahedron
+  {
+    Sample mixed(sample);
+    for (std::size_t t = 0; t < mixed.Mesh.Ids.size(); t += 4 * turned)
+    {
+      std::swap(mixed.Mesh.Ids[t + 2], mixed.Mesh.Ids[t + 3]);
+    }
+    const Content<double> content(
+      [&]
+      {
+        options.CoordinateType = ScalarType::Float64;
+        return Make(mixed, options);
+      }());
+    EXPECT_EQ(content.Triangles.size(), expected);
+    for (const Triangle& triangle : content.Triangles)
+    {
+      const Vector a = content.Point(triangle[0]);
+      const Vector b = content.Point(triangle[1]);
+      const Vector c = content.Point(triangle[2]);
+      double along = 0; // the front's normal along the slope of the values
+      double area = 0;
+      for (unsigned i = 0; i < 3; ++i)
+      {
+        const unsigned j = (i + 1) % 3;
+        const unsigned k = (i + 2) % 3;
+        const double normal = (b[j] - a[j]) * (c[k] - a[k]) - (b[k] - a[k]) * (c[j] - a[j]);
+        along += normal * slope[i];
+        area += normal * normal;
+      }
+      ASSERT_LT(along, -2.99 * std::sqrt(area) + 1e-9);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(SurfaceNormals, AreMeansOfGradientsWeightedByVolume)
 {
   Sample sample(MakeCubes(5, 0.25));
