@@ -48,9 +48,8 @@ void FileReader::Internals::Read()
       [&]
       {
         const auto bytes = this->File.Read(step, stepName);
-        auto table = StepTable::Read(bytes, this->Meta, this->Mesh);
         this->AddStepBytes(bytes);
-        return table;
+        return StepTable::Read(bytes, this->Meta, this->Mesh);
       }));
     this->Times.push_back(this->Steps.back().Time);
     this->CheckLastStep();
@@ -78,15 +77,17 @@ void FileReader::Internals::Read()
   this->ReadTree();
 }
 
-/** Adds the unpacked size of a step's table. The expansion of one table may be large, but not that
- * of all of them. */
+/** Adds the unpacked size of a step's table, before memory is taken for it. The expansion of one
+ * table may be large, but not that of all of them. */
 void FileReader::Internals::AddStepBytes(std::span<const std::uint8_t> packed)
 {
-  this->StepBytes += ByteReader(packed).GetVarint();
-  if (this->StepBytes > std::max(SmallStep, TableExpansion * this->File.GetSize()))
+  const auto size = ByteReader(packed).GetVarint();
+  const auto most = std::max(SmallStep, TableExpansion * this->File.GetSize());
+  if (size > most - this->StepBytes)
   {
     ThrowCorrupt("the tables of the time steps are too large for such a file");
   }
+  this->StepBytes += size;
 }
 
 void FileReader::Internals::CheckLastStep() const
