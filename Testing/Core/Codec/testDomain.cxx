@@ -149,3 +149,4 @@ TEST(Domain, OfFloat32IsTheSameWithoutDispatch)
     before = key;
   }
 }
+}
