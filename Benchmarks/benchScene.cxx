@@ -101,7 +101,7 @@ gatun::RayView Scene::MakeView(int size) const
 }
 
 //------------------------------------------------------------------------------
-gatun::RayTable Scene::MakeTable(const gatun::RayView& view) const
+gatun::RayTable Scene::MakeTable(const gatun::RayView& view, gatun::RayMode mode) const
 {
   const auto getColor = [this](double value)
   {
@@ -116,8 +116,8 @@ gatun::RayTable Scene::MakeTable(const gatun::RayView& view) const
     color[3] = this->Opacities[0] + at * (this->Opacities[1] - this->Opacities[0]);
     return color;
   };
-  return gatun::RayTable(gatun::RayMode::Composite, getColor, { this->Values[0], this->Values[1] },
-    view.SampleDistance, this->GetDiagonal() / 100);
+  return gatun::RayTable(mode, getColor, { this->Values[0], this->Values[1] }, view.SampleDistance,
+    this->GetDiagonal() / 100);
 }
 
 //------------------------------------------------------------------------------

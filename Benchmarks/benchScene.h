@@ -33,9 +33,9 @@ struct Scene
   void SetUp(vtkCamera* camera, double turn = 0) const;
   void SetUp(vtkVolumeProperty* property) const;
 
-  /** The same for the core; samples are as far apart as pixels are. */
+  /** The same for the core; samples, if the mode takes any, are as far apart as pixels are. */
   gatun::RayView MakeView(int size) const;
-  gatun::RayTable MakeTable(const gatun::RayView& view) const;
+  gatun::RayTable MakeTable(const gatun::RayView& view, gatun::RayMode mode) const;
 
 private:
   double GetDiagonal() const;

@@ -14,6 +14,7 @@
 #include "vtkUnstructuredGrid.h"
 #include "vtkUnstructuredGridVolumeMapper.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace bench
@@ -32,6 +33,22 @@ struct Options
   int SlowRounds = 2;
   int FirstRounds = 2;
 };
+
+/** The median over all rounds of how many times faster the first mapper is than another. */
+double GetGain(const std::vector<double>& first, const std::vector<double>& other)
+{
+  std::vector<double> gains;
+  for (std::size_t i = 0; i < std::min(first.size(), other.size()); ++i)
+  {
+    gains.push_back(other[i] / first[i]);
+  }
+  if (gains.empty())
+  {
+    return 0;
+  }
+  std::sort(gains.begin(), gains.end());
+  return gains[gains.size() / 2];
+}
 
 /** Degrees that the camera goes on from one picture to the next. */
 constexpr double Turn = 7;
@@ -84,6 +101,7 @@ void Print(const Options& options, vtkUnstructuredGrid* grid, std::uint64_t hits
         mapperJson["mean"] = contenders[i].FirstPicture.Mean;
         AddList(mapperJson, "firstFrames", contenders[i].FirstFrames);
         AddList(mapperJson, "seconds", operations[i].Seconds);
+        mapperJson["gain"] = GetGain(operations[0].Seconds, operations[i].Seconds);
         json["mappers"].append(mapperJson);
       }
     });

@@ -147,7 +147,7 @@ void ComparePictures(const Options& options)
                                 } });
           operations.push_back({ "area",
             [&, i]
-            { Draw(grids[i], scene, options, size, vtkGatunRayCaster::AREA_BLEND, ignored); } });
+            { Draw(grids[i], scene, options, size, vtkGatunRayCaster::SAMPLED_BLEND, ignored); } });
         }
         RunInterleaved(operations, options.Rounds);
         Json::Value sizeJson;

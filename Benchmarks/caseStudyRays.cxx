@@ -68,7 +68,9 @@ void Draw(RayCase& one, const std::shared_ptr<const gatun::FileReader>& file, st
   // Nothing is kept, so that each picture begins with the file.
   gatun::FileRaySource source(file, { array, 0, 0 }, 0);
   const gatun::RayView view = one.View.MakeView(one.Size);
-  gatun::RayCaster caster(view, one.View.MakeTable(view), {}, one.Settings);
+  // The paper's method takes samples, and its pre-filter drops what lies between them.
+  gatun::RayCaster caster(
+    view, one.View.MakeTable(view, gatun::RayMode::Sampled), {}, one.Settings);
   caster.Draw(source);
   std::vector<float> rgba(
     4 * static_cast<std::size_t>(one.Size) * static_cast<std::size_t>(one.Size));

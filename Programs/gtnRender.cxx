@@ -36,6 +36,10 @@ namespace
 // The caster counts the samples of a ray, from the eye on, in floating-point numbers.
 void RequireFewSamples(const RenderOptions& options, const gatun::Bounds& bounds, vtkCamera* camera)
 {
+  if (options.BlendMode != vtkGatunRayCaster::SAMPLED_BLEND)
+  {
+    return;
+  }
   const double halfAngle = vtkMath::RadiansFromDegrees(camera->GetViewAngle()) / 2;
   const double halfHeight = camera->GetParallelProjection()
     ? camera->GetParallelScale()

@@ -115,7 +115,7 @@ RayEye MakeRayEye(vtkCamera* camera, const RayGrid& grid, vtkMatrix4x4* volumeMa
 }
 
 //------------------------------------------------------------------------------
-RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, double sampleDistance,
+RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, RayMode mode, double sampleDistance,
   vtkMatrix4x4* volumeMatrix, bool clippingRange)
 {
   auto [rows, frustum] = MakeRayEye(camera, grid, volumeMatrix);
@@ -123,10 +123,16 @@ RayView MakeRayView(vtkCamera* camera, const RayGrid& grid, double sampleDistanc
   {
     camera->GetClippingRange(frustum.Near, frustum.Far);
   }
-  if (sampleDistance == 0)
+  const double depth = frustum.Parallel ? 1 : camera->GetDistance();
+  const double pixel = grid.Height > 0 ? (frustum.Top - frustum.Bottom) * depth / grid.Height : 1;
+  if (mode != RayMode::Sampled)
   {
-    const double depth = frustum.Parallel ? 1 : camera->GetDistance();
-    sampleDistance = grid.Height > 0 ? (frustum.Top - frustum.Bottom) * depth / grid.Height : 1;
+    // Only a unit of length, in which the mesh must not be too far away.
+    sampleDistance = std::max(pixel, 1e-5 * camera->GetDistance());
+  }
+  else if (sampleDistance == 0)
+  {
+    sampleDistance = pixel;
   }
   if (grid.ToBorders)
   {
@@ -156,8 +162,8 @@ std::optional<RayMode> RayModeOf(int blendMode)
       return RayMode::Composite;
     case MaximumIntensityBlend:
       return RayMode::Maximum;
-    case AreaBlend:
-      return RayMode::Area;
+    case SampledBlend:
+      return RayMode::Sampled;
     case XRayBlend:
       return RayMode::XRay;
     default:

@@ -43,7 +43,7 @@ vtkStandardNewMacro(vtkGatunRayCaster);
 // One numbering for all classes that draw.
 static_assert(int{ vtkGatunRayCaster::COMPOSITE_BLEND } == gatun::CompositeBlend);
 static_assert(int{ vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND } == gatun::MaximumIntensityBlend);
-static_assert(int{ vtkGatunRayCaster::AREA_BLEND } == gatun::AreaBlend);
+static_assert(int{ vtkGatunRayCaster::SAMPLED_BLEND } == gatun::SampledBlend);
 static_assert(int{ vtkGatunRayCaster::XRAY_BLEND } == gatun::XRayBlend);
 
 //------------------------------------------------------------------------------
@@ -328,8 +328,9 @@ int vtkGatunRayCaster::RequestData(
     }
     gatun::RequireNumber("OpacityLimit", this->OpacityLimit);
     gatun::RequireNumber("TimeBudget", this->TimeBudget);
+    const gatun::RayMode mode = *gatun::RayModeOf(this->BlendMode);
     const auto view =
-      gatun::MakeRayView(self.Camera, gatun::RayGrid{ this->Size[0], this->Size[1] },
+      gatun::MakeRayView(self.Camera, gatun::RayGrid{ this->Size[0], this->Size[1] }, mode,
         this->SampleDistance, self.VolumeMatrix, false);
     const gatun::RayArray array{ this->ArrayName ? this->ArrayName : "", this->ArrayAssociation,
       this->ArrayComponent, {} };
@@ -360,10 +361,10 @@ int vtkGatunRayCaster::RequestData(
     settings.Shading =
       gatun::MakeRayShading(self.Property, self.Camera, nullptr, self.VolumeMatrix);
     settings.FromBothEnds = this->FromBothEnds;
-    settings.Portable = this->PortableInstructions;
+    settings.Instructions =
+      this->PortableInstructions ? gatun::RayInstructions::Portable : gatun::RayInstructions::Best;
     gatun::RayCaster caster(view,
-      gatun::MakeRayTable(self.Property, *gatun::RayModeOf(this->BlendMode), self.Scene.GetRange(),
-        view.SampleDistance),
+      gatun::MakeRayTable(self.Property, mode, self.Scene.GetRange(), view.SampleDistance),
       gatun::MakeRayLimits(view, self.ClippingPlanes, self.VolumeMatrix), settings);
     self.Draw(*this, merges, caster, view, progress);
 

@@ -20,20 +20,22 @@
  *
  *  - RGBA (float, 4 components, the active scalars): red, green and blue premultiplied by opacity,
  *    and opacity, 0 to 1;
- *  - Depth (float): distance of the first visible sample in world units, from the eye along the
- * ray, or from the camera's plane in a parallel projection. It is infinite in empty pixels and in
- * the blend modes maximum intensity and X-ray.
+ *  - Depth (float): distance where the ray meets the first visible value, in world units, from the
+ * eye along the ray, or from the camera's plane in a parallel projection. It is infinite in empty
+ * pixels and in the blend modes maximum intensity and X-ray.
  *
  * Point (0, 0) is at the lower left.
  *
- * Samples lie at whole multiples of SampleDistance, measured as Depth. Values are interpolated
- * linearly; tables of 4096 entries then give color and opacity. The image does not depend on the
+ * Values are interpolated linearly in each tetrahedron. The emission-absorption integral along the
+ * ray is exact: the transfer function is approximated by few parabolas, each of which is integrated
+ * in closed form. The mean error is below 0.05/255 and the largest below 1.5/255, steps of the
+ * transfer function included. The image does not depend on the
  * order of the cells, on chunks or on the number of threads, except for rounding (below 1/255). The
  * order of overlapping tetrahedra is undefined.
  *
  * *Cost.* Memory: about 75 bytes for each covered pixel and 20 MB for each thread, in addition to
  * MemoryBudget or, for a file, to the budget of the reader. Time: in proportion to the visible
- * tetrahedra and to the samples. All threads of vtkSMPTools are used.
+ * tetrahedra and to the tetrahedra that each ray crosses. All threads of vtkSMPTools are used.
  *
  * *Errors.* A mesh, array, parameter or file that cannot be drawn is reported by vtkErrorMacro and
  * GetErrorCode (see vtkGatunReader). The output is then empty.
@@ -71,16 +73,16 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * How the samples of a ray are blended. The numbers are those of vtkVolumeMapper where it has the
-   * mode, and beyond its range where it does not.
+   * How the values along a ray are blended. The numbers are those of vtkVolumeMapper where it has
+   * the mode, and beyond its range where it does not.
    */
   enum BlendModes
   {
-    COMPOSITE_BLEND = 0,         ///< color and opacity, composited front to back
+    COMPOSITE_BLEND = 0,         ///< color and opacity, integrated front to back
     MAXIMUM_INTENSITY_BLEND = 1, ///< color and opacity of the largest value
-    AREA_BLEND = 100, ///< composite with one sample for each tetrahedron that a ray crosses: the
-                      ///< mean of the values at the two faces, over the length in between
-    XRAY_BLEND = 101  ///< sum of the absorption along the ray; colors are averaged
+    SAMPLED_BLEND = 100, ///< as COMPOSITE_BLEND, approximated by samples at SampleDistance; for
+                         ///< comparison, as it is slower and less exact
+    XRAY_BLEND = 101     ///< integral of the absorption along the ray; colors are averaged
   };
 
   ///@{
@@ -92,7 +94,7 @@ public:
   vtkGetMacro(BlendMode, int);
   void SetBlendModeToComposite() { this->SetBlendMode(COMPOSITE_BLEND); }
   void SetBlendModeToMaximumIntensity() { this->SetBlendMode(MAXIMUM_INTENSITY_BLEND); }
-  void SetBlendModeToArea() { this->SetBlendMode(AREA_BLEND); }
+  void SetBlendModeToSampled() { this->SetBlendMode(SAMPLED_BLEND); }
   void SetBlendModeToXRay() { this->SetBlendMode(XRAY_BLEND); }
   ///@}
 
@@ -141,8 +143,8 @@ public:
 
   ///@{
   /**
-   * Distance between the samples of a ray in world units, 0 or more. 0 is the size of a pixel at
-   * the camera's focal point. Default: 0.
+   * Distance between the samples of a ray in world units, 0 or more, in mode SAMPLED_BLEND. 0 is
+   * the size of a pixel at the camera's focal point. Other modes take no samples. Default: 0.
    */
   vtkSetClampMacro(SampleDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SampleDistance, double);

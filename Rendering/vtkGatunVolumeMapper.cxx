@@ -28,7 +28,7 @@ namespace
 // One numbering for all classes that draw.
 static_assert(int{ vtkGatunVolumeMapper::COMPOSITE_BLEND } == gatun::CompositeBlend);
 static_assert(int{ vtkGatunVolumeMapper::MAXIMUM_INTENSITY_BLEND } == gatun::MaximumIntensityBlend);
-static_assert(int{ vtkGatunVolumeMapper::AREA_BLEND } == gatun::AreaBlend);
+static_assert(int{ vtkGatunVolumeMapper::SAMPLED_BLEND } == gatun::SampledBlend);
 static_assert(int{ vtkGatunVolumeMapper::XRAY_BLEND } == gatun::XRayBlend);
 
 //------------------------------------------------------------------------------

@@ -32,7 +32,8 @@
  * If the property's Shade is on, isosurfaces are lit from both sides by the renderer's lights, with
  * Phong's model and the property's ambient, diffuse and specular coefficients. Lights have no cone
  * and no attenuation. The gradient is constant in each tetrahedron, so coarse meshes look faceted.
- * Cell values have no gradient and are not shaded. Only the blend modes composite and area shade.
+ * Cell values have no gradient and are not shaded. Only the blend modes composite and sampled
+ * shade.
  *
  * *Just in time.* If JustInTime is on, a frame during an interaction takes about the time allowed
  * for it. Points are merged into others, as in vtkGatunSimplify, until tetrahedra take a quarter of
@@ -80,24 +81,25 @@ public:
    */
   enum
   {
-    AREA_BLEND = 100, ///< composite with one sample for each tetrahedron that a ray crosses
-    XRAY_BLEND = 101  ///< sum of the absorption along the ray; colors are averaged
+    SAMPLED_BLEND = 100, ///< as COMPOSITE_BLEND, approximated by samples at SampleDistance
+    XRAY_BLEND = 101     ///< integral of the absorption along the ray; colors are averaged
   };
 
   ///@{
   /**
-   * Blend mode: COMPOSITE_BLEND (the default), MAXIMUM_INTENSITY_BLEND, AREA_BLEND or XRAY_BLEND;
-   * see vtkGatunRayCaster::BlendModes. Any other value is reported as an error and changes nothing.
+   * Blend mode: COMPOSITE_BLEND (the default), MAXIMUM_INTENSITY_BLEND, SAMPLED_BLEND or
+   * XRAY_BLEND; see vtkGatunRayCaster::BlendModes. Any other value is reported as an error and
+   * changes nothing.
    */
   void SetBlendMode(int mode) override;
-  void SetBlendModeToArea() { this->SetBlendMode(AREA_BLEND); }
+  void SetBlendModeToSampled() { this->SetBlendMode(SAMPLED_BLEND); }
   void SetBlendModeToXRay() { this->SetBlendMode(XRAY_BLEND); }
   ///@}
 
   ///@{
   /**
-   * Distance between the samples of a ray in world units, 0 or more. 0 is the distance of rays at
-   * the camera's focal point. Default: 0.
+   * Distance between the samples of a ray in world units, 0 or more, in mode SAMPLED_BLEND. 0 is
+   * the distance of rays at the camera's focal point. Other modes take no samples. Default: 0.
    */
   vtkSetClampMacro(SampleDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SampleDistance, double);

@@ -325,7 +325,8 @@ gatun::RayStatistics vtkGatunVolumeMapper::vtkInternals::Draw(vtkGatunVolumeMapp
   vtkCamera* const camera = renderer->GetActiveCamera();
   vtkNew<vtkMatrix4x4> matrix;
   volume->GetMatrix(matrix);
-  const auto view = gatun::MakeRayView(camera, grid, mapper->SampleDistance, matrix, true);
+  const gatun::RayMode mode = *gatun::RayModeOf(mapper->BlendMode);
+  const auto view = gatun::MakeRayView(camera, grid, mode, mapper->SampleDistance, matrix, true);
   auto limits = gatun::MakeRayLimits(view, mapper->GetClippingPlanes(), matrix);
   if (mapper->IntermixIntersectingGeometry && renderer->GetNumberOfPropsRendered() > 0)
   {
@@ -340,8 +341,8 @@ gatun::RayStatistics vtkGatunVolumeMapper::vtkInternals::Draw(vtkGatunVolumeMapp
   settings.Opaque = static_cast<float>(mapper->OpacityLimit);
   settings.Shading =
     gatun::MakeRayShading(volume->GetProperty(), camera, renderer->GetLights(), matrix);
-  auto table = gatun::MakeRayTable(volume->GetProperty(), *gatun::RayModeOf(mapper->BlendMode),
-    this->Scene.GetRange(), view.SampleDistance);
+  auto table =
+    gatun::MakeRayTable(volume->GetProperty(), mode, this->Scene.GetRange(), view.SampleDistance);
   if (frame.Source && !mapper->JustInTime)
   {
     // The user may be looking for the best ratio.

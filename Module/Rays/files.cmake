@@ -18,6 +18,7 @@ gatun_core_folder(Rays
     gatunRayBlock.h
     gatunRayBlockCache.h
     gatunRayCaster.h
+    gatunRayInstructions.h
     gatunRayRefresh.h
     gatunRayShading.h
     gatunRaySource.h
@@ -30,8 +31,12 @@ gatun_core_folder(Rays
     gatunRayBlockMaker.h
     gatunRayDecoder.h
     gatunRayDrawer.h
+    gatunRayIntegrator.h
     gatunRayKernel.h
+    gatunRayLanes.h
     gatunRayLoops.h
+    gatunRayPieces.h
+    gatunRaySetUp.h
     gatunRayTile.h
     gatunRayVisibility.h
     gatunRelease.h
@@ -49,7 +54,9 @@ gatun_core_folder(Rays
     gatunRayCaster.cxx
     gatunRayDecoder.cxx
     gatunRayKernelAVX2.cxx
+    gatunRayKernelAVX512.cxx
     gatunRayKernelPortable.cxx
+    gatunRayPieces.cxx
     gatunRayRefresh.cxx
     gatunRayShading.cxx
     gatunRayTable.cxx

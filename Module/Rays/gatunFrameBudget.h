@@ -23,7 +23,7 @@ struct FrameWork
 struct FrameTime
 {
   double Tets = 0;  ///< work for each tetrahedron: making, ordering, planes
-  double Rays = 0;  ///< work for samples and pixels
+  double Rays = 0;  ///< work along rays, and for pixels
   double Fixed = 0; ///< the rest
 };
 

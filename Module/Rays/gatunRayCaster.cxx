@@ -95,7 +95,7 @@ public:
     , Table(std::move(table))
     , Limits(limits)
     , Settings(settings)
-    , Kernel(settings.Portable ? GetPortableRayKernel() : GetBestRayKernel())
+    , Kernel(GetRayKernel(settings.Instructions))
     , TilesX((view.Width + RayTile::Size - 1) / RayTile::Size)
     , TilesY((view.Height + RayTile::Size - 1) / RayTile::Size)
     , Tiles(static_cast<std::size_t>(TilesX) * static_cast<std::size_t>(TilesY))
@@ -108,17 +108,17 @@ public:
 
   RayFilter GetFilter() const
   {
-    // In mode Area every tetrahedron on a ray has a sample.
-    return !this->Settings.Prefilter      ? RayFilter::None
-      : this->Table.Mode == RayMode::Area ? RayFilter::Pixels
-                                          : RayFilter::Samples;
+    // Without samples, every tetrahedron on a ray counts.
+    return !this->Settings.Prefilter         ? RayFilter::None
+      : this->Table.Mode == RayMode::Sampled ? RayFilter::Samples
+                                             : RayFilter::Pixels;
   }
 
   /** Null for none. */
   const RayShading* GetShading() const
   {
     const bool hasSurfaces =
-      this->Table.Mode == RayMode::Composite || this->Table.Mode == RayMode::Area;
+      this->Table.Mode == RayMode::Composite || this->Table.Mode == RayMode::Sampled;
     return hasSurfaces && this->Settings.Shading ? &*this->Settings.Shading : nullptr;
   }
 
@@ -141,13 +141,15 @@ std::unique_ptr<RayTile> RayCaster::Internals::MakeTile(std::size_t index) const
   const int width = std::min(view.Width - x0, RayTile::Size);
   const int height = std::min(view.Height - y0, RayTile::Size);
   auto tile = std::make_unique<RayTile>(width, height);
-  const bool whole = this->Table.Mode != RayMode::Area;
+  const bool whole = this->Table.Mode == RayMode::Sampled;
   for (int y = 0; y < height; ++y)
   {
     for (int x = 0; x < width; ++x)
     {
-      const int cell = y * RayTile::Stride + x;
+      const int cell = RayTile::ToCell(x, y);
       const double perDepth = view.GetSamplesPerDepth(x0 + x, y0 + y);
+      tile->LengthPerDepth[cell] = static_cast<float>(perDepth);
+      tile->DepthPerLength[cell] = static_cast<float>(1 / perDepth);
       double near = std::max(0.0, view.Near * perDepth);
       double far = view.Far * perDepth;
       if (!this->Limits.Near.empty())
@@ -171,8 +173,8 @@ void RayCaster::Internals::DrawTile(std::size_t index, std::span<const Work> wor
 {
   TileSlot& slot = this->Tiles[index];
   const Timed timed(slot.DrawTime);
-  const DrawContext context{ &this->View, this->Table.Cells.data(), this->Settings.Opaque,
-    this->GetX(index), this->GetY(index) };
+  const DrawContext context{ this->View.Perspective, this->Table.Cells.data(),
+    this->Table.Pieces.data(), this->Settings.Opaque };
   for (const Work& work : works)
   {
     if (!work.HasItems)
@@ -201,8 +203,12 @@ void RayCaster::Internals::GetColor(const Fragment& sum, float largest, float* r
   switch (this->Table.Mode)
   {
     case RayMode::Composite:
-    case RayMode::Area:
-      color = { sum.Sum[0], sum.Sum[1], sum.Sum[2], 1 - sum.Sum[3] };
+    case RayMode::Sampled:
+      color[3] = 1 - sum.Sum[3];
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        color[c] = std::clamp(sum.Sum[c], 0.0f, color[3]); // but for rounding, it is within
+      }
       break;
     case RayMode::Maximum:
       if (largest != RayTile::Never)
@@ -220,8 +226,11 @@ void RayCaster::Internals::GetColor(const Fragment& sum, float largest, float* r
       if (const float depth = sum.Sum[3] - 1; depth > 0)
       {
         const float opacity = -std::expm1(-depth);
-        color = { sum.Sum[0] / depth * opacity, sum.Sum[1] / depth * opacity,
-          sum.Sum[2] / depth * opacity, opacity };
+        color[3] = opacity;
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+          color[c] = std::clamp(sum.Sum[c] / depth * opacity, 0.0f, opacity);
+        }
       }
       break;
   }
@@ -239,43 +248,42 @@ void RayCaster::Internals::FinishTile(
     tile->Consolidate();
   }
   const auto width = static_cast<std::size_t>(this->View.Width);
-  const int rows = std::min(RayTile::Size, this->View.Height - y0);
-  const int columns = std::min(RayTile::Size, this->View.Width - x0);
   std::size_t next = 0; // of the others
   std::vector<Fragment> fragments;
-  for (int y = 0; y < rows; ++y)
+  for (int cell = 0; cell < RayTile::Pixels; ++cell)
   {
-    for (int x = 0; x < columns; ++x)
+    const int x = x0 + RayTile::ToX(cell);
+    const int y = y0 + RayTile::ToY(cell);
+    if (x >= this->View.Width || y >= this->View.Height)
     {
-      const int pixel = y * RayTile::Size + x;
-      Fragment sum{ 0, 0, -RayTile::Never, 0, { 0, 0, 0, 1 } };
-      float largest = RayTile::Never;
-      if (tile)
+      continue;
+    }
+    Fragment sum{ 0, 0, -RayTile::Never, 0, { 0, 0, 0, 1 } };
+    float largest = RayTile::Never;
+    if (tile)
+    {
+      largest = tile->End[0][cell];
+      sum = tile->Get(0, cell);
+      const auto& others = tile->Others;
+      const auto isNext = [&]
+      { return next < others.size() && others[next].Cell == static_cast<std::uint32_t>(cell); };
+      if (tile->End[1][cell] != RayTile::Never || isNext())
       {
-        const int cell = RayTile::ToCell(pixel);
-        largest = tile->End[0][cell];
-        sum = tile->Get(0, pixel);
-        const auto& others = tile->Others;
-        const auto isNext = [&]
-        { return next < others.size() && others[next].Pixel == static_cast<std::uint32_t>(pixel); };
-        if (tile->End[1][cell] != RayTile::Never || isNext())
+        fragments.assign({ sum, tile->Get(1, cell) });
+        for (; isNext(); ++next)
         {
-          fragments.assign({ sum, tile->Get(1, pixel) });
-          for (; isNext(); ++next)
-          {
-            fragments.push_back(others[next]);
-          }
-          sum = Composite(fragments);
+          fragments.push_back(others[next]);
         }
+        sum = Composite(fragments);
       }
-      const auto at = static_cast<std::size_t>(y0 + y) * width + static_cast<std::size_t>(x0 + x);
-      this->GetColor(sum, largest, rgba + 4 * at);
-      if (depth)
-      {
-        depth[at] = sum.First == -RayTile::Never
-          ? std::numeric_limits<float>::infinity()
-          : static_cast<float>(sum.First * this->View.SampleDistance);
-      }
+    }
+    const auto at = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
+    this->GetColor(sum, largest, rgba + 4 * at);
+    if (depth)
+    {
+      depth[at] = sum.First == -RayTile::Never
+        ? std::numeric_limits<float>::infinity()
+        : static_cast<float>(sum.First * this->View.SampleDistance);
     }
   }
 }
@@ -448,7 +456,9 @@ void RayCaster::Draw(std::span<const std::shared_ptr<const RayBlock>> blocks)
   auto& self = *this->Self;
   const auto works = self.SetBlocks(blocks);
   const SetUpContext context{ &self.View, self.TilesX, self.Visibility.GetTileLimits(),
-    self.Table.VisibleCells.data(), RayTable::Size, self.Table.Low, self.Table.Scale };
+    self.Table.VisibleCells.data(), RayTable::Size,
+    self.Table.PiecesOf.empty() ? nullptr : self.Table.PiecesOf.data(), self.Table.Low,
+    self.Table.Scale };
   for (;;)
   {
     ParallelFor(works.size(),

@@ -4,6 +4,7 @@
 #define gatunRayCaster_h
 
 #include "gatunRayBlock.h"
+#include "gatunRayInstructions.h"
 #include "gatunRayShading.h"
 #include "gatunRaySource.h"
 #include "gatunRayTable.h"
@@ -24,18 +25,18 @@ struct RaySettings
   /** Early ray termination: nothing is drawn behind a transmittance below this; 0 draws all. */
   float Opaque = 1e-3f;
 
-  /** Shading in modes Composite and Area, or none. */
+  /** Shading in modes Composite and Sampled, or none. */
   std::optional<RayShading> Shading = {};
 
   /** Whether rays may also grow from their far ends; see gatunRelease.h. */
   bool FromBothEnds = false;
 
-  /** Whether to skip tetrahedra between the rays, or between samples, before their planes are set
-   * up: the paper's pre-filter. It does not change the image. */
+  /** Whether to skip tetrahedra between the rays, or in mode Sampled between samples, before their
+   * planes are set up: the paper's pre-filter. It does not change the image. */
   bool Prefilter = true;
 
-  /** Whether to use only instructions that all processors have. */
-  bool Portable = false;
+  /** The instruction set, or the next simpler one that this processor has. */
+  RayInstructions Instructions = RayInstructions::Best;
 
   /** Whether a tile of the image is the same to the last bit no matter what other tiles show and
    * which of them are drawn. May leave threads idle. */
@@ -50,10 +51,10 @@ struct RayStatistics
   double FetchTime = 0;  ///< making or decoding blocks
   double OrderTime = 0;  ///< projecting and ordering tetrahedra
   double SetUpTime = 0;  ///< planes of their faces
-  double DrawTime = 0;   ///< samples
+  double DrawTime = 0;   ///< integrals along rays
   double FinishTime = 0; ///< fragments into pixels
   std::uint64_t Tets = 0;
-  std::uint64_t SeenTets = 0;      ///< tetrahedra that may contain a sample
+  std::uint64_t SeenTets = 0;      ///< tetrahedra that may be on a ray, or contain a sample
   std::uint64_t Blocks = 0;        ///< drawn
   std::uint64_t SkippedBlocks = 0; ///< never fetched: outside, transparent or hidden
   std::uint64_t MostWaiting = 0; ///< maximum number of tetrahedra of a block that waited for others
@@ -66,7 +67,7 @@ struct RayStatistics
  * image. Up to rounding, the image depends neither on the order nor on the blocks nor on the number
  * of threads.
  *
- * The sums of a pixel are in fragments of consecutive samples. Two fragments are merged when one
+ * The sums of a pixel are in fragments, segments of its ray. Two fragments are merged when one
  * ends where the other begins. Memory: about 75 bytes for each pixel that is reached, and 300 bytes
  * for each tetrahedron of the blocks in use, one block for each thread.
  *
@@ -113,8 +114,9 @@ public:
   /**
    * Writes the image, except for tiles that Restrict left out: for each pixel, row by row from
    * below, red, green, blue (premultiplied by opacity) and opacity. If depth is not null, it gets
-   * the distance of the first visible sample in world units, measured as sample distances are, or
-   * infinity. In modes Maximum and XRay it is always infinity.
+   * the distance at which the first visible segment begins, or that of the first visible sample, in
+   * world units and measured as sample distances are, or infinity. In modes Maximum and XRay it is
+   * always infinity.
    */
   void Finish(float* rgba, float* depth = nullptr);
 

@@ -5,10 +5,10 @@
 
 // Draws tetrahedra into a tile of the image. Part of gatunRayLoops.h, see there.
 
+#include "gatunRayIntegrator.h"
 #include "gatunRayKernel.h"
-#include "gatunSimd.h"
+#include "gatunRayLanes.h"
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -16,20 +16,9 @@ namespace gatun
 {
 namespace GATUN_SIMD
 {
-/** The length of the ray of a pixel from the eye to depth 1, in a perspective projection. */
-GATUN_INLINE double GetLengthPerDepth(const RayView& view, double x, double y)
-{
-  const double u = (x - view.CenterX) * view.ScaleX;
-  const double v = (y - view.CenterY) * view.ScaleY;
-  return __builtin_sqrt(1 + u * u + v * v);
-}
-
 /**
  * A ray is inside a tetrahedron from the farthest plane through which it enters to the nearest one
- * through which it leaves. The samples in between belong to the tetrahedron. Eight pixels are
- * processed together, four by two. Samples go into a queue, so that a single loop without
- * unpredictable branches looks up the colors of many. Each sample has the index of the sum to which
- * it is added, and the queue keeps the order of the samples of each sum.
+ * through which it leaves. The pixels of a block are processed together.
  *
  * A tetrahedron directly behind the fragment of a pixel extends that fragment. Any other begins a
  * fragment of its own, and fragments that touch are merged. So the order of the tetrahedra affects
@@ -43,382 +32,316 @@ public:
     : Context(context)
     , Tile(tile)
   {
-    if constexpr (Perspective)
-    {
-      const RayView& view = *context.View;
-      for (int cell = 0; cell < RayTile::Cells; ++cell)
-      {
-        const int x = context.X + cell % RayTile::Stride;
-        const int y = context.Y + cell / RayTile::Stride;
-        this->SamplesPerDepth[cell] =
-          static_cast<float>(GetLengthPerDepth(view, x, y) / view.SampleDistance);
-      }
-    }
   }
 
   void Draw(const TetItems& list)
   {
-    this->Shades = list.Shades;
-    const TetItem* const items = list.Items;
     for (std::size_t i = 0; i < list.Count; ++i)
     {
+      const TetItem& item = list.Items[i];
       if constexpr (Shaded)
       {
-        this->Shade = static_cast<std::int32_t>(list.Origins[i]);
+        this->Shade = &list.Shades[list.Origins[i]];
       }
-      switch (items[i].Entries)
+      switch (item.Entries)
       {
         case 0: // the eye is within
-          this->DrawItem<0>(items[i]);
+          this->DrawItem<0>(item);
           break;
         case 1:
-          this->DrawItem<1>(items[i]);
+          this->DrawItem<1>(item);
           break;
         case 2:
-          this->DrawItem<2>(items[i]);
+          this->DrawItem<2>(item);
           break;
         case 3:
-          this->DrawItem<3>(items[i]);
+          this->DrawItem<3>(item);
           break;
         default: // degenerate: rays would only enter it
           break;
       }
     }
-    this->Flush();
     float limit = RayTile::Never;
-    for (int y = 0; y < RayTile::Size; ++y)
+    for (const float far : this->Tile.Far)
     {
-      for (int x = 0; x < RayTile::Size; ++x)
-      {
-        const float far = this->Tile.Far[y * RayTile::Stride + x];
-        limit = far > limit ? far : limit;
-      }
+      limit = far > limit ? far : limit;
     }
     this->Tile.Limit = limit;
   }
 
 private:
-  static constexpr bool HasFragments = Mode == RayMode::Composite || Mode == RayMode::Area;
+  static constexpr bool HasFragments = Mode == RayMode::Composite || Mode == RayMode::Sampled;
   static constexpr float Endless = 1e30f;
-  static constexpr unsigned Most = 1024; // samples in the queue
-
-  /** Four by two pixels that a tetrahedron covers. */
-  struct Block
-  {
-    int Cell;
-    int Pixel;
-    unsigned Bits; // which of them are hit
-    Float8 Begin, End;
-    Float8 T, TPerSample;
-    Int8 Sums; // to which sum each adds, the slots' one after the other
-  };
-
-  static Float8 LoadCells(const float* cells, int first)
-  {
-    return Load44(cells + first, cells + first + RayTile::Stride);
-  }
-
-  static void StoreCells(float* cells, int first, Float8 v)
-  {
-    Store44(cells + first, cells + first + RayTile::Stride, v);
-  }
 
   template <int Entries>
-  void DrawItem(const TetItem& item)
+  GATUN_INLINE void DrawItem(const TetItem& item)
   {
-    for (int y = item.FirstY; y <= item.LastY; y += 2)
+    if constexpr (Mode != RayMode::Sampled && WideLanes::Rows > Lanes8::Rows)
     {
-      for (int x = item.FirstX; x <= item.LastX; x += 4)
+      // Most tetrahedra that are smaller than a few pixels fit into half a wide block.
+      if ((item.FirstY ^ item.LastY) > 1 || (item.FirstX ^ item.LastX) > 3)
       {
-        this->DrawBlock<Entries>(item, x, y);
+        return this->DrawBlocks<WideLanes, Entries>(item);
+      }
+    }
+    this->DrawBlocks<Lanes8, Entries>(item);
+  }
+
+  template <typename L, int Entries>
+  void DrawBlocks(const TetItem& item)
+  {
+    for (int y = item.FirstY & -L::Rows; y <= item.LastY; y += L::Rows)
+    {
+      const auto ys = L::GetY() + L::Splat(static_cast<float>(y));
+      typename L::Float rows[4];
+      for (unsigned face = 0; face < 4; ++face)
+      {
+        rows[face] = L::Splat(item.Base[face]) + ys * L::Splat(item.StepY[face]);
+      }
+      for (int x = item.FirstX & -4; x <= item.LastX; x += 4)
+      {
+        const auto xs = L::GetX() + L::Splat(static_cast<float>(x));
+        this->DrawBlock<L, Entries>(item, rows, xs, ys, RayTile::ToCell(x, y));
       }
     }
   }
 
-  template <int Entries>
-  GATUN_INLINE void DrawBlock(const TetItem& item, int x, int y)
+  template <typename L, int Entries>
+  GATUN_INLINE void DrawBlock(const TetItem& item, const typename L::Float* rows,
+    typename L::Float xs, typename L::Float ys, int cell)
   {
-    const auto xs = Float8{ 0, 1, 2, 3, 0, 1, 2, 3 } + Splat8(static_cast<float>(x));
-    const auto ys = Float8{ 0, 0, 0, 0, 1, 1, 1, 1 } + Splat8(static_cast<float>(y));
-    const auto getDepth = [&](int face) {
-      return Splat8(item.Base[face]) + xs * Splat8(item.StepX[face]) +
-        ys * Splat8(item.StepY[face]);
-    };
-    Float8 in = Splat8(-Endless);
-    Float8 out = Splat8(Endless);
-    for (int face = 0; face < Entries; ++face)
+    const auto getDepth = [&](unsigned face)
+    { return rows[face] + xs * L::Splat(item.StepX[face]); };
+    auto in = L::Splat(-Endless);
+    auto out = L::Splat(Endless);
+    for (unsigned face = 0; face < Entries; ++face)
     {
-      in = Larger(getDepth(face), in);
+      in = face == 0 ? getDepth(face) : L::Max(getDepth(face), in);
     }
-    for (int face = Entries; face < 4; ++face)
+    for (unsigned face = Entries; face < 4; ++face)
     {
-      out = Smaller(getDepth(face), out);
+      out = face == Entries ? getDepth(face) : L::Min(getDepth(face), out);
     }
-    Int8 hits = in < out;
-    if (ToBits(hits) == 0)
+    auto hits = L::Less(in, out);
+    if constexpr (Perspective)
+    {
+      hits = L::And(hits, L::Less(in, L::Splat(0)));
+    }
+    if (L::ToBits(hits) == 0)
     {
       return; // most blocks around a tetrahedron
     }
 
-    Block block;
-    block.Cell = y * RayTile::Stride + x;
-    const auto across = xs * Splat8(item.TX) + ys * Splat8(item.TY);
+    RayTile& tile = this->Tile;
+    RayLine<L> line;
+    const auto across = xs * L::Splat(item.TX) + ys * L::Splat(item.TY);
     if constexpr (Perspective)
     {
-      hits &= in < Splat8(0);
-      const auto samples = LoadCells(this->SamplesPerDepth, block.Cell);
-      in = Entries == 0 ? Splat8(0) : -samples / in; // from the eye on
-      out = out < Splat8(0) ? -samples / out : Splat8(Endless);
-      block.T = Splat8(item.T);
-      block.TPerSample = (Splat8(item.TK) + across) / samples;
+      const auto length = L::Load(&tile.LengthPerDepth[cell]);
+      in = Entries == 0 ? L::Splat(0) : -length / in; // from the eye on
+      out = L::Select(L::Less(out, L::Splat(0)), -length / out, L::Splat(Endless));
+      line.T = L::Splat(item.T);
+      line.PerLength = (L::Splat(item.TK) + across) * L::Load(&tile.DepthPerLength[cell]);
     }
     else
     {
-      block.T = Splat8(item.T) + across;
-      block.TPerSample = Splat8(item.TK);
+      line.T = L::Splat(item.T) + across;
+      line.PerLength = L::Splat(item.TK);
     }
-    const auto near = LoadCells(this->Tile.Near.data(), block.Cell);
-    const auto far = LoadCells(this->Tile.Far.data(), block.Cell);
-    block.Begin = Smaller(Larger(in, near), far);
-    block.End = Smaller(Larger(out, near), far);
-    if constexpr (Mode != RayMode::Area)
+    const auto near = L::Load(&tile.Near[cell]);
+    const auto far = L::Load(&tile.Far[cell]);
+    auto begin = L::Min(L::Max(in, near), far);
+    auto end = L::Min(L::Max(out, near), far);
+    if constexpr (Mode == RayMode::Sampled)
     {
-      block.Begin = RoundUp(block.Begin);
-      block.End = RoundUp(block.End);
+      begin = RoundUp(begin);
+      end = RoundUp(end);
     }
-    hits &= block.Begin < block.End;
-    block.Bits = ToBits(hits);
-    if (block.Bits == 0)
+    hits = L::And(hits, L::Less(begin, end));
+    if (L::ToBits(hits) == 0)
     {
       return;
     }
-
-    constexpr int row = RayTile::Size;
-    block.Pixel = y * row + x;
-    block.Sums = Int8{ 0, 1, 2, 3, row, row + 1, row + 2, row + 3 } + block.Pixel;
     if constexpr (Mode == RayMode::Maximum)
     {
-      this->KeepLargest(item, block, hits);
-      return;
+      this->KeepLargest<L>(item, line, begin, end, hits, cell);
     }
-    if constexpr (HasFragments)
+    else if constexpr (HasFragments)
     {
-      const unsigned touching = this->Place(block, hits);
-      this->Sample(item, block);
-      if (touching != 0) [[unlikely]]
-      {
-        this->Merge(block, touching);
-      }
+      this->Extend<L>(item, line, begin, end, hits, cell);
+    }
+    else if (!item.Transparent)
+    {
+      auto sums = this->LoadSums<L>(cell);
+      auto first = begin;
+      this->Integrate<L>(item, line, begin, end, hits, sums, first);
+      this->StoreSums<L>(cell, sums);
+    }
+  }
+
+  /** Values are linear, so the largest one is at an end. */
+  template <typename L>
+  GATUN_INLINE void KeepLargest(const TetItem& item, const RayLine<L>& line,
+    typename L::Float begin, typename L::Float end, typename L::Mask hits, int cell)
+  {
+    const auto low = L::Splat(item.TMin);
+    const auto high = L::Splat(item.TMax);
+    const auto largest = L::Max(line.Get(begin, low, high), line.Get(end, low, high));
+    float* const kept = &this->Tile.End[0][cell];
+    const auto before = L::Load(kept);
+    L::Store(kept, L::Select(hits, L::Max(before, largest), before));
+  }
+
+  template <typename L>
+  GATUN_INLINE RaySums<L> LoadSums(int cell) const
+  {
+    const auto& sums = this->Tile.Sums[0];
+    return { L::Load(&sums[0][cell]), L::Load(&sums[1][cell]), L::Load(&sums[2][cell]),
+      L::Load(&sums[3][cell]) };
+  }
+
+  template <typename L>
+  GATUN_INLINE void StoreSums(int cell, const RaySums<L>& sums)
+  {
+    auto& to = this->Tile.Sums[0];
+    L::Store(&to[0][cell], sums.R);
+    L::Store(&to[1][cell], sums.G);
+    L::Store(&to[2][cell], sums.B);
+    L::Store(&to[3][cell], sums.Through);
+  }
+
+  template <typename L>
+  GATUN_INLINE void Integrate(const TetItem& item, const RayLine<L>& line, typename L::Float begin,
+    typename L::Float end, typename L::Mask some, RaySums<L>& sums, typename L::Float& first)
+  {
+    if constexpr (Mode == RayMode::Sampled)
+    {
+      AddSamples<Shaded>(
+        this->Context.Table, this->Shade, item, line, begin, end, some, sums, first);
     }
     else
     {
-      this->Sample(item, block);
+      RayIntegrator<L, Mode, Shaded>(this->Context.Pieces, this->Shade)
+        .Add(item, line, begin, end, some, sums, first);
     }
   }
 
-  GATUN_INLINE static Float8 GetPlaceInTable(
-    const TetItem& item, const Block& block, Float8 samples)
-  {
-    // Rounding must not lead out of the values that the tetrahedron has.
-    const auto t = block.T + block.TPerSample * samples;
-    return Smaller(Larger(t, Splat8(item.TMin)), Splat8(item.TMax));
-  }
-
-  GATUN_INLINE void Sample(const TetItem& item, const Block& block)
-  {
-    if (item.Transparent)
-    {
-      return;
-    }
-    if constexpr (Mode == RayMode::Area)
-    {
-      const auto middle = (block.Begin + block.End) * Splat8(0.5f);
-      const auto length = block.End - block.Begin;
-      this->Wait(block, block.Bits, GetPlaceInTable(item, block, middle), block.Begin, length);
-    }
-    else
-    {
-      auto sample = block.Begin;
-      unsigned bits = block.Bits;
-      do
-      {
-        this->Wait(block, bits, GetPlaceInTable(item, block, sample), sample, sample);
-        sample += Splat8(1);
-        bits &= ToBits(sample < block.End);
-      } while (bits != 0);
-    }
-  }
-
-  GATUN_INLINE void Wait(
-    const Block& block, unsigned bits, Float8 places, Float8 samples, Float8 lengths)
-  {
-    const Packer packer(bits);
-    packer.Store(places, this->Places + this->Waiting);
-    packer.Store(block.Sums, this->Sums + this->Waiting);
-    packer.Store(samples, this->Samples + this->Waiting);
-    if constexpr (Mode == RayMode::Area)
-    {
-      packer.Store(lengths, this->Lengths + this->Waiting);
-    }
-    if constexpr (Shaded)
-    {
-      Store(this->ShadesOf + this->Waiting, Int8{} + this->Shade);
-    }
-    this->Waiting += static_cast<unsigned>(__builtin_popcount(bits));
-    if (this->Waiting > Most) [[unlikely]]
-    {
-      this->Flush();
-    }
-  }
-
-  /** Adds the samples in the queue to their sums. */
-  void Flush()
+  /** Extends the fragments in slot 0, or begins them. */
+  template <typename L>
+  GATUN_INLINE void Extend(const TetItem& item, const RayLine<L>& line, typename L::Float begin,
+    typename L::Float end, typename L::Mask hits, int cell)
   {
     RayTile& tile = this->Tile;
-    auto* const sums = tile.Sums[0].data();
-    for (unsigned i = 0; i < this->Waiting; ++i)
+    const auto last = L::Load(&tile.End[0][cell]);
+    const auto fresh = L::And(hits, L::Equal(last, L::Splat(RayTile::Never)));
+    const auto longer = L::Or(fresh, L::And(hits, L::Equal(last, begin)));
+    L::Store(&tile.End[0][cell], L::Select(longer, end, last));
+    if (L::ToBits(fresh) != 0)
     {
-      const float place = this->Places[i];
-      const auto index = static_cast<int>(place);
-      const RayTable::Cell& cell = this->Context.Table[index];
-      const auto fraction = Splat4(place - static_cast<float>(index));
-      auto color = Load<Float4>(&cell.Value) + fraction * Load<Float4>(&cell.Change);
-      const auto at = this->Sums[i];
-      auto sum = Load<Float4>(&sums[at]);
-      if constexpr (Mode == RayMode::XRay)
-      {
-        sum += color;
-      }
-      else
-      {
-        if constexpr (Mode == RayMode::Area)
-        {
-          const float opacity = 1 - std::exp(-color[3] * this->Lengths[i]);
-          color = color * Splat4(opacity);
-          color[3] = -opacity;
-        }
-        if constexpr (Shaded)
-        {
-          // Not brighter than white.
-          const RayShade& shade = this->Shades[this->ShadesOf[i]];
-          const auto opacity = Splat4(-color[3]);
-          color = Smaller(
-            color * Load<Float4>(&shade.Scale) + opacity * Load<Float4>(&shade.Add), opacity);
-        }
-        const auto before = __builtin_shufflevector(sum, sum, 3, 3, 3, 3);
-        sum += before * color;
-        if (before[0] == 1 && sum[3] != 1) [[unlikely]]
-        {
-          tile.Firsts[0].data()[at] = this->Samples[i];
-        }
-        if (sum[3] < this->Context.Opaque) [[unlikely]]
-        {
-          const float length = Mode == RayMode::Area ? this->Lengths[i] : 1;
-          this->HideFrom(RayTile::ToCell(at % RayTile::Pixels), this->Samples[i] + length);
-        }
-      }
-      Store(&sums[at], sum);
+      float* const begins = &tile.Begin[0][cell];
+      L::Store(begins, L::Select(fresh, begin, L::Load(begins)));
     }
-    this->Waiting = 0;
+    const auto next = L::Load(&tile.Begin[1][cell]);
+    unsigned touching = L::ToBits(L::And(longer, L::Equal(next, end)));
+    const auto others = L::Without(hits, longer);
+    if (!item.Transparent)
+    {
+      auto sums = this->LoadSums<L>(cell);
+      const auto before = sums.Through;
+      auto first = begin;
+      this->Integrate<L>(item, line, begin, end, longer, sums, first);
+      this->StoreSums<L>(cell, sums);
+      const auto one = L::Splat(1);
+      const auto seen =
+        L::Without(L::And(longer, L::Equal(before, one)), L::Equal(sums.Through, one));
+      const auto opaque = L::And(longer, L::Less(sums.Through, L::Splat(this->Context.Opaque)));
+      if (L::ToBits(L::Or(seen, opaque)) != 0)
+      {
+        float* const firsts = &tile.Firsts[0][cell];
+        L::Store(firsts, L::Select(seen, first, L::Load(firsts)));
+        // Skips everything behind.
+        const auto far = L::Load(&tile.Far[cell]);
+        L::Store(&tile.Far[cell], L::Select(opaque, L::Min(end, far), far));
+      }
+    }
+    if (L::ToBits(others) != 0) [[unlikely]]
+    {
+      touching |= this->PlaceElsewhere<L>(item, line, begin, end, others, cell);
+    }
+    if (touching != 0) [[unlikely]]
+    {
+      this->Merge(cell, touching);
+    }
   }
 
-  /** Skips everything behind an opaque sample. */
-  void HideFrom(int cell, float end)
+  /** Extends fragments in slot 1, or begins them there. Returns those that touch slot 0. */
+  template <typename L>
+  [[gnu::noinline]] unsigned PlaceElsewhere(const TetItem& item, const RayLine<L>& line,
+    typename L::Float begin, typename L::Float end, typename L::Mask others, int cell)
+  {
+    RaySums<L> sums{ L::Splat(0), L::Splat(0), L::Splat(0), L::Splat(1) };
+    auto first = begin;
+    if (!item.Transparent)
+    {
+      this->Integrate<L>(item, line, begin, end, others, sums, first);
+    }
+    RayTile& tile = this->Tile;
+    unsigned touching = 0;
+    for (unsigned bits = L::ToBits(others); bits != 0; bits &= bits - 1)
+    {
+      const auto lane = static_cast<unsigned>(__builtin_ctz(bits));
+      const auto at = static_cast<std::size_t>(cell) + lane;
+      if (tile.End[1][at] != begin[lane])
+      {
+        if (tile.End[1][at] != RayTile::Never)
+        {
+          tile.SetAside(1, static_cast<int>(at));
+        }
+        tile.Begin[1][at] = begin[lane];
+      }
+      tile.End[1][at] = end[lane];
+      auto& to = tile.Sums[1];
+      const float through = to[3][at];
+      to[0][at] += through * sums.R[lane];
+      to[1][at] += through * sums.G[lane];
+      to[2][at] += through * sums.B[lane];
+      to[3][at] = through * sums.Through[lane];
+      if (through == 1 && to[3][at] != 1)
+      {
+        tile.Firsts[1][at] = first[lane];
+      }
+      if (to[3][at] < this->Context.Opaque)
+      {
+        this->HideFrom(at, end[lane]);
+      }
+      touching |= tile.Begin[0][at] == end[lane] ? 1u << lane : 0u;
+    }
+    return touching;
+  }
+
+  void Merge(int cell, unsigned touching)
+  {
+    for (; touching != 0; touching &= touching - 1)
+    {
+      const int at = cell + __builtin_ctz(touching);
+      this->Tile.MergeSlots(at);
+      if (this->Tile.Sums[0][3][at] < this->Context.Opaque)
+      {
+        this->HideFrom(static_cast<std::size_t>(at), this->Tile.End[0][at]);
+      }
+    }
+  }
+
+  /** Skips everything behind an opaque fragment. */
+  void HideFrom(std::size_t cell, float end)
   {
     float& far = this->Tile.Far[cell];
     far = end < far ? end : far;
   }
 
-  /** Finds or begins the fragment of each pixel. Returns the pixels with two fragments that touch.
-   */
-  GATUN_INLINE unsigned Place(Block& block, Int8 hits)
-  {
-    RayTile& tile = this->Tile;
-    const auto end = LoadCells(tile.End[0].data(), block.Cell);
-    const auto fresh = hits & (end == Splat8(RayTile::Never));
-    const auto longer = fresh | (hits & (end == block.Begin));
-    StoreCells(tile.End[0].data(), block.Cell, longer ? block.End : end);
-    if (ToBits(fresh) != 0)
-    {
-      const auto begin = LoadCells(tile.Begin[0].data(), block.Cell);
-      StoreCells(tile.Begin[0].data(), block.Cell, fresh ? block.Begin : begin);
-    }
-    const auto next = LoadCells(tile.Begin[1].data(), block.Cell);
-    unsigned touching = ToBits(longer & (next == block.End));
-    unsigned others = block.Bits & ~ToBits(longer);
-    for (; others != 0; others &= others - 1)
-    {
-      const auto lane = static_cast<unsigned>(__builtin_ctz(others));
-      const int cell = block.Cell + ToCell(lane);
-      this->PlaceElsewhere(cell, block.Pixel + ToPixel(lane), block.Begin[lane], block.End[lane]);
-      block.Sums[lane] += RayTile::Pixels;
-      touching |= tile.Begin[0][cell] == block.End[lane] ? 1u << lane : 0u;
-    }
-    return touching;
-  }
-
-  static int ToCell(unsigned lane)
-  {
-    return static_cast<int>(lane / 4 * RayTile::Stride + lane % 4);
-  }
-  static int ToPixel(unsigned lane)
-  {
-    return static_cast<int>(lane / 4 * RayTile::Size + lane % 4);
-  }
-
-  /** Extends the fragment in slot 1, or begins one there. */
-  void PlaceElsewhere(int cell, int pixel, float begin, float end)
-  {
-    RayTile& tile = this->Tile;
-    if (tile.End[1][cell] != begin)
-    {
-      if (tile.End[1][cell] != RayTile::Never)
-      {
-        this->Flush();
-        tile.SetAside(1, pixel);
-      }
-      tile.Begin[1][cell] = begin;
-    }
-    tile.End[1][cell] = end;
-  }
-
-  void Merge(const Block& block, unsigned touching)
-  {
-    this->Flush();
-    for (; touching != 0; touching &= touching - 1)
-    {
-      const auto lane = static_cast<unsigned>(__builtin_ctz(touching));
-      const int cell = block.Cell + ToCell(lane);
-      this->Tile.MergeSlots(block.Pixel + ToPixel(lane));
-      if (this->Tile.Sums[0][block.Pixel + ToPixel(lane)][3] < this->Context.Opaque)
-      {
-        this->HideFrom(cell, this->Tile.End[0][cell]);
-      }
-    }
-  }
-
-  /** Values are linear, so the largest one is at an end. */
-  GATUN_INLINE void KeepLargest(const TetItem& item, const Block& block, Int8 hits)
-  {
-    const auto first = GetPlaceInTable(item, block, block.Begin);
-    const auto last = GetPlaceInTable(item, block, block.End - Splat8(1));
-    auto* const largest = this->Tile.End[0].data();
-    const auto before = LoadCells(largest, block.Cell);
-    const auto now = hits ? Larger(first, last) : before;
-    StoreCells(largest, block.Cell, Larger(before, now));
-  }
-
   const DrawContext& Context;
   RayTile& Tile;
-  const RayShade* Shades = nullptr;
-  std::int32_t Shade = 0; // of the tetrahedron that is being drawn
-  unsigned Waiting = 0;
-  float Places[Most + 16]; // in the table
-  std::int32_t Sums[Most + 16];
-  float Samples[Most + 16];
-  float Lengths[Mode == RayMode::Area ? Most + 16 : 1];
-  std::int32_t ShadesOf[Shaded ? Most + 16 : 1];
-  float SamplesPerDepth[Perspective ? RayTile::Cells : 1];
+  const RayShade* Shade = nullptr; // of the tetrahedron that is being drawn
 };
 }
 }

@@ -7,6 +7,7 @@
 
 #include "gatunInline.h"
 #include "gatunRayBlock.h"
+#include "gatunRayInstructions.h"
 #include "gatunRayShading.h"
 #include "gatunRayTable.h"
 #include "gatunRayTile.h"
@@ -25,10 +26,10 @@ struct alignas(16) SeenPoint
   float X, Y, Samples, Value;
 };
 
-/** The pixels that a tetrahedron may cover; none, if it cannot contain a sample. */
+/** The pixels that a tetrahedron may cover; none, if it cannot be seen. */
 struct SeenTet
 {
-  float Nearest; // lower bound of its samples
+  float Nearest; // lower bound of its distances
   std::int16_t FirstX, FirstY, LastX, LastY;
 
   bool IsEmpty() const { return this->LastX < this->FirstX; }
@@ -67,14 +68,15 @@ struct TetItem
   // or, in perspective, as -1 / Z. The planes through which rays enter come first.
   std::array<float, 4> Base, StepX, StepY;
 
-  // The place in the table at sample k is T + x TX + y TY + k TK, or in perspective
+  // The place in the table at distance k is T + x TX + y TY + k TK, or in perspective
   // T + k / SamplesPerDepth(x, y) (TK + x TX + y TY); and it is from TMin to TMax.
   float T, TX, TY, TK;
   float TMin, TMax;
 
   std::uint8_t FirstX, FirstY, LastX, LastY;
-  std::uint8_t Entries; // number of planes through which rays enter
-  bool Transparent;     // values from TMin to TMax are invisible
+  std::uint8_t Entries;                // number of planes through which rays enter
+  bool Transparent;                    // values from TMin to TMax are invisible
+  std::uint16_t FirstPiece, LastPiece; // of the table, from TMin to TMax
 };
 
 /** Items of a tile. */
@@ -91,10 +93,10 @@ struct TetItems
 /** The parameters of Draw. */
 struct DrawContext
 {
-  const RayView* View;
+  bool Perspective;
   const RayTable::Cell* Table;
-  float Opaque; // a fragment with a lower transmittance hides everything behind it
-  int X, Y;     // the tile's first pixel
+  const RayTable::Piece* Pieces; // null in modes without
+  float Opaque;                  // a fragment with a lower transmittance hides everything behind it
 };
 
 /** The parameters of SetUp besides the mesh. */
@@ -105,7 +107,8 @@ struct SetUpContext
   const float* Limits;               // RayTile::Limit of each tile
   const std::uint32_t* VisibleCells; // RayTable::VisibleCells
   int TableSize;
-  double Low, Scale; // RayTable's
+  const std::array<std::uint16_t, 2>* PiecesOf; // RayTable's, null in modes without
+  double Low, Scale;                            // RayTable's
 };
 
 /** The loops that have a version for each instruction set. */
@@ -140,11 +143,13 @@ struct RayKernel
 /** The kernel for any processor. */
 const RayKernel& GetPortableRayKernel();
 
-/** The kernel for processors with AVX2 and FMA; null in builds for another architecture. */
+/** The kernels for processors with AVX2 and FMA, and with AVX-512 F, VL, DQ and BW; null in builds
+ * for another architecture. */
 const RayKernel* GetAVX2RayKernel();
+const RayKernel* GetAVX512RayKernel();
 
-/** The fastest kernel for this processor. */
-const RayKernel& GetBestRayKernel();
+/** The kernel for an instruction set, or for the next simpler one that this processor has. */
+const RayKernel& GetRayKernel(RayInstructions instructions);
 }
 
 #endif

@@ -9,6 +9,7 @@
 
 #include "gatunRayDrawer.h"
 #include "gatunRayKernel.h"
+#include "gatunRaySetUp.h"
 #include "gatunSimd.h"
 
 #include <cstddef>
@@ -45,6 +46,14 @@ GATUN_INLINE Vector ThirdCorners(Vector v)
 
 //------------------------------------------------------------------------------
 // Points
+
+/** The length of the ray of a pixel from the eye to depth 1, in a perspective projection. */
+GATUN_INLINE double GetLengthPerDepth(const RayView& view, double x, double y)
+{
+  const double u = (x - view.CenterX) * view.ScaleX;
+  const double v = (y - view.CenterY) * view.ScaleY;
+  return __builtin_sqrt(1 + u * u + v * v);
+}
 
 GATUN_INLINE bool IsFinite(double v)
 {
@@ -190,191 +199,10 @@ void Look(const RayView& view, RayFilter filter, const SeenPoint* points, const 
 }
 
 //------------------------------------------------------------------------------
-// Planes of the faces
-
-/** For each set of faces through which rays enter: these faces first, then the others. */
-struct EntriesFirst
-{
-  constexpr EntriesFirst()
-  {
-    for (unsigned bits = 0; bits < 16; ++bits)
-    {
-      unsigned n = 0;
-      for (const bool entry : { true, false })
-      {
-        for (unsigned face = 0; face < 4; ++face)
-        {
-          if (((bits >> face & 1) != 0) == entry)
-          {
-            this->Faces[bits][n++] = static_cast<std::int32_t>(face);
-          }
-        }
-      }
-    }
-  }
-  alignas(16) std::int32_t Faces[16][4] = {};
-};
-constexpr EntriesFirst InOrder;
-
-GATUN_INLINE Float4 Reorder(Double4 v, Int4 order)
-{
-  return Permute(__builtin_convertvector(v, Float4), order);
-}
-
-GATUN_INLINE double Sum(Double4 v)
-{
-  return (v[0] + v[1]) + (v[2] + v[3]);
-}
-
-GATUN_INLINE Double4 Absolute(Double4 v)
-{
-  return v < SplatD(0) ? -v : v;
-}
-
-void SetUp(const SetUpContext& context, const RayPoint* points, const Tet* tets,
-  const double* cellValues, const SeenTet* seen, const std::uint32_t* chosen, std::size_t count,
-  std::uint32_t* places, TetItem* items, std::uint32_t* origins)
-{
-  const bool perspective = context.View->Perspective;
-  const auto lastCell = static_cast<float>(context.TableSize);
-  constexpr std::size_t ahead = 8;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    // The tetrahedra are in the order of release, not of memory.
-    if (i + 2 * ahead < count)
-    {
-      __builtin_prefetch(&tets[chosen[i + 2 * ahead]]);
-      __builtin_prefetch(&seen[chosen[i + 2 * ahead]]);
-    }
-    if (i + ahead < count)
-    {
-      for (const auto corner : tets[chosen[i + ahead]])
-      {
-        __builtin_prefetch(&points[corner]);
-      }
-    }
-    const Tet& tet = tets[chosen[i]];
-    const auto p0 = Load<Double4>(&points[tet[0]]);
-    const auto p1 = Load<Double4>(&points[tet[1]]);
-    const auto p2 = Load<Double4>(&points[tet[2]]);
-    const auto p3 = Load<Double4>(&points[tet[3]]);
-    const auto xy01 = __builtin_shufflevector(p0, p1, 0, 4, 1, 5);
-    const auto zv01 = __builtin_shufflevector(p0, p1, 2, 6, 3, 7);
-    const auto xy23 = __builtin_shufflevector(p2, p3, 0, 4, 1, 5);
-    const auto zv23 = __builtin_shufflevector(p2, p3, 2, 6, 3, 7);
-    const auto x = __builtin_shufflevector(xy01, xy23, 0, 1, 4, 5);
-    const auto y = __builtin_shufflevector(xy01, xy23, 2, 3, 6, 7);
-    const auto z = __builtin_shufflevector(zv01, zv23, 0, 1, 4, 5);
-    const auto t = cellValues ? SplatD((cellValues[chosen[i]] - context.Low) * context.Scale)
-                              : __builtin_shufflevector(zv01, zv23, 2, 3, 6, 7);
-
-    // Lane f is the face opposite to vertex f. Its corners a, b, c are in the order of the
-    // vertices, which is the same in the neighbor, so that both compute the same plane bit for bit.
-    const auto ax = FirstCorners(x);
-    const auto ay = FirstCorners(y);
-    const auto az = FirstCorners(z);
-    const auto ux = SecondCorners(x) - ax;
-    const auto uy = SecondCorners(y) - ay;
-    const auto uz = SecondCorners(z) - az;
-    const auto vx = ThirdCorners(x) - ax;
-    const auto vy = ThirdCorners(y) - ay;
-    const auto vz = ThirdCorners(z) - az;
-    const auto nx = uy * vz - uz * vy;
-    const auto ny = uz * vx - ux * vz;
-    const auto nz = ux * vy - uy * vx;
-
-    // Six times the signed volume, with the opposite sign for faces of the other orientation.
-    const double volume = nx[3] * (x[3] - x[0]) + ny[3] * (y[3] - y[0]) + nz[3] * (z[3] - z[0]);
-    const Double4 volumes = { -volume, volume, -volume, volume };
-
-    // Depth along the ray is a quotient. If the plane (nearly) contains the ray, its divisor is
-    // kept away from zero.
-    Double4 divisor = nz;
-    Double4 least = (Absolute(nx) + Absolute(ny)) * SplatD(1e-12);
-    if (perspective)
-    {
-      const auto cx = nx * ax;
-      const auto cy = ny * ay;
-      const auto cz = nz * az;
-      divisor = cx + cy + cz;
-      // The second term is for an eye at a corner, where the first term is zero.
-      least = (Absolute(cx) + Absolute(cy) + Absolute(cz)) * SplatD(1e-14) +
-        (Absolute(nx) + Absolute(ny) + Absolute(nz)) * SplatD(1e-30);
-    }
-    divisor = divisor < SplatD(0) ? Smaller(divisor, -least) : Larger(divisor, least);
-    const auto perDivisor = SplatD(-1) / divisor;
-    const auto stepX = nx * perDivisor;
-    const auto stepY = ny * perDivisor;
-    const auto base = perspective ? nz * perDivisor : az - stepX * ax - stepY * ay;
-    const auto entries =
-      15u ^ ToBits(Long4(volumes > SplatD(0))) ^ ToBits(Long4(divisor > SplatD(0)));
-
-    // The value's gradient, from barycentric coordinates; relative to vertex 0.
-    const auto weights = (t - SplatD(t[0])) / volumes;
-    const double tx = Sum(weights * nx);
-    const double ty = Sum(weights * ny);
-    const double tz = Sum(weights * nz);
-    const double t0 = t[0] - tx * x[0] - ty * y[0] - tz * z[0];
-
-    const auto order = Load<Int4>(InOrder.Faces[entries]);
-    const auto stepsX = Reorder(stepX, order);
-    const auto stepsY = Reorder(stepY, order);
-    TetItem item;
-    Store(item.StepX.data(), stepsX);
-    Store(item.StepY.data(), stepsY);
-    item.Entries = static_cast<std::uint8_t>(__builtin_popcount(entries));
-    item.TX = static_cast<float>(tx);
-    item.TY = static_cast<float>(ty);
-    const bool hasNaN = !IsFinite(Sum(t));
-    const double tMin = Smaller(Smaller(t[0], t[1]), Smaller(t[2], t[3]));
-    const double tMax = Larger(Larger(t[0], t[1]), Larger(t[2], t[3]));
-    item.TMin = hasNaN ? 0 : Clamp(static_cast<float>(tMin), 0, lastCell);
-    item.TMax = hasNaN ? 0 : Clamp(static_cast<float>(tMax), 0, lastCell);
-    item.Transparent = hasNaN ||
-      context.VisibleCells[static_cast<int>(item.TMax) + 1] ==
-        context.VisibleCells[static_cast<int>(item.TMin)];
-    // Flat tetrahedra contain no sample. Nor do those whose numbers have overflowed.
-    const bool isHollow = !IsFinite(volume) || volume == 0 || !IsFinite(Sum(base + stepX + stepY));
-
-    const SeenTet& where = seen[chosen[i]];
-    ForEachTile(where, context.TilesX, context.Limits,
-      [&](int tile)
-      {
-        const int x0 = tile % context.TilesX * RayTile::Size;
-        const int y0 = tile / context.TilesX * RayTile::Size;
-        Store(item.Base.data(), Reorder(base + stepX * SplatD(x0) + stepY * SplatD(y0), order));
-        const double shift = tx * x0 + ty * y0;
-        item.T = static_cast<float>(perspective ? t0 : t0 + shift);
-        item.TK = static_cast<float>(perspective ? tz + shift : tz);
-        if (isHollow) [[unlikely]]
-        {
-          item.Base = item.StepX = item.StepY = {};
-          item.Entries = 2;
-        }
-        if (hasNaN) [[unlikely]]
-        {
-          item.T = item.TX = item.TY = item.TK = 0;
-        }
-        constexpr int last = RayTile::Size - 1;
-        item.FirstX = static_cast<std::uint8_t>(where.FirstX > x0 ? where.FirstX - x0 : 0);
-        item.FirstY = static_cast<std::uint8_t>(where.FirstY > y0 ? where.FirstY - y0 : 0);
-        item.LastX = static_cast<std::uint8_t>(where.LastX < x0 + last ? where.LastX - x0 : last);
-        item.LastY = static_cast<std::uint8_t>(where.LastY < y0 + last ? where.LastY - y0 : last);
-        const auto place = places[tile]++;
-        items[place] = item;
-        if (origins)
-        {
-          origins[place] = static_cast<std::uint32_t>(i);
-        }
-      });
-  }
-}
-
-//------------------------------------------------------------------------------
 template <RayMode Mode, bool Shaded>
 void DrawIn(const DrawContext& context, const TetItems& items, RayTile& tile)
 {
-  if (context.View->Perspective)
+  if (context.Perspective)
   {
     RayDrawer<true, Mode, Shaded>(context, tile).Draw(items);
   }
@@ -392,9 +220,9 @@ void Draw(RayMode mode, const DrawContext& context, const TetItems& items, RayTi
     case RayMode::Composite:
       return shaded ? DrawIn<RayMode::Composite, true>(context, items, tile)
                     : DrawIn<RayMode::Composite, false>(context, items, tile);
-    case RayMode::Area:
-      return shaded ? DrawIn<RayMode::Area, true>(context, items, tile)
-                    : DrawIn<RayMode::Area, false>(context, items, tile);
+    case RayMode::Sampled:
+      return shaded ? DrawIn<RayMode::Sampled, true>(context, items, tile)
+                    : DrawIn<RayMode::Sampled, false>(context, items, tile);
     case RayMode::Maximum:
       return DrawIn<RayMode::Maximum, false>(context, items, tile);
     case RayMode::XRay:

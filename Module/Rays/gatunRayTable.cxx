@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunRayTable.h"
 
+#include "gatunRayPieces.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,29 +21,27 @@ RayTable::RayTable(RayMode mode, const RayColor& color, const Range& range, doub
   const bool hasRange = range.Min < range.Max && std::isfinite(range.Max - range.Min);
   this->Low = range.Min <= range.Max ? range.Min : 0;
   this->Scale = hasRange ? Size / (range.Max - range.Min) : 0;
-  for (std::size_t i = 0; i <= Size; ++i)
+  const auto getEntry = [&](double place) -> std::array<double, 4>
   {
-    const double value = hasRange ? this->Low + static_cast<double>(i) / this->Scale : this->Low;
-    auto [r, g, b, a] = color(value);
+    auto [r, g, b, a] = color(hasRange ? this->Low + place / this->Scale : this->Low);
     const double depth =
       -std::log1p(-std::clamp(a, 0.0, mostOpaque)) * sampleDistance / unitDistance;
-    std::array<double, 4> entry{};
     switch (mode)
     {
-      case RayMode::Composite:
+      case RayMode::Sampled:
         a = -std::expm1(-depth);
-        entry = { r * a, g * a, b * a, -a };
-        break;
+        return { r * a, g * a, b * a, -a };
       case RayMode::Maximum:
-        entry = { r * a, g * a, b * a, -a };
-        break;
-      case RayMode::Area:
-        entry = { r, g, b, depth };
-        break;
+        return { r * a, g * a, b * a, -a };
+      case RayMode::Composite:
       case RayMode::XRay:
-        entry = { r * depth, g * depth, b * depth, depth };
         break;
     }
+    return { r * depth, g * depth, b * depth, depth };
+  };
+  for (std::size_t i = 0; i <= Size; ++i)
+  {
+    const auto entry = getEntry(static_cast<double>(i));
     for (std::size_t c = 0; c < 4; ++c)
     {
       this->Cells[i].Value[c] = static_cast<float>(entry[c]);
@@ -56,6 +56,10 @@ RayTable::RayTable(RayMode mode, const RayColor& color, const Range& range, doub
   {
     const bool visible = this->Cells[i].Value[3] != 0 || this->Cells[i].Change[3] != 0;
     this->VisibleCells[i + 1] = this->VisibleCells[i] + (visible ? 1 : 0);
+  }
+  if (mode == RayMode::Composite || mode == RayMode::XRay)
+  {
+    MakeRayPieces(getEntry, *this);
   }
 }
 

@@ -11,20 +11,20 @@ RayTile::RayTile(int width, int height)
 {
   this->Near.fill(0);
   this->Far.fill(Never);
+  this->LengthPerDepth.fill(1);
+  this->DepthPerLength.fill(1);
   for (int slot = 0; slot < Slots; ++slot)
   {
-    this->Begin[slot].fill(-Never);
-    this->End[slot].fill(Never);
-    for (int pixel = 0; pixel < Pixels; ++pixel)
+    for (int cell = 0; cell < Pixels; ++cell)
     {
-      this->Clear(slot, pixel);
+      this->Clear(slot, cell);
     }
   }
-  for (int pixel = 0; pixel < Pixels; ++pixel)
+  for (int y = 0; y < height; ++y)
   {
-    if (pixel % Size < width && pixel / Size < height)
+    for (int x = 0; x < width; ++x)
     {
-      this->Far[ToCell(pixel)] = Always;
+      this->Far[ToCell(x, y)] = Always;
     }
   }
 }
@@ -41,46 +41,51 @@ std::size_t RayTile::CountFragments() const
 }
 
 //------------------------------------------------------------------------------
-void RayTile::Clear(int slot, int pixel)
+void RayTile::Clear(int slot, int cell)
 {
-  const int cell = ToCell(pixel);
   this->Begin[slot][cell] = -Never;
   this->End[slot][cell] = Never;
-  this->Sums[slot][pixel] = { 0, 0, 0, 1 };
-  this->Firsts[slot][pixel] = -Never;
+  this->Firsts[slot][cell] = -Never;
+  for (unsigned channel = 0; channel < 4; ++channel)
+  {
+    this->Sums[slot][channel][cell] = channel < 3 ? 0.0f : 1.0f;
+  }
 }
 
 //------------------------------------------------------------------------------
-Fragment RayTile::Get(int slot, int pixel) const
+Fragment RayTile::Get(int slot, int cell) const
 {
-  const int cell = ToCell(pixel);
-  return { this->Begin[slot][cell], this->End[slot][cell], this->Firsts[slot][pixel],
-    static_cast<std::uint32_t>(pixel), this->Sums[slot][pixel] };
+  const auto& sums = this->Sums[slot];
+  return { this->Begin[slot][cell], this->End[slot][cell], this->Firsts[slot][cell],
+    static_cast<std::uint32_t>(cell),
+    { sums[0][cell], sums[1][cell], sums[2][cell], sums[3][cell] } };
 }
 
 //------------------------------------------------------------------------------
-void RayTile::SetAside(int slot, int pixel)
+void RayTile::SetAside(int slot, int cell)
 {
   if (this->Others.size() >= this->MostOthers)
   {
     this->Consolidate();
   }
-  this->Others.push_back(this->Get(slot, pixel));
-  this->Clear(slot, pixel);
+  this->Others.push_back(this->Get(slot, cell));
+  this->Clear(slot, cell);
 }
 
 //------------------------------------------------------------------------------
-void RayTile::MergeSlots(int pixel)
+void RayTile::MergeSlots(int cell)
 {
-  const int cell = ToCell(pixel);
   const bool firstInFront = this->End[0][cell] == this->Begin[1][cell];
-  Fragment merged = this->Get(firstInFront ? 0 : 1, pixel);
-  merged.Append(this->Get(firstInFront ? 1 : 0, pixel));
+  Fragment merged = this->Get(firstInFront ? 0 : 1, cell);
+  merged.Append(this->Get(firstInFront ? 1 : 0, cell));
   this->Begin[0][cell] = merged.Begin;
   this->End[0][cell] = merged.End;
-  this->Sums[0][pixel] = merged.Sum;
-  this->Firsts[0][pixel] = merged.First;
-  this->Clear(1, pixel);
+  this->Firsts[0][cell] = merged.First;
+  for (unsigned channel = 0; channel < 4; ++channel)
+  {
+    this->Sums[0][channel][cell] = merged.Sum[channel];
+  }
+  this->Clear(1, cell);
 }
 
 //------------------------------------------------------------------------------
@@ -91,21 +96,21 @@ void RayTile::Consolidate()
   std::array<std::uint32_t, Pixels + 1> places{};
   for (const Fragment& fragment : others)
   {
-    ++places[fragment.Pixel + 1];
+    ++places[fragment.Cell + 1];
   }
-  for (std::size_t pixel = 0; pixel < Pixels; ++pixel)
+  for (std::size_t cell = 0; cell < Pixels; ++cell)
   {
-    places[pixel + 1] += places[pixel];
+    places[cell + 1] += places[cell];
   }
   std::vector<Fragment> sorted(others.size());
   for (const Fragment& fragment : others)
   {
-    sorted[places[fragment.Pixel]++] = fragment;
+    sorted[places[fragment.Cell]++] = fragment;
   }
   auto first = sorted.begin();
-  for (std::size_t pixel = 0; pixel < Pixels; ++pixel)
+  for (std::size_t cell = 0; cell < Pixels; ++cell)
   {
-    const auto last = sorted.begin() + places[pixel];
+    const auto last = sorted.begin() + places[cell];
     if (last - first > 1)
     {
       std::sort(
@@ -117,7 +122,7 @@ void RayTile::Consolidate()
   std::size_t n = 0;
   for (const Fragment& next : others)
   {
-    if (n != 0 && others[n - 1].Pixel == next.Pixel && others[n - 1].End == next.Begin)
+    if (n != 0 && others[n - 1].Cell == next.Cell && others[n - 1].End == next.Begin)
     {
       others[n - 1].Append(next);
     }
@@ -127,7 +132,7 @@ void RayTile::Consolidate()
     }
   }
   others.resize(n);
-  // The work stays proportional to the number of samples, however many fragments remain.
+  // The work stays proportional to the number of segments, however many fragments remain.
   this->MostOthers = std::max<std::size_t>(this->MostOthers, 2 * n);
 }
 

@@ -4,7 +4,7 @@
 #ifndef gatunSimd_h
 #define gatunSimd_h
 
-// Eight floats or four doubles at once, for the ray caster.
+// Eight floats or four doubles at once.
 //
 // Sources that include this header are compiled once for each instruction set, which GATUN_SIMD
 // names. This code and the kernels that use it are in a namespace of that name, so that code for
@@ -82,22 +82,6 @@ GATUN_INLINE Float4 Permute(Float4 v, Int4 order)
 #endif
 }
 
-/** Four floats from each of two addresses. */
-GATUN_INLINE Float8 Load44(const float* first, const float* second)
-{
-#if defined(__AVX2__)
-  return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(first)), _mm_loadu_ps(second), 1);
-#else
-  return __builtin_shufflevector(Load<Float4>(first), Load<Float4>(second), 0, 1, 2, 3, 4, 5, 6, 7);
-#endif
-}
-
-GATUN_INLINE void Store44(float* first, float* second, Float8 v)
-{
-  Store(first, __builtin_shufflevector(v, v, 0, 1, 2, 3));
-  Store(second, __builtin_shufflevector(v, v, 4, 5, 6, 7));
-}
-
 /** Bit i is set where lane i of the comparison holds. */
 template <unsigned Lanes, typename Comparison>
 GATUN_INLINE unsigned CollectBits(Comparison comparison)
@@ -148,80 +132,6 @@ GATUN_INLINE Float8 RoundUp(Float8 v)
   return down + (down < v ? Splat8(1.0f) : Splat8(0.0f));
 #endif
 }
-
-#if defined(__AVX2__)
-/** For each set of lanes, the permutation that moves them to the front. */
-struct Packing
-{
-  constexpr Packing()
-  {
-    for (unsigned bits = 0; bits < 256; ++bits)
-    {
-      unsigned n = 0;
-      for (unsigned lane = 0; lane < 8; ++lane)
-      {
-        if (bits >> lane & 1)
-        {
-          this->Lanes[bits][n++] = static_cast<std::uint8_t>(lane);
-        }
-      }
-    }
-  }
-  std::uint8_t Lanes[256][8] = {};
-};
-inline constexpr Packing PackingOf;
-#endif
-
-/** Moves the lanes whose bits are set to the front. */
-class Packer
-{
-public:
-  GATUN_INLINE explicit Packer(unsigned bits)
-#if defined(__AVX2__)
-    : Lanes(_mm256_cvtepu8_epi32(
-        _mm_loadl_epi64(reinterpret_cast<const __m128i*>(PackingOf.Lanes[bits]))))
-#else
-    : Bits(bits)
-#endif
-  {
-  }
-
-  /** Stores the selected lanes. Up to eight elements may be overwritten. */
-  GATUN_INLINE void Store(Float8 v, float* to) const
-  {
-#if defined(__AVX2__)
-    _mm256_storeu_ps(to, _mm256_permutevar8x32_ps(v, this->Lanes));
-#else
-    this->StoreEach(v, to);
-#endif
-  }
-
-  GATUN_INLINE void Store(Int8 v, std::int32_t* to) const
-  {
-#if defined(__AVX2__)
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
-      _mm256_permutevar8x32_epi32(reinterpret_cast<__m256i>(v), this->Lanes));
-#else
-    this->StoreEach(v, to);
-#endif
-  }
-
-private:
-#if defined(__AVX2__)
-  __m256i Lanes;
-#else
-  template <typename Vector, typename Number>
-  GATUN_INLINE void StoreEach(Vector v, Number* to) const
-  {
-    for (unsigned bits = this->Bits; bits != 0; bits &= bits - 1)
-    {
-      *to++ = v[__builtin_ctz(bits)];
-    }
-  }
-
-  unsigned Bits;
-#endif
-};
 }
 }
 

@@ -30,7 +30,8 @@ struct NamedMode
 };
 
 constexpr std::array<NamedMode, 4> Modes{ { { "composite", vtkGatunRayCaster::COMPOSITE_BLEND },
-  { "area", vtkGatunRayCaster::AREA_BLEND }, { "mip", vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND },
+  { "sampled", vtkGatunRayCaster::SAMPLED_BLEND },
+  { "mip", vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND },
   { "xray", vtkGatunRayCaster::XRAY_BLEND } } };
 
 void AddMeshOptions(CLI::App* command, RenderOptions& options)
@@ -58,9 +59,9 @@ void AddModeOption(CLI::App* command, RenderOptions& options)
             return name == mode.Name;
           })->BlendMode;
       },
-      "Blend mode: composite (front to back), area (composite with one sample per tetrahedron, "
-      "fast and coarse), mip (maximum intensity) or xray (sum of opacities) (default: composite)")
-    ->check(CLI::IsMember({ "composite", "area", "mip", "xray" }))
+      "Blend mode: composite (exact integral, front to back), sampled (the same by samples, for "
+      "comparison), mip (maximum intensity) or xray (sum of opacities) (default: composite)")
+    ->check(CLI::IsMember({ "composite", "sampled", "mip", "xray" }))
     ->option_text("NAME")
     ->group("Image");
 }
@@ -69,7 +70,7 @@ void AddShadeOption(CLI::App* command, RenderOptions& options)
 {
   command
     ->add_flag(
-      "--shade", options.Shade, "Shade isosurfaces by a headlight (modes composite and area)")
+      "--shade", options.Shade, "Shade isosurfaces by a headlight (modes composite and sampled)")
     ->group("Colors and opacities");
 }
 
@@ -78,8 +79,8 @@ void AddCostOptions(CLI::App* command, RenderOptions& options)
   const char* const group = "Sampling and cost";
   command
     ->add_option("--sample-distance", options.SampleDistance,
-      "Distance between samples along a ray, above 0, in units of the coordinates (default: the "
-      "width of a pixel at the center of the mesh)")
+      "Distance between samples along a ray in mode sampled, above 0, in units of the coordinates "
+      "(default: the width of a pixel at the center of the mesh)")
     ->check(Positive())
     ->option_text("D")
     ->group(group);

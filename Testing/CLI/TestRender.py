@@ -129,7 +129,7 @@ gtn(*around, "--turntable", 4, "mesh.gtn", "around.png", code=1, says="around-00
 
 # Modes and presets differ, and none of them is empty.
 pictures = []
-more = [["--mode", mode] for mode in ("composite", "area", "mip", "xray")]
+more = [["--mode", mode] for mode in ("composite", "sampled", "mip", "xray")]
 more += [["--tf", name] for name in ("cool-warm", "heat", "gray", "xray", "bone")]
 more += [["--component", "0"], ["--opacity", "3"], ["--zoom", "1.5"], ["--roll", "30"]]
 more += [["--parallel"], ["--range", "0,1"], ["--elevation", "90"]]

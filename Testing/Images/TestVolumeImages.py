@@ -68,8 +68,8 @@ def VolumeXRay():
     return draw_volume(gs.ball_file("xray"), BlendMode=vtkGatunVolumeMapper.XRAY_BLEND)
 
 
-def VolumeArea():
-    return draw_volume(gs.ball_file("area"), BlendMode=vtkGatunVolumeMapper.AREA_BLEND)
+def VolumeSampled():
+    return draw_volume(gs.ball_file("sampled"), BlendMode=vtkGatunVolumeMapper.SAMPLED_BLEND)
 
 
 def VolumeSimplified():

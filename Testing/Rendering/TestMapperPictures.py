@@ -12,7 +12,7 @@ from vtkmodules.vtkRenderingVolume import vtkVolumeMapper
 import gatunVolumes as gv
 
 MESH = gv.wave()
-MODES = {"Composite": 0, "MaximumIntensity": 1, "Area": 100, "XRay": 101}
+MODES = {"Composite": 0, "MaximumIntensity": 1, "Sampled": 100, "XRay": 101}
 
 
 def compare(scene, **options):

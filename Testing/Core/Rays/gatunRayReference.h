@@ -4,7 +4,8 @@
 #define gatunRayReference_h
 
 // Ray casting as its definition says, in double precision and without any cleverness: for each ray
-// all tetrahedra, sorted. Shares nothing with the ray caster but the numbers that describe a view.
+// all tetrahedra, sorted, and the integral in thin slices. Shares nothing with the ray caster but
+// the numbers that describe a view.
 
 #include "gatunRayTable.h"
 #include "gatunRayView.h"
@@ -101,7 +102,7 @@ struct ReferenceMesh
   std::vector<std::array<std::uint32_t, 4>> Tets;
 };
 
-/** Premultiplied red, green, blue; opacity; distance of the first sample seen, or infinity. */
+/** Premultiplied red, green, blue; opacity; distance where something is seen first, or infinity. */
 using ReferencePixel = std::array<double, 5>;
 
 class Reference
@@ -109,6 +110,7 @@ class Reference
 public:
   RayMode Mode = RayMode::Composite;
   RayColor Color;
+  std::vector<double> Breaks; // values where colors have steps or kinks, in order
   double Unit = 1;
   std::vector<std::array<double, 4>> Planes; // only what is on their positive side is seen
 
@@ -250,55 +252,126 @@ private:
     }
   }
 
+  /** The sums of a ray. */
+  struct Sum
+  {
+    ReferencePixel Pixel{ 0, 0, 0, 0, std::numeric_limits<double>::infinity() };
+    double Through = 1;
+    double Depth = 0;
+    double Largest = -std::numeric_limits<double>::infinity();
+  };
+
+  /** Color times extinction, and extinction. */
+  std::array<double, 4> GetEmission(const Interval& interval, double distance) const
+  {
+    auto color = this->Color(interval.AtOrigin + distance * interval.PerLength);
+    const double extinction = -std::log1p(-std::min(color[3], 1 - 1e-7)) / this->Unit;
+    if (this->Shade)
+    {
+      const Vec shaded =
+        this->Shade({ color[0], color[1], color[2] }, interval.Gradient, interval.Middle);
+      std::copy(shaded.begin(), shaded.end(), color.begin());
+    }
+    return { color[0] * extinction, color[1] * extinction, color[2] * extinction, extinction };
+  }
+
+  /** Adds a slice in which color and extinction are constant. */
+  void AddSlice(const std::array<double, 4>& emission, double length, Sum& sum) const
+  {
+    const double depth = emission[3] * length;
+    const double opacity = -std::expm1(-depth);
+    const double weight = this->Mode == RayMode::XRay ? depth : sum.Through * opacity;
+    for (std::size_t c = 0; c < 3 && depth > 0; ++c)
+    {
+      sum.Pixel[c] += weight * emission[c] / emission[3];
+    }
+    sum.Through *= 1 - opacity;
+    sum.Depth += depth;
+  }
+
+  /** Adds a part of a ray on which the color is smooth, in slices that are thin enough. */
+  void AddSmooth(const Interval& interval, double begin, double end, Sum& sum) const
+  {
+    double largest = 0;
+    for (int i = 0; i < 8; ++i)
+    {
+      largest =
+        std::max(largest, this->GetEmission(interval, begin + (end - begin) * (i + 0.5) / 8)[3]);
+    }
+    const int slices = static_cast<int>(std::clamp(32 * largest * (end - begin), 6.0, 2e4));
+    const double length = (end - begin) / slices;
+    const double before = sum.Through;
+    double seen = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < slices && (sum.Through > 1e-9 || this->Mode == RayMode::XRay); ++i)
+    {
+      // The mean by Gauss's rule with two points.
+      const double from = begin + i * length;
+      const double aside = std::sqrt(1.0 / 12) * length;
+      auto mean = this->GetEmission(interval, from + length / 2 - aside);
+      const auto other = this->GetEmission(interval, from + length / 2 + aside);
+      for (std::size_t c = 0; c < 4; ++c)
+      {
+        mean[c] = (mean[c] + other[c]) / 2;
+      }
+      this->AddSlice(mean, length, sum);
+      seen = std::min(seen, sum.Through < before ? from : seen);
+    }
+    // What a number in single precision does not show is not seen.
+    if (sum.Through < (1 - 6e-8) * before && this->Mode != RayMode::XRay)
+    {
+      sum.Pixel[4] = std::min(sum.Pixel[4], seen);
+    }
+  }
+
+  /** Integrates along a ray within a tetrahedron. */
+  void Integrate(const Interval& interval, Sum& sum) const
+  {
+    std::vector<double> cuts{ interval.In, interval.Out };
+    for (const double value : this->Breaks)
+    {
+      const double where = (value - interval.AtOrigin) / interval.PerLength;
+      if (where > interval.In && where < interval.Out)
+      {
+        cuts.push_back(where);
+      }
+    }
+    std::sort(cuts.begin(), cuts.end());
+    for (std::size_t i = 1; i < cuts.size(); ++i)
+    {
+      this->AddSmooth(interval, cuts[i - 1], cuts[i], sum);
+    }
+  }
+
   ReferencePixel Composite(std::vector<Interval>& intervals, const Viewer& v) const
   {
     std::sort(intervals.begin(), intervals.end(),
       [](const Interval& a, const Interval& b) { return a.In < b.In; });
-
-    ReferencePixel pixel{ 0, 0, 0, 0, std::numeric_limits<double>::infinity() };
-    double through = 1;
-    double depth = 0;
-    double largest = -std::numeric_limits<double>::infinity();
+    Sum sum;
     for (const Interval& interval : intervals)
     {
-      const auto add = [&](double value, double length, double distance)
-      {
-        auto color = this->Color(value);
-        const double optical = -std::log1p(-std::min(color[3], 1 - 1e-7)) * length / this->Unit;
-        const double opacity = -std::expm1(-optical);
-        if (this->Shade)
-        {
-          const Vec shaded =
-            this->Shade({ color[0], color[1], color[2] }, interval.Gradient, interval.Middle);
-          std::copy(shaded.begin(), shaded.end(), color.begin());
-        }
-        const double weight = this->Mode == RayMode::XRay ? optical : through * opacity;
-        for (std::size_t c = 0; c < 3; ++c)
-        {
-          pixel[c] += weight * color[c];
-        }
-        if (weight > 0 && this->Mode != RayMode::XRay)
-        {
-          pixel[4] = std::min(pixel[4], distance);
-        }
-        through *= 1 - opacity;
-        depth += optical;
-        largest = std::max(largest, value);
-      };
       const auto getValue = [&](double distance)
       { return interval.AtOrigin + distance * interval.PerLength; };
-      if (this->Mode == RayMode::Area)
+      if (this->Mode == RayMode::Maximum)
       {
-        add((getValue(interval.In) + getValue(interval.Out)) / 2, interval.Out - interval.In,
-          interval.In);
-        continue;
+        sum.Largest = std::max({ sum.Largest, getValue(interval.In), getValue(interval.Out) });
       }
-      const double end = std::ceil(interval.Out / v.SampleDistance);
-      for (double k = std::ceil(interval.In / v.SampleDistance); k < end; ++k)
+      else if (this->Mode != RayMode::Sampled)
       {
-        add(getValue(k * v.SampleDistance), v.SampleDistance, k * v.SampleDistance);
+        this->Integrate(interval, sum);
+      }
+      else
+      {
+        const double end = std::ceil(interval.Out / v.SampleDistance);
+        for (double k = std::ceil(interval.In / v.SampleDistance); k < end; ++k)
+        {
+          const double distance = k * v.SampleDistance;
+          const auto emission = this->GetEmission(interval, distance);
+          this->AddSlice(emission, v.SampleDistance, sum);
+          sum.Pixel[4] = std::min(sum.Pixel[4], emission[3] > 0 ? distance : sum.Pixel[4]);
+        }
       }
     }
+    auto& [pixel, through, depth, largest] = sum;
     pixel[3] = 1 - through;
     if (this->Mode == RayMode::XRay && depth > 0)
     {

@@ -17,7 +17,7 @@ namespace gatun::test
 {
 namespace
 {
-constexpr RayMode AllModes[] = { RayMode::Composite, RayMode::Area, RayMode::Maximum,
+constexpr RayMode AllModes[] = { RayMode::Composite, RayMode::Sampled, RayMode::Maximum,
   RayMode::XRay };
 
 /** Compares with the definition; returns how much there was to see. */
@@ -27,18 +27,16 @@ double Check(const ReferenceMesh& mesh, const Viewer& viewer, const Setting& set
   reference.Mode = setting.Mode;
   reference.Color = [&](double value)
   { return setting.Color(std::clamp(value, setting.Values.Min, setting.Values.Max)); };
+  reference.Breaks = setting.Breaks;
   reference.Planes = setting.Planes;
   reference.Unit = setting.Unit;
   const auto expected = reference.Render(mesh, viewer);
-  const auto image = Render(mesh, viewer, setting);
+  auto used = setting;
+  used.Settings.Opaque = setting.Mode == RayMode::Sampled ? setting.Settings.Opaque : 0;
+  const auto image = Render(mesh, viewer, used);
   const auto difference = Compare(image, expected, viewer.SampleDistance);
-  EXPECT_LE(difference.Mean, 1e-5);
-  EXPECT_LE(static_cast<double>(difference.Bad), 5e-4 * static_cast<double>(expected.size()));
-  if (setting.Mode == RayMode::Composite || setting.Mode == RayMode::Area)
-  {
-    EXPECT_LE(
-      static_cast<double>(difference.BadDepths), 5e-4 * static_cast<double>(expected.size()));
-  }
+  const bool withDepth = setting.Mode == RayMode::Composite || setting.Mode == RayMode::Sampled;
+  ExpectAsDefined(difference, setting.Mode, expected.size(), withDepth, 5e-4);
   return difference.Lit / static_cast<double>(expected.size());
 }
 
@@ -108,7 +106,7 @@ TEST(RayCaster, OfSeveralPlanesEachCuts)
     const std::array<double, 4> far{ 0, 0, 1, -1.13 };
     const std::array<double, 4> farther{ 0, 0, 1, -0.53 };
     Setting setting;
-    for (const RayMode mode : { RayMode::Composite, RayMode::Area })
+    for (const RayMode mode : { RayMode::Composite, RayMode::Sampled })
     {
       setting.Mode = mode;
       for (const auto& first : { near, nearer })
@@ -180,6 +178,7 @@ TEST(RayCaster, ValuesBeyondTheTableLookAsItsEnds)
   const auto mesh = ToReference(MakeCubes(5, 0.2));
   Setting setting;
   setting.Values = { 0.4, 0.6 };
+  setting.Breaks = { 0.4, 0.6 };
   setting.Color = [](double value) {
     return std::array<double, 4>{ value, 1 - value, 5 * (value - 0.4), 0.9 * value - 0.2 };
   };
@@ -243,7 +242,7 @@ TEST(RayCaster, WhatIsVisibleOnlyBetweenTwoEntriesOfTheTableIsSeen)
   {
     setting.Mode = mode;
     // What the table holds is linear between its entries: opacities, or optical depths.
-    const bool ofDepths = mode == RayMode::Area || mode == RayMode::XRay;
+    const bool ofDepths = mode == RayMode::Composite || mode == RayMode::XRay;
     setting.Color = [=](double value)
     {
       const double height = std::max(0.0, 1 - std::abs(value - top) / entry) / 16;
@@ -309,7 +308,7 @@ TEST(RayCaster, WhatIsBehindOpaqueFragmentsIsLeftOutInAnyOrder)
   {
     const auto viewer = MakeViewers(7, parallel)[5];
     std::mt19937 random(5);
-    for (const RayMode mode : { RayMode::Composite, RayMode::Area })
+    for (const RayMode mode : { RayMode::Composite, RayMode::Sampled })
     {
       setting.Mode = mode;
       setting.Settings = {};

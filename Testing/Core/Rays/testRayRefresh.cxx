@@ -75,7 +75,8 @@ TEST(RayRefresh, TheImageIsThatFromScratch)
 {
   double drawn = 0;
   double all = 0;
-  for (const RayMode mode : { RayMode::Composite, RayMode::Area, RayMode::Maximum, RayMode::XRay })
+  for (const RayMode mode :
+    { RayMode::Composite, RayMode::Sampled, RayMode::Maximum, RayMode::XRay })
   {
     for (const float opaque : { 0.0f, 0.3f })
     {
