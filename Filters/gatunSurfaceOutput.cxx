@@ -13,33 +13,55 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <numeric>
+#include <type_traits>
 
 namespace gatun
 {
 namespace
 {
+/** Fills cells with lists of points. count: of all points in them. Ids take 32 bits if they fit. */
+template <typename ForEachCell>
+vtkSmartPointer<vtkCellArray> MakeCells(
+  std::size_t cells, std::size_t count, ForEachCell&& forEachCell)
+{
+  const auto make = [&](auto* offsets, auto* connectivity)
+  {
+    offsets->SetNumberOfValues(static_cast<vtkIdType>(cells) + 1);
+    connectivity->SetNumberOfValues(static_cast<vtkIdType>(count));
+    auto* offset = offsets->GetPointer(0);
+    auto* const first = connectivity->GetPointer(0);
+    auto* to = first;
+    *offset = 0;
+    using Id = std::remove_pointer_t<decltype(to)>;
+    forEachCell(
+      [&](const auto& points)
+      {
+        to = std::transform(
+          points.begin(), points.end(), to, [](auto point) { return static_cast<Id>(point); });
+        *++offset = static_cast<Id>(to - first);
+      });
+    auto made = vtkSmartPointer<vtkCellArray>::New();
+    made->SetData(offsets, connectivity);
+    return made;
+  };
+  if (count <= static_cast<std::size_t>(VTK_TYPE_INT32_MAX))
+  {
+    return make(vtkNew<vtkTypeInt32Array>().GetPointer(), vtkNew<vtkTypeInt32Array>().GetPointer());
+  }
+  return make(vtkNew<vtkTypeInt64Array>().GetPointer(), vtkNew<vtkTypeInt64Array>().GetPointer());
+}
+
 vtkSmartPointer<vtkCellArray> MakeTriangles(const Surface& surface)
 {
-  const auto count = static_cast<vtkIdType>(surface.GetNumberOfTriangles());
-  vtkNew<vtkTypeInt64Array> offsets;
-  offsets->SetNumberOfValues(count + 1);
-  for (vtkIdType i = 0; i <= count; ++i)
-  {
-    offsets->SetValue(i, 3 * i);
-  }
-  vtkNew<vtkTypeInt64Array> connectivity;
-  connectivity->SetNumberOfValues(3 * count);
-  vtkTypeInt64* to = connectivity->GetPointer(0);
-  for (const auto& triangle : surface.GetTriangles())
-  {
-    to = std::copy(triangle.begin(), triangle.end(), to);
-  }
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(offsets, connectivity);
-  return cells;
+  const auto& triangles = surface.GetTriangles();
+  return MakeCells(triangles.size(), 3 * triangles.size(),
+    [&](auto&& add) { std::for_each(triangles.begin(), triangles.end(), add); });
 }
 
 vtkSmartPointer<vtkCellArray> MakeStripCells(const Surface& surface)
@@ -47,22 +69,8 @@ vtkSmartPointer<vtkCellArray> MakeStripCells(const Surface& surface)
   const auto strips = MakeStrips(surface.GetTriangles());
   const auto length = std::accumulate(strips.begin(), strips.end(), std::size_t{ 0 },
     [](std::size_t sum, const auto& strip) { return sum + strip.size(); });
-  vtkNew<vtkTypeInt64Array> offsets;
-  offsets->SetNumberOfValues(static_cast<vtkIdType>(strips.size()) + 1);
-  vtkNew<vtkTypeInt64Array> connectivity;
-  connectivity->SetNumberOfValues(static_cast<vtkIdType>(length));
-  vtkTypeInt64* const first = connectivity->GetPointer(0);
-  vtkTypeInt64* to = first;
-  offsets->SetValue(0, 0);
-  vtkIdType number = 0;
-  for (const auto& strip : strips)
-  {
-    to = std::copy(strip.begin(), strip.end(), to);
-    offsets->SetValue(++number, to - first);
-  }
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(offsets, connectivity);
-  return cells;
+  return MakeCells(
+    strips.size(), length, [&](auto&& add) { std::for_each(strips.begin(), strips.end(), add); });
 }
 
 void AddArrays(const Surface& surface, const SurfaceOutput& content, vtkPolyData* output)

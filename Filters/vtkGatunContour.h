@@ -18,9 +18,10 @@
  * fewest such chunks. If the reader simplifies, the surface is that of the simplified mesh. Time
  * steps and the selection of arrays are those of the reader, too.
  *
- * Output: a vtkPolyData of triangles or of triangle strips. All point arrays are interpolated, and
- * cell arrays are passed to the triangles. Global ids are left out, and so are pedigree ids and
- * arrays of vtkIdType on the points. Points with the same coordinates are merged.
+ * Output: a vtkPolyData of triangles or of triangle strips, with ids of 32 bits where they suffice.
+ * All point arrays are interpolated, and cell arrays are passed to the triangles. Global ids are
+ * left out, and so are pedigree ids and arrays of vtkIdType on the points. Points with the same
+ * coordinates are merged.
  *
  * The triangles are those of vtkContourGrid, except that the front of every triangle faces lower
  * values, as the normals do; those of vtkContourGrid face higher values in left-handed tetrahedra.

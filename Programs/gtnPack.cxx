@@ -182,7 +182,7 @@ void AddPack(CLI::App& app, Settings& settings)
   command
     ->add_option("--chunk", options->ChunkTets,
       "Maximum number of tetrahedra per chunk, 64 to 1048576 (default: 65536; 262144 for more than "
-      "10 million tetrahedra; half of that with --layers)")
+      "10 million tetrahedra; a quarter of that with --layers)")
     ->check(CLI::Range(64, 1048576))
     ->option_text("N");
   command

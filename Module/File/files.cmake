@@ -26,6 +26,7 @@ gatun_core_folder(File
     gatunChunkSetDecoder.h
     gatunCoarseLayout.h
     gatunCoarsePiece.h
+    gatunDomainWriter.h
     gatunFileReaderInternals.h
     gatunLayerPartition.h
     gatunLocalIds.h

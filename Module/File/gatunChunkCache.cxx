@@ -5,6 +5,8 @@
 
 #include "gatunChunkCacheInternals.h"
 
+#include <algorithm>
+
 namespace gatun
 {
 namespace
@@ -38,6 +40,17 @@ void ChunkCache::Internals::Keep(const PartKey& key, Part part, std::uint64_t by
   {
     this->RemoveChunks();
   }
+}
+
+//------------------------------------------------------------------------------
+void ChunkCache::Internals::RemoveBlocks(const std::vector<std::uint32_t>& blocks)
+{
+  this->Parts->RemoveIf(
+    [&](const PartKey& key)
+    {
+      return key.Kind != PartKind::Domains && !IsOfChunk(key.Kind) &&
+        std::binary_search(blocks.begin(), blocks.end(), key.Index);
+    });
 }
 
 //------------------------------------------------------------------------------

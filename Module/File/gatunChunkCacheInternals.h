@@ -14,6 +14,7 @@
 #include <memory>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 namespace gatun
 {
@@ -86,6 +87,9 @@ public:
   /** Keeps a part that takes a given number of bytes, if the budget allows any part of that size.
    */
   void Keep(const PartKey& key, Part part, std::uint64_t bytes);
+
+  /** Removes the points, orders and arrays of some blocks, which must be ascending. */
+  void RemoveBlocks(const std::vector<std::uint32_t>& blocks);
 
   /** Counts decoded and found parts. */
   void Count(std::uint64_t ChunkCacheStatistics::*what, std::uint64_t count = 1)

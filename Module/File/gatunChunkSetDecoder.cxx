@@ -3,6 +3,7 @@
 
 #include "gatunChunkSetDecoder.h"
 
+#include "gatunDomainWriter.h"
 #include "gatunFloatEnvironment.h"
 #include "gatunParallel.h"
 #include "gatunPieceRequest.h"
@@ -20,32 +21,6 @@ namespace
 /** The number of steps to decode at once, chunk by chunk. More steps need more memory for shared
  * points. With fewer steps, meshes that do not fit into the cache are decoded more often. */
 constexpr std::size_t StepsAtOnce = 16;
-
-/** Calls use(write), where write(key, to) stores the value of a key. The type is dispatched once.
- */
-template <typename Use>
-void WithWriter(const Domain& domain, Use&& use)
-{
-  const auto type = domain.GetType();
-  if (domain.GetPalette())
-  {
-    const auto& palette = *domain.GetPalette();
-    use(
-      [type, &palette](Key key, std::uint8_t* to) { Domain::WritePlain(type, palette[key], to); });
-  }
-  else if (type == ScalarType::Float32)
-  {
-    use([](Key key, std::uint8_t* to) { Domain::WritePlain(ScalarType::Float32, key, to); });
-  }
-  else if (type == ScalarType::Float64)
-  {
-    use([](Key key, std::uint8_t* to) { Domain::WritePlain(ScalarType::Float64, key, to); });
-  }
-  else
-  {
-    use([type](Key key, std::uint8_t* to) { Domain::WritePlain(type, key, to); });
-  }
-}
 
 /** The position of the i-th item: its original id if there is an order, otherwise consecutive. */
 struct Places

@@ -255,9 +255,9 @@ void JoinSmall(std::vector<Bucket>& buckets, std::size_t smallest)
 //------------------------------------------------------------------------------
 std::uint32_t GetDefaultLayers(std::uint64_t tets)
 {
-  // Measured on meshes of one and five million tetrahedra. Thinner layers share nearly all of their
-  // points and make files larger. Thicker layers save less time.
-  constexpr double measured = 12;
+  // Measured on meshes of one million tetrahedra. Thinner layers share nearly all of their points
+  // and make files larger. With thicker layers more is read.
+  constexpr double measured = 10;
   constexpr double measuredTets = 1e7;
   constexpr std::uint64_t leastTets = 16384;
   const double wanted =

@@ -56,7 +56,7 @@ private:
   int Component;
 };
 
-/** The default number of layers: 12, more for meshes of more than ten million tetrahedra, fewer
+/** The default number of layers: 10, more for meshes of more than ten million tetrahedra, fewer
  * where a layer would have less than 16384 tetrahedra. */
 std::uint32_t GetDefaultLayers(std::uint64_t tets);
 

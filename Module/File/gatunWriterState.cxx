@@ -54,10 +54,11 @@ void WriterState::Describe(const std::vector<ArrayDescription>& arrays)
   this->Meta.CoordinateType = mesh.CoordinateType;
   this->Meta.WideIds = mesh.WideIds;
   this->Meta.Keep = this->Options.Keep;
-  // An isosurface needs few chunks of a file with layers; smaller ones keep more threads busy.
+  // An isosurface needs few chunks of a file with layers; smaller ones keep more threads busy,
+  // and each thread needs less memory.
   this->Meta.ChunkTets = this->Options.ChunkTets != 0
     ? this->Options.ChunkTets
-    : (mesh.Tets > LargeMesh ? LargeChunkTets : DefaultChunkTets) / (this->Options.Layers ? 2 : 1);
+    : (mesh.Tets > LargeMesh ? LargeChunkTets : DefaultChunkTets) / (this->Options.Layers ? 4 : 1);
   this->Meta.KeyStepInterval = this->Options.KeyStepInterval;
   this->Meta.Arrays = arrays;
   this->Statistics.ArrayBytes.resize(arrays.size());

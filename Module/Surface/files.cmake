@@ -13,7 +13,10 @@ gatun_core_folder(Surface
     gatunStrips.h
     gatunSurface.h
     gatunSurfacePart.h
+  PRIVATE_HEADERS
+    gatunChunkSurface.h
   SOURCES
+    gatunChunkSurface.cxx
     gatunFileSurface.cxx
     gatunIntervalTree.cxx
     gatunMarch.cxx

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunFileSurface.h"
 
-#include "gatunChunkSetDecoder.h"
+#include "gatunChunkSurface.h"
 #include "gatunCoarsePiece.h"
 #include "gatunError.h"
 #include "gatunParallel.h"
@@ -25,7 +25,7 @@ constexpr std::uint64_t SharedCache = 32u << 20;
 constexpr std::uint64_t CoarseCache = 64u << 20;
 }
 
-/** What has been decoded of a file. */
+/** Simplified chunks. */
 struct FileSurface::Mesh
 {
   std::uint64_t Tets = 0;
@@ -79,6 +79,9 @@ public:
     }
   }
   ~WorkingCache() { this->Surface.Cache = this->Given; }
+  /** Whether the cache is gone afterwards. */
+  bool IsTemporary() const { return this->Surface.Cache != this->Given; }
+
   WorkingCache(const WorkingCache&) = delete;
   WorkingCache& operator=(const WorkingCache&) = delete;
 
@@ -92,6 +95,7 @@ void FileSurface::SetCacheBudget(std::uint64_t bytes)
 {
   // After merges, chunks are decoded for their tetrahedra first, and then again for points.
   const bool keepsChunks = bytes > 0 || this->Layout;
+  this->KeepsBlocks = bytes > 0;
   this->Cache->SetKeepsChunks(keepsChunks);
   this->Cache->SetBudget(bytes + this->GetLeastCache());
 }
@@ -179,7 +183,7 @@ bool FileSurface::Touch(std::uint32_t a, std::uint32_t b) const
 }
 
 //------------------------------------------------------------------------------
-FileSurface::Mesh FileSurface::Decode(
+FileSurface::Mesh FileSurface::DecodeCoarse(
   std::vector<std::uint32_t> chunks, const FileSurfaceRequest& request) const
 {
   const FileReader& file = *this->GetFile();
@@ -189,73 +193,54 @@ FileSurface::Mesh FileSurface::Decode(
     arrays.push_back(request.Array);
   }
   Mesh mesh;
-  const auto fill = [&](std::uint64_t points, std::uint64_t tets, auto&& fillTarget)
+  PieceRequest piece;
+  piece.Chunks = std::move(chunks);
+  piece.RestoreOrder = false;
+  const CoarsePiece coarse(this->Cache, this->Layout, piece, {});
+  const std::uint64_t points = coarse.GetNumberOfPoints();
+  const ScalarType coordinates = file.GetCoordinateType();
+  mesh.Tets = coarse.GetNumberOfTets();
+  mesh.Points.resize(static_cast<std::size_t>(3 * SizeOf(coordinates) * points));
+  mesh.Connectivity.resize(static_cast<std::size_t>(4 * mesh.Tets));
+  mesh.Input.Points = { mesh.Points.data(), coordinates, 3 };
+  mesh.Input.Mesh.Points = points;
+  mesh.Input.Mesh.Connectivity = mesh.Connectivity.data();
+  mesh.Input.Mesh.WideIds = false;
+  PieceTarget target;
+  target.Points = mesh.Points.data();
+  target.Connectivity = mesh.Connectivity.data();
+  target.WideIds = false;
+  mesh.Arrays.resize(arrays.size());
+  for (std::size_t i = 0; i < arrays.size(); ++i)
   {
-    const ScalarType coordinates = file.GetCoordinateType();
-    mesh.Tets = tets;
-    mesh.Points.resize(static_cast<std::size_t>(3 * SizeOf(coordinates) * points));
-    mesh.Connectivity.resize(static_cast<std::size_t>(4 * tets));
-    mesh.Input.Points = { mesh.Points.data(), coordinates, 3 };
-    mesh.Input.Mesh.Points = points;
-    mesh.Input.Mesh.Connectivity = mesh.Connectivity.data();
-    mesh.Input.Mesh.WideIds = false;
-    PieceTarget target;
-    target.Points = mesh.Points.data();
-    target.Connectivity = mesh.Connectivity.data();
-    target.WideIds = false;
-    mesh.Arrays.resize(arrays.size());
-    for (std::size_t i = 0; i < arrays.size(); ++i)
+    const ArrayDescription& array = file.GetArrays()[arrays[i]];
+    const bool ofPoints = array.Where == Association::Point;
+    TupleView view{ nullptr, array.Type, array.Components };
+    mesh.Arrays[i].resize(
+      static_cast<std::size_t>(ofPoints ? points : mesh.Tets) * view.GetTupleSize());
+    view.Values = mesh.Arrays[i].data();
+    target.Arrays.push_back(mesh.Arrays[i].data());
+    if (i < request.Arrays.size())
     {
-      const ArrayDescription& array = file.GetArrays()[arrays[i]];
-      const bool ofPoints = array.Where == Association::Point;
-      TupleView view{ nullptr, array.Type, array.Components };
-      mesh.Arrays[i].resize(
-        static_cast<std::size_t>(ofPoints ? points : tets) * view.GetTupleSize());
-      view.Values = mesh.Arrays[i].data();
-      target.Arrays.push_back(mesh.Arrays[i].data());
-      if (i < request.Arrays.size())
-      {
-        (ofPoints ? mesh.Input.PointArrays : mesh.Input.CellArrays).push_back(view);
-      }
+      (ofPoints ? mesh.Input.PointArrays : mesh.Input.CellArrays).push_back(view);
     }
-    fillTarget(target);
-    const auto scalars = std::find(arrays.begin(), arrays.end(), request.Array) - arrays.begin();
-    const ArrayDescription& array = file.GetArrays()[request.Array];
-    SetMarchValues(mesh.Input.Mesh,
-      { mesh.Arrays[static_cast<std::size_t>(scalars)].data(), array.Type, array.Components },
-      static_cast<std::size_t>(points), request.Component, mesh.Values);
-  };
-  if (this->Layout)
-  {
-    PieceRequest piece;
-    piece.Chunks = std::move(chunks);
-    piece.RestoreOrder = false;
-    const CoarsePiece coarse(this->Cache, this->Layout, piece, {});
-    fill(coarse.GetNumberOfPoints(), coarse.GetNumberOfTets(),
-      [&](const PieceTarget& target) { coarse.Fill(target, arrays, request.Step, {}); });
   }
-  else
-  {
-    const ChunkSetDecoder decoder(this->Cache, std::move(chunks), {}, false);
-    fill(decoder.GetNumberOfPoints(), decoder.GetNumberOfTets(),
-      [&](const PieceTarget& target) { decoder.Fill(target, arrays, request.Step, false, {}); });
-  }
+  coarse.Fill(target, arrays, request.Step, {});
+  const auto scalars = std::find(arrays.begin(), arrays.end(), request.Array) - arrays.begin();
+  const ArrayDescription& array = file.GetArrays()[request.Array];
+  SetMarchValues(mesh.Input.Mesh,
+    { mesh.Arrays[static_cast<std::size_t>(scalars)].data(), array.Type, array.Components },
+    static_cast<std::size_t>(points), request.Component, mesh.Values);
   return mesh;
 }
 
 //------------------------------------------------------------------------------
-std::vector<SurfacePart> FileSurface::MakeParts(const std::vector<std::uint32_t>& chunks,
-  const FileSurfaceRequest& request, const Progress& progress) const
+std::vector<SurfacePart> FileSurface::MakeParts(ChunkSurface& maker,
+  const std::vector<std::uint32_t>& chunks, const SurfaceOptions& options, const Progress& progress)
 {
   std::vector<SurfacePart> parts(chunks.size());
   ParallelFor(
-    chunks.size(),
-    [&](std::size_t i)
-    {
-      const Mesh mesh = this->Decode({ chunks[i] }, request);
-      parts[i] = MakeSurfacePart(mesh.Input, request.Options, 0, mesh.Tets);
-    },
-    progress);
+    chunks.size(), [&](std::size_t i) { parts[i] = maker.Make(chunks[i], options); }, progress);
   return parts;
 }
 
@@ -277,7 +262,7 @@ std::vector<SurfacePart> FileSurface::MakeCoarseParts(const std::vector<std::uin
       tets += infos[chunks[end]].Tets;
     }
     const auto at = [&](std::size_t i) { return chunks.begin() + static_cast<std::ptrdiff_t>(i); };
-    const Mesh mesh = this->Decode({ at(begin), at(end) }, request);
+    const Mesh mesh = this->DecodeCoarse({ at(begin), at(end) }, request);
     auto made = MakeSurfaceParts(mesh.Input, request.Options, mesh.Tets);
     std::move(made.begin(), made.end(), std::back_inserter(parts));
   }
@@ -319,6 +304,17 @@ Surface FileSurface::Extract(const FileSurfaceRequest& request, const Progress& 
       this->Statistics.Tets += this->GetFile()->GetChunks()[chunk].Tets;
     }
   }
+  std::optional<ChunkSurface> maker;
+  if (!this->Layout)
+  {
+    maker.emplace(this->Cache,
+      ChunkSurfaceArrays{ request.Array, request.Component, request.Arrays, request.Step });
+    if (!this->KeepsBlocks || working.IsTemporary())
+    {
+      maker->RemoveUsedBlocks(own);
+      maker->RemoveUsedBlocks(around);
+    }
+  }
   std::vector<SurfacePart> parts;
   std::vector<std::size_t> ghosts;
   double done = 0;
@@ -328,8 +324,8 @@ Surface FileSurface::Extract(const FileSurfaceRequest& request, const Progress& 
       static_cast<double>(std::max<std::size_t>(this->Statistics.Chunks, 1));
     const auto advance = [&](double fraction)
     { return !progress || progress(0.9 * (done + share * fraction)); };
-    auto made = this->Layout ? this->MakeCoarseParts(list, request, advance)
-                             : this->MakeParts(list, request, advance);
+    auto made = maker ? MakeParts(*maker, list, request.Options, advance)
+                      : this->MakeCoarseParts(list, request, advance);
     for (auto& part : made)
     {
       if (&list != &lists[1])

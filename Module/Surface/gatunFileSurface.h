@@ -19,6 +19,7 @@
 
 namespace gatun
 {
+class ChunkSurface;
 class CoarseLayout;
 
 /** A request for isosurfaces of a file. */
@@ -49,9 +50,9 @@ struct FileSurfaceStatistics
  *
  * With merges, the isosurfaces are those of the simplified mesh.
  *
- * Memory: the surface, the cache, a chunk for each thread and up to 32 MiB of shared points; with
- * merges, the simplified chunks of about two million tetrahedra. Not thread safe; uses all threads
- * of vtkSMPTools.
+ * Memory: the surface, the cache, a chunk for each thread and the shared points that remaining
+ * chunks need; with merges, the simplified chunks of about two million tetrahedra. Not thread safe;
+ * uses all threads of vtkSMPTools.
  */
 class VTKGATUNCORE_EXPORT FileSurface
 {
@@ -105,14 +106,16 @@ private:
   const IntervalTree& GetRanges(const FileSurfaceRequest& request);
   bool Touch(std::uint32_t a, std::uint32_t b) const;
   const Bounds& GetBounds(std::uint32_t chunk) const;
-  Mesh Decode(std::vector<std::uint32_t> chunks, const FileSurfaceRequest& request) const;
-  std::vector<SurfacePart> MakeParts(const std::vector<std::uint32_t>& chunks,
-    const FileSurfaceRequest& request, const Progress& progress) const;
+  Mesh DecodeCoarse(std::vector<std::uint32_t> chunks, const FileSurfaceRequest& request) const;
+  static std::vector<SurfacePart> MakeParts(ChunkSurface& maker,
+    const std::vector<std::uint32_t>& chunks, const SurfaceOptions& options,
+    const Progress& progress);
   std::vector<SurfacePart> MakeCoarseParts(const std::vector<std::uint32_t>& chunks,
     const FileSurfaceRequest& request, const Progress& progress) const;
 
   std::shared_ptr<ChunkCache> Cache;
   std::shared_ptr<const CoarseLayout> Layout; // with merges
+  bool KeepsBlocks = true;                    // shared points, for the next isovalues
   std::optional<std::pair<TreeKey, IntervalTree>> Ranges;
   FileSurfaceStatistics Statistics;
 };

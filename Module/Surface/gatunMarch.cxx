@@ -30,48 +30,55 @@ constexpr unsigned CountTriangles(unsigned inside)
 class EdgeTable
 {
 public:
-  /** Grows if there are more points than expected. */
-  explicit EdgeTable(std::size_t expected)
-    : Slots(std::bit_ceil(2 * expected + 1), Slot{ 0, 0, 0, None })
+  /** Grows if there are more points than expected. With one isovalue its number is 0. */
+  EdgeTable(std::vector<Crossing>& points, std::size_t expected, bool oneValue)
+    : Points(points)
+    , OneValue(oneValue)
+    , Slots(std::bit_ceil(2 * expected + 1), None)
   {
   }
 
-  /** Returns the place of an edge and isovalue. A new one gets the place next. */
-  std::uint32_t Find(std::uint32_t low, std::uint32_t high, std::uint32_t value, std::uint32_t next)
+  /** Returns the point of an edge and isovalue, which is added if it is new. */
+  std::uint32_t Find(const Crossing& point, std::uint32_t value)
   {
-    if (2 * this->Used >= this->Slots.size())
+    if (2 * this->Points.size() >= this->Slots.size())
     {
       this->Grow();
     }
-    Slot& slot = this->Seek(low, high, value);
-    if (slot.Point == None)
+    std::uint32_t& slot = this->Seek(point, value);
+    if (slot == None)
     {
-      slot = { low, high, value, next };
-      ++this->Used;
+      slot = static_cast<std::uint32_t>(this->Points.size());
+      this->Points.push_back(point);
+      if (!this->OneValue)
+      {
+        this->Values.push_back(value);
+      }
     }
-    return slot.Point;
+    return slot;
   }
 
 private:
   static constexpr std::uint32_t None = 0xffffffffu;
 
-  struct Slot
+  std::uint32_t GetValue(std::size_t point) const
   {
-    std::uint32_t Low;
-    std::uint32_t High;
-    std::uint32_t Value;
-    std::uint32_t Point;
-  };
+    return this->OneValue ? 0 : this->Values[point];
+  }
 
-  Slot& Seek(std::uint32_t low, std::uint32_t high, std::uint32_t value)
+  /** The slot of a point, or the free one where it belongs. */
+  std::uint32_t& Seek(const Crossing& point, std::uint32_t value)
   {
     const std::size_t mask = this->Slots.size() - 1;
-    std::uint64_t hash = (std::uint64_t{ high } << 32 | low) * 0x9e3779b97f4a7c15ull;
+    std::uint64_t hash = (std::uint64_t{ point.High } << 32 | point.Low) * 0x9e3779b97f4a7c15ull;
     hash = (hash ^ (hash >> 29) ^ value) * 0xbf58476d1ce4e5b9ull;
+    const auto isOther = [&](std::uint32_t other)
+    {
+      const Crossing& found = this->Points[other];
+      return found.Low != point.Low || found.High != point.High || this->GetValue(other) != value;
+    };
     std::size_t at = (hash >> 32) & mask;
-    while (this->Slots[at].Point != None &&
-      (this->Slots[at].Low != low || this->Slots[at].High != high ||
-        this->Slots[at].Value != value))
+    while (this->Slots[at] != None && isOther(this->Slots[at]))
     {
       at = (at + 1) & mask;
     }
@@ -80,19 +87,18 @@ private:
 
   void Grow()
   {
-    std::vector<Slot> old(2 * this->Slots.size(), Slot{ 0, 0, 0, None });
-    old.swap(this->Slots);
-    for (const Slot& slot : old)
+    this->Slots.assign(2 * this->Slots.size(), None);
+    for (std::size_t i = 0; i < this->Points.size(); ++i)
     {
-      if (slot.Point != None)
-      {
-        this->Seek(slot.Low, slot.High, slot.Value) = slot;
-      }
+      this->Seek(this->Points[i], this->GetValue(i)) = static_cast<std::uint32_t>(i);
     }
   }
 
-  std::vector<Slot> Slots;
-  std::size_t Used = 0;
+  std::vector<Crossing>& Points;
+  const bool OneValue;
+  std::vector<std::uint32_t> Slots; // places in Points, or None
+  std::vector<std::uint32_t>
+    Values; // for each point the number of its isovalue, if there are several
 };
 
 /** The fraction of the way from a low value to a high one at which the isovalue is. */
@@ -112,7 +118,7 @@ public:
     , Connectivity(static_cast<const Id*>(mesh.Connectivity))
     , PointValues(static_cast<const Value*>(mesh.Values))
     , Isovalues(values)
-    , Found(static_cast<std::size_t>(tets / 8))
+    , Found(this->Result.Points, static_cast<std::size_t>(tets / 8), values.size() == 1)
   {
   }
 
@@ -176,14 +182,10 @@ private:
         const bool rises = v[edge[0]] < v[edge[1]];
         const unsigned low = edge[rises ? 0 : 1];
         const unsigned high = edge[rises ? 1 : 0];
-        const auto a = static_cast<std::uint32_t>(ids[low]);
-        const auto b = static_cast<std::uint32_t>(ids[high]);
-        const auto next = static_cast<std::uint32_t>(this->Result.Points.size());
-        places[k] = this->Found.Find(a, b, number, next);
-        if (places[k] == next)
-        {
-          this->Result.Points.push_back({ a, b, Divide(*it, v[low], v[high]) });
-        }
+        places[k] =
+          this->Found.Find({ static_cast<std::uint32_t>(ids[low]),
+                             static_cast<std::uint32_t>(ids[high]), Divide(*it, v[low], v[high]) },
+            number);
       }
       for (unsigned k = 0; k < triangles; ++k)
       {
@@ -197,8 +199,8 @@ private:
   const Id* Connectivity;
   const Value* PointValues;
   std::span<const double> Isovalues;
-  EdgeTable Found;
   MarchedSurface Result;
+  EdgeTable Found;
 };
 }
 

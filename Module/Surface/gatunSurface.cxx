@@ -33,27 +33,37 @@ std::uint32_t Hash(const T* x)
   return static_cast<std::uint32_t>(hash);
 }
 
+/** Moves the points of all parts, one part after the other, to one list. */
+std::vector<std::uint8_t> TakePoints(
+  std::vector<SurfacePart>& parts, const std::vector<std::size_t>& first, std::size_t size)
+{
+  std::vector<std::uint8_t> points(first.back() * size);
+  ParallelFor(parts.size(),
+    [&](std::size_t p)
+    {
+      const auto own = std::move(parts[p].Points);
+      std::copy(
+        own.begin(), own.end(), points.begin() + static_cast<std::ptrdiff_t>(first[p] * size));
+    });
+  return points;
+}
+
 /** Finds the first point with the same coordinates for each point. */
 template <typename T>
 class Joiner
 {
 public:
-  Joiner(const std::vector<SurfacePart>& parts, const std::vector<std::size_t>& first)
-    : Points(3 * first.back())
+  Joiner(const std::vector<std::uint8_t>& points, const std::vector<std::size_t>& first)
+    : Points(reinterpret_cast<const T*>(points.data()))
     , Hashes(first.back())
     , Same(first.back())
   {
-    ParallelFor(parts.size(),
+    ParallelFor(first.size() - 1,
       [&](std::size_t p)
       {
-        if (parts[p].NumberOfPoints > 0)
-        {
-          std::memcpy(this->Points.data() + 3 * first[p], parts[p].Points.data(),
-            parts[p].NumberOfPoints * 3 * sizeof(T));
-        }
         for (std::size_t i = first[p]; i < first[p + 1]; ++i)
         {
-          this->Hashes[i] = Hash(this->Points.data() + 3 * i);
+          this->Hashes[i] = Hash(this->Points + 3 * i);
         }
       });
   }
@@ -77,8 +87,8 @@ private:
 
   bool AreSame(std::size_t a, std::size_t b) const
   {
-    const T* const x = this->Points.data() + 3 * a;
-    return std::equal(x, x + 3, this->Points.data() + 3 * b);
+    const T* const x = this->Points + 3 * a;
+    return std::equal(x, x + 3, this->Points + 3 * b);
   }
 
   void Fill(std::size_t table)
@@ -108,7 +118,7 @@ private:
     }
   }
 
-  std::vector<T> Points;
+  const T* Points;
   std::vector<std::uint32_t> Hashes;
   std::vector<std::uint32_t> Same;
 };
@@ -130,9 +140,10 @@ Surface::Surface(
   {
     ThrowInvalid("the surface has more than 2^32 points; ask for fewer values at a time");
   }
+  this->Coordinates = TakePoints(this->Parts, this->First, 3 * SizeOf(coordinateType));
   this->Same = coordinateType == ScalarType::Float32
-    ? Joiner<float>(this->Parts, this->First).Join()
-    : Joiner<double>(this->Parts, this->First).Join();
+    ? Joiner<float>(this->Coordinates, this->First).Join()
+    : Joiner<double>(this->Coordinates, this->First).Join();
 
   // The points of the remaining triangles are numbered in their order.
   this->Places.assign(this->Same.size(), None);
@@ -182,42 +193,38 @@ Surface::Surface(
 }
 
 //------------------------------------------------------------------------------
-void Surface::Copy(std::size_t tupleSize, void* to,
-  const std::vector<std::uint8_t>& (*from)(const SurfacePart&, std::size_t), std::size_t i) const
+void Surface::Copy(
+  std::size_t part, const std::uint8_t* tuples, std::size_t tupleSize, void* to) const
 {
-  ParallelFor(this->Parts.size(),
-    [&](std::size_t p)
+  for (std::size_t n = this->First[part]; n < this->First[part + 1]; ++n, tuples += tupleSize)
+  {
+    if (this->Places[n] != None)
     {
-      if (this->Parts[p].NumberOfPoints == 0)
-      {
-        return;
-      }
-      const std::uint8_t* tuple = from(this->Parts[p], i).data();
-      for (std::size_t n = this->First[p]; n < this->First[p + 1]; ++n, tuple += tupleSize)
-      {
-        if (this->Places[n] != None)
-        {
-          std::memcpy(
-            static_cast<std::uint8_t*>(to) + this->Places[n] * tupleSize, tuple, tupleSize);
-        }
-      }
-    });
+      std::memcpy(static_cast<std::uint8_t*>(to) + this->Places[n] * tupleSize, tuples, tupleSize);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
 void Surface::FillPoints(void* to) const
 {
-  this->Copy(
-    3 * SizeOf(this->CoordinateType), to,
-    [](const SurfacePart& part, std::size_t) -> const auto& { return part.Points; }, 0);
+  const std::size_t size = 3 * SizeOf(this->CoordinateType);
+  ParallelFor(this->Parts.size(),
+    [&](std::size_t p)
+    { this->Copy(p, this->Coordinates.data() + this->First[p] * size, size, to); });
 }
 
 //------------------------------------------------------------------------------
 void Surface::FillPointArray(std::size_t i, std::size_t tupleSize, void* to) const
 {
-  this->Copy(
-    tupleSize, to,
-    [](const SurfacePart& part, std::size_t a) -> const auto& { return part.PointArrays[a]; }, i);
+  ParallelFor(this->Parts.size(),
+    [&](std::size_t p)
+    {
+      if (this->Parts[p].NumberOfPoints > 0)
+      {
+        this->Copy(p, this->Parts[p].PointArrays[i].data(), tupleSize, to);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -48,10 +48,11 @@ public:
 private:
   static constexpr std::uint32_t None = 0xffffffffu;
 
-  void Copy(std::size_t tupleSize, void* to,
-    const std::vector<std::uint8_t>& (*from)(const SurfacePart&, std::size_t), std::size_t i) const;
+  /** Copies the tuples of the points of a part that are in the surface to their places. */
+  void Copy(std::size_t part, const std::uint8_t* tuples, std::size_t tupleSize, void* to) const;
 
-  std::vector<SurfacePart> Parts;
+  std::vector<SurfacePart> Parts;        // without points and triangles
+  std::vector<std::uint8_t> Coordinates; // of the points of all parts
   ScalarType CoordinateType;
   std::vector<std::size_t> First;    // for each part: the number of its first point
   std::vector<std::uint32_t> Same;   // for each point of a part: the first with its coordinates

@@ -116,7 +116,8 @@ for kind, options in gc.kinds_of_files("wave").items():
     other.SetInputArrayToProcess(0, 0, 0, 0, "wave")
     other.SetValue(0, 0.4)
     other.Update()
-    gc.assert_same(contour.GetOutput(), other.GetOutput())
+    # Of left-handed tetrahedra, those of vtkContourGrid have their fronts on the other side.
+    gc.assert_same(contour.GetOutput(), other.GetOutput(), fronts=False)
     reader.UpdatePiece(0, 1, 0)
     gm.assert_same_mesh(reader.GetOutput(), grid)
 

@@ -440,9 +440,9 @@ TEST(Layers, LargerMeshesHaveMore)
 {
   EXPECT_EQ(GetDefaultLayers(0), 4u);
   EXPECT_EQ(GetDefaultLayers(100'000), 6u); // of 16384 tetrahedra and more
-  EXPECT_EQ(GetDefaultLayers(200'000), 12u);
-  EXPECT_EQ(GetDefaultLayers(10'000'000), 12u);
-  EXPECT_EQ(GetDefaultLayers(80'000'000), 24u);
+  EXPECT_EQ(GetDefaultLayers(200'000), 10u);
+  EXPECT_EQ(GetDefaultLayers(10'000'000), 10u);
+  EXPECT_EQ(GetDefaultLayers(80'000'000), 20u);
   EXPECT_EQ(GetDefaultLayers(~std::uint64_t{ 0 }), MaxLayers);
 }
 

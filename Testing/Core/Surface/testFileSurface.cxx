@@ -167,6 +167,22 @@ TEST(FileSurface, ReadsNoMoreThanItNeeds)
   extractor.Extract(AskFor({ range.Max }));
   EXPECT_EQ(file->GetBytesRead() - opened, few + ofChunks);
 
+  // What chunks share is kept no longer than needed, which is not before the last of them.
+  const auto readBy = [&](FileSurface& surface, const std::vector<double>& values)
+  {
+    const auto begin = file->GetBytesRead();
+    ParallelFor(1, [&](std::size_t) { surface.Extract(AskFor(values)); }); // one chunk at a time
+    return file->GetBytesRead() - begin;
+  };
+  EXPECT_EQ(readBy(extractor, { range.Max }), few);
+  const std::vector<double> middle = { (range.Min + range.Max) / 2 };
+  FileSurface keeper(file, 64u << 20);
+  const auto many = readBy(keeper, middle);
+  EXPECT_GT(many, few);
+  EXPECT_EQ(readBy(extractor, middle), many);
+  EXPECT_EQ(readBy(extractor, middle), many);
+  EXPECT_EQ(readBy(keeper, middle), 0u);
+
   // Every chunk is far more than those few.
   const auto before = file->GetBytesRead();
   FileSurface other(file);

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunChunkSurface.h"
+
+#include "gatunChunkCacheInternals.h"
+#include "gatunDomainWriter.h"
+#include "gatunFloatEnvironment.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace gatun
+{
+namespace
+{
+/** Stores the values of a component of tuples of a given size. */
+void Store(const Domain& domain, std::span<const Key> keys, std::size_t tupleSize, std::uint8_t* to)
+{
+  WithWriter(domain,
+    [&](auto&& write)
+    {
+      for (std::size_t i = 0; i < keys.size(); ++i)
+      {
+        write(keys[i], to + i * tupleSize);
+      }
+    });
+}
+
+/** The coordinates of all vertices of a chunk. */
+std::vector<std::uint8_t> GetCoordinates(const ChunkMesh& mesh)
+{
+  const std::size_t size = SizeOf(mesh.Domains[0].GetType());
+  std::vector<std::uint8_t> points(3 * size * mesh.Keys.size());
+  for (unsigned axis = 0; axis < 3; ++axis)
+  {
+    WithWriter(mesh.Domains[axis],
+      [&](auto&& write)
+      {
+        auto* to = points.data() + axis * size;
+        for (const PointKeys& keys : mesh.Keys)
+        {
+          write(keys[axis], to);
+          to += 3 * size;
+        }
+      });
+  }
+  return points;
+}
+
+/** Provides a part of each block, which is asked for once and held. */
+template <typename Part, typename Get>
+auto HoldBlocks(Get&& get)
+{
+  return [held = std::map<std::uint32_t, std::shared_ptr<const Part>>{},
+           get = std::forward<Get>(get)](std::uint32_t block) mutable
+  {
+    auto& part = held[block];
+    if (!part)
+    {
+      part = get(block);
+    }
+    return part;
+  };
+}
+}
+
+/** The values of an array in a chunk. */
+struct ChunkSurface::Values
+{
+  std::vector<std::uint8_t> Bytes;
+  TupleView View;
+};
+
+//------------------------------------------------------------------------------
+ChunkSurface::ChunkSurface(const std::shared_ptr<ChunkCache>& cache, ChunkSurfaceArrays arrays)
+  : Cache(cache)
+  , Parts(cache)
+  , Arrays(std::move(arrays))
+  , KeyStep(Parts.Content().FindKeyStep(this->Arrays.Step))
+{
+}
+
+//------------------------------------------------------------------------------
+void ChunkSurface::RemoveUsedBlocks(std::span<const std::uint32_t> chunks)
+{
+  const auto& table = this->Parts.Content().Mesh;
+  if (this->Users.empty())
+  {
+    this->Users = std::vector<std::atomic<std::uint32_t>>(table.Blocks.size());
+  }
+  for (const std::uint32_t chunk : chunks)
+  {
+    for (const auto& part : table.Chunks[chunk].Shared)
+    {
+      ++this->Users[part.Block];
+    }
+  }
+}
+
+void ChunkSurface::Release(std::uint32_t chunk)
+{
+  if (this->Users.empty())
+  {
+    return;
+  }
+  std::vector<std::uint32_t> unused;
+  for (const auto& part : this->Parts.Content().Mesh.Chunks[chunk].Shared)
+  {
+    if (--this->Users[part.Block] == 0)
+    {
+      unused.push_back(part.Block);
+    }
+  }
+  if (!unused.empty())
+  {
+    std::sort(unused.begin(), unused.end());
+    InternalsOf(*this->Cache).RemoveBlocks(unused);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const ChunkMesh> ChunkSurface::GetMesh(std::uint32_t chunk) const
+{
+  auto mesh = this->Parts.FindMesh(chunk);
+  return mesh ? mesh
+              : this->Parts.DecodeMesh(chunk,
+                  HoldBlocks<PointsPart>(
+                    [this](std::uint32_t block) { return this->Parts.GetBlockPoints(block); }));
+}
+
+std::shared_ptr<const ArrayPart> ChunkSurface::GetBlockArray(
+  std::uint32_t block, std::uint32_t array, std::size_t step) const
+{
+  auto reached = this->Parts.FindBlockArray(block, array, this->KeyStep, step);
+  if (reached.Values && reached.Step == step)
+  {
+    return reached.Values;
+  }
+  for (auto at = reached.Values ? reached.Step + 1 : this->KeyStep; at <= step; ++at)
+  {
+    reached = { this->Parts.DecodeBlockArray(
+                  block, array, at, *this->Parts.GetDomains(array, at), reached.Values.get()),
+      at };
+  }
+  this->Parts.KeepBlockArray(block, array, reached);
+  return reached.Values;
+}
+
+std::shared_ptr<const ArrayPart> ChunkSurface::GetArray(
+  std::uint32_t chunk, const ChunkMesh& mesh, std::uint32_t array) const
+{
+  const std::size_t step = this->Arrays.Step;
+  auto reached = this->Parts.FindChunkArray(chunk, array, this->KeyStep, step);
+  if (reached.Values && reached.Step == step)
+  {
+    return reached.Values;
+  }
+  for (auto at = reached.Values ? reached.Step + 1 : this->KeyStep; at <= step; ++at)
+  {
+    reached = { this->Parts.DecodeChunkArray(chunk, mesh, array, at,
+                  *this->Parts.GetDomains(array, at), reached.Values.get(),
+                  HoldBlocks<ArrayPart>(
+                    [&](std::uint32_t block) { return this->GetBlockArray(block, array, at); })),
+      at };
+  }
+  this->Parts.KeepChunkArray(chunk, array, reached);
+  return reached.Values;
+}
+
+//------------------------------------------------------------------------------
+ChunkSurface::Values ChunkSurface::GetValues(
+  std::uint32_t chunk, const ChunkMesh& mesh, std::uint32_t array) const
+{
+  const ArrayDescription& description = this->Parts.Content().Meta.Arrays[array];
+  const auto keys = this->GetArray(chunk, mesh, array);
+  const auto domains = this->Parts.GetDomains(array, this->Arrays.Step);
+  Values values{ {}, { nullptr, description.Type, description.Components } };
+  const std::size_t size = values.View.GetTupleSize();
+  values.Bytes.resize(keys->front().size() * size);
+  for (std::size_t c = 0; c < keys->size(); ++c)
+  {
+    Store((*domains)[c], (*keys)[c], size, values.Bytes.data() + c * SizeOf(description.Type));
+  }
+  values.View.Values = values.Bytes.data();
+  return values;
+}
+
+//------------------------------------------------------------------------------
+SurfacePart ChunkSurface::Make(std::uint32_t chunk, const SurfaceOptions& options)
+{
+  const FloatEnvironment guard;
+  const auto mesh = this->GetMesh(chunk);
+  SurfaceInput input;
+  input.Mesh.Points = mesh->Keys.size();
+  input.Mesh.Connectivity = mesh->Walk.Tets.data();
+  input.Mesh.WideIds = false;
+  std::vector<Values> values;
+  const auto& carried = this->Arrays.Carried;
+  for (const std::uint32_t array : carried)
+  {
+    values.push_back(this->GetValues(chunk, *mesh, array));
+    const auto where = this->Parts.Content().Meta.Arrays[array].Where;
+    (where == Association::Point ? input.PointArrays : input.CellArrays)
+      .push_back(values.back().View);
+  }
+  auto scalars = static_cast<std::size_t>(
+    std::find(carried.begin(), carried.end(), this->Arrays.Scalars) - carried.begin());
+  if (scalars == carried.size())
+  {
+    values.push_back(this->GetValues(chunk, *mesh, this->Arrays.Scalars));
+  }
+  std::vector<double> converted;
+  SetMarchValues(
+    input.Mesh, values[scalars].View, mesh->Keys.size(), this->Arrays.Component, converted);
+  const auto points = GetCoordinates(*mesh);
+  input.Points = { points.data(), mesh->Domains[0].GetType(), 3 };
+  this->Release(chunk);
+  return MakeSurfacePart(input, options, 0, mesh->Walk.Tets.size());
+}
+}
