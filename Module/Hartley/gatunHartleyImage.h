@@ -14,8 +14,8 @@ enum class HartleyMethod : std::uint8_t
 {
   Automatic = 0, ///< X-rays by the spectrum of the whole volume; otherwise Basis for blocks of up
                  ///< to 16 voxels along each axis and Slice for larger ones
-  Basis = 1, ///< weighted sum of the images of the basis functions, which all blocks share
-  Slice = 2  ///< inverse transform of a slice through the block's spectrum
+  Basis = 1,     ///< weighted sum of the images of the basis functions, which all blocks share
+  Slice = 2      ///< inverse transform of a slice through the block's spectrum
 };
 
 /** An image. All arrays are stored row by row; the first row is that of HartleyView::Origin. */
