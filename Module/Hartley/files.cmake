@@ -39,6 +39,7 @@ gatun_core_folder(Hartley
     gatunHartleyPainter.h
     gatunHartleyPaperSlice.h
     gatunHartleyQuantizer.h
+    gatunHartleyQuickSlice.h
     gatunHartleyRay.h
     gatunHartleySlab.h
     gatunHartleySlice.h
@@ -70,6 +71,7 @@ gatun_core_folder(Hartley
     gatunHartleyPaperSlice.cxx
     gatunHartleyProjector.cxx
     gatunHartleyQuantizer.cxx
+    gatunHartleyQuickSlice.cxx
     gatunHartleyRay.cxx
     gatunHartleySlab.cxx
     gatunHartleySlice.cxx

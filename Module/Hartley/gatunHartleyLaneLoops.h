@@ -401,24 +401,25 @@ inline void StoreRows(const ComplexLanes* from, float scale, std::size_t rows, s
 }
 
 //------------------------------------------------------------------------------
-inline void Sample(const HartleySample* samples, std::size_t count, const float* weights,
-  std::ptrdiff_t stride, float* to)
+inline void Sample(const HartleySample* samples, std::size_t count, const std::uint16_t* values,
+  const float* weights, std::ptrdiff_t stride, float* to)
 {
   for (std::size_t i = 0; i < count; ++i)
   {
     const HartleySample& sample = samples[i];
+    const std::uint16_t* const first = values + 2 * std::size_t{ sample.First };
     Half8 low, high;
     if (stride == 1)
     {
-      low = Load<Half8>(sample.First);
-      high = Load<Half8>(sample.First + 8);
+      low = Load<Half8>(first);
+      high = Load<Half8>(first + 8);
     }
     else
     {
       std::uint32_t taps[8];
       for (std::ptrdiff_t k = 0; k < 8; ++k)
       {
-        taps[k] = Load<std::uint32_t>(sample.First + 2 * k * stride);
+        taps[k] = Load<std::uint32_t>(first + 2 * k * stride);
       }
       low = Load<Half8>(taps);
       high = Load<Half8>(taps + 4);
@@ -432,8 +433,8 @@ inline void Sample(const HartleySample* samples, std::size_t count, const float*
     // Real and imaginary parts alternate.
     const Float4 four = __builtin_shufflevector(total, total, 0, 1, 2, 3) +
       __builtin_shufflevector(total, total, 4, 5, 6, 7);
-    to[sample.To] = (four[0] + four[2]) * sample.Scale;
-    to[sample.To + 8] = (four[1] + four[3]) * sample.ImaginaryScale;
+    to[sample.To] += (four[0] + four[2]) * sample.Scale;
+    to[sample.To + 8] += (four[1] + four[3]) * sample.ImaginaryScale;
   }
 }
 

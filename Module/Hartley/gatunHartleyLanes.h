@@ -33,11 +33,12 @@ struct FourierStage
 /** A point of a slice, interpolated from eight points of a spectrum along one axis. */
 struct HartleySample
 {
-  const std::uint16_t* First = nullptr; ///< the first of the eight; real and imaginary part
-  float Position = 0;                   ///< in steps of the table of weights
-  float Scale = 0;                      ///< of the real part
-  float ImaginaryScale = 0; ///< of the imaginary part; its sign is another in mirrored points
-  std::uint32_t To = 0;     ///< where it is stored, in floats; the imaginary part follows 8 later
+  std::uint32_t First =
+    0;                  ///< the first of the eight, in complex numbers from the begin of the values
+  std::uint32_t To = 0; ///< where it is added, in floats; the imaginary part follows 8 later
+  float Position = 0;   ///< in steps of the table of weights
+  float Scale = 0;      ///< of the real part
+  float ImaginaryScale = 0; ///< of the imaginary part; mirrored points have the opposite sign
 };
 
 /** Interpolation of an image between the points of a lattice. */
@@ -93,10 +94,11 @@ struct HartleyLaneLoops
   void (*StoreRows)(const ComplexLanes* from, float scale, std::size_t rows, std::size_t columns,
     std::uint16_t* to, std::size_t stride);
 
-  /** Interpolates points of a slice. Weights: 16 for each step, each twice. Stride: from one of the
-   * eight points to the next, in complex numbers. */
-  void (*Sample)(const HartleySample* samples, std::size_t count, const float* weights,
-    std::ptrdiff_t stride, float* to);
+  /** Interpolates points of a slice and adds them. Values: real and imaginary parts; weights: 16
+   * for each step, each twice; stride: from one of the eight points to the next, in complex
+   * numbers. */
+  void (*Sample)(const HartleySample* samples, std::size_t count, const std::uint16_t* values,
+    const float* weights, std::ptrdiff_t stride, float* to);
 
   /** Interpolates count pixels at (x, y), (x + stepX, y + stepY), ..., in lattice points. All of
    * their taps are in the lattice. */

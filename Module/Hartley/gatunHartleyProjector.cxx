@@ -8,6 +8,7 @@
 #include "gatunHartleyChunks.h"
 #include "gatunHartleyLookup.h"
 #include "gatunHartleyPaperSlice.h"
+#include "gatunHartleyQuickSlice.h"
 #include "gatunHartleySlab.h"
 #include "gatunHartleySlice.h"
 #include "gatunHartleyXRays.h"
@@ -38,7 +39,7 @@ constexpr std::size_t BatchBytes = std::size_t{ 32 } << 20;
 constexpr std::uint64_t MostBasisBytes = std::uint64_t{ 1 } << 30;
 
 // Automatic chooses Basis for blocks of up to this many voxels along each axis.
-constexpr std::uint32_t LargestBasisBlock = 16;
+constexpr std::uint32_t LargestBasisBlock = 8;
 
 //------------------------------------------------------------------------------
 void Check(const HartleyView& view)
@@ -100,6 +101,7 @@ struct HartleyProjector::Internals
   std::map<Triple, std::vector<float>> Units;
 
   std::shared_ptr<HartleySpectra> Spectra;
+  std::shared_ptr<HartleyBlockSpectra> BlockSpectra;
   std::optional<HartleyChunks> Chunks;
 
   // Of each block the number of its terms, once it was loaded.
@@ -244,6 +246,15 @@ void HartleyProjector::Internals::Prepare(
   {
     this->UseSpectra(HartleyPaperSlice::MakePlan(block, this->Options.Padding));
     this->Painter = std::make_unique<HartleyPaperSlice>(lattice, view, this->Spectra);
+  }
+  else if (this->Options.Method == HartleyMethod::Automatic &&
+    *std::max_element(block.begin(), block.end()) <= HartleyLayout::LargestBlock)
+  {
+    if (!this->BlockSpectra)
+    {
+      this->BlockSpectra = std::make_shared<HartleyBlockSpectra>(block, this->Options.CacheBytes);
+    }
+    this->Painter = std::make_unique<HartleyQuickSlice>(lattice, block, this->BlockSpectra);
   }
   else
   {

@@ -117,6 +117,23 @@ VolumeSpectrumPlan VolumeSpectrumPlan::Make(const HartleyLayout::Triple& size, d
 }
 
 //------------------------------------------------------------------------------
+std::array<std::ptrdiff_t, 3> VolumeSpectrumPlan::GetStrides() const
+{
+  constexpr std::ptrdiff_t more = HartleyVolumeSpectrum::Before + HartleyVolumeSpectrum::After + 1;
+  const std::ptrdiff_t depth = 2 * this->Highest[2] + more;
+  return { (2 * this->Highest[1] + more) * depth, depth, 1 };
+}
+
+//------------------------------------------------------------------------------
+std::ptrdiff_t VolumeSpectrumPlan::GetPoint(const std::array<std::ptrdiff_t, 3>& at) const
+{
+  constexpr std::ptrdiff_t before = HartleyVolumeSpectrum::Before;
+  const auto strides = this->GetStrides();
+  return (at[0] + before) * strides[0] + (at[1] + this->Highest[1] + before) * strides[1] + at[2] +
+    this->Highest[2] + before;
+}
+
+//------------------------------------------------------------------------------
 std::uint64_t VolumeSpectrumPlan::GetBytes() const
 {
   constexpr std::uint64_t more = HartleyVolumeSpectrum::Before + HartleyVolumeSpectrum::After + 1;
@@ -326,10 +343,8 @@ HartleyVolumeSpectrum::HartleyVolumeSpectrum(const VolumeSpectrumPlan& plan,
   };
   Builder builder(*this, voxels);
   const auto stored = builder.GetStored();
-  this->Strides = { static_cast<std::ptrdiff_t>(stored[1] * stored[2]),
-    static_cast<std::ptrdiff_t>(stored[2]), 1 };
-  this->Middle = Before * this->Strides[0] + (plan.Highest[1] + Before) * this->Strides[1] +
-    plan.Highest[2] + Before;
+  this->Strides = plan.GetStrides();
+  this->Middle = plan.GetPoint({});
   builder.FindBounds();
   builder.TransformSlices(getPart(0, slices));
   this->Values =

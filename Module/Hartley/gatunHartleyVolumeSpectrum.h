@@ -25,6 +25,13 @@ struct VolumeSpectrumPlan
   /** Cut: the highest frequency along each axis, in cycles per voxel. */
   static VolumeSpectrumPlan Make(const HartleyLayout::Triple& size, double cut);
 
+  /** From one point to the next along each axis, in points. */
+  std::array<std::ptrdiff_t, 3> GetStrides() const;
+
+  /** The number of the point of a frequency, given in points; that along x is not below
+   * -HartleyVolumeSpectrum::Before. */
+  std::ptrdiff_t GetPoint(const std::array<std::ptrdiff_t, 3>& at) const;
+
   std::uint64_t GetBytes() const;        ///< of the spectrum
   std::uint64_t GetWorkingBytes() const; ///< more, while it is made
 };
@@ -56,16 +63,20 @@ public:
   /** By which stored values have to be multiplied. */
   double GetScale() const { return this->Scale; }
 
-  /** The point of a frequency, in points; that along x is not below -Before. */
-  const std::uint16_t* GetPoint(const std::array<std::ptrdiff_t, 3>& at) const
+  /** All values: real and imaginary parts. */
+  const std::uint16_t* GetValues() const { return this->Values.get(); }
+
+  /** The number of the point of a frequency, given in points; that along x is not below -Before. */
+  std::ptrdiff_t GetPoint(const std::array<std::ptrdiff_t, 3>& at) const
   {
-    const std::ptrdiff_t number =
-      (at[0] * this->Strides[0]) + (at[1] * this->Strides[1]) + at[2] + this->Middle;
-    return this->Values.get() + 2 * number;
+    return at[0] * this->Strides[0] + at[1] * this->Strides[1] + at[2] + this->Middle;
   }
 
   /** From one point to the next along an axis, in points. */
   std::ptrdiff_t GetStride(std::size_t axis) const { return this->Strides[axis]; }
+
+  /** The largest number of points, for 32 bits. */
+  static constexpr std::uint64_t MostBytes = std::uint64_t{ 1 } << 34;
 
   /** The weights of Taps points, each twice, for Steps + 1 positions and one more. */
   static const float* GetWeights();

@@ -152,8 +152,8 @@ public:
           if (u <= column.Highest)
           {
             this->Loops.Sample(samples.data(), this->List(u, lane, samples),
-              HartleyVolumeSpectrum::GetWeights(), this->Spectrum.GetStride(this->Along),
-              line[0].Re);
+              this->Spectrum.GetValues(), HartleyVolumeSpectrum::GetWeights(),
+              this->Spectrum.GetStride(this->Along), line[0].Re);
           }
         }
         const ComplexLanes* const found = fourier.Inverse(line.data(), room.data());
@@ -302,7 +302,7 @@ private:
     }
     std::array<std::uint16_t, ComplexLanes::Count> stored{};
     std::array<float, ComplexLanes::Count> value{};
-    std::copy_n(this->Spectrum.GetPoint(place), 2, stored.begin());
+    std::copy_n(this->Spectrum.GetValues() + 2 * this->Spectrum.GetPoint(place), 2, stored.begin());
     this->Loops.FromHalf(stored.data(), stored.size(), value.data());
     return static_cast<double>(value[0] * value[0] + value[1] * value[1]);
   }
@@ -464,9 +464,9 @@ private:
       const std::ptrdiff_t below = RoundDown(along);
       place[this->Along] = below - HartleyVolumeSpectrum::Before;
       HartleySample& sample = samples[count++];
-      sample.First = this->Spectrum.GetPoint(place);
+      sample.First = static_cast<std::uint32_t>(this->Spectrum.GetPoint(place));
       // What one column needs of the spectrum is far apart in memory.
-      __builtin_prefetch(sample.First);
+      __builtin_prefetch(this->Spectrum.GetValues() + 2 * std::size_t{ sample.First });
       sample.Position = static_cast<float>(along - static_cast<double>(below)) *
         static_cast<float>(HartleyVolumeSpectrum::Steps);
       sample.Scale = scaleOfColumn * row.Scales[j] * (this->Even && period % 2 != 0 ? -hat : hat);

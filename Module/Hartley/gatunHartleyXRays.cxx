@@ -44,7 +44,7 @@ bool HartleyXRays::Make(
   std::vector<float> densities = DecodeHartleyDensities(source, getPart(0, decoding));
   const auto detail = HartleyDetail::Take(size, densities, XRayError);
   const auto plan = VolumeSpectrumPlan::Make(size, detail.Cut);
-  if (plan.GetBytes() > bytes)
+  if (plan.GetBytes() > std::min(bytes, HartleyVolumeSpectrum::MostBytes))
   {
     this->TooLarge = true;
     return false;

@@ -170,6 +170,22 @@ TEST(HartleyProjector, BlocksBySlicesAreNearlyExact)
 }
 
 //------------------------------------------------------------------------------
+// Of blocks of more than 8 voxels: in single precision, from spectra in half precision.
+TEST(HartleyProjector, BlocksByQuickSlicesAreNearlyExact)
+{
+  const auto volume = MakeHead({ 37, 33, 35 });
+  for (const std::uint32_t block : { 11u, 16u, 32u })
+  {
+    for (const Vector& turns : GetTurns())
+    {
+      SCOPED_TRACE(testing::Message()
+        << "block " << block << " turns " << turns[0] << " " << turns[1] << " " << turns[2]);
+      EXPECT_LT(CompareBlocks(volume, block, turns, {}).Mean, block >= 32 ? 1.5e-3 : 4e-3);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // The dissertation's interpolation leaves far more: that it is there is to compare with.
 TEST(HartleyProjector, TrilinearSlicesAreWorse)
 {
