@@ -9,10 +9,12 @@ gatun_core_folder(Merge
     gatunMergeBuilder.h
     gatunMergeInput.h
   PRIVATE_HEADERS
+    gatunLocalIndex.h
     gatunMergeCodec.h
     gatunMergeCosts.h
     gatunMergeMesh.h
     gatunMergeOrder.h
+    gatunMergeQueue.h
   SOURCES
     gatunMergeBuilder.cxx
     gatunMergeCodec.cxx

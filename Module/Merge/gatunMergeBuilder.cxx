@@ -3,13 +3,14 @@
 #include "gatunMergeBuilder.h"
 
 #include "gatunError.h"
+#include "gatunLocalIndex.h"
 #include "gatunMergeCosts.h"
 #include "gatunMergeMesh.h"
 #include "gatunMergeOrder.h"
+#include "gatunMergeQueue.h"
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
 
 namespace gatun
 {
@@ -22,21 +23,23 @@ constexpr unsigned MostChanges = 3;
 /** Roots of sums of changes are so many times what is measured of meshes that were simplified. */
 constexpr double ChangePerError = 6;
 
-/** What is to be done next, of all points. */
+/** Merges points in the order of their costs. */
+template <typename Costs>
 class Builder
 {
 public:
   Builder(const MergeInput& input, const MergeSettings& settings)
     : Mesh(input.Points.size(), input.Tets)
-    , Costs(this->Mesh, input, settings)
+    , CostOf(this->Mesh, input, settings)
     , Candidates(input.Points.size())
-    , Touched(input.Points.size(), 0)
   {
   }
 
   std::vector<Merge> Run(const std::function<bool(double)>& progress)
   {
     const auto points = static_cast<std::uint32_t>(this->Candidates.size());
+    std::vector<std::uint32_t> cheapest;
+    MergeQueue::Key key = 0;
     for (bool any = true; any;)
     {
       for (std::uint32_t point = 0; point < points; ++point)
@@ -51,16 +54,17 @@ public:
         }
       }
       const auto before = this->Merges.size();
-      while (!this->Queue.empty())
+      while (this->Queue.Take(key, cheapest))
       {
-        const Entry entry = this->Queue.top();
-        this->Queue.pop();
-        if (this->IsDue(entry))
+        for (const auto point : cheapest)
         {
-          this->MergeNow(entry.Point);
-          if (this->Merges.size() % 1024 == 0)
+          if (this->IsDue(point, key))
           {
-            Report(progress, 0.2 + 0.79 * static_cast<double>(this->Merges.size()) / points);
+            this->MergeNow(point);
+            if (this->Merges.size() % 1024 == 0)
+            {
+              Report(progress, 0.2 + 0.79 * static_cast<double>(this->Merges.size()) / points);
+            }
           }
         }
       }
@@ -81,21 +85,11 @@ private:
 
   struct Candidate
   {
-    MergeChoice Choice;
-    std::uint32_t When = 0;   // how many merges there had been
-    std::uint8_t Changes = 0; // around it since then
-    bool IsChecked = false;   // whether the topology allowed it then
+    double Change = 0;
+    std::uint32_t Into = MergeMesh::None;
+    MergeQueue::Key Key = 0;
+    std::uint8_t Changes = 0; // around it since it was found
     State Is = State::Idle;
-  };
-
-  struct Entry
-  {
-    double Cost;
-    std::uint32_t Point;
-    bool operator<(const Entry& other) const // the cheapest first
-    {
-      return this->Cost != other.Cost ? this->Cost > other.Cost : this->Point > other.Point;
-    }
   };
 
   static void Report(const std::function<bool(double)>& progress, double done)
@@ -106,66 +100,81 @@ private:
     }
   }
 
-  /** The topology, which takes long to look at, mostly allows what is best. */
-  void Enqueue(std::uint32_t point, bool checkTopology = false)
+  /** Finds the best merge of a point. Returns whether there is one. */
+  bool Find(std::uint32_t point, bool checkTopology)
   {
     Candidate& candidate = this->Candidates[point];
-    candidate.Choice = this->Costs.Choose(point, candidate.Choice.Into, checkTopology);
-    candidate.When = static_cast<std::uint32_t>(this->Merges.size());
+    const MergeChoice choice = this->CostOf.Choose(point, candidate.Into, checkTopology);
+    candidate.Change = choice.Change;
+    candidate.Into = choice.Into;
+    candidate.Key = MergeQueue::GetKey(choice.Cost);
     candidate.Changes = 0;
-    candidate.IsChecked = checkTopology;
-    candidate.Is = State::Idle;
-    if (candidate.Choice.Into != MergeMesh::None)
+    candidate.Is = choice.Into == MergeMesh::None ? State::Idle : State::Queued;
+    return candidate.Is == State::Queued;
+  }
+
+  /** The topology, which takes long to check, nearly always allows the cheapest merge. */
+  void Enqueue(std::uint32_t point)
+  {
+    const Candidate& candidate = this->Candidates[point];
+    const bool isQueued = candidate.Is == State::Queued;
+    const auto before = candidate.Key;
+    if (this->Find(point, false) && !(isQueued && candidate.Key == before))
     {
-      candidate.Is = State::Queued;
-      this->Queue.push({ candidate.Choice.Cost, point });
+      this->Queue.Push(candidate.Key, point);
     }
   }
 
-  /** Whether a merge is to be done as it was found. If not, it is found anew. */
-  bool IsDue(const Entry& entry)
+  /** Finds the best merge anew. Returns whether it is due; otherwise it is queued. */
+  bool FindDue(std::uint32_t point, MergeQueue::Key key, bool checkTopology)
   {
-    const Candidate& candidate = this->Candidates[entry.Point];
-    if (candidate.Is != State::Queued || candidate.Choice.Cost != entry.Cost)
+    if (!this->Find(point, checkTopology))
+    {
+      return false;
+    }
+    const auto now = this->Candidates[point].Key;
+    if (now > key)
+    {
+      this->Queue.Push(now, point);
+    }
+    return now <= key;
+  }
+
+  /** Whether the best merge of a point has a key, or a lower one, and may be made. */
+  bool IsDue(std::uint32_t point, MergeQueue::Key key)
+  {
+    const Candidate& candidate = this->Candidates[point];
+    if (candidate.Is != State::Queued || candidate.Key != key)
     {
       return false; // it was found anew since
     }
-    const auto into = candidate.Choice.Into;
-    if (candidate.Changes > 0)
+    if (candidate.Changes > 0 && !this->FindDue(point, key, false))
     {
-      this->Enqueue(entry.Point);
       return false;
     }
-    if (!(candidate.IsChecked && this->Touched[into] <= candidate.When) &&
-      !this->Mesh.MayMerge(entry.Point, into))
-    {
-      this->Enqueue(entry.Point, true);
-      return false;
-    }
-    return true;
+    return this->Mesh.MayMerge(point, candidate.Into) || this->FindDue(point, key, true);
   }
 
   void MergeNow(std::uint32_t point)
   {
-    const MergeChoice choice = this->Candidates[point].Choice;
-    this->Change += choice.Change;
+    Candidate& merged = this->Candidates[point];
+    this->Change += merged.Change;
     this->Merges.push_back(
-      { point, choice.Into, static_cast<float>(std::sqrt(this->Change) / ChangePerError) });
-    this->Candidates[point].Is = State::Gone;
+      { point, merged.Into, static_cast<float>(std::sqrt(this->Change) / ChangePerError) });
+    merged.Is = State::Gone;
+    this->Seen.Clear();
     this->Affected.clear();
     for (const auto tet : this->Mesh.GetRing(point))
     {
       for (const auto corner : this->Mesh.GetTet(tet))
       {
-        // Each one once.
-        if (this->Touched[corner] != this->Merges.size())
+        if (this->Seen[corner]++ == 0)
         {
-          this->Touched[corner] = static_cast<std::uint32_t>(this->Merges.size());
           this->Affected.push_back(corner);
         }
       }
     }
-    this->Mesh.Merge(point, choice.Into);
+    this->Mesh.Merge(point, merged.Into);
     for (const auto other : this->Affected)
     {
       Candidate& candidate = this->Candidates[other];
@@ -178,10 +187,10 @@ private:
   }
 
   MergeMesh Mesh;
-  MergeCosts Costs;
-  std::vector<Candidate> Candidates;
-  std::vector<std::uint32_t> Touched; // at which merge a point's surroundings changed, last
-  std::priority_queue<Entry> Queue;
+  Costs CostOf;
+  std::vector<Candidate> Candidates; // of each point
+  MergeQueue Queue;
+  LocalIndex Seen;
   std::vector<std::uint32_t> Affected;
   std::vector<Merge> Merges;
   double Change = 0; // of all merges
@@ -225,7 +234,10 @@ MergeTree BuildMergeTree(const MergeInput& input, const MergeSettings& settings,
 {
   Check(input, settings);
   const LocalMergeInput local(input);
-  auto merges = Builder(local.Get(), settings).Run(progress);
+  // One field, which is frequent, is faster if its loops are known when they are compiled.
+  auto merges = input.Fields.size() == 1
+    ? Builder<MergeCosts<1>>(local.Get(), settings).Run(progress)
+    : Builder<MergeCosts<0>>(local.Get(), settings).Run(progress);
   for (Merge& merge : merges)
   {
     merge.Point = local.GetIds()[merge.Point];

@@ -43,8 +43,6 @@ MergeMesh::MergeMesh(std::size_t points, std::span<const Tet> tets)
   , BoundaryFaces(tets.size(), 0)
   , OnBoundary(points, 0)
   , Rings(points)
-  , Firsts(points)
-  , Seconds(points)
 {
   // A tetrahedron with a point twice is none.
   for (Tet& tet : this->Tets)
@@ -163,25 +161,8 @@ std::span<const std::uint32_t> MergeMesh::GetRing(std::uint32_t point)
 }
 
 //------------------------------------------------------------------------------
-void MergeMesh::AddMark(std::vector<Mark>& marks, std::uint32_t point, std::uint8_t bits) const
-{
-  const std::uint32_t stamp = &marks == &this->Firsts ? this->FirstStamp : this->SecondStamp;
-  Mark& mark = marks[point];
-  mark.Bits = static_cast<std::uint8_t>((mark.Stamp == stamp ? mark.Bits : 0) | bits);
-  mark.Stamp = stamp;
-}
-
-unsigned MergeMesh::GetMarks(std::uint32_t point) const
-{
-  const Mark& first = this->Firsts[point];
-  const Mark& second = this->Seconds[point];
-  return (first.Stamp == this->FirstStamp ? first.Bits : 0u) |
-    (second.Stamp == this->SecondStamp ? second.Bits : 0u);
-}
-
-//------------------------------------------------------------------------------
-void MergeMesh::MarkNeighbors(std::vector<Mark>& marks, std::uint32_t point, std::uint8_t neighbor,
-  std::uint8_t boundaryNeighbor)
+void MergeMesh::MarkNeighbors(
+  std::uint32_t point, std::uint8_t neighbor, std::uint8_t boundaryNeighbor)
 {
   for (const auto tet : this->GetRing(point))
   {
@@ -194,8 +175,7 @@ void MergeMesh::MarkNeighbors(std::vector<Mark>& marks, std::uint32_t point, std
       {
         // The edge is in the faces opposite to the two other corners.
         const unsigned others = 15u & ~(1u << at) & ~(1u << i);
-        this->AddMark(marks, corners[i],
-          static_cast<std::uint8_t>(neighbor | ((faces & others) != 0 ? boundaryNeighbor : 0)));
+        this->Marks[corners[i]] |= neighbor | ((faces & others) != 0 ? boundaryNeighbor : 0u);
       }
     }
   }
@@ -219,8 +199,7 @@ void MergeMesh::MarkEdge(std::uint32_t point, std::uint32_t into)
     {
       // The triangle is the face opposite to the last corner.
       const bool onBoundary = (this->BoundaryFaces[tet] >> rest[1 - i] & 1) != 0;
-      this->AddMark(this->Seconds, corners[rest[i]],
-        static_cast<std::uint8_t>(OfEdge | (onBoundary ? OfEdgeOnBoundary : 0)));
+      this->Marks[corners[rest[i]]] |= OfEdge | (onBoundary ? OfEdgeOnBoundary : 0u);
     }
   }
 }
@@ -276,19 +255,14 @@ bool MergeMesh::IsBoundaryFace(std::uint32_t a, std::uint32_t b, std::uint32_t c
 //------------------------------------------------------------------------------
 bool MergeMesh::MayMerge(std::uint32_t point, std::uint32_t into)
 {
-  if (this->Marked != point)
-  {
-    ++this->FirstStamp;
-    this->MarkNeighbors(this->Firsts, point, ByFirst, ByFirstOnBoundary);
-    this->Marked = point;
-  }
-  const bool edgeOnBoundary = (this->GetMarks(into) & ByFirstOnBoundary) != 0;
+  this->Marks.Clear();
+  this->MarkNeighbors(point, ByFirst, ByFirstOnBoundary);
+  const bool edgeOnBoundary = (this->Marks.Get(into) & ByFirstOnBoundary) != 0;
   if (this->IsOnBoundary(point) && !edgeOnBoundary)
   {
     return false;
   }
-  ++this->SecondStamp;
-  this->MarkNeighbors(this->Seconds, into, BySecond, BySecondOnBoundary);
+  this->MarkNeighbors(into, BySecond, BySecondOnBoundary);
   this->MarkEdge(point, into);
   return this->ShareNoOtherPoint(point, into, edgeOnBoundary) &&
     this->ShareNoOtherTriangle(point, into) &&
@@ -306,7 +280,7 @@ bool MergeMesh::ShareNoOtherPoint(std::uint32_t point, std::uint32_t into, bool 
   {
     for (const auto corner : this->Tets[tet])
     {
-      const unsigned marks = this->GetMarks(corner);
+      const unsigned marks = this->Marks.Get(corner);
       if (corner == point || corner == into || (marks & ofBoth) != ofBoth)
       {
         continue;
@@ -338,7 +312,7 @@ bool MergeMesh::ShareNoOtherTriangle(std::uint32_t point, std::uint32_t into)
     unsigned n = 0;
     for (const auto corner : corners)
     {
-      if (corner != point && (this->GetMarks(corner) & BySecond) != 0)
+      if (corner != point && (this->Marks.Get(corner) & BySecond) != 0)
       {
         common[n++] = corner;
       }
@@ -425,7 +399,6 @@ void MergeMesh::PassBoundaryOn(std::uint32_t tet, std::uint32_t point, std::uint
 //------------------------------------------------------------------------------
 void MergeMesh::Merge(std::uint32_t point, std::uint32_t into)
 {
-  this->Marked = None;
   const auto ring = this->GetRing(point);
   this->Moved.clear();
   for (const auto tet : ring)

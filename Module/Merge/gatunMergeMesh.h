@@ -3,6 +3,8 @@
 #ifndef gatunMergeMesh_h
 #define gatunMergeMesh_h
 
+#include "gatunLocalIndex.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -55,18 +57,8 @@ private:
     bool HasGone = false; // whether it lists removed tetrahedra
   };
 
-  /** Relations of a point to the current one. */
-  struct Mark
-  {
-    std::uint32_t Stamp = 0;
-    std::uint8_t Bits = 0;
-  };
-
   void FindBoundary();
-  void AddMark(std::vector<Mark>& marks, std::uint32_t point, std::uint8_t bits) const;
-  unsigned GetMarks(std::uint32_t point) const;
-  void MarkNeighbors(std::vector<Mark>& marks, std::uint32_t point, std::uint8_t neighbor,
-    std::uint8_t boundaryNeighbor);
+  void MarkNeighbors(std::uint32_t point, std::uint8_t neighbor, std::uint8_t boundaryNeighbor);
   void MarkEdge(std::uint32_t point, std::uint32_t into);
   bool ShareNoOtherPoint(std::uint32_t point, std::uint32_t into, bool edgeOnBoundary);
   bool ShareNoOtherTriangle(std::uint32_t point, std::uint32_t into);
@@ -85,11 +77,7 @@ private:
   std::vector<std::uint32_t> Pool; // of the rings
   std::size_t Used = 0;            // of the pool, by rings
 
-  // Marks of the two current points. Those of the first are used for several second points.
-  std::vector<Mark> Firsts, Seconds;
-  std::uint32_t FirstStamp = 0;
-  std::uint32_t SecondStamp = 0;
-  std::uint32_t Marked = None;                        // the first point
+  LocalIndex Marks;                                   // of the points around the two current ones
   std::vector<std::array<std::uint32_t, 2>> EdgeLink; // forms a tetrahedron with both
   std::vector<std::uint32_t> Moved;                   // to the ring of another point
 };
