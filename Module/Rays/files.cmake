@@ -19,6 +19,7 @@ gatun_core_folder(Rays
     gatunRayBlockCache.h
     gatunRayCaster.h
     gatunRayInstructions.h
+    gatunRayPieces.h
     gatunRayRefresh.h
     gatunRayShading.h
     gatunRaySource.h
@@ -35,7 +36,6 @@ gatun_core_folder(Rays
     gatunRayKernel.h
     gatunRayLanes.h
     gatunRayLoops.h
-    gatunRayPieces.h
     gatunRaySetUp.h
     gatunRayTile.h
     gatunRayVisibility.h

@@ -174,7 +174,7 @@ void RayCaster::Internals::DrawTile(std::size_t index, std::span<const Work> wor
   TileSlot& slot = this->Tiles[index];
   const Timed timed(slot.DrawTime);
   const DrawContext context{ this->View.Perspective, this->Table.Cells.data(),
-    this->Table.Pieces.data(), this->Settings.Opaque };
+    this->Table.Pieces.All.data(), this->Settings.Opaque };
   for (const Work& work : works)
   {
     if (!work.HasItems)
@@ -457,7 +457,7 @@ void RayCaster::Draw(std::span<const std::shared_ptr<const RayBlock>> blocks)
   const auto works = self.SetBlocks(blocks);
   const SetUpContext context{ &self.View, self.TilesX, self.Visibility.GetTileLimits(),
     self.Table.VisibleCells.data(), RayTable::Size,
-    self.Table.PiecesOf.empty() ? nullptr : self.Table.PiecesOf.data(), self.Table.Low,
+    self.Table.Pieces.OfCells.empty() ? nullptr : self.Table.Pieces.OfCells.data(), self.Table.Low,
     self.Table.Scale };
   for (;;)
   {

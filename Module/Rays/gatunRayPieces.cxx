@@ -78,10 +78,10 @@ struct Stretch
 
   /** Makes the piece between two knots: parabolas through both ends and the middle. Returns whether
    * they are exact enough. */
-  bool Fit(std::size_t first, std::size_t last, RayTable::Piece& piece) const;
+  bool Fit(std::size_t first, std::size_t last, RayPiece& piece) const;
 };
 
-bool Stretch::Fit(std::size_t first, std::size_t last, RayTable::Piece& piece) const
+bool Stretch::Fit(std::size_t first, std::size_t last, RayPiece& piece) const
 {
   constexpr double tolerance = 1.0 / 4096;
   const Knot& low = this->Knots[first];
@@ -138,17 +138,18 @@ bool Stretch::Fit(std::size_t first, std::size_t last, RayTable::Piece& piece) c
   return true;
 }
 
-std::vector<Stretch> FindStretches(const RayEntry& getEntry, const RayTable& table)
+std::vector<Stretch> FindStretches(const RayEntry& getEntry, std::size_t cells)
 {
   std::vector<Stretch> stretches(1);
   const auto getKnot = [&](std::size_t cell)
   {
-    const auto& value = table.Cells[cell].Value;
-    return Knot{ static_cast<double>(cell), { value[0], value[1], value[2], value[3] } };
+    const auto place = static_cast<double>(cell);
+    return Knot{ place, getEntry(place) };
   };
   const auto isVisible = [](const Knot& a, const Knot& b)
   { return a.Value[3] != 0 || b.Value[3] != 0; };
-  stretches.back().Knots.push_back(getKnot(0));
+  Knot high = getKnot(0);
+  stretches.back().Knots.push_back(high);
   const auto addLine = [&](const Knot& from, const Knot& to)
   {
     const bool visible = isVisible(from, to);
@@ -163,10 +164,10 @@ std::vector<Stretch> FindStretches(const RayEntry& getEntry, const RayTable& tab
     last.Knots.back() = from;
     last.Knots.push_back(to);
   };
-  for (std::size_t cell = 0; cell < RayTable::Size; ++cell)
+  for (std::size_t cell = 0; cell < cells; ++cell)
   {
-    const Knot low = getKnot(cell);
-    const Knot high = getKnot(cell + 1);
+    const Knot low = high;
+    high = getKnot(cell + 1);
     Knot below = low;
     Knot above = high;
     if (low.Value != high.Value && FindStep(getEntry, below, above))
@@ -186,66 +187,74 @@ std::vector<Stretch> FindStretches(const RayEntry& getEntry, const RayTable& tab
 }
 
 /** Beyond the ends of the table, colors are those of its ends. */
-RayTable::Piece MakeConstantPiece(const RayTable::Cell& cell, float from, float to)
+RayPiece MakeConstantPiece(const Entry& value, float from, float to)
 {
-  RayTable::Piece piece;
+  RayPiece piece;
   piece.From = from;
   piece.To = to;
-  piece.C0 = cell.Value;
+  for (std::size_t channel = 0; channel < 4; ++channel)
+  {
+    piece.C0[channel] = static_cast<float>(value[channel]);
+  }
   return piece;
+}
+
+/** Adds the longest piece of a stretch that begins at a knot. Returns the knot where it ends. */
+std::size_t AddLongest(const Stretch& stretch, std::size_t first, std::vector<RayPiece>& pieces)
+{
+  const std::size_t end = stretch.Knots.size() - 1;
+  RayPiece piece;
+  stretch.Fit(first, first + 1, piece);
+  std::size_t last = first + 1;
+  // Grow by steps of double size, then by steps of half the size.
+  bool grows = true;
+  for (std::size_t step = 1; step > 0; step = grows ? 2 * step : step / 2)
+  {
+    RayPiece longer;
+    const bool fits = last + step <= end && stretch.Fit(first, last + step, longer);
+    grows &= fits;
+    if (fits)
+    {
+      last += step;
+      piece = longer;
+    }
+  }
+  pieces.push_back(piece);
+  return last;
 }
 }
 
 //------------------------------------------------------------------------------
-void MakeRayPieces(const RayEntry& getEntry, RayTable& table)
+RayPieces MakeRayPieces(const RayEntry& getEntry, std::size_t cells)
 {
   constexpr float endless = 1e30f;
-  table.Pieces.push_back(MakeConstantPiece(table.Cells.front(), -endless, 0));
-  for (const Stretch& stretch : FindStretches(getEntry, table))
+  RayPieces pieces;
+  pieces.All.push_back(MakeConstantPiece(getEntry(0), -endless, 0));
+  for (const Stretch& stretch : FindStretches(getEntry, cells))
   {
-    const std::size_t end = stretch.Knots.size() - 1;
-    for (std::size_t first = 0; first < end;)
+    for (std::size_t knot = 0; knot + 1 < stretch.Knots.size();)
     {
-      // Grow by steps of double size, then by steps of half the size.
-      RayTable::Piece piece;
-      stretch.Fit(first, first + 1, piece);
-      std::size_t last = first + 1;
-      bool grows = true;
-      for (std::size_t step = 1; step > 0; step = grows ? 2 * step : step / 2)
-      {
-        RayTable::Piece longer;
-        const bool fits = last + step <= end && stretch.Fit(first, last + step, longer);
-        grows &= fits;
-        if (fits)
-        {
-          last += step;
-          piece = longer;
-        }
-      }
-      table.Pieces.push_back(piece);
-      first = last;
+      knot = AddLongest(stretch, knot, pieces.All);
     }
   }
-  table.PiecesOf.resize(RayTable::Size + 1);
   std::size_t piece = 0;
-  for (std::size_t cell = 0; cell < RayTable::Size; ++cell)
+  for (std::size_t cell = 0; cell < cells; ++cell)
   {
-    const auto low = static_cast<float>(cell);
-    const auto high = static_cast<float>(cell + 1);
-    while (table.Pieces[piece].To <= low)
+    while (pieces.All[piece].To <= static_cast<float>(cell))
     {
       ++piece;
     }
     const auto first = static_cast<std::uint16_t>(piece);
-    while (table.Pieces[piece].To < high)
+    while (pieces.All[piece].To < static_cast<float>(cell + 1))
     {
       ++piece;
     }
-    table.PiecesOf[cell] = { first, static_cast<std::uint16_t>(piece) };
+    pieces.OfCells.push_back({ first, static_cast<std::uint16_t>(piece) });
   }
   const auto last = static_cast<std::uint16_t>(piece);
-  table.PiecesOf[RayTable::Size] = { last, last };
-  table.Pieces.push_back(
-    MakeConstantPiece(table.Cells.back(), static_cast<float>(RayTable::Size), endless));
+  pieces.OfCells.push_back({ last, last });
+  const auto top = static_cast<double>(cells);
+  pieces.All.push_back(MakeConstantPiece(getEntry(top), static_cast<float>(top), endless));
+  return pieces;
 }
 }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunRayTable.h"
 
-#include "gatunRayPieces.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -59,7 +57,7 @@ RayTable::RayTable(RayMode mode, const RayColor& color, const Range& range, doub
   }
   if (mode == RayMode::Composite || mode == RayMode::XRay)
   {
-    MakeRayPieces(getEntry, *this);
+    this->Pieces = MakeRayPieces(getEntry, Size);
   }
 }
 

@@ -3,6 +3,7 @@
 #ifndef gatunRayTable_h
 #define gatunRayTable_h
 
+#include "gatunRayPieces.h"
 #include "gatunTypes.h"
 #include "vtkGatunCoreModule.h"
 
@@ -46,17 +47,7 @@ struct VTKGATUNCORE_EXPORT RayTable
 
   static constexpr int Size = 4096;
 
-  /** The channels between two places as parabolas: C0 + x C1 + x^2 C2, x the distance from the
-   * center in cells. They deviate by no more than 1 / 4096 of the largest absolute value of a
-   * channel in the piece. A piece is either visible or invisible throughout. Steps of the transfer
-   * function are ends of pieces. */
-  struct alignas(64) Piece
-  {
-    float Center = 0, From = 0, To = 0;
-    alignas(16) std::array<float, 4> C0{}, C1{}, C2{};
-
-    bool operator==(const Piece&) const = default;
-  };
+  using Piece = RayPiece;
 
   /**
    * Range: values outside of it get the color of its nearer end. Opacities are over
@@ -75,11 +66,7 @@ struct VTKGATUNCORE_EXPORT RayTable
   double Scale = 0;                        ///< cells for each unit of value
   std::vector<Cell> Cells;                 ///< Size + 1, the last without change
   std::vector<std::uint32_t> VisibleCells; ///< number of visible cells before each
-  std::vector<Piece>
-    Pieces; ///< Composite and XRay, in order; the first and last are beyond the cells
-
-  /** The first and the last piece of each cell. */
-  std::vector<std::array<std::uint16_t, 2>> PiecesOf;
+  RayPieces Pieces;                        ///< Composite and XRay
 };
 }
 
