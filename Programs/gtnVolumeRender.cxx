@@ -215,7 +215,8 @@ void AddMethodOptions(CLI::App* command, Options& options)
     ->group(group);
   AddChoice(command, "--method", Methods, options.Method,
     "How blocks are projected: as sums of the images of basis functions (basis) or by slices "
-    "through their spectra (slice); automatic: basis for blocks of up to 16 voxels",
+    "through their spectra (slice); automatic: X-rays by the spectrum of the whole "
+    "volume, otherwise basis for blocks of up to 8 voxels",
     group);
   AddChoice(command, "--kernel", Kernels, options.Kernel,
     "For slice: interpolation by kaiser-bessel (the default), nearly exact, or trilinear, for "
