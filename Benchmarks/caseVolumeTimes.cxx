@@ -46,10 +46,10 @@ struct Drawer
   std::string Law;
   std::uint32_t Block = 0;
   double Rate = 0;
-  std::function<void(const gatun::HartleyView&)> Draw;
-  std::function<std::vector<float>()> GetSums = {}; ///< X-ray: of the last view, minus the base
-  std::shared_ptr<gatun::HartleyImage> Picture;     ///< Gatun's last
-  int Views = 0;                                    ///< so far
+  std::function<void(const gatun::HartleyView&)> Draw = {};
+  std::function<std::vector<float>()> GetSums = {};  ///< X-ray: of the last view, minus the base
+  std::shared_ptr<gatun::HartleyImage> Picture = {}; ///< Gatun's last
+  int Views = 0;                                     ///< so far
   Cost First{};
   std::vector<double> Processor = {}; ///< seconds of all threads, of the later views
 };
