@@ -82,6 +82,10 @@ void FileReader::Internals::Read()
 void FileReader::Internals::AddStepBytes(std::span<const std::uint8_t> packed)
 {
   const auto size = ByteReader(packed).GetVarint();
+  if (size > std::max(SmallStep, TableExpansion * packed.size()))
+  {
+    return; // StepTable::Read refuses it
+  }
   const auto most = std::max(SmallStep, TableExpansion * this->File.GetSize());
   if (size > most - this->StepBytes)
   {

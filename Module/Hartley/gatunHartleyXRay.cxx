@@ -19,7 +19,7 @@ namespace
 constexpr std::size_t Lanes = ComplexLanes::Count;
 
 // Lattice points for each period of the highest frequency, divided by 2.
-constexpr double Oversampling = 1.5;
+constexpr double Oversampling = 2;
 
 // Resolution of the table of the tent function's spectrum.
 constexpr double TentSteps = 1024;
@@ -310,9 +310,8 @@ private:
   /** The lowest frequency beyond which the mean square of an image is not above the given one. */
   double FindCut(double meanSquare) const
   {
-    // Of the points of the slice, one of so many along each row and along each column.
-    constexpr std::ptrdiff_t apart = 16;
     constexpr std::ptrdiff_t shift = 5;
+    constexpr std::ptrdiff_t enough = 4096;
     constexpr double perCycle = 20;
     constexpr double highest = 1.5;
     const auto& plan = this->Spectrum.GetPlan();
@@ -322,6 +321,13 @@ private:
     const double most = this->IsCut() ? this->GetStoredCut() : highest;
     const auto columns = static_cast<std::ptrdiff_t>(most * period[0]);
     const auto rows = static_cast<std::ptrdiff_t>(most * period[1]);
+    // Of the points of the slice, one of so many along each row and along each column: all of a small
+    // volume.
+    std::ptrdiff_t apart = 16;
+    while (apart > 1 && 2 * columns * rows < enough * apart)
+    {
+      apart /= 2;
+    }
     const auto bins = static_cast<std::size_t>(std::ceil(most * perCycle)) + 1;
     std::vector<std::vector<double>> sums(static_cast<std::size_t>(columns) + 1);
     ParallelFor(sums.size(),

@@ -16,7 +16,10 @@ namespace
 {
 // Upper bound of the mean square error of X-rays by one spectrum of the whole volume, of 255
 // squared, over the area of the volume, where 255 is the largest sum.
-constexpr double XRayError = 0.02 / (255.0 * 255.0);
+constexpr double XRayError = 0.01 / (255.0 * 255.0);
+
+// Along each axis. Of smaller volumes the border is so large a part that the error is larger.
+constexpr std::uint32_t LeastVoxels = 64;
 }
 
 //------------------------------------------------------------------------------
@@ -25,15 +28,15 @@ bool HartleyXRays::Make(
 {
   // Estimates of the parts of the work.
   constexpr double decoding = 0.5;
-  if (this->XRay || this->TooLarge)
+  if (this->XRay || this->Unfit)
   {
-    return !this->TooLarge;
+    return !this->Unfit;
   }
   const auto& size = source.GetLayout().Size;
   const std::uint64_t voxels = std::uint64_t{ size[0] } * size[1] * size[2];
-  if (voxels * sizeof(float) > bytes)
+  if (*std::min_element(size.begin(), size.end()) < LeastVoxels || voxels * sizeof(float) > bytes)
   {
-    this->TooLarge = true;
+    this->Unfit = true;
     return false;
   }
   const auto getPart = [&](double begin, double end) -> std::function<bool(double)>
@@ -46,7 +49,7 @@ bool HartleyXRays::Make(
   const auto plan = VolumeSpectrumPlan::Make(size, detail.Cut);
   if (plan.GetBytes() > std::min(bytes, HartleyVolumeSpectrum::MostBytes))
   {
-    this->TooLarge = true;
+    this->Unfit = true;
     return false;
   }
   this->Size = size;

@@ -31,7 +31,7 @@ private:
   HartleyLayout::Triple Size{};
   std::unique_ptr<HartleyXRay> XRay;
   double Border = 0; // value of a box that the spectrum does not contain
-  bool TooLarge = false;
+  bool Unfit = false;
 };
 
 /** Adds the base to the sums of an image, which has sums and samples, and makes its colors. */

@@ -19,8 +19,10 @@ constexpr std::array<std::array<unsigned, 3>, 4> Others{ { { 1, 2, 3 }, { 0, 3, 
 /** The weight of the estimated curvature of the fields beside the change of the current fields,
  * where the mesh is as it was. Where it is coarser, its gradients are those of fewer tetrahedra,
  * while the curvature is still that of the original mesh. The weight thus grows with the power 3/4
- * of the ratio of the volumes of the tetrahedra. */
+ * of the ratio of the volumes of the tetrahedra, up to a limit: beyond it, thin parts melt away, as
+ * their shape counts too little. */
 constexpr double FirstBendWeight = 2;
+constexpr double LargestBendWeight = 10;
 
 /** What is inside the mesh and was not, or the other way round, counts like a field that is wrong
  * by this part of its range, squared. With less, thin parts melt away. */
@@ -284,7 +286,8 @@ void MergeCosts<N>::GatherFields(std::uint32_t point)
   }
   const double before = here[-1].Value;
   const double coarser = volumes > before && before > 0 ? volumes / before : 1;
-  this->BendWeight = FirstBendWeight * std::sqrt(coarser * std::sqrt(coarser));
+  this->BendWeight =
+    std::min(FirstBendWeight * std::sqrt(coarser * std::sqrt(coarser)), LargestBendWeight);
 }
 
 //------------------------------------------------------------------------------

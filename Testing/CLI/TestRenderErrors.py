@@ -49,7 +49,7 @@ for mesh in ("mesh.gtn", "mesh.vtu"):
     fails("--array", "heat", says=f"gtn: {mesh}: {there}", mesh=mesh)
     fails("--array", "velocity", "--component", 3, says="numbered 0 to 2", mesh=mesh)
     fails("--time", 1, says="has no time steps", mesh=mesh)
-    fails("--sample-distance", 1e-9, says="use a larger --sample-distance", mesh=mesh)
+    fails("--mode", "sampled", "--sample-distance", 1e-9, says="use a larger --sample-distance", mesh=mesh)
 fails(says="gtn: missing.gtn: no such file", mesh="missing.gtn")
 with open("mesh.json", "w") as file:
     file.write("{}")

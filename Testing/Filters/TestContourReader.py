@@ -84,7 +84,8 @@ for kind, options in gc.kinds_of_files("wave").items():
     assert contour.GetBytesRead() > more
     gc.assert_same(contour.GetOutput(), gc.reference(whole, 0.4, "wave"))
 
-    # What the reader has read already stays, and is not read again; nor does a consumer of it notice.
+    # The output of the reader stays as it is, and is not decoded again. The whole mesh is not kept
+    # beside the output, so the first isosurface reads its chunks.
     reader = gc.open_file(path)
     reader.Update()
     held, bytes_read, decoded = reader.GetOutput(), reader.GetBytesRead(), reader.GetDecodedChunks()
@@ -96,7 +97,7 @@ for kind, options in gc.kinds_of_files("wave").items():
         gc.assert_same(contour.GetOutput(), gc.reference(whole, isovalue, "wave"))
         assert reader.GetOutput().GetNumberOfCells() == len(tets)
         assert reader.GetOutput().GetUpdateTime() == time
-        assert (reader.GetBytesRead(), reader.GetDecodedChunks()) == (bytes_read, decoded)
+        assert reader.GetDecodedChunks() == decoded and reader.GetBytesRead() > bytes_read
     # A piece of it, too.
     reader.UpdatePiece(1, 4, 1)
     cells = reader.GetOutput().GetNumberOfCells()

@@ -59,4 +59,6 @@ for file in files:
         print(f"{os.path.basename(file)} {ratio}: {len(ids)} points, {len(cells)} tetrahedra, "
               f"volume {change:+.2e}, error {simplifier.GetOutputRMSError():.2e}")
         assert len(cells) < (1 - 0.7 * ratio) * len(tets), (file, ratio)
-        assert abs(change) < 0.05, (file, ratio, change)
+        # At 2 % of the points, a few merges decide how much of a thin part is left: rounding alone
+        # moves that by a percent.
+        assert abs(change) < (0.01 if ratio < 0.98 else 0.1), (file, ratio, change)

@@ -112,7 +112,7 @@ view.CameraParallelProjection = 0
 place = "Translation" if hasattr(shown[0], "Translation") else "Position"
 set_both(**{place: [3, 0, -2]}, Orientation=[20, 30, 10], Scale=[0.7, 1, 1.2])
 drawing.require_other(require_both_same(), first[1])
-set_both(Position=[0, 0, 0], Orientation=[0, 0, 0], Scale=[1, 1, 1])
+set_both(**{place: [0, 0, 0]}, Orientation=[0, 0, 0], Scale=[1, 1, 1])
 drawing.require_same(pictures()[1], first[1])
 
 # Opaque geometry inside hides what is behind it, and only that.

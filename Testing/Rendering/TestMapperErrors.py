@@ -119,7 +119,10 @@ assert MAPPER.GetSimplificationRatio() == 1
 for name, good in (("OpacityLimit", 0.001), ("TimeBudget", 0), ("ImageSampleDistance", 1),
                    ("MinimumImageSampleDistance", 1), ("MaximumImageSampleDistance", 10)):
     refuse_setting(name, np.nan, good, name + " is not a number")
-refuse_setting("SampleDistance", np.nan, 0, "sample distance must be a positive number")
+refuse(
+    lambda scene: scene.set(BlendMode=100, SampleDistance=np.nan),
+    lambda scene: scene.set(BlendMode=0, SampleDistance=0),
+    "sample distance must be a positive number")
 refuse_setting("ArrayComponent", 3, 0, "has no component 3")
 refuse_setting("ScalarMode", USE_FIELD_DATA, 0, "of points and of cells")
 

@@ -53,9 +53,12 @@ for name, bad, right in (
     caster = gv.make_caster(grid)
     if name == "ArrayAssociation":
         caster.SetArrayName("wave")
+    if name == "SampleDistance":
+        caster.SetBlendModeToSampled()  # the others have no sample distance
     getattr(caster, "Set" + name)(bad)
     expect_error(caster, name)
     getattr(caster, "Set" + name)(right)
+    caster.SetBlendModeToComposite()
     expect_good(caster)
 
 camera = gv.box_camera()

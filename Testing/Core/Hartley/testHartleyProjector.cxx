@@ -579,10 +579,10 @@ TEST(HartleyProjector, BadInput)
 
 //------------------------------------------------------------------------------
 /** Counts the chunks that are read from another source. */
-class CountingSource : public HartleySource
+class CountingVolume : public HartleySource
 {
 public:
-  explicit CountingSource(std::shared_ptr<const HartleySource> source)
+  explicit CountingVolume(std::shared_ptr<const HartleySource> source)
     : Source(std::move(source))
   {
   }
@@ -606,7 +606,7 @@ private:
 TEST(HartleyProjector, KeptSpectraNeedNoChunks)
 {
   const auto volume = MakeHead({ 36, 40, 140 });
-  const auto source = std::make_shared<CountingSource>(MakeSource(volume.Values, volume.Size, 32));
+  const auto source = std::make_shared<CountingVolume>(MakeSource(volume.Values, volume.Size, 32));
   const auto count = static_cast<int>(source->GetLayout().GetNumberOfChunks());
   const auto shading = MakeGrey(HartleyOpacityModel::TransferFunction);
   const auto view = MakeTurnedView(volume.Size, { 0.1, 0.2, 0.3 }, 40, 0.6);

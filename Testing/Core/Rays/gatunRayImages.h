@@ -170,11 +170,12 @@ inline Difference Compare(
     }
     result.Bad += most <= 1.5 / 255 ? 0 : 1;
     result.Largest = std::max(result.Largest, most);
-    const double depth = reference[i][4];
-    const bool sameDepth = std::isinf(depth)
-      ? std::isinf(image.Depths[i])
-      : std::abs(image.Depths[i] - depth) < 0.01 * sampleDistance;
-    result.BadDepths += sameDepth ? 0 : 1;
+    const auto isAt = [&](double depth)
+    {
+      return std::isinf(depth) ? std::isinf(image.Depths[i])
+                               : std::abs(image.Depths[i] - depth) < 0.01 * sampleDistance;
+    };
+    result.BadDepths += isAt(reference[i][4]) || isAt(reference[i][5]) ? 0 : 1;
     result.Lit += reference[i][3] > 0.01 ? 1 : 0;
   }
   return result;

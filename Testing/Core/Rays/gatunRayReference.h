@@ -102,8 +102,9 @@ struct ReferenceMesh
   std::vector<std::array<std::uint32_t, 4>> Tets;
 };
 
-/** Premultiplied red, green, blue; opacity; distance where something is seen first, or infinity. */
-using ReferencePixel = std::array<double, 5>;
+/** Premultiplied red, green, blue; opacity; distance where something is seen first, or infinity;
+ * the same if rounding decides whether the ray meets a tetrahedron, or sees anything of it. */
+using ReferencePixel = std::array<double, 6>;
 
 class Reference
 {
@@ -246,7 +247,8 @@ private:
       interval.Gradient = interval.Gradient + mesh.Values[tet[corner]] / height * n;
       interval.Middle = interval.Middle + 0.25 * apex;
     }
-    if (interval.In < interval.Out)
+    // Also what a ray misses by no more than rounding; see Composite.
+    if (interval.In < interval.Out + 1e-5)
     {
       intervals.push_back(interval);
     }
@@ -255,7 +257,8 @@ private:
   /** The sums of a ray. */
   struct Sum
   {
-    ReferencePixel Pixel{ 0, 0, 0, 0, std::numeric_limits<double>::infinity() };
+    ReferencePixel Pixel{ 0, 0, 0, 0, std::numeric_limits<double>::infinity(),
+      std::numeric_limits<double>::infinity() };
     double Through = 1;
     double Depth = 0;
     double Largest = -std::numeric_limits<double>::infinity();
@@ -321,6 +324,12 @@ private:
     {
       sum.Pixel[4] = std::min(sum.Pixel[4], seen);
     }
+    // A ray within rounding of an edge may or may not meet the tetrahedron, of which it sees
+    // nothing.
+    if (sum.Through < (1 - 1e-5) * before && this->Mode != RayMode::XRay)
+    {
+      sum.Pixel[5] = std::min(sum.Pixel[5], seen);
+    }
   }
 
   /** Integrates along a ray within a tetrahedron. */
@@ -347,8 +356,14 @@ private:
     std::sort(intervals.begin(), intervals.end(),
       [](const Interval& a, const Interval& b) { return a.In < b.In; });
     Sum sum;
+    double missed = std::numeric_limits<double>::infinity();
     for (const Interval& interval : intervals)
     {
+      if (!(interval.In < interval.Out))
+      {
+        missed = std::min(missed, interval.In);
+        continue;
+      }
       const auto getValue = [&](double distance)
       { return interval.AtOrigin + distance * interval.PerLength; };
       if (this->Mode == RayMode::Maximum)
@@ -357,7 +372,9 @@ private:
       }
       else if (this->Mode != RayMode::Sampled)
       {
+        const double before = sum.Through;
         this->Integrate(interval, sum);
+        missed = sum.Through < (1 - 6e-8) * before ? missed : std::min(missed, interval.In);
       }
       else
       {
@@ -388,6 +405,14 @@ private:
         const auto [r, g, b, a] = this->Color(largest);
         pixel = { r * a, g * a, b * a, a, pixel[4] };
       }
+    }
+    if (this->Mode != RayMode::Composite)
+    {
+      pixel[5] = pixel[4];
+    }
+    else if (missed < pixel[4])
+    {
+      pixel[5] = missed;
     }
     return pixel;
   }
