@@ -321,8 +321,8 @@ private:
     const double most = this->IsCut() ? this->GetStoredCut() : highest;
     const auto columns = static_cast<std::ptrdiff_t>(most * period[0]);
     const auto rows = static_cast<std::ptrdiff_t>(most * period[1]);
-    // Of the points of the slice, one of so many along each row and along each column: all of a small
-    // volume.
+    // Of the points of the slice, one of so many along each row and along each column: all of a
+    // small volume.
     std::ptrdiff_t apart = 16;
     while (apart > 1 && 2 * columns * rows < enough * apart)
     {

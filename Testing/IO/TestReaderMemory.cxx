@@ -184,7 +184,7 @@ int TestReaderMemory(int argc, char* argv[])
     {
       Outcome last = Refused;
       for (rlim_t bytes = 0; last == Refused && bytes < rlim_t{ 256 } << 20;
-           bytes += rlim_t{ 700 } << 10)
+           bytes += rlim_t{ 350 } << 10)
       {
         const pid_t child = ::fork();
         if (child == 0)
