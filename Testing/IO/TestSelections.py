@@ -119,6 +119,7 @@ class Watch:
 
     def end(self):
         self.algorithm.RemoveObserver(self.tag)
+        self.algorithm.AbortExecuteOff()  # the pipeline does so itself before VTK 9.2
 
 
 for make, run in ((vtkGatunReader, "Update"), (vtkGatunWriter, "Write")):

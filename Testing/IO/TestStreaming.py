@@ -104,7 +104,7 @@ def child(*arguments):
     """The result, or None where memory ran out."""
     made = subprocess.run([sys.executable, __file__, *map(str, arguments)], check=False,
                           stdout=subprocess.PIPE, encoding="utf-8",
-                          env={**os.environ, "MALLOC_ARENA_MAX": "2"})
+                          env={**os.environ, "MALLOC_ARENA_MAX": "1"})
     # VTK's filters may end the process where memory runs out.
     assert made.returncode in (0, NO_MEMORY, -signal.SIGABRT), (made.returncode, made.stdout)
     lines = [line for line in made.stdout.splitlines() if line.startswith("RESULT ")]
