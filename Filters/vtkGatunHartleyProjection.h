@@ -276,8 +276,8 @@ public:
     METHOD_AUTOMATIC = 0, ///< X-rays of volumes with at least 64 voxels a side by a slice through
                           ///< the spectrum of the whole volume; otherwise METHOD_BASIS for blocks
                           ///< of up to 8 voxels along each axis and METHOD_SLICE for larger ones
-    METHOD_BASIS = 1, ///< weighted sum of the images of the basis functions
-    METHOD_SLICE = 2  ///< inverse transform of a slice through the block's spectrum
+    METHOD_BASIS = 1,     ///< weighted sum of the images of the basis functions
+    METHOD_SLICE = 2      ///< inverse transform of a slice through the block's spectrum
   };
 
   ///@{
