@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace gatun
 {
@@ -76,7 +77,7 @@ private:
   template <int Entries>
   GATUN_INLINE void DrawItem(const TetItem& item)
   {
-    if constexpr (Mode != RayMode::Sampled && WideLanes::Rows > Lanes8::Rows)
+    if constexpr (Mode != RayMode::Sampled && !std::is_same_v<WideLanes, Lanes8>)
     {
       // Most tetrahedra that are smaller than a few pixels fit into half a wide block.
       if ((item.FirstY ^ item.LastY) > 1 || (item.FirstX ^ item.LastX) > 3)

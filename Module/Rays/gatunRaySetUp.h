@@ -137,7 +137,7 @@ public:
     this->TZ = w1 * normals[1].Z + w2 * normals[2].Z + w3 * n3.Z;
     this->T0 = t[0] - this->TX * p[0].X - this->TY * p[0].Y - this->TZ * p[0].Z;
     const auto sum = (t[0] + t[1]) + (t[2] + t[3]);
-    this->Valued = ToBits(Long4(sum - sum == SplatD(0)));
+    this->Valued = ToBits(Long4(sum * SplatD(0) == SplatD(0)));
     const auto inTable = [&](Double4 v)
     {
       return Smaller(Larger(__builtin_convertvector(v, Float4), Splat4(0)),
@@ -156,7 +156,7 @@ public:
     {
       check += this->Base[face] + this->StepX[face] + this->StepY[face];
     }
-    this->Solid = ToBits(Long4(check - check == SplatD(0))) & (positive | negative);
+    this->Solid = ToBits(Long4(check * SplatD(0) == SplatD(0))) & (positive | negative);
 
     // From now on, vector i is tetrahedron i, and lane f is face f.
     Transpose(this->Base[0], this->Base[1], this->Base[2], this->Base[3]);
