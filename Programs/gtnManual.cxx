@@ -43,7 +43,7 @@ std::vector<const CLI::App*> ChildrenOf(const CLI::App& app)
 
 void PrintOption(const CLI::Option& option)
 {
-  const std::string text = option.get_option_text();
+  const std::string& text = option.get_option_text();
   fmt::print(".TP\n.B {}{}\n{}\n", Escaped(TitleOf(option, option.get_positional())),
     text.empty() ? text : " \\fI" + Escaped(text) + "\\fR", Escaped(option.get_description()));
 }

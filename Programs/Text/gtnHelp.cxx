@@ -57,7 +57,7 @@ std::string TitleOf(const CLI::Option& option, bool positional)
 //------------------------------------------------------------------------------
 std::string SummaryOf(const CLI::App& command)
 {
-  const std::string description = command.get_description();
+  std::string description = command.get_description();
   for (std::size_t i = 0; i + 1 < description.size(); ++i)
   {
     if (description[i] == '.' && (description[i + 1] == ' ' || description[i + 1] == '\n'))
@@ -83,7 +83,7 @@ std::string HelpFormatter::make_option_name(const CLI::Option* option, bool posi
 //------------------------------------------------------------------------------
 std::string HelpFormatter::make_option_opts(const CLI::Option* option) const
 {
-  const std::string text = option->get_option_text();
+  const std::string& text = option->get_option_text();
   return text.empty() ? text : " " + text;
 }
 
