@@ -39,7 +39,7 @@
  *
  * *Pieces.* Each piece is a part of the image. Every process draws the whole image.
  *
- * *Cost.* With blocks of up to 8 voxels, projecting a block takes time in proportion to the number
+ * *Cost.* With blocks of up to 16 voxels, projecting a block takes time in proportion to the number
  * of its nonzero coefficients; compositing takes time in proportion to the number of blocks. With
  * larger blocks, the time depends on the number of voxels. Memory: the nonzero coefficients, 8
  * bytes each (of a file those of several chunks only), and MemoryBudget. Uses all threads of
@@ -275,7 +275,7 @@ public:
   {
     METHOD_AUTOMATIC = 0, ///< X-rays of volumes with at least 64 voxels a side by a slice through
                           ///< the spectrum of the whole volume; otherwise METHOD_BASIS for blocks
-                          ///< of up to 8 voxels along each axis and METHOD_SLICE for larger ones
+                          ///< of up to 16 voxels along each axis and METHOD_SLICE for larger ones
     METHOD_BASIS = 1,     ///< weighted sum of the images of the basis functions
     METHOD_SLICE = 2      ///< inverse transform of a slice through the block's spectrum
   };

@@ -216,7 +216,7 @@ void AddMethodOptions(CLI::App* command, Options& options)
   AddChoice(command, "--method", Methods, options.Method,
     "How blocks are projected: as sums of the images of basis functions (basis) or by slices "
     "through their spectra (slice); automatic: X-rays by the spectrum of the whole "
-    "volume, otherwise basis for blocks of up to 8 voxels",
+    "volume, otherwise basis for blocks of up to 16 voxels",
     group);
   AddChoice(command, "--kernel", Kernels, options.Kernel,
     "For slice: interpolation by kaiser-bessel (the default), nearly exact, or trilinear, for "

@@ -12,7 +12,7 @@ namespace gatun
 /** How the image of a block is computed from its coefficients. */
 enum class HartleyMethod : std::uint8_t
 {
-  /** X-rays by the spectrum of the whole volume. Other models: Basis for blocks of up to 8 voxels
+  /** X-rays by the spectrum of the whole volume. Other models: Basis for blocks of up to 16 voxels
    * along each axis; Slice for larger ones, in single precision for blocks of up to 64 voxels. */
   Automatic = 0,
   Basis = 1, ///< weighted sum of the images of the basis functions, which all blocks share

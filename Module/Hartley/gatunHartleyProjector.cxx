@@ -39,7 +39,7 @@ constexpr std::size_t BatchBytes = std::size_t{ 32 } << 20;
 constexpr std::uint64_t MostBasisBytes = std::uint64_t{ 1 } << 30;
 
 // Automatic chooses Basis for blocks of up to this many voxels along each axis.
-constexpr std::uint32_t LargestBasisBlock = 8;
+constexpr std::uint32_t LargestBasisBlock = 16;
 
 //------------------------------------------------------------------------------
 void Check(const HartleyView& view)

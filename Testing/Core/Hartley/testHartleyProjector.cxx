@@ -170,7 +170,7 @@ TEST(HartleyProjector, BlocksBySlicesAreNearlyExact)
 }
 
 //------------------------------------------------------------------------------
-// Of blocks of more than 8 voxels: in single precision, from spectra in half precision.
+// Of blocks of more than 16 voxels: in single precision, from spectra in half precision.
 TEST(HartleyProjector, BlocksByQuickSlicesAreNearlyExact)
 {
   const auto volume = MakeHead({ 37, 33, 35 });
