@@ -45,6 +45,7 @@ gatun_core_folder(Hartley
     gatunHartleySlice.h
     gatunHartleySpectrum.h
     gatunHartleyTables.h
+    gatunHartleyTent.h
     gatunHartleyVolumeSpectrum.h
     gatunHartleyVoxels.h
     gatunHartleyXRay.h

@@ -19,11 +19,6 @@ using Triple = HartleyLayout::Triple;
 
 constexpr std::size_t Lanes = ComplexLanes::Count;
 
-std::size_t CountGroups(std::size_t count)
-{
-  return (count + Lanes - 1) / Lanes;
-}
-
 //------------------------------------------------------------------------------
 /**
  * The inverse transform of one block, by way of its Fourier spectrum: eight lines at a time along
@@ -36,7 +31,7 @@ public:
     std::vector<float>& voxels)
     : Block{ block[0], block[1], block[2] }
     , Size{ size[0], size[1], size[2] }
-    , Groups(CountGroups(Block[0] / 2 + 1))
+    , Groups(ComplexLanes::CountGroups(Block[0] / 2 + 1))
     , Loops(GetBestHartleyLanes())
     , Voxels(voxels)
   {
@@ -136,7 +131,7 @@ private:
   void TransformSlice(const LaneFourier& alongY, const LaneFourier& alongX, std::size_t z)
   {
     const std::size_t height = this->Block[1];
-    const std::size_t stored = CountGroups(height) * Lanes;
+    const std::size_t stored = ComplexLanes::CountGroups(height) * Lanes;
     Line line(std::max(height, this->Block[0] + Lanes)), room(line.size());
     Line plane(this->Groups * (stored + Lanes));
     for (std::size_t group = 0; group < this->Groups; ++group)
@@ -313,7 +308,7 @@ public:
   Energies(std::span<const float> image, std::size_t width, std::size_t height)
     : Width(GetEvenFastSize(width))
     , Height(GetEvenFastSize(height))
-    , Plane(CountGroups(this->Width) * this->Height)
+    , Plane(ComplexLanes::CountGroups(this->Width) * this->Height)
   {
     this->TransformRows(image, width, height);
     this->AddColumns();
@@ -334,7 +329,8 @@ private:
   void TransformRows(std::span<const float> image, std::size_t width, std::size_t height)
   {
     const LaneFourier fourier(this->Width);
-    std::vector<ComplexLanes> line(CountGroups(this->Width) * Lanes), room(line.size());
+    std::vector<ComplexLanes> line(ComplexLanes::CountGroups(this->Width) * Lanes),
+      room(line.size());
     for (std::size_t first = 0; first < height; first += Lanes)
     {
       std::fill(line.begin(), line.end(), ComplexLanes{});
@@ -364,7 +360,7 @@ private:
     std::vector<ComplexLanes> room(this->Height);
     this->Sums.resize(PerCycle / 2 + 1);
     const double scale = 1 / static_cast<double>(this->Width * this->Height);
-    for (std::size_t group = 0; group < CountGroups(this->Width); ++group)
+    for (std::size_t group = 0; group < ComplexLanes::CountGroups(this->Width); ++group)
     {
       const ComplexLanes* const found =
         fourier.Forward(this->Plane.data() + group * this->Height, room.data());

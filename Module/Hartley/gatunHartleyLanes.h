@@ -16,6 +16,12 @@ struct alignas(32) ComplexLanes
 {
   static constexpr std::size_t Count = 8;
 
+  /** The number of these that so many lines need. */
+  static constexpr std::size_t CountGroups(std::size_t lines)
+  {
+    return (lines + Count - 1) / Count;
+  }
+
   float Re[Count];
   float Im[Count];
 };

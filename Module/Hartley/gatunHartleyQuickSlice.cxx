@@ -3,12 +3,12 @@
 #include "gatunHartleyQuickSlice.h"
 
 #include "gatunHartleyFourier.h"
+#include "gatunHartleyTent.h"
 #include "gatunHartleyTransform.h"
 #include "gatunParallel.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace gatun
 {
@@ -22,19 +22,6 @@ constexpr double Negligible = 1e-3;
 // Frequencies above 1 / HartleyLattice::Spacing / 2 alias to lower ones. Those of so many cycles
 // per voxel are summed.
 constexpr std::ptrdiff_t HighestCycles = 3;
-
-std::size_t CountGroups(std::size_t count)
-{
-  return (count + Lanes - 1) / Lanes;
-}
-
-/** The spectrum of the tent function: sin(pi f)^2 / (pi f)^2. */
-double GetTent(double frequency)
-{
-  const double angle = std::numbers::pi * frequency;
-  const double sinc = std::abs(angle) < 1e-6 ? 1 : std::sin(angle) / angle;
-  return sinc * sinc;
-}
 
 std::shared_ptr<const HartleyVolumeSpectrum> MakeSpectrum(
   const VolumeSpectrumPlan& plan, std::span<const double> values)
@@ -79,13 +66,13 @@ public:
     : Slice(slice)
     , Column(slice.Sides[0])
     , Row(slice.Sides[1])
-    , Groups(CountGroups(slice.Samples.size()))
+    , Groups(ComplexLanes::CountGroups(slice.Samples.size()))
     , AlongColumn(Column.Points)
     , AlongRow(Row.Points)
     , Line(std::max(Column.Points, Row.Points))
     , Room(Line.size())
     , Some(Lanes)
-    , Columns(CountGroups(Row.Count) * Groups * Lanes)
+    , Columns(ComplexLanes::CountGroups(Row.Count) * Groups * Lanes)
     , Loops(GetBestHartleyLanes())
   {
   }
@@ -104,7 +91,7 @@ public:
     {
       this->PaintColumns(spectrum, group);
     }
-    const std::size_t groups = CountGroups(this->Row.Count);
+    const std::size_t groups = ComplexLanes::CountGroups(this->Row.Count);
     const std::size_t width = this->Groups * Lanes;
     const std::size_t half = this->Column.Points / 2;
     const auto scale = static_cast<float>(spectrum.GetScale());

@@ -4,6 +4,7 @@
 
 #include "gatunFourier.h"
 #include "gatunHartleyKernel.h"
+#include "gatunHartleyTent.h"
 #include "gatunParallel.h"
 
 #include <algorithm>
@@ -23,15 +24,6 @@ constexpr float Negligible = 1e-4f;
 
 // Resolution of the table of the tent function's spectrum, in steps per cycle.
 constexpr std::size_t TentSteps = 1024;
-
-//------------------------------------------------------------------------------
-/** The spectrum of the tent function: sin(pi f)^2 / (pi f)^2. */
-double GetTent(double frequency)
-{
-  const double angle = std::numbers::pi * frequency;
-  const double sinc = std::abs(angle) < 1e-6 ? 1 : std::sin(angle) / angle;
-  return sinc * sinc;
-}
 
 //------------------------------------------------------------------------------
 /** The sum of the tent function's spectrum over a frequency and all its aliases on the lattice,

@@ -19,11 +19,6 @@ constexpr std::size_t Lanes = ComplexLanes::Count;
 // The largest absolute value in half precision. Values far below 1 lose digits.
 constexpr double LargestHalf = 32768;
 
-std::size_t CountGroups(std::size_t count)
-{
-  return (count + Lanes - 1) / Lanes;
-}
-
 //------------------------------------------------------------------------------
 /** One axis: transforms lines of voxels about their middle, and picks the stored frequencies. */
 class AxisTransform
@@ -148,8 +143,8 @@ std::uint64_t VolumeSpectrumPlan::GetWorkingBytes() const
   constexpr std::uint64_t more = HartleyVolumeSpectrum::Before + HartleyVolumeSpectrum::After + 1;
   const auto get = [&](std::size_t axis)
   { return static_cast<std::uint64_t>(this->Highest[axis]); };
-  return (get(0) + more) * (2 * get(1) + more) * CountGroups(this->Size[2]) * 2 * Lanes *
-    sizeof(std::uint16_t);
+  return (get(0) + more) * (2 * get(1) + more) * ComplexLanes::CountGroups(this->Size[2]) * 2 *
+    Lanes * sizeof(std::uint16_t);
 }
 
 //------------------------------------------------------------------------------
@@ -204,7 +199,7 @@ public:
 
   void TransformSlices(const std::function<bool(double)>& progress)
   {
-    const std::size_t groups = CountGroups(this->Size[2]);
+    const std::size_t groups = ComplexLanes::CountGroups(this->Size[2]);
     this->Slices = std::make_unique_for_overwrite<std::uint16_t[]>(
       groups * this->X.GetStored() * this->Y.GetStored() * 2 * Lanes);
     ParallelFor(
@@ -288,12 +283,12 @@ private:
   void TransformAlongOf(std::size_t u)
   {
     constexpr std::size_t next = 2 * Lanes;
-    const std::size_t groups = CountGroups(this->Size[2]);
+    const std::size_t groups = ComplexLanes::CountGroups(this->Size[2]);
     const std::size_t columns = this->X.GetStored();
     const std::size_t rows = this->Y.GetStored();
     const std::size_t depth = this->Z.GetStored();
     Line line(this->Z.GetLength()), room(line.size());
-    Line out(CountGroups(depth) * Lanes), loaded(Lanes);
+    Line out(ComplexLanes::CountGroups(depth) * Lanes), loaded(Lanes);
     const auto scale = static_cast<float>(this->SliceScale / this->Spectrum.Scale);
     for (std::size_t from = 0; from < rows; from += Lanes)
     {

@@ -5,6 +5,7 @@
 #include "gatunFourier.h"
 #include "gatunHartleyFourier.h"
 #include "gatunHartleyLattice.h"
+#include "gatunHartleyTent.h"
 #include "gatunParallel.h"
 
 #include <algorithm>
@@ -30,20 +31,6 @@ constexpr float LeastOfCut = 0.5f;
 
 // Points where it is less than this do not count when the cut is chosen.
 constexpr double Negligible = 0.01;
-
-std::size_t CountGroups(std::size_t count)
-{
-  return (count + Lanes - 1) / Lanes;
-}
-
-//------------------------------------------------------------------------------
-/** The spectrum of the tent function: sin(pi f)^2 / (pi f)^2. */
-double GetTent(double frequency)
-{
-  const double angle = std::numbers::pi * frequency;
-  const double sinc = std::abs(angle) < 1e-6 ? 1 : std::sin(angle) / angle;
-  return sinc * sinc;
-}
 
 //------------------------------------------------------------------------------
 /** Of numbers above -2^16. Faster than floor, which is a function on older processors. */
@@ -138,8 +125,9 @@ public:
   {
     const Side& column = this->Sides[0];
     const Side& row = this->Sides[1];
-    const std::size_t groups = CountGroups(static_cast<std::size_t>(column.Highest) + 1);
-    this->Columns.resize(CountGroups(row.Count) * groups * Lanes);
+    const std::size_t groups =
+      ComplexLanes::CountGroups(static_cast<std::size_t>(column.Highest) + 1);
+    this->Columns.resize(ComplexLanes::CountGroups(row.Count) * groups * Lanes);
     const LaneFourier fourier(row.Points);
     ParallelFor(groups,
       [&](std::size_t group)
@@ -174,9 +162,10 @@ public:
   {
     const Side& column = this->Sides[0];
     const Side& row = this->Sides[1];
-    const std::size_t width = CountGroups(static_cast<std::size_t>(column.Highest) + 1) * Lanes;
-    const std::size_t groups = CountGroups(row.Count);
-    this->Stride = CountGroups(column.Count) * Lanes;
+    const std::size_t width =
+      ComplexLanes::CountGroups(static_cast<std::size_t>(column.Highest) + 1) * Lanes;
+    const std::size_t groups = ComplexLanes::CountGroups(row.Count);
+    this->Stride = ComplexLanes::CountGroups(column.Count) * Lanes;
     this->Image.resize((groups + 1) * Lanes * this->Stride);
     const LaneFourier fourier(column.Points);
     // Two real rows at a time.

@@ -4,11 +4,15 @@
 #ifndef gatunTestTrees_h
 #define gatunTestTrees_h
 
+#include "gatunMergeBuilder.h"
 #include "gatunMergeTree.h"
+#include "gatunTestFile.h"
+#include "gatunTestMeshes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <iterator>
 #include <limits>
@@ -19,6 +23,24 @@
 
 namespace gatun::test
 {
+/** The tree of a mesh by its field. */
+inline MergeTree BuildTree(const TestMesh& mesh)
+{
+  std::vector<std::array<double, 3>> points(mesh.GetPoints());
+  std::vector<MergeTree::Tet> tets(mesh.GetTets());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    std::copy_n(&mesh.Coordinates[3 * i], 3, points[i].begin());
+  }
+  for (std::size_t i = 0; i < tets.size(); ++i)
+  {
+    std::copy_n(&mesh.Ids[4 * i], 4, tets[i].begin());
+  }
+  const Values values(mesh);
+  const std::vector<double> field(values.Field.begin(), values.Field.end());
+  return BuildMergeTree({ points, tets, { { field, 1 } } });
+}
+
 inline void ExpectSame(const MergeTree& a, const MergeTree& b)
 {
   ASSERT_EQ(a.GetNumberOfPoints(), b.GetNumberOfPoints());

@@ -6,9 +6,9 @@
 
 // Meshes with merge trees, and what merging leaves of them.
 
-#include "gatunMergeBuilder.h"
 #include "gatunTestFile.h"
 #include "gatunTestMeshes.h"
+#include "gatunTestTrees.h"
 
 #include <algorithm>
 #include <array>
@@ -18,23 +18,6 @@
 
 namespace gatun::test
 {
-inline MergeTree BuildTree(const TestMesh& mesh)
-{
-  std::vector<std::array<double, 3>> points(mesh.GetPoints());
-  std::vector<MergeTree::Tet> tets(mesh.GetTets());
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    std::copy_n(&mesh.Coordinates[3 * i], 3, points[i].begin());
-  }
-  for (std::size_t i = 0; i < tets.size(); ++i)
-  {
-    std::copy_n(&mesh.Ids[4 * i], 4, tets[i].begin());
-  }
-  const Values values(mesh);
-  const std::vector<double> field(values.Field.begin(), values.Field.end());
-  return BuildMergeTree({ points, tets, { { field, 1 } } });
-}
-
 /** What is left of a mesh and its values: the points in their order, then the tetrahedra. */
 struct Left
 {

@@ -6,9 +6,9 @@
 // Files for tests of isosurfaces, and their isosurfaces from the decoded mesh.
 
 #include "gatunFileSurface.h"
-#include "gatunMergeBuilder.h"
 #include "gatunPieceDecoder.h"
 #include "gatunTestFile.h"
+#include "gatunTestTrees.h"
 
 #include <algorithm>
 #include <map>
@@ -146,19 +146,7 @@ inline std::shared_ptr<const FileReader> MakeFile(const std::string& name, std::
 inline std::shared_ptr<const FileReader> MakeTreeFile(const std::string& name)
 {
   const auto mesh = MakeCubes(8, 0.2);
-  const Values values(mesh);
-  std::vector<std::array<double, 3>> points(mesh.GetPoints());
-  std::vector<MergeTree::Tet> tets(mesh.GetTets());
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    std::copy_n(&mesh.Coordinates[3 * i], 3, points[i].begin());
-  }
-  for (std::size_t i = 0; i < tets.size(); ++i)
-  {
-    std::copy_n(&mesh.Ids[4 * i], 4, tets[i].begin());
-  }
-  const std::vector<double> field(values.Field.begin(), values.Field.end());
-  const auto tree = BuildMergeTree({ points, tets, { { field, 1 } } });
+  const auto tree = BuildTree(mesh);
   WriterOptions options;
   options.ChunkTets = 100;
   options.Tree = &tree;
