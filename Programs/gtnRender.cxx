@@ -105,11 +105,13 @@ void Render(const RenderOptions& options, const Settings& settings)
   caster->SetSize(options.Width, options.Height);
   caster->SetBlendMode(options.BlendMode);
   caster->SetSampleDistance(options.SampleDistance.value_or(0));
-  caster->SetMemoryBudget(options.Memory);
+  // One image has no next one for which decoded chunks could be kept.
+  const int memory = options.Turntable > 1 ? options.Memory : 0;
+  caster->SetMemoryBudget(memory);
   caster->SetSimplificationRatio(options.Ratio);
   caster->SetTimeBudget(options.TimeBudget);
   caster->SetProperty(property);
-  input->Connect(caster, options.Memory);
+  input->Connect(caster, memory);
   const auto render = [&](vtkCamera* camera, Progress& progress)
   {
     RequireFewSamples(options, input->GetBounds(), camera);

@@ -45,6 +45,12 @@ static_assert(int{ vtkGatunRayCaster::COMPOSITE_BLEND } == gatun::CompositeBlend
 static_assert(int{ vtkGatunRayCaster::MAXIMUM_INTENSITY_BLEND } == gatun::MaximumIntensityBlend);
 static_assert(int{ vtkGatunRayCaster::SAMPLED_BLEND } == gatun::SampledBlend);
 static_assert(int{ vtkGatunRayCaster::XRAY_BLEND } == gatun::XRayBlend);
+static_assert(int{ vtkGatunRayCaster::PORTABLE_INSTRUCTIONS } ==
+  static_cast<int>(gatun::RayInstructions::Portable));
+static_assert(
+  int{ vtkGatunRayCaster::AVX2_INSTRUCTIONS } == static_cast<int>(gatun::RayInstructions::AVX2));
+static_assert(int{ vtkGatunRayCaster::AVX512_INSTRUCTIONS } ==
+  static_cast<int>(gatun::RayInstructions::AVX512));
 
 //------------------------------------------------------------------------------
 class vtkGatunRayCaster::vtkPipeline : public gatun::ImagePipeline
@@ -361,8 +367,7 @@ int vtkGatunRayCaster::RequestData(
     settings.Shading =
       gatun::MakeRayShading(self.Property, self.Camera, nullptr, self.VolumeMatrix);
     settings.FromBothEnds = this->FromBothEnds;
-    settings.Instructions =
-      this->PortableInstructions ? gatun::RayInstructions::Portable : gatun::RayInstructions::Best;
+    settings.Instructions = static_cast<gatun::RayInstructions>(this->Instructions);
     gatun::RayCaster caster(view,
       gatun::MakeRayTable(self.Property, mode, self.Scene.GetRange(), view.SampleDistance),
       gatun::MakeRayLimits(view, self.ClippingPlanes, self.VolumeMatrix), settings);
@@ -411,7 +416,7 @@ void vtkGatunRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SimplificationRatio: " << this->SimplificationRatio << "\n";
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
-  os << indent << "PortableInstructions: " << (this->PortableInstructions ? "On" : "Off") << "\n";
+  os << indent << "Instructions: " << this->Instructions << "\n";
   os << indent << "FromBothEnds: " << (this->FromBothEnds ? "On" : "Off") << "\n";
 }
 

@@ -85,6 +85,14 @@ public:
     XRAY_BLEND = 101     ///< integral of the absorption along the ray; colors are averaged
   };
 
+  /** The instruction sets for which the inner loops are compiled. */
+  enum InstructionSets
+  {
+    PORTABLE_INSTRUCTIONS = 0, ///< those of all processors of the architecture
+    AVX2_INSTRUCTIONS = 1,     ///< AVX2 and FMA
+    AVX512_INSTRUCTIONS = 2    ///< AVX-512 F, VL, DQ and BW
+  };
+
   ///@{
   /**
    * Blend mode, one of BlendModes. Any other value is reported as an error and changes nothing.
@@ -214,11 +222,12 @@ public:
 
   ///@{
   /**
-   * Whether to use only instructions of the baseline processor. Default: off.
+   * The most recent instruction set to use, one of InstructionSets. Where the processor does not
+   * have it, the next simpler one is used. Images differ by rounding only. For comparison. Default:
+   * AVX512_INSTRUCTIONS.
    */
-  vtkSetMacro(PortableInstructions, bool);
-  vtkGetMacro(PortableInstructions, bool);
-  vtkBooleanMacro(PortableInstructions, bool);
+  vtkSetClampMacro(Instructions, int, PORTABLE_INSTRUCTIONS, AVX512_INSTRUCTIONS);
+  vtkGetMacro(Instructions, int);
   ///@}
 
   ///@{
@@ -276,7 +285,7 @@ protected:
   int MemoryBudget = 512;
   double SimplificationRatio = 0;
   double TimeBudget = 0;
-  bool PortableInstructions = false;
+  int Instructions = AVX512_INSTRUCTIONS;
   bool FromBothEnds = false;
 
 private:

@@ -6,6 +6,7 @@
 #
 #   bench.sh [FILE...]           the benchmarks, about half an hour; writes benchmarks.md
 #   bench.sh --readme            the table of README.md, a few minutes; writes summary.md and the table
+#   bench.sh --speed             the goals of speed and memory, 15 minutes; writes speed.md
 #   bench.sh --study             the rendering study, about 40 minutes; writes rendering-study.md
 #   bench.sh --budget            the just-in-time study, 6 minutes; writes just-in-time-study.md
 #   bench.sh --simplification    the simplification study, 30 minutes; writes simplification-study.md
@@ -14,7 +15,7 @@
 #   bench.sh --pages             measures nothing and writes all pages again from their results
 #
 # Pages are written to Documentation/studies, their plots and results to a folder of the same name.
-# Each of the first seven may be followed by
+# Each of these but the last may be followed by
 #
 #   --quick     small data, some minutes; writes to bench-quick/ of the build instead
 #   --report    measures nothing and writes the page and its plots again
@@ -30,6 +31,7 @@ build=${GATUN_BUILD:-$root/build/release}
 
 case ${1:-} in
   --readme) script=runSummary.py ;;
+  --speed) script=runSpeed.py ;;
   --study) script=runStudy.py ;;
   --budget) script=runBudget.py ;;
   --simplification) script=runSimplification.py ;;

@@ -86,8 +86,8 @@ void AddCostOptions(CLI::App* command, RenderOptions& options)
     ->group(group);
   command
     ->add_option("--memory", options.Memory,
-      "Memory budget for decoded chunks that are kept for the next image, in MiB, 0 to 1048576 "
-      "(default: 512)")
+      "Memory budget for decoded chunks that are kept for the next image of a turntable, in MiB, "
+      "0 to 1048576 (default: 512)")
     ->check(CLI::Range(0, 1 << 20))
     ->option_text("MIB")
     ->group(group);

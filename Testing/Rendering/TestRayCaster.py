@@ -33,7 +33,8 @@ assert depths[seen].min() > distances.min() - 10 and depths[seen].max() < distan
 
 # The same whatever the order, the chunks, the threads, the direction and the instructions.
 check_same(expected, gv.draw(gv.box(order=np.random.default_rng(1))))
-check_same(expected, gv.draw(grid, PortableInstructions=True))
+for instructions in range(3):
+    check_same(expected, gv.draw(grid, Instructions=instructions))
 check_same(expected, gv.draw(grid, FromBothEnds=True))
 check_same(expected, gv.draw(grid, MemoryBudget=0))
 for threads in (8, 3, 2, 1):  # TBB does not take more than it had at first
