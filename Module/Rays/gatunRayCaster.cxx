@@ -147,9 +147,11 @@ std::unique_ptr<RayTile> RayCaster::Internals::MakeTile(std::size_t index) const
     for (int x = 0; x < width; ++x)
     {
       const int cell = RayTile::ToCell(x, y);
+      RayPixels& block = tile->GetBlock(cell);
+      const unsigned lane = RayTile::ToLane(cell);
       const double perDepth = view.GetSamplesPerDepth(x0 + x, y0 + y);
-      tile->LengthPerDepth[cell] = static_cast<float>(perDepth);
-      tile->DepthPerLength[cell] = static_cast<float>(1 / perDepth);
+      block.LengthPerDepth[lane] = static_cast<float>(perDepth);
+      block.DepthPerLength[lane] = static_cast<float>(1 / perDepth);
       double near = std::max(0.0, view.Near * perDepth);
       double far = view.Far * perDepth;
       if (!this->Limits.Near.empty())
@@ -161,8 +163,8 @@ std::unique_ptr<RayTile> RayCaster::Internals::MakeTile(std::size_t index) const
       }
       far = std::clamp<double>(far, -RayTile::Always, RayTile::Always);
       near = std::clamp<double>(near, 0, far < 0 ? 0 : far);
-      tile->Near[cell] = static_cast<float>(whole ? std::ceil(near) : near);
-      tile->Far[cell] = static_cast<float>(whole ? std::ceil(far) : far);
+      block.Near[lane] = static_cast<float>(whole ? std::ceil(near) : near);
+      block.Far[lane] = static_cast<float>(whole ? std::ceil(far) : far);
     }
   }
   return tile;
@@ -262,14 +264,15 @@ void RayCaster::Internals::FinishTile(
     float largest = RayTile::Never;
     if (tile)
     {
-      largest = tile->End[0][cell];
       sum = tile->Get(0, cell);
+      largest = sum.End;
       const auto& others = tile->Others;
       const auto isNext = [&]
       { return next < others.size() && others[next].Cell == static_cast<std::uint32_t>(cell); };
-      if (tile->End[1][cell] != RayTile::Never || isNext())
+      const Fragment second = tile->Get(1, cell);
+      if (second.End != RayTile::Never || isNext())
       {
-        fragments.assign({ sum, tile->Get(1, cell) });
+        fragments.assign({ sum, second });
         for (; isNext(); ++next)
         {
           fragments.push_back(others[next]);

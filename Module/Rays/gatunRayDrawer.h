@@ -63,9 +63,12 @@ public:
       }
     }
     float limit = RayTile::Never;
-    for (const float far : this->Tile.Far)
+    for (const RayPixels& block : this->Tile.Blocks)
     {
-      limit = far > limit ? far : limit;
+      for (const float far : block.Far)
+      {
+        limit = far > limit ? far : limit;
+      }
     }
     this->Tile.Limit = limit;
   }
@@ -133,24 +136,25 @@ private:
       return; // most blocks around a tetrahedron
     }
 
-    RayTile& tile = this->Tile;
+    RayPixels& block = this->Tile.GetBlock(cell);
+    const unsigned lane = L::Rows == 4 ? 0 : RayTile::ToLane(cell);
     RayLine<L> line;
     const auto across = xs * L::Splat(item.TX) + ys * L::Splat(item.TY);
     if constexpr (Perspective)
     {
-      const auto length = L::Load(&tile.LengthPerDepth[cell]);
+      const auto length = L::Load(&block.LengthPerDepth[lane]);
       in = Entries == 0 ? L::Splat(0) : -length / in; // from the eye on
       out = L::Select(L::Less(out, L::Splat(0)), -length / out, L::Splat(Endless));
       line.T = L::Splat(item.T);
-      line.PerLength = (L::Splat(item.TK) + across) * L::Load(&tile.DepthPerLength[cell]);
+      line.PerLength = (L::Splat(item.TK) + across) * L::Load(&block.DepthPerLength[lane]);
     }
     else
     {
       line.T = L::Splat(item.T) + across;
       line.PerLength = L::Splat(item.TK);
     }
-    const auto near = L::Load(&tile.Near[cell]);
-    const auto far = L::Load(&tile.Far[cell]);
+    const auto near = L::Load(&block.Near[lane]);
+    const auto far = L::Load(&block.Far[lane]);
     auto begin = L::Min(L::Max(in, near), far);
     auto end = L::Min(L::Max(out, near), far);
     if constexpr (Mode == RayMode::Sampled)
@@ -165,50 +169,47 @@ private:
     }
     if constexpr (Mode == RayMode::Maximum)
     {
-      this->KeepLargest<L>(item, line, begin, end, hits, cell);
+      KeepLargest<L>(item, line, begin, end, hits, block.Slots[0].End.data() + lane);
     }
     else if constexpr (HasFragments)
     {
-      this->Extend<L>(item, line, begin, end, hits, cell);
+      this->Extend<L>(item, line, begin, end, hits, block, lane, cell);
     }
     else if (!item.Transparent)
     {
-      auto sums = this->LoadSums<L>(cell);
+      auto sums = LoadSums<L>(block.Slots[0], lane);
       auto first = begin;
       this->Integrate<L>(item, line, begin, end, hits, sums, first);
-      this->StoreSums<L>(cell, sums);
+      StoreSums<L>(block.Slots[0], lane, sums);
     }
   }
 
   /** Values are linear, so the largest one is at an end. */
   template <typename L>
-  GATUN_INLINE void KeepLargest(const TetItem& item, const RayLine<L>& line,
-    typename L::Float begin, typename L::Float end, typename L::Mask hits, int cell)
+  GATUN_INLINE static void KeepLargest(const TetItem& item, const RayLine<L>& line,
+    typename L::Float begin, typename L::Float end, typename L::Mask hits, float* kept)
   {
     const auto low = L::Splat(item.TMin);
     const auto high = L::Splat(item.TMax);
     const auto largest = L::Max(line.Get(begin, low, high), line.Get(end, low, high));
-    float* const kept = &this->Tile.End[0][cell];
     const auto before = L::Load(kept);
     L::Store(kept, L::Select(hits, L::Max(before, largest), before));
   }
 
   template <typename L>
-  GATUN_INLINE RaySums<L> LoadSums(int cell) const
+  GATUN_INLINE static RaySums<L> LoadSums(const RayPixels::Slot& slot, unsigned lane)
   {
-    const auto& sums = this->Tile.Sums[0];
-    return { L::Load(&sums[0][cell]), L::Load(&sums[1][cell]), L::Load(&sums[2][cell]),
-      L::Load(&sums[3][cell]) };
+    return { L::Load(&slot.Sums[0][lane]), L::Load(&slot.Sums[1][lane]),
+      L::Load(&slot.Sums[2][lane]), L::Load(&slot.Sums[3][lane]) };
   }
 
   template <typename L>
-  GATUN_INLINE void StoreSums(int cell, const RaySums<L>& sums)
+  GATUN_INLINE static void StoreSums(RayPixels::Slot& slot, unsigned lane, const RaySums<L>& sums)
   {
-    auto& to = this->Tile.Sums[0];
-    L::Store(&to[0][cell], sums.R);
-    L::Store(&to[1][cell], sums.G);
-    L::Store(&to[2][cell], sums.B);
-    L::Store(&to[3][cell], sums.Through);
+    L::Store(&slot.Sums[0][lane], sums.R);
+    L::Store(&slot.Sums[1][lane], sums.G);
+    L::Store(&slot.Sums[2][lane], sums.B);
+    L::Store(&slot.Sums[3][lane], sums.Through);
   }
 
   template <typename L>
@@ -230,44 +231,32 @@ private:
   /** Extends the fragments in slot 0, or begins them. */
   template <typename L>
   GATUN_INLINE void Extend(const TetItem& item, const RayLine<L>& line, typename L::Float begin,
-    typename L::Float end, typename L::Mask hits, int cell)
+    typename L::Float end, typename L::Mask hits, RayPixels& block, unsigned lane, int cell)
   {
-    RayTile& tile = this->Tile;
-    const auto last = L::Load(&tile.End[0][cell]);
+    RayPixels::Slot& slot = block.Slots[0];
+    const auto last = L::Load(&slot.End[lane]);
     const auto fresh = L::And(hits, L::Equal(last, L::Splat(RayTile::Never)));
     const auto longer = L::Or(fresh, L::And(hits, L::Equal(last, begin)));
-    L::Store(&tile.End[0][cell], L::Select(longer, end, last));
+    L::Store(&slot.End[lane], L::Select(longer, end, last));
     if (L::ToBits(fresh) != 0)
     {
-      float* const begins = &tile.Begin[0][cell];
-      L::Store(begins, L::Select(fresh, begin, L::Load(begins)));
+      L::Store(&slot.Begin[lane], L::Select(fresh, begin, L::Load(&slot.Begin[lane])));
     }
-    const auto next = L::Load(&tile.Begin[1][cell]);
+    const auto next = L::Load(&block.Slots[1].Begin[lane]);
     unsigned touching = L::ToBits(L::And(longer, L::Equal(next, end)));
     const auto others = L::Without(hits, longer);
     if (!item.Transparent)
     {
-      auto sums = this->LoadSums<L>(cell);
-      const auto before = sums.Through;
       auto first = begin;
+      auto sums = LoadSums<L>(slot, lane);
+      const auto before = sums.Through;
       this->Integrate<L>(item, line, begin, end, longer, sums, first);
-      this->StoreSums<L>(cell, sums);
-      const auto one = L::Splat(1);
-      const auto seen =
-        L::Without(L::And(longer, L::Equal(before, one)), L::Equal(sums.Through, one));
-      const auto opaque = L::And(longer, L::Less(sums.Through, L::Splat(this->Context.Opaque)));
-      if (L::ToBits(L::Or(seen, opaque)) != 0)
-      {
-        float* const firsts = &tile.Firsts[0][cell];
-        L::Store(firsts, L::Select(seen, first, L::Load(firsts)));
-        // Skips everything behind.
-        const auto far = L::Load(&tile.Far[cell]);
-        L::Store(&tile.Far[cell], L::Select(opaque, L::Min(end, far), far));
-      }
+      StoreSums<L>(slot, lane, sums);
+      this->NoteVisible<L>(longer, before, sums.Through, first, end, block, slot, lane);
     }
     if (L::ToBits(others) != 0) [[unlikely]]
     {
-      touching |= this->PlaceElsewhere<L>(item, line, begin, end, others, cell);
+      touching |= this->PlaceElsewhere<L>(item, line, begin, end, others, block, lane, cell);
     }
     if (touching != 0) [[unlikely]]
     {
@@ -275,49 +264,51 @@ private:
     }
   }
 
+  /** After some fragments have grown: notes where they begin to be visible, and skips everything
+   * behind those that are opaque now. */
+  template <typename L>
+  GATUN_INLINE void NoteVisible(typename L::Mask some, typename L::Float before,
+    typename L::Float after, typename L::Float first, typename L::Float end, RayPixels& block,
+    RayPixels::Slot& slot, unsigned lane)
+  {
+    const auto one = L::Splat(1);
+    const auto seen = L::Without(L::And(some, L::Equal(before, one)), L::Equal(after, one));
+    const auto opaque = L::And(some, L::Less(after, L::Splat(this->Context.Opaque)));
+    if (L::ToBits(L::Or(seen, opaque)) != 0)
+    {
+      L::Store(&slot.First[lane], L::Select(seen, first, L::Load(&slot.First[lane])));
+      const auto far = L::Load(&block.Far[lane]);
+      L::Store(&block.Far[lane], L::Select(opaque, L::Min(end, far), far));
+    }
+  }
+
   /** Extends fragments in slot 1, or begins them there. Returns those that touch slot 0. */
   template <typename L>
   [[gnu::noinline]] unsigned PlaceElsewhere(const TetItem& item, const RayLine<L>& line,
-    typename L::Float begin, typename L::Float end, typename L::Mask others, int cell)
+    typename L::Float begin, typename L::Float end, typename L::Mask others, RayPixels& block,
+    unsigned lane, int cell)
   {
-    RaySums<L> sums{ L::Splat(0), L::Splat(0), L::Splat(0), L::Splat(1) };
-    auto first = begin;
+    RayPixels::Slot& slot = block.Slots[1];
+    const auto never = L::Splat(RayTile::Never);
+    const auto last = L::Load(&slot.End[lane]);
+    const auto apart = L::Without(others, L::Equal(last, begin));
+    for (unsigned bits = L::ToBits(L::Without(apart, L::Equal(last, never))); bits != 0;
+         bits &= bits - 1)
+    {
+      this->Tile.SetAside(1, cell + __builtin_ctz(bits));
+    }
+    L::Store(&slot.Begin[lane], L::Select(apart, begin, L::Load(&slot.Begin[lane])));
+    L::Store(&slot.End[lane], L::Select(others, end, last));
     if (!item.Transparent)
     {
+      auto first = begin;
+      auto sums = LoadSums<L>(slot, lane);
+      const auto before = sums.Through;
       this->Integrate<L>(item, line, begin, end, others, sums, first);
+      StoreSums<L>(slot, lane, sums);
+      this->NoteVisible<L>(others, before, sums.Through, first, end, block, slot, lane);
     }
-    RayTile& tile = this->Tile;
-    unsigned touching = 0;
-    for (unsigned bits = L::ToBits(others); bits != 0; bits &= bits - 1)
-    {
-      const auto lane = static_cast<unsigned>(__builtin_ctz(bits));
-      const auto at = static_cast<std::size_t>(cell) + lane;
-      if (tile.End[1][at] != begin[lane])
-      {
-        if (tile.End[1][at] != RayTile::Never)
-        {
-          tile.SetAside(1, static_cast<int>(at));
-        }
-        tile.Begin[1][at] = begin[lane];
-      }
-      tile.End[1][at] = end[lane];
-      auto& to = tile.Sums[1];
-      const float through = to[3][at];
-      to[0][at] += through * sums.R[lane];
-      to[1][at] += through * sums.G[lane];
-      to[2][at] += through * sums.B[lane];
-      to[3][at] = through * sums.Through[lane];
-      if (through == 1 && to[3][at] != 1)
-      {
-        tile.Firsts[1][at] = first[lane];
-      }
-      if (to[3][at] < this->Context.Opaque)
-      {
-        this->HideFrom(at, end[lane]);
-      }
-      touching |= tile.Begin[0][at] == end[lane] ? 1u << lane : 0u;
-    }
-    return touching;
+    return L::ToBits(L::And(others, L::Equal(L::Load(&block.Slots[0].Begin[lane]), end)));
   }
 
   void Merge(int cell, unsigned touching)
@@ -326,18 +317,15 @@ private:
     {
       const int at = cell + __builtin_ctz(touching);
       this->Tile.MergeSlots(at);
-      if (this->Tile.Sums[0][3][at] < this->Context.Opaque)
+      RayPixels& block = this->Tile.GetBlock(at);
+      const unsigned lane = RayTile::ToLane(at);
+      const RayPixels::Slot& merged = block.Slots[0];
+      if (merged.Sums[3][lane] < this->Context.Opaque)
       {
-        this->HideFrom(static_cast<std::size_t>(at), this->Tile.End[0][at]);
+        float& far = block.Far[lane];
+        far = merged.End[lane] < far ? merged.End[lane] : far;
       }
     }
-  }
-
-  /** Skips everything behind an opaque fragment. */
-  void HideFrom(std::size_t cell, float end)
-  {
-    float& far = this->Tile.Far[cell];
-    far = end < far ? end : far;
   }
 
   const DrawContext& Context;

@@ -9,22 +9,20 @@ namespace gatun
 //------------------------------------------------------------------------------
 RayTile::RayTile(int width, int height)
 {
-  this->Near.fill(0);
-  this->Far.fill(Never);
-  this->LengthPerDepth.fill(1);
-  this->DepthPerLength.fill(1);
-  for (int slot = 0; slot < Slots; ++slot)
+  for (RayPixels& block : this->Blocks)
   {
-    for (int cell = 0; cell < Pixels; ++cell)
-    {
-      this->Clear(slot, cell);
-    }
+    block.Near.fill(0);
+    block.Far.fill(Never);
+    block.LengthPerDepth.fill(1);
+    block.DepthPerLength.fill(1);
   }
-  for (int y = 0; y < height; ++y)
+  for (int cell = 0; cell < Pixels; ++cell)
   {
-    for (int x = 0; x < width; ++x)
+    this->Clear(0, cell);
+    this->Clear(1, cell);
+    if (ToX(cell) < width && ToY(cell) < height)
     {
-      this->Far[ToCell(x, y)] = Always;
+      this->GetBlock(cell).Far[ToLane(cell)] = Always;
     }
   }
 }
@@ -33,36 +31,49 @@ RayTile::RayTile(int width, int height)
 std::size_t RayTile::CountFragments() const
 {
   auto count = this->Others.size();
-  for (const Cellwise& ends : this->End)
+  for (const RayPixels& block : this->Blocks)
   {
-    count += ends.size() - static_cast<std::size_t>(std::count(ends.begin(), ends.end(), Never));
+    for (const RayPixels::Slot& slot : block.Slots)
+    {
+      count += slot.End.size() -
+        static_cast<std::size_t>(std::count(slot.End.begin(), slot.End.end(), Never));
+    }
   }
   return count;
 }
 
 //------------------------------------------------------------------------------
-void RayTile::Clear(int slot, int cell)
+void RayTile::Clear(unsigned slot, int cell)
 {
-  this->Begin[slot][cell] = -Never;
-  this->End[slot][cell] = Never;
-  this->Firsts[slot][cell] = -Never;
+  this->Set(slot, { -Never, Never, -Never, static_cast<std::uint32_t>(cell), { 0, 0, 0, 1 } });
+}
+
+//------------------------------------------------------------------------------
+Fragment RayTile::Get(unsigned slot, int cell) const
+{
+  const RayPixels::Slot& from = this->GetBlock(cell).Slots[slot];
+  const unsigned lane = ToLane(cell);
+  return { from.Begin[lane], from.End[lane], from.First[lane], static_cast<std::uint32_t>(cell),
+    { from.Sums[0][lane], from.Sums[1][lane], from.Sums[2][lane], from.Sums[3][lane] } };
+}
+
+//------------------------------------------------------------------------------
+void RayTile::Set(unsigned slot, const Fragment& fragment)
+{
+  const auto cell = static_cast<int>(fragment.Cell);
+  RayPixels::Slot& to = this->GetBlock(cell).Slots[slot];
+  const unsigned lane = ToLane(cell);
+  to.Begin[lane] = fragment.Begin;
+  to.End[lane] = fragment.End;
+  to.First[lane] = fragment.First;
   for (unsigned channel = 0; channel < 4; ++channel)
   {
-    this->Sums[slot][channel][cell] = channel < 3 ? 0.0f : 1.0f;
+    to.Sums[channel][lane] = fragment.Sum[channel];
   }
 }
 
 //------------------------------------------------------------------------------
-Fragment RayTile::Get(int slot, int cell) const
-{
-  const auto& sums = this->Sums[slot];
-  return { this->Begin[slot][cell], this->End[slot][cell], this->Firsts[slot][cell],
-    static_cast<std::uint32_t>(cell),
-    { sums[0][cell], sums[1][cell], sums[2][cell], sums[3][cell] } };
-}
-
-//------------------------------------------------------------------------------
-void RayTile::SetAside(int slot, int cell)
+void RayTile::SetAside(unsigned slot, int cell)
 {
   if (this->Others.size() >= this->MostOthers)
   {
@@ -75,16 +86,12 @@ void RayTile::SetAside(int slot, int cell)
 //------------------------------------------------------------------------------
 void RayTile::MergeSlots(int cell)
 {
-  const bool firstInFront = this->End[0][cell] == this->Begin[1][cell];
-  Fragment merged = this->Get(firstInFront ? 0 : 1, cell);
-  merged.Append(this->Get(firstInFront ? 1 : 0, cell));
-  this->Begin[0][cell] = merged.Begin;
-  this->End[0][cell] = merged.End;
-  this->Firsts[0][cell] = merged.First;
-  for (unsigned channel = 0; channel < 4; ++channel)
-  {
-    this->Sums[0][channel][cell] = merged.Sum[channel];
-  }
+  const Fragment first = this->Get(0, cell);
+  const Fragment second = this->Get(1, cell);
+  const bool firstInFront = first.End == second.Begin;
+  Fragment merged = firstInFront ? first : second;
+  merged.Append(firstInFront ? second : first);
+  this->Set(0, merged);
   this->Clear(1, cell);
 }
 

@@ -24,35 +24,70 @@ struct Fragment
   void Append(const Fragment& behind);
 };
 
+/**
+ * The pixels of a block of four by four, row by row. All that is known of them is in one place:
+ * arrays for the whole tile would be apart by a power of two, so that the numbers of a pixel would
+ * compete for the same lines of the cache.
+ */
+struct alignas(64) RayPixels
+{
+  static constexpr int Count = 16;
+  using Numbers = std::array<float, Count>;
+
+  /** A fragment of each pixel that may grow. */
+  struct Slot
+  {
+    /** Premultiplied r, g, b and transmittance; in mode XRay, the last is 1 plus the optical depth.
+     */
+    std::array<Numbers, 4> Sums;
+    Numbers First;
+    Numbers Begin;
+    Numbers End; // in mode Maximum, that of slot 0 is the largest place
+  };
+
+  std::array<Slot, 2> Slots;
+  Numbers Near;           // distances before it are not seen
+  Numbers Far;            // nor those from it on
+  Numbers LengthPerDepth; // RayView::GetSamplesPerDepth, in perspective
+  Numbers DepthPerLength; // its reciprocal
+};
+
 /** The pixels of a square of the image. */
 struct RayTile
 {
   static constexpr int Size = 32;
   static constexpr int Pixels = Size * Size;
-  using Cellwise = std::array<float, Pixels>;
 
   static constexpr float Never = -3e38f; // the End of no fragment
   static constexpr float Always = 8e6f;  // farther than anything
-  static constexpr int Slots = 2;        // fragments of a pixel that may grow
 
   /** Pixels beyond width and height are never drawn. */
   RayTile(int width, int height);
 
-  /** The cell of a pixel. Blocks of four by four pixels are consecutive, row by row, and so are
-   * the upper and lower halves of a block. */
+  /** The cell of a pixel: blocks are consecutive, row by row. */
   static constexpr int ToCell(int x, int y)
   {
-    return (y / 4 * (Size / 4) + x / 4) * 16 + y % 4 * 4 + x % 4;
+    return (y / 4 * (Size / 4) + x / 4) * RayPixels::Count + y % 4 * 4 + x % 4;
   }
+
+  RayPixels& GetBlock(int cell) { return this->Blocks[static_cast<unsigned>(cell) / 16]; }
+  const RayPixels& GetBlock(int cell) const
+  {
+    return this->Blocks[static_cast<unsigned>(cell) / 16];
+  }
+
+  /** The place of a cell in its block. */
+  static constexpr unsigned ToLane(int cell) { return static_cast<unsigned>(cell) % 16; }
 
   static constexpr int ToX(int cell) { return cell / 16 % (Size / 4) * 4 + cell % 4; }
   static constexpr int ToY(int cell) { return cell / 16 / (Size / 4) * 4 + cell % 16 / 4; }
 
-  void Clear(int slot, int cell);
-  Fragment Get(int slot, int cell) const;
+  void Clear(unsigned slot, int cell);
+  Fragment Get(unsigned slot, int cell) const;
+  void Set(unsigned slot, const Fragment& fragment);
 
   /** Moves the fragment in a slot to the others. */
-  void SetAside(int slot, int cell);
+  void SetAside(unsigned slot, int cell);
 
   /** Merges the two fragments in the slots of a pixel. One must end where the other begins. */
   void MergeSlots(int cell);
@@ -62,18 +97,8 @@ struct RayTile
 
   std::size_t CountFragments() const;
 
-  /** Premultiplied r, g, b and transmittance; in mode XRay, the last is 1 plus the optical depth.
-   */
-  alignas(64) std::array<std::array<Cellwise, 4>, Slots> Sums;
-  alignas(64) std::array<Cellwise, Slots> Firsts;
-  alignas(64) Cellwise Near; // distances before it are not seen
-  alignas(64) Cellwise Far;  // nor those from it on
-  alignas(64) std::array<Cellwise, Slots> Begin;
-  alignas(
-    64) std::array<Cellwise, Slots> End; // in mode Maximum, that of slot 0 is the largest place
-  alignas(64) Cellwise LengthPerDepth;   // RayView::GetSamplesPerDepth, in perspective
-  alignas(64) Cellwise DepthPerLength;   // its reciprocal
-  std::vector<Fragment> Others;          // of pixels with more fragments than slots
+  std::array<RayPixels, Pixels / RayPixels::Count> Blocks;
+  std::vector<Fragment> Others; // of pixels with more fragments than slots
   std::size_t MostOthers = std::size_t{ 4 } * Pixels;
   float Limit = Always; // the largest Far
 };
