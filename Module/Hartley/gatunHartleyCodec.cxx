@@ -332,7 +332,7 @@ private:
   unsigned FindLastBand(std::size_t block) const
   {
     const auto values = this->GetBlock(block);
-    const auto& positions = this->Order.GetPositions();
+    const auto positions = this->Order.GetPositions();
     std::size_t rank = this->BlockLength - 1;
     for (; rank > 0 && values[positions[rank].Index] == 0; --rank)
     {
@@ -346,7 +346,7 @@ private:
     std::size_t last = end;
     if constexpr (Coder::Encoding)
     {
-      const auto& positions = this->Order.GetPositions();
+      const auto positions = this->Order.GetPositions();
       for (; last > begin && values[positions[last - 1].Index] == 0; --last)
       {
       }
