@@ -178,6 +178,7 @@ public:
     this->Block = this->Integers.data();
     for (auto rank = begin; rank < last; ++rank)
     {
+      this->Order.Prefetch(this->Block, std::min(rank + PrefetchedAhead, last - 1));
       this->CodeValue(rank);
     }
   }
@@ -531,6 +532,7 @@ private:
     return this->Code.Bit(model, isNegative != down) != down;
   }
 
+  static constexpr std::size_t PrefetchedAhead = 16;
   static constexpr std::int64_t MostPredicted = std::int64_t{ 1 } << 40;
 
   Coder& Code;

@@ -221,7 +221,9 @@ private:
       if (isKnown(inner))
       {
         position.Flags |= static_cast<std::uint8_t>(KnowsInner << axis);
-        if (isKnown(this->Order.Positions[this->Ranks[inner]].Partner))
+        const auto innerPartner =
+          static_cast<std::uint32_t>(position.Partner + this->Order.GetStepInwards(axis, -wave));
+        if (isKnown(innerPartner))
         {
           position.Flags |= static_cast<std::uint8_t>(KnowsInnerPartner << axis);
         }

@@ -57,6 +57,26 @@ public:
     return wave > 0 ? -this->Strides[axis] : wave < -1 ? this->Strides[axis] : this->Wraps[axis];
   }
 
+  /** Fetches the values of a block that belong to the coding of a position. Neighbors in a shell
+   * are far from each other in the memory of a large block. */
+  template <typename Value>
+  void Prefetch(const Value* block, std::size_t rank) const
+  {
+    const Position& position = this->Positions[rank];
+    const Value* const own = block + position.Index;
+    const Value* const partner = block + position.Partner;
+    __builtin_prefetch(own);
+    __builtin_prefetch(partner);
+    for (unsigned axis = 1; axis < 3; ++axis) // along x they are close
+    {
+      if (position.Flags & (KnowsInner << axis))
+      {
+        __builtin_prefetch(own + this->GetStepInwards(axis, position.Wave[axis]));
+        __builtin_prefetch(partner + this->GetStepInwards(axis, -position.Wave[axis]));
+      }
+    }
+  }
+
 private:
   class Builder;
 

@@ -62,7 +62,7 @@ double Integrate(const std::array<double, 2>& distance, const std::array<double,
 //------------------------------------------------------------------------------
 void HartleyBlockVoxels::Keep(std::size_t block, std::span<const float> voxels)
 {
-  const auto bytes = static_cast<std::int64_t>(voxels.size_bytes());
+  const auto bytes = static_cast<std::int64_t>(voxels.size_bytes() + Overhead);
   if (this->Left.fetch_sub(bytes) < bytes)
   {
     this->Left += bytes;

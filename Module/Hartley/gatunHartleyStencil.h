@@ -32,6 +32,8 @@ public:
   void Keep(std::size_t block, std::span<const float> voxels);
 
 private:
+  static constexpr std::size_t Overhead = sizeof(std::vector<float>) + 2 * sizeof(void*);
+
   std::vector<std::vector<float>> Kept;
   std::atomic<std::int64_t> Left;
 };
