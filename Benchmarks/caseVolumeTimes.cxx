@@ -51,6 +51,7 @@ struct Drawer
   std::shared_ptr<gatun::HartleyImage> Picture = {}; ///< Gatun's last
   int Views = 0;                                     ///< so far
   Cost First{};
+  double FirstProcessor = 0;          ///< seconds of all threads
   double OtherAxis = 0;               ///< seconds of the first view along another axis
   std::vector<double> Processor = {}; ///< seconds of all threads, of the later views
 };
@@ -150,6 +151,7 @@ void AddDrawer(Json::Value& json, const Drawer& drawer, const Operation& operati
     entry["method"] = methods.at(static_cast<std::size_t>(drawer.Picture->Method));
   }
   AddCost(entry, drawer.First);
+  entry["processor"] = drawer.FirstProcessor;
   AddList(entry, "later", operation.Seconds);
   entry["otherAxis"] = drawer.OtherAxis;
   if (plain > 0)
@@ -282,7 +284,9 @@ void PrintTimes(const Options& options)
       {
         const auto draw = [&volume, &options, &drawer]
         { drawer.Draw(GetView(volume, options.Pixels, drawer.Views++)); };
+        const double begin = GetProcessorSeconds();
         drawer.First = CostOf(draw);
+        drawer.FirstProcessor = GetProcessorSeconds() - begin;
         operations.push_back({ drawer.Way,
           [draw, &drawer]
           {
