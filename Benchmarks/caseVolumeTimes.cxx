@@ -51,14 +51,17 @@ struct Drawer
   std::shared_ptr<gatun::HartleyImage> Picture = {}; ///< Gatun's last
   int Views = 0;                                     ///< so far
   Cost First{};
+  double FirstProcessor = 0;          ///< seconds of all threads
+  double OtherAxis = 0;               ///< seconds of the first view along another axis
   std::vector<double> Processor = {}; ///< seconds of all threads, of the later views
 };
 
 /** The same views for all, none twice. */
-gatun::HartleyView GetView(const Volume& volume, unsigned pixels, int number)
+gatun::HartleyView GetView(const Volume& volume, unsigned pixels, int number, double turn = 0)
 {
   const double scale = pixels / static_cast<double>(volume.GetPixels(1));
-  return volume.MakeView({ 0.13 + 0.07 * number, 0.21 + 0.05 * number, 0.03 }, pixels, scale);
+  return volume.MakeView(
+    { 0.13 + 0.07 * number + turn, 0.21 + 0.05 * number, 0.03 }, pixels, scale);
 }
 
 std::uint64_t CountTerms(const gatun::HartleySource& source)
@@ -125,7 +128,15 @@ void AddErrors(
   }
 }
 
-void AddDrawer(Json::Value& json, const Drawer& drawer, const Operation& operation)
+double GetMedian(std::vector<double> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/** Plain: seconds of a plain ray sum, or 0. */
+void AddDrawer(Json::Value& json, const Drawer& drawer, const Operation& operation, double plain)
 {
   Json::Value entry;
   entry["way"] = drawer.Way;
@@ -136,10 +147,17 @@ void AddDrawer(Json::Value& json, const Drawer& drawer, const Operation& operati
     entry["rate"] = drawer.Rate;
     entry["termsDrawn"] = drawer.Picture->Terms;
     entry["blocksDrawn"] = drawer.Picture->Blocks;
-    entry["method"] = drawer.Picture->Method == gatun::HartleyMethod::Slice ? "slice" : "basis";
+    constexpr std::array<const char*, 4> methods{ "automatic", "basis", "slice", "voxels" };
+    entry["method"] = methods.at(static_cast<std::size_t>(drawer.Picture->Method));
   }
   AddCost(entry, drawer.First);
+  entry["processor"] = drawer.FirstProcessor;
   AddList(entry, "later", operation.Seconds);
+  entry["otherAxis"] = drawer.OtherAxis;
+  if (plain > 0)
+  {
+    entry["timesAsFastAsPlain"] = plain / GetMedian(operation.Seconds);
+  }
   AddList(entry, "laterProcessor", drawer.Processor);
   json.append(entry);
 }
@@ -266,7 +284,9 @@ void PrintTimes(const Options& options)
       {
         const auto draw = [&volume, &options, &drawer]
         { drawer.Draw(GetView(volume, options.Pixels, drawer.Views++)); };
+        const double begin = GetProcessorSeconds();
         drawer.First = CostOf(draw);
+        drawer.FirstProcessor = GetProcessorSeconds() - begin;
         operations.push_back({ drawer.Way,
           [draw, &drawer]
           {
@@ -276,10 +296,17 @@ void PrintTimes(const Options& options)
           } });
       }
       RunInterleaved(operations, options.Rounds);
+      double plain = 0;
+      for (std::size_t i = 0; i < drawers.size(); ++i)
+      {
+        const auto other = GetView(volume, options.Pixels, 0, 0.5);
+        drawers[i].OtherAxis = CostOf([&] { drawers[i].Draw(other); }).Seconds;
+        plain = drawers[i].Way == "plain" ? GetMedian(operations[i].Seconds) : plain;
+      }
       json["ways"] = Json::arrayValue;
       for (std::size_t i = 0; i < drawers.size(); ++i)
       {
-        AddDrawer(json["ways"], drawers[i], operations[i]);
+        AddDrawer(json["ways"], drawers[i], operations[i], plain);
       }
       if (options.Errors)
       {

@@ -534,7 +534,7 @@ void vtkGatunHartleyProjection::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   const char* const models[] = { "XRay", "Exponential", "TransferFunction" };
-  const char* const methods[] = { "Automatic", "Basis", "Slice" };
+  const char* const methods[] = { "Automatic", "Basis", "Slice", "Voxels" };
   const char* const kernels[] = { "KaiserBessel", "Trilinear" };
   const auto onOff = [](bool value) { return value ? "On" : "Off"; };
   const auto print = [&os, indent](const char* name, const auto& value)

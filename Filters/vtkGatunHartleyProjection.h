@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkGatunHartleyProjection
- * @brief Renders a volume from its Hartley coefficients, without reconstructing voxels.
+ * @brief Renders a volume from its Hartley coefficients.
  *
  * Input: a vtkImageData of any size, spacing and direction. If its information has the key
  * vtkGatunHartleyCoefficients::COEFFICIENTS(), the coefficients of that key are drawn:
@@ -274,17 +274,19 @@ public:
   enum MethodType
   {
     METHOD_AUTOMATIC = 0, ///< X-rays of volumes with at least 64 voxels a side by a slice through
-                          ///< the spectrum of the whole volume; otherwise METHOD_BASIS for blocks
-                          ///< of up to 16 voxels along each axis and METHOD_SLICE for larger ones
+                          ///< the spectrum of the whole volume; otherwise METHOD_VOXELS for
+                          ///< blocks of up to 64 voxels along each axis and METHOD_SLICE for
+                          ///< larger ones
     METHOD_BASIS = 1,     ///< weighted sum of the images of the basis functions
-    METHOD_SLICE = 2      ///< inverse transform of a slice through the block's spectrum
+    METHOD_SLICE = 2,     ///< inverse transform of a slice through the block's spectrum
+    METHOD_VOXELS = 3     ///< weighted sum of the voxels next to each ray
   };
 
   ///@{
   /**
    * See MethodType. Default: METHOD_AUTOMATIC.
    */
-  vtkSetClampMacro(Method, int, METHOD_AUTOMATIC, METHOD_SLICE);
+  vtkSetClampMacro(Method, int, METHOD_AUTOMATIC, METHOD_VOXELS);
   vtkGetMacro(Method, int);
   ///@}
 
@@ -316,8 +318,8 @@ public:
   ///@{
   /**
    * Upper bound of the memory that is kept from one image to the next, in MiB. It holds
-   * coefficients of a file's chunks or, with METHOD_SLICE, spectra of blocks. What does not fit is
-   * computed again for each image. Not negative. Default: 512.
+   * coefficients of a file's chunks or, with METHOD_SLICE, spectra and, with METHOD_VOXELS, voxels
+   * of blocks. What does not fit is computed again for each image. Not negative. Default: 512.
    */
   vtkSetClampMacro(MemoryBudget, int, 0, VTK_INT_MAX);
   vtkGetMacro(MemoryBudget, int);

@@ -38,7 +38,7 @@ constexpr std::array<const char*, 3> OpacityModels{ "xray", "exponential", "tran
 static_assert(vtkGatunHartleyProjection::OPACITY_MODEL_XRAY == 0 &&
   vtkGatunHartleyProjection::OPACITY_MODEL_EXPONENTIAL == 1 &&
   vtkGatunHartleyProjection::OPACITY_MODEL_TRANSFER_FUNCTION == 2);
-constexpr std::array<const char*, 3> Methods{ "automatic", "basis", "slice" };
+constexpr std::array<const char*, 4> Methods{ "automatic", "basis", "slice", "voxels" };
 constexpr std::array<const char*, 2> Kernels{ "kaiser-bessel", "trilinear" };
 
 struct Options : ImageOptions
@@ -214,9 +214,9 @@ void AddMethodOptions(CLI::App* command, Options& options)
     ->option_text("D")
     ->group(group);
   AddChoice(command, "--method", Methods, options.Method,
-    "How blocks are projected: as sums of the images of basis functions (basis) or by slices "
-    "through their spectra (slice); automatic: X-rays by the spectrum of the whole "
-    "volume, otherwise basis for blocks of up to 16 voxels",
+    "How blocks are projected: as sums of the images of basis functions (basis), by slices "
+    "through their spectra (slice) or as sums of the voxels next to each ray (voxels); automatic: "
+    "X-rays by the spectrum of the whole volume, otherwise voxels for blocks of up to 64 voxels",
     group);
   AddChoice(command, "--kernel", Kernels, options.Kernel,
     "For slice: interpolation by kaiser-bessel (the default), nearly exact, or trilinear, for "

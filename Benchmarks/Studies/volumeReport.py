@@ -55,7 +55,7 @@ def model(name):
 def _head(results):
     text = """# The volume study
 
-Quality and speed of images drawn from Hartley coefficients without reconstructing voxels
+Quality and speed of images drawn from Hartley coefficients
 ([method](../hartley.md)). The page compares them with the dissertation's own results (C. Yang:
 On-the-fly processing of compressed volume data, 2001, Tables 1 and 2), with a ray caster for voxels,
 with zfp and with VTK. `Utilities/bench.sh --volumes` (Benchmarks/Studies/runVolumes.py) writes it.

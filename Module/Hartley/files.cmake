@@ -23,6 +23,7 @@ gatun_core_folder(Hartley
     gatunHartleyBox.h
     gatunHartleyChunks.h
     gatunHartleyCodec.h
+    gatunHartleyCompositing.h
     gatunHartleyCorrections.h
     gatunHartleyDensities.h
     gatunHartleyEncoder.h
@@ -39,11 +40,11 @@ gatun_core_folder(Hartley
     gatunHartleyPainter.h
     gatunHartleyPaperSlice.h
     gatunHartleyQuantizer.h
-    gatunHartleyQuickSlice.h
     gatunHartleyRay.h
     gatunHartleySlab.h
     gatunHartleySlice.h
     gatunHartleySpectrum.h
+    gatunHartleyStencil.h
     gatunHartleyTables.h
     gatunHartleyTent.h
     gatunHartleyVolumeSpectrum.h
@@ -72,11 +73,11 @@ gatun_core_folder(Hartley
     gatunHartleyPaperSlice.cxx
     gatunHartleyProjector.cxx
     gatunHartleyQuantizer.cxx
-    gatunHartleyQuickSlice.cxx
     gatunHartleyRay.cxx
     gatunHartleySlab.cxx
     gatunHartleySlice.cxx
     gatunHartleySpectrum.cxx
+    gatunHartleyStencil.cxx
     gatunHartleyTables.cxx
     gatunHartleyTransform.cxx
     gatunHartleyVolume.cxx

@@ -178,6 +178,7 @@ public:
     this->Block = this->Integers.data();
     for (auto rank = begin; rank < last; ++rank)
     {
+      this->Order.Prefetch(this->Block, std::min(rank + PrefetchedAhead, last - 1));
       this->CodeValue(rank);
     }
   }
@@ -332,7 +333,7 @@ private:
   unsigned FindLastBand(std::size_t block) const
   {
     const auto values = this->GetBlock(block);
-    const auto& positions = this->Order.GetPositions();
+    const auto positions = this->Order.GetPositions();
     std::size_t rank = this->BlockLength - 1;
     for (; rank > 0 && values[positions[rank].Index] == 0; --rank)
     {
@@ -346,7 +347,7 @@ private:
     std::size_t last = end;
     if constexpr (Coder::Encoding)
     {
-      const auto& positions = this->Order.GetPositions();
+      const auto positions = this->Order.GetPositions();
       for (; last > begin && values[positions[last - 1].Index] == 0; --last)
       {
       }
@@ -531,6 +532,7 @@ private:
     return this->Code.Bit(model, isNegative != down) != down;
   }
 
+  static constexpr std::size_t PrefetchedAhead = 16;
   static constexpr std::int64_t MostPredicted = std::int64_t{ 1 } << 40;
 
   Coder& Code;

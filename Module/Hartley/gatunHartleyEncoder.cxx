@@ -553,28 +553,46 @@ std::uint64_t EncodedHartleyChunk::GetBytes() const
 std::shared_ptr<const HartleyChunk> HartleyEncoder::MakeTerms(
   const HartleyQuantizer& quantizer, std::size_t voxelsPerBlock, const HartleyIntegers& integers)
 {
-  auto chunk = std::make_shared<HartleyChunk>();
-  const auto count =
-    integers.size() - static_cast<std::size_t>(std::count(integers.begin(), integers.end(), 0));
-  chunk->Terms.reserve(count);
-  chunk->Starts.reserve(integers.size() / voxelsPerBlock + 1);
-  for (std::size_t at = 0; at < integers.size(); at += voxelsPerBlock)
-  {
-    chunk->Starts.push_back(chunk->Terms.size());
-    for (std::size_t k = 0; k < voxelsPerBlock; ++k)
+  // Large blocks are divided, so that all threads have a part.
+  constexpr std::size_t length = std::size_t{ 1 } << 18;
+  const std::size_t parts = (integers.size() + length - 1) / length;
+  const auto getEnd = [&](std::size_t part)
+  { return std::min(integers.size(), (part + 1) * length); };
+  std::vector<std::size_t> starts(parts + 1);
+  ParallelFor(parts,
+    [&](std::size_t part)
     {
-      if (integers[at + k] != 0)
+      const auto begin = integers.begin() + static_cast<std::ptrdiff_t>(part * length);
+      const auto end = integers.begin() + static_cast<std::ptrdiff_t>(getEnd(part));
+      starts[part + 1] = static_cast<std::size_t>(end - begin - std::count(begin, end, 0));
+    });
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  auto chunk = std::make_shared<HartleyChunk>();
+  chunk->Terms.resize(starts.back());
+  chunk->Starts.resize(integers.size() / voxelsPerBlock + 1, starts.back());
+  ParallelFor(parts,
+    [&](std::size_t part)
+    {
+      std::size_t to = starts[part];
+      std::size_t k = (part * length + voxelsPerBlock - 1) % voxelsPerBlock;
+      for (std::size_t at = part * length; at < getEnd(part); ++at)
       {
-        const double value = quantizer.Restore(k, integers[at + k]);
-        if (std::abs(value) > std::numeric_limits<float>::max())
+        k = k + 1 < voxelsPerBlock ? k + 1 : 0;
+        if (k == 0)
         {
-          ThrowCorrupt("a coefficient is beyond single precision");
+          chunk->Starts[at / voxelsPerBlock] = to;
         }
-        chunk->Terms.push_back({ static_cast<std::uint32_t>(k), static_cast<float>(value) });
+        if (integers[at] != 0)
+        {
+          const double value = quantizer.Restore(k, integers[at]);
+          if (std::abs(value) > std::numeric_limits<float>::max())
+          {
+            ThrowCorrupt("a coefficient is beyond single precision");
+          }
+          chunk->Terms[to++] = { static_cast<std::uint32_t>(k), static_cast<float>(value) };
+        }
       }
-    }
-  }
-  chunk->Starts.push_back(chunk->Terms.size());
+    });
   return chunk;
 }
 }

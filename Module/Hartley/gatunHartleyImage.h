@@ -12,11 +12,12 @@ namespace gatun
 /** How the image of a block is computed from its coefficients. */
 enum class HartleyMethod : std::uint8_t
 {
-  /** X-rays by the spectrum of the whole volume. Other models: Basis for blocks of up to 16 voxels
-   * along each axis; Slice for larger ones, in single precision for blocks of up to 64 voxels. */
+  /** X-rays by the spectrum of the whole volume. Other models: Voxels for blocks of up to 64 voxels
+   * along each axis; Slice for larger ones. */
   Automatic = 0,
   Basis = 1, ///< weighted sum of the images of the basis functions, which all blocks share
-  Slice = 2  ///< inverse transform of a slice through the block's spectrum
+  Slice = 2, ///< inverse transform of a slice through the block's spectrum
+  Voxels = 3 ///< weighted sum of the voxels next to each ray
 };
 
 /** An image. All arrays are stored row by row; the first row is that of HartleyView::Origin. */

@@ -5,6 +5,8 @@
 
 // The inner loops of the projector, which have a version for each instruction set.
 
+#include "gatunHartleyShading.h"
+
 #include <cstddef>
 #include <cstdint>
 
@@ -42,6 +44,53 @@ struct HartleyBetween
   bool Alternates; // whether the sign changes from each period to the next
 };
 
+/** A voxel's place in a block and its weights in the sums of two neighboring lattice points. */
+struct HartleyTap
+{
+  std::int32_t Place;
+  float Even;
+  float Odd;
+};
+
+/** How densities become colors. The planes of channels are those of the colors, of which there is
+ * one if all are gray, and that of the opacity or, in the exponential model, the optical depth. The
+ * planes of an X-ray are the sum of the densities and the number of samples. */
+struct HartleyLaw
+{
+  static constexpr std::size_t TableSize = 4096;
+
+  HartleyOpacityModel Model = HartleyOpacityModel::XRay;
+  std::size_t Planes = 2;
+  float Base = 0;
+  float Least = 0; ///< of the densities
+  float Most = 0;
+  float First = 0; ///< density of the table's first entry
+  float PerDensity = 1;
+  float Extinction = 0;
+  float Zero = 0;               ///< base value minus the value from which densities are measured
+  const float* Table = nullptr; ///< TableSize colors for each plane; the last is optical depths
+};
+
+/** Planes of numbers on a lattice. */
+struct HartleyPlanes
+{
+  const float* Values = nullptr;
+  std::size_t Stride = 0; ///< from one row to the next
+  std::size_t Plane = 0;  ///< from one plane to the next
+  double HighestX = 0;    ///< the last positions that have all points for interpolation
+  double HighestY = 0;
+};
+
+/** The positions of pixels in lattice points. */
+struct HartleyRow
+{
+  double X = 0;
+  double Y = 0;
+  double StepX = 0;
+  double StepY = 0;
+  std::size_t Count = 0;
+};
+
 struct HartleyKernelLoops
 {
   /** sum[k] = Scale * values[First + k], summed over all shares; k below HartleySegment. */
@@ -54,10 +103,21 @@ struct HartleyKernelLoops
   float (*SumBands)(const float* line, const HartleyBetween& between, const HartleyBand* across,
     const HartleyBand* down, std::size_t count, float least);
 
-  /** Interpolates four channels between the points of a lattice by cubic convolution. First: the
-   * first of the four by four surrounding points; nextRow: distance of rows in floats; x, y:
-   * position in the middle cell, 0 to 1. */
-  void (*Interpolate)(const float* first, std::size_t nextRow, float x, float y, float* channels);
+  /** sum[2 m] = Even * values[Place + m], sum[2 m + 1] = Odd * values[Place + m], summed over all
+   * taps; m below 8 * groups. At most 4 groups. */
+  void (*Project)(const float* values, const HartleyTap* taps, std::size_t tapCount,
+    std::size_t groups, float* sum);
+
+  /** Composites count points of a block behind those of a slab. Image: the integrals of the
+   * densities minus the base value, or null if they are 0; unit: of ones, and 0 from count to the
+   * next multiple of 8. All arrays may be accessed up to there. */
+  void (*AddBlock)(const HartleyLaw& law, const float* image, const float* unit, std::size_t count,
+    float* planes, std::size_t plane);
+
+  /** Interpolates a slab at pixels, by cubic convolution, and composites it behind them. The last
+   * plane of the pixels is their transmittance. */
+  void (*AddSlab)(const HartleyLaw& law, const HartleyPlanes& slab, const HartleyRow& row,
+    float* pixels, std::size_t plane);
 };
 
 /** The fastest version that this processor supports. */

@@ -5,6 +5,7 @@
 
 // Compiled once for each instruction set; see gatunSimd.h.
 
+#include "gatunHartleyCompositing.h"
 #include "gatunHartleyKernel.h"
 #include "gatunSimd.h"
 
@@ -83,35 +84,49 @@ inline float SumBands(const float* line, const HartleyBetween& between, const Ha
 }
 
 //------------------------------------------------------------------------------
-/** R. G. Keys: Cubic convolution interpolation for digital image processing. IEEE Transactions on
- * Acoustics, Speech, and Signal Processing 29(6), 1981. */
-GATUN_INLINE Float4 GetCubicWeights(float x)
+template <std::size_t Groups>
+inline void ProjectGroups(
+  const float* values, const HartleyTap* taps, std::size_t tapCount, float* sum)
 {
-  const float y = 1 - x;
-  return Float4{ -0.5f * x * y * y, 1 + x * x * (1.5f * x - 2.5f), 1 + y * y * (1.5f * y - 2.5f),
-    -0.5f * y * x * x };
+  Float8 even[Groups] = {}, odd[Groups] = {};
+  for (std::size_t i = 0; i < tapCount; ++i)
+  {
+    const float* const from = values + taps[i].Place;
+    const Float8 one = Splat8(taps[i].Even), two = Splat8(taps[i].Odd);
+    for (std::size_t k = 0; k < Groups; ++k)
+    {
+      const Float8 value = Load<Float8>(from + 8 * k);
+      even[k] += one * value;
+      odd[k] += two * value;
+    }
+  }
+  for (std::size_t k = 0; k < Groups; ++k)
+  {
+    Store(sum + 16 * k, __builtin_shufflevector(even[k], odd[k], 0, 8, 1, 9, 2, 10, 3, 11));
+    Store(sum + 16 * k + 8, __builtin_shufflevector(even[k], odd[k], 4, 12, 5, 13, 6, 14, 7, 15));
+  }
 }
 
-//------------------------------------------------------------------------------
-inline void Interpolate(const float* first, std::size_t nextRow, float x, float y, float* channels)
+inline void Project(
+  const float* values, const HartleyTap* taps, std::size_t tapCount, std::size_t groups, float* sum)
 {
-  const Float4 across = GetCubicWeights(x);
-  const Float4 down = GetCubicWeights(y);
-  Float4 sum{};
-  for (int row = 0; row < 4; ++row, first += nextRow)
+  switch (groups)
   {
-    const Float4 mixed = Splat4(across[0]) * Load<Float4>(first) +
-      Splat4(across[1]) * Load<Float4>(first + 4) + Splat4(across[2]) * Load<Float4>(first + 8) +
-      Splat4(across[3]) * Load<Float4>(first + 12);
-    sum += Splat4(down[row]) * mixed;
+    case 1:
+      return ProjectGroups<1>(values, taps, tapCount, sum);
+    case 2:
+      return ProjectGroups<2>(values, taps, tapCount, sum);
+    case 3:
+      return ProjectGroups<3>(values, taps, tapCount, sum);
+    default:
+      return ProjectGroups<4>(values, taps, tapCount, sum);
   }
-  Store(channels, sum);
 }
 
 //------------------------------------------------------------------------------
 constexpr HartleyKernelLoops MakeHartleyKernel()
 {
-  return { Combine, SumBands, Interpolate };
+  return { Combine, SumBands, Project, AddBlock, AddSlab };
 }
 }
 }

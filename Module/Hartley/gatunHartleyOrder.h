@@ -7,6 +7,8 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace gatun
@@ -23,11 +25,11 @@ public:
 
   struct Position
   {
-    std::uint32_t Index = 0;            ///< as in HartleyTransform
-    std::uint32_t Partner = 0;          ///< index of the opposite frequency
-    std::array<std::int32_t, 3> Wave{}; ///< the frequency, in periods of the block
-    std::uint8_t Band = 0;
-    std::uint8_t Flags = 0;
+    std::uint32_t Index;              ///< as in HartleyTransform
+    std::uint32_t Partner;            ///< index of the opposite frequency
+    std::array<std::int32_t, 3> Wave; ///< the frequency, in periods of the block
+    std::uint8_t Band;
+    std::uint8_t Flags;
   };
 
   // Flags: the values that precede this one in the same segment. KnowsInner << axis: that of the
@@ -36,16 +38,17 @@ public:
   static constexpr std::uint8_t KnowsPartner = 8;
   static constexpr unsigned KnowsInnerPartner = 16;
 
+  /** Parallel. */
   explicit HartleyOrder(const HartleyLayout::Triple& block);
 
-  const std::vector<Position>& GetPositions() const { return this->Positions; }
+  std::span<const Position> GetPositions() const { return { this->Positions.get(), this->Count }; }
 
   /** The first position of each band; the last entry is the end. */
   const std::vector<std::uint32_t>& GetBandStarts() const { return this->BandStarts; }
 
   std::size_t GetNumberOfSegments() const
   {
-    return (this->Positions.size() + SegmentLength - 1) / SegmentLength;
+    return (std::size_t{ this->Count } + SegmentLength - 1) / SegmentLength;
   }
 
   /** The offset from an index to that of the next lower frequency along an axis. */
@@ -54,8 +57,31 @@ public:
     return wave > 0 ? -this->Strides[axis] : wave < -1 ? this->Strides[axis] : this->Wraps[axis];
   }
 
+  /** Fetches the values of a block that belong to the coding of a position. Neighbors in a shell
+   * are far from each other in the memory of a large block. */
+  template <typename Value>
+  void Prefetch(const Value* block, std::size_t rank) const
+  {
+    const Position& position = this->Positions[rank];
+    const Value* const own = block + position.Index;
+    const Value* const partner = block + position.Partner;
+    __builtin_prefetch(own);
+    __builtin_prefetch(partner);
+    for (unsigned axis = 1; axis < 3; ++axis) // along x they are close
+    {
+      if (position.Flags & (KnowsInner << axis))
+      {
+        __builtin_prefetch(own + this->GetStepInwards(axis, position.Wave[axis]));
+        __builtin_prefetch(partner + this->GetStepInwards(axis, -position.Wave[axis]));
+      }
+    }
+  }
+
 private:
-  std::vector<Position> Positions;
+  class Builder;
+
+  std::uint32_t Count;
+  std::unique_ptr<Position[]> Positions;
   std::vector<std::uint32_t> BandStarts;
   std::array<std::ptrdiff_t, 3> Strides{};
   std::array<std::ptrdiff_t, 3> Wraps{}; ///< from the last index along an axis to the first

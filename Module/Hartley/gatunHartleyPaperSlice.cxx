@@ -62,16 +62,17 @@ public:
     // The image is surrounded by zeros.
     constexpr std::size_t margin = 2;
     const std::size_t size = this->Slice.Size;
-    const std::size_t width = size + 2 * margin;
-    this->Channels.assign(width * width * 4, 0.0f);
+    const std::size_t width = size + 2 * margin + 1;
+    this->Padded.assign(width * width, 0.0f);
     for (std::size_t row = 0; row < size; ++row)
     {
       for (std::size_t column = 0; column < size; ++column)
       {
-        this->Channels[((row + margin) * width + column + margin) * 4] =
+        this->Padded[(row + margin) * width + column + margin] =
           static_cast<float>(this->Values[row * size + column]);
       }
     }
+    const auto highest = static_cast<double>(width - 3);
     const auto& lattice = this->Slice.Lattice;
     const auto& kernel = GetBestHartleyKernel();
     const double middle = (static_cast<double>(size) - 1) / 2;
@@ -89,14 +90,10 @@ public:
         const double most = static_cast<double>(size);
         if (column > -1 && row > -1 && column < most && row < most)
         {
-          const double left = std::floor(column);
-          const double top = std::floor(row);
-          const auto first = (static_cast<std::size_t>(top + margin - 1) * width +
-                               static_cast<std::size_t>(left + margin - 1)) *
-            4;
-          std::array<float, 4> found;
-          kernel.Interpolate(this->Channels.data() + first, width * 4,
-            static_cast<float>(column - left), static_cast<float>(row - top), found.data());
+          // The kernel interpolates two planes, which are the same here.
+          std::array<float, 2> found{};
+          kernel.AddSlab({}, { this->Padded.data(), width, 0, highest, highest },
+            { column + margin, row + margin, 0, 0, 1 }, found.data(), 1);
           pixel = found[0];
         }
       }
@@ -139,7 +136,7 @@ private:
   glm::dvec3 Across, Down;
   HartleyTransform Inverse;
   std::vector<double> Values;
-  std::vector<float> Channels;
+  std::vector<float> Padded;
 };
 
 //------------------------------------------------------------------------------

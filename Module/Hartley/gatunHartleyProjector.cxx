@@ -8,9 +8,9 @@
 #include "gatunHartleyChunks.h"
 #include "gatunHartleyLookup.h"
 #include "gatunHartleyPaperSlice.h"
-#include "gatunHartleyQuickSlice.h"
 #include "gatunHartleySlab.h"
 #include "gatunHartleySlice.h"
+#include "gatunHartleyStencil.h"
 #include "gatunHartleyXRays.h"
 #include "gatunParallel.h"
 #include "gatunVector.h"
@@ -37,9 +37,6 @@ constexpr std::size_t BatchBytes = std::size_t{ 32 } << 20;
 
 // Upper bound of the memory for the images of basis functions.
 constexpr std::uint64_t MostBasisBytes = std::uint64_t{ 1 } << 30;
-
-// Automatic chooses Basis for blocks of up to this many voxels along each axis.
-constexpr std::uint32_t LargestBasisBlock = 16;
 
 //------------------------------------------------------------------------------
 void Check(const HartleyView& view)
@@ -101,7 +98,7 @@ struct HartleyProjector::Internals
   std::map<Triple, std::vector<float>> Units;
 
   std::shared_ptr<HartleySpectra> Spectra;
-  std::shared_ptr<HartleyBlockSpectra> BlockSpectra;
+  std::shared_ptr<HartleyBlockVoxels> BlockVoxels;
   std::optional<HartleyChunks> Chunks;
 
   // Of each block the number of its terms, once it was loaded.
@@ -119,6 +116,11 @@ struct HartleyProjector::Internals
   HartleyXRays XRays;
 
   HartleyMethod GetMethod() const;
+  bool IsLarge() const
+  {
+    return *std::max_element(this->Layout.Block.begin(), this->Layout.Block.end()) >
+      HartleyLayout::LargestBlock;
+  }
   void Prepare(const HartleyView& view, const std::function<bool(double)>& progress);
   void UseSpectra(const SpectrumPlan& plan);
   const std::vector<float>& GetUnit(const Triple& filled);
@@ -197,11 +199,9 @@ HartleyMethod HartleyProjector::Internals::GetMethod() const
   {
     return this->Options.Method;
   }
-  const auto& block = this->Layout.Block;
-  return this->Options.Kernel == HartleyKernel::Trilinear ||
-      *std::max_element(block.begin(), block.end()) > LargestBasisBlock
+  return this->Options.Kernel == HartleyKernel::Trilinear || this->IsLarge()
     ? HartleyMethod::Slice
-    : HartleyMethod::Basis;
+    : HartleyMethod::Voxels;
 }
 
 //------------------------------------------------------------------------------
@@ -247,14 +247,19 @@ void HartleyProjector::Internals::Prepare(
     this->UseSpectra(HartleyPaperSlice::MakePlan(block, this->Options.Padding));
     this->Painter = std::make_unique<HartleyPaperSlice>(lattice, view, this->Spectra);
   }
-  else if (this->Options.Method == HartleyMethod::Automatic &&
-    *std::max_element(block.begin(), block.end()) <= HartleyLayout::LargestBlock)
+  else if (this->GetMethod() == HartleyMethod::Voxels)
   {
-    if (!this->BlockSpectra)
+    if (this->IsLarge())
     {
-      this->BlockSpectra = std::make_shared<HartleyBlockSpectra>(block, this->Options.CacheBytes);
+      ThrowInvalid("blocks have more than " + std::to_string(HartleyLayout::LargestBlock) +
+        " voxels along an axis; use the method Slice for blocks of this size");
     }
-    this->Painter = std::make_unique<HartleyQuickSlice>(lattice, block, this->BlockSpectra);
+    if (!this->BlockVoxels)
+    {
+      this->BlockVoxels = std::make_shared<HartleyBlockVoxels>(
+        this->Layout.GetNumberOfBlocks(), this->Options.CacheBytes);
+    }
+    this->Painter = std::make_unique<HartleyStencil>(lattice, block, this->BlockVoxels);
   }
   else
   {
@@ -269,7 +274,14 @@ const std::vector<float>& HartleyProjector::Internals::GetUnit(const Triple& fil
   auto& unit = this->Units[filled];
   if (unit.empty())
   {
-    unit = this->Painter->PaintUnit(filled);
+    const auto image = this->Painter->PaintUnit(filled);
+    const auto& points = this->Lattice->Points;
+    const std::size_t stride = HartleySlab::RoundUp(points[0]);
+    unit.resize(stride * points[1]);
+    for (std::size_t row = 0; row < points[1]; ++row)
+    {
+      std::copy_n(image.data() + row * points[0], points[0], unit.data() + row * stride);
+    }
   }
   return unit;
 }
@@ -284,7 +296,7 @@ HartleyProjector::HartleyProjector(
   this->Data->Layout = this->Data->Source->GetLayout();
   this->Data->Options = options;
   this->Data->TermCounts.assign(this->Data->Layout.GetNumberOfBlocks(), Internals::Unknown);
-  // The method Slice keeps spectra instead of coefficients.
+  // Other methods than Basis keep spectra or voxels instead of coefficients.
   this->Data->Chunks.emplace(
     *this->Data->Source, this->Data->GetMethod() == HartleyMethod::Basis ? options.CacheBytes : 0);
 }
@@ -318,8 +330,13 @@ public:
     this->Image.Width = view.Width;
     this->Image.Height = view.Height;
     this->Image.Method = data.GetMethod();
-    const float light = this->IsXRay ? 0.0f : 1.0f;
-    this->Image.Colors.assign(std::size_t{ view.Width } * view.Height, { 0, 0, 0, light });
+    const std::size_t planes = this->Lookup.GetLaw().Planes;
+    const std::size_t plane = std::size_t{ view.Width } * view.Height;
+    this->Pixels.assign(planes * plane, 0);
+    if (!this->IsXRay)
+    {
+      std::fill_n(this->Pixels.end() - static_cast<std::ptrdiff_t>(plane), plane, 1.0f);
+    }
   }
 
   std::uint32_t GetNumberOfSlabs() const { return this->Counts[2]; }
@@ -341,7 +358,7 @@ public:
     {
       return true;
     }
-    this->Slab.Start(this->Lattice, first, end, middle);
+    this->Slab.Start(this->Lattice, first, end, middle, this->Lookup.GetLaw().Planes);
     this->ListPlaces(first, end, along);
     this->LoadTerms();
     const std::size_t width = end[0] - first[0];
@@ -352,25 +369,28 @@ public:
       const std::size_t count = std::min(this->Places.size() - from, rowsAtOnce * width);
       this->DrawBatch(std::span(this->Places).subspan(from, count));
     }
-    return this->Slab.AddTo(this->Lattice, this->View, this->Lookup, this->Image.Colors) ||
+    return this->Slab.AddTo(this->Lattice, this->View, this->Lookup.GetLaw(), this->Pixels) ||
       this->IsXRay;
   }
 
   HartleyImage Finish(const HartleyShading& shading)
   {
+    const std::size_t plane = std::size_t{ this->Image.Width } * this->Image.Height;
+    const float* const first = this->Pixels.data();
     if (this->IsXRay)
     {
-      for (const auto& pixel : this->Image.Colors)
-      {
-        this->Image.Sums.push_back(pixel[0]);
-        this->Image.Samples.push_back(pixel[1]);
-      }
+      this->Image.Sums.assign(first, first + plane);
+      this->Image.Samples.assign(first + plane, first + 2 * plane);
       FinishHartleyXRay(shading, this->Data.Source->GetBase(), this->Image);
       return std::move(this->Image);
     }
-    for (auto& pixel : this->Image.Colors)
+    const std::size_t colors = this->Lookup.GetLaw().Planes - 1;
+    const std::size_t green = colors > 1 ? plane : 0;
+    this->Image.Colors.resize(plane);
+    for (std::size_t i = 0; i < plane; ++i)
     {
-      pixel[3] = 1 - pixel[3];
+      this->Image.Colors[i] = { first[i], first[green + i], first[2 * green + i],
+        1 - first[colors * plane + i] };
     }
     return std::move(this->Image);
   }
@@ -413,7 +433,7 @@ private:
     const std::size_t points = this->Lattice.GetNumberOfPoints();
     this->Parts.clear();
     this->Tasks.clear();
-    this->Images.resize(std::max(this->Images.size(), places.size() * points));
+    this->Images.resize(std::max(this->Images.size(), places.size() * points + HartleySlab::Lanes));
     for (const Triple& place : places)
     {
       const std::size_t block = this->Data.Layout.GetBlockNumber(place);
@@ -441,7 +461,7 @@ private:
     }
     this->Image.Blocks += this->Parts.size();
     Paint(*this->Data.Painter, this->Tasks);
-    this->Slab.Add(this->Lattice, this->Lookup, this->Parts);
+    this->Slab.Add(this->Lattice, this->Lookup.GetLaw(), this->Parts);
   }
 
   Internals& Data;
@@ -453,6 +473,7 @@ private:
   std::array<std::uint32_t, 3> Counts{};    // of blocks, along the lattice's axes
   std::array<bool, 2> Descending{};         // whether rays meet blocks of high indices first
   HartleyImage Image;
+  std::vector<float> Pixels; // planes of the law
 
   // Reused from slab to slab.
   HartleySlab Slab;

@@ -32,7 +32,8 @@ struct HartleyOptions
   double Padding = 2;
 
   /** Upper bound of the memory that is kept from one image to the next, in bytes. It holds the
-   * coefficients of chunks or, with the method Slice, the spectra of blocks. Coefficients that the
+   * coefficients of chunks or, with the methods Slice and Voxels, the spectra or voxels of blocks.
+   * Coefficients that the
    * source holds in memory anyway count but take no additional memory. The spectrum of the whole
    * volume, which X-rays use with the method Automatic, has a budget of the same size of its own.
    */
@@ -40,7 +41,7 @@ struct HartleyOptions
 };
 
 /**
- * Draws a volume from its Hartley coefficients, without reconstructing voxels. A block is the sum
+ * Draws a volume from its Hartley coefficients, block by block. A block is the sum
  * of the trilinear basis functions of its voxels. Neighboring blocks overlap by one voxel and add
  * up to the trilinearly interpolated volume. Sums along rays are line integrals of that volume, in
  * samples (HartleyView::Step).

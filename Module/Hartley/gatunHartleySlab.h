@@ -5,8 +5,8 @@
 
 // The blocks of a slab, summed or composited on one lattice.
 
+#include "gatunHartleyKernel.h"
 #include "gatunHartleyLattice.h"
-#include "gatunHartleyLookup.h"
 #include "gatunHartleyView.h"
 
 #include <array>
@@ -24,11 +24,18 @@ struct HartleySlab
 
   std::array<double, 2> Origin{}; ///< sheared coordinates of the first point
   std::array<std::size_t, 2> Points{};
-  std::vector<std::array<float, 4>> Channels;
+  std::size_t Stride = 0;    ///< from one row of points to the next
+  std::vector<float> Values; ///< plane by plane
 
-  /** Clears the lattice and sets its extent to the blocks [first, end), across and down. */
+  /** Clears the lattice and sets its extent to the blocks [first, end), across and down. Only what
+   * has content is cleared and interpolated. */
   void Start(const HartleyLattice& lattice, const std::array<std::uint32_t, 2>& first,
-    const std::array<std::uint32_t, 2>& end, double middleAlong);
+    const std::array<std::uint32_t, 2>& end, double middleAlong, std::size_t planes);
+
+  /** The kernel uses eight points at a time. Images of blocks may be accessed as far beyond their
+   * end, and rows of the images of ones are as much longer and filled with 0. */
+  static constexpr std::size_t Lanes = 8;
+  static std::size_t RoundUp(std::size_t points) { return (points + Lanes - 1) / Lanes * Lanes; }
 
   /** A block and its images. */
   struct Part
@@ -39,18 +46,29 @@ struct HartleySlab
   };
 
   /** Composites blocks, given from front to back, behind the present content. */
-  void Add(const HartleyLattice& lattice, const HartleyLookup& lookup, std::span<const Part> parts);
+  void Add(const HartleyLattice& lattice, const HartleyLaw& law, std::span<const Part> parts);
 
-  /** Composites the slab behind the content of an image. Returns whether a pixel is not opaque
-   * afterwards. */
-  bool AddTo(const HartleyLattice& lattice, const HartleyView& view, const HartleyLookup& lookup,
-    std::vector<std::array<float, 4>>& pixels) const;
+  /** Composites the slab behind the content of an image, whose planes are those of the law.
+   * Returns whether a pixel is not opaque afterwards. */
+  bool AddTo(const HartleyLattice& lattice, const HartleyView& view, const HartleyLaw& law,
+    std::vector<float>& pixels) const;
 
 private:
   std::array<std::size_t, 2> GetCorner(
     const HartleyLattice& lattice, const std::array<std::uint32_t, 2>& place) const;
+  std::size_t GetPlane() const { return this->Stride * this->Points[1]; }
+
+  // Squares of points, of which it is known whether they have content.
+  static constexpr std::size_t CellSize = 8;
+
+  void Clear();
+  void Mark(const HartleyLattice& lattice, std::span<const Part> parts);
+  bool IsEmpty(double left, double right, double top, double bottom) const;
 
   std::array<std::uint32_t, 2> First{}; ///< block
+  std::size_t Planes = 0;
+  std::array<std::size_t, 2> Cells{};
+  std::vector<std::uint8_t> HasContent; // of each cell
 };
 }
 

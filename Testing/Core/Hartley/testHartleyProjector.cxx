@@ -170,17 +170,18 @@ TEST(HartleyProjector, BlocksBySlicesAreNearlyExact)
 }
 
 //------------------------------------------------------------------------------
-// Of blocks of more than 16 voxels: in single precision, from spectra in half precision.
-TEST(HartleyProjector, BlocksByQuickSlicesAreNearlyExact)
+// As Automatic draws them.
+TEST(HartleyProjector, BlocksByVoxelsAreExact)
 {
   const auto volume = MakeHead({ 37, 33, 35 });
-  for (const std::uint32_t block : { 11u, 16u, 32u })
+  for (const std::uint32_t block : { 2u, 3u, 5u, 8u, 16u, 20u, 32u, 64u })
   {
     for (const Vector& turns : GetTurns())
     {
       SCOPED_TRACE(testing::Message()
         << "block " << block << " turns " << turns[0] << " " << turns[1] << " " << turns[2]);
-      EXPECT_LT(CompareBlocks(volume, block, turns, {}).Mean, block >= 32 ? 1.5e-3 : 4e-3);
+      // Single precision.
+      EXPECT_LT(CompareBlocks(volume, block, turns, { HartleyMethod::Voxels }).Largest, 1e-5);
     }
   }
 }
@@ -245,6 +246,11 @@ TEST(HartleyProjector, XRay)
 TEST(HartleyProjector, XRayByBasisFunctions)
 {
   CompareXRays(HartleyMethod::Basis, { 2, 5, 8, 16 });
+}
+
+TEST(HartleyProjector, XRayByVoxels)
+{
+  CompareXRays(HartleyMethod::Voxels, { 2, 5, 8, 16, 32 });
 }
 
 TEST(HartleyProjector, XRayBySlices)
@@ -326,6 +332,49 @@ TEST(HartleyProjector, ExponentialLawIsExact)
         });
       EXPECT_LT(opacity.Mean, 2e-3);
       EXPECT_LT(opacity.Largest, 2e-2);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Most of a slab is empty, and nothing of the rest is lost. A table with colors has more planes, of
+// which the first is the same.
+TEST(HartleyProjector, ScatteredSpotsAreDrawn)
+{
+  Phantom<std::uint8_t> volume{ { 70, 60, 50 }, {} };
+  volume.Values.resize(70 * 60 * 50);
+  std::mt19937 random(5);
+  std::uniform_int_distribution<std::size_t> place(0, volume.Values.size() - 1);
+  for (int i = 0; i < 40; ++i)
+  {
+    volume.Values[place(random)] = 200;
+  }
+  const ReferenceVolume reference(volume.Values.data(), volume.Size, 0);
+  HartleyShading gray;
+  gray.OpacityModel = HartleyOpacityModel::Exponential;
+  gray.Extinction = 2e-3;
+  HartleyShading colored = gray;
+  gray.Table.assign(2, { 0.5f, 0.5f, 0.5f, 0 });
+  colored.Table.assign(2, { 0.5f, 0.25f, 0.75f, 0 });
+  for (const std::uint32_t block : { 4u, 8u, 16u })
+  {
+    HartleyProjector projector(MakeSource(volume.Values, volume.Size, block));
+    for (const Vector& turns : GetTurns())
+    {
+      const auto view = MakeTurnedView(volume.Size, turns, 90, 1);
+      const auto image = projector.Draw(view, gray);
+      const auto other = projector.Draw(view, colored);
+      Difference opacity;
+      ForEachPixel(view,
+        [&](std::size_t i, const Vector& point)
+        {
+          const double depth = gray.Extinction * reference.Integrate(point, view.Step);
+          opacity.Add(static_cast<double>(image.Colors[i][3]), 1 - std::exp(-depth));
+          EXPECT_NEAR(other.Colors[i][0], image.Colors[i][0], 1e-6);
+          EXPECT_NEAR(other.Colors[i][3], image.Colors[i][3], 1e-6);
+        });
+      EXPECT_LT(opacity.Mean, 2e-3);
+      EXPECT_LT(opacity.Largest, 5e-2); // kinks of single voxels
     }
   }
 }
@@ -567,6 +616,14 @@ TEST(HartleyProjector, BadInput)
         .Draw(view, {});
     },
     "Slice");
+  const auto lengthy = MakeSmooth({ 70, 4, 4 });
+  expectInvalid(
+    [&]
+    {
+      HartleyProjector(MakeSource(lengthy.Values, lengthy.Size, 0), { HartleyMethod::Voxels })
+        .Draw(view, {});
+    },
+    "Slice");
 
   // An image that is given up leaves the projector as it was.
   HartleyProjector projector(MakeSource(volume.Values, volume.Size, 4));
@@ -602,15 +659,15 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// A file is not decoded again for the next view along the same axis.
-TEST(HartleyProjector, KeptSpectraNeedNoChunks)
+// A file is not decoded again for the next view, also along another axis.
+TEST(HartleyProjector, KeptVoxelsNeedNoChunks)
 {
   const auto volume = MakeHead({ 36, 40, 140 });
   const auto source = std::make_shared<CountingVolume>(MakeSource(volume.Values, volume.Size, 32));
   const auto count = static_cast<int>(source->GetLayout().GetNumberOfChunks());
   const auto shading = MakeGrey(HartleyOpacityModel::TransferFunction);
   const auto view = MakeTurnedView(volume.Size, { 0.1, 0.2, 0.3 }, 40, 0.6);
-  const auto other = MakeTurnedView(volume.Size, { 0.12, 0.18, 0.3 }, 40, 0.6);
+  const auto other = MakeTurnedView(volume.Size, { 0.62, 0.18, 0.3 }, 40, 0.6);
   HartleyProjector keeps(source);
   const auto image = keeps.Draw(view, shading);
   EXPECT_GE(source->Reads, count);
@@ -618,7 +675,7 @@ TEST(HartleyProjector, KeptSpectraNeedNoChunks)
   EXPECT_EQ(keeps.Draw(view, shading).Colors, image.Colors);
   const auto second = keeps.Draw(other, shading);
   EXPECT_EQ(source->Reads, 0);
-  EXPECT_EQ(second.Terms, image.Terms);
+  EXPECT_GT(second.Terms, 0u);
 
   // What does not fit is read again, and drawn the same.
   HartleyOptions options;
@@ -659,29 +716,5 @@ TEST(HartleyKernel, SetsOfInstructionsAgree)
     EXPECT_NEAR(one[k], expected, 1e-5);
     EXPECT_NEAR(two[k], expected, 1e-5);
   }
-
-  for (int i = 0; i < 100; ++i)
-  {
-    const float x = (number(random) + 1) / 2;
-    const float y = (number(random) + 1) / 2;
-    std::array<float, 4> first, second;
-    portable.Interpolate(values.data() + i, 64, x, y, first.data());
-    best.Interpolate(values.data() + i, 64, x, y, second.data());
-    for (std::size_t channel = 0; channel < 4; ++channel)
-    {
-      EXPECT_NEAR(first[channel], second[channel], 1e-5);
-    }
-  }
-  // At a point it is the point's value, and planes are kept.
-  std::array<float, 4> found;
-  best.Interpolate(values.data(), 64, 0, 0, found.data());
-  EXPECT_EQ(found[2], values[64 + 4 + 2]);
-  std::vector<float> plane(4 * 16);
-  for (std::size_t i = 0; i < 16; ++i)
-  {
-    plane[4 * i] = 3 + 2 * static_cast<float>(i % 4) - 5 * static_cast<float>(i / 4);
-  }
-  best.Interpolate(plane.data(), 16, 0.3f, 0.8f, found.data());
-  EXPECT_NEAR(found[0], 3 + 2 * 1.3f - 5 * 1.8f, 1e-5);
 }
 }
