@@ -152,7 +152,7 @@ assert np.hypot(found[0] - x.mean(), found[1] - y.mean()) < 0.8, (found, x.mean(
 
 report = json.loads(render("--json", "exact.ghv", out="picture.exr"))
 assert report["size"] == [18, 14, 12] and report["opacityModel"] == "transfer"
-assert report["method"] == "basis" and report["images"][0]["terms"] > 0
+assert report["method"] == "voxels" and report["images"][0]["terms"] > 0
 assert report["images"][0]["bytesRead"] > 0 and os.path.exists("picture.exr")
 gtn("volume", "render", "--turntable", 3, "--size", "20x20", "--stats", "exact.ghv", "turn.png",
     says="turn-000.png to turn-002.png")

@@ -358,12 +358,15 @@ TEST(HartleyProjector, ScatteredSpotsAreDrawn)
   colored.Table.assign(2, { 0.5f, 0.25f, 0.75f, 0 });
   for (const std::uint32_t block : { 4u, 8u, 16u })
   {
-    HartleyProjector projector(MakeSource(volume.Values, volume.Size, block));
+    const auto source = MakeSource(volume.Values, volume.Size, block);
+    HartleyProjector projector(source);
+    HartleyProjector sums(source, { HartleyMethod::Basis });
     for (const Vector& turns : GetTurns())
     {
       const auto view = MakeTurnedView(volume.Size, turns, 90, 1);
       const auto image = projector.Draw(view, gray);
       const auto other = projector.Draw(view, colored);
+      const auto summed = sums.Draw(view, gray);
       Difference opacity;
       ForEachPixel(view,
         [&](std::size_t i, const Vector& point)
@@ -372,9 +375,9 @@ TEST(HartleyProjector, ScatteredSpotsAreDrawn)
           opacity.Add(static_cast<double>(image.Colors[i][3]), 1 - std::exp(-depth));
           EXPECT_NEAR(other.Colors[i][0], image.Colors[i][0], 1e-6);
           EXPECT_NEAR(other.Colors[i][3], image.Colors[i][3], 1e-6);
+          EXPECT_NEAR(summed.Colors[i][3], image.Colors[i][3], 1e-4);
         });
-      EXPECT_LT(opacity.Mean, 2e-3);
-      EXPECT_LT(opacity.Largest, 5e-2); // kinks of single voxels
+      EXPECT_LT(opacity.Mean, 2e-3); // lattice points round off the kinks of single voxels
     }
   }
 }
