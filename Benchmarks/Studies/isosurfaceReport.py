@@ -108,6 +108,23 @@ def _repeated(results):
             "\n" + table(["mesh", "method", "open", "first time", "again", "slider"], rows))
 
 
+def _whole(results):
+    rows = []
+    for mesh in results["meshes"]:
+        for run in mesh.get("whole", []):
+            layers, spatial, peer = (one["seconds"] for one in run["files"])
+            rows.append([mesh["name"], run["threads"],
+                         *(number(1000 * statistics.median(s)) for s in (layers, spatial, peer)),
+                         spread(rounds_of(zip(layers, spatial))),
+                         spread(rounds_of(zip(peer, layers)))])
+    if not rows:
+        return ""  # results from before this was measured
+    return "## The whole file\n\n" + paragraph("""Milliseconds for reading the whole mesh into a
+        vtkUnstructuredGrid, medians of interleaved rounds.""") + "\n" + table(
+            ["mesh", "threads", "Gatun, layers", "Gatun, spatial", ".vtu (zlib)",
+             "layers / spatial", ".vtu (zlib) / layers"], rows)
+
+
 def _memory(results):
     rows = []
     for mesh in results["meshes"]:
@@ -161,9 +178,9 @@ def _sweep(results, plots):
 
 
 def page(results, plots):
-    parts = [_head(results), _cold(results, plots), _repeated(results), _memory(results),
-             _strips(results), _sweep(results, plots)]
-    return "\n".join(part.rstrip() + "\n" for part in parts)
+    parts = [_head(results), _cold(results, plots), _repeated(results), _whole(results),
+             _memory(results), _strips(results), _sweep(results, plots)]
+    return "\n".join(part.rstrip() + "\n" for part in parts if part)
 
 
 def write(results, out):

@@ -96,6 +96,15 @@ def measure_layers(runner, source, array, values, counts, rounds):
     return sweep
 
 
+WHOLE = ("layers", "spatial", "vtu-zlib")
+
+
+def measure_whole(runner, files, rounds):
+    """The whole mesh from the file into memory, for each number of threads."""
+    return [runner.case("load-files", *(files[kind] for kind in WHOLE), "--rounds", rounds,
+                        threads=threads) for threads in (1, 2)]
+
+
 def measure_mesh(runner, name, source, wanted, mode, _):
     array = wanted.get("array", "Density")
     files = make_files(runner, name, source, array)
@@ -106,6 +115,7 @@ def measure_mesh(runner, name, source, wanted, mode, _):
         "bytes": {kind: file.stat().st_size for kind, file in files.items()},
         "cold": measure_cold(runner, files, array, values, WAYS, mode["rounds"]),
         "repeated": measure_repeated(runner, files, array, values),
+        "whole": measure_whole(runner, files, 3 * mode["rounds"]),
         "memory": [{"value": value, **runner.case(
             "surface-memory", files["vtu-raw"], "--array", array, "--values", value, "--rounds",
             3 * mode["rounds"])} for value in values],

@@ -39,7 +39,7 @@ def main():
             require(run["gatun"]["corners"] - 2 * run["gatun"]["strips"] == run["triangles"],
                     "strips have another number of triangles")
     page = (out / "isosurface-study.md").read_text(encoding="utf-8")
-    for part in "MiB read", "slider", "triangles per strip", "Number of layers":
+    for part in "MiB read", "slider", "layers / spatial", "triangles per strip", "Number of layers":
         require(part in page, f"the page says nothing of {part}")
 
 

@@ -8,14 +8,16 @@
 namespace gatun
 {
 SharedSearch::SharedSearch(std::span<const LatticePoint> vertices)
-  : PlaceOf(vertices.size())
+  : Vertices(vertices)
+  , Gone(vertices.size(), 0)
+  , FirstPlace(vertices.size())
   , Entries(vertices.size() + 3)
 {
   // About two vertices in each cell if the vertices are on the six sides of a box.
   this->Bits = static_cast<unsigned>(
     std::clamp((static_cast<int>(std::bit_width(vertices.size())) - 4) / 2, 0, 6));
   this->CellsPerUnit = static_cast<float>(1u << this->Bits) * (1.0F / 256.0F);
-  this->CellStart.assign((std::size_t{ 1 } << (3 * this->Bits)) + 1, 0);
+  this->CellStart.assign((this->GetStride() << (2 * this->Bits)) + 1, 0);
   for (const auto& v : vertices)
   {
     ++this->CellStart[this->CellOf(v) + 1];
@@ -24,19 +26,82 @@ SharedSearch::SharedSearch(std::span<const LatticePoint> vertices)
   {
     this->CellStart[i] += this->CellStart[i - 1];
   }
-  auto next = this->CellStart;
+  this->LiveStart = this->CellStart;
   for (std::uint32_t i = 0; i < vertices.size(); ++i)
   {
-    this->PlaceOf[i] = next[this->CellOf(vertices[i])]++;
-    this->Entries[this->PlaceOf[i]] = { vertices[i].X, vertices[i].Y, vertices[i].Z, i };
+    this->FirstPlace[i] = this->LiveStart[this->CellOf(vertices[i])]++;
+    this->Entries[this->FirstPlace[i]] = { vertices[i].X, vertices[i].Y, vertices[i].Z, i };
   }
+  this->PlaceOf = this->FirstPlace;
+  this->LiveStart = this->CellStart;
+  this->GoneInRow.resize(std::size_t{ 1 } << (2 * this->Bits));
 }
 
 void SharedSearch::Remove(std::uint32_t index)
 {
   constexpr float away = 1.0e6F;
+  this->Gone[index] = 1;
   this->Entries[this->PlaceOf[index]] = { away, away, away, index };
-  this->PlaceOf[index] = Gone;
+  const auto stride = this->GetStride();
+  const auto row = this->CellOf(this->Vertices[index]) / stride;
+  const auto entries = this->LiveStart[row * stride + stride - 1] - this->LiveStart[row * stride];
+  // So rarely that a vertex is moved about once for each one that is met.
+  if (++this->GoneInRow[row] > entries / 2 + 4)
+  {
+    this->Compact(row);
+  }
+}
+
+void SharedSearch::Compact(std::size_t row)
+{
+  const auto begin = row * this->GetStride();
+  auto to = this->LiveStart[begin];
+  auto from = to;
+  for (auto cell = begin; cell + 1 < begin + this->GetStride(); ++cell)
+  {
+    for (const auto end = this->LiveStart[cell + 1]; from < end; ++from)
+    {
+      const auto index = this->Entries[from].Users;
+      this->Entries[to] = this->Entries[from];
+      this->PlaceOf[index] = to;
+      to += this->Gone[index] == 0;
+    }
+    this->LiveStart[cell + 1] = to;
+  }
+  this->GoneInRow[row] = 0;
+}
+
+std::uint32_t SharedSearch::TakeNext()
+{
+  LeastOfGroups least;
+  for (std::uint32_t i = 0; i < this->RankCount; i += 4)
+  {
+    Float4 group;
+    std::memcpy(&group, &this->Ranks[i], sizeof(group));
+    least.Compare(group, static_cast<std::int32_t>(i));
+  }
+  const auto position = least.GetPosition();
+  if (position < 0)
+  {
+    return NoVertex;
+  }
+  const auto at = static_cast<std::uint32_t>(position);
+  this->Ranks[at] = NeverRank;
+  auto row = this->RowCount - 1;
+  while (this->Rows[row].FirstRank > at)
+  {
+    --row;
+  }
+  return this->Entries[this->Rows[row].FirstEntry + at - this->Rows[row].FirstRank].Users;
+}
+
+std::uint32_t SharedSearch::FindEnd(
+  std::uint32_t first, std::uint32_t end, std::uint32_t position) const
+{
+  const auto row = std::span(this->Entries).subspan(first, end - first);
+  const auto found = std::partition_point(row.begin(), row.end(),
+    [&](const LatticePoint& e) { return this->FirstPlace[e.Users] < position; });
+  return first + static_cast<std::uint32_t>(found - row.begin());
 }
 
 SharedSearch::Area::Area(const SharedSearch& search, const GatePlane& plane, float reach)

@@ -11,85 +11,67 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
 namespace gatun
 {
-/** Finds shared vertices in front of a gate and close to it that have not been met. */
+/**
+ * Finds shared vertices in front of a gate and close to it that have not been met.
+ *
+ * The search visits the rows of cells of a grid from the middle outwards and stops after Patience
+ * groups of four vertices. Met vertices count for the patience, but they leave their row after a
+ * while, so that little time is spent on them.
+ */
 class SharedSearch
 {
 public:
-  static constexpr unsigned Most = 8;
-  static constexpr std::uint32_t Patience =
-    512; // the maximum number of groups of four vertices to examine
-
-  struct Hits
-  {
-    std::array<RankedVertex, Most> List; // Id is the index of a shared vertex
-    unsigned Count = 0;
-
-    /** Vertices with a lower rank are among the best. */
-    float GetBound() const { return this->Count < Most ? NeverRank : this->List[Most - 1].Rank; }
-
-    void Add(const RankedVertex& hit)
-    {
-      unsigned at = this->Count < Most ? this->Count++ : Most - 1;
-      for (; at > 0 && hit.Rank < this->List[at - 1].Rank; --at)
-      {
-        this->List[at] = this->List[at - 1];
-      }
-      this->List[at] = hit;
-    }
-  };
+  static constexpr unsigned Most = 8; // vertices that a walk can name by their rank
+  static constexpr std::uint32_t Patience = 512;
 
   explicit SharedSearch(std::span<const LatticePoint> vertices);
 
   /**
-   * Finds the best vertices in front of a gate whose distance to its centroid is at most reach
-   * times its longest side. getRanks(places, squared distances) ranks them; the best one is first.
-   * The search visits the rows of cells of a grid from the middle outwards and stops after Patience
-   * groups of vertices.
+   * Ranks the vertices in front of a gate whose distance to its centroid is at most reach times its
+   * longest side. getRanks(places, squared distances) ranks them.
    */
   template <typename GetRanks>
-  Hits Find(const GatePlane& plane, float reach, GetRanks&& getRanks) const
+  void Begin(const GatePlane& plane, float reach, GetRanks&& getRanks)
   {
-    Hits hits;
-    this->EachGroup(plane, reach, getRanks,
-      [&](Float4 ranks, std::uint32_t first, std::uint32_t end)
+    const Area area(*this, plane, reach);
+    std::uint32_t patience = Patience;
+    this->RankCount = 0;
+    this->RowCount = 0;
+    for (unsigned i = 0; i < area.CountOf(2) && patience > 0; ++i)
+    {
+      const auto z = area.Outwards(2, i);
+      for (unsigned j = 0; j < area.CountOf(1) && patience > 0; ++j)
       {
-        if (Least(ranks) < hits.GetBound())
+        const auto row = ((z << this->Bits) + area.Outwards(1, j)) * this->GetStride();
+        const auto low = row + area.Low[0];
+        const auto high = row + area.High[0] + 1;
+        const auto groups = (this->CellStart[high] - this->CellStart[low] + 3) / 4;
+        auto end = this->LiveStart[high];
+        if (groups > patience)
         {
-          for (unsigned lane = 0; lane < 4 && first + lane < end; ++lane)
-          {
-            if (ranks[lane] < hits.GetBound())
-            {
-              hits.Add({ ranks[lane], this->Entries[first + lane].Users });
-            }
-          }
+          end = this->FindEnd(this->LiveStart[low], end, this->CellStart[low] + 4 * patience);
         }
-      });
-    return hits;
+        patience -= std::min(groups, patience);
+        this->RankRow(this->LiveStart[low], end, area, getRanks);
+      }
+    }
+    std::fill_n(&this->Ranks[this->RankCount], 3, NeverRank);
   }
 
-  /** The first one of the hits that Find returns, or NoVertex, in less time. */
-  template <typename GetRanks>
-  std::uint32_t FindBest(const GatePlane& plane, float reach, GetRanks&& getRanks) const
-  {
-    LeastOfGroups best;
-    this->EachGroup(plane, reach, getRanks,
-      [&](Float4 ranks, std::uint32_t first, std::uint32_t end)
-      { best.Compare(ranks, static_cast<std::int32_t>(first), static_cast<std::int32_t>(end)); });
-    const auto position = best.GetPosition();
-    return position < 0 ? NoVertex : this->Entries[static_cast<std::size_t>(position)].Users;
-  }
+  /** The next best vertex, among equal ones the one visited first, or NoVertex. */
+  std::uint32_t TakeNext();
 
+  /** Removes a vertex that has been met. */
   void Remove(std::uint32_t index);
-  bool IsGone(std::uint32_t index) const { return this->PlaceOf[index] == Gone; }
+  bool IsGone(std::uint32_t index) const { return this->Gone[index] != 0; }
 
 private:
-  static constexpr std::uint32_t Gone = 0xffffffffu;
-
   /** The cells that a search visits. */
   struct Area
   {
@@ -117,38 +99,41 @@ private:
     std::array<unsigned, 3> Low, High;
   };
 
-  /** Calls use(ranks, first, end) for the groups of vertices within reach, in the order of Find.
-   * Lanes of entries from end on do not belong to the search. */
-  template <typename GetRanks, typename Use>
-  GATUN_INLINE void EachGroup(
-    const GatePlane& plane, float reach, GetRanks&& getRanks, Use&& use) const
+  /** Entries of a row whose ranks begin at a position of Ranks. */
+  struct RankedRow
   {
-    const Area area(*this, plane, reach);
-    std::uint32_t patience = Patience;
-    for (unsigned i = 0; i < area.CountOf(2); ++i)
+    std::uint32_t FirstRank;
+    std::uint32_t FirstEntry;
+  };
+
+  /** Appends the ranks of entries, and NeverRank for those out of reach. */
+  template <typename GetRanks>
+  GATUN_INLINE void RankRow(
+    std::uint32_t first, std::uint32_t end, const Area& area, GetRanks&& getRanks)
+  {
+    this->Rows[this->RowCount] = { this->RankCount, first };
+    this->RowCount += first < end;
+    auto* ranks = &this->Ranks[this->RankCount];
+    this->RankCount += end - first;
+    // The next row overwrites lanes beyond the end.
+    for (; first < end; first += 4, ranks += 4)
     {
-      const auto z = area.Outwards(2, i);
-      for (unsigned j = 0; j < area.CountOf(1); ++j)
-      {
-        const auto row = ((z << this->Bits) + area.Outwards(1, j)) << this->Bits;
-        const auto begin = this->CellStart[row + area.Low[0]];
-        const auto end = this->CellStart[row + area.High[0] + 1];
-        for (auto first = begin; first < end; first += 4)
-        {
-          const auto* e = &this->Entries[first];
-          const auto places = Gather(e[0], e[1], e[2], e[3]);
-          const auto distances = area.GetDistances(places);
-          use(SelectGreater(
-                distances, Splat(area.Limit), Splat(NeverRank), getRanks(places, distances)),
-            first, end);
-          if (--patience == 0)
-          {
-            return;
-          }
-        }
-      }
+      const auto* e = &this->Entries[first];
+      const auto places = Gather(e[0], e[1], e[2], e[3]);
+      const auto distances = area.GetDistances(places);
+      const auto group =
+        SelectGreater(distances, Splat(area.Limit), Splat(NeverRank), getRanks(places, distances));
+      std::memcpy(ranks, &group, sizeof(group));
     }
   }
+
+  /** The first entry of a row that was at a position or behind it at first. */
+  std::uint32_t FindEnd(std::uint32_t first, std::uint32_t end, std::uint32_t position) const;
+
+  /** Removes the met vertices from a row. */
+  void Compact(std::size_t row);
+
+  std::size_t GetStride() const { return (std::size_t{ 1 } << this->Bits) + 1; }
 
   unsigned CellOf(float coordinate) const
   {
@@ -157,20 +142,33 @@ private:
     return static_cast<unsigned>(std::clamp(cell, 0, count - 1));
   }
 
+  /** The position of a place's cell in CellStart and LiveStart. */
   std::size_t CellOf(const LatticePoint& p) const
   {
-    return (((this->CellOf(p.Z) << this->Bits) + this->CellOf(p.Y)) << this->Bits) +
+    return ((this->CellOf(p.Z) << this->Bits) + this->CellOf(p.Y)) * this->GetStride() +
       this->CellOf(p.X);
   }
 
-  std::vector<std::uint32_t> PlaceOf; // the position of each vertex in Entries
+  std::span<const LatticePoint> Vertices;
+  std::vector<std::uint8_t> Gone;        // for each vertex
+  std::vector<std::uint32_t> FirstPlace; // its position in Entries at first
+  std::vector<std::uint32_t> PlaceOf;    // and now
 
   /** Sorted by cell, then by index, which is in Users. Met vertices are far away. Three more at the
    * end. */
   std::vector<LatticePoint> Entries;
+
+  // The first entries of the cells of each row and the end of its last cell: at first, and now.
   std::vector<std::uint32_t> CellStart;
-  unsigned Bits = 0; // the number of cells along each axis is a power of two
+  std::vector<std::uint32_t> LiveStart;
+  std::vector<std::uint32_t> GoneInRow; // entries of met vertices
+  unsigned Bits = 0;                    // the number of cells along each axis is a power of two
   float CellsPerUnit = 1;
+
+  std::array<float, std::size_t{ 4 } * Patience + 4> Ranks; // of the vertices found by Begin
+  std::array<RankedRow, Patience + 1> Rows;                 // ascending
+  std::uint32_t RankCount = 0;
+  std::uint32_t RowCount = 0;
 };
 }
 

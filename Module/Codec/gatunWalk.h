@@ -282,26 +282,15 @@ private:
       return Rule == Ranking::Sphere ? gate.GetSpheres(places)
                                      : gate.Plane.SelectInFront(places, distances);
     };
-    unsigned known = 0; // the number of hits that are known to be wrong
-    if constexpr (!Coder::Encoding)
+    this->Search.Begin(gate.Plane, SearchReach, getRanks);
+    for (auto& model : this->Models.SharedRank)
     {
-      // The best one is usually right, and alone it is found without branches.
-      const auto best = this->Search.FindBest(gate.Plane, SearchReach, getRanks);
-      if (best == NoVertex)
+      const auto index = this->Search.TakeNext();
+      if (index == NoVertex)
       {
-        return this->CodeIndex(target, this->Input.Shared.size());
+        break;
       }
-      if (this->Symbols.Bit(this->Models.SharedRank[0]))
-      {
-        return best;
-      }
-      known = 1;
-    }
-    const auto hits = this->Search.Find(gate.Plane, SearchReach, getRanks);
-    for (unsigned i = known; i < hits.Count; ++i)
-    {
-      const auto index = hits.List[i].Id;
-      if (this->Symbols.Bit(this->Models.SharedRank[i], index == target))
+      if (this->Symbols.Bit(model, index == target))
       {
         return index;
       }

@@ -47,16 +47,12 @@ GATUN_INLINE unsigned CountUpTo(Short8 low, Short8 high, std::int16_t number)
 class LeastOfGroups
 {
 public:
-  /** Compares the next group, whose lanes are at first, first + 1, ... Lanes from end on are left
-   * out. */
-  GATUN_INLINE void Compare(Float4 numbers, std::int32_t first, std::int32_t end)
+  /** Compares the next group, whose lanes are at first, first + 1, ... */
+  GATUN_INLINE void Compare(Float4 numbers, std::int32_t first)
   {
-    const Int4 at = Int4{ 0, 1, 2, 3 } + first;
-    const Int4 better = (numbers < this->Numbers) & (at < end);
+    const Int4 better = numbers < this->Numbers;
     this->Numbers = better ? numbers : this->Numbers;
-    this->Positions = better ? at : this->Positions;
-    this->Groups = better ? Int4{} + this->Group : this->Groups;
-    ++this->Group;
+    this->Positions = better ? Int4{ 0, 1, 2, 3 } + first : this->Positions;
   }
 
   /** The position of the least number, or -1. */
@@ -66,7 +62,8 @@ public:
     for (unsigned lane = 1; lane < 4; ++lane)
     {
       const bool less = (this->Numbers[lane] < this->Numbers[best]) |
-        ((this->Numbers[lane] == this->Numbers[best]) & (this->Groups[lane] < this->Groups[best]));
+        ((this->Numbers[lane] == this->Numbers[best]) &
+          (this->Positions[lane] < this->Positions[best]));
       best = less ? lane : best;
     }
     return this->Positions[best];
@@ -78,8 +75,6 @@ private:
 
   Float4 Numbers{ Infinity, Infinity, Infinity, Infinity };
   Int4 Positions{ -1, -1, -1, -1 };
-  Int4 Groups{};
-  std::int32_t Group = 0;
 };
 
 /** Moves each lane towards a target by 1 / 2^rate of the way. */
@@ -159,9 +154,9 @@ inline Float4 SelectGreater(const Float4& l, const Float4& r, const Float4& a, c
 class LeastOfGroups
 {
 public:
-  void Compare(const Float4& numbers, std::int32_t first, std::int32_t end)
+  void Compare(const Float4& numbers, std::int32_t first)
   {
-    for (std::int32_t lane = 0; lane < 4 && first + lane < end; ++lane)
+    for (std::int32_t lane = 0; lane < 4; ++lane)
     {
       if (numbers[static_cast<std::size_t>(lane)] < this->Number)
       {
