@@ -9,6 +9,7 @@
 #include "benchFiles.h"
 
 #include "gatunMergeBuilder.h"
+#include "gatunParallel.h"
 #include "vtkGatunSimplify.h"
 
 #include "vtkDataArray.h"
@@ -35,6 +36,7 @@ struct Options
   double Part = 0.5;
   std::size_t Samples = 200000;
   int Rounds = 1;
+  std::vector<int> Threads;
 };
 
 void WriteMesh(vtkUnstructuredGrid* grid, const std::string& file)
@@ -151,7 +153,7 @@ void SimplifyByQuadrics(const Options& options)
     });
 }
 
-/** Only the list of merges, without the filter around it. */
+/** Only the list of merges, without the filter around it, by each number of threads in turn. */
 void Build(const Options& options)
 {
   const Grid grid = KeepPointArray(Load(options.File), options.Array);
@@ -174,12 +176,20 @@ void Build(const Options& options)
   }
   const gatun::MergeInput input{ points, tets, { { values, 1 } } };
   gatun::MergeTree tree;
-  std::vector<double> seconds;
-  const PeakMemory memory;
-  for (int round = 0; round < options.Rounds; ++round)
+  std::vector<int> threads = options.Threads;
+  if (threads.empty())
   {
-    seconds.push_back(SecondsOf([&] { tree = gatun::BuildMergeTree(input); }));
+    threads.push_back(gatun::GetNumberOfThreads());
   }
+  std::vector<Operation> operations;
+  for (const int count : threads)
+  {
+    const auto build = [&tree, &input] { tree = gatun::BuildMergeTree(input); };
+    operations.push_back(
+      { std::to_string(count), [count, build] { gatun::WithNumberOfThreads(count, build); } });
+  }
+  const PeakMemory memory;
+  RunInterleaved(operations, options.Rounds);
   const std::uint64_t peak = PeakMemory::GetPeak();
   std::size_t gone = 0;
   const double ancestors =
@@ -190,7 +200,18 @@ void Build(const Options& options)
       json["tets"] = CountCells(grid);
       json["points"] = std::uint64_t{ gone };
       json["merges"] = std::uint64_t{ tree.GetMerges().size() };
-      AddList(json, "seconds", seconds);
+      AddList(json, "seconds", operations.front().Seconds);
+      json["threads"] = Json::arrayValue;
+      for (const Operation& operation : operations)
+      {
+        auto sorted = operation.Seconds;
+        std::sort(sorted.begin(), sorted.end());
+        Json::Value run;
+        run["threads"] = std::stoi(operation.Name);
+        run["rate"] = 1e-6 * static_cast<double>(tets.size()) / sorted[sorted.size() / 2];
+        AddTimes(run, operation);
+        json["threads"].append(run);
+      }
       json["ancestors"] = ancestors;
       json["before"] = memory.GetBefore();
       json["peak"] = peak;
@@ -262,6 +283,11 @@ void AddSimplify(CLI::App& app)
   CLI::App* build =
     AddCase(app, options, "simplify-build", "Time and memory of finding the list of merges", Build);
   build->add_option("--rounds", options->Rounds, "How often")->check(CLI::Range(1, 1000));
+  build
+    ->add_option("--threads", options->Threads,
+      "Numbers of threads that take turns; each gives a rate in millions of tetrahedra a second")
+    ->delimiter(',')
+    ->check(CLI::Range(1, 1024));
   CLI::App* quadric = AddCase(app, options, "simplify-quadric",
     "Time and memory of vtkUnstructuredGridQuadricDecimation", SimplifyByQuadrics);
   quadric->add_option("--part", options->Part, "The part of the tetrahedra that is to be left")

@@ -10,15 +10,24 @@ gatun_core_folder(Merge
     gatunMergeInput.h
   PRIVATE_HEADERS
     gatunLocalIndex.h
+    gatunMergeBends.h
     gatunMergeCodec.h
     gatunMergeCosts.h
+    gatunMergeFields.h
+    gatunMergeLanes.h
+    gatunMergeLinks.h
     gatunMergeMesh.h
     gatunMergeOrder.h
     gatunMergeQueue.h
+    gatunMergeStar.h
   SOURCES
+    gatunMergeBends.cxx
     gatunMergeBuilder.cxx
     gatunMergeCodec.cxx
     gatunMergeCosts.cxx
+    gatunMergeFields.cxx
+    gatunMergeLinks.cxx
     gatunMergeMesh.cxx
     gatunMergeOrder.cxx
+    gatunMergeStar.cxx
     gatunMergeTree.cxx)

@@ -5,12 +5,16 @@
 #include "gatunError.h"
 #include "gatunLocalIndex.h"
 #include "gatunMergeCosts.h"
+#include "gatunMergeFields.h"
 #include "gatunMergeMesh.h"
 #include "gatunMergeOrder.h"
 #include "gatunMergeQueue.h"
+#include "gatunParallel.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <memory>
 
 namespace gatun
 {
@@ -18,60 +22,53 @@ namespace
 {
 /** After so many changes around it, what a point costs is found anew. Later is faster, but merges
  * that have become cheaper wait. */
-constexpr unsigned MostChanges = 3;
+constexpr std::uint8_t MostChanges = 3;
 
 /** Roots of sums of changes are so many times what is measured of meshes that were simplified. */
 constexpr double ChangePerError = 6;
 
-/** Merges points in the order of their costs. */
-template <typename Costs>
+/** Fewer points than this are evaluated by one thread. */
+constexpr std::size_t FewestInParallel = 64;
+
+/**
+ * Merges points in rounds. The points of a round have the lowest costs of all, which are found anew
+ * where they are outdated. Of these points, all are merged around which nothing has changed in the
+ * round. Costs are only found between the merges of two rounds, by all threads, so that the result
+ * does not depend on their number.
+ */
+template <std::size_t NumberOfFields>
 class Builder
 {
 public:
-  Builder(const MergeInput& input, const MergeSettings& settings)
-    : Mesh(input.Points.size(), input.Tets)
-    , CostOf(this->Mesh, input, settings)
+  Builder(const MergeInput& input, const MergeSettings& settings,
+    const std::function<bool(double)>& progress)
+    : Progress(progress)
+    , Mesh(input.Points.size(), input.Tets)
+    , Fields(this->Mesh, input)
     , Candidates(input.Points.size())
   {
+    for (int i = 0; i < std::max(1, GetNumberOfThreads()); ++i)
+    {
+      this->Workers.push_back(
+        std::make_unique<MergeCosts<NumberOfFields>>(this->Mesh, this->Fields, settings));
+    }
   }
 
-  std::vector<Merge> Run(const std::function<bool(double)>& progress)
+  std::vector<Merge> Run()
   {
-    const auto points = static_cast<std::uint32_t>(this->Candidates.size());
-    std::vector<std::uint32_t> cheapest;
-    MergeQueue::Key key = 0;
     for (bool any = true; any;)
     {
-      for (std::uint32_t point = 0; point < points; ++point)
-      {
-        if (this->Candidates[point].Is == State::Idle)
-        {
-          this->Enqueue(point);
-        }
-        if (point % 4096 == 0)
-        {
-          Report(progress, this->Merges.empty() ? 0.2 * point / points : 0.99);
-        }
-      }
+      this->FindIdle();
       const auto before = this->Merges.size();
-      while (this->Queue.Take(key, cheapest))
+      MergeQueue::Key key = 0;
+      while (this->Queue.Take(key, this->Due))
       {
-        for (const auto point : cheapest)
-        {
-          if (this->IsDue(point, key))
-          {
-            this->MergeNow(point);
-            if (this->Merges.size() % 1024 == 0)
-            {
-              Report(progress, 0.2 + 0.79 * static_cast<double>(this->Merges.size()) / points);
-            }
-          }
-        }
+        this->RunRound(key);
       }
       // Others may have become possible, by what happened behind their neighbors.
       any = this->Merges.size() > before;
     }
-    Report(progress, 1);
+    this->Report(1);
     return std::move(this->Merges);
   }
 
@@ -88,71 +85,141 @@ private:
     double Change = 0;
     std::uint32_t Into = MergeMesh::None;
     MergeQueue::Key Key = 0;
-    std::uint8_t Changes = 0; // around it since it was found
+    std::uint8_t Changes = 0; // around it since it was found, at most MostChanges
     State Is = State::Idle;
   };
 
-  static void Report(const std::function<bool(double)>& progress, double done)
+  using Costs = MergeCosts<NumberOfFields>;
+
+  void Report(double done) const
   {
-    if (progress && !progress(done))
+    if (this->Progress && !this->Progress(done))
     {
       throw Error(ErrorCode::Aborted, "aborted");
     }
   }
 
-  /** Finds the best merge of a point. Returns whether there is one. */
-  bool Find(std::uint32_t point, bool checkTopology)
+  /** Calls body(costs, point) for each point, in any order. */
+  template <typename Body>
+  void ForEach(const std::vector<std::uint32_t>& points, Body&& body)
+  {
+    if (points.size() < FewestInParallel || this->Workers.size() == 1)
+    {
+      for (const auto point : points)
+      {
+        body(*this->Workers[0], point);
+      }
+      return;
+    }
+    std::atomic<std::size_t> next = 0;
+    ParallelFor(this->Workers.size(),
+      [&](std::size_t worker)
+      {
+        constexpr std::size_t step = 16;
+        for (auto first = next.fetch_add(step); first < points.size(); first = next.fetch_add(step))
+        {
+          for (auto i = first; i < std::min(first + step, points.size()); ++i)
+          {
+            body(*this->Workers[worker], points[i]);
+          }
+        }
+      });
+  }
+
+  /** Finds the best merge of a point. The topology, which takes long to check, nearly always allows
+   * the cheapest one. */
+  void Find(Costs& costs, std::uint32_t point, bool checkTopology)
   {
     Candidate& candidate = this->Candidates[point];
-    const MergeChoice choice = this->CostOf.Choose(point, candidate.Into, checkTopology);
+    const MergeChoice choice = costs.Choose(point, candidate.Into, checkTopology);
     candidate.Change = choice.Change;
     candidate.Into = choice.Into;
     candidate.Key = MergeQueue::GetKey(choice.Cost);
     candidate.Changes = 0;
     candidate.Is = choice.Into == MergeMesh::None ? State::Idle : State::Queued;
-    return candidate.Is == State::Queued;
   }
 
-  /** The topology, which takes long to check, nearly always allows the cheapest merge. */
+  /** Finds the best merges of points that have none, or outdated ones. */
+  void FindAll(std::vector<std::uint32_t>& points)
+  {
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    this->ForEach(
+      points, [this](Costs& costs, std::uint32_t point) { this->Find(costs, point, false); });
+    for (const auto point : points)
+    {
+      this->Enqueue(point);
+    }
+  }
+
   void Enqueue(std::uint32_t point)
   {
-    const Candidate& candidate = this->Candidates[point];
-    const bool isQueued = candidate.Is == State::Queued;
-    const auto before = candidate.Key;
-    if (this->Find(point, false) && !(isQueued && candidate.Key == before))
+    if (this->Candidates[point].Is == State::Queued)
     {
-      this->Queue.Push(candidate.Key, point);
+      this->Queue.Push(this->Candidates[point].Key, point);
     }
   }
 
-  /** Finds the best merge anew. Returns whether it is due; otherwise it is queued. */
-  bool FindDue(std::uint32_t point, MergeQueue::Key key, bool checkTopology)
+  void FindIdle()
   {
-    if (!this->Find(point, checkTopology))
+    const auto points = static_cast<std::uint32_t>(this->Candidates.size());
+    constexpr std::uint32_t step = 1 << 14;
+    for (std::uint32_t first = 0; first < points; first += step)
     {
-      return false;
+      this->Report(this->Merges.empty() ? 0.2 * first / points : 0.99);
+      this->Outdated.clear();
+      for (std::uint32_t point = first; point < std::min(points, first + step); ++point)
+      {
+        if (this->Candidates[point].Is == State::Idle)
+        {
+          this->Outdated.push_back(point);
+        }
+      }
+      this->FindAll(this->Outdated);
     }
-    const auto now = this->Candidates[point].Key;
-    if (now > key)
-    {
-      this->Queue.Push(now, point);
-    }
-    return now <= key;
   }
 
-  /** Whether the best merge of a point has a key, or a lower one, and may be made. */
-  bool IsDue(std::uint32_t point, MergeQueue::Key key)
+  /** Whether what is known of a point may still be that of a key. */
+  bool IsOf(std::uint32_t point, MergeQueue::Key key) const
   {
     const Candidate& candidate = this->Candidates[point];
-    if (candidate.Is != State::Queued || candidate.Key != key)
+    return candidate.Is == State::Queued && candidate.Key == key;
+  }
+
+  void RunRound(MergeQueue::Key key)
+  {
+    auto& due = this->Due;
+    due.erase(std::unique(due.begin(), due.end()), due.end());
+    std::erase_if(due, [&](std::uint32_t point) { return !this->IsOf(point, key); });
+    this->ForEach(due,
+      [&](Costs& costs, std::uint32_t point)
+      {
+        Candidate& candidate = this->Candidates[point];
+        if (candidate.Changes > 0)
+        {
+          this->Find(costs, point, false);
+        }
+        if (candidate.Is == State::Queued && candidate.Key <= key &&
+          !costs.MayMerge(point, candidate.Into))
+        {
+          this->Find(costs, point, true);
+        }
+      });
+    this->Outdated.clear();
+    for (const auto point : due)
     {
-      return false; // it was found anew since
+      const Candidate& candidate = this->Candidates[point];
+      const bool isNow = candidate.Is == State::Queued && candidate.Key <= key;
+      if (isNow && candidate.Changes == 0)
+      {
+        this->MergeNow(point);
+      }
+      else if (candidate.Changes < MostChanges)
+      {
+        this->Enqueue(point);
+      }
     }
-    if (candidate.Changes > 0 && !this->FindDue(point, key, false))
-    {
-      return false;
-    }
-    return this->Mesh.MayMerge(point, candidate.Into) || this->FindDue(point, key, true);
+    this->FindAll(this->Outdated);
   }
 
   void MergeNow(std::uint32_t point)
@@ -163,35 +230,48 @@ private:
       { point, merged.Into, static_cast<float>(std::sqrt(this->Change) / ChangePerError) });
     merged.Is = State::Gone;
     this->Seen.Clear();
-    this->Affected.clear();
     for (const auto tet : this->Mesh.GetRing(point))
     {
       for (const auto corner : this->Mesh.GetTet(tet))
       {
         if (this->Seen[corner]++ == 0)
         {
-          this->Affected.push_back(corner);
+          this->Touch(this->Candidates[corner], corner);
         }
       }
     }
     this->Mesh.Merge(point, merged.Into);
-    for (const auto other : this->Affected)
+    if (this->Merges.size() % 1024 == 0)
     {
-      Candidate& candidate = this->Candidates[other];
-      if (candidate.Is == State::Idle ||
-        (candidate.Is == State::Queued && ++candidate.Changes == MostChanges))
-      {
-        this->Enqueue(other);
-      }
+      this->Report(0.2 +
+        0.79 * static_cast<double>(this->Merges.size()) /
+          static_cast<double>(this->Candidates.size()));
     }
   }
 
+  /** Something around a point has changed. */
+  void Touch(Candidate& candidate, std::uint32_t point)
+  {
+    if (candidate.Is == State::Gone || candidate.Changes == MostChanges)
+    {
+      return;
+    }
+    ++candidate.Changes;
+    if (candidate.Changes == MostChanges)
+    {
+      this->Outdated.push_back(point);
+    }
+  }
+
+  const std::function<bool(double)>& Progress;
   MergeMesh Mesh;
-  Costs CostOf;
+  MergeFields Fields;
+  std::vector<std::unique_ptr<Costs>> Workers;
   std::vector<Candidate> Candidates; // of each point
   MergeQueue Queue;
+  std::vector<std::uint32_t> Due;      // points of the round
+  std::vector<std::uint32_t> Outdated; // points to be found anew after the round
   LocalIndex Seen;
-  std::vector<std::uint32_t> Affected;
   std::vector<Merge> Merges;
   double Change = 0; // of all merges
 };
@@ -235,9 +315,8 @@ MergeTree BuildMergeTree(const MergeInput& input, const MergeSettings& settings,
   Check(input, settings);
   const LocalMergeInput local(input);
   // One field, which is frequent, is faster if its loops are known when they are compiled.
-  auto merges = input.Fields.size() == 1
-    ? Builder<MergeCosts<1>>(local.Get(), settings).Run(progress)
-    : Builder<MergeCosts<0>>(local.Get(), settings).Run(progress);
+  auto merges = input.Fields.size() == 1 ? Builder<1>(local.Get(), settings, progress).Run()
+                                         : Builder<0>(local.Get(), settings, progress).Run();
   for (Merge& merge : merges)
   {
     merge.Point = local.GetIds()[merge.Point];

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunMergeCosts.h"
 
-#include "gatunVector.h"
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,402 +12,72 @@ namespace gatun
 {
 namespace
 {
-/** For a corner the others, so that the volume with it in front has the sign of the tetrahedron. */
-constexpr std::array<std::array<unsigned, 3>, 4> Others{ { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 },
-  { 0, 2, 1 } } };
-
 /** The weight of the estimated curvature of the fields beside the change of the current fields,
  * where the mesh is as it was. Where it is coarser, its gradients are those of fewer tetrahedra,
  * while the curvature is still that of the original mesh. The weight thus grows with the power 3/4
  * of the ratio of the volumes of the tetrahedra, up to a limit: beyond it, thin parts melt away, as
  * their shape counts too little. */
-constexpr double FirstBendWeight = 2;
-constexpr double LargestBendWeight = 10;
+constexpr double FirstBendWeight = 2.5;
+constexpr double LargestBendWeight = 15;
 
 /** What is inside the mesh and was not, or the other way round, counts like a field that is wrong
- * by this part of its range, squared. With less, thin parts melt away. */
+ * by this part of its range, squared, where the boundary is sharp. With less, thin parts melt away.
+ */
 constexpr double ShapeWeight = 0.7;
 
+/** The sine of the angle between a merged edge and a face from which on the boundary is sharp.
+ * Below it, the weight of the shape falls with the square of the sine. */
+constexpr double SharpSine = 0.8;
+
 constexpr double Never = std::numeric_limits<double>::infinity();
-
-/** The rounding errors of a bound, relative to the sum of the absolute values of its terms. */
-constexpr double BoundMargin = 1e-10;
-
-/** By how much the slope of a field along an edge changes from one end to the other, times its
- * length: its second derivative times the square of the length. */
-template <typename Sample>
-double GetBend(const Sample& a, const Sample& b, const glm::dvec3& edge)
-{
-  return glm::dot(edge, a.Gradient - b.Gradient);
-}
-}
-
-//------------------------------------------------------------------------------
-void MergeStar::Quadric::Add(double weight, const Vec& slope)
-{
-  const Vec weighted = weight * slope;
-  this->Weight += weight;
-  this->Linear += weighted;
-  this->Squares += weighted * slope;
-  this->Products += weighted * Vec(slope.y, slope.z, slope.x);
-}
-
-double MergeStar::Quadric::GetBound(double error, const Vec& offset) const
-{
-  const double constant = this->Weight * error * error;
-  const double square = glm::dot(this->Squares, offset * offset) +
-    2 * glm::dot(this->Products, offset * Vec(offset.y, offset.z, offset.x));
-  return constant - 2 * error * glm::dot(this->Linear, offset) + square -
-    BoundMargin * (constant + std::abs(square));
 }
 
 //------------------------------------------------------------------------------
 template <std::size_t N>
-MergeCosts<N>::MergeCosts(MergeMesh& mesh, const MergeInput& input, const MergeSettings& settings)
-  : Mesh(mesh)
-  , Input(input)
-  , Settings(settings)
-  , Fields(input.Fields.size())
+MergeCosts<N>::MergeCosts(
+  const MergeMesh& mesh, const MergeFields& fields, const MergeSettings& settings)
+  : Settings(settings)
+  , Links(mesh)
+  , Star(mesh, fields, settings.Metric)
+  , Bends(this->Star)
 {
-  this->SetScales();
-  this->FindSamples();
-}
-
-//------------------------------------------------------------------------------
-template <std::size_t N>
-void MergeCosts<N>::SetScales()
-{
-  double weights = 0;
-  for (const auto& field : this->Input.Fields)
-  {
-    weights += field.Weight;
-  }
-  for (const auto& field : this->Input.Fields)
-  {
-    double low = std::numeric_limits<double>::max();
-    double high = std::numeric_limits<double>::lowest();
-    for (const double value : field.Values)
-    {
-      low = value < low ? value : low;
-      high = value > high ? value : high;
-    }
-    const double range = high - low;
-    this->Scales.push_back(
-      range > 0 && weights > 0 ? std::sqrt(field.Weight / weights) / range : 0);
-  }
-}
-
-//------------------------------------------------------------------------------
-/** Gradients at points are the means of those in the tetrahedra around. */
-template <std::size_t N>
-void MergeCosts<N>::FindSamples()
-{
-  const std::size_t each = 1 + this->GetFields();
-  const std::size_t points = this->Input.Points.size();
-  this->Samples.resize(points * each);
-  for (std::size_t point = 0; point < points; ++point)
-  {
-    this->Samples[point * each].Gradient = ToVector(this->Input.Points[point]);
-    for (std::size_t f = 0; f < this->GetFields(); ++f)
-    {
-      this->Samples[point * each + 1 + f].Value =
-        this->Scales[f] * this->Input.Fields[f].Values[point];
-    }
-  }
-  double whole = 0;
-  std::size_t tets = 0;
-  for (std::uint32_t tet = 0; tet < this->Mesh.GetNumberOfTets(); ++tet)
-  {
-    const auto& corners = this->Mesh.GetTet(tet);
-    if (corners[0] == MergeMesh::None)
-    {
-      continue;
-    }
-    const Vec& origin = this->GetPoint(corners[0]);
-    const double volume = GetDeterminant(this->GetPoint(corners[1]) - origin,
-      this->GetPoint(corners[2]) - origin, this->GetPoint(corners[3]) - origin);
-    if (std::isfinite(volume))
-    {
-      whole += std::abs(volume) / 6;
-      ++tets;
-      this->AddSlopes(corners, volume);
-    }
-  }
-  for (std::size_t point = 0; point < points; ++point)
-  {
-    const double volume = this->Samples[point * each].Value;
-    for (std::size_t f = 0; f < this->GetFields(); ++f)
-    {
-      this->Samples[point * each + 1 + f].Gradient *= volume > 0 ? 1 / volume : 0;
-    }
-  }
-  this->PerWhole = whole > 0 ? 1 / whole : 0;
-  this->MeanWeight = tets > 0 ? 1 / static_cast<double>(tets) : 0;
-}
-
-//------------------------------------------------------------------------------
-/** Adds the gradients in a tetrahedron to those of its corners, weighted by six times its volume.
- */
-template <std::size_t N>
-void MergeCosts<N>::AddSlopes(const MergeMesh::Tet& corners, double volume)
-{
-  const Vec& origin = this->GetPoint(corners[0]);
-  const Vec a = this->GetPoint(corners[1]) - origin;
-  const Vec b = this->GetPoint(corners[2]) - origin;
-  const Vec c = this->GetPoint(corners[3]) - origin;
-  const std::size_t each = 1 + this->GetFields();
-  for (const auto corner : corners)
-  {
-    this->Samples[corner * each].Value += std::abs(volume);
-  }
-  for (std::size_t f = 1; f < each; ++f)
-  {
-    const auto at = [&](std::size_t i) -> Sample& { return this->Samples[corners[i] * each + f]; };
-    const double value = at(0).Value;
-    const Vec sum = (at(1).Value - value) * glm::cross(b, c) +
-      (at(2).Value - value) * glm::cross(c, a) + (at(3).Value - value) * glm::cross(a, b);
-    // What is not a number is not to reach further than to its neighbors.
-    for (std::size_t i = 0; i < 4 && std::isfinite(glm::dot(sum, sum)); ++i)
-    {
-      at(i).Gradient += volume < 0 ? -sum : sum;
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-template <std::size_t N>
-inline auto MergeCosts<N>::GetPoint(std::uint32_t point) const -> const Vec&
-{
-  return this->Samples[point * (1 + this->GetFields())].Gradient;
-}
-
-template <std::size_t N>
-inline auto MergeCosts<N>::GetSamples(std::uint32_t point) const -> const Sample*
-{
-  return this->Samples.data() + point * (1 + this->GetFields()) + 1;
-}
-
-//------------------------------------------------------------------------------
-/** As a part of the mesh, of six times a volume. */
-template <std::size_t N>
-double MergeCosts<N>::GetWeight(double volume) const
-{
-  return this->Settings.Metric == MergeMetric::Mass ? volume / 6 * this->PerWhole
-                                                    : this->MeanWeight;
-}
-
-//------------------------------------------------------------------------------
-template <std::size_t N>
-std::uint32_t MergeCosts<N>::GetPlace(std::uint32_t neighbor)
-{
-  std::uint32_t& next = this->Places[neighbor];
-  if (next == 0)
-  {
-    this->Neighbors.push_back({ neighbor, 0, false, {} });
-    next = static_cast<std::uint32_t>(this->Neighbors.size());
-  }
-  return next - 1;
-}
-
-//------------------------------------------------------------------------------
-template <std::size_t N>
-void MergeCosts<N>::Gather(std::uint32_t point)
-{
-  this->Places.Clear();
-  this->Neighbors.clear();
-  const auto ring = this->Mesh.GetRing(point);
-  this->Tets.resize(ring.size());
-  for (std::size_t i = 0; i < ring.size(); ++i)
-  {
-    const auto& corners = this->Mesh.GetTet(ring[i]);
-    const auto& others = Others[corners[0] == point ? 0
-        : corners[1] == point                       ? 1
-        : corners[2] == point                       ? 2
-                                                    : 3];
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const std::uint32_t place = this->GetPlace(corners[others[k]]);
-      this->Tets[i].Corners[k] = place;
-      ++this->Neighbors[place].Tets;
-    }
-  }
-  const Vec& here = this->GetPoint(point);
-  for (Neighbor& neighbor : this->Neighbors)
-  {
-    neighbor.Offset = this->GetPoint(neighbor.Point) - here;
-  }
-  this->GatherFields(point);
-  this->GatherFaces(point);
-}
-
-//------------------------------------------------------------------------------
-template <std::size_t N>
-void MergeCosts<N>::GatherFields(std::uint32_t point)
-{
-  const std::size_t fields = this->GetFields();
-  const Sample* const here = this->GetSamples(point);
-  this->Around.resize(this->Neighbors.size() * fields);
-  for (std::size_t place = 0; place < this->Neighbors.size(); ++place)
-  {
-    const Sample* const sample = this->GetSamples(this->Neighbors[place].Point);
-    for (std::size_t f = 0; f < fields; ++f)
-    {
-      this->Around[place * fields + f] = { sample[f].Value - here[f].Value, sample[f].Gradient };
-    }
-  }
-  this->HasBends = false;
-  double volumes = 0;
-  this->Slopes.resize(this->Tets.size() * fields);
-  this->Quadrics.assign(fields, {});
-  for (std::size_t i = 0; i < this->Tets.size(); ++i)
-  {
-    StarTet& tet = this->Tets[i];
-    const auto& c = tet.Corners;
-    const Vec& p0 = this->Neighbors[c[0]].Offset;
-    const Vec& p1 = this->Neighbors[c[1]].Offset;
-    const Vec& p2 = this->Neighbors[c[2]].Offset;
-    const std::array<Vec, 3> across{ glm::cross(p1, p2), glm::cross(p2, p0), glm::cross(p0, p1) };
-    // Six times the volume with the point at x: (p0 - x) . ((p1 - x) x (p2 - x)).
-    const Vec normal = across[0] + across[1] + across[2];
-    const double volume = glm::dot(p0, across[0]);
-    tet.Normal = volume < 0 ? normal : -normal;
-    tet.Volume = std::abs(volume);
-    tet.Weight = this->GetWeight(tet.Volume);
-    volumes += tet.Volume;
-    for (std::size_t f = 0; f < fields; ++f)
-    {
-      const Vec slope = this->Around[c[0] * fields + f].Value * across[0] +
-        this->Around[c[1] * fields + f].Value * across[1] +
-        this->Around[c[2] * fields + f].Value * across[2];
-      this->Slopes[i * fields + f] = tet.Volume > 0 ? slope / volume : Vec(0);
-      this->Quadrics[f].Add(
-        tet.Volume > 0 ? tet.Weight : 0, this->Slopes[i * fields + f] - here[f].Gradient);
-    }
-  }
-  const double before = here[-1].Value;
-  const double coarser = volumes > before && before > 0 ? volumes / before : 1;
-  this->BendWeight =
-    std::min(FirstBendWeight * std::sqrt(coarser * std::sqrt(coarser)), LargestBendWeight);
-}
-
-//------------------------------------------------------------------------------
-/** Not before they are needed, as most points have a merge that changes the fields less than others
- * do without their bends. */
-template <std::size_t N>
-void MergeCosts<N>::GatherBends(std::uint32_t point)
-{
-  if (this->HasBends)
-  {
-    return;
-  }
-  this->HasBends = true;
-  const std::size_t fields = this->GetFields();
-  const Sample* const here = this->GetSamples(point);
-  this->Spokes.resize(this->Around.size());
-  for (std::size_t place = 0; place < this->Neighbors.size(); ++place)
-  {
-    for (std::size_t f = 0; f < fields; ++f)
-    {
-      this->Spokes[place * fields + f] =
-        GetBend(this->Around[place * fields + f], here[f], this->Neighbors[place].Offset);
-    }
-  }
-  this->Bends.resize(this->Tets.size() * fields);
-  this->BendBefore = 0;
-  for (std::size_t i = 0; i < this->Tets.size(); ++i)
-  {
-    const StarTet& tet = this->Tets[i];
-    const auto& c = tet.Corners;
-    const Vec& p0 = this->Neighbors[c[0]].Offset;
-    const Vec& p1 = this->Neighbors[c[1]].Offset;
-    const Vec& p2 = this->Neighbors[c[2]].Offset;
-    for (std::size_t f = 0; f < fields; ++f)
-    {
-      const Sample& s0 = this->Around[c[0] * fields + f];
-      const Sample& s1 = this->Around[c[1] * fields + f];
-      const Sample& s2 = this->Around[c[2] * fields + f];
-      const double a = GetBend(s1, s2, p1 - p2);
-      const double b = GetBend(s2, s0, p2 - p0);
-      const double d = GetBend(s0, s1, p0 - p1);
-      this->Bends[i * fields + f] = { { a, b, d }, a + b + d, a * a + b * b + d * d };
-      this->BendBefore += tet.Weight * this->GetMeanSquare(tet, i, f);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-template <std::size_t N>
-void MergeCosts<N>::GatherFaces(std::uint32_t point)
-{
-  this->Faces.clear();
-  if (!this->Mesh.IsOnBoundary(point))
-  {
-    return;
-  }
-  for (const auto id : this->Mesh.GetRing(point))
-  {
-    const unsigned bits = this->Mesh.GetBoundaryFaces(id);
-    if (bits == 0)
-    {
-      continue;
-    }
-    const auto& tet = this->Mesh.GetTet(id);
-    for (std::size_t side = 0; side < 4; ++side)
-    {
-      if (tet[side] == point || (bits >> side & 1) == 0)
-      {
-        continue;
-      }
-      Face face{};
-      bool isFirst = true;
-      for (const auto corner : tet)
-      {
-        if (corner != point && corner != tet[side])
-        {
-          (isFirst ? face.First : face.Second) = this->Places.Get(corner) - 1;
-          isFirst = false;
-        }
-      }
-      Neighbor& first = this->Neighbors[face.First];
-      Neighbor& second = this->Neighbors[face.Second];
-      face.Normal = glm::cross(first.Offset, second.Offset);
-      first.OnBoundary = second.OnBoundary = true;
-      this->Faces.push_back(face);
-    }
-  }
 }
 
 //------------------------------------------------------------------------------
 /** Lower bounds of the costs of all merges: what they change of the fields as the tetrahedra are
  * now, which is nearly exact. */
 template <std::size_t N>
-void MergeCosts<N>::FindBounds(std::uint32_t point)
+void MergeCosts<N>::FindBounds()
 {
-  const bool onBoundary = this->Mesh.IsOnBoundary(point);
-  const double weight = this->GetFieldWeight(onBoundary);
-  const Sample* const here = this->GetSamples(point);
-  this->Bounds.resize(this->Neighbors.size());
-  for (std::uint32_t place = 0; place < this->Neighbors.size(); ++place)
+  const auto& neighbors = this->Star.Neighbors;
+  const bool onBoundary = this->Star.Mesh.IsOnBoundary(this->Point);
+  this->LengthCosts.resize(neighbors.size());
+  this->LeastChanges.resize(neighbors.size());
+  this->Bounds.resize(neighbors.size());
+  for (std::uint32_t place = 0; place < neighbors.size(); ++place)
   {
-    const Neighbor& into = this->Neighbors[place];
+    const MergeNeighbor& into = neighbors[place];
+    // Where all is alike, short edges first.
+    const double square = glm::dot(into.Offset, into.Offset);
+    this->LengthCosts[place] = 1e-12 * square * std::sqrt(square) * this->Star.Given.GetPerWhole();
+    this->LeastChanges[place] = this->GetLeastFieldChange(place);
     this->Bounds[place] = onBoundary && !into.OnBoundary
       ? Never
-      : (weight * this->GetLeastFieldChange(here, place) + this->GetLengthCost(into)) /
+      : (this->FieldWeight * this->LeastChanges[place] + this->LengthCosts[place]) /
         static_cast<double>(into.Tets);
   }
 }
 
 //------------------------------------------------------------------------------
 template <std::size_t N>
-double MergeCosts<N>::GetLeastFieldChange(const Sample* here, std::uint32_t place) const
+double MergeCosts<N>::GetLeastFieldChange(std::uint32_t place) const
 {
-  const Vec& offset = this->Neighbors[place].Offset;
+  const std::size_t fields = this->Star.GetFields();
   double change = 0;
-  for (std::size_t f = 0; f < this->GetFields(); ++f)
+  for (std::size_t f = 0; f < fields; ++f)
   {
-    const double error =
-      this->Around[place * this->GetFields() + f].Value - glm::dot(here[f].Gradient, offset);
-    change += this->Quadrics[f].GetBound(error, offset);
+    change += this->Star.Quadrics[f].GetBound(
+      this->Star.Around[place * fields + f].Value, this->Star.Neighbors[place].Offset);
   }
   return change < 0 ? 0 : change;
 }
@@ -435,52 +105,55 @@ std::uint32_t MergeCosts<N>::TakeCandidate(double mostCost)
 }
 
 //------------------------------------------------------------------------------
-/** The change of the fields, as the tetrahedra are now: of each that stays, the deviation of the
- * value of the new corner from the extrapolated field. Negative if one would turn over; anything
- * above enough if the change is. */
+/** Finds the volumes after a merge. Returns false if a tetrahedron would turn over. */
 template <std::size_t N>
-double MergeCosts<N>::GetFieldChange(std::uint32_t place, double enough) const
+bool MergeCosts<N>::FindVolumes(std::uint32_t place)
 {
-  const std::size_t fields = this->GetFields();
-  const Vec& offset = this->Neighbors[place].Offset;
-  const Sample* const to = this->Around.data() + place * fields;
-  double change = 0;
-  for (std::size_t i = 0; i < this->Tets.size(); ++i)
+  const auto& all = this->Star.Tets;
+  const auto& offset = this->Star.Neighbors[place].Offset;
+  const Triple<Double2> to{ Splat2(offset.x), Splat2(offset.y), Splat2(offset.z) };
+  this->Volumes.resize(all.size());
+  for (std::size_t i = 0; i < 2 * all.size(); ++i)
   {
-    const StarTet& tet = this->Tets[i];
-    if (tet.Corners[0] == place || tet.Corners[1] == place || tet.Corners[2] == place)
+    const MergeTets& tets = all[i / 2];
+    const std::size_t half = i % 2;
+    Double2 volume = Dot(tets.Normal[half], to) + tets.Volume[half];
+    for (std::size_t lane = 0; lane < 2; ++lane)
     {
-      continue; // vanishes
+      if (volume[lane] > tets.Least[half][lane])
+      {
+        continue;
+      }
+      const std::size_t at = 2 * half + lane;
+      const auto& c = tets.Corners;
+      const bool vanishes = c[0][at] == place || c[1][at] == place || c[2][at] == place;
+      if (!vanishes && 2 * i + lane < this->Star.NumberOfTets &&
+        this->WouldInvert(2 * i + lane, volume[lane]))
+      {
+        return false;
+      }
+      if (vanishes || 2 * i + lane >= this->Star.NumberOfTets)
+      {
+        volume = lane == 0 ? Double2{ 0, volume[1] } : Double2{ volume[0], 0 };
+      }
     }
-    if (WouldInvert(tet, glm::dot(tet.Normal, offset) + tet.Volume))
-    {
-      return -1;
-    }
-    for (std::size_t f = 0; f < fields; ++f)
-    {
-      const double error = to[f].Value - glm::dot(this->Slopes[i * fields + f], offset);
-      change += tet.Weight * error * error;
-    }
-    if (change > enough)
-    {
-      return change;
-    }
+    this->Volumes[i / 2][half] = volume;
   }
-  return change;
+  return true;
 }
 
 //------------------------------------------------------------------------------
 /** Whether a volume is turned over, flatter than rounding, or much flatter than it was. */
 template <std::size_t N>
-bool MergeCosts<N>::WouldInvert(const StarTet& tet, double volume)
+bool MergeCosts<N>::WouldInvert(std::size_t tet, double volume) const
 {
-  if (volume > 1e-3 * tet.Volume && tet.Volume > 0)
-  {
-    return false;
-  }
-  const double area = glm::length(tet.Normal);
+  const MergeTets& tets = this->Star.Tets[tet / Lanes];
+  const std::size_t half = tet % Lanes / 2;
+  const std::size_t lane = tet % 2;
+  const Triple<Double2>& n = tets.Normal[half];
+  const double area = glm::length(glm::dvec3(n.X[lane], n.Y[lane], n.Z[lane]));
   const double size = area * std::sqrt(area);
-  double least = std::min(1e-3 * tet.Volume, 1e-9 * size);
+  double least = std::min(1e-3 * tets.Volume[half][lane], 1e-9 * size);
   if (!(least > 0))
   {
     least = 1e-12 * size;
@@ -489,113 +162,90 @@ bool MergeCosts<N>::WouldInvert(const StarTet& tet, double volume)
 }
 
 //------------------------------------------------------------------------------
-/**
- * The mean square of the error of linear interpolation in a tetrahedron, of a field of constant
- * second derivatives, by its bends along the edges: the error is half the sum of bend times both
- * weights over all edges.
- */
+/** The change of the fields, as the tetrahedra are now: of each that stays, the deviation of the
+ * value of the new corner from the extrapolated field. */
 template <std::size_t N>
-double MergeCosts<N>::GetMeanSquare(const StarTet& tet, std::size_t index, std::size_t field) const
+double MergeCosts<N>::GetFieldChange(std::uint32_t place) const
 {
-  const double a = this->Spokes[tet.Corners[0] * this->GetFields() + field];
-  const double b = this->Spokes[tet.Corners[1] * this->GetFields() + field];
-  const double c = this->Spokes[tet.Corners[2] * this->GetFields() + field];
-  const OppositeBends& opposite = this->Bends[index * this->GetFields() + field];
-  const auto& edges = opposite.Edges;
-  const double sum = a + b + c + opposite.Sum;
-  return (sum * sum + a * (a - edges[0]) + b * (b - edges[1]) + c * (c - edges[2]) +
-           opposite.Squares) /
-    1680;
+  const std::size_t fields = this->Star.GetFields();
+  const auto& offset = this->Star.Neighbors[place].Offset;
+  const Triple<Double2> to{ Splat2(offset.x), Splat2(offset.y), Splat2(offset.z) };
+  Double2 change = Splat2(0);
+  for (std::size_t i = 0; i < 2 * this->Star.Tets.size(); ++i)
+  {
+    const std::size_t half = i % 2;
+    const Double2 weight = SelectGreater(
+      this->Volumes[i / 2][half], Splat2(0), this->Star.Tets[i / 2].Weight[half], Splat2(0));
+    for (std::size_t f = 0; f < fields; ++f)
+    {
+      const Double2 error = Splat2(this->Star.Around[place * fields + f].Value) -
+        Dot(this->Star.Slopes[(i / 2) * fields + f][half], to);
+      change = change + weight * error * error;
+    }
+  }
+  return Sum(change);
 }
 
 //------------------------------------------------------------------------------
 /** How much worse the new tetrahedra are, by their size and shape, at interpolating fields that
- * bend like those of the whole mesh; 0 if they are better. */
+ * bend like those of the whole mesh; 0 if they are better. Anything above enough if it is more. */
 template <std::size_t N>
 double MergeCosts<N>::GetBendChange(std::uint32_t place, double enough)
 {
-  const std::size_t fields = this->GetFields();
-  const Neighbor& into = this->Neighbors[place];
-  for (std::size_t other = 0; other < this->Neighbors.size(); ++other)
+  // Not before they are needed, as some points have a merge that changes the fields less than
+  // others do without their bends.
+  if (!this->HasBends)
   {
-    const Vec edge = this->Neighbors[other].Offset - into.Offset;
-    for (std::size_t f = 0; f < fields; ++f)
-    {
-      this->Spokes[other * fields + f] =
-        GetBend(this->Around[other * fields + f], this->Around[place * fields + f], edge);
-    }
+    this->Bends.Gather();
+    this->HasBends = true;
+    const double coarser = this->Star.Coarser;
+    this->BendWeight =
+      std::min(FirstBendWeight * std::sqrt(coarser * std::sqrt(coarser)), LargestBendWeight);
   }
-  double change = -this->BendBefore;
-  for (std::size_t i = 0; i < this->Tets.size() && !(this->BendWeight * change > enough); ++i)
-  {
-    const StarTet& tet = this->Tets[i];
-    const auto& c = tet.Corners;
-    if (c[0] == place || c[1] == place || c[2] == place)
-    {
-      continue;
-    }
-    const double weight = this->GetWeight(glm::dot(tet.Normal, into.Offset) + tet.Volume);
-    for (std::size_t f = 0; f < fields; ++f)
-    {
-      change += weight * this->GetMeanSquare(tet, i, f);
-    }
-  }
+  const double change = this->Bends.GetChange(place, this->Volumes, enough / this->BendWeight);
   // Not std::max, which would hide what is not a number.
   return change < 0 ? 0 : this->BendWeight * change;
 }
 
 //------------------------------------------------------------------------------
-/** The volume between the boundary as it is and as it would be. Negative if a face would turn over.
- */
+/** The volume between the boundary as it is and as it would be, less where the merged edge is
+ * nearly in the plane of the face: a smooth boundary may become coarser, while thin parts and sharp
+ * edges stay. Negative if a face would turn over. */
 template <std::size_t N>
 double MergeCosts<N>::GetShapeChange(std::uint32_t place) const
 {
-  const Vec& offset = this->Neighbors[place].Offset;
-  double volume = 0;
-  for (const Face& face : this->Faces)
+  const auto& neighbors = this->Star.Neighbors;
+  const auto& offset = neighbors[place].Offset;
+  const double length = glm::length(offset);
+  double change = 0;
+  for (const MergeFace& face : this->Star.Faces)
   {
     if (face.First == place || face.Second == place)
     {
       continue;
     }
-    const Vec moved = glm::cross(
-      this->Neighbors[face.First].Offset - offset, this->Neighbors[face.Second].Offset - offset);
-    if (!(glm::dot(moved, face.Normal) > 1e-3 * glm::length(moved) * glm::length(face.Normal)))
+    const auto moved =
+      glm::cross(neighbors[face.First].Offset - offset, neighbors[face.Second].Offset - offset);
+    const double area = glm::length(face.Normal);
+    if (!(glm::dot(moved, face.Normal) > 1e-3 * glm::length(moved) * area))
     {
       return -1;
     }
-    volume += std::abs(glm::dot(face.Normal, offset)) / 6;
+    const double height = std::abs(glm::dot(face.Normal, offset));
+    const double sharp = std::min(1.0, height / (SharpSine * area * length));
+    change += height / 6 * sharp * sharp;
   }
-  return ShapeWeight * volume * this->PerWhole;
-}
-
-//------------------------------------------------------------------------------
-/** Twice, so that halves of both are as much as one of them. */
-template <std::size_t N>
-double MergeCosts<N>::GetFieldWeight(bool onBoundary) const
-{
-  return onBoundary ? 2 * (1 - this->Settings.BoundaryWeight) : 1;
-}
-
-/** Where all is alike, short edges first. */
-template <std::size_t N>
-double MergeCosts<N>::GetLengthCost(const Neighbor& into) const
-{
-  const double length = glm::length(into.Offset);
-  return 1e-12 * length * length * length * this->PerWhole;
+  return ShapeWeight * change * this->Star.Given.GetPerWhole();
 }
 
 //------------------------------------------------------------------------------
 /** Takes the merge into a neighbor if it is better than the best so far. */
 template <std::size_t N>
-void MergeCosts<N>::Try(
-  std::uint32_t point, std::uint32_t place, bool checkTopology, MergeChoice& best)
+void MergeCosts<N>::Try(std::uint32_t place, bool checkTopology, MergeChoice& best)
 {
-  const Neighbor& into = this->Neighbors[place];
-  const bool onBoundary = this->Mesh.IsOnBoundary(point);
-  const double fieldWeight = this->GetFieldWeight(onBoundary);
-  double others = this->GetLengthCost(into);
-  if (onBoundary)
+  const MergeNeighbor& into = this->Star.Neighbors[place];
+  double others = this->LengthCosts[place];
+  if (this->Star.Mesh.IsOnBoundary(this->Point))
   {
     const double shape = this->GetShapeChange(place);
     if (!(shape >= 0))
@@ -607,19 +257,24 @@ void MergeCosts<N>::Try(
   const double tets = static_cast<double>(into.Tets);
   const double enough = best.Into == MergeMesh::None
     ? Never
-    : (best.Cost * tets * (1 + BoundMargin) - others) / std::max(fieldWeight, 1e-300);
-  const double now = this->GetFieldChange(place, enough);
-  if (!(now >= 0 && now <= enough))
+    : (best.Cost * tets * (1 + MergeQuadric::Margin) - others) /
+      std::max(this->FieldWeight, 1e-300);
+  if (!(this->LeastChanges[place] <= enough) || !this->FindVolumes(place))
   {
     return;
   }
-  this->GatherBends(point);
+  const double now = this->GetFieldChange(place);
+  if (!(now <= enough))
+  {
+    return;
+  }
   const double later = this->GetBendChange(place, enough - now);
-  const double change = fieldWeight * (now + later) + others;
+  const double change = this->FieldWeight * (now + later) + others;
   const double cost = change / tets;
   const bool isBetter = best.Into == MergeMesh::None || cost < best.Cost ||
     (cost == best.Cost && into.Point < best.Into);
-  if (isBetter && std::isfinite(cost) && (!checkTopology || this->Mesh.MayMerge(point, into.Point)))
+  if (isBetter && std::isfinite(cost) &&
+    (!checkTopology || this->Links.MayMerge(this->Point, into.Point)))
   {
     best = { into.Point, cost, change };
   }
@@ -629,15 +284,20 @@ void MergeCosts<N>::Try(
 template <std::size_t N>
 MergeChoice MergeCosts<N>::Choose(std::uint32_t point, std::uint32_t tryFirst, bool checkTopology)
 {
-  this->Gather(point);
-  this->FindBounds(point);
+  this->Point = point;
+  this->HasBends = false;
+  this->Star.Gather(point);
+  // Twice, so that halves of both are as much as one of them.
+  this->FieldWeight =
+    this->Star.Mesh.IsOnBoundary(point) ? 2 * (1 - this->Settings.BoundaryWeight) : 1;
+  this->FindBounds();
   MergeChoice best;
   // The first guess is often right, and then few others are looked at.
-  const std::uint32_t next = this->Places.Get(tryFirst);
-  if (next != 0 && this->Bounds[next - 1] < Never)
+  const std::uint32_t next = this->Star.GetPlace(tryFirst);
+  if (next != MergeMesh::None && this->Bounds[next] < Never)
   {
-    this->Bounds[next - 1] = Never;
-    this->Try(point, next - 1, checkTopology, best);
+    this->Bounds[next] = Never;
+    this->Try(next, checkTopology, best);
   }
   for (;;)
   {
@@ -646,7 +306,7 @@ MergeChoice MergeCosts<N>::Choose(std::uint32_t point, std::uint32_t tryFirst, b
     {
       return best;
     }
-    this->Try(point, place, checkTopology, best);
+    this->Try(place, checkTopology, best);
   }
 }
 

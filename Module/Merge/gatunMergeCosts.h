@@ -3,13 +3,13 @@
 #ifndef gatunMergeCosts_h
 #define gatunMergeCosts_h
 
-#include "gatunLocalIndex.h"
+#include "gatunMergeBends.h"
+#include "gatunMergeFields.h"
 #include "gatunMergeInput.h"
+#include "gatunMergeLinks.h"
 #include "gatunMergeMesh.h"
+#include "gatunMergeStar.h"
 
-#include <glm/vec3.hpp>
-
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -29,131 +29,47 @@ struct MergeChoice
   double Change = 0;
 };
 
-/** What is around the current point. */
-class MergeStar
-{
-protected:
-  using Vec = glm::dvec3;
-
-  /** A field at a point of the mesh: the value, divided by the range and times the square root of
-   * the weight, and the gradient there in the given mesh. */
-  struct Sample
-  {
-    double Value = 0;
-    Vec Gradient{ 0 };
-  };
-
-  /** A point with an edge to the current one. */
-  struct Neighbor
-  {
-    std::uint32_t Point;
-    std::uint32_t Tets;      // with both points; they vanish by a merge
-    bool OnBoundary = false; // whether the edge is
-    Vec Offset;              // from the current point
-  };
-
-  /** A tetrahedron of the current point, as a function of the position of that point: six times the
-   * volume is dot(Normal, offset) + Volume, and positive at offset 0. */
-  struct StarTet
-  {
-    Vec Normal;
-    double Volume;
-    double Weight;                        // of changes in it
-    std::array<std::uint32_t, 3> Corners; // as places among the neighbors
-  };
-
-  /** The change of a field by a merge as a quadratic function of the offset and the value of the
-   * neighbor: the sum of Weight * (error - dot(slope, offset))^2 over all tetrahedra. Error is the
-   * deviation of the value from the gradient at the point, and slopes are relative to that
-   * gradient. Tetrahedra that vanish add nothing, as their field meets the value. */
-  struct Quadric
-  {
-    double Weight = 0;
-    Vec Linear{ 0 };
-    Vec Squares{ 0 };  // of xx, yy, zz
-    Vec Products{ 0 }; // of xy, yz, zx
-
-    void Add(double weight, const Vec& slope);
-
-    /** Returns no more than the sum, in spite of rounding. */
-    double GetBound(double error, const Vec& offset) const;
-  };
-
-  /** The bends of the three edges of a tetrahedron that are opposite to the current point. */
-  struct OppositeBends
-  {
-    std::array<double, 3> Edges;
-    double Sum;
-    double Squares; // their sum
-  };
-
-  /** A boundary face of the current point. */
-  struct Face
-  {
-    std::uint32_t First, Second; // as places among the neighbors
-    Vec Normal;                  // its length is twice the area
-  };
-};
-
 /** Finds the best merge of a point. NumberOfFields is that of the input, or 0 for any. */
 template <std::size_t NumberOfFields>
-class MergeCosts : private MergeStar
+class MergeCosts
 {
 public:
-  MergeCosts(MergeMesh& mesh, const MergeInput& input, const MergeSettings& settings);
+  MergeCosts(const MergeMesh& mesh, const MergeFields& fields, const MergeSettings& settings);
 
   /** Returns the cheapest merge of a point that turns no tetrahedron or face over, and preserves
    * the topology if that is checked. A good first neighbor to try makes this faster. */
   MergeChoice Choose(std::uint32_t point, std::uint32_t tryFirst, bool checkTopology);
 
+  bool MayMerge(std::uint32_t point, std::uint32_t into)
+  {
+    return this->Links.MayMerge(point, into);
+  }
+
 private:
-  std::size_t GetFields() const { return NumberOfFields > 0 ? NumberOfFields : this->Fields; }
-  void SetScales();
-  void FindSamples();
-  void AddSlopes(const MergeMesh::Tet& corners, double volume);
-  const Vec& GetPoint(std::uint32_t point) const;
-  const Sample* GetSamples(std::uint32_t point) const;
-  double GetWeight(double volume) const;
-  std::uint32_t GetPlace(std::uint32_t neighbor);
-  void Gather(std::uint32_t point);
-  void GatherFields(std::uint32_t point);
-  void GatherFaces(std::uint32_t point);
-  void GatherBends(std::uint32_t point);
-  void FindBounds(std::uint32_t point);
-  double GetLeastFieldChange(const Sample* here, std::uint32_t place) const;
+  void FindBounds();
+  double GetLeastFieldChange(std::uint32_t place) const;
   std::uint32_t TakeCandidate(double mostCost);
-  void Try(std::uint32_t point, std::uint32_t place, bool checkTopology, MergeChoice& best);
-  static bool WouldInvert(const StarTet& tet, double volume);
-  double GetFieldWeight(bool onBoundary) const;
-  double GetLengthCost(const Neighbor& into) const;
-  double GetFieldChange(std::uint32_t place, double enough) const;
-  double GetMeanSquare(const StarTet& tet, std::size_t index, std::size_t field) const;
+  void Try(std::uint32_t place, bool checkTopology, MergeChoice& best);
+  bool FindVolumes(std::uint32_t place);
+  bool WouldInvert(std::size_t tet, double volume) const;
+  double GetFieldChange(std::uint32_t place) const;
   double GetBendChange(std::uint32_t place, double enough);
   double GetShapeChange(std::uint32_t place) const;
 
-  MergeMesh& Mesh;
-  const MergeInput& Input;
   const MergeSettings& Settings;
-  std::size_t Fields = 0;
-  double PerWhole = 0;         // 1 / volume of the mesh
-  double MeanWeight = 0;       // of a tetrahedron, if all have the same weight
-  std::vector<double> Scales;  // of the fields
-  std::vector<Sample> Samples; // of each point, all fields, after one with its place
+  MergeLinks Links;
+  MergeStar<NumberOfFields> Star;
+  MergeBends<NumberOfFields> Bends;
 
   // Around the current point.
-  LocalIndex Places; // of points among the neighbors, plus one
-  std::vector<Neighbor> Neighbors;
-  std::vector<Sample> Around; // of each neighbor, all fields, minus the value of the point
-  std::vector<StarTet> Tets;
-  std::vector<Vec> Slopes;          // of each tetrahedron, all fields
-  std::vector<Quadric> Quadrics;    // of each field
-  std::vector<double> Bounds;       // lower bounds of the costs, of each neighbor
-  std::vector<OppositeBends> Bends; // of each tetrahedron, all fields
-  std::vector<double> Spokes;       // bends of the edges of the current place, of each neighbor
-  bool HasBends = false;            // whether Bends and BendBefore are those of the point
-  double BendBefore = 0;
+  std::uint32_t Point = 0;
+  double FieldWeight = 1;
   double BendWeight = 0;
-  std::vector<Face> Faces;
+  bool HasBends = false;            // whether Bends are those of the point
+  std::vector<double> LengthCosts;  // of each neighbor
+  std::vector<double> LeastChanges; // lower bounds of the change of the fields, of each neighbor
+  std::vector<double> Bounds;       // lower bounds of the costs, of each neighbor
+  std::vector<std::array<Double2, 2>> Volumes; // after a merge, of each block; 0 if they vanish
 };
 
 extern template class MergeCosts<0>;

@@ -3,8 +3,6 @@
 #ifndef gatunMergeMesh_h
 #define gatunMergeMesh_h
 
-#include "gatunLocalIndex.h"
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -16,8 +14,7 @@ namespace gatun
 /**
  * The connectivity of a mesh while its points are merged.
  *
- * A face of only one tetrahedron is on the boundary, and so are its edges and corners. Links are
- * those of the mesh with one more point outside, which forms a tetrahedron with each boundary face.
+ * A face of only one tetrahedron is on the boundary, and so are its edges and corners.
  */
 class MergeMesh
 {
@@ -33,18 +30,40 @@ public:
   std::size_t GetNumberOfPoints() const { return this->Rings.size(); }
 
   /** Returns the tetrahedra of a point. */
-  std::span<const std::uint32_t> GetRing(std::uint32_t point);
+  std::span<const std::uint32_t> GetRing(std::uint32_t point) const
+  {
+    const Ring& ring = this->Rings[point];
+    return { this->Pool.data() + ring.First, ring.Count };
+  }
+
+  /** Returns the place of a point among the corners of a tetrahedron, or 4. */
+  static unsigned FindCorner(const Tet& tet, std::uint32_t point)
+  {
+    return tet[0] == point ? 0
+      : tet[1] == point    ? 1
+      : tet[2] == point    ? 2
+      : tet[3] == point    ? 3
+                           : 4;
+  }
+
+  /** Returns the places of the two corners of a tetrahedron besides two others. */
+  static std::array<unsigned, 2> FindOthers(unsigned at, unsigned other)
+  {
+    std::array<unsigned, 2> rest{};
+    unsigned n = 0;
+    for (unsigned i = 0; i < 4; ++i)
+    {
+      if (i != at && i != other)
+      {
+        rest[n++] = i;
+      }
+    }
+    return rest;
+  }
 
   /** Bit i: the face opposite to corner i is on the boundary. */
   std::uint8_t GetBoundaryFaces(std::uint32_t tet) const { return this->BoundaryFaces[tet]; }
   bool IsOnBoundary(std::uint32_t point) const { return this->OnBoundary[point] != 0; }
-
-  /**
-   * Whether merging a point into a neighbor preserves the topology: the intersection of the links
-   * of the two points must be the link of their edge (Dey, Edelsbrunner, Guha, Nekhayev: Topology
-   * preserving edge contraction, 1999).
-   */
-  bool MayMerge(std::uint32_t point, std::uint32_t into);
 
   /** Merges a point into a neighbor. */
   void Merge(std::uint32_t point, std::uint32_t into);
@@ -54,19 +73,10 @@ private:
   {
     std::size_t First = 0;
     std::uint32_t Count = 0;
-    bool HasGone = false; // whether it lists removed tetrahedra
   };
 
   void FindBoundary();
-  void MarkNeighbors(std::uint32_t point, std::uint8_t neighbor, std::uint8_t boundaryNeighbor);
-  void MarkEdge(std::uint32_t point, std::uint32_t into);
-  bool ShareNoOtherPoint(std::uint32_t point, std::uint32_t into, bool edgeOnBoundary);
-  bool ShareNoOtherTriangle(std::uint32_t point, std::uint32_t into);
-  bool ShareBoundaryFace(std::uint32_t point, std::uint32_t into);
-  bool IsInEdgeLink(std::uint32_t a, std::uint32_t b) const;
-  bool HaveTet(std::uint32_t a, std::uint32_t b, std::uint32_t c);
-  bool HasTet(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
-  bool IsBoundaryFace(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+  void RemoveFromRing(std::uint32_t point, std::uint32_t tet);
   void PassBoundaryOn(std::uint32_t tet, std::uint32_t point, std::uint32_t into);
   void Compact();
 
@@ -77,9 +87,7 @@ private:
   std::vector<std::uint32_t> Pool; // of the rings
   std::size_t Used = 0;            // of the pool, by rings
 
-  LocalIndex Marks;                                   // of the points around the two current ones
-  std::vector<std::array<std::uint32_t, 2>> EdgeLink; // forms a tetrahedron with both
-  std::vector<std::uint32_t> Moved;                   // to the ring of another point
+  std::vector<std::uint32_t> Moved; // to the ring of another point
 };
 }
 

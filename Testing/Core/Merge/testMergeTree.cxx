@@ -6,7 +6,9 @@
 
 #include "gatunError.h"
 #include "gatunMergeBuilder.h"
+#include "gatunMergeLinks.h"
 #include "gatunMergeMesh.h"
+#include "gatunParallel.h"
 #include "gatunTestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -382,17 +384,22 @@ TEST(MergeBuilder, ChangesDoNotCancel)
 }
 
 //------------------------------------------------------------------------------
-TEST(MergeBuilder, TheSameMeshGivesTheSameTree)
+TEST(MergeBuilder, TheSameMeshGivesTheSameTreeByAnyNumberOfThreads)
 {
   const Solid solid = MakeSolid("Ring");
-  const auto first = BuildMergeTree(solid.GetInput());
-  const auto second = BuildMergeTree(solid.GetInput());
-  ASSERT_EQ(first.GetMerges().size(), second.GetMerges().size());
-  for (std::size_t i = 0; i < first.GetMerges().size(); ++i)
+  MergeTree first;
+  WithNumberOfThreads(1, [&] { first = BuildMergeTree(solid.GetInput()); });
+  for (const int threads : { 1, 2, 5 })
   {
-    EXPECT_EQ(first.GetMerges()[i].Point, second.GetMerges()[i].Point);
-    EXPECT_EQ(first.GetMerges()[i].Into, second.GetMerges()[i].Into);
-    EXPECT_EQ(first.GetMerges()[i].Error, second.GetMerges()[i].Error);
+    MergeTree second;
+    WithNumberOfThreads(threads, [&] { second = BuildMergeTree(solid.GetInput()); });
+    ASSERT_EQ(first.GetMerges().size(), second.GetMerges().size());
+    for (std::size_t i = 0; i < first.GetMerges().size(); ++i)
+    {
+      EXPECT_EQ(first.GetMerges()[i].Point, second.GetMerges()[i].Point);
+      EXPECT_EQ(first.GetMerges()[i].Into, second.GetMerges()[i].Into);
+      EXPECT_EQ(first.GetMerges()[i].Error, second.GetMerges()[i].Error);
+    }
   }
 }
 
@@ -522,7 +529,7 @@ std::set<Simplex> GetLink(const std::vector<Tet>& tets, const Simplex& of)
 }
 
 //------------------------------------------------------------------------------
-TEST(MergeMesh, MayMergeIsTheLinkCondition)
+TEST(MergeLinks, MayMergeIsTheLinkCondition)
 {
   // Wherever points are: merges that would turn tetrahedra over lead to all sorts of links.
   for (const std::uint32_t seed : { 1u, 2u, 3u })
@@ -530,6 +537,7 @@ TEST(MergeMesh, MayMergeIsTheLinkCondition)
     const Solid solid = MakeSolid(4, 0, [](const Vec& p) { return p[0] != 2 || p[1] != 2; });
     auto tets = solid.Tets;
     MergeMesh mesh(solid.Points.size(), tets);
+    MergeLinks links(mesh);
     std::mt19937 random(seed);
     std::size_t refused = 0;
     for (int step = 0; step < 250 && tets.size() > 1; ++step)
@@ -549,7 +557,7 @@ TEST(MergeMesh, MayMergeIsTheLinkCondition)
       const auto ofEdge = GetLink(tets, { from, into });
       const bool leavesBoundary = first.count({ outside }) == 1 && ofEdge.count({ outside }) == 0;
       const bool expected = common == ofEdge && !leavesBoundary;
-      ASSERT_EQ(mesh.MayMerge(from, into), expected) << step;
+      ASSERT_EQ(links.MayMerge(from, into), expected) << step;
       refused += expected ? 0 : 1;
       if (expected)
       {
@@ -565,40 +573,5 @@ TEST(MergeMesh, MayMergeIsTheLinkCondition)
     EXPECT_GT(refused, 20u);
   }
 }
-
-//------------------------------------------------------------------------------
-TEST(MergeTree, CountsMerges)
-{
-  const MergeTree tree(6, { { 1, 0, 1 }, { 2, 3, 5 }, { 0, 3, 2 }, { 4, 5, 9 } });
-  EXPECT_EQ(tree.CountMergesForPoints(6), 0u);
-  EXPECT_EQ(tree.CountMergesForPoints(7), 0u);
-  EXPECT_EQ(tree.CountMergesForPoints(4), 2u);
-  EXPECT_EQ(tree.CountMergesForPoints(0), 4u);
-  EXPECT_EQ(tree.CountMergesForError(0.5), 0u);
-  EXPECT_EQ(tree.CountMergesForError(1), 1u);
-  EXPECT_EQ(tree.CountMergesForError(4), 1u); // the third one is cheaper than the second
-  EXPECT_EQ(tree.CountMergesForError(5), 3u);
-  EXPECT_EQ(tree.CountMergesForError(1e9), 4u);
-  EXPECT_EQ(tree.CountMergesForError(std::nan("")), 0u);
-  using Ids = std::vector<std::uint32_t>;
-  EXPECT_EQ(tree.FindAncestors(0), (Ids{ 0, 1, 2, 3, 4, 5 }));
-  EXPECT_EQ(tree.FindAncestors(1), (Ids{ 0, 0, 2, 3, 4, 5 }));
-  EXPECT_EQ(tree.FindAncestors(3), (Ids{ 3, 3, 3, 3, 4, 5 }));
-  EXPECT_EQ(tree.FindAncestors(99), (Ids{ 3, 3, 3, 3, 5, 5 }));
 }
-
-//------------------------------------------------------------------------------
-TEST(MergeTree, RefusesMergesThatCannotBe)
-{
-  const auto refuses = [](std::vector<Merge> merges)
-  { EXPECT_THROW(MergeTree(4, std::move(merges)), Error); };
-  refuses({ { 4, 0, 1 } });
-  refuses({ { 0, 4, 1 } });
-  refuses({ { 2, 2, 1 } });
-  refuses({ { 0, 1, 1 }, { 0, 2, 1 } }); // gone
-  refuses({ { 0, 1, 1 }, { 2, 0, 1 } });
-  refuses({ { 0, 1, -1 } });
-  refuses({ { 0, 1, std::nanf("") } });
-}
-} // anonymous namespace
 }
