@@ -18,7 +18,7 @@ namespace
  * of the ratio of the volumes of the tetrahedra, up to a limit: beyond it, thin parts melt away, as
  * their shape counts too little. */
 constexpr double FirstBendWeight = 2.5;
-constexpr double LargestBendWeight = 15;
+constexpr double LargestBendWeight = 12;
 
 /** What is inside the mesh and was not, or the other way round, counts like a field that is wrong
  * by this part of its range, squared, where the boundary is sharp. With less, thin parts melt away.
@@ -27,7 +27,7 @@ constexpr double ShapeWeight = 0.7;
 
 /** The sine of the angle between a merged edge and a face from which on the boundary is sharp.
  * Below it, the weight of the shape falls with the square of the sine. */
-constexpr double SharpSine = 0.8;
+constexpr double SharpSine = 0.4;
 
 constexpr double Never = std::numeric_limits<double>::infinity();
 }
