@@ -22,7 +22,7 @@ namespace bench
 {
 namespace
 {
-/** From blue over grey to red: of the smallest value, of that half way, and of the largest. */
+/** From blue over gray to red: of the smallest value, of that half way, and of the largest. */
 constexpr std::array<std::array<double, 3>, 3> Colors{ { { 0.1, 0.2, 0.9 }, { 0.9, 0.9, 0.9 },
   { 0.9, 0.1, 0.1 } } };
 }

@@ -217,7 +217,7 @@ unsigned Volume::GetPixels(double scale) const
 }
 
 //------------------------------------------------------------------------------
-gatun::HartleyShading MakeGrey(const Volume& volume, gatun::HartleyOpacityModel law, double opacity)
+gatun::HartleyShading MakeGray(const Volume& volume, gatun::HartleyOpacityModel law, double opacity)
 {
   gatun::HartleyShading shading;
   shading.OpacityModel = law;

@@ -67,9 +67,9 @@ private:
   double Highest = 0;
 };
 
-/** Grey from the lowest density to the highest. The most opaque sample has this opacity, and under
+/** Gray from the lowest density to the highest. The most opaque sample has this opacity, and under
  * the exponential law it goes by that, else linearly. */
-gatun::HartleyShading MakeGrey(
+gatun::HartleyShading MakeGray(
   const Volume& volume, gatun::HartleyOpacityModel law, double opacity);
 
 /** Lossless for 0, else so many bits a voxel. */

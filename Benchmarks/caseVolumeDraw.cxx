@@ -122,7 +122,7 @@ void DrawPicture(const Options& options)
     throw Failure("--nodes takes fives, two at least, and --turns three numbers");
   }
   const Volume volume(options.File);
-  gatun::HartleyShading shading = MakeGrey(volume, GetOpacityModel(options.Law), options.Opacity);
+  gatun::HartleyShading shading = MakeGray(volume, GetOpacityModel(options.Law), options.Opacity);
   if (!options.Nodes.empty())
   {
     SetTable(shading, options.Nodes);
@@ -182,7 +182,7 @@ void AddVolumeDraw(CLI::App& app)
     ->check(CLI::IsMember(GetLawNames()));
   command->add_option("--opacity", options->Opacity, "Of a sample of the highest density");
   command->add_option("--nodes", options->Nodes,
-    "Density, red, green, blue and opacity, by ascending density; not grey, then");
+    "Density, red, green, blue and opacity, by ascending density; not gray, then");
   command->add_option("--turns", options->Turns, "Rotations about x, y and z, in units of pi");
   command->add_option("--white", options->White, "The X-ray sum that is white; 0: the largest");
   command->add_option("--scale", options->Scale, "Pixels a voxel")->check(CLI::Range(0.1, 16.0));

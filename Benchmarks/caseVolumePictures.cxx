@@ -113,7 +113,7 @@ void Compare(Json::Value& json, const ReferencePicture& reference, const Hartley
   const gatun::HartleyImage xray = projector.Draw(view, shadings.XRay);
   const gatun::HartleyImage exponential = projector.Draw(view, shadings.Exponential);
   const gatun::HartleyImage linear = projector.Draw(view, shadings.Linear);
-  Difference samples, lines, grey, opacity, law, other;
+  Difference samples, lines, gray, opacity, law, other;
   const double scale = 255 / reference.Largest;
   for (std::size_t i = 0; i < reference.Pixels.size(); ++i)
   {
@@ -125,7 +125,7 @@ void Compare(Json::Value& json, const ReferencePicture& reference, const Hartley
     const double sum = xray.Sums[i] - base * xray.Samples[i];
     samples.Add(scale * sum, scale * pixel.Samples);
     lines.Add(scale * sum, scale * pixel.Line);
-    grey.Add(255.0 * exponential.Colors[i][0], 255 * pixel.Exponential[0]);
+    gray.Add(255.0 * exponential.Colors[i][0], 255 * pixel.Exponential[0]);
     opacity.Add(255.0 * exponential.Colors[i][3], 255 * pixel.Exponential[3]);
     // What equation 6 says of the line integral, without any blocks.
     law.Add(255.0 * exponential.Colors[i][3],
@@ -134,7 +134,7 @@ void Compare(Json::Value& json, const ReferencePicture& reference, const Hartley
   }
   samples.Write(json, "xraySamples");
   lines.Write(json, "xrayLines");
-  grey.Write(json, "exponential");
+  gray.Write(json, "exponential");
   opacity.Write(json, "opacity");
   law.Write(json, "equation6");
   other.Write(json, "linear");
@@ -144,8 +144,8 @@ void PrintPictures(const Options& options)
 {
   const Volume volume(options.File);
   const ReferenceVolume reference = volume.GetReference();
-  const Shadings shadings{ {}, MakeGrey(volume, HartleyOpacityModel::Exponential, options.Opacity),
-    MakeGrey(volume, HartleyOpacityModel::TransferFunction, options.Opacity) };
+  const Shadings shadings{ {}, MakeGray(volume, HartleyOpacityModel::Exponential, options.Opacity),
+    MakeGray(volume, HartleyOpacityModel::TransferFunction, options.Opacity) };
   const double length = std::sqrt(gatun::test::Dot(
     { volume.GetSize()[0] + 1.0, volume.GetSize()[1] + 1.0, volume.GetSize()[2] + 1.0 },
     { volume.GetSize()[0] + 1.0, volume.GetSize()[1] + 1.0, volume.GetSize()[2] + 1.0 }));

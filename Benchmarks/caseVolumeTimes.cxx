@@ -200,7 +200,7 @@ std::vector<Drawer> MakeOwn(const Volume& volume, const Options& options, Json::
         Drawer drawer{ "gatun", law, block, rate };
         drawer.Picture = std::make_shared<gatun::HartleyImage>();
         const gatun::HartleyShading shading =
-          MakeGrey(volume, GetOpacityModel(law), options.Opacity);
+          MakeGray(volume, GetOpacityModel(law), options.Opacity);
         drawer.Draw = [source, path, projector, shading, picture = drawer.Picture,
                         isFile = !options.Folder.empty()](const auto& view)
         {
@@ -251,7 +251,7 @@ void AddPeers(std::vector<Drawer>& drawers, const Volume& volume, const Options&
   for (const std::string& law : options.Laws)
   {
     const auto window = std::make_shared<FixedPointWindow>(
-      volume, options.Pixels, MakeGrey(volume, GetOpacityModel(law), options.Opacity));
+      volume, options.Pixels, MakeGray(volume, GetOpacityModel(law), options.Opacity));
     drawers.push_back({ "fixed-point", law, 0, 0,
       [window](const gatun::HartleyView& view)
       {

@@ -141,9 +141,9 @@ gv.write_image(gv.make_image(plain), "plain.vti")
 sums = gtn("volume", "render", "-f", "--opacity-model", "xray", "--rotate", "0,0,0", "--rms-error", 0, "--size",
            "60x50", "plain.vti", "turned.png")
 turned = gv.read_image("turned.png")
-grey = gv.vtk_to_numpy(turned.GetPointData().GetScalars()).reshape(50, 60, -1)[::-1, :, 0].astype(float)
+gray = gv.vtk_to_numpy(turned.GetPointData().GetScalars()).reshape(50, 60, -1)[::-1, :, 0].astype(float)
 total = plain.sum(0).astype(float)
-rows, columns = np.nonzero(grey > 0.95 * grey.max())
+rows, columns = np.nonzero(gray > 0.95 * gray.max())
 y, x = np.nonzero(total > 0.95 * total.max())
 radius = np.linalg.norm((np.array(plain.shape) - 1) / 2)
 pixel = 2 * radius / 50

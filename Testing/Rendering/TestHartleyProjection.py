@@ -113,12 +113,12 @@ for distance in (0, 0.1, 3):
     expected = 1 - 0.6 ** (20 * 0.5 / 4)
     assert abs(rgba[..., 3] - expected).max() < 0.005, (distance, rgba[..., 3].min(), expected)
     assert abs(rgba[..., :3] / rgba[..., 3:] - (0.5, 0.2, 0.1)).max() < 0.002
-# Grey functions too, and bytes are the colors that are not multiplied.
+# Gray functions too, and bytes are the colors that are not multiplied.
 bytes_ = gr.draw(box, camera, Property=half, Size=(10, 10))
 assert abs(bytes_.astype(int) - (128, 51, 26, round(255 * expected))).max() <= 1, bytes_[0, 0]
-grey = gr.make_property([], [(0, 0.4)], 4)
-grey.SetColor(half.GetScalarOpacity())
-bytes_ = gr.draw(box, camera, Property=grey, Size=(10, 10))
+gray = gr.make_property([], [(0, 0.4)], 4)
+gray.SetColor(half.GetScalarOpacity())
+bytes_ = gr.draw(box, camera, Property=gray, Size=(10, 10))
 assert abs(bytes_[..., :3].astype(int) - 102).max() <= 1
 over = gr.draw(box, camera, "RGBA", Property=half, Size=(10, 10), UseBackground=True,
                Background=(0, 1, 0))
