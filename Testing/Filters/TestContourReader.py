@@ -233,7 +233,7 @@ for kind, options in gc.kinds_of_files("wave").items():
         contour = gc.make_contour(reader, [0.1, 0.4], "wave", ComputeNormals=True)
         counts = []
         for target in ({"SimplificationRatio": 0.3}, {"SimplificationRatio": 0.9},
-                       {"SimplificationRatio": 1.0}, {"SimplificationRatio": 0.6},
+                       {"SimplificationRatio": 0.98}, {"SimplificationRatio": 0.6},
                        {"SimplificationTarget": 1, "SimplificationNumberOfPoints": 700},
                        {"SimplificationTarget": 2, "SimplificationRMSError": 0.004},
                        {"SimplificationTarget": 0, "SimplificationRatio": 0.0}):
