@@ -69,22 +69,22 @@ def judge(results):
     literature = "published coders 1.7 to 2.4"
     return [
         goal("size, Delaunay mesh and one float array", "bits/tet", _vtu(delaunay),
-              _bits(delaunay), 16.5, 14),
+             _bits(delaunay), 16.5, 14),
         goal("size, combustion chamber and Density", "bits/tet", _vtu(comb), _bits(comb), 14, 12),
         goal("size, blunt fin and Density", "bits/tet", _vtu(fin), _bits(fin), 6.5, 4.5),
         goal("connectivity, hexahedra split into five", "bits/tet", literature,
-              _bits(split, "connectivity"), 0.25, 0.1),
+             _bits(split, "connectivity"), 0.25, 0.1),
         goal("connectivity, Delaunay mesh", "bits/tet", literature,
-              _bits(delaunay, "connectivity"), 1.0, 0.6),
+             _bits(delaunay, "connectivity"), 1.0, 0.6),
         goal("loading with 2 threads, speed relative to VTK's zlib .vtu reader", "times", "1",
-              _load_ratio(results), 0.8, 1.5, more_is_better=True),
+             _load_ratio(results), 0.8, 1.5, more_is_better=True),
         goal("mapper, later frames, 512 and 1024 pixels wide, one thread, speed relative to "
-              "Bunyk's mapper", "times", "1", renderingReport.slowest_later_ratio(results), 5, 10,
-              more_is_better=True),
+             "Bunyk's mapper", "times", "1", renderingReport.slowest_later_ratio(results), 5, 10,
+             more_is_better=True),
         goal("file to first image, Delaunay mesh, 512 pixels wide, 2 threads, speed relative to "
-              ".vtu and Bunyk's mapper", "times", "1",
-              renderingReport.delaunay_image_ratio(results), 8, 15, more_is_better=True),
+             ".vtu and Bunyk's mapper", "times", "1",
+             renderingReport.delaunay_image_ratio(results), 8, 15, more_is_better=True),
         goal("memory above an idle process for an image of 5 million tetrahedra from their file, "
-              "1024 pixels wide, MemoryBudget 0", "MiB", _big_peer(results),
-              renderingReport.big_image_memory(results), 150, 64),
+             "1024 pixels wide, MemoryBudget 0", "MiB", _big_peer(results),
+             renderingReport.big_image_memory(results), 150, 64),
     ]
