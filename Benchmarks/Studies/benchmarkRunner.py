@@ -10,6 +10,7 @@ import os
 import pathlib
 import subprocess
 import sys
+import tempfile
 import time
 
 import displays
@@ -31,6 +32,24 @@ def make_parser(description, page):
                         help="measure nothing, write the page and its plots again")
     parser.set_defaults(mode="full")
     return parser
+
+
+def run_page(parser, page, measure, write):
+    """Measures, or with --report reads the results again, and writes a page. measure(runner, options)
+    returns the results, and write(results, folder) writes the page. Returns the options."""
+    options = parser.parse_args()
+    folder = options.out / page
+    folder.mkdir(parents=True, exist_ok=True)
+    raw = folder / "results.json"
+    if options.report:
+        results = json.loads(raw.read_text(encoding="utf-8"))
+    else:
+        with tempfile.TemporaryDirectory(prefix=f"gatun-{page}-") as work:
+            results = measure(Runner(options.programs, pathlib.Path(work)), options)
+        raw.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
+    write(results, options.out)
+    print(f"The results are in {options.out / page}.md and {folder}")
+    return options
 
 
 class Runner:

@@ -9,7 +9,6 @@ import json
 import os
 import pathlib
 import sys
-import tempfile
 import time
 
 import benchmarkRunner
@@ -53,18 +52,7 @@ def main():
     parser = benchmarkRunner.make_parser(__doc__, budgetReport.PAGE)
     parser.add_argument("--mesh", action="append", default=[], metavar="KIND=FILE",
                         help="a file to use instead of a generated mesh (delaunay, flow1)")
-    options = parser.parse_args()
-    folder = options.out / budgetReport.PAGE
-    folder.mkdir(parents=True, exist_ok=True)
-    raw = folder / "results.json"
-    if options.report:
-        results = json.loads(raw.read_text(encoding="utf-8"))
-    else:
-        with tempfile.TemporaryDirectory(prefix="gatun-budget-") as work:
-            results = measure(benchmarkRunner.Runner(options.programs, pathlib.Path(work)), options)
-        raw.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
-    budgetReport.write(results, options.out)
-    print(f"The results are in {options.out / budgetReport.PAGE}.md and {folder}")
+    benchmarkRunner.run_page(parser, budgetReport.PAGE, measure, budgetReport.write)
 
 
 if __name__ == "__main__":

@@ -7,12 +7,10 @@
 Writes speed.md and the folder speed.
 """
 
-import json
 import os
 import pathlib
 import subprocess
 import sys
-import tempfile
 import time
 
 import benchmarkRunner
@@ -161,19 +159,7 @@ def measure(runner, options):
 
 
 def main():
-    parser = benchmarkRunner.make_parser(__doc__, PAGE)
-    options = parser.parse_args()
-    folder = options.out / PAGE
-    folder.mkdir(parents=True, exist_ok=True)
-    raw = folder / "results.json"
-    if options.report:
-        results = json.loads(raw.read_text(encoding="utf-8"))
-    else:
-        with tempfile.TemporaryDirectory(prefix="gatun-speed-") as work:
-            results = measure(benchmarkRunner.Runner(options.programs, pathlib.Path(work)), options)
-        raw.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
-    speedReport.write(results, options.out)
-    print(f"The results are in {options.out / PAGE}.md and {folder}")
+    benchmarkRunner.run_page(benchmarkRunner.make_parser(__doc__, PAGE), PAGE, measure, speedReport.write)
 
 
 if __name__ == "__main__":

@@ -11,7 +11,6 @@ import json
 import os
 import pathlib
 import sys
-import tempfile
 import time
 
 import benchmarkRunner
@@ -131,21 +130,10 @@ def measure(runner, options):
 
 
 def main():
-    parser = benchmarkRunner.make_parser(__doc__, PAGE)
-    options = parser.parse_args()
-    folder = options.out / PAGE
-    folder.mkdir(parents=True, exist_ok=True)
-    raw = folder / "results.json"
-    if options.report:
-        results = json.loads(raw.read_text(encoding="utf-8"))
-    else:
-        with tempfile.TemporaryDirectory(prefix="gatun-summary-") as work:
-            results = measure(benchmarkRunner.Runner(options.programs, pathlib.Path(work)), options)
-        raw.write_text(json.dumps(results, indent=1) + "\n", encoding="utf-8")
-    summaryReport.write(results, options.out)
+    options = benchmarkRunner.run_page(benchmarkRunner.make_parser(__doc__, PAGE), PAGE, measure,
+                                       summaryReport.write)
     if options.out.resolve() == generatedParts.STUDIES:
         generatedParts.update()
-    print(f"The results are in {options.out / PAGE}.md and {folder}")
 
 
 if __name__ == "__main__":

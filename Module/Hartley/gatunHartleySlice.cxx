@@ -74,7 +74,8 @@ public:
     constexpr std::size_t cycles = 2 * (Bands * HartleyLattice::PerVoxel + 1);
     for (std::size_t i = 0; i <= cycles * TentSteps + 1; ++i)
     {
-      this->TentTable.push_back(static_cast<float>(GetTent(static_cast<double>(i) / TentSteps)));
+      this->TentTable.push_back(
+        static_cast<float>(GetTentSpectrum(static_cast<double>(i) / TentSteps)));
     }
     this->Between = { this->Plan.Correction->GetWeights(), static_cast<float>(KaiserBessel::Steps),
       this->TentTable.data(), static_cast<float>(TentSteps),
@@ -127,7 +128,8 @@ private:
       {
         const double frequency =
           static_cast<double>(this->GetSigned(i, count)) / points + band * HartleyLattice::PerVoxel;
-        this->BandsOf[axis].push_back({ frequency, static_cast<float>(GetTent(frequency)) });
+        this->BandsOf[axis].push_back(
+          { frequency, static_cast<float>(GetTentSpectrum(frequency)) });
       }
       // The sum of all other bands is divided among the two outermost ones. That is exact for rays
       // along an axis, where all bands sample the same part of the spectrum.

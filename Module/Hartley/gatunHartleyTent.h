@@ -9,7 +9,7 @@
 namespace gatun
 {
 /** The spectrum of the tent function: sin(pi f)^2 / (pi f)^2. Frequency: in cycles per voxel. */
-inline double GetTent(double frequency)
+inline double GetTentSpectrum(double frequency)
 {
   const double angle = std::numbers::pi * frequency;
   const double sinc = std::abs(angle) < 1e-6 ? 1 : std::sin(angle) / angle;

@@ -114,9 +114,10 @@ public:
     this->PerTent = TentSteps / this->Cut;
     for (std::size_t i = 0; i <= static_cast<std::size_t>(TentSteps) + 1; ++i)
     {
-      this->Tents.push_back(static_cast<float>(GetTent(static_cast<double>(i) / this->PerTent)));
+      this->Tents.push_back(
+        static_cast<float>(GetTentSpectrum(static_cast<double>(i) / this->PerTent)));
     }
-    this->Least = static_cast<float>(GetTent(this->Cut)) * LeastOfCut;
+    this->Least = static_cast<float>(GetTentSpectrum(this->Cut)) * LeastOfCut;
   }
 
   /** From the slice to columns of the image, of which only the frequencies along the rows are
@@ -325,12 +326,12 @@ private:
         sums[column].resize(bins);
         const auto u = static_cast<std::ptrdiff_t>(column);
         const double fu = static_cast<double>(u) / period[0];
-        const double tentU = GetTent(fu);
+        const double tentU = GetTentSpectrum(fu);
         for (std::ptrdiff_t v = (u * shift) % apart - rows; v <= rows; v += apart)
         {
           const double fv = static_cast<double>(v) / period[1];
           const double along = -(this->GetShear(axes[0]) * fu + this->GetShear(axes[1]) * fv);
-          const double tent = tentU * GetTent(fv) * GetTent(along);
+          const double tent = tentU * GetTentSpectrum(fv) * GetTentSpectrum(along);
           const double cut = std::max({ fu, std::abs(fv), std::abs(along) });
           if (cut >= most || tent < Negligible)
           {
@@ -406,8 +407,8 @@ private:
       const double frequency = static_cast<double>(u) / side.Period;
       const std::ptrdiff_t period = RoundDown(frequency + 0.5);
       const bool turned = side.Even && period % 2 != 0;
-      side.Tents.push_back(static_cast<float>(GetTent(frequency)));
-      const double scale = GetTent(frequency) / side.Period /
+      side.Tents.push_back(static_cast<float>(GetTentSpectrum(frequency)));
+      const double scale = GetTentSpectrum(frequency) / side.Period /
         this->Kernel.GetTransform(static_cast<double>(u) / static_cast<double>(side.Points));
       side.Scales.push_back(static_cast<float>(turned ? -scale : scale));
       side.Wrapped.push_back(

@@ -245,15 +245,7 @@ private:
     const auto next = L::Load(&block.Slots[1].Begin[lane]);
     unsigned touching = L::ToBits(L::And(longer, L::Equal(next, end)));
     const auto others = L::Without(hits, longer);
-    if (!item.Transparent)
-    {
-      auto first = begin;
-      auto sums = LoadSums<L>(slot, lane);
-      const auto before = sums.Through;
-      this->Integrate<L>(item, line, begin, end, longer, sums, first);
-      StoreSums<L>(slot, lane, sums);
-      this->NoteVisible<L>(longer, before, sums.Through, first, end, block, slot, lane);
-    }
+    this->Grow<L>(item, line, begin, end, longer, block, slot, lane);
     if (L::ToBits(others) != 0) [[unlikely]]
     {
       touching |= this->PlaceElsewhere<L>(item, line, begin, end, others, block, lane, cell);
@@ -264,16 +256,25 @@ private:
     }
   }
 
-  /** After some fragments have grown: notes where they begin to be visible, and skips everything
-   * behind those that are opaque now. */
+  /** Adds what a tetrahedron shows to some fragments of a slot. Notes where they begin to be
+   * visible, and skips everything behind those that are opaque now. */
   template <typename L>
-  GATUN_INLINE void NoteVisible(typename L::Mask some, typename L::Float before,
-    typename L::Float after, typename L::Float first, typename L::Float end, RayPixels& block,
-    RayPixels::Slot& slot, unsigned lane)
+  GATUN_INLINE void Grow(const TetItem& item, const RayLine<L>& line, typename L::Float begin,
+    typename L::Float end, typename L::Mask some, RayPixels& block, RayPixels::Slot& slot,
+    unsigned lane)
   {
+    if (item.Transparent)
+    {
+      return;
+    }
+    auto first = begin;
+    auto sums = LoadSums<L>(slot, lane);
+    const auto before = sums.Through;
+    this->Integrate<L>(item, line, begin, end, some, sums, first);
+    StoreSums<L>(slot, lane, sums);
     const auto one = L::Splat(1);
-    const auto seen = L::Without(L::And(some, L::Equal(before, one)), L::Equal(after, one));
-    const auto opaque = L::And(some, L::Less(after, L::Splat(this->Context.Opaque)));
+    const auto seen = L::Without(L::And(some, L::Equal(before, one)), L::Equal(sums.Through, one));
+    const auto opaque = L::And(some, L::Less(sums.Through, L::Splat(this->Context.Opaque)));
     if (L::ToBits(L::Or(seen, opaque)) != 0)
     {
       L::Store(&slot.First[lane], L::Select(seen, first, L::Load(&slot.First[lane])));
@@ -299,15 +300,7 @@ private:
     }
     L::Store(&slot.Begin[lane], L::Select(apart, begin, L::Load(&slot.Begin[lane])));
     L::Store(&slot.End[lane], L::Select(others, end, last));
-    if (!item.Transparent)
-    {
-      auto first = begin;
-      auto sums = LoadSums<L>(slot, lane);
-      const auto before = sums.Through;
-      this->Integrate<L>(item, line, begin, end, others, sums, first);
-      StoreSums<L>(slot, lane, sums);
-      this->NoteVisible<L>(others, before, sums.Through, first, end, block, slot, lane);
-    }
+    this->Grow<L>(item, line, begin, end, others, block, slot, lane);
     return L::ToBits(L::And(others, L::Equal(L::Load(&block.Slots[0].Begin[lane]), end)));
   }
 
