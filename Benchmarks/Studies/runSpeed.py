@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Measures the goals of speed and memory: images, loading, packing, isosurfaces, each beside its peer.
+"""Measures the goals of speed and memory: images, loading, packing, isosurfaces, hierarchies and regular
+volumes, each beside its peer.
 
 Writes speed.md and the folder speed.
 """
@@ -20,12 +21,17 @@ import speedReport
 PAGE = "speed"
 ARRAY = "Density"
 
-# Tetrahedra, pixels, rounds; "few" rounds are for what takes seconds.
+# Tetrahedra, pixels, rounds; "few" rounds are for what takes seconds. The size of a made volume, for lack
+# of a real one, and of its blocks; 0: the whole volume in one.
 MODES = {
-    "full": {"delaunay": 1000000, "big": 5000000, "sizes": (512, 1024), "rounds": 7, "few": 3},
-    "quick": {"delaunay": 100000, "big": 400000, "sizes": (256, 512), "rounds": 3, "few": 2},
-    "smoke": {"delaunay": 3000, "big": 5000, "sizes": (64,), "rounds": 1, "few": 1},
+    "full": {"delaunay": 1000000, "big": 5000000, "sizes": (512, 1024), "rounds": 7, "few": 3,
+             "volume": 256, "blocks": (4, 8, 16, 32, 64, 0)},
+    "quick": {"delaunay": 100000, "big": 400000, "sizes": (256, 512), "rounds": 3, "few": 2,
+              "volume": 64, "blocks": (4, 16, 0)},
+    "smoke": {"delaunay": 3000, "big": 5000, "sizes": (64,), "rounds": 1, "few": 1,
+              "volume": 24, "blocks": (4, 0)},
 }
+VOLUME = "CT_AVM.nii.gz"
 
 
 def run_process(runner, program, *arguments):
@@ -122,11 +128,41 @@ def measure_files(runner, meshes, mode):
     return result
 
 
-def measure_surfaces(runner, meshes, mode):
+def make_layered(runner, meshes):
+    """The Delaunay mesh in a file with layers."""
+    layered = runner.path("layered.gtn")
+    runner.run("gtn", "pack", "-q", "-f", "--layers", ARRAY, meshes["delaunay"]["vtu-raw"], layered)
+    return layered
+
+
+def measure_layers(runner, plain, layered, mode):
+    """Whole reads and first images of a file with layers, and of one without."""
+    result = {"load": runner.case("load-files", plain, layered, "--rounds", mode["rounds"],
+                                  threads=runner.threads)}
+    if displays.prefix() is not None:
+        result["image"] = {"plain": [], "layered": []}
+        for _ in range(mode["rounds"]):
+            for key, file in ("plain", plain), ("layered", layered):
+                result["image"][key].append(
+                    runner.case("picture", file, "--size", mode["sizes"][0], "--array", ARRAY,
+                                threads=runner.threads, window=True))
+    return result
+
+
+def measure_volumes(runner, data, mode):
+    """Images of a regular volume at one bit per voxel, drawn from files, by size of blocks."""
+    volume = data / VOLUME if data else None
+    if volume is None or not volume.exists():
+        volume = f"head:{mode['volume']}"
+    run = runner.case("volume-times", volume, "--blocks", *mode["blocks"], "--rates", 1, "--laws", "xray",
+                      "exponential", "--pixels", mode["sizes"][0], "--rounds", mode["few"], "--folder",
+                      runner.folder("volumes"), "--peers", "--errors", threads=runner.threads)
+    return {"name": getattr(volume, "name", volume), **run}
+
+
+def measure_surfaces(runner, meshes, layered, mode):
     """An isosurface from a file with layers, and by VTK from the whole mesh, in processes of their own."""
     files = meshes["delaunay"]
-    layered = runner.path("layered.gtn")
-    runner.run("gtn", "pack", "-q", "-f", "--layers", ARRAY, files["vtu-raw"], layered)
     values = runner.case("surface-values", files["vtu-raw"], "--array", ARRAY, "--parts", 0.1, 0.3, 0.5,
                          0.7, 0.9)["values"]
     found = []
@@ -148,7 +184,12 @@ def measure(runner, options):
     data = pathlib.Path(data) if data and options.mode != "smoke" else None
     meshes = make_meshes(runner, mode, results["machine"]["tetgen"], data)
     results["files"] = measure_files(runner, meshes, mode)
-    results["surfaces"] = measure_surfaces(runner, meshes, mode)
+    layered = make_layered(runner, meshes)
+    results["surfaces"] = measure_surfaces(runner, meshes, layered, mode)
+    results["layers"] = measure_layers(runner, meshes["delaunay"]["gtn"], layered, mode)
+    results["hierarchy"] = runner.case("simplify-build", meshes["delaunay"]["vtu-raw"], "--array", ARRAY,
+                                       "--rounds", mode["few"], "--threads", "1,2")
+    results["volumes"] = measure_volumes(runner, data, mode)
     if displays.prefix() is not None:
         results["mapper"] = measure_mapper(runner, meshes, mode)
         results["big"] = measure_big(runner, meshes, mode)

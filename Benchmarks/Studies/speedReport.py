@@ -97,8 +97,56 @@ def _surfaces(results):
                    "times less", medians, must, aim, peer)
 
 
+def _layers(results):
+    layers = results["layers"]
+    plain, layered = (one["seconds"] for one in layers["load"]["files"])
+    yield _row("whole read of a file with layers", "times as long", rounds_of(zip(layered, plain)), 1.15,
+               1, "the same without layers", more_is_better=False)
+    if "image" in layers:
+        plain, layered = ([one["seconds"] for one in layers["image"][key]] for key in ("plain", "layered"))
+        yield _row("first image of a file with layers", "times as long", rounds_of(zip(layered, plain)),
+                   1.15, 1, "the same without layers", more_is_better=False)
+
+
+def _hierarchy(results):
+    build = results["hierarchy"]
+    for run in build["threads"]:
+        threads = run["threads"]
+        yield _row(f"building a hierarchy, Delaunay mesh, {threads} thread{'s' if threads > 1 else ''}",
+                   "million tetrahedra per second",
+                   [build["tets"] / seconds / 1e6 for seconds in run["seconds"]], 0.3, 0.5)
+
+
+def _later(way, plain):
+    """How many times as fast as the sum of voxels along rays, view by view."""
+    return rounds_of(zip(plain["later"], way["later"]))
+
+
+def _volumes(results):
+    volumes = results["volumes"]
+    ways = [way for way in volumes["ways"] if way["way"] == "gatun"]
+    plain = next(way for way in volumes["ways"] if way["way"] == "plain")
+    peer = "sum of voxels along rays"
+    for law, what, must, aim in ("xray", "X-rays", 10, 16), ("exponential", "opacity model", 1.3, 3):
+        medians = [statistics.median(_later(way, plain)) for way in ways
+                   if way["law"] == law and (law == "xray" or way["block"])]
+        yield _row(f"volume, {what}, slowest of {len(medians)} sizes of blocks", "times as fast", medians,
+                   must, aim, peer, worst=min(medians))
+    whole = next(way for way in ways if way["law"] == "xray" and way["block"] == 0)
+    yield _row("first X-ray of a whole volume from its file", "s", [whole["seconds"]], 0.8, 0.4,
+               more_is_better=False)
+    yield _row("first X-ray along another axis", "times a later one",
+               [whole["otherAxis"] / statistics.median(whole["later"])], 1.2, 1, more_is_better=False)
+    errors = [one["mse"] for one in volumes["errors"] if one["way"] == "gatun"]
+    yield _row(f"mean square error of X-rays, largest of {len(errors)}", "of 255 squared", errors, 0.02,
+               0.01, "exact integrals", more_is_better=False, worst=max(errors))
+
+
+PARTS = (_mapper, _processes, _files, _surfaces, _layers, _hierarchy, _volumes)
+
+
 def rows(results):
-    return [row for part in (_mapper, _processes, _files, _surfaces) for row in part(results)]
+    return [row for part in PARTS for row in part(results)]
 
 
 def _goal_table(results):
