@@ -28,7 +28,7 @@ class BlockInverse
 {
 public:
   BlockInverse(const Triple& block, const Triple& size, std::span<const HartleyTerm> terms,
-    std::vector<float>& voxels)
+    std::span<float> voxels)
     : Block{ block[0], block[1], block[2] }
     , Size{ size[0], size[1], size[2] }
     , Groups(ComplexLanes::CountGroups(Block[0] / 2 + 1))
@@ -36,7 +36,7 @@ public:
     , Voxels(voxels)
   {
     const std::size_t count = this->Block[0] * this->Block[1] * this->Block[2];
-    this->Coefficients.resize(count);
+    this->Coefficients.resize(count, 0);
     for (const HartleyTerm& term : terms)
     {
       this->Coefficients[term.Index] = term.Value;
@@ -61,7 +61,7 @@ public:
     this->Lines.resize(this->Block[1] * this->Block[2] * this->Groups);
     const LaneFourier z(this->Block[2]);
     ParallelFor(this->Block[1], [&](std::size_t k) { this->TransformAlongZ(z, k); });
-    std::vector<float>().swap(this->Coefficients);
+    LargeArray<float>().swap(this->Coefficients);
     const LaneFourier y(this->Block[1]);
     const LaneFourier x(this->Block[0]);
     ParallelFor(
@@ -115,12 +115,12 @@ private:
       {
         any = this->Load(group, ky, kz, line[kz]) || any;
       }
-      if (!any)
+      const ComplexLanes* found = line.data(); // 0, and so is its transform
+      if (any)
       {
-        continue; // Lines are 0 from the beginning.
+        this->Loops.Turn(line.data(), this->Turns[2].data(), length);
+        found = fourier.Inverse(line.data(), room.data());
       }
-      this->Loops.Turn(line.data(), this->Turns[2].data(), length);
-      const ComplexLanes* const found = fourier.Inverse(line.data(), room.data());
       for (std::size_t z = 0; z < length; ++z)
       {
         this->Lines[(ky * length + z) * this->Groups + group] = found[z];
@@ -204,16 +204,16 @@ private:
   std::array<std::size_t, 3> Size;
   std::size_t Groups; // of frequencies along x
   const HartleyLaneLoops& Loops;
-  std::vector<float>& Voxels;
-  std::vector<float> Coefficients;
+  std::span<float> Voxels;
+  LargeArray<float> Coefficients;
   float Scale = 1;
   std::array<std::vector<float>, 3> Turns; // that move the origin to the first voxel
-  Line Lines;                              // by y, z and group
+  LargeArray<ComplexLanes> Lines;          // by y, z and group
 };
 
 //------------------------------------------------------------------------------
 /** Inverts the blocks of a chunk. */
-void DecodeChunk(const HartleySource& source, std::size_t number, std::vector<float>& voxels)
+void DecodeChunk(const HartleySource& source, std::size_t number, std::span<float> voxels)
 {
   const HartleyLayout& layout = source.GetLayout();
   const auto chunk = source.GetChunk(number);
@@ -398,11 +398,11 @@ private:
 }
 
 //------------------------------------------------------------------------------
-std::vector<float> DecodeHartleyDensities(
+LargeArray<float> DecodeHartleyDensities(
   const HartleySource& source, const std::function<bool(double)>& progress)
 {
   const HartleyLayout& layout = source.GetLayout();
-  std::vector<float> voxels(std::size_t{ layout.Size[0] } * layout.Size[1] * layout.Size[2]);
+  LargeArray<float> voxels(std::size_t{ layout.Size[0] } * layout.Size[1] * layout.Size[2], 0);
   if (!layout.IsWhole())
   {
     ParallelFor(

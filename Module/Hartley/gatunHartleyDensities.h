@@ -4,6 +4,7 @@
 #define gatunHartleyDensities_h
 
 #include "gatunHartleySource.h"
+#include "gatunLargeArray.h"
 
 #include <array>
 #include <functional>
@@ -14,7 +15,7 @@ namespace gatun
 {
 /** The voxels of a source minus its base, x fastest, in single precision. Parallel. Throws the
  * errors of the source, and Error(Aborted) if progress returns false. */
-std::vector<float> DecodeHartleyDensities(
+LargeArray<float> DecodeHartleyDensities(
   const HartleySource& source, const std::function<bool(double)>& progress = {});
 
 /** What limits the resolution of X-rays of a volume. */

@@ -300,7 +300,7 @@ void HartleyEncoder::SetStep(double step)
       {
         const auto& coefficients =
           this->Kept.empty() ? this->SampleCoefficients[i] : this->Kept[this->Sample[i]];
-        HartleyIntegers integers(voxels);
+        HartleyIntegers integers(voxels, 0);
         for (std::size_t at = 0; at < coefficients.size(); at += voxels)
         {
           const auto own = std::span(coefficients).subspan(at, voxels);
@@ -332,7 +332,7 @@ double HartleyEncoder::GetSampleError() const
     {
       const auto& coefficients =
         this->Kept.empty() ? this->SampleCoefficients[i] : this->Kept[this->Sample[i]];
-      HartleyIntegers integers(voxels);
+      HartleyIntegers integers(voxels, 0);
       for (std::size_t at = 0; at < coefficients.size(); at += voxels)
       {
         const auto own = std::span(coefficients).subspan(at, voxels);
@@ -468,7 +468,7 @@ HartleyIntegers HartleyEncoder::GetIntegers(std::size_t chunk) const
   }
   const auto& coefficients = this->Kept.empty() ? made : this->Kept[chunk];
   const auto voxels = this->Layout.GetVoxelsPerBlock();
-  HartleyIntegers integers(coefficients.size());
+  HartleyIntegers integers(coefficients.size(), 0);
   for (std::size_t at = 0; at < integers.size(); at += voxels)
   {
     this->Quantizer->Quantize(

@@ -9,6 +9,7 @@
 #include "gatunHartleyQuantizer.h"
 #include "gatunHartleySource.h"
 #include "gatunHartleyVoxels.h"
+#include "gatunLargeArray.h"
 
 #include <cstdint>
 #include <functional>
@@ -19,7 +20,7 @@
 namespace gatun
 {
 /** The quantized coefficients of a chunk: its blocks one after the other, index by index. */
-using HartleyIntegers = std::vector<std::int64_t>;
+using HartleyIntegers = LargeArray<std::int64_t>;
 
 /** A chunk as it is stored in a file. */
 struct EncodedHartleyChunk

@@ -38,7 +38,7 @@ struct HartleyFile::Internals
   explicit Internals(const std::string& path);
 
   const HartleyLayout& GetLayout() const { return this->Meta.Layout; }
-  const HartleyOrder& GetOrder() const;
+  std::shared_ptr<const HartleyOrder> GetOrder() const;
   const HartleyQuantizer& GetQuantizer() const;
   HartleyIntegers GetIntegers(std::size_t chunk) const;
 
@@ -74,7 +74,7 @@ struct HartleyFile::Internals
 private:
   // Their size depends on the block size. They are made when a chunk is decoded first.
   mutable std::once_flag OrderIsMade;
-  mutable std::unique_ptr<const HartleyOrder> Order;
+  mutable std::shared_ptr<const HartleyOrder> Order;
   mutable std::once_flag QuantizerIsMade;
   mutable std::unique_ptr<const HartleyQuantizer> Quantizer;
 };
@@ -120,11 +120,17 @@ HartleyFile::Internals::Internals(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-const HartleyOrder& HartleyFile::Internals::GetOrder() const
+std::shared_ptr<const HartleyOrder> HartleyFile::Internals::GetOrder() const
 {
-  std::call_once(this->OrderIsMade,
-    [&] { this->Order = std::make_unique<const HartleyOrder>(this->GetLayout().Block); });
-  return *this->Order;
+  const auto make = [&] { return std::make_shared<const HartleyOrder>(this->GetLayout().Block); };
+  // That of a whole volume takes several times the memory of the volume, and there is only one
+  // chunk to decode.
+  if (this->GetLayout().IsWhole())
+  {
+    return make();
+  }
+  std::call_once(this->OrderIsMade, [&] { this->Order = make(); });
+  return this->Order;
 }
 
 //------------------------------------------------------------------------------
@@ -144,10 +150,10 @@ HartleyIntegers HartleyFile::Internals::GetIntegers(std::size_t chunk) const
 {
   const auto& entry = this->Table.Chunks[chunk];
   const auto name = GetChunkName(chunk);
-  const auto& order = this->GetOrder();
+  const auto order = this->GetOrder();
   const auto grid = GetHartleyGrid(this->GetLayout(), chunk);
   HartleyIntegers integers(
-    CountHartleyBlocks(this->GetLayout(), chunk) * this->GetLayout().GetVoxelsPerBlock());
+    CountHartleyBlocks(this->GetLayout(), chunk) * this->GetLayout().GetVoxelsPerBlock(), 0);
   ParallelFor(entry.Streams.size(),
     [&](std::size_t segment)
     {
@@ -158,11 +164,11 @@ HartleyIntegers HartleyFile::Internals::GetIntegers(std::size_t chunk) const
           const auto bytes = this->File.Read(stream, name);
           if (entry.Streams.size() == 1)
           {
-            DecodeHartleyBlocks(order, grid, bytes, integers);
+            DecodeHartleyBlocks(*order, grid, bytes, integers);
           }
           else
           {
-            DecodeHartleySegment(order, segment, bytes, integers);
+            DecodeHartleySegment(*order, segment, bytes, integers);
           }
         });
     });

@@ -14,6 +14,7 @@ namespace
 {
 constexpr std::uint64_t MostVoxels = std::uint64_t{ 1 } << 40;
 constexpr std::uint64_t MostVoxelsOfBlock = std::uint64_t{ 1 } << 30;
+constexpr std::uint64_t MostAlongBlock = 65535; // frequencies are at most half of it: 16 bits
 
 std::string ToText(const HartleyLayout::Triple& size)
 {
@@ -79,10 +80,12 @@ HartleyLayout HartleyLayout::Make(const Triple& size, std::uint32_t blockSize)
       blockSize == 0 ? 1 : std::max(1u, ChunkVoxels / std::max(1u, layout.Block[axis]));
     voxels = std::min(MostVoxels, voxels * std::min<std::uint64_t>(MostVoxels, layout.Block[axis]));
   }
-  if (voxels > MostVoxelsOfBlock)
+  const auto& block = layout.Block;
+  if (voxels > MostVoxelsOfBlock || *std::max_element(block.begin(), block.end()) > MostAlongBlock)
   {
     ThrowInvalid("the volume of " + ToText(size) +
-      " voxels is too large for one block; 2^30 are the most, choose a block size");
+      " voxels is too large for one block; 2^30 are the most, and 65535 along an axis. Choose a "
+      "block size");
   }
   const auto blocks = layout.GetBlocks();
   for (unsigned axis = 0; axis < 3; ++axis)

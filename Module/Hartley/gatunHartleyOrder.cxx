@@ -14,9 +14,9 @@ namespace
 {
 using Triple = HartleyLayout::Triple;
 
-std::int32_t GetWave(std::uint32_t index, std::uint32_t size)
+std::int16_t GetWave(std::uint32_t index, std::uint32_t size)
 {
-  return static_cast<std::int32_t>(
+  return static_cast<std::int16_t>(
     2 * index <= size ? std::int64_t{ index } : std::int64_t{ index } - std::int64_t{ size });
 }
 
@@ -70,7 +70,7 @@ public:
     , Lengths(block)
     , Parts(std::min<std::uint32_t>(block[2], MostParts))
     , Starts(this->Parts)
-    , Ranks(std::make_unique_for_overwrite<std::uint32_t[]>(order.Count))
+    , Ranks(order.GetPositions().size())
   {
   }
 
@@ -83,7 +83,7 @@ public:
       [&](std::size_t segment)
       {
         const auto begin = static_cast<std::uint32_t>(segment) * SegmentLength;
-        const auto end = std::min(this->Order.Count, begin + std::min(SegmentLength, ~begin));
+        const auto end = std::min(this->Order.GetCount(), begin + std::min(SegmentLength, ~begin));
         for (std::uint32_t rank = begin; rank < end; ++rank)
         {
           this->Flag(rank);
@@ -165,7 +165,7 @@ private:
         start += std::exchange(counts[shell], start);
       }
     }
-    this->Order.BandStarts.push_back(this->Order.Count);
+    this->Order.BandStarts.push_back(this->Order.GetCount());
   }
 
   void PlacePart(std::size_t part)
@@ -241,13 +241,12 @@ private:
   std::uint32_t Parts;
   std::vector<std::vector<std::uint32_t>> Starts; // of each shell, in each part
   std::vector<std::uint8_t> BandOfShell;
-  std::unique_ptr<std::uint32_t[]> Ranks;
+  LargeArray<std::uint32_t> Ranks;
 };
 
 //------------------------------------------------------------------------------
 HartleyOrder::HartleyOrder(const Triple& block)
-  : Count(block[0] * block[1] * block[2])
-  , Positions(std::make_unique_for_overwrite<Position[]>(this->Count))
+  : Positions(std::size_t{ block[0] } * block[1] * block[2])
 {
   this->Strides = { 1, static_cast<std::ptrdiff_t>(block[0]),
     static_cast<std::ptrdiff_t>(block[0]) * block[1] };

@@ -4,10 +4,10 @@
 #define gatunHartleyOrder_h
 
 #include "gatunHartleyLayout.h"
+#include "gatunLargeArray.h"
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -27,7 +27,7 @@ public:
   {
     std::uint32_t Index;              ///< as in HartleyTransform
     std::uint32_t Partner;            ///< index of the opposite frequency
-    std::array<std::int32_t, 3> Wave; ///< the frequency, in periods of the block
+    std::array<std::int16_t, 3> Wave; ///< the frequency, in periods of the block
     std::uint8_t Band;
     std::uint8_t Flags;
   };
@@ -41,14 +41,14 @@ public:
   /** Parallel. */
   explicit HartleyOrder(const HartleyLayout::Triple& block);
 
-  std::span<const Position> GetPositions() const { return { this->Positions.get(), this->Count }; }
+  std::span<const Position> GetPositions() const { return this->Positions; }
 
   /** The first position of each band; the last entry is the end. */
   const std::vector<std::uint32_t>& GetBandStarts() const { return this->BandStarts; }
 
   std::size_t GetNumberOfSegments() const
   {
-    return (std::size_t{ this->Count } + SegmentLength - 1) / SegmentLength;
+    return (this->Positions.size() + SegmentLength - 1) / SegmentLength;
   }
 
   /** The offset from an index to that of the next lower frequency along an axis. */
@@ -80,8 +80,9 @@ public:
 private:
   class Builder;
 
-  std::uint32_t Count;
-  std::unique_ptr<Position[]> Positions;
+  std::uint32_t GetCount() const { return static_cast<std::uint32_t>(this->Positions.size()); }
+
+  LargeArray<Position> Positions;
   std::vector<std::uint32_t> BandStarts;
   std::array<std::ptrdiff_t, 3> Strides{};
   std::array<std::ptrdiff_t, 3> Wraps{}; ///< from the last index along an axis to the first

@@ -200,8 +200,7 @@ public:
   void TransformSlices(const std::function<bool(double)>& progress)
   {
     const std::size_t groups = ComplexLanes::CountGroups(this->Size[2]);
-    this->Slices = std::make_unique_for_overwrite<std::uint16_t[]>(
-      groups * this->X.GetStored() * this->Y.GetStored() * 2 * Lanes);
+    this->Slices.resize(groups * this->X.GetStored() * this->Y.GetStored() * 2 * Lanes);
     ParallelFor(
       groups, [&](std::size_t group) { this->TransformSlicesOf(group); }, progress);
   }
@@ -276,7 +275,7 @@ private:
       std::copy_n(plane.data() + u * (height + 1), height, line.data());
       this->Y.Run(line.data(), room.data(), out.data());
       this->Loops.ToHalf(out[0].Re, rows * 2 * Lanes, scale,
-        this->Slices.get() + (group * columns + u) * rows * 2 * Lanes);
+        this->Slices.data() + (group * columns + u) * rows * 2 * Lanes);
     }
   }
 
@@ -296,14 +295,14 @@ private:
       const std::size_t v = std::min(from, rows - Lanes);
       for (std::size_t group = 0; group < groups; ++group)
       {
-        this->Loops.FromHalf(this->Slices.get() + ((group * columns + u) * rows + v) * next,
+        this->Loops.FromHalf(this->Slices.data() + ((group * columns + u) * rows + v) * next,
           Lanes * next, loaded[0].Re);
         this->Loops.Transpose(loaded[0].Re, next, line[group * Lanes].Re, next);
         this->Loops.Transpose(loaded[0].Im, next, line[group * Lanes].Im, next);
       }
       this->Z.Run(line.data(), room.data(), out.data());
       std::uint16_t* const to =
-        this->Spectrum.Values.get() + 2 * static_cast<std::size_t>(u * rows + v) * depth;
+        this->Spectrum.Values.data() + 2 * static_cast<std::size_t>(u * rows + v) * depth;
       for (std::size_t w = 0; w < depth; w += Lanes)
       {
         this->Loops.StoreRows(
@@ -318,7 +317,7 @@ private:
   AxisTransform X, Y, Z;
   const HartleyLaneLoops& Loops;
   double SliceScale = 1;
-  std::unique_ptr<std::uint16_t[]> Slices; // transformed along x and y, by group, x, y and lane
+  LargeArray<std::uint16_t> Slices; // transformed along x and y, by group, x, y and lane
 };
 
 //------------------------------------------------------------------------------
@@ -342,8 +341,7 @@ HartleyVolumeSpectrum::HartleyVolumeSpectrum(const VolumeSpectrumPlan& plan,
   this->Middle = plan.GetPoint({});
   builder.FindBounds();
   builder.TransformSlices(getPart(0, slices));
-  this->Values =
-    std::make_unique_for_overwrite<std::uint16_t[]>(2 * stored[0] * stored[1] * stored[2]);
+  this->Values.resize(2 * stored[0] * stored[1] * stored[2]);
   builder.TransformAlong(getPart(slices, 1));
 }
 

@@ -4,12 +4,12 @@
 #define gatunHartleyVolumeSpectrum_h
 
 #include "gatunHartleyLayout.h"
+#include "gatunLargeArray.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <span>
 
 namespace gatun
@@ -64,7 +64,7 @@ public:
   double GetScale() const { return this->Scale; }
 
   /** All values: real and imaginary parts. */
-  const std::uint16_t* GetValues() const { return this->Values.get(); }
+  const std::uint16_t* GetValues() const { return this->Values.data(); }
 
   /** The number of the point of a frequency, given in points; that along x is not below -Before. */
   std::ptrdiff_t GetPoint(const std::array<std::ptrdiff_t, 3>& at) const
@@ -88,7 +88,7 @@ private:
   double Scale = 1;
   std::array<std::ptrdiff_t, 3> Strides{};
   std::ptrdiff_t Middle = 0; // number of the point of frequency 0
-  std::unique_ptr<std::uint16_t[]> Values;
+  LargeArray<std::uint16_t> Values;
 };
 }
 

@@ -44,7 +44,7 @@ bool HartleyXRays::Make(
     return [=, &progress](double done)
     { return !progress || progress(begin + done * (end - begin)); };
   };
-  std::vector<float> densities = DecodeHartleyDensities(source, getPart(0, decoding));
+  LargeArray<float> densities = DecodeHartleyDensities(source, getPart(0, decoding));
   const auto detail = HartleyDetail::Take(size, densities, XRayError);
   const auto plan = VolumeSpectrumPlan::Make(size, detail.Cut);
   if (plan.GetBytes() > std::min(bytes, HartleyVolumeSpectrum::MostBytes))

@@ -9,7 +9,6 @@ gatun_core_folder(Merge
     gatunMergeBuilder.h
     gatunMergeInput.h
   PRIVATE_HEADERS
-    gatunLocalIndex.h
     gatunMergeBends.h
     gatunMergeCodec.h
     gatunMergeCosts.h

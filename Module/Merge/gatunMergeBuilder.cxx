@@ -3,7 +3,7 @@
 #include "gatunMergeBuilder.h"
 
 #include "gatunError.h"
-#include "gatunLocalIndex.h"
+#include "gatunLargeArray.h"
 #include "gatunMergeCosts.h"
 #include "gatunMergeFields.h"
 #include "gatunMergeMesh.h"
@@ -87,6 +87,7 @@ private:
     MergeQueue::Key Key = 0;
     std::uint8_t Changes = 0; // around it since it was found, at most MostChanges
     State Is = State::Idle;
+    std::uint32_t Seen = 0; // by the last of so many merges
   };
 
   using Costs = MergeCosts<NumberOfFields>;
@@ -103,12 +104,18 @@ private:
   template <typename Body>
   void ForEach(const std::vector<std::uint32_t>& points, Body&& body)
   {
+    const auto run = [&](Costs& costs, std::size_t first, std::size_t last)
+    {
+      for (auto i = first; i < last; ++i)
+      {
+        this->Mesh.PrefetchRing(points[std::min(i + 2, last - 1)]);
+        this->Mesh.PrefetchTets(points[std::min(i + 1, last - 1)]);
+        body(costs, points[i]);
+      }
+    };
     if (points.size() < FewestInParallel || this->Workers.size() == 1)
     {
-      for (const auto point : points)
-      {
-        body(*this->Workers[0], point);
-      }
+      run(*this->Workers[0], 0, points.size());
       return;
     }
     std::atomic<std::size_t> next = 0;
@@ -118,10 +125,7 @@ private:
         constexpr std::size_t step = 16;
         for (auto first = next.fetch_add(step); first < points.size(); first = next.fetch_add(step))
         {
-          for (auto i = first; i < std::min(first + step, points.size()); ++i)
-          {
-            body(*this->Workers[worker], points[i]);
-          }
+          run(*this->Workers[worker], first, std::min(first + step, points.size()));
         }
       });
   }
@@ -229,15 +233,12 @@ private:
     this->Merges.push_back(
       { point, merged.Into, static_cast<float>(std::sqrt(this->Change) / ChangePerError) });
     merged.Is = State::Gone;
-    this->Seen.Clear();
+    const auto number = static_cast<std::uint32_t>(this->Merges.size());
     for (const auto tet : this->Mesh.GetRing(point))
     {
       for (const auto corner : this->Mesh.GetTet(tet))
       {
-        if (this->Seen[corner]++ == 0)
-        {
-          this->Touch(this->Candidates[corner], corner);
-        }
+        this->Touch(this->Candidates[corner], corner, number);
       }
     }
     this->Mesh.Merge(point, merged.Into);
@@ -249,15 +250,14 @@ private:
     }
   }
 
-  /** Something around a point has changed. */
-  void Touch(Candidate& candidate, std::uint32_t point)
+  /** Something around a point has changed by a merge. Called for each tetrahedron of the point. */
+  void Touch(Candidate& candidate, std::uint32_t point, std::uint32_t merge)
   {
-    if (candidate.Is == State::Gone || candidate.Changes == MostChanges)
-    {
-      return;
-    }
-    ++candidate.Changes;
-    if (candidate.Changes == MostChanges)
+    const bool counts = (candidate.Seen != merge) & (candidate.Is != State::Gone) &
+      (candidate.Changes != MostChanges);
+    candidate.Seen = merge;
+    candidate.Changes = static_cast<std::uint8_t>(candidate.Changes + counts);
+    if (counts && candidate.Changes == MostChanges)
     {
       this->Outdated.push_back(point);
     }
@@ -267,11 +267,10 @@ private:
   MergeMesh Mesh;
   MergeFields Fields;
   std::vector<std::unique_ptr<Costs>> Workers;
-  std::vector<Candidate> Candidates; // of each point
+  LargeArray<Candidate> Candidates; // of each point
   MergeQueue Queue;
   std::vector<std::uint32_t> Due;      // points of the round
   std::vector<std::uint32_t> Outdated; // points to be found anew after the round
-  LocalIndex Seen;
   std::vector<Merge> Merges;
   double Change = 0; // of all merges
 };

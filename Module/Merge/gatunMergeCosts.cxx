@@ -112,32 +112,33 @@ bool MergeCosts<N>::FindVolumes(std::uint32_t place)
   const auto& all = this->Star.Tets;
   const auto& offset = this->Star.Neighbors[place].Offset;
   const Triple<Double2> to{ Splat2(offset.x), Splat2(offset.y), Splat2(offset.z) };
+  const Double2 zero = Splat2(0);
   this->Volumes.resize(all.size());
   for (std::size_t i = 0; i < 2 * all.size(); ++i)
   {
     const MergeTets& tets = all[i / 2];
     const std::size_t half = i % 2;
-    Double2 volume = Dot(tets.Normal[half], to) + tets.Volume[half];
-    for (std::size_t lane = 0; lane < 2; ++lane)
+    const Double2 volume = Dot(tets.Normal[half], to) + tets.Volume[half];
+    // Which tetrahedra vanish cannot be predicted, so there is no branch on that.
+    const auto stays = [&](std::size_t lane)
     {
-      if (volume[lane] > tets.Least[half][lane])
-      {
-        continue;
-      }
-      const std::size_t at = 2 * half + lane;
       const auto& c = tets.Corners;
-      const bool vanishes = c[0][at] == place || c[1][at] == place || c[2][at] == place;
-      if (!vanishes && 2 * i + lane < this->Star.NumberOfTets &&
-        this->WouldInvert(2 * i + lane, volume[lane]))
+      const std::size_t at = 2 * half + lane;
+      return (2 * i + lane < this->Star.NumberOfTets) & (c[0][at] != place) & (c[1][at] != place) &
+          (c[2][at] != place)
+        ? 1.0
+        : 0.0;
+    };
+    const Double2 present{ stays(0), stays(1) };
+    const Double2 doubtful = SelectGreater(volume, tets.Least[half], zero, present);
+    for (std::size_t lane = 0; Sum(doubtful) > 0 && lane < 2; ++lane)
+    {
+      if (doubtful[lane] > 0 && this->WouldInvert(2 * i + lane, volume[lane]))
       {
         return false;
       }
-      if (vanishes || 2 * i + lane >= this->Star.NumberOfTets)
-      {
-        volume = lane == 0 ? Double2{ 0, volume[1] } : Double2{ volume[0], 0 };
-      }
     }
-    this->Volumes[i / 2][half] = volume;
+    this->Volumes[i / 2][half] = SelectGreater(present, zero, volume, zero);
   }
   return true;
 }

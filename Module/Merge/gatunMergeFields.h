@@ -3,6 +3,7 @@
 #ifndef gatunMergeFields_h
 #define gatunMergeFields_h
 
+#include "gatunLargeArray.h"
 #include "gatunMergeInput.h"
 #include "gatunMergeMesh.h"
 
@@ -40,6 +41,9 @@ public:
   /** Returns one sample for each field. */
   const Sample* GetSamples(std::uint32_t point) const { return &this->At(point) + 1; }
 
+  /** Loads what is known of a point into the cache of the processor. */
+  void Prefetch(std::uint32_t point) const { __builtin_prefetch(&this->At(point)); }
+
   /** Returns 1 / volume of the mesh, or 0. */
   double GetPerWhole() const { return this->PerWhole; }
 
@@ -54,7 +58,7 @@ private:
   std::size_t Fields;
   double PerWhole = 0;
   double PerTet = 0;
-  std::vector<Sample> Samples; // of each point: the point and the volume around it, then all fields
+  LargeArray<Sample> Samples; // of each point: the point and the volume around it, then all fields
 };
 }
 

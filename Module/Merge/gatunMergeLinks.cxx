@@ -20,30 +20,36 @@ constexpr std::uint8_t OfEdgeOnBoundary = 32; // and it is on the boundary
 //------------------------------------------------------------------------------
 void MergeLinks::Mark(std::uint32_t point, unsigned marks)
 {
-  std::uint8_t& known = this->Marks[point];
-  if (known == 0)
-  {
-    this->Marked.push_back(point);
-  }
-  known |= static_cast<std::uint8_t>(marks);
+  // Points are listed once for each of their marks, as asking whether they are new takes longer.
+  this->Marked.push_back(point);
+  this->Marks[point] |= static_cast<std::uint8_t>(marks);
 }
 
 //------------------------------------------------------------------------------
+/** Marks the neighbors of a point, and the point itself. */
 void MergeLinks::MarkNeighbors(
   std::uint32_t point, std::uint8_t neighbor, std::uint8_t boundaryNeighbor)
 {
   for (const auto tet : this->Mesh.GetRing(point))
   {
     const MergeMesh::Tet& corners = this->Mesh.GetTet(tet);
-    const unsigned at = MergeMesh::FindCorner(corners, point);
+    for (const auto corner : corners)
+    {
+      this->Mark(corner, neighbor);
+    }
     const unsigned faces = this->Mesh.GetBoundaryFaces(tet);
+    if (faces == 0) [[likely]]
+    {
+      continue;
+    }
+    const unsigned at = MergeMesh::FindKnownCorner(corners, point);
     for (unsigned i = 0; i < 4; ++i)
     {
-      if (i != at)
+      // The edge is in the faces opposite to the two other corners.
+      const unsigned others = 15u & ~(1u << at) & ~(1u << i);
+      if (i != at && (faces & others) != 0)
       {
-        // The edge is in the faces opposite to the two other corners.
-        const unsigned others = 15u & ~(1u << at) & ~(1u << i);
-        this->Mark(corners[i], neighbor | ((faces & others) != 0 ? boundaryNeighbor : 0u));
+        this->Marks[corners[i]] |= boundaryNeighbor;
       }
     }
   }
@@ -129,6 +135,7 @@ bool MergeLinks::MayMerge(std::uint32_t point, std::uint32_t into)
     this->Marks[marked] = 0;
   }
   this->Marked.clear();
+  this->Mesh.PrefetchTets(into);
   this->MarkNeighbors(point, ByFirst, ByFirstOnBoundary);
   const bool edgeOnBoundary = (this->Marks[into] & ByFirstOnBoundary) != 0;
   if (this->Mesh.IsOnBoundary(point) && !edgeOnBoundary)

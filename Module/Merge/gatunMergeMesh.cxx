@@ -58,52 +58,58 @@ void MergeMesh::FindBoundary()
   {
     std::uint32_t Second, Third, Tet;
     unsigned Side;
+    unsigned Tets; // that have it; an empty slot if 0
   };
-  std::vector<Face> faces;
+  std::vector<Face> faces; // a hash table
+  std::vector<std::size_t> used;
   for (std::uint32_t point = 0; point < this->Rings.size(); ++point)
   {
-    faces.clear();
-    for (const auto tet : this->GetRing(point))
+    const auto ring = this->GetRing(point);
+    const std::size_t least = 6 * ring.size(); // twice as many slots as faces
+    while (faces.size() < least)
+    {
+      faces.assign(std::max<std::size_t>(64, 2 * faces.size()), {});
+    }
+    const std::size_t mask = faces.size() - 1;
+    for (const auto tet : ring)
     {
       const Tet& corners = this->Tets[tet];
-      const unsigned at = FindCorner(corners, point);
-      for (unsigned side = 0; side < 4; ++side)
+      const unsigned at = FindKnownCorner(corners, point);
+      for (unsigned i = 1; i < 4; ++i)
       {
-        if (side == at)
+        const unsigned side = (at + i) % 4;
+        const std::uint32_t one = corners[(at + i % 3 + 1) % 4];
+        const std::uint32_t other = corners[(at + (i + 1) % 3 + 1) % 4];
+        const auto [second, third] = std::minmax(one, other);
+        if (second < point)
         {
           continue;
         }
-        const auto rest = FindOthers(at, side);
-        const auto [second, third] = std::minmax(corners[rest[0]], corners[rest[1]]);
-        if (point < second)
+        const std::uint64_t key = std::uint64_t{ second } << 32 | third;
+        std::size_t slot = key * 0x9e3779b97f4a7c15u >> 32 & mask;
+        while (faces[slot].Tets > 0 && (faces[slot].Second != second || faces[slot].Third != third))
         {
-          faces.push_back({ second, third, tet, side });
+          slot = (slot + 1) & mask;
+        }
+        Face& face = faces[slot];
+        if (face.Tets++ == 0)
+        {
+          face = { second, third, tet, side, 1 };
+          used.push_back(slot);
         }
       }
     }
-    std::sort(faces.begin(), faces.end(),
-      [](const Face& a, const Face& b)
-      {
-        return a.Second != b.Second ? a.Second < b.Second
-          : a.Third != b.Third      ? a.Third < b.Third
-                                    : a.Tet < b.Tet;
-      });
-    for (std::size_t i = 0; i < faces.size();)
+    for (const auto slot : used)
     {
-      auto next = i + 1;
-      while (next < faces.size() && faces[next].Second == faces[i].Second &&
-        faces[next].Third == faces[i].Third)
+      Face& face = faces[slot];
+      if (face.Tets == 1)
       {
-        ++next;
-      }
-      if (next == i + 1)
-      {
-        const Face& face = faces[i];
         this->BoundaryFaces[face.Tet] |= static_cast<std::uint8_t>(1u << face.Side);
         this->OnBoundary[point] = this->OnBoundary[face.Second] = this->OnBoundary[face.Third] = 1;
       }
-      i = next;
+      face.Tets = 0;
     }
+    used.clear();
   }
 }
 
@@ -207,7 +213,7 @@ void MergeMesh::Merge(std::uint32_t point, std::uint32_t into)
 //------------------------------------------------------------------------------
 void MergeMesh::Compact()
 {
-  std::vector<std::uint32_t> pool;
+  LargeArray<std::uint32_t> pool;
   for (std::uint32_t point = 0; point < this->Rings.size(); ++point)
   {
     const auto ring = this->GetRing(point);

@@ -3,6 +3,8 @@
 #ifndef gatunMergeMesh_h
 #define gatunMergeMesh_h
 
+#include "gatunLargeArray.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -46,6 +48,12 @@ public:
                            : 4;
   }
 
+  /** The same for a point that is a corner, without branches. */
+  static unsigned FindKnownCorner(const Tet& tet, std::uint32_t point)
+  {
+    return (tet[1] == point ? 1u : 0u) | (tet[2] == point ? 2u : 0u) | (tet[3] == point ? 3u : 0u);
+  }
+
   /** Returns the places of the two corners of a tetrahedron besides two others. */
   static std::array<unsigned, 2> FindOthers(unsigned at, unsigned other)
   {
@@ -59,6 +67,23 @@ public:
       }
     }
     return rest;
+  }
+
+  /** Loads the ring of a point into the cache of the processor, and then its tetrahedra. Mostly
+   * they are somewhere else in memory than those of the point before. */
+  void PrefetchRing(std::uint32_t point) const
+  {
+    constexpr std::size_t perLine = 64 / sizeof(std::uint32_t);
+    const std::uint32_t* const first = this->Pool.data() + this->Rings[point].First;
+    __builtin_prefetch(first);
+    __builtin_prefetch(first + perLine);
+  }
+  void PrefetchTets(std::uint32_t point) const
+  {
+    for (const auto tet : this->GetRing(point))
+    {
+      __builtin_prefetch(&this->Tets[tet]);
+    }
   }
 
   /** Bit i: the face opposite to corner i is on the boundary. */
@@ -80,12 +105,12 @@ private:
   void PassBoundaryOn(std::uint32_t tet, std::uint32_t point, std::uint32_t into);
   void Compact();
 
-  std::vector<Tet> Tets;
+  LargeArray<Tet> Tets;
   std::vector<std::uint8_t> BoundaryFaces;
   std::vector<std::uint8_t> OnBoundary;
-  std::vector<Ring> Rings;
-  std::vector<std::uint32_t> Pool; // of the rings
-  std::size_t Used = 0;            // of the pool, by rings
+  LargeArray<Ring> Rings;
+  LargeArray<std::uint32_t> Pool; // of the rings
+  std::size_t Used = 0;           // of the pool, by rings
 
   std::vector<std::uint32_t> Moved; // to the ring of another point
 };

@@ -64,6 +64,7 @@ void MergeStar<N>::Gather(std::uint32_t point)
 }
 
 //------------------------------------------------------------------------------
+/** Without branches on what is around the point, as none of them can be predicted. */
 template <std::size_t N>
 void MergeStar<N>::GatherCorners(std::uint32_t point)
 {
@@ -75,28 +76,27 @@ void MergeStar<N>::GatherCorners(std::uint32_t point)
   const auto ring = this->Mesh.GetRing(point);
   this->NumberOfTets = ring.size();
   this->Tets.resize((ring.size() + Lanes - 1) / Lanes);
-  this->Neighbors.clear();
-  this->Neighbors.reserve(3 * ring.size());
+  // One more than the most neighbors there can be, as the place after the last one is written to.
+  this->Corners.resize(3 * ring.size() + 1);
+  Corner* const found = this->Corners.data();
   MergeTets* const blocks = this->Tets.data();
-  MergeNeighbor* const neighbors = this->Neighbors.data();
+  std::uint32_t number = 0;
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
     const auto& corners = this->Mesh.GetTet(ring[i]);
-    const auto& others = Others[corners[0] == point ? 0
-        : corners[1] == point                       ? 1
-        : corners[2] == point                       ? 2
-                                                    : 3];
+    const auto& others = Others[MergeMesh::FindKnownCorner(corners, point)];
     for (std::size_t k = 0; k < 3; ++k)
     {
       const std::uint32_t corner = corners[others[k]];
-      std::uint32_t& place = places[corner];
-      if (place == 0)
-      {
-        this->Neighbors.push_back({ corner, 0, false, {} });
-        place = static_cast<std::uint32_t>(this->Neighbors.size());
-      }
+      const std::uint32_t known = places[corner];
+      const std::uint32_t isNew = known == 0 ? 1 : 0;
+      this->Given.Prefetch(corner);
+      found[number] = { corner, 0 };
+      number += isNew;
+      const std::uint32_t place = known + isNew * number;
+      places[corner] = place;
       blocks[i / Lanes].Corners[k][i % Lanes] = place - 1;
-      ++neighbors[place - 1].Tets;
+      ++found[place - 1].Tets;
     }
   }
   for (std::size_t i = ring.size(); i < Lanes * this->Tets.size(); ++i)
@@ -105,6 +105,11 @@ void MergeStar<N>::GatherCorners(std::uint32_t point)
     {
       corner[i % Lanes] = corner[i % Lanes - 1];
     }
+  }
+  this->Neighbors.clear();
+  for (std::uint32_t place = 0; place < number; ++place)
+  {
+    this->Neighbors.push_back({ found[place].Point, found[place].Tets, false, {} });
   }
 }
 

@@ -131,7 +131,14 @@ private:
   void GatherTets();
   void GatherFaces(std::uint32_t point);
 
+  struct Corner
+  {
+    std::uint32_t Point;
+    std::uint32_t Tets; // with both points
+  };
+
   std::vector<std::uint32_t> Places; // of each point of the mesh, plus one; 0 if it is none
+  std::vector<Corner> Corners;       // scratch
   double Before = 0;                 // volume around the point in the given mesh
   std::vector<MergeQuadric::Sums> Sums;
 };

@@ -14,6 +14,7 @@ gatun_core_folder(Support
     gatunFloatEnvironment.h
     gatunFourier.h
     gatunInline.h
+    gatunLargeArray.h
     gatunMorton.h
     gatunSimd.h
     gatunVector.h

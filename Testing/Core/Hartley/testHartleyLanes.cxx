@@ -381,7 +381,7 @@ TEST(HartleyDensities, AreTheVoxels)
     for (const std::uint32_t block : { 4u, 8u, 13u, 64u, 0u })
     {
       const auto source = MakeSource(volume.Values, size, block);
-      std::vector<float> found, single;
+      LargeArray<float> found, single;
       WithNumberOfThreads(2, [&] { found = DecodeHartleyDensities(*source); });
       WithNumberOfThreads(1, [&] { single = DecodeHartleyDensities(*source); });
       EXPECT_EQ(found, single);

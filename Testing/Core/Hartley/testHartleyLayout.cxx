@@ -90,6 +90,8 @@ TEST(HartleyLayout, RefusesWhatMakesNoSense)
   ExpectRefused({ 1u << 31, 1u << 31, 1u << 31 }, 8, "too large");
   ExpectRefused({ 1u << 20, 1u << 20, 2 }, 8, "too large");
   ExpectRefused({ 4000000000u, 2, 2 }, 0, "too large for one block");
+  ExpectRefused({ 65536, 2, 2 }, 0, "65535 along an axis");
+  EXPECT_EQ(HartleyLayout::Make({ 64800, 2, 2 }, 0).Block[0], 64800u);
   EXPECT_EQ(HartleyLayout::Make({ 1u << 20, 1u << 20, 1 }, 64).GetNumberOfChunks(), 1u << 28);
 }
 }

@@ -110,7 +110,7 @@ TEST(HartleyOrder, IsThatOfTheFormat)
       const auto& found = positions[rank];
       ASSERT_EQ(found.Index, one.Index) << rank;
       ASSERT_EQ(found.Partner, one.Partner) << rank;
-      ASSERT_EQ(found.Wave, one.Wave) << rank;
+      ASSERT_EQ(Waves({ found.Wave[0], found.Wave[1], found.Wave[2] }), one.Wave) << rank;
       ASSERT_EQ(found.Flags, flags) << rank;
     }
     const auto& bands = order.GetBandStarts();

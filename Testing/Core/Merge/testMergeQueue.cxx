@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The queue of merges and the map of nearby points against containers of the standard library.
+// The queue of merges against containers of the standard library.
 
-#include "gatunLocalIndex.h"
 #include "gatunMergeQueue.h"
 
 #include <gtest/gtest.h>
@@ -68,31 +67,6 @@ TEST(MergeQueue, TakesTheCheapestFirstInOrderOfThePoints)
   }
   EXPECT_FALSE(queue.Take(key, points));
   EXPECT_TRUE(points.empty());
-}
-
-//------------------------------------------------------------------------------
-TEST(LocalIndex, IsAMapThatForgetsAndGrows)
-{
-  std::mt19937 random(2);
-  LocalIndex index;
-  for (const unsigned count : { 3u, 40u, 127u, 128u, 129u, 5000u, 20u })
-  {
-    index.Clear();
-    std::map<std::uint32_t, std::uint32_t> expected;
-    for (unsigned i = 0; i < count; ++i)
-    {
-      // Neighbors have near numbers; some collide in a table of 256 slots.
-      const std::uint32_t point = i % 2 == 0 ? random() : 256 * (random() % count);
-      EXPECT_EQ(index.Get(point), expected.count(point) > 0 ? expected[point] : 0);
-      index[point] += i + 1;
-      expected[point] += i + 1;
-    }
-    for (const auto& [point, number] : expected)
-    {
-      EXPECT_EQ(index.Get(point), number);
-    }
-    EXPECT_EQ(index.Get(0xffffffffu), expected.count(0xffffffffu) > 0 ? expected[0xffffffffu] : 0);
-  }
 }
 }
 }
