@@ -218,7 +218,7 @@ function (gatun_add_python_test file)
     COMMAND     "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/${file}" ${arg_ARGS}
     LABELS      ${arg_LABELS}
     ENVIRONMENT
-      "PYTHONPATH=${gatun_python_path}:${CMAKE_CURRENT_SOURCE_DIR}:${PROJECT_SOURCE_DIR}/Testing/IO"
+      "PYTHONPATH=${gatun_python_path}:${CMAKE_CURRENT_SOURCE_DIR}:${PROJECT_SOURCE_DIR}/Testing/IO:${PROJECT_SOURCE_DIR}/Testing/Filters"
       "PYTHONDONTWRITEBYTECODE=1"
       "GATUN_GTN=$<TARGET_FILE:gtn>"
     ${rest})

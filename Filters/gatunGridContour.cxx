@@ -96,7 +96,7 @@ std::vector<std::string> ContourGrid(vtkUnstructuredGrid* grid, const ContourSet
   {
     return {}; // such as an empty piece, which need not have any arrays
   }
-  auto tets = MakeTetInput(grid, true);
+  auto tets = MakeTetInput(grid, VolumesOnly);
   const TetMesh mesh(tets.Grid);
   if (mesh.Mesh.Points >= 0xffffffffu || mesh.Mesh.Tets >= 0xffffffffu)
   {

@@ -5,8 +5,9 @@
  * @brief Isosurfaces of a tetrahedral mesh, from memory or directly from a compressed file.
  *
  * Input: a vtkUnstructuredGrid with point scalars of any numeric type. Tetrahedra are used as they
- * are, other linear 3D cells are split, and quadratic tetrahedra are linearized, as in
- * vtkGatunWriter. Ghost cells are left out. SetInputArrayToProcess selects the array; the default
+ * are. Other 3D cells are split into tetrahedra (Documentation/cells.md), nonlinear ones without
+ * the points between their corners. Cells of a lower dimension and ghost cells are left out.
+ * SetInputArrayToProcess selects the array; the default
  * is the active point scalars. For arrays with several components see ArrayComponent.
  *
  * *From a file.* If the input is the output of a vtkGatunReader without a region of interest, the

@@ -10,8 +10,9 @@
  * Tetrahedra keep their orientation, boundary points stay on the boundary, and the topology does
  * not change, which limits how coarse a mesh can become.
  *
- * Input: a vtkUnstructuredGrid. Other linear 3D cells are split into tetrahedra, as in
- * vtkGatunWriter. Ghost cells are left out. Output: the remaining points, unmoved and in their
+ * Input: a vtkUnstructuredGrid. Other 3D cells are split into tetrahedra (Documentation/cells.md),
+ * nonlinear ones without the points between their corners. Cells of a lower dimension and ghost
+ * cells are left out. Output: the remaining points, unmoved and in their
  * order, with their point data; the remaining tetrahedra with their cell data; the field data.
  *
  * *From a file.* If the input is the output of a vtkGatunReader without a region of interest, and

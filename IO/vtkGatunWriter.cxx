@@ -475,7 +475,7 @@ int vtkGatunWriter::RequestData(vtkInformation* vtkNotUsed(request),
 void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
 {
   vtkInternals& self = *this->Internals;
-  const gatun::TetInput tets = gatun::MakeTetInput(input, this->LinearizeQuadratic);
+  const gatun::TetInput tets = gatun::MakeTetInput(input, { this->LinearizeQuadratic, false });
   for (const std::string& warning : tets.Warnings)
   {
     self.Warn(warning);

@@ -15,11 +15,11 @@
  * lie in memory tuple by tuple are copied. String and variant arrays of points or cells are refused
  * with an error; field arrays of variants are left out with a warning.
  *
- * Other cells: linear 3D cells (vtkHexahedron, vtkVoxel, vtkWedge, vtkPyramid, vtkPentagonalPrism,
- * vtkHexagonalPrism) are split by vtkDataSetTriangleFilter with a warning; the cell array
- * OriginalCellIds then tells the cell of the input (an array of that name is kept as it is), and
- * global ids of cells lose that role, being no longer unique. vtkQuadraticTetra needs
- * LinearizeQuadratic. All else is refused with an error that names the types.
+ * Other cells: linear 3D cells, polyhedra and convex point sets are split into tetrahedra
+ * (Documentation/cells.md) with a warning; the cell array OriginalCellIds then tells the cell of
+ * the input (an array of that name is kept as it is), and global ids of cells lose that role, being
+ * no longer unique. Nonlinear 3D cells need LinearizeQuadratic. All else is refused with an error
+ * that names the types.
  *
  * Ghosts: cells marked DUPLICATECELL in vtkGhostType are left out, and points that only they use;
  * the marks for duplicates then go, too. Other marks (hidden cells and points) are kept.
@@ -257,8 +257,8 @@ public:
 
   ///@{
   /**
-   * Whether to write quadratic tetrahedra as linear ones, which loses the shape of their edges and
-   * the points in the middle of these. Default: off, where they are an error.
+   * Whether to write quadratic and other nonlinear 3D cells as linear ones, which loses the shape
+   * of their edges and the points between their corners. Default: off, where they are an error.
    */
   vtkSetMacro(LinearizeQuadratic, bool);
   vtkGetMacro(LinearizeQuadratic, bool);

@@ -211,8 +211,9 @@ void AddPack(CLI::App& app, Settings& settings)
   AddComponent(command, "--layer-component", options->LayerComponent,
     "Component for --layers: a number from 0, or magnitude (default: magnitude)")
     ->needs(layers);
-  command->add_flag("--linearize", options->Input.Linearize,
-    "Convert quadratic tetrahedra to linear ones by dropping their mid-edge points");
+  command->add_flag("--linearize", options->Input.Cells.Linearize,
+    "Convert quadratic and other nonlinear 3D cells to linear ones by dropping the points between "
+    "their corners");
   auto* files = command->add_option(FilesArgument, options->In,
     std::string("One or more meshes, then the .gtn file to write. Meshes: ") + InputFormats);
   files->required();

@@ -153,7 +153,7 @@ void AddVerify(CLI::App& app, Settings& settings)
     "  gtn verify mesh.gtn mesh.vtu\n"
     "  gtn verify run.gtn run_0.vtu run_1.vtu run_2.vtu");
   AddArrays(command, options->Input, "Compare only these point and cell arrays");
-  command->add_flag("--linearize", options->Input.Linearize,
+  command->add_flag("--linearize", options->Input.Cells.Linearize,
     "Linearize ORIGINAL, which was packed with --linearize");
   command->add_option("IN", options->File, "The .gtn file")->required();
   command->add_option("ORIGINAL", options->Originals,

@@ -119,7 +119,7 @@ Range GetWholeRange(const RaySource& source)
 
 //------------------------------------------------------------------------------
 GridMesh::GridMesh(vtkUnstructuredGrid* grid, const RayArray& array)
-  : Tets(MakeTetInput(grid, true).Grid)
+  : Tets(MakeTetInput(grid, VolumesOnly).Grid)
   , Mesh(std::make_unique<TetMesh>(Tets))
 {
   const auto [scalars, where] = FindArray(this->Tets, array);

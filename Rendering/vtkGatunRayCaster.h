@@ -4,10 +4,11 @@
  * @class vtkGatunRayCaster
  * @brief Volume rendering of a tetrahedral mesh into an image, without a window.
  *
- * Input: a vtkUnstructuredGrid with point or cell scalars of any numeric type. Other linear 3D
- * cells are split into tetrahedra, quadratic tetrahedra are made linear, and cells of other types
- * are an error. Hidden, refined and duplicate cells (vtkGhostType) are left out. Tetrahedra with a
- * coordinate or value that is NaN or infinite are invisible.
+ * Input: a vtkUnstructuredGrid with point or cell scalars of any numeric type. Other 3D cells than
+ * tetrahedra are split into tetrahedra (Documentation/cells.md), nonlinear ones without the points
+ * between their corners. Cells of a lower dimension are left out, and so are hidden, refined and
+ * duplicate cells (vtkGhostType). Tetrahedra with a coordinate or value that is NaN or infinite are
+ * invisible.
  *
  * If the input is the output of a vtkGatunReader (without a region of interest or a value range),
  * the filter finds a vtkGatunFileHandle in the information of its input and draws from the file:

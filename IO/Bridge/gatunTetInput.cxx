@@ -5,6 +5,8 @@
 
 #include "gatunArrayBridge.h"
 #include "gatunCellCheck.h"
+#include "gatunCellShapes.h"
+#include "gatunCellSplit.h"
 #include "gatunError.h"
 #include "gatunGhosts.h"
 
@@ -13,7 +15,6 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkCellTypes.h"
-#include "vtkDataSetTriangleFilter.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -40,37 +41,22 @@ enum class Treatment
   Keep,
   Split,
   Linearize,
+  LeaveOut,
   Refuse
 };
 
-struct CellKind
+Treatment GetTreatment(int type)
 {
-  Treatment How = Treatment::Refuse;
-  vtkIdType Points = 0;
-};
-
-CellKind GetKind(int type)
-{
-  switch (type)
+  const gatun::CellKind kind = gatun::GetCellKind(type);
+  if (kind.Dimension < 3)
   {
-    case VTK_TETRA:
-      return { Treatment::Keep, 4 };
-    case VTK_PYRAMID:
-      return { Treatment::Split, 5 };
-    case VTK_WEDGE:
-      return { Treatment::Split, 6 };
-    case VTK_VOXEL:
-    case VTK_HEXAHEDRON:
-      return { Treatment::Split, 8 };
-    case VTK_PENTAGONAL_PRISM:
-      return { Treatment::Split, 10 };
-    case VTK_HEXAGONAL_PRISM:
-      return { Treatment::Split, 12 };
-    case VTK_QUADRATIC_TETRA:
-      return { Treatment::Linearize, 10 };
-    default:
-      return {};
+    return kind.Dimension < 0 ? Treatment::Refuse : Treatment::LeaveOut;
   }
+  if (type == VTK_TETRA)
+  {
+    return Treatment::Keep;
+  }
+  return kind.Shape && !kind.IsLinear() ? Treatment::Linearize : Treatment::Split;
 }
 
 using TypeCounts = std::array<vtkIdType, 256>;
@@ -84,11 +70,11 @@ std::string List(const TypeCounts& counts, Treatment how)
   for (int type = 0; type < static_cast<int>(counts.size()); ++type)
   {
     const vtkIdType count = counts[static_cast<std::size_t>(type)];
-    if (count > 0 && GetKind(type).How == how)
+    if (count > 0 && GetTreatment(type) == how)
     {
-      const char* name = vtkCellTypes::GetClassNameFromTypeId(type);
+      const bool isKnown = how != Treatment::Refuse;
       list += (list.empty() ? "" : ", ") + std::to_string(count) + " " +
-        (name ? name : "cells of type " + std::to_string(type));
+        (isKnown ? vtkCellTypes::GetClassNameFromTypeId(type) : "of type " + std::to_string(type));
     }
   }
   return list;
@@ -115,66 +101,6 @@ void CheckLengths(vtkDataSetAttributes* attributes, vtkIdType tuples, const std:
       ThrowTupleCount(*array, place, tuples);
     }
   }
-}
-
-//------------------------------------------------------------------------------
-// Tetrahedra and the input cell of each.
-struct Tets
-{
-  std::vector<vtkIdType> Corners;
-  std::vector<vtkIdType> Cells;
-
-  void Add(const vtkIdType* corners, vtkIdType cell)
-  {
-    this->Corners.insert(this->Corners.end(), corners, corners + 4);
-    this->Cells.push_back(cell);
-  }
-};
-
-//------------------------------------------------------------------------------
-// Splits some cells by vtkDataSetTriangleFilter. The tetrahedra are sorted by cell.
-Tets Split(vtkPoints* points, vtkUnsignedCharArray* types, vtkCellArray* cells,
-  const std::vector<vtkIdType>& ids)
-{
-  vtkNew<vtkUnstructuredGrid> part;
-  vtkNew<vtkIdTypeArray> origin;
-  origin->SetName("Origin");
-  part->SetPoints(points);
-  part->Allocate(static_cast<vtkIdType>(ids.size()));
-  auto iterator = vtk::TakeSmartPointer(cells->NewIterator());
-  for (const vtkIdType id : ids)
-  {
-    vtkIdType size = 0;
-    const vtkIdType* corners = nullptr;
-    iterator->GetCellAtId(id, size, corners);
-    part->InsertNextCell(types->GetValue(id), size, corners);
-    origin->InsertNextValue(id);
-  }
-  part->GetCellData()->AddArray(origin);
-
-  vtkNew<vtkDataSetTriangleFilter> filter;
-  filter->SetInputData(part);
-  filter->Update();
-  vtkUnstructuredGrid* split = filter->GetOutput();
-  auto* splitOrigin =
-    vtkIdTypeArray::SafeDownCast(split->GetCellData()->GetAbstractArray("Origin"));
-  if (split->GetNumberOfCells() > 0 && !splitOrigin)
-  {
-    gatun::ThrowInvalid("vtkDataSetTriangleFilter failed");
-  }
-  Tets tets;
-  auto splitIterator = vtk::TakeSmartPointer(split->GetCells()->NewIterator());
-  for (vtkIdType id = 0; id < split->GetNumberOfCells(); ++id)
-  {
-    vtkIdType size = 0;
-    const vtkIdType* corners = nullptr;
-    splitIterator->GetCellAtId(id, size, corners);
-    if (size == 4)
-    {
-      tets.Add(corners, splitOrigin->GetValue(id));
-    }
-  }
-  return tets;
 }
 
 //------------------------------------------------------------------------------
@@ -212,9 +138,9 @@ void GatherAll(
 class TetInputMaker
 {
 public:
-  TetInputMaker(vtkUnstructuredGrid* input, bool linearizeQuadratic)
+  TetInputMaker(vtkUnstructuredGrid* input, const gatun::TetInputOptions& options)
     : Input(input)
-    , LinearizeQuadratic(linearizeQuadratic)
+    , Options(options)
     , Types(input->GetCellTypesArray())
     , Cells(input->GetCells())
     , Ghosts(gatun::GhostsWith(input->GetCellData(), vtkDataSetAttributes::DUPLICATECELL))
@@ -254,15 +180,16 @@ private:
   void RemoveGhosts();
 
   vtkUnstructuredGrid* const Input;
-  const bool LinearizeQuadratic;
+  const gatun::TetInputOptions Options;
   vtkUnsignedCharArray* const Types;
   vtkCellArray* const Cells;
   vtkUnsignedCharArray* const Ghosts; // null if there are no ghost cells
   TypeCounts Counts = {};
 
-  std::vector<bool> PointIsUsed; // by any cell of the input
-  std::vector<vtkIdType> CellsToSplit;
-  Tets Output;                       // sorted by the cells of the input
+  std::vector<bool> PointIsUsed;     // by any cell of the input
+  std::vector<vtkIdType> Volumes;    // the cells that are taken
+  gatun::SplitCells Output;          // sorted by the cells of the input
+  bool IsSplit = false;              // whether there may be several for a cell
   std::vector<vtkIdType> PointsKept; // of the input
   gatun::TetInput Result;
 };
@@ -286,17 +213,22 @@ void TetInputMaker::CheckTypes()
       ++this->Counts[values[cell]];
     }
   }
-  const std::string refused = List(this->Counts, Treatment::Refuse);
-  if (!refused.empty())
+  const std::string unknown = List(this->Counts, Treatment::Refuse);
+  if (!unknown.empty())
   {
-    gatun::ThrowInvalid("only 3D cells can be written, not " + refused +
+    gatun::ThrowInvalid("there are cells of an unknown type: " + unknown);
+  }
+  this->Result.LeftOut = List(this->Counts, Treatment::LeaveOut);
+  if (!this->Result.LeftOut.empty() && !this->Options.LeaveOutOthers)
+  {
+    gatun::ThrowInvalid("only 3D cells can be written, not " + this->Result.LeftOut +
       "; take the tetrahedra out first, as vtkDataSetTriangleFilter does with TetrahedraOnly");
   }
-  const std::string quadratic = List(this->Counts, Treatment::Linearize);
-  if (!quadratic.empty() && !this->LinearizeQuadratic)
+  const std::string nonlinear = List(this->Counts, Treatment::Linearize);
+  if (!nonlinear.empty() && !this->Options.Linearize)
   {
     gatun::ThrowInvalid(
-      quadratic + ": quadratic cells are written only with LinearizeQuadratic on, as linear ones");
+      nonlinear + ": nonlinear cells are written only with LinearizeQuadratic on, as linear ones");
   }
 }
 
@@ -319,11 +251,12 @@ bool TetInputMaker::IsMadeOfTets() const
 //------------------------------------------------------------------------------
 void TetInputMaker::CheckCell(vtkIdType cell, vtkIdType size, const vtkIdType* corners) const
 {
-  const CellKind kind = GetKind(this->Types->GetValue(cell));
-  if (size != kind.Points)
+  const gatun::CellKind kind = gatun::GetCellKind(this->Types->GetValue(cell));
+  const vtkIdType least = kind.Points > 0 ? kind.Points : kind.Shape ? kind.Shape->Corners : 0;
+  if (size < least || (kind.Points > 0 && size > least))
   {
     gatun::ThrowInvalid("cell " + std::to_string(cell) + " has " + std::to_string(size) +
-      " points, not " + std::to_string(kind.Points));
+      " points, not " + std::to_string(least) + (kind.Points > 0 ? "" : " or more"));
   }
   const vtkIdType points = this->Input->GetNumberOfPoints();
   for (vtkIdType i = 0; i < size; ++i)
@@ -337,7 +270,7 @@ void TetInputMaker::CheckCell(vtkIdType cell, vtkIdType size, const vtkIdType* c
 }
 
 //------------------------------------------------------------------------------
-// Finds the points in use, the tetrahedra that stay, and the cells to split. Ghosts are left out.
+// Finds the points in use and the cells to take. Ghosts are left out.
 void TetInputMaker::SelectCells()
 {
   auto iterator = vtk::TakeSmartPointer(this->Cells->NewIterator());
@@ -351,48 +284,40 @@ void TetInputMaker::SelectCells()
     {
       this->PointIsUsed[static_cast<std::size_t>(corners[i])] = true;
     }
-    if (this->Ghosts && (this->Ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL))
+    const bool isGhost =
+      this->Ghosts && (this->Ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL);
+    if (!isGhost && gatun::GetCellKind(this->Types->GetValue(cell)).Dimension == 3)
     {
-      continue;
-    }
-    if (GetKind(this->Types->GetValue(cell)).How == Treatment::Split)
-    {
-      this->CellsToSplit.push_back(cell);
-    }
-    else
-    {
-      this->Output.Add(corners, cell);
+      this->Volumes.push_back(cell);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-// Splits cells and merges the results into the tetrahedra.
 void TetInputMaker::SplitCells()
 {
-  if (!this->CellsToSplit.empty())
+  this->Output = gatun::SplitIntoTets(this->Input, this->Volumes);
+  if (this->Output.Cells.empty() && !this->Result.LeftOut.empty())
   {
-    const Tets simple = std::move(this->Output);
-    const Tets parts =
-      Split(this->Input->GetPoints(), this->Types, this->Cells, this->CellsToSplit);
-    this->Result.Warnings.push_back(List(this->Counts, Treatment::Split) + " were split: " +
-      std::to_string(parts.Cells.size()) + " tetrahedra are written in their place");
-    this->Output = {};
-    for (std::size_t s = 0, p = 0; s < simple.Cells.size() || p < parts.Cells.size();)
-    {
-      const bool takePart =
-        s == simple.Cells.size() || (p < parts.Cells.size() && parts.Cells[p] < simple.Cells[s]);
-      const Tets& from = takePart ? parts : simple;
-      std::size_t& i = takePart ? p : s;
-      this->Output.Add(&from.Corners[4 * i], from.Cells[i]);
-      ++i;
-    }
+    this->Result.Warnings.push_back("there are no 3D cells, only " + this->Result.LeftOut);
   }
-  const std::string quadratic = List(this->Counts, Treatment::Linearize);
-  if (!quadratic.empty())
+  const std::string split = List(this->Counts, Treatment::Split);
+  this->IsSplit = !split.empty();
+  if (this->IsSplit && !this->Options.LeaveOutOthers)
   {
+    const auto kept = std::count_if(this->Volumes.begin(), this->Volumes.end(),
+      [this](vtkIdType cell)
+      { return GetTreatment(this->Types->GetValue(cell)) != Treatment::Split; });
+    this->Result.Warnings.push_back(split +
+      " were split: " + std::to_string(this->Output.Cells.size() - static_cast<std::size_t>(kept)) +
+      " tetrahedra are written in their place");
+  }
+  const std::string nonlinear = List(this->Counts, Treatment::Linearize);
+  if (!nonlinear.empty())
+  {
+    this->IsSplit = this->IsSplit || this->Output.Cells.size() != this->Volumes.size();
     this->Result.Warnings.push_back(
-      quadratic + " are written as linear ones, without mid-edge points");
+      nonlinear + " are taken for linear ones, without mid-edge points");
   }
 }
 
@@ -449,7 +374,7 @@ void TetInputMaker::CopyCellData()
 {
   vtkCellData* cellData = this->Result.Grid->GetCellData();
   GatherAll(this->Input->GetCellData(), this->Output.Cells, cellData);
-  if (this->CellsToSplit.empty())
+  if (!this->IsSplit)
   {
     return;
   }
@@ -492,9 +417,9 @@ namespace gatun
 {
 
 //------------------------------------------------------------------------------
-TetInput MakeTetInput(vtkUnstructuredGrid* input, bool linearizeQuadratic)
+TetInput MakeTetInput(vtkUnstructuredGrid* input, const TetInputOptions& options)
 {
-  return TetInputMaker(input, linearizeQuadratic).Make();
+  return TetInputMaker(input, options).Make();
 }
 
 }

@@ -49,7 +49,7 @@ public:
       return static_cast<T*>(::operator new(bytes));
     }
     const std::size_t rounded = (bytes + Page - 1) / Page * Page;
-    void* const memory = ::operator new(rounded, std::align_val_t{ Page });
+    void* const memory = ::operator new (rounded, std::align_val_t{ Page });
 #if defined(__linux__)
     // Only advice: nothing depends on whether it is followed.
     madvise(memory, rounded, MADV_HUGEPAGE);
@@ -65,7 +65,7 @@ public:
     }
     else
     {
-      ::operator delete(memory, std::align_val_t{ Page });
+      ::operator delete (memory, std::align_val_t{ Page });
     }
   }
 
@@ -82,7 +82,10 @@ public:
     }
   }
 
-  bool operator==(const LargeAllocator&) const { return true; }
+  bool operator==(const LargeAllocator&) const
+  {
+    return true;
+  }
 
 private:
   static constexpr std::size_t Page = std::size_t{ 1 } << 21;

@@ -3,6 +3,8 @@
 #ifndef gtnInputOptions_h
 #define gtnInputOptions_h
 
+#include "gatunTetInput.h"
+
 #include <string>
 #include <vector>
 
@@ -13,7 +15,7 @@ struct InputOptions
 {
   std::vector<std::string> Arrays; ///< names of the point and cell arrays to keep
   bool AllArrays = true;           ///< keep all, and Arrays means nothing
-  bool Linearize = false;          ///< leave out the mid-edge points of quadratic cells
+  gatun::TetInputOptions Cells;    ///< what becomes of other cells than linear 3D cells
   bool Quiet = false;              ///< no warnings
 };
 }

@@ -177,7 +177,11 @@ int Preparer::RequestData(vtkInformation* vtkNotUsed(request), vtkInformationVec
       Select(grid->GetPointData(), this->Options.Arrays);
       Select(grid->GetCellData(), this->Options.Arrays);
     }
-    const gatun::TetInput tets = gatun::MakeTetInput(grid, this->Options.Linearize);
+    const gatun::TetInput tets = gatun::MakeTetInput(grid, this->Options.Cells);
+    if (tets.Grid->GetNumberOfCells() == 0 && !tets.LeftOut.empty())
+    {
+      throw Failure("has no 3D cells, only " + tets.LeftOut);
+    }
     for (const std::string& warning : tets.Warnings)
     {
       vtkWarningMacro(<< warning);

@@ -68,7 +68,6 @@ for kind, size, name in (
         (c.VTK_TRIANGLE, 3, "vtkTriangle"), (c.VTK_QUAD, 4, "vtkQuad"),
         (c.VTK_PIXEL, 4, "vtkPixel"), (c.VTK_POLYGON, 5, "vtkPolygon"),
         (c.VTK_POLY_LINE, 4, "vtkPolyLine"), (c.VTK_TRIANGLE_STRIP, 5, "vtkTriangleStrip"),
-        (c.VTK_CONVEX_POINT_SET, 6, "vtkConvexPointSet"),
         (c.VTK_QUADRATIC_HEXAHEDRON, 20, "vtkQuadraticHexahedron"),
         (c.VTK_QUADRATIC_TRIANGLE, 6, "vtkQuadraticTriangle"),
         (71, 10, "vtkLagrangeTetra"),
@@ -79,12 +78,21 @@ both = cells_of(c.VTK_TRIANGLE, 3, 3)
 both.InsertNextCell(c.VTK_WEDGE, 6, list(range(6)))
 both.InsertNextCell(c.VTK_LINE, 2, [0, 1])
 refuse(both, "3 vtkTriangle", "1 vtkLine", "TetrahedraOnly")
-polyhedron = gm.make_grid(points, [])
-faces = vtkIdList()
-for value in (4, 3, 0, 1, 2, 3, 0, 1, 3, 3, 0, 2, 3, 3, 1, 2, 3):
-    faces.InsertNextId(value)
-polyhedron.InsertNextCell(42, faces)
-refuse(polyhedron, "1 vtkPolyhedron")
+for place, value, message in ((0, 5, "not in the list of faces"), (0, -1, None), (1, 400, "a face of 400 points"),
+                              (1, -3, "a face of -3 points"), (2, len(points), "names point %d" % len(points)),
+                              (16, -1, "names point -1"), (13, 2 ** 40, "a face of")):
+    polyhedron = gm.make_grid(points, [])
+    faces = vtkIdList()
+    for number in (4, 3, 0, 1, 2, 3, 0, 1, 3, 3, 0, 2, 3, 3, 1, 2, 3):
+        faces.InsertNextId(number)
+    polyhedron.InsertNextCell(42, faces)
+    polyhedron.GetFaces().SetValue(place, value)
+    if message:
+        refuse(polyhedron, "polyhedron 0", message)
+    polyhedron.GetFaceLocations().SetValue(0, 100)
+    refuse(polyhedron, "polyhedron 0", "not in the list of faces")
+    polyhedron.GetFaceLocations().SetValue(0, -7)
+    refuse(polyhedron, "polyhedron 0", "not in the list of faces")
 writer = vtkGatunWriter()
 errors = gm.Errors(writer)
 writer.SetInputDataObject(vtkPolyData())

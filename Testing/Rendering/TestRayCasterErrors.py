@@ -67,12 +67,13 @@ caster = gv.make_caster(grid)
 caster.SetCamera(camera)
 caster.Update()  # VTK moves such a focal point away; whatever is seen, nothing breaks
 
-# Cells that cannot be drawn.
+# Cells of an unknown type.
 triangles = vtkUnstructuredGrid()
 triangles.SetPoints(grid.GetPoints())
 triangles.GetPointData().ShallowCopy(grid.GetPointData())
 triangles.InsertNextCell(VTK_TRIANGLE, 3, [0, 1, 2])
-expect_error(gv.make_caster(triangles), "triangles")
+triangles.GetCellTypesArray().SetValue(0, 99)
+expect_error(gv.make_caster(triangles), "type 99")
 
 # Without scalars.
 bare = vtkUnstructuredGrid()

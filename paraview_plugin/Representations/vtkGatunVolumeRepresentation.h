@@ -5,7 +5,7 @@
  * @class vtkGatunVolumeRepresentation
  * @brief ParaView's "Gatun Volume": unstructured grids as volumes, by vtkGatunVolumeMapper.
  *
- * *A mesh in memory* is drawn as it is, with any linear 3D cells. Surfaces and lines among them are
+ * *A mesh in memory* is drawn as it is, with any 3D cells. Surfaces and lines among them are
  * left out, and a mesh that consists only of those is shown as a surface. Among several processes
  * the cells are redistributed as for ParaView's own volumes.
  *

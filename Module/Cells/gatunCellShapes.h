@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunCellShapes_h
+#define gatunCellShapes_h
+
+// The cell types of VTK, by their numbers in vtkCellType.h.
+
+#include "vtkGatunCoreModule.h" // For export macro
+
+#include <cstdint>
+#include <span>
+
+namespace gatun
+{
+/** A 3D cell type with a fixed number of faces. */
+struct CellShape
+{
+  std::uint8_t Corners;
+
+  /** Each face: the number of its corners, then the corners, counterclockwise if seen from outside
+   * of a cell with a positive volume. Corners of voxels are in a cycle, too. */
+  std::span<const std::uint8_t> Faces;
+};
+
+/** What a cell type is to a volume. */
+struct CellKind
+{
+  /** Of the space that a cell fills: 0 to 3, or -1 for an unknown type. */
+  int Dimension = -1;
+
+  /** The cell that is left of a nonlinear one without its other points, which come after the
+   * corners; null for polyhedra, convex point sets and cells of a lower dimension. */
+  const CellShape* Shape = nullptr;
+
+  /** The number of points, or 0 if cells of the type differ in it. */
+  std::uint8_t Points = 0;
+
+  bool IsLinear() const { return this->Shape && this->Shape->Corners == this->Points; }
+};
+
+/** Returns the kind of a VTK cell type, which may be any number. */
+VTKGATUNCORE_EXPORT CellKind GetCellKind(int type);
+}
+
+#endif
