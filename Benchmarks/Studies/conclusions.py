@@ -10,6 +10,7 @@ import budgetReport
 import isosurfaceReport
 import renderingReport
 import simplificationReport
+import speedReport
 import studyReport
 import volumeReport
 from benchmarkText import number, paragraph, ratio, span
@@ -43,6 +44,18 @@ def _benchmarks(results):
         first image it is {ratio(statistics.median(images))} times as fast and needs
         {number(memory[0])} MiB with default settings ({number(memory[1])} MiB with a `MemoryBudget` of
         0) instead of {number(memory[2])} MiB."""
+
+
+def _speed(results):
+    rows = speedReport.rows(results)
+    missed = [row for row in rows if "not" in row["verdict"]]
+    aimed = sum(row["verdict"] == "target met" for row in rows)
+    if not missed:
+        return f"All {len(rows)} goals are met, {aimed} of them with their target."
+    return (f"{len(rows) - len(missed)} of {len(rows)} goals are met, {aimed} of them with their target. "
+            "Not met: " + "; ".join(
+                f"{row['what']}, {number(row['value'])} {row['unit']} instead of {number(row['must'])}"
+                for row in missed) + ".")
 
 
 def _rendering(results):
@@ -142,6 +155,7 @@ def _volumes(results):
 
 SECTIONS = (
     ("benchmarks", "Benchmarks", "Sizes, loading, writing, pieces, rendering", _benchmarks),
+    ("speed", "Speed and memory", "What the project promises beside its peers, and what it keeps", _speed),
     ("rendering-study", "Rendering", "Drawing while decompressing, after the dissertation proposal",
      _rendering),
     ("just-in-time-study", "Just-in-time rendering", "Keeping a time budget", _budget),
