@@ -457,6 +457,17 @@ void ChunkSetDecoder::StoreChunk(const Job& job, std::size_t i, const ChunkMesh&
   {
     this->StoreConnectivity(job, i, mesh, pointPlaces.Order, cellPlaces.Order);
   }
+  if (target.CellParents)
+  {
+    const auto first = static_cast<std::uint32_t>(this->Set.GetFirstTet(i));
+    const bool isInOrder = !cellPlaces.Order && !job.RestoreCorners;
+    for (std::size_t t = 0; t < tets; ++t)
+    {
+      const auto parent = mesh.Walk.Parents[t];
+      target.CellParents[cellPlaces(t)] =
+        isInOrder && parent != Topology::NoTet ? first + parent : PieceTarget::NoParent;
+    }
+  }
   for (std::size_t a = 0; a < job.Arrays.size(); ++a)
   {
     const auto& values = *job.Chunks[i].Reached[a].Values;

@@ -46,6 +46,11 @@ struct PieceTarget
   std::int64_t* GlobalPointIds = nullptr; ///< original ids if the file keeps the order of points
   std::int64_t* GlobalCellIds = nullptr;  ///< original ids if the file keeps the order of cells
 
+  /** For each cell an earlier one of the piece that shares the face opposite to its last corner, as
+   * far as that is known from decoding, or NoParent; always that if an order is restored. */
+  std::uint32_t* CellParents = nullptr;
+  static constexpr std::uint32_t NoParent = 0xffffffffu;
+
   /** 0 for elements of the piece, 1 for duplicates that another piece owns (VTK's DUPLICATEPOINT,
    * DUPLICATECELL). A shared point belongs to the lowest chunk of the universe that uses it. */
   unsigned char* PointGhosts = nullptr;

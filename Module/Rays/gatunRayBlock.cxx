@@ -66,15 +66,45 @@ private:
   std::uint32_t Free = None;
 };
 
-std::vector<RayBlock::Tet> FindNeighbors(std::span<const RayBlock::Tet> tets, std::size_t points)
+/** Makes two tetrahedra neighbors that have all corners in common but one each, which is last in
+ * one of them. */
+void LinkToParent(std::span<const RayBlock::Tet> tets, std::size_t child, std::size_t parent,
+  std::uint32_t last, std::vector<RayBlock::Tet>& neighbors)
 {
-  std::vector<RayBlock::Tet> neighbors(tets.size(), { None, None, None, None });
+  const auto& one = tets[child];
+  const auto& other = tets[parent];
+  std::uint32_t side = 0;
+  std::uint32_t otherSide = 0;
+  unsigned apart = 0;
+  for (std::uint32_t k = 0; k < 4; ++k)
+  {
+    side = one[k] == last ? k : side;
+    const bool isShared = other[k] != last &&
+      ((other[k] == one[0]) | (other[k] == one[1]) | (other[k] == one[2]) | (other[k] == one[3]));
+    otherSide = isShared ? otherSide : k;
+    apart += isShared ? 0 : 1;
+  }
+  if (apart == 1 && neighbors[child][side] == None && neighbors[parent][otherSide] == None)
+  {
+    neighbors[child][side] = static_cast<std::uint32_t>(4 * parent + otherSide);
+    neighbors[parent][otherSide] = static_cast<std::uint32_t>(4 * child + side);
+  }
+}
+
+/** Finds the neighbors that are not known yet. */
+void FindNeighbors(
+  std::span<const RayBlock::Tet> tets, std::size_t points, std::vector<RayBlock::Tet>& neighbors)
+{
   WaitingFaces waiting(points);
   for (std::size_t i = 0; i < tets.size(); ++i)
   {
     const auto& tet = tets[i];
     for (std::uint32_t side = 0; side < 4; ++side)
     {
+      if (neighbors[i][side] != None)
+      {
+        continue;
+      }
       const auto face = static_cast<std::uint32_t>(4 * i + side);
       const auto other =
         waiting.Match(tet[side == 0 ? 1 : 0], tet[side <= 1 ? 2 : 1], tet[side <= 2 ? 3 : 2], face);
@@ -85,7 +115,6 @@ std::vector<RayBlock::Tet> FindNeighbors(std::span<const RayBlock::Tet> tets, st
       }
     }
   }
-  return neighbors;
 }
 
 bool IsBefore(const RayPoint& a, const RayPoint& b)
@@ -104,9 +133,11 @@ bool HasNegativeVolume(const RayPoint& a, const RayPoint& b, const RayPoint& c, 
 void RayBlock::Prepare()
 {
   this->Turned.resize(this->Tets.size());
+  this->Neighbors.assign(this->Tets.size(), { None, None, None, None });
   for (std::size_t i = 0; i < this->Tets.size(); ++i)
   {
     auto& tet = this->Tets[i];
+    const auto last = tet[3];
     const auto arrange = [&](unsigned first, unsigned second)
     {
       const auto a = tet[first];
@@ -123,8 +154,13 @@ void RayBlock::Prepare()
     arrange(1, 2);
     this->Turned[i] = HasNegativeVolume(
       this->Points[tet[0]], this->Points[tet[1]], this->Points[tet[2]], this->Points[tet[3]]);
+    if (i < this->Parents.size() && this->Parents[i] < i)
+    {
+      LinkToParent(this->Tets, i, this->Parents[i], last, this->Neighbors);
+    }
   }
-  this->Neighbors = FindNeighbors(this->Tets, this->Points.size());
+  std::vector<std::uint32_t>().swap(this->Parents);
+  FindNeighbors(this->Tets, this->Points.size(), this->Neighbors);
 }
 
 //------------------------------------------------------------------------------

@@ -29,6 +29,11 @@ struct VTKGATUNCORE_EXPORT RayBlock
   std::vector<Tet> Tets;          ///< point indices
   std::vector<double> CellValues; ///< if not empty: values of the tetrahedra, used instead
 
+  /** If not empty: for each tetrahedron an earlier one with which it shares the face opposite to
+   * its last corner, or NoNeighbor. Prepare is faster with these hints, which may be wrong, and
+   * removes them. */
+  std::vector<std::uint32_t> Parents;
+
   /** Sets the value of each point or tetrahedron i to getValue(i). */
   template <typename GetValue>
   void SetValues(Association where, GetValue&& getValue)

@@ -32,11 +32,13 @@ RayBlock DecodeRayBlock(
   std::vector<std::byte> raw((ofCells ? tets : points) * array.Components * SizeOf(array.Type));
   RayBlock block;
   block.Tets.resize(tets);
+  block.Parents.resize(tets);
   static_assert(sizeof(RayBlock::Tet) == 4 * sizeof(std::int32_t));
   PieceTarget target;
   target.Points = coordinates.data();
   target.Connectivity = block.Tets.data();
   target.WideIds = false;
+  target.CellParents = block.Parents.data();
   target.Arrays = { raw.data() };
   decoder.Fill(target);
 
