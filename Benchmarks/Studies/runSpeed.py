@@ -22,14 +22,14 @@ PAGE = "speed"
 ARRAY = "Density"
 
 # Tetrahedra, pixels, rounds; "few" rounds are for what takes seconds. The size of a made volume, for lack
-# of a real one, and of its blocks; 0: the whole volume in one.
+# of a real one, and of its blocks.
 MODES = {
     "full": {"delaunay": 1000000, "big": 5000000, "sizes": (512, 1024), "rounds": 7, "few": 3,
-             "volume": 256, "blocks": (4, 8, 16, 32, 64, 0)},
+             "volume": 256, "blocks": (4, 8, 16, 32, 64)},
     "quick": {"delaunay": 100000, "big": 400000, "sizes": (256, 512), "rounds": 3, "few": 2,
-              "volume": 64, "blocks": (4, 16, 0)},
+              "volume": 64, "blocks": (4, 16)},
     "smoke": {"delaunay": 3000, "big": 5000, "sizes": (64,), "rounds": 1, "few": 1,
-              "volume": 24, "blocks": (4, 0)},
+              "volume": 24, "blocks": (4,)},
 }
 VOLUME = "CT_AVM.nii.gz"
 
@@ -150,14 +150,20 @@ def measure_layers(runner, plain, layered, mode):
 
 
 def measure_volumes(runner, data, mode):
-    """Images of a regular volume at one bit per voxel, drawn from files, by size of blocks."""
+    """Images of a regular volume at one bit per voxel, drawn from files, by size of blocks, and in one
+    block. Errors are those of drawing alone, without any of compression."""
     volume = data / VOLUME if data else None
     if volume is None or not volume.exists():
         volume = f"head:{mode['volume']}"
-    run = runner.case("volume-times", volume, "--blocks", *mode["blocks"], "--rates", 1, "--laws", "xray",
-                      "exponential", "--pixels", mode["sizes"][0], "--rounds", mode["few"], "--folder",
-                      runner.folder("volumes"), "--peers", "--errors", threads=runner.threads)
-    return {"name": getattr(volume, "name", volume), **run}
+
+    def run(blocks, rate, laws, *options):
+        return runner.case("volume-times", volume, "--blocks", *blocks, "--rates", rate, "--laws", *laws,
+                           "--pixels", mode["sizes"][0], "--rounds", mode["few"], "--folder",
+                           runner.folder("volumes"), *options, threads=runner.threads)
+    return {"name": getattr(volume, "name", volume),
+            "blocks": run(mode["blocks"], 1, ("xray", "exponential"), "--peers"),
+            "whole": run((0,), 1, ("xray",), "--peers"),
+            "errors": run((8, 0), 0, ("xray",), "--errors")["errors"]}
 
 
 def measure_surfaces(runner, meshes, layered, mode):
