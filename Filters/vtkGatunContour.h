@@ -7,8 +7,8 @@
  * Input: a vtkUnstructuredGrid with point scalars of any numeric type. Tetrahedra are used as they
  * are. Other 3D cells are split into tetrahedra (Documentation/cells.md), nonlinear ones without
  * the points between their corners. Cells of a lower dimension and ghost cells are left out.
- * SetInputArrayToProcess selects the array; the default
- * is the active point scalars. For arrays with several components see ArrayComponent.
+ * SetInputArrayToProcess selects the array; the default is the active point scalars. For arrays
+ * with several components see ArrayComponent.
  *
  * *From a file.* If the input is the output of a vtkGatunReader without a region of interest, the
  * filter finds a vtkGatunFileHandle in the information of its input and makes the surface from the

@@ -12,8 +12,8 @@
  *
  * Input: a vtkUnstructuredGrid. Other 3D cells are split into tetrahedra (Documentation/cells.md),
  * nonlinear ones without the points between their corners. Cells of a lower dimension and ghost
- * cells are left out. Output: the remaining points, unmoved and in their
- * order, with their point data; the remaining tetrahedra with their cell data; the field data.
+ * cells are left out. Output: the remaining points, unmoved and in their order, with their point
+ * data; the remaining tetrahedra with their cell data; the field data.
  *
  * *From a file.* If the input is the output of a vtkGatunReader without a region of interest, and
  * its file has a hierarchy (vtkGatunWriter::Hierarchy), the filter finds a vtkGatunFileHandle in

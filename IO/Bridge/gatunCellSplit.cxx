@@ -180,9 +180,9 @@ SplitCells SplitBy(
 //------------------------------------------------------------------------------
 SplitCells SplitIntoTets(vtkUnstructuredGrid* grid, std::span<const vtkIdType> cells)
 {
-  if (cells.empty())
+  if (cells.empty() || !grid->GetPoints())
   {
-    return {};
+    return {}; // without points, there are only polyhedra and point sets that have none
   }
   vtkDataArray* const points = grid->GetPoints()->GetData();
   if (points->GetDataType() == VTK_FLOAT)

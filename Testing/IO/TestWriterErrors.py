@@ -78,6 +78,19 @@ both = cells_of(c.VTK_TRIANGLE, 3, 3)
 both.InsertNextCell(c.VTK_WEDGE, 6, list(range(6)))
 both.InsertNextCell(c.VTK_LINE, 2, [0, 1])
 refuse(both, "3 vtkTriangle", "1 vtkLine", "TetrahedraOnly")
+# A polyhedron without points in a grid that has none.
+nothing = vtkUnstructuredGrid()
+nothing.Allocate(1)
+faces = vtkIdList()
+faces.InsertNextId(0)
+nothing.InsertNextCell(42, faces)
+nothing.SetPoints(None)
+writer = vtkGatunWriter()
+writer.AddObserver("WarningEvent", lambda *_: None)
+writer.SetInputDataObject(nothing)
+writer.SetFileName(gm.temporary("polyhedron-of-nothing.gtn"))
+assert writer.Write() == 1
+
 for place, value, message in ((0, 5, "not in the list of faces"), (0, -1, None), (1, 400, "a face of 400 points"),
                               (1, -3, "a face of -3 points"), (2, len(points), "names point %d" % len(points)),
                               (16, -1, "names point -1"), (13, 2 ** 40, "a face of")):
