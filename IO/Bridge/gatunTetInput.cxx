@@ -305,12 +305,11 @@ void TetInputMaker::SplitCells()
   this->IsSplit = !split.empty();
   if (this->IsSplit && !this->Options.LeaveOutOthers)
   {
-    const auto kept = std::count_if(this->Volumes.begin(), this->Volumes.end(),
+    const auto parts = std::count_if(this->Output.Cells.begin(), this->Output.Cells.end(),
       [this](vtkIdType cell)
-      { return GetTreatment(this->Types->GetValue(cell)) != Treatment::Split; });
-    this->Result.Warnings.push_back(split +
-      " were split: " + std::to_string(this->Output.Cells.size() - static_cast<std::size_t>(kept)) +
-      " tetrahedra are written in their place");
+      { return GetTreatment(this->Types->GetValue(cell)) == Treatment::Split; });
+    this->Result.Warnings.push_back(
+      split + " were split: " + std::to_string(parts) + " tetrahedra are written in their place");
   }
   const std::string nonlinear = List(this->Counts, Treatment::Linearize);
   if (!nonlinear.empty())
