@@ -3,6 +3,7 @@ gatun_core_folder(Cells
   INCLUDES
     Support
   PRIVATE_HEADERS
+    gatunCellList.h
     gatunCellShapes.h
     gatunSimplices.h
   SOURCES
