@@ -3,8 +3,12 @@ gatun_core_folder(Cells
   INCLUDES
     Support
   PRIVATE_HEADERS
+    gatunCellGraph.h
     gatunCellList.h
     gatunCellShapes.h
+    gatunShapeTable.h
     gatunSimplices.h
   SOURCES
-    gatunCellShapes.cxx)
+    gatunCellGraph.cxx
+    gatunCellShapes.cxx
+    gatunShapeTable.cxx)

@@ -2,19 +2,31 @@
 gatun_core_folder(Codec
   INCLUDES
     Support
+    Cells
   PRIVATE_HEADERS
     gatunArrayCodec.h
+    gatunCellBuilder.h
+    gatunCellCodec.h
+    gatunCellCorners.h
+    gatunCellGeometry.h
+    gatunCellListCoder.h
+    gatunCellRules.h
     gatunChunkCodec.h
+    gatunChunkPlaces.h
     gatunDomain.h
     gatunEntropy.h
     gatunFaceTable.h
+    gatunFillRecord.h
     gatunFront.h
     gatunFrontGrowth.h
     gatunGate.h
     gatunGeometry.h
     gatunMeasure.h
+    gatunNumberModel.h
     gatunPalette.h
+    gatunRecentVertices.h
     gatunResidual.h
+    gatunRuleFitter.h
     gatunSharedSearch.h
     gatunTopology.h
     gatunVertexRing.h
@@ -22,6 +34,9 @@ gatun_core_folder(Codec
     gatunWalkModels.h
   SOURCES
     gatunArrayCodec.cxx
+    gatunCellCodec.cxx
+    gatunCellCorners.cxx
+    gatunCellGeometry.cxx
     gatunChunkCodec.cxx
     gatunEntropy.cxx
     gatunFront.cxx

@@ -113,11 +113,11 @@ void FindWeights(const std::array<double, 3>& center, std::span<NeighborFit::Nei
 
 //------------------------------------------------------------------------------
 NeighborFit::NeighborFit(const Topology& topology, std::span<const std::array<double, 3>> places)
-  : Start(topology.Records.size() + 2, 0)
+  : Start(topology.GetOwnVertices() + 2, 0)
 {
   // The later end of an edge knows the earlier one, but shared vertices are known from the start.
   // Edges between two shared vertices are appended to all lists, because branches would cost more.
-  const auto none = static_cast<std::uint32_t>(topology.Records.size());
+  const auto none = static_cast<std::uint32_t>(topology.GetOwnVertices());
   const auto eachPair = [&](auto&& pair)
   {
     for (const auto& edge : topology.EdgeLog)
@@ -183,7 +183,7 @@ public:
   struct Prediction
   {
     double Number = 0;
-    unsigned Spread = 0;
+    unsigned Spread = 0; // or NoSpread
     unsigned Group = 0;
     bool Known = false; // whether there is anything to predict from
   };
@@ -191,6 +191,7 @@ public:
   Prediction Predict(std::size_t own, std::span<const Key> keys) const
   {
     return this->Mode == SpatialMode::Fit ? this->PredictFit(own, keys)
+      : this->Context.CellRules           ? this->PredictCell(own, keys)
                                           : this->PredictGate(own, keys);
   }
 
@@ -245,6 +246,27 @@ private:
     return result;
   }
 
+  Prediction PredictCell(std::size_t own, std::span<const Key> keys) const
+  {
+    const auto& record = this->Context.Mesh->CellRecords[own];
+    Prediction result;
+    if (record.IsSeed())
+    {
+      return result;
+    }
+    const auto rule = this->Context.UsedRules[own];
+    const auto number = [&](unsigned k)
+    {
+      const auto v = record.Known[k];
+      return std::array{ v != NoVertex ? this->Values.ToNumber(keys[v]) : 0.0 };
+    };
+    result.Number = ApplyRule<1>((*this->Context.CellRules)[rule], number)[0];
+    result.Spread = GetSpread(record, [keys](Vertex v) { return keys[v]; });
+    result.Group = std::min(1u + rule, Groups - 1);
+    result.Known = true;
+    return result;
+  }
+
   const PointContext& Context;
   const Domain& Values;
   const SpatialMode Mode;
@@ -286,7 +308,7 @@ void CodePoints(Coder& coder, const ArrayModes& modes, const PointContext& conte
       {
         predicted = domain.FromNumber(now.Number);
         group = now.Group;
-        spread = now.Spread;
+        spread = now.Spread != NoSpread ? now.Spread : spread;
         if (change)
         {
           const auto before = predictor.Predict(own, keys.Before);

@@ -7,6 +7,7 @@
 // Encoding of array values, and of coordinates outside a walk, by prediction from earlier values.
 
 #include "gatunBytes.h"
+#include "gatunCellRules.h"
 #include "gatunDomain.h"
 #include "gatunGeometry.h"
 #include "gatunTopology.h"
@@ -69,10 +70,11 @@ private:
 struct PointContext
 {
   const Topology* Mesh = nullptr;
-  std::vector<Vertex> OwnIds;              // the number of each own vertex in the walk
-  const PredictionRules* Rules = nullptr;  // of the chunk's geometry
-  std::span<const std::uint8_t> UsedRules; // the rule of each own vertex
-  const NeighborFit* Fit = nullptr;        // may be null if no stream uses it
+  std::vector<Vertex> OwnIds;                       // the number of each own vertex in the walk
+  const PredictionRules* Rules = nullptr;           // of the geometry of a chunk of tetrahedra
+  const std::vector<CellRule>* CellRules = nullptr; // and of another chunk, otherwise null
+  std::span<const std::uint8_t> UsedRules;          // the rule of each own vertex
+  const NeighborFit* Fit = nullptr;                 // may be null if no stream uses it
 };
 
 /**

@@ -3,6 +3,7 @@
 
 #include "gatunChunkCodec.h"
 
+#include "gatunChunkPlaces.h"
 #include "gatunFaceTable.h"
 #include "gatunFloatEnvironment.h"
 #include "gatunWalk.h"
@@ -16,23 +17,6 @@ namespace
 constexpr std::uint8_t FlagAngle = 1;
 constexpr std::uint8_t FlagPlain = 2;
 constexpr std::uint8_t FlagFlips = 4;
-
-LatticePoint MapKeys(const Lattice& lattice, const PointDomain& domains, const PointKeys& keys,
-  std::uint32_t users = 0)
-{
-  return lattice.Map(
-    domains[0].ToValue(keys[0]), domains[1].ToValue(keys[1]), domains[2].ToValue(keys[2]), users);
-}
-
-std::vector<LatticePoint> MapShared(const ChunkFrame& frame, const Lattice& lattice)
-{
-  std::vector<LatticePoint> shared(frame.SharedKeys.size());
-  for (std::size_t i = 0; i < shared.size(); ++i)
-  {
-    shared[i] = MapKeys(lattice, frame.Domains, frame.SharedKeys[i], frame.SharedUsers[i]);
-  }
-  return shared;
-}
 
 using Tets = std::span<const std::array<std::uint32_t, 4>>;
 
@@ -476,10 +460,11 @@ void ChunkMesh::MakeContext(bool withFit)
 {
   this->Context.Mesh = &this->Walk;
   this->Context.Rules = &this->Rules;
+  this->Context.CellRules = this->CellRules.empty() ? nullptr : &this->CellRules;
   this->Context.UsedRules = this->UsedRules;
-  if (this->Context.OwnIds.size() != this->Walk.Records.size())
+  if (this->Context.OwnIds.size() != this->Walk.GetOwnVertices())
   {
-    this->Context.OwnIds.resize(this->Walk.Records.size());
+    this->Context.OwnIds.resize(this->Walk.GetOwnVertices());
     for (Vertex v = 0; v < this->Walk.Sources.size(); ++v)
     {
       if (!this->Walk.IsShared(v))
@@ -500,7 +485,7 @@ EncodedChunk EncodeChunk(const ChunkFrame& frame, Tets tets, std::span<const Poi
 {
   const FloatEnvironment guard;
   const Lattice lattice(frame.Box);
-  const auto shared = MapShared(frame, lattice);
+  const auto shared = MapShared(lattice, frame.Domains, frame.SharedKeys, frame.SharedUsers);
   std::vector<LatticePoint> ownPlaces(ownKeys.size());
   for (std::size_t i = 0; i < ownKeys.size(); ++i)
   {
@@ -557,7 +542,7 @@ ChunkMesh DecodeChunk(const ChunkFrame& frame, std::span<const std::uint8_t> con
   mesh.UsedRules.reserve(frame.OwnPoints);
 
   const Lattice lattice(frame.Box);
-  const auto shared = MapShared(frame, lattice);
+  const auto shared = MapShared(lattice, frame.Domains, frame.SharedKeys, frame.SharedUsers);
   const WalkInput input{ frame.Tets, frame.OwnPoints, shared, (flags & FlagPlain) != 0 };
   EntropyDecoder symbols(connectivity.subspan(1));
   EntropyDecoder coordinates(in.GetBytes(in.GetRemaining()));

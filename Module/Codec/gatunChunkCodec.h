@@ -8,6 +8,8 @@
 
 #include "gatunArrayCodec.h"
 #include "gatunBytes.h"
+#include "gatunCellList.h"
+#include "gatunCellRules.h"
 #include "gatunGeometry.h"
 #include "gatunTopology.h"
 #include "gatunTypes.h"
@@ -27,6 +29,14 @@ constexpr std::uint32_t MaxChunkTets = 1u << 20;
  * one byte for this number of points. This bounds the memory that a short file can request. */
 constexpr std::uint32_t MaxItemsPerByte = 256;
 
+/** The sizes of a chunk of cells that are not all tetrahedra. */
+struct CellCounts
+{
+  std::uint32_t Cells = 0;
+  std::uint32_t Corners = 0;    // the sum of all cells' point numbers
+  std::uint32_t FaceValues = 0; // the length of CellList::Faces
+};
+
 /** The data of a chunk that must be known before its streams are decoded. */
 struct ChunkFrame
 {
@@ -36,14 +46,17 @@ struct ChunkFrame
   std::vector<PointKeys> SharedKeys;
   std::vector<std::uint32_t> SharedUsers; // as LatticePoint::Users
   PointDomain Domains;
+  CellCounts Cells; // all 0 in a chunk of tetrahedra, where Tets counts
 };
 
 /** A mesh in the order of its walk, which is the order of its arrays. */
 struct ChunkMesh
 {
   Topology Walk;
-  std::vector<PointKeys> Keys; // of all vertices in the order of the walk
-  PredictionRules Rules;
+  CellList Cells;                      // empty in a chunk of tetrahedra, otherwise Walk.Tets is
+  std::vector<PointKeys> Keys;         // of all vertices in the order of the walk
+  PredictionRules Rules;               // of a chunk of tetrahedra
+  std::vector<CellRule> CellRules;     // of another chunk, never empty there
   std::vector<std::uint8_t> UsedRules; // one for each own vertex
   PointDomain Domains;
 

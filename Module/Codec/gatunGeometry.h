@@ -80,13 +80,14 @@ PredictionRules FitRule(std::span<const GateRecord> records, std::span<const Ver
   std::span<const PointKeys> keys, const PointDomain& domain);
 
 /**
- * Predicts several components by a rule. getNumbers(k) returns those of the gate's known vertex k.
+ * Predicts several components by a rule. getNumbers(k) returns those of known vertex k.
  */
-template <std::size_t N, typename GetNumbers>
-GATUN_INLINE std::array<double, N> ApplyRule(const PredictionRule& rule, GetNumbers&& getNumbers)
+template <std::size_t N, std::size_t Slots, typename GetNumbers>
+GATUN_INLINE std::array<double, N> ApplyRule(
+  const std::array<std::int16_t, Slots>& rule, GetNumbers&& getNumbers)
 {
   std::array<double, N> result{};
-  for (unsigned k = 0; k < GateRecord::Size; ++k)
+  for (unsigned k = 0; k < Slots; ++k)
   {
     // Vertices without weight may be NaN. They are replaced by +0, which does not change the sum.
     const auto mask = std::uint64_t{ 0 } - (rule[k] != 0);
@@ -105,18 +106,88 @@ GATUN_INLINE std::array<double, N> ApplyRule(const PredictionRule& rule, GetNumb
   return result;
 }
 
-/** Codes the coordinates of own vertices in the order of the walk. */
+/** Predicts from the gates of tetrahedra: a scheme of GeometryCoder. */
 template <typename Coder>
+class GateScheme
+{
+public:
+  using Record = GateRecord;
+  static constexpr unsigned Groups = static_cast<unsigned>(MaxRules) + 1; // the last is of seeds
+
+  GateScheme(PredictionRules rules)
+    : Rules(std::move(rules))
+    , RuleModels(this->Rules.size() > 1 ? 27 * 4 * MaxRules : 0)
+  {
+  }
+
+  const PredictionRule& GetRule(unsigned rule) const { return this->Rules[rule]; }
+  std::size_t GetNumberOfRules() const { return this->Rules.size(); }
+  static constexpr bool CanApply(unsigned, const GateRecord&) { return true; }
+  static constexpr bool HasVertex(const GateRecord&, unsigned) { return true; }
+
+  unsigned GetGroup(const GateRecord& record, unsigned rule) const
+  {
+    return this->Rules.size() > 1 ? rule : record.CandidateGrade;
+  }
+
+  /** findBest() returns the best rule for the vertex that is being encoded. */
+  template <typename FindBest>
+  unsigned CodeRule(Coder& coder, const GateRecord& record, FindBest&& findBest)
+  {
+    if (this->Rules.size() == 1)
+    {
+      return 0;
+    }
+    const unsigned best = Coder::Encoding ? findBest() : 0;
+    BitModel* models =
+      &this->RuleModels[(record.EdgeGrade * 4u + record.CandidateGrade) * MaxRules];
+    unsigned node = 1;
+    for (int level = 3; level >= 0; --level)
+    {
+      node = 2 * node + coder.Bit(models[node], (best >> level) & 1);
+    }
+    const unsigned rule = node - static_cast<unsigned>(MaxRules);
+    if (rule >= this->Rules.size())
+    {
+      ThrowCorrupt("a vertex names a prediction rule that is not there");
+    }
+    return rule;
+  }
+
+  /** The number of bits of the range of the keys of gate and apex. */
+  static unsigned GetSpread(
+    const GateRecord& record, unsigned component, std::span<const PointKeys> keys)
+  {
+    Key low = ~Key{ 0 };
+    Key high = 0;
+    for (unsigned k = 0; k < 4; ++k)
+    {
+      const Key key = keys[record.Known[k]][component];
+      low = std::min(low, key);
+      high = std::max(high, key);
+    }
+    return static_cast<unsigned>(std::bit_width(high - low));
+  }
+
+private:
+  const PredictionRules Rules;
+  std::vector<BitModel> RuleModels;
+};
+
+/** Codes the coordinates of own vertices in the order of the walk. Scheme: how they are predicted.
+ */
+template <typename Coder, typename Scheme = GateScheme<Coder>>
 class GeometryCoder
 {
 public:
-  GeometryCoder(Coder& coder, const PointDomain& domain, PredictionRules rules)
+  using Record = typename Scheme::Record;
+
+  GeometryCoder(Coder& coder, const PointDomain& domain, Scheme scheme)
     : Symbols(coder)
     , Components(domain)
     , IsFloat32(std::all_of(domain.begin(), domain.end(), Float32Domain::Matches))
-    , Rules(std::move(rules))
-    , RuleModels(this->Rules.size() > 1 ? 27 * 4 * MaxRules : 0)
-    , Residuals(3 * (MaxRules + 1) * 4)
+    , Predictor(std::move(scheme))
+    , Residuals(std::size_t{ 3 } * Scheme::Groups * 4)
   {
   }
 
@@ -148,7 +219,7 @@ public:
    * Codes the next own vertex. keys contains those of all vertices met so far. Returns the keys of
    * the vertex; usedRule receives its rule.
    */
-  PointKeys Code(const GateRecord& record, std::span<const PointKeys> keys, const PointKeys& truth,
+  PointKeys Code(const Record& record, std::span<const PointKeys> keys, const PointKeys& truth,
     std::uint8_t& usedRule)
   {
     static constexpr std::array<Float32Domain, 3> float32{};
@@ -160,16 +231,17 @@ private:
   using PointNumbers = std::array<double, 4>; // three, and one more because pairs are faster
 
   template <typename DomainType>
-  PointKeys CodeAs(const std::array<DomainType, 3>& domains, const GateRecord& record,
+  PointKeys CodeAs(const std::array<DomainType, 3>& domains, const Record& record,
     std::span<const PointKeys> keys, const PointKeys& truth, std::uint8_t& usedRule)
   {
     PointKeys result{};
-    unsigned group = static_cast<unsigned>(MaxRules);
+    unsigned group = Scheme::Groups - 1;
     unsigned rule = 0;
     if (!record.IsSeed())
     {
-      rule = this->CodeRule(record, truth);
-      group = this->Rules.size() > 1 ? rule : record.CandidateGrade;
+      rule = this->Predictor.CodeRule(
+        this->Symbols, record, [&] { return this->FindBestRule(record, truth); });
+      group = this->Predictor.GetGroup(record, rule);
     }
     usedRule = static_cast<std::uint8_t>(rule);
     const auto predictions = record.IsSeed() ? PointNumbers{} : this->Predict(rule, record);
@@ -182,9 +254,9 @@ private:
       if (!record.IsSeed())
       {
         predicted = domain.FromNumber(predictions[i]);
-        spread = GetSpread(record, i, keys);
+        spread = this->Predictor.GetSpread(record, i, keys);
       }
-      auto& model = this->Residuals[(i * (MaxRules + 1) + group) * 4 + grade];
+      auto& model = this->Residuals[(i * Scheme::Groups + group) * 4 + grade];
       const auto residual = model.Code(
         this->Symbols, spread, Coder::Encoding ? domain.Subtract(truth[i], predicted) : 0);
       result[i] = domain.Add(predicted, residual);
@@ -198,55 +270,23 @@ private:
     return result;
   }
 
-  /** The number of bits of the range of the keys of gate and apex. */
-  static unsigned GetSpread(
-    const GateRecord& record, unsigned component, std::span<const PointKeys> keys)
+  PointNumbers Predict(unsigned rule, const Record& record) const
   {
-    Key low = ~Key{ 0 };
-    Key high = 0;
-    for (unsigned k = 0; k < 4; ++k)
-    {
-      const Key key = keys[record.Known[k]][component];
-      low = std::min(low, key);
-      high = std::max(high, key);
-    }
-    return static_cast<unsigned>(std::bit_width(high - low));
+    return ApplyRule<std::tuple_size_v<PointNumbers>>(this->Predictor.GetRule(rule),
+      [&](unsigned k)
+      { return Scheme::HasVertex(record, k) ? this->Numbers[record.Known[k]] : PointNumbers{}; });
   }
 
-  PointNumbers Predict(unsigned rule, const GateRecord& record) const
-  {
-    return ApplyRule<std::tuple_size_v<PointNumbers>>(
-      this->Rules[rule], [&](unsigned k) { return this->Numbers[record.Known[k]]; });
-  }
-
-  unsigned CodeRule(const GateRecord& record, const PointKeys& truth)
-  {
-    if (this->Rules.size() == 1)
-    {
-      return 0;
-    }
-    const unsigned best = Coder::Encoding ? this->FindBestRule(record, truth) : 0;
-    BitModel* models =
-      &this->RuleModels[(record.EdgeGrade * 4u + record.CandidateGrade) * MaxRules];
-    unsigned node = 1;
-    for (int level = 3; level >= 0; --level)
-    {
-      node = 2 * node + this->Symbols.Bit(models[node], (best >> level) & 1);
-    }
-    const unsigned rule = node - static_cast<unsigned>(MaxRules);
-    if (rule >= this->Rules.size())
-    {
-      ThrowCorrupt("a vertex names a prediction rule that is not there");
-    }
-    return rule;
-  }
-
-  unsigned FindBestRule(const GateRecord& record, const PointKeys& truth) const
+  unsigned FindBestRule(const Record& record, const PointKeys& truth) const
   {
     unsigned best = 0;
     int least = 1 << 30;
-    for (unsigned rule = 0; rule < this->Rules.size(); ++rule)
+    for (unsigned rule = 0; rule < this->Predictor.GetNumberOfRules(); ++rule)
     {
+      if (!this->Predictor.CanApply(rule, record))
+      {
+        continue;
+      }
       const auto predictions = this->Predict(rule, record);
       int bits = 0;
       for (unsigned i = 0; i < 3; ++i)
@@ -268,8 +308,7 @@ private:
   Coder& Symbols;
   const PointDomain& Components;
   const bool IsFloat32; // without palettes
-  const PredictionRules Rules;
-  std::vector<BitModel> RuleModels;
+  Scheme Predictor;
   std::vector<ResidualModel> Residuals;
   std::vector<PointNumbers> Numbers; // of all vertices met
   PointKeys Previous{};

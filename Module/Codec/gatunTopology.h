@@ -29,6 +29,46 @@ struct GateRecord
 };
 
 /**
+ * The known vertices when an own vertex of another cell than a tetrahedron was met. Vertices that
+ * are missing are NoVertex. All are if nothing around the vertex was known.
+ */
+struct CellRecord
+{
+  static constexpr unsigned Size = 10;
+
+  /** The meaning of the vertices. */
+  enum Slot : std::uint8_t
+  {
+    N1,  ///< the first neighbor of the vertex along an edge of the cell; never missing alone
+    N2,  ///< the second one
+    N3,  ///< the third one
+    D12, ///< opposite to the vertex in a quadrilateral between N1 and N2
+    D13,
+    D23,
+    O,  ///< opposite in a hexahedron
+    B1, ///< the next vertex on the other side of N1, in a row
+    B2,
+    B3
+  };
+
+  std::array<Vertex, Size> Known{ NoVertex, NoVertex, NoVertex, NoVertex, NoVertex, NoVertex,
+    NoVertex, NoVertex, NoVertex, NoVertex };
+
+  bool IsSeed() const { return this->Known[N1] == NoVertex; }
+
+  /** Bit i is set if vertex i is there. */
+  unsigned GetMask() const
+  {
+    unsigned mask = 0;
+    for (unsigned k = 0; k < Size; ++k)
+    {
+      mask |= unsigned{ this->Known[k] != NoVertex } << k;
+    }
+    return mask;
+  }
+};
+
+/**
  * The mesh of a chunk after its walk. Shared and own vertices are numbered in the order in which
  * the walk met them.
  */
@@ -42,9 +82,11 @@ struct Topology
 
   // The number of each vertex among the chunk's shared vertices, with SharedFlag, or its own ones.
   std::vector<std::uint32_t> Sources;
-  std::vector<GateRecord> Records;            // one for each own vertex
+  std::vector<GateRecord> Records;            // one for each own vertex of a chunk of tetrahedra
+  std::vector<CellRecord> CellRecords;        // and of other chunks
   std::vector<std::array<Vertex, 2>> EdgeLog; // all edges in the order in which the walk made them
 
+  std::size_t GetOwnVertices() const { return this->Records.size() + this->CellRecords.size(); }
   bool IsShared(Vertex v) const { return (this->Sources[v] & SharedFlag) != 0; }
 };
 }

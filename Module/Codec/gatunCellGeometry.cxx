@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunCellGeometry.h"
+
+#include "gatunRuleFitter.h"
+
+#include <algorithm>
+#include <bit>
+#include <map>
+
+namespace gatun
+{
+namespace
+{
+using Fitter = RuleFitter<CellRecord::Size, CellRecord::N1>;
+
+/** Rules for the sets of known vertices that occur often enough. */
+CellRuleTable FitCellRules(const ChunkMesh& mesh)
+{
+  constexpr std::size_t samplesPerWeight = 40;
+  struct Set
+  {
+    Fitter Fit;
+    std::size_t Samples = 0;
+  };
+  std::map<unsigned, Set> sets;
+  for (Vertex v = 0; v < mesh.Keys.size(); ++v)
+  {
+    if (mesh.Walk.IsShared(v))
+    {
+      continue;
+    }
+    const auto& record = mesh.Walk.CellRecords[mesh.Walk.Sources[v]];
+    const auto mask = record.GetMask();
+    if (record.IsSeed() || std::popcount(mask) < 2)
+    {
+      continue;
+    }
+    auto& set = sets[mask];
+    ++set.Samples;
+    for (unsigned i = 0; i < 3; ++i)
+    {
+      const auto& domain = mesh.Domains[i];
+      std::array<double, CellRecord::Size> numbers{};
+      for (unsigned k = 0; k < CellRecord::Size; ++k)
+      {
+        // Missing vertices are like the first one: they get no weight.
+        const auto known = record.Known[k] != NoVertex ? record.Known[k] : record.Known[0];
+        numbers[k] = domain.ToNumber(mesh.Keys[known][i]);
+      }
+      set.Fit.Add(numbers, domain.ToNumber(mesh.Keys[v][i]));
+    }
+  }
+  std::erase_if(sets,
+    [](const auto& item)
+    {
+      return item.second.Samples <
+        samplesPerWeight * static_cast<std::size_t>(std::popcount(item.first));
+    });
+  while (sets.size() > CellRuleTable::MaxFitted)
+  {
+    sets.erase(std::min_element(sets.begin(), sets.end(),
+      [](const auto& a, const auto& b) { return a.second.Samples < b.second.Samples; }));
+  }
+  CellRuleTable table;
+  table.Mode = CellRuleMode::Fitted;
+  for (const auto& [mask, set] : sets)
+  {
+    auto rule = set.Fit.Fit();
+    for (unsigned k = 0; k < CellRecord::Size; ++k)
+    {
+      if ((mask >> k & 1) == 0)
+      {
+        rule[CellRecord::N1] = static_cast<std::int16_t>(rule[CellRecord::N1] + rule[k]);
+        rule[k] = 0;
+      }
+    }
+    table.FittedMasks.push_back(static_cast<std::uint16_t>(mask));
+    table.Rules.push_back(rule);
+  }
+  return table;
+}
+
+Bytes WriteGeometry(
+  const ChunkMesh& mesh, const CellRuleTable& table, std::vector<std::uint8_t>& usedRules)
+{
+  EntropyEncoder coder;
+  CellGeometryCoder<EntropyEncoder> geometry(
+    coder, mesh.Domains, CellScheme<EntropyEncoder>(table));
+  geometry.Reserve(mesh.Keys.size());
+  usedRules.resize(mesh.Walk.CellRecords.size());
+  for (Vertex v = 0; v < mesh.Keys.size(); ++v)
+  {
+    if (!mesh.Walk.IsShared(v))
+    {
+      const auto own = mesh.Walk.Sources[v];
+      geometry.Code(mesh.Walk.CellRecords[own], mesh.Keys, mesh.Keys[v], usedRules[own]);
+    }
+    geometry.Meet(mesh.Keys[v]);
+  }
+  ByteWriter out;
+  table.Write(out);
+  out.PutBytes(coder.Finish());
+  return std::move(out.Data);
+}
+}
+
+//------------------------------------------------------------------------------
+const std::vector<CellRule>& GetCellRules()
+{
+  // N1 N2 N3, D12 D13 D23, O, B1 B2 B3.
+  static const std::vector<CellRule> rules{
+    { 256, 256, 256, -256, -256, -256, 256, 0, 0, 0 }, // parallelepiped
+    { 256, 256, 0, -256, 0, 0, 0, 0, 0, 0 },           // parallelograms
+    { 256, 0, 256, 0, -256, 0, 0, 0, 0, 0 },           //
+    { 0, 256, 256, 0, 0, -256, 0, 0, 0, 0 },           //
+    { 512, 0, 0, 0, 0, 0, 0, -256, 0, 0 },             // continuations of rows
+    { 0, 512, 0, 0, 0, 0, 0, 0, -256, 0 },             //
+    { 0, 0, 512, 0, 0, 0, 0, 0, 0, -256 },             //
+    { 171, 171, 170, -85, -85, -86, 0, 0, 0, 0 },      // means of the above
+    { 256, 128, 128, -128, -128, 0, 0, 0, 0, 0 },      //
+    { 256, 256, 0, 0, 0, 0, 0, -128, -128, 0 },        //
+    { 128, 128, 0, 0, 0, 0, 0, 0, 0, 0 },              //
+    { 0, 0, 256, 0, 0, 0, 0, 0, 0, 0 },                // a swept coordinate repeats
+    { 0, 256, 0, 0, 0, 0, 0, 0, 0, 0 },                //
+    { 256, 0, 0, 0, 0, 0, 0, 0, 0, 0 },                //
+  };
+  return rules;
+}
+
+CellRuleTable::CellRuleTable()
+  : Rules(GetCellRules())
+{
+}
+
+void CellRuleTable::Write(ByteWriter& out) const
+{
+  out.Put(static_cast<std::uint8_t>(this->Mode));
+  if (this->Mode != CellRuleMode::Fitted)
+  {
+    return;
+  }
+  out.Put(static_cast<std::uint8_t>(this->FittedMasks.size()));
+  const auto builtIn = this->Rules.size() - this->FittedMasks.size();
+  for (std::size_t i = 0; i < this->FittedMasks.size(); ++i)
+  {
+    out.Put(this->FittedMasks[i]);
+    for (unsigned k = 0; k < CellRecord::Size; ++k)
+    {
+      if (this->FittedMasks[i] >> k & 1)
+      {
+        out.Put(this->Rules[builtIn + i][k]);
+      }
+    }
+  }
+}
+
+CellRuleTable CellRuleTable::Read(ByteReader& in)
+{
+  CellRuleTable table;
+  const auto mode = in.Get<std::uint8_t>();
+  if (mode > static_cast<std::uint8_t>(CellRuleMode::Fitted))
+  {
+    ThrowCorrupt("a geometry stream has an unknown mode");
+  }
+  table.Mode = static_cast<CellRuleMode>(mode);
+  const unsigned count = table.Mode == CellRuleMode::Fitted ? in.Get<std::uint8_t>() : 0u;
+  if (count > MaxFitted)
+  {
+    ThrowCorrupt("a geometry stream has an impossible number of prediction rules");
+  }
+  for (unsigned i = 0; i < count; ++i)
+  {
+    const auto mask = in.Get<std::uint16_t>();
+    const unsigned before = i > 0 ? table.FittedMasks.back() : 0u;
+    if (mask <= before || mask >> CellRecord::Size != 0 || (mask & 1) == 0)
+    {
+      ThrowCorrupt("a prediction rule is for impossible vertices");
+    }
+    CellRule rule{};
+    for (unsigned k = 0; k < CellRecord::Size; ++k)
+    {
+      rule[k] = (mask >> k & 1) != 0 ? in.Get<std::int16_t>() : std::int16_t{ 0 };
+    }
+    table.FittedMasks.push_back(mask);
+    table.Rules.push_back(rule);
+  }
+  return table;
+}
+
+Bytes EncodeCellGeometry(ChunkMesh& mesh)
+{
+  CellRuleTable first;
+  CellRuleTable named;
+  named.Mode = CellRuleMode::Named;
+  Bytes best;
+  const auto consider = [&](const CellRuleTable& table)
+  {
+    std::vector<std::uint8_t> used;
+    auto stream = WriteGeometry(mesh, table, used);
+    if (best.empty() || stream.size() < best.size())
+    {
+      best = std::move(stream);
+      mesh.CellRules = table.Rules;
+      mesh.UsedRules = std::move(used);
+    }
+  };
+  consider(first);
+  consider(named);
+  consider(FitCellRules(mesh));
+  return best;
+}
+}

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunCellRules_h
+#define gatunCellRules_h
+
+#include "gatunTopology.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+namespace gatun
+{
+/** Weights of the vertices of a CellRecord, in units of 1/256. */
+using CellRule = std::array<std::int16_t, CellRecord::Size>;
+
+/** The rules that every chunk of cells has: parallelepipeds, parallelograms, rows, in the order of
+ * preference. The last ones can be applied to all records but those of seeds. */
+const std::vector<CellRule>& GetCellRules();
+
+/** Bit i is set if the rule has a weight for vertex i. */
+inline unsigned GetMask(const CellRule& rule)
+{
+  unsigned mask = 0;
+  for (unsigned k = 0; k < CellRecord::Size; ++k)
+  {
+    mask |= unsigned{ rule[k] != 0 } << k;
+  }
+  return mask;
+}
+
+/** GetSpread of a single vertex, which has no differences to measure. */
+constexpr unsigned NoSpread = ~0u;
+
+/** The number of bits of the range of the keys of a record's vertices in the cell. */
+template <typename GetKey>
+unsigned GetSpread(const CellRecord& record, GetKey&& getKey)
+{
+  std::uint64_t low = ~std::uint64_t{ 0 };
+  std::uint64_t high = 0;
+  unsigned count = 0;
+  for (unsigned k = 0; k < CellRecord::Size; ++k)
+  {
+    // Vertices beyond the cell count only where there is just one in it.
+    if (record.Known[k] != NoVertex && (k < CellRecord::B1 || count < 2))
+    {
+      const std::uint64_t key = getKey(record.Known[k]);
+      low = std::min(low, key);
+      high = std::max(high, key);
+      ++count;
+    }
+  }
+  return count < 2 ? NoSpread : static_cast<unsigned>(std::bit_width(high - low));
+}
+}
+
+#endif
