@@ -108,7 +108,7 @@ Series WriteSeries(const Options& options)
   mesh.CoordinateType = grid->GetPoints()->GetDataType() == VTK_DOUBLE ? gatun::ScalarType::Float64
                                                                        : gatun::ScalarType::Float32;
   mesh.Coordinates = grid->GetPoints()->GetData()->GetVoidPointer(0);
-  mesh.Tets = static_cast<std::uint64_t>(grid->GetNumberOfCells());
+  mesh.Cells = static_cast<std::uint64_t>(grid->GetNumberOfCells());
   mesh.Connectivity = connectivity.data();
   gatun::ArrayDescription array;
   array.Name = ArrayName;

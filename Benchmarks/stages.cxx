@@ -267,7 +267,7 @@ void Stages::DecodeAll() const
   std::iota(request.Arrays.begin(), request.Arrays.end(), 0u);
   decoder.SetRequest(request);
   const auto points = static_cast<std::size_t>(decoder.GetNumberOfPoints());
-  const auto tets = static_cast<std::size_t>(decoder.GetNumberOfTets());
+  const auto tets = static_cast<std::size_t>(decoder.GetNumberOfCells());
   // Uninitialised, as the arrays of VTK are.
   std::vector<std::unique_ptr<std::uint8_t[]>> memory;
   const auto make = [&](std::size_t bytes) -> void*

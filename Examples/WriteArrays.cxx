@@ -45,7 +45,7 @@ int main(int argc, char* argv[])
   gatun::MeshInput mesh;
   mesh.Points = wave.size();
   mesh.Coordinates = coordinates.data();
-  mesh.Tets = connectivity.size() / 4;
+  mesh.Cells = connectivity.size() / 4;
   mesh.Connectivity = connectivity.data();
   gatun::ArrayDescription array;
   array.Name = "wave";

@@ -4,11 +4,11 @@
 #include "gatunGridContour.h"
 
 #include "gatunArrayBridge.h"
+#include "gatunBridgedMesh.h"
 #include "gatunError.h"
 #include "gatunSurface.h"
 #include "gatunSurfaceOutput.h"
 #include "gatunTetInput.h"
-#include "gatunTetMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -96,9 +96,9 @@ std::vector<std::string> ContourGrid(vtkUnstructuredGrid* grid, const ContourSet
   {
     return {}; // such as an empty piece, which need not have any arrays
   }
-  auto tets = MakeTetInput(grid, VolumesOnly);
-  const TetMesh mesh(tets.Grid);
-  if (mesh.Mesh.Points >= 0xffffffffu || mesh.Mesh.Tets >= 0xffffffffu)
+  auto tets = MakeTetInput(grid);
+  const BridgedMesh mesh(tets.Grid);
+  if (mesh.Mesh.Points >= 0xffffffffu || mesh.Mesh.Cells >= 0xffffffffu)
   {
     ThrowInvalid("a mesh of more than 2^32 points or cells is too large");
   }
@@ -114,7 +114,7 @@ std::vector<std::string> ContourGrid(vtkUnstructuredGrid* grid, const ContourSet
   options.Values = settings.Values;
   options.CoordinateType = settings.ChoosePrecision(mesh.Mesh.CoordinateType);
   options.Normals = settings.ComputeNormals;
-  auto parts = MakeSurfaceParts(input, options, mesh.Mesh.Tets, progress);
+  auto parts = MakeSurfaceParts(input, options, mesh.Mesh.Cells, progress);
   content.CoordinateType = options.CoordinateType;
   content.Normals = settings.ComputeNormals;
   content.Strips = settings.OutputStrips;

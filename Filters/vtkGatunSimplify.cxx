@@ -243,7 +243,7 @@ void vtkGatunSimplify::vtkInternals::Prepare(vtkGatunSimplify* self, vtkUnstruct
   {
     return;
   }
-  const auto made = gatun::MakeTetInput(input, gatun::VolumesOnly);
+  const auto made = gatun::MakeTetInput(input);
   for (const auto& warning : made.Warnings)
   {
     vtkWarningWithObjectMacro(self, << warning);

@@ -56,6 +56,31 @@ vtkSmartPointer<ArrayT> MakeOffsets(vtkIdType tets)
 }
 
 //------------------------------------------------------------------------------
+// Makes room for the cells of a piece. The offsets of tetrahedra are known.
+template <typename ArrayT>
+vtkSmartPointer<vtkCellArray> MakeCells(const PieceDecoder& decoder, PieceTarget& target)
+{
+  const auto count = static_cast<vtkIdType>(decoder.GetNumberOfCells());
+  vtkNew<ArrayT> connectivity;
+  connectivity->SetNumberOfValues(static_cast<vtkIdType>(decoder.GetConnectivitySize()));
+  target.Connectivity = connectivity->GetPointer(0);
+  vtkSmartPointer<ArrayT> offsets;
+  if (decoder.IsTetrahedral())
+  {
+    offsets = MakeOffsets<ArrayT>(count);
+  }
+  else
+  {
+    offsets = vtkSmartPointer<ArrayT>::New();
+    offsets->SetNumberOfValues(count + 1);
+    target.Offsets = offsets->GetPointer(0);
+  }
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(offsets, connectivity);
+  return cells;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkIdTypeArray> MakeIds(const char* name, vtkIdType values)
 {
   auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
@@ -77,6 +102,27 @@ vtkSmartPointer<vtkUnsignedCharArray> MakeGhostArray(vtkIdType values)
 std::int64_t* PointerTo(vtkIdTypeArray* ids)
 {
   return reinterpret_cast<std::int64_t*>(ids->GetPointer(0));
+}
+
+//------------------------------------------------------------------------------
+// Makes room for the types and faces of original cells.
+PieceReader::OriginalCells MakeOriginalCells(const PieceDecoder& decoder, PieceTarget& target)
+{
+  const auto count = static_cast<vtkIdType>(decoder.GetNumberOfCells());
+  PieceReader::OriginalCells cells;
+  cells.Types = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  cells.Types->SetNumberOfValues(count);
+  target.Types = cells.Types->GetPointer(0);
+  if (decoder.GetFacesSize() > 0)
+  {
+    cells.FaceLocations = vtkSmartPointer<vtkIdTypeArray>::New();
+    cells.FaceLocations->SetNumberOfValues(count);
+    target.FaceLocations = PointerTo(cells.FaceLocations);
+    cells.Faces = vtkSmartPointer<vtkIdTypeArray>::New();
+    cells.Faces->SetNumberOfValues(static_cast<vtkIdType>(decoder.GetFacesSize()));
+    target.Faces = PointerTo(cells.Faces);
+  }
+  return cells;
 }
 
 //------------------------------------------------------------------------------
@@ -197,6 +243,7 @@ PieceRequest PieceReader::MakeRequest(const PublishedFile& handle, const PortReq
   request.Merges = this->Merges;
   request.Tree = this->Tree;
   request.RestoreOrder = handle.RestoreOrder;
+  request.Form = handle.SplitCells ? CellForm::Tetrahedra : CellForm::Original;
   const bool exists = port.Piece >= 0 && port.Piece < port.Pieces;
   if (exists)
   {
@@ -231,6 +278,8 @@ void PieceReader::ForgetMesh()
 {
   this->Decoder.reset();
   this->Mesh = nullptr;
+  this->Cells = nullptr;
+  this->Original = {};
   this->PointIds = nullptr;
   this->CellIds = nullptr;
   this->PointGhosts = nullptr;
@@ -276,7 +325,6 @@ bool PieceReader::HasMeshOf(const PieceRequest& request) const
 void PieceReader::MakeMesh(const FileReader& file, PieceTarget& target)
 {
   const auto points = static_cast<vtkIdType>(this->Decoder->GetNumberOfPoints());
-  const auto tets = static_cast<vtkIdType>(this->Decoder->GetNumberOfTets());
 
   vtkNew<vtkPoints> coordinates;
   coordinates->SetDataType(
@@ -284,32 +332,41 @@ void PieceReader::MakeMesh(const FileReader& file, PieceTarget& target)
   coordinates->SetNumberOfPoints(points);
   target.Points = coordinates->GetVoidPointer(0);
 
-  vtkNew<vtkCellArray> cells;
-  target.WideIds = file.HasWideIds() || tets >= std::numeric_limits<vtkTypeInt32>::max() / 4;
-  if (target.WideIds)
+  const auto ids = static_cast<vtkIdType>(this->Decoder->GetConnectivitySize());
+  target.WideIds = file.HasWideIds() || ids >= std::numeric_limits<vtkTypeInt32>::max();
+  this->Cells = target.WideIds ? MakeCells<vtkTypeInt64Array>(*this->Decoder, target)
+                               : MakeCells<vtkTypeInt32Array>(*this->Decoder, target);
+  this->Original = {};
+  if (!this->Decoder->IsTetrahedral())
   {
-    vtkNew<vtkTypeInt64Array> connectivity;
-    connectivity->SetNumberOfValues(4 * tets);
-    target.Connectivity = connectivity->GetPointer(0);
-    cells->SetData(MakeOffsets<vtkTypeInt64Array>(tets), connectivity);
-  }
-  else
-  {
-    vtkNew<vtkTypeInt32Array> connectivity;
-    connectivity->SetNumberOfValues(4 * tets);
-    target.Connectivity = connectivity->GetPointer(0);
-    cells->SetData(MakeOffsets<vtkTypeInt32Array>(tets), connectivity);
+    this->Original = MakeOriginalCells(*this->Decoder, target);
   }
   this->Mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
   this->Mesh->SetPoints(coordinates);
-  this->Mesh->SetCells(VTK_TETRA, cells);
+}
+
+//------------------------------------------------------------------------------
+/** Gives the mesh its cells. They are complete now, as the grid may read them. */
+void PieceReader::FinishMesh()
+{
+  if (this->Original.Types)
+  {
+    this->Mesh->SetCells(
+      this->Original.Types, this->Cells, this->Original.FaceLocations, this->Original.Faces);
+  }
+  else
+  {
+    this->Mesh->SetCells(VTK_TETRA, this->Cells);
+  }
+  this->Cells = nullptr;
+  this->Original = {};
 }
 
 //------------------------------------------------------------------------------
 void PieceReader::MakeGhosts(PieceTarget& target)
 {
   this->PointGhosts = MakeGhostArray(static_cast<vtkIdType>(this->Decoder->GetNumberOfPoints()));
-  this->CellGhosts = MakeGhostArray(static_cast<vtkIdType>(this->Decoder->GetNumberOfTets()));
+  this->CellGhosts = MakeGhostArray(static_cast<vtkIdType>(this->Decoder->GetNumberOfCells()));
   target.PointGhosts = this->PointGhosts->GetPointer(0);
   target.CellGhosts = this->CellGhosts->GetPointer(0);
 }
@@ -336,7 +393,7 @@ void PieceReader::Read(const PublishedFile& handle, const PieceRequest& request,
   this->Decoder->SetRequest(
     request, [&progress, share](double fraction) { return progress(share * fraction); });
   const auto points = static_cast<vtkIdType>(this->Decoder->GetNumberOfPoints());
-  const auto tets = static_cast<vtkIdType>(this->Decoder->GetNumberOfTets());
+  const auto cells = static_cast<vtkIdType>(this->Decoder->GetNumberOfCells());
 
   PieceTarget target;
   if (!meshIsThere)
@@ -357,18 +414,22 @@ void PieceReader::Read(const PublishedFile& handle, const PieceRequest& request,
   }
   if (cellIds && !this->CellIds)
   {
-    this->CellIds = MakeIds("GlobalCellIds", tets);
+    this->CellIds = MakeIds("GlobalCellIds", cells);
     target.GlobalCellIds = PointerTo(this->CellIds);
   }
   std::vector<ArrayFiller> fillers;
   for (const std::uint32_t array : request.Arrays)
   {
     const ArrayDescription& description = file.GetArrays()[array];
-    fillers.emplace_back(description, description.Where == Association::Point ? points : tets);
+    fillers.emplace_back(description, description.Where == Association::Point ? points : cells);
     target.Arrays.push_back(fillers.back().GetBuffer());
   }
   this->Decoder->Fill(target,
     [&progress, share](double fraction) { return progress(share + (1 - share) * fraction); });
+  if (!meshIsThere)
+  {
+    this->FinishMesh();
+  }
 
   output->CopyStructure(this->Mesh);
   for (std::size_t i = 0; i < fillers.size(); ++i)

@@ -19,6 +19,7 @@
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
 #endif
+class vtkCellArray;
 class vtkIdTypeArray;
 class vtkInformation;
 class vtkUnsignedCharArray;
@@ -49,6 +50,14 @@ class VTKGATUNIO_EXPORT PieceReader
 {
 public:
   using Progress = std::function<bool(double)>;
+
+  /** The types and faces of cells that are not all tetrahedra. */
+  struct OriginalCells
+  {
+    vtkSmartPointer<vtkUnsignedCharArray> Types;
+    vtkSmartPointer<vtkIdTypeArray> FaceLocations; // null without faces
+    vtkSmartPointer<vtkIdTypeArray> Faces;
+  };
 
   PieceReader();
   ~PieceReader();
@@ -90,6 +99,7 @@ public:
 private:
   bool HasMeshOf(const PieceRequest& request) const;
   void MakeMesh(const FileReader& file, PieceTarget& target);
+  void FinishMesh();
   void MakeGhosts(PieceTarget& target);
 
   // The mesh that is decoded.
@@ -102,6 +112,8 @@ private:
   std::unique_ptr<PieceDecoder> Decoder;
   PieceRequest MeshRequest;
   vtkSmartPointer<vtkUnstructuredGrid> Mesh;
+  vtkSmartPointer<vtkCellArray> Cells; // until they are complete
+  OriginalCells Original;
   vtkSmartPointer<vtkIdTypeArray> PointIds;
   vtkSmartPointer<vtkIdTypeArray> CellIds;
   vtkSmartPointer<vtkUnsignedCharArray> PointGhosts;

@@ -30,6 +30,7 @@ struct PublishedFile
   std::vector<bool> Selected; ///< for each array of the file, whether the reader reads it
   std::size_t Merges = 0;     ///< number of merges that the reader makes
   bool RestoreOrder = true;
+  bool SplitCells = false;
   bool GenerateGlobalIds = false;
   bool OnDemand = false; ///< whether the reader's output is an outline, without the mesh
 

@@ -69,6 +69,7 @@ void vtkGatunReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "RestoreOrder: " << (this->RestoreOrder ? "On" : "Off") << "\n";
+  os << indent << "SplitCells: " << (this->SplitCells ? "On" : "Off") << "\n";
   os << indent << "GenerateGlobalIds: " << (this->GenerateGlobalIds ? "On" : "Off") << "\n";
   os << indent << "UseBox: " << (this->UseBox ? "On" : "Off") << "\n";
   os << indent << "Box: " << this->Box[0] << " " << this->Box[1] << " " << this->Box[2] << " "

@@ -154,6 +154,17 @@ public:
 
   ///@{
   /**
+   * Whether to read the tetrahedra that 3D cells consist of (Documentation/cells.md) in place of
+   * the original cells. They have the values of their cells, and their order is not restored.
+   * Simplified meshes always consist of tetrahedra. Default: off.
+   */
+  vtkSetMacro(SplitCells, bool);
+  vtkGetMacro(SplitCells, bool);
+  vtkBooleanMacro(SplitCells, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether to make the arrays GlobalPointIds and GlobalCellIds (vtkIdTypeArray, also set as global
    * ids): the place of each point and cell in the whole mesh, from 0; where the file keeps the
    * order of points or cells, the place in the writer's input. Off: only if a part is asked for
@@ -403,6 +414,7 @@ protected:
 
   char* FileName = nullptr;
   bool RestoreOrder = true;
+  bool SplitCells = false;
   bool GenerateGlobalIds = false;
   bool UseBox = false;
   double Box[6] = { 0, 1, 0, 1, 0, 1 };

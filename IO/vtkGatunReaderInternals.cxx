@@ -152,6 +152,7 @@ gatun::PublishedFile vtkGatunReader::vtkInternals::Describe(const vtkGatunReader
   handle.Path = this->Path;
   handle.File = this->File;
   handle.RestoreOrder = reader.RestoreOrder;
+  handle.SplitCells = reader.SplitCells;
   handle.GenerateGlobalIds = reader.GenerateGlobalIds;
   for (const gatun::ArrayDescription& array : this->GetFile().GetArrays())
   {

@@ -4,13 +4,13 @@
 #include "vtkGatunWriter.h"
 
 #include "gatunArrayBridge.h"
+#include "gatunBridgedMesh.h"
+#include "gatunCellInput.h"
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
 #include "gatunFileWriter.h"
 #include "gatunMergeGrid.h"
 #include "gatunReport.h"
-#include "gatunTetInput.h"
-#include "gatunTetMesh.h"
 #include "gatunWriterArrays.h"
 #include "vtkGatunCompat.h"
 #include "vtkGatunErrorCode.h"
@@ -65,7 +65,7 @@ public:
   void Warn(const std::string& what);
   std::function<bool(double)> MakeProgress(std::size_t part);
   gatun::WriterOptions MakeOptions(
-    vtkUnstructuredGrid* tets, const std::vector<gatun::BridgedArray>& arrays);
+    vtkUnstructuredGrid* grid, const std::vector<gatun::BridgedArray>& arrays);
   void PublishStatistics(const gatun::FileStatistics& statistics);
 
   vtkGatunWriter* const Owner;
@@ -80,7 +80,7 @@ public:
 
   // While a file is being written.
   std::unique_ptr<gatun::FileWriter> File;
-  std::unique_ptr<gatun::TetMesh> Mesh;
+  std::unique_ptr<gatun::BridgedMesh> Mesh;
   std::size_t MeshHash = 0;
   std::vector<gatun::ArrayDescription> Arrays;
   gatun::MergeTree Tree;
@@ -100,13 +100,13 @@ public:
 
   // Throws unless a time step has the mesh and the arrays of the first one.
   void CheckUnchanged(
-    const gatun::TetMesh& mesh, const std::vector<gatun::ArrayDescription>& arrays) const
+    const gatun::BridgedMesh& mesh, const std::vector<gatun::ArrayDescription>& arrays) const
   {
     const std::string step = " in time step " + std::to_string(this->Step) + " (time " +
       std::to_string(this->Times[this->Step]) + ")";
     const gatun::MeshInput& first = this->Mesh->Mesh;
     const gatun::MeshInput& now = mesh.Mesh;
-    if (now.Points != first.Points || now.Tets != first.Tets ||
+    if (now.Points != first.Points || now.Cells != first.Cells ||
       now.CoordinateType != first.CoordinateType || now.WideIds != first.WideIds ||
       mesh.Hash() != this->MeshHash)
     {
@@ -146,7 +146,7 @@ std::function<bool(double)> vtkGatunWriter::vtkInternals::MakeProgress(std::size
 
 //------------------------------------------------------------------------------
 gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
-  vtkUnstructuredGrid* tets, const std::vector<gatun::BridgedArray>& arrays)
+  vtkUnstructuredGrid* grid, const std::vector<gatun::BridgedArray>& arrays)
 {
   gatun::WriterOptions options;
   options.Keep = static_cast<std::uint8_t>(this->Owner->KeepOrder);
@@ -162,7 +162,7 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
   }
   if (this->Owner->Hierarchy)
   {
-    this->Tree = gatun::BuildMergeTree(tets, this->Weights,
+    this->Tree = gatun::BuildMergeTree(grid, this->Weights,
       { static_cast<gatun::MergeMetric>(this->Owner->Metric), this->Owner->BoundaryWeight },
       [this](double fraction)
       {
@@ -179,7 +179,7 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
 void vtkGatunWriter::vtkInternals::PublishStatistics(const gatun::FileStatistics& statistics)
 {
   this->Owner->WrittenPoints = this->Mesh->Mesh.Points;
-  this->Owner->WrittenTets = this->Mesh->Mesh.Tets;
+  this->Owner->WrittenCells = this->Mesh->Mesh.Cells;
   this->Owner->WrittenSteps = this->GetNumberOfSteps();
   this->Owner->FileBytes = statistics.FileBytes;
   this->Owner->ConnectivityBytes = statistics.ConnectivityBytes;
@@ -231,10 +231,10 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";
   os << indent << "LayerSpacing: " << this->LayerSpacing << "\n";
   os << indent << "WriteAllTimeSteps: " << (this->WriteAllTimeSteps ? "On" : "Off") << "\n";
-  os << indent << "LinearizeQuadratic: " << (this->LinearizeQuadratic ? "On" : "Off") << "\n";
+  os << indent << "SplitCells: " << (this->SplitCells ? "On" : "Off") << "\n";
   os << indent << "ReplaceReadOnly: " << (this->ReplaceReadOnly ? "On" : "Off") << "\n";
   os << indent << "WrittenPoints: " << this->WrittenPoints << "\n";
-  os << indent << "WrittenTets: " << this->WrittenTets << "\n";
+  os << indent << "WrittenCells: " << this->WrittenCells << "\n";
   os << indent << "WrittenSteps: " << this->WrittenSteps << "\n";
   os << indent << "FileBytes: " << this->FileBytes << "\n";
   os << indent << "ConnectivityBytes: " << this->ConnectivityBytes << "\n";
@@ -475,18 +475,18 @@ int vtkGatunWriter::RequestData(vtkInformation* vtkNotUsed(request),
 void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
 {
   vtkInternals& self = *this->Internals;
-  const gatun::TetInput tets = gatun::MakeTetInput(input, { this->LinearizeQuadratic, false });
-  for (const std::string& warning : tets.Warnings)
+  const gatun::CellInput cells = gatun::MakeCellInput(input, this->SplitCells);
+  for (const std::string& warning : cells.Warnings)
   {
     self.Warn(warning);
   }
-  auto mesh = std::make_unique<gatun::TetMesh>(tets.Grid);
+  auto mesh = std::make_unique<gatun::BridgedMesh>(cells.Grid);
   if (mesh->PointsConverted)
   {
     self.Warn("integer coordinates are written as double");
   }
   const std::vector<gatun::BridgedArray> arrays = gatun::BridgeSelected(
-    tets.Grid, self.PointSelection, self.CellSelection, this->WriteUnlistedArrays);
+    cells.Grid, self.PointSelection, self.CellSelection, this->WriteUnlistedArrays);
   std::vector<gatun::ArrayDescription> descriptions;
   std::vector<const void*> values;
   for (const gatun::BridgedArray& array : arrays)
@@ -497,7 +497,7 @@ void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
 
   if (!self.File)
   {
-    const gatun::WriterOptions options = self.MakeOptions(tets.Grid, arrays);
+    const gatun::WriterOptions options = self.MakeOptions(cells.Grid, arrays);
     self.Mesh = std::move(mesh);
     self.MeshHash = self.GetNumberOfSteps() > 1 ? self.Mesh->Hash() : 0;
     self.Arrays = descriptions;
@@ -510,7 +510,7 @@ void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
   }
 
   std::vector<std::string> refused;
-  const gatun::FieldData field = gatun::BridgeFieldData(tets.Grid->GetFieldData(), refused);
+  const gatun::FieldData field = gatun::BridgeFieldData(cells.Grid->GetFieldData(), refused);
   for (const std::string& name : refused)
   {
     self.Warn(

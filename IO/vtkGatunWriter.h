@@ -15,11 +15,9 @@
  * lie in memory tuple by tuple are copied. String and variant arrays of points or cells are refused
  * with an error; field arrays of variants are left out with a warning.
  *
- * Other cells: linear 3D cells, polyhedra and convex point sets are split into tetrahedra
- * (Documentation/cells.md) with a warning; the cell array OriginalCellIds then tells the cell of
- * the input (an array of that name is kept as it is), and global ids of cells lose that role, being
- * no longer unique. Nonlinear 3D cells need LinearizeQuadratic. All else is refused with an error
- * that names the types.
+ * Cells of all types are written, also of a type that VTK does not know. Those that have a wrong
+ * number of points, or points or faces that do not exist, are an error that names the cell. With
+ * SplitCells, 3D cells are split into tetrahedra.
  *
  * Ghosts: cells marked DUPLICATECELL in vtkGhostType are left out, and points that only they use;
  * the marks for duplicates then go, too. Other marks (hidden cells and points) are kept.
@@ -257,12 +255,15 @@ public:
 
   ///@{
   /**
-   * Whether to write quadratic and other nonlinear 3D cells as linear ones, which loses the shape
-   * of their edges and the points between their corners. Default: off, where they are an error.
+   * Whether to write tetrahedra in place of the cells, with warnings: 3D cells are split
+   * (Documentation/cells.md), nonlinear ones after they have lost the points between their corners,
+   * and all other cells are left out. The cell array OriginalCellIds then tells the cell of the
+   * input (an array of that name is kept as it is), and global ids of cells lose that role, being
+   * no longer unique. Default: off.
    */
-  vtkSetMacro(LinearizeQuadratic, bool);
-  vtkGetMacro(LinearizeQuadratic, bool);
-  vtkBooleanMacro(LinearizeQuadratic, bool);
+  vtkSetMacro(SplitCells, bool);
+  vtkGetMacro(SplitCells, bool);
+  vtkBooleanMacro(SplitCells, bool);
   ///@}
 
   ///@{
@@ -297,7 +298,7 @@ public:
    * bytes and those of the parts add up to that of the file. 0 before the first file.
    */
   vtkGetMacro(WrittenPoints, vtkTypeUInt64);
-  vtkGetMacro(WrittenTets, vtkTypeUInt64);
+  vtkGetMacro(WrittenCells, vtkTypeUInt64);
   vtkGetMacro(WrittenSteps, vtkTypeUInt64);
   vtkGetMacro(FileBytes, vtkTypeUInt64);
   vtkGetMacro(ConnectivityBytes, vtkTypeUInt64);
@@ -339,11 +340,11 @@ protected:
   int NumberOfLayers = 0;
   int LayerSpacing = LAYERS_HISTOGRAM;
   bool WriteAllTimeSteps = false;
-  bool LinearizeQuadratic = false;
+  bool SplitCells = false;
   bool ReplaceReadOnly = false;
 
   vtkTypeUInt64 WrittenPoints = 0;
-  vtkTypeUInt64 WrittenTets = 0;
+  vtkTypeUInt64 WrittenCells = 0;
   vtkTypeUInt64 WrittenSteps = 0;
   vtkTypeUInt64 FileBytes = 0;
   vtkTypeUInt64 ConnectivityBytes = 0;

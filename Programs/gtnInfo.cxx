@@ -17,6 +17,8 @@
 
 #include "gatunFileReader.h"
 
+#include "gatunCellShapes.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -78,11 +80,26 @@ Entry EntryOf(const Ranges& ranges, const char* separator, int digits)
   return { json, Joined(texts, separator) };
 }
 
-Entry BitsPerTet(const gatun::FileReader& file, std::uint64_t bytes)
+Entry BitsPerCell(const gatun::FileReader& file, std::uint64_t bytes)
 {
-  const auto tets = static_cast<double>(file.GetNumberOfTets());
-  const double bits = tets > 0 ? 8. * static_cast<double>(bytes) / tets : std::nan("");
+  const auto cells = static_cast<double>(file.GetNumberOfCells());
+  const double bits = cells > 0 ? 8. * static_cast<double>(bytes) / cells : std::nan("");
   return { bits, fmt::format("{:.3f}", bits) };
+}
+
+Table DescribeCellTypes(const gatun::FileReader& file)
+{
+  Table table{ "cellTypes", "cell types",
+    { { "type", "number" }, { "name", "type", false }, { "dimension", "dim." },
+      { "cells", "cells" } } };
+  for (const gatun::CellTypeCount& type : file.GetCellTypes())
+  {
+    const int dimension = gatun::GetCellKind(type.Type).Dimension;
+    table.Rows.push_back({ Entry(std::uint64_t{ type.Type }), Entry(NameOfCell(type.Type)),
+      dimension < 0 ? Entry(Json::Value(), "?") : Entry(static_cast<std::uint64_t>(dimension)),
+      Entry(type.Cells) });
+  }
+  return table;
 }
 
 Table DescribeArrays(const gatun::FileReader& file)
@@ -90,7 +107,7 @@ Table DescribeArrays(const gatun::FileReader& file)
   Table table{ "arrays", "arrays",
     { { "name", "name", false }, { "association", "of", false }, { "type", "type", false },
       { "components", "comp." }, { "componentNames", nullptr }, { "bytes", "bytes" },
-      { "bitsPerTet", "bits/tet" }, { "ranges", "values", false } } };
+      { "bitsPerCell", "bits/cell" }, { "ranges", "values", false } } };
   const gatun::FileStatistics sizes = file.GetStatistics();
   for (std::size_t i = 0; i < file.GetArrays().size(); ++i)
   {
@@ -99,7 +116,7 @@ Table DescribeArrays(const gatun::FileReader& file)
     table.Rows.push_back({ Entry(array.Name),
       Entry(array.Where == gatun::Association::Point ? "point" : "cell"), Entry(NameOf(array.Type)),
       Entry(array.Components), Entry(JsonArray(array.ComponentNames), {}), Entry(bytes),
-      BitsPerTet(file, bytes), EntryOf(RangesOf(file, i), "; ", 7) });
+      BitsPerCell(file, bytes), EntryOf(RangesOf(file, i), "; ", 7) });
   }
   return table;
 }
@@ -107,9 +124,9 @@ Table DescribeArrays(const gatun::FileReader& file)
 Table DescribeSizes(const gatun::FileReader& file)
 {
   Table table{ "sizes", "sizes",
-    { { "part", "part", false }, { "bytes", "bytes" }, { "bitsPerTet", "bits/tet" } }, {}, true };
+    { { "part", "part", false }, { "bytes", "bytes" }, { "bitsPerCell", "bits/cell" } }, {}, true };
   const auto add = [&](const char* key, const char* title, std::uint64_t bytes) {
-    table.Rows.push_back({ Entry(key, title), Entry(bytes), BitsPerTet(file, bytes) });
+    table.Rows.push_back({ Entry(key, title), Entry(bytes), BitsPerCell(file, bytes) });
   };
   const gatun::FileStatistics sizes = file.GetStatistics();
   add("connectivity", "connectivity", sizes.ConnectivityBytes);
@@ -129,7 +146,7 @@ Table DescribeSizes(const gatun::FileReader& file)
 Table DescribeChunks(const gatun::FileReader& file)
 {
   Table table{ "chunkTable", "chunks",
-    { { nullptr, "number" }, { "tets", "tets" }, { "ownPoints", "points" },
+    { { nullptr, "number" }, { "cells", "cells" }, { "tets", "tets" }, { "ownPoints", "points" },
       { "sharedPoints", "shared" }, { "firstTet", "first tet" }, { "neighbors", "neighbors" },
       { "meshBytes", "mesh bytes" }, { "bounds", "bounds", false } } };
   if (file.HasLayers())
@@ -139,7 +156,7 @@ Table DescribeChunks(const gatun::FileReader& file)
   for (std::size_t i = 0; i < file.GetChunks().size(); ++i)
   {
     const gatun::ChunkInfo& chunk = file.GetChunks()[i];
-    std::vector<Entry> row{ Entry(i), Entry(chunk.Tets), Entry(chunk.OwnPoints),
+    std::vector<Entry> row{ Entry(i), Entry(chunk.Cells), Entry(chunk.Tets), Entry(chunk.OwnPoints),
       Entry(chunk.SharedPoints), Entry(chunk.FirstTet), Entry(chunk.Neighbors.size()),
       Entry(file.GetChunkMeshBytes(i)), EntryOf(chunk.Box, ", ", 5) };
     if (file.HasLayers())
@@ -200,6 +217,8 @@ Description Describe(const gatun::FileReader& file, bool verbose)
   description.Add("file", nullptr, Entry(file.GetPath()));
   description.Add("formatVersion", "format", Entry(fmt::format("{}.{}", major, minor)));
   description.Add("writerVersion", "written by Gatun", Entry(file.GetWriterVersion()));
+  description.Add(
+    "cells", file.IsTetrahedral() ? nullptr : "cells", Entry(file.GetNumberOfCells()));
   description.Add("tets", "tetrahedra", Entry(file.GetNumberOfTets()));
   description.Add("points", "points", Entry(file.GetNumberOfPoints()));
   description.Add("sharedPoints", "  of many chunks", Entry(file.GetNumberOfSharedPoints()));
@@ -212,6 +231,10 @@ Description Describe(const gatun::FileReader& file, bool verbose)
   description.Add("times", "time steps", DescribeTimes(file, verbose));
   description.Add("hasLayers", nullptr, { file.HasLayers(), {} });
   DescribeHierarchy(file, description);
+  if (!file.IsTetrahedral())
+  {
+    description.Add(DescribeCellTypes(file));
+  }
   description.Add(DescribeArrays(file));
   description.Add(DescribeSizes(file));
   if (file.HasLayers())
@@ -257,7 +280,7 @@ void AddInfo(CLI::App& app, Settings& settings)
     "  gtn info mesh.gtn\n"
     "  gtn info -v mesh.gtn             # with the times and the chunk table\n"
     "  gtn info --histogram pressure:30 mesh.gtn\n"
-    "  gtn info --json mesh.gtn | jq .sizes.connectivity.bitsPerTet");
+    "  gtn info --json mesh.gtn | jq .sizes.connectivity.bitsPerCell");
   command->add_flag("--json", options->Json, "Print JSON");
   auto* histogramOption = command
                             ->add_option("--histogram", options->Histogram,

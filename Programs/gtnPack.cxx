@@ -10,6 +10,7 @@
 #include "gtnInput.h"
 #include "gtnMergeOptions.h"
 #include "gtnMessages.h"
+#include "gtnNames.h"
 #include "gtnOptions.h"
 #include "gtnOutput.h"
 #include "gtnProgress.h"
@@ -72,19 +73,20 @@ void SetLayers(vtkGatunWriter* writer, const Options& options)
 
 void PrintSizes(vtkGatunWriter* writer, const Options& options, bool verbose)
 {
-  const auto tets = static_cast<double>(writer->GetWrittenTets());
+  const gatun::FileReader file(options.Out);
+  const auto cells = static_cast<double>(writer->GetWrittenCells());
   const vtkTypeUInt64 steps = writer->GetWrittenSteps();
-  fmt::print("{}: {} tetrahedra, {} points{}\n", options.Out, Grouped(writer->GetWrittenTets()),
+  fmt::print("{}: {}, {} points{}\n", options.Out, ListCells(file),
     Grouped(writer->GetWrittenPoints()),
     steps > 1 ? fmt::format(", {} time steps", steps) : std::string());
-  const auto print = [tets](const std::string& name, vtkTypeUInt64 bytes)
+  const auto print = [cells](const std::string& name, vtkTypeUInt64 bytes)
   {
     if (bytes > 0)
     {
       fmt::print("  {:<14} {:>14} bytes", name, Grouped(bytes));
-      if (tets > 0)
+      if (cells > 0)
       {
-        fmt::print(" {:>9.3f} bits/tet", 8. * static_cast<double>(bytes) / tets);
+        fmt::print(" {:>9.3f} bits/cell", 8. * static_cast<double>(bytes) / cells);
       }
       fmt::print("\n");
     }
@@ -94,7 +96,6 @@ void PrintSizes(vtkGatunWriter* writer, const Options& options, bool verbose)
   print("arrays", writer->GetArrayBytes());
   if (verbose)
   {
-    const gatun::FileReader file(options.Out);
     const std::vector<std::uint64_t> bytes = file.GetStatistics().ArrayBytes;
     for (std::size_t i = 0; i < bytes.size(); ++i)
     {
@@ -162,8 +163,7 @@ void AddPack(CLI::App& app, Settings& settings)
   CLI::App* command = AddCommand(app, settings, "pack",
     "Write meshes to a .gtn file, without loss. Several files, or one file with time steps, become "
     "the\n"
-    "time steps of one mesh. Blocks are merged, and cells other than tetrahedra are split into\n"
-    "tetrahedra.",
+    "time steps of one mesh. Blocks are merged.",
     "  gtn pack mesh.vtu mesh.gtn\n"
     "  gtn pack --keep-order all --arrays pressure mesh.vtu mesh.gtn\n"
     "  gtn pack --levels 8 --weight pressure mesh.vtu mesh.gtn\n"
@@ -175,7 +175,8 @@ void AddPack(CLI::App& app, Settings& settings)
   AddArrays(command, options->Input);
   command
     ->add_option("--keep-order", options->KeepOrder,
-      "Order to keep: none, points, cells, or all (points, cells, and the corners of each cell) "
+      "Order to keep: none, points, cells, or all (points, cells, and the corners of "
+      "tetrahedra and faces of polyhedra; corners of other cells always keep their order) "
       "(default: none)")
     ->check(CLI::IsMember({ "none", "points", "cells", "all" }))
     ->option_text("WHAT");
@@ -211,9 +212,9 @@ void AddPack(CLI::App& app, Settings& settings)
   AddComponent(command, "--layer-component", options->LayerComponent,
     "Component for --layers: a number from 0, or magnitude (default: magnitude)")
     ->needs(layers);
-  command->add_flag("--linearize", options->Input.Cells.Linearize,
-    "Convert quadratic and other nonlinear 3D cells to linear ones by dropping the points between "
-    "their corners");
+  command->add_flag("--tets", options->Input.Split,
+    "Split 3D cells into tetrahedra. Nonlinear ones lose the points between their corners, and "
+    "cells of a lower dimension are left out");
   auto* files = command->add_option(FilesArgument, options->In,
     std::string("One or more meshes, then the .gtn file to write. Meshes: ") + InputFormats);
   files->required();

@@ -107,6 +107,7 @@ void AddSimplify(CLI::App& app, Settings& settings)
     [=, &settings]
     {
       options->Input.Quiet = settings.Quiet;
+      options->Input.VolumesOnly = true;
       SimplifyMesh(*options, settings);
     });
 }

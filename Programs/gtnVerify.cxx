@@ -153,8 +153,8 @@ void AddVerify(CLI::App& app, Settings& settings)
     "  gtn verify mesh.gtn mesh.vtu\n"
     "  gtn verify run.gtn run_0.vtu run_1.vtu run_2.vtu");
   AddArrays(command, options->Input, "Compare only these point and cell arrays");
-  command->add_flag("--linearize", options->Input.Cells.Linearize,
-    "Linearize ORIGINAL, which was packed with --linearize");
+  command->add_flag(
+    "--tets", options->Input.Split, "Split the cells of ORIGINAL, which was packed with --tets");
   command->add_option("IN", options->File, "The .gtn file")->required();
   command->add_option("ORIGINAL", options->Originals,
     "The source of the .gtn file: one file, or one for each time step");

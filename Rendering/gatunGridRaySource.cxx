@@ -119,8 +119,8 @@ Range GetWholeRange(const RaySource& source)
 
 //------------------------------------------------------------------------------
 GridMesh::GridMesh(vtkUnstructuredGrid* grid, const RayArray& array)
-  : Tets(MakeTetInput(grid, VolumesOnly).Grid)
-  , Mesh(std::make_unique<TetMesh>(Tets))
+  : Tets(MakeTetInput(grid).Grid)
+  , Mesh(std::make_unique<BridgedMesh>(Tets))
 {
   const auto [scalars, where] = FindArray(this->Tets, array);
   const BridgedArray values = Bridge(scalars, where);

@@ -4,9 +4,9 @@
 #ifndef gatunGridRaySource_h
 #define gatunGridRaySource_h
 
+#include "gatunBridgedMesh.h"
 #include "gatunMemoryRaySource.h"
 #include "gatunRaySource.h"
-#include "gatunTetMesh.h"
 #include "gatunTypes.h"
 
 #include "vtkSmartPointer.h"
@@ -69,7 +69,7 @@ public:
 
 private:
   vtkSmartPointer<vtkUnstructuredGrid> Tets; // keeps alive what the others look at
-  std::unique_ptr<TetMesh> Mesh;
+  std::unique_ptr<BridgedMesh> Mesh;
   vtkSmartPointer<vtkDataArray> Scalars;
   std::vector<unsigned char> Hidden;
   RayValuesInput Values;

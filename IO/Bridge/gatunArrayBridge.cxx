@@ -241,6 +241,17 @@ BridgedArray Bridge(vtkAbstractArray* array, Association where)
 }
 
 //------------------------------------------------------------------------------
+void GatherAll(
+  vtkDataSetAttributes* from, const std::vector<vtkIdType>& tuples, vtkDataSetAttributes* to)
+{
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* const array = from->GetAbstractArray(i);
+    AddWithRoles(to, Gather(array, tuples), AttributeRolesOf(from, array));
+  }
+}
+
+//------------------------------------------------------------------------------
 std::uint32_t AttributeRolesOf(vtkDataSetAttributes* attributes, vtkAbstractArray* array)
 {
   std::uint32_t roles = 0;

@@ -53,6 +53,10 @@ VTKGATUNIO_EXPORT vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array);
 vtkSmartPointer<vtkAbstractArray> Gather(
   vtkAbstractArray* array, const std::vector<vtkIdType>& tuples);
 
+/** Gathers the given tuples of all arrays, which keep their roles. */
+void GatherAll(
+  vtkDataSetAttributes* from, const std::vector<vtkIdType>& tuples, vtkDataSetAttributes* to);
+
 /** Returns ArrayDescription::AttributeRoles of an array: bit i is set if it is active attribute i.
  */
 VTKGATUNIO_EXPORT std::uint32_t AttributeRolesOf(

@@ -3,11 +3,18 @@
 
 #include "gatunCellCheck.h"
 
+#include "gatunCellShapes.h"
 #include "gatunError.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <string>
@@ -40,6 +47,28 @@ void CheckIds(ArrayT* connectivity, vtkIdType points)
   }
 }
 
+[[noreturn]] void ThrowTupleCount(
+  vtkAbstractArray& array, const std::string& place, vtkIdType tuples)
+{
+  const std::string name = array.GetName() ? array.GetName() : "";
+  gatun::ThrowInvalid("the " + place + " array '" + name + "' has " +
+    std::to_string(array.GetNumberOfTuples()) + " tuples for " + std::to_string(tuples) + " " +
+    place + "s");
+}
+
+//------------------------------------------------------------------------------
+void CheckLengths(vtkDataSetAttributes* attributes, vtkIdType tuples, const std::string& place)
+{
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = attributes->GetAbstractArray(i);
+    if (array->GetNumberOfTuples() != tuples)
+    {
+      ThrowTupleCount(*array, place, tuples);
+    }
+  }
+}
+
 } // anonymous namespace
 
 namespace gatun
@@ -67,6 +96,61 @@ void CheckPointIds(vtkCellArray* cells, vtkIdType points)
   else
   {
     CheckIds(cells->GetConnectivityArray32(), points);
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckGrid(vtkUnstructuredGrid* grid)
+{
+  vtkUnsignedCharArray* const types = grid->GetCellTypesArray();
+  vtkCellArray* const cells = grid->GetCells();
+  if (grid->GetNumberOfCells() > 0)
+  {
+    if (!types || !cells || types->GetNumberOfValues() != cells->GetNumberOfCells())
+    {
+      ThrowInvalid("the number of cell types is not that of the cells");
+    }
+    CheckOffsets(cells);
+  }
+  CheckLengths(grid->GetPointData(), grid->GetNumberOfPoints(), "point");
+  CheckLengths(grid->GetCellData(), grid->GetNumberOfCells(), "cell");
+}
+
+//------------------------------------------------------------------------------
+void CheckCell(vtkIdType cell, int type, vtkIdType size, const vtkIdType* ids, vtkIdType points)
+{
+  const CellKind kind = GetCellKind(type);
+  const vtkIdType least = kind.Points > 0 ? kind.Points : kind.Shape ? kind.Shape->Corners : 0;
+  if (size < least || (kind.Points > 0 && size > least))
+  {
+    ThrowInvalid("cell " + std::to_string(cell) + " has " + std::to_string(size) + " points, not " +
+      std::to_string(least) + (kind.Points > 0 ? "" : " or more"));
+  }
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    if (ids[i] < 0 || ids[i] >= points)
+    {
+      ThrowInvalid("cell " + std::to_string(cell) + " names point " + std::to_string(ids[i]) +
+        " of " + std::to_string(points));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckCells(vtkUnstructuredGrid* grid)
+{
+  const vtkIdType count = grid->GetNumberOfCells();
+  if (count == 0)
+  {
+    return;
+  }
+  auto iterator = vtk::TakeSmartPointer(grid->GetCells()->NewIterator());
+  for (vtkIdType cell = 0; cell < count; ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    iterator->GetCellAtId(cell, size, ids);
+    CheckCell(cell, grid->GetCellType(cell), size, ids, grid->GetNumberOfPoints());
   }
 }
 

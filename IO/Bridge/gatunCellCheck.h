@@ -11,6 +11,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 #endif
 class vtkCellArray;
+class vtkUnstructuredGrid;
 #ifdef VTK_ABI_NAMESPACE_END
 VTK_ABI_NAMESPACE_END
 #endif
@@ -27,6 +28,16 @@ VTKGATUNIO_EXPORT void CheckOffsets(vtkCellArray* cells);
 
 /** All ids must be in [0, points). */
 VTKGATUNIO_EXPORT void CheckPointIds(vtkCellArray* cells, vtkIdType points);
+
+/** There must be a type for each cell, the offsets must fit, and arrays must have a tuple for each
+ * point or cell. */
+void CheckGrid(vtkUnstructuredGrid* grid);
+
+/** A cell must have as many points as its type needs, with ids that exist. */
+void CheckCell(vtkIdType cell, int type, vtkIdType size, const vtkIdType* ids, vtkIdType points);
+
+/** CheckCell for all cells. */
+void CheckCells(vtkUnstructuredGrid* grid);
 ///@}
 }
 

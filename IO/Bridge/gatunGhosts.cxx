@@ -3,8 +3,12 @@
 
 #include "gatunGhosts.h"
 
+#include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 namespace gatun
 {
@@ -49,6 +53,24 @@ void ClearGhosts(vtkDataSetAttributes* attributes, unsigned char bit)
   {
     attributes->RemoveArray(name);
   }
+}
+
+//------------------------------------------------------------------------------
+void ClearGhosts(vtkUnstructuredGrid* grid)
+{
+  const auto clear = [](vtkDataSetAttributes* attributes, unsigned char bit)
+  {
+    if (vtkUnsignedCharArray* const ghosts = GhostsWith(attributes, bit))
+    {
+      vtkNew<vtkUnsignedCharArray> copy;
+      copy->DeepCopy(ghosts);
+      copy->SetName(vtkDataSetAttributes::GhostArrayName());
+      attributes->AddArray(copy);
+    }
+    ClearGhosts(attributes, bit);
+  };
+  clear(grid->GetCellData(), vtkDataSetAttributes::DUPLICATECELL);
+  clear(grid->GetPointData(), vtkDataSetAttributes::DUPLICATEPOINT);
 }
 
 }

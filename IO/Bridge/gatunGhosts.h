@@ -11,6 +11,7 @@ VTK_ABI_NAMESPACE_BEGIN
 #endif
 class vtkDataSetAttributes;
 class vtkUnsignedCharArray;
+class vtkUnstructuredGrid;
 #ifdef VTK_ABI_NAMESPACE_END
 VTK_ABI_NAMESPACE_END
 #endif
@@ -22,6 +23,10 @@ vtkUnsignedCharArray* GhostsWith(vtkDataSetAttributes* attributes, unsigned char
 
 /** Clears a bit in all values of vtkGhostType in place; removes the array if no bit remains. */
 void ClearGhosts(vtkDataSetAttributes* attributes, unsigned char bit);
+
+/** Clears the marks of duplicate cells and points of a grid whose ghost cells were removed. Arrays
+ * that other grids may have are copied first. */
+void ClearGhosts(vtkUnstructuredGrid* grid);
 }
 
 #endif

@@ -3,7 +3,10 @@
 
 #include "gatunMergeGrid.h"
 
+#include "gatunBridgedMesh.h"
 #include "gatunError.h"
+#include "gatunMeshCheck.h"
+#include "gatunMeshTets.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -26,26 +29,17 @@ struct MergeGrid
 
   explicit MergeGrid(vtkUnstructuredGrid* grid)
     : Points(static_cast<std::size_t>(grid->GetNumberOfPoints()))
-    , Tets(static_cast<std::size_t>(grid->GetNumberOfCells()))
   {
     for (std::size_t i = 0; i < this->Points.size(); ++i)
     {
       grid->GetPoint(static_cast<vtkIdType>(i), this->Points[i].data());
     }
-    for (std::size_t i = 0; i < this->Tets.size(); ++i)
-    {
-      vtkIdType count = 0;
-      const vtkIdType* ids = nullptr;
-      grid->GetCellPoints(static_cast<vtkIdType>(i), count, ids);
-      for (std::size_t c = 0; c < 4; ++c)
-      {
-        if (ids[c] < 0 || ids[c] >= grid->GetNumberOfPoints())
-        {
-          ThrowInvalid("cell " + std::to_string(i) + " has a point that does not exist");
-        }
-        this->Tets[i][c] = static_cast<std::uint32_t>(ids[c]);
-      }
-    }
+    const BridgedMesh mesh(grid);
+    const MeshAccess access(mesh.Mesh);
+    CheckCells(access);
+    this->Tets.reserve(static_cast<std::size_t>(access.EstimateTets()));
+    ForEachTet(
+      access, [&](std::uint64_t, const MergeTree::Tet& tet) { this->Tets.push_back(tet); });
   }
 
   void AddArray(vtkDataArray* array, double weight)

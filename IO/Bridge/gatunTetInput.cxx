@@ -81,29 +81,6 @@ std::string List(const TypeCounts& counts, Treatment how)
 }
 
 //------------------------------------------------------------------------------
-[[noreturn]] void ThrowTupleCount(
-  vtkAbstractArray& array, const std::string& place, vtkIdType tuples)
-{
-  const std::string name = array.GetName() ? array.GetName() : "";
-  gatun::ThrowInvalid("the " + place + " array '" + name + "' has " +
-    std::to_string(array.GetNumberOfTuples()) + " tuples for " + std::to_string(tuples) + " " +
-    place + "s");
-}
-
-//------------------------------------------------------------------------------
-void CheckLengths(vtkDataSetAttributes* attributes, vtkIdType tuples, const std::string& place)
-{
-  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* array = attributes->GetAbstractArray(i);
-    if (array->GetNumberOfTuples() != tuples)
-    {
-      ThrowTupleCount(*array, place, tuples);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 template <typename ArrayT>
 vtkSmartPointer<vtkCellArray> MakeCells(const std::vector<vtkIdType>& corners)
 {
@@ -123,24 +100,13 @@ vtkSmartPointer<vtkCellArray> MakeCells(const std::vector<vtkIdType>& corners)
 }
 
 //------------------------------------------------------------------------------
-void GatherAll(
-  vtkDataSetAttributes* from, const std::vector<vtkIdType>& tuples, vtkDataSetAttributes* to)
-{
-  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* array = from->GetAbstractArray(i);
-    gatun::AddWithRoles(to, gatun::Gather(array, tuples), gatun::AttributeRolesOf(from, array));
-  }
-}
-
-//------------------------------------------------------------------------------
 // The steps of MakeTetInput.
 class TetInputMaker
 {
 public:
-  TetInputMaker(vtkUnstructuredGrid* input, const gatun::TetInputOptions& options)
+  TetInputMaker(vtkUnstructuredGrid* input, bool withOriginalIds)
     : Input(input)
-    , Options(options)
+    , WithOriginalIds(withOriginalIds)
     , Types(input->GetCellTypesArray())
     , Cells(input->GetCells())
     , Ghosts(gatun::GhostsWith(input->GetCellData(), vtkDataSetAttributes::DUPLICATECELL))
@@ -150,9 +116,8 @@ public:
 
   gatun::TetInput Make()
   {
+    gatun::CheckGrid(this->Input);
     this->CheckTypes();
-    CheckLengths(this->Input->GetPointData(), this->Input->GetNumberOfPoints(), "point");
-    CheckLengths(this->Input->GetCellData(), this->Input->GetNumberOfCells(), "cell");
     if (this->IsMadeOfTets())
     {
       this->Result.Grid = this->Input;
@@ -163,7 +128,10 @@ public:
     this->CompactPoints();
     this->MakeGrid();
     this->CopyCellData();
-    this->RemoveGhosts();
+    if (this->Ghosts)
+    {
+      gatun::ClearGhosts(this->Result.Grid);
+    }
     this->Result.Grid->GetFieldData()->ShallowCopy(this->Input->GetFieldData());
     return this->Result;
   }
@@ -171,16 +139,14 @@ public:
 private:
   void CheckTypes();
   bool IsMadeOfTets() const;
-  void CheckCell(vtkIdType cell, vtkIdType size, const vtkIdType* corners) const;
   void SelectCells();
   void SplitCells();
   void CompactPoints();
   void MakeGrid();
   void CopyCellData();
-  void RemoveGhosts();
 
   vtkUnstructuredGrid* const Input;
-  const gatun::TetInputOptions Options;
+  const bool WithOriginalIds;
   vtkUnsignedCharArray* const Types;
   vtkCellArray* const Cells;
   vtkUnsignedCharArray* const Ghosts; // null if there are no ghost cells
@@ -195,18 +161,12 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// Counts the cell types and refuses those that cannot be written.
+// Counts the cell types. Throws if some are unknown.
 void TetInputMaker::CheckTypes()
 {
   const vtkIdType count = this->Input->GetNumberOfCells();
   if (count > 0)
   {
-    if (!this->Types || !this->Cells ||
-      this->Types->GetNumberOfValues() != this->Cells->GetNumberOfCells())
-    {
-      gatun::ThrowInvalid("the number of cell types is not that of the cells");
-    }
-    gatun::CheckOffsets(this->Cells);
     const unsigned char* values = this->Types->GetPointer(0);
     for (vtkIdType cell = 0; cell < count; ++cell)
     {
@@ -219,17 +179,6 @@ void TetInputMaker::CheckTypes()
     gatun::ThrowInvalid("there are cells of an unknown type: " + unknown);
   }
   this->Result.LeftOut = List(this->Counts, Treatment::LeaveOut);
-  if (!this->Result.LeftOut.empty() && !this->Options.LeaveOutOthers)
-  {
-    gatun::ThrowInvalid("only 3D cells can be written, not " + this->Result.LeftOut +
-      "; take the tetrahedra out first, as vtkDataSetTriangleFilter does with TetrahedraOnly");
-  }
-  const std::string nonlinear = List(this->Counts, Treatment::Linearize);
-  if (!nonlinear.empty() && !this->Options.Linearize)
-  {
-    gatun::ThrowInvalid(
-      nonlinear + ": nonlinear cells are written only with LinearizeQuadratic on, as linear ones");
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -249,27 +198,6 @@ bool TetInputMaker::IsMadeOfTets() const
 }
 
 //------------------------------------------------------------------------------
-void TetInputMaker::CheckCell(vtkIdType cell, vtkIdType size, const vtkIdType* corners) const
-{
-  const gatun::CellKind kind = gatun::GetCellKind(this->Types->GetValue(cell));
-  const vtkIdType least = kind.Points > 0 ? kind.Points : kind.Shape ? kind.Shape->Corners : 0;
-  if (size < least || (kind.Points > 0 && size > least))
-  {
-    gatun::ThrowInvalid("cell " + std::to_string(cell) + " has " + std::to_string(size) +
-      " points, not " + std::to_string(least) + (kind.Points > 0 ? "" : " or more"));
-  }
-  const vtkIdType points = this->Input->GetNumberOfPoints();
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    if (corners[i] < 0 || corners[i] >= points)
-    {
-      gatun::ThrowInvalid("cell " + std::to_string(cell) + " names point " +
-        std::to_string(corners[i]) + " of " + std::to_string(points));
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 // Finds the points in use and the cells to take. Ghosts are left out.
 void TetInputMaker::SelectCells()
 {
@@ -279,7 +207,8 @@ void TetInputMaker::SelectCells()
     vtkIdType size = 0;
     const vtkIdType* corners = nullptr;
     iterator->GetCellAtId(cell, size, corners);
-    this->CheckCell(cell, size, corners);
+    gatun::CheckCell(
+      cell, this->Types->GetValue(cell), size, corners, this->Input->GetNumberOfPoints());
     for (vtkIdType i = 0; i < size; ++i)
     {
       this->PointIsUsed[static_cast<std::size_t>(corners[i])] = true;
@@ -301,16 +230,11 @@ void TetInputMaker::SplitCells()
   {
     this->Result.Warnings.push_back("there are no 3D cells, only " + this->Result.LeftOut);
   }
-  const std::string split = List(this->Counts, Treatment::Split);
-  this->IsSplit = !split.empty();
-  if (this->IsSplit && !this->Options.LeaveOutOthers)
-  {
-    const auto parts = std::count_if(this->Output.Cells.begin(), this->Output.Cells.end(),
-      [this](vtkIdType cell)
-      { return GetTreatment(this->Types->GetValue(cell)) == Treatment::Split; });
-    this->Result.Warnings.push_back(
-      split + " were split: " + std::to_string(parts) + " tetrahedra are written in their place");
-  }
+  this->Result.Split = List(this->Counts, Treatment::Split);
+  this->IsSplit = !this->Result.Split.empty();
+  this->Result.SplitTets = std::count_if(this->Output.Cells.begin(), this->Output.Cells.end(),
+    [this](vtkIdType cell)
+    { return GetTreatment(this->Types->GetValue(cell)) == Treatment::Split; });
   const std::string nonlinear = List(this->Counts, Treatment::Linearize);
   if (!nonlinear.empty())
   {
@@ -361,7 +285,7 @@ void TetInputMaker::MakeGrid()
     kept->SetData(vtkDataArray::SafeDownCast(
       gatun::Gather(this->Input->GetPoints()->GetData(), this->PointsKept)));
     grid->SetPoints(kept);
-    GatherAll(this->Input->GetPointData(), this->PointsKept, grid->GetPointData());
+    gatun::GatherAll(this->Input->GetPointData(), this->PointsKept, grid->GetPointData());
   }
   grid->SetCells(VTK_TETRA,
     this->Cells->IsStorage64Bit() ? MakeCells<vtkTypeInt64Array>(this->Output.Corners)
@@ -372,13 +296,13 @@ void TetInputMaker::MakeGrid()
 void TetInputMaker::CopyCellData()
 {
   vtkCellData* cellData = this->Result.Grid->GetCellData();
-  GatherAll(this->Input->GetCellData(), this->Output.Cells, cellData);
+  gatun::GatherAll(this->Input->GetCellData(), this->Output.Cells, cellData);
   if (!this->IsSplit)
   {
     return;
   }
   cellData->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
-  if (!cellData->HasArray("OriginalCellIds"))
+  if (this->WithOriginalIds && !cellData->HasArray("OriginalCellIds"))
   {
     vtkNew<vtkIdTypeArray> origin;
     origin->SetName("OriginalCellIds");
@@ -388,37 +312,15 @@ void TetInputMaker::CopyCellData()
   }
 }
 
-//------------------------------------------------------------------------------
-// Clears the marks of ghosts, which are no longer there. Leaves the arrays of the input as they
-// are.
-void TetInputMaker::RemoveGhosts()
-{
-  if (!this->Ghosts)
-  {
-    return;
-  }
-  vtkPointData* pointData = this->Result.Grid->GetPointData();
-  if (gatun::GhostsWith(pointData, vtkDataSetAttributes::DUPLICATEPOINT))
-  {
-    // A copy, because the array may be that of the input.
-    std::vector<vtkIdType> all(static_cast<std::size_t>(this->Result.Grid->GetNumberOfPoints()));
-    std::iota(all.begin(), all.end(), vtkIdType{ 0 });
-    pointData->AddArray(
-      gatun::Gather(pointData->GetAbstractArray(vtkDataSetAttributes::GhostArrayName()), all));
-  }
-  gatun::ClearGhosts(this->Result.Grid->GetCellData(), vtkDataSetAttributes::DUPLICATECELL);
-  gatun::ClearGhosts(pointData, vtkDataSetAttributes::DUPLICATEPOINT);
-}
-
 } // anonymous namespace
 
 namespace gatun
 {
 
 //------------------------------------------------------------------------------
-TetInput MakeTetInput(vtkUnstructuredGrid* input, const TetInputOptions& options)
+TetInput MakeTetInput(vtkUnstructuredGrid* input, bool withOriginalIds)
 {
-  return TetInputMaker(input, options).Make();
+  return TetInputMaker(input, withOriginalIds).Make();
 }
 
 }

@@ -6,6 +6,7 @@
 
 #include "vtkGatunIOModule.h" // For export macro
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 
 #include <string>
 #include <vector>
@@ -24,34 +25,29 @@ namespace gatun
 struct TetInput
 {
   vtkSmartPointer<vtkUnstructuredGrid> Grid; ///< the input itself if it needs no changes
-  std::vector<std::string> Warnings;         ///< the changes that were made
-  std::string LeftOut; ///< the cells of a lower dimension, such as "12 vtkTriangle"
+  std::vector<std::string> Warnings;         ///< the changes that users may not expect
+  std::string Split;                         ///< the cells that were split, such as "12 vtkWedge"
+  vtkIdType SplitTets = 0;                   ///< the tetrahedra made of them
+  std::string LeftOut;                       ///< the cells of a lower dimension
 };
-
-/** What becomes of cells that are not linear 3D cells. */
-struct TetInputOptions
-{
-  bool Linearize = false;      ///< nonlinear 3D cells lose their other points, or they are refused
-  bool LeaveOutOthers = false; ///< cells of a lower dimension are left out, or they are refused
-};
-
-/** For whatever draws or computes volumes. */
-inline constexpr TetInputOptions VolumesOnly{ true, true };
 
 /**
- * Converts the cells of a grid to tetrahedra:
+ * Converts the cells of a grid to tetrahedra, for whatever draws or computes volumes:
  *
  *  - Ghost cells (DUPLICATECELL) are removed, and so are points that only cells use that go.
- *  - Other linear 3D cells and polyhedra are split by the rule of gatunSimplices.h. Cell data are
- *    copied to the parts. The new cell array OriginalCellIds (vtkIdType, unless there is one of
- *    that name) contains the cell of the input. Global ids of cells are no longer marked as such.
- *  - Nonlinear 3D cells and cells of a lower dimension are treated as the options say.
+ *  - Other 3D cells are split by the rule of gatunSimplices.h. Cell data are copied to the parts.
+ *    Global ids of cells are no longer marked as such.
+ *  - Nonlinear 3D cells are taken for linear ones, with a warning. Cells of a lower dimension are
+ *    left out.
  *
- * Throws Error(InvalidInput) for all other cells, cells of a wrong size, offsets that do not fit,
+ * withOriginalIds: whether to add the cell array OriginalCellIds (vtkIdType, unless there is one of
+ * that name), with the cell of the input that each tetrahedron is a part of.
+ *
+ * Throws Error(InvalidInput) for cells of an unknown type or a wrong size, offsets that do not fit,
  * and arrays of a wrong length. Point ids are checked only if cells are removed, split or
  * converted. Exported for the gtn program.
  */
-VTKGATUNIO_EXPORT TetInput MakeTetInput(vtkUnstructuredGrid* input, const TetInputOptions& options);
+VTKGATUNIO_EXPORT TetInput MakeTetInput(vtkUnstructuredGrid* input, bool withOriginalIds = false);
 }
 
 #endif

@@ -6,6 +6,7 @@ gatun_core_folder(Cells
     gatunCellGraph.h
     gatunCellList.h
     gatunCellShapes.h
+    gatunCellSplitter.h
     gatunShapeTable.h
     gatunSimplices.h
   SOURCES

@@ -13,6 +13,7 @@ gatun_core_folder(Codec
     gatunCellRules.h
     gatunChunkCodec.h
     gatunChunkPlaces.h
+    gatunChunkTets.h
     gatunDomain.h
     gatunEntropy.h
     gatunFaceTable.h
@@ -38,6 +39,7 @@ gatun_core_folder(Codec
     gatunCellCorners.cxx
     gatunCellGeometry.cxx
     gatunChunkCodec.cxx
+    gatunChunkTets.cxx
     gatunEntropy.cxx
     gatunFront.cxx
     gatunGeometry.cxx

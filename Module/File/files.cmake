@@ -21,9 +21,11 @@ gatun_core_folder(File
     gatunArrayInput.h
     gatunBaseMesh.h
     gatunBisection.h
+    gatunCellStore.h
     gatunChunkCacheInternals.h
     gatunChunkSet.h
     gatunChunkSetDecoder.h
+    gatunChunkSetJob.h
     gatunCoarseLayout.h
     gatunCoarsePiece.h
     gatunDomainWriter.h
@@ -31,9 +33,12 @@ gatun_core_folder(File
     gatunLayerPartition.h
     gatunLocalIds.h
     gatunMeshAccess.h
+    gatunMeshCheck.h
     gatunMeshSection.h
+    gatunMeshTets.h
     gatunPartDecoder.h
     gatunPartition.h
+    gatunPieceCells.h
     gatunStepSection.h
     gatunTreeLayout.h
     gatunTreeSection.h
@@ -42,9 +47,11 @@ gatun_core_folder(File
   SOURCES
     gatunBaseMesh.cxx
     gatunBisection.cxx
+    gatunCellStore.cxx
     gatunChunkCache.cxx
     gatunChunkSet.cxx
     gatunChunkSetDecoder.cxx
+    gatunChunkSetStore.cxx
     gatunCoarseLayout.cxx
     gatunCoarsePiece.cxx
     gatunFileReader.cxx
@@ -52,9 +59,11 @@ gatun_core_folder(File
     gatunFileReaderTree.cxx
     gatunFileWriter.cxx
     gatunLayerPartition.cxx
+    gatunMeshCheck.cxx
     gatunMeshSection.cxx
     gatunPartDecoder.cxx
     gatunPartition.cxx
+    gatunPieceCells.cxx
     gatunPieceDecoder.cxx
     gatunSharedFile.cxx
     gatunSimplifiedFile.cxx

@@ -3,6 +3,8 @@
 
 #include "gatunBaseMesh.h"
 
+#include "gatunMeshTets.h"
+
 #include <cstring>
 
 namespace gatun
@@ -40,16 +42,14 @@ BaseMesh::BaseMesh(const MeshAccess& mesh, const MergeTree& tree, std::size_t me
       this->Points.push_back(i);
     }
   }
-  for (std::uint64_t t = 0; t < input.Tets; ++t)
-  {
-    MergeTree::Tet tet{};
-    for (unsigned corner = 0; corner < 4; ++corner)
+  ForEachTet(mesh,
+    [&](std::uint64_t cell, MergeTree::Tet tet)
     {
-      tet[corner] = static_cast<std::uint32_t>(mesh.GetId(t, corner));
-    }
-    if (Simplify(tet, ancestors))
-    {
-      this->Tets.push_back(static_cast<std::uint32_t>(t));
+      if (!Simplify(tet, ancestors))
+      {
+        return;
+      }
+      this->Cells.push_back(static_cast<std::uint32_t>(cell));
       for (const auto corner : tet)
       {
         if (this->WideIds)
@@ -61,8 +61,7 @@ BaseMesh::BaseMesh(const MeshAccess& mesh, const MergeTree& tree, std::size_t me
           this->Connectivity.push_back(static_cast<std::int32_t>(places[corner]));
         }
       }
-    }
-  }
+    });
   this->Coordinates =
     this->Gather(input.Coordinates, Association::Point, 3 * SizeOf(this->CoordinateType));
   this->Tree = MakeRest(tree, merges, places, this->Points.size());
@@ -75,7 +74,7 @@ MeshInput BaseMesh::GetInput() const
   input.Points = this->Points.size();
   input.CoordinateType = this->CoordinateType;
   input.Coordinates = this->Coordinates.data();
-  input.Tets = this->Tets.size();
+  input.Cells = this->Cells.size();
   input.Connectivity = this->WideIds ? static_cast<const void*>(this->WideConnectivity.data())
                                      : this->Connectivity.data();
   input.WideIds = this->WideIds;
@@ -85,7 +84,7 @@ MeshInput BaseMesh::GetInput() const
 //------------------------------------------------------------------------------
 Bytes BaseMesh::Gather(const void* values, Association where, std::size_t tupleBytes) const
 {
-  const auto& tuples = where == Association::Point ? this->Points : this->Tets;
+  const auto& tuples = where == Association::Point ? this->Points : this->Cells;
   const auto* const from = static_cast<const std::uint8_t*>(values);
   Bytes to(tuples.size() * tupleBytes);
   for (std::size_t i = 0; i < tuples.size(); ++i)

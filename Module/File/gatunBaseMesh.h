@@ -26,12 +26,12 @@ public:
   /** The remaining merges, in the numbers of the remaining points. */
   const MergeTree& GetTree() const { return this->Tree; }
 
-  /** The tuples of the remaining points or tetrahedra. */
+  /** The tuples of the remaining points, or of the cells of the remaining tetrahedra. */
   Bytes Gather(const void* values, Association where, std::size_t tupleBytes) const;
 
 private:
   std::vector<std::uint32_t> Points; // numbers in the whole mesh
-  std::vector<std::uint32_t> Tets;
+  std::vector<std::uint32_t> Cells;
   ScalarType CoordinateType;
   Bytes Coordinates;
   bool WideIds;

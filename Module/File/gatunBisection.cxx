@@ -19,26 +19,45 @@ namespace
 constexpr std::size_t ItemsPerTask = 1u << 15;
 constexpr std::size_t Bins = 1024;
 
-/** A tetrahedron and four times its centroid. */
+/** A cell and four times the mean of its points. */
 struct Item
 {
   std::array<float, 3> Place;
-  std::uint32_t Tet;
+  std::uint32_t Cell;
 };
 
-/** Four times the centroid of a tetrahedron along an axis. NaN comes first, and there is no -0. */
-float GetPlace(const MeshAccess& mesh, const std::array<std::uint64_t, 4>& corners, unsigned axis)
+/** Rounds a place. NaN comes first, and there is no -0. */
+float Round(double place)
 {
-  double sum = 0;
-  for (const auto corner : corners)
-  {
-    sum += mesh.GetCoordinate(corner, axis);
-  }
   constexpr double largest = std::numeric_limits<float>::max();
-  return static_cast<float>(std::isnan(sum) ? -largest : std::clamp(sum, -largest, largest)) + 0.0F;
+  return static_cast<float>(std::isnan(place) ? -largest : std::clamp(place, -largest, largest)) +
+    0.0F;
 }
 
-/** The order of the tetrahedra along an axis. Without branches, because it is unpredictable. */
+std::array<float, 3> GetPlace(const MeshAccess& mesh, std::uint32_t cell)
+{
+  std::array<double, 3> sum{};
+  std::uint64_t points = 0;
+  const auto add = [&](std::uint64_t point)
+  {
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      sum[axis] += mesh.GetCoordinate(point, axis);
+    }
+    ++points;
+  };
+  mesh.ForEachPoint(cell, add);
+  if (points != 4 && points != 0)
+  {
+    for (double& component : sum)
+    {
+      component *= 4.0 / static_cast<double>(points);
+    }
+  }
+  return { Round(sum[0]), Round(sum[1]), Round(sum[2]) };
+}
+
+/** The order of the cells along an axis. Without branches, because it is unpredictable. */
 struct IsBefore
 {
   unsigned Axis;
@@ -47,7 +66,7 @@ struct IsBefore
   {
     const float left = l.Place[this->Axis];
     const float right = r.Place[this->Axis];
-    return (left < right) | ((left == right) & (l.Tet < r.Tet));
+    return (left < right) | ((left == right) & (l.Cell < r.Cell));
   }
 };
 
@@ -71,23 +90,20 @@ struct Part
 class Divider
 {
 public:
-  Divider(const MeshAccess& mesh, std::span<const std::uint32_t> tets, std::uint32_t partTets)
-    : PartTets(partTets)
-    , From(tets.size())
-    , To(tets.size())
+  Divider(const MeshAccess& mesh, std::span<const std::uint32_t> cells, std::uint32_t partCells)
+    : PartCells(partCells)
+    , From(cells.size())
+    , To(cells.size())
   {
-    const Part all{ 0, tets.size() };
+    const Part all{ 0, cells.size() };
     ParallelFor(all.CountTasks(),
       [&](std::size_t task)
       {
-        auto tet = tets.begin() + static_cast<std::ptrdiff_t>(task * ItemsPerTask);
+        auto cell = cells.begin() + static_cast<std::ptrdiff_t>(task * ItemsPerTask);
         for (auto& item : all.GetTask(this->From, task))
         {
-          item.Tet = *tet++;
-          const std::array<std::uint64_t, 4> corners{ mesh.GetId(item.Tet, 0),
-            mesh.GetId(item.Tet, 1), mesh.GetId(item.Tet, 2), mesh.GetId(item.Tet, 3) };
-          item.Place = { GetPlace(mesh, corners, 0), GetPlace(mesh, corners, 1),
-            GetPlace(mesh, corners, 2) };
+          item.Cell = *cell++;
+          item.Place = GetPlace(mesh, item.Cell);
         }
       });
   }
@@ -102,7 +118,7 @@ public:
     {
       axis = box[i].GetLength() > box[axis].GetLength() ? i : axis;
     }
-    const auto parts = (part.GetSize() + this->PartTets - 1) / this->PartTets;
+    const auto parts = (part.GetSize() + this->PartCells - 1) / this->PartCells;
     const auto half = part.GetSize() * (parts / 2) / parts;
     const IsBefore isBefore{ axis };
     const Item pivot = this->Select(part, axis, box[axis], half);
@@ -235,18 +251,18 @@ private:
     return *nth;
   }
 
-  const std::uint32_t PartTets;
+  const std::uint32_t PartCells;
   std::vector<Item> From;
   std::vector<Item> To;
 };
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::size_t> Bisect(const MeshAccess& mesh, std::span<std::uint32_t> tets,
-  std::span<const std::size_t> starts, std::uint32_t partTets,
+std::vector<std::size_t> Bisect(const MeshAccess& mesh, std::span<std::uint32_t> cells,
+  std::span<const std::size_t> starts, std::uint32_t partCells,
   const std::function<bool(double)>& progress)
 {
-  Divider divider(mesh, tets, partTets);
+  Divider divider(mesh, cells, partCells);
   std::vector<std::size_t> all(starts.begin(), starts.end());
   std::vector<Part> parts; // that are not finished
   for (std::size_t i = 0; i + 1 < all.size(); ++i)
@@ -263,15 +279,15 @@ std::vector<std::size_t> Bisect(const MeshAccess& mesh, std::span<std::uint32_t>
     const auto divide = [&](std::size_t i)
     {
       const auto& part = parts[i];
-      if (part.GetSize() > partTets)
+      if (part.GetSize() > partCells)
       {
         middles[i] = divider.Divide(part);
         return;
       }
       middles[i] = part.End;
-      for (auto t = part.Begin; t < part.End; ++t)
+      for (auto at = part.Begin; at < part.End; ++at)
       {
-        tets[t] = divider[t].Tet;
+        cells[at] = divider[at].Cell;
       }
     };
     if (parts.size() < static_cast<std::size_t>(GetNumberOfThreads()))

@@ -15,16 +15,16 @@
 namespace gatun
 {
 /**
- * Bisects runs of tetrahedra along the longest axis of their centroids until no part has more than
- * partTets. All parts of a run end up with about the same number of tetrahedra. Equal centroids are
- * divided by the number of the tetrahedron.
+ * Bisects runs of cells along the longest axis of the means of their points until no part has more
+ * than partCells. All parts of a run end up with about the same number of cells. Equal means are
+ * divided by the number of the cell.
  *
- * starts: the first position of each run in tets, and the end. The tetrahedra of a run ascend, and
+ * starts: the first position of each run in cells, and the end. The cells of a run ascend, and
  * those of each part do so afterwards. Returns the starts of the parts. Uses threads; the result
  * does not depend on their number.
  */
-std::vector<std::size_t> Bisect(const MeshAccess& mesh, std::span<std::uint32_t> tets,
-  std::span<const std::size_t> starts, std::uint32_t partTets,
+std::vector<std::size_t> Bisect(const MeshAccess& mesh, std::span<std::uint32_t> cells,
+  std::span<const std::size_t> starts, std::uint32_t partCells,
   const std::function<bool(double)>& progress);
 }
 

@@ -11,11 +11,12 @@ namespace gatun
 {
 //------------------------------------------------------------------------------
 ChunkSet::ChunkSet(const FileReader::Internals& content, std::vector<std::uint32_t> chunks,
-  std::vector<std::uint32_t> universe, bool withUnusedPoints)
+  std::vector<std::uint32_t> universe, bool withUnusedPoints, CellForm form)
   : Content(content)
   , Chunks(std::move(chunks))
   , Universe(std::move(universe))
   , WithUnused(withUnusedPoints)
+  , Form(content.Cells ? form : CellForm::Tetrahedra)
 {
   const auto& mesh = this->Content.Mesh;
   std::vector<std::uint32_t> needed;
@@ -54,9 +55,20 @@ ChunkSet::ChunkSet(const FileReader::Internals& content, std::vector<std::uint32
   for (const auto c : this->Chunks)
   {
     this->FirstOwn.push_back(this->Points);
-    this->FirstTet.push_back(this->Tets);
     this->Points += mesh.Chunks[c].Info.OwnPoints;
-    this->Tets += mesh.Chunks[c].Info.Tets;
+    this->Begins.push_back(this->Ends);
+    const auto& entry = mesh.Chunks[c];
+    if (this->Form == CellForm::Tetrahedra)
+    {
+      this->Ends.Cells += entry.Info.Tets;
+      this->Ends.Corners += 4 * entry.Info.Tets;
+    }
+    else
+    {
+      this->Ends.Cells += entry.Sizes.Cells;
+      this->Ends.Corners += entry.Sizes.Corners;
+      this->Ends.FaceValues += std::uint64_t{ entry.Sizes.FaceValues } + entry.Sizes.Polyhedra;
+    }
   }
   this->FirstUnused = this->Points;
   if (this->WithUnused && mesh.Unused.Points > 0)
@@ -64,6 +76,13 @@ ChunkSet::ChunkSet(const FileReader::Internals& content, std::vector<std::uint32
     this->Points += mesh.Unused.Points;
     this->Blocks.push_back({ static_cast<std::uint32_t>(mesh.Blocks.size()), {} });
   }
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t ChunkSet::GetNumberOfCells(std::size_t i) const
+{
+  const auto end = i + 1 < this->Begins.size() ? this->Begins[i + 1].Cells : this->Ends.Cells;
+  return end - this->Begins[i].Cells;
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #define gatunChunkSet_h
 
 #include "gatunFileReaderInternals.h"
+#include "gatunPieceRequest.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -31,16 +32,28 @@ public:
 
   /** universe: see PieceRequest. It determines the points that belong to the set. */
   ChunkSet(const FileReader::Internals& content, std::vector<std::uint32_t> chunks,
-    std::vector<std::uint32_t> universe, bool withUnusedPoints);
+    std::vector<std::uint32_t> universe, bool withUnusedPoints, CellForm form);
 
   std::uint64_t GetNumberOfPoints() const { return this->Points; }
-  std::uint64_t GetNumberOfTets() const { return this->Tets; }
+
+  /** The form of the cells: tetrahedra if all cells are. */
+  CellForm GetForm() const { return this->Form; }
+  std::uint64_t GetNumberOfCells() const { return this->Ends.Cells; }
+
+  /** The points of all cells, and the values of the faces of polyhedra: see PieceTarget. */
+  std::uint64_t GetConnectivitySize() const { return this->Ends.Corners; }
+  std::uint64_t GetFacesSize() const { return this->Ends.FaceValues; }
 
   /** The chunks by their numbers in the file. Other methods number them by their index here. */
   const std::vector<std::uint32_t>& GetChunks() const { return this->Chunks; }
 
-  /** The first cell of the i-th chunk. */
-  std::uint64_t GetFirstTet(std::size_t i) const { return this->FirstTet[i]; }
+  /** The first cell of the i-th chunk, and the number of its cells. */
+  std::uint64_t GetFirstCell(std::size_t i) const { return this->Begins[i].Cells; }
+  std::uint64_t GetNumberOfCells(std::size_t i) const;
+
+  /** Where the points and the faces of the i-th chunk's cells begin. */
+  std::uint64_t GetFirstCorner(std::size_t i) const { return this->Begins[i].Corners; }
+  std::uint64_t GetFirstFaceValue(std::size_t i) const { return this->Begins[i].FaceValues; }
 
   /** The first own point of the i-th chunk. */
   std::uint64_t GetFirstOwnPoint(std::size_t i) const { return this->FirstOwn[i]; }
@@ -72,9 +85,18 @@ private:
   std::vector<std::uint32_t> Chunks;
   std::vector<std::uint32_t> Universe;
   bool WithUnused;
+  CellForm Form;
   std::uint64_t Points = 0;
-  std::uint64_t Tets = 0;
-  std::vector<std::uint64_t> FirstTet;
+
+  /** Positions in the lists of cells. */
+  struct Position
+  {
+    std::uint64_t Cells = 0;
+    std::uint64_t Corners = 0;
+    std::uint64_t FaceValues = 0;
+  };
+  Position Ends;
+  std::vector<Position> Begins; // of each chunk
   std::vector<std::uint64_t> FirstOwn;
   std::uint64_t FirstUnused = 0;
   std::vector<Block> Blocks;

@@ -8,9 +8,11 @@
 #include "gatunPartDecoder.h"
 #include "gatunPieceRequest.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace gatun
@@ -27,20 +29,22 @@ public:
 
   /** universe: see PieceRequest. It determines the points that belong to the set. */
   ChunkSetDecoder(const std::shared_ptr<ChunkCache>& cache, std::vector<std::uint32_t> chunks,
-    std::vector<std::uint32_t> universe, bool withUnusedPoints);
+    std::vector<std::uint32_t> universe, bool withUnusedPoints,
+    CellForm form = CellForm::Tetrahedra);
 
   /** The layout of the mesh. */
   const ChunkSet& GetSet() const { return this->Set; }
 
   std::uint64_t GetNumberOfPoints() const { return this->Set.GetNumberOfPoints(); }
-  std::uint64_t GetNumberOfTets() const { return this->Set.GetNumberOfTets(); }
+  std::uint64_t GetNumberOfCells() const { return this->Set.GetNumberOfCells(); }
 
   /** Fills the target with the arrays (indices into GetArrays()) of a step. */
   void Fill(const PieceTarget& target, const std::vector<std::uint32_t>& arrays, std::size_t step,
     bool restoreOrder, const Progress& progress) const;
 
 private:
-  struct Job; // one call of Fill
+  struct Job;    // one call of Fill
+  struct Places; // the positions of items
 
   const FileReader::Internals& Content() const { return this->Parts.Content(); }
 
@@ -48,9 +52,16 @@ private:
   void DecodeBlock(Job& job, std::size_t b) const;
   void StoreBlock(const Job& job, std::size_t b) const;
   void DecodeChunkInto(Job& job, std::size_t i) const;
-  void StoreChunk(const Job& job, std::size_t i, const ChunkMesh& mesh) const;
-  void StoreConnectivity(const Job& job, std::size_t i, const ChunkMesh& mesh,
-    const OrderPart* points, const OrderPart* cells) const;
+  void StoreChunk(Job& job, std::size_t i, const ChunkMesh& mesh) const;
+  void StorePoints(const Job& job, std::size_t i, const ChunkMesh& mesh, const OrderPart* points,
+    const Places& places) const;
+  std::vector<std::uint64_t> FindIds(
+    const Job& job, std::size_t i, const ChunkMesh& mesh, const Places& points) const;
+  void StoreTets(const Job& job, std::size_t i, const ChunkMesh& mesh,
+    std::span<const std::array<Vertex, 4>> tets, const Places& points, const Places& cells) const;
+  void StoreOriginal(Job& job, std::size_t i, const ChunkMesh& mesh, const Places& points,
+    std::shared_ptr<const OrderPart> order) const;
+  void FinishOriginal(const Job& job) const;
 
   PartDecoder Parts;
   ChunkSet Set;

@@ -51,7 +51,7 @@ CoarseChunk DecodeCoarse(
   const std::shared_ptr<ChunkCache>& cache, const CoarseLayout& layout, std::uint32_t chunk)
 {
   const ChunkSetDecoder decoder(cache, { chunk }, {}, false);
-  std::vector<MergeTree::Tet> tets(static_cast<std::size_t>(decoder.GetNumberOfTets()));
+  std::vector<MergeTree::Tet> tets(static_cast<std::size_t>(decoder.GetNumberOfCells()));
   static_assert(sizeof(MergeTree::Tet) == 4 * sizeof(std::int32_t));
   PieceTarget target;
   target.Connectivity = tets.data();
@@ -394,7 +394,7 @@ void CoarsePiece::FillPart(const Part& part, const PieceTarget& target,
     isChunk ? std::vector<std::uint32_t>{ part.Chunk } : std::vector<std::uint32_t>{}, {},
     !isChunk);
   const auto points = static_cast<std::size_t>(decoder.GetNumberOfPoints());
-  const auto cells = static_cast<std::size_t>(decoder.GetNumberOfTets());
+  const auto cells = static_cast<std::size_t>(decoder.GetNumberOfCells());
   struct Wanted
   {
     std::vector<std::uint8_t> Values;

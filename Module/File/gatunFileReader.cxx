@@ -3,6 +3,7 @@
 
 #include "gatunFileReader.h"
 
+#include "gatunCellSplitter.h"
 #include "gatunFileReaderInternals.h"
 #include "gatunPalette.h"
 #include "gatunTableParts.h"
@@ -34,14 +35,17 @@ void FileReader::Internals::Read()
   const auto meta = this->File.FindSection(SectionMeta, metaName);
   this->Meta =
     this->Guarded(metaName, meta, [&] { return MetaTable::Read(this->File.Read(meta, metaName)); });
+  this->ReadCells();
   const auto mesh = this->File.FindSection(SectionTable, meshName);
   this->Mesh = this->Guarded(meshName, mesh,
     [&]
     {
-      auto table = MeshTable::Read(this->File.Read(mesh, meshName), this->Meta);
+      auto table = MeshTable::Read(
+        this->File.Read(mesh, meshName), this->Meta, this->Cells ? &*this->Cells : nullptr);
       table.CheckLengths(this->File.GetSize());
       return table;
     });
+  this->CountCells();
   for (const auto& step : this->File.FindSections(SectionStep))
   {
     this->Steps.push_back(this->Guarded(stepName, step,
@@ -77,6 +81,42 @@ void FileReader::Internals::Read()
   this->ReadTree();
 }
 
+/** Reads the types and sizes of cells, if not all are tetrahedra. */
+void FileReader::Internals::ReadCells()
+{
+  constexpr const char* cellsName = "the table of cells";
+  if (!this->File.FindSections(SectionCells).empty())
+  {
+    const auto where = this->File.FindSection(SectionCells, cellsName);
+    this->Cells = this->Guarded(
+      cellsName, where, [&] { return CellTable::Read(this->File.Read(where, cellsName)); });
+  }
+}
+
+void FileReader::Internals::CountCells()
+{
+  const auto cells = this->Mesh.GetNumberOfCells();
+  if (!this->Cells)
+  {
+    if (cells > 0)
+    {
+      this->CellTypes.push_back({ TetraType, cells });
+    }
+    return;
+  }
+  std::uint64_t sum = 0;
+  for (const auto& type : this->Cells->Types)
+  {
+    sum += type.Cells;
+  }
+  if (sum != cells)
+  {
+    this->File.Fail(ErrorCode::Corrupt, "the types of cells do not add up to the mesh's cells");
+  }
+  this->CellTypes = std::move(this->Cells->Types);
+}
+
+//------------------------------------------------------------------------------
 /** Adds the unpacked size of a step's table, before memory is taken for it. The expansion of one
  * table may be large, but not that of all of them. */
 void FileReader::Internals::AddStepBytes(std::span<const std::uint8_t> packed)
@@ -160,9 +200,27 @@ std::uint64_t FileReader::GetNumberOfPoints() const
   return this->Self->Meta.Points;
 }
 
+std::uint64_t FileReader::GetNumberOfCells() const
+{
+  return this->Self->Mesh.GetNumberOfCells();
+}
+
+//------------------------------------------------------------------------------
 std::uint64_t FileReader::GetNumberOfTets() const
 {
   return this->Self->Meta.Tets;
+}
+
+//------------------------------------------------------------------------------
+bool FileReader::IsTetrahedral() const
+{
+  return !this->Self->Cells;
+}
+
+//------------------------------------------------------------------------------
+const std::vector<CellTypeCount>& FileReader::GetCellTypes() const
+{
+  return this->Self->CellTypes;
 }
 
 std::uint64_t FileReader::GetNumberOfSharedPoints() const

@@ -36,9 +36,12 @@ public:
 
   const std::string& GetPath() const;
   std::uint64_t GetNumberOfPoints() const;
-  std::uint64_t GetNumberOfTets() const;
-  std::uint64_t GetNumberOfSharedPoints() const; ///< shared by several chunks
-  std::uint64_t GetNumberOfUnusedPoints() const; ///< used by no tetrahedron; numbered last
+  std::uint64_t GetNumberOfCells() const;
+  std::uint64_t GetNumberOfTets() const;                  ///< of which the cells consist
+  bool IsTetrahedral() const;                             ///< whether all cells are tetrahedra
+  const std::vector<CellTypeCount>& GetCellTypes() const; ///< by ascending type
+  std::uint64_t GetNumberOfSharedPoints() const;          ///< shared by several chunks
+  std::uint64_t GetNumberOfUnusedPoints() const;          ///< used by no cell; numbered last
   ScalarType GetCoordinateType() const;
   bool HasWideIds() const;           ///< MeshInput::WideIds
   std::uint8_t GetKeptOrder() const; ///< flags of KeepOrder

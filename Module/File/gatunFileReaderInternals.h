@@ -79,6 +79,8 @@ public:
   InputFile File;
   MetaTable Meta;
   MeshTable Mesh;
+  std::optional<CellTable> Cells; // if not all cells are tetrahedra
+  std::vector<CellTypeCount> CellTypes;
   std::vector<StepTable> Steps;
   std::vector<double> Times;
   std::vector<ChunkInfo> Chunks;
@@ -93,6 +95,8 @@ private:
   std::uint64_t StepBytes = 0; // unpacked size of the tables of all steps
 
   void Read();
+  void ReadCells();
+  void CountCells();
   void ReadLayers();
   void ReadTree();
   void CheckLevel(const Internals& whole, std::size_t level) const;

@@ -178,6 +178,10 @@ void FileWriter::Internals::CheckLayers(const StepTable& step) const
 void FileWriter::Internals::WriteTables()
 {
   OutputFile& file = this->State.File;
+  if (!this->State.Mesh.IsTetrahedral())
+  {
+    file.AddSection(SectionCells, this->State.Cells.Write());
+  }
   file.AddSection(SectionTable, this->State.Table.Write(this->State.Options.Keep));
   if (this->Mesh.GetLayers())
   {

@@ -33,16 +33,14 @@ void ForTasks(std::uint64_t items, Body&& body)
 }
 
 //------------------------------------------------------------------------------
-/** Marks the points that tetrahedra use. */
+/** Marks the points that cells use. */
 std::vector<bool> FindUsed(const MeshAccess& mesh)
 {
   std::vector<bool> used(static_cast<std::size_t>(mesh.GetMesh().Points), false);
-  for (std::uint64_t t = 0; t < mesh.GetMesh().Tets; ++t)
+  for (std::uint64_t cell = 0; cell < mesh.GetMesh().Cells; ++cell)
   {
-    for (unsigned i = 0; i < 4; ++i)
-    {
-      used[static_cast<std::size_t>(mesh.GetId(t, i))] = true;
-    }
+    mesh.ForEachPoint(
+      cell, [&](std::uint64_t point) { used[static_cast<std::size_t>(point)] = true; });
   }
   return used;
 }
@@ -147,20 +145,20 @@ std::uint64_t Scramble(std::uint64_t seed)
   return seed ^ (seed >> 31);
 }
 
-/** The values in the middle of evenly sampled tetrahedra, ascending. */
+/** The values in the middle of evenly sampled cells, ascending. */
 std::vector<double> SampleMiddles(const MeshAccess& mesh, const LayerValues& values)
 {
-  const std::uint64_t tets = mesh.GetMesh().Tets;
-  const std::uint64_t count = std::min(tets, MostSamples);
+  const std::uint64_t cells = mesh.GetMesh().Cells;
+  const std::uint64_t count = std::min(cells, MostSamples);
   std::vector<double> middles(static_cast<std::size_t>(count));
   ForTasks(count,
     [&](std::size_t, std::uint64_t begin, std::uint64_t end)
     {
       for (auto i = begin; i < end; ++i)
       {
-        // One tetrahedron of each run, at a pseudorandom position.
-        const std::uint64_t first = tets * i / count;
-        const std::uint64_t run = tets * (i + 1) / count - first;
+        // One cell of each run, at a pseudorandom position.
+        const std::uint64_t first = cells * i / count;
+        const std::uint64_t run = cells * (i + 1) / count - first;
         const Range range = values.GetRange(mesh, first + Scramble(i) % run);
         middles[static_cast<std::size_t>(i)] = range.Min / 2 + range.Max / 2;
       }
@@ -171,11 +169,11 @@ std::vector<double> SampleMiddles(const MeshAccess& mesh, const LayerValues& val
 }
 
 //------------------------------------------------------------------------------
-/** Tetrahedra of the same first and last layer. */
+/** Cells of the same first and last layer. */
 struct Bucket
 {
   LayerSpan Span;
-  std::size_t Tets = 0;
+  std::size_t Cells = 0;
   std::uint32_t JoinedTo = 0; // its own number unless it was joined
 };
 
@@ -189,19 +187,19 @@ LayerSpan Join(const LayerSpan& a, const LayerSpan& b)
   return { std::min(a.First, b.First), std::max(a.Last, b.Last) };
 }
 
-/** The number of tetrahedra read needlessly, over all layers, if two buckets are joined. */
+/** The number of cells read needlessly, over all layers, if two buckets are joined. */
 double GetCost(const Bucket& a, const Bucket& b)
 {
   const double width = GetWidth(Join(a.Span, b.Span));
-  return static_cast<double>(a.Tets) * (width - GetWidth(a.Span)) +
-    static_cast<double>(b.Tets) * (width - GetWidth(b.Span));
+  return static_cast<double>(a.Cells) * (width - GetWidth(a.Span)) +
+    static_cast<double>(b.Cells) * (width - GetWidth(b.Span));
 }
 
 void Join(std::vector<Bucket>& buckets, std::size_t from, std::size_t to)
 {
   buckets[to].Span = Join(buckets[to].Span, buckets[from].Span);
-  buckets[to].Tets += buckets[from].Tets;
-  buckets[from].Tets = 0;
+  buckets[to].Cells += buckets[from].Cells;
+  buckets[from].Cells = 0;
   buckets[from].JoinedTo = static_cast<std::uint32_t>(to);
 }
 
@@ -211,8 +209,8 @@ void JoinRows(std::vector<Bucket>& buckets, std::size_t smallest)
   std::size_t open = 0;
   for (std::size_t i = 1; i < buckets.size(); ++i)
   {
-    if (buckets[i].Span.First == buckets[open].Span.First && buckets[open].Tets < smallest &&
-      buckets[i].Tets < smallest)
+    if (buckets[i].Span.First == buckets[open].Span.First && buckets[open].Cells < smallest &&
+      buckets[i].Cells < smallest)
     {
       Join(buckets, i, open);
     }
@@ -229,7 +227,7 @@ void JoinSmall(std::vector<Bucket>& buckets, std::size_t smallest)
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < buckets.size(); ++i)
   {
-    if (buckets[i].Tets > 0)
+    if (buckets[i].Cells > 0)
     {
       left.push_back(i);
     }
@@ -237,9 +235,9 @@ void JoinSmall(std::vector<Bucket>& buckets, std::size_t smallest)
   while (left.size() > 1)
   {
     const auto least = std::min_element(left.begin(), left.end(),
-      [&](std::size_t a, std::size_t b) { return buckets[a].Tets < buckets[b].Tets; });
+      [&](std::size_t a, std::size_t b) { return buckets[a].Cells < buckets[b].Cells; });
     const std::size_t from = *least;
-    if (buckets[from].Tets >= smallest)
+    if (buckets[from].Cells >= smallest)
     {
       return;
     }
@@ -307,18 +305,18 @@ std::vector<double> FindLayerBounds(
 LayerBuckets SortByLayers(
   const MeshAccess& mesh, const LayerValues& values, const Layers& layers, std::size_t smallest)
 {
-  const auto tets = static_cast<std::size_t>(mesh.GetMesh().Tets);
+  const auto cells = static_cast<std::size_t>(mesh.GetMesh().Cells);
   const std::size_t count = layers.GetCount();
-  std::vector<std::uint32_t> places(tets); // first layer and last layer; then bucket
-  ForTasks(tets,
+  std::vector<std::uint32_t> places(cells); // first layer and last layer; then bucket
+  ForTasks(cells,
     [&](std::size_t, std::uint64_t begin, std::uint64_t end)
     {
-      for (auto t = begin; t < end; ++t)
+      for (auto cell = begin; cell < end; ++cell)
       {
-        const Range range = values.GetRange(mesh, t);
+        const Range range = values.GetRange(mesh, cell);
         const std::size_t first = range.IsEmpty() ? 0 : layers.Find(range.Min);
         const std::size_t last = range.IsEmpty() ? 0 : layers.Find(range.Max);
-        places[static_cast<std::size_t>(t)] = static_cast<std::uint32_t>(first * count + last);
+        places[static_cast<std::size_t>(cell)] = static_cast<std::uint32_t>(first * count + last);
       }
     });
 
@@ -367,7 +365,7 @@ LayerBuckets SortByLayers(
   for (const auto i : left)
   {
     next[i] = result.Start.back();
-    result.Start.push_back(next[i] + buckets[i].Tets);
+    result.Start.push_back(next[i] + buckets[i].Cells);
   }
   const auto findRoot = [&](std::uint32_t i)
   {
@@ -382,22 +380,22 @@ LayerBuckets SortByLayers(
   {
     roots[i] = findRoot(i);
   }
-  result.Tets.resize(tets);
-  for (std::size_t t = 0; t < tets; ++t)
+  result.Cells.resize(cells);
+  for (std::size_t cell = 0; cell < cells; ++cell)
   {
-    result.Tets[next[roots[bucketOf[places[t]]]]++] = static_cast<std::uint32_t>(t);
+    result.Cells[next[roots[bucketOf[places[cell]]]]++] = static_cast<std::uint32_t>(cell);
   }
   return result;
 }
 
 //------------------------------------------------------------------------------
 LayerSpan FindLayerSpan(const MeshAccess& mesh, const LayerValues& values, const Layers& layers,
-  std::span<const std::uint32_t> tets)
+  std::span<const std::uint32_t> cells)
 {
   Range all = Range::MakeEmpty();
-  for (const auto tet : tets)
+  for (const auto cell : cells)
   {
-    all.Include(values.GetRange(mesh, tet));
+    all.Include(values.GetRange(mesh, cell));
   }
   return all.IsEmpty() ? LayerSpan{} : LayerSpan{ layers.Find(all.Min), layers.Find(all.Max) };
 }

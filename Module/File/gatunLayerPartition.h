@@ -40,14 +40,11 @@ public:
     return this->Reader.Get(static_cast<std::size_t>(point), this->Component);
   }
 
-  /** The range of the corners of a tetrahedron. Infinity is a value here. */
-  Range GetRange(const MeshAccess& mesh, std::uint64_t tet) const
+  /** The range of the points of a cell. Infinity is a value here. */
+  Range GetRange(const MeshAccess& mesh, std::uint64_t cell) const
   {
     Range range = Range::MakeEmpty();
-    for (unsigned i = 0; i < 4; ++i)
-    {
-      range.Include(this->Get(mesh.GetId(tet, i)));
-    }
+    mesh.ForEachPoint(cell, [&](std::uint64_t point) { range.Include(this->Get(point)); });
     return range;
   }
 
@@ -64,25 +61,25 @@ std::uint32_t GetDefaultLayers(std::uint64_t tets);
 std::vector<double> FindLayerBounds(
   const MeshAccess& mesh, const LayerValues& values, LayerSpacing spacing, std::uint32_t count);
 
-/** All tetrahedra, sorted by bucket and then by number. */
+/** All cells, sorted by bucket and then by number. */
 struct LayerBuckets
 {
-  std::vector<std::uint32_t> Tets;
+  std::vector<std::uint32_t> Cells;
   std::vector<std::size_t> Start; // the first one of each bucket, and the end
 };
 
 /**
- * Puts each tetrahedron into the bucket of its first and last layer. Buckets of fewer than smallest
- * tetrahedra are joined with others such that the joint bucket spans few layers. The buckets are
+ * Puts each cell into the bucket of its first and last layer. Buckets of fewer than smallest
+ * cells are joined with others such that the joint bucket spans few layers. The buckets are
  * sorted by their layers.
  */
 LayerBuckets SortByLayers(
   const MeshAccess& mesh, const LayerValues& values, const Layers& layers, std::size_t smallest);
 
-/** The first and the last layer of the values of some tetrahedra; the first layer if there are no
+/** The first and the last layer of the values of some cells; the first layer if there are no
  * values. */
 LayerSpan FindLayerSpan(const MeshAccess& mesh, const LayerValues& values, const Layers& layers,
-  std::span<const std::uint32_t> tets);
+  std::span<const std::uint32_t> cells);
 }
 
 #endif

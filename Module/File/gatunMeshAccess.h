@@ -4,15 +4,19 @@
 #ifndef gatunMeshAccess_h
 #define gatunMeshAccess_h
 
+#include "gatunCellSplitter.h"
 #include "gatunMeshInput.h"
 #include "gatunTypes.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace gatun
 {
+
 /** Reads coordinates and connectivity of a MeshInput of any type. */
 class MeshAccess
 {
@@ -29,13 +33,85 @@ public:
       : static_cast<const double*>(this->Mesh.Coordinates)[3 * point + axis];
   }
 
-  /** The id is unsigned, so that negative ids are out of range. */
-  std::uint64_t GetId(std::uint64_t tet, unsigned corner) const
+  /** Whether all cells are tetrahedra. */
+  bool IsTetrahedral() const { return this->Mesh.Types == nullptr; }
+
+  std::uint8_t GetType(std::uint64_t cell) const
   {
-    return this->Mesh.WideIds
-      ? static_cast<const std::uint64_t*>(this->Mesh.Connectivity)[4 * tet + corner]
-      : static_cast<std::uint64_t>(static_cast<std::int64_t>(
-          static_cast<const std::int32_t*>(this->Mesh.Connectivity)[4 * tet + corner]));
+    return this->IsTetrahedral() ? TetraType : this->Mesh.Types[cell];
+  }
+
+  /** The positions of a cell's point ids in the connectivity. */
+  std::uint64_t GetBegin(std::uint64_t cell) const
+  {
+    return this->IsTetrahedral() ? 4 * cell : this->Read(this->Mesh.Offsets, cell);
+  }
+  std::uint64_t GetEnd(std::uint64_t cell) const { return this->GetBegin(cell + 1); }
+
+  /** A point id of the connectivity. It is unsigned, so that negative ids are out of range. */
+  std::uint64_t GetId(std::uint64_t position) const
+  {
+    return this->Read(this->Mesh.Connectivity, position);
+  }
+
+  /** A point id of a tetrahedron, if all cells are tetrahedra. */
+  std::uint64_t GetTetId(std::uint64_t tet, unsigned corner) const
+  {
+    return this->GetId(4 * tet + corner);
+  }
+
+  /** The faces of a polyhedron: for each face the number of its points and their ids. Empty for
+   * other cells. CheckCells has found them to be right. */
+  std::span<const std::int64_t> GetFaces(std::uint64_t cell) const
+  {
+    if (this->GetType(cell) != PolyhedronType || !this->Mesh.FaceLocations ||
+      this->Mesh.FaceLocations[cell] < 0)
+    {
+      return {};
+    }
+    const std::int64_t* const begin = this->Mesh.Faces + this->Mesh.FaceLocations[cell] + 1;
+    const std::int64_t* end = begin;
+    for (std::int64_t faces = begin[-1]; faces > 0; --faces)
+    {
+      end += *end + 1;
+    }
+    return { begin, end };
+  }
+
+  /** Calls use with each point id of a cell, and with those of a polyhedron's faces again. */
+  template <typename Use>
+  void ForEachPoint(std::uint64_t cell, Use&& use) const
+  {
+    if (this->IsTetrahedral())
+    {
+      for (unsigned i = 0; i < 4; ++i)
+      {
+        use(this->GetTetId(cell, i));
+      }
+      return;
+    }
+    const std::uint64_t end = this->GetEnd(cell);
+    for (std::uint64_t i = this->GetBegin(cell); i < end; ++i)
+    {
+      use(this->GetId(i));
+    }
+    const auto faces = this->GetFaces(cell);
+    for (std::size_t at = 0; at < faces.size();)
+    {
+      for (auto points = faces[at++]; points > 0; --points)
+      {
+        use(static_cast<std::uint64_t>(faces[at++]));
+      }
+    }
+  }
+
+  /** About how many tetrahedra the cells consist of, from their numbers of points. */
+  std::uint64_t EstimateTets() const
+  {
+    const std::uint64_t cells = this->Mesh.Cells;
+    return this->IsTetrahedral() || cells == 0
+      ? cells
+      : std::max(cells, this->GetBegin(cells) - std::min(3 * cells, this->GetBegin(cells)));
   }
 
   /** Adds the finite coordinates of a point to a box. */
@@ -54,6 +130,13 @@ public:
   const MeshInput& GetMesh() const { return this->Mesh; }
 
 private:
+  std::uint64_t Read(const void* ids, std::uint64_t position) const
+  {
+    return this->Mesh.WideIds ? static_cast<const std::uint64_t*>(ids)[position]
+                              : static_cast<std::uint64_t>(static_cast<std::int64_t>(
+                                  static_cast<const std::int32_t*>(ids)[position]));
+  }
+
   const MeshInput Mesh;
 };
 }

@@ -10,16 +10,34 @@
 
 namespace gatun
 {
-/** A tetrahedral mesh in the caller's memory. It must exist until FileWriter::Finish has returned.
+/**
+ * A mesh in the caller's memory, with cells as vtkUnstructuredGrid has them. It must exist until
+ * FileWriter::Finish has returned.
  */
 struct MeshInput
 {
   std::uint64_t Points = 0;
   ScalarType CoordinateType = ScalarType::Float32; ///< Float32 or Float64
   const void* Coordinates = nullptr;               ///< x, y, z of each point
-  std::uint64_t Tets = 0;
-  const void* Connectivity = nullptr; ///< four point ids for each tetrahedron
+  std::uint64_t Cells = 0;
+  const void* Connectivity = nullptr; ///< the point ids of each cell: four if Types is null
   bool WideIds = true; ///< whether ids are std::int64_t or std::int32_t; recorded in the file
+
+  /** The VTK type of each cell. Null if all cells are tetrahedra; then the rest is null, too. */
+  const std::uint8_t* Types = nullptr;
+
+  /** The position of each cell's first point id in Connectivity, and the number of all ids: one
+   * value more than there are cells, of the type of ids. */
+  const void* Offsets = nullptr;
+
+  /** For each cell the position of its faces in Faces, or -1 unless it is a polyhedron. Null if
+   * there are no polyhedra. */
+  const std::int64_t* FaceLocations = nullptr;
+
+  /** For each polyhedron the number of faces, and for each face the number of its points and their
+   * ids. */
+  const std::int64_t* Faces = nullptr;
+  std::uint64_t FacesSize = 0; ///< the number of values in Faces
 };
 }
 

@@ -3,8 +3,9 @@
 
 #include "gatunMeshSection.h"
 
+#include "gatunCellCodec.h"
+#include "gatunChunkTets.h"
 #include "gatunFloatEnvironment.h"
-#include "gatunLocalIds.h"
 #include "gatunPalette.h"
 #include "gatunParallel.h"
 
@@ -16,6 +17,18 @@
 
 namespace gatun
 {
+namespace
+{
+Bytes EncodeRotations(
+  const std::vector<std::uint8_t>& rotations, std::span<const std::uint32_t> parents)
+{
+  const Domain domain(ScalarType::UInt8);
+  ComponentKeys keys;
+  keys.Now.assign(rotations.begin(), rotations.end());
+  return EncodeCellValues(parents, { &domain, 1 }, { &keys, 1 });
+}
+}
+
 //------------------------------------------------------------------------------
 void MeshSection::Write(const std::function<bool(double)>& progress)
 {
@@ -24,9 +37,14 @@ void MeshSection::Write(const std::function<bool(double)>& progress)
   this->WritePalettes(batch);
   this->WriteBlocks(batch);
   batch.Write(this->State.File, SectionMesh);
+  if (!this->State.Mesh.IsTetrahedral())
+  {
+    this->CountTypes();
+    this->FindShapes();
+  }
   this->WriteChunks(progress);
   this->FindBounds();
-  this->State.Parts.Tets = {};
+  this->State.Parts.Cells = {};
   this->State.Parts.SharedIndex = {};
 }
 
@@ -39,16 +57,25 @@ void MeshSection::MakePartition(const std::function<bool(double)>& progress)
     this->Layers->Request = *this->State.Options.Layers;
     this->Layers->Array = this->State.Meta.Arrays[this->Layers->Request.Array];
   }
-  this->State.Parts = gatun::MakePartition(this->State.Mesh, this->State.Meta.ChunkTets, progress,
-    this->Layers ? &*this->Layers : nullptr);
+  // A chunk has about as many tetrahedra whatever the cells are.
+  const auto& mesh = this->State.Mesh;
+  const auto cells = static_cast<double>(std::max<std::uint64_t>(mesh.GetMesh().Cells, 1));
+  const auto tets = static_cast<double>(std::max<std::uint64_t>(mesh.EstimateTets(), 1));
+  const auto chunkCells = static_cast<std::uint32_t>(
+    std::max(1.0, static_cast<double>(this->State.Meta.ChunkTets) * (cells / tets)));
+  this->State.Parts =
+    gatun::MakePartition(mesh, chunkCells, progress, this->Layers ? &*this->Layers : nullptr);
   this->State.Meta.UnusedPoints = this->State.Parts.UnusedPoints.size();
   this->State.Table.Blocks = std::move(this->State.Parts.Blocks);
   this->State.Table.Unused.Points = this->State.Meta.UnusedPoints;
   this->State.Table.Chunks.resize(this->State.Parts.GetChunkCount());
   for (std::size_t c = 0; c < this->State.Table.Chunks.size(); ++c)
   {
-    this->State.Table.Chunks[c].Info.Tets =
-      this->State.Parts.ChunkStart[c + 1] - this->State.Parts.ChunkStart[c];
+    auto& entry = this->State.Table.Chunks[c];
+    entry.Sizes = this->GetSizes(c);
+    entry.Info.Cells = entry.Sizes.Cells;
+    entry.Info.IsTetrahedral = entry.Sizes.IsTetrahedral;
+    this->State.Cells.Chunks.push_back(entry.Sizes);
   }
   try
   {
@@ -185,7 +212,7 @@ MeshSection::LocalMesh MeshSection::MakeLocalMesh(std::size_t chunk)
 {
   LocalMesh local;
   local.Shared = this->GetSharedPoints(chunk);
-  local.Own = std::move(this->State.Parts.OwnPoints[chunk]);
+  local.Own = this->State.Parts.OwnPoints[chunk];
   LocalIds ids(local.Shared.size() + local.Own.size());
   for (const auto* points : { &local.Shared, &local.Own })
   {
@@ -194,17 +221,109 @@ MeshSection::LocalMesh MeshSection::MakeLocalMesh(std::size_t chunk)
       ids.Add(p);
     }
   }
-  const auto begin = this->State.Parts.ChunkStart[chunk];
-  local.Tets.resize(this->State.Parts.ChunkStart[chunk + 1] - begin);
-  for (std::size_t t = 0; t < local.Tets.size(); ++t)
+  if (this->State.Table.Chunks[chunk].Sizes.IsTetrahedral)
   {
-    for (unsigned i = 0; i < 4; ++i)
-    {
-      local.Tets[t][i] = ids[static_cast<std::uint32_t>(
-        this->State.Mesh.GetId(this->State.Parts.Tets[begin + t], i))];
-    }
+    local.Tets = this->MakeTets(chunk, ids);
+  }
+  else
+  {
+    local.Cells = this->MakeCells(chunk, ids);
   }
   return local;
+}
+
+//------------------------------------------------------------------------------
+/** The input's cells of a chunk. */
+std::span<const std::uint32_t> MeshSection::GetCells(std::size_t chunk) const
+{
+  const auto& parts = this->State.Parts;
+  return std::span(parts.Cells)
+    .subspan(parts.ChunkStart[chunk], parts.ChunkStart[chunk + 1] - parts.ChunkStart[chunk]);
+}
+
+//------------------------------------------------------------------------------
+CellSizes MeshSection::GetSizes(std::size_t chunk) const
+{
+  const auto& mesh = this->State.Mesh;
+  const auto cells = this->GetCells(chunk);
+  CellSizes sizes;
+  sizes.Cells = static_cast<std::uint32_t>(cells.size());
+  std::uint64_t corners = 4 * cells.size();
+  std::uint64_t faceValues = 0;
+  if (!mesh.IsTetrahedral())
+  {
+    corners = 0;
+    for (const auto cell : cells)
+    {
+      const auto size = mesh.GetEnd(cell) - mesh.GetBegin(cell);
+      const auto type = mesh.GetType(cell);
+      sizes.IsTetrahedral = sizes.IsTetrahedral && type == TetraType && size == 4;
+      sizes.Polyhedra += type == PolyhedronType;
+      corners += size;
+      faceValues += mesh.GetFaces(cell).size();
+    }
+  }
+  if (corners > MaxCellValues || faceValues > MaxCellValues)
+  {
+    ThrowInvalid("the cells of a chunk have too many points; make chunks smaller");
+  }
+  sizes.Corners = static_cast<std::uint32_t>(corners);
+  sizes.FaceValues = static_cast<std::uint32_t>(faceValues);
+  return sizes;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::array<std::uint32_t, 4>> MeshSection::MakeTets(
+  std::size_t chunk, const LocalIds& ids) const
+{
+  const auto cells = this->GetCells(chunk);
+  std::vector<std::array<std::uint32_t, 4>> tets(cells.size());
+  for (std::size_t t = 0; t < tets.size(); ++t)
+  {
+    const auto begin = this->State.Mesh.GetBegin(cells[t]);
+    for (unsigned i = 0; i < 4; ++i)
+    {
+      tets[t][i] = ids[static_cast<std::uint32_t>(this->State.Mesh.GetId(begin + i))];
+    }
+  }
+  return tets;
+}
+
+//------------------------------------------------------------------------------
+CellList MeshSection::MakeCells(std::size_t chunk, const LocalIds& ids) const
+{
+  const auto& mesh = this->State.Mesh;
+  const auto& sizes = this->State.Table.Chunks[chunk].Sizes;
+  CellList cells;
+  cells.Corners.reserve(sizes.Corners);
+  cells.Faces.reserve(sizes.FaceValues);
+  if (sizes.Polyhedra > 0)
+  {
+    cells.FaceStarts.push_back(0);
+  }
+  for (const auto cell : this->GetCells(chunk))
+  {
+    cells.Types.push_back(mesh.GetType(cell));
+    for (auto i = mesh.GetBegin(cell); i < mesh.GetEnd(cell); ++i)
+    {
+      cells.Corners.push_back(ids[static_cast<std::uint32_t>(mesh.GetId(i))]);
+    }
+    cells.Starts.push_back(static_cast<std::uint32_t>(cells.Corners.size()));
+    const auto faces = mesh.GetFaces(cell);
+    for (std::size_t at = 0; at < faces.size();)
+    {
+      cells.Faces.push_back(static_cast<std::uint32_t>(faces[at]));
+      for (auto points = faces[at++]; points > 0; --points)
+      {
+        cells.Faces.push_back(ids[static_cast<std::uint32_t>(faces[at++])]);
+      }
+    }
+    if (sizes.Polyhedra > 0)
+    {
+      cells.FaceStarts.push_back(static_cast<std::uint32_t>(cells.Faces.size()));
+    }
+  }
+  return cells;
 }
 
 //------------------------------------------------------------------------------
@@ -212,7 +331,14 @@ ChunkFrame MeshSection::MakeFrame(std::size_t chunk, std::span<const std::uint32
 {
   const auto& entry = this->State.Table.Chunks[chunk];
   ChunkFrame frame;
-  frame.Tets = static_cast<std::uint32_t>(entry.Info.Tets);
+  if (entry.Sizes.IsTetrahedral)
+  {
+    frame.Tets = entry.Sizes.Cells;
+  }
+  else
+  {
+    frame.Cells = { entry.Sizes.Cells, entry.Sizes.Corners, entry.Sizes.FaceValues };
+  }
   frame.OwnPoints = static_cast<std::uint32_t>(entry.Info.OwnPoints);
   frame.Box = entry.Info.Box;
   frame.Domains = this->Domains;
@@ -222,11 +348,49 @@ ChunkFrame MeshSection::MakeFrame(std::size_t chunk, std::span<const std::uint32
 }
 
 //------------------------------------------------------------------------------
+/** Lists the types of all cells. */
+void MeshSection::CountTypes()
+{
+  std::array<std::uint64_t, 256> counts{};
+  for (std::uint64_t cell = 0; cell < this->State.Mesh.GetMesh().Cells; ++cell)
+  {
+    ++counts[this->State.Mesh.GetType(cell)];
+  }
+  for (std::size_t type = 0; type < counts.size(); ++type)
+  {
+    if (counts[type] > 0)
+    {
+      this->State.Cells.Types.push_back({ static_cast<std::uint8_t>(type), counts[type] });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/** Lists the shapes of all cells. */
+void MeshSection::FindShapes()
+{
+  std::vector<ShapeTable> shapes(this->State.Chunks.size());
+  ParallelFor(shapes.size(),
+    [&](std::size_t chunk)
+    {
+      if (!this->State.Table.Chunks[chunk].Sizes.IsTetrahedral)
+      {
+        shapes[chunk].Add(this->MakeLocalMesh(chunk).Cells);
+      }
+    });
+  for (const auto& table : shapes)
+  {
+    this->State.Cells.Shapes.Merge(table);
+  }
+}
+
+//------------------------------------------------------------------------------
 /** Encodes a chunk and keeps the state that its arrays need. Called by several threads. */
 MeshSection::ChunkStreams MeshSection::EncodeChunk(std::size_t chunk)
 {
   const FloatEnvironment guard;
   const auto local = this->MakeLocalMesh(chunk);
+  this->State.Parts.OwnPoints[chunk] = {};
   auto& info = this->State.Table.Chunks[chunk].Info;
   info.OwnPoints = local.Own.size();
   for (const auto* points : { &local.Shared, &local.Own })
@@ -236,37 +400,59 @@ MeshSection::ChunkStreams MeshSection::EncodeChunk(std::size_t chunk)
       this->State.Mesh.Include(info.Box, p);
     }
   }
-  auto encoded = gatun::EncodeChunk(
-    this->MakeFrame(chunk, local.Shared), local.Tets, this->GetPointKeys(local.Own));
-
+  const auto frame = this->MakeFrame(chunk, local.Shared);
+  const auto ownKeys = this->GetPointKeys(local.Own);
+  const bool keepsCorners = (this->State.Options.Keep & KeepCorners) != 0;
   auto& state = this->State.Chunks[chunk];
-  state.Mesh = std::move(encoded.Mesh);
-  const auto& walk = state.Mesh.Walk;
-  state.PointOf.resize(walk.Sources.size());
-  for (std::size_t v = 0; v < walk.Sources.size(); ++v)
-  {
-    const auto source = walk.Sources[v];
-    state.PointOf[v] = (source & Topology::SharedFlag)
-      ? local.Shared[source & ~Topology::SharedFlag]
-      : local.Own[encoded.OwnOrder[source]];
-  }
-  state.TetOf.resize(encoded.TetOrder.size());
-  for (std::size_t t = 0; t < state.TetOf.size(); ++t)
-  {
-    state.TetOf[t] =
-      this->State.Parts.Tets[this->State.Parts.ChunkStart[chunk] + encoded.TetOrder[t]];
-  }
   ChunkStreams streams;
-  streams.Connectivity = std::move(encoded.Connectivity);
-  streams.Geometry = std::move(encoded.Geometry);
-  this->EncodeOrder(state, encoded.Corners, streams);
+  std::vector<std::uint32_t> ownOrder;
+  std::vector<std::uint32_t> cellOrder;
+  const auto take = [&](auto& encoded)
+  {
+    streams.Connectivity = std::move(encoded.Connectivity);
+    streams.Geometry = std::move(encoded.Geometry);
+    state.Mesh = std::move(encoded.Mesh);
+    ownOrder = std::move(encoded.OwnOrder);
+  };
+  if (info.IsTetrahedral)
+  {
+    auto encoded = gatun::EncodeChunk(frame, local.Tets, ownKeys);
+    take(encoded);
+    cellOrder = std::move(encoded.TetOrder);
+    info.Tets = cellOrder.size();
+    if (keepsCorners)
+    {
+      streams.Corners = EncodeRotations(encoded.Corners, state.Mesh.Walk.Parents);
+    }
+  }
+  else
+  {
+    auto encoded = EncodeCells(frame, local.Cells, this->State.Cells.Shapes, ownKeys, keepsCorners);
+    take(encoded);
+    cellOrder = std::move(encoded.CellOrder);
+    info.Tets = SplitCells(state.Mesh).Tets.size();
+    streams.Corners = std::move(encoded.Corners);
+  }
+  const auto& sources = state.Mesh.Walk.Sources;
+  state.PointOf.resize(sources.size());
+  for (std::size_t v = 0; v < sources.size(); ++v)
+  {
+    state.PointOf[v] = (sources[v] & Topology::SharedFlag)
+      ? local.Shared[sources[v] & ~Topology::SharedFlag]
+      : local.Own[ownOrder[sources[v]]];
+  }
+  const auto cells = this->GetCells(chunk);
+  state.CellOf.resize(cellOrder.size());
+  std::transform(cellOrder.begin(), cellOrder.end(), state.CellOf.begin(),
+    [&](std::uint32_t cell) { return cells[cell]; });
+  this->EncodeOrder(state, streams);
   state.Mesh.Walk.Tets = {};
+  state.Mesh.Cells = {};
   return streams;
 }
 
 //------------------------------------------------------------------------------
-void MeshSection::EncodeOrder(
-  ChunkState& chunk, const std::vector<std::uint8_t>& corners, ChunkStreams& streams) const
+void MeshSection::EncodeOrder(ChunkState& chunk, ChunkStreams& streams) const
 {
   const Domain ids(ScalarType::UInt32);
   if (this->State.Options.Keep & KeepPoints)
@@ -279,15 +465,8 @@ void MeshSection::EncodeOrder(
   if (this->State.Options.Keep & KeepCells)
   {
     ComponentKeys keys;
-    keys.Now.assign(chunk.TetOf.begin(), chunk.TetOf.end());
+    keys.Now.assign(chunk.CellOf.begin(), chunk.CellOf.end());
     streams.CellOrder = EncodeCellValues(chunk.Mesh.Walk.Parents, { &ids, 1 }, { &keys, 1 });
-  }
-  if (this->State.Options.Keep & KeepCorners)
-  {
-    const Domain rotations(ScalarType::UInt8);
-    ComponentKeys keys;
-    keys.Now.assign(corners.begin(), corners.end());
-    streams.Corners = EncodeCellValues(chunk.Mesh.Walk.Parents, { &rotations, 1 }, { &keys, 1 });
   }
 }
 
@@ -332,8 +511,10 @@ void MeshSection::WriteChunks(const std::function<bool(double)>& progress)
 //------------------------------------------------------------------------------
 void MeshSection::FindBounds()
 {
+  this->State.Meta.Tets = 0;
   for (const auto& chunk : this->State.Table.Chunks)
   {
+    this->State.Meta.Tets += chunk.Info.Tets;
     this->State.Meta.Box.Include(chunk.Info.Box);
   }
   for (const auto p : this->State.Parts.UnusedPoints)

@@ -5,7 +5,9 @@
 #define gatunMeshSection_h
 
 #include "gatunArrayCodec.h"
+#include "gatunCellList.h"
 #include "gatunLayerPartition.h"
+#include "gatunLocalIds.h"
 #include "gatunWriterState.h"
 
 #include <array>
@@ -34,13 +36,14 @@ public:
   const std::optional<LayerPartition>& GetLayers() const { return this->Layers; }
 
 private:
-  /** The points of a chunk and its tetrahedra in local numbers. Shared points come first, in the
-   * order of the frame, then own ones in the order of the input. */
+  /** The points of a chunk and its cells in local numbers. Shared points come first, in the order
+   * of the frame, then own ones in the order of the input. */
   struct LocalMesh
   {
     std::vector<std::uint32_t> Shared;
     std::vector<std::uint32_t> Own;
-    std::vector<std::array<std::uint32_t, 4>> Tets;
+    std::vector<std::array<std::uint32_t, 4>> Tets; // if all cells are tetrahedra
+    CellList Cells;                                 // otherwise
   };
 
   struct BlockStreams
@@ -58,15 +61,20 @@ private:
   void WriteBlocks(StreamBatch& batch);
   BlockStreams EncodeBlock(std::span<const std::uint32_t> points) const;
   void WriteChunks(const std::function<bool(double)>& progress);
+  void CountTypes();
+  void FindShapes();
   void FindBounds();
 
   std::vector<PointKeys> GetPointKeys(std::span<const std::uint32_t> points) const;
   std::vector<std::uint32_t> GetSharedPoints(std::size_t chunk) const;
+  std::span<const std::uint32_t> GetCells(std::size_t chunk) const;
+  CellSizes GetSizes(std::size_t chunk) const;
   LocalMesh MakeLocalMesh(std::size_t chunk);
+  std::vector<std::array<std::uint32_t, 4>> MakeTets(std::size_t chunk, const LocalIds& ids) const;
+  CellList MakeCells(std::size_t chunk, const LocalIds& ids) const;
   ChunkFrame MakeFrame(std::size_t chunk, std::span<const std::uint32_t> shared) const;
   ChunkStreams EncodeChunk(std::size_t chunk);
-  void EncodeOrder(
-    ChunkState& chunk, const std::vector<std::uint8_t>& corners, ChunkStreams& streams) const;
+  void EncodeOrder(ChunkState& chunk, ChunkStreams& streams) const;
   void AddStreams(const ChunkStreams& streams, ChunkEntry& entry, StreamBatch& batch);
 
   WriterState& State;

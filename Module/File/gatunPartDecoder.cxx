@@ -3,6 +3,10 @@
 
 #include "gatunPartDecoder.h"
 
+#include "gatunCellCodec.h"
+#include "gatunCellSplitter.h"
+#include "gatunCellStore.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -64,7 +68,9 @@ std::uint64_t BytesOf(const ChunkMesh& mesh)
   const auto& walk = mesh.Walk;
   return sizeof(mesh) + BytesIn(walk.Tets) + BytesIn(walk.Parents) + BytesIn(walk.Sources) +
     BytesIn(walk.Records) + BytesIn(walk.EdgeLog) + BytesIn(mesh.Keys) + BytesIn(mesh.Rules) +
-    BytesIn(mesh.UsedRules) + BytesIn(mesh.Context.OwnIds);
+    BytesIn(mesh.UsedRules) + BytesIn(mesh.Context.OwnIds) + BytesIn(mesh.Cells.Types) +
+    BytesIn(mesh.Cells.Starts) + BytesIn(mesh.Cells.Corners) + BytesIn(mesh.Cells.FaceStarts) +
+    BytesIn(mesh.Cells.Faces);
 }
 
 template <typename Part>
@@ -192,7 +198,14 @@ std::shared_ptr<const ChunkMesh> PartDecoder::DecodeMesh(
   const auto& content = this->Content();
   const auto& entry = content.Mesh.Chunks[chunk];
   ChunkFrame frame;
-  frame.Tets = static_cast<std::uint32_t>(entry.Info.Tets);
+  if (entry.Sizes.IsTetrahedral)
+  {
+    frame.Tets = entry.Sizes.Cells;
+  }
+  else
+  {
+    frame.Cells = { entry.Sizes.Cells, entry.Sizes.Corners, entry.Sizes.FaceValues };
+  }
   frame.OwnPoints = static_cast<std::uint32_t>(entry.Info.OwnPoints);
   frame.Box = entry.Info.Box;
   frame.Domains = content.Domains;
@@ -209,7 +222,13 @@ std::shared_ptr<const ChunkMesh> PartDecoder::DecodeMesh(
   const auto connectivity = content.File.Read(entry.Connectivity, what);
   const auto geometry = content.File.Read(entry.Geometry, what);
   auto mesh = content.Guarded(what, entry.Connectivity,
-    [&] { return std::make_shared<ChunkMesh>(DecodeChunk(frame, connectivity, geometry)); });
+    [&]
+    {
+      return std::make_shared<ChunkMesh>(entry.Sizes.IsTetrahedral
+          ? DecodeChunk(frame, connectivity, geometry)
+          : DecodeCells(frame, content.Cells->Shapes, connectivity, geometry));
+    });
+  this->CheckPolyhedra(chunk, *mesh);
   mesh->MakeContext(false);
   this->Kept().Count(&ChunkCacheStatistics::MeshesDecoded);
   return KeepIn<ChunkMesh>(this->Kept(), { PartKind::ChunkMesh, chunk }, std::move(mesh));
@@ -269,7 +288,7 @@ std::shared_ptr<const OrderPart> PartDecoder::GetCellOrder(
   const auto& content = this->Content();
   const auto ids = this->DecodeCellIntegers(content.Mesh.Chunks[chunk].CellOrder,
     Name("the original order of the cells of chunk", chunk), mesh, ScalarType::UInt32,
-    content.Meta.Tets);
+    content.Mesh.GetNumberOfCells());
   return KeepIn<OrderPart>(
     this->Kept(), key, std::make_shared<const OrderPart>(ids.begin(), ids.end()));
 }
@@ -309,6 +328,61 @@ std::vector<Key> PartDecoder::DecodeCorners(std::uint32_t chunk, const ChunkMesh
 {
   return this->DecodeCellIntegers(this->Content().Mesh.Chunks[chunk].Corners,
     Name("the corners of chunk", chunk), mesh, ScalarType::UInt8, 12);
+}
+
+//------------------------------------------------------------------------------
+CellList PartDecoder::GetCells(
+  std::uint32_t chunk, const ChunkMesh& mesh, bool restoreCorners) const
+{
+  const auto& content = this->Content();
+  const auto& entry = content.Mesh.Chunks[chunk];
+  if (entry.Sizes.IsTetrahedral)
+  {
+    auto tets = mesh.Walk.Tets;
+    const auto rotations = restoreCorners ? this->DecodeCorners(chunk, mesh) : std::vector<Key>{};
+    for (std::size_t t = 0; t < rotations.size(); ++t)
+    {
+      tets[t] = RotateCorners(tets[t], static_cast<unsigned>(rotations[t]));
+    }
+    return MakeTetList(tets);
+  }
+  auto cells = mesh.Cells;
+  if (restoreCorners && entry.Corners.Length > 0)
+  {
+    const auto what = Name("the corners of chunk", chunk);
+    const auto stream = content.File.Read(entry.Corners, what);
+    content.Guarded(what, entry.Corners, [&] { RestoreCorners(cells, stream); });
+  }
+  return cells;
+}
+
+//------------------------------------------------------------------------------
+ChunkTets PartDecoder::SplitCells(std::uint32_t chunk, const ChunkMesh& mesh) const
+{
+  const auto& content = this->Content();
+  const auto& entry = content.Mesh.Chunks[chunk];
+  auto split = gatun::SplitCells(mesh);
+  if (split.Tets.size() != entry.Info.Tets)
+  {
+    content.File.Fail(ErrorCode::Corrupt, Name("the mesh of chunk", chunk),
+      entry.Connectivity.Offset, "is damaged: it does not have the tetrahedra that it should have");
+  }
+  return split;
+}
+
+//------------------------------------------------------------------------------
+/** Throws unless a chunk has as many polyhedra as the table of cells says. */
+void PartDecoder::CheckPolyhedra(std::uint32_t chunk, const ChunkMesh& mesh) const
+{
+  const auto& content = this->Content();
+  const auto& entry = content.Mesh.Chunks[chunk];
+  const auto& types = mesh.Cells.Types;
+  if (static_cast<std::size_t>(std::count(types.begin(), types.end(), PolyhedronType)) !=
+    entry.Sizes.Polyhedra)
+  {
+    content.File.Fail(ErrorCode::Corrupt, Name("the mesh of chunk", chunk),
+      entry.Connectivity.Offset, "is damaged: it does not have the polyhedra that it should have");
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #include "gatunArrayCodec.h"
 #include "gatunChunkCacheInternals.h"
 #include "gatunChunkCodec.h"
+#include "gatunChunkTets.h"
 #include "gatunFileReaderInternals.h"
 
 #include <cstddef>
@@ -71,8 +72,16 @@ public:
     std::uint32_t chunk, const ChunkMesh& mesh, const OfBlock<OrderPart>& orderOf) const;
   std::shared_ptr<const OrderPart> GetCellOrder(std::uint32_t chunk, const ChunkMesh& mesh) const;
 
-  /** The rotations of a chunk's cells. Not kept, because only the connectivity needs them. */
+  /** The rotations of the cells of a chunk of tetrahedra. Not kept, because only the connectivity
+   * needs them. */
   std::vector<Key> DecodeCorners(std::uint32_t chunk, const ChunkMesh& mesh) const;
+
+  /** The original cells of a chunk, with the original order of corners if the file keeps it. */
+  CellList GetCells(std::uint32_t chunk, const ChunkMesh& mesh, bool restoreCorners) const;
+
+  /** The tetrahedra of a chunk of other cells. Not kept, because they need more memory than cells.
+   */
+  ChunkTets SplitCells(std::uint32_t chunk, const ChunkMesh& mesh) const;
 
   /** The array at the latest step in the cache from first to step. */
   ArrayAtStep FindBlockArray(
@@ -95,6 +104,7 @@ public:
 private:
   ChunkCache::Internals& Kept() const { return InternalsOf(*this->Cache); }
 
+  void CheckPolyhedra(std::uint32_t chunk, const ChunkMesh& mesh) const;
   std::shared_ptr<const NeighborFit> GetFit(std::uint32_t chunk, const ChunkMesh& mesh) const;
   std::vector<Key> DecodeCellIntegers(const StreamRef& where, const std::string& what,
     const ChunkMesh& mesh, ScalarType type, Key end) const;

@@ -6,6 +6,7 @@
 #include "gatunBisection.h"
 #include "gatunLayerPartition.h"
 #include "gatunLocalIds.h"
+#include "gatunMeshCheck.h"
 #include "gatunMorton.h"
 #include "gatunParallel.h"
 
@@ -20,64 +21,38 @@ namespace gatun
 {
 namespace
 {
-constexpr std::size_t TetsPerTask = 1u << 16;
 constexpr std::size_t PointsPerTask = 1u << 16;
 
 // Smaller groups are stored together with others of the same first chunk.
 constexpr std::uint32_t LargeGroup = 256;
 
-void CheckIds(const MeshAccess& mesh)
-{
-  const auto& input = mesh.GetMesh();
-  const auto tasks = (input.Tets + TetsPerTask - 1) / TetsPerTask;
-  ParallelFor(tasks,
-    [&](std::size_t task)
-    {
-      const auto end = std::min<std::uint64_t>(input.Tets, (task + 1) * TetsPerTask);
-      for (std::uint64_t t = task * TetsPerTask; t < end; ++t)
-      {
-        for (unsigned i = 0; i < 4; ++i)
-        {
-          const auto id = mesh.GetId(t, i);
-          if (id >= input.Points)
-          {
-            throw Error(ErrorCode::InvalidInput,
-              "cell " + std::to_string(t) + " uses point " +
-                std::to_string(static_cast<std::int64_t>(id)) + ", but the mesh has only " +
-                std::to_string(input.Points) + " points");
-          }
-        }
-      }
-    });
-}
-
 // Buckets of layers with less than this fraction of a chunk are joined with others.
 constexpr std::uint32_t SmallestPart = 16;
 
-/** All tetrahedra as one bucket. */
+/** All cells as one bucket. */
 LayerBuckets MakeOneBucket(const MeshAccess& mesh)
 {
   LayerBuckets all;
-  all.Tets.resize(static_cast<std::size_t>(mesh.GetMesh().Tets));
-  std::iota(all.Tets.begin(), all.Tets.end(), 0u);
+  all.Cells.resize(static_cast<std::size_t>(mesh.GetMesh().Cells));
+  std::iota(all.Cells.begin(), all.Cells.end(), 0u);
   all.Start.assign(1, 0);
-  if (!all.Tets.empty())
+  if (!all.Cells.empty())
   {
-    all.Start.push_back(all.Tets.size());
+    all.Start.push_back(all.Cells.size());
   }
   return all;
 }
 
 /** Finds the layers and their buckets. */
-LayerBuckets MakeBuckets(const MeshAccess& mesh, std::uint32_t chunkTets, LayerPartition& layers)
+LayerBuckets MakeBuckets(const MeshAccess& mesh, std::uint32_t chunkCells, LayerPartition& layers)
 {
   const LayerValues values(layers.Array, layers.Request);
   layers.Result.Array = layers.Request.Array;
   layers.Result.Component = layers.Request.Component;
   layers.Result.Spacing = layers.Request.Spacing;
   layers.Result.Bounds = FindLayerBounds(mesh, values, layers.Request.Spacing,
-    layers.Request.Count > 0 ? layers.Request.Count : GetDefaultLayers(mesh.GetMesh().Tets));
-  return SortByLayers(mesh, values, layers.Result, chunkTets / SmallestPart);
+    layers.Request.Count > 0 ? layers.Request.Count : GetDefaultLayers(mesh.EstimateTets()));
+  return SortByLayers(mesh, values, layers.Result, chunkCells / SmallestPart);
 }
 
 Bounds GetBox(const MeshAccess& mesh)
@@ -117,12 +92,10 @@ std::vector<std::vector<std::uint32_t>> ListPoints(const MeshAccess& mesh, const
     [&](std::size_t c)
     {
       LocalIds ids((parts.ChunkStart[c + 1] - parts.ChunkStart[c]) / 4);
-      for (auto t = parts.ChunkStart[c]; t < parts.ChunkStart[c + 1]; ++t)
+      for (auto i = parts.ChunkStart[c]; i < parts.ChunkStart[c + 1]; ++i)
       {
-        for (unsigned i = 0; i < 4; ++i)
-        {
-          ids.Add(static_cast<std::uint32_t>(mesh.GetId(parts.Tets[t], i)));
-        }
+        mesh.ForEachPoint(
+          parts.Cells[i], [&](std::uint64_t point) { ids.Add(static_cast<std::uint32_t>(point)); });
       }
       lists[c] = ids.GetPoints();
       std::sort(lists[c].begin(), lists[c].end());
@@ -256,20 +229,15 @@ void GroupShared(const MeshAccess& mesh, const std::vector<Use>& uses, Partition
 }
 }
 
-Partition MakePartition(const MeshAccess& mesh, std::uint32_t chunkTets,
+Partition MakePartition(const MeshAccess& mesh, std::uint32_t chunkCells,
   const std::function<bool(double)>& progress, LayerPartition* layers)
 {
   const auto& input = mesh.GetMesh();
-  constexpr std::uint64_t most = 0xfffffff0u;
-  if (input.Points > most || input.Tets > most)
-  {
-    throw Error(ErrorCode::InvalidInput, "a mesh of more than 2^32 points or cells is too large");
-  }
-  CheckIds(mesh);
+  CheckCells(mesh);
   Partition result;
-  auto buckets = layers ? MakeBuckets(mesh, chunkTets, *layers) : MakeOneBucket(mesh);
-  result.Tets = std::move(buckets.Tets);
-  result.ChunkStart = Bisect(mesh, result.Tets, buckets.Start, chunkTets, progress);
+  auto buckets = layers ? MakeBuckets(mesh, chunkCells, *layers) : MakeOneBucket(mesh);
+  result.Cells = std::move(buckets.Cells);
+  result.ChunkStart = Bisect(mesh, result.Cells, buckets.Start, chunkCells, progress);
   if (layers)
   {
     const LayerValues values(layers->Array, layers->Request);
@@ -278,7 +246,7 @@ Partition MakePartition(const MeshAccess& mesh, std::uint32_t chunkTets,
       [&](std::size_t c)
       {
         layers->Result.Chunks[c] = FindLayerSpan(mesh, values, layers->Result,
-          std::span(result.Tets)
+          std::span(result.Cells)
             .subspan(result.ChunkStart[c], result.ChunkStart[c + 1] - result.ChunkStart[c]));
       });
   }

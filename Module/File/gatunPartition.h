@@ -21,7 +21,7 @@ struct Partition
 {
   static constexpr std::uint32_t Unused = 0xffffffffu;
 
-  std::vector<std::uint32_t> Tets; // chunk by chunk, ascending within a chunk
+  std::vector<std::uint32_t> Cells; // chunk by chunk, ascending within a chunk
   std::vector<std::size_t> ChunkStart;
 
   // The shared points in the order of the file: by block, group and Morton code.
@@ -41,12 +41,11 @@ struct Partition
 };
 
 /**
- * Halves the tetrahedra along the longest axis of their centroids until no part has more than
- * chunkTets. With layers, each bucket of layers is halved separately. The result does not depend on
- * the number of threads. Throws Error(InvalidInput) if a tetrahedron refers to a point that does
- * not exist.
+ * Halves the cells along the longest axis of the means of their points until no part has more than
+ * chunkCells. With layers, each bucket of layers is halved separately. The result does not depend
+ * on the number of threads. Throws Error(InvalidInput) as CheckCells does.
  */
-Partition MakePartition(const MeshAccess& mesh, std::uint32_t chunkTets,
+Partition MakePartition(const MeshAccess& mesh, std::uint32_t chunkCells,
   const std::function<bool(double)>& progress, LayerPartition* layers = nullptr);
 }
 

@@ -7,9 +7,11 @@
 #include "gatunChunkSetDecoder.h"
 #include "gatunCoarsePiece.h"
 #include "gatunFileReaderInternals.h"
+#include "gatunPieceCells.h"
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 namespace gatun
@@ -72,7 +74,7 @@ public:
   std::unique_ptr<ChunkSetDecoder> Around; // null without ghosts
   std::vector<std::uint64_t> PointFrom;    // with ghosts: the position of each point in Around
   std::vector<std::uint64_t> CellFrom;     // and that of each cell
-  std::vector<std::int64_t> Connectivity;  // of the piece with ghosts
+  std::optional<PieceCells> Cells;         // of the piece with ghosts
 
 private:
   void CheckRequest(const PieceRequest& request) const;
@@ -114,7 +116,7 @@ void PieceDecoder::Internals::SetRequest(const PieceRequest& request, const Prog
   const bool same = (this->Piece || this->Coarse) && request.Merges == this->Request.Merges &&
     request.Tree == this->Request.Tree && request.RestoreOrder == this->Request.RestoreOrder &&
     request.Chunks == this->Request.Chunks && request.Universe == this->Request.Universe &&
-    request.GhostLevels == this->Request.GhostLevels &&
+    request.GhostLevels == this->Request.GhostLevels && request.Form == this->Request.Form &&
     request.WithUnusedPoints == this->Request.WithUnusedPoints;
   this->Request = request;
   if (same)
@@ -132,14 +134,14 @@ void PieceDecoder::Internals::SetRequest(const PieceRequest& request, const Prog
     return;
   }
   auto piece = std::make_unique<ChunkSetDecoder>(
-    this->Cache, request.Chunks, request.Universe, request.WithUnusedPoints);
+    this->Cache, request.Chunks, request.Universe, request.WithUnusedPoints, request.Form);
   if (request.GhostLevels > 0)
   {
     auto chunks = Surround(*this->File, request.Chunks, request.Universe, request.GhostLevels);
     if (chunks != request.Chunks)
     {
       this->Around = std::make_unique<ChunkSetDecoder>(
-        this->Cache, std::move(chunks), request.Universe, request.WithUnusedPoints);
+        this->Cache, std::move(chunks), request.Universe, request.WithUnusedPoints, request.Form);
     }
   }
   this->Piece = std::move(piece);
@@ -160,11 +162,11 @@ void PieceDecoder::Internals::SetRequest(const PieceRequest& request, const Prog
 void PieceDecoder::Internals::ChooseGhosts(const Progress& progress)
 {
   const ChunkSet& around = this->Around->GetSet();
-  const auto tets = static_cast<std::size_t>(around.GetNumberOfTets());
-  std::vector<std::int64_t> all(4 * tets);
-  PieceTarget target;
-  target.Connectivity = all.data();
-  this->Around->Fill(target, {}, 0, false, progress);
+  const auto cells = static_cast<std::size_t>(around.GetNumberOfCells());
+  PieceCells all(around.GetForm() == CellForm::Tetrahedra, cells,
+    static_cast<std::size_t>(around.GetConnectivitySize()),
+    static_cast<std::size_t>(around.GetFacesSize()));
+  this->Around->Fill(all.GetTarget(), {}, 0, false, progress);
 
   this->PointFrom = around.Locate(this->Piece->GetSet());
   this->CellFrom.clear();
@@ -174,18 +176,17 @@ void PieceDecoder::Internals::ChooseGhosts(const Progress& progress)
   {
     isOfPiece[p] = 1;
   }
-  std::vector<char> chosen(tets, 0);
+  std::vector<char> chosen(cells, 0);
   const auto& owned = this->Piece->GetSet().GetChunks();
   for (std::size_t i = 0; i < around.GetChunks().size(); ++i)
   {
     if (std::binary_search(owned.begin(), owned.end(), around.GetChunks()[i]))
     {
-      const auto first = around.GetFirstTet(i);
-      const auto chunkTets = this->File->GetChunks()[around.GetChunks()[i]].Tets;
-      for (auto t = first; t < first + chunkTets; ++t)
+      const auto first = around.GetFirstCell(i);
+      for (auto c = first; c < first + around.GetNumberOfCells(i); ++c)
       {
-        this->CellFrom.push_back(t);
-        chosen[t] = 1;
+        this->CellFrom.push_back(c);
+        chosen[c] = 1;
       }
     }
   }
@@ -195,24 +196,21 @@ void PieceDecoder::Internals::ChooseGhosts(const Progress& progress)
   {
     for (auto i = begin; i < this->CellFrom.size(); ++i)
     {
-      for (unsigned corner = 0; corner < 4; ++corner)
-      {
-        reached[static_cast<std::size_t>(all[4 * this->CellFrom[i] + corner])] = 1;
-      }
+      all.ForEachPoint(this->CellFrom[i], [&](std::size_t point) { reached[point] = 1; });
     }
   };
   reach(0);
   for (unsigned level = 0; level < this->Request.GhostLevels; ++level)
   {
     const auto begin = this->CellFrom.size();
-    for (std::size_t t = 0; t < tets; ++t)
+    for (std::size_t c = 0; c < cells; ++c)
     {
-      const auto touches = [&](unsigned corner)
-      { return reached[static_cast<std::size_t>(all[4 * t + corner])] != 0; };
-      if (!chosen[t] && (touches(0) || touches(1) || touches(2) || touches(3)))
+      char touches = 0;
+      all.ForEachPoint(c, [&](std::size_t point) { touches |= reached[point]; });
+      if (!chosen[c] && touches)
       {
-        chosen[t] = 1;
-        this->CellFrom.push_back(t);
+        chosen[c] = 1;
+        this->CellFrom.push_back(c);
       }
     }
     if (this->CellFrom.size() == begin)
@@ -233,15 +231,7 @@ void PieceDecoder::Internals::ChooseGhosts(const Progress& progress)
   {
     placeOf[this->PointFrom[i]] = static_cast<std::int64_t>(i);
   }
-  this->Connectivity.resize(4 * this->CellFrom.size());
-  for (std::size_t i = 0; i < this->CellFrom.size(); ++i)
-  {
-    for (unsigned corner = 0; corner < 4; ++corner)
-    {
-      this->Connectivity[4 * i + corner] =
-        placeOf[static_cast<std::size_t>(all[4 * this->CellFrom[i] + corner])];
-    }
-  }
+  this->Cells = all.Select(this->CellFrom, placeOf);
 }
 
 void PieceDecoder::Internals::Fill(const PieceTarget& target, const Progress& progress)
@@ -268,7 +258,7 @@ void PieceDecoder::Internals::Fill(const PieceTarget& target, const Progress& pr
 
   // Decodes the larger set and copies the piece and its ghosts.
   const auto points = static_cast<std::size_t>(this->Around->GetNumberOfPoints());
-  const auto tets = static_cast<std::size_t>(this->Around->GetNumberOfTets());
+  const auto cells = static_cast<std::size_t>(this->Around->GetNumberOfCells());
   struct Copy
   {
     const std::vector<std::uint64_t>& From;
@@ -294,13 +284,13 @@ void PieceDecoder::Internals::Fill(const PieceTarget& target, const Progress& pr
   larger.GlobalPointIds = static_cast<std::int64_t*>(
     divert(this->PointFrom, points, sizeof(std::int64_t), target.GlobalPointIds));
   larger.GlobalCellIds = static_cast<std::int64_t*>(
-    divert(this->CellFrom, tets, sizeof(std::int64_t), target.GlobalCellIds));
+    divert(this->CellFrom, cells, sizeof(std::int64_t), target.GlobalCellIds));
   for (std::size_t a = 0; a < target.Arrays.size(); ++a)
   {
     const auto& array = this->File->GetArrays()[this->Request.Arrays[a]];
     const bool ofPoints = array.Where == Association::Point;
     larger.Arrays.push_back(divert(ofPoints ? this->PointFrom : this->CellFrom,
-      ofPoints ? points : tets, array.Components * SizeOf(array.Type), target.Arrays[a]));
+      ofPoints ? points : cells, array.Components * SizeOf(array.Type), target.Arrays[a]));
   }
   this->Around->Fill(larger, this->Request.Arrays, this->Request.Step, false, progress);
   for (const auto& copy : copies)
@@ -322,22 +312,11 @@ void PieceDecoder::Internals::Fill(const PieceTarget& target, const Progress& pr
   }
   if (target.CellGhosts)
   {
-    const auto owned = static_cast<std::size_t>(this->Piece->GetNumberOfTets());
+    const auto owned = static_cast<std::size_t>(this->Piece->GetNumberOfCells());
     std::memset(target.CellGhosts, 0, owned);
     std::memset(target.CellGhosts + owned, 1, this->CellFrom.size() - owned);
   }
-  for (std::size_t i = 0; target.Connectivity && i < this->Connectivity.size(); ++i)
-  {
-    if (target.WideIds)
-    {
-      static_cast<std::int64_t*>(target.Connectivity)[i] = this->Connectivity[i];
-    }
-    else
-    {
-      static_cast<std::int32_t*>(target.Connectivity)[i] =
-        static_cast<std::int32_t>(this->Connectivity[i]);
-    }
-  }
+  this->Cells->Store(target);
 }
 
 //------------------------------------------------------------------------------
@@ -366,12 +345,31 @@ std::uint64_t PieceDecoder::GetNumberOfPoints() const
                             : 0;
 }
 
-std::uint64_t PieceDecoder::GetNumberOfTets() const
+std::uint64_t PieceDecoder::GetNumberOfCells() const
 {
   return this->Self->Coarse ? this->Self->Coarse->GetNumberOfTets()
     : this->Self->Around    ? this->Self->CellFrom.size()
-    : this->Self->Piece     ? this->Self->Piece->GetNumberOfTets()
+    : this->Self->Piece     ? this->Self->Piece->GetNumberOfCells()
                             : 0;
+}
+
+bool PieceDecoder::IsTetrahedral() const
+{
+  return !this->Self->Piece || this->Self->Piece->GetSet().GetForm() == CellForm::Tetrahedra;
+}
+
+std::uint64_t PieceDecoder::GetConnectivitySize() const
+{
+  return this->IsTetrahedral() ? 4 * this->GetNumberOfCells()
+    : this->Self->Around       ? this->Self->Cells->GetConnectivitySize()
+                               : this->Self->Piece->GetSet().GetConnectivitySize();
+}
+
+std::uint64_t PieceDecoder::GetFacesSize() const
+{
+  return this->IsTetrahedral() ? 0
+    : this->Self->Around       ? this->Self->Cells->GetFacesSize()
+                               : this->Self->Piece->GetSet().GetFacesSize();
 }
 
 void PieceDecoder::Fill(const PieceTarget& target, const Progress& progress)

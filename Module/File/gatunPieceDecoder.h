@@ -40,7 +40,15 @@ public:
   /** Prepares a request and determines its sizes. With ghosts, this decodes the mesh. */
   void SetRequest(const PieceRequest& request, const Progress& progress = {});
   std::uint64_t GetNumberOfPoints() const;
-  std::uint64_t GetNumberOfTets() const;
+  std::uint64_t GetNumberOfCells() const;
+
+  /** Whether all cells of the piece are tetrahedra: if they were asked for, or all cells of the
+   * file are, or there are merges. */
+  bool IsTetrahedral() const;
+
+  /** The numbers of values of PieceTarget::Connectivity and PieceTarget::Faces. */
+  std::uint64_t GetConnectivitySize() const;
+  std::uint64_t GetFacesSize() const;
 
   /** Fills the target for the current request. May be called again with other pointers. */
   void Fill(const PieceTarget& target, const Progress& progress = {});

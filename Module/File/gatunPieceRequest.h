@@ -13,10 +13,17 @@
 
 namespace gatun
 {
+/** The form of the cells of a piece. */
+enum class CellForm : std::uint8_t
+{
+  Tetrahedra, ///< those of which the cells consist; cells of a lower dimension are left out
+  Original    ///< the cells as they were written
+};
+
 /** The part of a file to decode. */
 struct PieceRequest
 {
-  std::vector<std::uint32_t> Chunks; ///< ascending; their tetrahedra form the piece
+  std::vector<std::uint32_t> Chunks; ///< ascending; their cells form the piece
 
   /** The chunks that form the whole mesh, ascending, a superset of Chunks. Ghosts and owners of
    * points are among them. Empty for all chunks of the file. */
@@ -26,7 +33,11 @@ struct PieceRequest
   std::size_t Step = 0;
   unsigned GhostLevels = 0;      ///< layers of cells around the piece that share points
   bool WithUnusedPoints = false; ///< whether to include unused points (in one piece only)
-  bool RestoreOrder = true;      ///< original order, if the file keeps it and the piece is whole
+  CellForm Form = CellForm::Tetrahedra;
+
+  /** Whether to restore the original order, if the file keeps it and the piece is whole. The order
+   * of tetrahedra of other cells is not restored. */
+  bool RestoreOrder = true;
 
   /** The number of merges of the file's tree to apply. Corners keep their orientation but not their
    * order. With ghosts, the whole universe is decoded. */
@@ -39,9 +50,17 @@ struct PieceRequest
 /** Memory for a piece, with the sizes that the decoder reports. Null pointers are skipped. */
 struct PieceTarget
 {
-  void* Points = nullptr;                 ///< 3 values of GetCoordinateType() for each point
-  void* Connectivity = nullptr;           ///< 4 ids for each cell
-  bool WideIds = true;                    ///< whether ids are std::int64_t or std::int32_t
+  void* Points = nullptr;       ///< 3 values of GetCoordinateType() for each point
+  void* Connectivity = nullptr; ///< the ids of the cells' points: 4 for each tetrahedron
+  bool WideIds = true;          ///< whether ids are std::int64_t or std::int32_t
+
+  /** For original cells that are not all tetrahedra; all or none of them, and with Connectivity.
+   * As in MeshInput, but polyhedra have their faces in the order of the cells. */
+  void* Offsets = nullptr; ///< ids
+  std::uint8_t* Types = nullptr;
+  std::int64_t* FaceLocations = nullptr; ///< may be null if there are no faces
+  std::int64_t* Faces = nullptr;
+
   std::vector<void*> Arrays;              ///< one for each array of the request, or empty
   std::int64_t* GlobalPointIds = nullptr; ///< original ids if the file keeps the order of points
   std::int64_t* GlobalCellIds = nullptr;  ///< original ids if the file keeps the order of cells

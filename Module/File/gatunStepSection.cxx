@@ -183,7 +183,7 @@ std::vector<Bytes> StepSection::EncodeChunk(StepInput& step, std::size_t chunk)
   {
     const auto& input = step.Arrays[a];
     const bool ofPoints = input.Description->Where == Association::Point;
-    const auto& tuples = ofPoints ? state.PointOf : state.TetOf;
+    const auto& tuples = ofPoints ? state.PointOf : state.CellOf;
     auto keys = input.GetKeys(tuples);
     streams.push_back(ofPoints ? EncodePointValues(state.Mesh.Context, input.Domains, keys)
                                : EncodeCellValues(state.Mesh.Walk.Parents, input.Domains, keys));

@@ -6,6 +6,7 @@
 #include "gatunChunkCache.h"
 #include "gatunFileReaderInternals.h"
 #include "gatunPartDecoder.h"
+#include "gatunPieceCells.h"
 #include "gatunPieceDecoder.h"
 
 #include <algorithm>
@@ -59,6 +60,20 @@ void VerifyBlocks(const PartDecoder& parts)
   }
 }
 
+/** Splits cells into tetrahedra. */
+void VerifyTets(const PartDecoder& parts, std::span<const std::uint32_t> chunks)
+{
+  const auto pointsOf = [&](std::uint32_t block) { return parts.GetBlockPoints(block); };
+  for (const auto chunk : chunks)
+  {
+    if (!parts.Content().Mesh.Chunks[chunk].Sizes.IsTetrahedral)
+    {
+      const auto kept = parts.FindMesh(chunk);
+      parts.SplitCells(chunk, kept ? *kept : *parts.DecodeMesh(chunk, pointsOf));
+    }
+  }
+}
+
 /** Decodes the order of corners, which pieces do not need. */
 void VerifyCorners(const PartDecoder& parts, std::span<const std::uint32_t> chunks)
 {
@@ -70,7 +85,7 @@ void VerifyCorners(const PartDecoder& parts, std::span<const std::uint32_t> chun
   for (const auto chunk : chunks)
   {
     const auto kept = parts.FindMesh(chunk);
-    parts.DecodeCorners(chunk, kept ? *kept : *parts.DecodeMesh(chunk, pointsOf));
+    parts.GetCells(chunk, kept ? *kept : *parts.DecodeMesh(chunk, pointsOf), true);
   }
 }
 
@@ -87,7 +102,7 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
   const auto rounds = std::max<std::size_t>(1, (chunks + chunksAtOnce - 1) / chunksAtOnce);
   const auto steps = std::max<std::size_t>(1, file.GetNumberOfSteps());
   PermutationCheck points(file, file.GetNumberOfPoints(), "point ");
-  PermutationCheck cells(file, file.GetNumberOfTets(), "cell ");
+  PermutationCheck cells(file, file.GetNumberOfCells(), "cell ");
   for (std::size_t round = 0; round < rounds; ++round)
   {
     PieceRequest request;
@@ -100,25 +115,28 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
       request.Arrays.push_back(a);
     }
     request.WithUnusedPoints = round == 0;
+    request.Form = CellForm::Original;
     PieceDecoder decoder(cache);
     for (std::size_t step = 0; step < steps; ++step)
     {
       request.Step = step;
       decoder.SetRequest(request);
       const auto pointCount = static_cast<std::size_t>(decoder.GetNumberOfPoints());
-      const auto tets = static_cast<std::size_t>(decoder.GetNumberOfTets());
-      std::vector<std::int64_t> connectivity(4 * tets), pointIds(pointCount), cellIds(tets);
+      const auto cellCount = static_cast<std::size_t>(decoder.GetNumberOfCells());
+      std::vector<std::int64_t> pointIds(pointCount), cellIds(cellCount);
       std::vector<unsigned char> pointGhosts(pointCount);
       std::vector<std::vector<std::uint8_t>> values;
-      PieceTarget target;
-      target.Connectivity = connectivity.data();
+      PieceCells memory(decoder.IsTetrahedral(), cellCount,
+        static_cast<std::size_t>(decoder.GetConnectivitySize()),
+        static_cast<std::size_t>(decoder.GetFacesSize()));
+      PieceTarget target = memory.GetTarget();
       target.GlobalPointIds = pointIds.data();
       target.GlobalCellIds = cellIds.data();
       target.PointGhosts = pointGhosts.data();
       for (const auto a : request.Arrays)
       {
         const auto& array = file.GetArrays()[a];
-        values.emplace_back((array.Where == Association::Point ? pointCount : tets) *
+        values.emplace_back((array.Where == Association::Point ? pointCount : cellCount) *
           array.Components * SizeOf(array.Type));
         target.Arrays.push_back(values.back().data());
       }
@@ -133,11 +151,12 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
           points.Add(pointIds[p]);
         }
       }
-      for (std::size_t t = 0; step == 0 && t < tets; ++t)
+      for (std::size_t c = 0; step == 0 && c < cellCount; ++c)
       {
-        cells.Add(cellIds[t]);
+        cells.Add(cellIds[c]);
       }
     }
+    VerifyTets(parts, request.Chunks);
     VerifyCorners(parts, request.Chunks);
   }
 }

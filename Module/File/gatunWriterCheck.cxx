@@ -54,9 +54,17 @@ void CheckWriterInput(
   {
     ThrowInvalid("coordinates must be float or double");
   }
-  if ((mesh.Points > 0 && !mesh.Coordinates) || (mesh.Tets > 0 && !mesh.Connectivity))
+  if ((mesh.Points > 0 && !mesh.Coordinates) || (mesh.Cells > 0 && !mesh.Connectivity))
   {
     ThrowInvalid("the mesh has no coordinates or no connectivity");
+  }
+  if (mesh.Types && !mesh.Offsets)
+  {
+    ThrowInvalid("cells of several types need offsets");
+  }
+  if (mesh.FaceLocations && mesh.FacesSize > 0 && !mesh.Faces)
+  {
+    ThrowInvalid("the faces of the polyhedra are missing");
   }
   if (options.ChunkTets != 0 && (options.ChunkTets < 64 || options.ChunkTets > MaxChunkTets))
   {

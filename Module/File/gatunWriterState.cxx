@@ -16,11 +16,12 @@ constexpr std::uint64_t LargeMesh = 10'000'000;
 constexpr std::uint32_t DefaultChunkTets = 65536;
 constexpr std::uint32_t LargeChunkTets = 262144;
 
-std::uint16_t GetMinorVersion(const WriterOptions& options)
+std::uint16_t GetMinorVersion(const MeshInput& mesh, const WriterOptions& options)
 {
-  return options.Layers ? MinorVersionWithLayers
-    : options.Tree      ? MinorVersionWithTree
-                        : MinorVersionPlain;
+  return mesh.Types  ? MinorVersionWithCells
+    : options.Layers ? MinorVersionWithLayers
+    : options.Tree   ? MinorVersionWithTree
+                     : MinorVersionPlain;
 }
 }
 
@@ -29,7 +30,7 @@ WriterState::WriterState(const std::string& path, const MeshInput& mesh,
   const std::vector<ArrayDescription>& arrays, const WriterOptions& options)
   : Mesh(mesh)
   , Options(options)
-  , File(path, options.ReplaceReadOnly, GetMinorVersion(options))
+  , File(path, options.ReplaceReadOnly, GetMinorVersion(mesh, options))
 {
   this->Describe(arrays);
 }
@@ -39,7 +40,7 @@ WriterState::WriterState(
   const WriterState& whole, const MeshInput& mesh, const WriterOptions& options)
   : Mesh(mesh)
   , Options(options)
-  , File(whole.File, GetMinorVersion(options))
+  , File(whole.File, GetMinorVersion(mesh, options))
 {
   this->Describe(whole.Meta.Arrays);
 }
@@ -50,7 +51,6 @@ void WriterState::Describe(const std::vector<ArrayDescription>& arrays)
   const MeshInput& mesh = this->Mesh.GetMesh();
   this->Meta.WriterVersion = PackageVersion();
   this->Meta.Points = mesh.Points;
-  this->Meta.Tets = mesh.Tets;
   this->Meta.CoordinateType = mesh.CoordinateType;
   this->Meta.WideIds = mesh.WideIds;
   this->Meta.Keep = this->Options.Keep;
@@ -58,7 +58,8 @@ void WriterState::Describe(const std::vector<ArrayDescription>& arrays)
   // and each thread needs less memory.
   this->Meta.ChunkTets = this->Options.ChunkTets != 0
     ? this->Options.ChunkTets
-    : (mesh.Tets > LargeMesh ? LargeChunkTets : DefaultChunkTets) / (this->Options.Layers ? 4 : 1);
+    : (this->Mesh.EstimateTets() > LargeMesh ? LargeChunkTets : DefaultChunkTets) /
+      (this->Options.Layers ? 4 : 1);
   this->Meta.KeyStepInterval = this->Options.KeyStepInterval;
   this->Meta.Arrays = arrays;
   this->Statistics.ArrayBytes.resize(arrays.size());
@@ -76,7 +77,7 @@ std::span<const std::uint32_t> WriterState::GetBlockPoints(std::size_t block) co
 std::size_t WriterState::GetTupleCount(const ArrayDescription& array) const
 {
   return static_cast<std::size_t>(
-    array.Where == Association::Point ? this->Meta.Points : this->Meta.Tets);
+    array.Where == Association::Point ? this->Meta.Points : this->Mesh.GetMesh().Cells);
 }
 
 //------------------------------------------------------------------------------

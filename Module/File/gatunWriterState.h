@@ -63,9 +63,9 @@ private:
 /** The data of a chunk from which the values of its arrays are predicted. */
 struct ChunkState
 {
-  ChunkMesh Mesh;                     // without its tetrahedra
+  ChunkMesh Mesh;                     // without its cells
   std::vector<std::uint32_t> PointOf; // the input's point of each vertex of the walk
-  std::vector<std::uint32_t> TetOf;   // the input's tetrahedron of each one of the walk
+  std::vector<std::uint32_t> CellOf;  // the input's cell of each one of the walk
 };
 
 /** A file that is being written: its input, its tables so far, and the state of its chunks. */
@@ -81,7 +81,7 @@ public:
   /** The input's points of a block of shared points. */
   std::span<const std::uint32_t> GetBlockPoints(std::size_t block) const;
 
-  /** The number of points or tetrahedra, whichever the array belongs to. */
+  /** The number of points or cells, whichever the array belongs to. */
   std::size_t GetTupleCount(const ArrayDescription& array) const;
 
   const MeshAccess Mesh;
@@ -89,6 +89,7 @@ public:
   OutputFile File;
   MetaTable Meta;
   MeshTable Table;
+  CellTable Cells; // if not all cells are tetrahedra
   Partition Parts;
   std::vector<ChunkState> Chunks;
   FileStatistics Statistics;

@@ -2,12 +2,14 @@
 gatun_core_folder(Format
   INCLUDES
     Support
+    Cells
     Codec
   HEADERS
     gatunFieldData.h
     gatunLayers.h
   PRIVATE_HEADERS
     gatunAtomicFile.h
+    gatunCellTable.h
     gatunCompress.h
     gatunContainer.h
     gatunFileHandle.h
@@ -19,8 +21,10 @@ gatun_core_folder(Format
     gatunTreeTable.h
   SOURCES
     gatunAtomicFile.cxx
+    gatunCellTable.cxx
     gatunCompress.cxx
     gatunContainer.cxx
+    gatunFieldTable.cxx
     gatunFileHandle.cxx
     gatunInputFile.cxx
     gatunLayerTable.cxx

@@ -31,16 +31,18 @@ constexpr FourCC MakeFourCC(const char (&name)[5])
     static_cast<FourCC>(name[2]) << 16 | static_cast<FourCC>(name[3]) << 24;
 }
 
-constexpr FourCC SectionMeta = MakeFourCC("META");      // counts and arrays
-constexpr FourCC SectionMesh = MakeFourCC("MESH");      // streams of blocks and chunks
-constexpr FourCC SectionTable = MakeFourCC("TABL");     // positions of those streams
-constexpr FourCC SectionValues = MakeFourCC("VALS");    // streams of arrays, field data
-constexpr FourCC SectionStep = MakeFourCC("STEP");      // positions of those of one time step
-constexpr FourCC SectionTree = MakeFourCC("TREE");      // description of the merge tree
-constexpr FourCC SectionMerges = MakeFourCC("MERG");    // stream of the merges
-constexpr FourCC SectionTreeStep = MakeFourCC("TRNG");  // ranges after merges, of one time step
-constexpr FourCC SectionLevel = MakeFourCC("LEVL");     // a base mesh: a file embedded in the file
-constexpr FourCC SectionLayers = MakeFourCC("LAYR");    // the layers of values that define chunks
+constexpr FourCC SectionMeta = MakeFourCC("META");     // counts and arrays
+constexpr FourCC SectionMesh = MakeFourCC("MESH");     // streams of blocks and chunks
+constexpr FourCC SectionTable = MakeFourCC("TABL");    // positions of those streams
+constexpr FourCC SectionValues = MakeFourCC("VALS");   // streams of arrays, field data
+constexpr FourCC SectionStep = MakeFourCC("STEP");     // positions of those of one time step
+constexpr FourCC SectionTree = MakeFourCC("TREE");     // description of the merge tree
+constexpr FourCC SectionMerges = MakeFourCC("MERG");   // stream of the merges
+constexpr FourCC SectionTreeStep = MakeFourCC("TRNG"); // ranges after merges, of one time step
+constexpr FourCC SectionLevel = MakeFourCC("LEVL");    // a base mesh: a file embedded in the file
+constexpr FourCC SectionLayers = MakeFourCC("LAYR");   // the layers of values that define chunks
+constexpr FourCC SectionCells =
+  MakeFourCC("CELL"); // types and sizes of other cells than tetrahedra
 constexpr FourCC SectionDirectory = MakeFourCC("DIRY"); // positions of the sections
 
 constexpr FourCC SectionBlocks = MakeFourCC("BLKS"); // streams of blocks of a volume
@@ -57,7 +59,7 @@ struct ContainerKind
 
 inline constexpr std::array MeshSections{ SectionMeta, SectionMesh, SectionTable, SectionValues,
   SectionStep, SectionTree, SectionMerges, SectionTreeStep, SectionLevel, SectionLayers,
-  SectionDirectory };
+  SectionCells, SectionDirectory };
 inline constexpr ContainerKind MeshContainer{ ".gtn", FileMagic, TrailerMagic,
   GATUN_FORMAT_VERSION_MAJOR, MeshSections };
 
@@ -74,6 +76,7 @@ constexpr std::uint16_t FlagMandatory = 1; // readers that do not know the secti
 constexpr std::uint16_t MinorVersionPlain = 0;
 constexpr std::uint16_t MinorVersionWithTree = 1;
 constexpr std::uint16_t MinorVersionWithLayers = 2;
+constexpr std::uint16_t MinorVersionWithCells = 3;
 
 /** Whether a path names a regular file with the signature of a format. */
 bool BeginsAs(const std::string& path, const ContainerKind& kind) noexcept;

@@ -61,6 +61,27 @@ Range GetRange(ByteReader& in)
 }
 
 //------------------------------------------------------------------------------
+void PutStrings(ByteWriter& out, const std::vector<std::string>& strings)
+{
+  out.PutVarint(strings.size());
+  for (const auto& s : strings)
+  {
+    out.PutString(s);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> GetStrings(ByteReader& in)
+{
+  std::vector<std::string> strings(in.GetCount(1));
+  for (auto& s : strings)
+  {
+    s = in.GetString();
+  }
+  return strings;
+}
+
+//------------------------------------------------------------------------------
 std::uint32_t GetSmall(ByteReader& in)
 {
   const auto value = in.GetVarint();

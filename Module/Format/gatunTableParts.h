@@ -11,6 +11,8 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
+#include <vector>
 
 namespace gatun
 {
@@ -37,6 +39,9 @@ StreamRef GetStream(ByteReader& in);
 
 void PutRange(ByteWriter& out, const Range& range);
 Range GetRange(ByteReader& in);
+
+void PutStrings(ByteWriter& out, const std::vector<std::string>& strings);
+std::vector<std::string> GetStrings(ByteReader& in);
 
 /** Reads a varint below 2^32. */
 std::uint32_t GetSmall(ByteReader& in);

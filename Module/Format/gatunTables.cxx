@@ -3,6 +3,7 @@
 
 #include "gatunTables.h"
 
+#include "gatunCellCodec.h"
 #include "gatunChunkCodec.h"
 #include "gatunCompress.h"
 #include "gatunTableParts.h"
@@ -24,25 +25,6 @@ constexpr std::uint64_t MaxNeighbors = 2u << 20;
 constexpr std::uint64_t MaxNeighborsPerChunk = 1024;
 
 constexpr std::uint32_t MaxComponents = 1u << 16;
-
-void PutStrings(ByteWriter& out, const std::vector<std::string>& strings)
-{
-  out.PutVarint(strings.size());
-  for (const auto& s : strings)
-  {
-    out.PutString(s);
-  }
-}
-
-std::vector<std::string> GetStrings(ByteReader& in)
-{
-  std::vector<std::string> strings(in.GetCount(1));
-  for (auto& s : strings)
-  {
-    s = in.GetString();
-  }
-  return strings;
-}
 
 ScalarType GetScalarType(ByteReader& in)
 {
@@ -225,7 +207,38 @@ Bytes MeshTable::Write(std::uint8_t keep) const
   return Pack(out, SmallTable);
 }
 
-MeshTable MeshTable::Read(std::span<const std::uint8_t> bytes, const MetaTable& meta)
+namespace
+{
+/** Takes the sizes of a chunk's cells from the table of cells and checks them. */
+void CheckChunk(ChunkEntry& chunk, const CellSizes& sizes)
+{
+  const auto tets = chunk.Info.Tets;
+  if (sizes.IsTetrahedral)
+  {
+    Check(tets >= 1 && tets <= MaxChunkTets, "a chunk has an impossible number of tetrahedra");
+    Check(tets / MaxItemsPerByte + 1 <= chunk.Connectivity.Length,
+      "a chunk claims more tetrahedra than its stream can hold");
+    const auto count = static_cast<std::uint32_t>(tets);
+    chunk.Sizes = { true, count, 4 * count, 0, 0 };
+  }
+  else
+  {
+    const auto values = std::uint64_t{ sizes.Corners } + sizes.FaceValues;
+    Check(tets <= values, "a chunk has more tetrahedra than its cells can consist of");
+    Check(sizes.Cells / MaxItemsPerByte + 1 <= chunk.Connectivity.Length &&
+        values / MaxCornersPerByte + 1 <= chunk.Connectivity.Length,
+      "a chunk claims more cells than its stream can hold");
+    chunk.Sizes = sizes;
+  }
+  chunk.Info.Cells = chunk.Sizes.Cells;
+  chunk.Info.IsTetrahedral = chunk.Sizes.IsTetrahedral;
+  Check(chunk.Info.OwnPoints <= chunk.Sizes.GetMostPoints(),
+    "a chunk has more points than its cells can use");
+}
+}
+
+MeshTable MeshTable::Read(
+  std::span<const std::uint8_t> bytes, const MetaTable& meta, const CellTable* cells)
 {
   const auto data = Unpack(bytes, SmallTable);
   ByteReader in(data);
@@ -271,8 +284,11 @@ MeshTable MeshTable::Read(std::span<const std::uint8_t> bytes, const MetaTable& 
   mesh.Unused.Points = meta.UnusedPoints;
   getBlock(mesh.Unused);
   mesh.Chunks.resize(in.GetCount(4 + 48));
-  for (auto& chunk : mesh.Chunks)
+  Check(!cells || cells->Chunks.size() == mesh.Chunks.size(),
+    "the table of cells is not that of the chunks");
+  for (std::size_t c = 0; c < mesh.Chunks.size(); ++c)
   {
+    auto& chunk = mesh.Chunks[c];
     chunk.Info.Tets = in.GetVarint();
     chunk.Info.OwnPoints = in.GetVarint();
     const auto level = GetSmall(in); // reserved
@@ -297,17 +313,18 @@ MeshTable MeshTable::Read(std::span<const std::uint8_t> bytes, const MetaTable& 
     {
       chunk.Corners = GetStream(in);
     }
-    Check(chunk.Info.Tets >= 1 && chunk.Info.Tets <= MaxChunkTets,
-      "a chunk has an impossible number of tetrahedra");
-    Check(chunk.Info.Tets / MaxItemsPerByte + 1 <= chunk.Connectivity.Length,
-      "a chunk claims more tetrahedra than its stream can hold");
-    Check(chunk.Info.OwnPoints <= 4 * chunk.Info.Tets,
-      "a chunk has more points than its tetrahedra can use");
+    CheckChunk(chunk, cells ? cells->Chunks[c] : CellSizes{});
   }
   Check(in.GetRemaining() == 0, "there are bytes behind the end of the table");
   mesh.LinkGroups();
   mesh.NumberAll(meta);
   return mesh;
+}
+
+std::uint64_t MeshTable::GetNumberOfCells() const
+{
+  return this->Chunks.empty() ? 0
+                              : this->Chunks.back().Info.FirstCell + this->Chunks.back().Info.Cells;
 }
 
 std::uint64_t MeshTable::GetSharedPoints() const
@@ -392,14 +409,18 @@ void MeshTable::NumberAll(const MetaTable& meta)
 {
   std::uint64_t point = this->GetSharedPoints();
   std::uint64_t tet = 0;
+  std::uint64_t cell = 0;
   for (auto& chunk : this->Chunks)
   {
     auto& info = chunk.Info;
-    Check(info.SharedPoints <= 4 * info.Tets && info.OwnPoints <= 4 * info.Tets - info.SharedPoints,
-      "a chunk has more points than its tetrahedra can use");
+    const auto most = chunk.Sizes.GetMostPoints();
+    Check(info.SharedPoints <= most && info.OwnPoints <= most - info.SharedPoints,
+      "a chunk has more points than its cells can use");
     info.FirstTet = tet;
+    info.FirstCell = cell;
     info.FirstPoint = point;
     tet += info.Tets;
+    cell += info.Cells;
     point += info.OwnPoints;
   }
   this->Unused.FirstPoint = point;
@@ -512,7 +533,7 @@ StepTable StepTable::Read(
       }
       array.Chunks[c] = GetStream(in);
       const auto& info = mesh.Chunks[c].Info;
-      CheckValues(description, isOfPoints ? info.OwnPoints : info.Tets, array.Chunks[c]);
+      CheckValues(description, isOfPoints ? info.OwnPoints : info.Cells, array.Chunks[c]);
     }
     if (isOfPoints)
     {
@@ -527,63 +548,5 @@ StepTable StepTable::Read(
   }
   Check(in.GetRemaining() == 0, "there are bytes behind the end of the table of a step");
   return step;
-}
-
-//------------------------------------------------------------------------------
-Bytes WriteFieldData(const FieldData& field)
-{
-  ByteWriter out;
-  out.PutVarint(field.size());
-  for (const auto& array : field)
-  {
-    out.PutString(array.Name);
-    out.Put(array.VTKType);
-    out.PutVarint(array.Components);
-    PutStrings(out, array.ComponentNames);
-    out.Put(static_cast<std::uint8_t>(array.IsText ? 0 : static_cast<std::uint8_t>(array.Type)));
-    if (array.IsText)
-    {
-      PutStrings(out, array.Texts);
-    }
-    else
-    {
-      out.PutVarint(array.Values.size());
-      out.PutBytes(array.Values);
-    }
-  }
-  return Compress(out.Data);
-}
-
-FieldData ReadFieldData(std::span<const std::uint8_t> bytes)
-{
-  // Field data may be long runs of one value, so the limit is generous.
-  const auto data = Decompress(bytes, 65536 * (bytes.size() + 1));
-  ByteReader in(data);
-  FieldData field(in.GetCount(9));
-  for (auto& array : field)
-  {
-    array.Name = in.GetString();
-    array.VTKType = in.Get<std::int32_t>();
-    const auto components = in.GetVarint();
-    Check(components <= std::numeric_limits<std::int32_t>::max(), "too many components");
-    array.Components = static_cast<std::uint32_t>(components);
-    array.ComponentNames = GetStrings(in);
-    const auto type = in.Get<std::uint8_t>();
-    Check(type <= 10, "a value type is unknown");
-    array.IsText = type == 0;
-    if (array.IsText)
-    {
-      array.Texts = GetStrings(in);
-    }
-    else
-    {
-      array.Type = static_cast<ScalarType>(type);
-      const auto values = in.GetBytes(in.GetVarint());
-      array.Values.assign(values.begin(), values.end());
-      Check(array.Values.size() % SizeOf(array.Type) == 0, "a field array ends within a value");
-    }
-  }
-  Check(in.GetRemaining() == 0, "there are bytes behind the end of the field data");
-  return field;
 }
 }

@@ -6,6 +6,7 @@
 
 // The META, TABL and STEP sections, which describe and locate the parts of a file.
 
+#include "gatunCellTable.h"
 #include "gatunContainer.h"
 #include "gatunFieldData.h"
 #include "gatunTypes.h"
@@ -61,7 +62,8 @@ struct ChunkEntry
   StreamRef Geometry;
   StreamRef PointOrder; // original ids, if KeepPoints
   StreamRef CellOrder;  // original ids, if KeepCells
-  StreamRef Corners;    // rotations, if KeepCorners
+  StreamRef Corners;    // if KeepCorners: rotations; for other cells than tetrahedra, maybe nothing
+  CellSizes Sizes;      // not stored here, but in the table of cells
 
   // Not stored: the groups that contain this chunk's shared points, in the order of the file.
   struct Part
@@ -89,8 +91,9 @@ struct MeshTable
   Bytes Write(std::uint8_t keep) const;
 
   /** Reads the table, checks it against the counts of meta, and computes the fields that are not
-   * stored. */
-  static MeshTable Read(std::span<const std::uint8_t> bytes, const MetaTable& meta);
+   * stored. cells: null if all cells are tetrahedra. */
+  static MeshTable Read(
+    std::span<const std::uint8_t> bytes, const MetaTable& meta, const CellTable* cells = nullptr);
 
   /** Computes the fields that are not stored from the groups: positions, parts, neighbors. */
   void LinkGroups();
@@ -100,6 +103,7 @@ struct MeshTable
   std::vector<std::uint32_t> GetSharedUsers(std::size_t chunk) const;
 
   std::uint64_t GetSharedPoints() const;
+  std::uint64_t GetNumberOfCells() const;
 
   /** Throws unless a file of the given size can contain the streams that the counts need. */
   void CheckLengths(std::uint64_t fileSize) const;

@@ -100,7 +100,7 @@ void MemoryRayMesh::Internals::TakeTets(const MeshAccess& mesh, const RayValuesI
 {
   const auto parts = MakePartition(mesh, MemoryRaySource::DefaultBlockTets, progress);
   auto list = std::make_shared<TetList>();
-  list->Tets.reserve(parts.Tets.size());
+  list->Tets.reserve(parts.Cells.size());
   WithValues(values,
     [&](auto&& getValue)
     {
@@ -109,7 +109,7 @@ void MemoryRayMesh::Internals::TakeTets(const MeshAccess& mesh, const RayValuesI
         this->Starts.push_back(list->Tets.size());
         for (auto i = parts.ChunkStart[chunk]; i < parts.ChunkStart[chunk + 1]; ++i)
         {
-          const auto tet = parts.Tets[i];
+          const auto tet = parts.Cells[i];
           if (hidden && hidden[tet] != 0)
           {
             continue;
@@ -117,7 +117,7 @@ void MemoryRayMesh::Internals::TakeTets(const MeshAccess& mesh, const RayValuesI
           auto& corners = list->Tets.emplace_back();
           for (unsigned c = 0; c < 4; ++c)
           {
-            corners[c] = static_cast<std::uint32_t>(mesh.GetId(tet, c));
+            corners[c] = static_cast<std::uint32_t>(mesh.GetTetId(tet, c));
           }
           if (values.Where == Association::Cell)
           {

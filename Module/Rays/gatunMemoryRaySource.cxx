@@ -106,7 +106,7 @@ public:
     std::vector<std::uint32_t> seen;
     for (auto i = this->Parts.ChunkStart[block]; i < this->Parts.ChunkStart[block + 1]; ++i)
     {
-      const auto tet = this->Parts.Tets[i];
+      const auto tet = this->Parts.Cells[i];
       if (!this->Hidden || this->Hidden[tet] == 0)
       {
         seen.push_back(tet);
@@ -117,7 +117,7 @@ public:
     {
       for (unsigned corner = 0; corner < 4; ++corner)
       {
-        tets[i][corner] = static_cast<std::uint32_t>(this->Mesh.GetId(seen[i], corner));
+        tets[i][corner] = static_cast<std::uint32_t>(this->Mesh.GetTetId(seen[i], corner));
       }
     }
     if (this->Values.Where == Association::Cell)

@@ -26,7 +26,7 @@ RayBlock DecodeRayBlock(
   const auto& array = file.GetArrays()[values.Array];
   const bool ofCells = array.Where == Association::Cell;
   const auto points = decoder.GetNumberOfPoints();
-  const auto tets = decoder.GetNumberOfTets();
+  const auto tets = decoder.GetNumberOfCells();
   const auto coordinateType = file.GetCoordinateType();
   std::vector<std::byte> coordinates(3 * points * SizeOf(coordinateType));
   std::vector<std::byte> raw((ofCells ? tets : points) * array.Components * SizeOf(array.Type));

@@ -165,19 +165,32 @@ enum KeepOrder : std::uint8_t
 {
   KeepNone = 0,
   KeepPoints = 1,  ///< points (and their arrays) in the order of the input
-  KeepCells = 2,   ///< tetrahedra (and their arrays) in the order of the input
-  KeepCorners = 4, ///< the corners of each tetrahedron in the order of the input
+  KeepCells = 2,   ///< cells (and their arrays) in the order of the input
+  KeepCorners = 4, ///< corners of tetrahedra, and faces of polyhedra, in the order of the input;
+                   ///< corners of other cells always keep their order
   KeepAll = 7
+};
+
+/** The number of cells of a VTK type. */
+struct CellTypeCount
+{
+  std::uint8_t Type = 0;
+  std::uint64_t Cells = 0;
+
+  bool operator==(const CellTypeCount&) const = default;
 };
 
 /** A part of the mesh that is decoded independently. */
 struct ChunkInfo
 {
-  std::uint64_t Tets = 0;
+  std::uint64_t Tets = 0; ///< those of which the cells consist: the cells if they are tetrahedra
   std::uint64_t OwnPoints = 0;
   std::uint64_t SharedPoints = 0; ///< points that other chunks use too
   std::uint64_t FirstTet = 0;     ///< its tetrahedra are FirstTet ... FirstTet + Tets - 1
-  std::uint64_t FirstPoint = 0;   ///< its own points are FirstPoint ... FirstPoint + OwnPoints - 1
+  std::uint64_t Cells = 0;
+  std::uint64_t FirstCell = 0;  ///< its cells are FirstCell ... FirstCell + Cells - 1
+  bool IsTetrahedral = true;    ///< whether all cells are tetrahedra
+  std::uint64_t FirstPoint = 0; ///< its own points are FirstPoint ... FirstPoint + OwnPoints - 1
   Bounds Box;
   std::vector<std::uint32_t> Neighbors; ///< chunks that share a point with this one, ascending
 };

@@ -3,6 +3,8 @@
 
 #include "gtnCompare.h"
 
+#include "gtnCellHash.h"
+#include "gtnNames.h"
 #include "gtnText.h"
 
 #include "gatunParallel.h"
@@ -20,6 +22,7 @@
 #include <functional>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace gtn
@@ -66,30 +69,30 @@ void AddArray(std::vector<Hash>& hashes, const ArrayView& array)
     [&](std::size_t i) { hashes[i] = HashOf(array.Tuple(i), array.TupleBytes, hashes[i]); });
 }
 
-// Adds the corners of each cell: in order, or sorted, with the parity of the permutation. If two
-// corners are equal, the parity says nothing.
-void AddCorners(std::vector<Hash>& hashes, const std::vector<Tet>& tets,
-  const std::vector<Hash>& points, bool keepCorners)
+// Adds the type and the points of each cell.
+void AddCorners(std::vector<Hash>& hashes, const GridView& grid, const std::vector<Hash>& points,
+  bool keepCorners)
 {
   ForEach(hashes.size(),
     [&](std::size_t cell)
+    { hashes[cell] = HashOfCell(grid, cell, points, keepCorners, hashes[cell]); });
+}
+
+// "points 1, 2, 3" of a cell, with the faces of a polyhedron.
+std::string IdsText(const GridView& grid, std::size_t cell)
+{
+  const auto list = [](std::span<const std::int64_t> ids)
+  {
+    constexpr std::size_t enough = 16;
+    std::vector<std::string> texts;
+    for (const std::int64_t id : ids.first(std::min(ids.size(), enough)))
     {
-      std::array<Hash, 5> key{};
-      for (std::size_t i = 0; i < 4; ++i)
-      {
-        key[i] = points[static_cast<std::size_t>(tets[cell][i])];
-        for (std::size_t j = i; j > 0 && !keepCorners && key[j] < key[j - 1]; --j)
-        {
-          std::swap(key[j], key[j - 1]);
-          key[4].Low ^= 1;
-        }
-      }
-      if (!keepCorners && std::adjacent_find(key.begin(), key.begin() + 4) != key.begin() + 4)
-      {
-        key[4] = {};
-      }
-      hashes[cell] = HashOf(key.data(), sizeof(key), hashes[cell]);
-    });
+      texts.push_back(std::to_string(id));
+    }
+    return Joined(texts) + (ids.size() > enough ? ", ..." : "");
+  };
+  const auto faces = grid.GetFaces(cell);
+  return "points " + list(grid.GetIds(cell)) + (faces.empty() ? "" : " with faces " + list(faces));
 }
 
 // The elements of hashes that the others do not have, or not as often. Sorted.
@@ -177,7 +180,7 @@ std::vector<std::pair<Property, Property>> PropertiesOf(
 std::string CornersText(const GridView& grid, std::size_t cell)
 {
   std::vector<std::string> texts;
-  for (const std::int64_t id : grid.Tets[cell])
+  for (const std::int64_t id : grid.GetIds(cell))
   {
     texts.push_back(grid.PointArrays[0].Text(static_cast<std::size_t>(id)));
   }
@@ -218,10 +221,9 @@ std::string Comparison::Compare(const GridView& first, const GridView& second)
   {
     return fmt::format("{} has {} points, {} has {}", a, first.Points, b, second.Points);
   }
-  if (first.Tets.size() != second.Tets.size())
+  if (first.Cells != second.Cells)
   {
-    return fmt::format(
-      "{} has {} tetrahedra, {} has {}", a, first.Tets.size(), b, second.Tets.size());
+    return fmt::format("{} has {} cells, {} has {}", a, first.Cells, b, second.Cells);
   }
   std::string difference = this->CompareArrays(
     first.PointArrays, second.PointArrays, (this->Kept & gatun::KeepPoints) != 0);
@@ -230,17 +232,9 @@ std::string Comparison::Compare(const GridView& first, const GridView& second)
     difference = this->CompareArrays(
       first.CellArrays, second.CellArrays, (this->Kept & gatun::KeepCells) != 0);
   }
-  for (std::size_t i = 0;
-       i < first.Tets.size() && this->Kept == gatun::KeepAll && difference.empty(); ++i)
+  if (this->Kept == gatun::KeepAll && difference.empty())
   {
-    const Tet& ofA = first.Tets[i];
-    const Tet& ofB = second.Tets[i];
-    if (ofA != ofB)
-    {
-      difference =
-        fmt::format("the corners of cell {}: points {}, {}, {}, {} in {}, {}, {}, {}, {} in {}", i,
-          ofA[0], ofA[1], ofA[2], ofA[3], a, ofB[0], ofB[1], ofB[2], ofB[3], b);
-    }
+    difference = this->CompareInOrder(first, second);
   }
   if (this->Kept != gatun::KeepAll)
   {
@@ -248,6 +242,27 @@ std::string Comparison::Compare(const GridView& first, const GridView& second)
     difference = difference.empty() ? this->CompareCells(first, second) : difference;
   }
   return difference.empty() ? this->CompareFieldData(first.Grid, second.Grid) : difference;
+}
+
+//------------------------------------------------------------------------------
+// Compares the cells one by one.
+std::string Comparison::CompareInOrder(const GridView& first, const GridView& second) const
+{
+  for (std::size_t i = 0; i < first.Cells; ++i)
+  {
+    if (first.GetType(i) != second.GetType(i))
+    {
+      return fmt::format("cell {} is a {} in {}, a {} in {}", i, NameOfCell(first.GetType(i)),
+        this->First.Name, NameOfCell(second.GetType(i)), this->Second.Name);
+    }
+    if (!std::ranges::equal(first.GetIds(i), second.GetIds(i)) ||
+      !std::ranges::equal(first.GetFaces(i), second.GetFaces(i)))
+    {
+      return fmt::format("the corners of cell {}: {} in {}, {} in {}", i, IdsText(first, i),
+        this->First.Name, IdsText(second, i), this->Second.Name);
+    }
+  }
+  return {};
 }
 
 //------------------------------------------------------------------------------
@@ -383,18 +398,18 @@ std::string Comparison::CompareCells(const GridView& first, const GridView& seco
 {
   const bool isKept = (this->Kept & gatun::KeepCells) != 0;
   const bool keepCorners = (this->Kept & gatun::KeepCorners) != 0;
-  if (this->First.Cells.size() != first.Tets.size())
+  if (this->First.Cells.size() != first.Cells)
   {
-    this->First.Cells = Numbered(first.Tets.size(), isKept);
-    this->Second.Cells = Numbered(second.Tets.size(), isKept);
+    this->First.Cells = Numbered(first.Cells, isKept);
+    this->Second.Cells = Numbered(second.Cells, isKept);
   }
   std::vector<std::pair<Property, Property>> properties =
     PropertiesOf(first.CellArrays, second.CellArrays);
   properties.insert(properties.begin(),
     { [&](std::vector<Hash>& hashes)
-      { AddCorners(hashes, first.Tets, this->First.Points, keepCorners); },
+      { AddCorners(hashes, first, this->First.Points, keepCorners); },
       [&](std::vector<Hash>& hashes)
-      { AddCorners(hashes, second.Tets, this->Second.Points, keepCorners); } });
+      { AddCorners(hashes, second, this->Second.Points, keepCorners); } });
   const auto mismatch = CompareSets(this->First.Cells, this->Second.Cells, properties);
   if (!mismatch)
   {

@@ -17,7 +17,8 @@ namespace gtn
  *
  * Where an order is kept (flags of gatun::KeepOrder), points or cells are compared place by place.
  * Elsewhere they are compared as sets. A point is its coordinates and the values of its arrays, at
- * this step and at all steps before. A cell is its four points, up to even permutations, and the
+ * this step and at all steps before. A cell is its type, its points (those of
+ * tetrahedra up to even permutations, those of polyhedra as sets of points and faces), and the
  * values of its arrays. Each point and each cell is represented by a hash of 128 bits, and the
  * sorted hashes of the two grids must be equal.
  *
@@ -45,6 +46,7 @@ private:
     std::vector<Hash> Cells;
   };
 
+  std::string CompareInOrder(const GridView& first, const GridView& second) const;
   std::string CompareTuples(const ArrayView& first, const ArrayView& second) const;
   std::string CompareArrays(const std::vector<ArrayView>& first,
     const std::vector<ArrayView>& second, bool withValues) const;

@@ -8,8 +8,10 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
@@ -113,32 +115,53 @@ std::string ArrayView::Text(std::size_t i) const
 GridView::GridView(vtkUnstructuredGrid* grid)
   : Grid(grid)
   , Points(static_cast<std::size_t>(grid->GetNumberOfPoints()))
-  , Tets(static_cast<std::size_t>(grid->GetNumberOfCells()))
+  , Cells(static_cast<std::size_t>(grid->GetNumberOfCells()))
 {
   if (this->Points > 0)
   {
     this->PointArrays.emplace_back(grid->GetPoints()->GetData(), "").Title = "the coordinates";
   }
   AddViews(this->PointArrays, grid->GetPointData(), "point array", this->Points);
-  AddViews(this->CellArrays, grid->GetCellData(), "cell array", this->Tets.size());
-  if (this->Tets.empty())
+  AddViews(this->CellArrays, grid->GetCellData(), "cell array", this->Cells);
+  if (this->Cells == 0)
   {
     return;
   }
+  this->Types = grid->GetCellTypesArray()->GetPointer(0);
+  const auto read = [](auto* from, std::vector<std::int64_t>& to)
+  { to.assign(from->GetPointer(0), from->GetPointer(0) + from->GetNumberOfValues()); };
   vtkCellArray* const cells = grid->GetCells();
-  if (cells->IsHomogeneous() != 4)
+  if (cells->IsStorage64Bit())
   {
-    throw Failure("has cells that are not tetrahedra");
+    read(cells->GetOffsetsArray64(), this->Starts);
+    read(cells->GetConnectivityArray64(), this->Ids);
   }
-  const auto read = [this](const auto* ids)
+  else
   {
-    for (Tet& tet : this->Tets)
-    {
-      tet = { ids[0], ids[1], ids[2], ids[3] };
-      ids += 4;
-    }
-  };
-  cells->IsStorage64Bit() ? read(cells->GetConnectivityArray64()->GetPointer(0))
-                          : read(cells->GetConnectivityArray32()->GetPointer(0));
+    read(cells->GetOffsetsArray32(), this->Starts);
+    read(cells->GetConnectivityArray32(), this->Ids);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::span<const std::int64_t> GridView::GetFaces(std::size_t cell) const
+{
+  vtkIdTypeArray* const faces = this->Grid->GetFaces();
+  vtkIdTypeArray* const places = this->Grid->GetFaceLocations();
+  const vtkIdType place = faces && places && this->GetType(cell) == VTK_POLYHEDRON
+    ? places->GetValue(static_cast<vtkIdType>(cell))
+    : -1;
+  if (place < 0)
+  {
+    return {};
+  }
+  static_assert(sizeof(vtkIdType) == sizeof(std::int64_t));
+  const auto* const begin = reinterpret_cast<const std::int64_t*>(faces->GetPointer(place)) + 1;
+  const std::int64_t* end = begin;
+  for (auto count = begin[-1]; count > 0; --count)
+  {
+    end += 1 + *end;
+  }
+  return { begin, end };
 }
 }

@@ -3,13 +3,13 @@
 #ifndef gtnGridView_h
 #define gtnGridView_h
 
-// The bytes of a tetrahedral grid, for comparing.
+// The bytes of a grid, for comparing.
 
 #include "vtkSmartPointer.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,19 +37,36 @@ struct ArrayView
   std::string Text(std::size_t i) const;
 };
 
-using Tet = std::array<std::int64_t, 4>;
-
 /** Views of the arrays of a grid, which must live as long. */
 struct GridView
 {
-  /** Throws Failure for other cells than tetrahedra, and for arrays that are not numeric. */
+  /** Throws Failure for arrays that are not numeric. The cells must be valid: see MakeCellInput. */
   explicit GridView(vtkUnstructuredGrid* grid);
 
   vtkUnstructuredGrid* Grid;
   std::size_t Points;
   std::vector<ArrayView> PointArrays; ///< the coordinates come first
   std::vector<ArrayView> CellArrays;
-  std::vector<Tet> Tets;
+  std::size_t Cells;
+
+  int GetType(std::size_t cell) const { return this->Types[cell]; }
+
+  /** The ids of the points of a cell. */
+  std::span<const std::int64_t> GetIds(std::size_t cell) const
+  {
+    const auto begin = static_cast<std::size_t>(this->Starts[cell]);
+    return std::span(this->Ids).subspan(
+      begin, static_cast<std::size_t>(this->Starts[cell + 1]) - begin);
+  }
+
+  /** The faces of a polyhedron: for each the number of its points, and their ids. Empty for other
+   * cells. */
+  std::span<const std::int64_t> GetFaces(std::size_t cell) const;
+
+private:
+  const unsigned char* Types = nullptr;
+  std::vector<std::int64_t> Starts; // of the ids of each cell, and the end
+  std::vector<std::int64_t> Ids;
 };
 }
 

@@ -114,7 +114,7 @@ void ContourInput::OpenFile(const ContourInputOptions& options, const Settings& 
 void ContourInput::Read(const ContourInputOptions& options, const Settings& settings)
 {
   InputOptions all;
-  all.Cells = gatun::VolumesOnly;
+  all.VolumesOnly = true;
   all.Quiet = settings.Quiet;
   Input input({ this->File }, all);
   const auto whole = ReadStep(input, options.Step, settings);

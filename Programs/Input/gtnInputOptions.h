@@ -3,8 +3,6 @@
 #ifndef gtnInputOptions_h
 #define gtnInputOptions_h
 
-#include "gatunTetInput.h"
-
 #include <string>
 #include <vector>
 
@@ -15,7 +13,8 @@ struct InputOptions
 {
   std::vector<std::string> Arrays; ///< names of the point and cell arrays to keep
   bool AllArrays = true;           ///< keep all, and Arrays means nothing
-  gatun::TetInputOptions Cells;    ///< what becomes of other cells than linear 3D cells
+  bool Split = false;              ///< split cells into tetrahedra, with a warning
+  bool VolumesOnly = false;        ///< only the tetrahedra that cells consist of matter
   bool Quiet = false;              ///< no warnings
 };
 }

@@ -6,6 +6,7 @@
 #include "gtnFailure.h"
 #include "gtnText.h"
 
+#include "gatunCellInput.h"
 #include "gatunTetInput.h"
 #include "vtkGatunMergeBlocks.h"
 
@@ -148,6 +149,31 @@ int Preparer::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* inf
 }
 
 //------------------------------------------------------------------------------
+// Converts the cells as the options say, with warnings.
+vtkSmartPointer<vtkUnstructuredGrid> Preparer::Convert(vtkUnstructuredGrid* grid)
+{
+  gatun::CellInput cells;
+  if (this->Options.VolumesOnly)
+  {
+    const gatun::TetInput tets = gatun::MakeTetInput(grid);
+    if (tets.Grid->GetNumberOfCells() == 0 && !tets.LeftOut.empty())
+    {
+      throw Failure("has no 3D cells, only " + tets.LeftOut);
+    }
+    cells = { tets.Grid, tets.Warnings };
+  }
+  else
+  {
+    cells = gatun::MakeCellInput(grid, this->Options.Split);
+  }
+  for (const std::string& warning : cells.Warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
+  return cells.Grid;
+}
+
+//------------------------------------------------------------------------------
 int Preparer::RequestData(vtkInformation* vtkNotUsed(request), vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
@@ -177,16 +203,7 @@ int Preparer::RequestData(vtkInformation* vtkNotUsed(request), vtkInformationVec
       Select(grid->GetPointData(), this->Options.Arrays);
       Select(grid->GetCellData(), this->Options.Arrays);
     }
-    const gatun::TetInput tets = gatun::MakeTetInput(grid, this->Options.Cells);
-    if (tets.Grid->GetNumberOfCells() == 0 && !tets.LeftOut.empty())
-    {
-      throw Failure("has no 3D cells, only " + tets.LeftOut);
-    }
-    for (const std::string& warning : tets.Warnings)
-    {
-      vtkWarningMacro(<< warning);
-    }
-    output->ShallowCopy(tets.Grid);
+    output->ShallowCopy(this->Convert(grid));
   }
   catch (const std::exception& error)
   {

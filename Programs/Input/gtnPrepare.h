@@ -7,13 +7,14 @@
 
 #include "gtnInputOptions.h"
 
+#include "vtkSmartPointer.h"
 #include "vtkUnstructuredGridAlgorithm.h"
 
 namespace gtn
 {
 /**
- * Makes a grid of tetrahedra of any data object: blocks are merged, structured grids and other
- * cells are split, arrays that are not wanted are left out. Says so by warnings. Time passes.
+ * Makes an unstructured grid of any data object: blocks are merged, cells are split and arrays left
+ * out if the options say so. Warns of changes. Time passes.
  */
 class Preparer : public vtkUnstructuredGridAlgorithm
 {
@@ -29,6 +30,8 @@ protected:
     vtkInformationVector* outputVector) override;
 
 private:
+  vtkSmartPointer<vtkUnstructuredGrid> Convert(vtkUnstructuredGrid* grid);
+
   InputOptions Options;
 };
 }

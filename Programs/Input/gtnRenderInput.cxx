@@ -68,7 +68,7 @@ void RenderInput::OpenFile(const RenderInputOptions& options)
 void RenderInput::Read(const RenderInputOptions& options, Progress& progress)
 {
   InputOptions inputOptions;
-  inputOptions.Cells = gatun::VolumesOnly;
+  inputOptions.VolumesOnly = true;
   inputOptions.Quiet = options.Quiet;
   Input input({ this->File }, inputOptions);
   const std::size_t step = ChooseStep(options.Step, this->File, input.GetTimes(), options.Quiet);

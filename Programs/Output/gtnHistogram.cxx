@@ -103,7 +103,7 @@ void ForEachNumber(const std::shared_ptr<const gatun::FileReader>& file, std::ui
     request.Arrays.assign(1, array);
     decoder.SetRequest(request);
     const auto count =
-      static_cast<std::size_t>(ofPoints ? decoder.GetNumberOfPoints() : decoder.GetNumberOfTets());
+      static_cast<std::size_t>(ofPoints ? decoder.GetNumberOfPoints() : decoder.GetNumberOfCells());
     std::vector<std::uint8_t> values(count * tuple);
     std::vector<unsigned char> ghosts(ofPoints ? count : 0);
     gatun::PieceTarget target;

@@ -5,6 +5,10 @@
 
 #include "gtnText.h"
 
+#include "vtkCellTypes.h"
+
+#include <fmt/core.h>
+
 #include <vector>
 
 namespace gtn
@@ -36,6 +40,28 @@ const char* NameOf(gatun::ScalarType type)
       return "float64";
   }
   return "unknown";
+}
+
+//------------------------------------------------------------------------------
+std::string NameOfCell(int type)
+{
+  const std::string name = vtkCellTypes::GetClassNameFromTypeId(type);
+  return name == "UnknownClass" ? fmt::format("of type {}", type) : name;
+}
+
+//------------------------------------------------------------------------------
+std::string ListCells(const gatun::FileReader& file)
+{
+  if (file.IsTetrahedral())
+  {
+    return Grouped(file.GetNumberOfTets()) + " tetrahedra";
+  }
+  std::vector<std::string> types;
+  for (const gatun::CellTypeCount& type : file.GetCellTypes())
+  {
+    types.push_back(Grouped(type.Cells) + " " + NameOfCell(type.Type));
+  }
+  return fmt::format("{} cells ({})", Grouped(file.GetNumberOfCells()), Joined(types));
 }
 
 //------------------------------------------------------------------------------

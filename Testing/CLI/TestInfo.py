@@ -40,7 +40,7 @@ assert sizes["arrays"]["bytes"] == sum(array["bytes"] for array in info["arrays"
 assert parts == sizes["file"]["bytes"], (parts, sizes["file"]["bytes"])
 with open("mesh.gtn", "rb") as file:
     assert len(file.read()) == sizes["file"]["bytes"]
-assert abs(sizes["file"]["bitsPerTet"] - 8 * sizes["file"]["bytes"] / info["tets"]) < 1e-9
+assert abs(sizes["file"]["bitsPerCell"] - 8 * sizes["file"]["bytes"] / info["tets"]) < 1e-9
 assert "chunkTable" not in json.loads(gtn("info", "--json", "mesh.gtn"))
 
 text = gtn("info", "-v", "mesh.gtn")

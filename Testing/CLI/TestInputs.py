@@ -37,7 +37,7 @@ def write_with(writer, data, name):
 
 
 def round_trip(name, says, *options):
-    gtn("pack", *options, name, name + ".gtn", says=says)
+    gtn("pack", "-f", *options, name, name + ".gtn", says=says)
     gtn("verify", *options, name + ".gtn", name, says="identical")
 
 
@@ -47,13 +47,14 @@ heat = numpy_to_vtk(np.arange(120, dtype=np.float32), deep=True)
 heat.SetName("heat")
 image.GetPointData().SetScalars(heat)
 write_with(vtkXMLImageDataWriter(), image, "image.vti")
-round_trip("image.vti", "60 vtkVoxel were split")
+round_trip("image.vti", "60 cells (60 vtkVoxel)")
+round_trip("image.vti", "60 vtkVoxel were split", "--tets")
 
 append = vtkAppendFilter()
 append.AddInputData(image)
 append.Update()
 write(append.GetOutput(), "voxels.vtu")
-round_trip("voxels.vtu", "60 vtkVoxel were split")
+round_trip("voxels.vtu", "60 cells (60 vtkVoxel)")
 
 blocks = vtkMultiBlockDataSet()
 blocks.SetBlock(0, standard_mesh(3))
@@ -80,11 +81,12 @@ def grid_of(cell_type, points):
 corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], dtype=float)
 middles = [(corners[i] + corners[j]) / 2 for i, j in ((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3))]
 write(grid_of(VTK_QUADRATIC_TETRA, [*corners, *middles]), "quadratic.vtu")
-gtn("pack", "quadratic.vtu", "new.gtn", code=1, says="gtn: quadratic.vtu: 1 vtkQuadraticTetra")
-round_trip("quadratic.vtu", "without mid-edge points", "--linearize")
+round_trip("quadratic.vtu", "1 cells (1 vtkQuadraticTetra)")
+round_trip("quadratic.vtu", "without mid-edge points", "--tets")
 
 write(grid_of(VTK_QUAD, corners), "quad.vtu")
-gtn("pack", "quad.vtu", "new.gtn", code=1, says="1 vtkQuad")
+round_trip("quad.vtu", "1 cells (1 vtkQuad)")
+round_trip("quad.vtu", "1 vtkQuad are left out", "--tets")
 sphere = vtkSphereSource()
 sphere.Update()
 write_with(vtkXMLPolyDataWriter(), sphere.GetOutput(), "sphere.vtp")

@@ -68,7 +68,12 @@ public:
     const auto read = [&](FourCC name, const char* what)
     { return file.Read(file.FindSection(name, what), what); };
     this->Meta = MetaTable::Read(read(SectionMeta, "META"));
-    this->Mesh = MeshTable::Read(read(SectionTable, "TABL"), this->Meta);
+    if (!file.FindSections(SectionCells).empty())
+    {
+      this->Cells = CellTable::Read(read(SectionCells, "CELL"));
+    }
+    this->Mesh = MeshTable::Read(
+      read(SectionTable, "TABL"), this->Meta, this->Cells ? &*this->Cells : nullptr);
     for (const auto& section : file.GetSections())
     {
       if (section.Name == SectionStep)
@@ -167,6 +172,10 @@ public:
       sections.push_back(
         { SectionStep, stored ? Store(*this->StoredSteps[i]) : placed.Steps[i].Write() });
     }
+    if (this->Cells)
+    {
+      sections.push_back({ SectionCells, this->Cells->Write() });
+    }
     sections.push_back({ SectionTable,
       this->StoredMesh ? Store(*this->StoredMesh) : placed.Mesh.Write(this->Meta.Keep) });
     sections.push_back(
@@ -216,6 +225,7 @@ public:
   std::uint16_t Minor = 0;
   std::uint32_t Reserved = 0;
   MetaTable Meta;
+  std::optional<CellTable> Cells; // if not all cells are tetrahedra
   MeshTable Mesh;
   std::vector<StepTable> Steps;
   std::vector<Bytes> Streams;

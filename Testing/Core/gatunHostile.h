@@ -90,7 +90,7 @@ inline void ReadAll(const std::string& path)
   PieceDecoder decoder(file);
   decoder.SetRequest(request);
   const auto points = static_cast<std::size_t>(decoder.GetNumberOfPoints());
-  const auto tets = static_cast<std::size_t>(decoder.GetNumberOfTets());
+  const auto tets = static_cast<std::size_t>(decoder.GetNumberOfCells());
   std::vector<double> coordinates(3 * points);
   std::vector<std::int64_t> connectivity(4 * tets);
   std::vector<std::vector<std::uint8_t>> values;

@@ -89,7 +89,7 @@ struct Piece
   {
     decoder.SetRequest(request);
     const auto points = decoder.GetNumberOfPoints();
-    const auto tets = decoder.GetNumberOfTets();
+    const auto tets = decoder.GetNumberOfCells();
     this->Mesh.Coordinates.resize(3 * points);
     this->Mesh.Ids.resize(4 * tets);
     this->Field.resize(points);

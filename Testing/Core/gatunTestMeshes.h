@@ -28,7 +28,7 @@ struct TestMesh
     input.Points = this->GetPoints();
     input.CoordinateType = ScalarType::Float64;
     input.Coordinates = this->Coordinates.data();
-    input.Tets = this->GetTets();
+    input.Cells = this->GetTets();
     input.Connectivity = this->Ids.data();
     return input;
   }

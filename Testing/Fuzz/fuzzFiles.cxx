@@ -52,7 +52,7 @@ void DecodePiece(PieceDecoder& decoder, const FileReader& file, const PieceReque
 {
   decoder.SetRequest(request);
   const auto points = static_cast<std::size_t>(decoder.GetNumberOfPoints());
-  const auto tets = static_cast<std::size_t>(decoder.GetNumberOfTets());
+  const auto tets = static_cast<std::size_t>(decoder.GetNumberOfCells());
   std::vector<double> coordinates(3 * points);
   std::vector<std::int64_t> connectivity(4 * tets, -1), pointIds(points, -1), cellIds(tets, -1);
   std::vector<unsigned char> pointGhosts(points, 77), cellGhosts(tets, 77);

@@ -99,7 +99,7 @@ Content TakeContent(fuzz::Input& in)
   points += in.TakeUpTo(3); // of no tetrahedron
   content.Mesh.Points = points;
   content.Mesh.CoordinateType = in.TakeBool() ? ScalarType::Float32 : ScalarType::Float64;
-  content.Mesh.Tets = content.Ids.size() / 4;
+  content.Mesh.Cells = content.Ids.size() / 4;
   content.Coordinates =
     TakeValues(in, content.Mesh.CoordinateType, std::size_t{ 3 } * points, nullptr);
   for (std::uint32_t step = 0; step < steps; ++step)
@@ -107,7 +107,7 @@ Content TakeContent(fuzz::Input& in)
     for (auto& array : content.Arrays)
     {
       const auto tuples = static_cast<std::size_t>(
-        array.Description.Where == Association::Point ? points : content.Mesh.Tets);
+        array.Description.Where == Association::Point ? points : content.Mesh.Cells);
       array.Steps.push_back(TakeValues(in, array.Description.Type,
         tuples * array.Description.Components, step > 0 ? &array.Steps.back() : nullptr));
     }
@@ -176,10 +176,10 @@ void CheckStep(
   PieceDecoder& decoder, const Content& content, PieceRequest& request, std::size_t step)
 {
   const auto points = static_cast<std::size_t>(content.Mesh.Points);
-  const auto tets = static_cast<std::size_t>(content.Mesh.Tets);
+  const auto tets = static_cast<std::size_t>(content.Mesh.Cells);
   request.Step = step;
   decoder.SetRequest(request);
-  Require(decoder.GetNumberOfPoints() == points && decoder.GetNumberOfTets() == tets);
+  Require(decoder.GetNumberOfPoints() == points && decoder.GetNumberOfCells() == tets);
   Bytes coordinates(content.Coordinates.size());
   std::vector<std::int64_t> ids(4 * tets);
   std::vector<Bytes> values;

@@ -140,4 +140,4 @@ writer = vtkGatunWriter()
 writer.SetInputDataObject(grid)
 writer.SetFileName(gm.temporary("blocks.gtn"))
 assert writer.Write() == 1
-assert gm.read(writer.GetFileName()).GetNumberOfCells() > 2 * 162 + 8
+assert gm.read(writer.GetFileName()).GetNumberOfCells() == grid.GetNumberOfCells()

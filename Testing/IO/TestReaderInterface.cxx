@@ -99,7 +99,7 @@ int TestReaderInterface(int argc, char* argv[])
   writer->SetKeepOrderToAll();
   writer->SetChunkTets(100);
   Check(writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError, "writing");
-  Check(writer->GetWrittenTets() == 1000, "statistics");
+  Check(writer->GetWrittenCells() == 1000, "statistics");
 
   vtkNew<vtkGatunReader> reader;
   reader->SetFileName(path.c_str());
@@ -132,13 +132,13 @@ int TestReaderInterface(int argc, char* argv[])
   }
 
   CheckPrinted(reader,
-    { "FileName", "RestoreOrder", "GenerateGlobalIds", "UseBox", "Box", "UseValueRange",
-      "ValueRangeArray", "ValueRangeAssociation", "ValueRangeComponent", "ValueRange",
-      "MemoryBudget", "CachedBytes", "DecodedChunks", "BytesRead", "PointDataArraySelection",
-      "CellDataArraySelection" });
+    { "FileName", "RestoreOrder", "SplitCells", "GenerateGlobalIds", "UseBox", "Box",
+      "UseValueRange", "ValueRangeArray", "ValueRangeAssociation", "ValueRangeComponent",
+      "ValueRange", "MemoryBudget", "CachedBytes", "DecodedChunks", "BytesRead",
+      "PointDataArraySelection", "CellDataArraySelection" });
   CheckPrinted(writer,
     { "FileName", "WriteUnlistedArrays", "KeepOrder", "ChunkTets", "KeyStepInterval",
-      "WriteAllTimeSteps", "LinearizeQuadratic", "WrittenPoints", "WrittenTets", "WrittenSteps",
+      "WriteAllTimeSteps", "SplitCells", "WrittenPoints", "WrittenCells", "WrittenSteps",
       "FileBytes", "ConnectivityBytes", "GeometryBytes", "OrderBytes", "ArrayBytes",
       "FieldDataBytes", "DirectoryBytes", "PointDataArraySelection", "CellDataArraySelection" });
   const auto nameOf = [](unsigned long code)

@@ -93,7 +93,7 @@ for setter, expected in ((writer.SetKeepOrderToPoints, 1), (writer.SetKeepOrderT
 # Statistics add up.
 writer = gm.write(grid, path, KeepOrder=7)
 assert writer.GetWrittenPoints() == grid.GetNumberOfPoints()
-assert writer.GetWrittenTets() == grid.GetNumberOfCells() and writer.GetWrittenSteps() == 1
+assert writer.GetWrittenCells() == grid.GetNumberOfCells() and writer.GetWrittenSteps() == 1
 parts = [writer.GetConnectivityBytes(), writer.GetGeometryBytes(), writer.GetOrderBytes(),
          writer.GetArrayBytes(), writer.GetFieldDataBytes(), writer.GetDirectoryBytes()]
 assert sum(parts) == os.path.getsize(path) == writer.GetFileBytes(), (parts, writer.GetFileBytes())

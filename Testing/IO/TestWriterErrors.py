@@ -63,21 +63,10 @@ refuse(good, "FileName", to=None, expected=vtkErrorCode.NoFileNameError)
 refuse(good, "FileName", to="", expected=vtkErrorCode.NoFileNameError)
 
 # Cells.
-for kind, size, name in (
-        (c.VTK_VERTEX, 1, "vtkVertex"), (c.VTK_LINE, 2, "vtkLine"),
-        (c.VTK_TRIANGLE, 3, "vtkTriangle"), (c.VTK_QUAD, 4, "vtkQuad"),
-        (c.VTK_PIXEL, 4, "vtkPixel"), (c.VTK_POLYGON, 5, "vtkPolygon"),
-        (c.VTK_POLY_LINE, 4, "vtkPolyLine"), (c.VTK_TRIANGLE_STRIP, 5, "vtkTriangleStrip"),
-        (c.VTK_QUADRATIC_HEXAHEDRON, 20, "vtkQuadraticHexahedron"),
-        (c.VTK_QUADRATIC_TRIANGLE, 6, "vtkQuadraticTriangle"),
-        (71, 10, "vtkLagrangeTetra"),
-        (c.VTK_EMPTY_CELL, 0, "vtkEmptyCell")):
-    refuse(cells_of(kind, size), "2 " + name)
-refuse(cells_of(c.VTK_QUADRATIC_TETRA, 10), "2 vtkQuadraticTetra", "LinearizeQuadratic")
-both = cells_of(c.VTK_TRIANGLE, 3, 3)
-both.InsertNextCell(c.VTK_WEDGE, 6, list(range(6)))
-both.InsertNextCell(c.VTK_LINE, 2, [0, 1])
-refuse(both, "3 vtkTriangle", "1 vtkLine", "TetrahedraOnly")
+for kind, size, right in ((c.VTK_HEXAHEDRON, 7, 8), (c.VTK_WEDGE, 8, 6), (c.VTK_PYRAMID, 4, 5),
+                          (c.VTK_QUADRATIC_HEXAHEDRON, 19, 20), (c.VTK_TETRA, 5, 4)):
+    refuse(cells_of(kind, size), "cell 0 has %d points, not %d" % (size, right))
+refuse(cells_of(99, 3), "2 of type 99", SplitCells=True)
 # A polyhedron without points in a grid that has none.
 nothing = vtkUnstructuredGrid()
 nothing.Allocate(1)
@@ -91,21 +80,22 @@ writer.SetInputDataObject(nothing)
 writer.SetFileName(gm.temporary("polyhedron-of-nothing.gtn"))
 assert writer.Write() == 1
 
-for place, value, message in ((0, 5, "not in the list of faces"), (0, -1, None), (1, 400, "a face of 400 points"),
-                              (1, -3, "a face of -3 points"), (2, len(points), "names point %d" % len(points)),
-                              (16, -1, "names point -1"), (13, 2 ** 40, "a face of")):
+beyond = "faces beyond the end"
+for place, value, message in ((0, 5, beyond), (0, -1, "-1 faces"), (1, 400, beyond),
+                              (1, -3, "a face of -3 points"),
+                              (2, len(points), "uses point %d" % len(points)),
+                              (16, -1, "uses point -1"), (13, 2 ** 40, beyond)):
     polyhedron = gm.make_grid(points, [])
     faces = vtkIdList()
     for number in (4, 3, 0, 1, 2, 3, 0, 1, 3, 3, 0, 2, 3, 3, 1, 2, 3):
         faces.InsertNextId(number)
     polyhedron.InsertNextCell(42, faces)
     polyhedron.GetFaces().SetValue(place, value)
-    if message:
-        refuse(polyhedron, "polyhedron 0", message)
+    refuse(polyhedron, "cell 0", message)
     polyhedron.GetFaceLocations().SetValue(0, 100)
-    refuse(polyhedron, "polyhedron 0", "not in the list of faces")
+    refuse(polyhedron, "cell 0", beyond)
     polyhedron.GetFaceLocations().SetValue(0, -7)
-    refuse(polyhedron, "polyhedron 0", "not in the list of faces")
+    refuse(polyhedron, "cell 0", "a polyhedron without faces")
 writer = vtkGatunWriter()
 errors = gm.Errors(writer)
 writer.SetInputDataObject(vtkPolyData())
@@ -136,7 +126,7 @@ for value in range(9):
     corners.InsertNextValue(value)
 cells.SetData(offsets, corners)
 five.SetCells(c.VTK_TETRA, cells)
-refuse(five, "4 points")
+refuse(five, "cell 1 has 5 points, not 4")
 
 
 # Arrays.

@@ -141,7 +141,7 @@ assert {proxy.get("class") for _, proxy in proxies} >= \
 # The reader and the writer that people get have the properties of those that do the work.
 path = sample.temporary("properties.gtn")
 writer = simple.CreateWriter(path, sample.make_source())
-for prop in ("KeepOrder", "ChunkTets", "LinearizeQuadratic", "ReplaceReadOnly", "FileName",
+for prop in ("KeepOrder", "ChunkTets", "SplitCells", "ReplaceReadOnly", "FileName",
              "ChooseArraysToWrite", "WriteAllTimeSteps", "KeyStepInterval"):
     assert writer.GetProperty(prop) is not None, prop
 writer.UpdatePipeline()

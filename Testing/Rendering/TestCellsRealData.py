@@ -49,7 +49,6 @@ def write(grid, name):
     writer.AddObserver("WarningEvent", lambda *_: None)
     writer.SetInputDataObject(grid)
     writer.SetFileName(gm.temporary(name))
-    writer.SetLinearizeQuadratic(True)
     writer.SetKeepOrderToAll()
     assert writer.Write() == 1
     return writer.GetFileName()
@@ -87,7 +86,7 @@ def faces_of_grid(grid):
 for name in FILES:
     grid = load(name)
     path = write(grid, "real-cells.gtn")
-    tets = gm.read(path)
+    tets = gm.read(path, SplitCells=True)
     ids = gm.connectivity(tets)
     points = gm.coordinates(tets).astype(float)
     volumes = volumes_of(points[ids])

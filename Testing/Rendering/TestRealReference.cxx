@@ -150,7 +150,7 @@ bool IsRight(const std::string& name, const ReferenceMesh& mesh)
   input.Points = mesh.Points.size();
   input.CoordinateType = ScalarType::Float64;
   input.Coordinates = mesh.Points.data();
-  input.Tets = mesh.Tets.size();
+  input.Cells = mesh.Tets.size();
   input.Connectivity = mesh.Tets.data();
   input.WideIds = false;
   MemoryRaySource source(input,

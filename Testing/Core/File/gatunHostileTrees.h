@@ -77,7 +77,7 @@ inline void Decode(const std::shared_ptr<const FileReader>& file, const PieceReq
   PieceDecoder decoder(file);
   decoder.SetRequest(request);
   const auto points = static_cast<std::size_t>(decoder.GetNumberOfPoints());
-  const auto tets = static_cast<std::size_t>(decoder.GetNumberOfTets());
+  const auto tets = static_cast<std::size_t>(decoder.GetNumberOfCells());
   std::vector<double> coordinates(3 * points);
   std::vector<std::int64_t> ids(4 * tets, -1);
   std::vector<unsigned char> ghosts(points);

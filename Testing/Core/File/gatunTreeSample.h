@@ -57,7 +57,7 @@ struct TreeSample
     input.Coordinates = this->CoordinateType == ScalarType::Float32
       ? static_cast<const void*>(this->Singles.data())
       : this->Coordinates.data();
-    input.Tets = this->GetTets();
+    input.Cells = this->GetTets();
     input.Connectivity = this->Ids.data();
     return input;
   }

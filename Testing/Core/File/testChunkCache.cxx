@@ -83,7 +83,7 @@ struct Answer
   {
     decoder.SetRequest(request);
     const auto points = static_cast<std::size_t>(decoder.GetNumberOfPoints());
-    const auto tets = static_cast<std::size_t>(decoder.GetNumberOfTets());
+    const auto tets = static_cast<std::size_t>(decoder.GetNumberOfCells());
     this->Points.resize(3 * points);
     this->Ids.resize(4 * tets);
     this->GlobalPoints.resize(points);

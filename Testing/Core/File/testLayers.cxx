@@ -420,8 +420,8 @@ TEST(Layers, WhatIsNoNumberIsInTheFirstAndInfinityAtTheEnds)
   EXPECT_EQ(find(338), (LayerSpan{ 0, 3 }));
   // All go somewhere.
   const auto buckets = SortByLayers(mesh, numbers, layers, 1);
-  EXPECT_EQ(buckets.Tets.size(), 397u);
-  EXPECT_EQ(std::set<std::uint32_t>(buckets.Tets.begin(), buckets.Tets.end()).size(), 397u);
+  EXPECT_EQ(buckets.Cells.size(), 397u);
+  EXPECT_EQ(std::set<std::uint32_t>(buckets.Cells.begin(), buckets.Cells.end()).size(), 397u);
 }
 
 TEST(Layers, MeshesOfOneValueOrOfNothingHaveOne)

@@ -136,7 +136,7 @@ TEST(Partition, FindsOwnSharedAndUnusedPoints)
       {
         for (std::size_t i = 0; i < 4; ++i)
         {
-          users[static_cast<std::size_t>(mesh.Ids[4 * parts.Tets[t] + i])].insert(c);
+          users[static_cast<std::size_t>(mesh.Ids[4 * parts.Cells[t] + i])].insert(c);
         }
       }
     }

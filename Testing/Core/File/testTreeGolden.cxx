@@ -157,7 +157,7 @@ private:
     PieceDecoder decoder(this->File);
     decoder.SetRequest(request);
     const auto points = static_cast<std::size_t>(decoder.GetNumberOfPoints());
-    const auto tets = static_cast<std::size_t>(decoder.GetNumberOfTets());
+    const auto tets = static_cast<std::size_t>(decoder.GetNumberOfCells());
     Bytes coordinates(3 * points * SizeOf(this->File->GetCoordinateType()));
     std::vector<std::int64_t> ids(4 * tets);
     PieceTarget target;

@@ -68,7 +68,7 @@ TEST(HostileTables, CountsOfAChunkMustBePossible)
       f.Meta.Tets += 200000;
       f.Mesh.Chunks[0].Info.Tets += 200000;
     });
-  ExpectRefused("more points than its tetrahedra can use",
+  ExpectRefused("more points than its cells can use",
     [](FileImage& f)
     {
       f.Meta.Points += 300;

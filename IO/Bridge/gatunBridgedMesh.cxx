@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "gatunTetMesh.h"
+#include "gatunBridgedMesh.h"
 
 #include "gatunArrayBridge.h"
 #include "gatunError.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellType.h"
+#include "vtkIdTypeArray.h"
 #include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -49,7 +52,7 @@ vtkSmartPointer<vtkDataArray> CoordinatesOf(vtkPoints* points, bool& converted)
 }
 
 //------------------------------------------------------------------------------
-TetMesh::TetMesh(vtkUnstructuredGrid* grid)
+BridgedMesh::BridgedMesh(vtkUnstructuredGrid* grid)
 {
   if (grid->GetNumberOfPoints() > 0)
   {
@@ -67,16 +70,49 @@ TetMesh::TetMesh(vtkUnstructuredGrid* grid)
     if (cells->GetNumberOfCells() > 0)
     {
       this->Connectivity = cells->GetConnectivityArray();
-      this->Mesh.Tets = static_cast<std::uint64_t>(cells->GetNumberOfCells());
+      this->Mesh.Cells = static_cast<std::uint64_t>(cells->GetNumberOfCells());
       this->Mesh.Connectivity = this->Connectivity->GetVoidPointer(0);
+      vtkUnsignedCharArray* const types = grid->GetCellTypesArray();
+      const unsigned char* const begin = types->GetPointer(0);
+      if (cells->IsHomogeneous() != 4 ||
+        !std::all_of(begin, begin + types->GetNumberOfValues(),
+          [](unsigned char type) { return type == VTK_TETRA; }))
+      {
+        this->SetOthers(grid);
+      }
     }
   }
 }
 
-TetMesh::~TetMesh() = default;
+//------------------------------------------------------------------------------
+/** Sets what only cells other than tetrahedra need. */
+void BridgedMesh::SetOthers(vtkUnstructuredGrid* grid)
+{
+  const auto bytesOf = [](vtkIdTypeArray* ids)
+  {
+    static_assert(sizeof(vtkIdType) == sizeof(std::int64_t));
+    return reinterpret_cast<const std::int64_t*>(ids->GetPointer(0));
+  };
+  this->Types = grid->GetCellTypesArray();
+  this->Mesh.Types = grid->GetCellTypesArray()->GetPointer(0);
+  this->Offsets = grid->GetCells()->GetOffsetsArray();
+  this->Mesh.Offsets = this->Offsets->GetVoidPointer(0);
+  vtkIdTypeArray* const locations = grid->GetFaceLocations();
+  vtkIdTypeArray* const faces = grid->GetFaces();
+  if (locations && faces && locations->GetNumberOfValues() >= grid->GetNumberOfCells())
+  {
+    this->FaceLocations = locations;
+    this->Faces = faces;
+    this->Mesh.FaceLocations = bytesOf(locations);
+    this->Mesh.Faces = bytesOf(faces);
+    this->Mesh.FacesSize = static_cast<std::uint64_t>(faces->GetNumberOfValues());
+  }
+}
+
+BridgedMesh::~BridgedMesh() = default;
 
 //------------------------------------------------------------------------------
-std::size_t TetMesh::Hash() const
+std::size_t BridgedMesh::Hash() const
 {
   const auto bytesOf = [](vtkDataArray* array)
   {
@@ -86,6 +122,12 @@ std::size_t TetMesh::Hash() const
                  : std::string_view();
   };
   const std::hash<std::string_view> hash;
-  return hash(bytesOf(this->Coordinates)) * 31 + hash(bytesOf(this->Connectivity));
+  std::size_t all = 0;
+  for (vtkDataArray* array : { this->Coordinates.Get(), this->Connectivity.Get(),
+         this->Offsets.Get(), this->Types.Get(), this->FaceLocations.Get(), this->Faces.Get() })
+  {
+    all = all * 31 + hash(bytesOf(array));
+  }
+  return all;
 }
 }

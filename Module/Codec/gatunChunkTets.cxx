@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunChunkTets.h"
+
+#include "gatunCellSplitter.h"
+
+namespace gatun
+{
+ChunkTets SplitCells(const ChunkMesh& mesh)
+{
+  const auto places = mesh.GetPlaces();
+  using Order = PointOrder<double>;
+  CellSplitter<Vertex, Order> splitter(Order(places.empty() ? nullptr : places.front().data()));
+  ChunkTets result;
+  const CellList& cells = mesh.Cells;
+  for (std::uint32_t cell = 0; cell < cells.GetNumber(); ++cell)
+  {
+    splitter.Split(cells.Types[cell], cells.GetCorners(cell), cells.GetFaces(cell),
+      [&](const std::array<Vertex, 4>& tet)
+      {
+        result.Tets.push_back(tet);
+        result.Cells.push_back(cell);
+      });
+  }
+  return result;
+}
+}

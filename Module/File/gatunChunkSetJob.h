@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunChunkSetJob_h
+#define gatunChunkSetJob_h
+
+// The state of ChunkSetDecoder while it decodes and stores.
+
+#include "gatunCellStore.h"
+#include "gatunChunkSetDecoder.h"
+#include "gatunDomainWriter.h"
+#include "gatunPieceRequest.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace gatun
+{
+/** The position of the i-th item: its original id if there is an order, otherwise consecutive. */
+struct ChunkSetDecoder::Places
+{
+  const OrderPart* Order;
+  std::uint64_t First;
+
+  std::uint64_t operator()(std::size_t i) const
+  {
+    return this->Order ? (*this->Order)[i] : this->First + i;
+  }
+};
+
+//------------------------------------------------------------------------------
+struct ChunkSetDecoder::Job
+{
+  /** An array of the request. */
+  struct Wanted
+  {
+    std::uint32_t Index;
+    std::uint8_t* Values;
+    bool OfPoints;
+    std::size_t First; // the earliest step that any chunk needs to decode, or the job's step
+    std::vector<std::shared_ptr<const DomainsPart>> Domains; // from Begin on
+  };
+
+  /** The decoded parts of a block. */
+  struct BlockWork
+  {
+    std::shared_ptr<const PointsPart> Points;
+    std::shared_ptr<const OrderPart> Order;
+    std::vector<ArrayAtStep> Reached;                                 // for each array
+    std::vector<std::vector<std::shared_ptr<const ArrayPart>>> Steps; // for each, from Begin on
+    bool NeedsPoints = false;
+  };
+
+  /** The decoded parts of a chunk, until it is finished. */
+  struct ChunkWork
+  {
+    std::shared_ptr<const ChunkMesh> Mesh;
+    std::vector<ArrayAtStep> Reached; // for each array
+  };
+
+  const InputFile& File;
+  const PieceTarget& Target;
+  const bool RestorePoints;
+  const bool RestoreCells;
+  const bool RestoreCorners;
+  const bool NeedsPointOrder;
+  const bool NeedsCellOrder;
+  const std::size_t Step;
+  const std::size_t KeyStep; // from which Step is decoded
+  std::vector<Wanted> Arrays;
+  std::vector<BlockWork> Blocks;
+  std::vector<ChunkWork> Chunks;
+  std::vector<PlacedCells> Placed; // of all chunks, to store original cells in the original order
+  std::size_t Begin = 0;           // the steps to decode now
+  std::size_t End = 0;
+
+  bool IsLast() const { return this->End == this->Step; }
+
+  // The positions filled so far if an order is restored. A damaged file could contain one twice and
+  // leave another one uninitialized.
+  mutable std::vector<std::atomic<bool>> PointTaken;
+  mutable std::vector<std::atomic<bool>> CellTaken;
+
+  void TakePoint(std::uint64_t place) const { this->Take(this->PointTaken, place, "point "); }
+  void TakeCell(std::uint64_t place) const { this->Take(this->CellTaken, place, "cell "); }
+
+  void Take(std::vector<std::atomic<bool>>& taken, std::uint64_t place, const char* what) const
+  {
+    if (!taken.empty() && taken[static_cast<std::size_t>(place)].exchange(true))
+    {
+      this->File.Fail(ErrorCode::Corrupt,
+        "the original order is damaged: it names " + (what + std::to_string(place)) + " twice");
+    }
+  }
+
+  void StoreTuples(const Wanted& array, const ArrayPart& values, std::size_t count, auto&& keyOf,
+    auto&& placeOf) const
+  {
+    const auto& domains = *array.Domains.back();
+    const auto size = SizeOf(domains.front().GetType());
+    const auto stride = size * values.size();
+    for (std::size_t c = 0; c < values.size(); ++c)
+    {
+      WithWriter(domains[c],
+        [&](auto&& write)
+        {
+          const auto& keys = values[c];
+          auto* component = array.Values + c * size;
+          for (std::size_t i = 0; i < count; ++i)
+          {
+            write(keys[keyOf(i)], component + placeOf(i) * stride);
+          }
+        });
+    }
+  }
+
+  void StorePoint(const PointDomain& domains, const PointKeys& keys, std::uint64_t place) const
+  {
+    const auto size = SizeOf(domains[0].GetType());
+    auto* to = static_cast<std::uint8_t*>(this->Target.Points) + 3 * size * place;
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      domains[axis].Write(keys[axis], to + axis * size);
+    }
+  }
+};
+}
+
+#endif

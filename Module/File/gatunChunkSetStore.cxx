@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// How ChunkSetDecoder stores decoded parts in the target.
+
+#include "gatunCellStore.h"
+#include "gatunChunkSetDecoder.h"
+#include "gatunChunkSetJob.h"
+#include "gatunChunkTets.h"
+#include "gatunParallel.h"
+
+#include <utility>
+
+namespace gatun
+{
+//------------------------------------------------------------------------------
+void ChunkSetDecoder::StoreBlock(const Job& job, std::size_t b) const
+{
+  const auto& content = this->Content();
+  const auto& block = this->Set.GetBlocks()[b];
+  const auto& entry = this->Parts.GetBlock(block.Index);
+  const auto& work = job.Blocks[b];
+  const auto& target = job.Target;
+  const auto store = [&](std::size_t first, std::size_t count, std::uint64_t start, bool owned)
+  {
+    const auto place = [&](std::size_t i)
+    { return job.RestorePoints ? (*work.Order)[first + i] : start + i; };
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      job.TakePoint(place(i));
+      if (target.Points)
+      {
+        job.StorePoint(content.Domains, (*work.Points)[first + i], place(i));
+      }
+      if (target.GlobalPointIds)
+      {
+        target.GlobalPointIds[place(i)] = static_cast<std::int64_t>(
+          work.Order ? (*work.Order)[first + i] : entry.FirstPoint + first + i);
+      }
+      if (target.PointGhosts)
+      {
+        target.PointGhosts[place(i)] = !owned;
+      }
+    }
+    for (std::size_t a = 0; a < job.Arrays.size(); ++a)
+    {
+      if (job.Arrays[a].OfPoints)
+      {
+        job.StoreTuples(
+          job.Arrays[a], *work.Steps[a].back(), count, [&](std::size_t i) { return first + i; },
+          place);
+      }
+    }
+  };
+  if (entry.Groups.empty())
+  {
+    store(0, static_cast<std::size_t>(entry.Points), this->Set.GetFirstUnusedPoint(), true);
+    return;
+  }
+  std::size_t first = 0;
+  for (std::size_t g = 0; g < entry.Groups.size(); ++g)
+  {
+    const auto& group = entry.Groups[g];
+    if (block.GroupStart[g] != ChunkSet::Absent)
+    {
+      store(first, group.Points, block.GroupStart[g], this->Set.Owns(group));
+    }
+    first += group.Points;
+  }
+}
+
+//------------------------------------------------------------------------------
+/** Stores the own points of a chunk. */
+void ChunkSetDecoder::StorePoints(const Job& job, std::size_t i, const ChunkMesh& mesh,
+  const OrderPart* points, const Places& places) const
+{
+  const auto& content = this->Content();
+  const auto& info = content.Mesh.Chunks[this->Set.GetChunks()[i]].Info;
+  const auto& target = job.Target;
+  const auto& ownIds = mesh.Context.OwnIds;
+  const Places pointIds{ points, info.FirstPoint };
+  for (std::size_t own = 0; own < ownIds.size(); ++own)
+  {
+    const auto place = places(own);
+    job.TakePoint(place);
+    if (target.Points)
+    {
+      job.StorePoint(content.Domains, mesh.Keys[ownIds[own]], place);
+    }
+    if (target.GlobalPointIds)
+    {
+      target.GlobalPointIds[place] = static_cast<std::int64_t>(pointIds(own));
+    }
+    if (target.PointGhosts)
+    {
+      target.PointGhosts[place] = 0;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void ChunkSetDecoder::StoreChunk(Job& job, std::size_t i, const ChunkMesh& mesh) const
+{
+  const auto chunk = this->Set.GetChunks()[i];
+  const auto& entry = this->Content().Mesh.Chunks[chunk];
+  const auto& target = job.Target;
+  const auto& ownIds = mesh.Context.OwnIds;
+
+  std::shared_ptr<const OrderPart> points, cells;
+  if (job.NeedsPointOrder)
+  {
+    points = this->Parts.GetPointOrder(chunk, mesh,
+      [&](std::uint32_t block) { return job.Blocks[this->Set.FindBlock(block)].Order; });
+  }
+  if (job.NeedsCellOrder)
+  {
+    cells = this->Parts.GetCellOrder(chunk, mesh);
+  }
+  const Places pointPlaces{ job.RestorePoints ? points.get() : nullptr,
+    this->Set.GetFirstOwnPoint(i) };
+  const Places cellPlaces{ job.RestoreCells ? cells.get() : nullptr, this->Set.GetFirstCell(i) };
+  const Places cellIds{ cells.get(), entry.Info.FirstCell };
+  this->StorePoints(job, i, mesh, points.get(), pointPlaces);
+
+  // Several tetrahedra may have the values of one cell.
+  ChunkTets split;
+  const bool isSplit = this->Set.GetForm() == CellForm::Tetrahedra && !entry.Sizes.IsTetrahedral;
+  if (isSplit)
+  {
+    split = this->Parts.SplitCells(chunk, mesh);
+  }
+  const auto cellOf = [&](std::size_t c) { return isSplit ? split.Cells[c] : c; };
+  const auto count = static_cast<std::size_t>(this->Set.GetNumberOfCells(i));
+  const bool knowsParents = entry.Sizes.IsTetrahedral && !cellPlaces.Order && !job.RestoreCorners;
+  const auto first = static_cast<std::uint32_t>(this->Set.GetFirstCell(i));
+  for (std::size_t c = 0; c < count; ++c)
+  {
+    const auto place = cellPlaces(c);
+    job.TakeCell(place);
+    if (target.GlobalCellIds)
+    {
+      target.GlobalCellIds[place] = static_cast<std::int64_t>(cellIds(cellOf(c)));
+    }
+    if (target.CellGhosts)
+    {
+      target.CellGhosts[place] = 0;
+    }
+    if (target.CellParents)
+    {
+      const auto parent = knowsParents ? mesh.Walk.Parents[c] : Topology::NoTet;
+      target.CellParents[place] =
+        parent != Topology::NoTet ? first + parent : PieceTarget::NoParent;
+    }
+  }
+  if (this->Set.GetForm() == CellForm::Original)
+  {
+    if (target.Types)
+    {
+      this->StoreOriginal(job, i, mesh, pointPlaces, job.RestoreCells ? cells : nullptr);
+    }
+  }
+  else if (target.Connectivity)
+  {
+    this->StoreTets(job, i, mesh, isSplit ? split.Tets : mesh.Walk.Tets, pointPlaces, cellPlaces);
+  }
+  for (std::size_t a = 0; a < job.Arrays.size(); ++a)
+  {
+    const auto& values = *job.Chunks[i].Reached[a].Values;
+    if (job.Arrays[a].OfPoints)
+    {
+      job.StoreTuples(
+        job.Arrays[a], values, ownIds.size(), [&](std::size_t own) { return ownIds[own]; },
+        pointPlaces);
+    }
+    else if (isSplit)
+    {
+      job.StoreTuples(job.Arrays[a], values, count, cellOf, cellPlaces);
+    }
+    else
+    {
+      job.StoreTuples(
+        job.Arrays[a], values, count, [](std::size_t c) { return c; }, cellPlaces);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/** The positions of all points of a chunk. */
+std::vector<std::uint64_t> ChunkSetDecoder::FindIds(
+  const Job& job, std::size_t i, const ChunkMesh& mesh, const Places& points) const
+{
+  const auto& content = this->Content();
+  const auto chunk = this->Set.GetChunks()[i];
+  std::vector<std::uint64_t> ids(mesh.Keys.size());
+  for (std::size_t own = 0; own < mesh.Context.OwnIds.size(); ++own)
+  {
+    ids[mesh.Context.OwnIds[own]] = points(own);
+  }
+  std::vector<std::uint64_t> sharedPlaces;
+  for (const auto& part : content.Mesh.Chunks[chunk].Shared)
+  {
+    const auto count = content.Mesh.Blocks[part.Block].Groups[part.Group].Points;
+    const auto b = this->Set.FindBlock(part.Block);
+    const auto start = this->Set.GetBlocks()[b].GroupStart[part.Group];
+    for (std::uint64_t p = 0; p < count; ++p)
+    {
+      sharedPlaces.push_back(
+        job.RestorePoints ? (*job.Blocks[b].Order)[part.FirstInBlock + p] : start + p);
+    }
+  }
+  for (std::size_t v = 0; v < ids.size(); ++v)
+  {
+    const auto source = mesh.Walk.Sources[v];
+    if (source & Topology::SharedFlag)
+    {
+      ids[v] = sharedPlaces[source & ~Topology::SharedFlag];
+    }
+  }
+  return ids;
+}
+
+//------------------------------------------------------------------------------
+void ChunkSetDecoder::StoreTets(const Job& job, std::size_t i, const ChunkMesh& mesh,
+  std::span<const std::array<Vertex, 4>> tets, const Places& points, const Places& cells) const
+{
+  const auto chunk = this->Set.GetChunks()[i];
+  const auto ids = this->FindIds(job, i, mesh, points);
+  const auto rotations =
+    job.RestoreCorners && this->Content().Mesh.Chunks[chunk].Sizes.IsTetrahedral
+    ? this->Parts.DecodeCorners(chunk, mesh)
+    : std::vector<Key>{};
+  const auto store = [&](auto* connectivity)
+  {
+    using Id = std::remove_pointer_t<decltype(connectivity)>;
+    for (std::size_t t = 0; t < tets.size(); ++t)
+    {
+      const auto tet =
+        rotations.empty() ? tets[t] : RotateCorners(tets[t], static_cast<unsigned>(rotations[t]));
+      auto* corners = connectivity + 4 * cells(t);
+      for (unsigned corner = 0; corner < 4; ++corner)
+      {
+        corners[corner] = static_cast<Id>(ids[tet[corner]]);
+      }
+    }
+  };
+  if (job.Target.WideIds)
+  {
+    store(static_cast<std::int64_t*>(job.Target.Connectivity));
+  }
+  else
+  {
+    store(static_cast<std::int32_t*>(job.Target.Connectivity));
+  }
+}
+
+//------------------------------------------------------------------------------
+/** Stores the original cells of a chunk, or their sizes if the original order is restored. */
+void ChunkSetDecoder::StoreOriginal(Job& job, std::size_t i, const ChunkMesh& mesh,
+  const Places& points, std::shared_ptr<const OrderPart> order) const
+{
+  const CellStore store(job.Target);
+  PlacedCells cells;
+  cells.Cells = this->Parts.GetCells(this->Set.GetChunks()[i], mesh, job.RestoreCorners);
+  cells.Ids = this->FindIds(job, i, mesh, points);
+  if (!order)
+  {
+    store.Store(cells, this->Set.GetFirstCell(i), this->Set.GetFirstCorner(i),
+      this->Set.GetFirstFaceValue(i));
+    return;
+  }
+  cells.Places = std::move(order);
+  store.Add(cells);
+  job.Placed[i] = std::move(cells);
+}
+
+//------------------------------------------------------------------------------
+void ChunkSetDecoder::FinishOriginal(const Job& job) const
+{
+  const CellStore store(job.Target);
+  if (job.Placed.empty())
+  {
+    store.Finish(this->Set.GetNumberOfCells(), this->Set.GetConnectivitySize());
+    return;
+  }
+  store.AddUp(this->Set.GetNumberOfCells());
+  ParallelFor(job.Placed.size(), [&](std::size_t i) { store.StoreAdded(job.Placed[i]); });
+}
+}

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunMeshCheck_h
+#define gatunMeshCheck_h
+
+#include "gatunMeshAccess.h"
+
+#include "vtkGatunCoreModule.h" // For export macro
+
+namespace gatun
+{
+/**
+ * Throws Error(InvalidInput), with the number of the cell, unless all cells refer to points that
+ * exist, their positions ascend, and the lists of faces of polyhedra are complete. Also throws if
+ * there are more points or cells than 32 bits can number, or a cell is larger than a chunk can be.
+ */
+VTKGATUNCORE_EXPORT void CheckCells(const MeshAccess& mesh);
+}
+
+#endif
