@@ -24,6 +24,11 @@ gatun_core_folder(Codec
     gatunMeasure.h
     gatunNumberModel.h
     gatunPalette.h
+    gatunPolygonCell.h
+    gatunPolygonFront.h
+    gatunPolygonModels.h
+    gatunPolygonTruth.h
+    gatunPolygonWalk.h
     gatunRecentVertices.h
     gatunResidual.h
     gatunRuleFitter.h
@@ -42,4 +47,5 @@ gatun_core_folder(Codec
     gatunFront.cxx
     gatunGeometry.cxx
     gatunPalette.cxx
+    gatunPolygonTruth.cxx
     gatunSharedSearch.cxx)
