@@ -117,12 +117,14 @@ CellForm::CellForm(std::span<const std::uint8_t> code)
     const unsigned first = this->FirstSides[f];
     const unsigned degree = this->GetDegree(f);
     faces.push_back(static_cast<CellGraph::Local>(degree));
+    this->FaceMasks.push_back(0);
     for (unsigned i = 0; i < degree; ++i)
     {
       const auto from = this->Corner[first + i];
       const auto to = this->Corner[first + (i + 1) % degree];
       faces.push_back(from);
       this->Face.push_back(static_cast<std::uint8_t>(f));
+      this->FaceMasks.back() |= std::uint64_t{ 1 } << (from % 64u);
       // The gate runs the other way.
       sides[f == 0 ? std::array{ to, from } : std::array{ from, to }] =
         static_cast<std::uint16_t>(first + i);
@@ -134,8 +136,12 @@ CellForm::CellForm(std::span<const std::uint8_t> code)
   {
     this->Twin[side] = sides.at({ edge[1], edge[0] });
   }
-  for (std::size_t side = 0; side < this->Corner.size(); ++side)
+  for (std::uint16_t side = 0; side < this->Corner.size(); ++side)
   {
+    if (side < this->Twin[side])
+    {
+      this->Edges.push_back({ side, this->Twin[side] });
+    }
     const unsigned f = this->Face[side];
     const auto begin = this->Corner.begin() + this->FirstSides[f];
     const auto end = this->Corner.begin() + this->FirstSides[f + 1];

@@ -10,6 +10,7 @@
 
 #include "vtkGatunCoreModule.h" // For export macro
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -41,6 +42,12 @@ struct CellForm
   unsigned Family = 0; // tetrahedra, pyramids, wedges, hexahedra, others
   unsigned Corners = 0;
   std::vector<std::uint16_t> FirstSides; // of each face, and the end
+
+  /** For each face, bit c mod 64 is set for each of its corners c. */
+  std::vector<std::uint64_t> FaceMasks;
+
+  /** The two sides at each edge, the smaller one first, ascending. */
+  std::vector<std::array<std::uint16_t, 2>> Edges;
 
   // Of each side:
   std::vector<std::uint8_t> Corner; // where it begins

@@ -165,7 +165,9 @@ public:
 
   /** The number of vertices met so far. */
   Vertex GetVertices() const { return static_cast<Vertex>(this->Places.size()); }
-  std::size_t GetShared() const { return this->Shared.size(); }
+
+  /** The number of vertices of the chunk. */
+  std::size_t GetAllVertices() const { return this->OwnVertices + this->Shared.size(); }
   const LatticePoint& GetPlace(Vertex v) const { return this->Places[v]; }
 
   /** Adds a pair to the edge log. */
@@ -222,7 +224,7 @@ public:
     {
       ThrowCorrupt("the cells of a chunk are smaller than its directory entry says");
     }
-    if (this->GetVertices() != this->OwnVertices + this->Shared.size())
+    if (this->GetVertices() != this->GetAllVertices())
     {
       ThrowCorrupt("the cells of a chunk do not meet all its vertices");
     }

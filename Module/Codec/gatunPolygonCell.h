@@ -26,6 +26,8 @@ public:
   PolygonCell(PolygonFront& front, Builder& mesh)
     : Open(front)
     , Mesh(mesh)
+    , Stamps(mesh.GetAllVertices(), 0)
+    , CandidateStamps(mesh.GetAllVertices(), 0)
   {
     for (const auto& rule : GetCellRules())
     {
@@ -65,7 +67,7 @@ public:
   CellRecord MakeRecord(unsigned corner) const
   {
     CellRecord record;
-    FillRecord(record, this->Form->Graph, corner,
+    const auto near = FillRecord(record, this->Form->Graph, corner,
       [&](CellGraph::Local local) { return this->Locals[local]; });
     if (record.IsSeed())
     {
@@ -75,9 +77,9 @@ public:
         record.Known[CellRecord::N1] = vertex != NoVertex ? vertex : record.Known[CellRecord::N1];
       }
     }
-    for (unsigned k = 0; k < 3 && record.Known[k] != NoVertex; ++k)
+    for (unsigned k = 0; k < 3 && near[k] != CellGraph::None; ++k)
     {
-      record.Known[CellRecord::B1 + k] = this->FindBelow(corner, record.Known[k]);
+      record.Known[CellRecord::B1 + k] = this->FindBelow(corner, near[k]);
     }
     return record;
   }
@@ -108,14 +110,16 @@ public:
   void ForEachCorner(unsigned formSide, std::uint32_t side, Use&& use) const
   {
     const unsigned face = this->Form->Face[formSide];
-    const unsigned first = this->Form->GetFirstSide(face);
     const unsigned degree = this->Form->GetDegree(face);
-    auto from = this->Open.GetNext(side); // begins where the form's side begins
-    for (unsigned i = 0, at = formSide; i < degree; ++i)
+    const auto* const corners = &this->Form->Corner[this->Form->GetFirstSide(face)];
+    const auto* const sides = &this->Open.GetSide(side - this->Open.GetSide(side).Index);
+    unsigned at = formSide - this->Form->GetFirstSide(face);
+    auto from = this->Open.GetNext(side) - (side - this->Open.GetSide(side).Index);
+    for (unsigned i = 0; i < degree; ++i) // it begins where the form's side begins
     {
-      use(unsigned{ this->Form->Corner[at] }, this->Open.GetSide(from).Corner);
-      at = at + 1 - first < degree ? at + 1 : first;
-      from = this->Open.GetLast(from);
+      use(unsigned{ corners[at] }, sides[from].Corner);
+      at = at + 1 < degree ? at + 1 : 0;
+      from = from > 0 ? from - 1 : degree - 1;
     }
   }
 
@@ -123,21 +127,32 @@ public:
    * besides the edge. */
   bool CanGlue(unsigned formSide, std::uint32_t side, unsigned& agree) const
   {
-    const auto& face = this->Open.GetFaceOfSide(side);
-    bool can = face.Degree == this->Form->GetDegree(this->Form->Face[formSide]);
-    if (can)
+    const auto& over = this->Open.GetSide(side);
+    const unsigned face = this->Form->Face[formSide];
+    const unsigned degree = this->Form->GetDegree(face);
+    if (over.Degree != degree)
     {
-      unsigned count = 0;
-      this->ForEachCorner(formSide, side,
-        [&](unsigned corner, Vertex vertex)
-        {
-          const auto known = this->Locals[corner];
-          count += known == vertex;
-          can = can && (known == vertex || (known == NoVertex && !this->Has(vertex)));
-        });
-      agree = count - std::min(count, 2u);
+      return false;
     }
-    return can;
+    const auto* const corners = &this->Form->Corner[this->Form->GetFirstSide(face)];
+    const auto* const sides = &over - over.Index;
+    unsigned at = formSide - this->Form->GetFirstSide(face);
+    at = at + 1 < degree ? at + 1 : 0;
+    unsigned from = over.Index;
+    agree = 0;
+    for (unsigned i = 2; i < degree; ++i) // the edge's corners are known
+    {
+      at = at + 1 < degree ? at + 1 : 0;
+      from = from > 0 ? from - 1 : degree - 1;
+      const auto known = this->Locals[corners[at]];
+      const auto vertex = sides[from].Corner;
+      if (known != vertex && (known != NoVertex || this->Has(vertex)))
+      {
+        return false;
+      }
+      agree += known == vertex;
+    }
+    return true;
   }
 
   void Glue(unsigned formSide, std::uint32_t side)
@@ -148,7 +163,6 @@ public:
     this->ForEachCorner(formSide, side,
       [&](unsigned corner, Vertex vertex)
       {
-        this->Stamps.resize(std::max<std::size_t>(this->Stamps.size(), vertex + 1u), 0);
         this->Stamps[vertex] = this->Stamp;
         this->Locals[corner] = vertex;
       });
@@ -208,6 +222,8 @@ public:
   {
     this->Predict(record);
     this->Candidates.clear();
+    this->Nearest = { NoVertex, 0 };
+    ++this->CandidateStamp;
     for (const auto local : this->Form->Graph.GetNeighbors(corner))
     {
       if (this->Locals[local] != NoVertex)
@@ -215,25 +231,34 @@ public:
         this->Open.ForEachAround(this->Locals[local],
           [&](std::uint32_t side)
           {
-            this->AddCandidate(this->Open.GetSide(this->Open.GetLast(side)).Corner);
             this->AddCandidate(this->Open.GetSide(this->Open.GetNext(side)).Corner);
+            // Where another face is, it has the side before as well.
+            const auto& last = this->Open.GetSide(this->Open.GetLast(side));
+            if (last.Over.IsBorder())
+            {
+              this->AddCandidate(last.Corner);
+            }
           });
       }
     }
+  }
+
+  const std::vector<Candidate>& SortCandidates()
+  {
     std::sort(this->Candidates.begin(), this->Candidates.end());
+    return this->Candidates;
   }
 
   /** Grades how near the nearest candidate is, 0 to 6; 7 if there is none. */
   unsigned GradeNearest() const
   {
-    if (this->Candidates.empty())
+    if (this->Nearest.Id == NoVertex)
     {
       return 7;
     }
     static constexpr std::array limits{ 0.01F, 0.04F, 0.1F, 0.25F, 0.6F, 1.2F };
     unsigned grade = 0;
-    while (
-      grade < limits.size() && !(this->Candidates[0].Distance < limits[grade] * this->EdgeSquared))
+    while (grade < limits.size() && !(this->Nearest.Distance < limits[grade] * this->EdgeSquared))
     {
       ++grade;
     }
@@ -251,8 +276,7 @@ public:
     this->FindTouched();
     for (const auto face : this->Glued)
     {
-      this->Open.GetFace(this->Open.GetSide(this->FrontSides[form.GetFirstSide(face)]).Face).Open =
-        false;
+      this->Open.Close(this->Open.GetSide(this->FrontSides[form.GetFirstSide(face)]).Face);
     }
     this->NewSides.assign(form.Corner.size(), PolygonFront::None);
     for (unsigned f = 0; f < form.GetNumberOfFaces(); ++f)
@@ -262,12 +286,9 @@ public:
         this->OpenFace(f, cell, type, getFrame(f));
       }
     }
-    for (unsigned side = 0; side < form.Corner.size(); ++side)
+    for (const auto& edge : form.Edges)
     {
-      if (side < form.Twin[side])
-      {
-        this->JoinSides(side, form.Twin[side]);
-      }
+      this->JoinSides(edge[0], edge[1]);
     }
     for (const auto& touch : this->Touched)
     {
@@ -279,7 +300,6 @@ public:
   std::uint16_t FormNumber = 0;
   std::vector<std::uint8_t> Glued;       // faces of the form, in the order of gluing
   std::vector<std::uint32_t> FrontSides; // for each side of the form that of the front
-  std::vector<Candidate> Candidates;
   LatticePoint Predicted;
   float EdgeSquared = 0; // of the edge to the first neighbor of Predicted
 
@@ -291,45 +311,45 @@ private:
     std::uint32_t Side;
   };
 
-  bool Has(Vertex vertex)
-  {
-    this->Stamps.resize(std::max<std::size_t>(this->Stamps.size(), vertex + 1u), 0);
-    return this->Stamps[vertex] == this->Stamp;
-  }
-  bool Has(Vertex vertex) const
-  {
-    return vertex < this->Stamps.size() && this->Stamps[vertex] == this->Stamp;
-  }
+  bool Has(Vertex vertex) const { return this->Stamps[vertex] == this->Stamp; }
 
   /** The vertex beyond a neighbor of a corner, over the first glued face with the neighbor and
    * without the corner. */
-  Vertex FindBelow(unsigned corner, Vertex neighbor) const
+  Vertex FindBelow(unsigned corner, unsigned neighbor) const
   {
     for (const auto face : this->Glued)
     {
-      const unsigned first = this->Form->GetFirstSide(face);
-      const unsigned end = first + this->Form->GetDegree(face);
-      Vertex below = NoVertex;
-      bool has = false;
-      bool without = true;
-      for (unsigned side = first; side < end; ++side)
+      if ((this->Form->FaceMasks[face] >> (neighbor % 64) & 1) == 0 ||
+        this->FindSide(face, corner) != CellForm::None)
       {
-        const unsigned local = this->Form->Corner[side];
-        without = without && local != corner;
-        if (this->Locals[local] == neighbor)
-        {
-          has = true;
-          // The side of the open face that begins there.
-          const auto from = this->FrontSides[side];
-          below = this->Open.GetSide(face == 0 ? from : this->Open.GetNext(from)).Below;
-        }
+        continue;
       }
-      if (has && without)
+      const auto side = this->FindSide(face, neighbor);
+      if (side != CellForm::None)
       {
-        return below;
+        // The side of the open face that begins there.
+        const auto from = this->FrontSides[this->Form->GetFirstSide(face) + side];
+        return this->Open.GetSide(face == 0 ? from : this->Open.GetNext(from)).Below;
       }
     }
     return NoVertex;
+  }
+
+  /** The place of a corner in a face, or CellForm::None. */
+  unsigned FindSide(unsigned face, unsigned corner) const
+  {
+    if ((this->Form->FaceMasks[face] >> (corner % 64) & 1) == 0)
+    {
+      return CellForm::None;
+    }
+    const auto* const begin = &this->Form->Corner[this->Form->GetFirstSide(face)];
+    const unsigned degree = this->Form->GetDegree(face);
+    unsigned side = 0;
+    while (side < degree && begin[side] != corner)
+    {
+      ++side;
+    }
+    return side < degree ? side : unsigned{ CellForm::None };
   }
 
   /** Finds the place that the first rule for a record predicts. */
@@ -368,12 +388,15 @@ private:
 
   void AddCandidate(Vertex vertex)
   {
-    constexpr std::size_t most = 64;
-    if (!this->Has(vertex) && this->Candidates.size() < most &&
-      std::none_of(this->Candidates.begin(), this->Candidates.end(),
-        [vertex](const Candidate& c) { return c.Id == vertex; }))
+    if (!this->Has(vertex) && this->CandidateStamps[vertex] != this->CandidateStamp)
     {
-      this->Candidates.push_back({ vertex, this->GetDistance(vertex) });
+      this->CandidateStamps[vertex] = this->CandidateStamp;
+      const Candidate candidate{ vertex, this->GetDistance(vertex) };
+      this->Candidates.push_back(candidate);
+      if (this->Nearest.Id == NoVertex || candidate < this->Nearest)
+      {
+        this->Nearest = candidate;
+      }
     }
   }
 
@@ -386,10 +409,10 @@ private:
     {
       return;
     }
-    for (unsigned side = 0; side < form.Corner.size(); ++side)
+    for (const auto& [side, twin] : form.Edges)
     {
-      const unsigned twin = form.Twin[side];
-      if (twin < side || this->IsGlued(form.Face[side]) || this->IsGlued(form.Face[twin]))
+      if (this->FrontSides[side] != PolygonFront::None ||
+        this->FrontSides[twin] != PolygonFront::None)
       {
         continue;
       }
@@ -438,25 +461,25 @@ private:
     opened.Type = type;
     opened.FormFace = static_cast<std::uint8_t>(face);
     opened.Open = true;
-    const auto id = this->Open.AddFace(opened);
     const auto begin = this->Open.GetNumberOfSides();
+    auto* const sides = this->Open.AddFace(opened);
     for (unsigned i = 0; i < degree; ++i)
     {
       // The gate of a seed is opened, too, in the direction of the other faces.
       const unsigned side = first + (face == 0 ? degree - 1 - i : i);
       const auto below = form.Below[side];
-      this->Open.AddSide(id, this->Locals[form.Corner[side]],
+      this->Open.SetSide(begin + i, this->Locals[form.Corner[side]],
         below != CellForm::None ? this->Locals[below] : NoVertex);
       const unsigned last = face == 0 ? first + (2 * degree - 2 - i) % degree : side;
       this->NewSides[last] = begin + i;
     }
-    this->Open.GetFace(id).Normal = this->GetNormal(begin, degree);
+    this->Open.GetFaceOfSide(begin).Normal = this->GetNormal(sides, degree);
   }
 
-  Direction GetNormal(std::uint32_t begin, unsigned degree) const
+  Direction GetNormal(const PolygonFront::Side* sides, unsigned degree) const
   {
     const auto place = [&](unsigned i) -> const LatticePoint&
-    { return this->Mesh.GetPlace(this->Open.GetSide(begin + i).Corner); };
+    { return this->Mesh.GetPlace(sides[i].Corner); };
     Direction sum;
     auto last = place(1) - place(0);
     for (unsigned i = 2; i < degree; ++i)
@@ -562,6 +585,10 @@ private:
   std::vector<std::uint32_t> Stamps;   // for each vertex, the last cell that has it
   std::vector<std::uint32_t> NewSides; // for each side of the form one that was opened
   std::vector<Touch> Touched;
+  std::vector<std::uint32_t> CandidateStamps; // for each vertex, the last list that has it
+  std::vector<Candidate> Candidates;
+  Candidate Nearest{ NoVertex, 0 };
+  std::uint32_t CandidateStamp = 0;
   std::uint32_t Stamp = 0;
   Vertex FirstNew = 0;
 };

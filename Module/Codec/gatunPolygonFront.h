@@ -100,11 +100,14 @@ public:
 
   struct Side
   {
-    Vertex Corner;
+    Vertex Corner = NoVertex;
     SideLink Over;
-    Vertex Below; // the only neighbor of the corner beyond the face in the cell behind
+    Vertex Below = NoVertex; // the only neighbor of the corner beyond the face in the cell behind
     std::uint32_t Face;
-    std::uint32_t Next; // another side that begins at the corner, or None
+    std::uint32_t Next;      // another side that begins at the corner, or None
+    std::uint8_t Index = 0;  // in the face
+    std::uint8_t Degree = 0; // of the face
+    bool Open = true;
   };
 
   /** The oldest open face, or None. */
@@ -117,22 +120,36 @@ public:
     return this->Head < this->Faces.size() ? this->Head : None;
   }
 
-  /** Opens a face without sides. They are to be added at once. */
-  std::uint32_t AddFace(const Face& face)
+  explicit PolygonFront(std::size_t vertices)
+    : Heads(vertices, None)
   {
-    this->Faces.push_back(face);
-    this->Faces.back().First = static_cast<std::uint32_t>(this->Sides.size());
-    return static_cast<std::uint32_t>(this->Faces.size() - 1);
   }
 
-  void AddSide(std::uint32_t face, Vertex corner, Vertex below)
+  /** Opens a face and returns its sides, which must be set at once. */
+  Side* AddFace(const Face& face)
   {
-    if (corner >= this->Heads.size())
+    const auto id = static_cast<std::uint32_t>(this->Faces.size());
+    const auto first = this->GetNumberOfSides();
+    this->Faces.push_back(face);
+    this->Faces.back().First = first;
+    this->Sides.resize(first + std::size_t{ face.Degree });
+    for (unsigned i = 0; i < face.Degree; ++i)
     {
-      this->Heads.resize(corner + std::size_t{ 1 }, None);
+      auto& side = this->Sides[first + i];
+      side.Face = id;
+      side.Index = static_cast<std::uint8_t>(i);
+      side.Degree = static_cast<std::uint8_t>(face.Degree);
     }
-    this->Sides.push_back({ corner, {}, below, face, this->Heads[corner] });
-    this->Heads[corner] = static_cast<std::uint32_t>(this->Sides.size() - 1);
+    return &this->Sides[first];
+  }
+
+  void SetSide(std::uint32_t id, Vertex corner, Vertex below)
+  {
+    auto& side = this->Sides[id];
+    side.Corner = corner;
+    side.Below = below;
+    side.Next = this->Heads[corner];
+    this->Heads[corner] = id;
   }
 
   Face& GetFace(std::uint32_t id) { return this->Faces[id]; }
@@ -141,28 +158,39 @@ public:
   const Side& GetSide(std::uint32_t id) const { return this->Sides[id]; }
   std::uint32_t GetNumberOfSides() const { return static_cast<std::uint32_t>(this->Sides.size()); }
 
+  Face& GetFaceOfSide(std::uint32_t side) { return this->Faces[this->Sides[side].Face]; }
   const Face& GetFaceOfSide(std::uint32_t side) const
   {
     return this->Faces[this->Sides[side].Face];
   }
 
-  std::uint32_t GetNext(std::uint32_t side) const
+  std::uint32_t GetNext(std::uint32_t id) const
   {
-    const auto& face = this->GetFaceOfSide(side);
-    return side + 1 - face.First < face.Degree ? side + 1 : face.First;
+    const auto& side = this->Sides[id];
+    return side.Index + 1 < side.Degree ? id + 1 : id - side.Index;
   }
 
-  std::uint32_t GetLast(std::uint32_t side) const
+  std::uint32_t GetLast(std::uint32_t id) const
   {
-    const auto& face = this->GetFaceOfSide(side);
-    return side != face.First ? side - 1 : face.First + face.Degree - 1u;
+    const auto& side = this->Sides[id];
+    return side.Index > 0 ? id - 1 : id + side.Degree - 1u;
   }
 
   /** The side over a side, or None if there is no open face. */
   std::uint32_t GetOpen(std::uint32_t side) const
   {
     const auto link = this->Sides[side].Over;
-    return !link.IsBorder() && this->GetFaceOfSide(link.GetSide()).Open ? link.GetSide() : None;
+    return !link.IsBorder() && this->Sides[link.GetSide()].Open ? link.GetSide() : None;
+  }
+
+  void Close(std::uint32_t id)
+  {
+    auto& face = this->Faces[id];
+    face.Open = false;
+    for (unsigned i = 0; i < face.Degree; ++i)
+    {
+      this->Sides[face.First + i].Open = false;
+    }
   }
 
   /** Makes two sides each other's links. */
@@ -175,8 +203,8 @@ public:
   /** Closes a face at the border of the mesh. */
   void CloseAtBorder(std::uint32_t id)
   {
-    auto& face = this->Faces[id];
-    face.Open = false;
+    const auto& face = this->Faces[id];
+    this->Close(id);
     for (unsigned i = 0; i < face.Degree; ++i)
     {
       const auto over = this->GetOpen(face.First + i);
@@ -194,11 +222,11 @@ public:
   void ForEachAround(Vertex corner, Use&& use)
   {
     constexpr unsigned most = 64;
-    auto* next = corner < this->Heads.size() ? &this->Heads[corner] : nullptr;
-    for (unsigned count = 0; next && *next != None && count < most;)
+    auto* next = &this->Heads[corner];
+    for (unsigned count = 0; *next != None && count < most;)
     {
       const auto side = *next;
-      if (!this->GetFaceOfSide(side).Open)
+      if (!this->Sides[side].Open)
       {
         *next = this->Sides[side].Next; // never looked at again
         continue;

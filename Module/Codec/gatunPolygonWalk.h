@@ -39,6 +39,7 @@ public:
     , Mesh(mesh)
     , Forms(forms)
     , Truth(truth)
+    , Open(mesh.GetAllVertices())
     , Models(forms.GetSize())
     , Cell(Open, mesh)
     , Search(shared)
@@ -227,14 +228,17 @@ private:
       for (unsigned side = first; side < first + form.GetDegree(face); ++side)
       {
         const unsigned twin = form.Twin[side];
-        const auto over = this->Open.GetOpen(this->Cell.FrontSides[side]);
-        unsigned agree = 0;
-        if (this->Cell.IsGlued(form.Face[twin]) || over == PolygonFront::None ||
-          !this->Cell.CanGlue(twin, over, agree))
+        if (this->Cell.FrontSides[twin] != PolygonFront::None)
         {
           continue;
         }
         const auto from = this->Cell.FrontSides[side];
+        const auto over = this->Open.GetOpen(from);
+        unsigned agree = 0;
+        if (over == PolygonFront::None || !this->Cell.CanGlue(twin, over, agree))
+        {
+          continue;
+        }
         auto& model = this->Models.Glue(form.Family, form.GetDegree(form.Face[twin]),
           this->Cell.GradeAngle(from, over), this->Open.GetSide(over).Over.GetCells(), agree,
           (number > 0) + 2 * (this->Cell.Glued.size() > 1));
@@ -335,7 +339,7 @@ private:
 
   Vertex CodeKnown(Vertex known, unsigned nearest)
   {
-    const auto& candidates = this->Cell.Candidates;
+    const auto& candidates = this->Cell.SortCandidates();
     const auto count = static_cast<unsigned>(std::min<std::size_t>(candidates.size(), 15));
     unsigned place = 0;
     while (Coder::Encoding && place < count && candidates[place].Id != known)
