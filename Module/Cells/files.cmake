@@ -6,6 +6,7 @@ gatun_core_folder(Cells
     gatunCellForms.h
     gatunCellGraph.h
     gatunCellList.h
+    gatunCellNodes.h
     gatunCellShapes.h
     gatunFormMaker.h
     gatunShapeTable.h
@@ -13,6 +14,7 @@ gatun_core_folder(Cells
   SOURCES
     gatunCellForms.cxx
     gatunCellGraph.cxx
+    gatunCellNodes.cxx
     gatunCellShapes.cxx
     gatunFormMaker.cxx
     gatunShapeTable.cxx)

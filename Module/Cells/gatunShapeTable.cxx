@@ -67,7 +67,7 @@ void ShapeTable::Add(const CellList& cells)
   for (int type = 0; type < 256; ++type)
   {
     const auto kind = GetCellKind(type);
-    if (kind.IsLinear() && counts[static_cast<std::size_t>(type)] > 0)
+    if (kind.Shape && counts[static_cast<std::size_t>(type)] > 0)
     {
       this->Add(kind.Shape->Faces, kind.Shape->Corners, counts[static_cast<std::size_t>(type)]);
     }

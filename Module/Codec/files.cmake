@@ -5,6 +5,7 @@ gatun_core_folder(Codec
     Cells
   PRIVATE_HEADERS
     gatunArrayCodec.h
+    gatunAttachedNodes.h
     gatunCellBuilder.h
     gatunCellCodec.h
     gatunCellCorners.h
@@ -32,7 +33,9 @@ gatun_core_folder(Codec
     gatunRecentVertices.h
     gatunResidual.h
     gatunRuleFitter.h
+    gatunSharedNames.h
     gatunSharedSearch.h
+    gatunSharedSequence.h
     gatunTopology.h
     gatunVertexRing.h
     gatunWalk.h

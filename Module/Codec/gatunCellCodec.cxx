@@ -81,16 +81,17 @@ CellAttempt TryCells(const CellInput& input, bool withWalk, Sort&& sort)
   CellEncoderSide side(
     input.Cells, static_cast<std::uint32_t>(input.Shared.size()), input.OwnPlaces);
   CellBuilder mesh(input.Frame, input.Shared, side, result.Mesh);
+  AttachedNodes nodes(coder, mesh);
   Order others(input.Cells.GetNumber());
   std::iota(others.begin(), others.end(), 0u);
   if (withWalk)
   {
     PolygonTruth truth(input.Cells, input.Forms);
     others = truth.GetOthers();
-    PolygonWalk(coder, mesh, input.Forms, input.Shared, &truth).Run();
+    PolygonWalk(coder, mesh, nodes, input.Forms, &truth).Run();
   }
   sort(others);
-  CellListCoder list(coder, mesh);
+  CellListCoder list(coder, mesh, nodes);
   for (const auto cell : others)
   {
     list.Code(cell);
@@ -210,12 +211,13 @@ ChunkMesh DecodeCells(const ChunkFrame& frame, const ShapeTable& shapes,
   EntropyDecoder coordinates(in.GetBytes(in.GetRemaining()));
   CellDecoderSide side(frame, lattice, coordinates, rules, mesh);
   CellBuilder builder(frame, std::span<const LatticePoint>(shared), side, mesh);
+  AttachedNodes nodes(symbols, builder);
   if ((connectivity[0] & FlagWalk) != 0)
   {
     const auto forms = shapes.GetForms();
-    PolygonWalk(symbols, builder, *forms, std::span<const LatticePoint>(shared), nullptr).Run();
+    PolygonWalk(symbols, builder, nodes, *forms, nullptr).Run();
   }
-  CellListCoder list(symbols, builder);
+  CellListCoder list(symbols, builder, nodes);
   while (!builder.IsFull())
   {
     list.Code(0);

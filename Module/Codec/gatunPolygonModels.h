@@ -9,7 +9,7 @@
 #include "gatunCellForms.h"
 #include "gatunEntropy.h"
 #include "gatunNumberModel.h"
-#include "gatunSharedSearch.h"
+#include "gatunSharedNames.h"
 
 #include <algorithm>
 #include <array>
@@ -196,8 +196,8 @@ public:
       this->FrameTree, frame);
   }
 
-  std::array<BitModel, 20> Shared;
-  std::array<BitModel, SharedSearch::Most> SharedRank;
+  std::array<BitModel, 20> IsShared;
+  SharedNames Shared;
   BitModel Listed;
   std::array<BitModel, std::size_t{ 6 } * 8> Ranks;
   BitModel MoreSeeds, SeedNew, SeedShared;

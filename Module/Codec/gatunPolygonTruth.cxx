@@ -3,6 +3,8 @@
 
 #include "gatunPolygonTruth.h"
 
+#include "gatunCellNodes.h"
+
 #include <algorithm>
 #include <bit>
 
@@ -51,8 +53,9 @@ PolygonTruth::PolygonTruth(const CellList& cells, const FormTable& forms)
         continue;
       }
     }
-    else if (kind.IsLinear() && corners.size() == kind.Points && !HasTwice(corners) &&
-      !forms.GetFrames(kind.Shape).empty())
+    else if ((kind.IsLinear() || GetCellNodes(cells.Types[c]).Corners > 0) &&
+      corners.size() == kind.Points && !forms.GetFrames(kind.Shape).empty() &&
+      !HasTwice(corners.first(kind.Shape->Corners)))
     {
       this->AddSurface(cells, c, kind.Shape);
       continue;
@@ -71,12 +74,12 @@ PolygonTruth::PolygonTruth(const CellList& cells, const FormTable& forms)
 
 void PolygonTruth::AddSurface(const CellList& cells, std::uint32_t cell, const CellShape* shape)
 {
-  Surface surface{ cell, shape, static_cast<std::uint32_t>(this->Faces.size()),
+  Surface surface{ cell, cells.Types[cell], shape, static_cast<std::uint32_t>(this->Faces.size()),
     static_cast<std::uint32_t>(this->Locals.size()), 0,
     static_cast<std::uint32_t>(this->Points.size()), 0, false };
   if (shape)
   {
-    const auto corners = cells.GetCorners(cell);
+    const auto corners = cells.GetCorners(cell).first(shape->Corners);
     this->Points.insert(this->Points.end(), corners.begin(), corners.end());
   }
   else
@@ -192,8 +195,8 @@ bool PolygonTruth::BeginAt(std::uint32_t number, unsigned face, unsigned start, 
     const auto& found = this->Forms.GetFrames(surface.Shape)[frame];
     // All ways to see a tetrahedron are equal up to even permutations of its corners.
     this->Form = found.Form;
-    this->Frame = static_cast<std::uint8_t>(
-      surface.Shape == GetCellKind(TetraType).Shape ? unsigned{ mirrored } : frame);
+    this->Frame =
+      static_cast<std::uint8_t>(surface.Type == TetraType ? unsigned{ mirrored } : frame);
     order = found.Order.data();
     corners = found.Order.size();
   }

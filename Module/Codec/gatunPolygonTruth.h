@@ -44,6 +44,7 @@ private:
   struct Surface
   {
     std::uint32_t Cell;
+    std::uint8_t Type;
     const CellShape* Shape;   // null for polyhedra
     std::uint32_t FirstFace;  // in Faces
     std::uint32_t FirstLocal; // of polyhedra: in Locals

@@ -7,13 +7,13 @@
 // The breadth-first walk over cells that are closed surfaces of polygons. Encoder and decoder use
 // the same code.
 
+#include "gatunAttachedNodes.h"
 #include "gatunCellBuilder.h"
 #include "gatunCellForms.h"
 #include "gatunPolygonCell.h"
 #include "gatunPolygonFront.h"
 #include "gatunPolygonModels.h"
 #include "gatunPolygonTruth.h"
-#include "gatunSharedSearch.h"
 
 #include <algorithm>
 #include <array>
@@ -33,17 +33,16 @@ class PolygonWalk
 {
 public:
   /** truth: of an encoder, otherwise null. */
-  PolygonWalk(Coder& coder, CellBuilder<Side>& mesh, const FormTable& forms,
-    std::span<const LatticePoint> shared, PolygonTruth* truth)
+  PolygonWalk(Coder& coder, CellBuilder<Side>& mesh, AttachedNodes<Coder, Side>& nodes,
+    const FormTable& forms, PolygonTruth* truth)
     : Symbols(coder)
     , Mesh(mesh)
+    , Nodes(nodes)
     , Forms(forms)
     , Truth(truth)
     , Open(mesh.GetAllVertices())
     , Models(forms.GetSize())
     , Cell(Open, mesh)
-    , Search(shared)
-    , Shared(shared.size())
   {
   }
 
@@ -129,7 +128,8 @@ private:
     const auto target = this->GetTarget(corner);
     if (this->Symbols.Bit(this->Models.SeedShared, this->IsShared(target)))
     {
-      return this->MeetShared(target, CodeIndex(this->Symbols, target, this->Shared));
+      return this->Mesh.MeetShared(
+        target, CodeIndex(this->Symbols, target, this->Mesh.GetSharedSearch().GetSize()));
     }
     return this->Mesh.MeetOwn(target, this->Cell.MakeRecord(corner));
   }
@@ -298,9 +298,11 @@ private:
       gate += this->Mesh.GetPlace(this->Cell.GetCorner(i)).Users != 0;
     }
     if (this->Symbols.Bit(
-          this->Models.Shared[near * 5 + std::min(gate, 4u)], this->IsShared(target)))
+          this->Models.IsShared[near * 5 + std::min(gate, 4u)], this->IsShared(target)))
     {
-      return this->MeetShared(target, this->CodeShared(target));
+      return this->Mesh.MeetShared(target,
+        this->Models.Shared.Code(this->Symbols, this->Mesh.GetSharedSearch(), this->Cell.Predicted,
+          4.0F * this->Cell.EdgeSquared, target));
     }
     return this->Mesh.MeetOwn(target, record);
   }
@@ -308,33 +310,6 @@ private:
   bool IsShared(std::uint32_t target) const
   {
     return Coder::Encoding && this->Mesh.Truth.IsShared(target);
-  }
-
-  Vertex MeetShared(std::uint32_t target, std::uint32_t index)
-  {
-    const auto vertex = this->Mesh.MeetShared(target, index);
-    this->Search.Remove(index);
-    return vertex;
-  }
-
-  std::uint32_t CodeShared(std::uint32_t target)
-  {
-    const auto& place = this->Cell.Predicted;
-    const auto rank = [](const Vec3x4&, Float4 distances) { return distances; };
-    this->Search.Begin(ToVector(place), 4.0F * this->Cell.EdgeSquared, rank);
-    for (auto& model : this->Models.SharedRank)
-    {
-      const auto index = this->Search.TakeNext();
-      if (index == NoVertex)
-      {
-        break;
-      }
-      if (this->Symbols.Bit(model, index == target))
-      {
-        return index;
-      }
-    }
-    return CodeIndex(this->Symbols, target, this->Shared);
   }
 
   Vertex CodeKnown(Vertex known, unsigned nearest)
@@ -404,6 +379,7 @@ private:
       {
         this->Corners[typeFrame->Order[i]] = this->Cell.GetCorner(i);
       }
+      this->Nodes.Code(GetCellNodes(type), this->Corners, this->GetInputCorners());
     }
     this->Mesh.AddCell(type, this->Corners, this->Faces, parent);
     this->Cell.Attach(number, type,
@@ -418,11 +394,21 @@ private:
       });
   }
 
+  std::span<const std::uint32_t> GetInputCorners() const
+  {
+    if constexpr (Coder::Encoding)
+    {
+      return this->Mesh.Truth.Input.GetCorners(this->Truth->Cell);
+    }
+    return {};
+  }
+
   const FormTable::Frame& GetTypeFrame(std::uint8_t type, std::uint8_t number) const
   {
     const auto kind = GetCellKind(type);
-    const auto frames =
-      kind.IsLinear() ? this->Forms.GetFrames(kind.Shape) : std::span<const FormTable::Frame>();
+    const auto frames = kind.IsLinear() || GetCellNodes(type).Corners > 0
+      ? this->Forms.GetFrames(kind.Shape)
+      : std::span<const FormTable::Frame>();
     if (number >= frames.size() || frames[number].Form != this->Cell.FormNumber)
     {
       ThrowCorrupt("a cell has a type that its form does not allow");
@@ -432,13 +418,12 @@ private:
 
   Coder& Symbols;
   CellBuilder<Side>& Mesh;
+  AttachedNodes<Coder, Side>& Nodes;
   const FormTable& Forms;
   PolygonTruth* const Truth;
   PolygonFront Open;
   PolygonModels Models;
   PolygonCell<CellBuilder<Side>> Cell;
-  SharedSearch Search;
-  const std::size_t Shared;
   GateGrades Grades;
   std::vector<std::uint32_t> GateInput;
   std::vector<Vertex> Corners, Faces; // of the cell that is finished

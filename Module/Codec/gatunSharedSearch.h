@@ -81,6 +81,7 @@ public:
 
   /** Removes a vertex that has been met. */
   void Remove(std::uint32_t index);
+  std::size_t GetSize() const { return this->Vertices.size(); }
   bool IsGone(std::uint32_t index) const { return this->Gone[index] != 0; }
 
 private:

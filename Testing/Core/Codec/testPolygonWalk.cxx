@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunTestCells.h"
 
+#include "gatunCellNodes.h"
 #include "gatunCellShapes.h"
 #include "gatunError.h"
 
@@ -28,7 +29,7 @@ EncodedCells ExpectWalk(const TestCells& mesh, const CellCaseOptions& options = 
 {
   const auto chunk = MakeCellCase(mesh, options);
   auto encoded = ExpectRoundTrip(chunk, MakeShapes(chunk.Cells));
-  EXPECT_EQ(encoded.Connectivity[0], 1); // with a walk
+  EXPECT_EQ(encoded.Connectivity[0], 1) << GetBits(encoded.Connectivity, encoded); // with a walk
   return encoded;
 }
 
@@ -118,6 +119,46 @@ void AddMixed(TestCells& mesh, std::span<const std::uint32_t> c, std::size_t num
     default:
       mesh.Add(12, { c.begin(), c.end() });
   }
+}
+
+/** Replaces linear cells by others of a nonlinear type, with nodes that are moved by up to jitter.
+ */
+TestCells AddNodes(const TestCells& linear, const std::map<int, int>& types, double jitter)
+{
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> move(-jitter, jitter);
+  TestCells mesh;
+  mesh.Points = linear.Points;
+  std::map<Ids, std::uint32_t> found;
+  for (std::size_t c = 0; c < linear.Cells.GetNumber(); ++c)
+  {
+    const auto corners = linear.Cells.GetCorners(c);
+    const auto type = types.at(linear.Cells.Types[c]);
+    const auto nodes = GetCellNodes(type);
+    Ids points(corners.begin(), corners.end());
+    for (std::size_t at = 0; at < nodes.Hosts.size(); at += 1u + nodes.Hosts[at])
+    {
+      Ids host;
+      std::array<double, 3> mean{ 0, 0, 0 };
+      for (const auto corner : nodes.Hosts.subspan(at + 1, nodes.Hosts[at]))
+      {
+        host.push_back(corners[corner]);
+        for (unsigned i = 0; i < 3; ++i)
+        {
+          mean[i] += mesh.Points[corners[corner]][i] / nodes.Hosts[at];
+        }
+      }
+      std::sort(host.begin(), host.end());
+      if (found.count(host) == 0)
+      {
+        const double x = move(random), y = move(random), z = move(random);
+        found[host] = mesh.AddPoint(mean[0] + x, mean[1] + y, mean[2] + z);
+      }
+      points.push_back(found[host]);
+    }
+    mesh.Add(type, points);
+  }
+  return mesh;
 }
 
 /** Hexagonal prisms in a honeycomb. */
@@ -244,6 +285,39 @@ TEST(PolygonWalk, KeepsOtherCells)
   }
   ExpectWalk(MakeHoneycomb(6, false));
   ExpectWalk(MakeHoneycomb(6, true));
+}
+
+TEST(PolygonWalk, KeepsNodesOfNonlinearCells)
+{
+  const auto hexes = MakeHexes(6, 0.1);
+  const auto wedges = SplitHexes(6, 0.1, AddWedges);
+  const auto tets = SplitHexes(6, 0.1, AddTets);
+  const auto pyramids = SplitHexes(4, 0.1, AddPyramids);
+  for (const double jitter : { 0.0, 0.03 })
+  {
+    for (const auto& [linear, types] :
+      std::vector<std::pair<const TestCells*, std::map<int, int>>>{ { &hexes, { { 12, 25 } } },
+        { &hexes, { { 12, 29 } } }, { &hexes, { { 12, 33 } } }, { &wedges, { { 13, 26 } } },
+        { &wedges, { { 13, 31 } } }, { &wedges, { { 13, 32 } } }, { &tets, { { 10, 24 } } },
+        { &pyramids, { { 14, 27 } } }, { &pyramids, { { 14, 37 } } } })
+    {
+      SCOPED_TRACE(types.begin()->second);
+      ExpectWalk(AddNodes(*linear, types, jitter));
+      ExpectWalk(AddNodes(*linear, types, jitter), { .Palettes = true, .IsShared = IsLeft });
+    }
+  }
+}
+
+TEST(PolygonWalk, FindsNodesByTheirCorners)
+{
+  // Nodes in the middle of edges take next to nothing, neither for their numbers nor their places.
+  const auto linear = MakeHexes(12, 0.2);
+  const auto plain = ExpectWalk(linear);
+  const auto curved = ExpectWalk(AddNodes(linear, { { 12, 29 } }, 0));
+  EXPECT_LT(GetBits(curved.Connectivity, curved), GetBits(plain.Connectivity, plain) + 0.5);
+  const auto nodes = curved.OwnOrder.size() - plain.OwnOrder.size();
+  const auto bits = 8.0 * static_cast<double>(curved.Geometry.size() - plain.Geometry.size());
+  EXPECT_LT(bits, 8.0 * static_cast<double>(nodes));
 }
 
 TEST(PolygonWalk, TakesNoLessThanTheInformation)
