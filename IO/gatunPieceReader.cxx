@@ -243,7 +243,7 @@ PieceRequest PieceReader::MakeRequest(const PublishedFile& handle, const PortReq
   request.Merges = this->Merges;
   request.Tree = this->Tree;
   request.RestoreOrder = handle.RestoreOrder;
-  request.Form = handle.SplitCells ? CellForm::Tetrahedra : CellForm::Original;
+  request.Form = handle.SplitCells ? PieceForm::Tetrahedra : PieceForm::Original;
   const bool exists = port.Piece >= 0 && port.Piece < port.Pieces;
   if (exists)
   {

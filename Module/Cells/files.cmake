@@ -3,13 +3,19 @@ gatun_core_folder(Cells
   INCLUDES
     Support
   PRIVATE_HEADERS
+    gatunCellForms.h
     gatunCellGraph.h
     gatunCellList.h
+    gatunCellNodes.h
     gatunCellShapes.h
     gatunCellSplitter.h
+    gatunFormMaker.h
     gatunShapeTable.h
     gatunSimplices.h
   SOURCES
+    gatunCellForms.cxx
     gatunCellGraph.cxx
+    gatunCellNodes.cxx
     gatunCellShapes.cxx
+    gatunFormMaker.cxx
     gatunShapeTable.cxx)

@@ -5,12 +5,16 @@
 #define gatunShapeTable_h
 
 #include "gatunBytes.h"
+#include "gatunCellForms.h"
 #include "gatunCellList.h"
 
 #include "vtkGatunCoreModule.h" // For export macro
 
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <span>
+#include <vector>
 
 namespace gatun
 {
@@ -18,7 +22,8 @@ namespace gatun
  * The closed surfaces that occur as cells of a file.
  *
  * Tables of parts of a mesh can be made by several threads and merged. The result depends neither
- * on the parts nor on the order of merging.
+ * on the parts nor on the order of merging. Rare shapes are left out, and so are the rarest ones if
+ * there are too many.
  */
 class ShapeTable
 {
@@ -26,7 +31,7 @@ public:
   /** Adds the shapes of cells. */
   VTKGATUNCORE_EXPORT void Add(const CellList& cells);
 
-  /** Adds the shapes of another table. */
+  /** Adds the shapes of another table, none of which was read. */
   VTKGATUNCORE_EXPORT void Merge(const ShapeTable& other);
 
   /** The table as it is stored. */
@@ -34,6 +39,41 @@ public:
 
   /** Reads the result of Write. Safe on hostile input: throws Error(Corrupt). */
   VTKGATUNCORE_EXPORT static ShapeTable Read(std::span<const std::uint8_t> bytes);
+
+  /** The forms of all shapes. They are made at each call unless the table was read. */
+  VTKGATUNCORE_EXPORT std::shared_ptr<const FormTable> GetForms() const;
+
+private:
+  /** Shapes with fewer uses would take more room here than they save. */
+  static constexpr std::uint64_t LeastUses = 3;
+
+  void Add(SurfaceView faces, unsigned corners, std::uint64_t uses);
+  std::vector<FormCode> Select() const;
+
+  /** The uses of shapes, by one of their forms, not always the same one. */
+  std::map<FormCode, std::uint64_t, FormOrder> Uses;
+  std::shared_ptr<const FormTable> Forms; // of a table that was read
+};
+
+/**
+ * The surface of a polyhedron in local numbers: those of the points of its faces as they come.
+ */
+class PolyhedronSurface
+{
+public:
+  /** Returns false if the polyhedron is not closed, has a point that no face has or not all points
+   * of its faces, or is larger than surfaces with forms are. */
+  VTKGATUNCORE_EXPORT bool Set(
+    std::span<const std::uint32_t> corners, std::span<const std::uint32_t> faces);
+
+  SurfaceView GetFaces() const { return this->Faces; }
+
+  /** The point for each local number. */
+  const std::vector<std::uint32_t>& GetPoints() const { return this->Points; }
+
+private:
+  std::vector<std::uint8_t> Faces;
+  std::vector<std::uint32_t> Points, Sorted;
 };
 }
 

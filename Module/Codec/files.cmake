@@ -5,6 +5,7 @@ gatun_core_folder(Codec
     Cells
   PRIVATE_HEADERS
     gatunArrayCodec.h
+    gatunAttachedNodes.h
     gatunCellBuilder.h
     gatunCellCodec.h
     gatunCellCorners.h
@@ -25,10 +26,17 @@ gatun_core_folder(Codec
     gatunMeasure.h
     gatunNumberModel.h
     gatunPalette.h
+    gatunPolygonCell.h
+    gatunPolygonFront.h
+    gatunPolygonModels.h
+    gatunPolygonTruth.h
+    gatunPolygonWalk.h
     gatunRecentVertices.h
     gatunResidual.h
     gatunRuleFitter.h
+    gatunSharedNames.h
     gatunSharedSearch.h
+    gatunSharedSequence.h
     gatunTopology.h
     gatunVertexRing.h
     gatunWalk.h
@@ -44,4 +52,5 @@ gatun_core_folder(Codec
     gatunFront.cxx
     gatunGeometry.cxx
     gatunPalette.cxx
+    gatunPolygonTruth.cxx
     gatunSharedSearch.cxx)

@@ -11,6 +11,7 @@
 #include "gatunChunkCodec.h"
 #include "gatunEntropy.h"
 #include "gatunMeasure.h"
+#include "gatunSharedSearch.h"
 #include "gatunTopology.h"
 
 #include <cstdint>
@@ -119,7 +120,7 @@ public:
     , OwnVertices(frame.OwnPoints)
     , Shared(shared)
     , Out(out)
-    , Gone(shared.size(), 0)
+    , Search(shared)
   {
     const auto vertices = frame.OwnPoints + shared.size();
     this->Places.reserve(vertices);
@@ -137,11 +138,11 @@ public:
 
   Vertex MeetShared(std::uint32_t target, std::uint32_t index)
   {
-    if (index >= this->Shared.size() || this->Gone[index])
+    if (index >= this->Shared.size() || this->Search.IsGone(index))
     {
       ThrowCorrupt("a chunk names a shared vertex that is not there or was met before");
     }
-    this->Gone[index] = 1;
+    this->Search.Remove(index);
     const auto id = this->GetVertices();
     this->Places.push_back(this->Shared[index]);
     this->Out.Walk.Sources.push_back(Topology::SharedFlag | index);
@@ -165,7 +166,10 @@ public:
 
   /** The number of vertices met so far. */
   Vertex GetVertices() const { return static_cast<Vertex>(this->Places.size()); }
-  std::size_t GetShared() const { return this->Shared.size(); }
+
+  /** The number of vertices of the chunk. */
+  std::size_t GetAllVertices() const { return this->OwnVertices + this->Shared.size(); }
+  SharedSearch& GetSharedSearch() { return this->Search; }
   const LatticePoint& GetPlace(Vertex v) const { return this->Places[v]; }
 
   /** Adds a pair to the edge log. */
@@ -222,7 +226,7 @@ public:
     {
       ThrowCorrupt("the cells of a chunk are smaller than its directory entry says");
     }
-    if (this->GetVertices() != this->OwnVertices + this->Shared.size())
+    if (this->GetVertices() != this->GetAllVertices())
     {
       ThrowCorrupt("the cells of a chunk do not meet all its vertices");
     }
@@ -237,7 +241,7 @@ private:
   const std::uint32_t OwnVertices;
   std::span<const LatticePoint> Shared;
   ChunkMesh& Out;
-  std::vector<char> Gone; // whether each shared vertex was met
+  SharedSearch Search;
   std::vector<LatticePoint> Places;
 };
 }

@@ -8,6 +8,8 @@
 #include "gatunChunkPlaces.h"
 #include "gatunFloatEnvironment.h"
 #include "gatunMorton.h"
+#include "gatunPolygonTruth.h"
+#include "gatunPolygonWalk.h"
 
 #include <algorithm>
 #include <numeric>
@@ -18,6 +20,8 @@ namespace
 {
 using Order = std::vector<std::uint32_t>;
 
+constexpr std::uint8_t FlagWalk = 1;
+
 /** One way to encode the connectivity of a chunk. */
 struct CellAttempt
 {
@@ -26,6 +30,7 @@ struct CellAttempt
   std::vector<std::uint32_t> InputOf;
   std::vector<std::uint32_t> OwnOrder;
   std::vector<std::uint32_t> CellOrder;
+  std::size_t Others = 0; // cells that the walk does not take
 };
 
 /** The length that a connectivity stream must have at least. */
@@ -35,12 +40,12 @@ std::size_t GetLeastBytes(const CellCounts& counts)
   return std::max<std::size_t>(counts.Cells / MaxItemsPerByte, values / MaxCornersPerByte) + 1;
 }
 
-/** The cells in the order of their centers in space. */
-Order SortByPlace(
-  const CellList& cells, const Bounds& box, std::span<const std::array<double, 3>> places)
+/** Sorts cells by their centers in space. */
+void SortByPlace(Order& order, const CellList& cells, const Bounds& box,
+  std::span<const std::array<double, 3>> places)
 {
   std::vector<std::uint64_t> codes(cells.GetNumber());
-  for (std::size_t c = 0; c < codes.size(); ++c)
+  for (const auto c : order)
   {
     const auto corners = cells.GetCorners(c);
     std::array<double, 3> center{ 0, 0, 0 };
@@ -53,38 +58,58 @@ Order SortByPlace(
     }
     codes[c] = GetMortonCode(box, center);
   }
-  Order order(codes.size());
-  std::iota(order.begin(), order.end(), 0u);
   std::stable_sort(order.begin(), order.end(),
     [&](std::uint32_t a, std::uint32_t b) { return codes[a] < codes[b]; });
-  return order;
 }
 
-CellAttempt TryList(const ChunkFrame& frame, const CellList& cells, const Order& order,
-  std::span<const LatticePoint> shared, std::span<const LatticePoint> ownPlaces)
+/** What all attempts start from. */
+struct CellInput
+{
+  const ChunkFrame& Frame;
+  const CellList& Cells;
+  const FormTable& Forms;
+  std::span<const LatticePoint> Shared, OwnPlaces;
+};
+
+/** Encodes cells by a walk if it is wanted, and those that it does not take in an order that
+ * sort(cells) gives. */
+template <typename Sort>
+CellAttempt TryCells(const CellInput& input, bool withWalk, Sort&& sort)
 {
   CellAttempt result;
   EntropyEncoder coder;
-  CellEncoderSide side(cells, static_cast<std::uint32_t>(shared.size()), ownPlaces);
-  CellBuilder mesh(frame, shared, side, result.Mesh);
-  CellListCoder list(coder, mesh);
-  for (const auto cell : order)
+  CellEncoderSide side(
+    input.Cells, static_cast<std::uint32_t>(input.Shared.size()), input.OwnPlaces);
+  CellBuilder mesh(input.Frame, input.Shared, side, result.Mesh);
+  AttachedNodes nodes(coder, mesh);
+  Order others(input.Cells.GetNumber());
+  std::iota(others.begin(), others.end(), 0u);
+  if (withWalk)
+  {
+    PolygonTruth truth(input.Cells, input.Forms);
+    others = truth.GetOthers();
+    PolygonWalk(coder, mesh, nodes, input.Forms, &truth).Run();
+  }
+  sort(others);
+  CellListCoder list(coder, mesh, nodes);
+  for (const auto cell : others)
   {
     list.Code(cell);
   }
   mesh.Finish();
   const auto body = coder.Finish();
-  result.Stream.push_back(0);
+  result.Stream.push_back(withWalk ? FlagWalk : 0);
   result.Stream.insert(result.Stream.end(), body.begin(), body.end());
-  result.Stream.resize(std::max(result.Stream.size(), GetLeastBytes(frame.Cells)), 0);
+  result.Stream.resize(std::max(result.Stream.size(), GetLeastBytes(input.Frame.Cells)), 0);
   result.InputOf = std::move(side.InputOf);
   result.OwnOrder = std::move(side.OwnOrder);
   result.CellOrder = std::move(side.CellOrder);
+  result.Others = others.size();
   return result;
 }
 
-CellAttempt EncodeConnectivity(
-  const ChunkFrame& frame, const CellList& cells, std::span<const PointKeys> ownKeys)
+CellAttempt EncodeConnectivity(const ChunkFrame& frame, const CellList& cells,
+  const FormTable& forms, std::span<const PointKeys> ownKeys)
 {
   const Lattice lattice(frame.Box);
   const auto shared = MapShared(lattice, frame.Domains, frame.SharedKeys, frame.SharedUsers);
@@ -102,28 +127,42 @@ CellAttempt EncodeConnectivity(
     addPlace(ownKeys[i]);
   }
 
-  Order given(cells.GetNumber());
-  std::iota(given.begin(), given.end(), 0u);
-  auto best = TryList(frame, cells, given, shared, ownPlaces);
-  const auto sorted = SortByPlace(cells, frame.Box, places);
-  if (sorted != given)
+  // Cells one by one take about this number of bytes or less.
+  constexpr std::size_t listBytes = 3;
+  const CellInput input{ frame, cells, forms, shared, ownPlaces };
+  const auto keep = [](Order&) {};
+  const auto sort = [&](Order& order) { SortByPlace(order, cells, frame.Box, places); };
+  CellAttempt best;
+  const auto consider = [&](CellAttempt attempt)
   {
-    auto other = TryList(frame, cells, sorted, shared, ownPlaces);
-    if (other.Stream.size() < best.Stream.size())
+    if (best.Stream.empty() || attempt.Stream.size() < best.Stream.size())
     {
-      best = std::move(other);
+      best = std::move(attempt);
     }
+  };
+  if (forms.GetSize() > 0)
+  {
+    consider(TryCells(input, true, keep));
+    if (best.Others > cells.GetNumber() / 16)
+    {
+      consider(TryCells(input, true, sort));
+    }
+  }
+  if (best.Stream.empty() || best.Stream.size() > listBytes * cells.GetNumber())
+  {
+    consider(TryCells(input, false, keep));
+    consider(TryCells(input, false, sort));
   }
   return best;
 }
 }
 
 //------------------------------------------------------------------------------
-EncodedCells EncodeCells(const ChunkFrame& frame, const CellList& cells, const ShapeTable&,
+EncodedCells EncodeCells(const ChunkFrame& frame, const CellList& cells, const ShapeTable& shapes,
   std::span<const PointKeys> ownKeys, bool keepCorners)
 {
   const FloatEnvironment guard;
-  auto best = EncodeConnectivity(frame, cells, ownKeys);
+  auto best = EncodeConnectivity(frame, cells, *shapes.GetForms(), ownKeys);
 
   EncodedCells result;
   result.Connectivity = std::move(best.Stream);
@@ -147,7 +186,7 @@ EncodedCells EncodeCells(const ChunkFrame& frame, const CellList& cells, const S
   return result;
 }
 
-ChunkMesh DecodeCells(const ChunkFrame& frame, const ShapeTable&,
+ChunkMesh DecodeCells(const ChunkFrame& frame, const ShapeTable& shapes,
   std::span<const std::uint8_t> connectivity, std::span<const std::uint8_t> geometry)
 {
   const FloatEnvironment guard;
@@ -157,7 +196,7 @@ ChunkMesh DecodeCells(const ChunkFrame& frame, const ShapeTable&,
   {
     ThrowCorrupt("a chunk claims more cells or points than its stream can hold");
   }
-  if (connectivity[0] != 0)
+  if ((connectivity[0] & ~FlagWalk) != 0)
   {
     ThrowCorrupt("a connectivity stream has unknown flags");
   }
@@ -172,7 +211,13 @@ ChunkMesh DecodeCells(const ChunkFrame& frame, const ShapeTable&,
   EntropyDecoder coordinates(in.GetBytes(in.GetRemaining()));
   CellDecoderSide side(frame, lattice, coordinates, rules, mesh);
   CellBuilder builder(frame, std::span<const LatticePoint>(shared), side, mesh);
-  CellListCoder list(symbols, builder);
+  AttachedNodes nodes(symbols, builder);
+  if ((connectivity[0] & FlagWalk) != 0)
+  {
+    const auto forms = shapes.GetForms();
+    PolygonWalk(symbols, builder, nodes, *forms, nullptr).Run();
+  }
+  CellListCoder list(symbols, builder, nodes);
   while (!builder.IsFull())
   {
     list.Code(0);

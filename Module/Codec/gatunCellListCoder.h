@@ -6,12 +6,14 @@
 
 // Cells one by one, of any type and in any state: what no walk takes.
 
+#include "gatunAttachedNodes.h"
 #include "gatunCellBuilder.h"
 #include "gatunCellGraph.h"
 #include "gatunCellShapes.h"
 #include "gatunFillRecord.h"
 #include "gatunNumberModel.h"
 #include "gatunRecentVertices.h"
+#include "gatunSharedSequence.h"
 
 #include <algorithm>
 #include <array>
@@ -31,10 +33,11 @@ template <typename Coder, typename Side>
 class CellListCoder
 {
 public:
-  CellListCoder(Coder& coder, CellBuilder<Side>& mesh)
+  CellListCoder(Coder& coder, CellBuilder<Side>& mesh, AttachedNodes<Coder, Side>& nodes)
     : Symbols(coder)
     , Mesh(mesh)
     , Types(256)
+    , Nodes(nodes)
   {
     for (unsigned type = 0; type < 256; ++type)
     {
@@ -186,14 +189,21 @@ private:
       models.Graph =
         std::make_unique<CellGraph>(CellGraph::OfType(type, std::min<std::size_t>(size, MaxGraph)));
     }
+    const auto nodes = GetCellNodes(type);
+    const bool hasNodes = nodes.Corners > 0 && size == nodes.Points;
+    const std::size_t corners = hasNodes ? nodes.Corners : size;
     unsigned before = Own;
-    for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t i = 0; i < corners; ++i)
     {
       const auto row = i < models.Last.size() ? models.Last[i] + models.Steps[i] : NoVertex;
       const auto corner =
         this->CodeCorner(models.Positions[std::min<std::size_t>(i, MostPositions - 1)], before, row,
           Coder::Encoding ? truth[i] : 0, [&] { return this->MakeRecord(models, i); });
       this->Corners.push_back(corner);
+    }
+    if (hasNodes)
+    {
+      this->Nodes.Code(nodes, this->Corners, truth);
     }
   }
 
@@ -219,7 +229,7 @@ private:
       const bool shared =
         this->Symbols.Bit(ways.IsShared, Coder::Encoding && this->Mesh.Truth.IsShared(target));
       way = shared ? Shared : Own;
-      result = shared ? this->Mesh.MeetShared(target, this->CodeShared(target))
+      result = shared ? this->Mesh.MeetShared(target, this->SharedNames.Code(this->Symbols, target))
                       : this->Mesh.MeetOwn(target, makeRecord());
       place = RecentVertices::Most;
     }
@@ -249,22 +259,6 @@ private:
     models.Last = static_cast<std::uint8_t>(way);
     before = way;
     return result;
-  }
-
-  /** Codes a shared vertex by its distance from the last one. */
-  std::uint32_t CodeShared(std::uint32_t target)
-  {
-    const auto expected = this->LastShared + 1;
-    std::uint32_t index = expected;
-    if (!this->Symbols.Bit(this->SharedFollows, target == expected))
-    {
-      const bool back = this->Symbols.Bit(this->SharedBack, target < expected);
-      const auto distance =
-        this->SharedDistance.Code(this->Symbols, back ? expected - target : target - expected);
-      index = back ? expected - distance : expected + distance;
-    }
-    this->LastShared = index;
-    return index;
   }
 
   //----------------------------------------------------------------------------
@@ -515,9 +509,8 @@ private:
   PolyhedronModels Polyhedra;
 
   RecentVertices Uses;
-  BitModel SharedFollows, SharedBack;
-  NumberModel SharedDistance;
-  std::uint32_t LastShared = 0xffffffff;
+  SharedSequence SharedNames;
+  AttachedNodes<Coder, Side>& Nodes;
 
   std::vector<Vertex> Corners, Faces; // of the cell that is coded
   std::vector<std::uint32_t> Seen;    // for each vertex, the polyhedron that had it last

@@ -17,7 +17,7 @@ namespace gatun
  * are.
  */
 template <typename GetVertex>
-void FillRecord(
+std::array<CellGraph::Local, 3> FillRecord(
   CellRecord& record, const CellGraph& graph, std::size_t corner, GetVertex&& getVertex)
 {
   std::array<CellGraph::Local, 3> near{ CellGraph::None, CellGraph::None, CellGraph::None };
@@ -53,6 +53,7 @@ void FillRecord(
   {
     record.Known[CellRecord::O] = getVertex(opposite);
   }
+  return near;
 }
 }
 

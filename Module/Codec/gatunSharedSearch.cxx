@@ -104,13 +104,10 @@ std::uint32_t SharedSearch::FindEnd(
   return first + static_cast<std::uint32_t>(found - row.begin());
 }
 
-SharedSearch::Area::Area(const SharedSearch& search, const GatePlane& plane, float reach)
+SharedSearch::Area::Area(const SharedSearch& search, const Vec3& center, float limit)
+  : Center(center)
+  , Limit(limit)
 {
-  const auto w = ToVector(plane.C) - ToVector(plane.B);
-  const float longest = std::max({ Dot(plane.U, plane.U), Dot(plane.V, plane.V), Dot(w, w) });
-  const Vec3 sum{ ToVector(plane.A).Lanes + ToVector(plane.B).Lanes + ToVector(plane.C).Lanes };
-  this->Center = { sum.Lanes * Splat(1.0F / 3.0F) };
-  this->Limit = reach * reach * longest;
   const float radius = std::sqrt(this->Limit);
   for (unsigned i = 0; i < 3; ++i)
   {

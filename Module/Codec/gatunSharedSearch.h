@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace gatun
@@ -39,7 +40,18 @@ public:
   template <typename GetRanks>
   void Begin(const GatePlane& plane, float reach, GetRanks&& getRanks)
   {
-    const Area area(*this, plane, reach);
+    const auto w = ToVector(plane.C) - ToVector(plane.B);
+    const float longest = std::max({ Dot(plane.U, plane.U), Dot(plane.V, plane.V), Dot(w, w) });
+    const Vec3 sum{ ToVector(plane.A).Lanes + ToVector(plane.B).Lanes + ToVector(plane.C).Lanes };
+    this->Begin({ sum.Lanes * Splat(1.0F / 3.0F) }, reach * reach * longest,
+      std::forward<GetRanks>(getRanks));
+  }
+
+  /** Ranks the vertices around a place. limit: of the squared distance. */
+  template <typename GetRanks>
+  void Begin(const Vec3& center, float limit, GetRanks&& getRanks)
+  {
+    const Area area(*this, center, limit);
     std::uint32_t patience = Patience;
     this->RankCount = 0;
     this->RowCount = 0;
@@ -69,13 +81,14 @@ public:
 
   /** Removes a vertex that has been met. */
   void Remove(std::uint32_t index);
+  std::size_t GetSize() const { return this->Vertices.size(); }
   bool IsGone(std::uint32_t index) const { return this->Gone[index] != 0; }
 
 private:
   /** The cells that a search visits. */
   struct Area
   {
-    Area(const SharedSearch& search, const GatePlane& plane, float reach);
+    Area(const SharedSearch& search, const Vec3& center, float limit);
 
     Float4 GetDistances(const Vec3x4& places) const
     {

@@ -11,12 +11,12 @@ namespace gatun
 {
 //------------------------------------------------------------------------------
 ChunkSet::ChunkSet(const FileReader::Internals& content, std::vector<std::uint32_t> chunks,
-  std::vector<std::uint32_t> universe, bool withUnusedPoints, CellForm form)
+  std::vector<std::uint32_t> universe, bool withUnusedPoints, PieceForm form)
   : Content(content)
   , Chunks(std::move(chunks))
   , Universe(std::move(universe))
   , WithUnused(withUnusedPoints)
-  , Form(content.Cells ? form : CellForm::Tetrahedra)
+  , Form(content.Cells ? form : PieceForm::Tetrahedra)
 {
   const auto& mesh = this->Content.Mesh;
   std::vector<std::uint32_t> needed;
@@ -58,7 +58,7 @@ ChunkSet::ChunkSet(const FileReader::Internals& content, std::vector<std::uint32
     this->Points += mesh.Chunks[c].Info.OwnPoints;
     this->Begins.push_back(this->Ends);
     const auto& entry = mesh.Chunks[c];
-    if (this->Form == CellForm::Tetrahedra)
+    if (this->Form == PieceForm::Tetrahedra)
     {
       this->Ends.Cells += entry.Info.Tets;
       this->Ends.Corners += 4 * entry.Info.Tets;

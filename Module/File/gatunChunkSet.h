@@ -32,12 +32,12 @@ public:
 
   /** universe: see PieceRequest. It determines the points that belong to the set. */
   ChunkSet(const FileReader::Internals& content, std::vector<std::uint32_t> chunks,
-    std::vector<std::uint32_t> universe, bool withUnusedPoints, CellForm form);
+    std::vector<std::uint32_t> universe, bool withUnusedPoints, PieceForm form);
 
   std::uint64_t GetNumberOfPoints() const { return this->Points; }
 
   /** The form of the cells: tetrahedra if all cells are. */
-  CellForm GetForm() const { return this->Form; }
+  PieceForm GetForm() const { return this->Form; }
   std::uint64_t GetNumberOfCells() const { return this->Ends.Cells; }
 
   /** The points of all cells, and the values of the faces of polyhedra: see PieceTarget. */
@@ -85,7 +85,7 @@ private:
   std::vector<std::uint32_t> Chunks;
   std::vector<std::uint32_t> Universe;
   bool WithUnused;
-  CellForm Form;
+  PieceForm Form;
   std::uint64_t Points = 0;
 
   /** Positions in the lists of cells. */

@@ -25,7 +25,7 @@ constexpr std::size_t StepsAtOnce = 16;
 //------------------------------------------------------------------------------
 ChunkSetDecoder::ChunkSetDecoder(const std::shared_ptr<ChunkCache>& cache,
   std::vector<std::uint32_t> chunks, std::vector<std::uint32_t> universe, bool withUnusedPoints,
-  CellForm form)
+  PieceForm form)
   : Parts(cache)
   , Set(this->Parts.Content(), std::move(chunks), std::move(universe), withUnusedPoints, form)
 {
@@ -39,7 +39,7 @@ void ChunkSetDecoder::Fill(const PieceTarget& target, const std::vector<std::uin
   const auto keep = content.Meta.Keep;
   const auto restore = restoreOrder && this->Set.IsWhole() ? keep : 0;
   const bool restorePoints = (restore & KeepPoints) != 0;
-  const bool isOriginal = this->Set.GetForm() == CellForm::Original || !content.Cells;
+  const bool isOriginal = this->Set.GetForm() == PieceForm::Original || !content.Cells;
   const bool restoreCells = (restore & KeepCells) != 0 && isOriginal;
   Job job{ content.File, target, restorePoints, restoreCells, (restore & KeepCorners) != 0,
     (keep & KeepPoints) != 0 && (restorePoints || target.GlobalPointIds),
@@ -55,7 +55,7 @@ void ChunkSetDecoder::Fill(const PieceTarget& target, const std::vector<std::uin
     job.CellTaken =
       std::vector<std::atomic<bool>>(static_cast<std::size_t>(this->Set.GetNumberOfCells()));
     job.Placed.resize(
-      this->Set.GetForm() == CellForm::Original && target.Types ? this->Set.GetChunks().size() : 0);
+      this->Set.GetForm() == PieceForm::Original && target.Types ? this->Set.GetChunks().size() : 0);
   }
   for (std::size_t a = 0; a < target.Arrays.size(); ++a)
   {
@@ -103,7 +103,7 @@ void ChunkSetDecoder::Fill(const PieceTarget& target, const std::vector<std::uin
       },
       [&](double part) { return !progress || progress(done + share * part); });
   }
-  if (this->Set.GetForm() == CellForm::Original && target.Types)
+  if (this->Set.GetForm() == PieceForm::Original && target.Types)
   {
     this->FinishOriginal(job);
   }

@@ -30,7 +30,7 @@ public:
   /** universe: see PieceRequest. It determines the points that belong to the set. */
   ChunkSetDecoder(const std::shared_ptr<ChunkCache>& cache, std::vector<std::uint32_t> chunks,
     std::vector<std::uint32_t> universe, bool withUnusedPoints,
-    CellForm form = CellForm::Tetrahedra);
+    PieceForm form = PieceForm::Tetrahedra);
 
   /** The layout of the mesh. */
   const ChunkSet& GetSet() const { return this->Set; }

@@ -124,7 +124,7 @@ void ChunkSetDecoder::StoreChunk(Job& job, std::size_t i, const ChunkMesh& mesh)
 
   // Several tetrahedra may have the values of one cell.
   ChunkTets split;
-  const bool isSplit = this->Set.GetForm() == CellForm::Tetrahedra && !entry.Sizes.IsTetrahedral;
+  const bool isSplit = this->Set.GetForm() == PieceForm::Tetrahedra && !entry.Sizes.IsTetrahedral;
   if (isSplit)
   {
     split = this->Parts.SplitCells(chunk, mesh);
@@ -152,7 +152,7 @@ void ChunkSetDecoder::StoreChunk(Job& job, std::size_t i, const ChunkMesh& mesh)
         parent != Topology::NoTet ? first + parent : PieceTarget::NoParent;
     }
   }
-  if (this->Set.GetForm() == CellForm::Original)
+  if (this->Set.GetForm() == PieceForm::Original)
   {
     if (target.Types)
     {

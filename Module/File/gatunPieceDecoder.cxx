@@ -163,7 +163,7 @@ void PieceDecoder::Internals::ChooseGhosts(const Progress& progress)
 {
   const ChunkSet& around = this->Around->GetSet();
   const auto cells = static_cast<std::size_t>(around.GetNumberOfCells());
-  PieceCells all(around.GetForm() == CellForm::Tetrahedra, cells,
+  PieceCells all(around.GetForm() == PieceForm::Tetrahedra, cells,
     static_cast<std::size_t>(around.GetConnectivitySize()),
     static_cast<std::size_t>(around.GetFacesSize()));
   this->Around->Fill(all.GetTarget(), {}, 0, false, progress);
@@ -355,7 +355,7 @@ std::uint64_t PieceDecoder::GetNumberOfCells() const
 
 bool PieceDecoder::IsTetrahedral() const
 {
-  return !this->Self->Piece || this->Self->Piece->GetSet().GetForm() == CellForm::Tetrahedra;
+  return !this->Self->Piece || this->Self->Piece->GetSet().GetForm() == PieceForm::Tetrahedra;
 }
 
 std::uint64_t PieceDecoder::GetConnectivitySize() const

@@ -14,7 +14,7 @@
 namespace gatun
 {
 /** The form of the cells of a piece. */
-enum class CellForm : std::uint8_t
+enum class PieceForm : std::uint8_t
 {
   Tetrahedra, ///< those of which the cells consist; cells of a lower dimension are left out
   Original    ///< the cells as they were written
@@ -33,7 +33,7 @@ struct PieceRequest
   std::size_t Step = 0;
   unsigned GhostLevels = 0;      ///< layers of cells around the piece that share points
   bool WithUnusedPoints = false; ///< whether to include unused points (in one piece only)
-  CellForm Form = CellForm::Tetrahedra;
+  PieceForm Form = PieceForm::Tetrahedra;
 
   /** Whether to restore the original order, if the file keeps it and the piece is whole. The order
    * of tetrahedra of other cells is not restored. */

@@ -115,7 +115,7 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
       request.Arrays.push_back(a);
     }
     request.WithUnusedPoints = round == 0;
-    request.Form = CellForm::Original;
+    request.Form = PieceForm::Original;
     PieceDecoder decoder(cache);
     for (std::size_t step = 0; step < steps; ++step)
     {

@@ -6,6 +6,7 @@
 // Chunks of cells of any type for tests, and their round trip.
 
 #include "gatunCellCodec.h"
+#include "gatunCellShapes.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <initializer_list>
+#include <map>
 #include <random>
 #include <set>
 #include <utility>

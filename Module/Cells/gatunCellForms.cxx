@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunCellForms.h"
+
+#include "gatunBytes.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+namespace gatun
+{
+namespace
+{
+[[noreturn]] void ThrowShape()
+{
+  ThrowCorrupt("a shape of a cell is not a closed surface");
+}
+
+/** Adds the faces of a code to a form and returns the number of its corners. */
+unsigned ReadFaces(std::span<const std::uint8_t> code, CellForm& form)
+{
+  ByteReader in(code);
+  std::set<std::array<std::uint8_t, 2>> edges; // of the faces met so far, except the gate
+  std::vector<std::array<std::uint8_t, 2>> queue;
+  const unsigned degree = in.Get<std::uint8_t>();
+  unsigned corners = degree;
+  if (degree < 3)
+  {
+    ThrowShape();
+  }
+  const auto at = [](unsigned number) { return static_cast<std::uint8_t>(number); };
+  form.FirstSides = { 0, static_cast<std::uint16_t>(degree) };
+  for (unsigned i = 0; i < degree; ++i)
+  {
+    form.Corner.push_back(at(i));
+    queue.push_back({ at(i), at((i + 1) % degree) });
+    edges.insert({ at((i + 1) % degree), at(i) });
+  }
+  for (std::size_t head = 0; head < queue.size(); ++head)
+  {
+    const auto edge = queue[head];
+    if (edges.count(edge) != 0)
+    {
+      continue;
+    }
+    const unsigned size = in.Get<std::uint8_t>();
+    const auto first = form.Corner.size();
+    if (size < 3 || form.FirstSides.size() > MaxSurfaceFaces)
+    {
+      ThrowShape();
+    }
+    form.Corner.push_back(edge[0]);
+    form.Corner.push_back(edge[1]);
+    for (unsigned i = 2; i < size; ++i)
+    {
+      const auto corner = in.Get<std::uint8_t>();
+      if (corner > corners || corner >= MaxSurfaceCorners)
+      {
+        ThrowShape();
+      }
+      corners += corner == corners;
+      form.Corner.push_back(corner);
+    }
+    for (unsigned i = 0; i < size; ++i)
+    {
+      const auto from = form.Corner[first + i];
+      const auto to = form.Corner[first + (i + 1) % size];
+      if (!edges.insert({ from, to }).second)
+      {
+        ThrowShape();
+      }
+      queue.push_back({ to, from });
+    }
+    form.FirstSides.push_back(static_cast<std::uint16_t>(form.Corner.size()));
+  }
+  if (in.GetRemaining() > 0 || corners > MaxSurfaceCorners)
+  {
+    ThrowShape();
+  }
+  return corners;
+}
+
+unsigned FindFamily(const CellForm& form)
+{
+  const auto faces = form.GetNumberOfFaces();
+  unsigned triangles = 0;
+  unsigned quads = 0;
+  for (unsigned f = 0; f < faces; ++f)
+  {
+    triangles += form.GetDegree(f) == 3;
+    quads += form.GetDegree(f) == 4;
+  }
+  return faces != triangles + quads ? 4
+    : triangles == 4 && quads == 0  ? 0
+    : triangles == 4 && quads == 1  ? 1
+    : triangles == 2 && quads == 3  ? 2
+    : triangles == 0 && quads == 6  ? 3
+                                    : 4;
+}
+}
+
+//------------------------------------------------------------------------------
+CellForm::CellForm(std::span<const std::uint8_t> code)
+{
+  this->Corners = ReadFaces(code, *this);
+  const auto surface = this->GetSurface();
+  if (!IsClosedSurface(surface, this->Corners))
+  {
+    ThrowShape();
+  }
+  this->Family = FindFamily(*this);
+  std::map<std::array<std::uint8_t, 2>, std::uint16_t> sides;
+  std::vector<CellGraph::Local> faces;
+  for (unsigned f = 0; f < this->GetNumberOfFaces(); ++f)
+  {
+    const unsigned first = this->FirstSides[f];
+    const unsigned degree = this->GetDegree(f);
+    faces.push_back(static_cast<CellGraph::Local>(degree));
+    this->FaceMasks.push_back(0);
+    for (unsigned i = 0; i < degree; ++i)
+    {
+      const auto from = this->Corner[first + i];
+      const auto to = this->Corner[first + (i + 1) % degree];
+      faces.push_back(from);
+      this->Face.push_back(static_cast<std::uint8_t>(f));
+      this->FaceMasks.back() |= std::uint64_t{ 1 } << (from % 64u);
+      // The gate runs the other way.
+      sides[f == 0 ? std::array{ to, from } : std::array{ from, to }] =
+        static_cast<std::uint16_t>(first + i);
+    }
+  }
+  this->Graph = CellGraph(this->Corners, faces);
+  this->Twin.resize(this->Corner.size());
+  for (const auto& [edge, side] : sides)
+  {
+    this->Twin[side] = sides.at({ edge[1], edge[0] });
+  }
+  for (std::uint16_t side = 0; side < this->Corner.size(); ++side)
+  {
+    if (side < this->Twin[side])
+    {
+      this->Edges.push_back({ side, this->Twin[side] });
+    }
+    const unsigned f = this->Face[side];
+    const auto begin = this->Corner.begin() + this->FirstSides[f];
+    const auto end = this->Corner.begin() + this->FirstSides[f + 1];
+    unsigned count = 0;
+    std::uint8_t below = None;
+    for (const auto near : this->Graph.GetNeighbors(this->Corner[side]))
+    {
+      if (std::find(begin, end, near) == end)
+      {
+        below = static_cast<std::uint8_t>(near);
+        ++count;
+      }
+    }
+    this->Below.push_back(count == 1 ? below : None);
+  }
+}
+
+std::vector<std::uint8_t> CellForm::GetSurface() const
+{
+  std::vector<std::uint8_t> surface;
+  for (unsigned f = 0; f < this->GetNumberOfFaces(); ++f)
+  {
+    const auto begin = this->Corner.begin() + this->FirstSides[f];
+    const auto end = this->Corner.begin() + this->FirstSides[f + 1];
+    surface.push_back(static_cast<std::uint8_t>(end - begin));
+    surface.insert(surface.end(), begin, end);
+    if (f == 0)
+    {
+      std::reverse(surface.begin() + 1, surface.end());
+    }
+  }
+  return surface;
+}
+
+//------------------------------------------------------------------------------
+bool FormTable::AddShape(SurfaceView faces, unsigned corners)
+{
+  FormMaker maker;
+  std::set<FormCode, FormOrder> codes;
+  unsigned gate = 0;
+  for (std::size_t at = 0; at < faces.size(); at += 1u + faces[at], ++gate)
+  {
+    for (unsigned start = 0; start < faces[at]; ++start)
+    {
+      maker.Make(faces, corners, gate, start, false);
+      codes.insert(maker.GetCode());
+    }
+  }
+  const auto sides = codes.size() * (faces.size() - gate);
+  if (this->Codes.count(*codes.begin()) != 0 || this->Forms.size() + codes.size() > MaxForms ||
+    this->Sides + sides > MaxSides)
+  {
+    return false;
+  }
+  this->Sides += sides;
+  for (const auto& code : codes)
+  {
+    this->Codes[code] = static_cast<std::uint16_t>(this->Forms.size());
+    this->Forms.emplace_back(code).Shape = this->Shapes;
+  }
+  ++this->Shapes;
+  return true;
+}
+
+void FormTable::MakeFrames()
+{
+  FormMaker maker;
+  for (const int type : { 10, 11, 12, 13, 14, 15, 16 })
+  {
+    const auto* shape = GetCellKind(type).Shape;
+    std::vector<Frame> frames(Frames);
+    bool any = false;
+    unsigned gate = 0;
+    for (std::size_t at = 0; at < shape->Faces.size(); at += 1u + shape->Faces[at], ++gate)
+    {
+      for (unsigned start = 0; start < shape->Faces[at]; ++start)
+      {
+        for (const bool mirrored : { false, true })
+        {
+          maker.Make(shape->Faces, shape->Corners, gate, start, mirrored);
+          auto& frame = frames[MakeFrame(gate, start, mirrored)];
+          frame = { this->Find(maker.GetCode()), maker.GetOrder(), maker.GetFaces() };
+          any = any || frame.Form != None;
+        }
+      }
+    }
+    if (any)
+    {
+      this->FramesOf[shape] = std::move(frames);
+    }
+  }
+}
+
+std::uint16_t FormTable::Find(const FormCode& code) const
+{
+  const auto found = this->Codes.find(code);
+  return found != this->Codes.end() ? found->second : None;
+}
+
+std::span<const FormTable::Frame> FormTable::GetFrames(const CellShape* shape) const
+{
+  const auto found = this->FramesOf.find(shape);
+  return found != this->FramesOf.end() ? std::span<const Frame>(found->second)
+                                       : std::span<const Frame>();
+}
+}

@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunPolygonFront_h
+#define gatunPolygonFront_h
+
+// The open surface between the cells that a walk has visited and the others, made of polygons.
+
+#include "gatunFront.h"
+#include "gatunMeasure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace gatun
+{
+/** What is over a side of an open face: a side of another one, or the border with the far corner of
+ * the face that ended there, or with none. Counts the visited cells around the edge, too. */
+class SideLink
+{
+public:
+  static constexpr unsigned MostCells = 7; // larger numbers are clamped
+
+  SideLink() = default;
+
+  static SideLink ToSide(std::uint32_t side, unsigned cells)
+  {
+    return SideLink(side, std::min(cells, MostCells));
+  }
+
+  /** far may be NoVertex. */
+  static SideLink ToBorder(Vertex far, unsigned cells)
+  {
+    return SideLink((far & Mask) | BorderBit, std::min(cells, MostCells));
+  }
+
+  bool IsBorder() const { return (this->Bits & BorderBit) != 0; }
+  unsigned GetCells() const { return this->Bits >> CellShift & 7; }
+  std::uint32_t GetSide() const { return this->Bits & Mask; }
+  Vertex GetFar() const { return (this->Bits & Mask) == Mask ? NoVertex : this->Bits & Mask; }
+
+private:
+  static constexpr std::uint32_t BorderBit = 0x80000000u;
+  static constexpr unsigned CellShift = 28;
+  static constexpr std::uint32_t Mask = (1u << CellShift) - 1;
+
+  SideLink(std::uint32_t bits, unsigned cells)
+    : Bits(bits | cells << CellShift)
+  {
+  }
+
+  std::uint32_t Bits = BorderBit | Mask;
+};
+
+/** A direction in binary32, by scalar arithmetic in the order that is written. */
+struct Direction
+{
+  float X = 0, Y = 0, Z = 0;
+};
+
+inline Direction operator-(const LatticePoint& a, const LatticePoint& b)
+{
+  return { a.X - b.X, a.Y - b.Y, a.Z - b.Z };
+}
+
+inline float Dot(const Direction& a, const Direction& b)
+{
+  return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
+}
+
+inline Direction Cross(const Direction& a, const Direction& b)
+{
+  return { a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X };
+}
+
+/**
+ * Open faces in the order of their creation, each a polygon seen from outside of the visited part.
+ * Side i of a face runs from its corner i to the next one. Sides that are linked run in opposite
+ * directions.
+ */
+class PolygonFront
+{
+public:
+  static constexpr std::uint32_t None = 0xffffffff;
+
+  struct Face
+  {
+    std::uint32_t First; // side
+    std::uint16_t Degree;
+    std::uint16_t Form;    // of the cell behind
+    std::uint32_t Cell;    // behind
+    std::uint16_t Frame;   // where the cell's type has the face; see PolygonWalk
+    std::uint8_t Type;     // of the cell
+    std::uint8_t FormFace; // of the form
+    bool Open;
+    Direction Normal; // of length 1, or 0
+  };
+
+  struct Side
+  {
+    Vertex Corner = NoVertex;
+    SideLink Over;
+    Vertex Below = NoVertex; // the only neighbor of the corner beyond the face in the cell behind
+    std::uint32_t Face;
+    std::uint32_t Next;      // another side that begins at the corner, or None
+    std::uint8_t Index = 0;  // in the face
+    std::uint8_t Degree = 0; // of the face
+    bool Open = true;
+  };
+
+  /** The oldest open face, or None. */
+  std::uint32_t NextGate()
+  {
+    while (this->Head < this->Faces.size() && !this->Faces[this->Head].Open)
+    {
+      ++this->Head;
+    }
+    return this->Head < this->Faces.size() ? this->Head : None;
+  }
+
+  explicit PolygonFront(std::size_t vertices)
+    : Heads(vertices, None)
+  {
+  }
+
+  /** Opens a face and returns its sides, which must be set at once. */
+  Side* AddFace(const Face& face)
+  {
+    const auto id = static_cast<std::uint32_t>(this->Faces.size());
+    const auto first = this->GetNumberOfSides();
+    this->Faces.push_back(face);
+    this->Faces.back().First = first;
+    this->Sides.resize(first + std::size_t{ face.Degree });
+    for (unsigned i = 0; i < face.Degree; ++i)
+    {
+      auto& side = this->Sides[first + i];
+      side.Face = id;
+      side.Index = static_cast<std::uint8_t>(i);
+      side.Degree = static_cast<std::uint8_t>(face.Degree);
+    }
+    return &this->Sides[first];
+  }
+
+  void SetSide(std::uint32_t id, Vertex corner, Vertex below)
+  {
+    auto& side = this->Sides[id];
+    side.Corner = corner;
+    side.Below = below;
+    side.Next = this->Heads[corner];
+    this->Heads[corner] = id;
+  }
+
+  Face& GetFace(std::uint32_t id) { return this->Faces[id]; }
+  const Face& GetFace(std::uint32_t id) const { return this->Faces[id]; }
+  Side& GetSide(std::uint32_t id) { return this->Sides[id]; }
+  const Side& GetSide(std::uint32_t id) const { return this->Sides[id]; }
+  std::uint32_t GetNumberOfSides() const { return static_cast<std::uint32_t>(this->Sides.size()); }
+
+  Face& GetFaceOfSide(std::uint32_t side) { return this->Faces[this->Sides[side].Face]; }
+  const Face& GetFaceOfSide(std::uint32_t side) const
+  {
+    return this->Faces[this->Sides[side].Face];
+  }
+
+  std::uint32_t GetNext(std::uint32_t id) const
+  {
+    const auto& side = this->Sides[id];
+    return side.Index + 1 < side.Degree ? id + 1 : id - side.Index;
+  }
+
+  std::uint32_t GetLast(std::uint32_t id) const
+  {
+    const auto& side = this->Sides[id];
+    return side.Index > 0 ? id - 1 : id + side.Degree - 1u;
+  }
+
+  /** The side over a side, or None if there is no open face. */
+  std::uint32_t GetOpen(std::uint32_t side) const
+  {
+    const auto link = this->Sides[side].Over;
+    return !link.IsBorder() && this->Sides[link.GetSide()].Open ? link.GetSide() : None;
+  }
+
+  void Close(std::uint32_t id)
+  {
+    auto& face = this->Faces[id];
+    face.Open = false;
+    for (unsigned i = 0; i < face.Degree; ++i)
+    {
+      this->Sides[face.First + i].Open = false;
+    }
+  }
+
+  /** Makes two sides each other's links. */
+  void Join(std::uint32_t a, std::uint32_t b, unsigned cells)
+  {
+    this->Sides[a].Over = SideLink::ToSide(b, cells);
+    this->Sides[b].Over = SideLink::ToSide(a, cells);
+  }
+
+  /** Closes a face at the border of the mesh. */
+  void CloseAtBorder(std::uint32_t id)
+  {
+    const auto& face = this->Faces[id];
+    this->Close(id);
+    for (unsigned i = 0; i < face.Degree; ++i)
+    {
+      const auto over = this->GetOpen(face.First + i);
+      if (over != None)
+      {
+        const auto far = this->Sides[face.First + (i + 2u) % face.Degree].Corner;
+        auto& link = this->Sides[over].Over;
+        link = SideLink::ToBorder(far, link.GetCells());
+      }
+    }
+  }
+
+  /** Calls use(side) for the sides of open faces that begin at a corner, the latest first. */
+  template <typename Use>
+  void ForEachAround(Vertex corner, Use&& use)
+  {
+    constexpr unsigned most = 64;
+    auto* next = &this->Heads[corner];
+    for (unsigned count = 0; *next != None && count < most;)
+    {
+      const auto side = *next;
+      if (!this->Sides[side].Open)
+      {
+        *next = this->Sides[side].Next; // never looked at again
+        continue;
+      }
+      use(side);
+      next = &this->Sides[side].Next;
+      ++count;
+    }
+  }
+
+private:
+  std::vector<Face> Faces;
+  std::vector<Side> Sides;
+  std::vector<std::uint32_t> Heads; // for each vertex, the latest side that begins there
+  std::uint32_t Head = 0;
+};
+
+/**
+ * Grades the angle in front of face a at the edge that it has in common with face b: 0 folded shut
+ * to 7 flat, 8 to 15 behind, 16 if it is unknown.
+ *
+ * begin: a corner of the edge. next: the corner of b after the edge.
+ */
+inline unsigned GradeAngle(
+  const Direction& a, const Direction& b, const LatticePoint& begin, const LatticePoint& next)
+{
+  const float cosine = Dot(a, b);
+  if (!(Dot(a, a) > 0.5F) || !(Dot(b, b) > 0.5F))
+  {
+    return 16;
+  }
+  const bool inFront = Dot(next - begin, a) > 0;
+  const float turn = inFront ? (1.0F + cosine) * 4.0F : 8.0F + (1.0F - cosine) * 4.0F;
+  return turn > 0 ? (turn < 15.0F ? static_cast<unsigned>(turn) : 15) : 0;
+}
+}
+
+#endif

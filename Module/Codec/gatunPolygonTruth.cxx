@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunPolygonTruth.h"
+
+#include "gatunCellNodes.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace gatun
+{
+namespace
+{
+constexpr std::uint8_t PolyhedronType = 42; // VTK's numbers of the cell types
+constexpr std::uint8_t TetraType = 10;
+
+std::uint64_t HashVertex(std::uint32_t vertex)
+{
+  std::uint64_t hash = (vertex + 1) * 0x9e3779b97f4a7c15u;
+  hash ^= hash >> 29;
+  hash *= 0xbf58476d1ce4e5b9u;
+  return hash ^ hash >> 32;
+}
+
+bool HasTwice(std::span<const std::uint32_t> corners)
+{
+  for (std::size_t i = 1; i < corners.size(); ++i)
+  {
+    if (std::find(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(i), corners[i]) !=
+      corners.begin() + static_cast<std::ptrdiff_t>(i))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+//------------------------------------------------------------------------------
+PolygonTruth::PolygonTruth(const CellList& cells, const FormTable& forms)
+  : Forms(forms)
+{
+  for (std::uint32_t c = 0; c < cells.GetNumber(); ++c)
+  {
+    const auto kind = GetCellKind(cells.Types[c]);
+    const auto corners = cells.GetCorners(c);
+    if (cells.Types[c] == PolyhedronType)
+    {
+      if (this->Polyhedron.Set(corners, cells.GetFaces(c)))
+      {
+        this->AddSurface(cells, c, nullptr);
+        continue;
+      }
+    }
+    else if ((kind.IsLinear() || GetCellNodes(cells.Types[c]).Corners > 0) &&
+      corners.size() == kind.Points && !forms.GetFrames(kind.Shape).empty() &&
+      !HasTwice(corners.first(kind.Shape->Corners)))
+    {
+      this->AddSurface(cells, c, kind.Shape);
+      continue;
+    }
+    this->Others.push_back(c);
+  }
+  const auto places = std::bit_ceil(this->Faces.size() + 1);
+  this->Heads.assign(places, None);
+  for (std::size_t f = this->Faces.size(); f-- > 0;)
+  {
+    auto& head = this->Heads[this->Faces[f].Hash & (places - 1)];
+    this->Faces[f].Next = head;
+    head = static_cast<std::uint32_t>(f);
+  }
+}
+
+void PolygonTruth::AddSurface(const CellList& cells, std::uint32_t cell, const CellShape* shape)
+{
+  Surface surface{ cell, cells.Types[cell], shape, static_cast<std::uint32_t>(this->Faces.size()),
+    static_cast<std::uint32_t>(this->Locals.size()), 0,
+    static_cast<std::uint32_t>(this->Points.size()), 0, false };
+  if (shape)
+  {
+    const auto corners = cells.GetCorners(cell).first(shape->Corners);
+    this->Points.insert(this->Points.end(), corners.begin(), corners.end());
+  }
+  else
+  {
+    const auto faces = this->Polyhedron.GetFaces();
+    const auto& points = this->Polyhedron.GetPoints();
+    this->Maker.Make(faces, static_cast<unsigned>(points.size()), 0, 0, false);
+    if (this->Forms.Find(this->Maker.GetCode()) == FormTable::None)
+    {
+      this->Others.push_back(cell);
+      return;
+    }
+    this->Locals.insert(this->Locals.end(), faces.begin(), faces.end());
+    this->Points.insert(this->Points.end(), points.begin(), points.end());
+    surface.LocalSize = static_cast<std::uint32_t>(faces.size());
+  }
+  surface.PointNumber = static_cast<std::uint32_t>(this->Points.size()) - surface.FirstPoint;
+  const auto faces = this->GetFaces(surface);
+  for (std::size_t at = 0; at < faces.size(); at += 1u + faces[at])
+  {
+    Face face{ faces[at], static_cast<std::uint32_t>(this->Surfaces.size()), None };
+    for (const auto local : faces.subspan(at + 1, faces[at]))
+    {
+      face.Hash += HashVertex(this->Points[surface.FirstPoint + local]);
+    }
+    this->Faces.push_back(face);
+  }
+  this->Surfaces.push_back(surface);
+}
+
+SurfaceView PolygonTruth::GetFaces(const Surface& surface) const
+{
+  return surface.Shape ? surface.Shape->Faces
+                       : SurfaceView(this->Locals).subspan(surface.FirstLocal, surface.LocalSize);
+}
+
+bool PolygonTruth::FindCell(std::span<const std::uint32_t> gate)
+{
+  std::uint64_t hash = gate.size();
+  for (const auto vertex : gate)
+  {
+    hash += HashVertex(vertex);
+  }
+  auto* next = &this->Heads[hash & (this->Heads.size() - 1)];
+  while (*next != None)
+  {
+    auto& face = this->Faces[*next];
+    if (this->Surfaces[face.Surface].Visited)
+    {
+      *next = face.Next; // never looked at again
+      continue;
+    }
+    if (face.Hash == hash &&
+      this->Begin(face.Surface, *next - this->Surfaces[face.Surface].FirstFace, gate))
+    {
+      return true;
+    }
+    next = &face.Next;
+  }
+  return false;
+}
+
+bool PolygonTruth::FindSeed()
+{
+  while (this->Next < this->Surfaces.size() && this->Surfaces[this->Next].Visited)
+  {
+    ++this->Next;
+  }
+  return this->HasCells() && this->BeginAt(static_cast<std::uint32_t>(this->Next), 0, 0, false);
+}
+
+bool PolygonTruth::Begin(
+  std::uint32_t number, unsigned faceNumber, std::span<const std::uint32_t> gate)
+{
+  const auto& surface = this->Surfaces[number];
+  const auto faces = this->GetFaces(surface);
+  std::size_t at = 0;
+  for (unsigned f = 0; f < faceNumber; ++f)
+  {
+    at += 1u + faces[at];
+  }
+  const auto face = faces.subspan(at + 1, faces[at]);
+  const auto getPoint = [&](std::size_t i)
+  { return this->Points[surface.FirstPoint + face[i % face.size()]]; };
+  if (face.size() != gate.size())
+  {
+    return false;
+  }
+  unsigned start = 0;
+  while (start < face.size() && getPoint(start) != gate[0])
+  {
+    ++start;
+  }
+  const bool mirrored = getPoint(start + 1u) == gate[1];
+  for (std::size_t i = 0; i < gate.size(); ++i)
+  {
+    if (getPoint(mirrored ? start + i : start + face.size() - i) != gate[i])
+    {
+      return false;
+    }
+  }
+  return this->BeginAt(number, faceNumber, start, mirrored);
+}
+
+bool PolygonTruth::BeginAt(std::uint32_t number, unsigned face, unsigned start, bool mirrored)
+{
+  auto& surface = this->Surfaces[number];
+  const std::uint8_t* order = nullptr;
+  std::size_t corners = 0;
+  if (surface.Shape)
+  {
+    const auto frame = FormTable::MakeFrame(face, start, mirrored);
+    const auto& found = this->Forms.GetFrames(surface.Shape)[frame];
+    // All ways to see a tetrahedron are equal up to even permutations of its corners.
+    this->Form = found.Form;
+    this->Frame =
+      static_cast<std::uint8_t>(surface.Type == TetraType ? unsigned{ mirrored } : frame);
+    order = found.Order.data();
+    corners = found.Order.size();
+  }
+  else
+  {
+    this->Maker.Make(this->GetFaces(surface), surface.PointNumber, face, start, mirrored);
+    this->Form = this->Forms.Find(this->Maker.GetCode());
+    this->Frame = mirrored;
+    order = this->Maker.GetOrder().data();
+    corners = this->Maker.GetOrder().size();
+  }
+  if (this->Form == FormTable::None)
+  {
+    return false;
+  }
+  surface.Visited = true;
+  this->Cell = surface.Cell;
+  this->Corners.resize(corners);
+  for (std::size_t i = 0; i < corners; ++i)
+  {
+    this->Corners[i] = this->Points[surface.FirstPoint + order[i]];
+  }
+  return true;
+}
+
+std::vector<std::uint32_t> PolygonTruth::GetOthers() const
+{
+  return this->Others;
+}
+}

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunPolygonTruth_h
+#define gatunPolygonTruth_h
+
+#include "gatunCellForms.h"
+#include "gatunCellList.h"
+#include "gatunShapeTable.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gatun
+{
+/** The cells of an encoder's input that a walk can take, by their faces. */
+class PolygonTruth
+{
+public:
+  static constexpr std::uint32_t None = 0xffffffff;
+
+  PolygonTruth(const CellList& cells, const FormTable& forms);
+
+  /** Whether there is any. */
+  bool HasCells() const { return this->Next < this->Surfaces.size(); }
+
+  /** Begins the unvisited cell on a gate. Returns false if there is none with a listed form. */
+  bool FindCell(std::span<const std::uint32_t> gate);
+
+  /** Begins any unvisited cell, seen from its first face. Returns false if there is none. */
+  bool FindSeed();
+
+  /** All cells that are never begun. */
+  std::vector<std::uint32_t> GetOthers() const;
+
+  // The cell that was begun:
+  std::uint32_t Cell = 0;
+  std::uint16_t Form = 0;
+  std::uint8_t Frame = 0;             // see PolygonWalk
+  std::vector<std::uint32_t> Corners; // the vertex at each of the form's corners
+
+private:
+  struct Surface
+  {
+    std::uint32_t Cell;
+    std::uint8_t Type;
+    const CellShape* Shape;   // null for polyhedra
+    std::uint32_t FirstFace;  // in Faces
+    std::uint32_t FirstLocal; // of polyhedra: in Locals
+    std::uint32_t LocalSize;
+    std::uint32_t FirstPoint; // in Points
+    std::uint32_t PointNumber;
+    bool Visited;
+  };
+
+  struct Face
+  {
+    std::uint64_t Hash; // of the vertices, in any order
+    std::uint32_t Surface;
+    std::uint32_t Next; // with the same place in the table, or None
+  };
+
+  void AddSurface(const CellList& cells, std::uint32_t cell, const CellShape* shape);
+  SurfaceView GetFaces(const Surface& surface) const;
+  bool Begin(std::uint32_t surface, unsigned face, std::span<const std::uint32_t> gate);
+  bool BeginAt(std::uint32_t surface, unsigned face, unsigned start, bool mirrored);
+
+  const FormTable& Forms;
+  std::vector<Surface> Surfaces;
+  std::vector<Face> Faces;
+  std::vector<std::uint32_t> Heads; // of lists of faces with the same place
+  std::vector<std::uint8_t> Locals;
+  std::vector<std::uint32_t> Points;
+  std::vector<std::uint32_t> Others;
+  PolyhedronSurface Polyhedron;
+  FormMaker Maker;
+  std::size_t Next = 0; // the first surface that may be unvisited
+};
+}
+
+#endif

@@ -1,0 +1,433 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunPolygonWalk_h
+#define gatunPolygonWalk_h
+
+// The breadth-first walk over cells that are closed surfaces of polygons. Encoder and decoder use
+// the same code.
+
+#include "gatunAttachedNodes.h"
+#include "gatunCellBuilder.h"
+#include "gatunCellForms.h"
+#include "gatunPolygonCell.h"
+#include "gatunPolygonFront.h"
+#include "gatunPolygonModels.h"
+#include "gatunPolygonTruth.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gatun
+{
+/**
+ * Attaches a cell to the oldest open face, the gate, until there is none. A cell is coded by its
+ * form seen from the gate, by the other open faces that are its faces, and by its other corners.
+ * The cell's type and the order of its corners are coded relative to the cell behind the gate.
+ */
+template <typename Coder, typename Side>
+class PolygonWalk
+{
+public:
+  /** truth: of an encoder, otherwise null. */
+  PolygonWalk(Coder& coder, CellBuilder<Side>& mesh, AttachedNodes<Coder, Side>& nodes,
+    const FormTable& forms, PolygonTruth* truth)
+    : Symbols(coder)
+    , Mesh(mesh)
+    , Nodes(nodes)
+    , Forms(forms)
+    , Truth(truth)
+    , Open(mesh.GetAllVertices())
+    , Models(forms.GetSize())
+    , Cell(Open, mesh)
+  {
+  }
+
+  void Run()
+  {
+    while (!this->Mesh.IsFull())
+    {
+      const auto gate = this->Open.NextGate();
+      if (gate != PolygonFront::None)
+      {
+        this->GrowOnGate(gate);
+      }
+      else if (this->Symbols.Bit(this->Models.MoreSeeds, Coder::Encoding && this->FindSeed()))
+      {
+        this->GrowSeed();
+      }
+      else
+      {
+        break;
+      }
+    }
+  }
+
+private:
+  static constexpr std::uint8_t TetraType = 10; // VTK's numbers of the cell types
+  static constexpr std::uint8_t PolyhedronType = 42;
+
+  //----------------------------------------------------------------------------
+  // The encoder's input
+
+  bool FindSeed() { return this->Truth && this->Truth->FindSeed(); }
+
+  bool FindCell(const PolygonFront::Face& gate)
+  {
+    this->GateInput.clear();
+    if constexpr (Coder::Encoding)
+    {
+      for (unsigned i = 0; i < gate.Degree; ++i)
+      {
+        this->GateInput.push_back(
+          this->Mesh.Truth.InputOf[this->Open.GetSide(gate.First + i).Corner]);
+      }
+      return this->Truth->FindCell(this->GateInput);
+    }
+    return false;
+  }
+
+  /** The input's vertex at a corner of the form. */
+  std::uint32_t GetTarget(unsigned corner) const
+  {
+    return Coder::Encoding ? this->Truth->Corners[corner] : 0;
+  }
+
+  Vertex GetKnown(unsigned corner) const
+  {
+    return Coder::Encoding ? this->Mesh.Truth.GetMet(this->GetTarget(corner)) : NoVertex;
+  }
+
+  //----------------------------------------------------------------------------
+  // Steps
+
+  void GrowSeed()
+  {
+    const GateGrades none;
+    const auto parent = static_cast<std::uint32_t>(this->Forms.GetSize());
+    const auto form = this->Models.CodeForm(
+      this->Symbols, this->Forms, parent, 0, none, Coder::Encoding ? this->Truth->Form : 0);
+    this->Cell.Begin(this->Forms.Get(form), form);
+    for (unsigned i = 0; i < this->Cell.Form->Corners; ++i)
+    {
+      this->Cell.SetCorner(i, this->CodeSeedCorner(i));
+    }
+    this->FinishCell(Topology::NoTet, 0, 0);
+  }
+
+  Vertex CodeSeedCorner(unsigned corner)
+  {
+    const auto known = this->GetKnown(corner);
+    if (!this->Symbols.Bit(this->Models.SeedNew, known == NoVertex))
+    {
+      return CodeIndex(this->Symbols, known, this->Mesh.GetVertices());
+    }
+    const auto target = this->GetTarget(corner);
+    if (this->Symbols.Bit(this->Models.SeedShared, this->IsShared(target)))
+    {
+      return this->Mesh.MeetShared(
+        target, CodeIndex(this->Symbols, target, this->Mesh.GetSharedSearch().GetSize()));
+    }
+    return this->Mesh.MeetOwn(target, this->Cell.MakeRecord(corner));
+  }
+
+  void GrowOnGate(std::uint32_t id)
+  {
+    const auto gate = this->Open.GetFace(id);
+    const bool border = Coder::Encoding && !this->FindCell(gate);
+    this->Grade(gate);
+    const auto& grades = this->Grades;
+    const bool isInterface = this->GetUsers(gate) != 0;
+    auto& model = isInterface ? this->Models.Interface(grades) : this->Models.Border(grades);
+    if (this->Symbols.Bit(model, border))
+    {
+      this->Open.CloseAtBorder(id);
+      return;
+    }
+    const auto form = this->Models.CodeForm(this->Symbols, this->Forms, gate.Form, gate.FormFace,
+      grades, Coder::Encoding ? this->Truth->Form : 0);
+    this->Cell.Begin(this->Forms.Get(form), form);
+    this->Cell.GlueGate(id);
+    this->GlueFaces();
+    this->CodeCorners(gate);
+    this->FinishCell(gate.Cell, gate.Type, gate.Frame);
+  }
+
+  /** The other chunks that use all corners of a face. */
+  std::uint32_t GetUsers(const PolygonFront::Face& face) const
+  {
+    auto users = ~std::uint32_t{ 0 };
+    for (unsigned i = 0; i < face.Degree; ++i)
+    {
+      users &= this->Mesh.GetPlace(this->Open.GetSide(face.First + i).Corner).Users;
+    }
+    return users;
+  }
+
+  void Grade(const PolygonFront::Face& gate)
+  {
+    auto& grades = this->Grades;
+    grades = { .Degree = gate.Degree };
+    std::array<unsigned, 3> likely{}; // triangles, quads, larger faces
+    for (unsigned i = 0; i < gate.Degree; ++i)
+    {
+      const auto side = gate.First + i;
+      const auto link = this->Open.GetSide(side).Over;
+      const auto over = this->Open.GetOpen(side);
+      unsigned kind = 0;
+      if (over == PolygonFront::None)
+      {
+        ++grades.Borders;
+        grades.Coplanar += this->IsCoplanar(gate, side, link.GetFar());
+      }
+      else
+      {
+        const auto angle = this->Cell.GradeAngle(side, over);
+        grades.LeastAngle = std::min(grades.LeastAngle, angle);
+        const unsigned degree = this->Open.GetFaceOfSide(over).Degree;
+        kind = angle > 5 ? 0 : std::min(degree, 5u) - 2;
+      }
+      grades.MostCells = std::max(grades.MostCells, link.GetCells());
+      grades.Pattern = gate.Degree <= 4 ? grades.Pattern * 4 + kind : 0;
+      if (kind > 0)
+      {
+        likely[kind - 1] += likely[kind - 1] < 3;
+      }
+    }
+    if (gate.Degree > 4)
+    {
+      grades.Pattern = (likely[0] * 4 + likely[1]) * 4 + likely[2];
+    }
+  }
+
+  bool IsCoplanar(const PolygonFront::Face& gate, std::uint32_t side, Vertex far) const
+  {
+    if (far >= this->Mesh.GetVertices())
+    {
+      return false;
+    }
+    const auto d = this->Mesh.GetPlace(far) - this->Mesh.GetPlace(this->Open.GetSide(side).Corner);
+    const float height = Dot(d, gate.Normal);
+    return height * height < 0.01F * Dot(d, d);
+  }
+
+  //----------------------------------------------------------------------------
+  // Other open faces that are faces of the cell
+
+  void GlueFaces()
+  {
+    const auto& form = *this->Cell.Form;
+    // Faces that are glued are appended to the list.
+    for (unsigned number = 0; number < this->Cell.Glued.size(); ++number)
+    {
+      const auto face = this->Cell.Glued[number];
+      const auto first = form.GetFirstSide(face);
+      for (unsigned side = first; side < first + form.GetDegree(face); ++side)
+      {
+        const unsigned twin = form.Twin[side];
+        if (this->Cell.FrontSides[twin] != PolygonFront::None)
+        {
+          continue;
+        }
+        const auto from = this->Cell.FrontSides[side];
+        const auto over = this->Open.GetOpen(from);
+        unsigned agree = 0;
+        if (over == PolygonFront::None || !this->Cell.CanGlue(twin, over, agree))
+        {
+          continue;
+        }
+        auto& model = this->Models.Glue(form.Family, form.GetDegree(form.Face[twin]),
+          this->Cell.GradeAngle(from, over), this->Open.GetSide(over).Over.GetCells(), agree,
+          (number > 0) + 2 * (this->Cell.Glued.size() > 1));
+        if (this->Symbols.Bit(model, Coder::Encoding && this->IsGlued(twin, over)))
+        {
+          this->Cell.Glue(twin, over);
+        }
+      }
+    }
+  }
+
+  /** Encoder: whether an open face is a face of the cell that was begun. */
+  bool IsGlued(unsigned formSide, std::uint32_t over) const
+  {
+    bool same = true;
+    this->Cell.ForEachCorner(formSide, over,
+      [&](unsigned corner, Vertex vertex) { same = same && this->GetKnown(corner) == vertex; });
+    return same;
+  }
+
+  //----------------------------------------------------------------------------
+  // Other corners
+
+  void CodeCorners(const PolygonFront::Face& gate)
+  {
+    for (unsigned corner = gate.Degree; corner < this->Cell.Form->Corners; ++corner)
+    {
+      if (this->Cell.GetCorner(corner) == NoVertex)
+      {
+        this->Cell.SetCorner(corner, this->CodeCorner(corner));
+      }
+    }
+  }
+
+  Vertex CodeCorner(unsigned corner)
+  {
+    const auto record = this->Cell.MakeRecord(corner);
+    this->Cell.FindCandidates(corner, record);
+    const auto known = this->GetKnown(corner);
+    const auto nearest = this->Cell.GradeNearest();
+    const auto glued = static_cast<unsigned>(this->Cell.Glued.size()) - 1;
+    auto& isNew = this->Models.New(this->Cell.FormNumber, corner, glued, nearest);
+    if (!this->Symbols.Bit(isNew, known == NoVertex))
+    {
+      return this->CodeKnown(known, nearest);
+    }
+    const auto target = this->GetTarget(corner);
+    unsigned near = 0;
+    for (unsigned k = 0; k < 3; ++k)
+    {
+      const auto v = record.Known[k];
+      near += v != NoVertex && this->Mesh.GetPlace(v).Users != 0;
+    }
+    unsigned gate = 0;
+    for (unsigned i = 0; i < this->Cell.Form->GetDegree(0); ++i)
+    {
+      gate += this->Mesh.GetPlace(this->Cell.GetCorner(i)).Users != 0;
+    }
+    if (this->Symbols.Bit(
+          this->Models.IsShared[near * 5 + std::min(gate, 4u)], this->IsShared(target)))
+    {
+      return this->Mesh.MeetShared(target,
+        this->Models.Shared.Code(this->Symbols, this->Mesh.GetSharedSearch(), this->Cell.Predicted,
+          4.0F * this->Cell.EdgeSquared, target));
+    }
+    return this->Mesh.MeetOwn(target, record);
+  }
+
+  bool IsShared(std::uint32_t target) const
+  {
+    return Coder::Encoding && this->Mesh.Truth.IsShared(target);
+  }
+
+  Vertex CodeKnown(Vertex known, unsigned nearest)
+  {
+    const auto& candidates = this->Cell.SortCandidates();
+    const auto count = static_cast<unsigned>(std::min<std::size_t>(candidates.size(), 15));
+    unsigned place = 0;
+    while (Coder::Encoding && place < count && candidates[place].Id != known)
+    {
+      ++place;
+    }
+    Vertex vertex = NoVertex;
+    if (this->Symbols.Bit(this->Models.Listed, place < count))
+    {
+      for (unsigned i = 0; i < count && vertex == NoVertex; ++i)
+      {
+        if (this->Symbols.Bit(this->Models.Ranks[std::min(i, 5u) * 8 + nearest], i == place))
+        {
+          vertex = candidates[i].Id;
+        }
+      }
+      if (vertex == NoVertex)
+      {
+        ThrowCorrupt("a walk names no vertex of a list");
+      }
+    }
+    else
+    {
+      vertex = CodeIndex(this->Symbols, known, this->Mesh.GetVertices());
+    }
+    return vertex;
+  }
+
+  //----------------------------------------------------------------------------
+  // Types and the order of corners
+
+  void FinishCell(std::uint32_t parent, std::uint8_t parentType, std::uint32_t parentFrame)
+  {
+    const auto number = this->Mesh.GetCells();
+    const auto& form = *this->Cell.Form;
+    std::uint8_t type = 0;
+    std::uint8_t frame = 0;
+    if constexpr (Coder::Encoding)
+    {
+      type = this->Mesh.Truth.Input.Types[this->Truth->Cell];
+      frame = this->Truth->Frame;
+      this->Mesh.Truth.CellOrder.push_back(this->Truth->Cell);
+    }
+    type = this->Models.CodeType(this->Symbols, form.Shape, parentType, type);
+    frame = this->Models.CodeFrame(this->Symbols,
+      type + (std::uint32_t{ this->Cell.FormNumber } << 8), parentType, parentFrame, frame);
+    const FormTable::Frame* typeFrame = nullptr;
+    this->Corners.resize(form.Corners);
+    this->Faces.clear();
+    if (type == PolyhedronType && frame < 2)
+    {
+      for (unsigned i = 0; i < form.Corners; ++i)
+      {
+        this->Corners[i] = this->Cell.GetCorner(i);
+      }
+      this->Cell.AppendFaces(this->Faces, frame != 0);
+    }
+    else
+    {
+      typeFrame = &this->GetTypeFrame(type, frame);
+      for (unsigned i = 0; i < form.Corners; ++i)
+      {
+        this->Corners[typeFrame->Order[i]] = this->Cell.GetCorner(i);
+      }
+      this->Nodes.Code(GetCellNodes(type), this->Corners, this->GetInputCorners());
+    }
+    this->Mesh.AddCell(type, this->Corners, this->Faces, parent);
+    this->Cell.Attach(number, type,
+      [&](unsigned face)
+      {
+        if (!typeFrame || type == TetraType)
+        {
+          return std::uint32_t{ frame };
+        }
+        const auto& place = typeFrame->Faces[face];
+        return std::uint32_t{ FormTable::MakeFrame(place.Face, place.Start, frame & 1) };
+      });
+  }
+
+  std::span<const std::uint32_t> GetInputCorners() const
+  {
+    if constexpr (Coder::Encoding)
+    {
+      return this->Mesh.Truth.Input.GetCorners(this->Truth->Cell);
+    }
+    return {};
+  }
+
+  const FormTable::Frame& GetTypeFrame(std::uint8_t type, std::uint8_t number) const
+  {
+    const auto kind = GetCellKind(type);
+    const auto frames = kind.IsLinear() || GetCellNodes(type).Corners > 0
+      ? this->Forms.GetFrames(kind.Shape)
+      : std::span<const FormTable::Frame>();
+    if (number >= frames.size() || frames[number].Form != this->Cell.FormNumber)
+    {
+      ThrowCorrupt("a cell has a type that its form does not allow");
+    }
+    return frames[number];
+  }
+
+  Coder& Symbols;
+  CellBuilder<Side>& Mesh;
+  AttachedNodes<Coder, Side>& Nodes;
+  const FormTable& Forms;
+  PolygonTruth* const Truth;
+  PolygonFront Open;
+  PolygonModels Models;
+  PolygonCell<CellBuilder<Side>> Cell;
+  GateGrades Grades;
+  std::vector<std::uint32_t> GateInput;
+  std::vector<Vertex> Corners, Faces; // of the cell that is finished
+};
+}
+
+#endif

@@ -1,0 +1,538 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunTestCells.h"
+
+#include "gatunCellNodes.h"
+#include "gatunCellShapes.h"
+#include "gatunError.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace
+{
+using namespace gatun;
+using namespace gatun::test;
+
+/** The shapes of a mesh as a reader has them. */
+ShapeTable MakeShapes(const CellList& cells)
+{
+  ShapeTable table;
+  table.Add(cells);
+  return ShapeTable::Read(table.Write());
+}
+
+EncodedCells ExpectWalk(const TestCells& mesh, const CellCaseOptions& options = {})
+{
+  const auto chunk = MakeCellCase(mesh, options);
+  auto encoded = ExpectRoundTrip(chunk, MakeShapes(chunk.Cells));
+  EXPECT_EQ(encoded.Connectivity[0], 1) << GetBits(encoded.Connectivity, encoded); // with a walk
+  return encoded;
+}
+
+bool IsLeft(const std::array<double, 3>& point)
+{
+  return point[0] < 3.5;
+}
+
+/** Replaces all cells by others with the same points. split(corners) adds them. */
+template <typename Split>
+TestCells SplitHexes(int n, double jitter, Split&& split)
+{
+  const auto hexes = MakeHexes(n, jitter);
+  TestCells mesh;
+  mesh.Points = hexes.Points;
+  for (std::size_t c = 0; c < hexes.Cells.GetNumber(); ++c)
+  {
+    split(mesh, hexes.Cells.GetCorners(c), c);
+  }
+  return mesh;
+}
+
+void AddWedges(TestCells& mesh, std::span<const std::uint32_t> c, std::size_t)
+{
+  mesh.Add(13, { c[0], c[2], c[1], c[4], c[6], c[5] });
+  mesh.Add(13, { c[0], c[3], c[2], c[4], c[7], c[6] });
+}
+
+void AddPyramids(TestCells& mesh, std::span<const std::uint32_t> c, std::size_t)
+{
+  std::array<double, 3> center{ 0, 0, 0 };
+  for (const auto corner : c)
+  {
+    for (unsigned i = 0; i < 3; ++i)
+    {
+      center[i] += mesh.Points[corner][i] / 8;
+    }
+  }
+  const auto apex = mesh.AddPoint(center[0], center[1], center[2]);
+  for (const auto& face : { std::array{ 0, 1, 2, 3 }, { 7, 6, 5, 4 }, { 0, 4, 5, 1 },
+         { 1, 5, 6, 2 }, { 2, 6, 7, 3 }, { 3, 7, 4, 0 } })
+  {
+    mesh.Add(14, { c[face[0]], c[face[1]], c[face[2]], c[face[3]], apex });
+  }
+}
+
+void AddTets(TestCells& mesh, std::span<const std::uint32_t> c, std::size_t)
+{
+  for (const auto& tet : { std::array{ 0, 1, 2, 6 }, { 0, 2, 3, 6 }, { 0, 3, 7, 6 }, { 0, 7, 4, 6 },
+         { 0, 4, 5, 6 }, { 0, 5, 1, 6 } })
+  {
+    mesh.Add(10, { c[tet[0]], c[tet[1]], c[tet[2]], c[tet[3]] });
+  }
+}
+
+Faces GetHexFaces(std::span<const std::uint32_t> c)
+{
+  return { { c[0], c[4], c[7], c[3] }, { c[1], c[2], c[6], c[5] }, { c[0], c[1], c[5], c[4] },
+    { c[3], c[7], c[6], c[2] }, { c[0], c[3], c[2], c[1] }, { c[4], c[5], c[6], c[7] } };
+}
+
+void AddPolyhedra(TestCells& mesh, std::span<const std::uint32_t> c, std::size_t)
+{
+  mesh.AddPolyhedron({ c.begin(), c.end() }, GetHexFaces(c));
+}
+
+/** Different cells in layers, as in meshes for fluids. Faces between layers do not always fit. */
+void AddMixed(TestCells& mesh, std::span<const std::uint32_t> c, std::size_t number)
+{
+  switch (number / 36 % 6)
+  {
+    case 0:
+      AddWedges(mesh, c, number);
+      break;
+    case 1:
+      AddTets(mesh, c, number);
+      break;
+    case 2:
+      AddPyramids(mesh, c, number);
+      break;
+    case 3:
+      AddPolyhedra(mesh, c, number);
+      break;
+    case 4:
+      mesh.Add(11, { c[0], c[1], c[3], c[2], c[4], c[5], c[7], c[6] });
+      break;
+    default:
+      mesh.Add(12, { c.begin(), c.end() });
+  }
+}
+
+/** Replaces linear cells by others of a nonlinear type, with nodes that are moved by up to jitter.
+ */
+TestCells AddNodes(const TestCells& linear, const std::map<int, int>& types, double jitter)
+{
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> move(-jitter, jitter);
+  TestCells mesh;
+  mesh.Points = linear.Points;
+  std::map<Ids, std::uint32_t> found;
+  for (std::size_t c = 0; c < linear.Cells.GetNumber(); ++c)
+  {
+    const auto corners = linear.Cells.GetCorners(c);
+    const auto type = types.at(linear.Cells.Types[c]);
+    const auto nodes = GetCellNodes(type);
+    Ids points(corners.begin(), corners.end());
+    for (std::size_t at = 0; at < nodes.Hosts.size(); at += 1u + nodes.Hosts[at])
+    {
+      Ids host;
+      std::array<double, 3> mean{ 0, 0, 0 };
+      for (const auto corner : nodes.Hosts.subspan(at + 1, nodes.Hosts[at]))
+      {
+        host.push_back(corners[corner]);
+        for (unsigned i = 0; i < 3; ++i)
+        {
+          mean[i] += mesh.Points[corners[corner]][i] / nodes.Hosts[at];
+        }
+      }
+      std::sort(host.begin(), host.end());
+      if (found.count(host) == 0)
+      {
+        const double x = move(random), y = move(random), z = move(random);
+        found[host] = mesh.AddPoint(mean[0] + x, mean[1] + y, mean[2] + z);
+      }
+      points.push_back(found[host]);
+    }
+    mesh.Add(type, points);
+  }
+  return mesh;
+}
+
+/** Hexagonal prisms in a honeycomb. */
+TestCells MakeHoneycomb(int n, bool polyhedra)
+{
+  TestCells mesh;
+  std::map<std::array<int, 3>, std::uint32_t> ids;
+  const auto id = [&](int x, int y, int z)
+  {
+    const auto found = ids.find({ x, y, z });
+    return found != ids.end() ? found->second
+                              : ids[{ x, y, z }] = mesh.AddPoint(x * 0.866, y * 0.5, z);
+  };
+  for (int z = 0; z < n; ++z)
+  {
+    for (int row = 0; row < n; ++row)
+    {
+      for (int column = 0; column < n; ++column)
+      {
+        const int x = 2 * column + row % 2;
+        const int y = 3 * row;
+        Ids c;
+        for (const int level : { z, z + 1 })
+        {
+          for (const auto& at :
+            { std::array{ 0, 2 }, { -1, 1 }, { -1, -1 }, { 0, -2 }, { 1, -1 }, { 1, 1 } })
+          {
+            c.push_back(id(x + at[0], y + at[1], level));
+          }
+        }
+        if (!polyhedra)
+        {
+          mesh.Add(16, c);
+          continue;
+        }
+        Faces faces{ { c[5], c[4], c[3], c[2], c[1], c[0] },
+          { c[6], c[7], c[8], c[9], c[10], c[11] } };
+        for (unsigned i = 0; i < 6; ++i)
+        {
+          const auto next = (i + 1) % 6;
+          faces.push_back({ c[i], c[next], c[6 + next], c[6 + i] });
+        }
+        mesh.AddPolyhedron(c, faces);
+      }
+    }
+  }
+  return mesh;
+}
+
+void ExpectCorrupt(const std::function<void()>& run)
+{
+  try
+  {
+    run();
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.Code, ErrorCode::Corrupt);
+  }
+}
+
+/** Decodes damaged streams. They must give a mesh or Error(Corrupt). */
+void ExpectSafe(const TestCells& mesh)
+{
+  const auto chunk = MakeCellCase(mesh, { .IsShared = IsLeft });
+  const auto shapes = MakeShapes(chunk.Cells);
+  const auto encoded = ExpectRoundTrip(chunk, shapes);
+  std::mt19937 random(4);
+  for (unsigned i = 0; i < 400; ++i)
+  {
+    auto connectivity = encoded.Connectivity;
+    for (auto flips = random() % 3; flips > 0; --flips)
+    {
+      connectivity[1 + random() % (connectivity.size() - 1)] ^=
+        static_cast<std::uint8_t>(1 + random() % 255);
+    }
+    if (random() % 4 == 0)
+    {
+      connectivity.resize(random() % connectivity.size());
+    }
+    ExpectCorrupt(
+      [&]
+      {
+        auto decoded = DecodeCells(chunk.Frame, shapes, connectivity, encoded.Geometry);
+        decoded.MakeContext(true);
+        RestoreCorners(decoded.Cells, encoded.Corners);
+      });
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(PolygonWalk, KeepsGridsOfHexahedra)
+{
+  for (const int type : { 11, 12 })
+  {
+    const auto encoded = ExpectWalk(MakeHexes(16, 0, {}, type));
+    EXPECT_LT(GetBits(encoded.Connectivity, encoded), 0.25);
+  }
+  ExpectWalk(MakeHexes(8, 0), { .Palettes = true, .IsShared = IsLeft });
+}
+
+TEST(PolygonWalk, KeepsUnstructuredHexahedra)
+{
+  auto mesh = MakeHexes(16, 0.2);
+  ShuffleCells(mesh);
+  const auto encoded = ExpectWalk(mesh);
+  EXPECT_LT(GetBits(encoded.Connectivity, encoded), 0.5);
+  ExpectWalk(mesh, { .Type = ScalarType::Float32, .IsShared = IsLeft });
+  ExpectWalk(MakeHexes(6, 0.2), { .IsShared = [](const std::array<double, 3>&) { return true; } });
+}
+
+TEST(PolygonWalk, KeepsOtherCells)
+{
+  for (const double jitter : { 0.0, 0.15 })
+  {
+    for (auto* split : { AddWedges, AddPyramids, AddTets, AddPolyhedra, AddMixed })
+    {
+      auto mesh = SplitHexes(6, jitter, split);
+      ExpectWalk(mesh);
+      ShuffleCells(mesh);
+      ExpectWalk(mesh, { .Type = ScalarType::Float32, .IsShared = IsLeft });
+    }
+  }
+  ExpectWalk(MakeHoneycomb(6, false));
+  ExpectWalk(MakeHoneycomb(6, true));
+}
+
+TEST(PolygonWalk, KeepsNodesOfNonlinearCells)
+{
+  const auto hexes = MakeHexes(6, 0.1);
+  const auto wedges = SplitHexes(6, 0.1, AddWedges);
+  const auto tets = SplitHexes(6, 0.1, AddTets);
+  const auto pyramids = SplitHexes(4, 0.1, AddPyramids);
+  for (const double jitter : { 0.0, 0.03 })
+  {
+    for (const auto& [linear, types] :
+      std::vector<std::pair<const TestCells*, std::map<int, int>>>{ { &hexes, { { 12, 25 } } },
+        { &hexes, { { 12, 29 } } }, { &hexes, { { 12, 33 } } }, { &wedges, { { 13, 26 } } },
+        { &wedges, { { 13, 31 } } }, { &wedges, { { 13, 32 } } }, { &tets, { { 10, 24 } } },
+        { &pyramids, { { 14, 27 } } }, { &pyramids, { { 14, 37 } } } })
+    {
+      SCOPED_TRACE(types.begin()->second);
+      ExpectWalk(AddNodes(*linear, types, jitter));
+      ExpectWalk(AddNodes(*linear, types, jitter), { .Palettes = true, .IsShared = IsLeft });
+    }
+  }
+}
+
+TEST(PolygonWalk, FindsNodesByTheirCorners)
+{
+  // Nodes in the middle of edges take next to nothing, neither for their numbers nor their places.
+  const auto linear = MakeHexes(12, 0.2);
+  const auto plain = ExpectWalk(linear);
+  const auto curved = ExpectWalk(AddNodes(linear, { { 12, 29 } }, 0));
+  EXPECT_LT(GetBits(curved.Connectivity, curved), GetBits(plain.Connectivity, plain) + 0.5);
+  const auto nodes = curved.OwnOrder.size() - plain.OwnOrder.size();
+  const auto bits = 8.0 * static_cast<double>(curved.Geometry.size() - plain.Geometry.size());
+  EXPECT_LT(bits, 8.0 * static_cast<double>(nodes));
+}
+
+TEST(PolygonWalk, TakesNoLessThanTheInformation)
+{
+  // Which cells of a grid are missing takes so many bits at least.
+  std::mt19937 random(9);
+  std::bernoulli_distribution missing(0.1);
+  const auto mesh = MakeHexes(24, 0, [&](int, int, int) { return !missing(random); });
+  const auto encoded = ExpectWalk(mesh);
+  const double bits = -(0.1 * std::log2(0.1) + 0.9 * std::log2(0.9)) / 0.9;
+  EXPECT_GT(GetBits(encoded.Connectivity, encoded), bits);
+  EXPECT_LT(GetBits(encoded.Connectivity, encoded), 8 * bits);
+}
+
+TEST(PolygonWalk, KeepsHangingNodes)
+{
+  // Small hexahedra beside large ones.
+  auto mesh = MakeHexes(8, 0, [](int x, int, int) { return x < 4; });
+  const auto small = MakeHexes(16, 0, [](int x, int, int) { return x >= 8; });
+  std::vector<std::uint32_t> ids;
+  for (const auto& point : small.Points)
+  {
+    const std::array place{ point[0] / 2, point[1] / 2, point[2] / 2 };
+    const auto found = std::find(mesh.Points.begin(), mesh.Points.end(), place);
+    ids.push_back(found != mesh.Points.end()
+        ? static_cast<std::uint32_t>(found - mesh.Points.begin())
+        : mesh.AddPoint(place[0], place[1], place[2]));
+  }
+  for (std::size_t c = 0; c < small.Cells.GetNumber(); ++c)
+  {
+    Ids corners;
+    for (const auto corner : small.Cells.GetCorners(c))
+    {
+      corners.push_back(ids[corner]);
+    }
+    mesh.Add(12, corners);
+  }
+  ExpectWalk(mesh);
+}
+
+TEST(PolygonWalk, KeepsEveryOrderOfCorners)
+{
+  // All ways to number a hexahedron, half of which turn it inside out.
+  std::vector<Ids> orders;
+  Ids order{ 0, 1, 2, 3, 4, 5, 6, 7 };
+  for (const bool mirrored : { false, true })
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (int turn = 0; turn < 4; ++turn)
+      {
+        orders.push_back(order);
+        order = { order[1], order[2], order[3], order[0], order[5], order[6], order[7], order[4] };
+      }
+      order = { order[0], order[4], order[5], order[1], order[3], order[7], order[6], order[2] };
+    }
+    order = { 4, 5, 6, 7, 0, 1, 2, 3 };
+    orders.push_back(mirrored ? Ids{ 0, 1, 2, 3, 4, 5, 6, 7 } : order);
+  }
+  std::mt19937 random(3);
+  ExpectWalk(SplitHexes(6, 0.1,
+    [&](TestCells& mesh, std::span<const std::uint32_t> c, std::size_t)
+    {
+      const auto& turned = orders[random() % orders.size()];
+      Ids corners;
+      for (const auto corner : turned)
+      {
+        corners.push_back(c[corner]);
+      }
+      mesh.Add(12, corners);
+    }));
+}
+
+TEST(PolygonWalk, KeepsPolyhedraTurnedInsideOut)
+{
+  std::mt19937 random(3);
+  for (const bool whole : { true, false })
+  {
+    // Either all faces of some cells are turned, or any: such cells are not closed.
+    const auto mesh = SplitHexes(5, 0.1,
+      [&](TestCells& out, std::span<const std::uint32_t> c, std::size_t)
+      {
+        auto faces = GetHexFaces(c);
+        const bool turned = random() % 2 != 0;
+        for (auto& face : faces)
+        {
+          if (whole ? turned : random() % 9 == 0)
+          {
+            std::reverse(face.begin(), face.end());
+          }
+        }
+        out.AddPolyhedron({ c.begin(), c.end() }, faces);
+      });
+    ExpectWalk(mesh);
+  }
+}
+
+TEST(PolygonWalk, KeepsCellsThatAreThereTwice)
+{
+  auto mesh = MakeHexes(5, 0.1);
+  for (std::size_t c = 0; c < 125; c += 3)
+  {
+    const auto corners = mesh.Cells.GetCorners(c);
+    const Ids again(corners.begin(), corners.end());
+    mesh.Add(12, again);
+    mesh.Add(static_cast<int>(c % 20), again);
+    mesh.Add(
+      12, { again[0], again[1], again[1], again[3], again[4], again[5], again[5], again[7] });
+  }
+  ExpectWalk(mesh);
+  ShuffleCells(mesh);
+  ExpectWalk(mesh, { .IsShared = IsLeft });
+}
+
+TEST(PolygonWalk, KeepsCellsWithAnyCornersInCommon)
+{
+  std::mt19937 random(8);
+  for (const std::uint32_t points : { 9u, 12u, 40u, 3000u })
+  {
+    auto mesh = MakePoints(points);
+    Ids ids(points);
+    for (std::uint32_t i = 0; i < points; ++i)
+    {
+      ids[i] = i;
+    }
+    for (int i = 0; i < 400; ++i)
+    {
+      std::shuffle(ids.begin(), ids.end(), random);
+      const int type = 10 + static_cast<int>(random() % 5);
+      mesh.Add(type, { ids.begin(), ids.begin() + GetCellKind(type).Points });
+    }
+    const auto chunk = MakeCellCase(mesh, { .IsShared = [](const auto& p) { return p[1] < 0; } });
+    ExpectRoundTrip(chunk, MakeShapes(chunk.Cells));
+  }
+}
+
+TEST(PolygonWalk, RejectsDamagedStreams)
+{
+  ExpectSafe(MakeHexes(6, 0.1));
+  ExpectSafe(SplitHexes(6, 0.1, AddMixed));
+  auto zoo = MakeZoo(60, 120, 1);
+  for (std::uint32_t i = 0; i + 8 < 60; ++i)
+  {
+    zoo.Add(12, { i, i + 1, i + 2, i + 3, i + 4, i + 5, i + 6, i + 7 });
+  }
+  ExpectSafe(zoo);
+}
+
+//------------------------------------------------------------------------------
+TEST(ShapeTable, DoesNotDependOnParts)
+{
+  const auto mesh = SplitHexes(6, 0, AddMixed);
+  const auto comb = MakeHoneycomb(4, true);
+  ShapeTable all;
+  all.Add(mesh.Cells);
+  all.Add(comb.Cells);
+  ShapeTable one;
+  one.Add(comb.Cells);
+  ShapeTable other;
+  other.Add(mesh.Cells);
+  one.Merge(other);
+  EXPECT_EQ(one.Write(), all.Write());
+  EXPECT_GT(all.Write().size(), 30u);
+}
+
+TEST(ShapeTable, FindsAllForms)
+{
+  const auto countForms = [](int type)
+  {
+    TestCells mesh = MakePoints(12);
+    for (int i = 0; i < 9; ++i)
+    {
+      mesh.Add(type, { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11 });
+    }
+    return MakeShapes(mesh.Cells).GetForms()->GetSize();
+  };
+  EXPECT_EQ(countForms(10), 1u); // a tetrahedron looks the same from everywhere
+  EXPECT_EQ(countForms(12), 1u); // as a hexahedron does
+  EXPECT_EQ(countForms(14), 4u); // the base, and three starts of a triangle
+  EXPECT_EQ(countForms(13), 3u); // a triangle, and two starts of a quadrilateral
+  EXPECT_EQ(countForms(16), 3u);
+}
+
+TEST(ShapeTable, LeavesOutRareShapes)
+{
+  EXPECT_EQ(ShapeTable().GetForms()->GetSize(), 0u);
+  auto mesh = MakePoints(8);
+  mesh.Add(12, { 0, 1, 2, 3, 4, 5, 6, 7 });
+  EXPECT_EQ(MakeShapes(mesh.Cells).GetForms()->GetSize(), 0u);
+}
+
+TEST(ShapeTable, RejectsDamagedBytes)
+{
+  ShapeTable table;
+  table.Add(SplitHexes(6, 0, AddMixed).Cells);
+  table.Add(MakeHoneycomb(4, true).Cells);
+  const auto bytes = table.Write();
+  EXPECT_EQ(ShapeTable::Read(bytes).GetForms()->GetSize(), table.GetForms()->GetSize());
+  std::mt19937 random(1);
+  for (std::size_t i = 0; i < bytes.size(); ++i)
+  {
+    for (int value = 0; value < 20; ++value)
+    {
+      auto damaged = bytes;
+      damaged[i] = static_cast<std::uint8_t>(value < 12 ? value : random() % 256);
+      ExpectCorrupt([&] { ShapeTable::Read(damaged); });
+    }
+    EXPECT_THROW(ShapeTable::Read(std::span(bytes).first(i)), Error);
+  }
+  auto twice = bytes;
+  ByteWriter out;
+  out.PutVarint(2);
+  for (int i = 0; i < 2; ++i)
+  {
+    out.PutBytes(std::span(bytes).subspan(1, 1u + bytes[1]));
+  }
+  EXPECT_THROW(ShapeTable::Read(out.Data), Error);
+}
