@@ -6,6 +6,7 @@
 #include "gatunArrayBridge.h"
 #include "gatunFileConsumer.h"
 #include "gatunFileReader.h"
+#include "gatunLargeArray.h"
 #include "gatunParallel.h"
 
 #include "vtkCellArray.h"
@@ -33,14 +34,25 @@ namespace gatun
 namespace
 {
 //------------------------------------------------------------------------------
+/** Sets the size of a new array. Its pages are cleared when they are first written, which is
+ * faster in huge ones. */
+template <typename ArrayT>
+auto* MakeRoom(ArrayT* array, vtkIdType values)
+{
+  array->SetNumberOfValues(values);
+  auto* const first = array->GetPointer(0);
+  AskForHugePages(first, static_cast<std::size_t>(values) * sizeof(*first));
+  return first;
+}
+
+//------------------------------------------------------------------------------
 // Offsets 0, 4, 8, ... of tetrahedra.
 template <typename ArrayT>
 vtkSmartPointer<ArrayT> MakeOffsets(vtkIdType tets)
 {
   using ValueT = typename ArrayT::ValueType;
   auto offsets = vtkSmartPointer<ArrayT>::New();
-  offsets->SetNumberOfValues(tets + 1);
-  ValueT* values = offsets->GetPointer(0);
+  ValueT* const values = MakeRoom(offsets.Get(), tets + 1);
   constexpr vtkIdType block = 1 << 20;
   ParallelFor(static_cast<std::size_t>(tets / block + 1),
     [values, tets](std::size_t part)
@@ -283,21 +295,22 @@ void PieceReader::MakeMesh(const FileReader& file, PieceTarget& target)
     file.GetCoordinateType() == ScalarType::Float64 ? VTK_DOUBLE : VTK_FLOAT);
   coordinates->SetNumberOfPoints(points);
   target.Points = coordinates->GetVoidPointer(0);
+  AskForHugePages(target.Points,
+    3 * static_cast<std::size_t>(points) *
+      static_cast<std::size_t>(coordinates->GetData()->GetDataTypeSize()));
 
   vtkNew<vtkCellArray> cells;
   target.WideIds = file.HasWideIds() || tets >= std::numeric_limits<vtkTypeInt32>::max() / 4;
   if (target.WideIds)
   {
     vtkNew<vtkTypeInt64Array> connectivity;
-    connectivity->SetNumberOfValues(4 * tets);
-    target.Connectivity = connectivity->GetPointer(0);
+    target.Connectivity = MakeRoom(connectivity.Get(), 4 * tets);
     cells->SetData(MakeOffsets<vtkTypeInt64Array>(tets), connectivity);
   }
   else
   {
     vtkNew<vtkTypeInt32Array> connectivity;
-    connectivity->SetNumberOfValues(4 * tets);
-    target.Connectivity = connectivity->GetPointer(0);
+    target.Connectivity = MakeRoom(connectivity.Get(), 4 * tets);
     cells->SetData(MakeOffsets<vtkTypeInt32Array>(tets), connectivity);
   }
   this->Mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();

@@ -16,9 +16,9 @@
 namespace gatun
 {
 /**
- * Memory for results that stay while much temporary memory is taken and given back around them. They
- * have pages of their own. On the heap they would be between the temporary arrays, and what is free
- * around them would be too small for the next ones, so that the heap would grow.
+ * Memory for results that stay while much temporary memory is taken and given back around them.
+ * They have pages of their own. On the heap they would be between the temporary arrays, and what is
+ * free around them would be too small for the next ones, so that the heap would grow.
  */
 template <typename T>
 class PageAllocator
@@ -41,8 +41,8 @@ public:
 #if defined(__linux__)
     if (count * sizeof(T) >= Least)
     {
-      void* const memory = mmap(nullptr, count * sizeof(T), PROT_READ | PROT_WRITE,
-        MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+      void* const memory = mmap(
+        nullptr, count * sizeof(T), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
       if (memory == MAP_FAILED)
       {
         throw std::bad_alloc();
