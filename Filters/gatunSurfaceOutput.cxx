@@ -26,26 +26,14 @@ namespace gatun
 namespace
 {
 /** Fills cells with lists of points. count: of all points in them. Ids take 32 bits if they fit. */
-template <typename ForEachCell>
-vtkSmartPointer<vtkCellArray> MakeCells(
-  std::size_t cells, std::size_t count, ForEachCell&& forEachCell)
+template <typename Fill>
+vtkSmartPointer<vtkCellArray> MakeCells(std::size_t cells, std::size_t count, Fill&& fill)
 {
   const auto make = [&](auto* offsets, auto* connectivity)
   {
     offsets->SetNumberOfValues(static_cast<vtkIdType>(cells) + 1);
     connectivity->SetNumberOfValues(static_cast<vtkIdType>(count));
-    auto* offset = offsets->GetPointer(0);
-    auto* const first = connectivity->GetPointer(0);
-    auto* to = first;
-    *offset = 0;
-    using Id = std::remove_pointer_t<decltype(to)>;
-    forEachCell(
-      [&](const auto& points)
-      {
-        to = std::transform(
-          points.begin(), points.end(), to, [](auto point) { return static_cast<Id>(point); });
-        *++offset = static_cast<Id>(to - first);
-      });
+    fill(offsets->GetPointer(0), connectivity->GetPointer(0));
     auto made = vtkSmartPointer<vtkCellArray>::New();
     made->SetData(offsets, connectivity);
     return made;
@@ -59,9 +47,16 @@ vtkSmartPointer<vtkCellArray> MakeCells(
 
 vtkSmartPointer<vtkCellArray> MakeTriangles(const Surface& surface)
 {
-  const auto& triangles = surface.GetTriangles();
-  return MakeCells(triangles.size(), 3 * triangles.size(),
-    [&](auto&& add) { std::for_each(triangles.begin(), triangles.end(), add); });
+  const std::size_t triangles = surface.GetNumberOfTriangles();
+  return MakeCells(triangles, 3 * triangles,
+    [&](auto* offsets, auto* connectivity)
+    {
+      for (std::size_t i = 0; i <= triangles; ++i)
+      {
+        offsets[i] = static_cast<std::remove_pointer_t<decltype(offsets)>>(3 * i);
+      }
+      surface.FillTriangles(connectivity, sizeof(*connectivity) == sizeof(std::int64_t));
+    });
 }
 
 vtkSmartPointer<vtkCellArray> MakeStripCells(const Surface& surface)
@@ -69,8 +64,19 @@ vtkSmartPointer<vtkCellArray> MakeStripCells(const Surface& surface)
   const auto strips = MakeStrips(surface.GetTriangles());
   const auto length = std::accumulate(strips.begin(), strips.end(), std::size_t{ 0 },
     [](std::size_t sum, const auto& strip) { return sum + strip.size(); });
-  return MakeCells(
-    strips.size(), length, [&](auto&& add) { std::for_each(strips.begin(), strips.end(), add); });
+  return MakeCells(strips.size(), length,
+    [&](auto* offsets, auto* connectivity)
+    {
+      using Id = std::remove_pointer_t<decltype(connectivity)>;
+      auto* to = connectivity;
+      *offsets = 0;
+      for (const auto& strip : strips)
+      {
+        to = std::transform(strip.begin(), strip.end(), to,
+          [](std::uint32_t point) { return static_cast<Id>(point); });
+        *++offsets = static_cast<Id>(to - connectivity);
+      }
+    });
 }
 
 void AddArrays(const Surface& surface, const SurfaceOutput& content, vtkPolyData* output)

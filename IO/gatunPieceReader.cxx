@@ -6,6 +6,7 @@
 #include "gatunArrayBridge.h"
 #include "gatunFileConsumer.h"
 #include "gatunFileReader.h"
+#include "gatunLargeArray.h"
 #include "gatunParallel.h"
 
 #include "vtkCellArray.h"
@@ -33,14 +34,25 @@ namespace gatun
 namespace
 {
 //------------------------------------------------------------------------------
+/** Sets the size of a new array. Its pages are cleared when they are first written, which is
+ * faster in huge ones. */
+template <typename ArrayT>
+auto* MakeRoom(ArrayT* array, vtkIdType values)
+{
+  array->SetNumberOfValues(values);
+  auto* const first = array->GetPointer(0);
+  AskForHugePages(first, static_cast<std::size_t>(values) * sizeof(*first));
+  return first;
+}
+
+//------------------------------------------------------------------------------
 // Offsets 0, 4, 8, ... of tetrahedra.
 template <typename ArrayT>
 vtkSmartPointer<ArrayT> MakeOffsets(vtkIdType tets)
 {
   using ValueT = typename ArrayT::ValueType;
   auto offsets = vtkSmartPointer<ArrayT>::New();
-  offsets->SetNumberOfValues(tets + 1);
-  ValueT* values = offsets->GetPointer(0);
+  ValueT* const values = MakeRoom(offsets.Get(), tets + 1);
   constexpr vtkIdType block = 1 << 20;
   ParallelFor(static_cast<std::size_t>(tets / block + 1),
     [values, tets](std::size_t part)
@@ -62,8 +74,8 @@ vtkSmartPointer<vtkCellArray> MakeCells(const PieceDecoder& decoder, PieceTarget
 {
   const auto count = static_cast<vtkIdType>(decoder.GetNumberOfCells());
   vtkNew<ArrayT> connectivity;
-  connectivity->SetNumberOfValues(static_cast<vtkIdType>(decoder.GetConnectivitySize()));
-  target.Connectivity = connectivity->GetPointer(0);
+  target.Connectivity =
+    MakeRoom(connectivity.Get(), static_cast<vtkIdType>(decoder.GetConnectivitySize()));
   vtkSmartPointer<ArrayT> offsets;
   if (decoder.IsTetrahedral())
   {
@@ -72,8 +84,7 @@ vtkSmartPointer<vtkCellArray> MakeCells(const PieceDecoder& decoder, PieceTarget
   else
   {
     offsets = vtkSmartPointer<ArrayT>::New();
-    offsets->SetNumberOfValues(count + 1);
-    target.Offsets = offsets->GetPointer(0);
+    target.Offsets = MakeRoom(offsets.Get(), count + 1);
   }
   auto cells = vtkSmartPointer<vtkCellArray>::New();
   cells->SetData(offsets, connectivity);
@@ -331,6 +342,9 @@ void PieceReader::MakeMesh(const FileReader& file, PieceTarget& target)
     file.GetCoordinateType() == ScalarType::Float64 ? VTK_DOUBLE : VTK_FLOAT);
   coordinates->SetNumberOfPoints(points);
   target.Points = coordinates->GetVoidPointer(0);
+  AskForHugePages(target.Points,
+    3 * static_cast<std::size_t>(points) *
+      static_cast<std::size_t>(coordinates->GetData()->GetDataTypeSize()));
 
   const auto ids = static_cast<vtkIdType>(this->Decoder->GetConnectivitySize());
   target.WideIds = file.HasWideIds() || ids >= std::numeric_limits<vtkTypeInt32>::max();

@@ -71,7 +71,7 @@ Statistics StatisticsOf(vtkGatunRayCaster* caster)
     { "orderSeconds", "  projecting and ordering", Statistic::Seconds,
       get(vtkGatunRayCaster::OrderTime) },
     { "setUpSeconds", "  planes of faces", Statistic::Seconds, get(vtkGatunRayCaster::SetUpTime) },
-    { "drawSeconds", "  samples", Statistic::Seconds, get(vtkGatunRayCaster::DrawTime) },
+    { "drawSeconds", "  rays", Statistic::Seconds, get(vtkGatunRayCaster::DrawTime) },
     { "finishSeconds", "  fragments into pixels", Statistic::Seconds,
       get(vtkGatunRayCaster::FinishTime) },
     { "tets", "tetrahedra of drawn chunks", Statistic::Count,

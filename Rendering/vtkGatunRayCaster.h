@@ -249,10 +249,10 @@ public:
     FetchTime = 0,          ///< conversion or decoding of chunks
     OrderTime,              ///< projection and order of tetrahedra
     SetUpTime,              ///< planes of faces
-    DrawTime,               ///< samples
+    DrawTime,               ///< rays
     FinishTime,             ///< compositing of fragments
     NumberOfTetrahedra,     ///< in the chunks drawn
-    NumberOfSeenTetrahedra, ///< of these, those that may contain a sample
+    NumberOfSeenTetrahedra, ///< of these, those that may be on a ray
     NumberOfChunks,         ///< chunks drawn
     NumberOfSkippedChunks,  ///< chunks outside the view, transparent or hidden
     MostWaitingTetrahedra,  ///< largest number of tetrahedra of a chunk that wait for others

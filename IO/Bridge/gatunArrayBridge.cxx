@@ -4,6 +4,7 @@
 #include "gatunArrayBridge.h"
 
 #include "gatunError.h"
+#include "gatunLargeArray.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkBitArray.h"
@@ -273,6 +274,9 @@ ArrayFiller::ArrayFiller(const ArrayDescription& description, vtkIdType tuples)
   this->Array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
   this->Array->SetNumberOfComponents(static_cast<int>(description.Components));
   this->Array->SetNumberOfTuples(tuples);
+  AskForHugePages(this->Array->GetVoidPointer(0),
+    static_cast<std::size_t>(this->Array->GetNumberOfValues()) *
+      static_cast<std::size_t>(this->Array->GetDataTypeSize()));
   SetNames(this->Array, description.Name, description.ComponentNames);
   this->Bits = type == VTK_BIT;
   if (this->Bits)

@@ -9,7 +9,6 @@
 #include "gatunVertexRing.h"
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -72,7 +71,8 @@ public:
     const unsigned glued = unsigned{ gate.Ids[0] == fourth } |
       unsigned{ gate.Ids[1] == fourth } << 1 | unsigned{ gate.Ids[2] == fourth } << 2;
     // Which side it is is unpredictable, so the gate is rotated instead of a branch for each.
-    switch (std::popcount(glued))
+    constexpr unsigned bitCounts = 0xe994; // of the numbers 0 to 7; not all processors count bits
+    switch (bitCounts >> (2 * glued) & 3)
     {
       case 0:
         return this->template AttachFree<false>(gate, fourth);

@@ -18,15 +18,15 @@ constexpr double High = 1;
 // The fraction of the budget that tetrahedra may take while the number of rays is reduced.
 constexpr double TetShare = 0.25;
 
-constexpr double RayPower = 1.2;
-constexpr double TetPower = 0.2;
+constexpr double RayPower = 0.7;
+constexpr double TetPower = 0.3;
 
 constexpr int StepsToHalf = 4;
 
 // A level that is at most this number of steps away from the best one is kept.
 constexpr int StepsToKeep = 4;
 
-/** The amount of work for samples. */
+/** The amount of work along rays. */
 double GetRayWork(const FrameWork& work)
 {
   return std::pow(std::max(work.Rays, 1.0), RayPower) *

@@ -49,14 +49,15 @@ struct FrameLimits
 /**
  * Chooses the level of detail and the distance of rays for a time budget, from the times of the
  * last frames. The mesh is simplified first, until the work for its tetrahedra takes at most a
- * quarter of the time. If that is not enough, because samples take most of the time, rays are cast
+ * quarter of the time. If that is not enough, because rays take most of the time, they are cast
  * farther apart. There are four levels of detail for each factor of 2 in points. The present level
  * is kept while it is about as good as the best one, because a new level needs new blocks. The
  * distance of rays is adapted at once.
  *
- * Time for samples grows with the number of rays to the power 1.2 (coarser frames have coarser
- * samples) and with the number of tetrahedra to the power 0.2; both were measured. Each cost is the
- * median of the last three frames, so that one disturbed frame has no effect.
+ * Time along rays grows with the number of rays to the power 0.7, because nearby rays are drawn
+ * together, and with the number of tetrahedra to the power 0.3, about that of the tetrahedra on a
+ * ray; both were measured in mode Composite. Each cost is the median of the last three frames, so
+ * that one disturbed frame has no effect.
  */
 class VTKGATUNCORE_EXPORT FrameBudget
 {
@@ -102,7 +103,7 @@ private:
   double GetTime(const FrameLimits& limits, std::uint64_t points, double distance) const;
 
   Recent PerTet{ 3e-7 };
-  Recent PerRay{ 5e-9 }; // times the powers
+  Recent PerRay{ 3e-7 }; // times the powers
   Recent Fixed{ 5e-3 };
 };
 }

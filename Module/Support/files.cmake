@@ -6,6 +6,7 @@ gatun_core_folder(Support
     gatunVersion.h
   EXPERIMENTAL_HEADERS
     gatunCacheBudget.h
+    gatunPageArray.h
     gatunParallel.h
   PRIVATE_HEADERS
     gatunBytes.h

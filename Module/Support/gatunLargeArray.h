@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
+#include <memory>
 #include <new>
 #include <type_traits>
 #include <utility>
@@ -18,10 +19,24 @@
 
 namespace gatun
 {
+constexpr std::size_t HugePage = std::size_t{ 1 } << 21;
+
+/** Asks the kernel for huge pages in memory that has not been used yet, where it does not use them
+ * anyway. This is only advice. */
+inline void AskForHugePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes)
+{
+#if defined(__linux__)
+  void* first = memory;
+  if (std::align(HugePage, HugePage, first, bytes))
+  {
+    madvise(first, bytes / HugePage * HugePage, MADV_HUGEPAGE);
+  }
+#endif
+}
+
 /**
- * Memory for arrays of many megabytes. The kernel is asked for huge pages, where it does not use
- * them anyway: to find and clear pages of the usual 4096 bytes one by one takes as long as decoding
- * what is then stored in them.
+ * Memory for arrays of many megabytes, in huge pages: to find and clear pages of the usual 4096
+ * bytes one by one takes as long as decoding what is then stored in them.
  *
  * Elements that no value is given for are left uninitialized if their type permits.
  */
@@ -48,12 +63,9 @@ public:
     {
       return static_cast<T*>(::operator new(bytes));
     }
-    const std::size_t rounded = (bytes + Page - 1) / Page * Page;
-    void* const memory = ::operator new (rounded, std::align_val_t{ Page });
-#if defined(__linux__)
-    // Only advice: nothing depends on whether it is followed.
-    madvise(memory, rounded, MADV_HUGEPAGE);
-#endif
+    const std::size_t rounded = (bytes + HugePage - 1) / HugePage * HugePage;
+    void* const memory = ::operator new (rounded, std::align_val_t{ HugePage });
+    AskForHugePages(memory, rounded);
     return static_cast<T*>(memory);
   }
 
@@ -65,7 +77,7 @@ public:
     }
     else
     {
-      ::operator delete (memory, std::align_val_t{ Page });
+      ::operator delete (memory, std::align_val_t{ HugePage });
     }
   }
 
@@ -82,14 +94,10 @@ public:
     }
   }
 
-  bool operator==(const LargeAllocator&) const
-  {
-    return true;
-  }
+  bool operator==(const LargeAllocator&) const { return true; }
 
 private:
-  static constexpr std::size_t Page = std::size_t{ 1 } << 21;
-  static constexpr std::size_t Least = 2 * Page;
+  static constexpr std::size_t Least = 2 * HugePage;
 };
 
 template <typename T>

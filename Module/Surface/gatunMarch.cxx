@@ -21,10 +21,7 @@ constexpr std::uint8_t Cases[16][6] = { {}, { 3, 0, 2 }, { 1, 0, 4 }, { 2, 3, 4,
   { 2, 0, 3 }, {} };
 
 /** The number of triangles of a case: two if two corners are inside. */
-constexpr unsigned CountTriangles(unsigned inside)
-{
-  return std::popcount(inside) == 2 ? 2 : 1;
-}
+constexpr std::uint8_t TriangleCounts[16] = { 0, 1, 1, 2, 1, 2, 2, 1, 1, 2, 2, 1, 2, 1, 1, 0 };
 
 /** Finds points by their edge and isovalue. */
 class EdgeTable
@@ -38,9 +35,12 @@ public:
   {
   }
 
-  /** Returns the point of an edge and isovalue, which is added if it is new. */
-  std::uint32_t Find(const Crossing& point, std::uint32_t value)
+  /** Returns the point of an edge and isovalue. If it is new, it is added with the part of the edge
+   * that getPart() returns. */
+  template <typename GetPart>
+  std::uint32_t Find(std::uint32_t low, std::uint32_t high, std::uint32_t value, GetPart&& getPart)
   {
+    Crossing point{ low, high, 0 };
     if (2 * this->Points.size() >= this->Slots.size())
     {
       this->Grow();
@@ -49,6 +49,7 @@ public:
     if (slot == None)
     {
       slot = static_cast<std::uint32_t>(this->Points.size());
+      point.Part = getPart();
       this->Points.push_back(point);
       if (!this->OneValue)
       {
@@ -118,7 +119,7 @@ public:
     , Connectivity(static_cast<const Id*>(mesh.Connectivity))
     , PointValues(static_cast<const Value*>(mesh.Values))
     , Isovalues(values)
-    , Found(this->Result.Points, static_cast<std::size_t>(tets / 8), values.size() == 1)
+    , Found(this->Result.Points, static_cast<std::size_t>(tets / 4), values.size() == 1)
   {
   }
 
@@ -128,70 +129,127 @@ public:
     {
       return {};
     }
-    const double lowest = this->Isovalues.front();
-    const double highest = this->Isovalues.back();
-    for (std::uint64_t t = first; t < last; ++t)
+    // Most tetrahedra are on one side of the value. The sides of all points are found at once,
+    // unless these tetrahedra have few of the points.
+    if (this->Isovalues.size() == 1 && this->Points <= last - first)
     {
-      const Id* const ids = this->Connectivity + 4 * t;
-      const auto largest = std::max(std::max(ToUnsigned(ids[0]), ToUnsigned(ids[1])),
-        std::max(ToUnsigned(ids[2]), ToUnsigned(ids[3])));
-      if (largest >= this->Points)
-      {
-        ThrowInvalid("cell " + std::to_string(t) + " has a point that does not exist");
-      }
-      const std::array<Value, 4> v = { this->PointValues[ids[0]], this->PointValues[ids[1]],
-        this->PointValues[ids[2]], this->PointValues[ids[3]] };
-      const double least = std::min(std::min(v[0], v[1]), std::min(v[2], v[3]));
-      const double most = std::max(std::max(v[0], v[1]), std::max(v[2], v[3]));
-      if (least < highest && most >= lowest)
-      {
-        this->Cut(static_cast<std::uint32_t>(t), ids, v, least, most);
-      }
+      this->MarchSides(first, last);
+    }
+    else
+    {
+      this->MarchRanges(first, last);
     }
     return std::move(this->Result);
   }
 
 private:
+  using Values = std::array<Value, 4>;
+
+  /** The corners of a tetrahedron, all of them points that exist. */
+  const Id* GetCorners(std::uint64_t tet) const
+  {
+    const Id* const ids = this->Connectivity + 4 * tet;
+    const auto largest = std::max(std::max(ToUnsigned(ids[0]), ToUnsigned(ids[1])),
+      std::max(ToUnsigned(ids[2]), ToUnsigned(ids[3])));
+    if (largest >= this->Points)
+    {
+      ThrowInvalid("cell " + std::to_string(tet) + " has a point that does not exist");
+    }
+    return ids;
+  }
+
+  Values GetValues(const Id* ids) const
+  {
+    return { this->PointValues[ids[0]], this->PointValues[ids[1]], this->PointValues[ids[2]],
+      this->PointValues[ids[3]] };
+  }
+
+  static bool AreFinite(const Values& v)
+  {
+    return std::all_of(v.begin(), v.end(), [](Value x) { return std::isfinite(x); });
+  }
+
+  /** With one isovalue. */
+  void MarchSides(std::uint64_t first, std::uint64_t last)
+  {
+    const double value = this->Isovalues.front();
+    std::vector<std::uint8_t> isInside(static_cast<std::size_t>(this->Points));
+    for (std::size_t i = 0; i < isInside.size(); ++i)
+    {
+      isInside[i] = this->PointValues[i] >= value;
+    }
+    for (std::uint64_t t = first; t < last; ++t)
+    {
+      const Id* const ids = this->GetCorners(t);
+      const unsigned inside = unsigned{ isInside[ids[0]] } | unsigned{ isInside[ids[1]] } << 1 |
+        unsigned{ isInside[ids[2]] } << 2 | unsigned{ isInside[ids[3]] } << 3;
+      if (inside != 0 && inside != 15)
+      {
+        const Values v = this->GetValues(ids);
+        if (AreFinite(v))
+        {
+          this->Cut(static_cast<std::uint32_t>(t), ids, v, 0, inside);
+        }
+      }
+    }
+  }
+
+  void MarchRanges(std::uint64_t first, std::uint64_t last)
+  {
+    const auto begin = this->Isovalues.begin();
+    const double lowest = this->Isovalues.front();
+    const double highest = this->Isovalues.back();
+    for (std::uint64_t t = first; t < last; ++t)
+    {
+      const Id* const ids = this->GetCorners(t);
+      const Values v = this->GetValues(ids);
+      const double least = std::min(std::min(v[0], v[1]), std::min(v[2], v[3]));
+      const double most = std::max(std::max(v[0], v[1]), std::max(v[2], v[3]));
+      if (!(least < highest && most >= lowest) || !AreFinite(v))
+      {
+        continue;
+      }
+      auto it = std::upper_bound(begin, this->Isovalues.end(), least);
+      for (; it != this->Isovalues.end() && *it <= most; ++it)
+      {
+        unsigned inside = 0;
+        for (unsigned i = 0; i < 4; ++i)
+        {
+          inside |= static_cast<unsigned>(v[i] >= *it) << i;
+        }
+        this->Cut(
+          static_cast<std::uint32_t>(t), ids, v, static_cast<std::uint32_t>(it - begin), inside);
+      }
+    }
+  }
+
   /** Negative ids become large, and thus out of range. */
   static std::uint64_t ToUnsigned(Id id)
   {
     return static_cast<std::uint64_t>(static_cast<std::int64_t>(id));
   }
 
+  /** Adds the triangles of a tetrahedron for an isovalue. inside: bit i for corner i. */
   void Cut(
-    std::uint32_t cell, const Id* ids, const std::array<Value, 4>& v, double least, double most)
+    std::uint32_t cell, const Id* ids, const Values& v, std::uint32_t number, unsigned inside)
   {
-    if (!std::all_of(v.begin(), v.end(), [](Value x) { return std::isfinite(x); }))
+    const double value = this->Isovalues[number];
+    std::array<std::uint32_t, 6> places{};
+    const unsigned triangles = TriangleCounts[inside];
+    for (unsigned k = 0; k < 3 * triangles; ++k)
     {
-      return;
+      const auto* const edge = Edges[Cases[inside][k]];
+      const bool rises = v[edge[0]] < v[edge[1]];
+      const unsigned low = edge[rises ? 0 : 1];
+      const unsigned high = edge[rises ? 1 : 0];
+      places[k] = this->Found.Find(static_cast<std::uint32_t>(ids[low]),
+        static_cast<std::uint32_t>(ids[high]), number,
+        [&] { return Divide(value, v[low], v[high]); });
     }
-    auto it = std::upper_bound(this->Isovalues.begin(), this->Isovalues.end(), least);
-    for (; it != this->Isovalues.end() && *it <= most; ++it)
+    for (unsigned k = 0; k < triangles; ++k)
     {
-      unsigned inside = 0;
-      for (unsigned i = 0; i < 4; ++i)
-      {
-        inside |= static_cast<unsigned>(v[i] >= *it) << i;
-      }
-      const auto number = static_cast<std::uint32_t>(it - this->Isovalues.begin());
-      std::array<std::uint32_t, 6> places{};
-      const unsigned triangles = CountTriangles(inside);
-      for (unsigned k = 0; k < 3 * triangles; ++k)
-      {
-        const auto* const edge = Edges[Cases[inside][k]];
-        const bool rises = v[edge[0]] < v[edge[1]];
-        const unsigned low = edge[rises ? 0 : 1];
-        const unsigned high = edge[rises ? 1 : 0];
-        places[k] =
-          this->Found.Find({ static_cast<std::uint32_t>(ids[low]),
-                             static_cast<std::uint32_t>(ids[high]), Divide(*it, v[low], v[high]) },
-            number);
-      }
-      for (unsigned k = 0; k < triangles; ++k)
-      {
-        this->Result.Triangles.push_back({ places[3 * k], places[3 * k + 1], places[3 * k + 2] });
-        this->Result.Cells.push_back(cell);
-      }
+      this->Result.Triangles.push_back({ places[3 * k], places[3 * k + 1], places[3 * k + 2] });
+      this->Result.Cells.push_back(cell);
     }
   }
 

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstring>
 #include <numeric>
+#include <span>
 
 namespace gatun
 {
@@ -33,43 +34,64 @@ std::uint32_t Hash(const T* x)
   return static_cast<std::uint32_t>(hash);
 }
 
-/** Moves the points of all parts, one part after the other, to one list. */
-std::vector<std::uint8_t> TakePoints(
-  std::vector<SurfacePart>& parts, const std::vector<std::size_t>& first, std::size_t size)
+/** The parts that points are in. Points are numbered part by part. */
+template <typename T>
+class PartPoints
 {
-  std::vector<std::uint8_t> points(first.back() * size);
-  ParallelFor(parts.size(),
-    [&](std::size_t p)
-    {
-      const auto own = std::move(parts[p].Points);
-      std::copy(
-        own.begin(), own.end(), points.begin() + static_cast<std::ptrdiff_t>(first[p] * size));
-    });
-  return points;
-}
+public:
+  PartPoints(const std::vector<SurfacePart>& parts, const std::vector<std::size_t>& first)
+    : Parts(parts)
+    , First(first)
+  {
+  }
+
+  const T* Get(std::size_t part) const
+  {
+    return reinterpret_cast<const T*>(this->Parts[part].Points.data());
+  }
+
+  bool AreSame(std::size_t a, std::size_t b) const
+  {
+    const T* const x = this->Find(a);
+    return std::equal(x, x + 3, this->Find(b));
+  }
+
+private:
+  const T* Find(std::size_t point) const
+  {
+    const auto next = std::upper_bound(this->First.begin(), this->First.end(), point);
+    return this->Get(static_cast<std::size_t>(next - this->First.begin() - 1)) +
+      3 * (point - *(next - 1));
+  }
+
+  const std::vector<SurfacePart>& Parts;
+  const std::vector<std::size_t>& First;
+};
 
 /** Finds the first point with the same coordinates for each point. */
 template <typename T>
 class Joiner
 {
 public:
-  Joiner(const std::vector<std::uint8_t>& points, const std::vector<std::size_t>& first)
-    : Points(reinterpret_cast<const T*>(points.data()))
+  Joiner(const std::vector<SurfacePart>& parts, const std::vector<std::size_t>& first)
+    : Points(parts, first)
     , Hashes(first.back())
-    , Same(first.back())
   {
-    ParallelFor(first.size() - 1,
+    ParallelFor(parts.size(),
       [&](std::size_t p)
       {
-        for (std::size_t i = first[p]; i < first[p + 1]; ++i)
+        const T* point = this->Points.Get(p);
+        for (std::size_t i = first[p]; i < first[p + 1]; ++i, point += 3)
         {
-          this->Hashes[i] = Hash(this->Points + 3 * i);
+          this->Hashes[i] = Hash(point);
         }
       });
   }
 
   std::vector<std::uint32_t> Join()
   {
+    this->SortByTable();
+    this->Same.resize(this->Hashes.size());
     ParallelFor(Tables, [&](std::size_t table) { this->Fill(table); });
     return std::move(this->Same);
   }
@@ -85,41 +107,49 @@ private:
 
   static std::size_t GetTable(std::uint32_t hash) { return hash % Tables; }
 
-  bool AreSame(std::size_t a, std::size_t b) const
+  /** Lists the points of each table in their order. */
+  void SortByTable()
   {
-    const T* const x = this->Points + 3 * a;
-    return std::equal(x, x + 3, this->Points + 3 * b);
+    for (const std::uint32_t hash : this->Hashes)
+    {
+      ++this->Start[GetTable(hash) + 1];
+    }
+    std::partial_sum(this->Start.begin(), this->Start.end(), this->Start.begin());
+    auto next = this->Start;
+    this->Order.resize(this->Hashes.size());
+    for (std::size_t i = 0; i < this->Hashes.size(); ++i)
+    {
+      this->Order[next[GetTable(this->Hashes[i])]++] = static_cast<std::uint32_t>(i);
+    }
   }
 
   void Fill(std::size_t table)
   {
-    const auto count = static_cast<std::size_t>(std::count_if(this->Hashes.begin(),
-      this->Hashes.end(), [table](std::uint32_t hash) { return GetTable(hash) == table; }));
-    std::vector<Slot> slots(std::bit_ceil(2 * count + 1), Slot{ 0, None });
+    const std::size_t begin = this->Start[table];
+    const auto own = std::span(this->Order).subspan(begin, this->Start[table + 1] - begin);
+    std::vector<Slot> slots(std::bit_ceil(2 * own.size() + 1), Slot{ 0, None });
     const std::size_t mask = slots.size() - 1;
-    for (std::size_t i = 0; i < this->Hashes.size(); ++i)
+    for (const std::uint32_t i : own)
     {
       const std::uint32_t hash = this->Hashes[i];
-      if (GetTable(hash) != table)
-      {
-        continue;
-      }
       std::size_t at = (hash / Tables) & mask;
-      while (
-        slots[at].Point != None && (slots[at].Hash != hash || !this->AreSame(slots[at].Point, i)))
+      while (slots[at].Point != None &&
+        (slots[at].Hash != hash || !this->Points.AreSame(slots[at].Point, i)))
       {
         at = (at + 1) & mask;
       }
       if (slots[at].Point == None)
       {
-        slots[at] = { hash, static_cast<std::uint32_t>(i) };
+        slots[at] = { hash, i };
       }
       this->Same[i] = slots[at].Point;
     }
   }
 
-  const T* Points;
+  PartPoints<T> Points;
   std::vector<std::uint32_t> Hashes;
+  std::array<std::size_t, Tables + 1> Start{}; // of each table in Order
+  std::vector<std::uint32_t> Order;
   std::vector<std::uint32_t> Same;
 };
 }
@@ -140,38 +170,66 @@ Surface::Surface(
   {
     ThrowInvalid("the surface has more than 2^32 points; ask for fewer values at a time");
   }
-  this->Coordinates = TakePoints(this->Parts, this->First, 3 * SizeOf(coordinateType));
-  this->Same = coordinateType == ScalarType::Float32
-    ? Joiner<float>(this->Coordinates, this->First).Join()
-    : Joiner<double>(this->Coordinates, this->First).Join();
-
-  // The points of the remaining triangles are numbered in their order.
-  this->Places.assign(this->Same.size(), None);
-  for (std::size_t p = 0; p < this->Parts.size(); ++p)
+  for (const std::size_t ghost : ghosts)
   {
-    const auto own = std::move(this->Parts[p].Triangles);
-    if (std::binary_search(ghosts.begin(), ghosts.end(), p))
+    this->Parts[ghost].Triangles.clear();
+  }
+  this->Same = coordinateType == ScalarType::Float32
+    ? Joiner<float>(this->Parts, this->First).Join()
+    : Joiner<double>(this->Parts, this->First).Join();
+  this->Places.assign(this->Same.size(), None);
+  ParallelFor(this->Parts.size(), [&](std::size_t p) { this->RemoveDegenerate(p); });
+  this->NumberPoints();
+  this->FirstTriangle.assign(1, 0);
+  for (const SurfacePart& part : this->Parts)
+  {
+    this->FirstTriangle.push_back(this->FirstTriangle.back() + part.Triangles.size());
+  }
+}
+
+//------------------------------------------------------------------------------
+/** Removes the triangles of a part with less than three different points, and marks the points of
+ * the others. */
+void Surface::RemoveDegenerate(std::size_t p)
+{
+  SurfacePart& part = this->Parts[p];
+  const bool hasCells = !part.CellArrays.empty();
+  const std::uint32_t* const same = this->Same.data() + this->First[p];
+  std::uint32_t* const places = this->Places.data() + this->First[p];
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < part.Triangles.size(); ++i)
+  {
+    const auto corners = part.Triangles[i];
+    const std::uint32_t a = same[corners[0]];
+    const std::uint32_t b = same[corners[1]];
+    const std::uint32_t c = same[corners[2]];
+    if (a != b && b != c && c != a)
     {
-      continue;
-    }
-    const bool hasCells = !this->Parts[p].CellArrays.empty();
-    for (std::size_t i = 0; i < own.size(); ++i)
-    {
-      std::array<std::uint32_t, 3> corners;
-      std::transform(own[i].begin(), own[i].end(), corners.begin(),
-        [&](std::uint32_t corner) { return this->Same[this->First[p] + corner]; });
-      if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
+      part.Triangles[left++] = corners;
+      if (hasCells)
       {
-        this->Triangles.push_back(corners);
-        if (hasCells)
-        {
-          this->Kept[p].push_back(static_cast<std::uint32_t>(i));
-        }
-        for (const std::uint32_t corner : corners)
-        {
-          this->Places[corner] = 0;
-        }
+        this->Kept[p].push_back(static_cast<std::uint32_t>(i));
       }
+      for (const std::uint32_t corner : corners)
+      {
+        places[corner] = 0;
+      }
+    }
+  }
+  part.Triangles.resize(left);
+}
+
+//------------------------------------------------------------------------------
+/** Numbers the marked points in their order. */
+void Surface::NumberPoints()
+{
+  // The first point with the same coordinates is marked instead; it is not behind the point.
+  for (std::size_t i = 0; i < this->Places.size(); ++i)
+  {
+    if (this->Places[i] != None && this->Same[i] != i)
+    {
+      this->Places[i] = None;
+      this->Places[this->Same[i]] = 0;
     }
   }
   std::uint32_t next = 0;
@@ -183,13 +241,42 @@ Surface::Surface(
     }
   }
   this->Points = next;
-  for (auto& triangle : this->Triangles)
+}
+
+//------------------------------------------------------------------------------
+void Surface::FillTriangles(void* to, bool wideIds) const
+{
+  const auto fill = [&](auto* ids)
   {
-    for (std::uint32_t& corner : triangle)
-    {
-      corner = this->Places[corner];
-    }
+    ParallelFor(this->Parts.size(),
+      [&](std::size_t p)
+      {
+        auto* out = ids + 3 * this->FirstTriangle[p];
+        for (const auto& corners : this->Parts[p].Triangles)
+        {
+          for (const std::uint32_t corner : corners)
+          {
+            *out++ = this->Places[this->Same[this->First[p] + corner]];
+          }
+        }
+      });
+  };
+  if (wideIds)
+  {
+    fill(static_cast<std::uint64_t*>(to));
   }
+  else
+  {
+    fill(static_cast<std::uint32_t*>(to));
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::array<std::uint32_t, 3>> Surface::GetTriangles() const
+{
+  std::vector<std::array<std::uint32_t, 3>> triangles(this->GetNumberOfTriangles());
+  this->FillTriangles(triangles.data(), false);
+  return triangles;
 }
 
 //------------------------------------------------------------------------------
@@ -210,8 +297,7 @@ void Surface::FillPoints(void* to) const
 {
   const std::size_t size = 3 * SizeOf(this->CoordinateType);
   ParallelFor(this->Parts.size(),
-    [&](std::size_t p)
-    { this->Copy(p, this->Coordinates.data() + this->First[p] * size, size, to); });
+    [&](std::size_t p) { this->Copy(p, this->Parts[p].Points.data(), size, to); });
 }
 
 //------------------------------------------------------------------------------

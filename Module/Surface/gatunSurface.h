@@ -6,9 +6,9 @@
 #include "gatunSurfacePart.h"
 #include "vtkGatunCoreModule.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace gatun
@@ -30,10 +30,13 @@ public:
     const std::vector<std::size_t>& ghosts = {});
 
   std::size_t GetNumberOfPoints() const { return this->Points; }
-  std::size_t GetNumberOfTriangles() const { return this->Triangles.size(); }
+  std::size_t GetNumberOfTriangles() const { return this->FirstTriangle.back(); }
+
+  /** Writes three points for each triangle, as numbers of 64 bits if wideIds, else of 32. */
+  void FillTriangles(void* to, bool wideIds) const;
 
   /** Returns three points for each triangle. */
-  const std::vector<std::array<std::uint32_t, 3>>& GetTriangles() const { return this->Triangles; }
+  std::vector<std::array<std::uint32_t, 3>> GetTriangles() const;
 
   /** Writes three coordinates for each point, of the requested type. */
   void FillPoints(void* to) const;
@@ -48,17 +51,21 @@ public:
 private:
   static constexpr std::uint32_t None = 0xffffffffu;
 
+  void RemoveDegenerate(std::size_t part);
+  void NumberPoints();
+
   /** Copies the tuples of the points of a part that are in the surface to their places. */
   void Copy(std::size_t part, const std::uint8_t* tuples, std::size_t tupleSize, void* to) const;
 
-  std::vector<SurfacePart> Parts;        // without points and triangles
-  std::vector<std::uint8_t> Coordinates; // of the points of all parts
+  // Points and triangles stay in their parts until they are written, because a list of all of them
+  // would take as much memory as the result.
+  std::vector<SurfacePart> Parts;
   ScalarType CoordinateType;
   std::vector<std::size_t> First;    // for each part: the number of its first point
   std::vector<std::uint32_t> Same;   // for each point of a part: the first with its coordinates
   std::vector<std::uint32_t> Places; // for each of these: its place in the surface, or None
   std::size_t Points = 0;
-  std::vector<std::array<std::uint32_t, 3>> Triangles;
+  std::vector<std::size_t> FirstTriangle; // for each part: the number of its first triangle
   std::vector<std::vector<std::uint32_t>>
     Kept; // for each part with cell arrays: its triangles left
 };

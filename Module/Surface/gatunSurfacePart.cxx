@@ -53,19 +53,19 @@ void InterpolateTuples(
   }
 }
 
-std::vector<std::uint8_t> Interpolate(const TupleView& array, std::span<const Crossing> points)
+PageArray<std::uint8_t> Interpolate(const TupleView& array, std::span<const Crossing> points)
 {
-  std::vector<std::uint8_t> out(points.size() * array.GetTupleSize());
+  PageArray<std::uint8_t> out(points.size() * array.GetTupleSize());
   WithType(array.Type, array.Values,
     [&]<typename T>(const T* from)
     { InterpolateTuples(from, array.Components, points, reinterpret_cast<T*>(out.data())); });
   return out;
 }
 
-std::vector<std::uint8_t> Gather(const TupleView& array, std::span<const std::uint32_t> tuples)
+PageArray<std::uint8_t> Gather(const TupleView& array, std::span<const std::uint32_t> tuples)
 {
   const std::size_t size = array.GetTupleSize();
-  std::vector<std::uint8_t> out(tuples.size() * size);
+  PageArray<std::uint8_t> out(tuples.size() * size);
   for (std::size_t i = 0; i < tuples.size(); ++i)
   {
     std::memcpy(out.data() + i * size,
@@ -217,7 +217,7 @@ SurfacePart MakeSurfacePart(
   {
     part.Gradients = AddGradients(input, marched);
   }
-  part.Triangles = std::move(marched.Triangles);
+  part.Triangles.assign(marched.Triangles.begin(), marched.Triangles.end());
   return part;
 }
 

@@ -6,6 +6,7 @@
 // Isosurfaces in a part of a mesh, with their arrays.
 
 #include "gatunMarch.h"
+#include "gatunPageArray.h"
 #include "gatunTypes.h"
 #include "vtkGatunCoreModule.h"
 
@@ -48,11 +49,11 @@ struct SurfaceOptions
 struct SurfacePart
 {
   std::size_t NumberOfPoints = 0;
-  std::vector<std::uint8_t> Points;
-  std::vector<std::vector<std::uint8_t>> PointArrays; ///< interpolated between the ends of edges
-  std::vector<std::vector<std::uint8_t>>
+  PageArray<std::uint8_t> Points;
+  std::vector<PageArray<std::uint8_t>> PointArrays; ///< interpolated between the ends of edges
+  std::vector<PageArray<std::uint8_t>>
     CellArrays; ///< the values of the tetrahedron of each triangle
-  std::vector<std::array<std::uint32_t, 3>> Triangles;
+  PageArray<std::array<std::uint32_t, 3>> Triangles;
 
   /** With normals: for each point, the sum of the gradients of the tetrahedra of the part around
    * its edge, weighted by their volumes. Not normalized, so that parts can be added. */

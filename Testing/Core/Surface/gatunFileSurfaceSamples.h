@@ -62,10 +62,11 @@ inline std::vector<Triangle> GetTriangles(
   {
     surface.FillCellArray(0, 4, materials.data());
   }
+  const auto corners = surface.GetTriangles();
   std::vector<Triangle> triangles;
   for (std::size_t i = 0; i < materials.size(); ++i)
   {
-    const auto& t = surface.GetTriangles()[i];
+    const auto& t = corners[i];
     Triangle triangle{ { points[t[0]], points[t[1]], points[t[2]] },
       static_cast<double>(materials[i]) };
     std::rotate(triangle.Corners.begin(),

@@ -139,7 +139,7 @@ SurfacePart MakePart(const std::vector<std::array<T, 3>>& points,
   const auto bytesOf = [](const auto& values)
   {
     const auto* const first = reinterpret_cast<const std::uint8_t*>(values.data());
-    return std::vector<std::uint8_t>(first, first + values.size() * sizeof(values[0]));
+    return PageArray<std::uint8_t>(first, first + values.size() * sizeof(values[0]));
   };
   std::vector<double> values(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -153,7 +153,7 @@ SurfacePart MakePart(const std::vector<std::array<T, 3>>& points,
     cells[i] = static_cast<std::int32_t>(value) + static_cast<std::int32_t>(i);
   }
   part.CellArrays = { bytesOf(cells) };
-  part.Triangles = triangles;
+  part.Triangles.assign(triangles.begin(), triangles.end());
   part.Gradients.assign(points.size(), gradient);
   return part;
 }
