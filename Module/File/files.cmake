@@ -2,6 +2,7 @@
 gatun_core_folder(File
   INCLUDES
     Support
+    Cells
     Codec
     Format
     Merge
@@ -25,7 +26,7 @@ gatun_core_folder(File
     gatunChunkCacheInternals.h
     gatunChunkSet.h
     gatunChunkSetDecoder.h
-    gatunChunkSetJob.h
+    gatunChunkSetDecoderInternals.h
     gatunCoarseLayout.h
     gatunCoarsePiece.h
     gatunDomainWriter.h

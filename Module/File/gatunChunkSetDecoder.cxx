@@ -3,7 +3,7 @@
 
 #include "gatunChunkSetDecoder.h"
 
-#include "gatunChunkSetJob.h"
+#include "gatunChunkSetDecoderInternals.h"
 #include "gatunFloatEnvironment.h"
 #include "gatunParallel.h"
 #include "gatunPieceRequest.h"
@@ -54,8 +54,9 @@ void ChunkSetDecoder::Fill(const PieceTarget& target, const std::vector<std::uin
   {
     job.CellTaken =
       std::vector<std::atomic<bool>>(static_cast<std::size_t>(this->Set.GetNumberOfCells()));
-    job.Placed.resize(
-      this->Set.GetForm() == PieceForm::Original && target.Types ? this->Set.GetChunks().size() : 0);
+    job.Placed.resize(this->Set.GetForm() == PieceForm::Original && target.Types
+        ? this->Set.GetChunks().size()
+        : 0);
   }
   for (std::size_t a = 0; a < target.Arrays.size(); ++a)
   {

@@ -5,7 +5,7 @@
 
 #include "gatunCellStore.h"
 #include "gatunChunkSetDecoder.h"
-#include "gatunChunkSetJob.h"
+#include "gatunChunkSetDecoderInternals.h"
 #include "gatunChunkTets.h"
 #include "gatunParallel.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef gatunChunkSetJob_h
-#define gatunChunkSetJob_h
+#ifndef gatunChunkSetDecoderInternals_h
+#define gatunChunkSetDecoderInternals_h
 
 // The state of ChunkSetDecoder while it decodes and stores.
 
