@@ -8,6 +8,7 @@ gatun_core_folder(Cells
     gatunCellList.h
     gatunCellNodes.h
     gatunCellShapes.h
+    gatunFormBuilder.h
     gatunFormMaker.h
     gatunShapeTable.h
     gatunSimplices.h
@@ -16,5 +17,6 @@ gatun_core_folder(Cells
     gatunCellGraph.cxx
     gatunCellNodes.cxx
     gatunCellShapes.cxx
+    gatunFormBuilder.cxx
     gatunFormMaker.cxx
     gatunShapeTable.cxx)
