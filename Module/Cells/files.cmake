@@ -9,6 +9,7 @@ gatun_core_folder(Cells
     gatunCellNodes.h
     gatunCellShapes.h
     gatunCellSplitter.h
+    gatunFormBuilder.h
     gatunFormMaker.h
     gatunShapeTable.h
     gatunSimplices.h
@@ -17,5 +18,6 @@ gatun_core_folder(Cells
     gatunCellGraph.cxx
     gatunCellNodes.cxx
     gatunCellShapes.cxx
+    gatunFormBuilder.cxx
     gatunFormMaker.cxx
     gatunShapeTable.cxx)

@@ -5,7 +5,6 @@
 #include "gatunBytes.h"
 
 #include <algorithm>
-#include <array>
 #include <set>
 
 namespace gatun
@@ -17,68 +16,24 @@ namespace
   ThrowCorrupt("a shape of a cell is not a closed surface");
 }
 
-/** Adds the faces of a code to a form and returns the number of its corners. */
-unsigned ReadFaces(std::span<const std::uint8_t> code, CellForm& form)
+/** Gives the faces of a code to a builder. */
+void ReadFaces(std::span<const std::uint8_t> code, FormBuilder& form)
 {
   ByteReader in(code);
-  std::set<std::array<std::uint8_t, 2>> edges; // of the faces met so far, except the gate
-  std::vector<std::array<std::uint8_t, 2>> queue;
-  const unsigned degree = in.Get<std::uint8_t>();
-  unsigned corners = degree;
-  if (degree < 3)
+  form.Begin(in.Get<std::uint8_t>());
+  while (form.FindEdge())
   {
-    ThrowShape();
-  }
-  const auto at = [](unsigned number) { return static_cast<std::uint8_t>(number); };
-  form.FirstSides = { 0, static_cast<std::uint16_t>(degree) };
-  for (unsigned i = 0; i < degree; ++i)
-  {
-    form.Corner.push_back(at(i));
-    queue.push_back({ at(i), at((i + 1) % degree) });
-    edges.insert({ at((i + 1) % degree), at(i) });
-  }
-  for (std::size_t head = 0; head < queue.size(); ++head)
-  {
-    const auto edge = queue[head];
-    if (edges.count(edge) != 0)
-    {
-      continue;
-    }
     const unsigned size = in.Get<std::uint8_t>();
-    const auto first = form.Corner.size();
-    if (size < 3 || form.FirstSides.size() > MaxSurfaceFaces)
-    {
-      ThrowShape();
-    }
-    form.Corner.push_back(edge[0]);
-    form.Corner.push_back(edge[1]);
+    form.BeginFace(size);
     for (unsigned i = 2; i < size; ++i)
     {
-      const auto corner = in.Get<std::uint8_t>();
-      if (corner > corners || corner >= MaxSurfaceCorners)
-      {
-        ThrowShape();
-      }
-      corners += corner == corners;
-      form.Corner.push_back(corner);
+      form.AddCorner(in.Get<std::uint8_t>());
     }
-    for (unsigned i = 0; i < size; ++i)
-    {
-      const auto from = form.Corner[first + i];
-      const auto to = form.Corner[first + (i + 1) % size];
-      if (!edges.insert({ from, to }).second)
-      {
-        ThrowShape();
-      }
-      queue.push_back({ to, from });
-    }
-    form.FirstSides.push_back(static_cast<std::uint16_t>(form.Corner.size()));
   }
-  if (in.GetRemaining() > 0 || corners > MaxSurfaceCorners)
+  if (in.GetRemaining() > 0)
   {
     ThrowShape();
   }
-  return corners;
 }
 
 unsigned FindFamily(const CellForm& form)
@@ -103,14 +58,22 @@ unsigned FindFamily(const CellForm& form)
 //------------------------------------------------------------------------------
 CellForm::CellForm(std::span<const std::uint8_t> code)
 {
-  this->Corners = ReadFaces(code, *this);
-  const auto surface = this->GetSurface();
-  if (!IsClosedSurface(surface, this->Corners))
+  FormBuilder builder;
+  ReadFaces(code, builder);
+  *this = CellForm(builder);
+}
+
+CellForm::CellForm(const FormBuilder& builder)
+  : Corners(builder.GetCorners())
+  , FirstSides(builder.GetFirstSides())
+  , Corner(builder.GetSides())
+{
+  if (!IsClosedSurface(this->GetSurface(), this->Corners))
   {
     ThrowShape();
   }
   this->Family = FindFamily(*this);
-  std::map<std::array<std::uint8_t, 2>, std::uint16_t> sides;
+  std::vector<std::uint16_t> sides(std::size_t{ this->Corners } * this->Corners);
   std::vector<CellGraph::Local> faces;
   for (unsigned f = 0; f < this->GetNumberOfFaces(); ++f)
   {
@@ -126,15 +89,20 @@ CellForm::CellForm(std::span<const std::uint8_t> code)
       this->Face.push_back(static_cast<std::uint8_t>(f));
       this->FaceMasks.back() |= std::uint64_t{ 1 } << (from % 64u);
       // The gate runs the other way.
-      sides[f == 0 ? std::array{ to, from } : std::array{ from, to }] =
-        static_cast<std::uint16_t>(first + i);
+      const auto place = f == 0 ? std::size_t{ to } * this->Corners + from
+                                : std::size_t{ from } * this->Corners + to;
+      sides[place] = static_cast<std::uint16_t>(first + i);
     }
   }
   this->Graph = CellGraph(this->Corners, faces);
   this->Twin.resize(this->Corner.size());
-  for (const auto& [edge, side] : sides)
+  for (unsigned from = 0; from < this->Corners; ++from)
   {
-    this->Twin[side] = sides.at({ edge[1], edge[0] });
+    for (const auto to : this->Graph.GetNeighbors(from))
+    {
+      this->Twin[sides[std::size_t{ from } * this->Corners + to]] =
+        sides[std::size_t{ to } * this->Corners + from];
+    }
   }
   for (std::uint16_t side = 0; side < this->Corner.size(); ++side)
   {

@@ -6,6 +6,7 @@
 
 #include "gatunCellGraph.h"
 #include "gatunCellShapes.h"
+#include "gatunFormBuilder.h"
 #include "gatunFormMaker.h"
 
 #include "vtkGatunCoreModule.h" // For export macro
@@ -27,6 +28,9 @@ struct CellForm
 
   /** Parses FormMaker's code. Throws Error(Corrupt) if it is none. */
   VTKGATUNCORE_EXPORT explicit CellForm(std::span<const std::uint8_t> code);
+
+  /** Throws Error(Corrupt) if the surface is not closed. */
+  VTKGATUNCORE_EXPORT explicit CellForm(const FormBuilder& builder);
 
   unsigned GetNumberOfFaces() const { return static_cast<unsigned>(this->FirstSides.size() - 1); }
   unsigned GetFirstSide(unsigned face) const { return this->FirstSides[face]; }

@@ -124,7 +124,7 @@ std::vector<FormCode> ShapeTable::Select() const
   for (const auto& [code, uses] : candidates)
   {
     const CellForm form(code);
-    if (uses >= LeastUses && forms.AddShape(form.GetSurface(), form.Corners))
+    if (IsWorthwhile(code, uses) && forms.AddShape(form.GetSurface(), form.Corners))
     {
       selected.push_back(code);
     }

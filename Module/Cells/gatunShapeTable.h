@@ -44,8 +44,11 @@ public:
   VTKGATUNCORE_EXPORT std::shared_ptr<const FormTable> GetForms() const;
 
 private:
-  /** Shapes with fewer uses would take more room here than they save. */
-  static constexpr std::uint64_t LeastUses = 3;
+  /** Whether a shape saves more than it takes here. Others are coded with each cell. */
+  static bool IsWorthwhile(const FormCode& code, std::uint64_t uses)
+  {
+    return uses >= 3 && 4 * uses >= code.size();
+  }
 
   void Add(SurfaceView faces, unsigned corners, std::uint64_t uses);
   std::vector<FormCode> Select() const;

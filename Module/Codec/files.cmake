@@ -23,6 +23,7 @@ gatun_core_folder(Codec
     gatunFrontGrowth.h
     gatunGate.h
     gatunGeometry.h
+    gatunInlineForm.h
     gatunMeasure.h
     gatunNumberModel.h
     gatunPalette.h

@@ -140,7 +140,7 @@ CellAttempt EncodeConnectivity(const ChunkFrame& frame, const CellList& cells,
       best = std::move(attempt);
     }
   };
-  if (forms.GetSize() > 0)
+  if (PolygonTruth(cells, forms).HasCells())
   {
     consider(TryCells(input, true, keep));
     if (best.Others > cells.GetNumber() / 16)

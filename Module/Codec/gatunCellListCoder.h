@@ -252,7 +252,6 @@ private:
     else
     {
       result = CodeIndex(this->Symbols, known, vertices);
-      place = RecentVertices::Most;
       place = this->Uses.Find(result);
     }
     this->Uses.Use(result, place);

@@ -8,6 +8,7 @@
 
 #include "gatunCellForms.h"
 #include "gatunEntropy.h"
+#include "gatunInlineForm.h"
 #include "gatunNumberModel.h"
 #include "gatunSharedNames.h"
 
@@ -196,6 +197,8 @@ public:
       this->FrameTree, frame);
   }
 
+  std::array<BitModel, 4> IsListed; // of forms, by whether that behind the gate is
+  InlineForm Inline;
   std::array<BitModel, 20> IsShared;
   SharedNames Shared;
   BitModel Listed;

@@ -86,12 +86,6 @@ void PolygonTruth::AddSurface(const CellList& cells, std::uint32_t cell, const C
   {
     const auto faces = this->Polyhedron.GetFaces();
     const auto& points = this->Polyhedron.GetPoints();
-    this->Maker.Make(faces, static_cast<unsigned>(points.size()), 0, 0, false);
-    if (this->Forms.Find(this->Maker.GetCode()) == FormTable::None)
-    {
-      this->Others.push_back(cell);
-      return;
-    }
     this->Locals.insert(this->Locals.end(), faces.begin(), faces.end());
     this->Points.insert(this->Points.end(), points.begin(), points.end());
     surface.LocalSize = static_cast<std::uint32_t>(faces.size());
@@ -148,7 +142,12 @@ bool PolygonTruth::FindSeed()
   {
     ++this->Next;
   }
-  return this->HasCells() && this->BeginAt(static_cast<std::uint32_t>(this->Next), 0, 0, false);
+  if (!this->HasCells())
+  {
+    return false;
+  }
+  this->BeginAt(static_cast<std::uint32_t>(this->Next), 0, 0, false);
+  return true;
 }
 
 bool PolygonTruth::Begin(
@@ -181,10 +180,11 @@ bool PolygonTruth::Begin(
       return false;
     }
   }
-  return this->BeginAt(number, faceNumber, start, mirrored);
+  this->BeginAt(number, faceNumber, start, mirrored);
+  return true;
 }
 
-bool PolygonTruth::BeginAt(std::uint32_t number, unsigned face, unsigned start, bool mirrored)
+void PolygonTruth::BeginAt(std::uint32_t number, unsigned face, unsigned start, bool mirrored)
 {
   auto& surface = this->Surfaces[number];
   const std::uint8_t* order = nullptr;
@@ -208,10 +208,6 @@ bool PolygonTruth::BeginAt(std::uint32_t number, unsigned face, unsigned start, 
     order = this->Maker.GetOrder().data();
     corners = this->Maker.GetOrder().size();
   }
-  if (this->Form == FormTable::None)
-  {
-    return false;
-  }
   surface.Visited = true;
   this->Cell = surface.Cell;
   this->Corners.resize(corners);
@@ -219,7 +215,6 @@ bool PolygonTruth::BeginAt(std::uint32_t number, unsigned face, unsigned start, 
   {
     this->Corners[i] = this->Points[surface.FirstPoint + order[i]];
   }
-  return true;
 }
 
 std::vector<std::uint32_t> PolygonTruth::GetOthers() const

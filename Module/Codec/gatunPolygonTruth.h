@@ -25,18 +25,21 @@ public:
   /** Whether there is any. */
   bool HasCells() const { return this->Next < this->Surfaces.size(); }
 
-  /** Begins the unvisited cell on a gate. Returns false if there is none with a listed form. */
+  /** Begins the unvisited cell on a gate. Returns false if there is none. */
   bool FindCell(std::span<const std::uint32_t> gate);
 
   /** Begins any unvisited cell, seen from its first face. Returns false if there is none. */
   bool FindSeed();
+
+  /** The code of the form of the polyhedron that was begun. */
+  const FormCode& GetCode() const { return this->Maker.GetCode(); }
 
   /** All cells that are never begun. */
   std::vector<std::uint32_t> GetOthers() const;
 
   // The cell that was begun:
   std::uint32_t Cell = 0;
-  std::uint16_t Form = 0;
+  std::uint16_t Form = 0;             // FormTable::None if it is not listed
   std::uint8_t Frame = 0;             // see PolygonWalk
   std::vector<std::uint32_t> Corners; // the vertex at each of the form's corners
 
@@ -64,7 +67,7 @@ private:
   void AddSurface(const CellList& cells, std::uint32_t cell, const CellShape* shape);
   SurfaceView GetFaces(const Surface& surface) const;
   bool Begin(std::uint32_t surface, unsigned face, std::span<const std::uint32_t> gate);
-  bool BeginAt(std::uint32_t surface, unsigned face, unsigned start, bool mirrored);
+  void BeginAt(std::uint32_t surface, unsigned face, unsigned start, bool mirrored);
 
   const FormTable& Forms;
   std::vector<Surface> Surfaces;

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -108,9 +109,8 @@ private:
   {
     const GateGrades none;
     const auto parent = static_cast<std::uint32_t>(this->Forms.GetSize());
-    const auto form = this->Models.CodeForm(
-      this->Symbols, this->Forms, parent, 0, none, Coder::Encoding ? this->Truth->Form : 0);
-    this->Cell.Begin(this->Forms.Get(form), form);
+    this->Degrees.clear();
+    this->BeginForm(parent, 0, none);
     for (unsigned i = 0; i < this->Cell.Form->Corners; ++i)
     {
       this->Cell.SetCorner(i, this->CodeSeedCorner(i));
@@ -147,13 +147,40 @@ private:
       this->Open.CloseAtBorder(id);
       return;
     }
-    const auto form = this->Models.CodeForm(this->Symbols, this->Forms, gate.Form, gate.FormFace,
-      grades, Coder::Encoding ? this->Truth->Form : 0);
-    this->Cell.Begin(this->Forms.Get(form), form);
+    this->BeginForm(gate.Form, gate.FormFace, grades);
     this->Cell.GlueGate(id);
     this->GlueFaces();
     this->CodeCorners(gate);
     this->FinishCell(gate.Cell, gate.Type, gate.Frame);
+  }
+
+  /** Codes the form of a cell. Forms that are not listed all have the number behind the last one.
+   */
+  void BeginForm(std::uint32_t parent, std::uint32_t face, const GateGrades& grades)
+  {
+    const auto unlisted = static_cast<std::uint16_t>(this->Forms.GetSize());
+    const bool isSeed = grades.Degree == 0;
+    const auto truth = Coder::Encoding ? this->Truth->Form : std::uint16_t{ 0 };
+    if (unlisted > 0 &&
+      this->Symbols.Bit(
+        this->Models.IsListed[(parent == unlisted) + 2 * isSeed], truth != FormTable::None))
+    {
+      const auto form =
+        this->Models.CodeForm(this->Symbols, this->Forms, parent, face, grades, truth);
+      this->Cell.Begin(this->Forms.Get(form), form);
+      return;
+    }
+    static const FormCode none;
+    const auto& code = Coder::Encoding ? this->Truth->GetCode() : none;
+    if (isSeed)
+    {
+      const auto degree = CodeIndex(this->Symbols, Coder::Encoding ? code[0] : 0, 256);
+      this->Degrees.assign(degree, 0);
+    }
+    this->Models.Inline.Code(this->Symbols, this->Builder, this->Degrees, code);
+    this->Inlined = CellForm(this->Builder);
+    this->Inlined->Shape = ~0u;
+    this->Cell.Begin(*this->Inlined, unlisted);
   }
 
   /** The other chunks that use all corners of a face. */
@@ -171,6 +198,7 @@ private:
   {
     auto& grades = this->Grades;
     grades = { .Degree = gate.Degree };
+    this->Degrees.assign(gate.Degree, 0);
     std::array<unsigned, 3> likely{}; // triangles, quads, larger faces
     for (unsigned i = 0; i < gate.Degree; ++i)
     {
@@ -189,6 +217,7 @@ private:
         grades.LeastAngle = std::min(grades.LeastAngle, angle);
         const unsigned degree = this->Open.GetFaceOfSide(over).Degree;
         kind = angle > 5 ? 0 : std::min(degree, 5u) - 2;
+        this->Degrees[i] = static_cast<std::uint8_t>(angle > 5 ? 0 : degree);
       }
       grades.MostCells = std::max(grades.MostCells, link.GetCells());
       grades.Pattern = gate.Degree <= 4 ? grades.Pattern * 4 + kind : 0;
@@ -424,7 +453,10 @@ private:
   PolygonFront Open;
   PolygonModels Models;
   PolygonCell<CellBuilder<Side>> Cell;
+  FormBuilder Builder;
+  std::optional<CellForm> Inlined; // the cell's, if it is in no table
   GateGrades Grades;
+  std::vector<std::uint8_t> Degrees; // of the faces that are probably over the gate's sides, or 0
   std::vector<std::uint32_t> GateInput;
   std::vector<Vertex> Corners, Faces; // of the cell that is finished
 };

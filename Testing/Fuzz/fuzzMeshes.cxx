@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fuzzMeshes.h"
 
+#include "gatunCellShapes.h"
+
 #include <cstdlib>
 #include <limits>
 #include <set>
@@ -136,6 +138,69 @@ std::vector<Tet> TakeTets(Input& in, std::uint32_t mostTets, std::uint32_t& poin
   return tets;
 }
 
+CellList TakeCells(Input& in, std::uint32_t mostCells, std::uint32_t& points)
+{
+  constexpr std::array usual{ 12, 12, 12, 42, 13, 14, 10, 11, 25, 24 };
+  CellList cells;
+  points = 0;
+  std::vector<std::uint32_t> last;
+  for (auto count = in.TakeUpTo(mostCells); count > 0; --count)
+  {
+    const auto how = in.Take<std::uint8_t>();
+    const int type = how < 200 ? usual[how % usual.size()] : in.Take<std::uint8_t>();
+    const auto fixed = GetCellKind(type).Points;
+    const auto size = type == 42 ? 8u : fixed > 0 && how < 240 ? fixed : in.TakeUpTo(12);
+    const auto pick = [&](std::uint32_t i)
+    {
+      // The far corners of the cell before, then new ones.
+      const auto choice = in.Take<std::uint8_t>();
+      const auto half = static_cast<std::uint32_t>(last.size() / 2);
+      return points > 0 && choice >= 240           ? in.TakeUpTo(points - 1)
+        : i < half && choice < 230 && how % 16 > 0 ? last[half + i]
+                                                   : points++;
+    };
+    last.clear();
+    std::vector<std::uint32_t> corners;
+    const auto begin = cells.Corners.size();
+    for (std::uint32_t i = 0; i < size; ++i)
+    {
+      corners.push_back(pick(i));
+    }
+    cells.Types.push_back(static_cast<std::uint8_t>(type));
+    cells.Corners.insert(cells.Corners.end(), corners.begin(), corners.end());
+    cells.Starts.push_back(static_cast<std::uint32_t>(cells.Corners.size()));
+    if (type == 42 && cells.FaceStarts.empty())
+    {
+      cells.FaceStarts.assign(cells.Types.size(), 0);
+    }
+    if (type == 42)
+    {
+      const auto* const hexahedron = GetCellKind(12).Shape;
+      const auto damage = in.Take<std::uint8_t>();
+      for (std::size_t at = 0; at < hexahedron->Faces.size(); at += 1u + hexahedron->Faces[at])
+      {
+        if (damage >= 230 && in.TakeBool())
+        {
+          continue;
+        }
+        const auto face = hexahedron->Faces.subspan(at + 1, hexahedron->Faces[at]);
+        cells.Faces.push_back(static_cast<std::uint32_t>(face.size()));
+        for (const auto corner : face)
+        {
+          cells.Faces.push_back(
+            damage >= 245 ? in.TakeUpTo(points - 1) : cells.Corners[begin + corner]);
+        }
+      }
+    }
+    if (!cells.FaceStarts.empty())
+    {
+      cells.FaceStarts.push_back(static_cast<std::uint32_t>(cells.Faces.size()));
+    }
+    last = std::move(corners);
+  }
+  return cells;
+}
+
 ArrayFrame TakePointArray(Input& in, const SmallChunk& chunk)
 {
   ArrayFrame array;
@@ -199,6 +264,59 @@ void CheckKeys(const ArrayFrame& array)
   }
 }
 
+namespace
+{
+/** Aborts unless each vertex is one of the chunk's, and every one is there. */
+void CheckVertices(const ChunkFrame& frame, const ChunkMesh& mesh)
+{
+  const auto& walk = mesh.Walk;
+  const auto vertices = frame.OwnPoints + frame.SharedKeys.size();
+  std::vector<char> met(vertices, 0);
+  for (Vertex v = 0; v < vertices; ++v)
+  {
+    const auto source = walk.Sources[v] & ~Topology::SharedFlag;
+    const auto index = walk.IsShared(v) ? frame.OwnPoints + std::size_t{ source } : source;
+    Require(index < vertices && !met[index]);
+    met[index] = 1;
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      Require(mesh.Domains[axis].IsValid(mesh.Keys[v][axis]));
+    }
+  }
+}
+}
+
+void CheckCells(const ChunkFrame& frame, const ChunkMesh& mesh)
+{
+  const auto& walk = mesh.Walk;
+  const auto& cells = mesh.Cells;
+  const auto vertices = frame.OwnPoints + frame.SharedKeys.size();
+  Require(cells.GetNumber() == frame.Cells.Cells && walk.Parents.size() == frame.Cells.Cells &&
+    cells.Starts.size() == cells.GetNumber() + 1 && cells.Starts.back() == frame.Cells.Corners &&
+    cells.Corners.size() == frame.Cells.Corners && cells.Faces.size() == frame.Cells.FaceValues &&
+    walk.Sources.size() == vertices && mesh.Keys.size() == vertices &&
+    walk.CellRecords.size() == frame.OwnPoints && mesh.UsedRules.size() == frame.OwnPoints);
+  for (std::size_t c = 0; c < cells.GetNumber(); ++c)
+  {
+    Require(walk.Parents[c] == Topology::NoTet || walk.Parents[c] < c);
+    Require(cells.Starts[c] <= cells.Starts[c + 1]);
+    const auto faces = cells.GetFaces(c);
+    for (std::size_t at = 0; at < faces.size(); at += 1 + faces[at])
+    {
+      Require(faces[at] < faces.size() - at);
+      for (const auto v : faces.subspan(at + 1, faces[at]))
+      {
+        Require(v < vertices);
+      }
+    }
+  }
+  for (const auto v : cells.Corners)
+  {
+    Require(v < vertices);
+  }
+  CheckVertices(frame, mesh);
+}
+
 void CheckChunk(const ChunkFrame& frame, const ChunkMesh& mesh)
 {
   const auto& walk = mesh.Walk;
@@ -214,18 +332,7 @@ void CheckChunk(const ChunkFrame& frame, const ChunkMesh& mesh)
     }
     Require(walk.Parents[t] == Topology::NoTet || walk.Parents[t] < t);
   }
-  std::vector<char> met(vertices, 0);
-  for (Vertex v = 0; v < vertices; ++v)
-  {
-    const auto source = walk.Sources[v] & ~Topology::SharedFlag;
-    const auto index = walk.IsShared(v) ? frame.OwnPoints + std::size_t{ source } : source;
-    Require(index < vertices && !met[index]);
-    met[index] = 1;
-    for (unsigned axis = 0; axis < 3; ++axis)
-    {
-      Require(mesh.Domains[axis].IsValid(mesh.Keys[v][axis]));
-    }
-  }
+  CheckVertices(frame, mesh);
 }
 
 SmallChunk::SmallChunk()

@@ -30,6 +30,9 @@ ChunkFrame TakeFrame(Input& in, std::uint32_t mostTets);
  */
 std::vector<Tet> TakeTets(Input& in, std::uint32_t mostTets, std::uint32_t& points);
 
+/** Cells of any type, most of which continue those before; names points as TakeTets does. */
+CellList TakeCells(Input& in, std::uint32_t mostCells, std::uint32_t& points);
+
 /** The description of an array whose stream is decoded. */
 struct ArrayFrame
 {
@@ -47,6 +50,9 @@ void CheckKeys(const ArrayFrame& array);
 
 /** Aborts unless the ids, parents and records of a decoded chunk are in range. */
 void CheckChunk(const ChunkFrame& frame, const ChunkMesh& mesh);
+
+/** The same for cells of any type. */
+void CheckCells(const ChunkFrame& frame, const ChunkMesh& mesh);
 
 /** A chunk of some tetrahedra, decoded and ready to have arrays decoded on it. */
 class SmallChunk

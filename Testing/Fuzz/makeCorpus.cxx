@@ -4,6 +4,7 @@
 // Writes seeds for the fuzz targets: makeCorpus FOLDER. Each target gets a folder of its own below.
 
 #include "fuzzMeshes.h"
+#include "gatunCellCodec.h"
 #include "gatunEntropy.h"
 #include "gatunFileImage.h"
 #include "gatunHartleyCodec.h"
@@ -412,6 +413,56 @@ void AddLayerFiles(Corpus& corpus)
 }
 }
 
+/** Streams of cells of any type, for fuzzCells.cxx. */
+void AddCells(Corpus& corpus, std::mt19937& random)
+{
+  auto noise = MakeNoise(4096, random);
+  fuzz::Input in(noise.data(), noise.size());
+  std::uint32_t points = 0;
+  const auto cells = fuzz::TakeCells(in, 60, points);
+  auto frameNoise = MakeNoise(4096, random);
+  fuzz::Input first(frameNoise.data(), frameNoise.size());
+  const auto shared = fuzz::TakeFrame(first, 400).SharedKeys.size();
+  if (cells.Types.empty() || shared > points)
+  {
+    return;
+  }
+  const auto setCount = [](Bytes& bytes, std::size_t at, std::size_t count)
+  {
+    bytes[at] = static_cast<std::uint8_t>(count);
+    bytes[at + 1] = static_cast<std::uint8_t>(count >> 8);
+  };
+  setCount(frameNoise, 0, cells.GetNumber());
+  setCount(frameNoise, 2, points - shared);
+  fuzz::Input again(frameNoise.data(), frameNoise.size());
+  auto frame = fuzz::TakeFrame(again, 400);
+  frame.Tets = 0;
+  frame.Cells = { static_cast<std::uint32_t>(cells.GetNumber()),
+    static_cast<std::uint32_t>(cells.Corners.size()),
+    static_cast<std::uint32_t>(cells.Faces.size()) };
+  std::vector<PointKeys> own(frame.OwnPoints);
+  for (auto& keys : own)
+  {
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      keys[axis] = fuzz::TakeKey(in, frame.Domains[axis]);
+    }
+  }
+  ShapeTable table;
+  table.Add(cells);
+  const auto encoded = EncodeCells(frame, cells, table, own, true);
+  ByteWriter streams;
+  streams.Put(static_cast<std::uint16_t>(frame.Cells.Corners));
+  streams.Put(static_cast<std::uint16_t>(frame.Cells.FaceValues));
+  for (const auto& part : { table.Write(), encoded.Connectivity, encoded.Geometry })
+  {
+    streams.Put(static_cast<std::uint16_t>(part.size()));
+    streams.PutBytes(part);
+  }
+  streams.PutBytes(encoded.Corners);
+  corpus.Add("Cells", Join(frameNoise, again, streams.Data));
+}
+
 int main(int argc, char* argv[])
 {
   if (argc != 2)
@@ -425,6 +476,7 @@ int main(int argc, char* argv[])
   for (unsigned i = 0; i < 40; ++i)
   {
     AddChunks(corpus, random);
+    AddCells(corpus, random);
     AddArrays(corpus, random);
   }
   for (unsigned i = 0; i < 10; ++i)
@@ -432,6 +484,7 @@ int main(int argc, char* argv[])
     AddPalette(corpus, random);
     AddEntropy(corpus, random);
     corpus.Add("RoundTripChunk", MakeNoise(40u << (i % 5), random));
+    corpus.Add("RoundTripCells", MakeNoise(80u << (i % 6), random));
     corpus.Add("RoundTripFile", MakeNoise(40u << (i % 5), random));
   }
   for (unsigned i = 0; i < 20; ++i)

@@ -415,6 +415,44 @@ TEST(PolygonWalk, KeepsPolyhedraTurnedInsideOut)
   }
 }
 
+TEST(PolygonWalk, KeepsPolyhedraOfManyShapes)
+{
+  // Hexahedra whose faces may be cut along either diagonal, as the neighbor's are.
+  const auto cut = [](TestCells& mesh, std::span<const std::uint32_t> c, std::size_t number)
+  {
+    Faces faces;
+    for (const auto& face : GetHexFaces(c))
+    {
+      auto sorted = face;
+      std::sort(sorted.begin(), sorted.end());
+      const auto way = std::mt19937(sorted[0] * 7919 + sorted[3] * 31 + sorted[1])() % 3;
+      const auto first =
+        static_cast<std::size_t>(std::find(face.begin(), face.end(), sorted[0]) - face.begin());
+      const auto at = [&](std::size_t i) { return face[(first + i) % 4]; };
+      if (way == 0)
+      {
+        faces.push_back(face);
+      }
+      else
+      {
+        const auto one = way - 1;
+        faces.push_back({ at(one), at(one + 1), at(one + 2) });
+        faces.push_back({ at(one + 2), at(one + 3), at(one) });
+      }
+    }
+    std::shuffle(faces.begin(), faces.end(), std::mt19937(static_cast<unsigned>(number)));
+    mesh.AddPolyhedron({ c.begin(), c.end() }, faces);
+  };
+  auto mesh = SplitHexes(10, 0.1, cut);
+  const auto encoded = ExpectWalk(mesh);
+  // Which way each of three faces a cell is cut takes log2(3) bits at least.
+  EXPECT_GT(GetBits(encoded.Connectivity, encoded), 3 * std::log2(3.0) - 0.5);
+  EXPECT_LT(GetBits(encoded.Connectivity, encoded), 60);
+  ShuffleCells(mesh);
+  ExpectWalk(mesh, { .Type = ScalarType::Float32, .IsShared = IsLeft });
+  ExpectSafe(SplitHexes(5, 0.1, cut));
+}
+
 TEST(PolygonWalk, KeepsCellsThatAreThereTwice)
 {
   auto mesh = MakeHexes(5, 0.1);
