@@ -27,7 +27,7 @@ with open(os.path.join(data, "..", "..", "Documentation", "format.md"), encoding
 of_file = text[text.index("\n### 12.1") : text.index("\n### 12.2")]
 of_walk = text[text.index("\n### 12.2") : text.index("\n## 13 ")]
 of_tree = text[text.index("\n### 13.7") : text.index("\n## 14 ")]
-of_layers = text[text.index("\n### 14.3") : text.index("\n## Appendix A")]
+of_layers = text[text.index("\n### 14.3") : text.index("\n## 15 ")]
 
 # The file is a hex dump with offsets.
 dump = re.search("```\n(0000  .*?)```", of_file, re.DOTALL)[1]
