@@ -378,10 +378,12 @@ void MeshSection::FindShapes()
         shapes[chunk].Add(this->MakeLocalMesh(chunk).Cells);
       }
     });
+  ShapeTable all;
   for (const auto& table : shapes)
   {
-    this->State.Cells.Shapes.Merge(table);
+    all.Merge(table);
   }
+  this->State.Cells.SetShapes(all.Write());
 }
 
 //------------------------------------------------------------------------------

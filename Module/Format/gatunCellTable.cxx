@@ -7,6 +7,7 @@
 #include "gatunTableParts.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace gatun
 {
@@ -51,6 +52,13 @@ CellSizes GetChunk(ByteReader& in)
 }
 
 //------------------------------------------------------------------------------
+void CellTable::SetShapes(Bytes stored)
+{
+  this->Shapes = ShapeTable::Read(stored);
+  this->StoredShapes = std::move(stored);
+}
+
+//------------------------------------------------------------------------------
 Bytes CellTable::Write() const
 {
   ByteWriter out;
@@ -65,9 +73,8 @@ Bytes CellTable::Write() const
   {
     PutChunk(out, chunk);
   }
-  const auto shapes = this->Shapes.Write();
-  out.PutVarint(shapes.size());
-  out.PutBytes(shapes);
+  out.PutVarint(this->StoredShapes.size());
+  out.PutBytes(this->StoredShapes);
   return Pack(out, SmallTable);
 }
 
@@ -90,7 +97,8 @@ CellTable CellTable::Read(std::span<const std::uint8_t> bytes)
   table.Chunks.resize(in.GetCount(1));
   std::generate(table.Chunks.begin(), table.Chunks.end(), [&] { return GetChunk(in); });
   const auto length = in.GetCount(1);
-  table.Shapes = ShapeTable::Read(in.GetBytes(static_cast<std::size_t>(length)));
+  const auto shapes = in.GetBytes(length);
+  table.SetShapes(Bytes(shapes.begin(), shapes.end()));
   Check(in.GetRemaining() == 0, "there are bytes behind the end of the table");
   return table;
 }

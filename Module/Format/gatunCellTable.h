@@ -37,7 +37,11 @@ struct CellTable
 {
   std::vector<CellTypeCount> Types; ///< ascending, each at least once
   std::vector<CellSizes> Chunks;    ///< of chunks of tetrahedra, only IsTetrahedral is stored
-  ShapeTable Shapes;
+  Bytes StoredShapes;               ///< as ShapeTable writes them
+  ShapeTable Shapes;                ///< what it reads of them
+
+  /** Sets both forms of the shapes. */
+  void SetShapes(Bytes stored);
 
   Bytes Write() const;
   static CellTable Read(std::span<const std::uint8_t> bytes);

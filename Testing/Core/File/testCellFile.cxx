@@ -1,0 +1,350 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Files of cells that are not all tetrahedra: what comes back, and what is refused.
+
+#include "gatunHostile.h"
+#include "gatunPieceCells.h"
+#include "gatunVerifyFile.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <random>
+#include <vector>
+
+namespace
+{
+using namespace gatun;
+using namespace gatun::test;
+
+constexpr std::uint8_t Line = 3;
+constexpr std::uint8_t Quad = 9;
+constexpr std::uint8_t Tetra = 10;
+constexpr std::uint8_t Hexahedron = 12;
+constexpr std::uint8_t Wedge = 13;
+constexpr std::uint8_t Polyhedron = 42;
+
+/** Cubes, each of which is a hexahedron, two wedges or a polyhedron, or has other cells beside it.
+ */
+struct Mixture
+{
+  std::vector<double> Coordinates;
+  std::vector<std::uint8_t> Types;
+  std::vector<std::int64_t> Offsets{ 0 };
+  std::vector<std::int64_t> Ids;
+  std::vector<std::int64_t> FaceLocations;
+  std::vector<std::int64_t> Faces;
+
+  explicit Mixture(std::int64_t n)
+  {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> move(-0.1, 0.1);
+    for (std::int64_t i = 0; i < (n + 1) * (n + 1) * (n + 1); ++i)
+    {
+      for (const auto c : { i % (n + 1), i / (n + 1) % (n + 1), i / ((n + 1) * (n + 1)) })
+      {
+        this->Coordinates.push_back(static_cast<double>(c) + move(random));
+      }
+    }
+    for (std::int64_t i = 0; i < n * n * n; ++i)
+    {
+      this->AddCube(n, { i % n, i / n % n, i / (n * n) }, static_cast<unsigned>(i % 4));
+    }
+  }
+
+  void AddCell(std::uint8_t type, std::initializer_list<std::int64_t> ids)
+  {
+    this->Types.push_back(type);
+    this->Ids.insert(this->Ids.end(), ids.begin(), ids.end());
+    this->Offsets.push_back(static_cast<std::int64_t>(this->Ids.size()));
+    this->FaceLocations.push_back(-1);
+  }
+
+  void AddCube(std::int64_t n, const std::array<std::int64_t, 3>& at, unsigned kind)
+  {
+    std::array<std::int64_t, 8> c{};
+    constexpr std::int64_t corners[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
+      { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
+    for (std::size_t i = 0; i < 8; ++i)
+    {
+      const auto& o = corners[i];
+      c[i] = ((at[2] + o[2]) * (n + 1) + at[1] + o[1]) * (n + 1) + at[0] + o[0];
+    }
+    if (kind == 0)
+    {
+      this->AddCell(Wedge, { c[0], c[2], c[1], c[4], c[6], c[5] });
+      this->AddCell(Wedge, { c[0], c[3], c[2], c[4], c[7], c[6] });
+    }
+    else if (kind == 1)
+    {
+      this->AddCell(Polyhedron, { c[7], c[0], c[1], c[2], c[3], c[4], c[5], c[6] });
+      this->FaceLocations.back() = static_cast<std::int64_t>(this->Faces.size());
+      const std::int64_t faces[] = { 6, 4, c[3], c[2], c[1], c[0], 4, c[4], c[5], c[6], c[7], 4,
+        c[0], c[1], c[5], c[4], 4, c[1], c[2], c[6], c[5], 4, c[2], c[3], c[7], c[6], 4, c[3], c[0],
+        c[4], c[7] };
+      this->Faces.insert(this->Faces.end(), std::begin(faces), std::end(faces));
+    }
+    else
+    {
+      this->AddCell(Hexahedron, { c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7] });
+    }
+    if (kind == 3)
+    {
+      this->AddCell(Quad, { c[0], c[1], c[2], c[3] });
+      this->AddCell(Line, { c[0], c[6] });
+    }
+  }
+
+  MeshInput GetInput() const
+  {
+    MeshInput input;
+    input.Points = this->Coordinates.size() / 3;
+    input.CoordinateType = ScalarType::Float64;
+    input.Coordinates = this->Coordinates.data();
+    input.Cells = this->Types.size();
+    input.Connectivity = this->Ids.data();
+    input.Types = this->Types.data();
+    input.Offsets = this->Offsets.data();
+    input.FaceLocations = this->FaceLocations.data();
+    input.Faces = this->Faces.data();
+    input.FacesSize = this->Faces.size();
+    return input;
+  }
+};
+
+std::string Write(const Mixture& mesh, std::uint8_t keep, std::uint32_t chunkTets = 200)
+{
+  const auto path = GetPath("cells.gtn");
+  WriterOptions options;
+  options.ChunkTets = chunkTets;
+  options.Keep = keep;
+  const std::vector<ArrayDescription> arrays{ { "cell", Association::Cell, ScalarType::Int32, 1, 0,
+                                                0, {} },
+    { "point", Association::Point, ScalarType::Float64, 1, 0, 0, {} } };
+  std::vector<std::int32_t> cell(mesh.Types.size());
+  std::iota(cell.begin(), cell.end(), 7);
+  std::vector<double> point(mesh.Coordinates.begin(),
+    mesh.Coordinates.begin() + static_cast<std::ptrdiff_t>(mesh.Coordinates.size() / 3));
+  FileWriter writer(path, mesh.GetInput(), arrays, options);
+  writer.WriteStep(std::array<const void*, 2>{ cell.data(), point.data() }, {}, false, 0);
+  writer.Finish();
+  return path;
+}
+
+PieceRequest AskForAll(const FileReader& file, PieceForm form)
+{
+  PieceRequest request;
+  request.Chunks.resize(file.GetChunks().size());
+  std::iota(request.Chunks.begin(), request.Chunks.end(), 0u);
+  request.WithUnusedPoints = true;
+  request.Arrays = { 0, 1 };
+  request.Form = form;
+  return request;
+}
+
+/** Reads all of a file in a form. */
+void ReadForm(const std::string& path, PieceForm form)
+{
+  const auto file = std::make_shared<FileReader>(path);
+  PieceDecoder decoder(file);
+  decoder.SetRequest(AskForAll(*file, form));
+  const auto cells = static_cast<std::size_t>(decoder.GetNumberOfCells());
+  const auto points = static_cast<std::size_t>(decoder.GetNumberOfPoints());
+  PieceCells memory(decoder.IsTetrahedral(), cells,
+    static_cast<std::size_t>(decoder.GetConnectivitySize()),
+    static_cast<std::size_t>(decoder.GetFacesSize()));
+  std::vector<double> coordinates(3 * points);
+  std::vector<std::int32_t> cell(cells);
+  std::vector<double> point(points);
+  auto target = memory.GetTarget();
+  target.Points = coordinates.data();
+  target.Arrays = { cell.data(), point.data() };
+  decoder.Fill(target);
+}
+
+void ReadBothForms(const std::string& path)
+{
+  ReadForm(path, PieceForm::Original);
+  ReadForm(path, PieceForm::Tetrahedra);
+}
+
+TEST(CellFile, CellsComeBackInTheirOrder)
+{
+  const Mixture mesh(5);
+  for (const std::uint32_t chunkTets : { 100u, 400u, 100000u })
+  {
+    const auto path = Write(mesh, KeepAll, chunkTets);
+    const auto file = std::make_shared<FileReader>(path);
+    EXPECT_FALSE(file->IsTetrahedral());
+    EXPECT_EQ(file->GetNumberOfCells(), mesh.Types.size());
+    EXPECT_EQ(file->GetFormatVersion(), std::pair(1, 3));
+    std::uint64_t sum = 0;
+    for (const auto& type : file->GetCellTypes())
+    {
+      EXPECT_EQ(type.Cells,
+        static_cast<std::uint64_t>(std::count(mesh.Types.begin(), mesh.Types.end(), type.Type)));
+      sum += type.Cells;
+    }
+    EXPECT_EQ(sum, mesh.Types.size());
+
+    PieceDecoder decoder(file);
+    decoder.SetRequest(AskForAll(*file, PieceForm::Original));
+    ASSERT_FALSE(decoder.IsTetrahedral());
+    ASSERT_EQ(decoder.GetNumberOfCells(), mesh.Types.size());
+    ASSERT_EQ(decoder.GetConnectivitySize(), mesh.Ids.size());
+    ASSERT_EQ(decoder.GetFacesSize(), mesh.Faces.size());
+    Mixture back(0);
+    back.Coordinates.resize(mesh.Coordinates.size());
+    back.Types.resize(mesh.Types.size());
+    back.Offsets.resize(mesh.Offsets.size());
+    back.Ids.resize(mesh.Ids.size());
+    back.FaceLocations.resize(mesh.FaceLocations.size());
+    back.Faces.resize(mesh.Faces.size());
+    std::vector<std::int32_t> cell(mesh.Types.size());
+    std::vector<double> point(mesh.Coordinates.size() / 3);
+    PieceTarget target;
+    target.Points = back.Coordinates.data();
+    target.Connectivity = back.Ids.data();
+    target.Offsets = back.Offsets.data();
+    target.Types = back.Types.data();
+    target.FaceLocations = back.FaceLocations.data();
+    target.Faces = back.Faces.data();
+    target.Arrays = { cell.data(), point.data() };
+    decoder.Fill(target);
+    EXPECT_EQ(back.Coordinates, mesh.Coordinates);
+    EXPECT_EQ(back.Types, mesh.Types);
+    EXPECT_EQ(back.Offsets, mesh.Offsets);
+    EXPECT_EQ(back.Ids, mesh.Ids);
+    EXPECT_EQ(back.FaceLocations, mesh.FaceLocations);
+    EXPECT_EQ(back.Faces, mesh.Faces);
+    EXPECT_EQ(cell.front(), 7);
+    EXPECT_EQ(cell.back(), static_cast<std::int32_t>(mesh.Types.size()) + 6);
+    EXPECT_TRUE(VerifyFile(*file));
+  }
+}
+
+TEST(CellFile, TetrahedraHaveTheValuesOfTheirCells)
+{
+  const Mixture mesh(4);
+  const auto file = std::make_shared<FileReader>(Write(mesh, KeepNone));
+  PieceDecoder decoder(file);
+  decoder.SetRequest(AskForAll(*file, PieceForm::Tetrahedra));
+  ASSERT_TRUE(decoder.IsTetrahedral());
+  const auto tets = static_cast<std::size_t>(decoder.GetNumberOfCells());
+  EXPECT_EQ(tets, file->GetNumberOfTets());
+  std::vector<std::int32_t> cell(tets);
+  PieceTarget target;
+  target.Arrays = { cell.data(), nullptr };
+  decoder.Fill(target);
+  for (std::size_t i = 0; i < mesh.Types.size(); ++i)
+  {
+    const auto type = mesh.Types[i];
+    const auto expected = type == Wedge ? 3 : type == Hexahedron || type == Polyhedron ? 6 : 0;
+    EXPECT_EQ(std::count(cell.begin(), cell.end(), static_cast<std::int32_t>(i) + 7), expected)
+      << i;
+  }
+}
+
+TEST(CellFile, BadCellsAreRefusedAndLeaveNoFile)
+{
+  const auto refuse = [](const std::string& what, const std::function<void(Mixture&)>& change)
+  {
+    Mixture mesh(2);
+    change(mesh);
+    try
+    {
+      Write(mesh, KeepNone);
+      ADD_FAILURE() << "no error, but expected: " << what;
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(error.Code, ErrorCode::InvalidInput);
+      EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what();
+    }
+    EXPECT_FALSE(FileReader::CanRead(GetPath("cells.gtn")));
+  };
+  refuse("cell 0 uses point -1", [](Mixture& m) { m.Ids[3] = -1; });
+  refuse("cell 1 uses point 27", [](Mixture& m) { m.Ids[6] = 27; });
+  refuse("cell 1 ends before it begins", [](Mixture& m) { m.Offsets[2] = 3; });
+  refuse("cell 2 is a polyhedron without faces", [](Mixture& m) { m.FaceLocations[2] = -1; });
+  refuse("cell 2 has faces beyond the end", [](Mixture& m) { m.FaceLocations[2] = 1000; });
+  refuse("cell 2 has -6 faces", [](Mixture& m) { m.Faces[0] = -6; });
+  refuse("cell 2 has a face of -4 points", [](Mixture& m) { m.Faces[1] = -4; });
+  refuse("cell 2 uses point 99", [](Mixture& m) { m.Faces[2] = 99; });
+}
+
+TEST(CellFile, TablesOfCellsMustBeRight)
+{
+  const FileImage good(Write(Mixture(4), KeepAll));
+  const auto refuse = [&](const std::string& what, const std::function<void(FileImage&)>& change)
+  {
+    auto image = good;
+    change(image);
+    const auto path = PutFile("changed.gtn", image.Build());
+    EXPECT_GATUN_ERROR(ErrorCode::Corrupt, path, what, [&] { ReadBothForms(path); });
+  };
+  ReadBothForms(PutFile("same.gtn", good.Build()));
+  const auto first = [](FileImage& f) -> CellSizes& { return f.Cells->Chunks[0]; };
+  refuse("types of cells do not add up", [](FileImage& f) { ++f.Cells->Types[0].Cells; });
+  refuse("do not ascend", [](FileImage& f) { std::swap(f.Cells->Types[0], f.Cells->Types[1]); });
+  refuse("impossible number of cells", [](FileImage& f) { f.Cells->Types[0].Cells = 0; });
+  refuse("not that of the chunks", [](FileImage& f) { f.Cells->Chunks.pop_back(); });
+  refuse("impossible number of cells", [&](FileImage& f) { first(f).Cells = 0; });
+  refuse("impossible number of cells", [&](FileImage& f) { first(f).Cells = 1u << 21; });
+  refuse("too many points", [&](FileImage& f) { first(f).Corners = 1u << 25; });
+  refuse("claims more cells than its stream", [&](FileImage& f) { first(f).Cells += 900000; });
+  refuse("claims more cells than its stream", [&](FileImage& f) { first(f).Corners = 1u << 24; });
+  refuse("more polyhedra than cells", [&](FileImage& f) { first(f).Polyhedra = 1u << 20; });
+  refuse("faces without polyhedra", [&](FileImage& f) { first(f).Polyhedra = 0; });
+  refuse("polyhedra that it should have", [&](FileImage& f) { --first(f).Polyhedra; });
+  refuse("the mesh of chunk 0", [&](FileImage& f) { ++first(f).Corners; });
+  refuse("the mesh of chunk 0", [&](FileImage& f) { --first(f).FaceValues; });
+  refuse("more tetrahedra than its cells",
+    [](FileImage& f)
+    {
+      f.Meta.Tets += 100000;
+      f.Mesh.Chunks[0].Info.Tets += 100000;
+    });
+  refuse("tetrahedra that it should have",
+    [](FileImage& f)
+    {
+      ++f.Meta.Tets;
+      ++f.Mesh.Chunks[0].Info.Tets;
+    });
+  refuse("", [&](FileImage& f) { first(f).IsTetrahedral = true; });
+  refuse("", [](FileImage& f) { f.Cells.reset(); });
+}
+
+TEST(CellFile, ChangedStreamsAreErrorsOrOtherCells)
+{
+  const FileImage good(Write(Mixture(3), KeepAll, 100));
+  std::mt19937 random(3);
+  for (int round = 0; round < 400; ++round)
+  {
+    auto image = good;
+    auto& stream = image.Streams[random() % image.Streams.size()];
+    for (int i = 0; i < 3 && !stream.empty(); ++i)
+    {
+      stream[random() % stream.size()] = static_cast<std::uint8_t>(random());
+    }
+    if (round % 3 == 0)
+    {
+      stream.resize(1 + random() % stream.size());
+    }
+    const auto path = PutFile("changed.gtn", image.Build());
+    for (const auto form : { PieceForm::Original, PieceForm::Tetrahedra })
+    {
+      try
+      {
+        ReadForm(path, form);
+      }
+      catch (const Error&)
+      {
+        // Most changes are noticed.
+      }
+    }
+  }
+}
+}
