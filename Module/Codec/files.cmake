@@ -16,6 +16,7 @@ gatun_core_folder(Codec
     gatunChunkPlaces.h
     gatunDomain.h
     gatunEntropy.h
+    gatunFaceMarks.h
     gatunFaceTable.h
     gatunFillRecord.h
     gatunFront.h
@@ -23,6 +24,7 @@ gatun_core_folder(Codec
     gatunGate.h
     gatunGeometry.h
     gatunInlineForm.h
+    gatunMarkTruth.h
     gatunMeasure.h
     gatunNumberModel.h
     gatunPalette.h
@@ -38,6 +40,7 @@ gatun_core_folder(Codec
     gatunSharedSearch.h
     gatunSharedSequence.h
     gatunTopology.h
+    gatunVertexHash.h
     gatunVertexRing.h
     gatunWalk.h
     gatunWalkModels.h
@@ -50,6 +53,7 @@ gatun_core_folder(Codec
     gatunEntropy.cxx
     gatunFront.cxx
     gatunGeometry.cxx
+    gatunMarkTruth.cxx
     gatunPalette.cxx
     gatunPolygonTruth.cxx
     gatunSharedSearch.cxx)

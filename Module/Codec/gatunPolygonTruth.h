@@ -75,7 +75,7 @@ private:
   std::vector<std::uint32_t> Heads; // of lists of faces with the same place
   std::vector<std::uint8_t> Locals;
   std::vector<std::uint32_t> Points;
-  std::vector<std::uint32_t> Others;
+  std::vector<std::uint32_t> Others, Key;
   PolyhedronSurface Polyhedron;
   FormMaker Maker;
   std::size_t Next = 0; // the first surface that may be unvisited
