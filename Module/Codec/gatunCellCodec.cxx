@@ -96,7 +96,7 @@ CellAttempt TryCells(const CellInput& input, bool withWalk, Sort&& sort)
     MarkTruth marks(input.Cells, others);
     if (marks.HasCells())
     {
-      FaceMarks(coder, mesh, nodes).Run(walk.GetFront(), walk.GetBorders(), &marks);
+      FaceMarks(coder, mesh, nodes).Run(walk.GetBorders(), &marks);
       flags |= FlagMarks;
       std::erase_if(others, [&](std::uint32_t cell) { return marks.IsTaken(cell); });
     }
@@ -201,9 +201,10 @@ ChunkMesh DecodeCells(const ChunkFrame& frame, const ShapeTable& shapes,
   std::span<const std::uint8_t> connectivity, std::span<const std::uint8_t> geometry)
 {
   const FloatEnvironment guard;
-  if (connectivity.size() < GetLeastBytes(frame.Cells) ||
-    frame.OwnPoints + frame.SharedKeys.size() >
-      std::size_t{ frame.Cells.Corners } + frame.Cells.FaceValues)
+  const std::uint64_t values = std::uint64_t{ frame.Cells.Corners } + frame.Cells.FaceValues;
+  if (frame.Cells.Cells > MaxChunkTets || values > MaxChunkCorners ||
+    connectivity.size() < GetLeastBytes(frame.Cells) ||
+    frame.OwnPoints + frame.SharedKeys.size() > values)
   {
     ThrowCorrupt("a chunk claims more cells or points than its stream can hold");
   }
@@ -231,7 +232,7 @@ ChunkMesh DecodeCells(const ChunkFrame& frame, const ShapeTable& shapes,
     walk.Run();
     if ((connectivity[0] & FlagMarks) != 0)
     {
-      FaceMarks(symbols, builder, nodes).Run(walk.GetFront(), walk.GetBorders(), nullptr);
+      FaceMarks(symbols, builder, nodes).Run(walk.GetBorders(), nullptr);
     }
   }
   CellListCoder list(symbols, builder, nodes);

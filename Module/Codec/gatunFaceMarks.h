@@ -36,17 +36,16 @@ public:
   {
   }
 
-  /** borders: faces of a front in the order in which they were closed. truth: of an encoder. */
-  void Run(const PolygonFront& front, std::span<const std::uint32_t> borders, MarkTruth* truth)
+  /** borders: in the order in which they were closed. truth: of an encoder. */
+  void Run(const ClosedFaces& borders, MarkTruth* truth)
   {
-    for (const auto id : borders)
+    for (const auto& face : borders.Faces)
     {
-      const auto& face = front.GetFace(id);
       this->Face.clear();
       auto users = ~std::uint32_t{ 0 };
       for (unsigned i = 0; i < face.Degree; ++i)
       {
-        this->Face.push_back(front.GetSide(face.First + i).Corner);
+        this->Face.push_back(borders.Corners[face.First + i]);
         users &= this->Mesh.GetPlace(this->Face.back()).Users;
       }
       const auto direction = GradeDirection(face.Normal);

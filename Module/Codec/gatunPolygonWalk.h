@@ -67,10 +67,8 @@ public:
     }
   }
 
-  const PolygonFront& GetFront() const { return this->Open; }
-
   /** The faces at the border in the order in which they were closed. */
-  std::span<const std::uint32_t> GetBorders() const { return this->Borders; }
+  const ClosedFaces& GetBorders() const { return this->Borders; }
 
 private:
   static constexpr std::uint8_t TetraType = 10; // VTK's numbers of the cell types
@@ -150,7 +148,7 @@ private:
     if (this->Symbols.Bit(model, border))
     {
       this->Open.CloseAtBorder(id);
-      this->Borders.push_back(id);
+      this->Borders.Add(this->Open, gate);
       return;
     }
     this->BeginForm(gate.Form, gate.FormFace, grades);
@@ -463,7 +461,8 @@ private:
   std::optional<CellForm> Inlined; // the cell's, if it is in no table
   GateGrades Grades;
   std::vector<std::uint8_t> Degrees; // of the faces that are probably over the gate's sides, or 0
-  std::vector<std::uint32_t> GateInput, Borders;
+  std::vector<std::uint32_t> GateInput;
+  ClosedFaces Borders;
   std::vector<Vertex> Corners, Faces; // of the cell that is finished
 };
 }
