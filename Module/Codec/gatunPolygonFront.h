@@ -112,8 +112,8 @@ public:
   };
 
   explicit PolygonFront(std::size_t vertices)
-    : Faces(1024)
-    , Sides(4096)
+    : Faces(FaceMask + 1)
+    , Sides(SideMask + 1)
     , Heads(vertices, None)
   {
   }
@@ -133,14 +133,14 @@ public:
   /** Opens a face. Returns its first side; all must be set at once. */
   std::uint32_t AddFace(const Face& face)
   {
-    if (this->FaceEnd - this->Head == this->Faces.size())
+    if (this->FaceEnd - this->Head > this->FaceMask)
     {
-      Grow(this->Faces, this->Head, this->FaceEnd);
+      this->FaceMask = Grow(this->Faces, this->Head, this->FaceEnd);
     }
     // The sides of a face have consecutive places.
-    while (this->GetSideBegin(face.Degree) + face.Degree - this->FirstSide > this->Sides.size())
+    while (this->GetSideBegin(face.Degree) + face.Degree - this->FirstSide > this->SideMask + 1)
     {
-      Grow(this->Sides, this->FirstSide, this->SideEnd);
+      this->SideMask = Grow(this->Sides, this->FirstSide, this->SideEnd);
     }
     const auto id = this->FaceEnd++;
     const auto first = this->GetSideBegin(face.Degree);
@@ -167,10 +167,10 @@ public:
     this->Heads[corner] = id;
   }
 
-  Face& GetFace(std::uint32_t id) { return this->Faces[id & (this->Faces.size() - 1)]; }
-  const Face& GetFace(std::uint32_t id) const { return this->Faces[id & (this->Faces.size() - 1)]; }
-  Side& GetSide(std::uint32_t id) { return this->Sides[id & (this->Sides.size() - 1)]; }
-  const Side& GetSide(std::uint32_t id) const { return this->Sides[id & (this->Sides.size() - 1)]; }
+  Face& GetFace(std::uint32_t id) { return this->Faces[id & this->FaceMask]; }
+  const Face& GetFace(std::uint32_t id) const { return this->Faces[id & this->FaceMask]; }
+  Side& GetSide(std::uint32_t id) { return this->Sides[id & this->SideMask]; }
+  const Side& GetSide(std::uint32_t id) const { return this->Sides[id & this->SideMask]; }
 
   Face& GetFaceOfSide(std::uint32_t side) { return this->GetFace(this->GetSide(side).Face); }
   const Face& GetFaceOfSide(std::uint32_t side) const
@@ -265,14 +265,14 @@ private:
   /** The next side after which there is room for those of a face before the end of the buffer. */
   std::uint32_t GetSideBegin(unsigned degree) const
   {
-    const auto size = static_cast<std::uint32_t>(this->Sides.size());
-    const auto place = this->SideEnd & (size - 1);
+    const auto size = this->SideMask + 1;
+    const auto place = this->SideEnd & this->SideMask;
     return place + degree <= size ? this->SideEnd : this->SideEnd + size - place;
   }
 
-  /** Doubles a ring buffer. */
+  /** Doubles a ring buffer. Returns its new mask. */
   template <typename T>
-  static void Grow(std::vector<T>& ring, std::uint32_t begin, std::uint32_t end)
+  static std::uint32_t Grow(std::vector<T>& ring, std::uint32_t begin, std::uint32_t end)
   {
     std::vector<T> larger(2 * ring.size());
     for (auto id = begin; id < end; ++id)
@@ -280,7 +280,11 @@ private:
       larger[id & (larger.size() - 1)] = ring[id & (ring.size() - 1)];
     }
     ring = std::move(larger);
+    return static_cast<std::uint32_t>(ring.size() - 1);
   }
+
+  std::uint32_t FaceMask = 1023; // the sizes of the buffers minus 1
+  std::uint32_t SideMask = 4095;
 
   // Ring buffers, so that memory grows with the front and not with the mesh.
   std::vector<Face> Faces;
