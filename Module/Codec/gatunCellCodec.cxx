@@ -151,7 +151,7 @@ CellAttempt EncodeConnectivity(const ChunkFrame& frame, const CellList& cells,
       best = std::move(attempt);
     }
   };
-  if (PolygonTruth(cells, forms).HasCells())
+  if (forms.GetSize() > 0 || !cells.Faces.empty())
   {
     consider(TryCells(input, true, keep));
     if (best.Others > cells.GetNumber() / 16)

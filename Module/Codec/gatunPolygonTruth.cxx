@@ -133,7 +133,7 @@ bool PolygonTruth::FindSeed()
   {
     ++this->Next;
   }
-  if (!this->HasCells())
+  if (this->Next == this->Surfaces.size())
   {
     return false;
   }

@@ -22,9 +22,6 @@ public:
 
   PolygonTruth(const CellList& cells, const FormTable& forms);
 
-  /** Whether there is any. */
-  bool HasCells() const { return this->Next < this->Surfaces.size(); }
-
   /** Begins the unvisited cell on a gate. Returns false if there is none. */
   bool FindCell(std::span<const std::uint32_t> gate);
 
