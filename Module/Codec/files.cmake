@@ -17,6 +17,7 @@ gatun_core_folder(Codec
     gatunChunkTets.h
     gatunDomain.h
     gatunEntropy.h
+    gatunFaceMarks.h
     gatunFaceTable.h
     gatunFillRecord.h
     gatunFront.h
@@ -24,6 +25,7 @@ gatun_core_folder(Codec
     gatunGate.h
     gatunGeometry.h
     gatunInlineForm.h
+    gatunMarkTruth.h
     gatunMeasure.h
     gatunNumberModel.h
     gatunPalette.h
@@ -39,6 +41,7 @@ gatun_core_folder(Codec
     gatunSharedSearch.h
     gatunSharedSequence.h
     gatunTopology.h
+    gatunVertexHash.h
     gatunVertexRing.h
     gatunWalk.h
     gatunWalkModels.h
@@ -52,6 +55,7 @@ gatun_core_folder(Codec
     gatunEntropy.cxx
     gatunFront.cxx
     gatunGeometry.cxx
+    gatunMarkTruth.cxx
     gatunPalette.cxx
     gatunPolygonTruth.cxx
     gatunSharedSearch.cxx)

@@ -6,6 +6,7 @@
 #include "gatunCellBuilder.h"
 #include "gatunCellListCoder.h"
 #include "gatunChunkPlaces.h"
+#include "gatunFaceMarks.h"
 #include "gatunFloatEnvironment.h"
 #include "gatunMorton.h"
 #include "gatunPolygonTruth.h"
@@ -21,6 +22,7 @@ namespace
 using Order = std::vector<std::uint32_t>;
 
 constexpr std::uint8_t FlagWalk = 1;
+constexpr std::uint8_t FlagMarks = 2;
 
 /** One way to encode the connectivity of a chunk. */
 struct CellAttempt
@@ -71,8 +73,8 @@ struct CellInput
   std::span<const LatticePoint> Shared, OwnPlaces;
 };
 
-/** Encodes cells by a walk if it is wanted, and those that it does not take in an order that
- * sort(cells) gives. */
+/** Encodes cells by a walk and as faces at its border if it is wanted, and those that it does not
+ * take in an order that sort(cells) gives. */
 template <typename Sort>
 CellAttempt TryCells(const CellInput& input, bool withWalk, Sort&& sort)
 {
@@ -82,13 +84,22 @@ CellAttempt TryCells(const CellInput& input, bool withWalk, Sort&& sort)
     input.Cells, static_cast<std::uint32_t>(input.Shared.size()), input.OwnPlaces);
   CellBuilder mesh(input.Frame, input.Shared, side, result.Mesh);
   AttachedNodes nodes(coder, mesh);
+  std::uint8_t flags = withWalk ? FlagWalk : 0;
   Order others(input.Cells.GetNumber());
   std::iota(others.begin(), others.end(), 0u);
   if (withWalk)
   {
     PolygonTruth truth(input.Cells, input.Forms);
     others = truth.GetOthers();
-    PolygonWalk(coder, mesh, nodes, input.Forms, &truth).Run();
+    PolygonWalk walk(coder, mesh, nodes, input.Forms, &truth);
+    walk.Run();
+    MarkTruth marks(input.Cells, others);
+    if (marks.HasCells())
+    {
+      FaceMarks(coder, mesh, nodes).Run(walk.GetBorders(), &marks);
+      flags |= FlagMarks;
+      std::erase_if(others, [&](std::uint32_t cell) { return marks.IsTaken(cell); });
+    }
   }
   sort(others);
   CellListCoder list(coder, mesh, nodes);
@@ -98,7 +109,7 @@ CellAttempt TryCells(const CellInput& input, bool withWalk, Sort&& sort)
   }
   mesh.Finish();
   const auto body = coder.Finish();
-  result.Stream.push_back(withWalk ? FlagWalk : 0);
+  result.Stream.push_back(flags);
   result.Stream.insert(result.Stream.end(), body.begin(), body.end());
   result.Stream.resize(std::max(result.Stream.size(), GetLeastBytes(input.Frame.Cells)), 0);
   result.InputOf = std::move(side.InputOf);
@@ -140,7 +151,7 @@ CellAttempt EncodeConnectivity(const ChunkFrame& frame, const CellList& cells,
       best = std::move(attempt);
     }
   };
-  if (PolygonTruth(cells, forms).HasCells())
+  if (forms.GetSize() > 0 || !cells.Faces.empty())
   {
     consider(TryCells(input, true, keep));
     if (best.Others > cells.GetNumber() / 16)
@@ -190,13 +201,15 @@ ChunkMesh DecodeCells(const ChunkFrame& frame, const ShapeTable& shapes,
   std::span<const std::uint8_t> connectivity, std::span<const std::uint8_t> geometry)
 {
   const FloatEnvironment guard;
-  if (connectivity.size() < GetLeastBytes(frame.Cells) ||
-    frame.OwnPoints + frame.SharedKeys.size() >
-      std::size_t{ frame.Cells.Corners } + frame.Cells.FaceValues)
+  const std::uint64_t values = std::uint64_t{ frame.Cells.Corners } + frame.Cells.FaceValues;
+  if (frame.Cells.Cells > MaxChunkTets || values > MaxChunkCorners ||
+    connectivity.size() < GetLeastBytes(frame.Cells) ||
+    frame.OwnPoints + frame.SharedKeys.size() > values)
   {
     ThrowCorrupt("a chunk claims more cells or points than its stream can hold");
   }
-  if ((connectivity[0] & ~FlagWalk) != 0)
+  if (connectivity[0] != 0 && connectivity[0] != FlagWalk &&
+    connectivity[0] != (FlagWalk | FlagMarks))
   {
     ThrowCorrupt("a connectivity stream has unknown flags");
   }
@@ -215,7 +228,12 @@ ChunkMesh DecodeCells(const ChunkFrame& frame, const ShapeTable& shapes,
   if ((connectivity[0] & FlagWalk) != 0)
   {
     const auto forms = shapes.GetForms();
-    PolygonWalk(symbols, builder, nodes, *forms, nullptr).Run();
+    PolygonWalk walk(symbols, builder, nodes, *forms, nullptr);
+    walk.Run();
+    if ((connectivity[0] & FlagMarks) != 0)
+    {
+      FaceMarks(symbols, builder, nodes).Run(walk.GetBorders(), nullptr);
+    }
   }
   CellListCoder list(symbols, builder, nodes);
   while (!builder.IsFull())

@@ -22,6 +22,9 @@ namespace gatun
  * memory that a short file can request, as MaxItemsPerByte does for cells. */
 constexpr std::uint32_t MaxCornersPerByte = 16384;
 
+/** The most corners and values of faces of a chunk; it has at most MaxChunkTets cells. */
+constexpr std::uint32_t MaxChunkCorners = 1u << 24;
+
 struct EncodedCells
 {
   Bytes Connectivity;

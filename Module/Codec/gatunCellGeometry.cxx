@@ -6,6 +6,7 @@
 #include "gatunRuleFitter.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <map>
 
@@ -82,27 +83,41 @@ CellRuleTable FitCellRules(const ChunkMesh& mesh)
   return table;
 }
 
-Bytes WriteGeometry(
-  const ChunkMesh& mesh, const CellRuleTable& table, std::vector<std::uint8_t>& usedRules)
+/** Codes the first own vertices of a mesh. */
+void CodeGeometry(EntropyEncoder& coder, const ChunkMesh& mesh, const CellRuleTable& table,
+  std::size_t ownVertices, std::vector<std::uint8_t>& usedRules)
 {
-  EntropyEncoder coder;
   CellGeometryCoder<EntropyEncoder> geometry(
     coder, mesh.Domains, CellScheme<EntropyEncoder>(table));
   geometry.Reserve(mesh.Keys.size());
   usedRules.resize(mesh.Walk.CellRecords.size());
-  for (Vertex v = 0; v < mesh.Keys.size(); ++v)
+  std::size_t count = 0;
+  for (Vertex v = 0; v < mesh.Keys.size() && count < ownVertices; ++v)
   {
     if (!mesh.Walk.IsShared(v))
     {
       const auto own = mesh.Walk.Sources[v];
       geometry.Code(mesh.Walk.CellRecords[own], mesh.Keys, mesh.Keys[v], usedRules[own]);
+      ++count;
     }
     geometry.Meet(mesh.Keys[v]);
   }
-  ByteWriter out;
-  table.Write(out);
-  out.PutBytes(coder.Finish());
-  return std::move(out.Data);
+}
+
+/** Estimates the bits of a stream from the beginning of a mesh. */
+double SampleGeometry(const ChunkMesh& mesh, const CellRuleTable& table)
+{
+  // Large enough that the adaptation of the models does not dominate.
+  constexpr std::size_t least = 2048;
+  const auto count = mesh.Walk.CellRecords.size();
+  const auto sample = std::min(count, std::max(count / 8, least));
+  EntropyEncoder coder;
+  std::vector<std::uint8_t> used;
+  CodeGeometry(coder, mesh, table, sample, used);
+  ByteWriter rules;
+  table.Write(rules);
+  const double scale = sample > 0 ? static_cast<double>(count) / static_cast<double>(sample) : 0.0;
+  return scale * coder.EstimateBits() + 8.0 * static_cast<double>(rules.Data.size());
 }
 }
 
@@ -193,24 +208,33 @@ CellRuleTable CellRuleTable::Read(ByteReader& in)
 
 Bytes EncodeCellGeometry(ChunkMesh& mesh)
 {
-  CellRuleTable first;
-  CellRuleTable named;
-  named.Mode = CellRuleMode::Named;
+  constexpr double sure = 1.1; // ratio of the samples' bits that decides without a full encoding
+  std::array<CellRuleTable, 3> tables{ CellRuleTable(), CellRuleTable(), FitCellRules(mesh) };
+  tables[1].Mode = CellRuleMode::Named;
+  std::array<double, 3> bits{};
+  std::transform(tables.begin(), tables.end(), bits.begin(),
+    [&](const CellRuleTable& table) { return SampleGeometry(mesh, table); });
+  const double least = *std::min_element(bits.begin(), bits.end());
   Bytes best;
-  const auto consider = [&](const CellRuleTable& table)
+  for (std::size_t i = 0; i < tables.size(); ++i)
   {
-    std::vector<std::uint8_t> used;
-    auto stream = WriteGeometry(mesh, table, used);
-    if (best.empty() || stream.size() < best.size())
+    if (bits[i] > sure * least)
     {
-      best = std::move(stream);
-      mesh.CellRules = table.Rules;
+      continue;
+    }
+    EntropyEncoder coder;
+    std::vector<std::uint8_t> used;
+    CodeGeometry(coder, mesh, tables[i], mesh.Walk.CellRecords.size(), used);
+    ByteWriter out;
+    tables[i].Write(out);
+    out.PutBytes(coder.Finish());
+    if (best.empty() || out.Data.size() < best.size())
+    {
+      best = std::move(out.Data);
+      mesh.CellRules = tables[i].Rules;
       mesh.UsedRules = std::move(used);
     }
-  };
-  consider(first);
-  consider(named);
-  consider(FitCellRules(mesh));
+  }
   return best;
 }
 }

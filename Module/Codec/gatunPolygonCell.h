@@ -461,8 +461,7 @@ private:
     opened.Type = type;
     opened.FormFace = static_cast<std::uint8_t>(face);
     opened.Open = true;
-    const auto begin = this->Open.GetNumberOfSides();
-    auto* const sides = this->Open.AddFace(opened);
+    const auto begin = this->Open.AddFace(opened);
     for (unsigned i = 0; i < degree; ++i)
     {
       // The gate of a seed is opened, too, in the direction of the other faces.
@@ -473,7 +472,7 @@ private:
       const unsigned last = face == 0 ? first + (2 * degree - 2 - i) % degree : side;
       this->NewSides[last] = begin + i;
     }
-    this->Open.GetFaceOfSide(begin).Normal = this->GetNormal(sides, degree);
+    this->Open.GetFaceOfSide(begin).Normal = this->GetNormal(&this->Open.GetSide(begin), degree);
   }
 
   Direction GetNormal(const PolygonFront::Side* sides, unsigned degree) const

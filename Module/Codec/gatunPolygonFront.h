@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace gatun
@@ -110,108 +111,121 @@ public:
     bool Open = true;
   };
 
-  /** The oldest open face, or None. */
+  explicit PolygonFront(std::size_t vertices)
+    : Faces(FaceMask + 1)
+    , Sides(SideMask + 1)
+    , Heads(vertices, None)
+  {
+  }
+
+  /** The oldest open face, or None. Forgets older ones. */
   std::uint32_t NextGate()
   {
-    while (this->Head < this->Faces.size() && !this->Faces[this->Head].Open)
+    while (this->Head < this->FaceEnd && !this->GetFace(this->Head).Open)
     {
       ++this->Head;
     }
-    return this->Head < this->Faces.size() ? this->Head : None;
+    const bool has = this->Head < this->FaceEnd;
+    this->FirstSide = has ? this->GetFace(this->Head).First : this->SideEnd;
+    return has ? this->Head : None;
   }
 
-  explicit PolygonFront(std::size_t vertices)
-    : Heads(vertices, None)
+  /** Opens a face. Returns its first side; all must be set at once. */
+  std::uint32_t AddFace(const Face& face)
   {
-  }
-
-  /** Opens a face and returns its sides, which must be set at once. */
-  Side* AddFace(const Face& face)
-  {
-    const auto id = static_cast<std::uint32_t>(this->Faces.size());
-    const auto first = this->GetNumberOfSides();
-    this->Faces.push_back(face);
-    this->Faces.back().First = first;
-    this->Sides.resize(first + std::size_t{ face.Degree });
+    if (this->FaceEnd - this->Head > this->FaceMask)
+    {
+      this->FaceMask = Grow(this->Faces, this->Head, this->FaceEnd);
+    }
+    // The sides of a face have consecutive places.
+    while (this->GetSideBegin(face.Degree) + face.Degree - this->FirstSide > this->SideMask + 1)
+    {
+      this->SideMask = Grow(this->Sides, this->FirstSide, this->SideEnd);
+    }
+    const auto id = this->FaceEnd++;
+    const auto first = this->GetSideBegin(face.Degree);
+    this->SideEnd = first + face.Degree;
+    this->GetFace(id) = face;
+    this->GetFace(id).First = first;
     for (unsigned i = 0; i < face.Degree; ++i)
     {
-      auto& side = this->Sides[first + i];
+      auto& side = this->GetSide(first + i);
+      side = {};
       side.Face = id;
       side.Index = static_cast<std::uint8_t>(i);
       side.Degree = static_cast<std::uint8_t>(face.Degree);
     }
-    return &this->Sides[first];
+    return first;
   }
 
   void SetSide(std::uint32_t id, Vertex corner, Vertex below)
   {
-    auto& side = this->Sides[id];
+    auto& side = this->GetSide(id);
     side.Corner = corner;
     side.Below = below;
     side.Next = this->Heads[corner];
     this->Heads[corner] = id;
   }
 
-  Face& GetFace(std::uint32_t id) { return this->Faces[id]; }
-  const Face& GetFace(std::uint32_t id) const { return this->Faces[id]; }
-  Side& GetSide(std::uint32_t id) { return this->Sides[id]; }
-  const Side& GetSide(std::uint32_t id) const { return this->Sides[id]; }
-  std::uint32_t GetNumberOfSides() const { return static_cast<std::uint32_t>(this->Sides.size()); }
+  Face& GetFace(std::uint32_t id) { return this->Faces[id & this->FaceMask]; }
+  const Face& GetFace(std::uint32_t id) const { return this->Faces[id & this->FaceMask]; }
+  Side& GetSide(std::uint32_t id) { return this->Sides[id & this->SideMask]; }
+  const Side& GetSide(std::uint32_t id) const { return this->Sides[id & this->SideMask]; }
 
-  Face& GetFaceOfSide(std::uint32_t side) { return this->Faces[this->Sides[side].Face]; }
+  Face& GetFaceOfSide(std::uint32_t side) { return this->GetFace(this->GetSide(side).Face); }
   const Face& GetFaceOfSide(std::uint32_t side) const
   {
-    return this->Faces[this->Sides[side].Face];
+    return this->GetFace(this->GetSide(side).Face);
   }
 
   std::uint32_t GetNext(std::uint32_t id) const
   {
-    const auto& side = this->Sides[id];
+    const auto& side = this->GetSide(id);
     return side.Index + 1 < side.Degree ? id + 1 : id - side.Index;
   }
 
   std::uint32_t GetLast(std::uint32_t id) const
   {
-    const auto& side = this->Sides[id];
+    const auto& side = this->GetSide(id);
     return side.Index > 0 ? id - 1 : id + side.Degree - 1u;
   }
 
   /** The side over a side, or None if there is no open face. */
   std::uint32_t GetOpen(std::uint32_t side) const
   {
-    const auto link = this->Sides[side].Over;
-    return !link.IsBorder() && this->Sides[link.GetSide()].Open ? link.GetSide() : None;
+    const auto link = this->GetSide(side).Over;
+    return !link.IsBorder() && this->IsOpen(link.GetSide()) ? link.GetSide() : None;
   }
 
   void Close(std::uint32_t id)
   {
-    auto& face = this->Faces[id];
+    auto& face = this->GetFace(id);
     face.Open = false;
     for (unsigned i = 0; i < face.Degree; ++i)
     {
-      this->Sides[face.First + i].Open = false;
+      this->GetSide(face.First + i).Open = false;
     }
   }
 
   /** Makes two sides each other's links. */
   void Join(std::uint32_t a, std::uint32_t b, unsigned cells)
   {
-    this->Sides[a].Over = SideLink::ToSide(b, cells);
-    this->Sides[b].Over = SideLink::ToSide(a, cells);
+    this->GetSide(a).Over = SideLink::ToSide(b, cells);
+    this->GetSide(b).Over = SideLink::ToSide(a, cells);
   }
 
   /** Closes a face at the border of the mesh. */
   void CloseAtBorder(std::uint32_t id)
   {
-    const auto& face = this->Faces[id];
+    const auto& face = this->GetFace(id);
     this->Close(id);
     for (unsigned i = 0; i < face.Degree; ++i)
     {
       const auto over = this->GetOpen(face.First + i);
       if (over != None)
       {
-        const auto far = this->Sides[face.First + (i + 2u) % face.Degree].Corner;
-        auto& link = this->Sides[over].Over;
+        const auto far = this->GetSide(face.First + (i + 2u) % face.Degree).Corner;
+        auto& link = this->GetSide(over).Over;
         link = SideLink::ToBorder(far, link.GetCells());
       }
     }
@@ -226,22 +240,77 @@ public:
     for (unsigned count = 0; *next != None && count < most;)
     {
       const auto side = *next;
-      if (!this->Sides[side].Open)
+      if (side < this->FirstSide)
       {
-        *next = this->Sides[side].Next; // never looked at again
+        *next = None; // further ones are still older
+        break;
+      }
+      if (!this->GetSide(side).Open)
+      {
+        *next = this->GetSide(side).Next; // never looked at again
         continue;
       }
       use(side);
-      next = &this->Sides[side].Next;
+      next = &this->GetSide(side).Next;
       ++count;
     }
   }
 
 private:
+  bool IsOpen(std::uint32_t side) const
+  {
+    return side >= this->FirstSide && this->GetSide(side).Open;
+  }
+
+  /** The next side after which there is room for those of a face before the end of the buffer. */
+  std::uint32_t GetSideBegin(unsigned degree) const
+  {
+    const auto size = this->SideMask + 1;
+    const auto place = this->SideEnd & this->SideMask;
+    return place + degree <= size ? this->SideEnd : this->SideEnd + size - place;
+  }
+
+  /** Doubles a ring buffer. Returns its new mask. */
+  template <typename T>
+  static std::uint32_t Grow(std::vector<T>& ring, std::uint32_t begin, std::uint32_t end)
+  {
+    std::vector<T> larger(2 * ring.size());
+    for (auto id = begin; id < end; ++id)
+    {
+      larger[id & (larger.size() - 1)] = ring[id & (ring.size() - 1)];
+    }
+    ring = std::move(larger);
+    return static_cast<std::uint32_t>(ring.size() - 1);
+  }
+
+  std::uint32_t FaceMask = 1023; // the sizes of the buffers minus 1
+  std::uint32_t SideMask = 4095;
+
+  // Ring buffers, so that memory grows with the front and not with the mesh.
   std::vector<Face> Faces;
   std::vector<Side> Sides;
   std::vector<std::uint32_t> Heads; // for each vertex, the latest side that begins there
   std::uint32_t Head = 0;
+  std::uint32_t FaceEnd = 0;
+  std::uint32_t FirstSide = 0; // of the face at Head
+  std::uint32_t SideEnd = 0;
+};
+
+/** Closed faces. First is the place of a face's corners. */
+struct ClosedFaces
+{
+  void Add(const PolygonFront& front, const PolygonFront::Face& face)
+  {
+    this->Faces.push_back(face);
+    this->Faces.back().First = static_cast<std::uint32_t>(this->Corners.size());
+    for (unsigned i = 0; i < face.Degree; ++i)
+    {
+      this->Corners.push_back(front.GetSide(face.First + i).Corner);
+    }
+  }
+
+  std::vector<PolygonFront::Face> Faces;
+  std::vector<Vertex> Corners;
 };
 
 /**

@@ -70,6 +70,19 @@ private:
   std::array<BitModel, 2> Hit;
 };
 
+/** Codes a type or a frame of up to eight bits by the last ones in a context. */
+template <typename Coder>
+std::uint8_t CodeLast(Coder& coder, LastTwo& last, BitTree<8>& tree, std::uint8_t symbol)
+{
+  auto coded = last.Code(coder, symbol, [](std::uint16_t) { return false; });
+  if (coded == LastTwo::None)
+  {
+    coded = static_cast<std::uint16_t>(tree.Code(coder, symbol));
+  }
+  last.Add(coded);
+  return static_cast<std::uint8_t>(coded);
+}
+
 /** What is known about a gate before its cell. */
 struct GateGrades
 {
@@ -167,25 +180,11 @@ public:
     return coded;
   }
 
-  /** Codes a type or a frame of up to eight bits by the last ones in a context. */
-  template <typename Coder>
-  std::uint8_t CodeLast(Coder& coder, LastTwo& last, BitTree<8>& tree, std::uint8_t symbol)
-  {
-    auto coded = last.Code(coder, symbol, [](std::uint16_t) { return false; });
-    if (coded == LastTwo::None)
-    {
-      coded = static_cast<std::uint16_t>(tree.Code(coder, symbol));
-    }
-    last.Add(coded);
-    return static_cast<std::uint8_t>(coded);
-  }
-
   template <typename Coder>
   std::uint8_t CodeType(
     Coder& coder, std::uint32_t shape, std::uint8_t parentType, std::uint8_t type)
   {
-    return this->CodeLast(
-      coder, this->Types[MixContext<10>(shape, parentType, 1)], this->TypeTree, type);
+    return CodeLast(coder, this->Types[MixContext<10>(shape, parentType, 1)], this->TypeTree, type);
   }
 
   /** parentFrame: of the gate. */
@@ -193,7 +192,7 @@ public:
   std::uint8_t CodeFrame(Coder& coder, std::uint32_t typeAndForm, std::uint8_t parentType,
     std::uint32_t parentFrame, std::uint8_t frame)
   {
-    return this->CodeLast(coder, this->Frames[MixContext<12>(typeAndForm, parentType, parentFrame)],
+    return CodeLast(coder, this->Frames[MixContext<12>(typeAndForm, parentType, parentFrame)],
       this->FrameTree, frame);
   }
 

@@ -4,6 +4,7 @@
 #include "gatunPolygonTruth.h"
 
 #include "gatunCellNodes.h"
+#include "gatunVertexHash.h"
 
 #include <algorithm>
 #include <bit>
@@ -14,14 +15,6 @@ namespace
 {
 constexpr std::uint8_t PolyhedronType = 42; // VTK's numbers of the cell types
 constexpr std::uint8_t TetraType = 10;
-
-std::uint64_t HashVertex(std::uint32_t vertex)
-{
-  std::uint64_t hash = (vertex + 1) * 0x9e3779b97f4a7c15u;
-  hash ^= hash >> 29;
-  hash *= 0xbf58476d1ce4e5b9u;
-  return hash ^ hash >> 32;
-}
 
 bool HasTwice(std::span<const std::uint32_t> corners)
 {
@@ -94,11 +87,13 @@ void PolygonTruth::AddSurface(const CellList& cells, std::uint32_t cell, const C
   const auto faces = this->GetFaces(surface);
   for (std::size_t at = 0; at < faces.size(); at += 1u + faces[at])
   {
-    Face face{ faces[at], static_cast<std::uint32_t>(this->Surfaces.size()), None };
+    this->Key.clear();
     for (const auto local : faces.subspan(at + 1, faces[at]))
     {
-      face.Hash += HashVertex(this->Points[surface.FirstPoint + local]);
+      this->Key.push_back(this->Points[surface.FirstPoint + local]);
     }
+    const Face face{ HashVertices(this->Key), static_cast<std::uint32_t>(this->Surfaces.size()),
+      None };
     this->Faces.push_back(face);
   }
   this->Surfaces.push_back(surface);
@@ -112,11 +107,7 @@ SurfaceView PolygonTruth::GetFaces(const Surface& surface) const
 
 bool PolygonTruth::FindCell(std::span<const std::uint32_t> gate)
 {
-  std::uint64_t hash = gate.size();
-  for (const auto vertex : gate)
-  {
-    hash += HashVertex(vertex);
-  }
+  const auto hash = HashVertices(gate);
   auto* next = &this->Heads[hash & (this->Heads.size() - 1)];
   while (*next != None)
   {
@@ -142,7 +133,7 @@ bool PolygonTruth::FindSeed()
   {
     ++this->Next;
   }
-  if (!this->HasCells())
+  if (this->Next == this->Surfaces.size())
   {
     return false;
   }

@@ -22,9 +22,6 @@ public:
 
   PolygonTruth(const CellList& cells, const FormTable& forms);
 
-  /** Whether there is any. */
-  bool HasCells() const { return this->Next < this->Surfaces.size(); }
-
   /** Begins the unvisited cell on a gate. Returns false if there is none. */
   bool FindCell(std::span<const std::uint32_t> gate);
 
@@ -75,7 +72,7 @@ private:
   std::vector<std::uint32_t> Heads; // of lists of faces with the same place
   std::vector<std::uint8_t> Locals;
   std::vector<std::uint32_t> Points;
-  std::vector<std::uint32_t> Others;
+  std::vector<std::uint32_t> Others, Key;
   PolyhedronSurface Polyhedron;
   FormMaker Maker;
   std::size_t Next = 0; // the first surface that may be unvisited

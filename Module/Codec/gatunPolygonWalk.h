@@ -67,6 +67,9 @@ public:
     }
   }
 
+  /** The faces at the border in the order in which they were closed. */
+  const ClosedFaces& GetBorders() const { return this->Borders; }
+
 private:
   static constexpr std::uint8_t TetraType = 10; // VTK's numbers of the cell types
   static constexpr std::uint8_t PolyhedronType = 42;
@@ -145,6 +148,7 @@ private:
     if (this->Symbols.Bit(model, border))
     {
       this->Open.CloseAtBorder(id);
+      this->Borders.Add(this->Open, gate);
       return;
     }
     this->BeginForm(gate.Form, gate.FormFace, grades);
@@ -458,6 +462,7 @@ private:
   GateGrades Grades;
   std::vector<std::uint8_t> Degrees; // of the faces that are probably over the gate's sides, or 0
   std::vector<std::uint32_t> GateInput;
+  ClosedFaces Borders;
   std::vector<Vertex> Corners, Faces; // of the cell that is finished
 };
 }

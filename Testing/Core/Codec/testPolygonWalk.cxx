@@ -29,7 +29,8 @@ EncodedCells ExpectWalk(const TestCells& mesh, const CellCaseOptions& options = 
 {
   const auto chunk = MakeCellCase(mesh, options);
   auto encoded = ExpectRoundTrip(chunk, MakeShapes(chunk.Cells));
-  EXPECT_EQ(encoded.Connectivity[0], 1) << GetBits(encoded.Connectivity, encoded); // with a walk
+  EXPECT_EQ(encoded.Connectivity[0] & 1, 1)
+    << GetBits(encoded.Connectivity, encoded); // with a walk
   return encoded;
 }
 
@@ -318,6 +319,52 @@ TEST(PolygonWalk, FindsNodesByTheirCorners)
   const auto nodes = curved.OwnOrder.size() - plain.OwnOrder.size();
   const auto bits = 8.0 * static_cast<double>(curved.Geometry.size() - plain.Geometry.size());
   EXPECT_LT(bits, 8.0 * static_cast<double>(nodes));
+}
+
+TEST(PolygonWalk, FindsCellsThatAreFacesOfOthers)
+{
+  // The sides of a grid as cells of different types, in different directions, some of them twice.
+  const auto bare = MakeHexes(10, 0.1);
+  const auto count = ExpectWalk(bare).Connectivity.size();
+  for (const auto& types : { Ids{ 9 }, { 8, 9, 7 } })
+  {
+    auto mesh = bare;
+    std::size_t faces = 0;
+    const auto id = [](int x, int y, int z)
+    { return static_cast<std::uint32_t>((z * 11 + y) * 11 + x); };
+    for (int a = 0; a < 10; ++a)
+    {
+      for (int b = 0; b < 10; ++b, faces += 2)
+      {
+        const auto type = types[static_cast<std::size_t>(a + b) % types.size()];
+        Ids low{ id(a, b, 0), id(a + 1, b, 0), id(a + 1, b + 1, 0), id(a, b + 1, 0) };
+        Ids high{ id(10, a, b), id(10, a + 1, b), id(10, a + 1, b + 1), id(10, a, b + 1) };
+        if (types.size() > 1)
+        {
+          std::rotate(low.begin(), low.begin() + (a + 2 * b) % 4, low.end());
+          std::reverse(high.begin(), high.begin() + (b % 2) * 4);
+        }
+        for (auto* face : { &low, &high })
+        {
+          if (type == 8)
+          {
+            std::swap((*face)[2], (*face)[3]);
+          }
+          mesh.Add(static_cast<int>(type), *face);
+        }
+      }
+    }
+    mesh.Add(9, { 0, 1, 12, 11 });
+    mesh.Add(9, { 500, 501, 512, 511 }); // not at the border
+    mesh.Add(5, { 0, 1, 12 });
+    const auto chunk = MakeCellCase(mesh);
+    const auto encoded = ExpectRoundTrip(chunk, MakeShapes(chunk.Cells));
+    EXPECT_EQ(encoded.Connectivity[0], 3); // with marks
+    const auto bits = 8.0 * static_cast<double>(encoded.Connectivity.size() - count);
+    EXPECT_LT(bits, (types.size() > 1 ? 8.0 : 2.0) * static_cast<double>(faces) + 3 * 30);
+    ExpectRoundTrip(MakeCellCase(mesh, { .IsShared = IsLeft }), MakeShapes(mesh.Cells));
+    ExpectSafe(mesh);
+  }
 }
 
 TEST(PolygonWalk, TakesNoLessThanTheInformation)
