@@ -7,6 +7,7 @@
 #include "gatunFloatEnvironment.h"
 
 #include <algorithm>
+#include <cstring>
 #include <map>
 #include <utility>
 
@@ -70,6 +71,19 @@ struct ChunkSurface::Values
 {
   std::vector<std::uint8_t> Bytes;
   TupleView View;
+
+  /** Replaces the tuples by the given ones. */
+  void Select(std::span<const std::uint32_t> tuples)
+  {
+    const std::size_t size = this->View.GetTupleSize();
+    std::vector<std::uint8_t> selected(tuples.size() * size);
+    for (std::size_t i = 0; i < tuples.size(); ++i)
+    {
+      std::memcpy(selected.data() + i * size, this->Bytes.data() + tuples[i] * size, size);
+    }
+    this->Bytes = std::move(selected);
+    this->View.Values = this->Bytes.data();
+  }
 };
 
 //------------------------------------------------------------------------------
@@ -191,9 +205,13 @@ SurfacePart ChunkSurface::Make(std::uint32_t chunk, const SurfaceOptions& option
 {
   const FloatEnvironment guard;
   const auto mesh = this->GetMesh(chunk);
+  // Several tetrahedra may have the values of one cell.
+  const bool isSplit = !this->Parts.Content().Mesh.Chunks[chunk].Sizes.IsTetrahedral;
+  const auto split = isSplit ? this->Parts.SplitCells(chunk, *mesh) : ChunkTets();
+  const auto& tets = isSplit ? split.Tets : mesh->Walk.Tets;
   SurfaceInput input;
   input.Mesh.Points = mesh->Keys.size();
-  input.Mesh.Connectivity = mesh->Walk.Tets.data();
+  input.Mesh.Connectivity = tets.data();
   input.Mesh.WideIds = false;
   std::vector<Values> values;
   const auto& carried = this->Arrays.Carried;
@@ -201,6 +219,10 @@ SurfacePart ChunkSurface::Make(std::uint32_t chunk, const SurfaceOptions& option
   {
     values.push_back(this->GetValues(chunk, *mesh, array));
     const auto where = this->Parts.Content().Meta.Arrays[array].Where;
+    if (isSplit && where == Association::Cell)
+    {
+      values.back().Select(split.Cells);
+    }
     (where == Association::Point ? input.PointArrays : input.CellArrays)
       .push_back(values.back().View);
   }
@@ -216,6 +238,6 @@ SurfacePart ChunkSurface::Make(std::uint32_t chunk, const SurfaceOptions& option
   const auto points = GetCoordinates(*mesh);
   input.Points = { points.data(), mesh->Domains[0].GetType(), 3 };
   this->Release(chunk);
-  return MakeSurfacePart(input, options, 0, mesh->Walk.Tets.size());
+  return MakeSurfacePart(input, options, 0, tets.size());
 }
 }

@@ -171,6 +171,7 @@ for quadratic in (False, True):
     assert gv.difference(drawn[0], gv.draw(reader)[0]) <= 1 / 255
     surface = contour_of(grid)
     assert gc.assert_same(surface, gc.reference(tets, [-0.3, 0.2], "wave")) > 100
+    assert gc.assert_same(contour_of(reader), surface) > 100
     coarse = simplify(grid, 0.4)
     split = gm.read(write(grid, "cells-split.gtn", True).GetFileName())
     split.GetCellData().RemoveArray("OriginalCellIds")
