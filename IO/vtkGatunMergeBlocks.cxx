@@ -3,6 +3,8 @@
 
 #include "vtkGatunMergeBlocks.h"
 
+#include "gatunBlockArrays.h"
+#include "gatunCellCheck.h"
 #include "gatunErrorCodes.h"
 #include "gatunGhosts.h"
 #include "gatunReport.h"
@@ -18,6 +20,8 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
@@ -32,12 +36,8 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <limits>
-#include <map>
 #include <new>
-#include <set>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -153,53 +153,6 @@ struct Blocks
 };
 
 //------------------------------------------------------------------------------
-// Adds to each piece the arrays that only other pieces have. Returns their names.
-std::set<std::string> FillUp(
-  const std::vector<vtkSmartPointer<vtkDataSet>>& pieces, int association)
-{
-  using Key = std::tuple<std::string, int, int>;
-  std::map<Key, vtkAbstractArray*> known;
-  const auto keyOf = [](vtkAbstractArray* array)
-  { return Key(array->GetName(), array->GetDataType(), array->GetNumberOfComponents()); };
-  for (const auto& piece : pieces)
-  {
-    vtkDataSetAttributes* attributes = piece->GetAttributes(association);
-    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
-    {
-      if (attributes->GetAbstractArray(i)->GetName())
-      {
-        known.emplace(keyOf(attributes->GetAbstractArray(i)), attributes->GetAbstractArray(i));
-      }
-    }
-  }
-  std::set<std::string> filled;
-  for (const auto& [key, array] : known)
-  {
-    const std::string& name = std::get<0>(key);
-    for (const auto& piece : pieces)
-    {
-      vtkDataSetAttributes* attributes = piece->GetAttributes(association);
-      if (attributes->HasArray(name.c_str()))
-      {
-        continue;
-      }
-      auto fill = vtk::TakeSmartPointer(vtkAbstractArray::CreateArray(array->GetDataType()));
-      fill->SetNumberOfComponents(array->GetNumberOfComponents());
-      fill->SetNumberOfTuples(piece->GetNumberOfElements(association));
-      fill->SetName(name.c_str());
-      if (auto* numbers = vtkDataArray::SafeDownCast(fill))
-      {
-        const bool real = array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
-        numbers->Fill(real ? std::numeric_limits<double>::quiet_NaN() : 0.0);
-        attributes->AddArray(numbers);
-      }
-      filled.insert(name);
-    }
-  }
-  return filled;
-}
-
-//------------------------------------------------------------------------------
 // Returns the point type that represents the points of all pieces without loss.
 int PointType(const std::vector<vtkSmartPointer<vtkDataSet>>& pieces)
 {
@@ -218,6 +171,203 @@ bool HaveGlobalPointIds(const std::vector<vtkSmartPointer<vtkDataSet>>& pieces)
   return std::all_of(pieces.begin(), pieces.end(),
     [](const vtkSmartPointer<vtkDataSet>& piece)
     { return piece->GetNumberOfPoints() == 0 || piece->GetPointData()->GetGlobalIds(); });
+}
+
+//------------------------------------------------------------------------------
+// Calls visit(cell, corner, point) for the points of all cells.
+template <typename Visitor>
+void VisitCorners(vtkDataSet* piece, Visitor&& visit)
+{
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < piece->GetNumberOfCells(); ++cell)
+  {
+    piece->GetCellPoints(cell, ids);
+    for (vtkIdType corner = 0; corner < ids->GetNumberOfIds(); ++corner)
+    {
+      visit(cell, corner, ids->GetId(corner));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool HasUnusedPoints(vtkDataSet* piece)
+{
+  if (piece->GetNumberOfCells() == 0)
+  {
+    return piece->GetNumberOfPoints() > 0;
+  }
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(piece))
+  {
+    gatun::CheckGrid(grid);
+    gatun::CheckCells(grid);
+  }
+  std::vector<bool> used(static_cast<std::size_t>(piece->GetNumberOfPoints()));
+  VisitCorners(piece,
+    [&](vtkIdType, vtkIdType, vtkIdType point) { used[static_cast<std::size_t>(point)] = true; });
+  return std::find(used.begin(), used.end(), false) != used.end();
+}
+
+//------------------------------------------------------------------------------
+// Adds the array BlockId to the cells, and to the points if there are some that no cell uses, of
+// which nothing else tells the block.
+void AddBlockIds(
+  const std::vector<vtkSmartPointer<vtkDataSet>>& pieces, const std::vector<int>& blocks)
+{
+  const bool forPoints = std::any_of(pieces.begin(), pieces.end(),
+    [](const vtkSmartPointer<vtkDataSet>& piece) { return HasUnusedPoints(piece); });
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+  {
+    for (const int association : { vtkDataObject::CELL, vtkDataObject::POINT })
+    {
+      if (association == vtkDataObject::CELL || forPoints)
+      {
+        vtkNew<vtkIntArray> ids;
+        ids->SetName(gatun::BlockIdName);
+        ids->SetNumberOfValues(pieces[i]->GetNumberOfElements(association));
+        ids->FillValue(blocks[i]);
+        pieces[i]->GetAttributes(association)->AddArray(ids);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// A point that is merged from several pieces may have the values of one that was filled up. It gets
+// those of a piece that has the array.
+void RestoreValues(const std::vector<vtkSmartPointer<vtkDataSet>>& pieces,
+  const gatun::ArrayMatcher& matcher, vtkUnstructuredGrid* merged)
+{
+  vtkIdType firstCell = 0;
+  for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+  {
+    std::vector<std::pair<vtkAbstractArray*, vtkAbstractArray*>> arrays;
+    for (const std::string& name : matcher.GetFilled())
+    {
+      vtkAbstractArray* from = pieces[piece]->GetPointData()->GetAbstractArray(name.c_str());
+      vtkAbstractArray* to = merged->GetPointData()->GetAbstractArray(name.c_str());
+      if (from && to && !matcher.IsFilled(piece, name))
+      {
+        arrays.emplace_back(from, to);
+      }
+    }
+    vtkIdType count = 0;
+    vtkIdType known = -1;
+    const vtkIdType* ids = nullptr;
+    const auto copy = [&](vtkIdType cell, vtkIdType corner, vtkIdType point)
+    {
+      if (cell != known)
+      {
+        merged->GetCellPoints(firstCell + cell, count, ids);
+        known = cell;
+      }
+      for (const auto& [from, to] : arrays)
+      {
+        to->SetTuple(ids[corner], point, from);
+      }
+    };
+    if (!arrays.empty())
+    {
+      VisitCorners(pieces[piece], copy);
+    }
+    firstCell += pieces[piece]->GetNumberOfCells();
+  }
+}
+
+//------------------------------------------------------------------------------
+// The active attributes of pieces. vtkAppendFilter treats some of them in its own way (it drops
+// global ids that are not vtkIdType), so they are plain arrays while it works.
+class ActiveAttributes
+{
+public:
+  ActiveAttributes(const std::vector<vtkSmartPointer<vtkDataSet>>& pieces, int association)
+    : Association(association)
+  {
+    for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type)
+    {
+      bool agree = true;
+      for (const auto& piece : pieces)
+      {
+        vtkDataSetAttributes* attributes = piece->GetAttributes(association);
+        vtkAbstractArray* array = attributes->GetAbstractAttribute(type);
+        const std::string name = array && array->GetName() ? array->GetName() : "";
+        agree = agree && (piece == pieces.front() || name == this->Names[type]);
+        this->Names[type] = name;
+        attributes->SetActiveAttribute(-1, type);
+      }
+      this->Names[type] = agree ? this->Names[type] : "";
+    }
+  }
+
+  // Those that the pieces agree about.
+  void Restore(vtkDataSet* merged) const
+  {
+    for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type)
+    {
+      if (!this->Names[type].empty())
+      {
+        merged->GetAttributes(this->Association)
+          ->SetActiveAttribute(this->Names[type].c_str(), type);
+      }
+    }
+  }
+
+private:
+  const int Association;
+  std::string Names[vtkDataSetAttributes::NUM_ATTRIBUTES];
+};
+
+//------------------------------------------------------------------------------
+constexpr const char* MergeIdsName = "vtkGatunMergeBlocks: ids";
+
+// The ids that points are merged by, one array per piece, with the type that vtkAppendFilter needs.
+void AddMergeIds(const std::vector<vtkSmartPointer<vtkDataSet>>& pieces,
+  const std::vector<vtkSmartPointer<vtkDataArray>>& ids)
+{
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    vtkNew<vtkIdTypeArray> copy;
+    if (ids[i]) // otherwise there are no points
+    {
+      copy->DeepCopy(ids[i]);
+    }
+    copy->SetName(MergeIdsName);
+    pieces[i]->GetPointData()->SetGlobalIds(copy);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Appends the pieces; mergePoints: those with equal global ids, if there are any, or else with
+// equal coordinates.
+void Append(const std::vector<vtkSmartPointer<vtkDataSet>>& pieces, bool mergePoints,
+  vtkUnstructuredGrid* output)
+{
+  std::vector<vtkSmartPointer<vtkDataArray>> ids;
+  if (mergePoints && HaveGlobalPointIds(pieces))
+  {
+    for (const auto& piece : pieces)
+    {
+      ids.push_back(piece->GetPointData()->GetGlobalIds());
+    }
+  }
+  const ActiveAttributes points(pieces, vtkDataObject::POINT);
+  const ActiveAttributes cells(pieces, vtkDataObject::CELL);
+  AddMergeIds(pieces, ids);
+  vtkNew<vtkAppendFilter> append;
+  append->SetOutputPointsPrecision(PointType(pieces));
+  append->SetMergePoints(mergePoints);
+  append->SetTolerance(0);
+  for (const auto& piece : pieces)
+  {
+    append->AddInputData(piece);
+  }
+  append->Update();
+  // Preserves the time of the output.
+  output->CopyStructure(append->GetOutput());
+  output->GetPointData()->ShallowCopy(append->GetOutput()->GetPointData());
+  output->GetCellData()->ShallowCopy(append->GetOutput()->GetCellData());
+  output->GetPointData()->RemoveArray(MergeIdsName);
+  points.Restore(output);
+  cells.Restore(output);
 }
 
 } // anonymous namespace
@@ -300,19 +450,18 @@ void vtkGatunMergeBlocks::Merge(vtkInformationVector* input, vtkUnstructuredGrid
     blockOf.push_back(blocks.Block.front());
   }
 
-  std::set<std::string> filled = FillUp(pieces, vtkDataObject::POINT);
-  filled.merge(FillUp(pieces, vtkDataObject::CELL));
-  for (const std::string& name : filled)
+  const gatun::ArrayMatcher points(pieces, blockOf, blocks.Composite, vtkDataObject::POINT);
+  const gatun::ArrayMatcher cells(pieces, blockOf, blocks.Composite, vtkDataObject::CELL);
+  for (const gatun::ArrayMatcher* matcher : { &points, &cells })
   {
-    vtkWarningMacro("The array '" << name << "' is filled up in blocks that do not have it.");
+    for (const std::string& warning : matcher->GetWarnings())
+    {
+      vtkWarningMacro(<< warning);
+    }
   }
-  for (std::size_t i = 0; blocks.Composite && i < pieces.size(); ++i)
+  if (blocks.Composite)
   {
-    vtkNew<vtkIntArray> ids;
-    ids->SetName("BlockId");
-    ids->SetNumberOfValues(pieces[i]->GetNumberOfCells());
-    ids->FillValue(blockOf[i]);
-    pieces[i]->GetCellData()->AddArray(ids);
+    AddBlockIds(pieces, blockOf);
   }
 
   const bool merge =
@@ -323,31 +472,26 @@ void vtkGatunMergeBlocks::Merge(vtkInformationVector* input, vtkUnstructuredGrid
   }
   else if (!pieces.empty())
   {
-    vtkNew<vtkAppendFilter> append;
-    append->SetOutputPointsPrecision(PointType(pieces));
-    append->SetMergePoints(merge);
-    append->SetTolerance(0);
-    for (const auto& piece : pieces)
+    Append(pieces, merge, output);
+    if (merge && !points.GetFilled().empty())
     {
-      append->AddInputData(piece);
+      RestoreValues(pieces, points, output);
     }
-    append->Update();
-    // Preserves the time set above.
-    output->CopyStructure(append->GetOutput());
-    output->GetPointData()->ShallowCopy(append->GetOutput()->GetPointData());
-    output->GetCellData()->ShallowCopy(append->GetOutput()->GetCellData());
   }
 
   output->GetFieldData()->ShallowCopy(blocks.Field);
   if (blocks.Composite)
   {
     vtkNew<vtkStringArray> names;
-    names->SetName("BlockNames");
+    names->SetName(gatun::BlockNamesName);
     for (const std::string& name : blocks.Names)
     {
       names->InsertNextValue(name);
     }
     output->GetFieldData()->AddArray(names);
+    std::vector<gatun::BlockArray> arrays = points.GetBlockArrays();
+    arrays.insert(arrays.end(), cells.GetBlockArrays().begin(), cells.GetBlockArrays().end());
+    output->GetFieldData()->AddArray(gatun::MakeBlockArrays(arrays));
   }
 }
 

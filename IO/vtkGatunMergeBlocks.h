@@ -11,30 +11,39 @@
  * also has:
  *
  *  - the cell array BlockId (int), the index of the block in traversal order, starting at 0.
- * Missing datasets are not counted. The partitions of a vtkPartitionedDataSet form one block;
+ *    Missing datasets are not counted. The partitions of a vtkPartitionedDataSet form one block;
+ *  - the point array BlockId, only if there are points that no cell uses;
  *  - the field array BlockNames (string), the names of the blocks in the order of BlockId. Unnamed
- *    blocks are called "Block" followed by their index.
+ *    blocks are called "Block" followed by their index;
+ *  - the field array BlockArrays (string, five components), one tuple for each array of each block:
+ *    the block, "Point" or "Cell", the attributes that it is active as (such as "Scalars"), its
+ * name in the output, and its name in the block. vtkGatunSplitBlocks gives the blocks back.
  *
- * Point and cell arrays are matched by name, type and number of components. Where a block lacks an
- * array, its values are filled with NaN (float, double) or 0 and a warning is issued; string arrays
- * that some blocks lack are dropped. Field arrays of the composite dataset take precedence over
- * those of its blocks.
+ * Blocks may have cells of any dimension, such as side sets and boundary patches. Point and cell
+ * arrays are matched by name, type and number of components. Where a block lacks an array, its
+ * values are filled with NaN (float, double) or 0 and a warning is issued; string arrays that some
+ * blocks lack are dropped, with a warning. Arrays of one name that differ in type or number of
+ * components stay apart: all but the first get a number behind their name, with a warning, and so
+ * do arrays of blocks that are called BlockId. Arrays without a name are dropped. Field arrays of
+ * the composite dataset take precedence over those of its blocks.
  *
  * Points of different blocks stay separate even where they coincide, except in two cases: if all
  * blocks have global point ids (vtkDataSetAttributes::GetGlobalIds), points are merged by these
- * ids; if MergeCoincidentPoints is on, they are merged by coordinates. Ghost cells (DUPLICATECELL
- * in vtkGhostType) are dropped together with the points that only they use.
+ * ids; if MergeCoincidentPoints is on, they are merged by coordinates. A merged point has the
+ * values of one of the blocks that have the array. Ghost cells (DUPLICATECELL in vtkGhostType) are
+ * dropped together with the points that only they use.
  *
  * Cost: memory for the output, twice that where points are merged; one thread. Time steps pass
  * through, so that the filter can connect a vtkExodusIIReader to a vtkGatunWriter.
  *
- * *Errors.* If memory runs out, the filter reports it by vtkErrorMacro, GetErrorCode returns
- * vtkErrorCode::UnknownError, and the output is empty. No exception is thrown.
+ * *Errors.* Errors are reported by vtkErrorMacro and GetErrorCode; the output is then empty. Cells
+ * of blocks that name missing points or have a wrong size: vtkGatunErrorCode::InvalidInputError. No
+ * memory: vtkErrorCode::UnknownError. No exception is thrown.
  *
  * @warning Blocks with displaced points (vtkExodusIIReader::ApplyDisplacements) move from one time
  * step to the next; vtkGatunWriter rejects them.
  *
- * @sa vtkGatunWriter vtkAppendFilter
+ * @sa vtkGatunSplitBlocks vtkGatunWriter vtkAppendFilter
  */
 
 #ifndef vtkGatunMergeBlocks_h

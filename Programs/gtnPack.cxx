@@ -163,16 +163,18 @@ void AddPack(CLI::App& app, Settings& settings)
   CLI::App* command = AddCommand(app, settings, "pack",
     "Write meshes to a .gtn file, without loss. Several files, or one file with time steps, become "
     "the\n"
-    "time steps of one mesh. Blocks are merged.",
+    "time steps of one mesh. Blocks are merged; 'Gatun Split Blocks' in ParaView gives them back.",
     "  gtn pack mesh.vtu mesh.gtn\n"
     "  gtn pack --keep-order all --arrays pressure mesh.vtu mesh.gtn\n"
     "  gtn pack --levels 8 --weight pressure mesh.vtu mesh.gtn\n"
     "  gtn pack --layers temperature:8 mesh.vtu mesh.gtn\n"
     "  gtn pack run_0.vtu run_1.vtu run_2.vtu run.gtn\n"
     "  gtn pack run.pvd run.gtn\n"
-    "  gtn pack -f crash.e crash.gtn");
+    "  gtn pack -f crash.e crash.gtn\n"
+    "  gtn pack --sets crash.e crash.gtn");
   AddForce(command, options->Overwrite);
   AddArrays(command, options->Input);
+  AddSets(command, options->Input);
   command
     ->add_option("--keep-order", options->KeepOrder,
       "Order to keep: none, points, cells, or all (points, cells, and the corners of "

@@ -66,6 +66,7 @@ void AddUnpack(CLI::App& app, Settings& settings)
   AddForce(command, options->Overwrite);
   AddStep(command, options->Step);
   AddArrays(command, options->Input);
+  AddSets(command, options->Input);
   command
     ->add_option("--compressor", options->How,
       "Compressor of a .vtu file: none, zlib, lz4 or lzma (default: zlib)")

@@ -153,6 +153,7 @@ void AddVerify(CLI::App& app, Settings& settings)
     "  gtn verify mesh.gtn mesh.vtu\n"
     "  gtn verify run.gtn run_0.vtu run_1.vtu run_2.vtu");
   AddArrays(command, options->Input, "Compare only these point and cell arrays");
+  AddSets(command, options->Input);
   command->add_flag(
     "--tets", options->Input.Split, "Split the cells of ORIGINAL, which was packed with --tets");
   command->add_option("IN", options->File, "The .gtn file")->required();

@@ -54,7 +54,7 @@ Input::Input(const std::vector<std::string>& files, const InputOptions& options)
   else
   {
     CheckReadable(this->Name);
-    vtkSmartPointer<vtkAlgorithm> reader = MakeReader(this->Name);
+    vtkSmartPointer<vtkAlgorithm> reader = MakeReader(this->Name, options.Sets);
     if (!reader)
     {
       throw Failure(this->Name,

@@ -85,13 +85,21 @@ void CheckIsMetaImage(const std::string& file)
   }
 }
 
-vtkSmartPointer<vtkAlgorithm> MakeExodus(const std::string& file)
+vtkSmartPointer<vtkAlgorithm> MakeExodus(const std::string& file, bool sets)
 {
   CheckIsNetCDF(file);
   vtkNew<vtkExodusIIReader> reader;
   reader->SetFileName(file.c_str());
   reader->UpdateInformation();
-  // The mesh is what the element blocks hold; sides and node sets would only repeat parts of it.
+  // The mesh is what the element blocks hold; side sets and node sets repeat parts of it.
+  for (const auto kind : { vtkExodusIIReader::SIDE_SET, vtkExodusIIReader::NODE_SET })
+  {
+    for (int i = 0; sets && i < reader->GetNumberOfObjects(kind); ++i)
+    {
+      reader->SetObjectStatus(kind, i, 1);
+    }
+    reader->SetAllArrayStatus(kind, sets ? 1 : 0);
+  }
   reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
   reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
   return reader;
@@ -108,7 +116,7 @@ vtkSmartPointer<vtkAlgorithm> MakeEnSight(const std::string& file)
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file)
+vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
 {
   const std::string extension = ExtensionOf(file);
   if (extension == ".gtn")
@@ -130,7 +138,7 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file)
   }
   if (IsOneOf(extension, { ".e", ".exo", ".ex2", ".exii", ".g" }))
   {
-    return MakeExodus(file);
+    return MakeExodus(file, sets);
   }
   if (IsOneOf(extension, { ".case", ".encas" }))
   {

@@ -13,8 +13,9 @@ class vtkAlgorithm;
 
 namespace gtn
 {
-/** A reader with all arrays switched on, or nullptr if the extension is not known. */
-vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file);
+/** A reader with all arrays switched on, or nullptr if the extension is not known. sets: whether it
+ * also reads the side sets and node sets of an Exodus file. */
+vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets);
 
 /** The same for regular volumes, but slices. */
 vtkSmartPointer<vtkAlgorithm> MakeVolumeReader(const std::string& file);

@@ -36,14 +36,14 @@ vtkStandardNewMacro(SeriesReader);
 namespace
 {
 
-vtkSmartPointer<vtkAlgorithm> OpenOne(const std::string& file)
+vtkSmartPointer<vtkAlgorithm> OpenOne(const std::string& file, bool sets)
 {
   CheckReadable(file);
   if (IsFileList(file))
   {
     throw Failure(file, "a list of files cannot be part of another");
   }
-  vtkSmartPointer<vtkAlgorithm> reader = MakeReader(file);
+  vtkSmartPointer<vtkAlgorithm> reader = MakeReader(file, sets);
   if (!reader)
   {
     throw Failure(file, "no reader for this extension");
@@ -62,7 +62,7 @@ vtkSmartPointer<vtkAlgorithm> OpenOne(const std::string& file)
 // NaN if the file does not tell.
 double TimeValueOf(const std::string& file)
 {
-  vtkSmartPointer<vtkAlgorithm> reader = OpenOne(file);
+  vtkSmartPointer<vtkAlgorithm> reader = OpenOne(file, false);
   if (auto* xml = vtkXMLUnstructuredGridReader::SafeDownCast(reader))
   {
     // Their values are of no interest now.
@@ -165,7 +165,7 @@ int SeriesReader::RequestData(vtkInformation* vtkNotUsed(request),
     vtkNew<vtkMultiBlockDataSet> parts;
     for (const std::string& file : step.Files)
     {
-      vtkSmartPointer<vtkAlgorithm> reader = OpenOne(file);
+      vtkSmartPointer<vtkAlgorithm> reader = OpenOne(file, this->Options.Sets);
       reader->Update();
       CheckMessages(file, this->Options.Quiet);
       parts->SetBlock(parts->GetNumberOfBlocks(), reader->GetOutputDataObject(0));

@@ -20,4 +20,12 @@ void AddArrays(CLI::App* command, InputOptions& input, const std::string& descri
     ->allow_extra_args(false)
     ->option_text("NAME,...");
 }
+
+//------------------------------------------------------------------------------
+void AddSets(CLI::App* command, InputOptions& input)
+{
+  command->add_flag("--sets", input.Sets,
+    "Also read the side sets and node sets of Exodus files, as blocks of faces, lines and "
+    "vertices");
+}
 }

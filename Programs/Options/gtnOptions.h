@@ -19,6 +19,9 @@ void AddForce(CLI::App* command, bool& overwrite);
 /** --arrays: which arrays of the input are wanted. */
 void AddArrays(CLI::App* command, InputOptions& input,
   const std::string& description = "Only these point and cell arrays (default: all)");
+
+/** --sets: whether the side sets and node sets of an Exodus file are wanted. */
+void AddSets(CLI::App* command, InputOptions& input);
 }
 
 #endif

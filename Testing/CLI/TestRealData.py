@@ -25,3 +25,10 @@ for name in names:
         os.remove(packed) if name != "mug.e" else None
 if "mug.e" in names:
     assert len(json.loads(gtn("info", "--json", "mug.e-none.gtn"))["times"]) == 21
+    # With side sets and node sets: more blocks, which the file tells apart.
+    original = os.path.join(folder, "mug.e")
+    gtn("pack", "--sets", original, "sets.gtn")
+    gtn("verify", "--sets", "sets.gtn", original, says="identical")
+    gtn("verify", "sets.gtn", original, code=1)
+    cells = [json.loads(gtn("info", "--json", name))["cells"] for name in ("mug.e-none.gtn", "sets.gtn")]
+    assert cells[0] < cells[1], cells

@@ -13,6 +13,7 @@
 #include "vtkGatunErrorCode.h"
 #include "vtkGatunMergeBlocks.h"
 #include "vtkGatunReader.h"
+#include "vtkGatunSplitBlocks.h"
 #include "vtkGatunWriter.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
@@ -151,5 +152,7 @@ int TestReaderInterface(int argc, char* argv[])
     "names of error codes");
   vtkNew<vtkGatunMergeBlocks> merge;
   CheckPrinted(merge, { "MergeCoincidentPoints" });
+  vtkNew<vtkGatunSplitBlocks> split;
+  CheckPrinted(split, {});
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

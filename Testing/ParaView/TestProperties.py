@@ -136,7 +136,7 @@ assert checked >= 20, checked
 assert {proxy.get("class") for _, proxy in proxies} >= \
     {"vtkGatunReader", "vtkGatunWriter", "vtkGatunMergeBlocks", "vtkGatunVolumeRepresentation",
      "vtkGatunHartleyEncoder", "vtkGatunHartleyReader", "vtkGatunHartleyWriter",
-     "vtkGatunPVProjection"}
+     "vtkGatunPVProjection", "vtkGatunSplitBlocks"}
 
 # The reader and the writer that people get have the properties of those that do the work.
 path = sample.temporary("properties.gtn")
