@@ -49,6 +49,7 @@ class CellScheme
 {
 public:
   using Record = CellRecord;
+  static constexpr bool HasGaps = true;
   static constexpr unsigned Groups = 33; // the last is of seeds
 
   explicit CellScheme(const CellRuleTable& table)
@@ -83,11 +84,6 @@ public:
   bool CanApply(unsigned rule, const CellRecord& record) const
   {
     return (this->RuleMasks[rule] & ~record.GetMask()) == 0;
-  }
-
-  static bool HasVertex(const CellRecord& record, unsigned k)
-  {
-    return record.Known[k] != NoVertex;
   }
 
   static unsigned GetGroup(const CellRecord&, unsigned rule) { return std::min(rule, Groups - 2); }

@@ -112,6 +112,7 @@ class GateScheme
 {
 public:
   using Record = GateRecord;
+  static constexpr bool HasGaps = false; // whether vertices of records may be missing
   static constexpr unsigned Groups = static_cast<unsigned>(MaxRules) + 1; // the last is of seeds
 
   GateScheme(PredictionRules rules)
@@ -123,7 +124,6 @@ public:
   const PredictionRule& GetRule(unsigned rule) const { return this->Rules[rule]; }
   std::size_t GetNumberOfRules() const { return this->Rules.size(); }
   static constexpr bool CanApply(unsigned, const GateRecord&) { return true; }
-  static constexpr bool HasVertex(const GateRecord&, unsigned) { return true; }
 
   unsigned GetGroup(const GateRecord& record, unsigned rule) const
   {
@@ -155,7 +155,7 @@ public:
   }
 
   /** The number of bits of the range of the keys of gate and apex. */
-  static unsigned GetSpread(
+  GATUN_INLINE static unsigned GetSpread(
     const GateRecord& record, unsigned component, std::span<const PointKeys> keys)
   {
     Key low = ~Key{ 0 };
@@ -270,11 +270,20 @@ private:
     return result;
   }
 
-  PointNumbers Predict(unsigned rule, const Record& record) const
+  GATUN_INLINE PointNumbers Predict(unsigned rule, const Record& record) const
   {
     return ApplyRule<std::tuple_size_v<PointNumbers>>(this->Predictor.GetRule(rule),
       [&](unsigned k)
-      { return Scheme::HasVertex(record, k) ? this->Numbers[record.Known[k]] : PointNumbers{}; });
+      {
+        if constexpr (Scheme::HasGaps)
+        {
+          return record.Known[k] != NoVertex ? this->Numbers[record.Known[k]] : PointNumbers{};
+        }
+        else
+        {
+          return this->Numbers[record.Known[k]];
+        }
+      });
   }
 
   unsigned FindBestRule(const Record& record, const PointKeys& truth) const
