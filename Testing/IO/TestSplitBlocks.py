@@ -8,7 +8,9 @@ from vtkmodules.util import vtkConstants as c
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import (
-    VTK_POLYHEDRON, vtkDataSetAttributes, vtkMultiBlockDataSet, vtkUnstructuredGrid)
+    VTK_POLYHEDRON, vtkDataObject, vtkDataSetAttributes, vtkImageData, vtkMultiBlockDataSet,
+    vtkUnstructuredGrid)
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 import gatunMeshes as gm
 from gatun import vtkGatunErrorCode, vtkGatunReader, vtkGatunSplitBlocks
@@ -65,6 +67,20 @@ empty = listed(split(merge(collect([("one", only), ("nothing", vtkUnstructuredGr
 assert [name for name, _ in empty] == ["one", "nothing"]
 assert empty[1][1].GetNumberOfPoints() == empty[1][1].GetNumberOfCells() == 0
 assert listed(split(merge(vtkMultiBlockDataSet()))) == []
+
+# Surfaces and images come back as unstructured grids.
+sphere = vtkSphereSource()
+sphere.Update()
+image = vtkImageData()
+image.SetDimensions(3, 4, 5)
+gm.add_array(image.GetCellData(), np.arange(24), "voxel")
+back = listed(split(merge(collect([("sphere", sphere.GetOutput()), ("image", image)]))))
+assert [name for name, _ in back] == ["sphere", "image"]
+for original, (_, block) in zip((sphere.GetOutput(), image), back):
+    assert block.GetNumberOfPoints() == original.GetNumberOfPoints()
+    assert block.GetNumberOfCells() == original.GetNumberOfCells()
+    for attributes in (vtkDataObject.POINT, vtkDataObject.CELL):
+        gm.assert_same_arrays(original.GetAttributes(attributes), block.GetAttributes(attributes))
 
 # Blocks that touch share points by their global ids. The values of those that have an array win,
 # in whatever order the blocks come.
