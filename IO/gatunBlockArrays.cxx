@@ -90,7 +90,7 @@ vtkSmartPointer<vtkAbstractArray> Renamed(vtkAbstractArray* array, const std::st
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkStringArray> MakeBlockArrays(const std::vector<BlockArray>& arrays)
 {
-  const auto table = vtkSmartPointer<vtkStringArray>::New();
+  auto table = vtkSmartPointer<vtkStringArray>::New();
   table->SetName(BlockArraysName);
   table->SetNumberOfComponents(Columns);
   for (int i = 0; i < Columns; ++i)

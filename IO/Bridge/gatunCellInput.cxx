@@ -41,7 +41,7 @@ public:
   {
     this->SelectPoints();
     this->SelectCells();
-    const auto grid = ExtractPart(this->Input, this->Kept, this->NewIds);
+    auto grid = ExtractPart(this->Input, this->Kept, this->NewIds);
     GatherAll(this->Input->GetPointData(), this->Kept.Points, grid->GetPointData());
     GatherAll(this->Input->GetCellData(), this->Kept.Cells, grid->GetCellData());
     grid->GetFieldData()->ShallowCopy(this->Input->GetFieldData());

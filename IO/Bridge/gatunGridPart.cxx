@@ -109,7 +109,7 @@ private:
 vtkSmartPointer<vtkUnstructuredGrid> ExtractPart(
   vtkUnstructuredGrid* grid, const GridPart& part, const std::vector<vtkIdType>& newIds)
 {
-  const auto extracted = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  auto extracted = vtkSmartPointer<vtkUnstructuredGrid>::New();
   vtkNew<vtkPoints> points;
   if (grid->GetPoints())
   {

@@ -104,7 +104,8 @@ CellForm::CellForm(const FormBuilder& builder)
         sides[std::size_t{ to } * this->Corners + from];
     }
   }
-  for (std::uint16_t side = 0; side < this->Corner.size(); ++side)
+  const auto sideCount = static_cast<std::uint16_t>(this->Corner.size());
+  for (std::uint16_t side = 0; side < sideCount; ++side)
   {
     if (side < this->Twin[side])
     {
