@@ -120,8 +120,11 @@ CellInput MakeCellInput(vtkUnstructuredGrid* input, bool split)
     return { tets.Grid, tets.Warnings };
   }
   CheckGrid(input);
-  CheckCells(input);
   const BridgedMesh mesh(input);
+  if (mesh.Mesh.Types)
+  {
+    CheckCells(input); // the sizes of tetrahedra are known to be right
+  }
   const MeshAccess access(mesh.Mesh);
   CheckCells(access);
   if (!GhostsWith(input->GetCellData(), vtkDataSetAttributes::DUPLICATECELL))

@@ -13,6 +13,9 @@
 
 namespace gatun
 {
+constexpr std::uint8_t TetraType = 10;      ///< VTK_TETRA
+constexpr std::uint8_t PolyhedronType = 42; ///< VTK_POLYHEDRON
+
 /** A 3D cell type with a fixed number of faces. */
 struct CellShape
 {

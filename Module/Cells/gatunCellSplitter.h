@@ -14,9 +14,6 @@
 
 namespace gatun
 {
-constexpr std::uint8_t TetraType = 10;      ///< VTK_TETRA
-constexpr std::uint8_t PolyhedronType = 42; ///< VTK_POLYHEDRON
-
 /** Splits cells of any VTK type into tetrahedra, one after the other: see SplitCell. */
 template <typename Id, typename IsLess>
 class CellSplitter

@@ -9,7 +9,6 @@ namespace gatun
 {
 namespace
 {
-constexpr std::uint8_t Polyhedron = 42; // VTK's number of the cell type
 }
 
 //------------------------------------------------------------------------------
@@ -59,7 +58,7 @@ void ShapeTable::Add(const CellList& cells)
   for (std::size_t c = 0; c < cells.GetNumber(); ++c)
   {
     ++counts[cells.Types[c]];
-    if (cells.Types[c] == Polyhedron && surface.Set(cells.GetCorners(c), cells.GetFaces(c)))
+    if (cells.Types[c] == PolyhedronType && surface.Set(cells.GetCorners(c), cells.GetFaces(c)))
     {
       this->Add(surface.GetFaces(), static_cast<unsigned>(surface.GetPoints().size()), 1);
     }

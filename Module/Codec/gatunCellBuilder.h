@@ -8,6 +8,7 @@
 
 #include "gatunCellGeometry.h"
 #include "gatunCellList.h"
+#include "gatunCellShapes.h"
 #include "gatunChunkCodec.h"
 #include "gatunEntropy.h"
 #include "gatunMeasure.h"
@@ -204,7 +205,7 @@ public:
     {
       ThrowCorrupt("the cells of a chunk are larger than its directory entry says");
     }
-    if (type == Polyhedron && cells.FaceStarts.empty())
+    if (type == PolyhedronType && cells.FaceStarts.empty())
     {
       cells.FaceStarts.reserve(std::size_t{ this->Counts.Cells } + 1);
       cells.FaceStarts.assign(cells.Types.size() + 1, 0);
@@ -231,8 +232,6 @@ public:
       ThrowCorrupt("the cells of a chunk do not meet all its vertices");
     }
   }
-
-  static constexpr std::uint8_t Polyhedron = 42; // VTK's number of the cell type
 
   Side& Truth;
 

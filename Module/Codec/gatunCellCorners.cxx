@@ -3,6 +3,7 @@
 
 #include "gatunCellCorners.h"
 
+#include "gatunCellShapes.h"
 #include "gatunChunkCodec.h"
 #include "gatunNumberModel.h"
 
@@ -16,7 +17,6 @@ namespace gatun
 namespace
 {
 constexpr std::uint8_t Tetra = 10; // VTK's numbers of the cell types
-constexpr std::uint8_t Polyhedron = 42;
 
 using Ids = std::vector<std::uint32_t>;
 using Face = std::span<const std::uint32_t>;
@@ -266,7 +266,7 @@ Bytes EncodeCorners(const CellList& cells, const CellList& wanted,
       }
       coder.CodeRotation(FindRotation(found, GetTetra(wanted, order[i])));
     }
-    else if (cells.Types[i] == Polyhedron)
+    else if (cells.Types[i] == PolyhedronType)
     {
       Ids corners;
       for (const auto v : cells.GetCorners(i))
@@ -303,7 +303,7 @@ void RestoreCorners(CellList& cells, std::span<const std::uint8_t> corners)
       const auto restored = RotateCorners(GetTetra(cells, i), coder.CodeRotation(0));
       std::copy(restored.begin(), restored.end(), own.begin());
     }
-    else if (cells.Types[i] == Polyhedron)
+    else if (cells.Types[i] == PolyhedronType)
     {
       RestorePolyhedron(coder, own,
         std::span(cells.Faces)

@@ -60,7 +60,7 @@ public:
     const auto firstNew = this->Mesh.GetVertices();
     this->Corners.clear();
     this->Faces.clear();
-    if (type == CellBuilder<Side>::Polyhedron)
+    if (type == PolyhedronType)
     {
       this->CodePolyhedron(models, truth);
       this->LogFaceEdges(firstNew);
@@ -329,7 +329,7 @@ private:
     if (!this->Symbols.Bit(own.ListsFaces, Coder::Encoding && this->IsPermuted(truth.Corners)))
     {
       this->Corners.clear();
-      this->CodeCorners(models, CellBuilder<Side>::Polyhedron, truth.Corners);
+      this->CodeCorners(models, PolyhedronType, truth.Corners);
     }
   }
 

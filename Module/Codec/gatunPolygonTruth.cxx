@@ -4,6 +4,7 @@
 #include "gatunPolygonTruth.h"
 
 #include "gatunCellNodes.h"
+#include "gatunCellShapes.h"
 #include "gatunVertexHash.h"
 
 #include <algorithm>
@@ -13,8 +14,6 @@ namespace gatun
 {
 namespace
 {
-constexpr std::uint8_t PolyhedronType = 42; // VTK's numbers of the cell types
-constexpr std::uint8_t TetraType = 10;
 
 bool HasTwice(std::span<const std::uint32_t> corners)
 {

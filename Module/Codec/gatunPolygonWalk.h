@@ -10,6 +10,7 @@
 #include "gatunAttachedNodes.h"
 #include "gatunCellBuilder.h"
 #include "gatunCellForms.h"
+#include "gatunCellShapes.h"
 #include "gatunPolygonCell.h"
 #include "gatunPolygonFront.h"
 #include "gatunPolygonModels.h"
@@ -71,9 +72,6 @@ public:
   const ClosedFaces& GetBorders() const { return this->Borders; }
 
 private:
-  static constexpr std::uint8_t TetraType = 10; // VTK's numbers of the cell types
-  static constexpr std::uint8_t PolyhedronType = 42;
-
   //----------------------------------------------------------------------------
   // The encoder's input
 

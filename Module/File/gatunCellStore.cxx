@@ -52,13 +52,12 @@ std::uint64_t CellStore::GetOffset(std::uint64_t cell) const
 
 //------------------------------------------------------------------------------
 /** Stores the points of a cell, and its faces if it is a polyhedron. */
-void CellStore::StoreCell(
-  const PlacedCells& cells, std::size_t cell, std::uint64_t corner, std::uint64_t faceValue) const
+void CellStore::StoreCell(const CellList& list, std::size_t cell,
+  std::span<const std::uint64_t> ids, std::uint64_t corner, std::uint64_t faceValue) const
 {
-  const CellList& list = cells.Cells;
   for (const auto point : list.GetCorners(cell))
   {
-    const auto id = cells.Ids[point];
+    const auto id = ids[point];
     if (this->Target.WideIds)
     {
       static_cast<std::int64_t*>(this->Target.Connectivity)[corner++] =
@@ -83,16 +82,15 @@ void CellStore::StoreCell(
     *to++ = faces[at];
     for (auto points = faces[at++]; points > 0; --points)
     {
-      *to++ = static_cast<std::int64_t>(cells.Ids[faces[at++]]);
+      *to++ = static_cast<std::int64_t>(ids[faces[at++]]);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void CellStore::Store(const PlacedCells& cells, std::uint64_t firstCell, std::uint64_t firstCorner,
-  std::uint64_t firstFaceValue) const
+void CellStore::Store(const CellList& list, std::span<const std::uint64_t> ids,
+  std::uint64_t firstCell, std::uint64_t firstCorner, std::uint64_t firstFaceValue) const
 {
-  const CellList& list = cells.Cells;
   for (std::size_t cell = 0; cell < list.GetNumber(); ++cell)
   {
     const auto place = firstCell + cell;
@@ -104,7 +102,7 @@ void CellStore::Store(const PlacedCells& cells, std::uint64_t firstCell, std::ui
       this->Target.FaceLocations[place] =
         faceValues > 0 ? static_cast<std::int64_t>(firstFaceValue) : -1;
     }
-    this->StoreCell(cells, cell, firstCorner, firstFaceValue);
+    this->StoreCell(list, cell, ids, firstCorner, firstFaceValue);
     firstCorner += list.GetCorners(cell).size();
     firstFaceValue += faceValues;
   }
@@ -160,7 +158,8 @@ void CellStore::StoreAdded(const PlacedCells& cells) const
     const std::uint64_t place = (*cells.Places)[cell];
     const std::int64_t location =
       this->Target.FaceLocations ? this->Target.FaceLocations[place] : 0;
-    this->StoreCell(cells, cell, this->GetOffset(place), static_cast<std::uint64_t>(location));
+    this->StoreCell(
+      cells.Cells, cell, cells.Ids, this->GetOffset(place), static_cast<std::uint64_t>(location));
   }
 }
 }

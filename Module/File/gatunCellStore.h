@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace gatun
@@ -42,9 +43,9 @@ public:
   {
   }
 
-  /** Stores cells from the given positions on. */
-  void Store(const PlacedCells& cells, std::uint64_t firstCell, std::uint64_t firstCorner,
-    std::uint64_t firstFaceValue) const;
+  /** Stores cells from the given positions on. ids: as PlacedCells::Ids. */
+  void Store(const CellList& cells, std::span<const std::uint64_t> ids, std::uint64_t firstCell,
+    std::uint64_t firstCorner, std::uint64_t firstFaceValue) const;
 
   /** Stores the end of the offsets, if chunks were stored. */
   void Finish(std::uint64_t cells, std::uint64_t corners) const;
@@ -61,8 +62,8 @@ public:
 private:
   void SetOffset(std::uint64_t cell, std::uint64_t value) const;
   std::uint64_t GetOffset(std::uint64_t cell) const;
-  void StoreCell(const PlacedCells& cells, std::size_t cell, std::uint64_t corner,
-    std::uint64_t faceValue) const;
+  void StoreCell(const CellList& list, std::size_t cell, std::span<const std::uint64_t> ids,
+    std::uint64_t corner, std::uint64_t faceValue) const;
 
   const PieceTarget& Target;
 };

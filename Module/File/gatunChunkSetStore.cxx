@@ -259,15 +259,26 @@ void ChunkSetDecoder::StoreOriginal(Job& job, std::size_t i, const ChunkMesh& me
   const Places& points, std::shared_ptr<const OrderPart> order) const
 {
   const CellStore store(job.Target);
-  PlacedCells cells;
-  cells.Cells = this->Parts.GetCells(this->Set.GetChunks()[i], mesh, job.RestoreCorners);
-  cells.Ids = this->FindIds(job, i, mesh, points);
-  if (!order)
+  const auto chunk = this->Set.GetChunks()[i];
+  auto ids = this->FindIds(job, i, mesh, points);
+  const auto storeHere = [&](const CellList& cells)
   {
-    store.Store(cells, this->Set.GetFirstCell(i), this->Set.GetFirstCorner(i),
+    store.Store(cells, ids, this->Set.GetFirstCell(i), this->Set.GetFirstCorner(i),
       this->Set.GetFirstFaceValue(i));
+  };
+  if (!order && !job.RestoreCorners && !this->Content().Mesh.Chunks[chunk].Sizes.IsTetrahedral)
+  {
+    storeHere(mesh.Cells); // without a copy
     return;
   }
+  PlacedCells cells;
+  cells.Cells = this->Parts.GetCells(chunk, mesh, job.RestoreCorners);
+  if (!order)
+  {
+    storeHere(cells.Cells);
+    return;
+  }
+  cells.Ids = std::move(ids);
   cells.Places = std::move(order);
   store.Add(cells);
   job.Placed[i] = std::move(cells);

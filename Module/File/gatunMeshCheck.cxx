@@ -3,7 +3,7 @@
 
 #include "gatunMeshCheck.h"
 
-#include "gatunCellTable.h"
+#include "gatunCellCodec.h"
 #include "gatunError.h"
 #include "gatunParallel.h"
 
@@ -39,7 +39,7 @@ public:
       ThrowCell(cell, "ends before it begins in the list of point ids");
     }
     std::uint64_t size = end - begin;
-    if (size <= MaxCellValues)
+    if (size <= MaxChunkCorners)
     {
       for (std::uint64_t i = begin; i < end; ++i)
       {
@@ -47,9 +47,9 @@ public:
       }
       size += this->CheckFaces(cell);
     }
-    if (size > MaxCellValues)
+    if (size > MaxChunkCorners)
     {
-      ThrowCell(cell, "has more than " + std::to_string(MaxCellValues) + " points");
+      ThrowCell(cell, "has more than " + std::to_string(MaxChunkCorners) + " points");
     }
   }
 

@@ -208,6 +208,45 @@ std::vector<std::uint32_t> MeshSection::GetSharedPoints(std::size_t chunk) const
 }
 
 //------------------------------------------------------------------------------
+/** The cells of a chunk with the points that numberOf returns for those of the input. */
+template <typename NumberOf>
+CellList MeshSection::MakeCells(std::size_t chunk, NumberOf&& numberOf) const
+{
+  const auto& mesh = this->State.Mesh;
+  const auto& sizes = this->State.Table.Chunks[chunk].Sizes;
+  CellList cells;
+  cells.Corners.reserve(sizes.Corners);
+  cells.Faces.reserve(sizes.FaceValues);
+  if (sizes.Polyhedra > 0)
+  {
+    cells.FaceStarts.push_back(0);
+  }
+  for (const auto cell : this->GetCells(chunk))
+  {
+    cells.Types.push_back(mesh.GetType(cell));
+    for (auto i = mesh.GetBegin(cell); i < mesh.GetEnd(cell); ++i)
+    {
+      cells.Corners.push_back(numberOf(static_cast<std::uint32_t>(mesh.GetId(i))));
+    }
+    cells.Starts.push_back(static_cast<std::uint32_t>(cells.Corners.size()));
+    const auto faces = mesh.GetFaces(cell);
+    for (std::size_t at = 0; at < faces.size();)
+    {
+      cells.Faces.push_back(static_cast<std::uint32_t>(faces[at]));
+      for (auto points = faces[at++]; points > 0; --points)
+      {
+        cells.Faces.push_back(numberOf(static_cast<std::uint32_t>(faces[at++])));
+      }
+    }
+    if (sizes.Polyhedra > 0)
+    {
+      cells.FaceStarts.push_back(static_cast<std::uint32_t>(cells.Faces.size()));
+    }
+  }
+  return cells;
+}
+
+//------------------------------------------------------------------------------
 MeshSection::LocalMesh MeshSection::MakeLocalMesh(std::size_t chunk)
 {
   LocalMesh local;
@@ -227,7 +266,7 @@ MeshSection::LocalMesh MeshSection::MakeLocalMesh(std::size_t chunk)
   }
   else
   {
-    local.Cells = this->MakeCells(chunk, ids);
+    local.Cells = this->MakeCells(chunk, [&](std::uint32_t point) { return ids[point]; });
   }
   return local;
 }
@@ -263,7 +302,7 @@ CellSizes MeshSection::GetSizes(std::size_t chunk) const
       faceValues += mesh.GetFaces(cell).size();
     }
   }
-  if (corners > MaxCellValues || faceValues > MaxCellValues)
+  if (!mesh.IsTetrahedral() && corners + faceValues > MaxChunkCorners)
   {
     ThrowInvalid("the cells of a chunk have too many points; make chunks smaller");
   }
@@ -290,55 +329,11 @@ std::vector<std::array<std::uint32_t, 4>> MeshSection::MakeTets(
 }
 
 //------------------------------------------------------------------------------
-CellList MeshSection::MakeCells(std::size_t chunk, const LocalIds& ids) const
-{
-  const auto& mesh = this->State.Mesh;
-  const auto& sizes = this->State.Table.Chunks[chunk].Sizes;
-  CellList cells;
-  cells.Corners.reserve(sizes.Corners);
-  cells.Faces.reserve(sizes.FaceValues);
-  if (sizes.Polyhedra > 0)
-  {
-    cells.FaceStarts.push_back(0);
-  }
-  for (const auto cell : this->GetCells(chunk))
-  {
-    cells.Types.push_back(mesh.GetType(cell));
-    for (auto i = mesh.GetBegin(cell); i < mesh.GetEnd(cell); ++i)
-    {
-      cells.Corners.push_back(ids[static_cast<std::uint32_t>(mesh.GetId(i))]);
-    }
-    cells.Starts.push_back(static_cast<std::uint32_t>(cells.Corners.size()));
-    const auto faces = mesh.GetFaces(cell);
-    for (std::size_t at = 0; at < faces.size();)
-    {
-      cells.Faces.push_back(static_cast<std::uint32_t>(faces[at]));
-      for (auto points = faces[at++]; points > 0; --points)
-      {
-        cells.Faces.push_back(ids[static_cast<std::uint32_t>(faces[at++])]);
-      }
-    }
-    if (sizes.Polyhedra > 0)
-    {
-      cells.FaceStarts.push_back(static_cast<std::uint32_t>(cells.Faces.size()));
-    }
-  }
-  return cells;
-}
-
-//------------------------------------------------------------------------------
 ChunkFrame MeshSection::MakeFrame(std::size_t chunk, std::span<const std::uint32_t> shared) const
 {
   const auto& entry = this->State.Table.Chunks[chunk];
   ChunkFrame frame;
-  if (entry.Sizes.IsTetrahedral)
-  {
-    frame.Tets = entry.Sizes.Cells;
-  }
-  else
-  {
-    frame.Cells = { entry.Sizes.Cells, entry.Sizes.Corners, entry.Sizes.FaceValues };
-  }
+  entry.Sizes.SetIn(frame);
   frame.OwnPoints = static_cast<std::uint32_t>(entry.Info.OwnPoints);
   frame.Box = entry.Info.Box;
   frame.Domains = this->Domains;
@@ -375,7 +370,8 @@ void MeshSection::FindShapes()
     {
       if (!this->State.Table.Chunks[chunk].Sizes.IsTetrahedral)
       {
-        shapes[chunk].Add(this->MakeLocalMesh(chunk).Cells);
+        // Shapes do not depend on the numbers of points.
+        shapes[chunk].Add(this->MakeCells(chunk, [](std::uint32_t point) { return point; }));
       }
     });
   ShapeTable all;

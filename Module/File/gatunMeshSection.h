@@ -71,7 +71,8 @@ private:
   CellSizes GetSizes(std::size_t chunk) const;
   LocalMesh MakeLocalMesh(std::size_t chunk);
   std::vector<std::array<std::uint32_t, 4>> MakeTets(std::size_t chunk, const LocalIds& ids) const;
-  CellList MakeCells(std::size_t chunk, const LocalIds& ids) const;
+  template <typename NumberOf>
+  CellList MakeCells(std::size_t chunk, NumberOf&& numberOf) const;
   ChunkFrame MakeFrame(std::size_t chunk, std::span<const std::uint32_t> shared) const;
   ChunkStreams EncodeChunk(std::size_t chunk);
   void EncodeOrder(ChunkState& chunk, ChunkStreams& streams) const;

@@ -198,14 +198,7 @@ std::shared_ptr<const ChunkMesh> PartDecoder::DecodeMesh(
   const auto& content = this->Content();
   const auto& entry = content.Mesh.Chunks[chunk];
   ChunkFrame frame;
-  if (entry.Sizes.IsTetrahedral)
-  {
-    frame.Tets = entry.Sizes.Cells;
-  }
-  else
-  {
-    frame.Cells = { entry.Sizes.Cells, entry.Sizes.Corners, entry.Sizes.FaceValues };
-  }
+  entry.Sizes.SetIn(frame);
   frame.OwnPoints = static_cast<std::uint32_t>(entry.Info.OwnPoints);
   frame.Box = entry.Info.Box;
   frame.Domains = content.Domains;

@@ -60,32 +60,29 @@ void VerifyBlocks(const PartDecoder& parts)
   }
 }
 
-/** Splits cells into tetrahedra. */
-void VerifyTets(const PartDecoder& parts, std::span<const std::uint32_t> chunks)
+/** Decodes what pieces of original cells do not need: the tetrahedra of other cells and the order
+ * of corners. */
+void VerifyCells(const PartDecoder& parts, std::span<const std::uint32_t> chunks)
 {
+  const bool keepsCorners = (parts.GetFile()->GetKeptOrder() & KeepCorners) != 0;
   const auto pointsOf = [&](std::uint32_t block) { return parts.GetBlockPoints(block); };
   for (const auto chunk : chunks)
   {
-    if (!parts.Content().Mesh.Chunks[chunk].Sizes.IsTetrahedral)
+    const bool isSplit = !parts.Content().Mesh.Chunks[chunk].Sizes.IsTetrahedral;
+    if (!isSplit && !keepsCorners)
     {
-      const auto kept = parts.FindMesh(chunk);
-      parts.SplitCells(chunk, kept ? *kept : *parts.DecodeMesh(chunk, pointsOf));
+      continue;
     }
-  }
-}
-
-/** Decodes the order of corners, which pieces do not need. */
-void VerifyCorners(const PartDecoder& parts, std::span<const std::uint32_t> chunks)
-{
-  if ((parts.GetFile()->GetKeptOrder() & KeepCorners) == 0)
-  {
-    return;
-  }
-  const auto pointsOf = [&](std::uint32_t block) { return parts.GetBlockPoints(block); };
-  for (const auto chunk : chunks)
-  {
-    const auto kept = parts.FindMesh(chunk);
-    parts.GetCells(chunk, kept ? *kept : *parts.DecodeMesh(chunk, pointsOf), true);
+    auto mesh = parts.FindMesh(chunk);
+    mesh = mesh ? mesh : parts.DecodeMesh(chunk, pointsOf);
+    if (isSplit)
+    {
+      parts.SplitCells(chunk, *mesh);
+    }
+    if (keepsCorners)
+    {
+      parts.GetCells(chunk, *mesh, true);
+    }
   }
 }
 
@@ -156,8 +153,7 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
         cells.Add(cellIds[c]);
       }
     }
-    VerifyTets(parts, request.Chunks);
-    VerifyCorners(parts, request.Chunks);
+    VerifyCells(parts, request.Chunks);
   }
 }
 }

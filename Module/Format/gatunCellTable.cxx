@@ -3,7 +3,7 @@
 
 #include "gatunCellTable.h"
 
-#include "gatunChunkCodec.h"
+#include "gatunCellCodec.h"
 #include "gatunTableParts.h"
 
 #include <algorithm>
@@ -42,8 +42,7 @@ CellSizes GetChunk(ByteReader& in)
     chunk.Polyhedra = GetSmall(in);
     Check(
       chunk.Cells >= 1 && chunk.Cells <= MaxChunkTets, "a chunk has an impossible number of cells");
-    Check(chunk.Corners <= MaxCellValues && chunk.FaceValues <= MaxCellValues,
-      "the cells of a chunk have too many points");
+    Check(chunk.GetMostPoints() <= MaxChunkCorners, "the cells of a chunk have too many points");
     Check(chunk.Polyhedra <= chunk.Cells, "a chunk has more polyhedra than cells");
     Check(chunk.Polyhedra > 0 || chunk.FaceValues == 0, "a chunk has faces without polyhedra");
   }

@@ -5,6 +5,7 @@
 #define gatunCellTable_h
 
 #include "gatunBytes.h"
+#include "gatunChunkCodec.h"
 #include "gatunShapeTable.h"
 #include "gatunTypes.h"
 
@@ -14,9 +15,6 @@
 
 namespace gatun
 {
-/** The maximum number of points, and of values of faces, of the cells of a chunk. */
-constexpr std::uint32_t MaxCellValues = 1u << 24;
-
 /** The sizes of the cells of a chunk. */
 struct CellSizes
 {
@@ -27,6 +25,16 @@ struct CellSizes
   std::uint32_t Corners = 0;    ///< the points of all cells
   std::uint32_t FaceValues = 0; ///< the size of CellList::Faces
   std::uint32_t Polyhedra = 0;
+
+  /** Sets the sizes in the frame of the chunk. */
+  void SetIn(ChunkFrame& frame) const
+  {
+    frame.Tets = this->IsTetrahedral ? this->Cells : 0;
+    if (!this->IsTetrahedral)
+    {
+      frame.Cells = { this->Cells, this->Corners, this->FaceValues };
+    }
+  }
 
   /** The number of different points cannot be larger. */
   std::uint64_t GetMostPoints() const { return std::uint64_t{ this->Corners } + this->FaceValues; }

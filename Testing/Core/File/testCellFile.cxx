@@ -295,7 +295,8 @@ TEST(CellFile, TablesOfCellsMustBeRight)
   refuse("impossible number of cells", [&](FileImage& f) { first(f).Cells = 1u << 21; });
   refuse("too many points", [&](FileImage& f) { first(f).Corners = 1u << 25; });
   refuse("claims more cells than its stream", [&](FileImage& f) { first(f).Cells += 900000; });
-  refuse("claims more cells than its stream", [&](FileImage& f) { first(f).Corners = 1u << 24; });
+  refuse("claims more cells than its stream",
+    [&](FileImage& f) { first(f).Corners = (1u << 24) - first(f).FaceValues; });
   refuse("more polyhedra than cells", [&](FileImage& f) { first(f).Polyhedra = 1u << 20; });
   refuse("faces without polyhedra", [&](FileImage& f) { first(f).Polyhedra = 0; });
   refuse("polyhedra that it should have", [&](FileImage& f) { --first(f).Polyhedra; });
