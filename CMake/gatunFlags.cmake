@@ -16,7 +16,7 @@ add_library(gatunSanitizers INTERFACE)
 if (GATUN_SANITIZE)
   string(REPLACE ";" "," sanitizers "${GATUN_SANITIZE}")
   target_compile_options(gatunSanitizers INTERFACE
-    "-fsanitize=${sanitizers}" -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
+    "-fsanitize=${sanitizers}" -fno-sanitize-recover=all -fno-omit-frame-pointer -g1)
   target_link_options(gatunSanitizers INTERFACE
     "-fsanitize=${sanitizers}")
 endif ()

@@ -14,6 +14,7 @@
 #
 # Exit code 125 counts as skipped. Tests get these variables in the environment:
 #
+#   GATUN_TEST_NAME   the name of the test
 #   GATUN_TEST_DATA   Testing/Data of the sources
 #   GATUN_TEST_TEMP   a folder to write into
 #   GATUN_DATA_DIR, GATUN_CELLS_DIR
@@ -79,6 +80,11 @@ function (gatun_add_test)
     set(arg_PROCESSORS 1)
   endif ()
 
+  set(environment
+    "GATUN_TEST_NAME=${arg_NAME}"
+    "GATUN_TEST_DATA=${GATUN_TEST_DATA}"
+    "GATUN_TEST_TEMP=${GATUN_TEST_TEMP}"
+    ${arg_ENVIRONMENT})
   add_test(NAME "${arg_NAME}"
     COMMAND           ${arg_COMMAND}
     WORKING_DIRECTORY "${GATUN_TEST_TEMP}")
@@ -88,8 +94,7 @@ function (gatun_add_test)
     PROCESSORS       "${arg_PROCESSORS}"
     SKIP_RETURN_CODE 125
     DEPENDS          "${arg_DEPENDS}"
-    ENVIRONMENT
-      "GATUN_TEST_DATA=${GATUN_TEST_DATA};GATUN_TEST_TEMP=${GATUN_TEST_TEMP};${arg_ENVIRONMENT}")
+    ENVIRONMENT      "${environment}")
   if (NOT arg_EXPECT_ERRORS)
     set_tests_properties("${arg_NAME}" PROPERTIES
       FAIL_REGULAR_EXPRESSION "${gatun_test_fail_regex}")
@@ -114,6 +119,7 @@ function (gatun_add_core_tests program)
       ${arg_LINK}
       gatunBuildFlags
       GTest::gtest_main)
+  target_precompile_headers("${program}" PRIVATE <gtest/gtest.h>)
   target_compile_definitions("${program}"
     PRIVATE
       "GATUN_TEST_DATA=\"${GATUN_TEST_DATA}\""

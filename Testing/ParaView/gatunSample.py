@@ -8,7 +8,6 @@ import os
 
 from paraview import simple
 
-from gatunParaView import rank_and_ranks
 
 SIDE = 12
 TETS = 6 * SIDE ** 3
@@ -81,9 +80,9 @@ gatun_fill(output, self.GetOutputInformation(0).Get(
 
 
 def temporary(name):
-    """A path of this number of ranks, as tests run side by side; where nothing is yet."""
+    """A path of this test alone, as tests run side by side; where nothing is yet."""
     path = os.path.join(os.environ["GATUN_TEST_TEMP"],
-                        "pv%d-%s" % (rank_and_ranks()[1], name))
+                        "%s-%s" % (os.environ["GATUN_TEST_NAME"], name))
     with contextlib.suppress(FileNotFoundError):
         os.remove(path)
     return path
