@@ -49,7 +49,9 @@ if (GATUN_WRAP_PYTHON AND NOT DEFINED Python3_EXECUTABLE AND NOT DEFINED Python3
   find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore)
   set(Python3_ROOT_DIR "${VTK_PREFIX_PATH}")
 endif ()
-find_package(VTK 9.1 REQUIRED COMPONENTS ${gatun_vtk_components})
+find_package(VTK 9.1 REQUIRED
+  COMPONENTS          ${gatun_vtk_components}
+  OPTIONAL_COMPONENTS IOCGNSReader)
 
 set(gatun_cmake_destination "${CMAKE_INSTALL_LIBDIR}/cmake/gatun")
 set(gatun_headers_destination "${CMAKE_INSTALL_INCLUDEDIR}/gatun")

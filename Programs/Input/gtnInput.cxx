@@ -28,7 +28,8 @@
 namespace gtn
 {
 const char* const InputFormats = ".vtu .pvtu .vtk .vtm .pvd .series .vtkhdf .vti .vts .vtr, Exodus "
-                                 "(.e .exo .ex2), EnSight (.case), .gtn";
+                                 "(.e .exo .ex2), EnSight (.case), OpenFOAM (.foam), "
+                                 "CGNS, .gtn";
 
 //------------------------------------------------------------------------------
 Input::Input(const std::vector<std::string>& files, const InputOptions& options)

@@ -15,7 +15,7 @@ struct InputOptions
   bool AllArrays = true;           ///< keep all, and Arrays means nothing
   bool Split = false;              ///< split cells into tetrahedra, with a warning
   bool VolumesOnly = false;        ///< only the tetrahedra that cells consist of matter
-  bool Sets = false;               ///< also the side sets and node sets of Exodus files
+  bool Sets = false;               ///< also side sets, node sets, patches, boundaries
   bool Quiet = false;              ///< no warnings
 };
 }

@@ -17,12 +17,18 @@
 #include "vtkNIFTIImageReader.h"
 #include "vtkNew.h"
 #include "vtkNrrdReader.h"
+#include "vtkOpenFOAMReader.h"
 #include "vtkPLYReader.h"
+#include "vtkSLCReader.h"
 #include "vtkSTLReader.h"
 #include "vtkXMLGenericDataObjectReader.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
+
+#if GTN_HAS_CGNS
+#include "vtkCGNSReader.h"
+#endif
 
 #include <algorithm>
 #include <fstream>
@@ -113,6 +119,56 @@ vtkSmartPointer<vtkAlgorithm> MakeEnSight(const std::string& file)
   return reader;
 }
 
+// The CGNS library ends the program if it cannot open a file.
+[[maybe_unused]] void CheckIsCGNS(const std::string& file)
+{
+  char start[8] = {};
+  std::ifstream(file, std::ios::binary).read(start, sizeof(start));
+  const std::string_view magic(start, sizeof(start));
+  if (!magic.starts_with("\x89HDF") && !magic.starts_with("@(#)ADF"))
+  {
+    throw Failure(file, "is not a CGNS file");
+  }
+}
+
+// The file is empty; the case is in the folder around it.
+vtkSmartPointer<vtkAlgorithm> MakeOpenFOAM(const std::string& file, bool sets)
+{
+  vtkNew<vtkOpenFOAMReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->DecomposePolyhedraOff();
+  reader->CreateCellToPointOff();
+  reader->CacheMeshOff();
+  reader->UpdateInformation();
+  reader->DisableAllPatchArrays();
+  for (int i = 0; i < reader->GetNumberOfPatchArrays(); ++i)
+  {
+    const char* const name = reader->GetPatchArrayName(i);
+    reader->SetPatchArrayStatus(name, sets || std::string_view(name) == "internalMesh" ? 1 : 0);
+  }
+  reader->EnableAllCellArrays();
+  reader->EnableAllPointArrays();
+  return reader;
+}
+
+vtkSmartPointer<vtkAlgorithm> MakeCGNS(
+  [[maybe_unused]] const std::string& file, [[maybe_unused]] bool sets)
+{
+#if GTN_HAS_CGNS
+  CheckIsCGNS(file);
+  vtkNew<vtkCGNSReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->SetLoadBndPatch(sets);
+  reader->UpdateInformation();
+  reader->EnableAllBases();
+  reader->EnableAllPointArrays();
+  reader->EnableAllCellArrays();
+  return reader;
+#else
+  throw Failure(file, "this gtn was built with a VTK that does not read CGNS files");
+#endif
+}
+
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
@@ -143,6 +199,14 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
   if (IsOneOf(extension, { ".case", ".encas" }))
   {
     return MakeEnSight(file);
+  }
+  if (extension == ".foam")
+  {
+    return MakeOpenFOAM(file, sets);
+  }
+  if (extension == ".cgns")
+  {
+    return MakeCGNS(file, sets);
   }
   if (IsOneOf(extension, { ".vtkhdf", ".hdf" }))
   {
@@ -179,6 +243,10 @@ vtkSmartPointer<vtkAlgorithm> MakeVolumeReader(const std::string& file)
   if (IsOneOf(extension, { ".nrrd", ".nhdr" }))
   {
     return Make<vtkNrrdReader>(file);
+  }
+  if (extension == ".slc")
+  {
+    return Make<vtkSLCReader>(file);
   }
   if (IsOneOf(extension, { ".vtkhdf", ".hdf" }))
   {

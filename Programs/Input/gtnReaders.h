@@ -14,7 +14,8 @@ class vtkAlgorithm;
 namespace gtn
 {
 /** A reader with all arrays switched on, or nullptr if the extension is not known. sets: whether it
- * also reads the side sets and node sets of an Exodus file. */
+ * also reads the side sets and node sets of an Exodus file, the patches of an OpenFOAM case and the
+ * boundaries of a CGNS file. */
 vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets);
 
 /** The same for regular volumes, but slices. */

@@ -26,9 +26,9 @@
 
 namespace gtn
 {
-const char* const VolumeFormats =
-  ".vti .vtk .nii .nii.gz .mha .mhd .nrrd .nhdr .vtkhdf .ghv, or slices: .tif, .png (several, a "
-  "folder of them, or 'name*.png')";
+const char* const VolumeFormats = ".vti .vtk .nii .nii.gz .mha .mhd .nrrd .nhdr .slc .vtkhdf .ghv, "
+                                  "or slices: .tif, .png (several, a "
+                                  "folder of them, or 'name*.png')";
 
 namespace
 {

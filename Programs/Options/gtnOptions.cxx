@@ -25,7 +25,7 @@ void AddArrays(CLI::App* command, InputOptions& input, const std::string& descri
 void AddSets(CLI::App* command, InputOptions& input)
 {
   command->add_flag("--sets", input.Sets,
-    "Also read the side sets and node sets of Exodus files, as blocks of faces, lines and "
-    "vertices");
+    "Also read the side sets and node sets of Exodus files, the patches of OpenFOAM cases and "
+    "the boundaries of CGNS files, as blocks of faces, lines and vertices");
 }
 }

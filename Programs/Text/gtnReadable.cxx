@@ -34,7 +34,8 @@ void CheckReadable(const std::string& file)
   {
     throw Failure(file, std::strerror(errno));
   }
-  if (stream.peek() == std::ifstream::traits_type::eof())
+  const bool isMark = std::filesystem::path(file).extension() == ".foam";
+  if (!isMark && stream.peek() == std::ifstream::traits_type::eof())
   {
     throw Failure(file, "is empty");
   }

@@ -7,7 +7,8 @@
 
 namespace gtn
 {
-/** Throws Failure unless the file is there, not empty and may be read. */
+/** Throws Failure unless the file is there, not empty and may be read. Only a .foam file may be
+ * empty: it marks the folder of a case. */
 void CheckReadable(const std::string& file);
 }
 
