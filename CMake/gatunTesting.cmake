@@ -119,7 +119,6 @@ function (gatun_add_core_tests program)
       ${arg_LINK}
       gatunBuildFlags
       GTest::gtest_main)
-  target_precompile_headers("${program}" PRIVATE <gtest/gtest.h>)
   target_compile_definitions("${program}"
     PRIVATE
       "GATUN_TEST_DATA=\"${GATUN_TEST_DATA}\""
