@@ -145,6 +145,14 @@ class Geometry:
         self.used.append(rule)
         return self.last
 
+    def predict(self, record, used, domain, keys):
+        """Number, spread and group of a value by the mode gate (10.4), or nothing."""
+        if record.is_seed:
+            return None
+        known = [keys[v] for v in record.known]
+        numbers = [domain.to_number(key) for key in known]
+        return apply_rule(self.rules[used], numbers), key_spread(known[:4]), 1 + used
+
 
 class Walk(Vertices):
     """Decodes a chunk. What it gives, as in 8.1, besides its vertices:
