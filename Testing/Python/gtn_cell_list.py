@@ -63,8 +63,10 @@ class CellList:
 
     # ----- Sizes
 
-    def _size(self, models, before, most):
-        size = before if self.decide("Same", *models) else self.coded.large("Number", *models)
+    def _size(self, models, before, most, *same):
+        """same: indices of the model Same."""
+        is_same = self.decide("Same", *models, *same)
+        size = before if is_same else self.coded.large("Number", *models)
         require(size <= most, "size")
         return size
 
@@ -164,8 +166,8 @@ class CellList:
         count = self.face_count = self._size(("Faces",), self.face_count, left)
         faces = []
         for i in range(count):
-            size = self.face_size = self._size(
-                ("FaceSize", min(self.face_size, 15)), self.face_size, left)
+            last = self.face_size
+            size = self.face_size = self._size(("FaceSize",), last, left, min(last, 15))
             require(size + count - i <= left, "face values")
             left -= 1 + size
             face = []
