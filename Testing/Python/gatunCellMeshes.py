@@ -6,10 +6,12 @@ arrays on points and cells."""
 
 import numpy as np
 from vtkmodules.util import vtkConstants as c
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkIdList
-from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON
+from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON, vtkCellArray
 
 import gatunMeshes as gm
+from gatunCells import CURVED, SIZES
 from gtn_shapes import NODES, SURFACES
 
 BIQUADRATIC_TRIANGLE = 34
@@ -238,9 +240,9 @@ def with_hanging(face, added, divided, box):
     return result
 
 
-def polygons_in_layers(rng, n=7, layers=2, shift=0):
+def polygons_in_layers(rng, n=7, layers=2, shift=0, most=3):
     """Polyhedra over polygons with many different numbers of corners: squares with random points on
-    their sides. shift: of the corner that each face begins with."""
+    their sides, at most so many. shift: of the corner that each face begins with."""
     added = Points([])
 
     def at(x, y, z):
@@ -258,7 +260,7 @@ def polygons_in_layers(rng, n=7, layers=2, shift=0):
         for a, b in zip(square, square[1:] + square[:1]):
             side = tuple(sorted((a, b)))
             if side not in between:
-                between[side] = sorted(rng.random(rng.integers(0, 4)).round(3))
+                between[side] = sorted(rng.random(rng.integers(0, most + 1)).round(3))
             a_to_b = between[side] if a < b else between[side][::-1]
             low, high = np.array(side, float)
             ring += [a, *(tuple(low + t * (high - low)) for t in a_to_b)]
@@ -436,11 +438,70 @@ def cone(rng, n=90):
     return grid_of(points, cells, rng)
 
 
-def holes(rng, n=(6, 6, 5)):
+def holes(rng, n=(6, 6, 5), part=0.6):
     """Hexahedra with many left out, so that the front touches itself at edges and vertices."""
     points, boxes = cubes(n)
-    cells = [(c.VTK_HEXAHEDRON, box) for box in boxes if rng.random() < 0.6]
+    cells = [(c.VTK_HEXAHEDRON, box) for box in boxes if rng.random() < part]
     return grid_of(bent(points, rng), cells, rng)
+
+
+def holes_among_many(rng, n=(4, 4, 3), part=0.7):
+    """Wedges and tetrahedra, up to eight around an edge, with many left out."""
+    points, boxes = cubes(n)
+    cells = []
+    for i, box in enumerate(boxes):
+        if i % 2:
+            cells += [(c.VTK_WEDGE, [box[k] for k in half])
+                      for half in ((0, 2, 1, 4, 6, 5), (0, 3, 2, 4, 7, 6))]
+        else:
+            cells += [(c.VTK_TETRA, [box[0], box[a], box[b], box[6]])
+                      for a, b in ((1, 2), (2, 3), (3, 7), (7, 4), (4, 5), (5, 1))]
+    cells = [cell for cell in cells if rng.random() < part]
+    return grid_of(bent(points, rng), cells, rng)
+
+
+def soup(rng, kinds, count=6, points=120):
+    """Cells of these types at random points, with points twice, too; some points have no cell."""
+    cells = []
+    for i in range(count):
+        for kind in kinds:
+            size = {c.VTK_TRIANGLE_STRIP: 70, c.VTK_POLY_LINE: 90}.get(kind)
+            if size is None:
+                size = SIZES.get(kind, CURVED.get(kind, int(rng.integers(3, 9))))
+            if kind == VTK_POLYHEDRON:
+                ids = rng.permutation(points - 9)
+                cells.append((kind, [ids[:4], ids[2:6], ids[4:8], ids[6:9], ids[:1]]))
+            elif i % 3 == 0:
+                first = 3 * i  # close to others
+                cells.append((kind, [(first + j) % (points - 9) for j in range(size)]))
+            else:
+                cells.append((kind, rng.integers(0, points - 9, size)))
+    return grid_of(rng.random((points, 3)), cells, rng)
+
+
+def one_place(rng):
+    """A few cells whose points are all at the same place."""
+    points, boxes = cubes((2, 2, 2))
+    return grid_of(0 * points + 0.5, [(c.VTK_HEXAHEDRON, box) for box in boxes], rng)
+
+
+def other_corners(rng):
+    """Polyhedra with points that none of their faces has, or with fewer."""
+    points, boxes = cubes((3, 2, 2))
+    cells, connectivity, faces, at = vtkCellArray(), [], [], []
+    for i, box in enumerate(boxes):
+        connectivity.append([*box, 35 - i][i % 3 :])
+        at.append(len(faces))
+        faces.append(6)
+        for face in box_faces(box):
+            faces += [4, *face]
+    for ids in connectivity:
+        cells.InsertNextCell(len(ids), ids)
+    kinds = numpy_to_vtk(np.full(len(boxes), VTK_POLYHEDRON, np.uint8), deep=True)
+    at, faces = [numpy_to_vtkIdTypeArray(np.array(x, np.int64), deep=True) for x in (at, faces)]
+    grid = gm.make_grid(bent(points, rng), [])
+    grid.SetCells(kinds, cells, at, faces)
+    return with_arrays(grid, rng)
 
 
 def torn(rng, n=(4, 4, 4)):
