@@ -445,17 +445,20 @@ def holes(rng, n=(6, 6, 5), part=0.6):
     return grid_of(bent(points, rng), cells, rng)
 
 
-def holes_among_many(rng, n=(4, 4, 3), part=0.7):
-    """Wedges and tetrahedra, up to eight around an edge, with many left out."""
+def holes_among_many(rng, kinds, n=(4, 3, 3), part=0.9):
+    """Cubes that are a hexahedron, two wedges or six tetrahedra, up to twelve cells around an edge,
+    with some of the cells left out."""
     points, boxes = cubes(n)
     cells = []
-    for i, box in enumerate(boxes):
-        if i % 2:
-            cells += [(c.VTK_WEDGE, [box[k] for k in half])
-                      for half in ((0, 2, 1, 4, 6, 5), (0, 3, 2, 4, 7, 6))]
+    for box in boxes:
+        kind = kinds[int(rng.integers(len(kinds)))]
+        if kind == c.VTK_WEDGE:
+            parts = [(0, 2, 1, 4, 6, 5), (0, 3, 2, 4, 7, 6)]
+        elif kind == c.VTK_TETRA:
+            parts = [(0, a, b, 6) for a, b in ((1, 2), (2, 3), (3, 7), (7, 4), (4, 5), (5, 1))]
         else:
-            cells += [(c.VTK_TETRA, [box[0], box[a], box[b], box[6]])
-                      for a, b in ((1, 2), (2, 3), (3, 7), (7, 4), (4, 5), (5, 1))]
+            parts = [range(8)]
+        cells += [(kind, [box[i] for i in ids]) for ids in parts]
     cells = [cell for cell in cells if rng.random() < part]
     return grid_of(bent(points, rng), cells, rng)
 
@@ -486,22 +489,68 @@ def one_place(rng):
 
 
 def other_corners(rng):
-    """Polyhedra with points that none of their faces has, or with fewer."""
-    points, boxes = cubes((3, 2, 2))
-    cells, connectivity, faces, at = vtkCellArray(), [], [], []
+    """Polyhedra with points that none of their faces has, or with fewer; some are not closed, or have
+    empty faces."""
+    points, boxes = cubes((4, 3, 2))
+    cells, faces, at = vtkCellArray(), [], []
     for i, box in enumerate(boxes):
-        connectivity.append([*box, 35 - i][i % 3 :])
-        at.append(len(faces))
-        faces.append(6)
-        for face in box_faces(box):
-            faces += [4, *face]
-    for ids in connectivity:
+        of_cell = box_faces(box)[i % 2 :]
+        if i % 5 == 0:
+            of_cell[1:1] = [[]]
+        ids = list(dict.fromkeys(p for face in of_cell for p in face))
+        ids = [ids, ids, [*ids, len(points) - 1 - i], ids[2:]][i % 4]
         cells.InsertNextCell(len(ids), ids)
+        at.append(len(faces))
+        faces += [len(of_cell), *(x for face in of_cell for x in (len(face), *face))]
     kinds = numpy_to_vtk(np.full(len(boxes), VTK_POLYHEDRON, np.uint8), deep=True)
     at, faces = [numpy_to_vtkIdTypeArray(np.array(x, np.int64), deep=True) for x in (at, faces)]
     grid = gm.make_grid(bent(points, rng), [])
     grid.SetCells(kinds, cells, at, faces)
     return with_arrays(grid, rng)
+
+
+def middles(rng, n=(3, 2, 2), part=0.7):
+    """Tetrahedra with points in the middle of some edges, as polyhedra: these points have just two
+    neighbors, both in the same two faces."""
+    points, boxes = cubes(n)
+    added = Points(points)
+    around = ((1, 2), (2, 3), (3, 7), (7, 4), (4, 5), (5, 1))
+    tets = [[box[0], box[a], box[b], box[6]] for box in boxes for a, b in around]
+    edges = sorted({tuple(sorted((tet[a], tet[b]))) for tet in tets
+                    for a, b in ((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3))})
+    middle = {edge: added.mean(edge) for edge in edges if rng.random() < part}
+    cells = []
+    for tet in tets:
+        faces = []
+        for face in SURFACES[c.VTK_TETRA]:
+            ids = [tet[i] for i in face]
+            more = []
+            for a, b in zip(ids, ids[1:] + ids[:1]):
+                more += [a, *[middle[e] for e in [tuple(sorted((a, b)))] if e in middle]]
+            faces.append(more)
+        cells.append((VTK_POLYHEDRON, faces))
+    return grid_of(bent(np.array(added.points), rng, 0.03), cells, rng)
+
+
+def comb(rng, teeth=28, length=14):
+    """Pyramids with a common top over a spine with teeth on both sides that are not connected but at
+    the spine: more open faces at a vertex than a walk looks at."""
+    added = {}
+
+    def at(x, y, tooth):
+        return added.setdefault((x, y, 0 if abs(y - 0.5) < 1 else tooth), len(added) + 1)
+
+    squares = []
+    for x in range(teeth // 2):
+        squares.append((x, 0, 0))
+        for y in range(1, length):
+            squares += [(x, y, x + 1), (x, -y, x + 1)]
+    cells = []
+    for x, y, tooth in squares:
+        base = [at(x + i, y + j, tooth) for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))]
+        cells.append((c.VTK_PYRAMID, [*base, 0]))
+    points = np.array([(0, 0, 30)] + [(x + 0.01 * z, y, 0) for x, y, z in added], float)
+    return grid_of(bent(points, rng, 0.1), cells, rng)
 
 
 def torn(rng, n=(4, 4, 4)):

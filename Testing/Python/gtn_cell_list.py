@@ -53,6 +53,7 @@ class CellList:
             corners = self._corners(kind)
             pairs = [(corners[a], corners[b]) for a, b in edges_of(kind, len(corners))]
             pairs = [(a, b) for a, b in pairs if max(a, b) >= met and a != b]
+        self.last_cells[kind] = (corners, self.last_cells.get(kind, (None, None))[0])
         mesh.edge_log += pairs
         seen = [self.used_by[v] for v in corners[:MOST_SEEN] if v in self.used_by]
         parent = max(seen, key=lambda cell: (seen.count(cell), cell), default=None)
@@ -94,7 +95,6 @@ class CellList:
             corners.append(vertex)
         if coded < size:
             corners += self.mesh.nodes.of(kind, corners)
-        self.last_cells[kind] = (corners, last)
         return corners
 
     def _name(self, place, v, row, record):
