@@ -39,6 +39,7 @@ def grid_of(points, cells, rng, dtype=np.float32):
 def with_arrays(grid, rng):
     """Adds smooth and random arrays of several types."""
     points, cells = gm.coordinates(grid).astype(float), grid.GetNumberOfCells()
+    points[~(np.abs(points) < 100)] = 0
     on_points, on_cells = grid.GetPointData(), grid.GetCellData()
     gm.add_array(on_points, np.sin(points).sum(1).astype(np.float32), "wave")
     gm.add_array(on_points, points[:, ::-1] ** 2, "vector")
@@ -560,3 +561,20 @@ def torn(rng, n=(4, 4, 4)):
     cells = [(c.VTK_HEXAHEDRON, [p + count * (int(points[box[0]][0]) % 2) for p in box])
              for box in boxes]
     return grid_of(np.concatenate([bent(points, rng), bent(points, rng, 0.2)]), cells, rng)
+
+
+def two_blocks(rng, n=4):
+    """Tetrahedra and, apart from them, hexahedra and wedges."""
+    points, tets = gm.lattice(n, dtype=float)
+    other, boxes = cubes((n, n, n))
+    count = len(points)
+    cells = [(c.VTK_TETRA, tet) for tet in tets]
+    for i, box in enumerate(boxes):
+        box = [count + p for p in box]
+        if i % 5:
+            cells.append((c.VTK_HEXAHEDRON, box))
+        else:
+            cells += [(c.VTK_WEDGE, [box[j] for j in half])
+                      for half in ((0, 2, 1, 4, 6, 5), (0, 3, 2, 4, 7, 6))]
+    points = np.concatenate([points * n, bent(other, rng) + [2 * n, 0, 0]])
+    return grid_of(points, cells, rng)
