@@ -201,8 +201,8 @@ def prisms(rng, n=5, layers=3):
 
 
 def hanging(rng, n=(4, 4, 3), as_polyhedra=True):
-    """Cubes, some of which are eight smaller ones; larger ones beside those are polyhedra whose faces
-    are divided, or stay hexahedra with hanging nodes."""
+    """Cubes, some of which are eight smaller ones; larger ones beside those are polyhedra whose
+    faces are divided, or stay hexahedra with hanging nodes."""
     points, boxes = cubes(n)
     added = Points(points)
     fine = [rng.random() < 0.3 for _ in boxes]
@@ -365,9 +365,10 @@ def shells(rng, n=10):
         else:
             cells.append((c.VTK_QUAD, [a, b, d, e]))
     row = np.arange(n + 1)
-    cells += [(c.VTK_TRIANGLE_STRIP, np.stack([2 * row + 1, 2 * row + 1 + 2 * (n + 1)], 1).ravel()),
-              (c.VTK_POLY_LINE, 2 * row + 1), (c.VTK_LINE, [1, 3]), (c.VTK_VERTEX, [5]),
-              (c.VTK_POLY_VERTEX, [7, 9, 11]), (c.VTK_QUADRATIC_LINEAR_QUAD, [1, 23, 25, 3, 45, 47])]
+    strip = np.stack([2 * row + 1, 2 * row + 1 + 2 * (n + 1)], 1).ravel()
+    cells += [(c.VTK_TRIANGLE_STRIP, strip), (c.VTK_POLY_LINE, 2 * row + 1),
+              (c.VTK_LINE, [1, 3]), (c.VTK_VERTEX, [5]), (c.VTK_POLY_VERTEX, [7, 9, 11]),
+              (c.VTK_QUADRATIC_LINEAR_QUAD, [1, 23, 25, 3, 45, 47])]
     return grid_of(bent(points, rng), cells, rng)
 
 
@@ -490,8 +491,8 @@ def one_place(rng):
 
 
 def other_corners(rng):
-    """Polyhedra with points that none of their faces has, or with fewer; some are not closed, or have
-    empty faces."""
+    """Polyhedra with points that none of their faces has, or with fewer; some are not closed, or
+    have empty faces."""
     points, boxes = cubes((4, 3, 2))
     cells, faces, at = vtkCellArray(), [], []
     for i, box in enumerate(boxes):
@@ -534,8 +535,8 @@ def middles(rng, n=(3, 2, 2), part=0.7):
 
 
 def comb(rng, teeth=28, length=14):
-    """Pyramids with a common top over a spine with teeth on both sides that are not connected but at
-    the spine: more open faces at a vertex than a walk looks at."""
+    """Pyramids with a common top over a spine with teeth on both sides that are not connected but
+    at the spine: more open faces at a vertex than a walk looks at."""
     added = {}
 
     def at(x, y, tooth):
@@ -555,7 +556,7 @@ def comb(rng, teeth=28, length=14):
 
 
 def torn(rng, n=(4, 4, 4)):
-    """Hexahedra and voxels of which every layer has points of its own, at nearly the same places."""
+    """Hexahedra of which every other layer has points of its own, at nearly the same places."""
     points, boxes = cubes(n)
     count = len(points)
     cells = [(c.VTK_HEXAHEDRON, [p + count * (int(points[box[0]][0]) % 2) for p in box])

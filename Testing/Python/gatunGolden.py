@@ -10,8 +10,8 @@ A description is made of dicts and lists, as it stands in expected.json:
     arrays        names and types of the point and cell arrays
     roles         names of the active attributes of points and cells, by number of the role
     field_data    for each step
-    file_order    sha256 of points, tets (or cells, if there are others) and, for each step, arrays, in
-                  the file's own order
+    file_order    sha256 of points, tets (or cells, if there are others) and, for each step, arrays,
+                  in the file's own order
     input_order   the same in the order of the input, as far as the file keeps it
 """
 

@@ -8,7 +8,7 @@ Part of gtn_decoder, which is written from that text alone.
 """
 
 from gtn_container import require
-from gtn_records import SLOTS, B1, D12, D13, D23, N1, N2, N3, O, CellRecord
+from gtn_records import B1, D12, D13, D23, N1, N2, SLOTS, CellRecord, O
 from gtn_shapes import NODES, POLYHEDRON, edges_of, first_size, network_of
 
 RECENT = 256
@@ -148,8 +148,6 @@ class CellList:
         beyond = network.beyond[c]
         if beyond is not None and beyond < c:
             slots[O] = corners[beyond]
-        if slots[N1] is None and c > 0:
-            slots[N1] = corners[c - 1]
         if slots[N2] is None and last is not None and c < len(last):
             if slots[N1] is None:
                 slots[N1] = last[c]

@@ -10,7 +10,6 @@ Part of gtn_decoder, which is written from that text alone.
 import numpy as np
 
 from gtn_cell_list import CellList
-from gtn_coding import Coded
 from gtn_container import Bytes, require
 from gtn_grow import CellWalk
 from gtn_nodes import Nodes, decode_marks

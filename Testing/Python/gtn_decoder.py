@@ -2,10 +2,10 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""A decoder of `.gtn` files written from Documentation/format.md alone, to prove that this text
-suffices. It is slow (thousands of tetrahedra a second), and checks all that it reads.
+"""A decoder of `.gtn` files written from Documentation/format.md and cell-codec.md alone, to prove
+that these texts suffice. It is slow (thousands of tetrahedra a second), and checks all that it reads.
 
-Here are numbering and arrays: sections 4 and 10. As a program it prints what a file holds:
+Here is the whole mesh in its numbering: section 4. As a program it prints what a file holds:
 
     gtn_decoder.py FILE...
 """
@@ -103,8 +103,8 @@ class Decoder:
         return result
 
     def tets(self, restore=False):
-        """The points of each tetrahedron; those of cells of other types (15.3), too. Only tetrahedra
-        have an original order."""
+        """The points of each tetrahedron; those of cells of other types (15.3), too. Only cells that
+        are tetrahedra have an original order."""
         if restore:
             require(self.container.cells is None, "original tetrahedra of a file of cells")
             tets = [corners for _, corners, _ in self.cells(True)]
@@ -300,7 +300,7 @@ def main(names):
             decoder = Decoder(file.read())
         decoder.container.verify_layout()
         meta = decoder.meta
-        print(name, "points", meta.points, "tetrahedra", len(decoder.tets()),
+        print(name, "points", meta.points, "cells", len(decoder.cells()), "tetrahedra", meta.tets,
               "chunks", len(decoder.chunks), "steps", len(decoder.steps))
         for s, step in enumerate(decoder.steps):
             for i, array in enumerate(meta.arrays):
@@ -310,7 +310,8 @@ def main(names):
             for array in decoder.field_data(s):
                 print("  time", step.time, "field data", repr(array.name))
         if decoder.container.tree is not None:
-            print("  merges", len(decoder.merges), "base meshes after", decoder.container.tree.levels)
+            levels = decoder.container.tree.levels
+            print("  merges", len(decoder.merges), "base meshes after", levels)
             print("  tetrahedra after all merges", len(decoder.after(len(decoder.merges)).tets))
 
 

@@ -8,9 +8,9 @@ Part of gtn_decoder, which is written from that text alone.
 """
 
 from gtn_container import require
-from gtn_forms import begin
+from gtn_forms import NO_SHAPE, begin
 from gtn_front import Front, OpenFace, end, join
-from gtn_records import SLOTS, B1, D12, D13, D23, N1, N2, O, CellRecord, NEEDED, COMMON, mask_of, mix
+from gtn_records import B1, COMMON, D12, D13, D23, N1, NEEDED, SLOTS, CellRecord, O, mix
 from gtn_shapes import POLYHEDRON, TETRA, view_of_type
 from gtn_vertices import F, clamp, dot, minus, square
 
@@ -267,6 +267,7 @@ class CellWalk:
         else:
             view = view_of_type(kind, frame)
             require(view is not None and view.code() == form.code, "frame of another form")
+            require(form.shape != NO_SHAPE, "inline form of a cell that is no polyhedron")
             corners = [None] * form.corners
             for vertex, c in zip(step.vertices, view.corners):
                 corners[c] = vertex

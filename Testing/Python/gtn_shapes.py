@@ -309,8 +309,6 @@ class Shapes:
         self.by_code = {}
         sides = 0
         data = Bytes(data)
-        if not data.left():
-            return
         codes = [data.raw_string() for _ in range(data.varint())]
         data.end()
         for shape, code in enumerate(codes):

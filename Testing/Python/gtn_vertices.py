@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""The vertices of a chunk of a `.gtn` file: the lattice, meeting a vertex, and the search for shared
-ones, sections 8.2, 8.5 and 8.13 of Documentation/format.md.
+"""The vertices of a chunk of a `.gtn` file: the lattice, meeting a vertex, and the search for
+shared ones, sections 8.2, 8.5 and 8.13 of Documentation/format.md.
 
 Part of gtn_decoder, which is written from that text alone.
 """

@@ -7,8 +7,8 @@
     PYTHONPATH=build/release/lib/python3/dist-packages Testing/Python/make_golden_cells.py FOLDER
 
 As for other golden files, what is expected is computed from the input where a file keeps the order
-of its input, else by gtn_decoder, which shares no code with Gatun. That Gatun reads what was written
-is checked, too.
+of its input, else by gtn_decoder, which shares no code with Gatun. That Gatun reads what was
+written is checked, too.
 """
 
 import json
@@ -65,7 +65,8 @@ NONLINEAR_SURFACES = (22, 23, 28, 30, 34)
 FILES = {
     "two_cells": (two_cells, {}),
     "hexahedra": (lambda rng: meshes.hexahedra(rng, (3, 3, 3)), {}),
-    "hexahedra_at_random": (lambda rng: meshes.hexahedra_at_random(rng, (4, 3, 3)), {**ALL, **CHUNKS}),
+    "hexahedra_at_random": (
+        lambda rng: meshes.hexahedra_at_random(rng, (4, 3, 3)), {**ALL, **CHUNKS}),
     "fitted": (lambda rng: meshes.hexahedra(rng, (9, 9, 9), 0.02), {"arrays": False}),
     "voxels": (lambda rng: meshes.voxels(rng, (3, 3, 3)), ALL),
     "transition": (meshes.transition, CHUNKS),
@@ -90,7 +91,8 @@ FILES = {
         np.random.default_rng(2261), [c.VTK_TETRA] * 3 + [c.VTK_WEDGE], (4, 3, 3), 0.95), {}),
     "linear_soup": (lambda rng: meshes.soup(rng, [*range(17), VTK_POLYHEDRON], 3, 60), ALL),
     "nonlinear_soup": (lambda rng: meshes.soup(rng, [*range(21, 38)], 3, 60), ALL),
-    "other_soup": (lambda rng: meshes.soup(rng, [41, 52, 61, *range(68, 82), 99, 200], 2, 100), ALL),
+    "other_soup": (
+        lambda rng: meshes.soup(rng, [41, 52, 61, *range(68, 82), 99, 200], 2, 100), ALL),
     "two_blocks": (lambda rng: meshes.two_blocks(rng, 3), {**ALL, "ChunkTets": 64}),
     **{"solid_%d" % kind: (lambda rng, kind=kind: meshes.nonlinear(rng, kind, (2, 2, 1)), {})
        for kind in NONLINEAR_SOLIDS},
