@@ -31,6 +31,7 @@ gatun_core_folder(Codec
     gatunPalette.h
     gatunPolygonCell.h
     gatunPolygonFront.h
+    gatunPolygonGrowth.h
     gatunPolygonModels.h
     gatunPolygonTruth.h
     gatunPolygonWalk.h

@@ -23,6 +23,7 @@ using Order = std::vector<std::uint32_t>;
 
 constexpr std::uint8_t FlagWalk = 1;
 constexpr std::uint8_t FlagMarks = 2;
+constexpr std::uint8_t FlagHexahedra = 8;
 
 /** One way to encode the connectivity of a chunk. */
 struct CellAttempt
@@ -64,6 +65,20 @@ void SortByPlace(Order& order, const CellList& cells, const Bounds& box,
     [&](std::uint32_t a, std::uint32_t b) { return codes[a] < codes[b]; });
 }
 
+/** Runs the walk that the flags name. Returns its border. */
+template <typename Coder, typename Side>
+ClosedFaces Walk(unsigned flags, Coder& coder, CellBuilder<Side>& mesh,
+  AttachedNodes<Coder, Side>& nodes, const FormTable& forms, PolygonTruth* truth)
+{
+  if ((flags & FlagHexahedra) != 0)
+  {
+    PolygonWalk<Coder, Side, HexForm> walk(coder, mesh, nodes, forms, truth);
+    return walk.Run();
+  }
+  PolygonWalk<Coder, Side, CellForm> walk(coder, mesh, nodes, forms, truth);
+  return walk.Run();
+}
+
 /** What all attempts start from. */
 struct CellInput
 {
@@ -91,12 +106,12 @@ CellAttempt TryCells(const CellInput& input, bool withWalk, Sort&& sort)
   {
     PolygonTruth truth(input.Cells, input.Forms);
     others = truth.GetOthers();
-    PolygonWalk walk(coder, mesh, nodes, input.Forms, &truth);
-    walk.Run();
+    flags |= truth.IsOfHexahedra() ? FlagHexahedra : 0;
+    const auto borders = Walk(flags, coder, mesh, nodes, input.Forms, &truth);
     MarkTruth marks(input.Cells, others);
     if (marks.HasCells())
     {
-      FaceMarks(coder, mesh, nodes).Run(walk.GetBorders(), &marks);
+      FaceMarks(coder, mesh, nodes).Run(borders, &marks);
       flags |= FlagMarks;
       std::erase_if(others, [&](std::uint32_t cell) { return marks.IsTaken(cell); });
     }
@@ -208,8 +223,9 @@ ChunkMesh DecodeCells(const ChunkFrame& frame, const ShapeTable& shapes,
   {
     ThrowCorrupt("a chunk claims more cells or points than its stream can hold");
   }
-  if (connectivity[0] != 0 && connectivity[0] != FlagWalk &&
-    connectivity[0] != (FlagWalk | FlagMarks))
+  constexpr auto flags = FlagWalk | FlagMarks | FlagHexahedra;
+  if ((connectivity[0] & ~flags) != 0 ||
+    (connectivity[0] != 0 && (connectivity[0] & FlagWalk) == 0))
   {
     ThrowCorrupt("a connectivity stream has unknown flags");
   }
@@ -228,11 +244,10 @@ ChunkMesh DecodeCells(const ChunkFrame& frame, const ShapeTable& shapes,
   if ((connectivity[0] & FlagWalk) != 0)
   {
     const auto forms = shapes.GetForms();
-    PolygonWalk walk(symbols, builder, nodes, *forms, nullptr);
-    walk.Run();
+    const auto borders = Walk(connectivity[0], symbols, builder, nodes, *forms, nullptr);
     if ((connectivity[0] & FlagMarks) != 0)
     {
-      FaceMarks(symbols, builder, nodes).Run(walk.GetBorders(), nullptr);
+      FaceMarks(symbols, builder, nodes).Run(borders, nullptr);
     }
   }
   CellListCoder list(symbols, builder, nodes);
