@@ -18,7 +18,10 @@ from gtn_shapes import (
     NODES, OTHER_SURFACES, POLYHEDRON, SURFACES, TETRA, TETRAHEDRON, corners_of)
 from gtn_vertices import Vertices
 
-WALK, MARKS = 1, 2
+WALK, MARKS, HEXAHEDRA = 1, 2, 8
+
+#: The code of the form of all cells of a walk over hexahedra.
+HEXAHEDRON = bytes([4, 4, 4, 5, 4, 6, 4, 4, 7, 6, 4, 5, 7, 4, 6, 7])
 
 #: E(r) of section 4 of format.md.
 TURNS = [
@@ -43,7 +46,8 @@ class CellMesh(Vertices):
         require(points <= counts.corners + counts.face_values, "points of a chunk")
         stream = Bytes(stream)
         flags = stream.number("B")
-        require(flags in (0, WALK, WALK + MARKS), "flags of a chunk of cells")
+        require(flags & ~(WALK | MARKS | HEXAHEDRA) == 0, "flags of a chunk of cells")
+        require(flags == 0 or flags & WALK, "flags of a walk that is not there")
         self.coded = CellCoded(stream)
         super().__init__(chunk, geometry, domains, shared_keys, shared_users)
         self.counts, self.shapes = counts, shapes
@@ -52,7 +56,11 @@ class CellMesh(Vertices):
         self._corners = self._face_values = 0
         with np.errstate(all="ignore"):
             if flags & WALK:
-                walk = CellWalk(self)
+                only = None
+                if flags & HEXAHEDRA:
+                    only = shapes.by_code.get(HEXAHEDRON)
+                    require(only is not None, "walk over hexahedra without their form")
+                walk = CellWalk(self, only)
             if flags & MARKS:
                 decode_marks(self, walk)
             CellList(self)

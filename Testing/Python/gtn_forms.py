@@ -18,6 +18,8 @@ NO_SHAPE = (1 << 32) - 1
 
 def begin(walk, gate):
     """The form of the next cell of a walk, at a gate or, without, as a seed."""
+    if walk.only is not None:
+        return walk.only
     forms = walk.mesh.shapes.forms
     is_seed = gate is None
     parent = len(forms) if is_seed else gate.face.form.number

@@ -112,10 +112,12 @@ class Step:
 
 
 class CellWalk:
-    """Makes cells in a mesh (CellMesh). closed: faces that were closed as a border."""
+    """Makes cells in a mesh (CellMesh). closed: faces that were closed as a border; only: the form of
+    all cells, or None."""
 
-    def __init__(self, mesh):
-        self.mesh, self.coded = mesh, mesh.coded
+    def __init__(self, mesh, only=None):
+        self.mesh, self.coded, self.only = mesh, mesh.coded, only
+        self.usual = {}  # pairs of ways by their place in the table
         self.decide = mesh.coded.decide
         self.front = Front(mesh.places)
         self.closed = []
@@ -138,7 +140,7 @@ class CellWalk:
                 step.put(c, mesh.meet_shared(self.coded.index(len(mesh.shared_keys))))
             else:
                 step.put(c, mesh.meet_own(step.record(c)))
-        self.finish(step, 0, 0, None, 0)
+        self.finish(step, self.type_and_frame(step.form, 0, 0), None, 0)
 
     def grow(self, face):
         mesh = self.mesh
@@ -159,13 +161,36 @@ class CellWalk:
                 if t is not None:
                     end(t, face.corner(i + 2), t.cells)
             return
-        step = Step(begin(self, gate), face)
+        form, kind_and_frame, ways = self.form_at(gate)
+        step = Step(form, face)
         met = len(mesh.keys)
         self.glue(step)
         for c in range(step.form.corners):
             if step.vertices[c] is None:
                 step.put(c, self.other_corner(step, c))
-        self.finish(step, face.kind, face.frame, face.cell, met)
+        usual = kind_and_frame is not None
+        if not usual:
+            kind_and_frame = self.type_and_frame(form, face.kind, face.frame)
+        self.finish(step, kind_and_frame, face.cell, met)
+        if not usual and form.shape != NO_SHAPE:
+            way = (form, *kind_and_frame)
+            if ways[0] is None or way == ways[1]:
+                ways[1], ways[0] = ways[0], way
+            else:
+                ways[1] = way
+
+    def form_at(self, gate):
+        """The form of the next cell and, if it is usual, its type and frame; the two ways (4.2)."""
+        face = gate.face
+        pattern = gate.pattern if self.only is None else 0
+        place = mix(12, face.form.number + (face.number << 16), pattern,
+                    face.kind + (face.frame << 8))
+        ways = self.usual.setdefault(place, [None, None])
+        if ways[0] is not None and len(ways[0][0].faces[0]) == gate.k:
+            if self.decide("Usual", place):
+                form, kind, frame = ways[0]
+                return form, (kind, frame), ways
+        return begin(self, gate), None, ways
 
     # ----- Glued faces (4.4)
 
@@ -207,7 +232,7 @@ class CellWalk:
         e = square(minus(predicted, mesh.places[record.slots[N1]]))
         candidates = self.candidates(step, c, predicted)
         near = 7
-        if candidates:
+        if candidates and len(step.glued) < 3:
             distance = candidates[0][0]
             near = next((i for i, limit in enumerate(NEAR_LIMITS) if distance < limit * e), 6)
         if decide("New", min(step.form.number, 63), min(c, 15), min(len(step.glued) - 1, 7), near):
@@ -250,12 +275,16 @@ class CellWalk:
 
     # ----- The end of a step (4.6)
 
-    def finish(self, step, parent_kind, parent_frame, parent, met):
-        """met: number of vertices that were met before this cell."""
-        form, coded = step.form, self.coded
+    def type_and_frame(self, form, parent_kind, parent_frame):
+        coded = self.coded
         kind = coded.remembered(("Types", mix(10, form.shape, parent_kind, 1)), 8, "TypeTree")
         place = mix(12, kind + 256 * form.number, parent_kind, parent_frame)
-        frame = coded.remembered(("Frames", place), 8, "FrameTree")
+        return kind, coded.remembered(("Frames", place), 8, "FrameTree")
+
+    def finish(self, step, kind_and_frame, parent, met):
+        """met: number of vertices that were met before this cell."""
+        form = step.form
+        kind, frame = kind_and_frame
         cell = self.mesh.cells_made()
         faces = None
         view = None
