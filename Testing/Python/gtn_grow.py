@@ -112,8 +112,8 @@ class Step:
 
 
 class CellWalk:
-    """Makes cells in a mesh (CellMesh). closed: faces that were closed as a border; only: the form of
-    all cells, or None."""
+    """Makes cells in a mesh (CellMesh). closed: faces that were closed as a border; only: the form
+    of all cells, or None."""
 
     def __init__(self, mesh, only=None):
         self.mesh, self.coded, self.only = mesh, mesh.coded, only
