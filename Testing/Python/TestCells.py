@@ -25,7 +25,7 @@ except ImportError as error:
 
 NONLINEAR_SOLIDS = (24, 25, 26, 27, 29, 31, 32, 33, 37)
 NONLINEAR_SURFACES = (22, 23, 28, 30, 34)
-TETRA, WEDGE, HEXAHEDRON, POLYHEDRON = 10, 13, 12, 42
+TETRA, HEXAHEDRON, WEDGE, PYRAMID, POLYHEDRON = 10, 12, 13, 14, 42
 
 # Functions by name; each gets a generator of random numbers.
 MESHES = {
@@ -42,6 +42,7 @@ MESHES = {
     "turned polygons": lambda rng: meshes.polygons_in_layers(rng, shift=1),
     "large polygons": lambda rng: meshes.polygons_in_layers(rng, most=9, n=4),
     "few middles": lambda rng: meshes.middles(rng, part=0.15),
+    "middles of pyramids": lambda rng: meshes.middles(rng, part=0.3, kind=PYRAMID),
     "many hexahedra": lambda rng: meshes.hexahedra(rng, (9, 9, 9), 0.02),
     "many holes": lambda rng: meshes.holes(rng, part=0.4),
     "linear soup": lambda rng: meshes.soup(rng, [*range(17), POLYHEDRON]),

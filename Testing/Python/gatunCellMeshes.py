@@ -511,21 +511,25 @@ def other_corners(rng):
     return with_arrays(grid, rng)
 
 
-def middles(rng, n=(3, 2, 2), part=0.7):
-    """Tetrahedra with points in the middle of some edges, as polyhedra: these points have just two
-    neighbors, both in the same two faces."""
+def middles(rng, n=(3, 2, 2), part=0.7, kind=c.VTK_TETRA):
+    """Tetrahedra or pyramids with points in the middle of some edges, as polyhedra: these points
+    have just two neighbors, both in the same two faces."""
     points, boxes = cubes(n)
     added = Points(points)
-    around = ((1, 2), (2, 3), (3, 7), (7, 4), (4, 5), (5, 1))
-    tets = [[box[0], box[a], box[b], box[6]] for box in boxes for a, b in around]
-    edges = sorted({tuple(sorted((tet[a], tet[b]))) for tet in tets
-                    for a, b in ((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3))})
+    if kind == c.VTK_TETRA:
+        around = ((1, 2), (2, 3), (3, 7), (7, 4), (4, 5), (5, 1))
+        solids = [[box[0], box[a], box[b], box[6]] for box in boxes for a, b in around]
+    else:
+        solids = [face[::-1] + [added.mean(box)] for box in boxes for face in box_faces(box)]
+    surface = SURFACES[kind]
+    edges = sorted({tuple(sorted((ids[a], ids[b]))) for ids in solids
+                    for face in surface for a, b in zip(face, face[1:] + face[:1])})
     middle = {edge: added.mean(edge) for edge in edges if rng.random() < part}
     cells = []
-    for tet in tets:
+    for solid in solids:
         faces = []
-        for face in SURFACES[c.VTK_TETRA]:
-            ids = [tet[i] for i in face]
+        for face in surface:
+            ids = [solid[i] for i in face]
             more = []
             for a, b in zip(ids, ids[1:] + ids[:1]):
                 more += [a, *[middle[e] for e in [tuple(sorted((a, b)))] if e in middle]]
