@@ -28,6 +28,7 @@ of_file = text[text.index("\n### 12.1") : text.index("\n### 12.2")]
 of_walk = text[text.index("\n### 12.2") : text.index("\n## 13 ")]
 of_tree = text[text.index("\n### 13.7") : text.index("\n## 14 ")]
 of_layers = text[text.index("\n### 14.3") : text.index("\n## 15 ")]
+of_cells = text[text.index("\n### 15.4") : text.index("\n## Appendix A")]
 
 # The file is a hex dump with offsets.
 dump = re.search("```\n(0000  .*?)```", of_file, re.DOTALL)[1]
@@ -94,3 +95,15 @@ content = unpack(golden[at + 24 : at + 24 + length], table_limit)
 rows = re.findall(r"^\| ([0-9a-f ]+) \| ", of_layers, re.MULTILINE)
 assert bytes.fromhex("".join(rows)) == content and "LAYR, %d\nbytes" % len(content) in of_layers
 assert "Bounds[0] %g |" % Decoder(golden).container.layers.bounds[0] in of_layers
+
+# Cells: likewise.
+with open(os.path.join(data, "Golden", "v1.3", "two_cells.gtn"), "rb") as file:
+    golden = file.read()
+at = golden.index(b"CELL")
+length = int.from_bytes(golden[at + 8 : at + 16], "little")
+content = unpack(golden[at + 24 : at + 24 + length], table_limit)
+rows = re.findall(r"^\| ([0-9a-f ]+) \| ", of_cells, re.MULTILINE)
+assert bytes.fromhex("".join(rows)) == content and "CELL, %d bytes" % len(content) in of_cells
+cells = Decoder(golden).cells()
+assert [kind for kind, _, _ in cells] == [12, 13]
+assert len(set(cells[0][1]) & set(cells[1][1])) == 3

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""A decoder written from Documentation/format.md alone reads all golden files as expected, and as
-vtkGatunReader does, with their trees of merges, base meshes and layers; it rejects all that is cut short or
-damaged."""
+"""A decoder written from Documentation/format.md and cell-codec.md alone reads all golden files as
+expected, and as vtkGatunReader does, with their trees of merges, base meshes and layers; it rejects
+all that is cut short or damaged."""
 
 import os
 import sys
@@ -21,7 +21,8 @@ from gtn_decoder import Decoder
 from gtn_layers import check_layers
 from gtn_tree import check_level, check_ranges
 
-SMALLEST = {"v1.0": "one_tet.gtn", "v1.1": "two_tets_and_one.gtn", "v1.2": "two_layers.gtn"}
+SMALLEST = {"v1.0": "one_tet.gtn", "v1.1": "two_tets_and_one.gtn", "v1.2": "two_layers.gtn",
+            "v1.3": "two_cells.gtn"}
 
 
 def is_rejected(data):

@@ -28,13 +28,19 @@ def describe_field_array(array):
     return result
 
 
+def describe_cells(decoder, restore):
+    if decoder.container.cells is None:
+        return {"tets": golden.sha256(decoder.tets(restore))}
+    return {"cells": golden.sha256_of_cells(decoder.cells(restore))}
+
+
 def hashes(decoder, order, restore):
     """order: numbers of the arrays, those of points first."""
     points = decoder.points(restore)
     return {
         "points_type": points.dtype.name if len(points) else None,
         "points": golden.sha256(points) if len(points) else None,
-        "tets": golden.sha256(decoder.tets(restore)),
+        **describe_cells(decoder, restore),
         "arrays": [
             [golden.sha256(decoder.array(step, i, restore)) for i in order]
             for step in range(max(1, len(decoder.steps)))
@@ -54,7 +60,7 @@ def describe_decoded(data):
                 roles[WHERE[array.where]][str(role)] = array.name
     return {
         "times": [step.time for step in decoder.steps] if meta.has_time else [],
-        "wide_ids": meta.wide_ids != 0 if meta.tets else None,
+        "wide_ids": meta.wide_ids != 0 if decoder.cells() else None,
         "arrays": [
             dict(describe(meta.arrays[i]), where=WHERE[meta.arrays[i].where != POINTS])
             for i in order

@@ -6,11 +6,12 @@
 A description is made of dicts and lists, as it stands in expected.json:
 
     times         of the steps
-    wide_ids      whether point ids have 64 bits; None without tetrahedra
+    wide_ids      whether point ids have 64 bits; None without cells
     arrays        names and types of the point and cell arrays
     roles         names of the active attributes of points and cells, by number of the role
     field_data    for each step
-    file_order    sha256 of points, tets and, for each step, arrays, in the file's own order
+    file_order    sha256 of points, tets (or cells, if there are others) and, for each step, arrays,
+                  in the file's own order
     input_order   the same in the order of the input, as far as the file keeps it
 """
 
@@ -21,7 +22,9 @@ import os
 import sys
 
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
+from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON, VTK_TETRA
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as pipeline
 
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "IO"))
@@ -98,13 +101,48 @@ def attributes_of(grid):
     return {"points": grid.GetPointData(), "cells": grid.GetCellData()}
 
 
+def sha256_of_cells(cells):
+    """Of triples of a type, points and, of a polyhedron, faces: these numbers as int64, each list
+    with its length before it."""
+    numbers = []
+    for kind, points, faces in cells:
+        numbers += [kind, len(points), *points]
+        if faces is not None:
+            numbers += [len(faces), *(x for face in faces for x in (len(face), *face))]
+    return sha256(np.array(numbers, np.int64))
+
+
+def cells_of(grid):
+    """All cells, as sha256_of_cells takes them."""
+    kinds = vtk_to_numpy(grid.GetCellTypesArray()).tolist()
+    offsets = vtk_to_numpy(grid.GetCells().GetOffsetsArray())
+    points = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).tolist()
+    cells = []
+    for i, kind in enumerate(kinds):
+        faces = None
+        if kind == VTK_POLYHEDRON:
+            faces, stream = [], gm.faces_of(grid, i)[1:]
+            while stream:
+                faces.append(stream[1 : stream[0] + 1])
+                stream = stream[stream[0] + 1 :]
+        cells.append((kind, points[offsets[i] : offsets[i + 1]], faces))
+    return cells
+
+
+def describe_cells(grid):
+    kinds = set(vtk_to_numpy(grid.GetCellTypesArray())) if grid.GetNumberOfCells() else set()
+    if kinds <= {VTK_TETRA}:
+        return {"tets": sha256(gm.connectivity(grid).astype(np.int64))}
+    return {"cells": sha256_of_cells(cells_of(grid))}
+
+
 def hashes(grids):
     """Checksums of the grids of all steps, which have one mesh."""
     coordinates = gm.coordinates(grids[0])
     return {
         "points_type": coordinates.dtype.name if len(coordinates) else None,
         "points": sha256(coordinates) if len(coordinates) else None,
-        "tets": sha256(gm.connectivity(grids[0]).astype(np.int64)),
+        **describe_cells(grids[0]),
         "arrays": [
             [
                 sha256(gm.values_of(array))

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Container and tables of `.gtn` files: sections 2, 3, 13 and 14 of Documentation/format.md.
+"""Container and tables of `.gtn` files: sections 2, 3, 13, 14 and 15.1 of Documentation/format.md.
 
 Part of gtn_decoder, which is written from that text alone.
 """
@@ -15,7 +15,8 @@ import zstandard
 
 POINTS, CELLS = 0, 1
 KEEP_POINTS, KEEP_CELLS, KEEP_CORNERS = 1, 2, 4
-MAX_TETS = 1 << 20
+MAX_TETS = MAX_CELLS = 1 << 20
+MAX_VALUES = 1 << 24
 MAX_PALETTE = 1 << 16
 MAX_RUNGS = MAX_LEVELS = 64
 MAX_LAYERS = 4096
@@ -27,7 +28,7 @@ MAGIC = bytes.fromhex("8947544E0D0A1A0A")
 END_MAGIC = b"GTNEND\r\n"
 SECTIONS = (
     b"META", b"TABL", b"STEP", b"MESH", b"VALS", b"TREE", b"MERG", b"TRNG", b"LEVL",
-    b"LAYR", b"DIRY")
+    b"LAYR", b"CELL", b"DIRY")
 STREAMS = (b"MESH", b"VALS", b"MERG")  # sections of streams
 
 
@@ -129,7 +130,7 @@ def unpack(data, limit):
 
 
 def table_limit(packed):
-    """Of META, TABL, TREE and LAYR (11.1)."""
+    """Of META, TABL, TREE, LAYR and CELL (11.1)."""
     return max(1 << 20, 512 * packed)
 
 
@@ -149,15 +150,18 @@ def field_data_limit(packed):
 
 class Container:
     """A file, whose tables are read and checked; attributes meta, table, steps, and, None if there
-    are none, layers and tree, which has ranges, one table a step, and files, the bytes of base
-    meshes."""
+    are none, cells, layers and tree, which has ranges, one table a step, and files, the bytes of
+    base meshes."""
 
     def __init__(self, data):
         self.data = data
         self._step_bytes = 0
         sections = self._directory()
         self.meta = read_meta(self._packed(sections, b"META"))
-        self.table = read_table(self._packed(sections, b"TABL"), self.meta)
+        self.cells = None
+        if any(section.name == b"CELL" for section in sections):
+            self.cells = read_cells(self._packed(sections, b"CELL"))
+        self.table = read_table(self._packed(sections, b"TABL"), self.meta, self.cells)
         self.steps = [
             read_step(Bytes(self._content(section)), self.meta, self.table)
             for section in sections
@@ -303,8 +307,56 @@ def read_meta(table):
     return meta
 
 
-def read_table(table, meta):
-    """Section TABL (3.3)."""
+def read_cells(table):
+    """Section CELL (15.1)."""
+    cells = Record(types={}, chunks=[])
+    before = -1
+    for _ in range(table.varint()):
+        kind = table.number("B")
+        require(kind > before, "order of types")
+        before = kind
+        cells.types[kind] = table.varint()
+        require(1 <= cells.types[kind] < 1 << 32, "cells of a type")
+    for _ in range(table.varint()):
+        kind = table.number("B")
+        require(kind <= 1, "kind of a chunk")
+        chunk = None
+        if kind:
+            chunk = Record(cells=table.varint(), corners=table.varint())
+            chunk.face_values, chunk.polyhedra = table.varint(), table.varint()
+            require(1 <= chunk.cells <= MAX_CELLS, "cells of a chunk")
+            require(chunk.corners + chunk.face_values <= MAX_VALUES, "corners of a chunk")
+            require(chunk.polyhedra <= chunk.cells, "polyhedra of a chunk")
+            require(chunk.polyhedra or not chunk.face_values, "faces without polyhedra")
+        cells.chunks.append(chunk)
+    cells.shapes = table.raw_string()
+    table.end()
+    return cells
+
+
+def check_cells(cells, table):
+    """What 15.1 says of CELL and TABL."""
+    require(len(cells.chunks) == len(table.chunks), "chunks of cells")
+    counts = [chunk.tets if chunk.cells is None else chunk.cells.cells for chunk in table.chunks]
+    require(sum(counts) == sum(cells.types.values()), "cells of all types")
+
+
+def check_chunk(chunk):
+    """Sizes that 3.3 bounds by the tetrahedra of a chunk, and 15.2 by its cells."""
+    length = chunk.connectivity.length if chunk.connectivity else 0
+    require(chunk.geometry is not None, "no geometry")
+    if chunk.cells is None:
+        require(1 <= chunk.tets <= MAX_TETS, "tetrahedra of a chunk")
+        require(length >= chunk.tets // 256 + 1, "connectivity too short")
+        return
+    values = chunk.cells.corners + chunk.cells.face_values
+    require(chunk.tets <= values, "tetrahedra of a chunk of cells")
+    require(length >= chunk.cells.cells // 256 + 1, "connectivity too short")
+    require(length >= values // 16384 + 1, "connectivity too short")
+
+
+def read_table(table, meta, cells=None):
+    """Section TABL (3.3). cells: section CELL, if there is one."""
     result = Record(palettes=[table.palette() for _ in range(3)], blocks=[], chunks=[])
     keep_points = meta.keep & KEEP_POINTS
 
@@ -335,7 +387,10 @@ def read_table(table, meta):
     result.unused = read_points(meta.unused_points)
 
     for _ in range(table.varint()):
-        chunk = Record()
+        chunk = Record(cells=None)
+        if cells is not None:
+            require(len(result.chunks) < len(cells.chunks), "chunks of cells")
+            chunk.cells = cells.chunks[len(result.chunks)]
         chunk.tets = table.varint()
         chunk.own_points = table.varint()
         chunk.level = table.varint()
@@ -347,13 +402,12 @@ def read_table(table, meta):
         chunk.original_cells = table.reference() if meta.keep & KEEP_CELLS else None
         chunk.corners = table.reference() if meta.keep & KEEP_CORNERS else None
         chunk.shared_points = 0
-        require(1 <= chunk.tets <= MAX_TETS, "tetrahedra of a chunk")
         require(chunk.level == 0 and chunk.bucket == 0, "level or bucket")
-        length = chunk.connectivity.length if chunk.connectivity else 0
-        require(length >= chunk.tets // 256 + 1, "connectivity too short")
-        require(chunk.geometry is not None, "no geometry")
+        check_chunk(chunk)
         result.chunks.append(chunk)
     table.end()
+    if cells is not None:
+        check_cells(cells, result)
 
     for block in result.blocks:
         for group in block.groups:
@@ -361,7 +415,10 @@ def read_table(table, meta):
             for chunk in group.chunks:
                 result.chunks[chunk].shared_points += group.points
     for chunk in result.chunks:
-        require(chunk.own_points + chunk.shared_points <= 4 * chunk.tets, "points of a chunk")
+        most = 4 * chunk.tets
+        if chunk.cells is not None:
+            most = chunk.cells.corners + chunk.cells.face_values
+        require(chunk.own_points + chunk.shared_points <= most, "points of a chunk")
     points = sum(part.points for part in result.blocks) + meta.unused_points
     points += sum(chunk.own_points for chunk in result.chunks)
     require(points == meta.points, "number of points")

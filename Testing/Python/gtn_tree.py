@@ -80,7 +80,7 @@ class SimplerMesh:
         self.kept = [i for i, ancestor in enumerate(ancestors) if i == ancestor]
         places = {point: place for place, point in enumerate(self.kept)}
         self.cells, tets = [], []
-        for cell, tet in enumerate(decoder.tets().tolist()):
+        for cell, tet in zip(decoder.cells_of_tets(), decoder.tets().tolist()):
             corners = [ancestors[point] for point in tet]
             if len(set(corners)) == 4:
                 self.cells.append(cell)

@@ -12,37 +12,11 @@ from collections import OrderedDict
 
 import numpy as np
 
-from gtn_coding import Coded, divide
+from gtn_coding import Coded
 from gtn_container import Bytes, require
-
-INF = math.inf
-F = np.float32  # Operations on such numbers are those of binary32.
+from gtn_vertices import INF, F, Vertices, clamp, cross, dot, minus, square
 
 ANGLE, PLAIN, FLIPS = 1, 2, 4
-
-
-def minus(a, b):
-    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
-
-
-def dot(u, v):
-    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
-
-
-def cross(u, v):
-    return (
-        u[1] * v[2] - u[2] * v[1],
-        u[2] * v[0] - u[0] * v[2],
-        u[0] * v[1] - u[1] * v[0],
-    )
-
-
-def clamp(x, low, high):
-    return max(low, min(x, high))
-
-
-def square(v):
-    return dot(v, v)
 
 
 class Link:
@@ -96,29 +70,6 @@ def turn(link, forward, most, use):
             break
         link = link.beside(step)
     return link
-
-
-class Lattice:
-    """Places of coordinates (8.2)."""
-
-    def __init__(self, box):
-        extent = 0.0
-        for low, high in box:
-            if high - low > extent:
-                extent = high - low
-        self.scale = divide(65535.0, extent)
-        if not math.isfinite(self.scale):
-            self.scale = 0.0
-        self.low = [low for low, _ in box]
-
-    def place(self, values):
-        """A place, as binary32 numbers."""
-        result = []
-        for x, low in zip(values, self.low):
-            w = (x - low) * self.scale
-            w = (math.floor(w) if w < 65535 else 65535) if w > 0 else 0
-            result.append(F(w / 256))
-        return tuple(result)
 
 
 class SeedRecord:
@@ -194,16 +145,20 @@ class Geometry:
         self.used.append(rule)
         return self.last
 
+    def predict(self, record, used, domain, keys):
+        """Number, spread and group of a value by the mode gate (10.4), or nothing."""
+        if record.is_seed:
+            return None
+        known = [keys[v] for v in record.known]
+        numbers = [domain.to_number(key) for key in known]
+        return apply_rule(self.rules[used], numbers), key_spread(known[:4]), 1 + used
 
-class Walk:
-    """Decodes a chunk. What it gives, as in 8.1:
 
-    keys         of the coordinates of each vertex
-    shared       shared index of each vertex, or None if it is an own one
+class Walk(Vertices):
+    """Decodes a chunk. What it gives, as in 8.1, besides its vertices:
+
     tets         four vertices each
     parents      of the tetrahedra, or None
-    records      of the own vertices, in order
-    edge_log     pairs of vertices
     """
 
     def __init__(self, chunk, stream, geometry, domains, shared_keys, shared_users):
@@ -214,15 +169,8 @@ class Walk:
         self.angle = bool(self.flags & ANGLE)
         self.coded = Coded(stream)
         self.decide, self.index = self.coded.decide, self.coded.index
-        self.chunk, self.geometry, self.domains = chunk, geometry, domains
-        self.lattice = Lattice(chunk.box)
-        self.shared_keys, self.shared_users = shared_keys, shared_users
-        self.shared_places = [self.place_of(key) for key in shared_keys]
-        self.shared_met = [False] * len(shared_keys)
-        self.grid = self.make_grid()
-
-        self.keys, self.places, self.shared, self.users = [], [], [], []
-        self.tets, self.parents, self.records, self.edge_log = [], [], [], []
+        super().__init__(chunk, geometry, domains, shared_keys, shared_users)
+        self.tets, self.parents = [], []
         self.front = OrderedDict()  # the open faces, oldest first; values mean nothing
 
         with np.errstate(all="ignore"):
@@ -231,8 +179,7 @@ class Walk:
                     self.grow(next(iter(self.front)))
                 else:
                     self.seed()
-        require(len(self.records) == chunk.own_points, "own points that were not met")
-        require(all(self.shared_met), "shared points that were not met")
+        self.check_all_met()
         if self.flags & FLIPS:
             flips = []
             for i, (a, b, c, d) in enumerate(self.tets):
@@ -240,30 +187,6 @@ class Walk:
                 flips.append(self.decide("Flip", 0 if parent is None else flips[parent]))
                 if flips[i]:
                     self.tets[i] = (a, b, d, c)
-
-    # ----- Vertices
-
-    def place_of(self, key):
-        return self.lattice.place([domain.to_value(k) for domain, k in zip(self.domains, key)])
-
-    def meet(self, key, place, shared, users):
-        self.keys.append(key)
-        self.places.append(place)
-        self.shared.append(shared)
-        self.users.append(users)
-        return len(self.keys) - 1
-
-    def meet_shared(self, index):
-        require(not self.shared_met[index], "shared point that was met before")
-        self.shared_met[index] = True
-        key, users = self.shared_keys[index], self.shared_users[index]
-        return self.meet(key, self.shared_places[index], index, users)
-
-    def meet_own(self, record):
-        require(len(self.records) < self.chunk.own_points, "too many own points")
-        key = self.geometry.vertex(record, self.keys)
-        self.records.append(record)
-        return self.meet(key, self.place_of(key), None, 0)
 
     # ----- The front (8.4)
 
@@ -385,68 +308,27 @@ class Walk:
 
     # ----- Shared vertices by their place (8.13)
 
-    def make_grid(self):
-        count = len(self.shared_keys)
-        self.depth = clamp((count.bit_length() - 4) // 2, 0, 6)
-        grid = {}
-        for index, place in enumerate(self.shared_places):
-            grid.setdefault(self.cell(place), []).append(index)
-        return grid
-
-    def cell(self, place):
-        top = (1 << self.depth) - 1
-        return tuple(clamp(math.floor(x * F(2.0 ** (self.depth - 8))), 0, top) for x in place)
-
     def name_shared(self, gate):
         """The shared index that is named next."""
-        for i, (_, index) in enumerate(self.search(gate)):
+        for i, (_, index) in enumerate(self.search_at(gate)):
             if self.decide("SharedRank", i):
                 return index
         return self.index(len(self.shared_keys))
 
-    def search(self, gate):
-        """Hits as pairs of rank and index, in ascending order."""
-        a, b, c = [self.places[v] for v in gate.c]
+    def search_at(self, gate):
+        """Hits near a gate."""
+        a, b, c = gate.corner_places
         longest = max(square(minus(b, a)), square(minus(c, a)), square(minus(c, b)))
         third = F(1) / F(3)
         m = tuple((a[i] + b[i] + c[i]) * third for i in range(3))
         reach = F(3 if self.angle else 1.25)
-        limit = reach * reach * longest
-        radius = np.sqrt(limit)
-        low, high = self.cell([x - radius for x in m]), self.cell([x + radius for x in m])
-        hits = []
-        patience = 512
-        for z in outwards(low[2], high[2]):
-            for y in outwards(low[1], high[1]):
-                row = []
-                for x in range(low[0], high[0] + 1):
-                    row += self.grid.get((x, y, z), [])
-                for four in range(0, len(row), 4):
-                    for index in row[four : four + 4]:
-                        self.look(gate, index, m, limit, hits)
-                    patience -= 1
-                    if patience == 0:
-                        return hits
-        return hits
 
-    def look(self, gate, index, m, limit, hits):
-        place = self.shared_places[index]
-        distance = square(minus(place, m))
-        if self.shared_met[index] or not distance <= limit:
-            return
-        if not self.angle:
-            rank = gate.sphere(place)
-        else:
-            rank = distance if dot(minus(place, gate.a), gate.normal) > 0 else INF
-        if rank != INF:
-            hits.append((rank, index))
-            hits.sort(key=lambda hit: hit[0])  # keeps the order of equal ones
-            del hits[8:]
+        def rank(place, distance):
+            if not self.angle:
+                return gate.sphere(place)
+            return distance if dot(minus(place, gate.a), gate.normal) > 0 else INF
 
-
-def outwards(a, b):
-    m = (a + b) // 2
-    return sorted(range(a, b + 1), key=lambda i: (abs(i - m), i < m))
+        return self.search(m, reach * reach * longest, rank)
 
 
 class Gate:

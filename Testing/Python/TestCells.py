@@ -1,0 +1,137 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Files of cells of all types, as vtkGatunWriter writes them, are decoded by a decoder written from
+Documentation/format.md and cell-codec.md alone as vtkGatunReader reads them, bit for bit, and in
+the original order as they were."""
+
+import sys
+
+import numpy as np
+
+import gatunMeshes as gm
+from gatun import vtkGatunWriter
+from gatunTimeSource import TimeSource, connect
+
+try:
+    import gatunCellMeshes as meshes
+    import gatunGolden as golden
+    from gatunDecoded import assert_decoded_as, decode
+    from gtn_layers import check_layers
+    from gtn_tree import check_ranges
+except ImportError as error:
+    print(error)
+    sys.exit(gm.SKIPPED)
+
+NONLINEAR_SOLIDS = (24, 25, 26, 27, 29, 31, 32, 33, 37)
+NONLINEAR_SURFACES = (22, 23, 28, 30, 34)
+TETRA, HEXAHEDRON, WEDGE, PYRAMID, POLYHEDRON = 10, 12, 13, 14, 42
+
+# Functions by name; each gets a generator of random numbers.
+MESHES = {
+    **{name: getattr(meshes, name) for name in (
+        "hexahedra", "hexahedra_at_random", "voxels", "wedges", "pyramids", "transition", "prisms",
+        "hanging", "polygons_in_layers", "polyhedra_and_others", "other_corners", "middles",
+        "with_boundary", "shells", "degenerate", "odd_places", "one_place", "around_an_edge",
+        "cone", "holes", "torn", "comb")},
+    **{"nonlinear %d" % kind: lambda rng, kind=kind: meshes.nonlinear(rng, kind)
+       for kind in NONLINEAR_SOLIDS},
+    **{"shell %d" % kind: lambda rng, kind=kind: meshes.quadratic_shell(rng, kind)
+       for kind in NONLINEAR_SURFACES},
+    "hanging hexahedra": lambda rng: meshes.hanging(rng, as_polyhedra=False),
+    "turned polygons": lambda rng: meshes.polygons_in_layers(rng, shift=1),
+    "large polygons": lambda rng: meshes.polygons_in_layers(rng, most=9, n=4),
+    "few middles": lambda rng: meshes.middles(rng, part=0.15),
+    "middles of pyramids": lambda rng: meshes.middles(rng, part=0.3, kind=PYRAMID),
+    "many hexahedra": lambda rng: meshes.hexahedra(rng, (9, 9, 9), 0.02),
+    "many holes": lambda rng: meshes.holes(rng, part=0.4),
+    "linear soup": lambda rng: meshes.soup(rng, [*range(17), POLYHEDRON]),
+    "nonlinear soup": lambda rng: meshes.soup(rng, [*range(21, 38)]),
+    "soup of few": lambda rng: meshes.soup(rng, [HEXAHEDRON, POLYHEDRON, 4, 6], 20),
+    "polyhedral soup": lambda rng: meshes.soup(rng, [POLYHEDRON], 20),
+    "other soup": lambda rng: meshes.soup(rng, [41, 52, 61, *range(68, 82), 99, 200]),
+}
+
+# Seeds for which the front touches itself in rare ways: more than once at an edge; a cell fills the
+# gap between two faces that are not linked to each other, and both, or just one, lead on.
+AMONG_MANY = (
+    (1030, [WEDGE, TETRA], (3, 3, 2), 0.9), (2261, [TETRA] * 3 + [WEDGE], (4, 3, 3), 0.95),
+    (2375, [TETRA] * 3 + [HEXAHEDRON], (4, 3, 3), 0.95), (2525, [WEDGE, TETRA], (4, 3, 3), 0.95),
+    (2692, [TETRA] * 3 + [WEDGE], (4, 3, 3), 0.9), (3748, [WEDGE, TETRA], (3, 3, 3), 0.9),
+    (5315, [WEDGE, TETRA], (3, 3, 3), 0.95))
+
+
+def check(name, grid, **options):
+    """Decodes, and gives the decoder."""
+    path = gm.temporary("decoded.gtn")
+    gm.write(grid, path, **options)
+    decoder = decode(path)
+    try:
+        assert_decoded_as(gm.read(path, RestoreOrder=False), decoder, False)
+        if options.get("KeepOrder") == 7:
+            assert_decoded_as(gm.read(path, RestoreOrder=True), decoder, True)
+            assert_decoded_as(grid, decoder, True)
+        tets = gm.read(path, SplitCells=True, RestoreOrder=False)
+        assert np.array_equal(
+            gm.coordinates(tets)[gm.connectivity(tets)].view(np.uint8),
+            decoder.points()[decoder.tets()].view(np.uint8)), "tetrahedra of cells"
+    except AssertionError as error:
+        raise AssertionError("%s %s: %s" % (name, options, error)) from error
+    return decoder
+
+
+modes = set()
+shared = 0
+for name, make in MESHES.items():
+    grid = make(np.random.default_rng(6))
+    for options in ({"ChunkTets": 0}, {"ChunkTets": 100, "KeepOrder": 7}):
+        decoder = check(name, grid, **options)
+        modes.update(chunk.geometry.mode for chunk in decoder.chunks if not chunk.is_walk)
+        shared += sum(len(chunk.shared_points) for chunk in decoder.chunks)
+assert modes == {0, 1, 2} and shared > 1000
+for seed, *arguments in AMONG_MANY:
+    grid = meshes.holes_among_many(np.random.default_rng(seed), *arguments)
+    check("holes %d" % seed, grid)
+
+# A file with chunks of both kinds: tetrahedra are in chunks of their own where nothing else is.
+grid = meshes.two_blocks(np.random.default_rng(1))
+decoder = check("two blocks", grid, ChunkTets=64, KeepOrder=7)
+assert {chunk.is_walk for chunk in decoder.chunks} == {True, False}
+
+# Steps with changes that are predicted from the step before.
+grid = meshes.transition(np.random.default_rng(2))
+values = np.random.default_rng(3).random(grid.GetNumberOfCells())
+grids = []
+for step in range(5):
+    made = grid.NewInstance()
+    made.ShallowCopy(grid)
+    places = gm.coordinates(grid).astype(float)
+    gm.add_array(made.GetPointData(), np.sin(places + 0.1 * step).astype(np.float32), "moving")
+    gm.add_array(made.GetPointData(), np.floor(places[:, 0] + step).astype(np.int32), "stepping")
+    gm.add_array(made.GetCellData(), (values + 0.01 * step).astype(np.float32), "rising")
+    grids.append(made)
+path = gm.temporary("decoded.gtn")
+times = [float(step) for step in range(len(grids))]
+for options in ({"ChunkTets": 64, "KeepOrder": 7}, {"KeyStepInterval": 2}):
+    writer = vtkGatunWriter()
+    connect(writer, TimeSource(grids.__getitem__, times))
+    writer.WriteAllTimeStepsOn()
+    writer.SetFileName(path)
+    for name, value in options.items():
+        getattr(writer, "Set" + name)(value)
+    assert writer.Write() == 1
+    decoder = decode(path)
+    for step, read in enumerate(golden.read_steps(path, False)[0]):
+        assert_decoded_as(read, decoder, False, step)
+        if options.get("KeepOrder") == 7:
+            assert_decoded_as(grids[step], decoder, True, step)
+
+# Merges are those of the tetrahedra of cells; layers are by values.
+for name in ("hexahedra", "transition", "polygons_in_layers"):
+    grid = MESHES[name](np.random.default_rng(4))
+    decoder = check(name, grid, ChunkTets=300, Hierarchy=True)
+    assert len(decoder.merges) > 10
+    check_ranges(decoder)
+    decoder = check(name, grid, ChunkTets=64, LayerArray="wave", NumberOfLayers=4)
+    assert decoder.container.layers is not None and decoder.container.cells is not None
+    check_layers(decoder)
