@@ -11,6 +11,7 @@
 #include "gatunMorton.h"
 #include "gatunPolygonTruth.h"
 #include "gatunPolygonWalk.h"
+#include "gatunSurfaceWalk.h"
 
 #include <algorithm>
 #include <numeric>
@@ -23,6 +24,7 @@ using Order = std::vector<std::uint32_t>;
 
 constexpr std::uint8_t FlagWalk = 1;
 constexpr std::uint8_t FlagMarks = 2;
+constexpr std::uint8_t FlagSurface = 4;
 
 /** One way to encode the connectivity of a chunk. */
 struct CellAttempt
@@ -32,7 +34,7 @@ struct CellAttempt
   std::vector<std::uint32_t> InputOf;
   std::vector<std::uint32_t> OwnOrder;
   std::vector<std::uint32_t> CellOrder;
-  std::size_t Others = 0; // cells that the walk does not take
+  std::size_t Others = 0; // cells that no walk takes
 };
 
 /** The length that a connectivity stream must have at least. */
@@ -71,12 +73,15 @@ struct CellInput
   const CellList& Cells;
   const FormTable& Forms;
   std::span<const LatticePoint> Shared, OwnPlaces;
+
+  /** Whether there are cells for a walk over cells. */
+  bool HasSolids() const { return this->Forms.GetSize() > 0 || !this->Cells.Faces.empty(); }
 };
 
-/** Encodes cells by a walk and as faces at its border if it is wanted, and those that it does not
- * take in an order that sort(cells) gives. */
+/** Encodes cells by walks if they are wanted, and those that they do not take in an order that
+ * sort(cells) gives. */
 template <typename Sort>
-CellAttempt TryCells(const CellInput& input, bool withWalk, Sort&& sort)
+CellAttempt TryCells(const CellInput& input, bool withWalks, Sort&& sort)
 {
   CellAttempt result;
   EntropyEncoder coder;
@@ -84,11 +89,12 @@ CellAttempt TryCells(const CellInput& input, bool withWalk, Sort&& sort)
     input.Cells, static_cast<std::uint32_t>(input.Shared.size()), input.OwnPlaces);
   CellBuilder mesh(input.Frame, input.Shared, side, result.Mesh);
   AttachedNodes nodes(coder, mesh);
-  std::uint8_t flags = withWalk ? FlagWalk : 0;
+  std::uint8_t flags = 0;
   Order others(input.Cells.GetNumber());
   std::iota(others.begin(), others.end(), 0u);
-  if (withWalk)
+  if (withWalks && input.HasSolids())
   {
+    flags |= FlagWalk;
     PolygonTruth truth(input.Cells, input.Forms);
     others = truth.GetOthers();
     PolygonWalk walk(coder, mesh, nodes, input.Forms, &truth);
@@ -99,6 +105,16 @@ CellAttempt TryCells(const CellInput& input, bool withWalk, Sort&& sort)
       FaceMarks(coder, mesh, nodes).Run(walk.GetBorders(), &marks);
       flags |= FlagMarks;
       std::erase_if(others, [&](std::uint32_t cell) { return marks.IsTaken(cell); });
+    }
+  }
+  if (withWalks)
+  {
+    SurfaceTruth truth(input.Cells, others);
+    if (truth.HasCells())
+    {
+      SurfaceWalk(coder, mesh, nodes, &truth).Run();
+      flags |= FlagSurface;
+      std::erase_if(others, [&](std::uint32_t cell) { return truth.IsTaken(cell); });
     }
   }
   sort(others);
@@ -151,15 +167,12 @@ CellAttempt EncodeConnectivity(const ChunkFrame& frame, const CellList& cells,
       best = std::move(attempt);
     }
   };
-  if (forms.GetSize() > 0 || !cells.Faces.empty())
+  consider(TryCells(input, true, keep));
+  if (best.Stream[0] != 0 && best.Others > cells.GetNumber() / 16)
   {
-    consider(TryCells(input, true, keep));
-    if (best.Others > cells.GetNumber() / 16)
-    {
-      consider(TryCells(input, true, sort));
-    }
+    consider(TryCells(input, true, sort));
   }
-  if (best.Stream.empty() || best.Stream.size() > listBytes * cells.GetNumber())
+  if (best.Stream[0] == 0 || best.Stream.size() > listBytes * cells.GetNumber())
   {
     consider(TryCells(input, false, keep));
     consider(TryCells(input, false, sort));
@@ -208,8 +221,8 @@ ChunkMesh DecodeCells(const ChunkFrame& frame, const ShapeTable& shapes,
   {
     ThrowCorrupt("a chunk claims more cells or points than its stream can hold");
   }
-  if (connectivity[0] != 0 && connectivity[0] != FlagWalk &&
-    connectivity[0] != (FlagWalk | FlagMarks))
+  const auto flags = connectivity[0];
+  if (flags > (FlagWalk | FlagMarks | FlagSurface) || (flags & (FlagWalk | FlagMarks)) == FlagMarks)
   {
     ThrowCorrupt("a connectivity stream has unknown flags");
   }
@@ -225,15 +238,19 @@ ChunkMesh DecodeCells(const ChunkFrame& frame, const ShapeTable& shapes,
   CellDecoderSide side(frame, lattice, coordinates, rules, mesh);
   CellBuilder builder(frame, std::span<const LatticePoint>(shared), side, mesh);
   AttachedNodes nodes(symbols, builder);
-  if ((connectivity[0] & FlagWalk) != 0)
+  if ((flags & FlagWalk) != 0)
   {
     const auto forms = shapes.GetForms();
     PolygonWalk walk(symbols, builder, nodes, *forms, nullptr);
     walk.Run();
-    if ((connectivity[0] & FlagMarks) != 0)
+    if ((flags & FlagMarks) != 0)
     {
       FaceMarks(symbols, builder, nodes).Run(walk.GetBorders(), nullptr);
     }
+  }
+  if ((flags & FlagSurface) != 0)
+  {
+    SurfaceWalk(symbols, builder, nodes, nullptr).Run();
   }
   CellListCoder list(symbols, builder, nodes);
   while (!builder.IsFull())
