@@ -112,6 +112,25 @@ public:
       known[CellRecord::D13] = back;
       known[CellRecord::D23] = ahead;
     }
+    if (this->Glued[0] != SurfaceFront::None && (degree == 3 || corner == 2 || corner + 1 == degree))
+    {
+      const auto& gate = this->Open.Get(this->Glued[0]);
+      if (degree == 3)
+      {
+        known[CellRecord::O] = gate.FarEnd;
+        known[CellRecord::B3] = gate.FarBegin;
+      }
+      else if (corner == 2)
+      {
+        known[CellRecord::O] = gate.FarEnd;
+        known[CellRecord::B3] = gate.PastBegin;
+      }
+      else
+      {
+        known[CellRecord::O] = gate.FarBegin;
+        known[CellRecord::B3] = gate.PastEnd;
+      }
+    }
     return record;
   }
 
@@ -182,6 +201,22 @@ public:
     return grade;
   }
 
+  /** The longest side of a triangle or quadrilateral, the first of equal ones; otherwise 0. */
+  std::uint32_t FindLongestSide() const
+  {
+    std::uint32_t longest = 0;
+    float most = -1;
+    for (std::uint32_t i = 0; i < this->GetDegree() && this->GetDegree() <= 4; ++i)
+    {
+      const auto d =
+        this->Mesh.GetPlace(this->GetCorner(i + 1)) - this->Mesh.GetPlace(this->Corners[i]);
+      const float length = Dot(d, d);
+      longest = length > most ? i : longest;
+      most = std::max(most, length);
+    }
+    return longest;
+  }
+
   //----------------------------------------------------------------------------
   // The front
 
@@ -214,6 +249,8 @@ public:
       edge.End = this->Corners[i];
       edge.PastBegin = this->GetCorner(i + 2);
       edge.PastEnd = this->GetCorner(i + degree - 1);
+      edge.FarBegin = this->FindPast((i + 2) % degree, false);
+      edge.FarEnd = this->FindPast((i + degree - 1) % degree, true);
       edge.Along = Normalize(this->Mesh.GetPlace(edge.End) - this->Mesh.GetPlace(edge.Begin));
       edge.Frame = getFrame(i);
       this->Sides[i] = this->Open.Add(edge);

@@ -29,6 +29,7 @@ public:
   {
     Vertex Begin, End;
     Vertex PastBegin, PastEnd; // the next corners of the polygon behind
+    Vertex FarBegin, FarEnd;   // and beyond them, in its neighbors
     std::uint32_t Before = None;
     std::uint32_t After = None;
     std::uint32_t Next = None; // another edge that begins at the same vertex

@@ -311,8 +311,9 @@ private:
     edge.Cell = this->Mesh.GetCells();
     edge.Type = this->Models.CodeType(
       this->Symbols, degree, parentType, Coder::Encoding ? this->Truth->Type : std::uint8_t{ 0 });
-    const auto turn = this->Models.CodeTurn(this->Symbols, edge.Type, degree, parentDegree,
-      parentFrame, Coder::Encoding ? this->Truth->Turn : 0u);
+    const auto turn = this->Models.CodeTurn(this->Symbols, edge.Type, degree,
+      parentDegree + 32 * this->Cell.FindLongestSide(), parentFrame,
+      Coder::Encoding ? this->Truth->Turn : 0u);
     if (CountMarkCorners(edge.Type, degree) != degree || turn >= 2 * degree)
     {
       ThrowCorrupt("a polygon is a cell of a type that it cannot have");
