@@ -148,7 +148,7 @@ public:
     }
   };
 
-  /** Predicts a corner's place and finds vertices around it: those on the front, and others. */
+  /** Predicts a corner's place and finds the vertices next to it. */
   void FindCandidates(const CellRecord& record)
   {
     this->Predict(record);
@@ -156,12 +156,19 @@ public:
     {
       this->Grid.Add(this->Mesh.GetPlace(static_cast<Vertex>(this->Grid.GetSize())));
     }
+    this->FindCandidates(1.2F);
+  }
+
+  /** Finds the vertices around the predicted place: those on the front, and others. limit: of the
+   * squared distance, as a multiple of EdgeSquared. */
+  void FindCandidates(float limit)
+  {
     for (auto& list : this->Candidates)
     {
       list.clear();
     }
     ++this->CandidateStamp;
-    const float limit = 1.2F * this->EdgeSquared;
+    limit *= this->EdgeSquared;
     this->Grid.ForEachAround(this->Predicted, std::sqrt(limit),
       [&](Vertex vertex)
       {

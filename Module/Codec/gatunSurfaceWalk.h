@@ -276,6 +276,7 @@ private:
   {
     const bool onFront =
       this->Symbols.Bit(this->Models.OnFront, Coder::Encoding && this->Open.IsOnFront(known));
+    this->Cell.FindCandidates(8.0F);
     const auto& candidates = this->Cell.SortCandidates(onFront);
     const auto count = static_cast<unsigned>(std::min<std::size_t>(candidates.size(), 15));
     unsigned place = 0;
