@@ -86,46 +86,26 @@ public:
         ++count;
       }
     }
-    if (count == 0)
+    if (degree == 3 && known[CellRecord::B1] == known[CellRecord::B2])
     {
-      for (const auto vertex : this->Corners)
-      {
-        known[CellRecord::N1] = vertex != NoVertex ? vertex : known[CellRecord::N1];
-      }
-    }
-    else if (count == 1 && degree > 3 && known[CellRecord::B1] != NoVertex)
-    {
-      known[CellRecord::D12] =
-        this->GetCorner(this->Corners[before] != NoVertex ? corner + degree - 2 : corner + 2);
-    }
-    else if (count == 2 && degree == 4)
-    {
-      known[CellRecord::D12] = this->GetCorner(corner + 2);
-    }
-    else if (count == 2 && degree == 3 && known[CellRecord::B1] == known[CellRecord::B2])
-    {
-      known[CellRecord::D12] = known[CellRecord::B1]; // behind is a triangle
+      known[CellRecord::D12] = known[CellRecord::B1]; // behind the gate is a triangle
       known[CellRecord::B1] = known[CellRecord::B2] = NoVertex;
     }
-    if (count > 0)
+    else if (count == 2 ? degree == 4 : known[CellRecord::B1] != NoVertex)
+    {
+      known[CellRecord::D12] = this->GetCorner(corner + degree - 2);
+    }
+    if (this->Glued[0] != SurfaceFront::None)
     {
       known[CellRecord::D13] = back;
       known[CellRecord::D23] = ahead;
-    }
-    if (this->Glued[0] != SurfaceFront::None && (degree == 3 || corner == 2 || corner + 1 == degree))
-    {
       const auto& gate = this->Open.Get(this->Glued[0]);
-      if (degree == 3)
+      if (corner == 2)
       {
         known[CellRecord::O] = gate.FarEnd;
-        known[CellRecord::B3] = gate.FarBegin;
+        known[CellRecord::B3] = degree == 3 ? gate.FarBegin : gate.PastBegin;
       }
-      else if (corner == 2)
-      {
-        known[CellRecord::O] = gate.FarEnd;
-        known[CellRecord::B3] = gate.PastBegin;
-      }
-      else
+      else if (corner + 1 == degree)
       {
         known[CellRecord::O] = gate.FarBegin;
         known[CellRecord::B3] = gate.PastEnd;

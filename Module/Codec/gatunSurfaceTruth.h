@@ -13,7 +13,7 @@
 namespace gatun
 {
 /** The most corners of a polygon that a walk over surfaces takes. */
-constexpr std::uint32_t MaxWalkedCorners = 1u << 14;
+constexpr std::uint32_t MaxWalkedCorners = 32767;
 
 /** The cells of an encoder's input that a walk over surfaces can take, by their edges. */
 class SurfaceTruth
