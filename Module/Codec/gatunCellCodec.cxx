@@ -172,7 +172,11 @@ CellAttempt EncodeConnectivity(const ChunkFrame& frame, const CellList& cells,
   {
     consider(TryCells(input, true, sort));
   }
-  if (best.Stream[0] == 0 || best.Stream.size() > listBytes * cells.GetNumber())
+  if (best.Stream[0] == 0)
+  {
+    consider(TryCells(input, false, sort));
+  }
+  else if (best.Stream.size() > listBytes * cells.GetNumber())
   {
     consider(TryCells(input, false, keep));
     consider(TryCells(input, false, sort));
