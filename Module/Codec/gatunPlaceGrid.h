@@ -5,59 +5,41 @@
 #define gatunPlaceGrid_h
 
 #include "gatunMeasure.h"
-#include "gatunPolygonModels.h"
 #include "gatunTopology.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
 namespace gatun
 {
-/** Finds vertices around a place. They are in buckets by the cells of four grids. */
+/** Finds vertices around a place. They are in buckets by the cells of several grids, each of which
+ * is filled when it is needed. */
 class PlaceGrid
 {
 public:
+  /** vertices: the most that there will be. */
   explicit PlaceGrid(std::size_t vertices)
     : Bits(std::clamp(static_cast<unsigned>(std::bit_width(vertices)), 4u, 20u))
   {
-    for (auto& level : this->Levels)
-    {
-      level.Heads.assign(std::size_t{ 1 } << this->Bits, NoVertex);
-      level.Next.reserve(vertices);
-    }
   }
 
-  /** Adds the next vertex. */
-  void Add(const LatticePoint& place)
+  /** Calls use(vertex) for all of the first `vertices` vertices within a distance of a place,
+   * unless there are too many, and for others. getPlace(vertex) returns the place of a vertex. */
+  template <typename GetPlace, typename Use>
+  void ForEachAround(
+    const LatticePoint& place, float distance, Vertex vertices, GetPlace&& getPlace, Use&& use)
   {
-    const auto id = static_cast<Vertex>(this->Levels[0].Next.size());
-    for (unsigned i = 0; i < Count; ++i)
-    {
-      auto& level = this->Levels[i];
-      auto& head =
-        level.Heads[this->GetBucket(ToCell(place.X, i), ToCell(place.Y, i), ToCell(place.Z, i))];
-      level.Next.push_back(head);
-      head = id;
-    }
-  }
-
-  std::size_t GetSize() const { return this->Levels[0].Next.size(); }
-
-  /** Calls use(vertex) for all vertices within a distance of a place, and for others. */
-  template <typename Use>
-  void ForEachAround(const LatticePoint& place, float distance, Use&& use) const
-  {
-    constexpr unsigned most = 64;
+    constexpr unsigned most = 32;
     unsigned number = 0;
-    while (number + 1 < Count && !(distance <= GetSize(number)))
+    while (number + 1 < this->Levels.size() && !(distance <= GetSize(number)))
     {
       ++number;
     }
-    const auto& level = this->Levels[number];
+    auto& level = this->Levels[number];
+    this->Fill(level, number, vertices, getPlace);
     const float reach = std::min(distance, GetSize(number));
     const auto low = [&](float x) { return ToCell(x - reach, number); };
     const auto high = [&](float x) { return ToCell(x + reach, number); };
@@ -79,21 +61,37 @@ public:
   }
 
 private:
-  static constexpr unsigned Count = 4; // of grids
-
   struct Level
   {
     std::vector<Vertex> Heads; // the latest vertex of each bucket
     std::vector<Vertex> Next;  // the one before each vertex in its bucket
   };
 
-  /** The side of a cell: 1, 4, 16, 64. */
-  static float GetSize(unsigned level) { return static_cast<float>(1u << (2 * level)); }
+  /** Adds the vertices that a grid does not have. */
+  template <typename GetPlace>
+  void Fill(Level& level, unsigned number, Vertex vertices, GetPlace&& getPlace) const
+  {
+    if (level.Heads.empty())
+    {
+      level.Heads.assign(std::size_t{ 1 } << this->Bits, NoVertex);
+    }
+    for (auto v = static_cast<Vertex>(level.Next.size()); v < vertices; ++v)
+    {
+      const LatticePoint& place = getPlace(v);
+      auto& head = level.Heads[this->GetBucket(
+        ToCell(place.X, number), ToCell(place.Y, number), ToCell(place.Z, number))];
+      level.Next.push_back(head);
+      head = v;
+    }
+  }
+
+  /** The side of a cell: 1 to 128. */
+  static float GetSize(unsigned level) { return static_cast<float>(1u << level); }
 
   static std::uint32_t ToCell(float coordinate, unsigned level)
   {
     const float clamped = coordinate > 0 ? (coordinate < 255 ? coordinate : 255) : 0;
-    return static_cast<std::uint32_t>(clamped) >> (2 * level);
+    return static_cast<std::uint32_t>(clamped) >> level;
   }
 
   std::uint32_t GetBucket(std::uint32_t x, std::uint32_t y, std::uint32_t z) const
@@ -102,7 +100,7 @@ private:
   }
 
   unsigned Bits; // of the numbers of buckets
-  std::array<Level, Count> Levels;
+  std::array<Level, 8> Levels;
 };
 }
 

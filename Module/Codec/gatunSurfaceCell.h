@@ -132,10 +132,6 @@ public:
   void FindCandidates(const CellRecord& record)
   {
     this->Predict(record);
-    while (this->Grid.GetSize() < this->Mesh.GetVertices())
-    {
-      this->Grid.Add(this->Mesh.GetPlace(static_cast<Vertex>(this->Grid.GetSize())));
-    }
     this->FindCandidates(1.2F);
   }
 
@@ -149,7 +145,9 @@ public:
     }
     ++this->CandidateStamp;
     limit *= this->EdgeSquared;
-    this->Grid.ForEachAround(this->Predicted, std::sqrt(limit),
+    this->Grid.ForEachAround(
+      this->Predicted, std::sqrt(limit), this->Mesh.GetVertices(),
+      [&](Vertex vertex) -> const LatticePoint& { return this->Mesh.GetPlace(vertex); },
       [&](Vertex vertex)
       {
         const Candidate candidate{ vertex, this->GetDistance(vertex) };

@@ -604,7 +604,6 @@ TEST(PlaceGrid, FindsAllVerticesAroundAPlace)
   for (int i = 0; i < 300; ++i)
   {
     points.push_back({ place(random), place(random), place(random) / 100, 0 });
-    grid.Add(points.back());
   }
   for (const float distance : { 0.5F, 3.0F, 16.0F, 40.0F })
   {
@@ -612,7 +611,10 @@ TEST(PlaceGrid, FindsAllVerticesAroundAPlace)
     {
       const LatticePoint center{ place(random) * 1.2F - 20, place(random), 1, 0 };
       std::set<Vertex> found;
-      grid.ForEachAround(center, distance, [&](Vertex v) { found.insert(v); });
+      grid.ForEachAround(
+        center, distance, static_cast<Vertex>(points.size()),
+        [&](Vertex v) -> const LatticePoint& { return points[v]; },
+        [&](Vertex v) { found.insert(v); });
       for (Vertex v = 0; v < points.size(); ++v)
       {
         const auto d = points[v] - center;
