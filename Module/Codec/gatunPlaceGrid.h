@@ -32,15 +32,15 @@ public:
   void ForEachAround(
     const LatticePoint& place, float distance, Vertex vertices, GetPlace&& getPlace, Use&& use)
   {
-    constexpr unsigned most = 32;
+    constexpr unsigned most = 64;
     unsigned number = 0;
-    while (number + 1 < this->Levels.size() && !(distance <= GetSize(number)))
+    while (number + 1 < this->Levels.size() && !(distance <= GetReach(number)))
     {
       ++number;
     }
     auto& level = this->Levels[number];
     this->Fill(level, number, vertices, getPlace);
-    const float reach = std::min(distance, GetSize(number));
+    const float reach = std::min(distance, GetReach(number));
     const auto low = [&](float x) { return ToCell(x - reach, number); };
     const auto high = [&](float x) { return ToCell(x + reach, number); };
     for (auto z = low(place.Z); z <= high(place.Z); ++z)
@@ -85,8 +85,8 @@ private:
     }
   }
 
-  /** The side of a cell: 1 to 128. */
-  static float GetSize(unsigned level) { return static_cast<float>(1u << level); }
+  /** Half the side of a cell, which is 1 to 128: at most two cells along each axis are as near. */
+  static float GetReach(unsigned level) { return 0.5F * static_cast<float>(1u << level); }
 
   static std::uint32_t ToCell(float coordinate, unsigned level)
   {
