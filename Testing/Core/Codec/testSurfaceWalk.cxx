@@ -599,9 +599,9 @@ TEST(PlaceGrid, FindsAllVerticesAroundAPlace)
 {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> place(0, 255.9F);
-  PlaceGrid grid(300);
+  PlaceGrid grid(150);
   std::vector<LatticePoint> points;
-  for (int i = 0; i < 300; ++i)
+  for (int i = 0; i < 150; ++i)
   {
     points.push_back({ place(random), place(random), place(random) / 100, 0 });
   }
