@@ -3,13 +3,12 @@
 #include "gatunTestCells.h"
 
 #include "gatunError.h"
-#include "gatunPlaceGrid.h"
-#include "gatunSurfaceFront.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <random>
 
@@ -569,57 +568,4 @@ TEST(SurfaceWalk, RejectsDamagedStreams)
   ExpectSafe(MakeGrid(20, 20, AddTriangles, { .Jitter = 0.1 }));
   ExpectSafe(MakeGrid(20, 20, AddAny(1), { .Jitter = 0.1 }));
   ExpectSafe(MakeGrid(40, 4, AddType(9), { .Closed = true, .Twisted = true }));
-}
-
-//------------------------------------------------------------------------------
-TEST(SurfaceFront, GradesAngles)
-{
-  // In the plane, the edge before runs along x; the free side is on the left.
-  const auto grade = [](double degrees)
-  {
-    const double turn = (180 - degrees) * 3.14159265358979 / 180;
-    return GradeCorner({ 1, 0, 0 },
-      { static_cast<float>(std::cos(turn)), static_cast<float>(std::sin(turn)), 0 }, { 0, 0, 1 });
-  };
-  EXPECT_EQ(grade(0.01), 0u);
-  EXPECT_EQ(grade(60), 2u);
-  EXPECT_EQ(grade(90), 4u);
-  EXPECT_EQ(grade(120), 6u);
-  EXPECT_EQ(grade(179.9), 8u);
-  EXPECT_EQ(grade(180.1), 8u);
-  EXPECT_EQ(grade(359.9), 14u);
-  for (double degrees = 1; degrees < 360; degrees += 1)
-  {
-    EXPECT_LE(grade(degrees - 1), grade(degrees));
-  }
-  EXPECT_LE(GradeCorner({}, {}, {}), 14u);
-}
-
-TEST(PlaceGrid, FindsAllVerticesAroundAPlace)
-{
-  std::mt19937 random(3);
-  std::uniform_real_distribution<float> place(0, 255.9F);
-  PlaceGrid grid(150);
-  std::vector<LatticePoint> points;
-  for (int i = 0; i < 150; ++i)
-  {
-    points.push_back({ place(random), place(random), place(random) / 100, 0 });
-  }
-  for (const float distance : { 0.5F, 3.0F, 16.0F, 40.0F })
-  {
-    for (int i = 0; i < 50; ++i)
-    {
-      const LatticePoint center{ place(random) * 1.2F - 20, place(random), 1, 0 };
-      std::set<Vertex> found;
-      grid.ForEachAround(
-        center, distance, static_cast<Vertex>(points.size()),
-        [&](Vertex v) -> const LatticePoint& { return points[v]; },
-        [&](Vertex v) { found.insert(v); });
-      for (Vertex v = 0; v < points.size(); ++v)
-      {
-        const auto d = points[v] - center;
-        EXPECT_TRUE(Dot(d, d) > distance * distance || found.count(v) != 0);
-      }
-    }
-  }
 }
