@@ -11,6 +11,7 @@ gatun_core_folder(Cells
     gatunCellSplitter.h
     gatunFormBuilder.h
     gatunFormMaker.h
+    gatunHexForm.h
     gatunShapeTable.h
     gatunSimplices.h
   SOURCES

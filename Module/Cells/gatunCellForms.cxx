@@ -3,6 +3,7 @@
 #include "gatunCellForms.h"
 
 #include "gatunBytes.h"
+#include "gatunHexForm.h"
 
 #include <algorithm>
 #include <set>
@@ -208,6 +209,20 @@ std::uint16_t FormTable::Find(const FormCode& code) const
 {
   const auto found = this->Codes.find(code);
   return found != this->Codes.end() ? found->second : None;
+}
+
+std::uint16_t FormTable::FindHexahedron() const
+{
+  FormCode code;
+  code.push_back(4);
+  for (unsigned face = 1; face < HexForm::GetNumberOfFaces(); ++face)
+  {
+    const auto side = HexForm::GetFirstSide(face);
+    code.push_back(4);
+    code.push_back(HexForm::Corner[side + 2]);
+    code.push_back(HexForm::Corner[side + 3]);
+  }
+  return this->Find(code);
 }
 
 std::span<const FormTable::Frame> FormTable::GetFrames(const CellShape* shape) const

@@ -26,6 +26,12 @@ struct CellForm
   static constexpr std::uint8_t None = 255;
   static constexpr unsigned Families = 5;
 
+  template <typename T>
+  using OfCorners = std::vector<T>;
+  template <typename T>
+  using OfSides = std::vector<T>;
+  using Faces = std::vector<std::uint8_t>;
+
   /** Parses FormMaker's code. Throws Error(Corrupt) if it is none. */
   VTKGATUNCORE_EXPORT explicit CellForm(std::span<const std::uint8_t> code);
 
@@ -37,6 +43,11 @@ struct CellForm
   unsigned GetDegree(unsigned face) const
   {
     return this->FirstSides[face + 1] - this->FirstSides[face];
+  }
+
+  std::span<const CellGraph::Local> GetNeighbors(unsigned corner) const
+  {
+    return this->Graph.GetNeighbors(corner);
   }
 
   /** The faces except the gate as SurfaceView has them, and the gate in the same direction. */
@@ -96,6 +107,9 @@ public:
 
   /** The form with a code, or None. */
   VTKGATUNCORE_EXPORT std::uint16_t Find(const FormCode& code) const;
+
+  /** The form of hexahedra, or None. */
+  VTKGATUNCORE_EXPORT std::uint16_t FindHexahedron() const;
 
   /** The frames of a type's shape, by MakeFrame. Empty if the shape is not in the table. */
   VTKGATUNCORE_EXPORT std::span<const Frame> GetFrames(const CellShape* shape) const;

@@ -32,6 +32,7 @@ gatun_core_folder(Codec
     gatunPlaceGrid.h
     gatunPolygonCell.h
     gatunPolygonFront.h
+    gatunPolygonGrowth.h
     gatunPolygonModels.h
     gatunPolygonTruth.h
     gatunPolygonWalk.h

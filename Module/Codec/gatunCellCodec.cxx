@@ -25,6 +25,7 @@ using Order = std::vector<std::uint32_t>;
 constexpr std::uint8_t FlagWalk = 1;
 constexpr std::uint8_t FlagMarks = 2;
 constexpr std::uint8_t FlagSurface = 4;
+constexpr std::uint8_t FlagHexahedra = 8;
 
 /** One way to encode the connectivity of a chunk. */
 struct CellAttempt
@@ -66,6 +67,20 @@ void SortByPlace(Order& order, const CellList& cells, const Bounds& box,
     [&](std::uint32_t a, std::uint32_t b) { return codes[a] < codes[b]; });
 }
 
+/** Runs the walk that the flags name. Returns its border. */
+template <typename Coder, typename Side>
+ClosedFaces Walk(unsigned flags, Coder& coder, CellBuilder<Side>& mesh,
+  AttachedNodes<Coder, Side>& nodes, const FormTable& forms, PolygonTruth* truth)
+{
+  if ((flags & FlagHexahedra) != 0)
+  {
+    PolygonWalk<Coder, Side, HexForm> walk(coder, mesh, nodes, forms, truth);
+    return walk.Run();
+  }
+  PolygonWalk<Coder, Side, CellForm> walk(coder, mesh, nodes, forms, truth);
+  return walk.Run();
+}
+
 /** What all attempts start from. */
 struct CellInput
 {
@@ -97,12 +112,12 @@ CellAttempt TryCells(const CellInput& input, bool withWalks, Sort&& sort)
     flags |= FlagWalk;
     PolygonTruth truth(input.Cells, input.Forms);
     others = truth.GetOthers();
-    PolygonWalk walk(coder, mesh, nodes, input.Forms, &truth);
-    walk.Run();
+    flags |= truth.IsOfHexahedra() ? FlagHexahedra : 0;
+    const auto borders = Walk(flags, coder, mesh, nodes, input.Forms, &truth);
     MarkTruth marks(input.Cells, others);
     if (marks.HasCells())
     {
-      FaceMarks(coder, mesh, nodes).Run(walk.GetBorders(), &marks);
+      FaceMarks(coder, mesh, nodes).Run(borders, &marks);
       flags |= FlagMarks;
       std::erase_if(others, [&](std::uint32_t cell) { return marks.IsTaken(cell); });
     }
@@ -225,8 +240,9 @@ ChunkMesh DecodeCells(const ChunkFrame& frame, const ShapeTable& shapes,
   {
     ThrowCorrupt("a chunk claims more cells or points than its stream can hold");
   }
-  const auto flags = connectivity[0];
-  if (flags > (FlagWalk | FlagMarks | FlagSurface) || (flags & (FlagWalk | FlagMarks)) == FlagMarks)
+  const unsigned flags = connectivity[0];
+  if (flags > (FlagWalk | FlagMarks | FlagSurface | FlagHexahedra) ||
+    ((flags & FlagWalk) == 0 && (flags & (FlagMarks | FlagHexahedra)) != 0))
   {
     ThrowCorrupt("a connectivity stream has unknown flags");
   }
@@ -245,11 +261,10 @@ ChunkMesh DecodeCells(const ChunkFrame& frame, const ShapeTable& shapes,
   if ((flags & FlagWalk) != 0)
   {
     const auto forms = shapes.GetForms();
-    PolygonWalk walk(symbols, builder, nodes, *forms, nullptr);
-    walk.Run();
+    const auto borders = Walk(flags, symbols, builder, nodes, *forms, nullptr);
     if ((flags & FlagMarks) != 0)
     {
-      FaceMarks(symbols, builder, nodes).Run(walk.GetBorders(), nullptr);
+      FaceMarks(symbols, builder, nodes).Run(borders, nullptr);
     }
   }
   if ((flags & FlagSurface) != 0)

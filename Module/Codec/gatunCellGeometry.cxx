@@ -146,6 +146,26 @@ const std::vector<CellRule>& GetCellRules()
   return rules;
 }
 
+const std::array<std::uint8_t, 1u << CellRecord::Size>& GetFirstRules()
+{
+  static const auto first = []
+  {
+    const auto& rules = GetCellRules();
+    std::array<std::uint8_t, 1u << CellRecord::Size> result{};
+    for (unsigned mask = 0; mask < result.size(); ++mask)
+    {
+      std::uint8_t rule = 0;
+      while (rule + 1u < rules.size() && (GetMask(rules[rule]) & ~mask) != 0)
+      {
+        ++rule;
+      }
+      result[mask] = rule;
+    }
+    return result;
+  }();
+  return first;
+}
+
 CellRuleTable::CellRuleTable()
   : Rules(GetCellRules())
 {

@@ -49,26 +49,16 @@ class CellScheme
 {
 public:
   using Record = CellRecord;
-  static constexpr bool HasGaps = true;
   static constexpr unsigned Groups = 33; // the last is of seeds
 
   explicit CellScheme(const CellRuleTable& table)
     : Table(table)
     , Named(table.Mode == CellRuleMode::Named ? Masks : 0)
-    , Best(Masks, 0)
+    , Best(GetFirstRules())
   {
     for (const auto& rule : GetCellRules())
     {
       this->RuleMasks.push_back(GetMask(rule));
-    }
-    for (unsigned mask = 1; mask < Masks; ++mask)
-    {
-      std::uint8_t rule = 0;
-      while (rule + 1u < this->RuleMasks.size() && (this->RuleMasks[rule] & ~mask) != 0)
-      {
-        ++rule;
-      }
-      this->Best[mask] = rule;
     }
     for (std::size_t i = 0; i < table.FittedMasks.size(); ++i)
     {
@@ -104,11 +94,14 @@ public:
     return rule;
   }
 
-  unsigned GetSpread(const CellRecord& record, unsigned component, std::span<const PointKeys> keys)
+  std::array<unsigned, 3> GetSpreads(const CellRecord& record, std::span<const PointKeys> keys)
   {
-    const auto spread = gatun::GetSpread(record, [&](Vertex v) { return keys[v][component]; });
-    this->Spreads[component] = spread != NoSpread ? spread : this->Spreads[component];
-    return this->Spreads[component];
+    KeyRange range;
+    if (ForEachInRange(record, [&](Vertex v) { range.Add(keys[v]); }) >= 2)
+    {
+      this->Spreads = range.GetBits();
+    }
+    return this->Spreads;
   }
 
 private:
@@ -117,7 +110,7 @@ private:
   const CellRuleTable& Table;
   std::vector<unsigned> RuleMasks;               // of GetCellRules
   std::vector<BitTree<4>> Named;                 // for each mask of a record
-  std::vector<std::uint8_t> Best;                // the rule for each mask, unless rules are named
+  std::array<std::uint8_t, Masks> Best;          // the rule for each mask, unless rules are named
   std::array<unsigned, 3> Spreads{ 20, 20, 20 }; // the last ones
 };
 

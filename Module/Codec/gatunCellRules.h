@@ -4,6 +4,7 @@
 #ifndef gatunCellRules_h
 #define gatunCellRules_h
 
+#include "gatunInline.h"
 #include "gatunTopology.h"
 
 #include <algorithm>
@@ -21,6 +22,9 @@ using CellRule = std::array<std::int16_t, CellRecord::Size>;
  * preference. The last ones can be applied to all records but those of seeds. */
 const std::vector<CellRule>& GetCellRules();
 
+/** For each mask of a record, the first rule that has weights for vertices of the record only. */
+const std::array<std::uint8_t, 1u << CellRecord::Size>& GetFirstRules();
+
 /** Bit i is set if the rule has a weight for vertex i. */
 inline unsigned GetMask(const CellRule& rule)
 {
@@ -35,24 +39,37 @@ inline unsigned GetMask(const CellRule& rule)
 /** GetSpread of a single vertex, which has no differences to measure. */
 constexpr unsigned NoSpread = ~0u;
 
-/** The number of bits of the range of the keys of a record's vertices in the cell. */
-template <typename GetKey>
-unsigned GetSpread(const CellRecord& record, GetKey&& getKey)
+/** Calls use(vertex) for the vertices of a record whose values tell how large differences are.
+ * Returns their number. */
+template <typename Use>
+GATUN_INLINE unsigned ForEachInRange(const CellRecord& record, Use&& use)
 {
-  std::uint64_t low = ~std::uint64_t{ 0 };
-  std::uint64_t high = 0;
   unsigned count = 0;
   for (unsigned k = 0; k < CellRecord::Size; ++k)
   {
     // Vertices beyond the cell count only where there is just one in it.
     if (record.Known[k] != NoVertex && (k < CellRecord::B1 || count < 2))
     {
-      const std::uint64_t key = getKey(record.Known[k]);
-      low = std::min(low, key);
-      high = std::max(high, key);
+      use(record.Known[k]);
       ++count;
     }
   }
+  return count;
+}
+
+/** The number of bits of the range of the keys of a record's vertices in the cell. */
+template <typename GetKey>
+unsigned GetSpread(const CellRecord& record, GetKey&& getKey)
+{
+  std::uint64_t low = ~std::uint64_t{ 0 };
+  std::uint64_t high = 0;
+  const auto count = ForEachInRange(record,
+    [&](Vertex v)
+    {
+      const std::uint64_t key = getKey(v);
+      low = std::min(low, key);
+      high = std::max(high, key);
+    });
   return count < 2 ? NoSpread : static_cast<unsigned>(std::bit_width(high - low));
 }
 }

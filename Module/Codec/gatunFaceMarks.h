@@ -62,9 +62,9 @@ public:
 
 private:
   /** The axis that a face's normal is nearest to: twice its number, plus 1 if it points down. */
-  static unsigned GradeDirection(const Direction& normal)
+  static unsigned GradeDirection(const Vec3& normal)
   {
-    const std::array parts{ normal.X, normal.Y, normal.Z };
+    const std::array parts{ normal[0], normal[1], normal[2] };
     unsigned axis = 0;
     for (unsigned i = 1; i < 3; ++i)
     {

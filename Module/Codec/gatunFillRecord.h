@@ -5,6 +5,7 @@
 #define gatunFillRecord_h
 
 #include "gatunCellGraph.h"
+#include "gatunHexForm.h"
 #include "gatunTopology.h"
 
 #include <array>
@@ -53,6 +54,39 @@ std::array<CellGraph::Local, 3> FillRecord(
   {
     record.Known[CellRecord::O] = getVertex(opposite);
   }
+  return near;
+}
+
+/** The same for a corner of a hexahedron. */
+template <typename GetVertex>
+std::array<CellGraph::Local, 3> FillHexRecord(
+  CellRecord& record, unsigned corner, GetVertex&& getVertex)
+{
+  const auto& around = HexForm::Around[corner];
+  const auto& neighbors = HexForm::Neighbors[corner];
+  std::array<CellGraph::Local, 3> near{ CellGraph::None, CellGraph::None, CellGraph::None };
+  std::array<unsigned, 3> places{};
+  unsigned count = 0;
+  for (unsigned i = 0; i < 3; ++i)
+  {
+    const auto v = getVertex(neighbors[i]);
+    if (v != NoVertex)
+    {
+      near[count] = neighbors[i];
+      places[count] = i;
+      record.Known[CellRecord::N1 + count] = v;
+      ++count;
+    }
+  }
+  for (unsigned b = 1; b < count; ++b)
+  {
+    for (unsigned a = 0; a < b; ++a)
+    {
+      record.Known[CellRecord::D12 + a + b - 1] =
+        getVertex(around.Diagonals[places[a] + places[b] - 1]);
+    }
+  }
+  record.Known[CellRecord::O] = getVertex(around.Opposite);
   return near;
 }
 }

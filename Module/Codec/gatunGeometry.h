@@ -86,9 +86,15 @@ template <std::size_t N, std::size_t Slots, typename GetNumbers>
 GATUN_INLINE std::array<double, N> ApplyRule(
   const std::array<std::int16_t, Slots>& rule, GetNumbers&& getNumbers)
 {
+  // The records of cells have vertices that are missing, and rules without weights for them.
+  constexpr bool isSparse = Slots == CellRecord::Size;
   std::array<double, N> result{};
   for (unsigned k = 0; k < Slots; ++k)
   {
+    if (isSparse && rule[k] == 0)
+    {
+      continue;
+    }
     // Vertices without weight may be NaN. They are replaced by +0, which does not change the sum.
     const auto mask = std::uint64_t{ 0 } - (rule[k] != 0);
     const double weight = rule[k];
@@ -106,13 +112,38 @@ GATUN_INLINE std::array<double, N> ApplyRule(
   return result;
 }
 
+/** The range of the keys of some points. */
+struct KeyRange
+{
+  GATUN_INLINE void Add(const PointKeys& keys)
+  {
+    for (unsigned i = 0; i < 3; ++i)
+    {
+      this->Low[i] = std::min(this->Low[i], keys[i]);
+      this->High[i] = std::max(this->High[i], keys[i]);
+    }
+  }
+
+  GATUN_INLINE std::array<unsigned, 3> GetBits() const
+  {
+    std::array<unsigned, 3> bits{};
+    for (unsigned i = 0; i < 3; ++i)
+    {
+      bits[i] = static_cast<unsigned>(std::bit_width(this->High[i] - this->Low[i]));
+    }
+    return bits;
+  }
+
+  PointKeys Low{ ~Key{ 0 }, ~Key{ 0 }, ~Key{ 0 } };
+  PointKeys High{};
+};
+
 /** Predicts from the gates of tetrahedra: a scheme of GeometryCoder. */
 template <typename Coder>
 class GateScheme
 {
 public:
   using Record = GateRecord;
-  static constexpr bool HasGaps = false; // whether vertices of records may be missing
   static constexpr unsigned Groups = static_cast<unsigned>(MaxRules) + 1; // the last is of seeds
 
   GateScheme(PredictionRules rules)
@@ -154,19 +185,16 @@ public:
     return rule;
   }
 
-  /** The number of bits of the range of the keys of gate and apex. */
-  GATUN_INLINE static unsigned GetSpread(
-    const GateRecord& record, unsigned component, std::span<const PointKeys> keys)
+  /** The numbers of bits of the ranges of the keys of gate and apex. */
+  GATUN_INLINE static std::array<unsigned, 3> GetSpreads(
+    const GateRecord& record, std::span<const PointKeys> keys)
   {
-    Key low = ~Key{ 0 };
-    Key high = 0;
+    KeyRange range;
     for (unsigned k = 0; k < 4; ++k)
     {
-      const Key key = keys[record.Known[k]][component];
-      low = std::min(low, key);
-      high = std::max(high, key);
+      range.Add(keys[record.Known[k]]);
     }
-    return static_cast<unsigned>(std::bit_width(high - low));
+    return range.GetBits();
   }
 
 private:
@@ -245,6 +273,8 @@ private:
     }
     usedRule = static_cast<std::uint8_t>(rule);
     const auto predictions = record.IsSeed() ? PointNumbers{} : this->Predict(rule, record);
+    const auto spreads =
+      record.IsSeed() ? std::array<unsigned, 3>{} : this->Predictor.GetSpreads(record, keys);
     unsigned grade = 0;
     for (unsigned i = 0; i < 3; ++i)
     {
@@ -254,7 +284,7 @@ private:
       if (!record.IsSeed())
       {
         predicted = domain.FromNumber(predictions[i]);
-        spread = this->Predictor.GetSpread(record, i, keys);
+        spread = spreads[i];
       }
       auto& model = this->Residuals[(i * Scheme::Groups + group) * 4 + grade];
       const auto residual = model.Code(
@@ -273,17 +303,7 @@ private:
   GATUN_INLINE PointNumbers Predict(unsigned rule, const Record& record) const
   {
     return ApplyRule<std::tuple_size_v<PointNumbers>>(this->Predictor.GetRule(rule),
-      [&](unsigned k)
-      {
-        if constexpr (Scheme::HasGaps)
-        {
-          return record.Known[k] != NoVertex ? this->Numbers[record.Known[k]] : PointNumbers{};
-        }
-        else
-        {
-          return this->Numbers[record.Known[k]];
-        }
-      });
+      [&](unsigned k) -> const PointNumbers& { return this->Numbers[record.Known[k]]; });
   }
 
   unsigned FindBestRule(const Record& record, const PointKeys& truth) const

@@ -55,27 +55,6 @@ private:
   std::uint32_t Bits = BorderBit | Mask;
 };
 
-/** A direction in binary32, by scalar arithmetic in the order that is written. */
-struct Direction
-{
-  float X = 0, Y = 0, Z = 0;
-};
-
-inline Direction operator-(const LatticePoint& a, const LatticePoint& b)
-{
-  return { a.X - b.X, a.Y - b.Y, a.Z - b.Z };
-}
-
-inline float Dot(const Direction& a, const Direction& b)
-{
-  return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
-}
-
-inline Direction Cross(const Direction& a, const Direction& b)
-{
-  return { a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X };
-}
-
 /**
  * Open faces in the order of their creation, each a polygon seen from outside of the visited part.
  * Side i of a face runs from its corner i to the next one. Sides that are linked run in opposite
@@ -96,19 +75,20 @@ public:
     std::uint8_t Type;     // of the cell
     std::uint8_t FormFace; // of the form
     bool Open;
-    Direction Normal; // of length 1, or 0
+    bool HasNormal;
+    Vec3 Normal; // of length 1 if there is one
   };
 
   struct Side
   {
-    Vertex Corner = NoVertex;
+    Vertex Corner;
     SideLink Over;
-    Vertex Below = NoVertex; // the only neighbor of the corner beyond the face in the cell behind
+    Vertex Below; // the only neighbor of the corner beyond the face in the cell behind, or none
     std::uint32_t Face;
-    std::uint32_t Next;      // another side that begins at the corner, or None
-    std::uint8_t Index = 0;  // in the face
-    std::uint8_t Degree = 0; // of the face
-    bool Open = true;
+    std::uint32_t Next;  // another side that begins at the corner, or None
+    std::uint8_t Index;  // in the face
+    std::uint8_t Degree; // of the face
+    bool Open;
   };
 
   explicit PolygonFront(std::size_t vertices)
@@ -130,7 +110,7 @@ public:
     return has ? this->Head : None;
   }
 
-  /** Opens a face. Returns its first side; all must be set at once. */
+  /** Opens a face. Returns its number. All its sides must be set at once. */
   std::uint32_t AddFace(const Face& face)
   {
     if (this->FaceEnd - this->Head > this->FaceMask)
@@ -145,26 +125,21 @@ public:
     const auto id = this->FaceEnd++;
     const auto first = this->GetSideBegin(face.Degree);
     this->SideEnd = first + face.Degree;
-    this->GetFace(id) = face;
-    this->GetFace(id).First = first;
-    for (unsigned i = 0; i < face.Degree; ++i)
-    {
-      auto& side = this->GetSide(first + i);
-      side = {};
-      side.Face = id;
-      side.Index = static_cast<std::uint8_t>(i);
-      side.Degree = static_cast<std::uint8_t>(face.Degree);
-    }
-    return first;
+    auto& added = this->GetFace(id);
+    added = face;
+    added.First = first;
+    return id;
   }
 
-  void SetSide(std::uint32_t id, Vertex corner, Vertex below)
+  /** Returns the side. Its link is the border. */
+  std::uint32_t SetSide(std::uint32_t face, unsigned index, Vertex corner, Vertex below)
   {
-    auto& side = this->GetSide(id);
-    side.Corner = corner;
-    side.Below = below;
-    side.Next = this->Heads[corner];
-    this->Heads[corner] = id;
+    const auto id = this->GetFace(face).First + index;
+    auto& head = this->Heads[corner];
+    this->GetSide(id) = { corner, SideLink(), below, face, head, static_cast<std::uint8_t>(index),
+      static_cast<std::uint8_t>(this->GetFace(face).Degree), true };
+    head = id;
+    return id;
   }
 
   Face& GetFace(std::uint32_t id) { return this->Faces[id & this->FaceMask]; }
@@ -191,7 +166,7 @@ public:
   }
 
   /** The side over a side, or None if there is no open face. */
-  std::uint32_t GetOpen(std::uint32_t side) const
+  GATUN_INLINE std::uint32_t GetOpen(std::uint32_t side) const
   {
     const auto link = this->GetSide(side).Over;
     return !link.IsBorder() && this->IsOpen(link.GetSide()) ? link.GetSide() : None;
@@ -319,17 +294,14 @@ struct ClosedFaces
  *
  * begin: a corner of the edge. next: the corner of b after the edge.
  */
-inline unsigned GradeAngle(
-  const Direction& a, const Direction& b, const LatticePoint& begin, const LatticePoint& next)
+GATUN_INLINE unsigned GradeAngle(const PolygonFront::Face& a, const PolygonFront::Face& b,
+  const LatticePoint& begin, const LatticePoint& next)
 {
-  const float cosine = Dot(a, b);
-  if (!(Dot(a, a) > 0.5F) || !(Dot(b, b) > 0.5F))
-  {
-    return 16;
-  }
-  const bool inFront = Dot(next - begin, a) > 0;
+  const float cosine = Dot(a.Normal, b.Normal);
+  const bool inFront = Dot(ToVector(next) - ToVector(begin), a.Normal) > 0;
   const float turn = inFront ? (1.0F + cosine) * 4.0F : 8.0F + (1.0F - cosine) * 4.0F;
-  return turn > 0 ? (turn < 15.0F ? static_cast<unsigned>(turn) : 15) : 0;
+  const unsigned grade = turn > 0 ? (turn < 15.0F ? static_cast<unsigned>(turn) : 15) : 0;
+  return a.HasNormal && b.HasNormal ? grade : 16;
 }
 }
 

@@ -83,6 +83,15 @@ std::uint8_t CodeLast(Coder& coder, LastTwo& last, BitTree<8>& tree, std::uint8_
   return static_cast<std::uint8_t>(coded);
 }
 
+/** The form, the type and the frame of a cell. */
+struct CellWay
+{
+  std::uint16_t Form = LastTwo::None;
+  std::uint8_t Type = 0;
+  std::uint8_t Frame = 0;
+  bool operator==(const CellWay&) const = default;
+};
+
 /** What is known about a gate before its cell. */
 struct GateGrades
 {
@@ -108,6 +117,7 @@ public:
     , FormTrees(std::size_t{ 4 } << this->FormBits)
     , Types(1u << 10)
     , Frames(1u << 12)
+    , Usuals(1u << 12)
   {
   }
 
@@ -145,6 +155,33 @@ public:
     return this
       ->News[((std::min(form, 63u) * 16 + std::min(corner, 15u)) * 8 + std::min(glued, 7u)) * 8 +
         nearest];
+  }
+
+  /** The way of the last cell on such a gate, and whether the next one has it. */
+  struct UsualWay
+  {
+    CellWay Way, Second;
+    BitModel Model;
+
+    void Add(const CellWay& way)
+    {
+      if (way == this->Second || this->Way.Form == LastTwo::None)
+      {
+        this->Second = this->Way;
+        this->Way = way;
+      }
+      else
+      {
+        this->Second = way;
+      }
+    }
+  };
+
+  UsualWay& Usual(std::uint32_t parent, std::uint32_t face, std::uint32_t pattern,
+    std::uint8_t parentType, std::uint32_t parentFrame)
+  {
+    return this
+      ->Usuals[MixContext<12>(parent + (face << 16), pattern, parentType + (parentFrame << 8))];
   }
 
   /** parent: the form behind the gate. face: of that form. */
@@ -212,6 +249,7 @@ private:
   std::vector<LastTwo> FormsNear, FormsFar;
   std::vector<BitModel> FormTrees; // by degree
   std::vector<LastTwo> Types, Frames;
+  std::vector<UsualWay> Usuals;
   BitTree<8> TypeTree, FrameTree;
 };
 }

@@ -207,6 +207,13 @@ void PolygonTruth::BeginAt(std::uint32_t number, unsigned face, unsigned start, 
   }
 }
 
+bool PolygonTruth::IsOfHexahedra() const
+{
+  return !this->Surfaces.empty() &&
+    std::all_of(this->Surfaces.begin(), this->Surfaces.end(),
+      [](const Surface& surface) { return surface.Shape && surface.Shape->Corners == 8; });
+}
+
 std::vector<std::uint32_t> PolygonTruth::GetOthers() const
 {
   return this->Others;

@@ -31,6 +31,9 @@ public:
   /** The code of the form of the polyhedron that was begun. */
   const FormCode& GetCode() const { return this->Maker.GetCode(); }
 
+  /** Whether all cells that can be begun are hexahedra (and not polyhedra that look like them). */
+  bool IsOfHexahedra() const;
+
   /** All cells that are never begun. */
   std::vector<std::uint32_t> GetOthers() const;
 

@@ -11,8 +11,10 @@
 #include "gatunCellBuilder.h"
 #include "gatunCellForms.h"
 #include "gatunCellShapes.h"
+#include "gatunHexForm.h"
 #include "gatunPolygonCell.h"
 #include "gatunPolygonFront.h"
+#include "gatunPolygonGrowth.h"
 #include "gatunPolygonModels.h"
 #include "gatunPolygonTruth.h"
 
@@ -21,6 +23,8 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace gatun
@@ -29,11 +33,15 @@ namespace gatun
  * Attaches a cell to the oldest open face, the gate, until there is none. A cell is coded by its
  * form seen from the gate, by the other open faces that are its faces, and by its other corners.
  * The cell's type and the order of its corners are coded relative to the cell behind the gate.
+ *
+ * Form: HexForm if all cells are hexahedra, otherwise CellForm.
  */
-template <typename Coder, typename Side>
+template <typename Coder, typename Side, typename Form>
 class PolygonWalk
 {
 public:
+  static constexpr bool OfHexahedra = std::is_same_v<Form, HexForm>;
+
   /** truth: of an encoder, otherwise null. */
   PolygonWalk(Coder& coder, CellBuilder<Side>& mesh, AttachedNodes<Coder, Side>& nodes,
     const FormTable& forms, PolygonTruth* truth)
@@ -45,10 +53,21 @@ public:
     , Open(mesh.GetAllVertices())
     , Models(forms.GetSize())
     , Cell(Open, mesh)
+    , Growth(Open, mesh)
   {
+    if constexpr (OfHexahedra)
+    {
+      this->HexNumber = forms.FindHexahedron();
+      if (this->HexNumber == FormTable::None)
+      {
+        ThrowCorrupt("a walk over hexahedra is in a file without them");
+      }
+      this->Hexahedron.Shape = forms.Get(this->HexNumber).Shape;
+    }
   }
 
-  void Run()
+  /** Returns the faces at the border in the order in which they were closed. */
+  ClosedFaces Run()
   {
     while (!this->Mesh.IsFull())
     {
@@ -66,12 +85,13 @@ public:
         break;
       }
     }
+    return std::move(this->Borders);
   }
 
-  /** The faces at the border in the order in which they were closed. */
-  const ClosedFaces& GetBorders() const { return this->Borders; }
-
 private:
+  template <typename T>
+  using OfGate = std::conditional_t<OfHexahedra, std::array<T, 4>, std::vector<T>>;
+
   //----------------------------------------------------------------------------
   // The encoder's input
 
@@ -110,12 +130,12 @@ private:
   {
     const GateGrades none;
     const auto parent = static_cast<std::uint32_t>(this->Forms.GetSize());
-    this->Degrees.clear();
     this->BeginForm(parent, 0, none);
-    for (unsigned i = 0; i < this->Cell.Form->Corners; ++i)
+    for (unsigned i = 0; i < this->Cell.GetForm().Corners; ++i)
     {
       this->Cell.SetCorner(i, this->CodeSeedCorner(i));
     }
+    this->IsUsual = false;
     this->FinishCell(Topology::NoTet, 0, 0);
   }
 
@@ -149,32 +169,89 @@ private:
       this->Borders.Add(this->Open, gate);
       return;
     }
-    this->BeginForm(gate.Form, gate.FormFace, grades);
+    auto& usual = this->Models.Usual(
+      gate.Form, gate.FormFace, OfHexahedra ? 0 : grades.Pattern, gate.Type, gate.Frame);
+    this->IsUsual = this->MayBe(usual.Way, gate) &&
+      this->Symbols.Bit(usual.Model, Coder::Encoding && this->GetWay() == usual.Way);
+    if (!this->IsUsual)
+    {
+      this->BeginForm(gate.Form, gate.FormFace, grades);
+    }
+    else
+    {
+      this->Way = usual.Way;
+      this->BeginListed(usual.Way.Form);
+    }
     this->Cell.GlueGate(id);
     this->GlueFaces();
     this->CodeCorners(gate);
     this->FinishCell(gate.Cell, gate.Type, gate.Frame);
+    if (!this->IsUsual && this->Way.Form < this->Forms.GetSize())
+    {
+      usual.Add(this->Way);
+    }
+  }
+
+  /** Whether a cell on a gate may be like one before. */
+  bool MayBe(const CellWay& way, const PolygonFront::Face& gate) const
+  {
+    return way.Form != LastTwo::None &&
+      (OfHexahedra || this->Forms.Get(way.Form).GetDegree(0) == gate.Degree);
+  }
+
+  CellWay GetWay() const
+  {
+    if constexpr (Coder::Encoding)
+    {
+      return { this->Truth->Form, this->Mesh.Truth.Input.Types[this->Truth->Cell],
+        this->Truth->Frame };
+    }
+    return {};
+  }
+
+  void BeginListed(std::uint16_t number)
+  {
+    if constexpr (OfHexahedra)
+    {
+      this->Cell.Begin(this->Hexahedron, number);
+    }
+    else
+    {
+      this->Cell.Begin(this->Forms.Get(number), number);
+    }
   }
 
   /** Codes the form of a cell. Forms that are not listed all have the number behind the last one.
    */
   void BeginForm(std::uint32_t parent, std::uint32_t face, const GateGrades& grades)
   {
-    const auto unlisted = static_cast<std::uint16_t>(this->Forms.GetSize());
-    const bool isSeed = grades.Degree == 0;
-    const auto truth = Coder::Encoding ? this->Truth->Form : std::uint16_t{ 0 };
-    if (unlisted > 0 &&
-      this->Symbols.Bit(
-        this->Models.IsListed[(parent == unlisted) + 2 * isSeed], truth != FormTable::None))
+    if constexpr (OfHexahedra)
     {
-      const auto form =
-        this->Models.CodeForm(this->Symbols, this->Forms, parent, face, grades, truth);
-      this->Cell.Begin(this->Forms.Get(form), form);
-      return;
+      this->BeginListed(this->HexNumber);
     }
+    else
+    {
+      const auto unlisted = static_cast<std::uint16_t>(this->Forms.GetSize());
+      const auto truth = Coder::Encoding ? this->Truth->Form : std::uint16_t{ 0 };
+      if (unlisted > 0 &&
+        this->Symbols.Bit(this->Models.IsListed[(parent == unlisted) + 2 * (grades.Degree == 0)],
+          truth != FormTable::None))
+      {
+        this->BeginListed(
+          this->Models.CodeForm(this->Symbols, this->Forms, parent, face, grades, truth));
+      }
+      else
+      {
+        this->BeginInlined(grades);
+      }
+    }
+  }
+
+  void BeginInlined(const GateGrades& grades)
+  {
     static const FormCode none;
     const auto& code = Coder::Encoding ? this->Truth->GetCode() : none;
-    if (isSeed)
+    if (grades.Degree == 0)
     {
       const auto degree = CodeIndex(this->Symbols, Coder::Encoding ? code[0] : 0, 256);
       this->Degrees.assign(degree, 0);
@@ -182,7 +259,7 @@ private:
     this->Models.Inline.Code(this->Symbols, this->Builder, this->Degrees, code);
     this->Inlined = CellForm(this->Builder);
     this->Inlined->Shape = ~0u;
-    this->Cell.Begin(*this->Inlined, unlisted);
+    this->Cell.Begin(*this->Inlined, static_cast<std::uint16_t>(this->Forms.GetSize()));
   }
 
   /** The other chunks that use all corners of a face. */
@@ -199,10 +276,11 @@ private:
   void Grade(const PolygonFront::Face& gate)
   {
     auto& grades = this->Grades;
-    grades = { .Degree = gate.Degree };
-    this->Degrees.assign(gate.Degree, 0);
+    grades = { .Degree = OfHexahedra ? 4u : unsigned{ gate.Degree } };
+    ResetValues(this->Degrees, grades.Degree, std::uint8_t{ 0 });
+    ResetValues(this->Angles, grades.Degree, std::uint8_t{ 0 });
     std::array<unsigned, 3> likely{}; // triangles, quads, larger faces
-    for (unsigned i = 0; i < gate.Degree; ++i)
+    for (unsigned i = 0; i < grades.Degree; ++i)
     {
       const auto side = gate.First + i;
       const auto link = this->Open.GetSide(side).Over;
@@ -216,19 +294,20 @@ private:
       else
       {
         const auto angle = this->Cell.GradeAngle(side, over);
+        this->Angles[i] = static_cast<std::uint8_t>(angle);
         grades.LeastAngle = std::min(grades.LeastAngle, angle);
-        const unsigned degree = this->Open.GetFaceOfSide(over).Degree;
+        const unsigned degree = OfHexahedra ? 4u : this->Open.GetSide(over).Degree;
         kind = angle > 5 ? 0 : std::min(degree, 5u) - 2;
         this->Degrees[i] = static_cast<std::uint8_t>(angle > 5 ? 0 : degree);
       }
       grades.MostCells = std::max(grades.MostCells, link.GetCells());
-      grades.Pattern = gate.Degree <= 4 ? grades.Pattern * 4 + kind : 0;
+      grades.Pattern = grades.Degree <= 4 ? grades.Pattern * 4 + kind : 0;
       if (kind > 0)
       {
         likely[kind - 1] += likely[kind - 1] < 3;
       }
     }
-    if (gate.Degree > 4)
+    if (grades.Degree > 4)
     {
       grades.Pattern = (likely[0] * 4 + likely[1]) * 4 + likely[2];
     }
@@ -240,7 +319,8 @@ private:
     {
       return false;
     }
-    const auto d = this->Mesh.GetPlace(far) - this->Mesh.GetPlace(this->Open.GetSide(side).Corner);
+    const auto d = ToVector(this->Mesh.GetPlace(far)) -
+      ToVector(this->Mesh.GetPlace(this->Open.GetSide(side).Corner));
     const float height = Dot(d, gate.Normal);
     return height * height < 0.01F * Dot(d, d);
   }
@@ -250,7 +330,7 @@ private:
 
   void GlueFaces()
   {
-    const auto& form = *this->Cell.Form;
+    const auto& form = this->Cell.GetForm();
     // Faces that are glued are appended to the list.
     for (unsigned number = 0; number < this->Cell.Glued.size(); ++number)
     {
@@ -259,7 +339,7 @@ private:
       for (unsigned side = first; side < first + form.GetDegree(face); ++side)
       {
         const unsigned twin = form.Twin[side];
-        if (this->Cell.FrontSides[twin] != PolygonFront::None)
+        if (this->Cell.IsGlued(form.Face[twin]))
         {
           continue;
         }
@@ -271,7 +351,8 @@ private:
           continue;
         }
         auto& model = this->Models.Glue(form.Family, form.GetDegree(form.Face[twin]),
-          this->Cell.GradeAngle(from, over), this->Open.GetSide(over).Over.GetCells(), agree,
+          number == 0 ? this->Angles[side] : this->Cell.GradeAngle(from, over),
+          this->Open.GetSide(over).Over.GetCells(), agree,
           (number > 0) + 2 * (this->Cell.Glued.size() > 1));
         if (this->Symbols.Bit(model, Coder::Encoding && this->IsGlued(twin, over)))
         {
@@ -295,7 +376,7 @@ private:
 
   void CodeCorners(const PolygonFront::Face& gate)
   {
-    for (unsigned corner = gate.Degree; corner < this->Cell.Form->Corners; ++corner)
+    for (unsigned corner = gate.Degree; corner < this->Cell.GetForm().Corners; ++corner)
     {
       if (this->Cell.GetCorner(corner) == NoVertex)
       {
@@ -307,13 +388,22 @@ private:
   Vertex CodeCorner(unsigned corner)
   {
     const auto record = this->Cell.MakeRecord(corner);
-    this->Cell.FindCandidates(corner, record);
     const auto known = this->GetKnown(corner);
-    const auto nearest = this->Cell.GradeNearest();
     const auto glued = static_cast<unsigned>(this->Cell.Glued.size()) - 1;
+    // Behind two more faces a corner is nearly always new, so that nothing is searched for.
+    const bool isLikelyNew = glued >= 2;
+    if (!isLikelyNew)
+    {
+      this->Cell.FindCandidates(corner, record);
+    }
+    const auto nearest = isLikelyNew ? 7 : this->Cell.GradeNearest();
     auto& isNew = this->Models.New(this->Cell.FormNumber, corner, glued, nearest);
     if (!this->Symbols.Bit(isNew, known == NoVertex))
     {
+      if (isLikelyNew)
+      {
+        this->Cell.FindCandidates(corner, record);
+      }
       return this->CodeKnown(known, nearest);
     }
     const auto target = this->GetTarget(corner);
@@ -324,13 +414,14 @@ private:
       near += v != NoVertex && this->Mesh.GetPlace(v).Users != 0;
     }
     unsigned gate = 0;
-    for (unsigned i = 0; i < this->Cell.Form->GetDegree(0); ++i)
+    for (unsigned i = 0; i < this->Cell.GetForm().GetDegree(0); ++i)
     {
       gate += this->Mesh.GetPlace(this->Cell.GetCorner(i)).Users != 0;
     }
     if (this->Symbols.Bit(
           this->Models.IsShared[near * 5 + std::min(gate, 4u)], this->IsShared(target)))
     {
+      this->Cell.Predict(record);
       return this->Mesh.MeetShared(target,
         this->Models.Shared.Code(this->Symbols, this->Mesh.GetSharedSearch(), this->Cell.Predicted,
           4.0F * this->Cell.EdgeSquared, target));
@@ -380,7 +471,7 @@ private:
   void FinishCell(std::uint32_t parent, std::uint8_t parentType, std::uint32_t parentFrame)
   {
     const auto number = this->Mesh.GetCells();
-    const auto& form = *this->Cell.Form;
+    const auto& form = this->Cell.GetForm();
     std::uint8_t type = 0;
     std::uint8_t frame = 0;
     if constexpr (Coder::Encoding)
@@ -389,9 +480,18 @@ private:
       frame = this->Truth->Frame;
       this->Mesh.Truth.CellOrder.push_back(this->Truth->Cell);
     }
-    type = this->Models.CodeType(this->Symbols, form.Shape, parentType, type);
-    frame = this->Models.CodeFrame(this->Symbols,
-      type + (std::uint32_t{ this->Cell.FormNumber } << 8), parentType, parentFrame, frame);
+    if (this->IsUsual)
+    {
+      type = this->Way.Type;
+      frame = this->Way.Frame;
+    }
+    else
+    {
+      type = this->Models.CodeType(this->Symbols, form.Shape, parentType, type);
+      frame = this->Models.CodeFrame(this->Symbols,
+        type + (std::uint32_t{ this->Cell.FormNumber } << 8), parentType, parentFrame, frame);
+      this->Way = { this->Cell.FormNumber, type, frame };
+    }
     const FormTable::Frame* typeFrame = nullptr;
     this->Corners.resize(form.Corners);
     this->Faces.clear();
@@ -413,7 +513,7 @@ private:
       this->Nodes.Code(GetCellNodes(type), this->Corners, this->GetInputCorners());
     }
     this->Mesh.AddCell(type, this->Corners, this->Faces, parent);
-    this->Cell.Attach(number, type,
+    this->Growth.Attach(this->Cell, number, type,
       [&](unsigned face)
       {
         if (!typeFrame || type == TetraType)
@@ -434,12 +534,17 @@ private:
     return {};
   }
 
-  const FormTable::Frame& GetTypeFrame(std::uint8_t type, std::uint8_t number) const
+  const FormTable::Frame& GetTypeFrame(std::uint8_t type, std::uint8_t number)
   {
-    const auto kind = GetCellKind(type);
-    const auto frames = kind.IsLinear() || GetCellNodes(type).Corners > 0
-      ? this->Forms.GetFrames(kind.Shape)
-      : std::span<const FormTable::Frame>();
+    auto& frames = this->FramesOf[type];
+    if (frames.empty())
+    {
+      const auto kind = GetCellKind(type);
+      if (kind.IsLinear() || GetCellNodes(type).Corners > 0)
+      {
+        frames = this->Forms.GetFrames(kind.Shape);
+      }
+    }
     if (number >= frames.size() || frames[number].Form != this->Cell.FormNumber)
     {
       ThrowCorrupt("a cell has a type that its form does not allow");
@@ -454,11 +559,21 @@ private:
   PolygonTruth* const Truth;
   PolygonFront Open;
   PolygonModels Models;
-  PolygonCell<CellBuilder<Side>> Cell;
+  PolygonCell<CellBuilder<Side>, Form> Cell;
+  PolygonGrowth<CellBuilder<Side>, Form> Growth;
   FormBuilder Builder;
   std::optional<CellForm> Inlined; // the cell's, if it is in no table
   GateGrades Grades;
-  std::vector<std::uint8_t> Degrees; // of the faces that are probably over the gate's sides, or 0
+  bool IsUsual = false; // whether the cell is as expected at its gate
+  CellWay Way;          // of the cell
+  HexForm Hexahedron;
+  std::uint16_t HexNumber = FormTable::None;
+
+  // Of each side of the gate:
+  OfGate<std::uint8_t> Degrees; // of the face that is probably over it, or 0
+  OfGate<std::uint8_t> Angles;
+
+  std::array<std::span<const FormTable::Frame>, 256> FramesOf; // types
   std::vector<std::uint32_t> GateInput;
   ClosedFaces Borders;
   std::vector<Vertex> Corners, Faces; // of the cell that is finished

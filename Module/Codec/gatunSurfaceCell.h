@@ -32,10 +32,6 @@ public:
     , CandidateStamps(mesh.GetAllVertices(), 0)
     , FirstOwn(mesh.GetVertices())
   {
-    for (const auto& rule : GetCellRules())
-    {
-      this->RuleMasks.push_back(GetMask(rule));
-    }
   }
 
   void Begin(std::uint32_t degree)
@@ -193,8 +189,7 @@ public:
     float most = -1;
     for (std::uint32_t i = 0; i < this->GetDegree() && this->GetDegree() <= 4; ++i)
     {
-      const auto d =
-        this->Mesh.GetPlace(this->GetCorner(i + 1)) - this->Mesh.GetPlace(this->Corners[i]);
+      const auto d = this->GetPlace(this->GetCorner(i + 1)) - this->GetPlace(this->Corners[i]);
       const float length = Dot(d, d);
       longest = length > most ? i : longest;
       most = std::max(most, length);
@@ -236,7 +231,7 @@ public:
       edge.PastEnd = this->GetCorner(i + degree - 1);
       edge.FarBegin = this->FindPast((i + 2) % degree, false);
       edge.FarEnd = this->FindPast((i + degree - 1) % degree, true);
-      edge.Along = Normalize(this->Mesh.GetPlace(edge.End) - this->Mesh.GetPlace(edge.Begin));
+      edge.Along = Normalize(this->GetPlace(edge.End) - this->GetPlace(edge.Begin));
       edge.Frame = getFrame(i);
       this->Sides[i] = this->Open.Add(edge);
       if (std::max(edge.Begin, edge.End) >= this->FirstOwn)
@@ -254,10 +249,12 @@ public:
   float EdgeSquared = 0; // of the edge to the first neighbor of Predicted
 
 private:
-  static Direction Normalize(const Direction& d)
+  Vec3 GetPlace(Vertex vertex) const { return ToVector(this->Mesh.GetPlace(vertex)); }
+
+  static Vec3 Normalize(const Vec3& d)
   {
     const float length = std::sqrt(Dot(d, d));
-    return length > 0 ? Direction{ d.X / length, d.Y / length, d.Z / length } : Direction{};
+    return length > 0 ? Vec3{ d.Lanes / Splat(length) } : Vec3{};
   }
 
   /** The vertex beyond a corner in the polygon behind the glued side before it, or after it. */
@@ -273,13 +270,7 @@ private:
   /** Finds the place that the first rule for a record predicts. */
   void Predict(const CellRecord& record)
   {
-    const auto mask = record.GetMask();
-    std::size_t rule = 0;
-    while (rule + 1 < this->RuleMasks.size() && (this->RuleMasks[rule] & ~mask) != 0)
-    {
-      ++rule;
-    }
-    const auto& weights = GetCellRules()[rule];
+    const auto& weights = GetCellRules()[GetFirstRules()[record.GetMask()]];
     LatticePoint sum;
     for (unsigned k = 0; k < CellRecord::Size; ++k)
     {
@@ -300,7 +291,7 @@ private:
   /** Squared, to the predicted place. */
   float GetDistance(Vertex vertex) const
   {
-    const auto d = this->Mesh.GetPlace(vertex) - this->Predicted;
+    const auto d = this->GetPlace(vertex) - ToVector(this->Predicted);
     return Dot(d, d);
   }
 
@@ -367,19 +358,15 @@ private:
   }
 
   /** The normal of the polygon. */
-  Direction GetNormal() const
+  Vec3 GetNormal() const
   {
-    const auto place = [&](std::size_t i) -> const LatticePoint&
-    { return this->Mesh.GetPlace(this->Corners[i]); };
-    Direction sum;
-    auto last = place(1) - place(0);
+    const auto first = this->GetPlace(this->Corners[0]);
+    Vec3 sum{};
+    auto last = this->GetPlace(this->Corners[1]) - first;
     for (std::size_t i = 2; i < this->Corners.size(); ++i)
     {
-      const auto next = place(i) - place(0);
-      const auto cross = Cross(last, next);
-      sum.X += cross.X;
-      sum.Y += cross.Y;
-      sum.Z += cross.Z;
+      const auto next = this->GetPlace(this->Corners[i]) - first;
+      sum.Lanes += Cross(last, next).Lanes;
       last = next;
     }
     return Normalize(sum);
@@ -388,7 +375,6 @@ private:
   SurfaceFront& Open;
   Builder& Mesh;
   PlaceGrid Grid;
-  std::vector<unsigned> RuleMasks;
   std::vector<Vertex> Corners;                // around the polygon, from the gate on
   std::vector<std::uint32_t> Glued;           // for each side, the edge of the front
   std::vector<std::uint32_t> Sides;           // for each side, the edge that was opened

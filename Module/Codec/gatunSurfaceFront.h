@@ -6,7 +6,8 @@
 
 // The open edges between the polygons that a walk over a surface has visited and the others.
 
-#include "gatunPolygonFront.h"
+#include "gatunFront.h"
+#include "gatunMeasure.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -38,8 +39,8 @@ public:
     std::uint32_t Degree;      // of the cell
     std::uint8_t Type;         // of the cell
     bool Open = true;
-    Direction Along;  // of length 1, or 0
-    Direction Normal; // of the polygon behind
+    Vec3 Along;  // of length 1, or 0
+    Vec3 Normal; // of the polygon behind
   };
 
   explicit SurfaceFront(std::size_t vertices)
@@ -189,8 +190,7 @@ private:
  * Grades the angle between two edges of a front at their common vertex, on the side that no polygon
  * has: 0 folded shut, 8 straight, up to 14 behind.
  */
-inline unsigned GradeCorner(
-  const Direction& before, const Direction& after, const Direction& normal)
+inline unsigned GradeCorner(const Vec3& before, const Vec3& after, const Vec3& normal)
 {
   const float cosine = Dot(before, after);
   const bool left = Dot(Cross(before, after), normal) > 0;

@@ -274,7 +274,9 @@ private:
     return this->MeetOwn(3, gate.GetRecord());
   }
 
-  std::uint32_t CodeShared(const Gate<Rule>& gate)
+  // This and the next one stand apart from the step, whose variables they would push out of
+  // registers.
+  [[gnu::noinline]] std::uint32_t CodeShared(const Gate<Rule>& gate)
   {
     const auto target = Coder::Encoding ? this->Truth.GetTargetShared(3) : 0;
     const auto getRanks = [&](const Vec3x4& places, Float4 distances)
@@ -298,7 +300,7 @@ private:
     return this->CodeIndex(target, this->Input.Shared.size());
   }
 
-  Vertex CodeKnown(const Gate<Rule>& gate, Vertex target)
+  [[gnu::noinline]] Vertex CodeKnown(const Gate<Rule>& gate, Vertex target)
   {
     const auto others = gate.GetOthers();
     for (unsigned i = 0; i < others.Count; ++i)

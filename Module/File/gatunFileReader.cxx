@@ -5,6 +5,7 @@
 
 #include "gatunCellSplitter.h"
 #include "gatunFileReaderInternals.h"
+#include "gatunKeepMemory.h"
 #include "gatunPalette.h"
 #include "gatunTableParts.h"
 
@@ -181,6 +182,7 @@ bool FileReader::CanRead(const std::string& path) noexcept
 FileReader::FileReader(const std::string& path)
   : Self(std::make_unique<Internals>(path))
 {
+  KeepFreedMemory();
 }
 
 FileReader::FileReader(const FileReader& whole, std::size_t level)

@@ -4,6 +4,7 @@
 #include "gatunFileWriter.h"
 
 #include "gatunBaseMesh.h"
+#include "gatunKeepMemory.h"
 #include "gatunLayerTable.h"
 #include "gatunMeshSection.h"
 #include "gatunStepSection.h"
@@ -221,6 +222,7 @@ FileWriter::FileWriter(const std::string& path, const MeshInput& mesh,
   const Progress& progress)
 {
   CheckWriterInput(mesh, arrays, options);
+  KeepFreedMemory();
   this->Self = std::make_unique<Internals>(path, mesh, arrays, options);
   this->Self->WriteMesh(progress);
 }

@@ -12,9 +12,11 @@ gatun_core_folder(Support
     gatunBytes.h
     gatunCache.h
     gatunCacheBudgetInternals.h
+    gatunFixedList.h
     gatunFloatEnvironment.h
     gatunFourier.h
     gatunInline.h
+    gatunKeepMemory.h
     gatunLargeArray.h
     gatunMorton.h
     gatunSimd.h
@@ -24,5 +26,6 @@ gatun_core_folder(Support
     gatunCacheBudget.cxx
     gatunError.cxx
     gatunFourier.cxx
+    gatunKeepMemory.cxx
     gatunParallel.cxx
     gatunVersion.cxx)

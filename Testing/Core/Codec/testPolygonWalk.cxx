@@ -5,6 +5,8 @@
 #include "gatunCellNodes.h"
 #include "gatunCellShapes.h"
 #include "gatunError.h"
+#include "gatunFillRecord.h"
+#include "gatunHexForm.h"
 
 #include <gtest/gtest.h>
 
@@ -321,6 +323,56 @@ TEST(PolygonWalk, FindsNodesByTheirCorners)
   EXPECT_LT(bits, 8.0 * static_cast<double>(nodes));
 }
 
+TEST(PolygonWalk, KnowsTheFormOfHexahedra)
+{
+  const std::vector<std::uint8_t> code{ 4, 4, 4, 5, 4, 6, 4, 4, 7, 6, 4, 5, 7, 4, 6, 7 };
+  const CellForm form(code);
+  EXPECT_EQ(form.Family, HexForm::Family);
+  ASSERT_EQ(form.Corner.size(), HexForm::Sides);
+  ASSERT_EQ(form.Edges.size(), HexForm::Edges.size());
+  for (unsigned side = 0; side < HexForm::Sides; ++side)
+  {
+    EXPECT_EQ(form.Corner[side], HexForm::Corner[side]);
+    EXPECT_EQ(form.Face[side], HexForm::Face[side]);
+    EXPECT_EQ(form.Twin[side], HexForm::Twin[side]);
+    EXPECT_EQ(form.Below[side], HexForm::Below[side]);
+  }
+  for (std::size_t e = 0; e < form.Edges.size(); ++e)
+  {
+    EXPECT_EQ(form.Edges[e][0], HexForm::Edges[e][0]);
+    EXPECT_EQ(form.Edges[e][1], HexForm::Edges[e][1]);
+  }
+  // Records of all corners, whichever of the others are known.
+  for (unsigned corner = 0; corner < HexForm::Corners; ++corner)
+  {
+    for (unsigned known = 0; known < 256; ++known)
+    {
+      const auto getVertex = [&](unsigned local)
+      { return local != corner && (known >> local & 1) != 0 ? Vertex{ local } : NoVertex; };
+      CellRecord plain, hexahedral;
+      const auto near = FillRecord(plain, form.Graph, corner, getVertex);
+      EXPECT_EQ(near, FillHexRecord(hexahedral, corner, getVertex));
+      EXPECT_EQ(plain.Known, hexahedral.Known);
+    }
+  }
+}
+
+TEST(PolygonWalk, TellsWhereAllCellsAreHexahedra)
+{
+  EXPECT_EQ(ExpectWalk(MakeHexes(4, 0.1)).Connectivity[0], 9);
+  const auto addSome = [](TestCells& mesh, std::span<const std::uint32_t> c, std::size_t number) {
+    number % 5 == 0 ? AddWedges(mesh, c, number) : mesh.Add(12, { c.begin(), c.end() });
+  };
+  EXPECT_EQ(ExpectWalk(SplitHexes(4, 0.1, addSome)).Connectivity[0], 1);
+
+  // A table without their form.
+  const auto chunk = MakeCellCase(MakeHexes(2, 0));
+  const auto encoded = ExpectRoundTrip(chunk, MakeShapes(chunk.Cells));
+  ASSERT_EQ(encoded.Connectivity[0], 9);
+  EXPECT_THROW(
+    DecodeCells(chunk.Frame, MakeShapes({}), encoded.Connectivity, encoded.Geometry), Error);
+}
+
 TEST(PolygonWalk, FindsCellsThatAreFacesOfOthers)
 {
   // The sides of a grid as cells of different types, in different directions, some of them twice.
@@ -359,7 +411,7 @@ TEST(PolygonWalk, FindsCellsThatAreFacesOfOthers)
     mesh.Add(5, { 0, 1, 12 });
     const auto chunk = MakeCellCase(mesh);
     const auto encoded = ExpectRoundTrip(chunk, MakeShapes(chunk.Cells));
-    EXPECT_EQ(encoded.Connectivity[0] & 3, 3); // with marks
+    EXPECT_EQ(encoded.Connectivity[0] & 11, 11); // over hexahedra, with marks
     const auto bits = 8.0 * static_cast<double>(encoded.Connectivity.size() - count);
     EXPECT_LT(bits, (types.size() > 1 ? 8.0 : 2.0) * static_cast<double>(faces) + 3 * 30);
     ExpectRoundTrip(MakeCellCase(mesh, { .IsShared = IsLeft }), MakeShapes(mesh.Cells));

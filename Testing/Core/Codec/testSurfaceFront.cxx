@@ -13,7 +13,15 @@
 #include <set>
 #include <vector>
 
+namespace
+{
 using namespace gatun;
+
+Vec3 MakeVector(double x, double y)
+{
+  return { Float4{ static_cast<float>(x), static_cast<float>(y), 0, 0 } };
+}
+}
 
 //------------------------------------------------------------------------------
 TEST(SurfaceFront, GradesAngles)
@@ -22,8 +30,8 @@ TEST(SurfaceFront, GradesAngles)
   const auto grade = [](double degrees)
   {
     const double turn = (180 - degrees) * 3.14159265358979 / 180;
-    return GradeCorner({ 1, 0, 0 },
-      { static_cast<float>(std::cos(turn)), static_cast<float>(std::sin(turn)), 0 }, { 0, 0, 1 });
+    return GradeCorner(
+      MakeVector(1, 0), MakeVector(std::cos(turn), std::sin(turn)), { Float4{ 0, 0, 1, 0 } });
   };
   EXPECT_EQ(grade(0.01), 0u);
   EXPECT_EQ(grade(60), 2u);
@@ -36,7 +44,7 @@ TEST(SurfaceFront, GradesAngles)
   {
     EXPECT_LE(grade(degrees - 1), grade(degrees));
   }
-  EXPECT_LE(GradeCorner({}, {}, {}), 14u);
+  EXPECT_LE(GradeCorner(MakeVector(0, 0), MakeVector(0, 0), MakeVector(0, 0)), 14u);
 }
 
 TEST(PlaceGrid, FindsAllVerticesAroundAPlace)
@@ -61,7 +69,7 @@ TEST(PlaceGrid, FindsAllVerticesAroundAPlace)
         [&](Vertex v) { found.insert(v); });
       for (Vertex v = 0; v < points.size(); ++v)
       {
-        const auto d = points[v] - center;
+        const auto d = ToVector(points[v]) - ToVector(center);
         EXPECT_TRUE(Dot(d, d) > distance * distance || found.count(v) != 0);
       }
     }
