@@ -29,6 +29,7 @@ gatun_core_folder(Codec
     gatunMeasure.h
     gatunNumberModel.h
     gatunPalette.h
+    gatunPlaceGrid.h
     gatunPolygonCell.h
     gatunPolygonFront.h
     gatunPolygonGrowth.h
@@ -41,6 +42,11 @@ gatun_core_folder(Codec
     gatunSharedNames.h
     gatunSharedSearch.h
     gatunSharedSequence.h
+    gatunSurfaceCell.h
+    gatunSurfaceFront.h
+    gatunSurfaceModels.h
+    gatunSurfaceTruth.h
+    gatunSurfaceWalk.h
     gatunTopology.h
     gatunVertexHash.h
     gatunVertexRing.h
@@ -59,4 +65,5 @@ gatun_core_folder(Codec
     gatunMarkTruth.cxx
     gatunPalette.cxx
     gatunPolygonTruth.cxx
-    gatunSharedSearch.cxx)
+    gatunSharedSearch.cxx
+    gatunSurfaceTruth.cxx)

@@ -11,6 +11,7 @@
 #include "gatunMorton.h"
 #include "gatunPolygonTruth.h"
 #include "gatunPolygonWalk.h"
+#include "gatunSurfaceWalk.h"
 
 #include <algorithm>
 #include <numeric>
@@ -23,6 +24,7 @@ using Order = std::vector<std::uint32_t>;
 
 constexpr std::uint8_t FlagWalk = 1;
 constexpr std::uint8_t FlagMarks = 2;
+constexpr std::uint8_t FlagSurface = 4;
 constexpr std::uint8_t FlagHexahedra = 8;
 
 /** One way to encode the connectivity of a chunk. */
@@ -33,7 +35,7 @@ struct CellAttempt
   std::vector<std::uint32_t> InputOf;
   std::vector<std::uint32_t> OwnOrder;
   std::vector<std::uint32_t> CellOrder;
-  std::size_t Others = 0; // cells that the walk does not take
+  std::size_t Others = 0; // cells that no walk takes
 };
 
 /** The length that a connectivity stream must have at least. */
@@ -86,12 +88,15 @@ struct CellInput
   const CellList& Cells;
   const FormTable& Forms;
   std::span<const LatticePoint> Shared, OwnPlaces;
+
+  /** Whether there are cells for a walk over cells. */
+  bool HasSolids() const { return this->Forms.GetSize() > 0 || !this->Cells.Faces.empty(); }
 };
 
-/** Encodes cells by a walk and as faces at its border if it is wanted, and those that it does not
- * take in an order that sort(cells) gives. */
+/** Encodes cells by walks if they are wanted, and those that they do not take in an order that
+ * sort(cells) gives. */
 template <typename Sort>
-CellAttempt TryCells(const CellInput& input, bool withWalk, Sort&& sort)
+CellAttempt TryCells(const CellInput& input, bool withWalks, Sort&& sort)
 {
   CellAttempt result;
   EntropyEncoder coder;
@@ -99,11 +104,12 @@ CellAttempt TryCells(const CellInput& input, bool withWalk, Sort&& sort)
     input.Cells, static_cast<std::uint32_t>(input.Shared.size()), input.OwnPlaces);
   CellBuilder mesh(input.Frame, input.Shared, side, result.Mesh);
   AttachedNodes nodes(coder, mesh);
-  std::uint8_t flags = withWalk ? FlagWalk : 0;
+  std::uint8_t flags = 0;
   Order others(input.Cells.GetNumber());
   std::iota(others.begin(), others.end(), 0u);
-  if (withWalk)
+  if (withWalks && input.HasSolids())
   {
+    flags |= FlagWalk;
     PolygonTruth truth(input.Cells, input.Forms);
     others = truth.GetOthers();
     flags |= truth.IsOfHexahedra() ? FlagHexahedra : 0;
@@ -114,6 +120,16 @@ CellAttempt TryCells(const CellInput& input, bool withWalk, Sort&& sort)
       FaceMarks(coder, mesh, nodes).Run(borders, &marks);
       flags |= FlagMarks;
       std::erase_if(others, [&](std::uint32_t cell) { return marks.IsTaken(cell); });
+    }
+  }
+  if (withWalks)
+  {
+    SurfaceTruth truth(input.Cells, others);
+    if (truth.HasCells())
+    {
+      SurfaceWalk(coder, mesh, nodes, &truth).Run();
+      flags |= FlagSurface;
+      std::erase_if(others, [&](std::uint32_t cell) { return truth.IsTaken(cell); });
     }
   }
   sort(others);
@@ -166,15 +182,16 @@ CellAttempt EncodeConnectivity(const ChunkFrame& frame, const CellList& cells,
       best = std::move(attempt);
     }
   };
-  if (forms.GetSize() > 0 || !cells.Faces.empty())
+  consider(TryCells(input, true, keep));
+  if (best.Stream[0] != 0 && best.Others > cells.GetNumber() / 16)
   {
-    consider(TryCells(input, true, keep));
-    if (best.Others > cells.GetNumber() / 16)
-    {
-      consider(TryCells(input, true, sort));
-    }
+    consider(TryCells(input, true, sort));
   }
-  if (best.Stream.empty() || best.Stream.size() > listBytes * cells.GetNumber())
+  if (best.Stream[0] == 0)
+  {
+    consider(TryCells(input, false, sort));
+  }
+  else if (best.Stream.size() > listBytes * cells.GetNumber())
   {
     consider(TryCells(input, false, keep));
     consider(TryCells(input, false, sort));
@@ -223,9 +240,9 @@ ChunkMesh DecodeCells(const ChunkFrame& frame, const ShapeTable& shapes,
   {
     ThrowCorrupt("a chunk claims more cells or points than its stream can hold");
   }
-  constexpr auto flags = FlagWalk | FlagMarks | FlagHexahedra;
-  if ((connectivity[0] & ~flags) != 0 ||
-    (connectivity[0] != 0 && (connectivity[0] & FlagWalk) == 0))
+  const unsigned flags = connectivity[0];
+  if (flags > (FlagWalk | FlagMarks | FlagSurface | FlagHexahedra) ||
+    ((flags & FlagWalk) == 0 && (flags & (FlagMarks | FlagHexahedra)) != 0))
   {
     ThrowCorrupt("a connectivity stream has unknown flags");
   }
@@ -241,14 +258,18 @@ ChunkMesh DecodeCells(const ChunkFrame& frame, const ShapeTable& shapes,
   CellDecoderSide side(frame, lattice, coordinates, rules, mesh);
   CellBuilder builder(frame, std::span<const LatticePoint>(shared), side, mesh);
   AttachedNodes nodes(symbols, builder);
-  if ((connectivity[0] & FlagWalk) != 0)
+  if ((flags & FlagWalk) != 0)
   {
     const auto forms = shapes.GetForms();
-    const auto borders = Walk(connectivity[0], symbols, builder, nodes, *forms, nullptr);
-    if ((connectivity[0] & FlagMarks) != 0)
+    const auto borders = Walk(flags, symbols, builder, nodes, *forms, nullptr);
+    if ((flags & FlagMarks) != 0)
     {
       FaceMarks(symbols, builder, nodes).Run(borders, nullptr);
     }
+  }
+  if ((flags & FlagSurface) != 0)
+  {
+    SurfaceWalk(symbols, builder, nodes, nullptr).Run();
   }
   CellListCoder list(symbols, builder, nodes);
   while (!builder.IsFull())

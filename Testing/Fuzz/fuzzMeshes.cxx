@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fuzzMeshes.h"
 
+#include "gatunCellNodes.h"
 #include "gatunCellShapes.h"
 
 #include <cstdlib>
@@ -138,15 +139,77 @@ std::vector<Tet> TakeTets(Input& in, std::uint32_t mostTets, std::uint32_t& poin
   return tets;
 }
 
+namespace
+{
+/** Polygons that have edges in common. */
+class Surface
+{
+public:
+  /** Appends a triangle, quadrilateral or polygon, linear or with nodes. */
+  void TakeCell(Input& in, unsigned kind, CellList& cells, std::uint32_t& points)
+  {
+    static constexpr std::array<std::uint8_t, 8> types{ 5, 9, 7, 5, 8, 22, 28, 9 };
+    const auto type = types[kind];
+    const auto nodes = GetCellNodes(type);
+    const std::uint32_t degree = type == 7 ? 3 + in.TakeUpTo(9)
+      : nodes.Corners > 0                  ? nodes.Corners
+      : type == 5                          ? 3
+                                           : 4;
+    std::vector<std::uint32_t> corners;
+    if (!this->Edges.empty())
+    {
+      corners = this->TakeEdge(in);
+    }
+    const auto size = std::max<std::uint32_t>(degree, nodes.Points);
+    while (corners.size() < size)
+    {
+      // A vertex of another edge, or any, or a new one.
+      const auto choice = in.Take<std::uint8_t>();
+      corners.push_back(choice >= 250 && points > 0 ? in.TakeUpTo(points - 1)
+          : choice >= 160 && !this->Edges.empty()   ? this->TakeEdge(in)[0]
+                                                    : points++);
+    }
+    for (std::uint32_t i = 0; i < degree; ++i)
+    {
+      this->Edges.push_back({ corners[i], corners[(i + 1) % degree] });
+    }
+    cells.Types.push_back(type);
+    cells.Corners.insert(cells.Corners.end(), corners.begin(), corners.end());
+    cells.Starts.push_back(static_cast<std::uint32_t>(cells.Corners.size()));
+    if (!cells.FaceStarts.empty())
+    {
+      cells.FaceStarts.push_back(static_cast<std::uint32_t>(cells.Faces.size()));
+    }
+  }
+
+private:
+  /** One of the last edges, mostly against its direction. */
+  std::vector<std::uint32_t> TakeEdge(Input& in) const
+  {
+    const auto choice = in.Take<std::uint8_t>();
+    const auto& edge = this->Edges[this->Edges.size() - 1 - choice / 4 % this->Edges.size()];
+    return choice % 4 == 0 ? edge : std::vector{ edge[1], edge[0] };
+  }
+
+  std::vector<std::vector<std::uint32_t>> Edges;
+};
+}
+
 CellList TakeCells(Input& in, std::uint32_t mostCells, std::uint32_t& points)
 {
   constexpr std::array usual{ 12, 12, 12, 42, 13, 14, 10, 11, 25, 24 };
   CellList cells;
   points = 0;
   std::vector<std::uint32_t> last;
+  Surface surface;
   for (auto count = in.TakeUpTo(mostCells); count > 0; --count)
   {
     const auto how = in.Take<std::uint8_t>();
+    if (how >= 200 && how < 232)
+    {
+      surface.TakeCell(in, how % 8, cells, points);
+      continue;
+    }
     const int type = how < 200 ? usual[how % usual.size()] : in.Take<std::uint8_t>();
     const auto fixed = GetCellKind(type).Points;
     const auto size = type == 42 ? 8u : fixed > 0 && how < 240 ? fixed : in.TakeUpTo(12);

@@ -413,10 +413,16 @@ void AddLayerFiles(Corpus& corpus)
 }
 }
 
-/** Streams of cells of any type, for fuzzCells.cxx. */
-void AddCells(Corpus& corpus, std::mt19937& random)
+/** Streams of cells of any type, for fuzzCells.cxx. surfaces: whether most cells are polygons that
+ * have edges in common. */
+void AddCells(Corpus& corpus, std::mt19937& random, bool surfaces)
 {
   auto noise = MakeNoise(4096, random);
+  for (auto& byte : noise)
+  {
+    // TakeCells takes a polygon for these values.
+    byte = surfaces && byte % 2 != 0 ? static_cast<std::uint8_t>(200 + byte % 32) : byte;
+  }
   fuzz::Input in(noise.data(), noise.size());
   std::uint32_t points = 0;
   const auto cells = fuzz::TakeCells(in, 60, points);
@@ -476,7 +482,7 @@ int main(int argc, char* argv[])
   for (unsigned i = 0; i < 40; ++i)
   {
     AddChunks(corpus, random);
-    AddCells(corpus, random);
+    AddCells(corpus, random, i % 4 == 3);
     AddArrays(corpus, random);
   }
   for (unsigned i = 0; i < 10; ++i)

@@ -4,14 +4,18 @@
 // Files of cells that are not all tetrahedra: what comes back, and what is refused.
 
 #include "gatunHostile.h"
+#include "gatunParallel.h"
 #include "gatunPieceCells.h"
 #include "gatunVerifyFile.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace
@@ -20,14 +24,15 @@ using namespace gatun;
 using namespace gatun::test;
 
 constexpr std::uint8_t Line = 3;
+constexpr std::uint8_t Triangle = 5;
 constexpr std::uint8_t Quad = 9;
 constexpr std::uint8_t Tetra = 10;
 constexpr std::uint8_t Hexahedron = 12;
 constexpr std::uint8_t Wedge = 13;
 constexpr std::uint8_t Polyhedron = 42;
 
-/** Cubes, each of which is a hexahedron, two wedges or a polyhedron, or has other cells beside it.
- */
+/** Cubes, each of which is a hexahedron, two wedges or a polyhedron, or has other cells beside it;
+ * and a wall. */
 struct Mixture
 {
   std::vector<double> Coordinates;
@@ -51,6 +56,26 @@ struct Mixture
     for (std::int64_t i = 0; i < n * n * n; ++i)
     {
       this->AddCube(n, { i % n, i / n % n, i / (n * n) }, static_cast<unsigned>(i % 4));
+    }
+    this->AddWall(n);
+  }
+
+  /** Quadrilaterals and triangles with common edges in the middle of the cubes. */
+  void AddWall(std::int64_t n)
+  {
+    for (std::int64_t i = 0; i < n * n; ++i)
+    {
+      const auto a = (n / 2 * (n + 1) + i / n) * (n + 1) + i % n;
+      const auto b = a + n + 1;
+      if (i % 3 == 0)
+      {
+        this->AddCell(Triangle, { a, a + 1, b });
+        this->AddCell(Triangle, { b, a + 1, b + 1 });
+      }
+      else
+      {
+        this->AddCell(Quad, { a, a + 1, b + 1, b });
+      }
     }
   }
 
@@ -245,6 +270,23 @@ TEST(CellFile, TetrahedraHaveTheValuesOfTheirCells)
     EXPECT_EQ(std::count(cell.begin(), cell.end(), static_cast<std::int32_t>(i) + 7), expected)
       << i;
   }
+}
+
+TEST(CellFile, BytesDoNotDependOnThreads)
+{
+  const Mixture mesh(7);
+  std::vector<std::string> files;
+  for (const int threads : { 1, 2 })
+  {
+    WithNumberOfThreads(threads,
+      [&]
+      {
+        std::ifstream in(Write(mesh, KeepAll), std::ios::binary);
+        files.emplace_back(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+      });
+  }
+  EXPECT_GT(files[0].size(), 1000u);
+  EXPECT_EQ(files[0], files[1]);
 }
 
 TEST(CellFile, BadCellsAreRefusedAndLeaveNoFile)

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunSurfaceTruth_h
+#define gatunSurfaceTruth_h
+
+#include "gatunCellList.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gatun
+{
+/** The most corners of a polygon that a walk over surfaces takes. */
+constexpr std::uint32_t MaxWalkedCorners = 32767;
+
+/** The cells of an encoder's input that a walk over surfaces can take, by their edges. */
+class SurfaceTruth
+{
+public:
+  /** candidates: the cells that may be taken. Those that have no edge in common with another one
+   * are not. */
+  SurfaceTruth(const CellList& cells, std::span<const std::uint32_t> candidates);
+
+  /** Whether there is any cell. */
+  bool HasCells() const { return this->Number > 0; }
+
+  /** Begins an unvisited cell with an edge, if possible one that runs as it is `turned` or not.
+   * Returns false if there is none. */
+  bool FindCell(std::uint32_t begin, std::uint32_t end, bool turned);
+
+  /** Begins any unvisited cell. Returns false if there is none. */
+  bool FindSeed();
+
+  /** Whether a cell was begun. */
+  bool IsTaken(std::uint32_t cell) const { return this->States[cell] == State::Taken; }
+
+  // The cell that was begun:
+  std::uint32_t Cell = 0;
+  std::uint8_t Type = 0;
+  std::uint32_t Turn = 0;             // see GetMarkPlace
+  std::vector<std::uint32_t> Corners; // around it, from the edge on
+
+private:
+  static constexpr std::uint32_t None = 0xffffffff;
+
+  enum class State : std::uint8_t
+  {
+    Never,
+    Waiting,
+    Taken
+  };
+
+  struct Edge
+  {
+    std::uint32_t Cell;
+    std::uint32_t Place; // where it begins in the cell
+    std::uint32_t Next;  // with the same place in the table, or None
+  };
+
+  std::uint32_t& GetHead(std::uint32_t a, std::uint32_t b);
+  std::uint32_t GetCorner(std::uint32_t cell, std::uint32_t place) const;
+  void AddEdges(std::uint32_t cell);
+  bool HasNeighbor(std::uint32_t cell);
+  void Begin(std::uint32_t cell, std::uint32_t place, bool turned);
+
+  const CellList& Cells;
+  std::vector<std::uint32_t> Seeds; // in the order of the input
+  std::vector<State> States;
+  std::vector<Edge> Edges;
+  std::vector<std::uint32_t> Heads;
+  std::size_t Number = 0;
+  std::size_t NextSeed = 0;
+};
+}
+
+#endif
