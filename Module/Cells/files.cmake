@@ -12,6 +12,7 @@ gatun_core_folder(Cells
     gatunFormBuilder.h
     gatunFormMaker.h
     gatunHexForm.h
+    gatunLatticeNodes.h
     gatunShapeTable.h
     gatunSimplices.h
   SOURCES
@@ -21,4 +22,5 @@ gatun_core_folder(Cells
     gatunCellShapes.cxx
     gatunFormBuilder.cxx
     gatunFormMaker.cxx
+    gatunLatticeNodes.cxx
     gatunShapeTable.cxx)

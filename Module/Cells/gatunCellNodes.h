@@ -6,25 +6,97 @@
 
 #include "vtkGatunCoreModule.h" // For export macro
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <span>
+#include <vector>
 
 namespace gatun
 {
-/** The points of a nonlinear cell that are no corners: on edges, on faces and inside. */
+/** A point of a nonlinear cell that is no corner. Points are named by their numbers in the cell. */
+struct CellNode
+{
+  static constexpr std::uint16_t None = 0xffff;
+
+  enum class Kind : std::uint8_t
+  {
+    Edge,
+    Triangle,
+    Quad,
+    Inside ///< no other cell has it
+  };
+
+  /** The points that a node is predicted from, as in a CellRecord. */
+  enum Slot : std::uint8_t
+  {
+    N1,
+    N2,
+    N3,
+    D12,
+    D13,
+    D23,
+    O,
+    B1,
+    B2,
+    B3,
+    Slots
+  };
+
+  Kind Where = Kind::Edge;
+  bool IsBetween = false; // whether Near are the corners of Host
+  std::uint16_t Point = None;
+
+  /** The node's coordinates in the lattice of a cell of any order, from 0 to the order. */
+  std::array<std::uint8_t, 3> Place{};
+
+  /** The corners that the node lies between, then None. There are none inside a cell of any order,
+   * and four for the center of a quadratic cell. */
+  std::array<std::uint16_t, 4> Host{ None, None, None, None };
+
+  /** The node is the mean of the corners with these weights if the cell is straight. */
+  std::array<std::uint16_t, 4> Weights{};
+
+  std::array<std::uint16_t, Slots> Near{ None, None, None, None, None, None, None, None, None,
+    None };
+};
+
+/** The points of nonlinear cells that are no corners. */
 struct CellNodes
 {
-  std::uint8_t Corners = 0;
-  std::uint8_t Points = 0; // corners and nodes
+  std::size_t Corners = 0; // 0 for cells that have no nodes
+  std::size_t Points = 0;  // corners and nodes
 
-  /** For each node the number of the corners that it lies between, 2 to 4, then these corners. Of a
-   * cell they are four corners whose mean is the center. */
-  std::span<const std::uint8_t> Hosts;
+  /** In an order in which the points that one is predicted from come before it. */
+  std::vector<CellNode> Nodes;
 };
+
+/** The highest order of cells whose nodes are known. */
+constexpr unsigned MaxNodeOrder = 16;
 
 /** Returns the nodes of a VTK cell type with a fixed number of points. Corners is 0 for linear
  * types and for all others. */
-VTKGATUNCORE_EXPORT CellNodes GetCellNodes(int type);
+VTKGATUNCORE_EXPORT const CellNodes& GetCellNodes(int type);
+
+/** Whether cells of a type have any order, the same in all directions: Lagrange and Bezier cells
+ * except pyramids. */
+VTKGATUNCORE_EXPORT bool HasNodeOrder(int type);
+
+/** Returns the order of a cell of such a type with this number of points, or 0 if there is none up
+ * to MaxNodeOrder. */
+VTKGATUNCORE_EXPORT unsigned FindNodeOrder(int type, std::size_t points);
+
+/** Returns the nodes of cells of such a type. order: 1 to MaxNodeOrder. Safe to call from several
+ * threads. */
+VTKGATUNCORE_EXPORT const CellNodes& GetNodesOfOrder(int type, unsigned order);
+
+/** Whether the nodes of cells of a type are known, for some numbers of points. */
+VTKGATUNCORE_EXPORT bool HasNodes(int type);
+
+/** Returns the nodes of a cell with this number of points. Corners is 0 if they are not known. */
+VTKGATUNCORE_EXPORT const CellNodes& FindCellNodes(int type, std::size_t points);
+
+/** Whether FindCellNodes would find them. */
+VTKGATUNCORE_EXPORT bool CanFindCellNodes(int type, std::size_t points);
 }
 
 #endif

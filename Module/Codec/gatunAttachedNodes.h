@@ -6,6 +6,7 @@
 
 #include "gatunCellBuilder.h"
 #include "gatunCellNodes.h"
+#include "gatunCellRules.h"
 #include "gatunNumberModel.h"
 #include "gatunSharedNames.h"
 
@@ -19,7 +20,8 @@
 
 namespace gatun
 {
-/** Codes the nodes of nonlinear cells. Cells with a common edge or face have its node in common. */
+/** Codes the nodes of nonlinear cells. Cells with a common edge or face have its nodes in common.
+ */
 template <typename Coder, typename Side>
 class AttachedNodes
 {
@@ -27,47 +29,93 @@ public:
   AttachedNodes(Coder& coder, CellBuilder<Side>& mesh)
     : Symbols(coder)
     , Mesh(mesh)
+    , LastOrders(256, 2)
+    , SameOrder(256)
   {
   }
 
-  /** Appends the nodes to the corners of a cell. truth: all points of the encoder's cell. */
+  /** Appends the nodes of a cell of any type to its corners, and codes the order of Lagrange and
+   * Bezier cells. truth: all points of the encoder's cell. */
+  void CodeOfType(
+    std::uint8_t type, std::vector<Vertex>& corners, std::span<const std::uint32_t> truth)
+  {
+    this->Code(HasNodeOrder(type) ? GetNodesOfOrder(type, this->CodeOrder(type, truth.size()))
+                                  : GetCellNodes(type),
+      corners, truth);
+  }
+
+  /** Appends these nodes to the corners of a cell. */
   void Code(
     const CellNodes& nodes, std::vector<Vertex>& corners, std::span<const std::uint32_t> truth)
   {
-    for (std::size_t at = 0; at < nodes.Hosts.size(); at += 1u + nodes.Hosts[at])
+    if (nodes.Nodes.empty())
     {
-      Host host{ NoVertex, NoVertex, NoVertex, NoVertex };
-      for (unsigned i = 0; i < nodes.Hosts[at]; ++i)
-      {
-        host[i] = corners[nodes.Hosts[at + 1 + i]];
-      }
-      corners.push_back(this->CodeNode(host, Coder::Encoding ? truth[corners.size()] : 0));
+      return;
+    }
+    if (nodes.Points > this->Mesh.GetCornersLeft())
+    {
+      ThrowCorrupt("the nodes of a cell are more than its chunk's directory entry says");
+    }
+    corners.resize(nodes.Points, NoVertex);
+    for (const auto& node : nodes.Nodes)
+    {
+      corners[node.Point] = this->CodeNode(node, corners, Coder::Encoding ? truth[node.Point] : 0);
     }
   }
 
 private:
-  using Host = std::array<Vertex, 4>; // the corners, then NoVertex
+  /** The vertices of the corners that a node lies between and their weights, in ascending order. */
+  using Key = std::array<std::uint64_t, 4>;
 
-  struct HashHost
+  struct HashKey
   {
-    std::size_t operator()(const Host& host) const
+    std::size_t operator()(const Key& key) const
     {
       std::uint64_t hash = 0;
-      for (const auto v : host)
+      for (const auto item : key)
       {
-        hash = (hash ^ v) * 0x9e3779b97f4a7c15u;
+        hash = (hash ^ item) * 0x9e3779b97f4a7c15u;
         hash ^= hash >> 32;
       }
       return static_cast<std::size_t>(hash);
     }
   };
 
-  Vertex CodeNode(const Host& host, std::uint32_t target)
+  unsigned CodeOrder(std::uint8_t type, std::size_t points)
   {
-    const unsigned kind = host[2] == NoVertex ? 0 : host[3] == NoVertex ? 1 : 2;
-    auto key = host;
+    auto& last = this->LastOrders[type];
+    const unsigned order = Coder::Encoding ? FindNodeOrder(type, points) : 0;
+    if (!this->Symbols.Bit(this->SameOrder[type], order == last))
+    {
+      const auto coded = this->Order.Code(this->Symbols, order);
+      if (coded < 1 || coded > MaxNodeOrder)
+      {
+        ThrowCorrupt("a cell has an impossible order");
+      }
+      last = static_cast<std::uint8_t>(coded);
+    }
+    return last;
+  }
+
+  static Key MakeKey(const CellNode& node, std::span<const Vertex> corners)
+  {
+    Key key;
+    key.fill(~std::uint64_t{ 0 });
+    for (unsigned i = 0; i < key.size() && node.Host[i] != CellNode::None; ++i)
+    {
+      key[i] = std::uint64_t{ corners[node.Host[i]] } << 32 | node.Weights[i];
+    }
     std::sort(key.begin(), key.end());
-    const auto found = this->Nodes.find(key);
+    return key;
+  }
+
+  /** points: of the cell, as far as they are known. */
+  Vertex CodeNode(const CellNode& node, std::span<const Vertex> points, std::uint32_t target)
+  {
+    const bool canBeFound = node.Where != CellNode::Kind::Inside;
+    const auto kind = static_cast<unsigned>(node.Where);
+    const auto key = MakeKey(node, points);
+    const auto found = canBeFound ? this->Nodes.find(key) : this->Nodes.end();
     const bool has = found != this->Nodes.end();
     const Vertex known = Coder::Encoding ? this->Mesh.Truth.GetMet(target) : NoVertex;
     if (has && this->Symbols.Bit(this->IsHosts[kind], known == found->second))
@@ -78,61 +126,93 @@ private:
     {
       return CodeIndex(this->Symbols, known, this->Mesh.GetVertices());
     }
+    const auto record = MakeRecord(node, points);
     unsigned shared = 0;
-    for (unsigned i = 0; i < kind + 2; ++i)
+    for (const auto v : record.Known)
     {
-      shared += this->Mesh.GetPlace(host[i]).Users != 0;
+      shared += v != NoVertex && this->Mesh.GetPlace(v).Users != 0;
     }
     const bool isShared = this->Symbols.Bit(
-      this->IsShared[shared], Coder::Encoding && this->Mesh.Truth.IsShared(target));
-    const auto vertex = isShared ? this->Mesh.MeetShared(target, this->NameShared(host, target))
-                                 : this->Mesh.MeetOwn(target, MakeRecord(host));
-    for (unsigned i = 0; i < kind + 2; ++i)
+      this->IsShared[std::min(shared, 4u)], Coder::Encoding && this->Mesh.Truth.IsShared(target));
+    const auto vertex = isShared
+      ? this->Mesh.MeetShared(target, this->NameShared(node, points, record, target))
+      : this->Mesh.MeetOwn(target, record);
+    this->LogEdges(node, record, vertex);
+    if (canBeFound)
     {
-      this->Mesh.LogEdge(host[i], vertex);
+      this->Nodes[key] = vertex;
     }
-    this->Nodes[key] = vertex;
     return vertex;
   }
 
-  /** Looks around the mean of the corners. */
-  std::uint32_t NameShared(const Host& host, std::uint32_t target)
+  static CellRecord MakeRecord(const CellNode& node, std::span<const Vertex> points)
   {
-    const auto& begin = this->Mesh.GetPlace(host[0]);
-    LatticePoint sum;
-    float count = 0;
-    for (unsigned i = 0; i < 4 && host[i] != NoVertex; ++i)
+    static_assert(unsigned{ CellNode::Slots } == unsigned{ CellRecord::Size } &&
+      unsigned{ CellNode::B1 } == unsigned{ CellRecord::B1 });
+    CellRecord record;
+    for (unsigned k = 0; k < CellRecord::Size; ++k)
     {
-      const auto& place = this->Mesh.GetPlace(host[i]);
-      sum.X += place.X;
-      sum.Y += place.Y;
-      sum.Z += place.Z;
-      count += 1;
+      if (node.Near[k] != CellNode::None)
+      {
+        record.Known[k] = points[node.Near[k]];
+      }
     }
-    const LatticePoint mean{ sum.X / count, sum.Y / count, sum.Z / count, 0 };
-    const Vec3 edge = ToVector(begin) - ToVector(mean);
-    return this->Shared.Code(
-      this->Symbols, this->Mesh.GetSharedSearch(), mean, Dot(edge, edge), target);
+    return record;
   }
 
-  /** No other record has N1 and opposite vertices without further neighbors. */
-  static CellRecord MakeRecord(const Host& host)
+  /** The neighbors of a new vertex that were met before. */
+  void LogEdges(const CellNode& node, const CellRecord& record, Vertex vertex)
   {
-    CellRecord record;
-    record.Known[CellRecord::N1] = host[0];
-    record.Known[CellRecord::D12] = host[1];
-    record.Known[CellRecord::D13] = host[2];
-    record.Known[CellRecord::D23] = host[3];
-    return record;
+    for (unsigned k = 0; k < CellRecord::B1; ++k)
+    {
+      const bool isNear = node.IsBetween || k == CellRecord::N1 || k == CellRecord::N2;
+      if (isNear && record.Known[k] != NoVertex)
+      {
+        this->Mesh.LogEdge(record.Known[k], vertex);
+      }
+    }
+  }
+
+  /** Looks around the place where a node of a straight cell is, or where it is predicted. */
+  std::uint32_t NameShared(const CellNode& node, std::span<const Vertex> points,
+    const CellRecord& record, std::uint32_t target)
+  {
+    const auto& begin = this->Mesh.GetPlace(record.Known[CellRecord::N1]);
+    LatticePoint place;
+    if (node.IsBetween)
+    {
+      float count = 0;
+      for (unsigned i = 0; i < node.Host.size() && node.Host[i] != CellNode::None; ++i)
+      {
+        const auto& corner = this->Mesh.GetPlace(points[node.Host[i]]);
+        const auto weight = static_cast<float>(node.Weights[i]);
+        place.X += weight * corner.X;
+        place.Y += weight * corner.Y;
+        place.Z += weight * corner.Z;
+        count += weight;
+      }
+      place = { place.X / count, place.Y / count, place.Z / count, 0 };
+    }
+    else
+    {
+      place = PredictPlace(
+        record, [&](Vertex v) -> const LatticePoint& { return this->Mesh.GetPlace(v); });
+    }
+    const Vec3 edge = ToVector(begin) - ToVector(place);
+    return this->Shared.Code(
+      this->Symbols, this->Mesh.GetSharedSearch(), place, Dot(edge, edge), target);
   }
 
   Coder& Symbols;
   CellBuilder<Side>& Mesh;
-  std::unordered_map<Host, Vertex, HashHost> Nodes;
-  std::array<BitModel, 3> IsHosts;
-  std::array<BitModel, 6> IsNew;
-  std::array<BitModel, 5> IsShared; // by the number of shared corners
+  std::unordered_map<Key, Vertex, HashKey> Nodes;
+  std::array<BitModel, 3> IsHosts; // by the kind of a node
+  std::array<BitModel, 8> IsNew;
+  std::array<BitModel, 5> IsShared; // by the number of shared vertices that it is predicted from
   SharedNames Shared;
+  std::vector<std::uint8_t> LastOrders; // of the cells of each type
+  std::vector<BitModel> SameOrder;
+  NumberModel Order;
 };
 }
 

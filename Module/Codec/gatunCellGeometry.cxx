@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <map>
 
 namespace gatun
@@ -16,14 +17,102 @@ namespace
 {
 using Fitter = RuleFitter<CellRecord::Size, CellRecord::N1>;
 
+/** A coordinate of a vertex and of the vertices that it is predicted from. */
+struct RuleSample
+{
+  std::array<double, CellRecord::Size> Numbers;
+  double TruthNumber;
+  Key Truth;
+  unsigned Axis;
+};
+
+/** The bits of the differences that a rule leaves in samples. */
+std::uint64_t CountBits(
+  const CellRule& rule, std::span<const RuleSample> samples, const PointDomain& domains)
+{
+  std::uint64_t bits = 0;
+  for (const auto& sample : samples)
+  {
+    const auto predicted =
+      ApplyRule<1>(rule, [&](unsigned k) { return std::array{ sample.Numbers[k] }; })[0];
+    const auto key = domains[sample.Axis].FromNumber(predicted);
+    bits += static_cast<std::uint64_t>(
+      std::bit_width(key > sample.Truth ? key - sample.Truth : sample.Truth - key));
+  }
+  return bits;
+}
+
+/** The rule for two of the vertices that most samples agree with. */
+CellRule FitPair(std::span<const RuleSample> samples, unsigned one, unsigned other)
+{
+  std::vector<double> weights;
+  for (const auto& sample : samples)
+  {
+    const double weight =
+      (sample.TruthNumber - sample.Numbers[one]) / (sample.Numbers[other] - sample.Numbers[one]);
+    if (std::isfinite(weight))
+    {
+      weights.push_back(weight);
+    }
+  }
+  CellRule rule{};
+  if (!weights.empty())
+  {
+    const auto middle = weights.begin() + static_cast<std::ptrdiff_t>(weights.size() / 2);
+    std::nth_element(weights.begin(), middle, weights.end());
+    rule[other] =
+      static_cast<std::int16_t>(std::clamp(std::floor(256.0 * *middle + 0.5), -1024.0, 1024.0));
+  }
+  rule[one] = static_cast<std::int16_t>(256 - rule[other]);
+  return rule;
+}
+
+/**
+ * Returns the best rule for records with a mask: a fitted one, a common one, or one for two of the
+ * vertices. The latter ones are exact in straight cells, where vertices are on lines and there is
+ * no single fit.
+ */
+CellRule SelectRule(const CellRule& fitted, unsigned mask, std::span<const RuleSample> samples,
+  const PointDomain& domains)
+{
+  auto best = fitted;
+  auto least = CountBits(fitted, samples, domains);
+  const auto consider = [&](const CellRule& rule)
+  {
+    const auto bits = CountBits(rule, samples, domains);
+    best = bits < least ? rule : best;
+    least = std::min(least, bits);
+  };
+  for (const auto& rule : GetCellRules())
+  {
+    if ((GetMask(rule) & ~mask) == 0)
+    {
+      consider(rule);
+    }
+  }
+  for (unsigned other = 1; other < CellRecord::Size; ++other)
+  {
+    for (unsigned one = 0; one < other; ++one)
+    {
+      if ((mask >> one & mask >> other & 1) != 0)
+      {
+        consider(FitPair(samples, one, other));
+      }
+    }
+  }
+  return best;
+}
+
 /** Rules for the sets of known vertices that occur often enough. */
 CellRuleTable FitCellRules(const ChunkMesh& mesh)
 {
   constexpr std::size_t samplesPerWeight = 40;
+  constexpr std::size_t mostSelecting = 120; // samples that a rule is selected by
   struct Set
   {
     Fitter Fit;
     std::size_t Samples = 0;
+    std::vector<RuleSample> First;
   };
   std::map<unsigned, Set> sets;
   for (Vertex v = 0; v < mesh.Keys.size(); ++v)
@@ -51,6 +140,11 @@ CellRuleTable FitCellRules(const ChunkMesh& mesh)
         numbers[k] = domain.ToNumber(mesh.Keys[known][i]);
       }
       set.Fit.Add(numbers, domain.ToNumber(mesh.Keys[v][i]));
+      if (set.First.size() < mostSelecting)
+      {
+        const auto key = mesh.Keys[v][i];
+        set.First.push_back({ numbers, domain.ToNumber(key), key, i });
+      }
     }
   }
   std::erase_if(sets,
@@ -78,7 +172,7 @@ CellRuleTable FitCellRules(const ChunkMesh& mesh)
       }
     }
     table.FittedMasks.push_back(static_cast<std::uint16_t>(mask));
-    table.Rules.push_back(rule);
+    table.Rules.push_back(SelectRule(rule, mask, set.First, mesh.Domains));
   }
   return table;
 }

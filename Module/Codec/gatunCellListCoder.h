@@ -189,8 +189,8 @@ private:
       models.Graph =
         std::make_unique<CellGraph>(CellGraph::OfType(type, std::min<std::size_t>(size, MaxGraph)));
     }
-    const auto nodes = GetCellNodes(type);
-    const bool hasNodes = nodes.Corners > 0 && size == nodes.Points;
+    const auto& nodes = FindCellNodes(type, size);
+    const bool hasNodes = nodes.Corners > 0;
     const std::size_t corners = hasNodes ? nodes.Corners : size;
     unsigned before = Own;
     for (std::size_t i = 0; i < corners; ++i)

@@ -5,6 +5,7 @@
 #define gatunCellRules_h
 
 #include "gatunInline.h"
+#include "gatunMeasure.h"
 #include "gatunTopology.h"
 
 #include <algorithm>
@@ -34,6 +35,28 @@ inline unsigned GetMask(const CellRule& rule)
     mask |= unsigned{ rule[k] != 0 } << k;
   }
   return mask;
+}
+
+/** Finds the place that the first rule for a record predicts. getPlace(vertex) returns a
+ * LatticePoint. */
+template <typename GetPlace>
+LatticePoint PredictPlace(const CellRecord& record, GetPlace&& getPlace)
+{
+  const auto& weights = GetCellRules()[GetFirstRules()[record.GetMask()]];
+  LatticePoint sum;
+  for (unsigned k = 0; k < CellRecord::Size; ++k)
+  {
+    if (weights[k] != 0)
+    {
+      const auto weight = static_cast<float>(weights[k]);
+      const auto& place = getPlace(record.Known[k]);
+      sum.X += weight * place.X;
+      sum.Y += weight * place.Y;
+      sum.Z += weight * place.Z;
+    }
+  }
+  constexpr float unit = 1.0F / 256.0F;
+  return { sum.X * unit, sum.Y * unit, sum.Z * unit, 0 };
 }
 
 /** GetSpread of a single vertex, which has no differences to measure. */

@@ -8,7 +8,6 @@
 
 #include "gatunAttachedNodes.h"
 #include "gatunCellBuilder.h"
-#include "gatunCellNodes.h"
 #include "gatunMarkTruth.h"
 #include "gatunPolygonFront.h"
 #include "gatunPolygonModels.h"
@@ -104,7 +103,7 @@ private:
     {
       this->Corners[GetMarkCorner(type, i)] = this->Face[GetMarkPlace(turn, i, degree)];
     }
-    this->Nodes.Code(GetCellNodes(type), this->Corners, this->GetInputCorners(truth));
+    this->Nodes.CodeOfType(type, this->Corners, this->GetInputCorners(truth));
     this->Mesh.AddCell(type, this->Corners, {}, face.Cell);
   }
 

@@ -15,6 +15,8 @@ unsigned CountMarkCorners(std::uint8_t type, unsigned degree)
     case 5: // triangles
     case 22:
     case 34:
+    case 69: // Lagrange
+    case 76: // Bezier
       return 3;
     case 7: // polygon
       return degree;
@@ -23,10 +25,17 @@ unsigned CountMarkCorners(std::uint8_t type, unsigned degree)
     case 23:
     case 28:
     case 30:
+    case 70:
+    case 77:
       return 4;
     default:
       return 0;
   }
+}
+
+bool HasAllNodes(std::uint8_t type, unsigned degree, std::size_t points)
+{
+  return HasNodes(type) ? CanFindCellNodes(type, points) : points == degree;
 }
 
 MarkTruth::MarkTruth(const CellList& cells, std::span<const std::uint32_t> candidates)
@@ -38,10 +47,8 @@ MarkTruth::MarkTruth(const CellList& cells, std::span<const std::uint32_t> candi
   {
     const auto corners = cells.GetCorners(cell);
     const auto type = cells.Types[cell];
-    const auto nodes = GetCellNodes(type);
     const auto degree = CountMarkCorners(type, static_cast<unsigned>(corners.size()));
-    const std::size_t points = nodes.Corners > 0 ? nodes.Points : degree;
-    if (degree >= 3 && degree <= most && points == corners.size())
+    if (degree >= 3 && degree <= most && HasAllNodes(type, degree, corners.size()))
     {
       this->Found.emplace(HashVertices(corners.first(degree)), cell);
     }

@@ -6,6 +6,7 @@
 
 #include "gatunCellList.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <unordered_map>
@@ -16,6 +17,9 @@ namespace gatun
 /** The number of corners of a surface cell that a face can be, 0 if it can be none of the type. A
  * polygon has any number. */
 unsigned CountMarkCorners(std::uint8_t type, unsigned degree);
+
+/** Whether a surface cell has as many points as one with this number of corners has. */
+bool HasAllNodes(std::uint8_t type, unsigned degree, std::size_t points);
 
 /** The corner of a cell at place i of its cycle: the points of a pixel are in rows. */
 constexpr unsigned GetMarkCorner(std::uint8_t type, unsigned i)

@@ -301,21 +301,8 @@ public:
   /** Finds the place that the first rule for a record predicts. */
   void Predict(const CellRecord& record)
   {
-    const auto& weights = GetCellRules()[GetFirstRules()[record.GetMask()]];
-    LatticePoint sum;
-    for (unsigned k = 0; k < CellRecord::Size; ++k)
-    {
-      if (weights[k] != 0)
-      {
-        const auto weight = static_cast<float>(weights[k]);
-        const auto& place = this->Mesh.GetPlace(record.Known[k]);
-        sum.X += weight * place.X;
-        sum.Y += weight * place.Y;
-        sum.Z += weight * place.Z;
-      }
-    }
-    constexpr float unit = 1.0F / 256.0F;
-    this->Predicted = { sum.X * unit, sum.Y * unit, sum.Z * unit, 0 };
+    this->Predicted =
+      PredictPlace(record, [&](Vertex v) -> const LatticePoint& { return this->Mesh.GetPlace(v); });
     this->EdgeSquared = this->GetDistance(record.Known[CellRecord::N1]);
   }
 

@@ -45,9 +45,10 @@ PolygonTruth::PolygonTruth(const CellList& cells, const FormTable& forms)
         continue;
       }
     }
-    else if ((kind.IsLinear() || GetCellNodes(cells.Types[c]).Corners > 0) &&
-      corners.size() == kind.Points && !forms.GetFrames(kind.Shape).empty() &&
-      !HasTwice(corners.first(kind.Shape->Corners)))
+    else if (kind.Shape &&
+      (kind.IsLinear() ? corners.size() == kind.Points
+                       : CanFindCellNodes(cells.Types[c], corners.size())) &&
+      !forms.GetFrames(kind.Shape).empty() && !HasTwice(corners.first(kind.Shape->Corners)))
     {
       this->AddSurface(cells, c, kind.Shape);
       continue;

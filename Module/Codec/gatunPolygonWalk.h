@@ -510,7 +510,7 @@ private:
       {
         this->Corners[typeFrame->Order[i]] = this->Cell.GetCorner(i);
       }
-      this->Nodes.Code(GetCellNodes(type), this->Corners, this->GetInputCorners());
+      this->Nodes.CodeOfType(type, this->Corners, this->GetInputCorners());
     }
     this->Mesh.AddCell(type, this->Corners, this->Faces, parent);
     this->Growth.Attach(this->Cell, number, type,
@@ -540,7 +540,7 @@ private:
     if (frames.empty())
     {
       const auto kind = GetCellKind(type);
-      if (kind.IsLinear() || GetCellNodes(type).Corners > 0)
+      if (kind.Shape && (kind.IsLinear() || HasNodes(type)))
       {
         frames = this->Forms.GetFrames(kind.Shape);
       }

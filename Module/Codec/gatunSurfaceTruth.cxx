@@ -3,7 +3,6 @@
 
 #include "gatunSurfaceTruth.h"
 
-#include "gatunCellNodes.h"
 #include "gatunMarkTruth.h"
 
 #include <algorithm>
@@ -17,9 +16,8 @@ namespace
 std::uint32_t CountCorners(const CellList& cells, std::uint32_t cell)
 {
   const auto points = cells.GetCorners(cell).size();
-  const auto nodes = GetCellNodes(cells.Types[cell]);
   const auto degree = CountMarkCorners(cells.Types[cell], static_cast<unsigned>(points));
-  const bool fits = points == (nodes.Corners > 0 ? nodes.Points : degree);
+  const bool fits = HasAllNodes(cells.Types[cell], degree, points);
   return fits && degree >= 3 && degree <= MaxWalkedCorners ? degree : 0;
 }
 

@@ -11,7 +11,6 @@
 
 #include "gatunAttachedNodes.h"
 #include "gatunCellBuilder.h"
-#include "gatunCellNodes.h"
 #include "gatunMarkTruth.h"
 #include "gatunSurfaceCell.h"
 #include "gatunSurfaceFront.h"
@@ -325,7 +324,7 @@ private:
       this->Corners[GetMarkCorner(edge.Type, i)] =
         this->Cell.GetCorner(GetMarkPlace(turn, i, degree));
     }
-    this->Nodes.Code(GetCellNodes(edge.Type), this->Corners, this->GetInputCorners());
+    this->Nodes.CodeOfType(edge.Type, this->Corners, this->GetInputCorners());
     this->Mesh.AddCell(edge.Type, this->Corners, {}, parent);
     this->Cell.Attach(edge,
       [&](std::uint32_t side)

@@ -8,8 +8,9 @@ Part of gtn_decoder, which is written from that text alone.
 """
 
 from gtn_container import require
+from gtn_nodes import nodes_of_size
 from gtn_records import B1, D12, D13, D23, N1, N2, SLOTS, CellRecord, O
-from gtn_shapes import NODES, POLYHEDRON, edges_of, first_size, network_of
+from gtn_shapes import POLYHEDRON, edges_of, first_size, network_of
 
 RECENT = 256
 WORD = (1 << 32) - 1
@@ -78,9 +79,8 @@ class CellList:
         size = first_size(kind) if last is None else len(last)
         size = self._size(("Size", kind), size, self.mesh.corners_left())
         corners = []
-        coded = size
-        if kind in NODES and size == NODES[kind][0] + len(NODES[kind][1]):
-            coded = NODES[kind][0]
+        nodes = nodes_of_size(kind, size)
+        coded = nodes[0] if nodes else size
         network = network_of(kind, min(size, 64))
         v = 0
         for i in range(coded):
@@ -93,9 +93,7 @@ class CellList:
             record = lambda i=i: self._record(network, corners, i, last)
             vertex, v = self._name((kind, min(i, 15)), v, row, record)
             corners.append(vertex)
-        if coded < size:
-            corners += self.mesh.nodes.of(kind, corners)
-        return corners
+        return self.mesh.nodes.of(nodes, corners) if nodes else corners
 
     def _name(self, place, v, row, record):
         """The vertex of a corner, and the way in which it was named. place: [type, q]; v: the way

@@ -15,7 +15,7 @@ from gtn_grow import CellWalk
 from gtn_nodes import Nodes, decode_marks
 from gtn_records import CellCoded
 from gtn_shapes import (
-    NODES, OTHER_SURFACES, POLYHEDRON, SURFACES, TETRA, TETRAHEDRON, corners_of)
+    OTHER_SURFACES, POLYHEDRON, SURFACES, TETRA, TETRAHEDRON, corners_of)
 from gtn_vertices import Vertices
 
 WALK, MARKS, HEXAHEDRA = 1, 2, 8
@@ -82,9 +82,7 @@ class CellMesh(Vertices):
 
     def make_cell(self, kind, corners, faces, parent):
         """A cell whose nodes, if it has some, are decoded now."""
-        if kind in NODES:
-            corners = [*corners, *self.nodes.of(kind, corners)]
-        self.add_cell(kind, corners, faces, parent)
+        self.add_cell(kind, self.nodes.of_type(kind, corners), faces, parent)
 
     def add_cell(self, kind, corners, faces, parent):
         self.kinds.append(kind)

@@ -10,7 +10,7 @@ Part of gtn_decoder, which is written from that text alone.
 from gtn_container import require
 from gtn_forms import NO_SHAPE, begin
 from gtn_front import Front, OpenFace, end, join
-from gtn_records import B1, COMMON, D12, D13, D23, N1, NEEDED, SLOTS, CellRecord, O, mix
+from gtn_records import B1, D12, D13, D23, N1, SLOTS, CellRecord, O, mix, predicted_place
 from gtn_shapes import POLYHEDRON, TETRA, view_of_type
 from gtn_vertices import F, clamp, dot, minus, square
 
@@ -228,7 +228,7 @@ class CellWalk:
     def other_corner(self, step, c):
         mesh, decide = self.mesh, self.decide
         record = step.record(c)
-        predicted = self.predict(record)
+        predicted = predicted_place(record, mesh.places)
         e = square(minus(predicted, mesh.places[record.slots[N1]]))
         candidates = self.candidates(step, c, predicted)
         near = 7
@@ -247,18 +247,6 @@ class CellWalk:
                     return v
             require(False, "no candidate was chosen")
         return self.coded.index(len(mesh.keys))
-
-    def predict(self, record):
-        """The predicted place of a vertex with this record."""
-        rule = next(rule for rule, needed in zip(COMMON, NEEDED) if needed & ~record.mask == 0)
-        result = []
-        for axis in range(3):
-            total = F(0)
-            for weight, v in zip(rule, record.slots):
-                if weight:
-                    total += F(weight) * self.mesh.places[v][axis]
-            result.append(total * F(1 / 256))
-        return tuple(result)
 
     def candidates(self, step, c, predicted):
         """Vertices that may be a corner, as pairs of a squared distance and a number, ascending."""

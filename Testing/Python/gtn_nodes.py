@@ -8,12 +8,30 @@ Part of gtn_decoder, which is written from that text alone.
 """
 
 from gtn_container import require
-from gtn_records import CellRecord, mix
+from gtn_lattice import MAX_ORDER, Node, nodes_of, order_of, shape_of
+from gtn_records import N1, CellRecord, mix, predicted_place
 from gtn_shapes import NODES, PIXEL
 from gtn_vertices import F, minus, square
 
-MARKED = {3: (5, 22, 34, 7), 4: (8, 9, 23, 28, 30, 7)}
+MARKED = {3: (5, 22, 34, 69, 76, 7), 4: (8, 9, 23, 28, 30, 70, 77, 7)}
 POLYGON = 7
+
+
+def fixed_nodes(kind):
+    """Number of corners, and nodes, of a type of the table of section 5."""
+    corners, hosts = NODES[kind]
+    return corners, [
+        Node(corners + i, [(c, 1) for c in host], dict(zip(("N1", "D12", "D13", "D23"), host)), True)
+        for i, host in enumerate(hosts)]
+
+
+def nodes_of_size(kind, size):
+    """Those of a cell with so many points, or None."""
+    if kind in NODES:
+        corners, hosts = NODES[kind]
+        return fixed_nodes(kind) if corners + len(hosts) == size else None
+    order = order_of(kind, size)
+    return nodes_of(shape_of(kind), order) if order else None
 
 
 class Nodes:
@@ -22,41 +40,62 @@ class Nodes:
     def __init__(self, mesh):
         self.mesh = mesh
         self.of_host = {}
+        self.orders = {}
 
-    def of(self, kind, corners):
-        """The nodes of a cell with these corners."""
-        result = []
-        for host in NODES[kind][1]:
-            result.append(self._node([corners[c] for c in host]))
-        return result
+    def of_type(self, kind, corners):
+        """All points of a cell with these corners."""
+        if kind in NODES:
+            return self.of(fixed_nodes(kind), corners)
+        shape = shape_of(kind)
+        if shape is None:
+            return corners
+        if not self.mesh.coded.decide("SameOrder", kind):
+            self.orders[kind] = self.mesh.coded.large("Order")
+        order = self.orders.get(kind, 2)
+        require(1 <= order <= MAX_ORDER, "order of a cell")
+        return self.of(nodes_of(shape, order), corners)
 
-    def _node(self, host):
+    def of(self, nodes, corners):
+        count, nodes = nodes
+        require(count + len(nodes) <= self.mesh.corners_left(), "points of a cell")
+        points = [*corners, *[None] * len(nodes)]
+        for node in nodes:
+            points[node.number] = self._node(node, points)
+        return points
+
+    def _node(self, node, points):
         mesh, decide = self.mesh, self.mesh.coded.decide
+        host = [(points[c], weight) for c, weight in node.host]
         key = tuple(sorted(host))
-        known = self.of_host.get(key)
-        if known is not None and decide("IsHosts", len(host) - 2):
+        known = self.of_host.get(key) if host else None
+        if known is not None and decide("IsHosts", node.kind):
             return known
-        if not decide("NodeNew", len(host) - 2, int(known is not None)):
+        if not decide("NodeNew", node.kind, int(known is not None)):
             return mesh.coded.index(len(mesh.keys))
-        if decide("NodeShared", sum(mesh.users[v] != 0 for v in host)):
-            node = mesh.meet_shared(self._name(host))
+        record = CellRecord.of(**{name: points[i] for name, i in node.slots.items()})
+        there = [v for v in record.slots if v is not None]
+        if decide("NodeShared", min(4, sum(mesh.users[v] != 0 for v in there))):
+            vertex = mesh.meet_shared(self._name(node, host, record))
         else:
-            slots = dict(zip(("N1", "D12", "D13", "D23"), host))
-            node = mesh.meet_own(CellRecord.of(**slots))
-        mesh.edge_log.extend((v, node) for v in host)
-        self.of_host[key] = node
-        return node
+            vertex = mesh.meet_own(record)
+        near = [v for v, _ in host] if node.between else record.slots[:2]
+        mesh.edge_log.extend((v, vertex) for v in near if v is not None)
+        if host:
+            self.of_host[key] = vertex
+        return vertex
 
-    def _name(self, host):
+    def _name(self, node, host, record):
         """The shared index of a node."""
-        places = [self.mesh.places[v] for v in host]
-        mean = []
-        for axis in range(3):
-            total = F(0)
-            for place in places:
-                total += place[axis]
-            mean.append(total / F(len(host)))
-        return self.mesh.name_near(tuple(mean), square(minus(places[0], mean)), "NodeSharedRank")
+        place = predicted_place(record, self.mesh.places)
+        if node.between:
+            place = []
+            for axis in range(3):
+                total = F(0)
+                for v, weight in host:
+                    total += F(weight) * self.mesh.places[v][axis]
+                place.append(total / F(sum(weight for _, weight in host)))
+        limit = square(minus(self.mesh.places[record.slots[N1]], place))
+        return self.mesh.name_near(tuple(place), limit, "NodeSharedRank")
 
 
 def decode_marks(mesh, walk):

@@ -34,15 +34,14 @@ HEXAGONAL_PRISM = faces_of(
 
 #: The surface of each type that has one (2.1).
 SURFACES = {
-    10: TETRAHEDRON, 24: TETRAHEDRON, 14: PYRAMID, 27: PYRAMID, 37: PYRAMID, 13: WEDGE, 26: WEDGE,
-    31: WEDGE, 32: WEDGE, 11: VOXEL, 12: HEXAHEDRON, 25: HEXAHEDRON, 29: HEXAHEDRON,
-    33: HEXAHEDRON, 15: PENTAGONAL_PRISM, 16: HEXAGONAL_PRISM}
+    10: TETRAHEDRON, 24: TETRAHEDRON, 71: TETRAHEDRON, 78: TETRAHEDRON, 14: PYRAMID, 27: PYRAMID, 37: PYRAMID,
+    13: WEDGE, 26: WEDGE, 31: WEDGE, 32: WEDGE, 73: WEDGE, 80: WEDGE, 11: VOXEL, 12: HEXAHEDRON,
+    25: HEXAHEDRON, 29: HEXAHEDRON, 33: HEXAHEDRON, 72: HEXAHEDRON, 79: HEXAHEDRON, 15: PENTAGONAL_PRISM, 16: HEXAGONAL_PRISM}
 
 #: The surface of types that have one for their edges only (6.1), or for their tetrahedra.
 OTHER_SURFACES = {
-    55: TETRAHEDRON, 64: TETRAHEDRON, 71: TETRAHEDRON, 78: TETRAHEDRON, 65: WEDGE, 73: WEDGE,
-    80: WEDGE, 66: PYRAMID, 74: PYRAMID, 81: PYRAMID, 56: HEXAHEDRON, 67: HEXAHEDRON,
-    72: HEXAHEDRON, 79: HEXAHEDRON}
+    55: TETRAHEDRON, 64: TETRAHEDRON, 65: WEDGE, 66: PYRAMID, 74: PYRAMID, 81: PYRAMID,
+    56: HEXAHEDRON, 67: HEXAHEDRON}
 
 #: The corners of the cycle of types of dimension 2 that do not have all of them in it (6.1).
 CYCLES = {22: 3, 34: 3, 61: 3, 69: 3, 76: 3, 23: 4, 28: 4, 30: 4, 62: 4, 70: 4, 77: 4}
@@ -80,7 +79,7 @@ NODES = make_nodes()
 
 def first_size(kind):
     """The number of points of a cell of this type before there was one (section 6)."""
-    if kind not in SURFACES:
+    if kind not in SURFACES or kind > 37:
         return 0
     if kind in NODES:
         corners, hosts = NODES[kind]

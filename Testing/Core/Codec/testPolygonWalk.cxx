@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gatunTestCells.h"
+#include "gatunWalkSamples.h"
 
-#include "gatunCellNodes.h"
 #include "gatunCellShapes.h"
 #include "gatunError.h"
 #include "gatunFillRecord.h"
@@ -18,75 +17,6 @@ namespace
 {
 using namespace gatun;
 using namespace gatun::test;
-
-/** The shapes of a mesh as a reader has them. */
-ShapeTable MakeShapes(const CellList& cells)
-{
-  ShapeTable table;
-  table.Add(cells);
-  return ShapeTable::Read(table.Write());
-}
-
-EncodedCells ExpectWalk(const TestCells& mesh, const CellCaseOptions& options = {})
-{
-  const auto chunk = MakeCellCase(mesh, options);
-  auto encoded = ExpectRoundTrip(chunk, MakeShapes(chunk.Cells));
-  EXPECT_EQ(encoded.Connectivity[0] & 1, 1)
-    << GetBits(encoded.Connectivity, encoded); // with a walk
-  return encoded;
-}
-
-bool IsLeft(const std::array<double, 3>& point)
-{
-  return point[0] < 3.5;
-}
-
-/** Replaces all cells by others with the same points. split(corners) adds them. */
-template <typename Split>
-TestCells SplitHexes(int n, double jitter, Split&& split)
-{
-  const auto hexes = MakeHexes(n, jitter);
-  TestCells mesh;
-  mesh.Points = hexes.Points;
-  for (std::size_t c = 0; c < hexes.Cells.GetNumber(); ++c)
-  {
-    split(mesh, hexes.Cells.GetCorners(c), c);
-  }
-  return mesh;
-}
-
-void AddWedges(TestCells& mesh, std::span<const std::uint32_t> c, std::size_t)
-{
-  mesh.Add(13, { c[0], c[2], c[1], c[4], c[6], c[5] });
-  mesh.Add(13, { c[0], c[3], c[2], c[4], c[7], c[6] });
-}
-
-void AddPyramids(TestCells& mesh, std::span<const std::uint32_t> c, std::size_t)
-{
-  std::array<double, 3> center{ 0, 0, 0 };
-  for (const auto corner : c)
-  {
-    for (unsigned i = 0; i < 3; ++i)
-    {
-      center[i] += mesh.Points[corner][i] / 8;
-    }
-  }
-  const auto apex = mesh.AddPoint(center[0], center[1], center[2]);
-  for (const auto& face : { std::array{ 0, 1, 2, 3 }, { 7, 6, 5, 4 }, { 0, 4, 5, 1 },
-         { 1, 5, 6, 2 }, { 2, 6, 7, 3 }, { 3, 7, 4, 0 } })
-  {
-    mesh.Add(14, { c[face[0]], c[face[1]], c[face[2]], c[face[3]], apex });
-  }
-}
-
-void AddTets(TestCells& mesh, std::span<const std::uint32_t> c, std::size_t)
-{
-  for (const auto& tet : { std::array{ 0, 1, 2, 6 }, { 0, 2, 3, 6 }, { 0, 3, 7, 6 }, { 0, 7, 4, 6 },
-         { 0, 4, 5, 6 }, { 0, 5, 1, 6 } })
-  {
-    mesh.Add(10, { c[tet[0]], c[tet[1]], c[tet[2]], c[tet[3]] });
-  }
-}
 
 Faces GetHexFaces(std::span<const std::uint32_t> c)
 {
@@ -122,46 +52,6 @@ void AddMixed(TestCells& mesh, std::span<const std::uint32_t> c, std::size_t num
     default:
       mesh.Add(12, { c.begin(), c.end() });
   }
-}
-
-/** Replaces linear cells by others of a nonlinear type, with nodes that are moved by up to jitter.
- */
-TestCells AddNodes(const TestCells& linear, const std::map<int, int>& types, double jitter)
-{
-  std::mt19937 random(11);
-  std::uniform_real_distribution<double> move(-jitter, jitter);
-  TestCells mesh;
-  mesh.Points = linear.Points;
-  std::map<Ids, std::uint32_t> found;
-  for (std::size_t c = 0; c < linear.Cells.GetNumber(); ++c)
-  {
-    const auto corners = linear.Cells.GetCorners(c);
-    const auto type = types.at(linear.Cells.Types[c]);
-    const auto nodes = GetCellNodes(type);
-    Ids points(corners.begin(), corners.end());
-    for (std::size_t at = 0; at < nodes.Hosts.size(); at += 1u + nodes.Hosts[at])
-    {
-      Ids host;
-      std::array<double, 3> mean{ 0, 0, 0 };
-      for (const auto corner : nodes.Hosts.subspan(at + 1, nodes.Hosts[at]))
-      {
-        host.push_back(corners[corner]);
-        for (unsigned i = 0; i < 3; ++i)
-        {
-          mean[i] += mesh.Points[corners[corner]][i] / nodes.Hosts[at];
-        }
-      }
-      std::sort(host.begin(), host.end());
-      if (found.count(host) == 0)
-      {
-        const double x = move(random), y = move(random), z = move(random);
-        found[host] = mesh.AddPoint(mean[0] + x, mean[1] + y, mean[2] + z);
-      }
-      points.push_back(found[host]);
-    }
-    mesh.Add(type, points);
-  }
-  return mesh;
 }
 
 /** Hexagonal prisms in a honeycomb. */
@@ -211,46 +101,6 @@ TestCells MakeHoneycomb(int n, bool polyhedra)
   return mesh;
 }
 
-void ExpectCorrupt(const std::function<void()>& run)
-{
-  try
-  {
-    run();
-  }
-  catch (const Error& error)
-  {
-    EXPECT_EQ(error.Code, ErrorCode::Corrupt);
-  }
-}
-
-/** Decodes damaged streams. They must give a mesh or Error(Corrupt). */
-void ExpectSafe(const TestCells& mesh)
-{
-  const auto chunk = MakeCellCase(mesh, { .IsShared = IsLeft });
-  const auto shapes = MakeShapes(chunk.Cells);
-  const auto encoded = ExpectRoundTrip(chunk, shapes);
-  std::mt19937 random(4);
-  for (unsigned i = 0; i < 400; ++i)
-  {
-    auto connectivity = encoded.Connectivity;
-    for (auto flips = random() % 3; flips > 0; --flips)
-    {
-      connectivity[1 + random() % (connectivity.size() - 1)] ^=
-        static_cast<std::uint8_t>(1 + random() % 255);
-    }
-    if (random() % 4 == 0)
-    {
-      connectivity.resize(random() % connectivity.size());
-    }
-    ExpectCorrupt(
-      [&]
-      {
-        auto decoded = DecodeCells(chunk.Frame, shapes, connectivity, encoded.Geometry);
-        decoded.MakeContext(true);
-        RestoreCorners(decoded.Cells, encoded.Corners);
-      });
-  }
-}
 }
 
 //------------------------------------------------------------------------------
@@ -288,39 +138,6 @@ TEST(PolygonWalk, KeepsOtherCells)
   }
   ExpectWalk(MakeHoneycomb(6, false));
   ExpectWalk(MakeHoneycomb(6, true));
-}
-
-TEST(PolygonWalk, KeepsNodesOfNonlinearCells)
-{
-  const auto hexes = MakeHexes(6, 0.1);
-  const auto wedges = SplitHexes(6, 0.1, AddWedges);
-  const auto tets = SplitHexes(6, 0.1, AddTets);
-  const auto pyramids = SplitHexes(4, 0.1, AddPyramids);
-  for (const double jitter : { 0.0, 0.03 })
-  {
-    for (const auto& [linear, types] :
-      std::vector<std::pair<const TestCells*, std::map<int, int>>>{ { &hexes, { { 12, 25 } } },
-        { &hexes, { { 12, 29 } } }, { &hexes, { { 12, 33 } } }, { &wedges, { { 13, 26 } } },
-        { &wedges, { { 13, 31 } } }, { &wedges, { { 13, 32 } } }, { &tets, { { 10, 24 } } },
-        { &pyramids, { { 14, 27 } } }, { &pyramids, { { 14, 37 } } } })
-    {
-      SCOPED_TRACE(types.begin()->second);
-      ExpectWalk(AddNodes(*linear, types, jitter));
-      ExpectWalk(AddNodes(*linear, types, jitter), { .Palettes = true, .IsShared = IsLeft });
-    }
-  }
-}
-
-TEST(PolygonWalk, FindsNodesByTheirCorners)
-{
-  // Nodes in the middle of edges take next to nothing, neither for their numbers nor their places.
-  const auto linear = MakeHexes(12, 0.2);
-  const auto plain = ExpectWalk(linear);
-  const auto curved = ExpectWalk(AddNodes(linear, { { 12, 29 } }, 0));
-  EXPECT_LT(GetBits(curved.Connectivity, curved), GetBits(plain.Connectivity, plain) + 0.5);
-  const auto nodes = curved.OwnOrder.size() - plain.OwnOrder.size();
-  const auto bits = 8.0 * static_cast<double>(curved.Geometry.size() - plain.Geometry.size());
-  EXPECT_LT(bits, 8.0 * static_cast<double>(nodes));
 }
 
 TEST(PolygonWalk, KnowsTheFormOfHexahedra)
