@@ -6,6 +6,7 @@ gatun_core_folder(Cells
     gatunCellForms.h
     gatunCellGraph.h
     gatunCellList.h
+    gatunCellNode.h
     gatunCellNodes.h
     gatunCellShapes.h
     gatunCellSplitter.h

@@ -4,7 +4,7 @@
 #ifndef gatunLatticeNodes_h
 #define gatunLatticeNodes_h
 
-#include "gatunCellNodes.h"
+#include "gatunCellNode.h"
 
 #include <cstddef>
 #include <cstdint>

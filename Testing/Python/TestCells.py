@@ -16,6 +16,7 @@ from gatunTimeSource import TimeSource, connect
 try:
     import gatunCellMeshes as meshes
     import gatunGolden as golden
+    import gatunOrderMeshes as orders
     from gatunDecoded import assert_decoded_as, decode
     from gtn_layers import check_layers
     from gtn_tree import check_ranges
@@ -38,6 +39,12 @@ MESHES = {
        for kind in NONLINEAR_SOLIDS},
     **{"shell %d" % kind: lambda rng, kind=kind: meshes.quadratic_shell(rng, kind)
        for kind in NONLINEAR_SURFACES},
+    **{"order %d of %d" % (order, kind):
+       lambda rng, kind=kind, order=order: orders.solids(rng, kind, [order])
+       for kind in (71, 72, 73, 78, 79, 80) for order in (1, 2, 3, 5)},
+    "orders that differ": lambda rng: orders.solids(rng, 72, (2, 4, 1)),
+    **{"order 4 of %d" % kind: lambda rng, kind=kind: orders.shell(rng, kind, 4)
+       for kind in (69, 70, 76, 77)},
     "hanging hexahedra": lambda rng: meshes.hanging(rng, as_polyhedra=False),
     "turned polygons": lambda rng: meshes.polygons_in_layers(rng, shift=1),
     "large polygons": lambda rng: meshes.polygons_in_layers(rng, most=9, n=4),
