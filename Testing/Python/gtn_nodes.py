@@ -9,11 +9,11 @@ Part of gtn_decoder, which is written from that text alone.
 
 from gtn_container import require
 from gtn_lattice import MAX_ORDER, Node, nodes_of, order_of, shape_of
-from gtn_records import N1, CellRecord, mix, predicted_place
+from gtn_records import N1, CellRecord, mix, predicted
 from gtn_shapes import NODES, PIXEL
 from gtn_vertices import F, minus, square
 
-MARKED = {3: (5, 22, 34, 69, 76, 7), 4: (8, 9, 23, 28, 30, 70, 77, 7)}
+FLAT_KINDS = {3: (5, 22, 34, 69, 76, 7), 4: (8, 9, 23, 28, 30, 70, 77, 7)}
 POLYGON = 7
 
 
@@ -86,7 +86,7 @@ class Nodes:
 
     def _name(self, node, host, record):
         """The shared index of a node."""
-        place = predicted_place(record, self.mesh.places)
+        place = predicted(record, self.mesh.places)
         if node.between:
             place = []
             for axis in range(3):
@@ -96,6 +96,17 @@ class Nodes:
                 place.append(total / F(sum(weight for _, weight in host)))
         limit = square(minus(self.mesh.places[record.slots[N1]], place))
         return self.mesh.name_near(tuple(place), limit, "NodeSharedRank")
+
+
+def flat_corners(kind, turn, f):
+    """The corners of a cell of this type and turn over a cycle of vertices (4.7)."""
+    k = len(f)
+    require(kind in FLAT_KINDS.get(k, (POLYGON,)) and turn < 2 * k, "type or turn of a face")
+    r = turn // 2
+    corners = [f[(r + (k - i if turn % 2 else i)) % k] for i in range(k)]
+    if kind == PIXEL:
+        corners[2], corners[3] = corners[3], corners[2]
+    return corners
 
 
 def decode_marks(mesh, walk):
@@ -118,9 +129,4 @@ def decode_marks(mesh, walk):
         kind = mesh.coded.remembered(("MarkTypes", min(k, 255)), 8, "MarkType")
         behind = mesh.kinds[face.cell]
         turn = mesh.coded.remembered(("Turns", mix(10, kind, behind, face.frame)), 8, "Turn")
-        require(kind in MARKED.get(k, (POLYGON,)) and turn < 2 * k, "mark")
-        r = turn // 2
-        corners = [face.corner(r + (k - i if turn % 2 else i)) for i in range(k)]
-        if kind == PIXEL:
-            corners[2], corners[3] = corners[3], corners[2]
-        mesh.make_cell(kind, corners, None, face.cell)
+        mesh.make_cell(kind, flat_corners(kind, turn, face.corners), None, face.cell)

@@ -66,19 +66,6 @@ class CellRecord:
         return cls(result)
 
 
-def predicted_place(record, places):
-    """The place that a record predicts (4.5), in binary32."""
-    rule = COMMON[first_common(record.mask)]
-    result = []
-    for axis in range(3):
-        total = F(0)
-        for weight, v in zip(rule, record.slots):
-            if weight:
-                total += F(weight) * places[v][axis]
-        result.append(total * F(1 / 256))
-    return tuple(result)
-
-
 class CellGeometry:
     """The geometry stream (7.2). used: the used rule of each own vertex, in order."""
 
@@ -149,6 +136,19 @@ class CellGeometry:
             return None
         known = [None if v is None else keys[v] for v in record.slots]
         return self._apply(used, domain, known), record_spread(known), min(1 + used, 16)
+
+
+def predicted(record, places):
+    """The predicted place of a vertex with this record (4.5)."""
+    rule = COMMON[first_common(record.mask)]
+    result = []
+    for axis in range(3):
+        total = F(0)
+        for weight, v in zip(rule, record.slots):
+            if weight:
+                total += F(weight) * places[v][axis]
+        result.append(total * F(1 / 256))
+    return tuple(result)
 
 
 def record_spread(known):
