@@ -150,9 +150,9 @@ public:
   {
     static constexpr std::array<std::uint8_t, 8> types{ 5, 9, 7, 5, 8, 22, 28, 9 };
     const auto type = types[kind];
-    const auto nodes = GetCellNodes(type);
+    const auto& nodes = GetCellNodes(type);
     const std::uint32_t degree = type == 7 ? 3 + in.TakeUpTo(9)
-      : nodes.Corners > 0                  ? nodes.Corners
+      : nodes.Corners > 0                  ? static_cast<std::uint32_t>(nodes.Corners)
       : type == 5                          ? 3
                                            : 4;
     std::vector<std::uint32_t> corners;
@@ -160,7 +160,7 @@ public:
     {
       corners = this->TakeEdge(in);
     }
-    const auto size = std::max<std::uint32_t>(degree, nodes.Points);
+    const auto size = std::max(degree, static_cast<std::uint32_t>(nodes.Points));
     while (corners.size() < size)
     {
       // A vertex of another edge, or any, or a new one.
@@ -195,6 +195,15 @@ private:
 };
 }
 
+namespace
+{
+/** The points of a Lagrange or Bezier cell. */
+std::uint32_t CountNodes(int type, unsigned order)
+{
+  return static_cast<std::uint32_t>(GetNodesOfOrder(type, order).Points);
+}
+}
+
 CellList TakeCells(Input& in, std::uint32_t mostCells, std::uint32_t& points)
 {
   constexpr std::array usual{ 12, 12, 12, 42, 13, 14, 10, 11, 25, 24 };
@@ -212,7 +221,11 @@ CellList TakeCells(Input& in, std::uint32_t mostCells, std::uint32_t& points)
     }
     const int type = how < 200 ? usual[how % usual.size()] : in.Take<std::uint8_t>();
     const auto fixed = GetCellKind(type).Points;
-    const auto size = type == 42 ? 8u : fixed > 0 && how < 240 ? fixed : in.TakeUpTo(12);
+    const bool isUsual = how < 240;
+    const auto size = type == 42      ? 8u
+      : isUsual && HasNodeOrder(type) ? CountNodes(type, 1u + how % 3u)
+      : isUsual && fixed > 0          ? fixed
+                                      : in.TakeUpTo(12);
     const auto pick = [&](std::uint32_t i)
     {
       // The far corners of the cell before, then new ones.

@@ -22,13 +22,14 @@ from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON
 
 import gatunCellMeshes as meshes
 import gatunGolden as golden
+import gatunOrderMeshes as orders
 import gatunShellMeshes as shells
 from describe_decoded import describe_decoded
 from gatunCells import described
 from gatunGolden import gm
 from make_golden import write
 
-MAX_BYTES, MAX_BYTES_IN_TOTAL = 30000, 280000
+MAX_BYTES, MAX_BYTES_IN_TOTAL = 30000, 320000
 ALL = {"KeepOrder": 7}
 CHUNKS = {"ChunkTets": 100}
 
@@ -116,6 +117,11 @@ FILES = {
     "surface_degenerate": (lambda rng: shells.degenerate(rng, 6), ALL),
     "surface_beside_solids": (
         lambda rng: shells.beside_solids(rng, (2, 2, 2), 3), {**ALL, **CHUNKS}),
+    **{"order_3_of_%d" % kind: (lambda rng, kind=kind: orders.solids(rng, kind, [3], (2, 1, 1)), {})
+       for kind in (71, 72, 73)},
+    "orders": (lambda rng: orders.solids(rng, 79, (4, 2, 1), (2, 2, 1)), ALL),
+    **{"order_4_of_%d" % kind: (lambda rng, kind=kind: orders.shell(rng, kind, 4, 3), {})
+       for kind in (76, 70)},
     "steps": (steps, {**ALL, "KeyStepInterval": 3}),
 }
 
