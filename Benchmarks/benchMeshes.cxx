@@ -422,6 +422,51 @@ Grid MakeLattice(int cells, bool doublePoints)
 }
 
 //------------------------------------------------------------------------------
+Grid MakeHexahedra(int cells)
+{
+  Random random(7);
+  vtkNew<vtkPoints> points;
+  points->SetNumberOfPoints(static_cast<vtkIdType>(std::pow(cells + 1, 3)));
+  vtkIdType id = 0;
+  for (int z = 0; z <= cells; ++z)
+  {
+    for (int y = 0; y <= cells; ++y)
+    {
+      for (int x = 0; x <= cells; ++x)
+      {
+        Point p{ static_cast<double>(x), static_cast<double>(y), static_cast<double>(z) };
+        for (double& coordinate : p)
+        {
+          coordinate += 0.2 * (Uniform(random) - 0.5);
+        }
+        points->SetPoint(id++, p.data());
+      }
+    }
+  }
+  vtkNew<vtkCellArray> hexahedra;
+  hexahedra->AllocateExact(id, 8 * id);
+  const vtkIdType row = cells + 1;
+  const vtkIdType plane = row * row;
+  for (vtkIdType z = 0; z < cells; ++z)
+  {
+    for (vtkIdType y = 0; y < cells; ++y)
+    {
+      for (vtkIdType x = 0; x < cells; ++x)
+      {
+        const vtkIdType a = z * plane + y * row + x;
+        const vtkIdType b = a + plane;
+        hexahedra->InsertNextCell(
+          { a, a + 1, a + row + 1, a + row, b, b + 1, b + row + 1, b + row });
+      }
+    }
+  }
+  auto grid = Grid::New();
+  grid->SetPoints(points);
+  grid->SetCells(VTK_HEXAHEDRON, hexahedra);
+  return grid;
+}
+
+//------------------------------------------------------------------------------
 Grid Permute(vtkUnstructuredGrid* grid)
 {
   Random random(20260101);

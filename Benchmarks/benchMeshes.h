@@ -31,6 +31,9 @@ Grid MakeBlock(int cells);
 /** A jittered body-centered lattice of cells^3 cubes, about twelve tetrahedra each; Density. */
 Grid MakeLattice(int cells, bool doublePoints);
 
+/** cells^3 jittered hexahedra without arrays. Float points. */
+Grid MakeHexahedra(int cells);
+
 /** A ball of about so many tetrahedra by TetGen, of good quality; Density without noise. */
 Grid MakeDelaunay(int tets);
 bool HasDelaunay();

@@ -62,6 +62,11 @@ void Make(const Options& options)
     const int cells = std::max(2, static_cast<int>(std::lround(std::cbrt(options.Tets / 12.0))));
     WriteOrdered(MakeLattice(cells, false), options);
   }
+  else if (options.Kind == "hexes")
+  {
+    const int cells = std::max(2, static_cast<int>(std::lround(std::cbrt(options.Tets))));
+    WriteOrdered(MakeHexahedra(cells), options);
+  }
   else if (options.Kind == "block")
   {
     WriteOrdered(
@@ -118,9 +123,10 @@ void AddMake(CLI::App& app)
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("make", "Make a mesh, as a raw .vtu file");
   command
-    ->add_option("KIND", options->Kind, "flow (four arrays), flow1 (one), block, lattice, delaunay")
+    ->add_option("KIND", options->Kind,
+      "flow (four arrays), flow1 (one), block, lattice, delaunay, hexes (that many hexahedra)")
     ->required()
-    ->check(CLI::IsMember({ "flow", "flow1", "block", "lattice", "delaunay" }));
+    ->check(CLI::IsMember({ "flow", "flow1", "block", "lattice", "delaunay", "hexes" }));
   command->add_option("TETS", options->Tets, "About how many tetrahedra")
     ->required()
     ->check(CLI::Range(100, 1000000000));

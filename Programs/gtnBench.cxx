@@ -201,36 +201,36 @@ std::vector<Case> LoadAll(
   return cases;
 }
 
-void PrintText(const std::vector<Format>& formats, const std::vector<Case>& cases, vtkIdType cells)
+void PrintText(const std::vector<Format>& formats, const std::vector<Case>& cases, vtkIdType number)
 {
-  const auto tets = static_cast<double>(cells);
+  const auto cells = static_cast<double>(number);
   fmt::print(
-    "{:<10} {:>14} {:>10} {:>10} {:>9}\n", "file", "bytes", "bits/tet", "gtn is", "write s");
+    "{:<10} {:>14} {:>10} {:>10} {:>9}\n", "file", "bytes", "bits/cell", "gtn is", "write s");
   for (const Format& format : formats)
   {
     fmt::print("{:<10} {:>14} {:>10.2f} {:>9.2f}x {:>9.3f}\n", format.Name, Grouped(format.Bytes),
-      8. * static_cast<double>(format.Bytes) / tets,
+      8. * static_cast<double>(format.Bytes) / cells,
       static_cast<double>(format.Bytes) / static_cast<double>(formats[0].Bytes),
       format.WriteSeconds);
   }
   fmt::print(
-    "\n{:<10} {:>8} {:>10} {:>10} {:>10}\n", "load", "threads", "median s", "M tets/s", "gtn is");
+    "\n{:<10} {:>8} {:>10} {:>10} {:>10}\n", "load", "threads", "median s", "M cells/s", "gtn is");
   for (std::size_t i = 0; i < cases.size(); ++i)
   {
     const Case& one = cases[i];
     const Case& gtn = cases[i - one.Format];
     fmt::print("{:<10} {:>8} {:>10.4f} {:>10.2f} {:>9.2f}x\n", formats[one.Format].Name,
-      one.Threads, one.Median(), tets / one.Median() / 1e6, one.Median() / gtn.Median());
+      one.Threads, one.Median(), cells / one.Median() / 1e6, one.Median() / gtn.Median());
   }
 }
 
 void PrintJson(const std::vector<Format>& formats, const std::vector<Case>& cases,
   const Options& options, vtkUnstructuredGrid* grid)
 {
-  const auto tets = static_cast<double>(grid->GetNumberOfCells());
+  const auto cells = static_cast<double>(grid->GetNumberOfCells());
   Json::Value json;
   json["input"] = options.In;
-  json["tets"] = static_cast<std::uint64_t>(grid->GetNumberOfCells());
+  json["cells"] = static_cast<std::uint64_t>(grid->GetNumberOfCells());
   json["points"] = static_cast<std::uint64_t>(grid->GetNumberOfPoints());
   json["machine"]["processor"] = NameOfProcessor();
   json["machine"]["processors"] = static_cast<std::uint64_t>(std::thread::hardware_concurrency());
@@ -243,7 +243,7 @@ void PrintJson(const std::vector<Format>& formats, const std::vector<Case>& case
     Json::Value fileJson;
     fileJson["format"] = format.Name;
     fileJson["bytes"] = format.Bytes;
-    fileJson["bitsPerTet"] = 8. * static_cast<double>(format.Bytes) / tets;
+    fileJson["bitsPerCell"] = 8. * static_cast<double>(format.Bytes) / cells;
     fileJson["timesGtn"] =
       static_cast<double>(format.Bytes) / static_cast<double>(formats[0].Bytes);
     fileJson["writeSeconds"] = format.WriteSeconds;
@@ -262,7 +262,7 @@ void PrintJson(const std::vector<Format>& formats, const std::vector<Case>& case
       loadJson["seconds"].append(seconds);
     }
     loadJson["median"] = one.Median();
-    loadJson["tetsPerSecond"] = tets / one.Median();
+    loadJson["cellsPerSecond"] = cells / one.Median();
     loadJson["timesGtn"] = one.Median() / cases[i - one.Format].Median();
     json["loads"].append(loadJson);
   }

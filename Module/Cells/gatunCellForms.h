@@ -25,6 +25,7 @@ struct CellForm
 {
   static constexpr std::uint8_t None = 255;
   static constexpr unsigned Families = 5;
+  static constexpr unsigned MostCorners = 255; // of a face
 
   template <typename T>
   using OfCorners = std::vector<T>;

@@ -56,6 +56,7 @@ struct HexForm : HexSides
 {
   static constexpr std::uint8_t None = 255;
   static constexpr unsigned Family = 3;
+  static constexpr unsigned MostCorners = 4; // of a face
 
   using Faces = FixedList<std::uint8_t, 6>;
 

@@ -209,32 +209,41 @@ public:
    * besides the edge. */
   bool CanGlue(unsigned formSide, std::uint32_t side, unsigned& agree) const
   {
-    const auto& over = this->Open.GetSide(side);
-    const unsigned face = this->Seen->Face[formSide];
-    const unsigned degree = this->Seen->GetDegree(face);
-    if (!IsHexahedron && over.Degree != degree)
-    {
-      return false;
-    }
-    const auto* const corners = &this->Seen->Corner[this->Seen->GetFirstSide(face)];
-    const auto* const sides = &over - this->GetIndex(side);
-    unsigned at = formSide - this->Seen->GetFirstSide(face);
-    at = at + 1 < degree ? at + 1 : 0;
-    unsigned from = this->GetIndex(side);
     agree = 0;
-    for (unsigned i = 2; i < degree; ++i) // the edge's corners are known
+    if constexpr (IsHexahedron)
     {
-      at = at + 1 < degree ? at + 1 : 0;
-      from = from > 0 ? from - 1 : degree - 1;
-      const auto known = this->Locals[corners[at]];
-      const auto vertex = sides[from].Corner;
-      if (known != vertex && (known != NoVertex || this->Has(vertex)))
+      const auto* const sides = &this->Open.GetSide(side & ~3u);
+      const unsigned first = formSide & ~3u;
+      return this->MayBe(HexForm::Corner[first | ((formSide + 2) & 3)],
+               sides[(side + 3) & 3].Corner, agree) &&
+        this->MayBe(
+          HexForm::Corner[first | ((formSide + 3) & 3)], sides[(side + 2) & 3].Corner, agree);
+    }
+    else
+    {
+      const auto& over = this->Open.GetSide(side);
+      const unsigned face = this->Seen->Face[formSide];
+      const unsigned degree = this->Seen->GetDegree(face);
+      if (over.Degree != degree)
       {
         return false;
       }
-      agree += known == vertex;
+      const auto* const corners = &this->Seen->Corner[this->Seen->GetFirstSide(face)];
+      const auto* const sides = &over - over.Index;
+      unsigned at = formSide - this->Seen->GetFirstSide(face);
+      at = at + 1 < degree ? at + 1 : 0;
+      unsigned from = over.Index;
+      for (unsigned i = 2; i < degree; ++i) // the edge's corners are known
+      {
+        at = at + 1 < degree ? at + 1 : 0;
+        from = from > 0 ? from - 1 : degree - 1;
+        if (!this->MayBe(corners[at], sides[from].Corner, agree))
+        {
+          return false;
+        }
+      }
+      return true;
     }
-    return true;
   }
 
   void Glue(unsigned formSide, std::uint32_t side)
@@ -265,6 +274,31 @@ public:
     return gatun::GradeAngle(this->Open.GetFace(this->GetFaceNumber(side)),
       this->Open.GetFace(this->GetFaceNumber(over)), this->Mesh.GetPlace(corner),
       this->Mesh.GetPlace(this->Open.GetSide(next).Corner));
+  }
+
+  /** Of a hexahedron: grades the angles between a face and those over its sides, all of which are
+   * open. */
+  std::array<std::uint8_t, 4> GradeAngles(
+    const PolygonFront::Face& face, const std::array<std::uint32_t, 4>& overs) const
+  {
+    const auto getFace = [&](unsigned i) -> const PolygonFront::Face&
+    { return this->Open.GetFace(overs[i] / 4); };
+    const auto getBegin = [&](unsigned i) -> const LatticePoint&
+    { return this->Mesh.GetPlace(this->Open.GetSide(face.First + i).Corner); };
+    const auto getNext = [&](unsigned i) -> const LatticePoint&
+    { return this->Mesh.GetPlace(this->Open.GetSide(overs[i] ^ 2).Corner); };
+    const auto normals = Gather(getFace(0).Normal.Lanes, getFace(1).Normal.Lanes,
+      getFace(2).Normal.Lanes, getFace(3).Normal.Lanes);
+    const auto normal = Splat(face.Normal);
+    const auto d = Gather(getNext(0), getNext(1), getNext(2), getNext(3)) -
+      Gather(getBegin(0), getBegin(1), getBegin(2), getBegin(3));
+    const auto turns = GetTurns(Dot(normal, normals), Dot(d, normal));
+    std::array<std::uint8_t, 4> angles{};
+    for (unsigned i = 0; i < 4; ++i)
+    {
+      angles[i] = face.HasNormal && getFace(i).HasNormal ? GradeTurn(turns[i]) : 16;
+    }
+    return angles;
   }
 
   /** Appends all faces as a polyhedron has them. */
@@ -363,16 +397,24 @@ public:
   float EdgeSquared = 0; // of the edge to the first neighbor of Predicted
 
 private:
-  bool Has(Vertex vertex) const
+  /** Whether a vertex may be at a corner. Counts those that are known to be. */
+  GATUN_INLINE bool MayBe(unsigned corner, Vertex vertex, unsigned& known) const
+  {
+    const auto there = this->Locals[corner];
+    known += there == vertex;
+    return there == vertex || (there == NoVertex && !this->Has(vertex));
+  }
+
+  GATUN_INLINE bool Has(Vertex vertex) const
   {
     if constexpr (IsHexahedron)
     {
-      bool has = false;
+      unsigned has = 0;
       for (const auto local : this->Locals)
       {
-        has |= local == vertex;
+        has |= unsigned{ local == vertex };
       }
-      return has;
+      return has != 0;
     }
     else
     {

@@ -110,36 +110,36 @@ public:
     return has ? this->Head : None;
   }
 
-  /** Opens a face. Returns its number. All its sides must be set at once. */
-  std::uint32_t AddFace(const Face& face)
+  /** Opens a face with a number of corners, and for each the vertex below it. Its links are the
+   * border. Returns its first side. */
+  GATUN_INLINE std::uint32_t AddFace(
+    Face face, unsigned degree, const Vertex* corners, const Vertex* below)
   {
     if (this->FaceEnd - this->Head > this->FaceMask)
     {
       this->FaceMask = Grow(this->Faces, this->Head, this->FaceEnd);
     }
     // The sides of a face have consecutive places.
-    while (this->GetSideBegin(face.Degree) + face.Degree - this->FirstSide > this->SideMask + 1)
+    while (this->GetSideBegin(degree) + degree - this->FirstSide > this->SideMask + 1)
     {
       this->SideMask = Grow(this->Sides, this->FirstSide, this->SideEnd);
     }
     const auto id = this->FaceEnd++;
-    const auto first = this->GetSideBegin(face.Degree);
-    this->SideEnd = first + face.Degree;
-    auto& added = this->GetFace(id);
-    added = face;
-    added.First = first;
-    return id;
-  }
-
-  /** Returns the side. Its link is the border. */
-  std::uint32_t SetSide(std::uint32_t face, unsigned index, Vertex corner, Vertex below)
-  {
-    const auto id = this->GetFace(face).First + index;
-    auto& head = this->Heads[corner];
-    this->GetSide(id) = { corner, SideLink(), below, face, head, static_cast<std::uint8_t>(index),
-      static_cast<std::uint8_t>(this->GetFace(face).Degree), true };
-    head = id;
-    return id;
+    const auto first = this->GetSideBegin(degree);
+    this->SideEnd = first + degree;
+    face.First = first;
+    face.Degree = static_cast<std::uint16_t>(degree);
+    this->GetFace(id) = face;
+    auto* const sides = &this->GetSide(first);
+    auto* const heads = this->Heads.data();
+    for (unsigned i = 0; i < degree; ++i)
+    {
+      auto& head = heads[corners[i]];
+      sides[i] = { corners[i], SideLink(), below[i], id, head, static_cast<std::uint8_t>(i),
+        static_cast<std::uint8_t>(degree), true };
+      head = first + i;
+    }
+    return first;
   }
 
   Face& GetFace(std::uint32_t id) { return this->Faces[id & this->FaceMask]; }
@@ -288,6 +288,21 @@ struct ClosedFaces
   std::vector<Vertex> Corners;
 };
 
+/** The turns from a face to others: 0 folded shut to 8 flat, behind up to 16. cosines: of the
+ * normals. heights: of the other faces in front of the face. */
+GATUN_INLINE Float4 GetTurns(Float4 cosines, Float4 heights)
+{
+  const auto one = Splat(1.0F);
+  const auto four = Splat(4.0F);
+  return SelectGreater(
+    heights, Splat(0.0F), (one + cosines) * four, Splat(8.0F) + (one - cosines) * four);
+}
+
+GATUN_INLINE std::uint8_t GradeTurn(float turn)
+{
+  return turn > 0 ? (turn < 15.0F ? static_cast<std::uint8_t>(turn) : 15) : 0;
+}
+
 /**
  * Grades the angle in front of face a at the edge that it has in common with face b: 0 folded shut
  * to 7 flat, 8 to 15 behind, 16 if it is unknown.
@@ -298,10 +313,9 @@ GATUN_INLINE unsigned GradeAngle(const PolygonFront::Face& a, const PolygonFront
   const LatticePoint& begin, const LatticePoint& next)
 {
   const float cosine = Dot(a.Normal, b.Normal);
-  const bool inFront = Dot(ToVector(next) - ToVector(begin), a.Normal) > 0;
-  const float turn = inFront ? (1.0F + cosine) * 4.0F : 8.0F + (1.0F - cosine) * 4.0F;
-  const unsigned grade = turn > 0 ? (turn < 15.0F ? static_cast<unsigned>(turn) : 15) : 0;
-  return a.HasNormal && b.HasNormal ? grade : 16;
+  const float height = Dot(ToVector(next) - ToVector(begin), a.Normal);
+  const auto turn = GetTurns(Splat(cosine), Splat(height))[0];
+  return a.HasNormal && b.HasNormal ? GradeTurn(turn) : 16;
 }
 }
 

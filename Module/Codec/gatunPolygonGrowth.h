@@ -7,6 +7,7 @@
 #include "gatunPolygonCell.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -121,35 +122,58 @@ private:
   void OpenFace(const Cell& cell, PolygonFront::Face& face)
   {
     const auto& form = cell.GetForm();
+    const unsigned degree = form.GetDegree(face.FormFace);
+    auto* const news = &this->NewSides[form.GetFirstSide(face.FormFace)];
+    if (face.FormFace != 0)
+    {
+      const auto begin = this->OpenSides(cell, face, [](unsigned i) { return i; });
+      for (unsigned i = 0; i < degree; ++i)
+      {
+        news[i] = begin + i;
+      }
+    }
+    else
+    {
+      // The gate of a seed is opened, too, in the direction of the other faces.
+      const auto begin =
+        this->OpenSides(cell, face, [degree](unsigned i) { return degree - 1 - i; });
+      for (unsigned i = 0; i < degree; ++i)
+      {
+        news[(2 * degree - 2 - i) % degree] = begin + i;
+      }
+    }
+  }
+
+  /** Opens a face whose corner i is that of its side getPlace(i). Returns its first side. */
+  template <typename GetPlace>
+  GATUN_INLINE std::uint32_t OpenSides(
+    const Cell& cell, PolygonFront::Face& face, GetPlace&& getPlace)
+  {
+    const auto& form = cell.GetForm();
     const unsigned first = form.GetFirstSide(face.FormFace);
     const unsigned degree = form.GetDegree(face.FormFace);
-    // The gate of a seed is opened, too, in the direction of the other faces.
-    const bool isGate = face.FormFace == 0;
-    const auto getSide = [&](unsigned i) { return first + (isGate ? degree - 1 - i : i); };
-    const auto getPlace = [&](unsigned i)
-    { return ToVector(this->Mesh.GetPlace(cell.GetCorner(form.Corner[getSide(i)]))); };
-    const auto begin = getPlace(0);
-    auto last = getPlace(1) - begin;
+    std::array<Vertex, Form::MostCorners> corners;
+    std::array<Vertex, Form::MostCorners> belows;
+    for (unsigned i = 0; i < degree; ++i)
+    {
+      const unsigned side = first + getPlace(i);
+      const auto below = form.Below[side];
+      corners[i] = cell.GetCorner(form.Corner[side]);
+      belows[i] = below != Form::None ? cell.GetCorner(below) : NoVertex;
+    }
+    const auto begin = ToVector(this->Mesh.GetPlace(corners[0]));
+    auto last = ToVector(this->Mesh.GetPlace(corners[1])) - begin;
     Vec3 sum{};
     for (unsigned i = 2; i < degree; ++i)
     {
-      const auto next = getPlace(i) - begin;
-      sum.Lanes += Cross(last, next).Lanes;
+      const auto next = ToVector(this->Mesh.GetPlace(corners[i])) - begin;
+      sum.Lanes = sum.Lanes + Cross(last, next).Lanes;
       last = next;
     }
     const float length = std::sqrt(Dot(sum, sum));
     face.Normal = { length > 0 ? sum.Lanes / Splat(length) : Splat(0.0F) };
     face.HasNormal = Dot(face.Normal, face.Normal) > 0.5F;
-    face.Degree = static_cast<std::uint16_t>(degree);
-    const auto number = this->Open.AddFace(face);
-    for (unsigned i = 0; i < degree; ++i)
-    {
-      const unsigned side = getSide(i);
-      const auto below = form.Below[side];
-      const unsigned place = isGate ? first + (2 * degree - 2 - i) % degree : side;
-      this->NewSides[place] = this->Open.SetSide(number, i, cell.GetCorner(form.Corner[side]),
-        below != Form::None ? cell.GetCorner(below) : NoVertex);
-    }
+    return this->Open.AddFace(face, degree, corners.data(), belows.data());
   }
 
   /** Links what is on the two sides of the edges of the cell. */

@@ -275,39 +275,72 @@ private:
 
   void Grade(const PolygonFront::Face& gate)
   {
-    auto& grades = this->Grades;
-    grades = { .Degree = OfHexahedra ? 4u : unsigned{ gate.Degree } };
-    ResetValues(this->Degrees, grades.Degree, std::uint8_t{ 0 });
-    ResetValues(this->Angles, grades.Degree, std::uint8_t{ 0 });
-    std::array<unsigned, 3> likely{}; // triangles, quads, larger faces
-    for (unsigned i = 0; i < grades.Degree; ++i)
+    this->Grades = { .Degree = OfHexahedra ? 4u : unsigned{ gate.Degree } };
+    ResetValues(this->Overs, this->Grades.Degree, PolygonFront::None);
+    ResetValues(this->Angles, this->Grades.Degree, std::uint8_t{ 16 });
+    for (unsigned i = 0; i < this->Grades.Degree; ++i)
     {
       const auto side = gate.First + i;
       const auto link = this->Open.GetSide(side).Over;
-      const auto over = this->Open.GetOpen(side);
-      unsigned kind = 0;
-      if (over == PolygonFront::None)
+      this->Overs[i] = this->Open.GetOpen(side);
+      this->Grades.MostCells = std::max(this->Grades.MostCells, link.GetCells());
+      if (this->Overs[i] == PolygonFront::None)
       {
-        ++grades.Borders;
-        grades.Coplanar += this->IsCoplanar(gate, side, link.GetFar());
+        ++this->Grades.Borders;
+        this->Grades.Coplanar += this->IsCoplanar(gate, side, link.GetFar());
       }
-      else
+    }
+    this->GradeAngles(gate);
+    for (const auto angle : this->Angles)
+    {
+      this->Grades.LeastAngle = std::min(this->Grades.LeastAngle, unsigned{ angle });
+    }
+    if constexpr (!OfHexahedra)
+    {
+      this->FindPattern(gate);
+    }
+  }
+
+  /** Grades the angles to the faces that are over the gate's sides. */
+  void GradeAngles(const PolygonFront::Face& gate)
+  {
+    if constexpr (OfHexahedra)
+    {
+      if (this->Grades.Borders == 0)
       {
-        const auto angle = this->Cell.GradeAngle(side, over);
-        this->Angles[i] = static_cast<std::uint8_t>(angle);
-        grades.LeastAngle = std::min(grades.LeastAngle, angle);
-        const unsigned degree = OfHexahedra ? 4u : this->Open.GetSide(over).Degree;
-        kind = angle > 5 ? 0 : std::min(degree, 5u) - 2;
-        this->Degrees[i] = static_cast<std::uint8_t>(angle > 5 ? 0 : degree);
+        this->Angles = this->Cell.GradeAngles(gate, this->Overs);
+        return;
       }
-      grades.MostCells = std::max(grades.MostCells, link.GetCells());
-      grades.Pattern = grades.Degree <= 4 ? grades.Pattern * 4 + kind : 0;
+    }
+    for (unsigned i = 0; i < this->Grades.Degree; ++i)
+    {
+      if (this->Overs[i] != PolygonFront::None)
+      {
+        this->Angles[i] =
+          static_cast<std::uint8_t>(this->Cell.GradeAngle(gate.First + i, this->Overs[i]));
+      }
+    }
+  }
+
+  /** Finds out which faces are probably glued, and of what degrees they are. */
+  void FindPattern(const PolygonFront::Face& gate)
+  {
+    auto& grades = this->Grades;
+    this->Degrees.assign(gate.Degree, 0);
+    std::array<unsigned, 3> likely{}; // triangles, quads, larger faces
+    for (unsigned i = 0; i < gate.Degree; ++i)
+    {
+      const bool isLikely = this->Angles[i] <= 5;
+      const unsigned degree = isLikely ? this->Open.GetSide(this->Overs[i]).Degree : 0u;
+      const unsigned kind = isLikely ? std::min(degree, 5u) - 2 : 0;
+      this->Degrees[i] = static_cast<std::uint8_t>(degree);
+      grades.Pattern = gate.Degree <= 4 ? grades.Pattern * 4 + kind : 0;
       if (kind > 0)
       {
         likely[kind - 1] += likely[kind - 1] < 3;
       }
     }
-    if (grades.Degree > 4)
+    if (gate.Degree > 4)
     {
       grades.Pattern = (likely[0] * 4 + likely[1]) * 4 + likely[2];
     }
@@ -570,8 +603,9 @@ private:
   std::uint16_t HexNumber = FormTable::None;
 
   // Of each side of the gate:
-  OfGate<std::uint8_t> Degrees; // of the face that is probably over it, or 0
-  OfGate<std::uint8_t> Angles;
+  OfGate<std::uint32_t> Overs;       // the open side over it, or None
+  OfGate<std::uint8_t> Angles;       // as GradeAngle; 16 at the border
+  std::vector<std::uint8_t> Degrees; // of the face that is probably over it, or 0
 
   std::array<std::span<const FormTable::Frame>, 256> FramesOf; // types
   std::vector<std::uint32_t> GateInput;

@@ -13,7 +13,7 @@ write(standard_mesh(6), "mesh.vtu")
 os.mkdir("work")
 arguments = ("bench", "--repeat", "3", "--threads", "1,2", "--folder", "work", "mesh.vtu")
 result = json.loads(gtn(*arguments, "--json"))
-assert result["tets"] == 1296
+assert result["cells"] == 1296
 assert [file["format"] for file in result["files"]] == ["gtn", "vtu-raw", "vtu-zlib", "vtu-lzma"]
 assert len(result["loads"]) == 8
 for load in result["loads"]:

@@ -3,73 +3,52 @@
 
 #include "gatunMeshPiece.h"
 
+#include "gatunTetInput.h"
+
 #include "vtkCell.h"
-#include "vtkExtractCellsByType.h"
 #include "vtkGenericCell.h"
-#include "vtkNew.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <vector>
+#include <exception>
 
 namespace gatun
 {
-namespace
+bool HasVolume(vtkUnstructuredGrid* grid)
 {
-struct CellTypes
-{
-  std::vector<int> WithInside;
-  bool HasOthers = false;
-};
-
-//------------------------------------------------------------------------------
-CellTypes FindTypes(vtkUnstructuredGrid* grid)
-{
-  CellTypes found;
   vtkUnsignedCharArray* const types = grid->GetDistinctCellTypesArray();
   for (vtkIdType i = 0; types && i < types->GetNumberOfValues(); ++i)
   {
-    const int type = types->GetValue(i);
-    const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+    const auto cell =
+      vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(types->GetValue(i)));
     if (cell && cell->GetCellDimension() == 3)
     {
-      found.WithInside.push_back(type);
-    }
-    else
-    {
-      found.HasOthers = true;
+      return true;
     }
   }
-  return found;
-}
-}
-
-//------------------------------------------------------------------------------
-bool HasVolume(vtkUnstructuredGrid* grid)
-{
-  return !FindTypes(grid).WithInside.empty();
+  return false;
 }
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnstructuredGrid> MakeMeshPiece(vtkUnstructuredGrid* grid)
 {
   auto piece = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  piece->ShallowCopy(grid);
-  const CellTypes types = FindTypes(piece);
-  if (types.HasOthers && !types.WithInside.empty())
+  if (!HasVolume(grid))
   {
-    vtkNew<vtkExtractCellsByType> extract;
-    extract->SetInputData(piece);
-    for (const int type : types.WithInside)
+    piece->ShallowCopy(grid);
+    if (piece->GetCellGhostArray())
     {
-      extract->AddCellType(static_cast<unsigned int>(type));
+      piece->RemoveGhostCells();
     }
-    extract->Update();
-    piece = vtkUnstructuredGrid::SafeDownCast(extract->GetOutput());
+    return piece;
   }
-  if (piece->GetCellGhostArray())
+  try
   {
-    piece->RemoveGhostCells();
+    piece->ShallowCopy(MakeTetInput(grid).Grid);
+  }
+  catch (const std::exception&)
+  {
+    piece->ShallowCopy(grid); // the mapper says what is wrong with it
   }
   return piece;
 }

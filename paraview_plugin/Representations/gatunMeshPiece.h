@@ -20,8 +20,10 @@ namespace gatun
 bool HasVolume(vtkUnstructuredGrid* grid);
 
 /**
- * The cells of a grid that can be drawn as a volume: not those of ghost levels, nor surfaces and
- * lines if there are cells with an inside. What need not be changed is not copied.
+ * The tetrahedra of the cells of a grid, without those of ghost levels, surfaces and lines. Other
+ * ranks may get them: ParaView's filters do not move every polyhedron. What need not be changed is
+ * not copied. Surfaces and lines stay where there is nothing else. Returns the grid itself if it
+ * has errors, which the mapper reports.
  */
 vtkSmartPointer<vtkUnstructuredGrid> MakeMeshPiece(vtkUnstructuredGrid* grid);
 }
