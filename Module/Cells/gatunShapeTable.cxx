@@ -156,6 +156,10 @@ ShapeTable ShapeTable::Read(std::span<const std::uint8_t> bytes)
       ThrowCorrupt("a table of shapes is too long or has a shape twice");
     }
   }
+  if (in.GetRemaining() > 0)
+  {
+    ThrowCorrupt("there are bytes behind the last shape");
+  }
   forms->MakeFrames();
   ShapeTable table;
   table.Forms = std::move(forms);

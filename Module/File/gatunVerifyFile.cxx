@@ -10,7 +10,9 @@
 #include "gatunPieceDecoder.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace gatun
@@ -45,6 +47,38 @@ private:
   const FileReader& File;
   const char* What;
   std::vector<bool> Seen;
+};
+
+/** Counts the cells of each type. */
+class TypeCheck
+{
+public:
+  /** types: of the cells, or null if all are tetrahedra. */
+  void Add(const std::uint8_t* types, std::size_t cells)
+  {
+    for (std::size_t c = 0; c < cells; ++c)
+    {
+      ++this->Counts[types ? types[c] : TetraType];
+    }
+  }
+
+  /** Throws if the file claims other numbers. */
+  void Compare(const FileReader& file) const
+  {
+    for (const auto& type : file.GetCellTypes())
+    {
+      const auto count = this->Counts[type.Type];
+      if (count != type.Cells)
+      {
+        InternalsOf(file).File.Fail(ErrorCode::Corrupt,
+          "there are " + std::to_string(count) + " cells of type " + std::to_string(type.Type) +
+            " instead of " + std::to_string(type.Cells));
+      }
+    }
+  }
+
+private:
+  std::array<std::uint64_t, 256> Counts{};
 };
 
 /** Decodes the points of all blocks, including those that no chunk needs. */
@@ -100,6 +134,7 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
   const auto steps = std::max<std::size_t>(1, file.GetNumberOfSteps());
   PermutationCheck points(file, file.GetNumberOfPoints(), "point ");
   PermutationCheck cells(file, file.GetNumberOfCells(), "cell ");
+  TypeCheck types;
   for (std::size_t round = 0; round < rounds; ++round)
   {
     PieceRequest request;
@@ -152,9 +187,11 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
       {
         cells.Add(cellIds[c]);
       }
+      types.Add(target.Types, step == 0 ? cellCount : 0);
     }
     VerifyCells(parts, request.Chunks);
   }
+  types.Compare(file);
 }
 }
 

@@ -16,6 +16,7 @@ from gatunTimeSource import TimeSource, connect
 try:
     import gatunCellMeshes as meshes
     import gatunGolden as golden
+    import gatunShellMeshes as shells
     from gatunDecoded import assert_decoded_as, decode
     from gtn_layers import check_layers
     from gtn_tree import check_ranges
@@ -52,6 +53,28 @@ MESHES = {
     "other soup": lambda rng: meshes.soup(rng, [41, 52, 61, *range(68, 82), 99, 200]),
 }
 
+SHELLS = {
+    **{name: getattr(shells, name) for name in (
+        "triangles", "triangles_irregular", "triangles_closed", "quads", "quads_closed",
+        "quads_irregular", "polygons", "large_polygons", "pixels", "mixed", "nonlinear_mixed",
+        "in_a_plane", "junctions", "moebius", "turned", "holes", "cube_walls", "fan", "book",
+        "degenerate", "soup", "clustered", "colliding", "one_place", "odd_places", "beside_solids",
+        "inside_solids")},
+    **{"tiny %s" % kind: lambda rng, kind=kind: shells.tiny(rng, kind)
+       for kind in ("one", "lens", "tetrahedron", "pillow")},
+    "closed in turn": lambda rng: shells.triangles_closed(rng, in_turn=True),
+    "closed polygons": lambda rng: shells.polygons(rng, is_closed=True),
+    "closed mixed": lambda rng: shells.mixed(rng, is_closed=True),
+    "four sheets": lambda rng: shells.junctions(rng, 4),
+    "band": lambda rng: shells.moebius(rng, twists=2),
+    "few holes": lambda rng: shells.holes(rng, part=0.85),
+    "all walls": lambda rng: shells.cube_walls(rng, part=1.1),
+    "nearly colliding": lambda rng: shells.colliding(rng, 1),
+    "soup of triangles": lambda rng: shells.soup(rng, 60, 14, 3),
+    "soup at few points": lambda rng: shells.soup(rng, 80, 12, 5),
+    "soup of large polygons": lambda rng: shells.soup(rng, 60, 80, 30),
+}
+
 # Seeds for which the front touches itself in rare ways: more than once at an edge; a cell fills the
 # gap between two faces that are not linked to each other, and both, or just one, lead on.
 AMONG_MANY = (
@@ -82,7 +105,7 @@ def check(name, grid, **options):
 
 modes = set()
 shared = 0
-for name, make in MESHES.items():
+for name, make in {**MESHES, **SHELLS}.items():
     grid = make(np.random.default_rng(6))
     for options in ({"ChunkTets": 0}, {"ChunkTets": 100, "KeepOrder": 7}):
         decoder = check(name, grid, **options)

@@ -76,7 +76,10 @@ class Points:
 
     def mean(self, ids):
         """The number of the point in the middle of others."""
-        p = tuple(np.mean([self.points[i] for i in ids], axis=0))
+        return self.at(tuple(np.mean([self.points[i] for i in ids], axis=0)))
+
+    def at(self, p):
+        """The number of the point with these coordinates."""
         if p not in self.numbers:
             self.numbers[p] = len(self.points)
             self.points.append(p)
@@ -174,11 +177,7 @@ def prisms(rng, n=5, layers=3):
     cells = []
 
     def at(p):
-        p = tuple(np.round(p, 6))
-        if p not in added.numbers:
-            added.numbers[p] = len(added.points)
-            added.points.append(p)
-        return added.numbers[p]
+        return added.at(tuple(np.round(p, 6)))
 
     corners = [(np.cos(np.pi * i / 3), np.sin(np.pi * i / 3)) for i in range(6)]
     for i, j, k in np.ndindex(n, n, layers):
@@ -247,11 +246,7 @@ def polygons_in_layers(rng, n=7, layers=2, shift=0, most=3):
     added = Points([])
 
     def at(x, y, z):
-        p = (float(x), float(y), float(z))
-        if p not in added.numbers:
-            added.numbers[p] = len(added.points)
-            added.points.append(p)
-        return added.numbers[p]
+        return added.at((float(x), float(y), float(z)))
 
     between = {}
     cells = []

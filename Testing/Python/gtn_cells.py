@@ -16,9 +16,10 @@ from gtn_nodes import Nodes, decode_marks
 from gtn_records import CellCoded
 from gtn_shapes import (
     NODES, OTHER_SURFACES, POLYHEDRON, SURFACES, TETRA, TETRAHEDRON, corners_of)
+from gtn_surface import SurfaceWalk
 from gtn_vertices import Vertices
 
-WALK, MARKS, HEXAHEDRA = 1, 2, 8
+WALK, MARKS, POLYGONS, HEXAHEDRA = 1, 2, 4, 8
 
 #: The code of the form of all cells of a walk over hexahedra.
 HEXAHEDRON = bytes([4, 4, 4, 5, 4, 6, 4, 4, 7, 6, 4, 5, 7, 4, 6, 7])
@@ -37,6 +38,7 @@ class CellMesh(Vertices):
     corners      vertices of each cell
     faces        of each polyhedron, a list of vertices each, else None
     parents      of the cells, or None
+    flags        of the stream
     """
 
     def __init__(self, chunk, stream, geometry, domains, shared_keys, shared_users, shapes):
@@ -45,9 +47,9 @@ class CellMesh(Vertices):
         points = chunk.own_points + len(shared_keys)
         require(points <= counts.corners + counts.face_values, "points of a chunk")
         stream = Bytes(stream)
-        flags = stream.number("B")
-        require(flags & ~(WALK | MARKS | HEXAHEDRA) == 0, "flags of a chunk of cells")
-        require(flags == 0 or flags & WALK, "flags of a walk that is not there")
+        self.flags = flags = stream.number("B")
+        require(flags < 16, "flags of a chunk of cells")
+        require(flags & WALK or not flags & (MARKS | HEXAHEDRA), "flags of no walk")
         self.coded = CellCoded(stream)
         super().__init__(chunk, geometry, domains, shared_keys, shared_users)
         self.counts, self.shapes = counts, shapes
@@ -63,6 +65,8 @@ class CellMesh(Vertices):
                 walk = CellWalk(self, only)
             if flags & MARKS:
                 decode_marks(self, walk)
+            if flags & POLYGONS:
+                SurfaceWalk(self)
             CellList(self)
         require(self.corners_left() == 0 and self.face_values_left() == 0, "number of corners")
         require(self.kinds.count(POLYHEDRON) == counts.polyhedra, "number of polyhedra")

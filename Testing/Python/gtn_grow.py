@@ -10,7 +10,7 @@ Part of gtn_decoder, which is written from that text alone.
 from gtn_container import require
 from gtn_forms import NO_SHAPE, begin
 from gtn_front import Front, OpenFace, end, join
-from gtn_records import B1, COMMON, D12, D13, D23, N1, NEEDED, SLOTS, CellRecord, O, mix
+from gtn_records import B1, D12, D13, D23, N1, SLOTS, CellRecord, O, mix, predicted
 from gtn_shapes import POLYHEDRON, TETRA, view_of_type
 from gtn_vertices import F, clamp, dot, minus, square
 
@@ -228,9 +228,9 @@ class CellWalk:
     def other_corner(self, step, c):
         mesh, decide = self.mesh, self.decide
         record = step.record(c)
-        predicted = self.predict(record)
-        e = square(minus(predicted, mesh.places[record.slots[N1]]))
-        candidates = self.candidates(step, c, predicted)
+        place = predicted(record, mesh.places)
+        e = square(minus(place, mesh.places[record.slots[N1]]))
+        candidates = self.candidates(step, c, place)
         near = 7
         if candidates and len(step.glued) < 3:
             distance = candidates[0][0]
@@ -239,7 +239,7 @@ class CellWalk:
             n = sum(v is not None and mesh.users[v] != 0 for v in record.slots[N1 : N1 + 3])
             m = min(4, sum(mesh.users[v] != 0 for v in step.gate.corners))
             if decide("Shared", n, m):
-                return mesh.meet_shared(mesh.name_near(predicted, F(4) * e, "SharedRank"))
+                return mesh.meet_shared(mesh.name_near(place, F(4) * e, "SharedRank"))
             return mesh.meet_own(record)
         if decide("Listed"):
             for i, (_, v) in enumerate(candidates[:15]):
@@ -248,19 +248,7 @@ class CellWalk:
             require(False, "no candidate was chosen")
         return self.coded.index(len(mesh.keys))
 
-    def predict(self, record):
-        """The predicted place of a vertex with this record."""
-        rule = next(rule for rule, needed in zip(COMMON, NEEDED) if needed & ~record.mask == 0)
-        result = []
-        for axis in range(3):
-            total = F(0)
-            for weight, v in zip(rule, record.slots):
-                if weight:
-                    total += F(weight) * self.mesh.places[v][axis]
-            result.append(total * F(1 / 256))
-        return tuple(result)
-
-    def candidates(self, step, c, predicted):
+    def candidates(self, step, c, place):
         """Vertices that may be a corner, as pairs of a squared distance and a number, ascending."""
         found = set()
         for n in step.known(step.form.network.neighbors[c]):
@@ -271,7 +259,7 @@ class CellWalk:
                     found.add(before.begins())
         found.difference_update(step.vertices)
         places = self.mesh.places
-        return sorted((square(minus(predicted, places[v])), v) for v in found)
+        return sorted((square(minus(place, places[v])), v) for v in found)
 
     # ----- The end of a step (4.6)
 

@@ -12,7 +12,7 @@ from gtn_records import CellRecord, mix
 from gtn_shapes import NODES, PIXEL
 from gtn_vertices import F, minus, square
 
-MARKED = {3: (5, 22, 34, 7), 4: (8, 9, 23, 28, 30, 7)}
+FLAT_KINDS = {3: (5, 22, 34, 7), 4: (8, 9, 23, 28, 30, 7)}
 POLYGON = 7
 
 
@@ -59,6 +59,17 @@ class Nodes:
         return self.mesh.name_near(tuple(mean), square(minus(places[0], mean)), "NodeSharedRank")
 
 
+def flat_corners(kind, turn, f):
+    """The corners of a cell of this type and turn over a cycle of vertices (4.7)."""
+    k = len(f)
+    require(kind in FLAT_KINDS.get(k, (POLYGON,)) and turn < 2 * k, "type or turn of a face")
+    r = turn // 2
+    corners = [f[(r + (k - i if turn % 2 else i)) % k] for i in range(k)]
+    if kind == PIXEL:
+        corners[2], corners[3] = corners[3], corners[2]
+    return corners
+
+
 def decode_marks(mesh, walk):
     """Surface cells at the faces that a walk closed as a border."""
     decide = mesh.coded.decide
@@ -79,9 +90,4 @@ def decode_marks(mesh, walk):
         kind = mesh.coded.remembered(("MarkTypes", min(k, 255)), 8, "MarkType")
         behind = mesh.kinds[face.cell]
         turn = mesh.coded.remembered(("Turns", mix(10, kind, behind, face.frame)), 8, "Turn")
-        require(kind in MARKED.get(k, (POLYGON,)) and turn < 2 * k, "mark")
-        r = turn // 2
-        corners = [face.corner(r + (k - i if turn % 2 else i)) for i in range(k)]
-        if kind == PIXEL:
-            corners[2], corners[3] = corners[3], corners[2]
-        mesh.make_cell(kind, corners, None, face.cell)
+        mesh.make_cell(kind, flat_corners(kind, turn, face.corners), None, face.cell)

@@ -9,6 +9,7 @@ Part of gtn_decoder, which is written from that text alone.
 
 from gtn_coding import Coded
 from gtn_container import Bytes, require
+from gtn_vertices import F
 from gtn_walk import apply_rule, key_spread
 
 N1, N2, N3, D12, D13, D23, O, B1, B2, B3 = range(10)
@@ -135,6 +136,19 @@ class CellGeometry:
             return None
         known = [None if v is None else keys[v] for v in record.slots]
         return self._apply(used, domain, known), record_spread(known), min(1 + used, 16)
+
+
+def predicted(record, places):
+    """The predicted place of a vertex with this record (4.5)."""
+    rule = COMMON[first_common(record.mask)]
+    result = []
+    for axis in range(3):
+        total = F(0)
+        for weight, v in zip(rule, record.slots):
+            if weight:
+                total += F(weight) * places[v][axis]
+        result.append(total * F(1 / 256))
+    return tuple(result)
 
 
 def record_spread(known):

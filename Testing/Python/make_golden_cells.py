@@ -4,7 +4,8 @@
 
 """Makes the golden files of version 1.3, with cells of all types, and expected.json next to them:
 
-    PYTHONPATH=build/release/lib/python3/dist-packages Testing/Python/make_golden_cells.py FOLDER
+    export PYTHONPATH=build/release/lib/python3/dist-packages:Testing/IO
+    Testing/Python/make_golden_cells.py FOLDER
 
 As for other golden files, what is expected is computed from the input where a file keeps the order
 of its input, else by gtn_decoder, which shares no code with Gatun. That Gatun reads what was
@@ -21,12 +22,13 @@ from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON
 
 import gatunCellMeshes as meshes
 import gatunGolden as golden
+import gatunShellMeshes as shells
 from describe_decoded import describe_decoded
 from gatunCells import described
 from gatunGolden import gm
 from make_golden import write
 
-MAX_BYTES, MAX_BYTES_IN_TOTAL = 30000, 250000
+MAX_BYTES, MAX_BYTES_IN_TOTAL = 30000, 280000
 ALL = {"KeepOrder": 7}
 CHUNKS = {"ChunkTets": 100}
 
@@ -98,6 +100,24 @@ FILES = {
        for kind in NONLINEAR_SOLIDS},
     **{"shell_%d" % kind: (lambda rng, kind=kind: meshes.quadratic_shell(rng, kind, 4), {})
        for kind in NONLINEAR_SURFACES},
+    "surface_triangles": (lambda rng: shells.triangles_irregular(rng, 6), {**ALL, **CHUNKS}),
+    "surface_closed": (lambda rng: shells.triangles_closed(rng, 8, 5), {}),
+    "surface_quads": (lambda rng: shells.quads_irregular(rng, 2), ALL),
+    "surface_polygons": (lambda rng: shells.polygons(rng, 6), ALL),
+    "surface_large_polygons": (shells.large_polygons, {"arrays": False}),
+    "surface_mixed": (lambda rng: shells.mixed(rng, 6, True), {**ALL, **CHUNKS}),
+    "surface_pixels": (lambda rng: shells.pixels(rng, (3, 2, 2)), {}),
+    "surface_nonlinear": (lambda rng: shells.nonlinear_mixed(rng, 3), ALL),
+    "surface_junctions": (lambda rng: shells.junctions(rng, 4, 4), CHUNKS),
+    "surface_moebius": (lambda rng: shells.moebius(rng, 10, 2), {}),
+    "surface_turned": (lambda rng: shells.turned(rng, 6), ALL),
+    "surface_holes": (lambda rng: shells.holes(rng, 8), CHUNKS),
+    "surface_walls": (lambda rng: shells.cube_walls(rng, (2, 2, 2)), {}),
+    "surface_fan": (shells.fan, {"arrays": False}),
+    "surface_colliding": (shells.colliding, {"arrays": False}),
+    "surface_degenerate": (lambda rng: shells.degenerate(rng, 6), ALL),
+    "surface_beside_solids": (
+        lambda rng: shells.beside_solids(rng, (2, 2, 2), 3), {**ALL, **CHUNKS}),
     "steps": (steps, {**ALL, "KeyStepInterval": 3}),
 }
 

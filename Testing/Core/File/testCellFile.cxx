@@ -356,8 +356,48 @@ TEST(CellFile, TablesOfCellsMustBeRight)
       ++f.Meta.Tets;
       ++f.Mesh.Chunks[0].Info.Tets;
     });
+  refuse("behind the last shape", [](FileImage& f) { f.Cells->StoredShapes.push_back(0); });
   refuse("", [&](FileImage& f) { first(f).IsTetrahedral = true; });
   refuse("", [](FileImage& f) { f.Cells.reset(); });
+}
+
+TEST(CellFile, VerifyingCountsTheCellsOfEachType)
+{
+  // Many chunks, some of which are of tetrahedra.
+  const FileImage good(Write(Mixture(8), KeepAll, 100));
+  ASSERT_GT(good.Cells->Chunks.size(), 18u);
+  const auto refuse = [&](const std::string& what, const std::function<void(CellTable&)>& change)
+  {
+    auto image = good;
+    change(*image.Cells);
+    const auto path = PutFile("changed.gtn", image.Build());
+    ReadBothForms(path);
+    EXPECT_GATUN_ERROR(ErrorCode::Corrupt, path, what, [&] { VerifyFile(FileReader(path)); });
+  };
+  EXPECT_TRUE(VerifyFile(FileReader(PutFile("same.gtn", good.Build()))));
+  const auto typeAt = [](CellTable& c, std::uint8_t type) -> CellTypeCount&
+  {
+    return *std::find_if(
+      c.Types.begin(), c.Types.end(), [&](const CellTypeCount& t) { return t.Type == type; });
+  };
+  refuse("cells of type 9 instead of",
+    [&](CellTable& c)
+    {
+      --typeAt(c, Quad).Cells;
+      ++typeAt(c, Wedge).Cells;
+    });
+  refuse("there are 0 cells of type 0 instead of 1",
+    [&](CellTable& c)
+    {
+      --typeAt(c, Wedge).Cells;
+      c.Types.insert(c.Types.begin(), { 0, 1 });
+    });
+  refuse("cells of type 5 instead of",
+    [&](CellTable& c)
+    {
+      typeAt(c, Triangle).Cells += typeAt(c, Polyhedron).Cells;
+      c.Types.pop_back();
+    });
 }
 
 TEST(CellFile, ChangedStreamsAreErrorsOrOtherCells)
