@@ -64,8 +64,8 @@ SHELLS = {
     **{name: getattr(shells, name) for name in (
         "triangles", "triangles_irregular", "triangles_closed", "quads", "quads_closed",
         "quads_irregular", "polygons", "large_polygons", "pixels", "mixed", "nonlinear_mixed",
-        "in_a_plane", "junctions", "moebius", "turned", "holes", "cube_walls", "fans", "book",
-        "degenerate", "soup", "clustered", "one_place", "odd_places", "beside_solids",
+        "in_a_plane", "junctions", "moebius", "turned", "holes", "cube_walls", "fan", "book",
+        "degenerate", "soup", "clustered", "colliding", "one_place", "odd_places", "beside_solids",
         "inside_solids")},
     **{"tiny %s" % kind: lambda rng, kind=kind: shells.tiny(rng, kind)
        for kind in ("one", "lens", "tetrahedron", "pillow")},
@@ -76,6 +76,10 @@ SHELLS = {
     "band": lambda rng: shells.moebius(rng, twists=2),
     "few holes": lambda rng: shells.holes(rng, part=0.85),
     "all walls": lambda rng: shells.cube_walls(rng, part=1.1),
+    "nearly colliding": lambda rng: shells.colliding(rng, 1),
+    "soup of triangles": lambda rng: shells.soup(rng, 60, 14, 3),
+    "soup at few points": lambda rng: shells.soup(rng, 80, 12, 5),
+    "soup of large polygons": lambda rng: shells.soup(rng, 60, 80, 30),
 }
 
 # Seeds for which the front touches itself in rare ways: more than once at an edge; a cell fills the

@@ -9,6 +9,7 @@ from vtkmodules.util import vtkConstants as c
 
 from gatunCellMeshes import (
     BIQUADRATIC_TRIANGLE, Points, bent, box_faces, cubes, grid_of, outer, with_nodes)
+from gtn_records import mix
 
 # --------------------------------------------------------------------------------------------------
 # Lists of faces
@@ -267,17 +268,15 @@ def cube_walls(rng, n=(3, 3, 3), part=0.7):
     return surface(bent(points, rng), faces, rng)
 
 
-def fans(rng, fans=24, n=4):
-    """Strips of triangles that have only one point in common: more open edges at a vertex than a
-    walk looks at."""
-    points, faces = [(0, 0, 0)], []
-    for i in range(fans):
-        first = len(points)
-        height = rng.random()
-        points += [(np.cos((i + 0.5 * j / n) * 2 * np.pi / fans),
-                    np.sin((i + 0.5 * j / n) * 2 * np.pi / fans), height) for j in range(n + 1)]
-        faces += [[0, first + j, first + j + 1] for j in range(n)]
-    return surface(points, faces, rng, 0.01)
+def fan(rng, n=100):
+    """A polygon with triangles on every other side that have a common corner, and others between
+    any two of those: more open edges at a vertex than a walk looks at."""
+    u = np.pi * np.arange(2 * n) / n
+    points = np.concatenate([[[0, 0, 1]], np.stack([np.cos(u), np.sin(u), 0 * u], 1)])
+    faces = [list(range(1, 2 * n + 1))]
+    faces += [[0, 2 * i + 2, 2 * i + 1] for i in range(n)]
+    faces += [[0, 2 * i + 1, 2 * int(j) + 2] for i, j in enumerate(rng.permutation(n)) if i != j]
+    return surface(points, faces, rng, 0.001)
 
 
 def book(rng, pages=80):
@@ -301,11 +300,11 @@ def degenerate(rng, n=8):
     return surface(points, faces, rng, 0)
 
 
-def soup(rng, count=40, points=60):
+def soup(rng, count=40, points=60, most=7):
     """Polygons of random points."""
     cells = []
     for _ in range(count):
-        face = [int(p) for p in rng.permutation(points)[: rng.integers(3, 8)]]
+        face = [int(p) for p in rng.permutation(points)[: rng.integers(3, most + 1)]]
         cells.append((c.VTK_POLYGON if rng.random() < 0.3 else kind_of(face), face))
     return grid_of(rng.random((points, 3)), cells, rng)
 
@@ -319,14 +318,38 @@ def tiny(rng, kind="tetrahedron"):
     return surface(points, faces, rng, 0)
 
 
-def clustered(rng, n=13):
-    """Most of the points are so close to each other that they are in one cell of all grids."""
-    points, faces = sheet(n, n)
+def clustered(rng, n=14):
+    """Closed surfaces that are as small as a cell of all grids, and a few large faces."""
+    points, faces = torus(n, n)
     count = len(points)
     large, others = sheet(2, 2)
-    points = np.concatenate([bent(points, rng) / 20000, large])
     faces = halves(faces, rng) + [[p + count for p in face] for face in others]
-    return surface(points, [*faces, [0, 1, count + 8]], rng, 0)
+    points = np.concatenate([points / 20000 + 0.501, large])
+    return surface(points, [*faces, [0, 1, count + 8]], rng, 0, np.float64)
+
+
+def colliding(rng, fewer=0):
+    """Four surfaces, each in a cell of the smallest grid, that are connected by long faces. Two and
+    two are in one bucket together, or would be if their numbers had so many bits fewer."""
+    points, faces = sheet(3, 3)
+    points = points * 21845
+    ring, quads = torus(10, 6)
+    bits = (len(points) + 4 * len(ring)).bit_length() - fewer
+
+    def together(n, one):
+        """Two cells that are in one bucket of 2^n, but not in one of 2^(n + 1)."""
+        others = ((x, y, 30) for x in range(10, 240) for y in range(10, 240))
+        return one, next(cell for cell in others if mix(n, *cell) == mix(n, *one)
+                         and mix(n + 1, *cell) != mix(n + 1, *one))
+
+    for i, cell in enumerate((*together(bits, (10, 10, 10)), *together(bits, (20, 99, 10)))):
+        first = len(points)
+        points = np.concatenate([points, 25 * ring + 256 * np.array(cell) + 128])
+        faces += halves([[p + first for p in quad] for quad in quads[1:]], rng)
+        if i > 0:
+            (a, b), (d, e) = quads[0][:2], quads[0][2:]
+            faces.append([b + first, a + first, e + first - len(ring), d + first - len(ring)])
+    return surface(points, faces, rng, 0, np.float64)
 
 
 def one_place(rng):

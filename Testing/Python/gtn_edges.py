@@ -152,8 +152,7 @@ class Around:
     def _add_met(self):
         for vertex in range(self.added, len(self.mesh.places)):
             for j in range(GRIDS):
-                cell = self._cell(self.mesh.places[vertex], j)
-                self._bucket(j, cell).append((cell, vertex))
+                self._bucket(j, self._cell(self.mesh.places[vertex], j)).append(vertex)
         self.added = len(self.mesh.places)
 
     def find(self, place, radius):
@@ -163,10 +162,9 @@ class Around:
         r = min(radius, F(2.0 ** j / 2))
         low = self._cell([x - r for x in place], j)
         high = self._cell([x + r for x in place], j)
-        found = []
+        found = set()
         for x in range(low[0], high[0] + 1):
             for y in range(low[1], high[1] + 1):
                 for z in range(low[2], high[2] + 1):
-                    latest = self._bucket(j, (x, y, z))[-MOST_AROUND:]
-                    found += [vertex for cell, vertex in latest if cell == (x, y, z)]
+                    found.update(self._bucket(j, (x, y, z))[-MOST_AROUND:])
         return found

@@ -114,6 +114,8 @@ FILES = {
     "surface_turned": (lambda rng: shells.turned(rng, 6), ALL),
     "surface_holes": (lambda rng: shells.holes(rng, 8), CHUNKS),
     "surface_walls": (lambda rng: shells.cube_walls(rng, (2, 2, 2)), {}),
+    "surface_fan": (shells.fan, {"arrays": False}),
+    "surface_colliding": (shells.colliding, {"arrays": False}),
     "surface_degenerate": (lambda rng: shells.degenerate(rng, 6), ALL),
     "surface_beside_solids": (
         lambda rng: shells.beside_solids(rng, (2, 2, 2), 3), {**ALL, **CHUNKS}),
