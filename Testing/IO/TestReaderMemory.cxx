@@ -29,6 +29,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 namespace
 {
 
@@ -122,6 +126,9 @@ Outcome ReadWithin(const std::string& path, rlim_t bytes, bool informed, int pie
   {
     reader->UpdateInformation();
   }
+#if defined(__GLIBC__)
+  ::malloc_trim(0); // what writing the file left would otherwise do
+#endif
   try
   {
     SetLimit(GetAddressSpace() + bytes);
