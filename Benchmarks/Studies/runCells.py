@@ -19,7 +19,7 @@ import cellsReport
 
 # Hexahedra of the grids that are made; rounds, and those of files of more than MANY bytes.
 MODES = {
-    "full": {"hexes": (1000000, 5000000), "rounds": 5, "few": 2},
+    "full": {"hexes": (1000000, 5000000), "rounds": 5, "few": 1},
     "quick": {"hexes": (100000,), "rounds": 3, "few": 1},
     "smoke": {"hexes": (1000,), "rounds": 1, "few": 1},
 }
