@@ -6,6 +6,7 @@ gatun_core_folder(Codec
   PRIVATE_HEADERS
     gatunArrayCodec.h
     gatunAttachedNodes.h
+    gatunCandidate.h
     gatunCellBuilder.h
     gatunCellCodec.h
     gatunCellCorners.h

@@ -4,6 +4,7 @@
 #ifndef gatunPolygonCell_h
 #define gatunPolygonCell_h
 
+#include "gatunCandidate.h"
 #include "gatunCellForms.h"
 #include "gatunCellRules.h"
 #include "gatunError.h"
@@ -320,17 +321,6 @@ public:
 
   //----------------------------------------------------------------------------
   // Vertices that may be a corner
-
-  struct Candidate
-  {
-    Vertex Id;
-    float Distance; // squared, to the predicted place
-    bool operator<(const Candidate& other) const
-    {
-      return this->Distance != other.Distance ? this->Distance < other.Distance
-                                              : this->Id < other.Id;
-    }
-  };
 
   /** Finds the place that the first rule for a record predicts. */
   void Predict(const CellRecord& record)

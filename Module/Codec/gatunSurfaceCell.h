@@ -4,6 +4,7 @@
 #ifndef gatunSurfaceCell_h
 #define gatunSurfaceCell_h
 
+#include "gatunCandidate.h"
 #include "gatunCellRules.h"
 #include "gatunError.h"
 #include "gatunPlaceGrid.h"
@@ -112,17 +113,6 @@ public:
 
   //----------------------------------------------------------------------------
   // Vertices that may be a corner
-
-  struct Candidate
-  {
-    Vertex Id;
-    float Distance; // squared, to the predicted place
-    bool operator<(const Candidate& other) const
-    {
-      return this->Distance != other.Distance ? this->Distance < other.Distance
-                                              : this->Id < other.Id;
-    }
-  };
 
   /** Predicts a corner's place and finds the vertices next to it. */
   void FindCandidates(const CellRecord& record)
