@@ -41,6 +41,8 @@ gatun_core_folder(File
     gatunPartition.h
     gatunPieceCells.h
     gatunStepSection.h
+    gatunTetSeparation.h
+    gatunTetSeparation.cxx
     gatunTreeLayout.h
     gatunTreeSection.h
     gatunWriterCheck.h
@@ -69,6 +71,7 @@ gatun_core_folder(File
     gatunSharedFile.cxx
     gatunSimplifiedFile.cxx
     gatunStepSection.cxx
+    gatunTetSeparation.cxx
     gatunTreeLayout.cxx
     gatunTreeSection.cxx
     gatunVerifyFile.cxx

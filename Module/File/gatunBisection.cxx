@@ -74,6 +74,7 @@ struct Part
 {
   std::size_t Begin;
   std::size_t End;
+  std::uint32_t MostCells; // of a part that is not divided
 
   std::size_t GetSize() const { return this->End - this->Begin; }
   std::size_t CountTasks() const { return (this->GetSize() + ItemsPerTask - 1) / ItemsPerTask; }
@@ -90,12 +91,11 @@ struct Part
 class Divider
 {
 public:
-  Divider(const MeshAccess& mesh, std::span<const std::uint32_t> cells, std::uint32_t partCells)
-    : PartCells(partCells)
-    , From(cells.size())
+  Divider(const MeshAccess& mesh, std::span<const std::uint32_t> cells)
+    : From(cells.size())
     , To(cells.size())
   {
-    const Part all{ 0, cells.size() };
+    const Part all{ 0, cells.size(), 0 };
     ParallelFor(all.CountTasks(),
       [&](std::size_t task)
       {
@@ -118,7 +118,7 @@ public:
     {
       axis = box[i].GetLength() > box[axis].GetLength() ? i : axis;
     }
-    const auto parts = (part.GetSize() + this->PartCells - 1) / this->PartCells;
+    const auto parts = (part.GetSize() + part.MostCells - 1) / part.MostCells;
     const auto half = part.GetSize() * (parts / 2) / parts;
     const IsBefore isBefore{ axis };
     const Item pivot = this->Select(part, axis, box[axis], half);
@@ -251,7 +251,6 @@ private:
     return *nth;
   }
 
-  const std::uint32_t PartCells;
   std::vector<Item> From;
   std::vector<Item> To;
 };
@@ -259,15 +258,15 @@ private:
 
 //------------------------------------------------------------------------------
 std::vector<std::size_t> Bisect(const MeshAccess& mesh, std::span<std::uint32_t> cells,
-  std::span<const std::size_t> starts, std::uint32_t partCells,
+  std::span<const std::size_t> starts, std::span<const std::uint32_t> partCells,
   const std::function<bool(double)>& progress)
 {
-  Divider divider(mesh, cells, partCells);
+  Divider divider(mesh, cells);
   std::vector<std::size_t> all(starts.begin(), starts.end());
   std::vector<Part> parts; // that are not finished
   for (std::size_t i = 0; i + 1 < all.size(); ++i)
   {
-    parts.push_back({ all[i], all[i + 1] });
+    parts.push_back({ all[i], all[i + 1], partCells[i] });
   }
   while (!parts.empty())
   {
@@ -279,7 +278,7 @@ std::vector<std::size_t> Bisect(const MeshAccess& mesh, std::span<std::uint32_t>
     const auto divide = [&](std::size_t i)
     {
       const auto& part = parts[i];
-      if (part.GetSize() > partCells)
+      if (part.GetSize() > part.MostCells)
       {
         middles[i] = divider.Divide(part);
         return;
@@ -307,8 +306,8 @@ std::vector<std::size_t> Bisect(const MeshAccess& mesh, std::span<std::uint32_t>
     {
       if (middles[i] < parts[i].End)
       {
-        next.push_back({ parts[i].Begin, middles[i] });
-        next.push_back({ middles[i], parts[i].End });
+        next.push_back({ parts[i].Begin, middles[i], parts[i].MostCells });
+        next.push_back({ middles[i], parts[i].End, parts[i].MostCells });
         all.push_back(middles[i]);
       }
     }

@@ -114,6 +114,18 @@ public:
       : std::max(cells, this->GetBegin(cells) - std::min(3 * cells, this->GetBegin(cells)));
   }
 
+  /** The same of some of the cells. */
+  std::uint64_t EstimateTets(std::span<const std::uint32_t> cells) const
+  {
+    std::uint64_t tets = 0;
+    for (const auto cell : cells)
+    {
+      const auto points = this->GetEnd(cell) - this->GetBegin(cell);
+      tets += std::max<std::uint64_t>(points, 4) - 3;
+    }
+    return tets;
+  }
+
   /** Adds the finite coordinates of a point to a box. */
   void Include(Bounds& box, std::uint64_t point) const
   {

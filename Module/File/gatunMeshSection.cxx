@@ -57,14 +57,8 @@ void MeshSection::MakePartition(const std::function<bool(double)>& progress)
     this->Layers->Request = *this->State.Options.Layers;
     this->Layers->Array = this->State.Meta.Arrays[this->Layers->Request.Array];
   }
-  // A chunk has about as many tetrahedra whatever the cells are.
-  const auto& mesh = this->State.Mesh;
-  const auto cells = static_cast<double>(std::max<std::uint64_t>(mesh.GetMesh().Cells, 1));
-  const auto tets = static_cast<double>(std::max<std::uint64_t>(mesh.EstimateTets(), 1));
-  const auto chunkCells = static_cast<std::uint32_t>(
-    std::max(1.0, static_cast<double>(this->State.Meta.ChunkTets) * (cells / tets)));
-  this->State.Parts =
-    gatun::MakePartition(mesh, chunkCells, progress, this->Layers ? &*this->Layers : nullptr);
+  this->State.Parts = gatun::MakePartition(this->State.Mesh, this->State.Meta.ChunkTets, progress,
+    this->Layers ? &*this->Layers : nullptr);
   this->State.Meta.UnusedPoints = this->State.Parts.UnusedPoints.size();
   this->State.Table.Blocks = std::move(this->State.Parts.Blocks);
   this->State.Table.Unused.Points = this->State.Meta.UnusedPoints;

@@ -9,6 +9,7 @@
 #include "gatunMeshCheck.h"
 #include "gatunMorton.h"
 #include "gatunParallel.h"
+#include "gatunTetSeparation.h"
 
 #include <algorithm>
 #include <array>
@@ -43,8 +44,16 @@ LayerBuckets MakeOneBucket(const MeshAccess& mesh)
   return all;
 }
 
+/** The number of cells of about chunkTets tetrahedra, if all cells have tets tetrahedra. */
+std::uint32_t CountChunkCells(std::uint64_t cells, std::uint64_t tets, std::uint32_t chunkTets)
+{
+  const auto ratio = static_cast<double>(std::max<std::uint64_t>(cells, 1)) /
+    static_cast<double>(std::max<std::uint64_t>(tets, 1));
+  return static_cast<std::uint32_t>(std::max(1.0, static_cast<double>(chunkTets) * ratio));
+}
+
 /** Finds the layers and their buckets. */
-LayerBuckets MakeBuckets(const MeshAccess& mesh, std::uint32_t chunkCells, LayerPartition& layers)
+LayerBuckets MakeBuckets(const MeshAccess& mesh, std::uint32_t chunkTets, LayerPartition& layers)
 {
   const LayerValues values(layers.Array, layers.Request);
   layers.Result.Array = layers.Request.Array;
@@ -52,7 +61,26 @@ LayerBuckets MakeBuckets(const MeshAccess& mesh, std::uint32_t chunkCells, Layer
   layers.Result.Spacing = layers.Request.Spacing;
   layers.Result.Bounds = FindLayerBounds(mesh, values, layers.Request.Spacing,
     layers.Request.Count > 0 ? layers.Request.Count : GetDefaultLayers(mesh.EstimateTets()));
+  const auto chunkCells = CountChunkCells(mesh.GetMesh().Cells, mesh.EstimateTets(), chunkTets);
   return SortByLayers(mesh, values, layers.Result, chunkCells / SmallestPart);
+}
+
+/** The number of cells of a chunk of each bucket. */
+std::vector<std::uint32_t> FindChunkCells(
+  const MeshAccess& mesh, const LayerBuckets& buckets, std::uint32_t chunkTets)
+{
+  std::vector<std::uint32_t> counts(buckets.Start.size() - 1, chunkTets);
+  if (!mesh.IsTetrahedral())
+  {
+    ParallelFor(counts.size(),
+      [&](std::size_t b)
+      {
+        const std::span cells(
+          buckets.Cells.data() + buckets.Start[b], buckets.Start[b + 1] - buckets.Start[b]);
+        counts[b] = CountChunkCells(cells.size(), mesh.EstimateTets(cells), chunkTets);
+      });
+  }
+  return counts;
 }
 
 Bounds GetBox(const MeshAccess& mesh)
@@ -229,13 +257,15 @@ void GroupShared(const MeshAccess& mesh, const std::vector<Use>& uses, Partition
 }
 }
 
-Partition MakePartition(const MeshAccess& mesh, std::uint32_t chunkCells,
+Partition MakePartition(const MeshAccess& mesh, std::uint32_t chunkTets,
   const std::function<bool(double)>& progress, LayerPartition* layers)
 {
   const auto& input = mesh.GetMesh();
   CheckCells(mesh);
   Partition result;
-  auto buckets = layers ? MakeBuckets(mesh, chunkCells, *layers) : MakeOneBucket(mesh);
+  auto buckets = layers ? MakeBuckets(mesh, chunkTets, *layers) : MakeOneBucket(mesh);
+  SeparateTets(mesh, buckets);
+  const auto chunkCells = FindChunkCells(mesh, buckets, chunkTets);
   result.Cells = std::move(buckets.Cells);
   result.ChunkStart = Bisect(mesh, result.Cells, buckets.Start, chunkCells, progress);
   if (layers)

@@ -42,10 +42,11 @@ struct Partition
 
 /**
  * Halves the cells along the longest axis of the means of their points until no part has more than
- * chunkCells. With layers, each bucket of layers is halved separately. The result does not depend
- * on the number of threads. Throws Error(InvalidInput) as CheckCells does.
+ * about chunkTets tetrahedra, whatever the cells are. With layers, each bucket of layers is halved
+ * separately, and so are tetrahedra and other cells where that pays. The result does not depend on
+ * the number of threads. Throws Error(InvalidInput) as CheckCells does.
  */
-Partition MakePartition(const MeshAccess& mesh, std::uint32_t chunkCells,
+Partition MakePartition(const MeshAccess& mesh, std::uint32_t chunkTets,
   const std::function<bool(double)>& progress, LayerPartition* layers = nullptr);
 }
 

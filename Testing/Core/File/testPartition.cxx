@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -79,7 +80,8 @@ void ExpectBisected(const TestMesh& mesh, std::uint32_t most)
       {
         auto tets = all;
         const std::vector<std::size_t> whole{ 0, tets.size() };
-        const auto starts = Bisect(MeshAccess(mesh.GetInput()), tets, whole, most, {});
+        const auto starts =
+          Bisect(MeshAccess(mesh.GetInput()), tets, whole, std::array{ most }, {});
         ASSERT_EQ(starts.size(), right.size() + 1);
         for (std::size_t i = 0; i < right.size(); ++i)
         {
@@ -199,4 +201,60 @@ TEST(LocalIds, NumbersPointsAsTheyCome)
     ASSERT_EQ(ids[point], number);
   }
   EXPECT_EQ(ids.GetPoints(), points);
+}
+
+namespace
+{
+/** Counts the chunks with tetrahedra and other cells of a mesh of 24,000 tetrahedra to which faces
+ * of some of them are added: those of the first tetrahedra, or of one in each step. */
+std::size_t CountMixedChunks(std::int64_t faces, std::int64_t step)
+{
+  auto mesh = MakeCubes(16, 0.3);
+  const auto tets = static_cast<std::int64_t>(mesh.GetTets());
+  std::vector<std::uint8_t> types(mesh.GetTets(), TetraType);
+  std::vector<std::int64_t> offsets;
+  for (std::int64_t t = 0; t <= tets; ++t)
+  {
+    offsets.push_back(4 * t);
+  }
+  for (std::int64_t f = 0; f < faces; ++f)
+  {
+    for (std::int64_t i = 0; i < 3; ++i)
+    {
+      mesh.Ids.push_back(mesh.Ids[static_cast<std::size_t>(4 * (f * step) + i)]);
+    }
+    types.push_back(5);
+    offsets.push_back(offsets.back() + 3);
+  }
+  auto input = mesh.GetInput();
+  input.Cells = types.size();
+  input.Connectivity = mesh.Ids.data();
+  input.Types = types.data();
+  input.Offsets = offsets.data();
+  const auto parts = MakePartition(MeshAccess(input), 5000, {});
+  std::set<std::uint32_t> seen;
+  std::size_t mixed = 0;
+  for (std::size_t c = 0; c < parts.GetChunkCount(); ++c)
+  {
+    std::set<bool> kinds;
+    for (auto i = parts.ChunkStart[c]; i < parts.ChunkStart[c + 1]; ++i)
+    {
+      kinds.insert(types[parts.Cells[i]] == TetraType);
+      seen.insert(parts.Cells[i]);
+    }
+    EXPECT_TRUE(
+      std::is_sorted(parts.Cells.begin() + static_cast<std::ptrdiff_t>(parts.ChunkStart[c]),
+        parts.Cells.begin() + static_cast<std::ptrdiff_t>(parts.ChunkStart[c + 1])));
+    mixed += kinds.size() == 2;
+  }
+  EXPECT_EQ(seen.size(), types.size());
+  return mixed;
+}
+}
+
+TEST(Partition, SeparatesTetrahedraWhereTheyShareFewPointsWithOtherCells)
+{
+  EXPECT_EQ(CountMixedChunks(300, 1), 0u);
+  EXPECT_EQ(CountMixedChunks(60, 300), 0u);
+  EXPECT_GT(CountMixedChunks(4000, 6), 3u);
 }
