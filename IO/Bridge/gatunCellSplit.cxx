@@ -6,16 +6,12 @@
 #include "gatunArrayBridge.h"
 #include "gatunError.h"
 #include "gatunParallel.h"
-#include "gatunSimplices.h"
+#include "gatunPointSet.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
-#include "vtkCellType.h"
 #include "vtkDoubleArray.h"
-#include "vtkGenericCell.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
-#include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -57,12 +53,11 @@ public:
       this->Add(corners, cell);
       return;
     }
-    if (type == VTK_CONVEX_POINT_SET)
+    if (type == ConvexPointSetType)
     {
-      this->Triangulate(cell);
-      return;
+      SetHullFaces(this->Faces, { corners, static_cast<std::size_t>(size) }, this->Order);
     }
-    if (kind.Shape)
+    else if (kind.Shape)
     {
       this->Faces.Set(*kind.Shape, corners);
     }
@@ -121,25 +116,11 @@ private:
     }
   }
 
-  /** Splits a cell as VTK does it. */
-  void Triangulate(vtkIdType cell)
-  {
-    this->Grid->GetCell(cell, this->Cell);
-    this->Cell->Triangulate(0, this->Ids, this->Points);
-    for (vtkIdType i = 0; i + 4 <= this->Ids->GetNumberOfIds(); i += 4)
-    {
-      this->Add(this->Ids->GetPointer(i), cell);
-    }
-  }
-
   vtkUnstructuredGrid* const Grid;
   const PointOrder<T>& Order;
   SplitCells& Result;
   vtkSmartPointer<vtkCellArrayIterator> Iterator;
   CellFaces<vtkIdType> Faces;
-  vtkNew<vtkGenericCell> Cell;
-  vtkNew<vtkIdList> Ids;
-  vtkNew<vtkPoints> Points;
 };
 
 template <typename T>

@@ -28,8 +28,8 @@ struct SplitCells
 
 /**
  * Splits 3D cells of a grid into tetrahedra, in the order of the cells: see SplitCell in
- * gatunSimplices.h. Nonlinear cells are taken for linear ones, tetrahedra stay as they are, and
- * convex point sets are split by vtkConvexPointSet. Parallel.
+ * gatunSimplices.h. Nonlinear cells are taken for linear ones, convex point sets for their hulls,
+ * and tetrahedra stay as they are. Parallel.
  *
  * cells: their types, sizes and point ids must be right. Throws Error(InvalidInput) for the faces
  * of polyhedra, which are checked here.

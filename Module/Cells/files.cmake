@@ -14,6 +14,7 @@ gatun_core_folder(Cells
     gatunFormMaker.h
     gatunHexForm.h
     gatunLatticeNodes.h
+    gatunPointSet.h
     gatunShapeTable.h
     gatunSimplices.h
   SOURCES
@@ -24,4 +25,5 @@ gatun_core_folder(Cells
     gatunFormBuilder.cxx
     gatunFormMaker.cxx
     gatunLatticeNodes.cxx
+    gatunPointSet.cxx
     gatunShapeTable.cxx)

@@ -5,6 +5,7 @@
 #define gatunCellSplitter_h
 
 #include "gatunCellShapes.h"
+#include "gatunPointSet.h"
 #include "gatunSimplices.h"
 
 #include <array>
@@ -26,8 +27,8 @@ public:
 
   /**
    * Calls use with the corners of each tetrahedron of a cell. Nonlinear cells are taken for linear
-   * ones. Tetrahedra stay as they are. Cells of a lower dimension, of a wrong size, of unknown
-   * types and convex point sets have no tetrahedra.
+   * ones, and convex point sets for their hull (see FindHullFaces). Tetrahedra stay as they are.
+   * Cells of a lower dimension, of a wrong size and of unknown types have no tetrahedra.
    *
    * faces: of a polyhedron, for each face the number of its points and their ids.
    */
@@ -53,6 +54,10 @@ public:
         this->Faces.Add(faces.subspan(at + 1, size), [](FaceId id) { return static_cast<Id>(id); });
         at += 1 + size;
       }
+    }
+    else if (type == ConvexPointSetType)
+    {
+      SetHullFaces(this->Faces, corners, this->Less);
     }
     else
     {

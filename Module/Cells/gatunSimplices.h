@@ -99,6 +99,13 @@ public:
     return false;
   }
 
+  template <typename Id>
+  std::array<double, 3> GetPlace(Id point) const
+  {
+    const T* const place = this->Coordinates + 3 * static_cast<std::size_t>(point);
+    return { place[0], place[1], place[2] };
+  }
+
 private:
   using Key = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
 

@@ -125,7 +125,11 @@ class ChunkMesh:
             return list(enumerate(self.walk.tets))
         order = [tuple(d.plain(k) for d, k in zip(self.domains, key)) for key in self.walk.keys]
         return [(i, tet) for i, cell in enumerate(self.cells())
-                for tet in split(*cell, order.__getitem__)]
+                for tet in split(*cell, order.__getitem__, self.place)]
+
+    def place(self, vertex):
+        key = self.walk.keys[vertex]
+        return tuple(float(d.to_value(k)) for d, k in zip(self.domains, key))
 
     def restore_corners(self, stream, keeps):
         """Sets original_cells, as cells() with corners as they were in the input. stream: None if

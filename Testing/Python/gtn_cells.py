@@ -12,12 +12,15 @@ import numpy as np
 from gtn_cell_list import CellList
 from gtn_container import Bytes, require
 from gtn_grow import CellWalk
+from gtn_hull import hull_faces
 from gtn_nodes import Nodes, decode_marks
 from gtn_records import CellCoded
 from gtn_shapes import (
     OTHER_SURFACES, POLYHEDRON, SURFACES, TETRA, TETRAHEDRON, corners_of)
 from gtn_surface import SurfaceWalk
 from gtn_vertices import Vertices
+
+CONVEX_POINT_SET = 41
 
 WALK, MARKS, POLYGONS, HEXAHEDRA = 1, 2, 4, 8
 
@@ -153,22 +156,25 @@ class OriginalCorners:
 # ----- Tetrahedra of cells (15.3 of format.md)
 
 
-def faces_of_cell(kind, corners, faces):
+def faces_of_cell(kind, corners, faces, place):
     """The faces by which a cell is divided."""
     if kind == POLYHEDRON:
         return faces
+    if kind == CONVEX_POINT_SET:
+        return [[corners[c] for c in face] for face in hull_faces([place(v) for v in corners])]
     surface = SURFACES.get(kind) or OTHER_SURFACES.get(kind)
     if surface is None or len(corners) < corners_of(surface):
         return []
     return [[corners[c] for c in face] for face in surface]
 
 
-def split(kind, corners, faces, order):
-    """The tetrahedra of a cell. order: of points by their coordinates, plain keys."""
+def split(kind, corners, faces, order, place):
+    """The tetrahedra of a cell. order: of points by their coordinates, plain keys; place: the
+    coordinates of a point."""
     surface = SURFACES.get(kind) or OTHER_SURFACES.get(kind)
     if surface is TETRAHEDRON:
         return [tuple(corners[:4])] if len(corners) >= 4 else []
-    faces = faces_of_cell(kind, corners, faces)
+    faces = faces_of_cell(kind, corners, faces, place)
     points = [p for face in faces for p in face]
     if not points:
         return []
