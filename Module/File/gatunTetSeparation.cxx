@@ -17,8 +17,9 @@ namespace gatun
 namespace
 {
 // A tetrahedron takes about 0.7 bits less in a chunk of tetrahedra alone, and a shared point about
-// 20 bits more than one of a single chunk.
+// 20 bits more than one of a single chunk. More chunks have more tables.
 constexpr std::size_t TetsPerSharedPoint = 32;
+constexpr std::size_t TetsPerBucket = 4096;
 
 /** Decides which buckets to divide. */
 class Separation
@@ -55,7 +56,7 @@ public:
           between += std::exchange(this->LastBucket[point], 0) == this->Bucket;
         });
     }
-    return between < tets.size() / TetsPerSharedPoint;
+    return TetsPerBucket + TetsPerSharedPoint * between < tets.size();
   }
 
 private:
