@@ -4,15 +4,15 @@
 #include "gtnReaders.h"
 
 #include "gtnFailure.h"
+#include "gtnFormats.h"
+#include "gtnLibrary.h"
 #include "gtnText.h"
 
 #include "vtkGatunHartleyReader.h"
 #include "vtkGatunReader.h"
 
-#include "vtkExodusIIReader.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkGenericEnSightReader.h"
-#include "vtkHDFReader.h"
 #include "vtkMetaImageReader.h"
 #include "vtkNIFTIImageReader.h"
 #include "vtkNew.h"
@@ -25,10 +25,6 @@
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
-
-#if GTN_HAS_CGNS
-#include "vtkCGNSReader.h"
-#endif
 
 #include <algorithm>
 #include <fstream>
@@ -91,24 +87,11 @@ void CheckIsMetaImage(const std::string& file)
   }
 }
 
-vtkSmartPointer<vtkAlgorithm> MakeExodus(const std::string& file, bool sets)
+const FormatReaders& GetFormatReaders()
 {
-  CheckIsNetCDF(file);
-  vtkNew<vtkExodusIIReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->UpdateInformation();
-  // The mesh is what the element blocks hold; side sets and node sets repeat parts of it.
-  for (const auto kind : { vtkExodusIIReader::SIDE_SET, vtkExodusIIReader::NODE_SET })
-  {
-    for (int i = 0; sets && i < reader->GetNumberOfObjects(kind); ++i)
-    {
-      reader->SetObjectStatus(kind, i, 1);
-    }
-    reader->SetAllArrayStatus(kind, sets ? 1 : 0);
-  }
-  reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
-  reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
-  return reader;
+  static const void* const readers =
+    LoadLibrary("gtnFormats", FormatReadersName, "read Exodus, CGNS and HDF files");
+  return *static_cast<const FormatReaders*>(readers);
 }
 
 vtkSmartPointer<vtkAlgorithm> MakeEnSight(const std::string& file)
@@ -120,7 +103,7 @@ vtkSmartPointer<vtkAlgorithm> MakeEnSight(const std::string& file)
 }
 
 // The CGNS library ends the program if it cannot open a file.
-[[maybe_unused]] void CheckIsCGNS(const std::string& file)
+void CheckIsCGNS(const std::string& file)
 {
   char start[8] = {};
   std::ifstream(file, std::ios::binary).read(start, sizeof(start));
@@ -151,22 +134,15 @@ vtkSmartPointer<vtkAlgorithm> MakeOpenFOAM(const std::string& file, bool sets)
   return reader;
 }
 
-vtkSmartPointer<vtkAlgorithm> MakeCGNS(
-  [[maybe_unused]] const std::string& file, [[maybe_unused]] bool sets)
+vtkSmartPointer<vtkAlgorithm> MakeCGNS(const std::string& file, bool sets)
 {
-#if GTN_HAS_CGNS
+  const auto make = GetFormatReaders().MakeCGNS;
+  if (!make)
+  {
+    throw Failure(file, "this gtn was built with a VTK that does not read CGNS files");
+  }
   CheckIsCGNS(file);
-  vtkNew<vtkCGNSReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->SetLoadBndPatch(sets);
-  reader->UpdateInformation();
-  reader->EnableAllBases();
-  reader->EnableAllPointArrays();
-  reader->EnableAllCellArrays();
-  return reader;
-#else
-  throw Failure(file, "this gtn was built with a VTK that does not read CGNS files");
-#endif
+  return make(file, sets);
 }
 
 } // anonymous namespace
@@ -194,7 +170,8 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
   }
   if (IsOneOf(extension, { ".e", ".exo", ".ex2", ".exii", ".g" }))
   {
-    return MakeExodus(file, sets);
+    CheckIsNetCDF(file);
+    return GetFormatReaders().MakeExodus(file, sets);
   }
   if (IsOneOf(extension, { ".case", ".encas" }))
   {
@@ -210,7 +187,7 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
   }
   if (IsOneOf(extension, { ".vtkhdf", ".hdf" }))
   {
-    return Make<vtkHDFReader>(file);
+    return GetFormatReaders().MakeHDF(file);
   }
   return nullptr;
 }
@@ -250,7 +227,7 @@ vtkSmartPointer<vtkAlgorithm> MakeVolumeReader(const std::string& file)
   }
   if (IsOneOf(extension, { ".vtkhdf", ".hdf" }))
   {
-    return Make<vtkHDFReader>(file);
+    return GetFormatReaders().MakeHDF(file);
   }
   return nullptr;
 }

@@ -4,30 +4,15 @@
 #include "gtnImageFile.h"
 
 #include "gtnFailure.h"
+#include "gtnLibrary.h"
 #include "gtnOutput.h"
 #include "gtnPng.h"
 #include "gtnText.h"
-
-#include <dlfcn.h>
 
 namespace gtn
 {
 namespace
 {
-
-// The library is next to the others of Gatun.
-const ImageCodec& LoadLibrary()
-{
-  void* const library = ::dlopen("libgtnImages.so", RTLD_NOW | RTLD_LOCAL);
-  const void* const codec = library ? ::dlsym(library, ImageCodecName) : nullptr;
-  if (!codec)
-  {
-    const char* const error = ::dlerror();
-    throw Failure("cannot read or write images: " +
-      (error ? Printable(error) : std::string("the library gtnImages is of another version")));
-  }
-  return *static_cast<const ImageCodec*>(codec);
-}
 
 const ImageCodec& CodecOf(const std::string& file)
 {
@@ -35,8 +20,8 @@ const ImageCodec& CodecOf(const std::string& file)
   {
     return PngCodec;
   }
-  static const ImageCodec& library = LoadLibrary();
-  return library;
+  static const void* const codec = LoadLibrary("gtnImages", ImageCodecName, "read or write images");
+  return *static_cast<const ImageCodec*>(codec);
 }
 
 // The reason may have the name that was given to the codec.

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gtnFormats_h
+#define gtnFormats_h
+
+// Readers that need netCDF or HDF5, in a library that is loaded on demand.
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkAlgorithm;
+
+namespace gtn
+{
+/** Functions that make readers, with all arrays switched on. They do not throw. */
+struct FormatReaders
+{
+  /** sets: whether to read side sets and node sets, too. */
+  vtkSmartPointer<vtkAlgorithm> (*MakeExodus)(const std::string& file, bool sets);
+
+  /** sets: whether to read boundaries, too. Null if this VTK has no reader of CGNS files. */
+  vtkSmartPointer<vtkAlgorithm> (*MakeCGNS)(const std::string& file, bool sets);
+
+  vtkSmartPointer<vtkAlgorithm> (*MakeHDF)(const std::string& file);
+};
+
+/** The functions that the library gtnFormats exports by this name. */
+inline constexpr const char* FormatReadersName = "gtnFormatReaders";
+}
+
+#endif
