@@ -24,6 +24,7 @@ set(gatun_vtk_components
   IOPLY
   IOXML
   IOXMLParser
+  ParallelCore
   ImagingCore
   RenderingCore
   RenderingOpenGL2

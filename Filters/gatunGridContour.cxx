@@ -6,13 +6,17 @@
 #include "gatunArrayBridge.h"
 #include "gatunBridgedMesh.h"
 #include "gatunError.h"
+#include "gatunGhosts.h"
 #include "gatunSurface.h"
 #include "gatunSurfaceOutput.h"
 #include "gatunTetInput.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 namespace gatun
@@ -86,6 +90,55 @@ private:
   std::vector<double> Converted;
   bool HasScalars = false;
 };
+
+/** The surfaces in a grid of tetrahedra, part by part. */
+std::vector<SurfacePart> MakeParts(vtkUnstructuredGrid* tets, const ContourSettings& settings,
+  const ContourProgress& progress, SurfaceOutput& content)
+{
+  const BridgedMesh mesh(tets);
+  if (mesh.Mesh.Points >= 0xffffffffu || mesh.Mesh.Cells >= 0xffffffffu)
+  {
+    ThrowInvalid("a mesh of more than 2^32 points or cells is too large");
+  }
+  SurfaceInput input;
+  input.Mesh.Points = mesh.Mesh.Points;
+  input.Mesh.Connectivity = mesh.Mesh.Connectivity;
+  input.Mesh.WideIds = mesh.Mesh.WideIds;
+  input.Points = { mesh.Mesh.Coordinates, mesh.Mesh.CoordinateType, 3 };
+  content = {};
+  const GridArrays arrays(tets, settings, input, content);
+  content.CoordinateType = settings.ChoosePrecision(mesh.Mesh.CoordinateType);
+  content.Normals = settings.ComputeNormals;
+  content.Strips = settings.OutputStrips;
+
+  SurfaceOptions options;
+  options.Values = settings.Values;
+  options.CoordinateType = content.CoordinateType;
+  options.Normals = settings.ComputeNormals;
+  return MakeSurfaceParts(input, options, mesh.Mesh.Cells, progress);
+}
+
+/** The ghost cells of a grid as a grid without ghost cells, or null if there are none. */
+vtkSmartPointer<vtkUnstructuredGrid> TakeGhosts(vtkUnstructuredGrid* grid)
+{
+  constexpr auto duplicate = vtkDataSetAttributes::DUPLICATECELL;
+  vtkUnsignedCharArray* const marks = GhostsWith(grid->GetCellData(), duplicate);
+  if (!marks)
+  {
+    return nullptr;
+  }
+  vtkNew<vtkUnsignedCharArray> others;
+  others->DeepCopy(marks);
+  others->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (vtkIdType cell = 0; cell < others->GetNumberOfValues(); ++cell)
+  {
+    others->SetValue(cell, static_cast<unsigned char>(marks->GetValue(cell) ^ duplicate));
+  }
+  vtkNew<vtkUnstructuredGrid> turned;
+  turned->ShallowCopy(grid);
+  turned->GetCellData()->AddArray(others);
+  return MakeTetInput(turned).Grid;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -97,28 +150,20 @@ std::vector<std::string> ContourGrid(vtkUnstructuredGrid* grid, const ContourSet
     return {}; // such as an empty piece, which need not have any arrays
   }
   auto tets = MakeTetInput(grid);
-  const BridgedMesh mesh(tets.Grid);
-  if (mesh.Mesh.Points >= 0xffffffffu || mesh.Mesh.Cells >= 0xffffffffu)
-  {
-    ThrowInvalid("a mesh of more than 2^32 points or cells is too large");
-  }
-  SurfaceInput input;
-  input.Mesh.Points = mesh.Mesh.Points;
-  input.Mesh.Connectivity = mesh.Mesh.Connectivity;
-  input.Mesh.WideIds = mesh.Mesh.WideIds;
-  input.Points = { mesh.Mesh.Coordinates, mesh.Mesh.CoordinateType, 3 };
   SurfaceOutput content;
-  const GridArrays arrays(tets.Grid, settings, input, content);
-
-  SurfaceOptions options;
-  options.Values = settings.Values;
-  options.CoordinateType = settings.ChoosePrecision(mesh.Mesh.CoordinateType);
-  options.Normals = settings.ComputeNormals;
-  auto parts = MakeSurfaceParts(input, options, mesh.Mesh.Cells, progress);
-  content.CoordinateType = options.CoordinateType;
-  content.Normals = settings.ComputeNormals;
-  content.Strips = settings.OutputStrips;
-  FillPolyData(Surface(std::move(parts), options.CoordinateType), content, output);
+  auto parts = MakeParts(tets.Grid, settings, progress, content);
+  // Where the surface goes on in other pieces, normals are made of the tetrahedra on both sides.
+  const auto around = settings.ComputeNormals ? TakeGhosts(grid) : nullptr;
+  std::vector<std::size_t> ghosts;
+  if (around && around->GetNumberOfCells() > 0)
+  {
+    for (auto& part : MakeParts(around, settings, progress, content))
+    {
+      ghosts.push_back(parts.size());
+      parts.push_back(std::move(part));
+    }
+  }
+  FillPolyData(Surface(std::move(parts), content.CoordinateType, ghosts), content, output);
   return std::move(tets.Warnings);
 }
 }

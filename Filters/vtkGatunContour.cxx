@@ -20,6 +20,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -169,12 +170,20 @@ vtkInformation* vtkGatunContour::GetFileInformation(vtkInformation* inInfo)
 
 //------------------------------------------------------------------------------
 int vtkGatunContour::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkInformation* const inInfo = inputVector[0]->GetInformationObject(0);
   if (gatun::GetUsableFile(inInfo))
   {
     gatun::RequestNothing(inInfo);
+    return 1;
+  }
+  vtkInformation* const outInfo = outputVector->GetInformationObject(0);
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (this->ComputeNormals && Pipeline::GetUpdateNumberOfPieces(outInfo) > 1)
+  {
+    inInfo->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),
+      std::max(1, Pipeline::GetUpdateGhostLevel(outInfo)));
   }
   return 1;
 }

@@ -32,7 +32,8 @@
  * triangles have the order of the tetrahedra, whatever the number of threads.
  *
  * *Pieces.* Of a file, each piece takes its share of the chunks that the surface passes through.
- * Other inputs are asked for the same piece.
+ * Other inputs are asked for the same piece and, with normals, for a level of ghost cells, with
+ * which the normals of points between pieces are those of the whole surface.
  *
  * *Cost.* From a file: time in proportion to the chunks that are read; memory for about twice the
  * surface and a chunk for each thread. Decoded chunks are kept within the memory budget of the

@@ -9,6 +9,8 @@
 #include "gatunFileConsumer.h"
 #include "gatunFileReader.h"
 #include "gatunMergeGrid.h"
+#include "gatunPieceAgreement.h"
+#include "gatunPieceBoundary.h"
 #include "gatunPieceReader.h"
 #include "gatunReport.h"
 #include "gatunSimplifyTarget.h"
@@ -25,6 +27,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -46,6 +49,7 @@ VTK_ABI_NAMESPACE_BEGIN
 #endif
 
 vtkStandardNewMacro(vtkGatunSimplify);
+vtkCxxSetObjectMacro(vtkGatunSimplify, Controller, vtkMultiProcessController);
 
 namespace
 {
@@ -116,6 +120,7 @@ public:
   vtkSmartPointer<vtkUnstructuredGrid> Tets;
   vtkUnstructuredGrid* Input = nullptr; // only ever compared
   vtkMTimeType Stamp = 0;
+  int NumberOfPieces = 1;
   gatun::MergeWeights UsedWeights;
   gatun::MergeSettings Settings;
   gatun::MergeTree Tree;
@@ -125,7 +130,6 @@ public:
   std::shared_ptr<gatun::SharedFile> File;
   std::size_t FileMerges = 0;
   gatun::PieceReader Pieces;
-  bool HasWarned = false; // that pieces do not fit together
 
   static const gatun::PublishedFile* FindHierarchy(vtkGatunSimplify* self, vtkInformation* inInfo);
 
@@ -135,9 +139,26 @@ public:
     vtkInformation* inInfo, vtkInformation* outInfo, vtkUnstructuredGrid* output);
   void FillFromGrid(vtkGatunSimplify* self, vtkInformation* outInfo, vtkUnstructuredGrid* input,
     vtkUnstructuredGrid* output);
-  void Prepare(vtkGatunSimplify* self, vtkUnstructuredGrid* input);
+  void Prepare(vtkGatunSimplify* self, vtkInformation* outInfo, vtkUnstructuredGrid* input);
+  bool IsPrepared(
+    vtkUnstructuredGrid* input, int pieces, const gatun::MergeSettings& settings) const;
   static gatun::SimplifyProperties Target(const vtkGatunSimplify* self);
+  static vtkMultiProcessController* FindController(
+    const vtkGatunSimplify* self, vtkInformation* outInfo);
 };
+
+//------------------------------------------------------------------------------
+/** The processes that each make their piece of the output, or null. */
+vtkMultiProcessController* vtkGatunSimplify::vtkInternals::FindController(
+  const vtkGatunSimplify* self, vtkInformation* outInfo)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkMultiProcessController* const controller = self->Controller;
+  const bool isOfAll = controller && controller->GetNumberOfProcesses() > 1 &&
+    Pipeline::GetUpdateNumberOfPieces(outInfo) == controller->GetNumberOfProcesses() &&
+    Pipeline::GetUpdatePiece(outInfo) == controller->GetLocalProcessId();
+  return isOfAll ? controller : nullptr;
+}
 
 //------------------------------------------------------------------------------
 /** The file that the input comes from, if its hierarchy is to be used. */
@@ -211,7 +232,7 @@ void vtkGatunSimplify::vtkInternals::FillFromGrid(vtkGatunSimplify* self, vtkInf
   vtkUnstructuredGrid* input, vtkUnstructuredGrid* output)
 {
   this->ForgetFile();
-  this->Prepare(self, input);
+  this->Prepare(self, outInfo, input);
   const std::size_t merges =
     gatun::CountMerges(Target(self).GetTarget(), this->Tree.GetNumberOfPoints(),
       this->Tree.GetMerges().size(), [this]() -> const gatun::MergeTree& { return this->Tree; });
@@ -220,49 +241,69 @@ void vtkGatunSimplify::vtkInternals::FillFromGrid(vtkGatunSimplify* self, vtkInf
     output->ShallowCopy(this->Tets);
     return;
   }
-  if (vtkStreamingDemandDrivenPipeline::GetUpdateNumberOfPieces(outInfo) > 1 && !this->HasWarned)
-  {
-    this->HasWarned = true;
-    vtkWarningWithObjectMacro(self,
-      "Each piece is simplified on its own, so that pieces do not fit together. They do if the "
-      "input is a vtkGatunReader whose file has a hierarchy (gtn pack --hierarchy).");
-  }
   FillOutput(this->Tets, this->Tree, merges, output);
   this->OutputRMSError = this->Tree.GetLargestError(merges);
 }
 
 //------------------------------------------------------------------------------
+/** Whether the order of merges is known. */
+bool vtkGatunSimplify::vtkInternals::IsPrepared(
+  vtkUnstructuredGrid* input, int pieces, const gatun::MergeSettings& settings) const
+{
+  return this->Tets && input == this->Input && input->GetMTime() == this->Stamp &&
+    pieces == this->NumberOfPieces && this->Weights == this->UsedWeights &&
+    settings.Metric == this->Settings.Metric &&
+    settings.BoundaryWeight == this->Settings.BoundaryWeight;
+}
+
+//------------------------------------------------------------------------------
 /** Finds the order of merges, unless it is known. */
-void vtkGatunSimplify::vtkInternals::Prepare(vtkGatunSimplify* self, vtkUnstructuredGrid* input)
+void vtkGatunSimplify::vtkInternals::Prepare(
+  vtkGatunSimplify* self, vtkInformation* outInfo, vtkUnstructuredGrid* input)
 {
   const gatun::MergeSettings settings{ static_cast<gatun::MergeMetric>(self->Metric),
     self->BoundaryWeight };
-  if (this->Tets && input == this->Input && input->GetMTime() == this->Stamp &&
-    this->Weights == this->UsedWeights && settings.Metric == this->Settings.Metric &&
-    settings.BoundaryWeight == this->Settings.BoundaryWeight)
+  const int pieces = vtkStreamingDemandDrivenPipeline::GetUpdateNumberOfPieces(outInfo);
+  gatun::PieceAgreement agreement(FindController(self, outInfo));
+  if (agreement.AreAll(this->IsPrepared(input, pieces, settings)))
   {
     return;
   }
-  const auto made = gatun::MakeTetInput(input);
-  for (const auto& warning : made.Warnings)
-  {
-    vtkWarningWithObjectMacro(self, << warning);
-  }
-  // The input itself may be given something else later.
   vtkNew<vtkUnstructuredGrid> tets;
-  tets->ShallowCopy(made.Grid);
+  agreement.Do(
+    [&]
+    {
+      const auto made = gatun::MakeTetInput(input);
+      for (const auto& warning : made.Warnings)
+      {
+        vtkWarningWithObjectMacro(self, << warning);
+      }
+      tets->ShallowCopy(made.Grid); // the input itself may be given something else later
+    });
+  std::vector<std::uint8_t> isKept;
+  if (agreement.GetController())
+  {
+    isKept = gatun::FindCommonPoints(tets, agreement.GetController());
+  }
+  else if (pieces > 1)
+  {
+    isKept = gatun::FindCommonPoints(tets, input);
+  }
   auto weights = this->Weights;
-  auto tree = gatun::BuildMergeTree(tets, weights, settings,
+  auto tree = gatun::BuildMergeTree(
+    tets, weights, settings,
     [self](double done)
     {
       self->UpdateProgress(0.9 * done);
       return !gatun::IsAborted(self);
-    });
+    },
+    isKept);
   // All at once, so that whatever fails leaves what belongs together.
   this->Tets = tets;
   this->Tree = std::move(tree);
   this->Input = input;
   this->Stamp = input->GetMTime();
+  this->NumberOfPieces = pieces;
   this->UsedWeights = std::move(weights);
   this->Settings = settings;
 }
@@ -278,9 +319,14 @@ gatun::SimplifyProperties vtkGatunSimplify::vtkInternals::Target(const vtkGatunS
 vtkGatunSimplify::vtkGatunSimplify()
   : Internals(std::make_unique<vtkInternals>())
 {
+  this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
-vtkGatunSimplify::~vtkGatunSimplify() = default;
+//------------------------------------------------------------------------------
+vtkGatunSimplify::~vtkGatunSimplify()
+{
+  this->SetController(nullptr);
+}
 
 //------------------------------------------------------------------------------
 void vtkGatunSimplify::SetArrayWeight(const char* name, double weight)
@@ -356,13 +402,23 @@ int vtkGatunSimplify::RequestInformation(
 
 //------------------------------------------------------------------------------
 int vtkGatunSimplify::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkInformation* const inInfo = inputVector[0]->GetInformationObject(0);
   // Only where the handle is that of the input itself: others are asked as always.
   if (gatun::GetUsableFile(inInfo) && vtkInternals::FindHierarchy(this, inInfo))
   {
     gatun::RequestNothing(inInfo);
+    return 1;
+  }
+  vtkInformation* const outInfo = outputVector->GetInformationObject(0);
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (Pipeline::GetUpdateNumberOfPieces(outInfo) > 1 &&
+    !vtkInternals::FindController(this, outInfo))
+  {
+    // Their points are those that pieces have in common.
+    inInfo->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),
+      std::max(1, Pipeline::GetUpdateGhostLevel(outInfo)));
   }
   return 1;
 }
@@ -411,6 +467,7 @@ void vtkGatunSimplify::PrintSelf(ostream& os, vtkIndent indent)
   vtkInternals::Target(this).Print(os, indent);
   os << indent << "Metric: " << (this->Metric == METRIC_MASS ? "Mass" : "Density") << "\n";
   os << indent << "BoundaryWeight: " << this->BoundaryWeight << "\n";
+  os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "UseFileHierarchy: " << (this->UseFileHierarchy ? "On" : "Off") << "\n";
   this->Internals->Weights.Print(os, indent);
 }

@@ -24,8 +24,12 @@
  * SimplificationNumberOfPoints refer to its mesh. Metric, BoundaryWeight and array weights have no
  * influence, since they were chosen when the file was written; see UseFileHierarchy.
  *
- * *Pieces.* Without a file that has a hierarchy, each piece is simplified on its own, and pieces do
- * not fit together. The filter warns once.
+ * *Pieces.* Pieces fit together. Without a file that has a hierarchy, each piece is simplified on
+ * its own, and the points that it has in common with others are kept. If each process of Controller
+ * asks for its piece, they exchange the places of the points on the boundaries of their pieces, and
+ * all of them must update the filter. Otherwise the input is asked for a level of ghost cells,
+ * whose points are kept. Where it has none, all points on the boundary of a piece are kept. The
+ * target is that of each piece.
  *
  * *Cost.* From a file, that of the reader. Otherwise: the filter uses one thread. The computation
  * of the order takes about 150 bytes a tetrahedron, with one array. The order is kept as long as
@@ -58,6 +62,8 @@
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
 #endif
+
+class vtkMultiProcessController;
 
 class VTKGATUNFILTERS_EXPORT vtkGatunSimplify : public vtkUnstructuredGridAlgorithm
 {
@@ -162,6 +168,15 @@ public:
   vtkBooleanMacro(UseFileHierarchy, bool);
   ///@}
 
+  ///@{
+  /**
+   * The processes that each simplify a piece. Default: the global controller
+   * (vtkMultiProcessController::GetGlobalController). Null: no communication.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
   /**
    * Number of merges for the input of the last update, which is the largest number of points that
    * can be removed.
@@ -196,6 +211,7 @@ protected:
   int Metric = METRIC_MASS;
   double BoundaryWeight = 0.5;
   bool UseFileHierarchy = true;
+  vtkMultiProcessController* Controller = nullptr;
 
 private:
   vtkGatunSimplify(const vtkGatunSimplify&) = delete;

@@ -4,7 +4,8 @@
 #ifndef gatunGhosts_h
 #define gatunGhosts_h
 
-#include "vtkType.h" // For VTK_ABI_NAMESPACE_BEGIN
+#include "vtkGatunIOModule.h" // For export macro
+#include "vtkType.h"          // For VTK_ABI_NAMESPACE_BEGIN
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
@@ -18,8 +19,10 @@ VTK_ABI_NAMESPACE_END
 
 namespace gatun
 {
-/** Returns the array vtkGhostType if any of its values has the given bit, otherwise nullptr. */
-vtkUnsignedCharArray* GhostsWith(vtkDataSetAttributes* attributes, unsigned char bit);
+/** Returns the array vtkGhostType if any of its values has the given bit, otherwise nullptr.
+ * Exported for the filters. */
+VTKGATUNIO_EXPORT vtkUnsignedCharArray* GhostsWith(
+  vtkDataSetAttributes* attributes, unsigned char bit);
 
 /** Clears a bit in all values of vtkGhostType in place; removes the array if no bit remains. */
 void ClearGhosts(vtkDataSetAttributes* attributes, unsigned char bit);

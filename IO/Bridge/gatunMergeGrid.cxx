@@ -135,10 +135,13 @@ void MergeWeights::Print(std::ostream& os, vtkIndent indent) const
 
 //------------------------------------------------------------------------------
 MergeTree BuildMergeTree(vtkUnstructuredGrid* tets, const MergeWeights& weights,
-  const MergeSettings& settings, const std::function<bool(double)>& progress)
+  const MergeSettings& settings, const std::function<bool(double)>& progress,
+  std::span<const std::uint8_t> isKept)
 {
   MergeGrid grid(tets);
   AddArrays(tets->GetPointData(), weights, grid);
-  return BuildMergeTree(grid.GetInput(), settings, progress);
+  auto input = grid.GetInput();
+  input.IsKept = isKept;
+  return BuildMergeTree(input, settings, progress);
 }
 }

@@ -10,9 +10,11 @@
 #include "gatunMergeBuilder.h"
 #include "gatunMergeTree.h"
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <ostream>
+#include <span>
 #include <string>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -48,9 +50,12 @@ private:
  * scalars or, if there are none, of all point arrays with equal weights. Throws gatun::Error
  * (InvalidInput) if a cell refers to a missing point or a weight to a missing array. Exported for
  * the filters.
+ *
+ * isKept: see MergeInput.
  */
 VTKGATUNIO_EXPORT MergeTree BuildMergeTree(vtkUnstructuredGrid* tets, const MergeWeights& weights,
-  const MergeSettings& settings, const std::function<bool(double)>& progress);
+  const MergeSettings& settings, const std::function<bool(double)>& progress,
+  std::span<const std::uint8_t> isKept = {});
 }
 
 #endif

@@ -52,6 +52,13 @@ public:
       this->Workers.push_back(
         std::make_unique<MergeCosts<NumberOfFields>>(this->Mesh, this->Fields, settings));
     }
+    for (std::size_t point = 0; point < input.IsKept.size(); ++point)
+    {
+      if (input.IsKept[point] != 0)
+      {
+        this->Candidates[point].Is = State::Kept;
+      }
+    }
   }
 
   std::vector<Merge> Run()
@@ -77,6 +84,7 @@ private:
   {
     Idle, ///< cannot be merged
     Queued,
+    Kept, ///< is not to be merged
     Gone
   };
 
@@ -253,8 +261,8 @@ private:
   /** Something around a point has changed by a merge. Called for each tetrahedron of the point. */
   void Touch(Candidate& candidate, std::uint32_t point, std::uint32_t merge)
   {
-    const bool counts = (candidate.Seen != merge) & (candidate.Is != State::Gone) &
-      (candidate.Changes != MostChanges);
+    const bool counts =
+      (candidate.Seen != merge) & (candidate.Is < State::Kept) & (candidate.Changes != MostChanges);
     candidate.Seen = merge;
     candidate.Changes = static_cast<std::uint8_t>(candidate.Changes + counts);
     if (counts && candidate.Changes == MostChanges)
@@ -299,6 +307,10 @@ void Check(const MergeInput& input, const MergeSettings& settings)
     {
       fail("the weight of a field must be 0 or more");
     }
+  }
+  if (!input.IsKept.empty() && input.IsKept.size() != input.Points.size())
+  {
+    fail("there must be a mark for each point, or none");
   }
   if (!(settings.BoundaryWeight >= 0 && settings.BoundaryWeight <= 1))
   {

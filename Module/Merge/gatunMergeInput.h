@@ -41,6 +41,10 @@ struct MergeInput
   std::span<const std::array<double, 3>> Points;
   std::span<const MergeTree::Tet> Tets;
   std::vector<Field> Fields; ///< empty: only the shape counts
+
+  /** For each point, whether it is kept, such as one that another mesh has, too. Others may be
+   * merged into it. Empty: none. */
+  std::span<const std::uint8_t> IsKept = {};
 };
 }
 

@@ -33,6 +33,15 @@ LocalMergeInput::LocalMergeInput(const MergeInput& input)
     }
     this->Local.Fields.push_back({ values, field.Weight });
   }
+  if (!input.IsKept.empty())
+  {
+    this->IsKept.reserve(this->Ids.size());
+    for (const auto id : this->Ids)
+    {
+      this->IsKept.push_back(input.IsKept[id]);
+    }
+    this->Local.IsKept = this->IsKept;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -32,6 +32,7 @@ private:
   std::vector<std::array<double, 3>> Points;
   std::vector<MergeTree::Tet> Tets;
   std::vector<std::vector<double>> Values;
+  std::vector<std::uint8_t> IsKept;
   MergeInput Local;
 };
 }

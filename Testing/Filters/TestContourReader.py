@@ -7,7 +7,7 @@ the surface is that of what the reader would give."""
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject
-from vtkmodules.vtkFiltersCore import vtkContourGrid
+from vtkmodules.vtkFiltersCore import vtkContourGrid, vtkElevationFilter
 
 import gatunContours as gc
 import gatunMeshes as gm
@@ -153,6 +153,20 @@ for kind, options in gc.kinds_of_files("wave").items():
         found = np.concatenate(cells)
         np.testing.assert_array_equal(
             found[np.lexsort(found.T)], expected[np.lexsort(expected.T)])
+
+    # Behind another filter, pieces come from memory. Ghost cells make the normals those of the whole.
+    behind = vtkElevationFilter()
+    reader = gc.open_file(path)
+    behind.SetInputConnection(reader.GetOutputPort())
+    contour = gc.make_contour(behind, [0.2, 0.4], "wave", ComputeNormals=True)
+    count = 0
+    for piece in range(3):
+        contour.UpdatePiece(piece, 3, 0)
+        output = contour.GetOutput()
+        count += output.GetNumberOfCells()
+        for p, n in zip(gc.points_of(output), vtk_to_numpy(output.GetPointData().GetNormals())):
+            np.testing.assert_allclose(normals[tuple(p)], n, atol=1e-6)
+    assert count == one.GetNumberOfCells()
 
     # A reader on demand, whose output is an outline.
     reader = gc.open_file(path, OnDemand=1)

@@ -1,0 +1,49 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""A mesh is simplified in memory by each rank on its own, and the pieces fit together: no point of
+the inside is on a face that only one tetrahedron has. Each rank has cells from everywhere."""
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import gatunSample as sample
+from gatunParaView import load_plugin, rank_and_ranks
+
+simple = load_plugin()
+rank, ranks = rank_and_ranks()
+mesh = simple.ProgrammableSource(OutputDataSetType="vtkUnstructuredGrid")
+mesh.Script = sample.SCRIPT + """
+gatun_fill(output)
+def gatun_scatter(grid):
+    import numpy as np
+    from paraview.modules.vtkRemotingCore import vtkProcessModule
+    from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
+    from vtkmodules.vtkCommonDataModel import vtkCellArray
+    process = vtkProcessModule.GetProcessModule()
+    tets = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 4)
+    groups = np.arange(len(tets)) // 50
+    tets = tets[(groups * 2654435761 >> 8) % process.GetNumberOfLocalPartitions()
+                == process.GetPartitionId()]
+    cells = vtkCellArray()
+    cells.SetData(numpy_to_vtkIdTypeArray(np.arange(0, tets.size + 1, 4), deep=1),
+                  numpy_to_vtkIdTypeArray(tets.ravel().astype(np.int64), deep=1))
+    grid.SetCells(10, cells)
+    grid.GetCellData().Initialize()
+gatun_scatter(output.VTKObject)
+"""
+assert sample.counts(mesh)[1] == sample.TETS
+simplified = simple.GatunSimplify(Input=mesh, SimplificationRatio=1.0)
+assert abs(sample.volume(simplified) - sample.VOLUME) < 1e-5 * sample.VOLUME
+
+grid = simple.servermanager.Fetch(simplified)
+if rank == 0:
+    points = vtk_to_numpy(grid.GetPoints().GetData())
+    places, ids = np.unique(points, axis=0, return_inverse=True)
+    tets = ids.ravel()[vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 4)]
+    assert 0 < len(tets) < (0.2 if ranks == 1 else 0.9) * sample.TETS, len(tets)
+    faces = np.sort(np.concatenate([np.delete(tets, i, axis=1) for i in range(4)]), axis=1)
+    faces, times = np.unique(faces, axis=0, return_counts=True)
+    assert times.max() == 2
+    outside = places[np.unique(faces[times == 1])]
+    assert np.isin(outside, (0, sample.SIDE)).any(axis=1).all(), "a crack between ranks"
