@@ -40,10 +40,12 @@ gatun_core_folder(File
     gatunPartDecoder.h
     gatunPartition.h
     gatunPieceCells.h
+    gatunSharedGroups.h
     gatunStepSection.h
     gatunTreeLayout.h
     gatunTreeSection.h
     gatunWriterCheck.h
+    gatunWriterPart.h
     gatunWriterState.h
   SOURCES
     gatunBaseMesh.cxx
@@ -67,10 +69,12 @@ gatun_core_folder(File
     gatunPieceCells.cxx
     gatunPieceDecoder.cxx
     gatunSharedFile.cxx
+    gatunSharedGroups.cxx
     gatunSimplifiedFile.cxx
     gatunStepSection.cxx
     gatunTreeLayout.cxx
     gatunTreeSection.cxx
     gatunVerifyFile.cxx
     gatunWriterCheck.cxx
+    gatunWriterPart.cxx
     gatunWriterState.cxx)
