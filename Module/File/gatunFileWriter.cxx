@@ -213,11 +213,7 @@ void FileWriter::Internals::CheckLayers(const StepTable& step) const
 void FileWriter::Internals::WriteTables()
 {
   OutputFile& file = this->State.File;
-  if (this->State.HasCells)
-  {
-    file.AddSection(SectionCells, this->State.Cells.Write());
-  }
-  file.AddSection(SectionTable, this->State.Table.Write(this->State.Options.Keep));
+  this->State.WriteTables();
   if (this->Mesh.GetLayers())
   {
     file.AddSection(
@@ -233,21 +229,14 @@ void FileWriter::Internals::WriteTables()
 //------------------------------------------------------------------------------
 FileStatistics FileWriter::Internals::Finish()
 {
-  FileStatistics& s = this->State.Statistics;
   for (const auto& level : this->Levels)
   {
     level->File->WriteTables();
-    s.LevelBytes += this->State.File.AddSection(SectionLevel, level->File->State.File);
+    this->State.Statistics.LevelBytes +=
+      this->State.File.AddSection(SectionLevel, level->File->State.File);
   }
   this->WriteTables();
-  s.FileBytes = this->State.File.Commit();
-  s.DirectoryBytes = s.FileBytes - s.ConnectivityBytes - s.GeometryBytes - s.SharedGeometryBytes -
-    s.OrderBytes - s.FieldDataBytes - s.TreeBytes - s.LevelBytes;
-  for (const auto bytes : s.ArrayBytes)
-  {
-    s.DirectoryBytes -= bytes;
-  }
-  return s;
+  return this->State.Commit();
 }
 
 //------------------------------------------------------------------------------

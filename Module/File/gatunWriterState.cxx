@@ -114,6 +114,30 @@ void WriterState::LinkGroups()
 }
 
 //------------------------------------------------------------------------------
+void WriterState::WriteTables()
+{
+  if (this->HasCells)
+  {
+    this->File.AddSection(SectionCells, this->Cells.Write());
+  }
+  this->File.AddSection(SectionTable, this->Table.Write(this->Options.Keep));
+}
+
+//------------------------------------------------------------------------------
+FileStatistics WriterState::Commit()
+{
+  FileStatistics& s = this->Statistics;
+  s.FileBytes = this->File.Commit();
+  s.DirectoryBytes = s.FileBytes - s.ConnectivityBytes - s.GeometryBytes - s.SharedGeometryBytes -
+    s.OrderBytes - s.FieldDataBytes - s.TreeBytes - s.LevelBytes;
+  for (const auto bytes : s.ArrayBytes)
+  {
+    s.DirectoryBytes -= bytes;
+  }
+  return s;
+}
+
+//------------------------------------------------------------------------------
 ScalarType WriterState::GetNumberType() const
 {
   return ScalarType::UInt32;

@@ -86,6 +86,12 @@ public:
   /** Makes the blocks of shared points when the groups of all parts are known. */
   void LinkGroups();
 
+  /** Writes the tables of cells, blocks and chunks. */
+  void WriteTables();
+
+  /** Moves the file to its path when all sections have been added. Returns the statistics. */
+  FileStatistics Commit();
+
   /** The type of original numbers. */
   ScalarType GetNumberType() const;
 
