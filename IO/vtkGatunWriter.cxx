@@ -8,12 +8,11 @@
 #include "gatunCellInput.h"
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
-#include "gatunFileWriter.h"
-#include "gatunMergeGrid.h"
 #include "gatunReport.h"
 #include "gatunWriterArrays.h"
 #include "vtkGatunCompat.h"
 #include "vtkGatunErrorCode.h"
+#include "vtkGatunWriterInternals.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
@@ -45,157 +44,6 @@
 VTK_ABI_NAMESPACE_BEGIN
 #endif
 
-namespace
-{
-
-// Building a hierarchy takes about nine times as long as writing the rest.
-constexpr double PartOfTree = 0.9;
-
-} // anonymous namespace
-
-//------------------------------------------------------------------------------
-class vtkGatunWriter::vtkInternals
-{
-public:
-  explicit vtkInternals(vtkGatunWriter* owner)
-    : Owner(owner)
-  {
-  }
-
-  void Warn(const std::string& what);
-  std::function<bool(double)> MakeProgress(std::size_t part);
-  gatun::WriterOptions MakeOptions(
-    vtkUnstructuredGrid* grid, const std::vector<gatun::BridgedArray>& arrays);
-  void PublishStatistics(const gatun::FileStatistics& statistics);
-
-  vtkGatunWriter* const Owner;
-  vtkNew<vtkDataArraySelection> PointSelection;
-  vtkNew<vtkDataArraySelection> CellSelection;
-  gatun::MergeWeights Weights;
-
-  // The times to write, if all time steps of the input are wanted, and the next one of them.
-  std::vector<double> Times;
-  std::size_t Step = 0;
-  bool Writing = false; // whether Write is running
-
-  // While a file is being written.
-  std::unique_ptr<gatun::FileWriter> File;
-  std::unique_ptr<gatun::BridgedMesh> Mesh;
-  std::size_t MeshHash = 0;
-  std::vector<gatun::ArrayDescription> Arrays;
-  gatun::MergeTree Tree;
-  std::set<std::string> Warned;
-
-  void Discard()
-  {
-    this->File.reset();
-    this->Mesh.reset();
-    this->Arrays.clear();
-    this->Tree = {};
-    this->Warned.clear();
-    this->Step = 0;
-  }
-
-  std::size_t GetNumberOfSteps() const { return std::max<std::size_t>(1, this->Times.size()); }
-
-  // Throws unless a time step has the mesh and the arrays of the first one.
-  void CheckUnchanged(
-    const gatun::BridgedMesh& mesh, const std::vector<gatun::ArrayDescription>& arrays) const
-  {
-    const std::string step = " in time step " + std::to_string(this->Step) + " (time " +
-      std::to_string(this->Times[this->Step]) + ")";
-    const gatun::MeshInput& first = this->Mesh->Mesh;
-    const gatun::MeshInput& now = mesh.Mesh;
-    if (now.Points != first.Points || now.Cells != first.Cells ||
-      now.CoordinateType != first.CoordinateType || now.WideIds != first.WideIds ||
-      mesh.Hash() != this->MeshHash)
-    {
-      gatun::ThrowInvalid("the points or the cells change" + step +
-        "; one file holds one mesh, so write such steps as a series of files");
-    }
-    if (arrays != this->Arrays)
-    {
-      gatun::ThrowInvalid("the point or cell arrays change" + step);
-    }
-  }
-};
-
-//------------------------------------------------------------------------------
-// Reports a warning once for each file.
-void vtkGatunWriter::vtkInternals::Warn(const std::string& what)
-{
-  if (this->Warned.insert(what).second)
-  {
-    vtkWarningWithObjectMacro(this->Owner, << this->Owner->FileName << ": " << what);
-  }
-}
-
-//------------------------------------------------------------------------------
-// Reports progress of a part of the work. Part 0 is the mesh, part i + 1 is time step i.
-std::function<bool(double)> vtkGatunWriter::vtkInternals::MakeProgress(std::size_t part)
-{
-  const double parts = static_cast<double>(this->GetNumberOfSteps()) + 1;
-  return [this, part, parts](double fraction)
-  {
-    const double forTree = this->Owner->Hierarchy ? PartOfTree : 0;
-    const double done = (static_cast<double>(part) + fraction) / parts;
-    this->Owner->UpdateProgress(forTree + (1 - forTree) * done);
-    return !gatun::IsAborted(this->Owner);
-  };
-}
-
-//------------------------------------------------------------------------------
-gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
-  vtkUnstructuredGrid* grid, const std::vector<gatun::BridgedArray>& arrays)
-{
-  gatun::WriterOptions options;
-  options.Keep = static_cast<std::uint8_t>(this->Owner->KeepOrder);
-  options.ChunkTets = static_cast<std::uint32_t>(this->Owner->ChunkTets);
-  options.KeyStepInterval = static_cast<std::uint32_t>(this->Owner->KeyStepInterval);
-  options.ReplaceReadOnly = this->Owner->ReplaceReadOnly;
-  if (this->Owner->LayerArray && *this->Owner->LayerArray)
-  {
-    options.Layers =
-      gatun::FindLayerArray(arrays, this->Owner->LayerArray, this->Owner->LayerComponent);
-    options.Layers->Count = static_cast<std::uint32_t>(this->Owner->NumberOfLayers);
-    options.Layers->Spacing = static_cast<gatun::LayerSpacing>(this->Owner->LayerSpacing);
-  }
-  if (this->Owner->Hierarchy)
-  {
-    this->Tree = gatun::BuildMergeTree(grid, this->Weights,
-      { static_cast<gatun::MergeMetric>(this->Owner->Metric), this->Owner->BoundaryWeight },
-      [this](double fraction)
-      {
-        this->Owner->UpdateProgress(PartOfTree * fraction);
-        return !gatun::IsAborted(this->Owner);
-      });
-    options.Tree = &this->Tree;
-    options.Levels = static_cast<unsigned>(this->Owner->Levels);
-  }
-  return options;
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunWriter::vtkInternals::PublishStatistics(const gatun::FileStatistics& statistics)
-{
-  this->Owner->WrittenPoints = this->Mesh->Mesh.Points;
-  this->Owner->WrittenCells = this->Mesh->Mesh.Cells;
-  this->Owner->WrittenSteps = this->GetNumberOfSteps();
-  this->Owner->FileBytes = statistics.FileBytes;
-  this->Owner->ConnectivityBytes = statistics.ConnectivityBytes;
-  this->Owner->GeometryBytes = statistics.GeometryBytes + statistics.SharedGeometryBytes;
-  this->Owner->OrderBytes = statistics.OrderBytes;
-  this->Owner->ArrayBytes = 0;
-  for (const std::uint64_t bytes : statistics.ArrayBytes)
-  {
-    this->Owner->ArrayBytes += bytes;
-  }
-  this->Owner->FieldDataBytes = statistics.FieldDataBytes;
-  this->Owner->HierarchyBytes = statistics.TreeBytes;
-  this->Owner->LevelBytes = statistics.LevelBytes;
-  this->Owner->DirectoryBytes = statistics.DirectoryBytes;
-}
-
 //------------------------------------------------------------------------------
 vtkStandardNewMacro(vtkGatunWriter);
 
@@ -210,6 +58,7 @@ vtkGatunWriter::~vtkGatunWriter()
 {
   this->SetFileName(nullptr);
   this->SetLayerArray(nullptr);
+  this->SetSpillFolder(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -233,6 +82,10 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WriteAllTimeSteps: " << (this->WriteAllTimeSteps ? "On" : "Off") << "\n";
   os << indent << "SplitCells: " << (this->SplitCells ? "On" : "Off") << "\n";
   os << indent << "ReplaceReadOnly: " << (this->ReplaceReadOnly ? "On" : "Off") << "\n";
+  os << indent << "NumberOfPieces: " << this->NumberOfPieces << "\n";
+  os << indent << "SpillMemory: " << this->SpillMemory << "\n";
+  os << indent << "SpillFolder: " << (this->SpillFolder ? this->SpillFolder : "(none)") << "\n";
+  os << indent << "JoinAllPoints: " << (this->JoinAllPoints ? "On" : "Off") << "\n";
   os << indent << "WrittenPoints: " << this->WrittenPoints << "\n";
   os << indent << "WrittenCells: " << this->WrittenCells << "\n";
   os << indent << "WrittenSteps: " << this->WrittenSteps << "\n";
@@ -320,7 +173,8 @@ int vtkGatunWriter::Write()
   this->SetErrorCode(vtkErrorCode::NoError);
   try
   {
-    if (!this->WriteSteps() && this->GetErrorCode() == vtkErrorCode::NoError)
+    if (!(this->NumberOfPieces > 1 ? this->WritePieces() : this->WriteSteps()) &&
+      this->GetErrorCode() == vtkErrorCode::NoError)
     {
       throw std::runtime_error("not written, as the input could not be updated");
     }
@@ -356,6 +210,36 @@ bool vtkGatunWriter::WriteSteps()
       return true;
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// Updates the input for each piece and time step, twice. Returns whether the file is complete.
+bool vtkGatunWriter::WritePieces()
+{
+  vtkInternals& self = *this->Internals;
+  self.BeginPieces();
+  for (const bool surveying : { true, false })
+  {
+    self.Surveying = surveying;
+    for (int piece = 0; piece < this->NumberOfPieces; ++piece)
+    {
+      self.Piece = piece;
+      self.Step = 0;
+      for (std::size_t step = 0; step < self.GetNumberOfSteps(); ++step)
+      {
+        this->Modified();
+        this->UpdateWholeExtent();
+        if (!self.Pieces || self.Step != step + 1)
+        {
+          return false; // after a failure
+        }
+      }
+    }
+  }
+  self.FinishPieces();
+  this->WriteTime.Modified();
+  this->UpdateProgress(1);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -399,7 +283,7 @@ vtkTypeBool vtkGatunWriter::ProcessRequest(
   vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
   {
-    if (self.File)
+    if (self.File || self.AreTimesKnown)
     {
       // Between two steps.
       return 1;
@@ -423,8 +307,9 @@ vtkTypeBool vtkGatunWriter::ProcessRequest(
     }
     if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
     {
-      inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-      inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), self.Piece);
+      inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(),
+        self.Pieces ? this->NumberOfPieces : 1);
       inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
     }
     return 1;
@@ -450,6 +335,11 @@ int vtkGatunWriter::RequestData(vtkInformation* vtkNotUsed(request),
     if (!input)
     {
       gatun::ThrowInvalid("the input is not a vtkUnstructuredGrid");
+    }
+    if (self.Pieces)
+    {
+      this->WritePiece(input);
+      return 1;
     }
     this->WriteStep(input);
   }
@@ -509,25 +399,51 @@ void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
     self.CheckUnchanged(*mesh, descriptions);
   }
 
-  std::vector<std::string> refused;
-  const gatun::FieldData field = gatun::BridgeFieldData(cells.Grid->GetFieldData(), refused);
-  for (const std::string& name : refused)
-  {
-    self.Warn(
-      "the field array '" + name + "' is left out, because arrays of its type cannot be written");
-  }
-  vtkInformation* info = input->GetInformation();
-  const bool hasSteps = !self.Times.empty();
-  const bool hasTime = hasSteps || info->Has(vtkDataObject::DATA_TIME_STEP());
-  const double time = hasSteps ? self.Times[self.Step]
-    : hasTime                  ? info->Get(vtkDataObject::DATA_TIME_STEP())
-                               : 0.0;
-  self.File->WriteStep(values, field, hasTime, time, self.MakeProgress(self.Step + 1));
+  const auto step = self.DescribeStep(input, cells.Grid->GetFieldData());
+  self.File->WriteStep(
+    values, step.Field, step.HasTime, step.Time, self.MakeProgress(self.Step + 1));
   ++self.Step;
   if (self.Step >= self.GetNumberOfSteps())
   {
-    self.PublishStatistics(self.File->Finish());
+    const auto statistics = self.File->Finish();
+    self.PublishStatistics(statistics, self.Mesh->Mesh.Points, self.Mesh->Mesh.Cells);
   }
+}
+
+//------------------------------------------------------------------------------
+// Surveys or writes the current time step of the current piece.
+void vtkGatunWriter::WritePiece(vtkUnstructuredGrid* input)
+{
+  vtkInternals& self = *this->Internals;
+  self.AreTimesKnown = true;
+  const gatun::CellInput cells = gatun::MakeCellInput(input, this->SplitCells);
+  for (const std::string& warning : cells.Warnings)
+  {
+    self.Warn(warning);
+  }
+  const double steps = static_cast<double>(self.GetNumberOfSteps());
+  const double all = 2 * steps * this->NumberOfPieces;
+  const double done = static_cast<double>(self.Step) + steps * self.Piece;
+  const bool isFirst = self.Step == 0;
+  this->UpdateProgress(self.Surveying ? done / all : 0.5 + done / all);
+  if (self.Surveying)
+  {
+    self.Pieces->Survey(cells.Grid, isFirst);
+  }
+  else
+  {
+    self.Pieces->Write(cells.Grid, isFirst, self.DescribeStep(input, cells.Grid->GetFieldData()),
+      [&](double fraction)
+      {
+        this->UpdateProgress(0.5 + (done + fraction) / all);
+        return !gatun::IsAborted(this);
+      });
+  }
+  if (gatun::IsAborted(this))
+  {
+    throw gatun::Error(gatun::ErrorCode::Aborted, "aborted");
+  }
+  ++self.Step;
 }
 
 #ifdef VTK_ABI_NAMESPACE_END

@@ -30,6 +30,12 @@
  * The file appears under its name once it is complete; after an error or an abort, a file that was
  * there before is as it was. One that is read-only is replaced with ReplaceReadOnly only.
  *
+ * Pieces: with NumberOfPieces, the input is asked for one piece after the other, twice, and the
+ * whole mesh is never in memory. Points of several pieces become one if they have the same global
+ * id, or without ids the same coordinates, and the same values of all arrays at all steps. Points
+ * that differ stay apart, with a warning. An input that does not know pieces is one piece. The time
+ * steps of a piece follow each other. A hierarchy and layers need the whole mesh and are an error.
+ *
  * *Cost.* Peak memory below 3 times the mesh and one step of its arrays, the input included; when
  * cells are split, that of the split mesh in addition. All threads of vtkSMPTools are used; the
  * bytes written do not depend on their number.
@@ -40,7 +46,7 @@
  * UnknownError (such as too little memory, or because the input's pipeline failed or threw), or of
  * vtkGatunErrorCode.
  *
- * @warning The whole mesh must fit into memory.
+ * @warning The whole mesh must fit into memory, or with NumberOfPieces the largest piece.
  * @warning Unless KeepOrder says otherwise, points and cells come back in another order.
  *
  * @sa vtkGatunReader vtkGatunMergeBlocks
@@ -268,6 +274,42 @@ public:
 
   ///@{
   /**
+   * The number of pieces to ask the input for, 1 or more. 1: the whole mesh at once. Default: 1.
+   */
+  vtkSetClampMacro(NumberOfPieces, int, 1, VTK_INT_MAX);
+  vtkGetMacro(NumberOfPieces, int);
+  ///@}
+
+  ///@{
+  /**
+   * The memory for points on the boundaries of pieces, in MiB, 1 and more; further ones are put
+   * into temporary files. Default: 64.
+   */
+  vtkSetClampMacro(SpillMemory, int, 1, VTK_INT_MAX);
+  vtkGetMacro(SpillMemory, int);
+  ///@}
+
+  ///@{
+  /**
+   * The folder of temporary files when the mesh comes in pieces. They have no names where the
+   * system allows that, and none remains. Empty or null: the folder of the file. Default: null.
+   */
+  vtkSetFilePathMacro(SpillFolder);
+  vtkGetFilePathMacro(SpillFolder);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to look for all points of a piece in other pieces, in place of those on its boundary.
+   * Needed only where lines or surfaces of one piece have points inside another one. Default: off.
+   */
+  vtkSetMacro(JoinAllPoints, bool);
+  vtkGetMacro(JoinAllPoints, bool);
+  vtkBooleanMacro(JoinAllPoints, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether to replace an existing file that is read-only: marked so, or of somebody else. Default:
    * off, where that is an error.
    */
@@ -342,6 +384,10 @@ protected:
   bool WriteAllTimeSteps = false;
   bool SplitCells = false;
   bool ReplaceReadOnly = false;
+  int NumberOfPieces = 1;
+  int SpillMemory = 64;
+  char* SpillFolder = nullptr;
+  bool JoinAllPoints = false;
 
   vtkTypeUInt64 WrittenPoints = 0;
   vtkTypeUInt64 WrittenCells = 0;
@@ -361,6 +407,8 @@ private:
   void operator=(const vtkGatunWriter&) = delete;
 
   bool WriteSteps();
+  bool WritePieces();
+  void WritePiece(vtkUnstructuredGrid* input);
   void WriteStep(vtkUnstructuredGrid* input);
   bool HandleFailure() noexcept;
 

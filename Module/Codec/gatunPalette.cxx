@@ -6,40 +6,83 @@
 #include "gatunArrayCodec.h"
 
 #include <algorithm>
-#include <unordered_set>
+#include <utility>
 
 namespace gatun
 {
-std::shared_ptr<const Palette> FindPalette(ScalarType type, const void* values, std::size_t count,
-  std::size_t components, std::size_t component)
+namespace
 {
-  const auto most = std::min(count / 16, MaxPalette);
-  if (!IsFloating(type) || most < 1)
-  {
-    return nullptr;
-  }
-  const auto size = SizeOf(type);
+/** The most values of a palette of so many tuples. */
+std::size_t GetMost(std::uint64_t count)
+{
+  return static_cast<std::size_t>(std::min<std::uint64_t>(count / 16, MaxPalette));
+}
+}
+
+//------------------------------------------------------------------------------
+PaletteBuilder::PaletteBuilder(ScalarType type, std::size_t most)
+  : Type(type)
+  , Most(IsFloating(type) ? most : 0)
+{
+}
+
+//------------------------------------------------------------------------------
+void PaletteBuilder::Add(
+  const void* values, std::size_t count, std::size_t components, std::size_t component)
+{
+  const auto size = SizeOf(this->Type);
   const auto* next = static_cast<const std::uint8_t*>(values) + component * size;
-  std::unordered_set<Key> distinct;
   Key last = 0;
-  for (std::size_t i = 0; i < count; ++i, next += components * size)
+  for (std::size_t i = 0; i<count&& this->Most> 0; ++i, next += components * size)
   {
-    const Key key = Domain::ReadPlain(type, next);
+    const Key key = Domain::ReadPlain(this->Type, next);
     if (i > 0 && key == last)
     {
       continue;
     }
     last = key;
-    if (distinct.insert(key).second && distinct.size() > most)
+    if (this->Distinct.insert(key).second && this->Distinct.size() > this->Most)
     {
-      return nullptr;
+      this->Most = 0;
+      this->Distinct = {};
+      this->Sorted = {};
     }
   }
-  auto palette = std::make_shared<Palette>(distinct.begin(), distinct.end());
-  std::sort(palette->begin(), palette->end());
-  return palette;
 }
 
+//------------------------------------------------------------------------------
+void PaletteBuilder::Compress()
+{
+  this->Sorted.insert(this->Sorted.end(), this->Distinct.begin(), this->Distinct.end());
+  this->Distinct = {};
+  std::sort(this->Sorted.begin(), this->Sorted.end());
+  this->Sorted.erase(std::unique(this->Sorted.begin(), this->Sorted.end()), this->Sorted.end());
+  this->Sorted.shrink_to_fit();
+  if (this->Sorted.size() > this->Most)
+  {
+    this->Most = 0;
+    this->Sorted = {};
+  }
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const Palette> PaletteBuilder::Finish(std::uint64_t count)
+{
+  this->Compress();
+  const bool has = !this->Sorted.empty() && this->Sorted.size() <= GetMost(count);
+  return has ? std::make_shared<Palette>(std::move(this->Sorted)) : nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const Palette> FindPalette(ScalarType type, const void* values, std::size_t count,
+  std::size_t components, std::size_t component)
+{
+  PaletteBuilder builder(type, GetMost(count));
+  builder.Add(values, count, components, component);
+  return builder.Finish(count);
+}
+
+//------------------------------------------------------------------------------
 Bytes EncodePalette(ScalarType type, const Palette& palette)
 {
   const Domain domain(type);
@@ -49,6 +92,7 @@ Bytes EncodePalette(ScalarType type, const Palette& palette)
   return stream;
 }
 
+//------------------------------------------------------------------------------
 std::shared_ptr<const Palette> DecodePalette(
   ScalarType type, std::span<const std::uint8_t> stream, std::uint64_t count)
 {

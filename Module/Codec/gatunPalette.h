@@ -8,13 +8,38 @@
 #include "gatunDomain.h"
 #include "gatunTypes.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <unordered_set>
+#include <vector>
 
 namespace gatun
 {
 constexpr std::size_t MaxPalette = 1u << 16;
+
+/** Collects the distinct values of a component whose tuples come in parts. */
+class PaletteBuilder
+{
+public:
+  /** most: the number of different values beyond which there is no palette. */
+  explicit PaletteBuilder(ScalarType type, std::size_t most = MaxPalette);
+
+  void Add(const void* values, std::size_t count, std::size_t components, std::size_t component);
+
+  /** Keeps the values of the tuples so far in little memory. */
+  void Compress();
+
+  /** The palette of so many tuples in all, as FindPalette has it. */
+  std::shared_ptr<const Palette> Finish(std::uint64_t count);
+
+private:
+  ScalarType Type;
+  std::size_t Most;
+  std::vector<Key> Sorted;
+  std::unordered_set<Key> Distinct; // may contain some of the sorted ones
+};
 
 /**
  * The distinct values of a component of count tuples. Null if there are more than a sixteenth of

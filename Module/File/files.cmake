@@ -16,6 +16,7 @@ gatun_core_folder(File
     gatunWriterOptions.h
   EXPERIMENTAL_HEADERS
     gatunChunkCache.h
+    gatunPartWriter.h
     gatunSharedFile.h
     gatunSimplifiedFile.h
   PRIVATE_HEADERS
@@ -38,14 +39,20 @@ gatun_core_folder(File
     gatunMeshSection.h
     gatunMeshTets.h
     gatunPartDecoder.h
+    gatunPartSkin.h
+    gatunPartSurvey.h
     gatunPartition.h
     gatunPieceCells.h
+    gatunSharedGroups.h
+    gatunSkinMerge.h
+    gatunSpillSorter.h
     gatunStepSection.h
     gatunTetSeparation.h
     gatunTetSeparation.cxx
     gatunTreeLayout.h
     gatunTreeSection.h
     gatunWriterCheck.h
+    gatunWriterPart.h
     gatunWriterState.h
   SOURCES
     gatunBaseMesh.cxx
@@ -65,15 +72,21 @@ gatun_core_folder(File
     gatunMeshCheck.cxx
     gatunMeshSection.cxx
     gatunPartDecoder.cxx
+    gatunPartSkin.cxx
+    gatunPartSurvey.cxx
+    gatunPartWriter.cxx
     gatunPartition.cxx
     gatunPieceCells.cxx
     gatunPieceDecoder.cxx
     gatunSharedFile.cxx
+    gatunSharedGroups.cxx
     gatunSimplifiedFile.cxx
+    gatunSkinMerge.cxx
     gatunStepSection.cxx
     gatunTetSeparation.cxx
     gatunTreeLayout.cxx
     gatunTreeSection.cxx
     gatunVerifyFile.cxx
     gatunWriterCheck.cxx
+    gatunWriterPart.cxx
     gatunWriterState.cxx)

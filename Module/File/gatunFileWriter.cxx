@@ -7,11 +7,15 @@
 #include "gatunKeepMemory.h"
 #include "gatunLayerTable.h"
 #include "gatunMeshSection.h"
+#include "gatunPalette.h"
+#include "gatunParallel.h"
 #include "gatunStepSection.h"
 #include "gatunTreeSection.h"
 #include "gatunWriterCheck.h"
+#include "gatunWriterPart.h"
 #include "gatunWriterState.h"
 
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -29,13 +33,15 @@ class FileWriter::Internals
 public:
   Internals(const std::string& path, const MeshInput& mesh,
     const std::vector<ArrayDescription>& arrays, const WriterOptions& options)
-    : State(path, mesh, arrays, options)
+    : State(path, arrays, options)
+    , Part(mesh)
   {
   }
 
   /** A base mesh of another writer's file. */
   Internals(const Internals& whole, const MeshInput& mesh, const WriterOptions& options)
-    : State(whole.State, mesh, options)
+    : State(whole.State, options)
+    , Part(mesh)
   {
   }
 
@@ -53,6 +59,7 @@ private:
     std::unique_ptr<Internals> File;
   };
 
+  void FindPalettes();
   void BeginLevels(const Progress& progress);
   std::unique_ptr<Level> MakeLevel(std::uint32_t merges, const Progress& progress) const;
   void WriteLevelSteps(std::span<const void* const> values, bool hasTime, double time);
@@ -60,6 +67,7 @@ private:
   void WriteTables();
 
   WriterState State;
+  WriterPart Part; // all of the mesh
   MeshSection Mesh{ State };
   StepSection Steps{ State };
   std::optional<TreeSection> Tree;
@@ -70,12 +78,36 @@ private:
 //------------------------------------------------------------------------------
 void FileWriter::Internals::WriteMesh(const Progress& progress)
 {
-  this->Mesh.Write(progress);
+  this->State.Describe(this->Part.Mesh);
+  this->Mesh.MakeLayout(this->Part, progress);
+  this->Mesh.AddChunks(this->Part);
+  this->Mesh.AddGroups(this->Part);
+  this->State.Meta.UnusedPoints = this->Part.Layout.UnusedPoints.size();
+  this->State.LinkGroups();
+  this->Part.Place.Blocks = this->State.Table.Blocks.size();
+  this->Part.PlaceShared(this->State.Table, this->Part.Layout.SharedPoints);
+  this->Part.Layout.SharedPoints = {};
+  this->FindPalettes();
+  this->Mesh.Write(this->Part, progress);
   if (this->State.Options.Tree)
   {
-    this->Tree.emplace(this->State);
+    this->Tree.emplace(this->State, this->Part);
     this->BeginLevels(progress);
   }
+}
+
+//------------------------------------------------------------------------------
+void FileWriter::Internals::FindPalettes()
+{
+  const auto& mesh = this->Part.Mesh.GetMesh();
+  std::array<std::shared_ptr<const Palette>, 3> palettes;
+  ParallelFor(palettes.size(),
+    [&](std::size_t axis)
+    {
+      palettes[axis] = FindPalette(
+        mesh.CoordinateType, mesh.Coordinates, static_cast<std::size_t>(mesh.Points), 3, axis);
+    });
+  this->Mesh.SetPalettes(palettes);
 }
 
 //------------------------------------------------------------------------------
@@ -105,7 +137,7 @@ std::unique_ptr<FileWriter::Internals::Level> FileWriter::Internals::MakeLevel(
 {
   const auto& whole = this->State.Options;
   auto level = std::make_unique<Level>(
-    Level{ BaseMesh(this->State.Mesh, *whole.Tree, merges), whole, nullptr });
+    Level{ BaseMesh(this->Part.Mesh, *whole.Tree, merges), whole, nullptr });
   WriterOptions& options = level->Options;
   options.Keep = KeepNone;
   options.Levels = 0;
@@ -146,15 +178,17 @@ void FileWriter::Internals::WriteLevelSteps(
 void FileWriter::Internals::WriteStep(std::span<const void* const> values, const FieldData& field,
   bool hasTime, double time, const Progress& progress)
 {
-  const auto step = this->Steps.WriteValues(values, field, hasTime, time, progress);
+  const StepValues all{ values, &field, hasTime, time };
+  const StepInput& step = this->Steps.WriteValues(this->Part, all, progress);
   if (this->Steps.GetCount() == 0 && this->Mesh.GetLayers())
   {
     this->CheckLayers(step.Table);
   }
-  this->Steps.Finish(values, step);
+  const auto arrays = step.Arrays;
+  this->Steps.Finish(this->Part, all);
   if (this->Tree)
   {
-    this->Tree->WriteStep(step.Arrays);
+    this->Tree->WriteStep(arrays);
     this->WriteLevelSteps(values, hasTime, time);
   }
 }
@@ -179,11 +213,7 @@ void FileWriter::Internals::CheckLayers(const StepTable& step) const
 void FileWriter::Internals::WriteTables()
 {
   OutputFile& file = this->State.File;
-  if (!this->State.Mesh.IsTetrahedral())
-  {
-    file.AddSection(SectionCells, this->State.Cells.Write());
-  }
-  file.AddSection(SectionTable, this->State.Table.Write(this->State.Options.Keep));
+  this->State.WriteTables();
   if (this->Mesh.GetLayers())
   {
     file.AddSection(
@@ -199,21 +229,14 @@ void FileWriter::Internals::WriteTables()
 //------------------------------------------------------------------------------
 FileStatistics FileWriter::Internals::Finish()
 {
-  FileStatistics& s = this->State.Statistics;
   for (const auto& level : this->Levels)
   {
     level->File->WriteTables();
-    s.LevelBytes += this->State.File.AddSection(SectionLevel, level->File->State.File);
+    this->State.Statistics.LevelBytes +=
+      this->State.File.AddSection(SectionLevel, level->File->State.File);
   }
   this->WriteTables();
-  s.FileBytes = this->State.File.Commit();
-  s.DirectoryBytes = s.FileBytes - s.ConnectivityBytes - s.GeometryBytes - s.SharedGeometryBytes -
-    s.OrderBytes - s.FieldDataBytes - s.TreeBytes - s.LevelBytes;
-  for (const auto bytes : s.ArrayBytes)
-  {
-    s.DirectoryBytes -= bytes;
-  }
-  return s;
+  return this->State.Commit();
 }
 
 //------------------------------------------------------------------------------

@@ -10,7 +10,6 @@
 #include "gatunParallel.h"
 
 #include <algorithm>
-#include <memory>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -30,26 +29,7 @@ Bytes EncodeRotations(
 }
 
 //------------------------------------------------------------------------------
-void MeshSection::Write(const std::function<bool(double)>& progress)
-{
-  this->MakePartition(progress);
-  StreamBatch batch;
-  this->WritePalettes(batch);
-  this->WriteBlocks(batch);
-  batch.Write(this->State.File, SectionMesh);
-  if (!this->State.Mesh.IsTetrahedral())
-  {
-    this->CountTypes();
-    this->FindShapes();
-  }
-  this->WriteChunks(progress);
-  this->FindBounds();
-  this->State.Parts.Cells = {};
-  this->State.Parts.SharedIndex = {};
-}
-
-//------------------------------------------------------------------------------
-void MeshSection::MakePartition(const std::function<bool(double)>& progress)
+void MeshSection::MakeLayout(WriterPart& part, const std::function<bool(double)>& progress)
 {
   if (this->State.Options.Layers)
   {
@@ -57,51 +37,101 @@ void MeshSection::MakePartition(const std::function<bool(double)>& progress)
     this->Layers->Request = *this->State.Options.Layers;
     this->Layers->Array = this->State.Meta.Arrays[this->Layers->Request.Array];
   }
-  this->State.Parts = gatun::MakePartition(this->State.Mesh, this->State.Meta.ChunkTets, progress,
+  part.Layout = MakePartition(part.Mesh, this->State.GetChunkTets(part.Mesh), progress,
     this->Layers ? &*this->Layers : nullptr);
-  this->State.Meta.UnusedPoints = this->State.Parts.UnusedPoints.size();
-  this->State.Table.Blocks = std::move(this->State.Parts.Blocks);
-  this->State.Table.Unused.Points = this->State.Meta.UnusedPoints;
-  this->State.Table.Chunks.resize(this->State.Parts.GetChunkCount());
-  for (std::size_t c = 0; c < this->State.Table.Chunks.size(); ++c)
+}
+
+//------------------------------------------------------------------------------
+void MeshSection::AddChunks(const WriterPart& part)
+{
+  for (std::size_t c = 0; c < part.Layout.GetChunkCount(); ++c)
   {
-    auto& entry = this->State.Table.Chunks[c];
-    entry.Sizes = this->GetSizes(c);
+    auto& entry = this->State.Table.Chunks.emplace_back();
+    entry.Sizes = this->GetSizes(part, c);
     entry.Info.Cells = entry.Sizes.Cells;
     entry.Info.IsTetrahedral = entry.Sizes.IsTetrahedral;
     this->State.Cells.Chunks.push_back(entry.Sizes);
   }
-  try
+  const auto& mesh = part.Mesh;
+  if (mesh.IsTetrahedral())
   {
-    this->State.Table.LinkGroups();
+    this->State.TypeCounts[TetraType] += mesh.GetMesh().Cells;
+    return;
   }
-  catch (const Error& error)
+  for (std::uint64_t cell = 0; cell < mesh.GetMesh().Cells; ++cell)
   {
-    ThrowInvalid(error.what() + std::string("; make chunks larger"));
+    ++this->State.TypeCounts[mesh.GetType(cell)];
   }
-  this->State.Chunks.resize(this->State.Table.Chunks.size());
+  std::vector<ShapeTable> shapes(part.Layout.GetChunkCount());
+  ParallelFor(shapes.size(),
+    [&](std::size_t chunk)
+    {
+      const auto& sizes = this->State.Table.Chunks[part.Place.FirstChunk + chunk].Sizes;
+      if (!sizes.IsTetrahedral)
+      {
+        // Shapes do not depend on the numbers of points.
+        shapes[chunk].Add(
+          this->MakeCells(part, chunk, sizes, [](std::uint32_t point) { return point; }));
+      }
+    });
+  for (const auto& table : shapes)
+  {
+    this->State.Shapes.Merge(table);
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeshSection::AddGroups(const WriterPart& part)
+{
+  const auto first = static_cast<std::uint32_t>(part.Place.FirstChunk);
+  for (const auto& [users, points] : part.Layout.SharedPoints)
+  {
+    ChunkSet chunks = users;
+    for (auto& chunk : chunks)
+    {
+      chunk += first;
+    }
+    this->State.Groups.Add(chunks, static_cast<std::int64_t>(points.size()));
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeshSection::SetPalettes(const std::array<std::shared_ptr<const Palette>, 3>& palettes)
+{
+  for (unsigned axis = 0; axis < 3; ++axis)
+  {
+    this->Domains[axis] = Domain(this->State.Meta.CoordinateType, palettes[axis]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeshSection::Write(WriterPart& part, const std::function<bool(double)>& progress)
+{
+  StreamBatch batch;
+  if (part.Place.IsFirst)
+  {
+    this->WritePalettes(batch);
+  }
+  this->TakeUnused(part);
+  this->WriteBlocks(part, batch);
+  batch.Write(this->State.File, SectionMesh);
+  part.Chunks.resize(part.Layout.GetChunkCount());
+  this->WriteChunks(part, progress);
+  this->FindBounds(part);
+  part.Layout.Cells = {};
 }
 
 //------------------------------------------------------------------------------
 void MeshSection::WritePalettes(StreamBatch& batch)
 {
-  const auto& input = this->State.Mesh.GetMesh();
-  std::array<std::shared_ptr<const Palette>, 3> palettes;
-  ParallelFor(palettes.size(),
-    [&](std::size_t axis)
-    {
-      palettes[axis] = FindPalette(
-        input.CoordinateType, input.Coordinates, static_cast<std::size_t>(input.Points), 3, axis);
-    });
   for (unsigned axis = 0; axis < 3; ++axis)
   {
-    const auto& palette = palettes[axis];
-    this->Domains[axis] = Domain(input.CoordinateType, palette);
+    const auto& palette = this->Domains[axis].GetPalette();
     if (palette)
     {
       auto& where = this->State.Table.Palettes[axis];
       where.Count = palette->size();
-      const auto stream = EncodePalette(input.CoordinateType, *palette);
+      const auto stream = EncodePalette(this->State.Meta.CoordinateType, *palette);
       batch.Add(stream, where.Stream);
       this->State.Statistics.SharedGeometryBytes += stream.size();
     }
@@ -109,70 +139,127 @@ void MeshSection::WritePalettes(StreamBatch& batch)
 }
 
 //------------------------------------------------------------------------------
-void MeshSection::WriteBlocks(StreamBatch& batch)
+/** Keeps the unused points of a part for the block that the last part writes. */
+void MeshSection::TakeUnused(const WriterPart& part)
 {
-  auto& blocks = this->State.Table.Blocks;
-  std::vector<BlockStreams> streams(blocks.size() + 1);
-  ParallelFor(streams.size(),
-    [&](std::size_t b)
-    {
-      streams[b] = this->EncodeBlock(b < blocks.size()
-          ? this->State.GetBlockPoints(b)
-          : std::span<const std::uint32_t>(this->State.Parts.UnusedPoints));
-    });
-  for (std::size_t b = 0; b < streams.size(); ++b)
+  const auto& mesh = part.Mesh.GetMesh();
+  const auto size = 3 * SizeOf(mesh.CoordinateType);
+  const auto* coordinates = static_cast<const std::uint8_t*>(mesh.Coordinates);
+  auto& unused = this->State.Unused;
+  for (const auto point : part.Layout.UnusedPoints)
   {
-    auto& block = b < blocks.size() ? blocks[b] : this->State.Table.Unused;
-    for (const auto& [bytes, where, count] : { std::tuple(&streams[b].Geometry, &block.Geometry,
-                                                 &this->State.Statistics.SharedGeometryBytes),
-           std::tuple(&streams[b].Order, &block.Order, &this->State.Statistics.OrderBytes) })
+    part.Mesh.Include(this->State.Meta.Box, point);
+    const auto* from = coordinates + size * point;
+    unused.Coordinates.insert(unused.Coordinates.end(), from, from + size);
+    if (this->State.Options.Keep & KeepPoints)
     {
-      if (!bytes->empty())
-      {
-        batch.Add(*bytes, *where);
-        *count += bytes->size();
-      }
+      unused.Numbers.push_back(part.GetPointNumber(point));
     }
   }
 }
 
 //------------------------------------------------------------------------------
+void MeshSection::WriteBlocks(const WriterPart& part, StreamBatch& batch)
+{
+  auto& table = this->State.Table;
+  std::vector<BlockStreams> streams(part.Place.Blocks + (part.Place.IsLast ? 1 : 0));
+  ParallelFor(streams.size(),
+    [&](std::size_t b)
+    {
+      const FloatEnvironment guard;
+      streams[b] = b < part.Place.Blocks ? this->EncodeBlock(part, part.GetBlockPoints(table, b))
+                                         : this->EncodeUnused();
+    });
+  for (std::size_t b = 0; b < streams.size(); ++b)
+  {
+    this->AddStreams(streams[b],
+      b < part.Place.Blocks ? table.Blocks[part.Place.FirstBlock + b] : table.Unused, batch);
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeshSection::AddStreams(const BlockStreams& streams, BlockEntry& block, StreamBatch& batch)
+{
+  for (const auto& [bytes, where, count] :
+    { std::tuple(&streams.Geometry, &block.Geometry, &this->State.Statistics.SharedGeometryBytes),
+      std::tuple(&streams.Order, &block.Order, &this->State.Statistics.OrderBytes) })
+  {
+    if (!bytes->empty())
+    {
+      batch.Add(*bytes, *where);
+      *count += bytes->size();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+MeshSection::BlockStreams MeshSection::EncodeBlock(
+  const WriterPart& part, std::span<const std::uint32_t> points) const
+{
+  ComponentKeys numbers;
+  if (this->State.Options.Keep & KeepPoints)
+  {
+    for (const auto point : points)
+    {
+      numbers.Now.push_back(part.GetPointNumber(point));
+    }
+  }
+  return this->EncodeBlock(this->GetPointKeys(part, points), std::move(numbers));
+}
+
+//------------------------------------------------------------------------------
+MeshSection::BlockStreams MeshSection::EncodeUnused() const
+{
+  const auto& unused = this->State.Unused;
+  const auto size = SizeOf(this->State.Meta.CoordinateType);
+  std::vector<PointKeys> keys(unused.Coordinates.size() / (3 * size));
+  for (std::size_t i = 0; i < keys.size(); ++i)
+  {
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      keys[i][axis] = this->Domains[axis].Read(unused.Coordinates.data() + (3 * i + axis) * size);
+    }
+  }
+  ComponentKeys numbers;
+  numbers.Now = unused.Numbers;
+  return this->EncodeBlock(keys, std::move(numbers));
+}
+
+//------------------------------------------------------------------------------
 /** Encodes the points of a block. Called by several threads. */
-MeshSection::BlockStreams MeshSection::EncodeBlock(std::span<const std::uint32_t> points) const
+MeshSection::BlockStreams MeshSection::EncodeBlock(
+  const std::vector<PointKeys>& pointKeys, ComponentKeys numbers) const
 {
   BlockStreams streams;
-  if (points.empty())
+  if (pointKeys.empty())
   {
     return streams;
   }
-  const FloatEnvironment guard;
-  const auto pointKeys = this->GetPointKeys(points);
   std::vector<ComponentKeys> keys(3);
   for (unsigned axis = 0; axis < 3; ++axis)
   {
-    keys[axis].Now.resize(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
+    keys[axis].Now.resize(pointKeys.size());
+    for (std::size_t i = 0; i < pointKeys.size(); ++i)
     {
       keys[axis].Now[i] = pointKeys[i][axis];
     }
   }
   streams.Geometry = EncodeCellValues({}, this->Domains, keys);
   streams.Geometry.resize(
-    std::max<std::size_t>(streams.Geometry.size(), points.size() / MaxItemsPerByte + 1), 0);
+    std::max<std::size_t>(streams.Geometry.size(), pointKeys.size() / MaxItemsPerByte + 1), 0);
   if (this->State.Options.Keep & KeepPoints)
   {
-    const Domain ids(ScalarType::UInt32);
-    ComponentKeys order;
-    order.Now.assign(points.begin(), points.end());
-    streams.Order = EncodeCellValues({}, { &ids, 1 }, { &order, 1 });
+    const Domain ids(this->State.GetNumberType());
+    streams.Order = EncodeCellValues({}, { &ids, 1 }, { &numbers, 1 });
   }
   return streams;
 }
 
 //------------------------------------------------------------------------------
-std::vector<PointKeys> MeshSection::GetPointKeys(std::span<const std::uint32_t> points) const
+std::vector<PointKeys> MeshSection::GetPointKeys(
+  const WriterPart& part, std::span<const std::uint32_t> points) const
 {
-  const auto& input = this->State.Mesh.GetMesh();
+  const auto& input = part.Mesh.GetMesh();
   const auto size = SizeOf(input.CoordinateType);
   const auto* values = static_cast<const std::uint8_t*>(input.Coordinates);
   std::vector<PointKeys> keys(points.size());
@@ -188,26 +275,12 @@ std::vector<PointKeys> MeshSection::GetPointKeys(std::span<const std::uint32_t> 
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::uint32_t> MeshSection::GetSharedPoints(std::size_t chunk) const
-{
-  std::vector<std::uint32_t> points;
-  for (const auto& part : this->State.Table.Chunks[chunk].Shared)
-  {
-    const auto& group = this->State.Table.Blocks[part.Block].Groups[part.Group];
-    const auto block = this->State.GetBlockPoints(part.Block);
-    const auto begin = block.begin() + static_cast<std::ptrdiff_t>(part.FirstInBlock);
-    points.insert(points.end(), begin, begin + group.Points);
-  }
-  return points;
-}
-
-//------------------------------------------------------------------------------
 /** The cells of a chunk with the points that numberOf returns for those of the input. */
 template <typename NumberOf>
-CellList MeshSection::MakeCells(std::size_t chunk, NumberOf&& numberOf) const
+CellList MeshSection::MakeCells(
+  const WriterPart& part, std::size_t chunk, const CellSizes& sizes, NumberOf&& numberOf) const
 {
-  const auto& mesh = this->State.Mesh;
-  const auto& sizes = this->State.Table.Chunks[chunk].Sizes;
+  const auto& mesh = part.Mesh;
   CellList cells;
   cells.Corners.reserve(sizes.Corners);
   cells.Faces.reserve(sizes.FaceValues);
@@ -215,7 +288,7 @@ CellList MeshSection::MakeCells(std::size_t chunk, NumberOf&& numberOf) const
   {
     cells.FaceStarts.push_back(0);
   }
-  for (const auto cell : this->GetCells(chunk))
+  for (const auto cell : part.GetCells(chunk))
   {
     cells.Types.push_back(mesh.GetType(cell));
     for (auto i = mesh.GetBegin(cell); i < mesh.GetEnd(cell); ++i)
@@ -241,11 +314,11 @@ CellList MeshSection::MakeCells(std::size_t chunk, NumberOf&& numberOf) const
 }
 
 //------------------------------------------------------------------------------
-MeshSection::LocalMesh MeshSection::MakeLocalMesh(std::size_t chunk)
+MeshSection::LocalMesh MeshSection::MakeLocalMesh(const WriterPart& part, std::size_t chunk) const
 {
   LocalMesh local;
-  local.Shared = this->GetSharedPoints(chunk);
-  local.Own = this->State.Parts.OwnPoints[chunk];
+  local.Shared = part.GetSharedPoints(this->State.Table, chunk);
+  local.Own = part.Layout.OwnPoints[chunk];
   LocalIds ids(local.Shared.size() + local.Own.size());
   for (const auto* points : { &local.Shared, &local.Own })
   {
@@ -254,31 +327,24 @@ MeshSection::LocalMesh MeshSection::MakeLocalMesh(std::size_t chunk)
       ids.Add(p);
     }
   }
-  if (this->State.Table.Chunks[chunk].Sizes.IsTetrahedral)
+  const auto& sizes = this->State.Table.Chunks[part.Place.FirstChunk + chunk].Sizes;
+  if (sizes.IsTetrahedral)
   {
-    local.Tets = this->MakeTets(chunk, ids);
+    local.Tets = this->MakeTets(part, chunk, ids);
   }
   else
   {
-    local.Cells = this->MakeCells(chunk, [&](std::uint32_t point) { return ids[point]; });
+    local.Cells =
+      this->MakeCells(part, chunk, sizes, [&](std::uint32_t point) { return ids[point]; });
   }
   return local;
 }
 
 //------------------------------------------------------------------------------
-/** The input's cells of a chunk. */
-std::span<const std::uint32_t> MeshSection::GetCells(std::size_t chunk) const
+CellSizes MeshSection::GetSizes(const WriterPart& part, std::size_t chunk) const
 {
-  const auto& parts = this->State.Parts;
-  return std::span(parts.Cells)
-    .subspan(parts.ChunkStart[chunk], parts.ChunkStart[chunk + 1] - parts.ChunkStart[chunk]);
-}
-
-//------------------------------------------------------------------------------
-CellSizes MeshSection::GetSizes(std::size_t chunk) const
-{
-  const auto& mesh = this->State.Mesh;
-  const auto cells = this->GetCells(chunk);
+  const auto& mesh = part.Mesh;
+  const auto cells = part.GetCells(chunk);
   CellSizes sizes;
   sizes.Cells = static_cast<std::uint32_t>(cells.size());
   std::uint64_t corners = 4 * cells.size();
@@ -307,95 +373,57 @@ CellSizes MeshSection::GetSizes(std::size_t chunk) const
 
 //------------------------------------------------------------------------------
 std::vector<std::array<std::uint32_t, 4>> MeshSection::MakeTets(
-  std::size_t chunk, const LocalIds& ids) const
+  const WriterPart& part, std::size_t chunk, const LocalIds& ids) const
 {
-  const auto cells = this->GetCells(chunk);
+  const auto cells = part.GetCells(chunk);
   std::vector<std::array<std::uint32_t, 4>> tets(cells.size());
   for (std::size_t t = 0; t < tets.size(); ++t)
   {
-    const auto begin = this->State.Mesh.GetBegin(cells[t]);
+    const auto begin = part.Mesh.GetBegin(cells[t]);
     for (unsigned i = 0; i < 4; ++i)
     {
-      tets[t][i] = ids[static_cast<std::uint32_t>(this->State.Mesh.GetId(begin + i))];
+      tets[t][i] = ids[static_cast<std::uint32_t>(part.Mesh.GetId(begin + i))];
     }
   }
   return tets;
 }
 
 //------------------------------------------------------------------------------
-ChunkFrame MeshSection::MakeFrame(std::size_t chunk, std::span<const std::uint32_t> shared) const
+ChunkFrame MeshSection::MakeFrame(
+  const WriterPart& part, std::size_t chunk, std::span<const std::uint32_t> shared) const
 {
-  const auto& entry = this->State.Table.Chunks[chunk];
+  const auto number = part.Place.FirstChunk + chunk;
+  const auto& entry = this->State.Table.Chunks[number];
   ChunkFrame frame;
   entry.Sizes.SetIn(frame);
   frame.OwnPoints = static_cast<std::uint32_t>(entry.Info.OwnPoints);
   frame.Box = entry.Info.Box;
   frame.Domains = this->Domains;
-  frame.SharedKeys = this->GetPointKeys(shared);
-  frame.SharedUsers = this->State.Table.GetSharedUsers(chunk);
+  frame.SharedKeys = this->GetPointKeys(part, shared);
+  frame.SharedUsers = this->State.Table.GetSharedUsers(number);
   return frame;
 }
 
 //------------------------------------------------------------------------------
-/** Lists the types of all cells. */
-void MeshSection::CountTypes()
-{
-  std::array<std::uint64_t, 256> counts{};
-  for (std::uint64_t cell = 0; cell < this->State.Mesh.GetMesh().Cells; ++cell)
-  {
-    ++counts[this->State.Mesh.GetType(cell)];
-  }
-  for (std::size_t type = 0; type < counts.size(); ++type)
-  {
-    if (counts[type] > 0)
-    {
-      this->State.Cells.Types.push_back({ static_cast<std::uint8_t>(type), counts[type] });
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-/** Lists the shapes of all cells. */
-void MeshSection::FindShapes()
-{
-  std::vector<ShapeTable> shapes(this->State.Chunks.size());
-  ParallelFor(shapes.size(),
-    [&](std::size_t chunk)
-    {
-      if (!this->State.Table.Chunks[chunk].Sizes.IsTetrahedral)
-      {
-        // Shapes do not depend on the numbers of points.
-        shapes[chunk].Add(this->MakeCells(chunk, [](std::uint32_t point) { return point; }));
-      }
-    });
-  ShapeTable all;
-  for (const auto& table : shapes)
-  {
-    all.Merge(table);
-  }
-  this->State.Cells.SetShapes(all.Write());
-}
-
-//------------------------------------------------------------------------------
 /** Encodes a chunk and keeps the state that its arrays need. Called by several threads. */
-MeshSection::ChunkStreams MeshSection::EncodeChunk(std::size_t chunk)
+MeshSection::ChunkStreams MeshSection::EncodeChunk(WriterPart& part, std::size_t chunk)
 {
   const FloatEnvironment guard;
-  const auto local = this->MakeLocalMesh(chunk);
-  this->State.Parts.OwnPoints[chunk] = {};
-  auto& info = this->State.Table.Chunks[chunk].Info;
+  const auto local = this->MakeLocalMesh(part, chunk);
+  part.Layout.OwnPoints[chunk] = {};
+  auto& info = this->State.Table.Chunks[part.Place.FirstChunk + chunk].Info;
   info.OwnPoints = local.Own.size();
   for (const auto* points : { &local.Shared, &local.Own })
   {
     for (const auto p : *points)
     {
-      this->State.Mesh.Include(info.Box, p);
+      part.Mesh.Include(info.Box, p);
     }
   }
-  const auto frame = this->MakeFrame(chunk, local.Shared);
-  const auto ownKeys = this->GetPointKeys(local.Own);
+  const auto frame = this->MakeFrame(part, chunk, local.Shared);
+  const auto ownKeys = this->GetPointKeys(part, local.Own);
   const bool keepsCorners = (this->State.Options.Keep & KeepCorners) != 0;
-  auto& state = this->State.Chunks[chunk];
+  auto& state = part.Chunks[chunk];
   ChunkStreams streams;
   std::vector<std::uint32_t> ownOrder;
   std::vector<std::uint32_t> cellOrder;
@@ -433,31 +461,38 @@ MeshSection::ChunkStreams MeshSection::EncodeChunk(std::size_t chunk)
       ? local.Shared[sources[v] & ~Topology::SharedFlag]
       : local.Own[ownOrder[sources[v]]];
   }
-  const auto cells = this->GetCells(chunk);
+  const auto cells = part.GetCells(chunk);
   state.CellOf.resize(cellOrder.size());
   std::transform(cellOrder.begin(), cellOrder.end(), state.CellOf.begin(),
     [&](std::uint32_t cell) { return cells[cell]; });
-  this->EncodeOrder(state, streams);
+  this->EncodeOrder(part, state, streams);
   state.Mesh.Walk.Tets = {};
   state.Mesh.Cells = {};
   return streams;
 }
 
 //------------------------------------------------------------------------------
-void MeshSection::EncodeOrder(ChunkState& chunk, ChunkStreams& streams) const
+void MeshSection::EncodeOrder(
+  const WriterPart& part, ChunkState& chunk, ChunkStreams& streams) const
 {
-  const Domain ids(ScalarType::UInt32);
+  const Domain ids(this->State.GetNumberType());
   if (this->State.Options.Keep & KeepPoints)
   {
     chunk.Mesh.MakeContext(false);
     ComponentKeys keys;
-    keys.Now.assign(chunk.PointOf.begin(), chunk.PointOf.end());
+    for (const auto point : chunk.PointOf)
+    {
+      keys.Now.push_back(part.GetPointNumber(point));
+    }
     streams.PointOrder = EncodePointValues(chunk.Mesh.Context, { &ids, 1 }, { &keys, 1 });
   }
   if (this->State.Options.Keep & KeepCells)
   {
     ComponentKeys keys;
-    keys.Now.assign(chunk.CellOf.begin(), chunk.CellOf.end());
+    for (const auto cell : chunk.CellOf)
+    {
+      keys.Now.push_back(part.Place.FirstCell + cell);
+    }
     streams.CellOrder = EncodeCellValues(chunk.Mesh.Walk.Parents, { &ids, 1 }, { &keys, 1 });
   }
 }
@@ -482,18 +517,19 @@ void MeshSection::AddStreams(const ChunkStreams& streams, ChunkEntry& entry, Str
 }
 
 //------------------------------------------------------------------------------
-void MeshSection::WriteChunks(const std::function<bool(double)>& progress)
+void MeshSection::WriteChunks(WriterPart& part, const std::function<bool(double)>& progress)
 {
   std::vector<ChunkStreams> streams(ChunksPerBatch);
   StreamBatch batch;
   ForEachBatch(
-    this->State.Chunks.size(),
-    [&](std::size_t chunk) { streams[chunk % ChunksPerBatch] = this->EncodeChunk(chunk); },
+    part.Chunks.size(),
+    [&](std::size_t chunk) { streams[chunk % ChunksPerBatch] = this->EncodeChunk(part, chunk); },
     [&](std::size_t first, std::size_t count)
     {
       for (std::size_t i = 0; i < count; ++i)
       {
-        this->AddStreams(streams[i], this->State.Table.Chunks[first + i], batch);
+        this->AddStreams(
+          streams[i], this->State.Table.Chunks[part.Place.FirstChunk + first + i], batch);
       }
       batch.Write(this->State.File, SectionMesh);
     },
@@ -501,17 +537,13 @@ void MeshSection::WriteChunks(const std::function<bool(double)>& progress)
 }
 
 //------------------------------------------------------------------------------
-void MeshSection::FindBounds()
+void MeshSection::FindBounds(const WriterPart& part)
 {
-  this->State.Meta.Tets = 0;
-  for (const auto& chunk : this->State.Table.Chunks)
+  for (std::size_t c = 0; c < part.Chunks.size(); ++c)
   {
-    this->State.Meta.Tets += chunk.Info.Tets;
-    this->State.Meta.Box.Include(chunk.Info.Box);
-  }
-  for (const auto p : this->State.Parts.UnusedPoints)
-  {
-    this->State.Mesh.Include(this->State.Meta.Box, p);
+    const auto& info = this->State.Table.Chunks[part.Place.FirstChunk + c].Info;
+    this->State.Meta.Tets += info.Tets;
+    this->State.Meta.Box.Include(info.Box);
   }
 }
 }

@@ -8,19 +8,23 @@
 #include "gatunCellList.h"
 #include "gatunLayerPartition.h"
 #include "gatunLocalIds.h"
+#include "gatunPalette.h"
+#include "gatunWriterPart.h"
 #include "gatunWriterState.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace gatun
 {
-/** Partitions the mesh of a file and writes its MESH sections: palettes, blocks and chunks. */
+/** Partitions the parts of a mesh and writes the MESH sections of a file: palettes, blocks and
+ * chunks. */
 class MeshSection
 {
 public:
@@ -29,8 +33,22 @@ public:
   {
   }
 
-  /** Fills table, bounds and chunks of the state. */
-  void Write(const std::function<bool(double)>& progress);
+  /** Divides a part into chunks. */
+  void MakeLayout(WriterPart& part, const std::function<bool(double)>& progress);
+
+  /** Adds the chunks of a part to the tables, with the number of points that they share. All parts
+   * have to be added, in their order, before the first one is written. */
+  void AddChunks(const WriterPart& part);
+
+  /** Adds the shared points of the chunks of a part to the groups of the file. */
+  void AddGroups(const WriterPart& part);
+
+  /** Sets the palettes of the coordinates. */
+  void SetPalettes(const std::array<std::shared_ptr<const Palette>, 3>& palettes);
+
+  /** Writes a part whose shared points have been placed, and fills the entries of its chunks. The
+   * last part also writes the unused points of all. */
+  void Write(WriterPart& part, const std::function<bool(double)>& progress);
 
   /** The layers that the file is organized by, if any. */
   const std::optional<LayerPartition>& GetLayers() const { return this->Layers; }
@@ -56,26 +74,29 @@ private:
     Bytes Connectivity, Geometry, PointOrder, CellOrder, Corners;
   };
 
-  void MakePartition(const std::function<bool(double)>& progress);
   void WritePalettes(StreamBatch& batch);
-  void WriteBlocks(StreamBatch& batch);
-  BlockStreams EncodeBlock(std::span<const std::uint32_t> points) const;
-  void WriteChunks(const std::function<bool(double)>& progress);
-  void CountTypes();
-  void FindShapes();
-  void FindBounds();
+  void WriteBlocks(const WriterPart& part, StreamBatch& batch);
+  BlockStreams EncodeBlock(const WriterPart& part, std::span<const std::uint32_t> points) const;
+  BlockStreams EncodeUnused() const;
+  BlockStreams EncodeBlock(const std::vector<PointKeys>& pointKeys, ComponentKeys numbers) const;
+  void AddStreams(const BlockStreams& streams, BlockEntry& block, StreamBatch& batch);
+  void TakeUnused(const WriterPart& part);
+  void WriteChunks(WriterPart& part, const std::function<bool(double)>& progress);
+  void FindBounds(const WriterPart& part);
 
-  std::vector<PointKeys> GetPointKeys(std::span<const std::uint32_t> points) const;
-  std::vector<std::uint32_t> GetSharedPoints(std::size_t chunk) const;
-  std::span<const std::uint32_t> GetCells(std::size_t chunk) const;
-  CellSizes GetSizes(std::size_t chunk) const;
-  LocalMesh MakeLocalMesh(std::size_t chunk);
-  std::vector<std::array<std::uint32_t, 4>> MakeTets(std::size_t chunk, const LocalIds& ids) const;
+  std::vector<PointKeys> GetPointKeys(
+    const WriterPart& part, std::span<const std::uint32_t> points) const;
+  CellSizes GetSizes(const WriterPart& part, std::size_t chunk) const;
+  LocalMesh MakeLocalMesh(const WriterPart& part, std::size_t chunk) const;
+  std::vector<std::array<std::uint32_t, 4>> MakeTets(
+    const WriterPart& part, std::size_t chunk, const LocalIds& ids) const;
   template <typename NumberOf>
-  CellList MakeCells(std::size_t chunk, NumberOf&& numberOf) const;
-  ChunkFrame MakeFrame(std::size_t chunk, std::span<const std::uint32_t> shared) const;
-  ChunkStreams EncodeChunk(std::size_t chunk);
-  void EncodeOrder(ChunkState& chunk, ChunkStreams& streams) const;
+  CellList MakeCells(
+    const WriterPart& part, std::size_t chunk, const CellSizes& sizes, NumberOf&& numberOf) const;
+  ChunkFrame MakeFrame(
+    const WriterPart& part, std::size_t chunk, std::span<const std::uint32_t> shared) const;
+  ChunkStreams EncodeChunk(WriterPart& part, std::size_t chunk);
+  void EncodeOrder(const WriterPart& part, ChunkState& chunk, ChunkStreams& streams) const;
   void AddStreams(const ChunkStreams& streams, ChunkEntry& entry, StreamBatch& batch);
 
   WriterState& State;

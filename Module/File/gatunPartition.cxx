@@ -24,9 +24,6 @@ namespace
 {
 constexpr std::size_t PointsPerTask = 1u << 16;
 
-// Smaller groups are stored together with others of the same first chunk.
-constexpr std::uint32_t LargeGroup = 256;
-
 // Buckets of layers with less than this fraction of a chunk are joined with others.
 constexpr std::uint32_t SmallestPart = 16;
 
@@ -83,27 +80,6 @@ std::vector<std::uint32_t> FindChunkCells(
   return counts;
 }
 
-Bounds GetBox(const MeshAccess& mesh)
-{
-  const auto points = mesh.GetMesh().Points;
-  std::vector<Bounds> boxes((points + PointsPerTask - 1) / PointsPerTask);
-  ParallelFor(boxes.size(),
-    [&](std::size_t task)
-    {
-      const auto end = std::min<std::uint64_t>(points, (task + 1) * PointsPerTask);
-      for (std::uint64_t p = task * PointsPerTask; p < end; ++p)
-      {
-        mesh.Include(boxes[task], p);
-      }
-    });
-  Bounds all;
-  for (const auto& box : boxes)
-  {
-    all.Include(box);
-  }
-  return all;
-}
-
 /** The use of a shared point by a chunk. */
 struct Use
 {
@@ -131,8 +107,8 @@ std::vector<std::vector<std::uint32_t>> ListPoints(const MeshAccess& mesh, const
   return lists;
 }
 
-/** Marks each point as unused, own or shared, and returns the uses of shared points by point and
- * chunk. Leaves the own points in the lists. */
+/** Finds the unused points, and returns the uses of shared points by point and chunk. Leaves the
+ * own points in the lists. */
 std::vector<Use> FindShared(
   const MeshAccess& mesh, std::vector<std::vector<std::uint32_t>>& lists, Partition& out)
 {
@@ -149,31 +125,28 @@ std::vector<Use> FindShared(
         }
       }
     });
-  out.SharedIndex.resize(points);
-  ParallelFor((points + PointsPerTask - 1) / PointsPerTask,
-    [&](std::size_t task)
-    {
-      const auto end = std::min(points, (task + 1) * PointsPerTask);
-      for (auto p = task * PointsPerTask; p < end; ++p)
-      {
-        const auto count = users[p].load(std::memory_order_relaxed);
-        out.SharedIndex[p] = count == 0 ? Partition::Unused : count == 1 ? Partition::OwnPoint : 0;
-      }
-    });
   std::vector<std::vector<Use>> uses(lists.size());
   ParallelFor(lists.size(),
     [&](std::size_t c)
     {
+      const auto isShared = [&](std::uint32_t p)
+      { return users[p].load(std::memory_order_relaxed) != 1; };
       for (const auto p : lists[c])
       {
-        if (out.SharedIndex[p] != Partition::OwnPoint)
+        if (isShared(p))
         {
           uses[c].push_back({ p, static_cast<std::uint32_t>(c) });
         }
       }
-      std::erase_if(
-        lists[c], [&](std::uint32_t p) { return out.SharedIndex[p] != Partition::OwnPoint; });
+      std::erase_if(lists[c], isShared);
     });
+  for (std::size_t p = 0; p < points; ++p)
+  {
+    if (users[p].load(std::memory_order_relaxed) == 0)
+    {
+      out.UnusedPoints.push_back(static_cast<std::uint32_t>(p));
+    }
+  }
   std::vector<Use> all;
   for (const auto& list : uses)
   {
@@ -190,11 +163,12 @@ struct PlacedPoint
   auto operator<=>(const PlacedPoint&) const = default;
 };
 
+/** Sorts the shared points by the chunks that use them. */
 void GroupShared(const MeshAccess& mesh, const std::vector<Use>& uses, Partition& out)
 {
-  const auto box = GetBox(mesh);
-  std::map<std::vector<std::uint32_t>, std::vector<PlacedPoint>> groups;
-  std::vector<std::uint32_t> chunks;
+  const auto box = FindBox(mesh);
+  std::map<ChunkSet, std::vector<PlacedPoint>> groups;
+  ChunkSet chunks;
   for (std::size_t i = 0; i < uses.size();)
   {
     const auto point = uses[i].Point;
@@ -203,64 +177,55 @@ void GroupShared(const MeshAccess& mesh, const std::vector<Use>& uses, Partition
     {
       chunks.push_back(uses[i].Chunk);
     }
-    groups[chunks].push_back({ GetMortonCode(box,
-                                 { mesh.GetCoordinate(point, 0), mesh.GetCoordinate(point, 1),
-                                   mesh.GetCoordinate(point, 2) }),
-      point });
+    groups[chunks].push_back({ FindMortonCode(mesh, box, point), point });
   }
-
-  // Large groups are blocks of their own. The small groups of a first chunk form one block.
-  const auto addGroup = [&](BlockEntry& block, const std::vector<std::uint32_t>& users,
-                          std::vector<PlacedPoint>& points)
+  for (auto& [users, points] : groups)
   {
     std::sort(points.begin(), points.end());
-    block.Groups.push_back({ users, static_cast<std::uint32_t>(points.size()) });
-    block.Points += points.size();
+    auto& sorted = out.SharedPoints[users];
+    sorted.reserve(points.size());
     for (const auto& p : points)
     {
-      out.SharedIndex[p.Point] = static_cast<std::uint32_t>(out.SharedPoints.size());
-      out.SharedPoints.push_back(p.Point);
+      sorted.push_back(p.Point);
     }
-  };
-  for (auto first = groups.begin(); first != groups.end();)
-  {
-    auto last = first;
-    while (last != groups.end() && last->first[0] == first->first[0])
-    {
-      ++last;
-    }
-    BlockEntry rest;
-    for (const bool large : { true, false })
-    {
-      for (auto it = first; it != last; ++it)
-      {
-        if ((it->second.size() >= LargeGroup) != large)
-        {
-          continue;
-        }
-        if (large)
-        {
-          addGroup(out.Blocks.emplace_back(), it->first, it->second);
-        }
-        else
-        {
-          addGroup(rest, it->first, it->second);
-        }
-      }
-    }
-    if (!rest.Groups.empty())
-    {
-      out.Blocks.push_back(std::move(rest));
-    }
-    first = last;
+    points = {};
   }
 }
 }
 
+//------------------------------------------------------------------------------
+Bounds FindBox(const MeshAccess& mesh)
+{
+  const auto points = mesh.GetMesh().Points;
+  std::vector<Bounds> boxes((points + PointsPerTask - 1) / PointsPerTask);
+  ParallelFor(boxes.size(),
+    [&](std::size_t task)
+    {
+      const auto end = std::min<std::uint64_t>(points, (task + 1) * PointsPerTask);
+      for (std::uint64_t p = task * PointsPerTask; p < end; ++p)
+      {
+        mesh.Include(boxes[task], p);
+      }
+    });
+  Bounds all;
+  for (const auto& box : boxes)
+  {
+    all.Include(box);
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t FindMortonCode(const MeshAccess& mesh, const Bounds& box, std::uint64_t point)
+{
+  return GetMortonCode(box,
+    { mesh.GetCoordinate(point, 0), mesh.GetCoordinate(point, 1), mesh.GetCoordinate(point, 2) });
+}
+
+//------------------------------------------------------------------------------
 Partition MakePartition(const MeshAccess& mesh, std::uint32_t chunkTets,
   const std::function<bool(double)>& progress, LayerPartition* layers)
 {
-  const auto& input = mesh.GetMesh();
   CheckCells(mesh);
   Partition result;
   auto buckets = layers ? MakeBuckets(mesh, chunkTets, *layers) : MakeOneBucket(mesh);
@@ -282,13 +247,6 @@ Partition MakePartition(const MeshAccess& mesh, std::uint32_t chunkTets,
   }
   result.OwnPoints = ListPoints(mesh, result);
   GroupShared(mesh, FindShared(mesh, result.OwnPoints, result), result);
-  for (std::uint32_t p = 0; p < input.Points; ++p)
-  {
-    if (result.SharedIndex[p] == Partition::Unused)
-    {
-      result.UnusedPoints.push_back(p);
-    }
-  }
   return result;
 }
 }

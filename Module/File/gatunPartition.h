@@ -8,10 +8,12 @@
 
 #include "gatunLayerPartition.h"
 #include "gatunMeshAccess.h"
-#include "gatunTables.h"
+#include "gatunSharedGroups.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <vector>
 
 namespace gatun
@@ -19,26 +21,25 @@ namespace gatun
 /** The chunks of a mesh. Indices refer to the input and fit 32 bits. */
 struct Partition
 {
-  static constexpr std::uint32_t Unused = 0xffffffffu;
-
   std::vector<std::uint32_t> Cells; // chunk by chunk, ascending within a chunk
   std::vector<std::size_t> ChunkStart;
-
-  // The shared points in the order of the file: by block, group and Morton code.
-  std::vector<std::uint32_t> SharedPoints;
-  std::vector<BlockEntry> Blocks; // groups and counts only
 
   // The points that no other chunk uses, for each chunk, ascending.
   std::vector<std::vector<std::uint32_t>> OwnPoints;
 
-  std::vector<std::uint32_t> UnusedPoints;
+  // The points that two or more chunks use, for each set of chunks, by Morton code.
+  std::map<ChunkSet, std::vector<std::uint32_t>> SharedPoints;
 
-  // For each point, its position in SharedPoints, or OwnPoint, or Unused.
-  static constexpr std::uint32_t OwnPoint = 0xfffffffeu;
-  std::vector<std::uint32_t> SharedIndex;
+  std::vector<std::uint32_t> UnusedPoints; // ascending
 
   std::size_t GetChunkCount() const { return this->ChunkStart.size() - 1; }
 };
+
+/** The bounds of the finite coordinates of all points. */
+Bounds FindBox(const MeshAccess& mesh);
+
+/** The Morton code of a point within such bounds. */
+std::uint64_t FindMortonCode(const MeshAccess& mesh, const Bounds& box, std::uint64_t point);
 
 /**
  * Halves the cells along the longest axis of the means of their points until no part has more than

@@ -4,10 +4,11 @@
 #include "gatunStepSection.h"
 
 #include "gatunFloatEnvironment.h"
-#include "gatunPalette.h"
 #include "gatunParallel.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -25,83 +26,167 @@ void Include(ArrayRanges& all, const ArrayRanges& part)
 }
 
 //------------------------------------------------------------------------------
-void StepSection::Check(std::span<const void* const> values, bool hasTime, double time) const
+void StepSection::SetPalettes(std::size_t step, StepPalettes palettes)
 {
-  if (values.size() != this->State.Meta.Arrays.size())
+  this->Steps.resize(std::max(this->Steps.size(), step + 1));
+  this->Steps[step].Palettes = std::move(palettes);
+}
+
+//------------------------------------------------------------------------------
+StepPalettes StepSection::FindPalettes(
+  const WriterPart& part, std::span<const void* const> values) const
+{
+  StepPalettes palettes(values.size());
+  for (std::size_t a = 0; a < values.size(); ++a)
+  {
+    const auto& array = this->State.Meta.Arrays[a];
+    for (std::uint32_t c = 0; c < array.Components; ++c)
+    {
+      palettes[a].push_back(
+        FindPalette(array.Type, values[a], part.GetTupleCount(array), array.Components, c));
+    }
+  }
+  return palettes;
+}
+
+//------------------------------------------------------------------------------
+void StepSection::Check(const WriterPart& part, const StepValues& values) const
+{
+  const auto& arrays = this->State.Meta.Arrays;
+  if (values.Arrays.size() != arrays.size())
   {
     ThrowInvalid("a step needs the values of every array");
   }
-  if (this->Count > 0 && (!hasTime || !this->State.Meta.HasTime || !(time > this->LastTime)))
+  for (std::size_t a = 0; a < arrays.size(); ++a)
   {
-    ThrowInvalid("the times of the steps must ascend: " + std::to_string(time) + " follows " +
-      std::to_string(this->LastTime));
+    if (!values.Arrays[a] && part.GetTupleCount(arrays[a]) > 0)
+    {
+      ThrowInvalid("array '" + arrays[a].Name + "' has no values");
+    }
   }
-  if (std::isnan(time))
+  if (std::isnan(values.Time))
   {
     ThrowInvalid("the time of a step is not a number");
   }
+  if (!part.Place.IsFirst)
+  {
+    if (this->Count == this->Steps.size())
+    {
+      ThrowInvalid("a part has more time steps than the first one");
+    }
+    if (values.HasTime != this->State.Meta.HasTime ||
+      (values.HasTime && values.Time != this->GetStep().Table.Time))
+    {
+      ThrowInvalid("parts have different times");
+    }
+    return;
+  }
+  if (this->Count > 0)
+  {
+    const double last = this->Steps[this->Count - 1].Table.Time;
+    if (!values.HasTime || !this->State.Meta.HasTime || !(values.Time > last))
+    {
+      ThrowInvalid("the times of the steps must ascend: " + std::to_string(values.Time) +
+        " follows " + std::to_string(last));
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
-StepInput StepSection::WriteValues(std::span<const void* const> values, const FieldData& field,
-  bool hasTime, double time, const std::function<bool(double)>& progress)
+/** Describes a step before the first part writes it. */
+void StepSection::Begin(const WriterPart& part, const StepValues& values)
 {
-  this->Check(values, hasTime, time);
-  this->State.Meta.HasTime = hasTime;
-  StepInput step;
-  step.Table.Time = time;
+  this->State.Meta.HasTime = values.HasTime;
+  const auto& arrays = this->State.Meta.Arrays;
+  this->Steps.resize(std::max(this->Steps.size(), this->Count + 1));
+  auto& step = this->GetStep();
+  step.Table.Time = values.Time;
   step.Table.Key = this->Count % this->State.Options.KeyStepInterval == 0;
-  step.Table.Arrays.resize(values.size());
-  step.Arrays.resize(values.size());
-  step.IsPlain.assign(values.size(), true);
-  StreamBatch batch;
-  for (std::size_t a = 0; a < values.size(); ++a)
+  step.Table.Arrays.resize(arrays.size());
+  step.IsPlain.assign(arrays.size(), true);
+  if (step.Palettes.empty())
   {
-    this->AddArray(a, values[a], step, batch);
+    step.Palettes = this->FindPalettes(part, values.Arrays);
   }
-  this->AddFieldData(field, step.Table, batch);
+  StreamBatch batch;
+  for (std::size_t a = 0; a < arrays.size(); ++a)
+  {
+    auto& entry = step.Table.Arrays[a];
+    entry.Ranges.resize(GetRangeCount(arrays[a].Components));
+    entry.Palettes.resize(arrays[a].Components);
+    entry.Chunks.resize(this->State.Table.Chunks.size());
+    entry.ChunkRanges.resize(this->State.Table.Chunks.size());
+    if (arrays[a].Where == Association::Point)
+    {
+      entry.Blocks.resize(this->State.Table.Blocks.size() + 1);
+    }
+    this->WritePalettes(a, batch);
+  }
+  if (values.Field)
+  {
+    this->AddFieldData(*values.Field, step.Table, batch);
+  }
   batch.Write(this->State.File, SectionValues);
-  if (!field.empty())
+  if (step.Table.Field.Length > 0)
   {
     this->LastFieldRef = step.Table.Field;
   }
-  this->WriteBlockValues(step);
-  this->WriteChunkValues(step, progress);
-  return step;
 }
 
 //------------------------------------------------------------------------------
-/** Describes an array and adds its palettes. */
-void StepSection::AddArray(std::size_t a, const void* values, StepInput& step, StreamBatch& batch)
+void StepSection::WritePalettes(std::size_t a, StreamBatch& batch)
 {
-  const auto& array = this->State.Meta.Arrays[a];
-  auto& input = step.Arrays[a];
+  auto& step = this->GetStep();
   auto& entry = step.Table.Arrays[a];
-  const auto tuples = this->State.GetTupleCount(array);
-  if (!values && tuples > 0)
+  for (std::size_t c = 0; c < entry.Palettes.size(); ++c)
   {
-    ThrowInvalid("array '" + array.Name + "' has no values");
-  }
-  input.Description = &array;
-  input.Now = static_cast<const std::uint8_t*>(values);
-  entry.Ranges.resize(GetRangeCount(array.Components));
-  entry.Palettes.resize(array.Components);
-  entry.Chunks.resize(this->State.Chunks.size());
-  entry.ChunkRanges.resize(this->State.Chunks.size());
-  for (std::uint32_t c = 0; c < array.Components; ++c)
-  {
-    auto palette = FindPalette(array.Type, values, tuples, array.Components, c);
-    input.Domains.emplace_back(array.Type, palette);
+    const auto& palette = step.Palettes[a][c];
     if (palette)
     {
       step.IsPlain[a] = false;
       entry.Palettes[c].Count = palette->size();
-      const auto stream = EncodePalette(array.Type, *palette);
+      const auto stream = EncodePalette(this->State.Meta.Arrays[a].Type, *palette);
       batch.Add(stream, entry.Palettes[c].Stream);
       this->State.Statistics.ArrayBytes[a] += stream.size();
     }
   }
-  if (!step.Table.Key && step.IsPlain[a] && this->BeforeIsPlain[a])
+}
+
+//------------------------------------------------------------------------------
+StepInput& StepSection::WriteValues(
+  WriterPart& part, const StepValues& values, const std::function<bool(double)>& progress)
+{
+  this->Check(part, values);
+  if (part.Place.IsFirst)
+  {
+    this->Begin(part, values);
+  }
+  auto& step = this->GetStep();
+  step.Arrays.clear();
+  for (std::size_t a = 0; a < values.Arrays.size(); ++a)
+  {
+    this->AddArray(a, part, values.Arrays[a]);
+  }
+  this->TakeUnused(part);
+  this->WriteBlockValues(part);
+  this->WriteChunkValues(part, progress);
+  return step;
+}
+
+//------------------------------------------------------------------------------
+void StepSection::AddArray(std::size_t a, const WriterPart& part, const void* values)
+{
+  auto& step = this->GetStep();
+  const auto& array = this->State.Meta.Arrays[a];
+  auto& input = step.Arrays.emplace_back();
+  input.Description = &array;
+  input.Now = static_cast<const std::uint8_t*>(values);
+  for (const auto& palette : step.Palettes[a])
+  {
+    input.Domains.emplace_back(array.Type, palette);
+  }
+  if (!step.Table.Key && step.IsPlain[a] && this->Steps[this->Count - 1].IsPlain[a] &&
+    part.GetTupleCount(array) > 0)
   {
     input.Before = this->Before[a].data();
   }
@@ -126,57 +211,106 @@ void StepSection::AddFieldData(const FieldData& field, StepTable& step, StreamBa
 }
 
 //------------------------------------------------------------------------------
-void StepSection::WriteBlockValues(StepInput& step)
+/** Keeps the values of the unused points of a part for the block that the last part writes. */
+void StepSection::TakeUnused(const WriterPart& part)
 {
-  const auto& inputs = step.Arrays;
-  const auto blocks = this->State.Table.Blocks.size() + 1;
-  const auto getPoints = [&](std::size_t b)
+  auto& steps = this->State.Unused.Values;
+  auto& arrays = this->GetStep().Arrays;
+  steps.resize(std::max(steps.size(), this->Count + 1));
+  steps[this->Count].resize(arrays.size());
+  for (std::size_t a = 0; a < arrays.size(); ++a)
   {
-    return b + 1 < blocks ? this->State.GetBlockPoints(b)
-                          : std::span<const std::uint32_t>(this->State.Parts.UnusedPoints);
-  };
-  std::vector<std::vector<Bytes>> streams(inputs.size(), std::vector<Bytes>(blocks));
-  ParallelFor(blocks,
+    const auto& array = *arrays[a].Description;
+    if (array.Where == Association::Point)
+    {
+      auto& values = steps[this->Count][a];
+      for (const auto point : part.Layout.UnusedPoints)
+      {
+        const auto* from = arrays[a].At(arrays[a].Now, point, 0);
+        values.insert(values.end(), from, from + array.Components * SizeOf(array.Type));
+      }
+      arrays[a].Include(this->GetStep().Table.Arrays[a].Ranges, part.Layout.UnusedPoints);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/** Encodes the values of a block, one stream for each array. Called by several threads. */
+std::vector<Bytes> StepSection::EncodeBlock(std::span<const std::uint32_t> points) const
+{
+  const auto& inputs = this->GetStep().Arrays;
+  std::vector<Bytes> streams(inputs.size());
+  for (std::size_t a = 0; a < inputs.size(); ++a)
+  {
+    if (inputs[a].Description->Where == Association::Point && !points.empty())
+    {
+      auto keys = inputs[a].GetKeys(points);
+      streams[a] = EncodeCellValues({}, inputs[a].Domains, keys);
+    }
+  }
+  return streams;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Bytes> StepSection::EncodeUnused()
+{
+  const auto& unused = this->State.Unused.Values;
+  const auto& step = this->GetStep();
+  std::vector<Bytes> streams(step.Arrays.size());
+  std::vector<std::uint32_t> points(static_cast<std::size_t>(this->State.Meta.UnusedPoints));
+  std::iota(points.begin(), points.end(), 0u);
+  for (std::size_t a = 0; a < streams.size(); ++a)
+  {
+    ArrayInput input = step.Arrays[a];
+    if (input.Description->Where == Association::Point && !points.empty())
+    {
+      const bool hasBefore =
+        !step.Table.Key && step.IsPlain[a] && this->Steps[this->Count - 1].IsPlain[a];
+      input.Now = unused[this->Count][a].data();
+      input.Before = hasBefore ? unused[this->Count - 1][a].data() : nullptr;
+      auto keys = input.GetKeys(points);
+      streams[a] = EncodeCellValues({}, input.Domains, keys);
+    }
+  }
+  return streams;
+}
+
+//------------------------------------------------------------------------------
+void StepSection::WriteBlockValues(const WriterPart& part)
+{
+  auto& step = this->GetStep();
+  const auto& place = part.Place;
+  std::vector<std::vector<Bytes>> streams(place.Blocks + (place.IsLast ? 1 : 0));
+  ParallelFor(streams.size(),
     [&](std::size_t b)
     {
       const FloatEnvironment guard;
-      const auto points = getPoints(b);
-      for (std::size_t a = 0; a < inputs.size(); ++a)
-      {
-        if (inputs[a].Description->Where == Association::Point && !points.empty())
-        {
-          auto keys = inputs[a].GetKeys(points);
-          streams[a][b] = EncodeCellValues({}, inputs[a].Domains, keys);
-        }
-      }
+      streams[b] = b < place.Blocks ? this->EncodeBlock(part.GetBlockPoints(this->State.Table, b))
+                                    : this->EncodeUnused();
     });
   StreamBatch batch;
-  for (std::size_t a = 0; a < inputs.size(); ++a)
+  for (std::size_t a = 0; a < step.Arrays.size(); ++a)
   {
-    if (inputs[a].Description->Where != Association::Point)
+    auto& blocks = step.Table.Arrays[a].Blocks;
+    for (std::size_t b = 0; b < streams.size(); ++b)
     {
-      continue;
-    }
-    step.Table.Arrays[a].Blocks.resize(blocks);
-    for (std::size_t b = 0; b < blocks; ++b)
-    {
-      if (!streams[a][b].empty())
+      if (!streams[b][a].empty())
       {
-        batch.Add(streams[a][b], step.Table.Arrays[a].Blocks[b]);
-        this->State.Statistics.ArrayBytes[a] += streams[a][b].size();
+        batch.Add(streams[b][a], b < place.Blocks ? blocks[place.FirstBlock + b] : blocks.back());
+        this->State.Statistics.ArrayBytes[a] += streams[b][a].size();
       }
     }
-    inputs[a].Include(step.Table.Arrays[a].Ranges, this->State.Parts.UnusedPoints);
   }
   batch.Write(this->State.File, SectionValues);
 }
 
 //------------------------------------------------------------------------------
 /** Encodes the values of a chunk, one stream for each array. Called by several threads. */
-std::vector<Bytes> StepSection::EncodeChunk(StepInput& step, std::size_t chunk)
+std::vector<Bytes> StepSection::EncodeChunk(WriterPart& part, std::size_t chunk)
 {
   const FloatEnvironment guard;
-  auto& state = this->State.Chunks[chunk];
+  auto& step = this->GetStep();
+  auto& state = part.Chunks[chunk];
   state.Mesh.MakeContext(true);
   std::vector<Bytes> streams;
   for (std::size_t a = 0; a < step.Arrays.size(); ++a)
@@ -187,7 +321,7 @@ std::vector<Bytes> StepSection::EncodeChunk(StepInput& step, std::size_t chunk)
     auto keys = input.GetKeys(tuples);
     streams.push_back(ofPoints ? EncodePointValues(state.Mesh.Context, input.Domains, keys)
                                : EncodeCellValues(state.Mesh.Walk.Parents, input.Domains, keys));
-    auto& ranges = step.Table.Arrays[a].ChunkRanges[chunk];
+    auto& ranges = step.Table.Arrays[a].ChunkRanges[part.Place.FirstChunk + chunk];
     ranges.resize(GetRangeCount(input.Description->Components));
     input.Include(ranges, tuples);
   }
@@ -197,13 +331,14 @@ std::vector<Bytes> StepSection::EncodeChunk(StepInput& step, std::size_t chunk)
 }
 
 //------------------------------------------------------------------------------
-void StepSection::WriteChunkValues(StepInput& step, const std::function<bool(double)>& progress)
+void StepSection::WriteChunkValues(WriterPart& part, const std::function<bool(double)>& progress)
 {
+  auto& step = this->GetStep();
   std::vector<std::vector<Bytes>> streams(ChunksPerBatch);
   StreamBatch batch;
   ForEachBatch(
-    this->State.Chunks.size(),
-    [&](std::size_t chunk) { streams[chunk % ChunksPerBatch] = this->EncodeChunk(step, chunk); },
+    part.Chunks.size(),
+    [&](std::size_t chunk) { streams[chunk % ChunksPerBatch] = this->EncodeChunk(part, chunk); },
     [&](std::size_t first, std::size_t count)
     {
       // Array by array, so that a reader of one array reads the batch in one go.
@@ -212,9 +347,10 @@ void StepSection::WriteChunkValues(StepInput& step, const std::function<bool(dou
         auto& array = step.Table.Arrays[a];
         for (std::size_t i = 0; i < count; ++i)
         {
-          batch.Add(streams[i][a], array.Chunks[first + i]);
+          const auto chunk = part.Place.FirstChunk + first + i;
+          batch.Add(streams[i][a], array.Chunks[chunk]);
           this->State.Statistics.ArrayBytes[a] += streams[i][a].size();
-          Include(array.Ranges, array.ChunkRanges[first + i]);
+          Include(array.Ranges, array.ChunkRanges[chunk]);
         }
       }
       batch.Write(this->State.File, SectionValues);
@@ -223,28 +359,42 @@ void StepSection::WriteChunkValues(StepInput& step, const std::function<bool(dou
 }
 
 //------------------------------------------------------------------------------
-void StepSection::KeepForNextStep(std::span<const void* const> values)
+void StepSection::Finish(WriterPart& part, const StepValues& values)
 {
-  this->Before.resize(values.size());
-  for (std::size_t a = 0; a < values.size(); ++a)
+  auto& step = this->GetStep();
+  if (part.Place.IsLast)
   {
-    const auto& array = this->State.Meta.Arrays[a];
-    const auto size = this->State.GetTupleCount(array) * array.Components * SizeOf(array.Type);
-    const auto* begin = static_cast<const std::uint8_t*>(values[a]);
-    this->Before[a].assign(begin, begin + size);
+    this->State.File.AddSection(SectionStep, step.Table.Write());
+    step.Table.Arrays = {};
+    step.Palettes = {};
+    if (this->Count > 0)
+    {
+      this->State.Unused.Values[this->Count - 1] = {};
+    }
   }
+  step.Arrays = {};
+  if (this->State.Meta.HasTime)
+  {
+    this->Before.resize(values.Arrays.size());
+    for (std::size_t a = 0; a < values.Arrays.size(); ++a)
+    {
+      const auto& array = this->State.Meta.Arrays[a];
+      const auto size = part.GetTupleCount(array) * array.Components * SizeOf(array.Type);
+      const auto* begin = static_cast<const std::uint8_t*>(values.Arrays[a]);
+      this->Before[a].assign(begin, begin + size);
+    }
+  }
+  ++this->Count;
 }
 
 //------------------------------------------------------------------------------
-void StepSection::Finish(std::span<const void* const> values, const StepInput& step)
+void StepSection::EndPart()
 {
-  this->State.File.AddSection(SectionStep, step.Table.Write());
-  if (this->State.Meta.HasTime)
+  if (this->Count < this->Steps.size())
   {
-    this->KeepForNextStep(values);
-    this->BeforeIsPlain = step.IsPlain;
+    ThrowInvalid("a part has fewer time steps than the first one");
   }
-  this->LastTime = step.Table.Time;
-  ++this->Count;
+  this->Count = 0;
+  this->Before.clear();
 }
 }

@@ -6,26 +6,47 @@
 
 #include "gatunArrayInput.h"
 #include "gatunFieldData.h"
+#include "gatunPalette.h"
+#include "gatunWriterPart.h"
 #include "gatunWriterState.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace gatun
 {
+/** The values of a time step as the caller has them. */
+struct StepValues
+{
+  std::span<const void* const>
+    Arrays;                         // the values of each array for the points and cells of a part
+  const FieldData* Field = nullptr; // that of the first part counts
+  bool HasTime = false;
+  double Time = 0;
+};
+
+/** The palettes of the arrays at a time step, one for each component, or null. */
+using StepPalettes = std::vector<std::vector<std::shared_ptr<const Palette>>>;
+
 /** A time step that is being written. */
 struct StepInput
 {
-  StepTable Table;
-  std::vector<ArrayInput> Arrays;
-  std::vector<bool> IsPlain; // whether the array has no palette
+  StepTable Table; // of all parts
+  StepPalettes Palettes;
+  std::vector<bool> IsPlain;      // whether an array has no palette
+  std::vector<ArrayInput> Arrays; // of the current part
 };
 
 /**
- * Writes the values of the arrays at each time step: VALS sections with palettes, field data,
- * blocks and chunks, and the STEP section that locates them.
+ * Writes the values of the arrays at each time step, part by part: VALS sections with palettes,
+ * field data, blocks and chunks, and the STEP section that locates them.
+ *
+ * Each part may write all its steps at once. The tables of the steps are kept until the last part
+ * has written them.
  */
 class StepSection
 {
@@ -35,32 +56,49 @@ public:
   {
   }
 
-  /** Writes everything except the STEP section. Times must ascend. */
-  StepInput WriteValues(std::span<const void* const> values, const FieldData& field, bool hasTime,
-    double time, const std::function<bool(double)>& progress);
+  /** Sets the palettes of a step. If they are not set, they are those of the first part. */
+  void SetPalettes(std::size_t step, StepPalettes palettes);
 
-  /** Writes the STEP section and keeps the values for the prediction of the next step. */
-  void Finish(std::span<const void* const> values, const StepInput& step);
+  /** Writes the next step of a part except the STEP section. Times must ascend, and be those of
+   * the first part. The result is valid until the next call. */
+  StepInput& WriteValues(
+    WriterPart& part, const StepValues& values, const std::function<bool(double)>& progress);
 
-  /** The number of finished steps. */
+  /** Writes the STEP section, if this is the last part, and keeps the values of the part for the
+   * prediction of the next step. */
+  void Finish(WriterPart& part, const StepValues& values);
+
+  /** To be called behind the last step of a part. Throws Error(InvalidInput) if it has fewer than
+   * the first part. */
+  void EndPart();
+
+  /** The number of finished steps of the current part. */
   std::size_t GetCount() const { return this->Count; }
 
+  /** The palettes of the values of a part. */
+  StepPalettes FindPalettes(const WriterPart& part, std::span<const void* const> values) const;
+
 private:
-  void Check(std::span<const void* const> values, bool hasTime, double time) const;
-  void AddArray(std::size_t a, const void* values, StepInput& step, StreamBatch& batch);
+  void Check(const WriterPart& part, const StepValues& values) const;
+  void Begin(const WriterPart& part, const StepValues& values);
+  void AddArray(std::size_t a, const WriterPart& part, const void* values);
+  void WritePalettes(std::size_t a, StreamBatch& batch);
   void AddFieldData(const FieldData& field, StepTable& step, StreamBatch& batch);
-  void WriteBlockValues(StepInput& step);
-  void WriteChunkValues(StepInput& step, const std::function<bool(double)>& progress);
-  std::vector<Bytes> EncodeChunk(StepInput& step, std::size_t chunk);
-  void KeepForNextStep(std::span<const void* const> values);
+  void TakeUnused(const WriterPart& part);
+  std::vector<Bytes> EncodeBlock(std::span<const std::uint32_t> points) const;
+  std::vector<Bytes> EncodeUnused();
+  void WriteBlockValues(const WriterPart& part);
+  void WriteChunkValues(WriterPart& part, const std::function<bool(double)>& progress);
+  std::vector<Bytes> EncodeChunk(WriterPart& part, std::size_t chunk);
+  StepInput& GetStep() { return this->Steps[this->Count]; }
+  const StepInput& GetStep() const { return this->Steps[this->Count]; }
 
   WriterState& State;
+  std::vector<StepInput> Steps;
   std::size_t Count = 0;
-  double LastTime = 0;
   Bytes LastField;
   StreamRef LastFieldRef;
-  std::vector<Bytes> Before;       // values of the previous step
-  std::vector<bool> BeforeIsPlain; // whether that step had no palette
+  std::vector<Bytes> Before; // values of the previous step of this part
 };
 }
 

@@ -13,8 +13,9 @@
 namespace gatun
 {
 //------------------------------------------------------------------------------
-TreeSection::TreeSection(WriterState& state)
+TreeSection::TreeSection(WriterState& state, const WriterPart& part)
   : State(state)
+  , Part(part)
   , Layout(*state.Options.Tree, this->GetPointOrder(), state.Table)
 {
   this->Tree.Merges = static_cast<std::uint32_t>(this->Layout.GetTree().GetMerges().size());
@@ -30,35 +31,35 @@ TreeSection::TreeSection(WriterState& state)
 /** The point of the input for each point of the file. */
 std::vector<std::uint32_t> TreeSection::GetPointOrder() const
 {
-  auto points = this->State.Parts.SharedPoints;
-  for (std::size_t c = 0; c < this->State.Chunks.size(); ++c)
+  auto points = this->Part.SharedPoints;
+  for (std::size_t c = 0; c < this->Part.Chunks.size(); ++c)
   {
     const auto first = points.size();
     points.resize(first + static_cast<std::size_t>(this->State.Table.Chunks[c].Info.OwnPoints));
-    const auto& sources = this->State.Chunks[c].Mesh.Walk.Sources;
+    const auto& sources = this->Part.Chunks[c].Mesh.Walk.Sources;
     for (std::size_t v = 0; v < sources.size(); ++v)
     {
       if ((sources[v] & Topology::SharedFlag) == 0)
       {
-        points[first + sources[v]] = this->State.Chunks[c].PointOf[v];
+        points[first + sources[v]] = this->Part.Chunks[c].PointOf[v];
       }
     }
   }
-  points.insert(
-    points.end(), this->State.Parts.UnusedPoints.begin(), this->State.Parts.UnusedPoints.end());
+  const auto& unused = this->Part.Layout.UnusedPoints;
+  points.insert(points.end(), unused.begin(), unused.end());
   return points;
 }
 
 //------------------------------------------------------------------------------
 void TreeSection::FindBoxes()
 {
-  this->Tree.Boxes.assign(this->State.Chunks.size(), std::vector<Bounds>(this->Tree.Rungs.size()));
+  this->Tree.Boxes.assign(this->Part.Chunks.size(), std::vector<Bounds>(this->Tree.Rungs.size()));
   for (unsigned axis = 0; axis < 3; ++axis)
   {
     const auto ranges = this->Layout.FindRanges(
       [&](std::uint32_t point)
       {
-        const double x = this->State.Mesh.GetCoordinate(point, axis);
+        const double x = this->Part.Mesh.GetCoordinate(point, axis);
         return std::isfinite(x) ? x : std::nan("");
       });
     for (std::size_t c = 0; c < ranges.size(); ++c)
@@ -103,7 +104,7 @@ void TreeSection::WriteStep(const std::vector<ArrayInput>& inputs)
     const auto components = input.Description->Components;
     const auto count = GetRangeCount(components);
     const auto reader = input.GetReader();
-    chunks.assign(this->State.Chunks.size(),
+    chunks.assign(this->Part.Chunks.size(),
       std::vector<ArrayRanges>(this->Tree.Rungs.size(), ArrayRanges(count)));
     for (std::size_t r = 0; r < count; ++r)
     {

@@ -7,6 +7,7 @@
 #include "gatunArrayInput.h"
 #include "gatunTreeLayout.h"
 #include "gatunTreeTable.h"
+#include "gatunWriterPart.h"
 #include "gatunWriterState.h"
 
 #include <cstdint>
@@ -18,8 +19,8 @@ namespace gatun
 class TreeSection
 {
 public:
-  /** Writes the merges. The mesh must have been written. */
-  explicit TreeSection(WriterState& state);
+  /** Writes the merges. The mesh, which is one part, must have been written. */
+  TreeSection(WriterState& state, const WriterPart& part);
 
   /** Writes the ranges of the point arrays after merges. */
   void WriteStep(const std::vector<ArrayInput>& inputs);
@@ -33,6 +34,7 @@ private:
   void WriteMerges();
 
   WriterState& State;
+  const WriterPart& Part;
   TreeLayout Layout;
   TreeTable Tree;
 };

@@ -16,9 +16,9 @@ constexpr std::uint64_t LargeMesh = 10'000'000;
 constexpr std::uint32_t DefaultChunkTets = 65536;
 constexpr std::uint32_t LargeChunkTets = 262144;
 
-std::uint16_t GetMinorVersion(const MeshInput& mesh, const WriterOptions& options)
+std::uint16_t GetMinorVersion(const WriterOptions& options, bool hasCells)
 {
-  return mesh.Types  ? MinorVersionWithCells
+  return hasCells    ? MinorVersionWithCells
     : options.Layers ? MinorVersionWithLayers
     : options.Tree   ? MinorVersionWithTree
                      : MinorVersionPlain;
@@ -26,58 +26,121 @@ std::uint16_t GetMinorVersion(const MeshInput& mesh, const WriterOptions& option
 }
 
 //------------------------------------------------------------------------------
-WriterState::WriterState(const std::string& path, const MeshInput& mesh,
-  const std::vector<ArrayDescription>& arrays, const WriterOptions& options)
-  : Mesh(mesh)
-  , Options(options)
-  , File(path, options.ReplaceReadOnly, GetMinorVersion(mesh, options))
+WriterState::WriterState(const std::string& path, const std::vector<ArrayDescription>& arrays,
+  const WriterOptions& options)
+  : Options(options)
+  , File(path, options.ReplaceReadOnly, GetMinorVersion(options, false))
 {
-  this->Describe(arrays);
+  this->DescribeArrays(arrays);
 }
 
 //------------------------------------------------------------------------------
-WriterState::WriterState(
-  const WriterState& whole, const MeshInput& mesh, const WriterOptions& options)
-  : Mesh(mesh)
-  , Options(options)
-  , File(whole.File, GetMinorVersion(mesh, options))
+WriterState::WriterState(const WriterState& whole, const WriterOptions& options)
+  : Options(options)
+  , File(whole.File, GetMinorVersion(options, false))
 {
-  this->Describe(whole.Meta.Arrays);
+  this->DescribeArrays(whole.Meta.Arrays);
 }
 
 //------------------------------------------------------------------------------
-void WriterState::Describe(const std::vector<ArrayDescription>& arrays)
+void WriterState::DescribeArrays(const std::vector<ArrayDescription>& arrays)
 {
-  const MeshInput& mesh = this->Mesh.GetMesh();
   this->Meta.WriterVersion = PackageVersion();
-  this->Meta.Points = mesh.Points;
-  this->Meta.CoordinateType = mesh.CoordinateType;
-  this->Meta.WideIds = mesh.WideIds;
+  this->Meta.WideIds = false;
   this->Meta.Keep = this->Options.Keep;
-  // An isosurface needs few chunks of a file with layers; smaller ones keep more threads busy,
-  // and each thread needs less memory.
-  this->Meta.ChunkTets = this->Options.ChunkTets != 0
-    ? this->Options.ChunkTets
-    : (this->Mesh.EstimateTets() > LargeMesh ? LargeChunkTets : DefaultChunkTets) /
-      (this->Options.Layers ? 4 : 1);
   this->Meta.KeyStepInterval = this->Options.KeyStepInterval;
   this->Meta.Arrays = arrays;
   this->Statistics.ArrayBytes.resize(arrays.size());
 }
 
 //------------------------------------------------------------------------------
-std::span<const std::uint32_t> WriterState::GetBlockPoints(std::size_t block) const
+void WriterState::Describe(const MeshAccess& part)
 {
-  const auto& entry = this->Table.Blocks[block];
-  return std::span(this->Parts.SharedPoints)
-    .subspan(static_cast<std::size_t>(entry.FirstPoint), static_cast<std::size_t>(entry.Points));
+  const MeshInput& mesh = part.GetMesh();
+  if (this->Meta.ChunkTets != 0 && mesh.CoordinateType != this->Meta.CoordinateType)
+  {
+    ThrowInvalid("parts have coordinates of different types");
+  }
+  this->Meta.CoordinateType = mesh.CoordinateType;
+  this->Meta.WideIds = this->Meta.WideIds || mesh.WideIds;
+  this->Meta.Points += mesh.Points;
+  this->Meta.ChunkTets = std::max(this->Meta.ChunkTets, this->GetChunkTets(part));
+  this->HasCells = this->HasCells || !part.IsTetrahedral();
+  this->NumberOfCells += mesh.Cells;
 }
 
 //------------------------------------------------------------------------------
-std::size_t WriterState::GetTupleCount(const ArrayDescription& array) const
+std::uint32_t WriterState::GetChunkTets(const MeshAccess& part) const
 {
-  return static_cast<std::size_t>(
-    array.Where == Association::Point ? this->Meta.Points : this->Mesh.GetMesh().Cells);
+  // An isosurface needs few chunks of a file with layers; smaller ones keep more threads busy,
+  // and each thread needs less memory.
+  return this->Options.ChunkTets != 0
+    ? this->Options.ChunkTets
+    : (part.EstimateTets() > LargeMesh ? LargeChunkTets : DefaultChunkTets) /
+      (this->Options.Layers ? 4 : 1);
+}
+
+//------------------------------------------------------------------------------
+void WriterState::LinkGroups()
+{
+  this->File.SetMinorVersion(GetMinorVersion(this->Options, this->HasCells));
+  this->Table.Blocks = this->Groups.MakeBlocks();
+  this->Groups = {};
+  this->Table.Unused.Points = this->Meta.UnusedPoints;
+  if (this->Meta.UnusedPoints >= std::uint64_t{ 1 } << 32)
+  {
+    ThrowInvalid("more than 2^32 points belong to no cell");
+  }
+  try
+  {
+    this->Table.LinkGroups();
+  }
+  catch (const Error& error)
+  {
+    ThrowInvalid(error.what() + std::string("; make chunks larger"));
+  }
+  if (this->HasCells)
+  {
+    for (std::size_t type = 0; type < this->TypeCounts.size(); ++type)
+    {
+      if (this->TypeCounts[type] > 0)
+      {
+        this->Cells.Types.push_back({ static_cast<std::uint8_t>(type), this->TypeCounts[type] });
+      }
+    }
+    this->Cells.SetShapes(this->Shapes.Write());
+    this->Shapes = {};
+  }
+}
+
+//------------------------------------------------------------------------------
+void WriterState::WriteTables()
+{
+  if (this->HasCells)
+  {
+    this->File.AddSection(SectionCells, this->Cells.Write());
+  }
+  this->File.AddSection(SectionTable, this->Table.Write(this->Options.Keep));
+}
+
+//------------------------------------------------------------------------------
+FileStatistics WriterState::Commit()
+{
+  FileStatistics& s = this->Statistics;
+  s.FileBytes = this->File.Commit();
+  s.DirectoryBytes = s.FileBytes - s.ConnectivityBytes - s.GeometryBytes - s.SharedGeometryBytes -
+    s.OrderBytes - s.FieldDataBytes - s.TreeBytes - s.LevelBytes;
+  for (const auto bytes : s.ArrayBytes)
+  {
+    s.DirectoryBytes -= bytes;
+  }
+  return s;
+}
+
+//------------------------------------------------------------------------------
+ScalarType WriterState::GetNumberType() const
+{
+  return ScalarType::UInt32;
 }
 
 //------------------------------------------------------------------------------

@@ -6,18 +6,16 @@
 
 // The state that the sections of a file share while it is written.
 
-#include "gatunChunkCodec.h"
 #include "gatunMeshAccess.h"
-#include "gatunMeshInput.h"
 #include "gatunOutputFile.h"
-#include "gatunPartition.h"
+#include "gatunSharedGroups.h"
 #include "gatunTables.h"
 #include "gatunWriterOptions.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -60,42 +58,58 @@ private:
   std::vector<StreamRef*> Added;
 };
 
-/** The data of a chunk from which the values of its arrays are predicted. */
-struct ChunkState
+/** The points of all parts that no cell uses. They are one block, which is written last. */
+struct UnusedPoints
 {
-  ChunkMesh Mesh;                     // without its cells
-  std::vector<std::uint32_t> PointOf; // the input's point of each vertex of the walk
-  std::vector<std::uint32_t> CellOf;  // the input's cell of each one of the walk
+  Bytes Coordinates;
+  std::vector<std::uint64_t> Numbers;     // original ones
+  std::vector<std::vector<Bytes>> Values; // of each step, of each point array
 };
 
-/** A file that is being written: its input, its tables so far, and the state of its chunks. */
+/** A file that is being written: its tables so far. */
 class WriterState
 {
 public:
-  WriterState(const std::string& path, const MeshInput& mesh,
-    const std::vector<ArrayDescription>& arrays, const WriterOptions& options);
+  WriterState(const std::string& path, const std::vector<ArrayDescription>& arrays,
+    const WriterOptions& options);
 
   /** A base mesh of another file. */
-  WriterState(const WriterState& whole, const MeshInput& mesh, const WriterOptions& options);
+  WriterState(const WriterState& whole, const WriterOptions& options);
 
-  /** The input's points of a block of shared points. */
-  std::span<const std::uint32_t> GetBlockPoints(std::size_t block) const;
+  /** Adds the counts and types of a part. Throws Error(InvalidInput) if it has another type of
+   * coordinates than the parts before. */
+  void Describe(const MeshAccess& part);
 
-  /** The number of points or cells, whichever the array belongs to. */
-  std::size_t GetTupleCount(const ArrayDescription& array) const;
+  /** The maximum number of tetrahedra in the chunks of a part. */
+  std::uint32_t GetChunkTets(const MeshAccess& part) const;
 
-  const MeshAccess Mesh;
+  /** Makes the blocks of shared points when the groups of all parts are known. */
+  void LinkGroups();
+
+  /** Writes the tables of cells, blocks and chunks. */
+  void WriteTables();
+
+  /** Moves the file to its path when all sections have been added. Returns the statistics. */
+  FileStatistics Commit();
+
+  /** The type of original numbers. */
+  ScalarType GetNumberType() const;
+
   const WriterOptions Options;
   OutputFile File;
   MetaTable Meta;
   MeshTable Table;
-  CellTable Cells; // if not all cells are tetrahedra
-  Partition Parts;
-  std::vector<ChunkState> Chunks;
+  SharedGroups Groups;
+  UnusedPoints Unused;
+  CellTable Cells;
+  bool HasCells = false; // whether not all cells are tetrahedra
+  std::uint64_t NumberOfCells = 0;
+  std::array<std::uint64_t, 256> TypeCounts{};
+  ShapeTable Shapes;
   FileStatistics Statistics;
 
 private:
-  void Describe(const std::vector<ArrayDescription>& arrays);
+  void DescribeArrays(const std::vector<ArrayDescription>& arrays);
 };
 
 /** Runs encode(chunk) for batches of chunks in parallel and finish(first, count) after each. */

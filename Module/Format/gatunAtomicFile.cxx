@@ -88,6 +88,12 @@ AtomicFile AtomicFile::MakeScratch(const AtomicFile& neighbor)
 }
 
 //------------------------------------------------------------------------------
+AtomicFile AtomicFile::MakeScratch(const std::string& folder)
+{
+  return { folder, (std::filesystem::path(folder) / "scratch").string() };
+}
+
+//------------------------------------------------------------------------------
 AtomicFile::~AtomicFile()
 {
   if (!this->Temporary.empty())

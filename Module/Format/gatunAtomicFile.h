@@ -36,6 +36,9 @@ public:
   /** A scratch file in the folder of another one. It has no name and cannot be committed. */
   static AtomicFile MakeScratch(const AtomicFile& neighbor);
 
+  /** The same in a given folder. */
+  static AtomicFile MakeScratch(const std::string& folder);
+
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;

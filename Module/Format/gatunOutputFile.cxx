@@ -31,7 +31,6 @@ OutputFile::OutputFile(const std::string& path, bool replaceReadOnly, std::uint1
   , Data(path, replaceReadOnly)
   , Header(MakeHeader(kind, minorVersion))
 {
-  this->Data.Write(this->Header);
 }
 
 //------------------------------------------------------------------------------
@@ -40,7 +39,25 @@ OutputFile::OutputFile(const OutputFile& whole, std::uint16_t minorVersion)
   , Data(AtomicFile::MakeScratch(whole.Data))
   , Header(MakeHeader(whole.Kind, minorVersion))
 {
-  this->Data.Write(this->Header);
+}
+
+//------------------------------------------------------------------------------
+void OutputFile::SetMinorVersion(std::uint16_t version)
+{
+  this->Header = MakeHeader(this->Kind, version);
+}
+
+//------------------------------------------------------------------------------
+/** Writes the header of a section, and that of the file before the first one. */
+void OutputFile::WriteSectionHeader(const SectionRef& section)
+{
+  ByteWriter header;
+  if (this->Data.GetSize() == 0)
+  {
+    header.PutBytes(this->Header);
+  }
+  PutSectionHeader(header, section);
+  this->Data.Write(header.Data);
 }
 
 //------------------------------------------------------------------------------
@@ -52,9 +69,7 @@ std::uint64_t OutputFile::AddSection(
   section.Flags = flags;
   section.Payload.Length = payload.size();
   section.Payload.Sum = Checksum(payload);
-  ByteWriter header;
-  PutSectionHeader(header, section);
-  this->Data.Write(header.Data);
+  this->WriteSectionHeader(section);
   section.Payload.Offset = this->Data.GetSize();
   this->Data.Write(payload);
   this->Sections.push_back(section);
@@ -72,9 +87,7 @@ std::uint64_t OutputFile::AddSection(FourCC name, OutputFile& part)
   section.Name = name;
   section.Payload.Length = part.Data.GetSize();
   section.Payload.Sum = sum.Get();
-  ByteWriter header;
-  PutSectionHeader(header, section);
-  this->Data.Write(header.Data);
+  this->WriteSectionHeader(section);
   section.Payload.Offset = this->Data.GetSize();
   ReadInParts(part.Data, [&](std::span<const std::uint8_t> bytes) { this->Data.Write(bytes); });
   this->Sections.push_back(section);

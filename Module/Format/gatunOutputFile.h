@@ -28,6 +28,9 @@ public:
   /** A file that will be embedded in another one as a section. It never has a name. */
   OutputFile(const OutputFile& whole, std::uint16_t minorVersion);
 
+  /** Changes the version. To be called before the first section is added. */
+  void SetMinorVersion(std::uint16_t version);
+
   /** Appends a section. Returns the offset of its payload. */
   std::uint64_t AddSection(
     FourCC name, std::span<const std::uint8_t> payload, std::uint16_t flags = FlagMandatory);
@@ -40,6 +43,7 @@ public:
   std::uint64_t Commit();
 
 private:
+  void WriteSectionHeader(const SectionRef& section);
   void WriteEnd();
 
   const ContainerKind& Kind;

@@ -125,6 +125,48 @@ std::vector<SeriesStep> ReadSeries(const std::string& file)
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
+std::vector<std::string> FindParts(const std::string& file)
+{
+  if (ExtensionOf(file) != ".pvtu")
+  {
+    return { file };
+  }
+  CheckReadable(file);
+  vtkNew<vtkXMLDataParser> parser;
+  parser->SetFileName(file.c_str());
+  parser->Parse();
+  CheckMessages(file, true);
+  vtkXMLDataElement* root = parser->GetRootElement();
+  vtkXMLDataElement* grid = root && root->GetName() && !std::strcmp(root->GetName(), "VTKFile")
+    ? root->FindNestedElementWithName("PUnstructuredGrid")
+    : nullptr;
+  if (!grid)
+  {
+    throw Failure(file, "is not a .pvtu file");
+  }
+  std::vector<std::string> parts;
+  for (int i = 0; i < grid->GetNumberOfNestedElements(); ++i)
+  {
+    vtkXMLDataElement* element = grid->GetNestedElement(i);
+    if (!element->GetName() || std::strcmp(element->GetName(), "Piece") != 0)
+    {
+      continue;
+    }
+    const char* part = element->GetAttribute("Source");
+    if (!part)
+    {
+      throw Failure(file, "has a piece without a file");
+    }
+    parts.push_back((std::filesystem::path(file).parent_path() / part).string());
+  }
+  if (parts.empty())
+  {
+    throw Failure(file, "lists no files");
+  }
+  return parts;
+}
+
+//------------------------------------------------------------------------------
 bool IsFileList(const std::string& file)
 {
   const std::string extension = ExtensionOf(file);

@@ -3,7 +3,7 @@
 #ifndef gtnFileList_h
 #define gtnFileList_h
 
-// ParaView's lists of files: .pvd, in XML, and .series, in JSON.
+// ParaView's lists of files: .pvd, in XML, and .series, in JSON; and the parts of .pvtu files.
 
 #include <string>
 #include <vector>
@@ -16,6 +16,9 @@ struct SeriesStep
   double Time = 0;
   std::vector<std::string> Files; ///< the parts of the mesh
 };
+
+/** The files that a .pvtu file consists of; of others, the file itself. Throws Failure. */
+std::vector<std::string> FindParts(const std::string& file);
 
 /** Whether a file is such a list, by its extension. */
 bool IsFileList(const std::string& file);

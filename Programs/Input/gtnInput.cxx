@@ -19,11 +19,19 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkInformation.h"
+#include "vtkInformationInformationVectorKey.h"
+#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkXMLUnstructuredGridReader.h"
+
+#include <algorithm>
+#include <filesystem>
 
 namespace gtn
 {
@@ -32,24 +40,84 @@ const char* const InputFormats = ".vtu .pvtu .vtk .vtm .pvd .series .vtkhdf .vti
                                  "CGNS, .gtn";
 
 //------------------------------------------------------------------------------
+namespace
+{
+
+// The bytes of a tuple of all arrays.
+std::uint64_t SizeOfTuple(vtkInformationVector* arrays)
+{
+  std::uint64_t bytes = 0;
+  for (int i = 0; arrays && i < arrays->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkInformation* array = arrays->GetInformationObject(i);
+    const int type = array->Get(vtkDataObject::FIELD_ARRAY_TYPE());
+    bytes += static_cast<std::uint64_t>(vtkDataArray::GetDataTypeSize(type) *
+      array->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()));
+  }
+  return bytes;
+}
+
+// About the number of bytes of a file as a mesh in memory.
+std::uint64_t EstimateMesh(const std::string& file)
+{
+  CheckReadable(file);
+  vtkSmartPointer<vtkAlgorithm> reader = MakeReader(file, false);
+  auto* xml = vtkXMLUnstructuredGridReader::SafeDownCast(reader);
+  if (!xml)
+  {
+    constexpr std::uint64_t compression = 4;
+    return compression * std::filesystem::file_size(file);
+  }
+  xml->UpdateInformation();
+  CheckMessages(file, true);
+  vtkInformation* info = xml->GetOutputInformation(0);
+  const auto size = [&](vtkInformationInformationVectorKey* key)
+  { return info->Has(key) ? SizeOfTuple(info->Get(key)) : 0; };
+  constexpr std::uint64_t coordinates = 24;
+  constexpr std::uint64_t ids = 8 * (8 + 1) + 1; // of a hexahedron
+  return static_cast<std::uint64_t>(xml->GetNumberOfPoints()) *
+    (coordinates + size(vtkDataObject::POINT_DATA_VECTOR())) +
+    static_cast<std::uint64_t>(xml->GetNumberOfCells()) *
+    (ids + size(vtkDataObject::CELL_DATA_VECTOR()));
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
 Input::Input(const std::vector<std::string>& files, const InputOptions& options)
   : Name(files.front())
   , Quiet(options.Quiet)
 {
-  std::vector<SeriesStep> steps;
+  std::vector<SeriesStep>& steps = this->Steps;
+  bool hasTime = true;
   if (files.size() > 1)
   {
-    steps = StepsOfFiles(files);
+    steps = StepsOfFiles(files, options.InPieces);
   }
   else if (IsFileList(this->Name))
   {
     steps = ReadFileList(this->Name);
+    for (SeriesStep& step : steps)
+    {
+      std::vector<std::string> parts;
+      for (const std::string& file : step.Files)
+      {
+        const auto more = options.InPieces ? FindParts(file) : std::vector<std::string>{ file };
+        parts.insert(parts.end(), more.begin(), more.end());
+      }
+      step.Files = parts;
+    }
+  }
+  else if (options.InPieces && ExtensionOf(this->Name) == ".pvtu")
+  {
+    steps.push_back({ 0, FindParts(this->Name) });
+    hasTime = false;
   }
 
   if (!steps.empty())
   {
     vtkNew<SeriesReader> series;
-    series->SetSteps(steps, options);
+    series->SetSteps(steps, options, hasTime);
     this->Algorithm = series;
   }
   else
@@ -89,6 +157,32 @@ vtkAlgorithm* Input::GetSource() const
     source = source->GetInputAlgorithm(0, 0);
   }
   return source;
+}
+
+//------------------------------------------------------------------------------
+std::size_t Input::GetNumberOfParts() const
+{
+  for (const SeriesStep& step : this->Steps)
+  {
+    if (step.Files.size() != this->Steps.front().Files.size())
+    {
+      throw Failure(this->Name, "the time steps have different numbers of files");
+    }
+  }
+  return this->Steps.empty() ? 1 : this->Steps.front().Files.size();
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t Input::EstimateLargestPart() const
+{
+  const std::vector<std::string> files =
+    this->Steps.empty() ? std::vector<std::string>{ this->Name } : this->Steps.front().Files;
+  std::uint64_t largest = 0;
+  for (const std::string& file : files)
+  {
+    largest = std::max(largest, EstimateMesh(file));
+  }
+  return largest;
 }
 
 //------------------------------------------------------------------------------

@@ -5,11 +5,14 @@
 
 // Meshes of any format as one tetrahedral grid, with time steps if there are any.
 
+#include "gtnFileList.h"
 #include "gtnInputOptions.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkSmartPointer.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -42,6 +45,13 @@ public:
   /** Returns the reader at its beginning. */
   vtkAlgorithm* GetSource() const;
 
+  /** Returns the number of files of each step. Throws Failure if the steps differ in it. */
+  std::size_t GetNumberOfParts() const;
+
+  /** Returns about the number of bytes of the largest file as a mesh in memory. Reads only what
+   * comes before the values. Throws Failure. */
+  std::uint64_t EstimateLargestPart() const;
+
   /** Returns the times in ascending order, or nothing without time. */
   const std::vector<double>& GetTimes() const { return this->Times; }
 
@@ -53,6 +63,7 @@ private:
   bool Quiet;
   vtkSmartPointer<vtkAlgorithm> Algorithm;
   std::vector<double> Times;
+  std::vector<SeriesStep> Steps; // empty if a single reader makes them
 };
 
 /** Reads a surface from a file: .stl .ply .obj .vtp .vtk. Throws Failure. */

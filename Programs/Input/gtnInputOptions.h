@@ -16,6 +16,7 @@ struct InputOptions
   bool Split = false;              ///< split cells into tetrahedra, with a warning
   bool VolumesOnly = false;        ///< only the tetrahedra that cells consist of matter
   bool Sets = false;               ///< also side sets, node sets, patches, boundaries
+  bool InPieces = false;           ///< the files of a .pvtu or .pvd file are read one by one
   bool Quiet = false;              ///< no warnings
 };
 }

@@ -80,17 +80,17 @@ double TimeValueOf(const std::string& file)
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
-std::vector<SeriesStep> StepsOfFiles(const std::vector<std::string>& files)
+std::vector<SeriesStep> StepsOfFiles(const std::vector<std::string>& files, bool inPieces)
 {
   std::vector<SeriesStep> steps;
   bool hasTimes = true;
   for (const std::string& file : files)
   {
     SeriesStep step;
-    step.Files = { file };
+    step.Files = inPieces ? FindParts(file) : std::vector<std::string>{ file };
     if (hasTimes)
     {
-      step.Time = TimeValueOf(file);
+      step.Time = TimeValueOf(step.Files.front());
       hasTimes = std::isfinite(step.Time) && (steps.empty() || steps.back().Time < step.Time);
     }
     else
@@ -116,8 +116,10 @@ SeriesReader::SeriesReader()
 }
 
 //------------------------------------------------------------------------------
-void SeriesReader::SetSteps(const std::vector<SeriesStep>& steps, const InputOptions& options)
+void SeriesReader::SetSteps(
+  const std::vector<SeriesStep>& steps, const InputOptions& options, bool hasTime)
 {
+  this->HasTime = hasTime;
   this->Steps = steps;
   this->Options = options;
   this->Modified();
@@ -127,12 +129,17 @@ void SeriesReader::SetSteps(const std::vector<SeriesStep>& steps, const InputOpt
 int SeriesReader::RequestInformation(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  info->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+  if (!this->HasTime)
+  {
+    return 1;
+  }
   std::vector<double> times;
   for (const SeriesStep& step : this->Steps)
   {
     times.push_back(step.Time);
   }
-  vtkInformation* info = outputVector->GetInformationObject(0);
   const double range[2] = { times.front(), times.back() };
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   info->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
@@ -157,36 +164,60 @@ int SeriesReader::RequestData(vtkInformation* vtkNotUsed(request),
   }
 
   const SeriesStep& step = this->Steps[index];
+  std::vector<std::string> files = step.Files;
+  const auto pieces = static_cast<std::size_t>(std::max(1,
+    info->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) ? info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())
+                                                   : 1));
+  if (pieces > 1)
+  {
+    const auto piece = static_cast<std::size_t>(info->Get(Pipeline::UPDATE_PIECE_NUMBER()));
+    files.assign(step.Files.begin() + static_cast<std::ptrdiff_t>(piece * files.size() / pieces),
+      step.Files.begin() + static_cast<std::ptrdiff_t>((piece + 1) * files.size() / pieces));
+  }
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
   try
   {
-    vtkNew<Preparer> preparer;
-    preparer->SetOptions(this->Options);
-    vtkNew<vtkMultiBlockDataSet> parts;
-    for (const std::string& file : step.Files)
-    {
-      vtkSmartPointer<vtkAlgorithm> reader = OpenOne(file, this->Options.Sets);
-      reader->Update();
-      CheckMessages(file, this->Options.Quiet);
-      parts->SetBlock(parts->GetNumberOfBlocks(), reader->GetOutputDataObject(0));
-      if (step.Files.size() == 1)
-      {
-        preparer->SetInputDataObject(reader->GetOutputDataObject(0));
-      }
-    }
-    if (step.Files.size() > 1)
-    {
-      preparer->SetInputDataObject(parts);
-    }
-    preparer->Update();
-    output->ShallowCopy(preparer->GetOutputDataObject(0));
+    this->Read(files, output);
   }
   catch (const std::exception& error)
   {
     vtkErrorMacro(<< ReasonOf(error));
     return 0;
   }
-  output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step.Time);
+  if (this->HasTime)
+  {
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step.Time);
+  }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+// Reads the parts of a mesh.
+void SeriesReader::Read(const std::vector<std::string>& files, vtkUnstructuredGrid* output)
+{
+  if (files.empty())
+  {
+    return;
+  }
+  vtkNew<Preparer> preparer;
+  preparer->SetOptions(this->Options);
+  vtkNew<vtkMultiBlockDataSet> parts;
+  for (const std::string& file : files)
+  {
+    vtkSmartPointer<vtkAlgorithm> reader = OpenOne(file, this->Options.Sets);
+    reader->Update();
+    CheckMessages(file, this->Options.Quiet);
+    parts->SetBlock(parts->GetNumberOfBlocks(), reader->GetOutputDataObject(0));
+    if (files.size() == 1)
+    {
+      preparer->SetInputDataObject(reader->GetOutputDataObject(0));
+    }
+  }
+  if (files.size() > 1)
+  {
+    preparer->SetInputDataObject(parts);
+  }
+  preparer->Update();
+  output->ShallowCopy(preparer->GetOutputDataObject(0));
 }
 }

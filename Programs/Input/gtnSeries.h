@@ -16,17 +16,20 @@
 namespace gtn
 {
 /** Files as steps: at the times in their field data (TimeValue) if these ascend, or else 0, 1, 2
- * and so on. Throws Failure. */
-std::vector<SeriesStep> StepsOfFiles(const std::vector<std::string>& files);
+ * and so on. inPieces: whether the parts of a file are files of the step. Throws Failure. */
+std::vector<SeriesStep> StepsOfFiles(const std::vector<std::string>& files, bool inPieces);
 
-/** Reads the file of the time asked for, by a reader for its format. */
+/** Reads the files of the time asked for, by readers for their formats. If a piece is asked for, it
+ * consists of some of these files. */
 class SeriesReader : public vtkUnstructuredGridAlgorithm
 {
 public:
   static SeriesReader* New();
   vtkTypeMacro(SeriesReader, vtkUnstructuredGridAlgorithm);
 
-  void SetSteps(const std::vector<SeriesStep>& steps, const InputOptions& options);
+  /** hasTime: whether the steps have times; if not, there is only one. */
+  void SetSteps(
+    const std::vector<SeriesStep>& steps, const InputOptions& options, bool hasTime = true);
 
 protected:
   SeriesReader();
@@ -37,8 +40,11 @@ protected:
     vtkInformationVector* outputVector) override;
 
 private:
+  void Read(const std::vector<std::string>& files, vtkUnstructuredGrid* output);
+
   std::vector<SeriesStep> Steps;
   InputOptions Options;
+  bool HasTime = true;
 };
 }
 

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -143,44 +144,62 @@ TEST(Partition, FindsOwnSharedAndUnusedPoints)
       }
     }
     std::vector<std::vector<std::uint32_t>> own(parts.GetChunkCount());
-    std::size_t shared = 0;
+    std::map<ChunkSet, std::set<std::uint32_t>> shared;
     std::vector<std::uint32_t> unused;
     for (std::uint32_t p = 0; p < users.size(); ++p)
     {
       if (users[p].empty())
       {
         unused.push_back(p);
-        EXPECT_EQ(parts.SharedIndex[p], Partition::Unused);
       }
       else if (users[p].size() == 1)
       {
         own[*users[p].begin()].push_back(p);
-        EXPECT_EQ(parts.SharedIndex[p], Partition::OwnPoint);
       }
       else
       {
-        ++shared;
-        ASSERT_LT(parts.SharedIndex[p], parts.SharedPoints.size());
-        EXPECT_EQ(parts.SharedPoints[parts.SharedIndex[p]], p);
+        shared[{ users[p].begin(), users[p].end() }].insert(p);
       }
     }
     EXPECT_EQ(parts.OwnPoints, own);
-    EXPECT_EQ(parts.SharedPoints.size(), shared);
     EXPECT_EQ(parts.UnusedPoints, unused);
-    // Groups list the users of their points.
-    std::size_t at = 0;
-    for (const auto& block : parts.Blocks)
+    ASSERT_EQ(parts.SharedPoints.size(), shared.size());
+    const auto box = FindBox(MeshAccess(mesh.GetInput()));
+    for (const auto& [chunks, points] : parts.SharedPoints)
     {
-      for (const auto& group : block.Groups)
-      {
-        for (std::uint32_t i = 0; i < group.Points; ++i, ++at)
+      const std::set<std::uint32_t> found(points.begin(), points.end());
+      EXPECT_EQ(found, shared[chunks]);
+      EXPECT_EQ(found.size(), points.size());
+      EXPECT_TRUE(std::is_sorted(points.begin(), points.end(),
+        [&](auto l, auto r)
         {
-          EXPECT_TRUE(std::equal(group.Chunks.begin(), group.Chunks.end(),
-            users[parts.SharedPoints[at]].begin(), users[parts.SharedPoints[at]].end()));
-        }
-      }
+          const MeshAccess access(mesh.GetInput());
+          return FindMortonCode(access, box, l) < FindMortonCode(access, box, r);
+        }));
     }
   }
+}
+
+TEST(SharedGroups, PutsSmallGroupsOfAChunkIntoOneBlock)
+{
+  SharedGroups groups;
+  groups.Add({ 0, 1 }, 5);
+  groups.Add({ 0, 1, 2 }, 300);
+  groups.Add({ 0, 2 }, 255);
+  groups.Add({ 1, 2 }, 4);
+  groups.Add({ 1, 3 }, 4);
+  groups.Add({ 1, 3 }, 255);
+  groups.Add({ 1, 2 }, -4);
+  const auto blocks = groups.MakeBlocks();
+  ASSERT_EQ(blocks.size(), 3u);
+  EXPECT_EQ(blocks[0].Points, 300u);
+  EXPECT_EQ(blocks[0].Groups[0].Chunks, (ChunkSet{ 0, 1, 2 }));
+  EXPECT_EQ(blocks[1].Points, 260u);
+  ASSERT_EQ(blocks[1].Groups.size(), 2u);
+  EXPECT_EQ(blocks[1].Groups[0].Chunks, (ChunkSet{ 0, 1 }));
+  EXPECT_EQ(blocks[1].Groups[1].Points, 255u);
+  EXPECT_EQ(blocks[2].Points, 259u);
+  EXPECT_EQ(blocks[2].Groups[0].Chunks, (ChunkSet{ 1, 3 }));
 }
 
 TEST(LocalIds, NumbersPointsAsTheyCome)

@@ -3,6 +3,7 @@
 
 // Unusual paths and full disks.
 
+#include "gatunFileSizeLimit.h"
 #include "gatunHostile.h"
 #include "gatunVerifyFile.h"
 
@@ -208,30 +209,6 @@ TEST(HostilePaths, PermissionsOfTheOldFileStay)
   ::umask(mask);
   EXPECT_EQ(fs::status(fresh).permissions(), static_cast<fs::perms>(0640));
 }
-
-/** Limits the size of files that this process writes. */
-class FileSizeLimit
-{
-public:
-  explicit FileSizeLimit(::rlim_t size)
-    : OldHandler(std::signal(SIGXFSZ, SIG_IGN))
-  {
-    ::getrlimit(RLIMIT_FSIZE, &this->Old);
-    const ::rlimit limit{ size, this->Old.rlim_max };
-    EXPECT_EQ(::setrlimit(RLIMIT_FSIZE, &limit), 0);
-  }
-  ~FileSizeLimit()
-  {
-    ::setrlimit(RLIMIT_FSIZE, &this->Old);
-    std::signal(SIGXFSZ, this->OldHandler);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
-private:
-  ::rlimit Old{};
-  void (*OldHandler)(int);
-};
 
 TEST(HostilePaths, AFileThatGrowsTooLargeLeavesTheOldOne)
 {

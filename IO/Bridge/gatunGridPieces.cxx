@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunGridPieces.h"
+
+#include "gatunError.h"
+#include "gatunGhosts.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace gatun
+{
+namespace
+{
+std::string NameOf(std::size_t piece)
+{
+  return "piece " + std::to_string(piece);
+}
+
+/** The global ids of the points of a piece, if it has any. */
+std::vector<std::int64_t> GetGlobalIds(vtkUnstructuredGrid* piece)
+{
+  vtkDataArray* const ids = piece->GetPointData()->GetGlobalIds();
+  std::vector<std::int64_t> values;
+  if (!ids || ids->GetNumberOfComponents() != 1 ||
+    ids->GetNumberOfTuples() != piece->GetNumberOfPoints())
+  {
+    return values;
+  }
+  const BridgedArray array = Bridge(ids, Association::Point);
+  values.resize(static_cast<std::size_t>(ids->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    switch (array.Description.Type)
+    {
+      case ScalarType::Int64:
+      case ScalarType::UInt64:
+        values[i] = static_cast<const std::int64_t*>(array.Values)[i];
+        break;
+      case ScalarType::Int32:
+        values[i] = static_cast<const std::int32_t*>(array.Values)[i];
+        break;
+      case ScalarType::UInt32:
+        values[i] = static_cast<const std::uint32_t*>(array.Values)[i];
+        break;
+      default:
+        return {}; // not ids
+    }
+  }
+  return values;
+}
+}
+
+//------------------------------------------------------------------------------
+GridPieces::GridPieces(const std::string& path, const PartWriterOptions& options,
+  std::function<std::vector<BridgedArray>(vtkUnstructuredGrid*)> select)
+  : Path(path)
+  , Options(options)
+  , Select(std::move(select))
+{
+}
+
+GridPieces::~GridPieces() = default;
+
+//------------------------------------------------------------------------------
+GridPieces::Input GridPieces::MakeInput(vtkUnstructuredGrid* piece, std::size_t number) const
+{
+  Input input;
+  input.Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  input.Grid->ShallowCopy(piece);
+  ClearGhosts(input.Grid);
+  input.Mesh = std::make_unique<BridgedMesh>(input.Grid);
+  input.Arrays = this->Select(input.Grid);
+  input.Ids = GetGlobalIds(input.Grid);
+  if (this->File)
+  {
+    this->SortArrays(input, number);
+  }
+  for (const auto& array : input.Arrays)
+  {
+    input.Values.push_back(array.Values);
+  }
+  return input;
+}
+
+//------------------------------------------------------------------------------
+/** Puts the arrays of a piece into the order of those of the first piece. */
+void GridPieces::SortArrays(Input& input, std::size_t number) const
+{
+  std::vector<BridgedArray> sorted;
+  for (const auto& description : this->Arrays)
+  {
+    const auto found = std::find_if(input.Arrays.begin(), input.Arrays.end(),
+      [&](const BridgedArray& array) { return array.Description == description; });
+    if (found == input.Arrays.end())
+    {
+      ThrowInvalid(NameOf(number) + " has no " +
+        (description.Where == Association::Point ? "point" : "cell") + " array '" +
+        description.Name + "' of the type that it has in the pieces before");
+    }
+    sorted.push_back(std::move(*found));
+    input.Arrays.erase(found);
+  }
+  if (!input.Arrays.empty())
+  {
+    ThrowInvalid(NameOf(number) + " has an array '" + input.Arrays.front().Description.Name +
+      "' that the pieces before do not have");
+  }
+  input.Arrays = std::move(sorted);
+}
+
+//------------------------------------------------------------------------------
+void GridPieces::Open(const Input& input)
+{
+  for (const auto& array : input.Arrays)
+  {
+    this->Arrays.push_back(array.Description);
+  }
+  this->File = std::make_unique<PartWriter>(this->Path, this->Arrays, this->Options);
+}
+
+//------------------------------------------------------------------------------
+/** Whether a piece is to be skipped. It must have no points at all steps then. */
+bool GridPieces::IsEmpty(vtkUnstructuredGrid* piece, bool isFirst, std::size_t number)
+{
+  const bool isEmpty = piece->GetNumberOfPoints() == 0 && piece->GetNumberOfCells() == 0;
+  if (!isFirst && isEmpty != this->WasEmpty)
+  {
+    ThrowInvalid("the points or the cells of " + NameOf(number) + " change with time");
+  }
+  this->WasEmpty = isEmpty;
+  return isEmpty;
+}
+
+//------------------------------------------------------------------------------
+void GridPieces::Survey(vtkUnstructuredGrid* piece, bool isFirst)
+{
+  this->Surveyed += isFirst;
+  const auto number = this->Surveyed - 1;
+  if (this->IsEmpty(piece, isFirst, number))
+  {
+    return;
+  }
+  const Input input = this->MakeInput(piece, number);
+  if (isFirst)
+  {
+    if (!this->File)
+    {
+      this->Open(input);
+    }
+    this->PointsConverted = this->PointsConverted || input.Mesh->PointsConverted;
+    this->MeshHash = input.Mesh->Hash();
+    this->File->Survey(input.Mesh->Mesh, input.GetIds());
+  }
+  else if (input.Mesh->Hash() != this->MeshHash)
+  {
+    ThrowInvalid("the points or the cells of " + NameOf(number) +
+      " change with time; one file holds one mesh, so write such steps as a series of files");
+  }
+  this->File->SurveyStep(input.Values);
+}
+
+//------------------------------------------------------------------------------
+void GridPieces::Write(vtkUnstructuredGrid* piece, bool isFirst, const Step& step,
+  const std::function<bool(double)>& progress)
+{
+  this->Written += isFirst;
+  if (this->IsEmpty(piece, isFirst, this->Written - 1))
+  {
+    return;
+  }
+  if (!this->File)
+  {
+    ThrowInvalid(NameOf(this->Written - 1) + " has changed since it was surveyed");
+  }
+  Input input = this->MakeInput(piece, this->Written - 1);
+  const auto values = input.Values;
+  const auto arrays = input.Arrays;
+  if (isFirst)
+  {
+    // The mesh has to exist until the last step of the piece is written.
+    this->Current = std::move(input);
+    this->Current.Arrays = {};
+    this->File->Write(this->Current.Mesh->Mesh, this->Current.GetIds(), progress);
+  }
+  this->File->WriteStep(values, step.Field, step.HasTime, step.Time, progress);
+}
+
+//------------------------------------------------------------------------------
+PartStatistics GridPieces::Finish()
+{
+  if (!this->File)
+  {
+    // All pieces are empty.
+    this->File =
+      std::make_unique<PartWriter>(this->Path, std::vector<ArrayDescription>(), this->Options);
+    this->File->Survey({});
+    this->File->Write({});
+  }
+  const auto statistics = this->File->Finish();
+  this->File.reset();
+  this->Current = {};
+  return statistics;
+}
+}

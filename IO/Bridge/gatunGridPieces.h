@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunGridPieces_h
+#define gatunGridPieces_h
+
+#include "gatunArrayBridge.h"
+#include "gatunBridgedMesh.h"
+#include "gatunFieldData.h"
+#include "gatunPartWriter.h"
+
+#include "vtkGatunIOModule.h" // For export macro
+#include "vtkSmartPointer.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+class vtkUnstructuredGrid;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
+
+namespace gatun
+{
+/**
+ * Writes the pieces of a grid as parts of one file. All pieces come twice in the same order, first
+ * for the survey, with all time steps of a piece one after the other.
+ *
+ * Ghost cells have been removed, and the marks of duplicate points are. Pieces without points and
+ * cells are skipped. Points are joined by the global ids of their piece, if it has any, or else by
+ * their coordinates. All pieces must have the same arrays, in any order.
+ *
+ * Methods throw gatun::Error.
+ */
+class GridPieces
+{
+public:
+  /** select: the arrays of a piece to write. */
+  GridPieces(const std::string& path, const PartWriterOptions& options,
+    std::function<std::vector<BridgedArray>(vtkUnstructuredGrid*)> select);
+  ~GridPieces();
+
+  /** Looks at a step of a piece. isFirst: whether it is the first step of that piece. */
+  void Survey(vtkUnstructuredGrid* piece, bool isFirst);
+
+  /** A time step of a piece to write. */
+  struct Step
+  {
+    FieldData Field;
+    bool HasTime = false;
+    double Time = 0;
+  };
+  void Write(vtkUnstructuredGrid* piece, bool isFirst, const Step& step,
+    const std::function<bool(double)>& progress);
+
+  /** Completes the file. */
+  PartStatistics Finish();
+
+  /** Whether integer coordinates were converted to double. */
+  bool ArePointsConverted() const { return this->PointsConverted; }
+
+private:
+  /** A piece as the core takes it. */
+  struct Input
+  {
+    vtkSmartPointer<vtkUnstructuredGrid> Grid;
+    std::unique_ptr<BridgedMesh> Mesh;
+    std::vector<BridgedArray> Arrays; // in the order of the file
+    std::vector<const void*> Values;
+    std::vector<std::int64_t> Ids; // global ids of the points, if there are any
+
+    const std::int64_t* GetIds() const { return this->Ids.empty() ? nullptr : this->Ids.data(); }
+  };
+
+  Input MakeInput(vtkUnstructuredGrid* piece, std::size_t number) const;
+  void SortArrays(Input& input, std::size_t number) const;
+  void Open(const Input& input);
+  bool IsEmpty(vtkUnstructuredGrid* piece, bool isFirst, std::size_t number);
+
+  const std::string Path;
+  const PartWriterOptions Options;
+  const std::function<std::vector<BridgedArray>(vtkUnstructuredGrid*)> Select;
+  std::unique_ptr<PartWriter> File;
+  std::vector<ArrayDescription> Arrays;
+  std::size_t Surveyed = 0; // pieces, empty ones included
+  std::size_t Written = 0;
+  std::size_t MeshHash = 0; // of the piece that is being surveyed
+  bool WasEmpty = false;
+  bool PointsConverted = false;
+  Input Current; // the piece that is being written, with the values of its first step
+};
+}
+
+#endif

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkGatunWriterInternals.h"
+
+#include "gatunError.h"
+#include "gatunReport.h"
+#include "gatunWriterArrays.h"
+#include "vtkGatunCompat.h"
+
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkUnstructuredGrid.h"
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
+namespace
+{
+
+// Building a hierarchy takes about nine times as long as writing the rest.
+constexpr double PartOfTree = 0.9;
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+// Reports a warning once for each file.
+void vtkGatunWriter::vtkInternals::Warn(const std::string& what)
+{
+  if (this->Warned.insert(what).second)
+  {
+    vtkWarningWithObjectMacro(this->Owner, << this->Owner->FileName << ": " << what);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Reports progress of a part of the work. Part 0 is the mesh, part i + 1 is time step i.
+std::function<bool(double)> vtkGatunWriter::vtkInternals::MakeProgress(std::size_t part)
+{
+  const double parts = static_cast<double>(this->GetNumberOfSteps()) + 1;
+  return [this, part, parts](double fraction)
+  {
+    const double forTree = this->Owner->Hierarchy ? PartOfTree : 0;
+    const double done = (static_cast<double>(part) + fraction) / parts;
+    this->Owner->UpdateProgress(forTree + (1 - forTree) * done);
+    return !gatun::IsAborted(this->Owner);
+  };
+}
+
+//------------------------------------------------------------------------------
+gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
+  vtkUnstructuredGrid* grid, const std::vector<gatun::BridgedArray>& arrays)
+{
+  gatun::WriterOptions options;
+  options.Keep = static_cast<std::uint8_t>(this->Owner->KeepOrder);
+  options.ChunkTets = static_cast<std::uint32_t>(this->Owner->ChunkTets);
+  options.KeyStepInterval = static_cast<std::uint32_t>(this->Owner->KeyStepInterval);
+  options.ReplaceReadOnly = this->Owner->ReplaceReadOnly;
+  if (this->Owner->LayerArray && *this->Owner->LayerArray)
+  {
+    options.Layers =
+      gatun::FindLayerArray(arrays, this->Owner->LayerArray, this->Owner->LayerComponent);
+    options.Layers->Count = static_cast<std::uint32_t>(this->Owner->NumberOfLayers);
+    options.Layers->Spacing = static_cast<gatun::LayerSpacing>(this->Owner->LayerSpacing);
+  }
+  if (this->Owner->Hierarchy)
+  {
+    this->Tree = gatun::BuildMergeTree(grid, this->Weights,
+      { static_cast<gatun::MergeMetric>(this->Owner->Metric), this->Owner->BoundaryWeight },
+      [this](double fraction)
+      {
+        this->Owner->UpdateProgress(PartOfTree * fraction);
+        return !gatun::IsAborted(this->Owner);
+      });
+    options.Tree = &this->Tree;
+    options.Levels = static_cast<unsigned>(this->Owner->Levels);
+  }
+  return options;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunWriter::vtkInternals::PublishStatistics(
+  const gatun::FileStatistics& statistics, std::uint64_t points, std::uint64_t cells)
+{
+  this->Owner->WrittenPoints = points;
+  this->Owner->WrittenCells = cells;
+  this->Owner->WrittenSteps = this->GetNumberOfSteps();
+  this->Owner->FileBytes = statistics.FileBytes;
+  this->Owner->ConnectivityBytes = statistics.ConnectivityBytes;
+  this->Owner->GeometryBytes = statistics.GeometryBytes + statistics.SharedGeometryBytes;
+  this->Owner->OrderBytes = statistics.OrderBytes;
+  this->Owner->ArrayBytes = 0;
+  for (const std::uint64_t bytes : statistics.ArrayBytes)
+  {
+    this->Owner->ArrayBytes += bytes;
+  }
+  this->Owner->FieldDataBytes = statistics.FieldDataBytes;
+  this->Owner->HierarchyBytes = statistics.TreeBytes;
+  this->Owner->LevelBytes = statistics.LevelBytes;
+  this->Owner->DirectoryBytes = statistics.DirectoryBytes;
+}
+
+//------------------------------------------------------------------------------
+gatun::GridPieces::Step vtkGatunWriter::vtkInternals::DescribeStep(
+  vtkUnstructuredGrid* input, vtkFieldData* fieldData)
+{
+  gatun::GridPieces::Step step;
+  std::vector<std::string> refused;
+  step.Field = gatun::BridgeFieldData(fieldData, refused);
+  for (const std::string& name : refused)
+  {
+    this->Warn(
+      "the field array '" + name + "' is left out, because arrays of its type cannot be written");
+  }
+  vtkInformation* info = input->GetInformation();
+  const bool hasSteps = !this->Times.empty();
+  step.HasTime = hasSteps || info->Has(vtkDataObject::DATA_TIME_STEP());
+  step.Time = hasSteps ? this->Times[this->Step]
+    : step.HasTime     ? info->Get(vtkDataObject::DATA_TIME_STEP())
+                       : 0.0;
+  return step;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunWriter::vtkInternals::BeginPieces()
+{
+  const vtkGatunWriter* owner = this->Owner;
+  if (owner->Hierarchy || (owner->LayerArray && *owner->LayerArray))
+  {
+    gatun::ThrowInvalid("a hierarchy or layers need the whole mesh, which cannot come in pieces");
+  }
+  gatun::PartWriterOptions options;
+  options.File = this->MakeOptions(nullptr, {});
+  options.SpillFolder = owner->SpillFolder ? owner->SpillFolder : "";
+  options.SpillMemory = static_cast<std::size_t>(owner->SpillMemory) << 20;
+  options.JoinAllPoints = owner->JoinAllPoints;
+  this->Pieces =
+    std::make_unique<gatun::GridPieces>(owner->FileName ? owner->FileName : "", options,
+      [this](vtkUnstructuredGrid* piece)
+      {
+        return gatun::BridgeSelected(
+          piece, this->PointSelection, this->CellSelection, this->Owner->WriteUnlistedArrays);
+      });
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunWriter::vtkInternals::FinishPieces()
+{
+  const gatun::PartStatistics statistics = this->Pieces->Finish();
+  if (this->Pieces->ArePointsConverted())
+  {
+    this->Warn("integer coordinates are written as double");
+  }
+  if (statistics.DifferentPoints > 0)
+  {
+    this->Warn(std::to_string(statistics.DifferentPoints) +
+      " points of a piece are where another piece has one with other values, or have its global "
+      "id elsewhere, and are kept apart");
+  }
+  if (statistics.AmbiguousPoints > 0)
+  {
+    this->Warn(std::to_string(statistics.AmbiguousPoints) +
+      " points are kept apart, because several points of a piece are where another piece has one; "
+      "with global ids they would be joined");
+  }
+  this->PublishStatistics(statistics.File, statistics.Points, statistics.Cells);
+}
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunPartSurvey_h
+#define gatunPartSurvey_h
+
+// What has to be known of all parts of a mesh before the first one is written.
+
+#include "gatunPalette.h"
+#include "gatunSkinMerge.h"
+#include "gatunStepSection.h"
+#include "gatunWriterPart.h"
+#include "gatunWriterState.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace gatun
+{
+/** A hash of a mesh and, unless they are null, the global ids of its points. */
+std::uint64_t HashPart(const MeshInput& mesh, const std::int64_t* globalIds);
+
+/** A hash of the values of a step. */
+std::uint64_t HashValues(const std::vector<ArrayDescription>& arrays,
+  std::span<const void* const> values, std::uint64_t points, std::uint64_t cells);
+
+/** The points of one part that other parts may have, too. */
+class PartSurvey
+{
+public:
+  /** part: with its layout. number: that of the part. globalIds: null if coordinates decide. all:
+   * whether all points are looked for in other parts. */
+  PartSurvey(const WriterPart& part, std::uint32_t number, const std::int64_t* globalIds, bool all);
+
+  /** Adds the values of point arrays at a step. */
+  void AddValues(const std::vector<ArrayDescription>& arrays, std::span<const void* const> values);
+
+  const std::vector<SkinRecord>& GetUses() const { return this->Uses; }
+
+private:
+  std::vector<SkinRecord> Uses;
+};
+
+/** Collects the distinct values of coordinates and arrays of all parts. */
+class PaletteSurvey
+{
+public:
+  explicit PaletteSurvey(const WriterState& state)
+    : State(state)
+  {
+  }
+
+  void AddMesh(const MeshInput& part);
+  void AddStep(std::size_t step, std::span<const void* const> values, std::uint64_t points,
+    std::uint64_t cells);
+
+  std::size_t GetSteps() const { return this->Steps.size(); }
+
+  /** The palettes, when the numbers of points and cells of the file are known. */
+  std::array<std::shared_ptr<const Palette>, 3> FinishMesh();
+  StepPalettes FinishStep(std::size_t step);
+
+private:
+  const WriterState& State;
+  std::vector<PaletteBuilder> Axes;
+  std::vector<std::vector<PaletteBuilder>> Steps; // component after component
+};
+}
+
+#endif

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunPartWriter_h
+#define gatunPartWriter_h
+
+#include "gatunFieldData.h"
+#include "gatunMeshInput.h"
+#include "gatunTypes.h"
+#include "gatunWriterOptions.h"
+#include "vtkGatunCoreModule.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gatun
+{
+/** Options of PartWriter. */
+struct PartWriterOptions
+{
+  /** Those of the file. Hierarchies and layers need the whole mesh and are refused. */
+  WriterOptions File;
+
+  /** The folder of temporary files. Empty: the folder of the file that is written. */
+  std::string SpillFolder;
+
+  /** The number of bytes of points on the boundaries of parts that are kept in memory; further ones
+   * are in temporary files. */
+  std::size_t SpillMemory = std::size_t{ 64 } << 20;
+
+  /** Whether to look for all points in other parts, in place of those on the boundary of a part.
+   * Finds also the points inside a part that lines and surfaces of other parts have, and takes as
+   * much more space on the disk. */
+  bool JoinAllPoints = false;
+};
+
+/** What PartWriter has written. */
+struct PartStatistics
+{
+  FileStatistics File;
+  std::uint64_t Points = 0; ///< of the file
+  std::uint64_t Cells = 0;
+  std::uint64_t JoinedPoints = 0; ///< points of parts that are the point of another part
+
+  /** Points that are where another part has one, but have other values or another global id, and
+   * are kept apart; or that have the global id of one elsewhere. */
+  std::uint64_t DifferentPoints = 0;
+
+  /** Points that are kept apart because several points of one part are where another part has one.
+   */
+  std::uint64_t AmbiguousPoints = 0;
+
+  std::uint64_t SpilledBytes = 0;
+};
+
+/**
+ * Writes a mesh that comes in parts as one .gtn file, such as FileWriter writes, without ever
+ * having the whole mesh in memory.
+ *
+ * A part is any subset of the cells with their points and arrays; a cell belongs to one part. All
+ * parts come twice in the same order, and have to be the same both times:
+ *
+ *     for each part: Survey(part), and SurveyStep(values) for each time step
+ *     for each part: Write(part), and WriteStep(values) for each time step
+ *     Finish()
+ *
+ * Points of different parts are one point if they have the same global id, or without ids the same
+ * coordinates, and the same values of all point arrays at all steps. Points with different values
+ * are kept apart, as are 0 and -0; coordinates that are not numbers are not compared. Points of one
+ * part are never joined. Only points on the boundary of a part are compared, see
+ * PartWriterOptions::JoinAllPoints. Cells that are in several parts are written several times.
+ *
+ * Original numbers (WriterOptions::Keep) count through the parts. A point of several parts has the
+ * number of the first one.
+ *
+ * Memory: the part that the caller has, up to 3 times as much beside it, with two time steps; the
+ * options' SpillMemory; some 300 bytes and 50 bytes for each array and time step a chunk; up to
+ * 512 KiB for each component and step of arrays that have few different values; and the points that
+ * no cell uses, with their values. With KeepPoints also 8 bytes for each point of several parts.
+ *
+ * The file appears at its path when Finish returns. The bytes do not depend on the number of
+ * threads. Every method may throw Error (InvalidInput, CannotWrite, Aborted), after which only the
+ * destructor may be called: no temporary file remains. Not thread safe.
+ */
+class VTKGATUNCORE_EXPORT PartWriter
+{
+public:
+  /** As FileWriter::Progress, for the current call. */
+  using Progress = std::function<bool(double)>;
+
+  PartWriter(const std::string& path, const std::vector<ArrayDescription>& arrays,
+    const PartWriterOptions& options);
+  ~PartWriter();
+  PartWriter(const PartWriter&) = delete;
+  PartWriter& operator=(const PartWriter&) = delete;
+
+  /** Looks at the next part. globalIds: one for each point, in all parts or in none. */
+  void Survey(
+    const MeshInput& part, const std::int64_t* globalIds = nullptr, const Progress& progress = {});
+
+  /** Looks at the next time step of that part. values: as for FileWriter::WriteStep. */
+  void SurveyStep(std::span<const void* const> values);
+
+  /** Writes the next part, the first one after the last call of Survey. */
+  void Write(
+    const MeshInput& part, const std::int64_t* globalIds = nullptr, const Progress& progress = {});
+
+  /** Writes the next time step of that part. The field data of the first part are stored. */
+  void WriteStep(std::span<const void* const> values, const FieldData& field = {},
+    bool hasTime = false, double time = 0, const Progress& progress = {});
+
+  /** Completes the file when all parts have been written, and moves it to its path. */
+  PartStatistics Finish();
+
+private:
+  class Internals;
+  std::unique_ptr<Internals> Self;
+};
+}
+
+#endif

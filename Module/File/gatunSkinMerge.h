@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunSkinMerge_h
+#define gatunSkinMerge_h
+
+#include "gatunSharedGroups.h"
+#include "gatunSpillSorter.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace gatun
+{
+/** The use of a point of a part by a chunk. The point may be one of other parts, too. */
+struct SkinRecord
+{
+  static constexpr std::uint32_t NoChunk = 0xffffffffu;
+
+  std::array<std::uint64_t, 3> Key{}; // equal points have equal keys
+  std::uint64_t Values = 0;           // a hash of coordinates and values
+  std::uint64_t Morton = 0;           // within the part
+  std::uint32_t Part = 0;
+  std::uint32_t Point = 0;
+  std::uint32_t Chunk = NoChunk; // of the file; NoChunk if no cell uses the point
+  std::uint32_t Reserved = 0;
+
+  bool operator<(const SkinRecord& other) const
+  {
+    return this->Key != other.Key    ? this->Key < other.Key
+      : this->Values != other.Values ? this->Values < other.Values
+      : this->Part != other.Part     ? this->Part < other.Part
+      : this->Point != other.Point   ? this->Point < other.Point
+                                     : this->Chunk < other.Chunk;
+  }
+};
+
+/** The points of a part that are those of other parts. */
+struct PartJoins
+{
+  /** The points of each group, in the order of the file. Groups are numbers of SkinMerge. */
+  std::map<std::uint32_t, std::vector<std::uint32_t>> Groups;
+
+  std::vector<std::uint32_t> Dropped; ///< unused points that another part has
+};
+
+/**
+ * Finds equal points of parts: those with equal keys and values. Points of one part are never
+ * joined, and points that have several equal ones in a part are left apart, so that cracks stay.
+ *
+ * Memory: about twice the given one, and the groups of shared points.
+ */
+class SkinMerge
+{
+public:
+  /** folder: of the files for what exceeds the memory, in bytes. */
+  SkinMerge(const std::string& folder, std::size_t memory)
+    : Skins(folder, memory)
+    , Joins(folder, memory)
+  {
+  }
+
+  /** Adds a use of a point. */
+  void Add(const SkinRecord& use) { this->Skins.Add(use); }
+
+  /** Joins points when all uses have been added, and changes the groups of the file accordingly.
+   * parts: the number of parts. */
+  void Join(std::size_t parts, SharedGroups& groups);
+
+  /** The points of the next part that are joined with others. To be called once for each part, in
+   * the order of the parts. */
+  PartJoins Take(std::uint32_t part);
+
+  /** The chunks of a group of points of several parts. */
+  const ChunkSet& GetGroup(std::uint32_t group) const { return *this->Groups[group]; }
+
+  /** How many points of a part belong to an earlier one. */
+  std::uint64_t GetRepeated(std::size_t part) const { return this->Repeated[part]; }
+
+  /** How many of these points are unused, in all parts. */
+  std::uint64_t GetDropped() const { return this->Dropped; }
+
+  /** How many points were left apart, though another part has a point with the same key: because of
+   * different values, or because there are several in one part. */
+  std::uint64_t GetDifferent() const { return this->Different; }
+  std::uint64_t GetAmbiguous() const { return this->Ambiguous; }
+
+  std::uint64_t GetSpilledBytes() const
+  {
+    return this->Skins.GetSpilledBytes() + this->Joins.GetSpilledBytes();
+  }
+
+private:
+  /** A point of a part. */
+  struct Member
+  {
+    std::uint32_t Part = 0;
+    std::uint32_t Point = 0;
+    std::uint64_t Morton = 0;
+    ChunkSet Chunks; // of that part
+  };
+
+  /** A point of a part that other parts have, too. */
+  struct JoinRecord
+  {
+    static constexpr std::uint32_t Dropped = 0xffffffffu;
+
+    std::uint32_t Part = 0;
+    std::uint32_t Group = 0;
+    std::uint64_t Morton = 0; // that of the point in the first part of the group
+    std::uint32_t First = 0;  // its number there
+    std::uint32_t Point = 0;
+
+    bool operator<(const JoinRecord& other) const
+    {
+      return this->Part != other.Part  ? this->Part < other.Part
+        : this->Group != other.Group   ? this->Group < other.Group
+        : this->Morton != other.Morton ? this->Morton < other.Morton
+        : this->First != other.First   ? this->First < other.First
+                                       : this->Point < other.Point;
+    }
+  };
+
+  void JoinEqual(const std::vector<Member>& members, SharedGroups& groups);
+  void Drop(const Member& member);
+  std::uint32_t FindGroup(const ChunkSet& chunks);
+
+  SpillSorter<SkinRecord> Skins;
+  SpillSorter<JoinRecord> Joins;
+  std::map<ChunkSet, std::uint32_t> GroupNumbers;
+  std::vector<const ChunkSet*> Groups;
+  std::vector<std::uint64_t> Repeated;
+  std::uint64_t Dropped = 0;
+  std::uint64_t Different = 0;
+  std::uint64_t Ambiguous = 0;
+};
+}
+
+#endif

@@ -1,0 +1,283 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""A writer that asks its input for one piece after the other writes the mesh that the whole input
+is: of sources that know pieces, of parallel files, of a reader, and of sources that know none."""
+
+import os
+
+import numpy as np
+from vtkmodules.util import vtkConstants as c
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, vtkUnstructuredGrid
+from vtkmodules.vtkCommonExecutionModel import (
+    vtkAlgorithm, vtkStreamingDemandDrivenPipeline as pipeline)
+from vtkmodules.vtkIOXML import vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridWriter
+
+import gatunMeshes as gm
+from gatun import vtkGatunErrorCode, vtkGatunReader, vtkGatunWriter
+
+PIECES = 6
+folder = os.path.join(os.environ["GATUN_TEST_TEMP"], "writer-pieces")
+os.makedirs(folder, exist_ok=True)
+for name in os.listdir(folder):
+    os.remove(os.path.join(folder, name))
+path = os.path.join(folder, "pieces.gtn")
+
+
+class PieceSource(VTKPythonAlgorithmBase):
+    """Makes pieces and steps on request: make(piece, pieces, step) returns a grid."""
+
+    def __init__(self, make, times=()):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkUnstructuredGrid")
+        self.make, self.times = make, list(times)
+        self.asked = []
+
+    def RequestInformation(self, request, inInfo, outInfo):
+        info = outInfo.GetInformationObject(0)
+        info.Set(vtkAlgorithm.CAN_HANDLE_PIECE_REQUEST(), 1)
+        if self.times:
+            info.Set(pipeline.TIME_STEPS(), self.times, len(self.times))
+            info.Set(pipeline.TIME_RANGE(), [self.times[0], self.times[-1]], 2)
+        return 1
+
+    def RequestData(self, request, inInfo, outInfo):
+        info = outInfo.GetInformationObject(0)
+        piece = info.Get(pipeline.UPDATE_PIECE_NUMBER())
+        pieces = info.Get(pipeline.UPDATE_NUMBER_OF_PIECES())
+        step = 0
+        if self.times and info.Has(pipeline.UPDATE_TIME_STEP()):
+            step = self.times.index(info.Get(pipeline.UPDATE_TIME_STEP()))
+        self.asked.append((piece, step))
+        output = vtkUnstructuredGrid.GetData(outInfo, 0)
+        output.ShallowCopy(self.make(piece, pieces, step))
+        if self.times:
+            output.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), self.times[step])
+        return 1
+
+
+def part_of(grid, wanted):
+    """The cells of a grid that are wanted, with their points and arrays."""
+    tets = gm.connectivity(grid)[wanted]
+    used = np.unique(tets)
+    place = np.full(grid.GetNumberOfPoints(), -1)
+    place[used] = np.arange(len(used))
+    result = gm.make_grid(gm.coordinates(grid)[used], place[tets].reshape(-1, 4))
+    for attributes, to, chosen in (
+            (grid.GetPointData(), result.GetPointData(), used),
+            (grid.GetCellData(), result.GetCellData(), np.flatnonzero(wanted))):
+        for array in gm.arrays_of(attributes):
+            gm.add_array(to, gm.values_of(array)[chosen], array.GetName(), array.GetDataType())
+    return result
+
+
+whole = gm.block(n=7)
+owner = np.random.default_rng(5).integers(0, PIECES - 1, whole.GetNumberOfCells())  # one is empty
+
+
+def piece_of(grid, piece, pieces):
+    return part_of(grid, owner == piece) if pieces > 1 else grid
+
+
+def write(source, expected=1, **options):
+    writer = vtkGatunWriter()
+    writer.source = source
+    messages = []
+
+    @gm.calldata_type(c.VTK_STRING)
+    def note(_object, _event, text):
+        messages.append(text)
+
+    writer.AddObserver("WarningEvent", note)
+    writer.AddObserver("ErrorEvent", note)
+    writer.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+    writer.SetInputConnection(source.GetOutputPort())
+    writer.SetFileName(path)
+    writer.SetNumberOfPieces(PIECES)
+    writer.SetChunkTets(200)
+    for key, value in options.items():
+        getattr(writer, "Set" + key)(value)
+    assert writer.Write() == expected, messages
+    return writer, messages
+
+
+# The mesh of the whole, with each piece asked for twice, and none after it was left.
+source = PieceSource(lambda piece, pieces, step: piece_of(whole, piece, pieces))
+writer, messages = write(source)
+assert not messages, messages
+assert source.asked == 2 * [(piece, 0) for piece in range(PIECES)], source.asked
+gm.assert_same_mesh(gm.read(path), whole)
+assert writer.GetWrittenPoints() == whole.GetNumberOfPoints()
+assert writer.GetWrittenCells() == whole.GetNumberOfCells()
+assert writer.GetFileBytes() == os.path.getsize(path)
+
+# Time steps: those of a piece follow each other.
+steps = [gm.block(n=7) for _ in range(3)]
+for step, grid in enumerate(steps):
+    gm.add_array(grid.GetPointData(), gm.coordinates(grid)[:, 0] * step, "moving")
+source = PieceSource(lambda piece, pieces, step: piece_of(steps[step], piece, pieces), [0., .5, 2.])
+writer, messages = write(source, WriteAllTimeSteps=True)
+assert not messages, messages
+assert source.asked == 2 * [(p, s) for p in range(PIECES) for s in range(3)], source.asked
+assert writer.GetWrittenSteps() == 3
+reader = vtkGatunReader()
+reader.SetFileName(path)
+for step, time in enumerate([0., .5, 2.]):
+    reader.UpdateTimeStep(time)
+    gm.assert_same_mesh(reader.GetOutput(), steps[step])
+
+# Ghost cells and marks of points that other pieces own are not written.
+
+
+def with_ghosts(piece, pieces):
+    """The piece with a third of the cells of the next one as ghosts."""
+    extra = (owner == (piece + 1) % (PIECES - 1)) & (np.arange(len(owner)) % 3 == 0)
+    wanted = (owner == piece) | extra
+    grid = part_of(whole, wanted)
+    marks = vtkUnsignedCharArray()
+    marks.SetName(vtkDataSetAttributes.GhostArrayName())
+    for ghost in extra[wanted]:
+        marks.InsertNextValue(vtkDataSetAttributes.DUPLICATECELL if ghost else 0)
+    grid.GetCellData().AddArray(marks)
+    marks = vtkUnsignedCharArray()
+    marks.SetName(vtkDataSetAttributes.GhostArrayName())
+    for i in range(grid.GetNumberOfPoints()):
+        marks.InsertNextValue(vtkDataSetAttributes.DUPLICATEPOINT if i % 2 else 0)
+    grid.GetPointData().AddArray(marks)
+    return grid
+
+
+_, messages = write(PieceSource(lambda piece, pieces, step: with_ghosts(piece, pieces)))
+assert not messages, messages
+gm.assert_same_mesh(gm.read(path), whole)
+
+# Points with other values stay apart, with a warning; global ids decide.
+
+
+def with_owner(piece, pieces, step):
+    grid = piece_of(whole, piece, pieces)
+    gm.add_array(grid.GetPointData(), np.full(grid.GetNumberOfPoints(), piece), "piece")
+    return grid
+
+
+_, messages = write(PieceSource(with_owner))
+assert len(messages) == 1 and "are kept apart" in messages[0], messages
+assert gm.read(path).GetNumberOfPoints() > whole.GetNumberOfPoints()
+
+
+def with_ids(piece, pieces, step):
+    grid = vtkUnstructuredGrid()
+    grid.ShallowCopy(piece_of(whole, piece, pieces))
+    ids = gm.values_of(grid.GetPointData().GetArray("point")).ravel()
+    gm.add_array(grid.GetPointData(), ids.astype(np.int64), "ids", c.VTK_ID_TYPE)
+    grid.GetPointData().SetActiveGlobalIds("ids")
+    return grid
+
+
+_, messages = write(PieceSource(with_ids))
+assert not messages, messages
+gm.assert_same_mesh(gm.read(path), with_ids(0, 1, 0))
+
+# Arrays in another order are the same arrays; missing and additional ones are errors.
+
+
+def turned_around(piece, pieces, step):
+    grid = piece_of(whole, piece, pieces)
+    if piece % 2:
+        arrays = gm.arrays_of(grid.GetPointData())
+        grid.GetPointData().Initialize()
+        for array in reversed(arrays):
+            grid.GetPointData().AddArray(array)
+    return grid
+
+
+write(PieceSource(turned_around))
+gm.assert_same_mesh(gm.read(path), whole)
+before = open(path, "rb").read()
+
+
+def refuse(make, text, times=(), **options):
+    writer, messages = write(PieceSource(make, times), 0, **options)
+    assert writer.GetErrorCode() == vtkGatunErrorCode.InvalidInputError, messages
+    assert len(messages) == 1 and text in messages[0] and path in messages[0], messages
+    assert open(path, "rb").read() == before
+    assert os.listdir(folder) == ["pieces.gtn"], os.listdir(folder)
+
+
+def without_wave(piece, pieces, step):
+    grid = piece_of(whole, piece, pieces)
+    if piece == 2:
+        grid.GetPointData().RemoveArray("wave")
+    return grid
+
+
+def with_other(piece, pieces, step):
+    grid = piece_of(whole, piece, pieces)
+    if piece == 3:
+        gm.add_array(grid.GetCellData(), np.zeros(grid.GetNumberOfCells()), "other")
+    return grid
+
+
+calls = []
+
+
+def changing(piece, pieces, step):
+    calls.append(piece)
+    grid = piece_of(whole, piece, pieces)
+    if len(calls) > PIECES and piece == 1:
+        gm.values_of(grid.GetPointData().GetArray("wave"))[3] += 1
+        grid.GetPointData().GetArray("wave").SetValue(3, -7)
+    return grid
+
+
+refuse(without_wave, "piece 2 has no point array 'wave'")
+refuse(with_other, "piece 3 has an array 'other'")
+refuse(changing, "the values of part 1 have changed")
+refuse(lambda piece, pieces, step: piece_of(whole, (piece + step) % 2, pieces),
+       "of piece 0 change with time", [0., 1.], WriteAllTimeSteps=True)
+refuse(lambda *_: whole, "need the whole mesh", Hierarchy=True)
+refuse(lambda *_: whole, "need the whole mesh", LayerArray="wave")
+
+# A reader of the same kind of file, and parallel files of VTK.
+gm.write(whole, os.path.join(folder, "whole.gtn"), ChunkTets=300)
+reader = vtkGatunReader()
+reader.SetFileName(os.path.join(folder, "whole.gtn"))
+_, messages = write(reader)
+assert not messages, messages
+made = ("GlobalPointIds", "GlobalCellIds")  # by the reader, for pieces
+gm.assert_same_mesh(gm.read(path), whole, made)
+
+names = []
+for piece in range(PIECES - 1):
+    xml = vtkXMLUnstructuredGridWriter()
+    xml.SetInputDataObject(piece_of(whole, piece, PIECES))
+    names.append(f"part{piece}.vtu")
+    xml.SetFileName(os.path.join(folder, names[-1]))
+    xml.Write()
+declare = "".join(
+    f'<PDataArray type="{kind}" Name="{name}" NumberOfComponents="{n}"/>'
+    for kind, name, n in (("Int32", "point", 1), ("Float32", "wave", 1), ("Float64", "vector", 3)))
+parallel = os.path.join(folder, "parts.pvtu")
+with open(parallel, "w", encoding="ascii") as file:
+    file.write(f"""<VTKFile type="PUnstructuredGrid" version="1.0" byte_order="LittleEndian"
+ header_type="UInt32" compressor="vtkZLibDataCompressor"><PUnstructuredGrid GhostLevel="0">
+<PPointData>{declare}</PPointData>
+<PCellData><PDataArray type="Int64" Name="cell" NumberOfComponents="1"/></PCellData>
+<PPoints><PDataArray type="Float32" Name="Points" NumberOfComponents="3"/></PPoints>
+{"".join(f'<Piece Source="{name}"/>' for name in names)}
+</PUnstructuredGrid></VTKFile>""")
+reader = vtkXMLPUnstructuredGridReader()
+reader.SetFileName(parallel)
+for pieces in (PIECES - 1, 9):
+    _, messages = write(reader, NumberOfPieces=pieces)
+    assert not messages, messages
+    gm.assert_same_mesh(gm.read(path), whole)
+# The points of two files in one piece are not joined by the reader, and are no cracks.
+_, messages = write(reader, NumberOfPieces=2)
+assert len(messages) == 1 and "with global ids they would be joined" in messages[0], messages
+assert gm.read(path).GetNumberOfCells() == whole.GetNumberOfCells()
+
+# Nothing at all in any piece.
+write(PieceSource(lambda *_: vtkUnstructuredGrid()))
+assert gm.read(path).GetNumberOfPoints() == 0
