@@ -8,6 +8,7 @@
 #   bench.sh --readme            the table of README.md, a few minutes; writes summary.md and the table
 #   bench.sh --speed             the goals of speed and memory, 15 minutes; writes speed.md
 #   bench.sh --cells             cells of all types, 10 minutes; writes cells-study.md
+#   bench.sh --parts             meshes larger than memory, 20 minutes; writes parts-study.md
 #   bench.sh --study             the rendering study, about 40 minutes; writes rendering-study.md
 #   bench.sh --budget            the just-in-time study, 6 minutes; writes just-in-time-study.md
 #   bench.sh --simplification    the simplification study, 30 minutes; writes simplification-study.md
@@ -34,6 +35,7 @@ case ${1:-} in
   --readme) script=runSummary.py ;;
   --speed) script=runSpeed.py ;;
   --cells) script=runCells.py ;;
+  --parts) script=runParts.py ;;
   --study) script=runStudy.py ;;
   --budget) script=runBudget.py ;;
   --simplification) script=runSimplification.py ;;

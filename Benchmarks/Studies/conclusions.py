@@ -9,6 +9,7 @@ import benchmarkReport
 import budgetReport
 import cellsReport
 import isosurfaceReport
+import partsReport
 import renderingReport
 import simplificationReport
 import speedReport
@@ -85,6 +86,17 @@ def _cells(results):
         surfaces are {span(smaller, ratio)} times smaller than `.vtu` files with LZMA. They are loaded
         {span(loads[2], ratio)} times as fast as `.vtu` files with zlib by two threads, and
         {span(loads[1], ratio)} times by one."""
+
+
+def _parts(results):
+    largest = results["large"][-1]
+    packing, *uses = largest["steps"]
+    whole, *pieces = results["compared"]
+    sizes = [one["bytes"] / whole["bytes"] for one in pieces]
+    return f"""A mesh of {largest["tets"]:,} tetrahedra was packed in {largest["pieces"]} pieces with
+        {number(packing["peak"] / 2**20)} MiB, in {number(packing["seconds"])} s. Verifying, drawing and
+        contouring the file took {span([use["peak"] / 2**20 for use in uses])} MiB. Files packed in
+        pieces are {span(sizes, ratio)} times as large as those packed as a whole."""
 
 
 def _budget(results):
@@ -170,6 +182,7 @@ SECTIONS = (
     ("benchmarks", "Benchmarks", "Sizes, loading, writing, pieces, rendering", _benchmarks),
     ("speed", "Speed and memory", "What the project promises beside its peers, and what it keeps", _speed),
     ("cells-study", "Cells of all types", "Sizes by part and loading", _cells),
+    ("parts-study", "Meshes larger than memory", "Packing piece by piece, with little memory", _parts),
     ("rendering-study", "Rendering", "Drawing while decompressing, after the dissertation proposal",
      _rendering),
     ("just-in-time-study", "Just-in-time rendering", "Keeping a time budget", _budget),

@@ -17,7 +17,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 STUDIES = ROOT / "Documentation" / "studies"
 PAGES = {"summary": "summaryReport", "benchmarks": "benchmarkReport", "speed": "speedReport",
-         "cells-study": "cellsReport",
+         "cells-study": "cellsReport", "parts-study": "partsReport",
          "rendering-study": "studyReport", "just-in-time-study": "budgetReport",
          "simplification-study": "simplificationReport", "isosurface-study": "isosurfaceReport",
          "volume-study": "volumeReport"}
