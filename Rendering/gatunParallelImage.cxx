@@ -438,18 +438,19 @@ void ParallelImage::HideBehindGeometry(float depth)
 }
 
 //------------------------------------------------------------------------------
-bool ParallelImage::BringForward(std::span<float> own) const
+void ParallelImage::BringForward(std::span<float> own) const
 {
-  bool any = false;
-  for (std::size_t pixel = 0; pixel < own.size(); ++pixel)
+  for (int y = 0; y < this->Height; ++y)
   {
-    if (this->Colors[4 * pixel + 3] > 0)
+    for (int x = 0; x < this->Width; ++x)
     {
-      const float nearest = this->Depths.empty() ? 1.0f : this->Depths[pixel];
-      own[pixel] = std::max(0.0f, std::min(own[pixel], nearest) - Step);
-      any = true;
+      if (this->GetShower(x, y) == this->Exchange.GetProcess())
+      {
+        float& depth = own[static_cast<std::size_t>(y) * static_cast<std::size_t>(this->Width) +
+          static_cast<std::size_t>(x)];
+        depth = std::max(0.0f, depth - Step);
+      }
     }
   }
-  return any;
 }
 }

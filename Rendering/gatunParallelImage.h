@@ -35,6 +35,8 @@ public:
   /** Size: in pixels. Shower: the process that shows the image; -1: each its pixels. */
   ParallelImage(RayExchange& exchange, int width, int height, int shower);
 
+  int GetShower() const { return this->Shower; }
+
   /** Finds the nearest opaque geometry of all processes. Own: that of this one, for each pixel, row
    * by row from below, as in a z-buffer; empty for none. Collective. */
   void ShareDepths(std::span<const float> own);
@@ -52,10 +54,9 @@ public:
   /** For each pixel, premultiplied color and opacity; 0 where another process shows it. */
   const std::vector<float>& GetColors() const { return this->Colors; }
 
-  /** Where this process shows something, the depth there becomes a little smaller than that of all
-   * geometry. Own: depths, for each pixel; those that change are written. Returns whether any
-   * does. */
-  bool BringForward(std::span<float> own) const;
+  /** Makes depths a little smaller where this process shows the image, so that compositing by depth
+   * keeps what it shows. Where there is no geometry, that may be nothing. Own: for each pixel. */
+  void BringForward(std::span<float> own) const;
 
 private:
   struct Tile
