@@ -61,6 +61,38 @@ void GetAll(ByteReader& reader, std::array<T, N>& values)
   const auto bytes = reader.GetBytes(sizeof(values));
   std::memcpy(values.data(), bytes.data(), bytes.size());
 }
+
+/** The nearest geometry of all processes in the tiles of their messages, as a message. */
+Message FindNearest(const std::vector<Message>& messages)
+{
+  std::map<std::uint32_t, TileDepths> tiles;
+  for (std::size_t process = 0; process < messages.size(); ++process)
+  {
+    ByteReader reader(messages[process]);
+    while (reader.GetRemaining() > 0)
+    {
+      TileDepths& nearest = tiles[reader.Get<std::uint32_t>()];
+      std::array<float, TilePixels> depths;
+      GetAll(reader, depths);
+      for (std::size_t i = 0; i < TilePixels; ++i)
+      {
+        if (depths[i] < nearest.Depths[i])
+        {
+          nearest.Depths[i] = depths[i];
+          nearest.Processes[i] = static_cast<std::uint16_t>(process);
+        }
+      }
+    }
+  }
+  ByteWriter writer;
+  for (const auto& [index, nearest] : tiles)
+  {
+    writer.Put(index);
+    PutAll(nearest.Depths, writer);
+    PutAll(nearest.Processes, writer);
+  }
+  return std::move(writer.Data);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -116,110 +148,87 @@ void ParallelImage::ShareDepths(std::span<const float> own)
 {
   const auto processes = static_cast<std::size_t>(this->Exchange.GetProcesses());
   std::vector<Message> messages(processes);
-  const auto visitPixels = [this](const Tile& tile, auto&& use)
-  {
-    for (int y = 0; y < tile.Height; ++y)
-    {
-      for (int x = 0; x < tile.Width; ++x)
-      {
-        use(static_cast<std::size_t>(y * TileSize + x),
-          static_cast<std::size_t>(tile.Y + y) * static_cast<std::size_t>(this->Width) +
-            static_cast<std::size_t>(tile.X + x));
-      }
-    }
-  };
-  std::vector<Tile> tiles;
   this->Exchange.Together(
     [&]
     {
-      std::vector<ByteWriter> writers(processes);
-      VisitTiles(this->Width, this->Height,
-        [&](const Tile& tile)
-        {
-          tiles.push_back(tile);
-          if (own.empty())
-          {
-            return;
-          }
-          TileDepths depths;
-          float nearest = 1;
-          visitPixels(tile,
-            [&](std::size_t inTile, std::size_t pixel)
-            {
-              depths.Depths[inTile] = own[pixel];
-              nearest = std::min(nearest, own[pixel]);
-            });
-          if (nearest < 1)
-          {
-            ByteWriter& writer = writers[static_cast<std::size_t>(this->GetOwner(tile))];
-            writer.Put(static_cast<std::uint32_t>(tile.Index));
-            PutAll(depths.Depths, writer);
-          }
-        });
-      for (std::size_t p = 0; p < processes; ++p)
+      if (!own.empty())
       {
-        messages[p] = std::move(writers[p].Data);
+        this->PackDepths(own, messages);
       }
     });
   auto received = this->Exchange.Exchange(std::move(messages));
   messages.assign(processes, {});
-  this->Exchange.Together(
-    [&]
-    {
-      std::map<std::uint32_t, TileDepths> mine;
-      for (std::size_t process = 0; process < processes; ++process)
-      {
-        ByteReader reader(received[process]);
-        while (reader.GetRemaining() > 0)
-        {
-          TileDepths& nearest = mine[reader.Get<std::uint32_t>()];
-          std::array<float, TilePixels> depths;
-          GetAll(reader, depths);
-          for (std::size_t i = 0; i < TilePixels; ++i)
-          {
-            if (depths[i] < nearest.Depths[i])
-            {
-              nearest.Depths[i] = depths[i];
-              nearest.Processes[i] = static_cast<std::uint16_t>(process);
-            }
-          }
-        }
-      }
-      ByteWriter writer;
-      for (const auto& [index, nearest] : mine)
-      {
-        writer.Put(index);
-        PutAll(nearest.Depths, writer);
-        PutAll(nearest.Processes, writer);
-      }
-      messages.assign(processes, writer.Data);
-    });
+  this->Exchange.Together([&] { messages.assign(processes, FindNearest(received)); });
   received = this->Exchange.Exchange(std::move(messages));
-  this->Exchange.Together(
-    [&]
+  this->Exchange.Together([&] { this->UnpackDepths(received); });
+}
+
+//------------------------------------------------------------------------------
+/** Calls use(place in tile, pixel) for the pixels of a tile. */
+template <typename Use>
+void ParallelImage::VisitPixels(const Tile& tile, Use&& use) const
+{
+  for (int y = 0; y < tile.Height; ++y)
+  {
+    for (int x = 0; x < tile.Width; ++x)
     {
-      const auto pixels =
-        static_cast<std::size_t>(this->Width) * static_cast<std::size_t>(this->Height);
-      this->Depths.assign(pixels, 1);
-      this->Nearest.assign(pixels, None);
-      for (const Message& message : received)
+      use(static_cast<std::size_t>(y * TileSize + x),
+        static_cast<std::size_t>(tile.Y + y) * static_cast<std::size_t>(this->Width) +
+          static_cast<std::size_t>(tile.X + x));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/** For the owners of the tiles that have geometry. */
+void ParallelImage::PackDepths(std::span<const float> own, std::vector<Message>& messages) const
+{
+  std::vector<ByteWriter> writers(messages.size());
+  VisitTiles(this->Width, this->Height,
+    [&](const Tile& tile)
+    {
+      TileDepths depths;
+      this->VisitPixels(
+        tile, [&](std::size_t inTile, std::size_t pixel) { depths.Depths[inTile] = own[pixel]; });
+      if (*std::min_element(depths.Depths.begin(), depths.Depths.end()) < 1)
       {
-        ByteReader reader(message);
-        while (reader.GetRemaining() > 0)
-        {
-          const Tile& tile = tiles.at(reader.Get<std::uint32_t>());
-          TileDepths nearest;
-          GetAll(reader, nearest.Depths);
-          GetAll(reader, nearest.Processes);
-          visitPixels(tile,
-            [&](std::size_t inTile, std::size_t pixel)
-            {
-              this->Depths[pixel] = nearest.Depths[inTile];
-              this->Nearest[pixel] = nearest.Processes[inTile];
-            });
-        }
+        ByteWriter& writer = writers[static_cast<std::size_t>(this->GetOwner(tile))];
+        writer.Put(static_cast<std::uint32_t>(tile.Index));
+        PutAll(depths.Depths, writer);
       }
     });
+  for (std::size_t p = 0; p < messages.size(); ++p)
+  {
+    messages[p] = std::move(writers[p].Data);
+  }
+}
+
+//------------------------------------------------------------------------------
+void ParallelImage::UnpackDepths(const std::vector<Message>& messages)
+{
+  const auto pixels =
+    static_cast<std::size_t>(this->Width) * static_cast<std::size_t>(this->Height);
+  this->Depths.assign(pixels, 1);
+  this->Nearest.assign(pixels, None);
+  std::vector<Tile> tiles;
+  VisitTiles(this->Width, this->Height, [&](const Tile& tile) { tiles.push_back(tile); });
+  for (const Message& message : messages)
+  {
+    ByteReader reader(message);
+    while (reader.GetRemaining() > 0)
+    {
+      const Tile& tile = tiles.at(reader.Get<std::uint32_t>());
+      TileDepths nearest;
+      GetAll(reader, nearest.Depths);
+      GetAll(reader, nearest.Processes);
+      this->VisitPixels(tile,
+        [&](std::size_t inTile, std::size_t pixel)
+        {
+          this->Depths[pixel] = nearest.Depths[inTile];
+          this->Nearest[pixel] = nearest.Processes[inTile];
+        });
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -67,6 +67,10 @@ private:
 
   template <typename Use>
   static void VisitTiles(int width, int height, Use&& use);
+  template <typename Use>
+  void VisitPixels(const Tile& tile, Use&& use) const;
+  void PackDepths(std::span<const float> own, std::vector<RayExchange::Message>& messages) const;
+  void UnpackDepths(const std::vector<RayExchange::Message>& messages);
   int GetOwner(const Tile& tile) const;
   int GetShower(int x, int y) const;
   void PackExact(const Tile& tile, std::vector<RayExchange::Message>& messages) const;

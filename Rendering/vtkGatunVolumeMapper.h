@@ -250,7 +250,8 @@ public:
   void ReduceBounds();
 
   /**
-   * Bytes that this process has sent to others for the last image.
+   * Bytes that all processes together have sent to each other for the last image; 0 for one
+   * process.
    */
   vtkTypeUInt64 GetBytesSent();
 

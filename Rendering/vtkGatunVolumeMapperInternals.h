@@ -21,6 +21,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
@@ -33,6 +34,7 @@ VTK_ABI_NAMESPACE_END
 namespace gatun
 {
 class ParallelImage;
+class RayExchange;
 struct PublishedFile;
 
 /** The kinds of input that the mapper draws in different ways. */
@@ -180,6 +182,9 @@ public:
   void ReduceBounds(vtkGatunVolumeMapper* mapper, const std::array<double, 6>& own);
   gatun::PartFacts GetFacts(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer,
     vtkFloatArray* depths, const gatun::RaySource::Progress& progress);
+  std::vector<gatun::PartFacts> GatherFacts(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer,
+    vtkFloatArray* depths, gatun::RayExchange& exchange,
+    const gatun::RaySource::Progress& progress);
   gatun::ParallelPlan MakePlan(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer,
     vtkVolume* volume, bool simplifies, gatun::Frame& frame,
     const gatun::RaySource::Progress& progress);

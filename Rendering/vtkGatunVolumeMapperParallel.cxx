@@ -61,6 +61,19 @@ std::uint64_t Identify(const gatun::FileReader& file, const gatun::Range& values
 }
 
 //------------------------------------------------------------------------------
+/** The range of the values of all processes. */
+gatun::Range JoinRanges(const std::vector<PartFacts>& facts)
+{
+  gatun::Range values;
+  for (const PartFacts& part : facts)
+  {
+    values.Min = part.HasMesh ? std::min(values.Min, part.Low) : values.Min;
+    values.Max = part.HasMesh ? std::max(values.Max, part.High) : values.Max;
+  }
+  return values;
+}
+
+//------------------------------------------------------------------------------
 /** The share of a process in a mesh that it may have in common with others. */
 std::shared_ptr<gatun::RaySource> Share(
   std::shared_ptr<gatun::RaySource> all, const std::vector<PartFacts>& facts, int process)
@@ -165,6 +178,25 @@ PartFacts vtkGatunVolumeMapper::vtkInternals::GetFacts(vtkGatunVolumeMapper* map
 }
 
 //------------------------------------------------------------------------------
+/** The facts of all processes. Depths: get those of what this one has drawn before. */
+std::vector<PartFacts> vtkGatunVolumeMapper::vtkInternals::GatherFacts(vtkGatunVolumeMapper* mapper,
+  vtkRenderer* renderer, vtkFloatArray* depths, gatun::RayExchange& exchange,
+  const gatun::RaySource::Progress& progress)
+{
+  PartFacts own;
+  exchange.Together([&] { own = this->GetFacts(mapper, renderer, depths, progress); });
+  auto facts = exchange.Gather(own);
+  if (std::any_of(facts.begin(), facts.end(),
+        [&](const PartFacts& other)
+        { return other.Width != own.Width || other.Height != own.Height; }))
+  {
+    throw gatun::Error(
+      gatun::ErrorCode::InvalidInput, "the processes draw images of different sizes");
+  }
+  return facts;
+}
+
+//------------------------------------------------------------------------------
 /** Chooses the rays and, if all processes can simplify the mesh, its points. */
 ParallelPlan vtkGatunVolumeMapper::vtkInternals::MakePlan(vtkGatunVolumeMapper* mapper,
   vtkRenderer* renderer, vtkVolume* volume, bool simplifies, Frame& frame,
@@ -206,23 +238,10 @@ void vtkGatunVolumeMapper::vtkInternals::DrawParallel(
     return window->CheckAbortStatus() == 0;
   };
   this->BytesSent = 0;
-  PartFacts own;
   vtkNew<vtkFloatArray> depths; // of what was drawn before
-  exchange.Together([&] { own = this->GetFacts(mapper, renderer, depths, progress); });
-  const std::vector<PartFacts> facts = exchange.Gather(own);
+  const auto facts = this->GatherFacts(mapper, renderer, depths, exchange, progress);
+  const PartFacts& own = facts[static_cast<std::size_t>(exchange.GetProcess())];
   const auto any = [&](auto&& holds) { return std::any_of(facts.begin(), facts.end(), holds); };
-  if (any([&](const PartFacts& other)
-        { return other.Width != own.Width || other.Height != own.Height; }))
-  {
-    throw gatun::Error(
-      gatun::ErrorCode::InvalidInput, "the processes draw images of different sizes");
-  }
-  gatun::Range values;
-  for (const PartFacts& other : facts)
-  {
-    values.Min = other.HasMesh ? std::min(values.Min, other.Low) : values.Min;
-    values.Max = other.HasMesh ? std::max(values.Max, other.High) : values.Max;
-  }
   if (own.Width <= 0 || own.Height <= 0 ||
     !any([](const PartFacts& other) { return other.HasMesh; }))
   {
@@ -258,43 +277,40 @@ void vtkGatunVolumeMapper::vtkInternals::DrawParallel(
   exchange.Together(
     [&]
     {
-      setup.emplace(this->MakeSetup(mapper, renderer, volume, plan.View, values));
+      setup.emplace(this->MakeSetup(mapper, renderer, volume, plan.View, JoinRanges(facts)));
       if (mapper->IntermixIntersectingGeometry && !image.GetDepths().empty())
       {
         gatun::LimitByZBuffer(plan.View, renderer->GetActiveCamera(), plan.Grid, image.GetDepths(),
           own.Width, own.Height, setup->Limits);
       }
-      if (!own.HasMesh)
+      if (own.HasMesh)
       {
-        return;
+        if (levels && !isFirst && plan.Points > 0)
+        {
+          levels->WaitForLevels(progress);
+          frame.Source = levels->Get(plan.Points);
+        }
+        caster = std::make_unique<gatun::RayCaster>(
+          setup->View, setup->Table, setup->Limits, setup->Settings);
+        const auto all = frame.Source ? frame.Source : this->Scene.GetSource();
+        const auto source = Share(all, facts, exchange.GetProcess());
+        this->Scene.Draw(*caster, plan.View, progress, source.get());
       }
-      if (levels && !isFirst && plan.Points > 0)
-      {
-        levels->WaitForLevels(progress);
-        frame.Source = levels->Get(plan.Points);
-      }
-      caster = std::make_unique<gatun::RayCaster>(
-        setup->View, setup->Table, setup->Limits, setup->Settings);
-      const auto source =
-        Share(frame.Source ? frame.Source : this->Scene.GetSource(), facts, exchange.GetProcess());
-      this->Scene.Draw(*caster, plan.View, progress, source.get());
     });
   const double cast = vtkTimerLog::GetUniversalTime() - before;
   image.Merge(caster.get(), setup->View, setup->Table, plan.Grid);
-  this->BytesSent = exchange.GetBytesSent();
+  for (const std::uint64_t bytes : exchange.Gather(exchange.GetBytesSent()))
+  {
+    this->BytesSent += bytes;
+  }
   this->ShowParallel(mapper, renderer, volume, image, depths);
   if (plan.IsInMotion)
   {
     window->WaitForCompletion(); // or the next image would pay for this one
   }
   mapper->Timer->StopTimer();
-  const double rays = static_cast<double>(plan.Grid.Width) * plan.Grid.Height;
-  mapper->ImageSampleDistance = plan.Distance;
   mapper->TimeToDraw = mapper->Timer->GetElapsedTime();
-  this->TimeOfRays[{ renderer, volume }] = mapper->TimeToDraw / rays;
-  this->Refresh.reset();
-  this->PartDrawn = 1;
-  this->Points = plan.Points;
+  const double rays = static_cast<double>(plan.Grid.Width) * plan.Grid.Height;
   if (levels && isFirst && mapper->JustInTime)
   {
     auto statistics = caster->GetStatistics();
@@ -302,6 +318,11 @@ void vtkGatunVolumeMapper::vtkInternals::DrawParallel(
     this->Frames[{ renderer, volume }].End(
       *levels, frame, rays, statistics, { cast, mapper->TimeToDraw });
   }
+  this->TimeOfRays[{ renderer, volume }] = mapper->TimeToDraw / rays;
+  mapper->ImageSampleDistance = plan.Distance;
+  this->Refresh.reset();
+  this->PartDrawn = 1;
+  this->Points = plan.Points;
   mapper->UpdateProgress(1);
 }
 

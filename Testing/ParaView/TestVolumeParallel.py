@@ -7,6 +7,7 @@ compared with those.
 """
 
 import os
+import time
 
 import numpy as np
 
@@ -37,7 +38,6 @@ def check(name):
 
 failed = []
 view = drawing.make_view()
-view.UseFXAA = 0  # smooths edges that it finds in the whole image, or in the parts of ranks
 ball = scatter.make_ball()
 shown_ball = simple.Show(ball, view)
 simple.Hide(ball, view)
@@ -81,6 +81,46 @@ simple.Show(ball, view)
 for mesh in ("Post", "Delaunay"):
     drawing.show(scatter.make_source(mesh), view)
 check("Both")
+
+simple.HideAll(view)
+
+# A file, each rank with some of its chunks: as it is, and simplified.
+file = sample.temporary("volume-parallel.gtn")
+simple.SaveData(file, proxy=sample.make_source(), ChunkTets=300, Hierarchy=1, Levels=4)
+reader = simple.GatunReader(FileNames=[file], OnDemand="Always")
+shown = drawing.show(reader, view)
+check("File")
+simple.Show(ball, view)
+check("FileBall")
+for ratio in (0.3, 0.8):
+    shown.SimplificationRatio = ratio
+    check("File%g" % ratio)
+shown.SimplificationRatio = 0
+check("FileAgain")
+
+
+def number(name):
+    shown.SMProxy.UpdatePropertyInformation()
+    return shown.SMProxy.GetProperty(name).GetElement(0)
+
+
+# A few fragments for each pixel, and depths.
+sent = number("BytesSent")
+assert (sent == 0) == (ranks == 1) and sent < 100 * drawing.SIZE ** 2, sent
+
+# Just in time.
+shown.JustInTime = 1
+shown.TimeBudget = 1e-6
+check("FileAtRest")
+simplest = sample.POINTS
+for _ in range(100):
+    view.SMProxy.InteractiveRender()
+    simplest = number("DrawnPoints") or simplest
+    if simplest < sample.POINTS:
+        break
+    time.sleep(0.1)  # it may not be known yet how to simplify
+assert simplest < sample.POINTS, simplest
+check("FileAtRestAgain")
 
 if ranks == 1:
     np.savez_compressed(path, **images)

@@ -205,6 +205,12 @@ vtkIdType vtkGatunVolumeRepresentation::GetBytesRead()
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkGatunVolumeRepresentation::GetBytesSent()
+{
+  return static_cast<vtkIdType>(this->VolumeMapper->GetBytesSent());
+}
+
+//------------------------------------------------------------------------------
 int vtkGatunVolumeRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

@@ -100,8 +100,9 @@ public:
   ///@{
   /**
    * Whether the mesh is simplified while somebody interacts, so that an image takes the time that
-   * there is, before rays get fewer; see vtkGatunVolumeMapper. Several processes would simplify
-   * their parts each by itself, so that these do not fit together: there, it has no influence.
+   * there is, before rays get fewer; see vtkGatunVolumeMapper. Several processes
+   * simplify files only, as parts of a mesh in memory that are simplified separately do not fit
+   * together; of these, they draw fewer rays.
    * Default: off.
    */
   void SetJustInTime(bool on);
@@ -147,6 +148,11 @@ public:
    * Bytes that were read from the file to draw it, by this process; 0 while none is drawn.
    */
   vtkIdType GetBytesRead();
+
+  /**
+   * Bytes that the processes have sent to each other for the last image; 0 for one process.
+   */
+  vtkIdType GetBytesSent();
 
   int ProcessViewRequest(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
