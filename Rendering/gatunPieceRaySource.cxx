@@ -72,18 +72,19 @@ void PullPiece(const RayProducer& producer, int piece, int pieces)
 }
 
 //------------------------------------------------------------------------------
-PieceRaySource::PieceRaySource(const RayProducer& producer, int pieces, const RayArray& array,
-  std::uint64_t budget, const Progress& progress)
+PieceRaySource::PieceRaySource(const RayProducer& producer, const PieceShare& share,
+  const RayArray& array, std::uint64_t budget, const Progress& progress)
   : Owner(producer.Algorithm)
   , Producer(producer)
+  , Share(share)
   , Array(array)
   , Cache(budget)
   , IsFull(budget == 0)
-  , Pieces(static_cast<std::size_t>(pieces))
+  , Pieces(static_cast<std::size_t>(share.Pieces))
 {
   for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
   {
-    GoOn(progress, static_cast<double>(piece) / pieces);
+    GoOn(progress, static_cast<double>(piece) / share.Pieces);
     this->Select(piece);
     this->Measure();
     this->KeepBlocks();
@@ -103,8 +104,9 @@ void PieceRaySource::Select(std::size_t piece)
 //------------------------------------------------------------------------------
 void PieceRaySource::Pull()
 {
-  PullPiece(
-    this->Producer, static_cast<int>(this->Selected), static_cast<int>(this->Pieces.size()));
+  const PieceShare& share = this->Share;
+  PullPiece(this->Producer, share.Process * share.Pieces + static_cast<int>(this->Selected),
+    share.Processes * share.Pieces);
   auto* const output = vtkUnstructuredGrid::SafeDownCast(
     this->Producer.Algorithm->GetOutputDataObject(this->Producer.Port));
   if (!output)

@@ -38,6 +38,16 @@ struct RayProducer
   bool operator==(const RayProducer&) const = default;
 };
 
+/** The pieces of one of several processes, each of which has as many. */
+struct PieceShare
+{
+  int Pieces = 1; ///< of each process
+  int Process = 0;
+  int Processes = 1;
+
+  bool operator==(const PieceShare&) const = default;
+};
+
 /** What is connected to an input port 0; without an algorithm if nothing is. */
 RayProducer GetProducer(vtkAlgorithm* consumer);
 
@@ -57,7 +67,7 @@ void PullPiece(const RayProducer& producer, int piece, int pieces);
 class PieceRaySource final : public RaySource
 {
 public:
-  PieceRaySource(const RayProducer& producer, int pieces, const RayArray& array,
+  PieceRaySource(const RayProducer& producer, const PieceShare& share, const RayArray& array,
     std::uint64_t budget, const Progress& progress = {});
   ~PieceRaySource() override;
 
@@ -89,6 +99,7 @@ private:
 
   vtkSmartPointer<vtkAlgorithm> Owner; // keeps the producer alive
   RayProducer Producer;
+  PieceShare Share;
   RayArray Array;
   RayBlockCache Cache;
   bool IsFull; // whether the cache has refused a block

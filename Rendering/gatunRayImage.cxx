@@ -43,15 +43,16 @@ void ToTexels(const float* numbers, std::size_t width, std::size_t times, unsign
 
 // Depths are from 0 to 1, without 0, which VTK takes for none.
 constexpr float Nearest = 1e-6f;
+}
 
-/** Where the middle of a volume is. VTK's own way to find out leaves it too far behind. */
+//------------------------------------------------------------------------------
 float GetCenterDepth(vtkRenderer* renderer, vtkVolume* volume)
 {
+  // VTK's own way to find out leaves it too far behind.
   const double* const center = volume->GetCenter();
   renderer->SetWorldPoint(center[0], center[1], center[2], 1);
   renderer->WorldToDisplay();
   return std::clamp(static_cast<float>(renderer->GetDisplayPoint()[2]), Nearest, 1.0f);
-}
 }
 
 RayImage::RayImage() = default;
@@ -80,6 +81,13 @@ double RayImage::Take(RayRefresh& refresh, std::shared_ptr<RaySource> source, co
 {
   this->SetGrid(grid);
   return refresh.Draw(std::move(source), this->Colors.data(), progress);
+}
+
+//------------------------------------------------------------------------------
+void RayImage::Take(const std::vector<float>& colors, int width, int height)
+{
+  this->SetGrid({ width, height, 0, false });
+  this->Colors = colors;
 }
 
 //------------------------------------------------------------------------------

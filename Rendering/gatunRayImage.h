@@ -28,6 +28,9 @@ class RayRefresh;
 class RaySource;
 struct RayGrid;
 
+/** Where the middle of a volume is, from 0 to 1 as in a z-buffer. */
+float GetCenterDepth(vtkRenderer* renderer, vtkVolume* volume);
+
 /** An image on its way from the ray caster into a window. */
 class RayImage
 {
@@ -45,6 +48,9 @@ public:
    * part was drawn. */
   double Take(RayRefresh& refresh, std::shared_ptr<RaySource> source, const RayGrid& grid,
     const std::function<bool(double)>& progress);
+
+  /** Takes a pixel's color for each pixel; see RayCaster::Finish. */
+  void Take(const std::vector<float>& colors, int width, int height);
 
   /**
    * Blends what was taken over all of a renderer's viewport; in front of all there is, or else at

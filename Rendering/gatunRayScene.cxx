@@ -174,8 +174,8 @@ void RayScene::SetFile(
 }
 
 //------------------------------------------------------------------------------
-void RayScene::SetPieces(const RayProducer& producer, int pieces, const RayArray& array,
-  std::uint64_t budget, const RaySource::Progress& progress)
+void RayScene::SetPieces(const RayProducer& producer, const PieceShare& pieces,
+  const RayArray& array, std::uint64_t budget, const RaySource::Progress& progress)
 {
   auto* const pipeline =
     vtkStreamingDemandDrivenPipeline::SafeDownCast(producer.Algorithm->GetExecutive());

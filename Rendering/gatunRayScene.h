@@ -51,7 +51,7 @@ public:
     bool simplifies = false);
   void SetFile(
     const PublishedFile& handle, std::size_t step, const RayArray& array, bool simplifies = false);
-  void SetPieces(const RayProducer& producer, int pieces, const RayArray& array,
+  void SetPieces(const RayProducer& producer, const PieceShare& pieces, const RayArray& array,
     std::uint64_t budget, const RaySource::Progress& progress = {});
   void Clear();
 
@@ -68,6 +68,9 @@ public:
   void Draw(RayCaster& caster, const RayView& view, const RaySource::Progress& progress,
     RaySource* other = nullptr);
 
+  /** What was set; null for pieces, as a source has one of them at a time, and for nothing. */
+  std::shared_ptr<RaySource> GetSource() const { return this->Pieces ? nullptr : this->Source; }
+
   /** Of the values of everything. */
   const Range& GetRange() const { return this->Values; }
 
@@ -82,7 +85,7 @@ private:
     std::shared_ptr<SharedFile> File; // held, so that no other comes to be at its address
     std::size_t Step = 0;
     RayProducer Producer;
-    int Pieces = 0;
+    PieceShare Pieces;
     double Time = 0;
     vtkMTimeType Stamp = 0;
     RayArray Array;

@@ -11,9 +11,11 @@
 #include "vtkDataSet.h"
 #include "vtkErrorCode.h"
 #include "vtkMath.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <array>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
@@ -52,7 +54,46 @@ vtkGatunVolumeMapper::vtkGatunVolumeMapper()
 {
 }
 
-vtkGatunVolumeMapper::~vtkGatunVolumeMapper() = default;
+vtkGatunVolumeMapper::~vtkGatunVolumeMapper()
+{
+  this->SetController(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeMapper::SetController(vtkMultiProcessController* controller)
+{
+  if (controller != this->Controller)
+  {
+    vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, controller);
+    this->Internals->WholeBounds.reset();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeMapper::ReduceBounds()
+{
+  this->Internals->WholeBounds.reset();
+  if (!vtkInternals::IsParallel(this))
+  {
+    return;
+  }
+  try
+  {
+    std::array<double, 6> own{};
+    std::copy_n(this->GetBounds(), own.size(), own.begin());
+    this->Internals->ReduceBounds(this, own);
+  }
+  catch (...)
+  {
+    this->Fail();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkTypeUInt64 vtkGatunVolumeMapper::GetBytesSent()
+{
+  return this->Internals->BytesSent;
+}
 
 //------------------------------------------------------------------------------
 void vtkGatunVolumeMapper::SetBlendMode(int mode)
@@ -146,6 +187,11 @@ double* vtkGatunVolumeMapper::GetBounds()
 {
   vtkMath::UninitializeBounds(this->Bounds);
   auto& self = *this->Internals;
+  if (self.WholeBounds)
+  {
+    std::copy(self.WholeBounds->begin(), self.WholeBounds->end(), this->Bounds);
+    return this->Bounds;
+  }
   try
   {
     switch (self.GetKind(this))
@@ -257,6 +303,8 @@ void vtkGatunVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "JustInTime: " << tell(this->JustInTime) << "\n";
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
   os << indent << "SimplificationRatio: " << this->SimplificationRatio << "\n";
+  os << indent << "Controller: " << this->Controller << "\n";
+  os << indent << "ImageProcess: " << this->ImageProcess << "\n";
 }
 
 #ifdef VTK_ABI_NAMESPACE_END

@@ -45,6 +45,17 @@
  * all, in addition to MemoryBudget. The background thread also prepares the levels of detail that
  * are likely to be needed next and finally the whole mesh. Pieces cannot be simplified.
  *
+ * *Several processes.* With a Controller, each process has a part of the cells: any part, which
+ * need not be compact, or none. The processes exchange the segments of rays that their cells make
+ * and merge them, so that the image is the one of a single process with all cells. Opaque geometry
+ * of any process ends the rays of all. Each pixel is drawn by one process, over what it has drawn
+ * before; see ImageProcess. If processes have the same file as input, each draws every n-th chunk
+ * of it; of other pipelines, each asks for its own pieces. Transfer functions and all properties of
+ * the mapper must agree. Rays and simplification are chosen by the first process. Only files are
+ * simplified. Each process must draw each image, also if its part is empty: remove the cullers of
+ * the renderer, or call ReduceBounds. An error in one process is reported by all of them, and none
+ * draws anything.
+ *
  * *Errors.* What cannot be drawn is reported by vtkErrorMacro, once for each cause, and by
  * GetErrorCode (see vtkGatunReader); nothing is drawn then. A mesh without cells is not an error.
  * vtkRenderWindow::SetAbortRender stops an image, as in an observer of
@@ -67,6 +78,8 @@
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
 #endif
+
+class vtkMultiProcessController;
 
 class VTKGATUNRENDERING_EXPORT vtkGatunVolumeMapper : public vtkUnstructuredGridVolumeMapper
 {
@@ -210,6 +223,38 @@ public:
   vtkGetMacro(SimplificationRatio, double);
   ///@}
 
+  ///@{
+  /**
+   * The processes that have parts of the mesh; see above. Null, or a controller with one process:
+   * all of the mesh is here. Default: null.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
+  ///@{
+  /**
+   * The process that draws the image of several processes, or -1: each pixel is drawn by the
+   * process with the nearest opaque geometry, at a depth slightly smaller than that, so that
+   * compositing by depth keeps it. Give the number of the frontmost process if images are blended
+   * in the order of processes. That of the first process counts. Default: -1.
+   */
+  vtkSetClampMacro(ImageProcess, int, -1, VTK_INT_MAX);
+  vtkGetMacro(ImageProcess, int);
+  ///@}
+
+  /**
+   * Makes GetBounds return the bounds of the parts of all processes, until it is called again or
+   * the controller changes. All processes must call it. Does nothing with one process.
+   */
+  void ReduceBounds();
+
+  /**
+   * Bytes that all processes together have sent to each other for the last image; 0 for one
+   * process.
+   */
+  vtkTypeUInt64 GetBytesSent();
+
   /**
    * Number of points of the mesh in the last image; 0 if it is unknown, as without simplification.
    */
@@ -286,6 +331,8 @@ protected:
   bool JustInTime = false;
   double TimeBudget = 0;
   double SimplificationRatio = 0;
+  vtkMultiProcessController* Controller = nullptr;
+  int ImageProcess = -1;
 
 private:
   vtkGatunVolumeMapper(const vtkGatunVolumeMapper&) = delete;

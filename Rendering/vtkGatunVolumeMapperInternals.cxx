@@ -37,34 +37,16 @@ namespace
 // less, what waits, minutes.
 constexpr double LeastTimeAtRest = 10;
 
+} // anonymous namespace
+
 //------------------------------------------------------------------------------
-/** Tells the threads in the background that a frame is being drawn. */
-class Drawing
+gatun::Viewport::Viewport(vtkRenderer* renderer)
 {
-public:
-  explicit Drawing(gatun::LevelOfDetailCache* levels)
-    : Levels(levels)
-  {
-    this->Tell(true);
-  }
-  ~Drawing() { this->Tell(false); }
-  Drawing(const Drawing&) = delete;
-  Drawing& operator=(const Drawing&) = delete;
-
-private:
-  void Tell(bool drawing)
-  {
-    if (this->Levels)
-    {
-      this->Levels->SetDrawing(drawing);
-    }
-  }
-
-  gatun::LevelOfDetailCache* const Levels;
-};
+  renderer->GetTiledSizeAndOrigin(&this->Width, &this->Height, &this->X, &this->Y);
+}
 
 //------------------------------------------------------------------------------
-gatun::RayGrid MakeGrid(vtkRenderer* renderer, const Viewport& viewport, float distance)
+gatun::RayGrid gatun::MakeGrid(vtkRenderer* renderer, const Viewport& viewport, float distance)
 {
   const bool toBorders =
     distance > 1 || std::max(viewport.Width, viewport.Height) > gatun::RayImage::MostPixels;
@@ -72,14 +54,6 @@ gatun::RayGrid MakeGrid(vtkRenderer* renderer, const Viewport& viewport, float d
   { return toBorders ? std::max(2, static_cast<int>(std::ceil(pixels / distance))) : pixels; };
   return { count(viewport.Width), count(viewport.Height), renderer->GetTiledAspectRatio(),
     toBorders };
-}
-
-} // anonymous namespace
-
-//------------------------------------------------------------------------------
-gatun::Viewport::Viewport(vtkRenderer* renderer)
-{
-  renderer->GetTiledSizeAndOrigin(&this->Width, &this->Height, &this->X, &this->Y);
 }
 
 //------------------------------------------------------------------------------
@@ -194,12 +168,12 @@ std::uint64_t vtkGatunVolumeMapper::vtkInternals::GetBudget(vtkGatunVolumeMapper
 //------------------------------------------------------------------------------
 bool vtkGatunVolumeMapper::vtkInternals::Simplifies(vtkGatunVolumeMapper* mapper)
 {
-  if (mapper->JustInTime || mapper->SimplificationRatio != 0)
-  {
-    return true;
-  }
   const gatun::PublishedFile* const file = this->FindFile(mapper);
-  return file && file->Merges > 0;
+  if (!file && IsParallel(mapper))
+  {
+    return false; // parts that are simplified separately do not fit together
+  }
+  return mapper->JustInTime || mapper->SimplificationRatio != 0 || (file && file->Merges > 0);
 }
 
 //------------------------------------------------------------------------------
@@ -211,8 +185,13 @@ void vtkGatunVolumeMapper::vtkInternals::Pull(vtkGatunVolumeMapper* mapper)
     case InputKind::None:
       break;
     case InputKind::Grid:
-      gatun::PullPiece(producer, 0, 1);
+    {
+      // A grid that was given as such is the part of this process.
+      const bool isGiven = vtkTrivialProducer::SafeDownCast(producer.Algorithm) != nullptr;
+      const auto share = isGiven ? gatun::PieceShare{} : GetPieces(mapper);
+      gatun::PullPiece(producer, share.Process, share.Processes);
       break;
+    }
     case InputKind::File:
     case InputKind::Pieces:
       // vtkVolume draws nothing where there is no object, even if it is empty.
@@ -241,7 +220,7 @@ bool vtkGatunVolumeMapper::vtkInternals::SetScene(
       return true;
     }
     case InputKind::Pieces:
-      this->Scene.SetPieces(producer, mapper->NumberOfPieces, GetArray(mapper), budget, progress);
+      this->Scene.SetPieces(producer, GetPieces(mapper), GetArray(mapper), budget, progress);
       return true;
     case InputKind::Grid:
       break;
@@ -318,6 +297,24 @@ void vtkGatunVolumeMapper::vtkInternals::TellObstacle(vtkGatunVolumeMapper* mapp
 }
 
 //------------------------------------------------------------------------------
+/** All but the limits that geometry sets. */
+ImageSetup vtkGatunVolumeMapper::vtkInternals::MakeSetup(vtkGatunVolumeMapper* mapper,
+  vtkRenderer* renderer, vtkVolume* volume, const gatun::RayView& view, const gatun::Range& values)
+{
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  vtkNew<vtkMatrix4x4> matrix;
+  volume->GetMatrix(matrix);
+  gatun::RaySettings settings;
+  settings.Opaque = static_cast<float>(mapper->OpacityLimit);
+  settings.Shading =
+    gatun::MakeRayShading(volume->GetProperty(), camera, renderer->GetLights(), matrix);
+  return { this->Scene.GetLevels(), renderer, volume, view,
+    gatun::MakeRayTable(
+      volume->GetProperty(), *gatun::RayModeOf(mapper->BlendMode), values, view.SampleDistance),
+    gatun::MakeRayLimits(view, mapper->GetClippingPlanes(), matrix), settings };
+}
+
+//------------------------------------------------------------------------------
 gatun::RayStatistics vtkGatunVolumeMapper::vtkInternals::Draw(vtkGatunVolumeMapper* mapper,
   vtkRenderer* renderer, vtkVolume* volume, const Viewport& viewport, const gatun::RayGrid& grid,
   const gatun::RaySource::Progress& progress, const gatun::Frame& frame)
@@ -325,9 +322,9 @@ gatun::RayStatistics vtkGatunVolumeMapper::vtkInternals::Draw(vtkGatunVolumeMapp
   vtkCamera* const camera = renderer->GetActiveCamera();
   vtkNew<vtkMatrix4x4> matrix;
   volume->GetMatrix(matrix);
-  const gatun::RayMode mode = *gatun::RayModeOf(mapper->BlendMode);
-  const auto view = gatun::MakeRayView(camera, grid, mode, mapper->SampleDistance, matrix, true);
-  auto limits = gatun::MakeRayLimits(view, mapper->GetClippingPlanes(), matrix);
+  const auto view = gatun::MakeRayView(
+    camera, grid, *gatun::RayModeOf(mapper->BlendMode), mapper->SampleDistance, matrix, true);
+  ImageSetup setup = this->MakeSetup(mapper, renderer, volume, view, this->Scene.GetRange());
   if (mapper->IntermixIntersectingGeometry && renderer->GetNumberOfPropsRendered() > 0)
   {
     vtkNew<vtkFloatArray> depths;
@@ -335,25 +332,18 @@ gatun::RayStatistics vtkGatunVolumeMapper::vtkInternals::Draw(vtkGatunVolumeMapp
       viewport.X + viewport.Width - 1, viewport.Y + viewport.Height - 1, depths);
     const std::span<const float> zBuffer(
       depths->GetPointer(0), static_cast<std::size_t>(depths->GetNumberOfValues()));
-    gatun::LimitByZBuffer(view, camera, grid, zBuffer, viewport.Width, viewport.Height, limits);
+    gatun::LimitByZBuffer(
+      view, camera, grid, zBuffer, viewport.Width, viewport.Height, setup.Limits);
   }
-  gatun::RaySettings settings;
-  settings.Opaque = static_cast<float>(mapper->OpacityLimit);
-  settings.Shading =
-    gatun::MakeRayShading(volume->GetProperty(), camera, renderer->GetLights(), matrix);
-  auto table =
-    gatun::MakeRayTable(volume->GetProperty(), mode, this->Scene.GetRange(), view.SampleDistance);
   if (frame.Source && !mapper->JustInTime)
   {
     // The user may be looking for the best ratio.
-    settings.Repeatable = true;
-    this->DrawAnew({ this->Scene.GetLevels(), renderer, volume, view, std::move(table),
-                     std::move(limits), settings },
-      frame.Source, grid, progress);
+    setup.Settings.Repeatable = true;
+    this->DrawAnew(setup, frame.Source, grid, progress);
     return {};
   }
   this->Refresh.reset();
-  gatun::RayCaster caster(view, std::move(table), limits, settings);
+  gatun::RayCaster caster(view, std::move(setup.Table), setup.Limits, setup.Settings);
   this->Scene.Draw(caster, view, progress, frame.Source.get());
   this->Image.Take(caster, grid);
   this->PartDrawn = 1;
@@ -380,19 +370,30 @@ void vtkGatunVolumeMapper::vtkInternals::DrawAnew(const ImageSetup& setup,
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunVolumeMapper::vtkInternals::DrawFrame(
-  vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+void vtkGatunVolumeMapper::vtkInternals::RequireNumbers(vtkGatunVolumeMapper* mapper)
 {
-  const Viewport viewport(renderer);
-  if (viewport.Width <= 0 || viewport.Height <= 0)
-  {
-    return;
-  }
   gatun::RequireNumber("ImageSampleDistance", mapper->ImageSampleDistance);
   gatun::RequireNumber("MinimumImageSampleDistance", mapper->MinimumImageSampleDistance);
   gatun::RequireNumber("MaximumImageSampleDistance", mapper->MaximumImageSampleDistance);
   gatun::RequireNumber("OpacityLimit", mapper->OpacityLimit);
   gatun::RequireNumber("TimeBudget", mapper->TimeBudget);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeMapper::vtkInternals::DrawFrame(
+  vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+{
+  if (IsParallel(mapper))
+  {
+    this->DrawParallel(mapper, renderer, volume);
+    return;
+  }
+  const Viewport viewport(renderer);
+  if (viewport.Width <= 0 || viewport.Height <= 0)
+  {
+    return;
+  }
+  RequireNumbers(mapper);
   vtkRenderWindow* const window = renderer->GetRenderWindow();
   const auto progress = [mapper, window](double fraction)
   {
@@ -414,8 +415,8 @@ void vtkGatunVolumeMapper::vtkInternals::DrawFrame(
   const bool inMotion = frames && request.Budget > 0;
   const float distance = inMotion ? static_cast<float>(frame.Distance)
                                   : this->ChooseDistance(mapper, renderer, volume, viewport);
-  const gatun::RayGrid grid = MakeGrid(renderer, viewport, distance);
-  const Drawing drawing(levels);
+  const gatun::RayGrid grid = gatun::MakeGrid(renderer, viewport, distance);
+  const gatun::FrameNotice notice(levels);
   const double before = vtkTimerLog::GetUniversalTime();
   const auto statistics = this->Draw(mapper, renderer, volume, viewport, grid, progress, frame);
   const double cast = vtkTimerLog::GetUniversalTime() - before;

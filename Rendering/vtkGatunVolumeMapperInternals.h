@@ -13,15 +13,28 @@
 #include "gatunRayScene.h"
 #include "vtkGatunVolumeMapper.h"
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+class vtkFloatArray;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
 
 namespace gatun
 {
+class ParallelImage;
+class RayExchange;
 struct PublishedFile;
 
 /** The kinds of input that the mapper draws in different ways. */
@@ -42,6 +55,57 @@ struct Viewport
   int Y = 0;
 
   explicit Viewport(vtkRenderer* renderer);
+};
+
+/** What the processes of an image need to know of each other. */
+struct PartFacts
+{
+  bool HasMesh = false;
+  bool HasGeometry = false; ///< whether anything has been drawn before
+  int Width = 0;
+  int Height = 0;
+  double Low = 0; ///< range of the values
+  double High = 0;
+  std::uint64_t File = 0; ///< the same for the same file and values; 0 if there is none
+};
+
+/** What the first process chooses for the image of all. */
+struct ParallelPlan
+{
+  RayGrid Grid;
+  RayView View;
+  float Distance = 1; ///< of rays, in pixels
+  std::uint64_t Points = 0;
+  bool IsInMotion = false;
+  int Shower = -1; ///< the process that shows the image, or -1
+};
+
+/** The rays of an image with a distance between them, in pixels. */
+RayGrid MakeGrid(vtkRenderer* renderer, const Viewport& viewport, float distance);
+
+/** Tells the threads in the background that a frame is being drawn. */
+class FrameNotice
+{
+public:
+  explicit FrameNotice(LevelOfDetailCache* levels)
+    : Levels(levels)
+  {
+    this->Tell(true);
+  }
+  ~FrameNotice() { this->Tell(false); }
+  FrameNotice(const FrameNotice&) = delete;
+  FrameNotice& operator=(const FrameNotice&) = delete;
+
+private:
+  void Tell(bool drawing)
+  {
+    if (this->Levels)
+    {
+      this->Levels->SetDrawing(drawing);
+    }
+  }
+
+  LevelOfDetailCache* const Levels;
 };
 
 /** All that an image depends on except the number of points. */
@@ -79,6 +143,9 @@ public:
   std::map<std::pair<vtkRenderer*, vtkVolume*>, double> TimeOfRays;
   std::map<std::pair<vtkRenderer*, vtkVolume*>, gatun::JustInTime> Frames;
 
+  std::optional<std::array<double, 6>> WholeBounds; // of all processes
+  std::uint64_t BytesSent = 0;                      // for the last image
+
   // The input whose information could not be made, and when: it is not asked again before it has
   // changed, as it would report the same error.
   const void* FailedInput = nullptr;
@@ -91,6 +158,8 @@ public:
   std::string GetCause(vtkGatunVolumeMapper* mapper, const gatun::VTKFailure& failure);
   static gatun::RayArray GetArray(vtkGatunVolumeMapper* mapper);
   static std::uint64_t GetBudget(vtkGatunVolumeMapper* mapper);
+  static bool IsParallel(vtkGatunVolumeMapper* mapper);
+  static gatun::PieceShare GetPieces(vtkGatunVolumeMapper* mapper);
   bool Simplifies(vtkGatunVolumeMapper* mapper);
   void Pull(vtkGatunVolumeMapper* mapper);
   bool SetScene(vtkGatunVolumeMapper* mapper, const gatun::RaySource::Progress& progress);
@@ -104,7 +173,24 @@ public:
     const gatun::RaySource::Progress& progress, const gatun::Frame& frame);
   void DrawAnew(const gatun::ImageSetup& setup, std::shared_ptr<gatun::RaySource> source,
     const gatun::RayGrid& grid, const gatun::RaySource::Progress& progress);
+  gatun::ImageSetup MakeSetup(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer,
+    vtkVolume* volume, const gatun::RayView& view, const gatun::Range& values);
   void DrawFrame(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
+  static void RequireNumbers(vtkGatunVolumeMapper* mapper);
+
+  // Images of several processes.
+  void ReduceBounds(vtkGatunVolumeMapper* mapper, const std::array<double, 6>& own);
+  gatun::PartFacts GetFacts(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer,
+    vtkFloatArray* depths, const gatun::RaySource::Progress& progress);
+  std::vector<gatun::PartFacts> GatherFacts(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer,
+    vtkFloatArray* depths, gatun::RayExchange& exchange,
+    const gatun::RaySource::Progress& progress);
+  gatun::ParallelPlan MakePlan(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer,
+    vtkVolume* volume, bool simplifies, gatun::Frame& frame,
+    const gatun::RaySource::Progress& progress);
+  void ShowParallel(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
+    gatun::ParallelImage& image, vtkFloatArray* depths);
+  void DrawParallel(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 };
 
 #endif

@@ -19,9 +19,11 @@ gatun_core_folder(Rays
     gatunRayBlockCache.h
     gatunRayCaster.h
     gatunRayInstructions.h
+    gatunRayMerger.h
     gatunRayPieces.h
     gatunRayRefresh.h
     gatunRayShading.h
+    gatunRayShare.h
     gatunRaySource.h
     gatunRayTable.h
     gatunRayValues.h
@@ -32,10 +34,12 @@ gatun_core_folder(Rays
     gatunRayBlockMaker.h
     gatunRayDecoder.h
     gatunRayDrawer.h
+    gatunRayFragments.h
     gatunRayIntegrator.h
     gatunRayKernel.h
     gatunRayLanes.h
     gatunRayLoops.h
+    gatunRayPixel.h
     gatunRaySetUp.h
     gatunRayTile.h
     gatunRayVisibility.h
@@ -53,12 +57,16 @@ gatun_core_folder(Rays
     gatunRayBlockCache.cxx
     gatunRayCaster.cxx
     gatunRayDecoder.cxx
+    gatunRayFragments.cxx
     gatunRayKernelAVX2.cxx
     gatunRayKernelAVX512.cxx
     gatunRayKernelPortable.cxx
+    gatunRayMerger.cxx
     gatunRayPieces.cxx
+    gatunRayPixel.cxx
     gatunRayRefresh.cxx
     gatunRayShading.cxx
+    gatunRayShare.cxx
     gatunRayTable.cxx
     gatunRayTile.cxx
     gatunRayValues.cxx

@@ -5,7 +5,9 @@
 #include "gatunError.h"
 #include "gatunParallel.h"
 #include "gatunRayBins.h"
+#include "gatunRayFragments.h"
 #include "gatunRayKernel.h"
+#include "gatunRayPixel.h"
 #include "gatunRayTile.h"
 #include "gatunRayVisibility.h"
 
@@ -58,19 +60,6 @@ struct TileSlot
   std::size_t MostFragments = 0;
   bool IsLeftOut = false;
 };
-
-/** Sorts the fragments of a pixel and composites them. */
-Fragment Composite(std::vector<Fragment>& fragments)
-{
-  std::sort(fragments.begin(), fragments.end(),
-    [](const Fragment& a, const Fragment& b) { return a.Begin < b.Begin; });
-  Fragment sum{ 0, 0, -RayTile::Never, 0, { 0, 0, 0, 1 } };
-  for (const Fragment& fragment : fragments)
-  {
-    sum.Append(fragment);
-  }
-  return sum;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -128,7 +117,6 @@ public:
   std::unique_ptr<RayTile> MakeTile(std::size_t index) const;
   void DrawTile(std::size_t index, std::span<const Work> works);
   void FinishTile(TileSlot& slot, int x0, int y0, float* rgba, float* depth) const;
-  void GetColor(const Fragment& sum, float largest, float* rgba) const;
   void CountMemory();
 };
 
@@ -199,47 +187,6 @@ void RayCaster::Internals::DrawTile(std::size_t index, std::span<const Work> wor
 }
 
 //------------------------------------------------------------------------------
-void RayCaster::Internals::GetColor(const Fragment& sum, float largest, float* rgba) const
-{
-  std::array<float, 4> color{};
-  switch (this->Table.Mode)
-  {
-    case RayMode::Composite:
-    case RayMode::Sampled:
-      color[3] = 1 - sum.Sum[3];
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        color[c] = std::clamp(sum.Sum[c], 0.0f, color[3]); // but for rounding, it is within
-      }
-      break;
-    case RayMode::Maximum:
-      if (largest != RayTile::Never)
-      {
-        const RayTable::Cell& cell = this->Table.Cells[static_cast<std::size_t>(largest)];
-        const float fraction = largest - std::floor(largest);
-        for (std::size_t c = 0; c < 4; ++c)
-        {
-          color[c] = cell.Value[c] + fraction * cell.Change[c];
-        }
-        color[3] = -color[3];
-      }
-      break;
-    case RayMode::XRay:
-      if (const float depth = sum.Sum[3] - 1; depth > 0)
-      {
-        const float opacity = -std::expm1(-depth);
-        color[3] = opacity;
-        for (std::size_t c = 0; c < 3; ++c)
-        {
-          color[c] = std::clamp(sum.Sum[c] / depth * opacity, 0.0f, opacity);
-        }
-      }
-      break;
-  }
-  std::copy(color.begin(), color.end(), rgba);
-}
-
-//------------------------------------------------------------------------------
 void RayCaster::Internals::FinishTile(
   TileSlot& slot, int x0, int y0, float* rgba, float* depth) const
 {
@@ -260,7 +207,7 @@ void RayCaster::Internals::FinishTile(
     {
       continue;
     }
-    Fragment sum{ 0, 0, -RayTile::Never, 0, { 0, 0, 0, 1 } };
+    Fragment sum = NoFragment();
     float largest = RayTile::Never;
     if (tile)
     {
@@ -277,11 +224,11 @@ void RayCaster::Internals::FinishTile(
         {
           fragments.push_back(others[next]);
         }
-        sum = Composite(fragments);
+        sum = CompositeFragments(fragments);
       }
     }
     const auto at = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
-    this->GetColor(sum, largest, rgba + 4 * at);
+    ToPixel(this->Table, sum, largest, rgba + 4 * at);
     if (depth)
     {
       depth[at] = sum.First == -RayTile::Never
@@ -500,6 +447,38 @@ void RayCaster::Finish(float* rgba, float* depth)
         self.FinishTile(self.Tiles[tile], self.GetX(tile), self.GetY(tile), rgba, depth);
       }
     });
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint8_t> RayCaster::TakeFragments(
+  std::span<const std::size_t> tiles, bool withDepths)
+{
+  auto& self = *this->Self;
+  std::vector<ByteWriter> parts(tiles.size());
+  ParallelFor(tiles.size(),
+    [&](std::size_t i)
+    {
+      TileSlot& slot = self.Tiles[tiles[i]];
+      if (slot.Tile)
+      {
+        const Timed timed(slot.FinishTime);
+        WriteFragments(self.Table.Mode, tiles[i], *slot.Tile, withDepths, parts[i]);
+        slot.Tile.reset();
+      }
+    });
+  std::size_t size = 0;
+  for (const ByteWriter& part : parts)
+  {
+    size += part.Data.size();
+  }
+  std::vector<std::uint8_t> message;
+  message.reserve(size);
+  for (ByteWriter& part : parts)
+  {
+    message.insert(message.end(), part.Data.begin(), part.Data.end());
+    part = {};
+  }
+  return message;
 }
 
 //------------------------------------------------------------------------------

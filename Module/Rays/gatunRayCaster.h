@@ -120,6 +120,12 @@ public:
    */
   void Finish(float* rgba, float* depth = nullptr);
 
+  /** Returns the fragments of some tiles for RayMerger, in this process or in another one, and
+   * frees them: Finish finds nothing in these tiles. WithDepths: whether it will be asked for
+   * depths. */
+  std::vector<std::uint8_t> TakeFragments(
+    std::span<const std::size_t> tiles, bool withDepths = false);
+
   RayStatistics GetStatistics() const;
 
   /** The instruction set in use, such as "AVX2". */

@@ -22,8 +22,7 @@ view = drawing.make_view()
 background = drawing.draw(view)
 mesh = simple.GatunReader(FileNames=[path], OnDemand="Never")
 reader = simple.GatunReader(FileNames=[path], OnDemand="Always")
-# Parts of a mesh in memory interlock a little on several ranks.
-near = {"by": 2} if ranks == 1 else {"by": 10, "pixels": 0.002 * drawing.SIZE ** 2}
+near = {"by": 2}
 
 
 # Color maps are made for the same ranges.

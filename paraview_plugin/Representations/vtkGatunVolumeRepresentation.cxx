@@ -3,9 +3,9 @@
 
 #include "vtkGatunVolumeRepresentation.h"
 
-#include "gatunBoxParts.h"
 #include "gatunFilePiece.h"
 #include "gatunMeshPiece.h"
+#include "gatunVolumeProp.h"
 #include "vtkGatunFileHandle.h"
 #include "vtkGatunHandleSource.h"
 #include "vtkGatunReader.h"
@@ -14,6 +14,7 @@
 #include "vtkAlgorithmOutput.h"
 #include "vtkBoundingBox.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkCommunicator.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkErrorCode.h"
@@ -24,12 +25,14 @@
 #include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkOrderedCompositingHelper.h"
 #include "vtkOutlineSource.h"
 #include "vtkPVGeometryFilter.h"
 #include "vtkPVLODVolume.h"
 #include "vtkPVRenderView.h"
-#include "vtkPlaneCollection.h"
+#include "vtkPVRenderViewDataDeliveryManager.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkRenderer.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeProperty.h"
 #include "vtkVolumeRepresentationPreprocessor.h"
@@ -47,22 +50,6 @@ namespace
 {
 
 //------------------------------------------------------------------------------
-struct Processes
-{
-  int Own = 0;
-  int All = 1;
-
-  Processes()
-  {
-    if (auto* const controller = vtkMultiProcessController::GetGlobalController())
-    {
-      this->Own = controller->GetLocalProcessId();
-      this->All = controller->GetNumberOfProcesses();
-    }
-  }
-};
-
-//------------------------------------------------------------------------------
 vtkDataObject* GetData(vtkAlgorithmOutput* producer)
 {
   return producer ? producer->GetProducer()->GetOutputDataObject(producer->GetIndex()) : nullptr;
@@ -76,12 +63,28 @@ vtkGatunFileHandle* GetHandle(vtkAlgorithm* source)
     source->GetOutputInformation(0)->Get(vtkGatunFileHandle::FILE_HANDLE()));
 }
 
+//------------------------------------------------------------------------------
+/** Whether the piece of any process has a volume to draw. Collective. */
+bool AnyHasVolume(vtkUnstructuredGrid* piece)
+{
+  const int own = piece && (!gatun::GetMark(piece).Path.empty() || gatun::HasVolume(piece)) ? 1 : 0;
+  int any = own;
+  if (auto* const controller = vtkMultiProcessController::GetGlobalController())
+  {
+    controller->AllReduce(&own, &any, 1, vtkCommunicator::MAX_OP);
+  }
+  return any != 0;
+}
+
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
 vtkGatunVolumeRepresentation::vtkGatunVolumeRepresentation()
   : Piece(vtkSmartPointer<vtkUnstructuredGrid>::New())
 {
+  this->Actor = gatun::MakeVolumeProp();
+  this->Actor->SetProperty(this->Property);
+  this->Actor->SetLODMapper(this->LODMapper);
   this->Superclass::AddVolumeMapper("Gatun", this->VolumeMapper);
   this->Superclass::SetActiveVolumeMapper("Gatun");
   this->VolumeMapper->SetTimeBudget(0.1);
@@ -202,6 +205,12 @@ vtkIdType vtkGatunVolumeRepresentation::GetBytesRead()
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkGatunVolumeRepresentation::GetBytesSent()
+{
+  return static_cast<vtkIdType>(this->VolumeMapper->GetBytesSent());
+}
+
+//------------------------------------------------------------------------------
 int vtkGatunVolumeRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -276,49 +285,24 @@ int vtkGatunVolumeRepresentation::ProcessViewRequest(
 }
 
 //------------------------------------------------------------------------------
-vtkBoundingBox vtkGatunVolumeRepresentation::GetWorldBox()
-{
-  vtkNew<vtkMatrix4x4> matrix;
-  this->Actor->GetMatrix(matrix);
-  return gatun::MoveBox(vtkBoundingBox(this->DataBounds), matrix);
-}
-
-//------------------------------------------------------------------------------
 void vtkGatunVolumeRepresentation::DeliverPiece(vtkInformation* inInfo, vtkInformation* outInfo)
 {
-  outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), 1);
+  // All processes draw each image together, also those that have nothing in view. Cells stay where
+  // they are, so that no order of processes is needed. Surfaces in place of volumes need it, as
+  // they are drawn translucent.
+  const bool hasVolume = AnyHasVolume(this->Piece);
+  outInfo->Set(hasVolume ? vtkPVRenderView::RENDER_EMPTY_IMAGES()
+                         : vtkPVRenderView::NEED_ORDERED_COMPOSITING(),
+    1);
+  const int redistributes =
+    vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING;
   vtkPVRenderView::SetRequiresDistributedRendering(inInfo, this, true);
-  if (gatun::GetMark(this->Piece).Path.empty())
-  {
-    vtkPVRenderView::SetPiece(inInfo, this, this->Piece);
-    vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this,
-      this->UseDataPartitions
-        ? vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION
-        : vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
-    vtkPVRenderView::SetRedistributionModeToUniquelyAssignBoundaryCells(inInfo, this);
-    vtkNew<vtkMatrix4x4> matrix;
-    this->Actor->GetMatrix(matrix);
-    vtkPVRenderView::SetGeometryBounds(inInfo, this, this->DataBounds, matrix);
-  }
-  else
-  {
-    const vtkBoundingBox world = this->GetWorldBox();
-    if (world != vtkBoundingBox(this->LastBox))
-    {
-      // The view divides space anew only for data that are new.
-      world.GetBounds(this->LastBox);
-      this->Piece->Modified();
-    }
-    vtkPVRenderView::SetPiece(inInfo, this, this->Piece);
-    // All else in the view goes to the process in whose part it is.
-    vtkPVRenderView::SetOrderedCompositingConfiguration(
-      inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION);
-    const Processes processes;
-    double bounds[6];
-    gatun::SplitBox(world, processes.All)[static_cast<std::size_t>(processes.Own)].GetBounds(
-      bounds);
-    vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds);
-  }
+  vtkPVRenderView::SetPiece(inInfo, this, this->Piece);
+  vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this, hasVolume ? 0 : redistributes);
+  vtkPVRenderView::SetRedistributionModeToUniquelyAssignBoundaryCells(inInfo, this);
+  vtkNew<vtkMatrix4x4> matrix;
+  this->Actor->GetMatrix(matrix);
+  vtkPVRenderView::SetGeometryBounds(inInfo, this, this->DataBounds, matrix);
   // The view asks the actor for bounds, too, which would be those of what was drawn before.
   this->Actor->SetMapper(nullptr);
 }
@@ -341,11 +325,23 @@ void vtkGatunVolumeRepresentation::PrepareToDraw(vtkInformation* inInfo)
   this->Drawn = nullptr;
   this->Shown = piece;
   this->Actor->SetEnableLOD(0);
-  this->VolumeMapper->RemoveAllClippingPlanes();
-  const bool isAlone = Processes().All == 1;
-  this->VolumeMapper->SetJustInTime(isAlone && this->JustInTime);
-  this->VolumeMapper->SetSimplificationRatio(isAlone ? this->SimplificationRatio : 0);
-  if (!piece)
+  if (auto* const view = vtkPVRenderView::SafeDownCast(this->GetView()))
+  {
+    // An image cannot be peeled. Processes with and without translucent geometry would draw it a
+    // different number of times.
+    view->GetRenderer()->UseDepthPeelingForVolumesOff();
+  }
+  this->VolumeMapper->SetController(this->FindController(inInfo, piece));
+  const bool isParallel = this->VolumeMapper->GetController() != nullptr;
+  this->VolumeMapper->SetImageProcess(isParallel ? this->FindImageProcess() : -1);
+  this->VolumeMapper->SetJustInTime(this->JustInTime);
+  this->VolumeMapper->SetSimplificationRatio(this->SimplificationRatio);
+  if (!piece && isParallel)
+  {
+    vtkNew<vtkUnstructuredGrid> none;
+    this->VolumeMapper->SetInputData(none);
+  }
+  else if (!piece)
   {
     this->Actor->SetMapper(nullptr);
     vtkAlgorithmOutput* const outline = vtkPVRenderView::GetPieceProducerLOD(inInfo, this);
@@ -357,22 +353,25 @@ void vtkGatunVolumeRepresentation::PrepareToDraw(vtkInformation* inInfo)
     }
     return;
   }
-  const gatun::DrawnFile file = gatun::GetMark(piece);
-  if (!file.Path.empty())
+  else if (const gatun::DrawnFile file = gatun::GetMark(piece); !file.Path.empty())
   {
-    if (!this->ConnectFile(piece, file) || !this->CutToPart())
+    if (!this->ConnectFile(piece, file))
     {
       this->Drawn = nullptr;
-      this->Actor->SetMapper(nullptr);
-      return;
+      if (!isParallel)
+      {
+        this->Actor->SetMapper(nullptr);
+        return;
+      }
+      // The others wait for this process, whose mapper tells them the error.
+      this->OtherFile->SetFileName(file.Path.c_str());
+      this->VolumeMapper->SetInputConnection(this->OtherFile->GetOutputPort());
     }
-    // The parts of a file fit together, as all processes make the same merges.
-    this->VolumeMapper->SetSimplificationRatio(this->SimplificationRatio);
   }
   else
   {
     this->VolumeMapper->SetInputConnection(producer);
-    if (piece->GetNumberOfCells() > 0 && !gatun::HasVolume(piece))
+    if (!isParallel && piece->GetNumberOfCells() > 0 && !gatun::HasVolume(piece))
     {
       this->LODGeometryFilter->SetUseOutline(0);
       this->LODGeometryFilter->SetInputConnection(producer);
@@ -381,6 +380,45 @@ void vtkGatunVolumeRepresentation::PrepareToDraw(vtkInformation* inInfo)
     }
   }
   this->UpdateMapperParameters();
+  this->VolumeMapper->ReduceBounds();
+}
+
+//------------------------------------------------------------------------------
+/** The controller of the processes that draw the next image together, if there is more than one and
+ * any of them has a volume. */
+vtkMultiProcessController* vtkGatunVolumeRepresentation::FindController(
+  vtkInformation* inInfo, vtkUnstructuredGrid* piece)
+{
+  auto* const controller = vtkMultiProcessController::GetGlobalController();
+  auto* const view = vtkPVRenderView::SafeDownCast(this->GetView());
+  if (!controller || controller->GetNumberOfProcesses() == 1 || !view)
+  {
+    return nullptr;
+  }
+  const bool isDistributed = inInfo->Has(vtkPVRenderView::USE_LOD())
+    ? view->GetUseDistributedRenderingForLODRender()
+    : view->GetUseDistributedRenderingForRender();
+  if (!isDistributed)
+  {
+    return nullptr; // the first process draws alone
+  }
+  return AnyHasVolume(piece) ? controller : nullptr;
+}
+
+//------------------------------------------------------------------------------
+/** The process that draws the image of all: the frontmost one, if their images are blended. */
+int vtkGatunVolumeRepresentation::FindImageProcess()
+{
+  auto* const view = vtkPVRenderView::SafeDownCast(this->GetView());
+  auto* const delivery =
+    vtkPVRenderViewDataDeliveryManager::SafeDownCast(view->GetDeliveryManager());
+  if (!view->GetUseOrderedCompositing() || !delivery || delivery->GetCuts().empty())
+  {
+    return -1;
+  }
+  vtkNew<vtkOrderedCompositingHelper> order;
+  order->SetBoundingBoxes(delivery->GetCuts());
+  return order->ComputeSortOrder(view->GetActiveCamera()).front();
 }
 
 //------------------------------------------------------------------------------
@@ -431,34 +469,6 @@ bool vtkGatunVolumeRepresentation::ConnectFile(
   this->Shown = vtkDataSet::SafeDownCast(source->GetOutputDataObject(0));
   this->VolumeMapper->SetInputConnection(source->GetOutputPort());
   return this->Drawn != nullptr;
-}
-
-//------------------------------------------------------------------------------
-/** Restricts the mapper to what this process is to draw, if that is anything. */
-bool vtkGatunVolumeRepresentation::CutToPart()
-{
-  auto* const view = vtkPVRenderView::SafeDownCast(this->GetView());
-  const Processes processes;
-  if (processes.All == 1 || !view || !view->GetUseOrderedCompositing())
-  {
-    return true;
-  }
-  const int mode = this->VolumeMapper->GetBlendMode();
-  if (mode == vtkGatunVolumeMapper::MAXIMUM_INTENSITY_BLEND ||
-    mode == vtkGatunVolumeMapper::XRAY_BLEND)
-  {
-    return processes.Own == 0;
-  }
-  vtkNew<vtkMatrix4x4> matrix;
-  this->Actor->GetMatrix(matrix);
-  double bounds[6];
-  this->Drawn->GetBounds(bounds);
-  const vtkBoundingBox world = gatun::MoveBox(vtkBoundingBox(bounds), matrix);
-  const auto parts = gatun::SplitBox(world, processes.All);
-  vtkNew<vtkPlaneCollection> planes;
-  gatun::AddCuts(parts[static_cast<std::size_t>(processes.Own)], world, planes);
-  this->VolumeMapper->SetClippingPlanes(planes);
-  return true;
 }
 
 //------------------------------------------------------------------------------

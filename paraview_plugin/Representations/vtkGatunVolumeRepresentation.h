@@ -6,8 +6,7 @@
  * @brief ParaView's "Gatun Volume": unstructured grids as volumes, by vtkGatunVolumeMapper.
  *
  * *A mesh in memory* is drawn as it is, with any 3D cells. Surfaces and lines among them are
- * left out, and a mesh that consists only of those is shown as a surface. Among several processes
- * the cells are redistributed as for ParaView's own volumes.
+ * left out, and a mesh that consists only of those is shown as a surface.
  *
  * *A file on demand*: if the input is a vtkGatunReader on demand, the representation draws the
  * file. Only visible chunks are read and decoded, and the pipeline is asked for the outline alone.
@@ -15,9 +14,9 @@
  * open file, decoded chunks and memory budget with it. A process that only draws opens the file by
  * its name, so it must find it there.
  *
- * *Several processes.* Each process that draws has a part of the bounds. It draws the file, clipped
- * to its part. Pixel by pixel, the images of the parts together are that of one process, except for
- * rounding. Maximum and X-ray images cannot be composited this way; the first process draws them.
+ * *Several processes.* Cells stay in the process that has them; processes exchange segments of
+ * rays, see vtkGatunVolumeMapper. Of a file on demand each process draws every n-th chunk. The
+ * image is that of one process in all modes, with any other representations in the view.
  *
  * Colors are those of the array, and of its component or length, as chosen for coloring. A separate
  * array for opacities, several components mapped at once and colors taken directly from the array
@@ -44,12 +43,12 @@ struct DrawnFile;
 VTK_ABI_NAMESPACE_BEGIN
 #endif
 
-class vtkBoundingBox;
 class vtkDataSet;
 class vtkGatunFileHandle;
 class vtkGatunHandleSource;
 class vtkGatunReader;
 class vtkGatunVolumeMapper;
+class vtkMultiProcessController;
 class vtkUnstructuredGrid;
 
 class VTKGATUNPARAVIEW_EXPORT vtkGatunVolumeRepresentation
@@ -101,8 +100,9 @@ public:
   ///@{
   /**
    * Whether the mesh is simplified while somebody interacts, so that an image takes the time that
-   * there is, before rays get fewer; see vtkGatunVolumeMapper. Several processes would simplify
-   * their parts each by itself, so that these do not fit together: there, it has no influence.
+   * there is, before rays get fewer; see vtkGatunVolumeMapper. Several processes
+   * simplify files only, as parts of a mesh in memory that are simplified separately do not fit
+   * together; of these, they draw fewer rays.
    * Default: off.
    */
   void SetJustInTime(bool on);
@@ -149,6 +149,11 @@ public:
    */
   vtkIdType GetBytesRead();
 
+  /**
+   * Bytes that the processes have sent to each other for the last image; 0 for one process.
+   */
+  vtkIdType GetBytesSent();
+
   int ProcessViewRequest(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 
@@ -165,13 +170,13 @@ private:
   vtkGatunVolumeRepresentation(const vtkGatunVolumeRepresentation&) = delete;
   void operator=(const vtkGatunVolumeRepresentation&) = delete;
 
-  vtkBoundingBox GetWorldBox();
   void MakePiece(vtkDataObject* input);
   void DeliverPiece(vtkInformation* inInfo, vtkInformation* outInfo);
   void DeliverOutline(vtkInformation* inInfo);
   void PrepareToDraw(vtkInformation* inInfo);
   bool ConnectFile(vtkUnstructuredGrid* piece, const gatun::DrawnFile& file);
-  bool CutToPart();
+  vtkMultiProcessController* FindController(vtkInformation* inInfo, vtkUnstructuredGrid* piece);
+  int FindImageProcess();
   double ChooseUnitDistance();
 
   vtkNew<vtkGatunVolumeMapper> VolumeMapper;
@@ -184,7 +189,6 @@ private:
   bool JustInTime = false;
   double SimplificationRatio = 0;
   double UnitDistance = 1;
-  double LastBox[6] = { 1, -1, 1, -1, 1, -1 };
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunRayExchange.h"
+
+#include "gatunError.h"
+
+#include "vtkMultiProcessController.h"
+
+#include <algorithm>
+#include <exception>
+#include <string>
+#include <utility>
+
+namespace gatun
+{
+namespace
+{
+constexpr int Tag = 27016;
+
+// Bytes that are sent at once. MPI counts with 32 bits.
+constexpr std::size_t MostAtOnce = std::size_t{ 1 } << 26;
+
+/** The end of a work in one process. */
+struct Outcome
+{
+  int Failed = 0;
+  int Code = 0;
+  std::uint64_t Length = 0; // of the message
+};
+
+void Require(int succeeded)
+{
+  if (!succeeded)
+  {
+    throw Error(ErrorCode::InvalidInput, "the communication between processes failed");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+RayExchange::RayExchange(vtkMultiProcessController* controller)
+  : Controller(controller)
+  , Process(controller->GetLocalProcessId())
+  , Processes(controller->GetNumberOfProcesses())
+{
+}
+
+//------------------------------------------------------------------------------
+void RayExchange::GatherBytes(const void* own, void* all, std::size_t bytes)
+{
+  Require(this->Controller->AllGather(static_cast<const unsigned char*>(own),
+    static_cast<unsigned char*>(all), static_cast<vtkIdType>(bytes)));
+  this->BytesSent += bytes;
+}
+
+//------------------------------------------------------------------------------
+void RayExchange::Broadcast(void* data, std::size_t bytes, int source)
+{
+  Require(this->Controller->Broadcast(
+    static_cast<unsigned char*>(data), static_cast<vtkIdType>(bytes), source));
+  this->BytesSent += source == this->Process ? bytes : 0;
+}
+
+//------------------------------------------------------------------------------
+void RayExchange::Together(const std::function<void()>& work)
+{
+  Outcome outcome;
+  std::string message;
+  std::exception_ptr failure;
+  const auto fail = [&](ErrorCode code, const char* what)
+  {
+    failure = std::current_exception();
+    outcome.Failed = 1;
+    outcome.Code = static_cast<int>(code);
+    message = what;
+  };
+  try
+  {
+    work();
+  }
+  catch (const Error& error)
+  {
+    fail(error.Code, error.what());
+  }
+  catch (const std::exception& error)
+  {
+    fail(ErrorCode::InvalidInput, error.what());
+  }
+  catch (...)
+  {
+    fail(ErrorCode::InvalidInput, "unknown error");
+  }
+  outcome.Length = message.size();
+  const auto outcomes = this->Gather(outcome);
+  const auto failed = std::find_if(
+    outcomes.begin(), outcomes.end(), [](const Outcome& other) { return other.Failed != 0; });
+  if (failed == outcomes.end())
+  {
+    return;
+  }
+  const auto process = static_cast<int>(failed - outcomes.begin());
+  message.resize(static_cast<std::size_t>(failed->Length));
+  if (!message.empty())
+  {
+    this->Broadcast(message.data(), message.size(), process);
+  }
+  if (failure)
+  {
+    std::rethrow_exception(failure);
+  }
+  throw Error(static_cast<ErrorCode>(failed->Code),
+    "process " + std::to_string(process) + " failed: " + message);
+}
+
+//------------------------------------------------------------------------------
+void RayExchange::Send(const void* data, std::size_t bytes, int process)
+{
+  const auto* const first = static_cast<const unsigned char*>(data);
+  for (std::size_t done = 0; done < bytes; done += MostAtOnce)
+  {
+    const auto length = static_cast<vtkIdType>(std::min(bytes - done, MostAtOnce));
+    Require(this->Controller->Send(first + done, length, process, Tag));
+  }
+  this->BytesSent += bytes;
+}
+
+//------------------------------------------------------------------------------
+void RayExchange::Receive(void* data, std::size_t bytes, int process)
+{
+  auto* const first = static_cast<unsigned char*>(data);
+  for (std::size_t done = 0; done < bytes; done += MostAtOnce)
+  {
+    const auto length = static_cast<vtkIdType>(std::min(bytes - done, MostAtOnce));
+    Require(this->Controller->Receive(first + done, length, process, Tag));
+  }
+}
+
+//------------------------------------------------------------------------------
+void RayExchange::TalkToAll(const std::function<void(int)>& talk) const
+{
+  // The rounds of a tournament: in each, the numbers of two partners have the same sum modulo an
+  // odd number. Of an odd number of processes, one rests.
+  const int even = this->Processes + this->Processes % 2;
+  const int odd = even - 1;
+  for (int round = 0; round < odd; ++round)
+  {
+    int partner = 0;
+    if (this->Process == odd)
+    {
+      partner = static_cast<int>(std::int64_t{ round } * (even / 2) % odd);
+    }
+    else
+    {
+      partner = (round - this->Process + odd) % odd;
+      partner = partner == this->Process ? odd : partner;
+    }
+    if (partner < this->Processes)
+    {
+      talk(partner);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<RayExchange::Message> RayExchange::Exchange(std::vector<Message> messages)
+{
+  std::vector<Message> received(messages.size());
+  // Of two partners, the one with the lower number sends first: no two wait for each other.
+  const auto talk =
+    [this](const void* own, std::size_t ownBytes, void* other, std::size_t otherBytes, int partner)
+  {
+    if (this->Process < partner)
+    {
+      this->Send(own, ownBytes, partner);
+      this->Receive(other, otherBytes, partner);
+    }
+    else
+    {
+      this->Receive(other, otherBytes, partner);
+      this->Send(own, ownBytes, partner);
+    }
+  };
+  std::vector<std::uint64_t> sizes(messages.size());
+  this->TalkToAll(
+    [&](int partner)
+    {
+      const auto p = static_cast<std::size_t>(partner);
+      const std::uint64_t size = messages[p].size();
+      talk(&size, sizeof(size), &sizes[p], sizeof(size), partner);
+    });
+  this->Together(
+    [&]
+    {
+      for (std::size_t p = 0; p < sizes.size(); ++p)
+      {
+        received[p].resize(static_cast<std::size_t>(sizes[p]));
+      }
+    });
+  this->TalkToAll(
+    [&](int partner)
+    {
+      const auto p = static_cast<std::size_t>(partner);
+      talk(messages[p].data(), messages[p].size(), received[p].data(), received[p].size(), partner);
+      messages[p] = {};
+    });
+  const auto self = static_cast<std::size_t>(this->Process);
+  received[self] = std::move(messages[self]);
+  return received;
+}
+}

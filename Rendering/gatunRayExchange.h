@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunRayExchange_h
+#define gatunRayExchange_h
+
+#include "vtkType.h" // For VTK_ABI_NAMESPACE_BEGIN
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <type_traits>
+#include <vector>
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+class vtkMultiProcessController;
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
+
+namespace gatun
+{
+/**
+ * What the processes of a controller tell each other while they draw an image. All methods except
+ * the getters are collective: each process must call them in the same order.
+ *
+ * Errors are shared: everything that may fail in one process runs in Together, so that no process
+ * waits for one that has failed. If the controller itself fails, Error(InvalidInput) is thrown.
+ */
+class RayExchange
+{
+public:
+  using Message = std::vector<std::uint8_t>;
+
+  explicit RayExchange(vtkMultiProcessController* controller);
+
+  int GetProcess() const { return this->Process; }
+  int GetProcesses() const { return this->Processes; }
+
+  /** Runs work, which must not be collective. If it throws in a process, throws in all of them: the
+   * same exception there, and in the others an Error with its code and message. */
+  void Together(const std::function<void()>& work);
+
+  /** Returns the values of all processes. */
+  template <typename T>
+  std::vector<T> Gather(const T& own)
+  {
+    static_assert(std::is_trivially_copyable_v<T>);
+    std::vector<T> all(static_cast<std::size_t>(this->Processes), own);
+    this->GatherBytes(&own, all.data(), sizeof(T));
+    return all;
+  }
+
+  /** Returns the value of the first process. */
+  template <typename T>
+  T TakeFirst(const T& own)
+  {
+    static_assert(std::is_trivially_copyable_v<T>);
+    T first = own;
+    this->Broadcast(&first, sizeof(T), 0);
+    return first;
+  }
+
+  /** Sends a message to each process, and returns those from each. */
+  std::vector<Message> Exchange(std::vector<Message> messages);
+
+  /** Bytes of messages that this process has sent to others. */
+  std::uint64_t GetBytesSent() const { return this->BytesSent; }
+
+private:
+  void GatherBytes(const void* own, void* all, std::size_t bytes);
+  void Broadcast(void* data, std::size_t bytes, int source);
+  void Send(const void* data, std::size_t bytes, int process);
+  void Receive(void* data, std::size_t bytes, int process);
+
+  /** Calls talk(partner) for all other processes, in an order in which each process talks to one
+   * other at a time. */
+  void TalkToAll(const std::function<void(int)>& talk) const;
+
+  vtkMultiProcessController* Controller;
+  int Process;
+  int Processes;
+  std::uint64_t BytesSent = 0;
+};
+}
+
+#endif
