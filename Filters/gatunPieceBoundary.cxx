@@ -3,13 +3,15 @@
 
 #include "gatunPieceBoundary.h"
 
+#include "gatunBytes.h"
+#include "gatunProcessExchange.h"
+
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkGeometryFilter.h"
 #include "vtkIdList.h"
-#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -25,9 +27,6 @@ namespace gatun
 namespace
 {
 using Place = std::array<double, 3>;
-
-constexpr int CountTag = 20260;
-constexpr int PlacesTag = 20261;
 
 /** The coordinates of a point; zeros of either sign are one. */
 Place GetPlace(vtkPointSet* points, vtkIdType point)
@@ -104,110 +103,76 @@ std::vector<std::uint8_t> MarkPlaces(vtkUnstructuredGrid* tets, std::vector<Plac
   return marks;
 }
 
-/** Exchanges places with one process after the other. */
-class PlaceExchange
+using Message = ProcessExchange::Message;
+
+/** The box around some places, from the lowest to the highest; upside down if there are none. */
+std::array<double, 6> FindBox(const std::vector<Place>& places)
 {
-public:
-  explicit PlaceExchange(vtkMultiProcessController* controller)
-    : Controller(controller)
+  vtkBoundingBox box;
+  for (const Place& place : places)
   {
+    box.AddPoint(place[0], place[1], place[2]);
   }
+  std::array<double, 6> bounds{};
+  box.GetBounds(bounds.data());
+  return bounds;
+}
 
-  /** Returns the places of the others that are in the box of these. */
-  std::vector<Place> Exchange(const std::vector<Place>& own)
+/** The places within a box. */
+Message PackPlaces(const std::vector<Place>& places, const std::array<double, 6>& bounds)
+{
+  ByteWriter writer;
+  if (bounds[0] <= bounds[1])
   {
-    const auto boxes = this->GatherBoxes(own);
-    const int me = this->Controller->GetLocalProcessId();
-    for (int peer = 0; peer < this->Controller->GetNumberOfProcesses(); ++peer)
-    {
-      const vtkBoundingBox& box = boxes[static_cast<std::size_t>(peer)];
-      if (peer == me || !box.IsValid() || !boxes[static_cast<std::size_t>(me)].Intersects(box))
-      {
-        continue;
-      }
-      // All have the same order of pairs, so that nobody waits for ever.
-      if (me < peer)
-      {
-        this->Send(own, box, peer);
-        this->Receive(peer);
-      }
-      else
-      {
-        this->Receive(peer);
-        this->Send(own, box, peer);
-      }
-    }
-    return std::move(this->Places);
-  }
-
-private:
-  std::vector<vtkBoundingBox> GatherBoxes(const std::vector<Place>& own)
-  {
-    vtkBoundingBox box;
-    for (const Place& place : own)
-    {
-      box.AddPoint(place[0], place[1], place[2]);
-    }
-    std::array<double, 6> bounds{};
-    box.GetBounds(bounds.data()); // of an empty box: the minimum is above the maximum
-    std::vector<double> all(
-      bounds.size() * static_cast<std::size_t>(this->Controller->GetNumberOfProcesses()));
-    this->Controller->AllGather(bounds.data(), all.data(), static_cast<vtkIdType>(bounds.size()));
-    std::vector<vtkBoundingBox> boxes;
-    for (std::size_t i = 0; i < all.size(); i += bounds.size())
-    {
-      vtkBoundingBox& next = boxes.emplace_back();
-      if (all[i] <= all[i + 1])
-      {
-        next.SetBounds(all.data() + i);
-      }
-    }
-    return boxes;
-  }
-
-  void Send(const std::vector<Place>& own, const vtkBoundingBox& box, int peer)
-  {
-    std::vector<double> values;
-    for (const Place& place : own)
+    const vtkBoundingBox box(bounds.data());
+    for (const Place& place : places)
     {
       if (box.ContainsPoint(place.data()))
       {
-        values.insert(values.end(), place.begin(), place.end());
+        for (const double x : place)
+        {
+          writer.Put(x);
+        }
       }
     }
-    const auto count = static_cast<vtkIdType>(values.size());
-    this->Controller->Send(&count, 1, peer, CountTag);
-    if (count > 0)
-    {
-      this->Controller->Send(values.data(), count, peer, PlacesTag);
-    }
   }
+  return std::move(writer.Data);
+}
 
-  void Receive(int peer)
+/** The places of others that are within the box of these. */
+std::vector<Place> ExchangePlaces(const std::vector<Place>& own, ProcessExchange& exchange)
+{
+  const auto boxes = exchange.Gather(FindBox(own));
+  std::vector<Message> messages(boxes.size());
+  for (std::size_t p = 0; p < boxes.size(); ++p)
   {
-    vtkIdType count = 0;
-    this->Controller->Receive(&count, 1, peer, CountTag);
-    std::vector<double> values(static_cast<std::size_t>(count));
-    if (count > 0)
+    if (static_cast<int>(p) != exchange.GetProcess())
     {
-      this->Controller->Receive(values.data(), count, peer, PlacesTag);
-    }
-    for (std::size_t i = 0; i + 2 < values.size(); i += 3)
-    {
-      this->Places.push_back({ values[i], values[i + 1], values[i + 2] });
+      messages[p] = PackPlaces(own, boxes[p]);
     }
   }
-
-  vtkMultiProcessController* const Controller;
-  std::vector<Place> Places;
-};
+  std::vector<Place> others;
+  for (const Message& message : exchange.Exchange(std::move(messages)))
+  {
+    ByteReader reader(message);
+    while (reader.GetRemaining() > 0)
+    {
+      for (double& x : others.emplace_back())
+      {
+        x = reader.Get<double>();
+      }
+    }
+  }
+  return others;
+}
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::uint8_t> FindCommonPoints(
-  vtkUnstructuredGrid* tets, vtkMultiProcessController* controller)
+std::vector<std::uint8_t> FindCommonPoints(vtkUnstructuredGrid* tets, ProcessExchange& exchange)
 {
-  return MarkPlaces(tets, PlaceExchange(controller).Exchange(FindBoundaryPlaces(tets)));
+  std::vector<Place> own;
+  exchange.Together([&] { own = FindBoundaryPlaces(tets); });
+  return MarkPlaces(tets, ExchangePlaces(own, exchange));
 }
 
 //------------------------------------------------------------------------------

@@ -12,7 +12,6 @@
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
 #endif
-class vtkMultiProcessController;
 class vtkUnstructuredGrid;
 #ifdef VTK_ABI_NAMESPACE_END
 VTK_ABI_NAMESPACE_END
@@ -20,6 +19,8 @@ VTK_ABI_NAMESPACE_END
 
 namespace gatun
 {
+class ProcessExchange;
+
 /**
  * Marks the points of a piece that other pieces have, too: those at the places of points on the
  * boundaries of the pieces of other processes. All processes must call it. Each sends the boundary
@@ -27,8 +28,7 @@ namespace gatun
  *
  * tets: the piece without ghost cells; of tetrahedra.
  */
-std::vector<std::uint8_t> FindCommonPoints(
-  vtkUnstructuredGrid* tets, vtkMultiProcessController* controller);
+std::vector<std::uint8_t> FindCommonPoints(vtkUnstructuredGrid* tets, ProcessExchange& exchange);
 
 /**
  * The same without communication: marks the points at the places of points of ghost cells or, if

@@ -9,9 +9,9 @@
 #include "gatunFileConsumer.h"
 #include "gatunFileReader.h"
 #include "gatunMergeGrid.h"
-#include "gatunPieceAgreement.h"
 #include "gatunPieceBoundary.h"
 #include "gatunPieceReader.h"
+#include "gatunProcessExchange.h"
 #include "gatunReport.h"
 #include "gatunSimplifyTarget.h"
 #include "gatunTetInput.h"
@@ -264,13 +264,14 @@ void vtkGatunSimplify::vtkInternals::Prepare(
   const gatun::MergeSettings settings{ static_cast<gatun::MergeMetric>(self->Metric),
     self->BoundaryWeight };
   const int pieces = vtkStreamingDemandDrivenPipeline::GetUpdateNumberOfPieces(outInfo);
-  gatun::PieceAgreement agreement(FindController(self, outInfo));
-  if (agreement.AreAll(this->IsPrepared(input, pieces, settings)))
+  gatun::ProcessExchange exchange(FindController(self, outInfo));
+  const auto isPrepared = exchange.Gather<std::uint8_t>(this->IsPrepared(input, pieces, settings));
+  if (std::find(isPrepared.begin(), isPrepared.end(), 0) == isPrepared.end())
   {
     return;
   }
   vtkNew<vtkUnstructuredGrid> tets;
-  agreement.Do(
+  exchange.Together(
     [&]
     {
       const auto made = gatun::MakeTetInput(input);
@@ -281,9 +282,9 @@ void vtkGatunSimplify::vtkInternals::Prepare(
       tets->ShallowCopy(made.Grid); // the input itself may be given something else later
     });
   std::vector<std::uint8_t> isKept;
-  if (agreement.GetController())
+  if (exchange.GetProcesses() > 1)
   {
-    isKept = gatun::FindCommonPoints(tets, agreement.GetController());
+    isKept = gatun::FindCommonPoints(tets, exchange);
   }
   else if (pieces > 1)
   {

@@ -28,7 +28,7 @@ constexpr std::uint16_t None = 0xffff;
 // of 24 bits, four times.
 constexpr float Step = 0x1p-22f;
 
-using Message = RayExchange::Message;
+using Message = ProcessExchange::Message;
 
 /** The geometry in a tile. */
 struct TileDepths
@@ -96,7 +96,7 @@ Message FindNearest(const std::vector<Message>& messages)
 }
 
 //------------------------------------------------------------------------------
-ParallelImage::ParallelImage(RayExchange& exchange, int width, int height, int shower)
+ParallelImage::ParallelImage(ProcessExchange& exchange, int width, int height, int shower)
   : Exchange(exchange)
   , Width(width)
   , Height(height)

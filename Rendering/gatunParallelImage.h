@@ -4,7 +4,7 @@
 #ifndef gatunParallelImage_h
 #define gatunParallelImage_h
 
-#include "gatunRayExchange.h"
+#include "gatunProcessExchange.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -33,7 +33,7 @@ class ParallelImage
 {
 public:
   /** Size: in pixels. Shower: the process that shows the image; -1: each its pixels. */
-  ParallelImage(RayExchange& exchange, int width, int height, int shower);
+  ParallelImage(ProcessExchange& exchange, int width, int height, int shower);
 
   int GetShower() const { return this->Shower; }
 
@@ -69,17 +69,18 @@ private:
   static void VisitTiles(int width, int height, Use&& use);
   template <typename Use>
   void VisitPixels(const Tile& tile, Use&& use) const;
-  void PackDepths(std::span<const float> own, std::vector<RayExchange::Message>& messages) const;
-  void UnpackDepths(const std::vector<RayExchange::Message>& messages);
+  void PackDepths(
+    std::span<const float> own, std::vector<ProcessExchange::Message>& messages) const;
+  void UnpackDepths(const std::vector<ProcessExchange::Message>& messages);
   int GetOwner(const Tile& tile) const;
   int GetShower(int x, int y) const;
-  void PackExact(const Tile& tile, std::vector<RayExchange::Message>& messages) const;
-  void PackAll(const Tile& tile, int width, std::vector<RayExchange::Message>& messages) const;
+  void PackExact(const Tile& tile, std::vector<ProcessExchange::Message>& messages) const;
+  void PackAll(const Tile& tile, int width, std::vector<ProcessExchange::Message>& messages) const;
   void Unpack(
     const Tile& tile, bool exact, int width, ByteReader& reader, std::vector<float>& colors) const;
   void Interpolate(int width, int height);
 
-  RayExchange& Exchange;
+  ProcessExchange& Exchange;
   int Width;
   int Height;
   int Shower;

@@ -34,7 +34,7 @@ VTK_ABI_NAMESPACE_END
 namespace gatun
 {
 class ParallelImage;
-class RayExchange;
+class ProcessExchange;
 struct PublishedFile;
 
 /** The kinds of input that the mapper draws in different ways. */
@@ -183,7 +183,7 @@ public:
   gatun::PartFacts GetFacts(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer,
     vtkFloatArray* depths, const gatun::RaySource::Progress& progress);
   std::vector<gatun::PartFacts> GatherFacts(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer,
-    vtkFloatArray* depths, gatun::RayExchange& exchange,
+    vtkFloatArray* depths, gatun::ProcessExchange& exchange,
     const gatun::RaySource::Progress& progress);
   gatun::ParallelPlan MakePlan(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer,
     vtkVolume* volume, bool simplifies, gatun::Frame& frame,

@@ -9,7 +9,7 @@
 #include "gatunFileConsumer.h"
 #include "gatunFileReader.h"
 #include "gatunParallelImage.h"
-#include "gatunRayExchange.h"
+#include "gatunProcessExchange.h"
 #include "gatunRayShare.h"
 
 #include "vtkFloatArray.h"
@@ -123,7 +123,7 @@ gatun::PieceShare vtkGatunVolumeMapper::vtkInternals::GetPieces(vtkGatunVolumeMa
 void vtkGatunVolumeMapper::vtkInternals::ReduceBounds(
   vtkGatunVolumeMapper* mapper, const std::array<double, 6>& own)
 {
-  gatun::RayExchange exchange(mapper->Controller);
+  gatun::ProcessExchange exchange(mapper->Controller);
   std::array<double, 6> whole{ 1, -1, 1, -1, 1, -1 };
   for (const auto& bounds : exchange.Gather(own))
   {
@@ -180,7 +180,7 @@ PartFacts vtkGatunVolumeMapper::vtkInternals::GetFacts(vtkGatunVolumeMapper* map
 //------------------------------------------------------------------------------
 /** The facts of all processes. Depths: get those of what this one has drawn before. */
 std::vector<PartFacts> vtkGatunVolumeMapper::vtkInternals::GatherFacts(vtkGatunVolumeMapper* mapper,
-  vtkRenderer* renderer, vtkFloatArray* depths, gatun::RayExchange& exchange,
+  vtkRenderer* renderer, vtkFloatArray* depths, gatun::ProcessExchange& exchange,
   const gatun::RaySource::Progress& progress)
 {
   PartFacts own;
@@ -229,7 +229,7 @@ ParallelPlan vtkGatunVolumeMapper::vtkInternals::MakePlan(vtkGatunVolumeMapper* 
 void vtkGatunVolumeMapper::vtkInternals::DrawParallel(
   vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
-  gatun::RayExchange exchange(mapper->Controller);
+  gatun::ProcessExchange exchange(mapper->Controller);
   const bool isFirst = exchange.GetProcess() == 0;
   vtkRenderWindow* const window = renderer->GetRenderWindow();
   const auto progress = [mapper, window](double fraction)

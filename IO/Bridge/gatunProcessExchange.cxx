@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "gatunRayExchange.h"
+#include "gatunProcessExchange.h"
 
 #include "gatunError.h"
 
@@ -39,31 +39,39 @@ void Require(int succeeded)
 }
 
 //------------------------------------------------------------------------------
-RayExchange::RayExchange(vtkMultiProcessController* controller)
+ProcessExchange::ProcessExchange(vtkMultiProcessController* controller)
   : Controller(controller)
-  , Process(controller->GetLocalProcessId())
-  , Processes(controller->GetNumberOfProcesses())
+  , Process(controller ? controller->GetLocalProcessId() : 0)
+  , Processes(controller ? controller->GetNumberOfProcesses() : 1)
 {
 }
 
 //------------------------------------------------------------------------------
-void RayExchange::GatherBytes(const void* own, void* all, std::size_t bytes)
+void ProcessExchange::GatherBytes(const void* own, void* all, std::size_t bytes)
 {
+  if (this->Processes == 1)
+  {
+    return; // where the caller has put its own
+  }
   Require(this->Controller->AllGather(static_cast<const unsigned char*>(own),
     static_cast<unsigned char*>(all), static_cast<vtkIdType>(bytes)));
   this->BytesSent += bytes;
 }
 
 //------------------------------------------------------------------------------
-void RayExchange::Broadcast(void* data, std::size_t bytes, int source)
+void ProcessExchange::Broadcast(void* data, std::size_t bytes, int source)
 {
+  if (this->Processes == 1)
+  {
+    return;
+  }
   Require(this->Controller->Broadcast(
     static_cast<unsigned char*>(data), static_cast<vtkIdType>(bytes), source));
   this->BytesSent += source == this->Process ? bytes : 0;
 }
 
 //------------------------------------------------------------------------------
-void RayExchange::Together(const std::function<void()>& work)
+void ProcessExchange::Together(const std::function<void()>& work)
 {
   Outcome outcome;
   std::string message;
@@ -114,7 +122,7 @@ void RayExchange::Together(const std::function<void()>& work)
 }
 
 //------------------------------------------------------------------------------
-void RayExchange::Send(const void* data, std::size_t bytes, int process)
+void ProcessExchange::Send(const void* data, std::size_t bytes, int process)
 {
   const auto* const first = static_cast<const unsigned char*>(data);
   for (std::size_t done = 0; done < bytes; done += MostAtOnce)
@@ -126,7 +134,7 @@ void RayExchange::Send(const void* data, std::size_t bytes, int process)
 }
 
 //------------------------------------------------------------------------------
-void RayExchange::Receive(void* data, std::size_t bytes, int process)
+void ProcessExchange::Receive(void* data, std::size_t bytes, int process)
 {
   auto* const first = static_cast<unsigned char*>(data);
   for (std::size_t done = 0; done < bytes; done += MostAtOnce)
@@ -137,7 +145,7 @@ void RayExchange::Receive(void* data, std::size_t bytes, int process)
 }
 
 //------------------------------------------------------------------------------
-void RayExchange::TalkToAll(const std::function<void(int)>& talk) const
+void ProcessExchange::TalkToAll(const std::function<void(int)>& talk) const
 {
   // The rounds of a tournament: in each, the numbers of two partners have the same sum modulo an
   // odd number. Of an odd number of processes, one rests.
@@ -163,7 +171,7 @@ void RayExchange::TalkToAll(const std::function<void(int)>& talk) const
 }
 
 //------------------------------------------------------------------------------
-std::vector<RayExchange::Message> RayExchange::Exchange(std::vector<Message> messages)
+std::vector<ProcessExchange::Message> ProcessExchange::Exchange(std::vector<Message> messages)
 {
   std::vector<Message> received(messages.size());
   // Of two partners, the one with the lower number sends first: no two wait for each other.

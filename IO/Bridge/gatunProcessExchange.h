@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef gatunRayExchange_h
-#define gatunRayExchange_h
+#ifndef gatunProcessExchange_h
+#define gatunProcessExchange_h
 
-#include "vtkType.h" // For VTK_ABI_NAMESPACE_BEGIN
+#include "vtkGatunIOModule.h" // For export macro
+#include "vtkType.h"          // For VTK_ABI_NAMESPACE_BEGIN
 
 #include <cstddef>
 #include <cstdint>
@@ -24,18 +25,19 @@ VTK_ABI_NAMESPACE_END
 namespace gatun
 {
 /**
- * What the processes of a controller tell each other while they draw an image. All methods except
- * the getters are collective: each process must call them in the same order.
+ * What the processes of a controller tell each other. All methods except the getters are
+ * collective: each process must call them in the same order. Exported for the other modules.
  *
  * Errors are shared: everything that may fail in one process runs in Together, so that no process
  * waits for one that has failed. If the controller itself fails, Error(InvalidInput) is thrown.
  */
-class RayExchange
+class VTKGATUNIO_EXPORT ProcessExchange
 {
 public:
   using Message = std::vector<std::uint8_t>;
 
-  explicit RayExchange(vtkMultiProcessController* controller);
+  /** controller: null for a process on its own. */
+  explicit ProcessExchange(vtkMultiProcessController* controller);
 
   int GetProcess() const { return this->Process; }
   int GetProcesses() const { return this->Processes; }
