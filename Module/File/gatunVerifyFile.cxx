@@ -123,10 +123,12 @@ void VerifyCells(const PartDecoder& parts, std::span<const std::uint32_t> chunks
 /** Decodes all streams once, some chunks at a time. */
 void VerifyStreams(const FileReader& file, const std::function<bool(double)>& progress)
 {
+  // Enough for the meshes of these chunks, which all time steps need.
   constexpr std::size_t chunksAtOnce = 16;
+  constexpr std::uint64_t budget = std::uint64_t{ 128 } << 20;
   // The decoder does not own the file.
   const std::shared_ptr<const FileReader> borrowed(&file, [](const FileReader*) {});
-  const auto cache = std::make_shared<ChunkCache>(borrowed);
+  const auto cache = std::make_shared<ChunkCache>(borrowed, budget);
   const PartDecoder parts(cache);
   VerifyBlocks(parts);
   const auto chunks = file.GetChunks().size();
