@@ -254,7 +254,7 @@ MeshSection::BlockStreams MeshSection::EncodeBlock(
     std::max<std::size_t>(streams.Geometry.size(), pointKeys.size() / MaxItemsPerByte + 1), 0);
   if (this->State.Options.Keep & KeepPoints)
   {
-    const Domain ids(this->State.GetNumberType());
+    const Domain ids(GetNumberType(this->State.Meta.Points));
     streams.Order = EncodeCellValues({}, { &ids, 1 }, { &numbers, 1 });
   }
   return streams;
@@ -480,9 +480,9 @@ MeshSection::ChunkStreams MeshSection::EncodeChunk(WriterPart& part, std::size_t
 void MeshSection::EncodeOrder(
   const WriterPart& part, ChunkState& chunk, ChunkStreams& streams) const
 {
-  const Domain ids(this->State.GetNumberType());
   if (this->State.Options.Keep & KeepPoints)
   {
+    const Domain ids(GetNumberType(this->State.Meta.Points));
     chunk.Mesh.MakeContext(false);
     ComponentKeys keys;
     for (const auto point : chunk.PointOf)
@@ -493,6 +493,7 @@ void MeshSection::EncodeOrder(
   }
   if (this->State.Options.Keep & KeepCells)
   {
+    const Domain ids(GetNumberType(this->State.NumberOfCells));
     ComponentKeys keys;
     for (const auto cell : chunk.CellOf)
     {
