@@ -347,7 +347,8 @@ void PieceReader::MakeMesh(const FileReader& file, PieceTarget& target)
       static_cast<std::size_t>(coordinates->GetData()->GetDataTypeSize()));
 
   const auto ids = static_cast<vtkIdType>(this->Decoder->GetConnectivitySize());
-  target.WideIds = file.HasWideIds() || ids >= std::numeric_limits<vtkTypeInt32>::max();
+  target.WideIds =
+    file.HasWideIds() || std::max(ids, points) >= std::numeric_limits<vtkTypeInt32>::max();
   this->Cells = target.WideIds ? MakeCells<vtkTypeInt64Array>(*this->Decoder, target)
                                : MakeCells<vtkTypeInt32Array>(*this->Decoder, target);
   this->Original = {};

@@ -119,6 +119,7 @@ gatun::GridPieces::Step vtkGatunWriter::vtkInternals::DescribeStep(
   step.Time = hasSteps ? this->Times[this->Step]
     : step.HasTime     ? info->Get(vtkDataObject::DATA_TIME_STEP())
                        : 0.0;
+  step.IsLast = this->Step + 1 == this->GetNumberOfSteps();
   return step;
 }
 

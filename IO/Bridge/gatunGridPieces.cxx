@@ -192,6 +192,10 @@ void GridPieces::Write(vtkUnstructuredGrid* piece, bool isFirst, const Step& ste
     this->File->Write(this->Current.Mesh->Mesh, this->Current.GetIds(), progress);
   }
   this->File->WriteStep(values, step.Field, step.HasTime, step.Time, progress);
+  if (step.IsLast)
+  {
+    this->Current = {};
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -56,6 +56,7 @@ public:
     FieldData Field;
     bool HasTime = false;
     double Time = 0;
+    bool IsLast = true; ///< of its piece, which then is not needed any more
   };
   void Write(vtkUnstructuredGrid* piece, bool isFirst, const Step& step,
     const std::function<bool(double)>& progress);

@@ -38,6 +38,7 @@ gatun_core_folder(File
     gatunMeshCheck.h
     gatunMeshSection.h
     gatunMeshTets.h
+    gatunOriginalNumbers.h
     gatunPartDecoder.h
     gatunPartSkin.h
     gatunPartSurvey.h

@@ -6,6 +6,7 @@
 
 #include "gatunCellList.h"
 #include "gatunChunkCodec.h"
+#include "gatunOriginalNumbers.h"
 #include "gatunPieceRequest.h"
 
 #include <cstddef>
@@ -23,7 +24,7 @@ struct PlacedCells
   std::vector<std::uint64_t> Ids; ///< of the points of the chunk
 
   /** The position of each cell in the piece if the original order is restored, or null. */
-  std::shared_ptr<const std::vector<std::uint32_t>> Places;
+  std::shared_ptr<const OriginalNumbers> Places;
 };
 
 /** The cells of a chunk of tetrahedra as cells of any type. */

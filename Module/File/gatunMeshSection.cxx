@@ -249,7 +249,7 @@ MeshSection::BlockStreams MeshSection::EncodeBlock(
     std::max<std::size_t>(streams.Geometry.size(), pointKeys.size() / MaxItemsPerByte + 1), 0);
   if (this->State.Options.Keep & KeepPoints)
   {
-    const Domain ids(this->State.GetNumberType());
+    const Domain ids(GetNumberType(this->State.Meta.Points));
     streams.Order = EncodeCellValues({}, { &ids, 1 }, { &numbers, 1 });
   }
   return streams;
@@ -475,9 +475,9 @@ MeshSection::ChunkStreams MeshSection::EncodeChunk(WriterPart& part, std::size_t
 void MeshSection::EncodeOrder(
   const WriterPart& part, ChunkState& chunk, ChunkStreams& streams) const
 {
-  const Domain ids(this->State.GetNumberType());
   if (this->State.Options.Keep & KeepPoints)
   {
+    const Domain ids(GetNumberType(this->State.Meta.Points));
     chunk.Mesh.MakeContext(false);
     ComponentKeys keys;
     for (const auto point : chunk.PointOf)
@@ -488,6 +488,7 @@ void MeshSection::EncodeOrder(
   }
   if (this->State.Options.Keep & KeepCells)
   {
+    const Domain ids(GetNumberType(this->State.NumberOfCells));
     ComponentKeys keys;
     for (const auto cell : chunk.CellOf)
     {

@@ -43,6 +43,11 @@ std::uint64_t BytesOf(const std::vector<T>& list)
   return sizeof(list) + BytesIn(list);
 }
 
+std::uint64_t BytesOf(const OrderPart& order)
+{
+  return order.GetBytes();
+}
+
 std::uint64_t BytesOf(const ArrayPart& array)
 {
   auto bytes = sizeof(array) + BytesIn(array);
@@ -141,7 +146,7 @@ std::shared_ptr<const OrderPart> PartDecoder::GetBlockOrder(std::uint32_t block)
   const auto stream = content.File.Read(where, what);
   ComponentKeys keys;
   keys.Now.resize(static_cast<std::size_t>(this->GetBlock(block).Points));
-  const Domain ids(ScalarType::UInt32);
+  const Domain ids(GetNumberType(content.Meta.Points));
   content.Guarded(what, where,
     [&]
     {
@@ -149,7 +154,7 @@ std::shared_ptr<const OrderPart> PartDecoder::GetBlockOrder(std::uint32_t block)
       CheckBelow(keys.Now, content.Meta.Points);
     });
   return KeepIn<OrderPart>(
-    this->Kept(), key, std::make_shared<const OrderPart>(keys.Now.begin(), keys.Now.end()));
+    this->Kept(), key, std::make_shared<const OrderPart>(keys.Now, ids.GetType()));
 }
 
 //------------------------------------------------------------------------------
@@ -279,11 +284,11 @@ std::shared_ptr<const OrderPart> PartDecoder::GetCellOrder(
     return found;
   }
   const auto& content = this->Content();
+  const auto cells = content.Mesh.GetNumberOfCells();
   const auto ids = this->DecodeCellIntegers(content.Mesh.Chunks[chunk].CellOrder,
-    Name("the original order of the cells of chunk", chunk), mesh, ScalarType::UInt32,
-    content.Mesh.GetNumberOfCells());
+    Name("the original order of the cells of chunk", chunk), mesh, GetNumberType(cells), cells);
   return KeepIn<OrderPart>(
-    this->Kept(), key, std::make_shared<const OrderPart>(ids.begin(), ids.end()));
+    this->Kept(), key, std::make_shared<const OrderPart>(ids, GetNumberType(cells)));
 }
 
 std::shared_ptr<const OrderPart> PartDecoder::GetPointOrder(
@@ -298,7 +303,7 @@ std::shared_ptr<const OrderPart> PartDecoder::GetPointOrder(
   const auto& where = content.Mesh.Chunks[chunk].PointOrder;
   const auto what = Name("the original order of the points of chunk", chunk);
   const auto stream = content.File.Read(where, what);
-  const Domain ids(ScalarType::UInt32);
+  const Domain ids(GetNumberType(content.Meta.Points));
   ComponentKeys keys;
   keys.Now.resize(mesh.Keys.size());
   this->EachShared<OrderPart>(chunk, mesh, orderOf,
@@ -309,12 +314,11 @@ std::shared_ptr<const OrderPart> PartDecoder::GetPointOrder(
       this->DecodePoints(chunk, mesh, stream, { &ids, 1 }, { &keys, 1 });
       CheckBelow(keys.Now, content.Meta.Points);
     });
-  auto order = std::make_shared<OrderPart>(mesh.Context.OwnIds.size());
-  for (std::size_t own = 0; own < order->size(); ++own)
-  {
-    (*order)[own] = static_cast<std::uint32_t>(keys.Now[mesh.Context.OwnIds[own]]);
-  }
-  return KeepIn<OrderPart>(this->Kept(), key, std::move(order));
+  std::vector<Key> own(mesh.Context.OwnIds.size());
+  std::transform(mesh.Context.OwnIds.begin(), mesh.Context.OwnIds.end(), own.begin(),
+    [&](std::uint32_t vertex) { return keys.Now[vertex]; });
+  return KeepIn<OrderPart>(
+    this->Kept(), key, std::make_shared<const OrderPart>(own, ids.GetType()));
 }
 
 std::vector<Key> PartDecoder::DecodeCorners(std::uint32_t chunk, const ChunkMesh& mesh) const

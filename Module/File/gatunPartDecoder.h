@@ -9,6 +9,7 @@
 #include "gatunChunkCodec.h"
 #include "gatunChunkTets.h"
 #include "gatunFileReaderInternals.h"
+#include "gatunOriginalNumbers.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +23,7 @@ namespace gatun
 {
 // The parts that the cache keeps.
 using PointsPart = std::vector<PointKeys>;       // of a block
-using OrderPart = std::vector<std::uint32_t>;    // original ids of points or cells
+using OrderPart = OriginalNumbers;               // of points or cells
 using ArrayPart = std::vector<std::vector<Key>>; // keys of all vertices, for each component
 using DomainsPart = std::vector<Domain>;         // one for each component
 

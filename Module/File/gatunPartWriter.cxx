@@ -343,7 +343,7 @@ void PartWriter::Internals::WriteStep(std::span<const void* const> values, const
 {
   if (!this->Part)
   {
-    ThrowInvalid("there is no part to write");
+    ThrowInvalid("there is no part to write of which a further time step was surveyed");
   }
   const auto& surveyed = this->Parts[this->Written - 1];
   const auto step = this->Steps.GetCount();
@@ -361,6 +361,10 @@ void PartWriter::Internals::WriteStep(std::span<const void* const> values, const
   const StepValues all{ values, &field, hasTime, time };
   this->Steps.WriteValues(*this->Part, all, progress);
   this->Steps.Finish(*this->Part, all);
+  if (step + 1 == surveyed.StepHashes.size())
+  {
+    this->EndPart(); // before the caller gets the next part
+  }
 }
 
 //------------------------------------------------------------------------------

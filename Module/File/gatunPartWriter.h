@@ -106,7 +106,8 @@ public:
   /** Looks at the next time step of that part. values: as for FileWriter::WriteStep. */
   void SurveyStep(std::span<const void* const> values);
 
-  /** Writes the next part, the first one after the last call of Survey. */
+  /** Writes the next part, the first one after the last call of Survey. The part must exist until
+   * its last step has been written. */
   void Write(
     const MeshInput& part, const std::int64_t* globalIds = nullptr, const Progress& progress = {});
 

@@ -120,7 +120,12 @@ void WriterState::WriteTables()
   {
     this->File.AddSection(SectionCells, this->Cells.Write());
   }
-  this->File.AddSection(SectionTable, this->Table.Write(this->Options.Keep));
+  const auto keep = this->Options.Keep;
+  const bool isWide =
+    ((keep & KeepPoints) && GetNumberType(this->Meta.Points) != ScalarType::UInt32) ||
+    ((keep & KeepCells) && GetNumberType(this->NumberOfCells) != ScalarType::UInt32);
+  this->File.AddSection(SectionTable, this->Table.Write(keep), FlagMandatory,
+    isWide ? TableVersionWithWideNumbers : SectionVersion);
 }
 
 //------------------------------------------------------------------------------
@@ -135,12 +140,6 @@ FileStatistics WriterState::Commit()
     s.DirectoryBytes -= bytes;
   }
   return s;
-}
-
-//------------------------------------------------------------------------------
-ScalarType WriterState::GetNumberType() const
-{
-  return ScalarType::UInt32;
 }
 
 //------------------------------------------------------------------------------

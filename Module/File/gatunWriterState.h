@@ -92,9 +92,6 @@ public:
   /** Moves the file to its path when all sections have been added. Returns the statistics. */
   FileStatistics Commit();
 
-  /** The type of original numbers. */
-  ScalarType GetNumberType() const;
-
   const WriterOptions Options;
   OutputFile File;
   MetaTable Meta;

@@ -146,7 +146,9 @@ bool InputFile::IsReadable(const SectionRef& section) const
 {
   const auto& known = this->Kind.Sections;
   return std::find(known.begin(), known.end(), section.Name) != known.end() &&
-    section.Version == SectionVersion;
+    (section.Version == SectionVersion ||
+      (section.Name == SectionTable && section.Version == TableVersionWithWideNumbers &&
+        &this->Kind == &MeshContainer));
 }
 
 //------------------------------------------------------------------------------

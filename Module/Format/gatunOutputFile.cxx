@@ -62,10 +62,11 @@ void OutputFile::WriteSectionHeader(const SectionRef& section)
 
 //------------------------------------------------------------------------------
 std::uint64_t OutputFile::AddSection(
-  FourCC name, std::span<const std::uint8_t> payload, std::uint16_t flags)
+  FourCC name, std::span<const std::uint8_t> payload, std::uint16_t flags, std::uint16_t version)
 {
   SectionRef section;
   section.Name = name;
+  section.Version = version;
   section.Flags = flags;
   section.Payload.Length = payload.size();
   section.Payload.Sum = Checksum(payload);

@@ -32,8 +32,8 @@ public:
   void SetMinorVersion(std::uint16_t version);
 
   /** Appends a section. Returns the offset of its payload. */
-  std::uint64_t AddSection(
-    FourCC name, std::span<const std::uint8_t> payload, std::uint16_t flags = FlagMandatory);
+  std::uint64_t AddSection(FourCC name, std::span<const std::uint8_t> payload,
+    std::uint16_t flags = FlagMandatory, std::uint16_t version = SectionVersion);
 
   /** Completes another file and embeds it as a section that is not mandatory. Returns the size of
    * that file. */

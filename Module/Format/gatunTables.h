@@ -138,6 +138,12 @@ struct StepTable
     std::span<const std::uint8_t> bytes, const MetaTable& meta, const MeshTable& mesh);
 };
 
+/** The type of the original numbers of so many points or cells. */
+constexpr ScalarType GetNumberType(std::uint64_t count)
+{
+  return count < std::uint64_t{ 1 } << 32 ? ScalarType::UInt32 : ScalarType::UInt64;
+}
+
 Bytes WriteFieldData(const FieldData& field);
 FieldData ReadFieldData(std::span<const std::uint8_t> bytes);
 }

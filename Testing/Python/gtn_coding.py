@@ -12,7 +12,7 @@ import struct
 from gtn_container import SIZES, Bytes, require
 
 INT_TYPES, UINT_TYPES = (1, 3, 5, 7), (2, 4, 6, 8)
-UINT8, UINT32, FLOAT32, FLOAT64 = 2, 6, 9, 10
+UINT8, UINT32, UINT64, FLOAT32, FLOAT64 = 2, 6, 8, 9, 10
 
 MAX_FLOAT32 = struct.unpack("<f", bytes.fromhex("ffff7f7f"))[0]
 

@@ -228,7 +228,7 @@ class Container:
                 header=header, name=name, length=size, checksum=check, offset=table.number("Q")
             )
             require(section.offset >= 40 and section.offset + size <= len(data), "section")
-            if name in SECTIONS and version == 1:
+            if name in SECTIONS and (version == 1 or (name, version) == (b"TABL", 2)):
                 sections.append(section)
             else:
                 require(not flags & 1, "unknown mandatory section")
@@ -316,7 +316,7 @@ def read_cells(table):
         require(kind > before, "order of types")
         before = kind
         cells.types[kind] = table.varint()
-        require(1 <= cells.types[kind] < 1 << 32, "cells of a type")
+        require(cells.types[kind] >= 1, "cells of a type")
     for _ in range(table.varint()):
         kind = table.number("B")
         require(kind <= 1, "kind of a chunk")

@@ -16,7 +16,7 @@ from collections import Counter
 import numpy as np
 
 from gtn_arrays import ChunkMesh, decode_list
-from gtn_coding import FLOAT32, FLOAT64, UINT32, Domain
+from gtn_coding import FLOAT32, FLOAT64, UINT32, UINT64, Domain
 from gtn_container import (
     CELLS, KEEP_CELLS, KEEP_CORNERS, KEEP_POINTS, POINTS, Container, FormatError, require)
 from gtn_shapes import Shapes
@@ -237,8 +237,8 @@ class Decoder:
     def _decode_original_order(self):
         """Sets point_order and cell_order (original numbers, or None); corners of chunks."""
         self.point_order = self.cell_order = None
-        numbers = [Domain(UINT32)]
         if self.meta.keep & KEEP_POINTS:
+            numbers = [Domain(UINT32 if self.meta.points < 2**32 else UINT64)]
             shared = self._decode_blocks([b.original for b in self.table.blocks], numbers)
             order = list(shared[0])
             for chunk, entry in zip(self.chunks, self.table.chunks):
@@ -248,6 +248,9 @@ class Decoder:
             order += self._decode_unused(self.table.unused.original, numbers)[0]
             self.point_order = permutation(order)
         if self.meta.keep & KEEP_CELLS:
+            types = self.container.cells and self.container.cells.types
+            cells = sum(types.values()) if types else self.meta.tets
+            numbers = [Domain(UINT32 if cells < 2**32 else UINT64)]
             references = [entry.original_cells for entry in self.table.chunks]
             self.cell_order = permutation(self._decode_cells(references, numbers))
         for chunk, entry in zip(self.chunks, self.table.chunks):

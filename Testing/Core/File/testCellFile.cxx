@@ -216,7 +216,7 @@ TEST(CellFile, TablesOfCellsMustBeRight)
   const auto first = [](FileImage& f) -> CellSizes& { return f.Cells->Chunks[0]; };
   refuse("types of cells do not add up", [](FileImage& f) { ++f.Cells->Types[0].Cells; });
   refuse("do not ascend", [](FileImage& f) { std::swap(f.Cells->Types[0], f.Cells->Types[1]); });
-  refuse("impossible number of cells", [](FileImage& f) { f.Cells->Types[0].Cells = 0; });
+  refuse("a type of cells has no cells", [](FileImage& f) { f.Cells->Types[0].Cells = 0; });
   refuse("not that of the chunks", [](FileImage& f) { f.Cells->Chunks.pop_back(); });
   refuse("impossible number of cells", [&](FileImage& f) { first(f).Cells = 0; });
   refuse("impossible number of cells", [&](FileImage& f) { first(f).Cells = 1u << 21; });

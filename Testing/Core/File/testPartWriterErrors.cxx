@@ -92,7 +92,7 @@ TEST_F(PartWriterErrors, CallsOutOfOrder)
       writer.Write(this->Parts[0].GetInput());
       writer.Write(this->Parts[1].GetInput());
     });
-  this->Refuse("than were surveyed",
+  this->Refuse("a further time step was surveyed",
     [&](PartWriter& writer)
     {
       this->SurveyAll(writer);

@@ -67,7 +67,7 @@ TEST(HostileContainer, UnknownSectionsStopAReaderOnlyIfMandatory)
   // The same without the flag, and newer versions of sections that are known.
   image.MoreSections[0].Flags = 0;
   image.MoreSections.push_back({ SectionMeta, Bytes(10, 1), 2, 0 });
-  image.MoreSections.push_back({ SectionTable, Bytes(10, 1), 2, 0 });
+  image.MoreSections.push_back({ SectionTable, Bytes(10, 1), 3, 0 });
   image.MoreSections.push_back({ SectionStep, Bytes(10, 1), 2, 0 });
   const auto path = PutFile("more.gtn", image.Build());
   EXPECT_NO_THROW(ReadAll(path));
