@@ -17,9 +17,8 @@ from paraview import simple
 SCATTERED = """
 def gatun_scattered(grid, output):
     import numpy as np
-    from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
     from vtkmodules.vtkCommonCore import vtkIdList
-    from vtkmodules.vtkFiltersExtraction import vtkExtractCells
+    from vtkmodules.vtkFiltersCore import vtkExtractCells
     from paraview.modules.vtkRemotingCore import vtkProcessModule
     module = vtkProcessModule.GetProcessModule()
     rank, ranks = module.GetPartitionId(), module.GetNumberOfLocalPartitions()

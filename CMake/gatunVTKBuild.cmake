@@ -25,6 +25,7 @@ set(gatun_vtk_components
   IOXML
   IOXMLParser
   ImagingCore
+  ParallelCore
   RenderingCore
   RenderingOpenGL2
   RenderingVolume

@@ -103,6 +103,41 @@ std::span<float> AsSpan(vtkFloatArray* values)
   return { values->GetPointer(0), static_cast<std::size_t>(values->GetNumberOfValues()) };
 }
 
+//------------------------------------------------------------------------------
+/** The bounds of all parts that have any. */
+std::array<double, 6> JoinBounds(const std::vector<std::array<double, 6>>& all)
+{
+  std::array<double, 6> whole{ 1, -1, 1, -1, 1, -1 };
+  for (const auto& bounds : all)
+  {
+    if (!(bounds[0] <= bounds[1]))
+    {
+      continue;
+    }
+    const bool isFirst = !(whole[0] <= whole[1]);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      double& low = whole[2 * axis];
+      double& high = whole[2 * axis + 1];
+      low = isFirst ? bounds[2 * axis] : std::min(low, bounds[2 * axis]);
+      high = isFirst ? bounds[2 * axis + 1] : std::max(high, bounds[2 * axis + 1]);
+    }
+  }
+  return whole;
+}
+
+//------------------------------------------------------------------------------
+/** The depth of the middle of a volume with some bounds. */
+float FindCenterDepth(vtkRenderer* renderer, vtkVolume* volume, const std::array<double, 6>& bounds)
+{
+  std::array<double, 4> center{ (bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2,
+    (bounds[4] + bounds[5]) / 2, 1 };
+  vtkNew<vtkMatrix4x4> matrix;
+  volume->GetMatrix(matrix);
+  matrix->MultiplyPoint(center.data(), center.data());
+  return gatun::GetDepth(renderer, center.data());
+}
+
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
@@ -124,23 +159,7 @@ void vtkGatunVolumeMapper::vtkInternals::ReduceBounds(
   vtkGatunVolumeMapper* mapper, const std::array<double, 6>& own)
 {
   gatun::RayExchange exchange(mapper->Controller);
-  std::array<double, 6> whole{ 1, -1, 1, -1, 1, -1 };
-  for (const auto& bounds : exchange.Gather(own))
-  {
-    if (!(bounds[0] <= bounds[1]))
-    {
-      continue;
-    }
-    const bool isFirst = !(whole[0] <= whole[1]);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      double& low = whole[2 * axis];
-      double& high = whole[2 * axis + 1];
-      low = isFirst ? bounds[2 * axis] : std::min(low, bounds[2 * axis]);
-      high = isFirst ? bounds[2 * axis + 1] : std::max(high, bounds[2 * axis + 1]);
-    }
-  }
-  this->WholeBounds = whole;
+  this->WholeBounds = JoinBounds(exchange.Gather(own));
 }
 
 //------------------------------------------------------------------------------
@@ -163,6 +182,7 @@ PartFacts vtkGatunVolumeMapper::vtkInternals::GetFacts(vtkGatunVolumeMapper* map
   if (facts.HasMesh)
   {
     this->TellObstacle(mapper);
+    std::copy_n(mapper->GetBounds(), facts.Bounds.size(), facts.Bounds.begin());
     const gatun::Range values = this->Scene.GetRange();
     facts.Low = values.Min;
     facts.High = values.Max;
@@ -303,7 +323,16 @@ void vtkGatunVolumeMapper::vtkInternals::DrawParallel(
   {
     this->BytesSent += bytes;
   }
-  this->ShowParallel(mapper, renderer, volume, image, depths);
+  std::vector<std::array<double, 6>> bounds;
+  for (const PartFacts& part : facts)
+  {
+    bounds.push_back(part.Bounds);
+  }
+  if (!mapper->IntermixIntersectingGeometry)
+  {
+    image.HideBehindGeometry(FindCenterDepth(renderer, volume, JoinBounds(bounds)));
+  }
+  this->ShowParallel(renderer, volume, image, depths);
   if (plan.IsInMotion)
   {
     window->WaitForCompletion(); // or the next image would pay for this one
@@ -327,15 +356,11 @@ void vtkGatunVolumeMapper::vtkInternals::DrawParallel(
 }
 
 //------------------------------------------------------------------------------
-/** Shows what this process has to show. Depths: of what was drawn before. */
-void vtkGatunVolumeMapper::vtkInternals::ShowParallel(vtkGatunVolumeMapper* mapper,
-  vtkRenderer* renderer, vtkVolume* volume, gatun::ParallelImage& image, vtkFloatArray* depths)
+/** Shows what this process has to show. Depths: of what was drawn before; get changed. */
+void vtkGatunVolumeMapper::vtkInternals::ShowParallel(vtkRenderer* renderer, vtkVolume* volume,
+  const gatun::ParallelImage& image, vtkFloatArray* depths)
 {
   const Viewport viewport(renderer);
-  if (!mapper->IntermixIntersectingGeometry)
-  {
-    image.HideBehindGeometry(gatun::GetCenterDepth(renderer, volume));
-  }
   if (image.GetShower() < 0)
   {
     // Before the image, as VTK shows images without writing depths, and leaves it like that. So the
