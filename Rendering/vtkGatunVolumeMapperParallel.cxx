@@ -127,9 +127,18 @@ std::array<double, 6> JoinBounds(const std::vector<std::array<double, 6>>& all)
 }
 
 //------------------------------------------------------------------------------
-/** The depth of the middle of a volume with some bounds. */
-float FindCenterDepth(vtkRenderer* renderer, vtkVolume* volume, const std::array<double, 6>& bounds)
+/** The depth of the middle of a volume. */
+float FindCenterDepth(vtkRenderer* renderer, vtkVolume* volume, const std::vector<PartFacts>& facts)
 {
+  std::vector<std::array<double, 6>> all;
+  for (const PartFacts& part : facts)
+  {
+    if (part.HasMesh)
+    {
+      all.push_back(part.Bounds);
+    }
+  }
+  const auto bounds = JoinBounds(all);
   std::array<double, 4> center{ (bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2,
     (bounds[4] + bounds[5]) / 2, 1 };
   vtkNew<vtkMatrix4x4> matrix;
@@ -258,6 +267,8 @@ void vtkGatunVolumeMapper::vtkInternals::DrawParallel(
     return window->CheckAbortStatus() == 0;
   };
   this->BytesSent = 0;
+  this->Refresh.reset();
+  this->PartDrawn = 1;
   vtkNew<vtkFloatArray> depths; // of what was drawn before
   const auto facts = this->GatherFacts(mapper, renderer, depths, exchange, progress);
   const PartFacts& own = facts[static_cast<std::size_t>(exchange.GetProcess())];
@@ -272,19 +283,14 @@ void vtkGatunVolumeMapper::vtkInternals::DrawParallel(
   mapper->Timer->StartTimer();
   const bool simplifies = own.File != 0 && this->Simplifies(mapper) &&
     !any([&](const PartFacts& other) { return other.File != own.File; });
-  const bool haveLevels = simplifies && this->Scene.GetLevels();
+  gatun::LevelOfDetailCache* const levels = simplifies ? this->Scene.GetLevels() : nullptr;
   Frame frame;
-  std::optional<ParallelPlan> made;
+  std::optional<ParallelPlan> made; // of all processes, as a plan to be overwritten
   exchange.Together(
-    [&]
-    {
-      // The others need a plan to be overwritten.
-      made = this->MakePlan(mapper, renderer, volume, haveLevels && isFirst, frame, progress);
-    });
+    [&] { made = this->MakePlan(mapper, renderer, volume, levels && isFirst, frame, progress); });
   const ParallelPlan plan = exchange.TakeFirst(*made);
-  const bool sharesDepths = any([](const PartFacts& other) { return other.HasGeometry; });
   gatun::ParallelImage image(exchange, own.Width, own.Height, plan.Shower);
-  if (sharesDepths)
+  if (any([](const PartFacts& other) { return other.HasGeometry; }))
   {
     image.ShareDepths(own.HasGeometry ? AsSpan(depths) : std::span<float>());
   }
@@ -292,7 +298,6 @@ void vtkGatunVolumeMapper::vtkInternals::DrawParallel(
   std::optional<ImageSetup> setup;
   std::unique_ptr<gatun::RayCaster> caster;
   const double before = vtkTimerLog::GetUniversalTime();
-  gatun::LevelOfDetailCache* const levels = haveLevels ? this->Scene.GetLevels() : nullptr;
   const gatun::FrameNotice notice(levels);
   exchange.Together(
     [&]
@@ -323,14 +328,9 @@ void vtkGatunVolumeMapper::vtkInternals::DrawParallel(
   {
     this->BytesSent += bytes;
   }
-  std::vector<std::array<double, 6>> bounds;
-  for (const PartFacts& part : facts)
-  {
-    bounds.push_back(part.Bounds);
-  }
   if (!mapper->IntermixIntersectingGeometry)
   {
-    image.HideBehindGeometry(FindCenterDepth(renderer, volume, JoinBounds(bounds)));
+    image.HideBehindGeometry(FindCenterDepth(renderer, volume, facts));
   }
   this->ShowParallel(renderer, volume, image, depths);
   if (plan.IsInMotion)
@@ -349,8 +349,6 @@ void vtkGatunVolumeMapper::vtkInternals::DrawParallel(
   }
   this->TimeOfRays[{ renderer, volume }] = mapper->TimeToDraw / rays;
   mapper->ImageSampleDistance = plan.Distance;
-  this->Refresh.reset();
-  this->PartDrawn = 1;
   this->Points = plan.Points;
   mapper->UpdateProgress(1);
 }
