@@ -17,9 +17,8 @@ from paraview import simple
 SCATTERED = """
 def gatun_scattered(grid, output):
     import numpy as np
-    from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
     from vtkmodules.vtkCommonCore import vtkIdList
-    from vtkmodules.vtkFiltersExtraction import vtkExtractCells
+    from vtkmodules.vtkFiltersCore import vtkExtractCells
     from paraview.modules.vtkRemotingCore import vtkProcessModule
     module = vtkProcessModule.GetProcessModule()
     rank, ranks = module.GetPartitionId(), module.GetNumberOfLocalPartitions()
@@ -55,7 +54,7 @@ begin = time.time()
 mesh = simple.GatunReader(FileNames=[path],
                           OnDemand="Always" if partition == "on-demand" else "Never")
 mesh.UpdatePipeline()
-array = mesh.PointData[0].GetName()
+colored = mesh.PointData[0].GetName()  # not "array", a name of ParaView's scripts
 if partition == "scattered":
     # Each rank takes cells at random, of all.
     mesh = simple.ProgrammableFilter(Input=mesh, OutputDataSetType="vtkUnstructuredGrid")
@@ -68,7 +67,7 @@ loaded = time.time() - begin
 
 shown = simple.Show(mesh, view)
 shown.SetRepresentationType(representation)
-simple.ColorBy(shown, ("POINTS", array))
+simple.ColorBy(shown, ("POINTS", colored))
 simple.ResetCamera(view)
 begin = time.time()
 simple.Render(view)

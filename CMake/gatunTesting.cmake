@@ -194,12 +194,13 @@ endfunction ()
 # A Python program that imports gatun and vtkmodules, run by the interpreter of the VTK found:
 #
 #   gatun_add_python_test(<file>.py [NAME <name>] [ARGS <argument>...] [LABELS <label>...]
-#     [EXPECT_ERRORS] [TIMEOUT <seconds>])
+#     [EXPECT_ERRORS] [TIMEOUT <seconds>] [RANKS <n>])
 #
 # The test is named after the file and has the label unit unless others are given; without Python
-# wrapping there is no such test.
+# wrapping there is no such test. With RANKS, so many MPI processes run it, and -np<n> is appended to the
+# name; without mpiexec there is no such test.
 function (gatun_add_python_test file)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "EXPECT_ERRORS" "NAME;TIMEOUT" "ARGS;LABELS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "EXPECT_ERRORS" "NAME;TIMEOUT;RANKS" "ARGS;LABELS")
   if (NOT GATUN_WRAP_PYTHON)
     return ()
   endif ()
@@ -218,14 +219,34 @@ function (gatun_add_python_test file)
   if (NOT test)
     get_filename_component(test "${file}" NAME_WE)
   endif ()
+  set(launch)
+  if (arg_RANKS)
+    find_program(MPIEXEC_EXECUTABLE NAMES mpiexec mpirun)
+    if (NOT MPIEXEC_EXECUTABLE)
+      return ()
+    endif ()
+    execute_process(COMMAND "${MPIEXEC_EXECUTABLE}" --version
+      OUTPUT_VARIABLE version
+      ERROR_QUIET)
+    set(launch "${MPIEXEC_EXECUTABLE}")
+    if (version MATCHES "Open MPI|OpenRTE")
+      list(APPEND launch --oversubscribe)
+    endif ()
+    list(APPEND launch -np "${arg_RANKS}")
+    string(APPEND test "-np${arg_RANKS}")
+    list(APPEND rest PROCESSORS "${arg_RANKS}")
+  endif ()
   gatun_add_test(
     NAME        "${prefix}${test}"
-    COMMAND     "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/${file}" ${arg_ARGS}
+    COMMAND     ${launch} "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/${file}" ${arg_ARGS}
     LABELS      ${arg_LABELS}
     ENVIRONMENT
       "PYTHONPATH=${gatun_python_path}:${CMAKE_CURRENT_SOURCE_DIR}:${PROJECT_SOURCE_DIR}/Testing/IO:${PROJECT_SOURCE_DIR}/Testing/Filters"
       "PYTHONDONTWRITEBYTECODE=1"
       "GATUN_GTN=$<TARGET_FILE:gtn>"
+      "OMPI_ALLOW_RUN_AS_ROOT=1"
+      "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"
+      "OMPI_MCA_btl_vader_single_copy_mechanism=none"
     ${rest})
 endfunction ()
 

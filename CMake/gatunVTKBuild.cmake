@@ -26,6 +26,7 @@ set(gatun_vtk_components
   IOXMLParser
   ParallelCore
   ImagingCore
+  ParallelCore
   RenderingCore
   RenderingOpenGL2
   RenderingVolume

@@ -46,11 +46,9 @@ constexpr float Nearest = 1e-6f;
 }
 
 //------------------------------------------------------------------------------
-float GetCenterDepth(vtkRenderer* renderer, vtkVolume* volume)
+float GetDepth(vtkRenderer* renderer, const double* point)
 {
-  // VTK's own way to find out leaves it too far behind.
-  const double* const center = volume->GetCenter();
-  renderer->SetWorldPoint(center[0], center[1], center[2], 1);
+  renderer->SetWorldPoint(point[0], point[1], point[2], 1);
   renderer->WorldToDisplay();
   return std::clamp(static_cast<float>(renderer->GetDisplayPoint()[2]), Nearest, 1.0f);
 }
@@ -103,7 +101,8 @@ void RayImage::Show(vtkRenderer* renderer, vtkVolume* volume, bool inFront)
       "the program has no way to show volumes; VTK::RenderingVolumeOpenGL2 is not there");
   }
   this->Helper->PreMultipliedColorsOn();
-  const float depth = inFront ? Nearest : GetCenterDepth(renderer, volume);
+  // VTK's own way to find the middle leaves it too far behind.
+  const float depth = inFront ? Nearest : GetDepth(renderer, volume->GetCenter());
 
   // VTK puts the outermost texels' centers on the borders of the image. Where a ray is to be a
   // pixel, what a pixel shows would be between two rays, unless each is there twice. And then

@@ -28,8 +28,8 @@ class RayRefresh;
 class RaySource;
 struct RayGrid;
 
-/** Where the middle of a volume is, from 0 to 1 as in a z-buffer. */
-float GetCenterDepth(vtkRenderer* renderer, vtkVolume* volume);
+/** The depth of a point of the world, from 0 to 1 as in a z-buffer. */
+float GetDepth(vtkRenderer* renderer, const double* point);
 
 /** An image on its way from the ray caster into a window. */
 class RayImage

@@ -67,6 +67,7 @@ struct PartFacts
   double Low = 0; ///< range of the values
   double High = 0;
   std::uint64_t File = 0; ///< the same for the same file and values; 0 if there is none
+  std::array<double, 6> Bounds{};
 };
 
 /** What the first process chooses for the image of all. */
@@ -188,8 +189,8 @@ public:
   gatun::ParallelPlan MakePlan(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer,
     vtkVolume* volume, bool simplifies, gatun::Frame& frame,
     const gatun::RaySource::Progress& progress);
-  void ShowParallel(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
-    gatun::ParallelImage& image, vtkFloatArray* depths);
+  void ShowParallel(vtkRenderer* renderer, vtkVolume* volume, const gatun::ParallelImage& image,
+    vtkFloatArray* depths);
   void DrawParallel(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 };
 

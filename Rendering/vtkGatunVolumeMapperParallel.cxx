@@ -103,6 +103,50 @@ std::span<float> AsSpan(vtkFloatArray* values)
   return { values->GetPointer(0), static_cast<std::size_t>(values->GetNumberOfValues()) };
 }
 
+//------------------------------------------------------------------------------
+/** The bounds of all parts that have any. */
+std::array<double, 6> JoinBounds(const std::vector<std::array<double, 6>>& all)
+{
+  std::array<double, 6> whole{ 1, -1, 1, -1, 1, -1 };
+  for (const auto& bounds : all)
+  {
+    if (!(bounds[0] <= bounds[1]))
+    {
+      continue;
+    }
+    const bool isFirst = !(whole[0] <= whole[1]);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      double& low = whole[2 * axis];
+      double& high = whole[2 * axis + 1];
+      low = isFirst ? bounds[2 * axis] : std::min(low, bounds[2 * axis]);
+      high = isFirst ? bounds[2 * axis + 1] : std::max(high, bounds[2 * axis + 1]);
+    }
+  }
+  return whole;
+}
+
+//------------------------------------------------------------------------------
+/** The depth of the middle of a volume. */
+float FindCenterDepth(vtkRenderer* renderer, vtkVolume* volume, const std::vector<PartFacts>& facts)
+{
+  std::vector<std::array<double, 6>> all;
+  for (const PartFacts& part : facts)
+  {
+    if (part.HasMesh)
+    {
+      all.push_back(part.Bounds);
+    }
+  }
+  const auto bounds = JoinBounds(all);
+  std::array<double, 4> center{ (bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2,
+    (bounds[4] + bounds[5]) / 2, 1 };
+  vtkNew<vtkMatrix4x4> matrix;
+  volume->GetMatrix(matrix);
+  matrix->MultiplyPoint(center.data(), center.data());
+  return gatun::GetDepth(renderer, center.data());
+}
+
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
@@ -124,23 +168,7 @@ void vtkGatunVolumeMapper::vtkInternals::ReduceBounds(
   vtkGatunVolumeMapper* mapper, const std::array<double, 6>& own)
 {
   gatun::ProcessExchange exchange(mapper->Controller);
-  std::array<double, 6> whole{ 1, -1, 1, -1, 1, -1 };
-  for (const auto& bounds : exchange.Gather(own))
-  {
-    if (!(bounds[0] <= bounds[1]))
-    {
-      continue;
-    }
-    const bool isFirst = !(whole[0] <= whole[1]);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      double& low = whole[2 * axis];
-      double& high = whole[2 * axis + 1];
-      low = isFirst ? bounds[2 * axis] : std::min(low, bounds[2 * axis]);
-      high = isFirst ? bounds[2 * axis + 1] : std::max(high, bounds[2 * axis + 1]);
-    }
-  }
-  this->WholeBounds = whole;
+  this->WholeBounds = JoinBounds(exchange.Gather(own));
 }
 
 //------------------------------------------------------------------------------
@@ -163,6 +191,7 @@ PartFacts vtkGatunVolumeMapper::vtkInternals::GetFacts(vtkGatunVolumeMapper* map
   if (facts.HasMesh)
   {
     this->TellObstacle(mapper);
+    std::copy_n(mapper->GetBounds(), facts.Bounds.size(), facts.Bounds.begin());
     const gatun::Range values = this->Scene.GetRange();
     facts.Low = values.Min;
     facts.High = values.Max;
@@ -238,6 +267,8 @@ void vtkGatunVolumeMapper::vtkInternals::DrawParallel(
     return window->CheckAbortStatus() == 0;
   };
   this->BytesSent = 0;
+  this->Refresh.reset();
+  this->PartDrawn = 1;
   vtkNew<vtkFloatArray> depths; // of what was drawn before
   const auto facts = this->GatherFacts(mapper, renderer, depths, exchange, progress);
   const PartFacts& own = facts[static_cast<std::size_t>(exchange.GetProcess())];
@@ -252,19 +283,14 @@ void vtkGatunVolumeMapper::vtkInternals::DrawParallel(
   mapper->Timer->StartTimer();
   const bool simplifies = own.File != 0 && this->Simplifies(mapper) &&
     !any([&](const PartFacts& other) { return other.File != own.File; });
-  const bool haveLevels = simplifies && this->Scene.GetLevels();
+  gatun::LevelOfDetailCache* const levels = simplifies ? this->Scene.GetLevels() : nullptr;
   Frame frame;
-  std::optional<ParallelPlan> made;
+  std::optional<ParallelPlan> made; // of all processes, as a plan to be overwritten
   exchange.Together(
-    [&]
-    {
-      // The others need a plan to be overwritten.
-      made = this->MakePlan(mapper, renderer, volume, haveLevels && isFirst, frame, progress);
-    });
+    [&] { made = this->MakePlan(mapper, renderer, volume, levels && isFirst, frame, progress); });
   const ParallelPlan plan = exchange.TakeFirst(*made);
-  const bool sharesDepths = any([](const PartFacts& other) { return other.HasGeometry; });
   gatun::ParallelImage image(exchange, own.Width, own.Height, plan.Shower);
-  if (sharesDepths)
+  if (any([](const PartFacts& other) { return other.HasGeometry; }))
   {
     image.ShareDepths(own.HasGeometry ? AsSpan(depths) : std::span<float>());
   }
@@ -272,7 +298,6 @@ void vtkGatunVolumeMapper::vtkInternals::DrawParallel(
   std::optional<ImageSetup> setup;
   std::unique_ptr<gatun::RayCaster> caster;
   const double before = vtkTimerLog::GetUniversalTime();
-  gatun::LevelOfDetailCache* const levels = haveLevels ? this->Scene.GetLevels() : nullptr;
   const gatun::FrameNotice notice(levels);
   exchange.Together(
     [&]
@@ -303,7 +328,11 @@ void vtkGatunVolumeMapper::vtkInternals::DrawParallel(
   {
     this->BytesSent += bytes;
   }
-  this->ShowParallel(mapper, renderer, volume, image, depths);
+  if (!mapper->IntermixIntersectingGeometry)
+  {
+    image.HideBehindGeometry(FindCenterDepth(renderer, volume, facts));
+  }
+  this->ShowParallel(renderer, volume, image, depths);
   if (plan.IsInMotion)
   {
     window->WaitForCompletion(); // or the next image would pay for this one
@@ -320,22 +349,16 @@ void vtkGatunVolumeMapper::vtkInternals::DrawParallel(
   }
   this->TimeOfRays[{ renderer, volume }] = mapper->TimeToDraw / rays;
   mapper->ImageSampleDistance = plan.Distance;
-  this->Refresh.reset();
-  this->PartDrawn = 1;
   this->Points = plan.Points;
   mapper->UpdateProgress(1);
 }
 
 //------------------------------------------------------------------------------
-/** Shows what this process has to show. Depths: of what was drawn before. */
-void vtkGatunVolumeMapper::vtkInternals::ShowParallel(vtkGatunVolumeMapper* mapper,
-  vtkRenderer* renderer, vtkVolume* volume, gatun::ParallelImage& image, vtkFloatArray* depths)
+/** Shows what this process has to show. Depths: of what was drawn before; get changed. */
+void vtkGatunVolumeMapper::vtkInternals::ShowParallel(vtkRenderer* renderer, vtkVolume* volume,
+  const gatun::ParallelImage& image, vtkFloatArray* depths)
 {
   const Viewport viewport(renderer);
-  if (!mapper->IntermixIntersectingGeometry)
-  {
-    image.HideBehindGeometry(gatun::GetCenterDepth(renderer, volume));
-  }
   if (image.GetShower() < 0)
   {
     // Before the image, as VTK shows images without writing depths, and leaves it like that. So the
