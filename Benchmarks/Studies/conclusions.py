@@ -89,13 +89,14 @@ def _cells(results):
 
 
 def _parts(results):
-    largest = results["large"][-1]
+    largest = [mesh for mesh in results["large"] if "tets" in mesh][-1]
     packing, *uses = largest["steps"]
+    uses = [use for use in uses if "peak" in use]
     whole, *pieces = results["compared"]
     sizes = [one["bytes"] / whole["bytes"] for one in pieces]
     return f"""A mesh of {largest["tets"]:,} tetrahedra was packed in {largest["pieces"]} pieces with
-        {number(packing["peak"] / 2**20)} MiB, in {number(packing["seconds"])} s. Verifying, drawing and
-        contouring the file took {span([use["peak"] / 2**20 for use in uses])} MiB. Files packed in
+        {number(packing["peak"] / 2**20)} MiB, in {number(packing["seconds"])} s. To {" and ".join(use["what"] for use in uses)}
+        the file took {span([use["peak"] / 2**20 for use in uses])} MiB. Files packed in
         pieces are {span(sizes, ratio)} times as large as those packed as a whole."""
 
 
