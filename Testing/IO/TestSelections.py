@@ -144,8 +144,7 @@ def files():
 
 
 # In one thread, because others may have done all of the work before this one tells its progress.
-backend = vtkSMPTools.GetBackend()
-assert vtkSMPTools.SetBackend("Sequential")
+vtkSMPTools.Initialize(1)
 before = files()
 for stop in (0.0, 0.2, 0.6):
     writer = vtkGatunWriter()
@@ -177,4 +176,4 @@ for stop in (0.0, 0.3):
     reader.Update()
     assert reader.GetErrorCode() == 0
     gm.assert_same_mesh(grid, reader.GetOutput())
-vtkSMPTools.SetBackend(backend)
+vtkSMPTools.Initialize()
