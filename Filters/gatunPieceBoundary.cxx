@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace gatun
@@ -44,7 +45,7 @@ Place GetPlace(vtkPointSet* points, vtkIdType point)
 void AddPlace(vtkPointSet* points, vtkIdType point, std::vector<Place>& places)
 {
   const Place place = GetPlace(points, point);
-  if (place == place)
+  if (std::none_of(place.begin(), place.end(), [](double x) { return std::isnan(x); }))
   {
     places.push_back(place);
   }

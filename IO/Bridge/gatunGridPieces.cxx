@@ -209,7 +209,7 @@ PartStatistics GridPieces::Finish()
     this->File->Survey({});
     this->File->Write({});
   }
-  const auto statistics = this->File->Finish();
+  auto statistics = this->File->Finish();
   this->File.reset();
   this->Current = {};
   return statistics;
