@@ -26,7 +26,7 @@ using namespace gatun::test;
 
 std::string Write(const Mixture& mesh, std::uint8_t keep, std::uint32_t chunkTets = 200)
 {
-  const auto path = GetPath("cells.gtn");
+  auto path = GetPath("cells.gtn");
   WriterOptions options;
   options.ChunkTets = chunkTets;
   options.Keep = keep;
