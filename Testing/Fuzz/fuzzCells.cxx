@@ -26,6 +26,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
       mesh.MakeContext(true);
       RestoreCorners(mesh.Cells, corners);
       fuzz::CheckCells(frame, mesh);
+      fuzz::CheckTets(mesh);
     });
   return 0;
 }

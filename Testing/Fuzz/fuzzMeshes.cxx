@@ -4,6 +4,7 @@
 
 #include "gatunCellNodes.h"
 #include "gatunCellShapes.h"
+#include "gatunChunkTets.h"
 
 #include <cstdlib>
 #include <limits>
@@ -391,6 +392,20 @@ void CheckCells(const ChunkFrame& frame, const ChunkMesh& mesh)
     Require(v < vertices);
   }
   CheckVertices(frame, mesh);
+}
+
+void CheckTets(const ChunkMesh& mesh)
+{
+  const auto tets = SplitCells(mesh);
+  Require(tets.Tets.size() == tets.Cells.size());
+  for (std::size_t t = 0; t < tets.Tets.size(); ++t)
+  {
+    Require(tets.Cells[t] < mesh.Cells.GetNumber());
+    for (const auto v : tets.Tets[t])
+    {
+      Require(v < mesh.Keys.size());
+    }
+  }
 }
 
 void CheckChunk(const ChunkFrame& frame, const ChunkMesh& mesh)

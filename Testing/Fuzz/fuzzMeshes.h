@@ -54,6 +54,9 @@ void CheckChunk(const ChunkFrame& frame, const ChunkMesh& mesh);
 /** The same for cells of any type. */
 void CheckCells(const ChunkFrame& frame, const ChunkMesh& mesh);
 
+/** Splits the cells of a mesh with a context. */
+void CheckTets(const ChunkMesh& mesh);
+
 /** A chunk of some tetrahedra, decoded and ready to have arrays decoded on it. */
 class SmallChunk
 {
