@@ -88,6 +88,26 @@ void ShapeTable::Merge(const ShapeTable& other)
   }
 }
 
+void ShapeTable::PutUses(ByteWriter& out) const
+{
+  out.PutVarint(this->Uses.size());
+  for (const auto& [code, uses] : this->Uses)
+  {
+    out.PutVarint(code.size());
+    out.PutBytes(code);
+    out.PutVarint(uses);
+  }
+}
+
+void ShapeTable::AddUses(ByteReader& in)
+{
+  for (auto count = in.GetCount(2); count > 0; --count)
+  {
+    const auto code = in.GetBytes(in.GetCount(1));
+    this->Uses[FormCode(code.begin(), code.end())] += in.GetVarint();
+  }
+}
+
 std::vector<FormCode> ShapeTable::Select() const
 {
   // Shapes with many faces have many forms. The most frequent forms are enough to find them.

@@ -34,6 +34,10 @@ public:
   /** Adds the shapes of another table, none of which was read. */
   VTKGATUNCORE_EXPORT void Merge(const ShapeTable& other);
 
+  /** All uses, for another process, and their addition to another table. */
+  VTKGATUNCORE_EXPORT void PutUses(ByteWriter& out) const;
+  VTKGATUNCORE_EXPORT void AddUses(ByteReader& in);
+
   /** The table as it is stored. */
   VTKGATUNCORE_EXPORT Bytes Write() const;
 

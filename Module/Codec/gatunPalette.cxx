@@ -66,6 +66,29 @@ void PaletteBuilder::Compress()
 }
 
 //------------------------------------------------------------------------------
+void PaletteBuilder::Put(ByteWriter& out)
+{
+  this->Compress();
+  out.Put<std::uint8_t>(this->Most > 0);
+  out.PutVarint(this->Sorted.size());
+  for (const auto key : this->Sorted)
+  {
+    out.Put(key);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PaletteBuilder::Add(ByteReader& in)
+{
+  this->Most = in.Get<std::uint8_t>() != 0 ? this->Most : 0;
+  for (auto count = in.GetCount(sizeof(Key)); count > 0; --count)
+  {
+    this->Sorted.push_back(in.Get<Key>());
+  }
+  this->Compress();
+}
+
+//------------------------------------------------------------------------------
 std::shared_ptr<const Palette> PaletteBuilder::Finish(std::uint64_t count)
 {
   this->Compress();

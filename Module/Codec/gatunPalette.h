@@ -31,6 +31,10 @@ public:
   /** Keeps the values of the tuples so far in little memory. */
   void Compress();
 
+  /** The values so far for another process, and their addition to those here. */
+  void Put(ByteWriter& out);
+  void Add(ByteReader& in);
+
   /** The palette of so many tuples in all, as FindPalette has it. */
   std::shared_ptr<const Palette> Finish(std::uint64_t count);
 

@@ -16,6 +16,7 @@ gatun_core_folder(File
     gatunWriterOptions.h
   EXPERIMENTAL_HEADERS
     gatunChunkCache.h
+    gatunPartExchange.h
     gatunPartWriter.h
     gatunSharedFile.h
     gatunSimplifiedFile.h
@@ -39,10 +40,13 @@ gatun_core_folder(File
     gatunMeshSection.h
     gatunMeshTets.h
     gatunOriginalNumbers.h
+    gatunPartAgreement.h
+    gatunPartAssembly.h
     gatunPartDecoder.h
     gatunPartSkin.h
     gatunPartSurvey.h
     gatunPartition.h
+    gatunPointNumbers.h
     gatunPieceCells.h
     gatunSharedGroups.h
     gatunSkinMerge.h
@@ -72,11 +76,15 @@ gatun_core_folder(File
     gatunLayerPartition.cxx
     gatunMeshCheck.cxx
     gatunMeshSection.cxx
+    gatunPartAgreement.cxx
+    gatunPartAssembly.cxx
     gatunPartDecoder.cxx
+    gatunPartExchange.cxx
     gatunPartSkin.cxx
     gatunPartSurvey.cxx
     gatunPartWriter.cxx
     gatunPartition.cxx
+    gatunPointNumbers.cxx
     gatunPieceCells.cxx
     gatunPieceDecoder.cxx
     gatunSharedFile.cxx

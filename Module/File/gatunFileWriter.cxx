@@ -213,7 +213,7 @@ void FileWriter::Internals::CheckLayers(const StepTable& step) const
 void FileWriter::Internals::WriteTables()
 {
   OutputFile& file = this->State.File;
-  this->State.WriteTables();
+  this->State.WriteTables(file);
   if (this->Mesh.GetLayers())
   {
     file.AddSection(
@@ -236,7 +236,7 @@ FileStatistics FileWriter::Internals::Finish()
       this->State.File.AddSection(SectionLevel, level->File->State.File);
   }
   this->WriteTables();
-  return this->State.Commit();
+  return this->State.Commit(this->State.File);
 }
 
 //------------------------------------------------------------------------------

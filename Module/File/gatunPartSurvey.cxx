@@ -205,6 +205,57 @@ void PaletteSurvey::AddStep(
 }
 
 //------------------------------------------------------------------------------
+void PaletteSurvey::Put(ByteWriter& out)
+{
+  out.PutVarint(this->Axes.size());
+  for (auto& axis : this->Axes)
+  {
+    axis.Put(out);
+  }
+  out.PutVarint(this->Steps.size());
+  for (auto& step : this->Steps)
+  {
+    for (auto& component : step)
+    {
+      component.Put(out);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void PaletteSurvey::Add(ByteReader& in)
+{
+  const auto axes = in.GetCount(1);
+  if (axes > 0)
+  {
+    this->Axes.resize(3, PaletteBuilder(this->State.Meta.CoordinateType));
+  }
+  for (std::size_t axis = 0; axis < axes; ++axis)
+  {
+    this->Axes[axis].Add(in);
+  }
+  const auto steps = static_cast<std::size_t>(in.GetVarint());
+  this->Steps.resize(std::max(this->Steps.size(), steps));
+  for (std::size_t step = 0; step < steps; ++step)
+  {
+    auto& builders = this->Steps[step];
+    const bool isNew = builders.empty();
+    std::size_t next = 0;
+    for (const auto& array : this->State.Meta.Arrays)
+    {
+      for (std::uint32_t c = 0; c < array.Components; ++c, ++next)
+      {
+        if (isNew)
+        {
+          builders.emplace_back(array.Type);
+        }
+        builders[next].Add(in);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 std::array<std::shared_ptr<const Palette>, 3> PaletteSurvey::FinishMesh()
 {
   std::array<std::shared_ptr<const Palette>, 3> palettes;

@@ -21,6 +21,16 @@
 
 namespace gatun
 {
+/** What is known of a part after the survey. */
+struct SurveyedPart
+{
+  std::size_t Chunks = 0;
+  std::uint64_t Points = 0;
+  std::uint64_t Cells = 0;
+  std::uint64_t Hash = 0;                // of the mesh
+  std::vector<std::uint64_t> StepHashes; // of the values
+};
+
 /** A hash of a mesh and, unless they are null, the global ids of its points. */
 std::uint64_t HashPart(const MeshInput& mesh, const std::int64_t* globalIds);
 
@@ -59,6 +69,10 @@ public:
     std::uint64_t cells);
 
   std::size_t GetSteps() const { return this->Steps.size(); }
+
+  /** The values so far for another process, and their addition to those here. */
+  void Put(ByteWriter& out);
+  void Add(ByteReader& in);
 
   /** The palettes, when the numbers of points and cells of the file are known. */
   std::array<std::shared_ptr<const Palette>, 3> FinishMesh();

@@ -6,7 +6,10 @@
 #include "gatunError.h"
 #include "gatunKeepMemory.h"
 #include "gatunMeshSection.h"
+#include "gatunPartAgreement.h"
+#include "gatunPartAssembly.h"
 #include "gatunPartSurvey.h"
+#include "gatunPointNumbers.h"
 #include "gatunSkinMerge.h"
 #include "gatunStepSection.h"
 #include "gatunWriterCheck.h"
@@ -55,46 +58,76 @@ public:
   {
   }
 
+  Internals(const std::string& path, const std::vector<ArrayDescription>& arrays,
+    const PartWriterOptions& options, PartExchange& exchange)
+    : Options(options)
+    , State(arrays, options.File, GetSpillFolder(path, options.SpillFolder))
+    , Skins(GetSpillFolder(path, options.SpillFolder), options.SpillMemory)
+    , Exchange(&exchange)
+  {
+    if (exchange.GetProcess() == 0)
+    {
+      this->Common.emplace(
+        OutputFile::Common(), path, options.File.ReplaceReadOnly, MinorVersionPlain);
+    }
+    this->Agreement.emplace(
+      exchange, this->State, GetSpillFolder(path, options.SpillFolder), options.SpillMemory);
+    this->Steps.KeepTables();
+  }
+
   void Survey(const MeshInput& mesh, const std::int64_t* globalIds, const Progress& progress);
   void SurveyStep(std::span<const void* const> values);
+  void EndSurvey();
   void Write(const MeshInput& mesh, const std::int64_t* globalIds, const Progress& progress);
   void WriteStep(std::span<const void* const> values, const FieldData& field, bool hasTime,
     double time, const Progress& progress);
   PartStatistics Finish();
 
 private:
-  /** What is known of a part after the survey. */
-  struct Surveyed
-  {
-    std::size_t Chunks = 0;
-    std::uint64_t Points = 0;
-    std::uint64_t Cells = 0;
-    std::uint64_t Hash = 0;                // of the mesh
-    std::vector<std::uint64_t> StepHashes; // of the values
-  };
-
-  void EndSurvey();
-  void Join();
+  void EndPartSurvey();
+  void JoinAlone();
+  void JoinTogether();
+  void SendPoints();
+  void PlaceParts();
   void EndPart();
   void ApplyJoins(const PartJoins& joins);
-  void NumberPoints(const PartJoins& joins);
+  bool HasNumbers() const
+  {
+    return this->Parts.size() > 1 && (this->Options.File.Keep & KeepPoints);
+  }
+
+  /** The number of a part of this process in the file. */
+  std::size_t GetNumber(std::size_t part) const
+  {
+    return part + (this->Agreement ? this->Agreement->GetOwn().FirstPart : 0);
+  }
+  std::size_t GetNumberOfOwnParts() const
+  {
+    return this->Agreement ? this->Agreement->GetOwn().Parts : this->Parts.size();
+  }
 
   const PartWriterOptions Options;
   WriterState State;
   MeshSection Mesh{ State };
   StepSection Steps{ State };
   SkinMerge Skins;
-  std::vector<Surveyed> Parts;
+  std::vector<SurveyedPart> Parts;
   std::optional<PartSurvey> Current; // the part that is being surveyed
   PaletteSurvey Palettes{ State };
-  bool HasIds = false;
+  std::optional<bool> HasIds; // whether the parts with points have global ids
   bool IsJoined = false;
 
   // While parts are written.
   std::vector<PartPlace> Places;
-  std::size_t Written = 0; // parts that were begun
+  std::size_t Written = 0; // parts of this process that were begun
   std::optional<WriterPart> Part;
-  std::vector<std::vector<std::uint64_t>> JoinedNumbers; // original numbers of each group
+  PointNumbers Numbers{ Skins };
+
+  // If several processes write the file.
+  PartExchange* const Exchange = nullptr;
+  std::optional<OutputFile> Common; // in the first process
+  std::optional<PartAgreement> Agreement;
+  std::vector<PartJoins> Joins; // of the parts of this process
 };
 
 //------------------------------------------------------------------------------
@@ -105,17 +138,16 @@ void PartWriter::Internals::Survey(
   {
     ThrowInvalid("all parts have to be surveyed before the first one is written");
   }
-  this->EndSurvey();
+  this->EndPartSurvey();
   CheckWriterInput(mesh, this->State.Meta.Arrays, this->Options.File);
   if (mesh.Points > 0)
   {
-    const bool isFirst = std::all_of(this->Parts.begin(), this->Parts.end(),
-      [](const Surveyed& part) { return part.Points == 0; });
-    if (!isFirst && this->HasIds != (globalIds != nullptr))
+    const bool hasIds = globalIds != nullptr;
+    if (this->HasIds.value_or(hasIds) != hasIds)
     {
       ThrowInvalid("some parts have global ids of points, and some do not");
     }
-    this->HasIds = globalIds != nullptr;
+    this->HasIds = hasIds;
   }
   WriterPart part(mesh);
   part.Place.FirstChunk = this->State.Table.Chunks.size();
@@ -125,6 +157,10 @@ void PartWriter::Internals::Survey(
   this->Mesh.AddGroups(part);
   this->State.Meta.UnusedPoints += part.Layout.UnusedPoints.size();
   this->Palettes.AddMesh(mesh);
+  if (this->Agreement)
+  {
+    this->Agreement->AddUnused(part);
+  }
   this->Current.emplace(
     part, static_cast<std::uint32_t>(this->Parts.size()), globalIds, this->Options.JoinAllPoints);
   this->Parts.push_back(
@@ -146,11 +182,15 @@ void PartWriter::Internals::SurveyStep(std::span<const void* const> values)
   auto& part = this->Parts.back();
   this->Palettes.AddStep(part.StepHashes.size(), values, part.Points, part.Cells);
   this->Current->AddValues(arrays, values);
+  if (this->Agreement)
+  {
+    this->Agreement->AddUnusedValues(values);
+  }
   part.StepHashes.push_back(HashValues(arrays, values, part.Points, part.Cells));
 }
 
 //------------------------------------------------------------------------------
-void PartWriter::Internals::EndSurvey()
+void PartWriter::Internals::EndPartSurvey()
 {
   if (!this->Current)
   {
@@ -162,23 +202,95 @@ void PartWriter::Internals::EndSurvey()
   }
   for (const auto& use : this->Current->GetUses())
   {
-    this->Skins.Add(use);
+    if (this->Agreement)
+    {
+      this->Agreement->Add(use);
+    }
+    else
+    {
+      this->Skins.Add(use);
+    }
   }
   this->Current.reset();
 }
 
 //------------------------------------------------------------------------------
-/** Joins the parts when all have been surveyed, and makes the tables. */
-void PartWriter::Internals::Join()
+void PartWriter::Internals::EndSurvey()
 {
-  this->EndSurvey();
+  if (this->IsJoined)
+  {
+    ThrowInvalid("the survey has been ended before");
+  }
+  if (this->Exchange)
+  {
+    this->JoinTogether();
+  }
+  else
+  {
+    this->JoinAlone();
+  }
+}
+
+//------------------------------------------------------------------------------
+/** Joins the parts when all have been surveyed, and makes the tables. */
+void PartWriter::Internals::JoinAlone()
+{
+  this->EndPartSurvey();
   this->IsJoined = true;
   this->Skins.Join(this->Parts.size(), this->State.Groups);
+  this->PlaceParts();
+}
+
+//------------------------------------------------------------------------------
+/** The same with the parts of all processes. */
+void PartWriter::Internals::JoinTogether()
+{
+  auto& exchange = *this->Exchange;
+  auto& agreement = *this->Agreement;
+  exchange.Together([&] { this->EndPartSurvey(); });
+  this->IsJoined = true;
+  agreement.AgreeOnParts(this->Parts, this->HasIds);
+  agreement.JoinPoints(this->Skins, this->Parts.size());
+  agreement.AgreeOnPalettes(this->Palettes);
+  exchange.Together([&] { this->PlaceParts(); });
+  agreement.SetPlaces(this->Places);
+  this->SendPoints();
+}
+
+//------------------------------------------------------------------------------
+/** Tells other processes of the points that they write or number, too. */
+void PartWriter::Internals::SendPoints()
+{
+  auto& agreement = *this->Agreement;
+  this->Exchange->Together(
+    [&]
+    {
+      const auto& own = agreement.GetOwn();
+      for (auto p = own.FirstPart; p < own.FirstPart + own.Parts; ++p)
+      {
+        this->Joins.push_back(this->Skins.Take(static_cast<std::uint32_t>(p)));
+        auto numbers = this->HasNumbers()
+          ? this->Numbers.Find(this->Places[p], this->Parts[p].Points, this->Joins.back())
+          : std::vector<std::uint64_t>();
+        agreement.KeepUnusedNumbers(p - own.FirstPart, this->Places[p].FirstPoint, numbers);
+      }
+    });
+  if (this->HasNumbers())
+  {
+    agreement.SendNumbers(this->Skins, this->Numbers.GetJoined());
+  }
+  agreement.SendUnused(this->Joins);
+}
+
+//------------------------------------------------------------------------------
+/** Makes the tables when the points of all parts have been joined. */
+void PartWriter::Internals::PlaceParts()
+{
   auto& meta = this->State.Meta;
-  meta.UnusedPoints -= this->Skins.GetDropped();
+  meta.UnusedPoints -= this->Skins.GetCounts().Dropped;
   for (std::size_t p = 0; p < this->Parts.size(); ++p)
   {
-    meta.Points -= this->Skins.GetRepeated(p);
+    meta.Points -= this->Skins.GetCounts().Repeated[p];
   }
   this->State.LinkGroups();
   PartPlace place;
@@ -195,10 +307,11 @@ void PartWriter::Internals::Join()
     }
     place.IsFirst = p == 0;
     place.IsLast = p + 1 == this->Parts.size();
+    place.IsFirstHere = p == this->GetNumber(0);
     this->Places.push_back(place);
     place.FirstChunk = end;
     place.FirstBlock += place.Blocks;
-    place.FirstPoint += part.Points - this->Skins.GetRepeated(p);
+    place.FirstPoint += part.Points - this->Skins.GetCounts().Repeated[p];
     place.FirstCell += part.Cells;
   }
   this->Mesh.SetPalettes(this->Palettes.FinishMesh());
@@ -222,13 +335,17 @@ void PartWriter::Internals::EndPart()
 void PartWriter::Internals::Write(
   const MeshInput& mesh, const std::int64_t* globalIds, const Progress& progress)
 {
+  if (!this->IsJoined && this->Exchange)
+  {
+    ThrowInvalid("the survey has to be ended before the first part is written");
+  }
   if (!this->IsJoined)
   {
-    this->Join();
+    this->JoinAlone();
   }
   this->EndPart();
-  const auto number = this->Written;
-  if (number >= this->Parts.size())
+  const auto number = this->GetNumber(this->Written);
+  if (this->Written >= this->GetNumberOfOwnParts())
   {
     ThrowInvalid("more parts are to be written than were surveyed");
   }
@@ -243,7 +360,8 @@ void PartWriter::Internals::Write(
   this->Part.emplace(mesh);
   this->Part->Place = this->Places[number];
   this->Mesh.MakeLayout(*this->Part, {});
-  this->ApplyJoins(this->Skins.Take(static_cast<std::uint32_t>(number)));
+  this->ApplyJoins(this->Agreement ? std::move(this->Joins[this->Written - 1])
+                                   : this->Skins.Take(static_cast<std::uint32_t>(number)));
   this->Mesh.Write(*this->Part, progress);
 }
 
@@ -253,9 +371,10 @@ void PartWriter::Internals::Write(
 void PartWriter::Internals::ApplyJoins(const PartJoins& joins)
 {
   auto& layout = this->Part->Layout;
-  if (this->Parts.size() > 1 && (this->Options.File.Keep & KeepPoints))
+  if (this->HasNumbers())
   {
-    this->NumberPoints(joins);
+    this->Part->PointNumbers =
+      this->Numbers.Find(this->Part->Place, this->Part->Mesh.GetMesh().Points, joins);
   }
   std::vector<std::uint8_t> isJoined(
     static_cast<std::size_t>(this->Part->Mesh.GetMesh().Points), 0);
@@ -300,44 +419,6 @@ void PartWriter::Internals::ApplyJoins(const PartJoins& joins)
 }
 
 //------------------------------------------------------------------------------
-/** Gives the points of the part their original numbers in the file. */
-void PartWriter::Internals::NumberPoints(const PartJoins& joins)
-{
-  constexpr std::uint64_t repeated = ~std::uint64_t{ 0 };
-  auto& numbers = this->Part->PointNumbers;
-  numbers.assign(static_cast<std::size_t>(this->Part->Mesh.GetMesh().Points), 0);
-  for (const auto point : joins.Dropped)
-  {
-    numbers[point] = repeated;
-  }
-  const auto isFirst = [&](std::uint32_t group)
-  { return this->Skins.GetGroup(group).front() >= this->Part->Place.FirstChunk; };
-  for (const auto& [group, points] : joins.Groups)
-  {
-    for (const auto point : points)
-    {
-      numbers[point] = isFirst(group) ? 0 : repeated;
-    }
-  }
-  auto next = this->Part->Place.FirstPoint;
-  for (auto& number : numbers)
-  {
-    number = number == repeated ? repeated : next++;
-  }
-  for (const auto& [group, points] : joins.Groups)
-  {
-    this->JoinedNumbers.resize(std::max<std::size_t>(this->JoinedNumbers.size(), group + 1));
-    auto& known = this->JoinedNumbers[group];
-    known.resize(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-      (isFirst(group) ? known[i] : numbers[points[i]]) =
-        isFirst(group) ? numbers[points[i]] : known[i];
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 void PartWriter::Internals::WriteStep(std::span<const void* const> values, const FieldData& field,
   bool hasTime, double time, const Progress& progress)
 {
@@ -345,7 +426,8 @@ void PartWriter::Internals::WriteStep(std::span<const void* const> values, const
   {
     ThrowInvalid("there is no part to write of which a further time step was surveyed");
   }
-  const auto& surveyed = this->Parts[this->Written - 1];
+  const auto number = this->GetNumber(this->Written - 1);
+  const auto& surveyed = this->Parts[number];
   const auto step = this->Steps.GetCount();
   if (step >= surveyed.StepHashes.size())
   {
@@ -355,8 +437,8 @@ void PartWriter::Internals::WriteStep(std::span<const void* const> values, const
     HashValues(this->State.Meta.Arrays, values, surveyed.Points, surveyed.Cells) !=
       surveyed.StepHashes[step])
   {
-    ThrowInvalid("the values of part " + std::to_string(this->Written - 1) +
-      " have changed since it was surveyed");
+    ThrowInvalid(
+      "the values of part " + std::to_string(number) + " have changed since it was surveyed");
   }
   const StepValues all{ values, &field, hasTime, time };
   this->Steps.WriteValues(*this->Part, all, progress);
@@ -370,34 +452,52 @@ void PartWriter::Internals::WriteStep(std::span<const void* const> values, const
 //------------------------------------------------------------------------------
 PartStatistics PartWriter::Internals::Finish()
 {
-  if (this->Parts.empty() || this->Written < this->Parts.size())
+  const auto end = [this]
   {
-    ThrowInvalid("not all parts have been written");
-  }
-  this->EndPart();
-  this->State.WriteTables();
-  this->State.File.AddSection(SectionMeta, this->State.Meta.Write());
+    if (this->Parts.empty() || this->Written < this->GetNumberOfOwnParts() ||
+      (this->Exchange && !this->IsJoined))
+    {
+      ThrowInvalid("not all parts have been written");
+    }
+    this->EndPart();
+  };
   PartStatistics statistics;
-  statistics.File = this->State.Commit();
+  if (this->Exchange)
+  {
+    this->Exchange->Together(end);
+    statistics.File = PartAssembly(*this->Exchange, *this->Agreement, this->State, this->Steps,
+      this->Common ? &*this->Common : nullptr)
+                        .Finish();
+  }
+  else
+  {
+    end();
+    this->State.WriteTables(this->State.File);
+    this->State.File.AddSection(SectionMeta, this->State.Meta.Write());
+    statistics.File = this->State.Commit(this->State.File);
+  }
   statistics.Points = this->State.Meta.Points;
   statistics.Cells = this->State.NumberOfCells;
-  for (std::size_t p = 0; p < this->Parts.size(); ++p)
+  const auto& counts = this->Skins.GetCounts();
+  for (const auto repeated : counts.Repeated)
   {
-    statistics.JoinedPoints += this->Skins.GetRepeated(p);
+    statistics.JoinedPoints += repeated;
   }
-  statistics.DifferentPoints = this->Skins.GetDifferent();
-  statistics.AmbiguousPoints = this->Skins.GetAmbiguous();
+  statistics.DifferentPoints = counts.Different;
+  statistics.AmbiguousPoints = counts.Ambiguous;
   statistics.SpilledBytes = this->Skins.GetSpilledBytes();
   return statistics;
 }
 
 //------------------------------------------------------------------------------
 PartWriter::PartWriter(const std::string& path, const std::vector<ArrayDescription>& arrays,
-  const PartWriterOptions& options)
+  const PartWriterOptions& options, PartExchange* exchange)
 {
   CheckOptions(options.File);
   KeepFreedMemory();
-  this->Self = std::make_unique<Internals>(path, arrays, options);
+  this->Self = exchange && exchange->GetProcesses() > 1
+    ? std::make_unique<Internals>(path, arrays, options, *exchange)
+    : std::make_unique<Internals>(path, arrays, options);
 }
 
 //------------------------------------------------------------------------------
@@ -414,6 +514,12 @@ void PartWriter::Survey(
 void PartWriter::SurveyStep(std::span<const void* const> values)
 {
   this->Self->SurveyStep(values);
+}
+
+//------------------------------------------------------------------------------
+void PartWriter::EndSurvey()
+{
+  this->Self->EndSurvey();
 }
 
 //------------------------------------------------------------------------------

@@ -20,6 +20,8 @@
 
 namespace gatun
 {
+class PartExchange;
+
 /** Options of PartWriter. */
 struct PartWriterOptions
 {
@@ -83,6 +85,23 @@ struct PartStatistics
  * 512 KiB for each component and step of arrays that have few different values; and the points that
  * no cell uses, with their values. With KeepPoints also 8 bytes for each point of several parts.
  *
+ * Several processes can write a file together. Each one surveys and writes its own parts, or none;
+ * the parts of the file are those of the first process, then those of the second, and so on. All
+ * give the same path, arrays and options. EndSurvey and Finish are collective. The other methods,
+ * and the constructor, may fail in one process, which the others have to be told:
+ * PartExchange::Together does that.
+ *
+ *     for each part of this process: Survey(part), and SurveyStep(values) for each time step
+ *     EndSurvey()
+ *     for each part of this process: Write(part), and WriteStep(values) for each time step
+ *     Finish()
+ *
+ * The bytes are those that one process writes. Between processes go the points on the boundaries of
+ * parts, those that no cell uses with their values, and tables: 300 bytes and 50 bytes for each
+ * array and time step a chunk. Each process writes into a temporary file in the spill folder, then
+ * copies it to its place in the file, which has a temporary name until it is complete. Memory: as
+ * above, three times the SpillMemory, and in the first process twice the tables of all.
+ *
  * The file appears at its path when Finish returns. The bytes do not depend on the number of
  * threads. Every method may throw Error (InvalidInput, CannotWrite, Aborted), after which only the
  * destructor may be called: no temporary file remains. Not thread safe.
@@ -93,8 +112,9 @@ public:
   /** As FileWriter::Progress, for the current call. */
   using Progress = std::function<bool(double)>;
 
+  /** exchange: with the other processes. Null: there are none. */
   PartWriter(const std::string& path, const std::vector<ArrayDescription>& arrays,
-    const PartWriterOptions& options);
+    const PartWriterOptions& options, PartExchange* exchange = nullptr);
   ~PartWriter();
   PartWriter(const PartWriter&) = delete;
   PartWriter& operator=(const PartWriter&) = delete;
@@ -105,6 +125,10 @@ public:
 
   /** Looks at the next time step of that part. values: as for FileWriter::WriteStep. */
   void SurveyStep(std::span<const void* const> values);
+
+  /** To be called by all processes when each one has surveyed its parts. Needed only if there are
+   * several. */
+  void EndSurvey();
 
   /** Writes the next part, the first one after the last call of Survey. The part must exist until
    * its last step has been written. */

@@ -37,6 +37,36 @@ void SharedGroups::Add(const ChunkSet& chunks, std::int64_t points)
 }
 
 //------------------------------------------------------------------------------
+void SharedGroups::Put(ByteWriter& out, std::uint32_t firstChunk) const
+{
+  out.PutVarint(this->Points.size());
+  for (const auto& [chunks, points] : this->Points)
+  {
+    out.PutVarint(chunks.size());
+    for (const auto chunk : chunks)
+    {
+      out.PutVarint(firstChunk + chunk);
+    }
+    out.Put(points);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SharedGroups::Add(ByteReader& in)
+{
+  ChunkSet chunks;
+  for (auto count = in.GetCount(1); count > 0; --count)
+  {
+    chunks.resize(static_cast<std::size_t>(in.GetCount(1)));
+    for (auto& chunk : chunks)
+    {
+      chunk = static_cast<std::uint32_t>(in.GetVarint());
+    }
+    this->Add(chunks, in.Get<std::int64_t>());
+  }
+}
+
+//------------------------------------------------------------------------------
 std::vector<BlockEntry> SharedGroups::MakeBlocks() const
 {
   std::vector<BlockEntry> blocks;

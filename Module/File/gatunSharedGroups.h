@@ -22,6 +22,12 @@ public:
   /** Adds points to a set, or removes them if points is negative. */
   void Add(const ChunkSet& chunks, std::int64_t points);
 
+  /** The groups for another process, with the given number added to those of chunks. */
+  void Put(ByteWriter& out, std::uint32_t firstChunk) const;
+
+  /** Adds the groups of another process. */
+  void Add(ByteReader& in);
+
   /** The groups in blocks, in the order of the file. Large groups are blocks of their own. The
    * small groups with the same first chunk are one block. Throws Error(InvalidInput) if there are
    * too many points in a group or block. */

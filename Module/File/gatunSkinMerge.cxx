@@ -12,7 +12,7 @@ namespace gatun
 //------------------------------------------------------------------------------
 void SkinMerge::Join(std::size_t parts, SharedGroups& groups)
 {
-  this->Repeated.assign(parts, 0);
+  this->Counts.Repeated.assign(parts, 0);
   this->Skins.Sort();
   std::vector<Member> members;
   while (const auto* first = this->Skins.Get())
@@ -57,8 +57,8 @@ void SkinMerge::Join(std::size_t parts, SharedGroups& groups)
         this->JoinEqual(members, groups);
       }
     }
-    this->Different += isOfSeveralParts ? different : 0;
-    this->Ambiguous += isOfSeveralParts ? ambiguous : 0;
+    this->Counts.Different += isOfSeveralParts ? different : 0;
+    this->Counts.Ambiguous += isOfSeveralParts ? ambiguous : 0;
   }
   this->Joins.Sort();
 }
@@ -81,7 +81,7 @@ void SkinMerge::JoinEqual(const std::vector<Member>& members, SharedGroups& grou
   const auto group = isOfSeveralParts ? this->FindGroup(chunks) : 0;
   for (const auto& member : members)
   {
-    this->Repeated[member.Part] += &member != kept;
+    this->Counts.Repeated[member.Part] += &member != kept;
     if (member.Chunks.empty())
     {
       if (&member != kept)
@@ -108,7 +108,7 @@ void SkinMerge::JoinEqual(const std::vector<Member>& members, SharedGroups& grou
 void SkinMerge::Drop(const Member& member)
 {
   this->Joins.Add({ member.Part, JoinRecord::Dropped, 0, 0, member.Point });
-  ++this->Dropped;
+  ++this->Counts.Dropped;
 }
 
 //------------------------------------------------------------------------------

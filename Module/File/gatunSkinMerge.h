@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gatun
@@ -48,6 +49,41 @@ struct PartJoins
   std::vector<std::uint32_t> Dropped; ///< unused points that another part has
 };
 
+/** A point of a part that other parts have, too. */
+struct JoinRecord
+{
+  static constexpr std::uint32_t Dropped = 0xffffffffu;
+
+  std::uint32_t Part = 0;
+  std::uint32_t Group = 0;  // a number of SkinMerge, or Dropped
+  std::uint64_t Morton = 0; // that of the point in the first part of the group
+  std::uint32_t First = 0;  // its number there
+  std::uint32_t Point = 0;
+
+  bool operator<(const JoinRecord& other) const
+  {
+    return this->Part != other.Part  ? this->Part < other.Part
+      : this->Group != other.Group   ? this->Group < other.Group
+      : this->Morton != other.Morton ? this->Morton < other.Morton
+      : this->First != other.First   ? this->First < other.First
+                                     : this->Point < other.Point;
+  }
+};
+
+/** Numbers of points that parts have in common. */
+struct JoinCounts
+{
+  /** How many points of each part belong to an earlier one. */
+  std::vector<std::uint64_t> Repeated;
+
+  std::uint64_t Dropped = 0; ///< unused ones of these, in all parts
+
+  /** How many points were left apart, though another part has a point with the same key: because of
+   * different values, or because there are several in one part. */
+  std::uint64_t Different = 0;
+  std::uint64_t Ambiguous = 0;
+};
+
 /**
  * Finds equal points of parts: those with equal keys and values. Points of one part are never
  * joined, and points that have several equal ones in a part are left apart, so that cracks stay.
@@ -78,16 +114,24 @@ public:
   /** The chunks of a group of points of several parts. */
   const ChunkSet& GetGroup(std::uint32_t group) const { return *this->Groups[group]; }
 
-  /** How many points of a part belong to an earlier one. */
-  std::uint64_t GetRepeated(std::size_t part) const { return this->Repeated[part]; }
+  const JoinCounts& GetCounts() const { return this->Counts; }
+  std::size_t GetNumberOfGroups() const { return this->Groups.size(); }
 
-  /** How many of these points are unused, in all parts. */
-  std::uint64_t GetDropped() const { return this->Dropped; }
+  /** The number of a group, which becomes known if it is not. */
+  std::uint32_t FindGroup(const ChunkSet& chunks);
 
-  /** How many points were left apart, though another part has a point with the same key: because of
-   * different values, or because there are several in one part. */
-  std::uint64_t GetDifferent() const { return this->Different; }
-  std::uint64_t GetAmbiguous() const { return this->Ambiguous; }
+  /** The next joined point in place of Take, for the process that has its part, or null. */
+  const JoinRecord* GetJoin() const { return this->Joins.Get(); }
+  void NextJoin() { this->Joins.Next(); }
+
+  /** Adds joined points that other processes have found, in place of Join. To be called for all of
+   * them, then with their numbers. */
+  void AddJoin(const JoinRecord& join) { this->Joins.Add(join); }
+  void SetJoined(JoinCounts counts)
+  {
+    this->Counts = std::move(counts);
+    this->Joins.Sort();
+  }
 
   std::uint64_t GetSpilledBytes() const
   {
@@ -104,39 +148,14 @@ private:
     ChunkSet Chunks; // of that part
   };
 
-  /** A point of a part that other parts have, too. */
-  struct JoinRecord
-  {
-    static constexpr std::uint32_t Dropped = 0xffffffffu;
-
-    std::uint32_t Part = 0;
-    std::uint32_t Group = 0;
-    std::uint64_t Morton = 0; // that of the point in the first part of the group
-    std::uint32_t First = 0;  // its number there
-    std::uint32_t Point = 0;
-
-    bool operator<(const JoinRecord& other) const
-    {
-      return this->Part != other.Part  ? this->Part < other.Part
-        : this->Group != other.Group   ? this->Group < other.Group
-        : this->Morton != other.Morton ? this->Morton < other.Morton
-        : this->First != other.First   ? this->First < other.First
-                                       : this->Point < other.Point;
-    }
-  };
-
   void JoinEqual(const std::vector<Member>& members, SharedGroups& groups);
   void Drop(const Member& member);
-  std::uint32_t FindGroup(const ChunkSet& chunks);
 
   SpillSorter<SkinRecord> Skins;
   SpillSorter<JoinRecord> Joins;
   std::map<ChunkSet, std::uint32_t> GroupNumbers;
   std::vector<const ChunkSet*> Groups;
-  std::vector<std::uint64_t> Repeated;
-  std::uint64_t Dropped = 0;
-  std::uint64_t Different = 0;
-  std::uint64_t Ambiguous = 0;
+  JoinCounts Counts;
 };
 }
 

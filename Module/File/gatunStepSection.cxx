@@ -68,7 +68,7 @@ void StepSection::Check(const WriterPart& part, const StepValues& values) const
   {
     ThrowInvalid("the time of a step is not a number");
   }
-  if (!part.Place.IsFirst)
+  if (!part.Place.IsFirstHere)
   {
     if (this->Count == this->Steps.size())
     {
@@ -120,9 +120,9 @@ void StepSection::Begin(const WriterPart& part, const StepValues& values)
     {
       entry.Blocks.resize(this->State.Table.Blocks.size() + 1);
     }
-    this->WritePalettes(a, batch);
+    this->WritePalettes(a, part.Place.IsFirst, batch);
   }
-  if (values.Field)
+  if (values.Field && part.Place.IsFirst)
   {
     this->AddFieldData(*values.Field, step.Table, batch);
   }
@@ -134,7 +134,7 @@ void StepSection::Begin(const WriterPart& part, const StepValues& values)
 }
 
 //------------------------------------------------------------------------------
-void StepSection::WritePalettes(std::size_t a, StreamBatch& batch)
+void StepSection::WritePalettes(std::size_t a, bool isFirst, StreamBatch& batch)
 {
   auto& step = this->GetStep();
   auto& entry = step.Table.Arrays[a];
@@ -145,6 +145,10 @@ void StepSection::WritePalettes(std::size_t a, StreamBatch& batch)
     {
       step.IsPlain[a] = false;
       entry.Palettes[c].Count = palette->size();
+      if (!isFirst)
+      {
+        continue;
+      }
       const auto stream = EncodePalette(this->State.Meta.Arrays[a].Type, *palette);
       batch.Add(stream, entry.Palettes[c].Stream);
       this->State.Statistics.ArrayBytes[a] += stream.size();
@@ -157,7 +161,7 @@ StepInput& StepSection::WriteValues(
   WriterPart& part, const StepValues& values, const std::function<bool(double)>& progress)
 {
   this->Check(part, values);
-  if (part.Place.IsFirst)
+  if (part.Place.IsFirstHere)
   {
     this->Begin(part, values);
   }
@@ -362,7 +366,11 @@ void StepSection::WriteChunkValues(WriterPart& part, const std::function<bool(do
 void StepSection::Finish(WriterPart& part, const StepValues& values)
 {
   auto& step = this->GetStep();
-  if (part.Place.IsLast)
+  if (part.Place.IsLast && this->KeepsTables)
+  {
+    this->Ends.push_back(this->State.File.GetSize());
+  }
+  else if (part.Place.IsLast)
   {
     this->State.File.AddSection(SectionStep, step.Table.Write());
     step.Table.Arrays = {};

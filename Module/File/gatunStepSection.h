@@ -59,6 +59,13 @@ public:
   /** Sets the palettes of a step. If they are not set, they are those of the first part. */
   void SetPalettes(std::size_t step, StepPalettes palettes);
 
+  /** Leaves the STEP sections to one of the processes that write the file. */
+  void KeepTables() { this->KeepsTables = true; }
+
+  /** The tables of the steps, and the size of the file behind each one, if they are kept. */
+  std::vector<StepInput>& GetSteps() { return this->Steps; }
+  const std::vector<std::uint64_t>& GetEnds() const { return this->Ends; }
+
   /** Writes the next step of a part except the STEP section. Times must ascend, and be those of
    * the first part. The result is valid until the next call. */
   StepInput& WriteValues(
@@ -82,7 +89,7 @@ private:
   void Check(const WriterPart& part, const StepValues& values) const;
   void Begin(const WriterPart& part, const StepValues& values);
   void AddArray(std::size_t a, const WriterPart& part, const void* values);
-  void WritePalettes(std::size_t a, StreamBatch& batch);
+  void WritePalettes(std::size_t a, bool isFirst, StreamBatch& batch);
   void AddFieldData(const FieldData& field, StepTable& step, StreamBatch& batch);
   void TakeUnused(const WriterPart& part);
   std::vector<Bytes> EncodeBlock(std::span<const std::uint32_t> points) const;
@@ -96,6 +103,8 @@ private:
   WriterState& State;
   std::vector<StepInput> Steps;
   std::size_t Count = 0;
+  bool KeepsTables = false;
+  std::vector<std::uint64_t> Ends;
   Bytes LastField;
   StreamRef LastFieldRef;
   std::vector<Bytes> Before; // values of the previous step of this part

@@ -35,8 +35,9 @@ struct PartPlace
   std::size_t Blocks = 0;
   std::uint64_t FirstPoint = 0; // original numbers
   std::uint64_t FirstCell = 0;
-  bool IsFirst = true;
+  bool IsFirst = true; // of the file
   bool IsLast = true;
+  bool IsFirstHere = true; // of those that this process writes
 };
 
 /** A part of the mesh of a file: its input, its chunks and their shared points. */

@@ -35,6 +35,15 @@ WriterState::WriterState(const std::string& path, const std::vector<ArrayDescrip
 }
 
 //------------------------------------------------------------------------------
+WriterState::WriterState(const std::vector<ArrayDescription>& arrays, const WriterOptions& options,
+  const std::string& folder)
+  : Options(options)
+  , File(folder, GetMinorVersion(options, false))
+{
+  this->DescribeArrays(arrays);
+}
+
+//------------------------------------------------------------------------------
 WriterState::WriterState(const WriterState& whole, const WriterOptions& options)
   : Options(options)
   , File(whole.File, GetMinorVersion(options, false))
@@ -114,25 +123,25 @@ void WriterState::LinkGroups()
 }
 
 //------------------------------------------------------------------------------
-void WriterState::WriteTables()
+void WriterState::WriteTables(OutputFile& file) const
 {
   if (this->HasCells)
   {
-    this->File.AddSection(SectionCells, this->Cells.Write());
+    file.AddSection(SectionCells, this->Cells.Write());
   }
   const auto keep = this->Options.Keep;
   const bool isWide =
     ((keep & KeepPoints) && GetNumberType(this->Meta.Points) != ScalarType::UInt32) ||
     ((keep & KeepCells) && GetNumberType(this->NumberOfCells) != ScalarType::UInt32);
-  this->File.AddSection(SectionTable, this->Table.Write(keep), FlagMandatory,
+  file.AddSection(SectionTable, this->Table.Write(keep), FlagMandatory,
     isWide ? TableVersionWithWideNumbers : SectionVersion);
 }
 
 //------------------------------------------------------------------------------
-FileStatistics WriterState::Commit()
+FileStatistics WriterState::Commit(OutputFile& file)
 {
   FileStatistics& s = this->Statistics;
-  s.FileBytes = this->File.Commit();
+  s.FileBytes = file.Commit();
   s.DirectoryBytes = s.FileBytes - s.ConnectivityBytes - s.GeometryBytes - s.SharedGeometryBytes -
     s.OrderBytes - s.FieldDataBytes - s.TreeBytes - s.LevelBytes;
   for (const auto bytes : s.ArrayBytes)

@@ -73,6 +73,10 @@ public:
   WriterState(const std::string& path, const std::vector<ArrayDescription>& arrays,
     const WriterOptions& options);
 
+  /** The part of a file that one of several processes writes, in a temporary file in a folder. */
+  WriterState(const std::vector<ArrayDescription>& arrays, const WriterOptions& options,
+    const std::string& folder);
+
   /** A base mesh of another file. */
   WriterState(const WriterState& whole, const WriterOptions& options);
 
@@ -87,10 +91,10 @@ public:
   void LinkGroups();
 
   /** Writes the tables of cells, blocks and chunks. */
-  void WriteTables();
+  void WriteTables(OutputFile& file) const;
 
-  /** Moves the file to its path when all sections have been added. Returns the statistics. */
-  FileStatistics Commit();
+  /** Moves a file to its path when all sections have been added. Returns the statistics. */
+  FileStatistics Commit(OutputFile& file);
 
   const WriterOptions Options;
   OutputFile File;

@@ -5,12 +5,14 @@
 
 #include "gatunError.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <system_error>
+#include <vector>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -66,11 +68,17 @@ std::string GetDescriptorName(const FileHandle& handle)
 
 //------------------------------------------------------------------------------
 AtomicFile::AtomicFile(const std::string& path, bool replaceReadOnly)
+  : AtomicFile(path, replaceReadOnly, Naming::AtCommit)
+{
+}
+
+//------------------------------------------------------------------------------
+AtomicFile::AtomicFile(const std::string& path, bool replaceReadOnly, Naming naming)
   : Path(path)
   , Target(path)
 {
   this->CheckTarget(replaceReadOnly);
-  this->Create(true);
+  this->Create(naming);
 }
 
 //------------------------------------------------------------------------------
@@ -78,7 +86,13 @@ AtomicFile::AtomicFile(const std::string& path, const std::string& target)
   : Path(path)
   , Target(target)
 {
-  this->Create(false);
+  this->Create(Naming::Never);
+}
+
+//------------------------------------------------------------------------------
+AtomicFile AtomicFile::MakeCommon(const std::string& path, bool replaceReadOnly)
+{
+  return { path, replaceReadOnly, Naming::Always };
 }
 
 //------------------------------------------------------------------------------
@@ -149,18 +163,18 @@ void AtomicFile::CheckTarget(bool replaceReadOnly)
 }
 
 //------------------------------------------------------------------------------
-void AtomicFile::Create(bool mayHaveName)
+void AtomicFile::Create(Naming naming)
 {
   // The kernel applies the umask. Until the permissions of an existing file are copied, nobody else
   // may read the new one.
-  const ::mode_t mode = mayHaveName && !this->Replaces ? 0666 : 0600;
-  if (this->CreateUnnamed(mode) != 0)
+  const ::mode_t mode = naming != Naming::Never && !this->Replaces ? 0666 : 0600;
+  if (naming == Naming::Always || this->CreateUnnamed(mode) != 0)
   {
     if (const int error = this->CreateNamed(mode))
     {
       this->Fail(error);
     }
-    if (!mayHaveName)
+    if (naming == Naming::Never)
     {
       ::unlink(this->Temporary.c_str());
       this->Temporary.clear();
@@ -203,7 +217,7 @@ int AtomicFile::CreateNamed(::mode_t mode)
 //------------------------------------------------------------------------------
 void AtomicFile::Write(std::span<const std::uint8_t> bytes)
 {
-  if (const int error = this->Handle.Write(bytes))
+  if (const int error = this->Handle.WriteAt(this->Size, bytes))
   {
     this->Fail(error);
   }
@@ -222,6 +236,44 @@ void AtomicFile::ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) con
     throw Error(ErrorCode::CannotWrite,
       { .Path = this->Path, .What = "cannot write: a temporary file became shorter" });
   }
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t AtomicFile::Skip(std::uint64_t bytes)
+{
+  const auto offset = this->Size;
+  this->Size += bytes;
+  return offset;
+}
+
+//------------------------------------------------------------------------------
+void AtomicFile::CopyTo(
+  const std::string& temporary, std::uint64_t from, std::uint64_t to, std::uint64_t bytes) const
+{
+  constexpr std::uint64_t mostAtOnce = 4u << 20;
+  FileHandle file;
+  const auto check = [&](int error)
+  {
+    if (error != 0)
+    {
+      throw Error(ErrorCode::CannotWrite,
+        { .Path = temporary, .What = "cannot write", .SystemError = error });
+    }
+  };
+  check(file.Open(temporary, O_WRONLY));
+  std::vector<std::uint8_t> buffer(static_cast<std::size_t>(std::min(mostAtOnce, bytes)));
+  while (bytes > 0)
+  {
+    const auto part =
+      std::span(buffer).first(static_cast<std::size_t>(std::min(mostAtOnce, bytes)));
+    this->ReadAt(from, part);
+    check(file.WriteAt(to, part));
+    from += part.size();
+    to += part.size();
+    bytes -= part.size();
+  }
+  check(::fsync(file.GetDescriptor()) == 0 ? 0 : errno);
+  check(file.Close());
 }
 
 //------------------------------------------------------------------------------

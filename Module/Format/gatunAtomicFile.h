@@ -33,6 +33,9 @@ public:
   /** replaceReadOnly: whether to replace an existing file that this user may not write. */
   AtomicFile(const std::string& path, bool replaceReadOnly);
 
+  /** A file that other processes write, too: the temporary file always has a name. */
+  static AtomicFile MakeCommon(const std::string& path, bool replaceReadOnly);
+
   /** A scratch file in the folder of another one. It has no name and cannot be committed. */
   static AtomicFile MakeScratch(const AtomicFile& neighbor);
 
@@ -54,14 +57,32 @@ public:
   /** Reads bytes that have been written. */
   void ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const;
 
+  /** The name of the temporary file, if it has one. */
+  const std::string& GetTemporary() const { return this->Temporary; }
+
+  /** Leaves out the next bytes, which another process writes. Returns their offset. */
+  std::uint64_t Skip(std::uint64_t bytes);
+
+  /** Writes bytes into the temporary file of another process. */
+  void CopyTo(
+    const std::string& temporary, std::uint64_t from, std::uint64_t to, std::uint64_t bytes) const;
+
   /** Moves the data to the disk and the file to its path. */
   void Commit();
 
 private:
+  enum class Naming
+  {
+    Never,    // a scratch file
+    AtCommit, // where the file system allows that
+    Always
+  };
+
   AtomicFile(const std::string& path, const std::string& target);
+  AtomicFile(const std::string& path, bool replaceReadOnly, Naming naming);
 
   void CheckTarget(bool replaceReadOnly);
-  void Create(bool mayHaveName);
+  void Create(Naming naming);
   int CreateUnnamed(::mode_t mode);
   int CreateNamed(::mode_t mode);
   int Link();

@@ -61,17 +61,19 @@ int FileHandle::ReadAt(std::uint64_t offset, std::span<std::uint8_t>& bytes) con
 }
 
 //------------------------------------------------------------------------------
-int FileHandle::Write(std::span<const std::uint8_t> bytes)
+int FileHandle::WriteAt(std::uint64_t offset, std::span<const std::uint8_t> bytes)
 {
   while (!bytes.empty())
   {
-    const auto written = ::write(this->Descriptor, bytes.data(), bytes.size());
+    const auto written =
+      ::pwrite(this->Descriptor, bytes.data(), bytes.size(), static_cast<::off_t>(offset));
     if (written == 0)
     {
       return ENOSPC;
     }
     if (written > 0)
     {
+      offset += static_cast<std::uint64_t>(written);
       bytes = bytes.subspan(static_cast<std::size_t>(written));
     }
     else if (errno != EINTR)

@@ -36,8 +36,8 @@ public:
    * file ends before. Thread safe. */
   int ReadAt(std::uint64_t offset, std::span<std::uint8_t>& bytes) const;
 
-  /** Writes all bytes at the current position. */
-  int Write(std::span<const std::uint8_t> bytes);
+  /** Writes all bytes at an offset, which may lie behind the end of the file. */
+  int WriteAt(std::uint64_t offset, std::span<const std::uint8_t> bytes);
 
   /** Closes the file. Reports write errors that the system had deferred. */
   int Close();

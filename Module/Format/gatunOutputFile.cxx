@@ -42,20 +42,67 @@ OutputFile::OutputFile(const OutputFile& whole, std::uint16_t minorVersion)
 }
 
 //------------------------------------------------------------------------------
+OutputFile::OutputFile(const std::string& folder, std::uint16_t minorVersion)
+  : Kind(MeshContainer)
+  , Data(AtomicFile::MakeScratch(folder))
+  , Header(MakeHeader(MeshContainer, minorVersion))
+{
+}
+
+//------------------------------------------------------------------------------
+OutputFile::OutputFile(
+  Common, const std::string& path, bool replaceReadOnly, std::uint16_t minorVersion)
+  : Kind(MeshContainer)
+  , Data(AtomicFile::MakeCommon(path, replaceReadOnly))
+  , Header(MakeHeader(MeshContainer, minorVersion))
+{
+}
+
+//------------------------------------------------------------------------------
 void OutputFile::SetMinorVersion(std::uint16_t version)
 {
   this->Header = MakeHeader(this->Kind, version);
 }
 
 //------------------------------------------------------------------------------
-/** Writes the header of a section, and that of the file before the first one. */
-void OutputFile::WriteSectionHeader(const SectionRef& section)
+/** Writes the header of the file before the first section. */
+void OutputFile::WriteHeader()
 {
-  ByteWriter header;
   if (this->Data.GetSize() == 0)
   {
-    header.PutBytes(this->Header);
+    this->Data.Write(this->Header);
   }
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t OutputFile::GetSize() const
+{
+  return std::max<std::uint64_t>(this->Data.GetSize(), this->Header.size());
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t OutputFile::AddSections(
+  const std::vector<SectionRef>& sections, std::uint64_t begin, std::uint64_t end)
+{
+  this->WriteHeader();
+  const auto offset = this->Data.Skip(end - begin);
+  for (const auto& section : sections)
+  {
+    // Positions are those of payloads, which follow headers.
+    if (section.Payload.Offset > begin && section.Payload.Offset <= end)
+    {
+      auto& added = this->Sections.emplace_back(section);
+      added.Payload.Offset = section.Payload.Offset - begin + offset;
+    }
+  }
+  return offset;
+}
+
+//------------------------------------------------------------------------------
+void OutputFile::WriteSectionHeader(const SectionRef& section)
+{
+  this->WriteHeader();
+  ByteWriter header;
   PutSectionHeader(header, section);
   this->Data.Write(header.Data);
 }

@@ -28,8 +28,21 @@ public:
   /** A file that will be embedded in another one as a section. It never has a name. */
   OutputFile(const OutputFile& whole, std::uint16_t minorVersion);
 
+  /** The sections of one process of those that write a file together, in a scratch file in a
+   * folder. */
+  OutputFile(const std::string& folder, std::uint16_t minorVersion);
+
+  /** Tells a constructor that several processes write the file. */
+  struct Common
+  {
+  };
+
+  /** The file that such processes write together. Its temporary file has a name. */
+  OutputFile(Common, const std::string& path, bool replaceReadOnly, std::uint16_t minorVersion);
+
   /** Changes the version. To be called before the first section is added. */
   void SetMinorVersion(std::uint16_t version);
+  void SetMinorVersion(const OutputFile& other) { this->Header = other.Header; }
 
   /** Appends a section. Returns the offset of its payload. */
   std::uint64_t AddSection(FourCC name, std::span<const std::uint8_t> payload,
@@ -39,10 +52,29 @@ public:
    * that file. */
   std::uint64_t AddSection(FourCC name, OutputFile& part);
 
+  /** The number of bytes so far, with the header of the file. */
+  std::uint64_t GetSize() const;
+
+  const std::vector<SectionRef>& GetSections() const { return this->Sections; }
+  const std::string& GetTemporary() const { return this->Data.GetTemporary(); }
+
+  /** Takes sections that another process writes, which are bytes begin to end there. Returns their
+   * offset here. */
+  std::uint64_t AddSections(
+    const std::vector<SectionRef>& sections, std::uint64_t begin, std::uint64_t end);
+
+  /** Copies bytes of sections into the temporary file of another process. */
+  void CopyTo(
+    const std::string& temporary, std::uint64_t from, std::uint64_t to, std::uint64_t bytes) const
+  {
+    this->Data.CopyTo(temporary, from, to, bytes);
+  }
+
   /** Writes directory and trailer and moves the file to its path. Returns the file's size. */
   std::uint64_t Commit();
 
 private:
+  void WriteHeader();
   void WriteSectionHeader(const SectionRef& section);
   void WriteEnd();
 

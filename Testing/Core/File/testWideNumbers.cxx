@@ -76,9 +76,9 @@ void WriteWide(const std::string& path, const TestMesh& mesh, std::uint8_t keep)
   part.PlaceShared(state.Table, groups);
   section.SetPalettes({});
   section.Write(part, {});
-  state.WriteTables();
+  state.WriteTables(state.File);
   state.File.AddSection(SectionMeta, state.Meta.Write());
-  state.Commit();
+  state.Commit(state.File);
 }
 
 /** The version of the section TABL in a file, by the format's text. */
