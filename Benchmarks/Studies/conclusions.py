@@ -95,7 +95,7 @@ def _parts(results):
     whole, *pieces = results["compared"]
     sizes = [one["bytes"] / whole["bytes"] for one in pieces]
     return f"""A mesh of {largest["tets"]:,} tetrahedra was packed in {largest["pieces"]} pieces with
-        {number(packing["peak"] / 2**20)} MiB, in {number(packing["seconds"])} s. To {" and ".join(use["what"] for use in uses)}
+        {number(packing["peak"] / 2**20)} MiB, in {number(packing["seconds"])} s. To {", ".join(use["what"] for use in uses)}
         the file took {span([use["peak"] / 2**20 for use in uses])} MiB. Files packed in
         pieces are {span(sizes, ratio)} times as large as those packed as a whole."""
 
