@@ -6,6 +6,7 @@
 #include "gatunArrayBridge.h"
 #include "gatunBridgedMesh.h"
 #include "gatunCellInput.h"
+#include "gatunControllerExchange.h"
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
 #include "gatunReport.h"
@@ -22,6 +23,7 @@
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -59,6 +61,7 @@ vtkGatunWriter::~vtkGatunWriter()
   this->SetFileName(nullptr);
   this->SetLayerArray(nullptr);
   this->SetSpillFolder(nullptr);
+  this->SetController(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -86,6 +89,7 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SpillMemory: " << this->SpillMemory << "\n";
   os << indent << "SpillFolder: " << (this->SpillFolder ? this->SpillFolder : "(none)") << "\n";
   os << indent << "JoinAllPoints: " << (this->JoinAllPoints ? "On" : "Off") << "\n";
+  os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "WrittenPoints: " << this->WrittenPoints << "\n";
   os << indent << "WrittenCells: " << this->WrittenCells << "\n";
   os << indent << "WrittenSteps: " << this->WrittenSteps << "\n";
@@ -126,6 +130,9 @@ void vtkGatunWriter::SetChunkTets(int tets)
     this->Modified();
   }
 }
+
+//------------------------------------------------------------------------------
+vtkCxxSetObjectMacro(vtkGatunWriter, Controller, vtkMultiProcessController);
 
 //------------------------------------------------------------------------------
 void vtkGatunWriter::SetArrayWeight(const char* name, double weight)
@@ -173,7 +180,11 @@ int vtkGatunWriter::Write()
   this->SetErrorCode(vtkErrorCode::NoError);
   try
   {
-    if (!(this->NumberOfPieces > 1 ? this->WritePieces() : this->WriteSteps()) &&
+    if (this->Controller && this->Controller->GetNumberOfProcesses() > 1)
+    {
+      this->WriteTogether();
+    }
+    else if (!(this->NumberOfPieces > 1 ? this->WritePieces() : this->WriteSteps()) &&
       this->GetErrorCode() == vtkErrorCode::NoError)
     {
       throw std::runtime_error("not written, as the input could not be updated");
@@ -217,7 +228,7 @@ bool vtkGatunWriter::WriteSteps()
 bool vtkGatunWriter::WritePieces()
 {
   vtkInternals& self = *this->Internals;
-  self.BeginPieces();
+  self.BeginPieces(this->NumberOfPieces);
   for (const bool surveying : { true, false })
   {
     self.Surveying = surveying;
@@ -240,6 +251,60 @@ bool vtkGatunWriter::WritePieces()
   this->WriteTime.Modified();
   this->UpdateProgress(1);
   return true;
+}
+
+//------------------------------------------------------------------------------
+// Writes the piece of this process together with those of the others. What may fail in one process
+// runs in PartExchange::Together, so that all fail.
+void vtkGatunWriter::WriteTogether()
+{
+  vtkInternals& self = *this->Internals;
+  gatun::ControllerExchange exchange(this->Controller);
+  exchange.Together(
+    [&]
+    {
+      if (!this->FileName || !*this->FileName)
+      {
+        gatun::ThrowInvalid("no FileName was set");
+      }
+      self.BeginPieces(exchange.GetProcesses());
+      self.Piece = exchange.GetProcess();
+      self.IsTogether = true;
+    });
+  for (const bool surveying : { true, false })
+  {
+    self.Surveying = surveying;
+    self.Step = 0;
+    for (std::size_t step = 0; step < self.GetNumberOfSteps(); ++step)
+    {
+      exchange.Together(
+        [&]
+        {
+          self.Input = nullptr;
+          this->Modified();
+          this->UpdateWholeExtent();
+          if (!self.Input)
+          {
+            gatun::ThrowInvalid("the input could not be updated");
+          }
+        });
+      vtkSmartPointer<vtkUnstructuredGrid> input = self.Input;
+      if (surveying && step == 0)
+      {
+        vtkSmartPointer<vtkUnstructuredGrid> cells;
+        exchange.Together([&] { cells = gatun::MakeCellInput(input, this->SplitCells).Grid; });
+        self.Pieces->OpenTogether(exchange, cells, self.GetNumberOfSteps());
+      }
+      exchange.Together([&] { this->WritePiece(input); });
+    }
+    if (surveying)
+    {
+      self.Pieces->EndSurvey();
+    }
+  }
+  self.FinishPieces();
+  this->WriteTime.Modified();
+  this->UpdateProgress(1);
 }
 
 //------------------------------------------------------------------------------
@@ -309,7 +374,7 @@ vtkTypeBool vtkGatunWriter::ProcessRequest(
     {
       inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), self.Piece);
       inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(),
-        self.Pieces ? this->NumberOfPieces : 1);
+        self.Pieces ? self.PieceCount : 1);
       inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
     }
     return 1;
@@ -335,6 +400,12 @@ int vtkGatunWriter::RequestData(vtkInformation* vtkNotUsed(request),
     if (!input)
     {
       gatun::ThrowInvalid("the input is not a vtkUnstructuredGrid");
+    }
+    if (self.IsTogether)
+    {
+      self.Input = input;
+      self.AreTimesKnown = true;
+      return 1;
     }
     if (self.Pieces)
     {
@@ -422,8 +493,9 @@ void vtkGatunWriter::WritePiece(vtkUnstructuredGrid* input)
     self.Warn(warning);
   }
   const double steps = static_cast<double>(self.GetNumberOfSteps());
-  const double all = 2 * steps * this->NumberOfPieces;
-  const double done = static_cast<double>(self.Step) + steps * self.Piece;
+  const int pieces = self.IsTogether ? 1 : self.PieceCount; // of this process
+  const double all = 2 * steps * pieces;
+  const double done = static_cast<double>(self.Step) + (self.IsTogether ? 0 : steps * self.Piece);
   const bool isFirst = self.Step == 0;
   this->UpdateProgress(self.Surveying ? done / all : 0.5 + done / all);
   if (self.Surveying)

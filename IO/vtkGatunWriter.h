@@ -36,6 +36,11 @@
  * that differ stay apart, with a warning. An input that does not know pieces is one piece. The time
  * steps of a piece follow each other. A hierarchy and layers need the whole mesh and are an error.
  *
+ * Processes: with Controller, each process writes the piece that it has, one of as many as there
+ * are processes. Points of several pieces become one as above. Only the points on the boundaries of
+ * pieces and tables are sent. A piece may have no cells; it then needs no arrays. An error of one
+ * process is one of all, and no file appears. NumberOfPieces has no effect.
+ *
  * *Cost.* Peak memory below 3 times the mesh and one step of its arrays, the input included; when
  * cells are split, that of the split mesh in addition. All threads of vtkSMPTools are used; the
  * bytes written do not depend on their number.
@@ -65,6 +70,7 @@ VTK_ABI_NAMESPACE_BEGIN
 #endif
 
 class vtkDataArraySelection;
+class vtkMultiProcessController;
 class vtkUnstructuredGrid;
 
 class VTKGATUNIO_EXPORT vtkGatunWriter : public vtkWriter
@@ -282,6 +288,16 @@ public:
 
   ///@{
   /**
+   * The processes that write the file together, each one the piece of the input that it has. All
+   * must have an input and the same options, and call Write. Null: this process alone. Default:
+   * null.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
+  ///@{
+  /**
    * The memory for points on the boundaries of pieces, in MiB, 1 and more; further ones are put
    * into temporary files. Default: 64.
    */
@@ -388,6 +404,7 @@ protected:
   int SpillMemory = 64;
   char* SpillFolder = nullptr;
   bool JoinAllPoints = false;
+  vtkMultiProcessController* Controller = nullptr;
 
   vtkTypeUInt64 WrittenPoints = 0;
   vtkTypeUInt64 WrittenCells = 0;
@@ -408,6 +425,7 @@ private:
 
   bool WriteSteps();
   bool WritePieces();
+  void WriteTogether();
   void WritePiece(vtkUnstructuredGrid* input);
   void WriteStep(vtkUnstructuredGrid* input);
   bool HandleFailure() noexcept;

@@ -124,8 +124,9 @@ gatun::GridPieces::Step vtkGatunWriter::vtkInternals::DescribeStep(
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunWriter::vtkInternals::BeginPieces()
+void vtkGatunWriter::vtkInternals::BeginPieces(int pieces)
 {
+  this->PieceCount = pieces;
   const vtkGatunWriter* owner = this->Owner;
   if (owner->Hierarchy || (owner->LayerArray && *owner->LayerArray))
   {
@@ -153,13 +154,14 @@ void vtkGatunWriter::vtkInternals::FinishPieces()
   {
     this->Warn("integer coordinates are written as double");
   }
-  if (statistics.DifferentPoints > 0)
+  const bool isFirst = !this->IsTogether || this->Piece == 0; // all processes know the numbers
+  if (isFirst && statistics.DifferentPoints > 0)
   {
     this->Warn(std::to_string(statistics.DifferentPoints) +
       " points of a piece are where another piece has one with other values, or have its global "
       "id elsewhere, and are kept apart");
   }
-  if (statistics.AmbiguousPoints > 0)
+  if (isFirst && statistics.AmbiguousPoints > 0)
   {
     this->Warn(std::to_string(statistics.AmbiguousPoints) +
       " points are kept apart, because several points of a piece are where another piece has one; "

@@ -44,7 +44,7 @@ public:
     vtkUnstructuredGrid* grid, const std::vector<gatun::BridgedArray>& arrays);
   void PublishStatistics(
     const gatun::FileStatistics& statistics, std::uint64_t points, std::uint64_t cells);
-  void BeginPieces();
+  void BeginPieces(int pieces);
   void FinishPieces();
   gatun::GridPieces::Step DescribeStep(vtkUnstructuredGrid* input, vtkFieldData* fieldData);
 
@@ -69,14 +69,22 @@ public:
   // While pieces are being written.
   std::unique_ptr<gatun::GridPieces> Pieces;
   int Piece = 0;
+  int PieceCount = 1;
   bool Surveying = false;
   bool AreTimesKnown = false;
+
+  // If several processes write the file: the input of this one, or the failure to get it.
+  bool IsTogether = false;
+  vtkSmartPointer<vtkUnstructuredGrid> Input;
 
   void Discard()
   {
     this->Pieces.reset();
     this->AreTimesKnown = false;
     this->Piece = 0;
+    this->PieceCount = 1;
+    this->IsTogether = false;
+    this->Input = nullptr;
     this->File.reset();
     this->Mesh.reset();
     this->Arrays.clear();

@@ -14,6 +14,8 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <functional>
+#include <optional>
 #include <utility>
 
 namespace gatun
@@ -128,6 +130,50 @@ void GridPieces::Open(const Input& input)
 }
 
 //------------------------------------------------------------------------------
+void GridPieces::OpenTogether(PartExchange& exchange, vtkUnstructuredGrid* piece, std::size_t steps)
+{
+  const bool isEmpty = piece->GetNumberOfPoints() == 0 && piece->GetNumberOfCells() == 0;
+  std::optional<std::vector<ArrayDescription>> own;
+  exchange.Together(
+    [&]
+    {
+      if (!isEmpty)
+      {
+        own.emplace();
+        for (const auto& array : this->MakeInput(piece, 0).Arrays)
+        {
+          own->push_back(array.Description);
+        }
+      }
+    });
+  const auto arrays = exchange.TakeArrays(own);
+  const auto* number = reinterpret_cast<const std::uint8_t*>(&steps);
+  const auto numbers = exchange.Gather({ number, number + sizeof(steps) });
+  exchange.Together(
+    [&]
+    {
+      if (std::adjacent_find(numbers.begin(), numbers.end(), std::not_equal_to<>()) !=
+        numbers.end())
+      {
+        ThrowInvalid("the processes have different numbers of time steps");
+      }
+      this->Arrays = arrays.value_or(std::vector<ArrayDescription>());
+      this->File = std::make_unique<PartWriter>(this->Path, this->Arrays, this->Options, &exchange);
+    });
+  this->WritesEmpty = !arrays && exchange.GetProcess() == 0;
+}
+
+//------------------------------------------------------------------------------
+void GridPieces::EndSurvey()
+{
+  if (this->WritesEmpty)
+  {
+    this->File->Survey({});
+  }
+  this->File->EndSurvey();
+}
+
+//------------------------------------------------------------------------------
 /** Whether a piece is to be skipped. It must have no points at all steps then. */
 bool GridPieces::IsEmpty(vtkUnstructuredGrid* piece, bool isFirst, std::size_t number)
 {
@@ -207,6 +253,10 @@ PartStatistics GridPieces::Finish()
     this->File =
       std::make_unique<PartWriter>(this->Path, std::vector<ArrayDescription>(), this->Options);
     this->File->Survey({});
+    this->File->Write({});
+  }
+  else if (this->WritesEmpty)
+  {
     this->File->Write({});
   }
   auto statistics = this->File->Finish();

@@ -7,6 +7,7 @@
 #include "gatunArrayBridge.h"
 #include "gatunBridgedMesh.h"
 #include "gatunFieldData.h"
+#include "gatunPartExchange.h"
 #include "gatunPartWriter.h"
 
 #include "vtkGatunIOModule.h" // For export macro
@@ -37,6 +38,9 @@ namespace gatun
  * cells are skipped. Points are joined by the global ids of their piece, if it has any, or else by
  * their coordinates. All pieces must have the same arrays, in any order.
  *
+ * Several processes can write their pieces into one file together: then OpenTogether and EndSurvey
+ * are to be called, too.
+ *
  * Methods throw gatun::Error.
  */
 class GridPieces
@@ -46,6 +50,14 @@ public:
   GridPieces(const std::string& path, const PartWriterOptions& options,
     std::function<std::vector<BridgedArray>(vtkUnstructuredGrid*)> select);
   ~GridPieces();
+
+  /** Opens a file that all processes of an exchange write. To be called before Survey. piece: the
+   * first one of this process, which may be empty. steps: the number of time steps. Collective, as
+   * are EndSurvey and Finish. */
+  void OpenTogether(PartExchange& exchange, vtkUnstructuredGrid* piece, std::size_t steps);
+
+  /** To be called behind the survey of all pieces if the file was opened together. */
+  void EndSurvey();
 
   /** Looks at a step of a piece. isFirst: whether it is the first step of that piece. */
   void Survey(vtkUnstructuredGrid* piece, bool isFirst);
@@ -89,6 +101,7 @@ private:
   const PartWriterOptions Options;
   const std::function<std::vector<BridgedArray>(vtkUnstructuredGrid*)> Select;
   std::unique_ptr<PartWriter> File;
+  bool WritesEmpty = false; // whether all pieces of all processes are empty, and this is the first
   std::vector<ArrayDescription> Arrays;
   std::size_t Surveyed = 0; // pieces, empty ones included
   std::size_t Written = 0;

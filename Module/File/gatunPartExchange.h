@@ -4,10 +4,12 @@
 #ifndef gatunPartExchange_h
 #define gatunPartExchange_h
 
+#include "gatunTypes.h"
 #include "vtkGatunCoreModule.h" // For export macro
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace gatun
@@ -49,6 +51,11 @@ public:
 
   /** Whether it is so in any process. */
   bool IsAny(bool own);
+
+  /** Returns the arrays of the first process that has a mesh, or nothing if none has. own: those of
+   * this process, or nothing if it has no mesh. */
+  std::optional<std::vector<ArrayDescription>> TakeArrays(
+    const std::optional<std::vector<ArrayDescription>>& own);
 
   /** Exchanges any amount of data in rounds. fill adds to the messages and returns whether there is
    * more; take gets each message. Errors of both are those of all processes. */

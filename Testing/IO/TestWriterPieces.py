@@ -57,27 +57,12 @@ class PieceSource(VTKPythonAlgorithmBase):
         return 1
 
 
-def part_of(grid, wanted):
-    """The cells of a grid that are wanted, with their points and arrays."""
-    tets = gm.connectivity(grid)[wanted]
-    used = np.unique(tets)
-    place = np.full(grid.GetNumberOfPoints(), -1)
-    place[used] = np.arange(len(used))
-    result = gm.make_grid(gm.coordinates(grid)[used], place[tets].reshape(-1, 4))
-    for attributes, to, chosen in (
-            (grid.GetPointData(), result.GetPointData(), used),
-            (grid.GetCellData(), result.GetCellData(), np.flatnonzero(wanted))):
-        for array in gm.arrays_of(attributes):
-            gm.add_array(to, gm.values_of(array)[chosen], array.GetName(), array.GetDataType())
-    return result
-
-
 whole = gm.block(n=7)
 owner = np.random.default_rng(5).integers(0, PIECES - 1, whole.GetNumberOfCells())  # one is empty
 
 
 def piece_of(grid, piece, pieces):
-    return part_of(grid, owner == piece) if pieces > 1 else grid
+    return gm.part_of(grid, owner == piece) if pieces > 1 else grid
 
 
 def write(source, expected=1, **options):
@@ -134,7 +119,7 @@ def with_ghosts(piece, pieces):
     """The piece with a third of the cells of the next one as ghosts."""
     extra = (owner == (piece + 1) % (PIECES - 1)) & (np.arange(len(owner)) % 3 == 0)
     wanted = (owner == piece) | extra
-    grid = part_of(whole, wanted)
+    grid = gm.part_of(whole, wanted)
     marks = vtkUnsignedCharArray()
     marks.SetName(vtkDataSetAttributes.GhostArrayName())
     for ghost in extra[wanted]:

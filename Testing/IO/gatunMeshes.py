@@ -308,6 +308,21 @@ def turned(tets):
     return best
 
 
+def part_of(grid, wanted):
+    """The cells of a grid that are wanted, with their points and arrays."""
+    tets = connectivity(grid)[wanted]
+    used = np.unique(tets)
+    place = np.full(grid.GetNumberOfPoints(), -1)
+    place[used] = np.arange(len(used))
+    result = make_grid(coordinates(grid)[used], place[tets].reshape(-1, 4))
+    for attributes, to, chosen in (
+            (grid.GetPointData(), result.GetPointData(), used),
+            (grid.GetCellData(), result.GetCellData(), np.flatnonzero(wanted))):
+        for array in arrays_of(attributes):
+            add_array(to, values_of(array)[chosen], array.GetName(), array.GetDataType())
+    return result
+
+
 def canonical(grid, skip=()):
     """Points and cells with their data as sorted rows of bytes, whatever the order and the turn of
     the corners. Points that are equal in all data are one to the cells."""
