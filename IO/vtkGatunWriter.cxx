@@ -6,9 +6,9 @@
 #include "gatunArrayBridge.h"
 #include "gatunBridgedMesh.h"
 #include "gatunCellInput.h"
-#include "gatunControllerExchange.h"
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
+#include "gatunProcessExchange.h"
 #include "gatunReport.h"
 #include "gatunWriterArrays.h"
 #include "vtkGatunCompat.h"
@@ -259,7 +259,7 @@ bool vtkGatunWriter::WritePieces()
 void vtkGatunWriter::WriteTogether()
 {
   vtkInternals& self = *this->Internals;
-  gatun::ControllerExchange exchange(this->Controller);
+  gatun::ProcessExchange exchange(this->Controller);
   exchange.Together(
     [&]
     {

@@ -8,8 +8,6 @@
 #include "vtkMultiProcessController.h"
 
 #include <algorithm>
-#include <exception>
-#include <string>
 #include <utility>
 
 namespace gatun
@@ -20,14 +18,6 @@ constexpr int Tag = 27016;
 
 // Bytes that are sent at once. MPI counts with 32 bits.
 constexpr std::size_t MostAtOnce = std::size_t{ 1 } << 26;
-
-/** The end of a work in one process. */
-struct Outcome
-{
-  int Failed = 0;
-  int Code = 0;
-  std::uint64_t Length = 0; // of the message
-};
 
 void Require(int succeeded)
 {
@@ -65,60 +55,30 @@ void ProcessExchange::Broadcast(void* data, std::size_t bytes, int source)
   {
     return;
   }
-  Require(this->Controller->Broadcast(
-    static_cast<unsigned char*>(data), static_cast<vtkIdType>(bytes), source));
+  auto* const first = static_cast<unsigned char*>(data);
+  for (std::size_t done = 0; done < bytes; done += MostAtOnce)
+  {
+    const auto length = static_cast<vtkIdType>(std::min(bytes - done, MostAtOnce));
+    Require(this->Controller->Broadcast(first + done, length, source));
+  }
   this->BytesSent += source == this->Process ? bytes : 0;
 }
 
 //------------------------------------------------------------------------------
-void ProcessExchange::Together(const std::function<void()>& work)
+std::vector<ProcessExchange::Message> ProcessExchange::Gather(const Message& own)
 {
-  Outcome outcome;
-  std::string message;
-  std::exception_ptr failure;
-  const auto fail = [&](ErrorCode code, const char* what)
+  const auto sizes = this->Gather<std::uint64_t>(own.size());
+  std::vector<Message> messages(sizes.size());
+  for (std::size_t p = 0; p < sizes.size(); ++p)
   {
-    failure = std::current_exception();
-    outcome.Failed = 1;
-    outcome.Code = static_cast<int>(code);
-    message = what;
-  };
-  try
-  {
-    work();
+    if (static_cast<int>(p) == this->Process)
+    {
+      messages[p] = own;
+    }
+    messages[p].resize(static_cast<std::size_t>(sizes[p]));
+    this->Broadcast(messages[p].data(), messages[p].size(), static_cast<int>(p));
   }
-  catch (const Error& error)
-  {
-    fail(error.Code, error.what());
-  }
-  catch (const std::exception& error)
-  {
-    fail(ErrorCode::InvalidInput, error.what());
-  }
-  catch (...)
-  {
-    fail(ErrorCode::InvalidInput, "unknown error");
-  }
-  outcome.Length = message.size();
-  const auto outcomes = this->Gather(outcome);
-  const auto failed = std::find_if(
-    outcomes.begin(), outcomes.end(), [](const Outcome& other) { return other.Failed != 0; });
-  if (failed == outcomes.end())
-  {
-    return;
-  }
-  const auto process = static_cast<int>(failed - outcomes.begin());
-  message.resize(static_cast<std::size_t>(failed->Length));
-  if (!message.empty())
-  {
-    this->Broadcast(message.data(), message.size(), process);
-  }
-  if (failure)
-  {
-    std::rethrow_exception(failure);
-  }
-  throw Error(static_cast<ErrorCode>(failed->Code),
-    "process " + std::to_string(process) + " failed: " + message);
+  return messages;
 }
 
 //------------------------------------------------------------------------------

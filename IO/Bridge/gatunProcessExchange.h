@@ -4,6 +4,8 @@
 #ifndef gatunProcessExchange_h
 #define gatunProcessExchange_h
 
+#include "gatunPartExchange.h"
+
 #include "vtkGatunIOModule.h" // For export macro
 #include "vtkType.h"          // For VTK_ABI_NAMESPACE_BEGIN
 
@@ -31,20 +33,20 @@ namespace gatun
  * Errors are shared: everything that may fail in one process runs in Together, so that no process
  * waits for one that has failed. If the controller itself fails, Error(InvalidInput) is thrown.
  */
-class VTKGATUNIO_EXPORT ProcessExchange
+class VTKGATUNIO_EXPORT ProcessExchange : public PartExchange
 {
 public:
-  using Message = std::vector<std::uint8_t>;
+  using PartExchange::Gather;
+  using PartExchange::TakeFirst;
 
   /** controller: null for a process on its own. */
   explicit ProcessExchange(vtkMultiProcessController* controller);
 
-  int GetProcess() const { return this->Process; }
-  int GetProcesses() const { return this->Processes; }
+  int GetProcess() const override { return this->Process; }
+  int GetProcesses() const override { return this->Processes; }
 
-  /** Runs work, which must not be collective. If it throws in a process, throws in all of them: the
-   * same exception there, and in the others an Error with its code and message. */
-  void Together(const std::function<void()>& work);
+  std::vector<Message> Gather(const Message& own) override;
+  std::vector<Message> Exchange(std::vector<Message> messages) override;
 
   /** Returns the values of all processes. */
   template <typename T>
@@ -65,9 +67,6 @@ public:
     this->Broadcast(&first, sizeof(T), 0);
     return first;
   }
-
-  /** Sends a message to each process, and returns those from each. */
-  std::vector<Message> Exchange(std::vector<Message> messages);
 
   /** Bytes of messages that this process has sent to others. */
   std::uint64_t GetBytesSent() const { return this->BytesSent; }

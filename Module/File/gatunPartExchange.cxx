@@ -5,6 +5,8 @@
 
 #include "gatunBytes.h"
 #include "gatunError.h"
+#include "gatunTableParts.h"
+#include "gatunWriterCheck.h"
 
 #include <algorithm>
 #include <exception>
@@ -13,48 +15,6 @@
 
 namespace gatun
 {
-namespace
-{
-void PutArrays(ByteWriter& out, const std::vector<ArrayDescription>& arrays)
-{
-  out.PutVarint(arrays.size());
-  for (const auto& description : arrays)
-  {
-    out.PutString(description.Name);
-    out.Put(static_cast<std::uint8_t>(description.Where));
-    out.Put(static_cast<std::uint8_t>(description.Type));
-    out.Put(description.Components);
-    out.Put(description.VTKType);
-    out.Put(description.AttributeRoles);
-    out.PutVarint(description.ComponentNames.size());
-    for (const auto& name : description.ComponentNames)
-    {
-      out.PutString(name);
-    }
-  }
-}
-
-std::vector<ArrayDescription> GetArrays(ByteReader& in)
-{
-  std::vector<ArrayDescription> arrays(static_cast<std::size_t>(in.GetCount(1)));
-  for (auto& array : arrays)
-  {
-    array.Name = in.GetString();
-    array.Where = static_cast<Association>(in.Get<std::uint8_t>());
-    array.Type = static_cast<ScalarType>(in.Get<std::uint8_t>());
-    array.Components = in.Get<std::uint32_t>();
-    array.VTKType = in.Get<std::int32_t>();
-    array.AttributeRoles = in.Get<std::uint32_t>();
-    array.ComponentNames.resize(static_cast<std::size_t>(in.GetCount(1)));
-    for (auto& name : array.ComponentNames)
-    {
-      name = in.GetString();
-    }
-  }
-  return arrays;
-}
-}
-
 //------------------------------------------------------------------------------
 PartExchange::~PartExchange() = default;
 
@@ -146,10 +106,15 @@ std::optional<std::vector<ArrayDescription>> PartExchange::TakeArrays(
   const std::optional<std::vector<ArrayDescription>>& own)
 {
   ByteWriter out; // empty: no mesh
-  if (own)
-  {
-    PutArrays(out, *own);
-  }
+  this->Together(
+    [&]
+    {
+      if (own)
+      {
+        CheckArrays(*own);
+        PutArrays(out, *own);
+      }
+    });
   for (const auto& message : this->Gather(out.Data))
   {
     if (!message.empty())

@@ -15,7 +15,7 @@
 namespace gatun
 {
 /**
- * The messages of the processes that write a file together, see PartWriter.
+ * The messages of processes that do something together, such as to write a file: see PartWriter.
  *
  * All methods except the getters are collective: each process must call them in the same order. All
  * processes must have the same byte order and data types.
@@ -40,8 +40,8 @@ public:
    * same exception there, and in the others an Error with its code and message. */
   void Together(const std::function<void()>& work);
 
-  /** Returns the messages of all processes. */
-  std::vector<Message> Gather(const Message& own);
+  /** Returns the messages of all processes. Together and IsAny call it. */
+  virtual std::vector<Message> Gather(const Message& own);
 
   /** Returns the messages of all processes in the first one, and empty ones in the others. */
   std::vector<Message> GatherInFirst(Message own);

@@ -91,6 +91,12 @@ void CheckWriterInput(
   {
     CheckLayers(mesh, arrays, *options.Layers);
   }
+  CheckArrays(arrays);
+}
+
+//------------------------------------------------------------------------------
+void CheckArrays(const std::vector<ArrayDescription>& arrays)
+{
   for (const auto& array : arrays)
   {
     if (array.Components < 1 || array.Components > 65536)

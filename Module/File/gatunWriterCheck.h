@@ -15,6 +15,9 @@ namespace gatun
 /** Throws Error(InvalidInput) if a mesh, its arrays or the options cannot be written. */
 void CheckWriterInput(
   const MeshInput& mesh, const std::vector<ArrayDescription>& arrays, const WriterOptions& options);
+
+/** The same of the arrays alone. */
+void CheckArrays(const std::vector<ArrayDescription>& arrays);
 }
 
 #endif

@@ -13,6 +13,8 @@ namespace gatun
 {
 namespace
 {
+constexpr std::uint32_t MaxComponents = 1u << 16;
+
 std::uint64_t GetLimit(std::span<const std::uint8_t> packed, std::uint64_t small)
 {
   return std::max(small, TableExpansion * packed.size());
@@ -79,6 +81,52 @@ std::vector<std::string> GetStrings(ByteReader& in)
     s = in.GetString();
   }
   return strings;
+}
+
+//------------------------------------------------------------------------------
+ScalarType GetScalarType(ByteReader& in)
+{
+  const auto type = in.Get<std::uint8_t>();
+  Check(type >= 1 && type <= 10, "a value type is unknown");
+  return static_cast<ScalarType>(type);
+}
+
+//------------------------------------------------------------------------------
+void PutArrays(ByteWriter& out, const std::vector<ArrayDescription>& arrays)
+{
+  out.PutVarint(arrays.size());
+  for (const auto& array : arrays)
+  {
+    out.PutString(array.Name);
+    out.Put(static_cast<std::uint8_t>(array.Where));
+    out.Put(static_cast<std::uint8_t>(array.Type));
+    out.PutVarint(array.Components);
+    out.Put(array.VTKType);
+    out.Put(array.AttributeRoles);
+    PutStrings(out, array.ComponentNames);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<ArrayDescription> GetArrays(ByteReader& in)
+{
+  std::vector<ArrayDescription> arrays(in.GetCount(13));
+  for (auto& array : arrays)
+  {
+    array.Name = in.GetString();
+    const auto where = in.Get<std::uint8_t>();
+    Check(where <= 1, "an array belongs to neither points nor cells");
+    array.Where = static_cast<Association>(where);
+    array.Type = GetScalarType(in);
+    const auto components = in.GetVarint();
+    Check(components >= 1 && components <= MaxComponents, "an array has too many components");
+    array.Components = static_cast<std::uint32_t>(components);
+    array.VTKType = in.Get<std::int32_t>();
+    array.AttributeRoles = in.Get<std::uint32_t>();
+    array.ComponentNames = GetStrings(in);
+    Check(array.ComponentNames.size() <= array.Components, "too many names of components");
+  }
+  return arrays;
 }
 
 //------------------------------------------------------------------------------

@@ -43,6 +43,13 @@ Range GetRange(ByteReader& in);
 void PutStrings(ByteWriter& out, const std::vector<std::string>& strings);
 std::vector<std::string> GetStrings(ByteReader& in);
 
+/** A value type; throws if it is unknown. */
+ScalarType GetScalarType(ByteReader& in);
+
+/** Descriptions of arrays, as META has them. */
+void PutArrays(ByteWriter& out, const std::vector<ArrayDescription>& arrays);
+std::vector<ArrayDescription> GetArrays(ByteReader& in);
+
 /** Reads a varint below 2^32. */
 std::uint32_t GetSmall(ByteReader& in);
 

@@ -24,15 +24,6 @@ constexpr std::uint64_t MaxValuesPerByte = 1u << 19;
 constexpr std::uint64_t MaxNeighbors = 2u << 20;
 constexpr std::uint64_t MaxNeighborsPerChunk = 1024;
 
-constexpr std::uint32_t MaxComponents = 1u << 16;
-
-ScalarType GetScalarType(ByteReader& in)
-{
-  const auto type = in.Get<std::uint8_t>();
-  Check(type >= 1 && type <= 10, "a value type is unknown");
-  return static_cast<ScalarType>(type);
-}
-
 void PutPalette(ByteWriter& out, const PaletteRef& palette)
 {
   out.PutVarint(palette.Count);
@@ -89,17 +80,7 @@ Bytes MetaTable::Write() const
   {
     PutRange(out, range);
   }
-  out.PutVarint(this->Arrays.size());
-  for (const auto& array : this->Arrays)
-  {
-    out.PutString(array.Name);
-    out.Put(static_cast<std::uint8_t>(array.Where));
-    out.Put(static_cast<std::uint8_t>(array.Type));
-    out.PutVarint(array.Components);
-    out.Put(array.VTKType);
-    out.Put(array.AttributeRoles);
-    PutStrings(out, array.ComponentNames);
-  }
+  PutArrays(out, this->Arrays);
   return Pack(out, SmallTable);
 }
 
@@ -124,22 +105,7 @@ MetaTable MetaTable::Read(std::span<const std::uint8_t> bytes)
   {
     range = GetRange(in);
   }
-  meta.Arrays.resize(in.GetCount(13));
-  for (auto& array : meta.Arrays)
-  {
-    array.Name = in.GetString();
-    const auto where = in.Get<std::uint8_t>();
-    Check(where <= 1, "an array belongs to neither points nor cells");
-    array.Where = static_cast<Association>(where);
-    array.Type = GetScalarType(in);
-    const auto components = in.GetVarint();
-    Check(components >= 1 && components <= MaxComponents, "an array has too many components");
-    array.Components = static_cast<std::uint32_t>(components);
-    array.VTKType = in.Get<std::int32_t>();
-    array.AttributeRoles = in.Get<std::uint32_t>();
-    array.ComponentNames = GetStrings(in);
-    Check(array.ComponentNames.size() <= array.Components, "too many names of components");
-  }
+  meta.Arrays = GetArrays(in);
   Check(in.GetRemaining() == 0, "there are bytes behind the end of the meta data");
   return meta;
 }
