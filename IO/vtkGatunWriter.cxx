@@ -61,6 +61,7 @@ vtkGatunWriter::~vtkGatunWriter()
   this->SetFileName(nullptr);
   this->SetLayerArray(nullptr);
   this->SetSpillFolder(nullptr);
+  this->SetJoinArray(nullptr);
   this->SetController(nullptr);
 }
 
@@ -89,6 +90,7 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SpillMemory: " << this->SpillMemory << "\n";
   os << indent << "SpillFolder: " << (this->SpillFolder ? this->SpillFolder : "(none)") << "\n";
   os << indent << "JoinAllPoints: " << (this->JoinAllPoints ? "On" : "Off") << "\n";
+  os << indent << "JoinArray: " << (this->JoinArray ? this->JoinArray : "(none)") << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "WrittenPoints: " << this->WrittenPoints << "\n";
   os << indent << "WrittenCells: " << this->WrittenCells << "\n";

@@ -32,9 +32,10 @@
  *
  * Pieces: with NumberOfPieces, the input is asked for one piece after the other, twice, and the
  * whole mesh is never in memory. Points of several pieces become one if they have the same global
- * id, or without ids the same coordinates, and the same values of all arrays at all steps. Points
- * that differ stay apart, with a warning. An input that does not know pieces is one piece. The time
- * steps of a piece follow each other. A hierarchy and layers need the whole mesh and are an error.
+ * id (or number of JoinArray), or without ids the same coordinates, and the same values of all
+ * arrays at all steps. Points that differ stay apart, with a warning. An input that does not know
+ * pieces is one piece. The time steps of a piece follow each other. A hierarchy and layers need the
+ * whole mesh and are an error.
  *
  * Processes: with Controller, each process writes the piece that it has, one of as many as there
  * are processes. Points of several pieces become one as above. Only the points on the boundaries of
@@ -326,6 +327,18 @@ public:
 
   ///@{
   /**
+   * The point array of integers by which points of pieces are joined, in place of their global ids
+   * or coordinates: those with equal numbers of 0 and more. A point with a negative number is in no
+   * other piece. Points are joined wherever they are in their pieces, and JoinAllPoints has no
+   * effect. The array has one component, and is not written; a piece without it is an error. No
+   * effect if the mesh does not come in pieces. Empty or null: none. Default: null.
+   */
+  vtkSetStringMacro(JoinArray);
+  vtkGetStringMacro(JoinArray);
+  ///@}
+
+  ///@{
+  /**
    * Whether to replace an existing file that is read-only: marked so, or of somebody else. Default:
    * off, where that is an error.
    */
@@ -404,6 +417,7 @@ protected:
   int SpillMemory = 64;
   char* SpillFolder = nullptr;
   bool JoinAllPoints = false;
+  char* JoinArray = nullptr;
   vtkMultiProcessController* Controller = nullptr;
 
   vtkTypeUInt64 WrittenPoints = 0;

@@ -137,13 +137,15 @@ void vtkGatunWriter::vtkInternals::BeginPieces(int pieces)
   options.SpillFolder = owner->SpillFolder ? owner->SpillFolder : "";
   options.SpillMemory = static_cast<std::size_t>(owner->SpillMemory) << 20;
   options.JoinAllPoints = owner->JoinAllPoints;
-  this->Pieces =
-    std::make_unique<gatun::GridPieces>(owner->FileName ? owner->FileName : "", options,
-      [this](vtkUnstructuredGrid* piece)
-      {
-        return gatun::BridgeSelected(
-          piece, this->PointSelection, this->CellSelection, this->Owner->WriteUnlistedArrays);
-      });
+  options.JoinByIdsOnly = owner->JoinArray && *owner->JoinArray;
+  this->Pieces = std::make_unique<gatun::GridPieces>(
+    owner->FileName ? owner->FileName : "", options,
+    [this](vtkUnstructuredGrid* piece)
+    {
+      return gatun::BridgeSelected(
+        piece, this->PointSelection, this->CellSelection, this->Owner->WriteUnlistedArrays);
+    },
+    owner->JoinArray ? owner->JoinArray : "");
 }
 
 //------------------------------------------------------------------------------

@@ -13,6 +13,7 @@
 #include "gtnNames.h"
 #include "gtnOptions.h"
 #include "gtnOutput.h"
+#include "gtnPieceOptions.h"
 #include "gtnProgress.h"
 #include "gtnText.h"
 #include "gtnWriteGatun.h"
@@ -25,9 +26,7 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -49,10 +48,8 @@ struct Options
   int Levels = 0;
   MergeOptions Merges;
   std::optional<std::string> Layers; ///< as given
-  int Pieces = 0;                    ///< 0: not given
-  int Memory = 0;                    ///< in MiB, 0: not given
-  std::string SpillFolder;
   int LayerComponent = -1;
+  PieceOptions Pieces;
 };
 
 int OrderOf(const std::string& name)
@@ -121,38 +118,6 @@ void PrintSizes(vtkGatunWriter* writer, const Options& options, bool verbose)
   }
 }
 
-/** Sets the number of pieces and the memory for them. Returns whether the mesh comes in pieces. */
-bool SetPieces(vtkGatunWriter* writer, const Input& input, const Options& options)
-{
-  const auto parts = static_cast<int>(input.GetNumberOfParts());
-  const int pieces = options.Pieces > 0 ? options.Pieces : options.Memory > 0 ? parts : 1;
-  writer->SetNumberOfPieces(pieces);
-  writer->SetSpillFolder(options.SpillFolder.empty() ? nullptr : options.SpillFolder.c_str());
-  if (options.Memory > 0)
-  {
-    // Of the program itself, and of a mesh that is written.
-    constexpr std::uint64_t program = 160;
-    constexpr std::uint64_t copies = 4;
-    constexpr int mostToSort = 256;
-    const int toSort = std::clamp(options.Memory / 8, 1, mostToSort);
-    const auto files = static_cast<std::uint64_t>((parts + pieces - 1) / pieces);
-    const auto pieceBytes = parts > 1 || pieces == 1
-      ? input.EstimateLargestPart() * files
-      : input.EstimateLargestPart() / static_cast<std::uint64_t>(pieces);
-    const auto needed =
-      program + 2 * static_cast<std::uint64_t>(toSort) + (copies * pieceBytes >> 20);
-    if (needed > static_cast<std::uint64_t>(options.Memory))
-    {
-      throw Failure(input.GetName(),
-        fmt::format("packing the largest of {} takes about {} MiB of memory, and --memory allows "
-                    "{}; smaller pieces would take less",
-          pieces > 1 ? fmt::format("{} pieces", pieces) : "one piece", needed, options.Memory));
-    }
-    writer->SetSpillMemory(toSort);
-  }
-  return pieces > 1;
-}
-
 void Pack(const Options& options, const Settings& settings)
 {
   if (ExtensionOf(options.Out) != ".gtn")
@@ -167,8 +132,15 @@ void Pack(const Options& options, const Settings& settings)
   Input input(options.In, options.Input);
   CheckWritable(options.Out, options.Overwrite);
 
-  const bool isInPieces = SetPieces(writer, input, options);
-  if (!isInPieces)
+  writer->SetFileName(options.Out.c_str());
+  writer->SetKeepOrder(OrderOf(options.KeepOrder));
+  writer->SetChunkTets(options.ChunkTets);
+  writer->SetKeyStepInterval(options.KeySteps);
+  writer->WriteAllTimeStepsOn();
+  writer->SetHierarchy(options.Hierarchy || options.Levels > 0);
+  writer->SetLevels(options.Levels);
+  options.Merges.Apply(writer.Get());
+  if (!SetPieces(writer, input, options.Pieces, settings))
   {
     Progress progress("reading", settings.ShowProgress);
     input.Read(0, progress);
@@ -176,14 +148,6 @@ void Pack(const Options& options, const Settings& settings)
   {
     Progress progress("packing", settings.ShowProgress);
     writer->SetInputConnection(input.GetAlgorithm()->GetOutputPort());
-    writer->SetFileName(options.Out.c_str());
-    writer->SetKeepOrder(OrderOf(options.KeepOrder));
-    writer->SetChunkTets(options.ChunkTets);
-    writer->SetKeyStepInterval(options.KeySteps);
-    writer->WriteAllTimeStepsOn();
-    writer->SetHierarchy(options.Hierarchy || options.Levels > 0);
-    writer->SetLevels(options.Levels);
-    options.Merges.Apply(writer.Get());
     RunWriter(writer.Get(), input.GetName(), progress);
   }
   CheckMessages(input.GetName(), settings.Quiet);
@@ -194,32 +158,6 @@ void Pack(const Options& options, const Settings& settings)
 }
 
 } // anonymous namespace
-
-//------------------------------------------------------------------------------
-namespace
-{
-void AddPieceOptions(CLI::App* command, Options& options)
-{
-  command
-    ->add_option("--memory", options.Memory,
-      "Limit of memory in MiB. The files of a .pvtu file, or of each time step of a .pvd file, are "
-      "packed one after the other, and the whole mesh is never in memory. If that would take more, "
-      "nothing is done (default: none; all of the mesh is read)")
-    ->check(CLI::Range(1, 1 << 30))
-    ->option_text("MIB");
-  command
-    ->add_option("--pieces", options.Pieces,
-      "Number of pieces that are packed one after the other, for files that can be read in pieces "
-      "(default: with --memory, the number of files of the mesh; otherwise 1)")
-    ->check(CLI::Range(1, 1 << 24))
-    ->option_text("N");
-  command
-    ->add_option("--spill", options.SpillFolder,
-      "Folder of temporary files when the mesh comes in pieces (default: that of the .gtn file)")
-    ->check(CLI::ExistingDirectory)
-    ->option_text("DIR");
-}
-}
 
 //------------------------------------------------------------------------------
 void AddPack(CLI::App& app, Settings& settings)
@@ -280,7 +218,7 @@ void AddPack(CLI::App& app, Settings& settings)
   AddComponent(command, "--layer-component", options->LayerComponent,
     "Component for --layers: a number from 0, or magnitude (default: magnitude)")
     ->needs(layers);
-  AddPieceOptions(command, *options);
+  AddPieceOptions(command, options->Pieces);
   command->add_flag("--tets", options->Input.Split,
     "Split 3D cells into tetrahedra. Nonlinear ones lose the points between their corners, and "
     "cells of a lower dimension are left out");
@@ -299,7 +237,7 @@ void AddPack(CLI::App& app, Settings& settings)
       {
         throw UsageError("--weight, --metric and --boundary-weight need --hierarchy or --levels");
       }
-      options->Input.InPieces = options->Memory > 0 || options->Pieces > 1;
+      options->Input.InPieces = options->Pieces.AreGiven();
       options->Out = options->In.back();
       options->In.pop_back();
       Pack(*options, settings);

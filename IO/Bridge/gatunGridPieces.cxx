@@ -27,10 +27,10 @@ std::string NameOf(std::size_t piece)
   return "piece " + std::to_string(piece);
 }
 
-/** The global ids of the points of a piece, if it has any. */
-std::vector<std::int64_t> GetGlobalIds(vtkUnstructuredGrid* piece)
+/** The numbers of an array with one for each point of a piece; nothing if it is not such an array.
+ */
+std::vector<std::int64_t> GetIds(vtkUnstructuredGrid* piece, vtkDataArray* ids)
 {
-  vtkDataArray* const ids = piece->GetPointData()->GetGlobalIds();
   std::vector<std::int64_t> values;
   if (!ids || ids->GetNumberOfComponents() != 1 ||
     ids->GetNumberOfTuples() != piece->GetNumberOfPoints())
@@ -63,10 +63,12 @@ std::vector<std::int64_t> GetGlobalIds(vtkUnstructuredGrid* piece)
 
 //------------------------------------------------------------------------------
 GridPieces::GridPieces(const std::string& path, const PartWriterOptions& options,
-  std::function<std::vector<BridgedArray>(vtkUnstructuredGrid*)> select)
+  std::function<std::vector<BridgedArray>(vtkUnstructuredGrid*)> select,
+  const std::string& joinArray)
   : Path(path)
   , Options(options)
   , Select(std::move(select))
+  , JoinArray(joinArray)
 {
 }
 
@@ -81,7 +83,7 @@ GridPieces::Input GridPieces::MakeInput(vtkUnstructuredGrid* piece, std::size_t 
   ClearGhosts(input.Grid);
   input.Mesh = std::make_unique<BridgedMesh>(input.Grid);
   input.Arrays = this->Select(input.Grid);
-  input.Ids = GetGlobalIds(input.Grid);
+  input.Ids = this->FindIds(input, number);
   if (this->File)
   {
     this->SortArrays(input, number);
@@ -91,6 +93,31 @@ GridPieces::Input GridPieces::MakeInput(vtkUnstructuredGrid* piece, std::size_t 
     input.Values.push_back(array.Values);
   }
   return input;
+}
+
+//------------------------------------------------------------------------------
+/** The numbers that points are joined by, if there are any. The array that the caller has named is
+ * removed from those to write. */
+std::vector<std::int64_t> GridPieces::FindIds(Input& input, std::size_t number) const
+{
+  vtkPointData* const data = input.Grid->GetPointData();
+  if (this->JoinArray.empty())
+  {
+    return GetIds(input.Grid, data->GetGlobalIds());
+  }
+  auto ids = GetIds(input.Grid, data->GetArray(this->JoinArray.c_str()));
+  if (ids.empty() && input.Grid->GetNumberOfPoints() > 0)
+  {
+    ThrowInvalid(
+      NameOf(number) + " has no point array '" + this->JoinArray + "' with integers to join by");
+  }
+  std::erase_if(input.Arrays,
+    [this](const BridgedArray& array)
+    {
+      return array.Description.Where == Association::Point &&
+        array.Description.Name == this->JoinArray;
+    });
+  return ids;
 }
 
 //------------------------------------------------------------------------------

@@ -35,8 +35,9 @@ namespace gatun
  * for the survey, with all time steps of a piece one after the other.
  *
  * Ghost cells have been removed, and the marks of duplicate points are. Pieces without points and
- * cells are skipped. Points are joined by the global ids of their piece, if it has any, or else by
- * their coordinates. All pieces must have the same arrays, in any order.
+ * cells are skipped. Points are joined by an array of numbers, if one is named, by the global ids
+ * of their piece, if it has any, or else by their coordinates. All pieces must have the same
+ * arrays, in any order.
  *
  * Several processes can write their pieces into one file together: then OpenTogether and EndSurvey
  * are to be called, too.
@@ -46,9 +47,11 @@ namespace gatun
 class GridPieces
 {
 public:
-  /** select: the arrays of a piece to write. */
+  /** select: the arrays of a piece to write. joinArray: the point array to join points by, which is
+   * not written; empty for none. */
   GridPieces(const std::string& path, const PartWriterOptions& options,
-    std::function<std::vector<BridgedArray>(vtkUnstructuredGrid*)> select);
+    std::function<std::vector<BridgedArray>(vtkUnstructuredGrid*)> select,
+    const std::string& joinArray = {});
   ~GridPieces();
 
   /** Opens a file that all processes of an exchange write. To be called before Survey. piece: the
@@ -93,6 +96,7 @@ private:
   };
 
   Input MakeInput(vtkUnstructuredGrid* piece, std::size_t number) const;
+  std::vector<std::int64_t> FindIds(Input& input, std::size_t number) const;
   void SortArrays(Input& input, std::size_t number) const;
   void Open(const Input& input);
   bool IsEmpty(vtkUnstructuredGrid* piece, bool isFirst, std::size_t number);
@@ -100,6 +104,7 @@ private:
   const std::string Path;
   const PartWriterOptions Options;
   const std::function<std::vector<BridgedArray>(vtkUnstructuredGrid*)> Select;
+  const std::string JoinArray;
   std::unique_ptr<PartWriter> File;
   bool WritesEmpty = false; // whether all pieces of all processes are empty, and this is the first
   std::vector<ArrayDescription> Arrays;

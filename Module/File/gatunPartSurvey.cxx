@@ -7,6 +7,7 @@
 #include "gatunParallel.h"
 #include "gatunPartSkin.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -47,6 +48,23 @@ std::uint64_t GetKey(const MeshInput& mesh, std::uint32_t point, unsigned axis)
   const double value = static_cast<const double*>(mesh.Coordinates)[at];
   return std::bit_cast<std::uint64_t>(value == 0 ? 0.0 : value);
 }
+
+/** Marks the points of a part that are looked for in others. */
+std::vector<std::uint8_t> FindCandidates(
+  const WriterPart& part, const std::int64_t* globalIds, PartSurvey::Candidates candidates)
+{
+  if (candidates == PartSurvey::Candidates::Skin)
+  {
+    return FindSkin(part.Mesh, part.Layout);
+  }
+  std::vector<std::uint8_t> marks(static_cast<std::size_t>(part.Mesh.GetMesh().Points), 1);
+  if (candidates == PartSurvey::Candidates::WithIds && globalIds)
+  {
+    std::transform(globalIds, globalIds + marks.size(), marks.begin(),
+      [](std::int64_t id) { return static_cast<std::uint8_t>(id >= 0); });
+  }
+  return marks;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -83,13 +101,12 @@ std::uint64_t HashValues(const std::vector<ArrayDescription>& arrays,
 }
 
 //------------------------------------------------------------------------------
-PartSurvey::PartSurvey(
-  const WriterPart& part, std::uint32_t number, const std::int64_t* globalIds, bool all)
+PartSurvey::PartSurvey(const WriterPart& part, std::uint32_t number, const std::int64_t* globalIds,
+  Candidates candidates)
 {
   const auto& mesh = part.Mesh.GetMesh();
   const auto& layout = part.Layout;
-  const auto isSkin = all ? std::vector<std::uint8_t>(static_cast<std::size_t>(mesh.Points), 1)
-                          : FindSkin(part.Mesh, layout);
+  const auto isCandidate = FindCandidates(part, globalIds, candidates);
   const auto box = FindBox(part.Mesh);
   const auto size = 3 * SizeOf(mesh.CoordinateType);
   const auto* coordinates = static_cast<const std::uint8_t*>(mesh.Coordinates);
@@ -100,7 +117,7 @@ PartSurvey::PartSurvey(
     {
       isPlace = isPlace && std::isfinite(part.Mesh.GetCoordinate(point, axis));
     }
-    if (!isSkin[point] || (!globalIds && !isPlace))
+    if (!isCandidate[point] || (!globalIds && !isPlace))
     {
       return;
     }

@@ -42,9 +42,17 @@ std::uint64_t HashValues(const std::vector<ArrayDescription>& arrays,
 class PartSurvey
 {
 public:
-  /** part: with its layout. number: that of the part. globalIds: null if coordinates decide. all:
-   * whether all points are looked for in other parts. */
-  PartSurvey(const WriterPart& part, std::uint32_t number, const std::int64_t* globalIds, bool all);
+  /** Which points are looked for in other parts. */
+  enum class Candidates
+  {
+    Skin, ///< see FindSkin
+    All,
+    WithIds ///< those with a global id of 0 and more
+  };
+
+  /** part: with its layout. number: that of the part. globalIds: null if coordinates decide. */
+  PartSurvey(const WriterPart& part, std::uint32_t number, const std::int64_t* globalIds,
+    Candidates candidates);
 
   /** Adds the values of point arrays at a step. */
   void AddValues(const std::vector<ArrayDescription>& arrays, std::span<const void* const> values);

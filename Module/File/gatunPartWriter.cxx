@@ -161,8 +161,11 @@ void PartWriter::Internals::Survey(
   {
     this->Agreement->AddUnused(part);
   }
-  this->Current.emplace(
-    part, static_cast<std::uint32_t>(this->Parts.size()), globalIds, this->Options.JoinAllPoints);
+  using Candidates = PartSurvey::Candidates;
+  this->Current.emplace(part, static_cast<std::uint32_t>(this->Parts.size()), globalIds,
+    this->Options.JoinByIdsOnly     ? Candidates::WithIds
+      : this->Options.JoinAllPoints ? Candidates::All
+                                    : Candidates::Skin);
   this->Parts.push_back(
     { part.Layout.GetChunkCount(), mesh.Points, mesh.Cells, HashPart(mesh, globalIds), {} });
 }

@@ -39,6 +39,10 @@ struct PartWriterOptions
    * Finds also the points inside a part that lines and surfaces of other parts have, and takes as
    * much more space on the disk. */
   bool JoinAllPoints = false;
+
+  /** Whether the global ids tell which points are in several parts: those with ids of 0 and more.
+   * They are compared wherever they are, and those with negative ids are not compared. */
+  bool JoinByIdsOnly = false;
 };
 
 /** What PartWriter has written. */
@@ -75,7 +79,8 @@ struct PartStatistics
  * coordinates, and the same values of all point arrays at all steps. Points with different values
  * are kept apart, as are 0 and -0; coordinates that are not numbers are not compared. Points of one
  * part are never joined. Only points on the boundary of a part are compared, see
- * PartWriterOptions::JoinAllPoints. Cells that are in several parts are written several times.
+ * PartWriterOptions::JoinAllPoints and JoinByIdsOnly. Cells that are in several parts are written
+ * several times.
  *
  * Original numbers (WriterOptions::Keep) count through the parts. A point of several parts has the
  * number of the first one.

@@ -225,6 +225,15 @@ void AtomicFile::Write(std::span<const std::uint8_t> bytes)
 }
 
 //------------------------------------------------------------------------------
+void AtomicFile::Overwrite(std::uint64_t offset, std::span<const std::uint8_t> bytes)
+{
+  if (const int error = this->Handle.WriteAt(offset, bytes))
+  {
+    this->Fail(error);
+  }
+}
+
+//------------------------------------------------------------------------------
 void AtomicFile::ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const
 {
   if (const int error = this->Handle.ReadAt(offset, bytes))

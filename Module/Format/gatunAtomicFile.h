@@ -5,6 +5,7 @@
 #define gatunAtomicFile_h
 
 #include "gatunFileHandle.h"
+#include "vtkGatunCoreModule.h" // For export macro
 
 #include <cstdint>
 #include <span>
@@ -25,9 +26,9 @@ namespace gatun
  * killed in between leaves that name behind, but the file is complete.
  *
  * Symbolic links are followed. A file that is replaced passes on its permissions; the permissions
- * of a new file follow the umask. Methods throw Error(CannotWrite).
+ * of a new file follow the umask. Methods throw Error(CannotWrite). Exported for the gtn program.
  */
-class AtomicFile
+class VTKGATUNCORE_EXPORT AtomicFile
 {
 public:
   /** replaceReadOnly: whether to replace an existing file that this user may not write. */
@@ -53,6 +54,9 @@ public:
   std::uint64_t GetSize() const { return this->Size; }
 
   void Write(std::span<const std::uint8_t> bytes);
+
+  /** Replaces bytes that have been written. */
+  void Overwrite(std::uint64_t offset, std::span<const std::uint8_t> bytes);
 
   /** Reads bytes that have been written. */
   void ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const;

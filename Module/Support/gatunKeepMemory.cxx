@@ -6,6 +6,10 @@
 #include <cstddef>
 #include <cstdlib>
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 namespace gatun
 {
 void KeepFreedMemory()
@@ -22,6 +26,14 @@ void KeepFreedMemory()
     return true;
   }();
   static_cast<void>(once);
+#endif
+}
+
+//------------------------------------------------------------------------------
+void ReturnFreedMemory()
+{
+#if defined(__GLIBC__)
+  ::malloc_trim(0);
 #endif
 }
 }

@@ -4,6 +4,8 @@
 #ifndef gatunKeepMemory_h
 #define gatunKeepMemory_h
 
+#include "vtkGatunCoreModule.h" // For export macro
+
 namespace gatun
 {
 /**
@@ -12,6 +14,10 @@ namespace gatun
  * them back from the system, page by page, takes a fifth of the time of decoding.
  */
 void KeepFreedMemory();
+
+/** Gives freed memory back to the system, after work that takes much more of it than what follows.
+ * Exported for the gtn program. */
+VTKGATUNCORE_EXPORT void ReturnFreedMemory();
 }
 
 #endif

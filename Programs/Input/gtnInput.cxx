@@ -9,26 +9,29 @@
 #include "gtnObj.h"
 #include "gtnPrepare.h"
 #include "gtnProgress.h"
+#include "gtnRangedSeries.h"
 #include "gtnReadable.h"
 #include "gtnReaders.h"
 #include "gtnSeries.h"
+#include "gtnSpoolSource.h"
+#include "gtnSpooledMesh.h"
 #include "gtnText.h"
+#include "gtnXMLMesh.h"
 
 #include "gatunCellCheck.h"
 #include "gatunError.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
-#include "vtkDataArray.h"
-#include "vtkDataObject.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
-#include "vtkInformationInformationVectorKey.h"
-#include "vtkInformationVector.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkXMLUnstructuredGridReader.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -44,15 +47,13 @@ namespace
 {
 
 // The bytes of a tuple of all arrays.
-std::uint64_t SizeOfTuple(vtkInformationVector* arrays)
+std::uint64_t SizeOfTuple(vtkFieldData* data)
 {
   std::uint64_t bytes = 0;
-  for (int i = 0; arrays && i < arrays->GetNumberOfInformationObjects(); ++i)
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
-    vtkInformation* array = arrays->GetInformationObject(i);
-    const int type = array->Get(vtkDataObject::FIELD_ARRAY_TYPE());
-    bytes += static_cast<std::uint64_t>(vtkDataArray::GetDataTypeSize(type) *
-      array->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()));
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    bytes += static_cast<std::uint64_t>(array->GetDataTypeSize() * array->GetNumberOfComponents());
   }
   return bytes;
 }
@@ -61,24 +62,17 @@ std::uint64_t SizeOfTuple(vtkInformationVector* arrays)
 std::uint64_t EstimateMesh(const std::string& file)
 {
   CheckReadable(file);
-  vtkSmartPointer<vtkAlgorithm> reader = MakeReader(file, false);
-  auto* xml = vtkXMLUnstructuredGridReader::SafeDownCast(reader);
-  if (!xml)
+  if (ExtensionOf(file) != ".vtu")
   {
     constexpr std::uint64_t compression = 4;
     return compression * std::filesystem::file_size(file);
   }
-  xml->UpdateInformation();
-  CheckMessages(file, true);
-  vtkInformation* info = xml->GetOutputInformation(0);
-  const auto size = [&](vtkInformationInformationVectorKey* key)
-  { return info->Has(key) ? SizeOfTuple(info->Get(key)) : 0; };
+  const XMLSummary summary = ReadXMLSummary(file);
   constexpr std::uint64_t coordinates = 24;
-  constexpr std::uint64_t ids = 8 * (8 + 1) + 1; // of a hexahedron
-  return static_cast<std::uint64_t>(xml->GetNumberOfPoints()) *
-    (coordinates + size(vtkDataObject::POINT_DATA_VECTOR())) +
-    static_cast<std::uint64_t>(xml->GetNumberOfCells()) *
-    (ids + size(vtkDataObject::CELL_DATA_VECTOR()));
+  constexpr std::uint64_t idBytes = 8;
+  return idBytes * summary.Corners +
+    summary.Points * (coordinates + SizeOfTuple(summary.Grid->GetPointData())) +
+    summary.Cells * (idBytes + 1 + SizeOfTuple(summary.Grid->GetCellData()));
 }
 
 } // anonymous namespace
@@ -86,10 +80,9 @@ std::uint64_t EstimateMesh(const std::string& file)
 //------------------------------------------------------------------------------
 Input::Input(const std::vector<std::string>& files, const InputOptions& options)
   : Name(files.front())
-  , Quiet(options.Quiet)
+  , Options(options)
 {
   std::vector<SeriesStep>& steps = this->Steps;
-  bool hasTime = true;
   if (files.size() > 1)
   {
     steps = StepsOfFiles(files, options.InPieces);
@@ -111,13 +104,13 @@ Input::Input(const std::vector<std::string>& files, const InputOptions& options)
   else if (options.InPieces && ExtensionOf(this->Name) == ".pvtu")
   {
     steps.push_back({ 0, FindParts(this->Name) });
-    hasTime = false;
+    this->HasTime = false;
   }
 
   if (!steps.empty())
   {
     vtkNew<SeriesReader> series;
-    series->SetSteps(steps, options, hasTime);
+    series->SetSteps(steps, options, this->HasTime);
     this->Algorithm = series;
   }
   else
@@ -134,8 +127,14 @@ Input::Input(const std::vector<std::string>& files, const InputOptions& options)
     preparer->SetInputConnection(reader->GetOutputPort());
     this->Algorithm = preparer;
   }
+  this->FindTimes();
+}
+
+//------------------------------------------------------------------------------
+void Input::FindTimes()
+{
   this->Algorithm->UpdateInformation();
-  CheckMessages(this->Name, this->Quiet);
+  CheckMessages(this->Name, this->Options.Quiet);
 
   vtkInformation* info = this->Algorithm->GetOutputInformation(0);
   auto* key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
@@ -160,8 +159,73 @@ vtkAlgorithm* Input::GetSource() const
 }
 
 //------------------------------------------------------------------------------
+bool Input::CanSpool() const
+{
+  const auto isOne = [](const std::string& file) { return ExtensionOf(file) == ".vtu"; };
+  return this->Steps.empty()
+    ? isOne(this->Name)
+    : std::all_of(this->Steps.begin(), this->Steps.end(),
+        [&](const SeriesStep& step) { return step.Files.size() == 1 && isOne(step.Files[0]); });
+}
+
+//------------------------------------------------------------------------------
+void Input::Spool(const SpoolSettings& settings, Progress& progress)
+{
+  const auto open = [this](const std::string& file) -> std::unique_ptr<RangedMesh>
+  {
+    return std::make_unique<XMLMesh>(
+      file, this->Options.AllArrays ? nullptr : &this->Options.Arrays);
+  };
+  std::shared_ptr<RangedMesh> mesh;
+  if (this->Steps.empty() || !this->HasTime)
+  {
+    mesh = open(this->Steps.empty() ? this->Name : this->Steps.front().Files.front());
+  }
+  else
+  {
+    std::vector<std::string> files;
+    std::vector<double> times;
+    for (const SeriesStep& step : this->Steps)
+    {
+      files.push_back(step.Files.front());
+      times.push_back(step.Time);
+    }
+    mesh = std::make_shared<RangedSeries>(files, times, open);
+  }
+  try
+  {
+    this->Spooled = std::make_shared<SpooledMesh>(
+      mesh, settings, [&progress](double fraction) { return progress(fraction); });
+  }
+  catch (const gatun::Error& error)
+  {
+    throw Failure(error.what());
+  }
+  vtkNew<SpoolSource> source;
+  source->SetMesh(this->Spooled, this->Options);
+  this->Algorithm = source;
+  this->FindTimes();
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t Input::GetBytesForAll() const
+{
+  return this->Spooled ? this->Spooled->GetUnusedBytes() : 0;
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t Input::GetNumberOfCells() const
+{
+  return this->Spooled ? this->Spooled->GetNumberOfCells() : 0;
+}
+
+//------------------------------------------------------------------------------
 std::size_t Input::GetNumberOfParts() const
 {
+  if (this->Spooled)
+  {
+    return this->Spooled->GetNumberOfPieces();
+  }
   for (const SeriesStep& step : this->Steps)
   {
     if (step.Files.size() != this->Steps.front().Files.size())
@@ -175,6 +239,10 @@ std::size_t Input::GetNumberOfParts() const
 //------------------------------------------------------------------------------
 std::uint64_t Input::EstimateLargestPart() const
 {
+  if (this->Spooled)
+  {
+    return this->Spooled->GetLargestPiece();
+  }
   const std::vector<std::string> files =
     this->Steps.empty() ? std::vector<std::string>{ this->Name } : this->Steps.front().Files;
   std::uint64_t largest = 0;
@@ -198,7 +266,7 @@ vtkUnstructuredGrid* Input::Read(std::size_t step, Progress& progress)
     this->Algorithm->UpdateTimeStep(this->Times.at(step));
   }
   CheckInterrupt();
-  CheckMessages(this->Name, this->Quiet);
+  CheckMessages(this->Name, this->Options.Quiet);
   return vtkUnstructuredGrid::SafeDownCast(this->Algorithm->GetOutputDataObject(0));
 }
 

@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ class vtkUnstructuredGrid;
 namespace gtn
 {
 class Progress;
+class SpooledMesh;
+struct SpoolSettings;
 
 /** The formats that can be read, for help texts. */
 extern const char* const InputFormats;
@@ -45,12 +48,28 @@ public:
   /** Returns the reader at its beginning. */
   vtkAlgorithm* GetSource() const;
 
-  /** Returns the number of files of each step. Throws Failure if the steps differ in it. */
+  /** Whether the mesh is in one file that can be divided into pieces on the disk, or one for each
+   * time step. */
+  bool CanSpool() const;
+
+  /** Divides the mesh into pieces on the disk, which the algorithm makes from then on. Throws
+   * Failure, gatun::Error and Interrupted. */
+  void Spool(const SpoolSettings& settings, Progress& progress);
+  bool IsSpooled() const { return this->Spooled != nullptr; }
+
+  /** Returns the number of pieces, or else of files of each step. Throws Failure if the steps
+   * differ in it. */
   std::size_t GetNumberOfParts() const;
 
-  /** Returns about the number of bytes of the largest file as a mesh in memory. Reads only what
-   * comes before the values. Throws Failure. */
+  /** Returns about the number of bytes of the largest piece or file as a mesh in memory. Reads only
+   * what comes before the values. Throws Failure. */
   std::uint64_t EstimateLargestPart() const;
+
+  /** Returns the number of bytes that stay in memory while a mesh in pieces is written. */
+  std::uint64_t GetBytesForAll() const;
+
+  /** Returns the number of cells of a mesh in pieces, or 0. */
+  std::uint64_t GetNumberOfCells() const;
 
   /** Returns the times in ascending order, or nothing without time. */
   const std::vector<double>& GetTimes() const { return this->Times; }
@@ -59,11 +78,15 @@ public:
   vtkUnstructuredGrid* Read(std::size_t step, Progress& progress);
 
 private:
+  void FindTimes();
+
   std::string Name;
-  bool Quiet;
+  InputOptions Options;
+  bool HasTime = true; // if there are Steps
   vtkSmartPointer<vtkAlgorithm> Algorithm;
   std::vector<double> Times;
   std::vector<SeriesStep> Steps; // empty if a single reader makes them
+  std::shared_ptr<const SpooledMesh> Spooled;
 };
 
 /** Reads a surface from a file: .stl .ply .obj .vtp .vtk. Throws Failure. */

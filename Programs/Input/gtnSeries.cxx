@@ -10,9 +10,9 @@
 #include "gtnReadable.h"
 #include "gtnReaders.h"
 #include "gtnText.h"
+#include "gtnXMLMesh.h"
 
 #include "vtkDataArray.h"
-#include "vtkDataArraySelection.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -22,7 +22,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkXMLUnstructuredGridReader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,16 +61,18 @@ vtkSmartPointer<vtkAlgorithm> OpenOne(const std::string& file, bool sets)
 // NaN if the file does not tell.
 double TimeValueOf(const std::string& file)
 {
-  vtkSmartPointer<vtkAlgorithm> reader = OpenOne(file, false);
-  if (auto* xml = vtkXMLUnstructuredGridReader::SafeDownCast(reader))
+  vtkSmartPointer<vtkDataObject> data;
+  if (ExtensionOf(file) == ".vtu")
   {
-    // Their values are of no interest now.
-    xml->GetPointDataArraySelection()->DisableAllArrays();
-    xml->GetCellDataArraySelection()->DisableAllArrays();
+    data = ReadXMLSummary(file).Grid;
   }
-  reader->Update();
-  CheckMessages(file, true);
-  vtkDataObject* data = reader->GetOutputDataObject(0);
+  else
+  {
+    vtkSmartPointer<vtkAlgorithm> reader = OpenOne(file, false);
+    reader->Update();
+    CheckMessages(file, true);
+    data = reader->GetOutputDataObject(0);
+  }
   vtkDataArray* time = data->GetFieldData()->GetArray("TimeValue");
   return time && time->GetNumberOfValues() == 1 ? time->GetComponent(0, 0)
                                                 : std::numeric_limits<double>::quiet_NaN();

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gtnPieceOptions.h"
+
+#include "gtnFailure.h"
+#include "gtnInput.h"
+#include "gtnProgress.h"
+#include "gtnSettings.h"
+#include "gtnSpooledMesh.h"
+
+#include "vtkGatunWriter.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+
+namespace gtn
+{
+namespace
+{
+
+// Of the program itself, in MiB, and of a mesh that is written.
+constexpr std::uint64_t ProgramMiB = 160;
+constexpr std::uint64_t Copies = 4;
+
+// The memory for the boundaries of pieces, in MiB.
+int SpillMiB(int memory)
+{
+  constexpr int most = 256;
+  return std::clamp(memory / 8, 1, most);
+}
+
+// What writing takes in MiB. pieceBytes: of the largest piece. moreBytes: of what stays.
+std::uint64_t NeededMiB(const PieceOptions& options, std::uint64_t pieceBytes, std::uint64_t moreBytes)
+{
+  return ProgramMiB + 2 * static_cast<std::uint64_t>(SpillMiB(options.Memory)) +
+    ((Copies * pieceBytes + moreBytes) >> 20);
+}
+
+// Divides a mesh in one file.
+void Divide(vtkGatunWriter* writer, Input& input, const PieceOptions& options,
+  const Settings& settings)
+{
+  if (writer->GetHierarchy() || (writer->GetLayerArray() && *writer->GetLayerArray()))
+  {
+    throw Failure(input.GetName(),
+      "a hierarchy or layers need the whole mesh, which is divided into pieces");
+  }
+  if (writer->GetKeepOrder() != vtkGatunWriter::KEEP_NONE)
+  {
+    throw Failure(input.GetName(),
+      "the original order needs the whole mesh, or one in several files; the mesh is divided into "
+      "pieces");
+  }
+  SpoolSettings spool;
+  spool.Folder = options.SpillFolder;
+  if (spool.Folder.empty())
+  {
+    spool.Folder = std::filesystem::path(writer->GetFileName()).parent_path().string();
+  }
+  spool.Folder = spool.Folder.empty() ? "." : spool.Folder;
+  spool.Pieces = static_cast<std::size_t>(std::max(1, options.Pieces));
+  spool.Memory = std::numeric_limits<std::uint64_t>::max();
+  spool.PieceBytes = spool.Memory;
+  if (options.Memory > 0)
+  {
+    constexpr std::uint64_t leastPiece = 1;
+    const auto limit = static_cast<std::uint64_t>(options.Memory);
+    const std::uint64_t fixed = NeededMiB(options, 0, 0);
+    if (limit < fixed + Copies * leastPiece)
+    {
+      throw Failure(input.GetName(),
+        fmt::format("packing a mesh in pieces takes at least {} MiB of memory, and --memory allows "
+                    "{}",
+          fixed + Copies * leastPiece, limit));
+    }
+    spool.Memory = limit > ProgramMiB ? (limit - ProgramMiB) << 20 : 0;
+    // Pieces become a little larger than their share of the mesh.
+    spool.PieceBytes = ((limit - fixed) << 20) / Copies / 10 * 9;
+  }
+  Progress progress("reading", settings.ShowProgress);
+  input.Spool(spool, progress);
+  writer->SetJoinArray(JoinArrayName);
+  // As for the whole mesh.
+  constexpr std::uint64_t largeMesh = 10000000;
+  constexpr int largeChunk = 262144;
+  if (writer->GetChunkTets() == 0 && input.GetNumberOfCells() > largeMesh)
+  {
+    writer->SetChunkTets(largeChunk);
+  }
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+void AddPieceOptions(CLI::App* command, PieceOptions& options)
+{
+  command
+    ->add_option("--memory", options.Memory,
+      "Limit of memory in MiB. The files of a .pvtu file, or of each time step of a .pvd file, are "
+      "packed one after the other. A .vtu file that is too large is divided into pieces on the "
+      "disk first. The whole mesh is never in memory. If that would take more than the limit, "
+      "nothing is done (default: none; all of the mesh is read)")
+    ->check(CLI::Range(1, 1 << 30))
+    ->option_text("MIB");
+  command
+    ->add_option("--pieces", options.Pieces,
+      "Number of pieces that are packed one after the other, for .vtu files and files that can be "
+      "read in pieces (default: with --memory, as many as needed, or the number of files of the "
+      "mesh; otherwise 1)")
+    ->check(CLI::Range(1, 1 << 24))
+    ->option_text("N");
+  command
+    ->add_option("--spill", options.SpillFolder,
+      "Folder of temporary files when the mesh comes in pieces (default: that of the .gtn file)")
+    ->check(CLI::ExistingDirectory)
+    ->option_text("DIR");
+  command->add_flag("--join-all", options.JoinAll,
+    "Compare all points of pieces, not only those on their boundaries. Joins lines and surfaces of "
+    "one file to points inside the mesh of another one, and takes more time and disk space. A .vtu "
+    "file that is divided does not need it");
+}
+
+//------------------------------------------------------------------------------
+bool SetPieces(vtkGatunWriter* writer, Input& input, const PieceOptions& options,
+  const Settings& settings)
+{
+  writer->SetSpillFolder(options.SpillFolder.empty() ? nullptr : options.SpillFolder.c_str());
+  writer->SetJoinAllPoints(options.JoinAll);
+  const auto limit = static_cast<std::uint64_t>(options.Memory);
+  const bool isTooLarge =
+    limit > 0 && NeededMiB(options, input.EstimateLargestPart(), 0) > limit;
+  if (input.CanSpool() && (options.Pieces > 1 || isTooLarge))
+  {
+    Divide(writer, input, options, settings);
+  }
+  const auto parts = static_cast<int>(input.GetNumberOfParts());
+  const int pieces = input.IsSpooled() ? parts
+    : options.Pieces > 0               ? options.Pieces
+    : options.Memory > 0               ? parts
+                                       : 1;
+  writer->SetNumberOfPieces(pieces);
+  if (limit > 0)
+  {
+    const auto files = static_cast<std::uint64_t>((parts + pieces - 1) / pieces);
+    const auto pieceBytes = parts > 1 || pieces == 1
+      ? input.EstimateLargestPart() * files
+      : input.EstimateLargestPart() / static_cast<std::uint64_t>(pieces);
+    const auto needed = NeededMiB(options, pieceBytes, input.GetBytesForAll());
+    if (needed > limit)
+    {
+      throw Failure(input.GetName(),
+        fmt::format("packing the largest of {} takes about {} MiB of memory, and --memory allows "
+                    "{}; smaller pieces would take less",
+          pieces > 1 ? fmt::format("{} pieces", pieces) : "one piece", needed, limit));
+    }
+    writer->SetSpillMemory(SpillMiB(options.Memory));
+  }
+  return pieces > 1 || input.IsSpooled();
+}
+}
