@@ -68,7 +68,7 @@ void Spool::Close()
     {
       this->Flush(stream);
     }
-    stream.Buffer = {};
+    stream.Buffer = std::vector<std::uint8_t>(); // which frees the memory, as {} does not
   }
   this->FirstOpen = this->Streams.size();
 }
