@@ -117,7 +117,7 @@ void CheckGrid(vtkUnstructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
-void CheckCell(vtkIdType cell, int type, vtkIdType size, const vtkIdType* ids, vtkIdType points)
+void CheckCellSize(vtkIdType cell, int type, vtkIdType size)
 {
   const CellKind kind = GetCellKind(type);
   const vtkIdType least = kind.Points > 0 ? kind.Points : kind.Shape ? kind.Shape->Corners : 0;
@@ -126,6 +126,12 @@ void CheckCell(vtkIdType cell, int type, vtkIdType size, const vtkIdType* ids, v
     ThrowInvalid("cell " + std::to_string(cell) + " has " + std::to_string(size) + " points, not " +
       std::to_string(least) + (kind.Points > 0 ? "" : " or more"));
   }
+}
+
+//------------------------------------------------------------------------------
+void CheckCell(vtkIdType cell, int type, vtkIdType size, const vtkIdType* ids, vtkIdType points)
+{
+  CheckCellSize(cell, type, size);
   for (vtkIdType i = 0; i < size; ++i)
   {
     if (ids[i] < 0 || ids[i] >= points)

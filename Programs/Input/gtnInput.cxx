@@ -169,8 +169,14 @@ bool Input::CanSpool() const
 }
 
 //------------------------------------------------------------------------------
-void Input::Spool(const SpoolSettings& settings, Progress& progress)
+void Input::Spool(SpoolSettings settings, Progress& progress)
 {
+  settings.Split = this->Options.Split;
+  if (this->Spooled) // its disk space is needed
+  {
+    this->Algorithm = nullptr;
+    this->Spooled.reset();
+  }
   const auto open = [this](const std::string& file) -> std::unique_ptr<RangedMesh>
   {
     return std::make_unique<XMLMesh>(
@@ -199,7 +205,7 @@ void Input::Spool(const SpoolSettings& settings, Progress& progress)
   }
   catch (const gatun::Error& error)
   {
-    throw Failure(error.what());
+    throw error.Path.empty() ? Failure(this->Name, error.what()) : Failure(error.what());
   }
   vtkNew<SpoolSource> source;
   source->SetMesh(this->Spooled, this->Options);

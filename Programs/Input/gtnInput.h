@@ -54,7 +54,7 @@ public:
 
   /** Divides the mesh into pieces on the disk, which the algorithm makes from then on. Throws
    * Failure, gatun::Error and Interrupted. */
-  void Spool(const SpoolSettings& settings, Progress& progress);
+  void Spool(SpoolSettings settings, Progress& progress);
   bool IsSpooled() const { return this->Spooled != nullptr; }
 
   /** Returns the number of pieces, or else of files of each step. Throws Failure if the steps

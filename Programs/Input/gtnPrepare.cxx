@@ -17,6 +17,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
+#include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -142,6 +143,21 @@ void Preparer::SetOptions(const InputOptions& options)
 }
 
 //------------------------------------------------------------------------------
+void Preparer::Prepare(
+  vtkDataObject* input, const InputOptions& options, vtkUnstructuredGrid* output)
+{
+  vtkNew<Preparer> preparer;
+  preparer->SetOptions(options);
+  preparer->SetInputDataObject(input);
+  preparer->Update();
+  if (preparer->GetErrorCode() != vtkErrorCode::NoError)
+  {
+    throw Failure("cannot be used");
+  }
+  output->ShallowCopy(preparer->GetOutputDataObject(0));
+}
+
+//------------------------------------------------------------------------------
 int Preparer::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
@@ -179,6 +195,7 @@ int Preparer::RequestData(vtkInformation* vtkNotUsed(request), vtkInformationVec
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  this->SetErrorCode(vtkErrorCode::NoError);
   try
   {
     vtkSmartPointer<vtkUnstructuredGrid> grid = vtkUnstructuredGrid::SafeDownCast(input);
@@ -207,6 +224,7 @@ int Preparer::RequestData(vtkInformation* vtkNotUsed(request), vtkInformationVec
   }
   catch (const std::exception& error)
   {
+    this->SetErrorCode(vtkErrorCode::UserError);
     vtkErrorMacro(<< ReasonOf(error));
     return 0;
   }

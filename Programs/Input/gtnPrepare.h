@@ -24,6 +24,11 @@ public:
 
   void SetOptions(const InputOptions& options);
 
+  /** Prepares a data object into a grid. Throws Failure if that is not possible, which has been
+   * reported as an error before. */
+  static void Prepare(
+    vtkDataObject* input, const InputOptions& options, vtkUnstructuredGrid* output);
+
 protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,

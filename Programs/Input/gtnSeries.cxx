@@ -200,8 +200,6 @@ void SeriesReader::Read(const std::vector<std::string>& files, vtkUnstructuredGr
   {
     return;
   }
-  vtkNew<Preparer> preparer;
-  preparer->SetOptions(this->Options);
   vtkNew<vtkMultiBlockDataSet> parts;
   for (const std::string& file : files)
   {
@@ -209,16 +207,7 @@ void SeriesReader::Read(const std::vector<std::string>& files, vtkUnstructuredGr
     reader->Update();
     CheckMessages(file, this->Options.Quiet);
     parts->SetBlock(parts->GetNumberOfBlocks(), reader->GetOutputDataObject(0));
-    if (files.size() == 1)
-    {
-      preparer->SetInputDataObject(reader->GetOutputDataObject(0));
-    }
   }
-  if (files.size() > 1)
-  {
-    preparer->SetInputDataObject(parts);
-  }
-  preparer->Update();
-  output->ShallowCopy(preparer->GetOutputDataObject(0));
+  Preparer::Prepare(files.size() > 1 ? parts.Get() : parts->GetBlock(0), this->Options, output);
 }
 }

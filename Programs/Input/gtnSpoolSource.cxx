@@ -9,7 +9,6 @@
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
@@ -78,11 +77,8 @@ int SpoolSource::RequestData(vtkInformation* vtkNotUsed(request),
     {
       throw Failure("has other pieces");
     }
-    vtkNew<Preparer> preparer;
-    preparer->SetOptions(this->Options);
-    preparer->SetInputDataObject(this->Mesh->MakePiece(static_cast<std::size_t>(piece), step));
-    preparer->Update();
-    output->ShallowCopy(preparer->GetOutputDataObject(0));
+    Preparer::Prepare(
+      this->Mesh->MakePiece(static_cast<std::size_t>(piece), step), this->Options, output);
   }
   catch (const std::exception& error)
   {

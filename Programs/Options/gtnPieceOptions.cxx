@@ -35,20 +35,21 @@ int SpillMiB(int memory)
 }
 
 // What writing takes in MiB. pieceBytes: of the largest piece. moreBytes: of what stays.
-std::uint64_t NeededMiB(const PieceOptions& options, std::uint64_t pieceBytes, std::uint64_t moreBytes)
+std::uint64_t NeededMiB(
+  const PieceOptions& options, std::uint64_t pieceBytes, std::uint64_t moreBytes)
 {
   return ProgramMiB + 2 * static_cast<std::uint64_t>(SpillMiB(options.Memory)) +
     ((Copies * pieceBytes + moreBytes) >> 20);
 }
 
 // Divides a mesh in one file.
-void Divide(vtkGatunWriter* writer, Input& input, const PieceOptions& options,
-  const Settings& settings)
+void Divide(
+  vtkGatunWriter* writer, Input& input, const PieceOptions& options, const Settings& settings)
 {
   if (writer->GetHierarchy() || (writer->GetLayerArray() && *writer->GetLayerArray()))
   {
-    throw Failure(input.GetName(),
-      "a hierarchy or layers need the whole mesh, which is divided into pieces");
+    throw Failure(
+      input.GetName(), "a hierarchy or layers need the whole mesh, which is divided into pieces");
   }
   if (writer->GetKeepOrder() != vtkGatunWriter::KEEP_NONE)
   {
@@ -83,7 +84,20 @@ void Divide(vtkGatunWriter* writer, Input& input, const PieceOptions& options,
     spool.PieceBytes = ((limit - fixed) << 20) / Copies / 10 * 9;
   }
   Progress progress("reading", settings.ShowProgress);
-  input.Spool(spool, progress);
+  // Pieces with many points that others have, too, are larger than expected.
+  constexpr int mostAttempts = 3;
+  for (int attempt = 0; attempt < mostAttempts; ++attempt)
+  {
+    input.Spool(spool, progress);
+    const std::uint64_t largest = std::max<std::uint64_t>(1, input.EstimateLargestPart());
+    if (options.Memory == 0 ||
+      NeededMiB(options, largest, 0) <= static_cast<std::uint64_t>(options.Memory))
+    {
+      break;
+    }
+    const double target = static_cast<double>(spool.PieceBytes);
+    spool.PieceBytes = static_cast<std::uint64_t>(target * target / static_cast<double>(largest));
+  }
   writer->SetJoinArray(JoinArrayName);
   // As for the whole mesh.
   constexpr std::uint64_t largeMesh = 10000000;
@@ -126,14 +140,13 @@ void AddPieceOptions(CLI::App* command, PieceOptions& options)
 }
 
 //------------------------------------------------------------------------------
-bool SetPieces(vtkGatunWriter* writer, Input& input, const PieceOptions& options,
-  const Settings& settings)
+bool SetPieces(
+  vtkGatunWriter* writer, Input& input, const PieceOptions& options, const Settings& settings)
 {
   writer->SetSpillFolder(options.SpillFolder.empty() ? nullptr : options.SpillFolder.c_str());
   writer->SetJoinAllPoints(options.JoinAll);
   const auto limit = static_cast<std::uint64_t>(options.Memory);
-  const bool isTooLarge =
-    limit > 0 && NeededMiB(options, input.EstimateLargestPart(), 0) > limit;
+  const bool isTooLarge = limit > 0 && NeededMiB(options, input.EstimateLargestPart(), 0) > limit;
   if (input.CanSpool() && (options.Pieces > 1 || isTooLarge))
   {
     Divide(writer, input, options, settings);

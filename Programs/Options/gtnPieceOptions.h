@@ -33,8 +33,8 @@ void AddPieceOptions(CLI::App* command, PieceOptions& options);
 /** Divides a mesh as the options say, and sets up the writer for the pieces, whose file name and
  * other options have been set. Returns
  * whether the mesh comes in pieces. Throws Failure, also if memory does not suffice. */
-bool SetPieces(vtkGatunWriter* writer, Input& input, const PieceOptions& options,
-  const Settings& settings);
+bool SetPieces(
+  vtkGatunWriter* writer, Input& input, const PieceOptions& options, const Settings& settings);
 }
 
 #endif

@@ -44,17 +44,15 @@ std::size_t PieceRouter::Divide(const ElementBytes& bytes, std::uint64_t most, s
   }
   // Points are divided like the corners that they are. Those between pieces are in several.
   constexpr double repeated = 1.15;
-  const double points = corners == 0
-    ? 0
-    : repeated * bytes.Point * static_cast<double>(this->Leaves.size()) /
-      static_cast<double>(corners);
+  const double points = corners == 0 ? 0
+                                     : repeated * bytes.Point *
+      static_cast<double>(this->Leaves.size()) / static_cast<double>(corners);
   std::vector<std::uint64_t> weights;
   for (const Leaf& leaf : this->All)
   {
-    weights.push_back(
-      static_cast<std::uint64_t>(bytes.Cell * static_cast<double>(leaf.Cells) +
-        (bytes.Corner + points) * static_cast<double>(leaf.Corners) +
-        bytes.FaceValue * static_cast<double>(leaf.FaceValues)));
+    weights.push_back(static_cast<std::uint64_t>(bytes.Cell * static_cast<double>(leaf.Cells) +
+      (bytes.Corner + points) * static_cast<double>(leaf.Corners) +
+      bytes.FaceValue * static_cast<double>(leaf.FaceValues)));
   }
   const auto firsts = GroupLeaves(weights, most, least);
   std::uint32_t pieces = 0;
@@ -76,7 +74,8 @@ std::size_t PieceRouter::Divide(const ElementBytes& bytes, std::uint64_t most, s
       const auto heavy = std::max_element(weights.begin() + static_cast<std::ptrdiff_t>(firsts[g]),
         weights.begin() + static_cast<std::ptrdiff_t>(firsts[g + 1]));
       Leaf& leaf = this->All[static_cast<std::size_t>(heavy - weights.begin())];
-      parts = static_cast<std::uint32_t>(std::min<std::uint64_t>(cells, (weight + most - 1) / most));
+      parts =
+        static_cast<std::uint32_t>(std::min<std::uint64_t>(cells, (weight + most - 1) / most));
       leaf.Pieces = parts;
     }
     pieces += parts;
@@ -93,6 +92,7 @@ std::size_t PieceRouter::Route(std::span<const std::uint32_t> corners)
   {
     this->Leaves[corner] |= Used;
   }
-  return leaf.FirstPiece + static_cast<std::size_t>(number * leaf.Pieces / std::max<std::uint64_t>(leaf.Cells, 1));
+  return leaf.FirstPiece +
+    static_cast<std::size_t>(number * leaf.Pieces / std::max<std::uint64_t>(leaf.Cells, 1));
 }
 }

@@ -53,9 +53,9 @@ private:
 /**
  * Groups of consecutive leaves, each below one node, with limited weights.
  *
- * weights: of the leaves. most: the largest weight of a group, unless it is that of one leaf. least:
- * the number of groups to make, if there are as many leaves with a weight. Returns the first leaf of
- * each group, and behind them the number of leaves. The number of leaves is a power of two.
+ * weights: of the leaves. most: the largest weight of a group, unless it is that of one leaf.
+ * least: the number of groups to make, if there are as many leaves with a weight. Returns the first
+ * leaf of each group, and behind them the number of leaves. The number of leaves is a power of two.
  */
 std::vector<std::size_t> GroupLeaves(
   std::span<const std::uint64_t> weights, std::uint64_t most, std::size_t least);

@@ -25,7 +25,9 @@ constexpr std::size_t Block = 1 << 16;
 
 std::size_t SizeOfPoint(vtkUnstructuredGrid* grid)
 {
-  return grid->GetPoints() ? 3 * static_cast<std::size_t>(grid->GetPoints()->GetData()->GetDataTypeSize()) : 0;
+  return grid->GetPoints()
+    ? 3 * static_cast<std::size_t>(grid->GetPoints()->GetData()->GetDataTypeSize())
+    : 0;
 }
 
 } // anonymous namespace

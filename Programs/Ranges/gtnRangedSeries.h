@@ -16,8 +16,8 @@
 
 namespace gtn
 {
-/** Files with the same mesh and the same arrays, which is checked. One file at a time is open beside
- * the first one. */
+/** Files with the same mesh and the same arrays, which is checked. One file at a time is open
+ * beside the first one. */
 class RangedSeries : public RangedMesh
 {
 public:

@@ -36,8 +36,8 @@ public:
   template <typename T>
   void Append(std::size_t stream, const std::vector<T>& values)
   {
-    this->Append(stream,
-      { reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(T) });
+    this->Append(
+      stream, { reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(T) });
   }
 
   /** Ends the streams that were opened last. */
@@ -61,8 +61,8 @@ public:
   std::vector<T> ReadAll(std::size_t stream) const
   {
     std::vector<T> values(this->Count<T>(stream));
-    this->Read(stream, 0,
-      { reinterpret_cast<std::uint8_t*>(values.data()), values.size() * sizeof(T) });
+    this->Read(
+      stream, 0, { reinterpret_cast<std::uint8_t*>(values.data()), values.size() * sizeof(T) });
     return values;
   }
 
@@ -92,8 +92,7 @@ private:
 
   /** Calls use(offset in the file, offset in the range, size) for each piece of a range. */
   template <typename Use>
-  static void ForEachExtent(
-    const Stream& stream, std::uint64_t begin, std::size_t size, Use&& use);
+  static void ForEachExtent(const Stream& stream, std::uint64_t begin, std::size_t size, Use&& use);
 
   gatun::AtomicFile File;
   std::vector<Stream> Streams;

@@ -5,10 +5,12 @@
 
 #include "gtnFailure.h"
 
+#include "gatunCellCheck.h"
 #include "gatunKeepMemory.h"
 #include "gatunParallel.h"
 
 #include "vtkAbstractArray.h"
+#include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
@@ -19,6 +21,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace gtn
@@ -40,7 +43,8 @@ constexpr std::size_t MostBlockBytes = std::size_t{ 4 } << 20;
 // For the buffers of all streams.
 constexpr std::uint64_t MostStreamBytes = 64 * MiB;
 
-void ToPoints(const std::vector<std::uint8_t>& bytes, int type, std::vector<PointTree::Point>& points)
+void ToPoints(
+  const std::vector<std::uint8_t>& bytes, int type, std::vector<PointTree::Point>& points)
 {
   const auto convert = [&](const auto* values)
   {
@@ -74,8 +78,8 @@ void SortUnique(std::vector<std::uint32_t>& numbers)
     [&](std::size_t part)
     {
       const auto begin = numbers.begin() + static_cast<std::ptrdiff_t>(part * share);
-      const auto end = numbers.begin() +
-        static_cast<std::ptrdiff_t>(std::min(numbers.size(), (part + 1) * share));
+      const auto end =
+        numbers.begin() + static_cast<std::ptrdiff_t>(std::min(numbers.size(), (part + 1) * share));
       kept[part] = static_cast<std::size_t>(sort(begin, end) - begin);
     });
   auto to = numbers.begin();
@@ -203,6 +207,10 @@ SpooledMesh::SpooledMesh(std::shared_ptr<RangedMesh> mesh, const SpoolSettings& 
     this->SpoolUnused(router);
   }
   this->SpoolArrays(vtkDataObject::CELL, work);
+  if (this->HasCellNumbers)
+  {
+    this->SpoolCellNumbers(work);
+  }
   this->MakeLocal();
   this->MarkShared();
   this->SpoolArrays(vtkDataObject::POINT, work);
@@ -308,24 +316,27 @@ void SpooledMesh::FindLeaves(PieceRouter& router, const PointTree& tree, Work& w
 void SpooledMesh::WeighCells(PieceRouter& router, Work& work)
 {
   RangedCells cells;
-  for (std::uint64_t begin = 0; begin < this->Mesh->GetNumberOfCells();
-       begin += cells.Types.size())
+  for (std::uint64_t begin = 0; begin < this->Mesh->GetNumberOfCells(); begin += cells.Types.size())
   {
     this->Mesh->ReadCells(begin, Block, cells);
     const std::span<const std::uint32_t> points(cells.Points);
     std::size_t at = 0;
     for (std::size_t i = 0; i < cells.Types.size(); ++i)
     {
+      gatun::CheckCellSize(static_cast<vtkIdType>(begin + i), cells.Types[i], cells.Sizes[i]);
       router.Weigh(
         points.subspan(at, cells.Sizes[i]), cells.FaceSizes.empty() ? 0 : cells.FaceSizes[i]);
       at += cells.Sizes[i];
     }
+    this->HasCellNumbers = this->HasCellNumbers ||
+      (this->Settings.Split &&
+        std::any_of(cells.Types.begin(), cells.Types.end(),
+          [](std::uint8_t type) { return type != VTK_TETRA; }));
     work.Add(cells.Types.size());
   }
   const double id = this->Mesh->HasWideIds() ? 8 : 4;
   const bool hasFaces = this->Mesh->HasPolyhedra();
-  const ElementBytes bytes{
-    static_cast<double>(this->PointBytes),
+  const ElementBytes bytes{ static_cast<double>(this->PointBytes),
     1 + id + (hasFaces ? sizeof(vtkIdType) : 0) +
       static_cast<double>(this->TupleBytes[vtkDataObject::CELL]),
     id, sizeof(vtkIdType) };
@@ -350,11 +361,10 @@ void SpooledMesh::SpoolCells(PieceRouter& router, Work& work)
   std::vector<std::uint32_t> routes;
   const auto append = [&](std::size_t stream, const auto& values, std::size_t at, std::size_t n)
   {
-    this->File.Append(stream,
-      { reinterpret_cast<const std::uint8_t*>(values.data() + at), n * sizeof(values[0]) });
+    this->File.Append(
+      stream, { reinterpret_cast<const std::uint8_t*>(values.data() + at), n * sizeof(values[0]) });
   };
-  for (std::uint64_t begin = 0; begin < this->Mesh->GetNumberOfCells();
-       begin += cells.Types.size())
+  for (std::uint64_t begin = 0; begin < this->Mesh->GetNumberOfCells(); begin += cells.Types.size())
   {
     this->Mesh->ReadCells(begin, Block, cells);
     const std::span<const std::uint32_t> points(cells.Points);
@@ -596,5 +606,16 @@ void SpooledMesh::SpoolArrays(int association, Work& work)
         { this->Mesh->ReadArray(association, i, step, begin, count, values); }));
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void SpooledMesh::SpoolCellNumbers(Work& work)
+{
+  this->CellNumbers = this->Distribute(vtkDataObject::CELL, sizeof(vtkIdType), work,
+    [](std::uint64_t begin, std::size_t count, void* values)
+    {
+      auto* numbers = static_cast<vtkIdType*>(values);
+      std::iota(numbers, numbers + count, static_cast<vtkIdType>(begin));
+    });
 }
 }

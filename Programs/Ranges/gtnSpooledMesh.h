@@ -28,10 +28,14 @@ namespace gtn
 /** How a mesh is divided. */
 struct SpoolSettings
 {
-  std::string Folder;             ///< of the temporary file
-  std::uint64_t Memory = 0;       ///< for the work, in bytes
-  std::uint64_t PieceBytes = 0;   ///< about the largest piece in memory with a time step
-  std::size_t Pieces = 1;         ///< the least number of them
+  std::string Folder;           ///< of the temporary file
+  std::uint64_t Memory = 0;     ///< for the work, in bytes
+  std::uint64_t PieceBytes = 0; ///< about the largest piece in memory with a time step
+  std::size_t Pieces = 1;       ///< the least number of them
+
+  /** Whether cells shall be split into tetrahedra. If any is none, pieces have the array
+   * OriginalCellIds of vtkGatunWriter, with numbers of cells of the whole mesh. */
+  bool Split = false;
 };
 
 /** The name of the point array by which pieces are joined (vtkGatunWriter::JoinArray): the numbers
@@ -66,7 +70,8 @@ public:
   /** The bytes of points that no cell uses. They are pieces of their own. */
   std::uint64_t GetUnusedBytes() const { return this->UnusedBytes; }
 
-  /** Reads a piece. Its points have an array JoinArrayName. Throws gatun::Error. */
+  /** Reads a piece. If there are several, points have an array JoinArrayName. Throws gatun::Error.
+   */
   vtkSmartPointer<vtkUnstructuredGrid> MakePiece(std::size_t piece, std::size_t step) const;
 
 private:
@@ -95,6 +100,7 @@ private:
   void SpoolCells(PieceRouter& router, Work& work);
   void SpoolUnused(const PieceRouter& router);
   void SpoolArrays(int association, Work& work);
+  void SpoolCellNumbers(Work& work);
   void MakeLocal();
   void MarkShared();
   std::vector<Cursor> MakeCursors() const;
@@ -116,6 +122,7 @@ private:
   void FillFaces(vtkUnstructuredGrid* grid, std::size_t piece, vtkUnsignedCharArray* types,
     vtkCellArray* cells) const;
   void FillJoinArray(vtkUnstructuredGrid* grid, std::size_t piece) const;
+  void FillCellNumbers(vtkUnstructuredGrid* grid, std::size_t piece) const;
   void FillArray(vtkDataArray* array, const SpooledArray& from, std::size_t piece) const;
 
   const std::shared_ptr<RangedMesh> Mesh;
@@ -142,6 +149,8 @@ private:
   std::size_t UnusedNumbers = 0;
   std::size_t Shared = 0; // a byte for each point of a piece: whether others have it
   SpooledArray Coordinates;
+  SpooledArray CellNumbers; // if HasCellNumbers
+  bool HasCellNumbers = false;
   std::vector<SpooledArray> Arrays[2]; // of points and cells, step after step
 };
 }

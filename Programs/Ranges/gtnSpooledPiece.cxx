@@ -7,7 +7,7 @@
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
-#include "vtkCellType.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
@@ -37,12 +37,10 @@ std::uint64_t SpooledMesh::GetLargestPiece() const
 }
 
 //------------------------------------------------------------------------------
-void SpooledMesh::FillArray(
-  vtkDataArray* array, const SpooledArray& from, std::size_t piece) const
+void SpooledMesh::FillArray(vtkDataArray* array, const SpooledArray& from, std::size_t piece) const
 {
   const std::size_t stream = from.FirstStream + piece;
-  array->SetNumberOfTuples(
-    static_cast<vtkIdType>(this->File.GetSize(stream) / from.TupleBytes));
+  array->SetNumberOfTuples(static_cast<vtkIdType>(this->File.GetSize(stream) / from.TupleBytes));
   this->File.Read(stream, 0,
     { static_cast<std::uint8_t*>(array->GetVoidPointer(0)),
       static_cast<std::size_t>(this->File.GetSize(stream)) });
@@ -119,6 +117,24 @@ void SpooledMesh::FillJoinArray(vtkUnstructuredGrid* grid, std::size_t piece) co
 }
 
 //------------------------------------------------------------------------------
+// All pieces get what those have whose cells are split: the cell of each tetrahedron, and no global
+// ids.
+void SpooledMesh::FillCellNumbers(vtkUnstructuredGrid* grid, std::size_t piece) const
+{
+  constexpr const char* name = "OriginalCellIds";
+  vtkCellData* data = grid->GetCellData();
+  data->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
+  if (data->HasArray(name))
+  {
+    return;
+  }
+  vtkNew<vtkIdTypeArray> numbers;
+  numbers->SetName(name);
+  this->FillArray(numbers, this->CellNumbers, piece);
+  data->AddArray(numbers);
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnstructuredGrid> SpooledMesh::MakePiece(
   std::size_t piece, std::size_t step) const
 {
@@ -145,14 +161,13 @@ vtkSmartPointer<vtkUnstructuredGrid> SpooledMesh::MakePiece(
     for (int i = 0; i < count; ++i)
     {
       vtkAbstractArray* model = from->GetAbstractArray(i);
-      auto array =
-        vtk::TakeSmartPointer(vtkDataArray::SafeDownCast(model->NewInstance()));
+      auto array = vtk::TakeSmartPointer(vtkDataArray::SafeDownCast(model->NewInstance()));
       array->SetName(model->GetName());
       array->SetNumberOfComponents(model->GetNumberOfComponents());
       array->CopyComponentNames(model);
       this->FillArray(array,
-        this->Arrays[association][step * static_cast<std::size_t>(count) +
-          static_cast<std::size_t>(i)],
+        this->Arrays[association]
+                    [step * static_cast<std::size_t>(count) + static_cast<std::size_t>(i)],
         piece);
       to->AddArray(array);
     }
@@ -165,7 +180,14 @@ vtkSmartPointer<vtkUnstructuredGrid> SpooledMesh::MakePiece(
       }
     }
   }
-  this->FillJoinArray(grid, piece);
+  if (this->Pieces.size() > 1)
+  {
+    this->FillJoinArray(grid, piece);
+  }
+  if (this->HasCellNumbers)
+  {
+    this->FillCellNumbers(grid, piece);
+  }
   grid->GetFieldData()->ShallowCopy(this->Mesh->GetTemplate(step)->GetFieldData());
   return grid;
 }

@@ -27,9 +27,9 @@ XMLArray::XMLArray(XMLData& data, std::uint64_t offset, int type, const std::str
   , Name(name)
   , WordSize(static_cast<std::size_t>(vtkDataArray::GetDataTypeSize(type)))
 {
-  this->Input = data.IsBase64 ? vtkSmartPointer<vtkInputStream>(
-                                  vtkSmartPointer<vtkBase64InputStream>::New())
-                              : vtkSmartPointer<vtkInputStream>::New();
+  this->Input = data.IsBase64
+    ? vtkSmartPointer<vtkInputStream>(vtkSmartPointer<vtkBase64InputStream>::New())
+    : vtkSmartPointer<vtkInputStream>::New();
   this->Input->SetStream(&data.Stream);
   if (offset > data.FileSize || data.Begin > data.FileSize - offset)
   {
@@ -94,8 +94,7 @@ void XMLArray::ReadBlockTable(std::uint64_t position)
   }
   // In base64, header and blocks are encoded separately.
   const std::uint64_t headerBytes = header * (3 + blocks);
-  this->Position = position +
-    (this->Data.IsBase64 ? (headerBytes + 2) / 3 * 4 : headerBytes);
+  this->Position = position + (this->Data.IsBase64 ? (headerBytes + 2) / 3 * 4 : headerBytes);
   this->BlockNumber = this->BlockEnds.size();
 }
 
@@ -119,8 +118,7 @@ std::vector<std::uint64_t> XMLArray::ReadWords(
 }
 
 //------------------------------------------------------------------------------
-void XMLArray::ReadStream(
-  std::uint64_t position, std::uint64_t skip, std::span<std::uint8_t> bytes)
+void XMLArray::ReadStream(std::uint64_t position, std::uint64_t skip, std::span<std::uint8_t> bytes)
 {
   if (bytes.empty())
   {
@@ -186,8 +184,8 @@ void XMLArray::Read(std::uint64_t begin, std::size_t count, void* values)
   {
     this->Fail("has too few values");
   }
-  this->ReadBytes(begin * this->WordSize,
-    { static_cast<std::uint8_t*>(values), count * this->WordSize });
+  this->ReadBytes(
+    begin * this->WordSize, { static_cast<std::uint8_t*>(values), count * this->WordSize });
   if (this->Data.IsSwapped && this->WordSize > 1)
   {
     vtkByteSwap::SwapVoidRange(values, count, this->WordSize);

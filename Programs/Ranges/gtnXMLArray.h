@@ -28,7 +28,7 @@ struct XMLData
   std::uint64_t Begin = 0; ///< of the appended data
   unsigned HeaderWord = 4; ///< bytes of a number in the headers of arrays
   bool IsBase64 = false;
-  bool IsSwapped = false;                         ///< in the other byte order
+  bool IsSwapped = false;                        ///< in the other byte order
   vtkSmartPointer<vtkDataCompressor> Compressor; ///< null: not compressed
 };
 

@@ -214,15 +214,15 @@ XMLMesh::~XMLMesh() = default;
 void XMLMesh::Refuse(const std::string& what) const
 {
   throw Failure(this->File,
-    what + ", so that it cannot be read in parts; this takes a file with appended data and one "
-           "time step");
+    what +
+      ", so that it cannot be read in parts; this takes a file with appended data and one "
+      "time step");
 }
 
 //------------------------------------------------------------------------------
 // parent: the element around that of the array. name: null for the only array there. type: the one
 // that it must have, or 0.
-std::unique_ptr<XMLArray> XMLMesh::OpenArray(
-  vtkXMLDataElement* parent, const char* name, int type)
+std::unique_ptr<XMLArray> XMLMesh::OpenArray(vtkXMLDataElement* parent, const char* name, int type)
 {
   const std::string known = name ? name : "Points";
   vtkXMLDataElement* element = FindArray(parent, name);
@@ -363,8 +363,8 @@ void XMLMesh::ReadPoints(std::uint64_t begin, std::size_t count, void* values)
 }
 
 //------------------------------------------------------------------------------
-void XMLMesh::ReadArray(int association, int number, std::size_t, std::uint64_t begin,
-  std::size_t count, void* values)
+void XMLMesh::ReadArray(
+  int association, int number, std::size_t, std::uint64_t begin, std::size_t count, void* values)
 {
   vtkAbstractArray* array = DataOf(this->Template, association)->GetAbstractArray(number);
   const auto components = static_cast<std::size_t>(array->GetNumberOfComponents());
@@ -543,8 +543,7 @@ void XMLMesh::AppendFaces(const Piece& piece, std::uint64_t cell,
     cells.Faces.push_back(points);
     for (std::uint32_t p = 0; p < points; ++p)
     {
-      cells.Faces.push_back(
-        static_cast<std::uint32_t>(piece.FirstPoint + next(piece.Points - 1)));
+      cells.Faces.push_back(static_cast<std::uint32_t>(piece.FirstPoint + next(piece.Points - 1)));
     }
   }
   if (at != values.size())
