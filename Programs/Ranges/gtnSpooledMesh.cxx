@@ -4,6 +4,7 @@
 #include "gtnSpooledMesh.h"
 
 #include "gtnFailure.h"
+#include "gtnSpoolCursor.h"
 
 #include "gatunCellCheck.h"
 #include "gatunKeepMemory.h"
@@ -92,63 +93,6 @@ void SortUnique(std::vector<std::uint32_t>& numbers)
 }
 
 } // anonymous namespace
-
-//------------------------------------------------------------------------------
-// The numbers of a stream, some at a time.
-class SpooledMesh::Cursor
-{
-public:
-  Cursor(const Spool& file, std::size_t stream, std::size_t most)
-    : File(file)
-    , Stream(stream)
-    , Count(file.Count<std::uint32_t>(stream))
-    , Most(most)
-  {
-  }
-
-  // Calls use for all numbers below end, which ascend.
-  template <typename Use>
-  void TakeBelow(std::uint64_t end, Use&& use)
-  {
-    for (; this->Fill() && this->Numbers[this->At] < end; ++this->At)
-    {
-      use(this->Numbers[this->At]);
-    }
-  }
-
-  // Calls use for some numbers.
-  template <typename Use>
-  void Take(std::size_t count, Use&& use)
-  {
-    for (; count > 0 && this->Fill(); --count, ++this->At)
-    {
-      use(this->Numbers[this->At]);
-    }
-  }
-
-private:
-  bool Fill()
-  {
-    if (this->At == this->Numbers.size() && this->Begin < this->Count)
-    {
-      this->Numbers.resize(std::min(this->Most, this->Count - this->Begin));
-      this->File.Read(this->Stream, this->Begin * sizeof(std::uint32_t),
-        { reinterpret_cast<std::uint8_t*>(this->Numbers.data()),
-          this->Numbers.size() * sizeof(std::uint32_t) });
-      this->Begin += this->Numbers.size();
-      this->At = 0;
-    }
-    return this->At < this->Numbers.size();
-  }
-
-  const Spool& File;
-  const std::size_t Stream;
-  const std::size_t Count;
-  const std::size_t Most;
-  std::size_t Begin = 0; // of the numbers that follow
-  std::vector<std::uint32_t> Numbers;
-  std::size_t At = 0;
-};
 
 //------------------------------------------------------------------------------
 // Progress in points and cells that are read.
@@ -501,7 +445,7 @@ void SpooledMesh::MakePieceLocal(std::size_t number)
 void SpooledMesh::MarkShared()
 {
   const std::uint64_t count = this->Mesh->GetNumberOfPoints();
-  std::vector<Cursor> cursors = this->MakeCursors();
+  std::vector<SpoolCursor> cursors = this->MakeCursors();
   this->Shared = this->File.Open(this->FirstUnused, this->StreamBytes / 2);
   std::vector<std::vector<std::uint32_t>> points(this->FirstUnused);
   std::vector<std::uint32_t> uses(Block);
@@ -532,9 +476,9 @@ void SpooledMesh::MarkShared()
 
 //------------------------------------------------------------------------------
 // Cursors of the numbers of the points of all pieces.
-std::vector<SpooledMesh::Cursor> SpooledMesh::MakeCursors() const
+std::vector<SpoolCursor> SpooledMesh::MakeCursors() const
 {
-  std::vector<Cursor> cursors;
+  std::vector<SpoolCursor> cursors;
   for (std::size_t p = 0; p < this->Pieces.size(); ++p)
   {
     cursors.emplace_back(this->File, this->GetNumbers(p),
@@ -553,8 +497,8 @@ SpooledMesh::SpooledArray SpooledMesh::Distribute(
   const std::uint64_t count =
     isPoints ? this->Mesh->GetNumberOfPoints() : this->Mesh->GetNumberOfCells();
   const SpooledArray array{ this->File.Open(pieces, this->StreamBytes / 2), tupleBytes };
-  std::vector<Cursor> points = isPoints ? this->MakeCursors() : std::vector<Cursor>();
-  Cursor routes(this->File, this->Routes, Block);
+  std::vector<SpoolCursor> points = isPoints ? this->MakeCursors() : std::vector<SpoolCursor>();
+  SpoolCursor routes(this->File, this->Routes, Block);
   const auto block = std::clamp<std::size_t>(MostBlockBytes / tupleBytes, 1, Block);
   std::vector<std::uint8_t> values(block * tupleBytes);
   for (std::uint64_t begin = 0; begin < count; begin += block)

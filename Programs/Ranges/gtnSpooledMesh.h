@@ -25,6 +25,8 @@ class vtkUnstructuredGrid;
 
 namespace gtn
 {
+class SpoolCursor;
+
 /** How a mesh is divided. */
 struct SpoolSettings
 {
@@ -90,7 +92,6 @@ private:
   };
 
   class Work;
-  class Cursor;
 
   void MeasureTuples();
   void CheckMemory();
@@ -103,7 +104,7 @@ private:
   void SpoolCellNumbers(Work& work);
   void MakeLocal();
   void MarkShared();
-  std::vector<Cursor> MakeCursors() const;
+  std::vector<SpoolCursor> MakeCursors() const;
   void MakePieceLocal(std::size_t piece);
 
   /** Distributes the tuples of an array over the pieces. read(begin, count, values). */

@@ -97,6 +97,25 @@ assert writer.GetWrittenPoints() == whole.GetNumberOfPoints()
 assert writer.GetWrittenCells() == whole.GetNumberOfCells()
 assert writer.GetFileBytes() == os.path.getsize(path)
 
+# The points to join by an array of numbers: a number of -1 is that of a point of this piece alone.
+numbered = gm.block(n=7)
+gm.add_array(numbered.GetPointData(), np.arange(numbered.GetNumberOfPoints()), "number")
+apart = gm.block(n=7)
+gm.add_array(apart.GetPointData(), np.full(apart.GetNumberOfPoints(), -1), "number")
+for grid, joined in ((numbered, True), (apart, False)):
+    source = PieceSource(lambda piece, pieces, step, grid=grid: piece_of(grid, piece, pieces))
+    writer, messages = write(source, JoinArray="number")
+    assert not messages, messages
+    assert (writer.GetWrittenPoints() == whole.GetNumberOfPoints()) == joined
+    assert writer.GetWrittenCells() == whole.GetNumberOfCells()
+    assert not gm.read(path).GetPointData().HasArray("number")
+    if joined:
+        gm.assert_same_mesh(gm.read(path), whole)
+for name in ("missing", "velocity"):
+    messages = write(PieceSource(lambda piece, pieces, step: piece_of(whole, piece, pieces)), 0,
+                     JoinArray=name)[1]
+    assert f"no point array '{name}' with integers" in messages[0], messages
+
 # Time steps: those of a piece follow each other.
 steps = [gm.block(n=7) for _ in range(3)]
 for step, grid in enumerate(steps):

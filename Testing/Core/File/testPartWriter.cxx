@@ -12,7 +12,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <map>
 
 namespace
 {
@@ -164,6 +166,40 @@ TEST(PartWriter, JoinsNodesOfQuadraticCells)
 TEST(PartWriter, JoinsMixturesWhereAllPointsAreCompared)
 {
   ExpectJoined(MakePartMesh(Mixture(6)), true);
+}
+
+TEST(PartWriter, NegativeIdsTellWhichPointsAreInNoOtherPart)
+{
+  const auto mesh = MakePartMesh(Mixture(6)); // where the boundaries of parts are not enough
+  auto parts = Divide(mesh, 5, DealRandomly(mesh, 5, 3));
+  std::map<std::int64_t, int> uses;
+  for (const auto& part : parts)
+  {
+    for (const auto id : part.PointIds)
+    {
+      ++uses[id];
+    }
+  }
+  for (auto& part : parts)
+  {
+    std::replace_if(
+      part.PointIds.begin(), part.PointIds.end(), [&](auto id) { return uses[id] == 1; }, -1);
+  }
+  auto options = MakeOptions();
+  options.JoinByIdsOnly = true;
+  auto statistics = WriteParts(GetPath("parts.gtn"), parts, options, 1, true);
+  ExpectMesh(GetPath("parts.gtn"), mesh, 0);
+  EXPECT_EQ(statistics.Points, mesh.GetPoints());
+  EXPECT_EQ(statistics.DifferentPoints, 0u);
+
+  std::size_t all = 0;
+  for (auto& part : parts)
+  {
+    all += part.PointIds.size();
+    std::fill(part.PointIds.begin(), part.PointIds.end(), -1);
+  }
+  statistics = WriteParts(GetPath("parts.gtn"), parts, options, 1, true);
+  EXPECT_EQ(statistics.Points, all);
 }
 
 TEST(PartWriter, FilesOfPartsAreLittleLarger)
