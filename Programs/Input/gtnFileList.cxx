@@ -125,6 +125,17 @@ std::vector<SeriesStep> ReadSeries(const std::string& file)
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
+std::vector<double> TimesOf(const std::vector<SeriesStep>& steps)
+{
+  std::vector<double> times;
+  for (const SeriesStep& step : steps)
+  {
+    times.push_back(step.Time);
+  }
+  return times;
+}
+
+//------------------------------------------------------------------------------
 std::vector<std::string> FindParts(const std::string& file)
 {
   if (ExtensionOf(file) != ".pvtu")

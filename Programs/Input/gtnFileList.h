@@ -17,6 +17,9 @@ struct SeriesStep
   std::vector<std::string> Files; ///< the parts of the mesh
 };
 
+/** The times of steps. */
+std::vector<double> TimesOf(const std::vector<SeriesStep>& steps);
+
 /** The files that a .pvtu file consists of; of others, the file itself. Throws Failure. */
 std::vector<std::string> FindParts(const std::string& file);
 

@@ -3,6 +3,7 @@
 
 #include "gtnInput.h"
 
+#include "gtnBlockSource.h"
 #include "gtnFailure.h"
 #include "gtnFileList.h"
 #include "gtnMessages.h"
@@ -38,9 +39,10 @@
 
 namespace gtn
 {
-const char* const InputFormats = ".vtu .pvtu .vtk .vtm .pvd .series .vtkhdf .vti .vts .vtr, Exodus "
-                                 "(.e .exo .ex2), EnSight (.case), OpenFOAM (.foam), "
-                                 "CGNS, .gtn";
+const char* const InputFormats =
+  ".vtu .pvtu .vtk .vtm .vtpc .pvd .series .vtkhdf .vti .vts .vtr, Exodus "
+  "(.e .exo .ex2), EnSight (.case), OpenFOAM (.foam), "
+  "CGNS, .gtn";
 
 //------------------------------------------------------------------------------
 namespace
@@ -62,6 +64,15 @@ std::uint64_t SizeOfTuple(vtkFieldData* data)
 std::uint64_t EstimateMesh(const std::string& file)
 {
   CheckReadable(file);
+  if (ExtensionOf(file) == ".pvtu")
+  {
+    std::uint64_t sum = 0;
+    for (const std::string& part : FindParts(file))
+    {
+      sum += EstimateMesh(part);
+    }
+    return sum;
+  }
   if (ExtensionOf(file) != ".vtu")
   {
     constexpr std::uint64_t compression = 4;
@@ -73,6 +84,15 @@ std::uint64_t EstimateMesh(const std::string& file)
   return idBytes * summary.Corners +
     summary.Points * (coordinates + SizeOfTuple(summary.Grid->GetPointData())) +
     summary.Cells * (idBytes + 1 + SizeOfTuple(summary.Grid->GetCellData()));
+}
+
+// Whether each step is in one file that lists blocks.
+bool AreBlocks(const std::vector<SeriesStep>& steps)
+{
+  return !steps.empty() &&
+    std::all_of(steps.begin(), steps.end(),
+      [](const SeriesStep& step)
+      { return step.Files.size() == 1 && IsBlockList(step.Files.front()); });
 }
 
 } // anonymous namespace
@@ -106,8 +126,24 @@ Input::Input(const std::vector<std::string>& files, const InputOptions& options)
     steps.push_back({ 0, FindParts(this->Name) });
     this->HasTime = false;
   }
+  else if (options.InPieces && IsBlockList(this->Name))
+  {
+    steps.push_back({ 0, { this->Name } });
+    this->HasTime = false;
+  }
 
-  if (!steps.empty())
+  if (options.InPieces && AreBlocks(steps))
+  {
+    vtkNew<BlockSource> blocks;
+    blocks->SetSteps(steps, options, this->HasTime);
+    this->Algorithm = blocks;
+    this->HasBlocks = true;
+    for (SeriesStep& step : steps)
+    {
+      step.Files = ReadBlockList(step.Files.front()).Files;
+    }
+  }
+  else if (!steps.empty())
   {
     vtkNew<SeriesReader> series;
     series->SetSteps(steps, options, this->HasTime);
@@ -162,9 +198,9 @@ vtkAlgorithm* Input::GetSource() const
 bool Input::CanSpool() const
 {
   const auto isOne = [](const std::string& file) { return ExtensionOf(file) == ".vtu"; };
-  return this->Steps.empty()
-    ? isOne(this->Name)
-    : std::all_of(this->Steps.begin(), this->Steps.end(),
+  return this->Steps.empty() ? isOne(this->Name)
+                             : !this->HasBlocks &&
+      std::all_of(this->Steps.begin(), this->Steps.end(),
         [&](const SeriesStep& step) { return step.Files.size() == 1 && isOne(step.Files[0]); });
 }
 

@@ -57,6 +57,9 @@ public:
   void Spool(SpoolSettings settings, Progress& progress);
   bool IsSpooled() const { return this->Spooled != nullptr; }
 
+  /** Whether points of pieces are joined by their array JoinArrayName. */
+  bool HasJoinArray() const { return this->Spooled || this->HasBlocks; }
+
   /** Returns the number of pieces, or else of files of each step. Throws Failure if the steps
    * differ in it. */
   std::size_t GetNumberOfParts() const;
@@ -82,7 +85,8 @@ private:
 
   std::string Name;
   InputOptions Options;
-  bool HasTime = true; // if there are Steps
+  bool HasTime = true;    // if there are Steps
+  bool HasBlocks = false; // whether the files of each step are blocks
   vtkSmartPointer<vtkAlgorithm> Algorithm;
   std::vector<double> Times;
   std::vector<SeriesStep> Steps; // empty if a single reader makes them

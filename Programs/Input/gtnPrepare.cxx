@@ -86,13 +86,18 @@ bool IsWanted(const std::vector<std::string>& names, const char* name)
 }
 
 // Those not in names go.
-void Select(vtkDataSetAttributes* attributes, const std::vector<std::string>& names)
+void Select(vtkUnstructuredGrid* grid, const std::vector<std::string>& names)
 {
-  for (int i = attributes->GetNumberOfArrays() - 1; i >= 0; --i)
+  for (vtkDataSetAttributes* attributes :
+    { static_cast<vtkDataSetAttributes*>(grid->GetPointData()),
+      static_cast<vtkDataSetAttributes*>(grid->GetCellData()) })
   {
-    if (!IsWanted(names, attributes->GetAbstractArray(i)->GetName()))
+    for (int i = attributes->GetNumberOfArrays() - 1; i >= 0; --i)
     {
-      attributes->RemoveArray(i);
+      if (!IsWanted(names, attributes->GetAbstractArray(i)->GetName()))
+      {
+        attributes->RemoveArray(i);
+      }
     }
   }
 }
@@ -217,10 +222,19 @@ int Preparer::RequestData(vtkInformation* vtkNotUsed(request), vtkInformationVec
     if (!this->Options.AllArrays)
     {
       CheckNames(grid, this->Options.Arrays);
-      Select(grid->GetPointData(), this->Options.Arrays);
-      Select(grid->GetCellData(), this->Options.Arrays);
+      // The marks of ghosts are needed until these have been removed.
+      std::vector<std::string> names = this->Options.Arrays;
+      names.emplace_back(vtkDataSetAttributes::GhostArrayName());
+      Select(grid, names);
     }
     output->ShallowCopy(this->Convert(grid));
+    if (!this->Options.AllArrays)
+    {
+      // That of split cells is a result.
+      std::vector<std::string> names = this->Options.Arrays;
+      names.emplace_back("OriginalCellIds");
+      Select(output, names);
+    }
   }
   catch (const std::exception& error)
   {

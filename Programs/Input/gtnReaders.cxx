@@ -23,6 +23,7 @@
 #include "vtkSTLReader.h"
 #include "vtkXMLGenericDataObjectReader.h"
 #include "vtkXMLImageDataReader.h"
+#include "vtkXMLPartitionedDataSetCollectionReader.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
@@ -163,6 +164,10 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
         extension, { ".pvtu", ".vtm", ".vtmb", ".vti", ".vts", ".vtr", ".pvti", ".pvts", ".pvtr" }))
   {
     return Make<vtkXMLGenericDataObjectReader>(file);
+  }
+  if (extension == ".vtpc")
+  {
+    return Make<vtkXMLPartitionedDataSetCollectionReader>(file);
   }
   if (extension == ".vtk")
   {

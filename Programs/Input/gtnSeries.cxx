@@ -3,6 +3,7 @@
 
 #include "gtnSeries.h"
 
+#include "gtnBlockList.h"
 #include "gtnFailure.h"
 #include "gtnFileList.h"
 #include "gtnMessages.h"
@@ -10,6 +11,7 @@
 #include "gtnReadable.h"
 #include "gtnReaders.h"
 #include "gtnText.h"
+#include "gtnTimes.h"
 #include "gtnXMLMesh.h"
 
 #include "vtkDataArray.h"
@@ -69,7 +71,9 @@ double TimeValueOf(const std::string& file)
   else
   {
     vtkSmartPointer<vtkAlgorithm> reader = OpenOne(file, false);
-    reader->Update();
+    // One block tells as much as all.
+    reader->UpdatePiece(
+      0, IsBlockList(file) ? static_cast<int>(ReadBlockList(file).Files.size()) : 1, 0);
     CheckMessages(file, true);
     data = reader->GetOutputDataObject(0);
   }
@@ -120,8 +124,8 @@ SeriesReader::SeriesReader()
 void SeriesReader::SetSteps(
   const std::vector<SeriesStep>& steps, const InputOptions& options, bool hasTime)
 {
-  this->HasTime = hasTime;
   this->Steps = steps;
+  this->Times = hasTime ? TimesOf(steps) : std::vector<double>();
   this->Options = options;
   this->Modified();
 }
@@ -132,19 +136,7 @@ int SeriesReader::RequestInformation(vtkInformation* vtkNotUsed(request),
 {
   vtkInformation* info = outputVector->GetInformationObject(0);
   info->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
-  if (!this->HasTime)
-  {
-    return 1;
-  }
-  std::vector<double> times;
-  for (const SeriesStep& step : this->Steps)
-  {
-    times.push_back(step.Time);
-  }
-  const double range[2] = { times.front(), times.back() };
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  info->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
-  info->Set(Pipeline::TIME_RANGE(), range, 2);
+  PublishTimes(info, this->Times);
   return 1;
 }
 
@@ -154,17 +146,7 @@ int SeriesReader::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkInformation* info = outputVector->GetInformationObject(0);
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  std::size_t index = 0;
-  if (info->Has(Pipeline::UPDATE_TIME_STEP()))
-  {
-    const double time = info->Get(Pipeline::UPDATE_TIME_STEP());
-    while (index + 1 < this->Steps.size() && this->Steps[index + 1].Time <= time)
-    {
-      ++index;
-    }
-  }
-
-  const SeriesStep& step = this->Steps[index];
+  const SeriesStep& step = this->Steps[FindStep(info, this->Times)];
   std::vector<std::string> files = step.Files;
   const auto pieces = static_cast<std::size_t>(std::max(1,
     info->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) ? info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())
@@ -185,7 +167,7 @@ int SeriesReader::RequestData(vtkInformation* vtkNotUsed(request),
     vtkErrorMacro(<< ReasonOf(error));
     return 0;
   }
-  if (this->HasTime)
+  if (!this->Times.empty())
   {
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step.Time);
   }

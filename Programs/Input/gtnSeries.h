@@ -44,7 +44,7 @@ private:
 
   std::vector<SeriesStep> Steps;
   InputOptions Options;
-  bool HasTime = true;
+  std::vector<double> Times;
 };
 }
 

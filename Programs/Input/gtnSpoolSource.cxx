@@ -5,6 +5,7 @@
 
 #include "gtnFailure.h"
 #include "gtnPrepare.h"
+#include "gtnTimes.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
@@ -39,16 +40,9 @@ void SpoolSource::SetMesh(std::shared_ptr<const SpooledMesh> mesh, const InputOp
 int SpoolSource::RequestInformation(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* info = outputVector->GetInformationObject(0);
   info->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
-  const std::vector<double>& times = this->Mesh->GetTimes();
-  if (!times.empty())
-  {
-    const double range[2] = { times.front(), times.back() };
-    info->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
-    info->Set(Pipeline::TIME_RANGE(), range, 2);
-  }
+  PublishTimes(info, this->Mesh->GetTimes());
   return 1;
 }
 
@@ -60,15 +54,7 @@ int SpoolSource::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformation* info = outputVector->GetInformationObject(0);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
   const std::vector<double>& times = this->Mesh->GetTimes();
-  std::size_t step = 0;
-  if (info->Has(Pipeline::UPDATE_TIME_STEP()))
-  {
-    const double time = info->Get(Pipeline::UPDATE_TIME_STEP());
-    while (step + 1 < times.size() && times[step + 1] <= time)
-    {
-      ++step;
-    }
-  }
+  const std::size_t step = FindStep(info, times);
   try
   {
     const int piece = info->Get(Pipeline::UPDATE_PIECE_NUMBER());

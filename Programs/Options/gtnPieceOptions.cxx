@@ -98,7 +98,6 @@ void Divide(
     const double target = static_cast<double>(spool.PieceBytes);
     spool.PieceBytes = static_cast<std::uint64_t>(target * target / static_cast<double>(largest));
   }
-  writer->SetJoinArray(JoinArrayName);
   // As for the whole mesh.
   constexpr std::uint64_t largeMesh = 10000000;
   constexpr int largeChunk = 262144;
@@ -157,6 +156,7 @@ bool SetPieces(
     : options.Memory > 0               ? parts
                                        : 1;
   writer->SetNumberOfPieces(pieces);
+  writer->SetJoinArray(input.HasJoinArray() ? JoinArrayName : nullptr);
   if (limit > 0)
   {
     const auto files = static_cast<std::uint64_t>((parts + pieces - 1) / pieces);

@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gtnBlockList.h"
+
+#include "gtnFailure.h"
+#include "gtnMessages.h"
+#include "gtnReadable.h"
+#include "gtnText.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkMultiPieceDataSet.h"
+#include "vtkNew.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkXMLDataElement.h"
+#include "vtkXMLDataParser.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+
+namespace gtn
+{
+namespace
+{
+
+vtkSmartPointer<vtkDataObjectTree> MakeTree(std::string_view element)
+{
+  if (element == "Block")
+  {
+    return vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  }
+  if (element == "Piece")
+  {
+    return vtkSmartPointer<vtkMultiPieceDataSet>::New();
+  }
+  return vtkSmartPointer<vtkPartitionedDataSet>::New();
+}
+
+// Follows the elements of a file as VTK's readers do.
+class ListReader
+{
+public:
+  explicit ListReader(const std::string& file)
+    : File(file)
+    , Folder(std::filesystem::path(file).parent_path())
+  {
+  }
+
+  BlockList Read()
+  {
+    CheckReadable(this->File);
+    vtkNew<vtkXMLDataParser> parser;
+    parser->SetFileName(this->File.c_str());
+    parser->Parse();
+    CheckMessages(this->File, true);
+    vtkXMLDataElement* root = parser->GetRootElement();
+    BlockList list;
+    for (int i = 0; root && i < root->GetNumberOfNestedElements(); ++i)
+    {
+      vtkXMLDataElement* element = root->GetNestedElement(i);
+      const std::string_view name = element->GetName();
+      if (name == "vtkMultiBlockDataSet")
+      {
+        list.Tree = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+      }
+      else if (name == "vtkPartitionedDataSetCollection")
+      {
+        list.Tree = vtkSmartPointer<vtkPartitionedDataSetCollection>::New();
+      }
+      if (list.Tree)
+      {
+        this->Collect(element, list.Tree);
+        break;
+      }
+    }
+    if (this->Files.empty())
+    {
+      throw Failure(this->File, "lists no files of blocks");
+    }
+    list.Files = this->Files;
+    list.Places = this->FindPlaces(list.Tree);
+    return list;
+  }
+
+private:
+  void Collect(vtkXMLDataElement* element, vtkDataObjectTree* tree)
+  {
+    unsigned next = 0;
+    for (int i = 0; i < element->GetNumberOfNestedElements(); ++i)
+    {
+      vtkXMLDataElement* nested = element->GetNestedElement(i);
+      const std::string_view kind = nested->GetName();
+      vtkSmartPointer<vtkDataObject> child;
+      if (kind == "DataSet")
+      {
+        child = this->AddFile(nested);
+      }
+      else if (kind == "Block" || kind == "Piece" || kind == "Partitions")
+      {
+        const auto part = MakeTree(kind);
+        this->Collect(nested, part);
+        child = part;
+      }
+      else
+      {
+        continue; // such as field data
+      }
+      int index = static_cast<int>(next);
+      nested->GetScalarAttribute("index", index);
+      this->SetChild(tree, index, child, nested->GetAttribute("name"));
+      next = static_cast<unsigned>(index) + 1;
+    }
+  }
+
+  vtkSmartPointer<vtkDataObject> AddFile(vtkXMLDataElement* element)
+  {
+    const char* file = element->GetAttribute("file");
+    if (!file)
+    {
+      return nullptr; // a block without data
+    }
+    auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    this->Files.push_back((this->Folder / file).string());
+    this->Grids.push_back(grid);
+    return grid;
+  }
+
+  void SetChild(vtkDataObjectTree* tree, int index, vtkDataObject* child, const char* name)
+  {
+    constexpr int most = 1 << 24;
+    if (index < 0 || index > most)
+    {
+      throw Failure(this->File, "has a block with the index " + std::to_string(index));
+    }
+    const auto number = static_cast<unsigned>(index);
+    vtkInformation* info = nullptr;
+    if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(tree))
+    {
+      blocks->SetBlock(number, child);
+      info = blocks->GetMetaData(number);
+    }
+    else if (auto* parts = vtkPartitionedDataSet::SafeDownCast(tree))
+    {
+      parts->SetPartition(number, child);
+      info = parts->GetMetaData(number);
+    }
+    else if (auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(tree))
+    {
+      auto* partitions = vtkPartitionedDataSet::SafeDownCast(child);
+      if (!partitions)
+      {
+        throw Failure(this->File, "has a block outside of its partitions");
+      }
+      collection->SetPartitionedDataSet(number, partitions);
+      info = collection->GetMetaData(number);
+    }
+    if (info && name)
+    {
+      info->Set(vtkCompositeDataSet::NAME(), name);
+    }
+  }
+
+  std::vector<unsigned> FindPlaces(vtkDataObjectTree* tree) const
+  {
+    std::vector<unsigned> places(this->Grids.size());
+    auto iterator = vtk::TakeSmartPointer(tree->NewTreeIterator());
+    std::size_t found = 0;
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      const auto grid = std::find(
+        this->Grids.begin(), this->Grids.end(), iterator->GetCurrentDataObject());
+      places[static_cast<std::size_t>(grid - this->Grids.begin())] =
+        iterator->GetCurrentFlatIndex();
+      ++found;
+    }
+    if (found != places.size())
+    {
+      throw Failure(this->File, "has several blocks with the same index");
+    }
+    return places;
+  }
+
+  const std::string File;
+  const std::filesystem::path Folder;
+  std::vector<std::string> Files;
+  std::vector<vtkSmartPointer<vtkDataObject>> Grids;
+};
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+bool IsBlockList(const std::string& file)
+{
+  const std::string extension = ExtensionOf(file);
+  return extension == ".vtm" || extension == ".vtmb" || extension == ".vtpc";
+}
+
+//------------------------------------------------------------------------------
+BlockList ReadBlockList(const std::string& file)
+{
+  return ListReader(file).Read();
+}
+}
