@@ -174,8 +174,8 @@ private:
     std::size_t found = 0;
     for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
     {
-      const auto grid = std::find(
-        this->Grids.begin(), this->Grids.end(), iterator->GetCurrentDataObject());
+      const auto grid =
+        std::find(this->Grids.begin(), this->Grids.end(), iterator->GetCurrentDataObject());
       places[static_cast<std::size_t>(grid - this->Grids.begin())] =
         iterator->GetCurrentFlatIndex();
       ++found;
@@ -206,5 +206,20 @@ bool IsBlockList(const std::string& file)
 BlockList ReadBlockList(const std::string& file)
 {
   return ListReader(file).Read();
+}
+
+//------------------------------------------------------------------------------
+BlockList MakeBlockList(const std::string& file, std::size_t count)
+{
+  vtkNew<vtkMultiBlockDataSet> tree;
+  BlockList list;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    tree->SetBlock(static_cast<unsigned>(i), vtkSmartPointer<vtkUnstructuredGrid>::New());
+    list.Files.push_back(file);
+    list.Places.push_back(static_cast<unsigned>(i) + 1); // behind the tree itself
+  }
+  list.Tree = tree;
+  return list;
 }
 }

@@ -7,6 +7,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct BlockList
 
 /** Whether a file lists blocks in other files, by its extension: .vtm .vtmb .vtpc. */
 bool IsBlockList(const std::string& file);
+
+/** A list of blocks of one file, whose names are not known. */
+BlockList MakeBlockList(const std::string& file, std::size_t count);
 
 /** Reads such a file, but none of those that it lists. Throws Failure. */
 BlockList ReadBlockList(const std::string& file);

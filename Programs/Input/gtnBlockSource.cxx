@@ -7,6 +7,7 @@
 #include "gtnMessages.h"
 #include "gtnPrepare.h"
 #include "gtnReadable.h"
+#include "gtnReaders.h"
 #include "gtnSpooledMesh.h"
 #include "gtnTimes.h"
 
@@ -15,9 +16,11 @@
 #include "vtkGatunMergeBlocks.h"
 
 #include "vtkAbstractArray.h"
+#include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
@@ -28,6 +31,7 @@
 #include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -51,7 +55,8 @@ namespace
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 // Replaces the data set of a file in the tree.
-void SetData(const BlockList& blocks, vtkDataObjectTree* tree, std::size_t file, vtkDataObject* data)
+void SetData(
+  const BlockList& blocks, vtkDataObjectTree* tree, std::size_t file, vtkDataObject* data)
 {
   auto iterator = vtk::TakeSmartPointer(tree->NewTreeIterator());
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
@@ -64,20 +69,16 @@ void SetData(const BlockList& blocks, vtkDataObjectTree* tree, std::size_t file,
   }
 }
 
-// The data set of a file as a grid without ghosts, whose cells are right.
-vtkSmartPointer<vtkUnstructuredGrid> ReadBlock(const std::string& file, bool quiet)
+// A data set as a grid without ghosts, whose cells are right. file: the one that it is from.
+vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(
+  vtkDataObject* data, const std::string& file, bool quiet)
 {
-  CheckReadable(file);
-  vtkNew<vtkXMLGenericDataObjectReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  CheckMessages(file, quiet);
-  if (!vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0)))
+  if (!vtkDataSet::SafeDownCast(data))
   {
     throw Failure(file, "does not hold a mesh");
   }
   vtkNew<vtkGatunMergeBlocks> merge;
-  merge->SetInputDataObject(reader->GetOutputDataObject(0));
+  merge->SetInputDataObject(data);
   merge->Update();
   CheckMessages(file, quiet);
   try
@@ -236,8 +237,7 @@ void BlockSource::SetSteps(
   const std::vector<SeriesStep>& steps, const InputOptions& options, bool hasTime)
 {
   this->Steps = steps;
-  this->Options = options;
-  this->Options.Arrays.emplace_back(JoinArrayName);
+  this->SetOptions(options);
   this->Times = hasTime ? TimesOf(steps) : std::vector<double>();
   this->Surveys.clear();
   for (const SeriesStep& step : steps)
@@ -245,6 +245,38 @@ void BlockSource::SetSteps(
     this->Surveys.emplace_back().Blocks = ReadBlockList(step.Files.front());
   }
   this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void BlockSource::SetExodus(const std::string& file, const InputOptions& options)
+{
+  this->SetOptions(options);
+  this->IsOneFile = true;
+  const std::size_t count = CountExodusBlocks(file, options.Sets);
+  if (count == 0)
+  {
+    throw Failure(file, "has no blocks");
+  }
+  this->Surveys.assign(1, {});
+  this->Surveys.front().Blocks = MakeBlockList(file, count);
+  const auto reader = MakeExodusReader(file, options.Sets, 0);
+  reader->UpdateInformation();
+  CheckMessages(file, true);
+  vtkInformation* info = reader->GetOutputInformation(0);
+  this->Times.clear();
+  if (info->Has(Pipeline::TIME_STEPS()))
+  {
+    const double* times = info->Get(Pipeline::TIME_STEPS());
+    this->Times.assign(times, times + info->Length(Pipeline::TIME_STEPS()));
+  }
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void BlockSource::SetOptions(const InputOptions& options)
+{
+  this->Options = options;
+  this->Options.Arrays.emplace_back(JoinArrayName);
 }
 
 //------------------------------------------------------------------------------
@@ -266,13 +298,14 @@ int BlockSource::RequestData(vtkInformation* vtkNotUsed(request),
   const std::size_t step = FindStep(info, this->Times);
   try
   {
-    if (!this->Surveys[step].IsDone)
+    const Survey& survey = this->GetSurvey(step);
+    if (!survey.IsDone)
     {
       this->SurveyStep(step);
     }
     const auto pieces = static_cast<std::size_t>(info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
     const auto piece = static_cast<std::size_t>(info->Get(Pipeline::UPDATE_PIECE_NUMBER()));
-    const std::size_t count = this->Surveys[step].Blocks.Files.size();
+    const std::size_t count = survey.Blocks.Files.size();
     this->Read(step, piece * count / pieces, (piece + 1) * count / pieces, output);
   }
   catch (const std::exception& error)
@@ -282,22 +315,82 @@ int BlockSource::RequestData(vtkInformation* vtkNotUsed(request),
   }
   if (!this->Times.empty())
   {
-    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), this->Steps[step].Time);
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), this->Times[step]);
   }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+// A block of an Exodus file has a name.
+struct BlockSource::Block
+{
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  std::string Name;
+};
+
+//------------------------------------------------------------------------------
+BlockSource::Block BlockSource::ReadBlock(std::size_t step, std::size_t number)
+{
+  const std::string& file = this->GetSurvey(step).Blocks.Files[number];
+  const bool quiet = this->Options.Quiet;
+  if (!this->IsOneFile)
+  {
+    CheckReadable(file);
+    vtkNew<vtkXMLGenericDataObjectReader> reader;
+    reader->SetFileName(file.c_str());
+    reader->Update();
+    CheckMessages(file, quiet);
+    return { MakeGrid(reader->GetOutputDataObject(0), file, quiet), {} };
+  }
+  const auto reader = MakeExodusReader(file, this->Options.Sets, number);
+  if (this->Times.empty())
+  {
+    reader->Update();
+  }
+  else
+  {
+    reader->UpdateTimeStep(this->Times[step]);
+  }
+  CheckMessages(file, quiet);
+  Block block;
+  auto* tree = vtkDataObjectTree::SafeDownCast(reader->GetOutputDataObject(0));
+  auto iterator = vtk::TakeSmartPointer(tree->NewTreeIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    if (block.Grid)
+    {
+      throw Failure(file, "has blocks that cannot be read one by one");
+    }
+    block.Grid = MakeGrid(iterator->GetCurrentDataObject(), file, quiet);
+    vtkInformation* info =
+      iterator->HasCurrentMetaData() ? iterator->GetCurrentMetaData() : nullptr;
+    const char* name = info ? info->Get(vtkCompositeDataSet::NAME()) : nullptr;
+    block.Name = name ? name : "";
+  }
+  if (!block.Grid)
+  {
+    throw Failure(file, "has blocks that cannot be read one by one");
+  }
+  return block;
 }
 
 //------------------------------------------------------------------------------
 // Reads all blocks of a step, one after the other, and keeps their forms.
 void BlockSource::SurveyStep(std::size_t step)
 {
-  Survey& survey = this->Surveys[step];
+  Survey& survey = this->GetSurvey(step);
   for (std::size_t i = 0; i < survey.Blocks.Files.size(); ++i)
   {
-    const auto grid = ReadBlock(survey.Blocks.Files[i], this->Options.Quiet);
+    const Block block = this->ReadBlock(step, i);
     survey.HasGlobalIds = survey.HasGlobalIds &&
-      (grid->GetNumberOfPoints() == 0 || grid->GetPointData()->GetGlobalIds());
-    SetData(survey.Blocks, survey.Blocks.Tree, i, MakeForm(grid, i));
+      (block.Grid->GetNumberOfPoints() == 0 || block.Grid->GetPointData()->GetGlobalIds());
+    SetData(survey.Blocks, survey.Blocks.Tree, i, MakeForm(block.Grid, i));
+    auto* blocks = vtkMultiBlockDataSet::SafeDownCast(survey.Blocks.Tree);
+    if (this->IsOneFile && !block.Name.empty())
+    {
+      blocks->GetMetaData(static_cast<unsigned>(i))
+        ->Set(vtkCompositeDataSet::NAME(), block.Name.c_str());
+    }
   }
   survey.IsDone = true;
 }
@@ -307,12 +400,12 @@ void BlockSource::SurveyStep(std::size_t step)
 void BlockSource::Read(
   std::size_t step, std::size_t first, std::size_t last, vtkUnstructuredGrid* output)
 {
-  const Survey& survey = this->Surveys[step];
+  const Survey& survey = this->GetSurvey(step);
   auto blocks = vtk::TakeSmartPointer(survey.Blocks.Tree->NewInstance());
   blocks->RecursiveShallowCopy(survey.Blocks.Tree);
   for (std::size_t i = first; i < last; ++i)
   {
-    SetData(survey.Blocks, blocks, i, ReadBlock(survey.Blocks.Files[i], this->Options.Quiet));
+    SetData(survey.Blocks, blocks, i, this->ReadBlock(step, i).Grid);
   }
 
   // Merged blocks are in the order of the tree.
@@ -351,6 +444,7 @@ void BlockSource::Read(
   }
   MarkForms(merged, forms, survey.HasGlobalIds);
   Preparer::Prepare(merged, this->Options, output);
-  CheckMessages(this->Steps[step].Files.front(), this->Options.Quiet);
+  CheckMessages(this->IsOneFile ? survey.Blocks.Files.front() : this->Steps[step].Files.front(),
+    this->Options.Quiet);
 }
 }

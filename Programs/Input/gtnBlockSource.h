@@ -18,7 +18,8 @@
 namespace gtn
 {
 /**
- * Reads the blocks of a piece, which consists of some of the files that a file lists. A piece has
+ * Reads the blocks of a piece, which consists of some of the files that a file lists, or of some of
+ * the blocks of an Exodus file. A piece has
  * the arrays that vtkGatunMergeBlocks gives to all blocks together, and the point array
  * JoinArrayName unless there is only one: global ids if all blocks have them, or else -1.
  *
@@ -31,8 +32,12 @@ public:
   static BlockSource* New();
   vtkTypeMacro(BlockSource, vtkUnstructuredGridAlgorithm);
 
-  /** steps: with one file each. hasTime: whether the steps have times; if not, there is only one. */
+  /** steps: with one file each. hasTime: whether the steps have times; if not, there is only one.
+   */
   void SetSteps(const std::vector<SeriesStep>& steps, const InputOptions& options, bool hasTime);
+
+  /** The blocks of an Exodus file in place of files. Throws Failure. */
+  void SetExodus(const std::string& file, const InputOptions& options);
 
 protected:
   BlockSource();
@@ -51,6 +56,11 @@ private:
     bool HasGlobalIds = true; ///< whether points are joined by global ids
   };
 
+  struct Block;
+
+  void SetOptions(const InputOptions& options);
+  Survey& GetSurvey(std::size_t step) { return this->Surveys[this->IsOneFile ? 0 : step]; }
+  Block ReadBlock(std::size_t step, std::size_t number);
   void SurveyStep(std::size_t step);
   void Read(std::size_t step, std::size_t first, std::size_t last, vtkUnstructuredGrid* output);
 
@@ -58,6 +68,7 @@ private:
   std::vector<Survey> Surveys;
   std::vector<double> Times;
   InputOptions Options;
+  bool IsOneFile = false; // an Exodus file, with all steps and the same blocks in all of them
 };
 }
 

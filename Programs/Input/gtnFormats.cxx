@@ -14,6 +14,11 @@
 #include "vtkCGNSReader.h"
 #endif
 
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
 namespace
 {
 
@@ -34,6 +39,69 @@ vtkSmartPointer<vtkAlgorithm> MakeExodus(const std::string& file, bool sets)
   reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
   reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
   return reader;
+}
+
+// The blocks and sets that are read, by type and index, in the order of the output.
+std::vector<std::pair<int, int>> ListExodusBlocks(vtkExodusIIReader* reader)
+{
+  std::vector<std::pair<int, int>> blocks;
+  for (const int type : { vtkExodusIIReader::ELEM_BLOCK, vtkExodusIIReader::FACE_BLOCK,
+         vtkExodusIIReader::EDGE_BLOCK, vtkExodusIIReader::ELEM_SET, vtkExodusIIReader::SIDE_SET,
+         vtkExodusIIReader::FACE_SET, vtkExodusIIReader::EDGE_SET, vtkExodusIIReader::NODE_SET })
+  {
+    for (int i = 0; i < reader->GetNumberOfObjects(type); ++i)
+    {
+      if (reader->GetObjectStatus(type, i) != 0)
+      {
+        blocks.emplace_back(type, i);
+      }
+    }
+  }
+  return blocks;
+}
+
+int CountExodusBlocks(vtkAlgorithm* reader)
+{
+  return static_cast<int>(ListExodusBlocks(vtkExodusIIReader::SafeDownCast(reader)).size());
+}
+
+std::uint64_t EstimateExodusBlock(vtkAlgorithm* reader)
+{
+  auto* exodus = vtkExodusIIReader::SafeDownCast(reader);
+  const auto bytesOf = [exodus](int type)
+  {
+    std::uint64_t bytes = 0;
+    for (int i = 0; i < exodus->GetNumberOfObjectArrays(type); ++i)
+    {
+      bytes += sizeof(double) *
+        static_cast<std::uint64_t>(exodus->GetNumberOfObjectArrayComponents(type, i));
+    }
+    return bytes;
+  };
+  constexpr std::uint64_t corners = 8; // of hexahedra
+  constexpr std::uint64_t ids = 3 * sizeof(vtkIdType);
+  std::uint64_t largest = 0;
+  for (const auto& [type, index] : ListExodusBlocks(exodus))
+  {
+    const int entries = exodus->GetNumberOfEntriesInObject(type, index);
+    const auto cells = static_cast<std::uint64_t>(std::max(0, entries));
+    const auto points =
+      std::min(corners * cells, static_cast<std::uint64_t>(exodus->GetNumberOfNodes()));
+    const std::uint64_t bytes = cells * (corners * sizeof(vtkIdType) + ids + bytesOf(type)) +
+      points * (3 * sizeof(double) + ids + bytesOf(vtkExodusIIReader::NODAL));
+    largest = std::max(largest, bytes);
+  }
+  return largest;
+}
+
+void SelectExodusBlock(vtkAlgorithm* reader, int number)
+{
+  auto* exodus = vtkExodusIIReader::SafeDownCast(reader);
+  int i = 0;
+  for (const auto& [type, index] : ListExodusBlocks(exodus))
+  {
+    exodus->SetObjectStatus(type, index, i++ == number ? 1 : 0);
+  }
 }
 
 #if GTN_HAS_CGNS
@@ -62,4 +130,5 @@ vtkSmartPointer<vtkAlgorithm> MakeHDF(const std::string& file)
 } // anonymous namespace
 
 extern "C" const gtn::FormatReaders gtnFormatReaders;
-const gtn::FormatReaders gtnFormatReaders{ MakeExodus, MakeCGNS, MakeHDF };
+const gtn::FormatReaders gtnFormatReaders{ MakeExodus, CountExodusBlocks, EstimateExodusBlock,
+  SelectExodusBlock, MakeCGNS, MakeHDF };

@@ -7,6 +7,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <cstdint>
 #include <string>
 
 class vtkAlgorithm;
@@ -18,6 +19,15 @@ struct FormatReaders
 {
   /** sets: whether to read side sets and node sets, too. */
   vtkSmartPointer<vtkAlgorithm> (*MakeExodus)(const std::string& file, bool sets);
+
+  /** The number of blocks and sets that a reader of Exodus files reads. */
+  int (*CountExodusBlocks)(vtkAlgorithm* reader);
+
+  /** About the number of bytes of the largest one in memory, with a time step. */
+  std::uint64_t (*EstimateExodusBlock)(vtkAlgorithm* reader);
+
+  /** Makes it read only one of them. */
+  void (*SelectExodusBlock)(vtkAlgorithm* reader, int number);
 
   /** sets: whether to read boundaries, too. Null if this VTK has no reader of CGNS files. */
   vtkSmartPointer<vtkAlgorithm> (*MakeCGNS)(const std::string& file, bool sets);

@@ -132,7 +132,16 @@ Input::Input(const std::vector<std::string>& files, const InputOptions& options)
     this->HasTime = false;
   }
 
-  if (options.InPieces && AreBlocks(steps))
+  if (options.InPieces && files.size() == 1 && IsExodus(this->Name))
+  {
+    vtkNew<BlockSource> blocks;
+    blocks->SetExodus(this->Name, options);
+    this->Algorithm = blocks;
+    this->HasBlocks = true;
+    steps.push_back(
+      { 0, std::vector<std::string>(CountExodusBlocks(this->Name, options.Sets), this->Name) });
+  }
+  else if (options.InPieces && AreBlocks(steps))
   {
     vtkNew<BlockSource> blocks;
     blocks->SetSteps(steps, options, this->HasTime);
@@ -284,6 +293,10 @@ std::uint64_t Input::EstimateLargestPart() const
   if (this->Spooled)
   {
     return this->Spooled->GetLargestPiece();
+  }
+  if (this->HasBlocks && IsExodus(this->Name))
+  {
+    return EstimateExodusBlock(this->Name, this->Options.Sets);
   }
   const std::vector<std::string> files =
     this->Steps.empty() ? std::vector<std::string>{ this->Name } : this->Steps.front().Files;

@@ -6,6 +6,8 @@
 #include "gtnFailure.h"
 #include "gtnFormats.h"
 #include "gtnLibrary.h"
+#include "gtnMessages.h"
+#include "gtnReadable.h"
 #include "gtnText.h"
 
 #include "vtkGatunHartleyReader.h"
@@ -173,7 +175,7 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
   {
     return MakeLegacy(file);
   }
-  if (IsOneOf(extension, { ".e", ".exo", ".ex2", ".exii", ".g" }))
+  if (IsExodus(file))
   {
     CheckIsNetCDF(file);
     return GetFormatReaders().MakeExodus(file, sets);
@@ -195,6 +197,41 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
     return GetFormatReaders().MakeHDF(file);
   }
   return nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool IsExodus(const std::string& file)
+{
+  return IsOneOf(ExtensionOf(file), { ".e", ".exo", ".ex2", ".exii", ".g" });
+}
+
+//------------------------------------------------------------------------------
+std::size_t CountExodusBlocks(const std::string& file, bool sets)
+{
+  CheckReadable(file);
+  vtkSmartPointer<vtkAlgorithm> reader = MakeReader(file, sets);
+  CheckMessages(file, true);
+  return static_cast<std::size_t>(GetFormatReaders().CountExodusBlocks(reader));
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t EstimateExodusBlock(const std::string& file, bool sets)
+{
+  CheckReadable(file);
+  vtkSmartPointer<vtkAlgorithm> reader = MakeReader(file, sets);
+  CheckMessages(file, true);
+  return GetFormatReaders().EstimateExodusBlock(reader);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkAlgorithm> MakeExodusReader(
+  const std::string& file, bool sets, std::size_t number)
+{
+  CheckReadable(file);
+  vtkSmartPointer<vtkAlgorithm> reader = MakeReader(file, sets);
+  CheckMessages(file, true);
+  GetFormatReaders().SelectExodusBlock(reader, static_cast<int>(number));
+  return reader;
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,8 @@
 
 #include "vtkSmartPointer.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 
 class vtkAlgorithm;
@@ -17,6 +19,19 @@ namespace gtn
  * also reads the side sets and node sets of an Exodus file, the patches of an OpenFOAM case and the
  * boundaries of a CGNS file. */
 vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets);
+
+/** Whether a file is an Exodus file, by its extension. */
+bool IsExodus(const std::string& file);
+
+/** The number of blocks and sets of an Exodus file. Throws Failure. */
+std::size_t CountExodusBlocks(const std::string& file, bool sets);
+
+/** About the number of bytes of the largest one in memory, with a time step. Throws Failure. */
+std::uint64_t EstimateExodusBlock(const std::string& file, bool sets);
+
+/** A reader for one of them. Throws Failure. */
+vtkSmartPointer<vtkAlgorithm> MakeExodusReader(
+  const std::string& file, bool sets, std::size_t number);
 
 /** The same for regular volumes, but slices. */
 vtkSmartPointer<vtkAlgorithm> MakeVolumeReader(const std::string& file);

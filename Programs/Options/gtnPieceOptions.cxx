@@ -115,16 +115,17 @@ void AddPieceOptions(CLI::App* command, PieceOptions& options)
   command
     ->add_option("--memory", options.Memory,
       "Limit of memory in MiB. The files of a .pvtu file, or of each time step of a .pvd file, are "
-      "packed one after the other. A .vtu file that is too large is divided into pieces on the "
-      "disk first. The whole mesh is never in memory. If that would take more than the limit, "
+      "packed one after the other, and so are the blocks of a .vtm, .vtpc or Exodus file. A .vtu "
+      "file that is too large is divided into pieces on the disk first. The whole mesh is never in "
+      "memory. If that would take more than the limit, "
       "nothing is done (default: none; all of the mesh is read)")
     ->check(CLI::Range(1, 1 << 30))
     ->option_text("MIB");
   command
     ->add_option("--pieces", options.Pieces,
       "Number of pieces that are packed one after the other, for .vtu files and files that can be "
-      "read in pieces (default: with --memory, as many as needed, or the number of files of the "
-      "mesh; otherwise 1)")
+      "read in pieces (default: with --memory, as many as needed, or the number of files or "
+      "blocks of the mesh; otherwise 1)")
     ->check(CLI::Range(1, 1 << 24))
     ->option_text("N");
   command

@@ -14,7 +14,9 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (VTK_HEXAHEDRON, vtkCompositeDataSet, vtkMultiBlockDataSet,
                                            vtkPartitionedDataSet, vtkPartitionedDataSetCollection,
                                            vtkUnstructuredGrid)
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOExodus import vtkExodusIIWriter
 from vtkmodules.vtkIOParallelXML import vtkXMLPartitionedDataSetCollectionWriter
 from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataWriter
 
@@ -160,6 +162,50 @@ with open("steps.pvd", "w", encoding="ascii") as file:
 assert len(compare("steps.pvd")["times"]) == 2
 gtn("pack", "-q", "-f", "--memory", 1000, "step0.vtm", "step1.vtm", "parts.gtn")
 gtn("verify", "parts.gtn", "step0.vtm", "step1.vtm", says="identical")
+
+
+# The blocks of an Exodus file, with different cells and arrays, and time steps.
+solver = vtkMultiBlockDataSet()
+hexes = vtkUnstructuredGrid()
+corners = vtkPoints()
+corners.SetData(numpy_to_vtk(np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in range(5)],
+                                      np.float64) - 9, deep=True))
+hexes.SetPoints(corners)
+for i in range(4):
+    a, b, c, d = i, i + 5, i + 10, i + 15
+    hexes.InsertNextCell(VTK_HEXAHEDRON, 8, [a, a + 1, b + 1, b, c, c + 1, d + 1, d])
+add(hexes.GetCellData(), "heat", np.arange(4.))
+for number, grid in enumerate((cube(3, 0, np.float64, pressure=lambda p: p[:, 0]), hexes,
+                               cube(2, 5, np.float64, speed=lambda p: p))):
+    solver.SetBlock(number, grid)
+
+
+def write_exodus(source, name):
+    writer = vtkExodusIIWriter()
+    writer.SetInputConnection(source.GetOutputPort())
+    writer.SetFileName(name)
+    writer.WriteAllTimeStepsOn()
+    writer.WriteOutBlockIdArrayOff()
+    writer.WriteOutGlobalElementIdArrayOff()
+    writer.WriteOutGlobalNodeIdArrayOff()
+    assert writer.Write()
+
+
+producer = vtkTrivialProducer()
+producer.SetOutput(solver)
+write_exodus(producer, "solver.e")
+info = compare("solver.e")
+assert info["chunks"] >= 3 and info["cells"] == 6 * (27 + 8) + 4, info
+compare("solver.e", pieces=2)
+gtn("pack", "-q", "-f", "steps.pvd", "steps.gtn")
+reader = vtkGatunReader()
+reader.SetFileName("steps.gtn")
+steps = vtkGatunSplitBlocks()
+steps.SetInputConnection(reader.GetOutputPort())
+write_exodus(steps, "steps.e")
+info = compare("steps.e")
+assert info["times"] == [0, 2.5] and info["chunks"] == 3, info
+gtn("pack", "-q", "--memory", 100, "solver.e", "never.gtn", code=1, says="--memory allows 100")
 
 
 # What cannot be done leaves nothing behind.
