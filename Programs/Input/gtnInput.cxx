@@ -294,9 +294,12 @@ std::uint64_t Input::EstimateLargestPart() const
   {
     return this->Spooled->GetLargestPiece();
   }
+  // A block is there once more while it is merged.
+  const auto withCopy = [this](std::uint64_t bytes)
+  { return this->HasBlocks ? bytes + bytes / 4 : bytes; };
   if (this->HasBlocks && IsExodus(this->Name))
   {
-    return EstimateExodusBlock(this->Name, this->Options.Sets);
+    return withCopy(EstimateExodusBlock(this->Name, this->Options.Sets));
   }
   const std::vector<std::string> files =
     this->Steps.empty() ? std::vector<std::string>{ this->Name } : this->Steps.front().Files;
@@ -305,7 +308,7 @@ std::uint64_t Input::EstimateLargestPart() const
   {
     largest = std::max(largest, EstimateMesh(file));
   }
-  return largest;
+  return withCopy(largest);
 }
 
 //------------------------------------------------------------------------------
