@@ -33,7 +33,11 @@ def noise(numbers, seed):
 
 def make_points(n, first, last):
     """The points of the layers first to last, and their values."""
-    numbers = np.arange(first * (n + 1) ** 2, (last + 1) * (n + 1) ** 2)
+    return points_of(n, np.arange(first * (n + 1) ** 2, (last + 1) * (n + 1) ** 2))
+
+
+def points_of(n, numbers):
+    """Points by their numbers, and their values."""
     grid = np.stack([numbers % (n + 1), numbers // (n + 1) % (n + 1), numbers // (n + 1) ** 2], 1)
     points = grid.astype(np.float32)
     for axis in range(3):
@@ -46,7 +50,11 @@ def make_points(n, first, last):
 
 def make_tets(n, layers):
     """The corners of the tetrahedra of some layers of cubes."""
-    cubes = np.arange(layers * n * n)
+    return tets_of(n, np.arange(layers * n * n))
+
+
+def tets_of(n, cubes):
+    """The corners of the tetrahedra of cubes by their numbers."""
     corner = cubes // (n * n) * (n + 1) ** 2 + cubes // n % n * (n + 1) + cubes % n
     at = [((bits >> 2) * (n + 1) + (bits >> 1 & 1)) * (n + 1) + (bits & 1) for bits in range(8)]
     offsets = np.array([[0, at[a], at[b], at[7]] for a, b in PATHS])

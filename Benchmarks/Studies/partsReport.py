@@ -48,9 +48,22 @@ def _compared(results):
             ["pieces", "chunks", "bits a tetrahedron", "size / whole", "seconds", "peak, MiB"], rows)
 
 
+def _divided(results):
+    if "divided" not in results:
+        return ""
+    divided = results["divided"]
+    rows = [[step["what"], "", "", step["why"]] if "why" in step else
+            [step["what"], number(step["seconds"]), number(step["peak"] / 2**20),
+             f"{8 * step['bytes'] / step['tets']:.3f}"] for step in divided["steps"]]
+    return "## One file\n\n" + paragraph(f"""The same in one raw `.vtu` file of
+        {number(divided["rawBytes"] / 2**20)} MiB, with points and cells in a scattered order, packed by
+        `gtn pack --memory` in {results["limits"][0]} MiB and as a whole without a limit.""") + "\n" + table(
+            ["packed", "seconds", "peak, MiB", "bits a tetrahedron"], rows)
+
+
 def page(results, _):
-    return "\n".join(part.rstrip() + "\n" for part in (
-        _head(results), _large(results), _compared(results)))
+    parts = (_head(results), _large(results), _compared(results), _divided(results))
+    return "\n".join(part.rstrip() + "\n" for part in parts if part)
 
 
 def write(results, out):

@@ -7,6 +7,7 @@
 import json
 import os
 import pathlib
+import subprocess
 import sys
 import time
 
@@ -19,9 +20,10 @@ NONE = 1 << 20
 # Cubes along each axis, of six tetrahedra each, and pieces. The mesh to compare is also packed as a whole.
 # The limits in MiB are for packing and for using the file.
 MODES = {
-    "full": {"large": ((203, 50), (322, 200)), "compared": (94, (2, 10, 47)), "limits": (1024, 512)},
-    "quick": {"large": ((60, 10),), "compared": (30, (2, 10)), "limits": (1024, 512)},
-    "smoke": {"large": ((8, 4),), "compared": (6, (2, 3)), "limits": (NONE, NONE)},
+    "full": {"large": ((203, 50), (322, 200)), "compared": (94, (2, 10, 47)), "limits": (1024, 512),
+             "divided": 203},
+    "quick": {"large": ((60, 10),), "compared": (30, (2, 10)), "limits": (1024, 512), "divided": 60},
+    "smoke": {"large": ((8, 4),), "compared": (6, (2, 3)), "limits": (NONE, NONE), "divided": 8},
 }
 FOLDER = pathlib.Path(__file__).parent
 TIMEOUT = 3600
@@ -82,6 +84,25 @@ def measure_compared(runner, cubes, numbers):
     return results
 
 
+def measure_divided(runner, limiter, limit, cubes):
+    """One .vtu file, in pieces with a limit and as a whole without."""
+    file, packed = runner.path("large.vtu"), runner.path("divided.gtn")
+    runner.say(f"one file of {6 * cubes**3:,} tetrahedra")
+    subprocess.run([sys.executable, FOLDER / "largeFile.py", file, str(cubes)], check=True)
+    result = {"rawBytes": file.stat().st_size, "steps": []}
+    for what, way, most, arguments in (
+            ("in pieces on the disk", limiter, limit, ["--memory", limit, "--pieces", 4]),
+            ("as a whole", memoryLimit.address_space(), NONE, [])):
+        command = [sys.executable, "-c", MEASURE,
+                   *runner.command("gtn", "pack", "-q", "-f", *arguments, file, packed)]
+        step = limited(runner, way, what, command, most)
+        if "why" not in step:
+            step |= describe(runner, packed)
+        result["steps"].append(step)
+    file.unlink()
+    return result
+
+
 def measure(runner, options):
     mode = MODES[options.mode]
     limiter = memoryLimit.address_space() if options.mode == "smoke" else memoryLimit.best()
@@ -89,6 +110,7 @@ def measure(runner, options):
                "limits": mode["limits"]}
     results["compared"] = measure_compared(runner, *mode["compared"])
     results["large"] = [measure_large(runner, limiter, mode["limits"], *one) for one in mode["large"]]
+    results["divided"] = measure_divided(runner, limiter, mode["limits"][0], mode["divided"])
     results["machine"]["loadAfter"] = os.getloadavg()
     results["seconds"] = time.monotonic() - runner.start
     return results
