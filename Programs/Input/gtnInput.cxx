@@ -216,6 +216,7 @@ bool Input::CanSpool() const
 //------------------------------------------------------------------------------
 void Input::Spool(SpoolSettings settings, Progress& progress)
 {
+  settings.Name = this->Name;
   settings.Split = this->Options.Split;
   if (this->Spooled) // its disk space is needed
   {

@@ -35,10 +35,9 @@ int SpillMiB(int memory)
 }
 
 // What writing takes in MiB. pieceBytes: of the largest piece. moreBytes: of what stays.
-std::uint64_t NeededMiB(
-  const PieceOptions& options, std::uint64_t pieceBytes, std::uint64_t moreBytes)
+std::uint64_t NeededMiB(int memory, std::uint64_t pieceBytes, std::uint64_t moreBytes)
 {
-  return ProgramMiB + 2 * static_cast<std::uint64_t>(SpillMiB(options.Memory)) +
+  return ProgramMiB + 2 * static_cast<std::uint64_t>(SpillMiB(memory)) +
     ((Copies * pieceBytes + moreBytes) >> 20);
 }
 
@@ -69,16 +68,22 @@ void Divide(
   spool.PieceBytes = spool.Memory;
   if (options.Memory > 0)
   {
-    constexpr std::uint64_t leastPiece = 1;
+    constexpr std::uint64_t leastPiece = 1 << 20;
     const auto limit = static_cast<std::uint64_t>(options.Memory);
-    const std::uint64_t fixed = NeededMiB(options, 0, 0);
-    if (limit < fixed + Copies * leastPiece)
+    const std::uint64_t fixed = NeededMiB(options.Memory, 0, 0);
+    int least = options.Memory; // which raises the memory for boundaries
+    while (NeededMiB(least, leastPiece, 0) > static_cast<std::uint64_t>(least))
+    {
+      ++least;
+    }
+    if (least > options.Memory)
     {
       throw Failure(input.GetName(),
         fmt::format("packing a mesh in pieces takes at least {} MiB of memory, and --memory allows "
                     "{}",
-          fixed + Copies * leastPiece, limit));
+          least, limit));
     }
+    spool.Reserved = ProgramMiB << 20;
     spool.Memory = limit > ProgramMiB ? (limit - ProgramMiB) << 20 : 0;
     // Pieces become a little larger than their share of the mesh.
     spool.PieceBytes = ((limit - fixed) << 20) / Copies / 10 * 9;
@@ -91,7 +96,7 @@ void Divide(
     input.Spool(spool, progress);
     const std::uint64_t largest = std::max<std::uint64_t>(1, input.EstimateLargestPart());
     if (options.Memory == 0 ||
-      NeededMiB(options, largest, 0) <= static_cast<std::uint64_t>(options.Memory))
+      NeededMiB(options.Memory, largest, 0) <= static_cast<std::uint64_t>(options.Memory))
     {
       break;
     }
@@ -146,7 +151,8 @@ bool SetPieces(
   writer->SetSpillFolder(options.SpillFolder.empty() ? nullptr : options.SpillFolder.c_str());
   writer->SetJoinAllPoints(options.JoinAll);
   const auto limit = static_cast<std::uint64_t>(options.Memory);
-  const bool isTooLarge = limit > 0 && NeededMiB(options, input.EstimateLargestPart(), 0) > limit;
+  const bool isTooLarge =
+    limit > 0 && NeededMiB(options.Memory, input.EstimateLargestPart(), 0) > limit;
   if (input.CanSpool() && (options.Pieces > 1 || isTooLarge))
   {
     Divide(writer, input, options, settings);
@@ -164,7 +170,7 @@ bool SetPieces(
     const auto pieceBytes = parts > 1 || pieces == 1
       ? input.EstimateLargestPart() * files
       : input.EstimateLargestPart() / static_cast<std::uint64_t>(pieces);
-    const auto needed = NeededMiB(options, pieceBytes, input.GetBytesForAll());
+    const auto needed = NeededMiB(options.Memory, pieceBytes, input.GetBytesForAll());
     if (needed > limit)
     {
       throw Failure(input.GetName(),

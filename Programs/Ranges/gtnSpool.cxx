@@ -16,7 +16,6 @@ Spool::Spool(const std::string& folder)
 //------------------------------------------------------------------------------
 std::size_t Spool::Open(std::size_t streams, std::size_t memory)
 {
-  constexpr std::size_t least = 4096;
   constexpr std::size_t most = std::size_t{ 1 } << 20;
   const std::size_t first = this->Streams.size();
   this->FirstOpen = first;
@@ -24,7 +23,7 @@ std::size_t Spool::Open(std::size_t streams, std::size_t memory)
   for (std::size_t i = first; i < this->Streams.size(); ++i)
   {
     // Multiples of a page
-    this->Streams[i].Extent = std::clamp(memory / streams, least, most) & ~(least - 1);
+    this->Streams[i].Extent = std::clamp(memory / streams, LeastBuffer, most) & ~(LeastBuffer - 1);
   }
   return first;
 }

@@ -24,6 +24,9 @@ namespace gtn
 class Spool
 {
 public:
+  /** The least number of bytes that the buffer of a stream takes while it is written. */
+  static constexpr std::size_t LeastBuffer = 4096;
+
   explicit Spool(const std::string& folder);
 
   /** Adds streams, which are numbered on, and returns the number of the first one. They are to be

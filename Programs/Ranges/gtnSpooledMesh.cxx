@@ -191,12 +191,31 @@ void SpooledMesh::CheckMemory()
   const std::uint64_t least = ReadingBytes + 2 * this->Mesh->GetNumberOfPoints();
   if (least > this->Settings.Memory)
   {
-    throw Failure("dividing the mesh into pieces takes " +
-      std::to_string((least - this->Settings.Memory) / MiB + 1) +
-      " MiB more memory than --memory allows");
+    this->FailForMemory(least);
   }
   this->StreamBytes = static_cast<std::size_t>(
     std::min<std::uint64_t>(MostStreamBytes, (this->Settings.Memory - least) / 2));
+}
+
+//------------------------------------------------------------------------------
+// Each stream that is written has a buffer.
+void SpooledMesh::CheckStreams(std::size_t streams) const
+{
+  const std::uint64_t least = static_cast<std::uint64_t>(streams) * Spool::LeastBuffer;
+  if (least > this->StreamBytes)
+  {
+    this->FailForMemory(ReadingBytes + 2 * this->Mesh->GetNumberOfPoints() + 2 * least);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SpooledMesh::FailForMemory(std::uint64_t needed) const
+{
+  throw Failure(this->Settings.Name,
+    "dividing the mesh into pieces takes about " +
+      std::to_string((needed + this->Settings.Reserved) / MiB + 1) +
+      " MiB of memory, and --memory allows " +
+      std::to_string((this->Settings.Memory + this->Settings.Reserved) / MiB));
 }
 
 //------------------------------------------------------------------------------
@@ -294,6 +313,7 @@ void SpooledMesh::SpoolCells(PieceRouter& router, Work& work)
   const std::size_t pieces = this->Pieces.size();
   const bool hasFaces = this->Mesh->HasPolyhedra();
   const std::size_t kinds = hasFaces ? 5 : 3;
+  this->CheckStreams(kinds * pieces + 1);
   const std::size_t first = this->File.Open(kinds * pieces + 1, this->StreamBytes);
   this->Routes = first;
   this->Types = first + 1;

@@ -30,8 +30,10 @@ class SpoolCursor;
 /** How a mesh is divided. */
 struct SpoolSettings
 {
+  std::string Name;             ///< of the mesh, for messages
   std::string Folder;           ///< of the temporary file
   std::uint64_t Memory = 0;     ///< for the work, in bytes
+  std::uint64_t Reserved = 0;   ///< what the program takes beside, for messages
   std::uint64_t PieceBytes = 0; ///< about the largest piece in memory with a time step
   std::size_t Pieces = 1;       ///< the least number of them
 
@@ -95,6 +97,8 @@ private:
 
   void MeasureTuples();
   void CheckMemory();
+  void CheckStreams(std::size_t streams) const;
+  [[noreturn]] void FailForMemory(std::uint64_t needed) const;
   PointTree MakeTree(Work& work);
   void FindLeaves(PieceRouter& router, const PointTree& tree, Work& work);
   void WeighCells(PieceRouter& router, Work& work);

@@ -539,7 +539,7 @@ void XMLMesh::AppendFaces(const Piece& piece, std::uint64_t cell,
   cells.Faces.push_back(faces);
   for (std::uint32_t f = 0; f < faces; ++f)
   {
-    const std::uint32_t points = next(values.size());
+    const std::uint32_t points = piece.Points > 0 ? next(values.size()) : next(0);
     cells.Faces.push_back(points);
     for (std::uint32_t p = 0; p < points; ++p)
     {
