@@ -290,7 +290,8 @@ public:
   /**
    * The processes that write the file together, each one the piece of the input that it has. All
    * must have an input and the same options, and call Write. Null: this process alone. Default:
-   * null.
+   * null, and not the global controller, so that one process of a program may write by itself.
+   * ParaView's Save Data uses the global one.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
