@@ -370,6 +370,12 @@ public:
   vtkGetMacro(DirectoryBytes, vtkTypeUInt64);
   ///@}
 
+  /**
+   * Bytes that this process has sent to the other ones of Controller for the last file. What goes
+   * to all counts for each. 0 without other processes.
+   */
+  vtkGetMacro(BytesSent, vtkTypeUInt64);
+
 protected:
   vtkGatunWriter();
   ~vtkGatunWriter() override;
@@ -419,6 +425,7 @@ protected:
   vtkTypeUInt64 HierarchyBytes = 0;
   vtkTypeUInt64 LevelBytes = 0;
   vtkTypeUInt64 DirectoryBytes = 0;
+  vtkTypeUInt64 BytesSent = 0;
 
 private:
   vtkGatunWriter(const vtkGatunWriter&) = delete;

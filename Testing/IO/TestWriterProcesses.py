@@ -68,6 +68,8 @@ gm.assert_same_mesh(gm.read(path), whole)
 assert writer.GetWrittenPoints() == whole.GetNumberOfPoints()
 assert writer.GetWrittenCells() == cells
 assert writer.GetFileBytes() == os.path.getsize(path)
+sent = world.allreduce(writer.GetBytesSent())
+assert (sent > 0) == (ranks > 1) and sent < 100 * cells * ranks, sent
 
 # Time steps.
 steps = [gm.block(n=7) for _ in range(3)]
