@@ -47,6 +47,14 @@ for kind in ("tets", "hexes", "mixed"):
         simple.Delete(reader)
         empty_folder()
 
+# A hierarchy and layers, which need the whole mesh.
+for options in ({"Hierarchy": 1}, {"LayerArray": "wave", "KeepOrder": 7}):
+    reader = save_and_open("whole.gtn", make("tets", 1, True), WriteAllTimeSteps=1, **options)
+    for time in (4, 0.5):
+        assert describe(reader, time) == expected("tets", time), (options, time)
+    simple.Delete(reader)
+    empty_folder()
+
 # Time steps, in one file.
 reader = save_and_open("steps.gtn", make("mixed", 1, True), WriteAllTimeSteps=1)
 assert list(reader.TimestepValues) == [0.5, 1.5, 4], list(reader.TimestepValues)

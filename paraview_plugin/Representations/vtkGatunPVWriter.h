@@ -4,9 +4,11 @@
  * @class vtkGatunPVWriter
  * @brief Writes meshes for ParaView's Save Data, on all processes of the data server.
  *
- * Differs from vtkGatunWriter in two ways. Its Controller is the global one: on several processes,
- * each one writes what it has into the one file. And it can write the time steps as a series of
- * files, for meshes that change with time.
+ * Differs from vtkGatunWriter in three ways. Its Controller is the global one: on several
+ * processes, each one writes what it has into the one file. A hierarchy and layers, which need the
+ * whole mesh, are then added by the first process, which has to have the memory for it; a file
+ * without them is there meanwhile, whose name ends with ".parts". And it can write the time steps
+ * as a series of files, for meshes that change with time.
  *
  * @sa vtkGatunWriter vtkGatunPVMergeBlocks
  */
@@ -69,6 +71,8 @@ protected:
   int TimeStepStride = 1;
 
 private:
+  int WriteFile();
+  int WriteWhole(const std::string& name);
   int WriteSeries(const std::string& name);
 
   vtkGatunPVWriter(const vtkGatunPVWriter&) = delete;
