@@ -76,10 +76,13 @@ int vtkGatunPVWriter::WriteWhole(const std::string& name)
   const std::string parts = name + ".parts";
   const std::string layers = this->LayerArray ? this->LayerArray : "";
   const bool hasTree = this->Hierarchy;
+  const int order = this->KeepOrder;
+  this->SetKeepOrder(KEEP_ALL); // the order of merges is that of one process
   this->SetHierarchy(false);
   this->SetLayerArray(nullptr);
   this->SetFileName(parts.c_str());
   int succeeded = this->Superclass::Write();
+  this->SetKeepOrder(order);
   this->SetHierarchy(hasTree);
   this->SetLayerArray(layers.c_str());
   if (!succeeded)
@@ -94,7 +97,7 @@ int vtkGatunPVWriter::WriteWhole(const std::string& name)
     vtkNew<vtkGatunWriter> writer;
     writer->SetInputConnection(reader->GetOutputPort());
     writer->SetFileName(name.c_str());
-    writer->SetKeepOrder(this->KeepOrder);
+    writer->SetKeepOrder(order);
     writer->SetChunkTets(this->ChunkTets);
     writer->SetKeyStepInterval(this->KeyStepInterval);
     writer->SetHierarchy(hasTree);
