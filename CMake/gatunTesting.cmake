@@ -279,13 +279,13 @@ endfunction ()
 # A Python program for ParaView, in the ParaView build only:
 #
 #   gatun_add_pvbatch_test(<file>.py [RANKS <n>...] [ARGS <argument>...] [LABELS <label>...]
-#     [TIMEOUT <seconds>] [EXPECT_ERRORS] [PVPYTHON])
+#     [TIMEOUT <seconds>] [EXPECT_ERRORS] [PVPYTHON] [SYMMETRIC])
 #
 # One test for each number of MPI ranks (1 unless given). The environment variable GATUN_PLUGIN
-# names the plugin to load. PVPYTHON runs pvpython in place of pvbatch. The label paraview is
-# always there.
+# names the plugin to load. PVPYTHON runs pvpython in place of pvbatch. With SYMMETRIC, all ranks run
+# the program, as those of a simulation do. The label paraview is always there.
 function (gatun_add_pvbatch_test file)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "EXPECT_ERRORS;PVPYTHON" "TIMEOUT" "RANKS;ARGS;LABELS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "EXPECT_ERRORS;PVPYTHON;SYMMETRIC" "TIMEOUT" "RANKS;ARGS;LABELS")
   _gatun_test_prefix()
   get_filename_component(test "${file}" NAME_WE)
   if (NOT arg_RANKS)
@@ -295,6 +295,8 @@ function (gatun_add_pvbatch_test file)
   if (arg_PVPYTHON)
     set(program "${GATUN_PVPYTHON}")
     string(APPEND test "-pvpython")
+  elseif (arg_SYMMETRIC)
+    list(APPEND program --sym)
   endif ()
   set(rest)
   if (arg_EXPECT_ERRORS)
@@ -312,7 +314,7 @@ function (gatun_add_pvbatch_test file)
     endif ()
     gatun_add_test(
       NAME        "${name}"
-      COMMAND     ${launch} "${program}" "${CMAKE_CURRENT_SOURCE_DIR}/${file}" ${arg_ARGS}
+      COMMAND     ${launch} ${program} "${CMAKE_CURRENT_SOURCE_DIR}/${file}" ${arg_ARGS}
       LABELS      paraview ${arg_LABELS}
       PROCESSORS  "${ranks}"
       ENVIRONMENT "GATUN_PLUGIN=${gatun_plugin_file}"

@@ -304,6 +304,13 @@ void ArrayMatcher::FillUp(const std::vector<Kind>& kinds)
         this->Lacking[piece].push_back(kind.Merged);
       }
     }
+    if (isText)
+    {
+      for (const std::size_t piece : kind.Pieces)
+      {
+        this->Pieces[piece]->GetAttributes(this->Association)->RemoveArray(kind.Merged.c_str());
+      }
+    }
     this->Warnings.push_back("The array '" + kind.Merged +
       (isText ? "' is dropped, because some blocks do not have it."
               : "' is filled up in blocks that do not have it."));

@@ -59,7 +59,7 @@ vtkSmartPointer<vtkAbstractArray> Renamed(vtkAbstractArray* array, const std::st
  *
  * Arrays with equal names that differ in type or in the number of components get names of their
  * own, and so do arrays named BlockId if the pieces are blocks. Pieces that lack an array get one
- * with NaN or 0. String arrays that a piece lacks are left as they are.
+ * with NaN or 0. String arrays that a piece lacks are removed from all.
  */
 class ArrayMatcher
 {

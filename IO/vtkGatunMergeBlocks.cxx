@@ -4,18 +4,18 @@
 #include "vtkGatunMergeBlocks.h"
 
 #include "gatunBlockArrays.h"
+#include "gatunBlockList.h"
 #include "gatunCellCheck.h"
 #include "gatunErrorCodes.h"
-#include "gatunGhosts.h"
+#include "gatunProcessExchange.h"
 #include "gatunReport.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkAlgorithm.h"
 #include "vtkAppendFilter.h"
 #include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
-#include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkErrorCode.h"
@@ -25,9 +25,9 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPartitionedDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
@@ -51,126 +51,33 @@ namespace
 {
 
 //------------------------------------------------------------------------------
-// The datasets to merge.
-struct Blocks
-{
-  std::vector<vtkSmartPointer<vtkDataSet>> Pieces; ///< shallow copies
-  std::vector<int> Block;                          ///< block index of each piece
-  std::vector<std::string> Names;                  ///< of each block
-  bool Composite = false;
-  vtkNew<vtkFieldData> Field;
-
-  void AddField(vtkFieldData* field)
-  {
-    for (int i = 0; i < field->GetNumberOfArrays(); ++i)
-    {
-      vtkAbstractArray* array = field->GetAbstractArray(i);
-      if (!array->GetName() || !this->Field->HasArray(array->GetName()))
-      {
-        this->Field->AddArray(array);
-      }
-    }
-  }
-
-  void AddPiece(vtkDataSet* data, int block)
-  {
-    auto copy = vtk::TakeSmartPointer(data->NewInstance());
-    copy->ShallowCopy(data);
-    auto* grid = vtkUnstructuredGrid::SafeDownCast(copy);
-    if (grid && gatun::GhostsWith(grid->GetCellData(), vtkDataSetAttributes::DUPLICATECELL))
-    {
-      grid->RemoveGhostCells();
-      gatun::ClearGhosts(grid->GetCellData(), vtkDataSetAttributes::DUPLICATECELL);
-      gatun::ClearGhosts(grid->GetPointData(), vtkDataSetAttributes::DUPLICATEPOINT);
-    }
-    this->Pieces.push_back(copy);
-    this->Block.push_back(block);
-    this->AddField(data->GetFieldData());
-  }
-
-  int AddBlock(const char* name)
-  {
-    const auto block = static_cast<int>(this->Names.size());
-    this->Names.push_back(name ? name : "Block " + std::to_string(block));
-    return block;
-  }
-
-  void Add(vtkDataObject* data)
-  {
-    if (auto* set = vtkDataSet::SafeDownCast(data))
-    {
-      this->AddPiece(set, this->Composite ? this->AddBlock(nullptr) : 0);
-      return;
-    }
-    auto* tree = vtkDataObjectTree::SafeDownCast(data);
-    if (!tree)
-    {
-      return;
-    }
-    this->AddField(tree->GetFieldData());
-    auto iterator = vtk::TakeSmartPointer(tree->NewTreeIterator());
-    iterator->TraverseSubTreeOff();
-    iterator->VisitOnlyLeavesOff();
-    iterator->SkipEmptyNodesOn();
-    int partitions = -1;
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      vtkDataObject* child = iterator->GetCurrentDataObject();
-      auto* set = vtkDataSet::SafeDownCast(child);
-      auto* parts = vtkPartitionedDataSet::SafeDownCast(child);
-      if (!set && !parts)
-      {
-        this->Add(child);
-        continue;
-      }
-      const char* name = nullptr;
-      if (iterator->HasCurrentMetaData())
-      {
-        name = iterator->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME());
-      }
-      if (parts)
-      {
-        const int block = this->AddBlock(name);
-        for (unsigned int i = 0; i < parts->GetNumberOfPartitions(); ++i)
-        {
-          if (parts->GetPartition(i))
-          {
-            this->AddPiece(parts->GetPartition(i), block);
-          }
-        }
-      }
-      else if (vtkPartitionedDataSet::SafeDownCast(tree))
-      {
-        partitions = partitions < 0 ? this->AddBlock(nullptr) : partitions;
-        this->AddPiece(set, partitions);
-      }
-      else
-      {
-        this->AddPiece(set, this->AddBlock(name));
-      }
-    }
-  }
-};
-
-//------------------------------------------------------------------------------
-// Returns the point type that represents the points of all pieces without loss.
-int PointType(const std::vector<vtkSmartPointer<vtkDataSet>>& pieces)
-{
-  bool single = true;
-  for (const auto& piece : pieces)
-  {
-    auto* set = vtkPointSet::SafeDownCast(piece);
-    single = single && set && (!set->GetPoints() || set->GetPoints()->GetDataType() == VTK_FLOAT);
-  }
-  return single ? vtkAlgorithm::SINGLE_PRECISION : vtkAlgorithm::DOUBLE_PRECISION;
-}
-
-//------------------------------------------------------------------------------
-bool HaveGlobalPointIds(const std::vector<vtkSmartPointer<vtkDataSet>>& pieces)
+// Whether float represents the points of all pieces without loss.
+bool IsSingle(const std::vector<vtkSmartPointer<vtkDataSet>>& pieces)
 {
   return std::all_of(pieces.begin(), pieces.end(),
     [](const vtkSmartPointer<vtkDataSet>& piece)
-    { return piece->GetNumberOfPoints() == 0 || piece->GetPointData()->GetGlobalIds(); });
+    {
+      auto* set = vtkPointSet::SafeDownCast(piece);
+      return (piece->GetNumberOfPoints() == 0 && piece->GetNumberOfCells() == 0) ||
+        (set && (!set->GetPoints() || set->GetPoints()->GetDataType() == VTK_FLOAT));
+    });
+}
+
+//------------------------------------------------------------------------------
+// Whether all pieces that have points have global ids of them. Those of other processes have
+// points.
+bool HaveGlobalPointIds(const gatun::BlockList& blocks)
+{
+  for (std::size_t i = 0; i < blocks.GetPieces().size(); ++i)
+  {
+    vtkDataSet* const piece = blocks.GetPieces()[i];
+    const bool hasPoints = !blocks.IsOwn(i) || piece->GetNumberOfPoints() > 0;
+    if (hasPoints && !piece->GetPointData()->GetGlobalIds())
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -210,22 +117,20 @@ bool HasUnusedPoints(vtkDataSet* piece)
 //------------------------------------------------------------------------------
 // Adds the array BlockId to the cells, and to the points if there are some that no cell uses, of
 // which nothing else tells the block.
-void AddBlockIds(
-  const std::vector<vtkSmartPointer<vtkDataSet>>& pieces, const std::vector<int>& blocks)
+void AddBlockIds(const gatun::BlockList& blocks)
 {
-  const bool forPoints = std::any_of(pieces.begin(), pieces.end(),
-    [](const vtkSmartPointer<vtkDataSet>& piece) { return HasUnusedPoints(piece); });
-  for (std::size_t i = 0; i < pieces.size(); ++i)
+  for (std::size_t i = 0; i < blocks.GetPieces().size(); ++i)
   {
+    vtkDataSet* const piece = blocks.GetPieces()[i];
     for (const int association : { vtkDataObject::CELL, vtkDataObject::POINT })
     {
-      if (association == vtkDataObject::CELL || forPoints)
+      if (association == vtkDataObject::CELL || blocks.HasUnused())
       {
         vtkNew<vtkIntArray> ids;
         ids->SetName(gatun::BlockIdName);
-        ids->SetNumberOfValues(pieces[i]->GetNumberOfElements(association));
-        ids->FillValue(blocks[i]);
-        pieces[i]->GetAttributes(association)->AddArray(ids);
+        ids->SetNumberOfValues(piece->GetNumberOfElements(association));
+        ids->FillValue(blocks.GetBlocks()[i]);
+        piece->GetAttributes(association)->AddArray(ids);
       }
     }
   }
@@ -234,12 +139,17 @@ void AddBlockIds(
 //------------------------------------------------------------------------------
 // A point that is merged from several pieces may have the values of one that was filled up. It gets
 // those of a piece that has the array.
-void RestoreValues(const std::vector<vtkSmartPointer<vtkDataSet>>& pieces,
-  const gatun::ArrayMatcher& matcher, vtkUnstructuredGrid* merged)
+void RestoreValues(
+  const gatun::BlockList& blocks, const gatun::ArrayMatcher& matcher, vtkUnstructuredGrid* merged)
 {
+  const auto& pieces = blocks.GetPieces();
   vtkIdType firstCell = 0;
   for (std::size_t piece = 0; piece < pieces.size(); ++piece)
   {
+    if (!blocks.IsOwn(piece))
+    {
+      continue;
+    }
     std::vector<std::pair<vtkAbstractArray*, vtkAbstractArray*>> arrays;
     for (const std::string& name : matcher.GetFilled())
     {
@@ -336,24 +246,25 @@ void AddMergeIds(const std::vector<vtkSmartPointer<vtkDataSet>>& pieces,
 }
 
 //------------------------------------------------------------------------------
-// Appends the pieces; mergePoints: those with equal global ids, if there are any, or else with
-// equal coordinates.
-void Append(const std::vector<vtkSmartPointer<vtkDataSet>>& pieces, bool mergePoints,
-  vtkUnstructuredGrid* output)
+// Appends the pieces of this process; mergePoints: those with equal global ids, if there are any,
+// or else with equal coordinates.
+void Append(const gatun::BlockList& blocks, bool mergePoints, vtkUnstructuredGrid* output)
 {
+  const auto pieces = blocks.GetOwnPieces();
   std::vector<vtkSmartPointer<vtkDataArray>> ids;
-  if (mergePoints && HaveGlobalPointIds(pieces))
+  if (mergePoints && HaveGlobalPointIds(blocks))
   {
     for (const auto& piece : pieces)
     {
       ids.push_back(piece->GetPointData()->GetGlobalIds());
     }
   }
-  const ActiveAttributes points(pieces, vtkDataObject::POINT);
-  const ActiveAttributes cells(pieces, vtkDataObject::CELL);
+  const ActiveAttributes points(blocks.GetPieces(), vtkDataObject::POINT);
+  const ActiveAttributes cells(blocks.GetPieces(), vtkDataObject::CELL);
   AddMergeIds(pieces, ids);
   vtkNew<vtkAppendFilter> append;
-  append->SetOutputPointsPrecision(PointType(pieces));
+  append->SetOutputPointsPrecision(
+    blocks.IsSingle() ? vtkAlgorithm::SINGLE_PRECISION : vtkAlgorithm::DOUBLE_PRECISION);
   append->SetMergePoints(mergePoints);
   append->SetTolerance(0);
   for (const auto& piece : pieces)
@@ -373,9 +284,21 @@ void Append(const std::vector<vtkSmartPointer<vtkDataSet>>& pieces, bool mergePo
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
+vtkGatunMergeBlocks::vtkGatunMergeBlocks() = default;
+
+vtkGatunMergeBlocks::~vtkGatunMergeBlocks()
+{
+  this->SetController(nullptr);
+}
+
+//------------------------------------------------------------------------------
+vtkCxxSetObjectMacro(vtkGatunMergeBlocks, Controller, vtkMultiProcessController);
+
+//------------------------------------------------------------------------------
 void vtkGatunMergeBlocks::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "MergeCoincidentPoints: " << (this->MergeCoincidentPoints ? "On" : "Off") << "\n";
 }
 
@@ -411,80 +334,90 @@ int vtkGatunMergeBlocks::RequestData(vtkInformation* vtkNotUsed(request),
 }
 
 //------------------------------------------------------------------------------
+// What may fail in one process runs in PartExchange::Together, so that all fail.
 void vtkGatunMergeBlocks::Merge(vtkInformationVector* input, vtkUnstructuredGrid* output)
 {
+  gatun::ProcessExchange exchange(this->Controller);
   const int inputs = input->GetNumberOfInformationObjects();
-  Blocks blocks;
+  bool isComposite = false;
   for (int i = 0; i < inputs; ++i)
   {
-    blocks.Composite = blocks.Composite || vtkCompositeDataSet::GetData(input, i) != nullptr;
+    isComposite = isComposite || vtkCompositeDataSet::GetData(input, i) != nullptr;
   }
-  for (int i = 0; i < inputs; ++i)
-  {
-    if (vtkDataObject* data = vtkDataObject::GetData(input, i))
+  gatun::BlockList blocks(exchange.IsAny(isComposite));
+  bool isSingle = true;
+  bool hasUnused = false;
+  exchange.Together(
+    [&]
     {
-      blocks.Add(data);
-      if (data->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP()))
+      for (int i = 0; i < inputs; ++i)
       {
-        output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(),
-          data->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()));
+        if (vtkDataObject* data = vtkDataObject::GetData(input, i))
+        {
+          blocks.Add(i, data);
+          if (data->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP()))
+          {
+            output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(),
+              data->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()));
+          }
+        }
       }
-    }
-  }
+      const auto pieces = blocks.GetOwnPieces();
+      isSingle = IsSingle(pieces);
+      hasUnused = blocks.IsComposite() &&
+        std::any_of(pieces.begin(), pieces.end(),
+          [](const vtkSmartPointer<vtkDataSet>& piece) { return HasUnusedPoints(piece); });
+    });
+  blocks.Agree(exchange, isSingle, hasUnused);
+  exchange.Together([&] { this->Merge(blocks, output); });
+}
 
-  // Empty pieces do not determine which arrays exist, unless all pieces are empty.
-  std::vector<vtkSmartPointer<vtkDataSet>> pieces;
-  std::vector<int> blockOf;
-  for (std::size_t i = 0; i < blocks.Pieces.size(); ++i)
-  {
-    const auto& piece = blocks.Pieces[i];
-    if (piece->GetNumberOfPoints() > 0 || piece->GetNumberOfCells() > 0)
-    {
-      pieces.push_back(piece);
-      blockOf.push_back(blocks.Block[i]);
-    }
-  }
-  if (pieces.empty() && !blocks.Pieces.empty())
-  {
-    pieces.push_back(blocks.Pieces.front());
-    blockOf.push_back(blocks.Block.front());
-  }
-
-  const gatun::ArrayMatcher points(pieces, blockOf, blocks.Composite, vtkDataObject::POINT);
-  const gatun::ArrayMatcher cells(pieces, blockOf, blocks.Composite, vtkDataObject::CELL);
+//------------------------------------------------------------------------------
+void vtkGatunMergeBlocks::Merge(const gatun::BlockList& blocks, vtkUnstructuredGrid* output)
+{
+  const auto& pieces = blocks.GetPieces();
+  const gatun::ArrayMatcher points(
+    pieces, blocks.GetBlocks(), blocks.IsComposite(), vtkDataObject::POINT);
+  const gatun::ArrayMatcher cells(
+    pieces, blocks.GetBlocks(), blocks.IsComposite(), vtkDataObject::CELL);
+  const bool isFirst = !this->Controller || this->Controller->GetLocalProcessId() == 0;
   for (const gatun::ArrayMatcher* matcher : { &points, &cells })
   {
     for (const std::string& warning : matcher->GetWarnings())
     {
-      vtkWarningMacro(<< warning);
+      if (isFirst) // all processes have the same ones
+      {
+        vtkWarningMacro(<< warning);
+      }
     }
   }
-  if (blocks.Composite)
+  if (blocks.IsComposite())
   {
-    AddBlockIds(pieces, blockOf);
+    AddBlockIds(blocks);
   }
 
-  const bool merge =
-    this->MergeCoincidentPoints || (pieces.size() > 1 && HaveGlobalPointIds(pieces));
-  if (pieces.size() == 1 && !merge && vtkUnstructuredGrid::SafeDownCast(pieces.front()))
+  const auto own = blocks.GetOwnPieces();
+  const bool merge = this->MergeCoincidentPoints || (own.size() > 1 && HaveGlobalPointIds(blocks));
+  auto* const single = own.size() == 1 ? vtkUnstructuredGrid::SafeDownCast(own.front()) : nullptr;
+  if (single && !merge && pieces.size() == 1)
   {
-    output->ShallowCopy(pieces.front());
+    output->ShallowCopy(single);
   }
-  else if (!pieces.empty())
+  else if (!own.empty())
   {
-    Append(pieces, merge, output);
+    Append(blocks, merge, output);
     if (merge && !points.GetFilled().empty())
     {
-      RestoreValues(pieces, points, output);
+      RestoreValues(blocks, points, output);
     }
   }
 
-  output->GetFieldData()->ShallowCopy(blocks.Field);
-  if (blocks.Composite)
+  output->GetFieldData()->ShallowCopy(blocks.GetField());
+  if (blocks.IsComposite())
   {
     vtkNew<vtkStringArray> names;
     names->SetName(gatun::BlockNamesName);
-    for (const std::string& name : blocks.Names)
+    for (const std::string& name : blocks.GetNames())
     {
       names->InsertNextValue(name);
     }

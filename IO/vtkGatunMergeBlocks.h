@@ -33,6 +33,12 @@
  * values of one of the blocks that have the array. Ghost cells (DUPLICATECELL in vtkGhostType) are
  * dropped together with the points that only they use.
  *
+ * Processes: with Controller, each process gets the blocks that it has as one grid. Blocks have the
+ * same place in the tree everywhere and may be missing or in parts. Numbers, names and arrays of
+ * blocks are those of all processes, as if one had all of them. Points of different processes are
+ * not merged; vtkGatunWriter does that. Field arrays are those of the process's own blocks. An
+ * error of one process is one of all.
+ *
  * Cost: memory for the output, twice that where points are merged; one thread. Time steps pass
  * through, so that the filter can connect a vtkExodusIIReader to a vtkGatunWriter.
  *
@@ -52,9 +58,16 @@
 #include "vtkGatunIOModule.h" // For export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
+namespace gatun
+{
+class BlockList;
+}
+
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
 #endif
+
+class vtkMultiProcessController;
 
 class VTKGATUNIO_EXPORT vtkGatunMergeBlocks : public vtkUnstructuredGridAlgorithm
 {
@@ -73,19 +86,32 @@ public:
   vtkBooleanMacro(MergeCoincidentPoints, bool);
   ///@}
 
+  ///@{
+  /**
+   * The processes that have the blocks. All must have the same inputs and update the filter at the
+   * same time. Null: this process alone. Default: null.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
 protected:
-  vtkGatunMergeBlocks() = default;
-  ~vtkGatunMergeBlocks() override = default;
+  vtkGatunMergeBlocks();
+  ~vtkGatunMergeBlocks() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
   bool MergeCoincidentPoints = false;
+  vtkMultiProcessController* Controller = nullptr;
 
 private:
   /** Merges the connections of port 0. */
   void Merge(vtkInformationVector* input, vtkUnstructuredGrid* output);
+
+  /** Merges the blocks of this process, when all processes know all blocks. */
+  void Merge(const gatun::BlockList& blocks, vtkUnstructuredGrid* output);
 
   vtkGatunMergeBlocks(const vtkGatunMergeBlocks&) = delete;
   void operator=(const vtkGatunMergeBlocks&) = delete;

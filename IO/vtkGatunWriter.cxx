@@ -104,6 +104,7 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HierarchyBytes: " << this->HierarchyBytes << "\n";
   os << indent << "LevelBytes: " << this->LevelBytes << "\n";
   os << indent << "DirectoryBytes: " << this->DirectoryBytes << "\n";
+  os << indent << "BytesSent: " << this->BytesSent << "\n";
   os << indent << "PointDataArraySelection:\n";
   this->GetPointDataArraySelection()->PrintSelf(os, indent.GetNextIndent());
   os << indent << "CellDataArraySelection:\n";
@@ -178,6 +179,7 @@ int vtkGatunWriter::Write()
     return 0;
   }
   self.Discard();
+  this->BytesSent = 0;
   self.Writing = true;
   this->SetErrorCode(vtkErrorCode::NoError);
   try
@@ -305,6 +307,7 @@ void vtkGatunWriter::WriteTogether()
     }
   }
   self.FinishPieces();
+  this->BytesSent = exchange.GetBytesSent();
   this->WriteTime.Modified();
   this->UpdateProgress(1);
 }

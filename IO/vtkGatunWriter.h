@@ -291,7 +291,8 @@ public:
   /**
    * The processes that write the file together, each one the piece of the input that it has. All
    * must have an input and the same options, and call Write. Null: this process alone. Default:
-   * null.
+   * null, and not the global controller, so that one process of a program may write by itself.
+   * ParaView's Save Data uses the global one.
    */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
@@ -382,6 +383,12 @@ public:
   vtkGetMacro(DirectoryBytes, vtkTypeUInt64);
   ///@}
 
+  /**
+   * Bytes that this process has sent to the other ones of Controller for the last file. What goes
+   * to all counts for each. 0 without other processes.
+   */
+  vtkGetMacro(BytesSent, vtkTypeUInt64);
+
 protected:
   vtkGatunWriter();
   ~vtkGatunWriter() override;
@@ -432,6 +439,7 @@ protected:
   vtkTypeUInt64 HierarchyBytes = 0;
   vtkTypeUInt64 LevelBytes = 0;
   vtkTypeUInt64 DirectoryBytes = 0;
+  vtkTypeUInt64 BytesSent = 0;
 
 private:
   vtkGatunWriter(const vtkGatunWriter&) = delete;

@@ -130,7 +130,9 @@ void vtkGatunWriter::vtkInternals::BeginPieces(int pieces)
   const vtkGatunWriter* owner = this->Owner;
   if (owner->Hierarchy || (owner->LayerArray && *owner->LayerArray))
   {
-    gatun::ThrowInvalid("a hierarchy or layers need the whole mesh, which cannot come in pieces");
+    gatun::ThrowInvalid("a hierarchy or layers need the whole mesh in one piece and one process; "
+                        "write the file without them, and add them with 'gtn pack --hierarchy' or "
+                        "'gtn pack --layers'");
   }
   gatun::PartWriterOptions options;
   options.File = this->MakeOptions(nullptr, {});

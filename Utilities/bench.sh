@@ -9,6 +9,7 @@
 #   bench.sh --speed             the goals of speed and memory, 15 minutes; writes speed.md
 #   bench.sh --cells             cells of all types, 10 minutes; writes cells-study.md
 #   bench.sh --parts             meshes larger than memory, 20 minutes; writes parts-study.md
+#   bench.sh --parallel          several processes write one file, 5 minutes; writes parallel-study.md
 #   bench.sh --study             the rendering study, about 40 minutes; writes rendering-study.md
 #   bench.sh --budget            the just-in-time study, 6 minutes; writes just-in-time-study.md
 #   bench.sh --simplification    the simplification study, 30 minutes; writes simplification-study.md
@@ -36,6 +37,7 @@ case ${1:-} in
   --speed) script=runSpeed.py ;;
   --cells) script=runCells.py ;;
   --parts) script=runParts.py ;;
+  --parallel) script=runParallel.py ;;
   --study) script=runStudy.py ;;
   --budget) script=runBudget.py ;;
   --simplification) script=runSimplification.py ;;

@@ -9,6 +9,7 @@ import benchmarkReport
 import budgetReport
 import cellsReport
 import isosurfaceReport
+import parallelReport
 import partsReport
 import renderingReport
 import simplificationReport
@@ -100,6 +101,20 @@ def _parts(results):
         pieces are {span(sizes, ratio)} times as large as those packed as a whole."""
 
 
+def _parallel(results):
+    several = [case for case in parallelReport.compact(results) if case["processes"] > 1]
+    memory = [parallelReport.relative_memory(case) for case in several]
+    sent = [100 * parallelReport.sent(case) / (parallelReport.share(case) * case["processes"])
+            for case in several]
+    times = [value for case in several for value in parallelReport.time_ratios(case)]
+    return f"""{several[0]["processes"]} to {several[-1]["processes"]} processes write a mesh of
+        {results["tets"]:,} tetrahedra to one file. At its peak each one has {span(memory, ratio)} times
+        its share of the mesh in memory, the share included, and all together send
+        {span(sent, lambda value: f"{value:.1f}")} % of the mesh, if parts are compact. That takes
+        {span(times, ratio)} times as long as to write `.pvtu` files with zlib, which are
+        {span([parallelReport.size_ratio(case) for case in several], ratio)} times larger."""
+
+
 def _budget(results):
     shares, rays = [], []
     for mesh in results["meshes"]:
@@ -184,6 +199,7 @@ SECTIONS = (
     ("speed", "Speed and memory", "What the project promises beside its peers, and what it keeps", _speed),
     ("cells-study", "Cells of all types", "Sizes by part and loading", _cells),
     ("parts-study", "Meshes larger than memory", "Packing piece by piece, with little memory", _parts),
+    ("parallel-study", "Several processes", "One file, its messages, memory and time", _parallel),
     ("rendering-study", "Rendering", "Drawing while decompressing, after the dissertation proposal",
      _rendering),
     ("just-in-time-study", "Just-in-time rendering", "Keeping a time budget", _budget),

@@ -45,7 +45,7 @@ void ProcessExchange::GatherBytes(const void* own, void* all, std::size_t bytes)
   }
   Require(this->Controller->AllGather(static_cast<const unsigned char*>(own),
     static_cast<unsigned char*>(all), static_cast<vtkIdType>(bytes)));
-  this->BytesSent += bytes;
+  this->BytesSent += bytes * static_cast<std::size_t>(this->Processes - 1);
 }
 
 //------------------------------------------------------------------------------
@@ -61,7 +61,8 @@ void ProcessExchange::Broadcast(void* data, std::size_t bytes, int source)
     const auto length = static_cast<vtkIdType>(std::min(bytes - done, MostAtOnce));
     Require(this->Controller->Broadcast(first + done, length, source));
   }
-  this->BytesSent += source == this->Process ? bytes : 0;
+  this->BytesSent +=
+    source == this->Process ? bytes * static_cast<std::size_t>(this->Processes - 1) : 0;
 }
 
 //------------------------------------------------------------------------------

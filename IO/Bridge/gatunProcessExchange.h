@@ -68,7 +68,7 @@ public:
     return first;
   }
 
-  /** Bytes of messages that this process has sent to others. */
+  /** Bytes of messages that this process has sent to others. What goes to all counts for each. */
   std::uint64_t GetBytesSent() const { return this->BytesSent; }
 
 private:

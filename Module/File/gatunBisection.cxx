@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace gatun
 {
@@ -19,12 +20,8 @@ namespace
 constexpr std::size_t ItemsPerTask = 1u << 15;
 constexpr std::size_t Bins = 1024;
 
-/** A cell and four times the mean of its points. */
-struct Item
-{
-  std::array<float, 3> Place;
-  std::uint32_t Cell;
-};
+/** Four times the mean of the points of a cell. */
+using Place = std::array<float, 3>;
 
 /** Rounds a place. NaN comes first, and there is no -0. */
 float Round(double place)
@@ -60,13 +57,14 @@ std::array<float, 3> GetPlace(const MeshAccess& mesh, std::uint32_t cell)
 /** The order of the cells along an axis. Without branches, because it is unpredictable. */
 struct IsBefore
 {
+  const std::vector<Place>& Places;
   unsigned Axis;
 
-  bool operator()(const Item& l, const Item& r) const
+  bool operator()(std::uint32_t l, std::uint32_t r) const
   {
-    const float left = l.Place[this->Axis];
-    const float right = r.Place[this->Axis];
-    return (left < right) | ((left == right) & (l.Cell < r.Cell));
+    const float left = this->Places[l][this->Axis];
+    const float right = this->Places[r][this->Axis];
+    return (left < right) | ((left == right) & (l < r));
   }
 };
 
@@ -79,31 +77,32 @@ struct Part
   std::size_t GetSize() const { return this->End - this->Begin; }
   std::size_t CountTasks() const { return (this->GetSize() + ItemsPerTask - 1) / ItemsPerTask; }
 
-  template <typename T>
-  std::span<T> GetTask(std::vector<T>& items, std::size_t task) const
+  std::span<const std::uint32_t> GetTask(
+    std::span<const std::uint32_t> cells, std::size_t task) const
   {
     const auto begin = this->Begin + task * ItemsPerTask;
-    return { items.data() + begin, std::min(ItemsPerTask, this->End - begin) };
+    return cells.subspan(begin, std::min(ItemsPerTask, this->End - begin));
   }
 };
 
-/** Divides parts, from one array of items into another. */
+/** Divides parts, from one array of cells into another. The places are by cell: they are read
+ * nearly in their order, as the cells of a part keep theirs, and need no second array. */
 class Divider
 {
 public:
-  Divider(const MeshAccess& mesh, std::span<const std::uint32_t> cells)
-    : From(cells.size())
-    , To(cells.size())
+  Divider(const MeshAccess& mesh, std::span<std::uint32_t> cells)
+    : Places(static_cast<std::size_t>(mesh.GetMesh().Cells))
+    , Room(cells.size())
+    , From(cells)
+    , To(Room)
   {
     const Part all{ 0, cells.size(), 0 };
     ParallelFor(all.CountTasks(),
       [&](std::size_t task)
       {
-        auto cell = cells.begin() + static_cast<std::ptrdiff_t>(task * ItemsPerTask);
-        for (auto& item : all.GetTask(this->From, task))
+        for (const auto cell : all.GetTask(cells, task))
         {
-          item.Cell = *cell++;
-          item.Place = GetPlace(mesh, item.Cell);
+          this->Places[cell] = GetPlace(mesh, cell);
         }
       });
   }
@@ -120,16 +119,16 @@ public:
     }
     const auto parts = (part.GetSize() + part.MostCells - 1) / part.MostCells;
     const auto half = part.GetSize() * (parts / 2) / parts;
-    const IsBefore isBefore{ axis };
-    const Item pivot = this->Select(part, axis, box[axis], half);
+    const IsBefore isBefore{ this->Places, axis };
+    const auto pivot = this->Select(part, axis, box[axis], half);
 
     std::vector<std::size_t> starts(part.CountTasks() + 1, 0); // of the tasks in the first half
     ParallelFor(part.CountTasks(),
       [&](std::size_t task)
       {
-        for (const auto& item : part.GetTask(this->From, task))
+        for (const auto cell : part.GetTask(this->From, task))
         {
-          starts[task + 1] += isBefore(item, pivot);
+          starts[task + 1] += isBefore(cell, pivot);
         }
       });
     std::partial_sum(starts.begin(), starts.end(), starts.begin());
@@ -138,18 +137,27 @@ public:
       {
         std::array<std::size_t, 2> next{ part.Begin + half + task * ItemsPerTask - starts[task],
           part.Begin + starts[task] };
-        for (const auto& item : part.GetTask(this->From, task))
+        for (const auto cell : part.GetTask(this->From, task))
         {
-          this->To[next[isBefore(item, pivot)]++] = item;
+          this->To[next[isBefore(cell, pivot)]++] = cell;
         }
       });
     return part.Begin + half;
   }
 
   /** Continues with the halves. */
-  void Swap() { this->From.swap(this->To); }
+  void Swap() { std::swap(this->From, this->To); }
 
-  const Item& operator[](std::size_t i) const { return this->From[i]; }
+  /** Copies the cells of a part that is not divided further to those of the caller. */
+  void Take(const Part& part, std::span<std::uint32_t> cells) const
+  {
+    if (this->From.data() != cells.data())
+    {
+      std::copy(this->From.begin() + static_cast<std::ptrdiff_t>(part.Begin),
+        this->From.begin() + static_cast<std::ptrdiff_t>(part.End),
+        cells.begin() + static_cast<std::ptrdiff_t>(part.Begin));
+    }
+  }
 
 private:
   struct Extent
@@ -173,11 +181,11 @@ private:
       [&](std::size_t task)
       {
         Box box;
-        for (const auto& item : part.GetTask(this->From, task))
+        for (const auto cell : part.GetTask(this->From, task))
         {
           for (unsigned i = 0; i < 3; ++i)
           {
-            box[i].Include({ item.Place[i], item.Place[i] });
+            box[i].Include({ this->Places[cell][i], this->Places[cell][i] });
           }
         }
         boxes[task] = box;
@@ -193,13 +201,13 @@ private:
     return all;
   }
 
-  /** The item at a position of the order along an axis. A histogram leaves few items to sort. */
-  Item Select(const Part& part, unsigned axis, const Extent& extent, std::size_t position)
+  /** The cell at a position of the order along an axis. A histogram leaves few cells to sort. */
+  std::uint32_t Select(const Part& part, unsigned axis, const Extent& extent, std::size_t position)
   {
     const double scale = static_cast<double>(Bins - 1) / extent.GetLength();
-    const auto binOf = [&](const Item& item)
+    const auto binOf = [&](std::uint32_t cell)
     {
-      const double bin = (double{ item.Place[axis] } - double{ extent.Min }) * scale;
+      const double bin = (double{ this->Places[cell][axis] } - double{ extent.Min }) * scale;
       return bin < static_cast<double>(Bins) ? static_cast<std::size_t>(bin) : 0; // 0 for NaN
     };
     std::vector<std::array<std::uint32_t, Bins>> counts(part.CountTasks());
@@ -208,9 +216,9 @@ private:
       {
         auto& count = counts[task];
         count.fill(0);
-        for (const auto& item : part.GetTask(this->From, task))
+        for (const auto cell : part.GetTask(this->From, task))
         {
-          ++count[binOf(item)];
+          ++count[binOf(cell)];
         }
       });
     std::size_t bin = 0;
@@ -233,26 +241,28 @@ private:
     {
       starts[task + 1] = starts[task] + counts[task][bin];
     }
-    std::vector<Item> rest(starts.back());
+    std::vector<std::uint32_t> rest(starts.back());
     ParallelFor(counts.size(),
       [&](std::size_t task)
       {
         auto next = starts[task];
-        for (const auto& item : part.GetTask(this->From, task))
+        for (const auto cell : part.GetTask(this->From, task))
         {
-          if (binOf(item) == bin)
+          if (binOf(cell) == bin)
           {
-            rest[next++] = item;
+            rest[next++] = cell;
           }
         }
       });
     const auto nth = rest.begin() + static_cast<std::ptrdiff_t>(position - before);
-    std::nth_element(rest.begin(), nth, rest.end(), IsBefore{ axis });
+    std::nth_element(rest.begin(), nth, rest.end(), IsBefore{ this->Places, axis });
     return *nth;
   }
 
-  std::vector<Item> From;
-  std::vector<Item> To;
+  std::vector<Place> Places;
+  std::vector<std::uint32_t> Room;
+  std::span<std::uint32_t> From; // those of the caller, or the room
+  std::span<std::uint32_t> To;
 };
 }
 
@@ -284,10 +294,7 @@ std::vector<std::size_t> Bisect(const MeshAccess& mesh, std::span<std::uint32_t>
         return;
       }
       middles[i] = part.End;
-      for (auto at = part.Begin; at < part.End; ++at)
-      {
-        cells[at] = divider[at].Cell;
-      }
+      divider.Take(part, cells);
     };
     if (parts.size() < static_cast<std::size_t>(GetNumberOfThreads()))
     {

@@ -105,7 +105,8 @@ void MeshSection::SetPalettes(const std::array<std::shared_ptr<const Palette>, 3
 }
 
 //------------------------------------------------------------------------------
-void MeshSection::Write(WriterPart& part, const std::function<bool(double)>& progress)
+void MeshSection::Write(WriterPart& part, const std::function<bool(double)>& progress,
+  const std::function<void(std::size_t)>& encoded)
 {
   StreamBatch batch;
   if (part.Place.IsFirst)
@@ -116,7 +117,7 @@ void MeshSection::Write(WriterPart& part, const std::function<bool(double)>& pro
   this->WriteBlocks(part, batch);
   batch.Write(this->State.File, SectionMesh);
   part.Chunks.resize(part.Layout.GetChunkCount());
-  this->WriteChunks(part, progress);
+  this->WriteChunks(part, progress, encoded);
   this->FindBounds(part);
   part.Layout.Cells = {};
 }
@@ -467,6 +468,7 @@ MeshSection::ChunkStreams MeshSection::EncodeChunk(WriterPart& part, std::size_t
     [&](std::uint32_t cell) { return cells[cell]; });
   this->EncodeOrder(part, state, streams);
   state.Mesh.Walk.Tets = {};
+  state.Mesh.Walk.EdgeLog.shrink_to_fit(); // of all chunks at once
   state.Mesh.Cells = {};
   return streams;
 }
@@ -518,13 +520,21 @@ void MeshSection::AddStreams(const ChunkStreams& streams, ChunkEntry& entry, Str
 }
 
 //------------------------------------------------------------------------------
-void MeshSection::WriteChunks(WriterPart& part, const std::function<bool(double)>& progress)
+void MeshSection::WriteChunks(WriterPart& part, const std::function<bool(double)>& progress,
+  const std::function<void(std::size_t)>& encoded)
 {
   std::vector<ChunkStreams> streams(ChunksPerBatch);
   StreamBatch batch;
   ForEachBatch(
     part.Chunks.size(),
-    [&](std::size_t chunk) { streams[chunk % ChunksPerBatch] = this->EncodeChunk(part, chunk); },
+    [&](std::size_t chunk)
+    {
+      streams[chunk % ChunksPerBatch] = this->EncodeChunk(part, chunk);
+      if (encoded)
+      {
+        encoded(chunk);
+      }
+    },
     [&](std::size_t first, std::size_t count)
     {
       for (std::size_t i = 0; i < count; ++i)

@@ -47,8 +47,10 @@ public:
   void SetPalettes(const std::array<std::shared_ptr<const Palette>, 3>& palettes);
 
   /** Writes a part whose shared points have been placed, and fills the entries of its chunks. The
-   * last part also writes the unused points of all. */
-  void Write(WriterPart& part, const std::function<bool(double)>& progress);
+   * last part also writes the unused points of all. encoded: called with each chunk when its state
+   * is there, by several threads. */
+  void Write(WriterPart& part, const std::function<bool(double)>& progress,
+    const std::function<void(std::size_t)>& encoded = {});
 
   /** The layers that the file is organized by, if any. */
   const std::optional<LayerPartition>& GetLayers() const { return this->Layers; }
@@ -81,7 +83,8 @@ private:
   BlockStreams EncodeBlock(const std::vector<PointKeys>& pointKeys, ComponentKeys numbers) const;
   void AddStreams(const BlockStreams& streams, BlockEntry& block, StreamBatch& batch);
   void TakeUnused(const WriterPart& part);
-  void WriteChunks(WriterPart& part, const std::function<bool(double)>& progress);
+  void WriteChunks(WriterPart& part, const std::function<bool(double)>& progress,
+    const std::function<void(std::size_t)>& encoded);
   void FindBounds(const WriterPart& part);
 
   std::vector<PointKeys> GetPointKeys(

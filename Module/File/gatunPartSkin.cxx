@@ -252,7 +252,7 @@ private:
       }
     }
     this->RemovePairs(sides);
-    return sides;
+    return { sides.begin(), sides.end() }; // without the room for the others
   }
 
   /** Sorts sides and removes those that come in twos. Of more than two, three remain. */

@@ -86,6 +86,13 @@ public:
   std::array<std::shared_ptr<const Palette>, 3> FinishMesh();
   StepPalettes FinishStep(std::size_t step);
 
+  /** To be called when all palettes are finished. */
+  void Clear()
+  {
+    this->Axes.clear();
+    this->Steps.clear();
+  }
+
 private:
   const WriterState& State;
   std::vector<PaletteBuilder> Axes;

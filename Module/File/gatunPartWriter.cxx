@@ -90,6 +90,7 @@ private:
   void SendPoints();
   void PlaceParts();
   void EndPart();
+  void WriteTogether(const StepValues& values, const Progress& progress);
   void ApplyJoins(const PartJoins& joins);
   bool HasNumbers() const
   {
@@ -121,6 +122,7 @@ private:
   std::vector<PartPlace> Places;
   std::size_t Written = 0; // parts of this process that were begun
   std::optional<WriterPart> Part;
+  bool IsDeferred = false; // whether the mesh of the part is not written yet
   PointNumbers Numbers{ Skins };
 
   // If several processes write the file.
@@ -322,6 +324,7 @@ void PartWriter::Internals::PlaceParts()
   {
     this->Steps.SetPalettes(step, this->Palettes.FinishStep(step));
   }
+  this->Palettes.Clear();
 }
 
 //------------------------------------------------------------------------------
@@ -365,7 +368,12 @@ void PartWriter::Internals::Write(
   this->Mesh.MakeLayout(*this->Part, {});
   this->ApplyJoins(this->Agreement ? std::move(this->Joins[this->Written - 1])
                                    : this->Skins.Take(static_cast<std::uint32_t>(number)));
-  this->Mesh.Write(*this->Part, progress);
+  // With a single step, its values are encoded together with the mesh, chunk by chunk.
+  this->IsDeferred = surveyed.StepHashes.size() == 1;
+  if (!this->IsDeferred)
+  {
+    this->Mesh.Write(*this->Part, progress);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -444,12 +452,34 @@ void PartWriter::Internals::WriteStep(std::span<const void* const> values, const
       "the values of part " + std::to_string(number) + " have changed since it was surveyed");
   }
   const StepValues all{ values, &field, hasTime, time };
-  this->Steps.WriteValues(*this->Part, all, progress);
+  if (this->IsDeferred)
+  {
+    this->IsDeferred = false;
+    this->WriteTogether(all, progress);
+  }
+  else
+  {
+    this->Steps.WriteValues(*this->Part, all, progress);
+  }
   this->Steps.Finish(*this->Part, all);
   if (step + 1 == surveyed.StepHashes.size())
   {
     this->EndPart(); // before the caller gets the next part
   }
+}
+
+//------------------------------------------------------------------------------
+/** Writes the mesh of the part and its only step. Nothing of a chunk is kept but its streams. */
+void PartWriter::Internals::WriteTogether(const StepValues& values, const Progress& progress)
+{
+  this->Steps.Prepare(*this->Part, values);
+  this->Mesh.Write(*this->Part, progress,
+    [&](std::size_t chunk)
+    {
+      this->Steps.EncodeAhead(*this->Part, chunk);
+      this->Part->Chunks[chunk] = {};
+    });
+  this->Steps.WritePrepared(*this->Part, {});
 }
 
 //------------------------------------------------------------------------------

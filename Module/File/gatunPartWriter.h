@@ -85,8 +85,9 @@ struct PartStatistics
  * Original numbers (WriterOptions::Keep) count through the parts. A point of several parts has the
  * number of the first one.
  *
- * Memory: the part that the caller has, up to 3 times as much beside it, with two time steps; the
- * options' SpillMemory; some 300 bytes and 50 bytes for each array and time step a chunk; up to
+ * Memory: the part that the caller has; up to 3 times as much beside it with several time steps,
+ * and less than it with one, whose values are encoded together with the mesh; the options'
+ * SpillMemory; some 300 bytes and 50 bytes for each array and time step a chunk; up to
  * 512 KiB for each component and step of arrays that have few different values; and the points that
  * no cell uses, with their values. With KeepPoints also 8 bytes for each point of several parts.
  *

@@ -93,6 +93,7 @@ public:
     else
     {
       this->Heap.pop_back();
+      std::vector<Record>().swap(run.Records);
     }
   }
 

@@ -108,7 +108,6 @@ void StepSection::Begin(const WriterPart& part, const StepValues& values)
   {
     step.Palettes = this->FindPalettes(part, values.Arrays);
   }
-  StreamBatch batch;
   for (std::size_t a = 0; a < arrays.size(); ++a)
   {
     auto& entry = step.Table.Arrays[a];
@@ -120,16 +119,11 @@ void StepSection::Begin(const WriterPart& part, const StepValues& values)
     {
       entry.Blocks.resize(this->State.Table.Blocks.size() + 1);
     }
-    this->WritePalettes(a, part.Place.IsFirst, batch);
+    this->WritePalettes(a, part.Place.IsFirst, this->Opening);
   }
   if (values.Field && part.Place.IsFirst)
   {
-    this->AddFieldData(*values.Field, step.Table, batch);
-  }
-  batch.Write(this->State.File, SectionValues);
-  if (step.Table.Field.Length > 0)
-  {
-    this->LastFieldRef = step.Table.Field;
+    this->AddFieldData(*values.Field, step.Table, this->Opening);
   }
 }
 
@@ -160,6 +154,13 @@ void StepSection::WritePalettes(std::size_t a, bool isFirst, StreamBatch& batch)
 StepInput& StepSection::WriteValues(
   WriterPart& part, const StepValues& values, const std::function<bool(double)>& progress)
 {
+  this->Prepare(part, values);
+  return this->WritePrepared(part, progress);
+}
+
+//------------------------------------------------------------------------------
+void StepSection::Prepare(const WriterPart& part, const StepValues& values)
+{
   this->Check(part, values);
   if (part.Place.IsFirstHere)
   {
@@ -171,9 +172,28 @@ StepInput& StepSection::WriteValues(
   {
     this->AddArray(a, part, values.Arrays[a]);
   }
+  this->Ahead.assign(part.Layout.GetChunkCount(), {});
+}
+
+//------------------------------------------------------------------------------
+void StepSection::EncodeAhead(WriterPart& part, std::size_t chunk)
+{
+  this->Ahead[chunk] = this->EncodeChunk(part, chunk);
+}
+
+//------------------------------------------------------------------------------
+StepInput& StepSection::WritePrepared(WriterPart& part, const std::function<bool(double)>& progress)
+{
+  auto& step = this->GetStep();
+  if (part.Place.IsFirstHere)
+  {
+    this->Opening.Write(this->State.File, SectionValues);
+    this->LastFieldRef = step.Table.Field.Length > 0 ? step.Table.Field : this->LastFieldRef;
+  }
   this->TakeUnused(part);
   this->WriteBlockValues(part);
   this->WriteChunkValues(part, progress);
+  this->Ahead.clear();
   return step;
 }
 
@@ -342,7 +362,12 @@ void StepSection::WriteChunkValues(WriterPart& part, const std::function<bool(do
   StreamBatch batch;
   ForEachBatch(
     part.Chunks.size(),
-    [&](std::size_t chunk) { streams[chunk % ChunksPerBatch] = this->EncodeChunk(part, chunk); },
+    [&](std::size_t chunk)
+    {
+      auto& ahead = this->Ahead[chunk];
+      streams[chunk % ChunksPerBatch] =
+        ahead.empty() && !step.Arrays.empty() ? this->EncodeChunk(part, chunk) : std::move(ahead);
+    },
     [&](std::size_t first, std::size_t count)
     {
       // Array by array, so that a reader of one array reads the batch in one go.

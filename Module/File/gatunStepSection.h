@@ -71,6 +71,15 @@ public:
   StepInput& WriteValues(
     WriterPart& part, const StepValues& values, const std::function<bool(double)>& progress);
 
+  /** The same in three calls, so that the chunks need their state only one after the other: Prepare
+   * describes the step, EncodeAhead encodes the values of a chunk, and WritePrepared writes all.
+   * EncodeAhead may be called by several threads. */
+  ///@{
+  void Prepare(const WriterPart& part, const StepValues& values);
+  void EncodeAhead(WriterPart& part, std::size_t chunk);
+  StepInput& WritePrepared(WriterPart& part, const std::function<bool(double)>& progress);
+  ///@}
+
   /** Writes the STEP section, if this is the last part, and keeps the values of the part for the
    * prediction of the next step. */
   void Finish(WriterPart& part, const StepValues& values);
@@ -108,6 +117,8 @@ private:
   Bytes LastField;
   StreamRef LastFieldRef;
   std::vector<Bytes> Before; // values of the previous step of this part
+  StreamBatch Opening;       // palettes and field data of the step that is being written
+  std::vector<std::vector<Bytes>> Ahead; // values of chunks that were encoded ahead
 };
 }
 

@@ -8,15 +8,12 @@ import os
 
 import numpy as np
 from vtkmodules.util import vtkConstants as c
-from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, vtkUnstructuredGrid
-from vtkmodules.vtkCommonExecutionModel import (
-    vtkAlgorithm, vtkStreamingDemandDrivenPipeline as pipeline)
+from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 from vtkmodules.vtkIOXML import vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridWriter
 
 import gatunMeshes as gm
-from gatun import vtkGatunErrorCode, vtkGatunReader, vtkGatunWriter
+from gatun import vtkGatunErrorCode, vtkGatunReader
+from gatunPieceSource import PieceSource, mark_ghosts, write_pieces
 
 PIECES = 6
 folder = os.path.join(os.environ["GATUN_TEST_TEMP"], "writer-pieces")
@@ -24,37 +21,6 @@ os.makedirs(folder, exist_ok=True)
 for name in os.listdir(folder):
     os.remove(os.path.join(folder, name))
 path = os.path.join(folder, "pieces.gtn")
-
-
-class PieceSource(VTKPythonAlgorithmBase):
-    """Makes pieces and steps on request: make(piece, pieces, step) returns a grid."""
-
-    def __init__(self, make, times=()):
-        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkUnstructuredGrid")
-        self.make, self.times = make, list(times)
-        self.asked = []
-
-    def RequestInformation(self, request, inInfo, outInfo):
-        info = outInfo.GetInformationObject(0)
-        info.Set(vtkAlgorithm.CAN_HANDLE_PIECE_REQUEST(), 1)
-        if self.times:
-            info.Set(pipeline.TIME_STEPS(), self.times, len(self.times))
-            info.Set(pipeline.TIME_RANGE(), [self.times[0], self.times[-1]], 2)
-        return 1
-
-    def RequestData(self, request, inInfo, outInfo):
-        info = outInfo.GetInformationObject(0)
-        piece = info.Get(pipeline.UPDATE_PIECE_NUMBER())
-        pieces = info.Get(pipeline.UPDATE_NUMBER_OF_PIECES())
-        step = 0
-        if self.times and info.Has(pipeline.UPDATE_TIME_STEP()):
-            step = self.times.index(info.Get(pipeline.UPDATE_TIME_STEP()))
-        self.asked.append((piece, step))
-        output = vtkUnstructuredGrid.GetData(outInfo, 0)
-        output.ShallowCopy(self.make(piece, pieces, step))
-        if self.times:
-            output.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), self.times[step])
-        return 1
 
 
 whole = gm.block(n=7)
@@ -66,25 +32,7 @@ def piece_of(grid, piece, pieces):
 
 
 def write(source, expected=1, **options):
-    writer = vtkGatunWriter()
-    writer.source = source
-    messages = []
-
-    @gm.calldata_type(c.VTK_STRING)
-    def note(_object, _event, text):
-        messages.append(text)
-
-    writer.AddObserver("WarningEvent", note)
-    writer.AddObserver("ErrorEvent", note)
-    writer.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
-    writer.SetInputConnection(source.GetOutputPort())
-    writer.SetFileName(path)
-    writer.SetNumberOfPieces(PIECES)
-    writer.SetChunkTets(200)
-    for key, value in options.items():
-        getattr(writer, "Set" + key)(value)
-    assert writer.Write() == expected, messages
-    return writer, messages
+    return write_pieces(source, path, expected, **{"NumberOfPieces": PIECES, **options})
 
 
 # The mesh of the whole, with each piece asked for twice, and none after it was left.
@@ -138,18 +86,7 @@ def with_ghosts(piece, pieces):
     """The piece with a third of the cells of the next one as ghosts."""
     extra = (owner == (piece + 1) % (PIECES - 1)) & (np.arange(len(owner)) % 3 == 0)
     wanted = (owner == piece) | extra
-    grid = gm.part_of(whole, wanted)
-    marks = vtkUnsignedCharArray()
-    marks.SetName(vtkDataSetAttributes.GhostArrayName())
-    for ghost in extra[wanted]:
-        marks.InsertNextValue(vtkDataSetAttributes.DUPLICATECELL if ghost else 0)
-    grid.GetCellData().AddArray(marks)
-    marks = vtkUnsignedCharArray()
-    marks.SetName(vtkDataSetAttributes.GhostArrayName())
-    for i in range(grid.GetNumberOfPoints()):
-        marks.InsertNextValue(vtkDataSetAttributes.DUPLICATEPOINT if i % 2 else 0)
-    grid.GetPointData().AddArray(marks)
-    return grid
+    return mark_ghosts(gm.part_of(whole, wanted), extra[wanted])
 
 
 _, messages = write(PieceSource(lambda piece, pieces, step: with_ghosts(piece, pieces)))

@@ -5,6 +5,7 @@
 write one file. It has the mesh, values and time steps of the whole; errors of one process are those of all."""
 
 import os
+import resource
 import sys
 
 import numpy as np
@@ -14,15 +15,11 @@ try:
     from vtkmodules.vtkParallelMPI import vtkMPIController
 except ImportError:
     sys.exit(125)
-from vtkmodules.util import vtkConstants as c
-from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, vtkUnstructuredGrid
-from vtkmodules.vtkCommonExecutionModel import (
-    vtkAlgorithm, vtkStreamingDemandDrivenPipeline as pipeline)
+from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 
 import gatunMeshes as gm
-from gatun import vtkGatunReader, vtkGatunWriter
+from gatun import vtkGatunReader
+from gatunPieceSource import PieceSource, mark_ghosts, write_pieces
 
 world = MPI.COMM_WORLD
 rank, ranks = world.Get_rank(), world.Get_size()
@@ -38,55 +35,22 @@ world.Barrier()
 path = os.path.join(folder, "processes.gtn")
 
 
-class Source(VTKPythonAlgorithmBase):
+def make_source(make, times=()):
     """make(step) returns the piece of this process."""
 
-    def __init__(self, make, times=()):
-        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkUnstructuredGrid")
-        self.make, self.times = make, list(times)
+    def make_piece(piece, pieces, step):
+        assert (piece, pieces) == (rank if ranks > 1 else 0, ranks)
+        return make(step)
 
-    def RequestInformation(self, request, inInfo, outInfo):
-        info = outInfo.GetInformationObject(0)
-        info.Set(vtkAlgorithm.CAN_HANDLE_PIECE_REQUEST(), 1)
-        if self.times:
-            info.Set(pipeline.TIME_STEPS(), self.times, len(self.times))
-            info.Set(pipeline.TIME_RANGE(), [self.times[0], self.times[-1]], 2)
-        return 1
-
-    def RequestData(self, request, inInfo, outInfo):
-        info = outInfo.GetInformationObject(0)
-        assert info.Get(pipeline.UPDATE_PIECE_NUMBER()) == (rank if ranks > 1 else 0)
-        assert info.Get(pipeline.UPDATE_NUMBER_OF_PIECES()) == ranks
-        step = 0
-        if self.times and info.Has(pipeline.UPDATE_TIME_STEP()):
-            step = self.times.index(info.Get(pipeline.UPDATE_TIME_STEP()))
-        output = vtkUnstructuredGrid.GetData(outInfo, 0)
-        output.ShallowCopy(self.make(step))
-        if self.times:
-            output.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), self.times[step])
-        return 1
+    return PieceSource(make_piece, times)
 
 
 def write(source, expected=1, **options):
-    writer = vtkGatunWriter()
-    messages = []
-
-    @gm.calldata_type(c.VTK_STRING)
-    def note(_object, _event, text):
-        messages.append(text)
-
-    writer.AddObserver("WarningEvent", note)
-    writer.AddObserver("ErrorEvent", note)
-    writer.SetInputConnection(source.GetOutputPort())
-    writer.SetController(controller)
-    writer.SetFileName(path)
-    writer.SetChunkTets(200)
-    for key, value in options.items():
-        getattr(writer, "Set" + key)(value)
-    assert writer.Write() == expected, messages
+    made = write_pieces(source, options.pop("FileName", path), expected, Controller=controller,
+                        **options)
     world.Barrier()
     assert len(os.listdir(folder)) == (1 if os.path.exists(path) else 0), os.listdir(folder)
-    return writer, messages
+    return made
 
 
 whole = gm.block(n=7)
@@ -98,19 +62,21 @@ def own_part(grid):
     return gm.part_of(grid, owner == rank) if (owner == rank).any() else vtkUnstructuredGrid()
 
 
-writer, messages = write(Source(lambda step: own_part(whole)))
+writer, messages = write(make_source(lambda step: own_part(whole)))
 assert not messages, messages
 gm.assert_same_mesh(gm.read(path), whole)
 assert writer.GetWrittenPoints() == whole.GetNumberOfPoints()
 assert writer.GetWrittenCells() == cells
 assert writer.GetFileBytes() == os.path.getsize(path)
+sent = world.allreduce(writer.GetBytesSent())
+assert (sent > 0) == (ranks > 1) and sent < 100 * cells * ranks, sent
 
 # Time steps.
 steps = [gm.block(n=7) for _ in range(3)]
 for step, grid in enumerate(steps):
     gm.add_array(grid.GetPointData(), gm.coordinates(grid)[:, 0] * step, "moving")
 times = [0., .5, 2.]
-writer, messages = write(Source(lambda step: own_part(steps[step]), times), WriteAllTimeSteps=True)
+writer, messages = write(make_source(lambda step: own_part(steps[step]), times), WriteAllTimeSteps=True)
 assert not messages, messages
 assert writer.GetWrittenSteps() == 3
 reader = vtkGatunReader()
@@ -125,22 +91,16 @@ world.Barrier()
 def with_ghosts(_step):
     extra = (owner != rank) & (np.arange(cells) % 3 == 0)
     wanted = (owner == rank) | extra
-    grid = gm.part_of(whole, wanted)
-    marks = vtkUnsignedCharArray()
-    marks.SetName(vtkDataSetAttributes.GhostArrayName())
-    for ghost in extra[wanted]:
-        marks.InsertNextValue(vtkDataSetAttributes.DUPLICATECELL if ghost else 0)
-    grid.GetCellData().AddArray(marks)
-    return grid
+    return mark_ghosts(gm.part_of(whole, wanted), extra[wanted])
 
 
 if ranks > 1:
-    write(Source(with_ghosts))
+    write(make_source(with_ghosts))
     gm.assert_same_mesh(gm.read(path), whole)
     world.Barrier()
 
 # No process has cells.
-write(Source(lambda step: vtkUnstructuredGrid()))
+write(make_source(lambda step: vtkUnstructuredGrid()))
 assert gm.read(path).GetNumberOfCells() == 0
 world.Barrier()
 
@@ -154,12 +114,26 @@ if ranks > 2:
 
     before = open(path, "rb").read()
     world.Barrier()
-    _, messages = write(Source(without_array), expected=0)
+    _, messages = write(make_source(without_array), expected=0)
     assert len(messages) == 1 and "array" in messages[0], messages
     assert open(path, "rb").read() == before
 if ranks > 1:
-    _, messages = write(Source(lambda step: own_part(whole)), expected=0,
+    _, messages = write(make_source(lambda step: own_part(whole)), expected=0,
                         FileName=os.path.join(folder, "missing", "file.gtn"))
     assert len(messages) == 1 and "missing" in messages[0], messages
-    _, messages = write(Source(lambda step: own_part(whole)), expected=0, Hierarchy=True)
+    _, messages = write(make_source(lambda step: own_part(whole)), expected=0, Hierarchy=True)
     assert len(messages) == 1 and "hierarchy" in messages[0], messages
+
+    # A process whose disk is full, as soon as it begins or near the end.
+    before = open(path, "rb").read()
+    old = resource.getrlimit(resource.RLIMIT_FSIZE)
+    for size in (0, 1000, 4000):
+        world.Barrier()
+        if rank == ranks - 2:
+            resource.setrlimit(resource.RLIMIT_FSIZE, (size, old[1]))
+        writer, messages = write(make_source(lambda step: own_part(whole)), expected=0)
+        resource.setrlimit(resource.RLIMIT_FSIZE, old)
+        assert writer.GetErrorCode() != 0
+        assert len(messages) == 1 and "File too large" in messages[0], (size, messages)
+        assert os.listdir(folder) == ["processes.gtn"], os.listdir(folder)
+        assert open(path, "rb").read() == before

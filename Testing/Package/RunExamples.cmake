@@ -53,6 +53,28 @@ if (size LESS 20000)
   message(FATAL_ERROR "DrawVolume made an image of ${size} bytes, in which there can be nothing")
 endif ()
 
+# The same mesh and values from any number of processes.
+find_program(MPIEXEC NAMES mpiexec mpirun)
+if (MPIEXEC AND EXISTS "${TEMP}/build/HeatSolver")
+  set(ENV{OMPI_ALLOW_RUN_AS_ROOT} 1)
+  set(ENV{OMPI_ALLOW_RUN_AS_ROOT_CONFIRM} 1)
+  set(ENV{OMPI_MCA_rmaps_base_oversubscribe} 1)
+  foreach (processes IN ITEMS 1 2 3)
+    expect(0 "^4913 points, 4096 cells, 4 steps\n$"
+      "${MPIEXEC}" -n ${processes} "${TEMP}/build/HeatSolver" heat${processes}.gtn 16 12 4)
+    expect(0 "^4913 points, 4096 cells, 1 steps\n$"
+      "${MPIEXEC}" -n ${processes} "${TEMP}/build/HeatSolver" heat${processes}_%d.gtn 16 12 4)
+    expect(0 "" "${TEMP}/prefix/bin/gtn" verify heat${processes}.gtn heat1.gtn)
+    foreach (step IN ITEMS 0 3)
+      expect(0 "" "${TEMP}/prefix/bin/gtn" verify heat${processes}_${step}.gtn heat1_${step}.gtn)
+    endforeach ()
+  endforeach ()
+  expect(1 "" "${MPIEXEC}" -n 2 "${TEMP}/build/HeatSolver" missing/heat.gtn)
+  if (EXISTS "${TEMP}/missing")
+    message(FATAL_ERROR "HeatSolver made a folder")
+  endif ()
+endif ()
+
 if (PYTHON_DESTINATION)
   set(ENV{PYTHONPATH} "${TEMP}/prefix/${PYTHON_DESTINATION}")
   set(ENV{LD_LIBRARY_PATH} "")

@@ -30,7 +30,8 @@ OTHER = {"ChunkTets": [1000], "KeepOrder": [7], "KeyStepInterval": [3],
          "FrequencyWeight": [1.5], "ViewDirection": [1, 2, 3], "ViewUp": [0, 2, 1], "Zoom": [3],
          "Size": [64, 32], "OpacityModel": [1], "ColorMap": [3], "ValueRange": [-4, 9], "OpacityUnit": [5],
          "Extinction": [0.5], "Zero": [-3], "Window": [2, 7], "Background": [0.5, 0.25, 1],
-         "Method": [2], "Kernel": [1], "Padding": [4]}
+         "Method": [2], "Kernel": [1], "Padding": [4], "NumberOfPieces": [7], "SpillMemory": [8],
+         "SpillFolder": ["some folder"], "MinTimeStep": [2], "MaxTimeStep": [5], "TimeStepStride": [3]}
 # Where people who open a file are better served by another default than programs: that of the class.
 OWN_DEFAULT = {"GatunReaderCore.OnDemand": [0], "GatunContour.ComputeNormals": [0],
                "GatunContour.ArrayComponent": [-1]}
@@ -134,7 +135,7 @@ for group, proxy in proxies:
 assert not problems, "\n" + "\n".join(problems)
 assert checked >= 20, checked
 assert {proxy.get("class") for _, proxy in proxies} >= \
-    {"vtkGatunReader", "vtkGatunWriter", "vtkGatunMergeBlocks", "vtkGatunVolumeRepresentation",
+    {"vtkGatunReader", "vtkGatunPVWriter", "vtkGatunPVMergeBlocks", "vtkGatunVolumeRepresentation",
      "vtkGatunHartleyEncoder", "vtkGatunHartleyReader", "vtkGatunHartleyWriter",
      "vtkGatunPVProjection", "vtkGatunSplitBlocks"}
 
@@ -142,7 +143,8 @@ assert {proxy.get("class") for _, proxy in proxies} >= \
 path = sample.temporary("properties.gtn")
 writer = simple.CreateWriter(path, sample.make_source())
 for prop in ("KeepOrder", "ChunkTets", "SplitCells", "ReplaceReadOnly", "FileName",
-             "ChooseArraysToWrite", "WriteAllTimeSteps", "KeyStepInterval"):
+             "ChooseArraysToWrite", "WriteAllTimeSteps", "KeyStepInterval", "NumberOfPieces",
+             "SpillMemory", "SpillFolder", "JoinAllPoints"):
     assert writer.GetProperty(prop) is not None, prop
 writer.UpdatePipeline()
 reader = simple.GatunReader(FileNames=[path])

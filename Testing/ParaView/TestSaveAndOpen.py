@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 """Save Data and File > Open, on one rank and on several: the mesh comes back, also chosen arrays,
-regions, time steps in one file and series of files."""
+regions, time steps in one file and series of files, pieces."""
 
 import os
 
@@ -105,14 +105,32 @@ for i in (2, 0, 1):
     series.UpdatePipeline(i)
     assert series.GetDataInformation().GetBounds()[0] == i
 
-# Time steps in one file, which one rank alone can write.
-if ranks == 1:
-    moving = sample.make_moving_source([0.5, 1.5, 2.5])
-    steps = sample.temporary("steps.gtn")
-    simple.SaveData(steps, proxy=moving, WriteAllTimeSteps=1)
-    back = simple.OpenDataFile(steps)
-    assert list(back.TimestepValues) == [0.5, 1.5, 2.5], list(back.TimestepValues)
-    for time in (1.5, 0.5, 2.5):
-        back.UpdatePipeline(time)
-        ramp = back.GetDataInformation().GetPointDataInformation().GetArrayInformation("ramp")
-        assert ramp.GetComponentRange(0) == (0, sample.SIDE * time), ramp.GetComponentRange(0)
+# Time steps in one file, by the rank that has the mesh or by all of them.
+moving = sample.make_moving_source([0.5, 1.5, 2.5])
+steps = sample.temporary("steps.gtn")
+simple.SaveData(steps, proxy=moving, WriteAllTimeSteps=1)
+back = simple.OpenDataFile(steps)
+assert list(back.TimestepValues) == [0.5, 1.5, 2.5], list(back.TimestepValues)
+for time in (1.5, 0.5, 2.5):
+    back.UpdatePipeline(time)
+    ramp = back.GetDataInformation().GetPointDataInformation().GetArrayInformation("ramp")
+    assert ramp.GetComponentRange(0) == (0, sample.SIDE * time), ramp.GetComponentRange(0)
+    assert sample.owned(back) == (sample.POINTS, sample.TETS)
+
+# The same time steps as a series of files, and some of them.
+for first, last, stride, expected in ((0, -1, 1, (0, 1, 2)), (1, 2, 1, (1, 2)), (0, 2, 2, (0, 2))):
+    names = [sample.temporary("moved_%d.gtn" % i) for i in range(3)]
+    simple.SaveData(sample.temporary("moved.gtn"), proxy=moving, WriteTimeSteps=1,
+                    MinTimeStep=first, MaxTimeStep=last, TimeStepStride=stride)
+    assert [i for i in range(3) if os.path.exists(names[i])] == list(expected), first
+    for i in expected:
+        one = simple.OpenDataFile(names[i])
+        one.UpdatePipeline()
+        ramp = one.GetDataInformation().GetPointDataInformation().GetArrayInformation("ramp")
+        assert ramp.GetComponentRange(0) == (0, sample.SIDE * [0.5, 1.5, 2.5][i])
+
+# In pieces, one after the other, of a source that knows them.
+pieces = sample.temporary("pieces.gtn")
+simple.SaveData(pieces, proxy=reader, NumberOfPieces=4, SpillMemory=1, JoinAllPoints=1,
+                SpillFolder=os.environ["GATUN_TEST_TEMP"])
+assert sample.owned(simple.OpenDataFile(pieces)) == (sample.POINTS, sample.TETS)

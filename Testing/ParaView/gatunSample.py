@@ -62,7 +62,7 @@ if vtkProcessModule.GetProcessModule().GetPartitionId() == 0:
 
 
 def make_moving_source(times):
-    """The mesh with a point array "ramp", x times the time."""
+    """The mesh with a point array "ramp", x times the time, all of it on the first rank."""
     made = simple.ProgrammableSource(OutputDataSetType="vtkUnstructuredGrid")
     made.ScriptRequestInformation = """
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
@@ -72,9 +72,11 @@ gatun_info.Set(vtkStreamingDemandDrivenPipeline.TIME_STEPS(), gatun_times, len(g
 gatun_info.Set(vtkStreamingDemandDrivenPipeline.TIME_RANGE(), [gatun_times[0], gatun_times[-1]], 2)
 """ % times
     made.Script = SCRIPT + """
+from paraview.modules.vtkRemotingCore import vtkProcessModule
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
-gatun_fill(output, self.GetOutputInformation(0).Get(
-    vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP()))
+if vtkProcessModule.GetProcessModule().GetPartitionId() == 0:
+    gatun_fill(output, self.GetOutputInformation(0).Get(
+        vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP()))
 """
     return made
 

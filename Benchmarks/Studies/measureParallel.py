@@ -8,7 +8,7 @@ partitioned compactly, as the reader gives them, or scattered over the ranks at 
 Usage, with a display, where the plugin was built (pv-env.sh finds it):
 
   xvfb-run -a -s '-screen 0 1280x1024x24 -noreset' Utilities/pv-env.sh \\
-    python3 Benchmarks/measureParallel.py FILE.gtn [RANKS,RANKS,... [FOLDER FOR PICTURES]]
+    python3 Benchmarks/Studies/measureParallel.py FILE.gtn [RANKS,RANKS,... [FOLDER FOR PICTURES]]
 """
 
 import os

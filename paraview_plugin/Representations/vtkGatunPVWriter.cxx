@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkGatunPVWriter.h"
+
+#include "vtkGatunReader.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
+vtkStandardNewMacro(vtkGatunPVWriter);
+
+//------------------------------------------------------------------------------
+vtkGatunPVWriter::vtkGatunPVWriter()
+{
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+vtkGatunPVWriter::~vtkGatunPVWriter() = default;
+
+//------------------------------------------------------------------------------
+int vtkGatunPVWriter::Write()
+{
+  const bool hasName = this->FileName && *this->FileName;
+  if (!hasName || this->GetNumberOfInputConnections(0) < 1)
+  {
+    return this->Superclass::Write(); // which reports the error
+  }
+  try
+  {
+    const std::string name = this->FileName;
+    const bool isSeries = this->WriteTimeSteps && !this->WriteAllTimeSteps;
+    const int written = isSeries ? this->WriteSeries(name) : this->WriteFile();
+    this->SetFileName(name.c_str());
+    return written;
+  }
+  catch (const std::exception& e)
+  {
+    this->SetErrorCode(vtkErrorCode::UnknownError);
+    vtkErrorMacro(<< e.what());
+    return 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunPVWriter::WriteFile()
+{
+  const bool needsWhole = this->Hierarchy || (this->LayerArray && *this->LayerArray);
+  return needsWhole && this->Controller && this->Controller->GetNumberOfProcesses() > 1
+    ? this->WriteWhole(this->FileName)
+    : this->Superclass::Write();
+}
+
+//------------------------------------------------------------------------------
+// All processes write a file without a hierarchy and layers, from which the first one makes the
+// file that is wanted.
+int vtkGatunPVWriter::WriteWhole(const std::string& name)
+{
+  const std::string parts = name + ".parts";
+  const std::string layers = this->LayerArray ? this->LayerArray : "";
+  const bool hasTree = this->Hierarchy;
+  const int order = this->KeepOrder;
+  this->SetKeepOrder(KEEP_ALL); // the order of merges is that of one process
+  this->SetHierarchy(false);
+  this->SetLayerArray(nullptr);
+  this->SetFileName(parts.c_str());
+  int succeeded = this->Superclass::Write();
+  this->SetKeepOrder(order);
+  this->SetHierarchy(hasTree);
+  this->SetLayerArray(layers.c_str());
+  if (!succeeded)
+  {
+    return 0; // in all processes
+  }
+  const bool isFirst = this->Controller->GetLocalProcessId() == 0;
+  if (isFirst)
+  {
+    vtkNew<vtkGatunReader> reader;
+    reader->SetFileName(parts.c_str());
+    vtkNew<vtkGatunWriter> writer;
+    writer->SetInputConnection(reader->GetOutputPort());
+    writer->SetFileName(name.c_str());
+    writer->SetKeepOrder(order);
+    writer->SetChunkTets(this->ChunkTets);
+    writer->SetKeyStepInterval(this->KeyStepInterval);
+    writer->SetHierarchy(hasTree);
+    writer->SetLevels(this->Levels);
+    writer->SetMetric(this->Metric);
+    writer->SetBoundaryWeight(this->BoundaryWeight);
+    writer->SetLayerArray(layers.c_str());
+    writer->SetLayerComponent(this->LayerComponent);
+    writer->SetNumberOfLayers(this->NumberOfLayers);
+    writer->SetLayerSpacing(this->LayerSpacing);
+    writer->SetReplaceReadOnly(this->ReplaceReadOnly);
+    writer->SetWriteAllTimeSteps(true); // those of the file
+    succeeded = writer->Write();
+    this->SetErrorCode(writer->GetErrorCode());
+    std::error_code ignored;
+    std::filesystem::remove(parts, ignored);
+  }
+  this->Controller->Broadcast(&succeeded, 1, 0);
+  if (!succeeded && !isFirst)
+  {
+    this->SetErrorCode(vtkErrorCode::UnknownError);
+    vtkErrorMacro(<< name << ": the first process cannot write the file");
+  }
+  return succeeded;
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunPVWriter::WriteSeries(const std::string& name)
+{
+  this->UpdateInformation();
+  vtkInformation* const info = this->GetInputInformation(0, 0);
+  auto* const key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
+  if (!info->Has(key))
+  {
+    return this->WriteFile();
+  }
+  const std::vector<double> times(info->Get(key), info->Get(key) + info->Length(key));
+  const auto count = static_cast<int>(times.size());
+  const int last =
+    this->MaxTimeStep < this->MinTimeStep ? count - 1 : std::min(this->MaxTimeStep, count - 1);
+  const std::filesystem::path path(name);
+  for (std::int64_t step = this->MinTimeStep; step <= last; step += this->TimeStepStride)
+  {
+    auto file = path;
+    file.replace_filename(
+      path.stem().string() + "_" + std::to_string(step) + path.extension().string());
+    this->SetFileName(file.string().c_str());
+    info->Set(
+      vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), times[static_cast<std::size_t>(step)]);
+    if (!this->WriteFile())
+    {
+      return 0; // in all processes
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunPVWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "WriteTimeSteps: " << (this->WriteTimeSteps ? "On" : "Off") << "\n";
+  os << indent << "MinTimeStep: " << this->MinTimeStep << "\n";
+  os << indent << "MaxTimeStep: " << this->MaxTimeStep << "\n";
+  os << indent << "TimeStepStride: " << this->TimeStepStride << "\n";
+}
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
