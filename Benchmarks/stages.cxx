@@ -72,7 +72,7 @@ public:
 private:
   std::size_t CountArrays() const
   {
-    return this->Content.Steps.empty() ? 0 : this->Content.Meta.Arrays.size();
+    return this->Content.GetSteps().empty() ? 0 : this->Content.Meta.Arrays.size();
   }
   gatun::ChunkFrame MakeFrame(std::size_t chunk) const;
   void DecodeArray(std::size_t chunk, std::size_t array);
@@ -88,29 +88,29 @@ private:
 
 void Stages::Read()
 {
-  const auto& mesh = this->Content.Mesh;
-  for (std::size_t b = 0; b < mesh.Blocks.size(); ++b)
+  const auto& tables = this->Content.GetTables();
+  for (std::size_t b = 0; b < tables.GetNumberOfBlocks(); ++b)
   {
     Streams streams;
-    streams.Geometry = this->Content.File.Read(mesh.Blocks[b].Geometry, "a block");
+    streams.Geometry = this->Content.File.Read(tables.GetBlock(b)->Geometry, "a block");
     for (std::size_t a = 0; a < this->CountArrays(); ++a)
     {
       const bool ofPoints = this->Content.Meta.Arrays[a].Where == gatun::Association::Point;
       streams.Arrays.push_back(ofPoints
-          ? this->Content.File.Read(this->Content.Steps[0].Arrays[a].Blocks[b], "an array")
+          ? this->Content.File.Read(tables.GetBlockValues(b, a, 0), "an array")
           : gatun::Bytes{});
     }
     this->Blocks.push_back(std::move(streams));
   }
-  for (std::size_t c = 0; c < mesh.Chunks.size(); ++c)
+  for (std::size_t c = 0; c < tables.GetChunks().size(); ++c)
   {
     Streams streams;
-    streams.Connectivity = this->Content.File.Read(mesh.Chunks[c].Connectivity, "a chunk");
-    streams.Geometry = this->Content.File.Read(mesh.Chunks[c].Geometry, "a chunk");
+    const auto chunk = tables.GetChunk(c);
+    streams.Connectivity = this->Content.File.Read(chunk->Connectivity, "a chunk");
+    streams.Geometry = this->Content.File.Read(chunk->Geometry, "a chunk");
     for (std::size_t a = 0; a < this->CountArrays(); ++a)
     {
-      streams.Arrays.push_back(
-        this->Content.File.Read(this->Content.Steps[0].Arrays[a].Chunks[c], "an array"));
+      streams.Arrays.push_back(this->Content.File.Read(tables.GetChunkValues(c, a, 0), "an array"));
     }
     this->Chunks.push_back(std::move(streams));
   }
@@ -140,7 +140,7 @@ void Stages::DecodeBlocks()
 {
   for (std::size_t b = 0; b < this->Blocks.size(); ++b)
   {
-    const auto count = static_cast<std::size_t>(this->Content.Mesh.Blocks[b].Points);
+    const auto count = static_cast<std::size_t>(this->Content.GetTables().GetBlock(b)->Points);
     Components keys = MakeKeys(3, count);
     gatun::DecodeCellValues(this->Blocks[b].Geometry, {}, this->Content.Domains, keys);
     std::vector<gatun::PointKeys> points(count);
@@ -166,19 +166,19 @@ void Stages::DecodeBlocks()
 
 gatun::ChunkFrame Stages::MakeFrame(std::size_t chunk) const
 {
-  const auto& entry = this->Content.Mesh.Chunks[chunk];
+  const auto held = this->Content.GetTables().GetChunk(chunk);
+  const auto& entry = *held;
   gatun::ChunkFrame frame;
   frame.Tets = static_cast<std::uint32_t>(entry.Info.Tets);
   frame.OwnPoints = static_cast<std::uint32_t>(entry.Info.OwnPoints);
   frame.Box = entry.Info.Box;
   frame.Domains = this->Content.Domains;
-  frame.SharedUsers = this->Content.Mesh.GetSharedUsers(chunk);
+  frame.SharedUsers = this->Content.GetTables().GetSharedUsers(chunk);
   for (const auto& part : entry.Shared)
   {
     const auto begin =
       this->BlockPoints[part.Block].begin() + static_cast<std::ptrdiff_t>(part.FirstInBlock);
-    frame.SharedKeys.insert(frame.SharedKeys.end(), begin,
-      begin + this->Content.Mesh.Blocks[part.Block].Groups[part.Group].Points);
+    frame.SharedKeys.insert(frame.SharedKeys.end(), begin, begin + part.Points);
   }
   return frame;
 }
@@ -222,10 +222,10 @@ void Stages::DecodeArray(std::size_t chunk, std::size_t array)
   }
   Components keys = MakeKeys(description.Components, mesh.Keys.size());
   std::vector<std::pair<std::uint32_t, std::size_t>> places;
-  for (const auto& part : this->Content.Mesh.Chunks[chunk].Shared)
+  const auto entry = this->Content.GetTables().GetChunk(chunk);
+  for (const auto& part : entry->Shared)
   {
-    const auto count = this->Content.Mesh.Blocks[part.Block].Groups[part.Group].Points;
-    for (std::uint64_t i = 0; i < count; ++i)
+    for (std::uint64_t i = 0; i < part.Points; ++i)
     {
       places.emplace_back(part.Block, static_cast<std::size_t>(part.FirstInBlock + i));
     }
@@ -259,7 +259,7 @@ void Stages::DecodeAll() const
 {
   gatun::PieceDecoder decoder(this->File);
   gatun::PieceRequest request;
-  request.Chunks.resize(this->Content.Mesh.Chunks.size());
+  request.Chunks.resize(this->Content.GetTables().GetChunks().size());
   std::iota(request.Chunks.begin(), request.Chunks.end(), 0u);
   request.WithUnusedPoints = true;
   request.RestoreOrder = false;

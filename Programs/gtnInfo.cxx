@@ -157,7 +157,7 @@ Table DescribeChunks(const gatun::FileReader& file)
   {
     const gatun::ChunkInfo& chunk = file.GetChunks()[i];
     std::vector<Entry> row{ Entry(i), Entry(chunk.Cells), Entry(chunk.Tets), Entry(chunk.OwnPoints),
-      Entry(chunk.SharedPoints), Entry(chunk.FirstTet), Entry(chunk.Neighbors.size()),
+      Entry(chunk.SharedPoints), Entry(chunk.FirstTet), Entry(file.GetNeighbors(i).size()),
       Entry(file.GetChunkMeshBytes(i)), EntryOf(chunk.Box, ", ", 5) };
     if (file.HasLayers())
     {

@@ -40,6 +40,8 @@ gatun_core_folder(File
     gatunMeshSection.h
     gatunMeshTets.h
     gatunOriginalNumbers.h
+    gatunPageCache.h
+    gatunPageSection.h
     gatunPartAgreement.h
     gatunPartAssembly.h
     gatunPartDecoder.h
@@ -52,7 +54,9 @@ gatun_core_folder(File
     gatunSkinMerge.h
     gatunSpillSorter.h
     gatunStepSection.h
+    gatunTablePages.h
     gatunTetSeparation.h
+    gatunTablePages.cxx
     gatunTetSeparation.cxx
     gatunTreeLayout.h
     gatunTreeSection.h
@@ -76,6 +80,7 @@ gatun_core_folder(File
     gatunLayerPartition.cxx
     gatunMeshCheck.cxx
     gatunMeshSection.cxx
+    gatunPageCache.cxx
     gatunPartAgreement.cxx
     gatunPartAssembly.cxx
     gatunPartDecoder.cxx

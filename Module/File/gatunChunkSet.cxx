@@ -18,11 +18,11 @@ ChunkSet::ChunkSet(const FileReader::Internals& content, std::vector<std::uint32
   , WithUnused(withUnusedPoints)
   , Form(content.Cells ? form : PieceForm::Tetrahedra)
 {
-  const auto& mesh = this->Content.Mesh;
+  const auto& tables = this->Content.GetTables();
   std::vector<std::uint32_t> needed;
   for (const auto c : this->Chunks)
   {
-    for (const auto& part : mesh.Chunks[c].Shared)
+    for (const auto& part : tables.GetChunk(c)->Shared)
     {
       needed.push_back(part.Block);
     }
@@ -32,49 +32,52 @@ ChunkSet::ChunkSet(const FileReader::Internals& content, std::vector<std::uint32
   for (const auto index : needed)
   {
     this->Blocks.push_back(
-      { index, std::vector<std::uint64_t>(mesh.Blocks[index].Groups.size(), Absent) });
+      { index, std::vector<std::uint64_t>(tables.GetBlock(index)->Groups.size(), Absent) });
   }
   for (const auto c : this->Chunks)
   {
-    for (const auto& part : mesh.Chunks[c].Shared)
+    for (const auto& part : tables.GetChunk(c)->Shared)
     {
       this->Blocks[this->FindBlock(part.Block)].GroupStart[part.Group] = 0;
     }
   }
   for (auto& block : this->Blocks)
   {
+    const auto entry = tables.GetBlock(block.Index);
     for (std::size_t g = 0; g < block.GroupStart.size(); ++g)
     {
       if (block.GroupStart[g] != Absent)
       {
         block.GroupStart[g] = this->Points;
-        this->Points += mesh.Blocks[block.Index].Groups[g].Points;
+        this->Points += entry->Groups[g].Points;
       }
     }
   }
   for (const auto c : this->Chunks)
   {
     this->FirstOwn.push_back(this->Points);
-    this->Points += mesh.Chunks[c].Info.OwnPoints;
+    const auto& info = tables.GetChunks()[c];
+    this->Points += info.OwnPoints;
     this->Begins.push_back(this->Ends);
-    const auto& entry = mesh.Chunks[c];
     if (this->Form == PieceForm::Tetrahedra)
     {
-      this->Ends.Cells += entry.Info.Tets;
-      this->Ends.Corners += 4 * entry.Info.Tets;
+      this->Ends.Cells += info.Tets;
+      this->Ends.Corners += 4 * info.Tets;
     }
     else
     {
-      this->Ends.Cells += entry.Sizes.Cells;
-      this->Ends.Corners += entry.Sizes.Corners;
-      this->Ends.FaceValues += std::uint64_t{ entry.Sizes.FaceValues } + entry.Sizes.Polyhedra;
+      const auto sizes = tables.GetSizes(c);
+      this->Ends.Cells += sizes.Cells;
+      this->Ends.Corners += sizes.Corners;
+      this->Ends.FaceValues += std::uint64_t{ sizes.FaceValues } + sizes.Polyhedra;
     }
   }
   this->FirstUnused = this->Points;
-  if (this->WithUnused && mesh.Unused.Points > 0)
+  const auto unused = this->Content.Meta.UnusedPoints;
+  if (this->WithUnused && unused > 0)
   {
-    this->Points += mesh.Unused.Points;
-    this->Blocks.push_back({ static_cast<std::uint32_t>(mesh.Blocks.size()), {} });
+    this->Points += unused;
+    this->Blocks.push_back({ static_cast<std::uint32_t>(tables.GetNumberOfBlocks()), {} });
   }
 }
 
@@ -98,7 +101,7 @@ std::size_t ChunkSet::FindBlock(std::uint32_t index) const
 bool ChunkSet::IsWhole() const
 {
   const auto& content = this->Content;
-  return this->Chunks.size() == content.Mesh.Chunks.size() &&
+  return this->Chunks.size() == content.GetTables().GetChunks().size() &&
     (this->WithUnused || content.Meta.UnusedPoints == 0);
 }
 
@@ -108,9 +111,10 @@ void ChunkSet::MarkOwners(unsigned char* ghosts) const
   std::memset(ghosts, 0, static_cast<std::size_t>(this->Points));
   for (const auto& block : this->Blocks)
   {
+    const auto entry = this->Content.GetTables().GetBlock(block.Index);
     for (std::size_t g = 0; g < block.GroupStart.size(); ++g)
     {
-      const auto& group = this->Content.Mesh.Blocks[block.Index].Groups[g];
+      const auto& group = entry->Groups[g];
       if (block.GroupStart[g] != Absent && !this->Owns(group))
       {
         std::memset(ghosts + block.GroupStart[g], 1, group.Points);
@@ -134,7 +138,7 @@ bool ChunkSet::Owns(const SharedGroup& group) const
 //------------------------------------------------------------------------------
 std::vector<std::uint64_t> ChunkSet::Locate(const ChunkSet& part) const
 {
-  const auto& mesh = this->Content.Mesh;
+  const auto& tables = this->Content.GetTables();
   std::vector<std::uint64_t> places(static_cast<std::size_t>(part.Points));
   const auto copy = [&](std::uint64_t from, std::uint64_t to, std::uint64_t count)
   {
@@ -145,12 +149,13 @@ std::vector<std::uint64_t> ChunkSet::Locate(const ChunkSet& part) const
   };
   for (const auto& block : part.Blocks)
   {
+    const auto entry = tables.GetBlock(block.Index);
     for (std::size_t g = 0; g < block.GroupStart.size(); ++g)
     {
       if (block.GroupStart[g] != Absent)
       {
         copy(block.GroupStart[g], this->Blocks[this->FindBlock(block.Index)].GroupStart[g],
-          mesh.Blocks[block.Index].Groups[g].Points);
+          entry->Groups[g].Points);
       }
     }
   }
@@ -158,13 +163,13 @@ std::vector<std::uint64_t> ChunkSet::Locate(const ChunkSet& part) const
   {
     if (this->Chunks[i] == part.Chunks[j])
     {
-      copy(part.FirstOwn[j], this->FirstOwn[i], mesh.Chunks[part.Chunks[j]].Info.OwnPoints);
+      copy(part.FirstOwn[j], this->FirstOwn[i], tables.GetChunks()[part.Chunks[j]].OwnPoints);
       ++j;
     }
   }
   if (part.WithUnused)
   {
-    copy(part.FirstUnused, this->FirstUnused, mesh.Unused.Points);
+    copy(part.FirstUnused, this->FirstUnused, this->Content.Meta.UnusedPoints);
   }
   return places;
 }

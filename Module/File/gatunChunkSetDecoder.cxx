@@ -123,7 +123,8 @@ void ChunkSetDecoder::Plan(Job& job) const
   {
     auto& work = job.Chunks[i];
     work.Mesh = this->Parts.FindMesh(this->Set.GetChunks()[i]);
-    for (const auto& part : this->Content().Mesh.Chunks[this->Set.GetChunks()[i]].Shared)
+    const auto entry = this->Content().GetTables().GetChunk(this->Set.GetChunks()[i]);
+    for (const auto& part : entry->Shared)
     {
       auto& needed = job.Blocks[this->Set.FindBlock(part.Block)].NeedsPoints;
       needed = needed || !work.Mesh;

@@ -18,7 +18,8 @@ void ChunkSetDecoder::StoreBlock(const Job& job, std::size_t b) const
 {
   const auto& content = this->Content();
   const auto& block = this->Set.GetBlocks()[b];
-  const auto& entry = this->Parts.GetBlock(block.Index);
+  const auto held = content.GetTables().GetBlock(block.Index);
+  const auto& entry = *held;
   const auto& work = job.Blocks[b];
   const auto& target = job.Target;
   const auto store = [&](std::size_t first, std::size_t count, std::uint64_t start, bool owned)
@@ -75,7 +76,7 @@ void ChunkSetDecoder::StorePoints(const Job& job, std::size_t i, const ChunkMesh
   const OrderPart* points, const Places& places) const
 {
   const auto& content = this->Content();
-  const auto& info = content.Mesh.Chunks[this->Set.GetChunks()[i]].Info;
+  const auto& info = content.GetTables().GetChunks()[this->Set.GetChunks()[i]];
   const auto& target = job.Target;
   const auto& ownIds = mesh.Context.OwnIds;
   const Places pointIds{ points, info.FirstPoint };
@@ -102,7 +103,7 @@ void ChunkSetDecoder::StorePoints(const Job& job, std::size_t i, const ChunkMesh
 void ChunkSetDecoder::StoreChunk(Job& job, std::size_t i, const ChunkMesh& mesh) const
 {
   const auto chunk = this->Set.GetChunks()[i];
-  const auto& entry = this->Content().Mesh.Chunks[chunk];
+  const auto& info = this->Content().GetTables().GetChunks()[chunk];
   const auto& target = job.Target;
   const auto& ownIds = mesh.Context.OwnIds;
 
@@ -119,19 +120,19 @@ void ChunkSetDecoder::StoreChunk(Job& job, std::size_t i, const ChunkMesh& mesh)
   const Places pointPlaces{ job.RestorePoints ? points.get() : nullptr,
     this->Set.GetFirstOwnPoint(i) };
   const Places cellPlaces{ job.RestoreCells ? cells.get() : nullptr, this->Set.GetFirstCell(i) };
-  const Places cellIds{ cells.get(), entry.Info.FirstCell };
+  const Places cellIds{ cells.get(), info.FirstCell };
   this->StorePoints(job, i, mesh, points.get(), pointPlaces);
 
   // Several tetrahedra may have the values of one cell.
   ChunkTets split;
-  const bool isSplit = this->Set.GetForm() == PieceForm::Tetrahedra && !entry.Sizes.IsTetrahedral;
+  const bool isSplit = this->Set.GetForm() == PieceForm::Tetrahedra && !info.IsTetrahedral;
   if (isSplit)
   {
     split = this->Parts.SplitCells(chunk, mesh);
   }
   const auto cellOf = [&](std::size_t c) { return isSplit ? split.Cells[c] : c; };
   const auto count = static_cast<std::size_t>(this->Set.GetNumberOfCells(i));
-  const bool knowsParents = entry.Sizes.IsTetrahedral && !cellPlaces.Order && !job.RestoreCorners;
+  const bool knowsParents = info.IsTetrahedral && !cellPlaces.Order && !job.RestoreCorners;
   const auto first = static_cast<std::uint32_t>(this->Set.GetFirstCell(i));
   for (std::size_t c = 0; c < count; ++c)
   {
@@ -197,12 +198,12 @@ std::vector<std::uint64_t> ChunkSetDecoder::FindIds(
     ids[mesh.Context.OwnIds[own]] = points(own);
   }
   std::vector<std::uint64_t> sharedPlaces;
-  for (const auto& part : content.Mesh.Chunks[chunk].Shared)
+  const auto entry = content.GetTables().GetChunk(chunk);
+  for (const auto& part : entry->Shared)
   {
-    const auto count = content.Mesh.Blocks[part.Block].Groups[part.Group].Points;
     const auto b = this->Set.FindBlock(part.Block);
     const auto start = this->Set.GetBlocks()[b].GroupStart[part.Group];
-    for (std::uint64_t p = 0; p < count; ++p)
+    for (std::uint64_t p = 0; p < part.Points; ++p)
     {
       sharedPlaces.push_back(
         job.RestorePoints ? (*job.Blocks[b].Order)[part.FirstInBlock + p] : start + p);
@@ -226,7 +227,7 @@ void ChunkSetDecoder::StoreTets(const Job& job, std::size_t i, const ChunkMesh& 
   const auto chunk = this->Set.GetChunks()[i];
   const auto ids = this->FindIds(job, i, mesh, points);
   const auto rotations =
-    job.RestoreCorners && this->Content().Mesh.Chunks[chunk].Sizes.IsTetrahedral
+    job.RestoreCorners && this->Content().GetTables().GetChunks()[chunk].IsTetrahedral
     ? this->Parts.DecodeCorners(chunk, mesh)
     : std::vector<Key>{};
   const auto store = [&](auto* connectivity)
@@ -266,7 +267,8 @@ void ChunkSetDecoder::StoreOriginal(Job& job, std::size_t i, const ChunkMesh& me
     store.Store(cells, ids, this->Set.GetFirstCell(i), this->Set.GetFirstCorner(i),
       this->Set.GetFirstFaceValue(i));
   };
-  if (!order && !job.RestoreCorners && !this->Content().Mesh.Chunks[chunk].Sizes.IsTetrahedral)
+  if (!order && !job.RestoreCorners &&
+    !this->Content().GetTables().GetChunks()[chunk].IsTetrahedral)
   {
     storeHere(mesh.Cells); // without a copy
     return;

@@ -38,10 +38,12 @@ CoarseLayout::CoarseLayout(
       ThrowInvalid("the tree merges points that no tetrahedron has");
     }
   }
-  for (const BlockEntry& block : InternalsOf(*this->File).Mesh.Blocks)
+  const TablePages& tables = InternalsOf(*this->File).GetTables();
+  for (std::size_t b = 0; b < tables.GetNumberOfBlocks(); ++b)
   {
-    auto point = block.FirstPoint;
-    for (const SharedGroup& group : block.Groups)
+    const auto& block = this->Blocks.emplace_back(tables.GetBlock(b));
+    auto point = block->FirstPoint;
+    for (const SharedGroup& group : block->Groups)
     {
       this->Groups.emplace_back(static_cast<std::uint32_t>(point), &group);
       point += group.Points;
@@ -79,16 +81,14 @@ CoarseLayout::CoarseLayout(
 void CoarseLayout::EachRun(
   std::uint32_t chunk, const std::function<void(std::uint32_t, std::uint32_t)>& use) const
 {
-  const MeshTable& mesh = InternalsOf(*this->File).Mesh;
-  const ChunkEntry& entry = mesh.Chunks[chunk];
-  for (const auto& part : entry.Shared)
+  const auto entry = InternalsOf(*this->File).GetTables().GetChunk(chunk);
+  for (const auto& part : entry->Shared)
   {
-    const BlockEntry& block = mesh.Blocks[part.Block];
-    const auto first = static_cast<std::uint32_t>(block.FirstPoint + part.FirstInBlock);
-    use(first, first + block.Groups[part.Group].Points);
+    const auto first = static_cast<std::uint32_t>(part.FirstPoint);
+    use(first, first + part.Points);
   }
-  const auto first = static_cast<std::uint32_t>(entry.Info.FirstPoint);
-  use(first, first + static_cast<std::uint32_t>(entry.Info.OwnPoints));
+  const auto first = static_cast<std::uint32_t>(entry->Info.FirstPoint);
+  use(first, first + static_cast<std::uint32_t>(entry->Info.OwnPoints));
 }
 
 //------------------------------------------------------------------------------
@@ -108,23 +108,12 @@ std::vector<std::uint32_t> CoarseLayout::GetPoints(std::uint32_t chunk) const
 //------------------------------------------------------------------------------
 bool CoarseLayout::Has(std::uint32_t chunk, std::uint32_t point) const
 {
-  const MeshTable& mesh = InternalsOf(*this->File).Mesh;
-  const ChunkEntry& entry = mesh.Chunks[chunk];
-  if (point >= mesh.GetSharedPoints())
+  if (const SharedGroup* const group = this->FindGroup(point))
   {
-    return point >= entry.Info.FirstPoint && point < entry.Info.FirstPoint + entry.Info.OwnPoints;
+    return std::binary_search(group->Chunks.begin(), group->Chunks.end(), chunk);
   }
-  // The last part that begins at or before the point.
-  const auto begin = [&](const ChunkEntry::Part& part)
-  { return mesh.Blocks[part.Block].FirstPoint + part.FirstInBlock; };
-  const auto next = std::partition_point(entry.Shared.begin(), entry.Shared.end(),
-    [&](const ChunkEntry::Part& part) { return begin(part) <= point; });
-  if (next == entry.Shared.begin())
-  {
-    return false;
-  }
-  const auto& part = *std::prev(next);
-  return point - begin(part) < mesh.Blocks[part.Block].Groups[part.Group].Points;
+  const ChunkInfo& info = this->File->GetChunks()[chunk];
+  return point >= info.FirstPoint && point < info.FirstPoint + info.OwnPoints;
 }
 
 //------------------------------------------------------------------------------

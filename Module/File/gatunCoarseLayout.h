@@ -6,7 +6,7 @@
 
 #include "gatunFileReader.h"
 #include "gatunMergeTree.h"
-#include "gatunTables.h"
+#include "gatunMeshTable.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -67,7 +67,8 @@ private:
   std::vector<std::uint32_t> Ancestors;
   std::vector<std::vector<std::uint32_t>> Sources;
   std::vector<std::vector<std::uint32_t>> Given;
-  std::vector<std::pair<std::uint32_t, const SharedGroup*>> Groups; // groups by their first points
+  std::vector<std::shared_ptr<const BlockEntry>> Blocks;            // all of the file
+  std::vector<std::pair<std::uint32_t, const SharedGroup*>> Groups; // theirs, by their first points
 };
 }
 

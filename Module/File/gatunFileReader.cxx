@@ -10,7 +10,7 @@
 #include "gatunTableParts.h"
 
 #include <algorithm>
-#include <array>
+#include <numeric>
 
 namespace gatun
 {
@@ -31,45 +31,28 @@ FileReader::Internals::Internals(const Internals& whole, std::size_t level)
 void FileReader::Internals::Read()
 {
   constexpr const char* metaName = "the meta data";
-  constexpr const char* meshName = "the table of chunks";
   constexpr const char* stepName = "the table of a time step";
   const auto meta = this->File.FindSection(SectionMeta, metaName);
-  this->Meta =
-    this->Guarded(metaName, meta, [&] { return MetaTable::Read(this->File.Read(meta, metaName)); });
+  this->Meta = this->File.Guarded(
+    metaName, meta, [&] { return MetaTable::Read(this->File.Read(meta, metaName)); });
   this->ReadCells();
-  const auto mesh = this->File.FindSection(SectionTable, meshName);
-  this->Mesh = this->Guarded(meshName, mesh,
-    [&]
-    {
-      auto table = MeshTable::Read(
-        this->File.Read(mesh, meshName), this->Meta, this->Cells ? &*this->Cells : nullptr);
-      table.CheckLengths(this->File.GetSize());
-      return table;
-    });
+  this->Tables.emplace(this->File, this->Meta, this->Cells ? &*this->Cells : nullptr);
   this->CountCells();
   for (const auto& step : this->File.FindSections(SectionStep))
   {
-    this->Steps.push_back(this->Guarded(stepName, step,
-      [&]
-      {
-        const auto bytes = this->File.Read(step, stepName);
-        this->AddStepBytes(bytes);
-        return StepTable::Read(bytes, this->Meta, this->Mesh);
-      }));
-    this->Times.push_back(this->Steps.back().Time);
+    const auto bytes = this->File.Read(step, stepName);
+    this->File.Guarded(stepName, step, [&] { this->AddStepBytes(bytes); });
+    this->Tables->AddStep(step, bytes);
+    this->Times.push_back(this->GetSteps().back().Time);
     this->CheckLastStep();
-  }
-  for (const auto& chunk : this->Mesh.Chunks)
-  {
-    this->Chunks.push_back(chunk.Info);
   }
   for (unsigned axis = 0; axis < 3; ++axis)
   {
-    const auto& ref = this->Mesh.Palettes[axis];
+    const auto& ref = this->GetTables().GetIndex().Palettes[axis];
     std::shared_ptr<const Palette> palette;
     if (ref.Count > 0)
     {
-      palette = this->Guarded("the palette of the coordinates", ref.Stream,
+      palette = this->File.Guarded("the palette of the coordinates", ref.Stream,
         [&]
         {
           return DecodePalette(this->Meta.CoordinateType,
@@ -89,14 +72,14 @@ void FileReader::Internals::ReadCells()
   if (!this->File.FindSections(SectionCells).empty())
   {
     const auto where = this->File.FindSection(SectionCells, cellsName);
-    this->Cells = this->Guarded(
+    this->Cells = this->File.Guarded(
       cellsName, where, [&] { return CellTable::Read(this->File.Read(where, cellsName)); });
   }
 }
 
 void FileReader::Internals::CountCells()
 {
-  const auto cells = this->Mesh.GetNumberOfCells();
+  const auto cells = this->GetTables().GetNumberOfCells();
   if (!this->Cells)
   {
     if (cells > 0)
@@ -125,7 +108,7 @@ void FileReader::Internals::AddStepBytes(std::span<const std::uint8_t> packed)
   const auto size = ByteReader(packed).GetVarint();
   if (size > std::max(SmallStep, TableExpansion * packed.size()))
   {
-    return; // StepTable::Read refuses it
+    return; // StepIndex::Read refuses it
   }
   const auto most = std::max(SmallStep, TableExpansion * this->File.GetSize());
   if (size > most - this->StepBytes)
@@ -139,12 +122,12 @@ void FileReader::Internals::CheckLastStep() const
 {
   // Checked for each step, so that a table that is listed many times is not read many times.
   const auto fail = [&](const char* what) { this->File.Fail(ErrorCode::Corrupt, what); };
-  const auto count = this->Steps.size();
+  const auto count = this->GetSteps().size();
   if (count > 1 && !this->Meta.HasTime)
   {
     fail("there are several time steps, but the file says that it has no time");
   }
-  if (!this->Steps.front().Key)
+  if (!this->GetSteps().front().Key)
   {
     fail("the first time step needs one before it");
   }
@@ -158,13 +141,13 @@ std::vector<Domain> FileReader::Internals::MakeDomains(std::size_t array, std::s
 {
   const auto& description = this->Meta.Arrays[array];
   std::vector<Domain> domains;
-  for (const auto& ref : this->Steps[step].Arrays[array].Palettes)
+  for (const auto& ref : this->GetSteps()[step].Arrays[array].Palettes)
   {
     std::shared_ptr<const Palette> palette;
     if (ref.Count > 0)
     {
       const std::string what = "the palette of array '" + description.Name + "'";
-      palette = this->Guarded(what, ref.Stream,
+      palette = this->File.Guarded(what, ref.Stream,
         [&]
         { return DecodePalette(description.Type, this->File.Read(ref.Stream, what), ref.Count); });
     }
@@ -204,7 +187,7 @@ std::uint64_t FileReader::GetNumberOfPoints() const
 
 std::uint64_t FileReader::GetNumberOfCells() const
 {
-  return this->Self->Mesh.GetNumberOfCells();
+  return this->Self->GetTables().GetNumberOfCells();
 }
 
 //------------------------------------------------------------------------------
@@ -227,7 +210,7 @@ const std::vector<CellTypeCount>& FileReader::GetCellTypes() const
 
 std::uint64_t FileReader::GetNumberOfSharedPoints() const
 {
-  return this->Self->Mesh.GetSharedPoints();
+  return this->Self->GetTables().GetSharedPoints();
 }
 
 std::uint64_t FileReader::GetNumberOfUnusedPoints() const
@@ -272,7 +255,7 @@ const std::vector<ArrayDescription>& FileReader::GetArrays() const
 
 std::size_t FileReader::GetNumberOfSteps() const
 {
-  return this->Self->Steps.size();
+  return this->Self->GetSteps().size();
 }
 
 bool FileReader::HasTime() const
@@ -287,28 +270,32 @@ const std::vector<double>& FileReader::GetTimes() const
 
 const std::vector<ChunkInfo>& FileReader::GetChunks() const
 {
-  return this->Self->Chunks;
+  return this->Self->GetTables().GetChunks();
 }
 
 const ArrayRanges& FileReader::GetRanges(std::size_t array, std::size_t step) const
 {
-  return this->Self->Steps.at(step).Arrays.at(array).Ranges;
+  return this->Self->GetSteps().at(step).Arrays.at(array).Ranges;
 }
 
-const ArrayRanges& FileReader::GetChunkRanges(
-  std::size_t array, std::size_t step, std::size_t chunk) const
+std::vector<std::uint32_t> FileReader::GetNeighbors(std::size_t chunk) const
 {
-  return this->Self->Steps.at(step).Arrays.at(array).ChunkRanges.at(chunk);
+  return this->Self->GetTables().GetNeighbors(chunk);
+}
+
+ArrayRanges FileReader::GetChunkRanges(std::size_t array, std::size_t step, std::size_t chunk) const
+{
+  return this->Self->GetTables().GetChunkRanges(chunk, array, step);
 }
 
 FieldData FileReader::GetFieldData(std::size_t step) const
 {
-  const auto& where = this->Self->Steps.at(step).Field;
+  const auto& where = this->Self->GetSteps().at(step).Field;
   if (where.Length == 0)
   {
     return {};
   }
-  return this->Self->Guarded("the field data", where,
+  return this->Self->File.Guarded("the field data", where,
     [&] { return ReadFieldData(this->Self->File.Read(where, "the field data")); });
 }
 
@@ -316,50 +303,7 @@ FileStatistics FileReader::GetStatistics() const
 {
   FileStatistics s;
   s.FileBytes = this->Self->File.GetSize();
-  const auto& mesh = this->Self->Mesh;
-  for (const auto& palette : mesh.Palettes)
-  {
-    s.SharedGeometryBytes += palette.Stream.Length;
-  }
-  const auto addBlock = [&](const BlockEntry& block)
-  {
-    s.SharedGeometryBytes += block.Geometry.Length;
-    s.OrderBytes += block.Order.Length;
-  };
-  std::for_each(mesh.Blocks.begin(), mesh.Blocks.end(), addBlock);
-  addBlock(mesh.Unused);
-  for (const auto& chunk : mesh.Chunks)
-  {
-    s.ConnectivityBytes += chunk.Connectivity.Length;
-    s.GeometryBytes += chunk.Geometry.Length;
-    s.OrderBytes += chunk.PointOrder.Length + chunk.CellOrder.Length + chunk.Corners.Length;
-  }
-  s.ArrayBytes.resize(this->GetArrays().size());
-  std::uint64_t arrays = 0;
-  std::uint64_t lastField = 0;
-  for (const auto& step : this->Self->Steps)
-  {
-    // Steps may share their field data.
-    s.FieldDataBytes += step.Field.Offset != lastField ? step.Field.Length : 0;
-    lastField = step.Field.Offset;
-    for (std::size_t a = 0; a < step.Arrays.size(); ++a)
-    {
-      std::uint64_t bytes = 0;
-      for (const auto& palette : step.Arrays[a].Palettes)
-      {
-        bytes += palette.Stream.Length;
-      }
-      for (const auto* list : { &step.Arrays[a].Chunks, &step.Arrays[a].Blocks })
-      {
-        for (const auto& stream : *list)
-        {
-          bytes += stream.Length;
-        }
-      }
-      s.ArrayBytes[a] += bytes;
-      arrays += bytes;
-    }
-  }
+  this->Self->GetTables().AddBytes(s);
   for (const auto& section : this->Self->File.GetSections())
   {
     const auto name = section.Name;
@@ -368,22 +312,22 @@ FileStatistics FileReader::GetStatistics() const
       : 0;
     s.LevelBytes += name == SectionLevel ? section.Payload.Length : 0;
   }
-  const auto parts = s.TreeBytes + s.LevelBytes + s.ConnectivityBytes + s.GeometryBytes +
-    s.SharedGeometryBytes + s.OrderBytes + s.FieldDataBytes + arrays;
+  auto parts = s.TreeBytes + s.LevelBytes + s.ConnectivityBytes + s.GeometryBytes +
+    s.SharedGeometryBytes + s.OrderBytes + s.FieldDataBytes;
+  parts = std::accumulate(s.ArrayBytes.begin(), s.ArrayBytes.end(), parts);
   s.DirectoryBytes = s.FileBytes - std::min(parts, s.FileBytes);
   return s;
 }
 
 std::uint64_t FileReader::GetChunkMeshBytes(std::size_t chunk) const
 {
-  const auto& entry = this->Self->Mesh.Chunks.at(chunk);
-  return entry.Connectivity.Length + entry.Geometry.Length;
+  return this->Self->GetTables().GetMeshBytes(chunk);
 }
 
 std::uint64_t FileReader::GetChunkArrayBytes(
   std::size_t chunk, std::size_t array, std::size_t step) const
 {
-  return this->Self->Steps.at(step).Arrays.at(array).Chunks.at(chunk).Length;
+  return this->Self->GetTables().GetChunkValues(chunk, array, step).Length;
 }
 
 std::uint64_t FileReader::GetBytesRead() const

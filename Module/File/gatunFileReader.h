@@ -18,7 +18,8 @@
 namespace gatun
 {
 /**
- * An open .gtn file. Provides the content of its directory without decoding chunks.
+ * An open .gtn file. Provides the content of its directory without decoding chunks. Details of
+ * chunks are read when they are asked for.
  *
  * Safe on hostile input: for any bytes, every method returns or throws Error with file and
  * position. Immutable and thread safe.
@@ -58,9 +59,13 @@ public:
 
   const std::vector<ChunkInfo>& GetChunks() const;
 
-  /** The ranges of an array over the mesh or over one chunk, shared points included. */
+  /** The other chunks that share a point with a chunk, ascending. Found at each call. */
+  std::vector<std::uint32_t> GetNeighbors(std::size_t chunk) const;
+
+  /** The ranges of an array over the mesh or over one chunk, shared points included. Those of
+   * chunks are read at each call. */
   const ArrayRanges& GetRanges(std::size_t array, std::size_t step) const;
-  const ArrayRanges& GetChunkRanges(std::size_t array, std::size_t step, std::size_t chunk) const;
+  ArrayRanges GetChunkRanges(std::size_t array, std::size_t step, std::size_t chunk) const;
 
   /** The field data of a step, decoded at each call. */
   FieldData GetFieldData(std::size_t step) const;
@@ -99,7 +104,7 @@ public:
   /** The bounds of a chunk and the ranges of an array after any number of merges up to the given
    * one. They include all corners that the chunk's tetrahedra can get. */
   const Bounds& GetChunkBounds(std::size_t chunk, std::size_t merges) const;
-  const ArrayRanges& GetChunkRanges(
+  ArrayRanges GetChunkRanges(
     std::size_t array, std::size_t step, std::size_t chunk, std::size_t merges) const;
 
   /** The number of bytes read from the file since it was opened, by all threads. */

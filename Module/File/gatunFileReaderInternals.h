@@ -8,7 +8,7 @@
 #include "gatunGeometry.h"
 #include "gatunInputFile.h"
 #include "gatunLayers.h"
-#include "gatunTables.h"
+#include "gatunTablePages.h"
 #include "gatunTreeTable.h"
 
 #include <memory>
@@ -31,29 +31,10 @@ public:
   /** The domains of the components of an array at a step. */
   std::vector<Domain> MakeDomains(std::size_t array, std::size_t step) const;
 
-  /** Runs decode. Adds file, name and position of the stream to errors that lack them. */
-  template <typename Decode>
-  auto Guarded(const std::string& what, const StreamRef& where, Decode&& decode) const
-  {
-    try
-    {
-      return decode();
-    }
-    catch (const Error& error)
-    {
-      if (error.Code != ErrorCode::Corrupt || !error.Path.empty())
-      {
-        throw;
-      }
-      this->File.Fail(
-        ErrorCode::Corrupt, what, where.Offset, std::string("is damaged: ") + error.what());
-    }
-  }
-
   /** The key step from which a step is decoded. */
   std::size_t FindKeyStep(std::size_t step) const
   {
-    while (step > 0 && !this->Steps[step].Key)
+    while (step > 0 && !this->GetSteps()[step].Key)
     {
       --step;
     }
@@ -63,9 +44,13 @@ public:
   /** Whether streams of an array at a step may refer to the previous step. */
   bool HasBefore(std::size_t array, std::size_t step) const
   {
-    return step > 0 && !this->Steps[step].Key && !this->Steps[step].Arrays[array].HasPalette() &&
-      !this->Steps[step - 1].Arrays[array].HasPalette();
+    const auto& steps = this->GetSteps();
+    return step > 0 && !steps[step].Key && !steps[step].Arrays[array].HasPalette() &&
+      !steps[step - 1].Arrays[array].HasPalette();
   }
+
+  const TablePages& GetTables() const { return *this->Tables; }
+  const std::vector<StepIndex>& GetSteps() const { return this->Tables->GetSteps(); }
 
   /** Throws unless the values of the chunks at the first step are within their layers. */
   void CheckLayers() const;
@@ -78,12 +63,9 @@ public:
 
   InputFile File;
   MetaTable Meta;
-  MeshTable Mesh;
   std::optional<CellTable> Cells; // if not all cells are tetrahedra
   std::vector<CellTypeCount> CellTypes;
-  std::vector<StepTable> Steps;
   std::vector<double> Times;
-  std::vector<ChunkInfo> Chunks;
   PointDomain Domains;
   bool LayersAreKnown = false;
   Layers LayersOfChunks;
@@ -92,6 +74,7 @@ public:
   std::vector<StreamRef> Levels;
 
 private:
+  std::optional<TablePages> Tables;
   std::uint64_t StepBytes = 0; // unpacked size of the tables of all steps
 
   void Read();

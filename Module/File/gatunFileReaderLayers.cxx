@@ -24,23 +24,27 @@ void FileReader::Internals::ReadLayers()
     return;
   }
   const auto where = this->File.FindSection(SectionLayers, LayersName);
-  this->LayersOfChunks = this->Guarded(LayersName, where,
-    [&] { return gatun::ReadLayers(this->File.Read(where, LayersName), this->Meta, this->Mesh); });
+  this->LayersOfChunks = this->File.Guarded(LayersName, where,
+    [&]
+    {
+      return gatun::ReadLayers(
+        this->File.Read(where, LayersName), this->Meta, this->GetTables().GetChunks().size());
+    });
   this->LayersAreKnown = true;
 }
 
 //------------------------------------------------------------------------------
 void FileReader::Internals::CheckLayers() const
 {
-  if (!this->LayersAreKnown || this->Steps.empty())
+  if (!this->LayersAreKnown || this->GetSteps().empty())
   {
     return;
   }
   const Layers& layers = this->LayersOfChunks;
-  const auto& ranges = this->Steps.front().Arrays[layers.Array].ChunkRanges;
-  for (std::size_t chunk = 0; chunk < ranges.size(); ++chunk)
+  for (std::size_t chunk = 0; chunk < layers.Chunks.size(); ++chunk)
   {
-    if (!IsInside(layers, layers.Chunks[chunk], GetRange(ranges[chunk], layers.Component)))
+    const auto ranges = this->GetTables().GetChunkRanges(chunk, layers.Array, 0);
+    if (!IsInside(layers, layers.Chunks[chunk], GetRange(ranges, layers.Component)))
     {
       this->File.Fail(ErrorCode::Corrupt,
         "the values of chunk " + std::to_string(chunk) + " are not in the layers that " +
@@ -65,7 +69,7 @@ const Layers& FileReader::GetLayers() const
 std::uint64_t FileReader::GetPieceBytes(std::span<const std::uint32_t> chunks,
   std::span<const std::uint32_t> arrays, std::size_t step) const
 {
-  const auto& mesh = this->Self->Mesh;
+  const auto& tables = this->Self->GetTables();
   std::uint64_t bytes = 0;
   std::set<std::uint32_t> blocks;
   for (const auto chunk : chunks)
@@ -75,18 +79,18 @@ std::uint64_t FileReader::GetPieceBytes(std::span<const std::uint32_t> chunks,
     {
       bytes += this->GetChunkArrayBytes(chunk, array, step);
     }
-    for (const auto& part : mesh.Chunks[chunk].Shared)
+    for (const auto& part : tables.GetChunk(chunk)->Shared)
     {
       blocks.insert(part.Block);
     }
   }
   for (const auto block : blocks)
   {
-    bytes += mesh.Blocks[block].Geometry.Length;
+    bytes += tables.GetBlock(block)->Geometry.Length;
     for (const auto array : arrays)
     {
-      const auto& streams = this->Self->Steps.at(step).Arrays.at(array).Blocks;
-      bytes += streams.empty() ? 0 : streams.at(block).Length; // cell arrays have no blocks
+      const bool ofPoints = this->GetArrays().at(array).Where == Association::Point;
+      bytes += ofPoints ? tables.GetBlockValues(block, array, step).Length : 0;
     }
   }
   return bytes;

@@ -37,24 +37,29 @@ void FileReader::Internals::ReadTree()
     return;
   }
   const auto tree = this->File.FindSection(SectionTree, TreeName);
-  this->Tree = this->Guarded(TreeName, tree,
-    [&] { return TreeTable::Read(this->File.Read(tree, TreeName), this->Meta, this->Mesh); });
+  this->Tree = this->File.Guarded(TreeName, tree,
+    [&]
+    {
+      return TreeTable::Read(
+        this->File.Read(tree, TreeName), this->Meta, this->GetTables().GetChunks().size());
+    });
   for (const auto& step : this->File.FindSections(SectionTreeStep))
   {
-    if (this->TreeSteps.size() == this->Steps.size())
+    if (this->TreeSteps.size() == this->GetSteps().size())
     {
       fail("there are ranges after merges of more time steps than there are");
     }
-    this->TreeSteps.push_back(this->Guarded(TreeStepName, step,
+    this->TreeSteps.push_back(this->File.Guarded(TreeStepName, step,
       [&]
       {
         const auto bytes = this->File.Read(step, TreeStepName);
-        auto table = TreeStepTable::Read(bytes, this->Meta, this->Mesh, *this->Tree);
+        auto table =
+          TreeStepTable::Read(bytes, this->Meta, this->GetTables().GetChunks().size(), *this->Tree);
         this->AddStepBytes(bytes);
         return table;
       }));
   }
-  if (this->TreeSteps.size() != this->Steps.size())
+  if (this->TreeSteps.size() != this->GetSteps().size())
   {
     fail("the ranges after merges of some time steps are missing");
   }
@@ -103,7 +108,7 @@ MergeTree FileReader::GetMergeTree() const
     return { points, {} };
   }
   const auto& where = this->Self->Tree->Stream;
-  return this->Self->Guarded(MergesName, where,
+  return this->Self->File.Guarded(MergesName, where,
     [&]
     {
       // Unused points come last and are never merged.
@@ -142,7 +147,7 @@ const Bounds& FileReader::GetChunkBounds(std::size_t chunk, std::size_t merges) 
 }
 
 //------------------------------------------------------------------------------
-const ArrayRanges& FileReader::GetChunkRanges(
+ArrayRanges FileReader::GetChunkRanges(
   std::size_t array, std::size_t step, std::size_t chunk, std::size_t merges) const
 {
   const bool ofPoints = this->GetArrays().at(array).Where == Association::Point;

@@ -401,7 +401,7 @@ ChunkFrame MeshSection::MakeFrame(
   frame.Box = entry.Info.Box;
   frame.Domains = this->Domains;
   frame.SharedKeys = this->GetPointKeys(part, shared);
-  frame.SharedUsers = this->State.Table.GetSharedUsers(number);
+  frame.SharedUsers = this->State.Table.GetSharedUsers(static_cast<std::uint32_t>(number));
   return frame;
 }
 

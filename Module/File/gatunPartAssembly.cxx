@@ -424,7 +424,7 @@ std::vector<PartExchange::Message> PartAssembly::Assemble(
       }
       if (i + 1 < ends.size())
       {
-        file.AddSection(SectionStep, this->MakeStep(all, i).Write());
+        this->State.WriteStep(file, this->MakeStep(all, i));
       }
     }
   }

@@ -88,12 +88,6 @@ std::shared_ptr<const Part> KeepIn(
 }
 
 //------------------------------------------------------------------------------
-const BlockEntry& PartDecoder::GetBlock(std::size_t block) const
-{
-  const auto& mesh = this->Content().Mesh;
-  return block < mesh.Blocks.size() ? mesh.Blocks[block] : mesh.Unused;
-}
-
 std::shared_ptr<const DomainsPart> PartDecoder::GetDomains(
   std::uint32_t array, std::size_t step) const
 {
@@ -114,17 +108,17 @@ std::shared_ptr<const PointsPart> PartDecoder::GetBlockPoints(std::uint32_t bloc
     return found;
   }
   const auto& content = this->Content();
-  const auto& entry = this->GetBlock(block);
-  const auto count = static_cast<std::size_t>(entry.Points);
+  const auto entry = content.GetTables().GetBlock(block);
+  const auto count = static_cast<std::size_t>(entry->Points);
   const auto what = Name("the points of block", block);
-  const auto stream = content.File.Read(entry.Geometry, what);
+  const auto stream = content.File.Read(entry->Geometry, what);
   std::vector<ComponentKeys> keys(3);
   for (auto& component : keys)
   {
     component.Now.resize(count);
   }
-  content.Guarded(
-    what, entry.Geometry, [&] { DecodeCellValues(stream, {}, content.Domains, keys); });
+  content.File.Guarded(
+    what, entry->Geometry, [&] { DecodeCellValues(stream, {}, content.Domains, keys); });
   auto points = std::make_shared<PointsPart>(count);
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -141,13 +135,14 @@ std::shared_ptr<const OrderPart> PartDecoder::GetBlockOrder(std::uint32_t block)
     return found;
   }
   const auto& content = this->Content();
-  const auto& where = this->GetBlock(block).Order;
+  const auto entry = content.GetTables().GetBlock(block);
+  const auto& where = entry->Order;
   const auto what = Name("the order of the points of block", block);
   const auto stream = content.File.Read(where, what);
   ComponentKeys keys;
-  keys.Now.resize(static_cast<std::size_t>(this->GetBlock(block).Points));
+  keys.Now.resize(static_cast<std::size_t>(entry->Points));
   const Domain ids(GetNumberType(content.Meta.Points));
-  content.Guarded(what, where,
+  content.File.Guarded(what, where,
     [&]
     {
       DecodeCellValues(stream, {}, { &ids, 1 }, { &keys, 1 });
@@ -162,14 +157,12 @@ template <typename Part, typename Use>
 void PartDecoder::EachShared(
   std::uint32_t chunk, const ChunkMesh& mesh, const OfBlock<Part>& partOf, Use&& use) const
 {
-  const auto& table = this->Content().Mesh;
-  const auto& parts = table.Chunks[chunk].Shared;
+  const auto entry = this->Content().GetTables().GetChunk(chunk);
   std::vector<std::shared_ptr<const Part>> held;               // one for each part of the chunk
   std::vector<std::pair<std::uint32_t, std::uint32_t>> places; // part, position in its block
-  for (const auto& part : parts)
+  for (const auto& part : entry->Shared)
   {
-    const auto count = table.Blocks[part.Block].Groups[part.Group].Points;
-    for (std::uint32_t i = 0; i < count; ++i)
+    for (std::uint32_t i = 0; i < part.Points; ++i)
     {
       places.emplace_back(
         static_cast<std::uint32_t>(held.size()), static_cast<std::uint32_t>(part.FirstInBlock) + i);
@@ -201,25 +194,25 @@ std::shared_ptr<const ChunkMesh> PartDecoder::DecodeMesh(
   std::uint32_t chunk, const OfBlock<PointsPart>& pointsOf) const
 {
   const auto& content = this->Content();
-  const auto& entry = content.Mesh.Chunks[chunk];
+  const auto held = content.GetTables().GetChunk(chunk);
+  const auto& entry = *held;
   ChunkFrame frame;
   entry.Sizes.SetIn(frame);
   frame.OwnPoints = static_cast<std::uint32_t>(entry.Info.OwnPoints);
   frame.Box = entry.Info.Box;
   frame.Domains = content.Domains;
-  frame.SharedUsers = content.Mesh.GetSharedUsers(chunk);
+  frame.SharedUsers = content.GetTables().GetSharedUsers(chunk);
   frame.SharedKeys.reserve(frame.SharedUsers.size());
   for (const auto& part : entry.Shared)
   {
     const auto points = pointsOf(part.Block);
     const auto begin = points->begin() + static_cast<std::ptrdiff_t>(part.FirstInBlock);
-    frame.SharedKeys.insert(frame.SharedKeys.end(), begin,
-      begin + content.Mesh.Blocks[part.Block].Groups[part.Group].Points);
+    frame.SharedKeys.insert(frame.SharedKeys.end(), begin, begin + part.Points);
   }
   const auto what = Name("the mesh of chunk", chunk);
   const auto connectivity = content.File.Read(entry.Connectivity, what);
   const auto geometry = content.File.Read(entry.Geometry, what);
-  auto mesh = content.Guarded(what, entry.Connectivity,
+  auto mesh = content.File.Guarded(what, entry.Connectivity,
     [&]
     {
       return std::make_shared<ChunkMesh>(entry.Sizes.IsTetrahedral
@@ -266,7 +259,7 @@ std::vector<Key> PartDecoder::DecodeCellIntegers(const StreamRef& where, const s
   const Domain domain(type);
   ComponentKeys keys;
   keys.Now.resize(mesh.Walk.Parents.size());
-  content.Guarded(what, where,
+  content.File.Guarded(what, where,
     [&]
     {
       DecodeCellValues(stream, mesh.Walk.Parents, { &domain, 1 }, { &keys, 1 });
@@ -284,8 +277,8 @@ std::shared_ptr<const OrderPart> PartDecoder::GetCellOrder(
     return found;
   }
   const auto& content = this->Content();
-  const auto cells = content.Mesh.GetNumberOfCells();
-  const auto ids = this->DecodeCellIntegers(content.Mesh.Chunks[chunk].CellOrder,
+  const auto cells = content.GetTables().GetNumberOfCells();
+  const auto ids = this->DecodeCellIntegers(content.GetTables().GetChunk(chunk)->CellOrder,
     Name("the original order of the cells of chunk", chunk), mesh, GetNumberType(cells), cells);
   return KeepIn<OrderPart>(
     this->Kept(), key, std::make_shared<const OrderPart>(ids, GetNumberType(cells)));
@@ -300,7 +293,7 @@ std::shared_ptr<const OrderPart> PartDecoder::GetPointOrder(
     return found;
   }
   const auto& content = this->Content();
-  const auto& where = content.Mesh.Chunks[chunk].PointOrder;
+  const auto where = content.GetTables().GetChunk(chunk)->PointOrder;
   const auto what = Name("the original order of the points of chunk", chunk);
   const auto stream = content.File.Read(where, what);
   const Domain ids(GetNumberType(content.Meta.Points));
@@ -308,7 +301,7 @@ std::shared_ptr<const OrderPart> PartDecoder::GetPointOrder(
   keys.Now.resize(mesh.Keys.size());
   this->EachShared<OrderPart>(chunk, mesh, orderOf,
     [&](Vertex v, const OrderPart& order, std::uint32_t place) { keys.Now[v] = order[place]; });
-  content.Guarded(what, where,
+  content.File.Guarded(what, where,
     [&]
     {
       this->DecodePoints(chunk, mesh, stream, { &ids, 1 }, { &keys, 1 });
@@ -323,7 +316,7 @@ std::shared_ptr<const OrderPart> PartDecoder::GetPointOrder(
 
 std::vector<Key> PartDecoder::DecodeCorners(std::uint32_t chunk, const ChunkMesh& mesh) const
 {
-  return this->DecodeCellIntegers(this->Content().Mesh.Chunks[chunk].Corners,
+  return this->DecodeCellIntegers(this->Content().GetTables().GetChunk(chunk)->Corners,
     Name("the corners of chunk", chunk), mesh, ScalarType::UInt8, 12);
 }
 
@@ -332,7 +325,8 @@ CellList PartDecoder::GetCells(
   std::uint32_t chunk, const ChunkMesh& mesh, bool restoreCorners) const
 {
   const auto& content = this->Content();
-  const auto& entry = content.Mesh.Chunks[chunk];
+  const auto held = content.GetTables().GetChunk(chunk);
+  const auto& entry = *held;
   if (entry.Sizes.IsTetrahedral)
   {
     auto tets = mesh.Walk.Tets;
@@ -348,7 +342,7 @@ CellList PartDecoder::GetCells(
   {
     const auto what = Name("the corners of chunk", chunk);
     const auto stream = content.File.Read(entry.Corners, what);
-    content.Guarded(what, entry.Corners, [&] { RestoreCorners(cells, stream); });
+    content.File.Guarded(what, entry.Corners, [&] { RestoreCorners(cells, stream); });
   }
   return cells;
 }
@@ -357,7 +351,8 @@ CellList PartDecoder::GetCells(
 ChunkTets PartDecoder::SplitCells(std::uint32_t chunk, const ChunkMesh& mesh) const
 {
   const auto& content = this->Content();
-  const auto& entry = content.Mesh.Chunks[chunk];
+  const auto held = content.GetTables().GetChunk(chunk);
+  const auto& entry = *held;
   auto split = gatun::SplitCells(mesh);
   if (split.Tets.size() != entry.Info.Tets)
   {
@@ -372,7 +367,8 @@ ChunkTets PartDecoder::SplitCells(std::uint32_t chunk, const ChunkMesh& mesh) co
 void PartDecoder::CheckPolyhedra(std::uint32_t chunk, const ChunkMesh& mesh) const
 {
   const auto& content = this->Content();
-  const auto& entry = content.Mesh.Chunks[chunk];
+  const auto held = content.GetTables().GetChunk(chunk);
+  const auto& entry = *held;
   const auto& types = mesh.Cells.Types;
   if (static_cast<std::size_t>(std::count(types.begin(), types.end(), PolyhedronType)) !=
     entry.Sizes.Polyhedra)
@@ -438,11 +434,11 @@ std::shared_ptr<const ArrayPart> PartDecoder::DecodeBlockArray(std::uint32_t blo
   const auto& content = this->Content();
   const auto& description = content.Meta.Arrays[array];
   const auto what = Name("array '" + description.Name + "' of block", block);
-  const auto& where = content.Steps[step].Arrays[array].Blocks[block];
-  auto keys =
-    this->MakeKeys(array, step, static_cast<std::size_t>(this->GetBlock(block).Points), before);
+  const auto where = content.GetTables().GetBlockValues(block, array, step);
+  const auto count = static_cast<std::size_t>(content.GetTables().GetBlock(block)->Points);
+  auto keys = this->MakeKeys(array, step, count, before);
   const auto stream = content.File.Read(where, what);
-  content.Guarded(what, where, [&] { DecodeCellValues(stream, {}, domains, keys); });
+  content.File.Guarded(what, where, [&] { DecodeCellValues(stream, {}, domains, keys); });
   return TakeValues(keys);
 }
 
@@ -454,11 +450,11 @@ std::shared_ptr<const ArrayPart> PartDecoder::DecodeChunkArray(std::uint32_t chu
   const auto& description = content.Meta.Arrays[array];
   const bool ofPoints = description.Where == Association::Point;
   const auto what = Name("array '" + description.Name + "' of chunk", chunk);
-  const auto& where = content.Steps[step].Arrays[array].Chunks[chunk];
+  const auto where = content.GetTables().GetChunkValues(chunk, array, step);
   auto keys =
     this->MakeKeys(array, step, ofPoints ? mesh.Keys.size() : mesh.Walk.Parents.size(), before);
   const auto stream = content.File.Read(where, what);
-  content.Guarded(what, where,
+  content.File.Guarded(what, where,
     [&]
     {
       if (!ofPoints)

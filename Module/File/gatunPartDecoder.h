@@ -55,7 +55,6 @@ public:
 
   const std::shared_ptr<const FileReader>& GetFile() const { return this->File; }
   const FileReader::Internals& Content() const { return InternalsOf(*this->File); }
-  const BlockEntry& GetBlock(std::size_t block) const;
 
   /** The domains of the components of an array at a step. */
   std::shared_ptr<const DomainsPart> GetDomains(std::uint32_t array, std::size_t step) const;

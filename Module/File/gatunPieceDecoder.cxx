@@ -33,7 +33,7 @@ std::vector<std::uint32_t> Surround(const FileReader& file,
     std::vector<std::uint32_t> next;
     for (const auto c : last)
     {
-      const auto& near = file.GetChunks()[c].Neighbors;
+      const auto near = file.GetNeighbors(c);
       next.insert(next.end(), near.begin(), near.end());
     }
     std::sort(next.begin(), next.end());
@@ -78,6 +78,7 @@ public:
 
 private:
   void CheckRequest(const PieceRequest& request) const;
+  void CheckValues(const PieceRequest& request) const;
   void ChooseGhosts(const Progress& progress);
 };
 
@@ -110,9 +111,31 @@ void PieceDecoder::Internals::CheckRequest(const PieceRequest& request) const
   }
 }
 
+/** Throws unless the streams of the arrays can contain their values, before memory is taken for
+ * them. */
+void PieceDecoder::Internals::CheckValues(const PieceRequest& request) const
+{
+  const auto& tables = InternalsOf(*this->File).GetTables();
+  for (const auto array : request.Arrays)
+  {
+    const bool ofPoints = this->File->GetArrays()[array].Where == Association::Point;
+    for (const auto chunk : request.Chunks)
+    {
+      tables.GetChunkValues(chunk, array, request.Step);
+      const auto entry = ofPoints ? tables.GetChunk(chunk) : nullptr;
+      for (std::size_t i = 0; ofPoints && i < entry->Shared.size(); ++i)
+      {
+        tables.GetBlockValues(entry->Shared[i].Block, array, request.Step);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void PieceDecoder::Internals::SetRequest(const PieceRequest& request, const Progress& progress)
 {
   this->CheckRequest(request);
+  this->CheckValues(request);
   const bool same = (this->Piece || this->Coarse) && request.Merges == this->Request.Merges &&
     request.Tree == this->Request.Tree && request.RestoreOrder == this->Request.RestoreOrder &&
     request.Chunks == this->Request.Chunks && request.Universe == this->Request.Universe &&

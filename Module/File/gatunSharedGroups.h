@@ -4,7 +4,7 @@
 #ifndef gatunSharedGroups_h
 #define gatunSharedGroups_h
 
-#include "gatunTables.h"
+#include "gatunMeshTable.h"
 
 #include <cstdint>
 #include <map>

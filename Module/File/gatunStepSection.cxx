@@ -397,7 +397,7 @@ void StepSection::Finish(WriterPart& part, const StepValues& values)
   }
   else if (part.Place.IsLast)
   {
-    this->State.File.AddSection(SectionStep, step.Table.Write());
+    this->State.WriteStep(this->State.File, step.Table);
     step.Table.Arrays = {};
     step.Palettes = {};
     if (this->Count > 0)

@@ -52,9 +52,7 @@ TreeLayout::TreeLayout(const MergeTree& tree, std::vector<std::uint32_t> ids, co
     auto& runs = this->Runs.emplace_back();
     for (const auto& part : chunk.Shared)
     {
-      const BlockEntry& block = mesh.Blocks[part.Block];
-      const auto first = block.FirstPoint + part.FirstInBlock;
-      runs.emplace_back(first, first + block.Groups[part.Group].Points);
+      runs.emplace_back(part.FirstPoint, part.FirstPoint + part.Points);
     }
     runs.emplace_back(own, own + chunk.Info.OwnPoints);
     own += chunk.Info.OwnPoints;

@@ -5,7 +5,7 @@
 #define gatunTreeLayout_h
 
 #include "gatunMergeTree.h"
-#include "gatunTables.h"
+#include "gatunMeshTable.h"
 
 #include <cstddef>
 #include <cstdint>

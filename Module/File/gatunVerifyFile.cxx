@@ -84,10 +84,11 @@ private:
 /** Decodes the points of all blocks, including those that no chunk needs. */
 void VerifyBlocks(const PartDecoder& parts)
 {
-  const auto count = parts.Content().Mesh.Blocks.size();
+  const auto& tables = parts.Content().GetTables();
+  const auto count = tables.GetNumberOfBlocks();
   for (std::size_t block = 0; block <= count; ++block) // the unused points are the last block
   {
-    if (parts.GetBlock(block).Points > 0)
+    if (tables.GetBlock(block)->Points > 0)
     {
       parts.GetBlockPoints(static_cast<std::uint32_t>(block));
     }
@@ -102,7 +103,7 @@ void VerifyCells(const PartDecoder& parts, std::span<const std::uint32_t> chunks
   const auto pointsOf = [&](std::uint32_t block) { return parts.GetBlockPoints(block); };
   for (const auto chunk : chunks)
   {
-    const bool isSplit = !parts.Content().Mesh.Chunks[chunk].Sizes.IsTetrahedral;
+    const bool isSplit = !parts.GetFile()->GetChunks()[chunk].IsTetrahedral;
     if (!isSplit && !keepsCorners)
     {
       continue;
@@ -208,6 +209,7 @@ bool VerifyFile(const FileReader& file, const std::function<bool(double)>& progr
     {
       file.GetFieldData(step);
     }
+    content.GetTables().CheckGroups();
     content.CheckLayers();
     VerifyStreams(file, [&](double done) { return !progress || progress(0.1 + 0.9 * done); });
     if (file.HasMergeTree())

@@ -8,7 +8,7 @@
 #include "gatunMeshAccess.h"
 #include "gatunMeshInput.h"
 #include "gatunPartition.h"
-#include "gatunTables.h"
+#include "gatunMeshTable.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -3,6 +3,7 @@
 
 #include "gatunWriterState.h"
 
+#include "gatunPageSection.h"
 #include "gatunParallel.h"
 #include "gatunVersion.h"
 
@@ -133,8 +134,22 @@ void WriterState::WriteTables(OutputFile& file) const
   const bool isWide =
     ((keep & KeepPoints) && GetNumberType(this->Meta.Points) != ScalarType::UInt32) ||
     ((keep & KeepCells) && GetNumberType(this->NumberOfCells) != ScalarType::UInt32);
-  file.AddSection(SectionTable, this->Table.Write(keep), FlagMandatory,
+  auto index = MakeMeshIndex(this->Table);
+  PageSection pages(file);
+  WriteMeshPages(index, this->Table, keep, [&](const Bytes& page) { return pages.Put(page); });
+  pages.Write();
+  file.AddSection(SectionTable, index.Write(keep), FlagMandatory,
     isWide ? TableVersionWithWideNumbers : SectionVersion);
+}
+
+//------------------------------------------------------------------------------
+void WriterState::WriteStep(OutputFile& file, const StepTable& step) const
+{
+  PageSection pages(file);
+  const auto index = WriteStepPages(step, this->Meta, MakeMeshIndex(this->Table),
+    [&](const Bytes& page) { return pages.Put(page); });
+  pages.Write();
+  file.AddSection(SectionStep, index.Write());
 }
 
 //------------------------------------------------------------------------------

@@ -7,9 +7,11 @@
 // The state that the sections of a file share while it is written.
 
 #include "gatunMeshAccess.h"
+#include "gatunMeshTable.h"
+#include "gatunMetaTable.h"
 #include "gatunOutputFile.h"
 #include "gatunSharedGroups.h"
-#include "gatunTables.h"
+#include "gatunStepPages.h"
 #include "gatunWriterOptions.h"
 
 #include <array>
@@ -92,6 +94,9 @@ public:
 
   /** Writes the tables of cells, blocks and chunks. */
   void WriteTables(OutputFile& file) const;
+
+  /** Writes a time step whose values are all in the file. */
+  void WriteStep(OutputFile& file, const StepTable& step) const;
 
   /** Moves a file to its path when all sections have been added. Returns the statistics. */
   FileStatistics Commit(OutputFile& file);

@@ -16,8 +16,11 @@ gatun_core_folder(Format
     gatunInputFile.h
     gatunLayerTable.h
     gatunOutputFile.h
+    gatunMeshPages.h
+    gatunMeshTable.h
+    gatunMetaTable.h
+    gatunStepPages.h
     gatunTableParts.h
-    gatunTables.h
     gatunTreeTable.h
   SOURCES
     gatunAtomicFile.cxx
@@ -29,6 +32,9 @@ gatun_core_folder(Format
     gatunInputFile.cxx
     gatunLayerTable.cxx
     gatunOutputFile.cxx
+    gatunMeshPages.cxx
+    gatunMeshTable.cxx
+    gatunMetaTable.cxx
+    gatunStepPages.cxx
     gatunTableParts.cxx
-    gatunTables.cxx
     gatunTreeTable.cxx)

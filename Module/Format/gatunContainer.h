@@ -33,9 +33,10 @@ constexpr FourCC MakeFourCC(const char (&name)[5])
 
 constexpr FourCC SectionMeta = MakeFourCC("META");     // counts and arrays
 constexpr FourCC SectionMesh = MakeFourCC("MESH");     // streams of blocks and chunks
-constexpr FourCC SectionTable = MakeFourCC("TABL");    // positions of those streams
+constexpr FourCC SectionTable = MakeFourCC("TABL");    // positions of the pages of chunks
+constexpr FourCC SectionPages = MakeFourCC("PAGE");    // positions of streams, for some chunks each
 constexpr FourCC SectionValues = MakeFourCC("VALS");   // streams of arrays, field data
-constexpr FourCC SectionStep = MakeFourCC("STEP");     // positions of those of one time step
+constexpr FourCC SectionStep = MakeFourCC("STEP");     // positions of the pages of one time step
 constexpr FourCC SectionTree = MakeFourCC("TREE");     // description of the merge tree
 constexpr FourCC SectionMerges = MakeFourCC("MERG");   // stream of the merges
 constexpr FourCC SectionTreeStep = MakeFourCC("TRNG"); // ranges after merges, of one time step
@@ -57,9 +58,9 @@ struct ContainerKind
   std::span<const FourCC> Sections;
 };
 
-inline constexpr std::array MeshSections{ SectionMeta, SectionMesh, SectionTable, SectionValues,
-  SectionStep, SectionTree, SectionMerges, SectionTreeStep, SectionLevel, SectionLayers,
-  SectionCells, SectionDirectory };
+inline constexpr std::array MeshSections{ SectionMeta, SectionMesh, SectionTable, SectionPages,
+  SectionValues, SectionStep, SectionTree, SectionMerges, SectionTreeStep, SectionLevel,
+  SectionLayers, SectionCells, SectionDirectory };
 inline constexpr ContainerKind MeshContainer{ ".gtn", FileMagic, TrailerMagic,
   GATUN_FORMAT_VERSION_MAJOR, MeshSections };
 

@@ -3,7 +3,7 @@
 
 #include "gatunCompress.h"
 #include "gatunTableParts.h"
-#include "gatunTables.h"
+#include "gatunMetaTable.h"
 
 #include <limits>
 

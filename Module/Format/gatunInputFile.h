@@ -5,6 +5,7 @@
 #define gatunInputFile_h
 
 #include "gatunContainer.h"
+#include "gatunError.h"
 #include "gatunFileHandle.h"
 
 #include <atomic>
@@ -54,6 +55,25 @@ public:
   [[noreturn]] void Fail(ErrorCode code, const std::string& what,
     std::optional<std::uint64_t> offset = {}, const std::string& problem = {},
     int systemError = 0) const;
+
+  /** Runs decode. Adds file, name and position of the stream to errors that lack them. */
+  template <typename Decode>
+  auto Guarded(const std::string& what, const StreamRef& where, Decode&& decode) const
+  {
+    try
+    {
+      return decode();
+    }
+    catch (const Error& error)
+    {
+      if (error.Code != ErrorCode::Corrupt || !error.Path.empty())
+      {
+        throw;
+      }
+      this->Fail(
+        ErrorCode::Corrupt, what, where.Offset, std::string("is damaged: ") + error.what());
+    }
+  }
 
 private:
   void ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const;

@@ -33,7 +33,8 @@ Bytes WriteLayers(const Layers& layers, const MetaTable& meta)
 }
 
 //------------------------------------------------------------------------------
-Layers ReadLayers(std::span<const std::uint8_t> bytes, const MetaTable& meta, const MeshTable& mesh)
+Layers ReadLayers(
+  std::span<const std::uint8_t> bytes, const MetaTable& meta, std::size_t numberOfChunks)
 {
   const auto data = Unpack(bytes, SmallTable);
   ByteReader in(data);
@@ -60,9 +61,8 @@ Layers ReadLayers(std::span<const std::uint8_t> bytes, const MetaTable& meta, co
     Check(std::isfinite(bound), "the bound of a layer is not a finite number");
     Check(i == 0 || bound > layers.Bounds[i - 1], "the bounds of layers do not ascend");
   }
-  Check(
-    mesh.Chunks.size() <= in.GetRemaining() / 2, "the layers of some of the chunks are missing");
-  layers.Chunks.resize(mesh.Chunks.size());
+  Check(numberOfChunks <= in.GetRemaining() / 2, "the layers of some of the chunks are missing");
+  layers.Chunks.resize(numberOfChunks);
   for (LayerSpan& span : layers.Chunks)
   {
     span.First = GetSmall(in);

@@ -8,7 +8,7 @@
 
 #include "gatunBytes.h"
 #include "gatunLayers.h"
-#include "gatunTables.h"
+#include "gatunMetaTable.h"
 
 #include <span>
 
@@ -17,7 +17,7 @@ namespace gatun
 Bytes WriteLayers(const Layers& layers, const MetaTable& meta);
 
 Layers ReadLayers(
-  std::span<const std::uint8_t> bytes, const MetaTable& meta, const MeshTable& mesh);
+  std::span<const std::uint8_t> bytes, const MetaTable& meta, std::size_t numberOfChunks);
 
 /** Whether a range of values lies within a span of layers. */
 bool IsInside(const Layers& layers, const LayerSpan& span, const Range& values);

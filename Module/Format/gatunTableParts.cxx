@@ -3,6 +3,7 @@
 
 #include "gatunTableParts.h"
 
+#include "gatunChunkCodec.h"
 #include "gatunCompress.h"
 
 #include <algorithm>
@@ -43,6 +44,29 @@ StreamRef GetStream(ByteReader& in)
     stream.Sum = in.Get<std::uint64_t>();
   }
   return stream;
+}
+
+//------------------------------------------------------------------------------
+void PutPalette(ByteWriter& out, const PaletteRef& palette)
+{
+  out.PutVarint(palette.Count);
+  if (palette.Count > 0)
+  {
+    PutStream(out, palette.Stream);
+  }
+}
+
+//------------------------------------------------------------------------------
+PaletteRef GetPalette(ByteReader& in)
+{
+  PaletteRef palette;
+  palette.Count = in.GetVarint();
+  if (palette.Count > 0)
+  {
+    palette.Stream = GetStream(in);
+    Check(palette.Count / MaxItemsPerByte <= palette.Stream.Length, "a palette is too large");
+  }
+  return palette;
 }
 
 //------------------------------------------------------------------------------
@@ -143,7 +167,8 @@ Bytes Pack(const ByteWriter& out, std::uint64_t small)
   auto packed = Compress(out.Data);
   if (out.Data.size() > GetLimit(packed, small))
   {
-    throw Error(ErrorCode::InvalidInput, "the arrays have too many components altogether");
+    throw Error(ErrorCode::InvalidInput,
+      "the tables would be too large: there are too many components, or chunks that share points");
   }
   return packed;
 }

@@ -17,7 +17,7 @@
 namespace gatun
 {
 // The expansion of smaller tables is not limited. In memory, a table takes up to 40 times its bytes
-// (META, TABL), or 3 times (STEP and others).
+// (META, TABL, pages), or 3 times (STEP and others).
 constexpr std::uint64_t SmallTable = 1u << 20;
 constexpr std::uint64_t SmallStep = 16u << 20;
 
@@ -36,6 +36,16 @@ inline void Check(bool right, const char* what)
 
 void PutStream(ByteWriter& out, const StreamRef& stream);
 StreamRef GetStream(ByteReader& in);
+
+/** The values of a palette. */
+struct PaletteRef
+{
+  std::uint64_t Count = 0; // 0 if there is no palette
+  StreamRef Stream;
+};
+
+void PutPalette(ByteWriter& out, const PaletteRef& palette);
+PaletteRef GetPalette(ByteReader& in);
 
 void PutRange(ByteWriter& out, const Range& range);
 Range GetRange(ByteReader& in);

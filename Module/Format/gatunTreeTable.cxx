@@ -61,7 +61,7 @@ Bytes TreeTable::Write() const
 
 //------------------------------------------------------------------------------
 TreeTable TreeTable::Read(
-  std::span<const std::uint8_t> bytes, const MetaTable& meta, const MeshTable& mesh)
+  std::span<const std::uint8_t> bytes, const MetaTable& meta, std::size_t numberOfChunks)
 {
   const auto data = Unpack(bytes, SmallTable);
   ByteReader in(data);
@@ -74,9 +74,9 @@ TreeTable TreeTable::Read(
   tree.Rungs = GetAscending(in, tree.Merges);
   Check(tree.Merges == 0 || (!tree.Rungs.empty() && tree.Rungs.back() == tree.Merges),
     "the last rung is not that of all merges");
-  Check(mesh.Chunks.size() * tree.Rungs.size() <= in.GetRemaining() / (3 * RangeBytes),
+  Check(numberOfChunks * tree.Rungs.size() <= in.GetRemaining() / (3 * RangeBytes),
     "the bounds of chunks after merges are not all there");
-  tree.Boxes.assign(mesh.Chunks.size(), std::vector<Bounds>(tree.Rungs.size()));
+  tree.Boxes.assign(numberOfChunks, std::vector<Bounds>(tree.Rungs.size()));
   for (auto& rungs : tree.Boxes)
   {
     for (Bounds& box : rungs)
@@ -121,7 +121,7 @@ Bytes TreeStepTable::Write() const
 
 //------------------------------------------------------------------------------
 TreeStepTable TreeStepTable::Read(std::span<const std::uint8_t> bytes, const MetaTable& meta,
-  const MeshTable& mesh, const TreeTable& tree)
+  std::size_t numberOfChunks, const TreeTable& tree)
 {
   const auto data = Unpack(bytes, SmallStep);
   ByteReader in(data);
@@ -134,9 +134,9 @@ TreeStepTable TreeStepTable::Read(std::span<const std::uint8_t> bytes, const Met
       continue;
     }
     const auto count = GetRangeCount(array.Components);
-    Check(mesh.Chunks.size() * tree.Rungs.size() <= in.GetRemaining() / (count * RangeBytes),
+    Check(numberOfChunks * tree.Rungs.size() <= in.GetRemaining() / (count * RangeBytes),
       "the ranges of chunks after merges are not all there");
-    chunks.assign(mesh.Chunks.size(), {});
+    chunks.assign(numberOfChunks, {});
     for (auto& rungs : chunks)
     {
       rungs.assign(tree.Rungs.size(), ArrayRanges(count));

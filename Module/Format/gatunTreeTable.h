@@ -7,7 +7,7 @@
 // The TREE and TRNG sections, which describe the merge tree. See Documentation/format.md, 13.
 
 #include "gatunContainer.h"
-#include "gatunTables.h"
+#include "gatunMetaTable.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -36,7 +36,7 @@ struct TreeTable
 
   Bytes Write() const;
   static TreeTable Read(
-    std::span<const std::uint8_t> bytes, const MetaTable& meta, const MeshTable& mesh);
+    std::span<const std::uint8_t> bytes, const MetaTable& meta, std::size_t numberOfChunks);
 
   /** The first rung that is not below a number of merges. */
   std::size_t FindRung(std::size_t merges) const;
@@ -50,7 +50,7 @@ struct TreeStepTable
 
   Bytes Write() const;
   static TreeStepTable Read(std::span<const std::uint8_t> bytes, const MetaTable& meta,
-    const MeshTable& mesh, const TreeTable& tree);
+    std::size_t numberOfChunks, const TreeTable& tree);
 };
 }
 

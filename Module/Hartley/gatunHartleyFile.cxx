@@ -47,26 +47,6 @@ struct HartleyFile::Internals
   template <typename IsWanted, typename Use>
   void DecodeBlocks(std::size_t chunk, IsWanted&& isWanted, Use&& use) const;
 
-  /** Runs a function and adds the position of the stream to errors of damaged streams. */
-  template <typename Run>
-  auto Guarded(const std::string& what, const StreamRef& where, Run&& run) const
-  {
-    try
-    {
-      return run();
-    }
-    catch (const Error& error)
-    {
-      // An error that names its file is complete.
-      if (error.Code != ErrorCode::Corrupt || !error.Path.empty())
-      {
-        throw;
-      }
-      this->File.Fail(
-        ErrorCode::Corrupt, what, where.Offset, std::string("is damaged: ") + error.what());
-    }
-  }
-
   InputFile File;
   HartleyMeta Meta;
   HartleyTable Table;
@@ -84,10 +64,10 @@ HartleyFile::Internals::Internals(const std::string& path)
   : File(path, VolumeContainer)
 {
   const auto meta = this->File.FindSection(SectionMeta, MetaName);
-  this->Meta = this->Guarded(
+  this->Meta = this->File.Guarded(
     MetaName, meta, [&] { return HartleyMeta::Read(this->File.Read(meta, MetaName)); });
   const auto table = this->File.FindSection(SectionTable, TableName);
-  this->Table = this->Guarded(TableName, table,
+  this->Table = this->File.Guarded(TableName, table,
     [&] { return HartleyTable::Read(this->File.Read(table, TableName), this->Meta); });
   for (std::size_t chunk = 0; chunk < this->Table.Chunks.size(); ++chunk)
   {
@@ -158,7 +138,7 @@ HartleyIntegers HartleyFile::Internals::GetIntegers(std::size_t chunk) const
     [&](std::size_t segment)
     {
       const auto& stream = entry.Streams[segment];
-      this->Guarded(name, stream,
+      this->File.Guarded(name, stream,
         [&]
         {
           const auto bytes = this->File.Read(stream, name);
@@ -192,7 +172,7 @@ void HartleyFile::Internals::DecodeBlocks(std::size_t chunk, IsWanted&& isWanted
   const auto count = this->GetLayout().GetVoxelsPerBlock();
   const bool corrected = this->Meta.HasCorrections();
   const auto& quantizer = this->GetQuantizer();
-  this->Guarded(name, entry.Corrections,
+  this->File.Guarded(name, entry.Corrections,
     [&]
     {
       Bytes bytes;
@@ -339,7 +319,7 @@ Range HartleyFile::GetRange() const
 std::shared_ptr<const HartleyChunk> HartleyFile::GetChunk(std::size_t chunk) const
 {
   const auto& self = *this->Data;
-  return self.Guarded(GetChunkName(chunk), self.Table.Chunks[chunk].Streams.front(),
+  return self.File.Guarded(GetChunkName(chunk), self.Table.Chunks[chunk].Streams.front(),
     [&]
     {
       return HartleyEncoder::MakeTerms(

@@ -192,7 +192,6 @@ struct ChunkInfo
   bool IsTetrahedral = true;    ///< whether all cells are tetrahedra
   std::uint64_t FirstPoint = 0; ///< its own points are FirstPoint ... FirstPoint + OwnPoints - 1
   Bounds Box;
-  std::vector<std::uint32_t> Neighbors; ///< chunks that share a point with this one, ascending
 };
 
 /** Sizes of the parts of a file in bytes. */

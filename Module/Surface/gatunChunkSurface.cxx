@@ -98,14 +98,15 @@ ChunkSurface::ChunkSurface(const std::shared_ptr<ChunkCache>& cache, ChunkSurfac
 //------------------------------------------------------------------------------
 void ChunkSurface::RemoveUsedBlocks(std::span<const std::uint32_t> chunks)
 {
-  const auto& table = this->Parts.Content().Mesh;
+  const auto& tables = this->Parts.Content().GetTables();
   if (this->Users.empty())
   {
-    this->Users = std::vector<std::atomic<std::uint32_t>>(table.Blocks.size());
+    this->Users = std::vector<std::atomic<std::uint32_t>>(tables.GetNumberOfBlocks());
   }
   for (const std::uint32_t chunk : chunks)
   {
-    for (const auto& part : table.Chunks[chunk].Shared)
+    const auto entry = tables.GetChunk(chunk);
+    for (const auto& part : entry->Shared)
     {
       ++this->Users[part.Block];
     }
@@ -119,7 +120,8 @@ void ChunkSurface::Release(std::uint32_t chunk)
     return;
   }
   std::vector<std::uint32_t> unused;
-  for (const auto& part : this->Parts.Content().Mesh.Chunks[chunk].Shared)
+  const auto entry = this->Parts.Content().GetTables().GetChunk(chunk);
+  for (const auto& part : entry->Shared)
   {
     if (--this->Users[part.Block] == 0)
     {
@@ -206,7 +208,7 @@ SurfacePart ChunkSurface::Make(std::uint32_t chunk, const SurfaceOptions& option
   const FloatEnvironment guard;
   const auto mesh = this->GetMesh(chunk);
   // Several tetrahedra may have the values of one cell.
-  const bool isSplit = !this->Parts.Content().Mesh.Chunks[chunk].Sizes.IsTetrahedral;
+  const bool isSplit = !this->Parts.GetFile()->GetChunks()[chunk].IsTetrahedral;
   const auto split = isSplit ? this->Parts.SplitCells(chunk, *mesh) : ChunkTets();
   const auto& tets = isSplit ? split.Tets : mesh->Walk.Tets;
   SurfaceInput input;

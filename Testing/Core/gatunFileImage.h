@@ -7,9 +7,11 @@
 
 #include "gatunCompress.h"
 #include "gatunInputFile.h"
-#include "gatunTables.h"
+#include "gatunStepPages.h"
+#include "gatunTablePages.h"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -72,16 +74,15 @@ public:
     {
       this->Cells = CellTable::Read(read(SectionCells, "CELL"));
     }
-    this->Mesh = MeshTable::Read(
-      read(SectionTable, "TABL"), this->Meta, this->Cells ? &*this->Cells : nullptr);
+    TablePages tables(file, this->Meta, this->Cells ? &*this->Cells : nullptr);
     for (const auto& section : file.GetSections())
     {
       if (section.Name == SectionStep)
       {
-        this->Steps.push_back(
-          StepTable::Read(file.Read(section.Payload, "STEP"), this->Meta, this->Mesh));
+        tables.AddStep(section.Payload, file.Read(section.Payload, "STEP"));
       }
     }
+    this->Take(tables);
     this->EachStream(
       [&](StreamRef& stream)
       {
@@ -165,21 +166,38 @@ public:
           stream = { offsets[stream.Offset], bytes.size(), Checksum(bytes) };
         }
       });
-    std::vector<Section> sections{ std::move(mesh) };
-    for (std::size_t i = 0; i < std::max(placed.Steps.size(), this->StoredSteps.size()); ++i)
+    placed.Link();
+    Section pages{ SectionPages, {} };
+    const auto firstPage = HeaderSize + SectionHeaderSize + mesh.Payload.size() + SectionHeaderSize;
+    std::size_t pageCount = 0;
+    const auto put = [&](const Bytes& table)
     {
-      const bool stored = i < this->StoredSteps.size() && this->StoredSteps[i];
-      sections.push_back(
-        { SectionStep, stored ? Store(*this->StoredSteps[i]) : placed.Steps[i].Write() });
+      const auto page = this->Changed(SectionPages, pageCount++, table);
+      const StreamRef where{ firstPage + pages.Payload.size(), page.size(), Checksum(page) };
+      pages.Payload.insert(pages.Payload.end(), page.begin(), page.end());
+      return where;
+    };
+    auto index = MakeMeshIndex(placed.Mesh);
+    WriteMeshPages(index, placed.Mesh, this->Meta.Keep, put);
+    std::vector<Section> steps;
+    for (const auto& step : placed.Steps)
+    {
+      const auto table = WriteStepPages(step, this->Meta, index, put).Write();
+      steps.push_back({ SectionStep, this->Changed(SectionStep, steps.size(), table) });
     }
+    std::vector<Section> sections{ std::move(mesh), std::move(pages) };
+    sections.insert(sections.end(), steps.begin(), steps.end());
     if (this->Cells)
     {
       sections.push_back({ SectionCells, this->Cells->Write() });
     }
-    sections.push_back({ SectionTable,
-      this->StoredMesh ? Store(*this->StoredMesh) : placed.Mesh.Write(this->Meta.Keep) });
+    if (this->ChangeIndex)
+    {
+      this->ChangeIndex(index);
+    }
     sections.push_back(
-      { SectionMeta, this->StoredMeta ? Store(*this->StoredMeta) : this->Meta.Write() });
+      { SectionTable, this->Changed(SectionTable, 0, index.Write(this->Meta.Keep)) });
+    sections.push_back({ SectionMeta, this->Changed(SectionMeta, 0, this->Meta.Write()) });
     sections.insert(sections.end(), this->MoreSections.begin(), this->MoreSections.end());
     return this->Assemble(sections);
   }
@@ -230,11 +248,103 @@ public:
   std::vector<StepTable> Steps;
   std::vector<Bytes> Streams;
 
-  /** Written in place of the tables above, if there. */
-  std::optional<Bytes> StoredMeta, StoredMesh;
-  std::vector<std::optional<Bytes>> StoredSteps;
+  /** Changes META (number 0), TABL (0), STEP (each step) or a page (mesh first, two for each page,
+   * then each step) before it is stored. Gets and returns unpacked bytes. Null: no changes. */
+  std::function<void(FourCC name, std::size_t number, Bytes& table)> ChangeTable;
+
+  /** Changes TABL before it is written, if not null. */
+  std::function<void(MeshIndex&)> ChangeIndex;
+
+  /** Changes the parts of chunks before they are written, if not null. */
+  std::function<void(MeshTable&)> ChangeLinks;
 
   std::vector<Section> MoreSections; // behind the others
+
+private:
+  /** Takes all tables of a file. */
+  void Take(const TablePages& tables)
+  {
+    this->Mesh.Palettes = tables.GetIndex().Palettes;
+    this->Mesh.Unused = tables.GetIndex().Unused;
+    for (std::size_t block = 0; block < tables.GetNumberOfBlocks(); ++block)
+    {
+      this->Mesh.Blocks.push_back(*tables.GetBlock(block));
+    }
+    const auto chunks = tables.GetChunks().size();
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk)
+    {
+      this->Mesh.Chunks.push_back(*tables.GetChunk(chunk));
+    }
+    for (std::size_t s = 0; s < tables.GetSteps().size(); ++s)
+    {
+      const auto& index = tables.GetSteps()[s];
+      auto& step = this->Steps.emplace_back(StepTable{ index.Time, index.Key, index.Field, {} });
+      for (std::size_t a = 0; a < index.Arrays.size(); ++a)
+      {
+        auto& array = step.Arrays.emplace_back();
+        array.Palettes = index.Arrays[a].Palettes;
+        array.Ranges = index.Arrays[a].Ranges;
+        for (std::size_t chunk = 0; chunk < chunks; ++chunk)
+        {
+          array.Chunks.push_back(tables.GetChunkValues(chunk, a, s));
+          array.ChunkRanges.push_back(tables.GetChunkRanges(chunk, a, s));
+        }
+        const auto blocks = tables.GetNumberOfBlocks() + 1;
+        for (std::size_t block = 0;
+             this->Meta.Arrays[a].Where == Association::Point && block < blocks; ++block)
+        {
+          array.Blocks.push_back(tables.GetBlockValues(block, a, s));
+        }
+      }
+    }
+  }
+
+  /** What MeshTable::LinkGroups does, for groups that may be wrong. */
+  void Link()
+  {
+    for (auto& chunk : this->Mesh.Chunks)
+    {
+      chunk.Shared.clear();
+      chunk.Info.SharedPoints = 0;
+    }
+    std::uint64_t point = 0;
+    for (std::uint32_t b = 0; b < this->Mesh.Blocks.size(); ++b)
+    {
+      auto& block = this->Mesh.Blocks[b];
+      block.FirstPoint = point;
+      for (std::uint32_t g = 0; g < block.Groups.size(); ++g)
+      {
+        const auto& group = block.Groups[g];
+        for (const auto c : group.Chunks)
+        {
+          if (c < this->Mesh.Chunks.size())
+          {
+            auto& chunk = this->Mesh.Chunks[c];
+            chunk.Shared.push_back({ b, g, group.Points, point - block.FirstPoint, point });
+            chunk.Info.SharedPoints += group.Points;
+          }
+        }
+        point += group.Points;
+      }
+      block.Points = point - block.FirstPoint;
+    }
+    if (this->ChangeLinks)
+    {
+      this->ChangeLinks(this->Mesh);
+    }
+  }
+
+  Bytes Changed(FourCC name, std::size_t number, const Bytes& table) const
+  {
+    if (!this->ChangeTable)
+    {
+      return table;
+    }
+    auto bytes = Decompress(table, std::uint64_t{ 1 } << 30);
+    const auto before = bytes;
+    this->ChangeTable(name, number, bytes);
+    return bytes == before ? table : Store(bytes);
+  }
 };
 }
 

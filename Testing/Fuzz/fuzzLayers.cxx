@@ -18,13 +18,13 @@ void ReadTables(fuzz::Input& in)
 {
   const auto next = [&] { return test::Store(fuzz::Copy(in.TakePart())); };
   const auto meta = MetaTable::Read(next());
-  const auto mesh = MeshTable::Read(next(), meta);
-  const auto layers = ReadLayers(next(), meta, mesh);
+  const auto mesh = MeshIndex::Read(next(), meta);
+  const auto layers = ReadLayers(next(), meta, mesh.Chunks);
   // What was read must be read again from what it writes, and make sense.
-  const auto again = ReadLayers(WriteLayers(layers, meta), meta, mesh);
+  const auto again = ReadLayers(WriteLayers(layers, meta), meta, mesh.Chunks);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (again.Bounds != layers.Bounds || again.Chunks != layers.Chunks ||
-    layers.Chunks.size() != mesh.Chunks.size() || layers.Find(-infinity) != 0 ||
+    layers.Chunks.size() != mesh.Chunks || layers.Find(-infinity) != 0 ||
     layers.Find(infinity) + 1 != layers.GetCount() || layers.GetCount() > MaxLayers)
   {
     std::abort();

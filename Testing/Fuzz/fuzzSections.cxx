@@ -174,7 +174,7 @@ public:
     {
       try
       {
-        auto tree = TreeTable::Read(trees[0], image.Meta, image.Mesh);
+        auto tree = TreeTable::Read(trees[0], image.Meta, image.Mesh.Chunks.size());
         const Bytes& stream = this->Streams[0];
         tree.Stream = { offset, stream.size(), Checksum(stream) };
         trees[0] = tree.Write();
@@ -235,7 +235,7 @@ void TreeParts::Change(const Image& image, std::minstd_rand& random)
     case 2:
       try
       {
-        auto tree = TreeTable::Read(this->Trees[0], image.Meta, image.Mesh);
+        auto tree = TreeTable::Read(this->Trees[0], image.Meta, image.Mesh.Chunks.size());
         const auto add = static_cast<std::uint32_t>(random() % 3) - 1;
         tree.Merges += add;
         if (!tree.Rungs.empty())
@@ -290,26 +290,34 @@ void TreeParts::Change(const Image& image, std::minstd_rand& random)
   }
 }
 
+/** Changes the bytes of a table that Image::ChangeTable gets. */
+void MutateTable(Image& image, FourCC name, std::size_t number)
+{
+  image.ChangeTable = [=](FourCC which, std::size_t place, Bytes& table)
+  {
+    if (which == name && place == number)
+    {
+      Mutate(table, 16);
+    }
+  };
+}
+
 Bytes Change(Image& image, std::minstd_rand& random)
 {
   const auto streams = GetStreams(image);
   switch (random() % 12)
   {
     case 0:
-      image.StoredMeta = Decompress(image.Meta.Write(), 1 << 20);
-      Mutate(*image.StoredMeta, 16);
+      MutateTable(image, SectionMeta, 0);
       break;
     case 1:
-      image.StoredMesh = Decompress(image.Mesh.Write(image.Meta.Keep), 1 << 20);
-      Mutate(*image.StoredMesh, 16);
+      MutateTable(image, random() % 4 == 0 ? SectionTable : SectionPages, random() % 2);
       break;
     case 2:
       if (!image.Steps.empty())
       {
-        const auto i = random() % image.Steps.size();
-        image.StoredSteps.resize(i + 1);
-        image.StoredSteps[i] = Decompress(image.Steps[i].Write(), 1 << 20);
-        Mutate(*image.StoredSteps[i], 16);
+        const auto step = random() % image.Steps.size();
+        MutateTable(image, random() % 2 == 0 ? SectionStep : SectionPages, step);
       }
       break;
     case 3:

@@ -24,35 +24,73 @@ void CheckAgain(Write&& write, Read&& read)
   }
 }
 
+/** Reads a page and links its chunks to those of their blocks that are in it. */
+void ReadPage(const Bytes& bytes, std::size_t number, const MeshIndex& mesh,
+  const ChunkSummaries& chunks, std::uint8_t keep)
+{
+  const auto page = MeshPage::Read(bytes, number, mesh, chunks.Lengths, keep);
+  const auto first = mesh.Pages[number].FirstBlock;
+  for (std::size_t c = 0; c < page.Chunks.size(); ++c)
+  {
+    const auto chunk = static_cast<std::uint32_t>(number * ChunksPerPage + c);
+    ChunkEntry entry;
+    for (const auto block : page.Chunks[c].Blocks)
+    {
+      if (block >= first && block - first < page.Blocks.size())
+      {
+        AddParts(page.Blocks[block - first], block, chunk, entry.Shared);
+      }
+    }
+    for (const auto& part : entry.Shared)
+    {
+      entry.Info.SharedPoints += part.Points;
+    }
+    const auto groupOf = [&](const ChunkEntry::Part& part) -> const SharedGroup&
+    { return page.Blocks[part.Block - first].Groups[part.Group]; };
+    CheckGroups(entry, groupOf);
+    if (entry.Info.SharedPoints < 10000 &&
+      FindSharedUsers(entry, chunk, groupOf).size() != entry.Info.SharedPoints)
+    {
+      std::abort();
+    }
+  }
+}
+
 void ReadTables(fuzz::Input& in)
 {
   const auto next = [&] { return test::Store(fuzz::Copy(in.TakePart())); };
   const auto meta = MetaTable::Read(next());
   CheckAgain([&] { return meta.Write(); }, [](const Bytes& bytes) { MetaTable::Read(bytes); });
-  const auto mesh = MeshTable::Read(next(), meta);
+  auto mesh = MeshIndex::Read(next(), meta);
   CheckAgain([&] { return mesh.Write(meta.Keep); },
-    [&](const Bytes& bytes) { MeshTable::Read(bytes, meta); });
-  for (std::size_t chunk = 0; chunk < mesh.Chunks.size(); ++chunk)
+    [&](const Bytes& bytes) { MeshIndex::Read(bytes, meta); });
+  ChunkSummaries chunks;
+  for (std::size_t page = 0; page < mesh.Pages.size(); ++page)
   {
-    if (mesh.Chunks[chunk].Info.SharedPoints < 10000 &&
-      mesh.GetSharedUsers(chunk).size() != mesh.Chunks[chunk].Info.SharedPoints)
-    {
-      std::abort();
-    }
+    chunks.Add(next(), mesh, nullptr);
   }
-  const auto step = StepTable::Read(next(), meta, mesh);
+  chunks.Finish(mesh, meta, std::uint64_t{ 1 } << 32);
+  for (std::size_t page = 0; page < mesh.Pages.size(); ++page)
+  {
+    ReadPage(next(), page, mesh, chunks, meta.Keep);
+  }
+  const auto step = StepIndex::Read(next(), meta, mesh);
   CheckAgain(
-    [&] { return step.Write(); }, [&](const Bytes& bytes) { StepTable::Read(bytes, meta, mesh); });
-  const auto tree = TreeTable::Read(next(), meta, mesh);
-  CheckAgain(
-    [&] { return tree.Write(); }, [&](const Bytes& bytes) { TreeTable::Read(bytes, meta, mesh); });
+    [&] { return step.Write(); }, [&](const Bytes& bytes) { StepIndex::Read(bytes, meta, mesh); });
+  for (std::size_t page = 0; page < step.Pages.size(); ++page)
+  {
+    StepPage::Read(next(), page, meta, mesh);
+  }
+  const auto tree = TreeTable::Read(next(), meta, mesh.Chunks);
+  CheckAgain([&] { return tree.Write(); },
+    [&](const Bytes& bytes) { TreeTable::Read(bytes, meta, mesh.Chunks); });
   if (tree.FindRung(tree.Merges) + 1 != tree.Rungs.size() && tree.Merges > 0)
   {
     std::abort();
   }
-  const auto ranges = TreeStepTable::Read(next(), meta, mesh, tree);
+  const auto ranges = TreeStepTable::Read(next(), meta, mesh.Chunks, tree);
   CheckAgain([&] { return ranges.Write(); },
-    [&](const Bytes& bytes) { TreeStepTable::Read(bytes, meta, mesh, tree); });
+    [&](const Bytes& bytes) { TreeStepTable::Read(bytes, meta, mesh.Chunks, tree); });
 }
 }
 

@@ -261,6 +261,50 @@ FieldData MakeField()
   return field;
 }
 
+/** The tables of a file as one input: of the mesh and its pages, then of the first step. */
+Bytes GetTables(test::FileImage image)
+{
+  std::vector<Bytes> mesh(2);
+  std::vector<Bytes> pages;
+  std::vector<Bytes> step;
+  image.ChangeTable = [&](FourCC name, std::size_t number, const Bytes& table)
+  {
+    if (name == SectionMeta || name == SectionTable)
+    {
+      mesh[name == SectionTable] = table;
+    }
+    else if (name == SectionPages)
+    {
+      pages.push_back(table);
+    }
+    else if (number == 0)
+    {
+      step.push_back(table);
+    }
+  };
+  image.Build();
+  const auto count = GetPageCount(image.Mesh.Chunks.size());
+  for (std::size_t page = 0; page < count; ++page)
+  {
+    mesh.insert(mesh.begin() + static_cast<std::ptrdiff_t>(2 + page), pages[2 * page]);
+    mesh.push_back(pages[2 * page + 1]);
+  }
+  if (!step.empty())
+  {
+    const auto first = pages.begin() + static_cast<std::ptrdiff_t>(2 * count);
+    step.insert(step.end(), first,
+      first + static_cast<std::ptrdiff_t>(image.Meta.Arrays.empty() ? 0 : count));
+  }
+  mesh.insert(mesh.end(), step.begin(), step.end());
+  ByteWriter out;
+  for (const auto& table : mesh)
+  {
+    out.Put(static_cast<std::uint16_t>(table.size()));
+    out.PutBytes(table);
+  }
+  return std::move(out.Data);
+}
+
 /** A file of some tetrahedra, of one chunk or more. */
 void WriteFile(const std::string& path, const test::TestMesh& mesh, std::uint8_t keep, int steps)
 {
@@ -293,20 +337,7 @@ void AddFiles(Corpus& corpus)
         const auto bytes = image.Build();
         corpus.Add("File", bytes);
         corpus.Add("Sections", bytes);
-        ByteWriter tables;
-        const auto put = [&](const Bytes& packed)
-        {
-          const auto table = Decompress(packed, 1 << 20);
-          tables.Put(static_cast<std::uint16_t>(table.size()));
-          tables.PutBytes(table);
-        };
-        put(image.Meta.Write());
-        put(image.Mesh.Write(keep));
-        if (steps > 0)
-        {
-          put(image.Steps[0].Write());
-        }
-        corpus.Add("Tables", tables.Data);
+        corpus.Add("Tables", GetTables(image));
         corpus.Add("Decompress", image.Meta.Write());
       }
     }

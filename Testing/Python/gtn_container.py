@@ -18,6 +18,7 @@ KEEP_POINTS, KEEP_CELLS, KEEP_CORNERS = 1, 2, 4
 MAX_TETS = MAX_CELLS = 1 << 20
 MAX_VALUES = 1 << 24
 MAX_PALETTE = 1 << 16
+PAGE_CHUNKS = 256
 MAX_RUNGS = MAX_LEVELS = 64
 MAX_LAYERS = 4096
 
@@ -27,9 +28,9 @@ SIZES = {1: 1, 2: 1, 3: 2, 4: 2, 5: 4, 6: 4, 7: 8, 8: 8, 9: 4, 10: 8}
 MAGIC = bytes.fromhex("8947544E0D0A1A0A")
 END_MAGIC = b"GTNEND\r\n"
 SECTIONS = (
-    b"META", b"TABL", b"STEP", b"MESH", b"VALS", b"TREE", b"MERG", b"TRNG", b"LEVL",
+    b"META", b"TABL", b"PAGE", b"STEP", b"MESH", b"VALS", b"TREE", b"MERG", b"TRNG", b"LEVL",
     b"LAYR", b"CELL", b"DIRY")
-STREAMS = (b"MESH", b"VALS", b"MERG")  # sections of streams
+STREAMS = (b"PAGE", b"MESH", b"VALS", b"MERG")  # sections of streams
 
 
 class FormatError(Exception):
@@ -161,9 +162,10 @@ class Container:
         self.cells = None
         if any(section.name == b"CELL" for section in sections):
             self.cells = read_cells(self._packed(sections, b"CELL"))
-        self.table = read_table(self._packed(sections, b"TABL"), self.meta, self.cells)
+        self.table = read_table(
+            self._packed(sections, b"TABL"), self.meta, self._page, len(data), self.cells)
         self.steps = [
-            read_step(Bytes(self._content(section)), self.meta, self.table)
+            read_step(Bytes(self._content(section)), self.meta, self.table, self._step_page)
             for section in sections
             if section.name == b"STEP"
         ]
@@ -250,6 +252,14 @@ class Container:
             self._step_bytes += len(content)
             require(self._step_bytes <= steps_limit(len(self.data)), "tables of steps too large")
         return content
+
+    def _page(self, reference):
+        require(reference is not None, "page")
+        return Bytes(unpack(self.stream(reference), table_limit))
+
+    def _step_page(self, reference):
+        require(reference is not None, "page of a step")
+        return Bytes(unpack(self.stream(reference), step_limit))
 
     def _read_tree(self, sections):
         """Sections TREE, TRNG and LEVL (13)."""
@@ -343,8 +353,8 @@ def check_cells(cells, table):
 
 def check_chunk(chunk):
     """Sizes that 3.3 bounds by the tetrahedra of a chunk, and 15.2 by its cells."""
-    length = chunk.connectivity.length if chunk.connectivity else 0
-    require(chunk.geometry is not None, "no geometry")
+    length = chunk.connectivity_bytes
+    require(chunk.geometry_bytes > 0, "no geometry")
     if chunk.cells is None:
         require(1 <= chunk.tets <= MAX_TETS, "tetrahedra of a chunk")
         require(length >= chunk.tets // 256 + 1, "connectivity too short")
@@ -355,97 +365,159 @@ def check_chunk(chunk):
     require(length >= values // 16384 + 1, "connectivity too short")
 
 
-def read_table(table, meta, cells=None):
-    """Section TABL (3.3). cells: section CELL, if there is one."""
+def read_table(table, meta, open_page, file_size, cells=None):
+    """Section TABL and its pages (3.3). open_page: gives the content of a page from its stream
+    reference. cells: section CELL, if there is one."""
     result = Record(palettes=[table.palette() for _ in range(3)], blocks=[], chunks=[])
-    keep_points = meta.keep & KEEP_POINTS
+    result.unused = read_points(table, meta, meta.unused_points)
+    count = table.varint()
+    require(count < 1 << 32, "number of chunks")
+    require(cells is None or len(cells.chunks) == count, "chunks of cells")
+    result.pages = []
+    for first in range(0, count, PAGE_CHUNKS):
+        page = Record(first=first, chunks=min(PAGE_CHUNKS, count - first))
+        page.summary, page.details = table.reference(), table.reference()
+        page.blocks, page.points, page.bytes = (table.varint() for _ in range(3))
+        require(page.points == 0 or page.bytes >= page.points // 256 + 1, "points of a page")
+        result.pages.append(page)
+    table.end()
+    for page in result.pages:
+        read_summary(open_page(page.summary), page, result, cells)
+    check_sums(result, meta, file_size)
+    for page in result.pages:
+        read_details(open_page(page.details), page, result, meta, count)
+    if cells is not None:
+        check_cells(cells, result)
+    link_chunks(result)
+    return result
 
-    def read_points(points):
-        block = Record(points=points, coordinates=table.reference(), original=None)
-        if keep_points:
-            block.original = table.reference()
-        require(points < 1 << 32, "points of a block")
-        if points:
-            length = block.coordinates.length if block.coordinates else 0
-            require(length >= points // 256 + 1, "stream of a block too short")
-        return block
 
-    for _ in range(table.varint()):
-        groups = []
-        for _ in range(table.varint()):
-            points, number = table.varint(), table.varint()
-            require(1 <= points < 1 << 32 and number >= 2, "group")
-            chunks = [table.varint()]
-            for _ in range(number - 1):
-                difference = table.varint()
-                require(difference >= 1, "chunks of a group")
-                chunks.append(chunks[-1] + difference)
-            groups.append(Record(points=points, chunks=chunks))
-        block = read_points(sum(group.points for group in groups))
-        block.groups = groups
-        result.blocks.append(block)
-    result.unused = read_points(meta.unused_points)
+def read_points(table, meta, points):
+    """The streams of a block or of the unused points."""
+    block = Record(points=points, coordinates=table.reference(), original=None)
+    if meta.keep & KEEP_POINTS:
+        block.original = table.reference()
+    require(points < 1 << 32, "points of a block")
+    if points:
+        length = block.coordinates.length if block.coordinates else 0
+        require(length >= points // 256 + 1, "stream of a block too short")
+    return block
 
-    for _ in range(table.varint()):
+
+def read_summary(table, page, result, cells):
+    """The summary of a page (3.3)."""
+    for _ in range(page.chunks):
         chunk = Record(cells=None)
         if cells is not None:
-            require(len(result.chunks) < len(cells.chunks), "chunks of cells")
             chunk.cells = cells.chunks[len(result.chunks)]
         chunk.tets = table.varint()
         chunk.own_points = table.varint()
-        chunk.level = table.varint()
-        chunk.bucket = table.varint()
+        chunk.shared_points = table.varint()
+        chunk.connectivity_bytes = table.varint()
+        chunk.geometry_bytes = table.varint()
+        require(max(chunk.connectivity_bytes, chunk.geometry_bytes) < 1 << 32, "length of a stream")
         chunk.box = table.ranges(3)
-        chunk.connectivity = table.reference()
-        chunk.geometry = table.reference()
-        chunk.original_points = table.reference() if keep_points else None
-        chunk.original_cells = table.reference() if meta.keep & KEEP_CELLS else None
-        chunk.corners = table.reference() if meta.keep & KEEP_CORNERS else None
-        chunk.shared_points = 0
-        require(chunk.level == 0 and chunk.bucket == 0, "level or bucket")
         check_chunk(chunk)
-        result.chunks.append(chunk)
-    table.end()
-    if cells is not None:
-        check_cells(cells, result)
-
-    for block in result.blocks:
-        for group in block.groups:
-            require(group.chunks[-1] < len(result.chunks), "group names a chunk that is not there")
-            for chunk in group.chunks:
-                result.chunks[chunk].shared_points += group.points
-    for chunk in result.chunks:
         most = 4 * chunk.tets
         if chunk.cells is not None:
             most = chunk.cells.corners + chunk.cells.face_values
         require(chunk.own_points + chunk.shared_points <= most, "points of a chunk")
-    points = sum(part.points for part in result.blocks) + meta.unused_points
+        result.chunks.append(chunk)
+    table.end()
+
+
+def check_sums(result, meta, file_size):
+    points = sum(page.points for page in result.pages) + meta.unused_points
     points += sum(chunk.own_points for chunk in result.chunks)
     require(points == meta.points, "number of points")
     require(sum(chunk.tets for chunk in result.chunks) == meta.tets, "number of tetrahedra")
-    return result
+    length = sum(page.bytes for page in result.pages)
+    length += result.unused.coordinates.length if result.unused.coordinates else 0
+    length += sum(chunk.connectivity_bytes + chunk.geometry_bytes for chunk in result.chunks)
+    require(length <= file_size, "streams longer than the file")
 
 
-def read_step(table, meta, layout):
-    """A section STEP (3.4)."""
+def read_ascending(table, what):
+    numbers = []
+    for i in range(table.varint()):
+        step = table.varint()
+        require(i == 0 or step >= 1, what)
+        numbers.append(step + (numbers[-1] if numbers else 0))
+    return numbers
+
+
+def read_details(table, page, result, meta, chunk_count):
+    """The details of a page (3.3)."""
+    first_block = len(result.blocks)
+    for _ in range(page.blocks):
+        groups = []
+        for _ in range(table.varint()):
+            points = table.varint()
+            chunks = read_ascending(table, "chunks of a group")
+            require(1 <= points < 1 << 32 and len(chunks) >= 2, "group")
+            require(chunks[-1] < chunk_count, "group names a chunk that is not there")
+            require(0 <= chunks[0] - page.first < page.chunks, "block in a wrong page")
+            groups.append(Record(points=points, chunks=chunks))
+        require(groups, "block without groups")
+        block = read_points(table, meta, sum(group.points for group in groups))
+        block.groups = groups
+        result.blocks.append(block)
+    blocks = result.blocks[first_block:]
+    require(sum(block.points for block in blocks) == page.points, "points of a page")
+    length = sum(block.coordinates.length for block in blocks)
+    require(length == page.bytes, "geometry of a page")
+
+    def reference(length):
+        return Record(length=length, offset=table.varint(), checksum=table.number("Q"))
+
+    for chunk in result.chunks[page.first : page.first + page.chunks]:
+        chunk.connectivity = reference(chunk.connectivity_bytes)
+        chunk.geometry = reference(chunk.geometry_bytes)
+        chunk.original_points = table.reference() if meta.keep & KEEP_POINTS else None
+        chunk.original_cells = table.reference() if meta.keep & KEEP_CELLS else None
+        chunk.corners = table.reference() if meta.keep & KEEP_CORNERS else None
+        chunk.blocks = read_ascending(table, "blocks of a chunk")
+        require(not chunk.blocks or chunk.blocks[-1] < len(result.blocks), "block of a chunk")
+    table.end()
+
+
+def link_chunks(result):
+    """Checks that chunks and groups name each other."""
+    naming = [set() for _ in result.chunks]
+    points = [0] * len(result.chunks)
+    for number, block in enumerate(result.blocks):
+        for group in block.groups:
+            for chunk in group.chunks:
+                naming[chunk].add(number)
+                points[chunk] += group.points
+    for chunk, named, shared in zip(result.chunks, naming, points):
+        require(chunk.blocks == sorted(named), "blocks of a chunk")
+        require(chunk.shared_points == shared, "shared points of a chunk")
+
+
+def read_step(table, meta, layout, open_page):
+    """A section STEP and its pages (3.4)."""
     step = Record(time=table.number("d"), key=table.number("B") != 0)
     require(not math.isnan(step.time), "time")
     step.field_data = table.reference()
     step.arrays = []
     for array in meta.arrays:
-        ranges = array.components + (array.components > 1)
         values = Record(palettes=[table.palette() for _ in range(array.components)])
-        values.ranges = table.ranges(ranges)
-        values.chunks = []
-        values.chunk_ranges = []
-        for _ in layout.chunks:
-            values.chunk_ranges.append(table.ranges(ranges))
-            values.chunks.append(table.reference())
-        if array.where == POINTS:
-            values.blocks = [table.reference() for _ in layout.blocks]
-            values.unused = table.reference()
+        values.ranges = table.ranges(array.components + (array.components > 1))
+        values.unused = table.reference()
+        values.chunks, values.chunk_ranges, values.blocks = [], [], []
         step.arrays.append(values)
+    pages = [table.reference() for _ in layout.pages] if meta.arrays else []
     table.end()
+    for reference, place in zip(pages, layout.pages):
+        page = open_page(reference)
+        for array, values in zip(meta.arrays, step.arrays):
+            for _ in range(place.chunks):
+                values.chunk_ranges.append(page.ranges(array.components + (array.components > 1)))
+                values.chunks.append(page.reference())
+            if array.where == POINTS:
+                values.blocks += [page.reference() for _ in range(place.blocks)]
+        page.end()
     return step
 
 

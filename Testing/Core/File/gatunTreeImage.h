@@ -24,7 +24,7 @@ public:
   explicit TreeImage(const std::string& path)
     : Rest(ReadSections(path))
     , Meta(MetaTable::Read(FindPayload(Rest, SectionMeta)))
-    , Mesh(MeshTable::Read(FindPayload(Rest, SectionTable), Meta))
+    , Chunks(MeshIndex::Read(FindPayload(Rest, SectionTable), Meta).Chunks)
     , Tree(ReadTreeTable(Rest))
   {
     for (auto& section : this->Rest)
@@ -33,7 +33,7 @@ public:
       if (name == SectionTreeStep)
       {
         this->TreeSteps.push_back(
-          TreeStepTable::Read(section.Payload, this->Meta, this->Mesh, this->Tree));
+          TreeStepTable::Read(section.Payload, this->Meta, this->Chunks, this->Tree));
       }
       if (name == SectionMerges)
       {
@@ -99,8 +99,8 @@ public:
   }
 
   std::vector<FileImage::Section> Rest;
-  MetaTable Meta; // what Rest has of these two
-  MeshTable Mesh;
+  MetaTable Meta; // what Rest has of it
+  std::size_t Chunks = 0;
   TreeTable Tree;
   std::vector<TreeStepTable> TreeSteps;
   Bytes Merges;

@@ -142,8 +142,8 @@ inline const Bytes& FindPayload(const std::vector<FileImage::Section>& sections,
 inline TreeTable ReadTreeTable(const std::vector<FileImage::Section>& sections)
 {
   const auto meta = MetaTable::Read(FindPayload(sections, SectionMeta));
-  const auto mesh = MeshTable::Read(FindPayload(sections, SectionTable), meta);
-  return TreeTable::Read(FindPayload(sections, SectionTree), meta, mesh);
+  const auto mesh = MeshIndex::Read(FindPayload(sections, SectionTable), meta);
+  return TreeTable::Read(FindPayload(sections, SectionTree), meta, mesh.Chunks);
 }
 
 /** Writes values as they are; those of a base mesh are gathered before. */

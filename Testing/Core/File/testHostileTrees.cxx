@@ -57,9 +57,9 @@ TEST(HostileTrees, MeshesOfTooManyPointsHaveNoTree)
 {
   MetaTable meta;
   meta.Points = std::uint64_t{ 1 } << 32;
-  EXPECT_THROW(TreeTable::Read(TreeTable().Write(), meta, {}), Error);
+  EXPECT_THROW(TreeTable::Read(TreeTable().Write(), meta, 0), Error);
   --meta.Points;
-  EXPECT_NO_THROW(TreeTable::Read(TreeTable().Write(), meta, {}));
+  EXPECT_NO_THROW(TreeTable::Read(TreeTable().Write(), meta, 0));
 }
 
 TEST(HostileTrees, RungsMustAscendToAllMerges)

@@ -454,7 +454,7 @@ TEST_P(TreeFileRead, LayoutSaysWhichChunksGetPointsFromWhich)
 
 TEST_P(TreeFileRead, RangesAreThoseOfAllThatPointsAreMergedInto)
 {
-  const MeshTable& mesh = InternalsOf(*this->File).Mesh;
+  const auto mesh = FileImage(this->File->GetPath()).Mesh;
   const auto points = static_cast<std::uint32_t>(this->File->GetNumberOfPoints());
   // The tree in other numbers, which the layout has to undo.
   std::vector<std::uint32_t> ids(points);

@@ -81,7 +81,7 @@ TEST(HostileContainer, TablesAreThereOnce)
   auto image = MakeImage();
   image.MoreSections.push_back({ SectionMeta, image.Meta.Write() });
   ExpectRefused("several sections for the meta data", image.Build(), ErrorCode::Corrupt);
-  image.MoreSections[0] = { SectionTable, image.Mesh.Write(image.Meta.Keep) };
+  image.MoreSections[0] = { SectionTable, MakeMeshIndex(image.Mesh).Write(image.Meta.Keep) };
   ExpectRefused("several sections for the table of chunks", image.Build(), ErrorCode::Corrupt);
   ExpectRefused(
     "no section for the meta data", image.Assemble({ { SectionMesh, {} } }), ErrorCode::Corrupt);

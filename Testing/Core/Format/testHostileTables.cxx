@@ -26,6 +26,13 @@ void ExpectRefused(const std::string& what, const std::function<void(FileImage&)
   EXPECT_GATUN_ERROR(code, path, what, [&] { ReadAll(path); });
 }
 
+/** Replaces META. */
+void SetMeta(FileImage& image, const Bytes& bytes)
+{
+  image.ChangeTable = [bytes](FourCC name, std::size_t, Bytes& table)
+  { table = name == SectionMeta ? bytes : table; };
+}
+
 TEST(HostileTables, TheUnchangedFileIsRead)
 {
   const auto path = PutFile("same.gtn", MakeImage().Build());
@@ -35,7 +42,7 @@ TEST(HostileTables, TheUnchangedFileIsRead)
 
 TEST(HostileTables, CountsOfTheMeshMustAddUp)
 {
-  ExpectRefused("the meta data at byte", [](FileImage& f) { f.StoredMeta = Bytes(3, 0); });
+  ExpectRefused("the meta data at byte", [](FileImage& f) { SetMeta(f, Bytes(3, 0)); });
   ExpectRefused("tetrahedra do not add up", [](FileImage& f) { ++f.Meta.Tets; });
   ExpectRefused("points do not add up", [](FileImage& f) { ++f.Meta.Points; });
   ExpectRefused("claims more points than its stream can hold",
@@ -92,7 +99,7 @@ TEST(HostileTables, GroupsMustBePossible)
 {
   ExpectRefused(
     "a group has no points", [](FileImage& f) { f.Mesh.Blocks[0].Groups[0].Points = 0; });
-  ExpectRefused("claims more points than its stream can hold",
+  ExpectRefused("claim more points than their streams can hold",
     [](FileImage& f)
     {
       f.Meta.Points += 100000;
@@ -306,8 +313,9 @@ TEST(HostileTables, DescriptionsMustBeKnown)
     {
       f.Meta.Arrays.resize(1);
       f.Steps.clear();
-      f.StoredMeta = Decompress(f.Meta.Write(), 1 << 20);
-      (*f.StoredMeta)[f.StoredMeta->size() - fromEnd] = value;
+      auto meta = Decompress(f.Meta.Write(), 1 << 20);
+      meta[meta.size() - fromEnd] = value;
+      SetMeta(f, meta);
     };
   };
   // The last array: name 'p', where, type, components, i32, u32, number of names.
@@ -321,8 +329,9 @@ TEST(HostileTables, DescriptionsMustBeKnown)
   ExpectRefused("bytes behind the end",
     [](FileImage& f)
     {
-      f.StoredMeta = Decompress(f.Meta.Write(), 1 << 20);
-      f.StoredMeta->push_back(0);
+      auto meta = Decompress(f.Meta.Write(), 1 << 20);
+      meta.push_back(0);
+      SetMeta(f, meta);
     });
 }
 
@@ -351,5 +360,133 @@ TEST(HostileTables, ArraysCannotClaimMoreValuesThanTheirStreamsHold)
       }
       f.Steps.resize(1);
     });
+}
+
+//------------------------------------------------------------------------------
+// Pages
+
+/** A file whose chunks are in two pages. */
+FileImage MakePages()
+{
+  const auto path = GetPath("pages.gtn");
+  WriterOptions options;
+  options.ChunkTets = 4;
+  WriteSample(path, MakeCubes(7, 0.2), options, 1);
+  return FileImage(path);
+}
+
+/** Expects that verifying a changed file of two pages fails like this. */
+void ExpectPagesRefused(const std::string& what, const std::function<void(FileImage&)>& change)
+{
+  auto image = MakePages();
+  change(image);
+  const auto path = PutFile("changed.gtn", image.Build());
+  EXPECT_GATUN_ERROR(ErrorCode::Corrupt, path, what, [&] { VerifyFile(FileReader(path)); });
+}
+
+TEST(HostileTables, ChunksInSeveralPagesAreRead)
+{
+  const auto image = MakePages();
+  ASSERT_GT(image.Mesh.Chunks.size(), ChunksPerPage + 50);
+  const auto path = PutFile("same.gtn", image.Build());
+  EXPECT_NO_THROW(ReadAll(path));
+  EXPECT_TRUE(VerifyFile(FileReader(path)));
+  // Chunks of the second page share points with some of the first.
+  const FileReader file(path);
+  bool isAcross = false;
+  for (std::size_t chunk = ChunksPerPage; chunk < file.GetChunks().size(); ++chunk)
+  {
+    isAcross = isAcross || file.GetNeighbors(chunk).front() < ChunksPerPage;
+  }
+  EXPECT_TRUE(isAcross);
+}
+
+TEST(HostileTables, TheTableOfPagesMustBePossible)
+{
+  ExpectPagesRefused("fewer pages than chunks need",
+    [](FileImage& f) { f.ChangeIndex = [](MeshIndex& index) { index.Chunks = 4'000'000'000; }; });
+  ExpectPagesRefused("the chunks of a page are not all there",
+    [](FileImage& f)
+    {
+      f.ChangeIndex = [](MeshIndex& index)
+      { std::swap(index.Pages[0].Summary, index.Pages[1].Summary); };
+    });
+  ExpectPagesRefused("bytes behind the end of a page",
+    [](FileImage& f)
+    { f.ChangeIndex = [](MeshIndex& index) { index.Pages[1].Summary = index.Pages[0].Summary; }; });
+  ExpectPagesRefused("blocks have more points than the mesh",
+    [](FileImage& f)
+    { f.ChangeIndex = [](MeshIndex& index) { index.Pages[1].Points = ~std::uint64_t{ 0 }; }; });
+  ExpectPagesRefused("claim more points than their streams can hold",
+    [](FileImage& f)
+    { f.ChangeIndex = [](MeshIndex& index) { index.Pages[1].GeometryBytes = 1; }; });
+  ExpectPagesRefused("the streams are longer than the file",
+    [](FileImage& f)
+    { f.ChangeIndex = [](MeshIndex& index) { index.Pages[0].GeometryBytes = 1u << 30; }; });
+  ExpectPagesRefused("not those that the table has",
+    [](FileImage& f) { f.ChangeIndex = [](MeshIndex& index) { ++index.Pages[0].GeometryBytes; }; });
+  ExpectPagesRefused("the blocks of a page are not all there",
+    [](FileImage& f)
+    { f.ChangeIndex = [](MeshIndex& index) { index.Pages[1].Blocks = index.Pages[1].Points; }; });
+}
+
+TEST(HostileTables, ChunksAndBlocksMustNameEachOther)
+{
+  ExpectPagesRefused("a block is not in the page of its chunks",
+    [](FileImage& f)
+    {
+      // The first block of the second page, in the first one.
+      f.ChangeIndex = [](MeshIndex& index)
+      {
+        std::swap(index.Pages[0].Details, index.Pages[1].Details);
+        std::swap(index.Pages[0].Blocks, index.Pages[1].Blocks);
+      };
+    });
+  ExpectPagesRefused("has none of its points",
+    [](FileImage& f)
+    {
+      f.ChangeLinks = [](MeshTable& mesh)
+      { mesh.Chunks[0].Shared.back().Block = mesh.Chunks.back().Shared.back().Block; };
+    });
+  ExpectPagesRefused("other shared points than its blocks",
+    [](FileImage& f)
+    { f.ChangeLinks = [](MeshTable& mesh) { mesh.Chunks[0].Shared.pop_back(); }; });
+  ExpectPagesRefused("do not name all blocks",
+    [](FileImage& f)
+    {
+      // The chunk does not know of the points, and its sizes agree with that.
+      f.ChangeLinks = [](MeshTable& mesh)
+      {
+        auto& chunk = mesh.Chunks[0];
+        const auto block = chunk.Shared.back().Block;
+        while (chunk.Shared.back().Block == block)
+        {
+          chunk.Info.SharedPoints -= chunk.Shared.back().Points;
+          chunk.Shared.pop_back();
+        }
+      };
+    });
+  ExpectPagesRefused("a chunk names a block that is not there",
+    [](FileImage& f)
+    { f.ChangeLinks = [](MeshTable& mesh) { mesh.Chunks[0].Shared.back().Block = 1u << 30; }; });
+}
+
+TEST(HostileTables, PagesOfStepsMustBeThere)
+{
+  const auto replace = [](std::size_t size)
+  {
+    return [size](FileImage& f)
+    {
+      f.ChangeTable = [size](FourCC name, std::size_t number, Bytes& table)
+      {
+        if (name == SectionPages && number == 5) // the second page of the first step
+        {
+          table.resize(size);
+        }
+      };
+    };
+  };
+  ExpectPagesRefused("a page of a step ends too early", replace(100));
+  ExpectPagesRefused("bytes behind the end of a page of a step", replace(100000));
 }
 }

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunMetaTable_h
+#define gatunMetaTable_h
+
+// The META section and field data. See Documentation/format.md, 3.1 and 3.6.
+
+#include "gatunBytes.h"
+#include "gatunFieldData.h"
+#include "gatunTypes.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gatun
+{
+struct MetaTable
+{
+  std::string WriterVersion;
+  std::uint64_t Points = 0;
+  std::uint64_t Tets = 0;
+  std::uint64_t UnusedPoints = 0;
+  ScalarType CoordinateType = ScalarType::Float32;
+  bool WideIds = true;
+  bool HasTime = false;
+  std::uint8_t Keep = KeepNone;
+  std::uint32_t ChunkTets = 0;
+  std::uint32_t KeyStepInterval = 1;
+  Bounds Box;
+  std::vector<ArrayDescription> Arrays;
+
+  Bytes Write() const;
+  static MetaTable Read(std::span<const std::uint8_t> bytes);
+};
+
+/** The type of the original numbers of so many points or cells. */
+constexpr ScalarType GetNumberType(std::uint64_t count)
+{
+  return count < std::uint64_t{ 1 } << 32 ? ScalarType::UInt32 : ScalarType::UInt64;
+}
+
+Bytes WriteFieldData(const FieldData& field);
+FieldData ReadFieldData(std::span<const std::uint8_t> bytes);
+}
+
+#endif

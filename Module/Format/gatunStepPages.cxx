@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunStepPages.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gatun
+{
+namespace
+{
+// The maximum number of values in a stream. Each takes a decision of at least 2^-15.5 bits.
+constexpr std::uint64_t MaxValuesPerByte = 1u << 19;
+
+std::size_t GetChunksOfPage(const MeshIndex& mesh, std::size_t page)
+{
+  return std::min(ChunksPerPage, mesh.Chunks - page * ChunksPerPage);
+}
+
+Bytes WriteStepPage(
+  const StepTable& step, const MetaTable& meta, const MeshIndex& mesh, std::size_t page)
+{
+  const auto first = page * ChunksPerPage;
+  const auto& place = mesh.Pages[page];
+  ByteWriter out;
+  for (std::size_t a = 0; a < step.Arrays.size(); ++a)
+  {
+    const auto& array = step.Arrays[a];
+    for (auto chunk = first; chunk < first + GetChunksOfPage(mesh, page); ++chunk)
+    {
+      for (const auto& range : array.ChunkRanges[chunk])
+      {
+        PutRange(out, range);
+      }
+      PutStream(out, array.Chunks[chunk]);
+    }
+    if (meta.Arrays[a].Where == Association::Point)
+    {
+      for (auto block = place.FirstBlock; block < place.FirstBlock + place.Blocks; ++block)
+      {
+        PutStream(out, array.Blocks[block]);
+      }
+    }
+  }
+  return Pack(out, SmallStep);
+}
+}
+
+//------------------------------------------------------------------------------
+bool StepIndex::Array::HasPalette() const
+{
+  return std::any_of(
+    this->Palettes.begin(), this->Palettes.end(), [](const PaletteRef& p) { return p.Count > 0; });
+}
+
+//------------------------------------------------------------------------------
+StepIndex WriteStepPages(
+  const StepTable& step, const MetaTable& meta, const MeshIndex& mesh, const PutPage& put)
+{
+  StepIndex index{ step.Time, step.Key, step.Field, {}, {} };
+  for (const auto& array : step.Arrays)
+  {
+    index.Arrays.push_back(
+      { array.Palettes, array.Ranges, array.Blocks.empty() ? StreamRef() : array.Blocks.back() });
+  }
+  for (std::size_t page = 0; !step.Arrays.empty() && page < mesh.Pages.size(); ++page)
+  {
+    index.Pages.push_back(put(WriteStepPage(step, meta, mesh, page)));
+  }
+  return index;
+}
+
+//------------------------------------------------------------------------------
+Bytes StepIndex::Write() const
+{
+  ByteWriter out;
+  out.Put(this->Time);
+  out.Put(static_cast<std::uint8_t>(this->Key));
+  PutStream(out, this->Field);
+  for (const auto& array : this->Arrays)
+  {
+    for (const auto& palette : array.Palettes)
+    {
+      PutPalette(out, palette);
+    }
+    for (const auto& range : array.Ranges)
+    {
+      PutRange(out, range);
+    }
+    PutStream(out, array.Unused);
+  }
+  for (const auto& page : this->Pages)
+  {
+    PutStream(out, page);
+  }
+  return Pack(out, SmallStep);
+}
+
+//------------------------------------------------------------------------------
+StepIndex StepIndex::Read(
+  std::span<const std::uint8_t> bytes, const MetaTable& meta, const MeshIndex& mesh)
+{
+  const auto data = Unpack(bytes, SmallStep);
+  ByteReader in(data);
+  StepIndex step;
+  step.Time = in.Get<double>();
+  Check(!std::isnan(step.Time), "a time is not a number");
+  step.Key = in.Get<std::uint8_t>() != 0;
+  step.Field = GetStream(in);
+  for (const auto& description : meta.Arrays)
+  {
+    auto& array = step.Arrays.emplace_back();
+    const auto ranges = GetRangeCount(description.Components);
+    Check(description.Components + 16 * ranges + 1 <= in.GetRemaining(),
+      "the table of a step ends too early");
+    array.Palettes.resize(description.Components);
+    for (auto& palette : array.Palettes)
+    {
+      palette = GetPalette(in);
+    }
+    array.Ranges.resize(ranges);
+    for (auto& range : array.Ranges)
+    {
+      range = GetRange(in);
+    }
+    array.Unused = GetStream(in);
+    if (description.Where == Association::Point)
+    {
+      CheckValues(description, mesh.Unused.Points, array.Unused);
+    }
+  }
+  const auto pages = meta.Arrays.empty() ? 0 : mesh.Pages.size();
+  Check(pages <= in.GetRemaining(), "the table of a step ends too early");
+  step.Pages.resize(pages);
+  for (auto& page : step.Pages)
+  {
+    page = GetStream(in);
+  }
+  Check(in.GetRemaining() == 0, "there are bytes behind the end of the table of a step");
+  return step;
+}
+
+//------------------------------------------------------------------------------
+StepPage StepPage::Read(std::span<const std::uint8_t> bytes, std::size_t page,
+  const MetaTable& meta, const MeshIndex& mesh)
+{
+  const auto data = Unpack(bytes, SmallStep);
+  ByteReader in(data);
+  const auto chunks = GetChunksOfPage(mesh, page);
+  StepPage result;
+  for (const auto& description : meta.Arrays)
+  {
+    auto& array = result.Arrays.emplace_back();
+    const auto ranges = GetRangeCount(description.Components);
+    Check(chunks <= in.GetRemaining() / (1 + 16 * ranges), "a page of a step ends too early");
+    array.Ranges.reserve(chunks * ranges);
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk)
+    {
+      for (std::size_t i = 0; i < ranges; ++i)
+      {
+        array.Ranges.push_back(GetRange(in));
+      }
+      array.Chunks.push_back(GetStream(in));
+    }
+    if (description.Where == Association::Point)
+    {
+      const auto blocks = mesh.Pages[page].Blocks;
+      Check(blocks <= in.GetRemaining(), "a page of a step ends too early");
+      array.Blocks.reserve(static_cast<std::size_t>(blocks));
+      for (std::uint64_t block = 0; block < blocks; ++block)
+      {
+        array.Blocks.push_back(GetStream(in));
+      }
+    }
+  }
+  Check(in.GetRemaining() == 0, "there are bytes behind the end of a page of a step");
+  return result;
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t StepPage::GetBytes() const
+{
+  std::uint64_t bytes = sizeof(*this) + this->Arrays.capacity() * sizeof(Array);
+  for (const auto& array : this->Arrays)
+  {
+    bytes += array.Ranges.capacity() * sizeof(Range) +
+      (array.Chunks.capacity() + array.Blocks.capacity()) * sizeof(StreamRef);
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+void CheckValues(const ArrayDescription& array, std::uint64_t tuples, const StreamRef& stream)
+{
+  Check(tuples * array.Components / MaxValuesPerByte <= stream.Length,
+    "an array claims more values than its stream can hold");
+}
+}

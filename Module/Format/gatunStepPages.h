@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunStepPages_h
+#define gatunStepPages_h
+
+// The STEP sections and the pages that they name. See Documentation/format.md, 3.4.
+
+#include "gatunBytes.h"
+#include "gatunMeshPages.h"
+#include "gatunMetaTable.h"
+#include "gatunTableParts.h"
+#include "gatunTypes.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gatun
+{
+/** One array at one time step of a file that is being written. */
+struct ArrayStep
+{
+  std::vector<PaletteRef> Palettes; // one for each component
+  ArrayRanges Ranges;
+  std::vector<ArrayRanges> ChunkRanges;
+  std::vector<StreamRef> Chunks; // one for each chunk
+  std::vector<StreamRef>
+    Blocks; // one for each block, and one for the unused points; point arrays only
+};
+
+/** A time step of a file that is being written. Readers have StepIndex and StepPage. */
+struct StepTable
+{
+  double Time = 0;
+  bool Key = true; // whether it decodes without the previous step
+  StreamRef Field; // length 0 if there are no field data
+  std::vector<ArrayStep> Arrays;
+};
+
+/** A STEP section. */
+struct StepIndex
+{
+  struct Array
+  {
+    std::vector<PaletteRef> Palettes; // one for each component
+    ArrayRanges Ranges;
+    StreamRef Unused; // values of the unused points; point arrays only
+
+    bool HasPalette() const;
+  };
+
+  double Time = 0;
+  bool Key = true;
+  StreamRef Field;
+  std::vector<Array> Arrays;
+  std::vector<StreamRef> Pages; // as many as the mesh has, but none without arrays
+
+  Bytes Write() const;
+  static StepIndex Read(
+    std::span<const std::uint8_t> bytes, const MetaTable& meta, const MeshIndex& mesh);
+};
+
+/** The chunks and blocks of a page of the mesh at one time step. */
+struct StepPage
+{
+  struct Array
+  {
+    std::vector<Range> Ranges;     // of all chunks
+    std::vector<StreamRef> Chunks; // one for each chunk
+    std::vector<StreamRef> Blocks; // one for each block; point arrays only
+  };
+  std::vector<Array> Arrays;
+
+  std::uint64_t GetBytes() const;
+
+  static StepPage Read(std::span<const std::uint8_t> bytes, std::size_t page, const MetaTable& meta,
+    const MeshIndex& mesh);
+};
+
+/** Writes the pages of a step. mesh: the pages of the mesh. */
+StepIndex WriteStepPages(
+  const StepTable& step, const MetaTable& meta, const MeshIndex& mesh, const PutPage& put);
+
+/** Throws unless a stream can contain the values of so many points or cells. */
+void CheckValues(const ArrayDescription& array, std::uint64_t tuples, const StreamRef& stream);
+}
+
+#endif
