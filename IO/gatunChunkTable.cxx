@@ -39,19 +39,23 @@ void AddRanges(vtkTable* table, const gatun::FileReader& file, std::size_t array
   column->SetName(((ofPoints ? "Point:" : "Cell:") + description.Name).c_str());
   column->SetNumberOfComponents(static_cast<int>(2 * ranges));
   column->SetNumberOfTuples(static_cast<vtkIdType>(chunks));
-  double* values = column->GetPointer(0);
-  for (std::size_t chunk = 0; chunk < chunks; ++chunk)
+  std::vector<gatun::Range> all(ranges * chunks);
+  for (std::size_t step = 0; step < file.GetNumberOfSteps(); ++step)
   {
-    for (std::size_t i = 0; i < ranges; ++i, values += 2)
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk)
     {
-      gatun::Range all;
-      for (std::size_t step = 0; step < file.GetNumberOfSteps(); ++step)
+      const gatun::ArrayRanges ofChunk = file.GetChunkRanges(array, step, chunk);
+      for (std::size_t i = 0; i < ranges; ++i)
       {
-        all.Include(file.GetChunkRanges(array, step, chunk)[i]);
+        all[ranges * chunk + i].Include(ofChunk[i]);
       }
-      values[0] = all.Min;
-      values[1] = all.Max;
     }
+  }
+  double* values = column->GetPointer(0);
+  for (const gatun::Range& range : all)
+  {
+    *values++ = range.Min;
+    *values++ = range.Max;
   }
   table->AddColumn(column);
 }

@@ -43,6 +43,10 @@ std::uint64_t MebibytesToBytes(int mebibytes)
 {
   return static_cast<std::uint64_t>(mebibytes) << 20;
 }
+
+// A larger table of chunks is made only when it is asked for: it takes time and memory to open a
+// file that then shows a few chunks.
+constexpr std::size_t MaxTableRows = 65536;
 }
 
 vtkStandardNewMacro(vtkGatunReader);
@@ -174,7 +178,17 @@ void vtkGatunReader::SetCellArrayStatus(const char* name, int status)
 //------------------------------------------------------------------------------
 vtkTable* vtkGatunReader::GetChunkTable()
 {
-  return this->Internals->Table;
+  try
+  {
+    return this->Internals->GetTable();
+  }
+  catch (...)
+  {
+    const gatun::VTKFailure failure = gatun::DescribeFailure(this->FileName);
+    this->SetErrorCode(failure.Code);
+    gatun::ReportFailure(this, failure, nullptr);
+    return nullptr;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -318,7 +332,10 @@ int vtkGatunReader::RequestInformation(vtkInformation* vtkNotUsed(request),
     self.Open(this->FileName, MebibytesToBytes(this->MemoryBudget));
     outInfo->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
     outInfo->Set(gatun::ExactGhostLevels(), 1);
-    outInfo->Set(CHUNK_TABLE(), self.Table);
+    if (self.GetFile().GetChunks().size() <= MaxTableRows)
+    {
+      outInfo->Set(CHUNK_TABLE(), self.GetTable());
+    }
     vtkInternals::Publish(self.Describe(*this), outInfo);
     const gatun::FileReader& file = self.GetFile();
     if (file.HasTime() && !file.GetTimes().empty())

@@ -377,12 +377,13 @@ public:
    *    time steps; without NaN.
    *
    * Where min > max there is nothing: no finite coordinate, only NaN. The table must not be
-   * changed.
+   * changed. Files of more than 65,536 chunks have no such key, but GetChunkTable() gives the table.
    */
   static vtkInformationObjectBaseKey* CHUNK_TABLE();
 
   /**
-   * The table of CHUNK_TABLE(), after UpdateInformation; nullptr if there is no readable file.
+   * The table that CHUNK_TABLE() describes, after UpdateInformation; nullptr if there is no readable
+   * file. Made at the first call, which reads the ranges of all arrays.
    */
   vtkTable* GetChunkTable();
 

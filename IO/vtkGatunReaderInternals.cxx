@@ -89,11 +89,19 @@ void vtkGatunReader::vtkInternals::Open(const std::string& path, std::uint64_t b
   this->Close();
   this->Path = path;
   this->Signature = signature;
-  auto file = std::make_shared<gatun::SharedFile>(path, budget);
-  this->Table = gatun::MakeChunkTable(*file->GetFile());
-  this->File = std::move(file);
+  this->File = std::make_shared<gatun::SharedFile>(path, budget);
   this->PointArrays.SetArrays(NamesOf(this->GetFile(), Association::Point));
   this->CellArrays.SetArrays(NamesOf(this->GetFile(), Association::Cell));
+}
+
+//------------------------------------------------------------------------------
+vtkTable* vtkGatunReader::vtkInternals::GetTable()
+{
+  if (!this->Table && this->File)
+  {
+    this->Table = gatun::MakeChunkTable(this->GetFile());
+  }
+  return this->Table;
 }
 
 //------------------------------------------------------------------------------

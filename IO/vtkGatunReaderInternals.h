@@ -30,8 +30,6 @@ public:
   std::string Path;
   gatun::FileSignature Signature;
   std::shared_ptr<gatun::SharedFile> File;
-  vtkSmartPointer<vtkTable> Table;
-
   // Bumped when the file changed on disk, or when what was read last must not be kept.
   vtkTimeStamp FileTime;
   bool ReadAgain = false;
@@ -51,6 +49,10 @@ public:
   const gatun::FileReader& GetFile() const { return *this->File->GetFile(); }
 
   void Open(const std::string& path, std::uint64_t budget);
+
+  /** The table of chunks, made at the first call. Null if no file is open. */
+  vtkTable* GetTable();
+
   static gatun::SimplifyProperties GetProperties(const vtkGatunReader& reader);
   static bool Simplifies(const vtkGatunReader& reader);
   std::size_t CountMerges(const vtkGatunReader& reader) const;
@@ -59,6 +61,9 @@ public:
   static void Publish(gatun::PublishedFile contents, vtkInformation* outInfo);
   std::vector<std::uint32_t> ChunksOf(const vtkGatunReader& reader, std::size_t step) const;
   void MakeOutline(const gatun::PieceRequest& request, bool isEmpty, vtkUnstructuredGrid* output);
+
+private:
+  vtkSmartPointer<vtkTable> Table;
 };
 
 #endif

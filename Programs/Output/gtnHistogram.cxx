@@ -233,7 +233,7 @@ void Histogram::FindNeeds(const gatun::FileReader& file)
     std::vector<std::uint32_t> needed;
     for (const auto chunk : chunks)
     {
-      const gatun::Range& range = file.GetChunkRanges(this->Array, 0, chunk)[this->Component];
+      const gatun::Range range = file.GetChunkRanges(this->Array, 0, chunk)[this->Component];
       if (range.Min < value && value <= range.Max)
       {
         needed.push_back(chunk);

@@ -298,7 +298,7 @@ TEST(Layers, AValueIsInFewerChunks)
     {
       for (std::size_t c = 0; c < file.GetChunks().size(); ++c)
       {
-        const Range& range = file.GetChunkRanges(0, 0, c)[0];
+        const Range range = file.GetChunkRanges(0, 0, c)[0];
         tets += range.Min < value && value <= range.Max ? file.GetChunks()[c].Tets : 0;
       }
     }
@@ -360,7 +360,7 @@ TEST(Layers, TheFileTellsThem)
   LayerSpan last;
   for (std::size_t c = 0; c < layers.Chunks.size(); ++c)
   {
-    const Range& range = file.GetChunkRanges(1, 0, c)[3];
+    const Range range = file.GetChunkRanges(1, 0, c)[3];
     const LayerSpan expected{ layers.Find(range.Min), layers.Find(range.Max) };
     EXPECT_EQ(layers.Chunks[c], expected);
     EXPECT_GE(expected.First, last.First > 0 ? last.First - 1 : 0);

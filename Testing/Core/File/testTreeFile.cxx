@@ -5,6 +5,7 @@
 // merging in memory.
 
 #include "gatunCoarseLayout.h"
+#include "gatunFileImage.h"
 #include "gatunFileReaderInternals.h"
 #include "gatunPieceDecoder.h"
 #include "gatunTestTrees.h"
@@ -454,7 +455,7 @@ TEST_P(TreeFileRead, LayoutSaysWhichChunksGetPointsFromWhich)
 
 TEST_P(TreeFileRead, RangesAreThoseOfAllThatPointsAreMergedInto)
 {
-  const auto mesh = FileImage(this->File->GetPath()).Mesh;
+  const auto mesh = test::FileImage(this->File->GetPath()).Mesh;
   const auto points = static_cast<std::uint32_t>(this->File->GetNumberOfPoints());
   // The tree in other numbers, which the layout has to undo.
   std::vector<std::uint32_t> ids(points);

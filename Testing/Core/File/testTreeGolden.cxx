@@ -137,7 +137,7 @@ private:
         {
           this->Out << "step " << step << " array " << array << " ranges "
                     << this->SumRanges(
-                         [&](std::size_t chunk, std::size_t merges) -> const ArrayRanges&
+                         [&](std::size_t chunk, std::size_t merges)
                          { return this->File->GetChunkRanges(array, step, chunk, merges); })
                     << "\n";
         }
