@@ -140,18 +140,14 @@ void FileReader::Internals::CheckLastStep() const
 std::vector<Domain> FileReader::Internals::MakeDomains(std::size_t array, std::size_t step) const
 {
   const auto& description = this->Meta.Arrays[array];
-  std::vector<Domain> domains;
-  for (const auto& ref : this->GetSteps()[step].Arrays[array].Palettes)
+  std::vector<Domain> domains(description.Components, Domain(description.Type));
+  for (const auto& [component, ref] : this->GetSteps()[step].Arrays[array].Palettes)
   {
-    std::shared_ptr<const Palette> palette;
-    if (ref.Count > 0)
-    {
-      const std::string what = "the palette of array '" + description.Name + "'";
-      palette = this->File.Guarded(what, ref.Stream,
-        [&]
-        { return DecodePalette(description.Type, this->File.Read(ref.Stream, what), ref.Count); });
-    }
-    domains.emplace_back(description.Type, palette);
+    const std::string what = "the palette of array '" + description.Name + "'";
+    const auto palette = this->File.Guarded(what, ref.Stream,
+      [&, &where = ref.Stream, count = ref.Count]
+      { return DecodePalette(description.Type, this->File.Read(where, what), count); });
+    domains[component] = Domain(description.Type, palette);
   }
   return domains;
 }

@@ -308,7 +308,7 @@ void TablePages::AddBytes(FileStatistics& statistics) const
     {
       auto& bytes = statistics.ArrayBytes[a];
       bytes += step.Arrays[a].Unused.Length;
-      for (const auto& palette : step.Arrays[a].Palettes)
+      for (const auto& [component, palette] : step.Arrays[a].Palettes)
       {
         bytes += palette.Stream.Length;
       }

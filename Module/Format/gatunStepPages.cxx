@@ -48,21 +48,23 @@ Bytes WriteStepPage(
 }
 
 //------------------------------------------------------------------------------
-bool StepIndex::Array::HasPalette() const
-{
-  return std::any_of(
-    this->Palettes.begin(), this->Palettes.end(), [](const PaletteRef& p) { return p.Count > 0; });
-}
-
-//------------------------------------------------------------------------------
 StepIndex WriteStepPages(
   const StepTable& step, const MetaTable& meta, const MeshIndex& mesh, const PutPage& put)
 {
   StepIndex index{ step.Time, step.Key, step.Field, {}, {} };
   for (const auto& array : step.Arrays)
   {
-    index.Arrays.push_back(
-      { array.Palettes, array.Ranges, array.Blocks.empty() ? StreamRef() : array.Blocks.back() });
+    auto& entry = index.Arrays.emplace_back();
+    entry.Components = static_cast<std::uint32_t>(array.Palettes.size());
+    for (std::uint32_t c = 0; c < entry.Components; ++c)
+    {
+      if (array.Palettes[c].Count > 0)
+      {
+        entry.Palettes.emplace_back(c, array.Palettes[c]);
+      }
+    }
+    entry.Ranges = array.Ranges;
+    entry.Unused = array.Blocks.empty() ? StreamRef() : array.Blocks.back();
   }
   for (std::size_t page = 0; !step.Arrays.empty() && page < mesh.Pages.size(); ++page)
   {
@@ -80,9 +82,11 @@ Bytes StepIndex::Write() const
   PutStream(out, this->Field);
   for (const auto& array : this->Arrays)
   {
-    for (const auto& palette : array.Palettes)
+    auto palette = array.Palettes.begin();
+    for (std::uint32_t c = 0; c < array.Components; ++c)
     {
-      PutPalette(out, palette);
+      const bool isThere = palette != array.Palettes.end() && palette->first == c;
+      PutPalette(out, isThere ? (palette++)->second : PaletteRef());
     }
     for (const auto& range : array.Ranges)
     {
@@ -114,10 +118,14 @@ StepIndex StepIndex::Read(
     const auto ranges = GetRangeCount(description.Components);
     Check(description.Components + 16 * ranges + 1 <= in.GetRemaining(),
       "the table of a step ends too early");
-    array.Palettes.resize(description.Components);
-    for (auto& palette : array.Palettes)
+    array.Components = description.Components;
+    for (std::uint32_t c = 0; c < array.Components; ++c)
     {
-      palette = GetPalette(in);
+      const auto palette = GetPalette(in);
+      if (palette.Count > 0)
+      {
+        array.Palettes.emplace_back(c, palette);
+      }
     }
     array.Ranges.resize(ranges);
     for (auto& range : array.Ranges)

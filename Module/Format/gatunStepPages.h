@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace gatun
@@ -44,11 +45,13 @@ struct StepIndex
 {
   struct Array
   {
-    std::vector<PaletteRef> Palettes; // one for each component
+    /** Of the components that have one, ascending. An array may have many components. */
+    std::vector<std::pair<std::uint32_t, PaletteRef>> Palettes;
+    std::uint32_t Components = 1;
     ArrayRanges Ranges;
     StreamRef Unused; // values of the unused points; point arrays only
 
-    bool HasPalette() const;
+    bool HasPalette() const { return !this->Palettes.empty(); }
   };
 
   double Time = 0;

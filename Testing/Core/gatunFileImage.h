@@ -282,7 +282,11 @@ private:
       for (std::size_t a = 0; a < index.Arrays.size(); ++a)
       {
         auto& array = step.Arrays.emplace_back();
-        array.Palettes = index.Arrays[a].Palettes;
+        array.Palettes.resize(index.Arrays[a].Components);
+        for (const auto& [component, palette] : index.Arrays[a].Palettes)
+        {
+          array.Palettes[component] = palette;
+        }
         array.Ranges = index.Arrays[a].Ranges;
         for (std::size_t chunk = 0; chunk < chunks; ++chunk)
         {

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <new>
+#include <numeric>
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -44,7 +45,7 @@ void OpenWithLimit(const std::string& path)
     reader.GetStatistics(); // reads all tables
     if (!reader.GetChunks().empty())
     {
-      reader.GetNeighbors(0);
+      reader.GetNeighbors(reader.GetChunks().size() - 1);
     }
     std::cerr << "opened" << std::endl;
   }
@@ -100,26 +101,28 @@ TEST_F(HostileMemory, ManyChunksInASmallTable)
 
 TEST_F(HostileMemory, AllChunksNextToEachOther)
 {
-  for (const std::size_t count : { 1700, 9000 })
+  // Blocks of each page that all chunks from that page on share.
+  constexpr std::size_t count = 9000;
+  for (const std::size_t pages : { 1, 6 })
   {
     auto image = this->MakeChunks(count);
-    BlockEntry block;
-    block.Groups.emplace_back();
-    block.Groups[0].Points = 1;
-    for (std::uint32_t c = 0; c < count; ++c)
+    for (std::uint32_t first = 0; first < pages * ChunksPerPage; first += ChunksPerPage)
     {
-      block.Groups[0].Chunks.push_back(c);
+      BlockEntry block;
+      block.Groups.resize(1);
+      block.Groups[0].Points = 1;
+      block.Groups[0].Chunks.resize(count - first);
+      std::iota(block.Groups[0].Chunks.begin(), block.Groups[0].Chunks.end(), first);
+      block.Geometry = { 1u << 20, 1, 0 };
+      image.Mesh.Blocks.insert(image.Mesh.Blocks.end(), 100, block);
     }
-    block.Geometry = { 1u << 20, 1, 0 };
-    const std::size_t blocks = count < 5000 ? 100 : 500;
-    image.Mesh.Blocks.assign(blocks, block);
     for (auto& chunk : image.Mesh.Chunks)
     {
-      chunk.Info.Tets = 100;
+      chunk.Info.Tets = 200;
     }
-    image.Meta.Tets = 100 * count;
-    image.Meta.Points += blocks;
-    this->Open(image, count < 5000 ? "opened" : "a chunk shares points with too many others");
+    image.Meta.Tets = 200 * count;
+    image.Meta.Points += 100 * pages;
+    this->Open(image, pages == 1 ? "opened" : "a chunk shares points with too many others");
   }
 }
 
@@ -221,7 +224,7 @@ TEST_F(HostileMemory, ManyStepsWithLargeRangesAfterMerges)
   array.Chunks.assign(1, { 1u << 20, 9, 0 });
   array.Blocks.resize(1);
   image.MoreSections.push_back({ SectionTree, tree.Write(), SectionVersion, 0 });
-  for (int i = 0; i < 7; ++i)
+  for (int i = 0; i < 9; ++i)
   {
     step.Time = i;
     image.Steps.push_back(step);
