@@ -57,8 +57,7 @@ assert decoder_says(good) == "" and gtn_says("info", good) == ""
 
 
 def with_content(name, content):
-    changed = [(n, hostile.pack(content) if n == name else payload) for n, payload in sections]
-    return hostile.build(changed)
+    return hostile.build(hostile.replace_sections(sections, name, lambda _: hostile.pack(content)))
 
 
 def meta_of(size):

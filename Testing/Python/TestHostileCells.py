@@ -72,8 +72,7 @@ def with_cells(data, change):
         for number in (chunk.cells, chunk.corners, chunk.face_values, chunk.polyhedra):
             table += hostile.varint(number)
     table += hostile.varint(len(cells.shapes)) + cells.shapes
-    sections[at] = (b"CELL", hostile.pack(table))
-    return hostile.build(sections)
+    return hostile.build(hostile.replace_sections(sections, b"CELL", lambda _: hostile.pack(table)))
 
 
 def setting(**values):

@@ -199,7 +199,7 @@ class Container:
     def verify_layout(self):
         """What 11.2 asks of a program that verifies a file, but for the streams."""
         at = 16
-        for section in self._directory():
+        for section in self._directory(only_known=False):
             require(section.offset == at + 24, "gap between sections")
             require(self.data[at : at + 24] == section.header, "header of a section")
             self._payload(section)
@@ -210,7 +210,7 @@ class Container:
         )
         require(self.data[at : at + 24] == header and offset == at + 24, "header of DIRY")
 
-    def _directory(self):
+    def _directory(self, only_known=True):
         data = self.data
         require(len(data) >= 16 + 32, "too short")
         require(data[:8] == MAGIC and data[-8:] == END_MAGIC, "not a .gtn file, or truncated")
@@ -230,10 +230,10 @@ class Container:
                 header=header, name=name, length=size, checksum=check, offset=table.number("Q")
             )
             require(section.offset >= 40 and section.offset + size <= len(data), "section")
-            if name in SECTIONS and (version == 1 or (name, version) == (b"TABL", 2)):
+            known = name in SECTIONS and (version == 1 or (name, version) == (b"TABL", 2))
+            require(known or not flags & 1, "unknown mandatory section")
+            if known or not only_known:
                 sections.append(section)
-            else:
-                require(not flags & 1, "unknown mandatory section")
         table.end()
         return sections
 

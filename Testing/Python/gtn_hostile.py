@@ -4,10 +4,14 @@
 """Changes what is in a `.gtn` file and makes the checksums around it right again."""
 
 import struct
+from types import SimpleNamespace as Record
 
 import zstandard
 
-from gtn_container import MAGIC, checksum, table_limit, unpack
+from gtn_container import MAGIC, Container, checksum, table_limit, unpack
+
+
+UNKNOWN = b"ROOM"
 
 
 def sections_of(data):
@@ -32,11 +36,12 @@ def varint(number):
 
 
 def build(sections):
-    """The file of these sections. Streams keep their places if MESH and VALS do."""
+    """The file of these sections. Streams keep their places if MESH, VALS and PAGE do."""
     data = MAGIC + struct.pack("<HHI", 1, 0, 0)
     directory = varint(len(sections))
     for name, payload in sections:
-        header = struct.pack("<4sHHQQ", name, 1, 1, len(payload), checksum(payload))
+        flags = 0 if name == UNKNOWN else 1
+        header = struct.pack("<4sHHQQ", name, 1, flags, len(payload), checksum(payload))
         directory += header + struct.pack("<Q", len(data) + 24)
         data += header + payload
     data += struct.pack("<4sHHQQ", b"DIRY", 1, 1, len(directory), checksum(directory))
@@ -54,19 +59,40 @@ def pack(content):
     return varint(len(content)) + zstandard.ZstdCompressor(level=12).compress(content)
 
 
-def replace_stream(data, reference, content):
-    """The file with other bytes, as many, in a stream that TABL names. No section may move: there
-    must be no streams behind TABL."""
-    assert len(content) == reference.length
-    old, new = (struct.pack("<Q", number) for number in (reference.checksum, checksum(content)))
-    place = slice(reference.offset, reference.offset + reference.length)
-    data = data[: place.start] + content + data[place.stop :]
-    sections = sections_of(data)
-    names = [name for name, _ in sections]
-    at = names.index(b"TABL")
-    assert not {b"MESH", b"VALS"} & set(names[at:])
-    tables = content_of(sections[at][1])
-    assert tables.count(old) == 1
-    sections[at] = (b"TABL", pack(tables.replace(old, new)))
-    return build(sections)
+def reference(stream):
+    """A stream reference as tables have it."""
+    return varint(stream.length) + varint(stream.offset) + struct.pack("<Q", stream.checksum)
 
+
+def replace_sections(sections, name, change):
+    """The sections, those of a name with what change(payload) gives. These come last, and unknown
+    ones, which readers skip, take their places, so that no stream moves."""
+    kept = [(UNKNOWN if n == name else n, payload) for n, payload in sections]
+    return kept + [(n, change(payload)) for n, payload in sections if n == name]
+
+
+def replace_stream(data, stream, content):
+    """The file with other bytes, as many, in a stream that TABL or one of its pages names."""
+    assert len(content) == stream.length
+    old, new = (struct.pack("<Q", number) for number in (stream.checksum, checksum(content)))
+    data = data[: stream.offset] + content + data[stream.offset + stream.length :]
+    container = Container(data)
+    sections = sections_of(data)
+    for page in container.table.pages:
+        details = content_of(container.stream(page.details))
+        if old in details:
+            assert details.count(old) == 1
+            packed = pack(details.replace(old, new))
+            old = reference(page.details)
+            size = 16 + sum(24 + len(payload) for _, payload in sections)
+            place = Record(length=len(packed), offset=size + 24, checksum=checksum(packed))
+            new = reference(place)
+            sections.append((b"PAGE", packed))
+            break
+
+    def change(payload):
+        tables = content_of(payload)
+        assert tables.count(old) == 1
+        return pack(tables.replace(old, new))
+
+    return build(replace_sections(sections, b"TABL", change))

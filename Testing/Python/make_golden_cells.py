@@ -29,7 +29,7 @@ from gatunCells import described
 from gatunGolden import gm
 from make_golden import write
 
-MAX_BYTES, MAX_BYTES_IN_TOTAL = 30000, 320000
+MAX_BYTES, MAX_BYTES_IN_TOTAL = 30000, 350000
 ALL = {"KeepOrder": 7}
 CHUNKS = {"ChunkTets": 100}
 
