@@ -506,6 +506,7 @@ void vtkGatunWriter::WritePiece(vtkUnstructuredGrid* input)
   if (self.Surveying)
   {
     self.Pieces->Survey(cells.Grid, isFirst);
+    this->UpdateProgress((done + 1) / all);
   }
   else
   {
@@ -515,6 +516,7 @@ void vtkGatunWriter::WritePiece(vtkUnstructuredGrid* input)
         this->UpdateProgress(0.5 + (done + fraction) / all);
         return !gatun::IsAborted(this);
       });
+    this->UpdateProgress(0.5 + (done + 1) / all);
   }
   if (gatun::IsAborted(this))
   {

@@ -10,6 +10,7 @@
 #   bench.sh --cells             cells of all types, 10 minutes; writes cells-study.md
 #   bench.sh --parts             meshes larger than memory, 20 minutes; writes parts-study.md
 #   bench.sh --parallel          several processes write one file, 5 minutes; writes parallel-study.md
+#   bench.sh --scaling           tables and messages, and a model of large runs, 5 minutes; writes scaling.md
 #   bench.sh --study             the rendering study, about 40 minutes; writes rendering-study.md
 #   bench.sh --budget            the just-in-time study, 6 minutes; writes just-in-time-study.md
 #   bench.sh --simplification    the simplification study, 30 minutes; writes simplification-study.md
@@ -38,6 +39,7 @@ case ${1:-} in
   --cells) script=runCells.py ;;
   --parts) script=runParts.py ;;
   --parallel) script=runParallel.py ;;
+  --scaling) script=runScaling.py ;;
   --study) script=runStudy.py ;;
   --budget) script=runBudget.py ;;
   --simplification) script=runSimplification.py ;;

@@ -12,6 +12,8 @@ import isosurfaceReport
 import parallelReport
 import partsReport
 import renderingReport
+import scalingModel
+import scalingText
 import simplificationReport
 import speedReport
 import studyReport
@@ -115,6 +117,19 @@ def _parallel(results):
         {span([parallelReport.size_ratio(case) for case in several], ratio)} times larger."""
 
 
+def _scaling(results):
+    k = scalingModel.constants(results)
+    cells, ranks = scalingModel.CELLS[-1], scalingModel.RANKS
+    few, many = (scalingModel.predict(k, cells, count) for count in ranks[-2:])
+    opened = scalingModel.predict_opening(k.tables, many.chunks)
+    return f"""A model with measured constants, which is compared with measurements: {few.ranks:,} ranks write
+        {scalingText.power(cells)} cells in {scalingText.duration(few.seconds)}, {many.ranks:,} in
+        {scalingText.duration(many.seconds)}, of which {100 * few.efficiency:.0f} and
+        {100 * many.efficiency:.0f} % are encoding. Each rank then takes {scalingText.size(many.tables)} for
+        the tables of all chunks. To open the file takes {scalingText.size(opened.memory)} and
+        {scalingText.duration(opened.seconds)}. The page says what is in the way."""
+
+
 def _budget(results):
     shares, rays = [], []
     for mesh in results["meshes"]:
@@ -200,6 +215,7 @@ SECTIONS = (
     ("cells-study", "Cells of all types", "Sizes by part and loading", _cells),
     ("parts-study", "Meshes larger than memory", "Packing piece by piece, with little memory", _parts),
     ("parallel-study", "Several processes", "One file, its messages, memory and time", _parallel),
+    ("scaling", "Scaling", "10^9 and 10^12 cells on 1 to 10,000 ranks, by a model", _scaling),
     ("rendering-study", "Rendering", "Drawing while decompressing, after the dissertation proposal",
      _rendering),
     ("just-in-time-study", "Just-in-time rendering", "Keeping a time budget", _budget),

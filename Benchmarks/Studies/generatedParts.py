@@ -18,7 +18,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 STUDIES = ROOT / "Documentation" / "studies"
 PAGES = {"summary": "summaryReport", "benchmarks": "benchmarkReport", "speed": "speedReport",
          "cells-study": "cellsReport", "parts-study": "partsReport",
-         "parallel-study": "parallelReport",
+         "parallel-study": "parallelReport", "scaling": "scalingReport",
          "rendering-study": "studyReport", "just-in-time-study": "budgetReport",
          "simplification-study": "simplificationReport", "isosurface-study": "isosurfaceReport",
          "volume-study": "volumeReport"}

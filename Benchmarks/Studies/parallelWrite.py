@@ -2,13 +2,14 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Writes a mesh by several processes, for runParallel.py.
+"""Writes a mesh by several processes, for runParallel.py and runScaling.py.
 
     parallelWrite.py split MESH FOLDER PROCESSES compact|scattered
-    mpiexec -n PROCESSES parallelWrite.py write PROGRAMS FOLDER gtn|pvtu OUT
+    mpiexec -n PROCESSES parallelWrite.py write PROGRAMS FOLDER gtn|pvtu OUT [CHUNK]
 
 split puts a part of MESH for each process into FOLDER: halves of halves along the longest axis, or cells at
 random. write loads the parts, writes them together, and prints as JSON what each process has needed.
+CHUNK is the largest number of tetrahedra in a chunk (default: that of the writer).
 """
 
 import ctypes
@@ -95,12 +96,13 @@ def reset_peak():
         file.write("5")
 
 
-def make_writer(form, grid, controller, out):
+def make_writer(form, grid, controller, out, chunk):
     """The writer of a form, and what it knows about bytes that were sent."""
     process, processes = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
     if form == "gtn":
         from gatun import vtkGatunWriter
         writer = vtkGatunWriter()
+        writer.SetChunkTets(chunk)
     else:
         from vtkmodules.vtkIOParallelXML import vtkXMLPUnstructuredGridWriter
         writer = vtkXMLPUnstructuredGridWriter()
@@ -115,7 +117,25 @@ def make_writer(form, grid, controller, out):
     return writer
 
 
-def write(programs, folder, form, out):
+def watch(writer):
+    """The times at which a writer tells its progress, those of the processor, and that progress."""
+    events = []
+    writer.AddObserver("ProgressEvent",
+                       lambda caller, _: events.append(
+                           (time.monotonic(), time.process_time(), caller.GetProgress())))
+    return events
+
+
+def stages(events, start):
+    """The seconds of the survey of the own part, and the processor time of all that ranks do until they write
+    their parts, and of what follows behind that, with waiting for other ranks. The survey ends and the
+    writing begins with a progress of 0.5. The last two events are those of the part and of the file."""
+    surveyed, writing = [event for event in events if event[2] == 0.5][:2]
+    return {"survey": surveyed[0] - start, "agreement": writing[1] - surveyed[1],
+            "finish": events[-1][1] - events[-2][1]}
+
+
+def write(programs, folder, form, out, chunk=0):
     """Loads and writes the part of this process."""
     sys.path[:0] = [str(pathlib.Path(programs).parent / "lib/python3/dist-packages")]
     from mpi4py import MPI
@@ -129,10 +149,11 @@ def write(programs, folder, form, out):
     reader.Update()
     grid = reader.GetOutput()
     reader = None
-    writer = make_writer(form, grid, controller, out)
+    writer = make_writer(form, grid, controller, out, int(chunk))
     world.Barrier()
     reset_peak()
     before = memory("VmRSS")
+    events = watch(writer)
     world.Barrier()
     start = time.monotonic()
     succeeded = writer.Write() == 1
@@ -140,6 +161,8 @@ def write(programs, folder, form, out):
     seconds = time.monotonic() - start
     mine = {"share": grid.GetActualMemorySize() * 1024, "extra": memory("VmHWM") - before,
             "sent": writer.GetBytesSent() if form == "gtn" else 0, "succeeded": succeeded}
+    if form == "gtn":
+        mine |= {"points": grid.GetNumberOfPoints(), **stages(events, start)}
     everything = world.gather(mine, 0)
     if world.Get_rank() == 0:
         assert all(one["succeeded"] for one in everything)

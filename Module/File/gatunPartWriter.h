@@ -87,7 +87,8 @@ struct PartStatistics
  *
  * Memory: the part that the caller has; up to 3 times as much beside it with several time steps,
  * and less than it with one, whose values are encoded together with the mesh; the options'
- * SpillMemory; some 300 bytes and 50 bytes for each array and time step a chunk; up to
+ * SpillMemory; some 3 KiB and 50 bytes for each array and time step a chunk, most of it for the
+ * groups of shared points; up to
  * 512 KiB for each component and step of arrays that have few different values; and the points that
  * no cell uses, with their values. With KeepPoints also 8 bytes for each point of several parts.
  *
@@ -103,10 +104,12 @@ struct PartStatistics
  *     Finish()
  *
  * The bytes are those that one process writes. Between processes go the points on the boundaries of
- * parts, those that no cell uses with their values, and tables: 300 bytes and 50 bytes for each
- * array and time step a chunk. Each process writes into a temporary file in the spill folder, then
+ * parts, those that no cell uses with their values, and tables: some 300 bytes and 50 bytes for
+ * each array and time step a chunk to the first process, and 300 bytes a chunk, the groups of
+ * shared points, to each one. Each process writes into a temporary file in the spill folder, then
  * copies it to its place in the file, which has a temporary name until it is complete. Memory: as
- * above, three times the SpillMemory, and in the first process twice the tables of all.
+ * above, with the chunks of the whole file; three times the SpillMemory; and in the first process
+ * twice the tables of all.
  *
  * The file appears at its path when Finish returns. The bytes do not depend on the number of
  * threads. Every method may throw Error (InvalidInput, CannotWrite, Aborted), after which only the
