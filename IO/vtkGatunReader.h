@@ -377,13 +377,14 @@ public:
    *    time steps; without NaN.
    *
    * Where min > max there is nothing: no finite coordinate, only NaN. The table must not be
-   * changed. Files of more than 65,536 chunks have no such key, but GetChunkTable() gives the table.
+   * changed. Files of more than 65,536 chunks have no such key, but GetChunkTable() gives the
+   * table.
    */
   static vtkInformationObjectBaseKey* CHUNK_TABLE();
 
   /**
-   * The table that CHUNK_TABLE() describes, after UpdateInformation; nullptr if there is no readable
-   * file. Made at the first call, which reads the ranges of all arrays.
+   * The table that CHUNK_TABLE() describes, after UpdateInformation; nullptr if there is no
+   * readable file. Made at the first call, which reads the ranges of all arrays.
    */
   vtkTable* GetChunkTable();
 

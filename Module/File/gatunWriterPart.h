@@ -7,8 +7,8 @@
 #include "gatunChunkCodec.h"
 #include "gatunMeshAccess.h"
 #include "gatunMeshInput.h"
-#include "gatunPartition.h"
 #include "gatunMeshTable.h"
+#include "gatunPartition.h"
 
 #include <cstddef>
 #include <cstdint>

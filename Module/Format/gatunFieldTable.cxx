@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "gatunCompress.h"
-#include "gatunTableParts.h"
 #include "gatunMetaTable.h"
+#include "gatunTableParts.h"
 
 #include <limits>
 

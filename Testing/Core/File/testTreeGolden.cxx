@@ -136,8 +136,7 @@ private:
         if (this->File->GetArrays()[array].Where == Association::Point)
         {
           this->Out << "step " << step << " array " << array << " ranges "
-                    << this->SumRanges(
-                         [&](std::size_t chunk, std::size_t merges)
+                    << this->SumRanges([&](std::size_t chunk, std::size_t merges)
                          { return this->File->GetChunkRanges(array, step, chunk, merges); })
                     << "\n";
         }
