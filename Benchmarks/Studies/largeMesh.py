@@ -4,12 +4,12 @@
 
 """Writes a mesh of any number of tetrahedra as a .gtn file, without ever having more than a piece of it.
 
-    largeMesh.py PROGRAMS FILE CUBES PIECES
+    largeMesh.py PROGRAMS FILE CUBES PIECES [CHUNK]
 
 PROGRAMS is the folder of gtn, next to which the Python package is.
 The mesh is a box of CUBES^3 cubes of six tetrahedra each, bent and jittered, in slabs, with a field on its
-points. PIECES 1: as a whole. Prints the seconds of the writer, those of them in which pieces were made, and
-the peak memory as JSON.
+points. PIECES 1: as a whole. CHUNK: the most tetrahedra of a chunk. Prints the seconds of the writer, those of
+them in which pieces were made, and the peak memory as JSON.
 """
 
 import json
@@ -109,7 +109,7 @@ def make_source(n):
     return Source()
 
 
-def main(programs, path, cubes, pieces):
+def main(programs, path, cubes, pieces, chunk=0):
     sys.path[:0] = [str(pathlib.Path(programs).parent / "lib/python3/dist-packages")]
     from gatun import vtkGatunWriter
     start = time.monotonic()
@@ -118,6 +118,7 @@ def main(programs, path, cubes, pieces):
     writer.SetInputConnection(source.GetOutputPort())
     writer.SetFileName(path)
     writer.SetNumberOfPieces(int(pieces))
+    writer.SetChunkTets(int(chunk))
     if writer.Write() != 1:
         sys.exit(1)
     print(json.dumps({"seconds": time.monotonic() - start, "making": source.seconds,

@@ -7,6 +7,7 @@
     measureTables.py open PROGRAMS FILE     seconds and memory of opening the file by vtkGatunReader
     measureTables.py count FILE             bytes of its sections by name, with their headers
     measureTables.py groups FILE            groups of shared points
+    measureTables.py image PROGRAMS FILE OUT VIEW...  seconds and peak memory of gtn render with these options
 
 groups uses the decoder of the tests, which is slow and independent of the library. It prints nothing where
 Python has no xxhash or zstandard.
@@ -15,7 +16,9 @@ Python has no xxhash or zstandard.
 import json
 import os
 import pathlib
+import resource
 import struct
+import subprocess
 import sys
 import time
 
@@ -75,6 +78,14 @@ def count_groups(file):
             "members": sum(len(group.chunks) for group in groups)}
 
 
+def render(programs, file, out, *view):
+    start = time.monotonic()
+    subprocess.run([str(pathlib.Path(programs) / "gtn"), "render", "-q", "-f", *view, file, out], check=True)
+    return {"seconds": time.monotonic() - start,
+            "peak": resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * 1024}
+
+
 if __name__ == "__main__":
-    WHAT = {"open": open_file, "count": count_sections, "groups": count_groups}[sys.argv[1]]
+    WHAT = {"open": open_file, "count": count_sections, "groups": count_groups,
+            "image": render}[sys.argv[1]]
     print(json.dumps(WHAT(*sys.argv[2:])))

@@ -19,15 +19,21 @@ import scalingReport
 SKIPPED = 125
 
 # Tetrahedra and chunk sizes of the files that are opened; tetrahedra, ranks and chunk sizes of those that
-# several ranks write. 0: the usual chunks. Differences of the fine ones are what a chunk takes.
+# several ranks write. 0: the usual chunks. Differences of the fine ones are what a chunk takes. many: cubes
+# along an edge and pieces of a mesh in chunks of 64 tetrahedra.
 MODES = {
     "full": {"tets": 6400000, "chunks": (64, 256, 1024, 0), "rounds": 5,
-             "parallel": 2000000, "ranks": (2, 4, 8), "fine": (1024, 256), "fineRounds": 2},
+             "parallel": 2000000, "ranks": (2, 4, 8), "fine": (1024, 256), "fineRounds": 2,
+             "many": (200, 16)},
     "quick": {"tets": 640000, "chunks": (64, 256, 1024, 0), "rounds": 3,
-              "parallel": 640000, "ranks": (2, 4), "fine": (1024, 256), "fineRounds": 1},
+              "parallel": 640000, "ranks": (2, 4), "fine": (1024, 256), "fineRounds": 1,
+              "many": (50, 4)},
     "smoke": {"tets": 20000, "chunks": (64, 256, 0), "rounds": 1,
-              "parallel": 20000, "ranks": (2, 4), "fine": (256, 64), "fineRounds": 1},
+              "parallel": 20000, "ranks": (2, 4), "fine": (256, 64), "fineRounds": 1,
+              "many": (8, 2)},
 }
+LARGE = runParallel.PROGRAM.with_name("largeMesh.py")
+VIEWS = {"close": ("--zoom", "40", "--opacity", "1000"), "whole": ("--opacity", "1000")}
 TABLES = runParallel.PROGRAM.with_name("measureTables.py")
 
 
@@ -50,6 +56,21 @@ def measure_tables(runner, mode):
         file.unlink()
     mesh.unlink()
     return results
+
+
+def measure_many(runner, mode):
+    """A file of very many chunks, made in pieces: how it is opened and drawn."""
+    cubes, pieces = mode["many"]
+    file, out = runner.path("many.gtn"), runner.path("many.png")
+    runner.say("a file of many chunks")
+    runParallel.run([sys.executable, LARGE, runner.programs, file, cubes, pieces, 64])
+    info = json.loads(runner.run("gtn", "info", "--json", file))
+    result = {"chunks": info["chunks"], "tets": info["tets"], "bytes": file.stat().st_size,
+              "opened": [ask_tables("open", runner.programs, file) for _ in range(mode["rounds"])],
+              "images": {name: [ask_tables("image", runner.programs, file, out, *view)
+                                for _ in range(mode["rounds"])] for name, view in VIEWS.items()}}
+    file.unlink()
+    return result
 
 
 def is_open_mpi():
@@ -131,6 +152,7 @@ def measure(runner, options):
     results["tables"] = measure_tables(runner, mode)
     if options.before:
         results["before"] = {"machine": results["machine"], "tables": results["tables"]}
+    results["many"] = measure_many(runner, mode)
     results["ranks"] = measure_ranks(runner, mode)
     results["machine"]["loadAfter"] = os.getloadavg()
     results["seconds"] = time.monotonic() - runner.start

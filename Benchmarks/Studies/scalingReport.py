@@ -3,6 +3,8 @@
 
 """The page of the model of scalingModel.py, with what runScaling.py has measured."""
 
+from statistics import median
+
 import benchmarkText
 import scalingModel as model
 import scalingText
@@ -195,6 +197,23 @@ def _opening(results, k):
         + "\n" + table(head, rows)
 
 
+def _many(results):
+    if "many" not in results:
+        return ""
+    many = results["many"]
+    opened = median([one["seconds"] for one in many["opened"]])
+    kept = median([one["kept"] for one in many["opened"]])
+    rows = [["opening by `vtkGatunReader`", duration(opened), size(kept)]]
+    for name, label in (("close", "`gtn render`, near its center"), ("whole", "`gtn render`, the whole mesh")):
+        runs = many["images"][name]
+        rows.append([label, duration(median([one["seconds"] for one in runs])),
+                     size(median([one["peak"] for one in runs]))])
+    return "## A file of many chunks\n\n" + paragraph(f"""A lattice of {many["tets"]:,} tetrahedra in
+        {many["chunks"]:,} chunks, {size(many["bytes"])}. Its tables are those of {many["chunks"] * 262144:.2g} tetrahedra in chunks of
+        the usual size. Memory is what opening keeps, and the peak of `gtn render` with opaque values, from
+        its start to the image.""") + "\n" + table(["", "time", "memory"], rows)
+
+
 def predictions(k):
     return [model.predict(k, cells, ranks) for cells in model.CELLS for ranks in model.RANKS]
 
@@ -205,7 +224,7 @@ def page(results, plots):
              image(plots, "stages", "Stages of writing by ranks", PAGE),
              image(plots, "memory", "Memory by cells", PAGE),
              scalingText.changes(results, k), _writing(k), _messages(k), _first(k),
-             _opening(results, k), scalingText.limits(), _tables(results, k), _constants(k), _formulas(),
+             _opening(results, k), _many(results), scalingText.limits(), _tables(results, k), _constants(k), _formulas(),
              _comparison(k))
     return "\n".join(part.rstrip() + "\n" for part in parts if part)
 

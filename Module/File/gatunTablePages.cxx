@@ -72,6 +72,10 @@ TablePages::TablePages(const InputFile& file, const MetaTable& meta, const CellT
       this->Index = MeshIndex::Read(file.Read(where, MeshName), meta);
       Check(!cells || cells->Chunks.size() == this->Index.Chunks,
         "the table of cells is not that of the chunks");
+      // Each chunk has a stream. A table that claims more chunks is refused later.
+      const auto chunks = std::min<std::uint64_t>(this->Index.Chunks, file.GetSize());
+      this->Summaries.Infos.reserve(static_cast<std::size_t>(chunks));
+      this->Summaries.Lengths.reserve(static_cast<std::size_t>(chunks));
       for (const auto& page : this->Index.Pages)
       {
         this->Summaries.Add(file.Read(page.Summary, MeshName), this->Index, cells);

@@ -269,12 +269,6 @@ RayCaster::RayCaster(
 RayCaster::~RayCaster() = default;
 
 //------------------------------------------------------------------------------
-bool RayCaster::IsHidden(const Bounds& box, const Range& values) const
-{
-  return this->Self->Visibility.IsHidden(box, values);
-}
-
-//------------------------------------------------------------------------------
 /** Calls use(blocks) for the blocks of a source, as many at a time as there are threads. Skips the
  * blocks for which skips(block) returns true when their turn has come. */
 template <typename Skips, typename Use>
@@ -321,8 +315,7 @@ void RayCaster::Draw(RaySource& source, const Progress& progress)
 {
   this->Self->TakeTurns(
     source, progress,
-    [&](std::size_t block)
-    { return this->IsHidden(source.GetBounds(block), source.GetRange(block)); },
+    [&](std::size_t block) { return this->Self->Visibility.IsCovered(source.GetBounds(block)); },
     [&](const RaySource::Blocks& blocks) { this->Draw(blocks); });
 }
 

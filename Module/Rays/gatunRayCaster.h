@@ -108,9 +108,6 @@ public:
   /** Leaves out the tiles whose element is 0, also in Finish. Call this before drawing. */
   void Restrict(std::span<const std::uint8_t> tiles);
 
-  /** Whether values of a range in a box are invisible, as far as is known now. */
-  bool IsHidden(const Bounds& box, const Range& values) const;
-
   /**
    * Writes the image, except for tiles that Restrict left out: for each pixel, row by row from
    * below, red, green, blue (premultiplied by opacity) and opacity. If depth is not null, it gets

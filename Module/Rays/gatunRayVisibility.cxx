@@ -117,19 +117,14 @@ void RayVisibility::RequireFewSamples(double farthest) const
 }
 
 //------------------------------------------------------------------------------
-bool RayVisibility::IsNeverSeen(const Bounds& box, const Range& values) const
+bool RayVisibility::IsOutOfView(const Bounds& box) const
 {
-  return this->Table.IsTransparent(values) || !(box[0].Min <= box[0].Max) || this->IsCutAway(box) ||
-    this->See(box).IsOutside;
+  return !(box[0].Min <= box[0].Max) || this->IsCutAway(box) || this->See(box).IsOutside;
 }
 
 //------------------------------------------------------------------------------
-bool RayVisibility::IsHidden(const Bounds& box, const Range& values) const
+bool RayVisibility::IsCovered(const Bounds& box) const
 {
-  if (this->IsNeverSeen(box, values))
-  {
-    return true;
-  }
   const SeenBox seen = this->See(box);
   // In perspective, the distance of a sample is not smaller than its depth.
   const double nearest =
@@ -165,7 +160,9 @@ std::vector<std::size_t> RayVisibility::FindCandidates(const RaySource& source) 
   {
     const SeenBox seen = this->See(source.GetBounds(block));
     farthest = seen.IsOutside ? farthest : std::max(farthest, seen.Farthest);
-    if (!this->IsNeverSeen(source.GetBounds(block), source.GetRange(block)))
+    // The range comes last, because it may have to be read from the file.
+    if (!this->IsOutOfView(source.GetBounds(block)) &&
+      !this->Table.IsTransparent(source.GetRange(block)))
     {
       candidates.push_back({ block, seen.Nearest + seen.Farthest });
     }

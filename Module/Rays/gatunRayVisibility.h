@@ -31,8 +31,8 @@ public:
   void SetTileLimit(std::size_t tile, float limit) { this->TileLimits[tile] = limit; }
   const float* GetTileLimits() const { return this->TileLimits.data(); }
 
-  /** Whether values of a range in a box are invisible, as far as is known now. */
-  bool IsHidden(const Bounds& box, const Range& values) const;
+  /** Whether what is drawn so far hides a box, all of which would be visible otherwise. */
+  bool IsCovered(const Bounds& box) const;
 
   /** Returns the blocks of a source that may be visible, the nearest first, regardless of tile
    * limits. Throws InvalidInput if there are too many samples in front of the farthest one. */
@@ -42,8 +42,8 @@ private:
   /** Finds the depth behind which blocks need not be fetched, with a margin of a sample. */
   void LimitTiles();
 
-  /** Whether values of a range in a box are invisible, regardless of other blocks. */
-  bool IsNeverSeen(const Bounds& box, const Range& values) const;
+  /** Whether a box is invisible, whatever its values and other blocks are. */
+  bool IsOutOfView(const Bounds& box) const;
 
   /** Whether a box is entirely on the negative side of a plane, even after rounding errors. */
   bool IsCutAway(const Bounds& box) const;
