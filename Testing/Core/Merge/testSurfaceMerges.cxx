@@ -1,0 +1,570 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Surfaces are simplified: what must hold after any number of merges.
+
+#include "gatunError.h"
+#include "gatunParallel.h"
+#include "gatunSurfaceMergeBuilder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <random>
+#include <set>
+#include <string>
+
+namespace gatun::test
+{
+namespace
+{
+using Triangle = std::array<std::uint32_t, 3>;
+using Vec = std::array<double, 3>;
+
+struct Sheet
+{
+  std::vector<Vec> Points;
+  std::vector<Triangle> Triangles;
+  std::vector<double> Values;
+
+  SurfaceMergeInput GetInput() const
+  {
+    return { this->Points, this->Triangles, { { this->Values, 1 } } };
+  }
+};
+
+/** A lattice of squares, two triangles each. Columns and rows can be closed to a loop, by the same
+ * points or, with a seam, by points at the same place. */
+Sheet MakeSheet(std::uint32_t columns, std::uint32_t rows, bool isRing, bool isTube,
+  const std::function<Vec(double, double)>& place, bool hasSeams = false)
+{
+  Sheet sheet;
+  const std::uint32_t width = columns + (isRing && !hasSeams ? 0 : 1);
+  const std::uint32_t height = rows + (isTube && !hasSeams ? 0 : 1);
+  for (std::uint32_t y = 0; y < height; ++y)
+  {
+    for (std::uint32_t x = 0; x < width; ++x)
+    {
+      const double u = static_cast<double>(isRing ? x % columns : x) / columns;
+      const double v = static_cast<double>(isTube ? y % rows : y) / rows;
+      sheet.Points.push_back(place(u, v));
+      // On the two sides of a seam, the values differ.
+      sheet.Values.push_back(static_cast<double>(x) / columns + 0.3 * std::sin(5 * v));
+    }
+  }
+  for (std::uint32_t y = 0; y < rows; ++y)
+  {
+    for (std::uint32_t x = 0; x < columns; ++x)
+    {
+      const auto at = [&](std::uint32_t i, std::uint32_t j)
+      { return (y + j) % height * width + (x + i) % width; };
+      sheet.Triangles.push_back({ at(0, 0), at(1, 0), at(1, 1) });
+      sheet.Triangles.push_back({ at(0, 0), at(1, 1), at(0, 1) });
+    }
+  }
+  return sheet;
+}
+
+Vec PlaceOnTorus(double u, double v)
+{
+  const double a = 2 * std::numbers::pi * u;
+  const double b = 2 * std::numbers::pi * v;
+  const double r = 1 + 0.4 * std::cos(b) + 0.03 * std::sin(7 * a);
+  return { r * std::cos(a), r * std::sin(a), 0.4 * std::sin(b) };
+}
+
+Vec PlaceOnHill(double u, double v)
+{
+  return { u, v, u * (1 - u) * v * (1 - v) * std::sin(9 * u) * std::cos(7 * v + u) };
+}
+
+Vec PlaceOnPlane(double u, double v)
+{
+  return { 2 * u - 1, 2 * v - 1, 0.5 };
+}
+
+/** The surface of a cube of n squares a side, with the points of its faces joined or not. */
+Sheet MakeCube(std::uint32_t n, bool hasSeams)
+{
+  Sheet cube;
+  std::map<Vec, std::uint32_t> known;
+  for (unsigned face = 0; face < 6; ++face)
+  {
+    known = hasSeams ? std::map<Vec, std::uint32_t>() : known;
+    const auto at = [&](std::uint32_t i, std::uint32_t j)
+    {
+      Vec p{};
+      p[face % 3] = face < 3 ? 0 : n;
+      p[(face + 1) % 3] = face < 3 ? j : i;
+      p[(face + 2) % 3] = face < 3 ? i : j;
+      const auto [found, isNew] = known.emplace(p, static_cast<std::uint32_t>(cube.Points.size()));
+      if (isNew)
+      {
+        cube.Points.push_back(p);
+        cube.Values.push_back(hasSeams ? face : p[0]);
+      }
+      return found->second;
+    };
+    for (std::uint32_t j = 0; j < n; ++j)
+    {
+      for (std::uint32_t i = 0; i < n; ++i)
+      {
+        cube.Triangles.push_back({ at(i, j), at(i + 1, j), at(i + 1, j + 1) });
+        cube.Triangles.push_back({ at(i, j), at(i + 1, j + 1), at(i, j + 1) });
+      }
+    }
+  }
+  return cube;
+}
+
+Sheet MakeSphere(std::uint32_t n)
+{
+  Sheet sphere = MakeCube(n, false);
+  for (std::size_t i = 0; i < sphere.Points.size(); ++i)
+  {
+    Vec& p = sphere.Points[i];
+    double square = 0;
+    for (double& x : p)
+    {
+      x = 2 * x / n - 1;
+      square += x * x;
+    }
+    for (double& x : p)
+    {
+      x /= std::sqrt(square);
+    }
+    sphere.Values[i] = std::sin(3 * p[0]) * p[1];
+  }
+  return sphere;
+}
+
+std::vector<Triangle> Simplify(
+  const std::vector<Triangle>& triangles, const MergeTree& tree, std::size_t merges)
+{
+  const auto ancestors = tree.FindAncestors(merges);
+  std::vector<Triangle> left;
+  for (const Triangle& t : triangles)
+  {
+    const Triangle now{ ancestors[t[0]], ancestors[t[1]], ancestors[t[2]] };
+    if (now[0] != now[1] && now[1] != now[2] && now[2] != now[0])
+    {
+      left.push_back(now);
+    }
+  }
+  return left;
+}
+
+std::size_t CountWhole(const MergeTree& tree, std::size_t merges, const std::vector<Vec>& points)
+{
+  return CountWholeMerges(
+    tree, merges, [&](std::uint32_t a, std::uint32_t b) { return points[a] == points[b]; });
+}
+
+Vec GetNormal(const std::vector<Vec>& points, const Triangle& t)
+{
+  Vec a{};
+  Vec b{};
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    a[i] = points[t[1]][i] - points[t[0]][i];
+    b[i] = points[t[2]][i] - points[t[0]][i];
+  }
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+/** The topology of triangles whose corners are the numbers of places. */
+struct Topology
+{
+  int EulerCharacteristic = 0;
+  std::set<std::pair<Vec, Vec>> Border;
+  bool IsManifold = true; // no edge of three triangles, and only fans around points
+
+  Topology(const std::vector<Vec>& points, const std::vector<Triangle>& triangles)
+  {
+    std::map<std::pair<Vec, Vec>, int> edges;
+    std::map<Vec, std::multimap<Vec, Vec>> fans;
+    for (const Triangle& t : triangles)
+    {
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        const Vec& a = points[t[i]];
+        const Vec& b = points[t[(i + 1) % 3]];
+        const Vec& c = points[t[(i + 2) % 3]];
+        ++edges[std::minmax(a, b)];
+        fans[a].emplace(b, c);
+        fans[a].emplace(c, b);
+      }
+    }
+    for (const auto& [edge, count] : edges)
+    {
+      this->IsManifold = this->IsManifold && count <= 2;
+      if (count == 1)
+      {
+        this->Border.insert(edge);
+      }
+    }
+    for (const auto& [point, links] : fans)
+    {
+      std::set<Vec> seen{ links.begin()->first };
+      std::vector<Vec> todo{ links.begin()->first };
+      while (!todo.empty())
+      {
+        const Vec at = todo.back();
+        todo.pop_back();
+        for (auto [i, last] = links.equal_range(at); i != last; ++i)
+        {
+          if (seen.insert(i->second).second)
+          {
+            todo.push_back(i->second);
+          }
+        }
+      }
+      std::set<Vec> all;
+      for (const auto& link : links)
+      {
+        all.insert(link.first);
+      }
+      this->IsManifold = this->IsManifold && seen == all;
+    }
+    this->EulerCharacteristic = static_cast<int>(fans.size()) - static_cast<int>(edges.size()) +
+      static_cast<int>(triangles.size());
+  }
+};
+
+Sheet MakeSheet(const std::string& name)
+{
+  if (name == "Sphere")
+  {
+    return MakeSphere(8);
+  }
+  if (name == "Torus" || name == "SeamedTorus")
+  {
+    return MakeSheet(24, 12, true, true, PlaceOnTorus, name == "SeamedTorus");
+  }
+  if (name == "SeamedCube")
+  {
+    return MakeCube(6, true);
+  }
+  if (name == "Tube")
+  {
+    return MakeSheet(16, 9, true, false,
+      [](double u, double v) {
+        return Vec{ std::cos(2 * std::numbers::pi * u), std::sin(2 * std::numbers::pi * u), 3 * v };
+      });
+  }
+  if (name == "Moebius")
+  {
+    Sheet sheet = MakeSheet(20, 4, false, false,
+      [](double u, double v)
+      {
+        const double a = 2 * std::numbers::pi * u;
+        const double w = v - 0.5;
+        const double r = 1 + w * std::cos(a / 2);
+        return Vec{ r * std::cos(a), r * std::sin(a), w * std::sin(a / 2) };
+      });
+    // The last column is the first one upside down.
+    for (Triangle& t : sheet.Triangles)
+    {
+      for (auto& corner : t)
+      {
+        corner = corner % 21 == 20 ? (4 - corner / 21) * 21 : corner;
+      }
+    }
+    return sheet;
+  }
+  return MakeSheet(14, 14, false, false, PlaceOnHill);
+}
+
+class SimplifiedSurfaces : public testing::TestWithParam<const char*>
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(All, SimplifiedSurfaces,
+  testing::Values("Sphere", "Torus", "SeamedTorus", "SeamedCube", "Tube", "Moebius", "Hill"),
+  [](const auto& test) { return std::string(test.param); });
+
+TEST_P(SimplifiedSurfaces, KeepTheirTopology)
+{
+  const Sheet sheet = MakeSheet(GetParam());
+  const Topology before(sheet.Points, sheet.Triangles);
+  ASSERT_TRUE(before.IsManifold);
+  const MergeTree tree = BuildMergeTree(sheet.GetInput());
+  const std::size_t most = tree.GetMerges().size();
+  EXPECT_GT(most, sheet.Points.size() / 2);
+  for (std::size_t n = 0; n <= most; n += std::max<std::size_t>(1, most / 40))
+  {
+    const auto whole = CountWhole(tree, n, sheet.Points);
+    const Topology after(sheet.Points, Simplify(sheet.Triangles, tree, whole));
+    EXPECT_TRUE(after.IsManifold) << n;
+    EXPECT_EQ(after.EulerCharacteristic, before.EulerCharacteristic) << n;
+    // A seam that has opened is a border.
+    EXPECT_EQ(after.Border.empty(), before.Border.empty()) << n;
+    for (const auto& edge : after.Border)
+    {
+      for (const Vec& end : { edge.first, edge.second })
+      {
+        EXPECT_TRUE(std::any_of(before.Border.begin(), before.Border.end(),
+          [&](const auto& old) { return old.first == end || old.second == end; }));
+      }
+    }
+  }
+}
+
+TEST_P(SimplifiedSurfaces, AreTheSameWithAnyNumberOfThreads)
+{
+  const Sheet sheet = MakeSheet(GetParam());
+  const auto build = [&](int threads)
+  {
+    MergeTree tree;
+    WithNumberOfThreads(threads, [&] { tree = BuildMergeTree(sheet.GetInput()); });
+    return tree;
+  };
+  const MergeTree one = build(1);
+  const MergeTree four = build(4);
+  ASSERT_EQ(one.GetMerges().size(), four.GetMerges().size());
+  for (std::size_t i = 0; i < one.GetMerges().size(); ++i)
+  {
+    const Merge& a = one.GetMerges()[i];
+    const Merge& b = four.GetMerges()[i];
+    EXPECT_TRUE(a.Point == b.Point && a.Into == b.Into && a.Error == b.Error) << i;
+  }
+}
+
+TEST(SurfaceMerges, TurnNoTriangleOver)
+{
+  const Sheet hill = MakeSheet(30, 30, false, false, PlaceOnHill);
+  const MergeTree tree = BuildMergeTree(hill.GetInput());
+  for (std::size_t n = 0; n <= tree.GetMerges().size(); n += 20)
+  {
+    double area = 0;
+    for (const Triangle& t : Simplify(hill.Triangles, tree, n))
+    {
+      const double up = GetNormal(hill.Points, t)[2];
+      EXPECT_GT(up, 0) << n;
+      area += up / 2;
+    }
+    // The border is a square, and stays.
+    EXPECT_NEAR(area, 1, 1e-6) << n;
+  }
+}
+
+TEST(SurfaceMerges, OfAPlaneWithALinearFieldCostNothing)
+{
+  Sheet plane = MakeSheet(12, 12, false, false, PlaceOnPlane);
+  for (std::size_t i = 0; i < plane.Points.size(); ++i)
+  {
+    plane.Values[i] = 3 * plane.Points[i][0] - plane.Points[i][1];
+  }
+  const MergeTree tree = BuildMergeTree(plane.GetInput());
+  const std::size_t most = plane.Points.size() - 4;
+  ASSERT_GE(tree.GetMerges().size(), most);
+  EXPECT_LT(tree.GetLargestError(most), 1e-6);
+  EXPECT_EQ(Simplify(plane.Triangles, tree, most).size(), 2);
+}
+
+TEST(SurfaceMerges, KeepTheEdgesOfACube)
+{
+  for (const bool hasSeams : { false, true })
+  {
+    const Sheet cube = MakeCube(6, hasSeams);
+    const MergeTree tree = BuildMergeTree(cube.GetInput());
+    const std::size_t merges = CountWhole(tree, tree.CountMergesForError(1e-6), cube.Points);
+    const auto left = Simplify(cube.Triangles, tree, merges);
+    EXPECT_EQ(left.size(), 12) << hasSeams;
+    EXPECT_EQ(cube.Points.size() - merges, hasSeams ? 24 : 8);
+  }
+}
+
+TEST(SurfaceMerges, KeepTheBendOfAField)
+{
+  Sheet plane = MakeSheet(16, 16, false, false, PlaceOnPlane);
+  for (std::size_t i = 0; i < plane.Points.size(); ++i)
+  {
+    plane.Values[i] = std::abs(plane.Points[i][0]);
+  }
+  const MergeTree tree = BuildMergeTree(plane.GetInput());
+  const auto ancestors = tree.FindAncestors(tree.CountMergesForError(1e-6));
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < ancestors.size(); ++i)
+  {
+    const Vec& p = plane.Points[i];
+    left += ancestors[i] == i ? 1 : 0;
+    EXPECT_TRUE(ancestors[i] != i || p[0] == 0 || std::abs(p[0]) == 1) << i;
+  }
+  EXPECT_EQ(left, 6);
+}
+
+TEST(SurfaceMerges, ErrorsAreThoseOfTheShapeAndTheField)
+{
+  // The farther, the larger: by the mean square distance of a sphere's middles from its center.
+  const Sheet sphere = MakeSphere(20);
+  SurfaceMergeInput input{ sphere.Points, sphere.Triangles, {} };
+  const MergeTree tree = BuildMergeTree(input);
+  for (const double error : { 1e-3, 3e-3, 1e-2 })
+  {
+    const auto merges = tree.CountMergesForError(error);
+    double squares = 0;
+    double area = 0;
+    for (const Triangle& t : Simplify(sphere.Triangles, tree, merges))
+    {
+      double square = 0;
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        const double x =
+          (sphere.Points[t[0]][i] + sphere.Points[t[1]][i] + sphere.Points[t[2]][i]) / 3;
+        square += x * x;
+      }
+      const Vec n = GetNormal(sphere.Points, t);
+      const double weight = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+      squares += weight * (1 - std::sqrt(square)) * (1 - std::sqrt(square));
+      area += weight;
+    }
+    const double measured = std::sqrt(squares / area) / std::sqrt(12.0);
+    EXPECT_LT(measured, 2 * error);
+    EXPECT_GT(measured, error / 10);
+  }
+}
+
+TEST(SurfaceMerges, KeepWhatIsMarked)
+{
+  const Sheet hill = MakeSheet(10, 10, false, false, PlaceOnHill);
+  std::vector<std::uint8_t> isKept(hill.Points.size(), 0);
+  isKept[37] = isKept[60] = 1;
+  SurfaceMergeInput input = hill.GetInput();
+  input.IsKept = isKept;
+  SurfaceMergeSettings settings;
+  settings.KeepBorder = true;
+  const MergeTree tree = BuildMergeTree(input, settings);
+  EXPECT_GT(tree.GetMerges().size(), 60);
+  for (const Merge& merge : tree.GetMerges())
+  {
+    const std::uint32_t x = merge.Point % 11;
+    const std::uint32_t y = merge.Point / 11;
+    EXPECT_TRUE(x > 0 && x < 10 && y > 0 && y < 10 && isKept[merge.Point] == 0) << merge.Point;
+  }
+}
+
+TEST(SurfaceMerges, KeepWhatIsNoManifold)
+{
+  // Three sheets at one edge, a triangle that is there twice, some without an area, and points
+  // without a triangle or without a place.
+  Sheet sheet = MakeSheet(8, 8, false, false, PlaceOnHill);
+  const auto add = [&](const Vec& p)
+  {
+    sheet.Points.push_back(p);
+    sheet.Values.push_back(0);
+    return static_cast<std::uint32_t>(sheet.Points.size() - 1);
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::uint32_t fin = add({ 0.5, 0.5, 1 });
+  const std::uint32_t alone = add({ 0.3, 0.3, 0.3 });
+  const std::uint32_t lost = add({ nan, 0, 0 });
+  const std::uint32_t far = add({ std::numeric_limits<double>::infinity(), 0, 0 });
+  sheet.Triangles.push_back({ 40, 41, fin });
+  sheet.Triangles.push_back({ 0, 1, lost });
+  sheet.Triangles.push_back({ 70, 71, far });
+  sheet.Triangles.push_back(sheet.Triangles[20]);
+  sheet.Triangles.push_back({ 50, 50, 51 });
+  std::set<std::uint32_t> kept{ 40, 41, alone, lost, far, 50, 51 };
+  kept.insert(sheet.Triangles[20].begin(), sheet.Triangles[20].end());
+  const MergeTree tree = BuildMergeTree(sheet.GetInput());
+  EXPECT_GT(tree.GetMerges().size(), 10);
+  for (const Merge& merge : tree.GetMerges())
+  {
+    EXPECT_EQ(kept.count(merge.Point), 0) << merge.Point;
+  }
+}
+
+TEST(SurfaceMerges, OfAnyTrianglesAreValid)
+{
+  std::mt19937 random(5);
+  for (int round = 0; round < 60; ++round)
+  {
+    Sheet soup;
+    const std::uint32_t points = 4 + random() % 40;
+    for (std::uint32_t i = 0; i < points; ++i)
+    {
+      const auto coordinate = [&]
+      {
+        const auto kind = random() % 40;
+        return kind == 0 ? std::numeric_limits<double>::quiet_NaN()
+          : kind == 1    ? std::numeric_limits<double>::max()
+                         : static_cast<double>(random() % 4);
+      };
+      soup.Points.push_back({ coordinate(), coordinate(), coordinate() });
+      soup.Values.push_back(random() % 30 == 0 ? std::nan("") : static_cast<double>(random() % 9));
+    }
+    for (std::uint32_t i = random() % 120; i > 0; --i)
+    {
+      soup.Triangles.push_back({ static_cast<std::uint32_t>(random() % points),
+        static_cast<std::uint32_t>(random() % points),
+        static_cast<std::uint32_t>(random() % points) });
+    }
+    // The tree checks that points exist when they are merged.
+    const MergeTree tree = BuildMergeTree(soup.GetInput());
+    for (const Merge& merge : tree.GetMerges())
+    {
+      EXPECT_TRUE(std::isfinite(soup.Points[merge.Point][0] + soup.Values[merge.Point]));
+    }
+  }
+}
+
+TEST(SurfaceMerges, ManyTrianglesAroundAPoint)
+{
+  // A cone whose apex has all triangles.
+  Sheet cone;
+  constexpr std::uint32_t count = 3000;
+  cone.Points.push_back({ 0, 0, 1 });
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    const double a = 2 * std::numbers::pi * i / count;
+    cone.Points.push_back({ std::cos(a), std::sin(a), 0 });
+    cone.Triangles.push_back({ 0, 1 + i, 1 + (i + 1) % count });
+  }
+  SurfaceMergeInput input{ cone.Points, cone.Triangles, {} };
+  const MergeTree tree = BuildMergeTree(input);
+  EXPECT_GT(tree.GetMerges().size(), count / 2);
+}
+
+TEST(SurfaceMerges, RefuseInputThatDoesNotFit)
+{
+  const Sheet hill = MakeSheet(3, 3, false, false, PlaceOnHill);
+  const auto refuses = [](const SurfaceMergeInput& input, const SurfaceMergeSettings& settings = {})
+  {
+    try
+    {
+      BuildMergeTree(input, settings);
+    }
+    catch (const Error& error)
+    {
+      return error.Code == ErrorCode::InvalidInput;
+    }
+    return false;
+  };
+  EXPECT_FALSE(refuses(hill.GetInput()));
+  Sheet wrong = hill;
+  wrong.Triangles[3][1] = 16;
+  EXPECT_TRUE(refuses(wrong.GetInput()));
+  wrong = hill;
+  wrong.Values.pop_back();
+  EXPECT_TRUE(refuses(wrong.GetInput()));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(refuses(hill.GetInput(), { 1.5, 30, false }));
+  EXPECT_TRUE(refuses(hill.GetInput(), { nan, 30, false }));
+  EXPECT_TRUE(refuses(hill.GetInput(), { 0.5, 190, false }));
+  EXPECT_TRUE(refuses(hill.GetInput(), { 0.5, nan, false }));
+  EXPECT_TRUE(BuildMergeTree(SurfaceMergeInput{}).GetMerges().empty());
+}
+
+TEST(SurfaceMerges, StopWhenAskedTo)
+{
+  const Sheet hill = MakeSheet(20, 20, false, false, PlaceOnHill);
+  EXPECT_THROW(BuildMergeTree(hill.GetInput(), {}, [](double) { return false; }), Error);
+}
+}
+}
