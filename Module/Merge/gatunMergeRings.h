@@ -76,6 +76,9 @@ public:
     }
   }
 
+  /** Loads what there is of the corners of these cells. Here, nothing. */
+  void PrefetchCorners(std::uint32_t) const {}
+
   /** Merges a point into a neighbor. */
   void Merge(std::uint32_t point, std::uint32_t into);
 

@@ -40,7 +40,7 @@ std::vector<std::unique_ptr<CostsType>> MakeMergeWorkers(const Arguments&... arg
  * round. Costs are only found between the merges of two rounds, by all threads, so that the result
  * does not depend on their number.
  *
- * The mesh has the rings of MergeRings. Costs has Choose and MayMerge, as MergeCosts does, and
+ * The mesh has the rings and the functions of MergeRings. Costs has Choose and MayMerge, as MergeCosts does, and
  * MostChanges: after so many changes around it, the cost of a point is found anew. Later is faster,
  * but merges that have become cheaper wait. The errors of merges are the roots of the sums of the
  * changes, divided by ChangePerError.
@@ -123,8 +123,10 @@ private:
     {
       for (auto i = first; i < last; ++i)
       {
-        this->Mesh.PrefetchRing(points[std::min(i + 2, last - 1)]);
-        this->Mesh.PrefetchCells(points[std::min(i + 1, last - 1)]);
+        this->Mesh.PrefetchRing(points[std::min(i + 3, last - 1)]);
+        __builtin_prefetch(&this->Candidates[points[std::min(i + 3, last - 1)]]);
+        this->Mesh.PrefetchCells(points[std::min(i + 2, last - 1)]);
+        this->Mesh.PrefetchCorners(points[std::min(i + 1, last - 1)]);
         body(costs, points[i]);
       }
     };

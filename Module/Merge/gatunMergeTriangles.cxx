@@ -55,10 +55,10 @@ MergeTriangles::MergeTriangles(
   const SurfaceMergeInput& input, MergePlaces&& places, bool keepBorder)
   : MergeRings(places.First.size() - 1, places.Cells)
   , Places(std::move(places))
-  , HasSeams(this->Places.First.size() - 1 < input.Points.size())
+  , Seams(this->Places.First.size() - 1 < input.Points.size())
   , IsKept(this->GetNumberOfPlaces(), Free)
 {
-  if (this->HasSeams)
+  if (this->Seams)
   {
     this->Corners.assign(input.Cells.begin(), input.Cells.end());
   }
@@ -195,7 +195,7 @@ std::span<const MergeTriangles::Pair> MergeTriangles::Merge(std::uint32_t place,
 {
   this->Pairs.clear();
   const std::uint32_t first = this->GetFirstPoint(place);
-  if (!this->HasSeams)
+  if (!this->Seams)
   {
     this->Pairs.push_back({ first, this->GetFirstPoint(into) });
     this->MergeRings::Merge(place, into);

@@ -43,17 +43,23 @@ public:
 
   std::size_t GetNumberOfPlaces() const { return this->GetNumberOfPoints(); }
 
+  /** Whether any place has more than one point. */
+  bool HasSeams() const { return this->Seams; }
+
   /** Returns the first point of a place, and of the one after the last place. */
-  std::uint32_t GetFirstPoint(std::uint32_t place) const { return this->Places.First[place]; }
+  std::uint32_t GetFirstPoint(std::uint32_t place) const
+  {
+    return this->Seams ? this->Places.First[place] : place;
+  }
   std::uint32_t CountPoints(std::uint32_t place) const
   {
-    return this->Places.First[place + 1] - this->Places.First[place];
+    return this->GetFirstPoint(place + 1) - this->GetFirstPoint(place);
   }
 
   /** Returns the point at a corner of a triangle. */
   std::uint32_t GetPoint(std::uint32_t cell, unsigned corner) const
   {
-    return this->HasSeams ? this->Corners[cell][corner] : this->GetCell(cell)[corner];
+    return this->Seams ? this->Corners[cell][corner] : this->GetCell(cell)[corner];
   }
 
   /** Whether a place is to be kept: the triangles around it are not one fan, or a point of it is
@@ -90,7 +96,7 @@ private:
   Fan FindFan(std::uint32_t place) const;
 
   MergePlaces Places;
-  bool HasSeams;
+  bool Seams;
   LargeArray<Cell> Corners; // points of each cell, if there are seams
   std::vector<std::uint8_t> IsKept;
   std::vector<Pair> Pairs;

@@ -20,6 +20,13 @@ constexpr double LargestTurn = 0.5;
 /** New triangles must not be thinner than this part of their longest edge, unless they were. */
 constexpr double Thinnest = 1e-3;
 
+/** Places with more points than this, which few surfaces have, are not merged: it would take memory
+ * with the square of their number. */
+constexpr std::size_t MostSides = 64;
+
+/** So many neighbors are searched one by one. */
+constexpr std::size_t ShortList = 12;
+
 /** Where all is alike, short edges come first: their length counts as a distance of this part of
  * it, squared. */
 constexpr double LengthWeight = 1e-6;
@@ -28,7 +35,7 @@ constexpr double LengthWeight = 1e-6;
 //------------------------------------------------------------------------------
 void MergeSurface::Merge(std::uint32_t place, std::uint32_t into)
 {
-  const auto offset = this->Quadrics.GetPosition(into) - this->Quadrics.GetPosition(place);
+  const auto offset = this->GetPosition(into) - this->GetPosition(place);
   for (const Pair& pair : this->MergeTriangles::Merge(place, into))
   {
     this->Quadrics.Add(pair[0], pair[1], offset);
@@ -37,18 +44,45 @@ void MergeSurface::Merge(std::uint32_t place, std::uint32_t into)
 }
 
 //------------------------------------------------------------------------------
+void SurfaceCosts::MarkNeighbors()
+{
+  for (std::uint32_t i = 0; i < this->Neighbors.size(); ++i)
+  {
+    this->Marks[this->Neighbors[i].Place] = i + 1;
+  }
+}
+
+//------------------------------------------------------------------------------
 std::uint32_t SurfaceCosts::FindNeighbor(std::uint32_t place)
 {
-  std::uint32_t& mark = this->Marks[place];
-  if (mark == 0)
+  const auto add = [&]
   {
-    const Vec offset =
-      this->Mesh.Quadrics.GetPosition(place) - this->Mesh.Quadrics.GetPosition(this->Place);
+    const Vec offset = this->Mesh.GetPosition(place) - this->Mesh.GetPosition(this->Place);
     this->Neighbors.push_back({ place, 0, offset, Never, 0 });
-    mark = static_cast<std::uint32_t>(this->Neighbors.size());
+    return static_cast<std::uint32_t>(this->Neighbors.size());
+  };
+  // Marks of points all over the mesh are slower than a short list.
+  std::uint32_t number = 0;
+  if (this->Neighbors.size() <= ShortList)
+  {
+    while (number < this->Neighbors.size() && this->Neighbors[number].Place != place)
+    {
+      ++number;
+    }
+    number = number < this->Neighbors.size() ? number + 1 : add();
+    if (number > ShortList)
+    {
+      this->MarkNeighbors();
+    }
   }
-  ++this->Neighbors[mark - 1].Triangles;
-  return mark - 1;
+  else
+  {
+    std::uint32_t& mark = this->Marks[place];
+    mark = mark == 0 ? add() : mark;
+    number = mark;
+  }
+  ++this->Neighbors[number - 1].Triangles;
+  return number - 1;
 }
 
 //------------------------------------------------------------------------------
@@ -64,7 +98,6 @@ void SurfaceCosts::Gather(std::uint32_t place)
   this->Place = place;
   this->Neighbors.clear();
   this->Triangles.clear();
-  this->Sides.clear();
   const auto ring = this->Mesh.GetRing(place);
   for (const auto cell : ring)
   {
@@ -74,28 +107,58 @@ void SurfaceCosts::Gather(std::uint32_t place)
     const std::uint32_t b = this->FindNeighbor(corners[(at + 2) % 3]);
     this->Triangles.push_back(
       { a, b, glm::cross(this->Neighbors[a].Offset, this->Neighbors[b].Offset) });
-    const std::uint32_t side = this->Mesh.GetPoint(cell, at);
+  }
+  this->FindTargets();
+  this->IsOnBorder = false;
+  for (const Neighbor& neighbor : this->Neighbors)
+  {
+    if (this->Neighbors.size() > ShortList)
+    {
+      this->Marks[neighbor.Place] = 0;
+    }
+    this->IsOnBorder = this->IsOnBorder || neighbor.Triangles == 1;
+  }
+}
+
+//------------------------------------------------------------------------------
+/** For each point of the place and each neighbor, the point there that it can be merged into. */
+void SurfaceCosts::FindTargets()
+{
+  this->Sides.clear();
+  this->Targets.clear();
+  if (!this->Mesh.HasSeams())
+  {
+    this->Sides.push_back(this->Mesh.GetFirstPoint(this->Place));
+    for (const Neighbor& neighbor : this->Neighbors)
+    {
+      this->Targets.push_back(this->Mesh.GetFirstPoint(neighbor.Place));
+    }
+    return;
+  }
+  const auto ring = this->Mesh.GetRing(this->Place);
+  const auto getCorner = [&](std::size_t i)
+  { return MergeTriangles::FindKnownCorner(this->Mesh.GetCell(ring[i]), this->Place); };
+  for (std::size_t i = 0; i < ring.size(); ++i)
+  {
+    const std::uint32_t side = this->Mesh.GetPoint(ring[i], getCorner(i));
     if (std::find(this->Sides.begin(), this->Sides.end(), side) == this->Sides.end())
     {
       this->Sides.push_back(side);
+      if (this->Sides.size() > MostSides)
+      {
+        return;
+      }
     }
   }
   this->Targets.assign(this->Neighbors.size() * this->Sides.size(), None);
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
-    const auto& corners = this->Mesh.GetCell(ring[i]);
-    const unsigned at = MergeTriangles::FindKnownCorner(corners, place);
+    const unsigned at = getCorner(i);
     const auto side = static_cast<std::uint32_t>(
       std::find(this->Sides.begin(), this->Sides.end(), this->Mesh.GetPoint(ring[i], at)) -
       this->Sides.begin());
     this->SetTarget(this->Triangles[i].First, side, this->Mesh.GetPoint(ring[i], (at + 1) % 3));
     this->SetTarget(this->Triangles[i].Second, side, this->Mesh.GetPoint(ring[i], (at + 2) % 3));
-  }
-  this->IsOnBorder = false;
-  for (const Neighbor& neighbor : this->Neighbors)
-  {
-    this->Marks[neighbor.Place] = 0;
-    this->IsOnBorder = this->IsOnBorder || neighbor.Triangles == 1;
   }
 }
 
@@ -161,6 +224,10 @@ MergeChoice SurfaceCosts::Choose(
   std::uint32_t place, std::uint32_t /*tryFirst*/, bool checkTopology)
 {
   this->Gather(place);
+  if (this->Sides.size() > MostSides)
+  {
+    return {};
+  }
   for (std::size_t i = 0; i < this->Neighbors.size(); ++i)
   {
     this->FindCost(i);

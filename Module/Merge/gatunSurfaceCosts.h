@@ -25,6 +25,31 @@ public:
   {
   }
 
+  /** Returns the position of a place, relative to the diagonal of the mesh. */
+  SurfaceQuadrics::Vec GetPosition(std::uint32_t place) const
+  {
+    return this->Quadrics.GetPosition(this->GetFirstPoint(place));
+  }
+
+  /** Loads what Choose reads first into the cache of the processor. */
+  void PrefetchRing(std::uint32_t place) const
+  {
+    this->MergeTriangles::PrefetchRing(place);
+    this->Quadrics.Prefetch(this->GetFirstPoint(place));
+  }
+
+  /** Loads the points of the triangles around a place, which must be in the cache. */
+  void PrefetchCorners(std::uint32_t place) const
+  {
+    for (const auto cell : this->GetRing(place))
+    {
+      for (const auto corner : this->GetCell(cell))
+      {
+        this->Quadrics.PrefetchSpot(this->GetFirstPoint(corner));
+      }
+    }
+  }
+
   /** Merges all points of a place into those of a neighbor. */
   void Merge(std::uint32_t place, std::uint32_t into);
 
@@ -82,7 +107,9 @@ private:
   };
 
   void Gather(std::uint32_t place);
+  void MarkNeighbors();
   std::uint32_t FindNeighbor(std::uint32_t place);
+  void FindTargets();
   void SetTarget(std::uint32_t neighbor, std::uint32_t side, std::uint32_t point);
   void FindCost(std::size_t neighbor);
   bool ShareOppositeEdge(std::uint32_t place, std::uint32_t into, bool isOfBorder) const;

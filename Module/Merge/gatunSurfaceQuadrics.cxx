@@ -57,40 +57,47 @@ SurfaceQuadrics::SurfaceQuadrics(
   const MergeTriangles& mesh, const SurfaceMergeInput& input, const SurfaceMergeSettings& settings)
   : Fields(input.Fields.size())
   , Stride(Slopes + 4 * this->Fields)
-  , Positions(mesh.GetNumberOfPlaces())
-  , Values(input.Points.size() * this->Fields)
+  , Spots(input.Points.size() * (3 + this->Fields))
   , Sums(input.Points.size() * this->Stride, 0.0)
 {
   // Twice, so that halves of both are as much as one of them.
   const double fieldWeight = 2 * (1 - settings.ShapeWeight);
   const double shapeWeight = this->Fields > 0 ? 2 * settings.ShapeWeight * DistanceWeight : 1;
-  this->FindPositions(mesh, input);
+  this->FindPositions(input);
   this->FindValues(input, fieldWeight);
   this->AddTriangles(mesh, shapeWeight);
   this->AddEdges(mesh, shapeWeight, settings.FeatureAngle);
 }
 
 //------------------------------------------------------------------------------
-void SurfaceQuadrics::FindPositions(const MergeTriangles& mesh, const SurfaceMergeInput& input)
+void SurfaceQuadrics::FindPositions(const SurfaceMergeInput& input)
 {
   Bounds box;
-  for (std::uint32_t place = 0; place < mesh.GetNumberOfPlaces(); ++place)
+  const auto include = [&](std::uint32_t point)
   {
-    const auto& point = input.Points[mesh.GetFirstPoint(place)];
-    for (std::size_t axis = 0; axis < 3 && !mesh.GetRing(place).empty(); ++axis)
+    for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      if (std::isfinite(point[axis]))
+      const double x = input.Points[point][axis];
+      if (std::isfinite(x))
       {
-        box[axis].Include(point[axis]);
+        box[axis].Include(x);
       }
     }
+  };
+  for (const auto& cell : input.Cells)
+  {
+    std::for_each(cell.begin(), cell.end(), include);
   }
   const Vec low(box[0].Min, box[1].Min, box[2].Min);
   const double diagonal = glm::length(Vec(box[0].Max, box[1].Max, box[2].Max) - low);
   const double scale = diagonal > 0 && std::isfinite(diagonal) ? 1 / diagonal : 0;
-  for (std::uint32_t place = 0; place < mesh.GetNumberOfPlaces(); ++place)
+  for (std::size_t point = 0; point < input.Points.size(); ++point)
   {
-    this->Positions[place] = scale * (ToVector(input.Points[mesh.GetFirstPoint(place)]) - low);
+    const Vec place = scale * (ToVector(input.Points[point]) - low);
+    double* const spot = this->Spots.data() + point * (3 + this->Fields);
+    spot[0] = place.x;
+    spot[1] = place.y;
+    spot[2] = place.z;
   }
 }
 
@@ -104,7 +111,7 @@ void SurfaceQuadrics::FindValues(const SurfaceMergeInput& input, double weight)
     const auto& values = input.Fields[f].Values;
     for (std::size_t point = 0; point < values.size(); ++point)
     {
-      this->Values[point * this->Fields + f] = root * scales[f] * values[point];
+      this->Spots[point * (3 + this->Fields) + 3 + f] = root * scales[f] * values[point];
     }
   }
 }
@@ -124,9 +131,9 @@ void SurfaceQuadrics::AddTriangles(const MergeTriangles& mesh, double shapeWeigh
     const auto& c = mesh.GetCell(cell);
     if (c[0] != MergeTriangles::None)
     {
-      const Vec& origin = this->Positions[c[0]];
+      const Vec origin = this->GetPlace(mesh, c[0]);
       const double twice =
-        glm::length(glm::cross(this->Positions[c[1]] - origin, this->Positions[c[2]] - origin));
+        glm::length(glm::cross(this->GetPlace(mesh, c[1]) - origin, this->GetPlace(mesh, c[2]) - origin));
       area += std::isfinite(twice) ? twice / 2 : 0;
     }
   }
@@ -139,9 +146,9 @@ void SurfaceQuadrics::AddTriangles(const MergeTriangles& mesh, double shapeWeigh
     {
       continue;
     }
-    const Vec& origin = this->Positions[c[0]];
-    const Vec a = this->Positions[c[1]] - origin;
-    const Vec b = this->Positions[c[2]] - origin;
+    const Vec origin = this->GetPlace(mesh, c[0]);
+    const Vec a = this->GetPlace(mesh, c[1]) - origin;
+    const Vec b = this->GetPlace(mesh, c[2]) - origin;
     const Vec cross = glm::cross(a, b);
     const double twice = glm::length(cross);
     const double longest = std::max({ glm::dot(a, a), glm::dot(b, b), glm::dot(b - a, b - a) });
@@ -151,9 +158,9 @@ void SurfaceQuadrics::AddTriangles(const MergeTriangles& mesh, double shapeWeigh
     }
     const Vec normal = cross / twice;
     const double weight = twice / 6 * this->PerArea; // a third for each corner
-    const double* const v0 = this->Values.data() + mesh.GetPoint(cell, 0) * this->Fields;
-    const double* const v1 = this->Values.data() + mesh.GetPoint(cell, 1) * this->Fields;
-    const double* const v2 = this->Values.data() + mesh.GetPoint(cell, 2) * this->Fields;
+    const double* const v0 = this->GetValues(mesh.GetPoint(cell, 0));
+    const double* const v1 = this->GetValues(mesh.GetPoint(cell, 1));
+    const double* const v2 = this->GetValues(mesh.GetPoint(cell, 2));
     const bool hasSlopes = !(twice < Thinnest * longest);
     for (std::size_t f = 0; f < this->Fields; ++f)
     {
@@ -197,7 +204,7 @@ void SurfaceQuadrics::AddEdges(const MergeTriangles& mesh, double shapeWeight, d
   {
     const auto& c = mesh.GetCell(cell);
     const Vec n = glm::cross(
-      this->Positions[c[1]] - this->Positions[c[0]], this->Positions[c[2]] - this->Positions[c[0]]);
+      this->GetPlace(mesh, c[1]) - this->GetPlace(mesh, c[0]), this->GetPlace(mesh, c[2]) - this->GetPlace(mesh, c[0]));
     const double length = glm::length(n);
     return length > 0 ? n / length : Vec(0);
   };
@@ -245,7 +252,7 @@ void SurfaceQuadrics::AddEdges(const MergeTriangles& mesh, double shapeWeight, d
       for (; weight > 0 && i < next; ++i)
       {
         const Edge& e = edges[i];
-        const Vec along = this->Positions[e.Other] - this->Positions[place];
+        const Vec along = this->GetPlace(mesh, e.Other) - this->GetPlace(mesh, place);
         const double length = glm::length(along);
         const Vec normal = glm::cross(along, getNormal(e.Cell)) / length;
         if (length > 0 && std::isfinite(length))
@@ -265,8 +272,8 @@ double SurfaceQuadrics::GetError(std::uint32_t point, std::uint32_t into, const 
   const double* const sums = this->At(point);
   double error =
     glm::dot(Multiply(sums, offset) + 2.0 * Load(sums + Mixed), offset) + sums[Constant];
-  const double* const from = this->Values.data() + point * this->Fields;
-  const double* const to = this->Values.data() + into * this->Fields;
+  const double* const from = this->GetValues(point);
+  const double* const to = this->GetValues(into);
   double squares = 0;
   for (std::size_t f = 0; f < this->Fields; ++f)
   {
@@ -289,8 +296,7 @@ void SurfaceQuadrics::Add(std::uint32_t point, std::uint32_t into, const Vec& of
   for (std::size_t f = 0; f < this->Fields; ++f)
   {
     double* const slope = from + Slopes + 4 * f;
-    const double step =
-      this->Values[into * this->Fields + f] - this->Values[point * this->Fields + f];
+    const double step = this->GetValues(into)[f] - this->GetValues(point)[f];
     mixed -= step * Load(slope);
     slope[3] += glm::dot(Load(slope), offset) - step * from[Weight];
   }

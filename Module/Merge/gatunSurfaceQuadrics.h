@@ -37,7 +37,12 @@ public:
   SurfaceQuadrics(const MergeTriangles& mesh, const SurfaceMergeInput& input,
     const SurfaceMergeSettings& settings);
 
-  const Vec& GetPosition(std::uint32_t place) const { return this->Positions[place]; }
+  /** Returns the position of a point, relative to the diagonal. */
+  Vec GetPosition(std::uint32_t point) const
+  {
+    const double* const spot = this->GetSpot(point);
+    return { spot[0], spot[1], spot[2] };
+  }
 
   /** The weighted square error of a point after it has been merged into another one, at the other
    * end of an edge. */
@@ -51,6 +56,7 @@ public:
     __builtin_prefetch(this->At(point));
     __builtin_prefetch(this->At(point) + 8);
   }
+  void PrefetchSpot(std::uint32_t point) const { __builtin_prefetch(this->GetSpot(point)); }
 
   /** Adds the quadric of a point to that of another one. */
   void Add(std::uint32_t point, std::uint32_t into, const Vec& offset);
@@ -69,7 +75,16 @@ private:
 
   double* At(std::uint32_t point) { return this->Sums.data() + point * this->Stride; }
   const double* At(std::uint32_t point) const { return this->Sums.data() + point * this->Stride; }
-  void FindPositions(const MergeTriangles& mesh, const SurfaceMergeInput& input);
+  const double* GetSpot(std::uint32_t point) const
+  {
+    return this->Spots.data() + point * (3 + this->Fields);
+  }
+  Vec GetPlace(const MergeTriangles& mesh, std::uint32_t place) const
+  {
+    return this->GetPosition(mesh.GetFirstPoint(place));
+  }
+  const double* GetValues(std::uint32_t point) const { return this->GetSpot(point) + 3; }
+  void FindPositions(const SurfaceMergeInput& input);
   void FindValues(const SurfaceMergeInput& input, double weight);
   void AddTriangles(const MergeTriangles& mesh, double shapeWeight);
   void AddEdges(const MergeTriangles& mesh, double shapeWeight, double featureAngle);
@@ -78,9 +93,8 @@ private:
   std::size_t Fields;
   std::size_t Stride;
   double PerArea = 0;
-  LargeArray<Vec> Positions; // of each place, relative to the diagonal
-  LargeArray<double> Values; // of each point, relative to the ranges
-  LargeArray<double> Sums;   // of each point
+  LargeArray<double> Spots; // position and values of each point
+  LargeArray<double> Sums;  // of each point
 };
 }
 
