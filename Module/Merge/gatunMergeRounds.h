@@ -40,10 +40,10 @@ std::vector<std::unique_ptr<CostsType>> MakeMergeWorkers(const Arguments&... arg
  * round. Costs are only found between the merges of two rounds, by all threads, so that the result
  * does not depend on their number.
  *
- * The mesh has the rings and the functions of MergeRings. Costs has Choose and MayMerge, as MergeCosts does, and
- * MostChanges: after so many changes around it, the cost of a point is found anew. Later is faster,
- * but merges that have become cheaper wait. The errors of merges are the roots of the sums of the
- * changes, divided by ChangePerError.
+ * The mesh has the rings and the functions of MergeRings. Costs has Choose and MayMerge, as
+ * MergeCosts does, and MostChanges: after so many changes around it, the cost of a point is found
+ * anew. Later is faster, but merges that have become cheaper wait. The errors of merges are the
+ * roots of the sums of the changes, divided by ChangePerError.
  */
 template <typename MeshType, typename CostsType>
 class MergeRounds

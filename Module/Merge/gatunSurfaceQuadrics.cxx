@@ -132,8 +132,8 @@ void SurfaceQuadrics::AddTriangles(const MergeTriangles& mesh, double shapeWeigh
     if (c[0] != MergeTriangles::None)
     {
       const Vec origin = this->GetPlace(mesh, c[0]);
-      const double twice =
-        glm::length(glm::cross(this->GetPlace(mesh, c[1]) - origin, this->GetPlace(mesh, c[2]) - origin));
+      const double twice = glm::length(
+        glm::cross(this->GetPlace(mesh, c[1]) - origin, this->GetPlace(mesh, c[2]) - origin));
       area += std::isfinite(twice) ? twice / 2 : 0;
     }
   }
@@ -203,8 +203,8 @@ void SurfaceQuadrics::AddEdges(const MergeTriangles& mesh, double shapeWeight, d
   const auto getNormal = [&](std::uint32_t cell)
   {
     const auto& c = mesh.GetCell(cell);
-    const Vec n = glm::cross(
-      this->GetPlace(mesh, c[1]) - this->GetPlace(mesh, c[0]), this->GetPlace(mesh, c[2]) - this->GetPlace(mesh, c[0]));
+    const Vec n = glm::cross(this->GetPlace(mesh, c[1]) - this->GetPlace(mesh, c[0]),
+      this->GetPlace(mesh, c[2]) - this->GetPlace(mesh, c[0]));
     const double length = glm::length(n);
     return length > 0 ? n / length : Vec(0);
   };
