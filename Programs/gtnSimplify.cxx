@@ -142,9 +142,8 @@ void AddSimplify(CLI::App& app, Settings& settings)
     "possible.\n"
     "A .gtn file that was packed with --hierarchy or --levels stores the collapses and is "
     "simplified\n"
-    "fast; --weight, --metric and --boundary-weight compute new ones. A surface is simplified if "
-    "OUT "
-    "is one.",
+    "fast; --weight, --metric and --boundary-weight compute new ones.\n"
+    "A surface is simplified if OUT is one.",
     "  gtn simplify --ratio 0.9 mesh.gtn coarse.gtn\n"
     "  gtn simplify --points 10000 --weight pressure=2 --weight velocity mesh.vtu coarse.vtu\n"
     "  gtn simplify --rms-error 1e-3 mesh.gtn coarse.gtn\n"
