@@ -380,6 +380,41 @@ TEST(SurfaceMerges, KeepTheEdgesOfACube)
   }
 }
 
+TEST(SurfaceMerges, HoldEdgesAboveTheFeatureAngle)
+{
+  // Along a curved ridge, whose sides differ by about ten degrees.
+  const Sheet roof = MakeSheet(20, 20, false, false,
+    [](double u, double v)
+    {
+      return Vec{ u, v,
+        -0.09 * std::abs(u - 0.5 - 0.2 * std::sin(4 * v) * (1 - std::abs(2 * u - 1))) };
+    });
+  const SurfaceMergeInput input{ roof.Points, roof.Triangles, {} };
+  const auto getError = [&](double angle)
+  {
+    const MergeTree tree = BuildMergeTree(input, { 0.5, angle, false });
+    return tree.GetLargestError(roof.Points.size() * 9 / 10);
+  };
+  EXPECT_GT(getError(2), 1.1 * getError(60));
+  EXPECT_EQ(getError(90), getError(60));
+}
+
+TEST(SurfaceMerges, MergePointsOfASeamOnTheirOwnSide)
+{
+  // No triangle gets values of the other side.
+  const Sheet torus = MakeSheet("SeamedTorus");
+  const MergeTree tree = BuildMergeTree(torus.GetInput());
+  const auto merges = CountWhole(tree, torus.Points.size() * 3 / 4, torus.Points);
+  std::size_t atSeam = 0;
+  for (const Triangle& t : Simplify(torus.Triangles, tree, merges))
+  {
+    const auto [low, high] = std::minmax({ t[0] % 25, t[1] % 25, t[2] % 25 });
+    EXPECT_LT(high - low, 20u);
+    atSeam += low == 0 || high == 24 ? 1 : 0;
+  }
+  EXPECT_GT(atSeam, 4);
+}
+
 TEST(SurfaceMerges, KeepTheBendOfAField)
 {
   Sheet plane = MakeSheet(16, 16, false, false, PlaceOnPlane);
@@ -427,6 +462,39 @@ TEST(SurfaceMerges, ErrorsAreThoseOfTheShapeAndTheField)
     const double measured = std::sqrt(squares / area) / std::sqrt(12.0);
     EXPECT_LT(measured, 2 * error);
     EXPECT_GT(measured, error / 10);
+  }
+}
+
+TEST(SurfaceMerges, LeaveWholeParts)
+{
+  // A flat tetrahedron, one of whose points could be merged without turning anything, and a
+  // triangle. Neither has a smaller form.
+  const std::vector<Vec> points{ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 1, 1, 0.01 }, { 9, 0, 0 },
+    { 9, 1, 0 }, { 8, 0, 0 } };
+  const std::vector<Triangle> triangles{ { 3, 0, 1 }, { 3, 1, 2 }, { 3, 2, 0 }, { 0, 2, 1 },
+    { 4, 5, 6 } };
+  EXPECT_TRUE(BuildMergeTree(SurfaceMergeInput{ points, triangles, {} }).GetMerges().empty());
+}
+
+TEST(SurfaceMerges, OfManyEqualCostsKeepTheTopology)
+{
+  // Rounds have many points, and each changes the surroundings of others.
+  std::mt19937 random(3);
+  for (const std::uint32_t n : { 20u, 30u, 45u })
+  {
+    const Sheet sheet = MakeSheet(n, n, false, false,
+      [&](double u, double v)
+      {
+        const double noise = 1e-9 * static_cast<double>(random() % 1000);
+        return Vec{ u + noise, v, 0 };
+      });
+    const MergeTree tree = BuildMergeTree(SurfaceMergeInput{ sheet.Points, sheet.Triangles, {} });
+    for (std::size_t i = 1; i <= 20; ++i)
+    {
+      const Topology after(
+        sheet.Points, Simplify(sheet.Triangles, tree, tree.GetMerges().size() * i / 20));
+      EXPECT_TRUE(after.IsManifold && after.EulerCharacteristic == 1) << n << " " << i;
+    }
   }
 }
 
