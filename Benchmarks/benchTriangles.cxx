@@ -239,6 +239,24 @@ double GetArea(const Corners& c)
   return std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / 2;
 }
 
+/** Of a place on a triangle; never outside, however thin the triangle is. */
+std::array<double, 3> GetWeights(const Corners& corners, const Vec& place)
+{
+  std::array<double, 3> weights{};
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    Corners part = corners;
+    part.Points[i] = place;
+    sum += weights[i] = GetArea(part);
+  }
+  for (double& weight : weights)
+  {
+    weight = sum > 0 ? weight / sum : 1.0 / 3;
+  }
+  return weights;
+}
+
 std::vector<double> Interpolate(
   vtkDataArray* array, const Corners& corners, const std::array<double, 3>& weights)
 {
@@ -441,17 +459,9 @@ Sums Measure(const std::vector<Vec>& points, const std::vector<std::vector<doubl
         {
           continue;
         }
-        double inside[3];
-        double weights[3];
-        double distance = 0;
-        Vec again{};
-        cell->EvaluatePosition(nearest.data(), again.data(), sub, inside, distance, weights);
-        Corners corners{};
-        for (std::size_t j = 0; j < 3; ++j)
-        {
-          corners.Ids[j] = cell->GetPointId(static_cast<int>(j));
-        }
-        const auto values = Interpolate(array, corners, { weights[0], weights[1], weights[2] });
+        // Not that of the cell at hand, which the locator looked at last.
+        const Corners corners = GetCorners(surface, id);
+        const auto values = Interpolate(array, corners, GetWeights(corners, nearest));
         for (std::size_t c = 0; c < values.size(); ++c)
         {
           double error = values[c] - fields[i][c];

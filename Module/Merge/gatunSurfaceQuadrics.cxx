@@ -15,8 +15,8 @@ namespace gatun
 namespace
 {
 /** The square of a distance counts so many times, beside the squares of the changes of fields: the
- * 17th part of the diagonal is as much as the range of a field. */
-constexpr double DistanceWeight = 300;
+ * 32nd part of the diagonal is as much as the range of a field. */
+constexpr double DistanceWeight = 1000;
 
 /** Weights of planes that hold edges in place, beside those of triangles, for the square of the
  * length of the edge. */
