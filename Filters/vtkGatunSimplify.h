@@ -42,8 +42,8 @@
  * kept. The target is that of each piece.
  *
  * *Cost.* From a file, that of the reader. Otherwise: the filter uses one thread. The computation
- * of the order takes about 150 bytes a tetrahedron or a triangle, with one array. The order is kept
- * as long as the input does not change and takes 20 bytes a point.
+ * of the order takes about 150 bytes a tetrahedron and 250 a triangle, with one array. The order is
+ * kept as long as the input does not change and takes 20 bytes a point.
  *
  * *Abort.* AbortExecute is checked while the order is computed. The output is then empty and
  * GetErrorCode is vtkGatunErrorCode::AbortedError.
