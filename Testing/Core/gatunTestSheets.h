@@ -158,7 +158,8 @@ inline std::vector<Triangle> Simplify(
   return left;
 }
 
-inline std::size_t CountWhole(const MergeTree& tree, std::size_t merges, const std::vector<Vec>& points)
+inline std::size_t CountWhole(
+  const MergeTree& tree, std::size_t merges, const std::vector<Vec>& points)
 {
   return CountWholeMerges(
     tree, merges, [&](std::uint32_t a, std::uint32_t b) { return points[a] == points[b]; });
