@@ -215,6 +215,28 @@ simplifier.SetInputDataObject(ball.GetOutput())
 simplifier.Update()
 assert simplifier.GetOutput().IsA("vtkPolyData") and simplifier.GetOutput().GetNumberOfPolys() > 0
 
+# Any cells: without points, with points twice, without an area or a place. No errors, and vertices
+# and lines as they were.
+random = np.random.default_rng(7)
+for _ in range(60):
+    number = random.integers(1, 40)
+    places = random.integers(0, 4, (number, 3)).astype(float)
+    places[random.random((number, 3)) < 0.03] = random.choice([math.nan, math.inf, 1e300])
+    soup = vtkPolyData()
+    corners = vtkPoints()
+    corners.SetData(numpy_to_vtk(places, deep=1))
+    soup.SetPoints(corners)
+    for kind, most, count in (("Verts", 3, 3), ("Lines", 4, 3), ("Polys", 8, 60), ("Strips", 6, 4)):
+        cells = vtkCellArray()
+        for size in random.integers(0, most, random.integers(0, count)):
+            cells.InsertNextCell(size, [int(i) for i in random.integers(0, number, size)])
+        getattr(soup, "Set" + kind)(cells)
+    for ratio in (0, 0.5, 1):
+        output = simplify(soup, SimplificationRatio=ratio)
+        assert output.GetNumberOfPoints() > 0 and output.GetNumberOfStrips() == 0
+        assert output.GetNumberOfVerts() == soup.GetNumberOfVerts()
+        assert output.GetNumberOfLines() == soup.GetNumberOfLines()
+
 # Nothing in, nothing out; wrong input is an error.
 assert simplify(vtkPolyData()).GetNumberOfPoints() == 0
 
