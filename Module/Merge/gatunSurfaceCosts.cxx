@@ -314,7 +314,6 @@ bool SurfaceCosts::MayMerge(std::uint32_t place, std::uint32_t into)
   const bool may = triangles >= 1 && triangles <= 2 && common == triangles &&
     !this->ShareOppositeEdge(place, into, triangles == 1);
   forEachEnd(place, [&](std::uint32_t end) { this->Marks[end] = 0; });
-  forEachEnd(into, [&](std::uint32_t end) { this->Marks[end] = 0; });
   return may;
 }
 }

@@ -61,7 +61,7 @@ public:
 class SurfaceCosts
 {
 public:
-  static constexpr std::uint8_t MostChanges = 2; // see MergeRounds
+  static constexpr std::uint8_t MostChanges = 3; // see MergeRounds
   static constexpr double ChangePerError = 1;
 
   explicit SurfaceCosts(const MergeSurface& mesh)
