@@ -32,6 +32,7 @@ void AddStudyPrefilter(CLI::App& app);
 void AddSimplify(CLI::App& app);
 void AddSimplifyIntegrated(CLI::App& app);
 void AddSimplifyPicture(CLI::App& app);
+void AddSimplifySurface(CLI::App& app);
 void AddSurface(CLI::App& app);
 void AddSurfaceMemory(CLI::App& app);
 void AddVolumeBlocks(CLI::App& app);

@@ -39,6 +39,7 @@ int main(int argc, char* argv[])
   bench::AddSimplify(app);
   bench::AddSimplifyIntegrated(app);
   bench::AddSimplifyPicture(app);
+  bench::AddSimplifySurface(app);
   bench::AddSurface(app);
   bench::AddSurfaceMemory(app);
   bench::AddVolumeBlocks(app);

@@ -76,7 +76,7 @@ double SimplifyToTets(vtkGatunSimplify* filter, vtkIdType points, std::uint64_t 
   {
     const vtkIdType middle = low + (high - low + 1) / 2;
     update(middle);
-    if (CountCells(filter->GetOutput()) <= tets)
+    if (CountCells(filter->GetUnstructuredGridOutput()) <= tets)
     {
       low = middle;
     }
@@ -112,7 +112,7 @@ void SimplifyByGatun(const Options& options)
       for (std::size_t i = 0; i < options.Tets.size(); ++i)
       {
         const double seconds = SimplifyToTets(filter, grid->GetNumberOfPoints(), options.Tets[i]);
-        auto* const output = filter->GetOutput();
+        auto* const output = filter->GetUnstructuredGridOutput();
         Json::Value meshJson;
         meshJson["tets"] = CountCells(output);
         meshJson["points"] = static_cast<std::uint64_t>(output->GetNumberOfPoints());

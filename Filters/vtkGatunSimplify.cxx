@@ -3,6 +3,7 @@
 
 #include "vtkGatunSimplify.h"
 
+#include "gatunCopyTuples.h"
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
 #include "gatunExactGhosts.h"
@@ -13,6 +14,7 @@
 #include "gatunPieceReader.h"
 #include "gatunProcessExchange.h"
 #include "gatunReport.h"
+#include "gatunSimplifiedSurface.h"
 #include "gatunSimplifyTarget.h"
 #include "gatunTetInput.h"
 #include "vtkGatunCompat.h"
@@ -21,7 +23,6 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkErrorCode.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
@@ -32,6 +33,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
@@ -58,16 +60,6 @@ static_assert(
   int{ vtkGatunSimplify::TARGET_NUMBER_OF_POINTS } == gatun::SimplifyTarget::NumberOfPoints);
 static_assert(int{ vtkGatunSimplify::TARGET_RMS_ERROR } == gatun::SimplifyTarget::RMSError);
 
-void CopyTuples(vtkDataSetAttributes* from, vtkIdList* ids, vtkDataSetAttributes* to)
-{
-  vtkNew<vtkIdList> places;
-  places->SetNumberOfIds(ids->GetNumberOfIds());
-  std::iota(places->begin(), places->end(), vtkIdType{ 0 });
-  to->CopyGlobalIdsOn();
-  to->CopyAllocate(from, ids->GetNumberOfIds());
-  to->CopyData(from, ids, places);
-}
-
 /** What is left of a grid after so many merges. */
 void FillOutput(vtkUnstructuredGrid* grid, const gatun::MergeTree& tree, std::size_t merges,
   vtkUnstructuredGrid* output)
@@ -86,7 +78,7 @@ void FillOutput(vtkUnstructuredGrid* grid, const gatun::MergeTree& tree, std::si
   points->SetDataType(grid->GetPoints()->GetDataType());
   grid->GetPoints()->GetPoints(kept, points);
   output->SetPoints(points);
-  CopyTuples(grid->GetPointData(), kept, output->GetPointData());
+  gatun::CopyTuples(grid->GetPointData(), kept, output->GetPointData());
 
   vtkNew<vtkIdList> cells;
   vtkNew<vtkCellArray> tets;
@@ -105,7 +97,7 @@ void FillOutput(vtkUnstructuredGrid* grid, const gatun::MergeTree& tree, std::si
     }
   }
   output->SetCells(VTK_TETRA, tets);
-  CopyTuples(grid->GetCellData(), cells, output->GetCellData());
+  gatun::CopyTuples(grid->GetCellData(), cells, output->GetCellData());
   output->GetFieldData()->ShallowCopy(grid->GetFieldData());
 }
 }
@@ -116,13 +108,15 @@ class vtkGatunSimplify::vtkInternals
 public:
   gatun::MergeWeights Weights;
 
-  // What the tree was made for.
+  // What the tree was made for: tetrahedra or a surface.
   vtkSmartPointer<vtkUnstructuredGrid> Tets;
-  vtkUnstructuredGrid* Input = nullptr; // only ever compared
+  std::unique_ptr<gatun::SimplifiedSurface> Surface;
+  vtkPointSet* Input = nullptr; // only ever compared
   vtkMTimeType Stamp = 0;
   int NumberOfPieces = 1;
   gatun::MergeWeights UsedWeights;
   gatun::MergeSettings Settings;
+  double FeatureAngle = 0;
   gatun::MergeTree Tree;
   double OutputRMSError = 0;
 
@@ -137,11 +131,14 @@ public:
   void ForgetGrid();
   void FillFromFile(vtkGatunSimplify* self, const gatun::PublishedFile& handle,
     vtkInformation* inInfo, vtkInformation* outInfo, vtkUnstructuredGrid* output);
+  void FillFromSurface(
+    vtkGatunSimplify* self, vtkInformation* outInfo, vtkPolyData* input, vtkPolyData* output);
   void FillFromGrid(vtkGatunSimplify* self, vtkInformation* outInfo, vtkUnstructuredGrid* input,
     vtkUnstructuredGrid* output);
   void Prepare(vtkGatunSimplify* self, vtkInformation* outInfo, vtkUnstructuredGrid* input);
-  bool IsPrepared(
-    vtkUnstructuredGrid* input, int pieces, const gatun::MergeSettings& settings) const;
+  std::size_t CountMerges(const vtkGatunSimplify* self) const;
+  bool IsPrepared(vtkPointSet* input, int pieces, const gatun::MergeSettings& settings) const;
+  void SetPrepared(vtkPointSet* input, int pieces, const gatun::MergeSettings& settings);
   static gatun::SimplifyProperties Target(const vtkGatunSimplify* self);
   static vtkMultiProcessController* FindController(
     const vtkGatunSimplify* self, vtkInformation* outInfo);
@@ -185,6 +182,7 @@ void vtkGatunSimplify::vtkInternals::ForgetFile()
 void vtkGatunSimplify::vtkInternals::ForgetGrid()
 {
   this->Tets = nullptr;
+  this->Surface.reset();
   this->Input = nullptr;
   this->Tree = {};
 }
@@ -233,9 +231,7 @@ void vtkGatunSimplify::vtkInternals::FillFromGrid(vtkGatunSimplify* self, vtkInf
 {
   this->ForgetFile();
   this->Prepare(self, outInfo, input);
-  const std::size_t merges =
-    gatun::CountMerges(Target(self).GetTarget(), this->Tree.GetNumberOfPoints(),
-      this->Tree.GetMerges().size(), [this]() -> const gatun::MergeTree& { return this->Tree; });
+  const std::size_t merges = this->CountMerges(self);
   if (merges == 0)
   {
     output->ShallowCopy(this->Tets);
@@ -246,13 +242,48 @@ void vtkGatunSimplify::vtkInternals::FillFromGrid(vtkGatunSimplify* self, vtkInf
 }
 
 //------------------------------------------------------------------------------
+void vtkGatunSimplify::vtkInternals::FillFromSurface(
+  vtkGatunSimplify* self, vtkInformation* outInfo, vtkPolyData* input, vtkPolyData* output)
+{
+  this->ForgetFile();
+  const gatun::MergeSettings settings{ static_cast<gatun::MergeMetric>(self->Metric),
+    self->BoundaryWeight };
+  const int pieces = vtkStreamingDemandDrivenPipeline::GetUpdateNumberOfPieces(outInfo);
+  if (!this->IsPrepared(input, pieces, settings) || self->FeatureAngle != this->FeatureAngle)
+  {
+    auto surface = std::make_unique<gatun::SimplifiedSurface>(input, this->Weights,
+      gatun::SurfaceMergeSettings{ self->BoundaryWeight, self->FeatureAngle, pieces > 1 },
+      [self](double done)
+      {
+        self->UpdateProgress(0.9 * done);
+        return !gatun::IsAborted(self);
+      });
+    this->ForgetGrid();
+    this->Tree = surface->TakeTree();
+    this->Surface = std::move(surface);
+    this->FeatureAngle = self->FeatureAngle;
+    this->SetPrepared(input, pieces, settings);
+  }
+  const std::size_t merges = this->Surface->CountWholeMerges(this->Tree, this->CountMerges(self));
+  this->Surface->Fill(this->Tree, merges, output);
+  this->OutputRMSError = this->Tree.GetLargestError(merges);
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkGatunSimplify::vtkInternals::CountMerges(const vtkGatunSimplify* self) const
+{
+  return gatun::CountMerges(Target(self).GetTarget(), this->Tree.GetNumberOfPoints(),
+    this->Tree.GetMerges().size(), [this]() -> const gatun::MergeTree& { return this->Tree; });
+}
+
+//------------------------------------------------------------------------------
 /** Whether the order of merges is known. */
 bool vtkGatunSimplify::vtkInternals::IsPrepared(
-  vtkUnstructuredGrid* input, int pieces, const gatun::MergeSettings& settings) const
+  vtkPointSet* input, int pieces, const gatun::MergeSettings& settings) const
 {
-  return this->Tets && input == this->Input && input->GetMTime() == this->Stamp &&
-    pieces == this->NumberOfPieces && this->Weights == this->UsedWeights &&
-    settings.Metric == this->Settings.Metric &&
+  return (this->Tets || this->Surface) && input == this->Input &&
+    input->GetMTime() == this->Stamp && pieces == this->NumberOfPieces &&
+    this->Weights == this->UsedWeights && settings.Metric == this->Settings.Metric &&
     settings.BoundaryWeight == this->Settings.BoundaryWeight;
 }
 
@@ -290,9 +321,8 @@ void vtkGatunSimplify::vtkInternals::Prepare(
   {
     isKept = gatun::FindCommonPoints(tets, input);
   }
-  auto weights = this->Weights;
   auto tree = gatun::BuildMergeTree(
-    tets, weights, settings,
+    tets, this->Weights, settings,
     [self](double done)
     {
       self->UpdateProgress(0.9 * done);
@@ -300,12 +330,20 @@ void vtkGatunSimplify::vtkInternals::Prepare(
     },
     isKept);
   // All at once, so that whatever fails leaves what belongs together.
+  this->Surface.reset();
   this->Tets = tets;
   this->Tree = std::move(tree);
+  this->SetPrepared(input, pieces, settings);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunSimplify::vtkInternals::SetPrepared(
+  vtkPointSet* input, int pieces, const gatun::MergeSettings& settings)
+{
   this->Input = input;
   this->Stamp = input->GetMTime();
   this->NumberOfPieces = pieces;
-  this->UsedWeights = std::move(weights);
+  this->UsedWeights = this->Weights;
   this->Settings = settings;
 }
 
@@ -388,7 +426,15 @@ vtkInformation* vtkGatunSimplify::GetFileInformation(vtkInformation* inInfo)
 }
 
 //------------------------------------------------------------------------------
-int vtkGatunSimplify::RequestInformation(
+int vtkGatunSimplify::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunSimplify::ExecuteInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkInformation* const outInfo = outputVector->GetInformationObject(0);
@@ -402,7 +448,7 @@ int vtkGatunSimplify::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
-int vtkGatunSimplify::RequestUpdateExtent(
+int vtkGatunSimplify::ComputeInputUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkInformation* const inInfo = inputVector[0]->GetInformationObject(0);
@@ -430,21 +476,28 @@ int vtkGatunSimplify::RequestData(
 {
   vtkInformation* const inInfo = inputVector[0]->GetInformationObject(0);
   vtkInformation* const outInfo = outputVector->GetInformationObject(0);
-  auto* const output = vtkUnstructuredGrid::GetData(outInfo);
+  auto* const output = vtkPointSet::GetData(outInfo);
   output->Initialize();
+  auto* const grid = vtkUnstructuredGrid::SafeDownCast(output);
+  auto* const surface = vtkPolyData::GetData(inInfo);
   this->SetErrorCode(vtkErrorCode::NoError);
   auto& self = *this->Internals;
   self.OutputRMSError = 0;
-  const gatun::PublishedFile* const file = vtkInternals::FindHierarchy(this, inInfo);
+  const gatun::PublishedFile* const file =
+    surface ? nullptr : vtkInternals::FindHierarchy(this, inInfo);
   try
   {
-    if (file)
+    if (surface)
     {
-      self.FillFromFile(this, *file, inInfo, outInfo, output);
+      self.FillFromSurface(this, outInfo, surface, vtkPolyData::SafeDownCast(output));
+    }
+    else if (file)
+    {
+      self.FillFromFile(this, *file, inInfo, outInfo, grid);
     }
     else
     {
-      self.FillFromGrid(this, outInfo, vtkUnstructuredGrid::GetData(inInfo), output);
+      self.FillFromGrid(this, outInfo, vtkUnstructuredGrid::GetData(inInfo), grid);
     }
     this->UpdateProgress(1);
     return 1;
@@ -468,6 +521,7 @@ void vtkGatunSimplify::PrintSelf(ostream& os, vtkIndent indent)
   vtkInternals::Target(this).Print(os, indent);
   os << indent << "Metric: " << (this->Metric == METRIC_MASS ? "Mass" : "Density") << "\n";
   os << indent << "BoundaryWeight: " << this->BoundaryWeight << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "UseFileHierarchy: " << (this->UseFileHierarchy ? "On" : "Off") << "\n";
   this->Internals->Weights.Print(os, indent);

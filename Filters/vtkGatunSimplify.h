@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkGatunSimplify
- * @brief Simplifies a tetrahedral mesh to any degree.
+ * @brief Simplifies a tetrahedral mesh or a surface to any degree.
  *
  * The filter collapses edges: a point is merged into a neighbor, the cheapest merge first. The cost
  * of a merge is the squared change of the values and, on the boundary, of the shape. The order of
@@ -10,10 +10,20 @@
  * Tetrahedra keep their orientation, boundary points stay on the boundary, and the topology does
  * not change, which limits how coarse a mesh can become.
  *
- * Input: a vtkUnstructuredGrid. Other 3D cells are split into tetrahedra (Documentation/cells.md),
- * nonlinear ones without the points between their corners. Cells of a lower dimension and ghost
- * cells are left out. Output: the remaining points, unmoved and in their order, with their point
- * data; the remaining tetrahedra with their cell data; the field data.
+ * *Surfaces.* Input: a vtkPolyData; the output is one, too. The cost of a merge is the quadric
+ * error of the shape and of the values. No triangle is turned over, the topology does not change,
+ * and borders and edges sharper than FeatureAngle stay where they are as far as possible. Points
+ * with the same coordinates, such as those of a seam of texture coordinates, are merged together,
+ * so that seams stay closed; the result can then have a few points more than the target. Polygons
+ * and strips are divided into triangles. Vertices and lines are kept with their points. So are
+ * points where the surface is not a manifold, points of degenerate triangles, and points that are
+ * not finite. Points without a cell stay. Ghost cells are left out. In several pieces, all points
+ * on the border of a piece are kept, so that pieces fit together without communication.
+ *
+ * *Meshes.* Input: a vtkUnstructuredGrid. Other 3D cells are split into tetrahedra
+ * (Documentation/cells.md), nonlinear ones without the points between their corners. Cells of a
+ * lower dimension and ghost cells are left out. Output: the remaining points, unmoved and in their
+ * order, with their point data; the remaining tetrahedra with their cell data; the field data.
  *
  * *From a file.* If the input is the output of a vtkGatunReader without a region of interest, and
  * its file has a hierarchy (vtkGatunWriter::Hierarchy), the filter finds a vtkGatunFileHandle in
@@ -24,16 +34,16 @@
  * SimplificationNumberOfPoints refer to its mesh. Metric, BoundaryWeight and array weights have no
  * influence, since they were chosen when the file was written; see UseFileHierarchy.
  *
- * *Pieces.* Pieces fit together. Without a file that has a hierarchy, each piece is simplified on
- * its own, and the points that it has in common with others are kept. If each process of Controller
- * asks for its piece, they exchange the places of the points on the boundaries of their pieces, and
- * all of them must update the filter. Otherwise the input is asked for a level of ghost cells,
- * whose points are kept. Where it has none, all points on the boundary of a piece are kept. The
- * target is that of each piece.
+ * *Pieces of meshes.* Pieces fit together. Without a file that has a hierarchy, each piece is
+ * simplified on its own, and the points that it has in common with others are kept. If each process
+ * of Controller asks for its piece, they exchange the places of the points on the boundaries of
+ * their pieces, and all of them must update the filter. Otherwise the input is asked for a level of
+ * ghost cells, whose points are kept. Where it has none, all points on the boundary of a piece are
+ * kept. The target is that of each piece.
  *
  * *Cost.* From a file, that of the reader. Otherwise: the filter uses one thread. The computation
- * of the order takes about 150 bytes a tetrahedron, with one array. The order is kept as long as
- * the input does not change and takes 20 bytes a point.
+ * of the order takes about 150 bytes a tetrahedron and 250 a triangle, with one array. The order is
+ * kept as long as the input does not change and takes 20 bytes a point.
  *
  * *Abort.* AbortExecute is checked while the order is computed. The output is then empty and
  * GetErrorCode is vtkGatunErrorCode::AbortedError.
@@ -47,15 +57,18 @@
  * Graphics International 1999 (cost of a merge by mass and by density).
  * C.-K. Yang: On-the-fly processing of compressed volume data. Dissertation proposal, State
  * University of New York at Stony Brook, 2001, section 5 (tree of merges).
+ * M. Garland, P. Heckbert: Surface simplification using quadric error metrics. SIGGRAPH 1997.
+ * H. Hoppe: New quadric metric for simplifying meshes with appearance attributes. Visualization
+ * 1999.
  *
- * @sa vtkGatunReader vtkGatunFileHandle vtkUnstructuredGridQuadricDecimation
+ * @sa vtkGatunReader vtkGatunFileHandle vtkUnstructuredGridQuadricDecimation vtkQuadricDecimation
  */
 
 #ifndef vtkGatunSimplify_h
 #define vtkGatunSimplify_h
 
 #include "vtkGatunFiltersModule.h" // For export macro
-#include "vtkUnstructuredGridAlgorithm.h"
+#include "vtkPointSetAlgorithm.h"
 
 #include <memory> // For std::unique_ptr
 
@@ -65,11 +78,11 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkMultiProcessController;
 
-class VTKGATUNFILTERS_EXPORT vtkGatunSimplify : public vtkUnstructuredGridAlgorithm
+class VTKGATUNFILTERS_EXPORT vtkGatunSimplify : public vtkPointSetAlgorithm
 {
 public:
   static vtkGatunSimplify* New();
-  vtkTypeMacro(vtkGatunSimplify, vtkUnstructuredGridAlgorithm);
+  vtkTypeMacro(vtkGatunSimplify, vtkPointSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -132,7 +145,8 @@ public:
 
   ///@{
   /**
-   * Weight of a change of values in a tetrahedron, one of MetricType. Default: METRIC_MASS.
+   * Weight of a change of values in a tetrahedron, one of MetricType. It has no influence on
+   * surfaces. Default: METRIC_MASS.
    */
   vtkSetClampMacro(Metric, int, METRIC_MASS, METRIC_DENSITY);
   vtkGetMacro(Metric, int);
@@ -140,11 +154,20 @@ public:
 
   ///@{
   /**
-   * Share of the shape in the cost of a merge on the boundary, 0 to 1; the rest is that of the
-   * values. Default: 0.5.
+   * Share of the shape in the cost of a merge on the boundary, or anywhere on a surface, 0 to 1;
+   * the rest is that of the values. Default: 0.5.
    */
   vtkSetClampMacro(BoundaryWeight, double, 0.0, 1.0);
   vtkGetMacro(BoundaryWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * For surfaces: edges between triangles whose normals differ by more degrees are kept as the
+   * border is, 0 to 180. Default: 30.
+   */
+  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkGetMacro(FeatureAngle, double);
   ///@}
 
   ///@{
@@ -192,9 +215,10 @@ protected:
   vtkGatunSimplify();
   ~vtkGatunSimplify() override;
 
-  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int ExecuteInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+  int ComputeInputUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -210,6 +234,7 @@ protected:
   double SimplificationRMSError = 1e-3;
   int Metric = METRIC_MASS;
   double BoundaryWeight = 0.5;
+  double FeatureAngle = 30;
   bool UseFileHierarchy = true;
   vtkMultiProcessController* Controller = nullptr;
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// gtn simplify: writes a mesh with fewer points.
+// gtn simplify: writes a mesh or a surface with fewer points.
 
 #include "gtnCommands.h"
 #include "gtnFailure.h"
@@ -12,6 +12,7 @@
 #include "gtnOutput.h"
 #include "gtnProgress.h"
 #include "gtnStep.h"
+#include "gtnSurfaceWriter.h"
 #include "gtnTarget.h"
 #include "gtnText.h"
 #include "gtnWriteMesh.h"
@@ -20,10 +21,12 @@
 #include "vtkGatunSimplify.h"
 
 #include "vtkNew.h"
+#include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -40,7 +43,14 @@ struct Options
   InputOptions Input;
   TargetOptions Target;
   MergeOptions Merges;
+  double FeatureAngle = 30;
 };
+
+bool IsSurfaceName(const std::string& file)
+{
+  const std::string extension = ExtensionOf(file);
+  return extension == ".vtp" || extension == ".stl" || extension == ".ply" || extension == ".obj";
+}
 
 /** Returns the reader if the file has a hierarchy and no option asks for another one. */
 vtkGatunReader* FindHierarchy(const Input& input, const Options& options)
@@ -49,8 +59,60 @@ vtkGatunReader* FindHierarchy(const Input& input, const Options& options)
   return reader && reader->GetHasHierarchy() && !options.Merges.AreGiven ? reader : nullptr;
 }
 
+void RunSimplifier(
+  vtkGatunSimplify* simplifier, vtkPointSet* mesh, const Options& options, const Settings& settings)
+{
+  Progress progress("simplifying", settings.ShowProgress);
+  simplifier->SetInputData(mesh);
+  progress.Watch(simplifier);
+  simplifier->Update();
+  CheckInterrupt();
+  CheckMessages(options.In, settings.Quiet);
+}
+
+void PrintError(vtkPointSet* mesh, vtkGatunSimplify* simplifier, const Settings& settings)
+{
+  if (!settings.Quiet)
+  {
+    fmt::print("  of {} points, error {:.3g}\n", Grouped(mesh->GetNumberOfPoints()),
+      simplifier->GetOutputRMSError());
+  }
+}
+
+void SimplifySurface(const Options& options, const Settings& settings)
+{
+  vtkNew<vtkGatunSimplify> simplifier;
+  options.Target.Apply(simplifier.Get());
+  options.Merges.Apply(simplifier.Get());
+  simplifier->SetFeatureAngle(options.FeatureAngle);
+  vtkSmartPointer<vtkPolyData> surface;
+  {
+    Progress progress("reading", settings.ShowProgress);
+    surface = ReadSurface(options.In, progress, settings.Quiet);
+  }
+  CheckWritable(options.Out, options.Overwrite);
+  RunSimplifier(simplifier, surface, options, settings);
+  vtkPolyData* const output = simplifier->GetPolyDataOutput();
+  {
+    Progress progress("writing", settings.ShowProgress);
+    WriteSurface(output, options.Out, progress);
+  }
+  if (!settings.Quiet)
+  {
+    fmt::print("{}: {} triangles, {} points, {}\n", options.Out,
+      Grouped(output->GetNumberOfPolys()), Grouped(output->GetNumberOfPoints()),
+      ByteSize(std::filesystem::file_size(options.Out)));
+  }
+  PrintError(surface, simplifier, settings);
+}
+
 void SimplifyMesh(const Options& options, const Settings& settings)
 {
+  if (IsSurfaceName(options.Out))
+  {
+    SimplifySurface(options, settings);
+    return;
+  }
   CheckMeshName(options.Out);
   vtkNew<vtkGatunSimplify> simplifier;
   options.Target.Apply(simplifier.Get());
@@ -65,21 +127,9 @@ void SimplifyMesh(const Options& options, const Settings& settings)
     return;
   }
   const auto grid = ReadStep(input, options.Step, settings);
-  {
-    Progress progress("simplifying", settings.ShowProgress);
-    simplifier->SetInputData(grid);
-    progress.Watch(simplifier);
-    simplifier->Update();
-    CheckInterrupt();
-    CheckMessages(options.In, settings.Quiet);
-  }
-  vtkUnstructuredGrid* const output = simplifier->GetOutput();
-  WriteMesh(output, options.Out, settings);
-  if (!settings.Quiet)
-  {
-    fmt::print("  of {} points, error {:.3g}\n", Grouped(grid->GetNumberOfPoints()),
-      simplifier->GetOutputRMSError());
-  }
+  RunSimplifier(simplifier, grid, options, settings);
+  WriteMesh(simplifier->GetUnstructuredGridOutput(), options.Out, settings);
+  PrintError(grid, simplifier, settings);
 }
 } // anonymous namespace
 
@@ -92,16 +142,29 @@ void AddSimplify(CLI::App& app, Settings& settings)
     "possible.\n"
     "A .gtn file that was packed with --hierarchy or --levels stores the collapses and is "
     "simplified\n"
-    "fast; --weight, --metric and --boundary-weight compute new ones.",
+    "fast; --weight, --metric and --boundary-weight compute new ones.\n"
+    "A surface is simplified if OUT is one.",
     "  gtn simplify --ratio 0.9 mesh.gtn coarse.gtn\n"
     "  gtn simplify --points 10000 --weight pressure=2 --weight velocity mesh.vtu coarse.vtu\n"
-    "  gtn simplify --rms-error 1e-3 mesh.gtn coarse.gtn");
+    "  gtn simplify --rms-error 1e-3 mesh.gtn coarse.gtn\n"
+    "  gtn simplify --ratio 0.9 surface.vtp coarse.vtp");
   AddForce(command, options->Overwrite);
   AddTarget(command, options->Target, "0.5");
   AddMergeOptions(command, options->Merges);
+  command
+    ->add_option("--feature-angle", options->FeatureAngle,
+      "Edges of a surface between triangles whose normals differ by more degrees stay, 0 to 180 "
+      "(default: 30)")
+    ->check(CLI::Range(0., 180.))
+    ->option_text("A");
   AddStep(command, options->Step);
-  command->add_option("IN", options->In, std::string("The mesh: ") + InputFormats)->required();
-  command->add_option("OUT", options->Out, std::string("The mesh to write: ") + MeshFormats)
+  command
+    ->add_option("IN", options->In,
+      std::string("The mesh: ") + InputFormats + "; or a surface: .stl .ply .obj .vtp .vtk")
+    ->required();
+  command
+    ->add_option("OUT", options->Out,
+      std::string("The mesh to write: ") + MeshFormats + "; or a surface: " + SurfaceFormats)
     ->required();
   command->callback(
     [=, &settings]

@@ -10,6 +10,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <array>
@@ -19,27 +20,20 @@ namespace gatun
 {
 namespace
 {
-/** The points, cells and weighted fields of a grid as input of the core. */
-struct MergeGrid
+/** The points and weighted fields of a mesh as input of the core. */
+struct MergePoints
 {
   std::vector<std::array<double, 3>> Points;
-  std::vector<MergeTree::Tet> Tets;
   std::vector<std::vector<double>> Values;
   std::vector<double> Weights;
 
-  explicit MergeGrid(vtkUnstructuredGrid* grid)
-    : Points(static_cast<std::size_t>(grid->GetNumberOfPoints()))
+  explicit MergePoints(vtkPointSet* mesh)
+    : Points(static_cast<std::size_t>(mesh->GetNumberOfPoints()))
   {
     for (std::size_t i = 0; i < this->Points.size(); ++i)
     {
-      grid->GetPoint(static_cast<vtkIdType>(i), this->Points[i].data());
+      mesh->GetPoint(static_cast<vtkIdType>(i), this->Points[i].data());
     }
-    const BridgedMesh mesh(grid);
-    const MeshAccess access(mesh.Mesh);
-    CheckCells(access);
-    this->Tets.reserve(static_cast<std::size_t>(access.EstimateTets()));
-    ForEachTet(
-      access, [&](std::uint64_t, const MergeTree::Tet& tet) { this->Tets.push_back(tet); });
   }
 
   void AddArray(vtkDataArray* array, double weight)
@@ -56,9 +50,11 @@ struct MergeGrid
     }
   }
 
-  MergeInput GetInput() const
+  template <std::size_t Corners>
+  BasicMergeInput<Corners> GetInput(std::span<const std::array<std::uint32_t, Corners>> cells,
+    std::span<const std::uint8_t> isKept) const
   {
-    MergeInput input{ this->Points, this->Tets, {} };
+    BasicMergeInput<Corners> input{ this->Points, cells, {}, isKept };
     for (std::size_t i = 0; i < this->Values.size(); ++i)
     {
       input.Fields.push_back({ this->Values[i], this->Weights[i] });
@@ -67,7 +63,7 @@ struct MergeGrid
   }
 };
 
-void AddArrays(vtkPointData* data, const MergeWeights& weights, MergeGrid& grid)
+void AddArrays(vtkPointData* data, const MergeWeights& weights, MergePoints& points)
 {
   for (const auto& [name, weight] : weights.GetAll())
   {
@@ -76,7 +72,7 @@ void AddArrays(vtkPointData* data, const MergeWeights& weights, MergeGrid& grid)
     {
       ThrowInvalid("there is no point array '" + name + "', which has a weight");
     }
-    grid.AddArray(array, weight);
+    points.AddArray(array, weight);
   }
   if (!weights.GetAll().empty())
   {
@@ -84,14 +80,14 @@ void AddArrays(vtkPointData* data, const MergeWeights& weights, MergeGrid& grid)
   }
   if (data->GetScalars())
   {
-    grid.AddArray(data->GetScalars(), 1);
+    points.AddArray(data->GetScalars(), 1);
     return;
   }
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     if (vtkDataArray* const array = data->GetArray(i))
     {
-      grid.AddArray(array, 1);
+      points.AddArray(array, 1);
     }
   }
 }
@@ -138,10 +134,25 @@ MergeTree BuildMergeTree(vtkUnstructuredGrid* tets, const MergeWeights& weights,
   const MergeSettings& settings, const std::function<bool(double)>& progress,
   std::span<const std::uint8_t> isKept)
 {
-  MergeGrid grid(tets);
-  AddArrays(tets->GetPointData(), weights, grid);
-  auto input = grid.GetInput();
-  input.IsKept = isKept;
-  return BuildMergeTree(input, settings, progress);
+  MergePoints points(tets);
+  AddArrays(tets->GetPointData(), weights, points);
+  const BridgedMesh mesh(tets);
+  const MeshAccess access(mesh.Mesh);
+  CheckCells(access);
+  std::vector<MergeTree::Tet> cells;
+  cells.reserve(static_cast<std::size_t>(access.EstimateTets()));
+  ForEachTet(access, [&](std::uint64_t, const MergeTree::Tet& tet) { cells.push_back(tet); });
+  return BuildMergeTree(points.GetInput<4>(cells, isKept), settings, progress);
+}
+
+//------------------------------------------------------------------------------
+MergeTree BuildMergeTree(vtkPointSet* surface,
+  std::span<const std::array<std::uint32_t, 3>> triangles, const MergeWeights& weights,
+  const SurfaceMergeSettings& settings, const std::function<bool(double)>& progress,
+  std::span<const std::uint8_t> isKept)
+{
+  MergePoints points(surface);
+  AddArrays(surface->GetPointData(), weights, points);
+  return BuildMergeTree(points.GetInput<3>(triangles, isKept), settings, progress);
 }
 }

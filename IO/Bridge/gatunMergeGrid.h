@@ -9,7 +9,9 @@
 
 #include "gatunMergeBuilder.h"
 #include "gatunMergeTree.h"
+#include "gatunSurfaceMergeBuilder.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -20,6 +22,7 @@
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
 #endif
+class vtkPointSet;
 class vtkUnstructuredGrid;
 #ifdef VTK_ABI_NAMESPACE_END
 VTK_ABI_NAMESPACE_END
@@ -55,6 +58,12 @@ private:
  */
 VTKGATUNIO_EXPORT MergeTree BuildMergeTree(vtkUnstructuredGrid* tets, const MergeWeights& weights,
   const MergeSettings& settings, const std::function<bool(double)>& progress,
+  std::span<const std::uint8_t> isKept = {});
+
+/** The same for triangles over the points of a point set. */
+VTKGATUNIO_EXPORT MergeTree BuildMergeTree(vtkPointSet* surface,
+  std::span<const std::array<std::uint32_t, 3>> triangles, const MergeWeights& weights,
+  const SurfaceMergeSettings& settings, const std::function<bool(double)>& progress,
   std::span<const std::uint8_t> isKept = {});
 }
 

@@ -8,25 +8,40 @@ gatun_core_folder(Merge
   EXPERIMENTAL_HEADERS
     gatunMergeBuilder.h
     gatunMergeInput.h
+    gatunSurfaceMergeBuilder.h
   PRIVATE_HEADERS
     gatunMergeBends.h
+    gatunMergeChoice.h
     gatunMergeCodec.h
     gatunMergeCosts.h
     gatunMergeFields.h
+    gatunMergeInputCheck.h
     gatunMergeLanes.h
     gatunMergeLinks.h
     gatunMergeMesh.h
     gatunMergeOrder.h
     gatunMergeQueue.h
+    gatunMergeRange.h
+    gatunMergeRings.h
+    gatunMergeRounds.h
     gatunMergeStar.h
+    gatunMergeTriangles.h
+    gatunSurfaceCosts.h
+    gatunSurfaceQuadrics.h
   SOURCES
     gatunMergeBends.cxx
     gatunMergeBuilder.cxx
     gatunMergeCodec.cxx
     gatunMergeCosts.cxx
     gatunMergeFields.cxx
+    gatunMergeInputCheck.cxx
     gatunMergeLinks.cxx
     gatunMergeMesh.cxx
     gatunMergeOrder.cxx
+    gatunMergeRings.cxx
     gatunMergeStar.cxx
-    gatunMergeTree.cxx)
+    gatunMergeTree.cxx
+    gatunMergeTriangles.cxx
+    gatunSurfaceCosts.cxx
+    gatunSurfaceMergeBuilder.cxx
+    gatunSurfaceQuadrics.cxx)

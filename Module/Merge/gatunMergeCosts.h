@@ -4,6 +4,7 @@
 #define gatunMergeCosts_h
 
 #include "gatunMergeBends.h"
+#include "gatunMergeChoice.h"
 #include "gatunMergeFields.h"
 #include "gatunMergeInput.h"
 #include "gatunMergeLinks.h"
@@ -16,19 +17,6 @@
 
 namespace gatun
 {
-/** The best merge of a point into a neighbor; Into is None if there is none. */
-struct MergeChoice
-{
-  std::uint32_t Into = MergeMesh::None;
-
-  /** The change divided by the number of tetrahedra that vanish. */
-  double Cost = 0;
-
-  /** The square of the change of the fields and of the shape, integrated over the mesh, relative to
-   * the ranges of the fields and to the volume. */
-  double Change = 0;
-};
-
 /** Finds the best merge of a point. NumberOfFields is that of the input, or 0 for any. */
 template <std::size_t NumberOfFields>
 class MergeCosts
@@ -36,8 +24,14 @@ class MergeCosts
 public:
   MergeCosts(const MergeMesh& mesh, const MergeFields& fields, const MergeSettings& settings);
 
+  static constexpr std::uint8_t MostChanges = 3; // see MergeRounds
+
+  /** Roots of sums of changes are so many times what is measured of meshes that were simplified. */
+  static constexpr double ChangePerError = 6;
+
   /** Returns the cheapest merge of a point that turns no tetrahedron or face over, and preserves
-   * the topology if that is checked. A good first neighbor to try makes this faster. */
+   * the topology if that is checked. Its cost is the change divided by the number of tetrahedra
+   * that vanish. A good first neighbor to try makes this faster. */
   MergeChoice Choose(std::uint32_t point, std::uint32_t tryFirst, bool checkTopology);
 
   bool MayMerge(std::uint32_t point, std::uint32_t into)

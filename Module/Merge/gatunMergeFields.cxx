@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunMergeFields.h"
 
+#include "gatunMergeRange.h"
 #include "gatunVector.h"
 
 #include <cmath>
-#include <limits>
 
 namespace gatun
 {
@@ -13,7 +13,7 @@ namespace gatun
 MergeFields::MergeFields(const MergeMesh& mesh, const MergeInput& input)
   : Fields(input.Fields.size())
 {
-  const std::vector<double> scales = this->FindScales(input);
+  const std::vector<double> scales = FindFieldScales(input.Fields);
   const std::size_t each = 1 + this->Fields;
   const std::size_t points = input.Points.size();
   this->Samples.resize(points * each);
@@ -54,30 +54,6 @@ MergeFields::MergeFields(const MergeMesh& mesh, const MergeInput& input)
   }
   this->PerWhole = whole > 0 ? 1 / whole : 0;
   this->PerTet = tets > 0 ? 1 / static_cast<double>(tets) : 0;
-}
-
-//------------------------------------------------------------------------------
-std::vector<double> MergeFields::FindScales(const MergeInput& input) const
-{
-  double weights = 0;
-  for (const auto& field : input.Fields)
-  {
-    weights += field.Weight;
-  }
-  std::vector<double> scales;
-  for (const auto& field : input.Fields)
-  {
-    double low = std::numeric_limits<double>::max();
-    double high = std::numeric_limits<double>::lowest();
-    for (const double value : field.Values)
-    {
-      low = value < low ? value : low;
-      high = value > high ? value : high;
-    }
-    const double range = high - low;
-    scales.push_back(range > 0 && weights > 0 ? std::sqrt(field.Weight / weights) / range : 0);
-  }
-  return scales;
 }
 
 //------------------------------------------------------------------------------

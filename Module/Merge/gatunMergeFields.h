@@ -52,7 +52,6 @@ public:
 
 private:
   const Sample& At(std::uint32_t point) const { return this->Samples[point * (1 + this->Fields)]; }
-  std::vector<double> FindScales(const MergeInput& input) const;
   void AddSlopes(const MergeMesh::Tet& corners, double volume);
 
   std::size_t Fields;

@@ -3,9 +3,8 @@
 #ifndef gatunMergeInput_h
 #define gatunMergeInput_h
 
-#include "gatunMergeTree.h"
-
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -28,8 +27,23 @@ struct MergeSettings
   double BoundaryWeight = 0.5;
 };
 
-/** A mesh and the fields that simplification preserves. */
-struct MergeInput
+struct SurfaceMergeSettings
+{
+  /** Weight of the change of shape in the cost of a merge, 0 to 1. The change of the fields has the
+   * rest. */
+  double ShapeWeight = 0.5;
+
+  /** Edges between triangles whose normals differ by more degrees, 0 to 180, stay where they are as
+   * far as possible, as the border does. */
+  double FeatureAngle = 30;
+
+  /** Whether points of the border are never merged. */
+  bool KeepBorder = false;
+};
+
+/** A mesh and the fields that simplification preserves. Cells are triangles or tetrahedra. */
+template <std::size_t Corners>
+struct BasicMergeInput
 {
   /** A value for each point. */
   struct Field
@@ -39,13 +53,16 @@ struct MergeInput
   };
 
   std::span<const std::array<double, 3>> Points;
-  std::span<const MergeTree::Tet> Tets;
+  std::span<const std::array<std::uint32_t, Corners>> Cells;
   std::vector<Field> Fields; ///< empty: only the shape counts
 
   /** For each point, whether it is kept, such as one that another mesh has, too. Others may be
    * merged into it. Empty: none. */
   std::span<const std::uint8_t> IsKept = {};
 };
+
+using MergeInput = BasicMergeInput<4>;
+using SurfaceMergeInput = BasicMergeInput<3>;
 }
 
 #endif

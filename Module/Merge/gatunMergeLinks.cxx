@@ -135,7 +135,7 @@ bool MergeLinks::MayMerge(std::uint32_t point, std::uint32_t into)
     this->Marks[marked] = 0;
   }
   this->Marked.clear();
-  this->Mesh.PrefetchTets(into);
+  this->Mesh.PrefetchCells(into);
   this->MarkNeighbors(point, ByFirst, ByFirstOnBoundary);
   const bool edgeOnBoundary = (this->Marks[into] & ByFirstOnBoundary) != 0;
   if (this->Mesh.IsOnBoundary(point) && !edgeOnBoundary)

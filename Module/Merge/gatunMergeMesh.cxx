@@ -8,45 +8,10 @@ namespace gatun
 {
 //------------------------------------------------------------------------------
 MergeMesh::MergeMesh(std::size_t points, std::span<const Tet> tets)
-  : Tets(tets.begin(), tets.end())
+  : MergeRings(points, tets)
   , BoundaryFaces(tets.size(), 0)
   , OnBoundary(points, 0)
-  , Rings(points)
 {
-  // A tetrahedron with a point twice is none.
-  for (Tet& tet : this->Tets)
-  {
-    auto sorted = tet;
-    std::sort(sorted.begin(), sorted.end());
-    if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
-    {
-      tet[0] = None;
-      continue;
-    }
-    for (const auto corner : tet)
-    {
-      ++this->Rings[corner].Count;
-    }
-  }
-  for (Ring& ring : this->Rings)
-  {
-    ring.First = this->Used;
-    this->Used += ring.Count;
-    ring.Count = 0;
-  }
-  this->Pool.resize(this->Used);
-  for (std::uint32_t tet = 0; tet < this->Tets.size(); ++tet)
-  {
-    if (this->Tets[tet][0] == None)
-    {
-      continue;
-    }
-    for (const auto corner : this->Tets[tet])
-    {
-      Ring& ring = this->Rings[corner];
-      this->Pool[ring.First + ring.Count++] = tet;
-    }
-  }
   this->FindBoundary();
 }
 
@@ -62,7 +27,7 @@ void MergeMesh::FindBoundary()
   };
   std::vector<Face> faces; // a hash table
   std::vector<std::size_t> used;
-  for (std::uint32_t point = 0; point < this->Rings.size(); ++point)
+  for (std::uint32_t point = 0; point < this->GetNumberOfPoints(); ++point)
   {
     const auto ring = this->GetRing(point);
     const std::size_t least = 6 * ring.size(); // twice as many slots as faces
@@ -73,7 +38,7 @@ void MergeMesh::FindBoundary()
     const std::size_t mask = faces.size() - 1;
     for (const auto tet : ring)
     {
-      const Tet& corners = this->Tets[tet];
+      const Tet& corners = this->GetTet(tet);
       const unsigned at = FindKnownCorner(corners, point);
       for (unsigned i = 1; i < 4; ++i)
       {
@@ -114,28 +79,11 @@ void MergeMesh::FindBoundary()
 }
 
 //------------------------------------------------------------------------------
-/** Removes a tetrahedron from the ring of a point. */
-void MergeMesh::RemoveFromRing(std::uint32_t point, std::uint32_t tet)
-{
-  Ring& ring = this->Rings[point];
-  std::uint32_t* const first = this->Pool.data() + ring.First;
-  std::uint32_t* const last = first + ring.Count;
-  // The order stays, as sums depend on it.
-  std::uint32_t* const found = std::find(first, last, tet);
-  if (found != last)
-  {
-    std::copy(found + 1, last, found);
-    --ring.Count;
-    --this->Used;
-  }
-}
-
-//------------------------------------------------------------------------------
 /** Of a tetrahedron that vanishes, two faces become one; if one of them was on the boundary, who is
  * on the other side of the other one is there now. */
 void MergeMesh::PassBoundaryOn(std::uint32_t tet, std::uint32_t point, std::uint32_t into)
 {
-  const Tet corners = this->Tets[tet];
+  const Tet corners = this->GetTet(tet);
   const unsigned at = FindCorner(corners, point);
   const unsigned other = FindCorner(corners, into);
   const auto rest = FindOthers(at, other);
@@ -145,7 +93,7 @@ void MergeMesh::PassBoundaryOn(std::uint32_t tet, std::uint32_t point, std::uint
   {
     for (const auto next : this->GetRing(owner))
     {
-      const Tet& c = this->Tets[next];
+      const Tet& c = this->GetTet(next);
       const unsigned a = FindCorner(c, owner);
       const unsigned b = FindCorner(c, edge[0]);
       const unsigned d = FindCorner(c, edge[1]);
@@ -168,59 +116,13 @@ void MergeMesh::PassBoundaryOn(std::uint32_t tet, std::uint32_t point, std::uint
 //------------------------------------------------------------------------------
 void MergeMesh::Merge(std::uint32_t point, std::uint32_t into)
 {
-  const auto ring = this->GetRing(point);
-  for (const auto tet : ring)
+  for (const auto tet : this->GetRing(point))
   {
-    if (FindCorner(this->Tets[tet], into) < 4)
+    if (FindCorner(this->GetTet(tet), into) < 4)
     {
       this->PassBoundaryOn(tet, point, into);
     }
   }
-  this->Moved.clear();
-  for (const auto tet : ring)
-  {
-    Tet& corners = this->Tets[tet];
-    if (FindCorner(corners, into) < 4)
-    {
-      for (const auto corner : corners)
-      {
-        if (corner != point)
-        {
-          this->RemoveFromRing(corner, tet);
-        }
-      }
-      corners[0] = None;
-    }
-    else
-    {
-      corners[FindCorner(corners, point)] = into;
-      this->Moved.push_back(tet);
-    }
-  }
-  const auto rest = this->GetRing(into);
-  this->Moved.insert(this->Moved.end(), rest.begin(), rest.end());
-  this->Used += this->Moved.size() - rest.size();
-  this->Used -= this->Rings[point].Count;
-  this->Rings[point].Count = 0;
-  this->Rings[into] = { this->Pool.size(), static_cast<std::uint32_t>(this->Moved.size()) };
-  this->Pool.insert(this->Pool.end(), this->Moved.begin(), this->Moved.end());
-  if (this->Pool.size() > 2 * this->Used + 1024)
-  {
-    this->Compact();
-  }
-}
-
-//------------------------------------------------------------------------------
-void MergeMesh::Compact()
-{
-  LargeArray<std::uint32_t> pool;
-  for (std::uint32_t point = 0; point < this->Rings.size(); ++point)
-  {
-    const auto ring = this->GetRing(point);
-    this->Rings[point].First = pool.size();
-    pool.insert(pool.end(), ring.begin(), ring.end());
-  }
-  this->Pool = std::move(pool);
-  this->Used = this->Pool.size();
+  this->MergeRings::Merge(point, into);
 }
 }

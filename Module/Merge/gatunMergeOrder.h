@@ -4,37 +4,46 @@
 #define gatunMergeOrder_h
 
 #include "gatunMergeInput.h"
+#include "gatunMergeTree.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace gatun
 {
-/** A mesh whose points and tetrahedra are sorted spatially, so that neighbors are near each other
- * in memory. This makes algorithms that visit neighbors faster. */
+/** A mesh whose points and cells are sorted spatially, so that neighbors are near each other in
+ * memory. This makes algorithms that visit neighbors faster. Points of a surface at the same place
+ * follow each other. */
+template <std::size_t Corners>
 class LocalMergeInput
 {
 public:
-  explicit LocalMergeInput(const MergeInput& input);
+  using Input = BasicMergeInput<Corners>;
+
+  explicit LocalMergeInput(const Input& input);
 
   /** Valid as long as this object exists. */
-  const MergeInput& Get() const { return this->Local; }
+  const Input& Get() const { return this->Local; }
 
-  /** For each point, its number in the given mesh. */
-  const std::vector<std::uint32_t>& GetIds() const { return this->Ids; }
+  /** Makes a tree for the given mesh from merges of the sorted points. */
+  MergeTree MakeTree(std::vector<Merge> merges) const;
 
 private:
-  void OrderPoints(const MergeInput& input);
-  void OrderTets(const MergeInput& input);
+  void OrderPoints(const Input& input);
+  void OrderCells(const Input& input);
 
   std::vector<std::uint32_t> Ids;
   std::vector<std::array<double, 3>> Points;
-  std::vector<MergeTree::Tet> Tets;
+  std::vector<std::array<std::uint32_t, Corners>> Cells;
   std::vector<std::vector<double>> Values;
   std::vector<std::uint8_t> IsKept;
-  MergeInput Local;
+  Input Local;
 };
+
+extern template class LocalMergeInput<3>;
+extern template class LocalMergeInput<4>;
 }
 
 #endif

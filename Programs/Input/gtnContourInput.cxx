@@ -41,7 +41,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Simplify(
   simplifier->Update();
   CheckInterrupt();
   CheckMessages(options.File, settings.Quiet);
-  return simplifier->GetOutput();
+  return simplifier->GetUnstructuredGridOutput();
 }
 
 bool NeedsMesh(const ContourInputOptions& options)

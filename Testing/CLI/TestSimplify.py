@@ -5,6 +5,8 @@
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 from gatun import vtkGatunSimplify
 from gatunCli import enter_folder, gtn, read, standard_mesh, write
@@ -71,6 +73,30 @@ for name in ("half.gtn", "half.vtk"):
 gtn("verify", "-q", "half.gtn", "half.vtu")
 gtn("verify", "-q", "half.gtn", "half.vtk")
 
+# Surfaces.
+ball = vtkSphereSource()
+ball.SetThetaResolution(40)
+ball.SetPhiResolution(40)
+writer = vtkXMLPolyDataWriter()
+writer.SetInputConnection(ball.GetOutputPort())
+writer.SetFileName("ball.vtp")
+assert writer.Write()
+simplifier = vtkGatunSimplify()
+simplifier.SetInputConnection(ball.GetOutputPort())
+simplifier.SetSimplificationRatio(0.8)
+simplifier.SetFeatureAngle(60)
+simplifier.Update()
+out = gtn("simplify", "--ratio", 0.8, "--feature-angle", 60, "ball.vtp", "few.vtp", says="triangles")
+assert f"of {ball.GetOutput().GetNumberOfPoints():,} points" in out, out
+reader = vtkXMLPolyDataReader()
+reader.SetFileName("few.vtp")
+reader.Update()
+expected, got = simplifier.GetOutput(), reader.GetOutput()
+assert expected.GetNumberOfPoints() < 0.21 * ball.GetOutput().GetNumberOfPoints()
+for of in (lambda g: g.GetPoints().GetData(), lambda g: g.GetPolys().GetConnectivityArray()):
+    np.testing.assert_array_equal(vtk_to_numpy(of(got)), vtk_to_numpy(of(expected)))
+gtn("simplify", "-q", "--points", 100, "ball.vtp", "few.stl")
+
 # Usage and failures; what is there stays.
 gtn("simplify", "mesh.vtu", "half.vtu", code=1, says="exists")
 gtn("simplify", "-f", "-q", "mesh.vtu", "half.vtu")
@@ -79,6 +105,9 @@ for arguments in (
         ("--rms-error", "-1"), ("--ratio", "0.5", "--points", "5"), ("--metric", "color"),
         ("--boundary-weight", "2"), ("--weight", "velocity=much"), ("--weight", "velocity=-1")):
     gtn("simplify", *arguments, "mesh.vtu", "new.vtu", code=2)
-gtn("simplify", "mesh.vtu", "new.stl", code=2, says=".gtn, .vtu or .vtk")
+gtn("simplify", "mesh.vtu", "new.foo", code=2, says=".gtn, .vtu or .vtk")
+gtn("simplify", "mesh.vtu", "new.vtp", code=1, says="no reader")
+gtn("simplify", "--feature-angle", "200", "ball.vtp", "new.vtp", code=2)
+gtn("simplify", "ball.vtp", "few.vtp", code=1, says="exists")
 gtn("simplify", "--weight", "nothing", "mesh.vtu", "new.vtu", code=1, says="nothing")
 gtn("simplify", "missing.vtu", "new.vtu", code=1, says="missing.vtu")

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 """A mesh is simplified in memory by each rank on its own, and the pieces fit together: no point of
-the inside is on a face that only one tetrahedron has. Each rank has cells from everywhere."""
+the inside is on a face that only one tetrahedron has. Each rank has cells from everywhere. And a surface."""
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -68,3 +68,10 @@ if rank == 0:
     assert times.max() == 2
     outside = places[np.unique(faces[times == 1])]
     assert np.isin(outside, (0, sample.SIDE)).any(axis=1).all(), "a crack between ranks"
+
+sphere = simple.Sphere(ThetaResolution=64, PhiResolution=64)
+surface = simple.SimplifyTetrahedra(Input=sphere, SimplificationRatio=0.8)
+surface.UpdatePipeline()
+before, after = sphere.GetDataInformation(), surface.GetDataInformation()
+assert after.GetDataSetTypeAsString() == "vtkPolyData"
+assert 0 < after.GetNumberOfPoints() < 0.5 * before.GetNumberOfPoints()

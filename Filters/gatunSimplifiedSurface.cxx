@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunSimplifiedSurface.h"
+
+#include "gatunCopyTuples.h"
+#include "gatunParallel.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace gatun
+{
+namespace
+{
+/** Copies vertices or lines with new numbers of points. */
+void CopyCells(vtkPolyData* surface, vtkCellArray* cells, vtkIdType first,
+  const std::vector<vtkIdType>& places, vtkCellArray* output, vtkIdList* outputCells)
+{
+  ForEachOwnCell(surface, cells, first,
+    [&](vtkIdType cell, vtkIdType count, const vtkIdType* ids)
+    {
+      output->InsertNextCell(static_cast<int>(count));
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        output->InsertCellPoint(places[static_cast<std::size_t>(ids[i])]);
+      }
+      outputCells->InsertNextId(cell);
+    });
+}
+
+/** Whether two different corners have become one. Those that were one before have not. */
+bool IsGone(const SurfaceTriangles::Triangle& before, const SurfaceTriangles::Triangle& after)
+{
+  const auto isGone = [&](unsigned i, unsigned j)
+  { return after[i] == after[j] && before[i] != before[j]; };
+  return isGone(0, 1) || isGone(1, 2) || isGone(2, 0);
+}
+}
+
+//------------------------------------------------------------------------------
+SimplifiedSurface::SimplifiedSurface(vtkPolyData* input, const MergeWeights& weights,
+  const SurfaceMergeSettings& settings, const std::function<bool(double)>& progress)
+  : Surface(vtkSmartPointer<vtkPolyData>::New())
+  , Triangles(input)
+{
+  this->Surface->ShallowCopy(input);
+  this->Tree = BuildMergeTree(
+    input, this->Triangles.Corners, weights, settings, progress, this->Triangles.IsMarked);
+}
+
+//------------------------------------------------------------------------------
+std::size_t SimplifiedSurface::CountWholeMerges(const MergeTree& tree, std::size_t merges) const
+{
+  vtkPoints* const points = this->Surface->GetPoints();
+  return gatun::CountWholeMerges(tree, merges,
+    [points](std::uint32_t a, std::uint32_t b)
+    {
+      std::array<double, 3> p{};
+      std::array<double, 3> q{};
+      points->GetPoint(a, p.data());
+      points->GetPoint(b, q.data());
+      return p == q;
+    });
+}
+
+//------------------------------------------------------------------------------
+void SimplifiedSurface::Fill(const MergeTree& tree, std::size_t merges, vtkPolyData* output) const
+{
+  const auto ancestors = tree.FindAncestors(merges);
+  std::vector<vtkIdType> places(ancestors.size(), -1);
+  vtkNew<vtkIdList> kept;
+  kept->Allocate(static_cast<vtkIdType>(ancestors.size() - std::min(merges, ancestors.size())));
+  const auto& isLeftOut = this->Triangles.IsOfGhosts;
+  for (std::size_t i = 0; i < ancestors.size(); ++i)
+  {
+    if (ancestors[i] == i && (isLeftOut.empty() || isLeftOut[i] == 0))
+    {
+      places[i] = kept->InsertNextId(static_cast<vtkIdType>(i));
+    }
+  }
+  vtkNew<vtkPoints> points;
+  if (this->Surface->GetPoints())
+  {
+    points->SetDataType(this->Surface->GetPoints()->GetDataType());
+    points->SetNumberOfPoints(kept->GetNumberOfIds());
+    this->Surface->GetPoints()->GetPoints(kept, points);
+  }
+  output->SetPoints(points);
+  CopyTuples(this->Surface->GetPointData(), kept, output->GetPointData());
+
+  vtkNew<vtkIdList> cells;
+  vtkNew<vtkCellArray> verts;
+  vtkNew<vtkCellArray> lines;
+  CopyCells(this->Surface, this->Surface->GetVerts(), 0, places, verts, cells);
+  CopyCells(this->Surface, this->Surface->GetLines(), this->Surface->GetNumberOfVerts(), places,
+    lines, cells);
+  const vtkIdType before = cells->GetNumberOfIds();
+
+  // Parts of the triangles, one after the other in the output.
+  const auto& triangles = this->Triangles.Corners;
+  const std::size_t parts = std::max<std::size_t>(1, triangles.size() >> 15);
+  const auto getFirst = [&](std::size_t part) { return triangles.size() * part / parts; };
+  const auto find = [&](std::size_t i, SurfaceTriangles::Triangle& triangle)
+  {
+    triangle = { ancestors[triangles[i][0]], ancestors[triangles[i][1]],
+      ancestors[triangles[i][2]] };
+    return !IsGone(triangles[i], triangle);
+  };
+  std::vector<vtkIdType> starts(parts + 1, 0);
+  ParallelFor(parts,
+    [&](std::size_t part)
+    {
+      SurfaceTriangles::Triangle triangle{};
+      for (auto i = getFirst(part); i < getFirst(part + 1); ++i)
+      {
+        starts[part + 1] += find(i, triangle) ? 1 : 0;
+      }
+    });
+  for (std::size_t part = 0; part < parts; ++part)
+  {
+    starts[part + 1] += starts[part];
+  }
+  const vtkIdType left = starts[parts];
+  vtkNew<vtkIdTypeArray> corners;
+  vtkNew<vtkIdTypeArray> offsets;
+  corners->SetNumberOfValues(3 * left);
+  offsets->SetNumberOfValues(left + 1);
+  cells->Resize(before + left);
+  cells->SetNumberOfIds(before + left);
+  vtkIdType* const corner = corners->GetPointer(0);
+  vtkIdType* const offset = offsets->GetPointer(0);
+  vtkIdType* const cell = cells->GetPointer(before);
+  ParallelFor(parts,
+    [&](std::size_t part)
+    {
+      vtkIdType at = starts[part];
+      SurfaceTriangles::Triangle triangle{};
+      for (auto i = getFirst(part); i < getFirst(part + 1); ++i)
+      {
+        if (find(i, triangle))
+        {
+          offset[at] = 3 * at;
+          cell[at] = this->Triangles.Cells[i];
+          for (std::size_t j = 0; j < 3; ++j)
+          {
+            corner[3 * at + static_cast<vtkIdType>(j)] = places[triangle[j]];
+          }
+          ++at;
+        }
+      }
+    });
+  offset[left] = 3 * left;
+  vtkNew<vtkCellArray> polys;
+  polys->SetData(offsets, corners);
+  output->SetVerts(verts);
+  output->SetLines(lines);
+  output->SetPolys(polys);
+  CopyTuples(this->Surface->GetCellData(), cells, output->GetCellData());
+  output->GetFieldData()->ShallowCopy(this->Surface->GetFieldData());
+}
+}
