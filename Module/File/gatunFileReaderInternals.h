@@ -81,6 +81,7 @@ public:
   MeshTable Mesh;
   std::optional<CellTable> Cells; // if not all cells are tetrahedra
   std::vector<CellTypeCount> CellTypes;
+  bool IsSurface = false;
   std::vector<StepTable> Steps;
   std::vector<double> Times;
   std::vector<ChunkInfo> Chunks;
@@ -97,6 +98,7 @@ private:
   void Read();
   void ReadCells();
   void CountCells();
+  void ReadSurface();
   void ReadLayers();
   void ReadTree();
   void CheckLevel(const Internals& whole, std::size_t level) const;

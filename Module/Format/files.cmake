@@ -16,6 +16,7 @@ gatun_core_folder(Format
     gatunInputFile.h
     gatunLayerTable.h
     gatunOutputFile.h
+    gatunSurfaceTable.h
     gatunTableParts.h
     gatunTables.h
     gatunTreeTable.h
@@ -29,6 +30,7 @@ gatun_core_folder(Format
     gatunInputFile.cxx
     gatunLayerTable.cxx
     gatunOutputFile.cxx
+    gatunSurfaceTable.cxx
     gatunTableParts.cxx
     gatunTables.cxx
     gatunTreeTable.cxx)
