@@ -71,8 +71,8 @@ VTK_ABI_NAMESPACE_BEGIN
 #endif
 
 class vtkDataArraySelection;
+class vtkDataObject;
 class vtkMultiProcessController;
-class vtkUnstructuredGrid;
 
 class VTKGATUNIO_EXPORT vtkGatunWriter : public vtkWriter
 {
@@ -281,6 +281,30 @@ public:
 
   ///@{
   /**
+   * Largest difference of each coordinate from that of the input, 0 or more, in the units of the
+   * coordinates. 0: coordinates are stored without loss. Else they are rounded to multiples of the
+   * largest power of two that keeps the error, before anything else is done; values of arrays stay.
+   * Coordinates that are not finite, and integers, stay. Files become smaller where a coordinate
+   * has at most 65,536 different values. Points of pieces are joined by the rounded coordinates.
+   * A number that is not finite is an error. Default: 0.
+   */
+  vtkSetClampMacro(PointError, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(PointError, double);
+  ///@}
+
+  ///@{
+  /**
+   * Bits of each coordinate, 0 to 31. 0: coordinates are stored without loss. Else they are rounded
+   * to multiples of the longest side of the bounding box divided by 2^PointBits - 1, from its least
+   * corner on. The largest error is then GetWrittenPointError, about half of that. Needs the mesh in
+   * one piece and one process. An error together with PointError. Default: 0.
+   */
+  vtkSetClampMacro(PointBits, int, 0, 31);
+  vtkGetMacro(PointBits, int);
+  ///@}
+
+  ///@{
+  /**
    * The number of pieces to ask the input for, 1 or more. 1: the whole mesh at once. Default: 1.
    */
   vtkSetClampMacro(NumberOfPieces, int, 1, VTK_INT_MAX);
@@ -384,6 +408,12 @@ public:
   ///@}
 
   /**
+   * Largest difference between a coordinate of the last file and that of the input, of the pieces of
+   * this process. 0 without PointError and PointBits.
+   */
+  vtkGetMacro(WrittenPointError, double);
+
+  /**
    * Bytes that this process has sent to the other ones of Controller for the last file. What goes
    * to all counts for each. 0 without other processes.
    */
@@ -420,6 +450,8 @@ protected:
   bool WriteAllTimeSteps = false;
   bool SplitCells = false;
   bool ReplaceReadOnly = false;
+  double PointError = 0;
+  int PointBits = 0;
   int NumberOfPieces = 1;
   int SpillMemory = 64;
   char* SpillFolder = nullptr;
@@ -439,6 +471,7 @@ protected:
   vtkTypeUInt64 HierarchyBytes = 0;
   vtkTypeUInt64 LevelBytes = 0;
   vtkTypeUInt64 DirectoryBytes = 0;
+  double WrittenPointError = 0;
   vtkTypeUInt64 BytesSent = 0;
 
 private:
@@ -448,8 +481,8 @@ private:
   bool WriteSteps();
   bool WritePieces();
   void WriteTogether();
-  void WritePiece(vtkUnstructuredGrid* input);
-  void WriteStep(vtkUnstructuredGrid* input);
+  void WritePiece(vtkDataObject* input);
+  void WriteStep(vtkDataObject* input);
   bool HandleFailure() noexcept;
 
   class vtkInternals;
