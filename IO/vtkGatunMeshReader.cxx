@@ -47,6 +47,7 @@ vtkGatunMeshReader::vtkGatunMeshReader()
   : Internals(std::make_unique<vtkInternals>())
 {
   this->SetNumberOfInputPorts(0);
+  this->SetNumberOfOutputPorts(1);
 }
 
 //------------------------------------------------------------------------------

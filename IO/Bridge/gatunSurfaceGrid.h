@@ -46,11 +46,12 @@ struct SurfaceCells
 };
 
 /** Throws Error(Corrupt) for cells that cannot be part of a surface. */
-SurfaceCells FindSurfaceCells(vtkUnstructuredGrid* grid);
+VTKGATUNIO_EXPORT SurfaceCells FindSurfaceCells(vtkUnstructuredGrid* grid);
 
 /** Makes the surface of a grid with these cells. Points and arrays are shared, but cell arrays in
  * another order. */
-void MakeSurface(vtkUnstructuredGrid* grid, const SurfaceCells& cells, vtkPolyData* surface);
+VTKGATUNIO_EXPORT void MakeSurface(
+  vtkUnstructuredGrid* grid, const SurfaceCells& cells, vtkPolyData* surface);
 }
 
 #endif
