@@ -178,8 +178,8 @@ void vtkGatunWriter::vtkInternals::BeginPieces(int pieces)
   }
   if (owner->PointBits > 0)
   {
-    gatun::ThrowInvalid("PointBits needs the bounds of the whole mesh, in one piece and one "
-                        "process; use PointError");
+    gatun::ThrowInvalid("a number of bits needs the bounds of the whole mesh, in one piece and one "
+                        "process; give the largest error of coordinates");
   }
   gatun::PartWriterOptions options;
   options.File = this->MakeOptions(nullptr, {});
