@@ -83,7 +83,7 @@ int Run(int argc, char* argv[])
   settings.CommandLine = JoinArguments(argc, argv);
   settings.ShowProgress = isatty(fileno(stderr)) != 0;
   CLI::App app{
-    "Compress, inspect, render, contour and simplify tetrahedral meshes (.gtn) and volumes (.ghv).",
+    "Compress, inspect, render, contour and simplify meshes (.gtn) and volumes (.ghv).",
     "gtn"
   };
   app.set_version_flag("--version",

@@ -270,11 +270,9 @@ void AddContour(CLI::App& app, Settings& settings)
   CLI::App* command = AddCommand(app, settings, "contour",
     "Write isosurfaces of a mesh to a .gtn, .vtp, .vtk, .stl, .ply or .obj file. Only those chunks "
     "of a\n"
-    ".gtn file are read that a surface passes through; other meshes are read as a whole. A .gtn, "
-    ".vtp or\n"
-    ".vtk file has the interpolated arrays of the mesh, other files have no arrays. An isovalue outside the range of "
-    "the\n"
-    "array gives no surface and a warning.",
+    ".gtn file are read that a surface passes through; other meshes are read as a whole. A .gtn,\n"
+    ".vtp or .vtk file has the interpolated arrays of the mesh, other files have no arrays. An\n"
+    "isovalue outside the range of the array gives no surface and a warning.",
     "  gtn contour --value 0.5 mesh.gtn surface.vtp\n"
     "  gtn contour --value 0.5 mesh.gtn surface.gtn\n"
     "  gtn contour --array pressure --value 1e5,2e5 --normals --stats mesh.gtn surface.vtp\n"
