@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkGatunWriter
- * @brief Writes a tetrahedral vtkUnstructuredGrid as a compressed mesh (`.gtn`), without loss.
+ * @brief Writes a vtkUnstructuredGrid or vtkPolyData as a compressed mesh (`.gtn`), without loss.
  *
  * Input: a vtkUnstructuredGrid of vtkTetra cells with 32- or 64-bit ids and float or double points,
- * which goes into the file without a copy. Other integer types of points are converted to double,
+ * which goes into the file without a copy, or a surface, see below. Other integer types of points are converted to double,
  * with a warning, and refused where that is not exact. Meshes without points or cells are valid, as
  * are unused and duplicate points, NaN and infinite coordinates, flat, inverted and duplicate
  * tetrahedra, and faces shared by more than two.
@@ -18,6 +18,10 @@
  * Cells of all types are written, also of a type that VTK does not know. Those that have a wrong
  * number of points, or points or faces that do not exist, are an error that names the cell. With
  * SplitCells, 3D cells are split into tetrahedra.
+ *
+ * Surfaces: a vtkPolyData with polygons, vertices, lines and triangle strips of any size. If more
+ * than one of these lists has cells, they are copied. Files of surfaces have no hierarchy, and
+ * SplitCells is an error. vtkGatunSurfaceReader reads them.
  *
  * Ghosts: cells marked DUPLICATECELL in vtkGhostType are left out, and points that only they use;
  * the marks for duplicates then go, too. Other marks (hidden cells and points) are kept.
@@ -55,7 +59,7 @@
  * @warning The whole mesh must fit into memory, or with NumberOfPieces the largest piece.
  * @warning Unless KeepOrder says otherwise, points and cells come back in another order.
  *
- * @sa vtkGatunReader vtkGatunMergeBlocks
+ * @sa vtkGatunReader vtkGatunSurfaceReader vtkGatunMergeBlocks
  */
 
 #ifndef vtkGatunWriter_h

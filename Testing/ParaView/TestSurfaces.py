@@ -12,14 +12,14 @@ simple = load_plugin()
 rank, ranks = rank_and_ranks()
 
 
-def count(proxy):
+def count_of(proxy):
     """Points and cells of all ranks."""
     proxy.UpdatePipeline()
     info = proxy.GetDataInformation()
     return info.GetNumberOfPoints(), info.GetNumberOfCells()
 
 
-def area(proxy):
+def area_in_all(proxy):
     summed = simple.IntegrateVariables(Input=proxy, DivideCellDataByVolume=0)
     summed.UpdatePipeline()
     return servermanager.Fetch(summed).GetCellData().GetArray("Area").GetValue(0)
@@ -34,10 +34,10 @@ assert reader.GetXMLName() == "GatunSurfaceReader", reader.GetXMLName()
 reader.UpdatePipeline()
 info = reader.GetDataInformation()
 assert info.GetDataSetTypeAsString() == "vtkPolyData"
-assert abs(area(reader) - area(sphere)) < 1e-5 * area(sphere), (area(reader), area(sphere))
+assert abs(area_in_all(reader) - area_in_all(sphere)) < 1e-5 * area_in_all(sphere), (area_in_all(reader), area_in_all(sphere))
 assert info.GetPointDataInformation().GetArrayInformation("Normals")
 if ranks == 1:
-    assert count(reader) == count(sphere)
+    assert count_of(reader) == count_of(sphere)
 else:
     assert info.GetCellDataInformation().GetArrayInformation("vtkGhostType")
 
@@ -51,7 +51,7 @@ assert simple.OpenDataFile(grid).GetXMLName() == "GatunReader"
 contour = simple.Contour(Input=mesh, ContourBy=["POINTS", "wave"], Isosurfaces=[0.5])
 simple.SaveData(path, proxy=contour)
 back = simple.OpenDataFile(path)
-assert abs(area(back) - area(contour)) < 1e-5 * area(contour)
+assert abs(area_in_all(back) - area_in_all(contour)) < 1e-5 * area_in_all(contour)
 edges = simple.FeatureEdges(Input=simple.ExtractSurface(Input=mesh))
 simple.SaveData(path, proxy=edges)
 back = simple.OpenDataFile(path)
@@ -62,13 +62,13 @@ assert bounds[0] == bounds[1]
 strips = simple.TriangleStrips(Input=simple.Plane(XResolution=20, YResolution=20))
 simple.SaveData(path, proxy=strips)
 back = simple.OpenDataFile(path)
-assert abs(area(back) - 1) < 1e-6, area(back)
+assert abs(area_in_all(back) - 1) < 1e-6, area_in_all(back)
 
 # Rounded, in chosen arrays, and only the outline on demand.
 simple.SaveData(path, proxy=sphere, PointError=0.01, ChooseArraysToWrite=1, PointDataArrays=[])
 back = simple.OpenDataFile(path)
 back.UpdatePipeline()
-assert abs(area(back) - area(sphere)) < 0.05 * area(sphere)
+assert abs(area_in_all(back) - area_in_all(sphere)) < 0.05 * area_in_all(sphere)
 assert not back.GetDataInformation().GetPointDataInformation().GetArrayInformation("Normals")
 assert back.OnDemand == "Never" and not back.GetProperty("SplitCells")
 back.OnDemand = "Always"
