@@ -20,8 +20,8 @@
  * SplitCells, 3D cells are split into tetrahedra.
  *
  * Surfaces: a vtkPolyData with polygons, vertices, lines and triangle strips of any size. If more
- * than one of these lists has cells, they are copied. Files of surfaces have no hierarchy, and
- * SplitCells is an error. vtkGatunSurfaceReader reads them.
+ * than one of these lists has cells, they are copied. Files of surfaces have no hierarchy and no
+ * layers, and SplitCells is an error. vtkGatunSurfaceReader reads them.
  *
  * Ghosts: cells marked DUPLICATECELL in vtkGhostType are left out, and points that only they use;
  * the marks for duplicates then go, too. Other marks (hidden cells and points) are kept.

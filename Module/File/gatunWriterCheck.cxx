@@ -20,6 +20,10 @@ void CheckSurface(const MeshInput& mesh, const WriterOptions& options)
   {
     ThrowInvalid("surfaces cannot be written with a hierarchy");
   }
+  if (options.Layers)
+  {
+    ThrowInvalid("layers are made of tetrahedra, and surfaces have none");
+  }
   if (mesh.Cells > 0 &&
     !(mesh.Types && std::all_of(mesh.Types, mesh.Types + mesh.Cells, IsSurfaceCell)))
   {

@@ -29,7 +29,7 @@ struct WriterOptions
   bool ReplaceReadOnly = false;
 
   /** Whether the mesh is a surface (vtkPolyData): vertices, lines, polygons and triangle strips, in
-   * this order. Trees are not possible. */
+   * this order. Trees and layers are not possible. */
   bool IsSurface = false;
 
   /** A merge tree of all points of the mesh, or null. It must exist until Finish has returned. */

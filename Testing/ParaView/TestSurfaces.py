@@ -49,7 +49,7 @@ assert simple.OpenDataFile(grid).GetXMLName() == "GatunReader"
 
 # Isosurfaces, lines and strips.
 contour = simple.Contour(Input=mesh, ContourBy=["POINTS", "wave"], Isosurfaces=[0.5])
-simple.SaveData(path, proxy=contour)
+simple.SaveData(path, proxy=contour, ChunkTets=300)
 back = simple.OpenDataFile(path)
 assert abs(area_in_all(back) - area_in_all(contour)) < 1e-5 * area_in_all(contour)
 edges = simple.FeatureEdges(Input=simple.ExtractSurface(Input=mesh))
@@ -60,12 +60,12 @@ back.UpdatePipeline()
 bounds = [proxy.GetDataInformation().GetBounds() for proxy in (edges, back)]
 assert bounds[0] == bounds[1]
 strips = simple.TriangleStrips(Input=simple.Plane(XResolution=20, YResolution=20))
-simple.SaveData(path, proxy=strips)
+simple.SaveData(path, proxy=strips, ChunkTets=64)
 back = simple.OpenDataFile(path)
 assert abs(area_in_all(back) - 1) < 1e-6, area_in_all(back)
 
 # Rounded, in chosen arrays, and only the outline on demand.
-simple.SaveData(path, proxy=sphere, PointError=0.01, ChooseArraysToWrite=1, PointDataArrays=[])
+simple.SaveData(path, proxy=sphere, PointError=0.01, ChunkTets=300, ChooseArraysToWrite=1, PointDataArrays=[])
 back = simple.OpenDataFile(path)
 back.UpdatePipeline()
 assert abs(area_in_all(back) - area_in_all(sphere)) < 0.05 * area_in_all(sphere)
