@@ -125,8 +125,7 @@ private:
 void AddStepFieldData(const FileReader& file, std::size_t step, vtkUnstructuredGrid* output);
 
 /** Sets the time of a step of a file in the information of an output. */
-VTKGATUNIO_EXPORT void SetStepTime(
-  const FileReader& file, std::size_t step, vtkDataObject* output);
+VTKGATUNIO_EXPORT void SetStepTime(const FileReader& file, std::size_t step, vtkDataObject* output);
 }
 
 #endif

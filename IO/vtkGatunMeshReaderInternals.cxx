@@ -120,7 +120,8 @@ void vtkGatunMeshReader::vtkInternals::Open(const vtkGatunMeshReader& reader)
 }
 
 //------------------------------------------------------------------------------
-gatun::SimplifyProperties vtkGatunMeshReader::vtkInternals::GetProperties(const vtkGatunMeshReader& reader)
+gatun::SimplifyProperties vtkGatunMeshReader::vtkInternals::GetProperties(
+  const vtkGatunMeshReader& reader)
 {
   static_assert(int{ TARGET_RATIO } == gatun::SimplifyTarget::Ratio);
   static_assert(int{ TARGET_NUMBER_OF_POINTS } == gatun::SimplifyTarget::NumberOfPoints);
@@ -163,14 +164,15 @@ bool vtkGatunMeshReader::vtkInternals::IsOnDemand(const vtkGatunMeshReader& read
   }
   const std::size_t merges = this->CountMerges(reader);
   const std::uint64_t tets = merges > 0 ? this->File->GetHierarchy().EstimateTets(merges)
-    : this->GetFile().IsSurface()     ? this->GetFile().GetNumberOfCells()
+    : this->GetFile().IsSurface()       ? this->GetFile().GetNumberOfCells()
                                         : this->GetFile().GetNumberOfTets();
   return tets > static_cast<std::uint64_t>(reader.LargeMesh);
 }
 
 //------------------------------------------------------------------------------
 /** The handle for consumers, of the file that is open. */
-gatun::PublishedFile vtkGatunMeshReader::vtkInternals::Describe(const vtkGatunMeshReader& reader) const
+gatun::PublishedFile vtkGatunMeshReader::vtkInternals::Describe(
+  const vtkGatunMeshReader& reader) const
 {
   gatun::PublishedFile handle;
   handle.Path = this->Path;
@@ -202,7 +204,8 @@ gatun::PublishedFile vtkGatunMeshReader::vtkInternals::Describe(const vtkGatunMe
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunMeshReader::vtkInternals::Publish(gatun::PublishedFile contents, vtkInformation* outInfo)
+void vtkGatunMeshReader::vtkInternals::Publish(
+  gatun::PublishedFile contents, vtkInformation* outInfo)
 {
   vtkNew<vtkGatunFileHandle> handle;
   handle->SetContents(std::move(contents));

@@ -53,7 +53,7 @@ int vtkGatunReader::CanReadFile(const char* name)
   try
   {
     return name && gatun::FileReader::CanRead(name) && !gatun::FileReader::IsSurfaceFile(name) ? 1
-                                                                                                : 0;
+                                                                                               : 0;
   }
   catch (const std::bad_alloc&)
   {

@@ -454,8 +454,8 @@ void vtkGatunWriter::WriteStep(vtkDataObject* input)
   {
     self.Warn("integer coordinates are written as double");
   }
-  const std::vector<gatun::BridgedArray> arrays = gatun::BridgeSelected(
-    grid, self.PointSelection, self.CellSelection, this->WriteUnlistedArrays);
+  const std::vector<gatun::BridgedArray> arrays =
+    gatun::BridgeSelected(grid, self.PointSelection, self.CellSelection, this->WriteUnlistedArrays);
   std::vector<gatun::ArrayDescription> descriptions;
   std::vector<const void*> values;
   for (const gatun::BridgedArray& array : arrays)

@@ -5,10 +5,10 @@
  * @brief Writes a vtkUnstructuredGrid or vtkPolyData as a compressed mesh (`.gtn`), without loss.
  *
  * Input: a vtkUnstructuredGrid of vtkTetra cells with 32- or 64-bit ids and float or double points,
- * which goes into the file without a copy, or a surface, see below. Other integer types of points are converted to double,
- * with a warning, and refused where that is not exact. Meshes without points or cells are valid, as
- * are unused and duplicate points, NaN and infinite coordinates, flat, inverted and duplicate
- * tetrahedra, and faces shared by more than two.
+ * which goes into the file without a copy, or a surface, see below. Other integer types of points
+ * are converted to double, with a warning, and refused where that is not exact. Meshes without
+ * points or cells are valid, as are unused and duplicate points, NaN and infinite coordinates,
+ * flat, inverted and duplicate tetrahedra, and faces shared by more than two.
  *
  * Arrays: point, cell and field arrays of every numeric VTK type, bits included, and field arrays
  * of strings, with component names and roles (active scalars, ..., global ids). Arrays that do not
@@ -300,8 +300,8 @@ public:
   /**
    * Bits of each coordinate, 0 to 31. 0: coordinates are stored without loss. Else they are rounded
    * to multiples of the longest side of the bounding box divided by 2^PointBits - 1, from its least
-   * corner on. The largest error is then GetWrittenPointError, about half of that. Needs the mesh in
-   * one piece and one process. An error together with PointError. Default: 0.
+   * corner on. The largest error is then GetWrittenPointError, about half of that. Needs the mesh
+   * in one piece and one process. An error together with PointError. Default: 0.
    */
   vtkSetClampMacro(PointBits, int, 0, 31);
   vtkGetMacro(PointBits, int);
@@ -412,8 +412,8 @@ public:
   ///@}
 
   /**
-   * Largest difference between a coordinate of the last file and that of the input, of the pieces of
-   * this process. 0 without PointError and PointBits.
+   * Largest difference between a coordinate of the last file and that of the input, of the pieces
+   * of this process. 0 without PointError and PointBits.
    */
   vtkGetMacro(WrittenPointError, double);
 

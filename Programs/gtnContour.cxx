@@ -90,7 +90,8 @@ void Check(const Options& options)
   if (options.Normals && !format.Normals)
   {
     throw UsageError(fmt::format(
-      "--normals: {} files hold no normals of points; .gtn, .vtp, .ply and .obj files do", extension));
+      "--normals: {} files hold no normals of points; .gtn, .vtp, .ply and .obj files do",
+      extension));
   }
   if (options.Double.value_or(false) && !format.Double)
   {

@@ -209,7 +209,8 @@ void AddPack(CLI::App& app, Settings& settings)
   auto options = std::make_shared<Options>();
   CLI::App* command = AddCommand(app, settings, "pack",
     "Write meshes or surfaces to a .gtn file, without loss. Several files, or one file with time\n"
-    "steps, become the time steps of one mesh. Blocks are merged; 'Gatun Split Blocks' in ParaView\n"
+    "steps, become the time steps of one mesh. Blocks are merged; 'Gatun Split Blocks' in "
+    "ParaView\n"
     "gives them back.",
     "  gtn pack mesh.vtu mesh.gtn\n"
     "  gtn pack --keep-order all --arrays pressure mesh.vtu mesh.gtn\n"

@@ -101,8 +101,8 @@ void Unpack(const Options& options, const Settings& settings)
   }
   else
   {
-    WriteMesh(vtkUnstructuredGrid::SafeDownCast(data), options.Out, settings,
-      CompressorOf(options.How));
+    WriteMesh(
+      vtkUnstructuredGrid::SafeDownCast(data), options.Out, settings, CompressorOf(options.How));
   }
 }
 
@@ -113,7 +113,8 @@ void AddUnpack(CLI::App& app, Settings& settings)
 {
   auto options = std::make_shared<Options>();
   CLI::App* command = AddCommand(app, settings, "unpack",
-    "Write a .gtn file, or one of its time steps, to a .vtu or .vtk file. A surface is written to a\n"
+    "Write a .gtn file, or one of its time steps, to a .vtu or .vtk file. A surface is written to "
+    "a\n"
     ".vtp, .vtk, .stl, .ply or .obj file; what the last three cannot hold is left out, with a "
     "warning.",
     "  gtn unpack mesh.gtn mesh.vtu\n"
@@ -131,7 +132,9 @@ void AddUnpack(CLI::App& app, Settings& settings)
     ->option_text("NAME");
   command->add_option("IN", options->In, "The .gtn file, or any other file that pack reads")
     ->required();
-  command->add_option("OUT", options->Out, "The .vtu or .vtk file, or the .vtp, .vtk, .stl, .ply or .obj file of a surface")
+  command
+    ->add_option("OUT", options->Out,
+      "The .vtu or .vtk file, or the .vtp, .vtk, .stl, .ply or .obj file of a surface")
     ->required();
   command->callback(
     [=, &settings]

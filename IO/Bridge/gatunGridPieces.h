@@ -54,8 +54,8 @@ public:
     const std::string& joinArray = {});
   ~GridPieces();
 
-  /** Tells whether the pieces are those of a surface. To be called before the first one is surveyed,
-   * and before OpenTogether. */
+  /** Tells whether the pieces are those of a surface. To be called before the first one is
+   * surveyed, and before OpenTogether. */
   void SetIsSurface(bool isSurface) { this->Options.File.IsSurface = isSurface; }
 
   /** Opens a file that all processes of an exchange write. To be called before Survey. piece: the

@@ -34,8 +34,8 @@ struct PointRounding
 void CheckRounding(const PointRounding& rounding);
 
 /**
- * Returns the grid with rounded coordinates, or the grid itself if nothing changes. Coordinates that
- * are not finite stay, and so do integers. largest becomes the largest difference, if that is
+ * Returns the grid with rounded coordinates, or the grid itself if nothing changes. Coordinates
+ * that are not finite stay, and so do integers. largest becomes the largest difference, if that is
  * larger.
  */
 vtkSmartPointer<vtkUnstructuredGrid> RoundPoints(

@@ -40,7 +40,7 @@ VTKGATUNIO_EXPORT vtkSmartPointer<vtkUnstructuredGrid> MakeSurfaceGrid(vtkPolyDa
 /** The cells of a grid as the lists of a surface. */
 struct SurfaceCells
 {
-  vtkSmartPointer<vtkCellArray> Source; ///< the cells of the grid
+  vtkSmartPointer<vtkCellArray> Source;                          ///< the cells of the grid
   std::array<vtkSmartPointer<vtkCellArray>, SurfaceLists> Lists; ///< null if they are empty
   std::vector<vtkIdType> Order; ///< for each cell of the surface that of the grid; empty: the same
 };

@@ -20,10 +20,10 @@ constexpr std::uint32_t LargeChunkTets = 262144;
 std::uint16_t GetMinorVersion(const WriterOptions& options, bool hasCells)
 {
   return options.IsSurface ? MinorVersionOfSurfaces
-    : hasCells       ? MinorVersionWithCells
-    : options.Layers ? MinorVersionWithLayers
-    : options.Tree   ? MinorVersionWithTree
-                     : MinorVersionPlain;
+    : hasCells             ? MinorVersionWithCells
+    : options.Layers       ? MinorVersionWithLayers
+    : options.Tree         ? MinorVersionWithTree
+                           : MinorVersionPlain;
 }
 }
 

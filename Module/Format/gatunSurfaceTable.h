@@ -17,8 +17,7 @@ namespace gatun
 Bytes WriteSurfaceMark();
 
 /** Throws unless the section is right and the cells of all types can be part of a surface. */
-void CheckSurfaceMark(
-  std::span<const std::uint8_t> bytes, const std::vector<CellTypeCount>& types);
+void CheckSurfaceMark(std::span<const std::uint8_t> bytes, const std::vector<CellTypeCount>& types);
 }
 
 #endif

@@ -157,8 +157,7 @@ std::vector<std::string> FindParts(const std::string& file)
   CheckMessages(file, true);
   vtkXMLDataElement* root = parser->GetRootElement();
   vtkXMLDataElement* grid = root && root->GetName() && !std::strcmp(root->GetName(), "VTKFile")
-    ? root->FindNestedElementWithName(
-        extension == ".pvtu" ? "PUnstructuredGrid" : "PPolyData")
+    ? root->FindNestedElementWithName(extension == ".pvtu" ? "PUnstructuredGrid" : "PPolyData")
     : nullptr;
   if (!grid)
   {

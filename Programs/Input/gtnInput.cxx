@@ -38,10 +38,10 @@
 
 namespace gtn
 {
-const char* const InputFormats =
-  ".vtu .pvtu .vtk .vtp .pvtp .stl .ply .obj .vtm .vtpc .pvd .series .vtkhdf .vti .vts .vtr, Exodus "
-  "(.e .exo .ex2), EnSight (.case), OpenFOAM (.foam), "
-  "CGNS, .gtn";
+const char* const InputFormats = ".vtu .pvtu .vtk .vtp .pvtp .stl .ply .obj .vtm .vtpc .pvd "
+                                 ".series .vtkhdf .vti .vts .vtr, Exodus "
+                                 "(.e .exo .ex2), EnSight (.case), OpenFOAM (.foam), "
+                                 "CGNS, .gtn";
 
 //------------------------------------------------------------------------------
 namespace

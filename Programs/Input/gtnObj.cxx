@@ -229,13 +229,12 @@ int ObjReader::RequestData(vtkInformation* vtkNotUsed(request),
   try
   {
     vtkPolyData::GetData(outputVector)
-      ->ShallowCopy(
-        ReadObj(this->File,
-          [this](double fraction)
-          {
-            this->UpdateProgress(fraction);
-            return this->GetAbortExecute() == 0;
-          }));
+      ->ShallowCopy(ReadObj(this->File,
+        [this](double fraction)
+        {
+          this->UpdateProgress(fraction);
+          return this->GetAbortExecute() == 0;
+        }));
   }
   catch (const std::exception& error)
   {

@@ -181,8 +181,8 @@ int Preparer::RequestDataObject(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const bool isSurface = vtkPolyData::GetData(inputVector[0]) != nullptr;
-  return this->SetOutputDataObject(isSurface ? VTK_POLY_DATA : VTK_UNSTRUCTURED_GRID,
-    outputVector->GetInformationObject(0), true);
+  return this->SetOutputDataObject(
+    isSurface ? VTK_POLY_DATA : VTK_UNSTRUCTURED_GRID, outputVector->GetInformationObject(0), true);
 }
 
 //------------------------------------------------------------------------------
@@ -256,8 +256,7 @@ void Preparer::MakeOutput(vtkDataObject* input, vtkDataObject* output)
   }
   if (surface)
   {
-    gatun::MakeSurface(
-      grid, gatun::FindSurfaceCells(grid), vtkPolyData::SafeDownCast(output));
+    gatun::MakeSurface(grid, gatun::FindSurfaceCells(grid), vtkPolyData::SafeDownCast(output));
   }
   else
   {

@@ -171,8 +171,8 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
   {
     return Make<vtkXMLUnstructuredGridReader>(file);
   }
-  if (IsOneOf(
-        extension, { ".pvtu", ".pvtp", ".vtm", ".vtmb", ".vti", ".vts", ".vtr", ".pvti", ".pvts", ".pvtr" }))
+  if (IsOneOf(extension,
+        { ".pvtu", ".pvtp", ".vtm", ".vtmb", ".vti", ".vts", ".vtr", ".pvti", ".pvts", ".pvtr" }))
   {
     return Make<vtkXMLGenericDataObjectReader>(file);
   }

@@ -19,9 +19,9 @@ namespace gtn
  * and so on. inPieces: whether the parts of a file are files of the step. Throws Failure. */
 std::vector<SeriesStep> StepsOfFiles(const std::vector<std::string>& files, bool inPieces);
 
-/** Reads the files of the time asked for, by readers for their formats, as a grid, or as a surface if
- * the first file is one and no step has several of them to be read together. If a piece is asked for, it
- * consists of some of these files. */
+/** Reads the files of the time asked for, by readers for their formats, as a grid, or as a surface
+ * if the first file is one and no step has several of them to be read together. If a piece is asked
+ * for, it consists of some of these files. */
 class SeriesReader : public vtkDataObjectAlgorithm
 {
 public:

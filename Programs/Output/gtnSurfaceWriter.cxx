@@ -112,7 +112,8 @@ void WritePly(vtkPolyData* surface, const std::string& file, Progress& progress)
     throw Failure("has too many points for a .ply file");
   }
   vtkDataArray* const normals = surface->GetPointData()->GetNormals();
-  const bool isLarge = surface->GetPolys()->GetMaxCellSize() > std::numeric_limits<std::uint8_t>::max();
+  const bool isLarge =
+    surface->GetPolys()->GetMaxCellSize() > std::numeric_limits<std::uint8_t>::max();
   std::string bytes = fmt::format("ply\nformat binary_{}_endian 1.0\ncomment made by Gatun\n"
                                   "element vertex {}\n"
                                   "property float x\nproperty float y\nproperty float z\n{}"
@@ -193,8 +194,8 @@ void WriteObj(vtkPolyData* surface, const std::string& file, Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-/** A surface whose strips are triangles, and with triangles only also its polygons. Formats that need
- * it hold no vertices, lines and arrays of cells. */
+/** A surface whose strips are triangles, and with triangles only also its polygons. Formats that
+ * need it hold no vertices, lines and arrays of cells. */
 vtkSmartPointer<vtkPolyData> Divide(vtkPolyData* surface, bool trianglesOnly)
 {
   vtkNew<vtkPolyData> divided;

@@ -29,11 +29,12 @@ struct SurfaceFormat
 /** Of a file, by its extension. Throws UsageError for those that there are none for. */
 SurfaceFormat GetSurfaceFormat(const std::string& file);
 
-/** "2 lines, 3 arrays": what the format of a file cannot hold of a surface. Empty if it holds all. */
+/** "2 lines, 3 arrays": what the format of a file cannot hold of a surface. Empty if it holds all.
+ */
 std::string ListLost(vtkPolyData* surface, const std::string& file);
 
-/** Writes polygons, and what else the format holds. In formats without them, strips and polygons are
- * divided into triangles, and what ListLost lists is left out. The compressor is that of a .vtp
+/** Writes polygons, and what else the format holds. In formats without them, strips and polygons
+ * are divided into triangles, and what ListLost lists is left out. The compressor is that of a .vtp
  * file. A file of that name is replaced once the new one is complete. Throws Failure. */
 void WriteSurface(vtkPolyData* surface, const std::string& file, Progress& progress,
   Compressor compressor = Compressor::ZLib);
