@@ -55,7 +55,7 @@ struct Options
   MergeOptions Merges;
   std::optional<std::string> Layers; ///< as given
   int LayerComponent = -1;
-  std::string PointError; ///< as given; empty: none
+  std::optional<std::string> PointError; ///< as given
   PieceOptions Pieces;
 };
 
@@ -169,9 +169,9 @@ void Pack(const Options& options, const Settings& settings)
   {
     SetLayers(writer, options);
   }
-  if (!options.PointError.empty())
+  if (options.PointError)
   {
-    SetPointError(writer, options.PointError);
+    SetPointError(writer, *options.PointError);
   }
   Input input(options.In, options.Input);
   CheckWritable(options.Out, options.Overwrite);

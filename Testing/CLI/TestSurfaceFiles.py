@@ -172,10 +172,10 @@ gtn("pack", "--pieces", 3, "--point-error", "bits:9", "sphere.pvtp", "new.gtn", 
     says="needs the bounds of the whole mesh")
 
 # Isosurfaces.
-gtn("contour", "--array", "x", "--value", 0.6, "mesh.gtn", "contour.vtp")
-gtn("contour", "--array", "x", "--value", 0.6, "mesh.gtn", "contour.gtn", says="triangles")
+gtn("contour", "--array", "pressure", "--value", 2.4, "mesh.gtn", "contour.vtp")
+gtn("contour", "--array", "pressure", "--value", 2.4, "mesh.gtn", "contour.gtn", says="triangles")
 gtn("verify", "contour.gtn", "contour.vtp", says="identical")
-gtn("contour", "--array", "x", "--value", 0.6, "--strips", "mesh.vtu", "strips.gtn")
+gtn("contour", "--array", "pressure", "--value", 2.4, "--strips", "mesh.vtu", "strips.gtn")
 assert info("strips.gtn")["surface"] is True
 
 # What needs 3D cells.

@@ -74,7 +74,8 @@ TEST(SurfaceFile, IsMarkedAndSkippedByOlderReaders)
   EXPECT_FALSE(FileReader::IsSurfaceFile(plain));
   EXPECT_FALSE(FileReader(plain).IsSurface());
   EXPECT_EQ(FileReader(plain).GetFormatVersion(), std::pair(1, 3));
-  for (const auto& section : InputFile(path).GetSections())
+  const InputFile container(path);
+  for (const auto& section : container.GetSections())
   {
     EXPECT_EQ(section.Name == SectionSurface, (section.Flags & FlagMandatory) == 0);
   }
