@@ -288,7 +288,7 @@ public:
    * Largest difference of each coordinate from that of the input, 0 or more, in the units of the
    * coordinates. 0: coordinates are stored without loss. Else they are rounded to multiples of the
    * largest power of two that keeps the error, before anything else is done; values of arrays stay.
-   * Coordinates that are not finite, and integers, stay. Files become smaller where a coordinate
+   * Coordinates that are not finite, and integers, stay. A file becomes smaller where a coordinate
    * has at most 65,536 different values. Points of pieces are joined by the rounded coordinates.
    * A number that is not finite is an error. Default: 0.
    */
