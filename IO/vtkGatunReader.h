@@ -17,12 +17,11 @@
 
 #include "vtkGatunIOModule.h" // For export macro
 #include "vtkGatunMeshReader.h"
+#include "vtkUnstructuredGrid.h" // For callers of GetOutput
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
 #endif
-
-class vtkUnstructuredGrid;
 
 class VTKGATUNIO_EXPORT vtkGatunReader : public vtkGatunMeshReader
 {

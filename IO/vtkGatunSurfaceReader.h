@@ -28,12 +28,11 @@
 
 #include "vtkGatunIOModule.h" // For export macro
 #include "vtkGatunMeshReader.h"
+#include "vtkPolyData.h" // For callers of GetOutput
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
 #endif
-
-class vtkPolyData;
 
 class VTKGATUNIO_EXPORT vtkGatunSurfaceReader : public vtkGatunMeshReader
 {

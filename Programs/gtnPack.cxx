@@ -275,7 +275,8 @@ void AddPack(CLI::App& app, Settings& settings)
     "Split 3D cells into tetrahedra. Nonlinear ones lose the points between their corners, and "
     "cells of a lower dimension are left out");
   auto* files = command->add_option(FilesArgument, options->In,
-    std::string("One or more meshes, then the .gtn file to write. Meshes: ") + InputFormats);
+    std::string("One or more meshes, then the .gtn file to write. Meshes: ") + InputFormats +
+      ". Surfaces: " + SurfaceInputFormats);
   files->required();
   command->callback(
     [=, &settings]

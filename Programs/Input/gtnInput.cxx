@@ -38,10 +38,11 @@
 
 namespace gtn
 {
-const char* const InputFormats = ".vtu .pvtu .vtk .vtp .pvtp .stl .ply .obj .vtm .vtpc .pvd "
-                                 ".series .vtkhdf .vti .vts .vtr, Exodus "
-                                 "(.e .exo .ex2), EnSight (.case), OpenFOAM (.foam), "
-                                 "CGNS, .gtn";
+const char* const InputFormats =
+  ".vtu .pvtu .vtk .vtm .vtpc .pvd .series .vtkhdf .vti .vts .vtr, Exodus "
+  "(.e .exo .ex2), EnSight (.case), OpenFOAM (.foam), "
+  "CGNS, .gtn";
+const char* const SurfaceInputFormats = ".vtp .pvtp .vtk .stl .ply .obj .gtn";
 
 //------------------------------------------------------------------------------
 namespace
@@ -164,7 +165,8 @@ Input::Input(const std::vector<std::string>& files, const InputOptions& options)
     if (!reader)
     {
       throw Failure(this->Name,
-        std::string("no reader for this extension; there are those for ") + InputFormats);
+        std::string("no reader for this extension; there are those for ") + InputFormats +
+          ", and for surfaces " + SurfaceInputFormats);
     }
     vtkNew<Preparer> preparer;
     preparer->SetOptions(options);

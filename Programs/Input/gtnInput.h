@@ -29,6 +29,7 @@ struct SpoolSettings;
 
 /** The formats that can be read, for help texts. */
 extern const char* const InputFormats;
+extern const char* const SurfaceInputFormats;
 
 class Input
 {
