@@ -211,7 +211,7 @@ void AddStepFieldData(const FileReader& file, std::size_t step, vtkUnstructuredG
 }
 
 //------------------------------------------------------------------------------
-void SetStepTime(const FileReader& file, std::size_t step, vtkUnstructuredGrid* output)
+void SetStepTime(const FileReader& file, std::size_t step, vtkDataObject* output)
 {
   if (file.HasTime() && step < file.GetTimes().size())
   {

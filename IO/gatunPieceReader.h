@@ -20,6 +20,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 #endif
 class vtkCellArray;
+class vtkDataObject;
 class vtkIdTypeArray;
 class vtkInformation;
 class vtkUnsignedCharArray;
@@ -124,8 +125,7 @@ private:
 void AddStepFieldData(const FileReader& file, std::size_t step, vtkUnstructuredGrid* output);
 
 /** Sets the time of a step of a file in the information of an output. */
-VTKGATUNIO_EXPORT void SetStepTime(
-  const FileReader& file, std::size_t step, vtkUnstructuredGrid* output);
+VTKGATUNIO_EXPORT void SetStepTime(const FileReader& file, std::size_t step, vtkDataObject* output);
 }
 
 #endif

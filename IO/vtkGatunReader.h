@@ -2,155 +2,49 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkGatunReader
- * @brief Reads a compressed tetrahedral mesh (`.gtn`), whole or in pieces.
+ * @brief Reads a compressed unstructured mesh (`.gtn`), whole or in pieces.
  *
- * The output is a vtkUnstructuredGrid of tetrahedra. It equals the input of vtkGatunWriter bit for
- * bit: points as float or double, connectivity with 32- or 64-bit ids (as in the input), point,
- * cell and field arrays of their VTK types with component names and roles (active scalars, vectors,
- * ..., global ids). Information keys of arrays are not stored in `.gtn` files. Unless the file
- * keeps the order of the input and RestoreOrder is on, points and cells come in the order of the
- * file, and the corners of a tetrahedron may be rotated. Its orientation never changes.
+ * The output is a vtkUnstructuredGrid that equals the input of vtkGatunWriter, as
+ * vtkGatunMeshReader describes. All properties but SplitCells are those of vtkGatunMeshReader. The
+ * corners of a tetrahedron may be rotated unless the file keeps their order; its orientation never
+ * changes. A file that holds a surface (vtkPolyData) is an error: vtkGatunSurfaceReader reads it.
  *
- * *Pieces.* A file consists of chunks. If C of them pass the region of interest, piece p of n
- * consists of the chunks floor(p C / n) to floor((p + 1) C / n) - 1. Only these are read. Points
- * that no cell uses belong to piece 0. With more pieces than chunks some pieces are empty. On
- * request the reader adds layers of ghost cells; vtkGhostType then marks the points and cells of
- * other pieces. Global ids are the same in all pieces.
- *
- * *Regions of interest.* With a box or a value range, the chunks that pass form the mesh, as if the
- * file had no others. Pieces divide them, ghost cells are taken from them, and each of their points
- * is owned by exactly one piece. The region ends without ghost cells, and the output has a surface
- * there.
- *
- * *Arrays.* Only the selected arrays are read from the file. All are selected by default.
- *
- * *Time.* The reader gives the last step that is not later than the requested time, or the first
- * step if all are later. vtkDataObject::DATA_TIME_STEP() of the output is its time. While the piece
- * stays the same, all steps share their points and cells.
- *
- * *Consumers.* Several filters behind the reader may request different pieces, ghost levels and
- * times in turn. Each gets exactly what it requests. A filter that requests no time gets the time
- * that was requested last, as everywhere in VTK.
- *
- * *Consumers of the file.* UpdateInformation publishes a vtkGatunFileHandle in the information of
- * the output. vtkGatunContour, vtkGatunSimplify, vtkGatunRayCaster and vtkGatunVolumeMapper take
- * what they need from there. They share the open file, the decoded chunks and the memory budget of
- * the reader, and the reader decodes nothing for them. With a region of interest they use the
- * output.
- *
- * *Change on disk.* Each update checks whether the file was replaced or rewritten. If so, the
- * reader opens it anew.
- *
- * *On demand.* With OnDemand, always or for large meshes, the output is the outline of the mesh:
- * the 8 corners of its bounds and 12 lines. The outline has the selected arrays. Their values span
- * the ranges of those of the mesh at the current step, component by component and, for up to three
- * components, in length. Piece 0 has the outline, all others are empty. Nothing is decoded.
- * ON_DEMAND() in the information of the output and GetIsOnDemand distinguish it from a mesh. The
- * consumers of the file use the mesh all the same. With a region of interest the output is always a
- * mesh.
- *
- * *Simplification.* Files with a hierarchy (vtkGatunWriter::Hierarchy) can be read with any number
- * of points; see SimplificationTarget. The tetrahedra of all pieces together are those that
- * vtkGatunSimplify leaves of the whole mesh, so that pieces fit together. If the file has base
- * meshes (vtkGatunWriter::Levels), only the coarsest one that is fine enough is decoded, unless the
- * original order is to be restored, which base meshes do not have. Time, arrays, regions and ghost
- * cells work as on the whole mesh. Global ids are those of the base mesh if one is read.
- *
- * *Cost.* Memory: the output, the same again while ghost cells are chosen, and the mesh that was
- * read last. Decoded chunks are kept within MemoryBudget, so that other pieces, arrays and time
- * steps need not decode them again. They are not kept when the whole mesh of a file without time
- * steps is read in one piece; if the choice of arrays changes later, the chunks are decoded once
- * more and then kept. Decoding uses all threads of vtkSMPTools.
- *
- * *Errors.* Errors are reported by vtkErrorMacro with a message that begins with the name of the
- * file. GetErrorCode is then one of vtkErrorCode::NoFileNameError, FileNotFoundError,
- * CannotOpenFileError (a folder, no permission), UnrecognizedFileTypeError (not a `.gtn` file),
- * PrematureEndOfFileError (truncated), FileFormatError (damaged), UnknownError (such as too little
- * memory), or of vtkGatunErrorCode. The output is then empty.
- *
- * @warning With a region of interest the output consists of whole chunks and has cells outside.
- * @warning The original order can be restored only if the whole mesh is requested.
- *
- * @sa vtkGatunWriter vtkGatunFileHandle
+ * @sa vtkGatunMeshReader vtkGatunSurfaceReader vtkGatunWriter vtkGatunFileHandle
  */
 
 #ifndef vtkGatunReader_h
 #define vtkGatunReader_h
 
 #include "vtkGatunIOModule.h" // For export macro
-#include "vtkUnstructuredGridAlgorithm.h"
-
-#include <memory> // For std::unique_ptr
+#include "vtkGatunMeshReader.h"
+#include "vtkUnstructuredGrid.h" // For callers of GetOutput
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
 #endif
 
-class vtkDataArraySelection;
-class vtkInformationIntegerKey;
-class vtkInformationObjectBaseKey;
-class vtkTable;
-
-class VTKGATUNIO_EXPORT vtkGatunReader : public vtkUnstructuredGridAlgorithm
+class VTKGATUNIO_EXPORT vtkGatunReader : public vtkGatunMeshReader
 {
 public:
   static vtkGatunReader* New();
-  vtkTypeMacro(vtkGatunReader, vtkUnstructuredGridAlgorithm);
+  vtkTypeMacro(vtkGatunReader, vtkGatunMeshReader);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /**
-   * Name of the file to read. Default: none.
+   * The output of the reader.
    */
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
+  vtkUnstructuredGrid* GetOutput();
+  vtkUnstructuredGrid* GetOutput(int port);
   ///@}
 
   /**
-   * Whether the file begins as a `.gtn` file of any version: 1 or 0.
+   * Whether the file begins as a `.gtn` file of any version and is not known to hold a surface: 1
+   * or 0. Reads no more than the directory of the file.
    */
-  virtual int CanReadFile(VTK_FILEPATH const char* name);
+  int CanReadFile(VTK_FILEPATH const char* name) override;
 
-  ///@{
-  /**
-   * Extension and name of the file type, for lists of readers.
-   */
-  virtual const char* GetFileExtensions() { return ".gtn"; }
-  virtual const char* GetDescriptiveName() { return "Gatun tetrahedral mesh"; }
-  ///@}
-
-  ///@{
-  /**
-   * Which arrays to read, by name; known once UpdateInformation was called. A selection made before
-   * that holds if the file has such an array. An array without a name is always read. Default: all.
-   */
-  vtkDataArraySelection* GetPointDataArraySelection();
-  vtkDataArraySelection* GetCellDataArraySelection();
-  ///@}
-
-  ///@{
-  /**
-   * The same selections by index, 0 to number - 1, and by name; status 1: to be read, 0: not.
-   */
-  int GetNumberOfPointArrays();
-  const char* GetPointArrayName(int index);
-  int GetPointArrayStatus(const char* name);
-  void SetPointArrayStatus(const char* name, int status);
-  int GetNumberOfCellArrays();
-  const char* GetCellArrayName(int index);
-  int GetCellArrayStatus(const char* name);
-  void SetCellArrayStatus(const char* name, int status);
-  ///@}
-
-  ///@{
-  /**
-   * Whether points, cells and corners come in the order that the writer's input had, as far as the
-   * file keeps it (vtkGatunWriter::SetKeepOrder) and the whole mesh is asked for. Default: on.
-   */
-  vtkSetMacro(RestoreOrder, bool);
-  vtkGetMacro(RestoreOrder, bool);
-  vtkBooleanMacro(RestoreOrder, bool);
-  ///@}
+  const char* GetDescriptiveName() override { return "Gatun unstructured mesh"; }
 
   ///@{
   /**
@@ -163,285 +57,19 @@ public:
   vtkBooleanMacro(SplitCells, bool);
   ///@}
 
-  ///@{
-  /**
-   * Whether to make the arrays GlobalPointIds and GlobalCellIds (vtkIdTypeArray, also set as global
-   * ids): the place of each point and cell in the whole mesh, from 0; where the file keeps the
-   * order of points or cells, the place in the writer's input. Off: only if a part is asked for
-   * (more pieces than one), where they tell which points and cells of two parts are the same.
-   * Nothing is made where the output has global ids of the file, or an array of that name.
-   * Default: off.
-   */
-  vtkSetMacro(GenerateGlobalIds, bool);
-  vtkGetMacro(GenerateGlobalIds, bool);
-  vtkBooleanMacro(GenerateGlobalIds, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Whether to leave out chunks whose bounds do not touch Box. Points without cells are left out,
-   * too. Default: off.
-   */
-  vtkSetMacro(UseBox, bool);
-  vtkGetMacro(UseBox, bool);
-  vtkBooleanMacro(UseBox, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Region of interest: xmin, xmax, ymin, ymax, zmin, zmax, in the units of the coordinates.
-   * Default: 0, 1, 0, 1, 0, 1.
-   */
-  vtkSetVector6Macro(Box, double);
-  vtkGetVector6Macro(Box, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether to leave out chunks in which no value of ValueRangeArray at the current step lies in
-   * ValueRange. Points without cells are left out, too. Default: off.
-   */
-  vtkSetMacro(UseValueRange, bool);
-  vtkGetMacro(UseValueRange, bool);
-  vtkBooleanMacro(UseValueRange, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Name of the array that ValueRange is about; it need not be selected. An array that the file
-   * does not have is an error; no name means no restriction. Default: none.
-   */
-  vtkSetStringMacro(ValueRangeArray);
-  vtkGetStringMacro(ValueRangeArray);
-  ///@}
-
-  ///@{
-  /**
-   * What ValueRangeArray belongs to: vtkDataObject::FIELD_ASSOCIATION_POINTS (0, the default) or
-   * vtkDataObject::FIELD_ASSOCIATION_CELLS (1).
-   */
-  vtkSetClampMacro(ValueRangeAssociation, int, 0, 1);
-  vtkGetMacro(ValueRangeAssociation, int);
-  ///@}
-
-  ///@{
-  /**
-   * Component of ValueRangeArray, from 0; -1 is the Euclidean length of the tuple, or the value
-   * itself if there is only one component. A component that the array does not have is an error.
-   * Default: -1.
-   */
-  vtkSetClampMacro(ValueRangeComponent, int, -1, VTK_INT_MAX);
-  vtkGetMacro(ValueRangeComponent, int);
-  ///@}
-
-  ///@{
-  /**
-   * Smallest and largest value of interest, in the units of the array. Default: 0, 1.
-   */
-  vtkSetVector2Macro(ValueRange, double);
-  vtkGetVector2Macro(ValueRange, double);
-  ///@}
-
-  ///@{
-  /**
-   * Memory for decoded chunks, in MiB, 0 or more. Neighboring pieces with ghost cells, other
-   * arrays and other time steps reuse these chunks; the least recently used ones are dropped first.
-   * With 0 no chunk is kept. If the mesh needs more, part of it is decoded again for each time
-   * step. The output does not depend on the budget, and a change does not modify the reader.
-   * Default: 512, enough for about ten million tetrahedra with one or two arrays.
-   */
-  void SetMemoryBudget(int mebibytes);
-  vtkGetMacro(MemoryBudget, int);
-  ///@}
-
-  /**
-   * When the output is only the outline of the mesh.
-   */
-  enum OnDemandModes
-  {
-    ON_DEMAND_NEVER = 0,
-    ON_DEMAND_ALWAYS = 1,
-    ON_DEMAND_LARGE = 2 ///< if the file has more tetrahedra than LargeMesh
-  };
-
-  ///@{
-  /**
-   * Whether the output is the outline of the mesh instead of the mesh, so that nothing is decoded
-   * before somebody draws the file: one of OnDemandModes. Without effect while UseBox or
-   * UseValueRange is on. Default: ON_DEMAND_NEVER.
-   */
-  vtkSetClampMacro(OnDemand, int, ON_DEMAND_NEVER, ON_DEMAND_LARGE);
-  vtkGetMacro(OnDemand, int);
-  ///@}
-
-  ///@{
-  /**
-   * How many tetrahedra a mesh may have that ON_DEMAND_LARGE does not apply to, 0 or more; those
-   * that are left, about, if it is simplified.
-   * Default: 5,000,000.
-   */
-  vtkSetClampMacro(LargeMesh, vtkIdType, 0, VTK_ID_MAX);
-  vtkGetMacro(LargeMesh, vtkIdType);
-  ///@}
-
-  /**
-   * Kinds of simplification targets.
-   */
-  enum SimplificationTargetType
-  {
-    TARGET_RATIO = 0,            ///< SimplificationRatio
-    TARGET_NUMBER_OF_POINTS = 1, ///< SimplificationNumberOfPoints
-    TARGET_RMS_ERROR = 2         ///< SimplificationRMSError
-  };
-
-  ///@{
-  /**
-   * Property that gives the target, one of SimplificationTargetType. Default: TARGET_RATIO.
-   */
-  vtkSetClampMacro(SimplificationTarget, int, TARGET_RATIO, TARGET_RMS_ERROR);
-  vtkGetMacro(SimplificationTarget, int);
-  void SetSimplificationTargetToRatio() { this->SetSimplificationTarget(TARGET_RATIO); }
-  void SetSimplificationTargetToNumberOfPoints()
-  {
-    this->SetSimplificationTarget(TARGET_NUMBER_OF_POINTS);
-  }
-  void SetSimplificationTargetToRMSError() { this->SetSimplificationTarget(TARGET_RMS_ERROR); }
-  ///@}
-
-  ///@{
-  /**
-   * Fraction of points removed, from 0 (none) to 1 (as many as possible). NaN is an error. Default:
-   * 0.
-   */
-  vtkSetClampMacro(SimplificationRatio, double, 0.0, 1.0);
-  vtkGetMacro(SimplificationRatio, double);
-  ///@}
-
-  ///@{
-  /**
-   * Number of points of the result, 0 or more, as far as possible; a larger number than that of the
-   * mesh keeps all. Default: 100000.
-   */
-  vtkSetClampMacro(SimplificationNumberOfPoints, vtkIdType, 0, VTK_ID_MAX);
-  vtkGetMacro(SimplificationNumberOfPoints, vtkIdType);
-  ///@}
-
-  ///@{
-  /**
-   * Largest root mean square error of the result, 0 or more; see
-   * vtkGatunSimplify::SetSimplificationRMSError.
-   * Default: 0.
-   */
-  vtkSetClampMacro(SimplificationRMSError, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(SimplificationRMSError, double);
-  ///@}
-
-  /**
-   * Whether the file has a hierarchy (vtkGatunWriter::Hierarchy), after UpdateInformation.
-   */
-  bool GetHasHierarchy();
-
-  /**
-   * Whether the output is the outline of the mesh, with the file and the properties as they are:
-   * true or false, after UpdateInformation. False without a readable file.
-   */
-  bool GetIsOnDemand();
-
-  /**
-   * Key in the information of the output (vtkDataObject::GetInformation), 1: it is an outline. It
-   * is not there where the output is a mesh.
-   */
-  static vtkInformationIntegerKey* ON_DEMAND();
-
-  /**
-   * Memory of what is kept now of the file, for the reader and its consumers, in bytes; never more
-   * than MemoryBudget.
-   */
-  vtkTypeUInt64 GetCachedBytes();
-
-  /**
-   * Number of chunks whose mesh was decoded for the reader's output since the file was opened.
-   */
-  vtkTypeUInt64 GetDecodedChunks();
-
-  /**
-   * Key in the output information, set by UpdateInformation: a vtkTable with a row for each chunk,
-   * from which a sink can choose what to ask for; with the number of chunks as the number of pieces
-   * and no region of interest, row i is piece i. Columns:
-   *
-   *  - Cells, FirstCell, Points (vtkIdTypeArray): cells, global id of the first one, and points,
-   *    those that other chunks use too included;
-   *  - Bounds (vtkDoubleArray, 6 components): xmin, xmax, ymin, ymax, zmin, zmax;
-   *  - Point:name, Cell:name (vtkDoubleArray) for each array of the file, selected or not: min and
-   *    max of each component and, if there is more than one, of the length of the tuple; over all
-   *    time steps; without NaN.
-   *
-   * Where min > max there is nothing: no finite coordinate, only NaN. The table must not be
-   * changed. Files of more than 65,536 chunks have no such key, but GetChunkTable() gives the
-   * table.
-   */
-  static vtkInformationObjectBaseKey* CHUNK_TABLE();
-
-  /**
-   * The table that CHUNK_TABLE() describes, after UpdateInformation; nullptr if there is no
-   * readable file. Made at the first call, which reads the ranges of all arrays.
-   */
-  vtkTable* GetChunkTable();
-
-  /**
-   * Bytes that the reader and its consumers have read from the file since it was opened, which
-   * happens in UpdateInformation when the name or the file has changed. 0 without an open file.
-   */
-  vtkTypeUInt64 GetBytesRead();
-
-  /**
-   * Modified, too, when a selection of arrays is.
-   */
-  vtkMTimeType GetMTime() override;
-
-  /**
-   * Looks, too, whether the file has changed on disk.
-   */
-  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inInfoVec,
-    vtkInformationVector* outInfoVec, int requestFromOutputPort, vtkMTimeType* mtime) override;
-
 protected:
   vtkGatunReader();
   ~vtkGatunReader() override;
 
-  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  bool ReadsSurfaces() const override { return false; }
+  bool GetSplitsCells() const override { return this->SplitCells; }
 
-  char* FileName = nullptr;
-  bool RestoreOrder = true;
   bool SplitCells = false;
-  bool GenerateGlobalIds = false;
-  bool UseBox = false;
-  double Box[6] = { 0, 1, 0, 1, 0, 1 };
-  bool UseValueRange = false;
-  char* ValueRangeArray = nullptr;
-  int ValueRangeAssociation = 0;
-  int ValueRangeComponent = -1;
-  double ValueRange[2] = { 0, 1 };
-  int MemoryBudget = 512;
-  int OnDemand = ON_DEMAND_NEVER;
-  vtkIdType LargeMesh = 5000000;
-  int SimplificationTarget = TARGET_RATIO;
-  double SimplificationRatio = 0;
-  vtkIdType SimplificationNumberOfPoints = 100000;
-  double SimplificationRMSError = 0;
 
 private:
   vtkGatunReader(const vtkGatunReader&) = delete;
   void operator=(const vtkGatunReader&) = delete;
-
-  void Fail(vtkInformationVector* outputVector) noexcept;
-  void PublishFailure(vtkInformation* outInfo) noexcept;
-
-  class vtkInternals;
-  std::unique_ptr<vtkInternals> Internals;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

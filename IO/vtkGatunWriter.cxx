@@ -5,7 +5,6 @@
 
 #include "gatunArrayBridge.h"
 #include "gatunBridgedMesh.h"
-#include "gatunCellInput.h"
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
 #include "gatunProcessExchange.h"
@@ -86,6 +85,8 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WriteAllTimeSteps: " << (this->WriteAllTimeSteps ? "On" : "Off") << "\n";
   os << indent << "SplitCells: " << (this->SplitCells ? "On" : "Off") << "\n";
   os << indent << "ReplaceReadOnly: " << (this->ReplaceReadOnly ? "On" : "Off") << "\n";
+  os << indent << "PointError: " << this->PointError << "\n";
+  os << indent << "PointBits: " << this->PointBits << "\n";
   os << indent << "NumberOfPieces: " << this->NumberOfPieces << "\n";
   os << indent << "SpillMemory: " << this->SpillMemory << "\n";
   os << indent << "SpillFolder: " << (this->SpillFolder ? this->SpillFolder : "(none)") << "\n";
@@ -104,6 +105,7 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HierarchyBytes: " << this->HierarchyBytes << "\n";
   os << indent << "LevelBytes: " << this->LevelBytes << "\n";
   os << indent << "DirectoryBytes: " << this->DirectoryBytes << "\n";
+  os << indent << "WrittenPointError: " << this->WrittenPointError << "\n";
   os << indent << "BytesSent: " << this->BytesSent << "\n";
   os << indent << "PointDataArraySelection:\n";
   this->GetPointDataArraySelection()->PrintSelf(os, indent.GetNextIndent());
@@ -165,6 +167,7 @@ void vtkGatunWriter::ClearArrayWeights()
 int vtkGatunWriter::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   return 1;
 }
 
@@ -180,6 +183,7 @@ int vtkGatunWriter::Write()
   }
   self.Discard();
   this->BytesSent = 0;
+  this->WrittenPointError = 0;
   self.Writing = true;
   this->SetErrorCode(vtkErrorCode::NoError);
   try
@@ -292,12 +296,19 @@ void vtkGatunWriter::WriteTogether()
             gatun::ThrowInvalid("the input could not be updated");
           }
         });
-      vtkSmartPointer<vtkUnstructuredGrid> input = self.Input;
+      vtkSmartPointer<vtkDataObject> input = self.Input;
       if (surveying && step == 0)
       {
-        vtkSmartPointer<vtkUnstructuredGrid> cells;
-        exchange.Together([&] { cells = gatun::MakeCellInput(input, this->SplitCells).Grid; });
-        self.Pieces->OpenTogether(exchange, cells, self.GetNumberOfSteps());
+        vtkSmartPointer<vtkUnstructuredGrid> grid;
+        exchange.Together([&] { grid = self.MakeGrid(input); });
+        const bool isSurface = *self.IsSurface;
+        const bool isAnySurface = exchange.IsAny(isSurface);
+        if (exchange.IsAny(isSurface != isAnySurface))
+        {
+          gatun::ThrowInvalid("some processes have a surface, and some have not");
+        }
+        self.Pieces->SetIsSurface(isSurface);
+        self.Pieces->OpenTogether(exchange, grid, self.GetNumberOfSteps());
       }
       exchange.Together([&] { this->WritePiece(input); });
     }
@@ -401,11 +412,7 @@ int vtkGatunWriter::RequestData(vtkInformation* vtkNotUsed(request),
   }
   try
   {
-    vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
-    if (!input)
-    {
-      gatun::ThrowInvalid("the input is not a vtkUnstructuredGrid");
-    }
+    vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
     if (self.IsTogether)
     {
       self.Input = input;
@@ -438,21 +445,17 @@ int vtkGatunWriter::RequestData(vtkInformation* vtkNotUsed(request),
 //------------------------------------------------------------------------------
 // Writes the current time step. The first step also writes the mesh, the last one completes the
 // file.
-void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
+void vtkGatunWriter::WriteStep(vtkDataObject* input)
 {
   vtkInternals& self = *this->Internals;
-  const gatun::CellInput cells = gatun::MakeCellInput(input, this->SplitCells);
-  for (const std::string& warning : cells.Warnings)
-  {
-    self.Warn(warning);
-  }
-  auto mesh = std::make_unique<gatun::BridgedMesh>(cells.Grid);
+  const vtkSmartPointer<vtkUnstructuredGrid> grid = self.MakeGrid(input);
+  auto mesh = std::make_unique<gatun::BridgedMesh>(grid);
   if (mesh->PointsConverted)
   {
     self.Warn("integer coordinates are written as double");
   }
-  const std::vector<gatun::BridgedArray> arrays = gatun::BridgeSelected(
-    cells.Grid, self.PointSelection, self.CellSelection, this->WriteUnlistedArrays);
+  const std::vector<gatun::BridgedArray> arrays =
+    gatun::BridgeSelected(grid, self.PointSelection, self.CellSelection, this->WriteUnlistedArrays);
   std::vector<gatun::ArrayDescription> descriptions;
   std::vector<const void*> values;
   for (const gatun::BridgedArray& array : arrays)
@@ -463,7 +466,7 @@ void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
 
   if (!self.File)
   {
-    const gatun::WriterOptions options = self.MakeOptions(cells.Grid, arrays);
+    const gatun::WriterOptions options = self.MakeOptions(grid, arrays);
     self.Mesh = std::move(mesh);
     self.MeshHash = self.GetNumberOfSteps() > 1 ? self.Mesh->Hash() : 0;
     self.Arrays = descriptions;
@@ -475,7 +478,7 @@ void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
     self.CheckUnchanged(*mesh, descriptions);
   }
 
-  const auto step = self.DescribeStep(input, cells.Grid->GetFieldData());
+  const auto step = self.DescribeStep(input, grid->GetFieldData());
   self.File->WriteStep(
     values, step.Field, step.HasTime, step.Time, self.MakeProgress(self.Step + 1));
   ++self.Step;
@@ -488,15 +491,11 @@ void vtkGatunWriter::WriteStep(vtkUnstructuredGrid* input)
 
 //------------------------------------------------------------------------------
 // Surveys or writes the current time step of the current piece.
-void vtkGatunWriter::WritePiece(vtkUnstructuredGrid* input)
+void vtkGatunWriter::WritePiece(vtkDataObject* input)
 {
   vtkInternals& self = *this->Internals;
   self.AreTimesKnown = true;
-  const gatun::CellInput cells = gatun::MakeCellInput(input, this->SplitCells);
-  for (const std::string& warning : cells.Warnings)
-  {
-    self.Warn(warning);
-  }
+  const vtkSmartPointer<vtkUnstructuredGrid> grid = self.MakeGrid(input);
   const double steps = static_cast<double>(self.GetNumberOfSteps());
   const int pieces = self.IsTogether ? 1 : self.PieceCount; // of this process
   const double all = 2 * steps * pieces;
@@ -505,12 +504,13 @@ void vtkGatunWriter::WritePiece(vtkUnstructuredGrid* input)
   this->UpdateProgress(self.Surveying ? done / all : 0.5 + done / all);
   if (self.Surveying)
   {
-    self.Pieces->Survey(cells.Grid, isFirst);
+    self.Pieces->SetIsSurface(*self.IsSurface);
+    self.Pieces->Survey(grid, isFirst);
     this->UpdateProgress((done + 1) / all);
   }
   else
   {
-    self.Pieces->Write(cells.Grid, isFirst, self.DescribeStep(input, cells.Grid->GetFieldData()),
+    self.Pieces->Write(grid, isFirst, self.DescribeStep(input, grid->GetFieldData()),
       [&](double fraction)
       {
         this->UpdateProgress(0.5 + (done + fraction) / all);

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkGatunWriter
- * @brief Writes a tetrahedral vtkUnstructuredGrid as a compressed mesh (`.gtn`), without loss.
+ * @brief Writes a vtkUnstructuredGrid or vtkPolyData as a compressed mesh (`.gtn`), without loss.
  *
  * Input: a vtkUnstructuredGrid of vtkTetra cells with 32- or 64-bit ids and float or double points,
- * which goes into the file without a copy. Other integer types of points are converted to double,
- * with a warning, and refused where that is not exact. Meshes without points or cells are valid, as
- * are unused and duplicate points, NaN and infinite coordinates, flat, inverted and duplicate
- * tetrahedra, and faces shared by more than two.
+ * which goes into the file without a copy, or a surface, see below. Other integer types of points
+ * are converted to double, with a warning, and refused where that is not exact. Meshes without
+ * points or cells are valid, as are unused and duplicate points, NaN and infinite coordinates,
+ * flat, inverted and duplicate tetrahedra, and faces shared by more than two.
  *
  * Arrays: point, cell and field arrays of every numeric VTK type, bits included, and field arrays
  * of strings, with component names and roles (active scalars, ..., global ids). Arrays that do not
@@ -18,6 +18,10 @@
  * Cells of all types are written, also of a type that VTK does not know. Those that have a wrong
  * number of points, or points or faces that do not exist, are an error that names the cell. With
  * SplitCells, 3D cells are split into tetrahedra.
+ *
+ * Surfaces: a vtkPolyData with polygons, vertices, lines and triangle strips of any size. If more
+ * than one of these lists has cells, they are copied. Files of surfaces have no hierarchy and no
+ * layers, and SplitCells is an error. vtkGatunSurfaceReader reads them.
  *
  * Ghosts: cells marked DUPLICATECELL in vtkGhostType are left out, and points that only they use;
  * the marks for duplicates then go, too. Other marks (hidden cells and points) are kept.
@@ -55,7 +59,7 @@
  * @warning The whole mesh must fit into memory, or with NumberOfPieces the largest piece.
  * @warning Unless KeepOrder says otherwise, points and cells come back in another order.
  *
- * @sa vtkGatunReader vtkGatunMergeBlocks
+ * @sa vtkGatunReader vtkGatunSurfaceReader vtkGatunMergeBlocks
  */
 
 #ifndef vtkGatunWriter_h
@@ -71,8 +75,8 @@ VTK_ABI_NAMESPACE_BEGIN
 #endif
 
 class vtkDataArraySelection;
+class vtkDataObject;
 class vtkMultiProcessController;
-class vtkUnstructuredGrid;
 
 class VTKGATUNIO_EXPORT vtkGatunWriter : public vtkWriter
 {
@@ -281,6 +285,30 @@ public:
 
   ///@{
   /**
+   * Largest difference of each coordinate from that of the input, 0 or more, in the units of the
+   * coordinates. 0: coordinates are stored without loss. Else they are rounded to multiples of the
+   * largest power of two that keeps the error, before anything else is done; values of arrays stay.
+   * Coordinates that are not finite, and integers, stay. A file becomes smaller where a coordinate
+   * has at most 65,536 different values. Points of pieces are joined by the rounded coordinates.
+   * A number that is not finite is an error. Default: 0.
+   */
+  vtkSetClampMacro(PointError, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(PointError, double);
+  ///@}
+
+  ///@{
+  /**
+   * Bits of each coordinate, 0 to 31. 0: coordinates are stored without loss. Else they are rounded
+   * to multiples of the longest side of the bounding box divided by 2^PointBits - 1, from its least
+   * corner on. The largest error is then GetWrittenPointError, about half of that. Needs the mesh
+   * in one piece and one process. An error together with PointError. Default: 0.
+   */
+  vtkSetClampMacro(PointBits, int, 0, 31);
+  vtkGetMacro(PointBits, int);
+  ///@}
+
+  ///@{
+  /**
    * The number of pieces to ask the input for, 1 or more. 1: the whole mesh at once. Default: 1.
    */
   vtkSetClampMacro(NumberOfPieces, int, 1, VTK_INT_MAX);
@@ -384,6 +412,12 @@ public:
   ///@}
 
   /**
+   * Largest difference between a coordinate of the last file and that of the input, of the pieces
+   * of this process. 0 without PointError and PointBits.
+   */
+  vtkGetMacro(WrittenPointError, double);
+
+  /**
    * Bytes that this process has sent to the other ones of Controller for the last file. What goes
    * to all counts for each. 0 without other processes.
    */
@@ -420,6 +454,8 @@ protected:
   bool WriteAllTimeSteps = false;
   bool SplitCells = false;
   bool ReplaceReadOnly = false;
+  double PointError = 0;
+  int PointBits = 0;
   int NumberOfPieces = 1;
   int SpillMemory = 64;
   char* SpillFolder = nullptr;
@@ -439,6 +475,7 @@ protected:
   vtkTypeUInt64 HierarchyBytes = 0;
   vtkTypeUInt64 LevelBytes = 0;
   vtkTypeUInt64 DirectoryBytes = 0;
+  double WrittenPointError = 0;
   vtkTypeUInt64 BytesSent = 0;
 
 private:
@@ -448,8 +485,8 @@ private:
   bool WriteSteps();
   bool WritePieces();
   void WriteTogether();
-  void WritePiece(vtkUnstructuredGrid* input);
-  void WriteStep(vtkUnstructuredGrid* input);
+  void WritePiece(vtkDataObject* input);
+  void WriteStep(vtkDataObject* input);
   bool HandleFailure() noexcept;
 
   class vtkInternals;

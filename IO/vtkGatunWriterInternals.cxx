@@ -3,13 +3,17 @@
 
 #include "vtkGatunWriterInternals.h"
 
+#include "gatunCellInput.h"
 #include "gatunError.h"
+#include "gatunPointRounding.h"
 #include "gatunReport.h"
+#include "gatunSurfaceGrid.h"
 #include "gatunWriterArrays.h"
 #include "vtkGatunCompat.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
+#include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -49,6 +53,43 @@ std::function<bool(double)> vtkGatunWriter::vtkInternals::MakeProgress(std::size
 }
 
 //------------------------------------------------------------------------------
+// The input as a grid that can be written, with warnings of what has changed.
+vtkSmartPointer<vtkUnstructuredGrid> vtkGatunWriter::vtkInternals::MakeGrid(vtkDataObject* input)
+{
+  auto* const surface = vtkPolyData::SafeDownCast(input);
+  vtkSmartPointer<vtkUnstructuredGrid> grid = vtkUnstructuredGrid::SafeDownCast(input);
+  if (!surface && !grid)
+  {
+    gatun::ThrowInvalid("the input is neither a vtkUnstructuredGrid nor a vtkPolyData");
+  }
+  if (this->IsSurface.value_or(surface != nullptr) != (surface != nullptr))
+  {
+    gatun::ThrowInvalid("some of the input is a surface, and some is not");
+  }
+  this->IsSurface = surface != nullptr;
+  if (surface)
+  {
+    if (this->Owner->SplitCells)
+    {
+      gatun::ThrowInvalid("a surface (vtkPolyData) has no 3D cells to split");
+    }
+    if (this->Owner->Hierarchy)
+    {
+      gatun::ThrowInvalid("surfaces (vtkPolyData) cannot be written with a hierarchy");
+    }
+    grid = gatun::MakeSurfaceGrid(surface);
+  }
+  const gatun::CellInput cells = gatun::MakeCellInput(grid, this->Owner->SplitCells);
+  for (const std::string& warning : cells.Warnings)
+  {
+    this->Warn(warning);
+  }
+  const gatun::PointRounding rounding{ this->Owner->PointError, this->Owner->PointBits };
+  gatun::CheckRounding(rounding);
+  return gatun::RoundPoints(cells.Grid, rounding, this->Owner->WrittenPointError);
+}
+
+//------------------------------------------------------------------------------
 gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
   vtkUnstructuredGrid* grid, const std::vector<gatun::BridgedArray>& arrays)
 {
@@ -57,6 +98,7 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
   options.ChunkTets = static_cast<std::uint32_t>(this->Owner->ChunkTets);
   options.KeyStepInterval = static_cast<std::uint32_t>(this->Owner->KeyStepInterval);
   options.ReplaceReadOnly = this->Owner->ReplaceReadOnly;
+  options.IsSurface = this->IsSurface.value_or(false);
   if (this->Owner->LayerArray && *this->Owner->LayerArray)
   {
     options.Layers =
@@ -103,7 +145,7 @@ void vtkGatunWriter::vtkInternals::PublishStatistics(
 
 //------------------------------------------------------------------------------
 gatun::GridPieces::Step vtkGatunWriter::vtkInternals::DescribeStep(
-  vtkUnstructuredGrid* input, vtkFieldData* fieldData)
+  vtkDataObject* input, vtkFieldData* fieldData)
 {
   gatun::GridPieces::Step step;
   std::vector<std::string> refused;
@@ -133,6 +175,11 @@ void vtkGatunWriter::vtkInternals::BeginPieces(int pieces)
     gatun::ThrowInvalid("a hierarchy or layers need the whole mesh in one piece and one process; "
                         "write the file without them, and add them with 'gtn pack --hierarchy' or "
                         "'gtn pack --layers'");
+  }
+  if (owner->PointBits > 0)
+  {
+    gatun::ThrowInvalid("a number of bits needs the bounds of the whole mesh, in one piece and one "
+                        "process; give the largest error of coordinates");
   }
   gatun::PartWriterOptions options;
   options.File = this->MakeOptions(nullptr, {});

@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -46,7 +47,8 @@ public:
     const gatun::FileStatistics& statistics, std::uint64_t points, std::uint64_t cells);
   void BeginPieces(int pieces);
   void FinishPieces();
-  gatun::GridPieces::Step DescribeStep(vtkUnstructuredGrid* input, vtkFieldData* fieldData);
+  vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(vtkDataObject* input);
+  gatun::GridPieces::Step DescribeStep(vtkDataObject* input, vtkFieldData* fieldData);
 
   vtkGatunWriter* const Owner;
   vtkNew<vtkDataArraySelection> PointSelection;
@@ -65,6 +67,7 @@ public:
   std::vector<gatun::ArrayDescription> Arrays;
   gatun::MergeTree Tree;
   std::set<std::string> Warned;
+  std::optional<bool> IsSurface; // once there is an input
 
   // While pieces are being written.
   std::unique_ptr<gatun::GridPieces> Pieces;
@@ -75,7 +78,7 @@ public:
 
   // If several processes write the file: the input of this one, or the failure to get it.
   bool IsTogether = false;
-  vtkSmartPointer<vtkUnstructuredGrid> Input;
+  vtkSmartPointer<vtkDataObject> Input;
 
   void Discard()
   {
@@ -90,6 +93,7 @@ public:
     this->Arrays.clear();
     this->Tree = {};
     this->Warned.clear();
+    this->IsSurface.reset();
     this->Step = 0;
   }
 

@@ -82,10 +82,8 @@ int Run(int argc, char* argv[])
   Settings settings;
   settings.CommandLine = JoinArguments(argc, argv);
   settings.ShowProgress = isatty(fileno(stderr)) != 0;
-  CLI::App app{
-    "Compress, inspect, render, contour and simplify tetrahedral meshes (.gtn) and volumes (.ghv).",
-    "gtn"
-  };
+  CLI::App app{ "Compress, inspect, render, contour and simplify meshes (.gtn) and volumes (.ghv).",
+    "gtn" };
   app.set_version_flag("--version",
     fmt::format("gtn {} (format {})", gatun::PackageVersion(), gatun::FormatVersion()));
   app.require_subcommand(0, 1); // none is looked at below, after unknown options

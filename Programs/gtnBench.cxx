@@ -286,7 +286,7 @@ void Bench(Options options, const Settings& settings)
   {
     Input input({ options.In }, inputOptions);
     Progress progress("reading", settings.ShowProgress);
-    grid = input.Read(0, progress);
+    grid = input.ReadGrid(0, progress);
   }
   if (grid->GetNumberOfCells() == 0)
   {

@@ -85,17 +85,18 @@ void Check(const Options& options)
   if (options.Strips && !format.Strips)
   {
     throw UsageError(
-      fmt::format("--strips: {} files hold no triangle strips; .vtp files do", extension));
+      fmt::format("--strips: {} files hold no triangle strips; .gtn and .vtp files do", extension));
   }
   if (options.Normals && !format.Normals)
   {
     throw UsageError(fmt::format(
-      "--normals: {} files hold no normals of points; .vtp, .ply and .obj files do", extension));
+      "--normals: {} files hold no normals of points; .gtn, .vtp, .ply and .obj files do",
+      extension));
   }
   if (options.Double.value_or(false) && !format.Double)
   {
     throw UsageError(fmt::format(
-      "--precision: {} files are of single precision; .vtp and .obj files may be of double",
+      "--precision: {} files are of single precision; .gtn, .vtp and .obj files may be of double",
       extension));
   }
 }
@@ -268,14 +269,13 @@ void AddContour(CLI::App& app, Settings& settings)
 {
   auto options = std::make_shared<Options>();
   CLI::App* command = AddCommand(app, settings, "contour",
-    "Write isosurfaces of a mesh to a .vtp, .stl, .ply or .obj file. Only those chunks of a .gtn "
-    "file\n"
-    "are read that a surface passes through; other meshes are read as a whole. A .vtp file has "
-    "the\n"
-    "interpolated arrays of the mesh, other files have no arrays. An isovalue outside the range of "
-    "the\n"
-    "array gives no surface and a warning.",
+    "Write isosurfaces of a mesh to a .gtn, .vtp, .vtk, .stl, .ply or .obj file. Only those chunks "
+    "of a\n"
+    ".gtn file are read that a surface passes through; other meshes are read as a whole. A .gtn,\n"
+    ".vtp or .vtk file has the interpolated arrays of the mesh, other files have no arrays. An\n"
+    "isovalue outside the range of the array gives no surface and a warning.",
     "  gtn contour --value 0.5 mesh.gtn surface.vtp\n"
+    "  gtn contour --value 0.5 mesh.gtn surface.gtn\n"
     "  gtn contour --array pressure --value 1e5,2e5 --normals --stats mesh.gtn surface.vtp\n"
     "  gtn contour --array velocity --component magnitude --number 5 mesh.vtu surface.stl\n"
     "  gtn contour --ratio 0.9 --value 0.5 any.gtn coarse.ply");
@@ -303,11 +303,11 @@ void AddContour(CLI::App& app, Settings& settings)
   AddStep(command, options->Input.Step);
   AddTarget(command, options->Input.Target, "0");
   AddArrays(command, options->Input.Carried,
-    "Point and cell arrays to interpolate to a .vtp file (default: all)");
+    "Point and cell arrays to interpolate to a .gtn, .vtp or .vtk file (default: all)");
   command->add_flag(
-    "--normals", options->Normals, "Compute point normals, toward lower values (.vtp, .ply, .obj)");
+    "--normals", options->Normals, "Compute point normals, toward lower values (not for .stl)");
   command->add_flag("--strips", options->Strips,
-    "Write triangle strips instead of triangles, without cell arrays (.vtp)");
+    "Write triangle strips instead of triangles, without cell arrays (.gtn, .vtp, .vtk)");
   command
     ->add_option_function<std::string>(
       "--precision", [options](const std::string& name) { options->Double = name == "double"; },

@@ -218,6 +218,8 @@ Description Describe(const gatun::FileReader& file, bool verbose)
   description.Add("formatVersion", "format", Entry(fmt::format("{}.{}", major, minor)));
   description.Add("writerVersion", "written by Gatun", Entry(file.GetWriterVersion()));
   description.Add(
+    "surface", file.IsSurface() ? "mesh" : nullptr, { file.IsSurface(), "surface (vtkPolyData)" });
+  description.Add(
     "cells", file.IsTetrahedral() ? nullptr : "cells", Entry(file.GetNumberOfCells()));
   description.Add("tets", "tetrahedra", Entry(file.GetNumberOfTets()));
   description.Add("points", "points", Entry(file.GetNumberOfPoints()));

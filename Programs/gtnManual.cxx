@@ -99,10 +99,10 @@ void PrintCommand(const CLI::App& command, const std::string& parent)
 void PrintManual(const CLI::App& app)
 {
   fmt::print(".TH GTN 1 \"\" \"Gatun {}\" \"User Commands\"\n", gatun::PackageVersion());
-  fmt::print(".SH NAME\ngtn \\- losslessly compressed tetrahedral meshes, and volumes\n");
+  fmt::print(".SH NAME\ngtn \\- losslessly compressed meshes, and volumes\n");
   fmt::print(".SH SYNOPSIS\n.B gtn\n\\fIcommand\\fR [\\fIoptions\\fR] \\fIfiles\\fR\n");
   fmt::print(
-    ".SH DESCRIPTION\nA .gtn file stores a tetrahedral mesh with all of its arrays and "
+    ".SH DESCRIPTION\nA .gtn file stores a mesh or a surface with all of its arrays and "
     "time steps, bit for bit. A .ghv file stores a regular volume as Hartley coefficients. "
     "The commands are:\n");
   for (const CLI::App* command : ChildrenOf(app))

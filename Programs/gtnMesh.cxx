@@ -112,7 +112,7 @@ void AddMesh(CLI::App& app, Settings& settings)
     ->add_option(
       "--switches", options->Switches, "Additional switches for TetGen, such as O4 (default: none)")
     ->option_text("S");
-  command->add_option("SURFACE", options->In, "The closed surface: .stl .ply .obj .vtp .vtk")
+  command->add_option("SURFACE", options->In, "The closed surface: .stl .ply .obj .vtp .vtk .gtn")
     ->required();
   command->add_option("OUT", options->Out, std::string("The mesh to write: ") + MeshFormats)
     ->required();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// gtn pack: any mesh as a .gtn file.
+// gtn pack: any mesh or surface as a .gtn file.
 
 #include "gtnArraySetting.h"
 #include "gtnCommands.h"
@@ -13,6 +13,7 @@
 #include "gtnNames.h"
 #include "gtnOptions.h"
 #include "gtnOutput.h"
+#include "gtnParse.h"
 #include "gtnPieceOptions.h"
 #include "gtnProgress.h"
 #include "gtnText.h"
@@ -26,9 +27,14 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 
 namespace gtn
 {
@@ -49,8 +55,38 @@ struct Options
   MergeOptions Merges;
   std::optional<std::string> Layers; ///< as given
   int LayerComponent = -1;
+  std::optional<std::string> PointError; ///< as given
   PieceOptions Pieces;
 };
+
+/** Sets how coordinates are rounded: abs:E or bits:N. */
+void SetPointError(vtkGatunWriter* writer, const std::string& text)
+{
+  constexpr int mostBits = 31;
+  const std::string_view given(text);
+  const std::size_t colon = std::min(given.find(':'), given.size());
+  const std::string_view kind = given.substr(0, colon);
+  const std::string value(given.substr(std::min(colon + 1, given.size())));
+  if (kind == "abs")
+  {
+    const double error = Parse<double>(value).value_or(-1);
+    if (error > 0 && std::isfinite(error))
+    {
+      writer->SetPointError(error);
+      return;
+    }
+  }
+  if (kind == "bits")
+  {
+    const int bits = Parse<int>(value).value_or(0);
+    if (bits >= 1 && bits <= mostBits)
+    {
+      writer->SetPointBits(bits);
+      return;
+    }
+  }
+  Refuse("--point-error", text, "abs:E with a number E above 0, or bits:N with N from 1 to 31");
+}
 
 int OrderOf(const std::string& name)
 {
@@ -110,6 +146,10 @@ void PrintSizes(vtkGatunWriter* writer, const Options& options, bool verbose)
   print("base meshes", writer->GetLevelBytes());
   print("directory", writer->GetDirectoryBytes());
   print("file", writer->GetFileBytes());
+  if (writer->GetPointError() > 0 || writer->GetPointBits() > 0)
+  {
+    fmt::print("  coordinates differ by at most {:.6g}\n", writer->GetWrittenPointError());
+  }
   if (writer->GetHierarchyBytes() > 0 && writer->GetWrittenPoints() > 0)
   {
     fmt::print("  the hierarchy takes {:.2f} bits per point\n",
@@ -128,6 +168,10 @@ void Pack(const Options& options, const Settings& settings)
   if (options.Layers)
   {
     SetLayers(writer, options);
+  }
+  if (options.PointError)
+  {
+    SetPointError(writer, *options.PointError);
   }
   Input input(options.In, options.Input);
   CheckWritable(options.Out, options.Overwrite);
@@ -164,15 +208,17 @@ void AddPack(CLI::App& app, Settings& settings)
 {
   auto options = std::make_shared<Options>();
   CLI::App* command = AddCommand(app, settings, "pack",
-    "Write meshes to a .gtn file, without loss. Several files, or one file with time steps, become "
-    "the\n"
-    "time steps of one mesh. Blocks are merged; 'Gatun Split Blocks' in ParaView gives them back.",
+    "Write meshes or surfaces to a .gtn file, without loss. Several files, or one file with time\n"
+    "steps, become the time steps of one mesh. Blocks are merged; 'Gatun Split Blocks' in "
+    "ParaView\n"
+    "gives them back.",
     "  gtn pack mesh.vtu mesh.gtn\n"
     "  gtn pack --keep-order all --arrays pressure mesh.vtu mesh.gtn\n"
     "  gtn pack --levels 8 --weight pressure mesh.vtu mesh.gtn\n"
     "  gtn pack --layers temperature:8 mesh.vtu mesh.gtn\n"
     "  gtn pack run_0.vtu run_1.vtu run_2.vtu run.gtn\n"
     "  gtn pack run.pvd run.gtn\n"
+    "  gtn pack --point-error abs:1e-6 surface.stl surface.gtn\n"
     "  gtn pack --memory 2000 --spill /scratch large.pvtu large.gtn\n"
     "  gtn pack -f crash.e crash.gtn\n"
     "  gtn pack --sets crash.e crash.gtn");
@@ -218,12 +264,19 @@ void AddPack(CLI::App& app, Settings& settings)
   AddComponent(command, "--layer-component", options->LayerComponent,
     "Component for --layers: a number from 0, or magnitude (default: magnitude)")
     ->needs(layers);
+  command
+    ->add_option("--point-error", options->PointError,
+      "Round coordinates: abs:E changes each of them by at most E, above 0, in their units; bits:N "
+      "gives the longest side of the bounding box 2^N places, N from 1 to 31. Values of arrays "
+      "stay (default: none; everything is stored without loss)")
+    ->option_text("WHAT");
   AddPieceOptions(command, options->Pieces);
   command->add_flag("--tets", options->Input.Split,
     "Split 3D cells into tetrahedra. Nonlinear ones lose the points between their corners, and "
     "cells of a lower dimension are left out");
   auto* files = command->add_option(FilesArgument, options->In,
-    std::string("One or more meshes, then the .gtn file to write. Meshes: ") + InputFormats);
+    std::string("One or more meshes, then the .gtn file to write. Meshes: ") + InputFormats +
+      ". Surfaces: " + SurfaceInputFormats);
   files->required();
   command->callback(
     [=, &settings]

@@ -123,10 +123,10 @@ void SimplifyMesh(const Options& options, const Settings& settings)
   if (vtkGatunReader* const reader = FindHierarchy(input, options))
   {
     options.Target.Apply(reader);
-    WriteMesh(ReadStep(input, options.Step, settings), options.Out, settings);
+    WriteMesh(ReadGridStep(input, options.Step, settings), options.Out, settings);
     return;
   }
-  const auto grid = ReadStep(input, options.Step, settings);
+  const auto grid = ReadGridStep(input, options.Step, settings);
   RunSimplifier(simplifier, grid, options, settings);
   WriteMesh(simplifier->GetUnstructuredGridOutput(), options.Out, settings);
   PrintError(grid, simplifier, settings);

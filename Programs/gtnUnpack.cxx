@@ -7,14 +7,23 @@
 #include "gtnFailure.h"
 #include "gtnGridWriter.h"
 #include "gtnInput.h"
+#include "gtnMessages.h"
 #include "gtnOptions.h"
 #include "gtnOutput.h"
+#include "gtnProgress.h"
 #include "gtnStep.h"
+#include "gtnSurfaceWriter.h"
 #include "gtnText.h"
 #include "gtnWriteMesh.h"
 
+#include "vtkDataObject.h"
+#include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <fmt/core.h>
+
+#include <cstdint>
+#include <filesystem>
 #include <memory>
 
 namespace gtn
@@ -40,16 +49,61 @@ Compressor CompressorOf(const std::string& name)
                         : Compressor::ZLib;
 }
 
+bool IsOneOfSurfaces(const std::string& extension)
+{
+  return extension == ".vtp" || extension == ".stl" || extension == ".ply" || extension == ".obj";
+}
+
+void UnpackSurface(vtkPolyData* surface, const Options& options, const Settings& settings)
+{
+  const std::string lost = ListLost(surface, options.Out);
+  if (!lost.empty() && !settings.Quiet)
+  {
+    Say(fmt::format("{}: a {} file does not hold all of the surface: {} left out", options.In,
+      ExtensionOf(options.Out), lost));
+  }
+  {
+    Progress progress("writing", settings.ShowProgress);
+    WriteSurface(surface, options.Out, progress, CompressorOf(options.How));
+  }
+  if (!settings.Quiet)
+  {
+    fmt::print("{}: {} cells, {} points, {}\n", options.Out,
+      Grouped(static_cast<std::uint64_t>(surface->GetNumberOfCells())),
+      Grouped(static_cast<std::uint64_t>(surface->GetNumberOfPoints())),
+      ByteSize(std::filesystem::file_size(options.Out)));
+  }
+}
+
 void Unpack(const Options& options, const Settings& settings)
 {
-  if (ExtensionOf(options.Out) != ".vtu" && ExtensionOf(options.Out) != ".vtk")
+  const std::string extension = ExtensionOf(options.Out);
+  const bool isOfGrids = extension == ".vtu" || extension == ".vtk";
+  const bool isOfSurfaces = extension == ".vtk" || IsOneOfSurfaces(extension);
+  if (!isOfGrids && !IsOneOfSurfaces(extension))
   {
-    throw UsageError(options.Out + ": the name must end in .vtu or .vtk");
+    throw UsageError(options.Out +
+      ": the name must end in .vtu or .vtk, or for a surface in .vtp, .vtk, .stl, .ply or .obj");
   }
   Input input({ options.In }, options.Input);
   CheckWritable(options.Out, options.Overwrite);
-  WriteMesh(
-    ReadStep(input, options.Step, settings), options.Out, settings, CompressorOf(options.How));
+  const vtkSmartPointer<vtkDataObject> data = ReadStep(input, options.Step, settings);
+  auto* const surface = vtkPolyData::SafeDownCast(data);
+  if (surface ? !isOfSurfaces : !isOfGrids)
+  {
+    throw Failure(options.In,
+      surface ? "is a surface, for a .vtp, .vtk, .stl, .ply or .obj file"
+              : "is no surface; it can be written to a .vtu or .vtk file");
+  }
+  if (surface)
+  {
+    UnpackSurface(surface, options, settings);
+  }
+  else
+  {
+    WriteMesh(
+      vtkUnstructuredGrid::SafeDownCast(data), options.Out, settings, CompressorOf(options.How));
+  }
 }
 
 } // anonymous namespace
@@ -59,8 +113,12 @@ void AddUnpack(CLI::App& app, Settings& settings)
 {
   auto options = std::make_shared<Options>();
   CLI::App* command = AddCommand(app, settings, "unpack",
-    "Write a .gtn file, or one of its time steps, to a .vtu or .vtk file.",
+    "Write a .gtn file, or one of its time steps, to a .vtu or .vtk file. A surface is written to "
+    "a\n"
+    ".vtp, .vtk, .stl, .ply or .obj file; what the last three cannot hold is left out, with a "
+    "warning.",
     "  gtn unpack mesh.gtn mesh.vtu\n"
+    "  gtn unpack surface.gtn surface.vtp\n"
     "  gtn unpack --arrays pressure,velocity --step 10 run.gtn step10.vtu\n"
     "  gtn unpack -f --compressor none mesh.gtn mesh.vtu");
   AddForce(command, options->Overwrite);
@@ -69,12 +127,15 @@ void AddUnpack(CLI::App& app, Settings& settings)
   AddSets(command, options->Input);
   command
     ->add_option("--compressor", options->How,
-      "Compressor of a .vtu file: none, zlib, lz4 or lzma (default: zlib)")
+      "Compressor of a .vtu or .vtp file: none, zlib, lz4 or lzma (default: zlib)")
     ->check(CLI::IsMember({ "none", "zlib", "lz4", "lzma" }))
     ->option_text("NAME");
   command->add_option("IN", options->In, "The .gtn file, or any other file that pack reads")
     ->required();
-  command->add_option("OUT", options->Out, "The .vtu or .vtk file")->required();
+  command
+    ->add_option("OUT", options->Out,
+      "The .vtu or .vtk file, or the .vtp, .vtk, .stl, .ply or .obj file of a surface")
+    ->required();
   command->callback(
     [=, &settings]
     {

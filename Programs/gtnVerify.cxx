@@ -14,8 +14,12 @@
 #include "gtnText.h"
 
 #include "gatunFileReader.h"
+#include "gatunSurfaceGrid.h"
 #include "gatunVerifyFile.h"
 
+#include "vtkDataObject.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <fmt/core.h>
@@ -46,6 +50,25 @@ std::pair<std::string, std::string> ShortNames(const std::string& first, const s
   return names.first == names.second ? std::pair(first, second) : names;
 }
 
+vtkSmartPointer<vtkUnstructuredGrid> GridOf(vtkDataObject* data)
+{
+  auto* const surface = vtkPolyData::SafeDownCast(data);
+  return surface ? gatun::MakeSurfaceGrid(surface)
+                 : vtkSmartPointer<vtkUnstructuredGrid>(vtkUnstructuredGrid::SafeDownCast(data));
+}
+
+// Compares two grids or surfaces. Returns a description of the first difference.
+std::string CompareData(Comparison& comparison, vtkDataObject* a, vtkDataObject* b)
+{
+  if (a->GetDataObjectType() != b->GetDataObjectType())
+  {
+    return fmt::format("it is a {}, not a {}", a->GetClassName(), b->GetClassName());
+  }
+  const auto first = GridOf(a);
+  const auto second = GridOf(b);
+  return comparison.Compare(GridView(first), GridView(second));
+}
+
 void CompareWithOriginals(const Options& options, const Settings& settings, std::uint8_t keptOrder)
 {
   Input original(options.Originals, options.Input);
@@ -73,9 +96,9 @@ void CompareWithOriginals(const Options& options, const Settings& settings, std:
     Progress progress(steps > 1 ? fmt::format("comparing step {} of {}", step + 1, steps)
                                 : std::string("comparing"),
       settings.ShowProgress);
-    vtkUnstructuredGrid* a = packed.Read(step, progress);
-    vtkUnstructuredGrid* b = original.Read(step, progress);
-    const std::string difference = comparison.Compare(GridView(a), GridView(b));
+    vtkDataObject* const a = packed.Read(step, progress);
+    vtkDataObject* const b = original.Read(step, progress);
+    const std::string difference = CompareData(comparison, a, b);
     CheckInterrupt();
     if (!difference.empty())
     {

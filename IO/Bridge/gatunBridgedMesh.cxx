@@ -71,7 +71,10 @@ BridgedMesh::BridgedMesh(vtkUnstructuredGrid* grid)
     {
       this->Connectivity = cells->GetConnectivityArray();
       this->Mesh.Cells = static_cast<std::uint64_t>(cells->GetNumberOfCells());
-      this->Mesh.Connectivity = this->Connectivity->GetVoidPointer(0);
+      // Cells without points have no ids, and an empty array no memory.
+      static constexpr std::int64_t none = 0;
+      this->Mesh.Connectivity =
+        this->Connectivity->GetNumberOfValues() > 0 ? this->Connectivity->GetVoidPointer(0) : &none;
       vtkUnsignedCharArray* const types = grid->GetCellTypesArray();
       const unsigned char* const begin = types->GetPointer(0);
       if (cells->IsHomogeneous() != 4 ||

@@ -54,6 +54,10 @@ public:
     const std::string& joinArray = {});
   ~GridPieces();
 
+  /** Tells whether the pieces are those of a surface. To be called before the first one is
+   * surveyed, and before OpenTogether. */
+  void SetIsSurface(bool isSurface) { this->Options.File.IsSurface = isSurface; }
+
   /** Opens a file that all processes of an exchange write. To be called before Survey. piece: the
    * first one of this process, which may be empty. steps: the number of time steps. Collective, as
    * are EndSurvey and Finish. */
@@ -102,7 +106,7 @@ private:
   bool IsEmpty(vtkUnstructuredGrid* piece, bool isFirst, std::size_t number);
 
   const std::string Path;
-  const PartWriterOptions Options;
+  PartWriterOptions Options;
   const std::function<std::vector<BridgedArray>(vtkUnstructuredGrid*)> Select;
   const std::string JoinArray;
   std::unique_ptr<PartWriter> File;

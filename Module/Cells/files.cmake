@@ -17,6 +17,7 @@ gatun_core_folder(Cells
     gatunPointSet.h
     gatunShapeTable.h
     gatunSimplices.h
+    gatunSurfaceCells.h
   SOURCES
     gatunCellForms.cxx
     gatunCellGraph.cxx

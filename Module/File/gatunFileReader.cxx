@@ -7,6 +7,7 @@
 #include "gatunFileReaderInternals.h"
 #include "gatunKeepMemory.h"
 #include "gatunPalette.h"
+#include "gatunSurfaceTable.h"
 #include "gatunTableParts.h"
 
 #include <algorithm>
@@ -38,6 +39,7 @@ void FileReader::Internals::Read()
   this->ReadCells();
   this->Tables.emplace(this->File, this->Meta, this->Cells ? &*this->Cells : nullptr);
   this->CountCells();
+  this->ReadSurface();
   for (const auto& step : this->File.FindSections(SectionStep))
   {
     const auto bytes = this->File.Read(step, stepName);
@@ -101,6 +103,19 @@ void FileReader::Internals::CountCells()
 }
 
 //------------------------------------------------------------------------------
+void FileReader::Internals::ReadSurface()
+{
+  constexpr const char* surfaceName = "the mark of surfaces";
+  this->IsSurface = !this->File.FindSections(SectionSurface).empty();
+  if (this->IsSurface)
+  {
+    const auto where = this->File.FindSection(SectionSurface, surfaceName);
+    this->File.Guarded(surfaceName, where,
+      [&] { CheckSurfaceMark(this->File.Read(where, surfaceName), this->CellTypes); });
+  }
+}
+
+//------------------------------------------------------------------------------
 /** Adds the unpacked size of a step's table, before memory is taken for it. The expansion of one
  * table may be large, but not that of all of them. */
 void FileReader::Internals::AddStepBytes(std::span<const std::uint8_t> packed)
@@ -158,6 +173,19 @@ bool FileReader::CanRead(const std::string& path) noexcept
   return BeginsAs(path, MeshContainer);
 }
 
+//------------------------------------------------------------------------------
+bool FileReader::IsSurfaceFile(const std::string& path) noexcept
+{
+  try
+  {
+    return CanRead(path) && !InputFile(path).FindSections(SectionSurface).empty();
+  }
+  catch (...)
+  {
+    return false; // opening the file reports what is wrong
+  }
+}
+
 FileReader::FileReader(const std::string& path)
   : Self(std::make_unique<Internals>(path))
 {
@@ -196,6 +224,12 @@ std::uint64_t FileReader::GetNumberOfTets() const
 bool FileReader::IsTetrahedral() const
 {
   return !this->Self->Cells;
+}
+
+//------------------------------------------------------------------------------
+bool FileReader::IsSurface() const
+{
+  return this->Self->IsSurface;
 }
 
 //------------------------------------------------------------------------------

@@ -30,6 +30,10 @@ public:
   /** Whether the file has the signature of .gtn files of any version. Never throws. */
   static bool CanRead(const std::string& path) noexcept;
 
+  /** Whether the file is a readable .gtn file of a surface. Reads only its directory. Never throws.
+   */
+  static bool IsSurfaceFile(const std::string& path) noexcept;
+
   explicit FileReader(const std::string& path);
   ~FileReader();
   FileReader(const FileReader&) = delete;
@@ -41,6 +45,7 @@ public:
   std::uint64_t GetNumberOfTets() const;                  ///< of which the cells consist
   bool IsTetrahedral() const;                             ///< whether all cells are tetrahedra
   const std::vector<CellTypeCount>& GetCellTypes() const; ///< by ascending type
+  bool IsSurface() const;                                 ///< WriterOptions::IsSurface
   std::uint64_t GetNumberOfSharedPoints() const;          ///< shared by several chunks
   std::uint64_t GetNumberOfUnusedPoints() const;          ///< used by no cell; numbered last
   ScalarType GetCoordinateType() const;

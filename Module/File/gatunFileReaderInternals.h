@@ -65,6 +65,7 @@ public:
   MetaTable Meta;
   std::optional<CellTable> Cells; // if not all cells are tetrahedra
   std::vector<CellTypeCount> CellTypes;
+  bool IsSurface = false;
   std::vector<double> Times;
   PointDomain Domains;
   bool LayersAreKnown = false;
@@ -80,6 +81,7 @@ private:
   void Read();
   void ReadCells();
   void CountCells();
+  void ReadSurface();
   void ReadLayers();
   void ReadTree();
   void CheckLevel(const Internals& whole, std::size_t level) const;

@@ -5,13 +5,32 @@
 
 #include "gatunChunkCodec.h"
 #include "gatunError.h"
+#include "gatunSurfaceCells.h"
 
+#include <algorithm>
 #include <string>
 
 namespace gatun
 {
 namespace
 {
+void CheckSurface(const MeshInput& mesh, const WriterOptions& options)
+{
+  if (options.Tree)
+  {
+    ThrowInvalid("surfaces cannot be written with a hierarchy");
+  }
+  if (options.Layers)
+  {
+    ThrowInvalid("layers are made of tetrahedra, and surfaces have none");
+  }
+  if (mesh.Cells > 0 &&
+    !(mesh.Types && std::all_of(mesh.Types, mesh.Types + mesh.Cells, IsSurfaceCell)))
+  {
+    ThrowInvalid("there are cells that are no part of a surface");
+  }
+}
+
 void CheckLayers(
   const MeshInput& mesh, const std::vector<ArrayDescription>& arrays, const LayerRequest& layers)
 {
@@ -90,6 +109,10 @@ void CheckWriterInput(
   if (options.Layers)
   {
     CheckLayers(mesh, arrays, *options.Layers);
+  }
+  if (options.IsSurface)
+  {
+    CheckSurface(mesh, options);
   }
   CheckArrays(arrays);
 }

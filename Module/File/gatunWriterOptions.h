@@ -28,6 +28,10 @@ struct WriterOptions
   /** Whether to replace an existing read-only file, which is an error otherwise. */
   bool ReplaceReadOnly = false;
 
+  /** Whether the mesh is a surface (vtkPolyData): vertices, lines, polygons and triangle strips, in
+   * this order. Trees and layers are not possible. */
+  bool IsSurface = false;
+
   /** A merge tree of all points of the mesh, or null. It must exist until Finish has returned. */
   const MergeTree* Tree = nullptr;
 

@@ -5,6 +5,7 @@
 
 #include "gatunPageSection.h"
 #include "gatunParallel.h"
+#include "gatunSurfaceTable.h"
 #include "gatunVersion.h"
 
 #include <algorithm>
@@ -19,10 +20,11 @@ constexpr std::uint32_t LargeChunkTets = 262144;
 
 std::uint16_t GetMinorVersion(const WriterOptions& options, bool hasCells)
 {
-  return hasCells    ? MinorVersionWithCells
-    : options.Layers ? MinorVersionWithLayers
-    : options.Tree   ? MinorVersionWithTree
-                     : MinorVersionPlain;
+  return options.IsSurface ? MinorVersionOfSurfaces
+    : hasCells             ? MinorVersionWithCells
+    : options.Layers       ? MinorVersionWithLayers
+    : options.Tree         ? MinorVersionWithTree
+                           : MinorVersionPlain;
 }
 }
 
@@ -129,6 +131,10 @@ void WriterState::WriteTables(OutputFile& file) const
   if (this->HasCells)
   {
     file.AddSection(SectionCells, this->Cells.Write());
+  }
+  if (this->Options.IsSurface)
+  {
+    file.AddSection(SectionSurface, WriteSurfaceMark(), 0);
   }
   const auto keep = this->Options.Keep;
   const bool isWide =

@@ -20,6 +20,7 @@ gatun_core_folder(Format
     gatunMeshTable.h
     gatunMetaTable.h
     gatunStepPages.h
+    gatunSurfaceTable.h
     gatunTableParts.h
     gatunTreeTable.h
   SOURCES
@@ -36,5 +37,6 @@ gatun_core_folder(Format
     gatunMeshTable.cxx
     gatunMetaTable.cxx
     gatunStepPages.cxx
+    gatunSurfaceTable.cxx
     gatunTableParts.cxx
     gatunTreeTable.cxx)

@@ -44,6 +44,7 @@ constexpr FourCC SectionLevel = MakeFourCC("LEVL");    // a base mesh: a file em
 constexpr FourCC SectionLayers = MakeFourCC("LAYR");   // the layers of values that define chunks
 constexpr FourCC SectionCells =
   MakeFourCC("CELL"); // types and sizes of other cells than tetrahedra
+constexpr FourCC SectionSurface = MakeFourCC("SURF");   // the mesh is a surface
 constexpr FourCC SectionDirectory = MakeFourCC("DIRY"); // positions of the sections
 
 constexpr FourCC SectionBlocks = MakeFourCC("BLKS"); // streams of blocks of a volume
@@ -60,7 +61,7 @@ struct ContainerKind
 
 inline constexpr std::array MeshSections{ SectionMeta, SectionMesh, SectionTable, SectionPages,
   SectionValues, SectionStep, SectionTree, SectionMerges, SectionTreeStep, SectionLevel,
-  SectionLayers, SectionCells, SectionDirectory };
+  SectionLayers, SectionCells, SectionSurface, SectionDirectory };
 inline constexpr ContainerKind MeshContainer{ ".gtn", FileMagic, TrailerMagic,
   GATUN_FORMAT_VERSION_MAJOR, MeshSections };
 
@@ -79,6 +80,7 @@ constexpr std::uint16_t MinorVersionPlain = 0;
 constexpr std::uint16_t MinorVersionWithTree = 1;
 constexpr std::uint16_t MinorVersionWithLayers = 2;
 constexpr std::uint16_t MinorVersionWithCells = 3;
+constexpr std::uint16_t MinorVersionOfSurfaces = 4;
 
 /** Whether a path names a regular file with the signature of a format. */
 bool BeginsAs(const std::string& path, const ContainerKind& kind) noexcept;

@@ -7,6 +7,7 @@
 #include "gtnMessages.h"
 #include "gtnProgress.h"
 #include "gtnReadable.h"
+#include "gtnReaders.h"
 #include "gtnSettings.h"
 #include "gtnText.h"
 
@@ -73,6 +74,7 @@ ContourInput::~ContourInput() = default;
 void ContourInput::OpenFile(const ContourInputOptions& options, const Settings& settings)
 {
   const gatun::FileReader file(this->File);
+  RequireGrid(file);
   static const std::vector<double> none;
   const std::vector<double>& times = file.HasTime() ? file.GetTimes() : none;
   const std::size_t step = ChooseStep(options.Step, this->File, times, settings.Quiet);
@@ -117,7 +119,7 @@ void ContourInput::Read(const ContourInputOptions& options, const Settings& sett
   all.VolumesOnly = true;
   all.Quiet = settings.Quiet;
   Input input({ this->File }, all);
-  const auto whole = ReadStep(input, options.Step, settings);
+  const auto whole = ReadGridStep(input, options.Step, settings);
   this->Grid = options.Target.IsGiven() ? Simplify(whole, options, settings) : whole;
   const std::vector<ArrayChoice> choices = GetChoices(this->Grid.Get());
   this->Choose(options, choices);

@@ -136,9 +136,17 @@ std::vector<double> TimesOf(const std::vector<SeriesStep>& steps)
 }
 
 //------------------------------------------------------------------------------
+bool IsPartList(const std::string& file)
+{
+  const std::string extension = ExtensionOf(file);
+  return extension == ".pvtu" || extension == ".pvtp";
+}
+
+//------------------------------------------------------------------------------
 std::vector<std::string> FindParts(const std::string& file)
 {
-  if (ExtensionOf(file) != ".pvtu")
+  const std::string extension = ExtensionOf(file);
+  if (!IsPartList(file))
   {
     return { file };
   }
@@ -149,11 +157,11 @@ std::vector<std::string> FindParts(const std::string& file)
   CheckMessages(file, true);
   vtkXMLDataElement* root = parser->GetRootElement();
   vtkXMLDataElement* grid = root && root->GetName() && !std::strcmp(root->GetName(), "VTKFile")
-    ? root->FindNestedElementWithName("PUnstructuredGrid")
+    ? root->FindNestedElementWithName(extension == ".pvtu" ? "PUnstructuredGrid" : "PPolyData")
     : nullptr;
   if (!grid)
   {
-    throw Failure(file, "is not a .pvtu file");
+    throw Failure(file, "is not a " + extension + " file");
   }
   std::vector<std::string> parts;
   for (int i = 0; i < grid->GetNumberOfNestedElements(); ++i)

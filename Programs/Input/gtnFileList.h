@@ -20,10 +20,13 @@ struct SeriesStep
 /** The times of steps. */
 std::vector<double> TimesOf(const std::vector<SeriesStep>& steps);
 
-/** The files that a .pvtu file consists of; of others, the file itself. Throws Failure. */
+/** Whether a file is a list of the parts of a mesh (.pvtu, .pvtp), by its extension. */
+bool IsPartList(const std::string& file);
+
+/** The files that such a list names; of others, the file itself. Throws Failure. */
 std::vector<std::string> FindParts(const std::string& file);
 
-/** Whether a file is such a list, by its extension. */
+/** Whether a file is a list of time steps (.pvd, .series), by its extension. */
 bool IsFileList(const std::string& file);
 
 /** The steps that it lists, by ascending time. Throws Failure. */

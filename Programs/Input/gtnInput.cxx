@@ -7,7 +7,6 @@
 #include "gtnFailure.h"
 #include "gtnFileList.h"
 #include "gtnMessages.h"
-#include "gtnObj.h"
 #include "gtnPrepare.h"
 #include "gtnProgress.h"
 #include "gtnRangedSeries.h"
@@ -43,6 +42,7 @@ const char* const InputFormats =
   ".vtu .pvtu .vtk .vtm .vtpc .pvd .series .vtkhdf .vti .vts .vtr, Exodus "
   "(.e .exo .ex2), EnSight (.case), OpenFOAM (.foam), "
   "CGNS, .gtn";
+const char* const SurfaceInputFormats = ".vtp .pvtp .vtk .stl .ply .obj .gtn";
 
 //------------------------------------------------------------------------------
 namespace
@@ -64,7 +64,7 @@ std::uint64_t SizeOfTuple(vtkFieldData* data)
 std::uint64_t EstimateMesh(const std::string& file)
 {
   CheckReadable(file);
-  if (ExtensionOf(file) == ".pvtu")
+  if (IsPartList(file))
   {
     std::uint64_t sum = 0;
     for (const std::string& part : FindParts(file))
@@ -121,7 +121,7 @@ Input::Input(const std::vector<std::string>& files, const InputOptions& options)
       step.Files = parts;
     }
   }
-  else if (options.InPieces && ExtensionOf(this->Name) == ".pvtu")
+  else if (options.InPieces && IsPartList(this->Name))
   {
     steps.push_back({ 0, FindParts(this->Name) });
     this->HasTime = false;
@@ -165,7 +165,8 @@ Input::Input(const std::vector<std::string>& files, const InputOptions& options)
     if (!reader)
     {
       throw Failure(this->Name,
-        std::string("no reader for this extension; there are those for ") + InputFormats);
+        std::string("no reader for this extension; there are those for ") + InputFormats +
+          ", and for surfaces " + SurfaceInputFormats);
     }
     vtkNew<Preparer> preparer;
     preparer->SetOptions(options);
@@ -313,7 +314,7 @@ std::uint64_t Input::EstimateLargestPart() const
 }
 
 //------------------------------------------------------------------------------
-vtkUnstructuredGrid* Input::Read(std::size_t step, Progress& progress)
+vtkDataObject* Input::Read(std::size_t step, Progress& progress)
 {
   progress.Watch(this->GetSource()); // which takes the time
   if (this->Times.empty())
@@ -326,7 +327,18 @@ vtkUnstructuredGrid* Input::Read(std::size_t step, Progress& progress)
   }
   CheckInterrupt();
   CheckMessages(this->Name, this->Options.Quiet);
-  return vtkUnstructuredGrid::SafeDownCast(this->Algorithm->GetOutputDataObject(0));
+  return this->Algorithm->GetOutputDataObject(0);
+}
+
+//------------------------------------------------------------------------------
+vtkUnstructuredGrid* Input::ReadGrid(std::size_t step, Progress& progress)
+{
+  auto* const grid = vtkUnstructuredGrid::SafeDownCast(this->Read(step, progress));
+  if (!grid)
+  {
+    throw Failure(this->Name, "is a surface (vtkPolyData), without 3D cells");
+  }
+  return grid;
 }
 
 namespace
@@ -356,15 +368,11 @@ void CheckCells(const std::string& file, vtkPolyData* surface)
 vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& file, Progress& progress, bool quiet)
 {
   CheckReadable(file);
-  if (ExtensionOf(file) == ".obj")
-  {
-    return ReadObj(file, progress);
-  }
   vtkSmartPointer<vtkAlgorithm> reader = MakeSurfaceReader(file);
   if (!reader)
   {
     throw Failure(
-      file, "no reader for this extension; there are those for .stl .ply .obj .vtp .vtk");
+      file, "no reader for this extension; there are those for .stl .ply .obj .vtp .vtk .gtn");
   }
   progress.Watch(reader);
   reader->Update();

@@ -3,7 +3,7 @@
 #ifndef gtnInput_h
 #define gtnInput_h
 
-// Meshes of any format as one tetrahedral grid, with time steps if there are any.
+// Meshes of any format as one grid or surface, with time steps if there are any.
 
 #include "gtnFileList.h"
 #include "gtnInputOptions.h"
@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+class vtkDataObject;
 class vtkPolyData;
 class vtkUnstructuredGrid;
 
@@ -28,6 +29,7 @@ struct SpoolSettings;
 
 /** The formats that can be read, for help texts. */
 extern const char* const InputFormats;
+extern const char* const SurfaceInputFormats;
 
 class Input
 {
@@ -42,7 +44,8 @@ public:
   /** Returns the name of the first file. */
   const std::string& GetName() const { return this->Name; }
 
-  /** Returns the end of a pipeline that produces vtkUnstructuredGrid for any time step. */
+  /** Returns the end of a pipeline that produces vtkUnstructuredGrid, or vtkPolyData of a surface,
+   * for any time step. */
   vtkAlgorithm* GetAlgorithm() const { return this->Algorithm; }
 
   /** Returns the reader at its beginning. */
@@ -77,8 +80,12 @@ public:
   /** Returns the times in ascending order, or nothing without time. */
   const std::vector<double>& GetTimes() const { return this->Times; }
 
-  /** Reads a step, 0 without time. The grid lives until the next call. Throws Failure. */
-  vtkUnstructuredGrid* Read(std::size_t step, Progress& progress);
+  /** Reads a step, 0 without time: a grid or a surface, which lives until the next call. Throws
+   * Failure. */
+  vtkDataObject* Read(std::size_t step, Progress& progress);
+
+  /** The same, but throws Failure for a surface. */
+  vtkUnstructuredGrid* ReadGrid(std::size_t step, Progress& progress);
 
 private:
   void FindTimes();
@@ -93,7 +100,7 @@ private:
   std::shared_ptr<const SpooledMesh> Spooled;
 };
 
-/** Reads a surface from a file: .stl .ply .obj .vtp .vtk. Throws Failure. */
+/** Reads a surface from a file: .stl .ply .obj .vtp .vtk .gtn. Throws Failure. */
 vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& file, Progress& progress, bool quiet);
 }
 

@@ -4,13 +4,16 @@
 #include "gtnObj.h"
 
 #include "gtnFailure.h"
-#include "gtnProgress.h"
 #include "gtnText.h"
 
 #include "vtkCellArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <fmt/core.h>
 
@@ -18,8 +21,10 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <exception>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string_view>
 #include <system_error>
 #include <vector>
@@ -157,10 +162,8 @@ private:
   std::size_t LargestLine = 0;
 };
 
-} // anonymous namespace
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> ReadObj(const std::string& file, Progress& progress)
+vtkSmartPointer<vtkPolyData> ReadObj(
+  const std::string& file, const std::function<bool(double)>& progress)
 {
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
@@ -176,10 +179,9 @@ vtkSmartPointer<vtkPolyData> ReadObj(const std::string& file, Progress& progress
   {
     ++number;
     bytes += static_cast<double>(part.size()) + 1;
-    if (number % 4096 == 0)
+    if (number % 4096 == 0 && !progress(bytes / size))
     {
-      progress(bytes / size);
-      CheckInterrupt();
+      return vtkSmartPointer<vtkPolyData>::New(); // aborted
     }
     if (part.ends_with('\r'))
     {
@@ -201,5 +203,44 @@ vtkSmartPointer<vtkPolyData> ReadObj(const std::string& file, Progress& progress
     throw Failure(file, "cannot be read");
   }
   return parser.GetSurface();
+}
+
+} // anonymous namespace
+
+vtkStandardNewMacro(ObjReader);
+
+//------------------------------------------------------------------------------
+ObjReader::ObjReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+void ObjReader::SetFileName(const char* file)
+{
+  this->File = file;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int ObjReader::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
+{
+  try
+  {
+    vtkPolyData::GetData(outputVector)
+      ->ShallowCopy(ReadObj(this->File,
+        [this](double fraction)
+        {
+          this->UpdateProgress(fraction);
+          return this->GetAbortExecute() == 0;
+        }));
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< ReasonOf(error));
+    return 0;
+  }
+  return 1;
 }
 }

@@ -3,22 +3,34 @@
 #ifndef gtnObj_h
 #define gtnObj_h
 
-#include "vtkSmartPointer.h"
+#include "vtkPolyDataAlgorithm.h"
 
 #include <string>
 
-class vtkPolyData;
-
 namespace gtn
 {
-class Progress;
-
-/** The points and faces of a Wavefront .obj file; nothing else is read. Throws Failure, which names
- * the line, for any content of the file, and Interrupted.
+/** Reads the points and faces of a Wavefront .obj file; nothing else is read. Reports an error,
+ * which names the line, for any content of the file.
  *
  * Not by vtkOBJReader: it follows indices that do not exist, and splits points where a texture has
  * a seam, so that a closed surface is no longer closed. */
-vtkSmartPointer<vtkPolyData> ReadObj(const std::string& file, Progress& progress);
+class ObjReader : public vtkPolyDataAlgorithm
+{
+public:
+  static ObjReader* New();
+  vtkTypeMacro(ObjReader, vtkPolyDataAlgorithm);
+
+  void SetFileName(const char* file);
+
+protected:
+  ObjReader();
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  std::string File;
+};
 }
 
 #endif

@@ -7,6 +7,7 @@
 #include "gtnText.h"
 
 #include "gatunCellInput.h"
+#include "gatunSurfaceGrid.h"
 #include "gatunTetInput.h"
 #include "vtkGatunMergeBlocks.h"
 
@@ -24,6 +25,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <fmt/core.h>
@@ -148,8 +150,7 @@ void Preparer::SetOptions(const InputOptions& options)
 }
 
 //------------------------------------------------------------------------------
-void Preparer::Prepare(
-  vtkDataObject* input, const InputOptions& options, vtkUnstructuredGrid* output)
+void Preparer::Prepare(vtkDataObject* input, const InputOptions& options, vtkDataObject* output)
 {
   vtkNew<Preparer> preparer;
   preparer->SetOptions(options);
@@ -159,7 +160,13 @@ void Preparer::Prepare(
   {
     throw Failure("cannot be used");
   }
-  output->ShallowCopy(preparer->GetOutputDataObject(0));
+  vtkDataObject* const prepared = preparer->GetOutputDataObject(0);
+  if (!prepared->IsA(output->GetClassName()))
+  {
+    throw Failure(vtkPolyData::SafeDownCast(prepared) ? "is a surface, and others are not"
+                                                      : "is not a surface, and others are");
+  }
+  output->ShallowCopy(prepared);
 }
 
 //------------------------------------------------------------------------------
@@ -167,6 +174,15 @@ int Preparer::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* inf
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
+}
+
+//------------------------------------------------------------------------------
+int Preparer::RequestDataObject(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const bool isSurface = vtkPolyData::GetData(inputVector[0]) != nullptr;
+  return this->SetOutputDataObject(
+    isSurface ? VTK_POLY_DATA : VTK_UNSTRUCTURED_GRID, outputVector->GetInformationObject(0), true);
 }
 
 //------------------------------------------------------------------------------
@@ -195,46 +211,69 @@ vtkSmartPointer<vtkUnstructuredGrid> Preparer::Convert(vtkUnstructuredGrid* grid
 }
 
 //------------------------------------------------------------------------------
+void Preparer::MakeOutput(vtkDataObject* input, vtkDataObject* output)
+{
+  auto* const surface = vtkPolyData::SafeDownCast(input);
+  vtkSmartPointer<vtkUnstructuredGrid> grid = vtkUnstructuredGrid::SafeDownCast(input);
+  if (surface)
+  {
+    if (this->Options.VolumesOnly || this->Options.Split)
+    {
+      throw Failure("is a surface (vtkPolyData), without 3D cells");
+    }
+    grid = gatun::MakeSurfaceGrid(surface);
+  }
+  else if (auto* blocks = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    grid = Merge(blocks);
+    vtkWarningMacro(<< CountBlocks(blocks) << " blocks were merged into one grid");
+  }
+  else if (auto* data = vtkDataSet::SafeDownCast(input); data && !grid)
+  {
+    grid = ToUnstructured(data);
+  }
+  if (!grid)
+  {
+    throw Failure("holds " + std::string(input->GetClassName()) + ", which is not a mesh");
+  }
+  grid = Copy(grid);
+  MakePointsReal(grid);
+  if (!this->Options.AllArrays)
+  {
+    CheckNames(grid, this->Options.Arrays);
+    // The marks of ghosts are needed until these have been removed.
+    std::vector<std::string> names = this->Options.Arrays;
+    names.emplace_back(vtkDataSetAttributes::GhostArrayName());
+    Select(grid, names);
+  }
+  grid = Copy(this->Convert(grid));
+  if (!this->Options.AllArrays)
+  {
+    // That of split cells is a result.
+    std::vector<std::string> names = this->Options.Arrays;
+    names.emplace_back("OriginalCellIds");
+    Select(grid, names);
+  }
+  if (surface)
+  {
+    gatun::MakeSurface(grid, gatun::FindSurfaceCells(grid), vtkPolyData::SafeDownCast(output));
+  }
+  else
+  {
+    output->ShallowCopy(grid);
+  }
+}
+
+//------------------------------------------------------------------------------
 int Preparer::RequestData(vtkInformation* vtkNotUsed(request), vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
-  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
   this->SetErrorCode(vtkErrorCode::NoError);
   try
   {
-    vtkSmartPointer<vtkUnstructuredGrid> grid = vtkUnstructuredGrid::SafeDownCast(input);
-    if (auto* blocks = vtkCompositeDataSet::SafeDownCast(input))
-    {
-      grid = Merge(blocks);
-      vtkWarningMacro(<< CountBlocks(blocks) << " blocks were merged into one grid");
-    }
-    else if (auto* data = vtkDataSet::SafeDownCast(input); data && !grid)
-    {
-      grid = ToUnstructured(data);
-    }
-    if (!grid)
-    {
-      throw Failure("holds " + std::string(input->GetClassName()) + ", which is not a mesh");
-    }
-    grid = Copy(grid);
-    MakePointsReal(grid);
-    if (!this->Options.AllArrays)
-    {
-      CheckNames(grid, this->Options.Arrays);
-      // The marks of ghosts are needed until these have been removed.
-      std::vector<std::string> names = this->Options.Arrays;
-      names.emplace_back(vtkDataSetAttributes::GhostArrayName());
-      Select(grid, names);
-    }
-    output->ShallowCopy(this->Convert(grid));
-    if (!this->Options.AllArrays)
-    {
-      // That of split cells is a result.
-      std::vector<std::string> names = this->Options.Arrays;
-      names.emplace_back("OriginalCellIds");
-      Select(output, names);
-    }
+    this->MakeOutput(input, output);
   }
   catch (const std::exception& error)
   {

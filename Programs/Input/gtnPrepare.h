@@ -7,34 +7,39 @@
 
 #include "gtnInputOptions.h"
 
+#include "vtkDataObjectAlgorithm.h"
 #include "vtkSmartPointer.h"
-#include "vtkUnstructuredGridAlgorithm.h"
+
+class vtkUnstructuredGrid;
 
 namespace gtn
 {
 /**
- * Makes an unstructured grid of any data object: blocks are merged, cells are split and arrays left
- * out if the options say so. Warns of changes. Time passes.
+ * Makes an unstructured grid of any data object, but a surface (vtkPolyData) of a surface: blocks
+ * are merged, cells are split and arrays left out if the options say so. Warns of changes. Time
+ * passes.
  */
-class Preparer : public vtkUnstructuredGridAlgorithm
+class Preparer : public vtkDataObjectAlgorithm
 {
 public:
   static Preparer* New();
-  vtkTypeMacro(Preparer, vtkUnstructuredGridAlgorithm);
+  vtkTypeMacro(Preparer, vtkDataObjectAlgorithm);
 
   void SetOptions(const InputOptions& options);
 
-  /** Prepares a data object into a grid. Throws Failure if that is not possible, which has been
-   * reported as an error before. */
-  static void Prepare(
-    vtkDataObject* input, const InputOptions& options, vtkUnstructuredGrid* output);
+  /** Prepares a data object into a grid or a surface. Throws Failure if that is not possible, which
+   * has been reported as an error before, or if the result is of the other kind. */
+  static void Prepare(vtkDataObject* input, const InputOptions& options, vtkDataObject* output);
 
 protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
 private:
+  void MakeOutput(vtkDataObject* input, vtkDataObject* output);
   vtkSmartPointer<vtkUnstructuredGrid> Convert(vtkUnstructuredGrid* grid);
 
   InputOptions Options;

@@ -7,11 +7,14 @@
 #include "gtnFormats.h"
 #include "gtnLibrary.h"
 #include "gtnMessages.h"
+#include "gtnObj.h"
 #include "gtnReadable.h"
 #include "gtnText.h"
 
+#include "gatunFileReader.h"
 #include "vtkGatunHartleyReader.h"
 #include "vtkGatunReader.h"
+#include "vtkGatunSurfaceReader.h"
 
 #include "vtkGenericDataObjectReader.h"
 #include "vtkGenericEnSightReader.h"
@@ -50,6 +53,12 @@ vtkSmartPointer<vtkAlgorithm> Make(const std::string& file)
   vtkNew<Reader> reader;
   reader->SetFileName(file.c_str());
   return reader;
+}
+
+vtkSmartPointer<vtkAlgorithm> MakeGatun(const std::string& file)
+{
+  return gatun::FileReader::IsSurfaceFile(file) ? Make<vtkGatunSurfaceReader>(file)
+                                                : Make<vtkGatunReader>(file);
 }
 
 vtkSmartPointer<vtkAlgorithm> MakeLegacy(const std::string& file)
@@ -156,14 +165,14 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
   const std::string extension = ExtensionOf(file);
   if (extension == ".gtn")
   {
-    return Make<vtkGatunReader>(file);
+    return MakeGatun(file);
   }
   if (extension == ".vtu")
   {
     return Make<vtkXMLUnstructuredGridReader>(file);
   }
-  if (IsOneOf(
-        extension, { ".pvtu", ".vtm", ".vtmb", ".vti", ".vts", ".vtr", ".pvti", ".pvts", ".pvtr" }))
+  if (IsOneOf(extension,
+        { ".pvtu", ".pvtp", ".vtm", ".vtmb", ".vti", ".vts", ".vtr", ".pvti", ".pvts", ".pvtr" }))
   {
     return Make<vtkXMLGenericDataObjectReader>(file);
   }
@@ -196,7 +205,35 @@ vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets)
   {
     return GetFormatReaders().MakeHDF(file);
   }
-  return nullptr;
+  return MakeSurfaceReader(file);
+}
+
+//------------------------------------------------------------------------------
+bool IsSurfaceFile(const std::string& file)
+{
+  const std::string extension = ExtensionOf(file);
+  if (extension == ".gtn")
+  {
+    return gatun::FileReader::IsSurfaceFile(file);
+  }
+  if (extension == ".vtk")
+  {
+    vtkNew<vtkGenericDataObjectReader> reader;
+    reader->SetFileName(file.c_str());
+    const bool isSurface = reader->ReadOutputType() == VTK_POLY_DATA;
+    TakeErrors(); // reading the file reports them again
+    return isSurface;
+  }
+  return IsOneOf(extension, { ".vtp", ".pvtp", ".stl", ".ply", ".obj" });
+}
+
+//------------------------------------------------------------------------------
+void RequireGrid(const gatun::FileReader& file)
+{
+  if (file.IsSurface())
+  {
+    throw Failure(file.GetPath(), "is a surface (vtkPolyData), without 3D cells");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -286,6 +323,10 @@ vtkSmartPointer<vtkAlgorithm> MakeSurfaceReader(const std::string& file)
   {
     return Make<vtkPLYReader>(file);
   }
+  if (extension == ".obj")
+  {
+    return Make<ObjReader>(file);
+  }
   if (extension == ".vtp")
   {
     return Make<vtkXMLPolyDataReader>(file);
@@ -293,6 +334,10 @@ vtkSmartPointer<vtkAlgorithm> MakeSurfaceReader(const std::string& file)
   if (extension == ".vtk")
   {
     return MakeLegacy(file);
+  }
+  if (extension == ".gtn")
+  {
+    return MakeGatun(file);
   }
   return nullptr;
 }

@@ -13,12 +13,24 @@
 
 class vtkAlgorithm;
 
+namespace gatun
+{
+class FileReader;
+}
+
 namespace gtn
 {
 /** A reader with all arrays switched on, or nullptr if the extension is not known. sets: whether it
  * also reads the side sets and node sets of an Exodus file, the patches of an OpenFOAM case and the
  * boundaries of a CGNS file. */
 vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& file, bool sets);
+
+/** Whether a file holds a surface (vtkPolyData), by its extension, or by its beginning where others
+ * have the same extension. */
+bool IsSurfaceFile(const std::string& file);
+
+/** Throws Failure if a .gtn file holds a surface. */
+void RequireGrid(const gatun::FileReader& file);
 
 /** Whether a file is an Exodus file, by its extension. */
 bool IsExodus(const std::string& file);
@@ -36,7 +48,7 @@ vtkSmartPointer<vtkAlgorithm> MakeExodusReader(
 /** The same for regular volumes, but slices. */
 vtkSmartPointer<vtkAlgorithm> MakeVolumeReader(const std::string& file);
 
-/** The same for surfaces, but those of ReadObj. */
+/** The same for surfaces. */
 vtkSmartPointer<vtkAlgorithm> MakeSurfaceReader(const std::string& file);
 }
 

@@ -8,6 +8,7 @@
 #include "gtnMessages.h"
 #include "gtnProgress.h"
 #include "gtnReadable.h"
+#include "gtnReaders.h"
 #include "gtnText.h"
 
 #include "gatunFileReader.h"
@@ -46,6 +47,7 @@ void RenderInput::OpenFile(const RenderInputOptions& options)
 {
   CheckReadable(this->File);
   const gatun::FileReader file(this->File);
+  RequireGrid(file);
   static const std::vector<double> none;
   const std::vector<double>& times = file.HasTime() ? file.GetTimes() : none;
   const std::size_t step = ChooseStep(options.Step, this->File, times, options.Quiet);
@@ -72,7 +74,7 @@ void RenderInput::Read(const RenderInputOptions& options, Progress& progress)
   inputOptions.Quiet = options.Quiet;
   Input input({ this->File }, inputOptions);
   const std::size_t step = ChooseStep(options.Step, this->File, input.GetTimes(), options.Quiet);
-  this->Grid = input.Read(step, progress);
+  this->Grid = input.ReadGrid(step, progress);
 
   this->Choose(options, GetChoices(this->Grid.Get()));
   this->Range = gtn::GetRange(this->Grid.Get(), this->Array, this->Component);

@@ -127,7 +127,19 @@ void SeriesReader::SetSteps(
   this->Steps = steps;
   this->Times = hasTime ? TimesOf(steps) : std::vector<double>();
   this->Options = options;
+  const auto isOne = [&](const SeriesStep& step)
+  { return options.InPieces || step.Files.size() == 1; };
+  this->Surface =
+    IsSurfaceFile(steps.front().Files.front()) && std::all_of(steps.begin(), steps.end(), isOne);
   this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int SeriesReader::RequestDataObject(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
+{
+  return this->SetOutputDataObject(this->Surface ? VTK_POLY_DATA : VTK_UNSTRUCTURED_GRID,
+    outputVector->GetInformationObject(0), true);
 }
 
 //------------------------------------------------------------------------------
@@ -157,7 +169,7 @@ int SeriesReader::RequestData(vtkInformation* vtkNotUsed(request),
     files.assign(step.Files.begin() + static_cast<std::ptrdiff_t>(piece * files.size() / pieces),
       step.Files.begin() + static_cast<std::ptrdiff_t>((piece + 1) * files.size() / pieces));
   }
-  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
   try
   {
     this->Read(files, output);
@@ -176,11 +188,15 @@ int SeriesReader::RequestData(vtkInformation* vtkNotUsed(request),
 
 //------------------------------------------------------------------------------
 // Reads the parts of a mesh.
-void SeriesReader::Read(const std::vector<std::string>& files, vtkUnstructuredGrid* output)
+void SeriesReader::Read(const std::vector<std::string>& files, vtkDataObject* output)
 {
   if (files.empty())
   {
     return;
+  }
+  if (this->Surface && files.size() > 1)
+  {
+    throw Failure(files.front(), "surfaces in several files are packed one by one: as many pieces");
   }
   vtkNew<vtkMultiBlockDataSet> parts;
   for (const std::string& file : files)

@@ -8,7 +8,7 @@
 #include "gtnFileList.h"
 #include "gtnInputOptions.h"
 
-#include "vtkUnstructuredGridAlgorithm.h"
+#include "vtkDataObjectAlgorithm.h"
 
 #include <string>
 #include <vector>
@@ -19,20 +19,27 @@ namespace gtn
  * and so on. inPieces: whether the parts of a file are files of the step. Throws Failure. */
 std::vector<SeriesStep> StepsOfFiles(const std::vector<std::string>& files, bool inPieces);
 
-/** Reads the files of the time asked for, by readers for their formats. If a piece is asked for, it
- * consists of some of these files. */
-class SeriesReader : public vtkUnstructuredGridAlgorithm
+/** Reads the files of the time asked for, by readers for their formats, as a grid, or as a surface
+ * if the first file is one and no step has several of them to be read together. If a piece is asked
+ * for, it consists of some of these files. */
+class SeriesReader : public vtkDataObjectAlgorithm
 {
 public:
   static SeriesReader* New();
-  vtkTypeMacro(SeriesReader, vtkUnstructuredGridAlgorithm);
+  vtkTypeMacro(SeriesReader, vtkDataObjectAlgorithm);
 
   /** hasTime: whether the steps have times; if not, there is only one. */
   void SetSteps(
     const std::vector<SeriesStep>& steps, const InputOptions& options, bool hasTime = true);
 
+  /** Whether the output is a surface. */
+  bool IsSurface() const { return this->Surface; }
+
 protected:
   SeriesReader();
+
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -40,8 +47,9 @@ protected:
     vtkInformationVector* outputVector) override;
 
 private:
-  void Read(const std::vector<std::string>& files, vtkUnstructuredGrid* output);
+  void Read(const std::vector<std::string>& files, vtkDataObject* output);
 
+  bool Surface = false;
   std::vector<SeriesStep> Steps;
   InputOptions Options;
   std::vector<double> Times;

@@ -10,6 +10,7 @@
 #include "gtnSettings.h"
 #include "gtnText.h"
 
+#include "vtkDataObject.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <fmt/core.h>
@@ -68,11 +69,20 @@ std::size_t ChooseStep(
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkUnstructuredGrid> ReadStep(
+vtkSmartPointer<vtkDataObject> ReadStep(
   Input& input, const StepOptions& options, const Settings& settings)
 {
   const std::size_t step = ChooseStep(options, input.GetName(), input.GetTimes(), settings.Quiet);
   Progress progress("reading", settings.ShowProgress);
   return input.Read(step, progress);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkUnstructuredGrid> ReadGridStep(
+  Input& input, const StepOptions& options, const Settings& settings)
+{
+  const std::size_t step = ChooseStep(options, input.GetName(), input.GetTimes(), settings.Quiet);
+  Progress progress("reading", settings.ShowProgress);
+  return input.ReadGrid(step, progress);
 }
 }

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+class vtkDataObject;
 class vtkUnstructuredGrid;
 
 namespace gtn
@@ -35,8 +36,12 @@ std::array<CLI::Option*, 2> AddStep(CLI::App* command, StepOptions& options);
 std::size_t ChooseStep(const StepOptions& options, const std::string& file,
   const std::vector<double>& times, bool quiet);
 
-/** Reads that step, with a progress bar. Throws Failure. */
-vtkSmartPointer<vtkUnstructuredGrid> ReadStep(
+/** Reads that step, with a progress bar: a grid or a surface. Throws Failure. */
+vtkSmartPointer<vtkDataObject> ReadStep(
+  Input& input, const StepOptions& options, const Settings& settings);
+
+/** The same, but throws Failure for a surface. */
+vtkSmartPointer<vtkUnstructuredGrid> ReadGridStep(
   Input& input, const StepOptions& options, const Settings& settings);
 }
 

@@ -119,7 +119,8 @@ void AddPieceOptions(CLI::App* command, PieceOptions& options)
 {
   command
     ->add_option("--memory", options.Memory,
-      "Limit of memory in MiB. The files of a .pvtu file, or of each time step of a .pvd file, are "
+      "Limit of memory in MiB. The files of a .pvtu or .pvtp file, or of each time step of a .pvd "
+      "file, are "
       "packed one after the other, and so are the blocks of a .vtm, .vtpc or Exodus file. A .vtu "
       "file that is too large is divided into pieces on the disk first. The whole mesh is never in "
       "memory. If that would take more than the limit, "

@@ -13,6 +13,7 @@
 #include "vtkUnstructuredGrid.h"
 #include "vtkUnstructuredGridWriter.h"
 #include "vtkXMLUnstructuredGridWriter.h"
+#include "vtkXMLWriterBase.h"
 
 namespace gtn
 {
@@ -28,21 +29,7 @@ void WriteXML(
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetHeaderTypeToUInt64();
-  switch (compressor)
-  {
-    case Compressor::None:
-      writer->SetCompressorTypeToNone();
-      break;
-    case Compressor::ZLib:
-      writer->SetCompressorTypeToZLib();
-      break;
-    case Compressor::LZ4:
-      writer->SetCompressorTypeToLZ4();
-      break;
-    case Compressor::LZMA:
-      writer->SetCompressorTypeToLZMA();
-      break;
-  }
+  SetCompressor(writer, compressor);
   progress.Watch(writer);
   const bool good = writer->Write() != 0;
   CheckInterrupt();
@@ -62,6 +49,26 @@ void WriteLegacy(vtkUnstructuredGrid* grid, const std::string& file, Progress& p
 }
 
 } // anonymous namespace
+
+//------------------------------------------------------------------------------
+void SetCompressor(vtkXMLWriterBase* writer, Compressor compressor)
+{
+  switch (compressor)
+  {
+    case Compressor::None:
+      writer->SetCompressorTypeToNone();
+      break;
+    case Compressor::ZLib:
+      writer->SetCompressorTypeToZLib();
+      break;
+    case Compressor::LZ4:
+      writer->SetCompressorTypeToLZ4();
+      break;
+    case Compressor::LZMA:
+      writer->SetCompressorTypeToLZMA();
+      break;
+  }
+}
 
 //------------------------------------------------------------------------------
 void WriteGrid(

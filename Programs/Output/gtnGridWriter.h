@@ -6,6 +6,7 @@
 #include <string>
 
 class vtkUnstructuredGrid;
+class vtkXMLWriterBase;
 
 namespace gtn
 {
@@ -19,6 +20,9 @@ enum class Compressor
   LZ4,
   LZMA
 };
+
+/** Sets the compressor of a writer of XML files. */
+void SetCompressor(vtkXMLWriterBase* writer, Compressor compressor);
 
 /** Writes a .vtu or .vtk file by its extension; a file of that name is replaced once the new one is
  * complete. A .vtk file is binary and takes no compressor. Throws Failure. */

@@ -8,14 +8,21 @@
 #include "gtnOutput.h"
 #include "gtnProgress.h"
 #include "gtnText.h"
+#include "gtnWriteGatun.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataWriter.h"
 #include "vtkSTLWriter.h"
+#include "vtkSmartPointer.h"
+#include "vtkTriangleFilter.h"
+#include "vtkTriangleStrip.h"
 #include "vtkXMLPolyDataWriter.h"
 
 #include <fmt/format.h>
@@ -25,10 +32,11 @@
 #include <cstring>
 #include <iterator>
 #include <limits>
+#include <vector>
 
 namespace gtn
 {
-const char* const SurfaceFormats = ".vtp .stl .ply .obj";
+const char* const SurfaceFormats = ".gtn .vtp .vtk .stl .ply .obj";
 
 namespace
 {
@@ -41,7 +49,8 @@ void Report(Progress& progress, vtkIdType done, vtkIdType count)
   }
 }
 
-void WriteVtp(vtkPolyData* surface, const std::string& file, Progress& progress)
+void WriteVtp(
+  vtkPolyData* surface, const std::string& file, Compressor compressor, Progress& progress)
 {
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(surface);
@@ -49,7 +58,19 @@ void WriteVtp(vtkPolyData* surface, const std::string& file, Progress& progress)
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetHeaderTypeToUInt64();
-  writer->SetCompressorTypeToZLib();
+  SetCompressor(writer, compressor);
+  progress.Watch(writer);
+  const bool good = writer->Write() != 0;
+  CheckInterrupt();
+  CheckWritten(writer, good, file);
+}
+
+void WriteLegacy(vtkPolyData* surface, const std::string& file, Progress& progress)
+{
+  vtkNew<vtkPolyDataWriter> writer;
+  writer->SetInputData(surface);
+  writer->SetFileName(file.c_str());
+  writer->SetFileTypeToBinary();
   progress.Watch(writer);
   const bool good = writer->Write() != 0;
   CheckInterrupt();
@@ -91,13 +112,16 @@ void WritePly(vtkPolyData* surface, const std::string& file, Progress& progress)
     throw Failure("has too many points for a .ply file");
   }
   vtkDataArray* const normals = surface->GetPointData()->GetNormals();
+  const bool isLarge =
+    surface->GetPolys()->GetMaxCellSize() > std::numeric_limits<std::uint8_t>::max();
   std::string bytes = fmt::format("ply\nformat binary_{}_endian 1.0\ncomment made by Gatun\n"
                                   "element vertex {}\n"
                                   "property float x\nproperty float y\nproperty float z\n{}"
                                   "element face {}\n"
-                                  "property list uchar int vertex_indices\nend_header\n",
+                                  "property list {} int vertex_indices\nend_header\n",
     std::endian::native == std::endian::little ? "little" : "big", points,
-    normals ? "property float nx\nproperty float ny\nproperty float nz\n" : "", count);
+    normals ? "property float nx\nproperty float ny\nproperty float nz\n" : "", count,
+    isLarge ? "uint" : "uchar");
   for (vtkIdType i = 0; i < points; ++i)
   {
     for (vtkDataArray* const tuples : { surface->GetPoints()->GetData(), normals })
@@ -114,7 +138,8 @@ void WritePly(vtkPolyData* surface, const std::string& file, Progress& progress)
     vtkIdType size = 0;
     const vtkIdType* corners = nullptr;
     surface->GetPolys()->GetCellAtId(i, size, corners);
-    Append(bytes, static_cast<std::uint8_t>(size));
+    isLarge ? Append(bytes, static_cast<std::uint32_t>(size))
+            : Append(bytes, static_cast<std::uint8_t>(size));
     for (vtkIdType k = 0; k < size; ++k)
     {
       Append(bytes, static_cast<std::int32_t>(corners[k]));
@@ -167,37 +192,104 @@ void WriteObj(vtkPolyData* surface, const std::string& file, Progress& progress)
   }
   WriteBytes(file, { text.data(), text.size() });
 }
+
+//------------------------------------------------------------------------------
+/** A surface whose strips are triangles, and with triangles only also its polygons. Formats that
+ * need it hold no vertices, lines and arrays of cells. */
+vtkSmartPointer<vtkPolyData> Divide(vtkPolyData* surface, bool trianglesOnly)
+{
+  vtkNew<vtkPolyData> divided;
+  divided->SetPoints(surface->GetPoints());
+  divided->GetPointData()->ShallowCopy(surface->GetPointData());
+  vtkNew<vtkCellArray> polygons;
+  polygons->DeepCopy(surface->GetPolys());
+  vtkCellArray* const strips = surface->GetStrips();
+  for (vtkIdType i = 0; i < strips->GetNumberOfCells(); ++i)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    strips->GetCellAtId(i, size, corners);
+    vtkTriangleStrip::DecomposeStrip(static_cast<int>(size), corners, polygons);
+  }
+  divided->SetPolys(polygons);
+  if (!trianglesOnly || polygons->IsHomogeneous() == 3 || polygons->GetNumberOfCells() == 0)
+  {
+    return divided;
+  }
+  vtkNew<vtkTriangleFilter> filter;
+  filter->SetInputData(divided);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+void AddCount(std::vector<std::string>& list, vtkIdType count, const char* what)
+{
+  if (count > 0)
+  {
+    list.push_back(fmt::format("{} {}", Grouped(static_cast<std::uint64_t>(count)), what));
+  }
+}
 }
 
 //------------------------------------------------------------------------------
 SurfaceFormat GetSurfaceFormat(const std::string& file)
 {
   const std::string extension = ExtensionOf(file);
-  if (extension == ".vtp")
+  if (extension == ".vtp" || extension == ".gtn" || extension == ".vtk")
   {
-    return { true, true, true, true };
+    return { true, true, true, true, true };
   }
   if (extension == ".obj")
   {
-    return { false, false, true, true };
+    return { true, false, false, true, true };
   }
   if (extension == ".ply")
   {
-    return { false, false, true, false };
+    return { true, false, false, true, false };
   }
   if (extension == ".stl")
   {
     return {};
   }
-  throw UsageError(file + ": the name must end in .vtp, .stl, .ply or .obj");
+  throw UsageError(file + ": the name must end in .gtn, .vtp, .vtk, .stl, .ply or .obj");
 }
 
 //------------------------------------------------------------------------------
-void WriteSurface(vtkPolyData* surface, const std::string& file, Progress& progress)
+std::string ListLost(vtkPolyData* surface, const std::string& file)
+{
+  const SurfaceFormat format = GetSurfaceFormat(file);
+  std::vector<std::string> lost;
+  if (!format.Arrays)
+  {
+    AddCount(lost, surface->GetNumberOfVerts(), "vertices");
+    AddCount(lost, surface->GetNumberOfLines(), "lines");
+    const bool hasNormals = format.Normals && surface->GetPointData()->GetNormals();
+    AddCount(lost,
+      surface->GetPointData()->GetNumberOfArrays() + surface->GetCellData()->GetNumberOfArrays() +
+        surface->GetFieldData()->GetNumberOfArrays() - (hasNormals ? 1 : 0),
+      "arrays");
+  }
+  if (!format.Double && surface->GetNumberOfPoints() > 0 &&
+    surface->GetPoints()->GetDataType() == VTK_DOUBLE)
+  {
+    lost.emplace_back("double precision");
+  }
+  return Joined(lost);
+}
+
+//------------------------------------------------------------------------------
+void WriteSurface(
+  vtkPolyData* surface, const std::string& file, Progress& progress, Compressor compressor)
 {
   const std::string extension = ExtensionOf(file);
+  if (extension == ".gtn")
+  {
+    WriteGatun(surface, file, progress);
+    return;
+  }
+  const SurfaceFormat format = GetSurfaceFormat(file);
   vtkNew<vtkPolyData> whole;
-  whole->ShallowCopy(surface);
+  whole->ShallowCopy(format.Strips ? surface : Divide(surface, !format.Polygons).Get());
   if (!whole->GetPoints())
   {
     whole->SetPoints(vtkNew<vtkPoints>()); // without any, VTK's writers and readers complain
@@ -205,11 +297,18 @@ void WriteSurface(vtkPolyData* surface, const std::string& file, Progress& progr
   TemporaryFile temporary(file);
   try
   {
-    const auto write = extension == ".vtp" ? WriteVtp
-      : extension == ".stl"                ? WriteStl
-      : extension == ".ply"                ? WritePly
-                                           : WriteObj;
-    write(whole, temporary.GetName(), progress);
+    if (extension == ".vtp")
+    {
+      WriteVtp(whole, temporary.GetName(), compressor, progress);
+    }
+    else
+    {
+      const auto write = extension == ".vtk" ? WriteLegacy
+        : extension == ".stl"                ? WriteStl
+        : extension == ".ply"                ? WritePly
+                                             : WriteObj;
+      write(whole, temporary.GetName(), progress);
+    }
   }
   catch (const Failure& failure)
   {

@@ -3,6 +3,8 @@
 #ifndef gtnSurfaceWriter_h
 #define gtnSurfaceWriter_h
 
+#include "gtnGridWriter.h"
+
 #include <string>
 
 class vtkPolyData;
@@ -17,7 +19,8 @@ extern const char* const SurfaceFormats;
 /** What a format of surfaces holds besides points and triangles. */
 struct SurfaceFormat
 {
-  bool Arrays = false;
+  bool Polygons = false; ///< of any size
+  bool Arrays = false;   ///< and lines, and vertices
   bool Strips = false;
   bool Normals = false; ///< of points
   bool Double = false;  ///< coordinates of double precision
@@ -26,9 +29,15 @@ struct SurfaceFormat
 /** Of a file, by its extension. Throws UsageError for those that there are none for. */
 SurfaceFormat GetSurfaceFormat(const std::string& file);
 
-/** Writes triangles, and what else the format holds; strips in formats that do not are left out. A
- * file of that name is replaced once the new one is complete. Throws Failure. */
-void WriteSurface(vtkPolyData* surface, const std::string& file, Progress& progress);
+/** "2 lines, 3 arrays": what the format of a file cannot hold of a surface. Empty if it holds all.
+ */
+std::string ListLost(vtkPolyData* surface, const std::string& file);
+
+/** Writes polygons, and what else the format holds. In formats without them, strips and polygons
+ * are divided into triangles, and what ListLost lists is left out. The compressor is that of a .vtp
+ * file. A file of that name is replaced once the new one is complete. Throws Failure. */
+void WriteSurface(vtkPolyData* surface, const std::string& file, Progress& progress,
+  Compressor compressor = Compressor::ZLib);
 }
 
 #endif

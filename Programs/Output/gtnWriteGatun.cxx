@@ -11,9 +11,9 @@
 #include "vtkGatunHartleyWriter.h"
 #include "vtkGatunWriter.h"
 
+#include "vtkDataObject.h"
 #include "vtkErrorCode.h"
 #include "vtkNew.h"
-#include "vtkUnstructuredGrid.h"
 
 namespace gtn
 {
@@ -47,10 +47,10 @@ template void RunWriter(vtkGatunWriter*, const std::string&, Progress&);
 template void RunWriter(vtkGatunHartleyWriter*, const std::string&, Progress&);
 
 //------------------------------------------------------------------------------
-void WriteGatun(vtkUnstructuredGrid* grid, const std::string& file, Progress& progress)
+void WriteGatun(vtkDataObject* mesh, const std::string& file, Progress& progress)
 {
   vtkNew<vtkGatunWriter> writer;
-  writer->SetInputData(grid);
+  writer->SetInputData(mesh);
   writer->SetFileName(file.c_str());
   RunWriter(writer.Get(), file, progress);
 }

@@ -5,7 +5,7 @@
 
 #include <string>
 
-class vtkUnstructuredGrid;
+class vtkDataObject;
 
 namespace gtn
 {
@@ -16,8 +16,8 @@ class Progress;
 template <typename Writer>
 void RunWriter(Writer* writer, const std::string& inputName, Progress& progress);
 
-/** Writes a grid with the writer's defaults. Throws likewise. */
-void WriteGatun(vtkUnstructuredGrid* grid, const std::string& file, Progress& progress);
+/** Writes a grid or a surface with the writer's defaults. Throws likewise. */
+void WriteGatun(vtkDataObject* mesh, const std::string& file, Progress& progress);
 }
 
 #endif

@@ -38,8 +38,8 @@ for option, value in (("--ratio", 2), ("--points", -1), ("--rms-error", -1),
                       ("--precision", "half"), ("--component", -1), ("--component", "length")):
     fails("--value", 1, option, value, code=2, says=option)
 fails("--value", 1, "--ratio", 0.5, "--points", 5, code=2, says="--points")
-for out in ("new.vtu", "new.gtn", "new", "new.vtk"):
-    fails("--value", 1, code=2, says=f"{out}: the name must end in .vtp, .stl, .ply or .obj", out=out)
+for out in ("new.vtu", "new.off", "new"):
+    fails("--value", 1, code=2, says=f"{out}: the name must end in .gtn, .vtp, .vtk, .stl, .ply or .obj", out=out)
 fails("--value", 1, "--normals", code=2, says="--normals: .stl files hold no normals", out="new.stl")
 for name in ("stl", "ply", "obj"):
     fails("--value", 1, "--strips", code=2, says=f"--strips: .{name} files hold no", out="new." + name)

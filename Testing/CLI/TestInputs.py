@@ -4,6 +4,8 @@
 """Cells that are not tetrahedra, structured grids, blocks and pieces are made fit, with a message;
 other things are refused, with one."""
 
+import os
+
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import (
@@ -90,7 +92,9 @@ round_trip("quad.vtu", "1 vtkQuad are left out", "--tets")
 sphere = vtkSphereSource()
 sphere.Update()
 write_with(vtkXMLPolyDataWriter(), sphere.GetOutput(), "sphere.vtp")
-gtn("pack", "sphere.vtp", "new.gtn", code=1, says="gtn: sphere.vtp: no reader")
+gtn("pack", "sphere.vtp", "sphere.gtn", says="vtkTriangle")
+os.rename("sphere.vtp", "sphere.xyz")
+gtn("pack", "sphere.xyz", "new.gtn", code=1, says="gtn: sphere.xyz: no reader")
 
 # A point that does not exist.
 wrong = standard_mesh(2)

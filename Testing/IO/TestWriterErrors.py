@@ -14,7 +14,7 @@ from vtkmodules.util import vtkConstants as c
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import (
     vtkDoubleArray, vtkIdList, vtkStringArray, vtkTypeInt64Array, vtkVariant, vtkVariantArray)
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkTable, vtkUnstructuredGrid
 from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 import gatunMeshes as gm
@@ -98,7 +98,7 @@ for place, value, message in ((0, 5, beyond), (0, -1, "-1 faces"), (1, 400, beyo
     refuse(polyhedron, "cell 0", "a polyhedron without faces")
 writer = vtkGatunWriter()
 errors = gm.Errors(writer)
-writer.SetInputDataObject(vtkPolyData())
+writer.SetInputDataObject(vtkTable())
 writer.SetFileName(path)
 assert writer.Write() == 0 and open(path, "rb").read() == before
 

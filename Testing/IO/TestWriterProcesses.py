@@ -18,6 +18,7 @@ except ImportError:
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 
 import gatunMeshes as gm
+import gatunPolyData as pd
 from gatun import vtkGatunReader
 from gatunPieceSource import PieceSource, mark_ghosts, write_pieces
 
@@ -35,14 +36,14 @@ world.Barrier()
 path = os.path.join(folder, "processes.gtn")
 
 
-def make_source(make, times=()):
+def make_source(make, times=(), kind="vtkUnstructuredGrid"):
     """make(step) returns the piece of this process."""
 
     def make_piece(piece, pieces, step):
         assert (piece, pieces) == (rank if ranks > 1 else 0, ranks)
         return make(step)
 
-    return PieceSource(make_piece, times)
+    return PieceSource(make_piece, times, kind)
 
 
 def write(source, expected=1, **options):
@@ -103,6 +104,35 @@ if ranks > 1:
 write(make_source(lambda step: vtkUnstructuredGrid()))
 assert gm.read(path).GetNumberOfCells() == 0
 world.Barrier()
+
+# Surfaces are joined, too. Processes must agree on what they write.
+sheet = pd.wave(20)
+polygons = pd.cells_of(sheet)[2]
+mine = [polygon for i, polygon in enumerate(polygons) if i * max(ranks - 1, 1) // len(polygons) == rank]
+
+
+def own_sheet(_step):
+    ids = sorted({i for polygon in mine for i in polygon})
+    place = {i: n for n, i in enumerate(ids)}
+    points = gm.vtk_to_numpy(sheet.GetPoints().GetData())[ids]
+    return pd.make(points, Polys=[[place[i] for i in polygon] for polygon in mine])
+
+
+_, messages = write(make_source(own_sheet, kind="vtkPolyData"))
+assert not messages, messages
+joined = pd.read(path)
+assert joined.GetNumberOfPoints() == len({i for polygon in polygons for i in polygon})
+assert pd.canonical(joined)[1] == pd.canonical(sheet)[1]
+world.Barrier()
+if ranks > 1:
+    before = open(path, "rb").read()
+    world.Barrier()
+    mixed = make_source(own_sheet, kind="vtkPolyData") if rank == 0 else make_source(
+        lambda step: own_part(whole))
+    _, messages = write(mixed, expected=0)
+    assert len(messages) == 1 and "some processes have a surface" in messages[0], messages
+    assert open(path, "rb").read() == before
+    world.Barrier()
 
 # An array that one process does not have, and a folder that is missing, are errors of all.
 if ranks > 2:

@@ -6,7 +6,7 @@
 from vtkmodules.util import vtkConstants as c
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes
 from vtkmodules.vtkCommonExecutionModel import (
     vtkAlgorithm, vtkStreamingDemandDrivenPipeline as pipeline)
 
@@ -17,8 +17,8 @@ from gatun import vtkGatunWriter
 class PieceSource(VTKPythonAlgorithmBase):
     """Makes pieces and steps on request: make(piece, pieces, step) returns a grid."""
 
-    def __init__(self, make, times=()):
-        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkUnstructuredGrid")
+    def __init__(self, make, times=(), kind="vtkUnstructuredGrid"):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType=kind)
         self.make, self.times = make, list(times)
         self.asked = []
 
@@ -38,7 +38,7 @@ class PieceSource(VTKPythonAlgorithmBase):
         if self.times and info.Has(pipeline.UPDATE_TIME_STEP()):
             step = self.times.index(info.Get(pipeline.UPDATE_TIME_STEP()))
         self.asked.append((piece, step))
-        output = vtkUnstructuredGrid.GetData(outInfo, 0)
+        output = vtkDataObject.GetData(outInfo, 0)
         output.ShallowCopy(self.make(piece, pieces, step))
         if self.times:
             output.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), self.times[step])

@@ -4,15 +4,16 @@
 """An upstream with time steps."""
 
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as pipeline
 
 
 class TimeSource(VTKPythonAlgorithmBase):
-    """Makes its steps on request: make(index) returns a grid, or None to fail."""
+    """Makes its steps on request: make(index) returns a grid, or a surface
+    where kind says so, or None to fail."""
 
-    def __init__(self, make, times):
-        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkUnstructuredGrid")
+    def __init__(self, make, times, kind="vtkUnstructuredGrid"):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType=kind)
         self.make, self.times = make, times
 
     def RequestInformation(self, request, inInfo, outInfo):
@@ -29,7 +30,7 @@ class TimeSource(VTKPythonAlgorithmBase):
         made = self.make(self.times.index(time))
         if made is None:
             return 0
-        output = vtkUnstructuredGrid.GetData(outInfo, 0)
+        output = vtkDataObject.GetData(outInfo, 0)
         output.ShallowCopy(made)
         output.GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), time)
         return 1

@@ -31,7 +31,8 @@ OTHER = {"ChunkTets": [1000], "KeepOrder": [7], "KeyStepInterval": [3],
          "Size": [64, 32], "OpacityModel": [1], "ColorMap": [3], "ValueRange": [-4, 9], "OpacityUnit": [5],
          "Extinction": [0.5], "Zero": [-3], "Window": [2, 7], "Background": [0.5, 0.25, 1],
          "Method": [2], "Kernel": [1], "Padding": [4], "NumberOfPieces": [7], "SpillMemory": [8],
-         "SpillFolder": ["some folder"], "MinTimeStep": [2], "MaxTimeStep": [5], "TimeStepStride": [3]}
+         "SpillFolder": ["some folder"], "MinTimeStep": [2], "MaxTimeStep": [5], "TimeStepStride": [3],
+         "PointError": [0.25], "PointBits": [14]}
 # Where people who open a file are better served by another default than programs: that of the class.
 OWN_DEFAULT = {"GatunReaderCore.OnDemand": [0], "GatunContour.ComputeNormals": [0],
                "GatunContour.ArrayComponent": [-1]}
@@ -42,11 +43,16 @@ HELPERS = {"IntVectorProperty": "SimpleIntInformationHelper",
 
 problems = []
 proxies = []
+bases = {}
 for path in sorted(glob.glob(os.path.join(folder, "*.xml"))):
     for group in tree.parse(path).getroot().findall("ProxyGroup"):
         for proxy in group:
-            if proxy.get("class"):
-                proxies.append((group.get("name"), proxy))
+            if not proxy.get("class"):
+                bases[proxy.get("name")] = proxy
+                continue
+            for node in bases.get(proxy.get("base_proxyname"), ()):
+                proxy.append(node)
+            proxies.append((group.get("name"), proxy))
 
 
 def values_of(node):
@@ -135,7 +141,7 @@ for group, proxy in proxies:
 assert not problems, "\n" + "\n".join(problems)
 assert checked >= 20, checked
 assert {proxy.get("class") for _, proxy in proxies} >= \
-    {"vtkGatunReader", "vtkGatunPVWriter", "vtkGatunPVMergeBlocks", "vtkGatunVolumeRepresentation",
+    {"vtkGatunReader", "vtkGatunSurfaceReader", "vtkGatunPVWriter", "vtkGatunPVMergeBlocks", "vtkGatunVolumeRepresentation",
      "vtkGatunHartleyEncoder", "vtkGatunHartleyReader", "vtkGatunHartleyWriter",
      "vtkGatunPVProjection", "vtkGatunSplitBlocks"}
 
@@ -144,7 +150,7 @@ path = sample.temporary("properties.gtn")
 writer = simple.CreateWriter(path, sample.make_source())
 for prop in ("KeepOrder", "ChunkTets", "SplitCells", "ReplaceReadOnly", "FileName",
              "ChooseArraysToWrite", "WriteAllTimeSteps", "KeyStepInterval", "NumberOfPieces",
-             "SpillMemory", "SpillFolder", "JoinAllPoints"):
+             "SpillMemory", "SpillFolder", "JoinAllPoints", "PointError", "PointBits"):
     assert writer.GetProperty(prop) is not None, prop
 writer.UpdatePipeline()
 reader = simple.GatunReader(FileNames=[path])

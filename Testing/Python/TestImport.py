@@ -4,12 +4,14 @@
 """Classes can be had from the package and from its modules, and are the same."""
 
 import gatun
-from gatun import vtkGatunReader, vtkGatunWriter
+from gatun import vtkGatunMeshReader, vtkGatunReader, vtkGatunSurfaceReader, vtkGatunWriter
 from gatun.vtkGatunIO import vtkGatunReader as reader_of_module
-from vtkmodules.vtkCommonExecutionModel import vtkUnstructuredGridAlgorithm
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 assert vtkGatunReader is reader_of_module
-assert issubclass(vtkGatunReader, vtkUnstructuredGridAlgorithm)
+assert issubclass(vtkGatunReader, vtkGatunMeshReader)
+assert issubclass(vtkGatunSurfaceReader, vtkGatunMeshReader)
+assert issubclass(vtkGatunMeshReader, vtkAlgorithm)
 assert "vtkGatunWriter" in dir(gatun)
 assert vtkGatunWriter().GetFileName() is None
 

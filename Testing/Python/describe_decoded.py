@@ -7,7 +7,7 @@ import struct
 
 import gatunGolden as golden
 import numpy as np
-from gtn_container import POINTS, SIZES, checksum
+from gtn_container import POINTS, SIZES, SURFACE_LISTS, checksum
 from gtn_decoder import Decoder
 
 WHERE = ("points", "cells")
@@ -28,21 +28,38 @@ def describe_field_array(array):
     return result
 
 
+def cell_order(decoder, restore):
+    """The cells of a surface in the order of its lists (16.2), by their numbers; else None."""
+    if not decoder.container.is_surface:
+        return None
+    kinds = [SURFACE_LISTS[kind] for kind, _, _ in decoder.cells(restore)]
+    return np.argsort(kinds, kind="stable")
+
+
 def describe_cells(decoder, restore):
     if decoder.container.cells is None:
         return {"tets": golden.sha256(decoder.tets(restore))}
-    return {"cells": golden.sha256_of_cells(decoder.cells(restore))}
+    cells, order = decoder.cells(restore), cell_order(decoder, restore)
+    return {"cells": golden.sha256_of_cells(
+        cells if order is None else [cells[i] for i in order])}
+
+
+def values_of(decoder, step, number, restore, order):
+    values = decoder.array(step, number, restore)
+    is_of_points = decoder.meta.arrays[number].where == POINTS
+    return values if order is None or is_of_points else values[order]
 
 
 def hashes(decoder, order, restore):
     """order: numbers of the arrays, those of points first."""
     points = decoder.points(restore)
+    cells = cell_order(decoder, restore)
     return {
         "points_type": points.dtype.name if len(points) else None,
         "points": golden.sha256(points) if len(points) else None,
         **describe_cells(decoder, restore),
         "arrays": [
-            [golden.sha256(decoder.array(step, i, restore)) for i in order]
+            [golden.sha256(values_of(decoder, step, i, restore, cells)) for i in order]
             for step in range(max(1, len(decoder.steps)))
         ],
     }

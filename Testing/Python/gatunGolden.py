@@ -24,13 +24,14 @@ import sys
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
-from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON, VTK_TETRA
+from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON, VTK_TETRA, vtkUnstructuredGrid
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as pipeline
 
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "IO"))
 
 import gatunMeshes as gm  # noqa: E402  (in the folder just added)
-from gatun import vtkGatunReader  # noqa: E402
+import gatunPolyData as pd  # noqa: E402
+from gatun import vtkGatunReader, vtkGatunSurfaceReader  # noqa: E402
 
 
 def folders():
@@ -178,9 +179,33 @@ def describe_grids(grids, times, in_input_order):
     }
 
 
+TYPES = ({1: 1}, {2: 3}, {3: 5, 4: 9}, {})
+OTHER_TYPES = (2, 4, 7, 6)
+
+
+def grid_of(data):
+    """A surface as a grid, with cells in the order of its lists; a grid as it is."""
+    if not data.IsA("vtkPolyData"):
+        return data
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(data.GetPoints())
+    lists = pd.cells_of(data)
+    wide = any(getattr(data, "Get" + name)().IsStorage64Bit()
+               for name, cells in zip(pd.LISTS, lists) if cells)
+    kinds = [TYPES[i].get(len(ids), OTHER_TYPES[i]) for i, cells in enumerate(lists)
+             for ids in cells]
+    if kinds:
+        grid.SetCells(kinds, pd.cell_array(sum(lists, []), wide))
+    for name in ("PointData", "CellData", "FieldData"):
+        getattr(grid, "Get" + name)().ShallowCopy(getattr(data, "Get" + name)())
+    return grid
+
+
 def read_steps(path, restore):
-    """The grid of each step, and their times, by vtkGatunReader."""
-    reader = vtkGatunReader()
+    """The grid of each step, and their times, by vtkGatunReader or vtkGatunSurfaceReader."""
+    reader = vtkGatunSurfaceReader()
+    if not reader.CanReadFile(path):
+        reader = vtkGatunReader()
     reader.SetFileName(path)
     reader.SetRestoreOrder(restore)
     reader.UpdateInformation()
@@ -192,7 +217,7 @@ def read_steps(path, restore):
         assert reader.GetErrorCode() == 0, path
         grid = reader.GetOutput().NewInstance()
         grid.DeepCopy(reader.GetOutput())
-        grids.append(grid)
+        grids.append(grid_of(grid))
     return grids, times
 
 

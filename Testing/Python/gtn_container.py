@@ -22,6 +22,9 @@ PAGE_CHUNKS = 256
 MAX_RUNGS = MAX_LEVELS = 64
 MAX_LAYERS = 4096
 
+#: The lists of cells of a surface (16.2), by types of cells.
+SURFACE_LISTS = {1: 0, 2: 0, 3: 1, 4: 1, 5: 2, 7: 2, 9: 2, 6: 3}
+
 #: Bytes of a value of each type (5.1).
 SIZES = {1: 1, 2: 1, 3: 2, 4: 2, 5: 4, 6: 4, 7: 8, 8: 8, 9: 4, 10: 8}
 
@@ -29,7 +32,7 @@ MAGIC = bytes.fromhex("8947544E0D0A1A0A")
 END_MAGIC = b"GTNEND\r\n"
 SECTIONS = (
     b"META", b"TABL", b"PAGE", b"STEP", b"MESH", b"VALS", b"TREE", b"MERG", b"TRNG", b"LEVL",
-    b"LAYR", b"CELL", b"DIRY")
+    b"LAYR", b"CELL", b"SURF", b"DIRY")
 STREAMS = (b"PAGE", b"MESH", b"VALS", b"MERG")  # sections of streams
 
 
@@ -175,9 +178,20 @@ class Container:
         self.layers = None
         if any(section.name == b"LAYR" for section in sections):
             self.layers = read_layers(self._packed(sections, b"LAYR"), self.meta, self.table)
+        self.is_surface = any(section.name == b"SURF" for section in sections)
+        if self.is_surface:
+            self._check_surface(sections)
         self.tree = None
         if any(section.name == b"TREE" for section in sections):
             self._read_tree(sections)
+
+    def _check_surface(self, sections):
+        """Section SURF (16.1)."""
+        section = [section for section in sections if section.name == b"SURF"]
+        require(len(section) == 1 and self._payload(section[0]) == b"\x01", "kind of surface")
+        kinds = list(self.cells.types) if self.cells else []
+        require(all(kind in SURFACE_LISTS for kind in kinds), "cells of a surface")
+        require(self.cells or not self.table.chunks, "cells of a surface")
 
     def stream(self, reference):
         """The bytes of a stream, whose checksum is right."""
@@ -244,7 +258,7 @@ class Container:
 
     def _content(self, section):
         data = self._payload(section)
-        if section.name in STREAMS or section.name == b"LEVL":
+        if section.name in STREAMS or section.name in (b"LEVL", b"SURF"):
             return data
         of_step = section.name in (b"STEP", b"TRNG")
         content = unpack(data, step_limit if of_step else table_limit)

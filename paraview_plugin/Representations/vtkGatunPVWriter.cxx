@@ -4,6 +4,7 @@
 #include "vtkGatunPVWriter.h"
 
 #include "vtkGatunReader.h"
+#include "vtkGatunSurfaceReader.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkErrorCode.h"
@@ -92,7 +93,13 @@ int vtkGatunPVWriter::WriteWhole(const std::string& name)
   const bool isFirst = this->Controller->GetLocalProcessId() == 0;
   if (isFirst)
   {
-    vtkNew<vtkGatunReader> reader;
+    vtkNew<vtkGatunReader> ofGrids;
+    vtkNew<vtkGatunSurfaceReader> ofSurfaces;
+    vtkGatunMeshReader* reader = ofSurfaces;
+    if (!reader->CanReadFile(parts.c_str()))
+    {
+      reader = ofGrids;
+    }
     reader->SetFileName(parts.c_str());
     vtkNew<vtkGatunWriter> writer;
     writer->SetInputConnection(reader->GetOutputPort());

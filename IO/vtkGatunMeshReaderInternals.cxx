@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "vtkGatunReaderInternals.h"
+#include "vtkGatunMeshReaderInternals.h"
 
 #include "gatunChunkTable.h"
 #include "gatunError.h"
@@ -75,12 +75,34 @@ std::pair<std::size_t, std::size_t> FindRange(
     component < 0 ? length : static_cast<std::size_t>(component) };
 }
 
+//------------------------------------------------------------------------------
+/** Throws unless a file is one for the reader. */
+void CheckKind(const gatun::FileReader& file, bool readsSurfaces)
+{
+  if (file.IsSurface() != readsSurfaces)
+  {
+    gatun::ThrowInvalid(file.IsSurface()
+        ? "holds a surface (vtkPolyData), which vtkGatunSurfaceReader reads, not vtkGatunReader"
+        : "holds a grid (vtkUnstructuredGrid), which vtkGatunReader reads, not "
+          "vtkGatunSurfaceReader",
+      file.GetPath());
+  }
+}
+
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
-/** Opens the file unless it is open and unchanged; a file opened anew has new caches. */
-void vtkGatunReader::vtkInternals::Open(const std::string& path, std::uint64_t budget)
+/** The memory budget in bytes. */
+std::uint64_t vtkGatunMeshReader::vtkInternals::GetBudget(const vtkGatunMeshReader& reader)
 {
+  return static_cast<std::uint64_t>(reader.MemoryBudget) << 20;
+}
+
+//------------------------------------------------------------------------------
+/** Opens the file unless it is open and unchanged; a file opened anew has new caches. */
+void vtkGatunMeshReader::vtkInternals::Open(const vtkGatunMeshReader& reader)
+{
+  const std::string path = reader.FileName;
   const gatun::FileSignature signature = gatun::SignatureOf(path);
   if (this->IsOpen(path) && signature == this->Signature)
   {
@@ -89,13 +111,15 @@ void vtkGatunReader::vtkInternals::Open(const std::string& path, std::uint64_t b
   this->Close();
   this->Path = path;
   this->Signature = signature;
-  this->File = std::make_shared<gatun::SharedFile>(path, budget);
+  auto file = std::make_shared<gatun::SharedFile>(path, GetBudget(reader));
+  CheckKind(*file->GetFile(), reader.ReadsSurfaces());
+  this->File = std::move(file);
   this->PointArrays.SetArrays(NamesOf(this->GetFile(), Association::Point));
   this->CellArrays.SetArrays(NamesOf(this->GetFile(), Association::Cell));
 }
 
 //------------------------------------------------------------------------------
-vtkTable* vtkGatunReader::vtkInternals::GetTable()
+vtkTable* vtkGatunMeshReader::vtkInternals::GetTable()
 {
   if (!this->Table && this->File)
   {
@@ -105,7 +129,8 @@ vtkTable* vtkGatunReader::vtkInternals::GetTable()
 }
 
 //------------------------------------------------------------------------------
-gatun::SimplifyProperties vtkGatunReader::vtkInternals::GetProperties(const vtkGatunReader& reader)
+gatun::SimplifyProperties vtkGatunMeshReader::vtkInternals::GetProperties(
+  const vtkGatunMeshReader& reader)
 {
   static_assert(int{ TARGET_RATIO } == gatun::SimplifyTarget::Ratio);
   static_assert(int{ TARGET_NUMBER_OF_POINTS } == gatun::SimplifyTarget::NumberOfPoints);
@@ -116,13 +141,13 @@ gatun::SimplifyProperties vtkGatunReader::vtkInternals::GetProperties(const vtkG
 
 //------------------------------------------------------------------------------
 /** Whether a simplification is asked for, possible or not. */
-bool vtkGatunReader::vtkInternals::Simplifies(const vtkGatunReader& reader)
+bool vtkGatunMeshReader::vtkInternals::Simplifies(const vtkGatunMeshReader& reader)
 {
   return !GetProperties(reader).GetTarget().IsWholeMesh();
 }
 
 //------------------------------------------------------------------------------
-std::size_t vtkGatunReader::vtkInternals::CountMerges(const vtkGatunReader& reader) const
+std::size_t vtkGatunMeshReader::vtkInternals::CountMerges(const vtkGatunMeshReader& reader) const
 {
   if (!Simplifies(reader))
   {
@@ -136,7 +161,7 @@ std::size_t vtkGatunReader::vtkInternals::CountMerges(const vtkGatunReader& read
 
 //------------------------------------------------------------------------------
 /** Whether the output is an outline. */
-bool vtkGatunReader::vtkInternals::IsOnDemand(const vtkGatunReader& reader) const
+bool vtkGatunMeshReader::vtkInternals::IsOnDemand(const vtkGatunMeshReader& reader) const
 {
   if (!this->File || reader.UseBox || reader.UseValueRange)
   {
@@ -148,19 +173,21 @@ bool vtkGatunReader::vtkInternals::IsOnDemand(const vtkGatunReader& reader) cons
   }
   const std::size_t merges = this->CountMerges(reader);
   const std::uint64_t tets = merges > 0 ? this->File->GetHierarchy().EstimateTets(merges)
+    : this->GetFile().IsSurface()       ? this->GetFile().GetNumberOfCells()
                                         : this->GetFile().GetNumberOfTets();
   return tets > static_cast<std::uint64_t>(reader.LargeMesh);
 }
 
 //------------------------------------------------------------------------------
 /** The handle for consumers, of the file that is open. */
-gatun::PublishedFile vtkGatunReader::vtkInternals::Describe(const vtkGatunReader& reader) const
+gatun::PublishedFile vtkGatunMeshReader::vtkInternals::Describe(
+  const vtkGatunMeshReader& reader) const
 {
   gatun::PublishedFile handle;
   handle.Path = this->Path;
   handle.File = this->File;
   handle.RestoreOrder = reader.RestoreOrder;
-  handle.SplitCells = reader.SplitCells;
+  handle.SplitCells = reader.GetSplitsCells();
   handle.GenerateGlobalIds = reader.GenerateGlobalIds;
   for (const gatun::ArrayDescription& array : this->GetFile().GetArrays())
   {
@@ -186,7 +213,8 @@ gatun::PublishedFile vtkGatunReader::vtkInternals::Describe(const vtkGatunReader
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunReader::vtkInternals::Publish(gatun::PublishedFile contents, vtkInformation* outInfo)
+void vtkGatunMeshReader::vtkInternals::Publish(
+  gatun::PublishedFile contents, vtkInformation* outInfo)
 {
   vtkNew<vtkGatunFileHandle> handle;
   handle->SetContents(std::move(contents));
@@ -195,8 +223,8 @@ void vtkGatunReader::vtkInternals::Publish(gatun::PublishedFile contents, vtkInf
 
 //------------------------------------------------------------------------------
 /** The chunks of the chosen mesh that the region of interest leaves. */
-std::vector<std::uint32_t> vtkGatunReader::vtkInternals::ChunksOf(
-  const vtkGatunReader& reader, std::size_t step) const
+std::vector<std::uint32_t> vtkGatunMeshReader::vtkInternals::ChunksOf(
+  const vtkGatunMeshReader& reader, std::size_t step) const
 {
   const gatun::FileReader& mesh = this->Pieces.GetMesh();
   const std::size_t merges = this->Pieces.GetMerges();
@@ -232,15 +260,26 @@ std::vector<std::uint32_t> vtkGatunReader::vtkInternals::ChunksOf(
 
 //------------------------------------------------------------------------------
 /** Makes the outline; empty: the same without points and cells. */
-void vtkGatunReader::vtkInternals::MakeOutline(
+void vtkGatunMeshReader::vtkInternals::MakeOutline(
   const gatun::PieceRequest& request, bool isEmpty, vtkUnstructuredGrid* output)
 {
   if (this->Pieces.HasMesh())
   {
+    this->Cells = {};
     this->Pieces.ForgetMesh();
     this->Pieces.ClearCache();
   }
   gatun::MakeOutline(this->GetFile(), request.Arrays, request.Step, isEmpty, output);
   gatun::AddStepFieldData(this->GetFile(), request.Step, output);
-  output->GetInformation()->Set(ON_DEMAND(), 1);
+}
+
+//------------------------------------------------------------------------------
+/** Makes a surface of what was read. Time steps share its cells. */
+void vtkGatunMeshReader::vtkInternals::MakeSurface(vtkUnstructuredGrid* grid, vtkPolyData* output)
+{
+  if (!this->Cells.Source || this->Cells.Source != grid->GetCells())
+  {
+    this->Cells = gatun::FindSurfaceCells(grid);
+  }
+  gatun::MakeSurface(grid, this->Cells, output);
 }

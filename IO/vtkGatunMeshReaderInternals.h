@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef vtkGatunReaderInternals_h
-#define vtkGatunReaderInternals_h
+#ifndef vtkGatunMeshReaderInternals_h
+#define vtkGatunMeshReaderInternals_h
 
 #include "gatunArrayChoice.h"
 #include "gatunFileSignature.h"
 #include "gatunPieceReader.h"
 #include "gatunPublishedFile.h"
 #include "gatunSimplifyTarget.h"
-#include "vtkGatunReader.h"
+#include "gatunSurfaceGrid.h"
+#include "vtkGatunMeshReader.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
@@ -23,7 +24,7 @@
 
 /** The file of a reader, and the settings of the reader as the core takes them. Methods throw
  * gatun::Error. */
-class vtkGatunReader::vtkInternals
+class vtkGatunMeshReader::vtkInternals
 {
 public:
   // The file, as it was when opened.
@@ -37,10 +38,12 @@ public:
   gatun::ArrayChoice PointArrays;
   gatun::ArrayChoice CellArrays;
   gatun::PieceReader Pieces;
+  gatun::SurfaceCells Cells; // of the surface that was read last
 
   void Close()
   {
     this->Pieces.Close();
+    this->Cells = {};
     this->File.reset();
     this->Table = nullptr;
   }
@@ -48,19 +51,21 @@ public:
   bool IsOpen(const std::string& path) const { return this->File && this->Path == path; }
   const gatun::FileReader& GetFile() const { return *this->File->GetFile(); }
 
-  void Open(const std::string& path, std::uint64_t budget);
+  static std::uint64_t GetBudget(const vtkGatunMeshReader& reader);
+  void Open(const vtkGatunMeshReader& reader);
 
   /** The table of chunks, made at the first call. Null if no file is open. */
   vtkTable* GetTable();
 
-  static gatun::SimplifyProperties GetProperties(const vtkGatunReader& reader);
-  static bool Simplifies(const vtkGatunReader& reader);
-  std::size_t CountMerges(const vtkGatunReader& reader) const;
-  bool IsOnDemand(const vtkGatunReader& reader) const;
-  gatun::PublishedFile Describe(const vtkGatunReader& reader) const;
+  static gatun::SimplifyProperties GetProperties(const vtkGatunMeshReader& reader);
+  static bool Simplifies(const vtkGatunMeshReader& reader);
+  std::size_t CountMerges(const vtkGatunMeshReader& reader) const;
+  bool IsOnDemand(const vtkGatunMeshReader& reader) const;
+  gatun::PublishedFile Describe(const vtkGatunMeshReader& reader) const;
   static void Publish(gatun::PublishedFile contents, vtkInformation* outInfo);
-  std::vector<std::uint32_t> ChunksOf(const vtkGatunReader& reader, std::size_t step) const;
+  std::vector<std::uint32_t> ChunksOf(const vtkGatunMeshReader& reader, std::size_t step) const;
   void MakeOutline(const gatun::PieceRequest& request, bool isEmpty, vtkUnstructuredGrid* output);
+  void MakeSurface(vtkUnstructuredGrid* grid, vtkPolyData* output);
 
 private:
   vtkSmartPointer<vtkTable> Table;

@@ -1,0 +1,69 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Coordinates that are rounded by request: within the error that was asked for, the same everywhere,
+and nothing else changes."""
+
+import os
+
+import numpy as np
+
+import gatunMeshes as gm
+import gatunPolyData as pd
+
+KEEP_ALL = 7
+path = gm.temporary("rounded.gtn")
+rng = np.random.default_rng(0)
+
+
+def differences(one, other):
+    a, b = (gm.vtk_to_numpy(data.GetPoints().GetData()) for data in (one, other))
+    fine = np.isfinite(a)
+    assert np.array_equal(a[~fine].view("u%d" % a.itemsize), b[~fine].view("u%d" % a.itemsize))
+    return np.abs(a[fine].astype(float) - b[fine].astype(float)).max()
+
+
+for dtype in (np.float32, np.float64):
+    for scale, offset in ((1, 0), (1e-6, 1e-7), (1e5, 3e6), (1e-3, -7)):
+        surface = pd.add_arrays(pd.wave(40, dtype))
+        points = gm.vtk_to_numpy(surface.GetPoints().GetData())
+        points[:] = points * scale * rng.uniform(0.9, 1.1, points.shape) + offset
+        points[7] = (np.nan, -np.inf, -0.0)
+        for error in (0.3 * scale, 1e-3 * scale, 1e-12, 1e300, 5e-324):
+            writer = gm.write(surface, path, KeepOrder=KEEP_ALL, PointError=error)
+            back = pd.read(path)
+            found = differences(surface, back)
+            assert found <= error, (dtype, scale, error, found)
+            assert found == writer.GetWrittenPointError(), (found, writer.GetWrittenPointError())
+            assert pd.cells_of(back) == pd.cells_of(surface)
+            gm.assert_same_arrays(back.GetPointData(), surface.GetPointData())
+            # Once more changes nothing.
+            again = gm.write(back, gm.temporary("again.gtn"), PointError=error)
+            assert again.GetWrittenPointError() == 0
+        for bits in (1, 10, 31):
+            writer = gm.write(surface, path, KeepOrder=KEEP_ALL, PointBits=bits)
+            found = differences(surface, pd.read(path))
+            fine = np.where(np.isfinite(points), points, np.nan).astype(float)
+            step = (np.nanmax(fine, 0) - np.nanmin(fine, 0)).max() / (2 ** bits - 1)
+            rounding = np.nanmax(np.abs(fine)) * np.finfo(dtype).eps
+            assert found <= step / 2 + rounding, (dtype, scale, bits, found, step)
+            assert found == writer.GetWrittenPointError()
+
+# Grids, too. Few places make a small file.
+grid = gm.block(n=12)
+exact = gm.write(grid, path).GetFileBytes()
+rounded = gm.write(grid, path, PointError=0.01, KeepOrder=KEEP_ALL)
+assert rounded.GetWrittenPointError() <= 0.01
+assert differences(grid, gm.read(path)) <= 0.01
+assert gm.write(grid, path, PointBits=8).GetGeometryBytes() < 0.7 * gm.write(
+    grid, path).GetGeometryBytes()
+assert os.path.getsize(path) == exact
+
+# A number of bits: so many places on the longest side.
+gm.write(grid, path, PointBits=4)
+places = gm.vtk_to_numpy(gm.read(path).GetPoints().GetData())
+assert len(np.unique(places[:, 0])) == 16 and places.min() == 0 and places.max() == 1
+
+# Integers stay.
+whole = pd.make(rng.integers(-50, 50, (30, 3)).astype(np.int32), Polys=[[0, 1, 2]])
+assert gm.write(whole, path, PointError=10.0).GetWrittenPointError() == 0
