@@ -7,6 +7,7 @@
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
+#include "vtkHardwareSelector.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLIndexBufferObject.h"
@@ -180,6 +181,17 @@ std::uint64_t vtkGatunChunkMapper::GetBytes()
       (sizeof(vtkIdType) + (this->HaveCellScalars ? 4 : 0) + (this->HaveCellNormals ? 16 : 0));
   }
   return bytes;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunChunkMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::RenderPieceStart(renderer, actor);
+  if (vtkHardwareSelector* const selector = renderer->GetSelector())
+  {
+    // In place of the 1 of the superclass.
+    selector->RenderCompositeIndex(this->Number);
+  }
 }
 
 //------------------------------------------------------------------------------

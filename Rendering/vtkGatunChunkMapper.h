@@ -51,9 +51,13 @@ public:
   /** Whether the mesh has the numbers of points and cells within the surface. */
   void SetHasIds(bool has) { this->HasIds = has; }
 
+  /** The number by which a selection tells chunks from each other, from 1. */
+  void SetNumber(unsigned number) { this->Number = number; }
+
   /** Bytes of the mesh, if it is there, and of the buffers. */
   std::uint64_t GetBytes();
 
+  void RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
@@ -70,6 +74,7 @@ private:
   std::vector<vtkSmartPointer<vtkDataArray>> Arrays; // of the mesh that was freed, empty
   double Shift[3] = { 0, 0, 0 };
   double Scale[3] = { 1, 1, 1 };
+  unsigned Number = 1;
   bool IsShifted = false;
   bool IsFreed = false;
   bool IsReleased = false;

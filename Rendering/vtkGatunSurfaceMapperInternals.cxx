@@ -313,15 +313,12 @@ void vtkGatunSurfaceMapper::vtkInternals::DrawChunk(vtkGatunSurfaceMapper* mappe
     self.Mapper->SetWholeBounds(this->Source.File->GetFile()->GetBounds());
     self.Mapper->SetInputData(part->Mesh);
     self.Mapper->SetHasIds(this->IsSelecting);
+    self.Mapper->SetNumber(chunk + 1);
     self.Cone = part->Cone;
   }
   self.Mapper->CopySettings(mapper);
   self.Mapper->SelectScalars(this->What.Scalars.c_str());
   self.Mapper->SetStatic(1);
-  if (this->IsSelecting)
-  {
-    renderer->GetSelector()->RenderCompositeIndex(chunk + 1);
-  }
   self.Mapper->RenderPiece(renderer, actor);
   ++this->Drawn;
   if (!part || this->IsSelecting)

@@ -137,19 +137,21 @@ def select(scene, association):
     return ids
 
 
-gm.write(surface, path, ChunkTets=500)
+# Where points are close on the screen, the order of chunks decides which one is seen.
 for order in 0, 7:
-    gm.write(surface, path, ChunkTets=500, KeepOrder=order)
+    gm.write(ball(16), path, ChunkTets=100, KeepOrder=order)
     ours, theirs = pair(path)
     for scene in ours, theirs:
         scene.look(20, 30, zoom=1.5)
         scene.render()
-    for association in vtkDataObject.FIELD_ASSOCIATION_CELLS, vtkDataObject.FIELD_ASSOCIATION_POINTS:
+    for association, least, off in ((vtkDataObject.FIELD_ASSOCIATION_CELLS, 300, 0.01),
+                                    (vtkDataObject.FIELD_ASSOCIATION_POINTS, 150, 0.1)):
         one, other = select(ours, association), select(theirs, association)
-        assert len(other) > 200 and len(one ^ other) <= len(other) // 100, (
+        assert len(other) > least and len(one ^ other) <= off * len(other), (
             order, association, len(one), len(other), len(one ^ other))
     # A picture after a selection.
     require_equal(ours, theirs, "selected")
+gm.write(surface, path, ChunkTets=500)
 
 # Pieces are parts of the chunks.
 pictures = []
@@ -235,17 +237,16 @@ scene = Scene(pd.reader_of(path, OnDemand=1))
 scene.mapper.ScalarVisibilityOff()
 scene.look()
 scene.progress = []
-scene.mapper.AddObserver("ProgressEvent", lambda *_: scene.progress.append(scene.mapper.GetProgress()))
 
 
-def abort(*_):
+def note(*_):
+    scene.progress.append(scene.mapper.GetProgress())
     if len(scene.progress) == 3:
         scene.window.SetAbortRender(1)
 
 
-observer = scene.window.AddObserver("AbortCheckEvent", abort)
+scene.mapper.AddObserver("ProgressEvent", note)
 scene.render()
-assert 0 < scene.mapper.GetNumberOfDrawnChunks() < total, scene.mapper.GetNumberOfDrawnChunks()
-scene.window.RemoveObserver(observer)
+assert 0 < scene.mapper.GetNumberOfDrawnChunks() < total / 2
 assert np.array_equal(scene.render(), whole)
 assert scene.progress[-1] == 1 and len(scene.progress) > 5
