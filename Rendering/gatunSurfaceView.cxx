@@ -9,12 +9,16 @@
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkTypeInt64Array.h"
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace gatun
 {
@@ -26,21 +30,40 @@ constexpr double ConeMargin = 0.01;
 using Vector = std::array<double, 3>;
 
 //------------------------------------------------------------------------------
-/** The normal of a triangle with length 1, or 0 if it has none. False if it is not finite. */
-bool FindNormal(vtkPolyData* part, const vtkIdType* corners, Vector& normal)
+/** The normals of triangles with length 1, or 0 where there is none. Empty if one is not finite. */
+template <typename CoordinateT, typename IdT>
+std::vector<Vector> FindNormals(
+  const CoordinateT* points, const IdT* corners, std::size_t triangles)
 {
-  std::array<Vector, 3> at{};
-  for (std::size_t i = 0; i < 3; ++i)
+  std::vector<Vector> normals(triangles);
+  for (std::size_t i = 0; i < triangles; ++i)
   {
-    part->GetPoint(corners[i], at[i].data());
+    const std::array<const CoordinateT*, 3> at{ points + 3 * corners[3 * i],
+      points + 3 * corners[3 * i + 1], points + 3 * corners[3 * i + 2] };
+    Vector one{};
+    Vector other{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      one[axis] = static_cast<double>(at[1][axis]) - static_cast<double>(at[0][axis]);
+      other[axis] = static_cast<double>(at[2][axis]) - static_cast<double>(at[0][axis]);
+    }
+    vtkMath::Cross(one.data(), other.data(), normals[i].data());
+    if (!std::isfinite(vtkMath::Normalize(normals[i].data())))
+    {
+      return {};
+    }
   }
-  Vector one{};
-  Vector other{};
-  vtkMath::Subtract(at[1].data(), at[0].data(), one.data());
-  vtkMath::Subtract(at[2].data(), at[0].data(), other.data());
-  vtkMath::Cross(one.data(), other.data(), normal.data());
-  const double length = vtkMath::Normalize(normal.data());
-  return std::isfinite(length) && std::isfinite(normal[0] + normal[1] + normal[2]);
+  return normals;
+}
+
+//------------------------------------------------------------------------------
+template <typename IdT>
+std::vector<Vector> FindNormals(vtkPoints* points, const IdT* corners, std::size_t triangles)
+{
+  const void* const places = points->GetVoidPointer(0);
+  return points->GetDataType() == VTK_DOUBLE
+    ? FindNormals(static_cast<const double*>(places), corners, triangles)
+    : FindNormals(static_cast<const float*>(places), corners, triangles);
 }
 
 //------------------------------------------------------------------------------
@@ -94,17 +117,22 @@ NormalCone FindNormalCone(vtkPolyData* part)
   {
     return {};
   }
-  NormalCone cone;
-  std::vector<Vector> normals(static_cast<std::size_t>(count));
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType i = 0; i < count; ++i)
+  const int type = part->GetPoints()->GetDataType();
+  if (type != VTK_FLOAT && type != VTK_DOUBLE)
   {
-    polygons->GetCellAtId(i, corners);
-    Vector& normal = normals[static_cast<std::size_t>(i)];
-    if (!FindNormal(part, corners->GetPointer(0), normal))
-    {
-      return {};
-    }
+    return {};
+  }
+  const auto triangles = static_cast<std::size_t>(count);
+  const std::vector<Vector> normals = polygons->IsStorage64Bit()
+    ? FindNormals(part->GetPoints(), polygons->GetConnectivityArray64()->GetPointer(0), triangles)
+    : FindNormals(part->GetPoints(), polygons->GetConnectivityArray32()->GetPointer(0), triangles);
+  if (normals.empty())
+  {
+    return {};
+  }
+  NormalCone cone;
+  for (const Vector& normal : normals)
+  {
     vtkMath::Add(cone.Axis.data(), normal.data(), cone.Axis.data());
   }
   vtkMath::Normalize(cone.Axis.data());
@@ -151,7 +179,8 @@ SurfaceView::SurfaceView(vtkRenderer* renderer, vtkActor* actor)
   this->Direction = TransformPoint(toData, direction, 0);
   vtkMath::Normalize(this->Direction.data());
   this->IsParallel = camera->GetParallelProjection() != 0;
-  const bool culls = (property->GetBackfaceCulling() != 0) != (property->GetFrontfaceCulling() != 0);
+  const bool culls =
+    (property->GetBackfaceCulling() != 0) != (property->GetFrontfaceCulling() != 0);
   const double volume = toWorld->Determinant();
   // Edges, points and lines are drawn on both sides.
   if (culls && property->GetRepresentation() == VTK_SURFACE && !property->GetVertexVisibility() &&

@@ -3,10 +3,9 @@
 
 #include "vtkGatunChunkMapper.h"
 
-#include "vtkGatunSurfaceMapper.h"
-
 #include "vtkActor.h"
 #include "vtkCellArray.h"
+#include "vtkDataArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLBufferObject.h"
@@ -15,7 +14,6 @@
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkOpenGLVertexBufferObjectCache.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
-#include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -42,7 +40,7 @@ vtkGatunChunkMapper::vtkGatunChunkMapper()
 vtkGatunChunkMapper::~vtkGatunChunkMapper() = default;
 
 //------------------------------------------------------------------------------
-void vtkGatunChunkMapper::CopySettings(vtkGatunSurfaceMapper* whole)
+void vtkGatunChunkMapper::CopySettings(vtkOpenGLPolyDataMapper* whole)
 {
   if (this->CopyTime > whole->GetMTime())
   {
@@ -81,8 +79,8 @@ void vtkGatunChunkMapper::SelectScalars(const char* name)
 //------------------------------------------------------------------------------
 void vtkGatunChunkMapper::SetWholeBounds(const gatun::Bounds& box)
 {
-  // The rule of VTK, for the whole surface: coordinates are moved to the unit cube if the surface is
-  // far from the origin, or very large or small.
+  // The rule of VTK, for the whole surface: coordinates are moved to the unit cube if the surface
+  // is far from the origin, or very large or small.
   double size = 0;
   double distance = 0;
   for (int axis = 0; axis < 3; ++axis)

@@ -18,7 +18,6 @@ VTK_ABI_NAMESPACE_BEGIN
 #endif
 
 class vtkDataArray;
-class vtkGatunSurfaceMapper;
 
 /**
  * Draws a chunk of a surface for vtkGatunSurfaceMapper. Once the buffers of the graphics are made,
@@ -31,7 +30,7 @@ public:
   vtkTypeMacro(vtkGatunChunkMapper, vtkOpenGLPolyDataMapper);
 
   /** Takes what a user can set of the mapper of the whole surface, except its input. */
-  void CopySettings(vtkGatunSurfaceMapper* whole);
+  void CopySettings(vtkOpenGLPolyDataMapper* whole);
 
   /** The array that gives colors; null for none. Must be called after CopySettings, which resets
    * it. */

@@ -12,15 +12,15 @@
  * arrays, and the time that the pipeline asks for.
  *  - *Otherwise* it is a vtkOpenGLPolyDataMapper.
  *
- * *Drawing a file.* Each chunk of the file has vertex and index buffers of its own. Chunks are drawn
- * from front to back, or from back to front if the actor is translucent. Those that are outside of
- * the view are not read. Missing chunks are decoded by all threads, a few at a time, and drawn as
- * soon as they are there. Only the coordinates, normals, and the array that is drawn are decoded, and
- * texture coordinates where there is a texture. If the actor's property culls back or front faces,
- * chunks of triangles that are all culled are skipped; this is known of chunks that were decoded
- * before. Buffers are kept up to MemoryBudget. Chunks beyond it are decoded again for each image.
- * Most buffers are kept without their meshes, so that a change of the mapper, the actor or its
- * property decodes chunks again.
+ * *Drawing a file.* Each chunk of the file has vertex and index buffers of its own. Chunks are
+ * drawn from front to back, or from back to front if the actor is translucent. Those that are
+ * outside of the view are not read. Missing chunks are decoded by all threads, a few at a time, and
+ * drawn as soon as they are there. Only the coordinates, normals, and the array that is drawn are
+ * decoded, and texture coordinates where there is a texture. If the actor's property culls back or
+ * front faces, chunks of triangles that are all culled are skipped; this is known of chunks that
+ * were decoded before. Buffers are kept up to MemoryBudget. Chunks beyond it are decoded again for
+ * each image. Most buffers are kept without their meshes, so that a change of the mapper, the actor
+ * or its property decodes chunks again.
  *
  * *Appearance.* The pixels are those that vtkPolyDataMapper draws of the reader's output, with
  * lighting, color maps, textures, clipping planes, and all representations. Translucent surfaces
@@ -29,8 +29,8 @@
  *
  * *Selection.* vtkHardwareSelector gives the ids of points and cells that the reader's output has
  * without OnDemand. If a file holds cells of several lists (vertices, lines, polygons, strips) and
- * does not keep the order of cells, cells are counted in the order of the file. A selection keeps the
- * meshes of all visible chunks until the next image, in addition to MemoryBudget. Pickers that
+ * does not keep the order of cells, cells are counted in the order of the file. A selection keeps
+ * the meshes of all visible chunks until the next image, in addition to MemoryBudget. Pickers that
  * intersect a ray with the input of the mapper, such as vtkCellPicker, find only the outline.
  *
  * *Several processes or pieces.* As with the reader, piece i of n has the i-th part of the chunks.
@@ -65,8 +65,8 @@ public:
 
   ///@{
   /**
-   * Memory for the buffers of chunks, in MiB, 0 or more. Meshes that are kept for changes take up to
-   * a quarter of it. A change does not modify the mapper; it takes effect with the next image.
+   * Memory for the buffers of chunks, in MiB, 0 or more. Meshes that are kept for changes take up
+   * to a quarter of it. A change does not modify the mapper; it takes effect with the next image.
    * Default: 512.
    */
   void SetMemoryBudget(int mebibytes);

@@ -168,7 +168,8 @@ std::vector<std::uint32_t> vtkGatunSurfaceMapper::vtkInternals::FindVisible(
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* const info = mapper->GetInputInformation();
-  const auto pieces = static_cast<std::size_t>(std::max(1, Pipeline::GetUpdateNumberOfPieces(info)));
+  const auto pieces =
+    static_cast<std::size_t>(std::max(1, Pipeline::GetUpdateNumberOfPieces(info)));
   const auto piece = static_cast<std::size_t>(std::max(0, Pipeline::GetUpdatePiece(info)));
   const auto& chunks = this->Source.File->GetFile()->GetChunks();
   std::vector<std::pair<double, std::uint32_t>> places;
@@ -191,7 +192,8 @@ std::vector<std::uint32_t> vtkGatunSurfaceMapper::vtkInternals::FindVisible(
   }
   std::sort(places.begin(), places.end());
   std::vector<std::uint32_t> visible(places.size());
-  std::transform(places.begin(), places.end(), visible.begin(), [](auto& one) { return one.second; });
+  std::transform(
+    places.begin(), places.end(), visible.begin(), [](auto& one) { return one.second; });
   return visible;
 }
 
@@ -368,8 +370,7 @@ void vtkGatunSurfaceMapper::vtkInternals::Draw(
       {
         return;
       }
-      const auto missing =
-        this->FindMissing(std::span(visible).subspan(i), renderer, actor);
+      const auto missing = this->FindMissing(std::span(visible).subspan(i), renderer, actor);
       auto made = this->DecodeAll(missing, this->IsSelecting);
       for (std::size_t j = 0; j < missing.size(); ++j)
       {

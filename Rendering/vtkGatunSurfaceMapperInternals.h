@@ -107,7 +107,7 @@ private:
   gatun::PublishedFile Source; // without a file if none is drawn
   Contents What;
   std::vector<Chunk> Chunks;
-  std::uint64_t Bytes = 0;     // of all chunks
+  std::uint64_t Bytes = 0; // of all chunks
   std::uint64_t Frame = 0;
   vtkWindow* Window = nullptr; // only compared
   bool IsSelecting = false;
