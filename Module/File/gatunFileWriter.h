@@ -36,9 +36,9 @@ public:
    * Called only from the thread that called the writer. */
   using Progress = std::function<bool(double)>;
 
-  /** Partitions the mesh and encodes it into a temporary file in the folder of path. Throws if a
-   * tetrahedron refers to a point that does not exist. Array names may repeat; their order is kept.
-   */
+  /** Partitions the mesh and makes a temporary file in the folder of path. Throws if a tetrahedron
+   * refers to a point that does not exist. Array names may repeat; their order is kept. The mesh is
+   * encoded with the first step, or by Finish if there is none. */
   FileWriter(const std::string& path, const MeshInput& mesh,
     const std::vector<ArrayDescription>& arrays, const WriterOptions& options,
     const Progress& progress = {});
