@@ -34,6 +34,7 @@ void AddSimplifyIntegrated(CLI::App& app);
 void AddSimplifyPicture(CLI::App& app);
 void AddSimplifySurface(CLI::App& app);
 void AddSurface(CLI::App& app);
+void AddSurfaceDraw(CLI::App& app);
 void AddSurfaceMemory(CLI::App& app);
 void AddVolumeBlocks(CLI::App& app);
 void AddVolumePictures(CLI::App& app);

@@ -41,6 +41,7 @@ int main(int argc, char* argv[])
   bench::AddSimplifyPicture(app);
   bench::AddSimplifySurface(app);
   bench::AddSurface(app);
+  bench::AddSurfaceDraw(app);
   bench::AddSurfaceMemory(app);
   bench::AddVolumeBlocks(app);
   bench::AddVolumePictures(app);

@@ -224,7 +224,7 @@ PieceReader::PieceReader() = default;
 PieceReader::~PieceReader() = default;
 
 //------------------------------------------------------------------------------
-void PieceReader::Choose(const PublishedFile& handle, std::size_t merges)
+void PieceReader::Choose(const PublishedFile& handle, std::size_t merges, bool keepsChunks)
 {
   const auto& file = handle.File->GetFile();
   SimplifiedFile::Place place{ file, nullptr, 0 };
@@ -238,10 +238,11 @@ void PieceReader::Choose(const PublishedFile& handle, std::size_t merges)
   {
     this->DecodedBefore = this->GetDecodedChunks();
     this->ForgetMesh();
-    this->Parts = handle.File->MakeView(place.File, true);
+    this->Parts = handle.File->MakeView(place.File, keepsChunks);
   }
   this->Tree = place.Tree;
   this->Merges = place.Merges;
+  this->KeepsChunks = keepsChunks;
 }
 
 //------------------------------------------------------------------------------
@@ -402,8 +403,8 @@ void PieceReader::Read(const PublishedFile& handle, const PieceRequest& request,
   }
   // The cache would only take memory if the mesh is read once. With steps, or after a change of
   // arrays, it is likely to be needed again.
-  this->Parts->SetKeepsChunks(
-    meshIsThere || !IsWhole(this->GetMesh(), request) || file.GetNumberOfSteps() > 1);
+  this->Parts->SetKeepsChunks(this->KeepsChunks &&
+    (meshIsThere || !IsWhole(this->GetMesh(), request) || file.GetNumberOfSteps() > 1));
   const double share = request.GhostLevels > 0 && !meshIsThere ? 0.5 : 0.0;
   this->Decoder->SetRequest(
     request, [&progress, share](double fraction) { return progress(share * fraction); });

@@ -66,8 +66,8 @@ public:
   PieceReader& operator=(const PieceReader&) = delete;
 
   /** Chooses the mesh in the file that is decoded for a number of merges: the whole mesh or a base
-   * mesh. */
-  void Choose(const PublishedFile& handle, std::size_t merges);
+   * mesh. KeepsChunks: whether decoded chunks stay in the cache of the file. */
+  void Choose(const PublishedFile& handle, std::size_t merges, bool keepsChunks = true);
 
   /** The mesh that was chosen, and the number of merges from there. */
   const FileReader& GetMesh() const { return *this->Parts->GetFile(); }
@@ -107,6 +107,7 @@ private:
   std::shared_ptr<ChunkCache> Parts;
   std::shared_ptr<const MergeTree> Tree;
   std::size_t Merges = 0;
+  bool KeepsChunks = true;
   std::uint64_t DecodedBefore = 0; // by other views
 
   // The mesh last read, which other steps and arrays share.

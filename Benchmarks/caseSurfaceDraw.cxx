@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// surface-draw: time and memory from the file of a surface to its first image.
+
+#include "benchCases.h"
+
+#include "gatunParallel.h"
+#include "vtkGatunSurfaceMapper.h"
+#include "vtkGatunSurfaceReader.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkConeSource.h"
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkXMLPolyDataReader.h"
+
+#include <memory>
+
+namespace bench
+{
+namespace
+{
+struct Options
+{
+  std::string File;
+  std::string Array;
+  double Zoom = 1;
+  int Budget = 512;
+  int Size = 1000;
+  int Frames = 5;
+};
+
+/** The reader and the mapper of a file: Gatun's on demand, or VTK's. */
+struct Pipeline
+{
+  vtkSmartPointer<vtkAlgorithm> Reader;
+  vtkSmartPointer<vtkPolyDataMapper> Mapper;
+};
+
+Pipeline MakePipeline(const Options& options)
+{
+  Pipeline made;
+  if (options.File.ends_with(".gtn"))
+  {
+    auto reader = vtkSmartPointer<vtkGatunSurfaceReader>::New();
+    reader->SetFileName(options.File.c_str());
+    reader->SetOnDemand(vtkGatunSurfaceReader::ON_DEMAND_ALWAYS);
+    auto mapper = vtkSmartPointer<vtkGatunSurfaceMapper>::New();
+    mapper->SetMemoryBudget(options.Budget);
+    made = { reader, mapper };
+  }
+  else
+  {
+    auto reader = vtkSmartPointer<vtkXMLPolyDataReader>::New();
+    reader->SetFileName(options.File.c_str());
+    made = { reader, vtkSmartPointer<vtkPolyDataMapper>::New() };
+  }
+  made.Mapper->SetInputConnection(made.Reader->GetOutputPort());
+  made.Mapper->SetScalarVisibility(!options.Array.empty());
+  made.Mapper->SetScalarModeToUsePointFieldData();
+  made.Mapper->SelectColorArray(options.Array.c_str());
+  return made;
+}
+
+void Measure(const Options& options)
+{
+  // What every image takes is there before.
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(options.Size, options.Size);
+  vtkNew<vtkRenderer> renderer;
+  window->AddRenderer(renderer);
+  vtkNew<vtkConeSource> cone;
+  vtkNew<vtkPolyDataMapper> first;
+  first->SetInputConnection(cone->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(first);
+  renderer->AddActor(actor);
+  window->Render();
+
+  const auto render = [&]
+  {
+    window->Render();
+    window->WaitForCompletion();
+  };
+  Pipeline pipeline;
+  const Cost cost = CostOf(
+    [&]
+    {
+      pipeline = MakePipeline(options);
+      actor->SetMapper(pipeline.Mapper);
+      renderer->ResetCamera();
+      renderer->GetActiveCamera()->Zoom(options.Zoom);
+      render();
+    });
+  if (pipeline.Reader->GetErrorCode() != 0 || pipeline.Mapper->GetErrorCode() != 0)
+  {
+    throw Failure(options.File, "cannot be drawn");
+  }
+  std::vector<double> frames;
+  for (int i = 0; i < options.Frames; ++i)
+  {
+    renderer->GetActiveCamera()->Azimuth(1);
+    frames.push_back(SecondsOf(render));
+  }
+  PrintJson(
+    [&](Json::Value& json)
+    {
+      json["threads"] = gatun::GetNumberOfThreads();
+      json["fileBytes"] = FileSize(options.File);
+      AddCost(json["first"], cost);
+      AddList(json, "frames", frames);
+      if (auto* const own = vtkGatunSurfaceMapper::SafeDownCast(pipeline.Mapper))
+      {
+        json["bufferBytes"] = static_cast<std::uint64_t>(own->GetBufferBytes());
+        json["decodedChunks"] = static_cast<std::uint64_t>(own->GetNumberOfDecodedChunks());
+      }
+    });
+}
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+void AddSurfaceDraw(CLI::App& app)
+{
+  auto options = std::make_shared<Options>();
+  CLI::App* const command = app.add_subcommand("surface-draw",
+    "Time and memory from a surface's file to its first image, and for the next ones");
+  command->add_option("FILE", options->File, "A .gtn or .vtp file with a surface")->required();
+  command->add_option("--array", options->Array, "Point array that gives colors");
+  command->add_option("--zoom", options->Zoom, "Magnification")->check(CLI::Range(0.01, 1e6));
+  command->add_option("--budget", options->Budget, "Memory for buffers of chunks in MiB")
+    ->check(CLI::Range(0, 1 << 30));
+  command->add_option("--size", options->Size, "Width and height in pixels")
+    ->check(CLI::Range(1, 8192));
+  command->add_option("--frames", options->Frames, "Images after the first")
+    ->check(CLI::Range(0, 1000));
+  command->callback([options] { Measure(*options); });
+}
+}

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkGatunSurfaceMapper.h"
+
+#include "gatunErrorCodes.h"
+#include "vtkGatunSurfaceMapperInternals.h"
+
+#include "vtkErrorCode.h"
+#include "vtkHardwareSelector.h"
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
+vtkStandardNewMacro(vtkGatunSurfaceMapper);
+
+//------------------------------------------------------------------------------
+vtkGatunSurfaceMapper::vtkGatunSurfaceMapper()
+  : Internals(std::make_unique<vtkInternals>())
+{
+}
+
+vtkGatunSurfaceMapper::~vtkGatunSurfaceMapper() = default;
+
+//------------------------------------------------------------------------------
+void vtkGatunSurfaceMapper::SetMemoryBudget(int mebibytes)
+{
+  this->MemoryBudget = std::max(0, mebibytes);
+}
+
+//------------------------------------------------------------------------------
+bool vtkGatunSurfaceMapper::GetIsDrawingFile()
+{
+  return this->Internals->IsDrawingFile();
+}
+
+//------------------------------------------------------------------------------
+vtkTypeUInt64 vtkGatunSurfaceMapper::GetBufferBytes()
+{
+  return this->Internals->GetBytes();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGatunSurfaceMapper::GetNumberOfDrawnChunks()
+{
+  return this->Internals->Drawn;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGatunSurfaceMapper::GetNumberOfCulledChunks()
+{
+  return this->Internals->Culled;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGatunSurfaceMapper::GetNumberOfDecodedChunks()
+{
+  return this->Internals->Decoded;
+}
+
+//------------------------------------------------------------------------------
+double* vtkGatunSurfaceMapper::GetBounds()
+{
+  double* const bounds = this->Superclass::GetBounds();
+  if (const gatun::PublishedFile* const file = vtkInternals::FindFile(this))
+  {
+    vtkInternals::GetBounds(*file, bounds);
+  }
+  return bounds;
+}
+
+//------------------------------------------------------------------------------
+/** Reports what is being thrown. */
+void vtkGatunSurfaceMapper::Fail() noexcept
+{
+  try
+  {
+    const gatun::VTKFailure failure = gatun::DescribeFailure("The surface cannot be drawn");
+    this->SetErrorCode(failure.Code);
+    if (!failure.Aborted && this->Internals->Told.insert(failure.Message).second)
+    {
+      vtkErrorMacro(<< failure.Message);
+    }
+  }
+  catch (...)
+  {
+    // No memory for a message, or an observer of errors that throws.
+    this->SetErrorCode(vtkErrorCode::UnknownError);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunSurfaceMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
+{
+  auto& self = *this->Internals;
+  this->SetErrorCode(vtkErrorCode::NoError);
+  bool isFile = false;
+  try
+  {
+    isFile = self.Open(this, actor);
+    if (isFile)
+    {
+      self.Draw(this, renderer, actor);
+      if (self.Failure)
+      {
+        std::rethrow_exception(self.Failure);
+      }
+      self.Told.clear();
+    }
+  }
+  catch (...)
+  {
+    isFile = true;
+    this->Fail();
+  }
+  if (!isFile)
+  {
+    this->Superclass::RenderPiece(renderer, actor);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunSurfaceMapper::ProcessSelectorPixelBuffers(
+  vtkHardwareSelector* selector, std::vector<unsigned int>& pixels, vtkProp* prop)
+{
+  if (!this->Internals->IsDrawingFile())
+  {
+    this->Superclass::ProcessSelectorPixelBuffers(selector, pixels, prop);
+    return;
+  }
+  try
+  {
+    this->Internals->ProcessSelection(selector, pixels, prop);
+  }
+  catch (...)
+  {
+    this->Fail();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunSurfaceMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internals->Release(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunSurfaceMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
+  os << indent << "IsDrawingFile: " << (this->GetIsDrawingFile() ? "true" : "false") << "\n";
+  os << indent << "BufferBytes: " << this->GetBufferBytes() << "\n";
+}
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

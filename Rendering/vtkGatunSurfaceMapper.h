@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkGatunSurfaceMapper
+ * @brief Draws a surface, from memory or chunk by chunk from its file.
+ *
+ * Use it in place of vtkPolyDataMapper. There are two modes:
+ *
+ *  - *The input is a vtkGatunSurfaceReader whose output is an outline*
+ * (vtkGatunMeshReader::OnDemand). The mapper finds a vtkGatunFileHandle in the information of its
+ * input and draws the file. It shares the open file of the reader and its settings: selected
+ * arrays, and the time that the pipeline asks for.
+ *  - *Otherwise* it is a vtkOpenGLPolyDataMapper.
+ *
+ * *Drawing a file.* Each chunk of the file has vertex and index buffers of its own. Chunks are
+ * drawn from front to back, or from back to front if the actor is translucent. Those that are
+ * outside of the view are not read. Missing chunks are decoded by all threads, a few at a time, and
+ * drawn as soon as they are there. Only the coordinates, normals, and the array that is drawn are
+ * decoded, and texture coordinates where there is a texture. If the actor's property culls back or
+ * front faces, chunks of triangles that are all culled are skipped; this is known of chunks that
+ * were decoded before. Buffers are kept up to MemoryBudget. Chunks beyond it are decoded again for
+ * each image. Most buffers are kept without their meshes, so that a change of the mapper, the actor
+ * or its property decodes chunks again.
+ *
+ * *Appearance.* The pixels are those that vtkPolyDataMapper draws of the reader's output, with
+ * lighting, color maps, textures, clipping planes, and all representations. Translucent surfaces
+ * without depth peeling are an exception, because their image depends on the order of cells. Vertex
+ * attributes (MapDataArrayToVertexAttribute) are not supported with files.
+ *
+ * *Selection.* vtkHardwareSelector gives the ids of points and cells that the reader's output has
+ * without OnDemand. If a file holds cells of several lists (vertices, lines, polygons, strips) and
+ * does not keep the order of cells, cells are counted in the order of the file. A selection keeps
+ * the meshes of all visible chunks until the next image, in addition to MemoryBudget. Pickers that
+ * intersect a ray with the input of the mapper, such as vtkCellPicker, find only the outline.
+ *
+ * *Several processes or pieces.* As with the reader, piece i of n has the i-th part of the chunks.
+ *
+ * *Errors.* A chunk that cannot be decoded is reported by vtkErrorMacro, once for each cause until
+ * an image succeeds, and by GetErrorCode (see vtkGatunMeshReader). The other chunks are drawn.
+ * vtkRenderWindow::SetAbortRender ends an image, as in an observer of vtkCommand::AbortCheckEvent;
+ * what was drawn before remains. vtkCommand::ProgressEvent reports the progress while chunks are
+ * decoded.
+ *
+ * @sa vtkGatunSurfaceReader vtkGatunFileHandle vtkPolyDataMapper
+ */
+
+#ifndef vtkGatunSurfaceMapper_h
+#define vtkGatunSurfaceMapper_h
+
+#include "vtkGatunRenderingModule.h" // For export macro
+#include "vtkOpenGLPolyDataMapper.h"
+
+#include <memory> // For std::unique_ptr
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
+class VTKGATUNRENDERING_EXPORT vtkGatunSurfaceMapper : public vtkOpenGLPolyDataMapper
+{
+public:
+  static vtkGatunSurfaceMapper* New();
+  vtkTypeMacro(vtkGatunSurfaceMapper, vtkOpenGLPolyDataMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Memory for the buffers of chunks, in MiB, 0 or more. Meshes that are kept for changes take up
+   * to a quarter of it. A change does not modify the mapper; it takes effect with the next image.
+   * Default: 512.
+   */
+  void SetMemoryBudget(int mebibytes);
+  vtkGetMacro(MemoryBudget, int);
+  ///@}
+
+  /**
+   * Whether the last image was drawn from a file.
+   */
+  bool GetIsDrawingFile();
+
+  /**
+   * Bytes that are kept for chunks now, estimated from the sizes of buffers and arrays. Not more
+   * than MemoryBudget after an image, except for a selection.
+   */
+  vtkTypeUInt64 GetBufferBytes();
+
+  ///@{
+  /**
+   * Number of chunks that were drawn in the last image, and of those that were in the view but
+   * skipped as all their triangles are culled. 0 without a file. With translucency, each pass over
+   * the geometry counts as an image.
+   */
+  vtkIdType GetNumberOfDrawnChunks();
+  vtkIdType GetNumberOfCulledChunks();
+  ///@}
+
+  /**
+   * Number of chunks that were decoded for this mapper since it exists.
+   */
+  vtkIdType GetNumberOfDecodedChunks();
+
+  ///@{
+  /**
+   * Bounds of the whole surface, from the tables of the file if a file is drawn.
+   */
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
+  ///@}
+
+  /**
+   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
+   * DO NOT USE THIS METHOD OUTSIDE OF THE RENDERING PROCESS
+   */
+  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
+
+  /**
+   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
+   */
+  void ProcessSelectorPixelBuffers(
+    vtkHardwareSelector* selector, std::vector<unsigned int>& pixels, vtkProp* prop) override;
+
+  /**
+   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
+   */
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkGatunSurfaceMapper();
+  ~vtkGatunSurfaceMapper() override;
+
+  int MemoryBudget = 512;
+
+private:
+  vtkGatunSurfaceMapper(const vtkGatunSurfaceMapper&) = delete;
+  void operator=(const vtkGatunSurfaceMapper&) = delete;
+
+  void Fail() noexcept;
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
+
+#endif
