@@ -6,15 +6,15 @@ its points and of the cells behind its faces at all time steps. On demand, the r
 reading the mesh, in pieces, too, if the memory budget is enough."""
 
 import collections
+import os
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_LINE
 from vtkmodules.vtkCommonCore import vtkObject
-from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, vtkPolyData, vtkUnstructuredGrid
-from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
+from vtkmodules.vtkCommonDataModel import vtkPlane, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkCutter
-from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
 import gatunCells as gc
 import gatunMeshes as gm
@@ -78,8 +78,7 @@ def check(name, grid, **options):
     for piece in range(3):
         together += faces(read(path, piece=piece, pieces=3).GetOutput())
     assert together == expected, name
-    # The mesh itself is as ever.
-    gm.assert_same(grid, read(path, 0).GetOutput()) if hasattr(gm, "assert_same") else None
+    assert read(path, 0).GetOutput().GetNumberOfCells() == grid.GetNumberOfCells()
     return path
 
 
@@ -98,6 +97,9 @@ check("boundary-hole.gtn", gm.make_grid(points, tets[np.abs(centers - 0.5).max(1
 check("boundary-fan.gtn", gm.make_grid(
     np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, -1], [1, 1, 2]], np.float32),
     [[0, 1, 2, 3], [0, 2, 1, 4], [0, 1, 2, 5]]))
+# The same with cells in different chunks.
+twice = np.random.default_rng(3).integers(0, len(tets), 300)
+check("boundary-twice.gtn", gm.make_grid(points, np.concatenate([tets, tets[twice]])), ChunkTets=64)
 check("boundary-nothing.gtn", vtkUnstructuredGrid())
 
 # Cells of all linear types, of all dimensions, in chunks.
@@ -179,4 +181,4 @@ for options in ({"NumberOfPieces": 2}, {}):
     path = gm.temporary("boundary-refused.gtn")
     writer.SetFileName(path)
     assert writer.Write() == 0
-    assert not gm.os.path.exists(path)
+    assert not os.path.exists(path)

@@ -32,7 +32,7 @@ MAGIC = bytes.fromhex("8947544E0D0A1A0A")
 END_MAGIC = b"GTNEND\r\n"
 SECTIONS = (
     b"META", b"TABL", b"PAGE", b"STEP", b"MESH", b"VALS", b"TREE", b"MERG", b"TRNG", b"LEVL",
-    b"LAYR", b"CELL", b"SURF", b"DIRY")
+    b"LAYR", b"CELL", b"SURF", b"BNDY", b"DIRY")
 STREAMS = (b"PAGE", b"MESH", b"VALS", b"MERG")  # sections of streams
 
 
@@ -258,7 +258,7 @@ class Container:
 
     def _content(self, section):
         data = self._payload(section)
-        if section.name in STREAMS or section.name in (b"LEVL", b"SURF"):
+        if section.name in STREAMS or section.name in (b"LEVL", b"SURF", b"BNDY"):
             return data
         of_step = section.name in (b"STEP", b"TRNG")
         content = unpack(data, step_limit if of_step else table_limit)
