@@ -184,6 +184,9 @@ class Container:
         self.tree = None
         if any(section.name == b"TREE" for section in sections):
             self._read_tree(sections)
+        boundaries = [section for section in sections if section.name == b"BNDY"]
+        require(len(boundaries) <= 1 - self.is_surface, "number of boundaries")
+        self.boundary = self._content(boundaries[0]) if boundaries else None
 
     def _check_surface(self, sections):
         """Section SURF (16.1)."""
