@@ -222,4 +222,50 @@ void MakeOutline(const FileReader& file, const std::vector<std::uint32_t>& array
       description.AttributeRoles & ~ids);
   }
 }
+
+//------------------------------------------------------------------------------
+void AddOutlinePoints(const FileReader& file, const std::vector<std::uint32_t>& arrays,
+  std::size_t step, vtkUnstructuredGrid* boundary)
+{
+  const vtkIdType points = boundary->GetNumberOfPoints();
+  if (points == 0)
+  {
+    return;
+  }
+  vtkNew<vtkUnstructuredGrid> outline;
+  AddMesh(file, false, outline);
+  // The points are kept for other time steps, so these must not change.
+  vtkNew<vtkPoints> all;
+  all->SetDataType(boundary->GetPoints()->GetDataType());
+  all->SetNumberOfPoints(points + Corners);
+  all->InsertPoints(0, points, 0, boundary->GetPoints());
+  all->InsertPoints(points, Corners, 0, outline->GetPoints());
+  boundary->SetPoints(all);
+  vtkPointData* const attributes = boundary->GetPointData();
+  attributes->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
+  attributes->SetActiveAttribute(-1, vtkDataSetAttributes::PEDIGREEIDS);
+  // The arrays of the file come first, in their order.
+  int next = 0;
+  for (const std::uint32_t index : arrays)
+  {
+    const ArrayDescription& description = file.GetArrays()[index];
+    if (description.Where == Association::Point)
+    {
+      vtkDataArray* const array = attributes->GetArray(next++);
+      if (description.Name != vtkDataSetAttributes::GhostArrayName())
+      {
+        array->InsertTuples(
+          points, Corners, 0, MakeArray(description, file.GetRanges(index, step), Corners));
+      }
+    }
+  }
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* const array = attributes->GetArray(i);
+    for (vtkIdType point = array->GetNumberOfTuples(); point < points + Corners; ++point)
+    {
+      array->InsertTuple1(point, 0); // ghost flags
+    }
+  }
+}
 }

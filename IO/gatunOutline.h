@@ -33,6 +33,15 @@ class FileReader;
  */
 void MakeOutline(const FileReader& file, const std::vector<std::uint32_t>& arrays, std::size_t step,
   bool isEmpty, vtkUnstructuredGrid* output);
+
+/**
+ * Gives the boundary of the mesh of a file the ranges of the mesh: adds the corners of the bounds
+ * as points that no cell has, with values that span the ranges of the point arrays at the given
+ * step. Global and pedigree ids of points become ordinary arrays, as in an outline. Does nothing if
+ * the boundary has no points.
+ */
+void AddOutlinePoints(const FileReader& file, const std::vector<std::uint32_t>& arrays,
+  std::size_t step, vtkUnstructuredGrid* boundary);
 }
 
 #endif

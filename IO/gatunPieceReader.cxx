@@ -234,14 +234,29 @@ void PieceReader::Choose(const PublishedFile& handle, std::size_t merges, bool k
     const bool keepsOrder = handle.RestoreOrder && file->GetKeptOrder() != KeepNone;
     place = handle.File->GetHierarchy().Find(merges, !keepsOrder);
   }
-  if (!this->Parts || place.File != this->Parts->GetFile())
+  this->SetMesh(handle, place.File, keepsChunks);
+  this->Tree = place.Tree;
+  this->Merges = place.Merges;
+}
+
+//------------------------------------------------------------------------------
+void PieceReader::ChooseBoundary(const PublishedFile& handle)
+{
+  this->SetMesh(handle, handle.File->GetBoundary(), true);
+  this->Tree = nullptr;
+  this->Merges = 0;
+}
+
+//------------------------------------------------------------------------------
+void PieceReader::SetMesh(
+  const PublishedFile& handle, const std::shared_ptr<const FileReader>& mesh, bool keepsChunks)
+{
+  if (!this->Parts || mesh != this->Parts->GetFile())
   {
     this->DecodedBefore = this->GetDecodedChunks();
     this->ForgetMesh();
-    this->Parts = handle.File->MakeView(place.File, keepsChunks);
+    this->Parts = handle.File->MakeView(mesh, keepsChunks);
   }
-  this->Tree = place.Tree;
-  this->Merges = place.Merges;
   this->KeepsChunks = keepsChunks;
 }
 
@@ -282,6 +297,17 @@ PieceRequest PieceReader::MakeRequest(const PublishedFile& handle, const PortReq
     request.Universe = chunks;
   }
   request.WithUnusedPoints = exists && port.Piece == 0;
+  return request;
+}
+
+//------------------------------------------------------------------------------
+PieceRequest PieceReader::MakeBoundaryRequest(
+  const PublishedFile& handle, const PortRequest& port) const
+{
+  std::vector<std::uint32_t> chunks(this->GetMesh().GetChunks().size());
+  std::iota(chunks.begin(), chunks.end(), 0u);
+  PieceRequest request = this->MakeRequest(handle, port, chunks);
+  request.Form = PieceForm::Original;
   return request;
 }
 

@@ -69,6 +69,9 @@ public:
    * mesh. KeepsChunks: whether decoded chunks stay in the cache of the file. */
   void Choose(const PublishedFile& handle, std::size_t merges, bool keepsChunks = true);
 
+  /** Chooses the boundary in the file. Requests for it are made by MakeBoundaryRequest. */
+  void ChooseBoundary(const PublishedFile& handle);
+
   /** The mesh that was chosen, and the number of merges from there. */
   const FileReader& GetMesh() const { return *this->Parts->GetFile(); }
   std::size_t GetMerges() const { return this->Merges; }
@@ -77,6 +80,9 @@ public:
    * region of interest, ascending. */
   PieceRequest MakeRequest(const PublishedFile& handle, const PortRequest& port,
     const std::vector<std::uint32_t>& chunks) const;
+
+  /** The request for the part of the boundary that a port is asked for. */
+  PieceRequest MakeBoundaryRequest(const PublishedFile& handle, const PortRequest& port) const;
 
   /** Reads. GlobalIds: whether to make global ids where the output has none. */
   void Read(const PublishedFile& handle, const PieceRequest& request, bool globalIds,
@@ -98,6 +104,8 @@ public:
   std::uint64_t GetDecodedChunks() const;
 
 private:
+  void SetMesh(
+    const PublishedFile& handle, const std::shared_ptr<const FileReader>& mesh, bool keepsChunks);
   bool HasMeshOf(const PieceRequest& request) const;
   void MakeMesh(const FileReader& file, PieceTarget& target);
   void FinishMesh();

@@ -397,26 +397,31 @@ int vtkGatunMeshReader::RequestData(vtkInformation* vtkNotUsed(request),
       std::rethrow_exception(handle.Failure);
     }
     const gatun::PortRequest port(self.GetFile(), outInfo);
-    self.Pieces.Choose(handle, handle.Merges);
-    auto request = self.Pieces.MakeRequest(handle, port, self.ChunksOf(*this, port.Step));
     vtkSmartPointer<vtkUnstructuredGrid> grid = vtkUnstructuredGrid::SafeDownCast(output);
     if (!grid)
     {
       grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
     }
-    if (handle.OnDemand)
+    const auto progress = [this](double fraction)
     {
-      self.MakeOutline(request, port.Piece != 0, grid);
+      this->UpdateProgress(fraction);
+      return !gatun::IsAborted(this);
+    };
+    const bool isBoundary = handle.OnDemand && self.CanShowBoundary(handle);
+    if (isBoundary)
+    {
+      self.ReadBoundary(handle, port, grid, progress);
+    }
+    else if (handle.OnDemand)
+    {
+      self.MakeOutline(handle, port, grid);
     }
     else
     {
+      self.Pieces.Choose(handle, handle.Merges);
+      auto request = self.Pieces.MakeRequest(handle, port, self.ChunksOf(*this, port.Step));
       request.WithUnusedPoints = request.WithUnusedPoints && !this->UseBox && !this->UseValueRange;
-      self.Pieces.Read(handle, request, this->GenerateGlobalIds || port.Pieces > 1, grid,
-        [this](double fraction)
-        {
-          this->UpdateProgress(fraction);
-          return !gatun::IsAborted(this);
-        });
+      self.Pieces.Read(handle, request, this->GenerateGlobalIds || port.Pieces > 1, grid, progress);
     }
     if (grid != output)
     {
@@ -424,7 +429,8 @@ int vtkGatunMeshReader::RequestData(vtkInformation* vtkNotUsed(request),
     }
     if (handle.OnDemand)
     {
-      output->GetInformation()->Set(ON_DEMAND(), 1);
+      output->GetInformation()->Set(
+        ON_DEMAND(), isBoundary ? ON_DEMAND_BOUNDARY : ON_DEMAND_OUTLINE);
     }
     gatun::SetStepTime(self.GetFile(), port.Step, output);
     this->UpdateProgress(1);

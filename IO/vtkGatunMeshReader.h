@@ -47,7 +47,14 @@
  * the 8 corners of its bounds and 12 lines. The outline has the selected arrays. Their values span
  * the ranges of those of the mesh at the current step, component by component and, for up to three
  * components, in length. Piece 0 has the outline, all others are empty. Nothing is decoded.
- * ON_DEMAND() in the information of the output and GetIsOnDemand distinguish it from a mesh. The
+ * If the file has the boundary of the mesh (vtkGatunWriter::WriteBoundary) and MemoryBudget is
+ * enough for it, the output is the boundary instead: faces as triangles, quadrilaterals and
+ * polygons with the selected arrays, in pieces as the mesh. Nothing else is decoded. The 8 corners
+ * of the outline are there as points that no cell has, so that point arrays have the ranges of
+ * those of the mesh; cell arrays have those of the boundary. The boundary is not simplified and has
+ * no order or global ids of the mesh.
+ *
+ * ON_DEMAND() in the information of the output and GetIsOnDemand distinguish both from a mesh. The
  * consumers of the file use the mesh all the same. With a region of interest the output is always a
  * mesh.
  *
@@ -239,15 +246,15 @@ public:
    * Memory for decoded chunks, in MiB, 0 or more. Neighboring pieces with ghost cells, other
    * arrays and other time steps reuse these chunks; the least recently used ones are dropped first.
    * With 0 no chunk is kept. If the mesh needs more, part of it is decoded again for each time
-   * step. The output does not depend on the budget, and a change does not modify the reader.
-   * Default: 512, enough for about ten million tetrahedra with one or two arrays.
+   * step. The output does not depend on the budget, except on demand, and a change does not modify
+   * the reader. Default: 512, enough for about ten million tetrahedra with one or two arrays.
    */
   void SetMemoryBudget(int mebibytes);
   vtkGetMacro(MemoryBudget, int);
   ///@}
 
   /**
-   * When the output is only the outline of the mesh.
+   * When the output is only the boundary or the outline of the mesh.
    */
   enum OnDemandModes
   {
@@ -258,9 +265,9 @@ public:
 
   ///@{
   /**
-   * Whether the output is the outline of the mesh instead of the mesh, so that nothing is decoded
-   * before somebody draws the file: one of OnDemandModes. Without effect while UseBox or
-   * UseValueRange is on. Default: ON_DEMAND_NEVER.
+   * Whether the output is the boundary or the outline of the mesh instead of the mesh, so that
+   * nothing is decoded before somebody draws the file: one of OnDemandModes. Without effect while
+   * UseBox or UseValueRange is on. Default: ON_DEMAND_NEVER.
    */
   vtkSetClampMacro(OnDemand, int, ON_DEMAND_NEVER, ON_DEMAND_LARGE);
   vtkGetMacro(OnDemand, int);
@@ -334,14 +341,23 @@ public:
   bool GetHasHierarchy();
 
   /**
-   * Whether the output is the outline of the mesh, with the file and the properties as they are:
-   * true or false, after UpdateInformation. False without a readable file.
+   * Whether the output is the boundary or the outline of the mesh, with the file and the properties
+   * as they are: true or false, after UpdateInformation. False without a readable file.
    */
   bool GetIsOnDemand();
 
   /**
-   * Key in the information of the output (vtkDataObject::GetInformation), 1: it is an outline. It
-   * is not there where the output is a mesh.
+   * What the output is on demand.
+   */
+  enum OnDemandOutputs
+  {
+    ON_DEMAND_OUTLINE = 1,
+    ON_DEMAND_BOUNDARY = 2
+  };
+
+  /**
+   * Key in the information of the output (vtkDataObject::GetInformation): one of OnDemandOutputs.
+   * It is not there where the output is the mesh.
    */
   static vtkInformationIntegerKey* ON_DEMAND();
 

@@ -259,18 +259,54 @@ std::vector<std::uint32_t> vtkGatunMeshReader::vtkInternals::ChunksOf(
 }
 
 //------------------------------------------------------------------------------
-/** Makes the outline; empty: the same without points and cells. */
+/** Makes the outline; without points and cells unless it is asked for the first piece. */
 void vtkGatunMeshReader::vtkInternals::MakeOutline(
-  const gatun::PieceRequest& request, bool isEmpty, vtkUnstructuredGrid* output)
+  const gatun::PublishedFile& handle, const gatun::PortRequest& port, vtkUnstructuredGrid* output)
 {
+  this->Pieces.Choose(handle, 0);
   if (this->Pieces.HasMesh())
   {
     this->Cells = {};
     this->Pieces.ForgetMesh();
     this->Pieces.ClearCache();
   }
-  gatun::MakeOutline(this->GetFile(), request.Arrays, request.Step, isEmpty, output);
+  const gatun::PieceRequest request = this->Pieces.MakeRequest(handle, port, {});
+  gatun::MakeOutline(this->GetFile(), request.Arrays, request.Step, port.Piece != 0, output);
   gatun::AddStepFieldData(this->GetFile(), request.Step, output);
+}
+
+//------------------------------------------------------------------------------
+/** Whether the file has the boundary of the mesh, and the memory budget is enough for it. */
+bool vtkGatunMeshReader::vtkInternals::CanShowBoundary(const gatun::PublishedFile& handle) const
+{
+  if (!this->GetFile().HasBoundary())
+  {
+    return false;
+  }
+  constexpr std::uint64_t bytesOfPoint = 3 * sizeof(double);
+  constexpr std::uint64_t bytesOfFace = 5 * sizeof(vtkIdType) + 1;
+  const auto boundary = handle.File->GetBoundary();
+  std::uint64_t bytes =
+    bytesOfPoint * boundary->GetNumberOfPoints() + bytesOfFace * boundary->GetNumberOfCells();
+  for (std::size_t i = 0; i < boundary->GetArrays().size(); ++i)
+  {
+    const gatun::ArrayDescription& array = boundary->GetArrays()[i];
+    const std::uint64_t tuples = array.Where == Association::Point ? boundary->GetNumberOfPoints()
+                                                                   : boundary->GetNumberOfCells();
+    bytes += handle.Selected[i] ? tuples * array.Components * SizeOf(array.Type) : 0;
+  }
+  return bytes <= this->File->GetBudget()->GetBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunMeshReader::vtkInternals::ReadBoundary(const gatun::PublishedFile& handle,
+  const gatun::PortRequest& port, vtkUnstructuredGrid* output,
+  const gatun::PieceReader::Progress& progress)
+{
+  this->Pieces.ChooseBoundary(handle);
+  const gatun::PieceRequest request = this->Pieces.MakeBoundaryRequest(handle, port);
+  this->Pieces.Read(handle, request, false, output, progress);
+  gatun::AddOutlinePoints(this->GetFile(), request.Arrays, request.Step, output);
 }
 
 //------------------------------------------------------------------------------

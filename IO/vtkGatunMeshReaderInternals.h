@@ -64,7 +64,11 @@ public:
   gatun::PublishedFile Describe(const vtkGatunMeshReader& reader) const;
   static void Publish(gatun::PublishedFile contents, vtkInformation* outInfo);
   std::vector<std::uint32_t> ChunksOf(const vtkGatunMeshReader& reader, std::size_t step) const;
-  void MakeOutline(const gatun::PieceRequest& request, bool isEmpty, vtkUnstructuredGrid* output);
+  void MakeOutline(const gatun::PublishedFile& handle, const gatun::PortRequest& port,
+    vtkUnstructuredGrid* output);
+  bool CanShowBoundary(const gatun::PublishedFile& handle) const;
+  void ReadBoundary(const gatun::PublishedFile& handle, const gatun::PortRequest& port,
+    vtkUnstructuredGrid* output, const gatun::PieceReader::Progress& progress);
   void MakeSurface(vtkUnstructuredGrid* grid, vtkPolyData* output);
 
 private:

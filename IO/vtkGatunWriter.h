@@ -186,6 +186,19 @@ public:
 
   ///@{
   /**
+   * Whether to store the boundary of the mesh, too, with all arrays and time steps, so that readers
+   * can show it without decoding the mesh (vtkGatunMeshReader::OnDemand): the faces that only one
+   * 3D cell has, and the cells of a lower dimension. Nonlinear cells have the faces of the linear
+   * ones with their corners. The mesh must be in one piece and one process; surfaces are refused.
+   * Default: off.
+   */
+  vtkSetMacro(WriteBoundary, bool);
+  vtkGetMacro(WriteBoundary, bool);
+  vtkBooleanMacro(WriteBoundary, bool);
+  ///@}
+
+  ///@{
+  /**
    * Metric of the hierarchy, METRIC_MASS (the default) or METRIC_DENSITY, and share of the shape in
    * the cost of a merge on the boundary, 0 to 1 (default: 0.5); see vtkGatunSimplify.
    */
@@ -408,6 +421,7 @@ public:
   vtkGetMacro(FieldDataBytes, vtkTypeUInt64);
   vtkGetMacro(HierarchyBytes, vtkTypeUInt64);
   vtkGetMacro(LevelBytes, vtkTypeUInt64);
+  vtkGetMacro(BoundaryBytes, vtkTypeUInt64);
   vtkGetMacro(DirectoryBytes, vtkTypeUInt64);
   ///@}
 
@@ -445,6 +459,7 @@ protected:
   int KeyStepInterval = 8;
   bool Hierarchy = false;
   int Levels = 0;
+  bool WriteBoundary = false;
   int Metric = METRIC_MASS;
   double BoundaryWeight = 0.5;
   char* LayerArray = nullptr;
@@ -474,6 +489,7 @@ protected:
   vtkTypeUInt64 FieldDataBytes = 0;
   vtkTypeUInt64 HierarchyBytes = 0;
   vtkTypeUInt64 LevelBytes = 0;
+  vtkTypeUInt64 BoundaryBytes = 0;
   vtkTypeUInt64 DirectoryBytes = 0;
   double WrittenPointError = 0;
   vtkTypeUInt64 BytesSent = 0;

@@ -77,6 +77,10 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkGatunWriter::vtkInternals::MakeGrid(vtkD
     {
       gatun::ThrowInvalid("surfaces (vtkPolyData) cannot be written with a hierarchy");
     }
+    if (this->Owner->WriteBoundary)
+    {
+      gatun::ThrowInvalid("surfaces (vtkPolyData) have no boundary to write");
+    }
     grid = gatun::MakeSurfaceGrid(surface);
   }
   const gatun::CellInput cells = gatun::MakeCellInput(grid, this->Owner->SplitCells);
@@ -99,6 +103,7 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
   options.KeyStepInterval = static_cast<std::uint32_t>(this->Owner->KeyStepInterval);
   options.ReplaceReadOnly = this->Owner->ReplaceReadOnly;
   options.IsSurface = this->IsSurface.value_or(false);
+  options.Boundary = this->Owner->WriteBoundary;
   if (this->Owner->LayerArray && *this->Owner->LayerArray)
   {
     options.Layers =
@@ -140,6 +145,7 @@ void vtkGatunWriter::vtkInternals::PublishStatistics(
   this->Owner->FieldDataBytes = statistics.FieldDataBytes;
   this->Owner->HierarchyBytes = statistics.TreeBytes;
   this->Owner->LevelBytes = statistics.LevelBytes;
+  this->Owner->BoundaryBytes = statistics.BoundaryBytes;
   this->Owner->DirectoryBytes = statistics.DirectoryBytes;
 }
 
@@ -175,6 +181,11 @@ void vtkGatunWriter::vtkInternals::BeginPieces(int pieces)
     gatun::ThrowInvalid("a hierarchy or layers need the whole mesh in one piece and one process; "
                         "write the file without them, and add them with 'gtn pack --hierarchy' or "
                         "'gtn pack --layers'");
+  }
+  if (owner->WriteBoundary)
+  {
+    gatun::ThrowInvalid("the boundary needs the whole mesh in one piece and one process; write the "
+                        "file without it, and add it with 'gtn pack --boundary'");
   }
   if (owner->PointBits > 0)
   {

@@ -138,6 +138,7 @@ Table DescribeSizes(const gatun::FileReader& file)
   add("fieldData", "field data", sizes.FieldDataBytes);
   add("hierarchy", "hierarchy", sizes.TreeBytes);
   add("baseMeshes", "base meshes", sizes.LevelBytes);
+  add("boundary", "boundary", sizes.BoundaryBytes);
   add("directory", "directory", sizes.DirectoryBytes);
   add("file", "file", sizes.FileBytes);
   return table;
@@ -191,6 +192,21 @@ void DescribeHierarchy(const gatun::FileReader& file, Description& description)
   description.Add(std::move(levels));
 }
 
+void DescribeBoundary(const gatun::FileReader& file, Description& description)
+{
+  Json::Value value;
+  std::string text;
+  if (file.HasBoundary())
+  {
+    const auto boundary = file.OpenBoundary();
+    value["points"] = Json::Value::UInt64{ boundary->GetNumberOfPoints() };
+    value["cells"] = Json::Value::UInt64{ boundary->GetNumberOfCells() };
+    text = fmt::format("{} faces, {} points", Grouped(boundary->GetNumberOfCells()),
+      Grouped(boundary->GetNumberOfPoints()));
+  }
+  description.Add("boundary", file.HasBoundary() ? "boundary" : nullptr, { value, text });
+}
+
 Entry DescribeTimes(const gatun::FileReader& file, bool verbose)
 {
   const std::vector<double> times = file.HasTime() ? file.GetTimes() : std::vector<double>();
@@ -233,6 +249,7 @@ Description Describe(const gatun::FileReader& file, bool verbose)
   description.Add("times", "time steps", DescribeTimes(file, verbose));
   description.Add("hasLayers", nullptr, { file.HasLayers(), {} });
   DescribeHierarchy(file, description);
+  DescribeBoundary(file, description);
   if (!file.IsTetrahedral())
   {
     description.Add(DescribeCellTypes(file));

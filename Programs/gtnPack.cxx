@@ -52,6 +52,7 @@ struct Options
   int KeySteps = 8;
   bool Hierarchy = false;
   int Levels = 0;
+  bool Boundary = false;
   MergeOptions Merges;
   std::optional<std::string> Layers; ///< as given
   int LayerComponent = -1;
@@ -144,6 +145,7 @@ void PrintSizes(vtkGatunWriter* writer, const Options& options, bool verbose)
   print("field data", writer->GetFieldDataBytes());
   print("hierarchy", writer->GetHierarchyBytes());
   print("base meshes", writer->GetLevelBytes());
+  print("boundary", writer->GetBoundaryBytes());
   print("directory", writer->GetDirectoryBytes());
   print("file", writer->GetFileBytes());
   if (writer->GetPointError() > 0 || writer->GetPointBits() > 0)
@@ -183,6 +185,7 @@ void Pack(const Options& options, const Settings& settings)
   writer->WriteAllTimeStepsOn();
   writer->SetHierarchy(options.Hierarchy || options.Levels > 0);
   writer->SetLevels(options.Levels);
+  writer->SetWriteBoundary(options.Boundary);
   options.Merges.Apply(writer.Get());
   if (!SetPieces(writer, input, options.Pieces, settings))
   {
@@ -253,6 +256,10 @@ void AddPack(CLI::App& app, Settings& settings)
       "the one before, so that coarse levels of detail are read fast (default: 0)")
     ->check(CLI::Range(0, 64))
     ->option_text("N");
+  command->add_flag("--boundary", options->Boundary,
+    "Store the boundary of the mesh, too, so that ParaView shows it at once when the mesh is read "
+    "on "
+    "demand");
   AddMergeOptions(command, options->Merges);
   auto* layers = command
                    ->add_option("--layers", options->Layers,

@@ -24,6 +24,10 @@ gatun_core_folder(File
     gatunArrayInput.h
     gatunBaseMesh.h
     gatunBisection.h
+    gatunBoundaryCheck.h
+    gatunBoundaryFaces.h
+    gatunBoundaryMesh.h
+    gatunCellSides.h
     gatunCellStore.h
     gatunChunkCacheInternals.h
     gatunChunkSet.h
@@ -33,6 +37,7 @@ gatun_core_folder(File
     gatunCoarsePiece.h
     gatunDomainWriter.h
     gatunFileReaderInternals.h
+    gatunGatherTuples.h
     gatunLayerPartition.h
     gatunLocalIds.h
     gatunMeshAccess.h
@@ -66,6 +71,9 @@ gatun_core_folder(File
   SOURCES
     gatunBaseMesh.cxx
     gatunBisection.cxx
+    gatunBoundaryCheck.cxx
+    gatunBoundaryFaces.cxx
+    gatunBoundaryMesh.cxx
     gatunCellStore.cxx
     gatunChunkCache.cxx
     gatunChunkSet.cxx
@@ -74,6 +82,7 @@ gatun_core_folder(File
     gatunCoarseLayout.cxx
     gatunCoarsePiece.cxx
     gatunFileReader.cxx
+    gatunFileReaderBoundary.cxx
     gatunFileReaderLayers.cxx
     gatunFileReaderTree.cxx
     gatunFileWriter.cxx

@@ -3,9 +3,8 @@
 
 #include "gatunBaseMesh.h"
 
+#include "gatunGatherTuples.h"
 #include "gatunMeshTets.h"
-
-#include <cstring>
 
 namespace gatun
 {
@@ -84,13 +83,6 @@ MeshInput BaseMesh::GetInput() const
 //------------------------------------------------------------------------------
 Bytes BaseMesh::Gather(const void* values, Association where, std::size_t tupleBytes) const
 {
-  const auto& tuples = where == Association::Point ? this->Points : this->Cells;
-  const auto* const from = static_cast<const std::uint8_t*>(values);
-  Bytes to(tuples.size() * tupleBytes);
-  for (std::size_t i = 0; i < tuples.size(); ++i)
-  {
-    std::memcpy(to.data() + i * tupleBytes, from + tuples[i] * tupleBytes, tupleBytes);
-  }
-  return to;
+  return GatherTuples(values, where == Association::Point ? this->Points : this->Cells, tupleBytes);
 }
 }

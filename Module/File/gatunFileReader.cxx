@@ -29,6 +29,13 @@ FileReader::Internals::Internals(const Internals& whole, std::size_t level)
   this->CheckLevel(whole, level);
 }
 
+FileReader::Internals::Internals(const Internals& whole, const StreamRef& boundary)
+  : File(whole.File, boundary, "the boundary")
+{
+  this->Read();
+  this->CheckBoundary(whole);
+}
+
 void FileReader::Internals::Read()
 {
   constexpr const char* metaName = "the meta data";
@@ -65,6 +72,7 @@ void FileReader::Internals::Read()
   }
   this->ReadLayers();
   this->ReadTree();
+  this->ReadBoundary();
 }
 
 /** Reads the types and sizes of cells, if not all are tetrahedra. */
@@ -192,8 +200,8 @@ FileReader::FileReader(const std::string& path)
   KeepFreedMemory();
 }
 
-FileReader::FileReader(const FileReader& whole, std::size_t level)
-  : Self(std::make_unique<Internals>(*whole.Self, level))
+FileReader::FileReader(std::unique_ptr<Internals> self)
+  : Self(std::move(self))
 {
 }
 
@@ -341,9 +349,10 @@ FileStatistics FileReader::GetStatistics() const
       ? section.Payload.Length
       : 0;
     s.LevelBytes += name == SectionLevel ? section.Payload.Length : 0;
+    s.BoundaryBytes += name == SectionBoundary ? section.Payload.Length : 0;
   }
-  auto parts = s.TreeBytes + s.LevelBytes + s.ConnectivityBytes + s.GeometryBytes +
-    s.SharedGeometryBytes + s.OrderBytes + s.FieldDataBytes;
+  auto parts = s.TreeBytes + s.LevelBytes + s.BoundaryBytes + s.ConnectivityBytes +
+    s.GeometryBytes + s.SharedGeometryBytes + s.OrderBytes + s.FieldDataBytes;
   parts = std::accumulate(s.ArrayBytes.begin(), s.ArrayBytes.end(), parts);
   s.DirectoryBytes = s.FileBytes - std::min(parts, s.FileBytes);
   return s;

@@ -106,6 +106,13 @@ public:
    * in an order of their own. */
   std::shared_ptr<const FileReader> OpenLevel(std::size_t level) const;
 
+  /** Whether the file has the boundary of the mesh (WriterOptions::Boundary). */
+  bool HasBoundary() const;
+
+  /** The boundary, a surface with the arrays and time steps of this file and without field data.
+   * Opened at each call. */
+  std::shared_ptr<const FileReader> OpenBoundary() const;
+
   /** The bounds of a chunk and the ranges of an array after any number of merges up to the given
    * one. They include all corners that the chunk's tetrahedra can get. */
   const Bounds& GetChunkBounds(std::size_t chunk, std::size_t merges) const;
@@ -120,7 +127,7 @@ public:
 private:
   friend const Internals& InternalsOf(const FileReader& file);
 
-  FileReader(const FileReader& whole, std::size_t level);
+  explicit FileReader(std::unique_ptr<Internals> self);
 
   std::unique_ptr<Internals> Self;
 };

@@ -28,6 +28,9 @@ public:
   /** A base mesh of a file. */
   Internals(const Internals& whole, std::size_t level);
 
+  /** The boundary in a file. */
+  Internals(const Internals& whole, const StreamRef& boundary);
+
   /** The domains of the components of an array at a step. */
   std::vector<Domain> MakeDomains(std::size_t array, std::size_t step) const;
 
@@ -73,6 +76,7 @@ public:
   std::optional<TreeTable> Tree;
   std::vector<TreeStepTable> TreeSteps;
   std::vector<StreamRef> Levels;
+  std::optional<StreamRef> Boundary;
 
 private:
   std::optional<TablePages> Tables;
@@ -84,6 +88,8 @@ private:
   void ReadSurface();
   void ReadLayers();
   void ReadTree();
+  void ReadBoundary();
+  void CheckBoundary(const Internals& whole) const;
   void CheckLevel(const Internals& whole, std::size_t level) const;
   void AddStepBytes(std::span<const std::uint8_t> packed);
   void CheckLastStep() const;

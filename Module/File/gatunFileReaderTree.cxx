@@ -79,7 +79,7 @@ void FileReader::Internals::CheckLevel(const Internals& whole, std::size_t level
     this->Meta.UnusedPoints >= whole.Meta.UnusedPoints && this->Meta.Tets <= whole.Meta.Tets &&
     this->Meta.CoordinateType == whole.Meta.CoordinateType &&
     this->Meta.Arrays == whole.Meta.Arrays && this->Meta.HasTime == whole.Meta.HasTime &&
-    this->Times == whole.Times && this->Levels.empty() && this->Tree &&
+    this->Times == whole.Times && this->Levels.empty() && !this->Boundary && this->Tree &&
     this->Tree->Merges == whole.Tree->Merges - merges;
   if (!fits)
   {
@@ -133,7 +133,8 @@ std::shared_ptr<const FileReader> FileReader::OpenLevel(std::size_t level) const
   {
     ThrowInvalid("there is no such base mesh", this->GetPath());
   }
-  return std::shared_ptr<const FileReader>(new FileReader(*this, level));
+  return std::shared_ptr<const FileReader>(
+    new FileReader(std::make_unique<Internals>(*this->Self, level)));
 }
 
 //------------------------------------------------------------------------------

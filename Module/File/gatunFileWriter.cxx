@@ -4,6 +4,7 @@
 #include "gatunFileWriter.h"
 
 #include "gatunBaseMesh.h"
+#include "gatunBoundaryMesh.h"
 #include "gatunKeepMemory.h"
 #include "gatunLayerTable.h"
 #include "gatunMeshSection.h"
@@ -38,7 +39,7 @@ public:
   {
   }
 
-  /** A base mesh of another writer's file. */
+  /** A base mesh or the boundary of another writer's file. */
   Internals(const Internals& whole, const MeshInput& mesh, const WriterOptions& options)
     : State(whole.State, options)
     , Part(mesh)
@@ -52,19 +53,25 @@ public:
   FileStatistics Finish();
 
 private:
-  /** A base mesh, which is written as a file of its own and embedded at the end. */
-  struct Level
+  /** A mesh made of this one, which is written as a file of its own and embedded at the end. */
+  template <typename MeshT>
+  struct Embedded
   {
-    BaseMesh Mesh;
+    MeshT Mesh;
     WriterOptions Options;
     std::unique_ptr<Internals> File;
   };
+  using Level = Embedded<BaseMesh>;
 
   void WriteMesh(const Progress& progress);
   void FindPalettes();
   void BeginLevels(const Progress& progress);
   std::unique_ptr<Level> MakeLevel(std::uint32_t merges, const Progress& progress) const;
-  void WriteLevelSteps(std::span<const void* const> values, bool hasTime, double time);
+  void WriteBoundary(const Progress& progress);
+  template <typename MeshT>
+  void WriteEmbeddedStep(const Embedded<MeshT>& embedded, std::span<const void* const> values,
+    bool hasTime, double time) const;
+  std::uint64_t AddEmbedded(FourCC section, Internals& embedded);
   void CheckLayers(const StepTable& step) const;
   void WriteTables();
 
@@ -76,6 +83,7 @@ private:
   std::optional<TreeSection> Tree;
   std::vector<std::uint32_t> Merges; // of the levels
   std::vector<std::unique_ptr<Level>> Levels;
+  std::unique_ptr<Embedded<BoundaryMesh>> Boundary;
 };
 
 //------------------------------------------------------------------------------
@@ -83,6 +91,11 @@ void FileWriter::Internals::Begin(const Progress& progress)
 {
   this->State.Describe(this->Part.Mesh);
   this->Mesh.MakeLayout(this->Part, progress);
+  if (this->State.Options.Boundary)
+  {
+    this->Boundary = std::make_unique<Embedded<BoundaryMesh>>(Embedded<BoundaryMesh>{
+      BoundaryMesh(this->Part.Mesh, this->Part.Layout), this->State.Options, nullptr });
+  }
   this->Mesh.AddChunks(this->Part);
   this->Mesh.AddGroups(this->Part);
   this->State.Meta.UnusedPoints = this->Part.Layout.UnusedPoints.size();
@@ -96,6 +109,10 @@ void FileWriter::Internals::Begin(const Progress& progress)
     this->WriteMesh(progress);
     this->Tree.emplace(this->State, this->Part);
     this->BeginLevels(progress);
+  }
+  if (this->Boundary)
+  {
+    this->WriteBoundary(progress);
   }
 }
 
@@ -151,6 +168,7 @@ std::unique_ptr<FileWriter::Internals::Level> FileWriter::Internals::MakeLevel(
   WriterOptions& options = level->Options;
   options.Keep = KeepNone;
   options.Levels = 0;
+  options.Boundary = false;
   options.Tree = &level->Mesh.GetTree();
   Bytes layerValues; // needed until the mesh has been written
   if (options.Layers)
@@ -166,22 +184,36 @@ std::unique_ptr<FileWriter::Internals::Level> FileWriter::Internals::MakeLevel(
 }
 
 //------------------------------------------------------------------------------
-void FileWriter::Internals::WriteLevelSteps(
-  std::span<const void* const> values, bool hasTime, double time)
+/** Writes the boundary, without values, to a file of its own. */
+void FileWriter::Internals::WriteBoundary(const Progress& progress)
 {
-  for (const auto& level : this->Levels)
+  WriterOptions& options = this->Boundary->Options;
+  options.Keep = KeepNone;
+  options.Tree = nullptr;
+  options.Levels = 0;
+  options.Layers.reset();
+  options.Boundary = false;
+  options.IsSurface = true;
+  this->Boundary->File =
+    std::make_unique<Internals>(*this, this->Boundary->Mesh.GetInput(), options);
+  this->Boundary->File->WriteMesh([&](double) { return !progress || progress(1); });
+}
+
+//------------------------------------------------------------------------------
+template <typename MeshT>
+void FileWriter::Internals::WriteEmbeddedStep(const Embedded<MeshT>& embedded,
+  std::span<const void* const> values, bool hasTime, double time) const
+{
+  std::vector<Bytes> gathered;
+  std::vector<const void*> pointers;
+  for (std::size_t a = 0; a < values.size(); ++a)
   {
-    std::vector<Bytes> gathered;
-    std::vector<const void*> pointers;
-    for (std::size_t a = 0; a < values.size(); ++a)
-    {
-      const auto& array = this->State.Meta.Arrays[a];
-      gathered.push_back(
-        level->Mesh.Gather(values[a], array.Where, array.Components * SizeOf(array.Type)));
-      pointers.push_back(gathered.back().data());
-    }
-    level->File->WriteStep(pointers, {}, hasTime, time, {});
+    const auto& array = this->State.Meta.Arrays[a];
+    gathered.push_back(
+      embedded.Mesh.Gather(values[a], array.Where, array.Components * SizeOf(array.Type)));
+    pointers.push_back(gathered.back().data());
   }
+  embedded.File->WriteStep(pointers, {}, hasTime, time, {});
 }
 
 //------------------------------------------------------------------------------
@@ -208,7 +240,14 @@ void FileWriter::Internals::WriteStep(std::span<const void* const> values, const
   if (this->Tree)
   {
     this->Tree->WriteStep(arrays);
-    this->WriteLevelSteps(values, hasTime, time);
+    for (const auto& level : this->Levels)
+    {
+      this->WriteEmbeddedStep(*level, values, hasTime, time);
+    }
+  }
+  if (this->Boundary)
+  {
+    this->WriteEmbeddedStep(*this->Boundary, values, hasTime, time);
   }
 }
 
@@ -246,6 +285,14 @@ void FileWriter::Internals::WriteTables()
 }
 
 //------------------------------------------------------------------------------
+/** Completes an embedded file and adds it. Returns its size. */
+std::uint64_t FileWriter::Internals::AddEmbedded(FourCC section, Internals& embedded)
+{
+  embedded.WriteTables();
+  return this->State.File.AddSection(section, embedded.State.File);
+}
+
+//------------------------------------------------------------------------------
 FileStatistics FileWriter::Internals::Finish()
 {
   if (!this->IsMeshWritten)
@@ -254,9 +301,12 @@ FileStatistics FileWriter::Internals::Finish()
   }
   for (const auto& level : this->Levels)
   {
-    level->File->WriteTables();
-    this->State.Statistics.LevelBytes +=
-      this->State.File.AddSection(SectionLevel, level->File->State.File);
+    this->State.Statistics.LevelBytes += this->AddEmbedded(SectionLevel, *level->File);
+  }
+  if (this->Boundary)
+  {
+    this->State.Statistics.BoundaryBytes =
+      this->AddEmbedded(SectionBoundary, *this->Boundary->File);
   }
   this->WriteTables();
   return this->State.Commit(this->State.File);

@@ -25,6 +25,17 @@ SimplifiedFile& SharedFile::GetHierarchy()
 }
 
 //------------------------------------------------------------------------------
+std::shared_ptr<const FileReader> SharedFile::GetBoundary()
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  if (!this->Boundary)
+  {
+    this->Boundary = this->File->OpenBoundary();
+  }
+  return this->Boundary;
+}
+
+//------------------------------------------------------------------------------
 std::shared_ptr<ChunkCache> SharedFile::MakeView(
   const std::shared_ptr<const FileReader>& mesh, bool keepsChunks)
 {
@@ -59,6 +70,8 @@ ChunkCacheStatistics SharedFile::GetStatistics() const
 std::uint64_t SharedFile::GetBytesRead() const
 {
   const std::lock_guard<std::mutex> lock(this->Guard);
-  return this->Hierarchy ? this->Hierarchy->GetBytesRead() : this->File->GetBytesRead();
+  const auto read =
+    this->Hierarchy ? this->Hierarchy->GetBytesRead() : this->File->GetBytesRead();
+  return read + (this->Boundary ? this->Boundary->GetBytesRead() : 0);
 }
 }

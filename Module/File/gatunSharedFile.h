@@ -18,8 +18,8 @@
 namespace gatun
 {
 /**
- * An open file and everything that its consumers share: one FileReader, the merge tree and the base
- * meshes, the caches of decoded parts, and one budget for all of them. The file is opened once, in
+ * An open file and everything that its consumers share: one FileReader, the merge tree, the base
+ * meshes and the boundary, the caches of decoded parts, and one budget for all of them. The file is opened once, in
  * the constructor. Thread safe.
  */
 class VTKGATUNCORE_EXPORT SharedFile
@@ -36,7 +36,11 @@ public:
   /** The merge tree and the base meshes. Throws InvalidInput if the file has no hierarchy. */
   SimplifiedFile& GetHierarchy();
 
-  /** The decoded parts of the file or of one of its base meshes, for one consumer: every call
+  /** The boundary of the mesh in the file, opened at the first call. Throws InvalidInput if there is
+   * none. */
+  std::shared_ptr<const FileReader> GetBoundary();
+
+  /** The decoded parts of the file, of its boundary, or of one of its base meshes, for one consumer: every call
    * returns another view of the same cache, with statistics of its own. A view that does not keep
    * chunks finds those of the others. */
   std::shared_ptr<ChunkCache> MakeView(
@@ -45,7 +49,7 @@ public:
   /** The decoding that all consumers have done, and the memory of decoded parts. */
   ChunkCacheStatistics GetStatistics() const;
 
-  /** Bytes read from the file since it was opened, for base meshes too. */
+  /** Bytes read from the file since it was opened, for base meshes and the boundary too. */
   std::uint64_t GetBytesRead() const;
 
 private:
@@ -53,6 +57,7 @@ private:
   const std::shared_ptr<CacheBudget> Budget;
   mutable std::mutex Guard; // of what follows
   std::unique_ptr<SimplifiedFile> Hierarchy;
+  std::shared_ptr<const FileReader> Boundary;
   std::map<const FileReader*, std::shared_ptr<ChunkCache>> Caches; // each keeps its mesh alive
 };
 }

@@ -3,6 +3,7 @@
 
 #include "gatunVerifyFile.h"
 
+#include "gatunBoundaryCheck.h"
 #include "gatunChunkCache.h"
 #include "gatunFileReaderInternals.h"
 #include "gatunPartDecoder.h"
@@ -138,6 +139,7 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
   PermutationCheck points(file, file.GetNumberOfPoints(), "point ");
   PermutationCheck cells(file, file.GetNumberOfCells(), "cell ");
   TypeCheck types;
+  BoundaryCheck boundary(file);
   for (std::size_t round = 0; round < rounds; ++round)
   {
     PieceRequest request;
@@ -152,6 +154,7 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
     request.WithUnusedPoints = round == 0;
     request.Form = PieceForm::Original;
     PieceDecoder decoder(cache);
+    boundary.BeginPart(rounds > 1);
     for (std::size_t step = 0; step < steps; ++step)
     {
       request.Step = step;
@@ -161,10 +164,12 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
       std::vector<std::int64_t> pointIds(pointCount), cellIds(cellCount);
       std::vector<unsigned char> pointGhosts(pointCount);
       std::vector<std::vector<std::uint8_t>> values;
+      Bytes coordinates(file.HasBoundary() ? pointCount * 3 * SizeOf(file.GetCoordinateType()) : 0);
       PieceCells memory(decoder.IsTetrahedral(), cellCount,
         static_cast<std::size_t>(decoder.GetConnectivitySize()),
         static_cast<std::size_t>(decoder.GetFacesSize()));
       PieceTarget target = memory.GetTarget();
+      target.Points = coordinates.empty() ? nullptr : coordinates.data();
       target.GlobalPointIds = pointIds.data();
       target.GlobalCellIds = cellIds.data();
       target.PointGhosts = pointGhosts.data();
@@ -191,10 +196,12 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
         cells.Add(cellIds[c]);
       }
       types.Add(target.Types, step == 0 ? cellCount : 0);
+      boundary.AddStep(request, target, pointCount, cellCount);
     }
     VerifyCells(parts, request.Chunks);
   }
   types.Compare(file);
+  boundary.Compare();
 }
 }
 
@@ -215,6 +222,11 @@ bool VerifyFile(const FileReader& file, const std::function<bool(double)>& progr
     if (file.HasMergeTree())
     {
       file.GetMergeTree();
+    }
+    if (file.HasBoundary() &&
+      !VerifyFile(*file.OpenBoundary(), [&](double) { return !progress || progress(1); }))
+    {
+      return false;
     }
     for (std::size_t level = 0; level < file.GetLevels().size(); ++level)
     {

@@ -24,6 +24,10 @@ void CheckSurface(const MeshInput& mesh, const WriterOptions& options)
   {
     ThrowInvalid("layers are made of tetrahedra, and surfaces have none");
   }
+  if (options.Boundary)
+  {
+    ThrowInvalid("surfaces have no boundary to write");
+  }
   if (mesh.Cells > 0 &&
     !(mesh.Types && std::all_of(mesh.Types, mesh.Types + mesh.Cells, IsSurfaceCell)))
   {

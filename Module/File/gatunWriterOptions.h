@@ -39,6 +39,12 @@ struct WriterOptions
    * to some 20,000 tetrahedra. Base meshes need a tree. */
   unsigned Levels = 0;
 
+  /** Whether to store the boundary of the mesh as a surface: the faces that only one cell has, and
+   * the cells that are surfaces, lines and vertices, with all arrays and time steps. Not possible
+   * for surfaces. Nonlinear cells have the faces of the linear ones with their corners; convex
+   * point sets have none. */
+  bool Boundary = false;
+
   /** The layers to organize the file and its base meshes by, if any. */
   std::optional<LayerRequest> Layers;
 };

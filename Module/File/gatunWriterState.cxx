@@ -20,11 +20,12 @@ constexpr std::uint32_t LargeChunkTets = 262144;
 
 std::uint16_t GetMinorVersion(const WriterOptions& options, bool hasCells)
 {
-  return options.IsSurface ? MinorVersionOfSurfaces
-    : hasCells             ? MinorVersionWithCells
-    : options.Layers       ? MinorVersionWithLayers
-    : options.Tree         ? MinorVersionWithTree
-                           : MinorVersionPlain;
+  return options.Boundary ? MinorVersionWithBoundary
+    : options.IsSurface   ? MinorVersionOfSurfaces
+    : hasCells            ? MinorVersionWithCells
+    : options.Layers      ? MinorVersionWithLayers
+    : options.Tree        ? MinorVersionWithTree
+                          : MinorVersionPlain;
 }
 }
 
@@ -164,7 +165,7 @@ FileStatistics WriterState::Commit(OutputFile& file)
   FileStatistics& s = this->Statistics;
   s.FileBytes = file.Commit();
   s.DirectoryBytes = s.FileBytes - s.ConnectivityBytes - s.GeometryBytes - s.SharedGeometryBytes -
-    s.OrderBytes - s.FieldDataBytes - s.TreeBytes - s.LevelBytes;
+    s.OrderBytes - s.FieldDataBytes - s.TreeBytes - s.LevelBytes - s.BoundaryBytes;
   for (const auto bytes : s.ArrayBytes)
   {
     s.DirectoryBytes -= bytes;

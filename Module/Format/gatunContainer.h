@@ -45,6 +45,7 @@ constexpr FourCC SectionLayers = MakeFourCC("LAYR");   // the layers of values t
 constexpr FourCC SectionCells =
   MakeFourCC("CELL"); // types and sizes of other cells than tetrahedra
 constexpr FourCC SectionSurface = MakeFourCC("SURF");   // the mesh is a surface
+constexpr FourCC SectionBoundary = MakeFourCC("BNDY");  // the boundary: a file of a surface
 constexpr FourCC SectionDirectory = MakeFourCC("DIRY"); // positions of the sections
 
 constexpr FourCC SectionBlocks = MakeFourCC("BLKS"); // streams of blocks of a volume
@@ -61,7 +62,7 @@ struct ContainerKind
 
 inline constexpr std::array MeshSections{ SectionMeta, SectionMesh, SectionTable, SectionPages,
   SectionValues, SectionStep, SectionTree, SectionMerges, SectionTreeStep, SectionLevel,
-  SectionLayers, SectionCells, SectionSurface, SectionDirectory };
+  SectionLayers, SectionCells, SectionSurface, SectionBoundary, SectionDirectory };
 inline constexpr ContainerKind MeshContainer{ ".gtn", FileMagic, TrailerMagic,
   GATUN_FORMAT_VERSION_MAJOR, MeshSections };
 
@@ -81,6 +82,7 @@ constexpr std::uint16_t MinorVersionWithTree = 1;
 constexpr std::uint16_t MinorVersionWithLayers = 2;
 constexpr std::uint16_t MinorVersionWithCells = 3;
 constexpr std::uint16_t MinorVersionOfSurfaces = 4;
+constexpr std::uint16_t MinorVersionWithBoundary = 5;
 
 /** Whether a path names a regular file with the signature of a format. */
 bool BeginsAs(const std::string& path, const ContainerKind& kind) noexcept;

@@ -206,6 +206,7 @@ struct FileStatistics
   std::uint64_t FieldDataBytes = 0;
   std::uint64_t TreeBytes = 0;      ///< the merge tree and the ranges after merges
   std::uint64_t LevelBytes = 0;     ///< base meshes with their arrays
+  std::uint64_t BoundaryBytes = 0;  ///< the boundary with its arrays
   std::uint64_t DirectoryBytes = 0; ///< headers, tables, meta data
 };
 }

@@ -16,13 +16,15 @@ except ImportError as error:
     print(error)
     sys.exit(golden.gm.SKIPPED)
 
+from gtn_boundary import check_boundary
 from gtn_container import FormatError
 from gtn_decoder import Decoder
 from gtn_layers import check_layers
 from gtn_tree import check_level, check_ranges
 
 SMALLEST = {"v1.0": "one_tet.gtn", "v1.1": "two_tets_and_one.gtn", "v1.2": "two_layers.gtn",
-            "v1.3": "two_cells.gtn", "v1.4": "two_faces.gtn"}
+            "v1.3": "two_cells.gtn", "v1.4": "two_faces.gtn",
+            "v1.5": "one_tet.gtn"}
 
 
 def is_rejected(data):
@@ -40,6 +42,14 @@ for folder in golden.folders():
             described = describe_decoded(file.read())
         golden.assert_same(expected, described, path)
         golden.assert_same(golden.describe_read(path), described, path)
+
+    for name in golden.expected(folder):
+        with open(os.path.join(folder, name), "rb") as file:
+            decoder = Decoder(file.read())
+        boundary = decoder.boundary()
+        assert (boundary is not None) == (folder.endswith("v1.5")), name
+        if boundary is not None:
+            check_boundary(decoder, boundary)
 
     trees = os.path.join(folder, "trees.txt")
     if os.path.exists(trees):

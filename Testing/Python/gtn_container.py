@@ -32,7 +32,7 @@ MAGIC = bytes.fromhex("8947544E0D0A1A0A")
 END_MAGIC = b"GTNEND\r\n"
 SECTIONS = (
     b"META", b"TABL", b"PAGE", b"STEP", b"MESH", b"VALS", b"TREE", b"MERG", b"TRNG", b"LEVL",
-    b"LAYR", b"CELL", b"SURF", b"DIRY")
+    b"LAYR", b"CELL", b"SURF", b"BNDY", b"DIRY")
 STREAMS = (b"PAGE", b"MESH", b"VALS", b"MERG")  # sections of streams
 
 
@@ -184,6 +184,9 @@ class Container:
         self.tree = None
         if any(section.name == b"TREE" for section in sections):
             self._read_tree(sections)
+        boundaries = [section for section in sections if section.name == b"BNDY"]
+        require(len(boundaries) <= 1 - self.is_surface, "number of boundaries")
+        self.boundary = self._content(boundaries[0]) if boundaries else None
 
     def _check_surface(self, sections):
         """Section SURF (16.1)."""
@@ -258,7 +261,7 @@ class Container:
 
     def _content(self, section):
         data = self._payload(section)
-        if section.name in STREAMS or section.name in (b"LEVL", b"SURF"):
+        if section.name in STREAMS or section.name in (b"LEVL", b"SURF", b"BNDY"):
             return data
         of_step = section.name in (b"STEP", b"TRNG")
         content = unpack(data, step_limit if of_step else table_limit)

@@ -16,6 +16,7 @@ from collections import Counter
 import numpy as np
 
 from gtn_arrays import ChunkMesh, decode_list
+from gtn_boundary import open_boundary
 from gtn_coding import FLOAT32, FLOAT64, UINT32, UINT64, Domain
 from gtn_container import (
     CELLS, KEEP_CELLS, KEEP_CORNERS, KEEP_POINTS, POINTS, Container, FormatError, require)
@@ -224,6 +225,10 @@ class Decoder:
     def level(self, number):
         """A base mesh, as a decoder of its own."""
         return open_level(self, number, Decoder)
+
+    def boundary(self):
+        """The boundary in the file, as a decoder of its own, or None."""
+        return None if self.container.boundary is None else open_boundary(self, Decoder)
 
     def _decode_merges(self):
         tree = self.container.tree

@@ -151,6 +151,7 @@ def open_level(whole, number, make):
     require(other.has_time == one.has_time and other.arrays == one.arrays, "arrays of a base mesh")
     times = [[step.time for step in decoder.steps] for decoder in (whole, level)]
     require(times[0] == times[1], "steps of a base mesh")
+    require(level.container.boundary is None, "boundary of a base mesh")
     tree = level.container.tree
     require(tree is not None and not tree.levels, "tree of a base mesh")
     require(tree.merges == whole.container.tree.merges - merges, "merges of a base mesh")

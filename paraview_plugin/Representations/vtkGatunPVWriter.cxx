@@ -63,28 +63,32 @@ int vtkGatunPVWriter::Write()
 //------------------------------------------------------------------------------
 int vtkGatunPVWriter::WriteFile()
 {
-  const bool needsWhole = this->Hierarchy || (this->LayerArray && *this->LayerArray);
+  const bool needsWhole =
+    this->Hierarchy || this->WriteBoundary || (this->LayerArray && *this->LayerArray);
   return needsWhole && this->Controller && this->Controller->GetNumberOfProcesses() > 1
     ? this->WriteWhole(this->FileName)
     : this->Superclass::Write();
 }
 
 //------------------------------------------------------------------------------
-// All processes write a file without a hierarchy and layers, from which the first one makes the
-// file that is wanted.
+// All processes write a file without a hierarchy, a boundary and layers, from which the first one
+// makes the file that is wanted.
 int vtkGatunPVWriter::WriteWhole(const std::string& name)
 {
   const std::string parts = name + ".parts";
   const std::string layers = this->LayerArray ? this->LayerArray : "";
   const bool hasTree = this->Hierarchy;
+  const bool hasBoundary = this->WriteBoundary;
   const int order = this->KeepOrder;
   this->SetKeepOrder(KEEP_ALL); // the order of merges is that of one process
   this->SetHierarchy(false);
+  this->SetWriteBoundary(false);
   this->SetLayerArray(nullptr);
   this->SetFileName(parts.c_str());
   int succeeded = this->Superclass::Write();
   this->SetKeepOrder(order);
   this->SetHierarchy(hasTree);
+  this->SetWriteBoundary(hasBoundary);
   this->SetLayerArray(layers.c_str());
   if (!succeeded)
   {
@@ -109,6 +113,7 @@ int vtkGatunPVWriter::WriteWhole(const std::string& name)
     writer->SetKeyStepInterval(this->KeyStepInterval);
     writer->SetHierarchy(hasTree);
     writer->SetLevels(this->Levels);
+    writer->SetWriteBoundary(hasBoundary);
     writer->SetMetric(this->Metric);
     writer->SetBoundaryWeight(this->BoundaryWeight);
     writer->SetLayerArray(layers.c_str());
