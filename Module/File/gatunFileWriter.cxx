@@ -196,7 +196,7 @@ void FileWriter::Internals::WriteBoundary(const Progress& progress)
   options.IsSurface = true;
   this->Boundary->File =
     std::make_unique<Internals>(*this, this->Boundary->Mesh.GetInput(), options);
-  this->Boundary->File->WriteMesh([&](double) { return !progress || progress(1); });
+  this->Boundary->File->Begin([&](double) { return !progress || progress(1); });
 }
 
 //------------------------------------------------------------------------------
@@ -270,6 +270,10 @@ void FileWriter::Internals::CheckLayers(const StepTable& step) const
 //------------------------------------------------------------------------------
 void FileWriter::Internals::WriteTables()
 {
+  if (!this->IsMeshWritten)
+  {
+    this->WriteMesh({});
+  }
   OutputFile& file = this->State.File;
   this->State.WriteTables(file);
   if (this->Mesh.GetLayers())
@@ -295,10 +299,6 @@ std::uint64_t FileWriter::Internals::AddEmbedded(FourCC section, Internals& embe
 //------------------------------------------------------------------------------
 FileStatistics FileWriter::Internals::Finish()
 {
-  if (!this->IsMeshWritten)
-  {
-    this->WriteMesh({});
-  }
   for (const auto& level : this->Levels)
   {
     this->State.Statistics.LevelBytes += this->AddEmbedded(SectionLevel, *level->File);

@@ -70,8 +70,7 @@ ChunkCacheStatistics SharedFile::GetStatistics() const
 std::uint64_t SharedFile::GetBytesRead() const
 {
   const std::lock_guard<std::mutex> lock(this->Guard);
-  const auto read =
-    this->Hierarchy ? this->Hierarchy->GetBytesRead() : this->File->GetBytesRead();
+  const auto read = this->Hierarchy ? this->Hierarchy->GetBytesRead() : this->File->GetBytesRead();
   return read + (this->Boundary ? this->Boundary->GetBytesRead() : 0);
 }
 }

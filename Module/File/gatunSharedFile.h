@@ -19,8 +19,8 @@ namespace gatun
 {
 /**
  * An open file and everything that its consumers share: one FileReader, the merge tree, the base
- * meshes and the boundary, the caches of decoded parts, and one budget for all of them. The file is opened once, in
- * the constructor. Thread safe.
+ * meshes and the boundary, the caches of decoded parts, and one budget for all of them. The file is
+ * opened once, in the constructor. Thread safe.
  */
 class VTKGATUNCORE_EXPORT SharedFile
 {
@@ -36,13 +36,13 @@ public:
   /** The merge tree and the base meshes. Throws InvalidInput if the file has no hierarchy. */
   SimplifiedFile& GetHierarchy();
 
-  /** The boundary of the mesh in the file, opened at the first call. Throws InvalidInput if there is
-   * none. */
+  /** The boundary of the mesh in the file, opened at the first call. Throws InvalidInput if there
+   * is none. */
   std::shared_ptr<const FileReader> GetBoundary();
 
-  /** The decoded parts of the file, of its boundary, or of one of its base meshes, for one consumer: every call
-   * returns another view of the same cache, with statistics of its own. A view that does not keep
-   * chunks finds those of the others. */
+  /** The decoded parts of the file, of its boundary, or of one of its base meshes, for one
+   * consumer: every call returns another view of the same cache, with statistics of its own. A view
+   * that does not keep chunks finds those of the others. */
   std::shared_ptr<ChunkCache> MakeView(
     const std::shared_ptr<const FileReader>& mesh, bool keepsChunks);
 

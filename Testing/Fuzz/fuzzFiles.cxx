@@ -164,6 +164,10 @@ void DecodeTree(const std::shared_ptr<const FileReader>& file)
   {
     DecodeTree(file->OpenLevel(level)); // which has no base meshes itself
   }
+  if (file->HasBoundary())
+  {
+    DecodeTree(file->OpenBoundary()); // which has neither
+  }
 }
 }
 
