@@ -35,6 +35,8 @@ void AddSimplifyPicture(CLI::App& app);
 void AddSimplifySurface(CLI::App& app);
 void AddSurface(CLI::App& app);
 void AddSurfaceMemory(CLI::App& app);
+void AddMakeSurface(CLI::App& app);
+void AddSurfaceFiles(CLI::App& app);
 void AddVolumeBlocks(CLI::App& app);
 void AddVolumePictures(CLI::App& app);
 void AddVolumeRates(CLI::App& app);

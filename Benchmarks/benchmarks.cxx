@@ -42,6 +42,8 @@ int main(int argc, char* argv[])
   bench::AddSimplifySurface(app);
   bench::AddSurface(app);
   bench::AddSurfaceMemory(app);
+  bench::AddMakeSurface(app);
+  bench::AddSurfaceFiles(app);
   bench::AddVolumeBlocks(app);
   bench::AddVolumePictures(app);
   bench::AddVolumeRates(app);
