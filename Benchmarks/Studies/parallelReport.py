@@ -61,8 +61,9 @@ def _memory(results):
         along the longest axis; *scattered* ones have cells at random, the worst case, in which nearly
         all points are on boundaries. The share of a process is what its part takes in VTK. Memory is
         the share and what the process takes beside it at its peak, relative to the share, of the process
-        and the round with most; the goal is 1.5 for compact parts. Messages are those of all processes, in MiB and relative to the mesh.
-        One process sends nothing, and keeps more, because it writes the mesh before the values. The size
+        and the round with most; the goal is 1.5 for compact parts. Messages are those of all processes,
+        in MiB and relative to the mesh. One process sends nothing. Some memory of each thread does not
+        depend on the share. The size
         of the file is relative to that of `gtn pack`. Each file was verified against the mesh.""") + \
         "\n" + table(["processes", "parts", "share, MiB", "memory / share", "sent, MiB", "sent / mesh",
                       "size / whole"], rows)

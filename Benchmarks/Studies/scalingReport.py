@@ -211,7 +211,8 @@ def _many(results):
     return "## A file of many chunks\n\n" + paragraph(f"""A lattice of {many["tets"]:,} tetrahedra in
         {many["chunks"]:,} chunks, {size(many["bytes"])}. Its tables are those of {many["chunks"] * 262144:.2g} tetrahedra in chunks of
         the usual size. Memory is what opening keeps, and the peak of `gtn render` with opaque values, from
-        its start to the image.""") + "\n" + table(["", "time", "memory"], rows)
+        its start to the image. About half of the latter are the program and its libraries. The image of the
+        whole mesh needs every chunk on its near side, which are very small here.""") + "\n" + table(["", "time", "memory"], rows)
 
 
 def predictions(k):

@@ -45,7 +45,8 @@ public:
   {
   }
 
-  void WriteMesh(const Progress& progress);
+  /** Divides the mesh into chunks, and encodes them if they must not wait for the values. */
+  void Begin(const Progress& progress);
   void WriteStep(std::span<const void* const> values, const FieldData& field, bool hasTime,
     double time, const Progress& progress);
   FileStatistics Finish();
@@ -59,6 +60,7 @@ private:
     std::unique_ptr<Internals> File;
   };
 
+  void WriteMesh(const Progress& progress);
   void FindPalettes();
   void BeginLevels(const Progress& progress);
   std::unique_ptr<Level> MakeLevel(std::uint32_t merges, const Progress& progress) const;
@@ -70,13 +72,14 @@ private:
   WriterPart Part; // all of the mesh
   MeshSection Mesh{ State };
   StepSection Steps{ State };
+  bool IsMeshWritten = false;
   std::optional<TreeSection> Tree;
   std::vector<std::uint32_t> Merges; // of the levels
   std::vector<std::unique_ptr<Level>> Levels;
 };
 
 //------------------------------------------------------------------------------
-void FileWriter::Internals::WriteMesh(const Progress& progress)
+void FileWriter::Internals::Begin(const Progress& progress)
 {
   this->State.Describe(this->Part.Mesh);
   this->Mesh.MakeLayout(this->Part, progress);
@@ -88,12 +91,19 @@ void FileWriter::Internals::WriteMesh(const Progress& progress)
   this->Part.PlaceShared(this->State.Table, this->Part.Layout.SharedPoints);
   this->Part.Layout.SharedPoints = {};
   this->FindPalettes();
-  this->Mesh.Write(this->Part, progress);
-  if (this->State.Options.Tree)
+  if (this->State.Options.Tree) // it needs the order of the points in all chunks
   {
+    this->WriteMesh(progress);
     this->Tree.emplace(this->State, this->Part);
     this->BeginLevels(progress);
   }
+}
+
+//------------------------------------------------------------------------------
+void FileWriter::Internals::WriteMesh(const Progress& progress)
+{
+  this->Mesh.Write(this->Part, progress);
+  this->IsMeshWritten = true;
 }
 
 //------------------------------------------------------------------------------
@@ -151,7 +161,7 @@ std::unique_ptr<FileWriter::Internals::Level> FileWriter::Internals::MakeLevel(
     options.Layers->Values = layerValues.data();
   }
   level->File = std::make_unique<Internals>(*this, level->Mesh.GetInput(), options);
-  level->File->WriteMesh([&](double) { return !progress || progress(1); });
+  level->File->Begin([&](double) { return !progress || progress(1); });
   return level;
 }
 
@@ -179,7 +189,16 @@ void FileWriter::Internals::WriteStep(std::span<const void* const> values, const
   bool hasTime, double time, const Progress& progress)
 {
   const StepValues all{ values, &field, hasTime, time };
-  const StepInput& step = this->Steps.WriteValues(this->Part, all, progress);
+  // Without time, no step follows that would need the chunks again.
+  const bool isTogether = !this->IsMeshWritten && !hasTime;
+  if (!this->IsMeshWritten && hasTime)
+  {
+    this->WriteMesh(progress);
+  }
+  const StepInput& step = isTogether
+    ? this->Steps.WriteWithMesh(this->Mesh, this->Part, all, progress)
+    : this->Steps.WriteValues(this->Part, all, progress);
+  this->IsMeshWritten = true;
   if (this->Steps.GetCount() == 0 && this->Mesh.GetLayers())
   {
     this->CheckLayers(step.Table);
@@ -229,6 +248,10 @@ void FileWriter::Internals::WriteTables()
 //------------------------------------------------------------------------------
 FileStatistics FileWriter::Internals::Finish()
 {
+  if (!this->IsMeshWritten)
+  {
+    this->WriteMesh({});
+  }
   for (const auto& level : this->Levels)
   {
     level->File->WriteTables();
@@ -247,7 +270,7 @@ FileWriter::FileWriter(const std::string& path, const MeshInput& mesh,
   CheckWriterInput(mesh, arrays, options);
   KeepFreedMemory();
   this->Self = std::make_unique<Internals>(path, mesh, arrays, options);
-  this->Self->WriteMesh(progress);
+  this->Self->Begin(progress);
 }
 
 //------------------------------------------------------------------------------

@@ -23,8 +23,8 @@ namespace gatun
  *
  * The file appears at its path when Finish returns. Until then, and after any failure, an existing
  * file is untouched. The writer uses all threads of vtkSMPTools; the bytes do not depend on their
- * number. Peak memory is below 3 times the size of the mesh and one step of its arrays; base meshes
- * take as much again.
+ * number. Peak memory is below 3 times the size of the mesh and one step of its arrays, or below 2
+ * times without time steps and hierarchy; base meshes take as much again.
  *
  * Every method may throw Error (InvalidInput, CannotWrite, Aborted), after which only the
  * destructor may be called. Not thread safe.
@@ -36,9 +36,9 @@ public:
    * Called only from the thread that called the writer. */
   using Progress = std::function<bool(double)>;
 
-  /** Partitions the mesh and encodes it into a temporary file in the folder of path. Throws if a
-   * tetrahedron refers to a point that does not exist. Array names may repeat; their order is kept.
-   */
+  /** Partitions the mesh and makes a temporary file in the folder of path. Throws if a tetrahedron
+   * refers to a point that does not exist. Array names may repeat; their order is kept. The mesh is
+   * encoded with the first step, or by Finish if there is none. */
   FileWriter(const std::string& path, const MeshInput& mesh,
     const std::vector<ArrayDescription>& arrays, const WriterOptions& options,
     const Progress& progress = {});

@@ -90,7 +90,6 @@ private:
   void SendPoints();
   void PlaceParts();
   void EndPart();
-  void WriteTogether(const StepValues& values, const Progress& progress);
   void ApplyJoins(const PartJoins& joins);
   bool HasNumbers() const
   {
@@ -455,7 +454,7 @@ void PartWriter::Internals::WriteStep(std::span<const void* const> values, const
   if (this->IsDeferred)
   {
     this->IsDeferred = false;
-    this->WriteTogether(all, progress);
+    this->Steps.WriteWithMesh(this->Mesh, *this->Part, all, progress);
   }
   else
   {
@@ -466,20 +465,6 @@ void PartWriter::Internals::WriteStep(std::span<const void* const> values, const
   {
     this->EndPart(); // before the caller gets the next part
   }
-}
-
-//------------------------------------------------------------------------------
-/** Writes the mesh of the part and its only step. Nothing of a chunk is kept but its streams. */
-void PartWriter::Internals::WriteTogether(const StepValues& values, const Progress& progress)
-{
-  this->Steps.Prepare(*this->Part, values);
-  this->Mesh.Write(*this->Part, progress,
-    [&](std::size_t chunk)
-    {
-      this->Steps.EncodeAhead(*this->Part, chunk);
-      this->Part->Chunks[chunk] = {};
-    });
-  this->Steps.WritePrepared(*this->Part, {});
 }
 
 //------------------------------------------------------------------------------

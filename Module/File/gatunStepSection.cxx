@@ -176,9 +176,17 @@ void StepSection::Prepare(const WriterPart& part, const StepValues& values)
 }
 
 //------------------------------------------------------------------------------
-void StepSection::EncodeAhead(WriterPart& part, std::size_t chunk)
+StepInput& StepSection::WriteWithMesh(MeshSection& mesh, WriterPart& part, const StepValues& values,
+  const std::function<bool(double)>& progress)
 {
-  this->Ahead[chunk] = this->EncodeChunk(part, chunk);
+  this->Prepare(part, values);
+  mesh.Write(part, progress,
+    [&](std::size_t chunk)
+    {
+      this->Ahead[chunk] = this->EncodeChunk(part, chunk);
+      part.Chunks[chunk] = {};
+    });
+  return this->WritePrepared(part, {});
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 
 #include "gatunArrayInput.h"
 #include "gatunFieldData.h"
+#include "gatunMeshSection.h"
 #include "gatunPalette.h"
 #include "gatunWriterPart.h"
 #include "gatunWriterState.h"
@@ -71,14 +72,10 @@ public:
   StepInput& WriteValues(
     WriterPart& part, const StepValues& values, const std::function<bool(double)>& progress);
 
-  /** The same in three calls, so that the chunks need their state only one after the other: Prepare
-   * describes the step, EncodeAhead encodes the values of a chunk, and WritePrepared writes all.
-   * EncodeAhead may be called by several threads. */
-  ///@{
-  void Prepare(const WriterPart& part, const StepValues& values);
-  void EncodeAhead(WriterPart& part, std::size_t chunk);
-  StepInput& WritePrepared(WriterPart& part, const std::function<bool(double)>& progress);
-  ///@}
+  /** The same for the only step of a part, together with the mesh of the part: nothing of a chunk
+   * stays in memory but the streams of its values. */
+  StepInput& WriteWithMesh(MeshSection& mesh, WriterPart& part, const StepValues& values,
+    const std::function<bool(double)>& progress);
 
   /** Writes the STEP section, if this is the last part, and keeps the values of the part for the
    * prediction of the next step. */
@@ -95,6 +92,8 @@ public:
   StepPalettes FindPalettes(const WriterPart& part, std::span<const void* const> values) const;
 
 private:
+  void Prepare(const WriterPart& part, const StepValues& values);
+  StepInput& WritePrepared(WriterPart& part, const std::function<bool(double)>& progress);
   void Check(const WriterPart& part, const StepValues& values) const;
   void Begin(const WriterPart& part, const StepValues& values);
   void AddArray(std::size_t a, const WriterPart& part, const void* values);
