@@ -36,6 +36,8 @@ void AddSimplifySurface(CLI::App& app);
 void AddSurface(CLI::App& app);
 void AddSurfaceDraw(CLI::App& app);
 void AddSurfaceMemory(CLI::App& app);
+void AddMakeSurface(CLI::App& app);
+void AddSurfaceFiles(CLI::App& app);
 void AddVolumeBlocks(CLI::App& app);
 void AddVolumePictures(CLI::App& app);
 void AddVolumeRates(CLI::App& app);

@@ -43,6 +43,8 @@ int main(int argc, char* argv[])
   bench::AddSurface(app);
   bench::AddSurfaceDraw(app);
   bench::AddSurfaceMemory(app);
+  bench::AddMakeSurface(app);
+  bench::AddSurfaceFiles(app);
   bench::AddVolumeBlocks(app);
   bench::AddVolumePictures(app);
   bench::AddVolumeRates(app);

@@ -5,9 +5,9 @@
  * @brief Reads a compressed unstructured mesh (`.gtn`), whole or in pieces.
  *
  * The output is a vtkUnstructuredGrid that equals the input of vtkGatunWriter, as
- * vtkGatunMeshReader describes. All properties but SplitCells are those of vtkGatunMeshReader. The
- * corners of a tetrahedron may be rotated unless the file keeps their order; its orientation never
- * changes. A file that holds a surface (vtkPolyData) is an error: vtkGatunSurfaceReader reads it.
+ * vtkGatunMeshReader describes. All properties but SplitCells are those of vtkGatunMeshReader.
+ * Corners of tetrahedra and triangles may be rotated unless the file keeps their order, but keep
+ * their orientation. A file of a surface (vtkPolyData) is an error: vtkGatunSurfaceReader reads it.
  *
  * @sa vtkGatunMeshReader vtkGatunSurfaceReader vtkGatunWriter vtkGatunFileHandle
  */

@@ -94,7 +94,7 @@ public:
     KEEP_NONE = 0,
     KEEP_POINTS = 1,  ///< points and their arrays
     KEEP_CELLS = 2,   ///< tetrahedra and their arrays
-    KEEP_CORNERS = 4, ///< corners of each tetrahedron
+    KEEP_CORNERS = 4, ///< corners of each tetrahedron and triangle
     KEEP_ALL = 7
   };
 

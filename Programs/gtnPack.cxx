@@ -231,7 +231,8 @@ void AddPack(CLI::App& app, Settings& settings)
   command
     ->add_option("--keep-order", options->KeepOrder,
       "Order to keep: none, points, cells, or all (points, cells, and the corners of "
-      "tetrahedra and faces of polyhedra; corners of other cells always keep their order) "
+      "tetrahedra and triangles and faces of polyhedra; corners of other cells always keep "
+      "their order) "
       "(default: none)")
     ->check(CLI::IsMember({ "none", "points", "cells", "all" }))
     ->option_text("WHAT");

@@ -40,7 +40,7 @@ packages_build=(
   libvtk9-dev libxxhash-dev libzstd-dev ninja-build pkg-config python3-numpy python3-vtk9)
 packages_window=(libgl1-mesa-dri xauth xvfb)
 packages_test=(git libgtest-dev openimageio-tools python3-h5py python3-xxhash python3-zstandard)
-packages_bench=(libmeshoptimizer-dev libzfp-dev python3-matplotlib)
+packages_bench=(draco libmeshoptimizer-dev libzfp-dev openctm-tools python3-matplotlib)
 packages_lint=(clang-format clang-tidy git python3)
 # ParaView itself, its window's libraries, and the imports of its Python modules.
 packages_paraview=(mpi-default-bin paraview paraview-dev python3-mpi4py)

@@ -17,6 +17,7 @@ import scalingText
 import simplificationReport
 import speedReport
 import studyReport
+import surfaceReport
 import volumeReport
 from benchmarkText import number, paragraph, ratio, span
 
@@ -223,6 +224,8 @@ SECTIONS = (
      _simplification),
     ("isosurface-study", "Isosurfaces", "From files and in memory, compared with VTK's filters",
      _isosurfaces),
+    ("surface-study", "Surfaces", "Sizes by part and decoding, beside Draco and other formats",
+     surfaceReport.conclude),
     ("volume-study", "Volumes", "Hartley coefficients, compared with voxels and zfp", _volumes),
 )
 

@@ -21,7 +21,7 @@ PAGES = {"summary": "summaryReport", "benchmarks": "benchmarkReport", "speed": "
          "parallel-study": "parallelReport", "scaling": "scalingReport",
          "rendering-study": "studyReport", "just-in-time-study": "budgetReport",
          "simplification-study": "simplificationReport", "isosurface-study": "isosurfaceReport",
-         "volume-study": "volumeReport"}
+         "surface-study": "surfaceReport", "volume-study": "volumeReport"}
 BEGIN, END = "<!-- written by Utilities/bench.sh --readme -->\n", "<!-- end -->\n"
 
 

@@ -87,6 +87,7 @@ struct CellInput
   const ChunkFrame& Frame;
   const CellList& Cells;
   const FormTable& Forms;
+  bool KeepCorners;
   std::span<const LatticePoint> Shared, OwnPlaces;
 
   /** Whether there are cells for a walk over cells. */
@@ -124,7 +125,7 @@ CellAttempt TryCells(const CellInput& input, bool withWalks, Sort&& sort)
   }
   if (withWalks)
   {
-    SurfaceTruth truth(input.Cells, others);
+    SurfaceTruth truth(input.Cells, others, input.KeepCorners);
     if (truth.HasCells())
     {
       SurfaceWalk(coder, mesh, nodes, &truth).Run();
@@ -151,7 +152,7 @@ CellAttempt TryCells(const CellInput& input, bool withWalks, Sort&& sort)
 }
 
 CellAttempt EncodeConnectivity(const ChunkFrame& frame, const CellList& cells,
-  const FormTable& forms, std::span<const PointKeys> ownKeys)
+  const FormTable& forms, std::span<const PointKeys> ownKeys, bool keepCorners)
 {
   const Lattice lattice(frame.Box);
   const auto shared = MapShared(lattice, frame.Domains, frame.SharedKeys, frame.SharedUsers);
@@ -171,7 +172,7 @@ CellAttempt EncodeConnectivity(const ChunkFrame& frame, const CellList& cells,
 
   // Cells one by one take about this number of bytes or less.
   constexpr std::size_t listBytes = 3;
-  const CellInput input{ frame, cells, forms, shared, ownPlaces };
+  const CellInput input{ frame, cells, forms, keepCorners, shared, ownPlaces };
   const auto keep = [](Order&) {};
   const auto sort = [&](Order& order) { SortByPlace(order, cells, frame.Box, places); };
   CellAttempt best;
@@ -205,7 +206,7 @@ EncodedCells EncodeCells(const ChunkFrame& frame, const CellList& cells, const S
   std::span<const PointKeys> ownKeys, bool keepCorners)
 {
   const FloatEnvironment guard;
-  auto best = EncodeConnectivity(frame, cells, *shapes.GetForms(), ownKeys);
+  auto best = EncodeConnectivity(frame, cells, *shapes.GetForms(), ownKeys, keepCorners);
 
   EncodedCells result;
   result.Connectivity = std::move(best.Stream);

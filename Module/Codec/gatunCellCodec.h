@@ -45,9 +45,9 @@ struct EncodedCells
  * first, in the order of the frame, then own ones with ownKeys. Every vertex must be used by a
  * cell. Only polyhedra (VTK's type 42) have faces; FaceStarts is empty if there are none.
  *
- * The cells are decoded with the same corners in the same order, except that tetrahedra may be
- * turned by an even permutation, and that the points, the faces and the first corner of each face
- * of polyhedra may come in another order. keepCorners: whether to encode these orders, too.
+ * The cells keep the order of their corners, except that tetrahedra and triangles may be turned by
+ * an even permutation, and that the points, the faces and the first corner of each face of
+ * polyhedra may come in another order. keepCorners: whether to encode these orders, too.
  *
  * shapes: of the file. The bytes depend only on the input.
  */

@@ -12,6 +12,8 @@ namespace gatun
 {
 namespace
 {
+constexpr std::uint8_t Triangle = 5; // VTK's number of the cell type
+
 /** The number of corners of a cell that may be part of a surface, otherwise 0. */
 std::uint32_t CountCorners(const CellList& cells, std::uint32_t cell)
 {
@@ -30,8 +32,10 @@ bool HasTwice(std::span<const std::uint32_t> corners)
 }
 
 //------------------------------------------------------------------------------
-SurfaceTruth::SurfaceTruth(const CellList& cells, std::span<const std::uint32_t> candidates)
+SurfaceTruth::SurfaceTruth(
+  const CellList& cells, std::span<const std::uint32_t> candidates, bool keepCorners)
   : Cells(cells)
+  , KeepCorners(keepCorners)
   , States(cells.GetNumber(), State::Never)
 {
   std::size_t edges = 0;
@@ -164,7 +168,9 @@ void SurfaceTruth::Begin(std::uint32_t cell, std::uint32_t place, bool turned)
   this->States[cell] = State::Taken;
   this->Cell = cell;
   this->Type = this->Cells.Types[cell];
-  this->Turn = turned ? 2 * place + 1 : 2 * ((degree - place) % degree);
+  const auto turn = turned ? 2 * place + 1 : 2 * ((degree - place) % degree);
+  // Always the same turn, but for the orientation, costs nothing.
+  this->Turn = this->KeepCorners || this->Type != Triangle ? turn : turn % 2;
   this->Corners.resize(degree);
   for (std::uint32_t i = 0; i < degree; ++i)
   {

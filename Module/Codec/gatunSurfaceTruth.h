@@ -20,8 +20,9 @@ class SurfaceTruth
 {
 public:
   /** candidates: the cells that may be taken. Those that have no edge in common with another one
-   * are not. */
-  SurfaceTruth(const CellList& cells, std::span<const std::uint32_t> candidates);
+   * are not. keepCorners: whether triangles keep their first corner. Otherwise they begin with any
+   * one that is found by itself, and keep their orientation. */
+  SurfaceTruth(const CellList& cells, std::span<const std::uint32_t> candidates, bool keepCorners);
 
   /** Whether there is any cell. */
   bool HasCells() const { return this->Number > 0; }
@@ -66,6 +67,7 @@ private:
   void Begin(std::uint32_t cell, std::uint32_t place, bool turned);
 
   const CellList& Cells;
+  const bool KeepCorners;
   std::vector<std::uint32_t> Seeds; // in the order of the input
   std::vector<State> States;
   std::vector<Edge> Edges;

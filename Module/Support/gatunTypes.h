@@ -166,7 +166,7 @@ enum KeepOrder : std::uint8_t
   KeepNone = 0,
   KeepPoints = 1,  ///< points (and their arrays) in the order of the input
   KeepCells = 2,   ///< cells (and their arrays) in the order of the input
-  KeepCorners = 4, ///< corners of tetrahedra, and faces of polyhedra, in the order of the input;
+  KeepCorners = 4, ///< corners of tetrahedra and triangles, and faces of polyhedra, as the input's;
                    ///< corners of other cells always keep their order
   KeepAll = 7
 };

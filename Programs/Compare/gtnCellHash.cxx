@@ -49,7 +49,8 @@ Hash HashOfList(
   return HashOf(key.data(), key.size() * sizeof(Hash), seed);
 }
 
-// A face of a polyhedron, whatever its first point is: as if it began with its least point.
+// A triangle, or a face of a polyhedron, whatever its first point is: as if it began with its least
+// point.
 Hash HashOfFace(
   std::span<const std::int64_t> ids, const std::vector<Hash>& points, const Hash& seed)
 {
@@ -109,6 +110,10 @@ Hash HashOfCell(const GridView& grid, std::size_t cell, const std::vector<Hash>&
   if (type == VTK_POLYHEDRON)
   {
     return HashOfPolyhedron(grid, cell, points, keepCorners, seed);
+  }
+  if (type == VTK_TRIANGLE && !keepCorners)
+  {
+    return HashOfFace(ids, points, seed);
   }
   return type == VTK_TETRA && !keepCorners && ids.size() == 4 ? HashOfTet(ids, points, seed)
                                                               : HashOfList(ids, points, seed);

@@ -13,8 +13,8 @@ namespace gtn
 {
 /**
  * Adds the type and the points of a cell to a hash. points: a hash of each point of the grid.
- * Without keepCorners, tetrahedra that differ by an even permutation have the same hash, and so
- * have polyhedra whose points and faces are the same sets.
+ * Without keepCorners, tetrahedra and triangles that differ by an even permutation have the same
+ * hash, and so have polyhedra whose points and faces are the same sets.
  */
 Hash HashOfCell(const GridView& grid, std::size_t cell, const std::vector<Hash>& points,
   bool keepCorners, Hash seed);

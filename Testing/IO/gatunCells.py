@@ -74,6 +74,8 @@ def describe(grid, cell):
         even = [p for p in itertools.permutations(range(4))
                 if sum(p[i] > p[j] for i in range(4) for j in range(i, 4)) % 2 == 0]
         corners = min([corners[i] for i in p] for p in even)
+    elif kind == c.VTK_TRIANGLE and len(corners) == 3:
+        corners = min(corners[i:] + corners[:i] for i in range(3))
     faces = []
     if kind == VTK_POLYHEDRON:
         stream = gm.faces_of(grid, cell)[1:]

@@ -96,7 +96,7 @@ def assert_equal(one, other):
 
 def canonical(surface, skip=()):
     """Points and cells with their data in an order of their own. Points that are equal in all data
-    are one to the cells; the points of a cell keep their order."""
+    are one to the cells; the points of a cell keep their order, but a triangle may begin with any."""
     points = [row.tobytes() for row in gm.rows(coordinates(surface), *[
         gm.values_of(a) for a in gm.arrays_of(surface.GetPointData()) if a.GetName() not in skip])]
     values = [a for a in gm.arrays_of(surface.GetCellData()) if a.GetName() not in skip]
@@ -104,7 +104,10 @@ def canonical(surface, skip=()):
     cells, at = [], 0
     for kind, listed in enumerate(cells_of(surface)):
         for ids in listed:
-            cells.append((kind, [points[i] for i in ids], data[at].tobytes()))
+            corners = [points[i] for i in ids]
+            if LISTS[kind] == "Polys" and len(ids) == 3:
+                corners = min(corners[i:] + corners[:i] for i in range(3))
+            cells.append((kind, corners, data[at].tobytes()))
             at += 1
     return sorted(points), sorted(cells)
 
