@@ -79,18 +79,12 @@ void PrintError(vtkPointSet* mesh, vtkGatunSimplify* simplifier, const Settings&
   }
 }
 
-void SimplifySurface(const Options& options, const Settings& settings)
+void SimplifySurface(vtkPolyData* surface, const Options& options, const Settings& settings)
 {
   vtkNew<vtkGatunSimplify> simplifier;
   options.Target.Apply(simplifier.Get());
   options.Merges.Apply(simplifier.Get());
   simplifier->SetFeatureAngle(options.FeatureAngle);
-  vtkSmartPointer<vtkPolyData> surface;
-  {
-    Progress progress("reading", settings.ShowProgress);
-    surface = ReadSurface(options.In, progress, settings.Quiet);
-  }
-  CheckWritable(options.Out, options.Overwrite);
   RunSimplifier(simplifier, surface, options, settings);
   vtkPolyData* const output = simplifier->GetPolyDataOutput();
   {
@@ -106,30 +100,50 @@ void SimplifySurface(const Options& options, const Settings& settings)
   PrintError(surface, simplifier, settings);
 }
 
-void SimplifyMesh(const Options& options, const Settings& settings)
+void SimplifyGrid(vtkUnstructuredGrid* grid, const Options& options, const Settings& settings)
 {
-  if (IsSurfaceName(options.Out))
-  {
-    SimplifySurface(options, settings);
-    return;
-  }
-  CheckMeshName(options.Out);
   vtkNew<vtkGatunSimplify> simplifier;
   options.Target.Apply(simplifier.Get());
   options.Merges.Apply(simplifier.Get());
+  RunSimplifier(simplifier, grid, options, settings);
+  WriteMesh(simplifier->GetUnstructuredGridOutput(), options.Out, settings);
+  PrintError(grid, simplifier, settings);
+}
 
+void SimplifyMesh(const Options& options, const Settings& settings)
+{
+  const bool isOfSurfaces = IsSurfaceName(options.Out);
+  if (!isOfSurfaces)
+  {
+    CheckMeshName(options.Out);
+  }
   Input input({ options.In }, options.Input);
   CheckWritable(options.Out, options.Overwrite);
-  if (vtkGatunReader* const reader = FindHierarchy(input, options))
+  vtkGatunReader* const reader = FindHierarchy(input, options);
+  if (reader && !isOfSurfaces)
   {
     options.Target.Apply(reader);
     WriteMesh(ReadGridStep(input, options.Step, settings), options.Out, settings);
     return;
   }
-  const auto grid = ReadGridStep(input, options.Step, settings);
-  RunSimplifier(simplifier, grid, options, settings);
-  WriteMesh(simplifier->GetUnstructuredGridOutput(), options.Out, settings);
-  PrintError(grid, simplifier, settings);
+  const vtkSmartPointer<vtkDataObject> mesh = ReadStep(input, options.Step, settings);
+  auto* const surface = vtkPolyData::SafeDownCast(mesh);
+  if (surface && ExtensionOf(options.Out) == ".vtu")
+  {
+    throw Failure(options.In, "is a surface, for a .gtn, .vtp, .vtk, .stl, .ply or .obj file");
+  }
+  if (!surface && isOfSurfaces)
+  {
+    throw Failure(options.In, "is no surface; it can be written to a .gtn, .vtu or .vtk file");
+  }
+  if (surface)
+  {
+    SimplifySurface(surface, options, settings);
+  }
+  else
+  {
+    SimplifyGrid(vtkUnstructuredGrid::SafeDownCast(mesh), options, settings);
+  }
 }
 } // anonymous namespace
 
@@ -143,7 +157,7 @@ void AddSimplify(CLI::App& app, Settings& settings)
     "A .gtn file that was packed with --hierarchy or --levels stores the collapses and is "
     "simplified\n"
     "fast; --weight, --metric and --boundary-weight compute new ones.\n"
-    "A surface is simplified if OUT is one.",
+    "Surfaces are simplified, too.",
     "  gtn simplify --ratio 0.9 mesh.gtn coarse.gtn\n"
     "  gtn simplify --points 10000 --weight pressure=2 --weight velocity mesh.vtu coarse.vtu\n"
     "  gtn simplify --rms-error 1e-3 mesh.gtn coarse.gtn\n"
@@ -160,7 +174,7 @@ void AddSimplify(CLI::App& app, Settings& settings)
   AddStep(command, options->Step);
   command
     ->add_option("IN", options->In,
-      std::string("The mesh: ") + InputFormats + "; or a surface: .stl .ply .obj .vtp .vtk")
+      std::string("The mesh: ") + InputFormats + "; or a surface: " + SurfaceInputFormats)
     ->required();
   command
     ->add_option("OUT", options->Out,
@@ -171,6 +185,7 @@ void AddSimplify(CLI::App& app, Settings& settings)
     {
       options->Input.Quiet = settings.Quiet;
       options->Input.VolumesOnly = true;
+      options->Input.SurfacesToo = true;
       SimplifyMesh(*options, settings);
     });
 }

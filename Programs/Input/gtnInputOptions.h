@@ -15,6 +15,7 @@ struct InputOptions
   bool AllArrays = true;           ///< keep all, and Arrays means nothing
   bool Split = false;              ///< split cells into tetrahedra, with a warning
   bool VolumesOnly = false;        ///< only the tetrahedra that cells consist of matter
+  bool SurfacesToo = false;        ///< with VolumesOnly: surfaces matter, too
   bool Sets = false;               ///< also side sets, node sets, patches, boundaries
   bool InPieces = false;           ///< the files of a .pvtu or .pvd file are read one by one
   bool Quiet = false;              ///< no warnings

@@ -187,10 +187,10 @@ int Preparer::RequestDataObject(vtkInformation* vtkNotUsed(request),
 
 //------------------------------------------------------------------------------
 // Converts the cells as the options say, with warnings.
-vtkSmartPointer<vtkUnstructuredGrid> Preparer::Convert(vtkUnstructuredGrid* grid)
+vtkSmartPointer<vtkUnstructuredGrid> Preparer::Convert(vtkUnstructuredGrid* grid, bool isSurface)
 {
   gatun::CellInput cells;
-  if (this->Options.VolumesOnly)
+  if (this->Options.VolumesOnly && !isSurface)
   {
     const gatun::TetInput tets = gatun::MakeTetInput(grid);
     if (tets.Grid->GetNumberOfCells() == 0 && !tets.LeftOut.empty())
@@ -217,7 +217,7 @@ void Preparer::MakeOutput(vtkDataObject* input, vtkDataObject* output)
   vtkSmartPointer<vtkUnstructuredGrid> grid = vtkUnstructuredGrid::SafeDownCast(input);
   if (surface)
   {
-    if (this->Options.VolumesOnly || this->Options.Split)
+    if (this->Options.Split || (this->Options.VolumesOnly && !this->Options.SurfacesToo))
     {
       throw Failure("is a surface (vtkPolyData), without 3D cells");
     }
@@ -246,7 +246,7 @@ void Preparer::MakeOutput(vtkDataObject* input, vtkDataObject* output)
     names.emplace_back(vtkDataSetAttributes::GhostArrayName());
     Select(grid, names);
   }
-  grid = Copy(this->Convert(grid));
+  grid = Copy(this->Convert(grid, surface != nullptr));
   if (!this->Options.AllArrays)
   {
     // That of split cells is a result.

@@ -40,7 +40,7 @@ protected:
 
 private:
   void MakeOutput(vtkDataObject* input, vtkDataObject* output);
-  vtkSmartPointer<vtkUnstructuredGrid> Convert(vtkUnstructuredGrid* grid);
+  vtkSmartPointer<vtkUnstructuredGrid> Convert(vtkUnstructuredGrid* grid, bool isSurface);
 
   InputOptions Options;
 };

@@ -96,6 +96,19 @@ assert expected.GetNumberOfPoints() < 0.21 * ball.GetOutput().GetNumberOfPoints(
 for of in (lambda g: g.GetPoints().GetData(), lambda g: g.GetPolys().GetConnectivityArray()):
     np.testing.assert_array_equal(vtk_to_numpy(of(got)), vtk_to_numpy(of(expected)))
 gtn("simplify", "-q", "--points", 100, "ball.vtp", "few.stl")
+# Surfaces in .gtn files.
+gtn("pack", "-q", "ball.vtp", "ball.gtn")
+gtn("simplify", "-q", "--points", 100, "ball.gtn", "few.gtn")
+gtn("unpack", "-q", "few.gtn", "again.vtp")
+gtn("simplify", "-q", "--points", 100, "ball.vtp", "same.vtp")
+surfaces = []
+for name in ("again.vtp", "same.vtp"):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(name)
+    reader.Update()
+    surfaces.append((reader.GetOutput().GetNumberOfPoints(), reader.GetOutput().GetNumberOfPolys()))
+assert surfaces[0] == surfaces[1] and surfaces[0][0] == 100, surfaces
+gtn("simplify", "ball.gtn", "few.vtu", code=1, says="is a surface")
 
 # Usage and failures; what is there stays.
 gtn("simplify", "mesh.vtu", "half.vtu", code=1, says="exists")
@@ -106,7 +119,7 @@ for arguments in (
         ("--boundary-weight", "2"), ("--weight", "velocity=much"), ("--weight", "velocity=-1")):
     gtn("simplify", *arguments, "mesh.vtu", "new.vtu", code=2)
 gtn("simplify", "mesh.vtu", "new.foo", code=2, says=".gtn, .vtu or .vtk")
-gtn("simplify", "mesh.vtu", "new.vtp", code=1, says="no reader")
+gtn("simplify", "mesh.vtu", "new.vtp", code=1, says="is no surface")
 gtn("simplify", "--feature-angle", "200", "ball.vtp", "new.vtp", code=2)
 gtn("simplify", "ball.vtp", "few.vtp", code=1, says="exists")
 gtn("simplify", "--weight", "nothing", "mesh.vtu", "new.vtu", code=1, says="nothing")
