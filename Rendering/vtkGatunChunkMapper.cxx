@@ -32,6 +32,13 @@ VTK_ABI_NAMESPACE_BEGIN
 
 vtkStandardNewMacro(vtkGatunChunkMapper);
 
+namespace
+{
+// Of the buffers that VTK makes of points.
+constexpr const char* BufferNames[] = { "vertexMC", "normalMC", "tcoord", "scalarColor",
+  "colorTCoord" };
+}
+
 vtkGatunChunkMapper::vtkGatunChunkMapper()
 {
   this->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
@@ -138,6 +145,14 @@ void vtkGatunChunkMapper::FreeMesh()
   {
     array->Initialize();
   }
+  for (const char* name : BufferNames)
+  {
+    if (auto* const buffer = this->VBOs->GetVBO(name))
+    {
+      // What was copied to the graphics.
+      std::vector<float>().swap(buffer->GetPackedVBO());
+    }
+  }
   // VTK draws nothing without points.
   vtkNew<vtkPolyData> freed;
   vtkNew<vtkPoints> points;
@@ -158,7 +173,7 @@ std::uint64_t vtkGatunChunkMapper::GetBytes()
   {
     bytes += std::uint64_t{ 1024 } * mesh->GetActualMemorySize();
   }
-  for (const char* name : { "vertexMC", "normalMC", "tcoord", "scalarColor", "colorTCoord" })
+  for (const char* name : BufferNames)
   {
     if (auto* const buffer = this->VBOs->GetVBO(name))
     {

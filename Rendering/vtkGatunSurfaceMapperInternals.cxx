@@ -358,6 +358,7 @@ void vtkGatunSurfaceMapper::vtkInternals::Draw(
   const bool isOpaque = !actor->IsRenderingTranslucentPolygonalGeometry();
   const gatun::SurfaceView view(renderer, actor);
   const std::vector<std::uint32_t> visible = this->FindVisible(mapper, view, isOpaque);
+  const vtkIdType decodedBefore = this->Decoded;
   std::map<std::uint32_t, Part> parts; // decoded and not yet drawn
   for (std::size_t i = 0; i < visible.size(); ++i)
   {
@@ -392,7 +393,7 @@ void vtkGatunSurfaceMapper::vtkInternals::Draw(
       parts.erase(found);
     }
   }
-  if (this->Decoded > 0)
+  if (this->Decoded > decodedBefore)
   {
     mapper->UpdateProgress(1);
   }
