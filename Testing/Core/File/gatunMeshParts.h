@@ -347,6 +347,11 @@ inline std::multiset<CellText> ListCells(const PartMesh& mesh, const PartValues&
     {
       std::sort(corners.begin(), corners.end());
     }
+    if (cells.Types[c] == Triangle)
+    {
+      // It may begin with any corner.
+      std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    }
     std::vector<CellText> faces;
     if (cells.FaceLocations[c] >= 0)
     {
