@@ -61,8 +61,6 @@ gatun_core_folder(File
     gatunStepSection.h
     gatunTablePages.h
     gatunTetSeparation.h
-    gatunTablePages.cxx
-    gatunTetSeparation.cxx
     gatunTreeLayout.h
     gatunTreeSection.h
     gatunWriterCheck.h
@@ -98,14 +96,15 @@ gatun_core_folder(File
     gatunPartSurvey.cxx
     gatunPartWriter.cxx
     gatunPartition.cxx
-    gatunPointNumbers.cxx
     gatunPieceCells.cxx
     gatunPieceDecoder.cxx
+    gatunPointNumbers.cxx
     gatunSharedFile.cxx
     gatunSharedGroups.cxx
     gatunSimplifiedFile.cxx
     gatunSkinMerge.cxx
     gatunStepSection.cxx
+    gatunTablePages.cxx
     gatunTetSeparation.cxx
     gatunTreeLayout.cxx
     gatunTreeSection.cxx

@@ -22,7 +22,8 @@ ChunkSet::ChunkSet(const FileReader::Internals& content, std::vector<std::uint32
   std::vector<std::uint32_t> needed;
   for (const auto c : this->Chunks)
   {
-    for (const auto& part : tables.GetChunk(c)->Shared)
+    const auto entry = tables.GetChunk(c);
+    for (const auto& part : entry->Shared)
     {
       needed.push_back(part.Block);
     }
@@ -36,7 +37,8 @@ ChunkSet::ChunkSet(const FileReader::Internals& content, std::vector<std::uint32
   }
   for (const auto c : this->Chunks)
   {
-    for (const auto& part : tables.GetChunk(c)->Shared)
+    const auto entry = tables.GetChunk(c);
+    for (const auto& part : entry->Shared)
     {
       this->Blocks[this->FindBlock(part.Block)].GroupStart[part.Group] = 0;
     }

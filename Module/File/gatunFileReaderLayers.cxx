@@ -79,7 +79,8 @@ std::uint64_t FileReader::GetPieceBytes(std::span<const std::uint32_t> chunks,
     {
       bytes += this->GetChunkArrayBytes(chunk, array, step);
     }
-    for (const auto& part : tables.GetChunk(chunk)->Shared)
+    const auto entry = tables.GetChunk(chunk);
+    for (const auto& part : entry->Shared)
     {
       blocks.insert(part.Block);
     }

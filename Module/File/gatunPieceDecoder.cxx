@@ -122,10 +122,19 @@ void PieceDecoder::Internals::CheckValues(const PieceRequest& request) const
     for (const auto chunk : request.Chunks)
     {
       tables.GetChunkValues(chunk, array, request.Step);
-      const auto entry = ofPoints ? tables.GetChunk(chunk) : nullptr;
-      for (std::size_t i = 0; ofPoints && i < entry->Shared.size(); ++i)
+      if (!ofPoints)
       {
-        tables.GetBlockValues(entry->Shared[i].Block, array, request.Step);
+        continue;
+      }
+      std::optional<std::uint32_t> last; // the parts of a block follow each other
+      const auto entry = tables.GetChunk(chunk);
+      for (const auto& part : entry->Shared)
+      {
+        if (part.Block != last)
+        {
+          tables.GetBlockValues(part.Block, array, request.Step);
+          last = part.Block;
+        }
       }
     }
   }

@@ -15,10 +15,10 @@ gatun_core_folder(Format
     gatunFileHandle.h
     gatunInputFile.h
     gatunLayerTable.h
-    gatunOutputFile.h
     gatunMeshPages.h
     gatunMeshTable.h
     gatunMetaTable.h
+    gatunOutputFile.h
     gatunStepPages.h
     gatunSurfaceTable.h
     gatunTableParts.h
@@ -32,10 +32,10 @@ gatun_core_folder(Format
     gatunFileHandle.cxx
     gatunInputFile.cxx
     gatunLayerTable.cxx
-    gatunOutputFile.cxx
     gatunMeshPages.cxx
     gatunMeshTable.cxx
     gatunMetaTable.cxx
+    gatunOutputFile.cxx
     gatunStepPages.cxx
     gatunSurfaceTable.cxx
     gatunTableParts.cxx

@@ -157,6 +157,12 @@ Bytes WriteDetails(
 }
 
 //------------------------------------------------------------------------------
+std::size_t MeshIndex::GetChunksOfPage(std::size_t page) const
+{
+  return std::min(ChunksPerPage, this->Chunks - page * ChunksPerPage);
+}
+
+//------------------------------------------------------------------------------
 std::uint64_t MeshIndex::GetNumberOfBlocks() const
 {
   return this->Pages.empty() ? 0 : this->Pages.back().FirstBlock + this->Pages.back().Blocks;
@@ -266,7 +272,7 @@ void WriteMeshPages(MeshIndex& index, const MeshTable& table, std::uint8_t keep,
   {
     auto& page = index.Pages[p];
     const auto first = p * ChunksPerPage;
-    const auto here = chunks.subspan(first, std::min(ChunksPerPage, chunks.size() - first));
+    const auto here = chunks.subspan(first, index.GetChunksOfPage(p));
     page.Summary = put(WriteSummary(here));
     page.Details = put(WriteDetails(here,
       blocks.subspan(
@@ -310,7 +316,7 @@ void ChunkSummaries::Add(
   std::span<const std::uint8_t> summary, const MeshIndex& index, const CellTable* cells)
 {
   const auto first = this->Infos.size();
-  const auto count = std::min(ChunksPerPage, index.Chunks - first);
+  const auto count = index.GetChunksOfPage(first / ChunksPerPage);
   const auto data = Unpack(summary, SmallTable);
   ByteReader in(data);
   Check(count <= in.GetRemaining() / (5 + 48), "the chunks of a page are not all there");
@@ -431,7 +437,7 @@ MeshPage MeshPage::Read(std::span<const std::uint8_t> details, std::size_t page,
   Check(point == ref.FirstPoint + ref.Points && bytes == ref.GeometryBytes,
     "the blocks of a page are not those that the table has");
   const auto first = page * ChunksPerPage;
-  const auto count = std::min(ChunksPerPage, index.Chunks - first);
+  const auto count = index.GetChunksOfPage(page);
   for (std::size_t c = 0; c < count; ++c)
   {
     // The blocks of a chunk begin with those of lower chunks.

@@ -54,6 +54,7 @@ struct MeshIndex
   std::size_t Chunks = 0;
   std::vector<MeshPageRef> Pages;
 
+  std::size_t GetChunksOfPage(std::size_t page) const;
   std::uint64_t GetNumberOfBlocks() const;
   std::uint64_t GetSharedPoints() const;
 

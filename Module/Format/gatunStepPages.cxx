@@ -3,7 +3,6 @@
 
 #include "gatunStepPages.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace gatun
@@ -12,11 +11,6 @@ namespace
 {
 // The maximum number of values in a stream. Each takes a decision of at least 2^-15.5 bits.
 constexpr std::uint64_t MaxValuesPerByte = 1u << 19;
-
-std::size_t GetChunksOfPage(const MeshIndex& mesh, std::size_t page)
-{
-  return std::min(ChunksPerPage, mesh.Chunks - page * ChunksPerPage);
-}
 
 Bytes WriteStepPage(
   const StepTable& step, const MetaTable& meta, const MeshIndex& mesh, std::size_t page)
@@ -27,7 +21,7 @@ Bytes WriteStepPage(
   for (std::size_t a = 0; a < step.Arrays.size(); ++a)
   {
     const auto& array = step.Arrays[a];
-    for (auto chunk = first; chunk < first + GetChunksOfPage(mesh, page); ++chunk)
+    for (auto chunk = first; chunk < first + mesh.GetChunksOfPage(page); ++chunk)
     {
       for (const auto& range : array.ChunkRanges[chunk])
       {
@@ -155,7 +149,7 @@ StepPage StepPage::Read(std::span<const std::uint8_t> bytes, std::size_t page,
 {
   const auto data = Unpack(bytes, SmallStep);
   ByteReader in(data);
-  const auto chunks = GetChunksOfPage(mesh, page);
+  const auto chunks = mesh.GetChunksOfPage(page);
   StepPage result;
   for (const auto& description : meta.Arrays)
   {
