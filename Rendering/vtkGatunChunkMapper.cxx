@@ -54,7 +54,7 @@ void vtkGatunChunkMapper::CopySettings(vtkOpenGLPolyDataMapper* whole)
     return;
   }
   // Not that of vtkPolyDataMapper, which copies the input, too.
-  this->vtkMapper::ShallowCopy(whole);
+  this->vtkMapper::ShallowCopy(whole); // NOLINT(bugprone-parent-virtual-call)
   this->SetFieldDataTupleId(whole->GetFieldDataTupleId());
   this->SetSeamlessU(whole->GetSeamlessU());
   this->SetSeamlessV(whole->GetSeamlessV());
