@@ -5,6 +5,7 @@
 
 import gatunSample as sample
 from gatunParaView import load_plugin
+from gatunSurfacePicture import compare_picture
 from paraview import smtesting
 
 smtesting.ProcessCommandLineArguments()
@@ -13,27 +14,4 @@ path = sample.temporary("picture.gtn")
 simple.SaveData(path, proxy=sample.make_source(), ChunkTets=300)
 reader = simple.OpenDataFile(path)
 reader.UpdatePipeline()
-
-view = simple.CreateRenderView()
-view.ViewSize = [200, 200]
-view.OrientationAxesVisibility = 0
-view.UseColorPaletteForBackground = 0
-view.Background = [0.2, 0.3, 0.4]
-# Without light, so that normals at the borders of parts play no role, and with edges, so that a face
-# too many shows.
-shown = simple.Show(reader, view)
-shown.SetRepresentationType("Surface With Edges")
-shown.Ambient, shown.Diffuse, shown.Specular = 1, 0, 0
-simple.ColorBy(shown, ("POINTS", "wave"))
-shown.SetScalarBarVisibility(view, False)
-table = simple.GetColorTransferFunction("wave")
-table.ApplyPreset("Cool to Warm", True)
-table.RescaleTransferFunction(-1.5, 3)
-center = [sample.SIDE * f for f in (0.5, 0.5, 0.5)]
-view.CameraPosition = [sample.SIDE * f for f in (2.4, 1.9, 2.2)]
-view.CameraFocalPoint = center
-view.CameraViewUp = [0, 0, 1]
-view.ResetCamera()
-simple.Render(view)
-if not smtesting.DoRegressionTesting(view.SMProxy):
-    raise smtesting.TestError("the picture differs")
+compare_picture(reader)
