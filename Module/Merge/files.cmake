@@ -7,6 +7,8 @@ gatun_core_folder(Merge
     gatunMergeTree.h
   EXPERIMENTAL_HEADERS
     gatunMergeBuilder.h
+    gatunMergeCut.h
+    gatunMergeDependencies.h
     gatunMergeInput.h
     gatunSurfaceMergeBuilder.h
   PRIVATE_HEADERS
@@ -33,6 +35,8 @@ gatun_core_folder(Merge
     gatunMergeBuilder.cxx
     gatunMergeCodec.cxx
     gatunMergeCosts.cxx
+    gatunMergeCut.cxx
+    gatunMergeDependencies.cxx
     gatunMergeFields.cxx
     gatunMergeInputCheck.cxx
     gatunMergeLinks.cxx

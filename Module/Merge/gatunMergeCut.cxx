@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunMergeCut.h"
+
+#include "gatunError.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace gatun
+{
+//------------------------------------------------------------------------------
+MergeCut::MergeCut(const MergeTree& tree, std::size_t merges)
+  : Done(tree.GetMerges().size(), false)
+{
+  std::fill_n(this->Done.begin(), std::min(merges, this->Done.size()), true);
+  this->FindAncestors(tree);
+}
+
+//------------------------------------------------------------------------------
+MergeCut::MergeCut(
+  const MergeTree& tree, const MergeDependencies& dependencies, std::vector<bool> wanted)
+  : Done(std::move(wanted))
+{
+  const std::size_t merges = tree.GetMerges().size();
+  if (this->Done.size() != merges || dependencies.GetNumberOfMerges() != merges)
+  {
+    ThrowInvalid("the merges that are wanted are not those of the tree");
+  }
+  for (std::size_t i = 0; i < merges; ++i)
+  {
+    const auto earlier = dependencies.Get(i);
+    this->Done[i] = this->Done[i] &&
+      std::all_of(
+        earlier.begin(), earlier.end(), [&](std::uint32_t merge) { return this->Done[merge]; });
+  }
+  this->FindAncestors(tree);
+}
+
+//------------------------------------------------------------------------------
+void MergeCut::FindAncestors(const MergeTree& tree)
+{
+  this->Ancestors.resize(tree.GetNumberOfPoints());
+  std::iota(this->Ancestors.begin(), this->Ancestors.end(), 0u);
+  // Backwards, as in MergeTree::FindAncestors.
+  for (std::size_t i = this->Done.size(); i > 0; --i)
+  {
+    if (this->Done[i - 1])
+    {
+      const Merge& merge = tree.GetMerges()[i - 1];
+      this->Ancestors[merge.Point] = this->Ancestors[merge.Into];
+      this->Last = std::max(this->Last, i);
+      ++this->Number;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint32_t> FindChanges(const MergeCut& a, const MergeCut& b)
+{
+  const auto& before = a.GetAncestors();
+  const auto& after = b.GetAncestors();
+  if (before.size() != after.size())
+  {
+    ThrowInvalid("the two cuts are of different meshes");
+  }
+  std::vector<std::uint32_t> changed;
+  for (std::uint32_t point = 0; point < before.size(); ++point)
+  {
+    if (before[point] != after[point])
+    {
+      changed.push_back(point);
+    }
+  }
+  return changed;
+}
+}

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunMergeCut_h
+#define gatunMergeCut_h
+
+#include "gatunMergeDependencies.h"
+#include "gatunMergeTree.h"
+#include "vtkGatunCoreModule.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace gatun
+{
+/**
+ * Some merges of a tree, and the ancestor of each point by them. The mesh of a cut has the points
+ * that are their own ancestors, and the tetrahedra whose corners have four different ones.
+ *
+ * Uniform cuts have the first merges of the tree. Others have merges where the mesh may be coarse.
+ * Immutable. Memory: 4 bytes a point, and a bit a merge.
+ */
+class VTKGATUNCORE_EXPORT MergeCut
+{
+public:
+  /** The first merges of a tree; all of them if there are fewer. */
+  MergeCut(const MergeTree& tree, std::size_t merges);
+
+  /**
+   * The most of the wanted merges that can be done together: those that are wanted with all that
+   * they depend on. There is just one such set. It does not depend on earlier cuts.
+   *
+   * wanted: for each merge. Throws InvalidInput if the sizes differ.
+   */
+  MergeCut(const MergeTree& tree, const MergeDependencies& dependencies, std::vector<bool> wanted);
+
+  /** The ancestor of each point. */
+  const std::vector<std::uint32_t>& GetAncestors() const { return this->Ancestors; }
+
+  /** For each merge, whether it is done. */
+  const std::vector<bool>& GetDone() const { return this->Done; }
+
+  std::size_t GetNumberOfMerges() const { return this->Number; }
+
+  /** The number of first merges of the tree that have all merges of the cut. Boxes and ranges up to
+   * so many merges enclose the cut. */
+  std::size_t GetLast() const { return this->Last; }
+
+  bool IsUniform() const { return this->Number == this->Last; }
+
+private:
+  void FindAncestors(const MergeTree& tree);
+
+  std::vector<bool> Done;
+  std::vector<std::uint32_t> Ancestors;
+  std::size_t Number = 0;
+  std::size_t Last = 0;
+};
+
+/** The points whose ancestors differ between two cuts of one tree, ascending. Throws InvalidInput
+ * if the numbers of points differ. */
+VTKGATUNCORE_EXPORT std::vector<std::uint32_t> FindChanges(const MergeCut& a, const MergeCut& b);
+}
+
+#endif

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunMergeDependencies.h"
+
+#include "gatunError.h"
+#include "gatunMergeRings.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace gatun
+{
+namespace
+{
+constexpr std::size_t MergesBetweenProgress = 4096;
+
+/** Does merges one after the other and notes which cells each of them changes. */
+template <std::size_t Corners>
+class MergeReplay
+{
+public:
+  using Cell = std::array<std::uint32_t, Corners>;
+
+  MergeReplay(std::uint32_t points, std::span<const Cell> cells)
+    : Mesh(points, cells)
+    , Last(cells.size(), None)
+  {
+  }
+
+  /** Does a merge. Returns what it depends on, until the next call. */
+  std::span<const std::uint32_t> Do(std::uint32_t number, const Merge& merge)
+  {
+    this->FindEarlier(merge.Point);
+    for (const auto cell : this->Mesh.GetRing(merge.Point))
+    {
+      this->Bared.erase(cell); // the merge depends on these already
+      const Cell& corners = this->Mesh.GetCell(cell);
+      if (Rings::FindCorner(corners, merge.Into) < Corners)
+      {
+        this->PassBoundaryOn(number, cell, merge);
+      }
+      else
+      {
+        this->Last[cell] = number;
+      }
+    }
+    this->Mesh.Merge(merge.Point, merge.Into);
+    return this->Earlier;
+  }
+
+private:
+  using Rings = MergeRings<Corners>;
+  static constexpr std::uint32_t None = 0xffffffffu;
+
+  void FindEarlier(std::uint32_t point)
+  {
+    this->Earlier.clear();
+    for (const auto cell : this->Mesh.GetRing(point))
+    {
+      if (this->Last[cell] != None)
+      {
+        this->Earlier.push_back(this->Last[cell]);
+      }
+      if (const auto bared = this->Bared.find(cell); bared != this->Bared.end())
+      {
+        this->Earlier.insert(this->Earlier.end(), bared->second.begin(), bared->second.end());
+      }
+    }
+    std::sort(this->Earlier.begin(), this->Earlier.end());
+    this->Earlier.erase(
+      std::unique(this->Earlier.begin(), this->Earlier.end()), this->Earlier.end());
+  }
+
+  /** A cell that vanishes has two sides that become one: that of the point and that of the one that
+   * it is merged into. If the first is on the boundary, the cell behind the second gets there
+   * without being changed. */
+  void PassBoundaryOn(std::uint32_t number, std::uint32_t vanishing, const Merge& merge)
+  {
+    const Cell& corners = this->Mesh.GetCell(vanishing);
+    const auto hasRest = [&](std::uint32_t cell)
+    {
+      return cell != vanishing &&
+        std::all_of(corners.begin(), corners.end(),
+          [&](std::uint32_t corner)
+          {
+            return corner == merge.Point || corner == merge.Into ||
+              Rings::FindCorner(this->Mesh.GetCell(cell), corner) < Corners;
+          });
+    };
+    const auto around = this->Mesh.GetRing(merge.Point);
+    if (std::any_of(around.begin(), around.end(), hasRest))
+    {
+      return;
+    }
+    for (const auto cell : this->Mesh.GetRing(merge.Into))
+    {
+      if (hasRest(cell) && Rings::FindCorner(this->Mesh.GetCell(cell), merge.Point) == Corners)
+      {
+        this->Bared[cell].push_back(number);
+      }
+    }
+  }
+
+  Rings Mesh;
+  std::vector<std::uint32_t> Last; // the merge that changed each cell last
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> Bared; // since then, by cells
+  std::vector<std::uint32_t> Earlier;
+};
+}
+
+//------------------------------------------------------------------------------
+template <std::size_t Corners>
+void MergeDependencies::Replay(const MergeTree& tree,
+  std::span<const std::array<std::uint32_t, Corners>> cells,
+  const std::function<bool(double)>& progress)
+{
+  for (const auto& cell : cells)
+  {
+    if (*std::max_element(cell.begin(), cell.end()) >= tree.GetNumberOfPoints())
+    {
+      throw Error(ErrorCode::InvalidInput, "a cell has a point that the merges do not know");
+    }
+  }
+  const auto& merges = tree.GetMerges();
+  MergeReplay<Corners> replay(tree.GetNumberOfPoints(), cells);
+  this->First.reserve(merges.size() + 1);
+  for (std::size_t i = 0; i < merges.size(); ++i)
+  {
+    if (progress && i % MergesBetweenProgress == 0 &&
+      !progress(static_cast<double>(i) / static_cast<double>(merges.size())))
+    {
+      throw Error(ErrorCode::Aborted, "aborted");
+    }
+    const auto earlier = replay.Do(static_cast<std::uint32_t>(i), merges[i]);
+    this->Earlier.insert(this->Earlier.end(), earlier.begin(), earlier.end());
+    this->First.push_back(this->Earlier.size());
+  }
+  this->Earlier.shrink_to_fit();
+}
+
+//------------------------------------------------------------------------------
+MergeDependencies::MergeDependencies(const MergeTree& tree,
+  std::span<const std::array<std::uint32_t, 4>> cells, const std::function<bool(double)>& progress)
+{
+  this->Replay(tree, cells, progress);
+}
+
+//------------------------------------------------------------------------------
+MergeDependencies::MergeDependencies(const MergeTree& tree,
+  std::span<const std::array<std::uint32_t, 3>> cells, const std::function<bool(double)>& progress)
+{
+  this->Replay(tree, cells, progress);
+}
+}
