@@ -12,6 +12,7 @@ gatun_core_folder(Merge
     gatunMergeInput.h
     gatunSurfaceMergeBuilder.h
   PRIVATE_HEADERS
+    gatunDependencyCodec.h
     gatunMergeBends.h
     gatunMergeChoice.h
     gatunMergeCodec.h
@@ -31,6 +32,7 @@ gatun_core_folder(Merge
     gatunSurfaceCosts.h
     gatunSurfaceQuadrics.h
   SOURCES
+    gatunDependencyCodec.cxx
     gatunMergeBends.cxx
     gatunMergeBuilder.cxx
     gatunMergeCodec.cxx

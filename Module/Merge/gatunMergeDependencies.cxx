@@ -132,9 +132,7 @@ void MergeDependencies::Replay(const MergeTree& tree,
     {
       throw Error(ErrorCode::Aborted, "aborted");
     }
-    const auto earlier = replay.Do(static_cast<std::uint32_t>(i), merges[i]);
-    this->Earlier.insert(this->Earlier.end(), earlier.begin(), earlier.end());
-    this->First.push_back(this->Earlier.size());
+    this->Add(replay.Do(static_cast<std::uint32_t>(i), merges[i]));
   }
   this->Earlier.shrink_to_fit();
 }

@@ -48,6 +48,13 @@ public:
   MergeDependencies(const MergeTree& tree, std::span<const std::array<std::uint32_t, 3>> cells,
     const std::function<bool(double)>& progress = {});
 
+  /** Adds the next merge of the tree with the earlier ones that it depends on, ascending. */
+  void Add(std::span<const std::uint32_t> earlier)
+  {
+    this->Earlier.insert(this->Earlier.end(), earlier.begin(), earlier.end());
+    this->First.push_back(this->Earlier.size());
+  }
+
   std::size_t GetNumberOfMerges() const { return this->First.size() - 1; }
 
   /** The numbers of the earlier merges that a merge depends on directly, ascending. */

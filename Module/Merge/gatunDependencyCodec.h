@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunDependencyCodec_h
+#define gatunDependencyCodec_h
+
+#include "gatunBytes.h"
+#include "gatunMergeDependencies.h"
+#include "gatunMergeTree.h"
+
+#include <cstdint>
+#include <span>
+
+namespace gatun
+{
+/** Encodes the dependencies of the merges of a tree without most of those that follow from others.
+ * Empty if there is no stream for them, as they are more than 64 a merge on average. */
+Bytes EncodeDependencies(const MergeTree& tree, const MergeDependencies& dependencies);
+
+/** Decodes a stream of EncodeDependencies. Throws Error(Corrupt) if it is damaged. */
+MergeDependencies DecodeDependencies(std::span<const std::uint8_t> stream, const MergeTree& tree);
+}
+
+#endif
