@@ -10,6 +10,7 @@ gatun_core_folder(Merge
     gatunMergeCut.h
     gatunMergeDependencies.h
     gatunMergeInput.h
+    gatunMergeWish.h
     gatunSurfaceMergeBuilder.h
   PRIVATE_HEADERS
     gatunDependencyCodec.h
@@ -48,6 +49,7 @@ gatun_core_folder(Merge
     gatunMergeStar.cxx
     gatunMergeTree.cxx
     gatunMergeTriangles.cxx
+    gatunMergeWish.cxx
     gatunSurfaceCosts.cxx
     gatunSurfaceMergeBuilder.cxx
     gatunSurfaceQuadrics.cxx)

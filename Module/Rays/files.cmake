@@ -8,6 +8,7 @@ gatun_core_folder(Rays
     File
   EXPERIMENTAL_HEADERS
     gatunCoarseRaySource.h
+    gatunDetailWeights.h
     gatunFileLevelsOfDetail.h
     gatunFileRaySource.h
     gatunFrameBudget.h
@@ -46,6 +47,7 @@ gatun_core_folder(Rays
     gatunRelease.h
   SOURCES
     gatunCoarseRaySource.cxx
+    gatunDetailWeights.cxx
     gatunFileLevelsOfDetail.cxx
     gatunFileRaySource.cxx
     gatunFrameBudget.cxx

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunDetailWeights_h
+#define gatunDetailWeights_h
+
+#include "gatunRayView.h"
+#include "gatunTypes.h"
+#include "vtkGatunCoreModule.h"
+
+#include <array>
+#include <vector>
+
+namespace gatun
+{
+/**
+ * How much the error of a merge counts at a place, for a view: the length of an object in pixels,
+ * if it were there. It is 0 outside of the view, and falls to 0 over a tenth of the size of the
+ * object, because simplified meshes with sharp changes of detail need many more tetrahedra.
+ *
+ * Distances are those from the plane of the eye. Places nearer than the near clipping plane, or a
+ * thousandth of the size of the object, count as if they were there.
+ */
+class VTKGATUNCORE_EXPORT DetailWeights
+{
+public:
+  /** Size: a length of the object, such as the diagonal of its bounds; in world units, above 0. */
+  DetailWeights(const RayView& view, double size);
+
+  /** 0 or more. Of a point that is not finite: 0. */
+  float Get(const std::array<double, 3>& point) const;
+
+  /** At least the weight of any point within a box; 0 if the box is empty. */
+  float Get(const Bounds& box) const;
+
+private:
+  float Weigh(double depth, double outside) const;
+
+  using Plane = std::array<double, 4>;
+
+  std::vector<Plane> Sides; // of the view; distances in world units, inside above 0
+  Plane Depth{};            // from the eye, in world units
+  double Size;              // of the object
+  double Scale = 0;         // pixels for a world unit, at depth 1 in perspective
+  double LeastDepth = 0;
+  bool Perspective;
+};
+}
+
+#endif
