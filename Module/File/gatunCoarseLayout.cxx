@@ -23,15 +23,19 @@ void SortUnique(std::vector<std::uint32_t>& list)
 
 //------------------------------------------------------------------------------
 CoarseLayout::CoarseLayout(
-  std::shared_ptr<const FileReader> file, const MergeTree& tree, std::size_t merges)
+  std::shared_ptr<const FileReader> file, const MergeTree& tree, MergeCut cut)
   : File(std::move(file))
-  , Merges(std::min(merges, tree.GetMerges().size()))
-  , Ancestors(tree.FindAncestors(merges))
+  , Cut(std::move(cut))
   , Sources(File->GetChunks().size())
   , Given(File->GetChunks().size())
 {
   const auto used = this->File->GetNumberOfPoints() - this->File->GetNumberOfUnusedPoints();
-  for (std::size_t i = 0; i < this->Merges; ++i)
+  if (this->Cut.GetAncestors().size() != this->File->GetNumberOfPoints() ||
+    this->Cut.GetDone().size() != tree.GetMerges().size())
+  {
+    ThrowInvalid("the merges are those of another mesh", this->File->GetPath());
+  }
+  for (std::size_t i = 0; i < this->Cut.GetLast(); ++i)
   {
     if (tree.GetMerges()[i].Point >= used || tree.GetMerges()[i].Into >= used)
     {
@@ -58,7 +62,7 @@ CoarseLayout::CoarseLayout(
       {
         for (auto point = first; point < last; ++point)
         {
-          const auto ancestor = this->Ancestors[point];
+          const auto ancestor = this->GetAncestors()[point];
           if ((ancestor < first || ancestor >= last) && !this->Has(chunk, ancestor))
           {
             foreign.push_back(ancestor);

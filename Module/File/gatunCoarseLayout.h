@@ -5,6 +5,7 @@
 #define gatunCoarseLayout_h
 
 #include "gatunFileReader.h"
+#include "gatunMergeCut.h"
 #include "gatunMergeTree.h"
 #include "gatunMeshTable.h"
 
@@ -19,7 +20,7 @@
 namespace gatun
 {
 /**
- * The dependencies between the chunks of a file after a number of merges. The corners of a chunk's
+ * The dependencies between the chunks of a file after the merges of a cut. The corners of a chunk's
  * tetrahedra become the ancestors of its points, which may belong to other chunks.
  *
  * Immutable and thread safe. Memory: four bytes for each point of the file, and some more for each
@@ -28,12 +29,13 @@ namespace gatun
 class CoarseLayout
 {
 public:
-  CoarseLayout(std::shared_ptr<const FileReader> file, const MergeTree& tree, std::size_t merges);
+  /** Throws InvalidInput if the cut is not one of the tree, or a point without a cell is merged. */
+  CoarseLayout(std::shared_ptr<const FileReader> file, const MergeTree& tree, MergeCut cut);
 
-  std::size_t GetMerges() const { return this->Merges; }
+  const MergeCut& GetCut() const { return this->Cut; }
 
   /** The ancestor of each point of the file. */
-  const std::vector<std::uint32_t>& GetAncestors() const { return this->Ancestors; }
+  const std::vector<std::uint32_t>& GetAncestors() const { return this->Cut.GetAncestors(); }
 
   /** The points of a chunk by their numbers in the file, in the order of ChunkSetDecoder. */
   std::vector<std::uint32_t> GetPoints(std::uint32_t chunk) const;
@@ -63,8 +65,7 @@ public:
 
 private:
   std::shared_ptr<const FileReader> File;
-  std::size_t Merges;
-  std::vector<std::uint32_t> Ancestors;
+  MergeCut Cut;
   std::vector<std::vector<std::uint32_t>> Sources;
   std::vector<std::vector<std::uint32_t>> Given;
   std::vector<std::shared_ptr<const BlockEntry>> Blocks;            // all of the file

@@ -160,8 +160,8 @@ void PieceDecoder::Internals::SetRequest(const PieceRequest& request, const Prog
   this->Coarse.reset();
   if (request.Merges > 0)
   {
-    const auto layout =
-      std::make_shared<const CoarseLayout>(this->File, *request.Tree, request.Merges);
+    const auto layout = std::make_shared<const CoarseLayout>(
+      this->File, *request.Tree, MergeCut(*request.Tree, request.Merges));
     this->Coarse = std::make_unique<CoarsePiece>(this->Cache, layout, request, progress);
     return;
   }

@@ -55,15 +55,11 @@ constexpr std::uint32_t NoChunk = 0xffffffffu;
 /** The memory of waiting chunks is limited to this and a quarter of the budget. */
 constexpr std::uint64_t RoomToWait = std::uint64_t{ 32 } << 20;
 
-/** Throws InvalidInput unless the file has these values and the tree is the file's. */
-std::shared_ptr<const FileReader> Check(const std::shared_ptr<const FileReader>& file,
-  const MergeTree& tree, std::size_t merges, const RayValues& values)
+/** Throws InvalidInput unless the file has these values. */
+std::shared_ptr<const FileReader> Check(
+  const std::shared_ptr<const FileReader>& file, const RayValues& values)
 {
   CheckRayValues(*file, values);
-  if (merges > tree.GetMerges().size() || tree.GetNumberOfPoints() != file->GetNumberOfPoints())
-  {
-    ThrowInvalid("the merge tree has fewer merges, or belongs to another mesh", file->GetPath());
-  }
   return file;
 }
 }
@@ -72,10 +68,10 @@ std::shared_ptr<const FileReader> Check(const std::shared_ptr<const FileReader>&
 class CoarseRaySource::Internals
 {
 public:
-  Internals(std::shared_ptr<ChunkCache> parts, const MergeTree& tree, std::size_t merges,
+  Internals(std::shared_ptr<ChunkCache> parts, const MergeTree& tree, MergeCut cut,
     const RayValues& values, const std::shared_ptr<CacheBudget>& budget)
-    : File(Check(parts->GetFile(), tree, merges, values))
-    , Layout(File, tree, merges)
+    : File(Check(parts->GetFile(), values))
+    , Layout(File, tree, std::move(cut))
     , Values(values)
     , Cache(budget)
     , RoomLeft(RoomToWait + budget->GetBytes() / 4)
@@ -312,18 +308,18 @@ void CoarseRaySource::Internals::Make(
 
 //------------------------------------------------------------------------------
 CoarseRaySource::CoarseRaySource(std::shared_ptr<const FileReader> file, const MergeTree& tree,
-  std::size_t merges, const RayValues& values, std::uint64_t budget)
+  MergeCut cut, const RayValues& values, std::uint64_t budget)
 {
   const auto forParts = GetBudgetForParts(budget);
   this->Self = std::make_unique<Internals>(std::make_shared<ChunkCache>(std::move(file), forParts),
-    tree, merges, values, std::make_shared<CacheBudget>(budget - forParts));
+    tree, std::move(cut), values, std::make_shared<CacheBudget>(budget - forParts));
 }
 
-CoarseRaySource::CoarseRaySource(std::shared_ptr<ChunkCache> parts, const MergeTree& tree,
-  std::size_t merges, const RayValues& values)
+CoarseRaySource::CoarseRaySource(
+  std::shared_ptr<ChunkCache> parts, const MergeTree& tree, MergeCut cut, const RayValues& values)
 {
   const auto budget = parts->GetSharedBudget();
-  this->Self = std::make_unique<Internals>(std::move(parts), tree, merges, values, budget);
+  this->Self = std::make_unique<Internals>(std::move(parts), tree, std::move(cut), values, budget);
 }
 
 CoarseRaySource::~CoarseRaySource() = default;
@@ -337,7 +333,7 @@ std::size_t CoarseRaySource::GetNumberOfBlocks() const
 //------------------------------------------------------------------------------
 const Bounds& CoarseRaySource::GetBounds(std::size_t block) const
 {
-  return this->Self->File->GetChunkBounds(block, this->Self->Layout.GetMerges());
+  return this->Self->File->GetChunkBounds(block, this->Self->Layout.GetCut().GetLast());
 }
 
 //------------------------------------------------------------------------------
@@ -345,7 +341,7 @@ Range CoarseRaySource::GetRange(std::size_t block) const
 {
   const auto& values = this->Self->Values;
   return GetDrawnRange(this->Self->File->GetChunkRanges(
-                         values.Array, values.Step, block, this->Self->Layout.GetMerges()),
+                         values.Array, values.Step, block, this->Self->Layout.GetCut().GetLast()),
     values.Component);
 }
 

@@ -3,6 +3,7 @@
 #ifndef gatunCoarseRaySource_h
 #define gatunCoarseRaySource_h
 
+#include "gatunMergeCut.h"
 #include "gatunMergeTree.h"
 #include "gatunRaySource.h"
 #include "gatunRayValues.h"
@@ -19,7 +20,7 @@ class ChunkCache;
 class FileReader;
 
 /**
- * The chunks of a file after a given number of merges, simplified as they are decoded. If a chunk
+ * The chunks of a file after the merges of a cut, simplified as they are decoded. If a chunk
  * gets corners from other chunks that have not been decoded yet, these are decoded with it. The
  * points that others need are kept, which takes little memory. The simplified chunks themselves are
  * kept until they are requested, up to 32 MiB and a quarter of the budget. Blocks are kept within
@@ -29,12 +30,12 @@ class VTKGATUNCORE_EXPORT CoarseRaySource final : public RaySource
 {
 public:
   /** Tree: that of the file. Budget: in bytes. Throws InvalidInput if the file has no such array or
-   * step, or fewer merges. */
-  CoarseRaySource(std::shared_ptr<const FileReader> file, const MergeTree& tree, std::size_t merges,
+   * step, or the cut belongs to another tree. */
+  CoarseRaySource(std::shared_ptr<const FileReader> file, const MergeTree& tree, MergeCut cut,
     const RayValues& values, std::uint64_t budget);
 
   /** Uses a cache that others use, too, and keeps blocks within the same budget. */
-  CoarseRaySource(std::shared_ptr<ChunkCache> parts, const MergeTree& tree, std::size_t merges,
+  CoarseRaySource(std::shared_ptr<ChunkCache> parts, const MergeTree& tree, MergeCut cut,
     const RayValues& values);
 
   ~CoarseRaySource() override;

@@ -61,14 +61,14 @@ std::shared_ptr<RaySource> FileLevelsOfDetail::MakeSource(
       return std::make_shared<FileRaySource>(std::move(parts), this->Values);
     }
     return std::make_shared<CoarseRaySource>(
-      std::move(parts), *place.Tree, place.Merges, this->Values);
+      std::move(parts), *place.Tree, MergeCut(*place.Tree, place.Merges), this->Values);
   }
   if (place.Merges == 0)
   {
     return std::make_shared<FileRaySource>(place.File, this->Values, budget);
   }
   return std::make_shared<CoarseRaySource>(
-    place.File, *place.Tree, place.Merges, this->Values, budget);
+    place.File, *place.Tree, MergeCut(*place.Tree, place.Merges), this->Values, budget);
 }
 
 //------------------------------------------------------------------------------

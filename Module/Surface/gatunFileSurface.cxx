@@ -50,7 +50,8 @@ FileSurface::FileSurface(
 {
   if (merges > 0)
   {
-    this->Layout = std::make_shared<const CoarseLayout>(this->GetFile(), *tree, merges);
+    this->Layout =
+      std::make_shared<const CoarseLayout>(this->GetFile(), *tree, MergeCut(*tree, merges));
   }
 }
 
@@ -149,7 +150,7 @@ const IntervalTree& FileSurface::GetRanges(const FileSurfaceRequest& request)
     for (std::size_t chunk = 0; chunk < ranges.size(); ++chunk)
     {
       const auto& all = this->Layout
-        ? file.GetChunkRanges(request.Array, request.Step, chunk, this->Layout->GetMerges())
+        ? file.GetChunkRanges(request.Array, request.Step, chunk, this->Layout->GetCut().GetLast())
         : file.GetChunkRanges(request.Array, request.Step, chunk);
       ranges[chunk] =
         request.Component < 0 ? all.back() : all[static_cast<std::size_t>(request.Component)];
@@ -169,7 +170,7 @@ std::vector<std::uint32_t> FileSurface::FindChunks(const FileSurfaceRequest& req
 //------------------------------------------------------------------------------
 const Bounds& FileSurface::GetBounds(std::uint32_t chunk) const
 {
-  return this->Layout ? this->GetFile()->GetChunkBounds(chunk, this->Layout->GetMerges())
+  return this->Layout ? this->GetFile()->GetChunkBounds(chunk, this->Layout->GetCut().GetLast())
                       : this->GetFile()->GetChunks()[chunk].Box;
 }
 

@@ -407,7 +407,7 @@ TEST_P(TreeFileRead, LayoutSaysWhichChunksGetPointsFromWhich)
   const auto chunks = static_cast<std::uint32_t>(this->File->GetChunks().size());
   for (const auto merges : SomeMerges(this->Tree))
   {
-    const CoarseLayout layout(this->File, *this->FileTree, merges);
+    const CoarseLayout layout(this->File, *this->FileTree, MergeCut(*this->FileTree, merges));
     ASSERT_EQ(layout.GetAncestors(), this->FileTree->FindAncestors(merges));
     std::vector<std::set<std::uint32_t>> points, given(chunks);
     std::map<std::uint32_t, std::uint32_t> giverOf; // the first chunk that has a point
@@ -488,7 +488,7 @@ TEST_P(TreeFileRead, RangesAreThoseOfAllThatPointsAreMergedInto)
   }
   const auto ranges = layout.FindRanges([&](std::uint32_t point) { return valueOf[point]; });
   ASSERT_EQ(ranges.size(), mesh.Chunks.size());
-  const CoarseLayout chunks(this->File, *this->FileTree, 0);
+  const CoarseLayout chunks(this->File, *this->FileTree, MergeCut(*this->FileTree, 0));
   std::vector<std::uint32_t> into(points), when(points, all);
   for (std::uint32_t i = 0; i < all; ++i)
   {

@@ -8,6 +8,9 @@
 #include "gatunFileLevelsOfDetail.h"
 #include "gatunFileRaySource.h"
 #include "gatunMergeBuilder.h"
+#include "gatunMergeCut.h"
+#include "gatunMergeDependencies.h"
+#include "gatunPieceDecoder.h"
 #include "gatunRayImages.h"
 #include "gatunTestFile.h"
 
@@ -159,7 +162,7 @@ TEST_P(CoarseRays, BlocksHoldWhatIsLeftInWhateverOrderTheyAreMade)
     const auto left = GetContent(this->Simplify(merges));
     for (const std::uint64_t budget : { 0, 100 << 20 })
     {
-      CoarseRaySource source(this->File, tree, merges, {}, budget);
+      CoarseRaySource source(this->File, tree, MergeCut(tree, merges), {}, budget);
       std::vector<std::size_t> order(source.GetNumberOfBlocks());
       std::iota(order.begin(), order.end(), std::size_t{ 0 });
       std::mt19937 random(7);
@@ -169,13 +172,84 @@ TEST_P(CoarseRays, BlocksHoldWhatIsLeftInWhateverOrderTheyAreMade)
         EXPECT_EQ(GetContent(source, order), left) << merges;
       }
       // All at once.
-      CoarseRaySource again(this->File, tree, merges, {}, budget);
+      CoarseRaySource again(this->File, tree, MergeCut(tree, merges), {}, budget);
       std::size_t tets = 0;
       for (const auto& block : again.GetBlocks(order, {}))
       {
         tets += block->Tets.size();
       }
       EXPECT_EQ(tets, left.size());
+    }
+  }
+}
+
+TEST_P(CoarseRays, CutsHoldWhatIsLeftOfTheMesh)
+{
+  this->Write(8, 100, 0);
+  // In the numbers of the file.
+  PieceRequest request;
+  request.Chunks.resize(this->File->GetChunks().size());
+  std::iota(request.Chunks.begin(), request.Chunks.end(), 0u);
+  request.Arrays = { 0 };
+  request.WithUnusedPoints = true;
+  PieceDecoder decoder(this->File);
+  decoder.SetRequest(request);
+  Solid whole;
+  whole.Points.resize(decoder.GetNumberOfPoints());
+  whole.Tets.resize(decoder.GetNumberOfCells());
+  const bool ofCells = GetParam() == Association::Cell;
+  whole.Values.resize(whole.Points.size());
+  whole.CellValues.resize(ofCells ? whole.Tets.size() : 0);
+  PieceTarget target;
+  target.Points = whole.Points.data();
+  target.Connectivity = whole.Tets.data();
+  target.WideIds = false;
+  target.Arrays = { ofCells ? whole.CellValues.data() : whole.Values.data() };
+  decoder.Fill(target);
+
+  const auto tree = this->File->GetMergeTree();
+  const MergeDependencies dependencies(tree, whole.Tets);
+  for (const double part : { 0.2, 0.5, 0.8 })
+  {
+    // Coarse to one side.
+    std::vector<bool> wanted(tree.GetMerges().size());
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+    {
+      wanted[i] = whole.Points[tree.GetMerges()[i].Point][0] < 8 * part;
+    }
+    const MergeCut cut(tree, dependencies, wanted);
+    ASSERT_FALSE(cut.IsUniform());
+    Solid left = whole;
+    left.Tets.clear();
+    left.CellValues.clear();
+    for (std::size_t i = 0; i < whole.Tets.size(); ++i)
+    {
+      auto tet = whole.Tets[i];
+      if (gatun::Simplify(tet, cut.GetAncestors()))
+      {
+        left.Tets.push_back(tet);
+        if (ofCells)
+        {
+          left.CellValues.push_back(whole.CellValues[i]);
+        }
+      }
+    }
+    CoarseRaySource source(this->File, tree, cut, {}, 100 << 20);
+    std::vector<std::size_t> order(source.GetNumberOfBlocks());
+    std::iota(order.begin(), order.end(), std::size_t{ 0 });
+    EXPECT_EQ(GetContent(source, order), GetContent(left)) << part;
+    const auto blocks = source.GetBlocks(order, {});
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+    {
+      const auto& box = source.GetBounds(b);
+      for (const RayPoint& point : blocks[b]->Points)
+      {
+        EXPECT_TRUE(box[0].Min <= point.X && point.X <= box[0].Max);
+        EXPECT_TRUE(box[1].Min <= point.Y && point.Y <= box[1].Max);
+        EXPECT_TRUE(box[2].Min <= point.Z && point.Z <= box[2].Max);
+        const Range range = source.GetRange(b);
+        EXPECT_TRUE(ofCells || (range.Min <= point.Value && point.Value <= range.Max));
+      }
     }
   }
 }
@@ -192,7 +266,7 @@ TEST_P(CoarseImages, AreThoseOfTheSimplifiedMesh)
   const auto all = tree.GetMerges().size();
   for (const std::size_t merges : { all / 3, all * 3 / 4, all * 19 / 20 })
   {
-    CoarseRaySource source(this->File, tree, merges, {}, 1 << 20);
+    CoarseRaySource source(this->File, tree, MergeCut(tree, merges), {}, 1 << 20);
     this->ExpectSameImages(source, merges, 7);
   }
 }
@@ -245,12 +319,15 @@ TEST(CoarseRaysErrors, FilesWithoutATreeAndWrongWishes)
   }
   const auto points = static_cast<std::uint32_t>(mesh.GetPoints());
   const MergeTree tree(points, { { 1, 2, 0.5f } });
-  EXPECT_NO_THROW(CoarseRaySource(file, tree, 1, {}, 0));
-  EXPECT_THROW(CoarseRaySource(file, tree, 2, {}, 0), Error);
-  EXPECT_THROW(CoarseRaySource(file, MergeTree(points + 1, {}), 0, {}, 0), Error);
-  EXPECT_THROW(CoarseRaySource(file, tree, 1, { 7, 0, 0 }, 0), Error);
-  EXPECT_THROW(CoarseRaySource(file, tree, 1, { 0, 1, 0 }, 0), Error);
-  EXPECT_THROW(CoarseRaySource(file, tree, 1, { 0, 0, 1 }, 0), Error);
+  const MergeCut one(tree, 1);
+  EXPECT_NO_THROW(CoarseRaySource(file, tree, one, {}, 0));
+  const MergeTree two(points, { { 1, 2, 0.5f }, { 2, 3, 0.5f } });
+  EXPECT_THROW(CoarseRaySource(file, tree, MergeCut(two, 2), {}, 0), Error);
+  const MergeTree more(points + 1, {});
+  EXPECT_THROW(CoarseRaySource(file, more, MergeCut(more, 0), {}, 0), Error);
+  EXPECT_THROW(CoarseRaySource(file, tree, one, { 7, 0, 0 }, 0), Error);
+  EXPECT_THROW(CoarseRaySource(file, tree, one, { 0, 1, 0 }, 0), Error);
+  EXPECT_THROW(CoarseRaySource(file, tree, one, { 0, 0, 1 }, 0), Error);
 }
 }
 }
