@@ -34,6 +34,7 @@ gatun_core_folder(File
     gatunChunkSetDecoder.h
     gatunChunkSetDecoderInternals.h
     gatunCoarseLayout.h
+    gatunCoarseCells.h
     gatunCoarsePiece.h
     gatunDomainWriter.h
     gatunFileReaderInternals.h
@@ -78,6 +79,7 @@ gatun_core_folder(File
     gatunChunkSetDecoder.cxx
     gatunChunkSetStore.cxx
     gatunCoarseLayout.cxx
+    gatunCoarseCells.cxx
     gatunCoarsePiece.cxx
     gatunFileReader.cxx
     gatunFileReaderBoundary.cxx
