@@ -240,11 +240,16 @@ void PieceReader::Choose(const PublishedFile& handle, std::size_t merges, bool k
 }
 
 //------------------------------------------------------------------------------
-void PieceReader::ChooseBoundary(const PublishedFile& handle)
+void PieceReader::ChooseBoundary(const PublishedFile& handle, std::size_t merges)
 {
-  this->SetMesh(handle, handle.File->GetBoundary(), true);
-  this->Tree = nullptr;
-  this->Merges = 0;
+  SimplifiedFile::Place place{ handle.File->GetBoundary(), nullptr, 0 };
+  if (merges > 0)
+  {
+    place = handle.File->GetBoundaryHierarchy().Find(merges);
+  }
+  this->SetMesh(handle, place.File, true);
+  this->Tree = place.Tree;
+  this->Merges = place.Merges;
 }
 
 //------------------------------------------------------------------------------

@@ -69,8 +69,9 @@ public:
    * mesh. KeepsChunks: whether decoded chunks stay in the cache of the file. */
   void Choose(const PublishedFile& handle, std::size_t merges, bool keepsChunks = true);
 
-  /** Chooses the boundary in the file. Requests for it are made by MakeBoundaryRequest. */
-  void ChooseBoundary(const PublishedFile& handle);
+  /** Chooses the boundary in the file after some of its merges. Requests for it are made by
+   * MakeBoundaryRequest. */
+  void ChooseBoundary(const PublishedFile& handle, std::size_t merges);
 
   /** The mesh that was chosen, and the number of merges from there. */
   const FileReader& GetMesh() const { return *this->Parts->GetFile(); }

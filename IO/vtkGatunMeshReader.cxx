@@ -30,6 +30,7 @@
 #include <cstdint>
 #include <exception>
 #include <new>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -407,10 +408,11 @@ int vtkGatunMeshReader::RequestData(vtkInformation* vtkNotUsed(request),
       this->UpdateProgress(fraction);
       return !gatun::IsAborted(this);
     };
-    const bool isBoundary = handle.OnDemand && self.CanShowBoundary(handle);
-    if (isBoundary)
+    const auto ofBoundary =
+      handle.OnDemand ? self.FindBoundaryMerges(handle) : std::optional<std::size_t>();
+    if (ofBoundary)
     {
-      self.ReadBoundary(handle, port, grid, progress);
+      self.ReadBoundary(handle, *ofBoundary, port, grid, progress);
     }
     else if (handle.OnDemand)
     {
@@ -430,7 +432,7 @@ int vtkGatunMeshReader::RequestData(vtkInformation* vtkNotUsed(request),
     if (handle.OnDemand)
     {
       output->GetInformation()->Set(
-        ON_DEMAND(), isBoundary ? ON_DEMAND_BOUNDARY : ON_DEMAND_OUTLINE);
+        ON_DEMAND(), ofBoundary ? ON_DEMAND_BOUNDARY : ON_DEMAND_OUTLINE);
     }
     gatun::SetStepTime(self.GetFile(), port.Step, output);
     this->UpdateProgress(1);

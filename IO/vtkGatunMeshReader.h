@@ -47,12 +47,14 @@
  * the 8 corners of its bounds and 12 lines. The outline has the selected arrays. Their values span
  * the ranges of those of the mesh at the current step, component by component and, for up to three
  * components, in length. Piece 0 has the outline, all others are empty. Nothing is decoded.
- * If the file has the boundary of the mesh (vtkGatunWriter::WriteBoundary) and MemoryBudget is
- * enough for it, the output is the boundary instead: faces as triangles, quadrilaterals and
- * polygons with the selected arrays, in pieces as the mesh. Nothing else is decoded. The 8 corners
- * of the outline are there as points that no cell has, so that point arrays have the ranges of
- * those of the mesh; cell arrays have those of the boundary. The boundary is not simplified and has
- * no order or global ids of the mesh.
+ * If the file has the boundary of the mesh (vtkGatunWriter::WriteBoundary), the output is the
+ * boundary instead: faces as triangles, quadrilaterals and polygons with the selected arrays, in
+ * pieces as the mesh. Nothing else is decoded. The 8 corners of the outline are there as points
+ * that no cell has, so that point arrays have the ranges of those of the mesh; cell arrays have
+ * those of the boundary. The boundary has no order or global ids of the mesh. If it consists of
+ * triangles and the file has a hierarchy, it is simplified as the mesh, and further until
+ * MemoryBudget is enough for it. Without a hierarchy, the output is the outline if the budget is not
+ * enough.
  *
  * ON_DEMAND() in the information of the output and GetIsOnDemand distinguish both from a mesh. The
  * consumers of the file use the mesh all the same. With a region of interest the output is always a

@@ -18,6 +18,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -276,34 +277,54 @@ void vtkGatunMeshReader::vtkInternals::MakeOutline(
 }
 
 //------------------------------------------------------------------------------
-/** Whether the file has the boundary of the mesh, and the memory budget is enough for it. */
-bool vtkGatunMeshReader::vtkInternals::CanShowBoundary(const gatun::PublishedFile& handle) const
+/** The number of merges with which the boundary is shown: those of the mesh or, if the memory
+ * budget is not enough for that, as many as it takes. Nothing if the boundary cannot be shown. */
+std::optional<std::size_t> vtkGatunMeshReader::vtkInternals::FindBoundaryMerges(
+  const gatun::PublishedFile& handle) const
 {
   if (!this->GetFile().HasBoundary())
   {
-    return false;
+    return {};
   }
-  constexpr std::uint64_t bytesOfPoint = 3 * sizeof(double);
-  constexpr std::uint64_t bytesOfFace = 5 * sizeof(vtkIdType) + 1;
   const auto boundary = handle.File->GetBoundary();
-  std::uint64_t bytes =
-    bytesOfPoint * boundary->GetNumberOfPoints() + bytesOfFace * boundary->GetNumberOfCells();
+  const auto points = static_cast<double>(boundary->GetNumberOfPoints());
+  const auto cells = static_cast<double>(boundary->GetNumberOfCells());
+  constexpr std::uint64_t bytesOfFace = 5 * sizeof(vtkIdType) + 1;
+  std::uint64_t ofPoint = 3 * sizeof(double);
+  std::uint64_t ofCell = bytesOfFace;
   for (std::size_t i = 0; i < boundary->GetArrays().size(); ++i)
   {
     const gatun::ArrayDescription& array = boundary->GetArrays()[i];
-    const std::uint64_t tuples = array.Where == Association::Point ? boundary->GetNumberOfPoints()
-                                                                   : boundary->GetNumberOfCells();
-    bytes += handle.Selected[i] ? tuples * array.Components * SizeOf(array.Type) : 0;
+    auto& sum = array.Where == gatun::Association::Point ? ofPoint : ofCell;
+    sum += handle.Selected[i] ? array.Components * SizeOf(array.Type) : 0;
   }
-  return bytes <= this->File->GetBudget()->GetBytes();
+  const double bytes = points * static_cast<double>(ofPoint) + cells * static_cast<double>(ofCell);
+  const auto room = static_cast<double>(this->File->GetBudget()->GetBytes());
+  std::size_t merges = 0;
+  if (handle.Merges > 0 && boundary->HasMergeTree())
+  {
+    const double error = handle.File->GetHierarchy().GetTree().GetLargestError(handle.Merges);
+    merges = handle.File->GetBoundaryHierarchy().GetTree().CountMergesForError(error);
+  }
+  if (bytes > room)
+  {
+    // Cells become fewer in proportion to points.
+    const auto most = static_cast<std::size_t>(std::ceil(points * (1 - room / bytes)));
+    merges = std::max(merges, most);
+  }
+  if (merges > boundary->GetNumberOfMerges())
+  {
+    return {};
+  }
+  return merges;
 }
 
 //------------------------------------------------------------------------------
 void vtkGatunMeshReader::vtkInternals::ReadBoundary(const gatun::PublishedFile& handle,
-  const gatun::PortRequest& port, vtkUnstructuredGrid* output,
+  std::size_t merges, const gatun::PortRequest& port, vtkUnstructuredGrid* output,
   const gatun::PieceReader::Progress& progress)
 {
-  this->Pieces.ChooseBoundary(handle);
+  this->Pieces.ChooseBoundary(handle, merges);
   const gatun::PieceRequest request = this->Pieces.MakeBoundaryRequest(handle, port);
   this->Pieces.Read(handle, request, false, output, progress);
   gatun::AddOutlinePoints(this->GetFile(), request.Arrays, request.Step, output);

@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,9 +67,10 @@ public:
   std::vector<std::uint32_t> ChunksOf(const vtkGatunMeshReader& reader, std::size_t step) const;
   void MakeOutline(const gatun::PublishedFile& handle, const gatun::PortRequest& port,
     vtkUnstructuredGrid* output);
-  bool CanShowBoundary(const gatun::PublishedFile& handle) const;
-  void ReadBoundary(const gatun::PublishedFile& handle, const gatun::PortRequest& port,
-    vtkUnstructuredGrid* output, const gatun::PieceReader::Progress& progress);
+  std::optional<std::size_t> FindBoundaryMerges(const gatun::PublishedFile& handle) const;
+  void ReadBoundary(const gatun::PublishedFile& handle, std::size_t merges,
+    const gatun::PortRequest& port, vtkUnstructuredGrid* output,
+    const gatun::PieceReader::Progress& progress);
   void MakeSurface(vtkUnstructuredGrid* grid, vtkPolyData* output);
 
 private:

@@ -136,6 +136,41 @@ MeshInput BoundaryMesh::GetInput() const
 }
 
 //------------------------------------------------------------------------------
+std::optional<MergeTree> BoundaryMesh::MakeTree(const MergeTree& whole) const
+{
+  constexpr std::uint8_t triangle = 5;
+  const auto isSimple = [](std::uint8_t type)
+  {
+    const auto list = GetSurfaceList(type);
+    return type == triangle || list == SurfaceList::Vertices || list == SurfaceList::Lines;
+  };
+  if (!std::all_of(this->Types.begin(), this->Types.end(), isSimple))
+  {
+    return {};
+  }
+  constexpr std::uint32_t none = 0xffffffffu;
+  std::vector<std::uint32_t> places(whole.GetNumberOfPoints(), none);
+  for (std::uint32_t i = 0; i < this->Points.size(); ++i)
+  {
+    places[this->Points[i]] = i;
+  }
+  std::vector<Merge> merges;
+  for (const Merge& merge : whole.GetMerges())
+  {
+    if (places[merge.Point] == none)
+    {
+      continue;
+    }
+    if (places[merge.Into] == none)
+    {
+      return {};
+    }
+    merges.push_back({ places[merge.Point], places[merge.Into], merge.Error });
+  }
+  return MergeTree(static_cast<std::uint32_t>(this->Points.size()), std::move(merges));
+}
+
+//------------------------------------------------------------------------------
 Bytes BoundaryMesh::Gather(const void* values, Association where, std::size_t tupleBytes) const
 {
   return GatherTuples(values, where == Association::Point ? this->Points : this->Cells, tupleBytes);

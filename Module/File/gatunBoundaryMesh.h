@@ -6,11 +6,13 @@
 
 #include "gatunBoundaryFaces.h"
 #include "gatunBytes.h"
+#include "gatunMergeTree.h"
 #include "gatunMeshAccess.h"
 #include "gatunPartition.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace gatun
@@ -25,6 +27,11 @@ public:
   /** Vertices, lines, polygons and strips, in this order. Valid during the lifetime of this object.
    */
   MeshInput GetInput() const;
+
+  /** The merges of the mesh that simplify the boundary, in its own numbers: those of its points.
+   * Nothing if it has cells other than triangles, vertices and lines, or if one of its points is
+   * merged into another one that is not there. */
+  std::optional<MergeTree> MakeTree(const MergeTree& whole) const;
 
   /** The tuples of the points of the boundary, or of the cell of each of its faces. */
   Bytes Gather(const void* values, Association where, std::size_t tupleBytes) const;

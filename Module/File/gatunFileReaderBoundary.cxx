@@ -30,7 +30,8 @@ void FileReader::Internals::CheckBoundary(const Internals& whole) const
   const bool fits = this->IsSurface && this->Meta.Points <= whole.Meta.Points &&
     this->Meta.CoordinateType == whole.Meta.CoordinateType &&
     this->Meta.Arrays == whole.Meta.Arrays && this->Meta.HasTime == whole.Meta.HasTime &&
-    this->Times == whole.Times;
+    this->Times == whole.Times && this->Levels.empty() &&
+    (!this->Tree || (whole.Tree && this->Tree->Merges <= whole.Tree->Merges));
   if (!fits)
   {
     this->File.Fail(ErrorCode::Corrupt, "it cannot be the boundary of the mesh");

@@ -60,6 +60,7 @@ private:
     MeshT Mesh;
     WriterOptions Options;
     std::unique_ptr<Internals> File;
+    std::optional<MergeTree> Tree = {}; // of the boundary
   };
   using Level = Embedded<BaseMesh>;
 
@@ -193,8 +194,12 @@ std::unique_ptr<FileWriter::Internals::Level> FileWriter::Internals::MakeLevel(
 void FileWriter::Internals::WriteBoundary(const Progress& progress)
 {
   WriterOptions& options = this->Boundary->Options;
+  if (options.Tree)
+  {
+    this->Boundary->Tree = this->Boundary->Mesh.MakeTree(*options.Tree);
+  }
   options.Keep = KeepNone;
-  options.Tree = nullptr;
+  options.Tree = this->Boundary->Tree ? &*this->Boundary->Tree : nullptr;
   options.Levels = 0;
   options.Layers.reset();
   options.Boundary = false;

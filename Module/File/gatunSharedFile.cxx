@@ -36,6 +36,18 @@ std::shared_ptr<const FileReader> SharedFile::GetBoundary()
 }
 
 //------------------------------------------------------------------------------
+SimplifiedFile& SharedFile::GetBoundaryHierarchy()
+{
+  auto boundary = this->GetBoundary();
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  if (!this->BoundaryHierarchy)
+  {
+    this->BoundaryHierarchy = std::make_unique<SimplifiedFile>(std::move(boundary));
+  }
+  return *this->BoundaryHierarchy;
+}
+
+//------------------------------------------------------------------------------
 std::shared_ptr<ChunkCache> SharedFile::MakeView(
   const std::shared_ptr<const FileReader>& mesh, bool keepsChunks)
 {

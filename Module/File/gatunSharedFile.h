@@ -40,6 +40,10 @@ public:
    * is none. */
   std::shared_ptr<const FileReader> GetBoundary();
 
+  /** The merge tree of the boundary. Throws InvalidInput if there is no boundary, or it has no
+   * hierarchy. */
+  SimplifiedFile& GetBoundaryHierarchy();
+
   /** The decoded parts of the file, of its boundary, or of one of its base meshes, for one
    * consumer: every call returns another view of the same cache, with statistics of its own. A view
    * that does not keep chunks finds those of the others. */
@@ -58,6 +62,7 @@ private:
   mutable std::mutex Guard; // of what follows
   std::unique_ptr<SimplifiedFile> Hierarchy;
   std::shared_ptr<const FileReader> Boundary;
+  std::unique_ptr<SimplifiedFile> BoundaryHierarchy;
   std::map<const FileReader*, std::shared_ptr<ChunkCache>> Caches; // each keeps its mesh alive
 };
 }

@@ -3,7 +3,7 @@
 
 """The boundary in a file is that which vtkDataSetSurfaceFilter finds in the mesh, with the values of
 its points and of the cells behind its faces at all time steps. On demand, the reader gives it without
-reading the mesh, in pieces, too, if the memory budget is enough."""
+reading the mesh, in pieces, too, as simplified as the mesh, or as the memory budget asks for."""
 
 import collections
 import os
@@ -70,7 +70,6 @@ def check(name, grid, **options):
     path = write(name, grid, **options)
     reader = read(path)
     output = reader.GetOutput()
-    key = vtkGatunReader.ON_DEMAND()
     assert output.GetInformation().Get(key) == vtkGatunReader.ON_DEMAND_BOUNDARY
     expected = faces(surface_of(grid))
     assert faces(output) == expected, (name, output.GetNumberOfCells(), expected.total())
@@ -81,6 +80,8 @@ def check(name, grid, **options):
     assert read(path, 0).GetOutput().GetNumberOfCells() == grid.GetNumberOfCells()
     return path
 
+
+key = vtkGatunReader.ON_DEMAND()
 
 # Tetrahedra, in one chunk and in many, with a crack and a hole.
 grid = gm.block(n=6)
@@ -136,6 +137,42 @@ assert reader.GetOutput().GetNumberOfCells() == big.GetNumberOfCells()
 reader.SetOnDemand(1)
 reader.Update()
 assert reader.GetOutput().GetNumberOfCells() == 6 * 24 * 24 * 2
+
+# With a hierarchy, the boundary is simplified as the mesh is: it is that of the simplified mesh. The cell
+# behind a face may be another one.
+points, tets = gm.lattice(12)
+curved = gm.make_grid(points * (1 + 0.2 * np.sin(3 * points[:, [1, 2, 0]])), tets)
+gm.add_array(curved.GetPointData(), np.sin(5 * points).sum(1), "wave")
+path = write("boundary-tree.gtn", curved, Hierarchy=True, ChunkTets=300)
+last = points_of_boundary = read(path).GetOutput().GetNumberOfPoints()
+for error in (1e-4, 0.003, 0.02, 0.05):
+    options = {"SimplificationTarget": vtkGatunReader.TARGET_RMS_ERROR, "SimplificationRMSError": error}
+    simple = read(path, 0, **options).GetOutput()
+    output = read(path, **options).GetOutput()
+    assert output.GetNumberOfPoints() < last, error
+    last = output.GetNumberOfPoints()
+    expected = surface_of(simple)
+    for data in (output, expected):
+        data.GetCellData().Initialize()
+    assert faces(output) == faces(expected), (error, output.GetNumberOfCells())
+    together = collections.Counter()
+    for piece in range(2):
+        part = read(path, piece=piece, pieces=2, **options).GetOutput()
+        part.GetCellData().Initialize()
+        together += faces(part)
+    assert together == faces(expected), error
+assert last < points_of_boundary / 4
+
+# If the memory budget is too small for the boundary, it is simplified until it fits.
+points, tets = gm.lattice(64)
+path = write("boundary-budget.gtn", gm.make_grid(points, tets), Hierarchy=True)
+assert read(path).GetOutput().GetNumberOfCells() == 12 * 64 * 64
+limited = read(path, MemoryBudget=1).GetOutput()
+assert limited.GetInformation().Get(key) == vtkGatunReader.ON_DEMAND_BOUNDARY
+assert limited.GetActualMemorySize() <= 1.1 * 1024, limited.GetActualMemorySize()
+assert limited.GetNumberOfCells() > 4000
+assert limited.GetBounds() == (0, 1, 0, 1, 0, 1)
+assert read(path, MemoryBudget=0).GetOutput().GetNumberOfCells() == 12
 
 # Filters of VTK have something to show.
 plane = vtkPlane()

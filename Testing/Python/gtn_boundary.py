@@ -25,6 +25,8 @@ def open_boundary(whole, make):
     require(other.has_time == one.has_time and other.arrays == one.arrays, "arrays of a boundary")
     times = [[step.time for step in decoder.steps] for decoder in (whole, boundary)]
     require(times[0] == times[1], "steps of a boundary")
+    if boundary.container.tree is not None:
+        require(whole.container.tree is not None, "merges of a boundary, but not of the mesh")
     return boundary
 
 
