@@ -445,7 +445,7 @@ std::uint64_t ForgetBlock(MeshTable& mesh)
   auto& parts = mesh.Chunks[0].Shared;
   const auto block = parts.back().Block;
   std::uint64_t points = 0;
-  while (parts.back().Block == block)
+  while (!parts.empty() && parts.back().Block == block)
   {
     points += parts.back().Points;
     parts.pop_back();
