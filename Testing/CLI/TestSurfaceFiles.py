@@ -201,6 +201,16 @@ for target in (("--ratio", 0.8), ("--points", 40), ("--rms-error", 0.01)):
 gtn("simplify", "-f", "--feature-angle", 5, "--weight", "none", "tree.gtn", "new.vtp", code=1,
     says="there is no point array 'none'")
 gtn("simplify", "-f", "tree.gtn", "new.vtu", code=1, says="is a surface")
+plane.SetResolution(120, 100)
+plane.Update()
+save(vtkXMLPolyDataWriter(), plane.GetOutput(), "plane.vtp")
+told = gtn("pack", "--triangles", "--levels", 4, "plane.vtp", "plane.gtn")
+assert "hierarchy" in told and "base meshes" in told, told
+told = json.loads(gtn("info", "--json", "plane.gtn"))
+assert [mesh["points"] for mesh in told["baseMeshes"]] == [6111], told["baseMeshes"]
+assert 10000 < told["baseMeshes"][0]["cells"] < 13000, told["baseMeshes"]
+assert "\nbase meshes\n" in gtn("info", "plane.gtn")
+gtn("verify", "--triangles", "plane.gtn", "plane.vtp", says="identical")
 gtn("pack", "--feature-angle", 5, "sphere.ply", "new.gtn", code=2, says="need --hierarchy")
 
 # Damaged files.

@@ -35,15 +35,21 @@ constexpr std::size_t MostLevels = 3;
   std::abort();
 }
 
+/** Tetrahedra, or cells of a surface. */
+std::uint64_t CountCells(const FileReader& file)
+{
+  return file.IsSurface() ? file.GetNumberOfCells() : file.GetNumberOfTets();
+}
+
 bool IsSmall(const FileReader& file)
 {
   std::uint64_t values = 0;
   for (const auto& array : file.GetArrays())
   {
     values += array.Components *
-      (array.Where == Association::Point ? file.GetNumberOfPoints() : file.GetNumberOfTets());
+      (array.Where == Association::Point ? file.GetNumberOfPoints() : CountCells(file));
   }
-  return file.GetNumberOfTets() <= MostTets && file.GetNumberOfPoints() <= MostPoints &&
+  return CountCells(file) <= MostTets && file.GetNumberOfPoints() <= MostPoints &&
     file.GetChunks().size() <= MostChunks && file.GetNumberOfSteps() <= MostSteps &&
     values <= MostValues;
 }
@@ -51,15 +57,27 @@ bool IsSmall(const FileReader& file)
 void DecodePiece(PieceDecoder& decoder, const FileReader& file, const PieceRequest& request)
 {
   decoder.SetRequest(request);
+  if (decoder.GetConnectivitySize() > MostValues)
+  {
+    return;
+  }
   const auto points = static_cast<std::size_t>(decoder.GetNumberOfPoints());
-  const auto tets = static_cast<std::size_t>(decoder.GetNumberOfCells());
+  const auto cells = static_cast<std::size_t>(decoder.GetNumberOfCells());
   std::vector<double> coordinates(3 * points);
-  std::vector<std::int64_t> connectivity(4 * tets, -1), pointIds(points, -1), cellIds(tets, -1);
-  std::vector<unsigned char> pointGhosts(points, 77), cellGhosts(tets, 77);
+  std::vector<std::int64_t> connectivity(
+    static_cast<std::size_t>(decoder.GetConnectivitySize()), -1);
+  std::vector<std::int64_t> pointIds(points, -1), cellIds(cells, -1), offsets(cells + 1, -1);
+  std::vector<std::uint8_t> types(cells);
+  std::vector<unsigned char> pointGhosts(points, 77), cellGhosts(cells, 77);
   std::vector<std::vector<std::uint8_t>> values;
   PieceTarget target;
   target.Points = coordinates.data();
   target.Connectivity = connectivity.data();
+  if (!decoder.IsTetrahedral())
+  {
+    target.Offsets = offsets.data();
+    target.Types = types.data();
+  }
   target.GlobalPointIds = pointIds.data();
   target.GlobalCellIds = cellIds.data();
   target.PointGhosts = pointGhosts.data();
@@ -68,7 +86,7 @@ void DecodePiece(PieceDecoder& decoder, const FileReader& file, const PieceReque
   {
     const auto& array = file.GetArrays()[a];
     values.emplace_back(
-      (array.Where == Association::Point ? points : tets) * array.Components * SizeOf(array.Type));
+      (array.Where == Association::Point ? points : cells) * array.Components * SizeOf(array.Type));
     target.Arrays.push_back(values.back().data());
   }
   decoder.Fill(target);
@@ -79,7 +97,8 @@ void DecodePiece(PieceDecoder& decoder, const FileReader& file, const PieceReque
       [&](std::int64_t id) { return id >= 0 && static_cast<std::uint64_t>(id) < end; });
   };
   if (!allBelow(connectivity, points) || !allBelow(pointIds, file.GetNumberOfPoints()) ||
-    !allBelow(cellIds, file.GetNumberOfTets()))
+    !allBelow(cellIds, CountCells(file)) ||
+    (!decoder.IsTetrahedral() && !allBelow(offsets, connectivity.size() + 1)))
   {
     Stop("a decoded id is out of range");
   }
@@ -98,6 +117,7 @@ void DecodePieces(const std::shared_ptr<const FileReader>& file,
   PieceRequest all;
   all.Tree = tree;
   all.Merges = merges;
+  all.Form = file->IsSurface() ? PieceForm::Original : PieceForm::Tetrahedra;
   all.Chunks.resize(file->GetChunks().size());
   std::iota(all.Chunks.begin(), all.Chunks.end(), 0u);
   all.WithUnusedPoints = true;

@@ -372,6 +372,12 @@ TEST(SurfaceTree, WriterMakesBaseMeshesOfWholeMerges)
   const auto sheet = MakeSheet(260, 100, true, true, PlaceOnTorus, true);
   auto sample = ToSample(sheet, 1);
   BuildSurfaceTree(sample, sheet.Values);
+  // The number of merges that leaves half of the points is not a whole one.
+  auto bonds = sample.Tree.GetBonds();
+  const auto half = sample.Tree.CountMergesForPoints((sample.GetPoints() + 1) / 2);
+  bonds[half - 1] = true;
+  sample.Tree = MergeTree(
+    static_cast<std::uint32_t>(sample.GetPoints()), sample.Tree.GetMerges(), std::move(bonds));
   const auto path = GetPath("surface_levels.gtn");
   WriterOptions options;
   options.Tree = &sample.Tree;
@@ -383,6 +389,8 @@ TEST(SurfaceTree, WriterMakesBaseMeshesOfWholeMerges)
   EXPECT_GT(writer.Finish().LevelBytes, 1000u);
   const FileReader file(path);
   ASSERT_EQ(file.GetLevels().size(), 2u); // of 52,000 triangles, 26,000 and 13,000
+  EXPECT_EQ(file.GetLevels()[0], sample.Tree.CountWholeMerges(half));
+  EXPECT_LT(file.GetLevels()[0], half);
   for (const auto merges : file.GetLevels())
   {
     EXPECT_EQ(sample.Tree.CountWholeMerges(merges), merges);
