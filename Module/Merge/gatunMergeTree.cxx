@@ -70,4 +70,59 @@ std::vector<std::uint32_t> MergeTree::FindAncestors(std::size_t merges) const
   }
   return ancestors;
 }
+
+const MergeTree::Children& MergeTree::GetChildren() const
+{
+  Children& sorted = *this->Sorted;
+  std::call_once(sorted.Once,
+    [&]
+    {
+      std::vector<std::uint32_t> first(this->Points + std::size_t{ 1 }, 0);
+      for (const Merge& merge : this->Merges)
+      {
+        ++first[merge.Into + std::size_t{ 1 }];
+      }
+      std::partial_sum(first.begin(), first.end(), first.begin());
+      std::vector<std::uint32_t> list(this->Merges.size());
+      std::vector<std::uint32_t> next = first;
+      for (std::size_t i = 0; i < this->Merges.size(); ++i)
+      {
+        list[next[this->Merges[i].Into]++] = static_cast<std::uint32_t>(i);
+      }
+      sorted.First = std::move(first);
+      sorted.List = std::move(list);
+    });
+  return sorted;
+}
+
+std::vector<std::uint32_t> MergeTree::FindChanges(std::size_t from, std::size_t to) const
+{
+  const std::size_t begin = std::min({ from, to, this->Merges.size() });
+  const std::size_t end = std::min(std::max(from, to), this->Merges.size());
+  if (begin == end)
+  {
+    return {};
+  }
+  // A point that is merged in between changes, and so do those that were merged into it before.
+  // Those that are merged into it in between are in the list themselves.
+  const Children& children = this->GetChildren();
+  std::vector<std::uint32_t> changed;
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    changed.push_back(this->Merges[i].Point);
+    for (std::size_t next = changed.size() - 1; next < changed.size(); ++next)
+    {
+      const std::uint32_t point = changed[next];
+      for (std::size_t j = children.First[point]; j < children.First[point + std::size_t{ 1 }]; ++j)
+      {
+        if (children.List[j] >= begin)
+        {
+          break;
+        }
+        changed.push_back(this->Merges[children.List[j]].Point);
+      }
+    }
+  }
+  return changed;
+}
 }

@@ -13,9 +13,9 @@
  *
  * *Any other input* is drawn as ParaView's "Surface" does.
  *
- * All properties of "Surface" are here: colors, lighting, opacity, textures, faces, transformations,
- * and the styles Points, Wireframe, Surface and Surface With Edges. For files, the normals and
- * texture coordinates are those that the file marks as such.
+ * All properties of "Surface" are here: colors, lighting, opacity, textures, faces,
+ * transformations, and the styles Points, Wireframe, Surface and Surface With Edges. For files, the
+ * normals and texture coordinates are those that the file marks as such.
  *
  * *Several processes.* Cells stay in the process that has them. Of a file on demand each process
  * draws its part of the chunks; opaque images are those of one process. Translucent parts of
