@@ -144,8 +144,7 @@ public:
       const std::size_t middle = low + (high - low) / 2;
       (this->Make(middle).size() <= triangles ? high : low) = middle;
     }
-    high = gatun::CountWholeMerges(this->Merges, high,
-      [this](std::uint32_t a, std::uint32_t b) { return this->Points[a] == this->Points[b]; });
+    high = this->Merges.CountWholeMerges(high);
     std::vector<std::array<std::uint32_t, 3>> cells;
     seconds = SecondsOf([&] { cells = this->Make(high); });
     this->Error = this->Merges.GetLargestError(high);

@@ -17,7 +17,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -41,13 +40,6 @@ void CopyCells(vtkPolyData* surface, vtkCellArray* cells, vtkIdType first,
     });
 }
 
-/** Whether two different corners have become one. Those that were one before have not. */
-bool IsGone(const SurfaceTriangles::Triangle& before, const SurfaceTriangles::Triangle& after)
-{
-  const auto isGone = [&](unsigned i, unsigned j)
-  { return after[i] == after[j] && before[i] != before[j]; };
-  return isGone(0, 1) || isGone(1, 2) || isGone(2, 0);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -59,21 +51,6 @@ SimplifiedSurface::SimplifiedSurface(vtkPolyData* input, const MergeWeights& wei
   this->Surface->ShallowCopy(input);
   this->Tree = BuildMergeTree(
     input, this->Triangles.Corners, weights, settings, progress, this->Triangles.IsMarked);
-}
-
-//------------------------------------------------------------------------------
-std::size_t SimplifiedSurface::CountWholeMerges(const MergeTree& tree, std::size_t merges) const
-{
-  vtkPoints* const points = this->Surface->GetPoints();
-  return gatun::CountWholeMerges(tree, merges,
-    [points](std::uint32_t a, std::uint32_t b)
-    {
-      std::array<double, 3> p{};
-      std::array<double, 3> q{};
-      points->GetPoint(a, p.data());
-      points->GetPoint(b, q.data());
-      return p == q;
-    });
 }
 
 //------------------------------------------------------------------------------
@@ -115,9 +92,8 @@ void SimplifiedSurface::Fill(const MergeTree& tree, std::size_t merges, vtkPolyD
   const auto getFirst = [&](std::size_t part) { return triangles.size() * part / parts; };
   const auto find = [&](std::size_t i, SurfaceTriangles::Triangle& triangle)
   {
-    triangle = { ancestors[triangles[i][0]], ancestors[triangles[i][1]],
-      ancestors[triangles[i][2]] };
-    return !IsGone(triangles[i], triangle);
+    triangle = triangles[i];
+    return Simplify(triangle, ancestors);
   };
   std::vector<vtkIdType> starts(parts + 1, 0);
   ParallelFor(parts,

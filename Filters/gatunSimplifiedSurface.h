@@ -36,9 +36,6 @@ public:
   /** The tree is moved out once; other methods take it. */
   MergeTree TakeTree() { return std::move(this->Tree); }
 
-  /** Returns a number of merges, not above the given one, that opens no seam. */
-  std::size_t CountWholeMerges(const MergeTree& tree, std::size_t merges) const;
-
   /** Fills the output: vertices and lines as they are, then the triangles that are left, with their
    * data, and the points that are left. */
   void Fill(const MergeTree& tree, std::size_t merges, vtkPolyData* output) const;

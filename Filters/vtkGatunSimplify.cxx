@@ -16,6 +16,7 @@
 #include "gatunReport.h"
 #include "gatunSimplifiedSurface.h"
 #include "gatunSimplifyTarget.h"
+#include "gatunSurfaceGrid.h"
 #include "gatunTetInput.h"
 #include "vtkGatunCompat.h"
 
@@ -130,7 +131,7 @@ public:
   void ForgetFile();
   void ForgetGrid();
   void FillFromFile(vtkGatunSimplify* self, const gatun::PublishedFile& handle,
-    vtkInformation* inInfo, vtkInformation* outInfo, vtkUnstructuredGrid* output);
+    vtkInformation* inInfo, vtkInformation* outInfo, vtkPointSet* output);
   void FillFromSurface(
     vtkGatunSimplify* self, vtkInformation* outInfo, vtkPolyData* input, vtkPolyData* output);
   void FillFromGrid(vtkGatunSimplify* self, vtkInformation* outInfo, vtkUnstructuredGrid* input,
@@ -191,7 +192,7 @@ void vtkGatunSimplify::vtkInternals::ForgetGrid()
 /** The merges of the file, after those that the reader makes. */
 void vtkGatunSimplify::vtkInternals::FillFromFile(vtkGatunSimplify* self,
   const gatun::PublishedFile& handle, vtkInformation* inInfo, vtkInformation* outInfo,
-  vtkUnstructuredGrid* output)
+  vtkPointSet* output)
 {
   this->ForgetGrid();
   if (handle.File != this->File)
@@ -215,13 +216,23 @@ void vtkGatunSimplify::vtkInternals::FillFromFile(vtkGatunSimplify* self,
   this->Pieces.Choose(handle, this->FileMerges);
   std::vector<std::uint32_t> chunks(this->Pieces.GetMesh().GetChunks().size());
   std::iota(chunks.begin(), chunks.end(), 0u);
+  auto* const surface = vtkPolyData::SafeDownCast(output);
+  vtkSmartPointer<vtkUnstructuredGrid> grid = vtkUnstructuredGrid::SafeDownCast(output);
+  if (surface)
+  {
+    grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  }
   this->Pieces.Read(handle, this->Pieces.MakeRequest(handle, port, chunks),
-    handle.GenerateGlobalIds || port.Pieces > 1, output,
+    handle.GenerateGlobalIds || port.Pieces > 1, grid,
     [self](double fraction)
     {
       self->UpdateProgress(fraction);
       return !gatun::IsAborted(self);
     });
+  if (surface)
+  {
+    gatun::MakeSurface(grid, gatun::FindSurfaceCells(grid), surface);
+  }
   gatun::SetStepTime(file, port.Step, output);
 }
 
@@ -264,7 +275,7 @@ void vtkGatunSimplify::vtkInternals::FillFromSurface(
     this->FeatureAngle = self->FeatureAngle;
     this->SetPrepared(input, pieces, settings);
   }
-  const std::size_t merges = this->Surface->CountWholeMerges(this->Tree, this->CountMerges(self));
+  const std::size_t merges = this->Tree.CountWholeMerges(this->CountMerges(self));
   this->Surface->Fill(this->Tree, merges, output);
   this->OutputRMSError = this->Tree.GetLargestError(merges);
 }
@@ -410,7 +421,8 @@ double vtkGatunSimplify::GetOutputRMSError()
   try
   {
     // The tree is not needed for the output if that is a base mesh.
-    return self.File->GetHierarchy().GetTree().GetLargestError(self.FileMerges);
+    const gatun::MergeTree& tree = self.File->GetHierarchy().GetTree();
+    return tree.GetLargestError(tree.CountWholeMerges(self.FileMerges));
   }
   catch (...)
   {
@@ -483,17 +495,16 @@ int vtkGatunSimplify::RequestData(
   this->SetErrorCode(vtkErrorCode::NoError);
   auto& self = *this->Internals;
   self.OutputRMSError = 0;
-  const gatun::PublishedFile* const file =
-    surface ? nullptr : vtkInternals::FindHierarchy(this, inInfo);
+  const gatun::PublishedFile* const file = vtkInternals::FindHierarchy(this, inInfo);
   try
   {
-    if (surface)
+    if (file)
+    {
+      self.FillFromFile(this, *file, inInfo, outInfo, output);
+    }
+    else if (surface)
     {
       self.FillFromSurface(this, outInfo, surface, vtkPolyData::SafeDownCast(output));
-    }
-    else if (file)
-    {
-      self.FillFromFile(this, *file, inInfo, outInfo, grid);
     }
     else
     {

@@ -25,14 +25,15 @@
  * lower dimension and ghost cells are left out. Output: the remaining points, unmoved and in their
  * order, with their point data; the remaining tetrahedra with their cell data; the field data.
  *
- * *From a file.* If the input is the output of a vtkGatunReader without a region of interest, and
- * its file has a hierarchy (vtkGatunWriter::Hierarchy), the filter finds a vtkGatunFileHandle in
- * the information of its input and uses the order of merges in the file, and its base meshes. The
- * reader is then not asked for the mesh. The output is what the reader gives with the same number
- * of merges: the same points and cells in the same order, with pieces that fit together, ghost
- * cells, time steps and the selected arrays. If the reader simplifies, too, SimplificationRatio and
- * SimplificationNumberOfPoints refer to its mesh. Metric, BoundaryWeight and array weights have no
- * influence, since they were chosen when the file was written; see UseFileHierarchy.
+ * *From a file.* If the input is the output of a vtkGatunReader or a vtkGatunSurfaceReader without
+ * a region of interest, and its file has a hierarchy (vtkGatunWriter::Hierarchy), the filter finds
+ * a vtkGatunFileHandle in the information of its input and uses the order of merges in the file,
+ * and its base meshes. The reader is then not asked for the mesh. The output is what the reader
+ * gives with the same number of merges: the same points and cells in the same order, with pieces
+ * that fit together, ghost cells, time steps and the selected arrays. If the reader simplifies,
+ * too, SimplificationRatio and SimplificationNumberOfPoints refer to its mesh. Metric,
+ * BoundaryWeight, FeatureAngle and array weights have no influence, since they were chosen when the
+ * file was written; see UseFileHierarchy.
  *
  * *Pieces of meshes.* Pieces fit together. Without a file that has a hierarchy, each piece is
  * simplified on its own, and the points that it has in common with others are kept. If each process

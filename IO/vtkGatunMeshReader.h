@@ -59,12 +59,12 @@
  * mesh.
  *
  * *Simplification.* Files with a hierarchy (vtkGatunWriter::Hierarchy) can be read with any number
- * of points; see SimplificationTarget. The tetrahedra of all pieces together are those that
- * vtkGatunSimplify leaves of the whole mesh, so that pieces fit together. Surfaces have no
- * hierarchy yet. If the file has base meshes (vtkGatunWriter::Levels), only the coarsest one that
- * is fine enough is decoded, unless the original order is to be restored, which base meshes do not
- * have. Time, arrays, regions and ghost cells work as on the whole mesh. Global ids are those of
- * the base mesh if one is read.
+ * of points; see SimplificationTarget. The tetrahedra, or the cells of a surface, of all pieces
+ * together are those that vtkGatunSimplify leaves of the whole mesh, so that pieces fit together. A
+ * surface can have a few points more than the target, so that its seams stay closed. If the file
+ * has base meshes (vtkGatunWriter::Levels), only the coarsest one that is fine enough is decoded,
+ * unless the original order is to be restored, which base meshes do not have. Time, arrays, regions
+ * and ghost cells work as on the whole mesh. Global ids are those of the base mesh if one is read.
  *
  * *Cost.* Memory: the output, the same again while ghost cells are chosen, and the mesh that was
  * read last. Decoded chunks are kept within MemoryBudget, so that other pieces, arrays and time

@@ -172,10 +172,10 @@ bool vtkGatunMeshReader::vtkInternals::IsOnDemand(const vtkGatunMeshReader& read
     return reader.OnDemand == ON_DEMAND_ALWAYS;
   }
   const std::size_t merges = this->CountMerges(reader);
-  const std::uint64_t tets = merges > 0 ? this->File->GetHierarchy().EstimateTets(merges)
-    : this->GetFile().IsSurface()       ? this->GetFile().GetNumberOfCells()
-                                        : this->GetFile().GetNumberOfTets();
-  return tets > static_cast<std::uint64_t>(reader.LargeMesh);
+  const std::uint64_t cells = merges > 0 ? this->File->GetHierarchy().EstimateCells(merges)
+    : this->GetFile().IsSurface()        ? this->GetFile().GetNumberOfCells()
+                                         : this->GetFile().GetNumberOfTets();
+  return cells > static_cast<std::uint64_t>(reader.LargeMesh);
 }
 
 //------------------------------------------------------------------------------

@@ -78,6 +78,7 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WriteBoundary: " << (this->WriteBoundary ? "On" : "Off") << "\n";
   os << indent << "Metric: " << (this->Metric == METRIC_MASS ? "Mass" : "Density") << "\n";
   os << indent << "BoundaryWeight: " << this->BoundaryWeight << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   this->Internals->Weights.Print(os, indent);
   os << indent << "LayerArray: " << (this->LayerArray ? this->LayerArray : "(none)") << "\n";
   os << indent << "LayerComponent: " << this->LayerComponent << "\n";

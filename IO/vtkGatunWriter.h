@@ -20,8 +20,9 @@
  * SplitCells, 3D cells are split into tetrahedra.
  *
  * Surfaces: a vtkPolyData with polygons, vertices, lines and triangle strips of any size. If more
- * than one of these lists has cells, they are copied. Files of surfaces have no hierarchy and no
- * layers, and SplitCells is an error. vtkGatunSurfaceReader reads them.
+ * than one of these lists has cells, they are copied. A surface with a hierarchy must have no
+ * polygons other than triangles and no strips: vtkTriangleFilter divides them. Files of surfaces
+ * have no layers, and SplitCells is an error. vtkGatunSurfaceReader reads them.
  *
  * Ghosts: cells marked DUPLICATECELL in vtkGhostType are left out, and points that only they use;
  * the marks for duplicates then go, too. Other marks (hidden cells and points) are kept.
@@ -176,9 +177,10 @@ public:
   ///@{
   /**
    * Largest number of base meshes to store with the hierarchy, 0 to 64. They have a half of the
-   * points, a quarter, an eighth and so on, as long as more than 20,000 tetrahedra remain. With
-   * base meshes, the cost of a coarse mesh is that of a mesh with at most twice as many points.
-   * Together they make the file up to twice as large. No effect if Hierarchy is off. Default: 0.
+   * points, a quarter, an eighth and so on, as long as more than 20,000 tetrahedra, or cells of a
+   * surface, remain. With base meshes, the cost of a coarse mesh is that of a mesh with at most
+   * twice as many points. Together they make the file up to twice as large. No effect if Hierarchy
+   * is off. Default: 0.
    */
   vtkSetClampMacro(Levels, int, 0, 64);
   vtkGetMacro(Levels, int);
@@ -211,6 +213,15 @@ public:
   vtkGetMacro(Metric, int);
   vtkSetClampMacro(BoundaryWeight, double, 0.0, 1.0);
   vtkGetMacro(BoundaryWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * For the hierarchy of a surface: edges between triangles whose normals differ by more degrees
+   * are kept as the border is, 0 to 180. Default: 30.
+   */
+  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkGetMacro(FeatureAngle, double);
   ///@}
 
   ///@{
@@ -462,6 +473,7 @@ protected:
   bool WriteBoundary = false;
   int Metric = METRIC_MASS;
   double BoundaryWeight = 0.5;
+  double FeatureAngle = 30;
   char* LayerArray = nullptr;
   int LayerComponent = -1;
   int NumberOfLayers = 0;

@@ -73,10 +73,6 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkGatunWriter::vtkInternals::MakeGrid(vtkD
     {
       gatun::ThrowInvalid("a surface (vtkPolyData) has no 3D cells to split");
     }
-    if (this->Owner->Hierarchy)
-    {
-      gatun::ThrowInvalid("surfaces (vtkPolyData) cannot be written with a hierarchy");
-    }
     if (this->Owner->WriteBoundary)
     {
       gatun::ThrowInvalid("surfaces (vtkPolyData) have no boundary to write");
@@ -113,13 +109,17 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
   }
   if (this->Owner->Hierarchy)
   {
-    this->Tree = gatun::BuildMergeTree(grid, this->Weights,
-      { static_cast<gatun::MergeMetric>(this->Owner->Metric), this->Owner->BoundaryWeight },
-      [this](double fraction)
-      {
-        this->Owner->UpdateProgress(PartOfTree * fraction);
-        return !gatun::IsAborted(this->Owner);
-      });
+    const auto progress = [this](double fraction)
+    {
+      this->Owner->UpdateProgress(PartOfTree * fraction);
+      return !gatun::IsAborted(this->Owner);
+    };
+    this->Tree = options.IsSurface
+      ? gatun::BuildSurfaceMergeTree(grid, this->Weights,
+          { this->Owner->BoundaryWeight, this->Owner->FeatureAngle, false }, progress)
+      : gatun::BuildMergeTree(grid, this->Weights,
+          { static_cast<gatun::MergeMetric>(this->Owner->Metric), this->Owner->BoundaryWeight },
+          progress);
     options.Tree = &this->Tree;
     options.Levels = static_cast<unsigned>(this->Owner->Levels);
   }

@@ -182,12 +182,13 @@ void DescribeHierarchy(const gatun::FileReader& file, Description& description)
         8. * static_cast<double>(file.GetStatistics().TreeBytes) /
           static_cast<double>(std::max<std::uint64_t>(1, file.GetNumberOfPoints()))) });
   Table levels{ "baseMeshes", "base meshes",
-    { { nullptr, "number" }, { "points", "points" }, { "tets", "tetrahedra" } } };
+    { { nullptr, "number" }, { "points", "points" },
+      { file.IsSurface() ? "cells" : "tets", file.IsSurface() ? "cells" : "tetrahedra" } } };
   for (std::size_t i = 0; i < file.GetLevels().size(); ++i)
   {
     const auto level = file.OpenLevel(i);
-    levels.Rows.push_back(
-      { Entry(i + 1), Entry(level->GetNumberOfPoints()), Entry(level->GetNumberOfTets()) });
+    levels.Rows.push_back({ Entry(i + 1), Entry(level->GetNumberOfPoints()),
+      Entry(file.IsSurface() ? level->GetNumberOfCells() : level->GetNumberOfTets()) });
   }
   description.Add(std::move(levels));
 }

@@ -54,6 +54,7 @@ struct Options
   int Levels = 0;
   bool Boundary = false;
   MergeOptions Merges;
+  std::optional<double> FeatureAngle;
   std::optional<std::string> Layers; ///< as given
   int LayerComponent = -1;
   std::optional<std::string> PointError; ///< as given
@@ -187,6 +188,7 @@ void Pack(const Options& options, const Settings& settings)
   writer->SetLevels(options.Levels);
   writer->SetWriteBoundary(options.Boundary);
   options.Merges.Apply(writer.Get());
+  writer->SetFeatureAngle(options.FeatureAngle.value_or(writer->GetFeatureAngle()));
   if (!SetPieces(writer, input, options.Pieces, settings))
   {
     Progress progress("reading", settings.ShowProgress);
@@ -262,6 +264,7 @@ void AddPack(CLI::App& app, Settings& settings)
     "on "
     "demand");
   AddMergeOptions(command, options->Merges);
+  AddFeatureAngle(command, options->FeatureAngle);
   auto* layers = command
                    ->add_option("--layers", options->Layers,
                      "Arrange the chunks by the values of a point array at the first time step, so "
@@ -279,6 +282,9 @@ void AddPack(CLI::App& app, Settings& settings)
       "stay (default: none; everything is stored without loss)")
     ->option_text("WHAT");
   AddPieceOptions(command, options->Pieces);
+  command->add_flag("--triangles", options->Input.Triangles,
+    "Divide the polygons and strips of a surface into triangles, which --hierarchy and --levels "
+    "need");
   command->add_flag("--tets", options->Input.Split,
     "Split 3D cells into tetrahedra. Nonlinear ones lose the points between their corners, and "
     "cells of a lower dimension are left out");
@@ -294,9 +300,11 @@ void AddPack(CLI::App& app, Settings& settings)
       {
         throw UsageError("pack takes one or more meshes and then the name of a .gtn file");
       }
-      if (options->Merges.AreGiven && !options->Hierarchy && options->Levels == 0)
+      const bool isMerging = options->Merges.AreGiven || options->FeatureAngle.has_value();
+      if (isMerging && !options->Hierarchy && options->Levels == 0)
       {
-        throw UsageError("--weight, --metric and --boundary-weight need --hierarchy or --levels");
+        throw UsageError("--weight, --metric, --boundary-weight and --feature-angle need "
+                         "--hierarchy or --levels");
       }
       options->Input.InPieces = options->Pieces.AreGiven();
       options->Out = options->In.back();

@@ -17,7 +17,7 @@
 #include "gtnText.h"
 #include "gtnWriteMesh.h"
 
-#include "vtkGatunReader.h"
+#include "vtkGatunMeshReader.h"
 #include "vtkGatunSimplify.h"
 
 #include "vtkNew.h"
@@ -28,6 +28,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace gtn
@@ -43,7 +44,7 @@ struct Options
   InputOptions Input;
   TargetOptions Target;
   MergeOptions Merges;
-  double FeatureAngle = 30;
+  std::optional<double> FeatureAngle;
 };
 
 bool IsSurfaceName(const std::string& file)
@@ -53,10 +54,11 @@ bool IsSurfaceName(const std::string& file)
 }
 
 /** Returns the reader if the file has a hierarchy and no option asks for another one. */
-vtkGatunReader* FindHierarchy(const Input& input, const Options& options)
+vtkGatunMeshReader* FindHierarchy(const Input& input, const Options& options)
 {
-  auto* const reader = vtkGatunReader::SafeDownCast(input.GetSource());
-  return reader && reader->GetHasHierarchy() && !options.Merges.AreGiven ? reader : nullptr;
+  auto* const reader = vtkGatunMeshReader::SafeDownCast(input.GetSource());
+  const bool isOther = options.Merges.AreGiven || options.FeatureAngle.has_value();
+  return reader && reader->GetHasHierarchy() && !isOther ? reader : nullptr;
 }
 
 void RunSimplifier(
@@ -79,24 +81,28 @@ void PrintError(vtkPointSet* mesh, vtkGatunSimplify* simplifier, const Settings&
   }
 }
 
+void WriteTriangles(vtkPolyData* surface, const Options& options, const Settings& settings)
+{
+  {
+    Progress progress("writing", settings.ShowProgress);
+    WriteSurface(surface, options.Out, progress);
+  }
+  if (!settings.Quiet)
+  {
+    fmt::print("{}: {} triangles, {} points, {}\n", options.Out,
+      Grouped(surface->GetNumberOfPolys()), Grouped(surface->GetNumberOfPoints()),
+      ByteSize(std::filesystem::file_size(options.Out)));
+  }
+}
+
 void SimplifySurface(vtkPolyData* surface, const Options& options, const Settings& settings)
 {
   vtkNew<vtkGatunSimplify> simplifier;
   options.Target.Apply(simplifier.Get());
   options.Merges.Apply(simplifier.Get());
-  simplifier->SetFeatureAngle(options.FeatureAngle);
+  simplifier->SetFeatureAngle(options.FeatureAngle.value_or(simplifier->GetFeatureAngle()));
   RunSimplifier(simplifier, surface, options, settings);
-  vtkPolyData* const output = simplifier->GetPolyDataOutput();
-  {
-    Progress progress("writing", settings.ShowProgress);
-    WriteSurface(output, options.Out, progress);
-  }
-  if (!settings.Quiet)
-  {
-    fmt::print("{}: {} triangles, {} points, {}\n", options.Out,
-      Grouped(output->GetNumberOfPolys()), Grouped(output->GetNumberOfPoints()),
-      ByteSize(std::filesystem::file_size(options.Out)));
-  }
+  WriteTriangles(simplifier->GetPolyDataOutput(), options, settings);
   PrintError(surface, simplifier, settings);
 }
 
@@ -119,12 +125,10 @@ void SimplifyMesh(const Options& options, const Settings& settings)
   }
   Input input({ options.In }, options.Input);
   CheckWritable(options.Out, options.Overwrite);
-  vtkGatunReader* const reader = FindHierarchy(input, options);
-  if (reader && !isOfSurfaces)
+  vtkGatunMeshReader* const reader = FindHierarchy(input, options);
+  if (reader)
   {
     options.Target.Apply(reader);
-    WriteMesh(ReadGridStep(input, options.Step, settings), options.Out, settings);
-    return;
   }
   const vtkSmartPointer<vtkDataObject> mesh = ReadStep(input, options.Step, settings);
   auto* const surface = vtkPolyData::SafeDownCast(mesh);
@@ -136,9 +140,17 @@ void SimplifyMesh(const Options& options, const Settings& settings)
   {
     throw Failure(options.In, "is no surface; it can be written to a .gtn, .vtu or .vtk file");
   }
-  if (surface)
+  if (surface && reader)
+  {
+    WriteTriangles(surface, options, settings);
+  }
+  else if (surface)
   {
     SimplifySurface(surface, options, settings);
+  }
+  else if (reader)
+  {
+    WriteMesh(vtkUnstructuredGrid::SafeDownCast(mesh), options.Out, settings);
   }
   else
   {
@@ -156,7 +168,7 @@ void AddSimplify(CLI::App& app, Settings& settings)
     "possible.\n"
     "A .gtn file that was packed with --hierarchy or --levels stores the collapses and is "
     "simplified\n"
-    "fast; --weight, --metric and --boundary-weight compute new ones.\n"
+    "fast; --weight, --metric, --boundary-weight and --feature-angle compute new ones.\n"
     "Surfaces are simplified, too.",
     "  gtn simplify --ratio 0.9 mesh.gtn coarse.gtn\n"
     "  gtn simplify --points 10000 --weight pressure=2 --weight velocity mesh.vtu coarse.vtu\n"
@@ -165,12 +177,7 @@ void AddSimplify(CLI::App& app, Settings& settings)
   AddForce(command, options->Overwrite);
   AddTarget(command, options->Target, "0.5");
   AddMergeOptions(command, options->Merges);
-  command
-    ->add_option("--feature-angle", options->FeatureAngle,
-      "Edges of a surface between triangles whose normals differ by more degrees stay, 0 to 180 "
-      "(default: 30)")
-    ->check(CLI::Range(0., 180.))
-    ->option_text("A");
+  AddFeatureAngle(command, options->FeatureAngle);
   AddStep(command, options->Step);
   command
     ->add_option("IN", options->In,

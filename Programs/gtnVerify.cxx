@@ -179,6 +179,8 @@ void AddVerify(CLI::App& app, Settings& settings)
   AddSets(command, options->Input);
   command->add_flag(
     "--tets", options->Input.Split, "Split the cells of ORIGINAL, which was packed with --tets");
+  command->add_flag("--triangles", options->Input.Triangles,
+    "Divide the polygons and strips of ORIGINAL, which was packed with --triangles");
   command->add_option("IN", options->File, "The .gtn file")->required();
   command->add_option("ORIGINAL", options->Originals,
     "The source of the .gtn file: one file, or one for each time step");

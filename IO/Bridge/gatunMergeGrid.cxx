@@ -4,9 +4,11 @@
 #include "gatunMergeGrid.h"
 
 #include "gatunBridgedMesh.h"
+#include "gatunCellShapes.h"
 #include "gatunError.h"
 #include "gatunMeshCheck.h"
 #include "gatunMeshTets.h"
+#include "gatunSurfaceCells.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -154,5 +156,42 @@ MergeTree BuildMergeTree(vtkPointSet* surface,
   MergePoints points(surface);
   AddArrays(surface->GetPointData(), weights, points);
   return BuildMergeTree(points.GetInput<3>(triangles, isKept), settings, progress);
+}
+
+//------------------------------------------------------------------------------
+MergeTree BuildSurfaceMergeTree(vtkUnstructuredGrid* surface, const MergeWeights& weights,
+  const SurfaceMergeSettings& settings, const std::function<bool(double)>& progress)
+{
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  triangles.reserve(static_cast<std::size_t>(surface->GetNumberOfCells()));
+  std::vector<std::uint8_t> isMarked(static_cast<std::size_t>(surface->GetNumberOfPoints()), 0);
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    surface->GetCellPoints(cell, count, ids);
+    const int type = surface->GetCellType(cell);
+    if (type == TriangleType)
+    {
+      triangles.push_back({ static_cast<std::uint32_t>(ids[0]), static_cast<std::uint32_t>(ids[1]),
+        static_cast<std::uint32_t>(ids[2]) });
+      continue;
+    }
+    if (const SurfaceList list = GetSurfaceList(type);
+        list == SurfaceList::Polygons || list == SurfaceList::Strips)
+    {
+      ThrowInvalid("the hierarchy of a surface is one of triangles, and cell " +
+        std::to_string(cell) + " is a " +
+        (list == SurfaceList::Strips ? "triangle strip"
+                                     : "polygon with " + std::to_string(count) + " points") +
+        "; divide the surface into triangles first, with 'gtn pack --triangles' or "
+        "vtkTriangleFilter");
+    }
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      isMarked[static_cast<std::size_t>(ids[i])] = 1;
+    }
+  }
+  return BuildMergeTree(surface, triangles, weights, settings, progress, isMarked);
 }
 }

@@ -60,6 +60,12 @@ VTKGATUNIO_EXPORT MergeTree BuildMergeTree(vtkUnstructuredGrid* tets, const Merg
   const MergeSettings& settings, const std::function<bool(double)>& progress,
   std::span<const std::uint8_t> isKept = {});
 
+/** Builds the merge tree of the grid of a surface (MakeSurfaceGrid), which must not have polygons
+ * other than triangles, nor strips. Points of vertices and lines are kept. */
+VTKGATUNIO_EXPORT MergeTree BuildSurfaceMergeTree(vtkUnstructuredGrid* surface,
+  const MergeWeights& weights, const SurfaceMergeSettings& settings,
+  const std::function<bool(double)>& progress);
+
 /** The same for triangles over the points of a point set. */
 VTKGATUNIO_EXPORT MergeTree BuildMergeTree(vtkPointSet* surface,
   std::span<const std::array<std::uint32_t, 3>> triangles, const MergeWeights& weights,

@@ -13,6 +13,7 @@
 
 namespace gatun
 {
+constexpr std::uint8_t TriangleType = 5;    ///< VTK_TRIANGLE
 constexpr std::uint8_t TetraType = 10;      ///< VTK_TETRA
 constexpr std::uint8_t PolyhedronType = 42; ///< VTK_POLYHEDRON
 

@@ -35,6 +35,7 @@ gatun_core_folder(File
     gatunChunkSetDecoder.h
     gatunChunkSetDecoderInternals.h
     gatunCoarseLayout.h
+    gatunCoarseCells.h
     gatunCoarsePiece.h
     gatunDomainWriter.h
     gatunFileReaderInternals.h
@@ -80,6 +81,7 @@ gatun_core_folder(File
     gatunChunkSetDecoder.cxx
     gatunChunkSetStore.cxx
     gatunCoarseLayout.cxx
+    gatunCoarseCells.cxx
     gatunCoarsePiece.cxx
     gatunFileReader.cxx
     gatunFileReaderBoundary.cxx

@@ -3,8 +3,12 @@
 
 #include "gatunBaseMesh.h"
 
+#include "gatunCellShapes.h"
 #include "gatunGatherTuples.h"
 #include "gatunMeshTets.h"
+
+#include <algorithm>
+#include <span>
 
 namespace gatun
 {
@@ -21,12 +25,37 @@ MergeTree MakeRest(const MergeTree& tree, std::size_t merges,
     merge.Point = places[merge.Point];
     merge.Into = places[merge.Into];
   }
-  return { static_cast<std::uint32_t>(points), std::move(rest) };
+  std::vector<bool> isBound(tree.GetBonds());
+  isBound.erase(isBound.begin(),
+    isBound.begin() + static_cast<std::ptrdiff_t>(std::min(merges, isBound.size())));
+  return { static_cast<std::uint32_t>(points), std::move(rest), std::move(isBound) };
+}
+
+/** Calls use(cell, type, corners) for each tetrahedron of a mesh, or for each cell of a surface. */
+template <typename Use>
+void ForEachCell(const MeshAccess& mesh, PieceForm form, Use&& use)
+{
+  if (form == PieceForm::Tetrahedra)
+  {
+    ForEachTet(mesh,
+      [&](std::uint64_t cell, const MergeTree::Tet& tet)
+      { use(cell, TetraType, std::span<const std::uint32_t>(tet)); });
+    return;
+  }
+  std::vector<std::uint32_t> corners;
+  for (std::uint64_t cell = 0; cell < mesh.GetMesh().Cells; ++cell)
+  {
+    corners.clear();
+    mesh.ForEachPoint(
+      cell, [&](std::uint64_t point) { corners.push_back(static_cast<std::uint32_t>(point)); });
+    use(cell, mesh.GetType(cell), std::span<const std::uint32_t>(corners));
+  }
 }
 }
 
 //------------------------------------------------------------------------------
-BaseMesh::BaseMesh(const MeshAccess& mesh, const MergeTree& tree, std::size_t merges)
+BaseMesh::BaseMesh(
+  const MeshAccess& mesh, const MergeTree& tree, std::size_t merges, PieceForm form)
   : CoordinateType(mesh.GetMesh().CoordinateType)
   , WideIds(mesh.GetMesh().WideIds)
 {
@@ -41,29 +70,41 @@ BaseMesh::BaseMesh(const MeshAccess& mesh, const MergeTree& tree, std::size_t me
       this->Points.push_back(i);
     }
   }
-  ForEachTet(mesh,
-    [&](std::uint64_t cell, MergeTree::Tet tet)
+  CoarseCells cells(form);
+  ForEachCell(mesh, form,
+    [&](std::uint64_t cell, std::uint8_t type, std::span<const std::uint32_t> corners)
     {
-      if (!Simplify(tet, ancestors))
+      if (cells.AddSimplified(type, corners, ancestors))
       {
-        return;
-      }
-      this->Cells.push_back(static_cast<std::uint32_t>(cell));
-      for (const auto corner : tet)
-      {
-        if (this->WideIds)
-        {
-          this->WideConnectivity.push_back(places[corner]);
-        }
-        else
-        {
-          this->Connectivity.push_back(static_cast<std::int32_t>(places[corner]));
-        }
+        this->Cells.push_back(static_cast<std::uint32_t>(cell));
       }
     });
+  for (auto& corner : cells.GetAllCorners())
+  {
+    corner = places[corner];
+  }
+  this->MakeCells(cells);
   this->Coordinates =
     this->Gather(input.Coordinates, Association::Point, 3 * SizeOf(this->CoordinateType));
   this->Tree = MakeRest(tree, merges, places, this->Points.size());
+}
+
+//------------------------------------------------------------------------------
+void BaseMesh::MakeCells(const CoarseCells& cells)
+{
+  const std::size_t ids = this->WideIds ? sizeof(std::int64_t) : sizeof(std::int32_t);
+  PieceTarget target;
+  target.WideIds = this->WideIds;
+  this->Connectivity.resize(cells.GetAllCorners().size() * ids);
+  target.Connectivity = this->Connectivity.data();
+  if (!cells.IsTetrahedral())
+  {
+    this->Types.resize(cells.GetCount());
+    this->Offsets.resize((cells.GetCount() + 1) * ids);
+    target.Types = this->Types.data();
+    target.Offsets = this->Offsets.data();
+  }
+  cells.Store(target);
 }
 
 //------------------------------------------------------------------------------
@@ -74,9 +115,10 @@ MeshInput BaseMesh::GetInput() const
   input.CoordinateType = this->CoordinateType;
   input.Coordinates = this->Coordinates.data();
   input.Cells = this->Cells.size();
-  input.Connectivity = this->WideIds ? static_cast<const void*>(this->WideConnectivity.data())
-                                     : this->Connectivity.data();
+  input.Connectivity = this->Connectivity.data();
   input.WideIds = this->WideIds;
+  input.Types = this->Types.empty() ? nullptr : this->Types.data();
+  input.Offsets = this->Types.empty() ? nullptr : this->Offsets.data();
   return input;
 }
 

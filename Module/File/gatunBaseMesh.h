@@ -5,6 +5,7 @@
 #define gatunBaseMesh_h
 
 #include "gatunBytes.h"
+#include "gatunCoarseCells.h"
 #include "gatunMergeTree.h"
 #include "gatunPartition.h"
 
@@ -14,11 +15,13 @@
 
 namespace gatun
 {
-/** The mesh after a number of merges, as a mesh of its own. */
+/** The mesh after a number of merges, as a mesh of its own: its tetrahedra, or the cells of a
+ * surface in their original form. */
 class BaseMesh
 {
 public:
-  BaseMesh(const MeshAccess& mesh, const MergeTree& tree, std::size_t merges);
+  BaseMesh(const MeshAccess& mesh, const MergeTree& tree, std::size_t merges,
+    PieceForm form = PieceForm::Tetrahedra);
 
   /** Valid during the lifetime of this object. */
   MeshInput GetInput() const;
@@ -26,17 +29,20 @@ public:
   /** The remaining merges, in the numbers of the remaining points. */
   const MergeTree& GetTree() const { return this->Tree; }
 
-  /** The tuples of the remaining points, or of the cells of the remaining tetrahedra. */
+  /** The tuples of the remaining points, or of the cells that remain. */
   Bytes Gather(const void* values, Association where, std::size_t tupleBytes) const;
 
 private:
+  void MakeCells(const CoarseCells& cells);
+
   std::vector<std::uint32_t> Points; // numbers in the whole mesh
   std::vector<std::uint32_t> Cells;
   ScalarType CoordinateType;
   Bytes Coordinates;
   bool WideIds;
-  std::vector<std::int64_t> WideConnectivity;
-  std::vector<std::int32_t> Connectivity;
+  Bytes Connectivity;
+  Bytes Offsets; // unless all are tetrahedra
+  std::vector<std::uint8_t> Types;
   MergeTree Tree;
 };
 }

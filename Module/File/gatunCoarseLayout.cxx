@@ -31,11 +31,13 @@ CoarseLayout::CoarseLayout(
   , Given(File->GetChunks().size())
 {
   const auto used = this->File->GetNumberOfPoints() - this->File->GetNumberOfUnusedPoints();
+  const auto end = this->File->IsSurface() ? this->File->GetNumberOfPoints() : used;
   for (std::size_t i = 0; i < this->Merges; ++i)
   {
-    if (tree.GetMerges()[i].Point >= used || tree.GetMerges()[i].Into >= used)
+    // A point that no cell has may be merged in a surface, but none may be merged into it.
+    if (tree.GetMerges()[i].Point >= end || tree.GetMerges()[i].Into >= used)
     {
-      ThrowInvalid("the tree merges points that no tetrahedron has");
+      ThrowInvalid("the tree merges points that no cell has", this->File->GetPath());
     }
   }
   const TablePages& tables = InternalsOf(*this->File).GetTables();

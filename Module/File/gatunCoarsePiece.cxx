@@ -6,6 +6,7 @@
 #include "gatunChunkCache.h"
 #include "gatunChunkSetDecoder.h"
 #include "gatunParallel.h"
+#include "gatunPieceCells.h"
 #include "gatunPieceRequest.h"
 
 #include <algorithm>
@@ -47,29 +48,32 @@ std::vector<std::uint32_t> FindRanks(const std::vector<std::int64_t>& numbers)
 }
 
 //------------------------------------------------------------------------------
-CoarseChunk DecodeCoarse(
-  const std::shared_ptr<ChunkCache>& cache, const CoarseLayout& layout, std::uint32_t chunk)
+CoarseChunk DecodeCoarse(const std::shared_ptr<ChunkCache>& cache, const CoarseLayout& layout,
+  std::uint32_t chunk, PieceForm form)
 {
-  const ChunkSetDecoder decoder(cache, { chunk }, {}, false);
-  std::vector<MergeTree::Tet> tets(static_cast<std::size_t>(decoder.GetNumberOfCells()));
-  static_assert(sizeof(MergeTree::Tet) == 4 * sizeof(std::int32_t));
-  PieceTarget target;
-  target.Connectivity = tets.data();
-  target.WideIds = false;
-  decoder.Fill(target, {}, 0, false, {});
+  const ChunkSetDecoder decoder(cache, { chunk }, {}, false, form);
+  const ChunkSet& set = decoder.GetSet();
+  PieceCells cells(set.GetForm() == PieceForm::Tetrahedra,
+    static_cast<std::size_t>(decoder.GetNumberOfCells()),
+    static_cast<std::size_t>(set.GetConnectivitySize()),
+    static_cast<std::size_t>(set.GetFacesSize()));
+  decoder.Fill(cells.GetTarget(), {}, 0, false, {});
   // Positions in the chunk become points of the file, and these their ancestors.
   auto ancestors = layout.GetPoints(chunk);
   for (auto& point : ancestors)
   {
     point = layout.GetAncestors()[point];
   }
-  CoarseChunk left;
-  for (std::uint32_t cell = 0; cell < tets.size(); ++cell)
+  CoarseChunk left{ {}, CoarseCells(form) };
+  std::vector<std::uint32_t> corners;
+  for (std::uint32_t cell = 0; cell < cells.GetNumber(); ++cell)
   {
-    if (Simplify(tets[cell], ancestors))
+    corners.clear();
+    cells.ForEachPoint(
+      cell, [&](std::size_t point) { corners.push_back(static_cast<std::uint32_t>(point)); });
+    if (left.Cells.AddSimplified(cells.GetType(cell), corners, ancestors))
     {
-      left.Cells.push_back(cell);
-      left.Tets.push_back(tets[cell]);
+      left.Ids.push_back(cell);
     }
   }
   return left;
@@ -82,8 +86,10 @@ CoarsePiece::CoarsePiece(std::shared_ptr<ChunkCache> cache,
   , File(Cache->GetFile())
   , Layout(std::move(layout))
   , Request(request)
+  , Form(File->IsSurface() ? request.Form : PieceForm::Tetrahedra)
+  , Cells(Form)
 {
-  this->AddTets(progress);
+  this->AddCells(progress);
   this->AddPoints();
   const bool isWhole = request.Chunks.size() == this->File->GetChunks().size() &&
     (request.WithUnusedPoints || this->File->GetNumberOfUnusedPoints() == 0);
@@ -102,7 +108,7 @@ CoarsePiece::Part& CoarsePiece::GetPart(std::uint32_t chunk)
 }
 
 //------------------------------------------------------------------------------
-void CoarsePiece::AddTets(const Progress& progress)
+void CoarsePiece::AddCells(const Progress& progress)
 {
   auto chunks = this->Request.Chunks;
   if (this->Request.GhostLevels > 0)
@@ -117,27 +123,29 @@ void CoarsePiece::AddTets(const Progress& progress)
   std::vector<CoarseChunk> left(chunks.size());
   ParallelFor(
     chunks.size(),
-    [&](std::size_t i) { left[i] = DecodeCoarse(this->Cache, *this->Layout, chunks[i]); },
+    [&](std::size_t i)
+    { left[i] = DecodeCoarse(this->Cache, *this->Layout, chunks[i], this->Form); },
     progress);
   for (std::size_t i = 0; i < chunks.size(); ++i)
   {
     if (std::binary_search(this->Request.Chunks.begin(), this->Request.Chunks.end(), chunks[i]))
     {
-      auto& cells = this->Parts.emplace_back(Part{ chunks[i], {}, {} }).Cells;
-      for (std::size_t k = 0; k < left[i].Tets.size(); ++k)
+      auto& copies = this->Parts.emplace_back(Part{ chunks[i], {}, {} }).Cells;
+      const CoarseCells& cells = left[i].Cells;
+      for (std::size_t k = 0; k < cells.GetCount(); ++k)
       {
-        cells.push_back({ left[i].Cells[k], static_cast<std::uint32_t>(this->Tets.size()) });
-        this->Tets.push_back(left[i].Tets[k]);
+        copies.push_back({ left[i].Ids[k], static_cast<std::uint32_t>(this->Cells.GetCount()) });
+        this->Cells.Add(cells.GetType(k), cells.GetCorners(k));
       }
       left[i] = {};
     }
   }
-  this->OwnTets = this->Tets.size();
+  this->OwnCells = this->Cells.GetCount();
   this->AddGhosts(left, chunks);
 }
 
 //------------------------------------------------------------------------------
-/** Adds layers of tetrahedra that share a point with the previous ones. */
+/** Adds layers of cells that share a point with the previous ones. */
 void CoarsePiece::AddGhosts(
   std::vector<CoarseChunk>& around, const std::vector<std::uint32_t>& chunks)
 {
@@ -146,31 +154,32 @@ void CoarsePiece::AddGhosts(
   std::size_t known = 0;
   for (unsigned level = 0; level < this->Request.GhostLevels; ++level)
   {
-    for (auto i = known; i < this->Tets.size(); ++i)
+    for (auto i = known; i < this->Cells.GetCount(); ++i)
     {
-      for (const auto corner : this->Tets[i])
+      for (const auto corner : this->Cells.GetCorners(i))
       {
         reached[corner] = true;
       }
     }
-    if (known > 0 && known == this->Tets.size())
+    if (known > 0 && known == this->Cells.GetCount())
     {
       return; // nothing more can be reached
     }
-    known = this->Tets.size();
+    known = this->Cells.GetCount();
     for (std::size_t i = 0; i < chunks.size(); ++i)
     {
-      auto& tets = around[i].Tets;
-      for (std::size_t k = 0; k < tets.size(); ++k)
+      const CoarseCells& cells = around[i].Cells;
+      for (std::size_t k = 0; k < cells.GetCount(); ++k)
       {
+        const auto corners = cells.GetCorners(k);
         const bool touches = std::any_of(
-          tets[k].begin(), tets[k].end(), [&](std::uint32_t corner) { return reached[corner]; });
-        if (around[i].Cells[k] != None && touches)
+          corners.begin(), corners.end(), [&](std::uint32_t corner) { return reached[corner]; });
+        if (around[i].Ids[k] != None && touches)
         {
           this->GetPart(chunks[i]).Cells.push_back(
-            { around[i].Cells[k], static_cast<std::uint32_t>(this->Tets.size()) });
-          this->Tets.push_back(tets[k]);
-          around[i].Cells[k] = None;
+            { around[i].Ids[k], static_cast<std::uint32_t>(this->Cells.GetCount()) });
+          this->Cells.Add(cells.GetType(k), corners);
+          around[i].Ids[k] = None;
         }
       }
     }
@@ -207,11 +216,11 @@ void CoarsePiece::AddPoints()
   // ghosts.
   constexpr std::uint32_t ofPiece = 0;
   constexpr std::uint32_t ofGhosts = 1;
-  for (std::size_t i = this->Tets.size(); i > 0; --i)
+  for (std::size_t i = this->Cells.GetCount(); i > 0; --i)
   {
-    for (const auto corner : this->Tets[i - 1])
+    for (const auto corner : this->Cells.GetCorners(i - 1))
     {
-      places[corner] = i > this->OwnTets ? ofGhosts : ofPiece;
+      places[corner] = i > this->OwnCells ? ofGhosts : ofPiece;
     }
   }
   const auto markOwned = [&](std::uint32_t first, std::uint32_t last)
@@ -246,12 +255,9 @@ void CoarsePiece::AddPoints()
   {
     places[this->Points[i]] = i;
   }
-  for (auto& tet : this->Tets)
+  for (auto& corner : this->Cells.GetAllCorners())
   {
-    for (auto& corner : tet)
-    {
-      corner = places[corner];
-    }
+    corner = places[corner];
   }
 
   // Chunks that are decoded anyway come first.
@@ -299,7 +305,7 @@ void CoarsePiece::RestoreOrder()
   const auto kept = this->File->GetKeptOrder();
   PieceTarget target;
   std::vector<std::int64_t> pointIds(this->Points.size());
-  std::vector<std::int64_t> cellIds(this->Tets.size());
+  std::vector<std::int64_t> cellIds(this->Cells.GetCount());
   target.GlobalPointIds = (kept & KeepPoints) != 0 ? pointIds.data() : nullptr;
   target.GlobalCellIds = (kept & KeepCells) != 0 ? cellIds.data() : nullptr;
   if (!target.GlobalPointIds && !target.GlobalCellIds)
@@ -323,23 +329,15 @@ void CoarsePiece::RestoreOrder()
         copy.To = ranks[copy.To];
       }
     }
-    for (auto& tet : this->Tets)
+    for (auto& corner : this->Cells.GetAllCorners())
     {
-      for (auto& corner : tet)
-      {
-        corner = ranks[corner];
-      }
+      corner = ranks[corner];
     }
   }
   if (target.GlobalCellIds)
   {
     const auto ranks = FindRanks(cellIds);
-    auto tets = this->Tets;
-    for (std::size_t i = 0; i < tets.size(); ++i)
-    {
-      tets[ranks[i]] = this->Tets[i];
-    }
-    this->Tets = std::move(tets);
+    this->Cells = this->Cells.Permute(ranks);
     for (auto& part : this->Parts)
     {
       for (Copy& copy : part.Cells)
@@ -354,31 +352,14 @@ void CoarsePiece::RestoreOrder()
 void CoarsePiece::Fill(const PieceTarget& target, const std::vector<std::uint32_t>& arrays,
   std::size_t step, const Progress& progress) const
 {
-  const auto storeIds = [&](auto* ids)
-  {
-    for (const auto& tet : this->Tets)
-    {
-      for (const auto corner : tet)
-      {
-        *ids++ = static_cast<std::remove_reference_t<decltype(*ids)>>(corner);
-      }
-    }
-  };
-  if (target.Connectivity && target.WideIds)
-  {
-    storeIds(static_cast<std::int64_t*>(target.Connectivity));
-  }
-  else if (target.Connectivity)
-  {
-    storeIds(static_cast<std::int32_t*>(target.Connectivity));
-  }
+  this->Cells.Store(target);
   for (std::size_t i = 0; target.PointGhosts && i < this->Points.size(); ++i)
   {
     target.PointGhosts[i] = i >= this->OwnPoints || !this->Owns(this->Points[i]);
   }
-  for (std::size_t i = 0; target.CellGhosts && i < this->Tets.size(); ++i)
+  for (std::size_t i = 0; target.CellGhosts && i < this->Cells.GetCount(); ++i)
   {
-    target.CellGhosts[i] = i >= this->OwnTets;
+    target.CellGhosts[i] = i >= this->OwnCells;
   }
   ParallelFor(
     this->Parts.size(),
@@ -391,8 +372,8 @@ void CoarsePiece::FillPart(const Part& part, const PieceTarget& target,
 {
   const bool isChunk = part.Chunk != NoChunk;
   const ChunkSetDecoder decoder(this->Cache,
-    isChunk ? std::vector<std::uint32_t>{ part.Chunk } : std::vector<std::uint32_t>{}, {},
-    !isChunk);
+    isChunk ? std::vector<std::uint32_t>{ part.Chunk } : std::vector<std::uint32_t>{}, {}, !isChunk,
+    this->Form);
   const auto points = static_cast<std::size_t>(decoder.GetNumberOfPoints());
   const auto cells = static_cast<std::size_t>(decoder.GetNumberOfCells());
   struct Wanted

@@ -4,16 +4,15 @@
 #ifndef gatunCoarsePiece_h
 #define gatunCoarsePiece_h
 
+#include "gatunCoarseCells.h"
 #include "gatunCoarseLayout.h"
 #include "gatunFileReader.h"
-#include "gatunMergeTree.h"
 #include "gatunPieceRequest.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <span>
 #include <vector>
 
 namespace gatun
@@ -23,18 +22,18 @@ class ChunkCache;
 /** A chunk after merges. */
 struct CoarseChunk
 {
-  std::vector<std::uint32_t> Cells; ///< remaining cells by their numbers in the chunk
-  std::vector<MergeTree::Tet> Tets; ///< corners by their numbers in the file
+  std::vector<std::uint32_t> Ids; ///< remaining cells by their numbers in the chunk
+  CoarseCells Cells;              ///< corners by their numbers in the file
 };
 
-/** Decodes and simplifies the mesh of a chunk. */
-CoarseChunk DecodeCoarse(
-  const std::shared_ptr<ChunkCache>& cache, const CoarseLayout& layout, std::uint32_t chunk);
+/** Decodes and simplifies the mesh of a chunk: its tetrahedra, or the cells of a surface. */
+CoarseChunk DecodeCoarse(const std::shared_ptr<ChunkCache>& cache, const CoarseLayout& layout,
+  std::uint32_t chunk, PieceForm form);
 
 /**
- * A piece of a file after merges: the remaining tetrahedra and points of its chunks, and the
- * corners that tetrahedra take from other chunks. Decodes chunk by chunk and keeps only the
- * remaining parts.
+ * A piece of a file after merges: the remaining cells and points of its chunks, and the corners
+ * that cells take from other chunks. Decodes chunk by chunk and keeps only the remaining parts.
+ * Surfaces have their cells if the request asks for original ones; other files have tetrahedra.
  *
  * Cells are sorted chunk by chunk with ghosts last, points by their numbers in the file with those
  * of ghosts last. If the request asks for the original order and the file has it, both follow it.
@@ -48,7 +47,7 @@ public:
     const PieceRequest& request, const Progress& progress);
 
   std::uint64_t GetNumberOfPoints() const { return this->Points.size(); }
-  std::uint64_t GetNumberOfTets() const { return this->Tets.size(); }
+  const CoarseCells& GetCells() const { return this->Cells; }
 
   void Fill(const PieceTarget& target, const std::vector<std::uint32_t>& arrays, std::size_t step,
     const Progress& progress) const;
@@ -71,7 +70,7 @@ private:
 
   static constexpr std::uint32_t NoChunk = 0xffffffffu; // the unused points
 
-  void AddTets(const Progress& progress);
+  void AddCells(const Progress& progress);
   void AddGhosts(std::vector<CoarseChunk>& around, const std::vector<std::uint32_t>& chunks);
   void AddPoints();
   void RestoreOrder();
@@ -85,9 +84,10 @@ private:
   std::shared_ptr<const CoarseLayout> Layout;
   PieceRequest Request;
   std::vector<std::uint32_t> Points; // by their numbers in the file
-  std::vector<MergeTree::Tet> Tets;  // corners as positions in Points
-  std::size_t OwnTets = 0;
-  std::size_t OwnPoints = 0; // further points are only corners of tetrahedra
+  PieceForm Form;                    // of what is decoded
+  CoarseCells Cells;                 // corners as positions in Points
+  std::size_t OwnCells = 0;
+  std::size_t OwnPoints = 0; // further points are only corners of cells
   std::vector<Part> Parts;
 };
 }

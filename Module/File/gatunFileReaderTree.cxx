@@ -40,8 +40,8 @@ void FileReader::Internals::ReadTree()
   this->Tree = this->File.Guarded(TreeName, tree,
     [&]
     {
-      return TreeTable::Read(
-        this->File.Read(tree, TreeName), this->Meta, this->GetTables().GetChunks().size());
+      return TreeTable::Read(this->File.Read(tree, TreeName), this->Meta,
+        this->GetTables().GetChunks().size(), this->IsSurface);
     });
   for (const auto& step : this->File.FindSections(SectionTreeStep))
   {
@@ -80,7 +80,7 @@ void FileReader::Internals::CheckLevel(const Internals& whole, std::size_t level
     this->Meta.CoordinateType == whole.Meta.CoordinateType &&
     this->Meta.Arrays == whole.Meta.Arrays && this->Meta.HasTime == whole.Meta.HasTime &&
     this->Times == whole.Times && this->Levels.empty() && !this->Boundary && this->Tree &&
-    this->Tree->Merges == whole.Tree->Merges - merges;
+    this->IsSurface == whole.IsSurface && this->Tree->Merges == whole.Tree->Merges - merges;
   if (!fits)
   {
     this->File.Fail(ErrorCode::Corrupt, "it is not what is left of the mesh after its merges");
@@ -111,10 +111,11 @@ MergeTree FileReader::GetMergeTree() const
   return this->Self->File.Guarded(MergesName, where,
     [&]
     {
-      // Unused points come last and are never merged.
-      const auto used = points - static_cast<std::uint32_t>(this->GetNumberOfUnusedPoints());
-      auto tree =
-        DecodeMerges(this->Self->File.Read(where, MergesName), used, this->Self->Tree->Merges);
+      // Unused points come last and are never merged, but those of surfaces.
+      const bool isSurface = this->IsSurface();
+      const auto used = CountMergeablePoints(this->Self->Meta, isSurface);
+      auto tree = DecodeMerges(this->Self->File.Read(where, MergesName), used,
+        this->Self->Tree->Merges, isSurface ? MergeKind::Surface : MergeKind::Tetrahedra);
       return used == points ? tree : MergeTree(points, tree.GetMerges());
     });
 }

@@ -141,19 +141,22 @@ void FileWriter::Internals::FindPalettes()
 void FileWriter::Internals::BeginLevels(const Progress& progress)
 {
   const auto& options = this->State.Options;
-  std::uint64_t tets = this->State.Meta.Tets;
+  const auto countCells = [](const WriterState& state)
+  { return state.Options.IsSurface ? state.NumberOfCells : state.Meta.Tets; };
+  std::uint64_t cells = countCells(this->State);
   std::uint64_t points = this->State.Meta.Points;
-  for (unsigned i = 0; i < options.Levels && tets > SmallLevel; ++i)
+  for (unsigned i = 0; i < options.Levels && cells > SmallLevel; ++i)
   {
     points = (points + 1) / 2;
-    const auto merges = static_cast<std::uint32_t>(options.Tree->CountMergesForPoints(points));
-    if (merges == 0 || (!this->Merges.empty() && merges == this->Merges.back()))
+    const auto merges = static_cast<std::uint32_t>(
+      options.Tree->CountWholeMerges(options.Tree->CountMergesForPoints(points)));
+    if (merges == 0 || (!this->Merges.empty() && merges <= this->Merges.back()))
     {
       return;
     }
     this->Levels.push_back(this->MakeLevel(merges, progress));
     this->Merges.push_back(merges);
-    tets = this->Levels.back()->File->State.Meta.Tets;
+    cells = countCells(this->Levels.back()->File->State);
   }
 }
 
@@ -163,8 +166,10 @@ std::unique_ptr<FileWriter::Internals::Level> FileWriter::Internals::MakeLevel(
   std::uint32_t merges, const Progress& progress) const
 {
   const auto& whole = this->State.Options;
-  auto level = std::make_unique<Level>(
-    Level{ BaseMesh(this->Part.Mesh, *whole.Tree, merges), whole, nullptr });
+  auto level =
+    std::make_unique<Level>(Level{ BaseMesh(this->Part.Mesh, *whole.Tree, merges,
+                                     whole.IsSurface ? PieceForm::Original : PieceForm::Tetrahedra),
+      whole, nullptr });
   WriterOptions& options = level->Options;
   options.Keep = KeepNone;
   options.Levels = 0;

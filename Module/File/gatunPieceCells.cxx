@@ -122,12 +122,15 @@ PieceCells PieceCells::Select(
 void PieceCells::Store(const PieceTarget& target) const
 {
   StoreIds(this->Connectivity, target.Connectivity, target.WideIds);
-  if (this->Tetrahedra || !target.Types)
+  if (this->Tetrahedra)
   {
     return;
   }
-  StoreIds(this->Offsets, target.Offsets, target.WideIds);
-  std::copy(this->Types.begin(), this->Types.end(), target.Types);
+  StoreIds(this->Offsets, target.Offsets, target.WideIds); // also without cells and types
+  if (target.Types)
+  {
+    std::copy(this->Types.begin(), this->Types.end(), target.Types);
+  }
   if (target.FaceLocations)
   {
     std::copy(this->FaceLocations.begin(), this->FaceLocations.end(), target.FaceLocations);

@@ -4,6 +4,7 @@
 #ifndef gatunPieceCells_h
 #define gatunPieceCells_h
 
+#include "gatunCellShapes.h"
 #include "gatunPieceRequest.h"
 
 #include <cstddef>
@@ -24,6 +25,10 @@ public:
   PieceTarget GetTarget();
 
   std::size_t GetNumber() const { return this->Number; }
+  std::uint8_t GetType(std::size_t cell) const
+  {
+    return this->Tetrahedra ? TetraType : this->Types[cell];
+  }
   std::size_t GetConnectivitySize() const { return this->Connectivity.size(); }
   std::size_t GetFacesSize() const { return this->Faces.size(); }
 

@@ -379,7 +379,7 @@ std::uint64_t PieceDecoder::GetNumberOfPoints() const
 
 std::uint64_t PieceDecoder::GetNumberOfCells() const
 {
-  return this->Self->Coarse ? this->Self->Coarse->GetNumberOfTets()
+  return this->Self->Coarse ? this->Self->Coarse->GetCells().GetCount()
     : this->Self->Around    ? this->Self->CellFrom.size()
     : this->Self->Piece     ? this->Self->Piece->GetNumberOfCells()
                             : 0;
@@ -387,21 +387,24 @@ std::uint64_t PieceDecoder::GetNumberOfCells() const
 
 bool PieceDecoder::IsTetrahedral() const
 {
-  return !this->Self->Piece || this->Self->Piece->GetSet().GetForm() == PieceForm::Tetrahedra;
+  return this->Self->Coarse
+    ? this->Self->Coarse->GetCells().IsTetrahedral()
+    : !this->Self->Piece || this->Self->Piece->GetSet().GetForm() == PieceForm::Tetrahedra;
 }
 
 std::uint64_t PieceDecoder::GetConnectivitySize() const
 {
-  return this->IsTetrahedral() ? 4 * this->GetNumberOfCells()
-    : this->Self->Around       ? this->Self->Cells->GetConnectivitySize()
-                               : this->Self->Piece->GetSet().GetConnectivitySize();
+  return this->Self->Coarse ? this->Self->Coarse->GetCells().GetAllCorners().size()
+    : this->IsTetrahedral() ? 4 * this->GetNumberOfCells()
+    : this->Self->Around    ? this->Self->Cells->GetConnectivitySize()
+                            : this->Self->Piece->GetSet().GetConnectivitySize();
 }
 
 std::uint64_t PieceDecoder::GetFacesSize() const
 {
-  return this->IsTetrahedral() ? 0
-    : this->Self->Around       ? this->Self->Cells->GetFacesSize()
-                               : this->Self->Piece->GetSet().GetFacesSize();
+  return this->IsTetrahedral() || this->Self->Coarse ? 0
+    : this->Self->Around                             ? this->Self->Cells->GetFacesSize()
+                                                     : this->Self->Piece->GetSet().GetFacesSize();
 }
 
 void PieceDecoder::Fill(const PieceTarget& target, const Progress& progress)

@@ -43,7 +43,7 @@ public:
   std::uint64_t GetNumberOfCells() const;
 
   /** Whether all cells of the piece are tetrahedra: if they were asked for, or all cells of the
-   * file are, or there are merges. */
+   * file are, or there are merges and the file is no surface. */
   bool IsTetrahedral() const;
 
   /** The numbers of values of PieceTarget::Connectivity and PieceTarget::Faces. */

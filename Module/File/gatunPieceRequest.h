@@ -39,8 +39,9 @@ struct PieceRequest
    * of tetrahedra of other cells is not restored. */
   bool RestoreOrder = true;
 
-  /** The number of merges of the file's tree to apply. Corners keep their orientation but not their
-   * order. With ghosts, the whole universe is decoded. */
+  /** The number of merges of the file's tree to apply. The result has tetrahedra, but that of a
+   * surface has its cells in their original form if Form says so. Corners keep their orientation
+   * but not their order. With ghosts, the whole universe is decoded. */
   std::size_t Merges = 0;
   std::shared_ptr<const MergeTree> Tree; ///< the file's tree, if there are merges
 

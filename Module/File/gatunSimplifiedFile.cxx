@@ -62,17 +62,24 @@ SimplifiedFile::Place SimplifiedFile::Find(std::size_t merges, bool withBaseMesh
   this->Open(found);
   Level& level = this->Levels[found];
   const auto more = merges - level.Merges;
-  return { level.File, more > 0 ? this->GetTree(level) : nullptr, more };
+  if (more == 0)
+  {
+    return { level.File, nullptr, 0 };
+  }
+  const auto& tree = this->GetTree(level);
+  const auto whole = more < tree->GetMerges().size() ? tree->CountWholeMerges(more) : more;
+  return { level.File, whole > 0 ? tree : nullptr, whole };
 }
 
 //------------------------------------------------------------------------------
-std::uint64_t SimplifiedFile::EstimateTets(std::size_t merges) const
+std::uint64_t SimplifiedFile::EstimateCells(std::size_t merges) const
 {
-  // Assumes that tetrahedra and points decrease in proportion.
+  // Assumes that cells and points decrease in proportion.
   const FileReader& file = *this->GetFile();
   const auto used = static_cast<double>(file.GetNumberOfPoints() - file.GetNumberOfUnusedPoints());
   const double left = used > 0 ? std::max(0.0, used - static_cast<double>(merges)) / used : 1;
-  return static_cast<std::uint64_t>(left * static_cast<double>(file.GetNumberOfTets()));
+  const auto cells = file.IsSurface() ? file.GetNumberOfCells() : file.GetNumberOfTets();
+  return static_cast<std::uint64_t>(left * static_cast<double>(cells));
 }
 
 //------------------------------------------------------------------------------

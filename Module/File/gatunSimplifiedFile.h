@@ -39,11 +39,13 @@ public:
   /** The merge tree of the whole mesh. */
   const MergeTree& GetTree();
 
-  /** The coarsest base mesh from which a number of merges can be reached, or the file itself. */
+  /** The coarsest base mesh from which a number of merges can be reached, or the file itself. In a
+   * surface, merges that belong together are not separated: some of the last ones may be left out.
+   */
   Place Find(std::size_t merges, bool withBaseMeshes = true);
 
-  /** The approximate number of tetrahedra after a number of merges. */
-  std::uint64_t EstimateTets(std::size_t merges) const;
+  /** The approximate number of tetrahedra, or cells of a surface, after a number of merges. */
+  std::uint64_t EstimateCells(std::size_t merges) const;
 
   /** The number of bytes read from the file, including base meshes. */
   std::uint64_t GetBytesRead() const;

@@ -27,7 +27,7 @@ MergeTree Renumber(const MergeTree& tree, const std::vector<std::uint32_t>& ids)
     merge.Point = places[merge.Point];
     merge.Into = places[merge.Into];
   }
-  return { tree.GetNumberOfPoints(), std::move(merges) };
+  return { tree.GetNumberOfPoints(), std::move(merges), tree.GetBonds() };
 }
 }
 

@@ -76,15 +76,17 @@ void TreeSection::FindBoxes()
 void TreeSection::WriteMerges()
 {
   StreamBatch batch;
-  const auto used =
-    static_cast<std::uint32_t>(this->State.Meta.Points - this->State.Meta.UnusedPoints);
+  const bool isSurface = this->State.Options.IsSurface;
+  const auto mergeable = CountMergeablePoints(this->State.Meta, isSurface);
+  const auto used = this->State.Meta.Points - this->State.Meta.UnusedPoints;
   const auto& merges = this->Layout.GetTree().GetMerges();
   if (std::any_of(merges.begin(), merges.end(),
-        [=](const auto& merge) { return merge.Point >= used || merge.Into >= used; }))
+        [=](const auto& merge) { return merge.Point >= mergeable || merge.Into >= used; }))
   {
-    ThrowInvalid("the tree merges points that no tetrahedron has");
+    ThrowInvalid("the tree merges points that no cell has");
   }
-  const auto stream = EncodeMerges(this->Layout.GetTree(), used);
+  const auto stream = EncodeMerges(
+    this->Layout.GetTree(), mergeable, isSurface ? MergeKind::Surface : MergeKind::Tetrahedra);
   batch.Add(stream, this->Tree.Stream);
   this->State.Statistics.TreeBytes += stream.size();
   batch.Write(this->State.File, SectionMerges, 0);

@@ -122,6 +122,20 @@ void VerifyCells(const PartDecoder& parts, std::span<const std::uint32_t> chunks
   }
 }
 
+/** Decodes the merges, and throws if a base mesh separates some that belong together. */
+void VerifyTree(const FileReader& file)
+{
+  const MergeTree tree = file.GetMergeTree();
+  for (const auto merges : file.GetLevels())
+  {
+    if (tree.CountWholeMerges(merges) != merges)
+    {
+      InternalsOf(file).File.Fail(
+        ErrorCode::Corrupt, "a base mesh separates merges that belong together");
+    }
+  }
+}
+
 /** Decodes all streams once, some chunks at a time. */
 void VerifyStreams(const FileReader& file, const std::function<bool(double)>& progress)
 {
@@ -221,7 +235,7 @@ bool VerifyFile(const FileReader& file, const std::function<bool(double)>& progr
     VerifyStreams(file, [&](double done) { return !progress || progress(0.1 + 0.9 * done); });
     if (file.HasMergeTree())
     {
-      file.GetMergeTree();
+      VerifyTree(file);
     }
     if (file.HasBoundary() &&
       !VerifyFile(*file.OpenBoundary(), [&](double) { return !progress || progress(1); }))

@@ -16,10 +16,6 @@ namespace
 {
 void CheckSurface(const MeshInput& mesh, const WriterOptions& options)
 {
-  if (options.Tree)
-  {
-    ThrowInvalid("surfaces cannot be written with a hierarchy");
-  }
   if (options.Layers)
   {
     ThrowInvalid("layers are made of tetrahedra, and surfaces have none");

@@ -29,14 +29,14 @@ struct WriterOptions
   bool ReplaceReadOnly = false;
 
   /** Whether the mesh is a surface (vtkPolyData): vertices, lines, polygons and triangle strips, in
-   * this order. Trees and layers are not possible. */
+   * this order. Layers are not possible. A tree of merges is one of its triangles. */
   bool IsSurface = false;
 
   /** A merge tree of all points of the mesh, or null. It must exist until Finish has returned. */
   const MergeTree* Tree = nullptr;
 
   /** The maximum number of base meshes to store: with half of the points, a quarter and so on, down
-   * to some 20,000 tetrahedra. Base meshes need a tree. */
+   * to some 20,000 tetrahedra or cells of a surface. Base meshes need a tree. */
   unsigned Levels = 0;
 
   /** Whether to store the boundary of the mesh as a surface: the faces that only one cell has, and

@@ -20,12 +20,13 @@ constexpr std::uint32_t LargeChunkTets = 262144;
 
 std::uint16_t GetMinorVersion(const WriterOptions& options, bool hasCells)
 {
-  return options.Boundary ? MinorVersionWithBoundary
-    : options.IsSurface   ? MinorVersionOfSurfaces
-    : hasCells            ? MinorVersionWithCells
-    : options.Layers      ? MinorVersionWithLayers
-    : options.Tree        ? MinorVersionWithTree
-                          : MinorVersionPlain;
+  return options.IsSurface && options.Tree ? MinorVersionOfSurfaceTrees
+    : options.Boundary                     ? MinorVersionWithBoundary
+    : options.IsSurface                    ? MinorVersionOfSurfaces
+    : hasCells                             ? MinorVersionWithCells
+    : options.Layers                       ? MinorVersionWithLayers
+    : options.Tree                         ? MinorVersionWithTree
+                                           : MinorVersionPlain;
 }
 }
 

@@ -83,6 +83,7 @@ constexpr std::uint16_t MinorVersionWithLayers = 2;
 constexpr std::uint16_t MinorVersionWithCells = 3;
 constexpr std::uint16_t MinorVersionOfSurfaces = 4;
 constexpr std::uint16_t MinorVersionWithBoundary = 5;
+constexpr std::uint16_t MinorVersionOfSurfaceTrees = 6;
 
 /** Whether a path names a regular file with the signature of a format. */
 bool BeginsAs(const std::string& path, const ContainerKind& kind) noexcept;

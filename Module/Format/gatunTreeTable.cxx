@@ -39,6 +39,12 @@ constexpr std::uint64_t RangeBytes = 16;
 }
 
 //------------------------------------------------------------------------------
+std::uint32_t CountMergeablePoints(const MetaTable& meta, bool isSurface)
+{
+  return static_cast<std::uint32_t>(meta.Points - (isSurface ? 0 : meta.UnusedPoints));
+}
+
+//------------------------------------------------------------------------------
 Bytes TreeTable::Write() const
 {
   ByteWriter out;
@@ -60,15 +66,15 @@ Bytes TreeTable::Write() const
 }
 
 //------------------------------------------------------------------------------
-TreeTable TreeTable::Read(
-  std::span<const std::uint8_t> bytes, const MetaTable& meta, std::size_t numberOfChunks)
+TreeTable TreeTable::Read(std::span<const std::uint8_t> bytes, const MetaTable& meta,
+  std::size_t numberOfChunks, bool isSurface)
 {
   const auto data = Unpack(bytes, SmallTable);
   ByteReader in(data);
   TreeTable tree;
   tree.Merges = GetSmall(in);
   Check(meta.Points < std::uint64_t{ 1 } << 32, "there are too many points for merges");
-  Check(tree.Merges <= meta.Points - meta.UnusedPoints, "there are more merges than points");
+  Check(tree.Merges <= CountMergeablePoints(meta, isSurface), "there are more merges than points");
   tree.Stream = GetStream(in);
   Check((tree.Merges > 0) == (tree.Stream.Length > 0), "the merges have no stream");
   tree.Rungs = GetAscending(in, tree.Merges);

@@ -16,6 +16,10 @@
 
 namespace gatun
 {
+/** The number of points that merges may be about, the first ones of a mesh. In a surface, a point
+ * that no cell has may be merged, such as one of a seam in a base mesh. */
+std::uint32_t CountMergeablePoints(const MetaTable& meta, bool isSurface);
+
 /** The merge tree and the bounds of chunks after merges. */
 struct TreeTable
 {
@@ -35,8 +39,8 @@ struct TreeTable
   std::vector<std::uint32_t> Levels;
 
   Bytes Write() const;
-  static TreeTable Read(
-    std::span<const std::uint8_t> bytes, const MetaTable& meta, std::size_t numberOfChunks);
+  static TreeTable Read(std::span<const std::uint8_t> bytes, const MetaTable& meta,
+    std::size_t numberOfChunks, bool isSurface = false);
 
   /** The first rung that is not below a number of merges. */
   std::size_t FindRung(std::size_t merges) const;

@@ -85,16 +85,19 @@ constexpr std::int64_t InfinityKey = 0x7f80;
 }
 
 //------------------------------------------------------------------------------
-Bytes EncodeMerges(const MergeTree& tree, std::uint32_t points)
+Bytes EncodeMerges(const MergeTree& tree, std::uint32_t points, MergeKind kind)
 {
+  const auto& isBound = tree.GetBonds();
   PointsLeft left(points);
   std::vector<std::uint32_t> placeOf(points);
   std::iota(placeOf.begin(), placeOf.end(), 0u);
   EntropyEncoder coder;
   RunningResidual distances, growths;
+  BitModel bonds;
   std::int64_t last = 0;
-  for (const Merge& merge : tree.GetMerges())
+  for (std::size_t i = 0; i < tree.GetMerges().size(); ++i)
   {
+    const Merge& merge = tree.GetMerges()[i];
     const auto place = placeOf[merge.Point];
     CodeUniform(coder, left.GetCount(), place);
     placeOf[left.GetLast()] = place;
@@ -103,13 +106,17 @@ Bytes EncodeMerges(const MergeTree& tree, std::uint32_t points)
     const auto key = ToKey(merge.Error);
     growths.Code(coder, key - last);
     last = key;
+    if (kind == MergeKind::Surface)
+    {
+      coder.Bit(bonds, !isBound.empty() && isBound[i]);
+    }
   }
   return coder.Finish();
 }
 
 //------------------------------------------------------------------------------
 MergeTree DecodeMerges(
-  std::span<const std::uint8_t> stream, std::uint32_t points, std::uint32_t merges)
+  std::span<const std::uint8_t> stream, std::uint32_t points, std::uint32_t merges, MergeKind kind)
 {
   if (merges > points)
   {
@@ -122,8 +129,12 @@ MergeTree DecodeMerges(
   PointsLeft left(points);
   std::vector<Merge> list;
   list.reserve(merges);
+  std::vector<bool> isBound;
+  isBound.reserve(kind == MergeKind::Surface ? merges : 0);
+  bool hasBonds = false;
   EntropyDecoder coder(stream);
   RunningResidual distances, growths;
+  BitModel bonds;
   std::int64_t key = 0;
   for (std::uint32_t i = 0; i < merges; ++i)
   {
@@ -143,10 +154,15 @@ MergeTree DecodeMerges(
     key += growth;
     const auto bits = static_cast<std::uint32_t>(key) << 16;
     list.push_back({ point, static_cast<std::uint32_t>(into), std::bit_cast<float>(bits) });
+    if (kind == MergeKind::Surface)
+    {
+      isBound.push_back(coder.Bit(bonds, false) != 0);
+      hasBonds = hasBonds || isBound.back();
+    }
   }
   try
   {
-    return { points, std::move(list) };
+    return { points, std::move(list), hasBonds ? std::move(isBound) : std::vector<bool>() };
   }
   catch (const Error& error)
   {

@@ -11,14 +11,22 @@
 
 namespace gatun
 {
+/** The kind of mesh that merges are for. */
+enum class MergeKind : std::uint8_t
+{
+  Tetrahedra, ///< merges are independent
+  Surface     ///< some merges belong together, which is coded
+};
+
 /** Encodes the merges of a tree; only the first points, as many as given, may be merged. See
- * Documentation/format.md, 13.2. */
-Bytes EncodeMerges(const MergeTree& tree, std::uint32_t points);
+ * Documentation/format.md, 13.3. */
+Bytes EncodeMerges(
+  const MergeTree& tree, std::uint32_t points, MergeKind kind = MergeKind::Tetrahedra);
 
 /** Decodes a stream of EncodeMerges for a tree with the given numbers of points and merges. Throws
  * Error if the stream is damaged or the merges are inconsistent. */
-MergeTree DecodeMerges(
-  std::span<const std::uint8_t> stream, std::uint32_t points, std::uint32_t merges);
+MergeTree DecodeMerges(std::span<const std::uint8_t> stream, std::uint32_t points,
+  std::uint32_t merges, MergeKind kind = MergeKind::Tetrahedra);
 }
 
 #endif

@@ -138,14 +138,15 @@ void LocalMergeInput<Corners>::OrderCells(const Input& input)
 
 //------------------------------------------------------------------------------
 template <std::size_t Corners>
-MergeTree LocalMergeInput<Corners>::MakeTree(std::vector<Merge> merges) const
+MergeTree LocalMergeInput<Corners>::MakeTree(
+  std::vector<Merge> merges, std::vector<bool> isBound) const
 {
   for (Merge& merge : merges)
   {
     merge.Point = this->Ids[merge.Point];
     merge.Into = this->Ids[merge.Into];
   }
-  return { static_cast<std::uint32_t>(this->Ids.size()), std::move(merges) };
+  return { static_cast<std::uint32_t>(this->Ids.size()), std::move(merges), std::move(isBound) };
 }
 
 template class LocalMergeInput<3>;

@@ -27,8 +27,8 @@ public:
   /** Valid as long as this object exists. */
   const Input& Get() const { return this->Local; }
 
-  /** Makes a tree for the given mesh from merges of the sorted points. */
-  MergeTree MakeTree(std::vector<Merge> merges) const;
+  /** Makes a tree for the given mesh from merges of the sorted points. isBound: see MergeTree. */
+  MergeTree MakeTree(std::vector<Merge> merges, std::vector<bool> isBound = {}) const;
 
 private:
   void OrderPoints(const Input& input);

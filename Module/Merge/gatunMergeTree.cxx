@@ -21,10 +21,16 @@ float RoundUp(float error)
 }
 
 //------------------------------------------------------------------------------
-MergeTree::MergeTree(std::uint32_t points, std::vector<Merge> merges)
+MergeTree::MergeTree(std::uint32_t points, std::vector<Merge> merges, std::vector<bool> isBound)
   : Points(points)
   , Merges(std::move(merges))
+  , IsBound(std::move(isBound))
 {
+  if (!this->IsBound.empty() &&
+    (this->IsBound.size() != this->Merges.size() || this->IsBound.back()))
+  {
+    throw Error(ErrorCode::InvalidInput, "there is no merge that belongs to the last one");
+  }
   std::vector<bool> gone(points, false);
   float largest = 0;
   for (Merge& merge : this->Merges)
@@ -39,6 +45,17 @@ MergeTree::MergeTree(std::uint32_t points, std::vector<Merge> merges)
     largest = std::max(largest, RoundUp(merge.Error));
     merge.Error = largest;
   }
+}
+
+//------------------------------------------------------------------------------
+std::size_t MergeTree::CountWholeMerges(std::size_t merges) const
+{
+  std::size_t whole = std::min(merges, this->Merges.size());
+  while (whole > 0 && !this->IsBound.empty() && this->IsBound[whole - 1])
+  {
+    --whole;
+  }
+  return whole;
 }
 
 //------------------------------------------------------------------------------

@@ -24,8 +24,9 @@ struct Merge
 };
 
 /**
- * A sequence of merges that simplifies a tetrahedral mesh. After a number of merges, each point is
- * replaced by its ancestor, and tetrahedra with two corners of the same ancestor are removed.
+ * A sequence of merges that simplifies a mesh of tetrahedra or a surface. After a number of merges,
+ * each point is replaced by its ancestor, and cells with two corners of the same ancestor are
+ * removed.
  *
  * Based on: Chuan-kai Yang, Tzi-cker Chiueh: An integrated pipeline of decompression,
  * simplification and rendering for irregular volume data. Technical report, ECSL, Computer Science
@@ -35,15 +36,26 @@ class VTKGATUNCORE_EXPORT MergeTree
 {
 public:
   using Tet = std::array<std::uint32_t, 4>;
+  using Triangle = std::array<std::uint32_t, 3>;
 
   MergeTree() = default;
 
   /** Throws InvalidInput unless both points of each merge still exist. Errors are rounded up to
-   * eight significant bits, the precision of files. */
-  MergeTree(std::uint32_t points, std::vector<Merge> merges);
+   * eight significant bits, the precision of files.
+   *
+   * isBound: for each merge, whether the next one belongs to it, such as that of the other point of
+   * a seam. Empty: none. Its size must be that of merges, and nothing follows the last one. */
+  MergeTree(std::uint32_t points, std::vector<Merge> merges, std::vector<bool> isBound = {});
 
   std::uint32_t GetNumberOfPoints() const { return this->Points; }
   const std::vector<Merge>& GetMerges() const { return this->Merges; }
+
+  /** For each merge, whether the next one belongs to it. Empty: none. */
+  const std::vector<bool>& GetBonds() const { return this->IsBound; }
+
+  /** Returns the largest number of merges, not above a given one, that separates no merges that
+   * belong together: with others, seams of a surface open. */
+  std::size_t CountWholeMerges(std::size_t merges) const;
 
   /** Returns the number of merges that leave a given number of points, or all merges. */
   std::size_t CountMergesForPoints(std::uint64_t pointsLeft) const;
@@ -78,6 +90,7 @@ private:
 
   std::uint32_t Points = 0;
   std::vector<Merge> Merges;
+  std::vector<bool> IsBound;
   std::shared_ptr<Children> Sorted = std::make_shared<Children>(); // copies have the same merges
 };
 
@@ -90,6 +103,19 @@ inline bool Simplify(MergeTree::Tet& tet, std::span<const std::uint32_t> ancesto
   }
   return tet[0] != tet[1] && tet[0] != tet[2] && tet[0] != tet[3] && tet[1] != tet[2] &&
     tet[1] != tet[3] && tet[2] != tet[3];
+}
+
+/** The same for a triangle. Corners that were one point before do not make it vanish. */
+inline bool Simplify(MergeTree::Triangle& triangle, std::span<const std::uint32_t> ancestors)
+{
+  const MergeTree::Triangle before = triangle;
+  for (auto& corner : triangle)
+  {
+    corner = ancestors[corner];
+  }
+  const auto isOne = [&](unsigned i, unsigned j)
+  { return triangle[i] == triangle[j] && before[i] != before[j]; };
+  return !isOne(0, 1) && !isOne(1, 2) && !isOne(2, 0);
 }
 }
 

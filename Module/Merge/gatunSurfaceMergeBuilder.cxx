@@ -7,27 +7,34 @@
 #include "gatunMergeRounds.h"
 #include "gatunSurfaceCosts.h"
 
-#include <algorithm>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace gatun
 {
 namespace
 {
 /** The merges of points that are those of their places. */
-std::vector<Merge> ExpandMerges(const std::vector<Merge>& merges, const MergeSurface& mesh)
+MergeTree MakeTree(
+  const LocalMergeInput<3>& local, const std::vector<Merge>& merges, const MergeSurface& mesh)
 {
   std::vector<Merge> all;
+  std::vector<bool> isBound;
   all.reserve(mesh.Pairs.size());
+  isBound.reserve(mesh.Pairs.size());
+  bool hasBonds = false;
   for (const Merge& merge : merges)
   {
     for (std::uint32_t i = mesh.CountPoints(merge.Point); i > 0; --i)
     {
       const auto& pair = mesh.Pairs[all.size()];
       all.push_back({ pair[0], pair[1], merge.Error });
+      isBound.push_back(i > 1);
+      hasBonds = hasBonds || i > 1;
     }
   }
-  return all;
+  return local.MakeTree(std::move(all), hasBonds ? std::move(isBound) : std::vector<bool>());
 }
 }
 
@@ -42,19 +49,6 @@ MergeTree BuildMergeTree(const SurfaceMergeInput& input, const SurfaceMergeSetti
   const auto workers = MakeMergeWorkers<SurfaceCosts>(mesh);
   const auto merges =
     MergeRounds<MergeSurface, SurfaceCosts>(mesh, workers, mesh.GetIsKept(), progress).Run();
-  return local.MakeTree(ExpandMerges(merges, mesh));
-}
-
-//------------------------------------------------------------------------------
-std::size_t CountWholeMerges(const MergeTree& tree, std::size_t merges,
-  const std::function<bool(std::uint32_t, std::uint32_t)>& areTogether)
-{
-  const auto& all = tree.GetMerges();
-  std::size_t whole = std::min(merges, all.size());
-  while (whole > 0 && whole < all.size() && areTogether(all[whole - 1].Point, all[whole].Point))
-  {
-    --whole;
-  }
-  return whole;
+  return MakeTree(local, merges, mesh);
 }
 }

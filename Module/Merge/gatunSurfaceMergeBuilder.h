@@ -7,8 +7,6 @@
 #include "gatunMergeTree.h"
 #include "vtkGatunCoreModule.h"
 
-#include <cstddef>
-#include <cstdint>
 #include <functional>
 
 namespace gatun
@@ -20,7 +18,7 @@ namespace gatun
  * stays where it is as far as possible, and so do edges between triangles with different normals.
  *
  * Points with the same coordinates, such as those of a seam, are merged one after the other, or
- * not at all. CountWholeMerges finds the numbers of merges between which none of them are.
+ * not at all. The tree tells which merges belong together: see MergeTree::CountWholeMerges.
  *
  * Kept are: points of IsKept; points where the triangles around are not one fan, as at an edge of
  * three triangles; points of triangles with a point or a place twice; points without triangles;
@@ -38,12 +36,6 @@ namespace gatun
  */
 VTKGATUNCORE_EXPORT MergeTree BuildMergeTree(const SurfaceMergeInput& input,
   const SurfaceMergeSettings& settings = {}, const std::function<bool(double)>& progress = {});
-
-/** Returns the largest number of merges, not above a given one, that merges all points at the same
- * place or none of them: with others, seams open. areTogether(a, b): whether two points have the
- * same coordinates. */
-VTKGATUNCORE_EXPORT std::size_t CountWholeMerges(const MergeTree& tree, std::size_t merges,
-  const std::function<bool(std::uint32_t, std::uint32_t)>& areTogether);
 }
 
 #endif

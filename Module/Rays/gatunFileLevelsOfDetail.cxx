@@ -74,6 +74,6 @@ std::shared_ptr<RaySource> FileLevelsOfDetail::MakeSource(
 //------------------------------------------------------------------------------
 std::uint64_t FileLevelsOfDetail::EstimateTets(std::uint64_t points) const
 {
-  return this->File.EstimateTets(this->CountMerges(points));
+  return this->File.EstimateCells(this->CountMerges(points));
 }
 }

@@ -199,7 +199,7 @@ FileSurface::Mesh FileSurface::DecodeCoarse(
   const CoarsePiece coarse(this->Cache, this->Layout, piece, {});
   const std::uint64_t points = coarse.GetNumberOfPoints();
   const ScalarType coordinates = file.GetCoordinateType();
-  mesh.Tets = coarse.GetNumberOfTets();
+  mesh.Tets = coarse.GetCells().GetCount();
   mesh.Points.resize(static_cast<std::size_t>(3 * SizeOf(coordinates) * points));
   mesh.Connectivity.resize(static_cast<std::size_t>(4 * mesh.Tets));
   mesh.Input.Points = { mesh.Points.data(), coordinates, 3 };

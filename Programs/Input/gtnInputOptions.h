@@ -14,6 +14,7 @@ struct InputOptions
   std::vector<std::string> Arrays; ///< names of the point and cell arrays to keep
   bool AllArrays = true;           ///< keep all, and Arrays means nothing
   bool Split = false;              ///< split cells into tetrahedra, with a warning
+  bool Triangles = false;          ///< divide the cells of surfaces into triangles
   bool VolumesOnly = false;        ///< only the tetrahedra that cells consist of matter
   bool SurfacesToo = false;        ///< with VolumesOnly: surfaces matter, too
   bool Sets = false;               ///< also side sets, node sets, patches, boundaries

@@ -8,6 +8,7 @@
 
 #include "gatunCellInput.h"
 #include "gatunSurfaceGrid.h"
+#include "gatunSurfaceTriangles.h"
 #include "gatunTetInput.h"
 #include "vtkGatunMergeBlocks.h"
 
@@ -223,6 +224,10 @@ void Preparer::MakeOutput(vtkDataObject* input, vtkDataObject* output)
     }
     grid = gatun::MakeSurfaceGrid(surface);
   }
+  else if (this->Options.Triangles)
+  {
+    throw Failure("is no surface (vtkPolyData), whose cells could be divided into triangles");
+  }
   else if (auto* blocks = vtkCompositeDataSet::SafeDownCast(input))
   {
     grid = Merge(blocks);
@@ -256,7 +261,12 @@ void Preparer::MakeOutput(vtkDataObject* input, vtkDataObject* output)
   }
   if (surface)
   {
-    gatun::MakeSurface(grid, gatun::FindSurfaceCells(grid), vtkPolyData::SafeDownCast(output));
+    auto* const prepared = vtkPolyData::SafeDownCast(output);
+    gatun::MakeSurface(grid, gatun::FindSurfaceCells(grid), prepared);
+    if (this->Options.Triangles)
+    {
+      prepared->ShallowCopy(gatun::MakeTriangleSurface(prepared));
+    }
   }
   else
   {

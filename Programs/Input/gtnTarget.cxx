@@ -3,7 +3,7 @@
 
 #include "gtnTarget.h"
 
-#include "vtkGatunReader.h"
+#include "vtkGatunMeshReader.h"
 #include "vtkGatunSimplify.h"
 
 #include <fmt/core.h>
@@ -38,7 +38,7 @@ void TargetOptions::Apply(vtkGatunSimplify* simplifier) const
 }
 
 //------------------------------------------------------------------------------
-void TargetOptions::Apply(vtkGatunReader* reader) const
+void TargetOptions::Apply(vtkGatunMeshReader* reader) const
 {
   this->ApplyTo(reader);
 }

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <optional>
 
-class vtkGatunReader;
+class vtkGatunMeshReader;
 class vtkGatunSimplify;
 
 namespace gtn
@@ -27,7 +27,7 @@ struct TargetOptions
 
   /** Without any of them, half of the points are removed. */
   void Apply(vtkGatunSimplify* simplifier) const;
-  void Apply(vtkGatunReader* reader) const;
+  void Apply(vtkGatunMeshReader* reader) const;
 
 private:
   template <class Algorithm>

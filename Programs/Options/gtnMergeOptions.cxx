@@ -61,4 +61,15 @@ std::vector<CLI::Option*> AddMergeOptions(CLI::App* command, MergeOptions& optio
       ->each(given)
   };
 }
+
+//------------------------------------------------------------------------------
+void AddFeatureAngle(CLI::App* command, std::optional<double>& angle)
+{
+  command
+    ->add_option("--feature-angle", angle,
+      "Edges of a surface between triangles whose normals differ by more degrees stay, 0 to 180 "
+      "(default: 30)")
+    ->check(CLI::Range(0., 180.))
+    ->option_text("A");
+}
 }

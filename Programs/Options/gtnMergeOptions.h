@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,9 @@ private:
 
 /** Adds --weight, --metric and --boundary-weight; returns them. */
 std::vector<CLI::Option*> AddMergeOptions(CLI::App* command, MergeOptions& options);
+
+/** Adds --feature-angle, which is for surfaces. */
+void AddFeatureAngle(CLI::App* command, std::optional<double>& angle);
 }
 
 #endif

@@ -184,8 +184,24 @@ for surface in ("mixed.vtp", "mixed.vtp.gtn"):
         gtn(*command, code=1, says=surface + ": is a surface (vtkPolyData), without 3D cells")
     gtn("pack", "--tets", surface, "new.gtn", code=1, says=surface + ": is a surface")
     for option in ("--hierarchy", "--levels=2"):
-        gtn("pack", option, surface, "new.gtn", code=1,
-            says=surface + ": surfaces (vtkPolyData) cannot be written with a hierarchy")
+        gtn("pack", option, surface, "new.gtn", code=1, says="gtn pack --triangles")
+
+# Hierarchies: of triangles, which pack can make.
+gtn("pack", "-q", "--triangles", "--hierarchy", "mixed.vtp", "triangles.gtn")
+gtn("verify", "--triangles", "triangles.gtn", "mixed.vtp", says="identical")
+gtn("pack", "--triangles", "mesh.vtu", "new.gtn", code=1, says="mesh.vtu: is no surface")
+gtn("pack", "-q", "--hierarchy", "--keep-order", "all", "sphere.ply", "tree.gtn")
+told = json.loads(gtn("info", "--json", "tree.gtn"))
+assert told["hasHierarchy"] and told["surface"] and told["merges"] > 0
+for target in (("--ratio", 0.8), ("--points", 40), ("--rms-error", 0.01)):
+    gtn("simplify", "-f", *target, "sphere.ply", "memory.vtp")
+    gtn("simplify", "-f", *target, "tree.gtn", "file.vtp", says="triangles")
+    gtn("pack", "-qf", "memory.vtp", "memory.gtn")
+    gtn("verify", "memory.gtn", "file.vtp", says="identical")
+gtn("simplify", "-f", "--feature-angle", 5, "--weight", "none", "tree.gtn", "new.vtp", code=1,
+    says="there is no point array 'none'")
+gtn("simplify", "-f", "tree.gtn", "new.vtu", code=1, says="is a surface")
+gtn("pack", "--feature-angle", 5, "sphere.ply", "new.gtn", code=2, says="need --hierarchy")
 
 # Damaged files.
 with open("sphere.stl", "rb") as file:

@@ -158,11 +158,18 @@ inline std::vector<Triangle> Simplify(
   return left;
 }
 
+/** MergeTree::CountWholeMerges, found by the coordinates. */
 inline std::size_t CountWhole(
   const MergeTree& tree, std::size_t merges, const std::vector<Vec>& points)
 {
-  return CountWholeMerges(
-    tree, merges, [&](std::uint32_t a, std::uint32_t b) { return points[a] == points[b]; });
+  const auto& all = tree.GetMerges();
+  std::size_t whole = std::min(merges, all.size());
+  while (
+    whole > 0 && whole < all.size() && points[all[whole - 1].Point] == points[all[whole].Point])
+  {
+    --whole;
+  }
+  return whole;
 }
 
 inline Vec GetNormal(const std::vector<Vec>& points, const Triangle& t)

@@ -26,7 +26,8 @@ with open(os.path.join(data, "..", "..", "Documentation", "format.md"), encoding
     text = file.read()
 of_file = text[text.index("\n### 12.1") : text.index("\n### 12.2")]
 of_walk = text[text.index("\n### 12.2") : text.index("\n## 13 ")]
-of_tree = text[text.index("\n### 13.7") : text.index("\n## 14 ")]
+of_tree = text[text.index("\n### 13.7") : text.index("\n### 13.8")]
+of_seam = text[text.index("\n### 13.8") : text.index("\n## 14 ")]
 of_layers = text[text.index("\n### 14.3") : text.index("\n## 15 ")]
 of_cells = text[text.index("\n### 15.4") : text.index("\n## Appendix A")]
 
@@ -85,6 +86,20 @@ assert decoder.tets().tolist() == [[0, 1, 2, 3], [1, 2, 3, 4]]
 assert decoder.array(0, 0).ravel().tolist() == [20, 21, 24, 29, 36]
 assert decoder.after(1).kept == [0, 1, 2, 3] and decoder.after(1).tets.tolist() == [[0, 1, 2, 3]]
 assert decoder.after(2).kept == [1, 2, 3] and len(decoder.after(2).tets) == 0
+
+# The merges of a surface, two of which belong together.
+with open(os.path.join(data, "Golden", "v1.6", "seam.gtn"), "rb") as file:
+    decoder = Decoder(file.read())
+stream = bytes.fromhex(re.search(r"`([0-9a-f \n]{20,})`", of_seam)[1])
+assert stream == decoder.container.stream(decoder.container.tree.stream)
+bonds = []
+merges = decode_merges(stream, 8, 3, bonds)
+assert merges == decoder.merges and bonds == [1, 0, 0]
+sentence = " ".join(re.search(r"The merges: (.*?)\.\n", of_seam, re.DOTALL)[1].split())
+assert sentence == ", ".join("%d %d (%g%s)" % (*merge, ", bound" if bond else "")
+                             for merge, bond in zip(merges, bonds)), (merges, bonds)
+assert len(decoder.cells()) == 4
+assert len(decoder.after(2).tets) == 2 and len(decoder.after(3).tets) == 1
 
 # Layers: the bytes of the table are those of the golden file.
 with open(os.path.join(data, "Golden", "v1.2", "two_layers.gtn"), "rb") as file:

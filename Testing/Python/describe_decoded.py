@@ -106,6 +106,7 @@ def describe_tree(decoder, name):
         "= %s" % name,
         "points %d unused %d tets %d" % (meta.points, meta.unused_points, meta.tets),
         "merges %d %016x" % (len(decoder.merges), checksum(merges)),
+        *(["bonds %d" % sum(decoder.bonds)] if decoder.container.is_surface else []),
         " ".join(map(str, ["rungs", *tree.rungs])),
         " ".join(map(str, ["levels", *tree.levels])),
         "boxes %s" % checksum_of(np.array(tree.boxes, float)),
@@ -118,9 +119,13 @@ def describe_tree(decoder, name):
     count = len(decoder.merges)
     for n in sorted({1, count // 3, count // 2, count} - {0}) if count else []:
         mesh = decoder.after(n)
-        lines.append("after %d points %d %s tets %d %s" % (
+        corners = mesh.tets
+        if mesh.types is not None:
+            corners = np.array([x for kind, cell in zip(mesh.types, mesh.tets)
+                                for x in [kind, len(cell), *cell]], np.int64)
+        lines.append("after %d points %d %s %s %d %s" % (
             n, len(mesh.kept), checksum_of(mesh.points()),
-            len(mesh.tets), checksum_of(mesh.tets)))
+            "tets" if mesh.types is None else "cells", len(mesh.tets), checksum_of(corners)))
         for s in range(len(decoder.steps)):
             for a in range(len(meta.arrays)):
                 lines.append("after %d step %d array %d %s" % (

@@ -280,7 +280,8 @@ class Container:
 
     def _read_tree(self, sections):
         """Sections TREE, TRNG and LEVL (13)."""
-        tree = read_tree(self._packed(sections, b"TREE"), self.meta, self.table)
+        tree = read_tree(
+            self._packed(sections, b"TREE"), self.meta, self.table, self.is_surface)
         contents = {name: [self._content(section) for section in sections if section.name == name]
                     for name in (b"TRNG", b"LEVL")}
         require(len(contents[b"TRNG"]) == len(self.steps), "number of TRNG")
@@ -538,11 +539,12 @@ def read_step(table, meta, layout, open_page):
     return step
 
 
-def read_tree(table, meta, layout):
+def read_tree(table, meta, layout, is_surface):
     """Section TREE (13.2)."""
     require(meta.points < 1 << 32, "too many points for merges")
     tree = Record(merges=table.varint())
-    require(tree.merges <= meta.points - meta.unused_points, "more merges than points")
+    unused = 0 if is_surface else meta.unused_points
+    require(tree.merges <= meta.points - unused, "more merges than points")
     tree.stream = table.reference()
     require((tree.stream is None) == (tree.merges == 0), "stream of merges")
 

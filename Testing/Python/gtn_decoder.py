@@ -75,6 +75,7 @@ class Decoder:
             coordinates[axis] += unused[axis]
         self._coordinates = coordinates
         self._decode_original_order()
+        self.bonds = []  # of a surface, for each merge
         self.merges = self._decode_merges()
 
     # ----- The mesh
@@ -234,8 +235,10 @@ class Decoder:
         tree = self.container.tree
         if tree is None or tree.merges == 0:
             return []
-        points = self.meta.points - self.meta.unused_points
-        return decode_merges(self._stream(tree.stream), points, tree.merges)
+        is_surface = self.container.is_surface
+        points = self.meta.points - (0 if is_surface else self.meta.unused_points)
+        return decode_merges(
+            self._stream(tree.stream), points, tree.merges, self.bonds if is_surface else None)
 
     # ----- Original order
 

@@ -16,6 +16,7 @@ from gtn_coding import Coded, RunningSpread
 from gtn_container import POINTS, Bytes, require
 
 INFINITY_KEY = 0x7F80
+TRIANGLE = 5
 
 
 def uniform(coded, n):
@@ -28,8 +29,9 @@ def uniform(coded, n):
     return x
 
 
-def decode_merges(stream, points, merges):
-    """Triples of point, into and error (13.3)."""
+def decode_merges(stream, points, merges, bonds=None):
+    """Triples of point, into and error (13.3). bonds: a list that gets, of a surface, whether each
+    merge is bound to the next one."""
     require(len(stream) >= merges // 8, "stream of merges too short")
     coded = Coded(Bytes(stream))
     spreads = {"into": RunningSpread(), "growth": RunningSpread()}
@@ -56,6 +58,9 @@ def decode_merges(stream, points, merges):
         key += growth
         require(growth >= 0 and key <= INFINITY_KEY, "errors do not ascend")
         result.append((point, into, struct.unpack("<f", struct.pack("<I", key << 16))[0]))
+        if bonds is not None:
+            bonds.append(coded.decide("bond"))
+    require(not bonds or not bonds[-1], "bond of the last merge")
     return result
 
 
@@ -70,8 +75,8 @@ def find_ancestors(points, merges):
 class SimplerMesh:
     """What is left of the mesh of a decoder after n merges, in the file's own order (13.1).
 
-    kept: global numbers of the points that are left; cells: of the tetrahedra; tets: corners by
-    their place in kept.
+    kept: global numbers of the points that are left; cells: of the tetrahedra, or of a surface;
+    tets: corners by their place in kept; types: of the cells of a surface, else None.
     """
 
     def __init__(self, decoder, n):
@@ -79,7 +84,16 @@ class SimplerMesh:
         ancestors = find_ancestors(decoder.meta.points, decoder.merges[:n])
         self.kept = [i for i, ancestor in enumerate(ancestors) if i == ancestor]
         places = {point: place for place, point in enumerate(self.kept)}
-        self.cells, tets = [], []
+        self.cells, tets, self.types = [], [], None
+        if decoder.container.is_surface:
+            self.types, self.tets = [], []
+            for cell, (kind, points, _) in enumerate(decoder.cells()):
+                corners = [ancestors[point] for point in points]
+                if kind != TRIANGLE or len(set(corners)) == len(set(points)):
+                    self.cells.append(cell)
+                    self.types.append(kind)
+                    self.tets.append([places[point] for point in corners])
+            return
         for cell, tet in zip(decoder.cells_of_tets(), decoder.tets().tolist()):
             corners = [ancestors[point] for point in tet]
             if len(set(corners)) == 4:
@@ -155,12 +169,14 @@ def open_level(whole, number, make):
     tree = level.container.tree
     require(tree is not None and not tree.levels, "tree of a base mesh")
     require(tree.merges == whole.container.tree.merges - merges, "merges of a base mesh")
+    require(level.container.is_surface == whole.container.is_surface, "kind of a base mesh")
     return level
 
 
 def corners_of(mesh):
-    """The tetrahedra of a mesh by the values of their corners and their own, each corner list turned
-    so that it does not depend on the order of points, cells or corners; sorted."""
+    """The tetrahedra of a mesh, or cells of a surface, by the values of their corners and their own,
+    each corner list turned so that it does not depend on the order of points, cells or corners;
+    sorted."""
     decoder = mesh.decoder
     columns = [mesh.points()]
     own = []
@@ -169,13 +185,17 @@ def corners_of(mesh):
             (columns if array.where == POINTS else own).append(mesh.array(step, a))
     rows = [b"".join(column[i].tobytes() for column in columns) for i in range(len(mesh.kept))]
     result = []
-    for cell, tet in enumerate(mesh.tets.tolist()):
+    tets = mesh.tets.tolist() if mesh.types is None else mesh.tets
+    for cell, tet in enumerate(tets):
         # Even permutations only, as orientation counts.
-        turned = [tuple(rows[tet[k]] for k in order) for order in EVEN]
-        result.append((min(turned), *(values[cell].tobytes() for values in own)))
+        kind = None if mesh.types is None else mesh.types[cell]
+        orders = EVEN if kind is None else TURNS if kind == TRIANGLE else [range(len(tet))]
+        turned = [tuple(rows[tet[k]] for k in order) for order in orders]
+        result.append((kind, min(turned), *(values[cell].tobytes() for values in own)))
     return Record(points=sorted(rows), tets=sorted(result))
 
 
+TURNS = [(0, 1, 2), (1, 2, 0), (2, 0, 1)]
 EVEN = [
     (0, 1, 2, 3), (0, 2, 3, 1), (0, 3, 1, 2), (1, 0, 3, 2),
     (1, 3, 2, 0), (1, 2, 0, 3), (2, 3, 0, 1), (2, 0, 1, 3),
@@ -188,6 +208,9 @@ def check_level(whole, number, level):
     more = len(level.merges)
     errors = [merge[2] for merge in whole.merges[merges:]]
     require(errors == [merge[2] for merge in level.merges], "errors of a base mesh")
+    if whole.container.is_surface:
+        require(level.bonds == whole.bonds[merges:], "bonds of a base mesh")
+        require(merges == 0 or not whole.bonds[merges - 1], "base mesh between bound merges")
     for m in sorted({0, more // 2, more}):
         require(corners_of(SimplerMesh(level, m)) == corners_of(SimplerMesh(whole, merges + m)),
                 "mesh of a base mesh")

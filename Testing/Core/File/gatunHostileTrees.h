@@ -11,6 +11,7 @@
 #include "gatunTreeImage.h"
 #include "gatunVerifyFile.h"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <numeric>
@@ -69,6 +70,7 @@ inline PieceRequest AskForAll(const FileReader& file, std::size_t merges)
     request.Step = file.GetNumberOfSteps() - 1;
   }
   request.Merges = merges;
+  request.Form = file.IsSurface() ? PieceForm::Original : PieceForm::Tetrahedra;
   return request;
 }
 
@@ -79,13 +81,20 @@ inline void Decode(const std::shared_ptr<const FileReader>& file, const PieceReq
   const auto points = static_cast<std::size_t>(decoder.GetNumberOfPoints());
   const auto tets = static_cast<std::size_t>(decoder.GetNumberOfCells());
   std::vector<double> coordinates(3 * points);
-  std::vector<std::int64_t> ids(4 * tets, -1);
+  std::vector<std::int64_t> ids(static_cast<std::size_t>(decoder.GetConnectivitySize()), -1);
+  std::vector<std::int64_t> offsets(tets + 1, -1);
+  std::vector<std::uint8_t> types(tets);
   std::vector<unsigned char> ghosts(points);
   std::vector<Bytes> values;
   PieceTarget target;
   target.Points = coordinates.data();
   target.Connectivity = ids.data();
   target.PointGhosts = ghosts.data();
+  if (!decoder.IsTetrahedral())
+  {
+    target.Offsets = offsets.data();
+    target.Types = types.data();
+  }
   for (const auto a : request.Arrays)
   {
     const auto& array = file->GetArrays()[a];
@@ -94,6 +103,11 @@ inline void Decode(const std::shared_ptr<const FileReader>& file, const PieceReq
     target.Arrays.push_back(values.back().data());
   }
   decoder.Fill(target);
+  if (!decoder.IsTetrahedral())
+  {
+    ASSERT_TRUE(std::is_sorted(offsets.begin(), offsets.end()) && offsets[0] == 0);
+    ASSERT_EQ(static_cast<std::size_t>(offsets.back()), ids.size());
+  }
   for (const auto id : ids)
   {
     ASSERT_TRUE(id >= 0 && static_cast<std::size_t>(id) < points);
@@ -139,9 +153,9 @@ inline void ReadTree(const std::string& path)
 
 /** Changes a good file and expects that reading its tree fails like this, and verifying too. */
 inline void ExpectRefused(const std::string& what, const std::function<void(TreeImage&)>& change,
-  ErrorCode code = ErrorCode::Corrupt)
+  ErrorCode code = ErrorCode::Corrupt, const TreeImage& good = GetGoodImage())
 {
-  auto image = GetGoodImage();
+  auto image = good;
   change(image);
   const auto path = PutFile("changed.gtn", image.Build());
   EXPECT_GATUN_ERROR(code, path, what, [&] { ReadTree(path); });

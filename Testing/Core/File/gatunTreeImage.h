@@ -54,10 +54,16 @@ public:
   /** Another tree of the same mesh; bounds and ranges stay, and may be wrong then. */
   void SetMerges(const MergeTree& tree)
   {
-    const auto used = static_cast<std::uint32_t>(this->Meta.Points - this->Meta.UnusedPoints);
-    this->Merges = EncodeMerges(tree, used);
+    this->Merges = EncodeMerges(tree, CountMergeablePoints(this->Meta, this->IsSurface()),
+      this->IsSurface() ? MergeKind::Surface : MergeKind::Tetrahedra);
     this->Tree.Merges = static_cast<std::uint32_t>(tree.GetMerges().size());
     this->Tree.Rungs.back() = this->Tree.Merges;
+  }
+
+  bool IsSurface() const
+  {
+    return std::any_of(this->Rest.begin(), this->Rest.end(),
+      [](const auto& section) { return section.Name == SectionSurface; });
   }
 
   Bytes Build() const
@@ -94,7 +100,7 @@ public:
     }
     sections.insert(sections.end(), this->MoreSections.begin(), this->MoreSections.end());
     FileImage frame;
-    frame.Minor = MinorVersionWithTree;
+    frame.Minor = this->IsSurface() ? MinorVersionOfSurfaceTrees : MinorVersionWithTree;
     return frame.Assemble(sections);
   }
 

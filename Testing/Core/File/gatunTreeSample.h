@@ -31,6 +31,8 @@ struct TreeSample
   std::vector<double> Coordinates;
   std::vector<float> Singles; // in place of those, if of that type
   std::vector<std::int64_t> Ids;
+  std::vector<std::uint8_t> Types;   // of the cells of a surface; otherwise
+  std::vector<std::int64_t> Offsets; // all are tetrahedra
   std::vector<ArrayDescription> Arrays;
   std::vector<std::vector<Bytes>> Steps; // values of each array
   bool HasTime = false;
@@ -47,7 +49,16 @@ struct TreeSample
   }
 
   std::size_t GetPoints() const { return this->Coordinates.size() / 3; }
-  std::size_t GetTets() const { return this->Ids.size() / 4; }
+  bool IsSurface() const { return !this->Types.empty(); }
+  PieceForm GetForm() const
+  {
+    return this->IsSurface() ? PieceForm::Original : PieceForm::Tetrahedra;
+  }
+
+  std::size_t GetTets() const
+  {
+    return this->IsSurface() ? this->Types.size() : this->Ids.size() / 4;
+  }
 
   MeshInput GetInput() const
   {
@@ -59,6 +70,11 @@ struct TreeSample
       : this->Coordinates.data();
     input.Cells = this->GetTets();
     input.Connectivity = this->Ids.data();
+    if (this->IsSurface())
+    {
+      input.Types = this->Types.data();
+      input.Offsets = this->Offsets.data();
+    }
     return input;
   }
 
@@ -143,7 +159,9 @@ inline TreeTable ReadTreeTable(const std::vector<FileImage::Section>& sections)
 {
   const auto meta = MetaTable::Read(FindPayload(sections, SectionMeta));
   const auto mesh = MeshIndex::Read(FindPayload(sections, SectionTable), meta);
-  return TreeTable::Read(FindPayload(sections, SectionTree), meta, mesh.Chunks);
+  const bool isSurface = std::any_of(sections.begin(), sections.end(),
+    [](const auto& section) { return section.Name == SectionSurface; });
+  return TreeTable::Read(FindPayload(sections, SectionTree), meta, mesh.Chunks, isSurface);
 }
 
 /** Writes values as they are; those of a base mesh are gathered before. */
@@ -174,7 +192,8 @@ inline Bytes MakeLevel(
   const std::string& path, const TreeSample& sample, WriterOptions options, std::size_t merges)
 {
   const auto input = sample.GetInput();
-  const BaseMesh base(MeshAccess(input), sample.Tree, merges);
+  const BaseMesh base(MeshAccess(input), sample.Tree, merges, sample.GetForm());
+  options.IsSurface = sample.IsSurface();
   options.Keep = KeepNone;
   options.Tree = &base.GetTree();
   Bytes layerValues; // the remaining values that define the layers
@@ -200,6 +219,7 @@ inline void WriteTreeSample(const std::string& path, const TreeSample& sample,
   WriterOptions options, const std::vector<std::uint32_t>& levels = {})
 {
   options.Tree = &sample.Tree;
+  options.IsSurface = sample.IsSurface();
   {
     FileWriter writer(path, sample.GetInput(), sample.Arrays, options);
     WriteValues(writer, sample, sample.Field,
@@ -226,7 +246,9 @@ inline void WriteTreeSample(const std::string& path, const TreeSample& sample,
       { SectionLevel, MakeLevel(path, sample, options, merges), SectionVersion, 0 });
   }
   FileImage frame;
-  frame.Minor = options.Layers ? MinorVersionWithLayers : MinorVersionWithTree;
+  frame.Minor = sample.IsSurface() ? MinorVersionOfSurfaceTrees
+    : options.Layers               ? MinorVersionWithLayers
+                                   : MinorVersionWithTree;
   const auto bytes = frame.Assemble(sections);
   std::ofstream out(path, std::ios::binary | std::ios::trunc);
   out.write(

@@ -113,7 +113,7 @@ TEST(SurfaceFile, OfNothingIsOne)
   EXPECT_TRUE(FileReader(path).IsSurface());
 }
 
-TEST(SurfaceFile, RefusesOtherCellsAndTreesAndLayers)
+TEST(SurfaceFile, RefusesOtherCellsAndTreesThatDoNotFit)
 {
   const auto refuse = [](const Surface& surface, const WriterOptions& options, const char* what)
   {
@@ -138,7 +138,15 @@ TEST(SurfaceFile, RefusesOtherCellsAndTreesAndLayers)
   Surface nothing;
   nothing.Coordinates.clear();
   nothing.Types.clear();
-  refuse(nothing, options, "hierarchy");
+  EXPECT_EQ(FileReader(Write(nothing, options)).GetNumberOfMerges(), 0u);
+  Surface more;
+  more.Coordinates.insert(more.Coordinates.end(), { 7, 7, 7 }); // of no cell
+  const MergeTree into(7, { { 1, 6, 0 } });
+  options.Tree = &into;
+  refuse(more, options, "the tree merges points that no cell has");
+  const MergeTree from(7, { { 6, 1, 0 } });
+  options.Tree = &from;
+  EXPECT_EQ(FileReader(Write(more, options)).GetMergeTree().GetMerges()[0].Point, 6u);
 }
 
 /** The file of a surface with other sections SURF. */

@@ -91,7 +91,13 @@ private:
       bytes.Put(merge.Into);
       bytes.Put(std::bit_cast<std::uint32_t>(merge.Error));
     }
-    this->Out << "merges " << this->Tree->GetMerges().size() << " " << GetSum(bytes) << "\nrungs";
+    this->Out << "merges " << this->Tree->GetMerges().size() << " " << GetSum(bytes);
+    if (this->File->IsSurface())
+    {
+      const auto& bonds = this->Tree->GetBonds();
+      this->Out << "\nbonds " << std::count(bonds.begin(), bonds.end(), true);
+    }
+    this->Out << "\nrungs";
     this->Rungs = InternalsOf(*this->File).Tree->Rungs;
     for (const auto rung : this->Rungs)
     {
@@ -153,24 +159,36 @@ private:
     request.RestoreOrder = false;
     request.Merges = merges;
     request.Tree = this->Tree;
+    request.Form = this->File->IsSurface() ? PieceForm::Original : PieceForm::Tetrahedra;
     PieceDecoder decoder(this->File);
     decoder.SetRequest(request);
     const auto points = static_cast<std::size_t>(decoder.GetNumberOfPoints());
-    const auto tets = static_cast<std::size_t>(decoder.GetNumberOfCells());
+    const auto cells = static_cast<std::size_t>(decoder.GetNumberOfCells());
     Bytes coordinates(3 * points * SizeOf(this->File->GetCoordinateType()));
-    std::vector<std::int64_t> ids(4 * tets);
+    std::vector<std::int64_t> ids(static_cast<std::size_t>(decoder.GetConnectivitySize()));
+    std::vector<std::int64_t> offsets(cells + 1);
+    std::vector<std::uint8_t> types(cells);
     PieceTarget target;
     target.Points = coordinates.data();
     target.Connectivity = ids.data();
+    const bool isSurface = this->File->IsSurface();
+    target.Offsets = isSurface ? offsets.data() : nullptr;
+    target.Types = isSurface ? types.data() : nullptr;
     decoder.Fill(target);
+    for (std::size_t cell = cells; isSurface && cell > 0; --cell)
+    {
+      // In front of the corners of each cell, its type and their number.
+      const std::int64_t before[] = { types[cell - 1], offsets[cell] - offsets[cell - 1] };
+      ids.insert(ids.begin() + offsets[cell - 1], std::begin(before), std::end(before));
+    }
     this->Out << "after " << merges << " points " << points << " " << GetSumOf(coordinates)
-              << " tets " << tets << " " << GetSumOf(ids) << "\n";
+              << (isSurface ? " cells " : " tets ") << cells << " " << GetSumOf(ids) << "\n";
     for (std::size_t step = 0; step < this->File->GetNumberOfSteps(); ++step)
     {
       for (std::uint32_t a = 0; a < this->File->GetArrays().size(); ++a)
       {
         const auto& array = this->File->GetArrays()[a];
-        Bytes values((array.Where == Association::Point ? points : tets) * array.Components *
+        Bytes values((array.Where == Association::Point ? points : cells) * array.Components *
           SizeOf(array.Type));
         request.Step = step;
         request.Arrays = { a };
@@ -189,9 +207,10 @@ private:
   std::vector<std::uint32_t> Rungs;
 };
 
-TEST(TreeGolden, FilesAreReadAsAnIndependentDecoderDoes)
+void CompareFolder(int minor)
 {
-  const auto folder = std::filesystem::path(GATUN_TEST_DATA) / "Golden" / "v1.1";
+  const auto folder =
+    std::filesystem::path(GATUN_TEST_DATA) / "Golden" / ("v1." + std::to_string(minor));
   std::ifstream in(folder / "trees.txt");
   std::ostringstream expected;
   expected << in.rdbuf();
@@ -210,10 +229,20 @@ TEST(TreeGolden, FilesAreReadAsAnIndependentDecoderDoes)
   {
     const auto file = std::make_shared<const FileReader>(path.string());
     EXPECT_TRUE(VerifyFile(*file)) << path;
-    EXPECT_EQ(file->GetFormatVersion(), (std::pair{ 1, 1 })) << path;
+    EXPECT_EQ(file->GetFormatVersion(), (std::pair{ 1, minor })) << path;
     all += Description(file, path.filename().string()).Out.str();
   }
   EXPECT_EQ(all, expected.str());
+}
+
+TEST(TreeGolden, FilesAreReadAsAnIndependentDecoderDoes)
+{
+  CompareFolder(1);
+}
+
+TEST(TreeGolden, SurfacesAreReadAsAnIndependentDecoderDoes)
+{
+  CompareFolder(6);
 }
 }
 }

@@ -11,6 +11,8 @@
 
 #include <cstdint>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace gatun::test
 {
@@ -24,6 +26,41 @@ TEST(MergeCodec, StreamOfMergesGivesThemBack)
     const auto stream = EncodeMerges(tree, points);
     ExpectSame(
       tree, DecodeMerges(stream, points, static_cast<std::uint32_t>(tree.GetMerges().size())));
+  }
+}
+
+/** The same merges, some of which belong together. */
+MergeTree Bind(const MergeTree& tree, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::vector<bool> isBound;
+  for (std::size_t i = 0; i < tree.GetMerges().size(); ++i)
+  {
+    isBound.push_back(random() % 5 == 0 && i + 1 < tree.GetMerges().size());
+  }
+  return { tree.GetNumberOfPoints(), tree.GetMerges(), std::move(isBound) };
+}
+
+TEST(MergeCodec, StreamOfASurfaceGivesBondsBack)
+{
+  for (const std::uint32_t points : { 0u, 1u, 2u, 3u, 1000u, 65537u })
+  {
+    const auto free = MakeWildTree(points, points);
+    const auto bound = Bind(free, points);
+    for (const auto* tree : { &free, &bound })
+    {
+      const auto stream = EncodeMerges(*tree, points, MergeKind::Surface);
+      const auto back = DecodeMerges(
+        stream, points, static_cast<std::uint32_t>(tree->GetMerges().size()), MergeKind::Surface);
+      ExpectSame(*tree, back);
+      for (std::size_t n = 0; n <= tree->GetMerges().size(); n += 1 + points / 50)
+      {
+        ASSERT_EQ(tree->CountWholeMerges(n), back.CountWholeMerges(n));
+      }
+    }
+    // Without bonds they take next to nothing.
+    EXPECT_LE(
+      EncodeMerges(free, points, MergeKind::Surface).size(), EncodeMerges(free, points).size() + 8);
   }
 }
 

@@ -56,6 +56,40 @@ TEST(MergeBuilder, SmoothBoundariesBecomeCoarserBeforeSharpPartsVanish)
 }
 
 //------------------------------------------------------------------------------
+TEST(MergeTree, DoesNotSeparateMergesThatBelongTogether)
+{
+  const std::vector<Merge> merges{ { 1, 0, 1 }, { 2, 3, 1 }, { 4, 3, 1 }, { 0, 3, 2 } };
+  const MergeTree free(6, merges);
+  const MergeTree bound(6, merges, { false, true, true, false });
+  for (std::size_t n = 0; n < 7; ++n)
+  {
+    const std::size_t most = std::min<std::size_t>(n, 4);
+    EXPECT_EQ(free.CountWholeMerges(n), most);
+    EXPECT_EQ(bound.CountWholeMerges(n), n == 2 || n == 3 ? 1 : most);
+  }
+  EXPECT_THROW(MergeTree(6, merges, { false, true, true }), Error);
+  EXPECT_THROW(MergeTree(6, merges, { false, true, true, true }), Error);
+}
+
+//------------------------------------------------------------------------------
+TEST(MergeTree, OnlyTrianglesWithCornersThatBecomeOneVanish)
+{
+  const std::vector<std::uint32_t> ancestors{ 0, 0, 2, 2, 4 };
+  const auto simplify = [&](MergeTree::Triangle triangle)
+  {
+    const bool isLeft = Simplify(triangle, ancestors);
+    return std::pair(isLeft, triangle);
+  };
+  EXPECT_EQ(simplify({ 1, 3, 4 }), std::pair(true, MergeTree::Triangle{ 0, 2, 4 }));
+  EXPECT_FALSE(simplify({ 0, 1, 4 }).first);
+  EXPECT_FALSE(simplify({ 4, 3, 2 }).first);
+  // One that has a corner twice from the beginning.
+  EXPECT_EQ(simplify({ 1, 1, 3 }), std::pair(true, MergeTree::Triangle{ 0, 0, 2 }));
+  EXPECT_EQ(simplify({ 1, 1, 1 }), std::pair(true, MergeTree::Triangle{ 0, 0, 0 }));
+  EXPECT_FALSE(simplify({ 1, 1, 0 }).first);
+}
+
+//------------------------------------------------------------------------------
 TEST(MergeTree, CountsMerges)
 {
   const MergeTree tree(6, { { 1, 0, 1 }, { 2, 3, 5 }, { 0, 3, 2 }, { 4, 5, 9 } });

@@ -41,6 +41,7 @@ TEST_P(SimplifiedSurfaces, KeepTheirTopology)
   for (std::size_t n = 0; n <= most; n += std::max<std::size_t>(1, most / 40))
   {
     const auto whole = CountWhole(tree, n, sheet.Points);
+    EXPECT_EQ(tree.CountWholeMerges(n), whole);
     const Topology after(sheet.Points, Simplify(sheet.Triangles, tree, whole));
     EXPECT_TRUE(after.IsManifold) << n;
     EXPECT_EQ(after.EulerCharacteristic, before.EulerCharacteristic) << n;

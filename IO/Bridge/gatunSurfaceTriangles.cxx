@@ -3,18 +3,23 @@
 
 #include "gatunSurfaceTriangles.h"
 
+#include "gatunArrayBridge.h"
 #include "gatunError.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolygon.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <limits>
+#include <numeric>
 
 namespace gatun
 {
@@ -190,5 +195,43 @@ void SurfaceTriangles::FindPointsOfGhosts(vtkPolyData* surface)
       this->IsOfGhosts[corner] = 0;
     }
   }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> MakeTriangleSurface(vtkPolyData* surface)
+{
+  vtkCellArray* const polygons = surface->GetPolys();
+  bool isDivided = surface->GetNumberOfStrips() == 0;
+  for (vtkIdType i = 0; isDivided && i < polygons->GetNumberOfCells(); ++i)
+  {
+    isDivided = polygons->GetCellSize(i) == 3;
+  }
+  if (isDivided)
+  {
+    return surface;
+  }
+  const SurfaceTriangles triangles(surface);
+  vtkNew<vtkCellArray> cells;
+  cells->AllocateExact(static_cast<vtkIdType>(triangles.Corners.size()),
+    3 * static_cast<vtkIdType>(triangles.Corners.size()));
+  for (const SurfaceTriangles::Triangle& triangle : triangles.Corners)
+  {
+    cells->InsertNextCell({ static_cast<vtkIdType>(triangle[0]),
+      static_cast<vtkIdType>(triangle[1]), static_cast<vtkIdType>(triangle[2]) });
+  }
+  // The data of vertices and lines come first and stay.
+  std::vector<vtkIdType> sources(
+    static_cast<std::size_t>(surface->GetNumberOfVerts() + surface->GetNumberOfLines()));
+  std::iota(sources.begin(), sources.end(), vtkIdType{ 0 });
+  sources.insert(sources.end(), triangles.Cells.begin(), triangles.Cells.end());
+  auto divided = vtkSmartPointer<vtkPolyData>::New();
+  divided->SetPoints(surface->GetPoints());
+  divided->SetVerts(surface->GetVerts());
+  divided->SetLines(surface->GetLines());
+  divided->SetPolys(cells);
+  divided->GetPointData()->ShallowCopy(surface->GetPointData());
+  GatherAll(surface->GetCellData(), sources, divided->GetCellData());
+  divided->GetFieldData()->ShallowCopy(surface->GetFieldData());
+  return divided;
 }
 }

@@ -4,6 +4,8 @@
 #ifndef gatunSurfaceTriangles_h
 #define gatunSurfaceTriangles_h
 
+#include "vtkGatunIOModule.h" // For export macro
+#include "vtkSmartPointer.h"
 #include "vtkType.h" // For vtkIdType
 
 #include <array>
@@ -25,11 +27,11 @@ namespace gatun
 /** Calls body(cell, count, ids) for each cell of an array of a surface that is no ghost cell.
  * first: the number of its first cell. Throws gatun::Error (InvalidInput) if a point does not
  * exist. */
-void ForEachOwnCell(vtkPolyData* surface, vtkCellArray* cells, vtkIdType first,
+VTKGATUNIO_EXPORT void ForEachOwnCell(vtkPolyData* surface, vtkCellArray* cells, vtkIdType first,
   const std::function<void(vtkIdType, vtkIdType, const vtkIdType*)>& body);
 
 /** The triangles of a surface, with the cells that they come from. */
-struct SurfaceTriangles
+struct VTKGATUNIO_EXPORT SurfaceTriangles
 {
   /** Polygons and strips are divided into triangles, those of a polygon without holes in its plane
    * by cutting ears. Cells with less than three points and ghost cells are left out. Throws
@@ -50,6 +52,12 @@ struct SurfaceTriangles
 private:
   void FindPointsOfGhosts(vtkPolyData* surface);
 };
+
+/** Returns the surface with its polygons and strips divided into triangles, as SurfaceTriangles
+ * does it, or the surface itself if it has nothing else than triangles, vertices and lines. A
+ * triangle has the data of its cell. Cells with less than three points are left out. Throws as
+ * SurfaceTriangles. */
+VTKGATUNIO_EXPORT vtkSmartPointer<vtkPolyData> MakeTriangleSurface(vtkPolyData* surface);
 }
 
 #endif
