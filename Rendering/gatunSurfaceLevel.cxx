@@ -138,6 +138,12 @@ std::optional<std::vector<std::uint32_t>> SurfaceLevel::FindChanges(const Surfac
   {
     return std::vector<std::uint32_t>();
   }
-  return FindChangedChunks(*this->Place.File, *tree, other.Place.Merges, this->Place.Merges);
+  this->Changes = other.Changes;
+  if (!this->Changes || this->Changes->GetTree() != tree)
+  {
+    this->Changes = std::make_shared<const MergeChanges>(tree);
+  }
+  return FindChangedChunks(
+    *this->Place.File, *this->Changes, other.Place.Merges, this->Place.Merges);
 }
 }

@@ -4,6 +4,7 @@
 #ifndef gatunSurfaceLevel_h
 #define gatunSurfaceLevel_h
 
+#include "gatunMergeChanges.h"
 #include "gatunPieceReader.h"
 #include "gatunPublishedFile.h"
 #include "gatunSurfaceView.h"
@@ -75,7 +76,8 @@ public:
    * points and cells within the surface. If progress returns false, the error is Aborted. */
   SurfacePart Decode(std::uint32_t chunk, bool withIds, const Progress& progress) const;
 
-  /** The chunks that differ from those of another level of the same file. Nothing if all may. */
+  /** The chunks that differ from those of another level of the same file. Nothing if all may. To be
+   * called from one thread for all levels. */
   std::optional<std::vector<std::uint32_t>> FindChanges(const SurfaceLevel& other) const;
 
 private:
@@ -86,9 +88,10 @@ private:
   PublishedFile Source;
   std::size_t Merges;
   SurfaceContents What;
-  SimplifiedFile::Place Place; // of the mesh that is decoded
-  double Left = 1;             // share of its points that merges leave
-  mutable std::mutex Guard;    // of the readers that no thread uses now
+  SimplifiedFile::Place Place;                         // of the mesh that is decoded
+  double Left = 1;                                     // share of its points that merges leave
+  mutable std::shared_ptr<const MergeChanges> Changes; // once they were needed; of one thread
+  mutable std::mutex Guard;                            // of the readers that no thread uses now
   mutable std::vector<std::unique_ptr<PieceReader>> Readers;
 };
 }

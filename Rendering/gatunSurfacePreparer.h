@@ -30,8 +30,8 @@ public:
   SurfacePreparer(const SurfacePreparer&) = delete;
   SurfacePreparer& operator=(const SurfacePreparer&) = delete;
 
-  /** Requests chunks; replaces what was requested before. Chunks of the same level that were decoded
-   * and not taken stay. */
+  /** Requests chunks; replaces what was requested before. Chunks of the same level that were
+   * decoded and not taken stay. */
   void Prepare(const std::shared_ptr<const SurfaceLevel>& level, std::vector<std::uint32_t> chunks);
 
   /** A decoded chunk of the level, once; nothing if it is not ready. */

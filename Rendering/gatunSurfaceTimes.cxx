@@ -10,7 +10,7 @@ namespace gatun
 {
 namespace
 {
-constexpr double Aim = 0.9;      // fraction of the budget
+constexpr double Aim = 0.9;        // fraction of the budget
 constexpr double FirstCell = 2e-7; // seconds, before anything was drawn
 constexpr double FirstTransfer = 2e-7;
 
@@ -75,8 +75,8 @@ std::size_t SurfaceTimes::Choose(
   {
     ++best;
   }
-  const bool isGood = present < cells.size() && present < best &&
-    this->Predict(present, cells[present]) <= budget;
+  const bool isGood =
+    present < cells.size() && present < best && this->Predict(present, cells[present]) <= budget;
   return isGood ? present : best;
 }
 

@@ -13,8 +13,8 @@
 namespace gatun
 {
 /**
- * Chooses the level of detail of a surface for a time budget, from the times of the last images. The
- * time of a level is the number of its visible cells times the median of the last three times a
+ * Chooses the level of detail of a surface for a time budget, from the times of the last images.
+ * The time of a level is the number of its visible cells times the median of the last three times a
  * cell, of this level or else of the nearest one that was drawn. The aim is nine tenths of the
  * budget. The present level stays while its time is between the aim and the budget.
  */

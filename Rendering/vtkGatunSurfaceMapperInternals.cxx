@@ -343,7 +343,7 @@ void vtkGatunSurfaceMapper::vtkInternals::Keep(const Image& image, Chunk& chunk)
     this->Bytes += chunk.Bytes;
   };
   count();
-  if (this->Bytes > image.Room / 4)
+  if (this->Bytes > image.Room / 4 && chunk.IsTransferred)
   {
     chunk.Mapper->FreeMesh();
     count();

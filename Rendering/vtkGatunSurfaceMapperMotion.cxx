@@ -41,8 +41,8 @@ double SecondsSince(Clock::time_point begin)
 double vtkGatunSurfaceMapper::vtkInternals::GetBudget(const Image& image)
 {
   // An actor within another one, as in ParaView, is allocated nothing.
-  const double allocated = std::min(
-    image.Actor->GetAllocatedRenderTime(), image.Renderer->GetAllocatedRenderTime());
+  const double allocated =
+    std::min(image.Actor->GetAllocatedRenderTime(), image.Renderer->GetAllocatedRenderTime());
   if (!image.Mapper->JustInTime || !(allocated > 0 && allocated < LeastTimeAtRest))
   {
     return 0;
@@ -177,8 +177,7 @@ double vtkGatunSurfaceMapper::vtkInternals::Transfer(
   for (const std::uint32_t chunk : view.Chunks)
   {
     Chunk& self = level.Chunks[chunk];
-    if (!self.Mapper || self.IsTransferred ||
-      self.Mapper->NeedsMesh(image.Renderer, image.Actor))
+    if (!self.Mapper || self.IsTransferred || self.Mapper->NeedsMesh(image.Renderer, image.Actor))
     {
       continue;
     }
@@ -262,14 +261,23 @@ void vtkGatunSurfaceMapper::vtkInternals::PrepareMotion(
     cells.push_back(views.back().Cells);
   }
   Level& last = this->Levels.back();
-  const auto missing = this->FindMissing(image, last, views.back().Chunks);
-  const auto parts = this->DecodeAll(last, missing, false);
-  for (std::size_t i = 0; i < missing.size(); ++i)
+  bool isComplete = false;
+  while (!isComplete)
   {
-    if (!parts[i].Failure)
+    const auto missing = this->FindMissing(image, last, views.back().Chunks);
+    const auto parts = this->DecodeAll(last, missing, false);
+    isComplete = missing.empty();
+    for (std::size_t i = 0; i < missing.size() && !isComplete; ++i)
     {
-      this->Adopt(image, last, missing[i], parts[i]);
-      this->Keep(image, last.Chunks[missing[i]]);
+      // An error is told by the image that needs the chunk.
+      isComplete = parts[i].Failure != nullptr;
+      if (!isComplete)
+      {
+        this->Adopt(image, last, missing[i], parts[i]);
+        this->Keep(image, last.Chunks[missing[i]]);
+        // Where there is no room at all.
+        isComplete = !last.Chunks[missing[i]].Mapper;
+      }
     }
   }
   this->Transfer(image, last, views.back(), this->MotionBudget);

@@ -11,10 +11,10 @@ namespace gatun
 {
 //------------------------------------------------------------------------------
 std::vector<std::uint32_t> FindChangedChunks(
-  const FileReader& file, const MergeTree& tree, std::size_t from, std::size_t to)
+  const FileReader& file, const MergeChanges& changes, std::size_t from, std::size_t to)
 {
   const auto& chunks = file.GetChunks();
-  std::vector<std::uint32_t> points = tree.FindChanges(from, to);
+  std::vector<std::uint32_t> points = changes.Find(from, to);
   std::sort(points.begin(), points.end());
   std::vector<bool> isChanged(chunks.size(), false);
   // Shared points first, block by block and group by group; then the own ones, chunk by chunk.

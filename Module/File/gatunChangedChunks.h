@@ -4,7 +4,7 @@
 #define gatunChangedChunks_h
 
 #include "gatunFileReader.h"
-#include "gatunMergeTree.h"
+#include "gatunMergeChanges.h"
 #include "vtkGatunCoreModule.h"
 
 #include <cstddef>
@@ -13,10 +13,11 @@
 
 namespace gatun
 {
-/** The chunks of a file that differ between two numbers of merges of its tree, ascending: those with
- * a point whose ancestor changes. Takes time in proportion to the points that change. */
+/** The chunks of a file that differ between two numbers of merges, ascending: those with a point
+ * whose ancestor changes. Changes: of the tree of the file. Takes time in proportion to the points
+ * that change. */
 VTKGATUNCORE_EXPORT std::vector<std::uint32_t> FindChangedChunks(
-  const FileReader& file, const MergeTree& tree, std::size_t from, std::size_t to);
+  const FileReader& file, const MergeChanges& changes, std::size_t from, std::size_t to);
 }
 
 #endif

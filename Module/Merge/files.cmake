@@ -11,6 +11,7 @@ gatun_core_folder(Merge
     gatunSurfaceMergeBuilder.h
   PRIVATE_HEADERS
     gatunMergeBends.h
+    gatunMergeChanges.h
     gatunMergeChoice.h
     gatunMergeCodec.h
     gatunMergeCosts.h
@@ -31,6 +32,7 @@ gatun_core_folder(Merge
   SOURCES
     gatunMergeBends.cxx
     gatunMergeBuilder.cxx
+    gatunMergeChanges.cxx
     gatunMergeCodec.cxx
     gatunMergeCosts.cxx
     gatunMergeFields.cxx

@@ -8,8 +8,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <mutex>
 #include <span>
 #include <vector>
 
@@ -72,26 +70,10 @@ public:
   /** Returns the ancestor of each point after a given number of merges. */
   std::vector<std::uint32_t> FindAncestors(std::size_t merges) const;
 
-  /** Returns the points whose ancestors differ between two numbers of merges, in no order. Takes
-   * time and memory in proportion to their number and that of the merges between the two, except
-   * for the first call, which sorts all merges and keeps eight bytes for each. Thread safe. */
-  std::vector<std::uint32_t> FindChanges(std::size_t from, std::size_t to) const;
-
 private:
-  /** The merges into each point, in order, as a list of lists. */
-  struct Children
-  {
-    std::once_flag Once;
-    std::vector<std::uint32_t> First; // for each point, and the end
-    std::vector<std::uint32_t> List;  // numbers of merges
-  };
-
-  const Children& GetChildren() const;
-
   std::uint32_t Points = 0;
   std::vector<Merge> Merges;
   std::vector<bool> IsBound;
-  std::shared_ptr<Children> Sorted = std::make_shared<Children>(); // copies have the same merges
 };
 
 /** Replaces corners by their ancestors. Returns false if the tetrahedron vanishes. */

@@ -128,3 +128,20 @@ other.Representation = "Surface"
 expected = drawing.draw(view)
 other.Representation = "Gatun Surface"
 drawing.require_same(drawing.draw(view), expected)
+
+# Coarser while somebody interacts, if the file tells how.
+simple.SaveData(path, proxy=waves, ChunkTets=500, Hierarchy=1, Levels=3)
+simple.ReloadFiles(file)
+ours = simple.Show(file, view)
+simple.Hide(waves, view)
+ours.JustInTime = 1
+ours.TimeBudget = 1e-6
+full = drawing.draw(view)
+assert count("DrawnPoints") == 0
+view.SMProxy.InteractiveRender()
+assert (count("DrawnPoints") > 0) == (ranks == 1), count("DrawnPoints")
+drawing.require_same(drawing.draw(view), full)
+assert count("DrawnPoints") == 0
+ours.SimplificationRatio = 0.9
+drawing.require_other(drawing.draw(view), full)
+assert count("DrawnPoints") > 0

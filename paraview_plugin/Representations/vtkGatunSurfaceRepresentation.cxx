@@ -56,6 +56,7 @@ vtkGatunSurfaceRepresentation::vtkGatunSurfaceRepresentation()
   : File(std::make_unique<gatun::PieceSource>(vtkSmartPointer<vtkGatunSurfaceReader>::New()))
 {
   vtkMath::UninitializeBounds(this->FileBounds);
+  this->SetTimeBudget(0.1);
 }
 
 vtkGatunSurfaceRepresentation::~vtkGatunSurfaceRepresentation() = default;
@@ -71,6 +72,50 @@ void vtkGatunSurfaceRepresentation::SetMemoryBudget(int mebibytes)
 int vtkGatunSurfaceRepresentation::GetMemoryBudget()
 {
   return this->FrontMapper->GetMemoryBudget();
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunSurfaceRepresentation::SetJustInTime(bool on)
+{
+  this->JustInTime = on;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGatunSurfaceRepresentation::GetJustInTime()
+{
+  return this->JustInTime;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunSurfaceRepresentation::SetTimeBudget(double seconds)
+{
+  this->FrontMapper->SetTimeBudget(seconds);
+  this->BackMapper->SetTimeBudget(seconds);
+}
+
+//------------------------------------------------------------------------------
+double vtkGatunSurfaceRepresentation::GetTimeBudget()
+{
+  return this->FrontMapper->GetTimeBudget();
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunSurfaceRepresentation::SetSimplificationRatio(double ratio)
+{
+  this->FrontMapper->SetSimplificationRatio(ratio);
+  this->BackMapper->SetSimplificationRatio(ratio);
+}
+
+//------------------------------------------------------------------------------
+double vtkGatunSurfaceRepresentation::GetSimplificationRatio()
+{
+  return this->FrontMapper->GetSimplificationRatio();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGatunSurfaceRepresentation::GetDrawnPoints()
+{
+  return this->DrawsFile ? this->FrontMapper->GetNumberOfDrawnPoints() : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -201,6 +246,7 @@ void vtkGatunSurfaceRepresentation::PrepareToDraw(vtkInformation* inInfo)
     mapper->SetInputConnection(source->GetOutputPort());
     mapper->SetNumberOfPieces(isShared ? controller->GetNumberOfProcesses() : 1);
     mapper->SetPiece(isShared ? controller->GetLocalProcessId() : 0);
+    mapper->SetJustInTime(this->JustInTime && mapper->GetNumberOfPieces() == 1);
   }
   this->CopySettings(this->Mapper, this->FrontMapper, this->FrontTime);
   this->CopySettings(this->BackfaceMapper, this->BackMapper, this->BackTime);
@@ -213,6 +259,7 @@ void vtkGatunSurfaceRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Style: " << this->Style << "\n";
+  os << indent << "JustInTime: " << (this->JustInTime ? "on" : "off") << "\n";
   os << indent << "DrawsFile: " << (this->DrawsFile ? "true" : "false") << "\n";
   os << indent << "FrontMapper:\n";
   this->FrontMapper->PrintSelf(os, indent.GetNextIndent());

@@ -71,6 +71,38 @@ public:
   int GetMemoryBudget();
   ///@}
 
+  ///@{
+  /**
+   * Whether a file with a hierarchy is drawn simplified while somebody interacts, so that an image
+   * takes the time that there is; see vtkGatunSurfaceMapper. Several processes draw all of it, as
+   * their parts of different levels do not fit together. Default: on.
+   */
+  void SetJustInTime(bool on);
+  bool GetJustInTime();
+  vtkBooleanMacro(JustInTime, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Seconds that an image may take then; 0: what VTK allocates to it. Default: 0.1.
+   */
+  void SetTimeBudget(double seconds);
+  double GetTimeBudget();
+  ///@}
+
+  ///@{
+  /**
+   * Fraction of the points of a file that is removed in all images, 0 to 1. Default: 0.
+   */
+  void SetSimplificationRatio(double ratio);
+  double GetSimplificationRatio();
+  ///@}
+
+  /**
+   * Number of points of the file's surface in the last image; 0 if it was not simplified.
+   */
+  vtkIdType GetDrawnPoints();
+
   /**
    * Number of chunks of the file that this process drew in the last image; 0 while it draws none.
    */
@@ -110,6 +142,7 @@ private:
   double FileBounds[6];
   bool ReadsFile = false; // whether this process has the handle of a file on demand
   bool DrawsFile = false;
+  bool JustInTime = true;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

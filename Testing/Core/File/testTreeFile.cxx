@@ -407,6 +407,7 @@ TEST_P(TreeFileRead, ChunksChangeWhoseAncestorsChange)
 {
   const auto all = this->FileTree->GetMerges().size();
   const CoarseLayout layout(this->File, *this->FileTree, 0);
+  const MergeChanges changes(this->FileTree);
   for (const auto& [from, to] : std::vector<std::pair<std::size_t, std::size_t>>{
          { 0, 0 }, { 0, 1 }, { all / 3, all / 3 + 2 }, { all, all / 2 } })
   {
@@ -422,7 +423,7 @@ TEST_P(TreeFileRead, ChunksChangeWhoseAncestorsChange)
         expected.push_back(chunk);
       }
     }
-    ASSERT_EQ(FindChangedChunks(*this->File, *this->FileTree, from, to), expected);
+    ASSERT_EQ(FindChangedChunks(*this->File, changes, from, to), expected);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "gatunError.h"
 #include "gatunMergeBuilder.h"
+#include "gatunMergeChanges.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <numeric>
 #include <random>
 #include <utility>
@@ -111,7 +113,7 @@ TEST(MergeTree, CountsMerges)
 }
 
 //------------------------------------------------------------------------------
-TEST(MergeTree, FindsThePointsThatChange)
+TEST(MergeChanges, FindsThePointsThatChange)
 {
   // Random merges of 300 points.
   std::mt19937 random(7);
@@ -125,12 +127,13 @@ TEST(MergeTree, FindsThePointsThatChange)
     left.pop_back();
     merges.push_back({ point, left[random() % left.size()], 1 });
   }
-  const MergeTree tree(300, merges);
+  const auto tree = std::make_shared<const MergeTree>(300, merges);
+  const MergeChanges changes(tree);
   for (const auto& [from, to] : std::vector<std::pair<std::size_t, std::size_t>>{
          { 0, 0 }, { 0, 1 }, { 0, 295 }, { 100, 101 }, { 101, 100 }, { 150, 290 }, { 294, 999 } })
   {
-    const auto before = tree.FindAncestors(from);
-    const auto after = tree.FindAncestors(to);
+    const auto before = tree->FindAncestors(from);
+    const auto after = tree->FindAncestors(to);
     std::vector<std::uint32_t> expected;
     for (std::uint32_t point = 0; point < 300; ++point)
     {
@@ -139,7 +142,7 @@ TEST(MergeTree, FindsThePointsThatChange)
         expected.push_back(point);
       }
     }
-    auto changed = tree.FindChanges(from, to);
+    auto changed = changes.Find(from, to);
     std::sort(changed.begin(), changed.end());
     EXPECT_EQ(changed, expected) << from << " " << to;
   }
