@@ -31,6 +31,7 @@ struct Options
   int Budget = 512;
   int Size = 1000;
   int Frames = 5;
+  bool IsMoving = false;
 };
 
 /** The reader and the mapper of a file: Gatun's on demand, or VTK's. */
@@ -50,6 +51,7 @@ Pipeline MakePipeline(const Options& options)
     reader->SetOnDemand(vtkGatunSurfaceReader::ON_DEMAND_ALWAYS);
     auto mapper = vtkSmartPointer<vtkGatunSurfaceMapper>::New();
     mapper->SetMemoryBudget(options.Budget);
+    mapper->SetJustInTime(options.IsMoving);
     made = { reader, mapper };
   }
   else
@@ -88,6 +90,10 @@ void Measure(const Options& options)
     window->WaitForCompletion();
   };
   Pipeline pipeline;
+  if (options.IsMoving)
+  {
+    window->SetDesiredUpdateRate(10);
+  }
   const Cost cost = CostOf(
     [&]
     {
@@ -101,6 +107,12 @@ void Measure(const Options& options)
   {
     throw Failure(options.File, "cannot be drawn");
   }
+  Cost whole{};
+  if (options.IsMoving)
+  {
+    window->SetDesiredUpdateRate(0.001);
+    whole = CostOf(render);
+  }
   std::vector<double> frames;
   for (int i = 0; i < options.Frames; ++i)
   {
@@ -113,6 +125,10 @@ void Measure(const Options& options)
       json["threads"] = gatun::GetNumberOfThreads();
       json["fileBytes"] = FileSize(options.File);
       AddCost(json["first"], cost);
+      if (options.IsMoving)
+      {
+        AddCost(json["whole"], whole);
+      }
       AddList(json, "frames", frames);
       if (auto* const own = vtkGatunSurfaceMapper::SafeDownCast(pipeline.Mapper))
       {
@@ -138,6 +154,8 @@ void AddSurfaceDraw(CLI::App& app)
     ->check(CLI::Range(1, 8192));
   command->add_option("--frames", options->Frames, "Images after the first")
     ->check(CLI::Range(0, 1000));
+  command->add_flag("--moving", options->IsMoving,
+    "Draw the first image as part of an interaction, just in time, and then the whole");
   command->callback([options] { Measure(*options); });
 }
 }

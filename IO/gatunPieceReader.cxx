@@ -260,6 +260,7 @@ void PieceReader::SetMesh(
   {
     this->DecodedBefore = this->GetDecodedChunks();
     this->ForgetMesh();
+    this->Decoder.reset();
     this->Parts = handle.File->MakeView(mesh, keepsChunks);
   }
   this->KeepsChunks = keepsChunks;
@@ -319,7 +320,10 @@ PieceRequest PieceReader::MakeBoundaryRequest(
 //------------------------------------------------------------------------------
 void PieceReader::ForgetMesh()
 {
-  this->Decoder.reset();
+  if (this->Decoder)
+  {
+    this->Decoder->Forget();
+  }
   this->Mesh = nullptr;
   this->Cells = nullptr;
   this->Original = {};
@@ -342,6 +346,7 @@ void PieceReader::ClearCache()
 void PieceReader::Close()
 {
   this->ForgetMesh();
+  this->Decoder.reset();
   this->Parts.reset();
   this->Tree.reset();
   this->Merges = 0;

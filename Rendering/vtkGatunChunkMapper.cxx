@@ -129,6 +129,23 @@ bool vtkGatunChunkMapper::NeedsMesh(vtkRenderer* renderer, vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
+void vtkGatunChunkMapper::Transfer(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->IsTransferring = true;
+  this->RenderPiece(renderer, actor);
+  this->IsTransferring = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunChunkMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
+{
+  if (!this->IsTransferring)
+  {
+    this->Superclass::RenderPieceDraw(renderer, actor);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkGatunChunkMapper::FreeMesh()
 {
   // VTK finds buffers by the addresses of arrays, which therefore must not be given to others.

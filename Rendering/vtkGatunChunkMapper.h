@@ -43,6 +43,9 @@ public:
   /** Whether an image needs the mesh, as it was freed and the buffers do not fit the image. */
   bool NeedsMesh(vtkRenderer* renderer, vtkActor* actor);
 
+  /** Makes the buffers without drawing, where an image would make them. */
+  void Transfer(vtkRenderer* renderer, vtkActor* actor);
+
   /** Frees the mesh; the buffers stay. */
   void FreeMesh();
   bool HasMesh() const { return !this->IsFreed; }
@@ -57,6 +60,7 @@ public:
   std::uint64_t GetBytes();
 
   void RenderPieceStart(vtkRenderer* renderer, vtkActor* actor) override;
+  void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
@@ -77,6 +81,7 @@ private:
   bool IsShifted = false;
   bool IsFreed = false;
   bool IsReleased = false;
+  bool IsTransferring = false;
   bool HasIds = false;
   vtkTimeStamp CopyTime;
   vtkTimeStamp FreeTime;

@@ -33,6 +33,37 @@ void vtkGatunSurfaceMapper::SetMemoryBudget(int mebibytes)
 }
 
 //------------------------------------------------------------------------------
+void vtkGatunSurfaceMapper::SetJustInTime(bool on)
+{
+  this->JustInTime = on;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunSurfaceMapper::SetTimeBudget(double seconds)
+{
+  // Not a number becomes 0.
+  this->TimeBudget = seconds > 0 ? std::min(seconds, 1e6) : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunSurfaceMapper::SetSimplificationRatio(double ratio)
+{
+  this->SimplificationRatio = ratio > 0 ? std::min(ratio, 1.0) : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGatunSurfaceMapper::GetNumberOfDrawnPoints()
+{
+  return this->Internals->GetDrawnPoints();
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunSurfaceMapper::WaitForPreparation()
+{
+  this->Internals->Wait();
+}
+
+//------------------------------------------------------------------------------
 bool vtkGatunSurfaceMapper::GetIsDrawingFile()
 {
   return this->Internals->IsDrawingFile();
@@ -154,6 +185,9 @@ void vtkGatunSurfaceMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
+  os << indent << "JustInTime: " << (this->JustInTime ? "on" : "off") << "\n";
+  os << indent << "TimeBudget: " << this->TimeBudget << "\n";
+  os << indent << "SimplificationRatio: " << this->SimplificationRatio << "\n";
   os << indent << "IsDrawingFile: " << (this->GetIsDrawingFile() ? "true" : "false") << "\n";
   os << indent << "BufferBytes: " << this->GetBufferBytes() << "\n";
 }

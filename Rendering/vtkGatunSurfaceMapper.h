@@ -22,6 +22,15 @@
  * each image. Most buffers are kept without their meshes, so that a change of the mapper, the actor
  * or its property decodes chunks again.
  *
+ * *Just in time.* If JustInTime is on, an image during an interaction takes about the time allowed
+ * for it: the mapper draws the finest base mesh of the file that fits, or the surface itself. This
+ * needs a file with a hierarchy (vtkGatunWriter::Hierarchy); without base meshes
+ * (vtkGatunWriter::Levels), halves, quarters and so on of the points are made by merges, which
+ * takes longer. A thread decodes the chunks of the level that the time allows, in the background.
+ * Until they are there, and transferred to the graphics in the time that images leave, the finest
+ * coarser level that is ready is drawn. The image at rest, for which more than 10 seconds are
+ * allocated, shows the whole surface and is the same as without JustInTime.
+ *
  * *Appearance.* The pixels are those that vtkPolyDataMapper draws of the reader's output, with
  * lighting, color maps, textures, clipping planes, and all representations. Translucent surfaces
  * without depth peeling are an exception, because their image depends on the order of cells. Vertex
@@ -72,6 +81,49 @@ public:
   void SetMemoryBudget(int mebibytes);
   vtkGetMacro(MemoryBudget, int);
   ///@}
+
+  ///@{
+  /**
+   * Whether the surface is simplified during an interaction so that a frame keeps to the time
+   * budget. No influence on surfaces in memory. A change does not modify the mapper, as with
+   * TimeBudget and SimplificationRatio. Default: off.
+   */
+  void SetJustInTime(bool on);
+  vtkGetMacro(JustInTime, bool);
+  vtkBooleanMacro(JustInTime, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Time for a frame during an interaction if JustInTime is on, in seconds, 0 to 1e6. 0 is the time
+   * allocated to the actor (see vtkRenderWindow::SetDesiredUpdateRate). Default: 0.
+   */
+  void SetTimeBudget(double seconds);
+  vtkGetMacro(TimeBudget, double);
+  ///@}
+
+  ///@{
+  /**
+   * Fraction of the points of a file removed in all images, from 0 (none) to 1 (as many as
+   * possible), if the reader does not remove more. Above 0 the file must have a hierarchy. After a
+   * change only those chunks are decoded and transferred again that change, unless another base
+   * mesh is used. Default: 0.
+   */
+  void SetSimplificationRatio(double ratio);
+  vtkGetMacro(SimplificationRatio, double);
+  ///@}
+
+  /**
+   * Number of points of the surface in the last image; 0 if it was not simplified or not drawn from
+   * a file.
+   */
+  vtkIdType GetNumberOfDrawnPoints();
+
+  /**
+   * Waits until the background thread has decoded what was requested for the next images. Only for
+   * measurements and tests.
+   */
+  void WaitForPreparation();
 
   /**
    * Whether the last image was drawn from a file.
@@ -129,6 +181,9 @@ protected:
   ~vtkGatunSurfaceMapper() override;
 
   int MemoryBudget = 512;
+  bool JustInTime = false;
+  double TimeBudget = 0;
+  double SimplificationRatio = 0;
 
 private:
   vtkGatunSurfaceMapper(const vtkGatunSurfaceMapper&) = delete;

@@ -6,7 +6,7 @@
 #include "gatunFileConsumer.h"
 #include "gatunFileReader.h"
 #include "gatunParallel.h"
-#include "gatunSurfaceGrid.h"
+#include "gatunSimplifyTarget.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkActor.h"
@@ -22,7 +22,9 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <chrono>
 #include <map>
+#include <optional>
 
 namespace
 {
@@ -69,11 +71,11 @@ void vtkGatunSurfaceMapper::vtkInternals::GetBounds(
 }
 
 //------------------------------------------------------------------------------
-vtkGatunSurfaceMapper::vtkInternals::Contents vtkGatunSurfaceMapper::vtkInternals::FindContents(
+gatun::SurfaceContents vtkGatunSurfaceMapper::vtkInternals::FindContents(
   const gatun::PublishedFile& file, vtkGatunSurfaceMapper* mapper, vtkActor* actor)
 {
   const gatun::FileReader& reader = *file.File->GetFile();
-  Contents what;
+  gatun::SurfaceContents what;
   what.Step = gatun::GetRequestedStep(reader, mapper->GetInputInformation());
   int where = 0;
   vtkAbstractArray* const scalars = mapper->ScalarVisibility && mapper->GetInput()
@@ -118,25 +120,94 @@ bool vtkGatunSurfaceMapper::vtkInternals::Open(vtkGatunSurfaceMapper* mapper, vt
     this->Source = {};
     return false;
   }
-  Contents what = FindContents(*file, mapper, actor);
-  if (file->File != this->Source.File || file->RestoreOrder != this->Source.RestoreOrder ||
-    file->Merges != this->Source.Merges || what != this->What)
+  gatun::SurfaceContents what = FindContents(*file, mapper, actor);
+  const std::size_t merges = CountMerges(*file, mapper);
+  const bool isSame = !this->Levels.empty() && file->File == this->Source.File &&
+    file->RestoreOrder == this->Source.RestoreOrder && what == this->What;
+  if (!isSame)
   {
     this->Forget();
-    this->Chunks.clear();
-    this->Chunks.resize(file->File->GetFile()->GetChunks().size());
+    this->Levels.clear();
+    this->HasLevels = false;
+    this->Preparer.Clear();
   }
   this->Source = *file;
   this->What = std::move(what);
+  if (!isSame || merges != this->Levels.front().Mesh->GetMerges())
+  {
+    this->ChangeMerges(*file, merges);
+  }
   return true;
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkGatunSurfaceMapper::vtkInternals::CountMerges(
+  const gatun::PublishedFile& file, vtkGatunSurfaceMapper* mapper)
+{
+  if (!(mapper->SimplificationRatio > 0))
+  {
+    return file.Merges;
+  }
+  // Throws if there is no hierarchy.
+  const gatun::FileReader& reader = *file.File->GetHierarchy().GetFile();
+  const std::size_t merges =
+    gatun::CountMerges({ gatun::SimplifyTarget::Ratio, mapper->SimplificationRatio },
+      reader.GetNumberOfPoints(), reader.GetNumberOfMerges(), {});
+  return std::max(merges, file.Merges);
+}
+
+//------------------------------------------------------------------------------
+/** Draws the surface after another number of merges. Chunks that do not change stay. */
+void vtkGatunSurfaceMapper::vtkInternals::ChangeMerges(
+  const gatun::PublishedFile& file, std::size_t merges)
+{
+  auto mesh = std::make_shared<const gatun::SurfaceLevel>(file, merges, this->What);
+  if (this->Levels.empty())
+  {
+    this->Levels.emplace_back();
+  }
+  Level& whole = this->Levels.front();
+  const auto changes = whole.Mesh ? mesh->FindChanges(*whole.Mesh) : std::nullopt;
+  if (changes)
+  {
+    for (const std::uint32_t chunk : *changes)
+    {
+      this->Drop(whole.Chunks[chunk]);
+      whole.Chunks[chunk].Cone = {};
+    }
+  }
+  else
+  {
+    std::for_each(
+      whole.Chunks.begin(), whole.Chunks.end(), [this](Chunk& chunk) { this->Drop(chunk); });
+    whole.Chunks.clear();
+    whole.Chunks.resize(mesh->GetNumberOfChunks());
+  }
+  whole.Mesh = std::move(mesh);
+  this->HasLevels = false;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkGatunSurfaceMapper::vtkInternals::GetDrawnPoints() const
+{
+  if (!this->Source.File || this->Present >= this->Levels.size())
+  {
+    return 0;
+  }
+  const std::size_t merges = this->Levels[this->Present].Mesh->GetMerges();
+  const std::uint64_t points = this->Source.File->GetFile()->GetNumberOfPoints();
+  return merges > 0 ? static_cast<vtkIdType>(points - merges) : 0;
 }
 
 //------------------------------------------------------------------------------
 void vtkGatunSurfaceMapper::vtkInternals::Forget()
 {
-  for (Chunk& chunk : this->Chunks)
+  for (Level& level : this->Levels)
   {
-    this->Drop(chunk);
+    for (Chunk& chunk : level.Chunks)
+    {
+      this->Drop(chunk);
+    }
   }
 }
 
@@ -144,6 +215,7 @@ void vtkGatunSurfaceMapper::vtkInternals::Forget()
 void vtkGatunSurfaceMapper::vtkInternals::Drop(Chunk& chunk)
 {
   chunk.Mapper = nullptr; // frees its buffers
+  chunk.IsTransferred = false;
   this->Bytes -= chunk.Bytes;
   chunk.Bytes = 0;
 }
@@ -151,63 +223,66 @@ void vtkGatunSurfaceMapper::vtkInternals::Drop(Chunk& chunk)
 //------------------------------------------------------------------------------
 void vtkGatunSurfaceMapper::vtkInternals::Release(vtkWindow* window)
 {
-  for (Chunk& chunk : this->Chunks)
+  for (Level& level : this->Levels)
   {
-    if (chunk.Mapper)
+    for (Chunk& chunk : level.Chunks)
     {
-      chunk.Mapper->ReleaseGraphicsResources(window);
+      if (chunk.Mapper)
+      {
+        chunk.Mapper->ReleaseGraphicsResources(window);
+      }
     }
   }
   this->Forget();
 }
 
 //------------------------------------------------------------------------------
-/** The chunks of the piece that can be seen, in the order in which they are drawn. */
-std::vector<std::uint32_t> vtkGatunSurfaceMapper::vtkInternals::FindVisible(
-  vtkGatunSurfaceMapper* mapper, const gatun::SurfaceView& view, bool isOpaque)
+vtkGatunSurfaceMapper::vtkInternals::View vtkGatunSurfaceMapper::vtkInternals::FindVisible(
+  const Image& image, Level& level) const
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* const info = mapper->GetInputInformation();
+  vtkInformation* const info = image.Mapper->GetInputInformation();
   const auto pieces =
     static_cast<std::size_t>(std::max(1, Pipeline::GetUpdateNumberOfPieces(info)));
   const auto piece = static_cast<std::size_t>(std::max(0, Pipeline::GetUpdatePiece(info)));
-  const auto& chunks = this->Source.File->GetFile()->GetChunks();
+  const std::size_t count = level.Chunks.size();
   std::vector<std::pair<double, std::uint32_t>> places;
-  const std::size_t end = std::min(chunks.size(), chunks.size() * (piece + 1) / pieces);
-  for (std::size_t i = chunks.size() * piece / pieces; i < end; ++i)
+  View view;
+  const std::size_t end = std::min(count, count * (piece + 1) / pieces);
+  for (std::size_t i = count * piece / pieces; i < end; ++i)
   {
-    const gatun::Bounds& box = chunks[i].Box;
-    if (!view.Reaches(box))
+    const gatun::Bounds& box = level.Mesh->GetBox(i);
+    if (!image.Camera.Reaches(box))
     {
       continue;
     }
-    if (view.Culls(box, this->Chunks[i].Cone))
+    if (image.Camera.Culls(box, level.Chunks[i].Cone))
     {
-      ++this->Culled;
+      ++view.Culled;
       continue;
     }
-    this->Chunks[i].Frame = this->Frame;
-    places.emplace_back(
-      isOpaque ? view.GetDepth(box) : -view.GetDepth(box), static_cast<std::uint32_t>(i));
+    const double depth = image.Camera.GetDepth(box);
+    places.emplace_back(image.IsOpaque ? depth : -depth, static_cast<std::uint32_t>(i));
+    view.Cells += level.Mesh->GetNumberOfCells(i);
   }
   std::sort(places.begin(), places.end());
-  std::vector<std::uint32_t> visible(places.size());
+  view.Chunks.resize(places.size());
   std::transform(
-    places.begin(), places.end(), visible.begin(), [](auto& one) { return one.second; });
-  return visible;
+    places.begin(), places.end(), view.Chunks.begin(), [](auto& one) { return one.second; });
+  return view;
 }
 
 //------------------------------------------------------------------------------
 /** The first ones that have to be decoded, as many as threads. */
 std::vector<std::uint32_t> vtkGatunSurfaceMapper::vtkInternals::FindMissing(
-  std::span<const std::uint32_t> chunks, vtkRenderer* renderer, vtkActor* actor) const
+  const Image& image, const Level& level, std::span<const std::uint32_t> chunks) const
 {
   const auto most = static_cast<std::size_t>(gatun::GetNumberOfThreads());
   std::vector<std::uint32_t> missing;
   for (const std::uint32_t chunk : chunks)
   {
-    const auto& mapper = this->Chunks[chunk].Mapper;
-    if (!mapper || mapper->NeedsMesh(renderer, actor))
+    const auto& mapper = level.Chunks[chunk].Mapper;
+    if (!mapper || mapper->NeedsMesh(image.Renderer, image.Actor))
     {
       missing.push_back(chunk);
       if (missing.size() == most)
@@ -220,64 +295,15 @@ std::vector<std::uint32_t> vtkGatunSurfaceMapper::vtkInternals::FindMissing(
 }
 
 //------------------------------------------------------------------------------
-vtkGatunSurfaceMapper::vtkInternals::Part vtkGatunSurfaceMapper::vtkInternals::Decode(
-  std::uint32_t chunk, bool withIds) const
-{
-  const auto progress = [](double) { return true; };
-  gatun::PieceReader reader;
-  // The buffers take the place of decoded chunks.
-  reader.Choose(this->Source, this->Source.Merges, false);
-  gatun::PieceRequest request;
-  request.Chunks = { chunk };
-  request.Arrays = this->What.Arrays;
-  request.Step = this->What.Step;
-  request.Form = gatun::PieceForm::Original;
-  request.RestoreOrder = this->Source.RestoreOrder;
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  reader.Read(this->Source, request, false, grid, progress);
-  if (withIds)
-  {
-    // Apart from the arrays, as one of them may be global ids that the user made.
-    request.Arrays.clear();
-    vtkNew<vtkUnstructuredGrid> ids;
-    reader.Read(this->Source, request, true, ids, progress);
-    grid->GetPointData()->AddArray(ids->GetPointData()->GetGlobalIds());
-    grid->GetCellData()->AddArray(ids->GetCellData()->GetGlobalIds());
-  }
-  Part part;
-  part.Mesh = vtkSmartPointer<vtkPolyData>::New();
-  gatun::MakeSurface(grid, gatun::FindSurfaceCells(grid), part.Mesh);
-  part.Cone = gatun::FindNormalCone(part.Mesh);
-  return part;
-}
-
-//------------------------------------------------------------------------------
-std::vector<vtkGatunSurfaceMapper::vtkInternals::Part>
-vtkGatunSurfaceMapper::vtkInternals::DecodeAll(std::span<const std::uint32_t> chunks, bool withIds)
+std::vector<gatun::SurfacePart> vtkGatunSurfaceMapper::vtkInternals::DecodeAll(
+  const Level& level, std::span<const std::uint32_t> chunks, bool withIds)
 {
   std::vector<Part> parts(chunks.size());
   gatun::ParallelFor(chunks.size(),
     [&](std::size_t i)
-    {
-      try
-      {
-        parts[i] = this->Decode(chunks[i], withIds);
-      }
-      catch (...)
-      {
-        parts[i].Failure = std::current_exception();
-      }
-    });
+    { parts[i] = level.Mesh->Decode(chunks[i], withIds, [](double) { return true; }); });
   this->Decoded += static_cast<vtkIdType>(chunks.size());
   return parts;
-}
-
-//------------------------------------------------------------------------------
-void vtkGatunSurfaceMapper::vtkInternals::Count(Chunk& chunk)
-{
-  this->Bytes -= chunk.Bytes;
-  chunk.Bytes = chunk.Mapper->GetBytes();
-  this->Bytes += chunk.Bytes;
 }
 
 //------------------------------------------------------------------------------
@@ -288,11 +314,14 @@ void vtkGatunSurfaceMapper::vtkInternals::MakeRoom(std::uint64_t budget, Chunk* 
   while (this->Bytes > budget)
   {
     Chunk* oldest = last;
-    for (Chunk& chunk : this->Chunks)
+    for (Level& level : this->Levels)
     {
-      if (chunk.Mapper && chunk.Frame < (oldest ? oldest->Frame : this->Frame + 1))
+      for (Chunk& chunk : level.Chunks)
       {
-        oldest = &chunk;
+        if (chunk.Mapper && chunk.Frame < (oldest ? oldest->Frame : this->Frame + 1))
+        {
+          oldest = &chunk;
+        }
       }
     }
     if (!oldest || !oldest->Mapper)
@@ -304,37 +333,61 @@ void vtkGatunSurfaceMapper::vtkInternals::MakeRoom(std::uint64_t budget, Chunk* 
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunSurfaceMapper::vtkInternals::DrawChunk(vtkGatunSurfaceMapper* mapper,
-  vtkRenderer* renderer, vtkActor* actor, std::uint32_t chunk, const Part* part)
+/** Counts the memory of a chunk that was made for this image, and frees what is too much. */
+void vtkGatunSurfaceMapper::vtkInternals::Keep(const Image& image, Chunk& chunk)
 {
-  Chunk& self = this->Chunks[chunk];
-  if (part)
+  const auto count = [&]
   {
-    this->Drop(self);
-    self.Mapper = vtkSmartPointer<vtkGatunChunkMapper>::New();
-    self.Mapper->SetWholeBounds(this->Source.File->GetFile()->GetBounds());
-    self.Mapper->SetInputData(part->Mesh);
-    self.Mapper->SetHasIds(this->IsSelecting);
-    self.Mapper->SetNumber(chunk + 1);
-    self.Cone = part->Cone;
+    this->Bytes -= chunk.Bytes;
+    chunk.Bytes = chunk.Mapper->GetBytes();
+    this->Bytes += chunk.Bytes;
+  };
+  count();
+  if (this->Bytes > image.Room / 4 && chunk.IsTransferred)
+  {
+    chunk.Mapper->FreeMesh();
+    count();
   }
-  self.Mapper->CopySettings(mapper);
+  this->MakeRoom(image.Room, &chunk);
+}
+
+//------------------------------------------------------------------------------
+/** Takes a chunk that was decoded. */
+void vtkGatunSurfaceMapper::vtkInternals::Adopt(
+  const Image& image, Level& level, std::uint32_t chunk, const Part& part)
+{
+  Chunk& self = level.Chunks[chunk];
+  this->Drop(self);
+  self.Mapper = vtkSmartPointer<vtkGatunChunkMapper>::New();
+  self.Mapper->SetWholeBounds(this->Source.File->GetFile()->GetBounds());
+  self.Mapper->SetInputData(part.Mesh);
+  self.Mapper->SetHasIds(this->IsSelecting);
+  self.Mapper->SetNumber(chunk + 1);
+  self.Mapper->CopySettings(image.Mapper);
   self.Mapper->SelectScalars(this->What.Scalars.c_str());
   self.Mapper->SetStatic(1);
-  self.Mapper->RenderPiece(renderer, actor);
+  self.Cone = part.Cone;
+  self.Frame = this->Frame;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunSurfaceMapper::vtkInternals::DrawChunk(
+  const Image& image, Level& level, std::uint32_t chunk, const Part* part)
+{
+  Chunk& self = level.Chunks[chunk];
+  if (part)
+  {
+    this->Adopt(image, level, chunk, *part);
+  }
+  self.Mapper->CopySettings(image.Mapper);
+  self.Mapper->SelectScalars(this->What.Scalars.c_str());
+  self.Mapper->RenderPiece(image.Renderer, image.Actor);
+  self.IsTransferred = true;
   ++this->Drawn;
-  if (!part || this->IsSelecting)
+  if (part && !this->IsSelecting)
   {
-    return;
+    this->Keep(image, self);
   }
-  const std::uint64_t budget = MiB * static_cast<std::uint64_t>(mapper->MemoryBudget);
-  this->Count(self);
-  if (this->Bytes > budget / 4)
-  {
-    self.Mapper->FreeMesh();
-    this->Count(self);
-  }
-  this->MakeRoom(budget, &self);
 }
 
 //------------------------------------------------------------------------------
@@ -350,29 +403,57 @@ void vtkGatunSurfaceMapper::vtkInternals::Draw(
   }
   ++this->Frame;
   this->IsSelecting = renderer->GetSelector() != nullptr;
-  const std::uint64_t budget = MiB * static_cast<std::uint64_t>(mapper->MemoryBudget);
+  const Image image{ mapper, renderer, actor, gatun::SurfaceView(renderer, actor),
+    !actor->IsRenderingTranslucentPolygonalGeometry(),
+    MiB * static_cast<std::uint64_t>(mapper->MemoryBudget) };
   if (!this->IsSelecting)
   {
-    this->MakeRoom(budget, nullptr);
+    this->MakeRoom(image.Room, nullptr);
   }
-  const bool isOpaque = !actor->IsRenderingTranslucentPolygonalGeometry();
-  const gatun::SurfaceView view(renderer, actor);
-  const std::vector<std::uint32_t> visible = this->FindVisible(mapper, view, isOpaque);
+  const double budget = GetBudget(image);
+  if (budget > 0 && !this->IsSelecting)
+  {
+    this->DrawInMotion(image, budget);
+    return;
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  const vtkIdType decodedBefore = this->Decoded;
+  const View view = this->FindVisible(image, this->Levels.front());
+  this->Present = 0;
+  this->DrawLevel(image, this->Levels.front(), view);
+  if (mapper->JustInTime && !this->IsSelecting && !window->GetAbortRender())
+  {
+    window->WaitForCompletion();
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    this->PrepareMotion(image, view, this->Decoded == decodedBefore ? seconds.count() : 0);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunSurfaceMapper::vtkInternals::DrawLevel(
+  const Image& image, Level& level, const View& view)
+{
+  const std::vector<std::uint32_t>& visible = view.Chunks;
+  this->Culled = view.Culled;
+  for (const std::uint32_t chunk : visible)
+  {
+    level.Chunks[chunk].Frame = this->Frame;
+  }
   const vtkIdType decodedBefore = this->Decoded;
   std::map<std::uint32_t, Part> parts; // decoded and not yet drawn
   for (std::size_t i = 0; i < visible.size(); ++i)
   {
     const std::uint32_t chunk = visible[i];
-    const auto& kept = this->Chunks[chunk].Mapper;
-    if (!parts.contains(chunk) && (!kept || kept->NeedsMesh(renderer, actor)))
+    const auto& kept = level.Chunks[chunk].Mapper;
+    if (!parts.contains(chunk) && (!kept || kept->NeedsMesh(image.Renderer, image.Actor)))
     {
-      mapper->UpdateProgress(static_cast<double>(i) / static_cast<double>(visible.size()));
-      if (window->CheckAbortStatus())
+      image.Mapper->UpdateProgress(static_cast<double>(i) / static_cast<double>(visible.size()));
+      if (image.Renderer->GetRenderWindow()->CheckAbortStatus())
       {
         return;
       }
-      const auto missing = this->FindMissing(std::span(visible).subspan(i), renderer, actor);
-      auto made = this->DecodeAll(missing, this->IsSelecting);
+      const auto missing = this->FindMissing(image, level, std::span(visible).subspan(i));
+      auto made = this->DecodeAll(level, missing, this->IsSelecting);
       for (std::size_t j = 0; j < missing.size(); ++j)
       {
         parts[missing[j]] = std::move(made[j]);
@@ -386,7 +467,7 @@ void vtkGatunSurfaceMapper::vtkInternals::Draw(
     }
     else
     {
-      this->DrawChunk(mapper, renderer, actor, chunk, part);
+      this->DrawChunk(image, level, chunk, part);
     }
     if (part)
     {
@@ -395,7 +476,7 @@ void vtkGatunSurfaceMapper::vtkInternals::Draw(
   }
   if (this->Decoded > decodedBefore)
   {
-    mapper->UpdateProgress(1);
+    image.Mapper->UpdateProgress(1);
   }
 }
 
@@ -423,9 +504,10 @@ void vtkGatunSurfaceMapper::vtkInternals::ProcessSelection(
   }
   for (auto& [number, list] : pixelsOf)
   {
-    if (number > 0 && number <= this->Chunks.size() && this->Chunks[number - 1].Mapper)
+    auto& chunks = this->Levels.front().Chunks;
+    if (number > 0 && number <= chunks.size() && chunks[number - 1].Mapper)
     {
-      this->Chunks[number - 1].Mapper->ProcessSelectorPixelBuffers(selector, list, prop);
+      chunks[number - 1].Mapper->ProcessSelectorPixelBuffers(selector, list, prop);
     }
   }
 }

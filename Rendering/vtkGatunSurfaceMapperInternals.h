@@ -4,8 +4,10 @@
 #ifndef vtkGatunSurfaceMapperInternals_h
 #define vtkGatunSurfaceMapperInternals_h
 
-#include "gatunPieceReader.h"
 #include "gatunPublishedFile.h"
+#include "gatunSurfaceLevel.h"
+#include "gatunSurfacePreparer.h"
+#include "gatunSurfaceTimes.h"
 #include "gatunSurfaceView.h"
 #include "vtkGatunChunkMapper.h"
 #include "vtkGatunSurfaceMapper.h"
@@ -14,6 +16,7 @@
 
 #include <cstdint>
 #include <exception>
+#include <memory>
 #include <set>
 #include <span>
 #include <string>
@@ -62,6 +65,12 @@ public:
   bool IsDrawingFile() const { return this->Source.File != nullptr; }
   std::uint64_t GetBytes() const { return this->Bytes; }
 
+  /** Waits for the background thread. */
+  void Wait() { this->Preparer.Wait(); }
+
+  /** Points of the last image; 0 if it was not simplified. */
+  vtkIdType GetDrawnPoints() const;
+
 private:
   struct Chunk
   {
@@ -69,48 +78,76 @@ private:
     std::uint64_t Bytes = 0;
     std::uint64_t Frame = 0; ///< in which it was seen last
     gatun::NormalCone Cone;
+    bool IsTransferred = false; ///< whether there are buffers
   };
 
-  /** What is drawn of the file. */
-  struct Contents
+  /** The surface, or one of its levels of detail. */
+  struct Level
   {
-    std::vector<std::uint32_t> Arrays;
-    std::string Scalars; ///< name of the array that gives colors
-    std::size_t Step = 0;
-
-    bool operator==(const Contents&) const = default;
+    std::shared_ptr<const gatun::SurfaceLevel> Mesh;
+    std::vector<Chunk> Chunks;
   };
 
-  /** A chunk that was decoded, or the reason why it was not. */
-  struct Part
+  /** The chunks of a level that can be seen, in the order in which they are drawn. */
+  struct View
   {
-    vtkSmartPointer<vtkPolyData> Mesh;
-    gatun::NormalCone Cone;
-    std::exception_ptr Failure;
+    std::vector<std::uint32_t> Chunks;
+    std::uint64_t Cells = 0; // of these
+    vtkIdType Culled = 0;
   };
 
-  static Contents FindContents(
+  /** An image. */
+  struct Image
+  {
+    vtkGatunSurfaceMapper* Mapper;
+    vtkRenderer* Renderer;
+    vtkActor* Actor;
+    gatun::SurfaceView Camera;
+    bool IsOpaque;
+    std::uint64_t Room; // for buffers, in bytes
+  };
+
+  using Part = gatun::SurfacePart;
+
+  static gatun::SurfaceContents FindContents(
     const gatun::PublishedFile& file, vtkGatunSurfaceMapper* mapper, vtkActor* actor);
+  static std::size_t CountMerges(const gatun::PublishedFile& file, vtkGatunSurfaceMapper* mapper);
+  static double GetBudget(const Image& image);
   void Forget();
-  std::vector<std::uint32_t> FindVisible(
-    vtkGatunSurfaceMapper* mapper, const gatun::SurfaceView& view, bool isOpaque);
+  void ChangeMerges(const gatun::PublishedFile& file, std::size_t merges);
+  View FindVisible(const Image& image, Level& level) const;
   std::vector<std::uint32_t> FindMissing(
-    std::span<const std::uint32_t> chunks, vtkRenderer* renderer, vtkActor* actor) const;
-  Part Decode(std::uint32_t chunk, bool withIds) const;
-  std::vector<Part> DecodeAll(std::span<const std::uint32_t> chunks, bool withIds);
-  void DrawChunk(vtkGatunSurfaceMapper* mapper, vtkRenderer* renderer, vtkActor* actor,
-    std::uint32_t chunk, const Part* part);
-  void Count(Chunk& chunk);
+    const Image& image, const Level& level, std::span<const std::uint32_t> chunks) const;
+  std::vector<Part> DecodeAll(
+    const Level& level, std::span<const std::uint32_t> chunks, bool withIds);
+  void DrawLevel(const Image& image, Level& level, const View& view);
+  void DrawChunk(const Image& image, Level& level, std::uint32_t chunk, const Part* part);
+  void Adopt(const Image& image, Level& level, std::uint32_t chunk, const Part& part);
+  void Keep(const Image& image, Chunk& chunk);
   void MakeRoom(std::uint64_t budget, Chunk* last);
   void Drop(Chunk& chunk);
 
+  // Levels of detail while somebody interacts.
+  void FindLevels();
+  bool IsReady(const Image& image, const Level& level, const View& view) const;
+  void Prepare(const Image& image, Level& level, const View& view);
+  double Transfer(const Image& image, Level& level, const View& view, double seconds);
+  void DrawInMotion(const Image& image, double budget);
+  void PrepareMotion(const Image& image, const View& view, double seconds);
+
   gatun::PublishedFile Source; // without a file if none is drawn
-  Contents What;
-  std::vector<Chunk> Chunks;
-  std::uint64_t Bytes = 0; // of all chunks
+  gatun::SurfaceContents What;
+  std::vector<Level> Levels; // the surface, then those in motion from fine to coarse
+  bool HasLevels = false;    // whether the levels in motion are known
+  gatun::SurfaceTimes Times;
+  std::size_t Present = 0;   // level of the last image
+  double MotionBudget = 0.1; // of the last image in motion
+  int Waiting = 0;           // images in motion since a chunk was transferred
+  std::uint64_t Bytes = 0;   // of all chunks
   std::uint64_t Frame = 0;
   vtkWindow* Window = nullptr; // only compared
   bool IsSelecting = false;
+  gatun::SurfacePreparer Preparer;
 };
 
 #endif

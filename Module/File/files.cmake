@@ -29,6 +29,7 @@ gatun_core_folder(File
     gatunBoundaryMesh.h
     gatunCellSides.h
     gatunCellStore.h
+    gatunChangedChunks.h
     gatunChunkCacheInternals.h
     gatunChunkSet.h
     gatunChunkSetDecoder.h
@@ -74,6 +75,7 @@ gatun_core_folder(File
     gatunBoundaryFaces.cxx
     gatunBoundaryMesh.cxx
     gatunCellStore.cxx
+    gatunChangedChunks.cxx
     gatunChunkCache.cxx
     gatunChunkSet.cxx
     gatunChunkSetDecoder.cxx

@@ -69,7 +69,9 @@ public:
   const std::shared_ptr<ChunkCache> Cache;
   const std::shared_ptr<const FileReader> File;
   PieceRequest Request;
-  std::unique_ptr<CoarsePiece> Coarse; // replaces the members below if there are merges
+  std::shared_ptr<const CoarseLayout> Layout;  // of the last merges
+  std::shared_ptr<const MergeTree> LayoutTree; // of these
+  std::unique_ptr<CoarsePiece> Coarse;         // replaces the members below if there are merges
   std::unique_ptr<ChunkSetDecoder> Piece;
   std::unique_ptr<ChunkSetDecoder> Around; // null without ghosts
   std::vector<std::uint64_t> PointFrom;    // with ghosts: the position of each point in Around
@@ -160,9 +162,14 @@ void PieceDecoder::Internals::SetRequest(const PieceRequest& request, const Prog
   this->Coarse.reset();
   if (request.Merges > 0)
   {
-    const auto layout = std::make_shared<const CoarseLayout>(
-      this->File, *request.Tree, MergeCut(*request.Tree, request.Merges));
-    this->Coarse = std::make_unique<CoarsePiece>(this->Cache, layout, request, progress);
+    if (!this->Layout || this->LayoutTree != request.Tree ||
+      this->Layout->GetCut().GetLast() != request.Merges)
+    {
+      this->Layout = std::make_shared<const CoarseLayout>(
+        this->File, *request.Tree, MergeCut(*request.Tree, request.Merges));
+      this->LayoutTree = request.Tree;
+    }
+    this->Coarse = std::make_unique<CoarsePiece>(this->Cache, this->Layout, request, progress);
     return;
   }
   auto piece = std::make_unique<ChunkSetDecoder>(
@@ -363,6 +370,14 @@ PieceDecoder::PieceDecoder(std::shared_ptr<ChunkCache> cache)
 }
 
 PieceDecoder::~PieceDecoder() = default;
+
+void PieceDecoder::Forget()
+{
+  this->Self->Around.reset();
+  this->Self->Piece.reset();
+  this->Self->Coarse.reset();
+  this->Self->Cells.reset();
+}
 
 void PieceDecoder::SetRequest(const PieceRequest& request, const Progress& progress)
 {

@@ -39,6 +39,11 @@ public:
 
   /** Prepares a request and determines its sizes. With ghosts, this decodes the mesh. */
   void SetRequest(const PieceRequest& request, const Progress& progress = {});
+
+  /** Frees what was prepared and decoded for the request, which must be set again. What the next
+   * request after the same merges needs is kept. */
+  void Forget();
+
   std::uint64_t GetNumberOfPoints() const;
   std::uint64_t GetNumberOfCells() const;
 

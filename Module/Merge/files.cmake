@@ -15,6 +15,7 @@ gatun_core_folder(Merge
   PRIVATE_HEADERS
     gatunDependencyCodec.h
     gatunMergeBends.h
+    gatunMergeChanges.h
     gatunMergeChoice.h
     gatunMergeCodec.h
     gatunMergeCosts.h
@@ -36,6 +37,7 @@ gatun_core_folder(Merge
     gatunDependencyCodec.cxx
     gatunMergeBends.cxx
     gatunMergeBuilder.cxx
+    gatunMergeChanges.cxx
     gatunMergeCodec.cxx
     gatunMergeCosts.cxx
     gatunMergeCut.cxx

@@ -32,9 +32,10 @@ OTHER = {"ChunkTets": [1000], "KeepOrder": [7], "KeyStepInterval": [3],
          "Extinction": [0.5], "Zero": [-3], "Window": [2, 7], "Background": [0.5, 0.25, 1],
          "Method": [2], "Kernel": [1], "Padding": [4], "NumberOfPieces": [7], "SpillMemory": [8],
          "SpillFolder": ["some folder"], "MinTimeStep": [2], "MaxTimeStep": [5], "TimeStepStride": [3],
-         "PointError": [0.25], "PointBits": [14]}
+         "PointError": [0.25], "PointBits": [14], "Style": [1]}
 # Where people who open a file are better served by another default than programs: that of the class.
-OWN_DEFAULT = {"GatunReaderCore.OnDemand": [0], "GatunContour.ComputeNormals": [0],
+OWN_DEFAULT = {"GatunReaderCore.OnDemand": [0], "GatunSurfaceReaderCore.OnDemand": [0],
+               "GatunContour.ComputeNormals": [0],
                "GatunContour.ArrayComponent": [-1]}
 HELPERS = {"IntVectorProperty": "SimpleIntInformationHelper",
            "DoubleVectorProperty": "SimpleDoubleInformationHelper",
@@ -142,6 +143,7 @@ assert not problems, "\n" + "\n".join(problems)
 assert checked >= 20, checked
 assert {proxy.get("class") for _, proxy in proxies} >= \
     {"vtkGatunReader", "vtkGatunSurfaceReader", "vtkGatunPVWriter", "vtkGatunPVMergeBlocks", "vtkGatunVolumeRepresentation",
+     "vtkGatunSurfaceRepresentation",
      "vtkGatunHartleyEncoder", "vtkGatunHartleyReader", "vtkGatunHartleyWriter",
      "vtkGatunPVProjection", "vtkGatunSplitBlocks"}
 

@@ -70,7 +70,7 @@ back = simple.OpenDataFile(path)
 back.UpdatePipeline()
 assert abs(area_in_all(back) - area_in_all(sphere)) < 0.05 * area_in_all(sphere)
 assert not back.GetDataInformation().GetPointDataInformation().GetArrayInformation("Normals")
-assert back.OnDemand == "Never" and not back.GetProperty("SplitCells")
+assert back.OnDemand == "Large Meshes Only" and not back.GetProperty("SplitCells")
 back.OnDemand = "Always"
 back.UpdatePipeline()
 assert back.GetDataInformation().GetNumberOfCells() == 12

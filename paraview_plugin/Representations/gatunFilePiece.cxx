@@ -15,7 +15,6 @@
 #include "vtkMetaReader.h"
 #include "vtkNew.h"
 #include "vtkStringArray.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <utility>
 
@@ -82,7 +81,7 @@ DrawnFile DescribeFile(vtkGatunFileHandle* handle, vtkDataObject* output)
 }
 
 //------------------------------------------------------------------------------
-void MarkPiece(vtkUnstructuredGrid* piece, const DrawnFile& file)
+void MarkPiece(vtkDataObject* piece, const DrawnFile& file)
 {
   vtkNew<vtkStringArray> path;
   path->SetName(PathName);
@@ -99,7 +98,7 @@ void MarkPiece(vtkUnstructuredGrid* piece, const DrawnFile& file)
 }
 
 //------------------------------------------------------------------------------
-DrawnFile GetMark(vtkUnstructuredGrid* piece)
+DrawnFile GetMark(vtkDataObject* piece)
 {
   vtkFieldData* const field = piece->GetFieldData();
   auto* const path = vtkStringArray::SafeDownCast(field->GetAbstractArray(PathName));

@@ -15,7 +15,6 @@ class vtkAlgorithm;
 class vtkDataObject;
 class vtkGatunFileHandle;
 class vtkInformation;
-class vtkUnstructuredGrid;
 #ifdef VTK_ABI_NAMESPACE_END
 VTK_ABI_NAMESPACE_END
 #endif
@@ -49,10 +48,10 @@ vtkGatunFileHandle* FindHandle(vtkAlgorithm* consumer);
 DrawnFile DescribeFile(vtkGatunFileHandle* handle, vtkDataObject* output);
 
 /** Adds the file that is to be drawn in place of a piece to the field data of the piece. */
-void MarkPiece(vtkUnstructuredGrid* piece, const DrawnFile& file);
+void MarkPiece(vtkDataObject* piece, const DrawnFile& file);
 
 /** The file to be drawn in place of a piece, if it is marked. */
-DrawnFile GetMark(vtkUnstructuredGrid* piece);
+DrawnFile GetMark(vtkDataObject* piece);
 }
 
 #endif

@@ -26,7 +26,7 @@ vtkGatunHandleSource::vtkGatunHandleSource()
 vtkGatunHandleSource::~vtkGatunHandleSource() = default;
 
 //------------------------------------------------------------------------------
-void vtkGatunHandleSource::SetFile(vtkGatunFileHandle* handle, vtkUnstructuredGrid* grid)
+void vtkGatunHandleSource::SetFile(vtkGatunFileHandle* handle, vtkDataSet* grid)
 {
   if (handle != this->Handle || grid != this->Grid)
   {
@@ -34,6 +34,26 @@ void vtkGatunHandleSource::SetFile(vtkGatunFileHandle* handle, vtkUnstructuredGr
     this->Grid = grid;
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunHandleSource::RequestDataObject(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* const outInfo = outputVector->GetInformationObject(0);
+  vtkDataObject* const output = outInfo->Get(vtkDataObject::DATA_OBJECT());
+  if (!this->Grid && !output)
+  {
+    vtkNew<vtkUnstructuredGrid> none;
+    outInfo->Set(vtkDataObject::DATA_OBJECT(), none);
+  }
+  else if (this->Grid &&
+    (!output || output->GetDataObjectType() != this->Grid->GetDataObjectType()))
+  {
+    const auto made = vtk::TakeSmartPointer(this->Grid->NewInstance());
+    outInfo->Set(vtkDataObject::DATA_OBJECT(), made);
+  }
+  return 1;
 }
 
 //------------------------------------------------------------------------------
@@ -50,7 +70,7 @@ int vtkGatunHandleSource::RequestInformation(
 int vtkGatunHandleSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  auto* const output = vtkUnstructuredGrid::GetData(outputVector, 0);
+  vtkDataObject* const output = vtkDataObject::GetData(outputVector, 0);
   output->Initialize();
   if (this->Grid)
   {

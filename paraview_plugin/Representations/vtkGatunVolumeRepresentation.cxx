@@ -5,9 +5,9 @@
 
 #include "gatunFilePiece.h"
 #include "gatunMeshPiece.h"
+#include "gatunPieceSource.h"
 #include "gatunVolumeProp.h"
 #include "vtkGatunFileHandle.h"
-#include "vtkGatunHandleSource.h"
 #include "vtkGatunReader.h"
 #include "vtkGatunVolumeMapper.h"
 
@@ -17,9 +17,7 @@
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkErrorCode.h"
 #include "vtkInformation.h"
-#include "vtkInformationObjectBaseKey.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -56,14 +54,6 @@ vtkDataObject* GetData(vtkAlgorithmOutput* producer)
 }
 
 //------------------------------------------------------------------------------
-/** The handle in the information of a source. */
-vtkGatunFileHandle* GetHandle(vtkAlgorithm* source)
-{
-  return vtkGatunFileHandle::SafeDownCast(
-    source->GetOutputInformation(0)->Get(vtkGatunFileHandle::FILE_HANDLE()));
-}
-
-//------------------------------------------------------------------------------
 /** Whether the piece of any process has a volume to draw. Collective. */
 bool AnyHasVolume(vtkUnstructuredGrid* piece)
 {
@@ -80,7 +70,8 @@ bool AnyHasVolume(vtkUnstructuredGrid* piece)
 
 //------------------------------------------------------------------------------
 vtkGatunVolumeRepresentation::vtkGatunVolumeRepresentation()
-  : Piece(vtkSmartPointer<vtkUnstructuredGrid>::New())
+  : File(std::make_unique<gatun::PieceSource>(vtkSmartPointer<vtkGatunReader>::New()))
+  , Piece(vtkSmartPointer<vtkUnstructuredGrid>::New())
 {
   this->Actor = gatun::MakeVolumeProp();
   this->Actor->SetProperty(this->Property);
@@ -88,7 +79,6 @@ vtkGatunVolumeRepresentation::vtkGatunVolumeRepresentation()
   this->Superclass::AddVolumeMapper("Gatun", this->VolumeMapper);
   this->Superclass::SetActiveVolumeMapper("Gatun");
   this->VolumeMapper->SetTimeBudget(0.1);
-  this->OtherFile->SetOnDemand(vtkGatunReader::ON_DEMAND_ALWAYS);
 }
 
 vtkGatunVolumeRepresentation::~vtkGatunVolumeRepresentation() = default;
@@ -121,7 +111,7 @@ int vtkGatunVolumeRepresentation::GetBlendMode()
 void vtkGatunVolumeRepresentation::SetMemoryBudget(int mebibytes)
 {
   this->VolumeMapper->SetMemoryBudget(mebibytes);
-  this->OtherFile->SetMemoryBudget(mebibytes);
+  this->File->GetReader()->SetMemoryBudget(mebibytes);
 }
 
 //------------------------------------------------------------------------------
@@ -226,15 +216,12 @@ void vtkGatunVolumeRepresentation::MakePiece(vtkDataObject* input)
 {
   vtkMath::UninitializeBounds(this->DataBounds);
   this->Piece = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  this->Handle = nullptr;
   if (!input)
   {
     return; // a process without data
   }
-  vtkGatunFileHandle* const handle = gatun::FindHandle(this);
-  if (handle && handle->GetCanReplaceOutput() && handle->GetIsOnDemand())
+  if (vtkGatunFileHandle* const handle = this->File->FindFile(this))
   {
-    this->Handle = handle;
     this->Piece->ShallowCopy(input);
     gatun::MarkPiece(this->Piece, gatun::DescribeFile(handle, input));
     // All processes need to know the bounds, and only the first one has the outline.
@@ -364,8 +351,8 @@ void vtkGatunVolumeRepresentation::PrepareToDraw(vtkInformation* inInfo)
         return;
       }
       // The others wait for this process, whose mapper tells them the error.
-      this->OtherFile->SetFileName(file.Path.c_str());
-      this->VolumeMapper->SetInputConnection(this->OtherFile->GetOutputPort());
+      this->File->GetReader()->SetFileName(file.Path.c_str());
+      this->VolumeMapper->SetInputConnection(this->File->GetReader()->GetOutputPort());
     }
   }
   else
@@ -426,46 +413,12 @@ int vtkGatunVolumeRepresentation::FindImageProcess()
 bool vtkGatunVolumeRepresentation::ConnectFile(
   vtkUnstructuredGrid* piece, const gatun::DrawnFile& file)
 {
-  if (this->Handle)
-  {
-    // The reader may have opened the file again, or failed to, without an update of this.
-    vtkGatunFileHandle* const current = gatun::FindHandle(this);
-    if (!current || !current->GetIsOpen())
-    {
-      return false;
-    }
-    this->Handle = current;
-  }
-  vtkAlgorithm* source = this->OtherFile;
-  if (this->Handle && this->Handle->GetFileName() == file.Path &&
-    this->Handle->GetNumberOfMerges() == file.Merges)
-  {
-    this->OwnFile->SetFile(this->Handle, piece);
-    source = this->OwnFile;
-  }
-  else
-  {
-    this->OwnFile->SetFile(nullptr, nullptr);
-    this->OtherFile->SetFileName(file.Path.c_str());
-    this->OtherFile->SetSimplificationTarget(vtkGatunReader::TARGET_RATIO);
-    this->OtherFile->UpdateInformation();
-    vtkGatunFileHandle* const whole = GetHandle(this->OtherFile);
-    if (!whole || !whole->GetIsOpen())
-    {
-      return false;
-    }
-    if (file.Merges > 0)
-    {
-      this->OtherFile->SetSimplificationTarget(vtkGatunReader::TARGET_NUMBER_OF_POINTS);
-      this->OtherFile->SetSimplificationNumberOfPoints(whole->GetNumberOfPoints() - file.Merges);
-    }
-  }
-  source->UpdateTimeStep(file.Time);
-  if (source->GetErrorCode() != vtkErrorCode::NoError)
+  vtkAlgorithm* const source = this->File->Connect(this, piece, file);
+  if (!source)
   {
     return false;
   }
-  this->Drawn = GetHandle(source);
+  this->Drawn = gatun::GetHandle(source);
   this->Shown = vtkDataSet::SafeDownCast(source->GetOutputDataObject(0));
   this->VolumeMapper->SetInputConnection(source->GetOutputPort());
   return this->Drawn != nullptr;

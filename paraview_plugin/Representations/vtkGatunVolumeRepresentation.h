@@ -34,9 +34,12 @@
 #include "vtkSmartPointer.h"        // For ivars
 #include "vtkUnstructuredGridVolumeRepresentation.h"
 
+#include <memory> // For std::unique_ptr
+
 namespace gatun
 {
 struct DrawnFile;
+class PieceSource;
 }
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -45,8 +48,6 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkDataSet;
 class vtkGatunFileHandle;
-class vtkGatunHandleSource;
-class vtkGatunReader;
 class vtkGatunVolumeMapper;
 class vtkMultiProcessController;
 class vtkUnstructuredGrid;
@@ -180,10 +181,8 @@ private:
   double ChooseUnitDistance();
 
   vtkNew<vtkGatunVolumeMapper> VolumeMapper;
-  vtkNew<vtkGatunHandleSource> OwnFile;       // of the reader in this process
-  vtkNew<vtkGatunReader> OtherFile;           // of a reader in another process
-  vtkSmartPointer<vtkGatunFileHandle> Handle; // of the piece, if it comes from a file on demand
-  vtkSmartPointer<vtkGatunFileHandle> Drawn;  // of the file that the mapper draws, while it does
+  std::unique_ptr<gatun::PieceSource> File;
+  vtkSmartPointer<vtkGatunFileHandle> Drawn; // of the file that the mapper draws, while it does
   vtkSmartPointer<vtkUnstructuredGrid> Piece;
   vtkDataSet* Shown = nullptr; // what tells which arrays there are
   bool JustInTime = false;

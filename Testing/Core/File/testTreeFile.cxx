@@ -4,6 +4,7 @@
 // Files with a merge tree. A mesh that is read after a number of merges must equal the result of
 // merging in memory.
 
+#include "gatunChangedChunks.h"
 #include "gatunCoarseLayout.h"
 #include "gatunFileImage.h"
 #include "gatunFileReaderInternals.h"
@@ -399,6 +400,30 @@ TEST_P(TreeFileRead, BoundsAndRangesOfChunksHold)
         ASSERT_TRUE(vector[3].Min <= length && length <= vector[3].Max);
       }
     }
+  }
+}
+
+TEST_P(TreeFileRead, ChunksChangeWhoseAncestorsChange)
+{
+  const auto all = this->FileTree->GetMerges().size();
+  const CoarseLayout layout(this->File, *this->FileTree, 0);
+  const MergeChanges changes(this->FileTree);
+  for (const auto& [from, to] : std::vector<std::pair<std::size_t, std::size_t>>{
+         { 0, 0 }, { 0, 1 }, { all / 3, all / 3 + 2 }, { all, all / 2 } })
+  {
+    const auto before = this->FileTree->FindAncestors(from);
+    const auto after = this->FileTree->FindAncestors(to);
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t chunk = 0; chunk < this->File->GetChunks().size(); ++chunk)
+    {
+      const auto points = layout.GetPoints(chunk);
+      if (std::any_of(points.begin(), points.end(),
+            [&](std::uint32_t point) { return before[point] != after[point]; }))
+      {
+        expected.push_back(chunk);
+      }
+    }
+    ASSERT_EQ(FindChangedChunks(*this->File, changes, from, to), expected);
   }
 }
 

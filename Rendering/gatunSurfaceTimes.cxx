@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gatunSurfaceTimes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gatun
+{
+namespace
+{
+constexpr double Aim = 0.9;        // fraction of the budget
+constexpr double FirstCell = 2e-7; // seconds, before anything was drawn
+constexpr double FirstTransfer = 2e-7;
+
+/** The number of cells a time is divided by. Each image takes some time for its pixels. */
+double GetWork(std::uint64_t cells)
+{
+  constexpr double ofPixels = 5000;
+  return static_cast<double>(cells) + ofPixels;
+}
+}
+
+//------------------------------------------------------------------------------
+void SurfaceTimes::Recent::Add(double number)
+{
+  if (std::isfinite(number) && number >= 0)
+  {
+    this->Last[this->Count++ % this->Last.size()] = number;
+  }
+}
+
+//------------------------------------------------------------------------------
+double SurfaceTimes::Recent::Get() const
+{
+  const double* const begin = this->Last.data();
+  if (this->Count < 3)
+  {
+    return this->Count == 0 ? 0 : *std::max_element(begin, begin + this->Count);
+  }
+  return std::max(std::min(begin[0], begin[1]), std::min(std::max(begin[0], begin[1]), begin[2]));
+}
+
+//------------------------------------------------------------------------------
+void SurfaceTimes::Learn(std::size_t level, std::uint64_t cells, double seconds)
+{
+  this->PerCell[level].Add(seconds / GetWork(cells));
+}
+
+//------------------------------------------------------------------------------
+double SurfaceTimes::Predict(std::size_t level, std::uint64_t cells) const
+{
+  const Recent* nearest = nullptr;
+  std::size_t least = 0;
+  for (const auto& [other, recent] : this->PerCell)
+  {
+    const std::size_t distance = other > level ? other - level : level - other;
+    // Of two, the coarser one, whose time a cell is the larger one.
+    if (!nearest || distance <= least)
+    {
+      nearest = &recent;
+      least = distance;
+    }
+  }
+  return GetWork(cells) * (nearest ? nearest->Get() : FirstCell);
+}
+
+//------------------------------------------------------------------------------
+std::size_t SurfaceTimes::Choose(
+  double budget, std::span<const std::uint64_t> cells, std::size_t present) const
+{
+  std::size_t best = 0;
+  while (best + 1 < cells.size() && this->Predict(best, cells[best]) > Aim * budget)
+  {
+    ++best;
+  }
+  const bool isGood =
+    present < cells.size() && present < best && this->Predict(present, cells[present]) <= budget;
+  return isGood ? present : best;
+}
+
+//------------------------------------------------------------------------------
+void SurfaceTimes::LearnTransfer(std::uint64_t cells, double seconds)
+{
+  if (cells > 0)
+  {
+    this->Transfer.Add(seconds / static_cast<double>(cells));
+  }
+}
+
+//------------------------------------------------------------------------------
+double SurfaceTimes::PredictTransfer(std::uint64_t cells) const
+{
+  return static_cast<double>(cells) *
+    (this->Transfer.Count > 0 ? this->Transfer.Get() : FirstTransfer);
+}
+}

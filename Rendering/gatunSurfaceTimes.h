@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunSurfaceTimes_h
+#define gatunSurfaceTimes_h
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+
+namespace gatun
+{
+/**
+ * Chooses the level of detail of a surface for a time budget, from the times of the last images.
+ * The time of a level is the number of its visible cells times the median of the last three times a
+ * cell, of this level or else of the nearest one that was drawn. The aim is nine tenths of the
+ * budget. The present level stays while its time is between the aim and the budget.
+ */
+class SurfaceTimes
+{
+public:
+  /** An image of a level took some seconds. */
+  void Learn(std::size_t level, std::uint64_t cells, double seconds);
+
+  /** The finest level that fits, or the last one. Cells: the visible ones of all levels, from fine
+   * to coarse. Present: that of the last image; beyond the end if there was none. */
+  std::size_t Choose(
+    double budget, std::span<const std::uint64_t> cells, std::size_t present) const;
+
+  /** The expected seconds for an image of a level. */
+  double Predict(std::size_t level, std::uint64_t cells) const;
+
+  /** The same for the transfer of cells to the graphics. */
+  void LearnTransfer(std::uint64_t cells, double seconds);
+  double PredictTransfer(std::uint64_t cells) const;
+
+private:
+  /** The median of the last three numbers. */
+  struct Recent
+  {
+    std::array<double, 3> Last{};
+    std::size_t Count = 0;
+
+    void Add(double number);
+    double Get() const;
+  };
+
+  std::map<std::size_t, Recent> PerCell; // for each level
+  Recent Transfer;
+};
+}
+
+#endif

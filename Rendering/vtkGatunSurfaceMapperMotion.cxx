@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Levels of detail of vtkGatunSurfaceMapper while somebody interacts.
+
+#include "vtkGatunSurfaceMapperInternals.h"
+
+#include "gatunFileReader.h"
+
+#include "vtkActor.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace
+{
+// Seconds; more are allocated to an image at rest.
+constexpr double LeastTimeAtRest = 10;
+
+// Points of the coarsest level, which is decoded while somebody waits.
+constexpr std::uint64_t FewestPoints = 10000;
+
+// Cells of a level that is prepared beyond what is visible.
+constexpr std::uint64_t MostCells = 2000000;
+
+// Images after which a chunk is transferred even if it takes too long.
+constexpr int MostWaiting = 10;
+
+using Clock = std::chrono::steady_clock;
+
+double SecondsSince(Clock::time_point begin)
+{
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+}
+
+//------------------------------------------------------------------------------
+/** Seconds for an image in motion; 0 at rest. */
+double vtkGatunSurfaceMapper::vtkInternals::GetBudget(const Image& image)
+{
+  // An actor within another one, as in ParaView, is allocated nothing.
+  const double allocated =
+    std::min(image.Actor->GetAllocatedRenderTime(), image.Renderer->GetAllocatedRenderTime());
+  if (!image.Mapper->JustInTime || !(allocated > 0 && allocated < LeastTimeAtRest))
+  {
+    return 0;
+  }
+  return image.Mapper->TimeBudget > 0 ? image.Mapper->TimeBudget : allocated;
+}
+
+//------------------------------------------------------------------------------
+/** The base meshes of the file that are coarser than the surface, and halves beyond. */
+void vtkGatunSurfaceMapper::vtkInternals::FindLevels()
+{
+  if (this->HasLevels)
+  {
+    return;
+  }
+  const gatun::FileReader& file = *this->Source.File->GetFile();
+  const std::size_t drawn = this->Levels.front().Mesh->GetMerges();
+  std::vector<std::size_t> wanted;
+  if (file.HasMergeTree())
+  {
+    std::copy_if(file.GetLevels().begin(), file.GetLevels().end(), std::back_inserter(wanted),
+      [drawn](std::uint32_t merges) { return merges > drawn; });
+    const std::uint64_t all = file.GetNumberOfPoints();
+    for (std::uint64_t points = (all - (wanted.empty() ? drawn : wanted.back())) / 2;
+         points >= FewestPoints / 2 && all - points <= file.GetNumberOfMerges(); points /= 2)
+    {
+      wanted.push_back(static_cast<std::size_t>(all - points));
+    }
+  }
+  // Base meshes have no original order.
+  gatun::PublishedFile source = this->Source;
+  source.RestoreOrder = false;
+  std::vector<Level> levels;
+  levels.push_back(std::move(this->Levels.front()));
+  for (const std::size_t merges : wanted)
+  {
+    const auto same = std::find_if(this->Levels.begin() + 1, this->Levels.end(),
+      [merges](const Level& level) { return level.Mesh && level.Mesh->GetMerges() == merges; });
+    if (same != this->Levels.end())
+    {
+      levels.push_back(std::move(*same));
+      same->Mesh = nullptr;
+      same->Chunks.clear();
+      continue;
+    }
+    Level& level = levels.emplace_back();
+    level.Mesh = std::make_shared<const gatun::SurfaceLevel>(source, merges, this->What);
+    level.Chunks.resize(level.Mesh->GetNumberOfChunks());
+  }
+  for (std::size_t i = 1; i < this->Levels.size(); ++i)
+  {
+    for (Chunk& chunk : this->Levels[i].Chunks)
+    {
+      this->Drop(chunk);
+    }
+  }
+  this->Levels = std::move(levels);
+  this->HasLevels = true;
+}
+
+//------------------------------------------------------------------------------
+/** Whether a level can be drawn at once. */
+bool vtkGatunSurfaceMapper::vtkInternals::IsReady(
+  const Image& image, const Level& level, const View& view) const
+{
+  return std::all_of(view.Chunks.begin(), view.Chunks.end(),
+    [&](std::uint32_t chunk)
+    {
+      const Chunk& self = level.Chunks[chunk];
+      return self.Mapper && self.IsTransferred &&
+        !self.Mapper->NeedsMesh(image.Renderer, image.Actor);
+    });
+}
+
+//------------------------------------------------------------------------------
+/** Takes what is ready of a level, and has the rest decoded. */
+void vtkGatunSurfaceMapper::vtkInternals::Prepare(
+  const Image& image, Level& level, const View& view)
+{
+  std::vector<std::uint32_t> chunks = view.Chunks;
+  std::uint64_t cells = 0;
+  for (std::size_t i = 0; i < level.Chunks.size(); ++i)
+  {
+    cells += level.Mesh->GetNumberOfCells(i);
+  }
+  if (cells <= MostCells)
+  {
+    // Those that may come into the view.
+    for (std::uint32_t i = 0; i < level.Chunks.size(); ++i)
+    {
+      if (std::find(view.Chunks.begin(), view.Chunks.end(), i) == view.Chunks.end() &&
+        !level.Chunks[i].Cone.Known)
+      {
+        chunks.push_back(i);
+      }
+    }
+  }
+  std::vector<std::uint32_t> missing;
+  for (const std::uint32_t chunk : chunks)
+  {
+    const auto& mapper = level.Chunks[chunk].Mapper;
+    if (mapper && !mapper->NeedsMesh(image.Renderer, image.Actor))
+    {
+      continue;
+    }
+    const auto part = this->Preparer.Take(level.Mesh.get(), chunk);
+    if (!part)
+    {
+      missing.push_back(chunk);
+    }
+    else if (part->Failure)
+    {
+      this->Failure = this->Failure ? this->Failure : part->Failure;
+    }
+    else
+    {
+      ++this->Decoded;
+      this->Adopt(image, level, chunk, *part);
+      this->Keep(image, level.Chunks[chunk]);
+    }
+  }
+  this->Preparer.Prepare(level.Mesh, std::move(missing));
+}
+
+//------------------------------------------------------------------------------
+/** Makes buffers of a level, as far as there is time. Returns the seconds that it took. */
+double vtkGatunSurfaceMapper::vtkInternals::Transfer(
+  const Image& image, Level& level, const View& view, double seconds)
+{
+  const auto begin = Clock::now();
+  ++this->Waiting;
+  for (const std::uint32_t chunk : view.Chunks)
+  {
+    Chunk& self = level.Chunks[chunk];
+    if (!self.Mapper || self.IsTransferred || self.Mapper->NeedsMesh(image.Renderer, image.Actor))
+    {
+      continue;
+    }
+    const std::uint64_t cells = level.Mesh->GetNumberOfCells(chunk);
+    const double left = seconds - SecondsSince(begin);
+    if (this->Times.PredictTransfer(cells) > left && this->Waiting <= MostWaiting)
+    {
+      break;
+    }
+    const auto start = Clock::now();
+    self.Mapper->Transfer(image.Renderer, image.Actor);
+    self.IsTransferred = true;
+    self.Frame = this->Frame;
+    this->Keep(image, self);
+    this->Times.LearnTransfer(cells, SecondsSince(start));
+    this->Waiting = 0;
+  }
+  return SecondsSince(begin);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunSurfaceMapper::vtkInternals::DrawInMotion(const Image& image, double budget)
+{
+  this->MotionBudget = budget;
+  this->FindLevels();
+  std::vector<View> views;
+  std::vector<std::uint64_t> cells;
+  for (Level& level : this->Levels)
+  {
+    views.push_back(this->FindVisible(image, level));
+    cells.push_back(views.back().Cells);
+  }
+  const auto findReady = [&](std::size_t from)
+  {
+    while (from + 1 < this->Levels.size() && !this->IsReady(image, this->Levels[from], views[from]))
+    {
+      ++from;
+    }
+    return from;
+  };
+  const std::size_t wanted = this->Times.Choose(budget, cells, this->Present);
+  std::size_t shown = findReady(wanted);
+  if (shown != wanted)
+  {
+    Level& level = this->Levels[wanted];
+    this->Prepare(image, level, views[wanted]);
+    const double left = 0.9 * budget - this->Times.Predict(shown, cells[shown]);
+    this->Transfer(image, level, views[wanted], left);
+    shown = findReady(wanted);
+  }
+  const auto begin = Clock::now();
+  const vtkIdType decodedBefore = this->Decoded;
+  this->Present = shown;
+  this->DrawLevel(image, this->Levels[shown], views[shown]);
+  image.Renderer->GetRenderWindow()->WaitForCompletion();
+  if (this->Decoded == decodedBefore)
+  {
+    this->Times.Learn(shown, cells[shown], SecondsSince(begin));
+  }
+}
+
+//------------------------------------------------------------------------------
+/** Makes ready what the first image in motion is likely to need, after an image at rest. */
+void vtkGatunSurfaceMapper::vtkInternals::PrepareMotion(
+  const Image& image, const View& view, double seconds)
+{
+  if (seconds > 0)
+  {
+    this->Times.Learn(0, view.Cells, seconds);
+  }
+  this->FindLevels();
+  if (this->Levels.size() < 2)
+  {
+    return;
+  }
+  std::vector<View> views;
+  std::vector<std::uint64_t> cells;
+  for (Level& level : this->Levels)
+  {
+    views.push_back(this->FindVisible(image, level));
+    cells.push_back(views.back().Cells);
+  }
+  Level& last = this->Levels.back();
+  bool isComplete = false;
+  while (!isComplete)
+  {
+    const auto missing = this->FindMissing(image, last, views.back().Chunks);
+    const auto parts = this->DecodeAll(last, missing, false);
+    isComplete = missing.empty();
+    for (std::size_t i = 0; i < missing.size() && !isComplete; ++i)
+    {
+      // An error is told by the image that needs the chunk.
+      isComplete = parts[i].Failure != nullptr;
+      if (!isComplete)
+      {
+        this->Adopt(image, last, missing[i], parts[i]);
+        this->Keep(image, last.Chunks[missing[i]]);
+        // Where there is no room at all.
+        isComplete = !last.Chunks[missing[i]].Mapper;
+      }
+    }
+  }
+  this->Transfer(image, last, views.back(), this->MotionBudget);
+  const std::size_t wanted = this->Times.Choose(this->MotionBudget, cells, this->Levels.size());
+  if (wanted > 0)
+  {
+    this->Prepare(image, this->Levels[wanted], views[wanted]);
+  }
+}
