@@ -37,6 +37,7 @@ gatun_core_folder(Codec
     gatunPolygonModels.h
     gatunPolygonTruth.h
     gatunPolygonWalk.h
+    gatunProgression.h
     gatunRecentVertices.h
     gatunResidual.h
     gatunRuleFitter.h
@@ -66,5 +67,6 @@ gatun_core_folder(Codec
     gatunMarkTruth.cxx
     gatunPalette.cxx
     gatunPolygonTruth.cxx
+    gatunProgression.cxx
     gatunSharedSearch.cxx
     gatunSurfaceTruth.cxx)

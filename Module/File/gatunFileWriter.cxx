@@ -132,7 +132,8 @@ void FileWriter::Internals::FindPalettes()
     [&](std::size_t axis)
     {
       palettes[axis] = FindPalette(
-        mesh.CoordinateType, mesh.Coordinates, static_cast<std::size_t>(mesh.Points), 3, axis);
+        mesh.CoordinateType, mesh.Coordinates, static_cast<std::size_t>(mesh.Points), 3, axis,
+        PaletteUse::Coordinates);
     });
   this->Mesh.SetPalettes(palettes);
 }

@@ -43,7 +43,8 @@ StepPalettes StepSection::FindPalettes(
     for (std::uint32_t c = 0; c < array.Components; ++c)
     {
       palettes[a].push_back(
-        FindPalette(array.Type, values[a], part.GetTupleCount(array), array.Components, c));
+        FindPalette(array.Type, values[a], part.GetTupleCount(array), array.Components, c,
+        PaletteUse::Array));
     }
   }
   return palettes;
