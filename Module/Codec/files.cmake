@@ -31,6 +31,7 @@ gatun_core_folder(Codec
     gatunNumberModel.h
     gatunPalette.h
     gatunPlaceGrid.h
+    gatunPlaneCoder.h
     gatunPolygonCell.h
     gatunPolygonFront.h
     gatunPolygonGrowth.h

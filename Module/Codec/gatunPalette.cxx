@@ -17,10 +17,12 @@ namespace
 /** The first byte of the stream of a progression, where others have a SpatialMode. */
 constexpr std::uint8_t ProgressionMode = 3;
 
-/** The most values of a palette of so many tuples. */
-std::size_t GetMost(std::uint64_t count)
+/** The most values of a palette of so many tuples. Those of arrays do without prediction from the
+ * time step before. */
+std::size_t GetMost(std::uint64_t count, PaletteUse use)
 {
-  return static_cast<std::size_t>(std::min<std::uint64_t>(count / 16, MaxPalette));
+  const auto most = use == PaletteUse::Coordinates ? count / 4 : count / 16;
+  return static_cast<std::size_t>(std::min<std::uint64_t>(most, MaxPalette));
 }
 }
 
@@ -98,12 +100,13 @@ std::shared_ptr<const Palette> PaletteBuilder::Finish(std::uint64_t count, Palet
 {
   this->Compress();
   const auto distinct = this->Sorted.size();
-  const bool isRare = distinct <= GetMost(count);
+  const bool isRare = distinct <= GetMost(count, use);
+  const bool isVeryRare = distinct <= GetMost(count, PaletteUse::Array);
   const auto progression = use == PaletteUse::Coordinates && !this->Sorted.empty()
     ? FitProgression(this->Type, this->Sorted, MaxPalette)
     : std::nullopt;
   // A few values with large gaps in between are closer to each other by their ranks.
-  if (progression && (!isRare || progression->Count <= 2 * distinct))
+  if (progression && (!isVeryRare || progression->Count <= 2 * distinct))
   {
     return std::make_shared<Palette>(progression->MakeKeys(this->Type));
   }
@@ -114,7 +117,7 @@ std::shared_ptr<const Palette> PaletteBuilder::Finish(std::uint64_t count, Palet
 std::shared_ptr<const Palette> FindPalette(ScalarType type, const void* values, std::size_t count,
   std::size_t components, std::size_t component, PaletteUse use)
 {
-  PaletteBuilder builder(type, use == PaletteUse::Coordinates ? MaxPalette : GetMost(count));
+  PaletteBuilder builder(type, use == PaletteUse::Coordinates ? MaxPalette : GetMost(count, use));
   builder.Add(values, count, components, component);
   return builder.Finish(count, use);
 }

@@ -42,16 +42,18 @@ double GetRoundingError(ScalarType type, double value)
     (static_cast<double>(std::nextafter(size, std::numeric_limits<float>::infinity())) - size);
 }
 
-/** The number with the fewest digits in an interval: what was meant is likely to be short. */
+/** The number with the fewest digits well within an interval: what was meant is likely to be short,
+ * and the ends of the interval are where values are rounded the other way. */
 double FindShortest(double low, double high)
 {
   constexpr int digits = 52;
   const double middle = low + 0.5 * (high - low);
+  const double margin = 0.25 * (high - low);
   for (int kept = 0; kept < digits; ++kept)
   {
     const double unit = std::ldexp(1.0, std::ilogb(middle) - kept);
     const double rounded = std::floor(middle / unit + 0.5) * unit;
-    if (rounded >= low && rounded <= high)
+    if (rounded >= low + margin && rounded <= high - margin)
     {
       return rounded;
     }

@@ -39,7 +39,7 @@ public:
     , Borders(3 * GateEnd::Angles * GateEnd::Angles)
     , Degrees(std::size_t{ 3 } * 4 * 4 * 5 * 5)
     , Corners(std::size_t{ 3 } * 2 * GateEnd::Angles * 8 * GateEnd::Angles)
-    , News(3 * 4 * 8)
+    , News(3 * 4)
     , Turns(1u << 10)
     , LongTurns(1u << 10)
     , Types(1u << 8)
@@ -89,9 +89,9 @@ public:
   }
 
   /** ends: at how many ends of the gate the front was followed. */
-  BitModel& New(std::uint32_t degree, unsigned ends, unsigned nearest)
+  BitModel& New(std::uint32_t degree, unsigned ends)
   {
-    return this->News[(GradeDegree(degree) * 4 + ends) * 8 + nearest];
+    return this->News[GradeDegree(degree) * 4 + ends];
   }
 
   template <typename Coder>
@@ -126,7 +126,7 @@ public:
   SharedNames Shared;
   BitModel OnFront;
   std::array<BitModel, 2> Listed;
-  std::array<BitModel, std::size_t{ 2 } * 6 * 8> Ranks;
+  std::array<BitModel, std::size_t{ 2 } * 6> Ranks;
   BitModel MoreSeeds, SeedNew, SeedShared;
 
 private:

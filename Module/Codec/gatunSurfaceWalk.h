@@ -246,13 +246,11 @@ private:
   Vertex CodeCorner(std::uint32_t corner, unsigned ends, Vertex ahead, Vertex back)
   {
     const auto record = this->Cell.MakeRecord(corner, ahead, back);
-    this->Cell.FindCandidates(record);
     const auto known = this->GetKnown(corner);
-    const auto nearest = this->Cell.GradeNearest();
-    auto& isNew = this->Models.New(this->Cell.GetDegree(), ends, nearest);
+    auto& isNew = this->Models.New(this->Cell.GetDegree(), ends);
     if (!this->Symbols.Bit(isNew, known == NoVertex))
     {
-      return this->CodeKnown(known, nearest);
+      return this->CodeKnown(record, known);
     }
     const auto target = this->GetTarget(corner);
     const auto count = [&](Vertex a, Vertex b)
@@ -264,6 +262,7 @@ private:
     if (this->Symbols.Bit(
           this->Models.IsShared[3 * gate + count(ahead, back)], this->IsShared(target)))
     {
+      this->Cell.Predict(record);
       return this->Mesh.MeetShared(target,
         this->Models.Shared.Code(this->Symbols, this->Mesh.GetSharedSearch(), this->Cell.Predicted,
           4.0F * this->Cell.EdgeSquared, target));
@@ -271,11 +270,11 @@ private:
     return this->Mesh.MeetOwn(target, record);
   }
 
-  Vertex CodeKnown(Vertex known, unsigned nearest)
+  Vertex CodeKnown(const CellRecord& record, Vertex known)
   {
     const bool onFront =
       this->Symbols.Bit(this->Models.OnFront, Coder::Encoding && this->Open.IsOnFront(known));
-    this->Cell.FindCandidates(8.0F);
+    this->Cell.FindCandidates(record);
     const auto& candidates = this->Cell.SortCandidates(onFront);
     const auto count = static_cast<unsigned>(std::min<std::size_t>(candidates.size(), 15));
     unsigned place = 0;
@@ -289,7 +288,7 @@ private:
     }
     for (unsigned i = 0; i < count; ++i)
     {
-      auto& model = this->Models.Ranks[(onFront * 6 + std::min(i, 5u)) * 8 + nearest];
+      auto& model = this->Models.Ranks[onFront * 6 + std::min(i, 5u)];
       if (this->Symbols.Bit(model, i == place))
       {
         return candidates[i].Id;
