@@ -177,12 +177,11 @@ CellRuleTable FitCellRules(const ChunkMesh& mesh)
   return table;
 }
 
-/** Whether a chunk has many vertices that PlaneCoder can code, and is a surface. */
+/** Whether a chunk has many vertices that PlaneCoder can code, as surfaces have. */
 bool HasPlanes(const ChunkMesh& mesh)
 {
   const auto& records = mesh.Walk.CellRecords;
-  const auto isOn = [](const CellRecord& record)
-  {
+  const auto isOn = [](const CellRecord& record) {
     return PlaneCoder<EntropyEncoder>::CanCode(record) && record.Known[CellRecord::N3] == NoVertex;
   };
   return 4 * std::count_if(records.begin(), records.end(), isOn) >

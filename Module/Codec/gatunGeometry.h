@@ -285,8 +285,8 @@ private:
     {
       if (this->Predictor.Planes && this->Predictor.Planes->CanCode(record))
       {
-        this->Previous = this->Predictor.Planes->Code(this->Symbols, domains, record, group, predictions,
-          std::span<const PointNumbers>(this->Numbers), keys, truth);
+        this->Previous = this->Predictor.Planes->Code(this->Symbols, domains, record, group,
+          predictions, std::span<const PointNumbers>(this->Numbers), keys, truth);
         return this->Previous;
       }
     }

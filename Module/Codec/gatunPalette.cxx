@@ -161,7 +161,12 @@ std::shared_ptr<const Palette> DecodePalette(
     ByteReader in(stream.subspan(1));
     const auto origin = in.Get<double>();
     const auto step = in.Get<double>();
-    keys.Now = Progression{ origin, step, static_cast<std::size_t>(count) }.MakeKeys(type);
+    const Progression progression{ origin, step, static_cast<std::size_t>(count) };
+    if (!progression.IsWithin(type))
+    {
+      ThrowCorrupt("the values of a palette are beyond their type");
+    }
+    keys.Now = progression.MakeKeys(type);
   }
   else
   {

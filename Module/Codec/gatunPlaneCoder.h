@@ -56,17 +56,16 @@ public:
     this->Next = { static_cast<std::uint8_t>(this->Mean >> 4), 0 };
   }
 
-  /** Codes the vertex that is registered next. group: of the rule. place: predicted. numbers, keys: of all vertices
-   * met. */
+  /** Codes the vertex that is registered next. group: of the rule. place: predicted. numbers, keys:
+   * of all vertices met. */
   template <typename DomainType>
   Keys Code(Coder& coder, const std::array<DomainType, 3>& domains, const CellRecord& record,
-    unsigned group, const Numbers& place, std::span<const Numbers> numbers, std::span<const Keys> keys,
-    const Keys& truth)
+    unsigned group, const Numbers& place, std::span<const Numbers> numbers,
+    std::span<const Keys> keys, const Keys& truth)
   {
     const std::array corners{ record.Known[CellRecord::N1], record.Known[CellRecord::N2],
       record.Known[CellRecord::D12] };
-    const Frame frame(
-      numbers[corners[0]], numbers[corners[1]], numbers[corners[2]], place);
+    const Frame frame(numbers[corners[0]], numbers[corners[1]], numbers[corners[2]], place);
     const auto level = (this->States[corners[0]].Level + this->States[corners[1]].Level +
                          this->States[corners[2]].Level + 2u) /
       3u;
@@ -89,8 +88,8 @@ public:
         const double predicted = isLast ? frame.GetHeight(place, shift) : place[i];
         auto& models = isLast ? this->Normal : this->Tangential;
         const auto context = isLast ? level : k * Groups + group;
-        result[i] = this->CodeAxis(
-          coder, domains[i], predicted, frame.Extent, models[context * 4 + grade], truth[i], isLast);
+        result[i] = this->CodeAxis(coder, domains[i], predicted, frame.Extent,
+          models[context * 4 + grade], truth[i], isLast);
         grade = std::max(grade, models[context * 4 + grade].Grade);
       }
       shift += frame.Normal[i] * (domains[i].ToNumber(result[i]) - place[i]);
@@ -169,10 +168,9 @@ private:
     { return unsigned{ this->States[corners[corner]].Repeated } >> axis & 1u; };
     const unsigned equal = unsigned{ known[0] == known[1] } + 2 * unsigned{ known[0] == known[2] } +
       4 * unsigned{ known[1] == known[2] };
-    const unsigned context =
-      ((number * 2 + isRepeated(0)) * 2 + isRepeated(1)) * 8 + equal;
-    const bool isOne = truth[axis] == known[0] || truth[axis] == known[1] ||
-      truth[axis] == known[2];
+    const unsigned context = ((number * 2 + isRepeated(0)) * 2 + isRepeated(1)) * 8 + equal;
+    const bool isOne =
+      truth[axis] == known[0] || truth[axis] == known[1] || truth[axis] == known[2];
     if (!coder.Bit(this->IsRepeated[context], isOne))
     {
       return false;
@@ -181,7 +179,10 @@ private:
     unsigned chosen = 0;
     if (!coder.Bit(this->IsCorner[0][context], truth[axis] == known[0]))
     {
-      chosen = equal == 1 || (equal == 0 && !coder.Bit(this->IsCorner[1][context], truth[axis] == known[1])) ? 2 : 1;
+      chosen = equal == 1 ||
+          (equal == 0 && !coder.Bit(this->IsCorner[1][context], truth[axis] == known[1]))
+        ? 2
+        : 1;
     }
     key = known[chosen];
     return true;

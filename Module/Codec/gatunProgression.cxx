@@ -14,19 +14,12 @@ namespace gatun
 {
 namespace
 {
-/** The key of a number that is rounded to a floating type. Numbers beyond its range are infinite.
- */
+/** The key of a number that is rounded to a floating type. */
 Key RoundToKey(ScalarType type, double number)
 {
-  if (type == ScalarType::Float64)
-  {
-    return Domain::FromRaw(type, std::bit_cast<std::uint64_t>(number));
-  }
-  constexpr double largest = std::numeric_limits<float>::max();
-  const float value = std::abs(number) <= largest ? static_cast<float>(number)
-    : number > 0                                  ? std::numeric_limits<float>::infinity()
-                                                  : -std::numeric_limits<float>::infinity();
-  return Domain::FromRaw(type, std::bit_cast<std::uint32_t>(value));
+  return type == ScalarType::Float64
+    ? Domain::FromRaw(type, std::bit_cast<std::uint64_t>(number))
+    : Domain::FromRaw(type, std::bit_cast<std::uint32_t>(static_cast<float>(number)));
 }
 
 /** How far a number may be from the value that it is rounded to, at most. */
@@ -78,8 +71,7 @@ public:
   {
     const double middle = 0.5 * (this->Low + this->High);
     const double steps = std::floor((value - this->Last) / middle + 0.5);
-    if (!(this->Low > 0) || !(steps >= 1) ||
-      !(steps * (this->High - this->Low) < 0.5 * middle))
+    if (!(this->Low > 0) || !(steps >= 1) || !(steps * (this->High - this->Low) < 0.5 * middle))
     {
       return false;
     }
@@ -95,6 +87,15 @@ public:
   double Place = 0; // of the last value
   double Last = First;
 };
+}
+
+//------------------------------------------------------------------------------
+bool Progression::IsWithin(ScalarType type) const
+{
+  const double largest = type == ScalarType::Float64 ? std::numeric_limits<double>::max()
+                                                     : std::numeric_limits<float>::max();
+  const double last = this->Origin + static_cast<double>(this->Count - 1) * this->Step;
+  return this->Step > 0 && std::abs(this->Origin) <= largest && std::abs(last) <= largest;
 }
 
 //------------------------------------------------------------------------------
@@ -144,8 +145,13 @@ std::optional<Progression> FitProgression(
   }
   const Progression result{ value(0), FindShortest(search.Low, search.High),
     static_cast<std::size_t>(search.Place) + 1 };
+  if (!result.IsWithin(type))
+  {
+    return std::nullopt;
+  }
   const auto all = result.MakeKeys(type);
-  const bool ascends = std::adjacent_find(all.begin(), all.end(), std::greater_equal<>()) == all.end();
+  const bool ascends =
+    std::adjacent_find(all.begin(), all.end(), std::greater_equal<>()) == all.end();
   return ascends && std::includes(all.begin(), all.end(), keys.begin(), keys.end())
     ? std::optional(result)
     : std::nullopt;

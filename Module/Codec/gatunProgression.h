@@ -21,7 +21,11 @@ struct Progression
   double Step = 0;
   std::size_t Count = 0;
 
-  /** The keys of the values, which ascend only if the step is large enough. */
+  /** Whether the step is positive and no value is beyond the range of a type. */
+  bool IsWithin(ScalarType type) const;
+
+  /** The keys of the values, which must be within the type. They
+   * ascend only if the step is large enough. */
   Palette MakeKeys(ScalarType type) const;
 };
 

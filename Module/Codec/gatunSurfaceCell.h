@@ -44,10 +44,9 @@ public:
   }
 
   std::uint32_t GetDegree() const { return static_cast<std::uint32_t>(this->Corners.size()); }
-  Vertex GetCorner(std::uint32_t corner) const
-  {
-    return this->Corners[corner % this->Corners.size()];
-  }
+
+  /** corner: below twice the number of corners. */
+  Vertex GetCorner(std::uint32_t corner) const { return this->Corners[this->Wrap(corner)]; }
   bool Has(Vertex vertex) const { return this->Stamps[vertex] == this->Stamp; }
 
   /** Throws Error(Corrupt) if the cell has the vertex already. */
@@ -193,8 +192,8 @@ public:
       edge.End = this->Corners[i];
       edge.PastBegin = this->GetCorner(i + 2);
       edge.PastEnd = this->GetCorner(i + degree - 1);
-      edge.FarBegin = this->FindPast((i + 2) % degree, false);
-      edge.FarEnd = this->FindPast((i + degree - 1) % degree, true);
+      edge.FarBegin = this->FindPast(this->Wrap(i + 2), false);
+      edge.FarEnd = this->FindPast(this->Wrap(i + degree - 1), true);
       edge.Along = Normalize(this->GetPlace(edge.End) - this->GetPlace(edge.Begin));
       edge.Frame = getFrame(i);
       this->Sides[i] = this->Open.Add(edge);
@@ -221,6 +220,13 @@ public:
   }
 
 private:
+  /** Goes around, without a division. */
+  std::uint32_t Wrap(std::uint32_t corner) const
+  {
+    const auto degree = this->GetDegree();
+    return corner < degree ? corner : corner - degree;
+  }
+
   Vec3 GetPlace(Vertex vertex) const { return ToVector(this->Mesh.GetPlace(vertex)); }
 
   static Vec3 Normalize(const Vec3& d)

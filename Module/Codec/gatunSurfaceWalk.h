@@ -33,12 +33,14 @@ template <typename Coder, typename Side>
 class SurfaceWalk
 {
 public:
-  /** truth: of an encoder, otherwise null. */
-  SurfaceWalk(
-    Coder& coder, CellBuilder<Side>& mesh, AttachedNodes<Coder, Side>& nodes, SurfaceTruth* truth)
+  /** uniform: whether all polygons are triangles that are oriented alike. truth: of an encoder,
+   * otherwise null. */
+  SurfaceWalk(Coder& coder, CellBuilder<Side>& mesh, AttachedNodes<Coder, Side>& nodes,
+    bool uniform, SurfaceTruth* truth)
     : Symbols(coder)
     , Mesh(mesh)
     , Nodes(nodes)
+    , IsUniform(uniform)
     , Truth(truth)
     , Open(mesh.GetAllVertices())
     , Cell(Open, mesh)
@@ -154,8 +156,9 @@ private:
 
   void BeginCell(std::uint32_t parentDegree, const GateEnd& begin, const GateEnd& end)
   {
-    const auto degree =
-      this->Models.CodeDegree(this->Symbols, parentDegree, begin, end, this->GetTruthDegree());
+    const auto degree = this->IsUniform
+      ? 3u
+      : this->Models.CodeDegree(this->Symbols, parentDegree, begin, end, this->GetTruthDegree());
     if (degree < 3 || degree > MaxWalkedCorners || degree > this->Mesh.GetCornersLeft())
     {
       ThrowCorrupt("a polygon of a chunk has an impossible number of corners");
@@ -308,29 +311,40 @@ private:
     edge.Before = edge.After = edge.Next = SurfaceFront::None;
     edge.Open = true;
     edge.Cell = this->Mesh.GetCells();
-    edge.Type = this->Models.CodeType(
-      this->Symbols, degree, parentType, Coder::Encoding ? this->Truth->Type : std::uint8_t{ 0 });
-    const auto turn = this->Models.CodeTurn(this->Symbols, edge.Type, degree,
-      parentDegree + 32 * this->Cell.FindLongestSide(), parentFrame,
-      Coder::Encoding ? this->Truth->Turn : 0u);
-    if (CountMarkCorners(edge.Type, degree) != degree || turn >= 2 * degree)
-    {
-      ThrowCorrupt("a polygon is a cell of a type that it cannot have");
-    }
     this->Corners.resize(degree);
-    for (std::uint32_t i = 0; i < degree; ++i)
+    std::uint32_t turn = 0;
+    const auto input = this->GetInputCorners();
+    if (this->IsUniform)
     {
-      this->Corners[GetMarkCorner(edge.Type, i)] =
-        this->Cell.GetCorner(GetMarkPlace(turn, i, degree));
+      edge.Type = TriangleType;
+      this->Corners = { this->Cell.GetCorner(0), this->Cell.GetCorner(1), this->Cell.GetCorner(2) };
     }
-    this->Nodes.CodeOfType(edge.Type, this->Corners, this->GetInputCorners());
+    else
+    {
+      edge.Type = this->Models.CodeType(
+        this->Symbols, degree, parentType, Coder::Encoding ? this->Truth->Type : std::uint8_t{ 0 });
+      turn = this->Models.CodeTurn(this->Symbols, edge.Type, degree,
+        parentDegree + 32 * this->Cell.FindLongestSide(), parentFrame,
+        Coder::Encoding ? this->Truth->Turn : 0u);
+      if (CountMarkCorners(edge.Type, degree) != degree || turn >= 2 * degree)
+      {
+        ThrowCorrupt("a polygon is a cell of a type that it cannot have");
+      }
+      for (std::uint32_t i = 0; i < degree; ++i)
+      {
+        this->Corners[GetMarkCorner(edge.Type, i)] =
+          this->Cell.GetCorner(GetMarkPlace(turn, i, degree));
+      }
+      this->Nodes.CodeOfType(edge.Type, this->Corners, input);
+    }
     this->Mesh.AddCell(edge.Type, this->Corners, {}, parent);
     this->Cell.Attach(edge,
       [&](std::uint32_t side)
       {
         const auto start = turn / 2;
+        // Below 2 * degree, as start is below degree.
         const auto place = turn % 2 != 0 ? start + degree - side : side + degree - start;
-        return 2 * (place % degree) + turn % 2;
+        return 2 * (place < degree ? place : place - degree) + turn % 2;
       });
   }
 
@@ -348,6 +362,7 @@ private:
   Coder& Symbols;
   CellBuilder<Side>& Mesh;
   AttachedNodes<Coder, Side>& Nodes;
+  const bool IsUniform;
   SurfaceTruth* const Truth;
   SurfaceFront Open;
   SurfaceModels Models;
