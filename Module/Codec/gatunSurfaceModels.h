@@ -38,7 +38,7 @@ public:
     : Interfaces(3 * GateEnd::Angles * GateEnd::Angles)
     , Borders(3 * GateEnd::Angles * GateEnd::Angles)
     , Degrees(std::size_t{ 3 } * 4 * 4 * 5 * 5)
-    , Corners(std::size_t{ 3 } * 2 * GateEnd::Angles * 8 * GateEnd::Angles)
+    , Corners(std::size_t{ 3 } * 2 * GateEnd::Angles * 8 * 5)
     , News(3 * 4)
     , Turns(1u << 10)
     , LongTurns(1u << 10)
@@ -84,8 +84,8 @@ public:
     return this
       ->Corners[(((GradeDegree(degree) * 2 + further) * GateEnd::Angles + ahead.Angle) * 8 +
                   ahead.Cells) *
-          GateEnd::Angles +
-        back.Angle];
+          5 +
+        GradeAngle(back)];
   }
 
   /** ends: at how many ends of the gate the front was followed. */

@@ -182,7 +182,7 @@ class SurfaceWalk:
         if end.angle >= 15 or end.vertex in step.vertices:
             return 0
         return self.decide(
-            "IsNext", kind_of(step.k), int(further), end.angle, end.cells, other.angle)
+            "IsNext", kind_of(step.k), int(further), end.angle, end.cells, grade(other))
 
     def other_corner(self, step, c, ends, a, b):
         mesh, decide = self.mesh, self.decide
