@@ -53,7 +53,7 @@ class CellMesh(Vertices):
         self.flags = flags = stream.number("B")
         require(flags < 32, "flags of a chunk of cells")
         require(flags & WALK or not flags & (MARKS | HEXAHEDRA), "flags of no walk")
-        require(flags & POLYGONS or not flags & UNIFORM, "flag of no walk over surfaces")
+        require(flags & POLYGONS or not flags & UNIFORM, "flags of no walk over surfaces")
         self.coded = CellCoded(stream)
         super().__init__(chunk, geometry, domains, shared_keys, shared_users)
         self.counts, self.shapes = counts, shapes

@@ -111,8 +111,8 @@ TEST(Palette, TakesRareValuesThatAreOnNoLattice)
     const auto palette = Find(repeat(16), use);
     ASSERT_TRUE(palette);
     EXPECT_EQ(palette->size(), count);
-    EXPECT_EQ(*DecodePalette(
-                ScalarType::Float32, EncodePalette(ScalarType::Float32, *palette), count),
+    EXPECT_EQ(
+      *DecodePalette(ScalarType::Float32, EncodePalette(ScalarType::Float32, *palette), count),
       *palette);
   }
   EXPECT_TRUE(Find(repeat(4), PaletteUse::Coordinates));

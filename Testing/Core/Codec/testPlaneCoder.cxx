@@ -74,8 +74,8 @@ TEST(PlaneCoder, PredictsTheThirdCoordinateOfSlopes)
     EXPECT_TRUE(IsOnPlanes(flat));
     EXPECT_TRUE(IsOnPlanes(smooth));
     // Two coordinates are random. The third one is exact but for its rounding.
-    EXPECT_LT(static_cast<double>(flat.Geometry.size()),
-      0.76 * static_cast<double>(rough.Geometry.size()));
+    EXPECT_LT(
+      static_cast<double>(flat.Geometry.size()), 0.76 * static_cast<double>(rough.Geometry.size()));
     EXPECT_LT(static_cast<double>(smooth.Geometry.size()),
       0.95 * static_cast<double>(rough.Geometry.size()));
   }
@@ -88,8 +88,8 @@ TEST(PlaneCoder, RepeatsCoordinatesOfCorners)
   const auto encoded = Encode(MakeSheet(step));
   EXPECT_EQ(encoded.Geometry[0] >> 2, 3);
   const auto flat = Encode(MakeSheet([](double, double, std::mt19937&) { return 0.1; }));
-  EXPECT_LT(static_cast<double>(encoded.Geometry.size()),
-    1.2 * static_cast<double>(flat.Geometry.size()));
+  EXPECT_LT(
+    static_cast<double>(encoded.Geometry.size()), 1.2 * static_cast<double>(flat.Geometry.size()));
 }
 
 TEST(PlaneCoder, KeepsWhatIsNoNumber)
