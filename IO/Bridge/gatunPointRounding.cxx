@@ -49,7 +49,7 @@ struct Lattice
       ? static_cast<T>(rounded)
       : T{ 0 };
     const double error = std::abs(static_cast<double>(result) - static_cast<double>(value));
-    return error > 0 && error <= this->MostError ? result : value;
+    return error <= this->MostError ? result : value; // -0 becomes 0
   }
 };
 

@@ -31,12 +31,14 @@ gatun_core_folder(Codec
     gatunNumberModel.h
     gatunPalette.h
     gatunPlaceGrid.h
+    gatunPlaneCoder.h
     gatunPolygonCell.h
     gatunPolygonFront.h
     gatunPolygonGrowth.h
     gatunPolygonModels.h
     gatunPolygonTruth.h
     gatunPolygonWalk.h
+    gatunProgression.h
     gatunRecentVertices.h
     gatunResidual.h
     gatunRuleFitter.h
@@ -66,5 +68,6 @@ gatun_core_folder(Codec
     gatunMarkTruth.cxx
     gatunPalette.cxx
     gatunPolygonTruth.cxx
+    gatunProgression.cxx
     gatunSharedSearch.cxx
     gatunSurfaceTruth.cxx)

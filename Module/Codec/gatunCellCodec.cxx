@@ -26,6 +26,7 @@ constexpr std::uint8_t FlagWalk = 1;
 constexpr std::uint8_t FlagMarks = 2;
 constexpr std::uint8_t FlagSurface = 4;
 constexpr std::uint8_t FlagHexahedra = 8;
+constexpr std::uint8_t FlagUniform = 16;
 
 /** One way to encode the connectivity of a chunk. */
 struct CellAttempt
@@ -128,8 +129,8 @@ CellAttempt TryCells(const CellInput& input, bool withWalks, Sort&& sort)
     SurfaceTruth truth(input.Cells, others, input.KeepCorners);
     if (truth.HasCells())
     {
-      SurfaceWalk(coder, mesh, nodes, &truth).Run();
-      flags |= FlagSurface;
+      flags |= FlagSurface | (truth.IsUniform() ? FlagUniform : 0);
+      SurfaceWalk(coder, mesh, nodes, (flags & FlagUniform) != 0, &truth).Run();
       std::erase_if(others, [&](std::uint32_t cell) { return truth.IsTaken(cell); });
     }
   }
@@ -242,8 +243,9 @@ ChunkMesh DecodeCells(const ChunkFrame& frame, const ShapeTable& shapes,
     ThrowCorrupt("a chunk claims more cells or points than its stream can hold");
   }
   const unsigned flags = connectivity[0];
-  if (flags > (FlagWalk | FlagMarks | FlagSurface | FlagHexahedra) ||
-    ((flags & FlagWalk) == 0 && (flags & (FlagMarks | FlagHexahedra)) != 0))
+  if (flags > (FlagWalk | FlagMarks | FlagSurface | FlagHexahedra | FlagUniform) ||
+    ((flags & FlagWalk) == 0 && (flags & (FlagMarks | FlagHexahedra)) != 0) ||
+    ((flags & FlagSurface) == 0 && (flags & FlagUniform) != 0))
   {
     ThrowCorrupt("a connectivity stream has unknown flags");
   }
@@ -270,7 +272,7 @@ ChunkMesh DecodeCells(const ChunkFrame& frame, const ShapeTable& shapes,
   }
   if ((flags & FlagSurface) != 0)
   {
-    SurfaceWalk(symbols, builder, nodes, nullptr).Run();
+    SurfaceWalk(symbols, builder, nodes, (flags & FlagUniform) != 0, nullptr).Run();
   }
   CellListCoder list(symbols, builder, nodes);
   while (!builder.IsFull())

@@ -177,6 +177,17 @@ CellRuleTable FitCellRules(const ChunkMesh& mesh)
   return table;
 }
 
+/** Whether a chunk has many vertices that PlaneCoder can code, as surfaces have. */
+bool HasPlanes(const ChunkMesh& mesh)
+{
+  const auto& records = mesh.Walk.CellRecords;
+  const auto isOn = [](const CellRecord& record) {
+    return PlaneCoder<EntropyEncoder>::CanCode(record) && record.Known[CellRecord::N3] == NoVertex;
+  };
+  return 4 * std::count_if(records.begin(), records.end(), isOn) >
+    static_cast<std::ptrdiff_t>(records.size());
+}
+
 /** Codes the first own vertices of a mesh. */
 void CodeGeometry(EntropyEncoder& coder, const ChunkMesh& mesh, const CellRuleTable& table,
   std::size_t ownVertices, std::vector<std::uint8_t>& usedRules)
@@ -267,7 +278,8 @@ CellRuleTable::CellRuleTable()
 
 void CellRuleTable::Write(ByteWriter& out) const
 {
-  out.Put(static_cast<std::uint8_t>(this->Mode));
+  out.Put(static_cast<std::uint8_t>(
+    static_cast<unsigned>(this->Mode) | static_cast<unsigned>(this->Planes) << 2));
   if (this->Mode != CellRuleMode::Fitted)
   {
     return;
@@ -290,12 +302,15 @@ void CellRuleTable::Write(ByteWriter& out) const
 CellRuleTable CellRuleTable::Read(ByteReader& in)
 {
   CellRuleTable table;
-  const auto mode = in.Get<std::uint8_t>();
-  if (mode > static_cast<std::uint8_t>(CellRuleMode::Fitted))
+  const auto modes = in.Get<std::uint8_t>();
+  const unsigned mode = modes & 3u;
+  const unsigned planes = modes >> 2;
+  if (mode > static_cast<unsigned>(CellRuleMode::Fitted) || (planes > 1 && planes != 3))
   {
     ThrowCorrupt("a geometry stream has an unknown mode");
   }
   table.Mode = static_cast<CellRuleMode>(mode);
+  table.Planes = static_cast<PlaneMode>(planes);
   const unsigned count = table.Mode == CellRuleMode::Fitted ? in.Get<std::uint8_t>() : 0u;
   if (count > MaxFitted)
   {
@@ -323,11 +338,29 @@ CellRuleTable CellRuleTable::Read(ByteReader& in)
 Bytes EncodeCellGeometry(ChunkMesh& mesh)
 {
   constexpr double sure = 1.1; // ratio of the samples' bits that decides without a full encoding
-  std::array<CellRuleTable, 3> tables{ CellRuleTable(), CellRuleTable(), FitCellRules(mesh) };
+  std::array<CellRuleTable, 3> tables{ FitCellRules(mesh), CellRuleTable(), CellRuleTable() };
   tables[1].Mode = CellRuleMode::Named;
-  std::array<double, 3> bits{};
-  std::transform(tables.begin(), tables.end(), bits.begin(),
-    [&](const CellRuleTable& table) { return SampleGeometry(mesh, table); });
+  tables[2].Mode = CellRuleMode::First;
+  std::array<double, 3> bits{ SampleGeometry(mesh, tables[0]) };
+  if (HasPlanes(mesh))
+  {
+    for (const auto planes : { PlaneMode::Planes, PlaneMode::Repeats })
+    {
+      auto table = tables[0];
+      table.Planes = planes;
+      const double sampled = SampleGeometry(mesh, table);
+      if (sampled < bits[0])
+      {
+        bits[0] = sampled;
+        tables[0] = table;
+      }
+    }
+  }
+  for (std::size_t i = 1; i < tables.size(); ++i)
+  {
+    tables[i].Planes = tables[0].Planes;
+    bits[i] = SampleGeometry(mesh, tables[i]);
+  }
   const double least = *std::min_element(bits.begin(), bits.end());
   Bytes best;
   for (std::size_t i = 0; i < tables.size(); ++i)

@@ -11,9 +11,11 @@
 #include "gatunChunkCodec.h"
 #include "gatunGeometry.h"
 #include "gatunNumberModel.h"
+#include "gatunPlaneCoder.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -28,12 +30,21 @@ enum class CellRuleMode : std::uint8_t
   Fitted = 2 ///< one that is fitted to the chunk's vertices with the same known ones, or the first
 };
 
+/** How the coordinates of the vertices of surfaces are coded. */
+enum class PlaneMode : std::uint8_t
+{
+  None = 0,   ///< like others
+  Planes = 1, ///< by PlaneCoder
+  Repeats = 3 ///< by PlaneCoder with repeats
+};
+
 /** The rules of a chunk: those of GetCellRules, then fitted ones. */
 struct CellRuleTable
 {
   static constexpr std::size_t MaxFitted = 64;
 
   CellRuleMode Mode = CellRuleMode::First;
+  PlaneMode Planes = PlaneMode::None;
   std::vector<CellRule> Rules;
   std::vector<std::uint16_t> FittedMasks; // the vertices of records that each fitted rule is for
 
@@ -50,12 +61,17 @@ class CellScheme
 public:
   using Record = CellRecord;
   static constexpr unsigned Groups = 33; // the last is of seeds
+  static constexpr bool HasPlanes = true;
 
   explicit CellScheme(const CellRuleTable& table)
     : Table(table)
     , Named(table.Mode == CellRuleMode::Named ? Masks : 0)
     , Best(GetFirstRules())
   {
+    if (table.Planes != PlaneMode::None)
+    {
+      this->Planes.emplace(table.Planes == PlaneMode::Repeats);
+    }
     for (const auto& rule : GetCellRules())
     {
       this->RuleMasks.push_back(GetMask(rule));
@@ -103,6 +119,8 @@ public:
     }
     return this->Spreads;
   }
+
+  std::optional<PlaneCoder<Coder>> Planes;
 
 private:
   static constexpr unsigned Masks = 1u << CellRecord::Size;

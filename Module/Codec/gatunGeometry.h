@@ -145,6 +145,7 @@ class GateScheme
 public:
   using Record = GateRecord;
   static constexpr unsigned Groups = static_cast<unsigned>(MaxRules) + 1; // the last is of seeds
+  static constexpr bool HasPlanes = false;
 
   GateScheme(PredictionRules rules)
     : Rules(std::move(rules))
@@ -222,6 +223,13 @@ public:
   /** Registers the next vertex of the walk, shared or own, for the prediction of others. */
   void Meet(const PointKeys& keys)
   {
+    if constexpr (Scheme::HasPlanes)
+    {
+      if (this->Predictor.Planes)
+      {
+        this->Predictor.Planes->Meet();
+      }
+    }
     auto& numbers = this->Numbers.emplace_back();
     for (unsigned i = 0; i < 3; ++i)
     {
@@ -273,6 +281,15 @@ private:
     }
     usedRule = static_cast<std::uint8_t>(rule);
     const auto predictions = record.IsSeed() ? PointNumbers{} : this->Predict(rule, record);
+    if constexpr (Scheme::HasPlanes)
+    {
+      if (this->Predictor.Planes && this->Predictor.Planes->CanCode(record))
+      {
+        this->Previous = this->Predictor.Planes->Code(this->Symbols, domains, record, group,
+          predictions, std::span<const PointNumbers>(this->Numbers), keys, truth);
+        return this->Previous;
+      }
+    }
     const auto spreads =
       record.IsSeed() ? std::array<unsigned, 3>{} : this->Predictor.GetSpreads(record, keys);
     unsigned grade = 0;

@@ -4,6 +4,8 @@
 #include "gatunPalette.h"
 
 #include "gatunArrayCodec.h"
+#include "gatunChunkCodec.h"
+#include "gatunProgression.h"
 
 #include <algorithm>
 #include <utility>
@@ -12,10 +14,15 @@ namespace gatun
 {
 namespace
 {
-/** The most values of a palette of so many tuples. */
-std::size_t GetMost(std::uint64_t count)
+/** The first byte of the stream of a progression, where others have a SpatialMode. */
+constexpr std::uint8_t ProgressionMode = 3;
+
+/** The most values of a palette of so many tuples. Those of arrays do without prediction from the
+ * time step before. */
+std::size_t GetMost(std::uint64_t count, PaletteUse use)
 {
-  return static_cast<std::size_t>(std::min<std::uint64_t>(count / 16, MaxPalette));
+  const auto most = use == PaletteUse::Coordinates ? count / 4 : count / 16;
+  return static_cast<std::size_t>(std::min<std::uint64_t>(most, MaxPalette));
 }
 }
 
@@ -89,25 +96,50 @@ void PaletteBuilder::Add(ByteReader& in)
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<const Palette> PaletteBuilder::Finish(std::uint64_t count)
+std::shared_ptr<const Palette> PaletteBuilder::Finish(std::uint64_t count, PaletteUse use)
 {
   this->Compress();
-  const bool has = !this->Sorted.empty() && this->Sorted.size() <= GetMost(count);
-  return has ? std::make_shared<Palette>(std::move(this->Sorted)) : nullptr;
+  const auto distinct = this->Sorted.size();
+  const bool isRare = distinct <= GetMost(count, use);
+  const bool isVeryRare = distinct <= GetMost(count, PaletteUse::Array);
+  const auto progression = use == PaletteUse::Coordinates && !this->Sorted.empty()
+    ? FitProgression(this->Type, this->Sorted, MaxPalette)
+    : std::nullopt;
+  // A few values with large gaps in between are closer to each other by their ranks.
+  if (progression && (!isVeryRare || progression->Count <= 2 * distinct))
+  {
+    return std::make_shared<Palette>(progression->MakeKeys(this->Type));
+  }
+  return isRare && distinct > 0 ? std::make_shared<Palette>(std::move(this->Sorted)) : nullptr;
 }
 
 //------------------------------------------------------------------------------
 std::shared_ptr<const Palette> FindPalette(ScalarType type, const void* values, std::size_t count,
-  std::size_t components, std::size_t component)
+  std::size_t components, std::size_t component, PaletteUse use)
 {
-  PaletteBuilder builder(type, GetMost(count));
+  PaletteBuilder builder(type, use == PaletteUse::Coordinates ? MaxPalette : GetMost(count, use));
   builder.Add(values, count, components, component);
-  return builder.Finish(count);
+  return builder.Finish(count, use);
 }
 
 //------------------------------------------------------------------------------
 Bytes EncodePalette(ScalarType type, const Palette& palette)
 {
+  // Shorter ones are seldom coordinates, and take little.
+  constexpr std::size_t leastProgression = 16;
+  if (IsFloating(type) && palette.size() >= leastProgression)
+  {
+    const auto progression = FitProgression(type, palette, palette.size());
+    if (progression)
+    {
+      ByteWriter out;
+      out.Put(ProgressionMode);
+      out.Put(progression->Origin);
+      out.Put(progression->Step);
+      out.Data.resize(std::max(out.Data.size(), palette.size() / MaxItemsPerByte), 0);
+      return std::move(out.Data);
+    }
+  }
   const Domain domain(type);
   ComponentKeys keys;
   keys.Now = palette;
@@ -123,10 +155,25 @@ std::shared_ptr<const Palette> DecodePalette(
   {
     ThrowCorrupt("a palette has an impossible size");
   }
-  const Domain domain(type);
   ComponentKeys keys;
-  keys.Now.resize(static_cast<std::size_t>(count));
-  DecodeCellValues(stream, {}, { &domain, 1 }, { &keys, 1 });
+  if (IsFloating(type) && !stream.empty() && stream[0] == ProgressionMode)
+  {
+    ByteReader in(stream.subspan(1));
+    const auto origin = in.Get<double>();
+    const auto step = in.Get<double>();
+    const Progression progression{ origin, step, static_cast<std::size_t>(count) };
+    if (!progression.IsWithin(type))
+    {
+      ThrowCorrupt("the values of a palette are beyond their type");
+    }
+    keys.Now = progression.MakeKeys(type);
+  }
+  else
+  {
+    const Domain domain(type);
+    keys.Now.resize(static_cast<std::size_t>(count));
+    DecodeCellValues(stream, {}, { &domain, 1 }, { &keys, 1 });
+  }
   if (std::adjacent_find(keys.Now.begin(), keys.Now.end(), std::greater_equal<>()) !=
     keys.Now.end())
   {

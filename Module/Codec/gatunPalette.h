@@ -19,6 +19,13 @@ namespace gatun
 {
 constexpr std::size_t MaxPalette = 1u << 16;
 
+/** Whose values a palette is for. */
+enum class PaletteUse : std::uint8_t
+{
+  Array,
+  Coordinates ///< may have a palette of values at even distances
+};
+
 /** Collects the distinct values of a component whose tuples come in parts. */
 class PaletteBuilder
 {
@@ -36,7 +43,7 @@ public:
   void Add(ByteReader& in);
 
   /** The palette of so many tuples in all, as FindPalette has it. */
-  std::shared_ptr<const Palette> Finish(std::uint64_t count);
+  std::shared_ptr<const Palette> Finish(std::uint64_t count, PaletteUse use);
 
 private:
   ScalarType Type;
@@ -46,11 +53,13 @@ private:
 };
 
 /**
- * The distinct values of a component of count tuples. Null if there are more than a sixteenth of
- * the tuples, or more than MaxPalette. Integers never have a palette.
+ * The distinct values of a component of count tuples. Coordinates that are on a lattice, such as
+ * rounded ones, have a palette of all its places, so that ranks are distances, too. Null if there
+ * are more values than a sixteenth of the tuples and no lattice, or more than MaxPalette. Integers
+ * never have a palette.
  */
 std::shared_ptr<const Palette> FindPalette(ScalarType type, const void* values, std::size_t count,
-  std::size_t components, std::size_t component);
+  std::size_t components, std::size_t component, PaletteUse use);
 
 Bytes EncodePalette(ScalarType type, const Palette& palette);
 

@@ -44,10 +44,9 @@ public:
   }
 
   std::uint32_t GetDegree() const { return static_cast<std::uint32_t>(this->Corners.size()); }
-  Vertex GetCorner(std::uint32_t corner) const
-  {
-    return this->Corners[corner % this->Corners.size()];
-  }
+
+  /** corner: below twice the number of corners. */
+  Vertex GetCorner(std::uint32_t corner) const { return this->Corners[this->Wrap(corner)]; }
   bool Has(Vertex vertex) const { return this->Stamps[vertex] == this->Stamp; }
 
   /** Throws Error(Corrupt) if the cell has the vertex already. */
@@ -114,23 +113,16 @@ public:
   //----------------------------------------------------------------------------
   // Vertices that may be a corner
 
-  /** Predicts a corner's place and finds the vertices next to it. */
+  /** Predicts a corner's place and finds the vertices around it: those on the front, and others. */
   void FindCandidates(const CellRecord& record)
   {
     this->Predict(record);
-    this->FindCandidates(1.2F);
-  }
-
-  /** Finds the vertices around the predicted place: those on the front, and others. limit: of the
-   * squared distance, as a multiple of EdgeSquared. */
-  void FindCandidates(float limit)
-  {
     for (auto& list : this->Candidates)
     {
       list.clear();
     }
     ++this->CandidateStamp;
-    limit *= this->EdgeSquared;
+    const float limit = 8.0F * this->EdgeSquared;
     this->Grid.ForEachAround(
       this->Predicted, std::sqrt(limit), this->Mesh.GetVertices(),
       [&](Vertex vertex) -> const LatticePoint& { return this->Mesh.GetPlace(vertex); },
@@ -151,25 +143,6 @@ public:
     auto& list = this->Candidates[onFront ? 0 : 1];
     std::sort(list.begin(), list.end());
     return list;
-  }
-
-  /** Grades how near the nearest vertex on the front is, 0 to 5; 6 if only others are near, 7 if
-   * none are. */
-  unsigned GradeNearest() const
-  {
-    const auto& list = this->Candidates[0];
-    if (list.empty())
-    {
-      return this->Candidates[1].empty() ? 7 : 6;
-    }
-    const auto nearest = std::min_element(list.begin(), list.end())->Distance;
-    static constexpr std::array limits{ 0.01F, 0.04F, 0.1F, 0.25F, 0.6F };
-    unsigned grade = 0;
-    while (grade < limits.size() && !(nearest < limits[grade] * this->EdgeSquared))
-    {
-      ++grade;
-    }
-    return grade;
   }
 
   /** The longest side of a triangle or quadrilateral, the first of equal ones; otherwise 0. */
@@ -219,8 +192,8 @@ public:
       edge.End = this->Corners[i];
       edge.PastBegin = this->GetCorner(i + 2);
       edge.PastEnd = this->GetCorner(i + degree - 1);
-      edge.FarBegin = this->FindPast((i + 2) % degree, false);
-      edge.FarEnd = this->FindPast((i + degree - 1) % degree, true);
+      edge.FarBegin = this->FindPast(this->Wrap(i + 2), false);
+      edge.FarEnd = this->FindPast(this->Wrap(i + degree - 1), true);
       edge.Along = Normalize(this->GetPlace(edge.End) - this->GetPlace(edge.Begin));
       edge.Frame = getFrame(i);
       this->Sides[i] = this->Open.Add(edge);
@@ -238,7 +211,22 @@ public:
   LatticePoint Predicted;
   float EdgeSquared = 0; // of the edge to the first neighbor of Predicted
 
+  /** Finds the place that the first rule for a record predicts. */
+  void Predict(const CellRecord& record)
+  {
+    this->Predicted =
+      PredictPlace(record, [&](Vertex v) -> const LatticePoint& { return this->Mesh.GetPlace(v); });
+    this->EdgeSquared = this->GetDistance(record.Known[CellRecord::N1]);
+  }
+
 private:
+  /** Goes around, without a division. */
+  std::uint32_t Wrap(std::uint32_t corner) const
+  {
+    const auto degree = this->GetDegree();
+    return corner < degree ? corner : corner - degree;
+  }
+
   Vec3 GetPlace(Vertex vertex) const { return ToVector(this->Mesh.GetPlace(vertex)); }
 
   static Vec3 Normalize(const Vec3& d)
@@ -255,14 +243,6 @@ private:
     return edge == SurfaceFront::None ? NoVertex
       : sideBefore                    ? this->Open.Get(edge).PastEnd
                                       : this->Open.Get(edge).PastBegin;
-  }
-
-  /** Finds the place that the first rule for a record predicts. */
-  void Predict(const CellRecord& record)
-  {
-    this->Predicted =
-      PredictPlace(record, [&](Vertex v) -> const LatticePoint& { return this->Mesh.GetPlace(v); });
-    this->EdgeSquared = this->GetDistance(record.Known[CellRecord::N1]);
   }
 
   /** Squared, to the predicted place. */

@@ -38,8 +38,8 @@ public:
     : Interfaces(3 * GateEnd::Angles * GateEnd::Angles)
     , Borders(3 * GateEnd::Angles * GateEnd::Angles)
     , Degrees(std::size_t{ 3 } * 4 * 4 * 5 * 5)
-    , Corners(std::size_t{ 3 } * 2 * GateEnd::Angles * 8 * GateEnd::Angles)
-    , News(3 * 4 * 8)
+    , Corners(std::size_t{ 3 } * 2 * GateEnd::Angles * 8 * 5)
+    , News(3 * 4)
     , Turns(1u << 10)
     , LongTurns(1u << 10)
     , Types(1u << 8)
@@ -84,14 +84,14 @@ public:
     return this
       ->Corners[(((GradeDegree(degree) * 2 + further) * GateEnd::Angles + ahead.Angle) * 8 +
                   ahead.Cells) *
-          GateEnd::Angles +
-        back.Angle];
+          5 +
+        GradeAngle(back)];
   }
 
   /** ends: at how many ends of the gate the front was followed. */
-  BitModel& New(std::uint32_t degree, unsigned ends, unsigned nearest)
+  BitModel& New(std::uint32_t degree, unsigned ends)
   {
-    return this->News[(GradeDegree(degree) * 4 + ends) * 8 + nearest];
+    return this->News[GradeDegree(degree) * 4 + ends];
   }
 
   template <typename Coder>
@@ -126,7 +126,7 @@ public:
   SharedNames Shared;
   BitModel OnFront;
   std::array<BitModel, 2> Listed;
-  std::array<BitModel, std::size_t{ 2 } * 6 * 8> Ranks;
+  std::array<BitModel, std::size_t{ 2 } * 6> Ranks;
   BitModel MoreSeeds, SeedNew, SeedShared;
 
 private:

@@ -12,8 +12,6 @@ namespace gatun
 {
 namespace
 {
-constexpr std::uint8_t Triangle = 5; // VTK's number of the cell type
-
 /** The number of corners of a cell that may be part of a surface, otherwise 0. */
 std::uint32_t CountCorners(const CellList& cells, std::uint32_t cell)
 {
@@ -64,11 +62,11 @@ SurfaceTruth::SurfaceTruth(
   this->Number = this->Seeds.size();
 }
 
-std::uint32_t& SurfaceTruth::GetHead(std::uint32_t a, std::uint32_t b)
+std::size_t SurfaceTruth::GetPlaceOfHead(std::uint32_t a, std::uint32_t b) const
 {
   auto hash = (std::uint64_t{ std::min(a, b) } << 32 | std::max(a, b)) * 0x9e3779b97f4a7c15u;
   hash ^= hash >> 32;
-  return this->Heads[hash & (this->Heads.size() - 1)];
+  return hash & (this->Heads.size() - 1);
 }
 
 /** The corner at a place of a cell's cycle. */
@@ -109,6 +107,31 @@ bool SurfaceTruth::HasNeighbor(std::uint32_t cell)
     }
   }
   return false;
+}
+
+bool SurfaceTruth::IsUniform() const
+{
+  const auto isOther = [&](std::uint32_t cell) { return this->Cells.Types[cell] != TriangleType; };
+  if (this->KeepCorners || std::any_of(this->Seeds.begin(), this->Seeds.end(), isOther))
+  {
+    return false;
+  }
+  // An edge that runs twice in the same direction is that of a cell that is turned, or may be.
+  for (const auto& edge : this->Edges)
+  {
+    const auto a = this->GetCorner(edge.Cell, edge.Place);
+    const auto b = this->GetCorner(edge.Cell, edge.Place + 1);
+    for (auto e = edge.Next; e != None; e = this->Edges[e].Next)
+    {
+      const auto& other = this->Edges[e];
+      if (this->GetCorner(other.Cell, other.Place) == a &&
+        this->GetCorner(other.Cell, other.Place + 1) == b)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 bool SurfaceTruth::FindCell(std::uint32_t begin, std::uint32_t end, bool turned)
@@ -170,7 +193,7 @@ void SurfaceTruth::Begin(std::uint32_t cell, std::uint32_t place, bool turned)
   this->Type = this->Cells.Types[cell];
   const auto turn = turned ? 2 * place + 1 : 2 * ((degree - place) % degree);
   // Always the same turn, but for the orientation, costs nothing.
-  this->Turn = this->KeepCorners || this->Type != Triangle ? turn : turn % 2;
+  this->Turn = this->KeepCorners || this->Type != TriangleType ? turn : turn % 2;
   this->Corners.resize(degree);
   for (std::uint32_t i = 0; i < degree; ++i)
   {

@@ -15,6 +15,8 @@ namespace gatun
 /** The most corners of a polygon that a walk over surfaces takes. */
 constexpr std::uint32_t MaxWalkedCorners = 32767;
 
+constexpr std::uint8_t TriangleType = 5; // VTK's number
+
 /** The cells of an encoder's input that a walk over surfaces can take, by their edges. */
 class SurfaceTruth
 {
@@ -26,6 +28,10 @@ public:
 
   /** Whether there is any cell. */
   bool HasCells() const { return this->Number > 0; }
+
+  /** Whether all cells are triangles that begin with any corner and are oriented alike. Before any
+   * cell is begun. */
+  bool IsUniform() const;
 
   /** Begins an unvisited cell with an edge, if possible one that runs as it is `turned` or not.
    * Returns false if there is none. */
@@ -60,7 +66,11 @@ private:
     std::uint32_t Next;  // with the same place in the table, or None
   };
 
-  std::uint32_t& GetHead(std::uint32_t a, std::uint32_t b);
+  std::size_t GetPlaceOfHead(std::uint32_t a, std::uint32_t b) const;
+  std::uint32_t& GetHead(std::uint32_t a, std::uint32_t b)
+  {
+    return this->Heads[this->GetPlaceOfHead(a, b)];
+  }
   std::uint32_t GetCorner(std::uint32_t cell, std::uint32_t place) const;
   void AddEdges(std::uint32_t cell);
   bool HasNeighbor(std::uint32_t cell);

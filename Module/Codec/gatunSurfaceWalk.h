@@ -33,12 +33,14 @@ template <typename Coder, typename Side>
 class SurfaceWalk
 {
 public:
-  /** truth: of an encoder, otherwise null. */
-  SurfaceWalk(
-    Coder& coder, CellBuilder<Side>& mesh, AttachedNodes<Coder, Side>& nodes, SurfaceTruth* truth)
+  /** uniform: whether all polygons are triangles that are oriented alike. truth: of an encoder,
+   * otherwise null. */
+  SurfaceWalk(Coder& coder, CellBuilder<Side>& mesh, AttachedNodes<Coder, Side>& nodes,
+    bool uniform, SurfaceTruth* truth)
     : Symbols(coder)
     , Mesh(mesh)
     , Nodes(nodes)
+    , IsUniform(uniform)
     , Truth(truth)
     , Open(mesh.GetAllVertices())
     , Cell(Open, mesh)
@@ -154,8 +156,9 @@ private:
 
   void BeginCell(std::uint32_t parentDegree, const GateEnd& begin, const GateEnd& end)
   {
-    const auto degree =
-      this->Models.CodeDegree(this->Symbols, parentDegree, begin, end, this->GetTruthDegree());
+    const auto degree = this->IsUniform
+      ? 3u
+      : this->Models.CodeDegree(this->Symbols, parentDegree, begin, end, this->GetTruthDegree());
     if (degree < 3 || degree > MaxWalkedCorners || degree > this->Mesh.GetCornersLeft())
     {
       ThrowCorrupt("a polygon of a chunk has an impossible number of corners");
@@ -246,13 +249,11 @@ private:
   Vertex CodeCorner(std::uint32_t corner, unsigned ends, Vertex ahead, Vertex back)
   {
     const auto record = this->Cell.MakeRecord(corner, ahead, back);
-    this->Cell.FindCandidates(record);
     const auto known = this->GetKnown(corner);
-    const auto nearest = this->Cell.GradeNearest();
-    auto& isNew = this->Models.New(this->Cell.GetDegree(), ends, nearest);
+    auto& isNew = this->Models.New(this->Cell.GetDegree(), ends);
     if (!this->Symbols.Bit(isNew, known == NoVertex))
     {
-      return this->CodeKnown(known, nearest);
+      return this->CodeKnown(record, known);
     }
     const auto target = this->GetTarget(corner);
     const auto count = [&](Vertex a, Vertex b)
@@ -264,6 +265,7 @@ private:
     if (this->Symbols.Bit(
           this->Models.IsShared[3 * gate + count(ahead, back)], this->IsShared(target)))
     {
+      this->Cell.Predict(record);
       return this->Mesh.MeetShared(target,
         this->Models.Shared.Code(this->Symbols, this->Mesh.GetSharedSearch(), this->Cell.Predicted,
           4.0F * this->Cell.EdgeSquared, target));
@@ -271,11 +273,11 @@ private:
     return this->Mesh.MeetOwn(target, record);
   }
 
-  Vertex CodeKnown(Vertex known, unsigned nearest)
+  Vertex CodeKnown(const CellRecord& record, Vertex known)
   {
     const bool onFront =
       this->Symbols.Bit(this->Models.OnFront, Coder::Encoding && this->Open.IsOnFront(known));
-    this->Cell.FindCandidates(8.0F);
+    this->Cell.FindCandidates(record);
     const auto& candidates = this->Cell.SortCandidates(onFront);
     const auto count = static_cast<unsigned>(std::min<std::size_t>(candidates.size(), 15));
     unsigned place = 0;
@@ -289,7 +291,7 @@ private:
     }
     for (unsigned i = 0; i < count; ++i)
     {
-      auto& model = this->Models.Ranks[(onFront * 6 + std::min(i, 5u)) * 8 + nearest];
+      auto& model = this->Models.Ranks[onFront * 6 + std::min(i, 5u)];
       if (this->Symbols.Bit(model, i == place))
       {
         return candidates[i].Id;
@@ -309,29 +311,40 @@ private:
     edge.Before = edge.After = edge.Next = SurfaceFront::None;
     edge.Open = true;
     edge.Cell = this->Mesh.GetCells();
-    edge.Type = this->Models.CodeType(
-      this->Symbols, degree, parentType, Coder::Encoding ? this->Truth->Type : std::uint8_t{ 0 });
-    const auto turn = this->Models.CodeTurn(this->Symbols, edge.Type, degree,
-      parentDegree + 32 * this->Cell.FindLongestSide(), parentFrame,
-      Coder::Encoding ? this->Truth->Turn : 0u);
-    if (CountMarkCorners(edge.Type, degree) != degree || turn >= 2 * degree)
-    {
-      ThrowCorrupt("a polygon is a cell of a type that it cannot have");
-    }
     this->Corners.resize(degree);
-    for (std::uint32_t i = 0; i < degree; ++i)
+    std::uint32_t turn = 0;
+    const auto input = this->GetInputCorners();
+    if (this->IsUniform)
     {
-      this->Corners[GetMarkCorner(edge.Type, i)] =
-        this->Cell.GetCorner(GetMarkPlace(turn, i, degree));
+      edge.Type = TriangleType;
+      this->Corners = { this->Cell.GetCorner(0), this->Cell.GetCorner(1), this->Cell.GetCorner(2) };
     }
-    this->Nodes.CodeOfType(edge.Type, this->Corners, this->GetInputCorners());
+    else
+    {
+      edge.Type = this->Models.CodeType(
+        this->Symbols, degree, parentType, Coder::Encoding ? this->Truth->Type : std::uint8_t{ 0 });
+      turn = this->Models.CodeTurn(this->Symbols, edge.Type, degree,
+        parentDegree + 32 * this->Cell.FindLongestSide(), parentFrame,
+        Coder::Encoding ? this->Truth->Turn : 0u);
+      if (CountMarkCorners(edge.Type, degree) != degree || turn >= 2 * degree)
+      {
+        ThrowCorrupt("a polygon is a cell of a type that it cannot have");
+      }
+      for (std::uint32_t i = 0; i < degree; ++i)
+      {
+        this->Corners[GetMarkCorner(edge.Type, i)] =
+          this->Cell.GetCorner(GetMarkPlace(turn, i, degree));
+      }
+      this->Nodes.CodeOfType(edge.Type, this->Corners, input);
+    }
     this->Mesh.AddCell(edge.Type, this->Corners, {}, parent);
     this->Cell.Attach(edge,
       [&](std::uint32_t side)
       {
         const auto start = turn / 2;
+        // Below 2 * degree, as start is below degree.
         const auto place = turn % 2 != 0 ? start + degree - side : side + degree - start;
-        return 2 * (place % degree) + turn % 2;
+        return 2 * (place < degree ? place : place - degree) + turn % 2;
       });
   }
 
@@ -349,6 +362,7 @@ private:
   Coder& Symbols;
   CellBuilder<Side>& Mesh;
   AttachedNodes<Coder, Side>& Nodes;
+  const bool IsUniform;
   SurfaceTruth* const Truth;
   SurfaceFront Open;
   SurfaceModels Models;

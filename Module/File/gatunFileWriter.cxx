@@ -132,8 +132,8 @@ void FileWriter::Internals::FindPalettes()
   ParallelFor(palettes.size(),
     [&](std::size_t axis)
     {
-      palettes[axis] = FindPalette(
-        mesh.CoordinateType, mesh.Coordinates, static_cast<std::size_t>(mesh.Points), 3, axis);
+      palettes[axis] = FindPalette(mesh.CoordinateType, mesh.Coordinates,
+        static_cast<std::size_t>(mesh.Points), 3, axis, PaletteUse::Coordinates);
     });
   this->Mesh.SetPalettes(palettes);
 }

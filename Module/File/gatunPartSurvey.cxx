@@ -278,7 +278,7 @@ std::array<std::shared_ptr<const Palette>, 3> PaletteSurvey::FinishMesh()
   std::array<std::shared_ptr<const Palette>, 3> palettes;
   for (std::size_t axis = 0; axis < this->Axes.size(); ++axis)
   {
-    palettes[axis] = this->Axes[axis].Finish(this->State.Meta.Points);
+    palettes[axis] = this->Axes[axis].Finish(this->State.Meta.Points, PaletteUse::Coordinates);
   }
   return palettes;
 }
@@ -295,7 +295,7 @@ StepPalettes PaletteSurvey::FinishStep(std::size_t step)
       arrays[a].Where == Association::Point ? this->State.Meta.Points : this->State.NumberOfCells;
     for (std::uint32_t c = 0; c < arrays[a].Components; ++c, ++next)
     {
-      palettes[a].push_back(this->Steps[step][next].Finish(tuples));
+      palettes[a].push_back(this->Steps[step][next].Finish(tuples, PaletteUse::Array));
     }
   }
   this->Steps[step] = {};

@@ -42,8 +42,8 @@ StepPalettes StepSection::FindPalettes(
     const auto& array = this->State.Meta.Arrays[a];
     for (std::uint32_t c = 0; c < array.Components; ++c)
     {
-      palettes[a].push_back(
-        FindPalette(array.Type, values[a], part.GetTupleCount(array), array.Components, c));
+      palettes[a].push_back(FindPalette(
+        array.Type, values[a], part.GetTupleCount(array), array.Components, c, PaletteUse::Array));
     }
   }
   return palettes;

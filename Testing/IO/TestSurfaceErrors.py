@@ -98,6 +98,6 @@ fails(vtkGatunSurfaceReader(), damaged, vtkErrorCode.PrematureEndOfFileError)
 assert vtkGatunSurfaceReader().CanReadFile(damaged) == 0
 assert vtkGatunReader().CanReadFile(damaged) == 1  # which then tells what is wrong
 at = whole.index(b"SURF") + 24
-for change in (at, 100, cut):
+for change in (at, 200, cut):
     open(damaged, "wb").write(whole[:change] + bytes([whole[change] ^ 5]) + whole[change + 1:])
     fails(vtkGatunSurfaceReader(), damaged, vtkErrorCode.FileFormatError)

@@ -144,12 +144,12 @@ for i, change in enumerate((
 data = content("surface_closed")
 reference = Container(data).table.chunks[0].connectivity
 stream = data[reference.offset : reference.offset + reference.length]
-assert stream[0] == 4
-for flags in (0, 1, 2, 3, 5, 6, 8, 9, 10, 12, 14, 16, 20, 132):
+assert stream[0] == 20
+for flags in (0, 1, 2, 3, 4, 5, 6, 8, 9, 10, 12, 14, 16, 17, 21, 36, 148):
     changed = hostile.replace_stream(data, reference, bytes([flags]) + stream[1:])
     decoded, message = decode(changed), gtn_says(changed)
     assert isinstance(decoded, str) and message != "", (flags, decoded, message)
-    if flags in (2, 6, 8, 10, 12, 14) or flags >= 16:
+    if flags in (2, 6, 8, 10, 12, 14, 16, 17) or flags >= 32:
         assert decoded.startswith("flags"), (flags, decoded)
 
 names = [name[:-4] for name in golden.expected(FOLDER)

@@ -7,9 +7,11 @@ Part of gtn_decoder, which is written from that text alone.
 """
 
 import math
+import sys
 
 from gtn_cells import TURNS, CellMesh, split
-from gtn_coding import UINT8, Coded, Domain, RunningSpread, divide
+from gtn_coding import (
+    FLOAT32, FLOAT64, MAX_FLOAT32, UINT8, Coded, Domain, RunningSpread, divide)
 from gtn_container import Bytes, require
 from gtn_records import CellGeometry
 from gtn_shapes import TETRA
@@ -17,6 +19,7 @@ from gtn_walk import Geometry, Walk, key_spread
 
 PREVIOUS, GATE, FIT = 0, 1, 2
 NONE, REPEAT, CHANGE = 0, 1, 2
+PROGRESSION = 3
 
 
 
@@ -272,3 +275,15 @@ def fit_weights(c, q):
     return [
         h * whole * (1 - (bx * x + by * y + bz * z)) for h, (x, y, z) in zip(weights, offsets)
     ]
+
+
+def decode_palette(stream, domain, count):
+    """The keys of a palette (5.2)."""
+    if stream[0] != PROGRESSION or domain.kind not in (FLOAT32, FLOAT64):
+        return decode_list(stream, [domain], count)[0]
+    stream = Bytes(stream[1:])
+    origin, step = stream.number("d"), stream.number("d")
+    largest = MAX_FLOAT32 if domain.kind == FLOAT32 else sys.float_info.max
+    last = origin + (count - 1) * step
+    require(step > 0 and abs(origin) <= largest and abs(last) <= largest, "progression")
+    return [domain.from_number(origin + i * step) for i in range(count)]

@@ -22,7 +22,7 @@ from gtn_vertices import Vertices
 
 CONVEX_POINT_SET = 41
 
-WALK, MARKS, POLYGONS, HEXAHEDRA = 1, 2, 4, 8
+WALK, MARKS, POLYGONS, HEXAHEDRA, UNIFORM = 1, 2, 4, 8, 16
 
 #: The code of the form of all cells of a walk over hexahedra.
 HEXAHEDRON = bytes([4, 4, 4, 5, 4, 6, 4, 4, 7, 6, 4, 5, 7, 4, 6, 7])
@@ -51,8 +51,9 @@ class CellMesh(Vertices):
         require(points <= counts.corners + counts.face_values, "points of a chunk")
         stream = Bytes(stream)
         self.flags = flags = stream.number("B")
-        require(flags < 16, "flags of a chunk of cells")
+        require(flags < 32, "flags of a chunk of cells")
         require(flags & WALK or not flags & (MARKS | HEXAHEDRA), "flags of no walk")
+        require(flags & POLYGONS or not flags & UNIFORM, "flags of no walk over surfaces")
         self.coded = CellCoded(stream)
         super().__init__(chunk, geometry, domains, shared_keys, shared_users)
         self.counts, self.shapes = counts, shapes
@@ -69,7 +70,7 @@ class CellMesh(Vertices):
             if flags & MARKS:
                 decode_marks(self, walk)
             if flags & POLYGONS:
-                SurfaceWalk(self)
+                SurfaceWalk(self, bool(flags & UNIFORM))
             CellList(self)
         require(self.corners_left() == 0 and self.face_values_left() == 0, "number of corners")
         require(self.kinds.count(POLYHEDRON) == counts.polyhedra, "number of polyhedra")

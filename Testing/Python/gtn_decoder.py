@@ -15,7 +15,7 @@ from collections import Counter
 
 import numpy as np
 
-from gtn_arrays import ChunkMesh, decode_list
+from gtn_arrays import ChunkMesh, decode_list, decode_palette
 from gtn_boundary import open_boundary
 from gtn_coding import FLOAT32, FLOAT64, UINT32, UINT64, Domain
 from gtn_container import (
@@ -198,7 +198,7 @@ class Decoder:
         plain = Domain(kind)
         if palette is None:
             return plain
-        keys = decode_list(self._stream(palette.stream), [plain], palette.entries)[0]
+        keys = decode_palette(self._stream(palette.stream), plain, palette.entries)
         require(all(a < b for a, b in zip(keys, keys[1:])), "palette does not ascend")
         return Domain(kind, keys)
 

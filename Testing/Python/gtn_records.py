@@ -9,6 +9,7 @@ Part of gtn_decoder, which is written from that text alone.
 
 from gtn_coding import Coded
 from gtn_container import Bytes, require
+from gtn_planes import PLANES, REPEATS, Planes
 from gtn_vertices import F
 from gtn_walk import apply_rule, key_spread
 
@@ -75,8 +76,9 @@ class CellGeometry:
         self.last = (0, 0, 0)
         self.spreads = [20] * 3
         stream = Bytes(stream)
-        self.mode = stream.number("B")
-        require(self.mode <= FITTED, "mode of a geometry")
+        modes = stream.number("B")
+        self.mode, planes = modes & 3, modes >> 2
+        require(self.mode <= FITTED and planes in (0, PLANES, REPEATS), "mode of a geometry")
         self.rules = list(COMMON)
         self.fitted = {}
         if self.mode == FITTED:
@@ -91,6 +93,7 @@ class CellGeometry:
                 self.rules.append(
                     [stream.number("h") if mask >> i & 1 else 0 for i in range(SLOTS)])
         self.coded = Coded(stream)
+        self.planes = Planes(self.coded, domains, planes == REPEATS) if planes else None
 
     def _rule(self, mask):
         if self.mode == NAMED:
@@ -108,6 +111,12 @@ class CellGeometry:
         if not record.is_seed:
             rule = self._rule(record.mask)
             group = min(rule, 31)
+        self.used.append(rule)
+        if self.planes:
+            self.planes.meet_until(len(keys))
+            if self.planes.can_code(record):
+                self.last = self.planes.vertex(record, group, self._place(rule, record, keys), keys)
+                return self.last
         grade = 0
         key = []
         for i, domain in enumerate(self.domains):
@@ -123,8 +132,12 @@ class CellGeometry:
             d, grade = self.coded.residual((i, group, grade), spread)
             key.append(domain.add(p, d))
         self.last = tuple(key)
-        self.used.append(rule)
         return self.last
+
+    def _place(self, rule, record, keys):
+        """The three predicted numbers."""
+        return [self._apply(rule, domain, [None if v is None else keys[v][i] for v in record.slots])
+                for i, domain in enumerate(self.domains)]
 
     def _apply(self, rule, domain, known):
         numbers = [0.0 if key is None else domain.to_number(key) for key in known]

@@ -16,7 +16,7 @@ from gtn_records import B1, B2, B3, D12, D13, D23, N1, N2, SLOTS, CellRecord, O,
 from gtn_vertices import F, clamp, minus, square
 
 MOST_CORNERS = 32767
-NEAR_LIMITS = [F(limit) for limit in (0.01, 0.04, 0.1, 0.25, 0.6)]
+TRIANGLE = 5  # a type
 MODELS = "surface"  # before the names of all models
 
 
@@ -94,8 +94,8 @@ class Step:
 class SurfaceWalk:
     """Makes cells in a mesh (CellMesh)."""
 
-    def __init__(self, mesh):
-        self.mesh, self.coded = mesh, mesh.coded
+    def __init__(self, mesh, uniform):
+        self.mesh, self.coded, self.uniform = mesh, mesh.coded, uniform
         self.front = EdgeFront(mesh.places)
         self.around = Around(mesh)
         self.first_met = len(mesh.keys)
@@ -142,7 +142,7 @@ class SurfaceWalk:
 
     def size(self, p, back, ahead):
         where = (kind_of(p), linked(back), linked(ahead), grade(back), grade(ahead))
-        if self.decide("IsTriangle", *where):
+        if self.uniform or self.decide("IsTriangle", *where):
             k = 3
         elif self.decide("IsQuad", *where):
             k = 4
@@ -182,15 +182,14 @@ class SurfaceWalk:
         if end.angle >= 15 or end.vertex in step.vertices:
             return 0
         return self.decide(
-            "IsNext", kind_of(step.k), int(further), end.angle, end.cells, other.angle)
+            "IsNext", kind_of(step.k), int(further), end.angle, end.cells, grade(other))
 
     def other_corner(self, step, c, ends, a, b):
         mesh, decide = self.mesh, self.decide
         record = step.record(c, a, b)
         place = predicted(record, mesh.places)
         e = square(minus(place, mesh.places[record.slots[N1]]))
-        near = self.near(*self.candidates(step, place, F(1.2) * e), e)
-        if decide("New", kind_of(step.k), ends, near):
+        if decide("New", kind_of(step.k), ends):
             if decide("Shared", self.shared_among(step.corners[:2]), self.shared_among((a, b))):
                 index = mesh.name_near(place, F(4) * e, (MODELS, "SharedRank"))
                 return mesh.meet_shared(index)
@@ -200,7 +199,7 @@ class SurfaceWalk:
         if decide("Listed", f):
             chosen = lists[0] if f else lists[1]
             for i, (_, v) in enumerate(chosen[:15]):
-                if decide("Rank", f, min(i, 5), near):
+                if decide("Rank", f, min(i, 5)):
                     return v
             require(False, "no candidate was chosen")
         return self.coded.index(len(mesh.keys))
@@ -216,13 +215,6 @@ class SurfaceWalk:
             if distance < limit and v not in step.vertices:
                 lists[0 if self.front.has(v) else 1].append((distance, v))
         return sorted(lists[0]), sorted(lists[1])
-
-    @staticmethod
-    def near(on_front, others, e):
-        if not on_front:
-            return 6 if others else 7
-        distance = on_front[0][0]
-        return next((i for i, limit in enumerate(NEAR_LIMITS) if distance < limit * e), 5)
 
     # ----- The end of a step (9.5)
 
@@ -245,6 +237,8 @@ class SurfaceWalk:
             self.front.cells[v] = self.front.cells.get(v, 0) + 1
 
     def type_and_turn(self, step):
+        if self.uniform:
+            return TRIANGLE, 0
         coded, k, gate = self.coded, step.k, step.gate
         p, parent_kind, parent_frame = 0, 0, 0
         if gate is not None:
