@@ -15,7 +15,6 @@ namespace gatun
 /** The most corners of a polygon that a walk over surfaces takes. */
 constexpr std::uint32_t MaxWalkedCorners = 32767;
 
-constexpr std::uint8_t TriangleType = 5; // VTK's number
 
 /** The cells of an encoder's input that a walk over surfaces can take, by their edges. */
 class SurfaceTruth

@@ -11,6 +11,7 @@
 
 #include "gatunAttachedNodes.h"
 #include "gatunCellBuilder.h"
+#include "gatunCellShapes.h"
 #include "gatunMarkTruth.h"
 #include "gatunSurfaceCell.h"
 #include "gatunSurfaceFront.h"

@@ -3,6 +3,7 @@
 
 #include "gatunBoundaryMesh.h"
 
+#include "gatunCellShapes.h"
 #include "gatunGatherTuples.h"
 #include "gatunParallel.h"
 
@@ -138,11 +139,10 @@ MeshInput BoundaryMesh::GetInput() const
 //------------------------------------------------------------------------------
 std::optional<MergeTree> BoundaryMesh::MakeTree(const MergeTree& whole) const
 {
-  constexpr std::uint8_t triangle = 5;
   const auto isSimple = [](std::uint8_t type)
   {
     const auto list = GetSurfaceList(type);
-    return type == triangle || list == SurfaceList::Vertices || list == SurfaceList::Lines;
+    return type == TriangleType || list == SurfaceList::Vertices || list == SurfaceList::Lines;
   };
   if (!std::all_of(this->Types.begin(), this->Types.end(), isSimple))
   {
