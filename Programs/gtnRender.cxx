@@ -1,15 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// gtn render: renders a mesh into an image, or into the images of a turntable.
+// gtn render: renders a mesh as a volume, or a surface, into an image, or into the images of a
+// turntable.
 
 #include "gtnCommands.h"
 #include "gtnFailure.h"
 #include "gtnJson.h"
 #include "gtnProgress.h"
+#include "gtnReaders.h"
 #include "gtnRenderInput.h"
 #include "gtnRenderOptions.h"
 #include "gtnRenderStatistics.h"
+#include "gtnSurfaceRender.h"
 #include "gtnText.h"
 #include "gtnTransfer.h"
 #include "gtnTurntable.h"
@@ -148,7 +151,14 @@ void AddRender(CLI::App& app, Settings& settings)
     [options, &settings]
     {
       options->Input.Quiet = settings.Quiet;
-      Render(*options, settings);
+      if (IsSurfaceFile(options->Input.File))
+      {
+        RenderSurface(*options, settings);
+      }
+      else
+      {
+        Render(*options, settings);
+      }
     });
 }
 }

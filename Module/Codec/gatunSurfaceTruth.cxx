@@ -3,6 +3,7 @@
 
 #include "gatunSurfaceTruth.h"
 
+#include "gatunCellShapes.h"
 #include "gatunMarkTruth.h"
 
 #include <algorithm>

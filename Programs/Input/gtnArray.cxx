@@ -11,8 +11,8 @@
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkPointData.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <fmt/core.h>
 
@@ -81,12 +81,12 @@ std::vector<ArrayChoice> GetChoices(const gatun::FileReader& file)
 }
 
 //------------------------------------------------------------------------------
-std::vector<ArrayChoice> GetChoices(vtkUnstructuredGrid* grid)
+std::vector<ArrayChoice> GetChoices(vtkDataSet* mesh)
 {
   std::vector<ArrayChoice> choices;
   for (const int association : { 0, 1 })
   {
-    vtkDataSetAttributes* const data = grid->GetAttributes(association);
+    vtkDataSetAttributes* const data = mesh->GetAttributes(association);
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
       if (vtkDataArray* const array = data->GetArray(i))
@@ -156,10 +156,10 @@ gatun::Range GetRange(
 }
 
 //------------------------------------------------------------------------------
-gatun::Range GetRange(vtkUnstructuredGrid* grid, const ArrayChoice& array, int component)
+gatun::Range GetRange(vtkDataSet* mesh, const ArrayChoice& array, int component)
 {
   std::array<double, 2> range{};
-  grid->GetAttributes(array.Association)
+  mesh->GetAttributes(array.Association)
     ->GetArray(static_cast<int>(array.Index))
     ->GetRange(range.data(), component);
   return { range[0], range[1] };

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-class vtkUnstructuredGrid;
+class vtkDataSet;
 
 namespace gatun
 {
@@ -46,7 +46,7 @@ struct ArrayChoice
 
 /** Those of the points, then those of the cells. */
 std::vector<ArrayChoice> GetChoices(const gatun::FileReader& file);
-std::vector<ArrayChoice> GetChoices(vtkUnstructuredGrid* grid);
+std::vector<ArrayChoice> GetChoices(vtkDataSet* mesh);
 
 /** The one that the options want. Purpose: what for, as in "to draw". Throws Failure for the
  * file. */
@@ -60,7 +60,7 @@ int ChooseComponent(const ArrayOptions& options, const std::string& file, const 
 /** Of that component, without NaN; Min > Max if there is none. */
 gatun::Range GetRange(
   const gatun::FileReader& file, const ArrayChoice& array, int component, std::size_t step);
-gatun::Range GetRange(vtkUnstructuredGrid* grid, const ArrayChoice& array, int component);
+gatun::Range GetRange(vtkDataSet* mesh, const ArrayChoice& array, int component);
 
 /** Throws Failure for the file if any of the names is none of the arrays. */
 void CheckNames(const std::vector<std::string>& names, const std::string& file,

@@ -129,13 +129,16 @@ CLI::App* AddRenderOptions(CLI::App& app, Settings& settings, RenderOptions& opt
     "chunks of\n"
     "a .gtn file are decoded, one after the other; other meshes are read as a whole. An .exr file "
     "has\n"
-    "float values with premultiplied opacity, and the depth as channel Z.",
+    "float values with premultiplied opacity, and the depth as channel Z. Surfaces are drawn by "
+    "OpenGL,\n"
+    "which needs a display, opaque and in the colors of the transfer function.",
     "  gtn render mesh.gtn mesh.png\n"
     "  gtn render --array pressure --tf heat --background black --size 1920x1080 mesh.gtn "
     "mesh.png\n"
     "  gtn render --tf bone --range 0,1500 --opacity 2 --elevation 90 scan.gtn scan.png\n"
     "  gtn render --turntable 36 mesh.gtn around.png      # around-000.png to around-035.png\n"
-    "  gtn render --mode xray --tf xray --camera view.json mesh.vtu mesh.exr");
+    "  gtn render --mode xray --tf xray --camera view.json mesh.vtu mesh.exr\n"
+    "  gtn render --array curvature --tf heat scan.ply scan.png");
   AddForce(command, options.Overwrite);
   AddImageOptions(command, options);
   AddModeOption(command, options);
@@ -147,7 +150,9 @@ CLI::App* AddRenderOptions(CLI::App& app, Settings& settings, RenderOptions& opt
   AddColorOptions(command, options, "mesh");
   AddShadeOption(command, options);
   AddCostOptions(command, options);
-  command->add_option("IN", options.Input.File, std::string("The mesh: ") + InputFormats)
+  command
+    ->add_option("IN", options.Input.File,
+      std::string("The mesh: ") + InputFormats + "; or a surface: " + SurfaceInputFormats)
     ->required();
   command->add_option("OUT", options.Out, "The .png or .exr file to write")->required();
   return command;

@@ -1,0 +1,307 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gtnSurfaceRender.h"
+
+#include "gtnArray.h"
+#include "gtnFailure.h"
+#include "gtnInput.h"
+#include "gtnJson.h"
+#include "gtnProgress.h"
+#include "gtnReadable.h"
+#include "gtnStep.h"
+#include "gtnText.h"
+#include "gtnTransfer.h"
+#include "gtnTurntable.h"
+
+#include "gatunFileReader.h"
+#include "vtkGatunSurfaceMapper.h"
+#include "vtkGatunSurfaceReader.h"
+
+#include "vtkActor.h"
+#include "vtkAlgorithm.h"
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolumeProperty.h"
+
+#include <X11/Xlib.h>
+#include <fmt/core.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace gtn
+{
+namespace
+{
+// Samples of a pixel at the edges of triangles.
+constexpr int Samples = 8;
+
+/** Throws Failure without a display, where VTK would end the program. */
+void RequireDisplay(const std::string& file)
+{
+  const std::unique_ptr<Display, int (*)(Display*)> display(XOpenDisplay(nullptr), XCloseDisplay);
+  if (!display)
+  {
+    throw Failure(file,
+      "is a surface, which is drawn by OpenGL and needs a display; where there is none, begin the "
+      "command with xvfb-run -a");
+  }
+}
+
+/** Throws Failure for options that only concern volumes. */
+void RequireSurfaceOptions(const RenderOptions& options)
+{
+  if (options.BlendMode != 0 || options.SampleDistance || options.UnitDistance ||
+    options.TimeBudget > 0)
+  {
+    throw Failure(options.Input.File,
+      "is a surface; --mode, --sample-distance, --unit-distance and --budget are for volumes");
+  }
+}
+
+/** A surface and the array that gives it its colors, if it has any. */
+class SurfaceInput
+{
+public:
+  SurfaceInput(const RenderInputOptions& options, int memory, Progress& progress)
+  {
+    if (ExtensionOf(options.File) == ".gtn")
+    {
+      this->Open(options, memory);
+    }
+    else
+    {
+      this->Read(options, progress);
+    }
+    if (this->Cells == 0)
+    {
+      throw Failure(options.File, "has no cells");
+    }
+    for (const gatun::Range& range : this->Bounds)
+    {
+      if (!(range.Min <= range.Max))
+      {
+        throw Failure(options.File, "has no finite coordinates");
+      }
+    }
+  }
+
+  void Connect(vtkGatunSurfaceMapper* mapper) const
+  {
+    if (this->Reader)
+    {
+      mapper->SetInputConnection(this->Reader->GetOutputPort());
+    }
+    else
+    {
+      mapper->SetInputData(this->Surface);
+    }
+  }
+
+  const gatun::Bounds& GetBounds() const { return this->Bounds; }
+  std::uint64_t GetNumberOfCells() const { return this->Cells; }
+  const std::optional<ArrayChoice>& GetArray() const { return this->Array; }
+  int GetComponent() const { return this->Component; }
+  const gatun::Range& GetRange() const { return this->Values; }
+
+private:
+  /** Leaves the surface in its file. */
+  void Open(const RenderInputOptions& options, int memory)
+  {
+    CheckReadable(options.File);
+    const gatun::FileReader file(options.File);
+    static const std::vector<double> none;
+    const std::vector<double>& times = file.HasTime() ? file.GetTimes() : none;
+    const std::size_t step = ChooseStep(options.Step, options.File, times, options.Quiet);
+    if (this->Choose(options, GetChoices(file)))
+    {
+      this->Values = gtn::GetRange(file, *this->Array, this->Component, step);
+    }
+    this->Bounds = file.GetBounds();
+    this->Cells = file.GetNumberOfCells();
+    this->Reader = vtkSmartPointer<vtkGatunSurfaceReader>::New();
+    this->Reader->SetFileName(options.File.c_str());
+    this->Reader->SetOnDemand(vtkGatunSurfaceReader::ON_DEMAND_ALWAYS);
+    this->Reader->SetMemoryBudget(memory);
+    if (!times.empty())
+    {
+      this->Reader->UpdateTimeStep(times[step]);
+    }
+  }
+
+  void Read(const RenderInputOptions& options, Progress& progress)
+  {
+    InputOptions inputOptions;
+    inputOptions.Quiet = options.Quiet;
+    Input input({ options.File }, inputOptions);
+    const std::size_t step =
+      ChooseStep(options.Step, options.File, input.GetTimes(), options.Quiet);
+    this->Surface = vtkPolyData::SafeDownCast(input.Read(step, progress));
+    if (!this->Surface)
+    {
+      throw Failure(options.File, "is no surface");
+    }
+    if (this->Choose(options, GetChoices(this->Surface)))
+    {
+      this->Values = gtn::GetRange(this->Surface, *this->Array, this->Component);
+    }
+    double bounds[6];
+    this->Surface->GetBounds(bounds);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      this->Bounds[axis] = { bounds[2 * axis], bounds[2 * axis + 1] };
+    }
+    this->Cells = static_cast<std::uint64_t>(this->Surface->GetNumberOfCells());
+  }
+
+  /** Returns whether there is an array to color by: a surface has one color without. */
+  bool Choose(const RenderInputOptions& options, const std::vector<ArrayChoice>& choices)
+  {
+    if (choices.empty() && options.Array.Name.empty())
+    {
+      return false;
+    }
+    this->Array = ChooseArray(options.Array, options.File, choices, "to color by");
+    this->Component = ChooseComponent(options.Array, options.File, *this->Array);
+    return true;
+  }
+
+  vtkSmartPointer<vtkGatunSurfaceReader> Reader; // of a .gtn file
+  vtkSmartPointer<vtkPolyData> Surface;          // of others
+  gatun::Bounds Bounds;
+  std::uint64_t Cells = 0;
+  std::optional<ArrayChoice> Array;
+  int Component = 0;
+  gatun::Range Values;
+};
+
+/** Colors a surface by the array of an input. */
+void SetColors(
+  vtkGatunSurfaceMapper* mapper, const SurfaceInput& input, const RenderOptions& options)
+{
+  mapper->SetScalarVisibility(input.GetArray() ? 1 : 0);
+  if (!input.GetArray())
+  {
+    return;
+  }
+  const ImageContent content{ options.Input.File, input.GetArray()->Name, input.GetRange() };
+  const vtkSmartPointer<vtkVolumeProperty> property =
+    MakeProperty(MakeTransfer(options, content), 1);
+  vtkColorTransferFunction* const colors = property->GetRGBTransferFunction();
+  if (input.GetComponent() < 0)
+  {
+    colors->SetVectorModeToMagnitude();
+  }
+  else
+  {
+    colors->SetVectorModeToComponent();
+    colors->SetVectorComponent(input.GetComponent());
+  }
+  mapper->SetLookupTable(colors);
+  mapper->SetUseLookupTableScalarRange(true);
+  mapper->SetColorModeToMapScalars();
+  mapper->SetInterpolateScalarsBeforeMapping(true);
+  if (input.GetArray()->Association == 0)
+  {
+    mapper->SetScalarModeToUsePointFieldData();
+  }
+  else
+  {
+    mapper->SetScalarModeToUseCellFieldData();
+  }
+  mapper->SelectColorArray(input.GetArray()->Name.c_str());
+}
+
+/** The window's pixels as WriteImage takes them. */
+vtkSmartPointer<vtkImageData> TakePixels(vtkRenderWindow* window)
+{
+  const int* const size = window->GetSize();
+  vtkNew<vtkFloatArray> colors;
+  colors->SetName("RGBA");
+  window->GetRGBAPixelData(0, 0, size[0] - 1, size[1] - 1, 0, colors);
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(size[0], size[1], 1);
+  image->GetPointData()->AddArray(colors);
+  return image;
+}
+
+Statistics StatisticsOf(vtkGatunSurfaceMapper* mapper)
+{
+  if (!mapper->GetIsDrawingFile())
+  {
+    return {};
+  }
+  return { { "chunks", "chunks drawn", Statistic::Count,
+             static_cast<double>(mapper->GetNumberOfDrawnChunks()) },
+    { "decodedChunks", "chunks decoded so far", Statistic::Count,
+      static_cast<double>(mapper->GetNumberOfDecodedChunks()) },
+    { "bufferBytes", "buffers", Statistic::Bytes, static_cast<double>(mapper->GetBufferBytes()) } };
+}
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+void RenderSurface(const RenderOptions& options, const Settings& settings)
+{
+  CheckImages(options);
+  RequireSurfaceOptions(options);
+  RequireDisplay(options.Input.File);
+  std::unique_ptr<const SurfaceInput> input;
+  {
+    Progress progress("reading", settings.ShowProgress);
+    input = std::make_unique<const SurfaceInput>(options.Input, options.Memory, progress);
+  }
+  vtkNew<vtkGatunSurfaceMapper> mapper;
+  input->Connect(mapper);
+  SetColors(mapper, *input, options);
+  mapper->SetMemoryBudget(options.Memory);
+  mapper->SetSimplificationRatio(options.Ratio);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  vtkNew<vtkRenderer> renderer;
+  renderer->AddActor(actor);
+  // Over nothing: WriteImage adds the background.
+  renderer->SetBackground(0, 0, 0);
+  renderer->SetBackgroundAlpha(0);
+  vtkNew<vtkRenderWindow> window;
+  window->SetShowWindow(false);
+  window->SetUseOffScreenBuffers(true);
+  window->SetAlphaBitPlanes(1);
+  window->SetMultiSamples(Samples);
+  window->SetSize(options.Width, options.Height);
+  window->AddRenderer(renderer);
+  vtkSmartPointer<vtkImageData> pixels;
+  const auto render = [&](vtkCamera* camera, Progress& progress)
+  {
+    progress.Watch(mapper);
+    renderer->SetActiveCamera(camera);
+    const gatun::Bounds& box = input->GetBounds();
+    renderer->ResetCameraClippingRange(
+      box[0].Min, box[0].Max, box[1].Min, box[1].Max, box[2].Min, box[2].Max);
+    window->Render();
+    pixels = TakePixels(window);
+    return pixels.Get();
+  };
+  const std::string array = input->GetArray() ? input->GetArray()->Name : std::string();
+  const RenderedImages rendered = RenderImages(options, settings,
+    { { options.Input.File, array, input->GetRange() }, input->GetBounds(), render,
+      [&] { return StatisticsOf(mapper); } });
+
+  Json::Value json;
+  json["input"] = options.Input.File;
+  json["cells"] = Json::UInt64{ input->GetNumberOfCells() };
+  json["array"] = array;
+  json["component"] = input->GetComponent();
+  PrintImages(options, settings, rendered,
+    fmt::format("a surface of {} cells", Grouped(input->GetNumberOfCells())), json);
+}
+}
