@@ -67,3 +67,15 @@ assert len(np.unique(places[:, 0])) == 16 and places.min() == 0 and places.max()
 # Integers stay.
 whole = pd.make(rng.integers(-50, 50, (30, 3)).astype(np.int32), Polys=[[0, 1, 2]])
 assert gm.write(whole, path, PointError=10.0).GetWrittenPointError() == 0
+
+# So do many places, whatever the sign of zeros.
+surface = pd.wave(60)
+points = gm.vtk_to_numpy(surface.GetPoints().GetData())
+points += rng.uniform(-0.3, 0.3, points.shape).astype(points.dtype) * np.ptp(points, 0) / 60
+points -= points[0]
+points[1], points[2] = (0.0, -0.0, 0.0), (-0.0, 0.0, -0.0)
+exact = gm.write(surface, path).GetGeometryBytes()
+rounded = gm.write(surface, path, PointBits=14).GetGeometryBytes()
+assert rounded < 0.6 * exact, (rounded, exact)
+read = gm.vtk_to_numpy(pd.read(path).GetPoints().GetData())
+assert not np.signbit(read[read == 0]).any()
