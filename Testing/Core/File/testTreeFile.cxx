@@ -406,7 +406,7 @@ TEST_P(TreeFileRead, BoundsAndRangesOfChunksHold)
 TEST_P(TreeFileRead, ChunksChangeWhoseAncestorsChange)
 {
   const auto all = this->FileTree->GetMerges().size();
-  const CoarseLayout layout(this->File, *this->FileTree, 0);
+  const CoarseLayout layout(this->File, *this->FileTree, MergeCut(*this->FileTree, 0));
   const MergeChanges changes(this->FileTree);
   for (const auto& [from, to] : std::vector<std::pair<std::size_t, std::size_t>>{
          { 0, 0 }, { 0, 1 }, { all / 3, all / 3 + 2 }, { all, all / 2 } })
