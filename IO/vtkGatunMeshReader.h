@@ -53,8 +53,8 @@
  * that no cell has, so that point arrays have the ranges of those of the mesh; cell arrays have
  * those of the boundary. The boundary has no order or global ids of the mesh. If it consists of
  * triangles and the file has a hierarchy, it is simplified as the mesh, and further until
- * MemoryBudget is enough for it. Without a hierarchy, the output is the outline if the budget is not
- * enough.
+ * MemoryBudget is enough for it. Without a hierarchy, the output is the outline if the budget is
+ * not enough.
  *
  * ON_DEMAND() in the information of the output and GetIsOnDemand distinguish both from a mesh. The
  * consumers of the file use the mesh all the same. With a region of interest the output is always a

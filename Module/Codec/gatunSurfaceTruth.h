@@ -15,7 +15,6 @@ namespace gatun
 /** The most corners of a polygon that a walk over surfaces takes. */
 constexpr std::uint32_t MaxWalkedCorners = 32767;
 
-
 /** The cells of an encoder's input that a walk over surfaces can take, by their edges. */
 class SurfaceTruth
 {
