@@ -42,7 +42,7 @@ const char* const InputFormats =
   ".vtu .pvtu .vtk .vtm .vtpc .pvd .series .vtkhdf .vti .vts .vtr, Exodus "
   "(.e .exo .ex2), EnSight (.case), OpenFOAM (.foam), "
   "CGNS, .gtn";
-const char* const SurfaceInputFormats = ".vtp .pvtp .vtk .stl .ply .obj .gtn";
+const char* const SurfaceInputFormats = ".vtp .pvtp .vtk .stl .ply .obj .glb .gltf .gtn";
 
 //------------------------------------------------------------------------------
 namespace

@@ -16,6 +16,8 @@
 #include "vtkGatunReader.h"
 #include "vtkGatunSurfaceReader.h"
 
+#include "vtkCompositeDataGeometryFilter.h"
+#include "vtkGLTFReader.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkGenericEnSightReader.h"
 #include "vtkMetaImageReader.h"
@@ -59,6 +61,16 @@ vtkSmartPointer<vtkAlgorithm> MakeGatun(const std::string& file)
 {
   return gatun::FileReader::IsSurfaceFile(file) ? Make<vtkGatunSurfaceReader>(file)
                                                 : Make<vtkGatunReader>(file);
+}
+
+/** All meshes of a scene together, at their places. */
+vtkSmartPointer<vtkAlgorithm> MakeGLTF(const std::string& file)
+{
+  vtkNew<vtkGLTFReader> reader;
+  reader->SetFileName(file.c_str());
+  vtkNew<vtkCompositeDataGeometryFilter> together;
+  together->SetInputConnection(reader->GetOutputPort());
+  return together;
 }
 
 vtkSmartPointer<vtkAlgorithm> MakeLegacy(const std::string& file)
@@ -224,7 +236,7 @@ bool IsSurfaceFile(const std::string& file)
     TakeErrors(); // reading the file reports them again
     return isSurface;
   }
-  return IsOneOf(extension, { ".vtp", ".pvtp", ".stl", ".ply", ".obj" });
+  return IsOneOf(extension, { ".vtp", ".pvtp", ".stl", ".ply", ".obj", ".glb", ".gltf" });
 }
 
 //------------------------------------------------------------------------------
@@ -326,6 +338,10 @@ vtkSmartPointer<vtkAlgorithm> MakeSurfaceReader(const std::string& file)
   if (extension == ".obj")
   {
     return Make<ObjReader>(file);
+  }
+  if (IsOneOf(extension, { ".glb", ".gltf" }))
+  {
+    return MakeGLTF(file);
   }
   if (extension == ".vtp")
   {

@@ -6,6 +6,7 @@ isosurfaces as .gtn, and says what it cannot do with surfaces."""
 
 import json
 import os
+import struct
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -170,6 +171,34 @@ for wrong in ("abs:0", "abs:-1", "abs:nan", "abs:inf", "abs:", "abs", "bits:0", 
     gtn("pack", "--point-error", wrong, "sphere.ply", "new.gtn", code=2)
 gtn("pack", "--pieces", 3, "--point-error", "bits:9", "sphere.pvtp", "new.gtn", code=1,
     says="needs the bounds of the whole mesh")
+
+# A scene of glTF: a mesh of two triangles that is moved by its node.
+corners = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], np.float32)
+sides = np.array([0, 1, 2, 0, 2, 3], np.uint16)
+binary = corners.tobytes() + sides.tobytes()
+scene = json.dumps({
+    "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+    "nodes": [{"mesh": 0, "translation": [10, 0, 0]}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+    "buffers": [{"byteLength": len(binary)}],
+    "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": corners.nbytes},
+                    {"buffer": 0, "byteOffset": corners.nbytes, "byteLength": sides.nbytes}],
+    "accessors": [
+        {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3",
+         "min": [0, 0, 0], "max": [1, 1, 0]},
+        {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}]}).encode()
+scene += b" " * (-len(scene) % 4)
+with open("scene.glb", "wb") as file:
+    file.write(struct.pack("<4sII", b"glTF", 2, 28 + len(scene) + len(binary)))
+    file.write(struct.pack("<I4s", len(scene), b"JSON") + scene)
+    file.write(struct.pack("<I4s", len(binary), b"BIN\0") + binary)
+gtn("pack", "scene.glb", "scene.gtn")
+gtn("verify", "scene.gtn", "scene.glb", says="identical")
+assert info("scene.gtn")["cells"] == 2
+assert np.allclose(info("scene.gtn")["bounds"], [[10, 11], [0, 1], [0, 0]])
+with open("bad.glb", "wb") as file:
+    file.write(b"glTF" + bytes(30))
+gtn("pack", "bad.glb", "bad.gtn", code=1)
 
 # Isosurfaces.
 gtn("contour", "--array", "pressure", "--value", 2.4, "mesh.gtn", "contour.vtp")
