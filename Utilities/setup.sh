@@ -37,7 +37,7 @@ fi
 
 packages_build=(
   cmake g++ libcli11-dev libfmt-dev libglm-dev libopenimageio-dev libtet1.5-dev
-  libvtk9-dev libxxhash-dev libzstd-dev ninja-build pkg-config python3-numpy python3-vtk9)
+  libvtk9-dev libx11-dev libxxhash-dev libzstd-dev ninja-build pkg-config python3-numpy python3-vtk9)
 packages_window=(libgl1-mesa-dri xauth xvfb)
 packages_test=(git libgtest-dev openimageio-tools python3-h5py python3-xxhash python3-zstandard)
 packages_bench=(draco libmeshoptimizer-dev libzfp-dev openctm-tools python3-matplotlib)
