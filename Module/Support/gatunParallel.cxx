@@ -172,5 +172,10 @@ void ParallelFor(std::size_t count, const std::function<void(std::size_t)>& body
   }
   work.Take(); // for a single body, and for backends that leave the calling thread idle
   work.Rethrow();
+  // The same for an abort while other threads execute the last bodies.
+  if (progress && count > 0 && !progress(1))
+  {
+    throw Error(ErrorCode::Aborted, "aborted");
+  }
 }
 }

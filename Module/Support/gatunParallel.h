@@ -20,8 +20,9 @@ namespace gatun
  * Sequential by default, as in Debian's ParaView, STDThread is used instead.
  *
  * If a body throws, the bodies that have not begun are skipped, and the first exception is thrown
- * again by the calling thread. The calling thread calls progress(fraction) before all bodies, and
- * may do so between its own; if that returns false, the rest is skipped and Error(Aborted) thrown.
+ * again by the calling thread. The calling thread calls progress(fraction) before and after all
+ * bodies, and may do so between its own; if that returns false, the rest is skipped and
+ * Error(Aborted) thrown.
  * A ParallelFor within a body runs on the thread of that body.
  */
 VTKGATUNCORE_EXPORT void ParallelFor(std::size_t count,
