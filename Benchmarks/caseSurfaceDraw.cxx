@@ -4,10 +4,9 @@
 // surface-draw: time and memory from the file of a surface to its first image.
 
 #include "benchCases.h"
+#include "benchSurfacePipeline.h"
 
 #include "gatunParallel.h"
-#include "vtkGatunSurfaceMapper.h"
-#include "vtkGatunSurfaceReader.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -15,7 +14,6 @@
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkXMLPolyDataReader.h"
 
 #include <memory>
 
@@ -34,33 +32,13 @@ struct Options
   bool IsMoving = false;
 };
 
-/** The reader and the mapper of a file: Gatun's on demand, or VTK's. */
-struct Pipeline
+SurfacePipeline MakePipeline(const Options& options)
 {
-  vtkSmartPointer<vtkAlgorithm> Reader;
-  vtkSmartPointer<vtkPolyDataMapper> Mapper;
-};
-
-Pipeline MakePipeline(const Options& options)
-{
-  Pipeline made;
-  if (options.File.ends_with(".gtn"))
+  SurfacePipeline made = MakeSurfacePipeline(options.File, options.Budget);
+  if (auto* const own = made.GetOwnMapper())
   {
-    auto reader = vtkSmartPointer<vtkGatunSurfaceReader>::New();
-    reader->SetFileName(options.File.c_str());
-    reader->SetOnDemand(vtkGatunSurfaceReader::ON_DEMAND_ALWAYS);
-    auto mapper = vtkSmartPointer<vtkGatunSurfaceMapper>::New();
-    mapper->SetMemoryBudget(options.Budget);
-    mapper->SetJustInTime(options.IsMoving);
-    made = { reader, mapper };
+    own->SetJustInTime(options.IsMoving);
   }
-  else
-  {
-    auto reader = vtkSmartPointer<vtkXMLPolyDataReader>::New();
-    reader->SetFileName(options.File.c_str());
-    made = { reader, vtkSmartPointer<vtkPolyDataMapper>::New() };
-  }
-  made.Mapper->SetInputConnection(made.Reader->GetOutputPort());
   made.Mapper->SetScalarVisibility(!options.Array.empty());
   made.Mapper->SetScalarModeToUsePointFieldData();
   made.Mapper->SelectColorArray(options.Array.c_str());
@@ -89,7 +67,7 @@ void Measure(const Options& options)
     window->Render();
     window->WaitForCompletion();
   };
-  Pipeline pipeline;
+  SurfacePipeline pipeline;
   if (options.IsMoving)
   {
     window->SetDesiredUpdateRate(10);
@@ -103,7 +81,7 @@ void Measure(const Options& options)
       renderer->GetActiveCamera()->Zoom(options.Zoom);
       render();
     });
-  if (pipeline.Reader->GetErrorCode() != 0 || pipeline.Mapper->GetErrorCode() != 0)
+  if (pipeline.HasFailed())
   {
     throw Failure(options.File, "cannot be drawn");
   }
@@ -130,7 +108,7 @@ void Measure(const Options& options)
         AddCost(json["whole"], whole);
       }
       AddList(json, "frames", frames);
-      if (auto* const own = vtkGatunSurfaceMapper::SafeDownCast(pipeline.Mapper))
+      if (auto* const own = pipeline.GetOwnMapper())
       {
         json["bufferBytes"] = static_cast<std::uint64_t>(own->GetBufferBytes());
         json["decodedChunks"] = static_cast<std::uint64_t>(own->GetNumberOfDecodedChunks());

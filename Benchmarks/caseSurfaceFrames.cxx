@@ -4,10 +4,9 @@
 // surface-frames: the frames of a camera path over a surface, within a time budget.
 
 #include "benchCases.h"
+#include "benchSurfacePipeline.h"
 
 #include "gatunParallel.h"
-#include "vtkGatunSurfaceMapper.h"
-#include "vtkGatunSurfaceReader.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -18,7 +17,6 @@
 #include "vtkQuadricClustering.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkXMLPolyDataReader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,36 +37,23 @@ struct Options
   bool AtRest = false;
 };
 
-/** What draws during the interaction. */
+/** Whole: the mapper of the surface. Moving: what draws during the interaction. */
 struct Pipeline
 {
-  vtkSmartPointer<vtkAlgorithm> Reader;
-  vtkSmartPointer<vtkPolyDataMapper> Whole;
+  SurfacePipeline Whole;
   vtkSmartPointer<vtkPolyDataMapper> Moving;
 };
 
 Pipeline MakePipeline(const Options& options)
 {
-  Pipeline made;
-  if (options.File.ends_with(".gtn"))
+  Pipeline made{ MakeSurfacePipeline(options.File, options.Memory), nullptr };
+  if (auto* const own = made.Whole.GetOwnMapper())
   {
-    auto reader = vtkSmartPointer<vtkGatunSurfaceReader>::New();
-    reader->SetFileName(options.File.c_str());
-    reader->SetOnDemand(vtkGatunSurfaceReader::ON_DEMAND_ALWAYS);
-    auto mapper = vtkSmartPointer<vtkGatunSurfaceMapper>::New();
-    mapper->SetMemoryBudget(options.Memory);
-    mapper->JustInTimeOn();
-    mapper->SetTimeBudget(options.Budget);
-    made = { reader, mapper, mapper };
+    own->JustInTimeOn();
+    own->SetTimeBudget(options.Budget);
+    made.Moving = own;
   }
-  else
-  {
-    auto reader = vtkSmartPointer<vtkXMLPolyDataReader>::New();
-    reader->SetFileName(options.File.c_str());
-    made = { reader, vtkSmartPointer<vtkPolyDataMapper>::New(), nullptr };
-  }
-  made.Whole->SetInputConnection(made.Reader->GetOutputPort());
-  made.Whole->ScalarVisibilityOff();
+  made.Whole.Mapper->ScalarVisibilityOff();
   return made;
 }
 
@@ -87,7 +72,7 @@ double MakeLevel(const Options& options, Pipeline& pipeline)
   decimation->AutoAdjustNumberOfDivisionsOff();
   const int divisions = static_cast<int>(150 * options.Resolution) + 10;
   decimation->SetNumberOfDivisions(divisions, divisions, divisions);
-  decimation->SetInputConnection(pipeline.Reader->GetOutputPort());
+  decimation->SetInputConnection(pipeline.Whole.Reader->GetOutputPort());
   const double seconds = SecondsOf([&] { decimation->Update(); });
   pipeline.Moving = vtkSmartPointer<vtkPolyDataMapper>::New();
   pipeline.Moving->SetInputConnection(decimation->GetOutputPort());
@@ -128,10 +113,10 @@ void Measure(const Options& options)
     window->WaitForCompletion();
   };
   Pipeline pipeline = MakePipeline(options);
-  auto* const own = vtkGatunSurfaceMapper::SafeDownCast(pipeline.Whole);
+  auto* const own = pipeline.Whole.GetOwnMapper();
   double rest = 0;
   double level = 0;
-  actor->SetMapper(pipeline.Whole);
+  actor->SetMapper(pipeline.Whole.Mapper);
   if (options.AtRest || !own)
   {
     window->SetDesiredUpdateRate(rateAtRest);
@@ -159,7 +144,7 @@ void Measure(const Options& options)
     points.push_back(static_cast<double>(
       own ? own->GetNumberOfDrawnPoints() : pipeline.Moving->GetInput()->GetNumberOfPoints()));
   }
-  if (pipeline.Reader->GetErrorCode() != 0 || pipeline.Whole->GetErrorCode() != 0)
+  if (pipeline.Whole.HasFailed())
   {
     throw Failure(options.File, "cannot be drawn");
   }
