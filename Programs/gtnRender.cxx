@@ -79,6 +79,8 @@ Statistics StatisticsOf(vtkGatunRayCaster* caster)
       get(vtkGatunRayCaster::FinishTime) },
     { "tets", "tetrahedra of drawn chunks", Statistic::Count,
       get(vtkGatunRayCaster::NumberOfTetrahedra) },
+    { "points", "points of the simplified mesh", Statistic::Count,
+      get(vtkGatunRayCaster::NumberOfPoints) },
     { "seenTets", "  seen", Statistic::Count, get(vtkGatunRayCaster::NumberOfSeenTetrahedra) },
     { "chunks", "chunks drawn", Statistic::Count, get(vtkGatunRayCaster::NumberOfChunks) },
     { "skippedChunks", "chunks skipped", Statistic::Count,
@@ -89,6 +91,26 @@ Statistics StatisticsOf(vtkGatunRayCaster* caster)
     { "mostBytes", "most for image and chunks", Statistic::Bytes,
       get(vtkGatunRayCaster::MostBytes) },
   };
+}
+
+/** Where the mesh is simplified. */
+void SetDetail(const RenderOptions& options, vtkGatunRayCaster* caster)
+{
+  caster->SetViewDependent(!options.Uniform);
+  caster->SetPixelError(options.PixelError);
+  if (!options.DetailBounds.empty())
+  {
+    caster->SetDetailBounds(options.DetailBounds.data());
+  }
+  if (!options.DetailSphere.empty())
+  {
+    caster->SetDetailCenter(options.DetailSphere.data());
+    caster->SetDetailRadius(options.DetailSphere[3]);
+  }
+  if (!options.DetailRange.empty())
+  {
+    caster->SetDetailRange(options.DetailRange.data());
+  }
 }
 
 void Render(const RenderOptions& options, const Settings& settings)
@@ -113,6 +135,7 @@ void Render(const RenderOptions& options, const Settings& settings)
   caster->SetMemoryBudget(memory);
   caster->SetSimplificationRatio(options.Ratio);
   caster->SetTimeBudget(options.TimeBudget);
+  SetDetail(options, caster);
   caster->SetProperty(property);
   input->Connect(caster, memory);
   const auto render = [&](vtkCamera* camera, Progress& progress)

@@ -22,9 +22,28 @@ std::uint64_t CountPoints(const LevelsOfDetail& detail, const FrameRequest& requ
   return all - std::max(merges, std::min(request.Merges, most));
 }
 
+/** Whether an image at rest depends on the view. */
+bool FollowsViewAtRest(const FrameRequest& request)
+{
+  return request.View &&
+    (request.View->PixelError > 0 || request.View->Region != DetailRegion{});
+}
+
 bool Simplifies(const FrameRequest& request)
 {
-  return request.Ratio > 0 || request.Merges > 0;
+  return request.Ratio > 0 || request.Merges > 0 || FollowsViewAtRest(request);
+}
+
+/** What is likely to be drawn next. */
+std::vector<DetailRequest> ListNext(const DetailRequest& wanted, const FrameLimits& limits)
+{
+  if (wanted.View)
+  {
+    // The view will be another one, and so will be all levels for views.
+    return { wanted, { limits.MostPoints, nullptr } };
+  }
+  return { wanted, { FrameBudget::StepUp(wanted.Points, limits), nullptr },
+    { FrameBudget::StepDown(wanted.Points, limits), nullptr }, { limits.MostPoints, nullptr } };
 }
 }
 
@@ -67,18 +86,27 @@ Frame JustInTime::ChooseInMotion(LevelOfDetailCache& levels, const FrameRequest&
     return frame;
   }
   const auto wanted = this->Budget.ChoosePoints(request.Budget, limits, this->Present);
-  frame.Points = wanted;
-  if (wanted != limits.MostPoints || Simplifies(request))
+  DetailRequest best{ wanted, request.View };
+  if (!request.Waits && (wanted != limits.MostPoints || Simplifies(request)))
   {
     // Another one than what would be best, as long as that is not ready.
-    const auto ready = levels.FindReady(wanted);
-    frame.Points = ready != 0 && ready <= limits.MostPoints ? ready : wanted;
+    const auto ready = levels.FindReady(best);
+    if (ready.Points != 0 && ready.Points <= limits.MostPoints)
+    {
+      best = ready;
+    }
   }
-  levels.Prepare({ wanted, FrameBudget::StepUp(wanted, limits),
-    FrameBudget::StepDown(wanted, limits), limits.MostPoints });
-  frame.Source = levels.Get(frame.Points);
+  if (!request.Waits)
+  {
+    levels.Prepare(ListNext({ wanted, request.View }, limits));
+    frame.NextPoints = request.View ? wanted : 0;
+  }
+  frame.Level = best;
+  const DetailLevel level = levels.Get(best);
+  frame.Source = level.Source;
+  frame.Points = level.Points;
   frame.Distance = this->Budget.ChooseDistance(request.Budget, limits, frame.Points, this->Present);
-  this->Present = { frame.Points, frame.Distance };
+  this->Present = { best.Points, frame.Distance };
   return frame;
 }
 
@@ -103,8 +131,16 @@ Frame JustInTime::Begin(
   Frame frame;
   frame.Distance = request.LeastDistance;
   const LevelsOfDetail* const detail = levels.FindLevels();
-  frame.Points = detail ? CountPoints(*detail, request) : 0;
-  frame.Source = detail ? levels.Get(frame.Points) : levels.GetWhole();
+  if (!detail)
+  {
+    frame.Source = levels.GetWhole();
+    return frame;
+  }
+  frame.Level = { CountPoints(*detail, request),
+    FollowsViewAtRest(request) ? request.View : nullptr };
+  const DetailLevel level = levels.Get(frame.Level);
+  frame.Source = level.Source;
+  frame.Points = level.Points;
   return frame;
 }
 
@@ -134,12 +170,13 @@ void JustInTime::End(LevelOfDetailCache& levels, const Frame& frame, double rays
   this->Budget.Learn(work, time);
   this->Last = frame.Points;
 
-  if (!(this->Request.Budget > 0) && detail)
+  if (!(this->Request.Budget > 0) && detail && !this->Request.Waits)
   {
     FrameRequest next = this->Request;
     next.LargestDistance = std::max(next.LargestDistance, next.LeastDistance);
     const FrameLimits limits = this->GetLimits(detail, next);
-    levels.Prepare({ this->Budget.ChoosePoints(this->MotionBudget, limits, this->Present) });
+    levels.Prepare(
+      { { this->Budget.ChoosePoints(this->MotionBudget, limits, this->Present), next.View } });
   }
 }
 }

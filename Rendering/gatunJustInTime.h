@@ -19,6 +19,14 @@ struct FrameRequest
   double Budget = 0;        ///< seconds that it may take; 0: all that it needs
   double Ratio = 0;         ///< fraction of points removed in any case
   std::uint64_t Merges = 0; ///< number of points removed in any case
+
+  /** Where detail is needed: in motion, and at rest if it has a pixel error or a region. Null:
+   * everywhere the same. */
+  std::shared_ptr<const DetailView> View;
+
+  /** Whether to wait for the level that is best, in motion too, instead of taking a ready one. */
+  bool Waits = false;
+
   double Pixels = 0;
   double LeastDistance = 1; ///< of rays
   double LargestDistance = 1;
@@ -29,6 +37,8 @@ struct Frame
 {
   std::shared_ptr<RaySource> Source;
   std::uint64_t Points = 0; ///< 0: all; how many there are is not known yet
+  DetailRequest Level;      ///< what was asked for; no points: the whole mesh
+  std::uint64_t NextPoints = 0; ///< of the level for this view that is being prepared; 0: none
   double Distance = 1;      ///< of rays, in pixels
 };
 

@@ -3,6 +3,7 @@
 
 #include "vtkGatunRayCaster.h"
 
+#include "gatunDetailSettings.h"
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
 #include "gatunFileConsumer.h"
@@ -83,8 +84,14 @@ public:
   gatun::RayScene Scene;
   gatun::JustInTime Frames;
   gatun::RayStatistics Statistics;
+  std::uint64_t Points = 0; // of the last image
 
-  void Draw(const vtkGatunRayCaster& self, std::size_t merges, gatun::RayCaster& caster,
+  static gatun::DetailSettings GetDetail(const vtkGatunRayCaster& self)
+  {
+    return { self.PixelError, self.DetailBounds, self.DetailCenter, self.DetailRadius,
+      self.DetailRange };
+  }
+  void Draw(const vtkGatunRayCaster& self, gatun::FrameRequest request, gatun::RayCaster& caster,
     const gatun::RayView& view, const gatun::RaySource::Progress& progress);
 };
 
@@ -241,6 +248,8 @@ double vtkGatunRayCaster::GetStatistic(int which)
       return static_cast<double>(s.MostFragments);
     case MostBytes:
       return static_cast<double>(s.MostBytes);
+    case NumberOfPoints:
+      return static_cast<double>(this->Internals->Points);
     default:
       vtkErrorMacro("There is no statistic " << which << ".");
       return 0;
@@ -293,9 +302,10 @@ int vtkGatunRayCaster::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
-/** Draws the mesh, or a coarser one. Merges: the least number of them. */
-void vtkGatunRayCaster::vtkInternals::Draw(const vtkGatunRayCaster& self, std::size_t merges,
-  gatun::RayCaster& caster, const gatun::RayView& view, const gatun::RaySource::Progress& progress)
+/** Draws the mesh, or a coarser one. */
+void vtkGatunRayCaster::vtkInternals::Draw(const vtkGatunRayCaster& self,
+  gatun::FrameRequest request, gatun::RayCaster& caster, const gatun::RayView& view,
+  const gatun::RaySource::Progress& progress)
 {
   gatun::LevelOfDetailCache* const levels = this->Scene.GetLevels();
   if (!levels)
@@ -304,14 +314,17 @@ void vtkGatunRayCaster::vtkInternals::Draw(const vtkGatunRayCaster& self, std::s
     return;
   }
   levels->WaitForLevels(progress);
-  const double pixels = static_cast<double>(self.Size[0]) * self.Size[1];
+  request.Budget = self.TimeBudget;
+  request.Ratio = self.SimplificationRatio;
+  request.Pixels = static_cast<double>(self.Size[0]) * self.Size[1];
+  request.Waits = true;
+  const gatun::Frame frame = this->Frames.Begin(*levels, request, progress);
   const auto start = std::chrono::steady_clock::now();
-  const gatun::Frame frame = this->Frames.Begin(
-    *levels, { self.TimeBudget, self.SimplificationRatio, merges, pixels, 1, 1 }, progress);
   this->Scene.Draw(caster, view, progress, frame.Source.get());
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  this->Frames.End(
-    *levels, frame, pixels, caster.GetStatistics(), { seconds.count(), seconds.count() });
+  this->Frames.End(*levels, frame, request.Pixels, caster.GetStatistics(),
+    { seconds.count(), seconds.count() });
+  this->Points = frame.Points;
 }
 
 //------------------------------------------------------------------------------
@@ -324,6 +337,7 @@ int vtkGatunRayCaster::RequestData(
   this->SetErrorCode(vtkErrorCode::NoError);
   auto& self = *this->Internals;
   self.Statistics = {};
+  self.Points = 0;
   const gatun::PublishedFile* const file = gatun::GetUsableFile(inInfo);
   try
   {
@@ -334,6 +348,9 @@ int vtkGatunRayCaster::RequestData(
     }
     gatun::RequireNumber("OpacityLimit", this->OpacityLimit);
     gatun::RequireNumber("TimeBudget", this->TimeBudget);
+    gatun::RequireNumber("PixelError", this->PixelError);
+    const gatun::DetailSettings detail = vtkInternals::GetDetail(*this);
+    gatun::FrameRequest request;
     const gatun::RayMode mode = *gatun::RayModeOf(this->BlendMode);
     const auto view =
       gatun::MakeRayView(self.Camera, gatun::RayGrid{ this->Size[0], this->Size[1] }, mode,
@@ -341,7 +358,8 @@ int vtkGatunRayCaster::RequestData(
     const gatun::RayArray array{ this->ArrayName ? this->ArrayName : "", this->ArrayAssociation,
       this->ArrayComponent, {} };
     const std::size_t merges = file ? file->Merges : 0;
-    const bool simplifies = this->SimplificationRatio != 0 || merges > 0 || this->TimeBudget > 0;
+    const bool simplifies = this->SimplificationRatio != 0 || merges > 0 || this->TimeBudget > 0 ||
+      this->PixelError > 0;
     if (file)
     {
       const auto step = gatun::GetRequestedStep(*file->File->GetFile(), inInfo);
@@ -368,10 +386,16 @@ int vtkGatunRayCaster::RequestData(
       gatun::MakeRayShading(self.Property, self.Camera, nullptr, self.VolumeMatrix);
     settings.FromBothEnds = this->FromBothEnds;
     settings.Instructions = static_cast<gatun::RayInstructions>(this->Instructions);
-    gatun::RayCaster caster(view,
-      gatun::MakeRayTable(self.Property, mode, self.Scene.GetRange(), view.SampleDistance),
-      gatun::MakeRayLimits(view, self.ClippingPlanes, self.VolumeMatrix), settings);
-    self.Draw(*this, merges, caster, view, progress);
+    const auto table =
+      gatun::MakeRayTable(self.Property, mode, self.Scene.GetRange(), view.SampleDistance);
+    gatun::RayCaster caster(
+      view, table, gatun::MakeRayLimits(view, self.ClippingPlanes, self.VolumeMatrix), settings);
+    request.Merges = merges;
+    if ((this->TimeBudget > 0 && this->ViewDependent) || detail.IsForRest())
+    {
+      request.View = gatun::MakeDetailView(detail, view, table);
+    }
+    self.Draw(*this, std::move(request), caster, view, progress);
 
     image->SetDimensions(this->Size[0], this->Size[1], 1);
     vtkNew<vtkFloatArray> colors;
@@ -415,6 +439,21 @@ void vtkGatunRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OpacityLimit: " << this->OpacityLimit << "\n";
   os << indent << "SimplificationRatio: " << this->SimplificationRatio << "\n";
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
+  os << indent << "ViewDependent: " << (this->ViewDependent ? "On" : "Off") << "\n";
+  os << indent << "PixelError: " << this->PixelError << "\n";
+  const auto list = [&](const char* name, const double* numbers, int count)
+  {
+    os << indent << name << ":";
+    for (int i = 0; i < count; ++i)
+    {
+      os << " " << numbers[i];
+    }
+    os << "\n";
+  };
+  list("DetailBounds", this->DetailBounds, 6);
+  list("DetailCenter", this->DetailCenter, 3);
+  os << indent << "DetailRadius: " << this->DetailRadius << "\n";
+  list("DetailRange", this->DetailRange, 2);
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
   os << indent << "Instructions: " << this->Instructions << "\n";
   os << indent << "FromBothEnds: " << (this->FromBothEnds ? "On" : "Off") << "\n";

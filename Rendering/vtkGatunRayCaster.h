@@ -215,10 +215,61 @@ public:
   ///@{
   /**
    * Time for an image in seconds, 0 to 1e6, decoding and simplification not included. The number of
-   * points removed follows from the times of the images before. 0 is no limit. Default: 0.
+   * points removed follows from the times of the images before, and where they are removed from the
+   * view, unless ViewDependent is off. 0 is no limit. Default: 0.
    */
   vtkSetClampMacro(TimeBudget, double, 0.0, 1e6);
   vtkGetMacro(TimeBudget, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a mesh that is simplified for a time is finer where the view needs it: near the
+   * eye, and where values are visible. Off: it is as coarse everywhere. Default: on.
+   */
+  vtkSetMacro(ViewDependent, bool);
+  vtkGetMacro(ViewDependent, bool);
+  vtkBooleanMacro(ViewDependent, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Largest error of all images in pixels, 0 to 1e6: the error of the shape and the values (see
+   * vtkGatunSimplify), relative to the size of the mesh and the range of the values, times the size
+   * of the mesh in pixels if it were as far away as the place in question. Points are merged as far
+   * as it allows. 0: none. Default: 0.
+   */
+  vtkSetClampMacro(PixelError, double, 0.0, 1e6);
+  vtkGetMacro(PixelError, double);
+  ///@}
+
+  ///@{
+  /**
+   * A box, in the coordinates of the mesh, that is not simplified; empty, with a minimum above a
+   * maximum, for none. Default: 1, -1, 1, -1, 1, -1.
+   */
+  vtkSetVector6Macro(DetailBounds, double);
+  vtkGetVector6Macro(DetailBounds, double);
+  ///@}
+
+  ///@{
+  /**
+   * A sphere that is not simplified, in the coordinates of the mesh; with a radius of 0, none.
+   * Defaults: 0, 0, 0 and 0.
+   */
+  vtkSetVector3Macro(DetailCenter, double);
+  vtkGetVector3Macro(DetailCenter, double);
+  vtkSetClampMacro(DetailRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(DetailRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Values of the drawn array where the mesh is not simplified: smallest and largest; none if the
+   * first is above the second. Default: 1, -1.
+   */
+  vtkSetVector2Macro(DetailRange, double);
+  vtkGetVector2Macro(DetailRange, double);
   ///@}
 
   ///@{
@@ -257,7 +308,8 @@ public:
     NumberOfSkippedChunks,  ///< chunks outside the view, transparent or hidden
     MostWaitingTetrahedra,  ///< largest number of tetrahedra of a chunk that wait for others
     MostFragments,          ///< largest number of ray fragments, in all pixels together
-    MostBytes               ///< peak memory of image and chunks, without MemoryBudget
+    MostBytes,              ///< peak memory of image and chunks, without MemoryBudget
+    NumberOfPoints          ///< of the simplified mesh; 0 if it is not simplified
   };
   double GetStatistic(int which);
 
@@ -286,6 +338,12 @@ protected:
   int MemoryBudget = 512;
   double SimplificationRatio = 0;
   double TimeBudget = 0;
+  bool ViewDependent = true;
+  double PixelError = 0;
+  double DetailBounds[6] = { 1, -1, 1, -1, 1, -1 };
+  double DetailCenter[3] = { 0, 0, 0 };
+  double DetailRadius = 0;
+  double DetailRange[2] = { 1, -1 };
   int Instructions = AVX512_INSTRUCTIONS;
   bool FromBothEnds = false;
 

@@ -38,7 +38,8 @@
  * *Just in time.* If JustInTime is on, a frame during an interaction takes about the time allowed
  * for it. Points are merged into others, as in vtkGatunSimplify, until tetrahedra take a quarter of
  * that time. If that does not suffice and AutoAdjustSampleDistances is on, rays are cast farther
- * apart. The image at rest, for which more than 10 seconds are allocated, shows the whole mesh. For
+ * apart. Where points are merged follows the view, unless ViewDependent is off: the mesh stays fine
+ * near the eye, and gets coarse where it is far away, out of sight or transparent. The image at rest, for which more than 10 seconds are allocated, shows the whole mesh. For
  * a mesh in memory, a background thread computes the order of merges from the first image on, in
  * about 5 to 10 seconds for a million tetrahedra, and again when the input changes. Until then only
  * the number of rays is reduced. This takes a copy of the mesh, about 60 bytes a tetrahedron in
@@ -225,6 +226,56 @@ public:
 
   ///@{
   /**
+   * Whether a mesh that is simplified for a time, as during an interaction, is finer where the view needs it: near the
+   * eye, and where values are visible. Off: it is as coarse everywhere. Default: on.
+   */
+  vtkSetMacro(ViewDependent, bool);
+  vtkGetMacro(ViewDependent, bool);
+  vtkBooleanMacro(ViewDependent, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Largest error of all images in pixels, 0 to 1e6: the error of the shape and the values (see
+   * vtkGatunSimplify), relative to the size of the mesh and the range of the values, times the size
+   * of the mesh in pixels if it were as far away as the place in question. Points are merged as far
+   * as it allows. 0: none. Default: 0.
+   */
+  vtkSetClampMacro(PixelError, double, 0.0, 1e6);
+  vtkGetMacro(PixelError, double);
+  ///@}
+
+  ///@{
+  /**
+   * A box, in the coordinates of the mesh, that is not simplified; empty, with a minimum above a
+   * maximum, for none. Default: 1, -1, 1, -1, 1, -1.
+   */
+  vtkSetVector6Macro(DetailBounds, double);
+  vtkGetVector6Macro(DetailBounds, double);
+  ///@}
+
+  ///@{
+  /**
+   * A sphere that is not simplified, in the coordinates of the mesh; with a radius of 0, none.
+   * Defaults: 0, 0, 0 and 0.
+   */
+  vtkSetVector3Macro(DetailCenter, double);
+  vtkGetVector3Macro(DetailCenter, double);
+  vtkSetClampMacro(DetailRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(DetailRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Values of the drawn array where the mesh is not simplified: smallest and largest; none if the
+   * first is above the second. Default: 1, -1.
+   */
+  vtkSetVector2Macro(DetailRange, double);
+  vtkGetVector2Macro(DetailRange, double);
+  ///@}
+
+  ///@{
+  /**
    * The processes that have parts of the mesh; see above. Null, or a controller with one process:
    * all of the mesh is here. Default: null.
    */
@@ -331,6 +382,12 @@ protected:
   bool JustInTime = false;
   double TimeBudget = 0;
   double SimplificationRatio = 0;
+  bool ViewDependent = true;
+  double PixelError = 0;
+  double DetailBounds[6] = { 1, -1, 1, -1, 1, -1 };
+  double DetailCenter[3] = { 0, 0, 0 };
+  double DetailRadius = 0;
+  double DetailRange[2] = { 1, -1 };
   vtkMultiProcessController* Controller = nullptr;
   int ImageProcess = -1;
 

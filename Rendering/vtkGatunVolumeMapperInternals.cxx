@@ -173,7 +173,8 @@ bool vtkGatunVolumeMapper::vtkInternals::Simplifies(vtkGatunVolumeMapper* mapper
   {
     return false; // parts that are simplified separately do not fit together
   }
-  return mapper->JustInTime || mapper->SimplificationRatio != 0 || (file && file->Merges > 0);
+  return mapper->JustInTime || mapper->SimplificationRatio != 0 || mapper->PixelError > 0 ||
+    (file && file->Merges > 0);
 }
 
 //------------------------------------------------------------------------------
@@ -260,9 +261,31 @@ float vtkGatunVolumeMapper::vtkInternals::ChooseDistance(vtkGatunVolumeMapper* m
 }
 
 //------------------------------------------------------------------------------
-gatun::FrameRequest vtkGatunVolumeMapper::vtkInternals::GetRequest(
-  vtkGatunVolumeMapper* mapper, vtkVolume* volume, const Viewport& viewport)
+gatun::DetailSettings vtkGatunVolumeMapper::vtkInternals::GetDetail(vtkGatunVolumeMapper* mapper)
 {
+  return { mapper->PixelError, mapper->DetailBounds, mapper->DetailCenter, mapper->DetailRadius,
+    mapper->DetailRange };
+}
+
+//------------------------------------------------------------------------------
+/** What the present image needs. */
+std::shared_ptr<const gatun::DetailView> vtkGatunVolumeMapper::vtkInternals::MakeDetailView(
+  vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkNew<vtkMatrix4x4> matrix;
+  volume->GetMatrix(matrix);
+  const gatun::RayMode mode = *gatun::RayModeOf(mapper->BlendMode);
+  const auto view = gatun::MakeRayView(renderer->GetActiveCamera(),
+    gatun::MakeGrid(renderer, Viewport(renderer), 1), mode, mapper->SampleDistance, matrix, true);
+  return gatun::MakeDetailView(GetDetail(mapper), view,
+    gatun::MakeRayTable(volume->GetProperty(), mode, this->Scene.GetRange(), view.SampleDistance));
+}
+
+//------------------------------------------------------------------------------
+gatun::FrameRequest vtkGatunVolumeMapper::vtkInternals::GetRequest(
+  vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+{
+  const Viewport viewport(renderer);
   gatun::FrameRequest request;
   const double allocated = volume->GetAllocatedRenderTime();
   if (mapper->JustInTime && allocated > 0 && allocated < LeastTimeAtRest)
@@ -272,6 +295,10 @@ gatun::FrameRequest vtkGatunVolumeMapper::vtkInternals::GetRequest(
   const gatun::PublishedFile* const file = this->FindFile(mapper);
   request.Ratio = mapper->SimplificationRatio;
   request.Merges = file ? file->Merges : 0;
+  if ((request.Budget > 0 && mapper->ViewDependent) || GetDetail(mapper).IsForRest())
+  {
+    request.View = this->MakeDetailView(mapper, renderer, volume);
+  }
   request.Pixels = static_cast<double>(viewport.Width) * viewport.Height;
   const bool adjusts = mapper->AutoAdjustSampleDistances;
   request.LeastDistance =
@@ -377,6 +404,7 @@ void vtkGatunVolumeMapper::vtkInternals::RequireNumbers(vtkGatunVolumeMapper* ma
   gatun::RequireNumber("MaximumImageSampleDistance", mapper->MaximumImageSampleDistance);
   gatun::RequireNumber("OpacityLimit", mapper->OpacityLimit);
   gatun::RequireNumber("TimeBudget", mapper->TimeBudget);
+  gatun::RequireNumber("PixelError", mapper->PixelError);
 }
 
 //------------------------------------------------------------------------------
@@ -410,7 +438,7 @@ void vtkGatunVolumeMapper::vtkInternals::DrawFrame(
   const auto key = std::make_pair(renderer, volume);
   gatun::LevelOfDetailCache* const levels = this->Scene.GetLevels();
   gatun::JustInTime* const frames = levels ? &this->Frames[key] : nullptr;
-  const gatun::FrameRequest request = this->GetRequest(mapper, volume, viewport);
+  const gatun::FrameRequest request = this->GetRequest(mapper, renderer, volume);
   const gatun::Frame frame = frames ? frames->Begin(*levels, request, progress) : gatun::Frame{};
   const bool inMotion = frames && request.Budget > 0;
   const float distance = inMotion ? static_cast<float>(frame.Distance)

@@ -4,6 +4,7 @@
 #ifndef vtkGatunVolumeMapperInternals_h
 #define vtkGatunVolumeMapperInternals_h
 
+#include "gatunDetailSettings.h"
 #include "gatunErrorCodes.h"
 #include "gatunJustInTime.h"
 #include "gatunRayCaster.h"
@@ -76,7 +77,9 @@ struct ParallelPlan
   RayGrid Grid;
   RayView View;
   float Distance = 1; ///< of rays, in pixels
-  std::uint64_t Points = 0;
+  std::uint64_t Points = 0;     ///< of the level of detail; 0: none
+  std::optional<RayView> Detail; ///< the view of the level, if it has one
+  std::uint64_t NextPoints = 0; ///< of the level for the present view that is wanted next; 0: none
   bool IsInMotion = false;
   int Shower = -1; ///< the process that shows the image, or -1
 };
@@ -166,8 +169,11 @@ public:
   bool SetScene(vtkGatunVolumeMapper* mapper, const gatun::RaySource::Progress& progress);
   float ChooseDistance(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
     const gatun::Viewport& viewport) const;
+  static gatun::DetailSettings GetDetail(vtkGatunVolumeMapper* mapper);
+  std::shared_ptr<const gatun::DetailView> MakeDetailView(
+    vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
   gatun::FrameRequest GetRequest(
-    vtkGatunVolumeMapper* mapper, vtkVolume* volume, const gatun::Viewport& viewport);
+    vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
   void TellObstacle(vtkGatunVolumeMapper* mapper);
   gatun::RayStatistics Draw(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume,
     const gatun::Viewport& viewport, const gatun::RayGrid& grid,
@@ -189,6 +195,8 @@ public:
   gatun::ParallelPlan MakePlan(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer,
     vtkVolume* volume, bool simplifies, gatun::Frame& frame,
     const gatun::RaySource::Progress& progress);
+  std::shared_ptr<gatun::RaySource> FollowPlan(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer,
+    vtkVolume* volume, const gatun::ParallelPlan& plan);
   void ShowParallel(vtkRenderer* renderer, vtkVolume* volume, const gatun::ParallelImage& image,
     vtkFloatArray* depths);
   void DrawParallel(vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);

@@ -233,13 +233,16 @@ ParallelPlan vtkGatunVolumeMapper::vtkInternals::MakePlan(vtkGatunVolumeMapper* 
 {
   const Viewport viewport(renderer);
   gatun::LevelOfDetailCache* const levels = simplifies ? this->Scene.GetLevels() : nullptr;
-  const gatun::FrameRequest request = this->GetRequest(mapper, volume, viewport);
+  const gatun::FrameRequest request = this->GetRequest(mapper, renderer, volume);
   float distance = 0;
-  std::uint64_t points = 0;
+  std::optional<gatun::RayView> detail;
   if (levels)
   {
     frame = this->Frames[{ renderer, volume }].Begin(*levels, request, progress);
-    points = frame.Points;
+    if (frame.Level.View)
+    {
+      detail = frame.Level.View->View;
+    }
   }
   const bool isInMotion = levels && request.Budget > 0;
   distance = isInMotion ? static_cast<float>(frame.Distance)
@@ -250,8 +253,32 @@ ParallelPlan vtkGatunVolumeMapper::vtkInternals::MakePlan(vtkGatunVolumeMapper* 
   return { grid,
     gatun::MakeRayView(renderer->GetActiveCamera(), grid, *gatun::RayModeOf(mapper->BlendMode),
       mapper->SampleDistance, matrix, true),
-    distance, points, isInMotion,
+    distance, frame.Level.Points, detail, frame.NextPoints, isInMotion,
     std::min(mapper->ImageProcess, mapper->Controller->GetNumberOfProcesses() - 1) };
+}
+
+//------------------------------------------------------------------------------
+/** Takes the level that the first process has chosen, and prepares the next one as it does. */
+std::shared_ptr<gatun::RaySource> vtkGatunVolumeMapper::vtkInternals::FollowPlan(
+  vtkGatunVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume, const ParallelPlan& plan)
+{
+  gatun::LevelOfDetailCache& levels = *this->Scene.GetLevels();
+  gatun::DetailRequest level{ plan.Points, nullptr };
+  if (plan.Detail || plan.NextPoints > 0)
+  {
+    const auto present = this->MakeDetailView(mapper, renderer, volume);
+    if (plan.NextPoints > 0)
+    {
+      levels.Prepare({ { plan.NextPoints, present } });
+    }
+    if (plan.Detail)
+    {
+      gatun::DetailView chosen = *present;
+      chosen.View = *plan.Detail;
+      level.View = std::make_shared<const gatun::DetailView>(std::move(chosen));
+    }
+  }
+  return levels.Get(level).Source;
 }
 
 //------------------------------------------------------------------------------
@@ -313,7 +340,7 @@ void vtkGatunVolumeMapper::vtkInternals::DrawParallel(
         if (levels && !isFirst && plan.Points > 0)
         {
           levels->WaitForLevels(progress);
-          frame.Source = levels->Get(plan.Points);
+          frame.Source = this->FollowPlan(mapper, renderer, volume, plan);
         }
         caster = std::make_unique<gatun::RayCaster>(
           setup->View, setup->Table, setup->Limits, setup->Settings);
@@ -349,7 +376,7 @@ void vtkGatunVolumeMapper::vtkInternals::DrawParallel(
   }
   this->TimeOfRays[{ renderer, volume }] = mapper->TimeToDraw / rays;
   mapper->ImageSampleDistance = plan.Distance;
-  this->Points = plan.Points;
+  this->Points = frame.Points;
   mapper->UpdateProgress(1);
 }
 

@@ -19,15 +19,50 @@ void SortUnique(std::vector<std::uint32_t>& list)
   list.erase(std::unique(list.begin(), list.end()), list.end());
   list.shrink_to_fit();
 }
+
+std::vector<std::uint32_t> ListAll(std::size_t chunks)
+{
+  std::vector<std::uint32_t> all(chunks);
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
 }
 
 //------------------------------------------------------------------------------
 CoarseLayout::CoarseLayout(
   std::shared_ptr<const FileReader> file, const MergeTree& tree, MergeCut cut)
+  : CoarseLayout(file, tree, std::move(cut), ListAll(file->GetChunks().size()))
+{
+}
+
+CoarseLayout::CoarseLayout(std::shared_ptr<const FileReader> file, const MergeTree& tree,
+  MergeCut cut, std::span<const std::uint32_t> chunks)
   : File(std::move(file))
   , Cut(std::move(cut))
   , Sources(File->GetChunks().size())
   , Given(File->GetChunks().size())
+{
+  this->Check(tree);
+  const TablePages& tables = InternalsOf(*this->File).GetTables();
+  for (std::size_t b = 0; b < tables.GetNumberOfBlocks(); ++b)
+  {
+    const auto& block = this->Blocks.emplace_back(tables.GetBlock(b));
+    auto point = block->FirstPoint;
+    for (const SharedGroup& group : block->Groups)
+    {
+      this->Groups.emplace_back(static_cast<std::uint32_t>(point), &group);
+      point += group.Points;
+    }
+  }
+  for (const auto chunk : chunks)
+  {
+    this->FindSources(chunk);
+  }
+  std::for_each(this->Given.begin(), this->Given.end(), SortUnique);
+}
+
+//------------------------------------------------------------------------------
+void CoarseLayout::Check(const MergeTree& tree) const
 {
   const auto used = this->File->GetNumberOfPoints() - this->File->GetNumberOfUnusedPoints();
   const auto end = this->File->IsSurface() ? this->File->GetNumberOfPoints() : used;
@@ -44,50 +79,39 @@ CoarseLayout::CoarseLayout(
       ThrowInvalid("the tree merges points that no cell has", this->File->GetPath());
     }
   }
-  const TablePages& tables = InternalsOf(*this->File).GetTables();
-  for (std::size_t b = 0; b < tables.GetNumberOfBlocks(); ++b)
-  {
-    const auto& block = this->Blocks.emplace_back(tables.GetBlock(b));
-    auto point = block->FirstPoint;
-    for (const SharedGroup& group : block->Groups)
-    {
-      this->Groups.emplace_back(static_cast<std::uint32_t>(point), &group);
-      point += group.Points;
-    }
-  }
-  std::vector<std::uint32_t> foreign;
-  for (std::uint32_t chunk = 0; chunk < this->Sources.size(); ++chunk)
-  {
-    foreign.clear();
-    this->EachRun(chunk,
-      [&](std::uint32_t first, std::uint32_t last)
-      {
-        for (auto point = first; point < last; ++point)
-        {
-          const auto ancestor = this->GetAncestors()[point];
-          if ((ancestor < first || ancestor >= last) && !this->Has(chunk, ancestor))
-          {
-            foreign.push_back(ancestor);
-          }
-        }
-      });
-    SortUnique(foreign);
-    for (const auto ancestor : foreign)
-    {
-      const auto giver = this->GetGiver(ancestor);
-      this->Sources[chunk].push_back(giver);
-      this->Given[giver].push_back(ancestor);
-    }
-    SortUnique(this->Sources[chunk]);
-  }
-  std::for_each(this->Given.begin(), this->Given.end(), SortUnique);
 }
 
 //------------------------------------------------------------------------------
-void CoarseLayout::EachRun(
-  std::uint32_t chunk, const std::function<void(std::uint32_t, std::uint32_t)>& use) const
+void CoarseLayout::FindSources(std::uint32_t chunk)
 {
-  const auto entry = InternalsOf(*this->File).GetTables().GetChunk(chunk);
+  std::vector<std::uint32_t> foreign;
+  this->EachRun(chunk,
+    [&](std::uint32_t first, std::uint32_t last)
+    {
+      for (auto point = first; point < last; ++point)
+      {
+        const auto ancestor = this->GetAncestors()[point];
+        if ((ancestor < first || ancestor >= last) && !this->Has(chunk, ancestor))
+        {
+          foreign.push_back(ancestor);
+        }
+      }
+    });
+  SortUnique(foreign);
+  for (const auto ancestor : foreign)
+  {
+    const auto giver = this->GetGiver(ancestor);
+    this->Sources[chunk].push_back(giver);
+    this->Given[giver].push_back(ancestor);
+  }
+  SortUnique(this->Sources[chunk]);
+}
+
+//------------------------------------------------------------------------------
+void CoarseLayout::EachRun(const FileReader& file, std::uint32_t chunk,
+  const std::function<void(std::uint32_t, std::uint32_t)>& use)
+{
+  const auto entry = InternalsOf(file).GetTables().GetChunk(chunk);
   for (const auto& part : entry->Shared)
   {
     const auto first = static_cast<std::uint32_t>(part.FirstPoint);

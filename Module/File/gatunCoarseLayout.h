@@ -32,6 +32,10 @@ public:
   /** Throws InvalidInput if the cut is not one of the tree, or a point without a cell is merged. */
   CoarseLayout(std::shared_ptr<const FileReader> file, const MergeTree& tree, MergeCut cut);
 
+  /** The dependencies of some chunks only; others have no sources. */
+  CoarseLayout(std::shared_ptr<const FileReader> file, const MergeTree& tree, MergeCut cut,
+    std::span<const std::uint32_t> chunks);
+
   const MergeCut& GetCut() const { return this->Cut; }
 
   /** The ancestor of each point of the file. */
@@ -42,7 +46,12 @@ public:
 
   /** Calls use(first, last) for ascending runs of the points of a chunk. */
   void EachRun(std::uint32_t chunk,
-    const std::function<void(std::uint32_t first, std::uint32_t last)>& use) const;
+    const std::function<void(std::uint32_t first, std::uint32_t last)>& use) const
+  {
+    EachRun(*this->File, chunk, use);
+  }
+  static void EachRun(const FileReader& file, std::uint32_t chunk,
+    const std::function<void(std::uint32_t first, std::uint32_t last)>& use);
 
   /** Whether a chunk uses a point. */
   bool Has(std::uint32_t chunk, std::uint32_t point) const;
@@ -64,6 +73,9 @@ public:
   const SharedGroup* FindGroup(std::uint32_t point) const;
 
 private:
+  void Check(const MergeTree& tree) const;
+  void FindSources(std::uint32_t chunk);
+
   std::shared_ptr<const FileReader> File;
   MergeCut Cut;
   std::vector<std::vector<std::uint32_t>> Sources;

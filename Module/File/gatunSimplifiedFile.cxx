@@ -72,6 +72,14 @@ SimplifiedFile::Place SimplifiedFile::Find(std::size_t merges, bool withBaseMesh
 }
 
 //------------------------------------------------------------------------------
+SimplifiedFile::Place SimplifiedFile::GetLevel(std::size_t level)
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  this->Open(level);
+  return { this->Levels[level].File, this->GetTree(this->Levels[level]), 0 };
+}
+
+//------------------------------------------------------------------------------
 std::uint64_t SimplifiedFile::EstimateCells(std::size_t merges) const
 {
   // Assumes that cells and points decrease in proportion.

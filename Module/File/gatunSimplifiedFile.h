@@ -44,6 +44,15 @@ public:
    */
   Place Find(std::size_t merges, bool withBaseMeshes = true);
 
+  /** The number of meshes in the file: the whole one and the base meshes. */
+  std::size_t GetNumberOfLevels() const { return this->Levels.size(); }
+
+  /** The number of merges that lead to a level, from 0 for the whole mesh. */
+  std::size_t GetMergesOfLevel(std::size_t level) const { return this->Levels[level].Merges; }
+
+  /** The whole mesh or a base mesh with its tree, which may have no merges. */
+  Place GetLevel(std::size_t level);
+
   /** The approximate number of tetrahedra, or cells of a surface, after a number of merges. */
   std::uint64_t EstimateCells(std::size_t merges) const;
 

@@ -39,6 +39,17 @@ MergeCut::MergeCut(
 }
 
 //------------------------------------------------------------------------------
+MergeCut::MergeCut(const MergeTree& tree, std::vector<bool> done)
+  : Done(std::move(done))
+{
+  if (this->Done.size() != tree.GetMerges().size())
+  {
+    ThrowInvalid("the merges are not those of the tree");
+  }
+  this->FindAncestors(tree);
+}
+
+//------------------------------------------------------------------------------
 void MergeCut::FindAncestors(const MergeTree& tree)
 {
   this->Ancestors.resize(tree.GetNumberOfPoints());

@@ -35,6 +35,10 @@ public:
    */
   MergeCut(const MergeTree& tree, const MergeDependencies& dependencies, std::vector<bool> wanted);
 
+  /** Merges that can be done together, such as those of another cut that a base mesh has left.
+   * Throws InvalidInput if their number is not that of the tree. */
+  MergeCut(const MergeTree& tree, std::vector<bool> done);
+
   /** The ancestor of each point. */
   const std::vector<std::uint32_t>& GetAncestors() const { return this->Ancestors; }
 

@@ -8,6 +8,8 @@ gatun_core_folder(Rays
     File
   EXPERIMENTAL_HEADERS
     gatunCoarseRaySource.h
+    gatunDetailCuts.h
+    gatunDetailView.h
     gatunDetailWeights.h
     gatunFileLevelsOfDetail.h
     gatunFileRaySource.h
@@ -31,8 +33,11 @@ gatun_core_folder(Rays
     gatunRayView.h
   PRIVATE_HEADERS
     gatunBlockMesh.h
+    gatunFileCuts.h
+    gatunJoinedRaySource.h
     gatunRayBins.h
     gatunRayBlockMaker.h
+    gatunRayChunks.h
     gatunRayDecoder.h
     gatunRayDrawer.h
     gatunRayFragments.h
@@ -47,10 +52,13 @@ gatun_core_folder(Rays
     gatunRelease.h
   SOURCES
     gatunCoarseRaySource.cxx
+    gatunDetailCuts.cxx
     gatunDetailWeights.cxx
+    gatunFileCuts.cxx
     gatunFileLevelsOfDetail.cxx
     gatunFileRaySource.cxx
     gatunFrameBudget.cxx
+    gatunJoinedRaySource.cxx
     gatunLevelOfDetailCache.cxx
     gatunMemoryLevelsOfDetail.cxx
     gatunMemoryRaySource.cxx
@@ -58,6 +66,7 @@ gatun_core_folder(Rays
     gatunRayBlock.cxx
     gatunRayBlockCache.cxx
     gatunRayCaster.cxx
+    gatunRayChunks.cxx
     gatunRayDecoder.cxx
     gatunRayFragments.cxx
     gatunRayKernelAVX2.cxx

@@ -8,6 +8,7 @@
 #include "gatunParallel.h"
 #include "gatunRayBlockCache.h"
 #include "gatunRayBlockMaker.h"
+#include "gatunRayChunks.h"
 #include "gatunRayDecoder.h"
 
 #include <algorithm>
@@ -55,12 +56,9 @@ constexpr std::uint32_t NoChunk = 0xffffffffu;
 /** The memory of waiting chunks is limited to this and a quarter of the budget. */
 constexpr std::uint64_t RoomToWait = std::uint64_t{ 32 } << 20;
 
-/** Throws InvalidInput unless the file has these values. */
-std::shared_ptr<const FileReader> Check(
-  const std::shared_ptr<const FileReader>& file, const RayValues& values)
+bool IsAt(const std::vector<bool>& flags, std::uint32_t point, bool ifEmpty)
 {
-  CheckRayValues(*file, values);
-  return file;
+  return flags.empty() ? ifEmpty : flags[point];
 }
 }
 
@@ -68,29 +66,38 @@ std::shared_ptr<const FileReader> Check(
 class CoarseRaySource::Internals
 {
 public:
-  Internals(std::shared_ptr<ChunkCache> parts, const MergeTree& tree, MergeCut cut,
-    const RayValues& values, const std::shared_ptr<CacheBudget>& budget)
-    : File(Check(parts->GetFile(), values))
-    , Layout(File, tree, std::move(cut))
-    , Values(values)
+  Internals(std::shared_ptr<RayChunks> decoded, const MergeTree& tree, MergeCut cut,
+    CoarseMask mask, const std::shared_ptr<CacheBudget>& budget)
+    : File(decoded->GetFile())
+    , Mask(std::move(mask))
+    , Chunks(FindChunks())
+    , Layout(File, tree, std::move(cut), Chunks)
     , Cache(budget)
     , RoomLeft(RoomToWait + budget->GetBytes() / 4)
-    , Parts(std::move(parts))
+    , Decoded(std::move(decoded))
     , Given(File->GetChunks().size())
     , HasGiven(File->GetChunks().size(), 0)
   {
+    this->FindBoxes();
   }
 
   void Make(std::span<const std::size_t> missing, Blocks& made, const Progress& progress);
+  void TakeSame(Internals& other);
 
   std::shared_ptr<const FileReader> File;
+  CoarseMask Mask;
+  std::vector<std::uint32_t> Chunks; // for each block, ascending
   CoarseLayout Layout;
-  RayValues Values;
-  RayBlockCache Cache;
-  std::uint64_t RoomLeft; // for waiting chunks
-  std::shared_ptr<ChunkCache> Parts;
+  std::vector<Bounds> Boxes; // of the blocks
+  RayBlockCache Cache;       // by chunks
+  std::uint64_t RoomLeft;    // for waiting chunks
+  std::shared_ptr<RayChunks> Decoded;
 
 private:
+  std::vector<std::uint32_t> FindChunks() const;
+  bool IsNeeded(std::uint32_t chunk) const;
+  void FindBoxes();
+  bool IsSame(const Internals& other, std::uint32_t chunk) const;
   std::vector<std::uint32_t> FindSources(std::span<const std::size_t> chunks) const;
   void Give(std::uint32_t chunk, const RayBlock& block);
   RayPoint Get(std::uint32_t point) const;
@@ -106,6 +113,94 @@ private:
   // Chunks that were decoded because others needed them, and have not been requested yet.
   std::unordered_map<std::uint32_t, Waiting> Kept;
 };
+
+//------------------------------------------------------------------------------
+/** Whether a chunk may have tetrahedra that are drawn. */
+bool CoarseRaySource::Internals::IsNeeded(std::uint32_t chunk) const
+{
+  bool isAnyFine = false;
+  bool isAnyNextCoarse = false;
+  CoarseLayout::EachRun(*this->File, chunk,
+    [&](std::uint32_t first, std::uint32_t last)
+    {
+      for (auto point = first; point < last; ++point)
+      {
+        isAnyFine = isAnyFine || !IsAt(this->Mask.TooCoarse, point, false);
+        isAnyNextCoarse = isAnyNextCoarse || IsAt(this->Mask.NextTooCoarse, point, true);
+      }
+    });
+  return isAnyFine && isAnyNextCoarse;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::uint32_t> CoarseRaySource::Internals::FindChunks() const
+{
+  std::vector<std::uint32_t> chunks;
+  for (std::uint32_t chunk = 0; chunk < this->File->GetChunks().size(); ++chunk)
+  {
+    if (this->IsNeeded(chunk))
+    {
+      chunks.push_back(chunk);
+    }
+  }
+  return chunks;
+}
+
+//------------------------------------------------------------------------------
+/** The box of a chunk and of those whose points are ancestors of its points encloses it after the
+ * merges, and so does the one that the file has for all merges up to the last one. */
+void CoarseRaySource::Internals::FindBoxes()
+{
+  const MergeCut& cut = this->Layout.GetCut();
+  for (const auto chunk : this->Chunks)
+  {
+    Bounds& box = this->Boxes.emplace_back(this->File->GetChunkBounds(chunk, cut.GetLast()));
+    if (!cut.IsUniform())
+    {
+      Bounds parts = this->File->GetChunkBounds(chunk, 0);
+      for (const auto source : this->Layout.GetSources(chunk))
+      {
+        parts.Include(this->File->GetChunkBounds(source, 0));
+      }
+      for (std::size_t axis = 0; axis < box.size(); ++axis)
+      {
+        box[axis].Min = std::max(box[axis].Min, parts[axis].Min);
+        box[axis].Max = std::min(box[axis].Max, parts[axis].Max);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool CoarseRaySource::Internals::IsSame(const Internals& other, std::uint32_t chunk) const
+{
+  bool isSame = true;
+  CoarseLayout::EachRun(*this->File, chunk,
+    [&](std::uint32_t first, std::uint32_t last)
+    {
+      for (auto point = first; isSame && point < last; ++point)
+      {
+        isSame = this->Layout.GetAncestors()[point] == other.Layout.GetAncestors()[point] &&
+          IsAt(this->Mask.TooCoarse, point, false) == IsAt(other.Mask.TooCoarse, point, false) &&
+          IsAt(this->Mask.NextTooCoarse, point, true) ==
+            IsAt(other.Mask.NextTooCoarse, point, true);
+      }
+    });
+  return isSame;
+}
+
+//------------------------------------------------------------------------------
+void CoarseRaySource::Internals::TakeSame(Internals& other)
+{
+  for (const auto chunk : this->Chunks)
+  {
+    auto block = other.Cache.Find(chunk);
+    if (block && this->IsSame(other, chunk))
+    {
+      this->Cache.Add(chunk, std::move(block));
+    }
+  }
+}
 
 //------------------------------------------------------------------------------
 /** Chunks that have not yet given the points that others get from them. */
@@ -156,6 +251,13 @@ Waiting CoarseRaySource::Internals::Simplify(std::uint32_t chunk, const RayBlock
 {
   // The ancestor of each point: its place in the chunk or, behind these, among the others.
   const auto points = this->Layout.GetPoints(chunk);
+  const auto isDrawn = [&](const MergeTree::Tet& tet)
+  {
+    return std::none_of(tet.begin(), tet.end(),
+             [&](auto corner) { return IsAt(this->Mask.TooCoarse, points[corner], false); }) &&
+      std::any_of(tet.begin(), tet.end(),
+        [&](auto corner) { return IsAt(this->Mask.NextTooCoarse, points[corner], true); });
+  };
   std::vector<std::uint32_t> ancestors(points.size());
   std::vector<std::uint32_t> others;
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -183,7 +285,7 @@ Waiting CoarseRaySource::Internals::Simplify(std::uint32_t chunk, const RayBlock
   for (std::size_t cell = 0; cell < whole.Tets.size(); ++cell)
   {
     auto tet = whole.Tets[cell];
-    if (gatun::Simplify(tet, ancestors))
+    if (isDrawn(tet) && gatun::Simplify(tet, ancestors))
     {
       left.Tets.push_back(tet);
       if (!whole.CellValues.empty())
@@ -291,9 +393,9 @@ void CoarseRaySource::Internals::Make(
     {
       if (chunks[i] != NoChunk)
       {
-        const auto block = DecodeRayBlock(this->Parts, this->Values, chunks[i]);
-        this->Give(chunks[i], block);
-        left[i] = this->Simplify(chunks[i], block);
+        const auto block = this->Decoded->Get(chunks[i]);
+        this->Give(chunks[i], *block);
+        left[i] = this->Simplify(chunks[i], *block);
       }
     },
     [&](double done) { return !progress || progress(share * done); });
@@ -311,15 +413,31 @@ CoarseRaySource::CoarseRaySource(std::shared_ptr<const FileReader> file, const M
   MergeCut cut, const RayValues& values, std::uint64_t budget)
 {
   const auto forParts = GetBudgetForParts(budget);
-  this->Self = std::make_unique<Internals>(std::make_shared<ChunkCache>(std::move(file), forParts),
-    tree, std::move(cut), values, std::make_shared<CacheBudget>(budget - forParts));
+  this->Self = std::make_unique<Internals>(
+    std::make_shared<RayChunks>(
+      std::make_shared<ChunkCache>(std::move(file), forParts), values, false),
+    tree, std::move(cut), CoarseMask{}, std::make_shared<CacheBudget>(budget - forParts));
 }
 
 CoarseRaySource::CoarseRaySource(
   std::shared_ptr<ChunkCache> parts, const MergeTree& tree, MergeCut cut, const RayValues& values)
 {
   const auto budget = parts->GetSharedBudget();
-  this->Self = std::make_unique<Internals>(std::move(parts), tree, std::move(cut), values, budget);
+  this->Self =
+    std::make_unique<Internals>(std::make_shared<RayChunks>(std::move(parts), values, false), tree,
+      std::move(cut), CoarseMask{}, budget);
+}
+
+CoarseRaySource::CoarseRaySource(std::shared_ptr<RayChunks> chunks,
+  std::shared_ptr<CacheBudget> budget, const MergeTree& tree, MergeCut cut, CoarseMask mask,
+  const CoarseRaySource* other)
+  : Self(std::make_unique<Internals>(
+      std::move(chunks), tree, std::move(cut), std::move(mask), std::move(budget)))
+{
+  if (other && other->Self->Decoded == this->Self->Decoded)
+  {
+    this->Self->TakeSame(*other->Self);
+  }
 }
 
 CoarseRaySource::~CoarseRaySource() = default;
@@ -327,29 +445,53 @@ CoarseRaySource::~CoarseRaySource() = default;
 //------------------------------------------------------------------------------
 std::size_t CoarseRaySource::GetNumberOfBlocks() const
 {
-  return this->Self->File->GetChunks().size();
+  return this->Self->Chunks.size();
+}
+
+//------------------------------------------------------------------------------
+std::uint32_t CoarseRaySource::GetChunk(std::size_t block) const
+{
+  return this->Self->Chunks[block];
 }
 
 //------------------------------------------------------------------------------
 const Bounds& CoarseRaySource::GetBounds(std::size_t block) const
 {
-  return this->Self->File->GetChunkBounds(block, this->Self->Layout.GetCut().GetLast());
+  return this->Self->Boxes[block];
 }
 
 //------------------------------------------------------------------------------
 Range CoarseRaySource::GetRange(std::size_t block) const
 {
-  const auto& values = this->Self->Values;
-  return GetDrawnRange(this->Self->File->GetChunkRanges(
-                         values.Array, values.Step, block, this->Self->Layout.GetCut().GetLast()),
-    values.Component);
+  const auto& values = this->Self->Decoded->GetValues();
+  const CoarseLayout& layout = this->Self->Layout;
+  const auto get = [&](std::size_t chunk, std::size_t merges)
+  {
+    return GetDrawnRange(
+      this->Self->File->GetChunkRanges(values.Array, values.Step, chunk, merges),
+      values.Component);
+  };
+  const auto chunk = this->Self->Chunks[block];
+  if (layout.GetCut().IsUniform())
+  {
+    return get(chunk, layout.GetCut().GetLast());
+  }
+  Range all = get(chunk, 0);
+  for (const auto source : layout.GetSources(chunk))
+  {
+    all.Include(get(source, 0));
+  }
+  return all;
 }
 
 //------------------------------------------------------------------------------
 RaySource::Blocks CoarseRaySource::GetBlocks(
   std::span<const std::size_t> blocks, const Progress& progress)
 {
-  return FindOrMakeTogether(this->Self->Cache, blocks,
+  std::vector<std::size_t> chunks(blocks.size());
+  std::transform(blocks.begin(), blocks.end(), chunks.begin(),
+    [&](std::size_t block) { return this->GetChunk(block); });
+  return FindOrMakeTogether(this->Self->Cache, chunks,
     [&](std::span<const std::size_t> missing, Blocks& made)
     { this->Self->Make(missing, made, progress); });
 }

@@ -16,8 +16,21 @@
 
 namespace gatun
 {
+class CacheBudget;
 class ChunkCache;
 class FileReader;
+class RayChunks;
+
+/**
+ * Which tetrahedra of a base mesh a mesh of several base meshes has: those without a corner that
+ * is too coarse, of which any is too coarse in the next base mesh. One element for each point of
+ * the base mesh, before the merges of the cut.
+ */
+struct CoarseMask
+{
+  std::vector<bool> TooCoarse;     ///< empty: none
+  std::vector<bool> NextTooCoarse; ///< empty: all
+};
 
 /**
  * The chunks of a file after the merges of a cut, simplified as they are decoded. If a chunk
@@ -38,7 +51,15 @@ public:
   CoarseRaySource(std::shared_ptr<ChunkCache> parts, const MergeTree& tree, MergeCut cut,
     const RayValues& values);
 
+  /** Takes the blocks that are the same from another source of the same chunks, which may be null.
+   * With a mask, only chunks that have any of its tetrahedra are blocks. */
+  CoarseRaySource(std::shared_ptr<RayChunks> chunks, std::shared_ptr<CacheBudget> budget,
+    const MergeTree& tree, MergeCut cut, CoarseMask mask, const CoarseRaySource* other);
+
   ~CoarseRaySource() override;
+
+  /** The chunk of the file that a block is. */
+  std::uint32_t GetChunk(std::size_t block) const;
 
   std::size_t GetNumberOfBlocks() const override;
   const Bounds& GetBounds(std::size_t block) const override;

@@ -35,6 +35,17 @@ double EvaluateExtreme(const Plane& plane, const Bounds& box, bool largest)
 }
 
 //------------------------------------------------------------------------------
+double GetDiagonal(const Bounds& box)
+{
+  double length = 0;
+  for (const Range& side : box)
+  {
+    length = std::hypot(length, side.IsEmpty() ? 0 : side.Max - side.Min);
+  }
+  return length;
+}
+
+//------------------------------------------------------------------------------
 DetailWeights::DetailWeights(const RayView& view, double size)
   : Size(size)
   , Scale(1 / std::min(view.ScaleX, view.ScaleY))

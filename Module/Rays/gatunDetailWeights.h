@@ -13,6 +13,10 @@
 
 namespace gatun
 {
+/** The length of the diagonal of a box, in which axes without extent do not count; 0 if it is empty.
+ */
+VTKGATUNCORE_EXPORT double GetDiagonal(const Bounds& box);
+
 /**
  * How much the error of a merge counts at a place, for a view: the length of an object in pixels,
  * if it were there. It is 0 outside of the view, and falls to 0 over a tenth of the size of the

@@ -2,13 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunFileLevelsOfDetail.h"
 
+#include "gatunChunkCache.h"
+#include "gatunCoarseLayout.h"
 #include "gatunCoarseRaySource.h"
+#include "gatunDetailWeights.h"
+#include "gatunFileCuts.h"
 #include "gatunFileRaySource.h"
+#include "gatunRayChunks.h"
 
 #include <algorithm>
 
 namespace gatun
 {
+namespace
+{
+// Where it is finest, a mesh for a view has as many points as one that is the same everywhere with
+// so many times as many.
+constexpr std::uint64_t Contrast = 8;
+
+// Fewest points of the base mesh that is decoded as a whole for views.
+constexpr std::uint64_t FewestOfBase = 20000;
+}
+
 //------------------------------------------------------------------------------
 FileLevelsOfDetail::FileLevelsOfDetail(
   std::shared_ptr<const FileReader> file, const RayValues& values)
@@ -69,6 +84,130 @@ std::shared_ptr<RaySource> FileLevelsOfDetail::MakeSource(
   }
   return std::make_shared<CoarseRaySource>(
     place.File, *place.Tree, MergeCut(*place.Tree, place.Merges), this->Values, budget);
+}
+
+//------------------------------------------------------------------------------
+/** The coarsest level with at least so many points. */
+std::size_t FileLevelsOfDetail::FindLevel(std::uint64_t points) const
+{
+  const auto merges = this->CountMerges(points);
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < this->File.GetNumberOfLevels(); ++i)
+  {
+    found = this->File.GetMergesOfLevel(i) <= merges ? i : found;
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+/** The finest level that a view needs, from a given one on. */
+std::size_t FileLevelsOfDetail::FindFinest(
+  const DetailView& view, std::uint64_t points, std::size_t coarse)
+{
+  if (view.Region != DetailRegion{})
+  {
+    return 0;
+  }
+  const auto finest = std::min(this->FindLevel(Contrast * points), coarse);
+  const FileReader& file = *this->File.GetFile();
+  const double weight = DetailWeights(view.View, GetDiagonal(file.GetBounds())).Get(file.GetBounds());
+  auto level = coarse;
+  const auto isEnough = [&]
+  {
+    // The error of the merges that lead to a level is at most that of the next one.
+    const auto tree = this->File.GetLevel(level).Tree;
+    return !tree->GetMerges().empty() && tree->GetMerges().front().Error * weight <= view.PixelError;
+  };
+  while (level > finest && !isEnough())
+  {
+    --level;
+  }
+  return level;
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<RayChunks> FileLevelsOfDetail::GetChunks(std::size_t level)
+{
+  this->Chunks.resize(this->File.GetNumberOfLevels());
+  auto& chunks = this->Chunks[level];
+  if (!chunks)
+  {
+    const auto file = this->File.GetLevel(level).File;
+    auto parts = this->Shared ? this->Shared->MakeView(file, false)
+                              : std::make_shared<ChunkCache>(file, this->Budget);
+    parts->SetKeepsChunks(false);
+    chunks = std::make_shared<RayChunks>(std::move(parts), this->Values, true);
+  }
+  return chunks;
+}
+
+//------------------------------------------------------------------------------
+/** Null if there are no dependencies. */
+FileCuts* FileLevelsOfDetail::FindCuts(
+  std::size_t fine, std::size_t coarse, const RaySource::Progress& progress)
+{
+  if (!this->Cuts || fine != this->Fine || coarse != this->Coarse)
+  {
+    this->Cuts.reset();
+    // TEMP
+    std::vector<std::array<std::uint32_t, 4>> tets;
+    {
+      const auto chunks = this->GetChunks(fine);
+      for (std::uint32_t c = 0; c < chunks->GetFile()->GetChunks().size(); ++c)
+      {
+        const auto block = chunks->Get(c);
+        std::vector<std::uint32_t> points;
+        CoarseLayout::EachRun(*chunks->GetFile(), c, [&](std::uint32_t a, std::uint32_t b)
+          { for (; a < b; ++a) points.push_back(a); });
+        for (auto t : block->Tets)
+        {
+          for (auto& k : t) k = points[k];
+          tets.push_back(t);
+        }
+      }
+    }
+    auto dependencies = std::make_shared<const MergeDependencies>(*this->File.GetLevel(fine).Tree, tets, progress);
+    if (!dependencies)
+    {
+      return nullptr;
+    }
+    std::vector<FileCuts::Base> bases;
+    for (auto level = fine; level <= coarse; ++level)
+    {
+      bases.push_back({ this->GetChunks(level), this->File.GetLevel(level).Tree });
+    }
+    this->Cuts = std::make_unique<FileCuts>(
+      std::move(bases), std::move(dependencies), this->Budget, progress);
+    this->Fine = fine;
+    this->Coarse = coarse;
+  }
+  return this->Cuts.get();
+}
+
+//------------------------------------------------------------------------------
+DetailLevel FileLevelsOfDetail::MakeLevel(
+  const DetailRequest& request, std::uint64_t budget, const RaySource::Progress& progress)
+{
+  const auto all = this->GetNumberOfPoints();
+  const auto points = std::clamp(request.Points, this->GetFewestPoints(), all);
+  const bool isWhole = points == all && !(request.View && request.View->PixelError > 0);
+  if (!request.View || isWhole)
+  {
+    return { this->MakeSource(points, budget), points };
+  }
+  if (!this->Budget)
+  {
+    this->Budget = this->Shared ? this->Shared->GetBudget() : std::make_shared<CacheBudget>(budget);
+  }
+  const std::uint64_t ofBase = points == all ? FewestOfBase : std::max(points, FewestOfBase);
+  const auto coarse = this->FindLevel(ofBase);
+  const auto fine = this->FindFinest(*request.View, points, coarse);
+  FileCuts* const cuts = this->FindCuts(fine, coarse, progress);
+  if (!cuts)
+  {
+    return { this->MakeSource(points, budget), points };
+  }
+  return cuts->Make(*request.View, points);
 }
 
 //------------------------------------------------------------------------------

@@ -11,12 +11,18 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace gatun
 {
+class CacheBudget;
+class FileCuts;
+class RayChunks;
+
 /**
  * The levels of detail of a file with a merge tree. A level comes from the coarsest base mesh of
- * the file that has enough points, or from the whole mesh.
+ * the file that has enough points, or from the whole mesh. One for a view comes from several of them
+ * (see FileCuts).
  */
 class VTKGATUNCORE_EXPORT FileLevelsOfDetail final : public LevelsOfDetail
 {
@@ -33,15 +39,28 @@ public:
   std::uint64_t GetNumberOfPoints() const override;
   std::uint64_t GetFewestPoints() const override;
   std::shared_ptr<RaySource> MakeSource(std::uint64_t points, std::uint64_t budget) override;
+  DetailLevel MakeLevel(const DetailRequest& request, std::uint64_t budget,
+    const RaySource::Progress& progress) override;
   std::uint64_t EstimateTets(std::uint64_t points) const override;
 
 private:
   std::uint64_t CountMerges(std::uint64_t points) const;
+  std::size_t FindLevel(std::uint64_t points) const;
+  std::size_t FindFinest(const DetailView& view, std::uint64_t points, std::size_t coarse);
+  std::shared_ptr<RayChunks> GetChunks(std::size_t level);
+  FileCuts* FindCuts(std::size_t fine, std::size_t coarse, const RaySource::Progress& progress);
 
   std::shared_ptr<SharedFile> Shared;        // null for a file of one's own
   const std::shared_ptr<SimplifiedFile> Own; // null for a shared one
   SimplifiedFile& File;                      // of these two
   RayValues Values;
+
+  // For views: the chunks of levels that were used, and what was made of some levels last.
+  std::shared_ptr<CacheBudget> Budget;
+  std::vector<std::shared_ptr<RayChunks>> Chunks;
+  std::size_t Fine = 0;
+  std::size_t Coarse = 0;
+  std::unique_ptr<FileCuts> Cuts;
 };
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunLevelOfDetailCache.h"
 
+#include "gatunDetailWeights.h"
 #include "gatunError.h"
 #include "gatunParallel.h"
 
@@ -13,6 +14,7 @@
 #include <deque>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 namespace gatun
@@ -28,11 +30,17 @@ constexpr std::uint64_t BytesPerTet = 64;
 // something.
 constexpr std::uint64_t FirstPoints = 20000;
 
+// How many times more points a level for the present view is worth, in halvings, than one that is
+// the same everywhere, and than that for the view before.
+constexpr double HalvingsForView = 3;
+constexpr double HalvingsForAge = 0.25;
+
 /** A level of detail. */
 struct Level
 {
-  std::uint64_t Points = 0;
-  std::shared_ptr<RaySource> Source;
+  DetailRequest Request;
+  std::uint64_t View = 0; // the number of its view, if it has one
+  DetailLevel Made;
   bool IsComplete = false; // all of its blocks were made, or it is in use
   std::uint64_t Used = 0;  // when
 };
@@ -61,8 +69,10 @@ public:
   std::vector<Level> Levels;  // coarser than the whole mesh
   bool IsWholeComplete = false;
   std::uint64_t Uses = 0;
-  std::deque<std::uint64_t> Wanted;
-  std::uint64_t Now = 0; // the level in work; 0: none
+  std::deque<DetailRequest> Wanted;
+  std::optional<DetailRequest> Now;              // the level in work
+  std::shared_ptr<const DetailView> PresentView; // that was requested last
+  std::uint64_t Views = 0;                       // that have been requested
   bool MustStop = false; // working on that level
   bool IsHeld = false;   // the worker must not begin another level
   bool IsDrawing = false;
@@ -71,19 +81,20 @@ public:
   std::thread Worker;
 
   // With the guard locked:
-  bool IsWhole(std::uint64_t points) const { return points == this->Detail->GetNumberOfPoints(); }
-  std::uint64_t Clamp(std::uint64_t points) const
+  bool IsWhole(const DetailRequest& request) const
   {
-    return std::clamp(points, this->Detail->GetFewestPoints(), this->Detail->GetNumberOfPoints());
+    return request.Points == this->Detail->GetNumberOfPoints() && !request.View;
   }
+  DetailRequest Clamp(const DetailRequest& request) const;
   std::uint64_t GetBytes(std::uint64_t points) const
   {
     return BytesPerTet * this->Detail->EstimateTets(points);
   }
-  Level* Find(std::uint64_t points);
+  Level* Find(const DetailRequest& request);
   void Add(Level level);
-  bool IsReady(std::uint64_t points);
-  bool IsWorthwhile(std::uint64_t points);
+  bool IsReady(const DetailRequest& request);
+  bool IsWorthwhile(const DetailRequest& request);
+  void SeeView(const DetailRequest& request);
 
   // Without:
   void Work();
@@ -105,7 +116,7 @@ public:
     self.IsHeld = true;
     self.MustStop = true;
     self.Changed.notify_all();
-    self.Changed.wait(lock, [&] { return self.Now == 0; });
+    self.Changed.wait(lock, [&] { return !self.Now; });
   }
   ~Hold()
   {
@@ -121,10 +132,23 @@ private:
 }
 
 //------------------------------------------------------------------------------
-Level* LevelOfDetailCache::Internals::Find(std::uint64_t points)
+DetailRequest LevelOfDetailCache::Internals::Clamp(const DetailRequest& request) const
+{
+  const auto all = this->Detail->GetNumberOfPoints();
+  DetailRequest result = request;
+  result.Points = std::clamp(request.Points, this->Detail->GetFewestPoints(), all);
+  if (result.Points == all && request.View && !(request.View->PixelError > 0))
+  {
+    result.View = nullptr;
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+Level* LevelOfDetailCache::Internals::Find(const DetailRequest& request)
 {
   const auto found = std::find_if(this->Levels.begin(), this->Levels.end(),
-    [&](const Level& level) { return level.Points == points; });
+    [&](const Level& level) { return level.Request == request; });
   return found == this->Levels.end() ? nullptr : &*found;
 }
 
@@ -132,37 +156,48 @@ Level* LevelOfDetailCache::Internals::Find(std::uint64_t points)
 void LevelOfDetailCache::Internals::Add(Level level)
 {
   level.Used = ++this->Uses;
-  std::uint64_t bytes = this->GetBytes(level.Points);
+  std::uint64_t bytes = this->GetBytes(level.Made.Points);
   for (const Level& other : this->Levels)
   {
-    bytes += this->GetBytes(other.Points);
+    bytes += this->GetBytes(other.Made.Points);
   }
   while (!this->Levels.empty() && bytes > this->Space.Simpler)
   {
     const auto oldest = std::min_element(this->Levels.begin(), this->Levels.end(),
       [](const Level& a, const Level& b) { return a.Used < b.Used; });
-    bytes -= this->GetBytes(oldest->Points);
+    bytes -= this->GetBytes(oldest->Made.Points);
     this->Levels.erase(oldest);
   }
   this->Levels.push_back(std::move(level));
 }
 
 //------------------------------------------------------------------------------
-bool LevelOfDetailCache::Internals::IsReady(std::uint64_t points)
+bool LevelOfDetailCache::Internals::IsReady(const DetailRequest& request)
 {
-  if (this->IsWhole(points))
+  if (this->IsWhole(request))
   {
     return this->IsWholeComplete;
   }
-  const Level* const level = this->Find(points);
+  const Level* const level = this->Find(request);
   return level && level->IsComplete;
 }
 
 //------------------------------------------------------------------------------
-bool LevelOfDetailCache::Internals::IsWorthwhile(std::uint64_t points)
+bool LevelOfDetailCache::Internals::IsWorthwhile(const DetailRequest& request)
 {
-  return !this->IsReady(points) &&
-    this->GetBytes(points) <= (this->IsWhole(points) ? this->Space.Whole : this->Space.Simpler);
+  return !this->IsReady(request) &&
+    this->GetBytes(request.Points) <=
+    (this->IsWhole(request) ? this->Space.Whole : this->Space.Simpler);
+}
+
+//------------------------------------------------------------------------------
+void LevelOfDetailCache::Internals::SeeView(const DetailRequest& request)
+{
+  if (request.View && !(this->PresentView && *request.View == *this->PresentView))
+  {
+    this->PresentView = request.View;
+    ++this->Views;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -199,7 +234,7 @@ void LevelOfDetailCache::Internals::FindLevels()
     {
       points /= 2;
     }
-    this->Wanted.push_back(this->Clamp(points));
+    this->Wanted.push_back(this->Clamp({ points, nullptr }));
   }
   this->Changed.notify_all();
 }
@@ -217,24 +252,38 @@ bool LevelOfDetailCache::Internals::Rest(Clock::duration worked)
 }
 
 //------------------------------------------------------------------------------
-/** Makes the blocks of a level until it must stop. */
+/** Makes the blocks of a level that are in its view until it must stop. */
 void LevelOfDetailCache::Internals::Complete(Level& level)
 {
   auto before = Clock::now();
-  if (!level.Source)
+  const auto rest = [&](double)
   {
-    level.Source = this->Detail->MakeSource(level.Points, this->Space.Simpler);
+    const bool goesOn = this->Rest(Clock::now() - before);
+    before = Clock::now();
+    return goesOn;
+  };
+  if (!level.Made.Source)
+  {
+    level.Made = this->Detail->MakeLevel(level.Request, this->Space.Simpler, rest);
   }
-  const auto blocks = level.Source->GetNumberOfBlocks();
-  for (std::size_t block = 0; this->Rest(Clock::now() - before); ++block)
+  RaySource& source = *level.Made.Source;
+  std::optional<DetailWeights> weights;
+  if (level.Request.View)
+  {
+    weights.emplace(level.Request.View->View, 1);
+  }
+  const auto blocks = source.GetNumberOfBlocks();
+  for (std::size_t block = 0; rest(0); ++block)
   {
     if (block == blocks)
     {
       level.IsComplete = true;
       return;
     }
-    before = Clock::now();
-    level.Source->GetBlocks({ &block, 1 }, {});
+    if (!weights || weights->Get(source.GetBounds(block)) > 0)
+    {
+      source.GetBlocks({ &block, 1 }, {});
+    }
   }
 }
 
@@ -252,21 +301,22 @@ void LevelOfDetailCache::Internals::Work()
       return;
     }
     Level level;
-    level.Points = this->Wanted.front();
+    level.Request = this->Wanted.front();
+    level.View = this->Views;
     this->Wanted.pop_front();
-    if (this->IsWorthwhile(level.Points))
+    if (this->IsWorthwhile(level.Request))
     {
-      const bool isWhole = this->IsWhole(level.Points);
+      const bool isWhole = this->IsWhole(level.Request);
       if (isWhole)
       {
-        level.Source = this->Whole;
+        level.Made = { this->Whole, level.Request.Points };
       }
-      else if (Level* const begun = this->Find(level.Points))
+      else if (Level* const begun = this->Find(level.Request))
       {
         level = std::move(*begun);
         this->Levels.erase(this->Levels.begin() + (begun - this->Levels.data()));
       }
-      this->Now = level.Points;
+      this->Now = level.Request;
       this->MustStop = false;
       lock.unlock();
       try
@@ -276,18 +326,18 @@ void LevelOfDetailCache::Internals::Work()
       catch (...)
       {
         // Get will meet the same failure and report it.
-        level.Source = nullptr;
+        level.Made = {};
       }
       lock.lock();
       if (isWhole)
       {
         this->IsWholeComplete = level.IsComplete;
       }
-      else if (level.Source)
+      else if (level.Made.Source)
       {
         this->Add(std::move(level));
       }
-      this->Now = 0;
+      this->Now.reset();
     }
     this->Changed.notify_all();
   }
@@ -354,7 +404,7 @@ std::shared_ptr<RaySource> LevelOfDetailCache::GetWhole()
 {
   auto& self = *this->Self;
   std::unique_lock<std::mutex> lock(self.Guard);
-  if (self.Now != 0 && self.IsWhole(self.Now))
+  if (self.Now && self.IsWhole(*self.Now))
   {
     const Hold hold(self, lock);
   }
@@ -364,49 +414,63 @@ std::shared_ptr<RaySource> LevelOfDetailCache::GetWhole()
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<RaySource> LevelOfDetailCache::Get(std::uint64_t points)
+DetailLevel LevelOfDetailCache::Get(const DetailRequest& wanted)
 {
   auto& self = *this->Self;
   std::unique_lock<std::mutex> lock(self.Guard);
-  points = self.Clamp(points);
-  if (self.IsWhole(points))
+  const DetailRequest request = self.Clamp(wanted);
+  if (self.IsWhole(request))
   {
     lock.unlock();
-    return this->GetWhole();
+    return { this->GetWhole(), request.Points };
   }
-  if (!self.IsReady(points))
+  self.SeeView(request);
+  if (!self.IsReady(request))
   {
     const Hold hold(self, lock);
     // The worker may have begun this level.
-    if (!self.Find(points))
+    if (!self.Find(request))
     {
       Level level;
-      level.Points = points;
-      level.Source = self.Detail->MakeSource(points, self.Space.Simpler);
+      level.Request = request;
+      level.View = self.Views;
+      level.Made = self.Detail->MakeLevel(request, self.Space.Simpler, {});
       self.Add(std::move(level));
     }
   }
-  Level* const level = self.Find(points);
+  Level* const level = self.Find(request);
   level->IsComplete = true;
   level->Used = ++self.Uses;
-  return level->Source;
+  return level->Made;
 }
 
 //------------------------------------------------------------------------------
-std::uint64_t LevelOfDetailCache::FindReady(std::uint64_t wanted) const
+DetailRequest LevelOfDetailCache::FindReady(const DetailRequest& wanted) const
 {
   const auto& self = *this->Self;
   const std::lock_guard<std::mutex> lock(self.Guard);
-  std::uint64_t best = 0;
+  DetailRequest best;
   double least = 0;
   for (const Level& level : self.Levels)
   {
-    const double halvings = std::log2(
-      static_cast<double>(level.Points) / static_cast<double>(std::max<std::uint64_t>(wanted, 1)));
-    const double away = halvings > 0 ? 2 * halvings : -halvings;
-    if (level.IsComplete && (best == 0 || away < least))
+    if (!level.IsComplete || (level.Request.View && !wanted.View))
     {
-      best = level.Points;
+      continue;
+    }
+    const double halvings = std::log2(static_cast<double>(level.Made.Points) /
+      static_cast<double>(std::max<std::uint64_t>(wanted.Points, 1)));
+    double away = halvings > 0 ? 2 * halvings : -halvings;
+    if (wanted.View && !level.Request.View)
+    {
+      away += HalvingsForView;
+    }
+    else if (wanted.View && *level.Request.View != *wanted.View)
+    {
+      away += HalvingsForAge * (1 + static_cast<double>(self.Views - level.View));
+    }
+    if (best.Points == 0 || away < least)
+    {
+      best = level.Request;
       least = away;
     }
   }
@@ -414,7 +478,7 @@ std::uint64_t LevelOfDetailCache::FindReady(std::uint64_t wanted) const
 }
 
 //------------------------------------------------------------------------------
-void LevelOfDetailCache::Prepare(const std::vector<std::uint64_t>& points)
+void LevelOfDetailCache::Prepare(const std::vector<DetailRequest>& wanted)
 {
   auto& self = *this->Self;
   const std::lock_guard<std::mutex> lock(self.Guard);
@@ -424,11 +488,14 @@ void LevelOfDetailCache::Prepare(const std::vector<std::uint64_t>& points)
   }
   self.Wanted.clear();
   bool isAtIt = false;
-  for (const auto wanted : points)
+  for (const auto& request : wanted)
   {
-    const auto clamped = self.Clamp(wanted);
-    isAtIt = isAtIt || clamped == self.Now;
-    if (clamped != self.Now && self.IsWorthwhile(clamped))
+    const auto clamped = self.Clamp(request);
+    self.SeeView(clamped);
+    const bool isNow = self.Now && clamped == *self.Now;
+    const bool isLike = isNow || (self.Now && self.Now->View && clamped.View);
+    isAtIt = isAtIt || (isLike && self.Wanted.empty()); // what comes first is more urgent
+    if (!isNow && self.IsWorthwhile(clamped))
     {
       self.Wanted.push_back(clamped);
     }
@@ -451,6 +518,6 @@ void LevelOfDetailCache::Wait()
 {
   auto& self = *this->Self;
   std::unique_lock<std::mutex> lock(self.Guard);
-  self.Changed.wait(lock, [&] { return self.Wanted.empty() && self.Now == 0; });
+  self.Changed.wait(lock, [&] { return self.Wanted.empty() && !self.Now; });
 }
 }

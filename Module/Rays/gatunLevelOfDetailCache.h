@@ -55,17 +55,21 @@ public:
   /** Returns the whole mesh. */
   std::shared_ptr<RaySource> GetWhole();
 
-  /** Returns the level with a given number of points. If it is not ready, it is made now, while the
-   * background thread rests. The levels of detail must be known. */
-  std::shared_ptr<RaySource> Get(std::uint64_t points);
+  /** Returns a level. If it is not ready, it is made now, while the background thread rests. The
+   * levels of detail must be known. */
+  DetailLevel Get(const DetailRequest& wanted);
 
-  /** Returns the number of points of the nearest ready level that is coarser than the whole mesh; 0
-   * if there is none. The distance of a level with more points than wanted counts twice. */
-  std::uint64_t FindReady(std::uint64_t wanted) const;
+  /** Returns the nearest ready level that is coarser than the whole mesh; none, with 0 points, if
+   * there is none. The distance of a level with more points than wanted counts twice. For a view,
+   * levels for views that were requested more recently are nearer, and after many views so are
+   * those that are the same everywhere. */
+  DetailRequest FindReady(const DetailRequest& wanted) const;
 
   /** Requests levels, which are prepared one after the other; replaces earlier requests. Levels for
-   * which there is no room are skipped. Does nothing while the levels of detail are not known. */
-  void Prepare(const std::vector<std::uint64_t>& points);
+   * which there is no room are skipped. A level for a view that is being made is completed if one
+   * for another view is wanted in its place. Does nothing while the levels of detail are not known.
+   */
+  void Prepare(const std::vector<DetailRequest>& wanted);
 
   /** States whether a frame is being drawn. */
   void SetDrawing(bool drawing);

@@ -3,6 +3,7 @@
 #ifndef gatunLevelsOfDetail_h
 #define gatunLevelsOfDetail_h
 
+#include "gatunDetailView.h"
 #include "gatunRaySource.h"
 #include "vtkGatunCoreModule.h"
 
@@ -11,6 +12,13 @@
 
 namespace gatun
 {
+/** A mesh that is simplified, everywhere the same or for a view. */
+struct DetailLevel
+{
+  std::shared_ptr<RaySource> Source;
+  std::uint64_t Points = 0; ///< that are left
+};
+
 /**
  * The levels of detail of a mesh: any number of points, from all of them to the fewest.
  *
@@ -31,6 +39,18 @@ public:
    * threads must not use the same source at the same time, but may use different ones.
    */
   virtual std::shared_ptr<RaySource> MakeSource(std::uint64_t points, std::uint64_t budget) = 0;
+
+  /**
+   * Returns a level for a view, or the level that is the same everywhere if there is none or the
+   * mesh is not simplified for views. Progress: while it is found out how; if it returns false,
+   * Error(Aborted) is thrown.
+   */
+  virtual DetailLevel MakeLevel(
+    const DetailRequest& request, std::uint64_t budget, const RaySource::Progress& progress)
+  {
+    (void)progress;
+    return { this->MakeSource(request.Points, budget), request.Points };
+  }
 
   /** Estimates the number of tetrahedra of a level. */
   virtual std::uint64_t EstimateTets(std::uint64_t points) const = 0;

@@ -3,6 +3,8 @@
 #include "gatunMemoryLevelsOfDetail.h"
 
 #include "gatunBlockMesh.h"
+#include "gatunDetailCuts.h"
+#include "gatunDetailWeights.h"
 #include "gatunError.h"
 #include "gatunMemoryRaySource.h"
 #include "gatunMergeBuilder.h"
@@ -20,6 +22,10 @@ namespace gatun
 namespace
 {
 using Tet = MergeTree::Tet;
+
+// Where it is finest, a mesh for a view has as many points as one that is the same everywhere with
+// so many times as many.
+constexpr std::uint64_t Contrast = 8;
 
 /** Tetrahedra in spatial order. */
 struct TetList
@@ -242,6 +248,7 @@ class MemoryLevelsOfDetail::Internals
 public:
   std::shared_ptr<const MemoryRayMesh> Mesh;
   MergeTree Tree;
+  Bounds Box;
 
   mutable std::mutex Guard;                                    // of what follows
   std::map<std::size_t, std::shared_ptr<const TetList>> Bases; // by halvings
@@ -250,16 +257,23 @@ public:
   std::uint64_t GetPoints() const { return this->Tree.GetNumberOfPoints(); }
   std::uint64_t GetFewest() const { return this->GetPoints() - this->Tree.GetMerges().size(); }
 
-  std::shared_ptr<const TetList> Simplify(const TetList& base, std::uint64_t points) const;
+  std::shared_ptr<const TetList> Simplify(
+    const TetList& base, const std::vector<std::uint32_t>& ancestors) const;
   std::shared_ptr<const TetList> MakeTets(std::uint64_t points);
+  std::size_t FindBase(const DetailView& view, std::uint64_t points) const;
+  const DetailCuts& GetCuts(std::size_t halvings, const RaySource::Progress& progress);
+
+  // For views, of one base at a time, and only for who makes sources.
+  std::size_t Halvings = 0;
+  std::shared_ptr<const TetList> CutTets;
+  std::unique_ptr<DetailCuts> Cuts;
 };
 
 //------------------------------------------------------------------------------
-/** Simplifies a base to a given number of points. */
+/** Simplifies a base further. */
 std::shared_ptr<const TetList> MemoryLevelsOfDetail::Internals::Simplify(
-  const TetList& base, std::uint64_t points) const
+  const TetList& base, const std::vector<std::uint32_t>& ancestors) const
 {
-  const auto ancestors = this->Tree.FindAncestors(this->Tree.CountMergesForPoints(points));
   const std::size_t count = base.Tets.size();
   constexpr std::size_t most = std::size_t{ 1 } << 16;
   std::vector<TetList> parts((count + most - 1) / most);
@@ -296,12 +310,17 @@ std::shared_ptr<const TetList> MemoryLevelsOfDetail::Internals::Simplify(
 std::shared_ptr<const TetList> MemoryLevelsOfDetail::Internals::MakeTets(std::uint64_t points)
 {
   auto base = this->Mesh->GetInternals().Whole;
+  const auto simplify = [&](std::uint64_t left)
+  {
+    return this->Simplify(
+      *base, this->Tree.FindAncestors(this->Tree.CountMergesForPoints(left)));
+  };
   for (std::size_t halvings = 1;; ++halvings)
   {
     const std::uint64_t ofBase = this->GetPoints() >> halvings;
     if (ofBase < points || ofBase <= this->GetFewest())
     {
-      return this->Simplify(*base, points);
+      return simplify(points);
     }
     std::shared_ptr<const TetList> next;
     {
@@ -310,7 +329,7 @@ std::shared_ptr<const TetList> MemoryLevelsOfDetail::Internals::MakeTets(std::ui
     }
     if (!next)
     {
-      next = this->Simplify(*base, ofBase);
+      next = simplify(ofBase);
       const std::lock_guard<std::mutex> lock(this->Guard);
       this->Bases[halvings] = next;
       this->Counts[ofBase] = next->Tets.size();
@@ -321,6 +340,79 @@ std::shared_ptr<const TetList> MemoryLevelsOfDetail::Internals::MakeTets(std::ui
       return base;
     }
   }
+}
+
+//------------------------------------------------------------------------------
+/** The coarsest base that is fine enough for a view, by halvings. */
+std::size_t MemoryLevelsOfDetail::Internals::FindBase(
+  const DetailView& view, std::uint64_t points) const
+{
+  if (view.Region != DetailRegion{})
+  {
+    return 0;
+  }
+  const double weight = DetailWeights(view.View, GetDiagonal(this->Box)).Get(this->Box);
+  std::size_t halvings = 0;
+  for (;; ++halvings)
+  {
+    const auto next = this->GetPoints() >> (halvings + 1);
+    const bool isEnough = next >= Contrast * points ||
+      this->Tree.GetLargestError(this->Tree.CountMergesForPoints(next)) * weight <= view.PixelError;
+    if (!isEnough || next <= this->GetFewest())
+    {
+      return halvings;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/** The cuts of a base. */
+const DetailCuts& MemoryLevelsOfDetail::Internals::GetCuts(
+  std::size_t halvings, const RaySource::Progress& progress)
+{
+  if (this->Cuts && this->Halvings == halvings)
+  {
+    return *this->Cuts;
+  }
+  this->Cuts.reset();
+  const auto points = this->GetPoints() >> halvings;
+  this->CutTets = halvings == 0 ? this->Mesh->GetInternals().Whole : this->MakeTets(points);
+  const auto& all = this->Tree.GetMerges();
+  const auto done = halvings == 0 ? 0 : this->Tree.CountMergesForPoints(points);
+  const auto tree = std::make_shared<const MergeTree>(this->Tree.GetNumberOfPoints(),
+    std::vector<Merge>(all.begin() + static_cast<std::ptrdiff_t>(done), all.end()));
+  auto dependencies =
+    std::make_shared<const MergeDependencies>(*tree, this->CutTets->Tets, progress);
+  // Only merges ask for places.
+  std::vector<DetailCuts::Place> places;
+  const auto none = static_cast<std::uint32_t>(tree->GetMerges().size());
+  std::vector<std::uint32_t> placeOf(this->GetPoints(), none);
+  const auto& known = this->Mesh->GetInternals().Points;
+  for (const Merge& merge : tree->GetMerges())
+  {
+    placeOf[merge.Point] = static_cast<std::uint32_t>(places.size());
+    places.push_back({ known[merge.Point], {} });
+  }
+  const TetList& list = *this->CutTets;
+  for (std::size_t i = 0; i < list.Tets.size(); ++i)
+  {
+    Range values;
+    for (const auto corner : list.Tets[i])
+    {
+      values.Include(list.Values.empty() ? known[corner].Value : list.Values[i]);
+    }
+    for (const auto corner : list.Tets[i])
+    {
+      if (placeOf[corner] != none)
+      {
+        places[placeOf[corner]].Values.Include(values);
+      }
+    }
+  }
+  this->Cuts = std::make_unique<DetailCuts>(tree, std::move(dependencies), std::move(places),
+    std::move(placeOf), std::vector<std::uint32_t>{}, GetDiagonal(this->Box));
+  this->Halvings = halvings;
+  return *this->Cuts;
 }
 
 //------------------------------------------------------------------------------
@@ -336,6 +428,10 @@ MemoryLevelsOfDetail::MemoryLevelsOfDetail(
         " points, not of " + std::to_string(points));
   }
   this->Self->Counts = { { 0, 0 }, { points, mesh->GetInternals().Whole->Tets.size() } };
+  for (const RayPoint& point : mesh->GetInternals().Points)
+  {
+    this->Self->Box.Include(std::array{ point.X, point.Y, point.Z });
+  }
   this->Self->Mesh = std::move(mesh);
   this->Self->Tree = std::move(tree);
 }
@@ -371,6 +467,28 @@ std::shared_ptr<RaySource> MemoryLevelsOfDetail::MakeSource(
   }
   auto starts = CutIntoBlocks(list->Tets.size());
   return MakeListSource(self.Mesh, std::move(list), std::move(starts), budget);
+}
+
+//------------------------------------------------------------------------------
+DetailLevel MemoryLevelsOfDetail::MakeLevel(
+  const DetailRequest& request, std::uint64_t budget, const RaySource::Progress& progress)
+{
+  auto& self = *this->Self;
+  const auto points = std::clamp(request.Points, self.GetFewest(), self.GetPoints());
+  const bool isWhole =
+    points == self.GetPoints() && !(request.View && request.View->PixelError > 0);
+  if (!request.View || isWhole)
+  {
+    return { this->MakeSource(points, budget), points };
+  }
+  const DetailCuts& cuts = self.GetCuts(self.FindBase(*request.View, points), progress);
+  const auto before = self.Tree.GetMerges().size() - cuts.GetTree().GetMerges().size();
+  const MergeCut cut = cuts.Choose(*request.View, points + before);
+  auto list = self.Simplify(*self.CutTets, cut.GetAncestors());
+  auto starts = CutIntoBlocks(list->Tets.size());
+  const auto merges = before + cut.GetNumberOfMerges();
+  return { MakeListSource(self.Mesh, std::move(list), std::move(starts), budget),
+    self.GetPoints() - merges };
 }
 
 //------------------------------------------------------------------------------

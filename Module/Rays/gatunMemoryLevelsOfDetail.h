@@ -55,7 +55,9 @@ VTKGATUNCORE_EXPORT std::shared_ptr<RaySource> MakeWholeSource(
  *
  * Tetrahedra of the levels with half of the points, a quarter, and so on, are kept once they have
  * been made. A level is made from the next of these, which has at most twice as many points.
- * Together they take about as much memory as the whole mesh.
+ * Together they take about as much memory as the whole mesh. A level for a view is made from one of
+ * these that is fine enough where the view needs most, with dependencies between its merges, which
+ * are found at its first use and take some 40 bytes a point.
  */
 class VTKGATUNCORE_EXPORT MemoryLevelsOfDetail final : public LevelsOfDetail
 {
@@ -67,6 +69,8 @@ public:
   std::uint64_t GetNumberOfPoints() const override;
   std::uint64_t GetFewestPoints() const override;
   std::shared_ptr<RaySource> MakeSource(std::uint64_t points, std::uint64_t budget) override;
+  DetailLevel MakeLevel(const DetailRequest& request, std::uint64_t budget,
+    const RaySource::Progress& progress) override;
   std::uint64_t EstimateTets(std::uint64_t points) const override;
 
 private:

@@ -114,6 +114,8 @@ struct Range
     this->Min = other.Min < this->Min ? other.Min : this->Min;
     this->Max = other.Max > this->Max ? other.Max : this->Max;
   }
+
+  bool operator==(const Range&) const = default;
 };
 
 /**

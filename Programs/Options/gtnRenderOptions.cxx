@@ -74,6 +74,38 @@ void AddShadeOption(CLI::App* command, RenderOptions& options)
     ->group("Colors and opacities");
 }
 
+void AddDetailOptions(CLI::App* command, RenderOptions& options)
+{
+  const char* const group = "Sampling and cost";
+  command
+    ->add_option("--pixel-error", options.PixelError,
+      "Largest error in pixels, 0 to 1e6, of the shape and, relative to their range, of the values: "
+      "the mesh is simplified as far as it allows, more where it is farther away (default: 0, not "
+      "simplified)")
+    ->check(CLI::Range(0., 1e6))
+    ->option_text("PIXELS")
+    ->group(group);
+  command
+    ->add_flag("--uniform", options.Uniform,
+      "With --budget, simplify the mesh everywhere alike instead of less near the eye")
+    ->group(group);
+  const auto addRegion =
+    [&](const char* name, std::vector<double>& numbers, int count, const char* text, const char* what)
+  {
+    command->add_option(name, numbers, what)
+      ->delimiter(',')
+      ->expected(count)
+      ->option_text(text)
+      ->group(group);
+  };
+  addRegion("--detail-box", options.DetailBounds, 6, "X0,X1,Y0,Y1,Z0,Z1",
+    "Box that is not simplified, with --pixel-error or --budget");
+  addRegion("--detail-sphere", options.DetailSphere, 4, "X,Y,Z,R",
+    "Sphere that is not simplified, with --pixel-error or --budget");
+  addRegion("--detail-range", options.DetailRange, 2, "LO,HI",
+    "Values where the mesh is not simplified, with --pixel-error or --budget");
+}
+
 void AddCostOptions(CLI::App* command, RenderOptions& options)
 {
   const char* const group = "Sampling and cost";
@@ -105,6 +137,7 @@ void AddCostOptions(CLI::App* command, RenderOptions& options)
     ->check(CLI::NonNegativeNumber)
     ->option_text("SECONDS")
     ->group(group);
+  AddDetailOptions(command, options);
   command->add_flag("--stats", options.Statistics, "Print statistics; medians for a turntable")
     ->group(group);
   command->add_flag("--json", options.Json, "Print the statistics of each image as JSON")
@@ -138,6 +171,7 @@ CLI::App* AddRenderOptions(CLI::App& app, Settings& settings, RenderOptions& opt
     "  gtn render --tf bone --range 0,1500 --opacity 2 --elevation 90 scan.gtn scan.png\n"
     "  gtn render --turntable 36 mesh.gtn around.png      # around-000.png to around-035.png\n"
     "  gtn render --mode xray --tf xray --camera view.json mesh.vtu mesh.exr\n"
+    "  gtn render --pixel-error 1 --camera close.json lod.gtn close.png\n"
     "  gtn render --array curvature --tf heat scan.ply scan.png");
   AddForce(command, options.Overwrite);
   AddImageOptions(command, options);

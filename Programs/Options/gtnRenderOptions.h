@@ -13,6 +13,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gtn
 {
@@ -25,6 +26,13 @@ struct RenderOptions : ImageOptions
   std::optional<double> SampleDistance;
   double Ratio = 0;
   double TimeBudget = 0;
+
+  // Where the mesh is simplified.
+  bool Uniform = false;
+  double PixelError = 0;
+  std::vector<double> DetailBounds; ///< 6, or none
+  std::vector<double> DetailSphere; ///< center and radius, or none
+  std::vector<double> DetailRange;  ///< 2, or none
   int Memory = 512;
 };
 

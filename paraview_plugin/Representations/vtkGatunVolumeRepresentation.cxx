@@ -174,6 +174,43 @@ double vtkGatunVolumeRepresentation::GetSimplificationRatio()
 }
 
 //------------------------------------------------------------------------------
+void vtkGatunVolumeRepresentation::SetViewDependent(bool on)
+{
+  this->VolumeMapper->SetViewDependent(on);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeRepresentation::SetPixelError(double pixels)
+{
+  this->PixelError = pixels;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeRepresentation::SetDetailBounds(
+  double xMin, double xMax, double yMin, double yMax, double zMin, double zMax)
+{
+  this->VolumeMapper->SetDetailBounds(xMin, xMax, yMin, yMax, zMin, zMax);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeRepresentation::SetDetailCenter(double x, double y, double z)
+{
+  this->VolumeMapper->SetDetailCenter(x, y, z);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeRepresentation::SetDetailRadius(double radius)
+{
+  this->VolumeMapper->SetDetailRadius(radius);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunVolumeRepresentation::SetDetailRange(double least, double most)
+{
+  this->VolumeMapper->SetDetailRange(least, most);
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkGatunVolumeRepresentation::GetDrawnPoints()
 {
   return this->VolumeMapper->GetNumberOfDrawnPoints();
@@ -323,6 +360,7 @@ void vtkGatunVolumeRepresentation::PrepareToDraw(vtkInformation* inInfo)
   this->VolumeMapper->SetImageProcess(isParallel ? this->FindImageProcess() : -1);
   this->VolumeMapper->SetJustInTime(this->JustInTime);
   this->VolumeMapper->SetSimplificationRatio(this->SimplificationRatio);
+  this->VolumeMapper->SetPixelError(this->PixelError);
   if (!piece && isParallel)
   {
     vtkNew<vtkUnstructuredGrid> none;

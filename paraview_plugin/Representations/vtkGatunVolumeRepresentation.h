@@ -128,6 +128,18 @@ public:
   double GetSimplificationRatio();
   ///@}
 
+  ///@{
+  /**
+   * Where coarser meshes are fine: see the properties of vtkGatunVolumeMapper with these names.
+   */
+  void SetViewDependent(bool on);
+  void SetPixelError(double pixels);
+  void SetDetailBounds(double xMin, double xMax, double yMin, double yMax, double zMin, double zMax);
+  void SetDetailCenter(double x, double y, double z);
+  void SetDetailRadius(double radius);
+  void SetDetailRange(double least, double most);
+  ///@}
+
   /**
    * How many points the mesh of the last image had; 0 where nothing is simplified.
    */
@@ -187,6 +199,7 @@ private:
   vtkDataSet* Shown = nullptr; // what tells which arrays there are
   bool JustInTime = false;
   double SimplificationRatio = 0;
+  double PixelError = 0;
   double UnitDistance = 1;
 };
 

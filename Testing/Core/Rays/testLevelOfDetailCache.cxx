@@ -106,6 +106,16 @@ private:
   std::atomic<bool> InUse{ false };
 };
 
+std::vector<DetailRequest> Uniform(const std::vector<std::uint64_t>& points)
+{
+  std::vector<DetailRequest> requests;
+  for (const auto number : points)
+  {
+    requests.push_back({ number, {} });
+  }
+  return requests;
+}
+
 struct Sample
 {
   std::shared_ptr<Record> Told = std::make_shared<Record>();
@@ -142,20 +152,20 @@ TEST(LevelOfDetailCache, WhatIsWantedBecomesReady)
 {
   Sample sample;
   const auto levels = sample.Make();
-  EXPECT_EQ(levels->FindReady(1), Points / 8); // nobody had to ask
-  levels->Prepare({ 500, 2000, Points });
+  EXPECT_EQ(levels->FindReady({ 1, {} }).Points, Points / 8); // nobody had to ask
+  levels->Prepare(Uniform({ 500, 2000, Points }));
   levels->Wait();
   EXPECT_EQ(sample.Told->Sources, 2);
   EXPECT_EQ(sample.Told->Blocks, 30);
-  EXPECT_EQ(levels->FindReady(500), 500u);
-  EXPECT_EQ(levels->FindReady(400), 500u);
-  EXPECT_EQ(levels->FindReady(1100), 500u); // 1.1 halvings away against twice 0.9
-  EXPECT_EQ(levels->FindReady(1900), 2000u);
-  EXPECT_EQ(levels->FindReady(Points), Points / 8);
-  Draw(*levels->Get(500));
+  EXPECT_EQ(levels->FindReady({ 500, {} }).Points, 500u);
+  EXPECT_EQ(levels->FindReady({ 400, {} }).Points, 500u);
+  EXPECT_EQ(levels->FindReady({ 1100, {} }).Points, 500u); // 1.1 halvings away against twice 0.9
+  EXPECT_EQ(levels->FindReady({ 1900, {} }).Points, 2000u);
+  EXPECT_EQ(levels->FindReady({ Points, {} }).Points, Points / 8);
+  Draw(*levels->Get({ 500, {} }).Source);
   Draw(*levels->GetWhole());
   EXPECT_EQ(sample.Told->Blocks, 30); // nothing was left to be made
-  EXPECT_EQ(levels->Get(Points), levels->GetWhole());
+  EXPECT_EQ(levels->Get({ Points, {} }).Source, levels->GetWhole());
 }
 
 //------------------------------------------------------------------------------
@@ -163,10 +173,10 @@ TEST(LevelOfDetailCache, WhatIsNotReadyIsMadeAtOnce)
 {
   Sample sample;
   const auto levels = sample.Make();
-  const auto source = levels->Get(777);
+  const auto source = levels->Get({ 777, {} }).Source;
   EXPECT_EQ(sample.Told->Sources, 1);
-  EXPECT_EQ(levels->Get(777), source);
-  EXPECT_EQ(levels->Get(1), levels->Get(10)); // as few as can be
+  EXPECT_EQ(levels->Get({ 777, {} }).Source, source);
+  EXPECT_EQ(levels->Get({ 1, {} }).Source, levels->Get({ 10, {} }).Source); // as few as can be
   EXPECT_EQ(sample.Told->Sources, 2);
 }
 
@@ -180,13 +190,13 @@ TEST(LevelOfDetailCache, NoSourceIsUsedByTwoThreads)
   {
     const std::uint64_t wanted = 1000 + 100 * static_cast<std::uint64_t>(frame % 13);
     levels->SetDrawing(true);
-    levels->Prepare({ wanted, wanted + 500, Points });
-    const auto ready = levels->FindReady(wanted);
-    Draw(*(frame % 11 == 0 ? levels->GetWhole() : levels->Get(ready == 0 ? wanted : ready)));
+    levels->Prepare(Uniform({ wanted, wanted + 500, Points }));
+    const auto ready = levels->FindReady({ wanted, {} }).Points;
+    Draw(*(frame % 11 == 0 ? levels->GetWhole() : levels->Get({ ready == 0 ? wanted : ready, {} }).Source));
     levels->SetDrawing(false);
     if (frame % 17 == 0)
     {
-      levels->Get(5000 + static_cast<std::uint64_t>(frame));
+      levels->Get({ 5000 + static_cast<std::uint64_t>(frame), {} });
     }
   }
   EXPECT_EQ(sample.Told->Clashes, 0);
@@ -207,14 +217,14 @@ TEST(LevelOfDetailCache, WhatWasBegunIsGoneOnWith)
       goOn.wait();
     }
   };
-  levels->Prepare({ 500 });
+  levels->Prepare(Uniform({ 500 }));
   begun.wait();
   levels->Prepare({}); // stops the background after the block that it is at
   goOn.count_down();
   levels->Wait();
   EXPECT_EQ(sample.Told->Blocks, 5);
-  EXPECT_NE(levels->FindReady(500), 500u);
-  Draw(*levels->Get(500));
+  EXPECT_NE(levels->FindReady({ 500, {} }).Points, 500u);
+  Draw(*levels->Get({ 500, {} }).Source);
   EXPECT_EQ(sample.Told->Sources, 1);
   EXPECT_EQ(sample.Told->Blocks, 10);
 }
@@ -234,7 +244,7 @@ TEST(LevelOfDetailCache, TheEndDoesNotWaitForWhatIsWanted)
         std::this_thread::yield();
       }
     };
-    levels->Prepare({ 500, 600, 700, 800, 900, 1000, Points });
+    levels->Prepare(Uniform({ 500, 600, 700, 800, 900, 1000, Points }));
     begun.wait();
   }
   EXPECT_EQ(sample.Told->Sources, 1);
@@ -247,18 +257,18 @@ TEST(LevelOfDetailCache, TheLeastRecentlyUsedAreRemovedFirst)
   Sample sample;
   sample.Room.Simpler = 64 * 5 * 3000; // 3000 points
   const auto levels = sample.Make();
-  const auto first = levels->Get(1000);
-  const auto second = levels->Get(1001);
-  levels->Get(1000);
-  levels->Get(900);
-  levels->Get(800); // 1001 has to go
-  EXPECT_EQ(levels->Get(1000), first);
-  EXPECT_NE(levels->Get(1001), second);
+  const auto first = levels->Get({ 1000, {} }).Source;
+  const auto second = levels->Get({ 1001, {} }).Source;
+  levels->Get({ 1000, {} });
+  levels->Get({ 900, {} });
+  levels->Get({ 800, {} }); // 1001 has to go
+  EXPECT_EQ(levels->Get({ 1000, {} }).Source, first);
+  EXPECT_NE(levels->Get({ 1001, {} }).Source, second);
   // What does not fit is never made ready, but is made when it is needed.
-  levels->Prepare({ 3500 });
+  levels->Prepare(Uniform({ 3500 }));
   levels->Wait();
-  EXPECT_LT(levels->FindReady(3500), 3500u);
-  EXPECT_NE(levels->Get(3500), nullptr);
+  EXPECT_LT(levels->FindReady({ 3500, {} }).Points, 3500u);
+  EXPECT_NE(levels->Get({ 3500, {} }).Source, nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -270,7 +280,7 @@ TEST(LevelOfDetailCache, FailuresAreReported)
   LevelOfDetailCache levels(fail, std::make_shared<FakeSource>(told), {});
   EXPECT_THROW(levels.WaitForLevels(), Error);
   EXPECT_THROW(levels.FindLevels(), Error);
-  levels.Prepare({ 5 });
+  levels.Prepare(Uniform({ 5 }));
   levels.Wait();
   Draw(*levels.GetWhole());
 }
@@ -294,7 +304,7 @@ TEST(LevelOfDetailCache, WaitingCanBeStoppedWhileTheWorkGoesOn)
     LevelOfDetailCache levels(make, std::make_shared<FakeSource>(told), {});
     EXPECT_THROW(levels.WaitForLevels([](double) { return false; }), Error);
     EXPECT_EQ(levels.FindLevels(), nullptr);
-    levels.Prepare({ 5 }); // nothing is known yet
+    levels.Prepare(Uniform({ 5 })); // nothing is known yet
     mayEnd = true;
     EXPECT_EQ(levels.WaitForLevels().GetNumberOfPoints(), Points);
   }

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gatunDetailCuts.h"
+
+#include "gatunDetailWeights.h"
+#include "gatunError.h"
+#include "gatunMergeWish.h"
+#include "gatunParallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gatun
+{
+namespace
+{
+// What must not be merged at all.
+constexpr float Held = std::numeric_limits<float>::max();
+
+// Around a region, weights are larger up to this distance, relative to the size of the mesh; up to
+// so many times.
+constexpr double Rim = 0.1;
+constexpr double MostAtRim = 1000;
+
+/** The distance from a region; 0 within it. */
+double GetDistance(const DetailRegion& region, const RayPoint& point)
+{
+  const std::array<double, 3> p{ point.X, point.Y, point.Z };
+  double distance = std::numeric_limits<double>::infinity();
+  if (region.Values && point.Value >= region.Values->Min && point.Value <= region.Values->Max)
+  {
+    return 0;
+  }
+  if (region.Box)
+  {
+    double square = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const Range& side = (*region.Box)[axis];
+      const double away = std::max({ side.Min - p[axis], p[axis] - side.Max, 0.0 });
+      square += away * away;
+    }
+    distance = std::sqrt(square);
+  }
+  if (region.Sphere)
+  {
+    const auto& center = region.Sphere->Center;
+    const double away = std::hypot(p[0] - center[0], p[1] - center[1], p[2] - center[2]);
+    distance = std::min(distance, std::max(0.0, away - region.Sphere->Radius));
+  }
+  return distance;
+}
+}
+
+//------------------------------------------------------------------------------
+DetailCuts::DetailCuts(std::shared_ptr<const MergeTree> tree,
+  std::shared_ptr<const MergeDependencies> dependencies, std::vector<Place> places,
+  std::vector<std::uint32_t> placeOf, std::vector<std::uint32_t> open, double size)
+  : Tree(std::move(tree))
+  , Dependencies(std::move(dependencies))
+  , Places(std::move(places))
+  , PlaceOf(std::move(placeOf))
+  , Open(std::move(open))
+  , Size(size > 0 ? size : 1)
+{
+  const auto isKnown = [&](std::uint32_t place) { return place <= this->Places.size(); };
+  if (this->PlaceOf.size() != this->Tree->GetNumberOfPoints() ||
+    !std::all_of(this->PlaceOf.begin(), this->PlaceOf.end(), isKnown))
+  {
+    ThrowInvalid("there is not a place for each point");
+  }
+}
+
+//------------------------------------------------------------------------------
+/** The weight of each place, and the largest of those in Open. */
+std::vector<float> DetailCuts::Weigh(const DetailView& view) const
+{
+  const DetailWeights weights(view.View, this->Size);
+  std::vector<float> result(this->Places.size() + 1, 0);
+  constexpr std::size_t atOnce = 4096;
+  ParallelFor((this->Places.size() + atOnce - 1) / atOnce,
+    [&](std::size_t part)
+    {
+      const auto end = std::min(this->Places.size(), (part + 1) * atOnce);
+      for (auto i = part * atOnce; i < end; ++i)
+      {
+        const auto& [point, values] = this->Places[i];
+        const double distance = GetDistance(view.Region, point);
+        if (distance == 0)
+        {
+          result[i] = Held;
+          continue;
+        }
+        const Range shown = values.IsEmpty() ? Range{ point.Value, point.Value } : values;
+        const bool isHidden = view.Table && view.Table->IsTransparent(shown);
+        const float weight = isHidden ? 0 : weights.Get(std::array{ point.X, point.Y, point.Z });
+        const double near = std::max(0.0, 1 - distance / (Rim * this->Size));
+        // Up to half the weight of what is held, so that it is not taken for that.
+        result[i] = std::min(Held / 2, weight * static_cast<float>(std::pow(MostAtRim, near)));
+      }
+    });
+  for (const auto place : this->Open)
+  {
+    result.back() = std::max(result.back(), result[place]);
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+double DetailCuts::GetLargestWeight(const DetailView& view) const
+{
+  const auto weights = this->Weigh(view);
+  return *std::max_element(weights.begin(), weights.end());
+}
+
+//------------------------------------------------------------------------------
+MergeCut DetailCuts::Choose(const DetailView& view, std::uint64_t points) const
+{
+  const auto ofPlaces = this->Weigh(view);
+  std::vector<float> weights(this->PlaceOf.size());
+  std::transform(this->PlaceOf.begin(), this->PlaceOf.end(), weights.begin(),
+    [&](std::uint32_t place) { return ofPlaces[place]; });
+  const MergeTree& tree = *this->Tree;
+  const std::uint64_t all = tree.GetNumberOfPoints();
+  const auto merges = static_cast<std::size_t>(all - std::min(all, points));
+  double tolerance = FindTolerance(tree, weights, merges);
+  tolerance = view.PixelError > tolerance ? view.PixelError : tolerance;
+  auto wanted = WantMerges(tree, weights, tolerance);
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+  {
+    wanted[i] = wanted[i] && weights[tree.GetMerges()[i].Point] != Held;
+  }
+  return { tree, *this->Dependencies, std::move(wanted) };
+}
+}

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunDetailCuts_h
+#define gatunDetailCuts_h
+
+#include "gatunDetailView.h"
+#include "gatunMergeCut.h"
+#include "gatunMergeDependencies.h"
+#include "gatunMergeTree.h"
+#include "gatunRayBlock.h"
+#include "vtkGatunCoreModule.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace gatun
+{
+/**
+ * Chooses the merges that a view allows. A merge is wanted if its error, in pixels where its point
+ * is, is at most a tolerance: that of the view, or a larger one that leaves no more points than
+ * wanted. Outside of the view, and where no value is visible, all merges are wanted. In the region
+ * of the view none is, and few are near it, because sharp changes of detail take many more
+ * tetrahedra. Of the wanted merges, those are chosen whose dependencies are wanted, too.
+ *
+ * The result depends on the view only, not on those before. Immutable.
+ */
+class VTKGATUNCORE_EXPORT DetailCuts
+{
+public:
+  /** Where merges take place. */
+  struct Place
+  {
+    RayPoint Point{};
+    Range Values; ///< of the points around it; empty: its value
+  };
+
+  /**
+   * Places: where the points of the tree are, approximately. placeOf: for each point of the tree,
+   * one of these; or their number, if it is not known, for all of open, whose largest weight
+   * counts. Size: that of the mesh, in world units, above 0.
+   */
+  DetailCuts(std::shared_ptr<const MergeTree> tree,
+    std::shared_ptr<const MergeDependencies> dependencies, std::vector<Place> places,
+    std::vector<std::uint32_t> placeOf, std::vector<std::uint32_t> open, double size);
+
+  const MergeTree& GetTree() const { return *this->Tree; }
+
+  /** Points: how many may be left, about. */
+  MergeCut Choose(const DetailView& view, std::uint64_t points) const;
+
+  /** The largest weight of a place: pixels for an error of 1. */
+  double GetLargestWeight(const DetailView& view) const;
+
+private:
+  std::vector<float> Weigh(const DetailView& view) const;
+
+  std::shared_ptr<const MergeTree> Tree;
+  std::shared_ptr<const MergeDependencies> Dependencies;
+  std::vector<Place> Places;
+  std::vector<std::uint32_t> PlaceOf;
+  std::vector<std::uint32_t> Open;
+  double Size;
+};
+}
+
+#endif
