@@ -75,6 +75,7 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "KeyStepInterval: " << this->KeyStepInterval << "\n";
   os << indent << "Hierarchy: " << (this->Hierarchy ? "On" : "Off") << "\n";
   os << indent << "Levels: " << this->Levels << "\n";
+  os << indent << "WriteDependencies: " << (this->WriteDependencies ? "On" : "Off") << "\n";
   os << indent << "WriteBoundary: " << (this->WriteBoundary ? "On" : "Off") << "\n";
   os << indent << "Metric: " << (this->Metric == METRIC_MASS ? "Mass" : "Density") << "\n";
   os << indent << "BoundaryWeight: " << this->BoundaryWeight << "\n";
@@ -105,6 +106,7 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ArrayBytes: " << this->ArrayBytes << "\n";
   os << indent << "FieldDataBytes: " << this->FieldDataBytes << "\n";
   os << indent << "HierarchyBytes: " << this->HierarchyBytes << "\n";
+  os << indent << "DependencyBytes: " << this->DependencyBytes << "\n";
   os << indent << "LevelBytes: " << this->LevelBytes << "\n";
   os << indent << "BoundaryBytes: " << this->BoundaryBytes << "\n";
   os << indent << "DirectoryBytes: " << this->DirectoryBytes << "\n";

@@ -188,6 +188,18 @@ public:
 
   ///@{
   /**
+   * Whether to store with the hierarchy which merges depend on which, so that programs that
+   * simplify the mesh more in some places than in others need not decode it to find out. This takes
+   * about 3 bits a tetrahedron, and 0.3 to 1 s for a million of them. No effect if Hierarchy is
+   * off. Default: on.
+   */
+  vtkSetMacro(WriteDependencies, bool);
+  vtkGetMacro(WriteDependencies, bool);
+  vtkBooleanMacro(WriteDependencies, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether to store the boundary of the mesh, too, with all arrays and time steps, so that readers
    * can show it without decoding the mesh (vtkGatunMeshReader::OnDemand): the faces that only one
    * 3D cell has, and the cells of a lower dimension. Nonlinear cells have the faces of the linear
@@ -418,8 +430,9 @@ public:
   /**
    * Statistics of the last file written: number of points, tetrahedra and time steps (1 without
    * time), size of the file, and size of its parts: connectivity, coordinates, original order,
-   * point and cell arrays, field data, hierarchy, base meshes, and headers and tables. Sizes are in
-   * bytes and those of the parts add up to that of the file. 0 before the first file.
+   * point and cell arrays, field data, hierarchy, its dependencies, base meshes, and headers and
+   * tables. Sizes are in bytes and those of the parts add up to that of the file. 0 before the
+   * first file.
    */
   vtkGetMacro(WrittenPoints, vtkTypeUInt64);
   vtkGetMacro(WrittenCells, vtkTypeUInt64);
@@ -431,6 +444,7 @@ public:
   vtkGetMacro(ArrayBytes, vtkTypeUInt64);
   vtkGetMacro(FieldDataBytes, vtkTypeUInt64);
   vtkGetMacro(HierarchyBytes, vtkTypeUInt64);
+  vtkGetMacro(DependencyBytes, vtkTypeUInt64);
   vtkGetMacro(LevelBytes, vtkTypeUInt64);
   vtkGetMacro(BoundaryBytes, vtkTypeUInt64);
   vtkGetMacro(DirectoryBytes, vtkTypeUInt64);
@@ -470,6 +484,7 @@ protected:
   int KeyStepInterval = 8;
   bool Hierarchy = false;
   int Levels = 0;
+  bool WriteDependencies = true;
   bool WriteBoundary = false;
   int Metric = METRIC_MASS;
   double BoundaryWeight = 0.5;
@@ -500,6 +515,7 @@ protected:
   vtkTypeUInt64 ArrayBytes = 0;
   vtkTypeUInt64 FieldDataBytes = 0;
   vtkTypeUInt64 HierarchyBytes = 0;
+  vtkTypeUInt64 DependencyBytes = 0;
   vtkTypeUInt64 LevelBytes = 0;
   vtkTypeUInt64 BoundaryBytes = 0;
   vtkTypeUInt64 DirectoryBytes = 0;

@@ -121,6 +121,7 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
           { static_cast<gatun::MergeMetric>(this->Owner->Metric), this->Owner->BoundaryWeight },
           progress);
     options.Tree = &this->Tree;
+    options.Dependencies = this->Owner->WriteDependencies;
     options.Levels = static_cast<unsigned>(this->Owner->Levels);
   }
   return options;
@@ -144,6 +145,7 @@ void vtkGatunWriter::vtkInternals::PublishStatistics(
   }
   this->Owner->FieldDataBytes = statistics.FieldDataBytes;
   this->Owner->HierarchyBytes = statistics.TreeBytes;
+  this->Owner->DependencyBytes = statistics.DependencyBytes;
   this->Owner->LevelBytes = statistics.LevelBytes;
   this->Owner->BoundaryBytes = statistics.BoundaryBytes;
   this->Owner->DirectoryBytes = statistics.DirectoryBytes;

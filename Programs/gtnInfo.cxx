@@ -137,6 +137,7 @@ Table DescribeSizes(const gatun::FileReader& file)
   add("order", "original order", sizes.OrderBytes);
   add("fieldData", "field data", sizes.FieldDataBytes);
   add("hierarchy", "hierarchy", sizes.TreeBytes);
+  add("dependencies", "dependencies", sizes.DependencyBytes);
   add("baseMeshes", "base meshes", sizes.LevelBytes);
   add("boundary", "boundary", sizes.BoundaryBytes);
   add("directory", "directory", sizes.DirectoryBytes);
@@ -176,6 +177,7 @@ void DescribeHierarchy(const gatun::FileReader& file, Description& description)
   const bool any = file.HasMergeTree();
   const std::size_t merges = file.GetNumberOfMerges();
   description.Add("hasHierarchy", nullptr, { any, {} });
+  description.Add("hasDependencies", nullptr, { file.HasDependencies(), {} });
   description.Add("merges", any ? "hierarchy" : nullptr,
     { std::uint64_t{ merges },
       fmt::format("{} edge collapses, {:.2f} bits per point", Grouped(merges),

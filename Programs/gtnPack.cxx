@@ -52,6 +52,7 @@ struct Options
   int KeySteps = 8;
   bool Hierarchy = false;
   int Levels = 0;
+  bool NoDependencies = false;
   bool Boundary = false;
   MergeOptions Merges;
   std::optional<double> FeatureAngle;
@@ -145,6 +146,7 @@ void PrintSizes(vtkGatunWriter* writer, const Options& options, bool verbose)
   print("order", writer->GetOrderBytes());
   print("field data", writer->GetFieldDataBytes());
   print("hierarchy", writer->GetHierarchyBytes());
+  print("dependencies", writer->GetDependencyBytes());
   print("base meshes", writer->GetLevelBytes());
   print("boundary", writer->GetBoundaryBytes());
   print("directory", writer->GetDirectoryBytes());
@@ -186,6 +188,7 @@ void Pack(const Options& options, const Settings& settings)
   writer->WriteAllTimeStepsOn();
   writer->SetHierarchy(options.Hierarchy || options.Levels > 0);
   writer->SetLevels(options.Levels);
+  writer->SetWriteDependencies(!options.NoDependencies);
   writer->SetWriteBoundary(options.Boundary);
   options.Merges.Apply(writer.Get());
   writer->SetFeatureAngle(options.FeatureAngle.value_or(writer->GetFeatureAngle()));
@@ -259,6 +262,10 @@ void AddPack(CLI::App& app, Settings& settings)
       "the one before, so that coarse levels of detail are read fast (default: 0)")
     ->check(CLI::Range(0, 64))
     ->option_text("N");
+  command->add_flag("--no-dependencies", options->NoDependencies,
+    "Leave out which collapses of the hierarchy depend on which. They take about 3 bits a "
+    "tetrahedron. Without them, programs that simplify the mesh more in some places than in others "
+    "have to decode it first");
   command->add_flag("--boundary", options->Boundary,
     "Store the boundary of the mesh, too, so that ParaView shows it at once when the mesh is read "
     "on "
@@ -300,11 +307,12 @@ void AddPack(CLI::App& app, Settings& settings)
       {
         throw UsageError("pack takes one or more meshes and then the name of a .gtn file");
       }
-      const bool isMerging = options->Merges.AreGiven || options->FeatureAngle.has_value();
+      const bool isMerging =
+        options->Merges.AreGiven || options->FeatureAngle.has_value() || options->NoDependencies;
       if (isMerging && !options->Hierarchy && options->Levels == 0)
       {
-        throw UsageError("--weight, --metric, --boundary-weight and --feature-angle need "
-                         "--hierarchy or --levels");
+        throw UsageError("--weight, --metric, --boundary-weight, --feature-angle and "
+                         "--no-dependencies need --hierarchy or --levels");
       }
       options->Input.InPieces = options->Pieces.AreGiven();
       options->Out = options->In.back();

@@ -37,6 +37,7 @@ gatun_core_folder(File
     gatunCoarseLayout.h
     gatunCoarseCells.h
     gatunCoarsePiece.h
+    gatunDependencySection.h
     gatunDomainWriter.h
     gatunFileReaderInternals.h
     gatunGatherTuples.h
@@ -44,6 +45,7 @@ gatun_core_folder(File
     gatunLocalIds.h
     gatunMeshAccess.h
     gatunMeshCheck.h
+    gatunMeshDependencies.h
     gatunMeshSection.h
     gatunMeshTets.h
     gatunOriginalNumbers.h
@@ -83,6 +85,7 @@ gatun_core_folder(File
     gatunCoarseLayout.cxx
     gatunCoarseCells.cxx
     gatunCoarsePiece.cxx
+    gatunDependencySection.cxx
     gatunFileReader.cxx
     gatunFileReaderBoundary.cxx
     gatunFileReaderLayers.cxx
@@ -90,6 +93,7 @@ gatun_core_folder(File
     gatunFileWriter.cxx
     gatunLayerPartition.cxx
     gatunMeshCheck.cxx
+    gatunMeshDependencies.cxx
     gatunMeshSection.cxx
     gatunPageCache.cxx
     gatunPartAgreement.cxx

@@ -348,11 +348,12 @@ FileStatistics FileReader::GetStatistics() const
     s.TreeBytes += name == SectionTree || name == SectionMerges || name == SectionTreeStep
       ? section.Payload.Length
       : 0;
+    s.DependencyBytes += name == SectionDependencies ? section.Payload.Length : 0;
     s.LevelBytes += name == SectionLevel ? section.Payload.Length : 0;
     s.BoundaryBytes += name == SectionBoundary ? section.Payload.Length : 0;
   }
-  auto parts = s.TreeBytes + s.LevelBytes + s.BoundaryBytes + s.ConnectivityBytes +
-    s.GeometryBytes + s.SharedGeometryBytes + s.OrderBytes + s.FieldDataBytes;
+  auto parts = s.TreeBytes + s.DependencyBytes + s.LevelBytes + s.BoundaryBytes +
+    s.ConnectivityBytes + s.GeometryBytes + s.SharedGeometryBytes + s.OrderBytes + s.FieldDataBytes;
   parts = std::accumulate(s.ArrayBytes.begin(), s.ArrayBytes.end(), parts);
   s.DirectoryBytes = s.FileBytes - std::min(parts, s.FileBytes);
   return s;

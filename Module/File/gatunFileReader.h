@@ -17,6 +17,8 @@
 
 namespace gatun
 {
+class MergeDependencies;
+
 /**
  * An open .gtn file. Provides the content of its directory without decoding chunks. Details of
  * chunks are read when they are asked for.
@@ -98,6 +100,13 @@ public:
   /** The merge tree in the numbers of the file's points (see PieceDecoder), decoded at each call.
    * Without merge tree, returns a tree without merges. */
   MergeTree GetMergeTree() const;
+
+  /** Whether the file has the dependencies of its merges (WriterOptions::Dependencies). */
+  bool HasDependencies() const;
+
+  /** The dependencies of the merges, decoded at each call. tree: GetMergeTree(). Throws
+   * InvalidInput if the file has none. */
+  MergeDependencies ReadDependencies(const MergeTree& tree) const;
 
   /** The number of merges that lead to each base mesh of the file, ascending. */
   const std::vector<std::uint32_t>& GetLevels() const;

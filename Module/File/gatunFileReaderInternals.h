@@ -75,6 +75,7 @@ public:
   Layers LayersOfChunks;
   std::optional<TreeTable> Tree;
   std::vector<TreeStepTable> TreeSteps;
+  std::optional<StreamRef> Dependencies; // of the merges
   std::vector<StreamRef> Levels;
   std::optional<StreamRef> Boundary;
 

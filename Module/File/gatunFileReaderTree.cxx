@@ -3,10 +3,12 @@
 
 // FileReader: merge tree and base meshes.
 
+#include "gatunDependencyCodec.h"
 #include "gatunError.h"
 #include "gatunFileReader.h"
 #include "gatunFileReaderInternals.h"
 #include "gatunMergeCodec.h"
+#include "gatunMergeDependencies.h"
 
 namespace gatun
 {
@@ -15,6 +17,7 @@ namespace
 constexpr const char* TreeName = "the table of merges";
 constexpr const char* TreeStepName = "the ranges after merges";
 constexpr const char* MergesName = "the stream of merges";
+constexpr const char* DependenciesName = "the dependencies of merges";
 
 /** The rung of a number of merges. Throws if the file has fewer merges. */
 std::size_t FindRung(const FileReader::Internals& file, std::size_t merges)
@@ -62,6 +65,10 @@ void FileReader::Internals::ReadTree()
   if (this->TreeSteps.size() != this->GetSteps().size())
   {
     fail("the ranges after merges of some time steps are missing");
+  }
+  if (!this->File.FindSections(SectionDependencies).empty())
+  {
+    this->Dependencies = this->File.FindSection(SectionDependencies, DependenciesName);
   }
   this->Levels = this->File.FindSections(SectionLevel);
   if (this->Levels.size() != this->Tree->Levels.size())
@@ -118,6 +125,29 @@ MergeTree FileReader::GetMergeTree() const
         this->Self->Tree->Merges, isSurface ? MergeKind::Surface : MergeKind::Tetrahedra);
       return used == points ? tree : MergeTree(points, tree.GetMerges());
     });
+}
+
+//------------------------------------------------------------------------------
+bool FileReader::HasDependencies() const
+{
+  return this->Self->Dependencies.has_value();
+}
+
+//------------------------------------------------------------------------------
+MergeDependencies FileReader::ReadDependencies(const MergeTree& tree) const
+{
+  if (!this->HasDependencies())
+  {
+    ThrowInvalid("the file has no dependencies of merges", this->GetPath());
+  }
+  if (tree.GetMerges().size() != this->GetNumberOfMerges() ||
+    tree.GetNumberOfPoints() != this->GetNumberOfPoints())
+  {
+    ThrowInvalid("the tree of merges is not that of the file", this->GetPath());
+  }
+  const StreamRef& where = *this->Self->Dependencies;
+  return this->Self->File.Guarded(DependenciesName, where,
+    [&] { return DecodeDependencies(this->Self->File.Read(where, DependenciesName), tree); });
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 
 #include "gatunBaseMesh.h"
 #include "gatunBoundaryMesh.h"
+#include "gatunDependencySection.h"
 #include "gatunKeepMemory.h"
 #include "gatunLayerTable.h"
 #include "gatunMeshSection.h"
@@ -107,9 +108,18 @@ void FileWriter::Internals::Begin(const Progress& progress)
   this->FindPalettes();
   if (this->State.Options.Tree) // it needs the order of the points in all chunks
   {
+    std::optional<DependencySection> dependencies;
+    if (this->State.Options.Dependencies && !this->State.Options.Tree->GetMerges().empty())
+    {
+      dependencies.emplace(this->State, this->Part);
+    }
     this->WriteMesh(progress);
     this->Tree.emplace(this->State, this->Part);
     this->BeginLevels(progress);
+    if (dependencies)
+    {
+      dependencies->Write(this->Tree->GetTree(), progress);
+    }
   }
   if (this->Boundary)
   {

@@ -4,11 +4,18 @@
 #include "gatunSimplifiedFile.h"
 
 #include "gatunError.h"
+#include "gatunMeshDependencies.h"
 
 #include <algorithm>
 
 namespace gatun
 {
+namespace
+{
+// Cells of a mesh that is decoded to find the dependencies of its merges.
+constexpr std::uint64_t MostDecoded = 4'000'000;
+}
+
 //------------------------------------------------------------------------------
 SimplifiedFile::SimplifiedFile(std::shared_ptr<const FileReader> file)
 {
@@ -17,10 +24,10 @@ SimplifiedFile::SimplifiedFile(std::shared_ptr<const FileReader> file)
     ThrowInvalid(
       "there is no hierarchy in the file; make one with gtn pack --hierarchy", file->GetPath());
   }
-  this->Levels.push_back({ 0, file, nullptr });
+  this->Levels.push_back({ 0, file, nullptr, nullptr });
   for (const auto merges : file->GetLevels())
   {
-    this->Levels.push_back({ merges, nullptr, nullptr });
+    this->Levels.push_back({ merges, nullptr, nullptr, nullptr });
   }
 }
 
@@ -48,6 +55,54 @@ const MergeTree& SimplifiedFile::GetTree()
 {
   const std::lock_guard<std::mutex> lock(this->Guard);
   return *this->GetTree(this->Levels.front());
+}
+
+//------------------------------------------------------------------------------
+/** The level whose file it is. Only with the lock on the files. */
+std::size_t SimplifiedFile::FindLevel(const FileReader& file) const
+{
+  const auto level = std::find_if(this->Levels.begin(), this->Levels.end(),
+    [&](const Level& one) { return one.File.get() == &file; });
+  if (level == this->Levels.end())
+  {
+    ThrowInvalid("the mesh is none of this file", file.GetPath());
+  }
+  return static_cast<std::size_t>(level - this->Levels.begin());
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const MergeTree> SimplifiedFile::GetTree(const FileReader& file)
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  return this->GetTree(this->Levels[this->FindLevel(file)]);
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const MergeDependencies> SimplifiedFile::GetDependencies(
+  const FileReader& file, const std::function<bool(double)>& progress)
+{
+  const std::lock_guard<std::mutex> lock(this->DependencyGuard);
+  std::shared_ptr<const FileReader> reader;
+  std::shared_ptr<const MergeTree> tree;
+  std::size_t level = 0;
+  {
+    const std::lock_guard<std::mutex> lockFiles(this->Guard);
+    level = this->FindLevel(file);
+    reader = this->Levels[level].File;
+    tree = this->GetTree(this->Levels[level]);
+  }
+  auto& dependencies = this->Levels[level].Dependencies;
+  const auto cells = reader->IsSurface() ? reader->GetNumberOfCells() : reader->GetNumberOfTets();
+  if (!dependencies && reader->HasDependencies())
+  {
+    dependencies = std::make_shared<const MergeDependencies>(reader->ReadDependencies(*tree));
+  }
+  else if (!dependencies && cells <= MostDecoded)
+  {
+    dependencies =
+      std::make_shared<const MergeDependencies>(FindDependencies(reader, *tree, progress));
+  }
+  return dependencies;
 }
 
 //------------------------------------------------------------------------------

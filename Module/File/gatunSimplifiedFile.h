@@ -5,11 +5,13 @@
 #define gatunSimplifiedFile_h
 
 #include "gatunFileReader.h"
+#include "gatunMergeDependencies.h"
 #include "gatunMergeTree.h"
 #include "vtkGatunCoreModule.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -17,8 +19,8 @@
 namespace gatun
 {
 /**
- * A file with a merge tree and its base meshes. Base meshes are opened and trees decoded at their
- * first use, and both are kept. Thread safe.
+ * A file with a merge tree and its base meshes. Base meshes are opened, trees and dependencies
+ * between merges decoded at their first use, and all are kept. Thread safe.
  */
 class VTKGATUNCORE_EXPORT SimplifiedFile
 {
@@ -52,6 +54,20 @@ public:
 
   /** The whole mesh or a base mesh with its tree, which may have no merges. */
   Place GetLevel(std::size_t level);
+  /**
+   * The dependencies between the merges of the file itself or of a base mesh, the File of a place.
+   * They are read at their first use and kept. Null if they are not in the file and the mesh has
+   * more than 4 million tetrahedra, or cells of a surface: finding them by decoding the mesh would
+   * take long. Other threads wait only if they want dependencies, too.
+   *
+   * progress: of finding them by decoding the mesh; Error(Aborted) is thrown if it returns false,
+   * and the next call begins again. Throws InvalidInput if the file is none of this object's.
+   */
+  std::shared_ptr<const MergeDependencies> GetDependencies(
+    const FileReader& file, const std::function<bool(double)>& progress = {});
+
+  /** The merge tree of the file itself or of a base mesh, the File of a place. Never null. */
+  std::shared_ptr<const MergeTree> GetTree(const FileReader& file);
 
   /** The approximate number of tetrahedra, or cells of a surface, after a number of merges. */
   std::uint64_t EstimateCells(std::size_t merges) const;
@@ -66,13 +82,16 @@ private:
     std::uint32_t Merges; // that lead to it
     std::shared_ptr<const FileReader> File;
     std::shared_ptr<const MergeTree> Tree;
+    std::shared_ptr<const MergeDependencies> Dependencies;
   };
 
+  std::size_t FindLevel(const FileReader& file) const;
   void Open(std::size_t level);
   const std::shared_ptr<const MergeTree>& GetTree(Level& level);
 
-  mutable std::mutex Guard;  // of the files and trees of the levels
-  std::vector<Level> Levels; // from fine to coarse
+  std::mutex DependencyGuard; // of the dependencies of the levels; locked before the other one
+  mutable std::mutex Guard;   // of their files and trees
+  std::vector<Level> Levels;  // from fine to coarse
 };
 }
 

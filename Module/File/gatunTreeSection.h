@@ -22,6 +22,9 @@ public:
   /** Writes the merges. The mesh, which is one part, must have been written. */
   TreeSection(WriterState& state, const WriterPart& part);
 
+  /** The merges in the numbers of the file. */
+  const MergeTree& GetTree() const { return this->Layout.GetTree(); }
+
   /** Writes the ranges of the point arrays after merges. */
   void WriteStep(const std::vector<ArrayInput>& inputs);
 

@@ -5,7 +5,9 @@
 
 #include "gatunBoundaryCheck.h"
 #include "gatunChunkCache.h"
+#include "gatunDependencyCheck.h"
 #include "gatunFileReaderInternals.h"
+#include "gatunMeshDependencies.h"
 #include "gatunPartDecoder.h"
 #include "gatunPieceCells.h"
 #include "gatunPieceDecoder.h"
@@ -82,6 +84,12 @@ private:
   std::array<std::uint64_t, 256> Counts{};
 };
 
+/** For decoders, which do not own the file then. */
+std::shared_ptr<const FileReader> Borrow(const FileReader& file)
+{
+  return { &file, [](const FileReader*) {} };
+}
+
 /** Decodes the points of all blocks, including those that no chunk needs. */
 void VerifyBlocks(const PartDecoder& parts)
 {
@@ -122,10 +130,29 @@ void VerifyCells(const PartDecoder& parts, std::span<const std::uint32_t> chunks
   }
 }
 
+/** Decodes the dependencies of merges. Throws if other merges can be done together than by those
+ * that doing all merges gives. Large meshes are left out: that takes the memory for all of them. */
+void VerifyDependencies(const std::shared_ptr<const FileReader>& file, const MergeTree& tree,
+  const std::function<bool(double)>& progress)
+{
+  constexpr std::uint64_t largeMesh = 16'000'000;
+  const auto dependencies = file->ReadDependencies(tree);
+  const auto cells = file->IsSurface() ? file->GetNumberOfCells() : file->GetNumberOfTets();
+  if (cells <= largeMesh && !AreEquivalent(dependencies, FindDependencies(file, tree, progress)))
+  {
+    InternalsOf(*file).File.Fail(
+      ErrorCode::Corrupt, "the dependencies of merges are not those of the mesh");
+  }
+}
+
 /** Decodes the merges, and throws if a base mesh separates some that belong together. */
-void VerifyTree(const FileReader& file)
+void VerifyTree(const FileReader& file, const std::function<bool(double)>& progress)
 {
   const MergeTree tree = file.GetMergeTree();
+  if (file.HasDependencies())
+  {
+    VerifyDependencies(Borrow(file), tree, progress);
+  }
   for (const auto merges : file.GetLevels())
   {
     if (tree.CountWholeMerges(merges) != merges)
@@ -142,9 +169,7 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
   // Enough for the meshes of these chunks, which all time steps need.
   constexpr std::size_t chunksAtOnce = 16;
   constexpr std::uint64_t budget = std::uint64_t{ 128 } << 20;
-  // The decoder does not own the file.
-  const std::shared_ptr<const FileReader> borrowed(&file, [](const FileReader*) {});
-  const auto cache = std::make_shared<ChunkCache>(borrowed, budget);
+  const auto cache = std::make_shared<ChunkCache>(Borrow(file), budget);
   const PartDecoder parts(cache);
   VerifyBlocks(parts);
   const auto chunks = file.GetChunks().size();
@@ -235,7 +260,7 @@ bool VerifyFile(const FileReader& file, const std::function<bool(double)>& progr
     VerifyStreams(file, [&](double done) { return !progress || progress(0.1 + 0.9 * done); });
     if (file.HasMergeTree())
     {
-      VerifyTree(file);
+      VerifyTree(file, [&](double) { return !progress || progress(1); });
     }
     if (file.HasBoundary() &&
       !VerifyFile(*file.OpenBoundary(), [&](double) { return !progress || progress(1); }))

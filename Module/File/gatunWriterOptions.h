@@ -35,6 +35,10 @@ struct WriterOptions
   /** A merge tree of all points of the mesh, or null. It must exist until Finish has returned. */
   const MergeTree* Tree = nullptr;
 
+  /** Whether to store which merges of the tree, and of those of base meshes and the boundary,
+   * depend on which (MergeDependencies). Otherwise readers that need them decode the mesh. */
+  bool Dependencies = false;
+
   /** The maximum number of base meshes to store: with half of the points, a quarter and so on, down
    * to some 20,000 tetrahedra or cells of a surface. Base meshes need a tree. */
   unsigned Levels = 0;

@@ -18,15 +18,21 @@ constexpr std::uint64_t LargeMesh = 10'000'000;
 constexpr std::uint32_t DefaultChunkTets = 65536;
 constexpr std::uint32_t LargeChunkTets = 262144;
 
+bool HasDependencies(const WriterOptions& options)
+{
+  return options.Dependencies && options.Tree && !options.Tree->GetMerges().empty();
+}
+
 std::uint16_t GetMinorVersion(const WriterOptions& options, bool hasCells)
 {
-  return options.IsSurface && options.Tree ? MinorVersionOfSurfaceTrees
-    : options.Boundary                     ? MinorVersionWithBoundary
-    : options.IsSurface                    ? MinorVersionOfSurfaces
-    : hasCells                             ? MinorVersionWithCells
-    : options.Layers                       ? MinorVersionWithLayers
-    : options.Tree                         ? MinorVersionWithTree
-                                           : MinorVersionPlain;
+  return HasDependencies(options)       ? MinorVersionWithDependencies
+    : options.IsSurface && options.Tree ? MinorVersionOfSurfaceTrees
+    : options.Boundary                  ? MinorVersionWithBoundary
+    : options.IsSurface                 ? MinorVersionOfSurfaces
+    : hasCells                          ? MinorVersionWithCells
+    : options.Layers                    ? MinorVersionWithLayers
+    : options.Tree                      ? MinorVersionWithTree
+                                        : MinorVersionPlain;
 }
 }
 
@@ -166,7 +172,8 @@ FileStatistics WriterState::Commit(OutputFile& file)
   FileStatistics& s = this->Statistics;
   s.FileBytes = file.Commit();
   s.DirectoryBytes = s.FileBytes - s.ConnectivityBytes - s.GeometryBytes - s.SharedGeometryBytes -
-    s.OrderBytes - s.FieldDataBytes - s.TreeBytes - s.LevelBytes - s.BoundaryBytes;
+    s.OrderBytes - s.FieldDataBytes - s.TreeBytes - s.DependencyBytes - s.LevelBytes -
+    s.BoundaryBytes;
   for (const auto bytes : s.ArrayBytes)
   {
     s.DirectoryBytes -= bytes;

@@ -31,17 +31,18 @@ constexpr FourCC MakeFourCC(const char (&name)[5])
     static_cast<FourCC>(name[2]) << 16 | static_cast<FourCC>(name[3]) << 24;
 }
 
-constexpr FourCC SectionMeta = MakeFourCC("META");     // counts and arrays
-constexpr FourCC SectionMesh = MakeFourCC("MESH");     // streams of blocks and chunks
-constexpr FourCC SectionTable = MakeFourCC("TABL");    // positions of the pages of chunks
-constexpr FourCC SectionPages = MakeFourCC("PAGE");    // positions of streams, for some chunks each
-constexpr FourCC SectionValues = MakeFourCC("VALS");   // streams of arrays, field data
-constexpr FourCC SectionStep = MakeFourCC("STEP");     // positions of the pages of one time step
-constexpr FourCC SectionTree = MakeFourCC("TREE");     // description of the merge tree
-constexpr FourCC SectionMerges = MakeFourCC("MERG");   // stream of the merges
-constexpr FourCC SectionTreeStep = MakeFourCC("TRNG"); // ranges after merges, of one time step
-constexpr FourCC SectionLevel = MakeFourCC("LEVL");    // a base mesh: a file embedded in the file
-constexpr FourCC SectionLayers = MakeFourCC("LAYR");   // the layers of values that define chunks
+constexpr FourCC SectionMeta = MakeFourCC("META");   // counts and arrays
+constexpr FourCC SectionMesh = MakeFourCC("MESH");   // streams of blocks and chunks
+constexpr FourCC SectionTable = MakeFourCC("TABL");  // positions of the pages of chunks
+constexpr FourCC SectionPages = MakeFourCC("PAGE");  // positions of streams, for some chunks each
+constexpr FourCC SectionValues = MakeFourCC("VALS"); // streams of arrays, field data
+constexpr FourCC SectionStep = MakeFourCC("STEP");   // positions of the pages of one time step
+constexpr FourCC SectionTree = MakeFourCC("TREE");   // description of the merge tree
+constexpr FourCC SectionMerges = MakeFourCC("MERG"); // stream of the merges
+constexpr FourCC SectionDependencies = MakeFourCC("DEPS"); // stream of the merges' dependencies
+constexpr FourCC SectionTreeStep = MakeFourCC("TRNG");     // ranges after merges, of one time step
+constexpr FourCC SectionLevel = MakeFourCC("LEVL");  // a base mesh: a file embedded in the file
+constexpr FourCC SectionLayers = MakeFourCC("LAYR"); // the layers of values that define chunks
 constexpr FourCC SectionCells =
   MakeFourCC("CELL"); // types and sizes of other cells than tetrahedra
 constexpr FourCC SectionSurface = MakeFourCC("SURF");   // the mesh is a surface
@@ -62,7 +63,8 @@ struct ContainerKind
 
 inline constexpr std::array MeshSections{ SectionMeta, SectionMesh, SectionTable, SectionPages,
   SectionValues, SectionStep, SectionTree, SectionMerges, SectionTreeStep, SectionLevel,
-  SectionLayers, SectionCells, SectionSurface, SectionBoundary, SectionDirectory };
+  SectionDependencies, SectionLayers, SectionCells, SectionSurface, SectionBoundary,
+  SectionDirectory };
 inline constexpr ContainerKind MeshContainer{ ".gtn", FileMagic, TrailerMagic,
   GATUN_FORMAT_VERSION_MAJOR, MeshSections };
 
@@ -84,6 +86,7 @@ constexpr std::uint16_t MinorVersionWithCells = 3;
 constexpr std::uint16_t MinorVersionOfSurfaces = 4;
 constexpr std::uint16_t MinorVersionWithBoundary = 5;
 constexpr std::uint16_t MinorVersionOfSurfaceTrees = 6;
+constexpr std::uint16_t MinorVersionWithDependencies = 7;
 
 /** Whether a path names a regular file with the signature of a format. */
 bool BeginsAs(const std::string& path, const ContainerKind& kind) noexcept;

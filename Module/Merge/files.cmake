@@ -13,6 +13,7 @@ gatun_core_folder(Merge
     gatunMergeWish.h
     gatunSurfaceMergeBuilder.h
   PRIVATE_HEADERS
+    gatunDependencyCheck.h
     gatunDependencyCodec.h
     gatunMergeBends.h
     gatunMergeChanges.h
@@ -34,6 +35,7 @@ gatun_core_folder(Merge
     gatunSurfaceCosts.h
     gatunSurfaceQuadrics.h
   SOURCES
+    gatunDependencyCheck.cxx
     gatunDependencyCodec.cxx
     gatunMergeBends.cxx
     gatunMergeBuilder.cxx

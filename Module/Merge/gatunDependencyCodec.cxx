@@ -4,6 +4,7 @@
 #include "gatunDependencyCodec.h"
 
 #include "gatunEntropy.h"
+#include "gatunError.h"
 #include "gatunNumberModel.h"
 #include "gatunResidual.h"
 
@@ -18,7 +19,8 @@ namespace
 {
 constexpr std::uint32_t None = 0xffffffffu;
 
-constexpr std::size_t MostPerMerge = 64; // on average
+constexpr std::size_t MostPerMerge = 64; // on average, with the merges that are skipped
+constexpr std::uint32_t MergesBetweenProgress = 4096;
 
 /** The earlier merges into each point, from the last one. */
 class MergesInto
@@ -92,18 +94,22 @@ class DependencyCoder
 public:
   explicit DependencyCoder(const MergeTree& tree)
     : Points(tree.GetNumberOfPoints())
+    , Room(MostPerMerge * tree.GetMerges().size())
     , Into(tree)
     , Neighbors(this->Points)
   {
   }
 
+  /** Whether a stream may not have so many dependencies. */
+  bool IsFull() const { return this->Taken > this->Room; }
+
   /**
    * Codes the numbers of the merges that a merge depends on. earlier: those to be encoded. Returns
-   * those that were coded, ascending. If they are more than a limit, the stream is damaged.
+   * those that were coded, ascending. They are not complete if there is no room for more.
    */
   template <typename Coder>
   std::vector<std::uint32_t> Code(Coder& coder, std::uint32_t number, const MergeTree& tree,
-    const std::vector<std::uint32_t>& earlier, std::size_t most)
+    const std::vector<std::uint32_t>& earlier)
   {
     const Merge& merge = tree.GetMerges()[number];
     std::vector<std::uint32_t> wanted;
@@ -118,9 +124,9 @@ public:
     for (const auto point : points)
     {
       this->CodeMerges(coder, point, earlier, coded);
-      if (coded.size() > most)
+      if (this->IsFull())
       {
-        ThrowCorrupt("there are more dependencies of merges than there may be");
+        return coded;
       }
     }
     this->Learn(number, merge, points);
@@ -235,6 +241,20 @@ private:
                          : coded;
   }
 
+  /** The first merge, from a given one back, that is among earlier ones, or None. Those before are
+   * skipped. */
+  std::uint32_t FindWanted(
+    std::uint32_t merge, const std::vector<std::uint32_t>& earlier, std::uint32_t& skipped) const
+  {
+    while (merge != None && !std::binary_search(earlier.begin(), earlier.end(), merge))
+    {
+      const bool isBeforeAll = earlier.empty() || merge < earlier.front();
+      merge = isBeforeAll ? None : this->Into.GetBefore(merge);
+      ++skipped;
+    }
+    return merge;
+  }
+
   /** Codes which merges into a point are needed, from the last one. */
   template <typename Coder>
   void CodeMerges(Coder& coder, std::uint32_t point, const std::vector<std::uint32_t>& earlier,
@@ -244,12 +264,7 @@ private:
     for (unsigned order = 0;; order = 1)
     {
       std::uint32_t skipped = 0;
-      auto wanted = merge;
-      while (wanted != None && !std::binary_search(earlier.begin(), earlier.end(), wanted))
-      {
-        wanted = this->Into.GetBefore(wanted);
-        ++skipped;
-      }
+      const auto wanted = this->FindWanted(merge, earlier, skipped);
       // 0 ends the list of further ones.
       const std::uint32_t value = order == 0 ? skipped : wanted == None ? 0 : skipped + 1;
       std::uint32_t steps = this->Skipped[order].Code(coder, value);
@@ -261,12 +276,14 @@ private:
       for (; steps > 0 && merge != None; --steps)
       {
         merge = this->Into.GetBefore(merge);
+        ++this->Taken;
       }
       if (merge == None)
       {
         ThrowCorrupt("a merge depends on one that is not there");
       }
       coded.push_back(merge);
+      ++this->Taken;
       merge = this->Into.GetBefore(merge);
       if (merge == None)
       {
@@ -305,6 +322,8 @@ private:
   static constexpr std::size_t LastPlace = 9;
 
   std::uint32_t Points;
+  std::size_t Room;
+  std::size_t Taken = 0; // by dependencies and merges that were skipped
   MergesInto Into;
   KnownNeighbors Neighbors;
   std::vector<Candidate> Candidates;
@@ -345,20 +364,24 @@ std::vector<std::uint32_t> Reduce(const MergeDependencies& all, std::size_t merg
 }
 
 //------------------------------------------------------------------------------
-Bytes EncodeDependencies(const MergeTree& tree, const MergeDependencies& dependencies)
+Bytes EncodeDependencies(const MergeTree& tree, const MergeDependencies& dependencies,
+  const std::function<bool(double)>& progress)
 {
   DependencyCoder dependent(tree);
   EntropyEncoder coder;
-  std::size_t room = MostPerMerge * tree.GetMerges().size();
-  for (std::uint32_t i = 0; i < tree.GetMerges().size(); ++i)
+  const std::size_t merges = tree.GetMerges().size();
+  for (std::uint32_t i = 0; i < merges; ++i)
   {
-    const auto earlier = Reduce(dependencies, i);
-    if (earlier.size() > room)
+    if (progress && i % MergesBetweenProgress == 0 &&
+      !progress(static_cast<double>(i) / static_cast<double>(merges)))
+    {
+      throw Error(ErrorCode::Aborted, "aborted");
+    }
+    dependent.Code(coder, i, tree, Reduce(dependencies, i));
+    if (dependent.IsFull())
     {
       return {};
     }
-    dependent.Code(coder, i, tree, earlier, room);
-    room -= earlier.size();
   }
   return coder.Finish();
 }
@@ -369,11 +392,13 @@ MergeDependencies DecodeDependencies(std::span<const std::uint8_t> stream, const
   DependencyCoder dependent(tree);
   EntropyDecoder coder(stream);
   MergeDependencies dependencies;
-  std::size_t room = MostPerMerge * tree.GetMerges().size();
   for (std::uint32_t i = 0; i < tree.GetMerges().size(); ++i)
   {
-    const auto earlier = dependent.Code(coder, i, tree, {}, room);
-    room -= earlier.size();
+    const auto earlier = dependent.Code(coder, i, tree, {});
+    if (dependent.IsFull())
+    {
+      ThrowCorrupt("there are more dependencies of merges than there may be");
+    }
     dependencies.Add(earlier);
   }
   return dependencies;

@@ -9,15 +9,19 @@
 #include "gatunMergeTree.h"
 
 #include <cstdint>
+#include <functional>
 #include <span>
 
 namespace gatun
 {
 /** Encodes the dependencies of the merges of a tree without most of those that follow from others.
- * Empty if there is no stream for them, as they are more than 64 a merge on average. */
-Bytes EncodeDependencies(const MergeTree& tree, const MergeDependencies& dependencies);
+ * Empty if there is no stream for them, as they and the merges between them are more than 64 a
+ * merge on average. Progress: see MergeDependencies. */
+Bytes EncodeDependencies(const MergeTree& tree, const MergeDependencies& dependencies,
+  const std::function<bool(double)>& progress = {});
 
-/** Decodes a stream of EncodeDependencies. Throws Error(Corrupt) if it is damaged. */
+/** Decodes a stream of EncodeDependencies. Throws Error(Corrupt) if it is damaged. Safe on hostile
+ * input: memory and time are in proportion to the merges and points. */
 MergeDependencies DecodeDependencies(std::span<const std::uint8_t> stream, const MergeTree& tree);
 }
 

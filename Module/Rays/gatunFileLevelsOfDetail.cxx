@@ -3,7 +3,6 @@
 #include "gatunFileLevelsOfDetail.h"
 
 #include "gatunChunkCache.h"
-#include "gatunCoarseLayout.h"
 #include "gatunCoarseRaySource.h"
 #include "gatunDetailWeights.h"
 #include "gatunFileCuts.h"
@@ -149,24 +148,7 @@ FileCuts* FileLevelsOfDetail::FindCuts(
   if (!this->Cuts || fine != this->Fine || coarse != this->Coarse)
   {
     this->Cuts.reset();
-    // TEMP
-    std::vector<std::array<std::uint32_t, 4>> tets;
-    {
-      const auto chunks = this->GetChunks(fine);
-      for (std::uint32_t c = 0; c < chunks->GetFile()->GetChunks().size(); ++c)
-      {
-        const auto block = chunks->Get(c);
-        std::vector<std::uint32_t> points;
-        CoarseLayout::EachRun(*chunks->GetFile(), c, [&](std::uint32_t a, std::uint32_t b)
-          { for (; a < b; ++a) points.push_back(a); });
-        for (auto t : block->Tets)
-        {
-          for (auto& k : t) k = points[k];
-          tets.push_back(t);
-        }
-      }
-    }
-    auto dependencies = std::make_shared<const MergeDependencies>(*this->File.GetLevel(fine).Tree, tets, progress);
+    auto dependencies = this->File.GetDependencies(*this->File.GetLevel(fine).File, progress);
     if (!dependencies)
     {
       return nullptr;

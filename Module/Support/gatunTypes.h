@@ -206,10 +206,11 @@ struct FileStatistics
   std::vector<std::uint64_t> ArrayBytes; ///< each array over all time steps
   std::uint64_t OrderBytes = 0;          ///< the original order, see KeepOrder
   std::uint64_t FieldDataBytes = 0;
-  std::uint64_t TreeBytes = 0;      ///< the merge tree and the ranges after merges
-  std::uint64_t LevelBytes = 0;     ///< base meshes with their arrays
-  std::uint64_t BoundaryBytes = 0;  ///< the boundary with its arrays
-  std::uint64_t DirectoryBytes = 0; ///< headers, tables, meta data
+  std::uint64_t TreeBytes = 0;       ///< the merge tree and the ranges after merges
+  std::uint64_t DependencyBytes = 0; ///< those between merges
+  std::uint64_t LevelBytes = 0;      ///< base meshes with their arrays
+  std::uint64_t BoundaryBytes = 0;   ///< the boundary with its arrays
+  std::uint64_t DirectoryBytes = 0;  ///< headers, tables, meta data
 };
 }
 

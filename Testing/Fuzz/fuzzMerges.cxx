@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A stream of merges. What is decoded is a tree; encoded and decoded again it is the same.
+// A stream of merges. What is decoded is a tree; encoded and decoded again it is the same. The
+// stream is also one of the dependencies of these merges.
 
 #include "fuzzInput.h"
+#include "gatunDependencyCheck.h"
+#include "gatunDependencyCodec.h"
 #include "gatunMergeCodec.h"
 
 #include <algorithm>
@@ -15,6 +18,19 @@ namespace
 bool IsSame(const gatun::Merge& a, const gatun::Merge& b)
 {
   return a.Point == b.Point && a.Into == b.Into && a.Error == b.Error;
+}
+
+void DecodeTheirDependencies(std::span<const std::uint8_t> stream, const gatun::MergeTree& tree)
+{
+  using namespace gatun;
+  const auto dependencies = DecodeDependencies(stream, tree);
+  const auto again = EncodeDependencies(tree, dependencies);
+  const auto merges = tree.GetMerges().size();
+  if (dependencies.GetNumberOfMerges() != merges ||
+    (merges > 0 && !AreEquivalent(DecodeDependencies(again, tree), dependencies)))
+  {
+    std::abort();
+  }
 }
 
 void Decode(std::span<const std::uint8_t> stream, std::uint32_t points, std::uint32_t merges,
@@ -47,6 +63,7 @@ void Decode(std::span<const std::uint8_t> stream, std::uint32_t points, std::uin
       std::abort();
     }
   }
+  fuzz::Accepts([&] { DecodeTheirDependencies(stream, tree); });
 }
 }
 

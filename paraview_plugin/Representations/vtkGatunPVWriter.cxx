@@ -113,6 +113,7 @@ int vtkGatunPVWriter::WriteWhole(const std::string& name)
     writer->SetKeyStepInterval(this->KeyStepInterval);
     writer->SetHierarchy(hasTree);
     writer->SetLevels(this->Levels);
+    writer->SetWriteDependencies(this->WriteDependencies);
     writer->SetWriteBoundary(hasBoundary);
     writer->SetMetric(this->Metric);
     writer->SetBoundaryWeight(this->BoundaryWeight);
