@@ -26,6 +26,8 @@ void AddRender(CLI::App& app);
 void AddInstructions(CLI::App& app);
 void AddPicture(CLI::App& app);
 void AddBudget(CLI::App& app);
+void AddDetail(CLI::App& app);
+void AddDetailFlight(CLI::App& app);
 void AddStudyPicture(CLI::App& app);
 void AddStudyRelease(CLI::App& app);
 void AddStudyPrefilter(CLI::App& app);

@@ -16,6 +16,7 @@
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace bench
@@ -54,6 +55,20 @@ void Scene::SetUp(vtkCamera* camera, double turn) const
 }
 
 //------------------------------------------------------------------------------
+void Scene::Approach(vtkCamera* camera, double part) const
+{
+  constexpr double turn = 40;
+  constexpr double nearest = 0.1; // of the diagonal
+  this->SetUp(camera, turn * part);
+  const double diagonal = this->GetDiagonal();
+  const double start = camera->GetDistance();
+  const double distance = start * std::pow(nearest * diagonal / start, part);
+  camera->Dolly(start / distance);
+  camera->SetClippingRange(
+    std::max(1e-3 * diagonal, distance - 0.51 * diagonal), distance + 0.51 * diagonal);
+}
+
+//------------------------------------------------------------------------------
 void Scene::SetUp(vtkVolumeProperty* property) const
 {
   vtkNew<vtkColorTransferFunction> colors;
@@ -80,6 +95,12 @@ gatun::RayView Scene::MakeView(int size) const
 {
   vtkNew<vtkCamera> camera;
   this->SetUp(camera);
+  return this->MakeView(size, camera);
+}
+
+//------------------------------------------------------------------------------
+gatun::RayView Scene::MakeView(int size, vtkCamera* camera) const
+{
   vtkMatrix4x4* const matrix = camera->GetViewTransformMatrix();
   std::array<std::array<double, 4>, 3> toEye{};
   for (int i = 0; i < 3; ++i)

@@ -33,8 +33,13 @@ struct Scene
   void SetUp(vtkCamera* camera, double turn = 0) const;
   void SetUp(vtkVolumeProperty* property) const;
 
+  /** Puts a camera on a path into the mesh: from where all of it is seen, at 0, to near its center,
+   * at 1, turning on the way. */
+  void Approach(vtkCamera* camera, double part) const;
+
   /** The same for the core; samples, if the mode takes any, are as far apart as pixels are. */
   gatun::RayView MakeView(int size) const;
+  gatun::RayView MakeView(int size, vtkCamera* camera) const;
   gatun::RayTable MakeTable(const gatun::RayView& view, gatun::RayMode mode) const;
 
 private:

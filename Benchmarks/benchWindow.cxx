@@ -101,6 +101,14 @@ void VolumeWindow::Render(double turn)
 }
 
 //------------------------------------------------------------------------------
+void VolumeWindow::RenderOnApproach(double part)
+{
+  this->View.Approach(this->Renderer->GetActiveCamera(), part);
+  this->Window->Render();
+  this->Window->WaitForCompletion();
+}
+
+//------------------------------------------------------------------------------
 void VolumeWindow::SetUpdateRate(double rate)
 {
   this->Window->SetDesiredUpdateRate(rate);

@@ -42,6 +42,9 @@ public:
   /** Draws the volume from a place around it, and waits until it is drawn. */
   void Render(double turn = 0);
 
+  /** The same from a place on the way into it; see Scene::Approach. */
+  void RenderOnApproach(double part);
+
   /** Pictures a second that are wanted from now on, from which the time for one is derived. */
   void SetUpdateRate(double rate);
 

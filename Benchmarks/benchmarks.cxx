@@ -33,6 +33,8 @@ int main(int argc, char* argv[])
   bench::AddInstructions(app);
   bench::AddPicture(app);
   bench::AddBudget(app);
+  bench::AddDetail(app);
+  bench::AddDetailFlight(app);
   bench::AddStudyPicture(app);
   bench::AddStudyRelease(app);
   bench::AddStudyPrefilter(app);

@@ -23,12 +23,19 @@ constexpr float Held = std::numeric_limits<float>::max();
 constexpr double Rim = 0.1;
 constexpr double MostAtRim = 1000;
 
-/** The distance from a region; 0 within it. */
-double GetDistance(const DetailRegion& region, const RayPoint& point)
+/** The values at a place. */
+Range GetValues(const DetailCuts::Place& place)
 {
-  const std::array<double, 3> p{ point.X, point.Y, point.Z };
+  return place.Values.IsEmpty() ? Range{ place.Point.Value, place.Point.Value } : place.Values;
+}
+
+/** The distance from a region; 0 within it. */
+double GetDistance(const DetailRegion& region, const DetailCuts::Place& place)
+{
+  const std::array<double, 3> p{ place.Point.X, place.Point.Y, place.Point.Z };
+  const Range values = GetValues(place);
   double distance = std::numeric_limits<double>::infinity();
-  if (region.Values && point.Value >= region.Values->Min && point.Value <= region.Values->Max)
+  if (region.Values && values.Max >= region.Values->Min && values.Min <= region.Values->Max)
   {
     return 0;
   }
@@ -49,7 +56,7 @@ double GetDistance(const DetailRegion& region, const RayPoint& point)
     const double away = std::hypot(p[0] - center[0], p[1] - center[1], p[2] - center[2]);
     distance = std::min(distance, std::max(0.0, away - region.Sphere->Radius));
   }
-  return distance;
+  return std::max(0.0, distance - place.Radius);
 }
 }
 
@@ -85,15 +92,15 @@ std::vector<float> DetailCuts::Weigh(const DetailView& view) const
       const auto end = std::min(this->Places.size(), (part + 1) * atOnce);
       for (auto i = part * atOnce; i < end; ++i)
       {
-        const auto& [point, values] = this->Places[i];
-        const double distance = GetDistance(view.Region, point);
+        const RayPoint& point = this->Places[i].Point;
+        const double distance = GetDistance(view.Region, this->Places[i]);
         if (distance == 0)
         {
           result[i] = Held;
           continue;
         }
-        const Range shown = values.IsEmpty() ? Range{ point.Value, point.Value } : values;
-        const bool isHidden = view.Table && view.Table->IsTransparent(shown);
+        const bool isHidden =
+          view.Table && view.Table->IsTransparent(GetValues(this->Places[i]));
         const float weight = isHidden ? 0 : weights.Get(std::array{ point.X, point.Y, point.Z });
         const double near = std::max(0.0, 1 - distance / (Rim * this->Size));
         // Up to half the weight of what is held, so that it is not taken for that.

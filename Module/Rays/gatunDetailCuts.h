@@ -32,7 +32,8 @@ public:
   struct Place
   {
     RayPoint Point{};
-    Range Values; ///< of the points around it; empty: its value
+    Range Values;      ///< of the points around it; empty: its value
+    double Radius = 0; ///< of a sphere around it that has all points that are there
   };
 
   /**

@@ -19,8 +19,8 @@ namespace
 // so many times as many.
 constexpr std::uint64_t Contrast = 8;
 
-// Fewest points of the base mesh that is decoded as a whole for views.
-constexpr std::uint64_t FewestOfBase = 20000;
+// Points of the base mesh that is decoded as a whole for views with an error or a region, at least.
+constexpr std::uint64_t PointsForRest = 20000;
 }
 
 //------------------------------------------------------------------------------
@@ -181,8 +181,9 @@ DetailLevel FileLevelsOfDetail::MakeLevel(
   {
     this->Budget = this->Shared ? this->Shared->GetBudget() : std::make_shared<CacheBudget>(budget);
   }
-  const std::uint64_t ofBase = points == all ? FewestOfBase : std::max(points, FewestOfBase);
-  const auto coarse = this->FindLevel(ofBase);
+  const bool isForRest = points == all || request.View->Region != DetailRegion{};
+  const auto coarse = this->FindLevel(
+    isForRest ? std::min(all, std::max(points == all ? 0 : points, PointsForRest)) : points);
   const auto fine = this->FindFinest(*request.View, points, coarse);
   FileCuts* const cuts = this->FindCuts(fine, coarse, progress);
   if (!cuts)

@@ -391,7 +391,7 @@ const DetailCuts& MemoryLevelsOfDetail::Internals::GetCuts(
   for (const Merge& merge : tree->GetMerges())
   {
     placeOf[merge.Point] = static_cast<std::uint32_t>(places.size());
-    places.push_back({ known[merge.Point], {} });
+    places.push_back({ known[merge.Point], {}, 0 });
   }
   const TetList& list = *this->CutTets;
   for (std::size_t i = 0; i < list.Tets.size(); ++i)

@@ -100,11 +100,23 @@ std::shared_ptr<const DetailView> MakeView(
     DetailView{ view, pixelError, std::move(region), nullptr });
 }
 
+/** A cube with flat sides. */
+TestMesh MakeBox()
+{
+  auto mesh = MakeCubes(Side, 0.2);
+  for (double& x : mesh.Coordinates)
+  {
+    const double place = std::round(x);
+    x = place == 0 || place == static_cast<double>(Side) ? place : x;
+  }
+  return mesh;
+}
+
 class DetailLevels : public testing::TestWithParam<Origin>
 {
 protected:
   DetailLevels()
-    : Mesh(MakeCubes(Side, 0.2))
+    : Mesh(MakeBox())
     , Reference(ToReference(this->Mesh))
     , Tree(BuildMergeTree(
         { this->Reference.Points, this->Reference.Tets, { { this->Reference.Values, 1 } } }))
@@ -174,22 +186,34 @@ protected:
     return tets;
   }
 
-  /** Whether tetrahedra fill the cube, each place once. */
+  /** Whether tetrahedra fill the cube but for what its edges lose, no place twice: each of their
+   * faces belongs to two of them, or has its corners on the sides of the cube. */
   static void ExpectToFill(const std::vector<Corners>& tets)
   {
+    const auto side = static_cast<double>(Side);
+    const auto isOutside = [&](const Vec& p)
+    { return std::any_of(p.begin(), p.end(), [&](double x) { return x == 0 || x == side; }); };
+    std::map<std::array<Vec, 3>, int> faces;
     double volume = 0;
     for (const Corners& tet : tets)
     {
       volume += GetVolume(tet);
+      for (std::size_t i = 0; i < 4; ++i)
+      {
+        ++faces[{ tet[i == 0 ? 1 : 0], tet[i <= 1 ? 2 : 1], tet[i <= 2 ? 3 : 2] }];
+      }
     }
-    const auto side = static_cast<double>(Side);
-    EXPECT_NEAR(volume, side * side * side, 1e-6);
+    EXPECT_GT(volume, 0.98 * side * side * side);
+    for (const auto& [face, count] : faces)
+    {
+      EXPECT_TRUE(count == 2 || (count == 1 && std::all_of(face.begin(), face.end(), isOutside)));
+    }
     std::mt19937 random(3);
     std::uniform_real_distribution<double> any(0, side);
     for (int i = 0; i < 300; ++i)
     {
       const Vec place{ any(random), any(random), any(random) };
-      EXPECT_EQ(std::count_if(
+      EXPECT_LE(std::count_if(
                   tets.begin(), tets.end(), [&](const auto& tet) { return Contains(tet, place); }),
         1);
     }
@@ -216,7 +240,7 @@ TEST_P(DetailLevels, FillTheMeshFromEverywhere)
       ExpectToFill(tets);
       // Wanted merges cannot all be done.
       EXPECT_GE(level.Points, points);
-      EXPECT_LE(level.Points, 2 * points + 200);
+      EXPECT_LT(level.Points, this->GetPoints() * 2 / 3);
       std::set<Vec> corners;
       for (const Corners& tet : tets)
       {
@@ -255,9 +279,11 @@ TEST_P(DetailLevels, AreUniformWhereAllIsAsNear)
   for (const auto points : { this->GetPoints() / 2, this->GetPoints() / 7 })
   {
     const auto level = this->Make(points, view);
-    const auto uniform = this->Make(points, nullptr);
-    EXPECT_EQ(level.Points, uniform.Points);
-    EXPECT_EQ(GetTets(*level.Source), GetTets(*uniform.Source));
+    // Of merges with the same error, all are done.
+    EXPECT_LE(level.Points, points);
+    EXPECT_GT(level.Points, points - points / 50);
+    const auto uniform = this->Make(level.Points, nullptr);
+    EXPECT_TRUE(GetTets(*level.Source) == GetTets(*uniform.Source));
   }
 }
 
@@ -290,9 +316,9 @@ TEST_P(DetailLevels, HaveAtMostThePixelErrorOfTheView)
 TEST_P(DetailLevels, KeepRegions)
 {
   DetailRegion box;
-  box.Box = Bounds{ { Range{ 3, 7 }, Range{ 4, 9 }, Range{ 5, 8 } } };
+  box.Box = Bounds{ { Range{ 3, 8 }, Range{ 2, 7 }, Range{ 4, 9 } } };
   DetailRegion sphere;
-  sphere.Sphere = DetailSphere{ { 10, 11, 9 }, 3 };
+  sphere.Sphere = DetailSphere{ { 10, 11, 9 }, 4 };
   const auto isIn = [](const DetailRegion& region, const Corners& tet)
   {
     return std::all_of(tet.begin(), tet.end(),
@@ -303,7 +329,7 @@ TEST_P(DetailLevels, KeepRegions)
           const auto& c = region.Sphere->Center;
           return std::hypot(p[0] - c[0], p[1] - c[1], p[2] - c[2]) <= region.Sphere->Radius - 1;
         }
-        return p[0] >= 4 && p[0] <= 6 && p[1] >= 5 && p[1] <= 8 && p[2] >= 6 && p[2] <= 7;
+        return p[0] >= 4 && p[0] <= 7 && p[1] >= 3 && p[1] <= 6 && p[2] >= 5 && p[2] <= 8;
       });
   };
   const auto whole = GetTets(*this->Make(this->GetPoints(), nullptr).Source);
@@ -321,7 +347,7 @@ TEST_P(DetailLevels, KeepRegions)
     std::copy_if(whole.begin(), whole.end(), std::back_inserter(fine),
       [&](const Corners& tet) { return isIn(region, tet); });
     EXPECT_FALSE(fine.empty());
-    EXPECT_EQ(kept, fine);
+    EXPECT_TRUE(kept == fine);
   }
 }
 
@@ -331,9 +357,9 @@ TEST_P(DetailLevels, DoNotDependOnTheViewsBefore)
   const auto get = [&](double x)
   { return GetTets(*this->Make(points, MakeView(LookFrom({ x, S / 3, S + 2 }))).Source); };
   const auto before = get(2);
-  EXPECT_NE(get(14), before);
-  EXPECT_NE(get(9), before);
-  EXPECT_EQ(get(2), before);
+  EXPECT_TRUE(get(14) != before);
+  EXPECT_TRUE(get(9) != before);
+  EXPECT_TRUE(get(2) == before);
 }
 
 TEST_P(DetailLevels, TakeTheBlocksThatStay)
@@ -345,7 +371,7 @@ TEST_P(DetailLevels, TakeTheBlocksThatStay)
   const auto points = this->GetPoints() / 4;
   const auto first = this->Make(points, MakeView(LookFrom({ S / 2, S / 2, S + 2 })));
   const auto before = GetBlocks(*first.Source);
-  const auto second = this->Make(points, MakeView(LookFrom({ S / 2 + 0.01, S / 2, S + 2 })));
+  const auto second = this->Make(points, MakeView(LookFrom({ S / 2 + 0.5, S / 2, S + 2 })));
   const auto after = GetBlocks(*second.Source);
   const std::set<std::shared_ptr<const RayBlock>> known(before.begin(), before.end());
   const auto same = std::count_if(
@@ -363,11 +389,8 @@ TEST_P(DetailLevels, ReadWhatTheViewNeeds)
   const auto whole = std::make_shared<const FileReader>(this->File->GetPath());
   FileLevelsOfDetail all(whole, {});
   GetTets(*all.MakeSource(this->GetPoints(), Plenty));
-  // From far away the finest level is of no use.
   const auto before = this->File->GetBytesRead();
-  const auto level = this->Make(this->GetPoints(), MakeView(LookFrom({ S / 2, S / 2, 300 }), 1));
-  GetTets(*level.Source);
-  EXPECT_LT(level.Points, this->GetPoints() / 2);
+  GetTets(*this->Make(this->GetPoints() / 30, MakeView(LookFrom({ 2, 2, S + 1 }))).Source);
   EXPECT_LT(this->File->GetBytesRead() - before, whole->GetBytesRead() / 2);
 }
 
@@ -393,13 +416,20 @@ TEST_P(DetailLevels, StopWhenTheyMust)
   ExpectToFill(GetTets(*this->Levels->MakeLevel(request, Plenty, {}).Source));
 }
 
-INSTANTIATE_TEST_SUITE_P(Origins, DetailLevels,
-  testing::Values(Origin::Memory, Origin::File, Origin::FileWithBases),
-  [](const auto& info)
+std::string GetName(const testing::TestParamInfo<Origin>& origin)
+{
+  switch (origin.param)
   {
-    return std::string(info.param == Origin::Memory ? "Memory"
-        : info.param == Origin::File                ? "File"
-                                                    : "FileWithBases");
-  });
+    case Origin::Memory:
+      return "Memory";
+    case Origin::File:
+      return "File";
+    default:
+      return "FileWithBases";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Origins, DetailLevels,
+  testing::Values(Origin::Memory, Origin::File, Origin::FileWithBases), GetName);
 }
 }
