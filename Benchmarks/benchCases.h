@@ -27,6 +27,7 @@ void AddInstructions(CLI::App& app);
 void AddPicture(CLI::App& app);
 void AddBudget(CLI::App& app);
 void AddDetail(CLI::App& app);
+void AddDetailFilm(CLI::App& app);
 void AddDetailFlight(CLI::App& app);
 void AddStudyPicture(CLI::App& app);
 void AddStudyRelease(CLI::App& app);

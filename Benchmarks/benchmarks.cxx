@@ -34,6 +34,7 @@ int main(int argc, char* argv[])
   bench::AddPicture(app);
   bench::AddBudget(app);
   bench::AddDetail(app);
+  bench::AddDetailFilm(app);
   bench::AddDetailFlight(app);
   bench::AddStudyPicture(app);
   bench::AddStudyRelease(app);

@@ -43,7 +43,6 @@ void Fly(const Options& options)
   vtkNew<vtkGatunReader> reader;
   reader->SetFileName(options.File.c_str());
   reader->SetMemoryBudget(options.Memory);
-  reader->OnDemandOn();
   vtkNew<vtkGatunVolumeMapper> mapper;
   mapper->SetInputConnection(reader->GetOutputPort());
   mapper->SetScalarModeToUsePointFieldData();

@@ -7,6 +7,7 @@
 
 #include "benchCases.h"
 #include "benchFiles.h"
+#include "benchPixels.h"
 #include "benchScene.h"
 
 #include "vtkGatunRayCaster.h"
@@ -15,7 +16,6 @@
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
-#include "vtkPNGWriter.h"
 #include "vtkPointData.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolumeProperty.h"
@@ -38,8 +38,6 @@ struct Options
   int Rounds = 1;
   double Turn = 0;
 };
-
-using Pixels = std::vector<float>; // red, green, blue and opacity
 
 /** Draws a mesh by a scene, which is always that of the first one. */
 void Draw(vtkUnstructuredGrid* grid, const Scene& scene, const Options& options, int size,
@@ -96,30 +94,6 @@ Difference Compare(const Pixels& a, const Pixels& b)
   difference.Rms = std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, 3 * covered)));
   difference.Covered = static_cast<double>(covered) / (static_cast<double>(a.size()) / 4);
   return difference;
-}
-
-void WritePicture(const Pixels& pixels, int size, const std::string& file)
-{
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(size, size, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  auto* const bytes = static_cast<unsigned char*>(image->GetScalarPointer());
-  for (std::size_t i = 0; i < pixels.size() / 4; ++i)
-  {
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      const double value = std::clamp(static_cast<double>(pixels[4 * i + c]), 0.0, 1.0);
-      bytes[3 * i + c] = static_cast<unsigned char>(std::lround(255 * value));
-    }
-  }
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName(file.c_str());
-  writer->SetInputData(image);
-  writer->Write();
-  if (writer->GetErrorCode() != 0)
-  {
-    throw Failure(file, "cannot be written");
-  }
 }
 
 void ComparePictures(const Options& options)

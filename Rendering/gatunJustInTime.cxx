@@ -86,7 +86,10 @@ Frame JustInTime::ChooseInMotion(LevelOfDetailCache& levels, const FrameRequest&
     return frame;
   }
   const auto wanted = this->Budget.ChoosePoints(request.Budget, limits, this->Present);
-  DetailRequest best{ wanted, request.View };
+  // With all the points that there are to be, the image is that at rest.
+  const bool followsView = wanted < limits.MostPoints || FollowsViewAtRest(request);
+  const DetailRequest next{ wanted, followsView ? request.View : nullptr };
+  DetailRequest best = next;
   if (!request.Waits && (wanted != limits.MostPoints || Simplifies(request)))
   {
     // Another one than what would be best, as long as that is not ready.
@@ -98,8 +101,8 @@ Frame JustInTime::ChooseInMotion(LevelOfDetailCache& levels, const FrameRequest&
   }
   if (!request.Waits)
   {
-    levels.Prepare(ListNext({ wanted, request.View }, limits));
-    frame.NextPoints = request.View ? wanted : 0;
+    levels.Prepare(ListNext(next, limits));
+    frame.NextPoints = next.View ? wanted : 0;
   }
   frame.Level = best;
   const DetailLevel level = levels.Get(best);

@@ -37,7 +37,7 @@ assert not plain.mapper.PrepareSimplification()  # nobody wants to simplify anyt
 # --------------------------------------------------------------------------------------------------
 # In motion and at rest
 
-scene = make(mesh, JustInTime=True)
+scene = make(mesh, JustInTime=True, ViewDependent=False)
 mapper = scene.mapper
 points, picture = at(scene, AT_REST)
 assert points in (0, POINTS) and gv.difference(picture, full) == 0
@@ -144,7 +144,7 @@ cells = gm.make_grid(*gm.lattice(8))
 gm.add_array(cells.GetCellData(), [i % 11 / 11 for i in range(cells.GetNumberOfCells())], "cell")
 cells.GetCellData().SetActiveScalars("cell")
 _, expected = at(make(cells), AT_REST)
-scene = make(cells, JustInTime=True)
+scene = make(cells, JustInTime=True, ViewDependent=False)
 _, picture = at(scene, AT_REST)
 assert gv.difference(picture, expected) == 0
 scene.mapper.PrepareSimplification()
