@@ -15,6 +15,11 @@ namespace gatun
 {
 namespace
 {
+// How many times as many points may be left as there are to be, and how often other merges are tried
+// for this.
+constexpr double Excess = 1.1;
+constexpr int MostRounds = 5;
+
 // What must not be merged at all.
 constexpr float Held = std::numeric_limits<float>::max();
 
@@ -128,11 +133,30 @@ MergeCut DetailCuts::Choose(const DetailView& view, std::uint64_t points) const
   std::vector<float> weights(this->PlaceOf.size());
   std::transform(this->PlaceOf.begin(), this->PlaceOf.end(), weights.begin(),
     [&](std::uint32_t place) { return ofPlaces[place]; });
+  // Merges that others need are not done either, so that more must be wanted than are to be done.
   const MergeTree& tree = *this->Tree;
   const std::uint64_t all = tree.GetNumberOfPoints();
-  const auto merges = static_cast<std::size_t>(all - std::min(all, points));
-  double tolerance = FindTolerance(tree, weights, merges);
-  tolerance = view.PixelError > tolerance ? view.PixelError : tolerance;
+  const auto most = static_cast<double>(std::min(all, points));
+  double wanted = most;
+  for (int round = 0;; ++round)
+  {
+    const auto merges = static_cast<std::size_t>(all - static_cast<std::uint64_t>(wanted));
+    const double tolerance = FindTolerance(tree, weights, merges);
+    const bool isForPoints = tolerance > view.PixelError;
+    MergeCut cut = this->Do(weights, isForPoints ? tolerance : view.PixelError);
+    const auto left = static_cast<double>(all - cut.GetNumberOfMerges());
+    if (!isForPoints || left <= Excess * most || round == MostRounds)
+    {
+      return cut;
+    }
+    wanted *= most / left;
+  }
+}
+
+//------------------------------------------------------------------------------
+MergeCut DetailCuts::Do(const std::vector<float>& weights, double tolerance) const
+{
+  const MergeTree& tree = *this->Tree;
   auto wanted = WantMerges(tree, weights, tolerance);
   for (std::size_t i = 0; i < wanted.size(); ++i)
   {

@@ -55,6 +55,7 @@ public:
 
 private:
   std::vector<float> Weigh(const DetailView& view) const;
+  MergeCut Do(const std::vector<float>& weights, double tolerance) const;
 
   std::shared_ptr<const MergeTree> Tree;
   std::shared_ptr<const MergeDependencies> Dependencies;
