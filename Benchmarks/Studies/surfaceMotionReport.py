@@ -1,0 +1,81 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""The part of the page of surfaces about images in motion."""
+
+import statistics
+
+from benchmarkText import image, number, paragraph, table
+
+WAYS = {"gtn": "`.gtn`, just in time", "vtp": "`.vtp`, ParaView's level of detail"}
+
+
+def _mebibytes(cost):
+    return (cost["peak"] - cost["before"]) / 2**20
+
+
+def _first(motion):
+    gtn, vtp = motion["first"]["gtn"], motion["first"]["vtp"]
+    rows = [["`.gtn`, coarse", gtn["first"]], ["`.gtn`, whole", gtn["whole"]],
+            ["`.vtp`, whole", vtp["first"]]]
+    return table(["image", "s", "MiB above idle"],
+                 [[name, number(cost["seconds"]), number(_mebibytes(cost))] for name, cost in rows])
+
+
+def in_time(path, way):
+    """The % of the frames that take at most 1.25 times the budget."""
+    return 100 * path[way]["withinShare"]
+
+
+def _frames(motion):
+    head = ["budget, ms", "way", "in time", "median, ms", "worst, ms", "points", "level made, s",
+            "rest, s"]
+    rows = []
+    for path in motion["paths"]:
+        for way, name in WAYS.items():
+            one = path[way]
+            rows.append([
+                f"{1000 * path['budget']:.0f}", name, f"{in_time(path, way):.0f} %",
+                number(1000 * statistics.median(one["frames"])), number(1000 * max(one["frames"])),
+                f"{one['medianPoints']:,.0f}", number(one["levelSeconds"]) if one["levelSeconds"] else "-",
+                number(one["refinedSeconds"])])
+    return table(head, rows)
+
+
+def section(results, plots):
+    """The text, or nothing if it was not measured."""
+    motion = results.get("motion")
+    if not motion:
+        return ""
+    known = motion["machine"]
+    load = f"""Measured {known["date"]}, commit {known["commit"]}; the load average was
+        {known["loadBefore"][0]:.2f} at the start and {known["loadAfter"][0]:.2f} at the end."""
+    text = "## Images in motion\n\n" + paragraph(f"""A scan with noise of {motion['triangles']:,} triangles and
+        {motion['points']:,} points, in a `.gtn` file with base meshes of
+        {motion['bytes']['gtn'] / 2**20:.0f} MiB and a `.vtp` file of
+        {motion['bytes']['vtp'] / 2**20:.0f} MiB. Images have {motion['size']} x {motion['size']} pixels
+        and are drawn by Mesa with two threads, by `vtkGatunSurfaceMapper` with 512 MiB for
+        buffers and by `vtkPolyDataMapper`. {load}""") + "\n"
+    text += paragraph("""From the file, in the page cache, to the first image. *Coarse* is the first image
+        in motion; *whole* follows it at rest.""") + "\n" + _first(motion) + "\n"
+    text += paragraph(f"""Then the camera turns once around the surface and comes near it, in
+        {len(motion['paths'][0]['gtn']['frames'])} frames; the `.gtn` file begins with the first of them.
+        *In time*: at most 1.25 times the budget. *Points* are the median of those drawn, and *rest*
+        is the time to the whole image after the last frame. ParaView's level of detail is
+        vtkQuadricClustering as ParaView sets it, which is made of the whole surface before.""") + "\n"
+    return text + _frames(motion) + "\n" + image(
+        plots, "motion", "Times of the frames and points drawn", "surface-study")
+
+
+def conclude(results):
+    """A sentence about it, or nothing."""
+    motion = results.get("motion")
+    if not motion:
+        return ""
+    texts = [f"{in_time(path, 'gtn'):.0f} % at {1000 * path['budget']:.0f} ms"
+             for path in motion["paths"]]
+    others = [f"{in_time(path, 'vtp'):.0f}" for path in motion["paths"]]
+    return f""" Of the frames of a camera path over {motion['triangles']:,} triangles {" and ".join(texts)}
+        are in time; with ParaView's level of detail {" and ".join(others)} %."""
+
+
