@@ -29,6 +29,7 @@ gatun_core_folder(Rays
     gatunRayTable.h
     gatunRayValues.h
     gatunRayView.h
+    gatunSurfaceDetail.h
   PRIVATE_HEADERS
     gatunBlockMesh.h
     gatunRayBins.h
@@ -74,4 +75,5 @@ gatun_core_folder(Rays
     gatunRayValues.cxx
     gatunRayView.cxx
     gatunRayVisibility.cxx
-    gatunRelease.cxx)
+    gatunRelease.cxx
+    gatunSurfaceDetail.cxx)
