@@ -73,8 +73,9 @@ struct Eye
   explicit Eye(const RayView& view)
     : IsParallel(!view.Perspective)
   {
-    const auto row = [&](std::size_t i)
-    { return Point{ view.ToRays[i][0], view.ToRays[i][1], view.ToRays[i][2] }; };
+    const auto row = [&](std::size_t i) {
+      return Point{ view.ToRays[i][0], view.ToRays[i][1], view.ToRays[i][2] };
+    };
     const std::array<Point, 3> crosses{ Cross(row(1), row(2)), Cross(row(2), row(0)),
       Cross(row(0), row(1)) };
     const double determinant = Dot(row(0), crosses[0]);
@@ -93,9 +94,8 @@ struct Eye
   /** From a place towards the eye. */
   Point GetWay(const Point& place) const
   {
-    return this->IsParallel
-      ? Point{ -this->Direction[0], -this->Direction[1], -this->Direction[2] }
-      : Subtract(this->Place, place);
+    return this->IsParallel ? Point{ -this->Direction[0], -this->Direction[1], -this->Direction[2] }
+                            : Subtract(this->Place, place);
   }
 };
 
@@ -180,9 +180,9 @@ SurfaceDetail::SurfaceDetail(std::shared_ptr<const MergeTree> tree,
   , Dependencies(std::move(dependencies))
 {
   const std::size_t count = this->Tree->GetNumberOfPoints();
-  const bool fits =
-    std::all_of(triangles.begin(), triangles.end(), [count](const Triangle& triangle)
-      { return *std::max_element(triangle.begin(), triangle.end()) < count; });
+  const bool fits = std::all_of(triangles.begin(), triangles.end(),
+    [count](const Triangle& triangle)
+    { return *std::max_element(triangle.begin(), triangle.end()) < count; });
   if (places.size() != count || !fits ||
     this->Dependencies->GetNumberOfMerges() != this->Tree->GetMerges().size())
   {
@@ -312,12 +312,11 @@ void SurfaceDetail::FindSolid(std::span<const Triangle> triangles)
     const auto at = corners(t);
     volumes[FindRoot(parents, t[0])] += Dot(at[0], Cross(at[1], at[2]));
   }
-  this->Solid = std::all_of(
-    volumes.begin(), volumes.end(), [](double volume) { return volume >= 0; });
+  this->Solid =
+    std::all_of(volumes.begin(), volumes.end(), [](double volume) { return volume >= 0; });
   if (this->Solid)
   {
-    const auto ancestors =
-      this->Tree->FindAncestors(this->Tree->CountMergesForPoints(HullPoints));
+    const auto ancestors = this->Tree->FindAncestors(this->Tree->CountMergesForPoints(HullPoints));
     for (Triangle t : triangles)
     {
       if (Simplify(t, ancestors))
@@ -363,8 +362,8 @@ std::vector<float> SurfaceDetail::Weigh(const SurfaceDetailView& view) const
         const Point place = this->Restore(this->Places[i]);
         const double pixels = view.Scale * double{ distances.Get(place) };
         weights[i] = pixels > 0
-          ? static_cast<float>(pixels *
-              Face(this->Normals[i], eye.GetWay(place), hidesBack, view.CullsFrontFaces))
+          ? static_cast<float>(
+              pixels * Face(this->Normals[i], eye.GetWay(place), hidesBack, view.CullsFrontFaces))
           : 0;
       }
     });
@@ -379,9 +378,8 @@ MergeCut SurfaceDetail::Choose(const SurfaceDetailView& view, std::size_t first)
   const std::uint64_t all = tree.GetNumberOfPoints();
   const auto choose = [&](std::uint64_t points)
   {
-    const double tolerance = points < all
-      ? FindTolerance(tree, weights, static_cast<std::size_t>(all - points))
-      : 0;
+    const double tolerance =
+      points < all ? FindTolerance(tree, weights, static_cast<std::size_t>(all - points)) : 0;
     std::vector<bool> wanted = WantMerges(tree, weights, std::max(tolerance, view.PixelError));
     std::fill_n(wanted.begin(), std::min(first, wanted.size()), true);
     return MergeCut(tree, *this->Dependencies, std::move(wanted));
@@ -391,9 +389,8 @@ MergeCut SurfaceDetail::Choose(const SurfaceDetailView& view, std::size_t first)
   if (view.Points < all && left > view.Points + view.Points / 20)
   {
     // Some that are wanted depend on others that are not.
-    cut = choose(static_cast<std::uint64_t>(
-      static_cast<double>(view.Points) * static_cast<double>(view.Points) /
-      static_cast<double>(left)));
+    cut = choose(static_cast<std::uint64_t>(static_cast<double>(view.Points) *
+      static_cast<double>(view.Points) / static_cast<double>(left)));
   }
   return cut;
 }

@@ -22,8 +22,8 @@ namespace gatun
 /** What an image needs of a surface. */
 struct SurfaceDetailView
 {
-  RayView View;               ///< for the coordinates of the surface, with a ray for each pixel
-  double Scale = 1;           ///< world units of a unit of these coordinates, above 0
+  RayView View;                ///< for the coordinates of the surface, with a ray for each pixel
+  double Scale = 1;            ///< world units of a unit of these coordinates, above 0
   bool CullsBackFaces = false; ///< by the order of corners in these coordinates
   bool CullsFrontFaces = false;
   bool IsOpaque = false; ///< whether the far side of a closed surface cannot be seen
@@ -55,8 +55,8 @@ public:
   using Triangle = MergeTree::Triangle;
 
   /** Places: of all points of the tree; those that are not finite never count. Triangles: of the
-   * surface before all merges. Throws InvalidInput if the numbers of points, merges and dependencies
-   * do not fit. */
+   * surface before all merges. Throws InvalidInput if the numbers of points, merges and
+   * dependencies do not fit. */
   SurfaceDetail(std::shared_ptr<const MergeTree> tree,
     std::shared_ptr<const MergeDependencies> dependencies, std::span<const Point> places,
     std::span<const Triangle> triangles);
@@ -85,8 +85,8 @@ private:
   std::shared_ptr<const MergeTree> Tree;
   std::shared_ptr<const MergeDependencies> Dependencies;
   Point Middle{};
-  double Size = 0;           // diagonal of the bounds
-  std::vector<Small> Places; // from the middle
+  double Size = 0;            // diagonal of the bounds
+  std::vector<Small> Places;  // from the middle
   std::vector<Small> Normals; // means over what was merged into each point; short if they differ
   std::vector<std::array<Point, 3>> Hull; // of a solid surface: some triangles, from the middle
   bool Solid = false;

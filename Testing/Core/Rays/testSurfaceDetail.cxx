@@ -308,8 +308,7 @@ TEST(SurfaceDetail, TakesAnyPlaces)
     {
       strange[i] = { x, x, x };
     }
-    const SurfaceDetail detail(
-      sample.Tree, sample.Dependencies, strange, sample.Surface.Triangles);
+    const SurfaceDetail detail(sample.Tree, sample.Dependencies, strange, sample.Surface.Triangles);
     const auto weights = detail.Weigh(view);
     EXPECT_TRUE(std::all_of(
       weights.begin(), weights.end(), [](float weight) { return std::isfinite(weight); }));
@@ -322,8 +321,8 @@ TEST(SurfaceDetail, TakesAnyPlaces)
   EXPECT_THROW(SurfaceDetail(sample.Tree, sample.Dependencies, fewer, sheet.Triangles), Error);
   const std::vector<Triangle> wrong{ { 0, 1, static_cast<std::uint32_t>(points.size()) } };
   EXPECT_THROW(SurfaceDetail(sample.Tree, sample.Dependencies, points, wrong), Error);
-  EXPECT_THROW(SurfaceDetail(
-                 sample.Tree, std::make_shared<MergeDependencies>(), points, sheet.Triangles),
+  EXPECT_THROW(
+    SurfaceDetail(sample.Tree, std::make_shared<MergeDependencies>(), points, sheet.Triangles),
     Error);
 }
 }
