@@ -94,6 +94,10 @@ Statistics StatisticsOf(vtkGatunRayCaster* caster)
 void Render(const RenderOptions& options, const Settings& settings)
 {
   CheckImages(options);
+  if (options.PixelError > 0)
+  {
+    throw Failure(options.Input.File, "is no surface; --pixel-error is for surfaces");
+  }
   std::unique_ptr<const RenderInput> input;
   {
     Progress progress("reading", settings.ShowProgress);

@@ -67,6 +67,10 @@ void RequireSurfaceOptions(const RenderOptions& options)
     throw Failure(options.Input.File,
       "is a surface; --mode, --sample-distance, --unit-distance and --budget are for volumes");
   }
+  if (options.PixelError > 0 && ExtensionOf(options.Input.File) != ".gtn")
+  {
+    throw Failure(options.Input.File, "has no hierarchy, which --pixel-error needs; see gtn pack");
+  }
 }
 
 /** A surface and the array that gives it its colors, if it has any. */
@@ -243,6 +247,8 @@ Statistics StatisticsOf(vtkGatunSurfaceMapper* mapper)
   }
   return { { "chunks", "chunks drawn", Statistic::Count,
              static_cast<double>(mapper->GetNumberOfDrawnChunks()) },
+    { "drawnPoints", "points left of a simplified surface", Statistic::Count,
+      static_cast<double>(mapper->GetNumberOfDrawnPoints()) },
     { "decodedChunks", "chunks decoded so far", Statistic::Count,
       static_cast<double>(mapper->GetNumberOfDecodedChunks()) },
     { "bufferBytes", "buffers", Statistic::Bytes, static_cast<double>(mapper->GetBufferBytes()) } };
@@ -265,6 +271,7 @@ void RenderSurface(const RenderOptions& options, const Settings& settings)
   SetColors(mapper, *input, options);
   mapper->SetMemoryBudget(options.Memory);
   mapper->SetSimplificationRatio(options.Ratio);
+  mapper->SetPixelError(options.PixelError);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   vtkNew<vtkRenderer> renderer;

@@ -204,9 +204,7 @@ void SurfaceBase::Divide(std::span<const SurfaceDetail::Point> places)
         const std::size_t middle = begin + (end - begin) / 2;
         std::nth_element(at(begin), at(middle), at(end),
           [&](std::uint32_t a, std::uint32_t b)
-          {
-            return std::pair(middles[a][axis], a) < std::pair(middles[b][axis], b);
-          });
+          { return std::pair(middles[a][axis], a) < std::pair(middles[b][axis], b); });
         starts[2 * block] = begin;
         starts[2 * block + 1] = middle;
       });
@@ -296,8 +294,7 @@ vtkSmartPointer<vtkPolyData> SurfaceBase::MakeMesh(const SurfaceBlock& block) co
 
   vtkNew<vtkUnsignedCharArray> types;
   vtkNew<vtkCellArray> cells;
-  cells->AllocateExact(
-    cellIds->GetNumberOfIds(), static_cast<vtkIdType>(block.Corners.size()));
+  cells->AllocateExact(cellIds->GetNumberOfIds(), static_cast<vtkIdType>(block.Corners.size()));
   auto corner = block.Corners.begin();
   for (const std::uint32_t cell : block.Cells)
   {

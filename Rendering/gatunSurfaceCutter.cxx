@@ -58,6 +58,7 @@ void SurfaceCutter::Clear()
   this->Changed.notify_all();
   const std::lock_guard<std::mutex> working(this->Working);
   this->Bases.clear();
+  this->Coarsest = nullptr;
   this->FirstErrors.clear();
   this->Last = nullptr;
 }
@@ -190,8 +191,29 @@ SurfaceCutResult SurfaceCutter::CarryOut(const SurfaceCutOrder& order, const Pro
 }
 
 //------------------------------------------------------------------------------
-/** Whether no merge before a base mesh is more than the view allows, or it has enough points. */
-bool SurfaceCutter::IsFineEnough(const SurfaceCutOrder& order, std::size_t merges)
+/** At least the pixels of an error of 1 anywhere. */
+double SurfaceCutter::BoundWeights(const SurfaceCutOrder& order, const Progress& progress)
+{
+  const FileReader& file = *order.Source.File->GetFile();
+  const double size = GetDiagonal(file.GetBounds());
+  if (file.GetLevels().empty())
+  {
+    return size > 0
+      ? order.View.Scale * double{ DetailWeights(order.View.View, size).Get(file.GetBounds()) }
+      : 0;
+  }
+  if (!this->Coarsest)
+  {
+    this->Coarsest = std::make_shared<const SurfaceBase>(
+      order.Source, file.GetLevels().back(), order.What, progress);
+  }
+  return this->Coarsest->GetDetail().BoundWeights(order.View);
+}
+
+//------------------------------------------------------------------------------
+/** Whether no merge before a base mesh is more than the view allows, or it has enough points.
+ * Weight: the largest one. */
+bool SurfaceCutter::IsFineEnough(const SurfaceCutOrder& order, std::size_t merges, double weight)
 {
   const FileReader& file = *order.Source.File->GetFile();
   const std::uint64_t points = file.GetNumberOfPoints() - merges;
@@ -203,15 +225,10 @@ bool SurfaceCutter::IsFineEnough(const SurfaceCutOrder& order, std::size_t merge
   if (!this->FirstErrors.contains(merges))
   {
     const MergeTree tree = order.Source.File->GetHierarchy().Find(merges).File->GetMergeTree();
-    this->FirstErrors[merges] = tree.GetMerges().empty()
-      ? std::numeric_limits<double>::infinity()
-      : double{ tree.GetMerges().front().Error };
+    this->FirstErrors[merges] = tree.GetMerges().empty() ? std::numeric_limits<double>::infinity()
+                                                         : double{ tree.GetMerges().front().Error };
   }
-  const double size = GetDiagonal(file.GetBounds());
-  const double pixels = size > 0
-    ? view.Scale * double{ DetailWeights(view.View, size).Get(file.GetBounds()) }
-    : 0;
-  return pixels * this->FirstErrors[merges] <= view.PixelError;
+  return weight * this->FirstErrors[merges] <= view.PixelError;
 }
 
 //------------------------------------------------------------------------------
@@ -237,11 +254,12 @@ std::shared_ptr<const SurfaceBase> SurfaceCutter::FindBase(
       return this->Bases.front();
     }
   }
+  const double weight = isCounted ? 0 : this->BoundWeights(order, progress);
   // From coarse to fine.
   std::optional<std::size_t> found;
   for (auto level = levels.rbegin(); level != levels.rend() && fits(*level); ++level)
   {
-    const bool isEnough = this->IsFineEnough(order, *level);
+    const bool isEnough = this->IsFineEnough(order, *level, weight);
     found = isEnough || *level == 0 || isCounted ? std::optional(*level) : std::nullopt;
     if (isEnough)
     {

@@ -82,10 +82,12 @@ private:
   SurfaceCutResult CarryOut(const SurfaceCutOrder& order, const Progress& progress);
   std::shared_ptr<const SurfaceBase> FindBase(
     const SurfaceCutOrder& order, const Progress& progress);
-  bool IsFineEnough(const SurfaceCutOrder& order, std::size_t merges);
+  double BoundWeights(const SurfaceCutOrder& order, const Progress& progress);
+  bool IsFineEnough(const SurfaceCutOrder& order, std::size_t merges, double weight);
 
-  std::mutex Working; // while an order is carried out; of these:
+  std::mutex Working;                                    // while an order is carried out; of these:
   std::vector<std::shared_ptr<const SurfaceBase>> Bases; // the last one first
+  std::shared_ptr<const SurfaceBase> Coarsest;           // base mesh; knows how near the eye is
   std::map<std::size_t, double> FirstErrors;             // of base meshes, by their merges
   std::shared_ptr<const SurfaceCut> Last;
 

@@ -70,8 +70,7 @@ public:
   /** Decodes a chunk; an error is part of the result. WithIds: whether the mesh gets the numbers of
    * points and cells within the surface, if it is not simplified. If progress returns false, the
    * error is Aborted. */
-  virtual SurfacePart Decode(
-    std::uint32_t chunk, bool withIds, const Progress& progress) const = 0;
+  virtual SurfacePart Decode(std::uint32_t chunk, bool withIds, const Progress& progress) const = 0;
 };
 }
 

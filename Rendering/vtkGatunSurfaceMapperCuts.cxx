@@ -25,8 +25,8 @@ namespace
 {
 using Clock = std::chrono::steady_clock;
 
-// Part of the budget for the transfer of chunks that change, as most visible ones do when the camera
-// moves.
+// Part of the budget for the transfer of chunks that change, as most visible ones do when the
+// camera moves.
 constexpr double TransferShare = 0.25;
 
 // Fewer would hardly be faster.
@@ -86,8 +86,8 @@ gatun::SurfaceCutOrder vtkGatunSurfaceMapper::vtkInternals::MakeOrder(const Imag
   grid.Height = std::max(1, size[1]);
   grid.Aspect = image.Renderer->GetTiledAspectRatio();
   gatun::SurfaceCutOrder order{ this->Source, this->What, this->Whole->GetMerges(), image.Room / 2,
-    { gatun::MakeRayView(image.Renderer->GetActiveCamera(), grid, gatun::RayMode::Composite, 0,
-      toWorld, true) } };
+    { gatun::MakeRayView(
+      image.Renderer->GetActiveCamera(), grid, gatun::RayMode::Composite, 0, toWorld, true) } };
   gatun::SurfaceDetailView& view = order.View;
   // A matrix that changes shapes has no one scale.
   view.Scale = std::cbrt(std::abs(toWorld->Determinant()));
@@ -107,9 +107,9 @@ gatun::SurfaceCutOrder vtkGatunSurfaceMapper::vtkInternals::MakeOrder(const Imag
 std::uint64_t vtkGatunSurfaceMapper::vtkInternals::CountPoints(double budget)
 {
   const std::uint64_t all = this->Source.File->GetFile()->GetNumberOfPoints();
-  const auto fits = std::clamp(
-    this->Times.CountCells(gatun::SurfaceTimes::Cut, (1 - TransferShare) * budget) / 2,
-    FewestPoints, all);
+  const auto fits =
+    std::clamp(this->Times.CountCells(gatun::SurfaceTimes::Cut, (1 - TransferShare) * budget) / 2,
+      FewestPoints, all);
   const double step =
     std::floor(StepsOfPoints * std::log2(static_cast<double>(fits))) / StepsOfPoints;
   const auto points = static_cast<std::uint64_t>(std::exp2(step));
@@ -254,7 +254,8 @@ bool vtkGatunSurfaceMapper::vtkInternals::DrawCut(
       this->Cut.Cut ? this->FindVisible(image, this->Cut.Chunks).Cells : 0;
     return this->Times.Predict(gatun::SurfaceTimes::Cut, cells);
   };
-  this->AdvanceCut(image, std::max(TransferShare * std::max(budget, otherwise), 0.9 * budget - predict()));
+  this->AdvanceCut(
+    image, std::max(TransferShare * std::max(budget, otherwise), 0.9 * budget - predict()));
   if (this->Cut.Cut || isLevelReady)
   {
     this->OrderCut(image, budget);

@@ -10,9 +10,12 @@ import statistics
 import benchmarkRunner
 
 MODES = {
-    "full": {"triangles": 10000000, "levels": 8, "budgets": (0.05, 0.1), "frames": 200, "size": 1000},
-    "quick": {"triangles": 1000000, "levels": 6, "budgets": (0.05, 0.1), "frames": 100, "size": 500},
-    "smoke": {"triangles": 40000, "levels": 2, "budgets": (0.05,), "frames": 6, "size": 100},
+    "full": {"triangles": 10000000, "levels": 8, "budgets": (0.05, 0.1), "frames": 200, "size": 1000,
+             "view": 400, "places": 4, "errors": (1, 2, 4, 8)},
+    "quick": {"triangles": 1000000, "levels": 6, "budgets": (0.05, 0.1), "frames": 100, "size": 500,
+              "view": 300, "places": 4, "errors": (1, 2, 4)},
+    "smoke": {"triangles": 40000, "levels": 2, "budgets": (0.05,), "frames": 6, "size": 100,
+              "view": 60, "places": 2, "errors": (1,)},
 }
 
 
@@ -47,5 +50,8 @@ def measure(runner, name):
                   way: _draw_path(runner, file, info["points"], "--budget", budget, "--frames",
                                   mode["frames"], *size) for way, file in files.items()}}
                         for budget in mode["budgets"]]}
+    errors = [str(error) for error in mode["errors"]]
+    cuts = _draw(runner, "surface-cuts", gtn, "--size", mode["view"], "--places", mode["places"],
+                 "--memory", 1024, "--errors", *errors)
     machine["loadAfter"] = os.getloadavg()
-    return {"mode": name, "machine": machine, **result}
+    return {"mode": name, "machine": machine, "view": mode["view"], "cuts": cuts["places"], **result}

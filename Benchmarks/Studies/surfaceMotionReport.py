@@ -3,6 +3,7 @@
 
 """The part of the page of surfaces about images in motion."""
 
+import math
 import statistics
 
 from benchmarkText import image, number, paragraph, table
@@ -42,6 +43,65 @@ def _frames(motion):
     return table(head, rows)
 
 
+def points_for(uniform, difference):
+    """The points with which the uniform surface has a difference, on a line between two numbers in a
+    double logarithmic plot. Nothing beyond those that were measured."""
+    known = sorted((one["points"], one["difference"]) for one in uniform)
+    for (fewer, worse), (more, better) in zip(known, known[1:]):
+        if better <= difference <= worse and worse > better > 0:
+            part = math.log(worse / difference) / math.log(worse / better)
+            return fewer * (more / fewer) ** part
+    return None
+
+
+def difference_of(uniform, points):
+    """The difference of the uniform surface with so many points, likewise."""
+    known = sorted((one["points"], one["difference"]) for one in uniform)
+    for (fewer, worse), (more, better) in zip(known, known[1:]):
+        if fewer <= points <= more and min(worse, better) > 0:
+            part = math.log(points / fewer) / math.log(more / fewer)
+            return worse * (better / worse) ** part
+    return None
+
+
+def _cuts(motion):
+    head = ["place", "pixels", "points", "RMS", "RMS, uniform", "points, uniform, for this RMS",
+            "share of them", "update, ms", "image, ms", "blocks, new of drawn"]
+    rows = []
+    for i, place in enumerate(motion["cuts"], 1):
+        for cut in place["cuts"]:
+            points = cut["points"]
+            if points == 0:
+                rows.append([str(i), f"{cut['error']:g}", "all", *["-"] * 7])
+                continue
+            same = difference_of(place["uniform"], points)
+            needed = points_for(place["uniform"], cut["difference"])
+            least = min(one["difference"] for one in place["uniform"])
+            most = max(one["points"] for one in place["uniform"])
+            beyond = f"more than {most:,}" if cut["difference"] < least else "-"
+            rows.append([
+                str(i), f"{cut['error']:g}", f"{points:,}", ratio(cut["difference"]),
+                ratio(same) if same else "-", f"{needed:,.0f}" if needed else beyond,
+                ratio(points / needed) if needed else
+                f"less than {ratio(points / most)}" if beyond != "-" else "-",
+                f"{1000 * cut['updateSeconds']:.0f}", f"{1000 * cut['drawSeconds']:.0f}",
+                f"{cut['newChunks']} of {cut['chunks']}"])
+    return table(head, rows)
+
+
+def _for_the_view(motion):
+    if not motion.get("cuts"):
+        return ""
+    return "\n## Simplified for the view\n\n" + paragraph(f"""The same file, from far (place 1) to near (place
+        {len(motion['cuts'])}), where the surface reaches to the horizon, with `PixelError` at its
+        *pixels* beside the surface that is simplified everywhere alike (`SimplificationRatio`). The
+        *RMS* is that of the gray values, of 255, from the image of all of the surface, with
+        {motion['view']} x {motion['view']} pixels that are means of 3 x 3. *Uniform* values are interpolated
+        between halvings of the number of points. *Update* is the time in addition to that of the
+        image after the camera has turned by half a degree around the surface, with two threads; in
+        motion, it is spent in the background.""") + "\n" + _cuts(motion)
+
+
 def section(results, plots):
     """The text, or nothing if it was not measured."""
     motion = results.get("motion")
@@ -64,7 +124,7 @@ def section(results, plots):
         is the time to the whole image after the last frame. ParaView's level of detail is
         vtkQuadricClustering as ParaView sets it, which is made of the whole surface before.""") + "\n"
     return text + _frames(motion) + "\n" + image(
-        plots, "motion", "Times of the frames and points drawn", "surface-study")
+        plots, "motion", "Times of the frames and points drawn", "surface-study") + _for_the_view(motion)
 
 
 def conclude(results):

@@ -371,6 +371,29 @@ std::vector<float> SurfaceDetail::Weigh(const SurfaceDetailView& view) const
 }
 
 //------------------------------------------------------------------------------
+double SurfaceDetail::BoundWeights(const SurfaceDetailView& view) const
+{
+  if (!(this->Size > 0) || !(view.Scale > 0))
+  {
+    return 0;
+  }
+  const DetailWeights distances(view.View, this->Size);
+  const double reach = this->Size / std::sqrt(static_cast<double>(this->Places.size()));
+  double most = 0;
+  for (const Small& small : this->Places)
+  {
+    const Point place = this->Restore(small);
+    Bounds box;
+    for (std::size_t c = 0; c < 3 && std::isfinite(place[c]); ++c)
+    {
+      box[c] = { place[c] - reach, place[c] + reach };
+    }
+    most = std::max(most, double{ distances.Get(box) });
+  }
+  return view.Scale * most;
+}
+
+//------------------------------------------------------------------------------
 MergeCut SurfaceDetail::Choose(const SurfaceDetailView& view, std::size_t first) const
 {
   const MergeTree& tree = *this->Tree;

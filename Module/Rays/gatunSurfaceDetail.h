@@ -69,6 +69,10 @@ public:
   /** For each point, the pixels of an error of 1. */
   std::vector<float> Weigh(const SurfaceDetailView& view) const;
 
+  /** At least the pixels of an error of 1 anywhere on the surface, if its points have a distance
+   * that is usual for a surface of its size. */
+  double BoundWeights(const SurfaceDetailView& view) const;
+
   /** Whether the surface is closed and its normals, by the order of corners, are outward. */
   bool IsSolid() const { return this->Solid; }
 

@@ -105,6 +105,14 @@ void AddCostOptions(CLI::App* command, RenderOptions& options)
     ->check(CLI::NonNegativeNumber)
     ->option_text("SECONDS")
     ->group(group);
+  command
+    ->add_option("--pixel-error", options.PixelError,
+      "Largest error in pixels, 0 to 1e6, of a surface in a .gtn file with a hierarchy: it is "
+      "simplified as far as that allows, more where it is farther away (default: 0, not "
+      "simplified)")
+    ->check(CLI::Range(0., 1e6))
+    ->option_text("PIXELS")
+    ->group(group);
   command->add_flag("--stats", options.Statistics, "Print statistics; medians for a turntable")
     ->group(group);
   command->add_flag("--json", options.Json, "Print the statistics of each image as JSON")

@@ -25,6 +25,7 @@ struct RenderOptions : ImageOptions
   std::optional<double> SampleDistance;
   double Ratio = 0;
   double TimeBudget = 0;
+  double PixelError = 0;
   int Memory = 512;
 };
 

@@ -172,6 +172,15 @@ TEST(SurfaceDetail, IsFineWhereTheEyeIs)
     static_cast<double>(sample.CountLeft(even, { 1, 0, 0 }));
   EXPECT_GT(share, 0.7);
   EXPECT_LT(share, 1.4);
+  // No point counts more than the bound, which is not far away.
+  for (const double x : { -2.4, -2.05, 0.0 })
+  {
+    const auto close = MakeView({ x, 0, 0.3 }, { 2, 0, 0 });
+    const auto all = detail.Weigh(close);
+    const double most = *std::max_element(all.begin(), all.end());
+    EXPECT_LE(most, detail.BoundWeights(close));
+    EXPECT_LT(detail.BoundWeights(close), 50 * most);
+  }
   // Behind the eye there is nothing to see, and all merges are made that can be.
   const auto weights = detail.Weigh(MakeView({ 3, 0, 0 }, { 5, 0, 0 }));
   EXPECT_EQ(*std::max_element(weights.begin(), weights.end()), 0);
