@@ -71,7 +71,7 @@ public:
     this->Mapper->GetBounds(bounds);
     const double radius = 0.5 * (bounds[1] - bounds[0]);
     const double far = 4 * radius;
-    const double near = 1.07 * radius;
+    const double near = 1.15 * radius;
     const double distance = far * std::pow(near / far, time);
     const double ahead = vtkMath::Pi() / 5 * time + vtkMath::RadiansFromDegrees(turn);
     vtkCamera* const camera = this->Renderer->GetActiveCamera();

@@ -6,7 +6,7 @@
 import math
 import statistics
 
-from benchmarkText import image, number, paragraph, table
+from benchmarkText import image, number, paragraph, ratio, table
 
 WAYS = {"gtn": "`.gtn`, just in time", "vtp": "`.vtp`, ParaView's level of detail"}
 
