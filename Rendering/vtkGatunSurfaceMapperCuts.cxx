@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 namespace
 {
@@ -74,9 +75,10 @@ bool vtkGatunSurfaceMapper::vtkInternals::HasCuts(const Image& image) const
 }
 
 //------------------------------------------------------------------------------
-/** What an image needs, without a limit of points. Throws gatun::Error for views that show nothing.
- */
-gatun::SurfaceCutOrder vtkGatunSurfaceMapper::vtkInternals::MakeOrder(const Image& image) const
+/** What an image needs, without a limit of points. Nothing for a view that shows nothing, such as
+ * that of an actor without extent. */
+std::optional<gatun::SurfaceCutOrder> vtkGatunSurfaceMapper::vtkInternals::MakeOrder(
+  const Image& image) const
 {
   vtkNew<vtkMatrix4x4> toWorld;
   image.Actor->GetMatrix(toWorld);
@@ -85,9 +87,18 @@ gatun::SurfaceCutOrder vtkGatunSurfaceMapper::vtkInternals::MakeOrder(const Imag
   grid.Width = std::max(1, size[0]);
   grid.Height = std::max(1, size[1]);
   grid.Aspect = image.Renderer->GetTiledAspectRatio();
+  std::optional<gatun::RayView> rays;
+  try
+  {
+    rays = gatun::MakeRayView(
+      image.Renderer->GetActiveCamera(), grid, gatun::RayMode::Composite, 0, toWorld, true);
+  }
+  catch (const gatun::Error&)
+  {
+    return std::nullopt;
+  }
   gatun::SurfaceCutOrder order{ this->Source, this->What, this->Whole->GetMerges(), image.Room / 2,
-    { gatun::MakeRayView(
-      image.Renderer->GetActiveCamera(), grid, gatun::RayMode::Composite, 0, toWorld, true) } };
+    { *rays } };
   gatun::SurfaceDetailView& view = order.View;
   // A matrix that changes shapes has no one scale.
   view.Scale = std::cbrt(std::abs(toWorld->Determinant()));
@@ -107,9 +118,9 @@ gatun::SurfaceCutOrder vtkGatunSurfaceMapper::vtkInternals::MakeOrder(const Imag
 std::uint64_t vtkGatunSurfaceMapper::vtkInternals::CountPoints(double budget)
 {
   const std::uint64_t all = this->Source.File->GetFile()->GetNumberOfPoints();
-  const auto fits =
-    std::clamp(this->Times.CountCells(gatun::SurfaceTimes::Cut, (1 - TransferShare) * budget) / 2,
-      FewestPoints, all);
+  const std::uint64_t cells =
+    this->Times.CountCells(gatun::SurfaceTimes::Cut, (1 - TransferShare) * budget);
+  const std::uint64_t fits = std::min(all, std::max(FewestPoints, cells / 2));
   const double step =
     std::floor(StepsOfPoints * std::log2(static_cast<double>(fits))) / StepsOfPoints;
   const auto points = static_cast<std::uint64_t>(std::exp2(step));
@@ -127,12 +138,16 @@ void vtkGatunSurfaceMapper::vtkInternals::OrderCut(const Image& image, double bu
   {
     return;
   }
-  gatun::SurfaceCutOrder order = this->MakeOrder(image);
-  order.View.Points = this->CountPoints(budget);
-  if (this->Ordered != order.View)
+  auto order = this->MakeOrder(image);
+  if (!order)
   {
-    this->Ordered = order.View;
-    this->Cutter.Request(std::move(order));
+    return;
+  }
+  order->View.Points = this->CountPoints(budget);
+  if (this->Ordered != order->View)
+  {
+    this->Ordered = order->View;
+    this->Cutter.Request(std::move(*order));
   }
 }
 
@@ -145,10 +160,13 @@ void vtkGatunSurfaceMapper::vtkInternals::TakeCut()
   {
     return;
   }
-  if (result->Failure || !result->Cut)
+  if (result->Failure)
   {
     this->HasCutFailed = true;
     this->Failure = this->Failure ? this->Failure : result->Failure;
+  }
+  if (!result->Cut)
+  {
     return;
   }
   this->Next.Cut = result->Cut;
@@ -284,15 +302,19 @@ bool vtkGatunSurfaceMapper::vtkInternals::DrawPreciseCut(const Image& image)
 {
   // Throws if there is no hierarchy.
   this->Source.File->GetHierarchy();
-  gatun::SurfaceCutOrder order = this->MakeOrder(image);
-  if (!this->Cut.Cut || this->Ordered != order.View)
+  const auto order = this->MakeOrder(image);
+  if (!order)
+  {
+    return false;
+  }
+  if (!this->Cut.Cut || this->Ordered != order->View)
   {
     const auto progress = [&](double done)
     {
       image.Mapper->UpdateProgress(done);
       return image.Renderer->GetRenderWindow()->CheckAbortStatus() == 0;
     };
-    gatun::SurfaceCutResult result = this->Cutter.Make(order, progress);
+    gatun::SurfaceCutResult result = this->Cutter.Make(*order, progress);
     this->Ordered.reset();
     if (result.Failure)
     {
@@ -309,7 +331,7 @@ bool vtkGatunSurfaceMapper::vtkInternals::DrawPreciseCut(const Image& image)
     this->Next = { { result.Cut, std::vector<Chunk>(result.Cut->GetNumberOfChunks()) },
       result.Cut };
     this->AdoptCut();
-    this->Ordered = order.View;
+    this->Ordered = order->View;
   }
   this->Present = this->Levels.size();
   this->DrawLevel(image, this->Cut.Chunks, this->FindVisible(image, this->Cut.Chunks));

@@ -149,7 +149,7 @@ private:
 
   // Surfaces for the view.
   bool HasCuts(const Image& image) const;
-  gatun::SurfaceCutOrder MakeOrder(const Image& image) const;
+  std::optional<gatun::SurfaceCutOrder> MakeOrder(const Image& image) const;
   std::uint64_t CountPoints(double budget);
   void OrderCut(const Image& image, double budget);
   void TakeCut();

@@ -117,6 +117,11 @@ scene.camera.SetFocalPoint(19, 0, 0)
 scene.renderer.ResetCameraClippingRange()
 assert covered(scene.render()) == 0
 
+# An actor without extent.
+scene.actor.SetScale(1e-200)
+scene.render()
+assert scene.mapper.GetErrorCode() == 0
+
 # Without room for a base mesh, all of the surface.
 scene = make(PixelError=2, MemoryBudget=1)
 assert np.array_equal(scene.render(), full) and scene.mapper.GetNumberOfDrawnPoints() == 0
