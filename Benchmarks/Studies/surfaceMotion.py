@@ -52,6 +52,6 @@ def measure(runner, name):
                         for budget in mode["budgets"]]}
     errors = [str(error) for error in mode["errors"]]
     cuts = _draw(runner, "surface-cuts", gtn, "--size", mode["view"], "--places", mode["places"],
-                 "--memory", 1024, "--errors", *errors)
+                 "--memory", 2048, "--errors", *errors)
     machine["loadAfter"] = os.getloadavg()
     return {"mode": name, "machine": machine, "view": mode["view"], "cuts": cuts["places"], **result}

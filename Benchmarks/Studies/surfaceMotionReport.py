@@ -6,7 +6,7 @@
 import math
 import statistics
 
-from benchmarkText import image, number, paragraph, ratio, table
+from benchmarkText import image, number, paragraph, ratio, span, table
 
 WAYS = {"gtn": "`.gtn`, just in time", "vtp": "`.vtp`, ParaView's level of detail"}
 
@@ -99,7 +99,8 @@ def _for_the_view(motion):
         {motion['view']} x {motion['view']} pixels that are means of 3 x 3. *Uniform* values are interpolated
         between halvings of the number of points. *Update* is the time in addition to that of the
         image after the camera has turned by half a degree around the surface, with two threads; in
-        motion, it is spent in the background.""") + "\n" + _cuts(motion)
+        motion, it is spent in the background. *All*: the base mesh for so small an error does not fit into
+        half of the memory budget, 1 GiB, and all of the surface is drawn.""") + "\n" + _cuts(motion)
 
 
 def section(results, plots):
@@ -135,6 +136,15 @@ def conclude(results):
     texts = [f"{in_time(path, 'gtn'):.0f} % at {1000 * path['budget']:.0f} ms"
              for path in motion["paths"]]
     others = [f"{in_time(path, 'vtp'):.0f}" for path in motion["paths"]]
+    shares = [cut["points"] / needed for place in motion.get("cuts", ()) for cut in place["cuts"]
+              for needed in [points_for(place["uniform"], cut["difference"])]
+              if needed and cut["points"] > 0]
+    text = "" if not shares else f""" Simplified for the view, it takes {span(shares, ratio)} times the points for the
+        same difference of the image."""
+    return text_of_frames(motion, texts, others) + text
+
+
+def text_of_frames(motion, texts, others):
     return f""" Of the frames of a camera path over {motion['triangles']:,} triangles {" and ".join(texts)}
         are in time; with ParaView's level of detail {" and ".join(others)} %."""
 
