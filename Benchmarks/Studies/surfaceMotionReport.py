@@ -92,6 +92,8 @@ def _cuts(motion):
 def _for_the_view(motion):
     if not motion.get("cuts"):
         return ""
+    wholes = "" if all(cut["points"] for place in motion["cuts"] for cut in place["cuts"]) else """*All*: the
+        base mesh for so small an error does not fit into half of the memory budget, 1 GiB."""
     return "\n## Simplified for the view\n\n" + paragraph(f"""The same file, from far (place 1) to near (place
         {len(motion['cuts'])}), where the surface reaches to the horizon, with `PixelError` at its
         *pixels* beside the surface that is simplified everywhere alike (`SimplificationRatio`). The
@@ -99,8 +101,7 @@ def _for_the_view(motion):
         {motion['view']} x {motion['view']} pixels that are means of 3 x 3. *Uniform* values are interpolated
         between halvings of the number of points. *Update* is the time in addition to that of the
         image after the camera has turned by half a degree around the surface, with two threads; in
-        motion, it is spent in the background. *All*: the base mesh for so small an error does not fit into
-        half of the memory budget, 1 GiB, and all of the surface is drawn.""") + "\n" + _cuts(motion)
+        motion, it is spent in the background. {wholes}""") + "\n" + _cuts(motion)
 
 
 def section(results, plots):
