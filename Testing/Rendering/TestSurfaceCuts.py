@@ -181,6 +181,32 @@ scene.look(30, 20, bounds=surface.GetBounds())
 scene.mapper.SetPixelError(1)
 assert covered(scene.render()) > 0.9 * covered(full) and scene.mapper.GetNumberOfDrawnPoints() > 0
 
+# A damaged file: an error, once, and never more than that.
+gm.write(surface, path, ChunkTets=2000, Hierarchy=True, Levels=3)
+with open(path, "rb") as file:
+    content = file.read()
+failed = 0
+for place in range(1, 20):
+    data = bytearray(content)
+    data[len(data) * place // 20] ^= 255
+    with open(path, "wb") as file:
+        file.write(data)
+    scene = Scene(pd.reader_of(path, OnDemand=1))
+    errors = gm.Errors(scene.mapper)
+    scene.look(30, 20, bounds=surface.GetBounds())
+    scene.window.SetDesiredUpdateRate(0.001)
+    scene.mapper.SetPixelError(0.3)
+    scene.render()
+    failed += scene.mapper.GetErrorCode() != 0
+    scene.mapper.SetPixelError(0)
+    scene.mapper.JustInTimeOn()
+    scene.mapper.SetTimeBudget(1e-6)
+    move(scene, 8)
+    assert scene.mapper.GetErrorCode() == 0 or str(errors)
+assert failed > 3, failed
+with open(path, "wb") as file:
+    file.write(content)
+
 # Without a hierarchy, an error in pixels is an error.
 gm.write(surface, path, ChunkTets=2000)
 scene = Scene(pd.reader_of(path, OnDemand=1))
