@@ -38,6 +38,7 @@ void AddSimplifyPicture(CLI::App& app);
 void AddSimplifySurface(CLI::App& app);
 void AddSurface(CLI::App& app);
 void AddSurfaceDraw(CLI::App& app);
+void AddSurfaceCuts(CLI::App& app);
 void AddSurfaceFrames(CLI::App& app);
 void AddSurfaceMemory(CLI::App& app);
 void AddMakeSurface(CLI::App& app);

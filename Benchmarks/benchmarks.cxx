@@ -45,6 +45,7 @@ int main(int argc, char* argv[])
   bench::AddSimplifySurface(app);
   bench::AddSurface(app);
   bench::AddSurfaceDraw(app);
+  bench::AddSurfaceCuts(app);
   bench::AddSurfaceFrames(app);
   bench::AddSurfaceMemory(app);
   bench::AddMakeSurface(app);

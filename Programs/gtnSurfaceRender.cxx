@@ -62,10 +62,16 @@ void RequireDisplay(const std::string& file)
 void RequireSurfaceOptions(const RenderOptions& options)
 {
   if (options.BlendMode != 0 || options.SampleDistance || options.UnitDistance ||
-    options.TimeBudget > 0)
+    options.TimeBudget > 0 || options.Uniform || !options.DetailBounds.empty() ||
+    !options.DetailSphere.empty() || !options.DetailRange.empty())
   {
     throw Failure(options.Input.File,
-      "is a surface; --mode, --sample-distance, --unit-distance and --budget are for volumes");
+      "is a surface; --mode, --sample-distance, --unit-distance, --budget, --uniform and regions of "
+      "detail are for volumes");
+  }
+  if (options.PixelError > 0 && ExtensionOf(options.Input.File) != ".gtn")
+  {
+    throw Failure(options.Input.File, "has no hierarchy, which --pixel-error needs; see gtn pack");
   }
 }
 
@@ -243,6 +249,8 @@ Statistics StatisticsOf(vtkGatunSurfaceMapper* mapper)
   }
   return { { "chunks", "chunks drawn", Statistic::Count,
              static_cast<double>(mapper->GetNumberOfDrawnChunks()) },
+    { "drawnPoints", "points left of a simplified surface", Statistic::Count,
+      static_cast<double>(mapper->GetNumberOfDrawnPoints()) },
     { "decodedChunks", "chunks decoded so far", Statistic::Count,
       static_cast<double>(mapper->GetNumberOfDecodedChunks()) },
     { "bufferBytes", "buffers", Statistic::Bytes, static_cast<double>(mapper->GetBufferBytes()) } };
@@ -265,6 +273,7 @@ void RenderSurface(const RenderOptions& options, const Settings& settings)
   SetColors(mapper, *input, options);
   mapper->SetMemoryBudget(options.Memory);
   mapper->SetSimplificationRatio(options.Ratio);
+  mapper->SetPixelError(options.PixelError);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   vtkNew<vtkRenderer> renderer;

@@ -7,74 +7,34 @@
 #include "gatunMergeChanges.h"
 #include "gatunPieceReader.h"
 #include "gatunPublishedFile.h"
-#include "gatunSurfaceView.h"
+#include "gatunSurfaceMesh.h"
 
 #include "vtkSmartPointer.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <exception>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <string>
 #include <vector>
-
-#ifdef VTK_ABI_NAMESPACE_BEGIN
-VTK_ABI_NAMESPACE_BEGIN
-#endif
-class vtkPolyData;
-#ifdef VTK_ABI_NAMESPACE_END
-VTK_ABI_NAMESPACE_END
-#endif
 
 namespace gatun
 {
-/** What is drawn of a file. */
-struct SurfaceContents
-{
-  std::vector<std::uint32_t> Arrays;
-  std::string Scalars; ///< name of the array that gives colors
-  std::size_t Step = 0;
-
-  bool operator==(const SurfaceContents&) const = default;
-};
-
-/** A chunk that was decoded, or the reason why it was not. */
-struct SurfacePart
-{
-  vtkSmartPointer<vtkPolyData> Mesh;
-  NormalCone Cone;
-  std::exception_ptr Failure;
-};
-
 /**
  * A surface in a file after a number of merges: the surface itself, a base mesh, or one of these
  * with more merges. Const methods are thread safe. Methods throw Error.
  */
-class SurfaceLevel
+class SurfaceLevel final : public SurfaceMesh
 {
 public:
-  using Progress = std::function<bool(double)>;
-
   SurfaceLevel(PublishedFile source, std::size_t merges, SurfaceContents what);
-  ~SurfaceLevel();
-  SurfaceLevel(const SurfaceLevel&) = delete;
-  SurfaceLevel& operator=(const SurfaceLevel&) = delete;
+  ~SurfaceLevel() override;
 
-  std::size_t GetMerges() const { return this->Merges; }
-  std::size_t GetNumberOfChunks() const;
-
-  /** The bounds of a chunk. */
-  const Bounds& GetBox(std::size_t chunk) const;
-
-  /** Cells of a chunk, without those that merges beyond a base mesh remove. */
-  std::uint64_t GetNumberOfCells(std::size_t chunk) const;
-
-  /** Decodes a chunk; an error is part of the result. WithIds: whether the mesh gets the numbers of
-   * points and cells within the surface. If progress returns false, the error is Aborted. */
-  SurfacePart Decode(std::uint32_t chunk, bool withIds, const Progress& progress) const;
+  std::size_t GetMerges() const override { return this->Merges; }
+  std::size_t GetNumberOfChunks() const override;
+  const Bounds& GetBox(std::size_t chunk) const override;
+  std::uint64_t GetNumberOfCells(std::size_t chunk) const override;
+  SurfacePart Decode(std::uint32_t chunk, bool withIds, const Progress& progress) const override;
 
   /** The chunks that differ from those of another level of the same file. Nothing if all may. To be
    * called from one thread for all levels. */

@@ -38,7 +38,7 @@ void SurfacePreparer::Clear()
 
 //------------------------------------------------------------------------------
 void SurfacePreparer::Prepare(
-  const std::shared_ptr<const SurfaceLevel>& level, std::vector<std::uint32_t> chunks)
+  const std::shared_ptr<const SurfaceMesh>& level, std::vector<std::uint32_t> chunks)
 {
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
@@ -60,7 +60,7 @@ void SurfacePreparer::Prepare(
 }
 
 //------------------------------------------------------------------------------
-std::optional<SurfacePart> SurfacePreparer::Take(const SurfaceLevel* level, std::uint32_t chunk)
+std::optional<SurfacePart> SurfacePreparer::Take(const SurfaceMesh* level, std::uint32_t chunk)
 {
   const std::lock_guard<std::mutex> lock(this->Guard);
   const auto found = this->Ready.find(chunk);

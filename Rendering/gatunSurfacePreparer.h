@@ -4,7 +4,7 @@
 #ifndef gatunSurfacePreparer_h
 #define gatunSurfacePreparer_h
 
-#include "gatunSurfaceLevel.h"
+#include "gatunSurfaceMesh.h"
 
 #include <condition_variable>
 #include <cstdint>
@@ -32,10 +32,10 @@ public:
 
   /** Requests chunks; replaces what was requested before. Chunks of the same level that were
    * decoded and not taken stay. */
-  void Prepare(const std::shared_ptr<const SurfaceLevel>& level, std::vector<std::uint32_t> chunks);
+  void Prepare(const std::shared_ptr<const SurfaceMesh>& level, std::vector<std::uint32_t> chunks);
 
   /** A decoded chunk of the level, once; nothing if it is not ready. */
-  std::optional<SurfacePart> Take(const SurfaceLevel* level, std::uint32_t chunk);
+  std::optional<SurfacePart> Take(const SurfaceMesh* level, std::uint32_t chunk);
 
   /** Waits until all requested chunks are decoded. */
   void Wait();
@@ -48,7 +48,7 @@ private:
 
   std::mutex Guard; // of all that follows
   std::condition_variable Changed;
-  std::shared_ptr<const SurfaceLevel> Level;
+  std::shared_ptr<const SurfaceMesh> Level;
   std::vector<std::uint32_t> Wanted; // the next one is the last
   std::map<std::uint32_t, SurfacePart> Ready;
   std::uint64_t Version = 0; // of the level

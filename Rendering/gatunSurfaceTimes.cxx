@@ -14,11 +14,13 @@ constexpr double Aim = 0.9;        // fraction of the budget
 constexpr double FirstCell = 2e-7; // seconds, before anything was drawn
 constexpr double FirstTransfer = 2e-7;
 
-/** The number of cells a time is divided by. Each image takes some time for its pixels. */
+// Each image takes some time for its pixels, as for so many cells.
+constexpr double WorkOfPixels = 5000;
+
+/** The number of cells a time is divided by. */
 double GetWork(std::uint64_t cells)
 {
-  constexpr double ofPixels = 5000;
-  return static_cast<double>(cells) + ofPixels;
+  return static_cast<double>(cells) + WorkOfPixels;
 }
 }
 
@@ -49,7 +51,8 @@ void SurfaceTimes::Learn(std::size_t level, std::uint64_t cells, double seconds)
 }
 
 //------------------------------------------------------------------------------
-double SurfaceTimes::Predict(std::size_t level, std::uint64_t cells) const
+/** The seconds a cell. */
+double SurfaceTimes::PredictWork(std::size_t level) const
 {
   const Recent* nearest = nullptr;
   std::size_t least = 0;
@@ -63,7 +66,21 @@ double SurfaceTimes::Predict(std::size_t level, std::uint64_t cells) const
       least = distance;
     }
   }
-  return GetWork(cells) * (nearest ? nearest->Get() : FirstCell);
+  return nearest ? nearest->Get() : FirstCell;
+}
+
+//------------------------------------------------------------------------------
+double SurfaceTimes::Predict(std::size_t level, std::uint64_t cells) const
+{
+  return GetWork(cells) * this->PredictWork(level);
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t SurfaceTimes::CountCells(std::size_t level, double budget) const
+{
+  constexpr double most = 1e15;
+  const double work = Aim * budget / std::max(this->PredictWork(level), 1e-12);
+  return static_cast<std::uint64_t>(std::clamp(work - WorkOfPixels, 0.0, most));
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <span>
 
@@ -21,6 +22,9 @@ namespace gatun
 class SurfaceTimes
 {
 public:
+  /** The number of a level that is a cut for the view. */
+  static constexpr std::size_t Cut = std::numeric_limits<std::size_t>::max();
+
   /** An image of a level took some seconds. */
   void Learn(std::size_t level, std::uint64_t cells, double seconds);
 
@@ -31,6 +35,9 @@ public:
 
   /** The expected seconds for an image of a level. */
   double Predict(std::size_t level, std::uint64_t cells) const;
+
+  /** The number of cells of a level for which the expected seconds are the aim. */
+  std::uint64_t CountCells(std::size_t level, double budget) const;
 
   /** The same for the transfer of cells to the graphics. */
   void LearnTransfer(std::uint64_t cells, double seconds);
@@ -46,6 +53,8 @@ private:
     void Add(double number);
     double Get() const;
   };
+
+  double PredictWork(std::size_t level) const;
 
   std::map<std::size_t, Recent> PerCell; // for each level
   Recent Transfer;

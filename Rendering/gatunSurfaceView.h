@@ -48,6 +48,9 @@ public:
   /** Whether all triangles of a part within a box are culled, as their back or front faces are. */
   bool Culls(const Bounds& box, const NormalCone& cone) const;
 
+  /** 1 if back faces by the order of corners are culled, -1 if front faces are, 0 if neither. */
+  int GetCulledSide() const { return this->Side > 0 ? 1 : this->Side < 0 ? -1 : 0; }
+
   /** A number that grows with the distance of the middle of a box from the camera. */
   double GetDepth(const Bounds& box) const;
 

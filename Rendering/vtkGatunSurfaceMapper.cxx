@@ -52,6 +52,25 @@ void vtkGatunSurfaceMapper::SetSimplificationRatio(double ratio)
 }
 
 //------------------------------------------------------------------------------
+void vtkGatunSurfaceMapper::SetViewDependent(bool on)
+{
+  this->ViewDependent = on;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunSurfaceMapper::SetPixelError(double pixels)
+{
+  if (pixels >= 0)
+  {
+    this->PixelError = pixels;
+  }
+  else
+  {
+    vtkErrorMacro(<< "PixelError must be 0 or more; " << pixels << " is ignored");
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkGatunSurfaceMapper::GetNumberOfDrawnPoints()
 {
   return this->Internals->GetDrawnPoints();
@@ -188,6 +207,8 @@ void vtkGatunSurfaceMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "JustInTime: " << (this->JustInTime ? "on" : "off") << "\n";
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
   os << indent << "SimplificationRatio: " << this->SimplificationRatio << "\n";
+  os << indent << "ViewDependent: " << (this->ViewDependent ? "on" : "off") << "\n";
+  os << indent << "PixelError: " << this->PixelError << "\n";
   os << indent << "IsDrawingFile: " << (this->GetIsDrawingFile() ? "true" : "false") << "\n";
   os << indent << "BufferBytes: " << this->GetBufferBytes() << "\n";
 }

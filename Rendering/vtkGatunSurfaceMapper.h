@@ -31,6 +31,13 @@
  * coarser level that is ready is drawn. The image at rest, for which more than 10 seconds are
  * allocated, shows the whole surface and is the same as without JustInTime.
  *
+ * *View-dependent.* With ViewDependent, the default, the surface is then simplified as far as the
+ * view allows, with as many points as the time does: fine where the eye is near and at the
+ * silhouette, and coarse elsewhere. The base mesh with about eight times these points is kept in
+ * memory, which takes up to half of MemoryBudget in addition to it. A thread chooses the points
+ * while the camera moves; only chunks that change are transferred again, and they appear together.
+ * A moving camera may thus be ahead of the surface. PixelError sets an error instead of a time.
+ *
  * *Appearance.* The pixels are those that vtkPolyDataMapper draws of the reader's output, with
  * lighting, color maps, textures, clipping planes, and all representations. Translucent surfaces
  * without depth peeling are an exception, because their image depends on the order of cells. Vertex
@@ -100,6 +107,31 @@ public:
    */
   void SetTimeBudget(double seconds);
   vtkGetMacro(TimeBudget, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the surface is finer during an interaction where the view needs it, instead of
+   * everywhere alike. No influence without JustInTime. A change does not modify the mapper.
+   * Default: on.
+   */
+  void SetViewDependent(bool on);
+  vtkGetMacro(ViewDependent, bool);
+  vtkBooleanMacro(ViewDependent, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The largest error of the surface of a file in pixels, in all images: 0 or more. 0 draws all of
+   * the surface. The error is the estimate of the file (vtkGatunSimplify) at the distance of each
+   * place; it does not count outside of the view, counts less where the surface faces the eye, and
+   * not at all where it is turned away and hidden. During an interaction with JustInTime it may be
+   * larger. Above 0 the file must have a hierarchy. If the base mesh that is needed does not fit
+   * into half of MemoryBudget, all of the surface is drawn. Negative values and those that are not
+   * a number are an error and change nothing. A change does not modify the mapper. Default: 0.
+   */
+  void SetPixelError(double pixels);
+  vtkGetMacro(PixelError, double);
   ///@}
 
   ///@{
@@ -184,6 +216,8 @@ protected:
   bool JustInTime = false;
   double TimeBudget = 0;
   double SimplificationRatio = 0;
+  bool ViewDependent = true;
+  double PixelError = 0;
 
 private:
   vtkGatunSurfaceMapper(const vtkGatunSurfaceMapper&) = delete;

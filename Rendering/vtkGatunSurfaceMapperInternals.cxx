@@ -117,6 +117,7 @@ bool vtkGatunSurfaceMapper::vtkInternals::Open(vtkGatunSurfaceMapper* mapper, vt
   if (!file)
   {
     this->Forget();
+    this->ForgetCuts();
     this->Source = {};
     return false;
   }
@@ -129,7 +130,9 @@ bool vtkGatunSurfaceMapper::vtkInternals::Open(vtkGatunSurfaceMapper* mapper, vt
     this->Forget();
     this->Levels.clear();
     this->HasLevels = false;
+    this->Whole = nullptr;
     this->Preparer.Clear();
+    this->ForgetCuts();
   }
   this->Source = *file;
   this->What = std::move(what);
@@ -167,7 +170,7 @@ void vtkGatunSurfaceMapper::vtkInternals::ChangeMerges(
     this->Levels.emplace_back();
   }
   Level& whole = this->Levels.front();
-  const auto changes = whole.Mesh ? mesh->FindChanges(*whole.Mesh) : std::nullopt;
+  const auto changes = this->Whole ? mesh->FindChanges(*this->Whole) : std::nullopt;
   if (changes)
   {
     for (const std::uint32_t chunk : *changes)
@@ -183,32 +186,41 @@ void vtkGatunSurfaceMapper::vtkInternals::ChangeMerges(
     whole.Chunks.clear();
     whole.Chunks.resize(mesh->GetNumberOfChunks());
   }
-  whole.Mesh = std::move(mesh);
+  this->Whole = std::move(mesh);
+  this->Ordered.reset();
+  whole.Mesh = this->Whole;
   this->HasLevels = false;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkGatunSurfaceMapper::vtkInternals::GetDrawnPoints() const
 {
-  if (!this->Source.File || this->Present >= this->Levels.size())
+  if (!this->Source.File || this->Levels.empty())
   {
     return 0;
   }
-  const std::size_t merges = this->Levels[this->Present].Mesh->GetMerges();
   const std::uint64_t points = this->Source.File->GetFile()->GetNumberOfPoints();
-  return merges > 0 ? static_cast<vtkIdType>(points - merges) : 0;
+  return this->Merges > 0 ? static_cast<vtkIdType>(points - this->Merges) : 0;
+}
+
+//------------------------------------------------------------------------------
+template <typename Use>
+void vtkGatunSurfaceMapper::vtkInternals::EachChunk(const Use& use)
+{
+  for (Level& level : this->Levels)
+  {
+    std::for_each(level.Chunks.begin(), level.Chunks.end(), use);
+  }
+  for (CutLevel* const cut : { &this->Cut, &this->Next })
+  {
+    std::for_each(cut->Chunks.Chunks.begin(), cut->Chunks.Chunks.end(), use);
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkGatunSurfaceMapper::vtkInternals::Forget()
 {
-  for (Level& level : this->Levels)
-  {
-    for (Chunk& chunk : level.Chunks)
-    {
-      this->Drop(chunk);
-    }
-  }
+  this->EachChunk([this](Chunk& chunk) { this->Drop(chunk); });
 }
 
 //------------------------------------------------------------------------------
@@ -223,16 +235,14 @@ void vtkGatunSurfaceMapper::vtkInternals::Drop(Chunk& chunk)
 //------------------------------------------------------------------------------
 void vtkGatunSurfaceMapper::vtkInternals::Release(vtkWindow* window)
 {
-  for (Level& level : this->Levels)
-  {
-    for (Chunk& chunk : level.Chunks)
+  this->EachChunk(
+    [window](Chunk& chunk)
     {
       if (chunk.Mapper)
       {
         chunk.Mapper->ReleaseGraphicsResources(window);
       }
-    }
-  }
+    });
   this->Forget();
 }
 
@@ -314,16 +324,14 @@ void vtkGatunSurfaceMapper::vtkInternals::MakeRoom(std::uint64_t budget, Chunk* 
   while (this->Bytes > budget)
   {
     Chunk* oldest = last;
-    for (Level& level : this->Levels)
-    {
-      for (Chunk& chunk : level.Chunks)
+    this->EachChunk(
+      [&](Chunk& chunk)
       {
         if (chunk.Mapper && chunk.Frame < (oldest ? oldest->Frame : this->Frame + 1))
         {
           oldest = &chunk;
         }
-      }
-    }
+      });
     if (!oldest || !oldest->Mapper)
     {
       return;
@@ -416,6 +424,10 @@ void vtkGatunSurfaceMapper::vtkInternals::Draw(
     this->DrawInMotion(image, budget);
     return;
   }
+  if (mapper->PixelError > 0 && !this->IsSelecting && this->DrawPreciseCut(image))
+  {
+    return;
+  }
   const auto begin = std::chrono::steady_clock::now();
   const vtkIdType decodedBefore = this->Decoded;
   const View view = this->FindVisible(image, this->Levels.front());
@@ -435,6 +447,7 @@ void vtkGatunSurfaceMapper::vtkInternals::DrawLevel(
 {
   const std::vector<std::uint32_t>& visible = view.Chunks;
   this->Culled = view.Culled;
+  this->Merges = level.Mesh->GetMerges();
   for (const std::uint32_t chunk : visible)
   {
     level.Chunks[chunk].Frame = this->Frame;

@@ -5,6 +5,7 @@
 #define vtkGatunSurfaceMapperInternals_h
 
 #include "gatunPublishedFile.h"
+#include "gatunSurfaceCutter.h"
 #include "gatunSurfaceLevel.h"
 #include "gatunSurfacePreparer.h"
 #include "gatunSurfaceTimes.h"
@@ -17,6 +18,7 @@
 #include <cstdint>
 #include <exception>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -66,7 +68,7 @@ public:
   std::uint64_t GetBytes() const { return this->Bytes; }
 
   /** Waits for the background thread. */
-  void Wait() { this->Preparer.Wait(); }
+  void Wait();
 
   /** Points of the last image; 0 if it was not simplified. */
   vtkIdType GetDrawnPoints() const;
@@ -84,8 +86,15 @@ private:
   /** The surface, or one of its levels of detail. */
   struct Level
   {
-    std::shared_ptr<const gatun::SurfaceLevel> Mesh;
+    std::shared_ptr<const gatun::SurfaceMesh> Mesh;
     std::vector<Chunk> Chunks;
+  };
+
+  /** A surface for the view. */
+  struct CutLevel
+  {
+    Level Chunks;
+    std::shared_ptr<const gatun::SurfaceCut> Cut; // its mesh; null for none
   };
 
   /** The chunks of a level that can be seen, in the order in which they are drawn. */
@@ -114,6 +123,8 @@ private:
   static std::size_t CountMerges(const gatun::PublishedFile& file, vtkGatunSurfaceMapper* mapper);
   static double GetBudget(const Image& image);
   void Forget();
+  template <typename Use>
+  void EachChunk(const Use& use);
   void ChangeMerges(const gatun::PublishedFile& file, std::size_t merges);
   View FindVisible(const Image& image, Level& level) const;
   std::vector<std::uint32_t> FindMissing(
@@ -130,17 +141,33 @@ private:
   // Levels of detail while somebody interacts.
   void FindLevels();
   bool IsReady(const Image& image, const Level& level, const View& view) const;
-  void Prepare(const Image& image, Level& level, const View& view);
+  void Prepare(const Image& image, Level& level, const std::vector<std::uint32_t>& chunks);
+  std::vector<std::uint32_t> ListLikely(const Level& level, const View& view) const;
   double Transfer(const Image& image, Level& level, const View& view, double seconds);
   void DrawInMotion(const Image& image, double budget);
   void PrepareMotion(const Image& image, const View& view, double seconds);
 
+  // Surfaces for the view.
+  bool HasCuts(const Image& image) const;
+  std::optional<gatun::SurfaceCutOrder> MakeOrder(const Image& image) const;
+  std::uint64_t CountPoints(double budget);
+  void OrderCut(const Image& image, double budget);
+  void TakeCut();
+  std::vector<std::uint32_t> ListNew() const;
+  void AdvanceCut(const Image& image, double seconds);
+  void AdoptCut();
+  bool DrawCut(const Image& image, double budget, double otherwise, bool isLevelReady);
+  bool DrawPreciseCut(const Image& image);
+  void ForgetCuts();
+
   gatun::PublishedFile Source; // without a file if none is drawn
   gatun::SurfaceContents What;
+  std::shared_ptr<const gatun::SurfaceLevel> Whole; // the mesh of the first level
   std::vector<Level> Levels; // the surface, then those in motion from fine to coarse
   bool HasLevels = false;    // whether the levels in motion are known
   gatun::SurfaceTimes Times;
   std::size_t Present = 0;   // level of the last image
+  std::size_t Merges = 0;    // of the last image
   double MotionBudget = 0.1; // of the last image in motion
   int Waiting = 0;           // images in motion since a chunk was transferred
   std::uint64_t Bytes = 0;   // of all chunks
@@ -148,6 +175,13 @@ private:
   vtkWindow* Window = nullptr; // only compared
   bool IsSelecting = false;
   gatun::SurfacePreparer Preparer;
+
+  CutLevel Cut;                // that was drawn last
+  CutLevel Next;               // that takes its place once its visible chunks are there
+  std::uint64_t CutPoints = 0; // of the last order
+  std::optional<gatun::SurfaceDetailView> Ordered; // the view of the last order
+  bool HasCutFailed = false;
+  gatun::SurfaceCutter Cutter;
 };
 
 #endif

@@ -118,9 +118,9 @@ bool vtkGatunSurfaceMapper::vtkInternals::IsReady(
 }
 
 //------------------------------------------------------------------------------
-/** Takes what is ready of a level, and has the rest decoded. */
-void vtkGatunSurfaceMapper::vtkInternals::Prepare(
-  const Image& image, Level& level, const View& view)
+/** The visible chunks of a level, and those that may come into the view. */
+std::vector<std::uint32_t> vtkGatunSurfaceMapper::vtkInternals::ListLikely(
+  const Level& level, const View& view) const
 {
   std::vector<std::uint32_t> chunks = view.Chunks;
   std::uint64_t cells = 0;
@@ -128,18 +128,22 @@ void vtkGatunSurfaceMapper::vtkInternals::Prepare(
   {
     cells += level.Mesh->GetNumberOfCells(i);
   }
-  if (cells <= MostCells)
+  for (std::uint32_t i = 0; i < level.Chunks.size() && cells <= MostCells; ++i)
   {
-    // Those that may come into the view.
-    for (std::uint32_t i = 0; i < level.Chunks.size(); ++i)
+    if (std::find(view.Chunks.begin(), view.Chunks.end(), i) == view.Chunks.end() &&
+      !level.Chunks[i].Cone.Known)
     {
-      if (std::find(view.Chunks.begin(), view.Chunks.end(), i) == view.Chunks.end() &&
-        !level.Chunks[i].Cone.Known)
-      {
-        chunks.push_back(i);
-      }
+      chunks.push_back(i);
     }
   }
+  return chunks;
+}
+
+//------------------------------------------------------------------------------
+/** Takes what is ready of a level, and has the rest decoded. */
+void vtkGatunSurfaceMapper::vtkInternals::Prepare(
+  const Image& image, Level& level, const std::vector<std::uint32_t>& chunks)
+{
   std::vector<std::uint32_t> missing;
   for (const std::uint32_t chunk : chunks)
   {
@@ -220,10 +224,16 @@ void vtkGatunSurfaceMapper::vtkInternals::DrawInMotion(const Image& image, doubl
   };
   const std::size_t wanted = this->Times.Choose(budget, cells, this->Present);
   std::size_t shown = findReady(wanted);
-  if (shown != wanted)
+  const double otherwise = this->Times.Predict(shown, cells[shown]);
+  if (wanted > 0 && this->HasCuts(image) &&
+    this->DrawCut(image, budget, otherwise, shown == wanted))
+  {
+    return;
+  }
+  if (shown != wanted && !this->Next.Cut)
   {
     Level& level = this->Levels[wanted];
-    this->Prepare(image, level, views[wanted]);
+    this->Prepare(image, level, this->ListLikely(level, views[wanted]));
     const double left = 0.9 * budget - this->Times.Predict(shown, cells[shown]);
     this->Transfer(image, level, views[wanted], left);
     shown = findReady(wanted);
@@ -284,6 +294,8 @@ void vtkGatunSurfaceMapper::vtkInternals::PrepareMotion(
   const std::size_t wanted = this->Times.Choose(this->MotionBudget, cells, this->Levels.size());
   if (wanted > 0)
   {
-    this->Prepare(image, this->Levels[wanted], views[wanted]);
+    Level& level = this->Levels[wanted];
+    this->Prepare(image, level, this->ListLikely(level, views[wanted]));
+    this->OrderCut(image, this->MotionBudget);
   }
 }

@@ -15,8 +15,9 @@
 #   bench.sh --budget            the just-in-time study, 6 minutes; writes just-in-time-study.md
 #   bench.sh --simplification    the simplification study, 30 minutes; writes simplification-study.md
 #   bench.sh --isosurfaces       the isosurface study, 6 minutes; writes isosurface-study.md
-#   bench.sh --surfaces          files of surfaces beside peers, 5 minutes; writes surface-study.md;
-#                                with --large one of 10 million triangles, too
+#   bench.sh --surfaces          files of surfaces beside peers, and frames, 10 minutes; writes
+#                                surface-study.md; with --large also files of 10 million triangles;
+#                                with --motion only the frames
 #   bench.sh --volumes           the volume study, 45 minutes; writes volume-study.md
 #   bench.sh --pages             measures nothing and writes all pages again from their results
 #

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 """Surfaces of triangles: bits by part and times of decoding, beside Draco, OpenCTM, meshoptimizer with
-zstd, and .vtp files, without loss and with rounded coordinates.
+zstd, and .vtp files, without loss and with rounded coordinates. Frames of a large surface in motion.
 
 Isosurfaces and boundaries are those of the folder GATUN_DATA_DIR, where it exists, and of meshes that it
 makes. Peers that are not installed are left out.
@@ -19,6 +19,7 @@ import sys
 import time
 
 import benchmarkRunner
+import surfaceMotion
 import surfaceReport
 
 BITS = 14
@@ -142,7 +143,19 @@ def measure_surface(runner, name, file, what, mode):
     return result
 
 
+def measure_motion(runner, options):
+    """Measures images in motion and keeps all other results."""
+    known = options.out / surfaceReport.PAGE / "results.json"
+    if not known.exists():
+        sys.exit(f"runSurfaces: {known} has no results to add to")
+    results = json.loads(known.read_text(encoding="utf-8"))
+    results["motion"] = surfaceMotion.measure(runner, options.mode)
+    return results
+
+
 def measure(runner, options):
+    if options.motion:
+        return measure_motion(runner, options)
     mode = dict(MODES[options.mode])
     if options.large:
         mode["scans"] += (LARGE,)
@@ -151,6 +164,7 @@ def measure(runner, options):
         (("Draco", "draco_encoder"), ("OpenCTM", "ctmconv")) if not shutil.which(program)]}
     results["surfaces"] = [measure_surface(runner, *surface, mode)
                            for surface in find_surfaces(runner, mode)]
+    results["motion"] = surfaceMotion.measure(runner, options.mode)
     if "meshopt" not in results["surfaces"][0]["bytes"]:
         results["notes"].append("meshoptimizer was not there when the program was built.")
     results["machine"]["loadAfter"] = os.getloadavg()
@@ -162,6 +176,8 @@ def main():
     parser = benchmarkRunner.make_parser(__doc__, surfaceReport.PAGE)
     parser.add_argument("--large", action="store_true",
                         help=f"measure a scan of {LARGE:,} triangles, too")
+    parser.add_argument("--motion", action="store_true",
+                        help="measure only images in motion, and keep all other results")
     benchmarkRunner.run_page(parser, surfaceReport.PAGE, measure, surfaceReport.write)
 
 

@@ -4,6 +4,7 @@
 """The page of the results of runSurfaces.py."""
 
 import benchmarkText
+import surfaceMotionReport
 from benchmarkText import paragraph, ratio, span, spread, table
 
 PAGE = "surface-study"
@@ -49,7 +50,7 @@ def _head(results):
     return """# Surfaces
 
 How large `.gtn` files of triangles are, by part, and how fast they are decoded, beside Draco, OpenCTM,
-meshoptimizer and `.vtp` files ([guide](../surfaces.md)). `Utilities/bench.sh --surfaces`
+meshoptimizer and `.vtp` files; and images of them in motion ([guide](../surfaces.md)). `Utilities/bench.sh --surfaces`
 (Benchmarks/Studies/runSurfaces.py) writes this page. All results are in
 [results.json](surface-study/results.json).
 
@@ -120,18 +121,18 @@ def conclude(results):
         connectivity."""
     if rounded:
         sentence += f" With coordinates of 14 bits they are {span(rounded, ratio)} times as large as Draco's."
-    return sentence
+    return sentence + surfaceMotionReport.conclude(results)
 
 
 def map_list(function, values):
     return [function(value) for value in values]
 
 
-def page(results, _):
+def page(results, plots):
     return "\n".join(part.rstrip() + "\n" for part in (
         _head(results), paragraph(conclude(results)), _parts(results), _sizes(results),
-        _rounded(results), _loads(results)))
+        _rounded(results), _loads(results), surfaceMotionReport.section(results, plots))).rstrip() + "\n"
 
 
 def write(results, out):
-    benchmarkText.write_page(results, out, PAGE, page)
+    benchmarkText.write_page(results, out, PAGE, page, "surfacePlots")

@@ -32,8 +32,20 @@ def main():
         require(not name.startswith("scan") or
                 surface["rounded"]["gtn"]["file"] < surface["parts"]["file"],
                 f"{name}: rounding does not pay")
+    motion = results["motion"]
+    require(motion["bytes"]["gtn"] < motion["bytes"]["vtp"], "the file with base meshes is large")
+    for path in motion["paths"]:
+        for way in "gtn", "vtp":
+            one = path[way]
+            require(len(one["frames"]) == len(one["points"]) == 6, f"{way}: a frame is missing")
+            require(0 < one["medianPoints"] <= motion["points"], f"{way}: a wrong number of points")
+    require(len(motion["cuts"]) == 2, "a place of the flight is missing")
+    for place in motion["cuts"]:
+        require(len(place["uniform"]) == 8, "a uniform surface is missing")
+        require(all(0 <= cut["points"] < motion["points"] for cut in place["cuts"]), "too many points")
     page = (out / "surface-study.md").read_text(encoding="utf-8")
-    for part in "connectivity", "ours / best peer", "coordinates of 14 bits", "M triangles/s":
+    for part in "connectivity", "ours / best peer", "coordinates of 14 bits", "M triangles/s", "Images in motion",\
+            "Simplified for the view":
         require(part in page, f"the page says nothing of {part}")
 
 

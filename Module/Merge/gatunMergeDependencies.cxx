@@ -110,6 +110,22 @@ private:
 }
 
 //------------------------------------------------------------------------------
+/** Adds merges of which none is done without the others, if all are wanted: each depends on what
+ * any of them depends on, and on those before it. */
+void MergeDependencies::AddTogether(
+  std::span<const std::uint32_t> merges, std::vector<std::uint32_t>& earlier)
+{
+  std::sort(earlier.begin(), earlier.end());
+  earlier.erase(std::unique(earlier.begin(), earlier.end()), earlier.end());
+  earlier.erase(std::lower_bound(earlier.begin(), earlier.end(), merges.front()), earlier.end());
+  for (const std::uint32_t merge : merges)
+  {
+    this->Add(earlier);
+    earlier.push_back(merge);
+  }
+}
+
+//------------------------------------------------------------------------------
 template <std::size_t Corners>
 void MergeDependencies::Replay(const MergeTree& tree,
   std::span<const std::array<std::uint32_t, Corners>> cells,
@@ -125,6 +141,10 @@ void MergeDependencies::Replay(const MergeTree& tree,
   const auto& merges = tree.GetMerges();
   MergeReplay<Corners> replay(tree.GetNumberOfPoints(), cells);
   this->First.reserve(merges.size() + 1);
+  const auto isBound = [&](std::size_t merge)
+  { return !tree.GetBonds().empty() && tree.GetBonds()[merge]; };
+  std::vector<std::uint32_t> together; // merges that belong together
+  std::vector<std::uint32_t> earlier;  // what they depend on
   for (std::size_t i = 0; i < merges.size(); ++i)
   {
     if (progress && i % MergesBetweenProgress == 0 &&
@@ -132,7 +152,21 @@ void MergeDependencies::Replay(const MergeTree& tree,
     {
       throw Error(ErrorCode::Aborted, "aborted");
     }
-    this->Add(replay.Do(static_cast<std::uint32_t>(i), merges[i]));
+    const auto number = static_cast<std::uint32_t>(i);
+    const auto needed = replay.Do(number, merges[i]);
+    if (together.empty() && !isBound(i))
+    {
+      this->Add(needed);
+      continue;
+    }
+    together.push_back(number);
+    earlier.insert(earlier.end(), needed.begin(), needed.end());
+    if (!isBound(i))
+    {
+      this->AddTogether(together, earlier);
+      together.clear();
+      earlier.clear();
+    }
   }
   this->Earlier.shrink_to_fit();
 }

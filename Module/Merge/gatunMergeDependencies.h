@@ -27,6 +27,9 @@ namespace gatun
  * cover each place once. The rule is that of multi-tessellations (De Floriani, Magillo, Puppo:
  * "Efficient implementation of multi-triangulations", IEEE Visualization 1998).
  *
+ * Merges that belong together (MergeTree::GetBonds) depend on the same ones. If all of them are
+ * wanted, they are done together or not at all.
+ *
  * Immutable. Memory: about 22 bytes a merge.
  */
 class VTKGATUNCORE_EXPORT MergeDependencies
@@ -68,6 +71,8 @@ private:
   template <std::size_t Corners>
   void Replay(const MergeTree& tree, std::span<const std::array<std::uint32_t, Corners>> cells,
     const std::function<bool(double)>& progress);
+
+  void AddTogether(std::span<const std::uint32_t> merges, std::vector<std::uint32_t>& earlier);
 
   std::vector<std::size_t> First{ 0 };
   std::vector<std::uint32_t> Earlier;

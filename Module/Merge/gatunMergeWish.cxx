@@ -36,6 +36,16 @@ std::vector<bool> WantMerges(
   std::vector<bool> wanted(tree.GetMerges().size());
   std::transform(tree.GetMerges().begin(), tree.GetMerges().end(), wanted.begin(),
     [&](const Merge& merge) { return Weigh(merge, weights) <= most; });
+  // Of merges that belong together, all or none: backwards to the first one, and then to the last.
+  const auto& bonds = tree.GetBonds();
+  for (std::size_t i = bonds.size(); i-- > 1;)
+  {
+    wanted[i - 1] = wanted[i - 1] && (!bonds[i - 1] || wanted[i]);
+  }
+  for (std::size_t i = 1; i < bonds.size(); ++i)
+  {
+    wanted[i] = wanted[i] && (!bonds[i - 1] || wanted[i - 1]);
+  }
   return wanted;
 }
 

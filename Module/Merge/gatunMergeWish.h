@@ -15,7 +15,8 @@ namespace gatun
 {
 /**
  * For each merge, whether it is wanted: if its error times the weight of its point is at most a
- * tolerance. Those with a weight of 0 always are.
+ * tolerance. Those with a weight of 0 always are. Merges that belong together are wanted if all of
+ * them are.
  *
  * weights: for each point, 0 or more. tolerance: a negative one or one that is not a number counts
  * as 0. Throws InvalidInput if there is not a weight for each point.

@@ -31,6 +31,7 @@ gatun_core_folder(Rays
     gatunRayTable.h
     gatunRayValues.h
     gatunRayView.h
+    gatunSurfaceDetail.h
   PRIVATE_HEADERS
     gatunBlockMesh.h
     gatunFileCuts.h
@@ -83,4 +84,5 @@ gatun_core_folder(Rays
     gatunRayValues.cxx
     gatunRayView.cxx
     gatunRayVisibility.cxx
-    gatunRelease.cxx)
+    gatunRelease.cxx
+    gatunSurfaceDetail.cxx)

@@ -78,6 +78,12 @@ assert (np.abs(255 * exr[:, :, :3] - from_gtn[:, :, :3]).max(2)[distance < radiu
 gtn("render", *VIEW, *ARRAY, "--ratio", "0.9", "ball.gtn", "coarse.png")
 coarse = read_png("coarse.png")
 assert 0.8 < (coarse[:, :, 3] > 127).sum() / len(rows) < 1
+said = json.loads(gtn("render", *VIEW, *ARRAY, "--pixel-error", "0.5", "--json", "ball.gtn", "near.png"))
+points = said["images"][0]["drawnPoints"]
+assert 0 < points < ball.GetOutput().GetNumberOfPoints() / 2, said
+near = read_png("near.png")
+assert np.abs(near[:, :, :3] - from_gtn[:, :, :3]).mean() < 3
+assert (np.abs(near[:, :, 3] - alpha) > 127).mean() < 0.005
 gtn("render", *VIEW, "--array", "Normals", "--component", "magnitude", "ball.gtn", "normals.png")
 gtn("render", *VIEW, "--turntable", "3", "ball.gtn", "turn.png")
 assert os.path.exists("turn-002.png")
@@ -91,6 +97,11 @@ refused = "for volumes"
 gtn("render", "--mode", "mip", "ball.gtn", "no.png", code=1, says=refused)
 gtn("render", "--budget", "1", "ball.gtn", "no.png", code=1, says=refused)
 gtn("render", "--array", "nothing", "ball.gtn", "no.png", code=1, says="nothing")
+gtn("render", "--pixel-error", "-1", "ball.gtn", "no.png", code=2)
+gtn("render", "--pixel-error", "nan", "ball.gtn", "no.png", code=1, says="PixelError")
+gtn("render", "--pixel-error", "1", "ball.ply", "no.png", code=1, says="no hierarchy")
+gtn("pack", "-f", "ball.ply", "plain.gtn")
+gtn("render", "--pixel-error", "1", "plain.gtn", "no.png", code=1, says="hierarchy")
 without = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
 gtn("render", "ball.gtn", "no.png", code=1, says="xvfb-run", env=without)
 with open("ball.gtn", "rb") as file:

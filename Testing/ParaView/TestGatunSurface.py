@@ -142,6 +142,15 @@ view.SMProxy.InteractiveRender()
 assert (count("DrawnPoints") > 0) == (ranks == 1), count("DrawnPoints")
 drawing.require_same(drawing.draw(view), full)
 assert count("DrawnPoints") == 0
+ours.MemoryBudget = 512
+ours.PixelError = 5
+coarse = drawing.draw(view)
+drawing.require_other(coarse, full)
+assert count("DrawnPoints") > 0
+ours.ViewDependent = 0
+drawing.require_same(drawing.draw(view), coarse)
+ours.PixelError = 0
+drawing.require_same(drawing.draw(view), full)
 ours.SimplificationRatio = 0.9
 drawing.require_other(drawing.draw(view), full)
 assert count("DrawnPoints") > 0

@@ -100,6 +100,32 @@ double vtkGatunSurfaceRepresentation::GetTimeBudget()
 }
 
 //------------------------------------------------------------------------------
+void vtkGatunSurfaceRepresentation::SetViewDependent(bool on)
+{
+  this->FrontMapper->SetViewDependent(on);
+  this->BackMapper->SetViewDependent(on);
+}
+
+//------------------------------------------------------------------------------
+bool vtkGatunSurfaceRepresentation::GetViewDependent()
+{
+  return this->FrontMapper->GetViewDependent();
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunSurfaceRepresentation::SetPixelError(double pixels)
+{
+  this->FrontMapper->SetPixelError(pixels);
+  this->BackMapper->SetPixelError(pixels);
+}
+
+//------------------------------------------------------------------------------
+double vtkGatunSurfaceRepresentation::GetPixelError()
+{
+  return this->FrontMapper->GetPixelError();
+}
+
+//------------------------------------------------------------------------------
 void vtkGatunSurfaceRepresentation::SetSimplificationRatio(double ratio)
 {
   this->FrontMapper->SetSimplificationRatio(ratio);

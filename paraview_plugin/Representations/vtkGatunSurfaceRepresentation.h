@@ -92,6 +92,24 @@ public:
 
   ///@{
   /**
+   * Whether the surface is then finer where the view needs it. Default: on.
+   */
+  void SetViewDependent(bool on);
+  bool GetViewDependent();
+  vtkBooleanMacro(ViewDependent, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The largest error in pixels of a file's surface in all images, 0 or more; 0 for all of the
+   * surface. Default: 0.
+   */
+  void SetPixelError(double pixels);
+  double GetPixelError();
+  ///@}
+
+  ///@{
+  /**
    * Fraction of the points of a file that is removed in all images, 0 to 1. Default: 0.
    */
   void SetSimplificationRatio(double ratio);

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunSurfaceDetail_h
+#define gatunSurfaceDetail_h
+
+#include "gatunMergeCut.h"
+#include "gatunMergeDependencies.h"
+#include "gatunMergeTree.h"
+#include "gatunRayView.h"
+#include "vtkGatunCoreModule.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace gatun
+{
+/** What an image needs of a surface. */
+struct SurfaceDetailView
+{
+  RayView View;                ///< for the coordinates of the surface, with a ray for each pixel
+  double Scale = 1;            ///< world units of a unit of these coordinates, above 0
+  bool CullsBackFaces = false; ///< by the order of corners in these coordinates
+  bool CullsFrontFaces = false;
+  bool IsOpaque = false; ///< whether the far side of a closed surface cannot be seen
+
+  /** How many points may be left, about. */
+  std::uint64_t Points = std::numeric_limits<std::uint64_t>::max();
+
+  /** The largest error in pixels, 0 or more; more where it would leave too many points. */
+  double PixelError = 0;
+
+  bool operator==(const SurfaceDetailView&) const = default;
+};
+
+/**
+ * Chooses the merges of a surface that a view allows. A merge is wanted if its error, in pixels
+ * where its point is, is at most a tolerance. Errors outside of the view do not count, and those
+ * where the surface is turned away and cannot be seen; at the silhouette they count in full, and
+ * where the surface faces the eye less. Of the wanted merges, those are chosen whose dependencies
+ * are wanted, too, so that a closed surface stays closed and no triangle is there that the surface
+ * does not have after some number of merges.
+ *
+ * The result depends on the view only, not on those before. Immutable and thread safe. Memory: 24
+ * bytes a point, in addition to the tree and the dependencies.
+ */
+class VTKGATUNCORE_EXPORT SurfaceDetail
+{
+public:
+  using Point = std::array<double, 3>;
+  using Triangle = MergeTree::Triangle;
+
+  /** Places: of all points of the tree; those that are not finite never count. Triangles: of the
+   * surface before all merges. Throws InvalidInput if the numbers of points, merges and
+   * dependencies do not fit. */
+  SurfaceDetail(std::shared_ptr<const MergeTree> tree,
+    std::shared_ptr<const MergeDependencies> dependencies, std::span<const Point> places,
+    std::span<const Triangle> triangles);
+
+  const std::shared_ptr<const MergeTree>& GetTree() const { return this->Tree; }
+
+  /** Chooses merges. first: the number of first merges that are made in any case. */
+  MergeCut Choose(const SurfaceDetailView& view, std::size_t first = 0) const;
+
+  /** For each point, the pixels of an error of 1. */
+  std::vector<float> Weigh(const SurfaceDetailView& view) const;
+
+  /** At least the pixels of an error of 1 anywhere on the surface, if its points have a distance
+   * that is usual for a surface of its size. */
+  double BoundWeights(const SurfaceDetailView& view) const;
+
+  /** Whether the surface is closed and its normals, by the order of corners, are outward. */
+  bool IsSolid() const { return this->Solid; }
+
+  /** Whether a place is inside of a solid surface, approximately; false if it is not solid. */
+  bool IsInside(const Point& place) const;
+
+private:
+  using Small = std::array<float, 3>;
+
+  Point Restore(const Small& place) const;
+  void FindNormals(std::span<const Triangle> triangles);
+  void FindSolid(std::span<const Triangle> triangles);
+
+  std::shared_ptr<const MergeTree> Tree;
+  std::shared_ptr<const MergeDependencies> Dependencies;
+  Point Middle{};
+  double Size = 0;            // diagonal of the bounds
+  std::vector<Small> Places;  // from the middle
+  std::vector<Small> Normals; // means over what was merged into each point; short if they differ
+  std::vector<std::array<Point, 3>> Hull; // of a solid surface: some triangles, from the middle
+  bool Solid = false;
+};
+}
+
+#endif

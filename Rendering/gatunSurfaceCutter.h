@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunSurfaceCutter_h
+#define gatunSurfaceCutter_h
+
+#include "gatunPublishedFile.h"
+#include "gatunSurfaceBase.h"
+#include "gatunSurfaceCut.h"
+#include "gatunSurfaceDetail.h"
+#include "gatunSurfaceMesh.h"
+
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace gatun
+{
+/** A surface for a view. */
+struct SurfaceCutOrder
+{
+  PublishedFile Source;
+  SurfaceContents What;
+  std::size_t Merges = 0; ///< those that are made in any case
+  std::uint64_t Room = 0; ///< for base meshes, in bytes
+  SurfaceDetailView View;
+};
+
+/** The result of an order: a surface, none as there is no room for one that is fine enough, or the
+ * reason why it failed. */
+struct SurfaceCutResult
+{
+  std::shared_ptr<const SurfaceCut> Cut;
+  std::exception_ptr Failure;
+};
+
+/**
+ * Makes surfaces for views from the coarsest base mesh of their file that is fine enough: with
+ * eight times the points that may be left, or else with a smaller error than is allowed everywhere.
+ * The last base meshes are kept.
+ *
+ * Orders are carried out by a thread of its own, which rests as long as it has worked, or at once.
+ * All methods must be called from one thread.
+ */
+class SurfaceCutter
+{
+public:
+  using Progress = SurfaceMesh::Progress;
+
+  SurfaceCutter() = default;
+  ~SurfaceCutter();
+  SurfaceCutter(const SurfaceCutter&) = delete;
+  SurfaceCutter& operator=(const SurfaceCutter&) = delete;
+
+  /** Orders a surface from the thread. Its result takes the place of one that was not taken. */
+  void Request(SurfaceCutOrder order);
+
+  /** Whether an order is not carried out yet. */
+  bool IsBusy();
+
+  /** The result of the last order, once. */
+  std::optional<SurfaceCutResult> Take();
+
+  /** Carries out an order at once. If progress returns false, the failure is Aborted. */
+  SurfaceCutResult Make(const SurfaceCutOrder& order, const Progress& progress);
+
+  /** Waits until the last order is carried out. */
+  void Wait();
+
+  /** Forgets orders, results and base meshes. */
+  void Clear();
+
+private:
+  void Run();
+  SurfaceCutResult CarryOut(const SurfaceCutOrder& order, const Progress& progress);
+  std::shared_ptr<const SurfaceBase> FindBase(
+    const SurfaceCutOrder& order, const Progress& progress);
+  double BoundWeights(const SurfaceCutOrder& order, const Progress& progress);
+  bool IsFineEnough(const SurfaceCutOrder& order, std::size_t merges, double weight);
+
+  std::mutex Working;                                    // while an order is carried out; of these:
+  std::vector<std::shared_ptr<const SurfaceBase>> Bases; // the last one first
+  std::shared_ptr<const SurfaceBase> Coarsest;           // base mesh; knows how near the eye is
+  std::map<std::size_t, double> FirstErrors;             // of base meshes, by their merges
+  std::shared_ptr<const SurfaceCut> Last;
+
+  std::mutex Guard; // of all that follows
+  std::condition_variable Changed;
+  std::optional<SurfaceCutOrder> Wanted;
+  std::optional<SurfaceCutResult> Ready;
+  std::uint64_t Version = 0; // of what was not cleared
+  bool IsWorking = false;
+  bool IsEnding = false;
+  std::thread Worker; // while there was an order
+};
+}
+
+#endif
