@@ -19,7 +19,7 @@ namespace gatun
  * Finds the dependencies between the merges of a file and writes them as its section DEPS.
  *
  * Unless the writer is to use just one thread, they are found in a thread of their own from the
- * construction on, while the caller writes other parts. About 90 bytes a tetrahedron until then.
+ * construction on, while the caller writes other parts. About 140 bytes a tetrahedron until then.
  */
 class DependencySection
 {

@@ -16,7 +16,7 @@ namespace gatun
 class FileReader;
 
 /** Finds the dependencies between the merges of a mesh's tetrahedra, or of a surface's triangles.
- * About 90 bytes a tetrahedron while it runs. Progress: see MergeDependencies. */
+ * About 140 bytes a tetrahedron while it runs. Progress: see MergeDependencies. */
 MergeDependencies FindDependencies(const MeshAccess& mesh, const MergeTree& tree, bool isSurface,
   const std::function<bool(double)>& progress = {});
 
