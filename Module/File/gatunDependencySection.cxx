@@ -9,6 +9,7 @@
 #include "gatunParallel.h"
 
 #include <chrono>
+#include <system_error>
 
 namespace gatun
 {
@@ -22,10 +23,18 @@ DependencySection::DependencySection(WriterState& state, const WriterPart& part)
   : State(state)
   , Part(part)
 {
-  if (GetNumberOfThreads() > 1)
+  if (GetNumberOfThreads() == 1)
+  {
+    return;
+  }
+  try
   {
     this->Found = std::async(std::launch::async,
       [this] { return this->Find([this](double) { return !this->IsAborted; }); });
+  }
+  catch (const std::system_error&)
+  {
+    // There are no more threads. They are found when the section is written.
   }
 }
 
