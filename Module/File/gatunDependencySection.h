@@ -12,6 +12,7 @@
 #include <atomic>
 #include <functional>
 #include <future>
+#include <optional>
 
 namespace gatun
 {
@@ -34,18 +35,18 @@ public:
   DependencySection(const DependencySection&) = delete;
   DependencySection& operator=(const DependencySection&) = delete;
 
-  /** Writes the section, unless there is no stream for so many dependencies. tree: in the numbers
-   * of the file. Error(Aborted) is thrown if progress returns false. */
+  /** Writes the section, unless FindDependencies has none or there is no stream for so many. tree:
+   * in the numbers of the file. Error(Aborted) is thrown if progress returns false. */
   void Write(const MergeTree& tree, const std::function<bool(double)>& progress);
 
 private:
-  MergeDependencies Find(const std::function<bool(double)>& progress) const;
-  MergeDependencies Wait(const std::function<bool(double)>& progress);
+  std::optional<MergeDependencies> Find(const std::function<bool(double)>& progress) const;
+  std::optional<MergeDependencies> Wait(const std::function<bool(double)>& progress);
 
   WriterState& State;
   const WriterPart& Part;
   std::atomic<bool> IsAborted{ false };
-  std::future<MergeDependencies> Found; // its destructor waits
+  std::future<std::optional<MergeDependencies>> Found; // its destructor waits
 };
 }
 
