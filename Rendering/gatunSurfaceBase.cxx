@@ -35,15 +35,6 @@ constexpr std::size_t MostBlocks = 64;
 constexpr std::size_t CellsOfBlock = 4096;
 
 //------------------------------------------------------------------------------
-/** The dependencies of the merges of a base mesh. Those in the file can take the place of the
- * replay. */
-std::shared_ptr<const MergeDependencies> FindDependencies(const MergeTree& tree,
-  std::span<const MergeTree::Triangle> triangles, const SurfaceMesh::Progress& progress)
-{
-  return std::make_shared<const MergeDependencies>(tree, triangles, progress);
-}
-
-//------------------------------------------------------------------------------
 std::vector<SurfaceDetail::Point> GetPlaces(vtkPoints* points)
 {
   std::vector<SurfaceDetail::Point> places(static_cast<std::size_t>(points->GetNumberOfPoints()));
@@ -91,10 +82,17 @@ SurfaceBase::SurfaceBase(PublishedFile source, std::size_t merges, SurfaceConten
       triangles.push_back({ corners[0], corners[1], corners[2] });
     }
   }
-  const auto file = this->Source.File->GetHierarchy().Find(merges).File;
-  auto tree = std::make_shared<const MergeTree>(file->GetMergeTree());
-  auto dependencies = FindDependencies(
-    *tree, triangles, [&](double done) { return report(ofReading + (1 - ofReading) * done); });
+  SimplifiedFile& hierarchy = this->Source.File->GetHierarchy();
+  const auto file = hierarchy.Find(merges).File;
+  auto tree = hierarchy.GetTree(*file);
+  const auto progressOfRest = [&](double done)
+  { return report(ofReading + (1 - ofReading) * done); };
+  // Those in the file, if it has any.
+  auto dependencies = hierarchy.GetDependencies(*file, progressOfRest);
+  if (!dependencies)
+  {
+    dependencies = std::make_shared<const MergeDependencies>(*tree, triangles, progressOfRest);
+  }
   this->Detail = std::make_unique<const SurfaceDetail>(
     std::move(tree), std::move(dependencies), places, triangles);
   this->Divide(places);

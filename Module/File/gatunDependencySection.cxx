@@ -9,6 +9,7 @@
 #include "gatunParallel.h"
 
 #include <chrono>
+#include <system_error>
 
 namespace gatun
 {
@@ -22,10 +23,18 @@ DependencySection::DependencySection(WriterState& state, const WriterPart& part)
   : State(state)
   , Part(part)
 {
-  if (GetNumberOfThreads() > 1)
+  if (GetNumberOfThreads() == 1)
+  {
+    return;
+  }
+  try
   {
     this->Found = std::async(std::launch::async,
       [this] { return this->Find([this](double) { return !this->IsAborted; }); });
+  }
+  catch (const std::system_error&)
+  {
+    // There are no more threads. They are found when the section is written.
   }
 }
 
@@ -36,14 +45,16 @@ DependencySection::~DependencySection()
 }
 
 //------------------------------------------------------------------------------
-MergeDependencies DependencySection::Find(const std::function<bool(double)>& progress) const
+std::optional<MergeDependencies> DependencySection::Find(
+  const std::function<bool(double)>& progress) const
 {
   const WriterOptions& options = this->State.Options;
   return FindDependencies(this->Part.Mesh, *options.Tree, options.IsSurface, progress);
 }
 
 //------------------------------------------------------------------------------
-MergeDependencies DependencySection::Wait(const std::function<bool(double)>& progress)
+std::optional<MergeDependencies> DependencySection::Wait(
+  const std::function<bool(double)>& progress)
 {
   if (!this->Found.valid())
   {
@@ -63,7 +74,7 @@ MergeDependencies DependencySection::Wait(const std::function<bool(double)>& pro
 void DependencySection::Write(const MergeTree& tree, const std::function<bool(double)>& progress)
 {
   const auto dependencies = this->Wait(progress);
-  const auto stream = EncodeDependencies(tree, dependencies, progress);
+  const auto stream = dependencies ? EncodeDependencies(tree, *dependencies, progress) : Bytes();
   if (!stream.empty())
   {
     this->State.Statistics.DependencyBytes += stream.size();

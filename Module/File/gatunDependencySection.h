@@ -12,6 +12,7 @@
 #include <atomic>
 #include <functional>
 #include <future>
+#include <optional>
 
 namespace gatun
 {
@@ -19,7 +20,7 @@ namespace gatun
  * Finds the dependencies between the merges of a file and writes them as its section DEPS.
  *
  * Unless the writer is to use just one thread, they are found in a thread of their own from the
- * construction on, while the caller writes other parts. About 90 bytes a tetrahedron until then.
+ * construction on, while the caller writes other parts. About 140 bytes a tetrahedron until then.
  */
 class DependencySection
 {
@@ -34,18 +35,18 @@ public:
   DependencySection(const DependencySection&) = delete;
   DependencySection& operator=(const DependencySection&) = delete;
 
-  /** Writes the section, unless there is no stream for so many dependencies. tree: in the numbers
-   * of the file. Error(Aborted) is thrown if progress returns false. */
+  /** Writes the section, unless FindDependencies has none or there is no stream for so many. tree:
+   * in the numbers of the file. Error(Aborted) is thrown if progress returns false. */
   void Write(const MergeTree& tree, const std::function<bool(double)>& progress);
 
 private:
-  MergeDependencies Find(const std::function<bool(double)>& progress) const;
-  MergeDependencies Wait(const std::function<bool(double)>& progress);
+  std::optional<MergeDependencies> Find(const std::function<bool(double)>& progress) const;
+  std::optional<MergeDependencies> Wait(const std::function<bool(double)>& progress);
 
   WriterState& State;
   const WriterPart& Part;
   std::atomic<bool> IsAborted{ false };
-  std::future<MergeDependencies> Found; // its destructor waits
+  std::future<std::optional<MergeDependencies>> Found; // its destructor waits
 };
 }
 

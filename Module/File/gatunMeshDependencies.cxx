@@ -8,6 +8,7 @@
 #include "gatunPieceCells.h"
 #include "gatunPieceDecoder.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -16,9 +17,50 @@
 
 namespace gatun
 {
-//------------------------------------------------------------------------------
-MergeDependencies FindDependencies(const MeshAccess& mesh, const MergeTree& tree, bool isSurface,
+namespace
+{
+/** Whether merges gather so many cells around points that moving these takes long. Others need
+ * about 20 steps for each corner. */
+template <std::size_t Corners>
+bool GathersTooMany(
+  const MergeTree& tree, const std::vector<std::array<std::uint32_t, Corners>>& cells)
+{
+  constexpr std::uint64_t mostPerCorner = 256;
+  constexpr std::uint64_t few = std::uint64_t{ 1 } << 24; // in any mesh
+  std::vector<std::uint64_t> around(tree.GetNumberOfPoints(), 0);
+  for (const auto& cell : cells)
+  {
+    for (const auto corner : cell)
+    {
+      ++around[corner];
+    }
+  }
+  std::uint64_t steps = 0;
+  for (const Merge& merge : tree.GetMerges())
+  {
+    around[merge.Into] += around[merge.Point];
+    steps += around[merge.Into]; // at most
+  }
+  return steps > mostPerCorner * Corners * cells.size() + few;
+}
+
+template <std::size_t Corners>
+std::optional<MergeDependencies> Replay(const MergeTree& tree,
+  const std::vector<std::array<std::uint32_t, Corners>>& cells,
   const std::function<bool(double)>& progress)
+{
+  if (GathersTooMany(tree, cells))
+  {
+    return {};
+  }
+  return MergeDependencies(
+    tree, std::span<const std::array<std::uint32_t, Corners>>(cells), progress);
+}
+}
+
+//------------------------------------------------------------------------------
+std::optional<MergeDependencies> FindDependencies(const MeshAccess& mesh, const MergeTree& tree,
+  bool isSurface, const std::function<bool(double)>& progress)
 {
   if (isSurface)
   {
@@ -32,16 +74,16 @@ MergeDependencies FindDependencies(const MeshAccess& mesh, const MergeTree& tree
         triangles.push_back({ id(0), id(1), id(2) });
       }
     }
-    return { tree, std::span<const MergeTree::Triangle>(triangles), progress };
+    return Replay<3>(tree, triangles, progress);
   }
   std::vector<MergeTree::Tet> tets;
   tets.reserve(static_cast<std::size_t>(mesh.EstimateTets()));
   ForEachTet(mesh, [&](std::uint64_t, const MergeTree::Tet& tet) { tets.push_back(tet); });
-  return { tree, std::span<const MergeTree::Tet>(tets), progress };
+  return Replay<4>(tree, tets, progress);
 }
 
 //------------------------------------------------------------------------------
-MergeDependencies FindDependencies(const std::shared_ptr<const FileReader>& file,
+std::optional<MergeDependencies> FindDependencies(const std::shared_ptr<const FileReader>& file,
   const MergeTree& tree, const std::function<bool(double)>& progress)
 {
   constexpr double partOfDecoding = 0.3;

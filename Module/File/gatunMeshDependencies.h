@@ -10,18 +10,21 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace gatun
 {
 class FileReader;
 
 /** Finds the dependencies between the merges of a mesh's tetrahedra, or of a surface's triangles.
- * About 90 bytes a tetrahedron while it runs. Progress: see MergeDependencies. */
-MergeDependencies FindDependencies(const MeshAccess& mesh, const MergeTree& tree, bool isSurface,
-  const std::function<bool(double)>& progress = {});
+ * None if that might take more than time in proportion to the cells, as the merges gather too many
+ * of them around one point; BuildMergeTree makes no such trees. About 140 bytes a tetrahedron while
+ * it runs. Progress: see MergeDependencies. */
+std::optional<MergeDependencies> FindDependencies(const MeshAccess& mesh, const MergeTree& tree,
+  bool isSurface, const std::function<bool(double)>& progress = {});
 
 /** The same for the mesh of a file, which is decoded as a whole. tree: the file's. */
-MergeDependencies FindDependencies(const std::shared_ptr<const FileReader>& file,
+std::optional<MergeDependencies> FindDependencies(const std::shared_ptr<const FileReader>& file,
   const MergeTree& tree, const std::function<bool(double)>& progress = {});
 }
 

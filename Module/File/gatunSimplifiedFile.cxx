@@ -99,8 +99,10 @@ std::shared_ptr<const MergeDependencies> SimplifiedFile::GetDependencies(
   }
   else if (!dependencies && cells <= MostDecoded)
   {
-    dependencies =
-      std::make_shared<const MergeDependencies>(FindDependencies(reader, *tree, progress));
+    if (auto found = FindDependencies(reader, *tree, progress))
+    {
+      dependencies = std::make_shared<const MergeDependencies>(*std::move(found));
+    }
   }
   return dependencies;
 }

@@ -57,8 +57,9 @@ public:
   /**
    * The dependencies between the merges of the file itself or of a base mesh, the File of a place.
    * They are read at their first use and kept. Null if they are not in the file and the mesh has
-   * more than 4 million tetrahedra, or cells of a surface: finding them by decoding the mesh would
-   * take long. Other threads wait only if they want dependencies, too.
+   * more than 4 million tetrahedra, or cells of a surface, or merges that no builder makes: finding
+   * them by decoding the mesh would take long. Other threads wait only if they want dependencies,
+   * too.
    *
    * progress: of finding them by decoding the mesh; Error(Aborted) is thrown if it returns false,
    * and the next call begins again. Throws InvalidInput if the file is none of this object's.

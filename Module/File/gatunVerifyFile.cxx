@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -138,7 +139,8 @@ void VerifyDependencies(const std::shared_ptr<const FileReader>& file, const Mer
   constexpr std::uint64_t largeMesh = 16'000'000;
   const auto dependencies = file->ReadDependencies(tree);
   const auto cells = file->IsSurface() ? file->GetNumberOfCells() : file->GetNumberOfTets();
-  if (cells <= largeMesh && !AreEquivalent(dependencies, FindDependencies(file, tree, progress)))
+  const auto found = cells <= largeMesh ? FindDependencies(file, tree, progress) : std::nullopt;
+  if (found && !AreEquivalent(dependencies, *found))
   {
     InternalsOf(*file).File.Fail(
       ErrorCode::Corrupt, "the dependencies of merges are not those of the mesh");

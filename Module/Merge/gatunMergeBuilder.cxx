@@ -21,7 +21,8 @@ std::vector<Merge> FindMerges(const MergeInput& input, const MergeSettings& sett
   MergeMesh mesh(input.Points.size(), input.Cells);
   const MergeFields fields(mesh, input);
   const auto workers = MakeMergeWorkers<Costs>(mesh, fields, settings);
-  return MergeRounds<MergeMesh, Costs>(mesh, workers, input.IsKept, progress).Run();
+  return MergeRounds<MergeMesh, Costs>(mesh, workers, input.IsKept, progress, settings.PartAtOnce)
+    .Run();
 }
 }
 

@@ -25,6 +25,14 @@ struct MergeSettings
   /** Weight of the change of shape in the cost of a merge on the boundary, 0 to 1. The change of
    * the fields has the rest. */
   double BoundaryWeight = 0.5;
+
+  /**
+   * The part of the possible merges, from the cheapest on, that are made before the points around
+   * them may be merged, 0 to 1. With 0, each of these may be the next. With a larger part, merges
+   * depend on fewer others, so that a mesh with fine and coarse places (MergeCut) has fewer
+   * tetrahedra; but their order is less exact, and errors are larger.
+   */
+  double PartAtOnce = 0;
 };
 
 struct SurfaceMergeSettings

@@ -53,6 +53,8 @@ void CheckMergeSettings(const MergeSettings& settings)
 {
   Require(settings.BoundaryWeight >= 0 && settings.BoundaryWeight <= 1,
     "the weight of the boundary must be from 0 to 1");
+  Require(settings.PartAtOnce >= 0 && settings.PartAtOnce <= 1,
+    "the part of the merges that are made at once must be from 0 to 1");
 }
 
 void CheckMergeSettings(const SurfaceMergeSettings& settings)

@@ -42,21 +42,25 @@ std::vector<std::unique_ptr<CostsType>> MakeMergeWorkers(const Arguments&... arg
  *
  * The mesh has the rings and the functions of MergeRings. Costs has Choose and MayMerge, as
  * MergeCosts does, and MostChanges: after so many changes around it, the cost of a point is found
- * anew. Later is faster, but merges that have become cheaper wait. The errors of merges are the
- * roots of the sums of the changes, divided by ChangePerError.
+ * anew. Later is faster, but merges that have become cheaper wait. Rounds may form batches of a
+ * part of the merges (MergeSettings::PartAtOnce). The errors of merges are the roots of the sums of
+ * the changes, divided by ChangePerError.
  */
 template <typename MeshType, typename CostsType>
 class MergeRounds
 {
 public:
   /** One worker finds costs in each thread. isKept: of each point, or empty. All arguments must
-   * exist as long as this object. Progress: see BuildMergeTree. */
+   * exist as long as this object. Progress: see BuildMergeTree. partAtOnce: see MergeSettings. */
   MergeRounds(MeshType& mesh, std::span<const std::unique_ptr<CostsType>> workers,
-    std::span<const std::uint8_t> isKept, const std::function<bool(double)>& progress)
+    std::span<const std::uint8_t> isKept, const std::function<bool(double)>& progress,
+    double partAtOnce = 0)
     : Progress(progress)
     , Mesh(mesh)
     , Workers(workers)
     , Candidates(mesh.GetNumberOfPoints())
+    , PartAtOnce(partAtOnce)
+    , Changed(partAtOnce > 0 ? mesh.GetNumberOfPoints() : 0, 0)
   {
     for (std::size_t point = 0; point < isKept.size(); ++point)
     {
@@ -73,8 +77,9 @@ public:
     {
       this->FindIdle();
       const auto before = this->Merges.size();
+      this->BeginBatch();
       MergeQueue::Key key = 0;
-      while (this->Queue.Take(key, this->Due))
+      while (this->TakeDue(key))
       {
         this->RunRound(key);
       }
@@ -207,11 +212,75 @@ private:
     return candidate.Is == State::Queued && candidate.Key == key;
   }
 
+  /** Lets the points that wait be merged again, and finds the largest cost of the next batch. */
+  void BeginBatch()
+  {
+    if (this->PartAtOnce == 0)
+    {
+      return;
+    }
+    ++this->Batch;
+    for (const auto point : this->Waiting)
+    {
+      this->Enqueue(point);
+    }
+    this->Waiting.clear();
+    std::vector<MergeQueue::Key> keys;
+    for (const Candidate& candidate : this->Candidates)
+    {
+      if (candidate.Is == State::Queued)
+      {
+        keys.push_back(candidate.Key);
+      }
+    }
+    if (!keys.empty())
+    {
+      const auto last = keys.begin() +
+        static_cast<std::ptrdiff_t>(this->PartAtOnce * static_cast<double>(keys.size() - 1));
+      std::nth_element(keys.begin(), last, keys.end());
+      this->LastKey = *last;
+    }
+  }
+
+  /** Takes the points of the next round, of this batch or of the next one. */
+  bool TakeDue(MergeQueue::Key& key)
+  {
+    for (;;)
+    {
+      const bool any = this->Queue.Take(key, this->Due);
+      if (any && (this->PartAtOnce == 0 || key <= this->LastKey))
+      {
+        return true;
+      }
+      if (!any && this->Waiting.empty())
+      {
+        return false;
+      }
+      for (const auto point : this->Due)
+      {
+        this->Enqueue(point);
+      }
+      this->BeginBatch();
+    }
+  }
+
+  /** Whether a point must wait for the next batch, and lets it. */
+  bool Waits(std::uint32_t point)
+  {
+    const bool waits = this->PartAtOnce > 0 && this->Changed[point] == this->Batch;
+    if (waits)
+    {
+      this->Waiting.push_back(point);
+    }
+    return waits;
+  }
+
   void RunRound(MergeQueue::Key key)
   {
     auto& due = this->Due;
     due.erase(std::unique(due.begin(), due.end()), due.end());
-    std::erase_if(due, [&](std::uint32_t point) { return !this->IsOf(point, key); });
+    std::erase_if(
+      due, [&](std::uint32_t point) { return !this->IsOf(point, key) || this->Waits(point); });
     this->ForEach(due,
       [&](CostsType& costs, std::uint32_t point)
       {
@@ -266,6 +335,10 @@ private:
       for (const auto corner : this->Mesh.GetCell(cell))
       {
         this->Touch(this->Candidates[corner], corner, number);
+        if (this->PartAtOnce > 0)
+        {
+          this->Changed[corner] = this->Batch;
+        }
       }
     }
     this->Mesh.Merge(point, merged.Into);
@@ -299,6 +372,12 @@ private:
   std::vector<std::uint32_t> Outdated; // points to be found anew after the round
   std::vector<Merge> Merges;
   double Change = 0; // of all merges
+
+  const double PartAtOnce;
+  LargeArray<std::uint32_t> Changed; // the last batch that had a merge around each point
+  std::uint32_t Batch = 0;
+  MergeQueue::Key LastKey = 0;        // of the batch
+  std::vector<std::uint32_t> Waiting; // points for the next batch
 };
 }
 

@@ -4,6 +4,7 @@
 
 #include "gatunError.h"
 #include "gatunFileReader.h"
+#include "gatunMergeDependencies.h"
 #include "gatunPieceDecoder.h"
 #include "gatunVerifyFile.h"
 
@@ -179,6 +180,10 @@ void DecodeTree(const std::shared_ptr<const FileReader>& file)
         }
       }
     }
+  }
+  if (file->HasDependencies())
+  {
+    file->ReadDependencies(*tree);
   }
   for (std::size_t level = 0; level < std::min(MostLevels, file->GetLevels().size()); ++level)
   {

@@ -40,6 +40,20 @@ gm.write(grid, kept, KeepOrder=7, ChunkTets=1000, Hierarchy=True)
 gm.write(grid, plain, ChunkTets=1000, Hierarchy=True)
 gm.write(grid, levels, ChunkTets=1000, Hierarchy=True, Levels=9)
 
+# Dependencies between merges are stored unless they are not wanted.
+without = gm.temporary("without.gtn")
+writers = [gm.write(grid, path, ChunkTets=1000, Hierarchy=True, WriteDependencies=dependencies)
+           for path, dependencies in ((plain, True), (without, False))]
+assert writers[0].GetDependencyBytes() > 0 and writers[1].GetDependencyBytes() == 0
+assert writers[0].GetHierarchyBytes() == writers[1].GetHierarchyBytes()
+assert writers[0].GetFileBytes() - writers[1].GetFileBytes() > writers[0].GetDependencyBytes()
+for writer in writers:
+    parts = ("Connectivity", "Geometry", "Order", "Array", "FieldData", "Hierarchy", "Dependency",
+             "Level", "Boundary", "Directory")
+    assert sum(getattr(writer, f"Get{part}Bytes")() for part in parts) == writer.GetFileBytes()
+alone = gm.temporary("alone.gtn")
+assert gm.write(grid, alone, ChunkTets=1000).GetDependencyBytes() == 0  # there is no hierarchy
+
 # Every target, from every file; in the original order where the file keeps it.
 TARGETS = (
     {"SimplificationRatio": 0.3}, {"SimplificationRatio": 0.9}, {"SimplificationRatio": 1},
@@ -53,7 +67,7 @@ for target in TARGETS:
     np.testing.assert_array_equal(gm.coordinates(got), gm.coordinates(expected))
     gm.assert_same_arrays(got.GetPointData(), expected.GetPointData())
     gm.assert_same_arrays(got.GetCellData(), expected.GetCellData())
-    for path in (kept, plain, levels):
+    for path in (kept, plain, levels, without):
         gm.assert_same_mesh(gm.read(path, **target), expected)
 
 # More points than there are, or nothing to do: the mesh.

@@ -27,7 +27,8 @@ with open(os.path.join(data, "..", "..", "Documentation", "format.md"), encoding
 of_file = text[text.index("\n### 12.1") : text.index("\n### 12.2")]
 of_walk = text[text.index("\n### 12.2") : text.index("\n## 13 ")]
 of_tree = text[text.index("\n### 13.7") : text.index("\n### 13.8")]
-of_seam = text[text.index("\n### 13.8") : text.index("\n## 14 ")]
+of_seam = text[text.index("\n### 13.8") : text.index("\n### 13.9")]
+of_dependencies = text[text.index("\n### 13.9") : text.index("\n## 14 ")]
 of_layers = text[text.index("\n### 14.3") : text.index("\n## 15 ")]
 of_cells = text[text.index("\n### 15.4") : text.index("\n## Appendix A")]
 
@@ -81,6 +82,7 @@ sentence = re.search(r"The merges: (.*?)\.\n", of_tree)[1]
 merges = decode_merges(dumps[1], 5, 2)
 assert ", ".join("%d %d (%g)" % merge for merge in merges) == sentence
 assert merges == decoder.merges
+merges_of_tets = merges
 assert decoder.points().tolist() == [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]]
 assert decoder.tets().tolist() == [[0, 1, 2, 3], [1, 2, 3, 4]]
 assert decoder.array(0, 0).ravel().tolist() == [20, 21, 24, 29, 36]
@@ -100,6 +102,14 @@ assert sentence == ", ".join("%d %d (%g%s)" % (*merge, ", bound" if bond else ""
                              for merge, bond in zip(merges, bonds)), (merges, bonds)
 assert len(decoder.cells()) == 4
 assert len(decoder.after(2).tets) == 2 and len(decoder.after(3).tets) == 1
+
+# The dependencies of the two merges of the first tree.
+with open(os.path.join(data, "Golden", "v1.7", "two_tets.gtn"), "rb") as file:
+    decoder = Decoder(file.read())
+stream = bytes.fromhex(re.search(r"`([0-9a-f \n]{20,})`", of_dependencies)[1])
+assert stream == decoder.container.tree.dependencies
+assert "DEPS, %d bytes" % len(stream) in of_dependencies
+assert decoder.merges == merges_of_tets and decoder.dependencies == [[], [0]]
 
 # Layers: the bytes of the table are those of the golden file.
 with open(os.path.join(data, "Golden", "v1.2", "two_layers.gtn"), "rb") as file:

@@ -19,12 +19,14 @@ except ImportError as error:
 from gtn_boundary import check_boundary
 from gtn_container import FormatError
 from gtn_decoder import Decoder
+from gtn_dependencies import check_dependencies
 from gtn_layers import check_layers
 from gtn_tree import check_level, check_ranges
 
 SMALLEST = {"v1.0": "one_tet.gtn", "v1.1": "two_tets_and_one.gtn", "v1.2": "two_layers.gtn",
             "v1.3": "two_cells.gtn", "v1.4": "two_faces.gtn",
-            "v1.5": "one_tet.gtn", "v1.6": "seam_and_one.gtn"}
+            "v1.5": "one_tet.gtn", "v1.6": "seam_and_one.gtn",
+            "v1.7": "two_tets.gtn"}
 
 
 def is_rejected(data):
@@ -59,8 +61,11 @@ for folder in golden.folders():
                 decoder = Decoder(file.read())
             lines += describe_tree(decoder, name)
             check_ranges(decoder)
+            check_dependencies(decoder)
             for i in range(len(decoder.container.tree.levels)):
-                check_level(decoder, i, decoder.level(i))
+                level = decoder.level(i)
+                check_level(decoder, i, level)
+                check_dependencies(level)
         with open(trees, encoding="utf-8") as file:
             golden.assert_same(file.read().splitlines(), lines, trees)
 

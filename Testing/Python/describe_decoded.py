@@ -98,6 +98,15 @@ def checksum_of(values):
     return "%016x" % checksum(values.astype(values.dtype.newbyteorder("<")).tobytes())
 
 
+def describe_dependencies(decoder):
+    """A line on those that are stored of a file's dependencies of merges, if it has any."""
+    if decoder.dependencies is None:
+        return []
+    numbers = [number for earlier in decoder.dependencies for number in [len(earlier), *earlier]]
+    stored = len(numbers) - len(decoder.dependencies)
+    return ["dependencies %d %016x" % (stored, checksum(struct.pack("<%dI" % len(numbers), *numbers)))]
+
+
 def describe_tree(decoder, name):
     """Lines, as in trees.txt, on how the mesh of a file becomes simpler; base meshes come last."""
     meta, tree = decoder.meta, decoder.container.tree
@@ -107,6 +116,7 @@ def describe_tree(decoder, name):
         "points %d unused %d tets %d" % (meta.points, meta.unused_points, meta.tets),
         "merges %d %016x" % (len(decoder.merges), checksum(merges)),
         *(["bonds %d" % sum(decoder.bonds)] if decoder.container.is_surface else []),
+        *describe_dependencies(decoder),
         " ".join(map(str, ["rungs", *tree.rungs])),
         " ".join(map(str, ["levels", *tree.levels])),
         "boxes %s" % checksum_of(np.array(tree.boxes, float)),

@@ -165,6 +165,19 @@ class Coded:
         require(value < count, "index")
         return value
 
+    def tree(self, bits, *models):
+        """tree(M, bits), likewise."""
+        node = 1
+        for _ in range(bits):
+            node = 2 * node + self.decide(*models, node)
+        return node - (1 << bits)
+
+    def large(self, *models):
+        """number(M) of 13.9 and cell-codec.md."""
+        length = self.tree(6, *models)
+        require(length <= 32, "length of a number")
+        return length if length < 2 else (1 << (length - 1)) + self.raw(length - 1)
+
     def residual(self, models, spread):
         """A residual (section 7) and its grade. models: a tuple that names the set."""
         near = self.symbol(models, "near")

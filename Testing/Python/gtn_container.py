@@ -32,7 +32,7 @@ MAGIC = bytes.fromhex("8947544E0D0A1A0A")
 END_MAGIC = b"GTNEND\r\n"
 SECTIONS = (
     b"META", b"TABL", b"PAGE", b"STEP", b"MESH", b"VALS", b"TREE", b"MERG", b"TRNG", b"LEVL",
-    b"LAYR", b"CELL", b"SURF", b"BNDY", b"DIRY")
+    b"DEPS", b"LAYR", b"CELL", b"SURF", b"BNDY", b"DIRY")
 STREAMS = (b"PAGE", b"MESH", b"VALS", b"MERG")  # sections of streams
 
 
@@ -154,8 +154,8 @@ def field_data_limit(packed):
 
 class Container:
     """A file, whose tables are read and checked; attributes meta, table, steps, and, None if there
-    are none, cells, layers and tree, which has ranges, one table a step, and files, the bytes of
-    base meshes."""
+    are none, cells, layers and tree, which has ranges, one table a step, dependencies, the section
+    DEPS or None, and files, the bytes of base meshes."""
 
     def __init__(self, data):
         self.data = data
@@ -261,7 +261,7 @@ class Container:
 
     def _content(self, section):
         data = self._payload(section)
-        if section.name in STREAMS or section.name in (b"LEVL", b"SURF", b"BNDY"):
+        if section.name in STREAMS or section.name in (b"DEPS", b"LEVL", b"SURF", b"BNDY"):
             return data
         of_step = section.name in (b"STEP", b"TRNG")
         content = unpack(data, step_limit if of_step else table_limit)
@@ -279,11 +279,11 @@ class Container:
         return Bytes(unpack(self.stream(reference), step_limit))
 
     def _read_tree(self, sections):
-        """Sections TREE, TRNG and LEVL (13)."""
+        """Sections TREE, TRNG, DEPS and LEVL (13)."""
         tree = read_tree(
             self._packed(sections, b"TREE"), self.meta, self.table, self.is_surface)
         contents = {name: [self._content(section) for section in sections if section.name == name]
-                    for name in (b"TRNG", b"LEVL")}
+                    for name in (b"TRNG", b"DEPS", b"LEVL")}
         require(len(contents[b"TRNG"]) == len(self.steps), "number of TRNG")
         require(len(contents[b"LEVL"]) == len(tree.levels), "number of LEVL")
         tree.ranges = [
@@ -291,6 +291,8 @@ class Container:
             for content in contents[b"TRNG"]
         ]
         tree.files = contents[b"LEVL"]
+        require(len(contents[b"DEPS"]) <= 1, "number of DEPS")
+        tree.dependencies = contents[b"DEPS"][0] if contents[b"DEPS"] else None
         self.tree = tree
 
     def _packed(self, sections, name):

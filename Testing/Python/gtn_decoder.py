@@ -20,6 +20,7 @@ from gtn_boundary import open_boundary
 from gtn_coding import FLOAT32, FLOAT64, UINT32, UINT64, Domain
 from gtn_container import (
     CELLS, KEEP_CELLS, KEEP_CORNERS, KEEP_POINTS, POINTS, Container, FormatError, require)
+from gtn_dependencies import decode_dependencies
 from gtn_shapes import Shapes
 from gtn_tree import SimplerMesh, decode_merges, open_level
 
@@ -77,6 +78,7 @@ class Decoder:
         self._decode_original_order()
         self.bonds = []  # of a surface, for each merge
         self.merges = self._decode_merges()
+        self.dependencies = self._decode_dependencies()
 
     # ----- The mesh
 
@@ -239,6 +241,12 @@ class Decoder:
         points = self.meta.points - (0 if is_surface else self.meta.unused_points)
         return decode_merges(
             self._stream(tree.stream), points, tree.merges, self.bonds if is_surface else None)
+
+    def _decode_dependencies(self):
+        tree = self.container.tree
+        if tree is None or tree.dependencies is None:
+            return None
+        return decode_dependencies(tree.dependencies, self.meta.points, self.merges)
 
     # ----- Original order
 

@@ -185,18 +185,6 @@ class CellCoded(Coded):
         self.memories = {}
         super().__init__(stream)
 
-    def tree(self, bits, *models):
-        node = 1
-        for _ in range(bits):
-            node = 2 * node + self.decide(*models, node)
-        return node - (1 << bits)
-
-    def large(self, *models):
-        """number(M)."""
-        length = self.tree(6, *models)
-        require(length <= 32, "length of a number")
-        return length if length < 2 else (1 << (length - 1)) + self.raw(length - 1)
-
     def last(self, memory, skip=None):
         """One of the last two symbols of a memory, or None."""
         for i, symbol in enumerate(self.memories.get(memory, ())):

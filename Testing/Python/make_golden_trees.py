@@ -4,12 +4,12 @@
 
 """Writes next to golden files with trees of merges, which makeGoldenTrees has made, what they hold:
 
-    build/release/bin/makeGoldenTrees FOLDER
+    build/release/bin/makeGoldenTrees FOLDER        # or makeGoldenSurfaceTrees, or both
     PYTHONPATH=build/release/lib/python3/dist-packages Testing/Python/make_golden_trees.py FOLDER
 
 expected.json is as for other golden files, trees.txt tells of trees and base meshes. Both come from
 gtn_decoder, which shares no code with Gatun. It checks, too, that ranges after merges enclose just
-what they have to, and that base meshes are what is left.
+what they have to, that base meshes are what is left, and that dependencies are those of the mesh.
 """
 
 import glob
@@ -20,6 +20,7 @@ import sys
 import gatunGolden as golden
 from describe_decoded import describe_decoded, describe_tree
 from gtn_decoder import Decoder
+from gtn_dependencies import check_dependencies
 from gtn_tree import check_level, check_ranges
 
 MAX_BYTES, MAX_BYTES_IN_TOTAL = 30000, 150000
@@ -28,6 +29,7 @@ MAX_BYTES, MAX_BYTES_IN_TOTAL = 30000, 150000
 def check(decoder):
     decoder.container.verify_layout()
     check_ranges(decoder)
+    check_dependencies(decoder)
     for i in range(len(decoder.container.tree.levels)):
         level = decoder.level(i)
         check_level(decoder, i, level)

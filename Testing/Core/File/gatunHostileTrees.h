@@ -7,6 +7,7 @@
 // A good file with a merge tree, which tests change, and all that can be asked of it.
 
 #include "gatunHostile.h"
+#include "gatunMergeDependencies.h"
 #include "gatunPieceDecoder.h"
 #include "gatunTreeImage.h"
 #include "gatunVerifyFile.h"
@@ -115,7 +116,7 @@ inline void Decode(const std::shared_ptr<const FileReader>& file, const PieceReq
 }
 
 /** All that can be asked of a file with a tree: meshes after merges, whole and in pieces, bounds,
- * base meshes. */
+ * dependencies, base meshes. */
 inline void ReadTree(const std::shared_ptr<const FileReader>& file)
 {
   const auto tree = std::make_shared<const MergeTree>(file->GetMergeTree());
@@ -139,6 +140,10 @@ inline void ReadTree(const std::shared_ptr<const FileReader>& file)
       request.GhostLevels = 1;
       Decode(file, request);
     }
+  }
+  if (file->HasDependencies())
+  {
+    file->ReadDependencies(*tree);
   }
   for (std::size_t level = 0; level < file->GetLevels().size(); ++level)
   {

@@ -246,9 +246,10 @@ inline void WriteTreeSample(const std::string& path, const TreeSample& sample,
       { SectionLevel, MakeLevel(path, sample, options, merges), SectionVersion, 0 });
   }
   FileImage frame;
-  frame.Minor = sample.IsSurface() ? MinorVersionOfSurfaceTrees
-    : options.Layers               ? MinorVersionWithLayers
-                                   : MinorVersionWithTree;
+  frame.Minor = options.Dependencies ? MinorVersionWithDependencies
+    : sample.IsSurface()             ? MinorVersionOfSurfaceTrees
+    : options.Layers                 ? MinorVersionWithLayers
+                                     : MinorVersionWithTree;
   const auto bytes = frame.Assemble(sections);
   std::ofstream out(path, std::ios::binary | std::ios::trunc);
   out.write(

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Writes the golden files of surfaces with merge trees: makeGoldenSurfaceTrees FOLDER.
+// Writes the golden files of surfaces with merge trees: makeGoldenSurfaceTrees FOLDER. Those that
+// also have the dependencies of merges: makeGoldenSurfaceTrees FOLDER dependencies.
 // Testing/Python/make_golden_trees.py determines their contents.
 
 #include "gatunSurfaceTrees.h"
@@ -58,11 +59,13 @@ TreeSample MakeWild()
 }
 
 void Write(const std::string& folder, const std::string& name, const TreeSample& sample,
-  std::uint32_t chunkTets, std::uint8_t keep, const std::vector<double>& levels = {})
+  std::uint32_t chunkTets, std::uint8_t keep, const std::vector<double>& levels = {},
+  bool hasDependencies = false)
 {
   WriterOptions options;
   options.ChunkTets = chunkTets;
   options.Keep = keep;
+  options.Dependencies = hasDependencies;
   options.KeyStepInterval = 2;
   std::vector<std::uint32_t> merges;
   for (const auto part : levels)
@@ -77,13 +80,21 @@ void Write(const std::string& folder, const std::string& name, const TreeSample&
 
 int main(int argc, char* argv[])
 {
-  if (argc != 2)
+  const bool hasDependencies = argc == 3 && argv[2] == std::string("dependencies");
+  if (argc != 2 && !hasDependencies)
   {
-    std::cerr << "usage: makeGoldenSurfaceTrees FOLDER\n";
+    std::cerr << "usage: makeGoldenSurfaceTrees FOLDER [dependencies]\n";
     return 2;
   }
   const std::string folder = argv[1];
   std::filesystem::create_directories(folder);
+  if (hasDependencies)
+  {
+    Write(folder, "surface_seam", MakeSeam(), 0, KeepNone, {}, true);
+    Write(folder, "surface_chunks", MakeSurfaceSample(16, 8, 1), 64, KeepNone, { 0.3, 0.6 }, true);
+    Write(folder, "surface_wild", MakeWild(), 64, KeepNone, {}, true);
+    return 0;
+  }
   Write(folder, "seam", MakeSeam(), 0, KeepNone);
   Write(folder, "seam_and_one", MakeSeam(), 0, KeepNone, { 0.7 });
   Write(folder, "one_chunk", MakeSurfaceSample(10, 6, 1), 0, KeepAll);

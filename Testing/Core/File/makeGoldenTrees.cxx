@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Writes the golden files with merge trees: makeGoldenTrees FOLDER.
+// Writes the golden files with merge trees: makeGoldenTrees FOLDER. Those that also have the
+// dependencies of merges: makeGoldenTrees FOLDER dependencies.
 // Testing/Python/make_golden_trees.py determines their contents.
 
 #include "gatunTreeSample.h"
@@ -121,17 +122,39 @@ WriterOptions MakeOptions(std::uint32_t chunkTets = 0, std::uint8_t keep = KeepN
   options.KeyStepInterval = 2;
   return options;
 }
+
+/** All of these have them, base meshes too. */
+void WriteDependencies(const std::string& folder)
+{
+  const auto write = [&](const std::string& name, const TreeSample& sample, std::uint32_t chunkTets,
+                       const std::vector<double>& levels = {})
+  {
+    auto options = MakeOptions(chunkTets);
+    options.Dependencies = true;
+    Write(folder, name, sample, options, levels);
+  };
+  write("two_tets", MakeTwoTets(), 0);
+  write("many_chunks", MakeTreeSample(5, 1), 64, { 0.3, 0.6 });
+  write("wild", MakeWild(), 64);
+  write("far", MakeFar(), 64);
+}
 }
 
 int main(int argc, char* argv[])
 {
-  if (argc != 2)
+  const bool hasDependencies = argc == 3 && argv[2] == std::string("dependencies");
+  if (argc != 2 && !hasDependencies)
   {
-    std::cerr << "usage: makeGoldenTrees FOLDER\n";
+    std::cerr << "usage: makeGoldenTrees FOLDER [dependencies]\n";
     return 2;
   }
   const std::string folder = argv[1];
   std::filesystem::create_directories(folder);
+  if (hasDependencies)
+  {
+    WriteDependencies(folder);
+    return 0;
+  }
   Write(folder, "two_tets", MakeTwoTets(), MakeOptions());
   Write(folder, "two_tets_and_one", MakeTwoTets(), MakeOptions(), { 0.5 });
   Write(folder, "one_chunk", MakeTreeSample(4, 1), MakeOptions(0, KeepAll));

@@ -45,7 +45,8 @@ void ExpectDependencies(const std::shared_ptr<const FileReader>& file)
   const auto tree = file->GetMergeTree();
   const auto read = file->ReadDependencies(tree);
   const auto found = FindDependencies(file, tree);
-  EXPECT_TRUE(AreEquivalent(read, found));
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(AreEquivalent(read, *found));
   std::size_t any = 0;
   for (std::size_t i = 0; i < read.GetNumberOfMerges(); ++i)
   {
@@ -255,7 +256,7 @@ Bytes GetGoodStream()
 {
   const auto file = std::make_shared<const FileReader>(PutImage({}));
   const auto tree = file->GetMergeTree();
-  return EncodeDependencies(tree, FindDependencies(file, tree));
+  return EncodeDependencies(tree, FindDependencies(file, tree).value());
 }
 
 TEST(DependencyFile, DamagedStreamsAreNamed)
@@ -330,6 +331,23 @@ TEST(DependencyFile, SectionsOfNoUse)
   // A tree of another file.
   const FileReader file(PutImage({ good }));
   EXPECT_THROW(file.ReadDependencies(MergeTree(7, {})), Error);
+}
+
+TEST(DependencyFile, MergesOfAllPointsIntoOneHaveNone)
+{
+  const auto mesh = MakeCubes(30, 0.2);
+  std::vector<Merge> merges;
+  for (std::uint32_t i = 1; i < mesh.GetPoints(); ++i)
+  {
+    merges.push_back({ i, 0, 0 });
+  }
+  const MergeTree tree(static_cast<std::uint32_t>(mesh.GetPoints()), std::move(merges));
+  const auto path = TempPath("star.gtn");
+  Write(path, mesh, MakeOptions(tree));
+  const auto file = std::make_shared<const FileReader>(path);
+  EXPECT_FALSE(file->HasDependencies());
+  EXPECT_TRUE(VerifyFile(*file));
+  EXPECT_FALSE(SimplifiedFile(file).GetDependencies(*file));
 }
 
 /** Each merge of a chain into one point depends on the first one: all are skipped for it. */

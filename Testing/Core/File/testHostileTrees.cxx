@@ -371,7 +371,9 @@ Bytes MakeSmallFile()
     [](std::size_t i, std::size_t, std::size_t) { return i * i; });
   sample.Tree = MergeTree(5, { { 4, 1, 0.5f }, { 0, 3, 2 } });
   const auto path = GetPath("small.gtn");
-  WriteTreeSample(path, sample, {}, { 1 });
+  WriterOptions options;
+  options.Dependencies = true;
+  WriteTreeSample(path, sample, options, { 1 });
   return ReadFile(path);
 }
 

@@ -7,6 +7,7 @@
 #include "gatunContainer.h"
 #include "gatunFileReader.h"
 #include "gatunFileReaderInternals.h"
+#include "gatunMergeDependencies.h"
 #include "gatunPieceDecoder.h"
 #include "gatunVerifyFile.h"
 
@@ -97,6 +98,10 @@ private:
       const auto& bonds = this->Tree->GetBonds();
       this->Out << "\nbonds " << std::count(bonds.begin(), bonds.end(), true);
     }
+    if (this->File->HasDependencies())
+    {
+      this->AddDependencies();
+    }
     this->Out << "\nrungs";
     this->Rungs = InternalsOf(*this->File).Tree->Rungs;
     for (const auto rung : this->Rungs)
@@ -109,6 +114,24 @@ private:
       this->Out << " " << level;
     }
     this->Out << "\n";
+  }
+
+  void AddDependencies()
+  {
+    const auto dependencies = this->File->ReadDependencies(*this->Tree);
+    ByteWriter bytes;
+    std::size_t all = 0;
+    for (std::size_t i = 0; i < dependencies.GetNumberOfMerges(); ++i)
+    {
+      const auto earlier = dependencies.Get(i);
+      all += earlier.size();
+      bytes.Put(static_cast<std::uint32_t>(earlier.size()));
+      for (const std::uint32_t merge : earlier)
+      {
+        bytes.Put(merge);
+      }
+    }
+    this->Out << "\ndependencies " << all << " " << GetSum(bytes);
   }
 
   /** Of each chunk, for each rung: what holds for that many merges. */
@@ -243,6 +266,11 @@ TEST(TreeGolden, FilesAreReadAsAnIndependentDecoderDoes)
 TEST(TreeGolden, SurfacesAreReadAsAnIndependentDecoderDoes)
 {
   CompareFolder(6);
+}
+
+TEST(TreeGolden, DependenciesAreReadAsAnIndependentDecoderDoes)
+{
+  CompareFolder(7);
 }
 }
 }

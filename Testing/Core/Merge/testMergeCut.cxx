@@ -7,6 +7,7 @@
 #include "gatunMergeBuilder.h"
 #include "gatunMergeCut.h"
 #include "gatunMergeDependencies.h"
+#include "gatunParallel.h"
 #include "gatunTestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -159,6 +160,52 @@ std::vector<Wish> MakeWishes()
 }
 
 //------------------------------------------------------------------------------
+/** The length of the longest chain of merges that depend on each other. */
+std::size_t GetDepth(const MergeDependencies& dependencies)
+{
+  std::vector<std::size_t> depth(dependencies.GetNumberOfMerges(), 1);
+  for (std::size_t i = 0; i < depth.size(); ++i)
+  {
+    for (const auto earlier : dependencies.Get(i))
+    {
+      depth[i] = std::max(depth[i], depth[earlier] + 1);
+    }
+  }
+  return *std::max_element(depth.begin(), depth.end());
+}
+
+TEST(MergeCut, BatchesMakeMergesDependOnFewerOthers)
+{
+  const Ball ball(12);
+  std::vector<double> values;
+  for (const Vec& p : ball.Points)
+  {
+    values.push_back(std::sin(4 * p[0]) * std::cos(3 * p[1]) + p[2] * p[2]);
+  }
+  const auto build = [&](double part)
+  {
+    return BuildMergeTree(
+      { ball.Points, ball.Tets, { { values, 1 } } }, { MergeMetric::Mass, 0.5, part });
+  };
+  std::vector<std::size_t> depths;
+  for (const double part : { 0., 0.1, 0.3, 1. })
+  {
+    const auto tree = build(part);
+    const auto merges = tree.GetMerges().size();
+    EXPECT_GT(10 * merges, 9 * ball.Tree.GetMerges().size());
+    depths.push_back(GetDepth(MergeDependencies(tree, ball.Tets)));
+    const auto half = ball.Simplify(tree.FindAncestors(merges / 2));
+    EXPECT_TRUE(std::all_of(
+      half.begin(), half.end(), [&](const Tet& tet) { return ball.GetVolume(tet) > 0; }));
+    // Other threads make no difference.
+    WithNumberOfThreads(
+      3, [&] { EXPECT_EQ(build(part).FindAncestors(merges / 2), tree.FindAncestors(merges / 2)); });
+  }
+  EXPECT_LT(depths[1], depths[0]);
+  EXPECT_LT(depths[2], depths[1]);
+  EXPECT_LT(2 * depths[3], depths[0]);
+}
+
 TEST(MergeCut, HasNoInvertedTetrahedraAndCoversEachPlaceOnce)
 {
   std::size_t invertedBefore = 0;

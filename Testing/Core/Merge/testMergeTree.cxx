@@ -479,6 +479,7 @@ TEST(MergeBuilder, RefusesInputThatDoesNotFit)
     input.Fields[0].Weight = weight;
     refuses(input);
     refuses(solid.GetInput(), { MergeMetric::Mass, weight });
+    refuses(solid.GetInput(), { MergeMetric::Mass, 0.5, weight });
   }
   int calls = 0;
   EXPECT_THROW(BuildMergeTree(solid.GetInput(), {}, [&](double) { return ++calls < 2; }), Error);
