@@ -214,9 +214,10 @@ TEST(HostileTables, PalettesMustBeWhatTheySay)
 
 TEST(HostileTables, ScalesMustBePossible)
 {
-  const auto setScale = [](FileImage& f, ScaleKind kind, int digits, int first)
+  const auto setScale = [](
+                          FileImage& f, ScaleKind kind, int digits, int first, std::size_t step = 2)
   {
-    f.Steps[2].Arrays[0].Palettes[0].Steps = { kind, static_cast<std::uint8_t>(digits),
+    f.Steps[step].Arrays[0].Palettes[0].Steps = { kind, static_cast<std::uint8_t>(digits),
       static_cast<std::int8_t>(first) };
   };
   const std::string what = "a scale is impossible for its type";
@@ -230,7 +231,12 @@ TEST(HostileTables, ScalesMustBePossible)
     });
   // Streams may not refer to keys of another scale at the step before.
   ExpectRefused("a stream needs a time step before it and there is none",
-    [&](FileImage& f) { setScale(f, ScaleKind::Decimal, 3, 0); });
+    [&](FileImage& f)
+    {
+      setScale(f, ScaleKind::Shift, 1, 0, 0);
+      setScale(f, ScaleKind::Shift, 1, 0, 1);
+      setScale(f, ScaleKind::Shift, 2, 0, 2);
+    });
 }
 
 /** Numbers as the order of a block or of a chunk's cells. */
