@@ -17,6 +17,7 @@ gatun_core_folder(Codec
     gatunChunkPlaces.h
     gatunChunkTets.h
     gatunDomain.h
+    gatunDomainSurvey.h
     gatunEntropy.h
     gatunFaceMarks.h
     gatunFaceTable.h
@@ -31,6 +32,7 @@ gatun_core_folder(Codec
     gatunNumberModel.h
     gatunPalette.h
     gatunPlaceGrid.h
+    gatunPlainKeys.h
     gatunPlaneCoder.h
     gatunPolygonCell.h
     gatunPolygonFront.h
@@ -42,6 +44,8 @@ gatun_core_folder(Codec
     gatunRecentVertices.h
     gatunResidual.h
     gatunRuleFitter.h
+    gatunScale.h
+    gatunScaleSurvey.h
     gatunSharedNames.h
     gatunSharedSearch.h
     gatunSharedSequence.h
@@ -69,5 +73,7 @@ gatun_core_folder(Codec
     gatunPalette.cxx
     gatunPolygonTruth.cxx
     gatunProgression.cxx
+    gatunScale.cxx
+    gatunScaleSurvey.cxx
     gatunSharedSearch.cxx
     gatunSurfaceTruth.cxx)

@@ -173,9 +173,8 @@ class SpatialPredictor
 public:
   static constexpr unsigned Groups = static_cast<unsigned>(MaxRules) + 1;
 
-  SpatialPredictor(const PointContext& context, const Domain& domain, SpatialMode mode)
+  SpatialPredictor(const PointContext& context, SpatialMode mode)
     : Context(context)
-    , Values(domain)
     , Mode(mode)
   {
   }
@@ -188,15 +187,18 @@ public:
     bool Known = false; // whether there is anything to predict from
   };
 
-  Prediction Predict(std::size_t own, std::span<const Key> keys) const
+  /** keys, numbers: of all vertices that are known. */
+  Prediction Predict(
+    std::size_t own, std::span<const Key> keys, std::span<const double> numbers) const
   {
-    return this->Mode == SpatialMode::Fit ? this->PredictFit(own, keys)
-      : this->Context.CellRules           ? this->PredictCell(own, keys)
-                                          : this->PredictGate(own, keys);
+    return this->Mode == SpatialMode::Fit ? this->PredictFit(own, keys, numbers)
+      : this->Context.CellRules           ? this->PredictCell(own, keys, numbers)
+                                          : this->PredictGate(own, keys, numbers);
   }
 
 private:
-  Prediction PredictFit(std::size_t own, std::span<const Key> keys) const
+  Prediction PredictFit(
+    std::size_t own, std::span<const Key> keys, std::span<const double> numbers) const
   {
     const auto neighbors = this->Context.Fit->Of(own);
     Prediction result;
@@ -211,7 +213,7 @@ private:
       const Key key = keys[n.Id];
       low = std::min(low, key);
       high = std::max(high, key);
-      result.Number += n.Weight * this->Values.ToNumber(key);
+      result.Number += n.Weight * numbers[n.Id];
     }
     const auto count = neighbors.size();
     result.Spread = static_cast<unsigned>(std::bit_width(high - low));
@@ -220,7 +222,8 @@ private:
     return result;
   }
 
-  Prediction PredictGate(std::size_t own, std::span<const Key> keys) const
+  Prediction PredictGate(
+    std::size_t own, std::span<const Key> keys, std::span<const double> numbers) const
   {
     const auto& record = this->Context.Mesh->Records[own];
     Prediction result;
@@ -237,8 +240,7 @@ private:
       high = std::max(high, key);
     }
     const auto rule = this->Context.UsedRules[own];
-    const auto number = [&](unsigned k)
-    { return std::array{ this->Values.ToNumber(keys[record.Known[k]]) }; };
+    const auto number = [&](unsigned k) { return std::array{ numbers[record.Known[k]] }; };
     result.Number = ApplyRule<1>((*this->Context.Rules)[rule], number)[0];
     result.Spread = static_cast<unsigned>(std::bit_width(high - low));
     result.Group = 1u + rule;
@@ -246,7 +248,8 @@ private:
     return result;
   }
 
-  Prediction PredictCell(std::size_t own, std::span<const Key> keys) const
+  Prediction PredictCell(
+    std::size_t own, std::span<const Key> keys, std::span<const double> numbers) const
   {
     const auto& record = this->Context.Mesh->CellRecords[own];
     Prediction result;
@@ -258,7 +261,7 @@ private:
     const auto number = [&](unsigned k)
     {
       const auto v = record.Known[k];
-      return std::array{ v != NoVertex ? this->Values.ToNumber(keys[v]) : 0.0 };
+      return std::array{ v != NoVertex ? numbers[v] : 0.0 };
     };
     result.Number = ApplyRule<1>((*this->Context.CellRules)[rule], number)[0];
     result.Spread = GetSpread(record, [keys](Vertex v) { return keys[v]; });
@@ -268,20 +271,42 @@ private:
   }
 
   const PointContext& Context;
-  const Domain& Values;
   const SpatialMode Mode;
 };
+
+/** The numbers of the keys that predictions use: a key is used many times. */
+std::vector<double> GetNumbers(
+  const Domain& domain, std::span<const Key> keys, const Topology& mesh, bool withOwn)
+{
+  std::vector<double> numbers(keys.size());
+  for (std::size_t v = 0; v < keys.size(); ++v)
+  {
+    if (withOwn || mesh.IsShared(static_cast<Vertex>(v)))
+    {
+      numbers[v] = domain.ToNumber(keys[v]);
+    }
+  }
+  return numbers;
+}
 
 template <typename Coder>
 void CodePoints(Coder& coder, const ArrayModes& modes, const PointContext& context,
   const Domain& domain, ComponentKeys& keys)
 {
-  const SpatialPredictor predictor(context, domain, modes.Spatial);
+  const SpatialPredictor predictor(context, modes.Spatial);
+  const bool isPredicted =
+    modes.Temporal != TemporalMode::Repeat && modes.Spatial != SpatialMode::Previous;
   std::vector<ResidualModel> models(SpatialPredictor::Groups);
   RunningSpread running;
   Key previous = domain.FromNumber(0);
   Key previousBefore = previous;
   const bool change = modes.Temporal == TemporalMode::Change;
+  std::vector<double> numbers, numbersBefore;
+  if (isPredicted)
+  {
+    numbers = GetNumbers(domain, keys.Now, *context.Mesh, false);
+    numbersBefore = change ? GetNumbers(domain, keys.Before, *context.Mesh, true) : numbersBefore;
+  }
   for (std::size_t own = 0; own < context.OwnIds.size(); ++own)
   {
     const Vertex v = context.OwnIds[own];
@@ -303,7 +328,7 @@ void CodePoints(Coder& coder, const ArrayModes& modes, const PointContext& conte
     }
     else
     {
-      const auto now = predictor.Predict(own, keys.Now);
+      const auto now = predictor.Predict(own, keys.Now, numbers);
       if (now.Known)
       {
         predicted = domain.FromNumber(now.Number);
@@ -311,9 +336,8 @@ void CodePoints(Coder& coder, const ArrayModes& modes, const PointContext& conte
         spread = now.Spread != NoSpread ? now.Spread : spread;
         if (change)
         {
-          const auto before = predictor.Predict(own, keys.Before);
-          predicted =
-            domain.FromNumber(domain.ToNumber(keys.Before[v]) + (now.Number - before.Number));
+          const auto before = predictor.Predict(own, keys.Before, numbersBefore);
+          predicted = domain.FromNumber(numbersBefore[v] + (now.Number - before.Number));
           spread = running.Get();
         }
       }
@@ -321,6 +345,10 @@ void CodePoints(Coder& coder, const ArrayModes& modes, const PointContext& conte
     std::int64_t residual = 0;
     previous = CodeKey(coder, domain, models[group], spread, predicted, keys.Now[v], residual);
     keys.Now[v] = previous;
+    if (isPredicted)
+    {
+      numbers[v] = domain.ToNumber(previous);
+    }
     running.Add(residual);
   }
 }

@@ -7,24 +7,23 @@
 // Conversion of values to keys. Keys are unsigned integers in the order of the values, so that
 // close values have close keys, for every type.
 
+#include "gatunPlainKeys.h"
+#include "gatunScale.h"
 #include "gatunTypes.h"
 
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <memory>
 #include <vector>
 
 namespace gatun
 {
-using Key = std::uint64_t;
-
 /** Distinct keys, ascending. With a palette, the key of a value is its rank in the palette. */
 using Palette = std::vector<Key>;
 
 /** Maps the values of a component to keys, and keys to numbers for prediction. */
-class Domain
+class Domain : public PlainKeys
 {
 public:
   Domain() = default;
@@ -34,73 +33,37 @@ public:
     , Ranks(std::move(palette))
     , Bits(this->Ranks ? static_cast<unsigned>(std::bit_width(this->Ranks->size()))
                        : static_cast<unsigned>(8 * SizeOf(type)))
-    , Mask(Bits == 64 ? ~Key{ 0 } : (Key{ 1 } << Bits) - 1)
+    , Mask(MakeMask(Bits))
   {
+  }
+
+  /** A scale must be valid for the type. Without one, keys are plain. */
+  Domain(ScalarType type, const Scale& scale)
+    : Domain(type)
+  {
+    if (scale)
+    {
+      this->Scaled = ScaledKeys(type, scale);
+      this->Bits = this->Scaled.GetBits();
+      this->Mask = MakeMask(this->Bits);
+    }
   }
 
   ScalarType GetType() const { return this->Type; }
   unsigned GetBits() const { return this->Bits; }
   const std::shared_ptr<const Palette>& GetPalette() const { return this->Ranks; }
+  const Scale& GetScale() const { return this->Scaled.GetScale(); }
 
-  /** The key of the value at an address, regardless of the palette. */
-  static Key ReadPlain(ScalarType type, const void* value)
-  {
-    Key raw = 0;
-    std::memcpy(&raw, value, SizeOf(type));
-    return FromRaw(type, raw);
-  }
+  /** Whether keys are plain ones. */
+  bool IsPlain() const { return !this->Ranks && !this->GetScale(); }
 
-  /** The key of a value given by its bits. */
-  static Key FromRaw(ScalarType type, Key raw)
-  {
-    const unsigned bits = static_cast<unsigned>(8 * SizeOf(type));
-    const Key sign = Key{ 1 } << (bits - 1);
-    switch (type)
-    {
-      case ScalarType::Int8:
-      case ScalarType::Int16:
-      case ScalarType::Int32:
-      case ScalarType::Int64:
-        return raw ^ sign;
-      case ScalarType::Float32:
-        return (raw & sign) ? ~raw & 0xffffffffu : raw | sign;
-      case ScalarType::Float64:
-        return (raw & sign) ? ~raw : raw | sign;
-      default:
-        return raw;
-    }
-  }
-
-  /** The inverse of ReadPlain. */
-  static void WritePlain(ScalarType type, Key key, void* value)
-  {
-    const unsigned bits = static_cast<unsigned>(8 * SizeOf(type));
-    const Key sign = Key{ 1 } << (bits - 1);
-    switch (type)
-    {
-      case ScalarType::Int8:
-      case ScalarType::Int16:
-      case ScalarType::Int32:
-      case ScalarType::Int64:
-        key ^= sign;
-        break;
-      case ScalarType::Float32:
-      case ScalarType::Float64:
-        key = (key & sign) ? key ^ sign : ~key;
-        break;
-      default:
-        break;
-    }
-    std::memcpy(value, &key, SizeOf(type));
-  }
-
-  /** The key of a value. The palette, if there is one, must contain it. */
+  /** The key of a value. The palette or scale, if there is one, must contain it. */
   Key Read(const void* value) const
   {
     const Key plain = ReadPlain(this->Type, value);
     if (!this->Ranks)
     {
-      return plain;
+      return this->GetScale() ? this->Scaled.FromPlain(plain) : plain;
     }
     // Branch-free binary search.
     const Key* low = this->Ranks->data();
@@ -113,52 +76,28 @@ public:
     return static_cast<Key>(low - this->Ranks->data());
   }
 
-  void Write(Key key, void* value) const
+  void Write(Key key, void* value) const { WritePlain(this->Type, this->ToPlain(key), value); }
+
+  /** The plain key of the value. */
+  Key ToPlain(Key key) const
   {
-    WritePlain(this->Type, this->Ranks ? (*this->Ranks)[key] : key, value);
+    return this->Ranks ? (*this->Ranks)[key] : this->GetScale() ? this->Scaled.ToPlain(key) : key;
   }
 
-  /** Whether a key is valid: any key, or a rank within the palette. */
-  bool IsValid(Key key) const { return !this->Ranks || key < this->Ranks->size(); }
+  /** Whether a key is valid: any key, a rank within the palette, or a place on the scale. */
+  bool IsValid(Key key) const
+  {
+    return this->Ranks ? key < this->Ranks->size() : !this->GetScale() || this->Scaled.IsValid(key);
+  }
 
   /** The number for prediction: the value, or its rank. */
   double ToNumber(Key key) const
   {
-    return this->Ranks ? static_cast<double>(key) : PlainToNumber(this->Type, key);
+    return this->Ranks ? static_cast<double>(key) : this->ToValue(key);
   }
 
   /** The value as a number, with or without palette. */
-  double ToValue(Key key) const
-  {
-    return PlainToNumber(this->Type, this->Ranks ? (*this->Ranks)[key] : key);
-  }
-
-  static double PlainToNumber(ScalarType type, Key key)
-  {
-    switch (type)
-    {
-      case ScalarType::Float32:
-      {
-        float value;
-        WritePlain(type, key, &value);
-        return value;
-      }
-      case ScalarType::Float64:
-      {
-        double value;
-        WritePlain(type, key, &value);
-        return value;
-      }
-      case ScalarType::Int8:
-      case ScalarType::Int16:
-      case ScalarType::Int32:
-      case ScalarType::Int64:
-        return static_cast<double>(
-          static_cast<std::int64_t>(key - (Key{ 1 } << (8 * SizeOf(type) - 1))));
-      default:
-        return static_cast<double>(key);
-    }
-  }
+  double ToValue(Key key) const { return PlainToNumber(this->Type, this->ToPlain(key)); }
 
   /** The key closest to a predicted number. Numbers that are not finite count as 0. */
   Key FromNumber(double number) const
@@ -173,37 +112,11 @@ public:
       const double rank = std::floor(number + 0.5);
       return rank <= 0 ? 0 : static_cast<Key>(rank < last ? rank : last);
     }
-    switch (this->Type)
+    if (this->GetScale())
     {
-      case ScalarType::Float32:
-      {
-        constexpr double largest = std::numeric_limits<float>::max();
-        const float value = static_cast<float>(number > largest ? largest
-            : number < -largest                                 ? -largest
-                                                                : number);
-        return FromRaw(ScalarType::Float32, std::bit_cast<std::uint32_t>(value));
-      }
-      case ScalarType::Float64:
-        return FromRaw(ScalarType::Float64, std::bit_cast<std::uint64_t>(number));
-      case ScalarType::Int8:
-      case ScalarType::Int16:
-      case ScalarType::Int32:
-      case ScalarType::Int64:
-      {
-        const double half = std::ldexp(1.0, static_cast<int>(this->Bits) - 1);
-        const double whole = std::floor(number + 0.5);
-        return whole <= -half ? 0
-          : whole >= half
-          ? this->Mask
-          : static_cast<Key>(static_cast<std::int64_t>(whole)) + (Key{ 1 } << (this->Bits - 1));
-      }
-      default:
-      {
-        const double end = std::ldexp(1.0, static_cast<int>(this->Bits));
-        const double whole = std::floor(number + 0.5);
-        return whole <= 0 ? 0 : whole >= end ? this->Mask : static_cast<Key>(whole);
-      }
+      return this->Scaled.FromNumber(number);
     }
+    return PlainKeys::FromNumber(this->Type, number);
   }
 
   /** key - predicted as a signed number of GetBits() bits. */
@@ -220,19 +133,25 @@ public:
   }
 
 private:
+  static constexpr Key MakeMask(unsigned bits)
+  {
+    return bits == 64 ? ~Key{ 0 } : (Key{ 1 } << bits) - 1;
+  }
+
   ScalarType Type = ScalarType::UInt8;
   std::shared_ptr<const Palette> Ranks;
+  ScaledKeys Scaled;
   unsigned Bits = 8;
   Key Mask = 0xff;
 };
 
-/** A Domain of Float32 without a palette, for code that is compiled for it. */
+/** A Domain of Float32 with plain keys, for code that is compiled for it. */
 class Float32Domain
 {
 public:
   static bool Matches(const Domain& domain)
   {
-    return domain.GetType() == ScalarType::Float32 && !domain.GetPalette();
+    return domain.GetType() == ScalarType::Float32 && domain.IsPlain();
   }
 
   static constexpr unsigned GetBits() { return 32; }

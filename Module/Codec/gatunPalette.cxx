@@ -19,7 +19,7 @@ constexpr std::uint8_t ProgressionMode = 3;
 
 /** The most values of a palette of so many tuples. Those of arrays do without prediction from the
  * time step before. */
-std::size_t GetMost(std::uint64_t count, PaletteUse use)
+std::size_t GetMostEntries(std::uint64_t count, PaletteUse use)
 {
   const auto most = use == PaletteUse::Coordinates ? count / 4 : count / 16;
   return static_cast<std::size_t>(std::min<std::uint64_t>(most, MaxPalette));
@@ -31,6 +31,12 @@ PaletteBuilder::PaletteBuilder(ScalarType type, std::size_t most)
   : Type(type)
   , Most(IsFloating(type) ? most : 0)
 {
+}
+
+//------------------------------------------------------------------------------
+std::size_t PaletteBuilder::GetMost(std::uint64_t count, PaletteUse use)
+{
+  return use == PaletteUse::Coordinates ? MaxPalette : GetMostEntries(count, use);
 }
 
 //------------------------------------------------------------------------------
@@ -100,8 +106,8 @@ std::shared_ptr<const Palette> PaletteBuilder::Finish(std::uint64_t count, Palet
 {
   this->Compress();
   const auto distinct = this->Sorted.size();
-  const bool isRare = distinct <= GetMost(count, use);
-  const bool isVeryRare = distinct <= GetMost(count, PaletteUse::Array);
+  const bool isRare = distinct <= GetMostEntries(count, use);
+  const bool isVeryRare = distinct <= GetMostEntries(count, PaletteUse::Array);
   const auto progression = use == PaletteUse::Coordinates && !this->Sorted.empty()
     ? FitProgression(this->Type, this->Sorted, MaxPalette)
     : std::nullopt;
@@ -111,15 +117,6 @@ std::shared_ptr<const Palette> PaletteBuilder::Finish(std::uint64_t count, Palet
     return std::make_shared<Palette>(progression->MakeKeys(this->Type));
   }
   return isRare && distinct > 0 ? std::make_shared<Palette>(std::move(this->Sorted)) : nullptr;
-}
-
-//------------------------------------------------------------------------------
-std::shared_ptr<const Palette> FindPalette(ScalarType type, const void* values, std::size_t count,
-  std::size_t components, std::size_t component, PaletteUse use)
-{
-  PaletteBuilder builder(type, use == PaletteUse::Coordinates ? MaxPalette : GetMost(count, use));
-  builder.Add(values, count, components, component);
-  return builder.Finish(count, use);
 }
 
 //------------------------------------------------------------------------------

@@ -33,6 +33,9 @@ public:
   /** most: the number of different values beyond which there is no palette. */
   explicit PaletteBuilder(ScalarType type, std::size_t most = MaxPalette);
 
+  /** The most values that are worth collecting for so many tuples. */
+  static std::size_t GetMost(std::uint64_t count, PaletteUse use);
+
   void Add(const void* values, std::size_t count, std::size_t components, std::size_t component);
 
   /** Keeps the values of the tuples so far in little memory. */
@@ -42,7 +45,12 @@ public:
   void Put(ByteWriter& out);
   void Add(ByteReader& in);
 
-  /** The palette of so many tuples in all, as FindPalette has it. */
+  /**
+   * The palette of so many tuples in all. Coordinates that are on a lattice, such as rounded ones,
+   * have a palette of all its places, so that ranks are distances, too. Null if there are more
+   * values than a sixteenth of the tuples and no lattice, or more than MaxPalette. Integers never
+   * have a palette.
+   */
   std::shared_ptr<const Palette> Finish(std::uint64_t count, PaletteUse use);
 
 private:
@@ -51,15 +59,6 @@ private:
   std::vector<Key> Sorted;
   std::unordered_set<Key> Distinct; // may contain some of the sorted ones
 };
-
-/**
- * The distinct values of a component of count tuples. Coordinates that are on a lattice, such as
- * rounded ones, have a palette of all its places, so that ranks are distances, too. Null if there
- * are more values than a sixteenth of the tuples and no lattice, or more than MaxPalette. Integers
- * never have a palette.
- */
-std::shared_ptr<const Palette> FindPalette(ScalarType type, const void* values, std::size_t count,
-  std::size_t components, std::size_t component, PaletteUse use);
 
 Bytes EncodePalette(ScalarType type, const Palette& palette);
 

@@ -21,6 +21,7 @@ gatun_core_folder(File
     gatunSharedFile.h
     gatunSimplifiedFile.h
   PRIVATE_HEADERS
+    gatunArrayCopies.h
     gatunArrayInput.h
     gatunBaseMesh.h
     gatunBisection.h
@@ -71,6 +72,7 @@ gatun_core_folder(File
     gatunWriterPart.h
     gatunWriterState.h
   SOURCES
+    gatunArrayCopies.cxx
     gatunBaseMesh.cxx
     gatunBisection.cxx
     gatunBoundaryCheck.cxx

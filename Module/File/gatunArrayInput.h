@@ -23,6 +23,7 @@ struct ArrayInput
   const std::uint8_t* Now = nullptr;
   const std::uint8_t* Before = nullptr; // the previous step, if it is used for prediction
   std::vector<Domain> Domains;
+  bool IsCopy = false; // whether another array has the values, so that there are no streams
 
   const std::uint8_t* At(const std::uint8_t* values, std::size_t tuple, std::size_t component) const
   {

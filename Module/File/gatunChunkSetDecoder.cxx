@@ -62,8 +62,8 @@ void ChunkSetDecoder::Fill(const PieceTarget& target, const std::vector<std::uin
   {
     if (target.Arrays[a])
     {
-      job.Arrays.push_back({ arrays[a], static_cast<std::uint8_t*>(target.Arrays[a]),
-        content.Meta.Arrays[arrays[a]].Where == Association::Point, step, {} });
+      job.Add(content.FindSource(arrays[a], step), static_cast<std::uint8_t*>(target.Arrays[a]),
+        content.Meta.Arrays[arrays[a]].Where == Association::Point);
     }
   }
   this->Plan(job);

@@ -9,13 +9,16 @@
 #include "gatunCellStore.h"
 #include "gatunChunkSetDecoder.h"
 #include "gatunDomainWriter.h"
+#include "gatunFileReaderInternals.h"
 #include "gatunPieceRequest.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gatun
@@ -35,11 +38,18 @@ struct ChunkSetDecoder::Places
 //------------------------------------------------------------------------------
 struct ChunkSetDecoder::Job
 {
-  /** An array of the request. */
+  /** Where the values of an array of the request go, and which components they are. */
+  struct Output
+  {
+    std::uint8_t* Values;
+    std::vector<std::uint32_t> Components;
+  };
+
+  /** An array to decode. Others of the request may be copies of it. */
   struct Wanted
   {
     std::uint32_t Index;
-    std::uint8_t* Values;
+    std::vector<Output> Outputs;
     bool OfPoints;
     std::size_t First; // the earliest step that any chunk needs to decode, or the job's step
     std::vector<std::shared_ptr<const DomainsPart>> Domains; // from Begin on
@@ -80,6 +90,18 @@ struct ChunkSetDecoder::Job
 
   bool IsLast() const { return this->End == this->Step; }
 
+  /** Adds an array of the request. values: where its values go. */
+  void Add(FileReader::Internals::ArraySource source, std::uint8_t* values, bool ofPoints)
+  {
+    auto found = std::find_if(this->Arrays.begin(), this->Arrays.end(),
+      [&](const Wanted& array) { return array.Index == source.Array; });
+    if (found == this->Arrays.end())
+    {
+      found = this->Arrays.insert(found, { source.Array, {}, ofPoints, this->Step, {} });
+    }
+    found->Outputs.push_back({ values, std::move(source.Components) });
+  }
+
   // The positions filled so far if an order is restored. A damaged file could contain one twice and
   // leave another one uninitialized.
   mutable std::vector<std::atomic<bool>> PointTaken;
@@ -102,19 +124,23 @@ struct ChunkSetDecoder::Job
   {
     const auto& domains = *array.Domains.back();
     const auto size = SizeOf(domains.front().GetType());
-    const auto stride = size * values.size();
-    for (std::size_t c = 0; c < values.size(); ++c)
+    for (const auto& output : array.Outputs)
     {
-      WithWriter(domains[c],
-        [&](auto&& write)
-        {
-          const auto& keys = values[c];
-          auto* component = array.Values + c * size;
-          for (std::size_t i = 0; i < count; ++i)
+      const auto stride = size * output.Components.size();
+      auto* component = output.Values;
+      for (const auto c : output.Components)
+      {
+        WithWriter(domains[c],
+          [&](auto&& write)
           {
-            write(keys[keyOf(i)], component + placeOf(i) * stride);
-          }
-        });
+            const auto& keys = values[c];
+            for (std::size_t i = 0; i < count; ++i)
+            {
+              write(keys[keyOf(i)], component + placeOf(i) * stride);
+            }
+          });
+        component += size;
+      }
     }
   }
 

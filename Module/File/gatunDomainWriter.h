@@ -24,6 +24,10 @@ void WithWriter(const Domain& domain, Use&& use)
     use(
       [type, &palette](Key key, std::uint8_t* to) { Domain::WritePlain(type, palette[key], to); });
   }
+  else if (domain.GetScale())
+  {
+    use([&domain](Key key, std::uint8_t* to) { domain.Write(key, to); });
+  }
   else if (type == ScalarType::Float32)
   {
     use([](Key key, std::uint8_t* to) { Domain::WritePlain(ScalarType::Float32, key, to); });

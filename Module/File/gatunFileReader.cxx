@@ -57,18 +57,8 @@ void FileReader::Internals::Read()
   }
   for (unsigned axis = 0; axis < 3; ++axis)
   {
-    const auto& ref = this->GetTables().GetIndex().Palettes[axis];
-    std::shared_ptr<const Palette> palette;
-    if (ref.Count > 0)
-    {
-      palette = this->File.Guarded("the palette of the coordinates", ref.Stream,
-        [&]
-        {
-          return DecodePalette(this->Meta.CoordinateType,
-            this->File.Read(ref.Stream, "the palette of the coordinates"), ref.Count);
-        });
-    }
-    this->Domains[axis] = Domain(this->Meta.CoordinateType, palette);
+    this->Domains[axis] = this->MakeDomain(this->Meta.CoordinateType,
+      this->GetTables().GetIndex().Palettes[axis], "the palette of the coordinates");
   }
   this->ReadLayers();
   this->ReadTree();
@@ -166,13 +156,37 @@ std::vector<Domain> FileReader::Internals::MakeDomains(std::size_t array, std::s
   std::vector<Domain> domains(description.Components, Domain(description.Type));
   for (const auto& [component, ref] : this->GetSteps()[step].Arrays[array].Palettes)
   {
-    const std::string what = "the palette of array '" + description.Name + "'";
-    const auto palette = this->File.Guarded(what, ref.Stream,
-      [&, &where = ref.Stream, count = ref.Count]
-      { return DecodePalette(description.Type, this->File.Read(where, what), count); });
-    domains[component] = Domain(description.Type, palette);
+    domains[component] =
+      this->MakeDomain(description.Type, ref, "the palette of array '" + description.Name + "'");
   }
   return domains;
+}
+
+FileReader::Internals::ArraySource FileReader::Internals::FindSource(
+  std::uint32_t array, std::size_t step) const
+{
+  const auto& entry = this->GetSteps()[step].Arrays[array];
+  ArraySource source{ array, std::vector<std::uint32_t>(entry.Components) };
+  std::iota(source.Components.begin(), source.Components.end(), 0u);
+  if (entry.IsCopy())
+  {
+    source.Array = static_cast<std::uint32_t>(this->GetSteps()[step].GetSource(array));
+    std::transform(entry.Palettes.begin(), entry.Palettes.end(), source.Components.begin(),
+      [](const auto& component) { return component.second.SourceComponent; });
+  }
+  return source;
+}
+
+Domain FileReader::Internals::MakeDomain(
+  ScalarType type, const PaletteRef& palette, const std::string& what) const
+{
+  if (palette.Count == 0)
+  {
+    return Domain(type, palette.Steps);
+  }
+  return Domain(type,
+    this->File.Guarded(what, palette.Stream,
+      [&] { return DecodePalette(type, this->File.Read(palette.Stream, what), palette.Count); }));
 }
 
 //------------------------------------------------------------------------------

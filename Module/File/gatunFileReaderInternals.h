@@ -31,8 +31,23 @@ public:
   /** The boundary in a file. */
   Internals(const Internals& whole, const StreamRef& boundary);
 
-  /** The domains of the components of an array at a step. */
+  /** The domains of the components of an array at a step. Those of a copy are plain: its keys are
+   * those of its source. */
   std::vector<Domain> MakeDomains(std::size_t array, std::size_t step) const;
+
+  /** The array that has the keys of an array at a step, and which of its components they are. */
+  struct ArraySource
+  {
+    std::uint32_t Array;
+    std::vector<std::uint32_t> Components;
+  };
+  ArraySource FindSource(std::uint32_t array, std::size_t step) const;
+
+  /** Whether an array has no streams at a step. */
+  bool IsCopy(std::size_t array, std::size_t step) const
+  {
+    return this->GetSteps()[step].Arrays[array].IsCopy();
+  }
 
   /** The key step from which a step is decoded. */
   std::size_t FindKeyStep(std::size_t step) const
@@ -48,8 +63,8 @@ public:
   bool HasBefore(std::size_t array, std::size_t step) const
   {
     const auto& steps = this->GetSteps();
-    return step > 0 && !steps[step].Key && !steps[step].Arrays[array].HasPalette() &&
-      !steps[step - 1].Arrays[array].HasPalette();
+    return step > 0 && !steps[step].Key &&
+      steps[step].Arrays[array].CanFollow(steps[step - 1].Arrays[array]);
   }
 
   const TablePages& GetTables() const { return *this->Tables; }
@@ -80,6 +95,8 @@ public:
   std::optional<StreamRef> Boundary;
 
 private:
+  Domain MakeDomain(ScalarType type, const PaletteRef& palette, const std::string& what) const;
+
   std::optional<TablePages> Tables;
   std::uint64_t StepBytes = 0; // unpacked size of the tables of all steps
 

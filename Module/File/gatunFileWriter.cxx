@@ -6,10 +6,10 @@
 #include "gatunBaseMesh.h"
 #include "gatunBoundaryMesh.h"
 #include "gatunDependencySection.h"
+#include "gatunDomainSurvey.h"
 #include "gatunKeepMemory.h"
 #include "gatunLayerTable.h"
 #include "gatunMeshSection.h"
-#include "gatunPalette.h"
 #include "gatunParallel.h"
 #include "gatunStepSection.h"
 #include "gatunTreeSection.h"
@@ -66,7 +66,7 @@ private:
   using Level = Embedded<BaseMesh>;
 
   void WriteMesh(const Progress& progress);
-  void FindPalettes();
+  void FindDomains();
   void BeginLevels(const Progress& progress);
   std::unique_ptr<Level> MakeLevel(std::uint32_t merges, const Progress& progress) const;
   void WriteBoundary(const Progress& progress);
@@ -105,7 +105,7 @@ void FileWriter::Internals::Begin(const Progress& progress)
   this->Part.Place.Blocks = this->State.Table.Blocks.size();
   this->Part.PlaceShared(this->State.Table, this->Part.Layout.SharedPoints);
   this->Part.Layout.SharedPoints = {};
-  this->FindPalettes();
+  this->FindDomains();
   if (this->State.Options.Tree) // it needs the order of the points in all chunks
   {
     std::optional<DependencySection> dependencies;
@@ -135,17 +135,17 @@ void FileWriter::Internals::WriteMesh(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-void FileWriter::Internals::FindPalettes()
+void FileWriter::Internals::FindDomains()
 {
   const auto& mesh = this->Part.Mesh.GetMesh();
-  std::array<std::shared_ptr<const Palette>, 3> palettes;
-  ParallelFor(palettes.size(),
+  PointDomain domains;
+  ParallelFor(domains.size(),
     [&](std::size_t axis)
     {
-      palettes[axis] = FindPalette(mesh.CoordinateType, mesh.Coordinates,
+      domains[axis] = FindDomain(mesh.CoordinateType, mesh.Coordinates,
         static_cast<std::size_t>(mesh.Points), 3, axis, PaletteUse::Coordinates);
     });
-  this->Mesh.SetPalettes(palettes);
+  this->Mesh.SetDomains(domains);
 }
 
 //------------------------------------------------------------------------------

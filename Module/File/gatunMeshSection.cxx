@@ -96,15 +96,6 @@ void MeshSection::AddGroups(const WriterPart& part)
 }
 
 //------------------------------------------------------------------------------
-void MeshSection::SetPalettes(const std::array<std::shared_ptr<const Palette>, 3>& palettes)
-{
-  for (unsigned axis = 0; axis < 3; ++axis)
-  {
-    this->Domains[axis] = Domain(this->State.Meta.CoordinateType, palettes[axis]);
-  }
-}
-
-//------------------------------------------------------------------------------
 void MeshSection::Write(WriterPart& part, const std::function<bool(double)>& progress,
   const std::function<void(std::size_t)>& encoded)
 {
@@ -128,9 +119,10 @@ void MeshSection::WritePalettes(StreamBatch& batch)
   for (unsigned axis = 0; axis < 3; ++axis)
   {
     const auto& palette = this->Domains[axis].GetPalette();
+    auto& where = this->State.Table.Palettes[axis];
+    where.Steps = this->Domains[axis].GetScale();
     if (palette)
     {
-      auto& where = this->State.Table.Palettes[axis];
       where.Count = palette->size();
       const auto stream = EncodePalette(this->State.Meta.CoordinateType, *palette);
       batch.Add(stream, where.Stream);

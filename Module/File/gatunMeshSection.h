@@ -43,8 +43,8 @@ public:
   /** Adds the shared points of the chunks of a part to the groups of the file. */
   void AddGroups(const WriterPart& part);
 
-  /** Sets the palettes of the coordinates. */
-  void SetPalettes(const std::array<std::shared_ptr<const Palette>, 3>& palettes);
+  /** Sets the domains of the coordinates. */
+  void SetDomains(const PointDomain& domains) { this->Domains = domains; }
 
   /** Writes a part whose shared points have been placed, and fills the entries of its chunks. The
    * last part also writes the unused points of all. encoded: called with each chunk when its state

@@ -362,10 +362,10 @@ void PartAgreement::ReturnJoins(SkinMerge& merge, SkinMerge& skins)
 }
 
 //------------------------------------------------------------------------------
-void PartAgreement::AgreeOnPalettes(PaletteSurvey& palettes)
+void PartAgreement::AgreeOnDomains(PartDomains& domains)
 {
   ByteWriter own;
-  palettes.Put(own);
+  domains.Put(own);
   const bool isFirst = this->Exchange.GetProcess() == 0;
   const auto others = this->Exchange.GatherInFirst(std::move(own.Data));
   ByteWriter all;
@@ -374,13 +374,14 @@ void PartAgreement::AgreeOnPalettes(PaletteSurvey& palettes)
     for (std::size_t p = 1; p < others.size(); ++p)
     {
       ByteReader in(others[p]);
-      palettes.Add(in);
+      domains.Add(in);
     }
-    palettes.Put(all);
+    domains.Put(all);
   }
   const auto agreed = this->Exchange.TakeFirst(all.Data);
+  domains.Clear(); // what is known here is in the message
   ByteReader in(agreed);
-  palettes.Add(in);
+  domains.Add(in);
 }
 
 //------------------------------------------------------------------------------

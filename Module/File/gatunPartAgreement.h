@@ -64,7 +64,7 @@ public:
   void JoinPoints(SkinMerge& skins, std::size_t parts);
 
   /** Adds the values of the parts of the other processes. */
-  void AgreeOnPalettes(PaletteSurvey& palettes);
+  void AgreeOnDomains(PartDomains& domains);
 
   /** Finds the blocks that each process writes. places: of all parts. */
   void SetPlaces(const std::vector<PartPlace>& places);

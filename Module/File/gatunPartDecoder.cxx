@@ -433,6 +433,10 @@ std::shared_ptr<const ArrayPart> PartDecoder::DecodeBlockArray(std::uint32_t blo
 {
   const auto& content = this->Content();
   const auto& description = content.Meta.Arrays[array];
+  if (content.IsCopy(array, step))
+  {
+    return std::make_shared<const ArrayPart>(description.Components);
+  }
   const auto what = Name("array '" + description.Name + "' of block", block);
   const auto where = content.GetTables().GetBlockValues(block, array, step);
   const auto count = static_cast<std::size_t>(content.GetTables().GetBlock(block)->Points);
@@ -449,6 +453,10 @@ std::shared_ptr<const ArrayPart> PartDecoder::DecodeChunkArray(std::uint32_t chu
   const auto& content = this->Content();
   const auto& description = content.Meta.Arrays[array];
   const bool ofPoints = description.Where == Association::Point;
+  if (content.IsCopy(array, step))
+  {
+    return std::make_shared<const ArrayPart>(description.Components);
+  }
   const auto what = Name("array '" + description.Name + "' of chunk", chunk);
   const auto where = content.GetTables().GetChunkValues(chunk, array, step);
   auto keys =

@@ -90,7 +90,7 @@ public:
     std::uint32_t chunk, std::uint32_t array, std::size_t first, std::size_t step) const;
 
   /** Decodes an array at a step. before: the array at the previous step, may be null at key steps.
-   */
+   * Without keys if the array is copied from another one. */
   std::shared_ptr<const ArrayPart> DecodeBlockArray(std::uint32_t block, std::uint32_t array,
     std::size_t step, const DomainsPart& domains, const ArrayPart* before) const;
   std::shared_ptr<const ArrayPart> DecodeChunkArray(std::uint32_t chunk, const ChunkMesh& mesh,

@@ -182,9 +182,9 @@ void PartSurvey::AddValues(
 }
 
 //------------------------------------------------------------------------------
-void PaletteSurvey::AddMesh(const MeshInput& part)
+void PartDomains::AddMesh(const MeshInput& part)
 {
-  this->Axes.resize(3, PaletteBuilder(part.CoordinateType));
+  this->Axes.resize(3, DomainSurvey(part.CoordinateType));
   ParallelFor(3,
     [&](std::size_t axis)
     {
@@ -194,11 +194,13 @@ void PaletteSurvey::AddMesh(const MeshInput& part)
 }
 
 //------------------------------------------------------------------------------
-void PaletteSurvey::AddStep(
+void PartDomains::AddStep(
   std::size_t step, std::span<const void* const> values, std::uint64_t points, std::uint64_t cells)
 {
   const auto& arrays = this->State.Meta.Arrays;
   this->Steps.resize(std::max(this->Steps.size(), step + 1));
+  this->Copies.resize(this->Steps.size());
+  this->Copies[step].Add(arrays, values, points, cells);
   auto& builders = this->Steps[step];
   std::size_t next = 0;
   for (std::size_t a = 0; a < arrays.size(); ++a)
@@ -222,7 +224,7 @@ void PaletteSurvey::AddStep(
 }
 
 //------------------------------------------------------------------------------
-void PaletteSurvey::Put(ByteWriter& out)
+void PartDomains::Put(ByteWriter& out)
 {
   out.PutVarint(this->Axes.size());
   for (auto& axis : this->Axes)
@@ -237,15 +239,19 @@ void PaletteSurvey::Put(ByteWriter& out)
       component.Put(out);
     }
   }
+  for (const auto& copies : this->Copies)
+  {
+    copies.Put(out);
+  }
 }
 
 //------------------------------------------------------------------------------
-void PaletteSurvey::Add(ByteReader& in)
+void PartDomains::Add(ByteReader& in)
 {
   const auto axes = in.GetCount(1);
   if (axes > 0)
   {
-    this->Axes.resize(3, PaletteBuilder(this->State.Meta.CoordinateType));
+    this->Axes.resize(3, DomainSurvey(this->State.Meta.CoordinateType));
   }
   for (std::size_t axis = 0; axis < axes; ++axis)
   {
@@ -270,24 +276,31 @@ void PaletteSurvey::Add(ByteReader& in)
       }
     }
   }
+  this->Copies.resize(this->Steps.size());
+  for (std::size_t step = 0; step < steps; ++step)
+  {
+    this->Copies[step].Add(in);
+  }
 }
 
 //------------------------------------------------------------------------------
-std::array<std::shared_ptr<const Palette>, 3> PaletteSurvey::FinishMesh()
+PointDomain PartDomains::FinishMesh()
 {
-  std::array<std::shared_ptr<const Palette>, 3> palettes;
+  PointDomain domains;
+  domains.fill(Domain(this->State.Meta.CoordinateType));
   for (std::size_t axis = 0; axis < this->Axes.size(); ++axis)
   {
-    palettes[axis] = this->Axes[axis].Finish(this->State.Meta.Points, PaletteUse::Coordinates);
+    domains[axis] = this->Axes[axis].Finish(this->State.Meta.Points, PaletteUse::Coordinates);
   }
-  return palettes;
+  return domains;
 }
 
 //------------------------------------------------------------------------------
-StepPalettes PaletteSurvey::FinishStep(std::size_t step)
+StepDomains PartDomains::FinishStep(std::size_t step, const StepScales* before)
 {
   const auto& arrays = this->State.Meta.Arrays;
-  StepPalettes palettes(arrays.size());
+  StepDomains domains{ {}, this->Copies[step].Finish(arrays) };
+  domains.Components.resize(arrays.size());
   std::size_t next = 0;
   for (std::size_t a = 0; a < arrays.size(); ++a)
   {
@@ -295,10 +308,12 @@ StepPalettes PaletteSurvey::FinishStep(std::size_t step)
       arrays[a].Where == Association::Point ? this->State.Meta.Points : this->State.NumberOfCells;
     for (std::uint32_t c = 0; c < arrays[a].Components; ++c, ++next)
     {
-      palettes[a].push_back(this->Steps[step][next].Finish(tuples, PaletteUse::Array));
+      domains.Components[a].push_back(
+        this->Steps[step][next].Finish(tuples, PaletteUse::Array, FindScale(before, a, c)));
     }
   }
   this->Steps[step] = {};
-  return palettes;
+  this->Copies[step] = {};
+  return domains;
 }
 }

@@ -6,16 +6,15 @@
 
 // What has to be known of all parts of a mesh before the first one is written.
 
-#include "gatunPalette.h"
+#include "gatunArrayCopies.h"
+#include "gatunDomainSurvey.h"
 #include "gatunSkinMerge.h"
 #include "gatunStepSection.h"
 #include "gatunWriterPart.h"
 #include "gatunWriterState.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -63,11 +62,11 @@ private:
   std::vector<SkinRecord> Uses;
 };
 
-/** Collects the distinct values of coordinates and arrays of all parts. */
-class PaletteSurvey
+/** Finds the domains of coordinates and arrays of all parts. */
+class PartDomains
 {
 public:
-  explicit PaletteSurvey(const WriterState& state)
+  explicit PartDomains(const WriterState& state)
     : State(state)
   {
   }
@@ -82,21 +81,24 @@ public:
   void Put(ByteWriter& out);
   void Add(ByteReader& in);
 
-  /** The palettes, when the numbers of points and cells of the file are known. */
-  std::array<std::shared_ptr<const Palette>, 3> FinishMesh();
-  StepPalettes FinishStep(std::size_t step);
+  /** The domains, when the numbers of points and cells of the file are known. before: the scales
+   * of the step before, unless this one is a key step. */
+  PointDomain FinishMesh();
+  StepDomains FinishStep(std::size_t step, const StepScales* before);
 
-  /** To be called when all palettes are finished. */
+  /** Forgets all that is known. To be called when all domains are finished. */
   void Clear()
   {
     this->Axes.clear();
     this->Steps.clear();
+    this->Copies.clear();
   }
 
 private:
   const WriterState& State;
-  std::vector<PaletteBuilder> Axes;
-  std::vector<std::vector<PaletteBuilder>> Steps; // component after component
+  std::vector<DomainSurvey> Axes;
+  std::vector<std::vector<DomainSurvey>> Steps; // component after component
+  std::vector<CopySurvey> Copies;               // of the same steps
 };
 }
 

@@ -113,7 +113,7 @@ private:
   SkinMerge Skins;
   std::vector<SurveyedPart> Parts;
   std::optional<PartSurvey> Current; // the part that is being surveyed
-  PaletteSurvey Palettes{ State };
+  PartDomains Domains{ State };
   std::optional<bool> HasIds; // whether the parts with points have global ids
   bool IsJoined = false;
 
@@ -157,7 +157,7 @@ void PartWriter::Internals::Survey(
   this->Mesh.AddChunks(part);
   this->Mesh.AddGroups(part);
   this->State.Meta.UnusedPoints += part.Layout.UnusedPoints.size();
-  this->Palettes.AddMesh(mesh);
+  this->Domains.AddMesh(mesh);
   if (this->Agreement)
   {
     this->Agreement->AddUnused(part);
@@ -184,7 +184,7 @@ void PartWriter::Internals::SurveyStep(std::span<const void* const> values)
     ThrowInvalid("a step needs the values of every array");
   }
   auto& part = this->Parts.back();
-  this->Palettes.AddStep(part.StepHashes.size(), values, part.Points, part.Cells);
+  this->Domains.AddStep(part.StepHashes.size(), values, part.Points, part.Cells);
   this->Current->AddValues(arrays, values);
   if (this->Agreement)
   {
@@ -255,7 +255,7 @@ void PartWriter::Internals::JoinTogether()
   this->IsJoined = true;
   agreement.AgreeOnParts(this->Parts, this->HasIds);
   agreement.JoinPoints(this->Skins, this->Parts.size());
-  agreement.AgreeOnPalettes(this->Palettes);
+  agreement.AgreeOnDomains(this->Domains);
   exchange.Together([&] { this->PlaceParts(); });
   agreement.SetPlaces(this->Places);
   this->SendPoints();
@@ -318,12 +318,15 @@ void PartWriter::Internals::PlaceParts()
     place.FirstPoint += part.Points - this->Skins.GetCounts().Repeated[p];
     place.FirstCell += part.Cells;
   }
-  this->Mesh.SetPalettes(this->Palettes.FinishMesh());
-  for (std::size_t step = 0; step < this->Palettes.GetSteps(); ++step)
+  this->Mesh.SetDomains(this->Domains.FinishMesh());
+  StepScales before;
+  for (std::size_t step = 0; step < this->Domains.GetSteps(); ++step)
   {
-    this->Steps.SetPalettes(step, this->Palettes.FinishStep(step));
+    auto domains = this->Domains.FinishStep(step, this->Steps.IsKey(step) ? nullptr : &before);
+    before = GetScales(domains);
+    this->Steps.SetDomains(step, std::move(domains));
   }
-  this->Palettes.Clear();
+  this->Domains.Clear();
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 
 #include "gatunStepSection.h"
 
+#include "gatunDomainSurvey.h"
 #include "gatunFloatEnvironment.h"
 #include "gatunParallel.h"
 
@@ -26,27 +27,67 @@ void Include(ArrayRanges& all, const ArrayRanges& part)
 }
 
 //------------------------------------------------------------------------------
-void StepSection::SetPalettes(std::size_t step, StepPalettes palettes)
+StepScales GetScales(const StepDomains& domains)
 {
-  this->Steps.resize(std::max(this->Steps.size(), step + 1));
-  this->Steps[step].Palettes = std::move(palettes);
+  StepScales scales(domains.Components.size());
+  for (std::size_t a = 0; a < scales.size(); ++a)
+  {
+    const auto& components = domains.Components[a];
+    if (!domains.Copies[a] &&
+      std::none_of(components.begin(), components.end(),
+        [](const Domain& domain) { return domain.GetPalette() != nullptr; }))
+    {
+      auto& found = scales[a].emplace();
+      for (const auto& domain : components)
+      {
+        found.push_back(domain.GetScale());
+      }
+    }
+  }
+  return scales;
+}
+
+const Scale* FindScale(const StepScales* before, std::size_t array, std::size_t component)
+{
+  return before && (*before)[array] ? &(*(*before)[array])[component] : nullptr;
 }
 
 //------------------------------------------------------------------------------
-StepPalettes StepSection::FindPalettes(
+void StepSection::SetDomains(std::size_t step, StepDomains domains)
+{
+  this->Steps.resize(std::max(this->Steps.size(), step + 1));
+  this->Steps[step].Domains = std::move(domains);
+}
+
+//------------------------------------------------------------------------------
+StepDomains StepSection::FindDomains(
   const WriterPart& part, std::span<const void* const> values) const
 {
-  StepPalettes palettes(values.size());
+  const auto& arrays = this->State.Meta.Arrays;
+  const auto* before = this->IsKey(this->Count) ? nullptr : &this->Steps[this->Count - 1].Scales;
+  const auto& mesh = part.Mesh.GetMesh();
+  CopySurvey copies;
+  copies.Add(arrays, values, mesh.Points, mesh.Cells);
+  StepDomains domains{ {}, copies.Finish(arrays) };
+  domains.Components.resize(arrays.size());
+  std::vector<std::pair<std::size_t, std::uint32_t>> components;
   for (std::size_t a = 0; a < values.size(); ++a)
   {
-    const auto& array = this->State.Meta.Arrays[a];
-    for (std::uint32_t c = 0; c < array.Components; ++c)
+    domains.Components[a].resize(arrays[a].Components, Domain(arrays[a].Type));
+    for (std::uint32_t c = 0; !domains.Copies[a] && c < arrays[a].Components; ++c)
     {
-      palettes[a].push_back(FindPalette(
-        array.Type, values[a], part.GetTupleCount(array), array.Components, c, PaletteUse::Array));
+      components.emplace_back(a, c);
     }
   }
-  return palettes;
+  ParallelFor(components.size(),
+    [&](std::size_t i)
+    {
+      const auto [a, c] = components[i];
+      domains.Components[a][c] =
+        FindDomain(arrays[a].Type, values[a], part.GetTupleCount(arrays[a]), arrays[a].Components,
+          c, PaletteUse::Array, FindScale(before, a, c));
+    });
+  return domains;
 }
 
 //------------------------------------------------------------------------------
@@ -101,13 +142,13 @@ void StepSection::Begin(const WriterPart& part, const StepValues& values)
   this->Steps.resize(std::max(this->Steps.size(), this->Count + 1));
   auto& step = this->GetStep();
   step.Table.Time = values.Time;
-  step.Table.Key = this->Count % this->State.Options.KeyStepInterval == 0;
+  step.Table.Key = this->IsKey(this->Count);
   step.Table.Arrays.resize(arrays.size());
-  step.IsPlain.assign(arrays.size(), true);
-  if (step.Palettes.empty())
+  if (step.Domains.Components.empty())
   {
-    step.Palettes = this->FindPalettes(part, values.Arrays);
+    step.Domains = this->FindDomains(part, values.Arrays);
   }
+  step.Scales = GetScales(step.Domains);
   for (std::size_t a = 0; a < arrays.size(); ++a)
   {
     auto& entry = step.Table.Arrays[a];
@@ -134,10 +175,16 @@ void StepSection::WritePalettes(std::size_t a, bool isFirst, StreamBatch& batch)
   auto& entry = step.Table.Arrays[a];
   for (std::size_t c = 0; c < entry.Palettes.size(); ++c)
   {
-    const auto& palette = step.Palettes[a][c];
+    if (step.Domains.Copies[a])
+    {
+      entry.Palettes[c].SourceArray = step.Domains.Copies[a]->Source;
+      entry.Palettes[c].SourceComponent = step.Domains.Copies[a]->Components[c];
+      continue;
+    }
+    const auto& palette = step.Domains.Components[a][c].GetPalette();
+    entry.Palettes[c].Steps = step.Domains.Components[a][c].GetScale();
     if (palette)
     {
-      step.IsPlain[a] = false;
       entry.Palettes[c].Count = palette->size();
       if (!isFirst)
       {
@@ -167,6 +214,8 @@ void StepSection::Prepare(const WriterPart& part, const StepValues& values)
     this->Begin(part, values);
   }
   auto& step = this->GetStep();
+  const auto& mesh = part.Mesh.GetMesh();
+  CheckCopies(step.Domains.Copies, this->State.Meta.Arrays, values.Arrays, mesh.Points, mesh.Cells);
   step.Arrays.clear();
   for (std::size_t a = 0; a < values.Arrays.size(); ++a)
   {
@@ -213,15 +262,21 @@ void StepSection::AddArray(std::size_t a, const WriterPart& part, const void* va
   auto& input = step.Arrays.emplace_back();
   input.Description = &array;
   input.Now = static_cast<const std::uint8_t*>(values);
-  for (const auto& palette : step.Palettes[a])
-  {
-    input.Domains.emplace_back(array.Type, palette);
-  }
-  if (!step.Table.Key && step.IsPlain[a] && this->Steps[this->Count - 1].IsPlain[a] &&
-    part.GetTupleCount(array) > 0)
+  input.Domains = step.Domains.Components[a];
+  input.IsCopy = step.Domains.Copies[a].has_value();
+  if (this->HasBefore(a) && part.GetTupleCount(array) > 0)
   {
     input.Before = this->Before[a].data();
   }
+}
+
+//------------------------------------------------------------------------------
+/** Whether the values of an array may be predicted from the step before. */
+bool StepSection::HasBefore(std::size_t a) const
+{
+  const auto& step = this->GetStep();
+  return !step.Table.Key && step.Scales[a] &&
+    step.Scales[a] == this->Steps[this->Count - 1].Scales[a];
 }
 
 //------------------------------------------------------------------------------
@@ -274,7 +329,7 @@ std::vector<Bytes> StepSection::EncodeBlock(std::span<const std::uint32_t> point
   std::vector<Bytes> streams(inputs.size());
   for (std::size_t a = 0; a < inputs.size(); ++a)
   {
-    if (inputs[a].Description->Where == Association::Point && !points.empty())
+    if (inputs[a].Description->Where == Association::Point && !inputs[a].IsCopy && !points.empty())
     {
       auto keys = inputs[a].GetKeys(points);
       streams[a] = EncodeCellValues({}, inputs[a].Domains, keys);
@@ -294,12 +349,10 @@ std::vector<Bytes> StepSection::EncodeUnused()
   for (std::size_t a = 0; a < streams.size(); ++a)
   {
     ArrayInput input = step.Arrays[a];
-    if (input.Description->Where == Association::Point && !points.empty())
+    if (input.Description->Where == Association::Point && !input.IsCopy && !points.empty())
     {
-      const bool hasBefore =
-        !step.Table.Key && step.IsPlain[a] && this->Steps[this->Count - 1].IsPlain[a];
       input.Now = unused[this->Count][a].data();
-      input.Before = hasBefore ? unused[this->Count - 1][a].data() : nullptr;
+      input.Before = this->HasBefore(a) ? unused[this->Count - 1][a].data() : nullptr;
       auto keys = input.GetKeys(points);
       streams[a] = EncodeCellValues({}, input.Domains, keys);
     }
@@ -350,9 +403,13 @@ std::vector<Bytes> StepSection::EncodeChunk(WriterPart& part, std::size_t chunk)
     const auto& input = step.Arrays[a];
     const bool ofPoints = input.Description->Where == Association::Point;
     const auto& tuples = ofPoints ? state.PointOf : state.CellOf;
-    auto keys = input.GetKeys(tuples);
-    streams.push_back(ofPoints ? EncodePointValues(state.Mesh.Context, input.Domains, keys)
-                               : EncodeCellValues(state.Mesh.Walk.Parents, input.Domains, keys));
+    auto& stream = streams.emplace_back();
+    if (!input.IsCopy)
+    {
+      auto keys = input.GetKeys(tuples);
+      stream = ofPoints ? EncodePointValues(state.Mesh.Context, input.Domains, keys)
+                        : EncodeCellValues(state.Mesh.Walk.Parents, input.Domains, keys);
+    }
     auto& ranges = step.Table.Arrays[a].ChunkRanges[part.Place.FirstChunk + chunk];
     ranges.resize(GetRangeCount(input.Description->Components));
     input.Include(ranges, tuples);
@@ -385,8 +442,11 @@ void StepSection::WriteChunkValues(WriterPart& part, const std::function<bool(do
         for (std::size_t i = 0; i < count; ++i)
         {
           const auto chunk = part.Place.FirstChunk + first + i;
-          batch.Add(streams[i][a], array.Chunks[chunk]);
-          this->State.Statistics.ArrayBytes[a] += streams[i][a].size();
+          if (!step.Arrays[a].IsCopy)
+          {
+            batch.Add(streams[i][a], array.Chunks[chunk]);
+            this->State.Statistics.ArrayBytes[a] += streams[i][a].size();
+          }
           Include(array.Ranges, array.ChunkRanges[chunk]);
         }
       }
@@ -407,7 +467,7 @@ void StepSection::Finish(WriterPart& part, const StepValues& values)
   {
     this->State.WriteStep(this->State.File, step.Table);
     step.Table.Arrays = {};
-    step.Palettes = {};
+    step.Domains = {};
     if (this->Count > 0)
     {
       this->State.Unused.Values[this->Count - 1] = {};

@@ -4,17 +4,18 @@
 #ifndef gatunStepSection_h
 #define gatunStepSection_h
 
+#include "gatunArrayCopies.h"
 #include "gatunArrayInput.h"
 #include "gatunFieldData.h"
 #include "gatunMeshSection.h"
-#include "gatunPalette.h"
+#include "gatunScale.h"
 #include "gatunWriterPart.h"
 #include "gatunWriterState.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,15 +31,29 @@ struct StepValues
   double Time = 0;
 };
 
-/** The palettes of the arrays at a time step, one for each component, or null. */
-using StepPalettes = std::vector<std::vector<std::shared_ptr<const Palette>>>;
+/** How the arrays have keys at a time step. */
+struct StepDomains
+{
+  std::vector<std::vector<Domain>> Components; // of each array; empty if nothing is known
+  ArrayCopies Copies;                          // arrays without keys of their own
+};
+
+/** The scales of the arrays at a time step, one for each component. Those of no array with a
+ * palette, and of no copy: nothing is predicted from their keys at the next step. */
+using StepScales = std::vector<std::optional<std::vector<Scale>>>;
+
+StepScales GetScales(const StepDomains& domains);
+
+/** The scale of a component at the step before, or null if there is none to be kept. before may be
+ * null. */
+const Scale* FindScale(const StepScales* before, std::size_t array, std::size_t component);
 
 /** A time step that is being written. */
 struct StepInput
 {
-  StepTable Table; // of all parts
-  StepPalettes Palettes;
-  std::vector<bool> IsPlain;      // whether an array has no palette
+  StepTable Table;     // of all parts
+  StepDomains Domains; // until the step is finished
+  StepScales Scales;
   std::vector<ArrayInput> Arrays; // of the current part
 };
 
@@ -57,8 +72,11 @@ public:
   {
   }
 
-  /** Sets the palettes of a step. If they are not set, they are those of the first part. */
-  void SetPalettes(std::size_t step, StepPalettes palettes);
+  /** Sets the domains of a step. If they are not set, they are those of the first part. */
+  void SetDomains(std::size_t step, StepDomains domains);
+
+  /** Whether a step decodes without the one before. */
+  bool IsKey(std::size_t step) const { return step % this->State.Options.KeyStepInterval == 0; }
 
   /** Leaves the STEP sections to one of the processes that write the file. */
   void KeepTables() { this->KeepsTables = true; }
@@ -88,10 +106,9 @@ public:
   /** The number of finished steps of the current part. */
   std::size_t GetCount() const { return this->Count; }
 
-  /** The palettes of the values of a part. */
-  StepPalettes FindPalettes(const WriterPart& part, std::span<const void* const> values) const;
-
 private:
+  StepDomains FindDomains(const WriterPart& part, std::span<const void* const> values) const;
+  bool HasBefore(std::size_t a) const;
   void Prepare(const WriterPart& part, const StepValues& values);
   StepInput& WritePrepared(WriterPart& part, const std::function<bool(double)>& progress);
   void Check(const WriterPart& part, const StepValues& values) const;

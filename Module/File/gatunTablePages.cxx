@@ -229,6 +229,7 @@ std::vector<std::uint32_t> TablePages::GetSharedUsers(std::size_t chunk) const
 //------------------------------------------------------------------------------
 StreamRef TablePages::GetChunkValues(std::size_t chunk, std::size_t array, std::size_t step) const
 {
+  array = this->Steps.at(step).GetSource(array);
   const auto page = this->GetStepPage(chunk / ChunksPerPage, step);
   const auto& where = page->Arrays.at(array).Chunks.at(chunk % ChunksPerPage);
   const auto& description = this->Meta.Arrays[array];
@@ -245,6 +246,7 @@ StreamRef TablePages::GetChunkValues(std::size_t chunk, std::size_t array, std::
 //------------------------------------------------------------------------------
 StreamRef TablePages::GetBlockValues(std::size_t block, std::size_t array, std::size_t step) const
 {
+  array = this->Steps.at(step).GetSource(array);
   if (block >= this->GetNumberOfBlocks())
   {
     return this->Steps.at(step).Arrays.at(array).Unused;

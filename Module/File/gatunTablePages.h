@@ -62,6 +62,7 @@ public:
   std::vector<std::uint32_t> GetSharedUsers(std::size_t chunk) const;
 
   /** The values of an array at a step. Throw if the stream cannot contain them. */
+  // Those of the array from which the array is copied, if it is.
   StreamRef GetChunkValues(std::size_t chunk, std::size_t array, std::size_t step) const;
   StreamRef GetBlockValues(std::size_t block, std::size_t array, std::size_t step) const;
 

@@ -152,8 +152,12 @@ void WriterState::WriteTables(OutputFile& file) const
   PageSection pages(file);
   WriteMeshPages(index, this->Table, keep, [&](const Bytes& page) { return pages.Put(page); });
   pages.Write();
+  const bool hasScales = std::any_of(index.Palettes.begin(), index.Palettes.end(),
+    [](const PaletteRef& palette) { return static_cast<bool>(palette.Steps); });
   file.AddSection(SectionTable, index.Write(keep), FlagMandatory,
-    isWide ? TableVersionWithWideNumbers : SectionVersion);
+    hasScales  ? TableVersionWithScales
+      : isWide ? TableVersionWithWideNumbers
+               : SectionVersion);
 }
 
 //------------------------------------------------------------------------------
@@ -163,7 +167,8 @@ void WriterState::WriteStep(OutputFile& file, const StepTable& step) const
   const auto index = WriteStepPages(step, this->Meta, MakeMeshIndex(this->Table),
     [&](const Bytes& page) { return pages.Put(page); });
   pages.Write();
-  file.AddSection(SectionStep, index.Write());
+  file.AddSection(SectionStep, index.Write(), FlagMandatory,
+    index.HasScalesOrCopies() ? StepVersionWithScales : SectionVersion);
 }
 
 //------------------------------------------------------------------------------

@@ -75,7 +75,10 @@ inline constexpr ContainerKind VolumeContainer{ ".ghv",
   GATUN_VOLUME_FORMAT_VERSION_MAJOR, VolumeSections };
 
 constexpr std::uint16_t SectionVersion = 1;
-constexpr std::uint16_t TableVersionWithWideNumbers = 2; // of TABL, see Documentation/format.md, 4
+// Of TABL and STEP, see Documentation/format.md, 4 and 5.2.
+constexpr std::uint16_t TableVersionWithWideNumbers = 2;
+constexpr std::uint16_t TableVersionWithScales = 3;
+constexpr std::uint16_t StepVersionWithScales = 2;
 constexpr std::uint16_t FlagMandatory = 1; // readers that do not know the section must stop
 
 // The minor version of a file depends on the optional sections that it has.

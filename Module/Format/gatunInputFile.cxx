@@ -146,9 +146,11 @@ bool InputFile::IsReadable(const SectionRef& section) const
 {
   const auto& known = this->Kind.Sections;
   return std::find(known.begin(), known.end(), section.Name) != known.end() &&
-    (section.Version == SectionVersion ||
-      (section.Name == SectionTable && section.Version == TableVersionWithWideNumbers &&
-        &this->Kind == &MeshContainer));
+    section.Version >= SectionVersion &&
+    section.Version <= (&this->Kind != &MeshContainer     ? SectionVersion
+                           : section.Name == SectionTable ? TableVersionWithScales
+                           : section.Name == SectionStep  ? StepVersionWithScales
+                                                          : SectionVersion);
 }
 
 //------------------------------------------------------------------------------

@@ -203,7 +203,8 @@ MeshIndex MeshIndex::Read(std::span<const std::uint8_t> bytes, const MetaTable& 
   MeshIndex index;
   for (auto& palette : index.Palettes)
   {
-    palette = GetPalette(in);
+    palette = GetPalette(in, meta.CoordinateType);
+    Check(!palette.IsCopy(), "coordinates are copied from an array");
   }
   index.Unused.Points = meta.UnusedPoints;
   GetBlockStreams(in, index.Unused, meta.Keep);

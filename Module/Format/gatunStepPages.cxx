@@ -3,6 +3,7 @@
 
 #include "gatunStepPages.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gatun
@@ -52,7 +53,7 @@ StepIndex WriteStepPages(
     entry.Components = static_cast<std::uint32_t>(array.Palettes.size());
     for (std::uint32_t c = 0; c < entry.Components; ++c)
     {
-      if (array.Palettes[c].Count > 0)
+      if (!array.Palettes[c].IsPlain())
       {
         entry.Palettes.emplace_back(c, array.Palettes[c]);
       }
@@ -65,6 +66,56 @@ StepIndex WriteStepPages(
     index.Pages.push_back(put(WriteStepPage(step, meta, mesh, page)));
   }
   return index;
+}
+
+//------------------------------------------------------------------------------
+bool StepIndex::Array::CanFollow(const Array& before) const
+{
+  const auto isScale = [](const auto& entry)
+  { return entry.second.Count == 0 && !entry.second.IsCopy(); };
+  return std::equal(this->Palettes.begin(), this->Palettes.end(), before.Palettes.begin(),
+    before.Palettes.end(),
+    [&](const auto& l, const auto& r)
+    { return isScale(l) && isScale(r) && l.first == r.first && l.second.Steps == r.second.Steps; });
+}
+
+//------------------------------------------------------------------------------
+/** Throws unless copies are whole arrays, of arrays of the same kind that have values. */
+void StepIndex::CheckCopies(const MetaTable& meta) const
+{
+  for (std::size_t a = 0; a < this->Arrays.size(); ++a)
+  {
+    const auto& array = this->Arrays[a];
+    const auto copies = std::count_if(array.Palettes.begin(), array.Palettes.end(),
+      [](const auto& entry) { return entry.second.IsCopy(); });
+    if (copies == 0)
+    {
+      continue;
+    }
+    const auto source = array.Palettes.front().second.SourceArray;
+    Check(static_cast<std::uint64_t>(copies) == array.Components &&
+        std::all_of(array.Palettes.begin(), array.Palettes.end(),
+          [&](const auto& entry) { return entry.second.SourceArray == source; }),
+      "only a part of an array is copied from another one");
+    Check(source < this->Arrays.size() && !this->Arrays[source].IsCopy() &&
+        meta.Arrays[source].Type == meta.Arrays[a].Type &&
+        meta.Arrays[source].Where == meta.Arrays[a].Where &&
+        std::all_of(array.Palettes.begin(), array.Palettes.end(),
+          [&](const auto& entry)
+          { return entry.second.SourceComponent < meta.Arrays[source].Components; }),
+      "an array is copied from one that is not there");
+  }
+}
+
+//------------------------------------------------------------------------------
+bool StepIndex::HasScalesOrCopies() const
+{
+  return std::any_of(this->Arrays.begin(), this->Arrays.end(),
+    [](const Array& array)
+    {
+      return std::any_of(array.Palettes.begin(), array.Palettes.end(),
+        [](const auto& entry) { return entry.second.Count == 0; });
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -115,8 +166,8 @@ StepIndex StepIndex::Read(
     array.Components = description.Components;
     for (std::uint32_t c = 0; c < array.Components; ++c)
     {
-      const auto palette = GetPalette(in);
-      if (palette.Count > 0)
+      const auto palette = GetPalette(in, description.Type);
+      if (!palette.IsPlain())
       {
         array.Palettes.emplace_back(c, palette);
       }
@@ -127,11 +178,12 @@ StepIndex StepIndex::Read(
       range = GetRange(in);
     }
     array.Unused = GetStream(in);
-    if (description.Where == Association::Point)
+    if (description.Where == Association::Point && !array.IsCopy())
     {
       CheckValues(description, mesh.Unused.Points, array.Unused);
     }
   }
+  step.CheckCopies(meta);
   const auto pages = meta.Arrays.empty() ? 0 : mesh.Pages.size();
   Check(pages <= in.GetRemaining(), "the table of a step ends too early");
   step.Pages.resize(pages);

@@ -45,13 +45,18 @@ struct StepIndex
 {
   struct Array
   {
-    /** Of the components that have one, ascending. An array may have many components. */
+    /** Of the components whose keys are not plain, ascending. An array may have many components. */
     std::vector<std::pair<std::uint32_t, PaletteRef>> Palettes;
     std::uint32_t Components = 1;
     ArrayRanges Ranges;
     StreamRef Unused; // values of the unused points; point arrays only
 
-    bool HasPalette() const { return !this->Palettes.empty(); }
+    /** Whether all components are those of another array, which has their streams. */
+    bool IsCopy() const { return !this->Palettes.empty() && this->Palettes[0].second.IsCopy(); }
+
+    /** Whether keys at the step before are of the same values, so that streams may refer to them.
+     */
+    bool CanFollow(const Array& before) const;
   };
 
   double Time = 0;
@@ -60,9 +65,22 @@ struct StepIndex
   std::vector<Array> Arrays;
   std::vector<StreamRef> Pages; // as many as the mesh has, but none without arrays
 
+  /** Whether a component of an array has a scale, or an array is copied from another one. */
+  bool HasScalesOrCopies() const;
+
+  /** The array that has the streams of an array: itself or that from which it is copied. */
+  std::size_t GetSource(std::size_t array) const
+  {
+    const auto& entry = this->Arrays.at(array);
+    return entry.IsCopy() ? entry.Palettes[0].second.SourceArray : array;
+  }
+
   Bytes Write() const;
   static StepIndex Read(
     std::span<const std::uint8_t> bytes, const MetaTable& meta, const MeshIndex& mesh);
+
+private:
+  void CheckCopies(const MetaTable& meta) const;
 };
 
 /** The chunks and blocks of a page of the mesh at one time step. */

@@ -16,6 +16,11 @@ namespace
 {
 constexpr std::uint32_t MaxComponents = 1u << 16;
 
+// What stands for a scale in place of the size of a palette, before its kind is added.
+constexpr std::uint64_t ScaleMark = 1u << 16;
+constexpr std::uint64_t LastScaleKind = static_cast<std::uint64_t>(ScaleKind::Fixed);
+constexpr std::uint64_t CopyMark = ScaleMark + LastScaleKind + 1;
+
 std::uint64_t GetLimit(std::span<const std::uint8_t> packed, std::uint64_t small)
 {
   return std::max(small, TableExpansion * packed.size());
@@ -49,6 +54,23 @@ StreamRef GetStream(ByteReader& in)
 //------------------------------------------------------------------------------
 void PutPalette(ByteWriter& out, const PaletteRef& palette)
 {
+  if (palette.IsCopy())
+  {
+    out.PutVarint(CopyMark);
+    out.PutVarint(palette.SourceArray);
+    out.PutVarint(palette.SourceComponent);
+    return;
+  }
+  if (palette.Steps)
+  {
+    out.PutVarint(ScaleMark + static_cast<std::uint64_t>(palette.Steps.Kind));
+    out.Put(palette.Steps.Digits);
+    if (palette.Steps.Kind == ScaleKind::Decimal)
+    {
+      out.Put(palette.Steps.First);
+    }
+    return;
+  }
   out.PutVarint(palette.Count);
   if (palette.Count > 0)
   {
@@ -57,10 +79,28 @@ void PutPalette(ByteWriter& out, const PaletteRef& palette)
 }
 
 //------------------------------------------------------------------------------
-PaletteRef GetPalette(ByteReader& in)
+PaletteRef GetPalette(ByteReader& in, ScalarType type)
 {
   PaletteRef palette;
   palette.Count = in.GetVarint();
+  if (palette.Count == CopyMark)
+  {
+    palette.Count = 0;
+    palette.SourceArray = GetSmall(in);
+    palette.SourceComponent = GetSmall(in);
+    Check(palette.IsCopy(), "an array is copied from one that is not there");
+  }
+  if (palette.Count > ScaleMark && palette.Count <= ScaleMark + LastScaleKind)
+  {
+    palette.Steps.Kind = static_cast<ScaleKind>(palette.Count - ScaleMark);
+    palette.Steps.Digits = in.Get<std::uint8_t>();
+    if (palette.Steps.Kind == ScaleKind::Decimal)
+    {
+      palette.Steps.First = in.Get<std::int8_t>();
+    }
+    Check(palette.Steps.IsValid(type), "a scale is impossible for its type");
+    palette.Count = 0;
+  }
   if (palette.Count > 0)
   {
     palette.Stream = GetStream(in);

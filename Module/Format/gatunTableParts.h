@@ -7,6 +7,7 @@
 // Common elements of tables. See Documentation/format.md, 2.6, 2.7 and 3.1.
 
 #include "gatunContainer.h"
+#include "gatunScale.h"
 #include "gatunTypes.h"
 
 #include <cstdint>
@@ -37,15 +38,25 @@ inline void Check(bool right, const char* what)
 void PutStream(ByteWriter& out, const StreamRef& stream);
 StreamRef GetStream(ByteReader& in);
 
-/** The values of a palette. */
+/** The palette or scale of a component, or the component of another array that it is equal to. */
 struct PaletteRef
 {
+  static constexpr std::uint32_t NoArray = 0xffffffffu;
+
   std::uint64_t Count = 0; // 0 if there is no palette
   StreamRef Stream;
+  Scale Steps; // none if there is a palette
+  std::uint32_t SourceArray = NoArray;
+  std::uint32_t SourceComponent = 0;
+
+  bool IsCopy() const { return this->SourceArray != NoArray; }
+  bool IsPlain() const { return this->Count == 0 && !this->Steps && !this->IsCopy(); }
 };
 
 void PutPalette(ByteWriter& out, const PaletteRef& palette);
-PaletteRef GetPalette(ByteReader& in);
+
+/** type: that of the values. Whether there is an array to be copied is left to the caller. */
+PaletteRef GetPalette(ByteReader& in, ScalarType type);
 
 void PutRange(ByteWriter& out, const Range& range);
 Range GetRange(ByteReader& in);

@@ -189,14 +189,17 @@ ChunkSurface::Values ChunkSurface::GetValues(
   std::uint32_t chunk, const ChunkMesh& mesh, std::uint32_t array) const
 {
   const ArrayDescription& description = this->Parts.Content().Meta.Arrays[array];
-  const auto keys = this->GetArray(chunk, mesh, array);
-  const auto domains = this->Parts.GetDomains(array, this->Arrays.Step);
+  const auto source = this->Parts.Content().FindSource(array, this->Arrays.Step);
+  const auto keys = this->GetArray(chunk, mesh, source.Array);
+  const auto domains = this->Parts.GetDomains(source.Array, this->Arrays.Step);
   Values values{ {}, { nullptr, description.Type, description.Components } };
   const std::size_t size = values.View.GetTupleSize();
   values.Bytes.resize(keys->front().size() * size);
-  for (std::size_t c = 0; c < keys->size(); ++c)
+  auto* component = values.Bytes.data();
+  for (const auto c : source.Components)
   {
-    Store((*domains)[c], (*keys)[c], size, values.Bytes.data() + c * SizeOf(description.Type));
+    Store((*domains)[c], (*keys)[c], size, component);
+    component += SizeOf(description.Type);
   }
   values.View.Values = values.Bytes.data();
   return values;

@@ -57,12 +57,26 @@ Key TakeKey(Input& in, const Domain& domain)
   {
     key = in.Take<std::uint64_t>();
   }
-  return domain.GetBits() == 64 ? key : key & ((Key{ 1 } << domain.GetBits()) - 1);
+  key = domain.GetBits() == 64 ? key : key & ((Key{ 1 } << domain.GetBits()) - 1);
+  return domain.IsValid(key) ? key : domain.FromNumber(0);
+}
+
+/** Any scale, or none. */
+Scale TakeScale(Input& in, ScalarType type)
+{
+  const Scale scale{ static_cast<ScaleKind>(1 + in.Take<std::uint8_t>() % 3),
+    static_cast<std::uint8_t>(in.Take<std::uint8_t>() % 64),
+    static_cast<std::int8_t>(in.Take<std::int8_t>() % 32) };
+  return scale.IsValid(type) ? scale : Scale();
 }
 
 Domain TakeDomain(Input& in, ScalarType type)
 {
   const auto count = in.Take<std::uint8_t>();
+  if (count >= 100 && count < 160)
+  {
+    return Domain(type, TakeScale(in, type));
+  }
   if (count < 160 || !IsFloating(type))
   {
     return Domain(type);

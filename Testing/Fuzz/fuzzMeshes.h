@@ -18,7 +18,7 @@ using Tet = std::array<std::uint32_t, 4>;
 /** A value's key, often an extreme one. */
 Key TakeKey(Input& in, const Domain& domain);
 
-/** Plain, or with a small palette. */
+/** Plain, with a scale, or with a small palette. */
 Domain TakeDomain(Input& in, ScalarType type);
 
 /** Counts, box, domains and shared points of a chunk; anything that tables let through and more. */

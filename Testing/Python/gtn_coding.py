@@ -26,24 +26,118 @@ def divide(a, b):
     return math.copysign(math.inf, a) * math.copysign(1.0, b)
 
 
+def power(i):
+    """P(i): the binary64 number nearest to 10^i (5.3)."""
+    return float("1e%d" % i)
+
+
+def scaled(mantissa, e):
+    return mantissa * power(e) if e >= 0 else mantissa / power(-e)
+
+
+class Shift:
+    """A scale whose values have low bits of 0 (5.2)."""
+
+    def __init__(self, kind, digits):
+        self.width = 8 * SIZES[kind]
+        require(1 <= digits < self.width, "shift")
+        self.digits = digits
+        self.is_floating = kind in (FLOAT32, FLOAT64)
+        self.bits = self.width - digits
+        self.last = (1 << self.bits) - 1
+        self.plain_domain = Domain(kind)
+
+    def is_inverted(self, key):
+        return self.is_floating and key < 1 << (self.bits - 1)
+
+    def plain(self, key):
+        return (key << self.digits) + ((1 << self.digits) - 1 if self.is_inverted(key) else 0)
+
+    def from_number(self, x):
+        p = self.plain_domain.from_number(x)
+        key, half = p >> self.digits, (p >> (self.digits - 1)) & 1
+        if self.is_inverted(key):
+            return key if half else max(key - 1, 0)
+        return min(key + 1, self.last) if half else key
+
+
+class Decimals:
+    """A scale of decimal or fixed-point numbers (5.2)."""
+
+    def __init__(self, kind, digits, first=None):
+        """first: None for fixed-point numbers."""
+        require(kind in (FLOAT32, FLOAT64), "decimal numbers that are integers")
+        self.digits, self.first = digits, first
+        if first is None:
+            require(digits <= 22, "fixed-point numbers")
+            self.zero = 1 << 53
+        else:
+            require(1 <= digits <= 15 and -22 <= first - (digits - 1) <= 22, "decimal numbers")
+            self.least = 10 ** (digits - 1)
+            self.decade = 9 * self.least
+            self.zero = (22 + digits - first) * self.decade
+        self.last = 2 * self.zero
+        self.bits = (self.last + 1).bit_length()
+        self.plain_domain = Domain(kind)
+
+    def magnitude(self, r):
+        if self.first is None:
+            return scaled(float(r), -self.digits)
+        if r == 0:
+            return 0.0
+        decade, m = divmod(r - 1, self.decade)
+        return scaled(float(self.least + m), self.first + decade - (self.digits - 1))
+
+    def plain(self, key):
+        r = key - self.zero
+        return self.plain_domain.from_number(self.magnitude(r) if r >= 0 else -self.magnitude(-r))
+
+    def from_number(self, x):
+        r = self.rank(abs(x))
+        return self.zero - r if x < 0 else self.zero + r
+
+    def rank(self, a):
+        if self.first is None:
+            w = a * power(self.digits) + 0.5
+            return self.zero if w >= self.zero else math.floor(w)
+        level = None
+        for i in range(36, self.first - 1, -1):
+            if a >= power(i):
+                level = i
+                break
+        if level is None:
+            return 1 if a + a >= power(self.first) else 0
+        e = self.digits - 1 - level
+        m = 10 * self.least
+        if e >= -22:
+            m = min(max(math.floor(scaled(a, e) + 0.5), self.least), m)
+        return min(1 + (level - self.first) * self.decade + m - self.least, self.zero)
+
+
 class Domain:
     """How the values of one component are mapped to keys (5.1, 5.2, 5.3)."""
 
-    def __init__(self, kind, palette=None):
+    def __init__(self, kind, palette=None, scale=None):
+        """scale: its class and what that takes behind the type."""
         self.kind = kind
         self.palette = palette
+        self.scale = scale and scale[0](kind, *scale[1:])
         self.width = 8 * SIZES[kind]
         self.sign = 1 << (self.width - 1)
         self.bits = self.width if palette is None else len(palette).bit_length()
+        self.bits = self.scale.bits if scale else self.bits
         self.mask = (1 << self.bits) - 1
 
     def add(self, key, residual):
         """The key of a value from its prediction and its residual (5.4)."""
         key = (key + residual) & self.mask
         require(self.palette is None or key < len(self.palette), "key outside of the palette")
+        require(self.scale is None or key <= self.scale.last, "key outside of the scale")
         return key
 
     def plain(self, key):
+        if self.scale is not None:
+            return self.scale.plain(key)
         return key if self.palette is None else self.palette[key]
 
     def pattern(self, key):
@@ -72,6 +166,8 @@ class Domain:
             x = 0.0
         if self.palette is not None:
             return max(0, min(math.floor(x + 0.5), len(self.palette) - 1))
+        if self.scale is not None:
+            return self.scale.from_number(x)
         if self.kind == FLOAT32:
             x = max(-MAX_FLOAT32, min(x, MAX_FLOAT32))
             r = int.from_bytes(struct.pack("<f", x), "little")

@@ -18,6 +18,9 @@ KEEP_POINTS, KEEP_CELLS, KEEP_CORNERS = 1, 2, 4
 MAX_TETS = MAX_CELLS = 1 << 20
 MAX_VALUES = 1 << 24
 MAX_PALETTE = 1 << 16
+SCALES = SHIFT, DECIMAL, FIXED = 65537, 65538, 65539
+COPY = 65540
+PALETTE = 0
 PAGE_CHUNKS = 256
 MAX_RUNGS = MAX_LEVELS = 64
 MAX_LAYERS = 4096
@@ -33,6 +36,7 @@ END_MAGIC = b"GTNEND\r\n"
 SECTIONS = (
     b"META", b"TABL", b"PAGE", b"STEP", b"MESH", b"VALS", b"TREE", b"MERG", b"TRNG", b"LEVL",
     b"DEPS", b"LAYR", b"CELL", b"SURF", b"BNDY", b"DIRY")
+VERSIONS = {b"TABL": 3, b"STEP": 2}  # the highest ones of sections, if not 1
 STREAMS = (b"PAGE", b"MESH", b"VALS", b"MERG")  # sections of streams
 
 
@@ -105,16 +109,24 @@ class Bytes:
             return None
         return Record(length=length, offset=self.varint(), checksum=self.number("Q"))
 
-    def palette(self):
-        """A palette reference, or none."""
+    def domain(self):
+        """A domain reference, or none: a palette with entries and stream, a scale with kind, digits
+        and first, or a copy with array and component."""
         entries = self.varint()
         if entries == 0:
             return None
+        if entries == COPY:
+            return Record(kind=COPY, array=self.varint(), component=self.varint())
+        if entries in SCALES:
+            scale = Record(kind=entries, digits=self.number("B"), first=None)
+            if entries == DECIMAL:
+                scale.first = self.number("b")
+            return scale
         require(entries <= MAX_PALETTE, "palette too large")
         stream = self.reference()
         require(stream is not None, "palette without a stream")
         require(stream.length >= entries // 256, "stream of a palette too short")
-        return Record(entries=entries, stream=stream)
+        return Record(kind=PALETTE, entries=entries, stream=stream)
 
 
 def unpack(data, limit):
@@ -247,7 +259,7 @@ class Container:
                 header=header, name=name, length=size, checksum=check, offset=table.number("Q")
             )
             require(section.offset >= 40 and section.offset + size <= len(data), "section")
-            known = name in SECTIONS and (version == 1 or (name, version) == (b"TABL", 2))
+            known = name in SECTIONS and 1 <= version <= VERSIONS.get(name, 1)
             require(known or not flags & 1, "unknown mandatory section")
             if known or not only_known:
                 sections.append(section)
@@ -388,7 +400,8 @@ def check_chunk(chunk):
 def read_table(table, meta, open_page, file_size, cells=None):
     """Section TABL and its pages (3.3). open_page: gives the content of a page from its stream
     reference. cells: section CELL, if there is one."""
-    result = Record(palettes=[table.palette() for _ in range(3)], blocks=[], chunks=[])
+    result = Record(domains=[table.domain() for _ in range(3)], blocks=[], chunks=[])
+    require(all(d is None or d.kind != COPY for d in result.domains), "copies of coordinates")
     result.unused = read_points(table, meta, meta.unused_points)
     count = table.varint()
     require(count < 1 << 32, "number of chunks")
@@ -522,11 +535,12 @@ def read_step(table, meta, layout, open_page):
     step.field_data = table.reference()
     step.arrays = []
     for array in meta.arrays:
-        values = Record(palettes=[table.palette() for _ in range(array.components)])
+        values = Record(domains=[table.domain() for _ in range(array.components)])
         values.ranges = table.ranges(array.components + (array.components > 1))
         values.unused = table.reference()
         values.chunks, values.chunk_ranges, values.blocks = [], [], []
         step.arrays.append(values)
+    check_copies(meta.arrays, step.arrays)
     pages = [table.reference() for _ in layout.pages] if meta.arrays else []
     table.end()
     for reference, place in zip(pages, layout.pages):
@@ -539,6 +553,25 @@ def read_step(table, meta, layout, open_page):
                 values.blocks += [page.reference() for _ in range(place.blocks)]
         page.end()
     return step
+
+
+def is_copy(values):
+    return values.domains[0] is not None and values.domains[0].kind == COPY
+
+
+def check_copies(arrays, steps):
+    """Copies of arrays at a step (3.1)."""
+    for array, values in zip(arrays, steps):
+        copies = [d for d in values.domains if d is not None and d.kind == COPY]
+        if not copies:
+            continue
+        require(len(copies) == array.components, "components that are copies and others")
+        source = copies[0].array
+        require(all(d.array == source for d in copies), "copies of several arrays")
+        require(source < len(arrays) and not is_copy(steps[source]), "source of a copy")
+        other = arrays[source]
+        require((other.where, other.type) == (array.where, array.type), "kind of a copy")
+        require(all(d.component < other.components for d in copies), "component of a copy")
 
 
 def read_tree(table, meta, layout, is_surface):

@@ -17,9 +17,11 @@ import numpy as np
 
 from gtn_arrays import ChunkMesh, decode_list, decode_palette
 from gtn_boundary import open_boundary
-from gtn_coding import FLOAT32, FLOAT64, UINT32, UINT64, Domain
+from gtn_coding import (
+    FLOAT32, FLOAT64, UINT32, UINT64, Decimals, Domain, Shift)
 from gtn_container import (
-    CELLS, KEEP_CELLS, KEEP_CORNERS, KEEP_POINTS, POINTS, Container, FormatError, require)
+    CELLS, KEEP_CELLS, KEEP_CORNERS, KEEP_POINTS, PALETTE, POINTS, SHIFT, Container, FormatError,
+    is_copy, require)
 from gtn_dependencies import decode_dependencies
 from gtn_shapes import Shapes
 from gtn_tree import SimplerMesh, decode_merges, open_level
@@ -39,7 +41,7 @@ class Decoder:
         self.meta, self.table = self.container.meta, self.container.table
         self.steps = self.container.steps
         coordinate_type = self.meta.coordinate_type
-        self.domains = [self._domain(coordinate_type, palette) for palette in self.table.palettes]
+        self.domains = [self._domain(coordinate_type, domain) for domain in self.table.domains]
         cells = self.container.cells
         shapes = None if cells is None else Shapes(cells.shapes)
         self._values = {}
@@ -171,10 +173,16 @@ class Decoder:
     def _decode_array_after(self, step, number, before):
         array, at = self.meta.arrays[number], step.arrays[number]
         values = ArrayValues()
-        values.domains = [self._domain(array.type, palette) for palette in at.palettes]
-        values.has_palette = any(palette is not None for palette in at.palettes)
-        if values.has_palette or before is not None and before.has_palette:
-            before = None
+        if is_copy(at):
+            source = self._decode_array(self.steps.index(step), at.domains[0].array)
+            values.copy(source, [domain.component for domain in at.domains])
+            return values
+        values.domains = [self._domain(array.type, domain) for domain in at.domains]
+        values.scales = [
+            domain and (domain.kind, domain.digits, domain.first)
+            for domain in at.domains if domain is None or domain.kind != PALETTE]
+        if len(values.scales) < array.components or before and before.scales != values.scales:
+            before = None  # of a copy, scales are no list
         if array.where == POINTS:
             old = before and before.shared
             values.shared = self._decode_blocks(at.blocks, values.domains, old)
@@ -200,6 +208,10 @@ class Decoder:
         plain = Domain(kind)
         if palette is None:
             return plain
+        if palette.kind == SHIFT:
+            return Domain(kind, None, (Shift, palette.digits))
+        if palette.kind != PALETTE:
+            return Domain(kind, None, (Decimals, palette.digits, palette.first))
         keys = decode_palette(self._stream(palette.stream), plain, palette.entries)
         require(all(a < b for a, b in zip(keys, keys[1:])), "palette does not ascend")
         return Domain(kind, keys)
@@ -295,10 +307,20 @@ class ArrayValues:
 
     def __init__(self):
         self.domains = []
-        self.has_palette = False
+        self.scales = []
         self.shared = None
         self.unused = None
         self.chunks = []
+
+    def copy(self, source, components):
+        """Becomes a copy of components of another array."""
+        def select(keys):
+            return keys and [keys[c] for c in components]
+
+        self.domains = select(source.domains)
+        self.scales = None
+        self.shared, self.unused = select(source.shared), select(source.unused)
+        self.chunks = [select(keys) for keys in source.chunks]
 
 
 def permutation(numbers):

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "gatunPalette.h"
+#include "gatunDomainSurvey.h"
 
 #include "gatunError.h"
 #include "gatunProgression.h"
@@ -45,7 +45,7 @@ Palette GetKeys(const std::vector<float>& values)
 
 std::shared_ptr<const Palette> Find(const std::vector<float>& values, PaletteUse use)
 {
-  return FindPalette(ScalarType::Float32, values.data(), values.size(), 1, 0, use);
+  return FindDomain(ScalarType::Float32, values.data(), values.size(), 1, 0, use).GetPalette();
 }
 
 TEST(Palette, FindsTheLatticeOfRoundedCoordinates)

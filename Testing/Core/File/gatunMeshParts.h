@@ -55,7 +55,9 @@ struct PartMesh
   {
     return { { "point", Association::Point, ScalarType::Float64, 1, 0, 0, {} },
       { "level", Association::Point, ScalarType::Float32, 2, 0, 0, {} },
-      { "cell", Association::Cell, ScalarType::Int32, 1, 0, 0, {} } };
+      { "cell", Association::Cell, ScalarType::Int32, 1, 0, 0, {} },
+      { "rounded", Association::Point, ScalarType::Float64, 1, 0, 0, {} },
+      { "twin", Association::Point, ScalarType::Float64, 1, 0, 0, {} } };
   }
 };
 
@@ -65,6 +67,8 @@ struct PartValues
   std::vector<double> Point;
   std::vector<float> Level; // few different ones
   std::vector<std::int32_t> Cell;
+  std::vector<double> Rounded; // to three decimals
+  std::vector<double> Twin;    // at most steps the first array once more
 
   PartValues() = default;
   PartValues(const PartMesh& mesh, int step)
@@ -73,6 +77,8 @@ struct PartValues
     {
       const double* x = &mesh.Cells.Coordinates[3 * p];
       this->Point.push_back(std::sin(x[0] + step) + x[1] * x[2] + (mesh.Bias ? mesh.Bias(x) : 0.0));
+      this->Rounded.push_back(std::floor(this->Point.back() * 1000) / 1000);
+      this->Twin.push_back(this->Point.back() + (step == 2 ? 1 : 0));
       this->Level.push_back(std::floor(static_cast<float>(x[2])));
       this->Level.push_back(static_cast<float>(step));
     }
@@ -82,9 +88,10 @@ struct PartValues
     }
   }
 
-  std::array<const void*, 3> Get() const
+  std::array<const void*, 5> Get() const
   {
-    return { this->Point.data(), this->Level.data(), this->Cell.data() };
+    return { this->Point.data(), this->Level.data(), this->Cell.data(), this->Rounded.data(),
+      this->Twin.data() };
   }
 };
 
@@ -259,7 +266,7 @@ struct PartContent
     request.Chunks.resize(file->GetChunks().size());
     std::iota(request.Chunks.begin(), request.Chunks.end(), 0u);
     request.WithUnusedPoints = true;
-    request.Arrays = { 0, 1, 2 };
+    request.Arrays = { 0, 1, 2, 3, 4 };
     request.Form = PieceForm::Original;
     request.Step = step;
     decoder.SetRequest(request);
@@ -276,6 +283,8 @@ struct PartContent
     this->Values.Point.resize(points);
     this->Values.Level.resize(2 * points);
     this->Values.Cell.resize(cells);
+    this->Values.Rounded.resize(points);
+    this->Values.Twin.resize(points);
     PieceTarget target;
     target.Points = back.Coordinates.data();
     target.Connectivity = back.Ids.data();
@@ -294,7 +303,7 @@ struct PartContent
       target.Faces = back.Faces.data();
     }
     target.Arrays = { this->Values.Point.data(), this->Values.Level.data(),
-      this->Values.Cell.data() };
+      this->Values.Cell.data(), this->Values.Rounded.data(), this->Values.Twin.data() };
     decoder.Fill(target);
   }
 };
@@ -310,7 +319,8 @@ inline std::multiset<CellText> ListCells(const PartMesh& mesh, const PartValues&
   {
     const auto p = static_cast<std::size_t>(id);
     return CellText{ cells.Coordinates[3 * p], cells.Coordinates[3 * p + 1],
-      cells.Coordinates[3 * p + 2], values.Point[p], values.Level[2 * p], values.Level[2 * p + 1] };
+      cells.Coordinates[3 * p + 2], values.Point[p], values.Level[2 * p], values.Level[2 * p + 1],
+      values.Rounded[p], values.Twin[p] };
   };
   const auto join = [](const std::vector<CellText>& texts)
   {

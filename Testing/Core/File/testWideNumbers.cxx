@@ -74,7 +74,9 @@ void WriteWide(const std::string& path, const TestMesh& mesh, std::uint8_t keep)
   }
   part.Place.Blocks = state.Table.Blocks.size();
   part.PlaceShared(state.Table, groups);
-  section.SetPalettes({});
+  PointDomain domains;
+  domains.fill(Domain(state.Meta.CoordinateType));
+  section.SetDomains(domains);
   section.Write(part, {});
   state.WriteTables(state.File);
   state.File.AddSection(SectionMeta, state.Meta.Write());

@@ -212,6 +212,33 @@ TEST(HostileTables, PalettesMustBeWhatTheySay)
     });
 }
 
+TEST(HostileTables, ScalesMustBePossible)
+{
+  const auto setScale = [](
+                          FileImage& f, ScaleKind kind, int digits, int first, std::size_t step = 2)
+  {
+    f.Steps[step].Arrays[0].Palettes[0].Steps = { kind, static_cast<std::uint8_t>(digits),
+      static_cast<std::int8_t>(first) };
+  };
+  const std::string what = "a scale is impossible for its type";
+  ExpectRefused(what, [&](FileImage& f) { setScale(f, ScaleKind::Shift, 64, 0); });
+  ExpectRefused(what, [&](FileImage& f) { setScale(f, ScaleKind::Decimal, 16, 0); });
+  ExpectRefused(what, [&](FileImage& f) { setScale(f, ScaleKind::Decimal, 3, 100); });
+  ExpectRefused(what, [&](FileImage& f) { setScale(f, ScaleKind::Fixed, 23, 0); });
+  ExpectRefused(what,
+    [&](FileImage& f) {
+      f.Mesh.Palettes[2].Steps = { ScaleKind::Decimal, 0, 0 };
+    });
+  // Streams may not refer to keys of another scale at the step before.
+  ExpectRefused("a stream needs a time step before it and there is none",
+    [&](FileImage& f)
+    {
+      setScale(f, ScaleKind::Shift, 1, 0, 0);
+      setScale(f, ScaleKind::Shift, 1, 0, 1);
+      setScale(f, ScaleKind::Shift, 2, 0, 2);
+    });
+}
+
 /** Numbers as the order of a block or of a chunk's cells. */
 Bytes EncodeNumbers(ScalarType type, std::size_t count, Key first, Key step)
 {

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunDomainSurvey_h
+#define gatunDomainSurvey_h
+
+#include "gatunDomain.h"
+#include "gatunPalette.h"
+#include "gatunScaleSurvey.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace gatun
+{
+/** Finds the domain with the fewest keys for a component whose tuples come in parts. */
+class DomainSurvey
+{
+public:
+  /** most: the number of different values beyond which there is no palette. */
+  explicit DomainSurvey(ScalarType type, std::size_t most = MaxPalette)
+    : Type(type)
+    , Palettes(type, most)
+    , Scales(type)
+  {
+  }
+
+  void Add(const void* values, std::size_t count, std::size_t components, std::size_t component)
+  {
+    this->Palettes.Add(values, count, components, component);
+    this->Scales.Add(values, count, components, component);
+  }
+
+  /** Keeps what is known in little memory. */
+  void Compress() { this->Palettes.Compress(); }
+
+  /** What is known for another process, and its addition to that here. */
+  void Put(ByteWriter& out)
+  {
+    this->Palettes.Put(out);
+    this->Scales.Put(out);
+  }
+  void Add(ByteReader& in)
+  {
+    this->Palettes.Add(in);
+    this->Scales.Add(in);
+  }
+
+  /**
+   * The domain of so many tuples in all. before: the scale of the same component at the time step
+   * before if values may be predicted from it, otherwise null. It is kept if it has all values,
+   * because they could not be predicted with another one.
+   */
+  Domain Finish(std::uint64_t count, PaletteUse use, const Scale* before = nullptr)
+  {
+    auto palette = this->Palettes.Finish(count, use);
+    if (palette)
+    {
+      return Domain(this->Type, std::move(palette));
+    }
+    constexpr std::uint64_t leastCount = 32; // what tells a scale takes a few bytes
+    return Domain(this->Type,
+      before && this->Scales.Holds(*before) ? *before
+        : count < leastCount                ? Scale()
+                                            : this->Scales.Choose());
+  }
+
+private:
+  ScalarType Type;
+  PaletteBuilder Palettes;
+  ScaleSurvey Scales;
+};
+
+/** The domain of a component of tuples that are all there. */
+inline Domain FindDomain(ScalarType type, const void* values, std::size_t count,
+  std::size_t components, std::size_t component, PaletteUse use, const Scale* before = nullptr)
+{
+  DomainSurvey survey(type, PaletteBuilder::GetMost(count, use));
+  survey.Add(values, count, components, component);
+  return survey.Finish(count, use, before);
+}
+}
+
+#endif
