@@ -263,7 +263,7 @@ void AddPack(CLI::App& app, Settings& settings)
     ->check(CLI::Range(0, 64))
     ->option_text("N");
   command->add_flag("--no-dependencies", options->NoDependencies,
-    "Leave out which collapses of the hierarchy depend on which. They take about 3 bits a "
+    "Leave out which collapses of the hierarchy depend on which. They take 3 to 5 bits a "
     "tetrahedron. Without them, programs that simplify the mesh more in some places than in others "
     "have to decode it first");
   command->add_flag("--boundary", options->Boundary,
