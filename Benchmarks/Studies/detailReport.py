@@ -87,6 +87,14 @@ def _flight_rows(results):
                    f"{(flight['peak'] - flight['before']) / 2**20:.0f}"]
 
 
+def _film(results):
+    if not results.get("film"):
+        return ""
+    return paragraph(f"""The flight into the first mesh with {results['film']['points']:,} points, as it
+        looks and with the sizes of the tetrahedra as colors (from blue, a five-hundredth of the diagonal,
+        to red, a tenth):""") + "\n![A flight, uniform and for the view](detail-study/flight.gif)\n"
+
+
 def page(results, plots):
     size = results["meshes"][0]["pictures"]["size"]
     memory = results["meshes"][0]["flights"][0]["memory"]
@@ -109,6 +117,7 @@ meshes in files. `Utilities/bench.sh --detail` (Benchmarks/Studies/runDetail.py)
                 ["mesh", "place", "points", "tetrahedra", "RMS", "uniform RMS",
                  "uniform tetrahedra", "ratio"], _picture_rows(results)) + "\n" + image(
                      plots, "errors", "Errors by tetrahedra", PAGE),
+        _film(results),
         "## Following the camera\n\n" + paragraph("""Medians over ten steps of a hundredth of the way.
             *Cut*: choosing the merges and finding the chunks. *Blocks*: making those that changed, in
             and out of the view. *Made again*: the part of the blocks. In the mapper both are done

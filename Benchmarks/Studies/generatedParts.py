@@ -20,6 +20,7 @@ PAGES = {"summary": "summaryReport", "benchmarks": "benchmarkReport", "speed": "
          "cells-study": "cellsReport", "parts-study": "partsReport",
          "parallel-study": "parallelReport", "scaling": "scalingReport",
          "rendering-study": "studyReport", "just-in-time-study": "budgetReport",
+         "detail-study": "detailReport",
          "simplification-study": "simplificationReport", "isosurface-study": "isosurfaceReport",
          "surface-study": "surfaceReport", "volume-study": "volumeReport"}
 BEGIN, END = "<!-- written by Utilities/bench.sh --readme -->\n", "<!-- end -->\n"

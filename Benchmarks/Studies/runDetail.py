@@ -14,13 +14,14 @@ import detailReport
 
 MODES = {
     "full": {"meshes": {"delaunay": 5000000, "flow1": 20000000}, "size": 512, "frames": 60,
-             "budgets": (0.033, 0.1, 0.5), "chunk": 4096, "levels": 8},
+             "budgets": (0.033, 0.1, 0.5), "chunk": 4096, "levels": 8, "film": 24},
     "quick": {"meshes": {"delaunay": 200000}, "size": 256, "frames": 20, "budgets": (0.1,),
-              "chunk": 4096, "levels": 8},
+              "chunk": 4096, "levels": 8, "film": 12},
     "smoke": {"meshes": {"lattice": 20000}, "size": 64, "frames": 3, "budgets": (0.1,),
-              "chunk": 500, "levels": 4},
+              "chunk": 500, "levels": 4, "film": 2},
 }
 MEMORY = 256
+POINTS_OF_FILM = 5000
 
 
 def find_file(runner, mode, kind, tets, given):
@@ -46,7 +47,22 @@ def fly(runner, file, array, mode):
     return flights
 
 
+def film(runner, file, array, mode):
+    """Makes the film of the page, where PIL is installed; returns its number of points."""
+    try:
+        import detailFilm  # pylint: disable=import-outside-toplevel
+    except ImportError:
+        print("Without PIL (python3-pil) there is no film.")
+        return None
+    folder = runner.folder("film")
+    runner.case("detail-film", file, folder, "--array", array, "--frames", mode["film"],
+                "--points", POINTS_OF_FILM)
+    detailFilm.make(folder, mode["film"], runner.images / "flight.gif")
+    return {"points": POINTS_OF_FILM, "frames": mode["film"]}
+
+
 def measure(runner, options):
+    runner.images = options.out / detailReport.PAGE
     mode = MODES[options.mode]
     results = {"mode": options.mode, "machine": benchmarkRunner.machine(runner), "meshes": []}
     given = dict(pair.split("=", 1) for pair in options.mesh)
@@ -62,6 +78,8 @@ def measure(runner, options):
             "name": kind,
             "pictures": runner.case("detail", file, "--array", array, "--size", mode["size"]),
             "flights": fly(runner, file, array, mode)})
+        if not results.get("film"):
+            results["film"] = film(runner, file, array, mode)
         if kind not in given:
             file.unlink()
     results["machine"]["loadAfter"] = os.getloadavg()
