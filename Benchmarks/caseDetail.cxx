@@ -85,19 +85,19 @@ private:
       this->MeasureLevel(json["uniform"], { points, nullptr }, whole, camera);
       if (points <= all / 8)
       {
-        this->MeasureLevel(
-          json["view"], { points, this->GetView(camera) }, whole, camera);
+        this->MeasureLevel(json["view"], { points, this->GetView(camera) }, whole, camera);
       }
     }
     this->MeasureUpdates(json["updates"], part);
   }
 
-  void MeasureLevel(Json::Value& json, const gatun::DetailRequest& request, const Picture& whole,
-    vtkCamera* camera)
+  void MeasureLevel(
+    Json::Value& json, const gatun::DetailRequest& request, const Picture& whole, vtkCamera* camera)
   {
     gatun::DetailLevel level;
     Json::Value& entry = json.append(Json::objectValue);
-    entry["made"] = SecondsOf([&] { level = this->Levels.MakeLevel(request, this->GetBudget(), {}); });
+    entry["made"] =
+      SecondsOf([&] { level = this->Levels.MakeLevel(request, this->GetBudget(), {}); });
     const Picture picture = this->Draw(*level.Source, camera);
     entry["wanted"] = Json::UInt64{ request.Points };
     entry["points"] = Json::UInt64{ level.Points };
@@ -128,8 +128,9 @@ private:
       this->Of.Approach(camera, part + 0.01 * i);
       gatun::DetailLevel level;
       const double toCut = SecondsOf(
-        [&]
-        { level = this->Levels.MakeLevel({ points, this->GetView(camera) }, this->GetBudget(), {}); });
+        [&] {
+          level = this->Levels.MakeLevel({ points, this->GetView(camera) }, this->GetBudget(), {});
+        });
       std::vector<std::size_t> all(level.Source->GetNumberOfBlocks());
       for (std::size_t block = 0; block < all.size(); ++block)
       {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// detail-film: pictures on the way into a mesh with few points, simplified everywhere alike and for the
-// view, as they look and with the sizes of the tetrahedra as colors.
+// detail-film: pictures on the way into a mesh with few points, simplified everywhere alike and for
+// the view, as they look and with the sizes of the tetrahedra as colors.
 
 #include "benchCases.h"
 #include "benchPixels.h"
@@ -110,8 +110,8 @@ void Film(const Options& options)
   gatun::FileLevelsOfDetail levels(
     file, gatun::RayValues{ FindPointArray(*file, options.Array), 0, 0 });
   constexpr std::uint64_t budget = std::uint64_t{ 1 } << 30;
-  const double diagonal =
-    std::hypot(scene.Box[1] - scene.Box[0], scene.Box[3] - scene.Box[2], scene.Box[5] - scene.Box[4]);
+  const double diagonal = std::hypot(
+    scene.Box[1] - scene.Box[0], scene.Box[3] - scene.Box[2], scene.Box[5] - scene.Box[4]);
   // From a five-hundredth of the size of the mesh to a tenth, dense enough to show what is near.
   Scene sizes = scene;
   sizes.Values = { std::log2(diagonal / 500), std::log2(diagonal / 10) };

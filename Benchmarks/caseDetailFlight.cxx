@@ -106,7 +106,8 @@ void AddDetailFlight(CLI::App& app)
   command->add_option("--budget", options->Budget, "Seconds for each picture")
     ->check(CLI::Range(0.001, 1000.0));
   command->add_flag("--uniform", options->Uniform, "Simplify everywhere alike");
-  command->add_flag("--only-points", options->OnlyPoints, "A ray for each pixel: fewer points alone");
+  command->add_flag(
+    "--only-points", options->OnlyPoints, "A ray for each pixel: fewer points alone");
   command->callback([options] { Fly(*options); });
 }
 }

@@ -66,7 +66,8 @@ void RequireSurfaceOptions(const RenderOptions& options)
     !options.DetailSphere.empty() || !options.DetailRange.empty())
   {
     throw Failure(options.Input.File,
-      "is a surface; --mode, --sample-distance, --unit-distance, --budget, --uniform and regions of "
+      "is a surface; --mode, --sample-distance, --unit-distance, --budget, --uniform and regions "
+      "of "
       "detail are for volumes");
   }
   if (options.PixelError > 0 && ExtensionOf(options.Input.File) != ".gtn")

@@ -36,10 +36,10 @@ struct FrameRequest
 struct Frame
 {
   std::shared_ptr<RaySource> Source;
-  std::uint64_t Points = 0; ///< 0: all; how many there are is not known yet
-  DetailRequest Level;      ///< what was asked for; no points: the whole mesh
+  std::uint64_t Points = 0;     ///< 0: all; how many there are is not known yet
+  DetailRequest Level;          ///< what was asked for; no points: the whole mesh
   std::uint64_t NextPoints = 0; ///< of the level for this view that is being prepared; 0: none
-  double Distance = 1;      ///< of rays, in pixels
+  double Distance = 1;          ///< of rays, in pixels
 };
 
 /** Seconds that an image took. */

@@ -22,13 +22,6 @@ constexpr std::uint64_t BasePoints = 8;
 
 // The longest rest of the thread.
 constexpr std::chrono::milliseconds MostRest{ 200 };
-
-double GetDiagonal(const Bounds& box)
-{
-  return box.IsEmpty()
-    ? 0
-    : std::hypot(box[0].Max - box[0].Min, box[1].Max - box[1].Min, box[2].Max - box[2].Min);
-}
 }
 
 //------------------------------------------------------------------------------

@@ -322,8 +322,8 @@ void vtkGatunRayCaster::vtkInternals::Draw(const vtkGatunRayCaster& self,
   const auto start = std::chrono::steady_clock::now();
   this->Scene.Draw(caster, view, progress, frame.Source.get());
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  this->Frames.End(*levels, frame, request.Pixels, caster.GetStatistics(),
-    { seconds.count(), seconds.count() });
+  this->Frames.End(
+    *levels, frame, request.Pixels, caster.GetStatistics(), { seconds.count(), seconds.count() });
   this->Points = frame.Points;
 }
 
@@ -358,8 +358,8 @@ int vtkGatunRayCaster::RequestData(
     const gatun::RayArray array{ this->ArrayName ? this->ArrayName : "", this->ArrayAssociation,
       this->ArrayComponent, {} };
     const std::size_t merges = file ? file->Merges : 0;
-    const bool simplifies = this->SimplificationRatio != 0 || merges > 0 || this->TimeBudget > 0 ||
-      this->PixelError > 0;
+    const bool simplifies =
+      this->SimplificationRatio != 0 || merges > 0 || this->TimeBudget > 0 || this->PixelError > 0;
     if (file)
     {
       const auto step = gatun::GetRequestedStep(*file->File->GetFile(), inInfo);

@@ -39,12 +39,13 @@
  * for it. Points are merged into others, as in vtkGatunSimplify, until tetrahedra take a quarter of
  * that time. If that does not suffice and AutoAdjustSampleDistances is on, rays are cast farther
  * apart. Where points are merged follows the view, unless ViewDependent is off: the mesh stays fine
- * near the eye, and gets coarse where it is far away, out of sight or transparent. The image at rest, for which more than 10 seconds are allocated, shows the whole mesh. For
- * a mesh in memory, a background thread computes the order of merges from the first image on, in
- * about 5 to 10 seconds for a million tetrahedra, and again when the input changes. Until then only
- * the number of rays is reduced. This takes a copy of the mesh, about 60 bytes a tetrahedron in
- * all, in addition to MemoryBudget. The background thread also prepares the levels of detail that
- * are likely to be needed next and finally the whole mesh. Pieces cannot be simplified.
+ * near the eye, and gets coarse where it is far away, out of sight or transparent. The image at
+ * rest, for which more than 10 seconds are allocated, shows the whole mesh. For a mesh in memory, a
+ * background thread computes the order of merges from the first image on, in about 5 to 10 seconds
+ * for a million tetrahedra, and again when the input changes. Until then only the number of rays is
+ * reduced. This takes a copy of the mesh, about 60 bytes a tetrahedron in all, in addition to
+ * MemoryBudget. The background thread also prepares the levels of detail that are likely to be
+ * needed next and finally the whole mesh. Pieces cannot be simplified.
  *
  * *Several processes.* With a Controller, each process has a part of the cells: any part, which
  * need not be compact, or none. The processes exchange the segments of rays that their cells make
@@ -226,8 +227,9 @@ public:
 
   ///@{
   /**
-   * Whether a mesh that is simplified for a time, as during an interaction, is finer where the view needs it: near the
-   * eye, and where values are visible. Off: it is as coarse everywhere. Default: on.
+   * Whether a mesh that is simplified for a time, as during an interaction, is finer where the view
+   * needs it: near the eye, and where values are visible. Off: it is as coarse everywhere. Default:
+   * on.
    */
   vtkSetMacro(ViewDependent, bool);
   vtkGetMacro(ViewDependent, bool);

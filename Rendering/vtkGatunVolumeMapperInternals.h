@@ -76,10 +76,10 @@ struct ParallelPlan
 {
   RayGrid Grid;
   RayView View;
-  float Distance = 1; ///< of rays, in pixels
-  std::uint64_t Points = 0;     ///< of the level of detail; 0: none
+  float Distance = 1;            ///< of rays, in pixels
+  std::uint64_t Points = 0;      ///< of the level of detail; 0: none
   std::optional<RayView> Detail; ///< the view of the level, if it has one
-  std::uint64_t NextPoints = 0; ///< of the level for the present view that is wanted next; 0: none
+  std::uint64_t NextPoints = 0;  ///< of the level for the present view that is wanted next; 0: none
   bool IsInMotion = false;
   int Shower = -1; ///< the process that shows the image, or -1
 };

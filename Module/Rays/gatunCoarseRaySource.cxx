@@ -468,8 +468,7 @@ Range CoarseRaySource::GetRange(std::size_t block) const
   const auto get = [&](std::size_t chunk, std::size_t merges)
   {
     return GetDrawnRange(
-      this->Self->File->GetChunkRanges(values.Array, values.Step, chunk, merges),
-      values.Component);
+      this->Self->File->GetChunkRanges(values.Array, values.Step, chunk, merges), values.Component);
   };
   const auto chunk = this->Self->Chunks[block];
   if (layout.GetCut().IsUniform())

@@ -15,8 +15,8 @@ namespace gatun
 {
 namespace
 {
-// How many times as many points may be left as there are to be, and how often other merges are tried
-// for this.
+// How many times as many points may be left as there are to be, and how often other merges are
+// tried for this.
 constexpr double Excess = 1.1;
 constexpr int MostRounds = 5;
 
@@ -104,8 +104,7 @@ std::vector<float> DetailCuts::Weigh(const DetailView& view) const
           result[i] = Held;
           continue;
         }
-        const bool isHidden =
-          view.Table && view.Table->IsTransparent(GetValues(this->Places[i]));
+        const bool isHidden = view.Table && view.Table->IsTransparent(GetValues(this->Places[i]));
         const float weight = isHidden ? 0 : weights.Get(std::array{ point.X, point.Y, point.Z });
         const double near = std::max(0.0, 1 - distance / (Rim * this->Size));
         // Up to half the weight of what is held, so that it is not taken for that.

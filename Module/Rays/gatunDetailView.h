@@ -51,8 +51,7 @@ struct DetailView
   {
     return this->View == other.View && this->PixelError == other.PixelError &&
       this->Region == other.Region &&
-      (this->Table == other.Table ||
-        (this->Table && other.Table && *this->Table == *other.Table));
+      (this->Table == other.Table || (this->Table && other.Table && *this->Table == *other.Table));
   }
 };
 

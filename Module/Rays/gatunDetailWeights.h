@@ -13,7 +13,8 @@
 
 namespace gatun
 {
-/** The length of the diagonal of a box, in which axes without extent do not count; 0 if it is empty.
+/** The length of the diagonal of a box, in which axes without extent do not count; 0 if it is
+ * empty.
  */
 VTKGATUNCORE_EXPORT double GetDiagonal(const Bounds& box);
 

@@ -63,7 +63,7 @@ private:
   struct Level
   {
     Base Of;
-    std::vector<std::uint32_t> Next;  // for each point, that of the next base mesh it is merged into
+    std::vector<std::uint32_t> Next; // for each point, that of the next base mesh it is merged into
     std::vector<std::uint32_t> Loose; // points without merges
   };
 

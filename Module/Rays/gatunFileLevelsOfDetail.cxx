@@ -109,13 +109,15 @@ std::size_t FileLevelsOfDetail::FindFinest(
   }
   const auto finest = std::min(this->FindLevel(Contrast * points), coarse);
   const FileReader& file = *this->File.GetFile();
-  const double weight = DetailWeights(view.View, GetDiagonal(file.GetBounds())).Get(file.GetBounds());
+  const double weight =
+    DetailWeights(view.View, GetDiagonal(file.GetBounds())).Get(file.GetBounds());
   auto level = coarse;
   const auto isEnough = [&]
   {
     // The error of the merges that lead to a level is at most that of the next one.
     const auto tree = this->File.GetLevel(level).Tree;
-    return !tree->GetMerges().empty() && tree->GetMerges().front().Error * weight <= view.PixelError;
+    return !tree->GetMerges().empty() &&
+      tree->GetMerges().front().Error * weight <= view.PixelError;
   };
   while (level > finest && !isEnough())
   {
@@ -158,8 +160,8 @@ FileCuts* FileLevelsOfDetail::FindCuts(
     {
       bases.push_back({ this->GetChunks(level), this->File.GetLevel(level).Tree });
     }
-    this->Cuts = std::make_unique<FileCuts>(
-      std::move(bases), std::move(dependencies), this->Budget, progress);
+    this->Cuts =
+      std::make_unique<FileCuts>(std::move(bases), std::move(dependencies), this->Budget, progress);
     this->Fine = fine;
     this->Coarse = coarse;
   }

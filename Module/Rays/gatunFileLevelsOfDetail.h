@@ -21,8 +21,8 @@ class RayChunks;
 
 /**
  * The levels of detail of a file with a merge tree. A level comes from the coarsest base mesh of
- * the file that has enough points, or from the whole mesh. One for a view comes from several of them
- * (see FileCuts).
+ * the file that has enough points, or from the whole mesh. One for a view comes from several of
+ * them (see FileCuts).
  */
 class VTKGATUNCORE_EXPORT FileLevelsOfDetail final : public LevelsOfDetail
 {

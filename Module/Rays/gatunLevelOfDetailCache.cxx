@@ -73,8 +73,8 @@ public:
   std::optional<DetailRequest> Now;              // the level in work
   std::shared_ptr<const DetailView> PresentView; // that was requested last
   std::uint64_t Views = 0;                       // that have been requested
-  bool MustStop = false; // working on that level
-  bool IsHeld = false;   // the worker must not begin another level
+  bool MustStop = false;                         // working on that level
+  bool IsHeld = false;                           // the worker must not begin another level
   bool IsDrawing = false;
   bool IsEnding = false;
 

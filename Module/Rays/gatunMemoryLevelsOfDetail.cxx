@@ -310,10 +310,8 @@ std::shared_ptr<const TetList> MemoryLevelsOfDetail::Internals::Simplify(
 std::shared_ptr<const TetList> MemoryLevelsOfDetail::Internals::MakeTets(std::uint64_t points)
 {
   auto base = this->Mesh->GetInternals().Whole;
-  const auto simplify = [&](std::uint64_t left)
-  {
-    return this->Simplify(
-      *base, this->Tree.FindAncestors(this->Tree.CountMergesForPoints(left)));
+  const auto simplify = [&](std::uint64_t left) {
+    return this->Simplify(*base, this->Tree.FindAncestors(this->Tree.CountMergesForPoints(left)));
   };
   for (std::size_t halvings = 1;; ++halvings)
   {

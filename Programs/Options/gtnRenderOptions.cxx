@@ -79,7 +79,8 @@ void AddDetailOptions(CLI::App* command, RenderOptions& options)
   const char* const group = "Sampling and cost";
   command
     ->add_option("--pixel-error", options.PixelError,
-      "Largest error in pixels, 0 to 1e6, of the shape and, relative to their range, of the values: "
+      "Largest error in pixels, 0 to 1e6, of the shape and, relative to their range, of the "
+      "values: "
       "the mesh is simplified as far as it allows, more where it is farther away (default: 0, not "
       "simplified)")
     ->check(CLI::Range(0., 1e6))
@@ -89,8 +90,8 @@ void AddDetailOptions(CLI::App* command, RenderOptions& options)
     ->add_flag("--uniform", options.Uniform,
       "With --budget, simplify the mesh everywhere alike instead of less near the eye")
     ->group(group);
-  const auto addRegion =
-    [&](const char* name, std::vector<double>& numbers, int count, const char* text, const char* what)
+  const auto addRegion = [&](const char* name, std::vector<double>& numbers, int count,
+                           const char* text, const char* what)
   {
     command->add_option(name, numbers, what)
       ->delimiter(',')

@@ -55,3 +55,18 @@ for ratio in 0.2, 0.5, 0.98:
 drawing.require_other(picture, full)
 shown.SimplificationRatio = 0
 drawing.require_same(drawing.draw(view), full)
+
+# So they do with the error, and less with a box that is kept.
+before = sample.POINTS
+for pixels in 0.1, 1, 10:
+    shown.PixelError = pixels
+    drawing.draw(view)
+    assert 0 < drawn_points() < before, (pixels, drawn_points())
+    before = drawn_points()
+shown.DetailBounds = [-1e9, 1e9, -1e9, 1e9, -1e9, 1e9]
+drawing.require_same(drawing.draw(view), full)
+shown.DetailBounds = [1, -1, 1, -1, 1, -1]
+drawing.draw(view)
+assert drawn_points() == before
+shown.PixelError = 0
+drawing.require_same(drawing.draw(view), full)

@@ -97,6 +97,11 @@ for ratio in (0.3, 0.8):
     check("File%g" % ratio)
 shown.SimplificationRatio = 0
 check("FileAgain")
+for pixels in (0.5, 5):
+    shown.PixelError = pixels
+    check("FilePixels%g" % pixels)
+shown.PixelError = 0
+check("FileOnceMore")
 
 
 def number(name):
@@ -125,6 +130,7 @@ check("FileAtRestAgain")
 if ranks == 1:
     np.savez_compressed(path, **images)
     drawing.require_other(images["Post0"], images["PostBall0"])
+    drawing.require_other(images["FilePixels5"], images["FileAgain"])
     drawing.require_other(images["Post0"], images["Post1"])
     drawing.require_other(images["PostBall0"], images["PostTranslucent"])
     drawing.require_other(images["Post0"], images["Delaunay0"])

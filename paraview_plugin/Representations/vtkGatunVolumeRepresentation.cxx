@@ -180,9 +180,21 @@ void vtkGatunVolumeRepresentation::SetViewDependent(bool on)
 }
 
 //------------------------------------------------------------------------------
+bool vtkGatunVolumeRepresentation::GetViewDependent()
+{
+  return this->VolumeMapper->GetViewDependent();
+}
+
+//------------------------------------------------------------------------------
 void vtkGatunVolumeRepresentation::SetPixelError(double pixels)
 {
   this->PixelError = pixels;
+}
+
+//------------------------------------------------------------------------------
+double vtkGatunVolumeRepresentation::GetPixelError()
+{
+  return this->PixelError;
 }
 
 //------------------------------------------------------------------------------
@@ -193,9 +205,21 @@ void vtkGatunVolumeRepresentation::SetDetailBounds(
 }
 
 //------------------------------------------------------------------------------
+double* vtkGatunVolumeRepresentation::GetDetailBounds()
+{
+  return this->VolumeMapper->GetDetailBounds();
+}
+
+//------------------------------------------------------------------------------
 void vtkGatunVolumeRepresentation::SetDetailCenter(double x, double y, double z)
 {
   this->VolumeMapper->SetDetailCenter(x, y, z);
+}
+
+//------------------------------------------------------------------------------
+double* vtkGatunVolumeRepresentation::GetDetailCenter()
+{
+  return this->VolumeMapper->GetDetailCenter();
 }
 
 //------------------------------------------------------------------------------
@@ -205,9 +229,21 @@ void vtkGatunVolumeRepresentation::SetDetailRadius(double radius)
 }
 
 //------------------------------------------------------------------------------
+double vtkGatunVolumeRepresentation::GetDetailRadius()
+{
+  return this->VolumeMapper->GetDetailRadius();
+}
+
+//------------------------------------------------------------------------------
 void vtkGatunVolumeRepresentation::SetDetailRange(double least, double most)
 {
   this->VolumeMapper->SetDetailRange(least, most);
+}
+
+//------------------------------------------------------------------------------
+double* vtkGatunVolumeRepresentation::GetDetailRange()
+{
+  return this->VolumeMapper->GetDetailRange();
 }
 
 //------------------------------------------------------------------------------

@@ -230,8 +230,8 @@ constexpr double S = Side;
 
 TEST_P(DetailLevels, FillTheMeshFromEverywhere)
 {
-  for (const Vec& eye : { Vec{ S / 2, S / 2, S + 1 }, Vec{ S, S, S }, Vec{ 4, 4, 8 },
-         Vec{ 3 * S, S / 2, 2 * S } })
+  for (const Vec& eye :
+    { Vec{ S / 2, S / 2, S + 1 }, Vec{ S, S, S }, Vec{ 4, 4, 8 }, Vec{ 3 * S, S / 2, 2 * S } })
   {
     for (const auto points : { this->GetPoints() / 3, this->GetPoints() / 20 })
     {
@@ -299,8 +299,7 @@ TEST_P(DetailLevels, HaveAtMostThePixelErrorOfTheView)
     const double error = this->Tree.GetLargestError(merges);
     const auto level =
       this->Make(this->GetPoints(), MakeView(everywhere, error * pixels * (1 + 1e-6)));
-    EXPECT_EQ(
-      level.Points, this->GetPoints() - this->Tree.CountMergesForError(error));
+    EXPECT_EQ(level.Points, this->GetPoints() - this->Tree.CountMergesForError(error));
   }
   // All merges, where nothing may be seen of the errors.
   const auto coarsest = this->Make(this->GetPoints(), MakeView(everywhere, 1e6));
@@ -308,8 +307,7 @@ TEST_P(DetailLevels, HaveAtMostThePixelErrorOfTheView)
   // Without an error, and with one that is none, nothing is merged.
   for (const double none : { 0.0, std::numeric_limits<double>::quiet_NaN() })
   {
-    EXPECT_EQ(
-      this->Make(this->GetPoints(), MakeView(everywhere, none)).Points, this->GetPoints());
+    EXPECT_EQ(this->Make(this->GetPoints(), MakeView(everywhere, none)).Points, this->GetPoints());
   }
 }
 
@@ -354,8 +352,9 @@ TEST_P(DetailLevels, KeepRegions)
 TEST_P(DetailLevels, DoNotDependOnTheViewsBefore)
 {
   const auto points = this->GetPoints() / 6;
-  const auto get = [&](double x)
-  { return GetTets(*this->Make(points, MakeView(LookFrom({ x, S / 3, S + 2 }))).Source); };
+  const auto get = [&](double x) {
+    return GetTets(*this->Make(points, MakeView(LookFrom({ x, S / 3, S + 2 }))).Source);
+  };
   const auto before = get(2);
   EXPECT_TRUE(get(14) != before);
   EXPECT_TRUE(get(9) != before);

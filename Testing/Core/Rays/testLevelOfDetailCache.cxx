@@ -192,7 +192,8 @@ TEST(LevelOfDetailCache, NoSourceIsUsedByTwoThreads)
     levels->SetDrawing(true);
     levels->Prepare(Uniform({ wanted, wanted + 500, Points }));
     const auto ready = levels->FindReady({ wanted, {} }).Points;
-    Draw(*(frame % 11 == 0 ? levels->GetWhole() : levels->Get({ ready == 0 ? wanted : ready, {} }).Source));
+    Draw(*(frame % 11 == 0 ? levels->GetWhole()
+                           : levels->Get({ ready == 0 ? wanted : ready, {} }).Source));
     levels->SetDrawing(false);
     if (frame % 17 == 0)
     {
