@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace gatun
 {
@@ -18,7 +19,7 @@ namespace
 // How many times as many points may be left as there are to be, and how often other merges are
 // tried for this.
 constexpr double Excess = 1.1;
-constexpr int MostRounds = 5;
+constexpr int MostRounds = 6;
 
 // What must not be merged at all.
 constexpr float Held = std::numeric_limits<float>::max();
@@ -67,10 +68,12 @@ double GetDistance(const DetailRegion& region, const DetailCuts::Place& place)
 
 //------------------------------------------------------------------------------
 DetailCuts::DetailCuts(std::shared_ptr<const MergeTree> tree,
-  std::shared_ptr<const MergeDependencies> dependencies, std::vector<Place> places,
-  std::vector<std::uint32_t> placeOf, std::vector<std::uint32_t> open, double size)
+  std::shared_ptr<const MergeDependencies> dependencies, std::uint64_t points,
+  std::vector<Place> places, std::vector<std::uint32_t> placeOf, std::vector<std::uint32_t> open,
+  double size)
   : Tree(std::move(tree))
   , Dependencies(std::move(dependencies))
+  , Points(points)
   , Places(std::move(places))
   , PlaceOf(std::move(placeOf))
   , Open(std::move(open))
@@ -132,24 +135,39 @@ MergeCut DetailCuts::Choose(const DetailView& view, std::uint64_t points) const
   std::vector<float> weights(this->PlaceOf.size());
   std::transform(this->PlaceOf.begin(), this->PlaceOf.end(), weights.begin(),
     [&](std::uint32_t place) { return ofPlaces[place]; });
-  // Merges that others need are not done either, so that more must be wanted than are to be done.
-  const MergeTree& tree = *this->Tree;
-  const std::uint64_t all = tree.GetNumberOfPoints();
-  const auto most = static_cast<double>(std::min(all, points));
+  // Merges that need others are not done without them, so that more must be wanted than done: a
+  // search between as many points as may be left and none.
+  const std::uint64_t all = this->Points;
+  const auto most = static_cast<double>(std::max<std::uint64_t>(std::min(all, points), 1));
   double wanted = most;
-  for (int round = 0;; ++round)
+  double tooMany = most;
+  double tooFew = 0;
+  double nearest = std::numeric_limits<double>::infinity();
+  std::optional<MergeCut> best;
+  for (int round = 0; round < MostRounds; ++round)
   {
     const auto merges = static_cast<std::size_t>(all - static_cast<std::uint64_t>(wanted));
-    const double tolerance = FindTolerance(tree, weights, merges);
-    const bool isForPoints = tolerance > view.PixelError;
-    MergeCut cut = this->Do(weights, isForPoints ? tolerance : view.PixelError);
-    const auto left = static_cast<double>(all - cut.GetNumberOfMerges());
-    if (!isForPoints || left <= Excess * most || round == MostRounds)
+    const double tolerance = FindTolerance(*this->Tree, weights, merges);
+    if (!(tolerance > view.PixelError))
     {
-      return cut;
+      return this->Do(weights, view.PixelError);
     }
-    wanted *= most / left;
+    MergeCut cut = this->Do(weights, tolerance);
+    const double left = static_cast<double>(all - cut.GetNumberOfMerges()) / most;
+    const double away = std::abs(std::log(left));
+    if (away < nearest)
+    {
+      nearest = away;
+      best = std::move(cut);
+    }
+    if (left <= Excess && left >= 1 / Excess)
+    {
+      break;
+    }
+    (left > 1 ? tooMany : tooFew) = wanted;
+    wanted = tooFew > 0 ? std::sqrt(tooFew * tooMany) : wanted / left;
   }
+  return *std::move(best);
 }
 
 //------------------------------------------------------------------------------

@@ -37,13 +37,15 @@ public:
   };
 
   /**
-   * Places: where the points of the tree are, approximately. placeOf: for each point of the tree,
-   * one of these; or their number, if it is not known, for all of open, whose largest weight
+   * Points: how many the mesh has before the merges; the tree may have more, which were merged
+   * before. Places: where the points of the tree are, approximately. placeOf: for each point of the
+   * tree, one of these; or their number, if it is not known, for all of open, whose largest weight
    * counts. Size: that of the mesh, in world units, above 0.
    */
   DetailCuts(std::shared_ptr<const MergeTree> tree,
-    std::shared_ptr<const MergeDependencies> dependencies, std::vector<Place> places,
-    std::vector<std::uint32_t> placeOf, std::vector<std::uint32_t> open, double size);
+    std::shared_ptr<const MergeDependencies> dependencies, std::uint64_t points,
+    std::vector<Place> places, std::vector<std::uint32_t> placeOf, std::vector<std::uint32_t> open,
+    double size);
 
   const MergeTree& GetTree() const { return *this->Tree; }
 
@@ -59,6 +61,7 @@ private:
 
   std::shared_ptr<const MergeTree> Tree;
   std::shared_ptr<const MergeDependencies> Dependencies;
+  std::uint64_t Points;
   std::vector<Place> Places;
   std::vector<std::uint32_t> PlaceOf;
   std::vector<std::uint32_t> Open;

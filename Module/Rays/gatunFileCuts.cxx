@@ -170,8 +170,8 @@ FileCuts::FileCuts(std::vector<Base> bases, std::shared_ptr<const MergeDependenc
   }
   const FileReader& file = *this->Levels.front().Of.Chunks->GetFile();
   this->Cuts = std::make_unique<DetailCuts>(this->Levels.front().Of.Tree, std::move(dependencies),
-    FindPlaces(*coarsest.Chunks, progress), std::move(placeOf), this->Levels.back().Loose,
-    GetDiagonal(file.GetBounds()));
+    file.GetNumberOfPoints(), FindPlaces(*coarsest.Chunks, progress), std::move(placeOf),
+    this->Levels.back().Loose, GetDiagonal(file.GetBounds()));
 }
 
 FileCuts::~FileCuts() = default;

@@ -407,8 +407,8 @@ const DetailCuts& MemoryLevelsOfDetail::Internals::GetCuts(
       }
     }
   }
-  this->Cuts = std::make_unique<DetailCuts>(tree, std::move(dependencies), std::move(places),
-    std::move(placeOf), std::vector<std::uint32_t>{}, GetDiagonal(this->Box));
+  this->Cuts = std::make_unique<DetailCuts>(tree, std::move(dependencies), this->GetPoints() - done,
+    std::move(places), std::move(placeOf), std::vector<std::uint32_t>{}, GetDiagonal(this->Box));
   this->Halvings = halvings;
   return *this->Cuts;
 }
@@ -481,7 +481,7 @@ DetailLevel MemoryLevelsOfDetail::MakeLevel(
   }
   const DetailCuts& cuts = self.GetCuts(self.FindBase(*request.View, points), progress);
   const auto before = self.Tree.GetMerges().size() - cuts.GetTree().GetMerges().size();
-  const MergeCut cut = cuts.Choose(*request.View, points + before);
+  const MergeCut cut = cuts.Choose(*request.View, points);
   auto list = self.Simplify(*self.CutTets, cut.GetAncestors());
   auto starts = CutIntoBlocks(list->Tets.size());
   const auto merges = before + cut.GetNumberOfMerges();

@@ -135,6 +135,19 @@ def find_dependencies(cells, merges):
     return result
 
 
+def join_bound(dependencies, bonds):
+    """Merges that are bound together depend on the same ones before them, and on one another."""
+    first = 0
+    for k, bond in enumerate(bonds):
+        if not bond:
+            common = {j for one in dependencies[first:k + 1] for j in one if j < first}
+            if k > first:
+                for i in range(first, k + 1):
+                    dependencies[i] = common | set(range(first, i))
+            first = k + 1
+    return dependencies
+
+
 def close(dependencies):
     """Of each merge all that it depends on, directly or not."""
     result = []
@@ -151,5 +164,5 @@ def check_dependencies(decoder):
         cells = [points for kind, points, _ in decoder.cells() if kind == TRIANGLE]
     else:
         cells = decoder.tets().tolist()
-    found = find_dependencies(cells, decoder.merges)
+    found = join_bound(find_dependencies(cells, decoder.merges), decoder.bonds)
     require(close(decoder.dependencies) == close(found), "dependencies of another mesh")

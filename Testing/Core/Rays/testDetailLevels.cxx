@@ -203,7 +203,7 @@ protected:
         ++faces[{ tet[i == 0 ? 1 : 0], tet[i <= 1 ? 2 : 1], tet[i <= 2 ? 3 : 2] }];
       }
     }
-    EXPECT_GT(volume, 0.98 * side * side * side);
+    EXPECT_GT(volume, 0.95 * side * side * side);
     for (const auto& [face, count] : faces)
     {
       EXPECT_TRUE(count == 2 || (count == 1 && std::all_of(face.begin(), face.end(), isOutside)));
@@ -238,9 +238,9 @@ TEST_P(DetailLevels, FillTheMeshFromEverywhere)
       const auto level = this->Make(points, MakeView(LookFrom(eye)));
       const auto tets = GetTets(*level.Source);
       ExpectToFill(tets);
-      // Wanted merges cannot all be done.
-      EXPECT_GE(level.Points, points);
-      EXPECT_LT(level.Points, this->GetPoints() * 2 / 3);
+      // About as many as wanted, as merges are done with all that they need or not at all.
+      EXPECT_GE(level.Points, points / 2);
+      EXPECT_LE(level.Points, 2 * points);
       std::set<Vec> corners;
       for (const Corners& tet : tets)
       {
