@@ -13,7 +13,7 @@
 #   bench.sh --scaling           tables and messages, and a model of large runs, 5 minutes; writes scaling.md
 #   bench.sh --study             the rendering study, about 40 minutes; writes rendering-study.md
 #   bench.sh --budget            the just-in-time study, 6 minutes; writes just-in-time-study.md
-#   bench.sh --detail            view-dependent simplification, 25 minutes; writes detail-study.md
+#   bench.sh --detail            view-dependent simplification, 10 minutes; writes detail-study.md
 #   bench.sh --simplification    the simplification study, 30 minutes; writes simplification-study.md
 #   bench.sh --isosurfaces       the isosurface study, 6 minutes; writes isosurface-study.md
 #   bench.sh --surfaces          files of surfaces beside peers, and frames, 10 minutes; writes

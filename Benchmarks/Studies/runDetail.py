@@ -13,7 +13,7 @@ import benchmarkRunner
 import detailReport
 
 MODES = {
-    "full": {"meshes": {"delaunay": 5000000, "flow1": 20000000}, "size": 512, "frames": 60,
+    "full": {"meshes": {"delaunay": 1000000, "flow1": 5000000}, "size": 512, "frames": 60,
              "budgets": (0.033, 0.1, 0.5), "chunk": 4096, "levels": 8, "film": 24},
     "quick": {"meshes": {"delaunay": 200000}, "size": 256, "frames": 20, "budgets": (0.1,),
               "chunk": 4096, "levels": 8, "film": 12},

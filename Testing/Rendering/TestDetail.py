@@ -99,7 +99,7 @@ for source in mesh, make_reader(files[0]), make_reader(files[1]):
         at(scene, IN_MOTION)
         assert scene.mapper.PrepareSimplification()
     followed = scene.mapper.GetNumberOfDrawnPoints()
-    assert 500 <= followed < POINTS / 2, followed
+    assert 300 <= followed < POINTS / 2, followed
     scene.look(0.3, 0.4, distance=2.0)
     assert gv.difference(at(scene, AT_REST), full) <= 2 / 255
     scene.mapper.SetViewDependent(False)
