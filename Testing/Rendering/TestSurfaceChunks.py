@@ -4,6 +4,8 @@
 """Which chunks of a surface's file are decoded, drawn and kept; selections; damaged and changed files;
 time, pieces, aborts and progress."""
 
+import re
+
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData, vtkSelectionNode
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
@@ -214,7 +216,8 @@ scene.mapper.ScalarVisibilityOff()
 scene.look()
 whole = scene.render()
 damaged = bytearray(good)
-at = len(good) // 3
+meshes = [match.start() for match in re.finditer(b"MESH", good)]
+at = meshes[len(meshes) // 4] + 40  # of the directory is the second half
 damaged[at:at + 8] = bytes(255 - b for b in damaged[at:at + 8])
 with open(path, "wb") as file:
     file.write(damaged)
