@@ -109,17 +109,18 @@ void Film(const Options& options)
   const Scene scene = MakeScene(*file, options.Array);
   gatun::FileLevelsOfDetail levels(
     file, gatun::RayValues{ FindPointArray(*file, options.Array), 0, 0 });
+  constexpr double farthest = 0.6; // beyond it there is little to be seen but one color
   constexpr std::uint64_t budget = std::uint64_t{ 1 } << 30;
   const double diagonal = std::hypot(
     scene.Box[1] - scene.Box[0], scene.Box[3] - scene.Box[2], scene.Box[5] - scene.Box[4]);
-  // From a five-hundredth of the size of the mesh to a tenth, dense enough to show what is near.
+  // From a two-hundredth of the size of the mesh to a twentieth, dense enough to show what is near.
   Scene sizes = scene;
-  sizes.Values = { std::log2(diagonal / 500), std::log2(diagonal / 10) };
+  sizes.Values = { std::log2(diagonal / 200), std::log2(diagonal / 20) };
   sizes.Opacities = { 0.5, 0.5 };
   for (int i = 0; i < options.Frames; ++i)
   {
     vtkNew<vtkCamera> camera;
-    scene.Approach(camera, static_cast<double>(i) / options.Frames);
+    scene.Approach(camera, farthest * i / options.Frames);
     const gatun::RayView view = scene.MakeView(options.Size, camera);
     const auto table = scene.MakeTable(view, gatun::RayMode::Composite);
     const auto detail = std::make_shared<const gatun::DetailView>(

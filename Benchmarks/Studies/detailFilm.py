@@ -9,7 +9,7 @@ from PIL import Image, ImageDraw
 COLUMNS = (("uniform", "everywhere alike"), ("view", "for the view"))
 ROWS = ("", "-sizes")
 CAPTION = 16  # pixels
-COLORS = 96
+COLORS = 48
 MILLISECONDS = 125
 
 

@@ -90,9 +90,9 @@ def _flight_rows(results):
 def _film(results):
     if not results.get("film"):
         return ""
-    return paragraph(f"""The flight into the first mesh with {results['film']['points']:,} points, as it
-        looks and with the sizes of the tetrahedra as colors (from blue, a five-hundredth of the diagonal,
-        to red, a tenth):""") + "\n![A flight, uniform and for the view](detail-study/flight.gif)\n"
+    return paragraph(f"""The first three fifths of the flight into the last mesh with {results['film']['points']:,} points, as it
+        looks and with the sizes of the tetrahedra as colors (from blue, a two-hundredth of the diagonal,
+        to red, a twentieth):""") + "\n![A flight, uniform and for the view](detail-study/flight.gif)\n"
 
 
 def page(results, plots):
