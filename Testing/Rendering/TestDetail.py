@@ -111,9 +111,9 @@ for source in mesh, make_reader(files[0]), make_reader(files[1]):
     scene.mapper.SetViewDependent(True)
     scene.mapper.SetTimeBudget(100)
     scene.mapper.SetPixelError(1e6)
-    at(scene, IN_MOTION)
-    assert scene.mapper.PrepareSimplification()
-    at(scene, IN_MOTION)
+    for _ in range(3):
+        at(scene, IN_MOTION)
+        assert scene.mapper.PrepareSimplification()
     assert scene.mapper.GetNumberOfDrawnPoints() < 500
 
     # By the ray caster.
@@ -146,7 +146,8 @@ for name, value in (("PixelError", nan), ("DetailBounds", [nan] * 6), ("DetailRa
             at(other, AT_REST)
         else:
             other = vtkGatunRayCaster()
-            other.SetInputConnection(make_reader(files[0]).GetOutputPort())
+            reader = make_reader(files[0])
+            other.SetInputConnection(reader.GetOutputPort())
             other.SetCamera(scene.camera)
             other.SetProperty(scene.volume.GetProperty())
             getattr(other, "Set" + name)(value)
