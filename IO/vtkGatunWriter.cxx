@@ -73,6 +73,12 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "KeepOrder: " << this->KeepOrder << "\n";
   os << indent << "ChunkTets: " << this->ChunkTets << "\n";
   os << indent << "KeyStepInterval: " << this->KeyStepInterval << "\n";
+  os << indent << "Errors:";
+  for (const std::string& error : this->Internals->Errors)
+  {
+    os << " " << error;
+  }
+  os << "\n" << indent << "KeepZeros: " << (this->KeepZeros ? "On" : "Off") << "\n";
   os << indent << "Hierarchy: " << (this->Hierarchy ? "On" : "Off") << "\n";
   os << indent << "Levels: " << this->Levels << "\n";
   os << indent << "WriteDependencies: " << (this->WriteDependencies ? "On" : "Off") << "\n";

@@ -154,6 +154,35 @@ public:
 
   ///@{
   /**
+   * Lets the values of an array have an error: "NAME=abs:0.01", where NAME is the name of an array,
+   * or
+   * "*" for all arrays of floating-point numbers that have no error of their own. What follows is
+   * - abs:E, every value differs by at most E, above 0, in its own units;
+   * - rel:E, by at most E, above 0 and at most 1, times the range of the finite values of the
+   * component at the time step. Constant components are exact;
+   * - pw:E, by at most E, above 0 and below 1, times its magnitude;
+   * - bits:N, the first N significant binary digits are right after rounding, 1 to 52.
+   * Every value is checked while it is written. NaN, infinities, ids (global, pedigree, and all of
+   * type vtkIdType) and vtkGhostType stay exact, and integers with errors below 1. The text is
+   * checked when the file is written: an unknown kind, a number out of its range, or the name of no
+   * array is an error. Default: none; all values are stored without loss.
+   */
+  virtual void AddError(const char* error);
+  virtual void ClearErrors();
+  int GetNumberOfErrors() const;
+  ///@}
+
+  ///@{
+  /**
+   * Whether values of 0 stay exactly 0 in arrays that may have an error. Default: off.
+   */
+  vtkSetMacro(KeepZeros, bool);
+  vtkGetMacro(KeepZeros, bool);
+  vtkBooleanMacro(KeepZeros, bool);
+  ///@}
+
+  ///@{
+  /**
    * Number of time steps from one key step, which is stored without reference to the step before,
    * to the next, 1 or more. With a small number the reader jumps to any step faster; with a large
    * one files are smaller. Default: 8.
@@ -482,6 +511,7 @@ protected:
   int KeepOrder = KEEP_NONE;
   int ChunkTets = 0;
   int KeyStepInterval = 8;
+  bool KeepZeros = false;
   bool Hierarchy = false;
   int Levels = 0;
   bool WriteDependencies = true;

@@ -3,6 +3,8 @@
 
 #include "vtkGatunWriterInternals.h"
 
+#include "gatunErrorBound.h"
+
 #include "gatunCellInput.h"
 #include "gatunError.h"
 #include "gatunPointRounding.h"
@@ -99,6 +101,10 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
   options.KeyStepInterval = static_cast<std::uint32_t>(this->Owner->KeyStepInterval);
   options.ReplaceReadOnly = this->Owner->ReplaceReadOnly;
   options.IsSurface = this->IsSurface.value_or(false);
+  for (const std::string& error : this->Errors)
+  {
+    options.Errors.push_back(gatun::ParseError(error, this->Owner->KeepZeros));
+  }
   options.Boundary = this->Owner->WriteBoundary;
   if (this->Owner->LayerArray && *this->Owner->LayerArray)
   {
@@ -125,6 +131,32 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
     options.Levels = static_cast<unsigned>(this->Owner->Levels);
   }
   return options;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunWriter::AddError(const char* error)
+{
+  if (error && *error)
+  {
+    this->Internals->Errors.emplace_back(error);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunWriter::ClearErrors()
+{
+  if (!this->Internals->Errors.empty())
+  {
+    this->Internals->Errors.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkGatunWriter::GetNumberOfErrors() const
+{
+  return static_cast<int>(this->Internals->Errors.size());
 }
 
 //------------------------------------------------------------------------------

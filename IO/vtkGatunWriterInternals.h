@@ -54,6 +54,7 @@ public:
   vtkNew<vtkDataArraySelection> PointSelection;
   vtkNew<vtkDataArraySelection> CellSelection;
   gatun::MergeWeights Weights;
+  std::vector<std::string> Errors; // of arrays, as given
 
   // The times to write, if all time steps of the input are wanted, and the next one of them.
   std::vector<double> Times;

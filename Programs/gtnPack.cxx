@@ -19,6 +19,8 @@
 #include "gtnText.h"
 #include "gtnWriteGatun.h"
 
+#include "gatunError.h"
+#include "gatunErrorBound.h"
 #include "gatunFileReader.h"
 #include "vtkGatunWriter.h"
 
@@ -59,6 +61,8 @@ struct Options
   std::optional<std::string> Layers; ///< as given
   int LayerComponent = -1;
   std::optional<std::string> PointError; ///< as given
+  std::vector<std::string> Errors;       ///< of arrays, as given
+  bool KeepZeros = false;
   PieceOptions Pieces;
 };
 
@@ -89,6 +93,19 @@ void SetPointError(vtkGatunWriter* writer, const std::string& text)
     }
   }
   Refuse("--point-error", text, "abs:E with a number E above 0, or bits:N with N from 1 to 31");
+}
+
+/** Throws unless a text tells the error of an array. */
+void CheckError(const std::string& text)
+{
+  try
+  {
+    gatun::ParseError(text, false);
+  }
+  catch (const gatun::Error& error)
+  {
+    throw UsageError("--error: " + std::string(error.what()));
+  }
 }
 
 int OrderOf(const std::string& name)
@@ -178,6 +195,12 @@ void Pack(const Options& options, const Settings& settings)
   {
     SetPointError(writer, *options.PointError);
   }
+  for (const std::string& error : options.Errors)
+  {
+    CheckError(error);
+    writer->AddError(error.c_str());
+  }
+  writer->SetKeepZeros(options.KeepZeros);
   Input input(options.In, options.Input);
   CheckWritable(options.Out, options.Overwrite);
 
@@ -216,7 +239,8 @@ void AddPack(CLI::App& app, Settings& settings)
 {
   auto options = std::make_shared<Options>();
   CLI::App* command = AddCommand(app, settings, "pack",
-    "Write meshes or surfaces to a .gtn file, without loss. Several files, or one file with time\n"
+    "Write meshes or surfaces to a .gtn file, without loss unless told otherwise. Several files, "
+    "or one file with time\n"
     "steps, become the time steps of one mesh. Blocks are merged; 'Gatun Split Blocks' in "
     "ParaView\n"
     "gives them back.",
@@ -227,6 +251,7 @@ void AddPack(CLI::App& app, Settings& settings)
     "  gtn pack run_0.vtu run_1.vtu run_2.vtu run.gtn\n"
     "  gtn pack run.pvd run.gtn\n"
     "  gtn pack --point-error abs:1e-6 surface.stl surface.gtn\n"
+    "  gtn pack --error pressure=abs:0.01 --error '*=rel:1e-4' mesh.vtu mesh.gtn\n"
     "  gtn pack --memory 2000 --spill /scratch large.pvtu large.gtn\n"
     "  gtn pack -f crash.e crash.gtn\n"
     "  gtn pack --sets crash.e crash.gtn");
@@ -288,6 +313,22 @@ void AddPack(CLI::App& app, Settings& settings)
       "gives the longest side of the bounding box 2^N places, N from 1 to 31. Values of arrays "
       "stay (default: none; everything is stored without loss)")
     ->option_text("WHAT");
+  auto* errors =
+    command
+      ->add_option("--error", options->Errors,
+        "Let the values of an array differ by at most a bound, NAME=KIND:E. NAME is an array, or * "
+        "for "
+        "all floating-point arrays that are not named. KIND is abs (the difference), rel (by the "
+        "range "
+        "of the component at the time step), pw (by the magnitude of the value), or bits (the "
+        "number of "
+        "significant binary digits to keep, 1 to 52). Ids, NaN and infinities stay exact. May be "
+        "repeated (default: none; everything is stored without loss)")
+      ->allow_extra_args(false)
+      ->option_text("NAME=KIND:E");
+  command
+    ->add_flag("--keep-zeros", options->KeepZeros, "Keep values of 0 exact in arrays of --error")
+    ->needs(errors);
   AddPieceOptions(command, options->Pieces);
   command->add_flag("--triangles", options->Input.Triangles,
     "Divide the polygons and strips of a surface into triangles, which --hierarchy and --levels "

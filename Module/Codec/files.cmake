@@ -6,6 +6,7 @@ gatun_core_folder(Codec
   PRIVATE_HEADERS
     gatunArrayCodec.h
     gatunAttachedNodes.h
+    gatunBoundedValues.h
     gatunCandidate.h
     gatunCellBuilder.h
     gatunCellCodec.h
@@ -19,6 +20,8 @@ gatun_core_folder(Codec
     gatunDomain.h
     gatunDomainSurvey.h
     gatunEntropy.h
+    gatunErrorBound.h
+    gatunExactValues.h
     gatunFaceMarks.h
     gatunFaceTable.h
     gatunFillRecord.h
@@ -26,6 +29,7 @@ gatun_core_folder(Codec
     gatunFrontGrowth.h
     gatunGate.h
     gatunGeometry.h
+    gatunGuess.h
     gatunInlineForm.h
     gatunMarkTruth.h
     gatunMeasure.h
@@ -41,6 +45,7 @@ gatun_core_folder(Codec
     gatunPolygonTruth.h
     gatunPolygonWalk.h
     gatunProgression.h
+    gatunQuantizer.h
     gatunRecentVertices.h
     gatunResidual.h
     gatunRuleFitter.h
@@ -67,12 +72,14 @@ gatun_core_folder(Codec
     gatunChunkCodec.cxx
     gatunChunkTets.cxx
     gatunEntropy.cxx
+    gatunErrorBound.cxx
     gatunFront.cxx
     gatunGeometry.cxx
     gatunMarkTruth.cxx
     gatunPalette.cxx
     gatunPolygonTruth.cxx
     gatunProgression.cxx
+    gatunQuantizer.cxx
     gatunScale.cxx
     gatunScaleSurvey.cxx
     gatunSharedSearch.cxx

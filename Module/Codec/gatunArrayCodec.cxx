@@ -3,10 +3,13 @@
 
 #include "gatunArrayCodec.h"
 
-#include "gatunResidual.h"
+#include "gatunBoundedValues.h"
+#include "gatunExactValues.h"
+#include "gatunGuess.h"
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace gatun
 {
@@ -154,19 +157,6 @@ NeighborFit::NeighborFit(const Topology& topology, std::span<const std::array<do
 //------------------------------------------------------------------------------
 namespace
 {
-template <typename Coder>
-Key CodeKey(Coder& coder, const Domain& domain, ResidualModel& model, unsigned spread,
-  Key predicted, Key truth, std::int64_t& residual)
-{
-  residual = model.Code(coder, spread, Coder::Encoding ? domain.Subtract(truth, predicted) : 0);
-  const Key key = domain.Add(predicted, residual);
-  if (!Coder::Encoding && !domain.IsValid(key))
-  {
-    ThrowCorrupt("a value is not in the palette");
-  }
-  return key;
-}
-
 /** Predicts a chunk's point values from the gate or the neighbors. */
 class SpatialPredictor
 {
@@ -194,6 +184,34 @@ public:
     return this->Mode == SpatialMode::Fit ? this->PredictFit(own, keys, numbers)
       : this->Context.CellRules           ? this->PredictCell(own, keys, numbers)
                                           : this->PredictGate(own, keys, numbers);
+  }
+
+  /** Calls use for each vertex that the prediction of an own vertex uses. */
+  template <typename Use>
+  void EachNeighbor(std::size_t own, Use&& use) const
+  {
+    if (this->Mode == SpatialMode::Fit)
+    {
+      for (const auto& n : this->Context.Fit->Of(own))
+      {
+        use(n.Id);
+      }
+    }
+    else if (this->Context.CellRules)
+    {
+      for (const auto v : this->Context.Mesh->CellRecords[own].Known)
+      {
+        if (v != NoVertex)
+        {
+          use(v);
+        }
+      }
+    }
+    else if (!this->Context.Mesh->Records[own].IsSeed())
+    {
+      const auto& known = this->Context.Mesh->Records[own].Known;
+      std::for_each(known.begin(), known.begin() + 4, use);
+    }
   }
 
 private:
@@ -275,53 +293,51 @@ private:
 };
 
 /** The numbers of the keys that predictions use: a key is used many times. */
+template <typename Values>
 std::vector<double> GetNumbers(
-  const Domain& domain, std::span<const Key> keys, const Topology& mesh, bool withOwn)
+  Values& values, std::span<const Key> keys, const Topology& mesh, bool withOwn)
 {
   std::vector<double> numbers(keys.size());
   for (std::size_t v = 0; v < keys.size(); ++v)
   {
     if (withOwn || mesh.IsShared(static_cast<Vertex>(v)))
     {
-      numbers[v] = domain.ToNumber(keys[v]);
+      numbers[v] = values.ToNumber(keys[v]);
     }
   }
   return numbers;
 }
 
-template <typename Coder>
+template <typename Coder, typename Values>
 void CodePoints(Coder& coder, const ArrayModes& modes, const PointContext& context,
-  const Domain& domain, ComponentKeys& keys)
+  const Domain& domain, Values&& values, ComponentKeys& keys)
 {
   const SpatialPredictor predictor(context, modes.Spatial);
   const bool isPredicted =
     modes.Temporal != TemporalMode::Repeat && modes.Spatial != SpatialMode::Previous;
-  std::vector<ResidualModel> models(SpatialPredictor::Groups);
-  RunningSpread running;
   Key previous = domain.FromNumber(0);
   Key previousBefore = previous;
   const bool change = modes.Temporal == TemporalMode::Change;
   std::vector<double> numbers, numbersBefore;
   if (isPredicted)
   {
-    numbers = GetNumbers(domain, keys.Now, *context.Mesh, false);
-    numbersBefore = change ? GetNumbers(domain, keys.Before, *context.Mesh, true) : numbersBefore;
+    numbers = GetNumbers(values, keys.Now, *context.Mesh, false);
+    numbersBefore = change ? GetNumbers(values, keys.Before, *context.Mesh, true) : numbersBefore;
   }
   for (std::size_t own = 0; own < context.OwnIds.size(); ++own)
   {
     const Vertex v = context.OwnIds[own];
-    Key predicted = previous;
-    unsigned spread = running.Get();
-    unsigned group = 0;
+    Guess guess;
+    guess.Predicted = previous;
     if (modes.Temporal == TemporalMode::Repeat)
     {
-      predicted = keys.Before[v];
+      guess.Predicted = keys.Before[v];
     }
     else if (modes.Spatial == SpatialMode::Previous)
     {
       if (change)
       {
-        predicted = domain.FromNumber(domain.ToNumber(keys.Before[v]) +
+        guess.SetNumber(domain.ToNumber(keys.Before[v]) +
           (domain.ToNumber(previous) - domain.ToNumber(previousBefore)));
         previousBefore = keys.Before[v];
       }
@@ -331,34 +347,34 @@ void CodePoints(Coder& coder, const ArrayModes& modes, const PointContext& conte
       const auto now = predictor.Predict(own, keys.Now, numbers);
       if (now.Known)
       {
-        predicted = domain.FromNumber(now.Number);
-        group = now.Group;
-        spread = now.Spread != NoSpread ? now.Spread : spread;
+        guess.SetNumber(now.Number);
+        guess.Group = now.Group;
+        guess.Spread = now.Spread;
         if (change)
         {
           const auto before = predictor.Predict(own, keys.Before, numbersBefore);
-          predicted = domain.FromNumber(numbersBefore[v] + (now.Number - before.Number));
-          spread = running.Get();
+          guess.SetNumber(numbersBefore[v] + (now.Number - before.Number));
+          guess.Spread = NoSpread;
         }
       }
+      if constexpr (std::remove_reference_t<Values>::IsBounded)
+      {
+        predictor.EachNeighbor(own, [&](Vertex u) { values.AddNeighbor(u); });
+      }
     }
-    std::int64_t residual = 0;
-    previous = CodeKey(coder, domain, models[group], spread, predicted, keys.Now[v], residual);
+    previous = values.Code(coder, guess, v, keys.Now[v]);
     keys.Now[v] = previous;
     if (isPredicted)
     {
-      numbers[v] = domain.ToNumber(previous);
+      numbers[v] = values.ToNumber(previous);
     }
-    running.Add(residual);
   }
 }
 
-template <typename Coder>
+template <typename Coder, typename Values>
 void CodeCells(Coder& coder, const ArrayModes& modes, std::span<const std::uint32_t> parents,
-  const Domain& domain, ComponentKeys& keys)
+  const Domain& domain, Values&& values, ComponentKeys& keys)
 {
-  ResidualModel model;
-  RunningSpread running;
   const Key none = domain.FromNumber(0);
   for (std::size_t i = 0; i < keys.Now.size(); ++i)
   {
@@ -368,31 +384,96 @@ void CodeCells(Coder& coder, const ArrayModes& modes, std::span<const std::uint3
       from = parents[i];
     }
     const Key near = from < i ? keys.Now[from] : none;
-    Key predicted = near;
+    Guess guess;
+    guess.Predicted = near;
     if (modes.Temporal == TemporalMode::Repeat)
     {
-      predicted = keys.Before[i];
+      guess.Predicted = keys.Before[i];
     }
     else if (modes.Temporal == TemporalMode::Change && from < i)
     {
-      predicted = domain.FromNumber(domain.ToNumber(keys.Before[i]) +
+      guess.SetNumber(domain.ToNumber(keys.Before[i]) +
         (domain.ToNumber(near) - domain.ToNumber(keys.Before[from])));
     }
-    std::int64_t residual = 0;
-    keys.Now[i] = CodeKey(coder, domain, model, running.Get(), predicted, keys.Now[i], residual);
-    running.Add(residual);
+    if constexpr (std::remove_reference_t<Values>::IsBounded)
+    {
+      if (i > 0)
+      {
+        values.AddNeighbor(i - 1);
+        values.AddNeighbor(from);
+      }
+    }
+    keys.Now[i] = values.Code(coder, guess, i, keys.Now[i]);
   }
+}
+
+/** Codes a component with code(values). A bounded one begins with whether it has exact values all
+ * the same. */
+template <typename Coder, typename Code>
+void CodeComponent(
+  Coder& coder, const Domain& domain, bool onLattice, const ComponentKeys& keys, Code&& code)
+{
+  if (!domain.GetQuantizer())
+  {
+    return code(ExactValues(domain, keys.Now.size()));
+  }
+  const bool isExact = Coder::Encoding && BoundedValues::AreTooFine(domain, keys.Now);
+  if (coder.Raw(isExact, 1) != 0)
+  {
+    return code(ExactValues(domain, keys.Now.size()));
+  }
+  code(BoundedValues(domain, keys.Now.size(), onLattice || domain.GetQuantizer().OnLattice));
+}
+
+template <typename Coder>
+void CodePointComponents(Coder& coder, const ArrayModes& modes, const PointContext& context,
+  std::span<const Domain> domains, std::span<ComponentKeys> components)
+{
+  for (std::size_t c = 0; c < components.size(); ++c)
+  {
+    CodeComponent(coder, domains[c], false, components[c],
+      [&](auto&& values) { CodePoints(coder, modes, context, domains[c], values, components[c]); });
+  }
+}
+
+template <typename Coder>
+void CodeCellComponents(Coder& coder, const ArrayModes& modes,
+  std::span<const std::uint32_t> parents, std::span<const Domain> domains,
+  std::span<ComponentKeys> components)
+{
+  // Without parents, these are values on blocks: other processes round them, too.
+  for (std::size_t c = 0; c < components.size(); ++c)
+  {
+    CodeComponent(coder, domains[c], parents.empty(), components[c],
+      [&](auto&& values) { CodeCells(coder, modes, parents, domains[c], values, components[c]); });
+  }
+}
+
+bool HaveBefore(std::span<const ComponentKeys> components)
+{
+  return std::all_of(components.begin(), components.end(),
+    [](const ComponentKeys& keys) { return keys.Before.size() == keys.Now.size(); });
 }
 
 /** Encodes with all possible combinations of modes and returns the shortest stream. */
 template <typename Code>
-Bytes EncodeBest(std::span<const SpatialMode> spatial, bool hasBefore, Code&& code)
+Bytes EncodeBest(std::span<const SpatialMode> spatial, std::span<const Domain> domains,
+  std::span<ComponentKeys> components, Code&& code)
 {
+  // The values that readers will have depend on the modes if they are rounded.
+  const bool areRounded = std::any_of(domains.begin(), domains.end(),
+    [](const Domain& domain) { return static_cast<bool>(domain.GetQuantizer()); });
+  const bool hasBefore = HaveBefore(components);
   Bytes best;
+  std::vector<ComponentKeys> trial, rounded;
   const auto attempt = [&](const ArrayModes& modes)
   {
     EntropyEncoder coder;
-    code(coder, modes);
+    if (areRounded)
+    {
+      trial.assign(components.begin(), components.end());
+    }
+    code(coder, modes, areRounded ? std::span<ComponentKeys>(trial) : components);
     auto body = coder.Finish();
     if (best.empty() || body.size() + 2 < best.size())
     {
@@ -400,6 +481,7 @@ Bytes EncodeBest(std::span<const SpatialMode> spatial, bool hasBefore, Code&& co
       best.push_back(static_cast<std::uint8_t>(modes.Spatial));
       best.push_back(static_cast<std::uint8_t>(modes.Temporal));
       best.insert(best.end(), body.begin(), body.end());
+      rounded.swap(trial);
     }
   };
   for (const auto mode : spatial)
@@ -414,13 +496,8 @@ Bytes EncodeBest(std::span<const SpatialMode> spatial, bool hasBefore, Code&& co
   {
     attempt({ SpatialMode::Previous, TemporalMode::Repeat });
   }
+  std::move(rounded.begin(), rounded.end(), components.begin());
   return best;
-}
-
-bool HaveBefore(std::span<const ComponentKeys> components)
-{
-  return std::all_of(components.begin(), components.end(),
-    [](const ComponentKeys& keys) { return keys.Before.size() == keys.Now.size(); });
 }
 
 void CheckBefore(const ArrayModes& modes, std::span<const ComponentKeys> components)
@@ -447,14 +524,9 @@ Bytes EncodePointValues(
 {
   static constexpr std::array modes{ SpatialMode::Fit, SpatialMode::Gate, SpatialMode::Previous };
   const std::span<const SpatialMode> all(modes);
-  return EncodeBest(context.Fit ? all : all.subspan(1), HaveBefore(components),
-    [&](EntropyEncoder& coder, const ArrayModes& chosen)
-    {
-      for (std::size_t c = 0; c < components.size(); ++c)
-      {
-        CodePoints(coder, chosen, context, domains[c], components[c]);
-      }
-    });
+  return EncodeBest(context.Fit ? all : all.subspan(1), domains, components,
+    [&](EntropyEncoder& coder, const ArrayModes& chosen, std::span<ComponentKeys> keys)
+    { CodePointComponents(coder, chosen, context, domains, keys); });
 }
 
 void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext& context,
@@ -467,10 +539,7 @@ void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext&
     ThrowCorrupt("a stream needs neighbors that are not there");
   }
   EntropyDecoder coder(stream.subspan(2));
-  for (std::size_t c = 0; c < components.size(); ++c)
-  {
-    CodePoints(coder, modes, context, domains[c], components[c]);
-  }
+  CodePointComponents(coder, modes, context, domains, components);
 }
 
 Bytes EncodeCellValues(std::span<const std::uint32_t> parents, std::span<const Domain> domains,
@@ -478,14 +547,9 @@ Bytes EncodeCellValues(std::span<const std::uint32_t> parents, std::span<const D
 {
   static constexpr std::array modes{ SpatialMode::Previous, SpatialMode::Gate };
   const std::span<const SpatialMode> all(modes);
-  return EncodeBest(parents.empty() ? all.first(1) : all, HaveBefore(components),
-    [&](EntropyEncoder& coder, const ArrayModes& chosen)
-    {
-      for (std::size_t c = 0; c < components.size(); ++c)
-      {
-        CodeCells(coder, chosen, parents, domains[c], components[c]);
-      }
-    });
+  return EncodeBest(parents.empty() ? all.first(1) : all, domains, components,
+    [&](EntropyEncoder& coder, const ArrayModes& chosen, std::span<ComponentKeys> keys)
+    { CodeCellComponents(coder, chosen, parents, domains, keys); });
 }
 
 void DecodeCellValues(std::span<const std::uint8_t> stream, std::span<const std::uint32_t> parents,
@@ -498,9 +562,6 @@ void DecodeCellValues(std::span<const std::uint8_t> stream, std::span<const std:
     ThrowCorrupt("a stream needs parents that are not there");
   }
   EntropyDecoder coder(stream.subspan(2));
-  for (std::size_t c = 0; c < components.size(); ++c)
-  {
-    CodeCells(coder, modes, parents, domains[c], components[c]);
-  }
+  CodeCellComponents(coder, modes, parents, domains, components);
 }
 }

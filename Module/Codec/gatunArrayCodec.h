@@ -96,13 +96,16 @@ struct ArrayModes
   static ArrayModes Read(std::span<const std::uint8_t> stream);
 };
 
-/** Encodes own points with all modes and returns the shortest stream. */
+/** Encodes own points with all modes and returns the shortest stream. Components of domains with a
+ * quantizer get the keys that readers will have. Where these are on a lattice, the keys must be
+ * those of its places, if there are such (Quantizer::ToLattice). */
 Bytes EncodePointValues(const PointContext& context, std::span<const Domain> domains,
   std::span<ComponentKeys> components);
 void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext& context,
   std::span<const Domain> domains, std::span<ComponentKeys> components);
 
-/** Encodes values of the tetrahedra of a chunk. parents may be empty. */
+/** Encodes values of the tetrahedra of a chunk. Without parents, these are values on a block, and
+ * those of domains with a quantizer are on its lattice. */
 Bytes EncodeCellValues(std::span<const std::uint32_t> parents, std::span<const Domain> domains,
   std::span<ComponentKeys> components);
 void DecodeCellValues(std::span<const std::uint8_t> stream, std::span<const std::uint32_t> parents,

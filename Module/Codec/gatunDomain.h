@@ -8,6 +8,7 @@
 // close values have close keys, for every type.
 
 #include "gatunPlainKeys.h"
+#include "gatunQuantizer.h"
 #include "gatunScale.h"
 #include "gatunTypes.h"
 
@@ -49,10 +50,20 @@ public:
     }
   }
 
+  /** Keys are plain, but streams of them have the steps of a quantizer, which must be valid. */
+  Domain(ScalarType type, const Quantizer& rounding)
+    : Domain(type)
+  {
+    this->Rounding = rounding;
+  }
+
   ScalarType GetType() const { return this->Type; }
   unsigned GetBits() const { return this->Bits; }
   const std::shared_ptr<const Palette>& GetPalette() const { return this->Ranks; }
   const Scale& GetScale() const { return this->Scaled.GetScale(); }
+
+  /** None if values are exact. */
+  const Quantizer& GetQuantizer() const { return this->Rounding; }
 
   /** Whether keys are plain ones. */
   bool IsPlain() const { return !this->Ranks && !this->GetScale(); }
@@ -141,6 +152,7 @@ private:
   ScalarType Type = ScalarType::UInt8;
   std::shared_ptr<const Palette> Ranks;
   ScaledKeys Scaled;
+  Quantizer Rounding;
   unsigned Bits = 8;
   Key Mask = 0xff;
 };

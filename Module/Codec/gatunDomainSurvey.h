@@ -13,13 +13,23 @@
 
 namespace gatun
 {
-/** Finds the domain with the fewest keys for a component whose tuples come in parts. */
+/** What the user wants of a component. */
+struct RoundingRequest
+{
+  ErrorBound Bound;
+  bool OnLattice = false; // see Quantizer
+};
+
+/** Finds the domain with the fewest keys, or the quantizer that is wanted, for a component whose
+ * tuples come in parts. */
 class DomainSurvey
 {
 public:
   /** most: the number of different values beyond which there is no palette. */
-  explicit DomainSurvey(ScalarType type, std::size_t most = MaxPalette)
+  explicit DomainSurvey(
+    ScalarType type, std::size_t most = MaxPalette, const RoundingRequest& rounding = {})
     : Type(type)
+    , Rounding(rounding)
     , Palettes(type, most)
     , Scales(type)
   {
@@ -27,6 +37,15 @@ public:
 
   void Add(const void* values, std::size_t count, std::size_t components, std::size_t component)
   {
+    const auto kind = this->Rounding.Bound.Kind;
+    if (kind == ErrorKind::Relative)
+    {
+      this->Range.Add(this->Type, values, count, components, component);
+    }
+    else if (kind != ErrorKind::None && MakeQuantizer(this->Type, this->Rounding.Bound, {}))
+    {
+      return; // whatever the values are
+    }
     this->Palettes.Add(values, count, components, component);
     this->Scales.Add(values, count, components, component);
   }
@@ -39,11 +58,21 @@ public:
   {
     this->Palettes.Put(out);
     this->Scales.Put(out);
+    out.Put(this->Range.Low);
+    out.Put(this->Range.High);
   }
   void Add(ByteReader& in)
   {
     this->Palettes.Add(in);
     this->Scales.Add(in);
+    FiniteRange range;
+    range.Low = in.Get<double>();
+    range.High = in.Get<double>();
+    if (!range.IsEmpty())
+    {
+      this->Range.Include(range.Low);
+      this->Range.Include(range.High);
+    }
   }
 
   /**
@@ -53,6 +82,11 @@ public:
    */
   Domain Finish(std::uint64_t count, PaletteUse use, const Scale* before = nullptr)
   {
+    if (auto rounding = MakeQuantizer(this->Type, this->Rounding.Bound, this->Range))
+    {
+      rounding.OnLattice = this->Rounding.OnLattice;
+      return Domain(this->Type, rounding);
+    }
     auto palette = this->Palettes.Finish(count, use);
     if (palette)
     {
@@ -67,15 +101,18 @@ public:
 
 private:
   ScalarType Type;
+  RoundingRequest Rounding;
+  FiniteRange Range; // if the request needs it
   PaletteBuilder Palettes;
   ScaleSurvey Scales;
 };
 
 /** The domain of a component of tuples that are all there. */
 inline Domain FindDomain(ScalarType type, const void* values, std::size_t count,
-  std::size_t components, std::size_t component, PaletteUse use, const Scale* before = nullptr)
+  std::size_t components, std::size_t component, PaletteUse use, const Scale* before = nullptr,
+  const RoundingRequest& rounding = {})
 {
-  DomainSurvey survey(type, PaletteBuilder::GetMost(count, use));
+  DomainSurvey survey(type, PaletteBuilder::GetMost(count, use), rounding);
   survey.Add(values, count, components, component);
   return survey.Finish(count, use, before);
 }

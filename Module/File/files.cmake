@@ -60,6 +60,7 @@ gatun_core_folder(File
     gatunPartition.h
     gatunPointNumbers.h
     gatunPieceCells.h
+    gatunRoundedArrays.h
     gatunSharedGroups.h
     gatunSkinMerge.h
     gatunSpillSorter.h
@@ -109,6 +110,7 @@ gatun_core_folder(File
     gatunPieceCells.cxx
     gatunPieceDecoder.cxx
     gatunPointNumbers.cxx
+    gatunRoundedArrays.cxx
     gatunSharedFile.cxx
     gatunSharedGroups.cxx
     gatunSimplifiedFile.cxx

@@ -5,6 +5,7 @@
 
 #include "gatunContainer.h"
 #include "gatunParallel.h"
+#include "gatunRoundedArrays.h"
 
 #include <algorithm>
 #include <cstring>
@@ -104,7 +105,8 @@ void CopySurvey::Add(ByteReader& in)
 }
 
 //------------------------------------------------------------------------------
-ArrayCopies CopySurvey::Finish(const std::vector<ArrayDescription>& arrays) const
+ArrayCopies CopySurvey::Finish(
+  const std::vector<ArrayDescription>& arrays, const std::vector<ArrayError>& errors) const
 {
   ArrayCopies copies(arrays.size());
   std::vector<std::size_t> begins(arrays.size(), 0);
@@ -134,6 +136,7 @@ ArrayCopies CopySurvey::Finish(const std::vector<ArrayDescription>& arrays) cons
       [&](const Source& candidate)
       {
         return CanBeEqual(arrays[candidate.Array], arrays[a]) &&
+          FindBound(errors, arrays[candidate.Array]) == FindBound(errors, arrays[a]) &&
           std::all_of(hashes.begin(), hashes.end(),
             [&](std::uint64_t hash) { return hash != 0 && candidate.Components.contains(hash); });
       });

@@ -7,6 +7,7 @@
 // Arrays whose components are components of another array, bit by bit.
 
 #include "gatunBytes.h"
+#include "gatunErrorBound.h"
 #include "gatunTypes.h"
 
 #include <cstddef>
@@ -40,8 +41,10 @@ public:
   void Put(ByteWriter& out) const;
   void Add(ByteReader& in);
 
-  /** Equal values have equal hashes; CheckCopies tells whether the opposite holds, too. */
-  ArrayCopies Finish(const std::vector<ArrayDescription>& arrays) const;
+  /** Arrays of other bounds of errors are no copies. Equal values have equal hashes; CheckCopies
+   * tells whether the opposite holds, too. */
+  ArrayCopies Finish(
+    const std::vector<ArrayDescription>& arrays, const std::vector<ArrayError>& errors = {}) const;
 
 private:
   std::vector<std::uint64_t> Hashes; // of component after component, 0 if there are no values

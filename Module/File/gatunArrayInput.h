@@ -6,6 +6,7 @@
 
 #include "gatunArrayCodec.h"
 #include "gatunDomain.h"
+#include "gatunRoundedArrays.h"
 #include "gatunTypes.h"
 #include "gatunWithType.h"
 
@@ -23,6 +24,7 @@ struct ArrayInput
   const std::uint8_t* Now = nullptr;
   const std::uint8_t* Before = nullptr; // the previous step, if it is used for prediction
   std::vector<Domain> Domains;
+  RoundedArray* Rounded = nullptr; // has Now, and takes the values that readers will have
   bool IsCopy = false; // whether another array has the values, so that there are no streams
 
   const std::uint8_t* At(const std::uint8_t* values, std::size_t tuple, std::size_t component) const
@@ -52,6 +54,15 @@ struct ArrayInput
       }
     }
     return keys;
+  }
+
+  /** Takes the keys of tuples that were encoded. */
+  void TakeKeys(std::size_t tuple, std::size_t key, const std::vector<ComponentKeys>& keys) const
+  {
+    for (std::size_t c = 0; this->Rounded && c < keys.size(); ++c)
+    {
+      this->Rounded->Take(this->Domains[c], tuple, c, keys[c].Now[key]);
+    }
   }
 
   ComponentReader GetReader() const

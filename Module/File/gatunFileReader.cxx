@@ -180,6 +180,10 @@ FileReader::Internals::ArraySource FileReader::Internals::FindSource(
 Domain FileReader::Internals::MakeDomain(
   ScalarType type, const PaletteRef& palette, const std::string& what) const
 {
+  if (palette.Rounding)
+  {
+    return Domain(type, palette.Rounding);
+  }
   if (palette.Count == 0)
   {
     return Domain(type, palette.Steps);

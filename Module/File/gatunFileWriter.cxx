@@ -11,6 +11,7 @@
 #include "gatunLayerTable.h"
 #include "gatunMeshSection.h"
 #include "gatunParallel.h"
+#include "gatunRoundedArrays.h"
 #include "gatunStepSection.h"
 #include "gatunTreeSection.h"
 #include "gatunWriterCheck.h"
@@ -27,6 +28,29 @@ namespace
 {
 // Smaller base meshes would not save time.
 constexpr std::uint64_t SmallLevel = 20'000;
+
+/** Lets layers be made of the values that readers will have. Returns these values, which must exist
+ * until the mesh has been divided. */
+std::unique_ptr<RoundedArray> RoundLayerValues(
+  const MeshInput& mesh, const std::vector<ArrayDescription>& arrays, WriterOptions& options)
+{
+  if (!options.Layers || !FindBound(options.Errors, arrays[options.Layers->Array]))
+  {
+    return nullptr;
+  }
+  const auto& array = arrays[options.Layers->Array];
+  const auto points = static_cast<std::size_t>(mesh.Points);
+  std::vector<Domain> domains;
+  for (std::uint32_t c = 0; c < array.Components; ++c)
+  {
+    domains.push_back(FindDomain(array.Type, options.Layers->Values, points, array.Components, c,
+      PaletteUse::Array, nullptr, GetRoundingRequest(options, array)));
+  }
+  auto rounded = std::make_unique<RoundedArray>(array, options.Layers->Values, points);
+  rounded->PutOnLattice(domains, {}, {});
+  options.Layers->Values = rounded->GetValues();
+  return rounded;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -50,7 +74,7 @@ public:
   /** Divides the mesh into chunks, and encodes them if they must not wait for the values. */
   void Begin(const Progress& progress);
   void WriteStep(std::span<const void* const> values, const FieldData& field, bool hasTime,
-    double time, const Progress& progress);
+    double time, const Progress& progress, const std::vector<std::vector<Domain>>* rounded = {});
   FileStatistics Finish();
 
 private:
@@ -72,7 +96,7 @@ private:
   void WriteBoundary(const Progress& progress);
   template <typename MeshT>
   void WriteEmbeddedStep(const Embedded<MeshT>& embedded, std::span<const void* const> values,
-    bool hasTime, double time) const;
+    bool hasTime, double time, const std::vector<std::vector<Domain>>& domains) const;
   std::uint64_t AddEmbedded(FourCC section, Internals& embedded);
   void CheckLayers(const StepTable& step) const;
   void WriteTables();
@@ -222,7 +246,8 @@ void FileWriter::Internals::WriteBoundary(const Progress& progress)
 //------------------------------------------------------------------------------
 template <typename MeshT>
 void FileWriter::Internals::WriteEmbeddedStep(const Embedded<MeshT>& embedded,
-  std::span<const void* const> values, bool hasTime, double time) const
+  std::span<const void* const> values, bool hasTime, double time,
+  const std::vector<std::vector<Domain>>& domains) const
 {
   std::vector<Bytes> gathered;
   std::vector<const void*> pointers;
@@ -233,14 +258,15 @@ void FileWriter::Internals::WriteEmbeddedStep(const Embedded<MeshT>& embedded,
       embedded.Mesh.Gather(values[a], array.Where, array.Components * SizeOf(array.Type)));
     pointers.push_back(gathered.back().data());
   }
-  embedded.File->WriteStep(pointers, {}, hasTime, time, {});
+  embedded.File->WriteStep(pointers, {}, hasTime, time, {}, &domains);
 }
 
 //------------------------------------------------------------------------------
 void FileWriter::Internals::WriteStep(std::span<const void* const> values, const FieldData& field,
-  bool hasTime, double time, const Progress& progress)
+  bool hasTime, double time, const Progress& progress,
+  const std::vector<std::vector<Domain>>* rounded)
 {
-  const StepValues all{ values, &field, hasTime, time };
+  const StepValues all{ values, &field, hasTime, time, rounded };
   // Without time, no step follows that would need the chunks again.
   const bool isTogether = !this->IsMeshWritten && !hasTime;
   if (!this->IsMeshWritten && hasTime)
@@ -256,18 +282,29 @@ void FileWriter::Internals::WriteStep(std::span<const void* const> values, const
     this->CheckLayers(step.Table);
   }
   const auto arrays = step.Arrays;
+  auto domains = step.Domains.Components;
+  std::vector<const void*> decoded; // the values that readers will have
+  for (std::size_t a = 0; a < arrays.size(); ++a)
+  {
+    decoded.push_back(arrays[a].Now);
+    for (std::size_t c = 0; c < domains[a].size(); ++c)
+    {
+      const auto& rounding = step.Table.Arrays[a].Palettes[c].Rounding;
+      domains[a][c] = rounding ? Domain(domains[a][c].GetType(), rounding) : domains[a][c];
+    }
+  }
   this->Steps.Finish(this->Part, all);
   if (this->Tree)
   {
     this->Tree->WriteStep(arrays);
     for (const auto& level : this->Levels)
     {
-      this->WriteEmbeddedStep(*level, values, hasTime, time);
+      this->WriteEmbeddedStep(*level, decoded, hasTime, time, domains);
     }
   }
   if (this->Boundary)
   {
-    this->WriteEmbeddedStep(*this->Boundary, values, hasTime, time);
+    this->WriteEmbeddedStep(*this->Boundary, decoded, hasTime, time, domains);
   }
 }
 
@@ -339,7 +376,9 @@ FileWriter::FileWriter(const std::string& path, const MeshInput& mesh,
 {
   CheckWriterInput(mesh, arrays, options);
   KeepFreedMemory();
-  this->Self = std::make_unique<Internals>(path, mesh, arrays, options);
+  WriterOptions rounded = options;
+  const auto layerValues = RoundLayerValues(mesh, arrays, rounded);
+  this->Self = std::make_unique<Internals>(path, mesh, arrays, rounded);
   this->Self->Begin(progress);
 }
 

@@ -291,6 +291,11 @@ StepTable PartAssembly::MakeStep(const std::vector<Contribution>& all, std::size
     {
       auto& array = table.Arrays[a];
       const auto& own = part.Arrays[a];
+      for (std::size_t c = 0; c < array.Palettes.size(); ++c)
+      {
+        auto& reached = array.Palettes[c].Rounding.Reached;
+        reached = std::max(reached, own.Palettes[c].Rounding.Reached);
+      }
       for (std::size_t i = 0; !isFirst && i < array.Ranges.size(); ++i)
       {
         array.Ranges[i].Include(own.Ranges[i]);

@@ -212,7 +212,8 @@ void PartDomains::AddStep(
     {
       if (next == builders.size())
       {
-        builders.emplace_back(array.Type);
+        builders.emplace_back(
+          array.Type, MaxPalette, GetRoundingRequest(this->State.Options, array));
       }
       if (values[a])
       {
@@ -270,7 +271,8 @@ void PartDomains::Add(ByteReader& in)
       {
         if (isNew)
         {
-          builders.emplace_back(array.Type);
+          builders.emplace_back(
+            array.Type, MaxPalette, GetRoundingRequest(this->State.Options, array));
         }
         builders[next].Add(in);
       }
@@ -299,7 +301,7 @@ PointDomain PartDomains::FinishMesh()
 StepDomains PartDomains::FinishStep(std::size_t step, const StepScales* before)
 {
   const auto& arrays = this->State.Meta.Arrays;
-  StepDomains domains{ {}, this->Copies[step].Finish(arrays) };
+  StepDomains domains{ {}, this->Copies[step].Finish(arrays, this->State.Options.Errors) };
   domains.Components.resize(arrays.size());
   std::size_t next = 0;
   for (std::size_t a = 0; a < arrays.size(); ++a)

@@ -60,15 +60,15 @@ void StepSection::SetDomains(std::size_t step, StepDomains domains)
 }
 
 //------------------------------------------------------------------------------
-StepDomains StepSection::FindDomains(
-  const WriterPart& part, std::span<const void* const> values) const
+StepDomains StepSection::FindDomains(const WriterPart& part, const StepValues& step) const
 {
+  const auto& values = step.Arrays;
   const auto& arrays = this->State.Meta.Arrays;
   const auto* before = this->IsKey(this->Count) ? nullptr : &this->Steps[this->Count - 1].Scales;
   const auto& mesh = part.Mesh.GetMesh();
   CopySurvey copies;
   copies.Add(arrays, values, mesh.Points, mesh.Cells);
-  StepDomains domains{ {}, copies.Finish(arrays) };
+  StepDomains domains{ {}, copies.Finish(arrays, this->State.Options.Errors) };
   domains.Components.resize(arrays.size());
   std::vector<std::pair<std::size_t, std::uint32_t>> components;
   for (std::size_t a = 0; a < values.size(); ++a)
@@ -83,9 +83,16 @@ StepDomains StepSection::FindDomains(
     [&](std::size_t i)
     {
       const auto [a, c] = components[i];
+      if (step.Rounded && (*step.Rounded)[a][c].GetQuantizer())
+      {
+        domains.Components[a][c] = (*step.Rounded)[a][c];
+        return;
+      }
+      const auto request =
+        step.Rounded ? RoundingRequest() : GetRoundingRequest(this->State.Options, arrays[a]);
       domains.Components[a][c] =
         FindDomain(arrays[a].Type, values[a], part.GetTupleCount(arrays[a]), arrays[a].Components,
-          c, PaletteUse::Array, FindScale(before, a, c));
+          c, PaletteUse::Array, FindScale(before, a, c), request);
     });
   return domains;
 }
@@ -146,7 +153,7 @@ void StepSection::Begin(const WriterPart& part, const StepValues& values)
   step.Table.Arrays.resize(arrays.size());
   if (step.Domains.Components.empty())
   {
-    step.Domains = this->FindDomains(part, values.Arrays);
+    step.Domains = this->FindDomains(part, values);
   }
   step.Scales = GetScales(step.Domains);
   for (std::size_t a = 0; a < arrays.size(); ++a)
@@ -183,6 +190,7 @@ void StepSection::WritePalettes(std::size_t a, bool isFirst, StreamBatch& batch)
     }
     const auto& palette = step.Domains.Components[a][c].GetPalette();
     entry.Palettes[c].Steps = step.Domains.Components[a][c].GetScale();
+    entry.Palettes[c].Rounding = step.Domains.Components[a][c].GetQuantizer();
     if (palette)
     {
       entry.Palettes[c].Count = palette->size();
@@ -221,6 +229,7 @@ void StepSection::Prepare(const WriterPart& part, const StepValues& values)
   {
     this->AddArray(a, part, values.Arrays[a]);
   }
+  this->RoundArrays(part, values);
   this->Ahead.assign(part.Layout.GetChunkCount(), {});
 }
 
@@ -250,6 +259,7 @@ StepInput& StepSection::WritePrepared(WriterPart& part, const std::function<bool
   this->TakeUnused(part);
   this->WriteBlockValues(part);
   this->WriteChunkValues(part, progress);
+  this->TakeErrors();
   this->Ahead.clear();
   return step;
 }
@@ -267,6 +277,75 @@ void StepSection::AddArray(std::size_t a, const WriterPart& part, const void* va
   if (this->HasBefore(a) && part.GetTupleCount(array) > 0)
   {
     input.Before = this->Before[a].data();
+  }
+}
+
+//------------------------------------------------------------------------------
+/** Makes room for the values that readers will have of arrays with errors. Those that more than one
+ * chunk or process has are rounded now, because all of them must get the same. */
+void StepSection::RoundArrays(const WriterPart& part, const StepValues& values)
+{
+  auto& step = this->GetStep();
+  this->Rounded.clear();
+  this->Rounded.resize(step.Arrays.size());
+  if (values.Rounded)
+  {
+    return; // they are what readers will have
+  }
+  for (std::size_t a = 0; a < step.Arrays.size(); ++a)
+  {
+    auto& input = step.Arrays[a];
+    const auto source = step.Domains.Copies[a] ? step.Domains.Copies[a]->Source : a;
+    const auto& domains = step.Domains.Components[source];
+    if (std::none_of(domains.begin(), domains.end(),
+          [](const Domain& domain) { return static_cast<bool>(domain.GetQuantizer()); }))
+    {
+      continue;
+    }
+    const auto tuples = part.GetTupleCount(*input.Description);
+    this->Rounded[a] = std::make_unique<RoundedArray>(*input.Description, input.Now, tuples);
+    input.Rounded = this->Rounded[a].get();
+    input.Now = input.Rounded->GetValues();
+    const bool isOnPoints = input.Description->Where == Association::Point;
+    if (!input.IsCopy)
+    {
+      input.Rounded->PutOnLattice(input.Domains,
+        isOnPoints ? std::span(part.SharedPoints) : std::span<const std::uint32_t>(),
+        isOnPoints ? std::span(part.Layout.UnusedPoints) : std::span<const std::uint32_t>());
+    }
+  }
+  for (std::size_t a = 0; a < step.Arrays.size(); ++a)
+  {
+    if (this->Rounded[a] && step.Arrays[a].IsCopy)
+    {
+      std::vector<std::uint32_t> all(part.GetTupleCount(*step.Arrays[a].Description));
+      std::iota(all.begin(), all.end(), 0u);
+      this->CopyRounded(all, a);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/** Gives tuples of a copy the values of its source. */
+void StepSection::CopyRounded(std::span<const std::uint32_t> tuples, std::size_t array) const
+{
+  const auto& copy = *this->GetStep().Domains.Copies[array];
+  this->Rounded[array]->Copy(*this->Rounded[copy.Source], copy.Components, tuples);
+}
+
+//------------------------------------------------------------------------------
+/** Enters the largest errors of the part. */
+void StepSection::TakeErrors()
+{
+  auto& step = this->GetStep();
+  for (std::size_t a = 0; a < step.Arrays.size(); ++a)
+  {
+    auto& palettes = step.Table.Arrays[a].Palettes;
+    for (std::size_t c = 0; this->Rounded[a] && c < palettes.size(); ++c)
+    {
+      auto& reached = palettes[c].Rounding.Reached;
+      reached = std::max(reached, this->Rounded[a]->GetError(c));
+    }
   }
 }
 
@@ -409,6 +488,30 @@ std::vector<Bytes> StepSection::EncodeChunk(WriterPart& part, std::size_t chunk)
       auto keys = input.GetKeys(tuples);
       stream = ofPoints ? EncodePointValues(state.Mesh.Context, input.Domains, keys)
                         : EncodeCellValues(state.Mesh.Walk.Parents, input.Domains, keys);
+      const auto own = ofPoints ? state.Mesh.Context.OwnIds.size() : tuples.size();
+      for (std::size_t i = 0; input.Rounded && i < own; ++i)
+      {
+        const auto key = ofPoints ? state.Mesh.Context.OwnIds[i] : i;
+        input.TakeKeys(tuples[key], key, keys);
+      }
+    }
+  }
+  for (std::size_t a = 0; a < step.Arrays.size(); ++a)
+  {
+    const auto& input = step.Arrays[a];
+    const auto& tuples =
+      input.Description->Where == Association::Point ? state.PointOf : state.CellOf;
+    if (input.IsCopy && input.Rounded)
+    {
+      // Points of other chunks are in them already.
+      auto own = tuples;
+      if (input.Description->Where == Association::Point)
+      {
+        const auto& ids = state.Mesh.Context.OwnIds;
+        own.resize(ids.size());
+        std::transform(ids.begin(), ids.end(), own.begin(), [&](Vertex v) { return tuples[v]; });
+      }
+      this->CopyRounded(own, a);
     }
     auto& ranges = step.Table.Arrays[a].ChunkRanges[part.Place.FirstChunk + chunk];
     ranges.resize(GetRangeCount(input.Description->Components));
@@ -473,7 +576,6 @@ void StepSection::Finish(WriterPart& part, const StepValues& values)
       this->State.Unused.Values[this->Count - 1] = {};
     }
   }
-  step.Arrays = {};
   if (this->State.Meta.HasTime)
   {
     this->Before.resize(values.Arrays.size());
@@ -481,10 +583,11 @@ void StepSection::Finish(WriterPart& part, const StepValues& values)
     {
       const auto& array = this->State.Meta.Arrays[a];
       const auto size = part.GetTupleCount(array) * array.Components * SizeOf(array.Type);
-      const auto* begin = static_cast<const std::uint8_t*>(values.Arrays[a]);
+      const auto* begin = step.Arrays[a].Now; // what readers have
       this->Before[a].assign(begin, begin + size);
     }
   }
+  step.Arrays = {};
   ++this->Count;
 }
 

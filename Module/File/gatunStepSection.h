@@ -8,6 +8,7 @@
 #include "gatunArrayInput.h"
 #include "gatunFieldData.h"
 #include "gatunMeshSection.h"
+#include "gatunRoundedArrays.h"
 #include "gatunScale.h"
 #include "gatunWriterPart.h"
 #include "gatunWriterState.h"
@@ -15,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -29,6 +31,9 @@ struct StepValues
   const FieldData* Field = nullptr; // that of the first part counts
   bool HasTime = false;
   double Time = 0;
+
+  /** For values that are on the lattices of another file: its domains. Otherwise null. */
+  const std::vector<std::vector<Domain>>* Rounded = nullptr;
 };
 
 /** How the arrays have keys at a time step. */
@@ -107,13 +112,16 @@ public:
   std::size_t GetCount() const { return this->Count; }
 
 private:
-  StepDomains FindDomains(const WriterPart& part, std::span<const void* const> values) const;
+  StepDomains FindDomains(const WriterPart& part, const StepValues& values) const;
   bool HasBefore(std::size_t a) const;
   void Prepare(const WriterPart& part, const StepValues& values);
   StepInput& WritePrepared(WriterPart& part, const std::function<bool(double)>& progress);
   void Check(const WriterPart& part, const StepValues& values) const;
   void Begin(const WriterPart& part, const StepValues& values);
   void AddArray(std::size_t a, const WriterPart& part, const void* values);
+  void RoundArrays(const WriterPart& part, const StepValues& values);
+  void TakeErrors();
+  void CopyRounded(std::span<const std::uint32_t> tuples, std::size_t array) const;
   void WritePalettes(std::size_t a, bool isFirst, StreamBatch& batch);
   void AddFieldData(const FieldData& field, StepTable& step, StreamBatch& batch);
   void TakeUnused(const WriterPart& part);
@@ -132,8 +140,9 @@ private:
   std::vector<std::uint64_t> Ends;
   Bytes LastField;
   StreamRef LastFieldRef;
-  std::vector<Bytes> Before; // values of the previous step of this part
-  StreamBatch Opening;       // palettes and field data of the step that is being written
+  std::vector<std::unique_ptr<RoundedArray>> Rounded; // of the current step; null: exact values
+  std::vector<Bytes> Before;                          // values of the previous step of this part
+  StreamBatch Opening; // palettes and field data of the step that is being written
   std::vector<std::vector<Bytes>> Ahead; // values of chunks that were encoded ahead
 };
 }

@@ -5,6 +5,7 @@
 
 #include "gatunChunkCodec.h"
 #include "gatunError.h"
+#include "gatunRoundedArrays.h"
 #include "gatunSurfaceCells.h"
 
 #include <algorithm>
@@ -115,6 +116,7 @@ void CheckWriterInput(
     CheckSurface(mesh, options);
   }
   CheckArrays(arrays);
+  CheckErrors(arrays, options.Errors);
 }
 
 //------------------------------------------------------------------------------

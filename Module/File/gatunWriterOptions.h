@@ -4,12 +4,14 @@
 #ifndef gatunWriterOptions_h
 #define gatunWriterOptions_h
 
+#include "gatunErrorBound.h"
 #include "gatunLayers.h"
 #include "gatunMergeTree.h"
 #include "gatunTypes.h"
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace gatun
 {
@@ -48,6 +50,12 @@ struct WriterOptions
    * for surfaces. Nonlinear cells have the faces of the linear ones with their corners; convex
    * point sets have none. */
   bool Boundary = false;
+
+  /** The arrays whose values may have an error, and how large it may be. Others are exact, and so
+   * are NaN, infinities, integers with bounds below 1, components that are constant if the bound is
+   * relative, ids (global ids, pedigree ids, and all of vtkIdType) and vtkGhostType. Relative
+   * bounds are bounds of each time step, by the range of all parts. */
+  std::vector<ArrayError> Errors;
 
   /** The layers to organize the file and its base meshes by, if any. */
   std::optional<LayerRequest> Layers;

@@ -168,7 +168,9 @@ void WriterState::WriteStep(OutputFile& file, const StepTable& step) const
     [&](const Bytes& page) { return pages.Put(page); });
   pages.Write();
   file.AddSection(SectionStep, index.Write(), FlagMandatory,
-    index.HasScalesOrCopies() ? StepVersionWithScales : SectionVersion);
+    index.HasBounds()             ? StepVersionWithBounds
+      : index.HasScalesOrCopies() ? StepVersionWithScales
+                                  : SectionVersion);
 }
 
 //------------------------------------------------------------------------------

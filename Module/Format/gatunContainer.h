@@ -79,6 +79,7 @@ constexpr std::uint16_t SectionVersion = 1;
 constexpr std::uint16_t TableVersionWithWideNumbers = 2;
 constexpr std::uint16_t TableVersionWithScales = 3;
 constexpr std::uint16_t StepVersionWithScales = 2;
+constexpr std::uint16_t StepVersionWithBounds = 3;
 constexpr std::uint16_t FlagMandatory = 1; // readers that do not know the section must stop
 
 // The minor version of a file depends on the optional sections that it has.

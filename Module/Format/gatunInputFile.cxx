@@ -149,7 +149,7 @@ bool InputFile::IsReadable(const SectionRef& section) const
     section.Version >= SectionVersion &&
     section.Version <= (&this->Kind != &MeshContainer     ? SectionVersion
                            : section.Name == SectionTable ? TableVersionWithScales
-                           : section.Name == SectionStep  ? StepVersionWithScales
+                           : section.Name == SectionStep  ? StepVersionWithBounds
                                                           : SectionVersion);
 }
 

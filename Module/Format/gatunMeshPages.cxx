@@ -205,6 +205,7 @@ MeshIndex MeshIndex::Read(std::span<const std::uint8_t> bytes, const MetaTable& 
   {
     palette = GetPalette(in, meta.CoordinateType);
     Check(!palette.IsCopy(), "coordinates are copied from an array");
+    Check(!palette.Rounding, "coordinates have a bound of errors");
   }
   index.Unused.Points = meta.UnusedPoints;
   GetBlockStreams(in, index.Unused, meta.Keep);

@@ -71,12 +71,37 @@ StepIndex WriteStepPages(
 //------------------------------------------------------------------------------
 bool StepIndex::Array::CanFollow(const Array& before) const
 {
-  const auto isScale = [](const auto& entry)
-  { return entry.second.Count == 0 && !entry.second.IsCopy(); };
-  return std::equal(this->Palettes.begin(), this->Palettes.end(), before.Palettes.begin(),
-    before.Palettes.end(),
-    [&](const auto& l, const auto& r)
-    { return isScale(l) && isScale(r) && l.first == r.first && l.second.Steps == r.second.Steps; });
+  // Keys of rounded values are plain. Both lists are in the order of the components.
+  const auto next = [](auto& entry, const auto end)
+  {
+    while (entry != end && entry->second.Rounding)
+    {
+      ++entry;
+    }
+    return entry != end;
+  };
+  auto l = this->Palettes.begin();
+  auto r = before.Palettes.begin();
+  while (true)
+  {
+    const bool more = next(l, this->Palettes.end());
+    if (more != next(r, before.Palettes.end()))
+    {
+      return false;
+    }
+    if (!more)
+    {
+      return true;
+    }
+    const bool areScales =
+      l->second.Count == 0 && !l->second.IsCopy() && r->second.Count == 0 && !r->second.IsCopy();
+    if (!areScales || l->first != r->first || !(l->second.Steps == r->second.Steps))
+    {
+      return false;
+    }
+    ++l;
+    ++r;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -114,7 +139,18 @@ bool StepIndex::HasScalesOrCopies() const
     [](const Array& array)
     {
       return std::any_of(array.Palettes.begin(), array.Palettes.end(),
-        [](const auto& entry) { return entry.second.Count == 0; });
+        [](const auto& entry) { return entry.second.Steps || entry.second.IsCopy(); });
+    });
+}
+
+//------------------------------------------------------------------------------
+bool StepIndex::HasBounds() const
+{
+  return std::any_of(this->Arrays.begin(), this->Arrays.end(),
+    [](const Array& array)
+    {
+      return std::any_of(array.Palettes.begin(), array.Palettes.end(),
+        [](const auto& entry) { return static_cast<bool>(entry.second.Rounding); });
     });
 }
 

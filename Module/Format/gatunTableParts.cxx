@@ -20,6 +20,36 @@ constexpr std::uint32_t MaxComponents = 1u << 16;
 constexpr std::uint64_t ScaleMark = 1u << 16;
 constexpr std::uint64_t LastScaleKind = static_cast<std::uint64_t>(ScaleKind::Fixed);
 constexpr std::uint64_t CopyMark = ScaleMark + LastScaleKind + 1;
+constexpr std::uint64_t BoundMark = CopyMark + 1;
+
+// Flags of a quantizer.
+constexpr std::uint8_t FlagLattice = 1;
+constexpr std::uint8_t FlagKeepZeros = 2;
+
+void PutQuantizer(ByteWriter& out, const Quantizer& rounding)
+{
+  out.Put(static_cast<std::uint8_t>(rounding.Bound.Kind));
+  out.Put(static_cast<std::uint8_t>(
+    (rounding.OnLattice ? FlagLattice : 0) | (rounding.Bound.KeepZeros ? FlagKeepZeros : 0)));
+  out.Put(rounding.Bound.Bound);
+  out.Put(rounding.Step);
+  out.Put(rounding.Reached);
+}
+
+Quantizer GetQuantizer(ByteReader& in, ScalarType type)
+{
+  Quantizer rounding;
+  rounding.Bound.Kind = static_cast<ErrorKind>(in.Get<std::uint8_t>());
+  const auto flags = in.Get<std::uint8_t>();
+  Check(flags <= (FlagLattice | FlagKeepZeros), "a bound of errors has unknown flags");
+  rounding.OnLattice = (flags & FlagLattice) != 0;
+  rounding.Bound.KeepZeros = (flags & FlagKeepZeros) != 0;
+  rounding.Bound.Bound = in.Get<double>();
+  rounding.Step = in.Get<double>();
+  rounding.Reached = in.Get<double>();
+  Check(rounding.IsValid(type), "a bound of errors is impossible");
+  return rounding;
+}
 
 std::uint64_t GetLimit(std::span<const std::uint8_t> packed, std::uint64_t small)
 {
@@ -61,6 +91,12 @@ void PutPalette(ByteWriter& out, const PaletteRef& palette)
     out.PutVarint(palette.SourceComponent);
     return;
   }
+  if (palette.Rounding)
+  {
+    out.PutVarint(BoundMark);
+    PutQuantizer(out, palette.Rounding);
+    return;
+  }
   if (palette.Steps)
   {
     out.PutVarint(ScaleMark + static_cast<std::uint64_t>(palette.Steps.Kind));
@@ -89,6 +125,11 @@ PaletteRef GetPalette(ByteReader& in, ScalarType type)
     palette.SourceArray = GetSmall(in);
     palette.SourceComponent = GetSmall(in);
     Check(palette.IsCopy(), "an array is copied from one that is not there");
+  }
+  if (palette.Count == BoundMark)
+  {
+    palette.Count = 0;
+    palette.Rounding = GetQuantizer(in, type);
   }
   if (palette.Count > ScaleMark && palette.Count <= ScaleMark + LastScaleKind)
   {

@@ -7,6 +7,7 @@
 // Common elements of tables. See Documentation/format.md, 2.6, 2.7 and 3.1.
 
 #include "gatunContainer.h"
+#include "gatunQuantizer.h"
 #include "gatunScale.h"
 #include "gatunTypes.h"
 
@@ -38,7 +39,8 @@ inline void Check(bool right, const char* what)
 void PutStream(ByteWriter& out, const StreamRef& stream);
 StreamRef GetStream(ByteReader& in);
 
-/** The palette or scale of a component, or the component of another array that it is equal to. */
+/** The palette, scale or quantizer of a component, or the component of another array that it is
+ * equal to. */
 struct PaletteRef
 {
   static constexpr std::uint32_t NoArray = 0xffffffffu;
@@ -48,9 +50,13 @@ struct PaletteRef
   Scale Steps; // none if there is a palette
   std::uint32_t SourceArray = NoArray;
   std::uint32_t SourceComponent = 0;
+  Quantizer Rounding; // none if values are exact
 
   bool IsCopy() const { return this->SourceArray != NoArray; }
-  bool IsPlain() const { return this->Count == 0 && !this->Steps && !this->IsCopy(); }
+  bool IsPlain() const
+  {
+    return this->Count == 0 && !this->Steps && !this->IsCopy() && !this->Rounding;
+  }
 };
 
 void PutPalette(ByteWriter& out, const PaletteRef& palette);

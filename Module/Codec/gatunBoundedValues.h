@@ -1,0 +1,339 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunBoundedValues_h
+#define gatunBoundedValues_h
+
+#include "gatunDomain.h"
+#include "gatunEntropy.h"
+#include "gatunGuess.h"
+#include "gatunNumberModel.h"
+#include "gatunQuantizer.h"
+#include "gatunResidual.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gatun
+{
+/**
+ * Codes the values of a component that may have an error: how many steps they are away from what is
+ * predicted. See Documentation/format.md, 10.7.
+ */
+class BoundedValues
+{
+public:
+  static constexpr bool IsBounded = true;
+
+  /** count: the number of places of values. onLattice: whether values are places of the lattice
+   * already, and are to be coded as they are. */
+  BoundedValues(const Domain& domain, std::size_t count, bool onLattice)
+    : Values(domain)
+    , Rounding(domain.GetQuantizer())
+    , OnLattice(onLattice)
+    , RoundsKeys(this->Rounding.RoundsKeys(domain.GetType()))
+    , Zero(domain.FromNumber(0))
+    , KeyStep(this->RoundsKeys ? static_cast<std::uint64_t>(this->Rounding.Step) : 0)
+    , Width(2 * this->Rounding.Step)
+    , Steps(count, Unknown)
+  {
+  }
+
+  /** The number of a key for predictions: the last finite one before it stands for NaN and
+   * infinity. */
+  double ToNumber(Key key)
+  {
+    const double number = this->Values.ToNumber(key);
+    this->LastNumber = std::isfinite(number) ? number : this->LastNumber;
+    return this->LastNumber;
+  }
+
+  /** Adds a place around the next value. Its own value may be unknown. */
+  void AddNeighbor(std::size_t place)
+  {
+    const auto steps = this->Steps[place];
+    if (steps != Unknown)
+    {
+      ++this->Neighbors;
+      this->Magnitudes += static_cast<std::uint64_t>(steps < 0 ? -std::int64_t{ steps } : steps);
+      this->Sum += steps;
+    }
+  }
+
+  /** Codes the value at a place. Returns the key of the value that readers will have. */
+  template <typename Coder>
+  Key Code(Coder& coder, const Guess& guess, std::size_t place, Key truth)
+  {
+    const auto context = this->TakeContext();
+    const Origin origin = this->FindOrigin(guess);
+    std::int64_t steps = 0;
+    bool isSpecial = false;
+    Key key = truth;
+    if constexpr (Coder::Encoding)
+    {
+      isSpecial = !this->FindSteps(origin, truth, steps, key);
+    }
+    isSpecial = coder.Bit(this->Special[this->WasSpecial], isSpecial);
+    this->WasSpecial = isSpecial;
+    if (isSpecial)
+    {
+      return this->CodeSpecial(coder, guess, truth);
+    }
+    steps = this->CodeSteps(coder, context, steps);
+    const auto kept = std::clamp<std::int64_t>(steps, -MaxKept, MaxKept);
+    this->Steps[place] = static_cast<std::int32_t>(kept);
+    const auto magnitude = static_cast<std::uint64_t>(kept < 0 ? -kept : kept);
+    this->Mean += (magnitude << 4) - (this->Mean >> 4);
+    return Coder::Encoding ? key : this->GetKey(origin, steps);
+  }
+
+  /** Whether exact values take fewer bits than steps: these are finer than most numbers. */
+  static bool AreTooFine(const Domain& domain, std::span<const Key> keys)
+  {
+    std::vector<double> magnitudes;
+    for (const auto key : keys)
+    {
+      const double number = std::abs(domain.ToNumber(key));
+      if (std::isfinite(number) && number > 0)
+      {
+        magnitudes.push_back(number);
+      }
+    }
+    if (magnitudes.empty() || domain.GetQuantizer().RoundsKeys(domain.GetType()))
+    {
+      return false;
+    }
+    const auto middle = magnitudes.begin() + static_cast<std::ptrdiff_t>(magnitudes.size() / 2);
+    std::nth_element(magnitudes.begin(), middle, magnitudes.end());
+    const Key key = domain.FromNumber(*middle);
+    return domain.ToNumber(key + 1) - domain.ToNumber(key) > 2 * domain.GetQuantizer().Step;
+  }
+
+private:
+  static constexpr std::int32_t Unknown = INT32_MIN;
+  static constexpr std::int64_t MaxKept = 1 << 30;
+  static constexpr std::int64_t EndOfSteps = std::int64_t{ 1 } << 46;
+  static constexpr unsigned Classes = 32;
+  static constexpr unsigned Signs = 3;
+  static constexpr unsigned Ones = 14; // decisions of a number of steps that have a model each
+
+  /** What steps are counted from. */
+  struct Origin
+  {
+    double Number = 0;
+    double Index = 0; // on a lattice of numbers
+    Key Plain = 0;
+    std::int64_t KeyIndex = 0; // on a lattice of keys
+  };
+
+  /** What is known of the number of steps. */
+  struct Context
+  {
+    unsigned Class = 0;
+    unsigned Sign = 0;
+    unsigned Shift = 0;
+  };
+
+  Context TakeContext()
+  {
+    // The mean of the magnitudes around, in sixteenths; the running mean counts half.
+    const std::uint64_t all = 32 * this->Magnitudes + (this->Mean >> 4);
+    const std::uint64_t mean = all / (2 * this->Neighbors + 1);
+    Context context;
+    const auto length = static_cast<unsigned>(std::bit_width(mean));
+    const auto half = length > 1 ? static_cast<unsigned>(mean >> (length - 2)) & 1u : 0u;
+    context.Class = length > 1 ? std::min(2 * length - 2 + half, Classes - 1) : length;
+    context.Shift = length > 6 ? length - 6 : 0;
+    context.Sign = this->Sum < 0 ? 1 : this->Sum > 0 ? 2 : 0;
+    this->Neighbors = 0;
+    this->Magnitudes = 0;
+    this->Sum = 0;
+    return context;
+  }
+
+  Origin FindOrigin(const Guess& guess) const
+  {
+    Origin origin;
+    if (this->RoundsKeys)
+    {
+      origin.Plain = guess.GetKey(this->Values);
+      origin.KeyIndex = this->OnLattice ? GetKeyIndex(origin.Plain, this->Zero, this->KeyStep) : 0;
+    }
+    else
+    {
+      origin.Number = guess.GetNumber(this->Values);
+      origin.Index = this->OnLattice ? GetNumberIndex(origin.Number, this->Width) : 0;
+    }
+    return origin;
+  }
+
+  Key GetKey(const Origin& origin, std::int64_t steps) const
+  {
+    if (this->RoundsKeys)
+    {
+      const auto index = static_cast<std::int64_t>(
+        static_cast<std::uint64_t>(origin.KeyIndex) + static_cast<std::uint64_t>(steps));
+      return this->Values.Add(0,
+        static_cast<std::int64_t>(this->OnLattice
+            ? GetIndexKey(index, this->Zero, this->KeyStep)
+            : GetIndexKey(steps, origin.Plain, this->KeyStep)));
+    }
+    const auto number = static_cast<double>(steps);
+    return this->Values.FromNumber(this->OnLattice ? (origin.Index + number) * this->Width
+                                                   : origin.Number + number * this->Width);
+  }
+
+  /** Finds the steps to a value, or to one within the bound. Returns false if there are none. */
+  bool FindSteps(const Origin& origin, Key truth, std::int64_t& steps, Key& key) const
+  {
+    const auto type = this->Values.GetType();
+    std::int64_t best = 0;
+    if (this->RoundsKeys)
+    {
+      const auto unit = this->OnLattice ? this->Zero : origin.Plain;
+      best = static_cast<std::int64_t>(
+        static_cast<std::uint64_t>(GetKeyIndex(truth, unit, this->KeyStep)) -
+        static_cast<std::uint64_t>(origin.KeyIndex));
+    }
+    else
+    {
+      const double number = this->Values.ToNumber(truth);
+      const double away = this->OnLattice ? number / this->Width - origin.Index
+                                          : (number - origin.Number) / this->Width;
+      if (!(std::abs(away) < static_cast<double>(EndOfSteps)))
+      {
+        return false;
+      }
+      best = static_cast<std::int64_t>(away < 0 ? -std::floor(0.5 - away) : std::floor(away + 0.5));
+    }
+    for (const auto other : std::array{ best, best + 1, best - 1 })
+    {
+      if (other <= -EndOfSteps || other >= EndOfSteps)
+      {
+        continue;
+      }
+      steps = other;
+      key = this->GetKey(origin, other);
+      if (this->OnLattice ? key == truth : this->Rounding.IsWithin(type, truth, key))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  template <typename Coder>
+  std::int64_t CodeSteps(Coder& coder, const Context& context, std::int64_t steps)
+  {
+    // What is left of it after the low bits is rounded down, so that these are those of all signs.
+    const std::int64_t high = steps >> context.Shift;
+    auto magnitude = static_cast<std::uint64_t>(high < 0 ? -high : high);
+    std::int64_t coded = 0;
+    if (coder.Bit(this->NotZero[context.Class][context.Sign], magnitude != 0))
+    {
+      const bool negative = coder.Bit(this->Negative[context.Class][context.Sign], high < 0);
+      coded = static_cast<std::int64_t>(this->CodeMagnitude(coder, context.Class, magnitude));
+      coded = negative ? -coded : coded;
+    }
+    const auto mask = (std::uint64_t{ 1 } << context.Shift) - 1;
+    const auto low = coder.Raw(static_cast<std::uint64_t>(steps) & mask, context.Shift);
+    return static_cast<std::int64_t>((static_cast<std::uint64_t>(coded) << context.Shift) + low);
+  }
+
+  /** A number of 1 and more. */
+  template <typename Coder>
+  std::uint64_t CodeMagnitude(Coder& coder, unsigned kind, std::uint64_t magnitude)
+  {
+    for (unsigned i = 0; i < Ones; ++i)
+    {
+      if (!coder.Bit(this->More[kind][i], magnitude > i + 1))
+      {
+        return i + 1;
+      }
+    }
+    const std::uint64_t rest = magnitude - Ones; // 1 and more
+    const auto length = this->Length.Code(coder, static_cast<unsigned>(std::bit_width(rest)));
+    if (length == 0 || length > 47)
+    {
+      ThrowCorrupt("a value is too many steps away");
+    }
+    const auto top = std::uint64_t{ 1 } << (length - 1);
+    return Ones + (top | coder.Raw(rest & (top - 1), length - 1));
+  }
+
+  /** A value that has no number of steps: exact. */
+  template <typename Coder>
+  Key CodeSpecial(Coder& coder, const Guess& guess, Key truth)
+  {
+    const auto& domain = this->Values;
+    const auto number = [&](Key key) { return domain.ToNumber(key); };
+    unsigned kind = Nearby;
+    if constexpr (Coder::Encoding)
+    {
+      kind = truth == this->Zero       ? IsZero
+        : truth == this->LastRaw       ? Again
+        : std::isfinite(number(truth)) ? Nearby
+                                       : Raw;
+    }
+    kind = this->Kind.Code(coder, kind);
+    if (kind == IsZero)
+    {
+      return this->Zero;
+    }
+    if (kind == Nearby)
+    {
+      const Key predicted = guess.GetKey(domain);
+      const auto residual = this->Exact.Code(
+        coder, this->Spread.Get(), Coder::Encoding ? domain.Subtract(truth, predicted) : 0);
+      this->Spread.Add(residual);
+      return domain.Add(predicted, residual);
+    }
+    if (kind == Raw)
+    {
+      this->LastRaw = coder.Raw(truth, domain.GetBits());
+    }
+    return this->LastRaw;
+  }
+
+  // The kinds of values that have no number of steps.
+  static constexpr unsigned IsZero = 0;
+  static constexpr unsigned Nearby = 1; // a residual follows
+  static constexpr unsigned Raw = 2;
+  static constexpr unsigned Again = 3; // the last raw one
+
+  const Domain& Values;
+  const Quantizer& Rounding;
+  const bool OnLattice;
+  const bool RoundsKeys;
+  const Key Zero;
+  const std::uint64_t KeyStep;
+  const double Width;
+
+  std::vector<std::int32_t> Steps; // of each place
+  double LastNumber = 0;
+  std::uint64_t Neighbors = 0;
+  std::uint64_t Magnitudes = 0;
+  std::int64_t Sum = 0;
+  std::uint64_t Mean = 256; // running, of 256 times the magnitude
+
+  bool WasSpecial = false;
+  std::array<BitModel, 2> Special;
+  BitTree<2> Kind;
+  Key LastRaw = 0;
+  ResidualModel Exact;
+  RunningSpread Spread;
+
+  std::array<std::array<BitModel, Signs>, Classes> NotZero;
+  std::array<std::array<BitModel, Signs>, Classes> Negative;
+  std::array<std::array<BitModel, Ones>, Classes> More;
+  BitTree<6> Length;
+};
+}
+
+#endif

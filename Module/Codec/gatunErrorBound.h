@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunErrorBound_h
+#define gatunErrorBound_h
+
+#include "vtkGatunCoreModule.h" // For export macro
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace gatun
+{
+/** What the error of a value is measured by. */
+enum class ErrorKind : std::uint8_t
+{
+  None = 0,      ///< values are exact
+  Absolute = 1,  ///< the difference
+  Relative = 2,  ///< the difference, by the range of the finite values of the component at the step
+  Pointwise = 3, ///< the difference, by the magnitude of the value
+  Bits = 4       ///< the significant bits, the first one included, that are right after rounding
+};
+
+/** The largest error that a value may have. */
+struct ErrorBound
+{
+  ErrorKind Kind = ErrorKind::None;
+  double Bound = 0;       ///< or the number of bits
+  bool KeepZeros = false; ///< whether values that are 0 stay 0
+
+  bool operator==(const ErrorBound&) const = default;
+
+  explicit operator bool() const { return this->Kind != ErrorKind::None; }
+};
+
+/** The bound of the arrays of a name. */
+struct ArrayError
+{
+  std::string Array; ///< or "*" for all arrays of floating-point numbers that no other entry names
+  ErrorBound Bound;
+};
+
+/** The error in a text "NAME=abs:E", "NAME=rel:E", "NAME=pw:E" or "NAME=bits:N". Throws
+ * Error(InvalidInput) if it is another text. The range of the number is not checked. */
+VTKGATUNCORE_EXPORT ArrayError ParseError(const std::string& text, bool keepZeros);
+
+/** The text of a bound without a name. */
+VTKGATUNCORE_EXPORT std::string ToString(const ErrorBound& bound);
+}
+
+#endif
