@@ -16,6 +16,7 @@
 #include "gtnText.h"
 
 #include "gatunFileReader.h"
+#include "gatunQuantizer.h"
 
 #include "gatunCellShapes.h"
 
@@ -102,21 +103,40 @@ Table DescribeCellTypes(const gatun::FileReader& file)
   return table;
 }
 
+// The bound of the errors of an array, and the largest one: "rel:0.001, reached 0.0123".
+std::string DescribeError(const gatun::FileReader& file, std::size_t array)
+{
+  gatun::ErrorBound bound;
+  double reached = 0;
+  for (std::size_t step = 0; step < file.GetNumberOfSteps(); ++step)
+  {
+    for (std::uint32_t c = 0; c < file.GetArrays()[array].Components; ++c)
+    {
+      const gatun::Quantizer rounding = file.GetRounding(array, c, step);
+      bound = rounding ? rounding.Bound : bound;
+      reached = std::max(reached, rounding.Reached);
+    }
+  }
+  return bound ? fmt::format("{}, reached {:.6g}", ToString(bound), reached) : "";
+}
+
 Table DescribeArrays(const gatun::FileReader& file)
 {
   Table table{ "arrays", "arrays",
     { { "name", "name", false }, { "association", "of", false }, { "type", "type", false },
       { "components", "comp." }, { "componentNames", nullptr }, { "bytes", "bytes" },
-      { "bitsPerCell", "bits/cell" }, { "ranges", "values", false } } };
+      { "bitsPerCell", "bits/cell" }, { "ranges", "values", false },
+      { "error", "error", false } } };
   const gatun::FileStatistics sizes = file.GetStatistics();
   for (std::size_t i = 0; i < file.GetArrays().size(); ++i)
   {
     const gatun::ArrayDescription& array = file.GetArrays()[i];
     const std::uint64_t bytes = i < sizes.ArrayBytes.size() ? sizes.ArrayBytes[i] : 0;
-    table.Rows.push_back({ Entry(array.Name),
-      Entry(array.Where == gatun::Association::Point ? "point" : "cell"), Entry(NameOf(array.Type)),
-      Entry(array.Components), Entry(JsonArray(array.ComponentNames), {}), Entry(bytes),
-      BitsPerCell(file, bytes), EntryOf(RangesOf(file, i), "; ", 7) });
+    table.Rows.push_back(
+      { Entry(array.Name), Entry(array.Where == gatun::Association::Point ? "point" : "cell"),
+        Entry(NameOf(array.Type)), Entry(array.Components),
+        Entry(JsonArray(array.ComponentNames), {}), Entry(bytes), BitsPerCell(file, bytes),
+        EntryOf(RangesOf(file, i), "; ", 7), Entry(DescribeError(file, i)) });
   }
   return table;
 }

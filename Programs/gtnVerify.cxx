@@ -3,6 +3,7 @@
 
 // gtn verify: checks a file, and compares it with another one.
 
+#include "gtnBounds.h"
 #include "gtnCommands.h"
 #include "gtnCompare.h"
 #include "gtnFailure.h"
@@ -58,7 +59,8 @@ vtkSmartPointer<vtkUnstructuredGrid> GridOf(vtkDataObject* data)
 }
 
 // Compares two grids or surfaces. Returns a description of the first difference.
-std::string CompareData(Comparison& comparison, vtkDataObject* a, vtkDataObject* b)
+std::string CompareData(
+  BoundedComparison& comparison, vtkDataObject* a, vtkDataObject* b, std::size_t step)
 {
   if (a->GetDataObjectType() != b->GetDataObjectType())
   {
@@ -66,10 +68,11 @@ std::string CompareData(Comparison& comparison, vtkDataObject* a, vtkDataObject*
   }
   const auto first = GridOf(a);
   const auto second = GridOf(b);
-  return comparison.Compare(GridView(first), GridView(second));
+  return comparison.Compare(GridView(first), GridView(second), step);
 }
 
-void CompareWithOriginals(const Options& options, const Settings& settings, std::uint8_t keptOrder)
+void CompareWithOriginals(
+  const Options& options, const Settings& settings, const gatun::FileReader& file)
 {
   Input original(options.Originals, options.Input);
   Input packed({ options.File }, options.Input);
@@ -84,7 +87,8 @@ void CompareWithOriginals(const Options& options, const Settings& settings, std:
     throw Failure(options.File,
       fmt::format("differs: {} time steps, not {} as {}", packedSteps, steps, nameOfOriginal));
   }
-  Comparison comparison(nameOfPacked, nameOfOriginal, keptOrder);
+  Comparison comparison(nameOfPacked, nameOfOriginal, file.GetKeptOrder());
+  BoundedComparison bounded(file, comparison);
   for (std::size_t step = 0; step < steps; ++step)
   {
     if (steps > 1 && times[step] != packed.GetTimes()[step])
@@ -98,7 +102,7 @@ void CompareWithOriginals(const Options& options, const Settings& settings, std:
       settings.ShowProgress);
     vtkDataObject* const a = packed.Read(step, progress);
     vtkDataObject* const b = original.Read(step, progress);
-    const std::string difference = CompareData(comparison, a, b);
+    const std::string difference = CompareData(bounded, a, b, step);
     CheckInterrupt();
     if (!difference.empty())
     {
@@ -111,10 +115,14 @@ void CompareWithOriginals(const Options& options, const Settings& settings, std:
   if (!settings.Quiet)
   {
     const std::size_t alike = comparison.GetIndistinguishablePoints();
-    fmt::print("{}: identical to {}{}{}{}\n", options.File, original.GetName(),
+    const std::string errors = bounded.HasBounds()
+      ? fmt::format(" but for bounded errors, of which the largest is {:.6f} of its bound",
+          bounded.GetWorst())
+      : "";
+    fmt::print("{}: identical to {}{}{}{}{}\n", options.File, original.GetName(),
       options.Originals.size() > 1 ? fmt::format(" and {} more", options.Originals.size() - 1) : "",
       steps > 1 ? fmt::format(", {} time steps", steps) : "",
-      alike > 0 ? fmt::format(", up to {} indistinguishable points", Grouped(alike)) : "");
+      alike > 0 ? fmt::format(", up to {} indistinguishable points", Grouped(alike)) : "", errors);
   }
 }
 
@@ -149,7 +157,7 @@ void Verify(const Options& options, const Settings& settings)
   }
   if (!options.Originals.empty())
   {
-    CompareWithOriginals(options, settings, file->GetKeptOrder());
+    CompareWithOriginals(options, settings, *file);
   }
   else if (!settings.Quiet)
   {
@@ -166,7 +174,8 @@ void AddVerify(CLI::App& app, Settings& settings)
   auto options = std::make_shared<Options>();
   CLI::App* command = AddCommand(app, settings, "verify",
     "Check a .gtn file. All checksums are checked, and everything is decoded. With ORIGINAL, each\n"
-    "time step is also compared with it, bit by bit. Points and cells are compared in order where\n"
+    "time step is also compared with it, bit by bit, or by their bounds where values have errors. "
+    "Points and cells are compared in order where\n"
     "the file keeps their order, and as sets elsewhere. As sets, points that coincide in their\n"
     "coordinates and all of their values are indistinguishable: a cell may use one in place of\n"
     "another. The number of such points is reported. The first difference is reported, and the "

@@ -3,6 +3,8 @@ gatun_core_folder(Codec
   INCLUDES
     Support
     Cells
+  HEADERS
+    gatunErrorBound.h
   PRIVATE_HEADERS
     gatunArrayCodec.h
     gatunAttachedNodes.h
@@ -20,7 +22,6 @@ gatun_core_folder(Codec
     gatunDomain.h
     gatunDomainSurvey.h
     gatunEntropy.h
-    gatunErrorBound.h
     gatunExactValues.h
     gatunFaceMarks.h
     gatunFaceTable.h

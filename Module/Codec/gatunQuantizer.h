@@ -10,6 +10,7 @@
 #include "gatunErrorBound.h"
 #include "gatunPlainKeys.h"
 #include "gatunTypes.h"
+#include "vtkGatunCoreModule.h" // For export macro
 
 #include <cstddef>
 #include <cstdint>
@@ -64,14 +65,14 @@ struct Quantizer
 
   /** Whether a value may stand for another one. The keys are plain. Exact, but that values that are
    * allowed by less than a millionth of a rounding error may be refused. */
-  bool IsWithin(ScalarType type, Key original, Key stored) const;
+  VTKGATUNCORE_EXPORT bool IsWithin(ScalarType type, Key original, Key stored) const;
 
   /** The error in the measure of the bound; infinite if NaN or infinity is involved. Keys that are
    * equal have no error. */
-  double Measure(ScalarType type, Key original, Key stored) const;
+  VTKGATUNCORE_EXPORT double Measure(ScalarType type, Key original, Key stored) const;
 
   /** The largest error allowed, in the same measure. */
-  double GetAllowed(ScalarType type) const;
+  VTKGATUNCORE_EXPORT double GetAllowed(ScalarType type) const;
 
   /** The place of the lattice for a value, or the value itself if there is none within the bound.
    * The result depends on nothing else. */

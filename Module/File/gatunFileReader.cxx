@@ -334,6 +334,20 @@ const ArrayRanges& FileReader::GetRanges(std::size_t array, std::size_t step) co
   return this->Self->GetSteps().at(step).Arrays.at(array).Ranges;
 }
 
+Quantizer FileReader::GetRounding(std::size_t array, std::size_t component, std::size_t step) const
+{
+  const auto source = this->Self->FindSource(static_cast<std::uint32_t>(array), step);
+  const auto wanted = source.Components.at(component);
+  for (const auto& [c, palette] : this->Self->GetSteps().at(step).Arrays.at(source.Array).Palettes)
+  {
+    if (c == wanted)
+    {
+      return palette.Rounding;
+    }
+  }
+  return {};
+}
+
 std::vector<std::uint32_t> FileReader::GetNeighbors(std::size_t chunk) const
 {
   return this->Self->GetTables().GetNeighbors(chunk);

@@ -17,6 +17,8 @@
 
 namespace gatun
 {
+struct Quantizer;
+
 class MergeDependencies;
 
 /**
@@ -73,6 +75,9 @@ public:
    * chunks are read at each call. */
   const ArrayRanges& GetRanges(std::size_t array, std::size_t step) const;
   ArrayRanges GetChunkRanges(std::size_t array, std::size_t step, std::size_t chunk) const;
+
+  /** How the values of a component were rounded, none if they are exact. */
+  Quantizer GetRounding(std::size_t array, std::size_t component, std::size_t step) const;
 
   /** The field data of a step, decoded at each call. */
   FieldData GetFieldData(std::size_t step) const;

@@ -38,6 +38,17 @@ public:
   /** Returns the number of points that coincide with another one in all values so far. */
   std::size_t GetIndistinguishablePoints() const;
 
+  /** What tells the points or cells of a grid apart after a comparison, or nothing if all orders
+   * are kept. */
+  const std::vector<Hash>& GetFirst(bool points) const
+  {
+    return points ? this->First.Points : this->First.Cells;
+  }
+  const std::vector<Hash>& GetSecond(bool points) const
+  {
+    return points ? this->Second.Points : this->Second.Cells;
+  }
+
 private:
   struct Side
   {

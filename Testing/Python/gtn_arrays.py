@@ -9,6 +9,7 @@ Part of gtn_decoder, which is written from that text alone.
 import math
 import sys
 
+from gtn_bounds import BoundedValues
 from gtn_cells import TURNS, CellMesh, split
 from gtn_coding import (
     FLOAT32, FLOAT64, MAX_FLOAT32, UINT8, Coded, Domain, RunningSpread, divide)
@@ -34,15 +35,25 @@ class ArrayStream:
         require(self.temporal == NONE or has_before, "temporal mode without a step before")
         self.coded = Coded(stream)
 
-    def component(self, domain):
-        """Gets ready for the next component."""
+    def component(self, domain, snap=False):
+        """Gets ready for the next component. snap: whether values with errors are on a lattice."""
         self.coded.new_models()
+        self.bounded = None
+        if domain.bound is not None and not self.coded.raw(1):
+            self.bounded = BoundedValues(self.coded, domain, snap)
         self.running = RunningSpread()
         self.domain = domain
         self.null = domain.from_number(0.0)
 
-    def value(self, prediction, group=0, spread=None):
-        """A key (10.2). No spread: the running one."""
+    def predict(self, number):
+        """What value() takes for a predicted number."""
+        return float(number) if self.bounded else self.domain.from_number(number)
+
+    def value(self, prediction, group=0, spread=None, place=None, around=()):
+        """A key (10.2). No spread: the running one. place, around: those of the value and of
+        others for values with errors (10.7)."""
+        if self.bounded:
+            return self.bounded.value(prediction, place, around)
         if spread is None:
             spread = self.running.spread()
         d, _ = self.coded.residual(group, spread)
@@ -60,7 +71,7 @@ def decode_list(stream, domains, count, before=None, parents=None):
     stream = ArrayStream(stream, modes, before is not None)
     result = []
     for c, domain in enumerate(domains):
-        stream.component(domain)
+        stream.component(domain, parents is None)
         number = domain.to_number
         now = []
         for i in range(count):
@@ -73,8 +84,9 @@ def decode_list(stream, domains, count, before=None, parents=None):
                 p = before[c][i]
             elif stream.temporal == CHANGE and start is not None:
                 change = number(near) - number(before[c][start])
-                p = domain.from_number(number(before[c][i]) + change)
-            now.append(stream.value(p))
+                p = stream.predict(number(before[c][i]) + change)
+            around = () if i == 0 else (i - 1, start)
+            now.append(stream.value(p, place=i, around=around))
         result.append(now)
     return result
 
@@ -168,26 +180,46 @@ class ChunkMesh:
     def _decode_component(self, stream, domain, now, before):
         number = domain.to_number
         prev = prev_before = stream.null
+        # The keys whose numbers predictions use.
+        seen, seen_before = now, before
+        is_predicted = stream.spatial != PREVIOUS and stream.temporal != REPEAT
+        if stream.bounded and is_predicted:
+            finite = stream.bounded.finite
+            seen = [None if key is None else finite(key) for key in now]
+            if stream.temporal == CHANGE:
+                seen_before = [finite(key) for key in before]
         for i, v in enumerate(self.own):
-            p, group, spread = prev, 0, None
+            p, group, spread, around = prev, 0, None, ()
             if stream.temporal == REPEAT:
                 p = before[v]
             elif stream.spatial == PREVIOUS:
                 if stream.temporal == CHANGE:
                     change = number(prev) - number(prev_before)
-                    p = domain.from_number(number(before[v]) + change)
+                    p = stream.predict(number(before[v]) + change)
                     prev_before = before[v]
             else:
                 predict = self._predict_gate if stream.spatial == GATE else self._predict_fit
-                predicted = predict(i, domain, now)
+                predicted = predict(i, domain, seen)
+                around = self._around(i, stream.spatial) if stream.bounded else ()
                 if predicted is not None:
                     predicted, spread, group = predicted
-                    p = domain.from_number(predicted)
+                    p = stream.predict(predicted)
                     if stream.temporal == CHANGE:
-                        change = predicted - predict(i, domain, before)[0]
-                        p = domain.from_number(number(before[v]) + change)
+                        change = predicted - predict(i, domain, seen_before)[0]
+                        p = stream.predict(number(seen_before[v]) + change)
                         spread = None
-            now[v] = prev = stream.value(p, group, spread)
+            now[v] = prev = stream.value(p, group, spread, v, around)
+            if seen is not now:
+                seen[v] = finite(prev)
+
+    def _around(self, i, spatial):
+        """The vertices whose steps tell about those of own vertex number i (10.7)."""
+        if spatial == FIT:
+            return self._neighbors(i)[0]
+        record = self.walk.records[i]
+        if not self.is_walk:
+            return [v for v in record.slots if v is not None]
+        return [] if record.is_seed else record.known[:4]
 
     def _predict_gate(self, i, domain, keys):
         return self.geometry.predict(self.walk.records[i], self.geometry.used[i], domain, keys)

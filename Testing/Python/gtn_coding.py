@@ -120,6 +120,7 @@ class Domain:
     def __init__(self, kind, palette=None, scale=None):
         """scale: its class and what that takes behind the type."""
         self.kind = kind
+        self.bound = None  # of errors (5.5)
         self.palette = palette
         self.scale = scale and scale[0](kind, *scale[1:])
         self.width = 8 * SIZES[kind]

@@ -20,6 +20,7 @@ MAX_VALUES = 1 << 24
 MAX_PALETTE = 1 << 16
 SCALES = SHIFT, DECIMAL, FIXED = 65537, 65538, 65539
 COPY = 65540
+BOUND = 65541
 PALETTE = 0
 PAGE_CHUNKS = 256
 MAX_RUNGS = MAX_LEVELS = 64
@@ -36,7 +37,7 @@ END_MAGIC = b"GTNEND\r\n"
 SECTIONS = (
     b"META", b"TABL", b"PAGE", b"STEP", b"MESH", b"VALS", b"TREE", b"MERG", b"TRNG", b"LEVL",
     b"DEPS", b"LAYR", b"CELL", b"SURF", b"BNDY", b"DIRY")
-VERSIONS = {b"TABL": 3, b"STEP": 2}  # the highest ones of sections, if not 1
+VERSIONS = {b"TABL": 3, b"STEP": 3}  # the highest ones of sections, if not 1
 STREAMS = (b"PAGE", b"MESH", b"VALS", b"MERG")  # sections of streams
 
 
@@ -111,7 +112,7 @@ class Bytes:
 
     def domain(self):
         """A domain reference, or none: a palette with entries and stream, a scale with kind, digits
-        and first, or a copy with array and component."""
+        and first, a copy with array and component, or a bound with its bytes."""
         entries = self.varint()
         if entries == 0:
             return None
@@ -122,6 +123,8 @@ class Bytes:
             if entries == DECIMAL:
                 scale.first = self.number("b")
             return scale
+        if entries == BOUND:
+            return Record(kind=BOUND, bytes=self.take(26))
         require(entries <= MAX_PALETTE, "palette too large")
         stream = self.reference()
         require(stream is not None, "palette without a stream")

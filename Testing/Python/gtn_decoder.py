@@ -17,11 +17,12 @@ import numpy as np
 
 from gtn_arrays import ChunkMesh, decode_list, decode_palette
 from gtn_boundary import open_boundary
+from gtn_bounds import read_bound
 from gtn_coding import (
     FLOAT32, FLOAT64, UINT32, UINT64, Decimals, Domain, Shift)
 from gtn_container import (
-    CELLS, KEEP_CELLS, KEEP_CORNERS, KEEP_POINTS, PALETTE, POINTS, SHIFT, Container, FormatError,
-    is_copy, require)
+    BOUND, CELLS, KEEP_CELLS, KEEP_CORNERS, KEEP_POINTS, PALETTE, POINTS, SHIFT, Container, FormatError,
+    Bytes, is_copy, require)
 from gtn_dependencies import decode_dependencies
 from gtn_shapes import Shapes
 from gtn_tree import SimplerMesh, decode_merges, open_level
@@ -179,7 +180,8 @@ class Decoder:
             return values
         values.domains = [self._domain(array.type, domain) for domain in at.domains]
         values.scales = [
-            domain and (domain.kind, domain.digits, domain.first)
+            None if domain is None or domain.kind == BOUND
+            else (domain.kind, domain.digits, domain.first)
             for domain in at.domains if domain is None or domain.kind != PALETTE]
         if len(values.scales) < array.components or before and before.scales != values.scales:
             before = None  # of a copy, scales are no list
@@ -207,6 +209,9 @@ class Decoder:
     def _domain(self, kind, palette):
         plain = Domain(kind)
         if palette is None:
+            return plain
+        if palette.kind == BOUND:
+            plain.bound = read_bound(Bytes(palette.bytes), kind)
             return plain
         if palette.kind == SHIFT:
             return Domain(kind, None, (Shift, palette.digits))

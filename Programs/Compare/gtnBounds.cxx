@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gtnBounds.h"
+
+#include "gatunFileReader.h"
+#include "gatunQuantizer.h"
+
+#include "vtkDataArray.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+namespace gtn
+{
+namespace
+{
+bool HasErrors(const gatun::FileReader& file, std::size_t array)
+{
+  for (std::size_t step = 0; step < file.GetNumberOfSteps(); ++step)
+  {
+    for (std::uint32_t c = 0; c < file.GetArrays()[array].Components; ++c)
+    {
+      if (file.GetRounding(array, c, step))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+// The elements in the order of their hashes, those of equal ones in the order of their keys.
+// Without hashes, in their own order.
+std::vector<std::size_t> Order(const std::vector<Hash>& hashes, const std::vector<gatun::Key>& keys)
+{
+  std::vector<std::size_t> order(keys.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  if (hashes.size() == keys.size())
+  {
+    std::sort(order.begin(), order.end(),
+      [&](std::size_t l, std::size_t r)
+      { return std::pair(hashes[l], keys[l]) < std::pair(hashes[r], keys[r]); });
+  }
+  return order;
+}
+
+std::vector<gatun::Key> ReadKeys(const ArrayView& array, gatun::ScalarType type, std::size_t c)
+{
+  std::vector<gatun::Key> keys(static_cast<std::size_t>(array.Owner->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < keys.size(); ++i)
+  {
+    keys[i] = gatun::PlainKeys::ReadPlain(type, array.Tuple(i) + c * gatun::SizeOf(type));
+  }
+  return keys;
+}
+}
+
+//------------------------------------------------------------------------------
+/** Takes the arrays with errors out of the grids. */
+std::vector<BoundedComparison::Pair> BoundedComparison::Take(
+  GridView& packed, GridView& original, bool ofPoints)
+{
+  std::vector<Pair> taken;
+  auto& first = ofPoints ? packed.PointArrays : packed.CellArrays;
+  auto& second = ofPoints ? original.PointArrays : original.CellArrays;
+  const auto& arrays = this->File.GetArrays();
+  for (std::size_t a = 0; a < arrays.size(); ++a)
+  {
+    if ((arrays[a].Where == gatun::Association::Point) != ofPoints || !HasErrors(this->File, a))
+    {
+      continue;
+    }
+    // The coordinates come first among the points.
+    const auto find = [&](std::vector<ArrayView>& views)
+    {
+      return std::find_if(views.begin() + (ofPoints ? 1 : 0), views.end(),
+        [&](const ArrayView& view) { return view.Owner->GetName() == arrays[a].Name; });
+    };
+    const auto one = find(first);
+    const auto other = find(second);
+    if (one != first.end() && other != second.end() && one->Kind == other->Kind)
+    {
+      taken.push_back({ a, *one, *other });
+      first.erase(one);
+      second.erase(other);
+    }
+  }
+  return taken;
+}
+
+//------------------------------------------------------------------------------
+std::string BoundedComparison::CheckArray(const Pair& pair, std::size_t step, bool ofPoints)
+{
+  const auto& array = this->File.GetArrays()[pair.Array];
+  for (std::uint32_t c = 0; c < array.Components; ++c)
+  {
+    const auto rounding = this->File.GetRounding(pair.Array, c, step);
+    const auto packed = ReadKeys(pair.Packed, array.Type, c);
+    const auto original = ReadKeys(pair.Original, array.Type, c);
+    const auto first = Order(this->Others.GetFirst(ofPoints), packed);
+    const auto second = Order(this->Others.GetSecond(ofPoints), original);
+    for (std::size_t i = 0; i < first.size(); ++i)
+    {
+      const auto stored = packed[first[i]];
+      const auto exact = original[second[i]];
+      if (stored == exact)
+      {
+        continue;
+      }
+      if (!rounding || !rounding.IsWithin(array.Type, exact, stored))
+      {
+        return fmt::format("{} is not within its bound ({}): {} instead of {}", pair.Packed.Title,
+          ToString(rounding.Bound), pair.Packed.Text(first[i]), pair.Original.Text(second[i]));
+      }
+      this->Worst = std::max(
+        this->Worst, rounding.Measure(array.Type, exact, stored) / rounding.GetAllowed(array.Type));
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::string BoundedComparison::Compare(GridView packed, GridView original, std::size_t step)
+{
+  const auto points = this->Take(packed, original, true);
+  const auto cells = this->Take(packed, original, false);
+  std::string difference = this->Others.Compare(packed, original);
+  for (const auto* pairs : { &points, &cells })
+  {
+    for (std::size_t i = 0; difference.empty() && i < pairs->size(); ++i)
+    {
+      this->IsBounded = true;
+      difference = this->CheckArray((*pairs)[i], step, pairs == &points);
+    }
+  }
+  return difference;
+}
+}

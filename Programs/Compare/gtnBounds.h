@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gtnBounds_h
+#define gtnBounds_h
+
+#include "gtnCompare.h"
+#include "gtnGridView.h"
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace gatun
+{
+class FileReader;
+}
+
+namespace gtn
+{
+/**
+ * Compares a .gtn file whose arrays have errors with its original, time step after time step: the
+ * mesh and all arrays without errors bit by bit, and every value of the others by its bound.
+ *
+ * Points or cells whose order is not kept are paired by what they have in common without such
+ * arrays. Those that are indistinguishable are paired in the order of each component.
+ */
+class BoundedComparison
+{
+public:
+  /** comparison: that of the other arrays. Both must live as long. */
+  BoundedComparison(const gatun::FileReader& file, Comparison& comparison)
+    : File(file)
+    , Others(comparison)
+  {
+  }
+
+  /** Compares a step. Returns a description of the first difference, or an empty string. */
+  std::string Compare(GridView packed, GridView original, std::size_t step);
+
+  /** Whether there are arrays with errors, and the largest error as a part of its bound. */
+  bool HasBounds() const { return this->IsBounded; }
+  double GetWorst() const { return this->Worst; }
+
+private:
+  /** An array of both grids that has errors at some step. */
+  struct Pair
+  {
+    std::size_t Array;
+    ArrayView Packed;
+    ArrayView Original;
+  };
+
+  std::vector<Pair> Take(GridView& packed, GridView& original, bool ofPoints);
+  std::string CheckArray(const Pair& pair, std::size_t step, bool ofPoints);
+
+  const gatun::FileReader& File;
+  Comparison& Others;
+  bool IsBounded = false;
+  double Worst = 0;
+};
+}
+
+#endif
