@@ -239,6 +239,43 @@ TEST(HostileTables, ScalesMustBePossible)
     });
 }
 
+TEST(HostileTables, BoundsMustBePossible)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto expectRefused = [](const ErrorBound& bound, double step, double reached)
+  {
+    ExpectRefused("a bound of errors is impossible",
+      [&](FileImage& f)
+      {
+        auto& rounding = f.Steps[0].Arrays[0].Palettes[0].Rounding;
+        rounding.Bound = bound;
+        rounding.Step = step;
+        rounding.Reached = reached;
+      });
+  };
+  const ErrorBound absolute{ ErrorKind::Absolute, 1, false };
+  for (const double step : { 0.0, -1.0, nan, infinity, 1e308 })
+  {
+    expectRefused(absolute, step, 0);
+  }
+  expectRefused({ ErrorKind::Absolute, nan, false }, 1, 0);
+  expectRefused({ ErrorKind::Relative, 0, false }, 1, 0);
+  expectRefused(absolute, 1, nan);
+  expectRefused(absolute, 1, -1);
+  expectRefused({ static_cast<ErrorKind>(5), 1, false }, 1, 0);
+  for (const double step : { 1.0, 2.5, 1e16, nan })
+  {
+    expectRefused({ ErrorKind::Pointwise, 0.5, false }, step, 0);
+  }
+  ExpectRefused("coordinates have a bound of errors",
+    [&](FileImage& f)
+    {
+      f.Mesh.Palettes[2].Rounding.Bound = absolute;
+      f.Mesh.Palettes[2].Rounding.Step = 1;
+    });
+}
+
 /** Numbers as the order of a block or of a chunk's cells. */
 Bytes EncodeNumbers(ScalarType type, std::size_t count, Key first, Key step)
 {
