@@ -444,6 +444,19 @@ DetailLevel LevelOfDetailCache::Get(const DetailRequest& wanted)
   return level->Made;
 }
 
+namespace
+{
+/** The number of points of a level as compared with those of a request. An error in pixels may
+ * leave fewer points than were wanted: if it is the same error, that is no difference. */
+double GetComparablePoints(const Level& level, const DetailRequest& wanted)
+{
+  const DetailView* const made = level.Request.View.get();
+  const bool isAlike = made && wanted.View && made->PixelError == wanted.View->PixelError &&
+    made->Region == wanted.View->Region;
+  return static_cast<double>(isAlike ? level.Request.Points : level.Made.Points);
+}
+}
+
 //------------------------------------------------------------------------------
 DetailRequest LevelOfDetailCache::FindReady(const DetailRequest& wanted) const
 {
@@ -457,7 +470,7 @@ DetailRequest LevelOfDetailCache::FindReady(const DetailRequest& wanted) const
     {
       continue;
     }
-    const double halvings = std::log2(static_cast<double>(level.Made.Points) /
+    const double halvings = std::log2(GetComparablePoints(level, wanted) /
       static_cast<double>(std::max<std::uint64_t>(wanted.Points, 1)));
     double away = halvings > 0 ? 2 * halvings : -halvings;
     if (wanted.View && !level.Request.View)
