@@ -187,13 +187,13 @@ TEST(LevelOfDetailCache, LevelsWithFewerPointsThanWantedAreReady)
   Sample sample;
   const auto levels = sample.Make();
   const DetailRequest rough{ 20000, look(0, 5) };
-  levels->Prepare({ rough, { 15000, {} } });
+  levels->Prepare({ rough, { 20000, {} } });
   levels->Wait();
   EXPECT_EQ(levels->FindReady(rough), rough);
   // Levels of the view before, too, if they are as rough.
   const DetailRequest next{ 20000, look(1, 5) };
   EXPECT_EQ(levels->FindReady(next), rough);
-  EXPECT_EQ(levels->FindReady({ 20000, look(0, 0) }).Points, 15000u);
+  EXPECT_EQ(levels->FindReady({ 20000, look(0, 0) }), (DetailRequest{ 20000, {} }));
 }
 
 //------------------------------------------------------------------------------
