@@ -90,6 +90,10 @@ public:
   {
     return BytesPerTet * this->Detail->EstimateTets(points);
   }
+  std::uint64_t GetBytes(const DetailLevel& level) const
+  {
+    return level.Bytes + this->GetBytes(level.Points);
+  }
   Level* Find(const DetailRequest& request);
   void Add(Level level);
   bool IsReady(const DetailRequest& request);
@@ -156,16 +160,16 @@ Level* LevelOfDetailCache::Internals::Find(const DetailRequest& request)
 void LevelOfDetailCache::Internals::Add(Level level)
 {
   level.Used = ++this->Uses;
-  std::uint64_t bytes = this->GetBytes(level.Made.Points);
+  std::uint64_t bytes = this->GetBytes(level.Made);
   for (const Level& other : this->Levels)
   {
-    bytes += this->GetBytes(other.Made.Points);
+    bytes += this->GetBytes(other.Made);
   }
   while (!this->Levels.empty() && bytes > this->Space.Simpler)
   {
     const auto oldest = std::min_element(this->Levels.begin(), this->Levels.end(),
       [](const Level& a, const Level& b) { return a.Used < b.Used; });
-    bytes -= this->GetBytes(oldest->Made.Points);
+    bytes -= this->GetBytes(oldest->Made);
     this->Levels.erase(oldest);
   }
   this->Levels.push_back(std::move(level));
