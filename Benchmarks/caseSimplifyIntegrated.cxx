@@ -9,8 +9,11 @@
 #include "benchHarness.h"
 #include "benchScene.h"
 
+#include "gatunCoarseRaySource.h"
 #include "gatunFileReader.h"
+#include "gatunMergeCut.h"
 #include "gatunMergeTree.h"
+#include "gatunSimplifiedFile.h"
 #include "gatunSimplifyTarget.h"
 #include "vtkGatunRayCaster.h"
 #include "vtkGatunReader.h"
@@ -151,6 +154,26 @@ void DrawFile(vtkGatunRayCaster* caster, const Options& options)
   Draw(caster, options);
 }
 
+/** The seconds in which the merges of a simplified mesh are read and distributed to chunks. */
+double TimeMerges(const Options& options)
+{
+  const auto file = std::make_shared<gatun::FileReader>(options.File);
+  const auto merges = gatun::CountMerges({ gatun::SimplifyTarget::Ratio, options.Ratio },
+    file->GetNumberOfPoints(), file->GetNumberOfMerges(), {});
+  const gatun::RayValues values{ FindPointArray(*file, options.Array), 0, 0 };
+  return SecondsOf(
+    [&]
+    {
+      gatun::SimplifiedFile meshes(file);
+      const auto place = meshes.Find(merges);
+      if (place.Merges > 0)
+      {
+        const gatun::CoarseRaySource source(
+          place.File, *place.Tree, gatun::MergeCut(*place.Tree, place.Merges), values, 0);
+      }
+    });
+}
+
 void TimePicture(const Options& options)
 {
   vtkNew<vtkGatunRayCaster> caster;
@@ -180,6 +203,11 @@ void TimePicture(const Options& options)
         json["decompress"] = stages.Decompress;
         json["simplify"] = stages.Simplify;
         json["render"] = stages.Render;
+      }
+      else
+      {
+        json["simplify"] =
+          caster->GetStatistic(vtkGatunRayCaster::SimplifyTime) + TimeMerges(options);
       }
     });
 }

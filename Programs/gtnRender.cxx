@@ -71,6 +71,8 @@ Statistics StatisticsOf(vtkGatunRayCaster* caster)
   return {
     { "fetchSeconds", "  decoding, all threads", Statistic::Seconds,
       get(vtkGatunRayCaster::FetchTime) },
+    { "simplifySeconds", "    of these, merging points", Statistic::Seconds,
+      get(vtkGatunRayCaster::SimplifyTime) },
     { "orderSeconds", "  projecting and ordering", Statistic::Seconds,
       get(vtkGatunRayCaster::OrderTime) },
     { "setUpSeconds", "  planes of faces", Statistic::Seconds, get(vtkGatunRayCaster::SetUpTime) },

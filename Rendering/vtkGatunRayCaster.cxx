@@ -250,6 +250,8 @@ double vtkGatunRayCaster::GetStatistic(int which)
       return static_cast<double>(s.MostBytes);
     case NumberOfPoints:
       return static_cast<double>(this->Internals->Points);
+    case SimplifyTime:
+      return s.SimplifyTime;
     default:
       vtkErrorMacro("There is no statistic " << which << ".");
       return 0;

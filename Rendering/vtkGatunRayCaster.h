@@ -309,7 +309,8 @@ public:
     MostWaitingTetrahedra,  ///< largest number of tetrahedra of a chunk that wait for others
     MostFragments,          ///< largest number of ray fragments, in all pixels together
     MostBytes,              ///< peak memory of image and chunks, without MemoryBudget
-    NumberOfPoints          ///< of the simplified mesh; 0 if it is not simplified
+    NumberOfPoints,         ///< of the simplified mesh; 0 if it is not simplified
+    SimplifyTime            ///< of FetchTime: merging points of a file; not summed over threads
   };
   double GetStatistic(int which);
 

@@ -16,6 +16,7 @@ import renderingReport
 import scalingModel
 import scalingText
 import simplificationReport
+import simplificationTimes
 import speedReport
 import studyReport
 import surfaceReport
@@ -178,8 +179,9 @@ def _simplification(results):
     names = ", ".join(name for value, name in cases if value >= 1)
     builds = [1e6 * statistics.median(mesh["build"]["seconds"])
               / mesh["compared"]["original"]["tets"] for mesh in results["meshes"]]
-    shares = [100 * simplificationReport.simplify_share(run)
-              for run in results["integrated"]["runs"] if run["ratio"] > 0]
+    shares = [100 * simplificationTimes.simplify_share(run, way) for mesh in results["meshes"]
+              for run in mesh["integrated"]["runs"] if run["ratio"] > 0
+              for way in ("integrated", "levels")]
     return f"""The RMS error of the field is {span(better, ratio)} times that of
         `vtkUnstructuredGridQuadricDecimation` at equal numbers of tetrahedra in {len(better)} of
         {len(cases)} cases, and {span(worse, ratio)} times in the others, which have smooth

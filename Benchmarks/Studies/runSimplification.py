@@ -22,17 +22,17 @@ MODES = {
                    "kiefer_bracket": {"array": "vonMises_psi_pt"},
                    "delaunay": {"tets": 500000}, "flow": {"tets": 400000},
                    "big": {"tets": 5000000, "parts": (50, 2)}},
-        "samples": 200000, "rounds": 3, "pictures": ("bluntfin", (50, 25, 10, 5, 2), 512),
-        "integrated": ("delaunay", (0, 0.5, 0.75, 0.9, 0.98), 512)},
+        "samples": 200000, "rounds": 5, "size": 512, "pictures": "bluntfin",
+        "drawn": (50, 25, 10, 5, 2), "ratios": (0, 0.5, 0.75, 0.9, 0.98)},
     "quick": {
         "meshes": {"bluntfin": {"array": "Density"}, "comb": {"array": "Density"},
                    "delaunay": {"tets": 100000}, "flow": {"tets": 100000}},
-        "samples": 50000, "rounds": 1, "pictures": ("bluntfin", (50, 10, 2), 256),
-        "integrated": ("delaunay", (0, 0.5, 0.9), 256)},
+        "samples": 50000, "rounds": 1, "size": 256, "pictures": "bluntfin", "drawn": (50, 10, 2),
+        "ratios": (0, 0.5, 0.9)},
     "smoke": {
         "meshes": {"delaunay": {"tets": 3000}, "flow": {"tets": 6000}},
-        "samples": 2000, "rounds": 1, "pictures": ("flow", (50, 10), 64),
-        "integrated": ("flow", (0, 0.5), 64)},
+        "samples": 2000, "rounds": 1, "size": 64, "pictures": "flow", "drawn": (50, 10),
+        "ratios": (0, 0.5)},
 }
 
 
@@ -66,25 +66,39 @@ def measure_mesh(runner, name, source, wanted, mode, results):
     files, result = simplify_both(runner, name, source, array, parts)
     result.update(parts=parts, compared=compare(runner, source, files, array, mode))
     results["samples"] = mode["samples"]
-    if name == mode["pictures"][0]:
-        results["pictures"] = measure_pictures(runner, source, mode, runner.images)
-    if name == mode["integrated"][0]:
-        results["integrated"] = measure_integrated(runner, source, mode)
+    results["size"] = mode["size"]
+    if name == mode["pictures"]:
+        results["pictures"] = measure_pictures(runner, name, source, array, mode)
+    result["drawn"] = measure_drawing(runner, name, source, array, mode)
+    result["integrated"] = measure_integrated(runner, name, source, array, mode)
     return result
 
 
-def measure_pictures(runner, source, mode, folder):
-    """Figures 18 and 19: images of the original and of both simplifications."""
-    name, parts, size = mode["pictures"]
-    array = mode["meshes"][name].get("array", "Density")
+def draw(runner, shown, array, mode, *options):
+    return runner.case("simplify-picture", *shown, "--array", array, "--size", mode["size"], "--rounds",
+                       mode["rounds"], *options)["sizes"][0]["meshes"]
+
+
+def measure_pictures(runner, name, source, array, mode):
+    """Figure 19: images of the original and of both simplifications."""
+    parts = mode["drawn"]
     files, _ = simplify_both(runner, name, source, array, parts)
     shown = [source, *files["gatun"], *files["quadric"]]
-    pictures = [folder / f"{way}.png" for way in
+    pictures = [runner.images / f"{way}.png" for way in
                 ("original", *(f"{way}-{part}" for way in ("gatun", "quadric") for part in parts))]
-    drawn = runner.case("simplify-picture", *shown, "--array", array, "--size", size, "--rounds",
-                        mode["rounds"], "--out", *pictures)["sizes"][0]["meshes"]
-    return {"name": name, "size": size, "parts": parts, "original": drawn[0],
-            "gatun": drawn[1:len(parts) + 1], "quadric": drawn[len(parts) + 1:]}
+    drawn = draw(runner, shown, array, mode, "--out", *pictures)
+    return {"name": name, "parts": parts, "original": drawn[0], "gatun": drawn[1:len(parts) + 1],
+            "quadric": drawn[len(parts) + 1:]}
+
+
+def measure_drawing(runner, name, source, array, mode):
+    """Figure 18: the times of images of simplified meshes."""
+    parts = mode["drawn"]
+    files = [runner.path("simplification", f"{name}-drawn{part}.vtu") for part in parts]
+    tets = runner.case("simplify-build", source, "--array", array, threads=1)["tets"]
+    runner.case("simplify-gatun", source, "--array", array, "--tets",
+                ",".join(str(tets * part // 100) for part in parts), "--out", *files, threads=1)
+    return {"parts": (100, *parts), "meshes": draw(runner, (source, *files), array, mode)}
 
 
 def _median(rounds):
@@ -94,25 +108,23 @@ def _median(rounds):
             "rounds": [one["seconds"] for one in rounds]}
 
 
-def measure_integrated(runner, source, mode):
+def measure_integrated(runner, name, source, array, mode):
     """Figure 17: from a file to the image of a simplified mesh; staged, integrated, and integrated
     with base meshes. The methods take turns."""
-    name, ratios, size = mode["integrated"]
-    array = mode["meshes"][name].get("array", "Density")
     files = {way: runner.path("simplification", f"{name}-{way}.gtn") for way in ("tree", "levels")}
     for way, options in (("tree", ("--hierarchy",)), ("levels", ("--levels", 16))):
         runner.say(f"gtn pack {' '.join(map(str, options))}")
         runner.run("gtn", "pack", "-q", *options, "--weight", array, source, files[way])
     runs = []
-    for ratio in ratios:
+    for ratio in mode["ratios"]:
         ways = (("staged", "tree", ("--whole",)), ("integrated", "tree", ()), ("levels", "levels", ()))
         rounds = {way: [] for way, _, _ in ways}
         for _ in range(mode["rounds"]):
             for way, file, options in ways:
                 rounds[way].append(runner.case("simplify-integrated", files[file], "--array", array,
-                                               "--size", size, "--ratio", ratio, *options))
+                                               "--size", mode["size"], "--ratio", ratio, *options))
         runs.append({"ratio": ratio, **{way: _median(found) for way, found in rounds.items()}})
-    return {"name": name, "size": size, "runs": runs,
+    return {"runs": runs,
             "bytes": {way: file.stat().st_size for way, file in files.items()}}
 
 

@@ -7,6 +7,7 @@ import statistics
 
 import benchmarkPlots
 import simplificationReport
+import simplificationTimes
 from benchmarkPlots import pyplot
 
 COLORS = {"quadric": "#d55e00", "gatun": "#0072b2"}
@@ -57,38 +58,44 @@ def _figure19(results, folder, done):
     benchmarkPlots.save(figure, folder, "figure19", done)
 
 
+def _for_each_mesh(results):
+    """A row of diagrams, one a mesh."""
+    meshes = results["meshes"]
+    figure, grid = pyplot.subplots(1, len(meshes), squeeze=False,
+                                   figsize=(2.3 * len(meshes) + 0.5, 3))
+    return figure, list(zip(grid[0], meshes))
+
+
 def _figure18(results, folder, done):
-    shown = results["pictures"]
-    figure, axes = pyplot.subplots(figsize=(5, 3.5))
-    meshes = [shown["original"], *shown["gatun"]]
-    for kind, color, name in (("volumeSeconds", "#0072b2", "volume-based"),
-                               ("areaSeconds", "#e69f00", "area-based")):
-        axes.plot([100, *shown["parts"]],
-                  [1000 * statistics.median(mesh[kind]) for mesh in meshes], "o-", color=color,
-                  markersize=3, label=name)
-    axes.set_ylim(bottom=0)
-    axes.set_title(f"{shown['name']}: time to draw (Figure 18)", fontsize=9)
-    axes.legend(fontsize=8)
-    _percent(axes, [100, *shown["parts"]], "milliseconds")
+    figure, grid = _for_each_mesh(results)
+    for axes, mesh in grid:
+        for kind, color in (("volumeSeconds", "#0072b2"), ("areaSeconds", "#e69f00")):
+            axes.plot(mesh["drawn"]["parts"],
+                      [1000 * statistics.median(one[kind]) for one in mesh["drawn"]["meshes"]], "o-",
+                      color=color, markersize=3, label=simplificationTimes.KINDS[kind])
+        axes.set_ylim(bottom=0)
+        axes.set_title(mesh["name"], fontsize=9)
+        _percent(axes, mesh["drawn"]["parts"], "milliseconds")
+    grid[0][0].legend(fontsize=8)
     benchmarkPlots.save(figure, folder, "figure18", done)
 
 
 def _figure17(results, folder, done):
-    shown = results["integrated"]
-    figure, axes = pyplot.subplots(figsize=(5, 3.5))
-    ratios = [run["ratio"] for run in shown["runs"]]
-    for way, color, name in (("staged", "#d55e00", "one after the other"),
-                              ("integrated", "#0072b2", "all in one"),
-                              ("levels", "#009e73", "with base meshes")):
-        axes.plot(ratios, [run[way]["seconds"] for run in shown["runs"]], "o-", color=color,
-                  markersize=3, label=name)
-    axes.set_ylim(bottom=0)
-    axes.set_title(f"{shown['name']}: from file to image (Figure 17)", fontsize=9)
-    axes.set_xlabel("fraction of points removed", fontsize=8)
-    axes.set_ylabel("seconds", fontsize=8)
-    axes.tick_params(labelsize=7)
-    axes.grid(alpha=0.3)
-    axes.legend(fontsize=8)
+    figure, grid = _for_each_mesh(results)
+    for axes, mesh in grid:
+        runs = mesh["integrated"]["runs"]
+        for way, color, name in (("staged", "#d55e00", "one after the other"),
+                                  ("integrated", "#0072b2", "all in one"),
+                                  ("levels", "#009e73", "with base meshes")):
+            axes.plot([run["ratio"] for run in runs], [run[way]["seconds"] for run in runs], "o-",
+                      color=color, markersize=3, label=name)
+        axes.set_ylim(bottom=0)
+        axes.set_title(mesh["name"], fontsize=9)
+        axes.set_xlabel("fraction of points removed", fontsize=8)
+        axes.set_ylabel("seconds", fontsize=8)
+        axes.tick_params(labelsize=7)
+        axes.grid(alpha=0.3)
+    grid[0][0].legend(fontsize=8)
     benchmarkPlots.save(figure, folder, "figure17", done)
 
 
@@ -117,10 +124,9 @@ def _pictures(results, folder, done):
 def draw(results, folder):
     """Writes all plots; returns their names."""
     done = set()
-    _field(results, folder, done)
-    if "integrated" in results:
-        _figure17(results, folder, done)
+    for make in _field, _figure17, _figure18:
+        make(results, folder, done)
     if "pictures" in results:
-        for make in _figure18, _figure19, _pictures:
+        for make in _figure19, _pictures:
             make(results, folder, done)
     return done

@@ -6,7 +6,8 @@
 import statistics
 
 import benchmarkText
-from benchmarkText import image, number, paragraph, ratio, rounds_of, spread, table
+import simplificationTimes
+from benchmarkText import image, number, paragraph, table
 
 FOLDER = "simplification-study"
 
@@ -29,11 +30,6 @@ def field_ratio(quadric, gatun):
 
 def volume_error(mesh, compared):
     return abs(compared["volume"] / mesh["compared"]["original"]["volume"] - 1)
-
-
-def memory(run):
-    """MiB above the process with the mesh in it."""
-    return (run["peak"] - run["before"]) / 2**20
 
 
 def _small(value):
@@ -62,7 +58,7 @@ def _head(results):
 The quality of the meshes that Gatun simplifies ([guide](../simplification.md)), compared with
 `vtkUnstructuredGridQuadricDecimation`, VTK's own filter (Vo et al. 2007). The page also repeats
 Figures 17, 18 and 19 of C. Yang, *On-the-fly Processing of Compressed Volume Data*, dissertation
-proposal, Stony Brook, 2001, for one mesh each. `Utilities/bench.sh --simplification`
+proposal, Stony Brook, 2001. `Utilities/bench.sh --simplification`
 (Benchmarks/Studies/runSimplification.py) writes it. All results are in
 [results.json](simplification-study/results.json).
 
@@ -135,11 +131,11 @@ def _speed(results):
         tets = mesh["compared"]["original"]["tets"]
         build = statistics.median(mesh["build"]["seconds"])
         rows.append([mesh["name"], f"{tets:,}", number(build), f"{tets / build / 1e6:.3f}",
-                     number(memory(mesh["build"])), number(mesh["gatun"]["seconds"]),
-                     number(memory(mesh["gatun"])),
+                     number(simplificationTimes.memory(mesh["build"])), number(mesh["gatun"]["seconds"]),
+                     number(simplificationTimes.memory(mesh["gatun"])),
                      ", ".join(number(run["seconds"]) for run in mesh["gatun"]["meshes"]),
                      ", ".join(number(run["seconds"]) for run in mesh["quadric"]),
-                     number(max(memory(run) for run in mesh["quadric"]))])
+                     number(max(simplificationTimes.memory(run) for run in mesh["quadric"]))])
     return "## Time and memory\n\n" + paragraph("""One thread. Gatun finds the order of all merges once
         (`gatun::BuildMergeTree`; the filter `vtkGatunSimplify` also converts and copies the mesh); each
         mesh then takes one pass. VTK starts again for each mesh. Seconds, and peak MiB above those of the
@@ -157,79 +153,25 @@ def _images(results, plots):
     for part, gatun, quadric in zip(shown["parts"], shown["gatun"], shown["quadric"]):
         rows.append([part, f"{quadric['tets']:,}", f"{gatun['tets']:,}", _small(quadric["rms"]),
                      _small(gatun["rms"]), _small(quadric["largest"]), _small(gatun["largest"])])
-    times = []
-    for part, mesh in zip((100, *shown["parts"]), (shown["original"], *shown["gatun"])):
-        times.append([part, f"{mesh['tets']:,}",
-                      *(spread(1000 * s for s in mesh[kind])
-                        for kind in ("volumeSeconds", "areaSeconds")),
-                      spread(rounds_of(zip(mesh["areaSeconds"], mesh["volumeSeconds"])), ratio)])
-    size = f"{shown['size']} x {shown['size']}"
-    gain = {kind: statistics.median(shown["original"][kind]) /
-            statistics.median(shown["gatun"][-1][kind])
-            for kind in ("volumeSeconds", "areaSeconds")}
-    return f"## Images ({shown['name']})\n\n" + image(
+    return f"## Images ({shown['name']}, Figure 19)\n\n" + image(
         plots, "pictures", "The original and simplified meshes, as volumes", FOLDER) + "\n" + (
-            "### Difference from the image of the original (Figure 19)\n\n") + paragraph(f"""Root
-        mean square and largest difference of the colors, 0 to 1, from the image of the whole mesh,
-        {size} pixels, over the pixels that either mesh covers. The proposal shows this for its
-        own method only, by the percentage of points merged, and finds the error "minimal" except
-        for very aggressive ratios.""") + "\n" + table(
+            paragraph(f"""Root mean square and largest difference of the colors, 0 to 1, from the
+        image of the whole mesh, {_size(results)} pixels, over the pixels that either mesh
+        covers. The proposal shows this for its own method only, by the percentage of points
+        merged, and finds the error "minimal" except for very aggressive ratios.""")) + "\n" + table(
             ["% of tets", "tets, VTK", "tets, Gatun", "RMS, VTK", "RMS, Gatun", "max, VTK",
              "max, Gatun"], rows) + "\n" + image(
-                 plots, "figure19", "Difference of images", FOLDER) + (
-            "\n### Volume-based or area-based samples (Figure 18)\n\n") + paragraph(f"""The proposal
-        draws with samples at even distances ("volume-based") and with one sample per tetrahedron and
-        ray ("area-based"), and is surprised that the first gains from simplification, too. It
-        does here: at {shown["parts"][-1]} % of the tetrahedra, volume-based images are drawn
-        {gain["volumeSeconds"]:.1f} times as fast as those of the whole mesh, area-based images
-        {gain["areaSeconds"]:.1f} times. Area-based sampling is not faster in itself: above 1 in the
-        last column, it takes longer. `vtkGatunRayCaster`, all processors, {size}; milliseconds in
-        total.""") + "\n" + table(
-            ["% of tets", "tetrahedra", "volume, ms", "area, ms", "area / volume"], times) + (
-                "\n" + image(plots, "figure18", "Time to draw by remaining tetrahedra", FOLDER))
+                 plots, "figure19", "Difference of images", FOLDER)
 
 
-def simplify_share(run):
-    """The share of simplification in the time from file to image."""
-    staged = run["staged"]
-    return staged["simplify"] / staged["seconds"]
-
-
-def _seconds(run):
-    return spread(run.get("rounds", [run["seconds"]]))
-
-
-def _integrated(results, plots):
-    if "integrated" not in results:
-        return ""
-    shown = results["integrated"]
-    rows = []
-    for run in shown["runs"]:
-        ways = [run[way] for way in ("staged", "integrated", "levels")]
-        rows.append([f"{run['ratio']:g}", f"{run['integrated']['tets']:,.0f}",
-                     *(number(run["staged"][stage]) for stage in ("decompress", "simplify", "render")),
-                     *map(_seconds, ways), *(number(memory(way)) for way in ways)])
-    shares = [f"{100 * simplify_share(run):.0f}" for run in shown["runs"] if run["ratio"] > 0]
-    plain = shown["runs"][0]["integrated"]["seconds"]
-    size = f"{shown['size']} x {shown['size']}"
-    return f"## Integrated simplification ({shown['name']}, Figure 17)\n\n" + paragraph(f"""From a `.gtn`
-        file with a hierarchy to the image of a simplified mesh, {size} pixels, all processors, in a
-        separate process: seconds, and peak MiB above those of the new process. The ratio is the fraction
-        of points removed. *Staged*: the mesh is decompressed into a grid (`vtkGatunReader`), simplified
-        with the merges of the file, and drawn. *Integrated*: chunks are simplified as they are decoded,
-        and freed once they are drawn (`vtkGatunRayCaster` with MemoryBudget 0). *With base meshes*: the
-        same with a file that has levels of detail ({shown['bytes']['levels'] / 2**20:.1f} MiB instead of
-        {shown['bytes']['tree'] / 2**20:.1f}).""") + "\n" + table(
-            ["ratio", "tetrahedra", "decompress", "simplify", "draw", "staged", "integrated",
-             "with base meshes", "MiB, staged", "integrated", "with base meshes"], rows) + "\n" + (
-            paragraph(f"""Simplification takes {", ".join(shares)} % of the staged time; the proposal reports
-        less than 5 %. Without simplification the integrated method takes {number(plain)} s.""")) + (
-            "\n" + image(plots, "figure17", "Seconds from file to image", FOLDER))
+def _size(results):
+    return f"{results['size']} x {results['size']}"
 
 
 def page(results, plots):
     parts = [_head(results), _field(results, plots), _shape(results), _speed(results),
-             _images(results, plots), _integrated(results, plots)]
+             _images(results, plots), simplificationTimes.drawing(results, plots),
+             simplificationTimes.integrated(results, plots)]
     return "\n".join(part.rstrip() + "\n" for part in parts if part)
 
 

@@ -44,11 +44,17 @@ def main():
             "the image of the original differs from itself or is empty")
     require(0 < shown["gatun"][0]["rms"] < shown["gatun"][-1]["rms"] < 0.2,
             "images do not become worse")
-    runs = results["integrated"]["runs"]
-    require(len({run[way]["tets"] for run in runs[1:] for way in ("staged", "integrated", "levels")})
-            == 1, "the methods draw different meshes")
-    require(runs[1]["integrated"]["tets"] < 0.7 * runs[0]["integrated"]["tets"],
-            "nothing is simplified on the way from the file")
+    for mesh in results["meshes"]:
+        runs = mesh["integrated"]["runs"]
+        require(len({run[way]["tets"] for run in runs[1:]
+                     for way in ("staged", "integrated", "levels")}) == 1,
+                f"{mesh['name']}: the methods draw different meshes")
+        require(runs[1]["integrated"]["tets"] < 0.7 * runs[0]["integrated"]["tets"],
+                f"{mesh['name']}: nothing is simplified on the way from the file")
+        require(runs[1]["integrated"]["simplify"] > 0, f"{mesh['name']}: simplifying takes no time")
+        drawn = [one["tets"] for one in mesh["drawn"]["meshes"]]
+        require(drawn == sorted(drawn, reverse=True) and len(set(drawn)) == len(drawn),
+                f"{mesh['name']}: the drawn meshes are not simpler and simpler: {drawn}")
     page = (out / "simplification-study.md").read_text(encoding="utf-8")
     for part in "Figure 17", "Figure 18", "Figure 19", "Gatun / VTK", "M tets/s":
         require(part in page, f"the page says nothing of {part}")

@@ -12,6 +12,8 @@
 #include "gatunRayDecoder.h"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <unordered_map>
 #include <vector>
 
@@ -88,9 +90,10 @@ public:
   CoarseMask Mask;
   std::vector<std::uint32_t> Chunks; // for each block, ascending
   CoarseLayout Layout;
-  std::vector<Bounds> Boxes; // of the blocks
-  RayBlockCache Cache;       // by chunks
-  std::uint64_t RoomLeft;    // for waiting chunks
+  std::vector<Bounds> Boxes;                  // of the blocks
+  RayBlockCache Cache;                        // by chunks
+  std::atomic<std::int64_t> SimplifyTime = 0; // in nanoseconds, summed over threads
+  std::uint64_t RoomLeft;                     // for waiting chunks
   std::shared_ptr<RayChunks> Decoded;
 
 private:
@@ -394,8 +397,12 @@ void CoarseRaySource::Internals::Make(
       if (chunks[i] != NoChunk)
       {
         const auto block = this->Decoded->Get(chunks[i]);
+        const auto start = std::chrono::steady_clock::now();
         this->Give(chunks[i], *block);
         left[i] = this->Simplify(chunks[i], *block);
+        this->SimplifyTime += std::chrono::duration_cast<std::chrono::nanoseconds>(
+          std::chrono::steady_clock::now() - start)
+                                .count();
       }
     },
     [&](double done) { return !progress || progress(share * done); });
@@ -481,6 +488,12 @@ Range CoarseRaySource::GetRange(std::size_t block) const
     all.Include(get(source, 0));
   }
   return all;
+}
+
+//------------------------------------------------------------------------------
+double CoarseRaySource::GetSimplifyTime() const
+{
+  return 1e-9 * static_cast<double>(this->Self->SimplifyTime.load()) / GetNumberOfThreads();
 }
 
 //------------------------------------------------------------------------------

@@ -42,6 +42,9 @@ struct CoarseMask
 class VTKGATUNCORE_EXPORT CoarseRaySource final : public RaySource
 {
 public:
+  /** The memory of a source without its blocks, about, for each point of the file. */
+  static constexpr std::uint64_t BytesPerPoint = 6;
+
   /** Tree: that of the file. Budget: in bytes. Throws InvalidInput if the file has no such array or
    * step, or the cut belongs to another tree. */
   CoarseRaySource(std::shared_ptr<const FileReader> file, const MergeTree& tree, MergeCut cut,
@@ -65,6 +68,7 @@ public:
   const Bounds& GetBounds(std::size_t block) const override;
   Range GetRange(std::size_t block) const override;
   Blocks GetBlocks(std::span<const std::size_t> blocks, const Progress& progress) override;
+  double GetSimplifyTime() const override;
 
 private:
   class Internals;

@@ -58,8 +58,8 @@ struct DetailView
 /** A level of detail: the same everywhere, or finer where a view needs it. */
 struct DetailRequest
 {
-  /** The number of points that are left, about; more where the pixel error of the view is larger
-   * than with so many. */
+  /** The number of points that are left, about; fewer where the pixel error of the view allows it.
+   */
   std::uint64_t Points = 0;
 
   std::shared_ptr<const DetailView> View; ///< null: the same everywhere

@@ -226,10 +226,12 @@ DetailLevel FileCuts::Make(const DetailView& view, std::uint64_t points)
   const auto tooCoarse = this->FindTooCoarse(cut);
   const auto all = cut.GetDone().size();
   std::vector<std::shared_ptr<RaySource>> sources;
+  std::uint64_t bytes = 0;
   for (std::size_t i = 0; i < this->Levels.size(); ++i)
   {
     const Level& level = this->Levels[i];
     const MergeTree& tree = *level.Of.Tree;
+    bytes += CoarseRaySource::BytesPerPoint * tree.GetNumberOfPoints();
     CoarseMask mask;
     if (i > 0)
     {
@@ -251,6 +253,6 @@ DetailLevel FileCuts::Make(const DetailView& view, std::uint64_t points)
     sources.push_back(std::move(source));
   }
   return { std::make_shared<JoinedRaySource>(std::move(sources)),
-    cut.GetAncestors().size() - cut.GetNumberOfMerges() };
+    cut.GetAncestors().size() - cut.GetNumberOfMerges(), bytes };
 }
 }

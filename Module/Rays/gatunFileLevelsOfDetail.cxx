@@ -19,6 +19,10 @@ namespace
 // so many times as many.
 constexpr std::uint64_t Contrast = 8;
 
+// Memory of a mesh for views for each point of its finest base mesh, about: merges, dependencies
+// and places. The coarsest base mesh with at least so many points may have twice as many.
+constexpr std::uint64_t BytesPerPoint = 2 * 80;
+
 // Points of the base mesh that is decoded as a whole for views with an error or a region, at least.
 constexpr std::uint64_t PointsForRest = 20000;
 }
@@ -86,6 +90,15 @@ std::shared_ptr<RaySource> FileLevelsOfDetail::MakeSource(
 }
 
 //------------------------------------------------------------------------------
+DetailLevel FileLevelsOfDetail::MakeUniform(std::uint64_t points, std::uint64_t budget)
+{
+  const auto place = this->File.Find(this->CountMerges(points));
+  const std::uint64_t bytes =
+    place.Merges > 0 ? CoarseRaySource::BytesPerPoint * place.File->GetNumberOfPoints() : 0;
+  return { this->MakeSource(points, budget), points, bytes };
+}
+
+//------------------------------------------------------------------------------
 /** The coarsest level with at least so many points. */
 std::size_t FileLevelsOfDetail::FindLevel(std::uint64_t points) const
 {
@@ -101,13 +114,17 @@ std::size_t FileLevelsOfDetail::FindLevel(std::uint64_t points) const
 //------------------------------------------------------------------------------
 /** The finest level that a view needs, from a given one on. */
 std::size_t FileLevelsOfDetail::FindFinest(
-  const DetailView& view, std::uint64_t points, std::size_t coarse)
+  const DetailView& view, std::uint64_t points, bool isForRest, std::size_t coarse)
 {
   if (view.Region != DetailRegion{})
   {
     return 0;
   }
-  const auto finest = std::min(this->FindLevel(Contrast * points), coarse);
+  // In motion, a quarter of the budget is for what is known of all points.
+  const auto affordable = this->Budget->GetBytes() / 4 / BytesPerPoint;
+  const auto finest = std::min(
+    this->FindLevel(isForRest ? Contrast * points : std::min(Contrast * points, affordable)),
+    coarse);
   const FileReader& file = *this->File.GetFile();
   const double weight =
     DetailWeights(view.View, GetDiagonal(file.GetBounds())).Get(file.GetBounds());
@@ -177,7 +194,7 @@ DetailLevel FileLevelsOfDetail::MakeLevel(
   const bool isWhole = points == all && !(request.View && request.View->PixelError > 0);
   if (!request.View || isWhole)
   {
-    return { this->MakeSource(points, budget), points };
+    return this->MakeUniform(points, budget);
   }
   if (!this->Budget)
   {
@@ -186,11 +203,11 @@ DetailLevel FileLevelsOfDetail::MakeLevel(
   const bool isForRest = points == all || request.View->Region != DetailRegion{};
   const auto coarse = this->FindLevel(
     isForRest ? std::min(all, std::max(points == all ? 0 : points, PointsForRest)) : points);
-  const auto fine = this->FindFinest(*request.View, points, coarse);
+  const auto fine = this->FindFinest(*request.View, points, isForRest, coarse);
   FileCuts* const cuts = this->FindCuts(fine, coarse, progress);
   if (!cuts)
   {
-    return { this->MakeSource(points, budget), points };
+    return this->MakeUniform(points, budget);
   }
   return cuts->Make(*request.View, points);
 }

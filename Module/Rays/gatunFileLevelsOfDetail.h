@@ -45,8 +45,10 @@ public:
 
 private:
   std::uint64_t CountMerges(std::uint64_t points) const;
+  DetailLevel MakeUniform(std::uint64_t points, std::uint64_t budget);
   std::size_t FindLevel(std::uint64_t points) const;
-  std::size_t FindFinest(const DetailView& view, std::uint64_t points, std::size_t coarse);
+  std::size_t FindFinest(
+    const DetailView& view, std::uint64_t points, bool isForRest, std::size_t coarse);
   std::shared_ptr<RayChunks> GetChunks(std::size_t level);
   FileCuts* FindCuts(std::size_t fine, std::size_t coarse, const RaySource::Progress& progress);
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gatunJoinedRaySource.h"
 
+#include <numeric>
+
 namespace gatun
 {
 //------------------------------------------------------------------------------
@@ -29,6 +31,13 @@ Range JoinedRaySource::GetRange(std::size_t block) const
 {
   const auto& [source, place] = this->Places[block];
   return this->Sources[source]->GetRange(place);
+}
+
+//------------------------------------------------------------------------------
+double JoinedRaySource::GetSimplifyTime() const
+{
+  return std::accumulate(this->Sources.begin(), this->Sources.end(), 0.0,
+    [](double sum, const auto& source) { return sum + source->GetSimplifyTime(); });
 }
 
 //------------------------------------------------------------------------------

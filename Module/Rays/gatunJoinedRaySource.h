@@ -21,6 +21,7 @@ public:
   const Bounds& GetBounds(std::size_t block) const override;
   Range GetRange(std::size_t block) const override;
   Blocks GetBlocks(std::span<const std::size_t> blocks, const Progress& progress) override;
+  double GetSimplifyTime() const override;
 
 private:
   std::vector<std::shared_ptr<RaySource>> Sources;

@@ -90,6 +90,10 @@ public:
   {
     return BytesPerTet * this->Detail->EstimateTets(points);
   }
+  std::uint64_t GetBytes(const DetailLevel& level) const
+  {
+    return level.Bytes + this->GetBytes(level.Points);
+  }
   Level* Find(const DetailRequest& request);
   void Add(Level level);
   bool IsReady(const DetailRequest& request);
@@ -156,16 +160,16 @@ Level* LevelOfDetailCache::Internals::Find(const DetailRequest& request)
 void LevelOfDetailCache::Internals::Add(Level level)
 {
   level.Used = ++this->Uses;
-  std::uint64_t bytes = this->GetBytes(level.Made.Points);
+  std::uint64_t bytes = this->GetBytes(level.Made);
   for (const Level& other : this->Levels)
   {
-    bytes += this->GetBytes(other.Made.Points);
+    bytes += this->GetBytes(other.Made);
   }
   while (!this->Levels.empty() && bytes > this->Space.Simpler)
   {
     const auto oldest = std::min_element(this->Levels.begin(), this->Levels.end(),
       [](const Level& a, const Level& b) { return a.Used < b.Used; });
-    bytes -= this->GetBytes(oldest->Made.Points);
+    bytes -= this->GetBytes(oldest->Made);
     this->Levels.erase(oldest);
   }
   this->Levels.push_back(std::move(level));
@@ -444,6 +448,19 @@ DetailLevel LevelOfDetailCache::Get(const DetailRequest& wanted)
   return level->Made;
 }
 
+namespace
+{
+/** The number of points of a level as compared with those of a request. An error in pixels may
+ * leave fewer points than were wanted: if it is the same error, that is no difference. */
+double GetComparablePoints(const Level& level, const DetailRequest& wanted)
+{
+  const DetailView* const made = level.Request.View.get();
+  const bool isAlike = made && wanted.View && made->PixelError == wanted.View->PixelError &&
+    made->Region == wanted.View->Region;
+  return static_cast<double>(isAlike ? level.Request.Points : level.Made.Points);
+}
+}
+
 //------------------------------------------------------------------------------
 DetailRequest LevelOfDetailCache::FindReady(const DetailRequest& wanted) const
 {
@@ -457,7 +474,7 @@ DetailRequest LevelOfDetailCache::FindReady(const DetailRequest& wanted) const
     {
       continue;
     }
-    const double halvings = std::log2(static_cast<double>(level.Made.Points) /
+    const double halvings = std::log2(GetComparablePoints(level, wanted) /
       static_cast<double>(std::max<std::uint64_t>(wanted.Points, 1)));
     double away = halvings > 0 ? 2 * halvings : -halvings;
     if (wanted.View && !level.Request.View)

@@ -17,6 +17,7 @@ struct DetailLevel
 {
   std::shared_ptr<RaySource> Source;
   std::uint64_t Points = 0; ///< that are left
+  std::uint64_t Bytes = 0;  ///< that the source takes without its blocks, about
 };
 
 /**

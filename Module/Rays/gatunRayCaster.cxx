@@ -304,7 +304,9 @@ void RayCaster::Internals::TakeTurns(
     RaySource::Blocks blocks;
     {
       const Timed timed(this->Statistics.FetchTime);
+      const double before = source.GetSimplifyTime();
       blocks = source.GetBlocks(turn, {});
+      this->Statistics.SimplifyTime += source.GetSimplifyTime() - before;
     }
     use(blocks);
   }

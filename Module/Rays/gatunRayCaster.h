@@ -48,11 +48,12 @@ struct RaySettings
 /** Statistics of an image. Times are sums over all threads, in seconds. */
 struct RayStatistics
 {
-  double FetchTime = 0;  ///< making or decoding blocks
-  double OrderTime = 0;  ///< projecting and ordering tetrahedra
-  double SetUpTime = 0;  ///< planes of their faces
-  double DrawTime = 0;   ///< integrals along rays
-  double FinishTime = 0; ///< fragments into pixels
+  double FetchTime = 0;    ///< making or decoding blocks
+  double SimplifyTime = 0; ///< of FetchTime: merging points
+  double OrderTime = 0;    ///< projecting and ordering tetrahedra
+  double SetUpTime = 0;    ///< planes of their faces
+  double DrawTime = 0;     ///< integrals along rays
+  double FinishTime = 0;   ///< fragments into pixels
   std::uint64_t Tets = 0;
   std::uint64_t SeenTets = 0;      ///< tetrahedra that may be on a ray, or contain a sample
   std::uint64_t Blocks = 0;        ///< drawn

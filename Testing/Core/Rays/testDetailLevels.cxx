@@ -226,6 +226,15 @@ protected:
   std::unique_ptr<LevelsOfDetail> Levels;
 };
 
+/** Blocks in memory are cut anew for each view. */
+class DetailLevelsOfFiles : public DetailLevels
+{
+};
+
+class DetailLevelsOfBases : public DetailLevels
+{
+};
+
 constexpr double S = Side;
 
 TEST_P(DetailLevels, FillTheMeshFromEverywhere)
@@ -361,12 +370,8 @@ TEST_P(DetailLevels, DoNotDependOnTheViewsBefore)
   EXPECT_TRUE(get(2) == before);
 }
 
-TEST_P(DetailLevels, TakeTheBlocksThatStay)
+TEST_P(DetailLevelsOfFiles, TakeTheBlocksThatStay)
 {
-  if (GetParam() == Origin::Memory)
-  {
-    GTEST_SKIP() << "blocks in memory are cut anew";
-  }
   const auto points = this->GetPoints() / 4;
   const auto first = this->Make(points, MakeView(LookFrom({ S / 2, S / 2, S + 2 })));
   const auto before = GetBlocks(*first.Source);
@@ -379,12 +384,8 @@ TEST_P(DetailLevels, TakeTheBlocksThatStay)
   EXPECT_LT(static_cast<std::size_t>(same), after.size());
 }
 
-TEST_P(DetailLevels, ReadWhatTheViewNeeds)
+TEST_P(DetailLevelsOfBases, ReadWhatTheViewNeeds)
 {
-  if (GetParam() != Origin::FileWithBases)
-  {
-    GTEST_SKIP() << "there are no base meshes";
-  }
   const auto whole = std::make_shared<const FileReader>(this->File->GetPath());
   FileLevelsOfDetail all(whole, {});
   GetTets(*all.MakeSource(this->GetPoints(), Plenty));
@@ -430,5 +431,9 @@ std::string GetName(const testing::TestParamInfo<Origin>& origin)
 
 INSTANTIATE_TEST_SUITE_P(Origins, DetailLevels,
   testing::Values(Origin::Memory, Origin::File, Origin::FileWithBases), GetName);
+INSTANTIATE_TEST_SUITE_P(
+  Origins, DetailLevelsOfFiles, testing::Values(Origin::File, Origin::FileWithBases), GetName);
+INSTANTIATE_TEST_SUITE_P(
+  Origins, DetailLevelsOfBases, testing::Values(Origin::FileWithBases), GetName);
 }
 }

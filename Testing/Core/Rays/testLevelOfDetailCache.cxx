@@ -99,6 +99,13 @@ public:
     ++this->Told->Sources;
     return std::make_shared<FakeSource>(this->Told);
   }
+  /** With an error in pixels, a tenth of the points is enough. */
+  DetailLevel MakeLevel(
+    const DetailRequest& request, std::uint64_t budget, const RaySource::Progress&) override
+  {
+    const bool isRough = request.View && request.View->PixelError > 0;
+    return { this->MakeSource(request.Points, budget), request.Points / (isRough ? 10 : 1) };
+  }
   std::uint64_t EstimateTets(std::uint64_t points) const override { return 5 * points; }
 
 private:
@@ -166,6 +173,27 @@ TEST(LevelOfDetailCache, WhatIsWantedBecomesReady)
   Draw(*levels->GetWhole());
   EXPECT_EQ(sample.Told->Blocks, 30); // nothing was left to be made
   EXPECT_EQ(levels->Get({ Points, {} }).Source, levels->GetWhole());
+}
+
+//------------------------------------------------------------------------------
+TEST(LevelOfDetailCache, LevelsWithFewerPointsThanWantedAreReady)
+{
+  const auto look = [](double x, double error)
+  {
+    const RayView view(
+      { { { 1, 0, 0, x }, { 0, 1, 0, 0 }, { 0, 0, 1, -4 } } }, RayFrustum{}, 8, 8, 1);
+    return std::make_shared<DetailView>(DetailView{ view, error, {}, nullptr });
+  };
+  Sample sample;
+  const auto levels = sample.Make();
+  const DetailRequest rough{ 20000, look(0, 5) };
+  levels->Prepare({ rough, { 20000, {} } });
+  levels->Wait();
+  EXPECT_EQ(levels->FindReady(rough), rough);
+  // Levels of the view before, too, if they are as rough.
+  const DetailRequest next{ 20000, look(1, 5) };
+  EXPECT_EQ(levels->FindReady(next), rough);
+  EXPECT_EQ(levels->FindReady({ 20000, look(0, 0) }), (DetailRequest{ 20000, {} }));
 }
 
 //------------------------------------------------------------------------------
