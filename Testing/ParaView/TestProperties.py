@@ -154,7 +154,7 @@ path = sample.temporary("properties.gtn")
 writer = simple.CreateWriter(path, sample.make_source())
 for prop in ("KeepOrder", "ChunkTets", "SplitCells", "ReplaceReadOnly", "FileName",
              "ChooseArraysToWrite", "WriteAllTimeSteps", "KeyStepInterval", "NumberOfPieces",
-             "SpillMemory", "SpillFolder", "JoinAllPoints", "PointError", "PointBits"):
+             "SpillMemory", "SpillFolder", "JoinAllPoints", "PointError", "PointBits", "ArrayErrors", "KeepZeros"):
     assert writer.GetProperty(prop) is not None, prop
 writer.UpdatePipeline()
 reader = simple.GatunReader(FileNames=[path])

@@ -74,3 +74,12 @@ assert back.OnDemand == "Large Meshes Only" and not back.GetProperty("SplitCells
 back.OnDemand = "Always"
 back.UpdatePipeline()
 assert back.GetDataInformation().GetNumberOfCells() == 12
+
+# Arrays with errors.
+simple.SaveData(path, proxy=sphere, ArrayErrors=["Normals=abs:0.02"])
+back = simple.OpenDataFile(path)
+back.UpdatePipeline()
+ranges = [[proxy.GetDataInformation().GetPointDataInformation().GetArrayInformation("Normals")
+           .GetComponentRange(i) for i in range(3)] for proxy in (sphere, back)]
+assert ranges[0] != ranges[1]
+assert all(abs(a - b) <= 0.02 for one, other in zip(*ranges) for a, b in zip(one, other)), ranges
