@@ -8,12 +8,42 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <string_view>
 #include <system_error>
 
 namespace gatun
 {
+//------------------------------------------------------------------------------
+void CheckError(const ArrayError& error)
+{
+  const auto& bound = error.Bound;
+  const auto fail = [&](const std::string& what)
+  { ThrowInvalid("the error of array '" + error.Array + "' " + what); };
+  if (bound.Kind < ErrorKind::Absolute || bound.Kind > ErrorKind::Bits)
+  {
+    fail("is of an unknown kind");
+  }
+  if (!(bound.Bound > 0) || !std::isfinite(bound.Bound))
+  {
+    fail("must be a number above 0");
+  }
+  if (bound.Kind == ErrorKind::Relative && bound.Bound > 1)
+  {
+    fail("must be at most 1, which is the whole range");
+  }
+  if (bound.Kind == ErrorKind::Pointwise && bound.Bound >= 1)
+  {
+    fail("must be below 1, which is the whole value");
+  }
+  if (bound.Kind == ErrorKind::Bits && (bound.Bound > 52 || bound.Bound != std::floor(bound.Bound)))
+  {
+    fail("must be a whole number of bits from 1 to 52");
+  }
+}
+
+//------------------------------------------------------------------------------
 ArrayError ParseError(const std::string& text, bool keepZeros)
 {
   struct Kind
@@ -38,13 +68,16 @@ ArrayError ParseError(const std::string& text, bool keepZeros)
     const auto [stop, code] = std::from_chars(digits.data(), end, number);
     if (code == std::errc() && stop == end)
     {
-      return { text.substr(0, sign), { kind->Value, number, keepZeros } };
+      ArrayError error{ text.substr(0, sign), { kind->Value, number, keepZeros } };
+      CheckError(error);
+      return error;
     }
   }
   ThrowInvalid("the error '" + text +
     "' is not NAME=abs:E, NAME=rel:E, NAME=pw:E or NAME=bits:N with a number E or N");
 }
 
+//------------------------------------------------------------------------------
 std::string ToString(const ErrorBound& bound)
 {
   constexpr std::array names{ "exact", "abs:", "rel:", "pw:", "bits:" };

@@ -25,33 +25,6 @@ bool IsIdentity(const ArrayDescription& array)
     array.Name == "vtkGhostType";
 }
 
-void CheckBound(const ArrayError& error)
-{
-  const auto& bound = error.Bound;
-  const auto fail = [&](const std::string& what)
-  { ThrowInvalid("the error of array '" + error.Array + "' " + what); };
-  if (bound.Kind < ErrorKind::Absolute || bound.Kind > ErrorKind::Bits)
-  {
-    fail("is of an unknown kind");
-  }
-  if (!(bound.Bound > 0) || !std::isfinite(bound.Bound))
-  {
-    fail("must be a number above 0");
-  }
-  if (bound.Kind == ErrorKind::Relative && bound.Bound > 1)
-  {
-    fail("must be at most 1, which is the whole range");
-  }
-  if (bound.Kind == ErrorKind::Pointwise && bound.Bound >= 1)
-  {
-    fail("must be below 1, which is the whole value");
-  }
-  if (bound.Kind == ErrorKind::Bits && (bound.Bound > 52 || bound.Bound != std::floor(bound.Bound)))
-  {
-    fail("must be a whole number of bits from 1 to 52");
-  }
-}
-
 void CheckBoundOf(const ArrayError& error, const ArrayDescription& array)
 {
   const auto fail = [&](const std::string& what)
@@ -105,7 +78,7 @@ void CheckErrors(const std::vector<ArrayDescription>& arrays, const std::vector<
   for (std::size_t i = 0; i < errors.size(); ++i)
   {
     const auto& error = errors[i];
-    CheckBound(error);
+    CheckError(error);
     if (std::any_of(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(i),
           [&](const ArrayError& other) { return other.Array == error.Array; }))
     {

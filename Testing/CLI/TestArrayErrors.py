@@ -27,7 +27,7 @@ assert all(not row.get("error") for row in json.loads(gtn("info", "--json", "exa
 gtn("info", "mesh.gtn", says="rel:0.01, reached")
 
 # The error that is told is the largest one there is.
-gtn("pack", "-q", "--keep", "all", "--error", "velocity=rel:1e-2", "mesh.vtu", "ordered.gtn")
+gtn("pack", "-q", "--keep-order", "all", "--error", "velocity=rel:1e-2", "mesh.vtu", "ordered.gtn")
 gtn("unpack", "-q", "ordered.gtn", "back.vtu")
 before, after = (vtk_to_numpy(read(name).GetPointData().GetArray("velocity")).astype(float)
                  for name in ("mesh.vtu", "back.vtu"))
@@ -41,7 +41,7 @@ for name in "mesh.gtn", "ordered.gtn":
     worst = float(re.search(r"the largest is ([0-9.]+) of its bound", said).group(1))
     assert 0 < worst <= 1
 gtn("verify", "exact.gtn", "back.vtu", code=1, says="velocity")
-gtn("pack", "-q", "--keep", "all", "--error", "velocity=rel:1e-6", "back.vtu", "finer.gtn")
+gtn("pack", "-q", "--keep-order", "all", "--error", "velocity=rel:1e-6", "back.vtu", "finer.gtn")
 gtn("verify", "finer.gtn", "mesh.vtu", code=1, says="velocity")
 
 # Usage.
