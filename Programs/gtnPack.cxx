@@ -239,11 +239,9 @@ void AddPack(CLI::App& app, Settings& settings)
 {
   auto options = std::make_shared<Options>();
   CLI::App* command = AddCommand(app, settings, "pack",
-    "Write meshes or surfaces to a .gtn file, without loss unless told otherwise. Several files, "
-    "or one file with time\n"
-    "steps, become the time steps of one mesh. Blocks are merged; 'Gatun Split Blocks' in "
-    "ParaView\n"
-    "gives them back.",
+    "Write meshes or surfaces to a .gtn file, without loss unless told otherwise. Several files,\n"
+    "or one file with time steps, become the time steps of one mesh. Blocks are merged;\n"
+    "'Gatun Split Blocks' in ParaView gives them back.",
     "  gtn pack mesh.vtu mesh.gtn\n"
     "  gtn pack --keep-order all --arrays pressure mesh.vtu mesh.gtn\n"
     "  gtn pack --levels 8 --weight pressure mesh.vtu mesh.gtn\n"

@@ -56,6 +56,13 @@ def bounded(rng):
     return [make_grid(rng, 0)], [], ["*=rel:1e-3", "integers=abs:20"], {}
 
 
+def bounded_small(_):
+    grid = gm.make_grid(np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]], np.float32),
+                        np.array([[0, 1, 2, 3], [1, 2, 3, 4]]))
+    add(grid.GetPointData(), np.array([0.1, 0.2, 0.25, 0.3, np.nan], np.float32), "T")
+    return [grid], [], ["T=abs:0.01"], {}
+
+
 def bounded_fine(rng):
     return [make_grid(rng, 0)], [], ["*=abs:1e-6", "integers=abs:1.5", "double=abs:1e-12"], {}
 
@@ -135,7 +142,7 @@ def main(folder):
     if os.path.exists(path):
         with open(path, encoding="utf-8") as file:
             expected = json.load(file)
-    for function in (bounded, bounded_fine, bounded_pointwise, bounded_boundary, bounded_steps):
+    for function in (bounded, bounded_small, bounded_fine, bounded_pointwise, bounded_boundary, bounded_steps):
         name = function.__name__ + ".gtn"
         expected[name] = make(folder, function)
         print(name, os.path.getsize(os.path.join(folder, name)), flush=True)
