@@ -174,13 +174,11 @@ void AddVerify(CLI::App& app, Settings& settings)
   auto options = std::make_shared<Options>();
   CLI::App* command = AddCommand(app, settings, "verify",
     "Check a .gtn file. All checksums are checked, and everything is decoded. With ORIGINAL, each\n"
-    "time step is also compared with it, bit by bit, or by their bounds where values have errors. "
-    "Points and cells are compared in order where\n"
-    "the file keeps their order, and as sets elsewhere. As sets, points that coincide in their\n"
-    "coordinates and all of their values are indistinguishable: a cell may use one in place of\n"
-    "another. The number of such points is reported. The first difference is reported, and the "
-    "exit\n"
-    "code is 1.",
+    "time step is also compared with it, bit by bit, or by their bounds where values have\n"
+    "errors. Points and cells are compared in order where the file keeps their order, and as\n"
+    "sets elsewhere. As sets, points that coincide in their coordinates and all of their values\n"
+    "are indistinguishable: a cell may use one in place of another. The number of such points is\n"
+    "reported. The first difference is reported, and the exit code is 1.",
     "  gtn verify mesh.gtn\n"
     "  gtn verify mesh.gtn mesh.vtu\n"
     "  gtn verify run.gtn run_0.vtu run_1.vtu run_2.vtu");
