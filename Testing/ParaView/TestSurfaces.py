@@ -82,4 +82,6 @@ back.UpdatePipeline()
 ranges = [[proxy.GetDataInformation().GetPointDataInformation().GetArrayInformation("Normals")
            .GetComponentRange(i) for i in range(3)] for proxy in (sphere, back)]
 assert ranges[0] != ranges[1]
-assert all(abs(a - b) <= 0.02 for one, other in zip(*ranges) for a, b in zip(one, other)), ranges
+for one, other in zip(*ranges):
+    for a, b in zip(one, other):
+        assert abs(a - b) <= 0.02, ranges
