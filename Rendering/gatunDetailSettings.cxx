@@ -14,6 +14,25 @@ bool DetailSettings::IsForRest() const
 }
 
 //------------------------------------------------------------------------------
+void DetailSettings::Print(ostream& os, vtkIndent indent) const
+{
+  const auto list = [&](const char* name, const double* numbers, int count)
+  {
+    os << indent << name << ":";
+    for (int i = 0; i < count; ++i)
+    {
+      os << " " << numbers[i];
+    }
+    os << "\n";
+  };
+  os << indent << "PixelError: " << this->PixelError << "\n";
+  list("DetailBounds", this->Bounds, 6);
+  list("DetailCenter", this->Center, 3);
+  os << indent << "DetailRadius: " << this->Radius << "\n";
+  list("DetailRange", this->Range, 2);
+}
+
+//------------------------------------------------------------------------------
 DetailRegion MakeDetailRegion(const DetailSettings& settings)
 {
   DetailRegion region;

@@ -6,6 +6,9 @@
 
 #include "gatunDetailView.h"
 
+#include "vtkIOStream.h"
+#include "vtkIndent.h"
+
 #include <array>
 #include <memory>
 
@@ -22,6 +25,9 @@ struct DetailSettings
 
   /** Whether an image at rest depends on the view. */
   bool IsForRest() const;
+
+  /** Prints the properties, for PrintSelf. */
+  void Print(ostream& os, vtkIndent indent) const;
 };
 
 /** The region of the settings. Throws InvalidInput if a number is NaN. */

@@ -442,20 +442,7 @@ void vtkGatunRayCaster::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SimplificationRatio: " << this->SimplificationRatio << "\n";
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
   os << indent << "ViewDependent: " << (this->ViewDependent ? "On" : "Off") << "\n";
-  os << indent << "PixelError: " << this->PixelError << "\n";
-  const auto list = [&](const char* name, const double* numbers, int count)
-  {
-    os << indent << name << ":";
-    for (int i = 0; i < count; ++i)
-    {
-      os << " " << numbers[i];
-    }
-    os << "\n";
-  };
-  list("DetailBounds", this->DetailBounds, 6);
-  list("DetailCenter", this->DetailCenter, 3);
-  os << indent << "DetailRadius: " << this->DetailRadius << "\n";
-  list("DetailRange", this->DetailRange, 2);
+  vtkInternals::GetDetail(*this).Print(os, indent);
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
   os << indent << "Instructions: " << this->Instructions << "\n";
   os << indent << "FromBothEnds: " << (this->FromBothEnds ? "On" : "Off") << "\n";

@@ -304,20 +304,7 @@ void vtkGatunVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TimeBudget: " << this->TimeBudget << "\n";
   os << indent << "SimplificationRatio: " << this->SimplificationRatio << "\n";
   os << indent << "ViewDependent: " << (this->ViewDependent ? "On" : "Off") << "\n";
-  os << indent << "PixelError: " << this->PixelError << "\n";
-  const auto list = [&](const char* name, const double* numbers, int count)
-  {
-    os << indent << name << ":";
-    for (int i = 0; i < count; ++i)
-    {
-      os << " " << numbers[i];
-    }
-    os << "\n";
-  };
-  list("DetailBounds", this->DetailBounds, 6);
-  list("DetailCenter", this->DetailCenter, 3);
-  os << indent << "DetailRadius: " << this->DetailRadius << "\n";
-  list("DetailRange", this->DetailRange, 2);
+  vtkInternals::GetDetail(this).Print(os, indent);
   os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "ImageProcess: " << this->ImageProcess << "\n";
 }
