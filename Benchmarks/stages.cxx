@@ -84,6 +84,7 @@ private:
   std::vector<std::vector<gatun::PointKeys>> BlockPoints;
   std::vector<std::vector<Components>> BlockArrays;
   std::vector<std::optional<gatun::ChunkMesh>> Meshes;
+  std::vector<std::optional<gatun::QuadraticFit>> CellFits; // of each chunk
 };
 
 void Stages::Read()
@@ -150,14 +151,20 @@ void Stages::DecodeBlocks()
     }
     this->BlockPoints.push_back(std::move(points));
     std::vector<Components> arrays(this->CountArrays());
+    std::optional<gatun::QuadraticFit> fit;
     for (std::size_t a = 0; a < arrays.size(); ++a)
     {
       const auto& array = this->Content.Meta.Arrays[a];
       if (array.Where == gatun::Association::Point)
       {
         arrays[a] = MakeKeys(array.Components, count);
+        const auto& stream = this->Blocks[b].Arrays[a];
+        if (!fit && gatun::ArrayModes::Read(stream).Spatial == gatun::SpatialMode::Quadratic)
+        {
+          fit.emplace(gatun::GetPlaces(this->BlockPoints.back(), this->Content.Domains));
+        }
         gatun::DecodeCellValues(
-          this->Blocks[b].Arrays[a], {}, this->Content.MakeDomains(a, 0), arrays[a]);
+          stream, { {}, fit ? &*fit : nullptr }, this->Content.MakeDomains(a, 0), arrays[a]);
       }
     }
     this->BlockArrays.push_back(std::move(arrays));
@@ -197,14 +204,32 @@ void Stages::FitNeighbors()
 {
   for (std::size_t c = 0; c < this->Chunks.size(); ++c)
   {
-    bool isUsed = false;
-    for (std::size_t a = 0; a < this->CountArrays(); ++a)
+    const auto isUsed = [&](gatun::SpatialMode mode, gatun::Association where)
     {
-      isUsed = isUsed ||
-        (this->Content.Meta.Arrays[a].Where == gatun::Association::Point &&
-          gatun::ArrayModes::Read(this->Chunks[c].Arrays[a]).Spatial == gatun::SpatialMode::Fit);
+      bool isFound = false;
+      for (std::size_t a = 0; a < this->CountArrays(); ++a)
+      {
+        isFound = isFound ||
+          (this->Content.Meta.Arrays[a].Where == where &&
+            gatun::ArrayModes::Read(this->Chunks[c].Arrays[a]).Spatial == mode);
+      }
+      return isFound;
+    };
+    auto& mesh = *this->Meshes[c];
+    if (isUsed(gatun::SpatialMode::Fit, gatun::Association::Point))
+    {
+      mesh.Fit.emplace(mesh.Walk, mesh.GetPlaces());
     }
-    this->Meshes[c]->MakeContext(isUsed);
+    if (isUsed(gatun::SpatialMode::Quadratic, gatun::Association::Point))
+    {
+      mesh.Quadratic.emplace(mesh.Walk, mesh.GetPlaces());
+    }
+    this->CellFits.emplace_back();
+    if (isUsed(gatun::SpatialMode::Quadratic, gatun::Association::Cell))
+    {
+      this->CellFits.back().emplace(mesh.FitCells());
+    }
+    mesh.MakeContext(false);
   }
 }
 
@@ -217,7 +242,8 @@ void Stages::DecodeArray(std::size_t chunk, std::size_t array)
   if (description.Where == gatun::Association::Cell)
   {
     Components keys = MakeKeys(description.Components, mesh.Walk.Parents.size());
-    gatun::DecodeCellValues(stream, mesh.Walk.Parents, domains, keys);
+    const auto& fit = this->CellFits[chunk];
+    gatun::DecodeCellValues(stream, { mesh.Walk.Parents, fit ? &*fit : nullptr }, domains, keys);
     return;
   }
   Components keys = MakeKeys(description.Components, mesh.Keys.size());

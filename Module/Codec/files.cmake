@@ -34,6 +34,9 @@ gatun_core_folder(Codec
     gatunInlineForm.h
     gatunMarkTruth.h
     gatunMeasure.h
+    gatunNearestPicker.h
+    gatunNeighborFit.h
+    gatunNeighborLists.h
     gatunNumberModel.h
     gatunPalette.h
     gatunPlaceGrid.h
@@ -43,9 +46,15 @@ gatun_core_folder(Codec
     gatunPolygonFront.h
     gatunPolygonGrowth.h
     gatunPolygonModels.h
+    gatunPointContext.h
     gatunPolygonTruth.h
     gatunPolygonWalk.h
     gatunProgression.h
+    gatunQuadraticCoder.h
+    gatunQuadraticFit.h
+    gatunQuadraticLanes.h
+    gatunQuadraticLoops.h
+    gatunQuadraticPredictor.h
     gatunQuantizer.h
     gatunRecentVertices.h
     gatunResidual.h
@@ -67,9 +76,11 @@ gatun_core_folder(Codec
     gatunWalkModels.h
   SOURCES
     gatunArrayCodec.cxx
+    gatunBlockNeighbors.cxx
     gatunCellCodec.cxx
     gatunCellCorners.cxx
     gatunCellGeometry.cxx
+    gatunCellNeighbors.cxx
     gatunChunkCodec.cxx
     gatunChunkTets.cxx
     gatunEntropy.cxx
@@ -77,9 +88,15 @@ gatun_core_folder(Codec
     gatunFront.cxx
     gatunGeometry.cxx
     gatunMarkTruth.cxx
+    gatunNeighborFit.cxx
+    gatunNeighborLists.cxx
     gatunPalette.cxx
+    gatunPointContext.cxx
     gatunPolygonTruth.cxx
     gatunProgression.cxx
+    gatunQuadraticFit.cxx
+    gatunQuadraticLanesAVX2.cxx
+    gatunQuadraticLanesPortable.cxx
     gatunQuantizer.cxx
     gatunScale.cxx
     gatunScaleSurvey.cxx

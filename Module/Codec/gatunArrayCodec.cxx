@@ -6,6 +6,8 @@
 #include "gatunBoundedValues.h"
 #include "gatunExactValues.h"
 #include "gatunGuess.h"
+#include "gatunNeighborFit.h"
+#include "gatunQuadraticCoder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,148 +15,6 @@
 
 namespace gatun
 {
-namespace
-{
-/** The neighbors of a vertex relative to it, and their weights before they are normalized. */
-struct Offsets
-{
-  void Resize(std::size_t count)
-  {
-    if (count > this->X.size())
-    {
-      for (auto* list : { &this->X, &this->Y, &this->Z, &this->Weight })
-      {
-        list->resize(2 * count);
-      }
-    }
-  }
-
-  std::vector<double> X, Y, Z, Weight;
-};
-
-/** Computes the weights of the neighbors of a vertex. */
-void FindWeights(const std::array<double, 3>& center, std::span<NeighborFit::Neighbor> neighbors,
-  std::span<const std::array<double, 3>> places, Offsets& offsets)
-{
-  // Weighted least squares of value = c0 + c . (x - center). The result is c0, a weighted sum of
-  // the values. With fewer than four neighbors, c is left out.
-  const auto count = neighbors.size();
-  offsets.Resize(count);
-  double mean = 0;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const auto& p = places[neighbors[i].Id];
-    const double x = p[0] - center[0], y = p[1] - center[1], z = p[2] - center[2];
-    offsets.X[i] = x;
-    offsets.Y[i] = y;
-    offsets.Z[i] = z;
-    mean += x * x + y * y + z * z;
-  }
-  mean = mean / static_cast<double>(count);
-  const double scale = 1.0 / std::sqrt(mean);
-  if (!std::isfinite(scale))
-  {
-    for (auto& n : neighbors)
-    {
-      n.Weight = 1.0 / static_cast<double>(count);
-    }
-    return;
-  }
-  // A loop of its own, because it can be vectorized. The sums cannot: their order matters.
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const double x = offsets.X[i] * scale, y = offsets.Y[i] * scale, z = offsets.Z[i] * scale;
-    offsets.X[i] = x;
-    offsets.Y[i] = y;
-    offsets.Z[i] = z;
-    offsets.Weight[i] = 1.0 / (x * x + y * y + z * z + 1e-6);
-  }
-  double m = 0, mx = 0, my = 0, mz = 0;
-  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const double x = offsets.X[i], y = offsets.Y[i], z = offsets.Z[i], w = offsets.Weight[i];
-    const double wx = w * x, wy = w * y, wz = w * z;
-    m += w;
-    mx += wx;
-    my += wy;
-    mz += wz;
-    xx += wx * x;
-    xy += wx * y;
-    xz += wx * z;
-    yy += wy * y;
-    yz += wy * z;
-    zz += wz * z;
-  }
-  double bx = 0, by = 0, bz = 0;
-  if (count >= 4)
-  {
-    const double ridge = 1e-4 * (m + xx + yy + zz);
-    xx += ridge;
-    yy += ridge;
-    zz += ridge;
-    // b = inverse of the symmetric matrix times (mx, my, mz), by cofactors
-    const double axx = yy * zz - yz * yz;
-    const double axy = xz * yz - xy * zz;
-    const double axz = xy * yz - xz * yy;
-    const double ayy = xx * zz - xz * xz;
-    const double ayz = xy * xz - xx * yz;
-    const double azz = xx * yy - xy * xy;
-    const double inverse = 1.0 / (xx * axx + xy * axy + xz * axz);
-    bx = (axx * mx + axy * my + axz * mz) * inverse;
-    by = (axy * mx + ayy * my + ayz * mz) * inverse;
-    bz = (axz * mx + ayz * my + azz * mz) * inverse;
-  }
-  const double whole = 1.0 / (m - (bx * mx + by * my + bz * mz));
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const double inside = bx * offsets.X[i] + by * offsets.Y[i] + bz * offsets.Z[i];
-    neighbors[i].Weight = offsets.Weight[i] * whole * (1.0 - inside);
-  }
-}
-}
-
-//------------------------------------------------------------------------------
-NeighborFit::NeighborFit(const Topology& topology, std::span<const std::array<double, 3>> places)
-  : Start(topology.GetOwnVertices() + 2, 0)
-{
-  // The later end of an edge knows the earlier one, but shared vertices are known from the start.
-  // Edges between two shared vertices are appended to all lists, because branches would cost more.
-  const auto none = static_cast<std::uint32_t>(topology.GetOwnVertices());
-  const auto eachPair = [&](auto&& pair)
-  {
-    for (const auto& edge : topology.EdgeLog)
-    {
-      const Vertex low = std::min(edge[0], edge[1]);
-      const Vertex high = std::max(edge[0], edge[1]);
-      const bool later = !topology.IsShared(high);
-      const auto own = topology.Sources[later ? high : low];
-      pair((own & Topology::SharedFlag) != 0 ? none : own, later ? low : high);
-    }
-  };
-  eachPair([&](std::uint32_t own, Vertex) { ++this->Start[own + 1]; });
-  for (std::size_t i = 1; i < this->Start.size(); ++i)
-  {
-    this->Start[i] += this->Start[i - 1];
-  }
-  this->List.resize(this->Start.back());
-  auto next = this->Start;
-  eachPair([&](std::uint32_t own, Vertex known) { this->List[next[own]++] = { known, 0 }; });
-
-  Offsets offsets;
-  for (Vertex v = 0; v < topology.Sources.size(); ++v)
-  {
-    if (!topology.IsShared(v))
-    {
-      const auto own = topology.Sources[v];
-      FindWeights(places[v],
-        { this->List.data() + this->Start[own], this->Start[own + 1] - this->Start[own] }, places,
-        offsets);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 namespace
 {
 /** Predicts a chunk's point values from the gate or the neighbors. */
@@ -257,11 +117,9 @@ private:
       low = std::min(low, key);
       high = std::max(high, key);
     }
-    const auto rule = this->Context.UsedRules[own];
-    const auto number = [&](unsigned k) { return std::array{ numbers[record.Known[k]] }; };
-    result.Number = ApplyRule<1>((*this->Context.Rules)[rule], number)[0];
+    result.Number = *PredictByGate(this->Context, own, numbers);
     result.Spread = static_cast<unsigned>(std::bit_width(high - low));
-    result.Group = 1u + rule;
+    result.Group = 1u + this->Context.UsedRules[own];
     result.Known = true;
     return result;
   }
@@ -275,15 +133,9 @@ private:
     {
       return result;
     }
-    const auto rule = this->Context.UsedRules[own];
-    const auto number = [&](unsigned k)
-    {
-      const auto v = record.Known[k];
-      return std::array{ v != NoVertex ? numbers[v] : 0.0 };
-    };
-    result.Number = ApplyRule<1>((*this->Context.CellRules)[rule], number)[0];
+    result.Number = *PredictByGate(this->Context, own, numbers);
     result.Spread = GetSpread(record, [keys](Vertex v) { return keys[v]; });
-    result.Group = std::min(1u + rule, Groups - 1);
+    result.Group = std::min(1u + this->Context.UsedRules[own], Groups - 1);
     result.Known = true;
     return result;
   }
@@ -309,9 +161,10 @@ std::vector<double> GetNumbers(
 }
 
 template <typename Coder, typename Values>
-void CodePoints(Coder& coder, const ArrayModes& modes, const PointContext& context,
-  const Domain& domain, Values&& values, ComponentKeys& keys)
+void CodePoints(Coder& coder, const ArrayModes& modes, const PointContext& context, Values&& values,
+  ComponentKeys& keys)
 {
+  const auto& domain = values.GetDomain();
   const SpatialPredictor predictor(context, modes.Spatial);
   const bool isPredicted =
     modes.Temporal != TemporalMode::Repeat && modes.Spatial != SpatialMode::Previous;
@@ -372,16 +225,17 @@ void CodePoints(Coder& coder, const ArrayModes& modes, const PointContext& conte
 }
 
 template <typename Coder, typename Values>
-void CodeCells(Coder& coder, const ArrayModes& modes, std::span<const std::uint32_t> parents,
-  const Domain& domain, Values&& values, ComponentKeys& keys)
+void CodeCells(Coder& coder, const ArrayModes& modes, const CellContext& context, Values&& values,
+  ComponentKeys& keys)
 {
+  const auto& domain = values.GetDomain();
   const Key none = domain.FromNumber(0);
   for (std::size_t i = 0; i < keys.Now.size(); ++i)
   {
     std::size_t from = i - 1; // wraps around for the first one, which has no predecessor
-    if (modes.Spatial == SpatialMode::Gate && parents[i] != Topology::NoTet)
+    if (modes.Spatial == SpatialMode::Gate && context.Parents[i] != Topology::NoTet)
     {
-      from = parents[i];
+      from = context.Parents[i];
     }
     const Key near = from < i ? keys.Now[from] : none;
     Guess guess;
@@ -413,16 +267,24 @@ template <typename Coder, typename Code>
 void CodeComponent(
   Coder& coder, const Domain& domain, bool onLattice, const ComponentKeys& keys, Code&& code)
 {
-  if (!domain.GetQuantizer())
+  bool isExact = true;
+  if (domain.GetQuantizer())
   {
-    return code(ExactValues(domain, keys.Now.size()));
+    isExact = Coder::Encoding && BoundedValues::AreTooFine(domain, keys.Now);
+    isExact = coder.Raw(isExact, 1) != 0;
   }
-  const bool isExact = Coder::Encoding && BoundedValues::AreTooFine(domain, keys.Now);
-  if (coder.Raw(isExact, 1) != 0)
+  if (!isExact)
   {
-    return code(ExactValues(domain, keys.Now.size()));
+    code(BoundedValues(domain, keys.Now.size(), onLattice || domain.GetQuantizer().OnLattice));
   }
-  code(BoundedValues(domain, keys.Now.size(), onLattice || domain.GetQuantizer().OnLattice));
+  else if (Float32Domain::Matches(domain))
+  {
+    code(ExactValues(Float32Domain()));
+  }
+  else
+  {
+    code(ExactValues(domain));
+  }
 }
 
 template <typename Coder>
@@ -432,20 +294,40 @@ void CodePointComponents(Coder& coder, const ArrayModes& modes, const PointConte
   for (std::size_t c = 0; c < components.size(); ++c)
   {
     CodeComponent(coder, domains[c], false, components[c],
-      [&](auto&& values) { CodePoints(coder, modes, context, domains[c], values, components[c]); });
+      [&](auto&& values)
+      {
+        if (modes.Spatial == SpatialMode::Quadratic)
+        {
+          CodeQuadratic(coder, modes.Temporal, OwnPoints{ context }, values, components[c]);
+        }
+        else
+        {
+          CodePoints(coder, modes, context, values, components[c]);
+        }
+      });
   }
 }
 
 template <typename Coder>
-void CodeCellComponents(Coder& coder, const ArrayModes& modes,
-  std::span<const std::uint32_t> parents, std::span<const Domain> domains,
-  std::span<ComponentKeys> components)
+void CodeCellComponents(Coder& coder, const ArrayModes& modes, const CellContext& context,
+  std::span<const Domain> domains, std::span<ComponentKeys> components)
 {
-  // Without parents, these are values on blocks: other processes round them, too.
+  // Other processes round values on blocks, too.
   for (std::size_t c = 0; c < components.size(); ++c)
   {
-    CodeComponent(coder, domains[c], parents.empty(), components[c],
-      [&](auto&& values) { CodeCells(coder, modes, parents, domains[c], values, components[c]); });
+    CodeComponent(coder, domains[c], context.IsBlock(), components[c],
+      [&](auto&& values)
+      {
+        if (modes.Spatial == SpatialMode::Quadratic)
+        {
+          CodeQuadratic(coder, modes.Temporal, AllPlaces{ context, components[c].Now.size() },
+            values, components[c]);
+        }
+        else
+        {
+          CodeCells(coder, modes, context, values, components[c]);
+        }
+      });
   }
 }
 
@@ -455,7 +337,15 @@ bool HaveBefore(std::span<const ComponentKeys> components)
     [](const ComponentKeys& keys) { return keys.Before.size() == keys.Now.size(); });
 }
 
-/** Encodes with all possible combinations of modes and returns the shortest stream. */
+/** Whether a stream of this size, with these modes, is to replace another one. */
+bool IsBetter(const ArrayModes& modes, std::size_t size, const Bytes& best)
+{
+  const bool isSlower =
+    modes.Spatial == SpatialMode::Quadratic && ArrayModes::Read(best).Spatial != modes.Spatial;
+  return isSlower ? size + size / QuadraticMargin < best.size() : size < best.size();
+}
+
+/** Encodes with all possible combinations of modes and returns the best stream. */
 template <typename Code>
 Bytes EncodeBest(std::span<const SpatialMode> spatial, std::span<const Domain> domains,
   std::span<ComponentKeys> components, Code&& code)
@@ -475,7 +365,7 @@ Bytes EncodeBest(std::span<const SpatialMode> spatial, std::span<const Domain> d
     }
     code(coder, modes, areRounded ? std::span<ComponentKeys>(trial) : components);
     auto body = coder.Finish();
-    if (best.empty() || body.size() + 2 < best.size())
+    if (best.empty() || IsBetter(modes, body.size() + 2, best))
     {
       best.clear();
       best.push_back(static_cast<std::uint8_t>(modes.Spatial));
@@ -512,19 +402,32 @@ void CheckBefore(const ArrayModes& modes, std::span<const ComponentKeys> compone
 //------------------------------------------------------------------------------
 ArrayModes ArrayModes::Read(std::span<const std::uint8_t> stream)
 {
-  if (stream.size() < 2 || stream[0] > 2 || stream[1] > 2)
+  if (stream.size() < 2 || stream[0] > 3 || stream[1] > 2)
   {
     ThrowCorrupt("an array's stream has an unknown mode");
   }
-  return { static_cast<SpatialMode>(stream[0]), static_cast<TemporalMode>(stream[1]) };
+  const ArrayModes modes{ static_cast<SpatialMode>(stream[0]),
+    static_cast<TemporalMode>(stream[1]) };
+  if (modes.Spatial == SpatialMode::Quadratic && modes.Temporal == TemporalMode::Repeat)
+  {
+    ThrowCorrupt("an array's stream has modes that exclude each other");
+  }
+  return modes;
 }
 
 Bytes EncodePointValues(
   const PointContext& context, std::span<const Domain> domains, std::span<ComponentKeys> components)
 {
-  static constexpr std::array modes{ SpatialMode::Fit, SpatialMode::Gate, SpatialMode::Previous };
-  const std::span<const SpatialMode> all(modes);
-  return EncodeBest(context.Fit ? all : all.subspan(1), domains, components,
+  std::vector<SpatialMode> modes{ SpatialMode::Gate, SpatialMode::Previous };
+  if (context.Fit)
+  {
+    modes.insert(modes.begin(), SpatialMode::Fit);
+  }
+  if (context.Quadratic)
+  {
+    modes.push_back(SpatialMode::Quadratic); // last, because it must beat all others by a margin
+  }
+  return EncodeBest(modes, domains, components,
     [&](EntropyEncoder& coder, const ArrayModes& chosen, std::span<ComponentKeys> keys)
     { CodePointComponents(coder, chosen, context, domains, keys); });
 }
@@ -534,7 +437,8 @@ void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext&
 {
   const auto modes = ArrayModes::Read(stream);
   CheckBefore(modes, components);
-  if (modes.Spatial == SpatialMode::Fit && !context.Fit)
+  if ((modes.Spatial == SpatialMode::Fit && !context.Fit) ||
+    (modes.Spatial == SpatialMode::Quadratic && !context.Quadratic))
   {
     ThrowCorrupt("a stream needs neighbors that are not there");
   }
@@ -542,26 +446,35 @@ void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext&
   CodePointComponents(coder, modes, context, domains, components);
 }
 
-Bytes EncodeCellValues(std::span<const std::uint32_t> parents, std::span<const Domain> domains,
-  std::span<ComponentKeys> components)
+Bytes EncodeCellValues(
+  const CellContext& context, std::span<const Domain> domains, std::span<ComponentKeys> components)
 {
-  static constexpr std::array modes{ SpatialMode::Previous, SpatialMode::Gate };
-  const std::span<const SpatialMode> all(modes);
-  return EncodeBest(parents.empty() ? all.first(1) : all, domains, components,
+  std::vector<SpatialMode> modes{ SpatialMode::Previous };
+  if (!context.IsBlock())
+  {
+    modes.push_back(SpatialMode::Gate);
+  }
+  if (context.Quadratic)
+  {
+    modes.push_back(SpatialMode::Quadratic);
+  }
+  return EncodeBest(modes, domains, components,
     [&](EntropyEncoder& coder, const ArrayModes& chosen, std::span<ComponentKeys> keys)
-    { CodeCellComponents(coder, chosen, parents, domains, keys); });
+    { CodeCellComponents(coder, chosen, context, domains, keys); });
 }
 
-void DecodeCellValues(std::span<const std::uint8_t> stream, std::span<const std::uint32_t> parents,
+void DecodeCellValues(std::span<const std::uint8_t> stream, const CellContext& context,
   std::span<const Domain> domains, std::span<ComponentKeys> components)
 {
   const auto modes = ArrayModes::Read(stream);
   CheckBefore(modes, components);
-  if (modes.Spatial == SpatialMode::Fit || (modes.Spatial == SpatialMode::Gate && parents.empty()))
+  if (modes.Spatial == SpatialMode::Fit ||
+    (modes.Spatial == SpatialMode::Gate && context.IsBlock()) ||
+    (modes.Spatial == SpatialMode::Quadratic && !context.Quadratic))
   {
-    ThrowCorrupt("a stream needs parents that are not there");
+    ThrowCorrupt("a stream needs places around it that are not there");
   }
   EntropyDecoder coder(stream.subspan(2));
-  CodeCellComponents(coder, modes, parents, domains, components);
+  CodeCellComponents(coder, modes, context, domains, components);
 }
 }

@@ -45,6 +45,8 @@ public:
   {
   }
 
+  const Domain& GetDomain() const { return this->Values; }
+
   /** The number of a key for predictions: the last finite one before it stands for NaN and
    * infinity. */
   double ToNumber(Key key)
@@ -54,7 +56,8 @@ public:
     return this->LastNumber;
   }
 
-  /** Adds a place around the next value. Its own value may be unknown. */
+  /** Adds a place around the next value, if that has a guess without an error. Its own value may be
+   * unknown. */
   void AddNeighbor(std::size_t place)
   {
     const auto steps = this->Steps[place];
@@ -70,7 +73,7 @@ public:
   template <typename Coder>
   Key Code(Coder& coder, const Guess& guess, std::size_t place, Key truth)
   {
-    const auto context = this->TakeContext();
+    const auto context = this->TakeContext(guess);
     const Origin origin = this->FindOrigin(guess);
     std::int64_t steps = 0;
     bool isSpecial = false;
@@ -140,21 +143,40 @@ private:
     unsigned Shift = 0;
   };
 
-  Context TakeContext()
+  Context TakeContext(const Guess& guess)
   {
-    // The mean of the magnitudes around, in sixteenths; the running mean counts half.
-    const std::uint64_t all = 32 * this->Magnitudes + (this->Mean >> 4);
-    const std::uint64_t mean = all / (2 * this->Neighbors + 1);
+    std::uint64_t mean = 0; // of the magnitudes to expect, in sixteenths
     Context context;
+    if (guess.Error >= 0)
+    {
+      mean = this->ToSixteenths(guess);
+    }
+    else
+    {
+      // The running mean counts half a neighbor.
+      const std::uint64_t all = 32 * this->Magnitudes + (this->Mean >> 4);
+      mean = all / (2 * this->Neighbors + 1);
+      context.Sign = this->Sum < 0 ? 1 : this->Sum > 0 ? 2 : 0;
+    }
     const auto length = static_cast<unsigned>(std::bit_width(mean));
     const auto half = length > 1 ? static_cast<unsigned>(mean >> (length - 2)) & 1u : 0u;
     context.Class = length > 1 ? std::min(2 * length - 2 + half, Classes - 1) : length;
     context.Shift = length > 6 ? length - 6 : 0;
-    context.Sign = this->Sum < 0 ? 1 : this->Sum > 0 ? 2 : 0;
     this->Neighbors = 0;
     this->Magnitudes = 0;
     this->Sum = 0;
     return context;
+  }
+
+  /** The error of a guess in sixteenths of a step. */
+  std::uint64_t ToSixteenths(const Guess& guess) const
+  {
+    constexpr double most = 1ull << 40;
+    const double error = this->RoundsKeys
+      ? static_cast<double>(guess.GetErrorInKeys(this->Values, guess.GetKey(this->Values)))
+      : guess.Error;
+    const double count = error * 16 / (this->RoundsKeys ? this->Rounding.Step : this->Width);
+    return static_cast<std::uint64_t>((count < most ? count : most) + 0.5);
   }
 
   Origin FindOrigin(const Guess& guess) const

@@ -440,23 +440,44 @@ Bytes EncodeGeometry(ChunkMesh& mesh, const PredictionRules& fitted)
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::array<double, 3>> ChunkMesh::GetPlaces() const
+std::vector<std::array<double, 3>> GetPlaces(
+  std::span<const PointKeys> keys, const PointDomain& domains)
 {
-  std::vector<std::array<double, 3>> places(this->Keys.size());
+  std::vector<std::array<double, 3>> places(keys.size());
   for (unsigned i = 0; i < 3; ++i)
   {
-    const bool isFloat32 = Float32Domain::Matches(this->Domains[i]);
+    const bool isFloat32 = Float32Domain::Matches(domains[i]);
     for (std::size_t v = 0; v < places.size(); ++v)
     {
-      const Key key = this->Keys[v][i];
-      places[v][i] = isFloat32 ? Float32Domain::ToNumber(key) : this->Domains[i].ToValue(key);
+      const Key key = keys[v][i];
+      places[v][i] = isFloat32 ? Float32Domain::ToNumber(key) : domains[i].ToValue(key);
     }
   }
   return places;
 }
 
+std::vector<std::array<double, 3>> ChunkMesh::GetPlaces() const
+{
+  return gatun::GetPlaces(this->Keys, this->Domains);
+}
+
 //------------------------------------------------------------------------------
-void ChunkMesh::MakeContext(bool withFit)
+QuadraticFit ChunkMesh::FitCells() const
+{
+  const bool areTets = this->Cells.Types.empty();
+  std::vector<std::uint32_t> starts, corners;
+  for (const auto& tet : this->Walk.Tets)
+  {
+    starts.push_back(static_cast<std::uint32_t>(corners.size()));
+    corners.insert(corners.end(), tet.begin(), tet.end());
+  }
+  starts.push_back(static_cast<std::uint32_t>(corners.size()));
+  return gatun::FitCells(areTets ? std::span<const std::uint32_t>(starts) : this->Cells.Starts,
+    areTets ? std::span<const std::uint32_t>(corners) : this->Cells.Corners, this->GetPlaces());
+}
+
+//------------------------------------------------------------------------------
+void ChunkMesh::MakeContext(bool withFits)
 {
   this->Context.Mesh = &this->Walk;
   this->Context.Rules = &this->Rules;
@@ -473,12 +494,15 @@ void ChunkMesh::MakeContext(bool withFit)
       }
     }
   }
-  if (withFit && !this->Fit)
+  if (withFits && !this->Fit)
   {
     const FloatEnvironment guard;
-    this->Fit.emplace(this->Walk, this->GetPlaces());
+    const auto places = this->GetPlaces();
+    this->Fit.emplace(this->Walk, places);
+    this->Quadratic.emplace(this->Walk, places);
   }
   this->Context.Fit = this->Fit ? &*this->Fit : nullptr;
+  this->Context.Quadratic = this->Quadratic ? &*this->Quadratic : nullptr;
 }
 
 EncodedChunk EncodeChunk(const ChunkFrame& frame, Tets tets, std::span<const PointKeys> ownKeys)

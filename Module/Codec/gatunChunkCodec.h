@@ -11,6 +11,8 @@
 #include "gatunCellList.h"
 #include "gatunCellRules.h"
 #include "gatunGeometry.h"
+#include "gatunNeighborFit.h"
+#include "gatunQuadraticFit.h"
 #include "gatunTopology.h"
 #include "gatunTypes.h"
 
@@ -63,11 +65,19 @@ struct ChunkMesh
   /** The coordinates of all vertices. */
   std::vector<std::array<double, 3>> GetPlaces() const;
 
-  /** Prepares the context of point arrays, with weights of neighbors if withFit. */
-  void MakeContext(bool withFit);
+  /** Prepares the context of point arrays, with weights of neighbors if withFits. */
+  void MakeContext(bool withFits);
   PointContext Context;
   std::optional<NeighborFit> Fit;
+  std::optional<QuadraticFit> Quadratic;
+
+  /** The weights of the cells around each cell. The calling thread must have a FloatEnvironment. */
+  QuadraticFit FitCells() const;
 };
+
+/** The coordinates of points. */
+std::vector<std::array<double, 3>> GetPlaces(
+  std::span<const PointKeys> keys, const PointDomain& domains);
 
 struct EncodedChunk
 {

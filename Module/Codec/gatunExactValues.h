@@ -10,21 +10,25 @@
 #include "gatunResidual.h"
 
 #include <array>
+#include <bit>
 #include <cstddef>
 
 namespace gatun
 {
-/** Codes the values of a component that are exact. */
+/** Codes the values of a component that are exact. AnyDomain: Domain, or one of its special cases.
+ */
+template <typename AnyDomain>
 class ExactValues
 {
 public:
   static constexpr bool IsBounded = false;
 
-  ExactValues(const Domain& domain, std::size_t)
+  explicit ExactValues(const AnyDomain& domain)
     : Values(domain)
   {
   }
 
+  const AnyDomain& GetDomain() const { return this->Values; }
   double ToNumber(Key key) const { return this->Values.ToNumber(key); }
 
   /** The place is that of the value in the component. */
@@ -32,8 +36,8 @@ public:
   Key Code(Coder& coder, const Guess& guess, std::size_t, Key truth)
   {
     const Key predicted = guess.GetKey(this->Values);
-    const auto spread = guess.Spread != NoSpread ? guess.Spread : this->Running.Get();
-    const auto residual = this->Models[guess.Group].Code(
+    const auto [group, spread] = this->FindContext(guess, predicted);
+    const auto residual = this->Models[group].Code(
       coder, spread, Coder::Encoding ? this->Values.Subtract(truth, predicted) : 0);
     const Key key = this->Values.Add(predicted, residual);
     if (!Coder::Encoding && !this->Values.IsValid(key))
@@ -45,7 +49,25 @@ public:
   }
 
 private:
-  const Domain& Values;
+  struct Context
+  {
+    unsigned Group;
+    unsigned Spread;
+  };
+
+  Context FindContext(const Guess& guess, Key predicted) const
+  {
+    if (guess.Error < 0)
+    {
+      return { guess.Group, guess.Spread != NoSpread ? guess.Spread : this->Running.Get() };
+    }
+    const auto width = guess.GetErrorInKeys(this->Values, predicted);
+    const auto bits = static_cast<unsigned>(std::bit_width(width));
+    const bool isUpper = bits >= 2 && ((width >> (bits - 2)) & 1) != 0; // from 1.5 times 2^n on
+    return { isUpper ? 3u : 2u, bits + 2 };
+  }
+
+  const AnyDomain Values; // a copy: small, and so the compiler knows that it does not change
   std::array<ResidualModel, MaxRules + 1> Models; // of each group
   RunningSpread Running;
 };

@@ -8,6 +8,7 @@
 #include "gatunDomain.h"
 
 #include <cmath>
+#include <cstdint>
 
 namespace gatun
 {
@@ -19,6 +20,7 @@ struct Guess
   bool HasNumber = false;
   unsigned Spread = NoSpread; ///< of the keys around in bits
   unsigned Group = 0;         ///< of similar predictions
+  double Error = -1;          ///< of the number, to expect; negative if that is not known
 
   void SetNumber(double number)
   {
@@ -26,9 +28,19 @@ struct Guess
     this->HasNumber = true;
   }
 
-  Key GetKey(const Domain& domain) const
+  template <typename AnyDomain>
+  Key GetKey(const AnyDomain& domain) const
   {
     return this->HasNumber ? domain.FromNumber(this->Number) : this->Predicted;
+  }
+
+  /** How far the key is that is off by the error, away from zero, where keys are further apart. */
+  template <typename AnyDomain>
+  std::uint64_t GetErrorInKeys(const AnyDomain& domain, Key predicted) const
+  {
+    const Key off =
+      domain.FromNumber(this->Number < 0 ? this->Number - this->Error : this->Number + this->Error);
+    return off > predicted ? off - predicted : predicted - off;
   }
 
   /** A finite number. */

@@ -15,8 +15,11 @@ bool IsOfChunk(PartKind kind)
 {
   switch (kind)
   {
+    case PartKind::BlockQuadratic: // large, and only worth it for several arrays or steps
     case PartKind::ChunkMesh:
     case PartKind::ChunkFit:
+    case PartKind::ChunkQuadratic:
+    case PartKind::ChunkCellQuadratic:
     case PartKind::ChunkPointOrder:
     case PartKind::ChunkCellOrder:
     case PartKind::ChunkArray:

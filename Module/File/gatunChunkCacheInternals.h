@@ -23,9 +23,12 @@ enum class PartKind : std::uint8_t
 {
   BlockPoints,
   BlockOrder,
+  BlockQuadratic,
   BlockArray,
   ChunkMesh,
   ChunkFit,
+  ChunkQuadratic,
+  ChunkCellQuadratic,
   ChunkPointOrder,
   ChunkCellOrder,
   ChunkArray,

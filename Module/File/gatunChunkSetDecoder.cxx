@@ -158,6 +158,7 @@ void ChunkSetDecoder::DecodeBlock(Job& job, std::size_t b) const
     work.Order = this->Parts.GetBlockOrder(index);
   }
   work.Steps.resize(job.Arrays.size());
+  PartFits fits;
   for (std::size_t a = 0; a < job.Arrays.size(); ++a)
   {
     const auto& array = job.Arrays[a];
@@ -185,9 +186,9 @@ void ChunkSetDecoder::DecodeBlock(Job& job, std::size_t b) const
     {
       const auto domains = step < job.Begin ? this->Parts.GetDomains(array.Index, step)
                                             : array.Domains[step - job.Begin];
-      reached = {
-        this->Parts.DecodeBlockArray(index, array.Index, step, *domains, reached.Values.get()), step
-      };
+      reached = { this->Parts.DecodeBlockArray(
+                    index, array.Index, step, *domains, reached.Values.get(), fits),
+        step };
       hold();
     }
     if (job.IsLast())
@@ -220,6 +221,7 @@ void ChunkSetDecoder::DecodeChunkInto(Job& job, std::size_t i) const
         return held ? held : this->Parts.GetBlockPoints(block);
       });
   }
+  PartFits fits;
   for (std::size_t a = 0; a < job.Arrays.size(); ++a)
   {
     auto& reached = work.Reached[a];
@@ -229,7 +231,7 @@ void ChunkSetDecoder::DecodeChunkInto(Job& job, std::size_t i) const
       const auto valuesOf = [&](std::uint32_t block)
       { return job.Blocks[this->Set.FindBlock(block)].Steps[a][step - job.Begin]; };
       reached = { this->Parts.DecodeChunkArray(chunk, *mesh, array.Index, step,
-                    *array.Domains[step - job.Begin], reached.Values.get(), valuesOf),
+                    *array.Domains[step - job.Begin], reached.Values.get(), valuesOf, fits),
         step };
     }
     if (job.IsLast())

@@ -24,7 +24,7 @@ Bytes EncodeRotations(
   const Domain domain(ScalarType::UInt8);
   ComponentKeys keys;
   keys.Now.assign(rotations.begin(), rotations.end());
-  return EncodeCellValues(parents, { &domain, 1 }, { &keys, 1 });
+  return EncodeCellValues({ parents }, { &domain, 1 }, { &keys, 1 });
 }
 }
 
@@ -459,9 +459,14 @@ MeshSection::ChunkStreams MeshSection::EncodeChunk(WriterPart& part, std::size_t
   std::transform(cellOrder.begin(), cellOrder.end(), state.CellOf.begin(),
     [&](std::uint32_t cell) { return cells[cell]; });
   this->EncodeOrder(part, state, streams);
-  state.Mesh.Walk.Tets = {};
   state.Mesh.Walk.EdgeLog.shrink_to_fit(); // of all chunks at once
-  state.Mesh.Cells = {};
+  const auto& arrays = this->State.Meta.Arrays;
+  if (std::none_of(arrays.begin(), arrays.end(),
+        [](const ArrayDescription& array) { return array.Where == Association::Cell; }))
+  {
+    state.Mesh.Walk.Tets = {};
+    state.Mesh.Cells = {};
+  }
   return streams;
 }
 
@@ -488,7 +493,7 @@ void MeshSection::EncodeOrder(
     {
       keys.Now.push_back(part.Place.FirstCell + cell);
     }
-    streams.CellOrder = EncodeCellValues(chunk.Mesh.Walk.Parents, { &ids, 1 }, { &keys, 1 });
+    streams.CellOrder = EncodeCellValues({ chunk.Mesh.Walk.Parents }, { &ids, 1 }, { &keys, 1 });
   }
 }
 

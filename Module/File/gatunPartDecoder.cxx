@@ -225,29 +225,42 @@ std::shared_ptr<const ChunkMesh> PartDecoder::DecodeMesh(
   return KeepIn<ChunkMesh>(this->Kept(), { PartKind::ChunkMesh, chunk }, std::move(mesh));
 }
 
-std::shared_ptr<const NeighborFit> PartDecoder::GetFit(
-  std::uint32_t chunk, const ChunkMesh& mesh) const
+template <typename AnyFit, typename Make>
+void PartDecoder::FindFit(
+  std::shared_ptr<const AnyFit>& fit, PartKind kind, std::uint32_t number, Make&& make) const
 {
-  // Separate from the mesh, which other threads may use, because not every chunk needs it.
-  const PartKey key{ PartKind::ChunkFit, chunk };
-  if (auto found = this->Kept().Find<NeighborFit>(key))
+  if (fit)
   {
-    return found;
+    return;
   }
-  auto fit = std::make_shared<const NeighborFit>(mesh.Walk, mesh.GetPlaces());
-  this->Kept().Keep(key, fit, sizeof(*fit) + fit->GetBytes());
-  return fit;
+  // Separate from the mesh, which other threads may use, because not every chunk needs it.
+  const PartKey key{ kind, number };
+  fit = this->Kept().Find<AnyFit>(key);
+  if (!fit)
+  {
+    fit = std::make_shared<const AnyFit>(make());
+    this->Kept().Keep(key, fit, sizeof(*fit) + fit->GetBytes());
+  }
 }
 
 void PartDecoder::DecodePoints(std::uint32_t chunk, const ChunkMesh& mesh,
   std::span<const std::uint8_t> stream, std::span<const Domain> domains,
-  std::span<ComponentKeys> keys) const
+  std::span<ComponentKeys> keys, PartFits& fits) const
 {
-  const auto fit = ArrayModes::Read(stream).Spatial == SpatialMode::Fit
-    ? this->GetFit(chunk, mesh)
-    : std::shared_ptr<const NeighborFit>();
+  const auto mode = ArrayModes::Read(stream).Spatial;
   auto context = mesh.Context;
-  context.Fit = fit.get();
+  if (mode == SpatialMode::Fit)
+  {
+    this->FindFit(fits.Linear, PartKind::ChunkFit, chunk,
+      [&] { return NeighborFit(mesh.Walk, mesh.GetPlaces()); });
+    context.Fit = fits.Linear.get();
+  }
+  else if (mode == SpatialMode::Quadratic)
+  {
+    this->FindFit(fits.Points, PartKind::ChunkQuadratic, chunk,
+      [&] { return QuadraticFit(mesh.Walk, mesh.GetPlaces()); });
+    context.Quadratic = fits.Points.get();
+  }
   DecodePointValues(stream, context, domains, keys);
 }
 
@@ -262,7 +275,7 @@ std::vector<Key> PartDecoder::DecodeCellIntegers(const StreamRef& where, const s
   content.File.Guarded(what, where,
     [&]
     {
-      DecodeCellValues(stream, mesh.Walk.Parents, { &domain, 1 }, { &keys, 1 });
+      DecodeCellValues(stream, { mesh.Walk.Parents }, { &domain, 1 }, { &keys, 1 });
       CheckBelow(keys.Now, end);
     });
   return std::move(keys.Now);
@@ -304,7 +317,8 @@ std::shared_ptr<const OrderPart> PartDecoder::GetPointOrder(
   content.File.Guarded(what, where,
     [&]
     {
-      this->DecodePoints(chunk, mesh, stream, { &ids, 1 }, { &keys, 1 });
+      PartFits fits;
+      this->DecodePoints(chunk, mesh, stream, { &ids, 1 }, { &keys, 1 }, fits);
       CheckBelow(keys.Now, content.Meta.Points);
     });
   std::vector<Key> own(mesh.Context.OwnIds.size());
@@ -416,6 +430,11 @@ std::vector<ComponentKeys> PartDecoder::MakeKeys(
 
 namespace
 {
+bool IsQuadratic(std::span<const std::uint8_t> stream)
+{
+  return ArrayModes::Read(stream).Spatial == SpatialMode::Quadratic;
+}
+
 std::shared_ptr<const ArrayPart> TakeValues(std::vector<ComponentKeys>& keys)
 {
   auto values = std::make_shared<ArrayPart>();
@@ -429,7 +448,8 @@ std::shared_ptr<const ArrayPart> TakeValues(std::vector<ComponentKeys>& keys)
 }
 
 std::shared_ptr<const ArrayPart> PartDecoder::DecodeBlockArray(std::uint32_t block,
-  std::uint32_t array, std::size_t step, const DomainsPart& domains, const ArrayPart* before) const
+  std::uint32_t array, std::size_t step, const DomainsPart& domains, const ArrayPart* before,
+  PartFits& fits) const
 {
   const auto& content = this->Content();
   const auto& description = content.Meta.Arrays[array];
@@ -442,13 +462,22 @@ std::shared_ptr<const ArrayPart> PartDecoder::DecodeBlockArray(std::uint32_t blo
   const auto count = static_cast<std::size_t>(content.GetTables().GetBlock(block)->Points);
   auto keys = this->MakeKeys(array, step, count, before);
   const auto stream = content.File.Read(where, what);
-  content.File.Guarded(what, where, [&] { DecodeCellValues(stream, {}, domains, keys); });
+  content.File.Guarded(what, where,
+    [&]
+    {
+      if (IsQuadratic(stream))
+      {
+        this->FindFit(fits.Points, PartKind::BlockQuadratic, block,
+          [&] { return QuadraticFit(GetPlaces(*this->GetBlockPoints(block), content.Domains)); });
+      }
+      DecodeCellValues(stream, { {}, fits.Points.get() }, domains, keys);
+    });
   return TakeValues(keys);
 }
 
 std::shared_ptr<const ArrayPart> PartDecoder::DecodeChunkArray(std::uint32_t chunk,
   const ChunkMesh& mesh, std::uint32_t array, std::size_t step, const DomainsPart& domains,
-  const ArrayPart* before, const OfBlock<ArrayPart>& valuesOf) const
+  const ArrayPart* before, const OfBlock<ArrayPart>& valuesOf, PartFits& fits) const
 {
   const auto& content = this->Content();
   const auto& description = content.Meta.Arrays[array];
@@ -467,7 +496,12 @@ std::shared_ptr<const ArrayPart> PartDecoder::DecodeChunkArray(std::uint32_t chu
     {
       if (!ofPoints)
       {
-        DecodeCellValues(stream, mesh.Walk.Parents, domains, keys);
+        if (IsQuadratic(stream))
+        {
+          this->FindFit(
+            fits.Cells, PartKind::ChunkCellQuadratic, chunk, [&] { return mesh.FitCells(); });
+        }
+        DecodeCellValues(stream, { mesh.Walk.Parents, fits.Cells.get() }, domains, keys);
         return;
       }
       this->EachShared<ArrayPart>(chunk, mesh, valuesOf,
@@ -478,7 +512,7 @@ std::shared_ptr<const ArrayPart> PartDecoder::DecodeChunkArray(std::uint32_t chu
             keys[c].Now[v] = values[c][place];
           }
         });
-      this->DecodePoints(chunk, mesh, stream, domains, keys);
+      this->DecodePoints(chunk, mesh, stream, domains, keys, fits);
     });
   this->Kept().Count(&ChunkCacheStatistics::ArraysDecoded);
   return TakeValues(keys);

@@ -34,6 +34,14 @@ struct ArrayAtStep
   std::size_t Step = 0;
 };
 
+/** The weights by which the values of a chunk or block are predicted, as far as they are needed. */
+struct PartFits
+{
+  std::shared_ptr<const NeighborFit> Linear;  // of points of a chunk
+  std::shared_ptr<const QuadraticFit> Points; // of a chunk or block
+  std::shared_ptr<const QuadraticFit> Cells;
+};
+
 /**
  * Provides the parts of a file from a cache, or decodes them and keeps them there. Blocks of shared
  * points are numbered as in the file. The unused points are the block after the last one.
@@ -90,12 +98,13 @@ public:
     std::uint32_t chunk, std::uint32_t array, std::size_t first, std::size_t step) const;
 
   /** Decodes an array at a step. before: the array at the previous step, may be null at key steps.
-   * Without keys if the array is copied from another one. */
+   * Without keys if the array is copied from another one. fits: those of the chunk or block so far,
+   * so that several arrays share them. */
   std::shared_ptr<const ArrayPart> DecodeBlockArray(std::uint32_t block, std::uint32_t array,
-    std::size_t step, const DomainsPart& domains, const ArrayPart* before) const;
+    std::size_t step, const DomainsPart& domains, const ArrayPart* before, PartFits& fits) const;
   std::shared_ptr<const ArrayPart> DecodeChunkArray(std::uint32_t chunk, const ChunkMesh& mesh,
     std::uint32_t array, std::size_t step, const DomainsPart& domains, const ArrayPart* before,
-    const OfBlock<ArrayPart>& valuesOf) const;
+    const OfBlock<ArrayPart>& valuesOf, PartFits& fits) const;
 
   /** Keeps arrays in the cache. Arrays of intermediate steps need not be kept. */
   void KeepBlockArray(std::uint32_t block, std::uint32_t array, const ArrayAtStep& values) const;
@@ -105,12 +114,16 @@ private:
   ChunkCache::Internals& Kept() const { return InternalsOf(*this->Cache); }
 
   void CheckPolyhedra(std::uint32_t chunk, const ChunkMesh& mesh) const;
-  std::shared_ptr<const NeighborFit> GetFit(std::uint32_t chunk, const ChunkMesh& mesh) const;
+
+  /** Sets the weights of a chunk or block to those that are kept, or that make() makes. */
+  template <typename AnyFit, typename Make>
+  void FindFit(
+    std::shared_ptr<const AnyFit>& fit, PartKind kind, std::uint32_t number, Make&& make) const;
   std::vector<Key> DecodeCellIntegers(const StreamRef& where, const std::string& what,
     const ChunkMesh& mesh, ScalarType type, Key end) const;
   void DecodePoints(std::uint32_t chunk, const ChunkMesh& mesh,
     std::span<const std::uint8_t> stream, std::span<const Domain> domains,
-    std::span<ComponentKeys> keys) const;
+    std::span<ComponentKeys> keys, PartFits& fits) const;
   std::vector<ComponentKeys> MakeKeys(
     std::uint32_t array, std::size_t step, std::size_t count, const ArrayPart* before) const;
 

@@ -401,17 +401,45 @@ void StepSection::TakeUnused(const WriterPart& part)
 }
 
 //------------------------------------------------------------------------------
-/** Encodes the values of a block, one stream for each array. Called by several threads. */
-std::vector<Bytes> StepSection::EncodeBlock(std::span<const std::uint32_t> points) const
+namespace
 {
+std::vector<std::array<double, 3>> GetPlaces(
+  const MeshInput& mesh, std::span<const std::uint32_t> points)
+{
+  const auto size = SizeOf(mesh.CoordinateType);
+  const auto* values = static_cast<const std::uint8_t*>(mesh.Coordinates);
+  std::vector<std::array<double, 3>> places(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    for (unsigned axis = 0; axis < 3; ++axis)
+    {
+      const auto* value = values + (std::size_t{ 3 } * points[i] + axis) * size;
+      places[i][axis] = PlainKeys::PlainToNumber(
+        mesh.CoordinateType, PlainKeys::ReadPlain(mesh.CoordinateType, value));
+    }
+  }
+  return places;
+}
+}
+
+//------------------------------------------------------------------------------
+/** Encodes the values of a block, one stream for each array. Called by several threads. */
+std::vector<Bytes> StepSection::EncodeBlock(const WriterPart& part, std::size_t block) const
+{
+  const auto points = part.GetBlockPoints(this->State.Table, block);
   const auto& inputs = this->GetStep().Arrays;
   std::vector<Bytes> streams(inputs.size());
+  std::optional<QuadraticFit> fit;
   for (std::size_t a = 0; a < inputs.size(); ++a)
   {
     if (inputs[a].Description->Where == Association::Point && !inputs[a].IsCopy && !points.empty())
     {
+      if (!fit)
+      {
+        fit.emplace(GetPlaces(part.Mesh.GetMesh(), points));
+      }
       auto keys = inputs[a].GetKeys(points);
-      streams[a] = EncodeCellValues({}, inputs[a].Domains, keys);
+      streams[a] = EncodeCellValues({ {}, &*fit }, inputs[a].Domains, keys);
     }
   }
   return streams;
@@ -449,8 +477,7 @@ void StepSection::WriteBlockValues(const WriterPart& part)
     [&](std::size_t b)
     {
       const FloatEnvironment guard;
-      streams[b] = b < place.Blocks ? this->EncodeBlock(part.GetBlockPoints(this->State.Table, b))
-                                    : this->EncodeUnused();
+      streams[b] = b < place.Blocks ? this->EncodeBlock(part, b) : this->EncodeUnused();
     });
   StreamBatch batch;
   for (std::size_t a = 0; a < step.Arrays.size(); ++a)
@@ -475,7 +502,13 @@ std::vector<Bytes> StepSection::EncodeChunk(WriterPart& part, std::size_t chunk)
   const FloatEnvironment guard;
   auto& step = this->GetStep();
   auto& state = part.Chunks[chunk];
-  state.Mesh.MakeContext(true);
+  state.Mesh.MakeContext(step.HasValues(Association::Point));
+  std::optional<QuadraticFit> cellFit;
+  if (step.HasValues(Association::Cell))
+  {
+    cellFit.emplace(state.Mesh.FitCells());
+  }
+  const CellContext cells{ state.Mesh.Walk.Parents, cellFit ? &*cellFit : nullptr };
   std::vector<Bytes> streams;
   for (std::size_t a = 0; a < step.Arrays.size(); ++a)
   {
@@ -487,7 +520,7 @@ std::vector<Bytes> StepSection::EncodeChunk(WriterPart& part, std::size_t chunk)
     {
       auto keys = input.GetKeys(tuples);
       stream = ofPoints ? EncodePointValues(state.Mesh.Context, input.Domains, keys)
-                        : EncodeCellValues(state.Mesh.Walk.Parents, input.Domains, keys);
+                        : EncodeCellValues(cells, input.Domains, keys);
       const auto own = ofPoints ? state.Mesh.Context.OwnIds.size() : tuples.size();
       for (std::size_t i = 0; input.Rounded && i < own; ++i)
       {
@@ -518,7 +551,8 @@ std::vector<Bytes> StepSection::EncodeChunk(WriterPart& part, std::size_t chunk)
     input.Include(ranges, tuples);
   }
   state.Mesh.Fit.reset();
-  state.Mesh.Context.Fit = nullptr;
+  state.Mesh.Quadratic.reset();
+  state.Mesh.MakeContext(false);
   return streams;
 }
 

@@ -13,6 +13,7 @@
 #include "gatunWriterPart.h"
 #include "gatunWriterState.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -60,6 +61,14 @@ struct StepInput
   StepDomains Domains; // until the step is finished
   StepScales Scales;
   std::vector<ArrayInput> Arrays; // of the current part
+
+  /** Whether there are values of points or cells to encode. */
+  bool HasValues(Association where) const
+  {
+    return std::any_of(this->Arrays.begin(), this->Arrays.end(),
+      [where](const ArrayInput& input)
+      { return input.Description->Where == where && !input.IsCopy; });
+  }
 };
 
 /**
@@ -125,7 +134,7 @@ private:
   void WritePalettes(std::size_t a, bool isFirst, StreamBatch& batch);
   void AddFieldData(const FieldData& field, StepTable& step, StreamBatch& batch);
   void TakeUnused(const WriterPart& part);
-  std::vector<Bytes> EncodeBlock(std::span<const std::uint32_t> points) const;
+  std::vector<Bytes> EncodeBlock(const WriterPart& part, std::size_t block) const;
   std::vector<Bytes> EncodeUnused();
   void WriteBlockValues(const WriterPart& part);
   void WriteChunkValues(WriterPart& part, const std::function<bool(double)>& progress);

@@ -22,7 +22,7 @@ namespace gatun
 /** The data of a chunk from which the values of its arrays are predicted. */
 struct ChunkState
 {
-  ChunkMesh Mesh;                     // without its cells
+  ChunkMesh Mesh;                     // without its cells if there are no cell arrays
   std::vector<std::uint32_t> PointOf; // the input's point of each vertex of the walk
   std::vector<std::uint32_t> CellOf;  // the input's cell of each one of the walk
 };

@@ -153,10 +153,11 @@ std::shared_ptr<const ArrayPart> ChunkSurface::GetBlockArray(
   {
     return reached.Values;
   }
+  PartFits fits;
   for (auto at = reached.Values ? reached.Step + 1 : this->KeyStep; at <= step; ++at)
   {
     reached = { this->Parts.DecodeBlockArray(
-                  block, array, at, *this->Parts.GetDomains(array, at), reached.Values.get()),
+                  block, array, at, *this->Parts.GetDomains(array, at), reached.Values.get(), fits),
       at };
   }
   this->Parts.KeepBlockArray(block, array, reached);
@@ -172,12 +173,14 @@ std::shared_ptr<const ArrayPart> ChunkSurface::GetArray(
   {
     return reached.Values;
   }
+  PartFits fits;
   for (auto at = reached.Values ? reached.Step + 1 : this->KeyStep; at <= step; ++at)
   {
     reached = { this->Parts.DecodeChunkArray(chunk, mesh, array, at,
                   *this->Parts.GetDomains(array, at), reached.Values.get(),
                   HoldBlocks<ArrayPart>(
-                    [&](std::uint32_t block) { return this->GetBlockArray(block, array, at); })),
+                    [&](std::uint32_t block) { return this->GetBlockArray(block, array, at); }),
+                  fits),
       at };
   }
   this->Parts.KeepChunkArray(chunk, array, reached);

@@ -106,7 +106,8 @@ without = {name: value for name, value in os.environ.items() if name != "DISPLAY
 gtn("render", "ball.gtn", "no.png", code=1, says="xvfb-run", env=without)
 with open("ball.gtn", "rb") as file:
     data = bytearray(file.read())
-data[len(data) // 3] ^= 255
+for i in range(1, 8):
+    data[len(data) * i // 8] ^= 255
 with open("bad.gtn", "wb") as file:
     file.write(data)
 gtn("render", "bad.gtn", "no.png", code=1)

@@ -65,12 +65,12 @@ void TryValues(fuzz::Input& in, const EncodedChunk& encoded, ChunkMesh& decoded)
   std::vector<Domain> domains;
   auto keys = TakeValues(in, decoded.Walk.Tets.size(), hasBefore, domains);
   const auto right = keys;
-  const auto stream = EncodeCellValues(encoded.Mesh.Walk.Parents, domains, keys);
+  const auto stream = EncodeCellValues({ encoded.Mesh.Walk.Parents }, domains, keys);
   for (auto& component : keys)
   {
     std::fill(component.Now.begin(), component.Now.end(), 0);
   }
-  DecodeCellValues(fuzz::Copy(stream), decoded.Walk.Parents, domains, keys);
+  DecodeCellValues(fuzz::Copy(stream), { decoded.Walk.Parents }, domains, keys);
   for (std::size_t c = 0; c < keys.size(); ++c)
   {
     Require(keys[c].Now == right[c].Now);

@@ -208,7 +208,7 @@ void AddArrays(Corpus& corpus, std::mt19937& random)
   auto cells = fuzz::TakeCellArray(cellNoise);
   fill(cells);
   corpus.Add("CellValues",
-    Join(noise, cellNoise, EncodeCellValues(cells.Parents, cells.Domains, cells.Keys)));
+    Join(noise, cellNoise, EncodeCellValues({ cells.Parents }, cells.Domains, cells.Keys)));
 }
 
 void AddPalette(Corpus& corpus, std::mt19937& random)

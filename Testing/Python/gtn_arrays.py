@@ -14,14 +14,16 @@ from gtn_cells import TURNS, CellMesh, split
 from gtn_coding import (
     FLOAT32, FLOAT64, MAX_FLOAT32, UINT8, Coded, Domain, RunningSpread, divide)
 from gtn_container import Bytes, require
+from gtn_quadratic import (
+    Lists, Predictor, decode_component, decode_places, find_cell_neighbors, find_cell_places,
+    find_neighbors)
 from gtn_records import CellGeometry
 from gtn_shapes import TETRA
 from gtn_walk import Geometry, Walk, key_spread
 
-PREVIOUS, GATE, FIT = 0, 1, 2
+PREVIOUS, GATE, FIT, QUADRATIC = 0, 1, 2, 3
 NONE, REPEAT, CHANGE = 0, 1, 2
 PROGRESSION = 3
-
 
 
 class ArrayStream:
@@ -33,6 +35,7 @@ class ArrayStream:
         require(self.spatial in spatial_modes, "spatial mode")
         require(self.temporal <= CHANGE, "temporal mode")
         require(self.temporal == NONE or has_before, "temporal mode without a step before")
+        require(self.spatial != QUADRATIC or self.temporal != REPEAT, "modes")
         self.coded = Coded(stream)
 
     def component(self, domain, snap=False):
@@ -49,6 +52,18 @@ class ArrayStream:
         """What value() takes for a predicted number."""
         return float(number) if self.bounded else self.domain.from_number(number)
 
+    def guess(self, number, error, group, place):
+        """A key of which a number and, if it is known, its error are predicted (10.10)."""
+        if self.bounded:
+            return self.bounded.value(float(number), place, (), error)
+        p, spread = self.domain.from_number(number), None
+        if error is not None:
+            width = error_in_keys(self.domain, number, error)
+            bits = width.bit_length()
+            group = 3 if bits >= 2 and width >> (bits - 2) & 1 else 2
+            spread = bits + 2
+        return self.value(p, group, spread)
+
     def value(self, prediction, group=0, spread=None, place=None, around=()):
         """A key (10.2). No spread: the running one. place, around: those of the value and of
         others for values with errors (10.7)."""
@@ -61,17 +76,24 @@ class ArrayStream:
         return self.domain.add(prediction, d)
 
 
-def decode_list(stream, domains, count, before=None, parents=None):
-    """Keys of each component of `count` values on a block (10.3) or, with parents, on tetrahedra
-    (10.5). before: the same at the step before, if the array has a before."""
+def decode_list(stream, domains, count, before=None, parents=None, lists=None):
+    """Keys of each component of `count` values on a block (10.3) or, with parents, on cells
+    (10.5). before: the same at the step before, if the array has a before. lists: gives those of
+    the mode quadratic, if it is allowed."""
     if stream is None:
         require(count == 0, "no stream for values")
         return [[] for _ in domains]
     modes = (PREVIOUS,) if parents is None else (PREVIOUS, GATE)
+    modes += (QUADRATIC,) if lists else ()
     stream = ArrayStream(stream, modes, before is not None)
     result = []
     for c, domain in enumerate(domains):
         stream.component(domain, parents is None)
+        if stream.spatial == QUADRATIC:
+            changes = stream.temporal == CHANGE
+            result.append(decode_places(
+                stream, lists(), domain, parents, count, before[c] if changes else None))
+            continue
         number = domain.to_number
         now = []
         for i in range(count):
@@ -126,6 +148,7 @@ class ChunkMesh:
             require(len(tets) == chunk.tets, "tetrahedra of a chunk of cells")
         self.own = [v for v, index in enumerate(self.walk.shared) if index is None]
         self._weights = None
+        self._quadratic = self._cell_lists = None
 
     def cells(self):
         """Type, vertices and, of polyhedra, faces of each cell."""
@@ -168,12 +191,18 @@ class ChunkMesh:
         before: what this gave at the step before, if the array has a before."""
         walk = self.walk
         require(stream is not None, "no stream for values")
-        stream = ArrayStream(stream, (PREVIOUS, GATE, FIT), before is not None)
+        stream = ArrayStream(stream, (PREVIOUS, GATE, FIT, QUADRATIC), before is not None)
         result = []
         for c, domain in enumerate(domains):
             now = [None if index is None else shared_now[c][index] for index in walk.shared]
             stream.component(domain)
-            self._decode_component(stream, domain, now, before and before[c])
+            if stream.spatial == QUADRATIC:
+                changes = stream.temporal == CHANGE
+                predictor = Predictor(self._lists(), len(now), self._other)
+                decode_component(
+                    stream, predictor, domain, self.own, now, before[c] if changes else None)
+            else:
+                self._decode_component(stream, domain, now, before and before[c])
             result.append(now)
         return result
 
@@ -235,6 +264,31 @@ class ChunkMesh:
         group = 0 if m < 4 else 1 if m < 6 else 2 if m < 8 else 3 if m < 11 else 4
         return predicted, key_spread([keys[u] for u in neighbors]), group
 
+    def _lists(self):
+        """Those of the own vertices for the mode quadratic."""
+        if self._quadratic is None:
+            places = self._places()
+            lists = find_neighbors(self.walk.edge_log, self.own, places)
+            is_shared = [index is not None for index in self.walk.shared]
+            self._quadratic = Lists(lists, self.own, places, is_shared)
+        return self._quadratic
+
+    def cell_lists(self):
+        """Those of the cells."""
+        if self._cell_lists is None:
+            cells = self.walk.tets if self.is_walk else self.walk.corners
+            places = find_cell_places(cells, self._places())
+            self._cell_lists = Lists(
+                find_cell_neighbors(cells, places), range(len(cells)), places)
+        return self._cell_lists
+
+    def _other(self, i, numbers):
+        return self.geometry.predict_number(self.walk.records[i], self.geometry.used[i], numbers)
+
+    def _places(self):
+        return [[domain.to_value(k) for domain, k in zip(self.domains, key)]
+                for key in self.walk.keys]
+
     def _neighbors(self, i):
         """Neighbors of own vertex number i, and their weights (10.6)."""
         if self._weights is None:
@@ -246,14 +300,18 @@ class ChunkMesh:
                     found[a].append(b)
                 elif b in found:
                     found[b].append(a)
-            places = [
-                [domain.to_value(k) for domain, k in zip(self.domains, key)] for key in walk.keys
-            ]
+            places = self._places()
             self._weights = [
                 (found[v], fit_weights(places[v], [places[u] for u in found[v]]))
                 for v in self.own
             ]
         return self._weights[i]
+
+
+def error_in_keys(domain, number, error):
+    """How far the key is that is off by an error, away from zero (10.10)."""
+    off = number - error if number < 0 else number + error
+    return abs(domain.from_number(off) - domain.from_number(number))
 
 
 def fit_weights(c, q):

@@ -55,9 +55,9 @@ class BoundedValues:
         self.last = key if math.isfinite(self.domain.to_number(key)) else self.last
         return self.last
 
-    def value(self, prediction, place, around):
-        """prediction: a key, or a float; around: places."""
-        c, g, shift = self._context(around)
+    def value(self, prediction, place, around, error=None):
+        """prediction: a key, or a float; around: places; error: of a float, if it is known."""
+        c, g, shift = self._context(around, prediction, error)
         special = self.coded.decide("special", self.was)
         self.was = special
         if special:
@@ -68,10 +68,20 @@ class BoundedValues:
         self.mean += 16 * abs(kept) - (self.mean >> 4)
         return self._key(prediction, steps)
 
-    def _context(self, around):
+    def _sixteenths(self, number, error):
+        """What an error is in sixteenths of a step (10.10)."""
+        if self.bound.rounds_keys:
+            off = number - error if number < 0 else number + error
+            error = float(abs(self.domain.from_number(off) - self.domain.from_number(number)))
+        unit = self.bound.step if self.bound.rounds_keys else 2 * self.bound.step
+        return int(min(divide(error * 16.0, unit), 2.0**40) + 0.5)
+
+    def _context(self, around, prediction, error):
         known = [self.steps[place] for place in around if place in self.steps]
         size, total = sum(map(abs, known)), sum(known)
         mean = (32 * size + (self.mean >> 4)) // (2 * len(known) + 1)
+        if error is not None:
+            mean = self._sixteenths(prediction, error)
         length = mean.bit_length()
         c = length if length <= 1 else min(2 * length - 2 + (mean >> length - 2 & 1), 31)
         return c, 1 if total < 0 else 2 if total > 0 else 0, max(length - 6, 0)

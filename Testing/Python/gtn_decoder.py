@@ -12,6 +12,7 @@ Here is the whole mesh in its numbering: section 4. As a program it prints what 
 
 import sys
 from collections import Counter
+from functools import partial
 
 import numpy as np
 
@@ -24,6 +25,7 @@ from gtn_container import (
     BOUND, CELLS, KEEP_CELLS, KEEP_CORNERS, KEEP_POINTS, PALETTE, POINTS, SHIFT, Container, FormatError,
     Bytes, is_copy, require)
 from gtn_dependencies import decode_dependencies
+from gtn_quadratic import Lists, find_block_neighbors
 from gtn_shapes import Shapes
 from gtn_tree import SimplerMesh, decode_merges, open_level
 
@@ -56,6 +58,10 @@ class Decoder:
         first_own = len(users)
 
         coordinates = self._decode_blocks([b.coordinates for b in self.table.blocks], self.domains)
+        self._shared_places = [
+            [domain.to_value(k) for domain, k in zip(self.domains, key)]
+            for key in zip(*coordinates)]
+        self._block_lists = {}
         shared_of = [[] for _ in self.table.chunks]
         for point, chunks in enumerate(users):
             for chunk in chunks:
@@ -187,7 +193,7 @@ class Decoder:
             before = None  # of a copy, scales are no list
         if array.where == POINTS:
             old = before and before.shared
-            values.shared = self._decode_blocks(at.blocks, values.domains, old)
+            values.shared = self._decode_blocks(at.blocks, values.domains, old, True)
             values.unused = self._decode_unused(at.unused, values.domains, before and before.unused)
         for i, (chunk, reference) in enumerate(zip(self.chunks, at.chunks)):
             stream = self._stream(reference)
@@ -197,7 +203,8 @@ class Decoder:
                 decoded = chunk.decode_points(stream, values.domains, shared, old)
             else:
                 parents = chunk.walk.parents
-                decoded = decode_list(stream, values.domains, len(parents), old, parents)
+                decoded = decode_list(
+                    stream, values.domains, len(parents), old, parents, chunk.cell_lists)
             values.chunks.append(decoded)
         return values
 
@@ -221,13 +228,24 @@ class Decoder:
         require(all(a < b for a, b in zip(keys, keys[1:])), "palette does not ascend")
         return Domain(kind, keys)
 
-    def _decode_blocks(self, references, domains, before=None):
-        """Keys of each component on all shared points. before: the same at the step before."""
+    def _lists_of_block(self, first, last):
+        """Those of shared points for the mode quadratic."""
+        if first not in self._block_lists:
+            places = self._shared_places[first:last]
+            self._block_lists[first] = Lists(
+                find_block_neighbors(places), range(len(places)), places)
+        return self._block_lists[first]
+
+    def _decode_blocks(self, references, domains, before=None, are_values=False):
+        """Keys of each component on all shared points. before: the same at the step before.
+        are_values: of an array, not of the mesh."""
         result = [[] for _ in domains]
         for block, reference, first in zip(self.table.blocks, references, self.block_points):
             last = first + block.points
             old = before and [keys[first:last] for keys in before]
-            decoded = decode_list(self._stream(reference), domains, block.points, old)
+            lists = partial(self._lists_of_block, first, last) if are_values else None
+            decoded = decode_list(
+                self._stream(reference), domains, block.points, old, lists=lists)
             for keys, more in zip(result, decoded):
                 keys += more
         return result

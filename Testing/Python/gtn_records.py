@@ -150,6 +150,13 @@ class CellGeometry:
         known = [None if v is None else keys[v] for v in record.slots]
         return self._apply(used, domain, known), record_spread(known), min(1 + used, 16)
 
+    def predict_number(self, record, used, numbers):
+        """The number alone, from numbers of the vertices, or nothing."""
+        if record.is_seed:
+            return None
+        return apply_rule(
+            self.rules[used], [0.0 if v is None else numbers[v] for v in record.slots])
+
 
 def predicted(record, places):
     """The predicted place of a vertex with this record (4.5)."""

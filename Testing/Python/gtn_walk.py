@@ -153,6 +153,12 @@ class Geometry:
         numbers = [domain.to_number(key) for key in known]
         return apply_rule(self.rules[used], numbers), key_spread(known[:4]), 1 + used
 
+    def predict_number(self, record, used, numbers):
+        """The number alone, from numbers of the vertices, or nothing."""
+        if record.is_seed:
+            return None
+        return apply_rule(self.rules[used], [numbers[v] for v in record.known])
+
 
 class Walk(Vertices):
     """Decodes a chunk. What it gives, as in 8.1, besides its vertices:

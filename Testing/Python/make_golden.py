@@ -594,7 +594,8 @@ def make(folder, function):
 
     # Nothing but the order may differ from the input.
     for grid, back in zip(grids, golden.read_steps(path, True)[0]):
-        gm.assert_same_mesh(grid, back)
+        if keep != 7:  # else input_order has told that already
+            gm.assert_same_mesh(grid, back)
         if keep & 1:
             assert np.array_equal(
                 gm.coordinates(grid).view(np.uint8), gm.coordinates(back).view(np.uint8))
@@ -605,9 +606,13 @@ def make(folder, function):
     return os.path.basename(path), expected, os.path.getsize(path)
 
 
-def main(folder, functions):
+def main(folder, functions, adds=False):
+    """adds: to what expected.json has."""
     os.makedirs(folder, exist_ok=True)
     expected, total = {}, 0
+    if adds:
+        with open(os.path.join(folder, "expected.json"), encoding="utf-8") as file:
+            expected = json.load(file)
     for function in functions:
         name, description, size = make(folder, function)
         expected[name] = description

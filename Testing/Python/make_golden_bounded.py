@@ -22,6 +22,7 @@ import gatunGolden as golden
 from describe_decoded import describe_decoded
 from gatun import vtkGatunWriter
 from gatunTimeSource import TimeSource, connect
+from make_golden_quadratic import smooth
 from make_golden import add, cubes, gm, jitter, shuffle, single, wave
 
 
@@ -82,6 +83,35 @@ def bounded_steps(_):
         "KeyStepInterval": 4, "KeepZeros": True}
 
 
+def bounded_quadratic(rng):
+    """Values that quadratic functions predict, on points and cells."""
+    points, tets = cubes((5, 5, 5))
+    points, tets = shuffle(jitter(points, rng), tets, rng)
+    grid = gm.make_grid(single(points), tets)
+    values = smooth(points)
+    odd = values.copy()
+    odd[::19] = np.resize([np.nan, np.inf, -0.0, 0, 1e-310, 1e300], odd[::19].shape)
+    for name, array in (("floats", single(values)), ("odd", odd), ("pointwise", values),
+                        ("bits", single(values)), ("integers", np.int32(values * 1e6))):
+        add(grid.GetPointData(), array, name)
+    add(grid.GetCellData(), single(values[tets].mean(1)), "cells")
+    add(grid.GetCellData(), odd[tets].max(1), "odd cells")
+    return [grid], [], ["*=abs:1e-4", "pointwise=pw:1e-4", "bits=bits:14", "integers=abs:60"], {}
+
+
+def bounded_quadratic_steps(rng):
+    points, tets = cubes((4, 4, 4))
+    points, tets = shuffle(jitter(points, rng), tets, rng)
+    grids = []
+    for s in range(3):
+        grid = gm.make_grid(single(points), tets)
+        noise = np.random.default_rng(1).normal(size=len(points))
+        add(grid.GetPointData(), single(noise + smooth(points) * s), "changes")
+        add(grid.GetCellData(), smooth(points + s)[tets].mean(1), "cells")
+        grids.append(grid)
+    return grids, [0.0, 1.0, 2.0], ["*=rel:1e-4"], {}
+
+
 def check(original, found, errors, name):
     """Every value is within its bound."""
     original, found = original.reshape(len(original), -1), found.reshape(len(found), -1)
@@ -135,6 +165,10 @@ def make(folder, function):
     return expected
 
 
+ALL = [bounded, bounded_small, bounded_fine, bounded_pointwise, bounded_boundary, bounded_steps,
+       bounded_quadratic, bounded_quadratic_steps]
+
+
 def main(folder):
     os.makedirs(folder, exist_ok=True)
     path = os.path.join(folder, "expected.json")
@@ -142,7 +176,7 @@ def main(folder):
     if os.path.exists(path):
         with open(path, encoding="utf-8") as file:
             expected = json.load(file)
-    for function in (bounded, bounded_small, bounded_fine, bounded_pointwise, bounded_boundary, bounded_steps):
+    for function in ALL:
         name = function.__name__ + ".gtn"
         expected[name] = make(folder, function)
         print(name, os.path.getsize(os.path.join(folder, name)), flush=True)

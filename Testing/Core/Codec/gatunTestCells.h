@@ -248,10 +248,10 @@ inline void ExpectArrays(EncodedCells& encoded, ChunkMesh& decoded)
   {
     truth[0].Now.push_back(domain.FromNumber(static_cast<double>(cell)));
   }
-  const auto stream = EncodeCellValues(encoded.Mesh.Walk.Parents, { &domain, 1 }, truth);
+  const auto stream = EncodeCellValues({ encoded.Mesh.Walk.Parents }, { &domain, 1 }, truth);
   auto found = truth;
   std::fill(found[0].Now.begin(), found[0].Now.end(), 0);
-  DecodeCellValues(stream, decoded.Walk.Parents, { &domain, 1 }, found);
+  DecodeCellValues(stream, { decoded.Walk.Parents }, { &domain, 1 }, found);
   EXPECT_EQ(found[0].Now, truth[0].Now);
 }
 

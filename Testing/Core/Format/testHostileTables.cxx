@@ -231,12 +231,7 @@ TEST(HostileTables, ScalesMustBePossible)
     });
   // Streams may not refer to keys of another scale at the step before.
   ExpectRefused("a stream needs a time step before it and there is none",
-    [&](FileImage& f)
-    {
-      setScale(f, ScaleKind::Shift, 1, 0, 0);
-      setScale(f, ScaleKind::Shift, 1, 0, 1);
-      setScale(f, ScaleKind::Shift, 2, 0, 2);
-    });
+    [&](FileImage& f) { setScale(f, ScaleKind::Shift, 2, 0, 2); });
 }
 
 TEST(HostileTables, BoundsMustBePossible)
