@@ -95,6 +95,7 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SplitCells: " << (this->SplitCells ? "On" : "Off") << "\n";
   os << indent << "ReplaceReadOnly: " << (this->ReplaceReadOnly ? "On" : "Off") << "\n";
   os << indent << "PointError: " << this->PointError << "\n";
+  os << indent << "RelativePointError: " << this->RelativePointError << "\n";
   os << indent << "PointBits: " << this->PointBits << "\n";
   os << indent << "NumberOfPieces: " << this->NumberOfPieces << "\n";
   os << indent << "SpillMemory: " << this->SpillMemory << "\n";

@@ -356,9 +356,24 @@ public:
    * Coordinates that are not finite, and integers, stay. A file becomes smaller where a coordinate
    * has at most 65,536 different values. Points of pieces are joined by the rounded coordinates.
    * A number that is not finite is an error. Default: 0.
+   *
+   * No cell turns over: tetrahedra, and those at the corners of hexahedra, voxels, wedges and
+   * pyramids, keep their orientation, and flat ones stay flat, in exact arithmetic. Where they
+   * would not, coordinates have finer steps, or stay. It is an error if more than 1 % of the points
+   * (and more than 16) need that, or any point of a mesh in several pieces; the message tells an
+   * error that would do.
    */
   vtkSetClampMacro(PointError, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(PointError, double);
+  ///@}
+
+  ///@{
+  /**
+   * The same relative to the longest side of the bounding box, from 0 to less than 1. Needs the
+   * mesh in one piece and one process. An error together with PointError or PointBits. Default: 0.
+   */
+  vtkSetMacro(RelativePointError, double);
+  vtkGetMacro(RelativePointError, double);
   ///@}
 
   ///@{
@@ -481,7 +496,7 @@ public:
 
   /**
    * Largest difference between a coordinate of the last file and that of the input, of the pieces
-   * of this process. 0 without PointError and PointBits.
+   * of this process. 0 without PointError, RelativePointError and PointBits.
    */
   vtkGetMacro(WrittenPointError, double);
 
@@ -527,6 +542,7 @@ protected:
   bool SplitCells = false;
   bool ReplaceReadOnly = false;
   double PointError = 0;
+  double RelativePointError = 0;
   int PointBits = 0;
   int NumberOfPieces = 1;
   int SpillMemory = 64;

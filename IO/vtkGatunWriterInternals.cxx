@@ -86,7 +86,8 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkGatunWriter::vtkInternals::MakeGrid(vtkD
   {
     this->Warn(warning);
   }
-  const gatun::PointRounding rounding{ this->Owner->PointError, this->Owner->PointBits };
+  const gatun::PointRounding rounding{ this->Owner->PointError, this->Owner->RelativePointError,
+    this->Owner->PointBits, this->PieceCount == 1 };
   gatun::CheckRounding(rounding);
   return gatun::RoundPoints(cells.Grid, rounding, this->Owner->WrittenPointError);
 }
@@ -221,10 +222,10 @@ void vtkGatunWriter::vtkInternals::BeginPieces(int pieces)
     gatun::ThrowInvalid("the boundary needs the whole mesh in one piece and one process; write the "
                         "file without it, and add it with 'gtn pack --boundary'");
   }
-  if (owner->PointBits > 0)
+  if (owner->PointBits > 0 || owner->RelativePointError > 0)
   {
-    gatun::ThrowInvalid("a number of bits needs the bounds of the whole mesh, in one piece and one "
-                        "process; give the largest error of coordinates");
+    gatun::ThrowInvalid("a number of bits, or a relative error of coordinates, needs the bounds of "
+                        "the whole mesh, in one piece and one process; give the largest error");
   }
   gatun::PartWriterOptions options;
   options.File = this->MakeOptions(nullptr, {});

@@ -66,7 +66,7 @@ struct Options
   PieceOptions Pieces;
 };
 
-/** Sets how coordinates are rounded: abs:E or bits:N. */
+/** Sets how coordinates are rounded: abs:E, rel:E or bits:N. */
 void SetPointError(vtkGatunWriter* writer, const std::string& text)
 {
   constexpr int mostBits = 31;
@@ -83,6 +83,15 @@ void SetPointError(vtkGatunWriter* writer, const std::string& text)
       return;
     }
   }
+  if (kind == "rel")
+  {
+    const double error = Parse<double>(value).value_or(-1);
+    if (error > 0 && error < 1)
+    {
+      writer->SetRelativePointError(error);
+      return;
+    }
+  }
   if (kind == "bits")
   {
     const int bits = Parse<int>(value).value_or(0);
@@ -92,7 +101,8 @@ void SetPointError(vtkGatunWriter* writer, const std::string& text)
       return;
     }
   }
-  Refuse("--point-error", text, "abs:E with a number E above 0, or bits:N with N from 1 to 31");
+  Refuse("--point-error", text,
+    "abs:E with a number E above 0, rel:E with E from 0 to 1, or bits:N with N from 1 to 31");
 }
 
 /** Throws unless a text tells the error of an array. */
@@ -168,7 +178,8 @@ void PrintSizes(vtkGatunWriter* writer, const Options& options, bool verbose)
   print("boundary", writer->GetBoundaryBytes());
   print("directory", writer->GetDirectoryBytes());
   print("file", writer->GetFileBytes());
-  if (writer->GetPointError() > 0 || writer->GetPointBits() > 0)
+  if (writer->GetPointError() > 0 || writer->GetRelativePointError() > 0 ||
+    writer->GetPointBits() > 0)
   {
     fmt::print("  coordinates differ by at most {:.6g}\n", writer->GetWrittenPointError());
   }
@@ -307,8 +318,10 @@ void AddPack(CLI::App& app, Settings& settings)
     ->needs(layers);
   command
     ->add_option("--point-error", options->PointError,
-      "Round coordinates: abs:E changes each of them by at most E, above 0, in their units; bits:N "
-      "gives the longest side of the bounding box 2^N places, N from 1 to 31. Values of arrays "
+      "Round coordinates: abs:E changes each of them by at most E, above 0, in their units; rel:E "
+      "by "
+      "at most E times the longest side of the bounding box; bits:N gives that side 2^N places, N "
+      "from 1 to 31. No cell turns over: where one would, coordinates are finer. Values of arrays "
       "stay (default: none; everything is stored without loss)")
     ->option_text("WHAT");
   auto* errors =

@@ -5,6 +5,7 @@
 
 #include "gatunError.h"
 #include "gatunParallel.h"
+#include "gatunTurnedCells.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -17,7 +18,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 #include <vector>
 
 namespace gatun
@@ -26,6 +30,20 @@ namespace
 {
 constexpr int MostBits = 31;
 constexpr std::size_t PointsPerTask = 1 << 16;
+constexpr unsigned MaxFineness = 32;
+
+/** The number of points that may be on finer lattices. */
+std::size_t GetMostFine(std::size_t points)
+{
+  constexpr std::size_t always = 16;
+  return std::max(points / 100, always);
+}
+
+std::size_t CountFine(const std::vector<std::uint8_t>& fineness)
+{
+  return fineness.size() -
+    static_cast<std::size_t>(std::count(fineness.begin(), fineness.end(), std::uint8_t{ 0 }));
+}
 
 /** Places that coordinates are rounded to. */
 struct Lattice
@@ -34,17 +52,23 @@ struct Lattice
   double Step = 0;
   double MostError = 0; // what is farther away stays
 
+  /** fineness: how often the step is halved; MaxFineness leaves the value as it is. */
   template <typename T>
-  T Round(T value, std::size_t axis) const
+  T Round(T value, std::size_t axis, unsigned fineness) const
   {
     // Beyond this, all numbers are multiples of the step.
     constexpr double large = 4503599627370496.0; // 2^52
-    const double place = (static_cast<double>(value) - this->Origin[axis]) / this->Step;
+    const double step = std::ldexp(this->Step, -static_cast<int>(fineness));
+    const double place = (static_cast<double>(value) - this->Origin[axis]) / step;
+    if (fineness >= MaxFineness)
+    {
+      return value;
+    }
     if (!(std::abs(place) < large))
     {
       return value; // infinity and NaN, too
     }
-    const double rounded = this->Origin[axis] + std::nearbyint(place) * this->Step;
+    const double rounded = this->Origin[axis] + std::nearbyint(place) * step;
     const auto result = std::abs(rounded) <= std::numeric_limits<T>::max() && rounded != 0
       ? static_cast<T>(rounded)
       : T{ 0 };
@@ -53,55 +77,69 @@ struct Lattice
   }
 };
 
+/** The box of the coordinates that are finite. */
+struct Box
+{
+  template <typename ArrayT>
+  explicit Box(ArrayT* points)
+  {
+    std::array<double, 3> largest;
+    this->Least.fill(std::numeric_limits<double>::infinity());
+    largest.fill(-std::numeric_limits<double>::infinity());
+    const auto* const values = points->GetPointer(0);
+    for (vtkIdType i = 0; i < points->GetNumberOfValues(); ++i)
+    {
+      const auto axis = static_cast<std::size_t>(i % 3);
+      const auto value = static_cast<double>(values[i]);
+      if (std::isfinite(value))
+      {
+        this->Least[axis] = std::min(this->Least[axis], value);
+        largest[axis] = std::max(largest[axis], value);
+      }
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      if (this->Least[axis] <= largest[axis])
+      {
+        this->Side = std::max(this->Side, largest[axis] - this->Least[axis]);
+      }
+      else
+      {
+        this->Least[axis] = 0;
+      }
+    }
+  }
+
+  std::array<double, 3> Least;
+  double Side = 0; // the longest
+};
+
 //------------------------------------------------------------------------------
 Lattice MakeLattice(double error)
 {
   // Multiples of a power of two are exact as floating-point numbers.
   constexpr int mostExponent = 1023;
   Lattice lattice;
-  lattice.Step = std::ldexp(1.0, std::min(std::ilogb(error) + 1, mostExponent));
+  lattice.Step = error > 0 ? std::ldexp(1.0, std::min(std::ilogb(error) + 1, mostExponent)) : 0;
   lattice.MostError = error;
   return lattice;
 }
 
 //------------------------------------------------------------------------------
-template <typename ArrayT>
-Lattice MakeLattice(ArrayT* points, int bits)
+Lattice MakeLattice(const Box& box, int bits)
 {
-  std::array<double, 3> least;
-  least.fill(std::numeric_limits<double>::infinity());
-  std::array<double, 3> largest;
-  largest.fill(-std::numeric_limits<double>::infinity());
-  const auto* const values = points->GetPointer(0);
-  for (vtkIdType i = 0; i < points->GetNumberOfValues(); ++i)
-  {
-    const auto axis = static_cast<std::size_t>(i % 3);
-    const auto value = static_cast<double>(values[i]);
-    if (std::isfinite(value))
-    {
-      least[axis] = std::min(least[axis], value);
-      largest[axis] = std::max(largest[axis], value);
-    }
-  }
   Lattice lattice;
-  double side = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    if (least[axis] <= largest[axis])
-    {
-      lattice.Origin[axis] = least[axis];
-      side = std::max(side, largest[axis] - least[axis]);
-    }
-  }
-  lattice.Step = side / (std::ldexp(1.0, bits) - 1);
+  lattice.Origin = box.Least;
+  lattice.Step = box.Side / (std::ldexp(1.0, bits) - 1);
   lattice.MostError = lattice.Step;
   return lattice;
 }
 
 //------------------------------------------------------------------------------
-/** Rounds the values of an array. Returns the largest difference. */
+/** Rounds the values of an array. Returns the largest difference. fineness: of each point. */
 template <typename ArrayT>
-double RoundValues(ArrayT* from, const Lattice& lattice, ArrayT* to)
+double RoundValues(
+  ArrayT* from, const Lattice& lattice, const std::vector<std::uint8_t>& fineness, ArrayT* to)
 {
   const auto count = static_cast<std::size_t>(from->GetNumberOfTuples());
   std::vector<double> errors(count / PointsPerTask + 1);
@@ -113,7 +151,7 @@ double RoundValues(ArrayT* from, const Lattice& lattice, ArrayT* to)
       const std::size_t end = 3 * std::min(count, (task + 1) * PointsPerTask);
       for (std::size_t i = 3 * task * PointsPerTask; i < end; ++i)
       {
-        results[i] = lattice.Round(values[i], i % 3);
+        results[i] = lattice.Round(values[i], i % 3, fineness[i / 3]);
         const double error =
           std::abs(static_cast<double>(results[i]) - static_cast<double>(values[i]));
         errors[task] = std::max(errors[task], std::isfinite(error) ? error : 0.0);
@@ -124,9 +162,81 @@ double RoundValues(ArrayT* from, const Lattice& lattice, ArrayT* to)
 
 //------------------------------------------------------------------------------
 template <typename ArrayT>
-vtkSmartPointer<vtkDataArray> RoundArray(
-  vtkDataArray* points, const PointRounding& rounding, double& largest)
+CornerTets::PlaceOf GetPlaces(ArrayT* points)
 {
+  return [values = points->GetPointer(0)](vtkIdType point)
+  {
+    const auto* const p = values + 3 * point;
+    return std::array{ static_cast<double>(p[0]), static_cast<double>(p[1]),
+      static_cast<double>(p[2]) };
+  };
+}
+
+//------------------------------------------------------------------------------
+/** Throws that too many points need finer lattices, and tells an error that would do. */
+template <typename ArrayT>
+[[noreturn]] void RefuseTurned(
+  ArrayT* from, const CornerTets& tets, double error, bool isWhole, std::size_t turned)
+{
+  const auto points = static_cast<std::size_t>(from->GetNumberOfTuples());
+  const std::size_t most = isWhole ? GetMostFine(points) : 0;
+  vtkNew<ArrayT> to;
+  to->SetNumberOfComponents(3);
+  to->SetNumberOfTuples(from->GetNumberOfTuples());
+  const std::vector<std::uint8_t> coarse(points);
+  std::ostringstream message;
+  message << "with this error of coordinates, cells turn over at " << turned << " corners, and ";
+  message << (isWhole ? "more than 1 % of the points would have to be finer"
+                      : "points of several pieces cannot be finer than others");
+  constexpr unsigned decades = 12;
+  unsigned i = 0;
+  for (; i < decades; ++i)
+  {
+    error /= 10;
+    RoundValues(from, MakeLattice(error), coarse, to.Get());
+    std::vector<std::uint8_t> marks(points);
+    tets.MarkTurned(GetPlaces(to.Get()), marks);
+    if (CountFine(marks) <= most)
+    {
+      message << "; an error of " << std::setprecision(2) << error << " would do";
+      break;
+    }
+  }
+  ThrowInvalid(message.str() + (i == decades ? "; write them without an error" : ""));
+}
+
+//------------------------------------------------------------------------------
+/** Rounds the values of an array so that no cell of the grid turns over. Returns the largest
+ * difference. */
+template <typename ArrayT>
+double RoundUpright(
+  vtkUnstructuredGrid* grid, ArrayT* from, const Lattice& lattice, bool isWhole, ArrayT* to)
+{
+  const CornerTets tets(grid, GetPlaces(from));
+  const auto points = static_cast<std::size_t>(from->GetNumberOfTuples());
+  std::vector<std::uint8_t> fineness(points);
+  double error = 0;
+  for (;;)
+  {
+    error = RoundValues(from, lattice, fineness, to);
+    const std::size_t turned = tets.MarkTurned(GetPlaces(to), fineness);
+    if (turned == 0)
+    {
+      return error;
+    }
+    if (!isWhole || CountFine(fineness) > GetMostFine(points))
+    {
+      RefuseTurned(from, tets, lattice.MostError, isWhole, turned);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+template <typename ArrayT>
+vtkSmartPointer<vtkDataArray> RoundArray(
+  vtkUnstructuredGrid* grid, const PointRounding& rounding, double& largest)
+{
+  vtkDataArray* const points = grid->GetPoints()->GetData();
   auto* from = ArrayT::FastDownCast(points);
   vtkNew<ArrayT> copy;
   if (!from)
@@ -134,8 +244,10 @@ vtkSmartPointer<vtkDataArray> RoundArray(
     copy->DeepCopy(points);
     from = copy;
   }
-  const Lattice lattice =
-    rounding.Bits > 0 ? MakeLattice(from, rounding.Bits) : MakeLattice(rounding.Error);
+  const Box box(from);
+  const Lattice lattice = rounding.Bits > 0 ? MakeLattice(box, rounding.Bits)
+    : rounding.Error > 0                    ? MakeLattice(rounding.Error)
+                                            : MakeLattice(rounding.RelativeError * box.Side);
   if (!(lattice.Step > 0))
   {
     return nullptr;
@@ -143,7 +255,7 @@ vtkSmartPointer<vtkDataArray> RoundArray(
   auto to = vtkSmartPointer<ArrayT>::New();
   to->SetNumberOfComponents(3);
   to->SetNumberOfTuples(from->GetNumberOfTuples());
-  const double error = RoundValues(from, lattice, to.Get());
+  const double error = RoundUpright(grid, from, lattice, rounding.IsWhole, to.Get());
   largest = std::max(largest, error);
   return error > 0 ? vtkSmartPointer<vtkDataArray>(to) : nullptr;
 }
@@ -156,13 +268,21 @@ void CheckRounding(const PointRounding& rounding)
   {
     ThrowInvalid("the largest error of coordinates must be a finite number of 0 or more");
   }
+  if (!(rounding.RelativeError >= 0 && rounding.RelativeError < 1))
+  {
+    ThrowInvalid(
+      "the largest error of coordinates, relative to the longest side of the bounding box, "
+      "must be a number from 0 to less than 1");
+  }
   if (rounding.Bits < 0 || rounding.Bits > MostBits)
   {
     ThrowInvalid("coordinates must have from 1 to 31 bits, or 0 to keep them");
   }
-  if (rounding.Error > 0 && rounding.Bits > 0)
+  if ((rounding.Error > 0) + (rounding.RelativeError > 0) + (rounding.Bits > 0) > 1)
   {
-    ThrowInvalid("coordinates can be rounded by an error or to a number of bits, not by both");
+    ThrowInvalid(
+      "coordinates can be rounded by an error, a relative error, or to a number of bits, "
+      "not by both");
   }
 }
 
@@ -175,9 +295,8 @@ vtkSmartPointer<vtkUnstructuredGrid> RoundPoints(
   {
     return grid;
   }
-  vtkDataArray* const points = grid->GetPoints()->GetData();
-  const auto rounded = type == VTK_FLOAT ? RoundArray<vtkFloatArray>(points, rounding, largest)
-                                         : RoundArray<vtkDoubleArray>(points, rounding, largest);
+  const auto rounded = type == VTK_FLOAT ? RoundArray<vtkFloatArray>(grid, rounding, largest)
+                                         : RoundArray<vtkDoubleArray>(grid, rounding, largest);
   if (!rounded)
   {
     return grid;

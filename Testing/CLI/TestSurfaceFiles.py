@@ -160,14 +160,16 @@ def packed_places(*options):
     return told, vtk_to_numpy(reader.GetOutput().GetPoints().GetData())
 
 
-for option, most in (("abs:1e-3", 1e-3), ("bits:10", 0.5 / 1023 * 1.0001)):
+longest = np.ptp(places, 0).max().astype(float)
+for option, most in (
+        ("abs:1e-3", 1e-3), ("rel:1e-3", 1e-3 * longest), ("bits:10", 0.5 / 1023 * 1.0001)):
     told, rounded = packed_places("--point-error", option)
     error = np.abs(rounded.astype(float) - places).max()
     assert 0.3 * most < error <= most and f"coordinates differ by at most {error:.6g}" in told, told
 told, exact = packed_places()
 assert np.array_equal(exact, places) and "differ" not in told
 for wrong in ("abs:0", "abs:-1", "abs:nan", "abs:inf", "abs:", "abs", "bits:0", "bits:32", "bits:x",
-              "rel:1e-3", "1e-3", ""):
+              "rel:0", "rel:1", "rel:x", "pw:0.1", "1e-3", ""):
     gtn("pack", "--point-error", wrong, "sphere.ply", "new.gtn", code=2)
 gtn("pack", "--pieces", 3, "--point-error", "bits:9", "sphere.pvtp", "new.gtn", code=1,
     says="needs the bounds of the whole mesh")

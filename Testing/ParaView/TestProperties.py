@@ -34,7 +34,7 @@ OTHER = {"ChunkTets": [1000], "KeepOrder": [7], "KeyStepInterval": [3],
          "SpillFolder": ["some folder"], "MinTimeStep": [2], "MaxTimeStep": [5], "TimeStepStride": [3],
          "DetailBounds": [6, 5, 4, 3, 2, 1], "DetailCenter": [1, 2, 3], "DetailRadius": [0.5],
          "DetailRange": [-4, 9],
-         "PointError": [0.25], "PointBits": [14], "Style": [1]}
+         "PointError": [0.25], "RelativePointError": [0.125], "PointBits": [14], "Style": [1]}
 # Where people who open a file are better served by another default than programs: that of the class.
 OWN_DEFAULT = {"GatunReaderCore.OnDemand": [0], "GatunSurfaceReaderCore.OnDemand": [0],
                "GatunContour.ComputeNormals": [0],
@@ -154,7 +154,8 @@ path = sample.temporary("properties.gtn")
 writer = simple.CreateWriter(path, sample.make_source())
 for prop in ("KeepOrder", "ChunkTets", "SplitCells", "ReplaceReadOnly", "FileName",
              "ChooseArraysToWrite", "WriteAllTimeSteps", "KeyStepInterval", "NumberOfPieces",
-             "SpillMemory", "SpillFolder", "JoinAllPoints", "PointError", "PointBits", "ArrayErrors", "KeepZeros"):
+             "SpillMemory", "SpillFolder", "JoinAllPoints", "PointError", "RelativePointError",
+             "PointBits", "ArrayErrors", "KeepZeros"):
     assert writer.GetProperty(prop) is not None, prop
 writer.UpdatePipeline()
 reader = simple.GatunReader(FileNames=[path])
