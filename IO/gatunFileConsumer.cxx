@@ -4,6 +4,7 @@
 #include "gatunFileConsumer.h"
 
 #include "gatunFileReader.h"
+#include "gatunFileSettings.h"
 #include "vtkGatunFileHandle.h"
 
 #include "vtkAlgorithm.h"
@@ -35,7 +36,13 @@ const PublishedFile* GetPublishedFile(vtkInformation* info)
 {
   auto* const object =
     info ? vtkGatunFileHandle::SafeDownCast(info->Get(vtkGatunFileHandle::FILE_HANDLE())) : nullptr;
-  return object ? &object->GetContents() : nullptr;
+  if (!object)
+  {
+    return nullptr;
+  }
+  return info->Has(Pipeline::UPDATE_TIME_STEP())
+    ? &object->GetContents(info->Get(Pipeline::UPDATE_TIME_STEP()))
+    : &object->GetContents();
 }
 
 //------------------------------------------------------------------------------
@@ -76,6 +83,14 @@ std::size_t FindStep(const FileReader& file, double time)
   return file.HasTime() ? static_cast<std::size_t>(std::max<std::ptrdiff_t>(0,
                             std::upper_bound(times.begin(), times.end(), time) - times.begin() - 1))
                         : 0;
+}
+
+//------------------------------------------------------------------------------
+std::size_t FindRequestedMesh(const FileReader& file, vtkInformation* info)
+{
+  return info->Has(Pipeline::UPDATE_TIME_STEP())
+    ? FindMesh(file, info->Get(Pipeline::UPDATE_TIME_STEP()))
+    : 0;
 }
 
 //------------------------------------------------------------------------------

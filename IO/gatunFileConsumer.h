@@ -21,8 +21,8 @@ VTK_ABI_NAMESPACE_END
 
 namespace gatun
 {
-/** The handle in the information of an output; null if there is none. It lives as long as it is in
- * there. */
+/** The handle in the information of an output, for the mesh of the time step that is asked for in
+ * it; null if there is none. It lives as long as it is in there. */
 VTKGATUNIO_EXPORT const PublishedFile* GetPublishedFile(vtkInformation* info);
 
 /** The same, but null where the file cannot stand in for the output. */
@@ -32,10 +32,15 @@ VTKGATUNIO_EXPORT const PublishedFile* GetUsableFile(vtkInformation* info);
  * output has already, or for a piece without any cells. Info: that of the consumer's input. */
 VTKGATUNIO_EXPORT void RequestNothing(vtkInformation* info);
 
-/** The last step not later than a time, or the first. */
+/** The mesh of the time step that is asked for in the information of an output; the first if no
+ * time is. */
+VTKGATUNIO_EXPORT std::size_t FindRequestedMesh(const FileReader& file, vtkInformation* info);
+
+/** The last step of a mesh not later than a time, or its first. */
 VTKGATUNIO_EXPORT std::size_t FindStep(const FileReader& file, double time);
 
-/** The step that is asked for in the information of an output; the first if no time is. */
+/** The step of a mesh that is asked for in the information of an output; the first if no time is.
+ */
 VTKGATUNIO_EXPORT std::size_t GetRequestedStep(const FileReader& file, vtkInformation* info);
 }
 

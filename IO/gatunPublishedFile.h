@@ -14,8 +14,8 @@
 
 namespace gatun
 {
-/** The contents of a vtkGatunFileHandle: a file and the settings of its reader. They never change
- * after they were published. */
+/** The contents of a vtkGatunFileHandle: a file, or one of the meshes of a series, and the settings
+ * of its reader. They never change after they were published. */
 struct PublishedFile
 {
   std::string Path;

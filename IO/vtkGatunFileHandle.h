@@ -16,6 +16,10 @@
  * it; consumers read that from the same information as always. Hence the request of one consumer
  * does not change what another one gets.
  *
+ * *Meshes that change.* A file may have another mesh at some of its time steps. The numbers and
+ * bounds of a handle are those of the first mesh; consumers use the mesh of the time that they ask
+ * for.
+ *
  * *Filters in between.* The executive does not pass the key on. Consumers behind another filter
  * therefore use that filter's output, as they must, since it may have changed the mesh. A filter
  * that passes on its input unchanged may copy the handle from the information of its input to that
@@ -34,6 +38,8 @@
 
 namespace gatun
 {
+class SharedFile;
+struct FileSettings;
 struct PublishedFile;
 }
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -125,11 +131,15 @@ public:
 
   ///@{
   /**
-   * Contents of the handle, for Gatun's own classes. They are set once, before the handle is
-   * published.
+   * Contents of the handle, for Gatun's own classes: those of the first mesh, or of the mesh at a
+   * time. They are set once, before the handle is published: a file with the settings of its
+   * reader, or the failure to open it. The mesh at a time is opened when it is first asked for.
    */
   const gatun::PublishedFile& GetContents() const;
-  void SetContents(gatun::PublishedFile&& contents);
+  const gatun::PublishedFile& GetContents(double time) const;
+  void SetContents(gatun::PublishedFile&& failure);
+  void SetContents(
+    const std::shared_ptr<gatun::SharedFile>& file, const gatun::FileSettings& settings);
   ///@}
 
 protected:
@@ -140,7 +150,8 @@ private:
   vtkGatunFileHandle(const vtkGatunFileHandle&) = delete;
   void operator=(const vtkGatunFileHandle&) = delete;
 
-  const std::unique_ptr<gatun::PublishedFile> Contents;
+  class vtkInternals;
+  const std::unique_ptr<vtkInternals> Internals;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

@@ -5,6 +5,7 @@
 
 #include "gatunErrorCodes.h"
 #include "gatunExactGhosts.h"
+#include "gatunFileConsumer.h"
 #include "gatunFileReader.h"
 #include "gatunReport.h"
 #include "vtkGatunCompat.h"
@@ -20,6 +21,7 @@
 #include "vtkInformationIntegerKey.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -39,13 +41,6 @@ VTK_ABI_NAMESPACE_BEGIN
 #endif
 
 static_assert(sizeof(vtkIdType) == sizeof(std::int64_t), "Gatun needs a VTK with 64-bit ids.");
-
-namespace
-{
-// A larger table of chunks is made only when it is asked for: it takes time and memory to open a
-// file that then shows a few chunks.
-constexpr std::size_t MaxTableRows = 65536;
-}
 
 vtkInformationKeyRestrictedMacro(vtkGatunMeshReader, CHUNK_TABLE, ObjectBase, "vtkTable");
 vtkInformationKeyMacro(vtkGatunMeshReader, ON_DEMAND, Integer);
@@ -193,7 +188,7 @@ vtkTable* vtkGatunMeshReader::GetChunkTable()
 //------------------------------------------------------------------------------
 vtkTypeUInt64 vtkGatunMeshReader::GetBytesRead()
 {
-  const auto& file = this->Internals->File;
+  const auto& file = this->Internals->Series;
   return file ? file->GetBytesRead() : 0;
 }
 
@@ -213,7 +208,8 @@ bool vtkGatunMeshReader::GetIsOnDemand()
 {
   try
   {
-    return this->Internals->IsOnDemand(*this);
+    vtkInternals& self = *this->Internals;
+    return self.File && self.GetSettings(*this).IsOnDemand(*self.File);
   }
   catch (...)
   {
@@ -275,7 +271,9 @@ void vtkGatunMeshReader::PublishFailure(vtkInformation* outInfo) noexcept
     contents.Path = this->FileName;
     contents.Failure = std::current_exception();
     contents.Reason = gatun::DescribeFailure(this->FileName).Message;
-    vtkInternals::Publish(std::move(contents), outInfo);
+    vtkNew<vtkGatunFileHandle> handle;
+    handle->SetContents(std::move(contents));
+    outInfo->Set(vtkGatunFileHandle::FILE_HANDLE(), handle);
   }
   catch (const std::bad_alloc&)
   {
@@ -330,17 +328,15 @@ int vtkGatunMeshReader::RequestInformation(vtkInformation* vtkNotUsed(request),
   try
   {
     self.Open(*this);
+    self.TryMesh(outInfo);
     outInfo->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
     outInfo->Set(gatun::ExactGhostLevels(), 1);
-    if (self.GetFile().GetChunks().size() <= MaxTableRows)
-    {
-      outInfo->Set(CHUNK_TABLE(), self.GetTable());
-    }
-    vtkInternals::Publish(self.Describe(*this), outInfo);
+    self.PublishTable(outInfo);
+    self.Publish(*this, outInfo);
     const gatun::FileReader& file = self.GetFile();
-    if (file.HasTime() && !file.GetTimes().empty())
+    const std::vector<double> times = self.Series->GetFile()->GetSeriesTimes();
+    if (!times.empty())
     {
-      const std::vector<double>& times = file.GetTimes();
       const double range[2] = { times.front(), times.back() };
       outInfo->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times.data(),
         static_cast<int>(times.size()));
@@ -390,9 +386,12 @@ int vtkGatunMeshReader::RequestData(vtkInformation* vtkNotUsed(request),
     {
       self.Open(*this);
     }
-    const gatun::PublishedFile handle = self.Describe(*this);
-    // Again, as a reader of file series may have changed to another file since.
-    vtkInternals::Publish(handle, outInfo);
+    self.UseMesh(outInfo);
+    // Again, as a reader of file series may have changed to another file since, and as the mesh may
+    // be another one.
+    self.Publish(*this, outInfo);
+    self.PublishTable(outInfo);
+    const gatun::PublishedFile handle = *gatun::GetPublishedFile(outInfo);
     if (handle.Failure)
     {
       std::rethrow_exception(handle.Failure);

@@ -6,6 +6,7 @@
 #include "gatunChunkTable.h"
 #include "gatunError.h"
 #include "gatunErrorCodes.h"
+#include "gatunFileConsumer.h"
 #include "gatunFileReader.h"
 #include "gatunOutline.h"
 #include "vtkGatunFileHandle.h"
@@ -114,9 +115,36 @@ void vtkGatunMeshReader::vtkInternals::Open(const vtkGatunMeshReader& reader)
   this->Signature = signature;
   auto file = std::make_shared<gatun::SharedFile>(path, GetBudget(reader));
   CheckKind(*file->GetFile(), reader.ReadsSurfaces());
-  this->File = std::move(file);
+  this->Series = std::move(file);
+  this->File = this->Series;
   this->PointArrays.SetArrays(NamesOf(this->GetFile(), Association::Point));
   this->CellArrays.SetArrays(NamesOf(this->GetFile(), Association::Cell));
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunMeshReader::vtkInternals::UseMesh(vtkInformation* outInfo)
+{
+  const std::size_t mesh = gatun::FindRequestedMesh(*this->Series->GetFile(), outInfo);
+  auto file = mesh == 0 ? this->Series : this->Series->GetMesh(mesh);
+  if (file != this->File)
+  {
+    this->File = std::move(file);
+    this->Table = nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunMeshReader::vtkInternals::TryMesh(vtkInformation* outInfo)
+{
+  try
+  {
+    this->UseMesh(outInfo);
+  }
+  catch (const gatun::Error&)
+  {
+    this->File = this->Series;
+    this->Table = nullptr;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -127,6 +155,16 @@ vtkTable* vtkGatunMeshReader::vtkInternals::GetTable()
     this->Table = gatun::MakeChunkTable(this->GetFile());
   }
   return this->Table;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunMeshReader::vtkInternals::PublishTable(vtkInformation* outInfo)
+{
+  // A larger table is made only when it is asked for: it takes time and memory to open a file that
+  // then shows a few chunks.
+  constexpr std::size_t maxRows = 65536;
+  outInfo->Set(vtkGatunMeshReader::CHUNK_TABLE(),
+    this->GetFile().GetChunks().size() <= maxRows ? this->GetTable() : nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -141,84 +179,33 @@ gatun::SimplifyProperties vtkGatunMeshReader::vtkInternals::GetProperties(
 }
 
 //------------------------------------------------------------------------------
-/** Whether a simplification is asked for, possible or not. */
-bool vtkGatunMeshReader::vtkInternals::Simplifies(const vtkGatunMeshReader& reader)
-{
-  return !GetProperties(reader).GetTarget().IsWholeMesh();
-}
-
-//------------------------------------------------------------------------------
-std::size_t vtkGatunMeshReader::vtkInternals::CountMerges(const vtkGatunMeshReader& reader) const
-{
-  if (!Simplifies(reader))
-  {
-    return 0;
-  }
-  gatun::SimplifiedFile& hierarchy = this->File->GetHierarchy();
-  return gatun::CountMerges(GetProperties(reader).GetTarget(), this->GetFile().GetNumberOfPoints(),
-    this->GetFile().GetNumberOfMerges(),
-    [&hierarchy]() -> const gatun::MergeTree& { return hierarchy.GetTree(); });
-}
-
-//------------------------------------------------------------------------------
-/** Whether the output is an outline. */
-bool vtkGatunMeshReader::vtkInternals::IsOnDemand(const vtkGatunMeshReader& reader) const
-{
-  if (!this->File || reader.UseBox || reader.UseValueRange)
-  {
-    return false;
-  }
-  if (reader.OnDemand != ON_DEMAND_LARGE)
-  {
-    return reader.OnDemand == ON_DEMAND_ALWAYS;
-  }
-  const std::size_t merges = this->CountMerges(reader);
-  const std::uint64_t cells = merges > 0 ? this->File->GetHierarchy().EstimateCells(merges)
-    : this->GetFile().IsSurface()        ? this->GetFile().GetNumberOfCells()
-                                         : this->GetFile().GetNumberOfTets();
-  return cells > static_cast<std::uint64_t>(reader.LargeMesh);
-}
-
-//------------------------------------------------------------------------------
-/** The handle for consumers, of the file that is open. */
-gatun::PublishedFile vtkGatunMeshReader::vtkInternals::Describe(
+gatun::FileSettings vtkGatunMeshReader::vtkInternals::GetSettings(
   const vtkGatunMeshReader& reader) const
 {
-  gatun::PublishedFile handle;
-  handle.Path = this->Path;
-  handle.File = this->File;
-  handle.RestoreOrder = reader.RestoreOrder;
-  handle.SplitCells = reader.GetSplitsCells();
-  handle.GenerateGlobalIds = reader.GenerateGlobalIds;
+  gatun::FileSettings settings;
+  settings.Path = this->Path;
+  settings.Simplification = GetProperties(reader);
+  settings.RestoreOrder = reader.RestoreOrder;
+  settings.SplitCells = reader.GetSplitsCells();
+  settings.GenerateGlobalIds = reader.GenerateGlobalIds;
+  settings.HasRegion = reader.UseBox || reader.UseValueRange;
+  settings.OnDemand = reader.OnDemand;
+  settings.LargeMesh = static_cast<std::uint64_t>(reader.LargeMesh);
   for (const gatun::ArrayDescription& array : this->GetFile().GetArrays())
   {
     const auto& choice = array.Where == Association::Point ? this->PointArrays : this->CellArrays;
-    handle.Selected.push_back(choice.Wants(array.Name));
+    settings.Selected.push_back(choice.Wants(array.Name));
   }
-  if (reader.UseBox || reader.UseValueRange)
-  {
-    handle.Reason = "the reader is restricted to a region of interest";
-  }
-  try
-  {
-    handle.Merges = this->CountMerges(reader);
-    handle.OnDemand = this->IsOnDemand(reader);
-  }
-  catch (...)
-  {
-    // The reader reports it when it is asked for data.
-    handle.Failure = std::current_exception();
-    handle.Reason = gatun::DescribeFailure(this->Path.c_str()).Message;
-  }
-  return handle;
+  return settings;
 }
 
 //------------------------------------------------------------------------------
+/** Publishes the file that is open with the settings of the reader. */
 void vtkGatunMeshReader::vtkInternals::Publish(
-  gatun::PublishedFile contents, vtkInformation* outInfo)
+  const vtkGatunMeshReader& reader, vtkInformation* outInfo) const
 {
   vtkNew<vtkGatunFileHandle> handle;
-  handle->SetContents(std::move(contents));
+  handle->SetContents(this->Series, this->GetSettings(reader));
   outInfo->Set(vtkGatunFileHandle::FILE_HANDLE(), handle);
 }
 

@@ -5,6 +5,7 @@
 #define vtkGatunMeshReaderInternals_h
 
 #include "gatunArrayChoice.h"
+#include "gatunFileSettings.h"
 #include "gatunFileSignature.h"
 #include "gatunPieceReader.h"
 #include "gatunPublishedFile.h"
@@ -31,7 +32,8 @@ public:
   // The file, as it was when opened.
   std::string Path;
   gatun::FileSignature Signature;
-  std::shared_ptr<gatun::SharedFile> File;
+  std::shared_ptr<gatun::SharedFile> Series; // the file, and its first mesh
+  std::shared_ptr<gatun::SharedFile> File;   // the mesh in use
   // Bumped when the file changed on disk, or when what was read last must not be kept.
   vtkTimeStamp FileTime;
   bool ReadAgain = false;
@@ -46,24 +48,33 @@ public:
     this->Pieces.Close();
     this->Cells = {};
     this->File.reset();
+    this->Series.reset();
     this->Table = nullptr;
   }
 
   bool IsOpen(const std::string& path) const { return this->File && this->Path == path; }
+
+  /** The mesh in use. */
   const gatun::FileReader& GetFile() const { return *this->File->GetFile(); }
 
   static std::uint64_t GetBudget(const vtkGatunMeshReader& reader);
   void Open(const vtkGatunMeshReader& reader);
 
-  /** The table of chunks, made at the first call. Null if no file is open. */
+  /** Uses the mesh of the time step that is asked for in the information of an output. */
+  void UseMesh(vtkInformation* outInfo);
+
+  /** The same, but if that mesh is damaged, uses the first one: the time may be an earlier one. */
+  void TryMesh(vtkInformation* outInfo);
+
+  /** The table of chunks of the mesh in use, made at the first call. Null if no file is open. */
   vtkTable* GetTable();
 
+  /** Publishes the table of chunks of the mesh in use, unless it is large. */
+  void PublishTable(vtkInformation* outInfo);
+
   static gatun::SimplifyProperties GetProperties(const vtkGatunMeshReader& reader);
-  static bool Simplifies(const vtkGatunMeshReader& reader);
-  std::size_t CountMerges(const vtkGatunMeshReader& reader) const;
-  bool IsOnDemand(const vtkGatunMeshReader& reader) const;
-  gatun::PublishedFile Describe(const vtkGatunMeshReader& reader) const;
-  static void Publish(gatun::PublishedFile contents, vtkInformation* outInfo);
+  gatun::FileSettings GetSettings(const vtkGatunMeshReader& reader) const;
+  void Publish(const vtkGatunMeshReader& reader, vtkInformation* outInfo) const;
   std::vector<std::uint32_t> ChunksOf(const vtkGatunMeshReader& reader, std::size_t step) const;
   void MakeOutline(const gatun::PublishedFile& handle, const gatun::PortRequest& port,
     vtkUnstructuredGrid* output);

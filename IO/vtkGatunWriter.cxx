@@ -105,6 +105,7 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "WrittenPoints: " << this->WrittenPoints << "\n";
   os << indent << "WrittenCells: " << this->WrittenCells << "\n";
+  os << indent << "WrittenMeshes: " << this->WrittenMeshes << "\n";
   os << indent << "WrittenSteps: " << this->WrittenSteps << "\n";
   os << indent << "FileBytes: " << this->FileBytes << "\n";
   os << indent << "ConnectivityBytes: " << this->ConnectivityBytes << "\n";
@@ -116,6 +117,7 @@ void vtkGatunWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DependencyBytes: " << this->DependencyBytes << "\n";
   os << indent << "LevelBytes: " << this->LevelBytes << "\n";
   os << indent << "BoundaryBytes: " << this->BoundaryBytes << "\n";
+  os << indent << "OtherMeshBytes: " << this->OtherMeshBytes << "\n";
   os << indent << "DirectoryBytes: " << this->DirectoryBytes << "\n";
   os << indent << "WrittenPointError: " << this->WrittenPointError << "\n";
   os << indent << "BytesSent: " << this->BytesSent << "\n";
@@ -455,8 +457,8 @@ int vtkGatunWriter::RequestData(vtkInformation* vtkNotUsed(request),
 }
 
 //------------------------------------------------------------------------------
-// Writes the current time step. The first step also writes the mesh, the last one completes the
-// file.
+// Writes the current time step. The first step with a mesh also writes that, the last one completes
+// the file.
 void vtkGatunWriter::WriteStep(vtkDataObject* input)
 {
   vtkInternals& self = *this->Internals;
@@ -476,20 +478,7 @@ void vtkGatunWriter::WriteStep(vtkDataObject* input)
     values.push_back(array.Values);
   }
 
-  if (!self.File)
-  {
-    const gatun::WriterOptions options = self.MakeOptions(grid, arrays);
-    self.Mesh = std::move(mesh);
-    self.MeshHash = self.GetNumberOfSteps() > 1 ? self.Mesh->Hash() : 0;
-    self.Arrays = descriptions;
-    self.File = std::make_unique<gatun::FileWriter>(
-      this->FileName, self.Mesh->Mesh, self.Arrays, options, self.MakeProgress(0));
-  }
-  else
-  {
-    self.CheckUnchanged(*mesh, descriptions);
-  }
-
+  self.UseMesh(grid, std::move(mesh), arrays, descriptions);
   const auto step = self.DescribeStep(input, grid->GetFieldData());
   self.File->WriteStep(
     values, step.Field, step.HasTime, step.Time, self.MakeProgress(self.Step + 1));
@@ -497,7 +486,7 @@ void vtkGatunWriter::WriteStep(vtkDataObject* input)
   if (self.Step >= self.GetNumberOfSteps())
   {
     const auto statistics = self.File->Finish();
-    self.PublishStatistics(statistics, self.Mesh->Mesh.Points, self.Mesh->Mesh.Cells);
+    self.PublishStatistics(statistics, self.Points, self.Cells);
   }
 }
 

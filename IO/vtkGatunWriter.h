@@ -472,14 +472,16 @@ public:
 
   ///@{
   /**
-   * Statistics of the last file written: number of points, tetrahedra and time steps (1 without
-   * time), size of the file, and size of its parts: connectivity, coordinates, original order,
-   * point and cell arrays, field data, hierarchy, its dependencies, base meshes, and headers and
-   * tables. Sizes are in bytes and those of the parts add up to that of the file. 0 before the
-   * first file.
+   * Statistics of the last file written: number of points and cells of all of its meshes, number of
+   * meshes (1 unless the mesh changes over time) and time steps (1 without time), size of the file,
+   * and size of its parts: of the first mesh connectivity, coordinates, original order, point and
+   * cell arrays, field data, hierarchy, its dependencies, base meshes and boundary; the other
+   * meshes with all of this; and headers and tables. Sizes are in bytes and those of the parts add
+   * up to that of the file. 0 before the first file.
    */
   vtkGetMacro(WrittenPoints, vtkTypeUInt64);
   vtkGetMacro(WrittenCells, vtkTypeUInt64);
+  vtkGetMacro(WrittenMeshes, vtkTypeUInt64);
   vtkGetMacro(WrittenSteps, vtkTypeUInt64);
   vtkGetMacro(FileBytes, vtkTypeUInt64);
   vtkGetMacro(ConnectivityBytes, vtkTypeUInt64);
@@ -491,6 +493,7 @@ public:
   vtkGetMacro(DependencyBytes, vtkTypeUInt64);
   vtkGetMacro(LevelBytes, vtkTypeUInt64);
   vtkGetMacro(BoundaryBytes, vtkTypeUInt64);
+  vtkGetMacro(OtherMeshBytes, vtkTypeUInt64);
   vtkGetMacro(DirectoryBytes, vtkTypeUInt64);
   ///@}
 
@@ -553,6 +556,7 @@ protected:
 
   vtkTypeUInt64 WrittenPoints = 0;
   vtkTypeUInt64 WrittenCells = 0;
+  vtkTypeUInt64 WrittenMeshes = 0;
   vtkTypeUInt64 WrittenSteps = 0;
   vtkTypeUInt64 FileBytes = 0;
   vtkTypeUInt64 ConnectivityBytes = 0;
@@ -564,6 +568,7 @@ protected:
   vtkTypeUInt64 DependencyBytes = 0;
   vtkTypeUInt64 LevelBytes = 0;
   vtkTypeUInt64 BoundaryBytes = 0;
+  vtkTypeUInt64 OtherMeshBytes = 0;
   vtkTypeUInt64 DirectoryBytes = 0;
   double WrittenPointError = 0;
   vtkTypeUInt64 BytesSent = 0;

@@ -93,8 +93,9 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkGatunWriter::vtkInternals::MakeGrid(vtkD
 }
 
 //------------------------------------------------------------------------------
-gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
-  vtkUnstructuredGrid* grid, const std::vector<gatun::BridgedArray>& arrays)
+// tree: receives the hierarchy, if it is wanted.
+gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(vtkUnstructuredGrid* grid,
+  const std::vector<gatun::BridgedArray>& arrays, gatun::MergeTree& tree)
 {
   gatun::WriterOptions options;
   options.Keep = static_cast<std::uint8_t>(this->Owner->KeepOrder);
@@ -118,20 +119,72 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
   {
     const auto progress = [this](double fraction)
     {
-      this->Owner->UpdateProgress(PartOfTree * fraction);
+      if (!this->File) // progress does not go back for other meshes
+      {
+        this->Owner->UpdateProgress(PartOfTree * fraction);
+      }
       return !gatun::IsAborted(this->Owner);
     };
-    this->Tree = options.IsSurface
+    tree = options.IsSurface
       ? gatun::BuildSurfaceMergeTree(grid, this->Weights,
           { this->Owner->BoundaryWeight, this->Owner->FeatureAngle, false }, progress)
       : gatun::BuildMergeTree(grid, this->Weights,
           { static_cast<gatun::MergeMetric>(this->Owner->Metric), this->Owner->BoundaryWeight },
           progress);
-    options.Tree = &this->Tree;
+    options.Tree = &tree;
     options.Dependencies = this->Owner->WriteDependencies;
     options.Levels = static_cast<unsigned>(this->Owner->Levels);
   }
   return options;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGatunWriter::vtkInternals::WrittenMesh::IsSame(
+  const gatun::BridgedMesh& other, std::size_t hash) const
+{
+  const gatun::MeshInput& mine = this->Mesh->Mesh;
+  const gatun::MeshInput& others = other.Mesh;
+  return others.Points == mine.Points && others.Cells == mine.Cells &&
+    others.CoordinateType == mine.CoordinateType && others.WideIds == mine.WideIds &&
+    hash == this->Hash;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunWriter::vtkInternals::UseMesh(vtkUnstructuredGrid* grid,
+  std::unique_ptr<gatun::BridgedMesh> mesh, const std::vector<gatun::BridgedArray>& arrays,
+  const std::vector<gatun::ArrayDescription>& descriptions)
+{
+  if (this->File && descriptions != this->Arrays)
+  {
+    gatun::ThrowInvalid("the point or cell arrays change in time step " +
+      std::to_string(this->Step) + " (time " + std::to_string(this->Times[this->Step]) + ")");
+  }
+  const std::size_t hash = this->GetNumberOfSteps() > 1 ? mesh->Hash() : 0;
+  for (const WrittenMesh& written : this->Meshes)
+  {
+    if (written.IsSame(*mesh, hash))
+    {
+      this->File->UseMesh(written.Number);
+      return;
+    }
+  }
+  this->Points += mesh->Mesh.Points;
+  this->Cells += mesh->Mesh.Cells;
+  WrittenMesh added{ 0, hash, std::move(mesh), std::make_unique<gatun::MergeTree>() };
+  const gatun::WriterOptions options = this->MakeOptions(grid, arrays, *added.Tree);
+  const auto progress = this->MakeProgress(this->Step);
+  if (!this->File)
+  {
+    this->Arrays = descriptions;
+    this->File = std::make_unique<gatun::FileWriter>(
+      this->Owner->FileName, added.Mesh->Mesh, this->Arrays, options, progress);
+  }
+  else
+  {
+    added.Number = this->File->AddMesh(added.Mesh->Mesh, options, progress);
+    this->Meshes.resize(1); // the mesh that was added before is complete
+  }
+  this->Meshes.push_back(std::move(added));
 }
 
 //------------------------------------------------------------------------------
@@ -166,6 +219,7 @@ void vtkGatunWriter::vtkInternals::PublishStatistics(
 {
   this->Owner->WrittenPoints = points;
   this->Owner->WrittenCells = cells;
+  this->Owner->WrittenMeshes = this->Meshes.empty() ? 1 : this->Meshes.back().Number + 1;
   this->Owner->WrittenSteps = this->GetNumberOfSteps();
   this->Owner->FileBytes = statistics.FileBytes;
   this->Owner->ConnectivityBytes = statistics.ConnectivityBytes;
@@ -181,6 +235,7 @@ void vtkGatunWriter::vtkInternals::PublishStatistics(
   this->Owner->DependencyBytes = statistics.DependencyBytes;
   this->Owner->LevelBytes = statistics.LevelBytes;
   this->Owner->BoundaryBytes = statistics.BoundaryBytes;
+  this->Owner->OtherMeshBytes = statistics.OtherMeshBytes;
   this->Owner->DirectoryBytes = statistics.DirectoryBytes;
 }
 
@@ -228,7 +283,8 @@ void vtkGatunWriter::vtkInternals::BeginPieces(int pieces)
                         "the whole mesh, in one piece and one process; give the largest error");
   }
   gatun::PartWriterOptions options;
-  options.File = this->MakeOptions(nullptr, {});
+  gatun::MergeTree none;
+  options.File = this->MakeOptions(nullptr, {}, none);
   options.SpillFolder = owner->SpillFolder ? owner->SpillFolder : "";
   options.SpillMemory = static_cast<std::size_t>(owner->SpillMemory) << 20;
   options.JoinAllPoints = owner->JoinAllPoints;

@@ -41,8 +41,13 @@ public:
 
   void Warn(const std::string& what);
   std::function<bool(double)> MakeProgress(std::size_t part);
-  gatun::WriterOptions MakeOptions(
-    vtkUnstructuredGrid* grid, const std::vector<gatun::BridgedArray>& arrays);
+  gatun::WriterOptions MakeOptions(vtkUnstructuredGrid* grid,
+    const std::vector<gatun::BridgedArray>& arrays, gatun::MergeTree& tree);
+
+  // Lets the current time step have a mesh: one that was written, if it is the same, or a new one.
+  void UseMesh(vtkUnstructuredGrid* grid, std::unique_ptr<gatun::BridgedMesh> mesh,
+    const std::vector<gatun::BridgedArray>& arrays,
+    const std::vector<gatun::ArrayDescription>& descriptions);
   void PublishStatistics(
     const gatun::FileStatistics& statistics, std::uint64_t points, std::uint64_t cells);
   void BeginPieces(int pieces);
@@ -61,12 +66,23 @@ public:
   std::size_t Step = 0;
   bool Writing = false; // whether Write is running
 
+  // A mesh that more time steps can have.
+  struct WrittenMesh
+  {
+    std::uint32_t Number;
+    std::size_t Hash;
+    std::unique_ptr<gatun::BridgedMesh> Mesh;
+    std::unique_ptr<gatun::MergeTree> Tree;
+
+    bool IsSame(const gatun::BridgedMesh& other, std::size_t hash) const;
+  };
+
   // While a file is being written.
+  std::vector<WrittenMesh> Meshes; // the first one and the one that was added last
   std::unique_ptr<gatun::FileWriter> File;
-  std::unique_ptr<gatun::BridgedMesh> Mesh;
-  std::size_t MeshHash = 0;
   std::vector<gatun::ArrayDescription> Arrays;
-  gatun::MergeTree Tree;
+  std::uint64_t Points = 0; // of all meshes
+  std::uint64_t Cells = 0;
   std::set<std::string> Warned;
   std::optional<bool> IsSurface; // once there is an input
 
@@ -90,36 +106,16 @@ public:
     this->IsTogether = false;
     this->Input = nullptr;
     this->File.reset();
-    this->Mesh.reset();
+    this->Meshes.clear();
     this->Arrays.clear();
-    this->Tree = {};
+    this->Points = 0;
+    this->Cells = 0;
     this->Warned.clear();
     this->IsSurface.reset();
     this->Step = 0;
   }
 
   std::size_t GetNumberOfSteps() const { return std::max<std::size_t>(1, this->Times.size()); }
-
-  // Throws unless a time step has the mesh and the arrays of the first one.
-  void CheckUnchanged(
-    const gatun::BridgedMesh& mesh, const std::vector<gatun::ArrayDescription>& arrays) const
-  {
-    const std::string step = " in time step " + std::to_string(this->Step) + " (time " +
-      std::to_string(this->Times[this->Step]) + ")";
-    const gatun::MeshInput& first = this->Mesh->Mesh;
-    const gatun::MeshInput& now = mesh.Mesh;
-    if (now.Points != first.Points || now.Cells != first.Cells ||
-      now.CoordinateType != first.CoordinateType || now.WideIds != first.WideIds ||
-      mesh.Hash() != this->MeshHash)
-    {
-      gatun::ThrowInvalid("the points or the cells change" + step +
-        "; one file holds one mesh, so write such steps as a series of files");
-    }
-    if (arrays != this->Arrays)
-    {
-      gatun::ThrowInvalid("the point or cell arrays change" + step);
-    }
-  }
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

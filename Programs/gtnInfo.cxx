@@ -160,6 +160,7 @@ Table DescribeSizes(const gatun::FileReader& file)
   add("dependencies", "dependencies", sizes.DependencyBytes);
   add("baseMeshes", "base meshes", sizes.LevelBytes);
   add("boundary", "boundary", sizes.BoundaryBytes);
+  add("otherMeshes", "other meshes", sizes.OtherMeshBytes);
   add("directory", "directory", sizes.DirectoryBytes);
   add("file", "file", sizes.FileBytes);
   return table;
@@ -232,7 +233,7 @@ void DescribeBoundary(const gatun::FileReader& file, Description& description)
 
 Entry DescribeTimes(const gatun::FileReader& file, bool verbose)
 {
-  const std::vector<double> times = file.HasTime() ? file.GetTimes() : std::vector<double>();
+  const std::vector<double> times = file.GetSeriesTimes();
   std::vector<std::string> texts;
   for (const double time : times)
   {
@@ -241,6 +242,23 @@ Entry DescribeTimes(const gatun::FileReader& file, bool verbose)
   const std::string span =
     times.empty() ? "none" : fmt::format("{}, {} to {}", times.size(), texts.front(), texts.back());
   return { JsonArray(times), verbose && !times.empty() ? span + ": " + Joined(texts) : span };
+}
+
+// The meshes of a file whose mesh changes.
+Table DescribeMeshes(const gatun::FileReader& file)
+{
+  Table table{ "meshes", "meshes",
+    { { nullptr, "number" }, { "points", "points" }, { "cells", "cells" },
+      { "steps", "time steps" }, { "firstTime", "first time" } } };
+  for (std::size_t i = 0; file.GetNumberOfMeshes() > 1 && i < file.GetNumberOfMeshes(); ++i)
+  {
+    const auto other = i > 0 ? file.OpenMesh(i) : nullptr;
+    const gatun::FileReader& mesh = other ? *other : file;
+    table.Rows.push_back({ Entry(i + 1), Entry(mesh.GetNumberOfPoints()),
+      Entry(mesh.GetNumberOfCells()), Entry(mesh.GetNumberOfSteps()),
+      Entry(mesh.GetTimes().front(), Number(mesh.GetTimes().front())) });
+  }
+  return table;
 }
 
 Description Describe(const gatun::FileReader& file, bool verbose)
@@ -270,6 +288,7 @@ Description Describe(const gatun::FileReader& file, bool verbose)
   description.Add("keptOrder", "kept order", { order, NameOfOrder(kept) });
   description.Add("bounds", "bounds", EntryOf(file.GetBounds(), ", ", 7));
   description.Add("times", "time steps", DescribeTimes(file, verbose));
+  description.Add(DescribeMeshes(file));
   description.Add("hasLayers", nullptr, { file.HasLayers(), {} });
   DescribeHierarchy(file, description);
   DescribeBoundary(file, description);

@@ -144,9 +144,11 @@ void PrintSizes(vtkGatunWriter* writer, const Options& options, bool verbose)
   const gatun::FileReader file(options.Out);
   const auto cells = static_cast<double>(writer->GetWrittenCells());
   const vtkTypeUInt64 steps = writer->GetWrittenSteps();
-  fmt::print("{}: {}, {} points{}\n", options.Out, ListCells(file),
-    Grouped(writer->GetWrittenPoints()),
-    steps > 1 ? fmt::format(", {} time steps", steps) : std::string());
+  const vtkTypeUInt64 meshes = writer->GetWrittenMeshes();
+  fmt::print("{}: {}, {} points{}{}\n", options.Out,
+    meshes > 1 ? Grouped(writer->GetWrittenCells()) + " cells" : ListCells(file),
+    Grouped(writer->GetWrittenPoints()), meshes > 1 ? fmt::format(" of {} meshes", meshes) : "",
+    steps > 1 ? fmt::format(", {} time steps", steps) : "");
   const auto print = [cells](const std::string& name, vtkTypeUInt64 bytes)
   {
     if (bytes > 0)
@@ -176,6 +178,7 @@ void PrintSizes(vtkGatunWriter* writer, const Options& options, bool verbose)
   print("dependencies", writer->GetDependencyBytes());
   print("base meshes", writer->GetLevelBytes());
   print("boundary", writer->GetBoundaryBytes());
+  print("other meshes", writer->GetOtherMeshBytes());
   print("directory", writer->GetDirectoryBytes());
   print("file", writer->GetFileBytes());
   if (writer->GetPointError() > 0 || writer->GetRelativePointError() > 0 ||

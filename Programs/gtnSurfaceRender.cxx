@@ -5,6 +5,7 @@
 
 #include "gtnArray.h"
 #include "gtnFailure.h"
+#include "gtnFileSteps.h"
 #include "gtnInput.h"
 #include "gtnJson.h"
 #include "gtnProgress.h"
@@ -126,13 +127,11 @@ private:
   void Open(const RenderInputOptions& options, int memory)
   {
     CheckReadable(options.File);
-    const gatun::FileReader file(options.File);
-    static const std::vector<double> none;
-    const std::vector<double>& times = file.HasTime() ? file.GetTimes() : none;
-    const std::size_t step = ChooseStep(options.Step, options.File, times, options.Quiet);
+    const FileSteps::Place place = OpenStep(options.File, options.Step, options.Quiet);
+    const gatun::FileReader& file = *place.Mesh;
     if (this->Choose(options, GetChoices(file)))
     {
-      this->Values = gtn::GetRange(file, *this->Array, this->Component, step);
+      this->Values = gtn::GetRange(file, *this->Array, this->Component, place.Step);
     }
     this->Bounds = file.GetBounds();
     this->Cells = file.GetNumberOfCells();
@@ -140,9 +139,9 @@ private:
     this->Reader->SetFileName(options.File.c_str());
     this->Reader->SetOnDemand(vtkGatunSurfaceReader::ON_DEMAND_ALWAYS);
     this->Reader->SetMemoryBudget(memory);
-    if (!times.empty())
+    if (place.Time)
     {
-      this->Reader->UpdateTimeStep(times[step]);
+      this->Reader->UpdateTimeStep(*place.Time);
     }
   }
 

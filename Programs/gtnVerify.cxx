@@ -7,6 +7,7 @@
 #include "gtnCommands.h"
 #include "gtnCompare.h"
 #include "gtnFailure.h"
+#include "gtnFileSteps.h"
 #include "gtnInput.h"
 #include "gtnNames.h"
 #include "gtnOptions.h"
@@ -60,7 +61,7 @@ vtkSmartPointer<vtkUnstructuredGrid> GridOf(vtkDataObject* data)
 
 // Compares two grids or surfaces. Returns a description of the first difference.
 std::string CompareData(
-  BoundedComparison& comparison, vtkDataObject* a, vtkDataObject* b, std::size_t step)
+  BoundedComparison& comparison, vtkDataObject* a, vtkDataObject* b, const FileSteps::Place& place)
 {
   if (a->GetDataObjectType() != b->GetDataObjectType())
   {
@@ -68,11 +69,10 @@ std::string CompareData(
   }
   const auto first = GridOf(a);
   const auto second = GridOf(b);
-  return comparison.Compare(GridView(first), GridView(second), step);
+  return comparison.Compare(GridView(first), GridView(second), *place.Mesh, place.Step);
 }
 
-void CompareWithOriginals(
-  const Options& options, const Settings& settings, const gatun::FileReader& file)
+void CompareWithOriginals(const Options& options, const Settings& settings, FileSteps& file)
 {
   Input original(options.Originals, options.Input);
   Input packed({ options.File }, options.Input);
@@ -87,8 +87,8 @@ void CompareWithOriginals(
     throw Failure(options.File,
       fmt::format("differs: {} time steps, not {} as {}", packedSteps, steps, nameOfOriginal));
   }
-  Comparison comparison(nameOfPacked, nameOfOriginal, file.GetKeptOrder());
-  BoundedComparison bounded(file, comparison);
+  Comparison comparison(nameOfPacked, nameOfOriginal, file.GetFile().GetKeptOrder());
+  BoundedComparison bounded(comparison);
   for (std::size_t step = 0; step < steps; ++step)
   {
     if (steps > 1 && times[step] != packed.GetTimes()[step])
@@ -102,7 +102,7 @@ void CompareWithOriginals(
       settings.ShowProgress);
     vtkDataObject* const a = packed.Read(step, progress);
     vtkDataObject* const b = original.Read(step, progress);
-    const std::string difference = CompareData(bounded, a, b, step);
+    const std::string difference = CompareData(bounded, a, b, file.Find(step));
     CheckInterrupt();
     if (!difference.empty())
     {
@@ -131,11 +131,19 @@ std::string ListChecked(const gatun::FileReader& file)
 {
   const auto count = [](std::size_t number, const std::string& what)
   { return fmt::format("{} {}{}", Grouped(number), what, number == 1 ? "" : "s"); };
-  std::vector<std::string> parts{ count(file.GetChunks().size(), "chunk"),
-    count(file.GetArrays().size(), "array") };
+  std::size_t chunks = file.GetChunks().size();
+  for (std::size_t mesh = 1; mesh < file.GetNumberOfMeshes(); ++mesh)
+  {
+    chunks += file.OpenMesh(mesh)->GetChunks().size();
+  }
+  std::vector<std::string> parts{ count(chunks, "chunk"), count(file.GetArrays().size(), "array") };
+  if (file.GetNumberOfMeshes() > 1)
+  {
+    parts.push_back(fmt::format("{} meshes", Grouped(file.GetNumberOfMeshes())));
+  }
   if (file.HasTime())
   {
-    parts.push_back(count(file.GetNumberOfSteps(), "time step"));
+    parts.push_back(count(file.GetSeriesTimes().size(), "time step"));
   }
   if (file.GetKeptOrder() != gatun::KeepNone)
   {
@@ -147,22 +155,22 @@ std::string ListChecked(const gatun::FileReader& file)
 void Verify(const Options& options, const Settings& settings)
 {
   CheckReadable(options.File);
-  const auto file = std::make_shared<const gatun::FileReader>(options.File);
+  FileSteps file(options.File);
   {
     Progress progress("checking", settings.ShowProgress);
-    if (!VerifyFile(*file, std::ref(progress)))
+    if (!VerifyFile(file.GetFile(), std::ref(progress)))
     {
       throw Interrupted();
     }
   }
   if (!options.Originals.empty())
   {
-    CompareWithOriginals(options, settings, *file);
+    CompareWithOriginals(options, settings, file);
   }
   else if (!settings.Quiet)
   {
     fmt::print("{}: intact: all checksums are right, and everything decodes ({})\n", options.File,
-      ListChecked(*file));
+      ListChecked(file.GetFile()));
   }
 }
 

@@ -92,6 +92,7 @@ gatun_core_folder(File
     gatunFileReader.cxx
     gatunFileReaderBoundary.cxx
     gatunFileReaderLayers.cxx
+    gatunFileReaderSeries.cxx
     gatunFileReaderTree.cxx
     gatunFileWriter.cxx
     gatunLayerPartition.cxx

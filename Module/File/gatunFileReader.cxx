@@ -22,17 +22,26 @@ FileReader::Internals::Internals(const std::string& path)
   this->Read();
 }
 
-FileReader::Internals::Internals(const Internals& whole, std::size_t level)
-  : File(whole.File, whole.Levels.at(level), GetLevelName(level))
+FileReader::Internals::Internals(
+  const Internals& whole, const StreamRef& embedded, const std::string& name)
+  : File(whole.File, embedded, name)
 {
   this->Read();
+  if (!this->Series.empty())
+  {
+    this->File.Fail(ErrorCode::Corrupt, "it is part of a file, and has several meshes");
+  }
+}
+
+FileReader::Internals::Internals(const Internals& whole, std::size_t level)
+  : Internals(whole, whole.Levels.at(level), GetLevelName(level))
+{
   this->CheckLevel(whole, level);
 }
 
 FileReader::Internals::Internals(const Internals& whole, const StreamRef& boundary)
-  : File(whole.File, boundary, "the boundary")
+  : Internals(whole, boundary, "the boundary")
 {
-  this->Read();
   this->CheckBoundary(whole);
 }
 
@@ -63,6 +72,7 @@ void FileReader::Internals::Read()
   this->ReadLayers();
   this->ReadTree();
   this->ReadBoundary();
+  this->ReadSeries();
 }
 
 /** Reads the types and sizes of cells, if not all are tetrahedra. */
@@ -383,8 +393,9 @@ FileStatistics FileReader::GetStatistics() const
     s.DependencyBytes += name == SectionDependencies ? section.Payload.Length : 0;
     s.LevelBytes += name == SectionLevel ? section.Payload.Length : 0;
     s.BoundaryBytes += name == SectionBoundary ? section.Payload.Length : 0;
+    s.OtherMeshBytes += name == SectionGrid ? section.Payload.Length : 0;
   }
-  auto parts = s.TreeBytes + s.DependencyBytes + s.LevelBytes + s.BoundaryBytes +
+  auto parts = s.TreeBytes + s.DependencyBytes + s.LevelBytes + s.BoundaryBytes + s.OtherMeshBytes +
     s.ConnectivityBytes + s.GeometryBytes + s.SharedGeometryBytes + s.OrderBytes + s.FieldDataBytes;
   parts = std::accumulate(s.ArrayBytes.begin(), s.ArrayBytes.end(), parts);
   s.DirectoryBytes = s.FileBytes - std::min(parts, s.FileBytes);

@@ -61,10 +61,26 @@ public:
 
   const std::vector<ArrayDescription>& GetArrays() const;
 
-  /** The number of time steps. 1 for a file without time, 0 if no values were written. */
+  /** The number of time steps that have this mesh. 1 for a file without time, 0 if no values were
+   * written. */
   std::size_t GetNumberOfSteps() const;
   bool HasTime() const;
   const std::vector<double>& GetTimes() const; ///< one for each step, strictly ascending
+
+  /** The number of meshes: more than 1 if some time steps have another mesh than this, the first
+   * one. */
+  std::size_t GetNumberOfMeshes() const;
+
+  /** The time steps of all meshes, by strictly ascending time. Empty unless there are several
+   * meshes. */
+  const std::vector<SeriesStep>& GetSeries() const;
+
+  /** The times of the steps of all meshes; without time, none. */
+  std::vector<double> GetSeriesTimes() const;
+
+  /** A mesh other than this one, from 1, with the steps that have it. It has the same arrays.
+   * Opened at each call. */
+  std::shared_ptr<const FileReader> OpenMesh(std::size_t mesh) const;
 
   const std::vector<ChunkInfo>& GetChunks() const;
 

@@ -31,6 +31,9 @@ public:
   /** The boundary in a file. */
   Internals(const Internals& whole, const StreamRef& boundary);
 
+  /** A mesh of a series other than the first. */
+  static std::unique_ptr<Internals> MakeMesh(const Internals& whole, std::size_t mesh);
+
   /** The domains of the components of an array at a step. Those of a copy are plain: its keys are
    * those of its source. */
   std::vector<Domain> MakeDomains(std::size_t array, std::size_t step) const;
@@ -93,8 +96,12 @@ public:
   std::optional<StreamRef> Dependencies; // of the merges
   std::vector<StreamRef> Levels;
   std::optional<StreamRef> Boundary;
+  std::vector<StreamRef> Meshes; // all but the first
+  std::vector<SeriesStep> Series;
 
 private:
+  Internals(const Internals& whole, const StreamRef& embedded, const std::string& name);
+
   Domain MakeDomain(ScalarType type, const PaletteRef& palette, const std::string& what) const;
 
   std::optional<TablePages> Tables;
@@ -108,6 +115,8 @@ private:
   void ReadTree();
   void ReadBoundary();
   void CheckBoundary(const Internals& whole) const;
+  void ReadSeries();
+  bool HasStepsOf(const std::vector<SeriesStep>& series, std::size_t mesh) const;
   void CheckLevel(const Internals& whole, std::size_t level) const;
   void AddStepBytes(std::span<const std::uint8_t> packed);
   void CheckLastStep() const;

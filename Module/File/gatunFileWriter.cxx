@@ -12,6 +12,7 @@
 #include "gatunMeshSection.h"
 #include "gatunParallel.h"
 #include "gatunRoundedArrays.h"
+#include "gatunSeriesTable.h"
 #include "gatunStepSection.h"
 #include "gatunTreeSection.h"
 #include "gatunWriterCheck.h"
@@ -75,7 +76,13 @@ public:
   void Begin(const Progress& progress);
   void WriteStep(std::span<const void* const> values, const FieldData& field, bool hasTime,
     double time, const Progress& progress, const std::vector<std::vector<Domain>>* rounded = {});
+  std::uint32_t AddMesh(
+    const MeshInput& mesh, const WriterOptions& options, const Progress& progress);
+  void UseMesh(std::uint32_t mesh);
+  void WriteSeriesStep(std::span<const void* const> values, const FieldData& field, bool hasTime,
+    double time, const Progress& progress);
   FileStatistics Finish();
+  const std::vector<ArrayDescription>& GetArrays() const { return this->State.Meta.Arrays; }
 
 private:
   /** A mesh made of this one, which is written as a file of its own and embedded at the end. */
@@ -99,6 +106,8 @@ private:
     bool hasTime, double time, const std::vector<std::vector<Domain>>& domains) const;
   std::uint64_t AddEmbedded(FourCC section, Internals& embedded);
   void CheckLayers(const StepTable& step) const;
+  void EndOther();
+  void Complete();
   void WriteTables();
 
   WriterState State;
@@ -110,6 +119,10 @@ private:
   std::vector<std::uint32_t> Merges; // of the levels
   std::vector<std::unique_ptr<Level>> Levels;
   std::unique_ptr<Embedded<BoundaryMesh>> Boundary;
+  std::unique_ptr<Internals> Other; // the mesh that was added last
+  std::uint32_t NumberOfMeshes = 1;
+  std::uint32_t NextMesh = 0; // that the next step has
+  std::vector<SeriesStep> Series;
 };
 
 //------------------------------------------------------------------------------
@@ -349,12 +362,72 @@ void FileWriter::Internals::WriteTables()
 /** Completes an embedded file and adds it. Returns its size. */
 std::uint64_t FileWriter::Internals::AddEmbedded(FourCC section, Internals& embedded)
 {
-  embedded.WriteTables();
+  embedded.Complete();
   return this->State.File.AddSection(section, embedded.State.File);
 }
 
 //------------------------------------------------------------------------------
-FileStatistics FileWriter::Internals::Finish()
+/** Adds a mesh to the series, in a file of its own that is embedded behind its last step. */
+std::uint32_t FileWriter::Internals::AddMesh(
+  const MeshInput& mesh, const WriterOptions& options, const Progress& progress)
+{
+  if (options.IsSurface != this->State.Options.IsSurface)
+  {
+    ThrowInvalid("some meshes of the series are surfaces, and some are not");
+  }
+  this->EndOther();
+  this->Other = std::make_unique<Internals>(*this, mesh, options);
+  this->Other->Begin(progress);
+  this->NextMesh = this->NumberOfMeshes;
+  return this->NumberOfMeshes++;
+}
+
+//------------------------------------------------------------------------------
+void FileWriter::Internals::EndOther()
+{
+  if (this->Other)
+  {
+    if (this->Other->Steps.GetCount() == 0)
+    {
+      ThrowInvalid("a mesh of the series has no time step");
+    }
+    this->State.Statistics.OtherMeshBytes += this->AddEmbedded(SectionGrid, *this->Other);
+    this->Other.reset();
+  }
+}
+
+//------------------------------------------------------------------------------
+void FileWriter::Internals::UseMesh(std::uint32_t mesh)
+{
+  if (mesh != 0 && mesh + 1 != this->NumberOfMeshes)
+  {
+    ThrowInvalid("only the first and the last mesh of a series can have more time steps");
+  }
+  this->NextMesh = mesh;
+}
+
+//------------------------------------------------------------------------------
+/** Writes a step of the mesh that is used. */
+void FileWriter::Internals::WriteSeriesStep(std::span<const void* const> values,
+  const FieldData& field, bool hasTime, double time, const Progress& progress)
+{
+  if (!this->Series.empty() && !(hasTime && time > this->Series.back().Time))
+  {
+    ThrowInvalid("the times of the steps must ascend: " + std::to_string(time) + " follows " +
+      std::to_string(this->Series.back().Time));
+  }
+  if (this->NumberOfMeshes > 1 && (this->Series.empty() || !hasTime))
+  {
+    ThrowInvalid("a mesh that changes needs time, and a step of the first mesh");
+  }
+  Internals& mesh = this->NextMesh == 0 ? *this : *this->Other;
+  mesh.WriteStep(values, field, hasTime, time, progress);
+  this->Series.push_back({ this->NextMesh, time });
+}
+
+//------------------------------------------------------------------------------
+/** Writes all but the directory. */
+void FileWriter::Internals::Complete()
 {
   for (const auto& level : this->Levels)
   {
@@ -365,7 +438,18 @@ FileStatistics FileWriter::Internals::Finish()
     this->State.Statistics.BoundaryBytes =
       this->AddEmbedded(SectionBoundary, *this->Boundary->File);
   }
+  this->EndOther();
+  if (this->NumberOfMeshes > 1)
+  {
+    this->State.File.AddSection(SectionTime, WriteSeries(this->Series));
+  }
   this->WriteTables();
+}
+
+//------------------------------------------------------------------------------
+FileStatistics FileWriter::Internals::Finish()
+{
+  this->Complete();
   return this->State.Commit(this->State.File);
 }
 
@@ -389,7 +473,24 @@ FileWriter::~FileWriter() = default;
 void FileWriter::WriteStep(std::span<const void* const> values, const FieldData& field,
   bool hasTime, double time, const Progress& progress)
 {
-  this->Self->WriteStep(values, field, hasTime, time, progress);
+  this->Self->WriteSeriesStep(values, field, hasTime, time, progress);
+}
+
+//------------------------------------------------------------------------------
+std::uint32_t FileWriter::AddMesh(
+  const MeshInput& mesh, const WriterOptions& options, const Progress& progress)
+{
+  const auto& arrays = this->Self->GetArrays();
+  CheckWriterInput(mesh, arrays, options);
+  WriterOptions rounded = options;
+  const auto layerValues = RoundLayerValues(mesh, arrays, rounded);
+  return this->Self->AddMesh(mesh, rounded, progress);
+}
+
+//------------------------------------------------------------------------------
+void FileWriter::UseMesh(std::uint32_t mesh)
+{
+  this->Self->UseMesh(mesh);
 }
 
 //------------------------------------------------------------------------------

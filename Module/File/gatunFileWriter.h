@@ -19,7 +19,8 @@
 namespace gatun
 {
 /**
- * Writes one mesh and any number of time steps of its arrays as a .gtn file.
+ * Writes one mesh and any number of time steps of its arrays as a .gtn file. If the mesh changes
+ * over time, other meshes can be added.
  *
  * The file appears at its path when Finish returns. Until then, and after any failure, an existing
  * file is untouched. The writer uses all threads of vtkSMPTools; the bytes do not depend on their
@@ -55,6 +56,16 @@ public:
    */
   void WriteStep(std::span<const void* const> values, const FieldData& field = {},
     bool hasTime = false, double time = 0, const Progress& progress = {});
+
+  /** Adds a mesh that the next steps have. It has the same arrays. The options are those of the
+   * first mesh but for what depends on the mesh: Tree and the values of Layers. The steps of a mesh
+   * that was added before end here. Returns the number of the mesh; the first mesh has 0. Needs
+   * time. */
+  std::uint32_t AddMesh(
+    const MeshInput& mesh, const WriterOptions& options, const Progress& progress = {});
+
+  /** Lets the next steps have the first mesh or the one that was added last. */
+  void UseMesh(std::uint32_t mesh);
 
   /** Completes the file and moves it to its path. */
   FileStatistics Finish();

@@ -3,6 +3,7 @@
 #include "gatunSharedFile.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace gatun
 {
@@ -11,6 +12,28 @@ SharedFile::SharedFile(const std::string& path, std::uint64_t budget)
   : File(std::make_shared<const FileReader>(path))
   , Budget(std::make_shared<CacheBudget>(budget))
 {
+}
+
+//------------------------------------------------------------------------------
+SharedFile::SharedFile(std::shared_ptr<const FileReader> file, std::shared_ptr<CacheBudget> budget)
+  : File(std::move(file))
+  , Budget(std::move(budget))
+{
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<SharedFile> SharedFile::GetMesh(std::size_t mesh)
+{
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  const auto found = this->Meshes.find(mesh);
+  if (found != this->Meshes.end())
+  {
+    return found->second;
+  }
+  const std::shared_ptr<SharedFile> shared(
+    new SharedFile(this->File->OpenMesh(mesh), this->Budget));
+  this->Meshes.emplace(mesh, shared);
+  return shared;
 }
 
 //------------------------------------------------------------------------------
@@ -65,15 +88,22 @@ ChunkCacheStatistics SharedFile::GetStatistics() const
 {
   const std::lock_guard<std::mutex> lock(this->Guard);
   ChunkCacheStatistics sum;
-  for (const auto& entry : this->Caches)
+  const auto add = [&sum](const ChunkCacheStatistics& one)
   {
-    const auto one = entry.second->GetStatistics();
     sum.Bytes += one.Bytes;
     sum.PeakBytes = std::max(sum.PeakBytes, one.PeakBytes);
     sum.MeshesDecoded += one.MeshesDecoded;
     sum.MeshesFound += one.MeshesFound;
     sum.ArraysDecoded += one.ArraysDecoded;
     sum.ArraysFound += one.ArraysFound;
+  };
+  for (const auto& entry : this->Caches)
+  {
+    add(entry.second->GetStatistics());
+  }
+  for (const auto& entry : this->Meshes)
+  {
+    add(entry.second->GetStatistics());
   }
   return sum;
 }
@@ -82,7 +112,12 @@ ChunkCacheStatistics SharedFile::GetStatistics() const
 std::uint64_t SharedFile::GetBytesRead() const
 {
   const std::lock_guard<std::mutex> lock(this->Guard);
-  const auto read = this->Hierarchy ? this->Hierarchy->GetBytesRead() : this->File->GetBytesRead();
-  return read + (this->Boundary ? this->Boundary->GetBytesRead() : 0);
+  auto read = this->Hierarchy ? this->Hierarchy->GetBytesRead() : this->File->GetBytesRead();
+  read += this->Boundary ? this->Boundary->GetBytesRead() : 0;
+  for (const auto& entry : this->Meshes)
+  {
+    read += entry.second->GetBytesRead();
+  }
+  return read;
 }
 }

@@ -31,6 +31,10 @@ public:
 
   const std::shared_ptr<const FileReader>& GetFile() const { return this->File; }
 
+  /** Another mesh of the series, from 1 (FileReader::OpenMesh), opened at the first call. It has
+   * the same budget, and is counted in the statistics and bytes of this file. */
+  std::shared_ptr<SharedFile> GetMesh(std::size_t mesh);
+
   const std::shared_ptr<CacheBudget>& GetBudget() const { return this->Budget; }
 
   /** The merge tree and the base meshes. Throws InvalidInput if the file has no hierarchy. */
@@ -57,6 +61,8 @@ public:
   std::uint64_t GetBytesRead() const;
 
 private:
+  SharedFile(std::shared_ptr<const FileReader> file, std::shared_ptr<CacheBudget> budget);
+
   const std::shared_ptr<const FileReader> File;
   const std::shared_ptr<CacheBudget> Budget;
   mutable std::mutex Guard; // of what follows
@@ -64,6 +70,7 @@ private:
   std::shared_ptr<const FileReader> Boundary;
   std::unique_ptr<SimplifiedFile> BoundaryHierarchy;
   std::map<const FileReader*, std::shared_ptr<ChunkCache>> Caches; // each keeps its mesh alive
+  std::map<std::size_t, std::shared_ptr<SharedFile>> Meshes;       // other ones of the series
 };
 }
 

@@ -277,6 +277,13 @@ bool VerifyFile(const FileReader& file, const std::function<bool(double)>& progr
         return false;
       }
     }
+    for (std::size_t mesh = 1; mesh < file.GetNumberOfMeshes(); ++mesh)
+    {
+      if (!VerifyFile(*file.OpenMesh(mesh), [&](double) { return !progress || progress(1); }))
+      {
+        return false;
+      }
+    }
     return true;
   }
   catch (const Error& error)

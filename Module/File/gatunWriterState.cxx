@@ -180,7 +180,7 @@ FileStatistics WriterState::Commit(OutputFile& file)
   s.FileBytes = file.Commit();
   s.DirectoryBytes = s.FileBytes - s.ConnectivityBytes - s.GeometryBytes - s.SharedGeometryBytes -
     s.OrderBytes - s.FieldDataBytes - s.TreeBytes - s.DependencyBytes - s.LevelBytes -
-    s.BoundaryBytes;
+    s.BoundaryBytes - s.OtherMeshBytes;
   for (const auto bytes : s.ArrayBytes)
   {
     s.DirectoryBytes -= bytes;

@@ -19,6 +19,7 @@ gatun_core_folder(Format
     gatunMeshTable.h
     gatunMetaTable.h
     gatunOutputFile.h
+    gatunSeriesTable.h
     gatunStepPages.h
     gatunSurfaceTable.h
     gatunTableParts.h
@@ -36,6 +37,7 @@ gatun_core_folder(Format
     gatunMeshTable.cxx
     gatunMetaTable.cxx
     gatunOutputFile.cxx
+    gatunSeriesTable.cxx
     gatunStepPages.cxx
     gatunSurfaceTable.cxx
     gatunTableParts.cxx

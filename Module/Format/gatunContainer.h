@@ -47,6 +47,8 @@ constexpr FourCC SectionCells =
   MakeFourCC("CELL"); // types and sizes of other cells than tetrahedra
 constexpr FourCC SectionSurface = MakeFourCC("SURF");   // the mesh is a surface
 constexpr FourCC SectionBoundary = MakeFourCC("BNDY");  // the boundary: a file of a surface
+constexpr FourCC SectionGrid = MakeFourCC("GRID");      // another mesh of the series: a file
+constexpr FourCC SectionTime = MakeFourCC("TIME");      // the mesh of each time step
 constexpr FourCC SectionDirectory = MakeFourCC("DIRY"); // positions of the sections
 
 constexpr FourCC SectionBlocks = MakeFourCC("BLKS"); // streams of blocks of a volume
@@ -63,8 +65,8 @@ struct ContainerKind
 
 inline constexpr std::array MeshSections{ SectionMeta, SectionMesh, SectionTable, SectionPages,
   SectionValues, SectionStep, SectionTree, SectionMerges, SectionTreeStep, SectionLevel,
-  SectionDependencies, SectionLayers, SectionCells, SectionSurface, SectionBoundary,
-  SectionDirectory };
+  SectionDependencies, SectionLayers, SectionCells, SectionSurface, SectionBoundary, SectionGrid,
+  SectionTime, SectionDirectory };
 inline constexpr ContainerKind MeshContainer{ ".gtn", FileMagic, TrailerMagic,
   GATUN_FORMAT_VERSION_MAJOR, MeshSections };
 

@@ -196,6 +196,15 @@ struct ChunkInfo
   Bounds Box;
 };
 
+/** A time step of a file whose mesh changes. */
+struct SeriesStep
+{
+  std::uint32_t Mesh = 0; ///< meshes are numbered in the order of their first steps
+  double Time = 0;
+
+  bool operator==(const SeriesStep&) const = default;
+};
+
 /** Sizes of the parts of a file in bytes. */
 struct FileStatistics
 {
@@ -210,6 +219,7 @@ struct FileStatistics
   std::uint64_t DependencyBytes = 0; ///< those between merges
   std::uint64_t LevelBytes = 0;      ///< base meshes with their arrays
   std::uint64_t BoundaryBytes = 0;   ///< the boundary with its arrays
+  std::uint64_t OtherMeshBytes = 0;  ///< all but the first mesh of a series, with their arrays
   std::uint64_t DirectoryBytes = 0;  ///< headers, tables, meta data
 };
 }

@@ -63,15 +63,15 @@ std::vector<gatun::Key> ReadKeys(const ArrayView& array, gatun::ScalarType type,
 //------------------------------------------------------------------------------
 /** Takes the arrays with errors out of the grids. */
 std::vector<BoundedComparison::Pair> BoundedComparison::Take(
-  GridView& packed, GridView& original, bool ofPoints)
+  GridView& packed, GridView& original, const gatun::FileReader& mesh, bool ofPoints)
 {
   std::vector<Pair> taken;
   auto& first = ofPoints ? packed.PointArrays : packed.CellArrays;
   auto& second = ofPoints ? original.PointArrays : original.CellArrays;
-  const auto& arrays = this->File.GetArrays();
+  const auto& arrays = mesh.GetArrays();
   for (std::size_t a = 0; a < arrays.size(); ++a)
   {
-    if ((arrays[a].Where == gatun::Association::Point) != ofPoints || !HasErrors(this->File, a))
+    if ((arrays[a].Where == gatun::Association::Point) != ofPoints || !HasErrors(mesh, a))
     {
       continue;
     }
@@ -94,12 +94,13 @@ std::vector<BoundedComparison::Pair> BoundedComparison::Take(
 }
 
 //------------------------------------------------------------------------------
-std::string BoundedComparison::CheckArray(const Pair& pair, std::size_t step, bool ofPoints)
+std::string BoundedComparison::CheckArray(
+  const Pair& pair, const gatun::FileReader& mesh, std::size_t step, bool ofPoints)
 {
-  const auto& array = this->File.GetArrays()[pair.Array];
+  const auto& array = mesh.GetArrays()[pair.Array];
   for (std::uint32_t c = 0; c < array.Components; ++c)
   {
-    const auto rounding = this->File.GetRounding(pair.Array, c, step);
+    const auto rounding = mesh.GetRounding(pair.Array, c, step);
     const auto packed = ReadKeys(pair.Packed, array.Type, c);
     const auto original = ReadKeys(pair.Original, array.Type, c);
     const auto first = Order(this->Others.GetFirst(ofPoints), packed);
@@ -125,17 +126,18 @@ std::string BoundedComparison::CheckArray(const Pair& pair, std::size_t step, bo
 }
 
 //------------------------------------------------------------------------------
-std::string BoundedComparison::Compare(GridView packed, GridView original, std::size_t step)
+std::string BoundedComparison::Compare(
+  GridView packed, GridView original, const gatun::FileReader& mesh, std::size_t step)
 {
-  const auto points = this->Take(packed, original, true);
-  const auto cells = this->Take(packed, original, false);
+  const auto points = Take(packed, original, mesh, true);
+  const auto cells = Take(packed, original, mesh, false);
   std::string difference = this->Others.Compare(packed, original);
   for (const auto* pairs : { &points, &cells })
   {
     for (std::size_t i = 0; difference.empty() && i < pairs->size(); ++i)
     {
       this->IsBounded = true;
-      difference = this->CheckArray((*pairs)[i], step, pairs == &points);
+      difference = this->CheckArray((*pairs)[i], mesh, step, pairs == &points);
     }
   }
   return difference;

@@ -28,15 +28,16 @@ namespace gtn
 class BoundedComparison
 {
 public:
-  /** comparison: that of the other arrays. Both must live as long. */
-  BoundedComparison(const gatun::FileReader& file, Comparison& comparison)
-    : File(file)
-    , Others(comparison)
+  /** comparison: that of the other arrays. It must live as long. */
+  explicit BoundedComparison(Comparison& comparison)
+    : Others(comparison)
   {
   }
 
-  /** Compares a step. Returns a description of the first difference, or an empty string. */
-  std::string Compare(GridView packed, GridView original, std::size_t step);
+  /** Compares a step. Returns a description of the first difference, or an empty string. mesh: of
+   * the file; step: among those of the mesh. */
+  std::string Compare(
+    GridView packed, GridView original, const gatun::FileReader& mesh, std::size_t step);
 
   /** Whether there are arrays with errors, and the largest error as a part of its bound. */
   bool HasBounds() const { return this->IsBounded; }
@@ -51,10 +52,11 @@ private:
     ArrayView Original;
   };
 
-  std::vector<Pair> Take(GridView& packed, GridView& original, bool ofPoints);
-  std::string CheckArray(const Pair& pair, std::size_t step, bool ofPoints);
+  static std::vector<Pair> Take(
+    GridView& packed, GridView& original, const gatun::FileReader& mesh, bool ofPoints);
+  std::string CheckArray(
+    const Pair& pair, const gatun::FileReader& mesh, std::size_t step, bool ofPoints);
 
-  const gatun::FileReader& File;
   Comparison& Others;
   bool IsBounded = false;
   double Worst = 0;

@@ -4,6 +4,7 @@
 #include "gtnContourInput.h"
 
 #include "gtnFailure.h"
+#include "gtnFileSteps.h"
 #include "gtnMessages.h"
 #include "gtnProgress.h"
 #include "gtnReadable.h"
@@ -73,18 +74,13 @@ ContourInput::~ContourInput() = default;
 //------------------------------------------------------------------------------
 void ContourInput::OpenFile(const ContourInputOptions& options, const Settings& settings)
 {
-  const gatun::FileReader file(this->File);
+  const FileSteps::Place place = OpenStep(this->File, options.Step, settings.Quiet);
+  const gatun::FileReader& file = *place.Mesh;
   RequireGrid(file);
-  static const std::vector<double> none;
-  const std::vector<double>& times = file.HasTime() ? file.GetTimes() : none;
-  const std::size_t step = ChooseStep(options.Step, this->File, times, settings.Quiet);
-  if (!times.empty())
-  {
-    this->Time = times[step];
-  }
+  this->Time = place.Time;
   const std::vector<ArrayChoice> choices = GetChoices(file);
   this->Choose(options, choices);
-  this->Range = gtn::GetRange(file, this->Array, this->Component, step);
+  this->Range = gtn::GetRange(file, this->Array, this->Component, place.Step);
   this->Layered = file.HasLayers() && file.GetLayers().Array == this->Array.Index &&
     file.GetLayers().Component == this->Component;
 

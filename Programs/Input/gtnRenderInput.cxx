@@ -4,6 +4,7 @@
 #include "gtnRenderInput.h"
 
 #include "gtnFailure.h"
+#include "gtnFileSteps.h"
 #include "gtnInput.h"
 #include "gtnMessages.h"
 #include "gtnProgress.h"
@@ -46,18 +47,13 @@ RenderInput::~RenderInput() = default;
 void RenderInput::OpenFile(const RenderInputOptions& options)
 {
   CheckReadable(this->File);
-  const gatun::FileReader file(this->File);
+  const FileSteps::Place place = OpenStep(this->File, options.Step, options.Quiet);
+  const gatun::FileReader& file = *place.Mesh;
   RequireGrid(file);
-  static const std::vector<double> none;
-  const std::vector<double>& times = file.HasTime() ? file.GetTimes() : none;
-  const std::size_t step = ChooseStep(options.Step, this->File, times, options.Quiet);
-  if (!times.empty())
-  {
-    this->Time = times[step];
-  }
+  this->Time = place.Time;
 
   this->Choose(options, GetChoices(file));
-  this->Range = gtn::GetRange(file, this->Array, this->Component, step);
+  this->Range = gtn::GetRange(file, this->Array, this->Component, place.Step);
   this->Bounds = file.GetBounds();
   this->Tets = file.GetNumberOfTets();
 

@@ -87,11 +87,26 @@ gtn("pack", "parts.pvd", "parts.gtn", says="2 blocks were merged")
 gtn("verify", "parts.gtn", "parts.pvd", says="identical")
 assert json.loads(gtn("info", "--json", "parts.gtn"))["tets"] == len(tets)
 
+# A mesh that changes, and returns.
+write(make_grid(points + 1, tets[:half], values_at(3)), "other.vtu")
+changing = [files[0], "other.vtu", files[1], files[2]]
+gtn("pack", "--keep-order", "all", *changing, "changing.gtn", says="2 meshes, 4 time steps")
+gtn("verify", "changing.gtn", says="2 meshes, 4 time steps")
+gtn("verify", "changing.gtn", *changing, says="identical")
+gtn("verify", "changing.gtn", *changing[1:], files[3], code=1, says="differs at step 0")
+info = json.loads(gtn("info", "--json", "changing.gtn"))
+assert info["times"] == [0, 1, 2, 3]
+assert [(m["cells"], m["steps"], m["firstTime"]) for m in info["meshes"]] == [
+    (len(tets), 3, 0), (half, 1, 1)]
+for index, name in enumerate(changing):
+    gtn("unpack", "-q", "-f", "--step", index, "changing.gtn", "step.vtu")
+    assert read("step.vtu").GetNumberOfCells() == read(name).GetNumberOfCells()
+gtn("contour", "-q", "--step", 1, "--number", 3, "changing.gtn", "surface.vtp")
+gtn("render", "-q", "-f", "--step", 1, "--size", "32x32", "changing.gtn", "step.png")
+
 # What cannot be one file.
-write(make_grid(points + 1, tets, values_at(0)), "moved.vtu")
-gtn("pack", files[0], "moved.vtu", "new.gtn", code=1, says="change in time step 1")
-write(make_grid(points, tets, waves(points)), "other.vtu")
-gtn("pack", files[0], "other.vtu", "new.gtn", code=1, says="time step 1")
+write(make_grid(points, tets, waves(points)), "arrays.vtu")
+gtn("pack", files[0], "arrays.vtu", "new.gtn", code=1, says="time step 1")
 gtn("pack", files[0], "run.gtn", "new.gtn", code=1, says="run.gtn: has several time steps itself")
 gtn("pack", files[0], "missing.vtu", "new.gtn", code=1, says="missing.vtu: no such file")
 with open("recursive.pvd", "w") as file:
