@@ -124,7 +124,7 @@ void ExpectError(ErrorCode code, const std::string& path, const std::string& wha
     EXPECT_EQ(static_cast<int>(error.Code), static_cast<int>(code)) << where << ": " << message;
     EXPECT_EQ(error.SystemError, systemError.value_or(error.SystemError))
       << where << ": " << message;
-    EXPECT_EQ(error.Path, path.substr(0, path.find(", base mesh "))) << where << ": " << message;
+    EXPECT_EQ(error.Path, path.substr(0, path.find(", "))) << where << ": " << message;
     EXPECT_EQ(message.find(path + ": "), 0u) << where << ": " << message;
     EXPECT_NE(message.find(what), std::string::npos) << where << ": " << message;
   }

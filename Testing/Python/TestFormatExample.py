@@ -30,7 +30,7 @@ of_tree = text[text.index("\n### 13.7") : text.index("\n### 13.8")]
 of_seam = text[text.index("\n### 13.8") : text.index("\n### 13.9")]
 of_dependencies = text[text.index("\n### 13.9") : text.index("\n## 14 ")]
 of_layers = text[text.index("\n### 14.3") : text.index("\n## 15 ")]
-of_cells = text[text.index("\n### 15.4") : text.index("\n## Appendix A")]
+of_cells = text[text.index("\n### 15.4") : text.index("\n## 16 ")]
 
 # The file is a hex dump with offsets.
 dump = re.search("```\n(0000  .*?)```", of_file, re.DOTALL)[1]

@@ -67,6 +67,18 @@ def hashes(decoder, order, restore):
 
 def describe_decoded(data):
     decoder = Decoder(data)
+    series = decoder.container.series
+    if series is None:
+        return describe_mesh(decoder)
+    others = range(1, len(decoder.container.meshes) + 1)
+    return {
+        "times": [time for _, time in series],
+        "meshes": [describe_mesh(decoder), *(describe_mesh(decoder.mesh(i)) for i in others)],
+    }
+
+
+def describe_mesh(decoder):
+    """Of a mesh with the steps that have it."""
     decoder.container.verify_layout()
     meta = decoder.meta
     order = sorted(range(len(meta.arrays)), key=lambda i: meta.arrays[i].where)

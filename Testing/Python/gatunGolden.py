@@ -13,6 +13,8 @@ A description is made of dicts and lists, as it stands in expected.json:
     file_order    sha256 of points, tets (or cells, if there are others) and, for each step, arrays,
                   in the file's own order
     input_order   the same in the order of the input, as far as the file keeps it
+
+That of a series of meshes has times, and meshes: such a description of each mesh with its steps.
 """
 
 import glob
@@ -156,7 +158,22 @@ def hashes(grids):
 
 
 def describe_grids(grids, times, in_input_order):
-    """grids: those of each step in the file's order, and then in that of the input."""
+    """grids: those of each step in the file's order, and then in that of the input. Steps with the
+    same cells have one mesh."""
+    meshes = {}
+    for step, grid in enumerate(grids):
+        key = grid.GetNumberOfPoints(), *describe_cells(grid).values()
+        meshes.setdefault(key, []).append(step)
+    described = [
+        describe_mesh(*([of_steps[step] for step in steps if of_steps]
+                        for of_steps in (grids, times, in_input_order)))
+        for steps in meshes.values()
+    ]
+    return described[0] if len(meshes) == 1 else {"times": times, "meshes": described}
+
+
+def describe_mesh(grids, times, in_input_order):
+    """Of steps that have one mesh."""
     grid = grids[0]
     return {
         "times": times,

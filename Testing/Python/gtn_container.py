@@ -36,7 +36,7 @@ MAGIC = bytes.fromhex("8947544E0D0A1A0A")
 END_MAGIC = b"GTNEND\r\n"
 SECTIONS = (
     b"META", b"TABL", b"PAGE", b"STEP", b"MESH", b"VALS", b"TREE", b"MERG", b"TRNG", b"LEVL",
-    b"DEPS", b"LAYR", b"CELL", b"SURF", b"BNDY", b"DIRY")
+    b"DEPS", b"LAYR", b"CELL", b"SURF", b"BNDY", b"GRID", b"TIME", b"DIRY")
 VERSIONS = {b"TABL": 3, b"STEP": 3}  # the highest ones of sections, if not 1
 STREAMS = (b"PAGE", b"MESH", b"VALS", b"MERG")  # sections of streams
 
@@ -170,7 +170,8 @@ def field_data_limit(packed):
 class Container:
     """A file, whose tables are read and checked; attributes meta, table, steps, and, None if there
     are none, cells, layers and tree, which has ranges, one table a step, dependencies, the section
-    DEPS or None, and files, the bytes of base meshes."""
+    DEPS or None, and files, the bytes of base meshes; meshes, the bytes of other meshes, and series,
+    the mesh and the time of each step, None if there is one mesh."""
 
     def __init__(self, data):
         self.data = data
@@ -202,6 +203,12 @@ class Container:
         boundaries = [section for section in sections if section.name == b"BNDY"]
         require(len(boundaries) <= 1 - self.is_surface, "number of boundaries")
         self.boundary = self._content(boundaries[0]) if boundaries else None
+        self.meshes = [self._content(section) for section in sections if section.name == b"GRID"]
+        self.series = None
+        if self.meshes or any(section.name == b"TIME" for section in sections):
+            self.series = read_series(self._packed(sections, b"TIME"), self.meta, self.steps)
+        require(len(self.meshes) == (max(mesh for mesh, _ in self.series) if self.series else 0),
+                "number of meshes")
 
     def _check_surface(self, sections):
         """Section SURF (16.1)."""
@@ -276,7 +283,7 @@ class Container:
 
     def _content(self, section):
         data = self._payload(section)
-        if section.name in STREAMS or section.name in (b"DEPS", b"LEVL", b"SURF", b"BNDY"):
+        if section.name in STREAMS or section.name in (b"DEPS", b"LEVL", b"SURF", b"BNDY", b"GRID"):
             return data
         of_step = section.name in (b"STEP", b"TRNG")
         content = unpack(data, step_limit if of_step else table_limit)
@@ -612,6 +619,26 @@ def read_tree_step(table, meta, layout, tree):
                       if of_points else None)
     table.end()
     return result
+
+
+def read_series(table, meta, steps):
+    """Section TIME (18.1). steps: those of the first mesh."""
+    series, next_mesh = [], 0
+    for _ in range(table.varint()):
+        mesh, time = table.varint(), table.number("d")
+        require(mesh <= next_mesh, "number of a mesh")
+        require(not series or time > series[-1][1], "order of the steps of all meshes")
+        next_mesh += mesh == next_mesh
+        series.append((mesh, time))
+    table.end()
+    require(meta.has_time, "meshes without time")
+    require(times_of(series, 0) == [step.time for step in steps], "steps of the first mesh")
+    return series
+
+
+def times_of(series, mesh):
+    """Those of the steps of a mesh."""
+    return [time for number, time in series if number == mesh]
 
 
 def read_layers(table, meta, layout):

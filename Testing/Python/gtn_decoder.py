@@ -26,6 +26,7 @@ from gtn_container import (
     Bytes, is_copy, require)
 from gtn_dependencies import decode_dependencies
 from gtn_quadratic import Lists, find_block_neighbors
+from gtn_series import open_mesh
 from gtn_shapes import Shapes
 from gtn_tree import SimplerMesh, decode_merges, open_level
 
@@ -267,6 +268,10 @@ class Decoder:
     def boundary(self):
         """The boundary in the file, as a decoder of its own, or None."""
         return None if self.container.boundary is None else open_boundary(self, Decoder)
+
+    def mesh(self, number):
+        """Another mesh of a series, from 1, as a decoder of its own."""
+        return open_mesh(self, number, Decoder)
 
     def _decode_merges(self):
         tree = self.container.tree
