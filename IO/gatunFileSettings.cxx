@@ -4,7 +4,6 @@
 #include "gatunFileSettings.h"
 
 #include "gatunReport.h"
-#include "vtkGatunMeshReader.h"
 
 #include <algorithm>
 #include <exception>
@@ -31,9 +30,9 @@ bool FileSettings::IsOnDemand(SharedFile& mesh) const
   {
     return false;
   }
-  if (this->OnDemand != vtkGatunMeshReader::ON_DEMAND_LARGE)
+  if (this->OnDemand)
   {
-    return this->OnDemand == vtkGatunMeshReader::ON_DEMAND_ALWAYS;
+    return *this->OnDemand;
   }
   const FileReader& file = *mesh.GetFile();
   const std::size_t merges = this->CountMerges(mesh);

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,10 +25,10 @@ struct FileSettings
   bool RestoreOrder = true;
   bool SplitCells = false;
   bool GenerateGlobalIds = false;
-  bool HasRegion = false;      ///< whether the reader is restricted to a region of interest
-  int OnDemand = 0;            ///< vtkGatunMeshReader::OnDemandType
-  std::uint64_t LargeMesh = 0; ///< number of cells
-  std::vector<bool> Selected;  ///< for each array of the file, whether the reader reads it
+  bool HasRegion = false;       ///< whether the reader is restricted to a region of interest
+  std::optional<bool> OnDemand; ///< whether the output is an outline; unset: if a mesh is large
+  std::uint64_t LargeMesh = 0;  ///< a mesh with more cells is large
+  std::vector<bool> Selected;   ///< for each array of the file, whether the reader reads it
 
   /** Whether a simplification is asked for, possible or not. */
   bool Simplifies() const { return !this->Simplification.GetTarget().IsWholeMesh(); }

@@ -77,6 +77,9 @@ public:
   const FileReader& GetMesh() const { return *this->Parts->GetFile(); }
   std::size_t GetMerges() const { return this->Merges; }
 
+  /** Its decoded parts. */
+  const std::shared_ptr<ChunkCache>& GetCache() const { return this->Parts; }
+
   /** The request for the part of the chosen mesh that a port is asked for. Chunks: those of the
    * region of interest, ascending. */
   PieceRequest MakeRequest(const PublishedFile& handle, const PortRequest& port,

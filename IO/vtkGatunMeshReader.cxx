@@ -79,6 +79,7 @@ void vtkGatunMeshReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ValueRangeComponent: " << this->ValueRangeComponent << "\n";
   os << indent << "ValueRange: " << this->ValueRange[0] << " " << this->ValueRange[1] << "\n";
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
+  os << indent << "PrefetchTimeSteps: " << (this->PrefetchTimeSteps ? "On" : "Off") << "\n";
   const char* const modes[] = { "Never", "Always", "Large" };
   os << indent << "OnDemand: " << modes[this->OnDemand] << "\n";
   os << indent << "LargeMesh: " << this->LargeMesh << "\n";
@@ -200,6 +201,17 @@ void vtkGatunMeshReader::SetMemoryBudget(int mebibytes)
   if (const auto& file = this->Internals->File)
   {
     file->GetBudget()->SetBytes(vtkInternals::GetBudget(*this));
+  }
+}
+
+//------------------------------------------------------------------------------
+// The output does not depend on it, so this is no modification.
+void vtkGatunMeshReader::SetPrefetchTimeSteps(bool prefetch)
+{
+  this->PrefetchTimeSteps = prefetch;
+  if (!prefetch)
+  {
+    this->Internals->Prefetcher.Stop();
   }
 }
 
@@ -379,6 +391,7 @@ int vtkGatunMeshReader::RequestData(vtkInformation* vtkNotUsed(request),
   this->SetErrorCode(vtkErrorCode::NoError);
   try
   {
+    self.Prefetcher.Stop(); // what it has decoded is in the cache
     output->Initialize();
     output->GetInformation()->Remove(ON_DEMAND());
     this->UpdateProgress(0);
@@ -423,6 +436,10 @@ int vtkGatunMeshReader::RequestData(vtkInformation* vtkNotUsed(request),
       auto request = self.Pieces.MakeRequest(handle, port, self.ChunksOf(*this, port.Step));
       request.WithUnusedPoints = request.WithUnusedPoints && !this->UseBox && !this->UseValueRange;
       self.Pieces.Read(handle, request, this->GenerateGlobalIds || port.Pieces > 1, grid, progress);
+      if (this->PrefetchTimeSteps)
+      {
+        self.Prefetcher.Start(self.Pieces.GetCache(), request);
+      }
     }
     if (grid != output)
     {

@@ -255,6 +255,17 @@ public:
   vtkGetMacro(MemoryBudget, int);
   ///@}
 
+  ///@{
+  /**
+   * Whether to decode the arrays of the next time step in the background when a step has been read,
+   * if MemoryBudget is enough for the mesh and three steps. The next step is the one in the
+   * direction from the step before. The output is the same. Default: off; on in ParaView.
+   */
+  void SetPrefetchTimeSteps(bool prefetch);
+  vtkGetMacro(PrefetchTimeSteps, bool);
+  vtkBooleanMacro(PrefetchTimeSteps, bool);
+  ///@}
+
   /**
    * When the output is only the boundary or the outline of the mesh.
    */
@@ -451,6 +462,7 @@ protected:
   int ValueRangeComponent = -1;
   double ValueRange[2] = { 0, 1 };
   int MemoryBudget = 512;
+  bool PrefetchTimeSteps = false;
   int OnDemand = ON_DEMAND_NEVER;
   vtkIdType LargeMesh = 5000000;
   int SimplificationTarget = TARGET_RATIO;

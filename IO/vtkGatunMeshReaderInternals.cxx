@@ -189,7 +189,10 @@ gatun::FileSettings vtkGatunMeshReader::vtkInternals::GetSettings(
   settings.SplitCells = reader.GetSplitsCells();
   settings.GenerateGlobalIds = reader.GenerateGlobalIds;
   settings.HasRegion = reader.UseBox || reader.UseValueRange;
-  settings.OnDemand = reader.OnDemand;
+  if (reader.OnDemand != ON_DEMAND_LARGE)
+  {
+    settings.OnDemand = reader.OnDemand == ON_DEMAND_ALWAYS;
+  }
   settings.LargeMesh = static_cast<std::uint64_t>(reader.LargeMesh);
   for (const gatun::ArrayDescription& array : this->GetFile().GetArrays())
   {

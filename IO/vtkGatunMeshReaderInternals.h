@@ -10,6 +10,7 @@
 #include "gatunPieceReader.h"
 #include "gatunPublishedFile.h"
 #include "gatunSimplifyTarget.h"
+#include "gatunStepPrefetcher.h"
 #include "gatunSurfaceGrid.h"
 #include "vtkGatunMeshReader.h"
 
@@ -41,10 +42,12 @@ public:
   gatun::ArrayChoice PointArrays;
   gatun::ArrayChoice CellArrays;
   gatun::PieceReader Pieces;
+  gatun::StepPrefetcher Prefetcher;
   gatun::SurfaceCells Cells; // of the surface that was read last
 
   void Close()
   {
+    this->Prefetcher.Stop();
     this->Pieces.Close();
     this->Cells = {};
     this->File.reset();

@@ -94,8 +94,8 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkGatunWriter::vtkInternals::MakeGrid(vtkD
 
 //------------------------------------------------------------------------------
 // tree: receives the hierarchy, if it is wanted.
-gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(vtkUnstructuredGrid* grid,
-  const std::vector<gatun::BridgedArray>& arrays, gatun::MergeTree& tree)
+gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
+  vtkUnstructuredGrid* grid, const std::vector<gatun::BridgedArray>& arrays, gatun::MergeTree& tree)
 {
   gatun::WriterOptions options;
   options.Keep = static_cast<std::uint8_t>(this->Owner->KeepOrder);

@@ -30,8 +30,7 @@ std::shared_ptr<SharedFile> SharedFile::GetMesh(std::size_t mesh)
   {
     return found->second;
   }
-  const std::shared_ptr<SharedFile> shared(
-    new SharedFile(this->File->OpenMesh(mesh), this->Budget));
+  std::shared_ptr<SharedFile> shared(new SharedFile(this->File->OpenMesh(mesh), this->Budget));
   this->Meshes.emplace(mesh, shared);
   return shared;
 }

@@ -263,6 +263,10 @@ bool DecodeFile(const std::string& path)
   try
   {
     DecodeTree(file);
+    for (std::size_t mesh = 1; mesh < std::min(MostLevels, file->GetNumberOfMeshes()); ++mesh)
+    {
+      DecodeTree(file->OpenMesh(mesh));
+    }
   }
   catch (const Error& error)
   {
