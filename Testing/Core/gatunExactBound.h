@@ -4,8 +4,8 @@
 #ifndef gatunExactBound_h
 #define gatunExactBound_h
 
-// Whether values are within a bound of errors, decided in whole numbers of any length. Nothing of it
-// is what the codec checks its values with.
+// Whether values are within a bound of errors, decided in whole numbers of any length. Nothing of
+// it is what the codec checks its values with.
 
 #include "gatunErrorBound.h"
 
@@ -42,8 +42,8 @@ struct Dyadic
       {
         result.Negative = value < 0;
       }
-      result.Mantissa = result.Negative ? 0 - static_cast<std::uint64_t>(value)
-                                        : static_cast<std::uint64_t>(value);
+      result.Mantissa =
+        result.Negative ? 0 - static_cast<std::uint64_t>(value) : static_cast<std::uint64_t>(value);
     }
     return result;
   }
@@ -169,8 +169,7 @@ private:
     const double allowed = this->Bound.Kind == ErrorKind::Pointwise
       ? this->Bound.Bound * std::abs(x)
       : this->NearlyAllowed;
-    return allowed > 1e-280 && std::abs(x - y) < allowed * less && IsExact(x) &&
-      IsExact(y);
+    return allowed > 1e-280 && std::abs(x - y) < allowed * less && IsExact(x) && IsExact(y);
   }
 
   /** The sign of |original - found| - what is allowed. */

@@ -99,7 +99,8 @@ TEST(Quantizer, RelativeStepsAreNotMoreThanTheProduct)
   const auto anyNumber = [&](int least, int most)
   {
     const auto exponent = least + static_cast<int>(random() % static_cast<unsigned>(most - least));
-    const double number = std::ldexp(1 + static_cast<double>(random() % 1000003) / 1000003, exponent);
+    const double number =
+      std::ldexp(1 + static_cast<double>(random() % 1000003) / 1000003, exponent);
     return random() % 2 ? number : -number;
   };
   std::size_t steps = 0;
