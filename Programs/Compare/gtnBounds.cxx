@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <utility>
@@ -58,6 +59,24 @@ std::vector<gatun::Key> ReadKeys(const ArrayView& array, gatun::ScalarType type,
   }
   return keys;
 }
+
+// Whether values were rounded by more than their bound means for the original: a file may claim any
+// step beside its bound.
+bool IsTooCoarse(
+  const gatun::Quantizer& rounding, gatun::ScalarType type, const std::vector<gatun::Key>& original)
+{
+  gatun::FiniteRange range;
+  for (const auto key : original)
+  {
+    const double number = gatun::PlainKeys::PlainToNumber(type, key);
+    if (std::isfinite(number))
+    {
+      range.Include(number);
+    }
+  }
+  const auto allowed = gatun::MakeQuantizer(type, rounding.Bound, range);
+  return !allowed || rounding.Step > allowed.Step;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -104,6 +123,7 @@ std::string BoundedComparison::CheckArray(const Pair& pair, std::size_t step, bo
     const auto original = ReadKeys(pair.Original, array.Type, c);
     const auto first = Order(this->Others.GetFirst(ofPoints), packed);
     const auto second = Order(this->Others.GetSecond(ofPoints), original);
+    bool isRounded = false;
     for (std::size_t i = 0; i < first.size(); ++i)
     {
       const auto stored = packed[first[i]];
@@ -117,8 +137,16 @@ std::string BoundedComparison::CheckArray(const Pair& pair, std::size_t step, bo
         return fmt::format("{} is not within its bound ({}): {} instead of {}", pair.Packed.Title,
           ToString(rounding.Bound), pair.Packed.Text(first[i]), pair.Original.Text(second[i]));
       }
+      isRounded = true;
       this->Worst = std::max(
         this->Worst, rounding.Measure(array.Type, exact, stored) / rounding.GetAllowed(array.Type));
+    }
+    if (isRounded && IsTooCoarse(rounding, array.Type, original))
+    {
+      return fmt::format(
+        "{} is rounded by more than its bound ({}) allows for the range of component "
+        "{} of the original",
+        pair.Packed.Title, ToString(rounding.Bound), c);
     }
   }
   return {};
@@ -127,6 +155,10 @@ std::string BoundedComparison::CheckArray(const Pair& pair, std::size_t step, bo
 //------------------------------------------------------------------------------
 std::string BoundedComparison::Compare(GridView packed, GridView original, std::size_t step)
 {
+  if (auto difference = this->Others.CompareOutlines(packed, original); !difference.empty())
+  {
+    return difference;
+  }
   const auto points = this->Take(packed, original, true);
   const auto cells = this->Take(packed, original, false);
   std::string difference = this->Others.Compare(packed, original);
