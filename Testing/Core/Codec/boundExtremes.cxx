@@ -159,6 +159,18 @@ public:
 
   std::uint64_t GetValues() const { return this->Values; }
 
+  /** Prints how far a long run is. */
+  void ReportProgress() const
+  {
+    std::uint64_t wrong = 0;
+    for (const auto& [name, counts] : this->Found)
+    {
+      wrong += counts.Wrong;
+    }
+    std::fprintf(stderr, "%llu values, %llu wrong\n", static_cast<unsigned long long>(this->Values),
+      static_cast<unsigned long long>(wrong));
+  }
+
   /** Prints what was checked. Returns whether all is right. */
   bool Report() const
   {
@@ -274,9 +286,15 @@ int main(int count, char* arguments[])
   {
     Extremes extremes(count > 2 ? std::strtoull(arguments[2], nullptr, 10) : 1);
     const auto wanted = std::strtoull(arguments[1], nullptr, 10);
-    while (extremes.GetValues() < wanted)
+    constexpr std::uint64_t part = 50'000'000;
+    for (std::uint64_t next = part; extremes.GetValues() < wanted;)
     {
       extremes.Run();
+      if (extremes.GetValues() >= next)
+      {
+        extremes.ReportProgress();
+        next += part;
+      }
     }
     return extremes.Report() ? 0 : 1;
   }
