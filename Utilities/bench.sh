@@ -20,6 +20,8 @@
 #                                surface-study.md; with --large also files of 10 million triangles;
 #                                with --motion only the frames
 #   bench.sh --volumes           the volume study, 45 minutes; writes volume-study.md
+#   bench.sh --errors            bits a value of arrays with bounded errors, 5 minutes; writes
+#                                errors-study.md; --sz3 PREFIX names the folder where SZ3 is installed
 #   bench.sh --pages             measures nothing and writes all pages again from their results
 #
 # Pages are written to Documentation/studies, their plots and results to a folder of the same name.
@@ -51,6 +53,7 @@ case ${1:-} in
   --isosurfaces) script=runIsosurfaces.py ;;
   --surfaces) script=runSurfaces.py ;;
   --volumes) script=runVolumes.py ;;
+  --errors) script=runErrors.py ;;
   --pages) script=generatedParts.py ;;
   *) script=runBenchmarks.py ;;
 esac

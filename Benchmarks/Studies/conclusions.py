@@ -9,6 +9,7 @@ import benchmarkReport
 import budgetReport
 import cellsReport
 import detailReport
+import errorReport
 import isosurfaceReport
 import parallelReport
 import partsReport
@@ -254,6 +255,7 @@ SECTIONS = (
     ("surface-study", "Surfaces", "Sizes by part and decoding, beside Draco and other formats",
      surfaceReport.conclude),
     ("volume-study", "Volumes", "Hartley coefficients, compared with voxels and zfp", _volumes),
+    ("errors-study", "Arrays with bounded errors", "Bits a value, beside SZ3 and zfp", errorReport.conclude),
 )
 
 

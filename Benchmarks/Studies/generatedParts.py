@@ -22,7 +22,8 @@ PAGES = {"summary": "summaryReport", "benchmarks": "benchmarkReport", "speed": "
          "rendering-study": "studyReport", "just-in-time-study": "budgetReport",
          "detail-study": "detailReport",
          "simplification-study": "simplificationReport", "isosurface-study": "isosurfaceReport",
-         "surface-study": "surfaceReport", "volume-study": "volumeReport"}
+         "surface-study": "surfaceReport", "volume-study": "volumeReport",
+         "errors-study": "errorReport"}
 BEGIN, END = "<!-- written by Utilities/bench.sh --readme -->\n", "<!-- end -->\n"
 
 

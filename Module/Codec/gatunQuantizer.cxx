@@ -36,6 +36,58 @@ int GetMantissaBits(ScalarType type)
 {
   return type == ScalarType::Float32 ? 23 : 52;
 }
+
+/** a - b - difference, where that is a - b rounded (two-sum). */
+double GetDifferenceError(double a, double b, double difference)
+{
+  const double part = difference - a;
+  return (a - (difference - part)) + (-b - part);
+}
+
+/** The next number down, if there is any error that was rounded up. */
+double RoundDown(double number, double error)
+{
+  return error < 0 ? std::nextafter(number, -Infinity) : number;
+}
+
+/** l * r - product, where that is l * r rounded (Dekker). Neither overflows nor underflows. */
+double GetProductError(double l, double r, double product)
+{
+  constexpr double split = 134217729; // 2^27 + 1
+  const auto getHigh = [](double number)
+  {
+    const double large = split * number;
+    return large - (large - number);
+  };
+  const double lHigh = getHigh(l), lLow = l - lHigh;
+  const double rHigh = getHigh(r), rLow = r - rHigh;
+  return ((lHigh * rHigh - product) + lHigh * rLow + lLow * rHigh) + lLow * rLow;
+}
+
+/** bound * (high - low), rounded down at every step. Numbers are scaled to be around 1, as the
+ * rounding errors of subnormal ones are as large as the numbers. */
+double GetPartOfRange(double bound, double low, double high)
+{
+  int boundExponent = 0;
+  int exponent = 0;
+  const double fraction = std::frexp(bound, &boundExponent);
+  std::frexp(std::max(std::abs(low), std::abs(high)), &exponent);
+  const double highest = std::ldexp(high, -exponent);
+  const double lowest = std::ldexp(low, -exponent);
+  // What is too small to be scaled counts as the next number towards the other one.
+  const auto isChanged = [&](double number, double scaled)
+  { return std::ldexp(scaled, exponent) != number; };
+  double range = highest - lowest;
+  range = RoundDown(range, GetDifferenceError(highest, lowest, range));
+  if (isChanged(high, highest) || isChanged(low, lowest))
+  {
+    range = std::nextafter(range, -Infinity);
+  }
+  const double product = fraction * range;
+  const double part = RoundDown(product, GetProductError(fraction, range, product));
+  const double result = std::ldexp(part, exponent + boundExponent);
+  return RoundDown(result, part - std::ldexp(result, -exponent - boundExponent));
+}
 }
 
 //------------------------------------------------------------------------------
@@ -64,9 +116,8 @@ bool IsClose(double a, double b, double bound)
   {
     return std::abs(difference) < bound;
   }
-  // The rounding error of the difference decides (two-sum).
-  const double part = difference - a;
-  const double error = (a - (difference - part)) + (-b - part);
+  // The rounding error of the difference decides.
+  const double error = GetDifferenceError(a, b, difference);
   return difference < 0 ? error >= 0 : error <= 0;
 }
 
@@ -224,9 +275,7 @@ Quantizer MakeQuantizer(ScalarType type, const ErrorBound& bound, const FiniteRa
   double most = bound.Bound;
   if (bound.Kind == ErrorKind::Relative)
   {
-    // Not more than the product, in spite of rounding.
-    constexpr double less = 1 - 8 * std::numeric_limits<double>::epsilon();
-    most = range.IsEmpty() ? 0 : (bound.Bound * range.High - bound.Bound * range.Low) * less;
+    most = range.IsEmpty() ? 0 : GetPartOfRange(bound.Bound, range.Low, range.High);
   }
   const auto bits = GetMantissaBits(type);
   if (!result.RoundsKeys(type))

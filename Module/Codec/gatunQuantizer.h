@@ -83,7 +83,8 @@ struct Quantizer
 
 /** The quantizer for a bound, or none if the values have to be exact for it. range: that of the
  * component; only a relative bound needs it. */
-Quantizer MakeQuantizer(ScalarType type, const ErrorBound& bound, const FiniteRange& range);
+VTKGATUNCORE_EXPORT Quantizer MakeQuantizer(
+  ScalarType type, const ErrorBound& bound, const FiniteRange& range);
 
 /** The index of the place of a lattice that is closest to a key, and the key of a place modulo
  * 2^64. */

@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <utility>
@@ -57,6 +58,24 @@ std::vector<gatun::Key> ReadKeys(const ArrayView& array, gatun::ScalarType type,
     keys[i] = gatun::PlainKeys::ReadPlain(type, array.Tuple(i) + c * gatun::SizeOf(type));
   }
   return keys;
+}
+
+// Whether values were rounded by more than their bound means for the original: a file may claim any
+// step beside its bound.
+bool IsTooCoarse(
+  const gatun::Quantizer& rounding, gatun::ScalarType type, const std::vector<gatun::Key>& original)
+{
+  gatun::FiniteRange range;
+  for (const auto key : original)
+  {
+    const double number = gatun::PlainKeys::PlainToNumber(type, key);
+    if (std::isfinite(number))
+    {
+      range.Include(number);
+    }
+  }
+  const auto allowed = gatun::MakeQuantizer(type, rounding.Bound, range);
+  return !allowed || rounding.Step > allowed.Step;
 }
 }
 
@@ -105,6 +124,7 @@ std::string BoundedComparison::CheckArray(
     const auto original = ReadKeys(pair.Original, array.Type, c);
     const auto first = Order(this->Others.GetFirst(ofPoints), packed);
     const auto second = Order(this->Others.GetSecond(ofPoints), original);
+    bool isRounded = false;
     for (std::size_t i = 0; i < first.size(); ++i)
     {
       const auto stored = packed[first[i]];
@@ -118,8 +138,16 @@ std::string BoundedComparison::CheckArray(
         return fmt::format("{} is not within its bound ({}): {} instead of {}", pair.Packed.Title,
           ToString(rounding.Bound), pair.Packed.Text(first[i]), pair.Original.Text(second[i]));
       }
+      isRounded = true;
       this->Worst = std::max(
         this->Worst, rounding.Measure(array.Type, exact, stored) / rounding.GetAllowed(array.Type));
+    }
+    if (isRounded && IsTooCoarse(rounding, array.Type, original))
+    {
+      return fmt::format(
+        "{} is rounded by more than its bound ({}) allows for the range of component "
+        "{} of the original",
+        pair.Packed.Title, ToString(rounding.Bound), c);
     }
   }
   return {};
@@ -129,6 +157,10 @@ std::string BoundedComparison::CheckArray(
 std::string BoundedComparison::Compare(
   GridView packed, GridView original, const gatun::FileReader& mesh, std::size_t step)
 {
+  if (auto difference = this->Others.CompareOutlines(packed, original); !difference.empty())
+  {
+    return difference;
+  }
   const auto points = Take(packed, original, mesh, true);
   const auto cells = Take(packed, original, mesh, false);
   std::string difference = this->Others.Compare(packed, original);

@@ -213,7 +213,7 @@ std::size_t Comparison::GetIndistinguishablePoints() const
 }
 
 //------------------------------------------------------------------------------
-std::string Comparison::Compare(const GridView& first, const GridView& second)
+std::string Comparison::CompareOutlines(const GridView& first, const GridView& second) const
 {
   const std::string& a = this->First.Name;
   const std::string& b = this->Second.Name;
@@ -225,8 +225,20 @@ std::string Comparison::Compare(const GridView& first, const GridView& second)
   {
     return fmt::format("{} has {} cells, {} has {}", a, first.Cells, b, second.Cells);
   }
-  std::string difference = this->CompareArrays(
-    first.PointArrays, second.PointArrays, (this->Kept & gatun::KeepPoints) != 0);
+  const std::string difference = this->CompareArrays(first.PointArrays, second.PointArrays, false);
+  return difference.empty() ? this->CompareArrays(first.CellArrays, second.CellArrays, false)
+                            : difference;
+}
+
+//------------------------------------------------------------------------------
+std::string Comparison::Compare(const GridView& first, const GridView& second)
+{
+  std::string difference = this->CompareOutlines(first, second);
+  if (difference.empty())
+  {
+    difference = this->CompareArrays(
+      first.PointArrays, second.PointArrays, (this->Kept & gatun::KeepPoints) != 0);
+  }
   if (difference.empty())
   {
     difference = this->CompareArrays(

@@ -32,7 +32,11 @@ public:
   /** Takes the names of the grids, for messages. */
   Comparison(std::string first, std::string second, std::uint8_t keptOrder);
 
-  /** Compares a step. Returns a description of the first difference, or an empty string. */
+  /** Compares the numbers of points and cells and the kinds of arrays in their order. Returns a
+   * description of the first difference, or an empty string. */
+  std::string CompareOutlines(const GridView& first, const GridView& second) const;
+
+  /** Compares a step, its outline first. Returns the same. */
   std::string Compare(const GridView& first, const GridView& second);
 
   /** Returns the number of points that coincide with another one in all values so far. */

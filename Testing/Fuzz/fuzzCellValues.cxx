@@ -12,7 +12,10 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   auto array = fuzz::TakeCellArray(in);
   const auto stream = fuzz::Copy(in.TakeRest());
   if (fuzz::Accepts(
-        [&] { DecodeCellValues(stream, { array.Parents }, array.Domains, array.Keys); }))
+        [&] {
+          DecodeCellValues(
+            stream, { array.Parents, &fuzz::GetTupleFit() }, array.Domains, array.Keys);
+        }))
   {
     fuzz::CheckKeys(array);
   }

@@ -5,7 +5,11 @@
 #include "gatunCellNodes.h"
 #include "gatunCellShapes.h"
 #include "gatunChunkTets.h"
+#include "gatunExactBound.h"
+#include "gatunFloatEnvironment.h"
+#include "gatunWithType.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <set>
@@ -70,9 +74,10 @@ Scale TakeScale(Input& in, ScalarType type)
   return scale.IsValid(type) ? scale : Scale();
 }
 
-Domain TakeDomain(Input& in, ScalarType type)
+namespace
 {
-  const auto count = in.Take<std::uint8_t>();
+Domain MakeDomain(Input& in, ScalarType type, std::uint8_t count)
+{
   if (count >= 100 && count < 160)
   {
     return Domain(type, TakeScale(in, type));
@@ -88,6 +93,93 @@ Domain TakeDomain(Input& in, ScalarType type)
     keys.insert(TakeKey(in, plain));
   }
   return Domain(type, std::make_shared<Palette>(keys.begin(), keys.end()));
+}
+
+/** Any valid quantizer, or none. */
+Quantizer TakeQuantizer(Input& in, ScalarType type)
+{
+  constexpr std::array special{ 1.0, 0.5, 0.1, 1e-3, 1e-20, 3.0,
+    std::numeric_limits<double>::denorm_min(), 1e300 };
+  const auto how = in.Take<std::uint8_t>();
+  const auto number = in.Take<std::uint8_t>();
+  ErrorBound bound{ static_cast<ErrorKind>(1 + how % 4), 0, (how & 16) != 0 };
+  bound.Bound = bound.Kind == ErrorKind::Bits ? 1 + number % 52
+    : number < 128                            ? special[number % special.size()]
+                                              : std::abs(in.Take<float>());
+  FiniteRange range;
+  for (int i = 0; i < 2 && bound.Kind == ErrorKind::Relative; ++i)
+  {
+    const double end = TakeBound(in);
+    range.Include(std::isfinite(end) ? end : 1);
+  }
+  auto quantizer = MakeQuantizer(type, bound, range);
+  if (how >= 224)
+  {
+    quantizer.Bound = bound;
+    quantizer.Step = number;
+  }
+  quantizer.OnLattice = (how & 32) != 0;
+  return quantizer.IsValid(type) ? quantizer : Quantizer();
+}
+}
+
+Domain TakeDomain(Input& in, ScalarType type)
+{
+  return MakeDomain(in, type, in.Take<std::uint8_t>());
+}
+
+Domain TakeValueDomain(Input& in, ScalarType type, bool hasBefore)
+{
+  const auto count = in.Take<std::uint8_t>();
+  if (count >= 40 && count < 100)
+  {
+    const auto quantizer = TakeQuantizer(in, type);
+    return quantizer ? Domain(type, quantizer) : Domain(type);
+  }
+  return hasBefore ? Domain(type) : MakeDomain(in, type, count);
+}
+
+void CheckBound(const Domain& domain, Key original, Key found)
+{
+  const auto& quantizer = domain.GetQuantizer();
+  if (!quantizer)
+  {
+    Require(original == found);
+    return;
+  }
+  // The range is anything: what counts is the step that follows from it.
+  ErrorBound bound = quantizer.Bound;
+  if (bound.Kind <= ErrorKind::Relative)
+  {
+    bound.Kind = ErrorKind::Absolute;
+    bound.Bound =
+      IsFloating(domain.GetType()) ? quantizer.Step : std::floor((quantizer.Step - 1) / 2);
+  }
+  std::array<std::uint64_t, 2> values{};
+  domain.Write(original, &values[0]);
+  domain.Write(found, &values[1]);
+  WithType(domain.GetType(), static_cast<const void*>(values.data()),
+    [&](const auto* typed)
+    {
+      const auto step = sizeof(values[0]) / sizeof(*typed);
+      Require(test::ExactBound(bound, typed, 0).IsWithin(typed[0], typed[step]));
+    });
+}
+
+const QuadraticFit& GetTupleFit()
+{
+  static const QuadraticFit fit = []
+  {
+    const FloatEnvironment guard;
+    std::vector<std::array<double, 3>> places;
+    for (std::uint32_t i = 0; i < MostTuples; ++i)
+    {
+      const auto number = static_cast<double>(i);
+      places.push_back({ i % 7 + 0.01 * number, i / 7 % 6 - 0.3 * (i % 3), number / 42 });
+    }
+    return QuadraticFit(places);
+  }();
+  return fit;
 }
 
 ChunkFrame TakeFrame(Input& in, std::uint32_t mostTets)
@@ -301,7 +393,7 @@ ArrayFrame TakePointArray(Input& in, const SmallChunk& chunk)
   const auto vertices = chunk.Mesh.Keys.size();
   for (auto& component : array.Keys)
   {
-    array.Domains.push_back(hasBefore ? Domain(type) : TakeDomain(in, type));
+    array.Domains.push_back(TakeValueDomain(in, type, hasBefore));
     component.Now.resize(vertices);
     for (const auto v : chunk.SharedIds)
     {
@@ -319,7 +411,7 @@ ArrayFrame TakeCellArray(Input& in)
 {
   ArrayFrame array;
   const auto type = static_cast<ScalarType>(1 + in.TakeUpTo(9));
-  const auto tuples = in.TakeUpTo(200);
+  const auto tuples = in.TakeUpTo(MostTuples);
   if (in.TakeBool())
   {
     // As a walk leaves them: a tetrahedron before this one, or none.
@@ -334,7 +426,7 @@ ArrayFrame TakeCellArray(Input& in)
   const bool hasBefore = in.TakeBool();
   for (auto& component : array.Keys)
   {
-    array.Domains.push_back(hasBefore ? Domain(type) : TakeDomain(in, type));
+    array.Domains.push_back(TakeValueDomain(in, type, hasBefore));
     component.Now.resize(tuples);
     for (std::uint32_t t = 0; hasBefore && t < tuples; ++t)
     {

@@ -7,6 +7,7 @@
 
 #include "fuzzInput.h"
 #include "gatunChunkCodec.h"
+#include "gatunQuadraticFit.h"
 
 #include <array>
 #include <vector>
@@ -20,6 +21,17 @@ Key TakeKey(Input& in, const Domain& domain);
 
 /** Plain, with a scale, or with a small palette. */
 Domain TakeDomain(Input& in, ScalarType type);
+
+/** The same or, for values of arrays, with a bound of errors. With values of a time step before,
+ * plain or with such a bound. */
+Domain TakeValueDomain(Input& in, ScalarType type, bool hasBefore);
+
+/** Aborts unless a key may stand for another one, exactly. */
+void CheckBound(const Domain& domain, Key original, Key found);
+
+/** Weights of neighbors for up to MostTuples values on cells or blocks. */
+constexpr std::uint32_t MostTuples = 200;
+const QuadraticFit& GetTupleFit();
 
 /** Counts, box, domains and shared points of a chunk; anything that tables let through and more. */
 ChunkFrame TakeFrame(Input& in, std::uint32_t mostTets);

@@ -19,6 +19,37 @@ void Require(bool right)
   }
 }
 
+/** Puts values on the lattices of their domains: those of shared vertices, or all. */
+void Round(
+  std::vector<ComponentKeys>& keys, const std::vector<Domain>& domains, const Topology* mesh)
+{
+  for (std::size_t c = 0; c < keys.size(); ++c)
+  {
+    const auto& rounding = domains[c].GetQuantizer();
+    for (Vertex v = 0; rounding && v < keys[c].Now.size(); ++v)
+    {
+      if (rounding.OnLattice || (mesh && mesh->IsShared(v)))
+      {
+        keys[c].Now[v] = rounding.ToLattice(domains[c].GetType(), keys[c].Now[v]);
+      }
+    }
+  }
+}
+
+/** Requires that decoded values are those of the encoder, which are within the bounds. */
+void Compare(const std::vector<ComponentKeys>& decoded, const std::vector<ComponentKeys>& encoded,
+  const std::vector<ComponentKeys>& right, const std::vector<Domain>& domains)
+{
+  for (std::size_t c = 0; c < decoded.size(); ++c)
+  {
+    Require(decoded[c].Now == encoded[c].Now);
+    for (std::size_t i = 0; i < decoded[c].Now.size(); ++i)
+    {
+      fuzz::CheckBound(domains[c], right[c].Now[i], decoded[c].Now[i]);
+    }
+  }
+}
+
 /** Values for vertices or tetrahedra, in the order of the walk. */
 std::vector<ComponentKeys> TakeValues(
   fuzz::Input& in, std::size_t count, bool hasBefore, std::vector<Domain>& domains)
@@ -27,7 +58,7 @@ std::vector<ComponentKeys> TakeValues(
   std::vector<ComponentKeys> keys(1 + in.TakeUpTo(1));
   for (auto& component : keys)
   {
-    domains.push_back(hasBefore ? Domain(type) : fuzz::TakeDomain(in, type));
+    domains.push_back(fuzz::TakeValueDomain(in, type, hasBefore));
     for (std::size_t i = 0; i < count; ++i)
     {
       component.Now.push_back(fuzz::TakeKey(in, domains.back()));
@@ -48,33 +79,32 @@ void TryValues(fuzz::Input& in, const EncodedChunk& encoded, ChunkMesh& decoded)
     std::vector<Domain> domains;
     auto keys = TakeValues(in, decoded.Keys.size(), hasBefore, domains);
     const auto right = keys;
+    Round(keys, domains, &decoded.Walk);
     const auto stream = EncodePointValues(encoded.Mesh.Context, domains, keys);
+    const auto rounded = keys;
     for (std::size_t c = 0; c < keys.size(); ++c)
     {
       for (Vertex v = 0; v < keys[c].Now.size(); ++v)
       {
-        keys[c].Now[v] = decoded.Walk.IsShared(v) ? right[c].Now[v] : 0;
+        keys[c].Now[v] = decoded.Walk.IsShared(v) ? rounded[c].Now[v] : 0;
       }
     }
     DecodePointValues(fuzz::Copy(stream), decoded.Context, domains, keys);
-    for (std::size_t c = 0; c < keys.size(); ++c)
-    {
-      Require(keys[c].Now == right[c].Now);
-    }
+    Compare(keys, rounded, right, domains);
   }
   std::vector<Domain> domains;
   auto keys = TakeValues(in, decoded.Walk.Tets.size(), hasBefore, domains);
   const auto right = keys;
-  const auto stream = EncodeCellValues({ encoded.Mesh.Walk.Parents }, domains, keys);
+  Round(keys, domains, nullptr);
+  const CellContext context{ decoded.Walk.Parents, &fuzz::GetTupleFit() };
+  const auto stream = EncodeCellValues(context, domains, keys);
+  const auto rounded = keys;
   for (auto& component : keys)
   {
     std::fill(component.Now.begin(), component.Now.end(), 0);
   }
-  DecodeCellValues(fuzz::Copy(stream), { decoded.Walk.Parents }, domains, keys);
-  for (std::size_t c = 0; c < keys.size(); ++c)
-  {
-    Require(keys[c].Now == right[c].Now);
-  }
+  DecodeCellValues(fuzz::Copy(stream), context, domains, keys);
+  Compare(keys, rounded, right, domains);
 }
 }
 

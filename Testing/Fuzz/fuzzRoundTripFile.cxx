@@ -10,11 +10,15 @@
 
 #include "fuzzFiles.h"
 #include "fuzzMeshes.h"
+#include "gatunExactBound.h"
 #include "gatunFileReader.h"
 #include "gatunFileWriter.h"
 #include "gatunPieceDecoder.h"
 #include "gatunVerifyFile.h"
+#include "gatunWithType.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <numeric>
@@ -36,6 +40,7 @@ void Require(bool right)
 struct Values
 {
   ArrayDescription Description;
+  ErrorBound Bound;
   std::vector<Bytes> Steps;
 };
 
@@ -72,6 +77,37 @@ Bytes TakeValues(fuzz::Input& in, ScalarType type, std::size_t count, const Byte
     domain.Write(key, values.data() + i * size);
   }
   return values;
+}
+
+/** Bounds of errors of arrays that have a name of their own. */
+void TakeErrors(fuzz::Input& in, Content& content)
+{
+  constexpr std::array bounds{ 1.0, 0.5, 0.1, 1e-3, 1e-9, 1e-300 };
+  for (auto& array : content.Arrays)
+  {
+    const auto how = in.Take<std::uint8_t>();
+    const auto& name = array.Description.Name;
+    const auto same = std::count_if(content.Arrays.begin(), content.Arrays.end(),
+      [&](const Values& other) { return other.Description.Name == name; });
+    if (how < 128 || same > 1)
+    {
+      continue;
+    }
+    const bool isFloating = IsFloating(array.Description.Type);
+    auto& bound = array.Bound;
+    bound.Kind = static_cast<ErrorKind>(1 + how % (isFloating ? 4u : 2u));
+    bound.KeepZeros = (how & 64) != 0;
+    bound.Bound = bounds[in.Take<std::uint8_t>() % bounds.size()];
+    bound.Bound = bound.Kind == ErrorKind::Bits ? 1 + how % 23
+      : bound.Kind == ErrorKind::Pointwise      ? 0.5 * bound.Bound
+      : isFloating || bound.Bound < 1           ? bound.Bound
+                                                : 1 + how % 32;
+    if (bound.Kind == ErrorKind::Relative)
+    {
+      bound.Bound = std::min(1.0, bound.Bound);
+    }
+    content.Options.Errors.push_back({ name, bound });
+  }
 }
 
 Content TakeContent(fuzz::Input& in)
@@ -128,6 +164,7 @@ Content TakeContent(fuzz::Input& in)
     }
     content.Field.push_back(field);
   }
+  TakeErrors(in, content);
   content.Mesh.Coordinates = content.Coordinates.data();
   content.Mesh.Connectivity = content.Ids.data();
   return content;
@@ -172,6 +209,26 @@ void RequireSame(const Bytes& decoded, const Bytes& right, std::size_t size, boo
   Require(inOrder ? decoded == right : Sort(decoded, size) == Sort(right, size));
 }
 
+/** Each value is within its bound. */
+void RequireWithin(const Bytes& decoded, const Bytes& right, const Values& array)
+{
+  WithType(array.Description.Type, static_cast<const void*>(right.data()),
+    [&](const auto* typed)
+    {
+      const auto* const found = reinterpret_cast<decltype(typed)>(decoded.data());
+      const std::size_t components = array.Description.Components;
+      const std::size_t count = right.size() / sizeof(*typed);
+      for (std::size_t c = 0; c < components; ++c)
+      {
+        const test::ExactBound exact(array.Bound, typed + c, count / components, components);
+        for (std::size_t i = c; i < count; i += components)
+        {
+          Require(exact.IsWithin(typed[i], found[i]));
+        }
+      }
+    });
+}
+
 void CheckStep(
   PieceDecoder& decoder, const Content& content, PieceRequest& request, std::size_t step)
 {
@@ -199,8 +256,17 @@ void CheckStep(
   for (const auto a : request.Arrays)
   {
     const auto& array = content.Arrays[a].Description;
-    RequireSame(values[a], content.Arrays[a].Steps[step], array.Components * SizeOf(array.Type),
-      keep & (array.Where == Association::Point ? KeepPoints : KeepCells));
+    const bool inOrder = keep & (array.Where == Association::Point ? KeepPoints : KeepCells);
+    if (content.Arrays[a].Bound)
+    {
+      if (inOrder)
+      {
+        RequireWithin(values[a], content.Arrays[a].Steps[step], content.Arrays[a]);
+      }
+      continue;
+    }
+    RequireSame(
+      values[a], content.Arrays[a].Steps[step], array.Components * SizeOf(array.Type), inOrder);
   }
 }
 }

@@ -15,6 +15,7 @@
 #include "gatunSampleFile.h"
 #include "gatunTreeSample.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -187,7 +188,7 @@ void AddArrays(Corpus& corpus, std::mt19937& random)
 {
   const fuzz::SmallChunk chunk;
   const auto noise = MakeNoise(8192, random);
-  const auto fill = [&](fuzz::ArrayFrame& array)
+  const auto fill = [&](fuzz::ArrayFrame& array, bool onLattice)
   {
     for (std::size_t c = 0; c < array.Keys.size(); ++c)
     {
@@ -196,19 +197,24 @@ void AddArrays(Corpus& corpus, std::mt19937& random)
       for (auto& key : array.Keys[c].Now)
       {
         key = key == 0 ? fuzz::TakeKey(in, array.Domains[c]) : key;
+        const auto& rounding = array.Domains[c].GetQuantizer();
+        key = onLattice && rounding ? rounding.ToLattice(array.Domains[c].GetType(), key) : key;
       }
     }
   };
+  const auto isOnLattice = [](const Domain& domain) { return domain.GetQuantizer().OnLattice; };
   fuzz::Input pointNoise(noise.data(), noise.size());
   auto points = fuzz::TakePointArray(pointNoise, chunk);
-  fill(points);
+  fill(points, std::any_of(points.Domains.begin(), points.Domains.end(), isOnLattice));
   corpus.Add("PointValues",
     Join(noise, pointNoise, EncodePointValues(chunk.Mesh.Context, points.Domains, points.Keys)));
   fuzz::Input cellNoise(noise.data(), noise.size());
   auto cells = fuzz::TakeCellArray(cellNoise);
-  fill(cells);
+  fill(cells,
+    cells.Parents.empty() || std::any_of(cells.Domains.begin(), cells.Domains.end(), isOnLattice));
   corpus.Add("CellValues",
-    Join(noise, cellNoise, EncodeCellValues({ cells.Parents }, cells.Domains, cells.Keys)));
+    Join(noise, cellNoise,
+      EncodeCellValues({ cells.Parents, &fuzz::GetTupleFit() }, cells.Domains, cells.Keys)));
 }
 
 void AddPalette(Corpus& corpus, std::mt19937& random)
