@@ -232,7 +232,8 @@ bool vtkGatunWriter::WriteSteps()
     const std::size_t step = self.Step;
     this->Modified();
     this->UpdateWholeExtent();
-    if (self.Step <= step)
+    const bool isRestarted = self.IsRestarted && self.Step == 0 && !self.File;
+    if (self.Step <= step && !isRestarted)
     {
       return false; // after a failure it is 0 again
     }
@@ -480,7 +481,16 @@ void vtkGatunWriter::WriteStep(vtkDataObject* input)
   {
     const gatun::WriterOptions options = self.MakeOptions(grid, arrays);
     self.Mesh = std::move(mesh);
-    self.MeshHash = self.GetNumberOfSteps() > 1 ? self.Mesh->Hash() : 0;
+    self.CellHash = self.GetNumberOfSteps() > 1 ? self.Mesh->HashCells() : 0;
+    self.PointHash = self.GetNumberOfSteps() > 1 ? self.Mesh->HashPoints() : 0;
+    if (self.PointsMove && self.Mesh->Coordinates)
+    {
+      // The input may change its points in place, and the first ones are needed until the end.
+      auto points = vtk::TakeSmartPointer(self.Mesh->Coordinates->NewInstance());
+      points->DeepCopy(self.Mesh->Coordinates);
+      self.Mesh->Coordinates = points;
+      self.Mesh->Mesh.Coordinates = points->GetVoidPointer(0);
+    }
     self.Arrays = descriptions;
     self.File = std::make_unique<gatun::FileWriter>(
       this->FileName, self.Mesh->Mesh, self.Arrays, options, self.MakeProgress(0));
@@ -488,11 +498,16 @@ void vtkGatunWriter::WriteStep(vtkDataObject* input)
   else
   {
     self.CheckUnchanged(*mesh, descriptions);
+    if (!self.PointsMove && mesh->HashPoints() != self.PointHash)
+    {
+      self.Restart();
+      return;
+    }
   }
 
   const auto step = self.DescribeStep(input, grid->GetFieldData());
-  self.File->WriteStep(
-    values, step.Field, step.HasTime, step.Time, self.MakeProgress(self.Step + 1));
+  self.File->WriteStep(values, step.Field, step.HasTime, step.Time,
+    self.MakeProgress(self.Step + 1), mesh ? mesh->Mesh.Coordinates : nullptr);
   ++self.Step;
   if (self.Step >= self.GetNumberOfSteps())
   {

@@ -102,6 +102,7 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
   options.KeyStepInterval = static_cast<std::uint32_t>(this->Owner->KeyStepInterval);
   options.ReplaceReadOnly = this->Owner->ReplaceReadOnly;
   options.IsSurface = this->IsSurface.value_or(false);
+  options.PointsMove = this->PointsMove;
   for (const std::string& error : this->Errors)
   {
     options.Errors.push_back(gatun::ParseError(error, this->Owner->KeepZeros));
@@ -114,7 +115,11 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
     options.Layers->Count = static_cast<std::uint32_t>(this->Owner->NumberOfLayers);
     options.Layers->Spacing = static_cast<gatun::LayerSpacing>(this->Owner->LayerSpacing);
   }
-  if (this->Owner->Hierarchy)
+  if (this->Owner->Hierarchy && this->IsRestarted)
+  {
+    options.Tree = &this->Tree; // that of the first step is there
+  }
+  else if (this->Owner->Hierarchy)
   {
     const auto progress = [this](double fraction)
     {
@@ -128,6 +133,9 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
           { static_cast<gatun::MergeMetric>(this->Owner->Metric), this->Owner->BoundaryWeight },
           progress);
     options.Tree = &this->Tree;
+  }
+  if (this->Owner->Hierarchy)
+  {
     options.Dependencies = this->Owner->WriteDependencies;
     options.Levels = static_cast<unsigned>(this->Owner->Levels);
   }
@@ -169,7 +177,8 @@ void vtkGatunWriter::vtkInternals::PublishStatistics(
   this->Owner->WrittenSteps = this->GetNumberOfSteps();
   this->Owner->FileBytes = statistics.FileBytes;
   this->Owner->ConnectivityBytes = statistics.ConnectivityBytes;
-  this->Owner->GeometryBytes = statistics.GeometryBytes + statistics.SharedGeometryBytes;
+  this->Owner->GeometryBytes =
+    statistics.GeometryBytes + statistics.SharedGeometryBytes + statistics.MotionBytes;
   this->Owner->OrderBytes = statistics.OrderBytes;
   this->Owner->ArrayBytes = 0;
   for (const std::uint64_t bytes : statistics.ArrayBytes)

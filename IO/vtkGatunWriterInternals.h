@@ -64,7 +64,10 @@ public:
   // While a file is being written.
   std::unique_ptr<gatun::FileWriter> File;
   std::unique_ptr<gatun::BridgedMesh> Mesh;
-  std::size_t MeshHash = 0;
+  std::size_t CellHash = 0;
+  std::size_t PointHash = 0;
+  bool PointsMove = false; // as a step has told
+  bool IsRestarted = false;
   std::vector<gatun::ArrayDescription> Arrays;
   gatun::MergeTree Tree;
   std::set<std::string> Warned;
@@ -96,11 +99,23 @@ public:
     this->Warned.clear();
     this->IsSurface.reset();
     this->Step = 0;
+    this->PointsMove = false;
+    this->IsRestarted = false;
   }
 
   std::size_t GetNumberOfSteps() const { return std::max<std::size_t>(1, this->Times.size()); }
 
-  // Throws unless a time step has the mesh and the arrays of the first one.
+  // Begins the file once more, because the points of a step differ from those of the first one.
+  void Restart()
+  {
+    this->File.reset();
+    this->Mesh.reset();
+    this->Step = 0;
+    this->PointsMove = true;
+    this->IsRestarted = true;
+  }
+
+  // Throws unless a time step has the cells and the arrays of the first one.
   void CheckUnchanged(
     const gatun::BridgedMesh& mesh, const std::vector<gatun::ArrayDescription>& arrays) const
   {
@@ -110,10 +125,11 @@ public:
     const gatun::MeshInput& now = mesh.Mesh;
     if (now.Points != first.Points || now.Cells != first.Cells ||
       now.CoordinateType != first.CoordinateType || now.WideIds != first.WideIds ||
-      mesh.Hash() != this->MeshHash)
+      mesh.HashCells() != this->CellHash)
     {
-      gatun::ThrowInvalid("the points or the cells change" + step +
-        "; one file holds one mesh, so write such steps as a series of files");
+      gatun::ThrowInvalid("the number of points or the cells change" + step +
+        "; one file has the same cells at all time steps, so write such steps as a series of "
+        "files");
     }
     if (arrays != this->Arrays)
     {

@@ -134,7 +134,7 @@ private:
     {
       this->Values = gtn::GetRange(file, *this->Array, this->Component, step);
     }
-    this->Bounds = file.GetBounds();
+    this->Bounds = file.GetBounds(step);
     this->Cells = file.GetNumberOfCells();
     this->Reader = vtkSmartPointer<vtkGatunSurfaceReader>::New();
     this->Reader->SetFileName(options.File.c_str());

@@ -267,6 +267,10 @@ void FileWriter::Internals::WriteStep(std::span<const void* const> values, const
   const std::vector<std::vector<Domain>>* rounded)
 {
   const StepValues all{ values, &field, hasTime, time, rounded };
+  if (this->State.Meta.PointsMove && !hasTime)
+  {
+    ThrowInvalid("points can only move in a file with time");
+  }
   // Without time, no step follows that would need the chunks again.
   const bool isTogether = !this->IsMeshWritten && !hasTime;
   if (!this->IsMeshWritten && hasTime)
@@ -342,7 +346,8 @@ void FileWriter::Internals::WriteTables()
   {
     this->Tree->WriteTable(this->Merges);
   }
-  file.AddSection(SectionMeta, this->State.Meta.Write());
+  file.AddSection(SectionMeta, this->State.Meta.Write(), FlagMandatory,
+    this->State.Meta.PointsMove ? MetaVersionWithMotion : SectionVersion);
 }
 
 //------------------------------------------------------------------------------
@@ -378,7 +383,14 @@ FileWriter::FileWriter(const std::string& path, const MeshInput& mesh,
   KeepFreedMemory();
   WriterOptions rounded = options;
   const auto layerValues = RoundLayerValues(mesh, arrays, rounded);
-  this->Self = std::make_unique<Internals>(path, mesh, arrays, rounded);
+  auto all = arrays;
+  if (options.PointsMove)
+  {
+    all.push_back(DescribePoints(mesh.CoordinateType));
+  }
+  this->Coordinates = mesh.Coordinates;
+  this->PointsMove = options.PointsMove;
+  this->Self = std::make_unique<Internals>(path, mesh, all, rounded);
   this->Self->Begin(progress);
 }
 
@@ -387,9 +399,16 @@ FileWriter::~FileWriter() = default;
 
 //------------------------------------------------------------------------------
 void FileWriter::WriteStep(std::span<const void* const> values, const FieldData& field,
-  bool hasTime, double time, const Progress& progress)
+  bool hasTime, double time, const Progress& progress, const void* coordinates)
 {
-  this->Self->WriteStep(values, field, hasTime, time, progress);
+  if (!this->PointsMove)
+  {
+    this->Self->WriteStep(values, field, hasTime, time, progress);
+    return;
+  }
+  std::vector<const void*> all(values.begin(), values.end());
+  all.push_back(coordinates ? coordinates : this->Coordinates);
+  this->Self->WriteStep(all, field, hasTime, time, progress);
 }
 
 //------------------------------------------------------------------------------

@@ -58,7 +58,7 @@ void RenderInput::OpenFile(const RenderInputOptions& options)
 
   this->Choose(options, GetChoices(file));
   this->Range = gtn::GetRange(file, this->Array, this->Component, step);
-  this->Bounds = file.GetBounds();
+  this->Bounds = file.GetBounds(step);
   this->Tets = file.GetNumberOfTets();
 
   vtkNew<vtkGatunReader> reader;
