@@ -19,13 +19,19 @@ std::size_t CountArrays(const MetaTable& meta, bool pointsMove)
   return pointsMove ? meta.Arrays.size() : meta.GetListedArrays();
 }
 
+/** The same for a step that is to be written. */
+std::size_t CountArrays(const StepTable& step, const MetaTable& meta)
+{
+  return std::min(CountArrays(meta, step.PointsMove), step.Arrays.size());
+}
+
 Bytes WriteStepPage(
   const StepTable& step, const MetaTable& meta, const MeshIndex& mesh, std::size_t page)
 {
   const auto first = page * ChunksPerPage;
   const auto& place = mesh.Pages[page];
   ByteWriter out;
-  for (std::size_t a = 0; a < CountArrays(meta, step.PointsMove); ++a)
+  for (std::size_t a = 0; a < CountArrays(step, meta); ++a)
   {
     const auto& array = step.Arrays[a];
     for (auto chunk = first; chunk < first + mesh.GetChunksOfPage(page); ++chunk)
@@ -53,7 +59,7 @@ StepIndex WriteStepPages(
   const StepTable& step, const MetaTable& meta, const MeshIndex& mesh, const PutPage& put)
 {
   StepIndex index{ step.Time, step.Key, step.Field, step.PointsMove, {}, {} };
-  const auto arrays = CountArrays(meta, step.PointsMove);
+  const auto arrays = CountArrays(step, meta);
   for (std::size_t a = 0; a < arrays; ++a)
   {
     const auto& array = step.Arrays[a];

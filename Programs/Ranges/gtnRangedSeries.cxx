@@ -162,7 +162,8 @@ void RangedSeries::CheckMesh(std::size_t step, RangedMesh& mesh)
   }
   if (!isSame)
   {
-    this->Fail(step, "parts of a mesh, as with --memory and --pieces, cannot be those of points that move; the "
+    this->Fail(step,
+      "parts of a mesh, as with --memory and --pieces, cannot be those of points that move; the "
       "points or the cells change");
   }
 }

@@ -288,4 +288,81 @@ TEST(MovingPoints, AreRefusedWhereTheyCannotBe)
       writer.Survey(mesh.GetInput(), nullptr);
     });
 }
+
+//------------------------------------------------------------------------------
+/** Bytes of a step's table: time, key, field data (none), and then whether it has coordinates. */
+constexpr std::size_t MoveFlag = 10;
+
+TEST(MovingPoints, AreRefusedIfDamaged)
+{
+  const FileImage image(WriteMoving(MakeMesh()));
+  ReadAll(PutFile("same.gtn", image.Build()));
+  const auto expect = [&](const char* what, auto&& change)
+  {
+    auto damaged = image;
+    change(damaged);
+    const auto path = PutFile("damaged.gtn", damaged.Build());
+    EXPECT_GATUN_ERROR(ErrorCode::Corrupt, path, what,
+      [&]
+      {
+        ReadAll(path);
+        VerifyFile(FileReader(path));
+      });
+  };
+  const auto setFlag = [](std::size_t step, std::uint8_t flag)
+  {
+    return [=](FileImage& damaged)
+    {
+      damaged.ChangeTable = [=](FourCC name, std::size_t number, Bytes& table)
+      {
+        if (name == SectionStep && number == step)
+        {
+          table[MoveFlag] = flag;
+        }
+      };
+    };
+  };
+  expect("no coordinates", setFlag(0, 0));
+  expect("no coordinates", setFlag(1, 2));
+  expect("table of a time step", setFlag(1, 0)); // with bytes behind the end
+  expect("table of a time step", setFlag(3, 1)); // too short
+  expect("has no time", [](FileImage& damaged) { damaged.Meta.HasTime = false; });
+  expect("coordinates have a palette",
+    [](FileImage& damaged)
+    {
+      auto& palette = damaged.Steps[1].Arrays.back().Palettes[0];
+      palette.Count = 2;
+      damaged.Set(palette.Stream, Bytes(9, 1));
+    });
+  expect("copied from one that is not there",
+    [](FileImage& damaged)
+    {
+      for (std::uint32_t c = 0; c < 3; ++c)
+      {
+        auto& palette = damaged.Steps[1].Arrays[1].Palettes[c];
+        palette = {};
+        palette.SourceArray = 3;
+        palette.SourceComponent = c;
+      }
+    });
+  expect("not on its scale",
+    [](FileImage& damaged)
+    {
+      // The mesh does not have so few bits.
+      damaged.Steps[1].Arrays.back().Palettes[1].Steps = { ScaleKind::Shift, 50, 0 };
+    });
+  expect("array 'coordinates' of chunk",
+    [](FileImage& damaged)
+    {
+      auto& stream = damaged.Steps.back().Arrays.back().Chunks[0];
+      damaged.Of(damaged.Steps[12].Arrays.back().Chunks[0]) = { 9, 9, 9, 9 };
+      stream = damaged.Steps[12].Arrays.back().Chunks[0];
+    });
+  expect("more values than its stream can hold",
+    [](FileImage& damaged)
+    {
+      damaged.Mesh.Unused.Points = std::uint64_t{ 1 } << 31;
+      damaged.Meta.UnusedPoints = damaged.Mesh.Unused.Points;
+    });
+}
 }
