@@ -6,6 +6,7 @@
 #include "benchCases.h"
 #include "benchFiles.h"
 
+#include "gatunErrorBound.h"
 #include "gatunFileWriter.h"
 #include "gatunParallel.h"
 #include "vtkGatunReader.h"
@@ -36,6 +37,8 @@ struct Options
   std::string Folder;
   int Steps = 50;
   int Rounds = 3;
+  bool Moving = false;
+  double Error = 0; // of arrays, relative; and of points, of the longest side
 };
 
 constexpr const char* ArrayName = "Temperature";
@@ -69,6 +72,53 @@ vtkSmartPointer<vtkFloatArray> MakeValues(vtkUnstructuredGrid* grid, double time
       i, static_cast<float>(300 + 500 * blob + 20 * std::sin(9 * p[0] - 4 * p[2] - 6 * time)));
   }
   return values;
+}
+
+/** Sets the points at a time: the mesh bends, twists and swells smoothly. */
+void MovePoints(vtkPoints* start, const double* bounds, double time, vtkPoints* moved)
+{
+  const double size =
+    std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+  for (vtkIdType i = 0; i < start->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    start->GetPoint(i, p);
+    const double x = (p[0] - bounds[0]) / size;
+    const double y = (p[1] - bounds[2]) / size;
+    const double z = (p[2] - bounds[4]) / size;
+    const double angle = 0.8 * time * z;
+    const double scale = size * (1 + 0.1 * std::sin(5 * time) * x * y);
+    if (time > 0)
+    {
+      p[0] = bounds[0] + scale * (x * std::cos(angle) - y * std::sin(angle));
+      p[1] = bounds[2] + scale * (x * std::sin(angle) + y * std::cos(angle));
+      p[2] = bounds[4] + size * (z + 0.05 * std::sin(6 * x + 4 * time) * time);
+    }
+    moved->SetPoint(i, p);
+  }
+}
+
+/** Rounds points to multiples of a power of two, with an error of at most a part of the longest
+ * side of the bounds. */
+void RoundTo(double error, const double* bounds, vtkPoints* points)
+{
+  if (!(error > 0))
+  {
+    return;
+  }
+  const double size =
+    std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+  const double step = std::ldexp(1.0, std::ilogb(error * size) + 1);
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    points->GetPoint(i, p);
+    for (double& x : p)
+    {
+      x = step * std::round(x / step);
+    }
+    points->SetPoint(i, p);
+  }
 }
 
 /** Four ids a tetrahedron, as vtkIdType whatever the grid has. */
@@ -112,7 +162,30 @@ Series WriteSeries(const Options& options)
   mesh.Connectivity = connectivity.data();
   gatun::ArrayDescription array;
   array.Name = ArrayName;
-  gatun::FileWriter writer(series.Gatun, mesh, { array }, {});
+  gatun::WriterOptions writing;
+  writing.PointsMove = options.Moving;
+  if (options.Error > 0)
+  {
+    writing.Errors.push_back(gatun::ParseError("*=rel:" + std::to_string(options.Error), false));
+  }
+  vtkNew<vtkPoints> start;
+  start->DeepCopy(grid->GetPoints());
+  double bounds[6];
+  start->GetBounds(bounds);
+  vtkNew<vtkPoints> moved;
+  moved->DeepCopy(start);
+  const auto moveTo = [&](double time)
+  {
+    MovePoints(start, bounds, time, moved);
+    RoundTo(options.Error, bounds, moved);
+  };
+  if (options.Moving)
+  {
+    moveTo(0);
+    start->DeepCopy(moved);
+    mesh.Coordinates = start->GetData()->GetVoidPointer(0);
+  }
+  gatun::FileWriter writer(series.Gatun, mesh, { array }, writing);
 
   std::ofstream collection(options.Folder + "/series.pvd");
   collection << "<VTKFile type=\"Collection\"><Collection>\n";
@@ -122,7 +195,17 @@ Series WriteSeries(const Options& options)
     const double time = static_cast<double>(step) / options.Steps;
     const auto values = MakeValues(grid, time);
     const void* pointers[] = { values->GetPointer(0) };
-    writer.WriteStep(pointers, {}, true, time);
+    if (options.Moving)
+    {
+      moveTo(time);
+      grid->GetPoints()->DeepCopy(moved);
+    }
+    writer.WriteStep(
+      pointers, {}, true, time, {}, options.Moving ? moved->GetData()->GetVoidPointer(0) : nullptr);
+    if (options.Moving && options.Error > 0)
+    {
+      MovePoints(start, bounds, time, grid->GetPoints()); // .vtu files have exact values
+    }
     grid->GetPointData()->AddArray(values);
     const std::string name = "step" + std::to_string(step) + ".vtu";
     collection << "<DataSet timestep=\"" << time << "\" file=\"" << name << "\"/>\n";
@@ -220,6 +303,9 @@ void AddSeries(CLI::App& app)
   command->add_option("IN", options->In, "A .vtu or .gtn file of tetrahedra")->required();
   command->add_option("FOLDER", options->Folder, "Where the files go")->required();
   command->add_option("--steps", options->Steps)->check(CLI::Range(1, 100000));
+  command->add_flag("--moving", options->Moving, "The points move, too");
+  command->add_option("--error", options->Error,
+    "Of the array, relative to its range, and of points, relative to the longest side");
   command->add_option("--rounds", options->Rounds, "Rounds, after one to warm up")
     ->check(CLI::Range(1, 1000));
   command->callback([options] { TimeSeries(*options); });

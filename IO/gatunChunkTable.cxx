@@ -85,10 +85,15 @@ vtkSmartPointer<vtkTable> MakeChunkTable(const FileReader& file)
     firstCells->SetValue(row, static_cast<vtkIdType>(chunk.FirstTet));
     points->SetValue(
       row, static_cast<vtkIdType>(chunk.OwnPoints) + static_cast<vtkIdType>(chunk.SharedPoints));
+    Bounds box = chunk.Box;
+    for (std::size_t step = 1; file.HasMovingPoints() && step < file.GetNumberOfSteps(); ++step)
+    {
+      box.Include(file.GetChunkBounds(static_cast<std::size_t>(row), 0, step));
+    }
     for (int axis = 0; axis < 3; ++axis)
     {
-      bounds->SetTypedComponent(row, 2 * axis, chunk.Box[axis].Min);
-      bounds->SetTypedComponent(row, 2 * axis + 1, chunk.Box[axis].Max);
+      bounds->SetTypedComponent(row, 2 * axis, box[axis].Min);
+      bounds->SetTypedComponent(row, 2 * axis + 1, box[axis].Max);
     }
   }
   table->AddColumn(bounds);

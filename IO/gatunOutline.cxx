@@ -163,14 +163,14 @@ vtkSmartPointer<vtkDataArray> MakeArray(
 }
 
 //------------------------------------------------------------------------------
-void AddMesh(const FileReader& file, bool isEmpty, vtkUnstructuredGrid* output)
+void AddMesh(const FileReader& file, std::size_t step, bool isEmpty, vtkUnstructuredGrid* output)
 {
   vtkNew<vtkPoints> points;
   points->SetDataType(file.GetCoordinateType() == ScalarType::Float64 ? VTK_DOUBLE : VTK_FLOAT);
   vtkNew<vtkCellArray> cells;
   if (!isEmpty)
   {
-    const Bounds& box = file.GetBounds();
+    const Bounds box = file.GetBounds(step);
     for (int corner = 0; corner < Corners; ++corner)
     {
       std::array<double, 3> point{};
@@ -182,11 +182,11 @@ void AddMesh(const FileReader& file, bool isEmpty, vtkUnstructuredGrid* output)
     }
     for (vtkIdType corner = 0; corner < Corners; ++corner)
     {
-      for (const vtkIdType step : { 1, 2, 4 })
+      for (const vtkIdType side : { 1, 2, 4 })
       {
-        if ((corner & step) == 0)
+        if ((corner & side) == 0)
         {
-          const vtkIdType line[2] = { corner, corner + step };
+          const vtkIdType line[2] = { corner, corner + side };
           cells->InsertNextCell(2, line);
         }
       }
@@ -201,10 +201,10 @@ void AddMesh(const FileReader& file, bool isEmpty, vtkUnstructuredGrid* output)
 void MakeOutline(const FileReader& file, const std::vector<std::uint32_t>& arrays, std::size_t step,
   bool isEmpty, vtkUnstructuredGrid* output)
 {
-  const Bounds& box = file.GetBounds();
+  const Bounds box = file.GetBounds(step);
   isEmpty = isEmpty ||
     std::any_of(box.begin(), box.end(), [](const Range& range) { return range.Min > range.Max; });
-  AddMesh(file, isEmpty, output);
+  AddMesh(file, step, isEmpty, output);
   constexpr std::uint32_t ids =
     1u << vtkDataSetAttributes::GLOBALIDS | 1u << vtkDataSetAttributes::PEDIGREEIDS;
   for (const std::uint32_t index : arrays)
@@ -233,7 +233,7 @@ void AddOutlinePoints(const FileReader& file, const std::vector<std::uint32_t>& 
     return;
   }
   vtkNew<vtkUnstructuredGrid> outline;
-  AddMesh(file, false, outline);
+  AddMesh(file, step, false, outline);
   // The points are kept for other time steps, so these must not change.
   vtkNew<vtkPoints> all;
   all->SetDataType(boundary->GetPoints()->GetDataType());

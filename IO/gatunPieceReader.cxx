@@ -325,6 +325,7 @@ void PieceReader::ForgetMesh()
     this->Decoder->Forget();
   }
   this->Mesh = nullptr;
+  this->PointStep.reset();
   this->Cells = nullptr;
   this->Original = {};
   this->PointIds = nullptr;
@@ -369,12 +370,12 @@ bool PieceReader::HasMeshOf(const PieceRequest& request) const
 }
 
 //------------------------------------------------------------------------------
-/** Makes a mesh with room for the request that the decoder has. */
-void PieceReader::MakeMesh(const FileReader& file, PieceTarget& target)
+/** Makes room for the points of the request that the decoder has. */
+vtkSmartPointer<vtkPoints> PieceReader::MakePoints(
+  const FileReader& file, PieceTarget& target) const
 {
   const auto points = static_cast<vtkIdType>(this->Decoder->GetNumberOfPoints());
-
-  vtkNew<vtkPoints> coordinates;
+  auto coordinates = vtkSmartPointer<vtkPoints>::New();
   coordinates->SetDataType(
     file.GetCoordinateType() == ScalarType::Float64 ? VTK_DOUBLE : VTK_FLOAT);
   coordinates->SetNumberOfPoints(points);
@@ -382,7 +383,14 @@ void PieceReader::MakeMesh(const FileReader& file, PieceTarget& target)
   AskForHugePages(target.Points,
     3 * static_cast<std::size_t>(points) *
       static_cast<std::size_t>(coordinates->GetData()->GetDataTypeSize()));
+  return coordinates;
+}
 
+//------------------------------------------------------------------------------
+/** Makes a mesh with room for the cells of the request that the decoder has. */
+void PieceReader::MakeMesh(const FileReader& file, PieceTarget& target)
+{
+  const auto points = static_cast<vtkIdType>(this->Decoder->GetNumberOfPoints());
   const auto ids = static_cast<vtkIdType>(this->Decoder->GetConnectivitySize());
   target.WideIds =
     file.HasWideIds() || std::max(ids, points) >= std::numeric_limits<vtkTypeInt32>::max();
@@ -394,7 +402,6 @@ void PieceReader::MakeMesh(const FileReader& file, PieceTarget& target)
     this->Original = MakeOriginalCells(*this->Decoder, target);
   }
   this->Mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  this->Mesh->SetPoints(coordinates);
 }
 
 //------------------------------------------------------------------------------
@@ -457,6 +464,13 @@ void PieceReader::Read(const PublishedFile& handle, const PieceRequest& request,
       this->MakeGhosts(target);
     }
   }
+  // Outputs of other steps keep their points and share the cells.
+  const std::size_t pointStep = this->GetMesh().GetPointStep(request.Step);
+  vtkSmartPointer<vtkPoints> coordinates;
+  if (this->PointStep != pointStep)
+  {
+    coordinates = this->MakePoints(file, target);
+  }
   const bool pointIds = globalIds && !HasGlobalIds(file, request, Association::Point);
   const bool cellIds = globalIds && !HasGlobalIds(file, request, Association::Cell);
   if (pointIds && !this->PointIds)
@@ -481,6 +495,11 @@ void PieceReader::Read(const PublishedFile& handle, const PieceRequest& request,
   if (!meshIsThere)
   {
     this->FinishMesh();
+  }
+  if (coordinates)
+  {
+    this->Mesh->SetPoints(coordinates);
+    this->PointStep = pointStep;
   }
 
   output->CopyStructure(this->Mesh);

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -23,6 +24,7 @@ class vtkCellArray;
 class vtkDataObject;
 class vtkIdTypeArray;
 class vtkInformation;
+class vtkPoints;
 class vtkUnsignedCharArray;
 class vtkUnstructuredGrid;
 #ifdef VTK_ABI_NAMESPACE_END
@@ -111,6 +113,7 @@ private:
   void SetMesh(
     const PublishedFile& handle, const std::shared_ptr<const FileReader>& mesh, bool keepsChunks);
   bool HasMeshOf(const PieceRequest& request) const;
+  vtkSmartPointer<vtkPoints> MakePoints(const FileReader& file, PieceTarget& target) const;
   void MakeMesh(const FileReader& file, PieceTarget& target);
   void FinishMesh();
   void MakeGhosts(PieceTarget& target);
@@ -125,6 +128,7 @@ private:
   // The mesh last read, which other steps and arrays share.
   std::unique_ptr<PieceDecoder> Decoder;
   PieceRequest MeshRequest;
+  std::optional<std::size_t> PointStep; // that has the points of the mesh
   vtkSmartPointer<vtkUnstructuredGrid> Mesh;
   vtkSmartPointer<vtkCellArray> Cells; // until they are complete
   OriginalCells Original;

@@ -354,7 +354,11 @@ int vtkGatunMeshReader::RequestInformation(vtkInformation* vtkNotUsed(request),
         static_cast<int>(times.size()));
       outInfo->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
     }
-    const gatun::Bounds& box = file.GetBounds();
+    gatun::Bounds box = file.GetBounds(); // at any time
+    for (std::size_t step = 1; file.HasMovingPoints() && step < file.GetNumberOfSteps(); ++step)
+    {
+      box.Include(file.GetBounds(step));
+    }
     if (box[0].Min <= box[0].Max && box[1].Min <= box[1].Max && box[2].Min <= box[2].Max)
     {
       const double bounds[6] = { box[0].Min, box[0].Max, box[1].Min, box[1].Max, box[2].Min,

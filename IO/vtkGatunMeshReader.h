@@ -392,7 +392,8 @@ public:
    *
    *  - Cells, FirstCell, Points (vtkIdTypeArray): cells, global id of the first one, and points,
    *    those that other chunks use too included;
-   *  - Bounds (vtkDoubleArray, 6 components): xmin, xmax, ymin, ymax, zmin, zmax;
+   *  - Bounds (vtkDoubleArray, 6 components): xmin, xmax, ymin, ymax, zmin, zmax, over all time
+   *    steps if the points move;
    *  - Point:name, Cell:name (vtkDoubleArray) for each array of the file, selected or not: min and
    *    max of each component and, if there is more than one, of the length of the tuple; over all
    *    time steps; without NaN.

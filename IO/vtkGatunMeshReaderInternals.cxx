@@ -230,10 +230,10 @@ std::vector<std::uint32_t> vtkGatunMeshReader::vtkInternals::ChunksOf(
   }
   const auto isOutside = [&](std::uint32_t chunk)
   {
+    const gatun::Bounds box = mesh.GetChunkBounds(chunk, merges, step);
     for (std::size_t axis = 0; reader.UseBox && axis < 3; ++axis)
     {
-      if (!Touches(mesh.GetChunkBounds(chunk, merges)[axis], reader.Box[2 * axis],
-            reader.Box[2 * axis + 1]))
+      if (!Touches(box[axis], reader.Box[2 * axis], reader.Box[2 * axis + 1]))
       {
         return true;
       }

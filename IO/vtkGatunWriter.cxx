@@ -234,7 +234,8 @@ bool vtkGatunWriter::WriteSteps()
     const std::size_t step = self.Step;
     this->Modified();
     this->UpdateWholeExtent();
-    if (self.Step <= step)
+    const bool isRestarted = self.IsRestarted && self.Step == 0 && !self.File;
+    if (self.Step <= step && !isRestarted)
     {
       return false; // after a failure it is 0 again
     }
@@ -478,10 +479,15 @@ void vtkGatunWriter::WriteStep(vtkDataObject* input)
     values.push_back(array.Values);
   }
 
-  self.UseMesh(grid, std::move(mesh), arrays, descriptions);
+  if (!self.UseMesh(grid, mesh, arrays, descriptions))
+  {
+    self.Restart();
+    return;
+  }
+
   const auto step = self.DescribeStep(input, grid->GetFieldData());
-  self.File->WriteStep(
-    values, step.Field, step.HasTime, step.Time, self.MakeProgress(self.Step + 1));
+  self.File->WriteStep(values, step.Field, step.HasTime, step.Time,
+    self.MakeProgress(self.Step + 1), mesh ? mesh->Mesh.Coordinates : nullptr);
   ++self.Step;
   if (self.Step >= self.GetNumberOfSteps())
   {

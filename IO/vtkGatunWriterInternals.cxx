@@ -93,9 +93,9 @@ vtkSmartPointer<vtkUnstructuredGrid> vtkGatunWriter::vtkInternals::MakeGrid(vtkD
 }
 
 //------------------------------------------------------------------------------
-// tree: receives the hierarchy, if it is wanted.
-gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
-  vtkUnstructuredGrid* grid, const std::vector<gatun::BridgedArray>& arrays, gatun::MergeTree& tree)
+// tree: the hierarchy if it is there; receives it otherwise, if it is wanted.
+gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(vtkUnstructuredGrid* grid,
+  const std::vector<gatun::BridgedArray>& arrays, std::unique_ptr<gatun::MergeTree>& tree)
 {
   gatun::WriterOptions options;
   options.Keep = static_cast<std::uint8_t>(this->Owner->KeepOrder);
@@ -103,6 +103,7 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
   options.KeyStepInterval = static_cast<std::uint32_t>(this->Owner->KeyStepInterval);
   options.ReplaceReadOnly = this->Owner->ReplaceReadOnly;
   options.IsSurface = this->IsSurface.value_or(false);
+  options.PointsMove = this->PointsMove;
   for (const std::string& error : this->Errors)
   {
     options.Errors.push_back(gatun::ParseError(error, this->Owner->KeepZeros));
@@ -117,21 +118,11 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
   }
   if (this->Owner->Hierarchy)
   {
-    const auto progress = [this](double fraction)
+    if (!tree)
     {
-      if (!this->File) // progress does not go back for other meshes
-      {
-        this->Owner->UpdateProgress(PartOfTree * fraction);
-      }
-      return !gatun::IsAborted(this->Owner);
-    };
-    tree = options.IsSurface
-      ? gatun::BuildSurfaceMergeTree(grid, this->Weights,
-          { this->Owner->BoundaryWeight, this->Owner->FeatureAngle, false }, progress)
-      : gatun::BuildMergeTree(grid, this->Weights,
-          { static_cast<gatun::MergeMetric>(this->Owner->Metric), this->Owner->BoundaryWeight },
-          progress);
-    options.Tree = &tree;
+      tree = std::make_unique<gatun::MergeTree>(this->BuildTree(grid, options.IsSurface));
+    }
+    options.Tree = tree.get();
     options.Dependencies = this->Owner->WriteDependencies;
     options.Levels = static_cast<unsigned>(this->Owner->Levels);
   }
@@ -139,19 +130,67 @@ gatun::WriterOptions vtkGatunWriter::vtkInternals::MakeOptions(
 }
 
 //------------------------------------------------------------------------------
-bool vtkGatunWriter::vtkInternals::WrittenMesh::IsSame(
+gatun::MergeTree vtkGatunWriter::vtkInternals::BuildTree(vtkUnstructuredGrid* grid, bool isSurface)
+{
+  const auto progress = [this](double fraction)
+  {
+    if (!this->File) // progress does not go back for other meshes
+    {
+      this->Owner->UpdateProgress(PartOfTree * fraction);
+    }
+    return !gatun::IsAborted(this->Owner);
+  };
+  return isSurface
+    ? gatun::BuildSurfaceMergeTree(grid, this->Weights,
+        { this->Owner->BoundaryWeight, this->Owner->FeatureAngle, false }, progress)
+    : gatun::BuildMergeTree(grid, this->Weights,
+        { static_cast<gatun::MergeMetric>(this->Owner->Metric), this->Owner->BoundaryWeight },
+        progress);
+}
+
+//------------------------------------------------------------------------------
+bool vtkGatunWriter::vtkInternals::WrittenMesh::HasCells(
   const gatun::BridgedMesh& other, std::size_t hash) const
 {
   const gatun::MeshInput& mine = this->Mesh->Mesh;
   const gatun::MeshInput& others = other.Mesh;
   return others.Points == mine.Points && others.Cells == mine.Cells &&
     others.CoordinateType == mine.CoordinateType && others.WideIds == mine.WideIds &&
-    hash == this->Hash;
+    hash == this->CellHash;
 }
 
 //------------------------------------------------------------------------------
-void vtkGatunWriter::vtkInternals::UseMesh(vtkUnstructuredGrid* grid,
-  std::unique_ptr<gatun::BridgedMesh> mesh, const std::vector<gatun::BridgedArray>& arrays,
+// Whether the input has changed its arrays in place.
+bool vtkGatunWriter::vtkInternals::WrittenMesh::SharesMemory(const gatun::BridgedMesh& other) const
+{
+  const gatun::MeshInput& mine = this->Mesh->Mesh;
+  const gatun::MeshInput& others = other.Mesh;
+  return (mine.Coordinates && mine.Coordinates == others.Coordinates) ||
+    (mine.Connectivity && mine.Connectivity == others.Connectivity);
+}
+
+//------------------------------------------------------------------------------
+vtkGatunWriter::vtkInternals::WrittenMesh vtkGatunWriter::vtkInternals::MakeMesh(
+  std::unique_ptr<gatun::BridgedMesh> mesh, std::size_t cellHash) const
+{
+  WrittenMesh written;
+  written.CellHash = cellHash;
+  written.PointHash = this->GetNumberOfSteps() > 1 ? mesh->HashPoints() : 0;
+  written.Mesh = std::move(mesh);
+  if (this->PointsMove && written.Mesh->Coordinates)
+  {
+    // The input may change its points in place, and the first ones are needed until the end.
+    auto points = vtk::TakeSmartPointer(written.Mesh->Coordinates->NewInstance());
+    points->DeepCopy(written.Mesh->Coordinates);
+    written.Mesh->Coordinates = points;
+    written.Mesh->Mesh.Coordinates = points->GetVoidPointer(0);
+  }
+  return written;
+}
+
+//------------------------------------------------------------------------------
+bool vtkGatunWriter::vtkInternals::UseMesh(vtkUnstructuredGrid* grid,
+  std::unique_ptr<gatun::BridgedMesh>& mesh, const std::vector<gatun::BridgedArray>& arrays,
   const std::vector<gatun::ArrayDescription>& descriptions)
 {
   if (this->File && descriptions != this->Arrays)
@@ -159,19 +198,31 @@ void vtkGatunWriter::vtkInternals::UseMesh(vtkUnstructuredGrid* grid,
     gatun::ThrowInvalid("the point or cell arrays change in time step " +
       std::to_string(this->Step) + " (time " + std::to_string(this->Times[this->Step]) + ")");
   }
-  const std::size_t hash = this->GetNumberOfSteps() > 1 ? mesh->Hash() : 0;
+  const std::size_t cellHash = this->GetNumberOfSteps() > 1 ? mesh->HashCells() : 0;
   for (const WrittenMesh& written : this->Meshes)
   {
-    if (written.IsSame(*mesh, hash))
+    if (!written.IsOverwritten && written.HasCells(*mesh, cellHash))
     {
+      if (!this->PointsMove && mesh->HashPoints() != written.PointHash)
+      {
+        return false;
+      }
       this->File->UseMesh(written.Number);
-      return;
+      return true;
     }
+  }
+  for (WrittenMesh& written : this->Meshes)
+  {
+    written.IsOverwritten = written.IsOverwritten || written.SharesMemory(*mesh);
   }
   this->Points += mesh->Mesh.Points;
   this->Cells += mesh->Mesh.Cells;
-  WrittenMesh added{ 0, hash, std::move(mesh), std::make_unique<gatun::MergeTree>() };
-  const gatun::WriterOptions options = this->MakeOptions(grid, arrays, *added.Tree);
+  WrittenMesh added = this->MakeMesh(std::move(mesh), cellHash);
+  if (!this->File)
+  {
+    added.Tree = std::move(this->FirstTree);
+  }
+  const gatun::WriterOptions options = this->MakeOptions(grid, arrays, added.Tree);
   const auto progress = this->MakeProgress(this->Step);
   if (!this->File)
   {
@@ -185,6 +236,20 @@ void vtkGatunWriter::vtkInternals::UseMesh(vtkUnstructuredGrid* grid,
     this->Meshes.resize(1); // the mesh that was added before is complete
   }
   this->Meshes.push_back(std::move(added));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunWriter::vtkInternals::Restart()
+{
+  this->File.reset();
+  this->FirstTree = std::move(this->Meshes.front().Tree);
+  this->Meshes.clear();
+  this->Points = 0;
+  this->Cells = 0;
+  this->Step = 0;
+  this->PointsMove = true;
+  this->IsRestarted = true;
 }
 
 //------------------------------------------------------------------------------
@@ -223,7 +288,8 @@ void vtkGatunWriter::vtkInternals::PublishStatistics(
   this->Owner->WrittenSteps = this->GetNumberOfSteps();
   this->Owner->FileBytes = statistics.FileBytes;
   this->Owner->ConnectivityBytes = statistics.ConnectivityBytes;
-  this->Owner->GeometryBytes = statistics.GeometryBytes + statistics.SharedGeometryBytes;
+  this->Owner->GeometryBytes =
+    statistics.GeometryBytes + statistics.SharedGeometryBytes + statistics.MotionBytes;
   this->Owner->OrderBytes = statistics.OrderBytes;
   this->Owner->ArrayBytes = 0;
   for (const std::uint64_t bytes : statistics.ArrayBytes)
@@ -283,7 +349,7 @@ void vtkGatunWriter::vtkInternals::BeginPieces(int pieces)
                         "the whole mesh, in one piece and one process; give the largest error");
   }
   gatun::PartWriterOptions options;
-  gatun::MergeTree none;
+  std::unique_ptr<gatun::MergeTree> none;
   options.File = this->MakeOptions(nullptr, {}, none);
   options.SpillFolder = owner->SpillFolder ? owner->SpillFolder : "";
   options.SpillMemory = static_cast<std::size_t>(owner->SpillMemory) << 20;

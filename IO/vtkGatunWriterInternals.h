@@ -42,12 +42,18 @@ public:
   void Warn(const std::string& what);
   std::function<bool(double)> MakeProgress(std::size_t part);
   gatun::WriterOptions MakeOptions(vtkUnstructuredGrid* grid,
-    const std::vector<gatun::BridgedArray>& arrays, gatun::MergeTree& tree);
+    const std::vector<gatun::BridgedArray>& arrays, std::unique_ptr<gatun::MergeTree>& tree);
 
-  // Lets the current time step have a mesh: one that was written, if it is the same, or a new one.
-  void UseMesh(vtkUnstructuredGrid* grid, std::unique_ptr<gatun::BridgedMesh> mesh,
+  // Lets the current time step have a mesh: one that was written, if it has the same cells, or a
+  // new one, which takes the mesh over. Returns false if the points move, and the file is one whose
+  // points do not.
+  bool UseMesh(vtkUnstructuredGrid* grid, std::unique_ptr<gatun::BridgedMesh>& mesh,
     const std::vector<gatun::BridgedArray>& arrays,
     const std::vector<gatun::ArrayDescription>& descriptions);
+
+  // Begins the file once more, because the points of a step differ from those of the first one.
+  void Restart();
+  gatun::MergeTree BuildTree(vtkUnstructuredGrid* grid, bool isSurface);
   void PublishStatistics(
     const gatun::FileStatistics& statistics, std::uint64_t points, std::uint64_t cells);
   void BeginPieces(int pieces);
@@ -69,19 +75,26 @@ public:
   // A mesh that more time steps can have.
   struct WrittenMesh
   {
-    std::uint32_t Number;
-    std::size_t Hash;
+    std::uint32_t Number = 0;
+    std::size_t CellHash = 0;
+    std::size_t PointHash = 0;
     std::unique_ptr<gatun::BridgedMesh> Mesh;
-    std::unique_ptr<gatun::MergeTree> Tree;
+    std::unique_ptr<gatun::MergeTree> Tree; // null without hierarchy
+    bool IsOverwritten = false;             // its memory has another mesh now
 
-    bool IsSame(const gatun::BridgedMesh& other, std::size_t hash) const;
+    bool HasCells(const gatun::BridgedMesh& other, std::size_t hash) const;
+    bool SharesMemory(const gatun::BridgedMesh& other) const;
   };
+  WrittenMesh MakeMesh(std::unique_ptr<gatun::BridgedMesh> mesh, std::size_t cellHash) const;
 
   // While a file is being written.
   std::vector<WrittenMesh> Meshes; // the first one and the one that was added last
   std::unique_ptr<gatun::FileWriter> File;
   std::vector<gatun::ArrayDescription> Arrays;
-  std::uint64_t Points = 0; // of all meshes
+  bool PointsMove = false;                     // as a step has told
+  bool IsRestarted = false;                    // for this reason
+  std::unique_ptr<gatun::MergeTree> FirstTree; // that of the first mesh, then
+  std::uint64_t Points = 0;                    // of all meshes
   std::uint64_t Cells = 0;
   std::set<std::string> Warned;
   std::optional<bool> IsSurface; // once there is an input
@@ -107,12 +120,15 @@ public:
     this->Input = nullptr;
     this->File.reset();
     this->Meshes.clear();
+    this->FirstTree.reset();
     this->Arrays.clear();
     this->Points = 0;
     this->Cells = 0;
     this->Warned.clear();
     this->IsSurface.reset();
     this->Step = 0;
+    this->PointsMove = false;
+    this->IsRestarted = false;
   }
 
   std::size_t GetNumberOfSteps() const { return std::max<std::size_t>(1, this->Times.size()); }

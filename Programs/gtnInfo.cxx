@@ -152,6 +152,10 @@ Table DescribeSizes(const gatun::FileReader& file)
   add("connectivity", "connectivity", sizes.ConnectivityBytes);
   add("geometry", "points", sizes.GeometryBytes);
   add("sharedGeometry", "shared points", sizes.SharedGeometryBytes);
+  if (file.HasMovingPoints())
+  {
+    add("motion", "points of later steps", sizes.MotionBytes);
+  }
   add("arrays", "arrays",
     std::accumulate(sizes.ArrayBytes.begin(), sizes.ArrayBytes.end(), std::uint64_t{ 0 }));
   add("order", "original order", sizes.OrderBytes);
@@ -287,6 +291,8 @@ Description Describe(const gatun::FileReader& file, bool verbose)
   description.Add("chunks", "chunks", Entry(file.GetChunks().size()));
   description.Add("keptOrder", "kept order", { order, NameOfOrder(kept) });
   description.Add("bounds", "bounds", EntryOf(file.GetBounds(), ", ", 7));
+  const bool pointsMove = file.HasMovingPoints();
+  description.Add("pointsMove", pointsMove ? "points" : nullptr, { pointsMove, "move with time" });
   description.Add("times", "time steps", DescribeTimes(file, verbose));
   description.Add(DescribeMeshes(file));
   description.Add("hasLayers", nullptr, { file.HasLayers(), {} });

@@ -133,7 +133,7 @@ private:
     {
       this->Values = gtn::GetRange(file, *this->Array, this->Component, place.Step);
     }
-    this->Bounds = file.GetBounds();
+    this->Bounds = file.GetBounds(place.Step);
     this->Cells = file.GetNumberOfCells();
     this->Reader = vtkSmartPointer<vtkGatunSurfaceReader>::New();
     this->Reader->SetFileName(options.File.c_str());

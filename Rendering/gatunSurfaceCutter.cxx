@@ -188,12 +188,12 @@ SurfaceCutResult SurfaceCutter::CarryOut(const SurfaceCutOrder& order, const Pro
 double SurfaceCutter::BoundWeights(const SurfaceCutOrder& order, const Progress& progress)
 {
   const FileReader& file = *order.Source.File->GetFile();
-  const double size = GetDiagonal(file.GetBounds());
+  const Bounds box = file.GetBounds(order.What.Step);
+  const double size = GetDiagonal(box);
   if (file.GetLevels().empty())
   {
-    return size > 0
-      ? order.View.Scale * double{ DetailWeights(order.View.View, size).Get(file.GetBounds()) }
-      : 0;
+    return size > 0 ? order.View.Scale * double{ DetailWeights(order.View.View, size).Get(box) }
+                    : 0;
   }
   if (!this->Coarsest)
   {

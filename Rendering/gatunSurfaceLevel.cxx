@@ -35,6 +35,13 @@ SurfaceLevel::SurfaceLevel(PublishedFile source, std::size_t merges, SurfaceCont
     const auto points = static_cast<double>(this->Place.File->GetNumberOfPoints());
     this->Left = points > 0 ? 1 - static_cast<double>(this->Place.Merges) / points : 1;
   }
+  const auto chunks = this->GetNumberOfChunks();
+  this->Boxes.reserve(chunks);
+  for (std::size_t chunk = 0; chunk < chunks; ++chunk)
+  {
+    this->Boxes.push_back(
+      this->Place.File->GetChunkBounds(chunk, this->Place.Merges, this->What.Step));
+  }
 }
 
 SurfaceLevel::~SurfaceLevel() = default;
@@ -43,13 +50,6 @@ SurfaceLevel::~SurfaceLevel() = default;
 std::size_t SurfaceLevel::GetNumberOfChunks() const
 {
   return this->Place.File->GetChunks().size();
-}
-
-//------------------------------------------------------------------------------
-const Bounds& SurfaceLevel::GetBox(std::size_t chunk) const
-{
-  return this->Place.Merges > 0 ? this->Place.File->GetChunkBounds(chunk, this->Place.Merges)
-                                : this->Place.File->GetChunks()[chunk].Box;
 }
 
 //------------------------------------------------------------------------------

@@ -32,7 +32,7 @@ public:
 
   std::size_t GetMerges() const override { return this->Merges; }
   std::size_t GetNumberOfChunks() const override;
-  const Bounds& GetBox(std::size_t chunk) const override;
+  const Bounds& GetBox(std::size_t chunk) const override { return this->Boxes[chunk]; }
   std::uint64_t GetNumberOfCells(std::size_t chunk) const override;
   SurfacePart Decode(std::uint32_t chunk, bool withIds, const Progress& progress) const override;
 
@@ -49,6 +49,7 @@ private:
   std::size_t Merges;
   SurfaceContents What;
   SimplifiedFile::Place Place;                         // of the mesh that is decoded
+  std::vector<Bounds> Boxes;                           // of the chunks
   double Left = 1;                                     // share of its points that merges leave
   mutable std::shared_ptr<const MergeChanges> Changes; // once they were needed; of one thread
   mutable std::mutex Guard;                            // of the readers that no thread uses now

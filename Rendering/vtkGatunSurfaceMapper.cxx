@@ -118,7 +118,7 @@ double* vtkGatunSurfaceMapper::GetBounds()
   double* const bounds = this->Superclass::GetBounds();
   if (const gatun::PublishedFile* const file = vtkInternals::FindFile(this))
   {
-    vtkInternals::GetBounds(*file, bounds);
+    vtkInternals::GetBounds(*file, this->GetInputInformation(), bounds);
   }
   return bounds;
 }

@@ -57,9 +57,10 @@ const gatun::PublishedFile* vtkGatunSurfaceMapper::vtkInternals::FindFile(
 
 //------------------------------------------------------------------------------
 void vtkGatunSurfaceMapper::vtkInternals::GetBounds(
-  const gatun::PublishedFile& file, double* bounds)
+  const gatun::PublishedFile& file, vtkInformation* info, double* bounds)
 {
-  const gatun::Bounds& box = file.File->GetFile()->GetBounds();
+  const gatun::FileReader& reader = *file.File->GetFile();
+  const gatun::Bounds box = reader.GetBounds(gatun::GetRequestedStep(reader, info));
   if (!box.IsEmpty())
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -367,7 +368,7 @@ void vtkGatunSurfaceMapper::vtkInternals::Adopt(
   Chunk& self = level.Chunks[chunk];
   this->Drop(self);
   self.Mapper = vtkSmartPointer<vtkGatunChunkMapper>::New();
-  self.Mapper->SetWholeBounds(this->Source.File->GetFile()->GetBounds());
+  self.Mapper->SetWholeBounds(this->Source.File->GetFile()->GetBounds(this->What.Step));
   self.Mapper->SetInputData(part.Mesh);
   self.Mapper->SetHasIds(this->IsSelecting);
   self.Mapper->SetNumber(chunk + 1);

@@ -50,7 +50,7 @@ public:
   static const gatun::PublishedFile* FindFile(vtkGatunSurfaceMapper* mapper);
 
   /** The bounds of a file; unchanged if it has none. */
-  static void GetBounds(const gatun::PublishedFile& file, double* bounds);
+  static void GetBounds(const gatun::PublishedFile& file, vtkInformation* info, double* bounds);
 
   /** Brings the input up to date. Returns false if it is no file. */
   bool Open(vtkGatunSurfaceMapper* mapper, vtkActor* actor);

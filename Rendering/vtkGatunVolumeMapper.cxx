@@ -4,6 +4,7 @@
 #include "vtkGatunVolumeMapper.h"
 
 #include "gatunErrorCodes.h"
+#include "gatunFileConsumer.h"
 #include "gatunFileReader.h"
 #include "gatunPublishedFile.h"
 #include "vtkGatunVolumeMapperInternals.h"
@@ -201,8 +202,12 @@ double* vtkGatunVolumeMapper::GetBounds()
       case InputKind::Grid:
         return this->Superclass::GetBounds();
       case InputKind::File:
-        ToArray(self.GetFile(this).File->GetFile()->GetBounds(), this->Bounds);
-        break;
+      {
+        const gatun::FileReader& file = *self.GetFile(this).File->GetFile();
+        const auto step = gatun::GetRequestedStep(file, this->GetInputInformation());
+        ToArray(file.GetBounds(step), this->Bounds);
+      }
+      break;
       case InputKind::Pieces:
         self.SetScene(this, {});
         ToArray(self.Scene.GetPieceBounds(), this->Bounds);

@@ -51,7 +51,7 @@ std::uint64_t Identify(const gatun::FileReader& file, const gatun::Range& values
   constexpr std::size_t enough = 1000;
   for (std::size_t chunk = 0; chunk < std::min(enough, file.GetChunks().size()); ++chunk)
   {
-    for (const gatun::Range& side : file.GetChunks()[chunk].Box)
+    for (const gatun::Range& side : file.GetChunkBounds(chunk, 0, step))
     {
       add(std::bit_cast<std::uint64_t>(side.Min));
       add(std::bit_cast<std::uint64_t>(side.Max));

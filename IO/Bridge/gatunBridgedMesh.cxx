@@ -115,22 +115,33 @@ void BridgedMesh::SetOthers(vtkUnstructuredGrid* grid)
 BridgedMesh::~BridgedMesh() = default;
 
 //------------------------------------------------------------------------------
-std::size_t BridgedMesh::Hash() const
+namespace
 {
-  const auto bytesOf = [](vtkDataArray* array)
-  {
-    return array ? std::string_view(static_cast<const char*>(array->GetVoidPointer(0)),
-                     static_cast<std::size_t>(array->GetNumberOfValues()) *
-                       static_cast<std::size_t>(array->GetDataTypeSize()))
-                 : std::string_view();
-  };
-  const std::hash<std::string_view> hash;
+std::size_t HashArray(vtkDataArray* array)
+{
+  const auto bytes = array ? std::string_view(static_cast<const char*>(array->GetVoidPointer(0)),
+                               static_cast<std::size_t>(array->GetNumberOfValues()) *
+                                 static_cast<std::size_t>(array->GetDataTypeSize()))
+                           : std::string_view();
+  return std::hash<std::string_view>()(bytes);
+}
+}
+
+//------------------------------------------------------------------------------
+std::size_t BridgedMesh::HashCells() const
+{
   std::size_t all = 0;
-  for (vtkDataArray* array : { this->Coordinates.Get(), this->Connectivity.Get(),
-         this->Offsets.Get(), this->Types.Get(), this->FaceLocations.Get(), this->Faces.Get() })
+  for (vtkDataArray* array : { this->Connectivity.Get(), this->Offsets.Get(), this->Types.Get(),
+         this->FaceLocations.Get(), this->Faces.Get() })
   {
-    all = all * 31 + hash(bytesOf(array));
+    all = all * 31 + HashArray(array);
   }
   return all;
+}
+
+//------------------------------------------------------------------------------
+std::size_t BridgedMesh::HashPoints() const
+{
+  return HashArray(this->Coordinates);
 }
 }

@@ -41,8 +41,10 @@ struct VTKGATUNIO_EXPORT BridgedMesh
   explicit BridgedMesh(vtkUnstructuredGrid* grid);
   ~BridgedMesh();
 
-  /** A hash of coordinates and cells. */
-  std::size_t Hash() const;
+  /** Hashes of cells, of coordinates, and of both. */
+  std::size_t HashCells() const;
+  std::size_t HashPoints() const;
+  std::size_t Hash() const { return 31 * this->HashCells() + this->HashPoints(); }
 
 private:
   void SetOthers(vtkUnstructuredGrid* grid);

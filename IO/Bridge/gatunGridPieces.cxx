@@ -236,7 +236,7 @@ void GridPieces::Survey(vtkUnstructuredGrid* piece, bool isFirst)
   else if (input.Mesh->Hash() != this->MeshHash)
   {
     ThrowInvalid("the points or the cells of " + NameOf(number) +
-      " change with time; one file holds one mesh, so write such steps as a series of files");
+      " change with time; points that move need the whole mesh in one piece and one process");
   }
   this->File->SurveyStep(input.Values);
 }

@@ -338,17 +338,17 @@ bool HaveBefore(std::span<const ComponentKeys> components)
 }
 
 /** Whether a stream of this size, with these modes, is to replace another one. */
-bool IsBetter(const ArrayModes& modes, std::size_t size, const Bytes& best)
+bool IsBetter(const ArrayModes& modes, std::size_t size, const Bytes& best, std::size_t margin)
 {
   const bool isSlower =
     modes.Spatial == SpatialMode::Quadratic && ArrayModes::Read(best).Spatial != modes.Spatial;
-  return isSlower ? size + size / QuadraticMargin < best.size() : size < best.size();
+  return isSlower ? size + size / margin < best.size() : size < best.size();
 }
 
 /** Encodes with all possible combinations of modes and returns the best stream. */
 template <typename Code>
 Bytes EncodeBest(std::span<const SpatialMode> spatial, std::span<const Domain> domains,
-  std::span<ComponentKeys> components, Code&& code)
+  std::span<ComponentKeys> components, std::size_t margin, Code&& code)
 {
   // The values that readers will have depend on the modes if they are rounded.
   const bool areRounded = std::any_of(domains.begin(), domains.end(),
@@ -365,7 +365,7 @@ Bytes EncodeBest(std::span<const SpatialMode> spatial, std::span<const Domain> d
     }
     code(coder, modes, areRounded ? std::span<ComponentKeys>(trial) : components);
     auto body = coder.Finish();
-    if (best.empty() || IsBetter(modes, body.size() + 2, best))
+    if (best.empty() || IsBetter(modes, body.size() + 2, best, margin))
     {
       best.clear();
       best.push_back(static_cast<std::uint8_t>(modes.Spatial));
@@ -415,8 +415,8 @@ ArrayModes ArrayModes::Read(std::span<const std::uint8_t> stream)
   return modes;
 }
 
-Bytes EncodePointValues(
-  const PointContext& context, std::span<const Domain> domains, std::span<ComponentKeys> components)
+Bytes EncodePointValues(const PointContext& context, std::span<const Domain> domains,
+  std::span<ComponentKeys> components, std::size_t margin)
 {
   std::vector<SpatialMode> modes{ SpatialMode::Gate, SpatialMode::Previous };
   if (context.Fit)
@@ -427,7 +427,7 @@ Bytes EncodePointValues(
   {
     modes.push_back(SpatialMode::Quadratic); // last, because it must beat all others by a margin
   }
-  return EncodeBest(modes, domains, components,
+  return EncodeBest(modes, domains, components, margin,
     [&](EntropyEncoder& coder, const ArrayModes& chosen, std::span<ComponentKeys> keys)
     { CodePointComponents(coder, chosen, context, domains, keys); });
 }
@@ -446,8 +446,8 @@ void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext&
   CodePointComponents(coder, modes, context, domains, components);
 }
 
-Bytes EncodeCellValues(
-  const CellContext& context, std::span<const Domain> domains, std::span<ComponentKeys> components)
+Bytes EncodeCellValues(const CellContext& context, std::span<const Domain> domains,
+  std::span<ComponentKeys> components, std::size_t margin)
 {
   std::vector<SpatialMode> modes{ SpatialMode::Previous };
   if (!context.IsBlock())
@@ -458,7 +458,7 @@ Bytes EncodeCellValues(
   {
     modes.push_back(SpatialMode::Quadratic);
   }
-  return EncodeBest(modes, domains, components,
+  return EncodeBest(modes, domains, components, margin,
     [&](EntropyEncoder& coder, const ArrayModes& chosen, std::span<ComponentKeys> keys)
     { CodeCellComponents(coder, chosen, context, domains, keys); });
 }

@@ -12,6 +12,7 @@
 #include "gatunTopology.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -27,18 +28,22 @@ struct ArrayModes
   static ArrayModes Read(std::span<const std::uint8_t> stream);
 };
 
+/** A stream with quadratic functions must save this part of its size, because it is decoded more
+ * slowly. */
+constexpr std::size_t QuadraticMargin = 64;
+
 /** Encodes own points with all modes and returns the shortest stream. Components of domains with a
  * quantizer get the keys that readers will have. Where these are on a lattice, the keys must be
  * those of its places, if there are such (Quantizer::ToLattice). */
 Bytes EncodePointValues(const PointContext& context, std::span<const Domain> domains,
-  std::span<ComponentKeys> components);
+  std::span<ComponentKeys> components, std::size_t margin = QuadraticMargin);
 void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext& context,
   std::span<const Domain> domains, std::span<ComponentKeys> components);
 
 /** Encodes values of the cells of a chunk, or on the points of a block: those of domains with a
  * quantizer are on its lattice. */
-Bytes EncodeCellValues(
-  const CellContext& context, std::span<const Domain> domains, std::span<ComponentKeys> components);
+Bytes EncodeCellValues(const CellContext& context, std::span<const Domain> domains,
+  std::span<ComponentKeys> components, std::size_t margin = QuadraticMargin);
 void DecodeCellValues(std::span<const std::uint8_t> stream, const CellContext& context,
   std::span<const Domain> domains, std::span<ComponentKeys> components);
 }

@@ -13,8 +13,6 @@
 
 namespace gatun
 {
-/** A stream of the quadratic mode must be shorter than others by a part of this. */
-constexpr std::size_t QuadraticMargin = 64;
 
 /** The own points of a chunk, for CodeQuadratic. */
 struct OwnPoints

@@ -116,6 +116,7 @@ gatun_core_folder(File
     gatunSharedGroups.cxx
     gatunSimplifiedFile.cxx
     gatunSkinMerge.cxx
+    gatunStepMotion.cxx
     gatunStepSection.cxx
     gatunTablePages.cxx
     gatunTetSeparation.cxx

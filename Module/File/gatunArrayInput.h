@@ -10,6 +10,7 @@
 #include "gatunTypes.h"
 #include "gatunWithType.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -25,7 +26,13 @@ struct ArrayInput
   const std::uint8_t* Before = nullptr; // the previous step, if it is used for prediction
   std::vector<Domain> Domains;
   RoundedArray* Rounded = nullptr; // has Now, and takes the values that readers will have
-  bool IsCopy = false; // whether another array has the values, so that there are no streams
+  bool IsCopy =
+    false; // whether another array, the mesh or the step before has the values: no streams
+  bool IsPoints = false; // coordinates of points that move
+
+  /** The part of their size that streams must save to be decoded more slowly. Points are decoded
+   * for every picture. */
+  std::size_t GetMargin() const { return this->IsPoints ? 6 : QuadraticMargin; }
 
   const std::uint8_t* At(const std::uint8_t* values, std::size_t tuple, std::size_t component) const
   {
@@ -65,6 +72,9 @@ struct ArrayInput
     }
   }
 
+  /** A coordinate as it counts for bounds: only if it is finite. */
+  static double Finite(double x) { return std::isfinite(x) ? x : std::nan(""); }
+
   ComponentReader GetReader() const
   {
     return { this->Description->Type, this->Now, this->Description->Components };
@@ -82,7 +92,8 @@ struct ArrayInput
         {
           for (const auto tuple : tuples)
           {
-            ranges[r].Include(getValue(tuple));
+            const double value = getValue(tuple);
+            ranges[r].Include(this->IsPoints ? Finite(value) : value);
           }
         });
     }

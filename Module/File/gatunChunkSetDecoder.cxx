@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <numeric>
 
 namespace gatun
@@ -19,7 +20,47 @@ namespace
 /** The number of steps to decode at once, chunk by chunk. More steps need more memory for shared
  * points. With fewer steps, meshes that do not fit into the cache are decoded more often. */
 constexpr std::size_t StepsAtOnce = 16;
+}
 
+//------------------------------------------------------------------------------
+std::size_t ChunkSetDecoder::Job::CountSteps() const
+{
+  std::size_t steps = 1;
+  for (const auto& array : this->Arrays)
+  {
+    for (const auto& other : this->Arrays)
+    {
+      steps = std::max(steps, other.Last - std::min(array.First, other.Last) + 1);
+    }
+  }
+  return steps;
+}
+
+//------------------------------------------------------------------------------
+void ChunkSetDecoder::Job::BeginRound(const PartDecoder& parts, std::size_t most)
+{
+  constexpr auto none = std::numeric_limits<std::size_t>::max();
+  auto next = none;
+  std::size_t last = 0;
+  for (const auto& array : this->Arrays)
+  {
+    const auto from = this->IsFirst ? array.First : std::max(this->End + 1, array.First);
+    next = from <= array.Last ? std::min(next, from) : next;
+    last = std::max(last, array.Last);
+  }
+  this->Begin = next == none ? last : next;
+  this->End = std::min(last, this->Begin + most - 1);
+  this->IsLast = this->End == last;
+  for (auto& array : this->Arrays)
+  {
+    array.Domains.clear();
+    for (auto at = this->Begin; at <= this->End; ++at)
+    {
+      array.Domains.push_back(
+        at >= array.KeyStep && at <= array.Last ? parts.GetDomains(array.Index, at) : nullptr);
+    }
+    array.LastDomains = this->IsLast ? parts.GetDomains(array.Index, array.Last) : nullptr;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -41,10 +82,12 @@ void ChunkSetDecoder::Fill(const PieceTarget& target, const std::vector<std::uin
   const bool restorePoints = (restore & KeepPoints) != 0;
   const bool isOriginal = this->Set.GetForm() == PieceForm::Original || !content.Cells;
   const bool restoreCells = (restore & KeepCells) != 0 && isOriginal;
+  const auto pointStep =
+    step < content.GetSteps().size() ? content.GetTables().GetPointStep(step) : 0;
   Job job{ content.File, target, restorePoints, restoreCells, (restore & KeepCorners) != 0,
     (keep & KeepPoints) != 0 && (restorePoints || target.GlobalPointIds),
-    (keep & KeepCells) != 0 && (restoreCells || target.GlobalCellIds), step,
-    content.FindKeyStep(step), {}, {}, {}, {}, 0, 0, {}, {} };
+    (keep & KeepCells) != 0 && (restoreCells || target.GlobalCellIds),
+    target.Points && pointStep == 0, {}, {}, {}, {}, 0, 0, true, false, {}, {} };
   if (restorePoints)
   {
     job.PointTaken =
@@ -62,9 +105,16 @@ void ChunkSetDecoder::Fill(const PieceTarget& target, const std::vector<std::uin
   {
     if (target.Arrays[a])
     {
-      job.Add(content.FindSource(arrays[a], step), static_cast<std::uint8_t*>(target.Arrays[a]),
+      job.Add(content, content.FindSource(arrays[a], step), step,
+        static_cast<std::uint8_t*>(target.Arrays[a]),
         content.Meta.Arrays[arrays[a]].Where == Association::Point);
     }
+  }
+  if (target.Points && pointStep > 0)
+  {
+    const auto points = content.GetPointArray();
+    job.Add(content, content.FindSource(points, pointStep), pointStep,
+      static_cast<std::uint8_t*>(target.Points), true);
   }
   this->Plan(job);
 
@@ -74,26 +124,17 @@ void ChunkSetDecoder::Fill(const PieceTarget& target, const std::vector<std::uin
   std::stable_partition(
     order.begin(), order.end(), [&](std::size_t i) { return job.Chunks[i].Mesh != nullptr; });
 
-  const auto first = job.Begin;
-  const auto steps = static_cast<double>(step - first + 1);
-  for (; job.Begin <= step; job.Begin = job.End + 1)
+  const auto steps = static_cast<double>(job.CountSteps());
+  double done = 0;
+  while (!job.IsLast)
   {
-    job.End = std::min(step, job.Begin + StepsAtOnce - 1);
-    for (auto& array : job.Arrays)
-    {
-      array.Domains.clear();
-      for (auto at = job.Begin; at <= job.End; ++at)
-      {
-        array.Domains.push_back(this->Parts.GetDomains(array.Index, at));
-      }
-    }
+    job.BeginRound(this->Parts, StepsAtOnce);
     ParallelFor(this->Set.GetBlocks().size(),
       [&](std::size_t b)
       {
         const FloatEnvironment guard;
         this->DecodeBlock(job, b);
       });
-    const auto done = static_cast<double>(job.Begin - first) / steps;
     const auto share = static_cast<double>(job.End - job.Begin + 1) / steps;
     ParallelFor(
       this->Set.GetChunks().size(),
@@ -103,6 +144,8 @@ void ChunkSetDecoder::Fill(const PieceTarget& target, const std::vector<std::uin
         this->DecodeChunkInto(job, order[i]);
       },
       [&](double part) { return !progress || progress(done + share * part); });
+    done += share;
+    job.IsFirst = false;
   }
   if (this->Set.GetForm() == PieceForm::Original && target.Types)
   {
@@ -117,7 +160,7 @@ void ChunkSetDecoder::Plan(Job& job) const
   job.Chunks.resize(this->Set.GetChunks().size());
   for (auto& block : job.Blocks)
   {
-    block.NeedsPoints = job.Target.Points != nullptr;
+    block.NeedsPoints = job.HasMeshPoints;
   }
   for (std::size_t i = 0; i < this->Set.GetChunks().size(); ++i)
   {
@@ -131,16 +174,11 @@ void ChunkSetDecoder::Plan(Job& job) const
     }
     for (auto& array : job.Arrays)
     {
-      work.Reached.push_back(
-        this->Parts.FindChunkArray(this->Set.GetChunks()[i], array.Index, job.KeyStep, job.Step));
+      work.Reached.push_back(this->Parts.FindChunkArray(
+        this->Set.GetChunks()[i], array.Index, array.KeyStep, array.Last));
       const auto& reached = work.Reached.back();
-      array.First = std::min(array.First, reached.Values ? reached.Step + 1 : job.KeyStep);
+      array.First = std::min(array.First, reached.Values ? reached.Step + 1 : array.KeyStep);
     }
-  }
-  job.Begin = job.Step;
-  for (const auto& array : job.Arrays)
-  {
-    job.Begin = std::min(job.Begin, array.First);
   }
 }
 
@@ -169,7 +207,7 @@ void ChunkSetDecoder::DecodeBlock(Job& job, std::size_t b) const
     if (work.Reached.size() <= a)
     {
       work.Reached.resize(a + 1);
-      work.Reached[a] = this->Parts.FindBlockArray(index, array.Index, job.KeyStep, array.First);
+      work.Reached[a] = this->Parts.FindBlockArray(index, array.Index, array.KeyStep, array.First);
     }
     auto& reached = work.Reached[a];
     auto& steps = work.Steps[a];
@@ -182,21 +220,22 @@ void ChunkSetDecoder::DecodeBlock(Job& job, std::size_t b) const
       }
     };
     hold();
-    for (auto step = reached.Values ? reached.Step + 1 : job.KeyStep; step <= job.End; ++step)
+    const auto end = std::min(job.End, array.Last);
+    for (auto step = reached.Values ? reached.Step + 1 : array.KeyStep; step <= end; ++step)
     {
       const auto domains = step < job.Begin ? this->Parts.GetDomains(array.Index, step)
                                             : array.Domains[step - job.Begin];
-      reached = { this->Parts.DecodeBlockArray(
-                    index, array.Index, step, *domains, reached.Values.get(), fits),
-        step };
+      reached = {
+        this->Parts.DecodeBlockArray(index, array.Index, step, *domains, reached.Values, fits), step
+      };
       hold();
     }
-    if (job.IsLast())
+    if (job.IsLast)
     {
       this->Parts.KeepBlockArray(index, array.Index, reached);
     }
   }
-  if (job.IsLast())
+  if (job.IsLast)
   {
     this->StoreBlock(job, b);
   }
@@ -208,7 +247,7 @@ void ChunkSetDecoder::DecodeChunkInto(Job& job, std::size_t i) const
   const auto chunk = this->Set.GetChunks()[i];
   auto& work = job.Chunks[i];
   auto mesh = std::move(work.Mesh);
-  if (!mesh && job.Begin > job.KeyStep)
+  if (!mesh && !job.IsFirst)
   {
     mesh = this->Parts.FindMesh(chunk); // decoded for the previous steps
   }
@@ -225,21 +264,22 @@ void ChunkSetDecoder::DecodeChunkInto(Job& job, std::size_t i) const
   for (std::size_t a = 0; a < job.Arrays.size(); ++a)
   {
     auto& reached = work.Reached[a];
-    for (auto step = reached.Values ? reached.Step + 1 : job.KeyStep; step <= job.End; ++step)
+    const auto& array = job.Arrays[a];
+    const auto end = std::min(job.End, array.Last);
+    for (auto step = reached.Values ? reached.Step + 1 : array.KeyStep; step <= end; ++step)
     {
-      const auto& array = job.Arrays[a];
       const auto valuesOf = [&](std::uint32_t block)
       { return job.Blocks[this->Set.FindBlock(block)].Steps[a][step - job.Begin]; };
       reached = { this->Parts.DecodeChunkArray(chunk, *mesh, array.Index, step,
-                    *array.Domains[step - job.Begin], reached.Values.get(), valuesOf, fits),
+                    *array.Domains[step - job.Begin], reached.Values, valuesOf, fits),
         step };
     }
-    if (job.IsLast())
+    if (job.IsLast)
     {
       this->Parts.KeepChunkArray(chunk, job.Arrays[a].Index, reached);
     }
   }
-  if (job.IsLast())
+  if (job.IsLast)
   {
     this->StoreChunk(job, i, *mesh);
     work = {};

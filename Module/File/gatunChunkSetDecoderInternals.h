@@ -51,8 +51,11 @@ struct ChunkSetDecoder::Job
     std::uint32_t Index;
     std::vector<Output> Outputs;
     bool OfPoints;
-    std::size_t First; // the earliest step that any chunk needs to decode, or the job's step
+    std::size_t KeyStep; // from which Last is decoded
+    std::size_t Last;    // the step whose values are wanted
+    std::size_t First;   // the earliest step that any chunk needs to decode, or the job's step
     std::vector<std::shared_ptr<const DomainsPart>> Domains; // from Begin on
+    std::shared_ptr<const DomainsPart> LastDomains;          // in the last round
   };
 
   /** The decoded parts of a block. */
@@ -79,28 +82,36 @@ struct ChunkSetDecoder::Job
   const bool RestoreCorners;
   const bool NeedsPointOrder;
   const bool NeedsCellOrder;
-  const std::size_t Step;
-  const std::size_t KeyStep; // from which Step is decoded
+  const bool HasMeshPoints; // whether the points that are wanted are those of the mesh
   std::vector<Wanted> Arrays;
   std::vector<BlockWork> Blocks;
   std::vector<ChunkWork> Chunks;
   std::vector<PlacedCells> Placed; // of all chunks, to store original cells in the original order
   std::size_t Begin = 0;           // the steps to decode now
   std::size_t End = 0;
-
-  bool IsLast() const { return this->End == this->Step; }
+  bool IsFirst = true; // round
+  bool IsLast = false;
 
   /** Adds an array of the request. values: where its values go. */
-  void Add(FileReader::Internals::ArraySource source, std::uint8_t* values, bool ofPoints)
+  void Add(const FileReader::Internals& content, FileReader::Internals::ArraySource source,
+    std::size_t step, std::uint8_t* values, bool ofPoints)
   {
     auto found = std::find_if(this->Arrays.begin(), this->Arrays.end(),
       [&](const Wanted& array) { return array.Index == source.Array; });
     if (found == this->Arrays.end())
     {
-      found = this->Arrays.insert(found, { source.Array, {}, ofPoints, this->Step, {} });
+      found = this->Arrays.insert(found,
+        { source.Array, {}, ofPoints, content.FindKeyStep(source.Array, step), step, step, {},
+          {} });
     }
     found->Outputs.push_back({ values, std::move(source.Components) });
   }
+
+  /** The most steps to decode. */
+  std::size_t CountSteps() const;
+
+  /** Sets the next steps to decode, at most so many, with their domains. */
+  void BeginRound(const PartDecoder& parts, std::size_t most);
 
   // The positions filled so far if an order is restored. A damaged file could contain one twice and
   // leave another one uninitialized.
@@ -122,7 +133,7 @@ struct ChunkSetDecoder::Job
   void StoreTuples(const Wanted& array, const ArrayPart& values, std::size_t count, auto&& keyOf,
     auto&& placeOf) const
   {
-    const auto& domains = *array.Domains.back();
+    const auto& domains = *array.LastDomains;
     const auto size = SizeOf(domains.front().GetType());
     for (const auto& output : array.Outputs)
     {

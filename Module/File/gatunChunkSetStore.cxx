@@ -29,7 +29,7 @@ void ChunkSetDecoder::StoreBlock(const Job& job, std::size_t b) const
     for (std::size_t i = 0; i < count; ++i)
     {
       job.TakePoint(place(i));
-      if (target.Points)
+      if (job.HasMeshPoints)
       {
         job.StorePoint(content.Domains, (*work.Points)[first + i], place(i));
       }
@@ -48,7 +48,7 @@ void ChunkSetDecoder::StoreBlock(const Job& job, std::size_t b) const
       if (job.Arrays[a].OfPoints)
       {
         job.StoreTuples(
-          job.Arrays[a], *work.Steps[a].back(), count, [&](std::size_t i) { return first + i; },
+          job.Arrays[a], *work.Reached[a].Values, count, [&](std::size_t i) { return first + i; },
           place);
       }
     }
@@ -84,7 +84,7 @@ void ChunkSetDecoder::StorePoints(const Job& job, std::size_t i, const ChunkMesh
   {
     const auto place = places(own);
     job.TakePoint(place);
-    if (target.Points)
+    if (job.HasMeshPoints)
     {
       job.StorePoint(content.Domains, mesh.Keys[ownIds[own]], place);
     }

@@ -52,6 +52,9 @@ void FileReader::Internals::Read()
   const auto meta = this->File.FindSection(SectionMeta, metaName);
   this->Meta = this->File.Guarded(
     metaName, meta, [&] { return MetaTable::Read(this->File.Read(meta, metaName)); });
+  const auto end =
+    this->Meta.Arrays.begin() + static_cast<std::ptrdiff_t>(this->Meta.GetListedArrays());
+  this->ListedArrays.assign(this->Meta.Arrays.begin(), end);
   this->ReadCells();
   this->Tables.emplace(this->File, this->Meta, this->Cells ? &*this->Cells : nullptr);
   this->CountCells();
@@ -304,6 +307,45 @@ const Bounds& FileReader::GetBounds() const
   return this->Self->Meta.Box;
 }
 
+bool FileReader::HasMovingPoints() const
+{
+  return this->Self->Meta.PointsMove;
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+Bounds ToBounds(const ArrayRanges& ranges)
+{
+  return { ranges[0], ranges[1], ranges[2] };
+}
+}
+
+//------------------------------------------------------------------------------
+std::size_t FileReader::GetPointStep(std::size_t step) const
+{
+  return step < this->GetNumberOfSteps() ? this->Self->GetTables().GetPointStep(step) : 0;
+}
+
+//------------------------------------------------------------------------------
+Bounds FileReader::GetBounds(std::size_t step) const
+{
+  return this->HasMovingPoints() && step > 0 && step < this->GetNumberOfSteps()
+    ? ToBounds(this->Self->GetSteps()[step].Arrays.back().Ranges)
+    : this->GetBounds();
+}
+
+//------------------------------------------------------------------------------
+Bounds FileReader::GetChunkBounds(std::size_t chunk, std::size_t merges, std::size_t step) const
+{
+  if (!this->HasMovingPoints() || step == 0 || step >= this->GetNumberOfSteps())
+  {
+    return this->GetChunkBounds(chunk, merges);
+  }
+  return ToBounds(this->GetRangesAfter(this->Self->GetPointArray(), step, chunk, merges));
+}
+
+//------------------------------------------------------------------------------
 const std::string& FileReader::GetWriterVersion() const
 {
   return this->Self->Meta.WriterVersion;
@@ -316,7 +358,7 @@ std::pair<int, int> FileReader::GetFormatVersion() const
 
 const std::vector<ArrayDescription>& FileReader::GetArrays() const
 {
-  return this->Self->Meta.Arrays;
+  return this->Self->ListedArrays;
 }
 
 std::size_t FileReader::GetNumberOfSteps() const
@@ -384,6 +426,7 @@ FileStatistics FileReader::GetStatistics() const
   FileStatistics s;
   s.FileBytes = this->Self->File.GetSize();
   this->Self->GetTables().AddBytes(s);
+  s.SplitPoints(this->Self->Meta.PointsMove);
   for (const auto& section : this->Self->File.GetSections())
   {
     const auto name = section.Name;
@@ -396,7 +439,8 @@ FileStatistics FileReader::GetStatistics() const
     s.OtherMeshBytes += name == SectionGrid ? section.Payload.Length : 0;
   }
   auto parts = s.TreeBytes + s.DependencyBytes + s.LevelBytes + s.BoundaryBytes + s.OtherMeshBytes +
-    s.ConnectivityBytes + s.GeometryBytes + s.SharedGeometryBytes + s.OrderBytes + s.FieldDataBytes;
+    s.ConnectivityBytes + s.GeometryBytes + s.SharedGeometryBytes + s.OrderBytes +
+    s.FieldDataBytes + s.MotionBytes;
   parts = std::accumulate(s.ArrayBytes.begin(), s.ArrayBytes.end(), parts);
   s.DirectoryBytes = s.FileBytes - std::min(parts, s.FileBytes);
   return s;

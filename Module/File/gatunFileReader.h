@@ -55,7 +55,18 @@ public:
   ScalarType GetCoordinateType() const;
   bool HasWideIds() const;           ///< MeshInput::WideIds
   std::uint8_t GetKeptOrder() const; ///< flags of KeepOrder
-  const Bounds& GetBounds() const;
+  const Bounds& GetBounds() const;   ///< of the mesh: at the first time step if its points move
+
+  /** Whether time steps have coordinates of their own (WriterOptions::PointsMove). */
+  bool HasMovingPoints() const;
+
+  /** The step that has the coordinates of a step: an earlier one if its points do not move, and 0
+   * if they are those of the mesh. */
+  std::size_t GetPointStep(std::size_t step) const;
+
+  /** The bounds at a step. */
+  Bounds GetBounds(std::size_t step) const;
+
   const std::string& GetWriterVersion() const;  ///< version of the package that wrote the file
   std::pair<int, int> GetFormatVersion() const; ///< major, minor
 
@@ -149,6 +160,9 @@ public:
   ArrayRanges GetChunkRanges(
     std::size_t array, std::size_t step, std::size_t chunk, std::size_t merges) const;
 
+  /** The bounds of a chunk at a step, after any number of merges. */
+  Bounds GetChunkBounds(std::size_t chunk, std::size_t merges, std::size_t step) const;
+
   /** The number of bytes read from the file since it was opened, by all threads. */
   std::uint64_t GetBytesRead() const;
 
@@ -158,6 +172,9 @@ private:
   friend const Internals& InternalsOf(const FileReader& file);
 
   explicit FileReader(std::unique_ptr<Internals> self);
+
+  ArrayRanges GetRangesAfter(
+    std::uint32_t array, std::size_t step, std::size_t chunk, std::size_t merges) const;
 
   std::unique_ptr<Internals> Self;
 };

@@ -62,10 +62,35 @@ public:
     return step;
   }
 
-  /** Whether streams of an array at a step may refer to the previous step. */
+  /** The step from which an array at a step that has it is decoded. */
+  std::size_t FindKeyStep(std::size_t array, std::size_t step) const
+  {
+    if (!this->Meta.IsPoints(array))
+    {
+      return this->FindKeyStep(step);
+    }
+    while (this->GetTables().GetPointReference(step) > 0)
+    {
+      step = this->GetTables().GetPointReference(step);
+    }
+    return step;
+  }
+
+  /** The number of the array of coordinates. Only if the points move. */
+  std::uint32_t GetPointArray() const
+  {
+    return static_cast<std::uint32_t>(this->Meta.GetListedArrays());
+  }
+
+  /** Whether streams of an array at a step may refer to the previous step, or those of coordinates
+   * to another one. */
   bool HasBefore(std::size_t array, std::size_t step) const
   {
     const auto& steps = this->GetSteps();
+    if (this->Meta.IsPoints(array))
+    {
+      return step > 0; // those of another scale are converted
+    }
     return step > 0 && !steps[step].Key &&
       steps[step].Arrays[array].CanFollow(steps[step - 1].Arrays[array]);
   }
@@ -88,6 +113,7 @@ public:
   std::vector<CellTypeCount> CellTypes;
   bool IsSurface = false;
   std::vector<double> Times;
+  std::vector<ArrayDescription> ListedArrays; // without coordinates of points that move
   PointDomain Domains;
   bool LayersAreKnown = false;
   Layers LayersOfChunks;

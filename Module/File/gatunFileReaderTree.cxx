@@ -182,10 +182,17 @@ const Bounds& FileReader::GetChunkBounds(std::size_t chunk, std::size_t merges) 
 ArrayRanges FileReader::GetChunkRanges(
   std::size_t array, std::size_t step, std::size_t chunk, std::size_t merges) const
 {
-  const bool ofPoints = this->GetArrays().at(array).Where == Association::Point;
+  return this->GetRangesAfter(static_cast<std::uint32_t>(array), step, chunk, merges);
+}
+
+//------------------------------------------------------------------------------
+ArrayRanges FileReader::GetRangesAfter(
+  std::uint32_t array, std::size_t step, std::size_t chunk, std::size_t merges) const
+{
+  const bool ofPoints = this->Self->Meta.Arrays.at(array).Where == Association::Point;
   if (merges == 0 || !this->HasMergeTree() || !ofPoints)
   {
-    return this->GetChunkRanges(array, step, chunk);
+    return this->Self->GetTables().GetChunkRanges(chunk, array, step);
   }
   const auto& rungs = this->Self->TreeSteps.at(step).Ranges.at(array).at(chunk);
   return rungs[FindRung(*this->Self, merges)];

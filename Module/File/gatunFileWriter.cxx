@@ -52,6 +52,17 @@ std::unique_ptr<RoundedArray> RoundLayerValues(
   options.Layers->Values = rounded->GetValues();
   return rounded;
 }
+
+/** The arrays of a mesh with the coordinates, if they move. */
+std::vector<ArrayDescription> ListArrays(
+  std::vector<ArrayDescription> arrays, const MeshInput& mesh, const WriterOptions& options)
+{
+  if (options.PointsMove)
+  {
+    arrays.push_back(DescribePoints(mesh.CoordinateType));
+  }
+  return arrays;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -67,7 +78,14 @@ public:
 
   /** A base mesh or the boundary of another writer's file. */
   Internals(const Internals& whole, const MeshInput& mesh, const WriterOptions& options)
-    : State(whole.State, options)
+    : Internals(whole, mesh, whole.State.Meta.Arrays, options)
+  {
+  }
+
+  /** Another mesh of the series. */
+  Internals(const Internals& whole, const MeshInput& mesh,
+    const std::vector<ArrayDescription>& arrays, const WriterOptions& options)
+    : State(whole.State, arrays, options)
     , Part(mesh)
   {
   }
@@ -76,13 +94,12 @@ public:
   void Begin(const Progress& progress);
   void WriteStep(std::span<const void* const> values, const FieldData& field, bool hasTime,
     double time, const Progress& progress, const std::vector<std::vector<Domain>>* rounded = {});
-  std::uint32_t AddMesh(
-    const MeshInput& mesh, const WriterOptions& options, const Progress& progress);
+  std::uint32_t AddMesh(const MeshInput& mesh, const std::vector<ArrayDescription>& arrays,
+    const WriterOptions& options, const Progress& progress);
   void UseMesh(std::uint32_t mesh);
   void WriteSeriesStep(std::span<const void* const> values, const FieldData& field, bool hasTime,
-    double time, const Progress& progress);
+    double time, const Progress& progress, const void* coordinates);
   FileStatistics Finish();
-  const std::vector<ArrayDescription>& GetArrays() const { return this->State.Meta.Arrays; }
 
 private:
   /** A mesh made of this one, which is written as a file of its own and embedded at the end. */
@@ -280,6 +297,10 @@ void FileWriter::Internals::WriteStep(std::span<const void* const> values, const
   const std::vector<std::vector<Domain>>* rounded)
 {
   const StepValues all{ values, &field, hasTime, time, rounded };
+  if (this->State.Meta.PointsMove && !hasTime)
+  {
+    ThrowInvalid("points can only move in a file with time");
+  }
   // Without time, no step follows that would need the chunks again.
   const bool isTogether = !this->IsMeshWritten && !hasTime;
   if (!this->IsMeshWritten && hasTime)
@@ -355,7 +376,8 @@ void FileWriter::Internals::WriteTables()
   {
     this->Tree->WriteTable(this->Merges);
   }
-  file.AddSection(SectionMeta, this->State.Meta.Write());
+  file.AddSection(SectionMeta, this->State.Meta.Write(), FlagMandatory,
+    this->State.Meta.PointsMove ? MetaVersionWithMotion : SectionVersion);
 }
 
 //------------------------------------------------------------------------------
@@ -368,15 +390,16 @@ std::uint64_t FileWriter::Internals::AddEmbedded(FourCC section, Internals& embe
 
 //------------------------------------------------------------------------------
 /** Adds a mesh to the series, in a file of its own that is embedded behind its last step. */
-std::uint32_t FileWriter::Internals::AddMesh(
-  const MeshInput& mesh, const WriterOptions& options, const Progress& progress)
+std::uint32_t FileWriter::Internals::AddMesh(const MeshInput& mesh,
+  const std::vector<ArrayDescription>& arrays, const WriterOptions& options,
+  const Progress& progress)
 {
   if (options.IsSurface != this->State.Options.IsSurface)
   {
     ThrowInvalid("some meshes of the series are surfaces, and some are not");
   }
   this->EndOther();
-  this->Other = std::make_unique<Internals>(*this, mesh, options);
+  this->Other = std::make_unique<Internals>(*this, mesh, arrays, options);
   this->Other->Begin(progress);
   this->NextMesh = this->NumberOfMeshes;
   return this->NumberOfMeshes++;
@@ -409,7 +432,8 @@ void FileWriter::Internals::UseMesh(std::uint32_t mesh)
 //------------------------------------------------------------------------------
 /** Writes a step of the mesh that is used. */
 void FileWriter::Internals::WriteSeriesStep(std::span<const void* const> values,
-  const FieldData& field, bool hasTime, double time, const Progress& progress)
+  const FieldData& field, bool hasTime, double time, const Progress& progress,
+  const void* coordinates)
 {
   if (!this->Series.empty() && !(hasTime && time > this->Series.back().Time))
   {
@@ -421,7 +445,12 @@ void FileWriter::Internals::WriteSeriesStep(std::span<const void* const> values,
     ThrowInvalid("a mesh that changes needs time, and a step of the first mesh");
   }
   Internals& mesh = this->NextMesh == 0 ? *this : *this->Other;
-  mesh.WriteStep(values, field, hasTime, time, progress);
+  std::vector<const void*> all(values.begin(), values.end());
+  if (mesh.State.Options.PointsMove)
+  {
+    all.push_back(coordinates ? coordinates : mesh.Part.Mesh.GetMesh().Coordinates);
+  }
+  mesh.WriteStep(all, field, hasTime, time, progress);
   this->Series.push_back({ this->NextMesh, time });
 }
 
@@ -462,7 +491,8 @@ FileWriter::FileWriter(const std::string& path, const MeshInput& mesh,
   KeepFreedMemory();
   WriterOptions rounded = options;
   const auto layerValues = RoundLayerValues(mesh, arrays, rounded);
-  this->Self = std::make_unique<Internals>(path, mesh, arrays, rounded);
+  this->Arrays = arrays;
+  this->Self = std::make_unique<Internals>(path, mesh, ListArrays(arrays, mesh, options), rounded);
   this->Self->Begin(progress);
 }
 
@@ -471,20 +501,19 @@ FileWriter::~FileWriter() = default;
 
 //------------------------------------------------------------------------------
 void FileWriter::WriteStep(std::span<const void* const> values, const FieldData& field,
-  bool hasTime, double time, const Progress& progress)
+  bool hasTime, double time, const Progress& progress, const void* coordinates)
 {
-  this->Self->WriteSeriesStep(values, field, hasTime, time, progress);
+  this->Self->WriteSeriesStep(values, field, hasTime, time, progress, coordinates);
 }
 
 //------------------------------------------------------------------------------
 std::uint32_t FileWriter::AddMesh(
   const MeshInput& mesh, const WriterOptions& options, const Progress& progress)
 {
-  const auto& arrays = this->Self->GetArrays();
-  CheckWriterInput(mesh, arrays, options);
+  CheckWriterInput(mesh, this->Arrays, options);
   WriterOptions rounded = options;
-  const auto layerValues = RoundLayerValues(mesh, arrays, rounded);
-  return this->Self->AddMesh(mesh, rounded, progress);
+  const auto layerValues = RoundLayerValues(mesh, this->Arrays, rounded);
+  return this->Self->AddMesh(mesh, ListArrays(this->Arrays, mesh, options), rounded, progress);
 }
 
 //------------------------------------------------------------------------------

@@ -52,10 +52,13 @@ public:
    * Adds a time step with the values of all arrays, in the order of the descriptions. Times must
    * ascend strictly. A mesh without time needs one call with hasTime false. A file without any step
    * is valid and has no values. The values of an array are consecutive tuples: Points or Tets times
-   * Components values.
+   * Components values. coordinates: those of the points at this step if they move
+   * (WriterOptions::PointsMove), as MeshInput::Coordinates; null if they are those of the mesh,
+   * which those of the first step must be.
    */
   void WriteStep(std::span<const void* const> values, const FieldData& field = {},
-    bool hasTime = false, double time = 0, const Progress& progress = {});
+    bool hasTime = false, double time = 0, const Progress& progress = {},
+    const void* coordinates = nullptr);
 
   /** Adds a mesh that the next steps have. It has the same arrays. The options are those of the
    * first mesh but for what depends on the mesh: Tree and the values of Layers. The steps of a mesh
@@ -73,6 +76,7 @@ public:
 private:
   class Internals;
   std::unique_ptr<Internals> Self;
+  std::vector<ArrayDescription> Arrays; // without coordinates
 };
 }
 

@@ -428,6 +428,64 @@ std::vector<ComponentKeys> PartDecoder::MakeKeys(
   return keys;
 }
 
+//------------------------------------------------------------------------------
+namespace
+{
+/** The key of a value in another domain of the same type, which must contain it. */
+Key Convert(Key key, const Domain& from, const Domain& to)
+{
+  if (to.IsPlain())
+  {
+    return from.ToPlain(key);
+  }
+  std::array<std::uint8_t, sizeof(double)> value{};
+  from.Write(key, value.data());
+  try
+  {
+    return to.Read(value.data());
+  }
+  catch (const Error&)
+  {
+    ThrowCorrupt("coordinates of another time step are not on its scale");
+  }
+}
+}
+
+template <typename MeshKeys>
+std::vector<ComponentKeys> PartDecoder::MakePointKeys(std::size_t step, std::size_t count,
+  const DomainsPart& domains, const ArrayPart* before, MeshKeys&& mesh) const
+{
+  const auto& content = this->Content();
+  const auto array = content.GetPointArray();
+  const auto reference = content.GetTables().GetPointReference(step);
+  std::vector<ComponentKeys> keys(domains.size());
+  for (auto& component : keys)
+  {
+    component.Now.resize(count);
+  }
+  if (!content.HasBefore(array, step))
+  {
+    return keys;
+  }
+  const auto others = reference > 0 ? this->GetDomains(array, reference) : nullptr;
+  for (std::size_t c = 0; c < keys.size(); ++c)
+  {
+    auto& to = keys[c].Before;
+    const auto& from = others ? (*others)[c] : content.Domains[c];
+    if (others && from.GetScale() == domains[c].GetScale())
+    {
+      to = (*before)[c];
+      continue;
+    }
+    to.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      to[i] = Convert(others ? (*before)[c][i] : mesh(i)[c], from, domains[c]);
+    }
+  }
+  return keys;
+}
+
 namespace
 {
 bool IsQuadratic(std::span<const std::uint8_t> stream)
@@ -448,9 +506,13 @@ std::shared_ptr<const ArrayPart> TakeValues(std::vector<ComponentKeys>& keys)
 }
 
 std::shared_ptr<const ArrayPart> PartDecoder::DecodeBlockArray(std::uint32_t block,
-  std::uint32_t array, std::size_t step, const DomainsPart& domains, const ArrayPart* before,
-  PartFits& fits) const
+  std::uint32_t array, std::size_t step, const DomainsPart& domains,
+  const std::shared_ptr<const ArrayPart>& before, PartFits& fits) const
 {
+  if (this->StandsStill(array, step))
+  {
+    return before;
+  }
   const auto& content = this->Content();
   const auto& description = content.Meta.Arrays[array];
   if (content.IsCopy(array, step))
@@ -460,11 +522,19 @@ std::shared_ptr<const ArrayPart> PartDecoder::DecodeBlockArray(std::uint32_t blo
   const auto what = Name("array '" + description.Name + "' of block", block);
   const auto where = content.GetTables().GetBlockValues(block, array, step);
   const auto count = static_cast<std::size_t>(content.GetTables().GetBlock(block)->Points);
-  auto keys = this->MakeKeys(array, step, count, before);
+  std::vector<ComponentKeys> keys;
   const auto stream = content.File.Read(where, what);
   content.File.Guarded(what, where,
     [&]
     {
+      keys = this->Content().Meta.IsPoints(array)
+        ? this->MakePointKeys(step, count, domains, before.get(),
+            [points = std::shared_ptr<const PointsPart>(), block, this](std::size_t i) mutable
+            {
+              points = points ? points : this->GetBlockPoints(block);
+              return (*points)[i];
+            })
+        : this->MakeKeys(array, step, count, before.get());
       if (IsQuadratic(stream))
       {
         this->FindFit(fits.Points, PartKind::BlockQuadratic, block,
@@ -477,23 +547,31 @@ std::shared_ptr<const ArrayPart> PartDecoder::DecodeBlockArray(std::uint32_t blo
 
 std::shared_ptr<const ArrayPart> PartDecoder::DecodeChunkArray(std::uint32_t chunk,
   const ChunkMesh& mesh, std::uint32_t array, std::size_t step, const DomainsPart& domains,
-  const ArrayPart* before, const OfBlock<ArrayPart>& valuesOf, PartFits& fits) const
+  const std::shared_ptr<const ArrayPart>& before, const OfBlock<ArrayPart>& valuesOf,
+  PartFits& fits) const
 {
   const auto& content = this->Content();
   const auto& description = content.Meta.Arrays[array];
   const bool ofPoints = description.Where == Association::Point;
+  if (this->StandsStill(array, step))
+  {
+    return before;
+  }
   if (content.IsCopy(array, step))
   {
     return std::make_shared<const ArrayPart>(description.Components);
   }
   const auto what = Name("array '" + description.Name + "' of chunk", chunk);
   const auto where = content.GetTables().GetChunkValues(chunk, array, step);
-  auto keys =
-    this->MakeKeys(array, step, ofPoints ? mesh.Keys.size() : mesh.Walk.Parents.size(), before);
+  std::vector<ComponentKeys> keys;
   const auto stream = content.File.Read(where, what);
   content.File.Guarded(what, where,
     [&]
     {
+      const auto count = ofPoints ? mesh.Keys.size() : mesh.Walk.Parents.size();
+      keys = content.Meta.IsPoints(array) ? this->MakePointKeys(step, count, domains, before.get(),
+                                              [&](std::size_t i) { return mesh.Keys[i]; })
+                                          : this->MakeKeys(array, step, count, before.get());
       if (!ofPoints)
       {
         if (IsQuadratic(stream))

@@ -97,14 +97,17 @@ public:
   ArrayAtStep FindChunkArray(
     std::uint32_t chunk, std::uint32_t array, std::size_t first, std::size_t step) const;
 
-  /** Decodes an array at a step. before: the array at the previous step, may be null at key steps.
+  /** Decodes an array at a step. before: the array at the previous step, may be null at key steps
+   * (FileReader::Internals::FindKeyStep). Coordinates that stand still are those before.
    * Without keys if the array is copied from another one. fits: those of the chunk or block so far,
    * so that several arrays share them. */
   std::shared_ptr<const ArrayPart> DecodeBlockArray(std::uint32_t block, std::uint32_t array,
-    std::size_t step, const DomainsPart& domains, const ArrayPart* before, PartFits& fits) const;
+    std::size_t step, const DomainsPart& domains, const std::shared_ptr<const ArrayPart>& before,
+    PartFits& fits) const;
   std::shared_ptr<const ArrayPart> DecodeChunkArray(std::uint32_t chunk, const ChunkMesh& mesh,
-    std::uint32_t array, std::size_t step, const DomainsPart& domains, const ArrayPart* before,
-    const OfBlock<ArrayPart>& valuesOf, PartFits& fits) const;
+    std::uint32_t array, std::size_t step, const DomainsPart& domains,
+    const std::shared_ptr<const ArrayPart>& before, const OfBlock<ArrayPart>& valuesOf,
+    PartFits& fits) const;
 
   /** Keeps arrays in the cache. Arrays of intermediate steps need not be kept. */
   void KeepBlockArray(std::uint32_t block, std::uint32_t array, const ArrayAtStep& values) const;
@@ -126,6 +129,18 @@ private:
     std::span<ComponentKeys> keys, PartFits& fits) const;
   std::vector<ComponentKeys> MakeKeys(
     std::uint32_t array, std::size_t step, std::size_t count, const ArrayPart* before) const;
+
+  /** The same for coordinates, with those of another step converted. mesh(i): the keys of a point
+   * in the mesh. */
+  template <typename MeshKeys>
+  std::vector<ComponentKeys> MakePointKeys(std::size_t step, std::size_t count,
+    const DomainsPart& domains, const ArrayPart* before, MeshKeys&& mesh) const;
+
+  /** Whether an array has its streams at an earlier step. */
+  bool StandsStill(std::uint32_t array, std::size_t step) const
+  {
+    return this->Content().Meta.IsPoints(array) && !this->Content().GetSteps()[step].PointsMove;
+  }
 
   /** Calls use(vertex, part, position in its block) for the shared vertices of a chunk's walk. */
   template <typename Part, typename Use>

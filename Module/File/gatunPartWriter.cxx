@@ -139,6 +139,10 @@ void PartWriter::Internals::Survey(
   {
     ThrowInvalid("all parts have to be surveyed before the first one is written");
   }
+  if (this->Options.File.PointsMove)
+  {
+    ThrowInvalid("points that move cannot be written in parts");
+  }
   this->EndPartSurvey();
   CheckWriterInput(mesh, this->State.Meta.Arrays, this->Options.File);
   if (mesh.Points > 0)

@@ -66,12 +66,20 @@ StepDomains StepSection::FindDomains(const WriterPart& part, const StepValues& s
   const auto& arrays = this->State.Meta.Arrays;
   const auto* before = this->IsKey(this->Count) ? nullptr : &this->Steps[this->Count - 1].Scales;
   const auto& mesh = part.Mesh.GetMesh();
+  const auto listed = this->State.Meta.GetListedArrays();
+  const std::vector<ArrayDescription> described(
+    arrays.begin(), arrays.begin() + static_cast<std::ptrdiff_t>(listed));
   CopySurvey copies;
-  copies.Add(arrays, values, mesh.Points, mesh.Cells);
-  StepDomains domains{ {}, copies.Finish(arrays, this->State.Options.Errors) };
+  copies.Add(described, values.first(listed), mesh.Points, mesh.Cells);
+  StepDomains domains{ {}, copies.Finish(described, this->State.Options.Errors) };
   domains.Components.resize(arrays.size());
+  domains.Copies.resize(arrays.size());
+  if (this->State.Meta.PointsMove)
+  {
+    domains.Components.back() = this->FindPointDomains(part, values.back());
+  }
   std::vector<std::pair<std::size_t, std::uint32_t>> components;
-  for (std::size_t a = 0; a < values.size(); ++a)
+  for (std::size_t a = 0; a < listed; ++a)
   {
     domains.Components[a].resize(arrays[a].Components, Domain(arrays[a].Type));
     for (std::uint32_t c = 0; !domains.Copies[a] && c < arrays[a].Components; ++c)
@@ -112,6 +120,10 @@ void StepSection::Check(const WriterPart& part, const StepValues& values) const
       ThrowInvalid("array '" + arrays[a].Name + "' has no values");
     }
   }
+  if (this->State.Meta.PointsMove && this->Count == 0 && !this->StandsStill(part, values))
+  {
+    ThrowInvalid("the points of the first time step are not those of the mesh");
+  }
   if (std::isnan(values.Time))
   {
     ThrowInvalid("the time of a step is not a number");
@@ -150,6 +162,8 @@ void StepSection::Begin(const WriterPart& part, const StepValues& values)
   auto& step = this->GetStep();
   step.Table.Time = values.Time;
   step.Table.Key = this->IsKey(this->Count);
+  step.Table.PointsMove =
+    this->State.Meta.PointsMove && (this->Count == 0 || !this->StandsStill(part, values));
   step.Table.Arrays.resize(arrays.size());
   if (step.Domains.Components.empty())
   {
@@ -273,10 +287,14 @@ void StepSection::AddArray(std::size_t a, const WriterPart& part, const void* va
   input.Description = &array;
   input.Now = static_cast<const std::uint8_t*>(values);
   input.Domains = step.Domains.Components[a];
-  input.IsCopy = step.Domains.Copies[a].has_value();
+  input.IsPoints = this->IsPoints(a);
+  input.IsCopy = step.Domains.Copies[a].has_value() ||
+    (input.IsPoints && (this->Count == 0 || !step.Table.PointsMove));
   if (this->HasBefore(a) && part.GetTupleCount(array) > 0)
   {
-    input.Before = this->Before[a].data();
+    input.Before = input.IsPoints && this->FindReference(a) == 0
+      ? static_cast<const std::uint8_t*>(part.Mesh.GetMesh().Coordinates)
+      : this->Before[a].data();
   }
 }
 
@@ -347,15 +365,6 @@ void StepSection::TakeErrors()
       reached = std::max(reached, this->Rounded[a]->GetError(c));
     }
   }
-}
-
-//------------------------------------------------------------------------------
-/** Whether the values of an array may be predicted from the step before. */
-bool StepSection::HasBefore(std::size_t a) const
-{
-  const auto& step = this->GetStep();
-  return !step.Table.Key && step.Scales[a] &&
-    step.Scales[a] == this->Steps[this->Count - 1].Scales[a];
 }
 
 //------------------------------------------------------------------------------
@@ -439,7 +448,7 @@ std::vector<Bytes> StepSection::EncodeBlock(const WriterPart& part, std::size_t 
         fit.emplace(GetPlaces(part.Mesh.GetMesh(), points));
       }
       auto keys = inputs[a].GetKeys(points);
-      streams[a] = EncodeCellValues({ {}, &*fit }, inputs[a].Domains, keys);
+      streams[a] = EncodeCellValues({ {}, &*fit }, inputs[a].Domains, keys, inputs[a].GetMargin());
     }
   }
   return streams;
@@ -459,7 +468,9 @@ std::vector<Bytes> StepSection::EncodeUnused()
     if (input.Description->Where == Association::Point && !input.IsCopy && !points.empty())
     {
       input.Now = unused[this->Count][a].data();
-      input.Before = this->HasBefore(a) ? unused[this->Count - 1][a].data() : nullptr;
+      input.Before = !this->HasBefore(a)                ? nullptr
+        : input.IsPoints && this->FindReference(a) == 0 ? this->State.Unused.Coordinates.data()
+                                                        : unused[this->Count - 1][a].data();
       auto keys = input.GetKeys(points);
       streams[a] = EncodeCellValues({}, input.Domains, keys);
     }
@@ -519,8 +530,9 @@ std::vector<Bytes> StepSection::EncodeChunk(WriterPart& part, std::size_t chunk)
     if (!input.IsCopy)
     {
       auto keys = input.GetKeys(tuples);
-      stream = ofPoints ? EncodePointValues(state.Mesh.Context, input.Domains, keys)
-                        : EncodeCellValues(cells, input.Domains, keys);
+      stream = ofPoints
+        ? EncodePointValues(state.Mesh.Context, input.Domains, keys, input.GetMargin())
+        : EncodeCellValues(cells, input.Domains, keys);
       const auto own = ofPoints ? state.Mesh.Context.OwnIds.size() : tuples.size();
       for (std::size_t i = 0; input.Rounded && i < own; ++i)
       {
@@ -596,6 +608,7 @@ void StepSection::WriteChunkValues(WriterPart& part, const std::function<bool(do
 void StepSection::Finish(WriterPart& part, const StepValues& values)
 {
   auto& step = this->GetStep();
+  this->PointStep = step.Table.PointsMove ? this->Count : this->PointStep;
   if (part.Place.IsLast && this->KeepsTables)
   {
     this->Ends.push_back(this->State.File.GetSize());

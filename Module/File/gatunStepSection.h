@@ -122,6 +122,10 @@ public:
 
 private:
   StepDomains FindDomains(const WriterPart& part, const StepValues& values) const;
+  bool IsPoints(std::size_t a) const { return this->State.Meta.IsPoints(a); }
+  bool StandsStill(const WriterPart& part, const StepValues& values) const;
+  std::optional<std::size_t> FindReference(std::size_t a) const;
+  std::vector<Domain> FindPointDomains(const WriterPart& part, const void* coordinates) const;
   bool HasBefore(std::size_t a) const;
   void Prepare(const WriterPart& part, const StepValues& values);
   StepInput& WritePrepared(WriterPart& part, const std::function<bool(double)>& progress);
@@ -145,6 +149,7 @@ private:
   WriterState& State;
   std::vector<StepInput> Steps;
   std::size_t Count = 0;
+  std::size_t PointStep = 0; // the last step with coordinates of its own, if the points move
   bool KeepsTables = false;
   std::vector<std::uint64_t> Ends;
   Bytes LastField;

@@ -87,8 +87,20 @@ TablePages::TablePages(const InputFile& file, const MetaTable& meta, const CellT
 //------------------------------------------------------------------------------
 void TablePages::AddStep(const StreamRef& where, std::span<const std::uint8_t> bytes)
 {
-  this->Steps.push_back(this->File.Guarded(
-    StepName, where, [&] { return StepIndex::Read(bytes, this->Meta, this->Index); }));
+  this->Steps.push_back(this->File.Guarded(StepName, where,
+    [&]
+    {
+      return StepIndex::Read(
+        bytes, this->Meta, this->Index, this->Steps.empty() ? nullptr : &this->Steps.back());
+    }));
+  if (this->Meta.PointsMove)
+  {
+    const auto step = this->Steps.size() - 1;
+    this->KeyStep = this->Steps.back().Key ? step : this->KeyStep;
+    const auto before = step > 0 ? this->PointSteps.back().Step : 0;
+    this->PointSteps.push_back(
+      { this->Steps.back().PointsMove ? step : before, before >= this->KeyStep ? before : 0 });
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -144,8 +156,10 @@ std::shared_ptr<const StepPage> TablePages::GetStepPage(std::size_t page, std::s
     [&]
     {
       return this->File.Guarded(StepName, where,
-        [&] {
-          return StepPage::Read(this->File.Read(where, StepName), page, this->Meta, this->Index);
+        [&]
+        {
+          return StepPage::Read(
+            this->File.Read(where, StepName), page, this->Steps[step], this->Meta, this->Index);
         });
     });
 }
@@ -230,6 +244,11 @@ std::vector<std::uint32_t> TablePages::GetSharedUsers(std::size_t chunk) const
 StreamRef TablePages::GetChunkValues(std::size_t chunk, std::size_t array, std::size_t step) const
 {
   array = this->Steps.at(step).GetSource(array);
+  step = this->FindStep(array, step);
+  if (this->Meta.IsPoints(array) && step == 0)
+  {
+    return {};
+  }
   const auto page = this->GetStepPage(chunk / ChunksPerPage, step);
   const auto& where = page->Arrays.at(array).Chunks.at(chunk % ChunksPerPage);
   const auto& description = this->Meta.Arrays[array];
@@ -247,6 +266,11 @@ StreamRef TablePages::GetChunkValues(std::size_t chunk, std::size_t array, std::
 StreamRef TablePages::GetBlockValues(std::size_t block, std::size_t array, std::size_t step) const
 {
   array = this->Steps.at(step).GetSource(array);
+  step = this->FindStep(array, step);
+  if (this->Meta.IsPoints(array) && step == 0)
+  {
+    return {};
+  }
   if (block >= this->GetNumberOfBlocks())
   {
     return this->Steps.at(step).Arrays.at(array).Unused;
@@ -264,7 +288,7 @@ StreamRef TablePages::GetBlockValues(std::size_t block, std::size_t array, std::
 //------------------------------------------------------------------------------
 ArrayRanges TablePages::GetChunkRanges(std::size_t chunk, std::size_t array, std::size_t step) const
 {
-  const auto page = this->GetStepPage(chunk / ChunksPerPage, step);
+  const auto page = this->GetStepPage(chunk / ChunksPerPage, this->FindStep(array, step));
   const auto count = GetRangeCount(this->Meta.Arrays.at(array).Components);
   const auto first = page->Arrays[array].Ranges.begin() +
     static_cast<std::ptrdiff_t>(count * (chunk % ChunksPerPage));
@@ -310,7 +334,8 @@ void TablePages::AddBytes(FileStatistics& statistics) const
     // Steps may share their field data.
     statistics.FieldDataBytes += step.Field.Offset != lastField ? step.Field.Length : 0;
     lastField = step.Field.Offset;
-    for (std::size_t a = 0; a < step.Arrays.size(); ++a)
+    const auto arrays = step.PointsMove ? this->Meta.Arrays.size() : this->Meta.GetListedArrays();
+    for (std::size_t a = 0; a < arrays; ++a)
     {
       auto& bytes = statistics.ArrayBytes[a];
       bytes += step.Arrays[a].Unused.Length;
@@ -322,7 +347,7 @@ void TablePages::AddBytes(FileStatistics& statistics) const
     for (std::size_t p = 0; p < step.Pages.size(); ++p)
     {
       const auto page = this->GetStepPage(p, s);
-      for (std::size_t a = 0; a < step.Arrays.size(); ++a)
+      for (std::size_t a = 0; a < arrays; ++a)
       {
         for (const auto* list : { &page->Arrays[a].Chunks, &page->Arrays[a].Blocks })
         {

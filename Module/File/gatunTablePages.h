@@ -32,6 +32,18 @@ public:
    * null if all cells are tetrahedra. */
   TablePages(const InputFile& file, const MetaTable& meta, const CellTable* cells);
 
+  /** The step that has the coordinates of a step, 0 for those of the mesh. */
+  std::size_t GetPointStep(std::size_t step) const
+  {
+    return this->Meta.PointsMove && !this->PointSteps.empty() ? this->PointSteps.at(step).Step : 0;
+  }
+
+  /** The step from whose coordinates those of a step with coordinates may be predicted. */
+  std::size_t GetPointReference(std::size_t step) const
+  {
+    return this->PointSteps.at(step).Reference;
+  }
+
   /** Reads the table of the next time step. */
   void AddStep(const StreamRef& where, std::span<const std::uint8_t> bytes);
 
@@ -62,7 +74,7 @@ public:
   std::vector<std::uint32_t> GetSharedUsers(std::size_t chunk) const;
 
   /** The values of an array at a step. Throw if the stream cannot contain them. */
-  // Those of the array from which the array is copied, if it is.
+  // Those of the array from which the array is copied, if it is. Empty for coordinates of the mesh.
   StreamRef GetChunkValues(std::size_t chunk, std::size_t array, std::size_t step) const;
   StreamRef GetBlockValues(std::size_t block, std::size_t array, std::size_t step) const;
 
@@ -82,6 +94,12 @@ private:
 
   std::shared_ptr<const MeshPage> GetMeshPage(std::size_t page) const;
   std::shared_ptr<const StepPage> GetStepPage(std::size_t page, std::size_t step) const;
+  /** The step whose tables have an array of a step. */
+  std::size_t FindStep(std::size_t array, std::size_t step) const
+  {
+    return this->Meta.IsPoints(array) ? this->GetPointStep(step) : step;
+  }
+
   std::size_t FindPage(std::size_t block) const;
   LinkedChunk LinkChunk(std::size_t chunk) const;
 
@@ -91,6 +109,14 @@ private:
   MeshIndex Index;
   ChunkSummaries Summaries;
   std::vector<StepIndex> Steps;
+
+  struct PointStep
+  {
+    std::size_t Step;      // which has the coordinates
+    std::size_t Reference; // from which they may be predicted
+  };
+  std::vector<PointStep> PointSteps; // if the points move
+  std::size_t KeyStep = 0;           // the last one
   mutable PageCache Pages;
 };
 }

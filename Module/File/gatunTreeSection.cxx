@@ -56,12 +56,8 @@ void TreeSection::FindBoxes()
   this->Tree.Boxes.assign(this->Part.Chunks.size(), std::vector<Bounds>(this->Tree.Rungs.size()));
   for (unsigned axis = 0; axis < 3; ++axis)
   {
-    const auto ranges = this->Layout.FindRanges(
-      [&](std::uint32_t point)
-      {
-        const double x = this->Part.Mesh.GetCoordinate(point, axis);
-        return std::isfinite(x) ? x : std::nan("");
-      });
+    const auto ranges = this->Layout.FindRanges([&](std::uint32_t point)
+      { return ArrayInput::Finite(this->Part.Mesh.GetCoordinate(point, axis)); });
     for (std::size_t c = 0; c < ranges.size(); ++c)
     {
       for (std::size_t rung = 0; rung < ranges[c].size(); ++rung)
@@ -111,8 +107,12 @@ void TreeSection::WriteStep(const std::vector<ArrayInput>& inputs)
     for (std::size_t r = 0; r < count; ++r)
     {
       const int component = r < components ? static_cast<int>(r) : -1;
-      const auto ranges =
-        this->Layout.FindRanges([&](std::uint32_t point) { return reader.Get(point, component); });
+      const auto ranges = this->Layout.FindRanges(
+        [&](std::uint32_t point)
+        {
+          const double value = reader.Get(point, component);
+          return input.IsPoints ? ArrayInput::Finite(value) : value;
+        });
       for (std::size_t c = 0; c < ranges.size(); ++c)
       {
         for (std::size_t rung = 0; rung < ranges[c].size(); ++rung)

@@ -27,6 +27,10 @@ struct WriterOptions
   /** The interval of time steps that are coded independently of their predecessor, 1 or more. */
   std::uint32_t KeyStepInterval = 8;
 
+  /** Whether each time step has coordinates of its own (FileWriter::WriteStep). The cells stay the
+   * same. Not possible for a mesh that comes in parts. */
+  bool PointsMove = false;
+
   /** Whether to replace an existing read-only file, which is an error otherwise. */
   bool ReplaceReadOnly = false;
 

@@ -25,7 +25,8 @@ bool HasDependencies(const WriterOptions& options)
 
 std::uint16_t GetMinorVersion(const WriterOptions& options, bool hasCells)
 {
-  return HasDependencies(options)       ? MinorVersionWithDependencies
+  return options.PointsMove             ? MinorVersionWithMotion
+    : HasDependencies(options)          ? MinorVersionWithDependencies
     : options.IsSurface && options.Tree ? MinorVersionOfSurfaceTrees
     : options.Boundary                  ? MinorVersionWithBoundary
     : options.IsSurface                 ? MinorVersionOfSurfaces
@@ -55,11 +56,12 @@ WriterState::WriterState(const std::vector<ArrayDescription>& arrays, const Writ
 }
 
 //------------------------------------------------------------------------------
-WriterState::WriterState(const WriterState& whole, const WriterOptions& options)
+WriterState::WriterState(const WriterState& whole, const std::vector<ArrayDescription>& arrays,
+  const WriterOptions& options)
   : Options(options)
   , File(whole.File, GetMinorVersion(options, false))
 {
-  this->DescribeArrays(whole.Meta.Arrays);
+  this->DescribeArrays(arrays);
 }
 
 //------------------------------------------------------------------------------
@@ -69,6 +71,7 @@ void WriterState::DescribeArrays(const std::vector<ArrayDescription>& arrays)
   this->Meta.WideIds = false;
   this->Meta.Keep = this->Options.Keep;
   this->Meta.KeyStepInterval = this->Options.KeyStepInterval;
+  this->Meta.PointsMove = this->Options.PointsMove;
   this->Meta.Arrays = arrays;
   this->Statistics.ArrayBytes.resize(arrays.size());
 }
@@ -167,8 +170,9 @@ void WriterState::WriteStep(OutputFile& file, const StepTable& step) const
   const auto index = WriteStepPages(step, this->Meta, MakeMeshIndex(this->Table),
     [&](const Bytes& page) { return pages.Put(page); });
   pages.Write();
-  file.AddSection(SectionStep, index.Write(), FlagMandatory,
-    index.HasBounds()             ? StepVersionWithBounds
+  file.AddSection(SectionStep, index.Write(this->Meta), FlagMandatory,
+    this->Meta.PointsMove         ? StepVersionWithMotion
+      : index.HasBounds()         ? StepVersionWithBounds
       : index.HasScalesOrCopies() ? StepVersionWithScales
                                   : SectionVersion);
 }
@@ -177,10 +181,11 @@ void WriterState::WriteStep(OutputFile& file, const StepTable& step) const
 FileStatistics WriterState::Commit(OutputFile& file)
 {
   FileStatistics& s = this->Statistics;
+  s.SplitPoints(this->Meta.PointsMove);
   s.FileBytes = file.Commit();
   s.DirectoryBytes = s.FileBytes - s.ConnectivityBytes - s.GeometryBytes - s.SharedGeometryBytes -
     s.OrderBytes - s.FieldDataBytes - s.TreeBytes - s.DependencyBytes - s.LevelBytes -
-    s.BoundaryBytes - s.OtherMeshBytes;
+    s.BoundaryBytes - s.OtherMeshBytes - s.MotionBytes;
   for (const auto bytes : s.ArrayBytes)
   {
     s.DirectoryBytes -= bytes;

@@ -79,8 +79,9 @@ public:
   WriterState(const std::vector<ArrayDescription>& arrays, const WriterOptions& options,
     const std::string& folder);
 
-  /** A base mesh of another file. */
-  WriterState(const WriterState& whole, const WriterOptions& options);
+  /** A mesh that is embedded in another file. */
+  WriterState(const WriterState& whole, const std::vector<ArrayDescription>& arrays,
+    const WriterOptions& options);
 
   /** Adds the counts and types of a part. Throws Error(InvalidInput) if it has another type of
    * coordinates than the parts before. */

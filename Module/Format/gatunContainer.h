@@ -77,11 +77,13 @@ inline constexpr ContainerKind VolumeContainer{ ".ghv",
   GATUN_VOLUME_FORMAT_VERSION_MAJOR, VolumeSections };
 
 constexpr std::uint16_t SectionVersion = 1;
-// Of TABL and STEP, see Documentation/format.md, 4 and 5.2.
+// Of META, TABL and STEP, see Documentation/format.md, 3.1, 4 and 5.2.
+constexpr std::uint16_t MetaVersionWithMotion = 2;
 constexpr std::uint16_t TableVersionWithWideNumbers = 2;
 constexpr std::uint16_t TableVersionWithScales = 3;
 constexpr std::uint16_t StepVersionWithScales = 2;
 constexpr std::uint16_t StepVersionWithBounds = 3;
+constexpr std::uint16_t StepVersionWithMotion = 4;
 constexpr std::uint16_t FlagMandatory = 1; // readers that do not know the section must stop
 
 // The minor version of a file depends on the optional sections that it has.
@@ -93,6 +95,7 @@ constexpr std::uint16_t MinorVersionOfSurfaces = 4;
 constexpr std::uint16_t MinorVersionWithBoundary = 5;
 constexpr std::uint16_t MinorVersionOfSurfaceTrees = 6;
 constexpr std::uint16_t MinorVersionWithDependencies = 7;
+constexpr std::uint16_t MinorVersionWithMotion = 10;
 
 /** Whether a path names a regular file with the signature of a format. */
 bool BeginsAs(const std::string& path, const ContainerKind& kind) noexcept;

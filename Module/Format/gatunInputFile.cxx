@@ -149,7 +149,8 @@ bool InputFile::IsReadable(const SectionRef& section) const
     section.Version >= SectionVersion &&
     section.Version <= (&this->Kind != &MeshContainer     ? SectionVersion
                            : section.Name == SectionTable ? TableVersionWithScales
-                           : section.Name == SectionStep  ? StepVersionWithBounds
+                           : section.Name == SectionStep  ? StepVersionWithMotion
+                           : section.Name == SectionMeta  ? MetaVersionWithMotion
                                                           : SectionVersion);
 }
 

@@ -7,6 +7,23 @@
 
 namespace gatun
 {
+namespace
+{
+// Flags of time.
+constexpr std::uint8_t FlagTime = 1;
+constexpr std::uint8_t FlagMotion = 2;
+}
+
+//------------------------------------------------------------------------------
+ArrayDescription DescribePoints(ScalarType type)
+{
+  ArrayDescription points;
+  points.Name = "coordinates";
+  points.Type = type;
+  points.Components = 3;
+  return points;
+}
+
 //------------------------------------------------------------------------------
 Bytes MetaTable::Write() const
 {
@@ -17,7 +34,8 @@ Bytes MetaTable::Write() const
   out.PutVarint(this->UnusedPoints);
   out.Put(static_cast<std::uint8_t>(this->CoordinateType));
   out.Put(static_cast<std::uint8_t>(this->WideIds));
-  out.Put(static_cast<std::uint8_t>(this->HasTime));
+  out.Put(static_cast<std::uint8_t>(
+    (this->HasTime ? FlagTime : 0) | (this->PointsMove ? FlagMotion : 0)));
   out.Put(this->Keep);
   out.PutVarint(this->ChunkTets);
   out.PutVarint(this->KeyStepInterval);
@@ -25,7 +43,7 @@ Bytes MetaTable::Write() const
   {
     PutRange(out, range);
   }
-  PutArrays(out, this->Arrays);
+  PutArrays(out, std::span(this->Arrays).first(this->GetListedArrays()));
   return Pack(out, SmallTable);
 }
 
@@ -41,7 +59,10 @@ MetaTable MetaTable::Read(std::span<const std::uint8_t> bytes)
   meta.CoordinateType = GetScalarType(in);
   Check(IsFloating(meta.CoordinateType), "the coordinates have an unknown type");
   meta.WideIds = in.Get<std::uint8_t>() != 0;
-  meta.HasTime = in.Get<std::uint8_t>() != 0;
+  const auto time = in.Get<std::uint8_t>();
+  meta.HasTime = time != 0;
+  meta.PointsMove = (time & FlagMotion) != 0;
+  Check(!meta.PointsMove || (time & FlagTime) != 0, "points move in a file that has no time");
   meta.Keep = in.Get<std::uint8_t>();
   Check(meta.Keep <= KeepAll, "the kept order is unknown");
   meta.ChunkTets = GetSmall(in);
@@ -51,6 +72,10 @@ MetaTable MetaTable::Read(std::span<const std::uint8_t> bytes)
     range = GetRange(in);
   }
   meta.Arrays = GetArrays(in);
+  if (meta.PointsMove)
+  {
+    meta.Arrays.push_back(DescribePoints(meta.CoordinateType));
+  }
   Check(in.GetRemaining() == 0, "there are bytes behind the end of the meta data");
   return meta;
 }

@@ -10,6 +10,7 @@
 #include "gatunFieldData.h"
 #include "gatunTypes.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -26,15 +27,31 @@ struct MetaTable
   ScalarType CoordinateType = ScalarType::Float32;
   bool WideIds = true;
   bool HasTime = false;
+  bool PointsMove = false;
   std::uint8_t Keep = KeepNone;
   std::uint32_t ChunkTets = 0;
   std::uint32_t KeyStepInterval = 1;
   Bounds Box;
+
+  /** The arrays of the file. If the points move, one more comes last, their coordinates: tables of
+   * time steps have it like the others, but the file does not list it. */
   std::vector<ArrayDescription> Arrays;
+
+  /** The number of arrays that the file lists. */
+  std::size_t GetListedArrays() const { return this->Arrays.size() - (this->PointsMove ? 1 : 0); }
+
+  /** Whether an array is the coordinates of points that move. */
+  bool IsPoints(std::size_t array) const
+  {
+    return this->PointsMove && array + 1 == this->Arrays.size();
+  }
 
   Bytes Write() const;
   static MetaTable Read(std::span<const std::uint8_t> bytes);
 };
+
+/** Coordinates of points that move, as an array. */
+ArrayDescription DescribePoints(ScalarType type);
 
 /** The type of the original numbers of so many points or cells. */
 constexpr ScalarType GetNumberType(std::uint64_t count)

@@ -13,13 +13,25 @@ namespace
 // The maximum number of values in a stream. Each takes a decision of at least 2^-15.5 bits.
 constexpr std::uint64_t MaxValuesPerByte = 1u << 19;
 
+/** The number of arrays in the tables of a step: no coordinates if points stand still. */
+std::size_t CountArrays(const MetaTable& meta, bool pointsMove)
+{
+  return pointsMove ? meta.Arrays.size() : meta.GetListedArrays();
+}
+
+/** The same for a step that is to be written. */
+std::size_t CountArrays(const StepTable& step, const MetaTable& meta)
+{
+  return std::min(CountArrays(meta, step.PointsMove), step.Arrays.size());
+}
+
 Bytes WriteStepPage(
   const StepTable& step, const MetaTable& meta, const MeshIndex& mesh, std::size_t page)
 {
   const auto first = page * ChunksPerPage;
   const auto& place = mesh.Pages[page];
   ByteWriter out;
-  for (std::size_t a = 0; a < step.Arrays.size(); ++a)
+  for (std::size_t a = 0; a < CountArrays(step, meta); ++a)
   {
     const auto& array = step.Arrays[a];
     for (auto chunk = first; chunk < first + mesh.GetChunksOfPage(page); ++chunk)
@@ -46,9 +58,11 @@ Bytes WriteStepPage(
 StepIndex WriteStepPages(
   const StepTable& step, const MetaTable& meta, const MeshIndex& mesh, const PutPage& put)
 {
-  StepIndex index{ step.Time, step.Key, step.Field, {}, {} };
-  for (const auto& array : step.Arrays)
+  StepIndex index{ step.Time, step.Key, step.Field, step.PointsMove, {}, {} };
+  const auto arrays = CountArrays(step, meta);
+  for (std::size_t a = 0; a < arrays; ++a)
   {
+    const auto& array = step.Arrays[a];
     auto& entry = index.Arrays.emplace_back();
     entry.Components = static_cast<std::uint32_t>(array.Palettes.size());
     for (std::uint32_t c = 0; c < entry.Components; ++c)
@@ -61,7 +75,7 @@ StepIndex WriteStepPages(
     entry.Ranges = array.Ranges;
     entry.Unused = array.Blocks.empty() ? StreamRef() : array.Blocks.back();
   }
-  for (std::size_t page = 0; !step.Arrays.empty() && page < mesh.Pages.size(); ++page)
+  for (std::size_t page = 0; arrays > 0 && page < mesh.Pages.size(); ++page)
   {
     index.Pages.push_back(put(WriteStepPage(step, meta, mesh, page)));
   }
@@ -122,7 +136,7 @@ void StepIndex::CheckCopies(const MetaTable& meta) const
         std::all_of(array.Palettes.begin(), array.Palettes.end(),
           [&](const auto& entry) { return entry.second.SourceArray == source; }),
       "only a part of an array is copied from another one");
-    Check(source < this->Arrays.size() && !this->Arrays[source].IsCopy() &&
+    Check(source < meta.GetListedArrays() && !this->Arrays[source].IsCopy() &&
         meta.Arrays[source].Type == meta.Arrays[a].Type &&
         meta.Arrays[source].Where == meta.Arrays[a].Where &&
         std::all_of(array.Palettes.begin(), array.Palettes.end(),
@@ -155,13 +169,18 @@ bool StepIndex::HasBounds() const
 }
 
 //------------------------------------------------------------------------------
-Bytes StepIndex::Write() const
+Bytes StepIndex::Write(const MetaTable& meta) const
 {
   ByteWriter out;
   out.Put(this->Time);
   out.Put(static_cast<std::uint8_t>(this->Key));
   PutStream(out, this->Field);
-  for (const auto& array : this->Arrays)
+  if (meta.PointsMove)
+  {
+    out.Put(static_cast<std::uint8_t>(this->PointsMove));
+  }
+  const auto arrays = std::min(CountArrays(meta, this->PointsMove), this->Arrays.size());
+  for (const auto& array : std::span(this->Arrays).first(arrays))
   {
     auto palette = array.Palettes.begin();
     for (std::uint32_t c = 0; c < array.Components; ++c)
@@ -183,8 +202,32 @@ Bytes StepIndex::Write() const
 }
 
 //------------------------------------------------------------------------------
-StepIndex StepIndex::Read(
-  std::span<const std::uint8_t> bytes, const MetaTable& meta, const MeshIndex& mesh)
+void StepIndex::ReadArray(ByteReader& in, const ArrayDescription& description)
+{
+  auto& array = this->Arrays.emplace_back();
+  const auto ranges = GetRangeCount(description.Components);
+  Check(description.Components + 16 * ranges + 1 <= in.GetRemaining(),
+    "the table of a step ends too early");
+  array.Components = description.Components;
+  for (std::uint32_t c = 0; c < array.Components; ++c)
+  {
+    const auto palette = GetPalette(in, description.Type);
+    if (!palette.IsPlain())
+    {
+      array.Palettes.emplace_back(c, palette);
+    }
+  }
+  array.Ranges.resize(ranges);
+  for (auto& range : array.Ranges)
+  {
+    range = GetRange(in);
+  }
+  array.Unused = GetStream(in);
+}
+
+//------------------------------------------------------------------------------
+StepIndex StepIndex::Read(std::span<const std::uint8_t> bytes, const MetaTable& meta,
+  const MeshIndex& mesh, const StepIndex* before)
 {
   const auto data = Unpack(bytes, SmallStep);
   ByteReader in(data);
@@ -193,34 +236,31 @@ StepIndex StepIndex::Read(
   Check(!std::isnan(step.Time), "a time is not a number");
   step.Key = in.Get<std::uint8_t>() != 0;
   step.Field = GetStream(in);
-  for (const auto& description : meta.Arrays)
+  if (meta.PointsMove)
   {
-    auto& array = step.Arrays.emplace_back();
-    const auto ranges = GetRangeCount(description.Components);
-    Check(description.Components + 16 * ranges + 1 <= in.GetRemaining(),
-      "the table of a step ends too early");
-    array.Components = description.Components;
-    for (std::uint32_t c = 0; c < array.Components; ++c)
-    {
-      const auto palette = GetPalette(in, description.Type);
-      if (!palette.IsPlain())
-      {
-        array.Palettes.emplace_back(c, palette);
-      }
-    }
-    array.Ranges.resize(ranges);
-    for (auto& range : array.Ranges)
-    {
-      range = GetRange(in);
-    }
-    array.Unused = GetStream(in);
-    if (description.Where == Association::Point && !array.IsCopy())
+    const auto move = in.Get<std::uint8_t>();
+    Check(move <= 1 && (move == 1 || before), "a step has no coordinates");
+    step.PointsMove = move == 1;
+  }
+  const auto arrays = CountArrays(meta, step.PointsMove);
+  for (std::size_t a = 0; a < arrays; ++a)
+  {
+    const auto& description = meta.Arrays[a];
+    step.ReadArray(in, description);
+    const auto& array = step.Arrays.back();
+    // The mesh has the coordinates of the first step.
+    const bool isInMesh = meta.IsPoints(a) && !before;
+    Check(!meta.IsPoints(a) ||
+        std::all_of(array.Palettes.begin(), array.Palettes.end(),
+          [](const auto& entry) { return static_cast<bool>(entry.second.Steps); }),
+      "coordinates have a palette");
+    if (description.Where == Association::Point && !array.IsCopy() && !isInMesh)
     {
       CheckValues(description, mesh.Unused.Points, array.Unused);
     }
   }
   step.CheckCopies(meta);
-  const auto pages = meta.Arrays.empty() ? 0 : mesh.Pages.size();
+  const auto pages = arrays == 0 ? 0 : mesh.Pages.size();
   Check(pages <= in.GetRemaining(), "the table of a step ends too early");
   step.Pages.resize(pages);
   for (auto& page : step.Pages)
@@ -228,19 +268,24 @@ StepIndex StepIndex::Read(
     page = GetStream(in);
   }
   Check(in.GetRemaining() == 0, "there are bytes behind the end of the table of a step");
+  if (meta.PointsMove && !step.PointsMove)
+  {
+    step.Arrays.push_back(before->Arrays.back());
+  }
   return step;
 }
 
 //------------------------------------------------------------------------------
 StepPage StepPage::Read(std::span<const std::uint8_t> bytes, std::size_t page,
-  const MetaTable& meta, const MeshIndex& mesh)
+  const StepIndex& step, const MetaTable& meta, const MeshIndex& mesh)
 {
   const auto data = Unpack(bytes, SmallStep);
   ByteReader in(data);
   const auto chunks = mesh.GetChunksOfPage(page);
   StepPage result;
-  for (const auto& description : meta.Arrays)
+  for (std::size_t a = 0; a < CountArrays(meta, step.PointsMove); ++a)
   {
+    const auto& description = meta.Arrays[a];
     auto& array = result.Arrays.emplace_back();
     const auto ranges = GetRangeCount(description.Components);
     Check(chunks <= in.GetRemaining() / (1 + 16 * ranges), "a page of a step ends too early");

@@ -35,8 +35,9 @@ struct ArrayStep
 struct StepTable
 {
   double Time = 0;
-  bool Key = true; // whether it decodes without the previous step
-  StreamRef Field; // length 0 if there are no field data
+  bool Key = true;         // whether it decodes without the previous step
+  bool PointsMove = false; // whether the last array is the coordinates, and not of the step before
+  StreamRef Field;         // length 0 if there are no field data
   std::vector<ArrayStep> Arrays;
 };
 
@@ -62,6 +63,7 @@ struct StepIndex
   double Time = 0;
   bool Key = true;
   StreamRef Field;
+  bool PointsMove = false; // as in StepTable
   std::vector<Array> Arrays;
   std::vector<StreamRef> Pages; // as many as the mesh has, but none without arrays
 
@@ -78,12 +80,16 @@ struct StepIndex
     return entry.IsCopy() ? entry.Palettes[0].second.SourceArray : array;
   }
 
-  Bytes Write() const;
-  static StepIndex Read(
-    std::span<const std::uint8_t> bytes, const MetaTable& meta, const MeshIndex& mesh);
+  Bytes Write(const MetaTable& meta) const;
+
+  /** The coordinates of a step that does not have its own are those of the step before. before:
+   * that step, null if it is the first one. */
+  static StepIndex Read(std::span<const std::uint8_t> bytes, const MetaTable& meta,
+    const MeshIndex& mesh, const StepIndex* before);
 
 private:
   void CheckCopies(const MetaTable& meta) const;
+  void ReadArray(ByteReader& in, const ArrayDescription& description);
 };
 
 /** The chunks and blocks of a page of the mesh at one time step. */
@@ -99,8 +105,8 @@ struct StepPage
 
   std::uint64_t GetBytes() const;
 
-  static StepPage Read(std::span<const std::uint8_t> bytes, std::size_t page, const MetaTable& meta,
-    const MeshIndex& mesh);
+  static StepPage Read(std::span<const std::uint8_t> bytes, std::size_t page, const StepIndex& step,
+    const MetaTable& meta, const MeshIndex& mesh);
 };
 
 /** Writes the pages of a step. mesh: the pages of the mesh. */

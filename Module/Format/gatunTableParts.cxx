@@ -197,7 +197,7 @@ ScalarType GetScalarType(ByteReader& in)
 }
 
 //------------------------------------------------------------------------------
-void PutArrays(ByteWriter& out, const std::vector<ArrayDescription>& arrays)
+void PutArrays(ByteWriter& out, std::span<const ArrayDescription> arrays)
 {
   out.PutVarint(arrays.size());
   for (const auto& array : arrays)

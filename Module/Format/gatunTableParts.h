@@ -74,7 +74,7 @@ std::vector<std::string> GetStrings(ByteReader& in);
 ScalarType GetScalarType(ByteReader& in);
 
 /** Descriptions of arrays, as META has them. */
-void PutArrays(ByteWriter& out, const std::vector<ArrayDescription>& arrays);
+void PutArrays(ByteWriter& out, std::span<const ArrayDescription> arrays);
 std::vector<ArrayDescription> GetArrays(ByteReader& in);
 
 /** Reads a varint below 2^32. */

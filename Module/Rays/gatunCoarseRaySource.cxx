@@ -155,15 +155,16 @@ std::vector<std::uint32_t> CoarseRaySource::Internals::FindChunks() const
 void CoarseRaySource::Internals::FindBoxes()
 {
   const MergeCut& cut = this->Layout.GetCut();
+  const auto step = this->Decoded->GetValues().Step;
   for (const auto chunk : this->Chunks)
   {
-    Bounds& box = this->Boxes.emplace_back(this->File->GetChunkBounds(chunk, cut.GetLast()));
+    Bounds& box = this->Boxes.emplace_back(this->File->GetChunkBounds(chunk, cut.GetLast(), step));
     if (!cut.IsUniform())
     {
-      Bounds parts = this->File->GetChunkBounds(chunk, 0);
+      Bounds parts = this->File->GetChunkBounds(chunk, 0, step);
       for (const auto source : this->Layout.GetSources(chunk))
       {
-        parts.Include(this->File->GetChunkBounds(source, 0));
+        parts.Include(this->File->GetChunkBounds(source, 0, step));
       }
       for (std::size_t axis = 0; axis < box.size(); ++axis)
       {

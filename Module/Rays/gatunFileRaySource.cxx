@@ -22,10 +22,15 @@ public:
     , Parts(std::move(parts))
   {
     CheckRayValues(*this->File, values);
+    for (std::size_t chunk = 0; chunk < this->File->GetChunks().size(); ++chunk)
+    {
+      this->Boxes.push_back(this->File->GetChunkBounds(chunk, 0, values.Step));
+    }
   }
 
   std::shared_ptr<const FileReader> File;
   RayValues Values;
+  std::vector<Bounds> Boxes; // of the chunks
   RayBlockCache Cache;
   std::shared_ptr<ChunkCache> Parts; // for shared points
 };
@@ -56,7 +61,7 @@ std::size_t FileRaySource::GetNumberOfBlocks() const
 //------------------------------------------------------------------------------
 const Bounds& FileRaySource::GetBounds(std::size_t block) const
 {
-  return this->Self->File->GetChunks()[block].Box;
+  return this->Self->Boxes[block];
 }
 
 //------------------------------------------------------------------------------

@@ -213,6 +213,7 @@ struct FileStatistics
   std::uint64_t GeometryBytes = 0;       ///< points that belong to one chunk
   std::uint64_t SharedGeometryBytes = 0; ///< shared and unused points
   std::vector<std::uint64_t> ArrayBytes; ///< each array over all time steps
+  std::uint64_t MotionBytes = 0;         ///< coordinates of later time steps, if the points move
   std::uint64_t OrderBytes = 0;          ///< the original order, see KeepOrder
   std::uint64_t FieldDataBytes = 0;
   std::uint64_t TreeBytes = 0;       ///< the merge tree and the ranges after merges
@@ -221,6 +222,16 @@ struct FileStatistics
   std::uint64_t BoundaryBytes = 0;   ///< the boundary with its arrays
   std::uint64_t OtherMeshBytes = 0;  ///< all but the first mesh of a series, with their arrays
   std::uint64_t DirectoryBytes = 0;  ///< headers, tables, meta data
+
+  /** Takes the bytes of the last array as those of coordinates, if the points move. */
+  void SplitPoints(bool pointsMove)
+  {
+    if (pointsMove)
+    {
+      this->MotionBytes = this->ArrayBytes.back();
+      this->ArrayBytes.pop_back();
+    }
+  }
 };
 }
 

@@ -91,7 +91,6 @@ ChunkSurface::ChunkSurface(const std::shared_ptr<ChunkCache>& cache, ChunkSurfac
   : Cache(cache)
   , Parts(cache)
   , Arrays(std::move(arrays))
-  , KeyStep(Parts.Content().FindKeyStep(this->Arrays.Step))
 {
 }
 
@@ -148,16 +147,17 @@ std::shared_ptr<const ChunkMesh> ChunkSurface::GetMesh(std::uint32_t chunk) cons
 std::shared_ptr<const ArrayPart> ChunkSurface::GetBlockArray(
   std::uint32_t block, std::uint32_t array, std::size_t step) const
 {
-  auto reached = this->Parts.FindBlockArray(block, array, this->KeyStep, step);
+  const auto key = this->Parts.Content().FindKeyStep(array, step);
+  auto reached = this->Parts.FindBlockArray(block, array, key, step);
   if (reached.Values && reached.Step == step)
   {
     return reached.Values;
   }
   PartFits fits;
-  for (auto at = reached.Values ? reached.Step + 1 : this->KeyStep; at <= step; ++at)
+  for (auto at = reached.Values ? reached.Step + 1 : key; at <= step; ++at)
   {
     reached = { this->Parts.DecodeBlockArray(
-                  block, array, at, *this->Parts.GetDomains(array, at), reached.Values.get(), fits),
+                  block, array, at, *this->Parts.GetDomains(array, at), reached.Values, fits),
       at };
   }
   this->Parts.KeepBlockArray(block, array, reached);
@@ -167,17 +167,21 @@ std::shared_ptr<const ArrayPart> ChunkSurface::GetBlockArray(
 std::shared_ptr<const ArrayPart> ChunkSurface::GetArray(
   std::uint32_t chunk, const ChunkMesh& mesh, std::uint32_t array) const
 {
-  const std::size_t step = this->Arrays.Step;
-  auto reached = this->Parts.FindChunkArray(chunk, array, this->KeyStep, step);
+  const auto& content = this->Parts.Content();
+  const bool isPoints = content.Meta.IsPoints(array);
+  const auto step =
+    isPoints ? content.GetTables().GetPointStep(this->Arrays.Step) : this->Arrays.Step;
+  const auto key = content.FindKeyStep(array, step);
+  auto reached = this->Parts.FindChunkArray(chunk, array, key, step);
   if (reached.Values && reached.Step == step)
   {
     return reached.Values;
   }
   PartFits fits;
-  for (auto at = reached.Values ? reached.Step + 1 : this->KeyStep; at <= step; ++at)
+  for (auto at = reached.Values ? reached.Step + 1 : key; at <= step; ++at)
   {
     reached = { this->Parts.DecodeChunkArray(chunk, mesh, array, at,
-                  *this->Parts.GetDomains(array, at), reached.Values.get(),
+                  *this->Parts.GetDomains(array, at), reached.Values,
                   HoldBlocks<ArrayPart>(
                     [&](std::uint32_t block) { return this->GetBlockArray(block, array, at); }),
                   fits),
@@ -243,7 +247,16 @@ SurfacePart ChunkSurface::Make(std::uint32_t chunk, const SurfaceOptions& option
   std::vector<double> converted;
   SetMarchValues(
     input.Mesh, values[scalars].View, mesh->Keys.size(), this->Arrays.Component, converted);
-  const auto points = GetCoordinates(*mesh);
+  std::vector<std::uint8_t> points;
+  const auto& content = this->Parts.Content();
+  if (content.GetTables().GetPointStep(this->Arrays.Step) > 0)
+  {
+    points = this->GetValues(chunk, *mesh, content.GetPointArray()).Bytes;
+  }
+  else
+  {
+    points = GetCoordinates(*mesh);
+  }
   input.Points = { points.data(), mesh->Domains[0].GetType(), 3 };
   this->Release(chunk);
   return MakeSurfacePart(input, options, 0, tets.size());

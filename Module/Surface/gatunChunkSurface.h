@@ -56,7 +56,6 @@ private:
   const std::shared_ptr<ChunkCache> Cache;
   const PartDecoder Parts;
   const ChunkSurfaceArrays Arrays;
-  const std::size_t KeyStep; // from which the step is decoded
 
   // For each block the number of chunks that still need it, if blocks are removed.
   std::vector<std::atomic<std::uint32_t>> Users;

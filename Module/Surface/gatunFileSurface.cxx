@@ -168,17 +168,17 @@ std::vector<std::uint32_t> FileSurface::FindChunks(const FileSurfaceRequest& req
 }
 
 //------------------------------------------------------------------------------
-const Bounds& FileSurface::GetBounds(std::uint32_t chunk) const
+Bounds FileSurface::GetBounds(std::uint32_t chunk, std::size_t step) const
 {
-  return this->Layout ? this->GetFile()->GetChunkBounds(chunk, this->Layout->GetCut().GetLast())
-                      : this->GetFile()->GetChunks()[chunk].Box;
+  return this->GetFile()->GetChunkBounds(
+    chunk, this->Layout ? this->Layout->GetCut().GetLast() : 0, step);
 }
 
 //------------------------------------------------------------------------------
-bool FileSurface::Touch(std::uint32_t a, std::uint32_t b) const
+bool FileSurface::Touch(std::uint32_t a, std::uint32_t b, std::size_t step) const
 {
-  const Bounds& one = this->GetBounds(a);
-  const Bounds& other = this->GetBounds(b);
+  const Bounds one = this->GetBounds(a, step);
+  const Bounds other = this->GetBounds(b, step);
   return std::equal(one.begin(), one.end(), other.begin(),
     [](const Range& x, const Range& y) { return x.Min <= y.Max && y.Min <= x.Max; });
 }
@@ -287,8 +287,8 @@ Surface FileSurface::Extract(const FileSurfaceRequest& request, const Progress& 
     std::erase_if(around,
       [&](std::uint32_t chunk)
       {
-        return std::none_of(
-          own.begin(), own.end(), [&](std::uint32_t other) { return this->Touch(chunk, other); });
+        return std::none_of(own.begin(), own.end(),
+          [&](std::uint32_t other) { return this->Touch(chunk, other, request.Step); });
       });
   }
 

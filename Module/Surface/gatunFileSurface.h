@@ -104,8 +104,8 @@ private:
   std::uint64_t GetLeastCache() const;
   void Check(const FileSurfaceRequest& request) const;
   const IntervalTree& GetRanges(const FileSurfaceRequest& request);
-  bool Touch(std::uint32_t a, std::uint32_t b) const;
-  const Bounds& GetBounds(std::uint32_t chunk) const;
+  bool Touch(std::uint32_t a, std::uint32_t b, std::size_t step) const;
+  Bounds GetBounds(std::uint32_t chunk, std::size_t step) const;
   Mesh DecodeCoarse(std::vector<std::uint32_t> chunks, const FileSurfaceRequest& request) const;
   static std::vector<SurfacePart> MakeParts(ChunkSurface& maker,
     const std::vector<std::uint32_t>& chunks, const SurfaceOptions& options,

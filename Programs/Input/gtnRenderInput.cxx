@@ -54,7 +54,7 @@ void RenderInput::OpenFile(const RenderInputOptions& options)
 
   this->Choose(options, GetChoices(file));
   this->Range = gtn::GetRange(file, this->Array, this->Component, place.Step);
-  this->Bounds = file.GetBounds();
+  this->Bounds = file.GetBounds(place.Step);
   this->Tets = file.GetNumberOfTets();
 
   vtkNew<vtkGatunReader> reader;

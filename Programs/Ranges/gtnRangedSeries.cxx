@@ -162,7 +162,9 @@ void RangedSeries::CheckMesh(std::size_t step, RangedMesh& mesh)
   }
   if (!isSame)
   {
-    this->Fail(step, "one file holds one mesh, but the points or the cells change");
+    this->Fail(step,
+      "parts of a mesh, as with --memory and --pieces, cannot be those of points that move; the "
+      "points or the cells change");
   }
 }
 

@@ -214,9 +214,9 @@ def refuse(*arguments, says):
 
 
 write_as(scattered(7, 6), "moved.vtu")
-refuse("--pieces", 3, "step0.vtu", "moved.vtu", says="points or the cells change in time step 1")
+refuse("--pieces", 3, "step0.vtu", "moved.vtu", says="the points or the cells change in time step 1")
 write_as(scattered(6, 5), "smaller.vtu")
-refuse("--pieces", 3, "step0.vtu", "smaller.vtu", says="points or the cells change in time step 1")
+refuse("--pieces", 3, "step0.vtu", "smaller.vtu", says="the points or the cells change in time step 1")
 less = scattered(7, 5)
 less.GetPointData().RemoveArray("mark")
 write_as(less, "less.vtu")

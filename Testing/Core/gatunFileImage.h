@@ -182,7 +182,7 @@ public:
     std::vector<Section> steps;
     for (const auto& step : placed.Steps)
     {
-      const auto table = WriteStepPages(step, this->Meta, index, put).Write();
+      const auto table = WriteStepPages(step, this->Meta, index, put).Write(this->Meta);
       steps.push_back({ SectionStep, this->Changed(SectionStep, steps.size(), table) });
     }
     std::vector<Section> sections{ std::move(mesh), std::move(pages) };
@@ -278,7 +278,8 @@ private:
     for (std::size_t s = 0; s < tables.GetSteps().size(); ++s)
     {
       const auto& index = tables.GetSteps()[s];
-      auto& step = this->Steps.emplace_back(StepTable{ index.Time, index.Key, index.Field, {} });
+      auto& step = this->Steps.emplace_back(
+        StepTable{ index.Time, index.Key, index.PointsMove, index.Field, {} });
       for (std::size_t a = 0; a < index.Arrays.size(); ++a)
       {
         auto& array = step.Arrays.emplace_back();

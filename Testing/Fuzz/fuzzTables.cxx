@@ -74,12 +74,12 @@ void ReadTables(fuzz::Input& in)
   {
     ReadPage(next(), page, mesh, chunks, meta.Keep);
   }
-  const auto step = StepIndex::Read(next(), meta, mesh);
-  CheckAgain(
-    [&] { return step.Write(); }, [&](const Bytes& bytes) { StepIndex::Read(bytes, meta, mesh); });
+  const auto step = StepIndex::Read(next(), meta, mesh, nullptr);
+  CheckAgain([&] { return step.Write(meta); },
+    [&](const Bytes& bytes) { StepIndex::Read(bytes, meta, mesh, nullptr); });
   for (std::size_t page = 0; page < step.Pages.size(); ++page)
   {
-    StepPage::Read(next(), page, meta, mesh);
+    StepPage::Read(next(), page, step, meta, mesh);
   }
   const auto tree = TreeTable::Read(next(), meta, mesh.Chunks);
   CheckAgain([&] { return tree.Write(); },

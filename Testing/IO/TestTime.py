@@ -165,6 +165,18 @@ for make in fewer_arrays, other_type:
     assert writer.Write() == 1 and writer.GetWrittenSteps() == len(TIMES)
     gm.write(step(0), path)
 
+# Points may change, even in place: the file has them at every step.
+assert write_all(path, source_of(in_place()), KeepOrder=7).Write() == 1
+moving = vtkGatunReader()
+moving.SetFileName(path)
+moving.RestoreOrderOn()
+for index in (0, 3, 4, 2, 3, len(TIMES) - 1):
+    expected = points.copy()
+    expected[17, 1] = points[17, 1] if index != 3 else 7
+    output = output_at(moving, TIMES[index])
+    assert np.array_equal(vtk_to_numpy(output.GetPoints().GetData()), expected), index
+gm.write(step(0), path)
+
 # An upstream that fails in the middle.
 source = source_of(lambda index: step(index) if index < 3 else None)
 gm.Errors(source)

@@ -54,7 +54,12 @@ def hashes(decoder, order, restore):
     """order: numbers of the arrays, those of points first."""
     points = decoder.points(restore)
     cells = cell_order(decoder, restore)
+    moving = {}
+    if decoder.meta.points_move:
+        moving = {"points_at": [golden.sha256(decoder.points(restore, step))
+                                for step in range(len(decoder.steps))]}
     return {
+        **moving,
         "points_type": points.dtype.name if len(points) else None,
         "points": golden.sha256(points) if len(points) else None,
         **describe_cells(decoder, restore),

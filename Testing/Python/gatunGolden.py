@@ -142,7 +142,9 @@ def describe_cells(grid):
 def hashes(grids):
     """Checksums of the grids of all steps, which have one mesh."""
     coordinates = gm.coordinates(grids[0])
+    at_steps = [sha256(gm.coordinates(grid)) for grid in grids]
     return {
+        **({"points_at": at_steps} if len(set(at_steps)) > 1 else {}),
         "points_type": coordinates.dtype.name if len(coordinates) else None,
         "points": sha256(coordinates) if len(coordinates) else None,
         **describe_cells(grids[0]),

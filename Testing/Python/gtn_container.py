@@ -37,7 +37,7 @@ END_MAGIC = b"GTNEND\r\n"
 SECTIONS = (
     b"META", b"TABL", b"PAGE", b"STEP", b"MESH", b"VALS", b"TREE", b"MERG", b"TRNG", b"LEVL",
     b"DEPS", b"LAYR", b"CELL", b"SURF", b"BNDY", b"GRID", b"TIME", b"DIRY")
-VERSIONS = {b"TABL": 3, b"STEP": 3}  # the highest ones of sections, if not 1
+VERSIONS = {b"META": 2, b"TABL": 3, b"STEP": 4}  # the highest ones of sections, if not 1
 STREAMS = (b"PAGE", b"MESH", b"VALS", b"MERG")  # sections of streams
 
 
@@ -183,11 +183,12 @@ class Container:
             self.cells = read_cells(self._packed(sections, b"CELL"))
         self.table = read_table(
             self._packed(sections, b"TABL"), self.meta, self._page, len(data), self.cells)
-        self.steps = [
-            read_step(Bytes(self._content(section)), self.meta, self.table, self._step_page)
-            for section in sections
-            if section.name == b"STEP"
-        ]
+        self.steps = []
+        for section in sections:
+            if section.name == b"STEP":
+                self.steps.append(read_step(
+                    Bytes(self._content(section)), self.meta, self.table, self._step_page))
+                require(self.steps[0].moves or not self.meta.points_move, "no coordinates")
         for i, step in enumerate(self.steps):
             require(step.key if i == 0 else step.time > self.steps[i - 1].time, "order of steps")
         require(self.meta.has_time or len(self.steps) <= 1, "steps without time")
@@ -332,7 +333,10 @@ def read_meta(table):
     meta.unused_points = table.varint()
     meta.coordinate_type = table.number("B")
     meta.wide_ids = table.number("B")
-    meta.has_time = table.number("B") != 0
+    flags = table.number("B")
+    meta.has_time = flags != 0
+    meta.points_move = flags & 2 != 0
+    require(not meta.points_move or flags & 1 != 0, "motion without time")
     meta.keep = table.number("B")
     meta.chunk_tets = table.varint()
     meta.key_step_interval = table.varint()
@@ -356,6 +360,11 @@ def read_meta(table):
         array.component_names = [table.string() for _ in range(names)]
         meta.arrays.append(array)
     table.end()
+    # Tables of steps have the coordinates of points that move as one more array.
+    meta.all_arrays = list(meta.arrays)
+    if meta.points_move:
+        meta.all_arrays.append(
+            Record(name="", where=POINTS, type=meta.coordinate_type, components=3))
     return meta
 
 
@@ -543,19 +552,25 @@ def read_step(table, meta, layout, open_page):
     step = Record(time=table.number("d"), key=table.number("B") != 0)
     require(not math.isnan(step.time), "time")
     step.field_data = table.reference()
+    moves = table.number("B") if meta.points_move else 0
+    require(moves <= 1, "motion of a step")
+    step.moves = moves == 1
     step.arrays = []
-    for array in meta.arrays:
+    arrays = meta.all_arrays if step.moves else meta.arrays
+    for array in arrays:
         values = Record(domains=[table.domain() for _ in range(array.components)])
         values.ranges = table.ranges(array.components + (array.components > 1))
         values.unused = table.reference()
         values.chunks, values.chunk_ranges, values.blocks = [], [], []
         step.arrays.append(values)
     check_copies(meta.arrays, step.arrays)
-    pages = [table.reference() for _ in layout.pages] if meta.arrays else []
+    for values in step.arrays[len(meta.arrays):]:
+        require(all(d is None or d.kind in SCALES for d in values.domains), "domain of points")
+    pages = [table.reference() for _ in layout.pages] if arrays else []
     table.end()
     for reference, place in zip(pages, layout.pages):
         page = open_page(reference)
-        for array, values in zip(meta.arrays, step.arrays):
+        for array, values in zip(arrays, step.arrays):
             for _ in range(place.chunks):
                 values.chunk_ranges.append(page.ranges(array.components + (array.components > 1)))
                 values.chunks.append(page.reference())
@@ -612,7 +627,7 @@ def read_tree(table, meta, layout, is_surface):
 def read_tree_step(table, meta, layout, tree):
     """A section TRNG (13.4): ranges by array, None for those of cells, chunk and rung."""
     result = []
-    for array in meta.arrays:
+    for array in meta.all_arrays:
         count = array.components + (array.components > 1)
         of_points = array.where == POINTS
         result.append([[table.ranges(count) for _ in tree.rungs] for _ in layout.chunks]

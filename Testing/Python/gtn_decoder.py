@@ -85,6 +85,12 @@ class Decoder:
                 coordinates[axis] += [chunk.walk.keys[v][axis] for v in chunk.own]
             coordinates[axis] += unused[axis]
         self._coordinates = coordinates
+        self._mesh_places = ArrayValues()
+        self._mesh_places.domains = self.domains
+        self._mesh_places.shared = [keys[:len(users)] for keys in coordinates]
+        self._mesh_places.unused = unused
+        self._mesh_places.chunks = [
+            [[key[axis] for key in chunk.walk.keys] for axis in range(3)] for chunk in self.chunks]
         self._decode_original_order()
         self.bonds = []  # of a surface, for each merge
         self.merges = self._decode_merges()
@@ -92,9 +98,39 @@ class Decoder:
 
     # ----- The mesh
 
-    def points(self, restore=False):
-        points = as_array(self.domains, self._coordinates)
+    def points(self, restore=False, step=0):
+        values = self._places(self._place_step(step))
+        keys = values.shared
+        if values is not self._mesh_places:
+            keys = [shared + [of_chunk[c][v] for chunk, of_chunk in zip(self.chunks, values.chunks)
+                              for v in chunk.own] + unused
+                    for c, (shared, unused) in enumerate(zip(values.shared, values.unused))]
+        else:
+            keys = self._coordinates
+        points = as_array(values.domains, keys)
         return self._restore(points, self.point_order) if restore else points
+
+    def _place_step(self, step):
+        """The step that has the coordinates of a step; 0 is the mesh (3.4)."""
+        while step > 0 and not (step < len(self.steps) and self.steps[step].moves):
+            step -= 1
+        return step
+
+    def _places(self, s):
+        """Keys of coordinates at step s, which has them, and before that where they come from."""
+        if s == 0:
+            return self._mesh_places
+        number = len(self.meta.arrays)
+        if (s, number) not in self._values:
+            reference, key = self._place_step(s - 1), s
+            while not self.steps[key].key:
+                key -= 1
+            before = self._places(reference if reference >= key else 0)
+            at = self.steps[s].arrays[number]
+            domains = [self._domain(self.meta.coordinate_type, domain) for domain in at.domains]
+            self._values[s, number] = self._decode_array_after(
+                self.steps[s], number, before.convert(domains))
+        return self._values[s, number]
 
     def cells(self, restore=False):
         """Type, points and, of polyhedra, faces of each cell."""
@@ -179,7 +215,7 @@ class Decoder:
         return self._values[s, number]
 
     def _decode_array_after(self, step, number, before):
-        array, at = self.meta.arrays[number], step.arrays[number]
+        array, at = self.meta.all_arrays[number], step.arrays[number]
         values = ArrayValues()
         if is_copy(at):
             source = self._decode_array(self.steps.index(step), at.domains[0].array)
@@ -190,7 +226,9 @@ class Decoder:
             None if domain is None or domain.kind == BOUND
             else (domain.kind, domain.digits, domain.first)
             for domain in at.domains if domain is None or domain.kind != PALETTE]
-        if len(values.scales) < array.components or before and before.scales != values.scales:
+        is_points = number == len(self.meta.arrays)  # before is in these domains then
+        if not is_points and (
+                len(values.scales) < array.components or before and before.scales != values.scales):
             before = None  # of a copy, scales are no list
         if array.where == POINTS:
             old = before and before.shared
@@ -340,6 +378,19 @@ class ArrayValues:
         self.unused = None
         self.chunks = []
 
+    def convert(self, domains):
+        """The same values in other domains, which must have them."""
+        result = ArrayValues()
+        result.domains = domains
+
+        def change(keys):
+            return [[to_key(domain, old.plain(key)) for key in part]
+                    for part, old, domain in zip(keys, self.domains, domains)]
+
+        result.shared, result.unused = change(self.shared), change(self.unused)
+        result.chunks = [change(keys) for keys in self.chunks]
+        return result
+
     def copy(self, source, components):
         """Becomes a copy of components of another array."""
         def select(keys):
@@ -349,6 +400,18 @@ class ArrayValues:
         self.scales = None
         self.shared, self.unused = select(source.shared), select(source.unused)
         self.chunks = [select(keys) for keys in source.chunks]
+
+
+def to_key(domain, plain):
+    """The key of a plain key, by bisection: both are in the order of the values."""
+    if domain.scale is None:
+        return plain
+    low, high = 0, domain.scale.last
+    while low < high:
+        middle = (low + high) // 2
+        low, high = (low, middle) if domain.plain(middle) >= plain else (middle + 1, high)
+    require(domain.plain(low) == plain, "a coordinate that is not on the scale of the next step")
+    return low
 
 
 def permutation(numbers):
