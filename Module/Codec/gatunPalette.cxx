@@ -44,7 +44,9 @@ void PaletteBuilder::Add(
   const void* values, std::size_t count, std::size_t components, std::size_t component)
 {
   const auto size = SizeOf(this->Type);
-  const auto* next = static_cast<const std::uint8_t*>(values) + component * size;
+  // No values may have no address.
+  const auto* next =
+    count == 0 ? nullptr : static_cast<const std::uint8_t*>(values) + component * size;
   Key last = 0;
   for (std::size_t i = 0; i<count&& this->Most> 0; ++i, next += components * size)
   {

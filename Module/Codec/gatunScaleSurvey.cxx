@@ -34,7 +34,9 @@ void ScaleSurvey::Add(
   const void* values, std::size_t count, std::size_t components, std::size_t component)
 {
   const auto size = SizeOf(this->Type);
-  const auto* next = static_cast<const std::uint8_t*>(values) + component * size;
+  // No values may have no address.
+  const auto* next =
+    count == 0 ? nullptr : static_cast<const std::uint8_t*>(values) + component * size;
   for (std::size_t i = 0; i < count && !this->IsDone(); ++i, next += components * size)
   {
     Key raw = 0;

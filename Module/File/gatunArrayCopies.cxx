@@ -33,7 +33,9 @@ std::uint64_t HashComponent(
   constexpr std::size_t atOnce = 8192;
   const auto size = SizeOf(array.Type);
   const auto stride = size * array.Components;
-  const auto* next = static_cast<const std::uint8_t*>(values) + component * size;
+  // No values may have no address.
+  const auto* next =
+    tuples == 0 ? nullptr : static_cast<const std::uint8_t*>(values) + component * size;
   std::vector<std::uint8_t> gathered(size * std::min(atOnce, tuples));
   RunningChecksum sum;
   for (std::size_t done = 0; done < tuples;)

@@ -16,7 +16,7 @@ namespace gatun
 namespace
 {
 // As VTK numbers them.
-constexpr std::uint32_t RolesOfIds = 1u << 4 | 1u << 5; // global ids, pedigree ids
+constexpr std::uint32_t RolesOfIds = 1u << 5 | 1u << 6; // global ids, pedigree ids
 constexpr std::int32_t IdType = 12;
 
 bool IsIdentity(const ArrayDescription& array)

@@ -218,7 +218,7 @@ void RequireWithin(const Bytes& decoded, const Bytes& right, const Values& array
       const auto* const found = reinterpret_cast<decltype(typed)>(decoded.data());
       const std::size_t components = array.Description.Components;
       const std::size_t count = right.size() / sizeof(*typed);
-      for (std::size_t c = 0; c < components; ++c)
+      for (std::size_t c = 0; count > 0 && c < components; ++c)
       {
         const test::ExactBound exact(array.Bound, typed + c, count / components, components);
         for (std::size_t i = c; i < count; i += components)

@@ -5,6 +5,7 @@
 
 #include "gatunError.h"
 #include "gatunHostile.h"
+#include "gatunRoundedArrays.h"
 #include "gatunTestFile.h"
 #include "gatunTestMeshes.h"
 #include "gatunVerifyFile.h"
@@ -247,6 +248,41 @@ TEST(RoundedArrays, TakeFewerBytes)
   const auto fine = sizeOf({ { "*", { ErrorKind::Relative, 1e-4, false } } });
   EXPECT_LT(fine, exact / 3);
   EXPECT_LT(sizeOf({ { "*", { ErrorKind::Relative, 1e-2, false } } }), fine - fine / 3);
+}
+
+TEST(RoundedArrays, IdsStayExactAndOtherRolesDoNot)
+{
+  // The numbers of roles are those of vtkDataSetAttributes: tensors, global ids, pedigree ids.
+  constexpr std::uint32_t tensors = 1u << 4, globalIds = 1u << 5, pedigreeIds = 1u << 6;
+  const auto make = [](std::uint32_t roles) {
+    return ArrayDescription{ "a", Association::Point, ScalarType::Float64, 9, 0, roles, {} };
+  };
+  const ErrorBound bound{ ErrorKind::Relative, 1e-3, false };
+  for (const auto roles : { 0u, 1u, 2u, 4u, 8u, tensors, 1u << 7 })
+  {
+    EXPECT_EQ(FindBound({ { "*", bound } }, make(roles)), bound) << roles;
+    EXPECT_NO_THROW(CheckErrors({ make(roles) }, { { "a", bound } })) << roles;
+  }
+  for (const auto roles : { globalIds, pedigreeIds, pedigreeIds | 1u })
+  {
+    EXPECT_EQ(FindBound({ { "*", bound } }, make(roles)), ErrorBound()) << roles;
+    EXPECT_THROW(CheckErrors({ make(roles) }, { { "a", bound } }), Error) << roles;
+  }
+}
+
+TEST(RoundedArrays, NoValuesMayHaveNoAddress)
+{
+  // With UndefinedBehaviorSanitizer, arithmetic with null pointers fails.
+  for (const std::uint32_t component : { 0u, 2u })
+  {
+    for (const auto kind : { ErrorKind::None, ErrorKind::Absolute, ErrorKind::Relative })
+    {
+      const RoundingRequest request{ { kind, 0.5, false }, false };
+      const auto domain = FindDomain(
+        ScalarType::Float32, nullptr, 0, 3, component, PaletteUse::Array, nullptr, request);
+      EXPECT_EQ(static_cast<bool>(domain.GetQuantizer()), kind == ErrorKind::Absolute);
+    }
+  }
 }
 
 TEST(RoundedArrays, RefuseImpossibleBounds)
