@@ -56,7 +56,7 @@ def open_reader(path, **options):
     return reader
 
 
-path = gm.temporary("changing.gtn")
+path = gm.temporary("changing_meshes.gtn")
 rng = np.random.default_rng(4)
 for keep, chunk in ((7, 0), (0, 200)):
     writer = write(path, KeepOrder=keep, ChunkTets=chunk)

@@ -151,6 +151,19 @@ def other_type(index):
     return grid
 
 
+def in_place():
+    """The same objects at each step, changed in place."""
+    grid = step(0)
+
+    def make(index):
+        raw = vtk_to_numpy(grid.GetPoints().GetData())
+        raw[17, 1] = points[17, 1] if index != 3 else 7
+        grid.GetPoints().Modified()
+        return grid
+
+    return make
+
+
 gm.write(step(0), path)
 before = open(path, "rb").read()
 for make in fewer_arrays, other_type:

@@ -32,7 +32,7 @@ def write(path, make, kind="vtkUnstructuredGrid", **options):
     return writer
 
 
-path = gv.gm.temporary("changing.gtn")
+path = gv.gm.temporary("changing_pictures.gtn")
 for options in {"ChunkTets": 1000}, {"ChunkTets": 1000, "Hierarchy": True, "Levels": 2}:
     write(path, step, **options)
     reader = vtkGatunReader()

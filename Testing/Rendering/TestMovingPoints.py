@@ -55,7 +55,7 @@ def go_to(consumer, step):
     consumer.GetInputInformation(0, 0).Set(Pipeline.UPDATE_TIME_STEP(), float(step))
 
 
-path = gv.gm.temporary("moving.gtn")
+path = gv.gm.temporary("moving_pictures.gtn")
 write(path, KeyStepInterval=4)
 scene = gv.Scene(make_reader(path))
 pictures = {}
