@@ -158,8 +158,7 @@ for bad in (np.nan, np.inf, -np.inf):
     values[::23] = bad
     broken = make_grid(values=values)
     for source in (broken, gc.open_file(write(broken, "contour-nan.gtn"))):
-        mesh = broken if source is broken else gm.read(gm.os.path.join(
-            gm.os.environ["GATUN_TEST_TEMP"], "contour-nan.gtn"))
+        mesh = broken if source is broken else gm.read(source.GetFileName())
         numbers = vtk_to_numpy(mesh.GetPointData().GetArray("wave"))
         corners = gm.connectivity(mesh)
         good = np.isfinite(numbers[corners]).all(1)

@@ -21,8 +21,10 @@ SKIPPED = 125
 
 
 def temporary(name):
-    """A path to write to, where nothing is yet."""
-    path = os.path.join(os.environ["GATUN_TEST_TEMP"], name)
+    """A path to write to, where nothing is yet, in a folder of the test: others run at the same time."""
+    folder = os.path.join(os.environ["GATUN_TEST_TEMP"], os.environ.get("GATUN_TEST_NAME", ""))
+    os.makedirs(folder, exist_ok=True)
+    path = os.path.join(folder, name)
     if os.path.lexists(path) and not os.path.isdir(path):
         os.remove(path)
     return path
