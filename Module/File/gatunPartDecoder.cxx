@@ -440,14 +440,20 @@ Key Convert(Key key, const Domain& from, const Domain& to)
   }
   std::array<std::uint8_t, sizeof(double)> value{};
   from.Write(key, value.data());
+  Key converted = 0;
   try
   {
-    return to.Read(value.data());
+    converted = to.Read(value.data());
   }
   catch (const Error&)
   {
+    converted = ~Key{ 0 };
+  }
+  if (!to.IsValid(converted) || to.ToPlain(converted) != from.ToPlain(key))
+  {
     ThrowCorrupt("coordinates of another time step are not on its scale");
   }
+  return converted;
 }
 }
 

@@ -205,7 +205,8 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
       std::vector<std::int64_t> pointIds(pointCount), cellIds(cellCount);
       std::vector<unsigned char> pointGhosts(pointCount);
       std::vector<std::vector<std::uint8_t>> values;
-      Bytes coordinates(file.HasBoundary() ? pointCount * 3 * SizeOf(file.GetCoordinateType()) : 0);
+      const bool needsPoints = file.HasBoundary() || file.HasMovingPoints();
+      Bytes coordinates(needsPoints ? pointCount * 3 * SizeOf(file.GetCoordinateType()) : 0);
       PieceCells memory(decoder.IsTetrahedral(), cellCount,
         static_cast<std::size_t>(decoder.GetConnectivitySize()),
         static_cast<std::size_t>(decoder.GetFacesSize()));

@@ -345,6 +345,41 @@ void AddFiles(Corpus& corpus)
   fs::remove(path);
 }
 
+/** Files whose points move, stand still, and move again. */
+void AddMovingFiles(Corpus& corpus)
+{
+  const auto path = (corpus.GetFolder() / "moving.gtn").string();
+  auto unused = test::MakeCubes(2, 0.2);
+  unused.Coordinates.insert(unused.Coordinates.end(), { 1, 2, 3, 4, 5, 6 });
+  for (const auto& mesh : { test::MakeCubes(1, 0.1), unused, test::MakeCubes(3, 0) })
+  {
+    WriterOptions options;
+    options.ChunkTets = 64;
+    options.KeyStepInterval = 2;
+    options.PointsMove = true;
+    {
+      FileWriter writer(path, mesh.GetInput(), {}, options);
+      for (int step = 0; step < 4; ++step)
+      {
+        auto moved = mesh.Coordinates;
+        for (std::size_t i = 0; step > 0 && i < moved.size(); ++i)
+        {
+          moved[i] *= 1 + 0.25 * (step == 2 ? 1 : step);
+        }
+        writer.WriteStep({}, {}, true, step, {}, moved.data());
+      }
+      writer.Finish();
+    }
+    const test::FileImage image(path);
+    const auto bytes = image.Build();
+    corpus.Add("File", bytes);
+    corpus.Add("Sections", bytes);
+    corpus.Add("Tables", GetTables(image));
+    corpus.Add("Decompress", image.Meta.Write());
+  }
+  fs::remove(path);
+}
+
 /** Trees of any merges, as streams. */
 void AddMerges(Corpus& corpus, std::mt19937& random)
 {
@@ -529,6 +564,7 @@ int main(int argc, char* argv[])
     AddMerges(corpus, random);
   }
   AddFiles(corpus);
+  AddMovingFiles(corpus);
   AddTreeFiles(corpus);
   AddLayerFiles(corpus);
   for (unsigned i = 0; i < 6; ++i)

@@ -358,11 +358,5 @@ TEST(MovingPoints, AreRefusedIfDamaged)
       damaged.Of(damaged.Steps[12].Arrays.back().Chunks[0]) = { 9, 9, 9, 9 };
       stream = damaged.Steps[12].Arrays.back().Chunks[0];
     });
-  expect("more values than its stream can hold",
-    [](FileImage& damaged)
-    {
-      damaged.Mesh.Unused.Points = std::uint64_t{ 1 } << 31;
-      damaged.Meta.UnusedPoints = damaged.Mesh.Unused.Points;
-    });
 }
 }

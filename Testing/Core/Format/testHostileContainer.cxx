@@ -66,14 +66,14 @@ TEST(HostileContainer, UnknownSectionsStopAReaderOnlyIfMandatory)
   ExpectRefused("a section 'NEWS' (version 1)", image.Build(), ErrorCode::UnsupportedVersion);
   // The same without the flag, and newer versions of sections that are known.
   image.MoreSections[0].Flags = 0;
-  image.MoreSections.push_back({ SectionMeta, Bytes(10, 1), 2, 0 });
+  image.MoreSections.push_back({ SectionMeta, Bytes(10, 1), 3, 0 });
   image.MoreSections.push_back({ SectionTable, Bytes(10, 1), 4, 0 });
-  image.MoreSections.push_back({ SectionStep, Bytes(10, 1), 4, 0 });
+  image.MoreSections.push_back({ SectionStep, Bytes(10, 1), 5, 0 });
   const auto path = PutFile("more.gtn", image.Build());
   EXPECT_NO_THROW(ReadAll(path));
   EXPECT_TRUE(VerifyFile(FileReader(path)));
   image.MoreSections.back().Flags = FlagMandatory;
-  ExpectRefused("a section 'STEP' (version 4)", image.Build(), ErrorCode::UnsupportedVersion);
+  ExpectRefused("a section 'STEP' (version 5)", image.Build(), ErrorCode::UnsupportedVersion);
 }
 
 TEST(HostileContainer, TablesAreThereOnce)
