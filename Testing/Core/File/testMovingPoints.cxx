@@ -10,8 +10,9 @@
 #include "gatunTestFile.h"
 #include "gatunVerifyFile.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace
@@ -63,7 +64,7 @@ TestMesh MakeMesh()
 
 std::string WriteMoving(const TestMesh& mesh, WriterOptions options = {})
 {
-  const auto path = GetPath("moving.gtn");
+  auto path = GetPath("moving.gtn");
   options.ChunkTets = 200;
   options.Keep = KeepAll;
   options.KeyStepInterval = 5;
@@ -80,11 +81,15 @@ std::string WriteMoving(const TestMesh& mesh, WriterOptions options = {})
   return path;
 }
 
+bool HaveSameBits(double one, double other)
+{
+  return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other);
+}
+
 /** Bit by bit. */
 bool AreSame(const std::vector<double>& one, const std::vector<double>& other)
 {
-  return one.size() == other.size() &&
-    std::memcmp(one.data(), other.data(), one.size() * sizeof(double)) == 0;
+  return std::equal(one.begin(), one.end(), other.begin(), other.end(), HaveSameBits);
 }
 
 /** Throws unless the file has the points, the cells and the values of a step. */
@@ -192,10 +197,10 @@ TEST(MovingPoints, AreInPiecesWithGhosts)
       ASSERT_GT(piece.Mesh.GetTets(), file->GetChunks()[chunk].Cells);
       for (std::size_t p = 0; p < piece.PointIds.size(); ++p)
       {
-        ASSERT_EQ(std::memcmp(&piece.Mesh.Coordinates[3 * p],
-                    &moved.Coordinates[3 * static_cast<std::size_t>(piece.PointIds[p])],
-                    3 * sizeof(double)),
-          0)
+        const double* const found = &piece.Mesh.Coordinates[3 * p];
+        const double* const right =
+          &moved.Coordinates[3 * static_cast<std::size_t>(piece.PointIds[p])];
+        ASSERT_TRUE(std::equal(found, found + 3, right, HaveSameBits))
           << step << " " << chunk << " " << p;
       }
     }
