@@ -37,6 +37,8 @@ OTHER = {"ChunkTets": [1000], "KeepOrder": [7], "KeyStepInterval": [3],
          "PointError": [0.25], "RelativePointError": [0.125], "PointBits": [14], "Style": [1]}
 # Where people who open a file are better served by another default than programs: that of the class.
 OWN_DEFAULT = {"GatunReaderCore.OnDemand": [0], "GatunSurfaceReaderCore.OnDemand": [0],
+               "GatunReaderCore.PrefetchTimeSteps": [0],
+               "GatunSurfaceReaderCore.PrefetchTimeSteps": [0],
                "GatunContour.ComputeNormals": [0],
                "GatunContour.ArrayComponent": [-1]}
 HELPERS = {"IntVectorProperty": "SimpleIntInformationHelper",
