@@ -234,7 +234,7 @@ bool vtkGatunWriter::WriteSteps()
     const std::size_t step = self.Step;
     this->Modified();
     this->UpdateWholeExtent();
-    const bool isRestarted = self.IsRestarted && self.Step == 0 && !self.File;
+    const bool isRestarted = std::exchange(self.IsRestarted, false); // once only
     if (self.Step <= step && !isRestarted)
     {
       return false; // after a failure it is 0 again

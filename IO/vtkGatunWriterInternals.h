@@ -92,7 +92,7 @@ public:
   std::unique_ptr<gatun::FileWriter> File;
   std::vector<gatun::ArrayDescription> Arrays;
   bool PointsMove = false;                     // as a step has told
-  bool IsRestarted = false;                    // for this reason
+  bool IsRestarted = false;                    // for this reason, and not read again yet
   std::unique_ptr<gatun::MergeTree> FirstTree; // that of the first mesh, then
   std::uint64_t Points = 0;                    // of all meshes
   std::uint64_t Cells = 0;

@@ -190,6 +190,24 @@ for index in (0, 3, 4, 2, 3, len(TIMES) - 1):
     assert np.array_equal(vtk_to_numpy(output.GetPoints().GetData()), expected), index
 gm.write(step(0), path)
 
+# An upstream that fails where the file is begun once more, because the points move.
+calls = []
+make_moving = in_place()
+
+
+def make_once(index):
+    calls.append(index)
+    return make_moving(index) if calls.count(0) == 1 else None
+
+
+source = source_of(make_once)
+gm.Errors(source)
+writer = write_all(path, source)
+errors = gm.Errors(writer)
+assert writer.Write() == 0 and writer.GetErrorCode() != 0 and "not written" in str(errors)
+assert calls == [0, 1, 2, 3, 0], calls
+assert open(path, "rb").read() == before
+
 # An upstream that fails in the middle.
 source = source_of(lambda index: step(index) if index < 3 else None)
 gm.Errors(source)
