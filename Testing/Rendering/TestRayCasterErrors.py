@@ -4,8 +4,6 @@
 """What vtkGatunRayCaster cannot draw is an error with a reason and an empty image; a good picture
 afterwards is right."""
 
-import os
-
 import numpy as np
 from vtkmodules.vtkCommonDataModel import VTK_TRIANGLE, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -110,7 +108,7 @@ expect_good(caster)
 # A damaged file, and the same file repaired.
 reader = gv.write(gv.box(8), "damaged.gtn", 500)
 expected = gv.draw(gv.box(8))
-path = os.path.join(gv.TEMP, "damaged.gtn")
+path = reader.GetFileName()
 with open(path, "rb") as file:
     content = file.read()
 damaged = bytearray(content)
