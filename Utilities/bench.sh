@@ -22,6 +22,8 @@
 #   bench.sh --volumes           the volume study, 45 minutes; writes volume-study.md
 #   bench.sh --errors            bits a value of arrays with bounded errors, 5 minutes; writes
 #                                errors-study.md; --sz3 PREFIX names the folder where SZ3 is installed
+#   bench.sh --series            time series beside a .vtu file for each step, 15 minutes; writes
+#                                series-study.md
 #   bench.sh --pages             measures nothing and writes all pages again from their results
 #
 # Pages are written to Documentation/studies, their plots and results to a folder of the same name.
@@ -54,6 +56,7 @@ case ${1:-} in
   --surfaces) script=runSurfaces.py ;;
   --volumes) script=runVolumes.py ;;
   --errors) script=runErrors.py ;;
+  --series) script=runSeries.py ;;
   --pages) script=generatedParts.py ;;
   *) script=runBenchmarks.py ;;
 esac

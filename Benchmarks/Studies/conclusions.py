@@ -16,6 +16,7 @@ import partsReport
 import renderingReport
 import scalingModel
 import scalingText
+import seriesReport
 import simplificationReport
 import simplificationTimes
 import speedReport
@@ -256,6 +257,7 @@ SECTIONS = (
      surfaceReport.conclude),
     ("volume-study", "Volumes", "Hartley coefficients, compared with voxels and zfp", _volumes),
     ("errors-study", "Arrays with bounded errors", "Bits a value, beside SZ3 and zfp", errorReport.conclude),
+    ("series-study", "Time series", "Sizes and steps, beside a .vtu file for each step", seriesReport.conclude),
 )
 
 

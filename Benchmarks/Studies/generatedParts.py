@@ -23,7 +23,7 @@ PAGES = {"summary": "summaryReport", "benchmarks": "benchmarkReport", "speed": "
          "detail-study": "detailReport",
          "simplification-study": "simplificationReport", "isosurface-study": "isosurfaceReport",
          "surface-study": "surfaceReport", "volume-study": "volumeReport",
-         "errors-study": "errorReport"}
+         "errors-study": "errorReport", "series-study": "seriesReport"}
 BEGIN, END = "<!-- written by Utilities/bench.sh --readme -->\n", "<!-- end -->\n"
 
 
