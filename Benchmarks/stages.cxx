@@ -159,7 +159,7 @@ void Stages::DecodeBlocks()
       {
         arrays[a] = MakeKeys(array.Components, count);
         const auto& stream = this->Blocks[b].Arrays[a];
-        if (!fit && gatun::ArrayModes::Read(stream).Spatial == gatun::SpatialMode::Quadratic)
+        if (!fit && gatun::IsQuadratic(gatun::ArrayModes::Read(stream).Spatial))
         {
           fit.emplace(gatun::GetPlaces(this->BlockPoints.back(), this->Content.Domains));
         }
@@ -204,28 +204,29 @@ void Stages::FitNeighbors()
 {
   for (std::size_t c = 0; c < this->Chunks.size(); ++c)
   {
-    const auto isUsed = [&](gatun::SpatialMode mode, gatun::Association where)
+    const auto isUsed = [&](auto&& isMode, gatun::Association where)
     {
       bool isFound = false;
       for (std::size_t a = 0; a < this->CountArrays(); ++a)
       {
         isFound = isFound ||
           (this->Content.Meta.Arrays[a].Where == where &&
-            gatun::ArrayModes::Read(this->Chunks[c].Arrays[a]).Spatial == mode);
+            isMode(gatun::ArrayModes::Read(this->Chunks[c].Arrays[a]).Spatial));
       }
       return isFound;
     };
     auto& mesh = *this->Meshes[c];
-    if (isUsed(gatun::SpatialMode::Fit, gatun::Association::Point))
+    if (isUsed(
+          [](auto mode) { return mode == gatun::SpatialMode::Fit; }, gatun::Association::Point))
     {
       mesh.Fit.emplace(mesh.Walk, mesh.GetPlaces());
     }
-    if (isUsed(gatun::SpatialMode::Quadratic, gatun::Association::Point))
+    if (isUsed(gatun::IsQuadratic, gatun::Association::Point))
     {
       mesh.Quadratic.emplace(mesh.Walk, mesh.GetPlaces());
     }
     this->CellFits.emplace_back();
-    if (isUsed(gatun::SpatialMode::Quadratic, gatun::Association::Cell))
+    if (isUsed(gatun::IsQuadratic, gatun::Association::Cell))
     {
       this->CellFits.back().emplace(mesh.FitCells());
     }

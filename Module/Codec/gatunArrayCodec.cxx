@@ -296,9 +296,10 @@ void CodePointComponents(Coder& coder, const ArrayModes& modes, const PointConte
     CodeComponent(coder, domains[c], false, components[c],
       [&](auto&& values)
       {
-        if (modes.Spatial == SpatialMode::Quadratic)
+        if (IsQuadratic(modes.Spatial))
         {
-          CodeQuadratic(coder, modes.Temporal, OwnPoints{ context }, values, components[c]);
+          CodeQuadratic(
+            coder, modes.Spatial, modes.Temporal, OwnPoints{ context }, values, components[c]);
         }
         else
         {
@@ -318,10 +319,10 @@ void CodeCellComponents(Coder& coder, const ArrayModes& modes, const CellContext
     CodeComponent(coder, domains[c], context.IsBlock(), components[c],
       [&](auto&& values)
       {
-        if (modes.Spatial == SpatialMode::Quadratic)
+        if (IsQuadratic(modes.Spatial))
         {
-          CodeQuadratic(coder, modes.Temporal, AllPlaces{ context, components[c].Now.size() },
-            values, components[c]);
+          CodeQuadratic(coder, modes.Spatial, modes.Temporal,
+            AllPlaces{ context, components[c].Now.size() }, values, components[c]);
         }
         else
         {
@@ -337,11 +338,16 @@ bool HaveBefore(std::span<const ComponentKeys> components)
     [](const ComponentKeys& keys) { return keys.Before.size() == keys.Now.size(); });
 }
 
+/** How slowly streams of a mode are decoded. */
+int GetSlowness(SpatialMode mode)
+{
+  return mode == SpatialMode::Quadratic ? 2 : mode == SpatialMode::PlainQuadratic ? 1 : 0;
+}
+
 /** Whether a stream of this size, with these modes, is to replace another one. */
 bool IsBetter(const ArrayModes& modes, std::size_t size, const Bytes& best, std::size_t margin)
 {
-  const bool isSlower =
-    modes.Spatial == SpatialMode::Quadratic && ArrayModes::Read(best).Spatial != modes.Spatial;
+  const bool isSlower = GetSlowness(modes.Spatial) > GetSlowness(ArrayModes::Read(best).Spatial);
   return isSlower ? size + size / margin < best.size() : size < best.size();
 }
 
@@ -402,13 +408,13 @@ void CheckBefore(const ArrayModes& modes, std::span<const ComponentKeys> compone
 //------------------------------------------------------------------------------
 ArrayModes ArrayModes::Read(std::span<const std::uint8_t> stream)
 {
-  if (stream.size() < 2 || stream[0] > 3 || stream[1] > 2)
+  if (stream.size() < 2 || stream[0] > 4 || stream[1] > 2)
   {
     ThrowCorrupt("an array's stream has an unknown mode");
   }
   const ArrayModes modes{ static_cast<SpatialMode>(stream[0]),
     static_cast<TemporalMode>(stream[1]) };
-  if (modes.Spatial == SpatialMode::Quadratic && modes.Temporal == TemporalMode::Repeat)
+  if (IsQuadratic(modes.Spatial) && modes.Temporal == TemporalMode::Repeat)
   {
     ThrowCorrupt("an array's stream has modes that exclude each other");
   }
@@ -425,7 +431,8 @@ Bytes EncodePointValues(const PointContext& context, std::span<const Domain> dom
   }
   if (context.Quadratic)
   {
-    modes.push_back(SpatialMode::Quadratic); // last, because it must beat all others by a margin
+    // Last, because each must beat all faster ones by a margin.
+    modes.insert(modes.end(), { SpatialMode::PlainQuadratic, SpatialMode::Quadratic });
   }
   return EncodeBest(modes, domains, components, margin,
     [&](EntropyEncoder& coder, const ArrayModes& chosen, std::span<ComponentKeys> keys)
@@ -438,7 +445,7 @@ void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext&
   const auto modes = ArrayModes::Read(stream);
   CheckBefore(modes, components);
   if ((modes.Spatial == SpatialMode::Fit && !context.Fit) ||
-    (modes.Spatial == SpatialMode::Quadratic && !context.Quadratic))
+    (IsQuadratic(modes.Spatial) && !context.Quadratic))
   {
     ThrowCorrupt("a stream needs neighbors that are not there");
   }
@@ -456,7 +463,7 @@ Bytes EncodeCellValues(const CellContext& context, std::span<const Domain> domai
   }
   if (context.Quadratic)
   {
-    modes.push_back(SpatialMode::Quadratic);
+    modes.insert(modes.end(), { SpatialMode::PlainQuadratic, SpatialMode::Quadratic });
   }
   return EncodeBest(modes, domains, components, margin,
     [&](EntropyEncoder& coder, const ArrayModes& chosen, std::span<ComponentKeys> keys)
@@ -470,7 +477,7 @@ void DecodeCellValues(std::span<const std::uint8_t> stream, const CellContext& c
   CheckBefore(modes, components);
   if (modes.Spatial == SpatialMode::Fit ||
     (modes.Spatial == SpatialMode::Gate && context.IsBlock()) ||
-    (modes.Spatial == SpatialMode::Quadratic && !context.Quadratic))
+    (IsQuadratic(modes.Spatial) && !context.Quadratic))
   {
     ThrowCorrupt("a stream needs places around it that are not there");
   }

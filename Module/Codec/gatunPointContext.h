@@ -21,11 +21,18 @@ namespace gatun
 /** Prediction of the values of a stream within their time step. */
 enum class SpatialMode : std::uint8_t
 {
-  Previous = 0, ///< the previous value of the stream
-  Gate = 1,     ///< points: the rule that predicted the coordinates; cells: the parent tetrahedron
-  Fit = 2,      ///< points: a linear function fitted to the known neighbors
-  Quadratic = 3 ///< points: a quadratic and a linear function, and the rule of Gate, blended
+  Previous = 0,  ///< the previous value of the stream
+  Gate = 1,      ///< points: the rule that predicted the coordinates; cells: the parent tetrahedron
+  Fit = 2,       ///< points: a linear function fitted to the known neighbors
+  Quadratic = 3, ///< a quadratic and a linear function, and the rule of Gate, blended
+  PlainQuadratic = 4 ///< the quadratic function alone
 };
+
+/** Whether a mode needs a QuadraticFit. */
+constexpr bool IsQuadratic(SpatialMode mode)
+{
+  return mode == SpatialMode::Quadratic || mode == SpatialMode::PlainQuadratic;
+}
 
 /** Use of the values of the previous time step. */
 enum class TemporalMode : std::uint8_t

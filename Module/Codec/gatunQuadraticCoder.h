@@ -48,18 +48,15 @@ struct AllPlaces
   }
 };
 
-/**
- * Codes one component by QuadraticPredictor. Changes are predicted as values are, by the changes at
- * neighbors. places: OwnPoints or AllPlaces. values: ExactValues or BoundedValues.
- */
-template <typename Coder, typename PlacesOf, typename Values>
-void CodeQuadratic(
+/** Codes one component by a predictor. */
+template <typename Predictor, typename Coder, typename PlacesOf, typename Values>
+void CodeByPredictor(
   Coder& coder, TemporalMode temporal, const PlacesOf& places, Values&& values, ComponentKeys& keys)
 {
   const auto& domain = values.GetDomain();
   const bool isChange = temporal == TemporalMode::Change;
   const auto getBase = [&](Vertex v) { return isChange ? domain.ToNumber(keys.Before[v]) : 0.0; };
-  QuadraticPredictor predictor(places.GetFit(), keys.Now.size());
+  Predictor predictor(places.GetFit(), keys.Now.size());
   for (Vertex v = 0; v < keys.Now.size(); ++v)
   {
     if (places.IsKnown(v))
@@ -71,7 +68,8 @@ void CodeQuadratic(
   {
     const Vertex v = places.GetPlace(own);
     const double base = getBase(v);
-    const auto prediction = predictor.Predict(own, places.Predict(own, predictor.GetNumbers()));
+    const auto prediction = predictor.Predict(
+      own, [&](std::span<const double> numbers) { return places.Predict(own, numbers); });
     Guess guess;
     guess.Group = prediction.HasNeighbors ? 1 : 0;
     if (std::isfinite(base))
@@ -85,6 +83,25 @@ void CodeQuadratic(
     }
     keys.Now[v] = values.Code(coder, guess, v, keys.Now[v]);
     predictor.Learn(v, domain.ToNumber(keys.Now[v]) - base);
+  }
+}
+
+/**
+ * Codes one component by the mode Quadratic or PlainQuadratic. Changes are predicted as values are,
+ * by the changes at neighbors. places: OwnPoints or AllPlaces. values: ExactValues or
+ * BoundedValues.
+ */
+template <typename Coder, typename PlacesOf, typename Values>
+void CodeQuadratic(Coder& coder, SpatialMode spatial, TemporalMode temporal, const PlacesOf& places,
+  Values&& values, ComponentKeys& keys)
+{
+  if (spatial == SpatialMode::Quadratic)
+  {
+    CodeByPredictor<QuadraticPredictor>(coder, temporal, places, values, keys);
+  }
+  else
+  {
+    CodeByPredictor<PlainQuadraticPredictor>(coder, temporal, places, values, keys);
   }
 }
 }

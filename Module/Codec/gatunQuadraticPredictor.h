@@ -18,47 +18,130 @@
 
 namespace gatun
 {
-/**
- * Predicts one number at each own vertex of a chunk, in the order of the walk: a quadratic fit, a
- * linear fit and the rule that predicted the coordinates, blended by the errors that each has made
- * at the neighbors. See Documentation/format.md, 10.10.
- *
- * Any numbers are valid. Those that are not finite are replaced by what was predicted there.
- */
-class QuadraticPredictor
+/** What is predicted for a number. */
+struct QuadraticPrediction
+{
+  double Number = 0;
+  double Error = 0;          ///< to expect, if HasError
+  bool HasNeighbors = false; ///< otherwise Number is the number before
+  bool HasError = false;     ///< whether the errors of neighbors are known
+};
+
+/** The numbers of a component that are known while it is coded. All are finite. */
+class QuadraticNumbers
 {
 public:
-  struct Prediction
-  {
-    double Number = 0;
-    double Error = 0;          ///< to expect, if HasError
-    bool HasNeighbors = false; ///< otherwise Number is the number before
-    bool HasError = false;     ///< whether a neighbor was predicted, too
-  };
-
   /** count: the number of vertices. */
-  QuadraticPredictor(const QuadraticFit& fit, std::size_t count)
+  QuadraticNumbers(const QuadraticFit& fit, std::size_t count)
     : Fit(fit)
     , Numbers(count)
-    , Errors(count)
   {
   }
 
-  /** Sets the number at a shared vertex. To be called for all, ascending, before Predict. */
+  /** Sets the number at a shared vertex. To be called for all, ascending, before Predict. One that
+   * is not finite is replaced by the one before. */
   void SetShared(Vertex v, double number)
   {
     this->LastShared = std::isfinite(number) ? number : this->LastShared;
     this->Numbers[v] = this->LastShared;
   }
 
-  /** The numbers of all vertices that are known. */
-  std::span<const double> GetNumbers() const { return this->Numbers; }
-
-  /** Predicts the next own vertex. other: what another rule predicts from the numbers, if it does.
-   */
-  Prediction Predict(std::size_t own, std::optional<double> other)
+protected:
+  /** first: the number at the nearest neighbor, so that a constant is predicted exactly. */
+  static double Add(double first, double difference)
   {
-    Prediction result;
+    const double sum = first + difference;
+    return std::isfinite(sum) ? sum : first;
+  }
+
+  void Set(Vertex v, double number)
+  {
+    this->Numbers[v] = number;
+    this->Last = number;
+  }
+
+  const QuadraticFit& Fit;
+  std::vector<double> Numbers;
+  double Last = 0; // of own vertices
+
+private:
+  double LastShared = 0;
+};
+
+/**
+ * Predicts one number at each own vertex of a chunk, in the order of the walk, by a quadratic fit.
+ * See Documentation/format.md, 10.11.
+ *
+ * Any numbers are valid. Those that are not finite are replaced by what was predicted there.
+ */
+class PlainQuadraticPredictor : public QuadraticNumbers
+{
+public:
+  using QuadraticNumbers::QuadraticNumbers;
+
+  /** Predicts the next own vertex. */
+  template <typename Other>
+  QuadraticPrediction Predict(std::size_t own, const Other&)
+  {
+    QuadraticPrediction result;
+    const auto neighbors = this->Fit.Of(own);
+    result.HasNeighbors = !neighbors.empty();
+    result.Number = this->Last;
+    if (result.HasNeighbors)
+    {
+      const double first = this->Numbers[neighbors.front().Id];
+      const auto part = [&](const QuadraticFit::Neighbor& n)
+      { return static_cast<double>(n.Quadratic) * (this->Numbers[n.Id] - first); };
+      // Four sums, so that no addition has to wait for the one before.
+      std::array<double, 4> sums{};
+      std::size_t i = 0;
+      for (; i + 4 <= neighbors.size(); i += 4)
+      {
+        sums[0] += part(neighbors[i]);
+        sums[1] += part(neighbors[i + 1]);
+        sums[2] += part(neighbors[i + 2]);
+        sums[3] += part(neighbors[i + 3]);
+      }
+      for (; i < neighbors.size(); ++i)
+      {
+        sums[i % 4] += part(neighbors[i]);
+      }
+      result.Number = Add(first, (sums[0] + sums[1]) + (sums[2] + sums[3]));
+    }
+    this->Predicted = result.Number;
+    return result;
+  }
+
+  /** Sets the number at the vertex that was predicted last. */
+  void Learn(Vertex v, double number)
+  {
+    this->Set(v, std::isfinite(number) ? number : this->Predicted);
+  }
+
+private:
+  double Predicted = 0;
+};
+
+/**
+ * Predicts as PlainQuadraticPredictor does, but blends the quadratic fit with a linear fit and the
+ * rule that predicted the coordinates, by the errors that each has made at the neighbors. See
+ * Documentation/format.md, 10.10.
+ */
+class QuadraticPredictor : public QuadraticNumbers
+{
+public:
+  QuadraticPredictor(const QuadraticFit& fit, std::size_t count)
+    : QuadraticNumbers(fit, count)
+    , Errors(count)
+  {
+  }
+
+  /** Predicts the next own vertex. other: gives what another rule predicts from the numbers of all
+   * vertices, as an optional double. */
+  template <typename Other>
+  QuadraticPrediction Predict(std::size_t own, const Other& other)
+  {
+    QuadraticPrediction result;
     const auto neighbors = this->Fit.Of(own);
     if (neighbors.empty())
     {
@@ -66,33 +149,18 @@ public:
       this->Predicted = { this->Last, this->Last, this->Last, this->Last };
       return result;
     }
-    // Differences from the nearest number, so that a constant is predicted exactly.
     const double first = this->Numbers[neighbors.front().Id];
-    Double2 fits{}, errorsOfFits{}, errorsOfRest{};
-    std::uint32_t bitsOfShares = 0;
-    for (const auto& n : neighbors)
-    {
-      const double difference = this->Numbers[n.Id] - first;
-      const double share = n.Share;
-      const double* known = this->Errors[n.Id].data();
-      fits += Double2{ n.Quadratic, n.Linear } * Double2{ difference, difference };
-      errorsOfFits += Double2{ share, share } * Double2{ known[0], known[1] };
-      errorsOfRest += Double2{ share, share } * Double2{ known[2], known[3] };
-      bitsOfShares |= std::bit_cast<std::uint32_t>(n.Share);
-    }
-    const auto number = [first](double difference)
-    {
-      const double sum = first + difference;
-      return std::isfinite(sum) ? sum : first;
-    };
-    const double a = number(fits[0]);
-    const double b = number(fits[1]);
-    const double c = other && std::isfinite(*other) ? *other : a;
-    const double blend = Blend(a, b, c, errorsOfFits[0], errorsOfFits[1], errorsOfRest[0]);
+    const Sums sums = this->SumUp(neighbors, first);
+    const double a = Add(first, sums.Fits[0]);
+    const double b = Add(first, sums.Fits[1]);
+    const std::optional<double> found = other(std::span<const double>(this->Numbers));
+    const double c = found && std::isfinite(*found) ? *found : a;
+    const double blend =
+      Blend(a, b, c, sums.ErrorsOfFits[0], sums.ErrorsOfFits[1], sums.ErrorsOfRest[0]);
     result.Number = std::isfinite(blend) ? blend : first;
-    result.Error = errorsOfRest[1];
+    result.Error = sums.ErrorsOfRest[1];
     result.HasNeighbors = true;
-    result.HasError = bitsOfShares != 0; // no share is negative
+    result.HasError = sums.Shares != 0; // no share is negative
     this->Predicted = { a, b, c, result.Number };
     return result;
   }
@@ -106,13 +174,39 @@ public:
       const double error = std::abs(number - this->Predicted[k]);
       this->Errors[v][k] = error <= MaxError ? error : MaxError;
     }
-    this->Numbers[v] = number;
-    this->Last = number;
+    this->Set(v, number);
   }
 
 private:
-  // As large as a register of every processor: sums in larger ones went through memory.
+  // Vectors are as large as registers of every processor, and the loop is a function of its own:
+  // else sums go through memory, which takes twice as long.
   using Double2 = double __attribute__((vector_size(16)));
+
+  struct Sums
+  {
+    Double2 Fits{}; // quadratic and linear
+    Double2 ErrorsOfFits{};
+    Double2 ErrorsOfRest{};
+    std::uint32_t Shares = 0; // the bits of any
+  };
+
+  [[gnu::noinline]] Sums SumUp(
+    std::span<const QuadraticFit::Neighbor> neighbors, double first) const
+  {
+    Double2 fits{}, errorsOfFits{}, errorsOfRest{};
+    std::uint32_t shares = 0;
+    for (const auto& n : neighbors)
+    {
+      const double difference = this->Numbers[n.Id] - first;
+      const double share = n.Share;
+      const double* known = this->Errors[n.Id].data();
+      fits += Double2{ n.Quadratic, n.Linear } * Double2{ difference, difference };
+      errorsOfFits += Double2{ share, share } * Double2{ known[0], known[1] };
+      errorsOfRest += Double2{ share, share } * Double2{ known[2], known[3] };
+      shares |= std::bit_cast<std::uint32_t>(n.Share);
+    }
+    return { fits, errorsOfFits, errorsOfRest, shares };
+  }
 
   static constexpr double MaxError = 1e300;
 
@@ -137,12 +231,8 @@ private:
     return a + (weightB * (b - a) + weightC * (c - a)) / (weightA + weightB + weightC);
   }
 
-  const QuadraticFit& Fit;
-  std::vector<double> Numbers;
   std::vector<std::array<double, 4>> Errors; // of the three predictions and of the blend
   std::array<double, 4> Predicted{};
-  double Last = 0;
-  double LastShared = 0;
 };
 }
 

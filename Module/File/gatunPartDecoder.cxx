@@ -255,7 +255,7 @@ void PartDecoder::DecodePoints(std::uint32_t chunk, const ChunkMesh& mesh,
       [&] { return NeighborFit(mesh.Walk, mesh.GetPlaces()); });
     context.Fit = fits.Linear.get();
   }
-  else if (mode == SpatialMode::Quadratic)
+  else if (IsQuadratic(mode))
   {
     this->FindFit(fits.Points, PartKind::ChunkQuadratic, chunk,
       [&] { return QuadraticFit(mesh.Walk, mesh.GetPlaces()); });
@@ -494,9 +494,9 @@ std::vector<ComponentKeys> PartDecoder::MakePointKeys(std::size_t step, std::siz
 
 namespace
 {
-bool IsQuadratic(std::span<const std::uint8_t> stream)
+bool NeedsQuadraticFit(std::span<const std::uint8_t> stream)
 {
-  return ArrayModes::Read(stream).Spatial == SpatialMode::Quadratic;
+  return IsQuadratic(ArrayModes::Read(stream).Spatial);
 }
 
 std::shared_ptr<const ArrayPart> TakeValues(std::vector<ComponentKeys>& keys)
@@ -541,7 +541,7 @@ std::shared_ptr<const ArrayPart> PartDecoder::DecodeBlockArray(std::uint32_t blo
               return (*points)[i];
             })
         : this->MakeKeys(array, step, count, before.get());
-      if (IsQuadratic(stream))
+      if (NeedsQuadraticFit(stream))
       {
         this->FindFit(fits.Points, PartKind::BlockQuadratic, block,
           [&] { return QuadraticFit(GetPlaces(*this->GetBlockPoints(block), content.Domains)); });
@@ -580,7 +580,7 @@ std::shared_ptr<const ArrayPart> PartDecoder::DecodeChunkArray(std::uint32_t chu
                                           : this->MakeKeys(array, step, count, before.get());
       if (!ofPoints)
       {
-        if (IsQuadratic(stream))
+        if (NeedsQuadraticFit(stream))
         {
           this->FindFit(
             fits.Cells, PartKind::ChunkCellQuadratic, chunk, [&] { return mesh.FitCells(); });

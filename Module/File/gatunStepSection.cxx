@@ -532,7 +532,7 @@ std::vector<Bytes> StepSection::EncodeChunk(WriterPart& part, std::size_t chunk)
       auto keys = input.GetKeys(tuples);
       stream = ofPoints
         ? EncodePointValues(state.Mesh.Context, input.Domains, keys, input.GetMargin())
-        : EncodeCellValues(cells, input.Domains, keys);
+        : EncodeCellValues(cells, input.Domains, keys, input.GetMargin());
       const auto own = ofPoints ? state.Mesh.Context.OwnIds.size() : tuples.size();
       for (std::size_t i = 0; input.Rounded && i < own; ++i)
       {

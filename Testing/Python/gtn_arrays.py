@@ -15,13 +15,14 @@ from gtn_coding import (
     FLOAT32, FLOAT64, MAX_FLOAT32, UINT8, Coded, Domain, RunningSpread, divide)
 from gtn_container import Bytes, require
 from gtn_quadratic import (
-    Lists, Predictor, decode_component, decode_places, find_cell_neighbors, find_cell_places,
-    find_neighbors)
+    Lists, PlainPredictor, Predictor, decode_component, decode_places, find_cell_neighbors,
+    find_cell_places, find_neighbors)
 from gtn_records import CellGeometry
 from gtn_shapes import TETRA
 from gtn_walk import Geometry, Walk, key_spread
 
-PREVIOUS, GATE, FIT, QUADRATIC = 0, 1, 2, 3
+PREVIOUS, GATE, FIT, QUADRATIC, PLAIN_QUADRATIC = 0, 1, 2, 3, 4
+QUADRATICS = {QUADRATIC: Predictor, PLAIN_QUADRATIC: PlainPredictor}
 NONE, REPEAT, CHANGE = 0, 1, 2
 PROGRESSION = 3
 
@@ -35,7 +36,7 @@ class ArrayStream:
         require(self.spatial in spatial_modes, "spatial mode")
         require(self.temporal <= CHANGE, "temporal mode")
         require(self.temporal == NONE or has_before, "temporal mode without a step before")
-        require(self.spatial != QUADRATIC or self.temporal != REPEAT, "modes")
+        require(self.spatial not in QUADRATICS or self.temporal != REPEAT, "modes")
         self.coded = Coded(stream)
 
     def component(self, domain, snap=False):
@@ -84,15 +85,15 @@ def decode_list(stream, domains, count, before=None, parents=None, lists=None):
         require(count == 0, "no stream for values")
         return [[] for _ in domains]
     modes = (PREVIOUS,) if parents is None else (PREVIOUS, GATE)
-    modes += (QUADRATIC,) if lists else ()
+    modes += (*QUADRATICS,) if lists else ()
     stream = ArrayStream(stream, modes, before is not None)
     result = []
     for c, domain in enumerate(domains):
         stream.component(domain, parents is None)
-        if stream.spatial == QUADRATIC:
+        if stream.spatial in QUADRATICS:
             changes = stream.temporal == CHANGE
             result.append(decode_places(
-                stream, lists(), domain, parents, count, before[c] if changes else None))
+                stream, QUADRATICS[stream.spatial], lists(), domain, parents, count, before[c] if changes else None))
             continue
         number = domain.to_number
         now = []
@@ -191,14 +192,14 @@ class ChunkMesh:
         before: what this gave at the step before, if the array has a before."""
         walk = self.walk
         require(stream is not None, "no stream for values")
-        stream = ArrayStream(stream, (PREVIOUS, GATE, FIT, QUADRATIC), before is not None)
+        stream = ArrayStream(stream, (PREVIOUS, GATE, FIT, *QUADRATICS), before is not None)
         result = []
         for c, domain in enumerate(domains):
             now = [None if index is None else shared_now[c][index] for index in walk.shared]
             stream.component(domain)
-            if stream.spatial == QUADRATIC:
+            if stream.spatial in QUADRATICS:
                 changes = stream.temporal == CHANGE
-                predictor = Predictor(self._lists(), len(now), self._other)
+                predictor = QUADRATICS[stream.spatial](self._lists(), len(now), self._other)
                 decode_component(
                     stream, predictor, domain, self.own, now, before[c] if changes else None)
             else:

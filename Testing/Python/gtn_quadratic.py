@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""The spatial mode quadratic of `.gtn` files: sections 10.8 to 10.10 of Documentation/format.md.
+"""The spatial mode quadratic of `.gtn` files: sections 10.8 to 10.11 of Documentation/format.md.
 
 Part of gtn_decoder, which is written from that text alone.
 """
@@ -335,8 +335,24 @@ class Predictor:
         self.numbers[v] = self.last = number
 
 
+class PlainPredictor(Predictor):
+    """Predicts by the quadratic function alone (10.11)."""
+
+    def predict(self, i):
+        neighbors, weights, _, _ = self.lists[i]
+        number = self.last
+        if neighbors:
+            first, sums = self.numbers[neighbors[0]], [0.0] * 4
+            for k, (u, weight) in enumerate(zip(neighbors, weights)):
+                sums[k % 4] += weight * (self.numbers[u] - first)
+            number = first + ((sums[0] + sums[1]) + (sums[2] + sums[3]))
+            number = number if math.isfinite(number) else first
+        self.predicted = (number,) * 4
+        return number, None, bool(neighbors)
+
+
 def decode_component(stream, predictor, domain, own, now, before):
-    """Values of the mode quadratic (10.10). own: the places to decode, in order; keys at others are
+    """Values of a quadratic mode (10.10, 10.11). own: the places to decode, in order; keys at others are
     in now. before: None without the temporal mode change."""
     base = [0.0] * len(now) if before is None else [domain.to_number(k) for k in before]
     for v in sorted(set(range(len(now))) - set(own)):
@@ -351,12 +367,12 @@ def decode_component(stream, predictor, domain, own, now, before):
         predictor.learn(v, domain.to_number(now[v]) - base[v])
 
 
-def decode_places(stream, lists, domain, parents, count, before):
+def decode_places(stream, kind, lists, domain, parents, count, before):
     """Values on all cells of a chunk or, without parents, on all points of a block."""
     def other(i, numbers):
         start = i - 1 if parents is None or parents[i] is None else parents[i]
         return numbers[start] if start >= 0 else None
 
     now = [None] * count
-    decode_component(stream, Predictor(lists, count, other), domain, range(count), now, before)
+    decode_component(stream, kind(lists, count, other), domain, range(count), now, before)
     return now

@@ -169,14 +169,14 @@ ALL = [bounded, bounded_small, bounded_fine, bounded_pointwise, bounded_boundary
        bounded_quadratic, bounded_quadratic_steps]
 
 
-def main(folder):
+def main(folder, functions=ALL):
     os.makedirs(folder, exist_ok=True)
     path = os.path.join(folder, "expected.json")
     expected = {}
     if os.path.exists(path):
         with open(path, encoding="utf-8") as file:
             expected = json.load(file)
-    for function in ALL:
+    for function in functions:
         name = function.__name__ + ".gtn"
         expected[name] = make(folder, function)
         print(name, os.path.getsize(os.path.join(folder, name)), flush=True)

@@ -1,0 +1,88 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Makes the golden files of version 1.10 with streams of the mode plain quadratic, and adds them to
+expected.json:
+
+    export PYTHONPATH=build/release/lib/python3/dist-packages:Testing/IO
+    Testing/Python/make_golden_plain.py FOLDER
+
+Values are those of the input; the decoder written from the specification agrees."""
+
+import sys
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import gtn_arrays
+import make_golden
+import make_golden_bounded
+from gatunCellMeshes import hexahedra
+from make_golden import add, gm, single
+from make_golden_quadratic import Counted, mesh
+
+
+def quadric(points):
+    """What a quadratic function predicts but for rounding."""
+    x, y, z = points.T.astype(float)
+    return 0.3 * x * x - 0.2 * x * y + 0.1 * y * z + 0.4 * z * z - x + 2 * y + 5
+
+
+def plain_steps(rng):
+    points, tets = mesh(rng, 4)
+    grids = []
+    for s in range(4):
+        grid = gm.make_grid(single(points), tets)
+        # Noise that stays, so that changes are smoother than values.
+        noise = np.random.default_rng(1).normal(size=len(points))
+        change = quadric(points) * s / 8
+        odd = single(noise + change)
+        odd[s::31] = np.resize([np.nan, np.inf, -0.0], odd[s::31].shape)
+        data = grid.GetPointData()
+        add(data, single(noise + change), "floats")
+        add(data, odd, "odd")
+        add(data, np.round(1e6 * (noise + change)).astype(np.int32), "integers")
+        add(data, (noise + change) * (1e307 if s == 2 else 1e300), "huge")
+        at_cells = np.random.default_rng(2).normal(size=len(tets)) + quadric(points[tets].mean(1)) * s / 8
+        add(grid.GetCellData(), single(at_cells), "cells")
+        grids.append(grid)
+    return grids, [float(s) for s in range(4)], {"KeyStepInterval": 3, "KeepOrder": 7, "ChunkTets": 256}
+
+
+def plain_hexahedra(rng):
+    grids = []
+    grid = hexahedra(rng, (6, 6, 6), 0.2)
+    points = gm.coordinates(grid)
+    corners = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 8)
+    noise, noise_of_cells = (np.random.default_rng(k).normal(size=n) for k, n in enumerate((len(points), len(corners))))
+    for s in range(3):
+        step = type(grid)()
+        step.CopyStructure(grid)
+        add(step.GetPointData(), single(noise + s * quadric(points)), "floats")
+        add(step.GetCellData(), single(noise_of_cells + s * quadric(points[corners].mean(1))), "cells")
+        grids.append(step)
+    return grids, [0.0, 1.0, 2.0], {"KeepOrder": 7, "ChunkTets": 256}
+
+
+def bounded_plain_steps(rng):
+    points, tets = mesh(rng, 4)
+    grids = []
+    for s in range(4):
+        grid = gm.make_grid(single(points), tets)
+        noise = np.random.default_rng(1).normal(size=len(points))
+        change = quadric(points) * s / 8
+        odd = noise + change
+        odd[s::31] = np.resize([np.nan, np.inf, 1e300], odd[s::31].shape)
+        add(grid.GetPointData(), noise + change, "doubles")
+        add(grid.GetPointData(), odd, "odd")
+        add(grid.GetPointData(), single(noise + change), "pointwise")
+        grids.append(grid)
+    return grids, [0.0, 1.0, 2.0, 3.0], ["*=abs:1e-9", "pointwise=pw:1e-6"], {"KeyStepInterval": 3}
+
+
+if __name__ == "__main__":
+    gtn_arrays.ArrayStream = Counted
+    make_golden.main(sys.argv[1], [plain_steps, plain_hexahedra], adds=True)
+    make_golden_bounded.main(sys.argv[1], [bounded_plain_steps])
+    print("streams by spatial and temporal mode:", Counted.modes)
+    assert (4, 2) in Counted.modes
