@@ -22,7 +22,7 @@
 #   bench.sh --volumes           the volume study, 45 minutes; writes volume-study.md
 #   bench.sh --errors            bits a value of arrays with bounded errors, 5 minutes; writes
 #                                errors-study.md; --sz3 PREFIX names the folder where SZ3 is installed
-#   bench.sh --series            time series beside a .vtu file for each step, 15 minutes; writes
+#   bench.sh --series            time series beside a .vtu file for each step, 10 minutes; writes
 #                                series-study.md
 #   bench.sh --pages             measures nothing and writes all pages again from their results
 #

@@ -48,6 +48,11 @@ def table(head, rows):
     return "\n".join(lines) + "\n"
 
 
+def verdict(value, goal):
+    """goal: what the project wants at least, and what would be better."""
+    return "target met" if value >= goal[1] else "met" if value >= goal[0] else "not met"
+
+
 def image(plots, name, text, folder="benchmarks"):
     return f"![{text}]({folder}/{name}.png)\n" if name in plots else ""
 

@@ -7,7 +7,7 @@ import math
 import statistics
 
 import benchmarkText
-from benchmarkText import image, number, paragraph, ratio, span, table
+from benchmarkText import image, number, paragraph, ratio, span, table, verdict
 
 PAGE = "errors-study"
 QUOTED = (1e-2, 1e-3, 1e-4)
@@ -94,8 +94,7 @@ def _goal_rows(results):
 
     def add(what, value, goal):
         if value:
-            verdict = "target met" if value >= goal[1] else "met" if value >= goal[0] else "not met"
-            rows.append((what, ratio(value), ratio(goal[0]), ratio(goal[1]), verdict))
+            rows.append((what, ratio(value), ratio(goal[0]), ratio(goal[1]), verdict(value, goal)))
     for bound, goal in GOALS.items():
         add(f"best of SZ3 and zfp / ours at {_power(bound)}, geometric mean",
             mean_ratio(results, bound, "SZ3", "zfp"), goal)

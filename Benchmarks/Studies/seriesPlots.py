@@ -19,7 +19,8 @@ def draw(results, folder):
     figure, axes = pyplot.subplots(figsize=(9, 0.9 + 0.75 * len(series)))
     for i, (name, color, values) in enumerate(bars):
         drawn = axes.barh([g + 0.26 * i for g in range(len(series))], values, 0.26, color=color, label=name)
-        axes.bar_label(drawn, [f"{value:.2f}" for value in values], padding=2, fontsize=7)
+        axes.bar_label(drawn, [f"{value:.2f}" for value in values], padding=2, fontsize=7,
+                       bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.5})
     axes.axvline(1, color="black", linewidth=1)
     axes.set_xscale("log")
     axes.margins(x=0.1)

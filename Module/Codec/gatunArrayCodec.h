@@ -28,8 +28,8 @@ struct ArrayModes
   static ArrayModes Read(std::span<const std::uint8_t> stream);
 };
 
-/** A stream with quadratic functions must save this part of its size, because it is decoded more
- * slowly. */
+/** A stream with quadratic functions must save this part of its size over those of faster modes,
+ * because it is decoded more slowly. */
 constexpr std::size_t QuadraticMargin = 64;
 
 /** Encodes own points with all modes and returns the shortest stream. Components of domains with a

@@ -93,7 +93,8 @@ def decode_list(stream, domains, count, before=None, parents=None, lists=None):
         if stream.spatial in QUADRATICS:
             changes = stream.temporal == CHANGE
             result.append(decode_places(
-                stream, QUADRATICS[stream.spatial], lists(), domain, parents, count, before[c] if changes else None))
+                stream, QUADRATICS[stream.spatial], lists(), domain, parents, count,
+                before[c] if changes else None))
             continue
         number = domain.to_number
         now = []

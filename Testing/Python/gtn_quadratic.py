@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""The spatial mode quadratic of `.gtn` files: sections 10.8 to 10.11 of Documentation/format.md.
+"""The quadratic spatial modes of `.gtn` files: sections 10.8 to 10.11 of Documentation/format.md.
 
 Part of gtn_decoder, which is written from that text alone.
 """
@@ -352,8 +352,8 @@ class PlainPredictor(Predictor):
 
 
 def decode_component(stream, predictor, domain, own, now, before):
-    """Values of a quadratic mode (10.10, 10.11). own: the places to decode, in order; keys at others are
-    in now. before: None without the temporal mode change."""
+    """Values of a quadratic mode (10.10, 10.11). own: the places to decode, in order; keys at
+    others are in now. before: None without the temporal mode change."""
     base = [0.0] * len(now) if before is None else [domain.to_number(k) for k in before]
     for v in sorted(set(range(len(now))) - set(own)):
         predictor.set_shared(v, domain.to_number(now[v]) - base[v])

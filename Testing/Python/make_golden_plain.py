@@ -28,21 +28,29 @@ def quadric(points):
     return 0.3 * x * x - 0.2 * x * y + 0.1 * y * z + 0.4 * z * z - x + 2 * y + 5
 
 
-def plain_steps(rng):
+def changing(rng):
+    """At some steps: the number of the step, a grid, its points and tetrahedra, and values on points. They
+    have noise that stays, so that changes are smoother than values."""
     points, tets = mesh(rng, 4)
-    grids = []
+    noise = np.random.default_rng(1).normal(size=len(points))
     for s in range(4):
-        grid = gm.make_grid(single(points), tets)
-        # Noise that stays, so that changes are smoother than values.
-        noise = np.random.default_rng(1).normal(size=len(points))
-        change = quadric(points) * s / 8
-        odd = single(noise + change)
-        odd[s::31] = np.resize([np.nan, np.inf, -0.0], odd[s::31].shape)
+        yield s, gm.make_grid(single(points), tets), points, tets, noise + quadric(points) * s / 8
+
+
+def with_odd(values, s, odd):
+    values = values.copy()
+    values[s::31] = np.resize(odd, values[s::31].shape)
+    return values
+
+
+def plain_steps(rng):
+    grids = []
+    for s, grid, points, tets, values in changing(rng):
         data = grid.GetPointData()
-        add(data, single(noise + change), "floats")
-        add(data, odd, "odd")
-        add(data, np.round(1e6 * (noise + change)).astype(np.int32), "integers")
-        add(data, (noise + change) * (1e307 if s == 2 else 1e300), "huge")
+        add(data, single(values), "floats")
+        add(data, with_odd(single(values), s, [np.nan, np.inf, -0.0]), "odd")
+        add(data, np.round(1e6 * values).astype(np.int32), "integers")
+        add(data, values * (1e307 if s == 2 else 1e300), "huge")
         at_cells = np.random.default_rng(2).normal(size=len(tets)) + quadric(points[tets].mean(1)) * s / 8
         add(grid.GetCellData(), single(at_cells), "cells")
         grids.append(grid)
@@ -65,17 +73,11 @@ def plain_hexahedra(rng):
 
 
 def bounded_plain_steps(rng):
-    points, tets = mesh(rng, 4)
     grids = []
-    for s in range(4):
-        grid = gm.make_grid(single(points), tets)
-        noise = np.random.default_rng(1).normal(size=len(points))
-        change = quadric(points) * s / 8
-        odd = noise + change
-        odd[s::31] = np.resize([np.nan, np.inf, 1e300], odd[s::31].shape)
-        add(grid.GetPointData(), noise + change, "doubles")
-        add(grid.GetPointData(), odd, "odd")
-        add(grid.GetPointData(), single(noise + change), "pointwise")
+    for s, grid, _, _, values in changing(rng):
+        add(grid.GetPointData(), values, "doubles")
+        add(grid.GetPointData(), with_odd(values, s, [np.nan, np.inf, 1e300]), "odd")
+        add(grid.GetPointData(), single(values), "pointwise")
         grids.append(grid)
     return grids, [0.0, 1.0, 2.0, 3.0], ["*=abs:1e-9", "pointwise=pw:1e-6"], {"KeyStepInterval": 3}
 

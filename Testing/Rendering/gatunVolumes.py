@@ -3,8 +3,6 @@
 
 """Meshes as volumes: in a window, and as vtkGatunRayCaster makes the same picture without one."""
 
-import os
-
 import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (draws)
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401  (draws volumes)
@@ -20,7 +18,6 @@ import gatunMeshes as gm
 from gatun import vtkGatunRayCaster, vtkGatunReader, vtkGatunVolumeMapper
 
 BACKGROUND = (0.1, 0.2, 0.4)
-TEMP = os.environ["GATUN_TEST_TEMP"]
 WIDTH, HEIGHT = 120, 90  # of pictures without a window
 
 

@@ -449,11 +449,16 @@ TEST(QuadraticFit, ModesThatAreNotAllowedAreRejected)
   ASSERT_EQ(stream[0], 3);
   auto context = mesh.Context;
   context.Quadratic = nullptr;
-  EXPECT_THROW(DecodePointValues(stream, context, { &domain, 1 }, keys), Error);
-  EXPECT_THROW(DecodeCellValues(stream, { mesh.Walk.Parents }, { &domain, 1 }, keys), Error);
-  stream[1] = 1;
-  EXPECT_THROW(DecodePointValues(stream, mesh.Context, { &domain, 1 }, keys), Error);
-  stream[0] = 4;
+  for (const auto mode : { SpatialMode::Quadratic, SpatialMode::PlainQuadratic })
+  {
+    stream[0] = static_cast<std::uint8_t>(mode);
+    stream[1] = 0;
+    EXPECT_THROW(DecodePointValues(stream, context, { &domain, 1 }, keys), Error);
+    EXPECT_THROW(DecodeCellValues(stream, { mesh.Walk.Parents }, { &domain, 1 }, keys), Error);
+    stream[1] = 1;
+    EXPECT_THROW(DecodePointValues(stream, mesh.Context, { &domain, 1 }, keys), Error);
+  }
+  stream[0] = 5;
   stream[1] = 0;
   EXPECT_THROW(DecodePointValues(stream, mesh.Context, { &domain, 1 }, keys), Error);
 }
