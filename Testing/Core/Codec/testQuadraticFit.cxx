@@ -456,10 +456,12 @@ TEST(QuadraticFit, ModesThatAreNotAllowedAreRejected)
     EXPECT_THROW(DecodePointValues(stream, context, { &domain, 1 }, keys), Error);
     EXPECT_THROW(DecodeCellValues(stream, { mesh.Walk.Parents }, { &domain, 1 }, keys), Error);
     stream[1] = 1;
+    EXPECT_THROW(ArrayModes::Read(stream), Error);
     EXPECT_THROW(DecodePointValues(stream, mesh.Context, { &domain, 1 }, keys), Error);
   }
   stream[0] = 5;
   stream[1] = 0;
+  EXPECT_THROW(ArrayModes::Read(stream), Error);
   EXPECT_THROW(DecodePointValues(stream, mesh.Context, { &domain, 1 }, keys), Error);
 }
 
