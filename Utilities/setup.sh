@@ -12,6 +12,9 @@
 #   Utilities/setup.sh bench [--quick] [FILE...]
 #                                    build, measure against VTK's own files (with --quick: less),
 #                                    with the meshes it makes and with FILEs; see bench.sh
+#   Utilities/setup.sh soak [MINUTES]
+#                                    build with and without sanitizers, fuzz and try everything that may
+#                                    go wrong with a file (default: 120); see soak/soak.py --help
 #
 # Packages are installed with apt-get, as root or through sudo. Steps already done are skipped.
 # Variables of the environment:
@@ -41,6 +44,7 @@ packages_build=(
 packages_window=(libgl1-mesa-dri xauth xvfb)
 packages_test=(git libgtest-dev openimageio-tools python3-h5py python3-xxhash python3-zstandard)
 packages_bench=(draco libmeshoptimizer-dev libzfp-dev openctm-tools python3-matplotlib)
+packages_soak=(clang util-linux mount)
 packages_lint=(clang-format clang-tidy git python3)
 # ParaView itself, its window's libraries, and the imports of its Python modules.
 packages_paraview=(mpi-default-bin paraview paraview-dev python3-mpi4py)
@@ -239,9 +243,23 @@ run_bench() {
   GATUN_BUILD=$build/release exec "$root/Utilities/bench.sh" "$@"
 }
 
+run_soak() {
+  local fuzz_clang=libclang-rt-dev
+  # The sanitizers' libraries of the clang that Debian 12 has are in a package with its version.
+  if [ "$(. /etc/os-release && echo "${VERSION_CODENAME:-}")" = bookworm ]; then
+    fuzz_clang=libclang-rt-14-dev
+  fi
+  install_packages "${packages_build[@]}" "${packages_test[@]}" "${packages_soak[@]}" "$fuzz_clang"
+  build_vtk -DGATUN_BUILD_TESTING=ON
+  build_tree fuzz
+  build_tree asan-ubsan
+  build_tree tsan
+  exec /usr/bin/python3 -B "$root/Utilities/soak/soak.py" --build "$build" --jobs "$jobs" "$@"
+}
+
 command=${1:-}
 case $command in
-  demo | test | lint | bench)
+  demo | test | lint | bench | soak)
     shift
     command -v apt-get >/dev/null || die "this needs Debian or a system like it (apt-get)"
     mkdir -p "$build"
