@@ -19,20 +19,14 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 if [ "${1:-}" = --tidy ] || [ "${1:-}" = --analyze ]; then
   build=${GATUN_BUILD:-build/release}
-  options=(--quiet -p "$build")
+  options=(--build "$build" --jobs "${GATUN_JOBS:-$(nproc)}")
   folders=('Module/*.cxx' 'IO/*.cxx' 'Filters/*.cxx' 'Rendering/*.cxx' 'Programs/*.cxx')
   if [ "$1" = --analyze ]; then
-    options+=("--checks=-*,clang-analyzer-*,-clang-analyzer-cplusplus.NewDeleteLeaks,\
+    options+=("--check=-*,clang-analyzer-*,-clang-analyzer-cplusplus.NewDeleteLeaks,\
 -clang-analyzer-optin.cplusplus.VirtualCall,-clang-analyzer-optin.mpi.*")
     folders=('Module/*.cxx')
   fi
-  # Sources that this build leaves out have no entry in compile_commands.json.
-  git ls-files "${folders[@]}" | while read -r source; do
-    if grep -qF "$PWD/$source\"" "$build/compile_commands.json"; then
-      echo "$source"
-    fi
-  done | xargs -P "${GATUN_JOBS:-$(nproc)}" -n 1 clang-tidy "${options[@]}" 2> >(
-    grep -v 'warnings\? generated\.$' >&2)
+  git ls-files "${folders[@]}" | xargs Utilities/tidy.py "${options[@]}"
   exit
 fi
 
