@@ -87,7 +87,7 @@ vtk_module_compile_options(VTK::GatunCore PRIVATE -Wpedantic)
 # Python: `from gatun import vtkGatunReader`, from the build tree as well as once installed.
 if (GATUN_WRAP_PYTHON)
   vtk_module_python_default_destination(gatun_python_destination)
-  set(gatun_python_path "${CMAKE_BINARY_DIR}/${gatun_python_destination}")
+  include(gatunPython)
 
   vtk_module_wrap_python(
     MODULES             ${gatun_modules}
@@ -101,25 +101,9 @@ if (GATUN_WRAP_PYTHON)
     BUILD_STATIC        OFF
     INSTALL_HEADERS     OFF)
 
-  set(gatun_python_modules)
-  foreach (module IN LISTS gatun_wrapped_modules)
-    string(REPLACE "VTK::" "vtk" module "${module}")
-    list(APPEND gatun_python_modules "${module}")
-  endforeach ()
-  # The package searches its modules in this order. VTK's rendering is loaded for classes that need it.
-  if ("vtkGatunRendering" IN_LIST gatun_python_modules)
-    list(REMOVE_ITEM gatun_python_modules vtkGatunRendering)
-    list(APPEND gatun_python_modules vtkGatunRendering)
-  endif ()
-  list(TRANSFORM gatun_python_modules REPLACE "(.+)" "    \"\\1\",")
-  list(JOIN gatun_python_modules "\n" gatun_python_modules)
-  configure_file(
-    "${CMAKE_CURRENT_SOURCE_DIR}/CMake/gatun__init__.py.in"
-    "${gatun_python_path}/gatun/__init__.py"
-    @ONLY)
-  install(FILES "${gatun_python_path}/gatun/__init__.py"
-    DESTINATION "${gatun_python_destination}/gatun"
-    COMPONENT   python)
+  gatun_add_python_package(
+    DESTINATION "${gatun_python_destination}"
+    MODULES     ${gatun_wrapped_modules})
 endif ()
 
 #--------------------------------------------------------------------------------------------------

@@ -312,6 +312,11 @@ public:
     NumberOfPoints,         ///< of the simplified mesh; 0 if it is not simplified
     SimplifyTime            ///< of FetchTime: merging points of a file; not summed over threads
   };
+
+  /**
+   * A statistic of the last image, one of StatisticType; 0 before the first image. Another number
+   * is an error.
+   */
   double GetStatistic(int which);
 
   vtkMTimeType GetMTime() override;

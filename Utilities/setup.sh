@@ -42,7 +42,8 @@ packages_build=(
   cmake g++ libcli11-dev libfmt-dev libglm-dev libopenimageio-dev libtet1.5-dev
   libvtk9-dev libx11-dev libxxhash-dev libzstd-dev ninja-build pkg-config python3-numpy python3-vtk9)
 packages_window=(libgl1-mesa-dri xauth xvfb)
-packages_test=(git libgtest-dev openimageio-tools python3-h5py python3-xxhash python3-zstandard)
+packages_test=(
+  git libgtest-dev mypy openimageio-tools python3-h5py python3-meshio python3-xxhash python3-zstandard)
 packages_bench=(draco libmeshoptimizer-dev libzfp-dev openctm-tools python3-matplotlib)
 packages_soak=(clang util-linux mount)
 packages_lint=(clang-format clang-tidy git python3)

@@ -1,0 +1,277 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Images of files and data."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkCamera
+
+from ._camera import make_camera
+from ._classes import get_class
+from ._errors import Error, raising, set_property
+from ._images import to_bytes
+from ._scene import Scene
+from ._transfer import check_range, make_property, parse_color
+
+if TYPE_CHECKING:
+    from numpy.typing import DTypeLike
+
+_MESH_MODES = {"composite": 0, "mip": 1, "sampled": 100, "xray": 101}
+_VOLUME_MODES = {"xray": 0, "exponential": 1, "composite": 2}
+_MOST_PIXELS = 32000
+_SAMPLES = 8  # of a pixel at the edges of triangles
+
+
+def _choose_mode(blend, modes, what):
+    if blend not in modes:
+        there = ", ".join(map(repr, modes))
+        raise ValueError(f"blend: {blend!r} is not for {what}; there are {there}")
+    return modes[blend]
+
+
+def _get_pixels(array, size):
+    """An image of floats, the top row first."""
+    return vtk_to_numpy(array).reshape(size[1], size[0], -1)[::-1]
+
+
+def _draw_mesh(scene, size, camera, transfer, blend, ratio):
+    caster = get_class("vtkGatunRayCaster")()
+    caster.SetSize(size)
+    caster.SetBlendMode(_choose_mode(blend, _MESH_MODES, "meshes"))
+    caster.SetCamera(camera)
+    caster.SetProperty(transfer)
+    caster.SetArrayName(scene.array)
+    caster.SetArrayAssociation(scene.association)
+    caster.SetArrayComponent(scene.component)
+    set_property(caster, "ratio", "SimplificationRatio", ratio)
+    # There is no next image for which anything could be kept.
+    caster.SetMemoryBudget(0)
+    scene.connect(caster)
+    scene.update(caster)
+    return _get_pixels(caster.GetOutput().GetPointData().GetArray("RGBA"), size)
+
+
+def _draw_volume(scene, size, camera, transfer, blend):
+    projection = get_class("vtkGatunHartleyProjection")()
+    projection.SetSize(size)
+    projection.SetOpacityModel(_choose_mode(blend, _VOLUME_MODES, "volumes"))
+    projection.OutputFloatsOn()
+    if scene.array is not None:
+        projection.SetInputArrayToProcess(0, 0, 0, scene.association, scene.array)
+    view = get_class("vtkGatunHartleyView")
+    view.SetProperty(projection, transfer)
+    scene.connect(projection)
+    view.SetView(projection, camera)
+    scene.update(projection)
+    return _get_pixels(projection.GetOutput().GetPointData().GetArray("RGBA"), size)
+
+
+def _require_display(window):
+    """Raises Error without a display, where VTK would end the program."""
+    if window.GetClassName() != "vtkXOpenGLRenderWindow":
+        return
+    import ctypes
+
+    x11 = ctypes.CDLL("libX11.so.6")
+    x11.XOpenDisplay.restype = ctypes.c_void_p
+    x11.XOpenDisplay.argtypes = [ctypes.c_char_p]
+    x11.XCloseDisplay.argtypes = [ctypes.c_void_p]
+    display = x11.XOpenDisplay(None)
+    if not display:
+        raise Error("surfaces are drawn by OpenGL, which needs a display; try xvfb-run -a")
+    x11.XCloseDisplay(display)
+
+
+def _make_actor(scene, transfer, ratio):
+    from vtkmodules.vtkRenderingCore import vtkActor
+
+    mapper = get_class("vtkGatunSurfaceMapper")()
+    scene.connect(mapper)
+    set_property(mapper, "ratio", "SimplificationRatio", ratio)
+    mapper.SetScalarVisibility(scene.array is not None)
+    if scene.array is not None:
+        colors = transfer.GetRGBTransferFunction()
+        if scene.component < 0:
+            colors.SetVectorModeToMagnitude()
+        else:
+            colors.SetVectorModeToComponent()
+            colors.SetVectorComponent(scene.component)
+        mapper.SetLookupTable(colors)
+        mapper.UseLookupTableScalarRangeOn()
+        mapper.SetColorModeToMapScalars()
+        mapper.InterpolateScalarsBeforeMappingOn()
+        if scene.association == 0:
+            mapper.SetScalarModeToUsePointFieldData()
+        else:
+            mapper.SetScalarModeToUseCellFieldData()
+        mapper.SelectColorArray(scene.array)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    return mapper, actor
+
+
+def _draw_surface(scene, size, camera, transfer, ratio):
+    import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (VTK's drawing)
+    from vtkmodules.vtkCommonCore import vtkFloatArray
+    from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
+
+    window = vtkRenderWindow()
+    _require_display(window)
+    mapper, actor = _make_actor(scene, transfer, ratio)
+    renderer = vtkRenderer()
+    renderer.AddActor(actor)
+    renderer.SetBackground(0, 0, 0)
+    renderer.SetBackgroundAlpha(0)
+    # A camera that was made before OpenGL was loaded cannot be used by it.
+    renderer.GetActiveCamera().DeepCopy(camera)
+    renderer.ResetCameraClippingRange(scene.bounds)
+    window.SetShowWindow(False)
+    window.SetUseOffScreenBuffers(True)
+    window.SetAlphaBitPlanes(1)
+    window.SetMultiSamples(_SAMPLES)
+    window.SetSize(size)
+    window.AddRenderer(renderer)
+    with raising(*filter(None, (scene.algorithm,)), mapper):
+        window.Render()
+    colors = vtkFloatArray()
+    window.GetRGBAPixelData(0, 0, size[0] - 1, size[1] - 1, 0, colors)
+    pixels = np.array(_get_pixels(colors, size))
+    window.Finalize()
+    return pixels
+
+
+def _finish(pixels, background, dtype):
+    """Puts colors that are multiplied by their opacity over a background, or divides them."""
+    opacity = pixels[..., 3:]
+    if background is None:
+        with np.errstate(divide="ignore", invalid="ignore"):
+            colors = np.where(opacity > 0, pixels[..., :3] / opacity, 0)
+    else:
+        colors = pixels[..., :3] + (1 - opacity) * np.asarray(background, np.float32)
+        opacity = np.ones_like(opacity)
+    image = np.clip(np.concatenate([colors, opacity], axis=-1), 0, 1).astype(np.float32)
+    return to_bytes(image) if dtype == np.uint8 else image
+
+
+def _check_size(size):
+    width, height = size
+    for pixels in (width, height):
+        if pixels != int(pixels) or not 1 <= pixels <= _MOST_PIXELS:
+            raise ValueError(f"size: {tuple(size)} is not width and height, 1 to {_MOST_PIXELS}")
+    return (int(width), int(height))
+
+
+def render(
+    source: Any,
+    *,
+    size: Sequence[int] = (1024, 768),
+    array: str | None = None,
+    component: int | None = None,
+    step: int | None = None,
+    time: float | None = None,
+    colors: Any = None,
+    opacity: Any = 1.0,
+    range: Sequence[float] | None = None,
+    unit_distance: float | None = None,
+    shade: bool = False,
+    blend: str = "composite",
+    ratio: float = 0.0,
+    background: str | Sequence[float] | None = None,
+    azimuth: float = 30.0,
+    elevation: float = 20.0,
+    roll: float = 0.0,
+    zoom: float = 1.0,
+    direction: Sequence[float] | None = None,
+    up: Sequence[float] | None = None,
+    parallel: bool = False,
+    camera: vtkCamera | None = None,
+    dtype: DTypeLike = np.uint8,
+) -> np.ndarray:
+    """Draws a mesh or a volume as a volume, or a surface, into an image.
+
+    A file is drawn as it is, without reading more than what is seen. Meshes and volumes need no
+    display and no graphics card; surfaces are drawn by OpenGL, which needs a display.
+
+    Args:
+        source: a .gtn or .ghv file, or data as ``write`` takes it, series excepted.
+        size: width and height of the image in pixels, 1 to 32000 each.
+        array: name of the point or cell array to draw. Default: the active scalars, or else the first
+            array.
+        component: of the array, from 0; -1 for the length of the tuples, the default.
+        step, time: as for ``read``.
+        colors: a color map: the name of one of Matplotlib or a function like it, a list of colors, or
+            a vtkColorTransferFunction. It is spread over ``range``. Default: one from dark to light.
+        opacity: a factor for the default opacities, which grow with the values; opacities from 0 to
+            1, spread over ``range``; pairs of values and opacities; a function of the value; or a
+            vtkPiecewiseFunction. Surfaces are opaque.
+        range: smallest and largest value of the color map. Default: those of the array, over all time
+            steps of a file.
+        unit_distance: the length that opacities refer to, in units of the coordinates. Default: 1/100
+            of the diagonal of the bounds.
+        shade: whether meshes are shaded by a light at the camera.
+        blend: of meshes ``"composite"``, ``"mip"`` (maximum intensity), ``"xray"`` or ``"sampled"``;
+            of volumes ``"composite"``, ``"exponential"`` or ``"xray"``.
+        ratio: fraction of points to remove first, 0 to 1. Above 0, a file must have a hierarchy.
+        background: red, green and blue from 0 to 1, ``"#RRGGBB"``, ``"black"`` or ``"white"``. Default:
+            none, so that the image is transparent.
+        azimuth, elevation: angles of the camera in degrees, from the z axis about the y axis, and up.
+        roll: of the camera, in degrees.
+        zoom: magnification; 1 shows everything.
+        direction, up: a direction to look along in place of the angles, and one that points up.
+        parallel: whether the projection is parallel. That of volumes always is.
+        camera: a vtkCamera in place of all of this.
+        dtype: ``numpy.uint8``, or ``numpy.float32`` for values from 0 to 1.
+
+    Returns:
+        An array of height x width x 4: red, green, blue and opacity, the top row first. Colors are not
+        multiplied by the opacity.
+
+    Raises:
+        OSError: the file cannot be opened.
+        ValueError: a parameter that does not fit, or data without cells or arrays.
+        TypeError: data that cannot be drawn.
+        Error: the file is damaged, no file of Gatun, or there is no display for a surface.
+    """
+    if dtype not in (np.uint8, np.float32):
+        raise ValueError(f"dtype: {dtype!r} is neither uint8 nor float32")
+    size = _check_size(size)
+    color = None if background is None else parse_color(background)
+    scene = Scene(source, step, time, array, component)
+    is_volume = scene.kind is vtkImageData
+    if camera is None:
+        camera = make_camera(
+            scene.bounds,
+            size[0] / size[1],
+            azimuth=azimuth,
+            elevation=elevation,
+            roll=roll,
+            zoom=zoom,
+            direction=direction,
+            up=up,
+            parallel=parallel or is_volume,
+        )
+    if range is None:
+        values = check_range(scene.values, f"{scene.name}, array {scene.array!r}")
+    else:
+        values = check_range(range, "range")
+    distance = scene.get_diagonal() / 100 if unit_distance is None else unit_distance
+    transfer = make_property(colors, opacity, values, distance)
+    transfer.SetShade(bool(shade))
+    if is_volume:
+        if ratio:
+            raise ValueError("ratio: is for meshes")
+        pixels = _draw_volume(scene, size, camera, transfer, blend)
+    elif scene.kind is vtkPolyData:
+        if blend != "composite":
+            raise ValueError("blend: is for meshes and volumes")
+        pixels = _draw_surface(scene, size, camera, transfer, ratio)
+    else:
+        pixels = _draw_mesh(scene, size, camera, transfer, blend, ratio)
+    return _finish(pixels, color, dtype)

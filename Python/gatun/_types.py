@@ -1,0 +1,21 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""Types of parameters."""
+
+import os
+from collections.abc import Iterable
+from typing import Union
+
+#: The path of a file.
+Path = Union[str, "os.PathLike[str]"]
+
+#: Names of arrays, or one of them.
+Names = Union[str, Iterable[str]]
+
+
+def list_names(names):
+    """Returns names as a list, or None for None."""
+    if names is None:
+        return None
+    return [names] if isinstance(names, str) else list(names)
