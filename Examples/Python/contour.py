@@ -9,9 +9,9 @@ from vtkmodules.vtkFiltersCore import vtkElevationFilter
 import gatun
 
 folder = get_folder()
-points, tets, values = make_knot(44)
+points, tets, values = make_knot(36)
 knot = gatun.from_numpy(points, tets, point_data={"value": values})
-gatun.write(knot, f"{folder}/knot.gtn", layers="value", chunk_tets=8192)
+gatun.write(knot, f"{folder}/knot.gtn", layers="value", chunk_tets=4096)
 
 reader = gatun.vtkGatunReader()
 reader.SetFileName(f"{folder}/knot.gtn")

@@ -34,7 +34,7 @@ def find_knot(points):
     return np.sqrt(nearest), place
 
 
-def make_knot(n=36):
+def make_knot(n=30):
     """A cube of tetrahedra, with a value that is high along a knot."""
     points, tets = make_cube(n)
     distance, _ = find_knot(points)
@@ -58,7 +58,7 @@ def make_pipe(around=32, across=10, along=60):
     return points.reshape(-1, 3), np.stack(cells, axis=1), heat.ravel()
 
 
-def make_shell(n=180):
+def make_shell(n=120):
     """A closed surface of triangles with ridges, and its height."""
     theta = np.linspace(1e-3, np.pi - 1e-3, n)
     phi = np.linspace(0, 2 * np.pi, 2 * n, endpoint=False)
@@ -73,7 +73,7 @@ def make_shell(n=180):
     return points.reshape(-1, 3), triangles, height.ravel()
 
 
-def make_volume(n=96):
+def make_volume(n=72):
     """Voxels of a body with organs, as of a scan."""
     x = np.linspace(-1, 1, n)
     z, y, x = np.meshgrid(x, x, x, indexing="ij")

@@ -11,9 +11,9 @@ from shapes import find_knot, get_folder, make_cube
 import gatun
 
 folder = get_folder()
-points, tets = make_cube(28)
+points, tets = make_cube(24)
 distance, place = find_knot(points)
-times = np.linspace(0, 2 * np.pi, 12, endpoint=False)
+times = np.linspace(0, 2 * np.pi, 9, endpoint=False)
 
 
 def make_step(time):
@@ -25,7 +25,7 @@ def make_step(time):
 gatun.write(map(make_step, times), f"{folder}/pulses.gtn", times=times)
 single = gatun.write(make_step(0), f"{folder}/pulse.gtn")
 size = os.path.getsize(f"{folder}/pulses.gtn")
-print(f"{len(gatun.steps(f'{folder}/pulses.gtn'))} steps in {size} bytes; one by one {12 * single}")
+print(f"{len(gatun.steps(f'{folder}/pulses.gtn'))} steps in {size} bytes; one by one {9 * single}")
 
 pictures = [
     gatun.render(
@@ -39,6 +39,6 @@ pictures = [
         azimuth=10,
         elevation=10,
     )
-    for step in (0, 4, 8)
+    for step in (0, 3, 6)
 ]
 gatun.save_png(np.hstack(pictures), f"{folder}/time_series.png")

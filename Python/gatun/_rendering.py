@@ -5,6 +5,8 @@
 
 from __future__ import annotations
 
+import functools
+import os
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -73,20 +75,25 @@ def _draw_volume(scene, size, camera, transfer, blend):
     return _get_pixels(projection.GetOutput().GetPointData().GetArray("RGBA"), size)
 
 
-def _require_display(window):
-    """Raises Error without a display, where VTK would end the program."""
-    if window.GetClassName() != "vtkXOpenGLRenderWindow":
-        return
+@functools.lru_cache(maxsize=None)
+def _open_display(name):
+    """Connects to an X server, and stays connected: without any client it may start anew, and would
+    refuse the next one meanwhile."""
     import ctypes
 
     x11 = ctypes.CDLL("libX11.so.6")
     x11.XOpenDisplay.restype = ctypes.c_void_p
     x11.XOpenDisplay.argtypes = [ctypes.c_char_p]
-    x11.XCloseDisplay.argtypes = [ctypes.c_void_p]
-    display = x11.XOpenDisplay(None)
-    if not display:
+    return x11.XOpenDisplay(name.encode())
+
+
+def _require_display(window):
+    """Raises Error without a display, where VTK would end the program."""
+    if window.GetClassName() != "vtkXOpenGLRenderWindow":
+        return
+    name = os.environ.get("DISPLAY", "")
+    if not (name and _open_display(name)):
         raise Error("surfaces are drawn by OpenGL, which needs a display; try xvfb-run -a")
-    x11.XCloseDisplay(display)
 
 
 def _make_actor(scene, transfer, ratio):
