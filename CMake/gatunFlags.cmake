@@ -31,7 +31,7 @@ endif ()
 add_library(gatunBuildFlags INTERFACE)
 target_link_libraries(gatunBuildFlags INTERFACE gatunSanitizers)
 # No -Wpedantic: it finds a stray semicolon in every use of vtkTypeMacro. The core, which has none,
-# gets it in gatunVTKBuild.cmake.
+# gets it in Module/CMakeLists.txt.
 target_compile_options(gatunBuildFlags INTERFACE
   -Wall
   -Wextra

@@ -81,8 +81,6 @@ vtk_module_build(
   UTILITY_TARGET      gatunBuildFlags
   TEST_DIRECTORY_NAME NONE)
 
-vtk_module_compile_options(VTK::GatunCore PRIVATE -Wpedantic)
-
 #--------------------------------------------------------------------------------------------------
 # Python: `from gatun import vtkGatunReader`, from the build tree as well as once installed.
 if (GATUN_WRAP_PYTHON)

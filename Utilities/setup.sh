@@ -15,6 +15,7 @@
 #   Utilities/setup.sh soak [MINUTES]
 #                                    build with and without sanitizers, fuzz and try everything that may
 #                                    go wrong with a file (default: 120); see soak/soak.py --help
+#   Utilities/setup.sh guide [PART]  draw the pictures of the user guide again; see guide.sh
 #
 # Packages are installed with apt-get, as root or through sudo. Steps already done are skipped.
 # Variables of the environment:
@@ -46,6 +47,7 @@ packages_test=(
   git libgtest-dev mypy openimageio-tools python3-h5py python3-meshio python3-xxhash python3-zstandard)
 packages_bench=(draco libmeshoptimizer-dev libzfp-dev openctm-tools python3-matplotlib)
 packages_soak=(clang util-linux mount)
+packages_guide=(pngquant python3-matplotlib)
 packages_lint=(clang-format clang-tidy git python3)
 # ParaView itself, its window's libraries, and the imports of its Python modules.
 packages_paraview=(mpi-default-bin paraview paraview-dev python3-mpi4py)
@@ -258,9 +260,15 @@ run_soak() {
   exec /usr/bin/python3 -B "$root/Utilities/soak/soak.py" --build "$build" --jobs "$jobs" "$@"
 }
 
+run_guide() {
+  install_packages "${packages_build[@]}" "${packages_guide[@]}"
+  build_vtk
+  GATUN_BUILD=$build/release exec "$root/Utilities/guide.sh" "$@"
+}
+
 command=${1:-}
 case $command in
-  demo | test | lint | bench | soak)
+  demo | test | lint | bench | soak | guide)
     shift
     command -v apt-get >/dev/null || die "this needs Debian or a system like it (apt-get)"
     mkdir -p "$build"
