@@ -27,7 +27,7 @@ mesh = gatun.from_numpy(
     cell_data={"half": (np.arange(len(tets)) % 2).astype(float)},
 )
 path = find("mesh.gtn")
-gatun.write(mesh, path, hierarchy=True)
+gatun.write(mesh, path, hierarchy=True, chunk_tets=256)
 SIZE = (90, 60)
 
 
@@ -117,6 +117,8 @@ x = draw(array="vector", component=0, colors=[(0, 0, 0), (1, 1, 1)], opacity=[1,
 length = draw(array="vector", colors=[(0, 0, 0), (1, 1, 1)], opacity=[1, 1])
 assert x[30, 25, 0] < 60 < 150 < length[30, 25, 0] and x[30, 64, 0] > 240 < length[30, 64, 0]
 assert draw(array="half")[..., 3].max() > 0
+for choice in ({"array": "half"}, {"array": "vector"}, {"array": "vector", "component": 0}, {}):
+    assert np.abs(draw(path, **choice)[..., 3].astype(int) - draw(**choice)[..., 3]).max() <= 1
 images = [draw(blend=blend) for blend in ("composite", "mip", "xray")]
 assert not any(np.array_equal(a, b) for i, a in enumerate(images) for b in images[:i])
 sampled = draw(blend="sampled")[..., 3].astype(int) - images[0][..., 3]
