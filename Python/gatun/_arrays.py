@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import collections.abc
 import dataclasses
+import functools
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Union
 
@@ -104,8 +105,16 @@ def _to_vtk(values, name):
     if array.dtype.kind not in "iuf" or array.dtype.itemsize > 8 or array.dtype == np.float16:
         raise ValueError(f"{name}: arrays of type {array.dtype} are not supported")
     result = numpy_to_vtk(array.reshape(len(array), -1) if array.ndim > 2 else array)
+    # VTK would keep the memory by an attribute of the Python object. VTK 9.1 damages its list of
+    # such objects where the memory belongs to an array of VTK in turn. An observer keeps it, too.
+    result.__dict__.pop("_numpy_reference", None)
+    result.AddObserver("UserEvent", functools.partial(_keep, array))
     result.SetName(name)
     return result
+
+
+def _keep(_array, _caller, _event):
+    """Does nothing; an observer of it keeps an array."""
 
 
 def _add_arrays(attributes, arrays, count, what):

@@ -226,6 +226,9 @@ def _run(writer, algorithms):
         if any(failures):
             raise failures[0] from None
         raise
+    finally:
+        # A source in Python must not outlive its Python object.
+        writer.RemoveAllInputConnections(0)
     return writer.GetFileBytes()
 
 

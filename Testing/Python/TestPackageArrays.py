@@ -4,6 +4,7 @@
 """Meshes and volumes from NumPy arrays and back, with VTK's own access as the reference."""
 
 import gc
+import sys
 
 import gatun
 import numpy as np
@@ -84,6 +85,20 @@ assert empty.points.shape == (0, 3) and empty.cells == []
 kept = gatun.to_numpy(gatun.from_numpy(points.copy(), tets)).points
 gc.collect()
 require_equal(kept, points)
+
+# A mesh keeps the arrays that it shares, and releases them at once, also through several meshes.
+values = np.arange(len(points), dtype=float)
+count = sys.getrefcount(values)
+chain = gatun.from_numpy(points, tets, point_data={"a": values})
+assert sys.getrefcount(values) > count
+for _ in range(50):
+    chain = gatun.from_meshio(gatun.to_numpy(chain))
+gc.collect()
+require_equal(gatun.to_numpy(chain).point_data["a"], values)
+assert sys.getrefcount(values) > count
+del chain, mesh
+gc.collect()
+assert sys.getrefcount(values) == count, (sys.getrefcount(values), count)
 
 # Volumes.
 voxels = rng.integers(0, 1000, (4, 3, 2)).astype(np.int16)
