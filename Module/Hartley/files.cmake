@@ -17,6 +17,7 @@ gatun_core_folder(Hartley
     gatunHartleyShading.h
     gatunHartleyTransform.h
     gatunHartleyView.h
+    gatunVolumeSurvey.h
   PRIVATE_HEADERS
     gatunHartleyBasis.h
     gatunHartleyBlocks.h
@@ -85,4 +86,5 @@ gatun_core_folder(Hartley
     gatunHartleyVoxels.cxx
     gatunHartleyWriter.cxx
     gatunHartleyXRay.cxx
-    gatunHartleyXRays.cxx)
+    gatunHartleyXRays.cxx
+    gatunVolumeSurvey.cxx)

@@ -32,6 +32,7 @@ gatun_core_folder(Rays
     gatunRayValues.h
     gatunRayView.h
     gatunSurfaceDetail.h
+    gatunValueSurvey.h
   PRIVATE_HEADERS
     gatunBlockMesh.h
     gatunFileCuts.h
@@ -85,4 +86,5 @@ gatun_core_folder(Rays
     gatunRayView.cxx
     gatunRayVisibility.cxx
     gatunRelease.cxx
-    gatunSurfaceDetail.cxx)
+    gatunSurfaceDetail.cxx
+    gatunValueSurvey.cxx)

@@ -6,8 +6,11 @@ gatun_core_folder(Support
     gatunVersion.h
   EXPERIMENTAL_HEADERS
     gatunCacheBudget.h
+    gatunDefaultOpacity.h
+    gatunFraming.h
     gatunPageArray.h
     gatunParallel.h
+    gatunValueHistogram.h
   PRIVATE_HEADERS
     gatunBytes.h
     gatunCache.h
@@ -20,12 +23,16 @@ gatun_core_folder(Support
     gatunLargeArray.h
     gatunMorton.h
     gatunSimd.h
+    gatunSpread.h
     gatunVector.h
     gatunWithType.h
   SOURCES
     gatunCacheBudget.cxx
+    gatunDefaultOpacity.cxx
     gatunError.cxx
     gatunFourier.cxx
+    gatunFraming.cxx
     gatunKeepMemory.cxx
     gatunParallel.cxx
+    gatunValueHistogram.cxx
     gatunVersion.cxx)

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef gatunValueSurvey_h
+#define gatunValueSurvey_h
+
+#include "gatunDefaultOpacity.h"
+#include "gatunRaySource.h"
+#include "gatunTypes.h"
+#include "vtkGatunCoreModule.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace gatun
+{
+/** Meshes of up to so many tetrahedra are surveyed as a whole. */
+constexpr std::uint64_t MostSurveyedTets = std::uint64_t{ 1 } << 21;
+
+/**
+ * Finds how much of the volume of a mesh has which values. Of larger meshes than MostSurveyedTets,
+ * blocks from all parts of the mesh are taken, at least 16. The result does not depend on the
+ * number of threads and, if all of the mesh is surveyed, neither on the blocks nor on the order of
+ * tetrahedra.
+ *
+ * Range: of the values, or the part of them that counts. If it is given, it is kept; otherwise it
+ * is narrowed as by MakeValueHistogram. Tetrahedra with a value or coordinate that is not finite
+ * are left out. Throws what the source throws.
+ */
+VTKGATUNCORE_EXPORT ValueSurvey SurveyValues(RaySource& source,
+  const std::optional<Range>& range = {}, const RaySource::Progress& progress = {},
+  std::uint64_t mostTets = MostSurveyedTets);
+}
+
+#endif
