@@ -139,6 +139,12 @@ install(FILES LICENSE
   COMPONENT   runtime)
 
 #--------------------------------------------------------------------------------------------------
+# Pages of the headers
+if (NOT GATUN_CORE_ONLY)
+  include(gatunDoxygen)
+endif ()
+
+#--------------------------------------------------------------------------------------------------
 # Programs
 if (NOT GATUN_CORE_ONLY)
   add_subdirectory(Programs)

@@ -7,6 +7,7 @@
 #   Utilities/setup.sh demo [FILE]   install what is needed, build, show what Gatun does (to FILE,
 #                                    a mesh that VTK can read, or to a mesh that the demo makes)
 #   Utilities/setup.sh test          build for VTK and for ParaView, run the tests of both
+#   Utilities/setup.sh docs          write the pages of the headers, build/release/doxygen/html
 #   Utilities/setup.sh lint [--tidy] check layout and includes; with --tidy also run clang-tidy; the
 #                                    sources follow clang 14, that of Debian 12
 #   Utilities/setup.sh bench [--quick] [FILE...]
@@ -44,10 +45,12 @@ packages_build=(
   libvtk9-dev libx11-dev libxxhash-dev libzstd-dev ninja-build pkg-config python3-numpy python3-vtk9)
 packages_window=(libgl1-mesa-dri xauth xvfb)
 packages_test=(
-  git libgtest-dev mypy openimageio-tools python3-h5py python3-meshio python3-xxhash python3-zstandard)
+  desktop-file-utils doxygen git libglib2.0-bin libgtest-dev mypy openimageio-tools python3-h5py python3-meshio
+  python3-xxhash python3-zstandard shared-mime-info)
 packages_bench=(draco libmeshoptimizer-dev libzfp-dev openctm-tools python3-matplotlib)
 packages_soak=(clang util-linux mount)
 packages_guide=(pngquant python3-matplotlib)
+packages_docs=(doxygen)
 packages_lint=(clang-format clang-tidy git python3)
 # ParaView itself, its window's libraries, and the imports of its Python modules.
 packages_paraview=(mpi-default-bin paraview paraview-dev python3-mpi4py)
@@ -223,6 +226,14 @@ run_test() {
     ctest --test-dir "$build/tests" --output-on-failure --no-label-summary --parallel "$jobs" "$@"
 }
 
+run_docs() {
+  install_packages "${packages_build[@]}" "${packages_docs[@]}"
+  say "Writing pages of the headers"
+  configure_tree release
+  cmake --build "$build/release" --target doxygen
+  printf '%s\n' "$build/release/doxygen/html/index.html"
+}
+
 run_lint() {
   install_packages "${packages_lint[@]}" "${packages_build[@]}" "${packages_test[@]}"
   say "Checking layout, includes and archives"
@@ -268,7 +279,7 @@ run_guide() {
 
 command=${1:-}
 case $command in
-  demo | test | lint | bench | soak | guide)
+  demo | test | docs | lint | bench | soak | guide)
     shift
     command -v apt-get >/dev/null || die "this needs Debian or a system like it (apt-get)"
     mkdir -p "$build"
