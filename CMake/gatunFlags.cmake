@@ -2,6 +2,7 @@
 #
 #   gatunSanitizers   the sanitizers of GATUN_SANITIZE, for everything, generated code included
 #   gatunBuildFlags   that, and warnings, for code written by hand
+#   gatunTestFlags    that, for tests of the core and fuzz targets
 if (NOT CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   message(FATAL_ERROR "Gatun is compiled by GCC or clang, not by ${CMAKE_CXX_COMPILER_ID}.")
 endif ()
@@ -45,6 +46,15 @@ target_compile_options(gatunBuildFlags INTERFACE
   # The walk joins conditions without branching on purpose.
   "$<$<COMPILE_LANG_AND_ID:CXX,Clang>:-Wno-bitwise-instead-of-logical>"
   "$<$<BOOL:${GATUN_WARNINGS_AS_ERRORS}>:-Werror>")
+
+# The code of tests need not be fast, but there is much of it to compile. The core that they test is
+# compiled as everywhere.
+set(GATUN_TEST_OPTIMIZATION "-O1" CACHE STRING "Optimization of the tests of the core and of fuzz targets")
+mark_as_advanced(GATUN_TEST_OPTIMIZATION)
+add_library(gatunTestFlags INTERFACE)
+target_link_libraries(gatunTestFlags INTERFACE gatunBuildFlags)
+target_compile_options(gatunTestFlags INTERFACE
+  "$<$<NOT:$<CONFIG:Debug>>:${GATUN_TEST_OPTIMIZATION}>")
 
 # A static library names what it links, even privately, to those who link it.
 if (NOT BUILD_SHARED_LIBS AND NOT GATUN_BUILD_PARAVIEW_PLUGIN)

@@ -117,7 +117,7 @@ function (gatun_add_core_tests program)
     PRIVATE
       gatunCoreInternals
       ${arg_LINK}
-      gatunBuildFlags
+      gatunTestFlags
       GTest::gtest_main)
   target_compile_definitions("${program}"
     PRIVATE
@@ -349,10 +349,9 @@ function (gatun_add_fuzz_target name)
 
   add_executable("fuzz-regression-${name}"
     ${arg_SOURCES}
-    "${PROJECT_SOURCE_DIR}/Testing/Fuzz/fuzzRegression.cxx"
+    $<TARGET_OBJECTS:gatunFuzzRegression>
     "${corpus}.stamp")
-  target_link_libraries("fuzz-regression-${name}"
-    PRIVATE gatunCoreInternals gatunCoreTestHeaders ${arg_LINK} gatunBuildFlags)
+  target_link_libraries("fuzz-regression-${name}" PRIVATE gatunFuzzSupport ${arg_LINK} gatunTestFlags)
   gatun_add_test(
     NAME    "${prefix}${name}"
     COMMAND "fuzz-regression-${name}" "${corpus}"
@@ -360,8 +359,7 @@ function (gatun_add_fuzz_target name)
 
   if (GATUN_BUILD_FUZZERS)
     add_executable("fuzz-${name}" ${arg_SOURCES})
-    target_link_libraries("fuzz-${name}"
-      PRIVATE gatunCoreInternals gatunCoreTestHeaders ${arg_LINK} gatunBuildFlags)
+    target_link_libraries("fuzz-${name}" PRIVATE gatunFuzzSupport ${arg_LINK} gatunTestFlags)
     target_link_options("fuzz-${name}" PRIVATE -fsanitize=fuzzer)
     add_dependencies("fuzz-${name}" "fuzz-regression-${name}")
     set(found "${GATUN_TEST_TEMP}/fuzz-${name}")
