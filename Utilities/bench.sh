@@ -24,6 +24,8 @@
 #                                errors-study.md; --sz3 PREFIX names the folder where SZ3 is installed
 #   bench.sh --series            time series beside a .vtu file for each step, 10 minutes; writes
 #                                series-study.md
+#   bench.sh --client            ParaView's window beside .vtu files, 15 minutes; needs the ParaView build;
+#                                writes client-study.md
 #   bench.sh --pages             measures nothing and writes all pages again from their results
 #
 # Pages are written to Documentation/studies, their plots and results to a folder of the same name.
@@ -57,6 +59,7 @@ case ${1:-} in
   --volumes) script=runVolumes.py ;;
   --errors) script=runErrors.py ;;
   --series) script=runSeries.py ;;
+  --client) script=runClient.py ;;
   --pages) script=generatedParts.py ;;
   *) script=runBenchmarks.py ;;
 esac

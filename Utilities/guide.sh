@@ -7,6 +7,7 @@
 #
 #   guide.sh             all pictures, into Documentation/images/guide
 #   guide.sh figures     those of how-it-works.md
+#   guide.sh session     the screenshots of paraview.md; needs the ParaView build
 #   guide.sh gallery     those of gallery.md
 #
 # A second argument names another folder for the pictures.
@@ -25,8 +26,9 @@ export PYTHONDONTWRITEBYTECODE=1
 export GATUN_GTN=$build/bin/gtn
 
 case $what in
-  all) parts=(figures gallery) ;;
+  all) parts=(figures record gallery) ;;
   figures | gallery) parts=("$what") ;;
+  session) parts=(record) ;;
   *)
     sed -n '/^#   guide/,/^# A/p' "${BASH_SOURCE[0]}" | sed 's/^# \{0,1\}//' >&2
     exit 2

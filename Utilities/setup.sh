@@ -49,7 +49,9 @@ packages_test=(
   python3-xxhash python3-zstandard shared-mime-info)
 packages_bench=(draco libmeshoptimizer-dev libzfp-dev openctm-tools python3-matplotlib)
 packages_soak=(clang util-linux mount)
-packages_guide=(pngquant python3-matplotlib)
+# Pictures of the guide: a window of ParaView, used by a program, and small files.
+packages_guide=(
+  at-spi2-core dbus imagemagick openbox pngquant python3-matplotlib python3-pyatspi xdotool)
 packages_docs=(doxygen)
 packages_lint=(clang-format clang-tidy git python3)
 # ParaView itself, its window's libraries, and the imports of its Python modules.
@@ -272,8 +274,11 @@ run_soak() {
 }
 
 run_guide() {
-  install_packages "${packages_build[@]}" "${packages_guide[@]}"
+  install_packages "${packages_build[@]}" "${packages_window[@]}" "${packages_guide[@]}" \
+    "${packages_paraview[@]}"
+  find_paraview
   build_vtk
+  build_paraview
   GATUN_BUILD=$build/release exec "$root/Utilities/guide.sh" "$@"
 }
 

@@ -94,9 +94,11 @@ def make_grid(points, kind, cells, point_data, cell_data=None):
 def make_mesh(duct, time=1.0):
     """The duct of tetrahedra."""
     tets = duct.tetrahedra()
-    return make_grid(duct.points, VTK_TETRA, tets,
+    mesh = make_grid(duct.points, VTK_TETRA, tets,
                      {"temperature": duct.temperature(time), "velocity": duct.velocity},
                      {"age": (100 * duct.w[tets].mean(1)).astype(np.float32)})
+    mesh.GetPointData().SetActiveScalars("temperature")
+    return mesh
 
 
 def make_bricks(duct):
