@@ -21,11 +21,11 @@ def plugin():
 
 
 class Client(Program):
-    """ParaView's client on a desktop. Further arguments are those of paraview."""
+    """ParaView's client on a desktop, started in a folder. Further arguments are those of paraview."""
 
-    def __init__(self, desktop, log, *arguments):
+    def __init__(self, desktop, log, folder, *arguments):
         self.desktop = desktop
-        process = desktop.start([str(PARAVIEW), "paraview", *arguments], log)
+        process = desktop.start([str(PARAVIEW), "paraview", *arguments], log, cwd=folder)
         super().__init__(process, "ParaView")
         self.find("push button", "Apply")
         welcome = self.find("dialog", "Welcome to ParaView")

@@ -67,7 +67,7 @@ class Session:
         client = self.client
         client.widen_panel(70)
         client.menu("File", "Open...")
-        client.type_file(part)
+        client.type_file(part.name)
         self.shot("open")
         client.keys("Return")
         client.apply()
@@ -162,7 +162,7 @@ def record(folder, work):
     for name in ("saved.gtn", "session.pvsm"):
         (work / name).unlink(missing_ok=True)
     with Desktop(SCREEN) as desktop:
-        session = Session(Client(desktop, work / "client.log"), folder, work)
+        session = Session(Client(desktop, work / "client.log", work), folder, work)
         try:
             session.open(part)
             session.volume()
