@@ -89,12 +89,18 @@ class Client(Program):
         self.keys("ctrl+a")
         self.write(str(path))
 
+    def accept_file(self):
+        """Takes the name in a file dialog. The first Return may only close the list of completions."""
+        for _ in range(2):
+            if self.all("push button", "Navigate"):
+                self.keys("Return")
+        self.settle(1)
+
     def open(self, path):
         """File > Open, with the name typed."""
         self.menu("File", "Open...")
         self.type_file(path)
-        self.keys("Return")
-        self.settle(1)
+        self.accept_file()
 
     def reset(self):
         """Edit > Reset Session, and yes."""
