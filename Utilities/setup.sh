@@ -48,7 +48,7 @@ packages_test=(
   desktop-file-utils doxygen git libglib2.0-bin libgtest-dev mypy openimageio-tools python3-h5py python3-meshio
   python3-xxhash python3-zstandard shared-mime-info)
 packages_bench=(draco libmeshoptimizer-dev libzfp-dev openctm-tools python3-matplotlib)
-packages_soak=(clang util-linux mount)
+packages_soak=(clang libclang-rt-dev mount util-linux)
 # Pictures of the guide: a window of ParaView, used by a program, and small files.
 packages_guide=(
   at-spi2-core dbus imagemagick openbox pngquant python3-matplotlib python3-pyatspi xdotool)
@@ -260,14 +260,10 @@ run_bench() {
 }
 
 run_soak() {
-  local fuzz_clang=libclang-rt-dev
-  # The sanitizers' libraries of the clang that Debian 12 has are in a package with its version.
-  if [ "$(. /etc/os-release && echo "${VERSION_CODENAME:-}")" = bookworm ]; then
-    fuzz_clang=libclang-rt-14-dev
-  fi
-  install_packages "${packages_build[@]}" "${packages_test[@]}" "${packages_soak[@]}" "$fuzz_clang"
+  install_packages "${packages_build[@]}" "${packages_test[@]}" "${packages_soak[@]}"
   build_vtk -DGATUN_BUILD_TESTING=ON
   build_tree fuzz
+  cmake --build "$build/fuzz" --parallel "$jobs" --target makeCorpus
   build_tree asan-ubsan
   build_tree tsan
   exec /usr/bin/python3 -B "$root/Utilities/soak/soak.py" --build "$build" --jobs "$jobs" "$@"

@@ -9,6 +9,7 @@ import os
 import pathlib
 import random
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -17,8 +18,10 @@ import threading
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MIB = 1 << 20
 
-# Of one process. Under load and with sanitizers, everything takes many times longer than usual.
-TIMEOUT = 600
+# Of one process, in seconds. What hangs uses up its time of the processor. A process that waits for
+# ever is stopped much later, as all others may have to wait under load.
+PROCESSOR_TIME = 300
+TIMEOUT = 3600
 
 Run = collections.namedtuple("Run", "code output peak timeout")
 
@@ -88,7 +91,8 @@ class Context:
     def python(self, program, *arguments, timeout=TIMEOUT, **more):
         """Runs a program of this folder; returns what it prints last, which is JSON."""
         command = [sys.executable, ROOT / "Utilities" / "soak" / program, *arguments]
-        run = run_process(command, environment=self.environment(**more), timeout=timeout)
+        run = run_process(command, environment=self.environment(**more), timeout=timeout,
+                          processor_time=4 * PROCESSOR_TIME)
         if run.code != 0 or run.timeout:
             raise Finding(f"{program} ended with {describe(run)}", log=run.output)
         return json.loads(run.output.strip().splitlines()[-1])
@@ -96,16 +100,17 @@ class Context:
 
 def describe(run):
     """How a process ended, in words."""
-    if run.timeout:
+    if run.timeout or run.code == -signal.SIGXCPU:
         return "no end in time"
     return f"signal {-run.code}" if run.code < 0 else f"exit code {run.code}"
 
 
 def run_process(command, environment=None, folder=None, timeout=TIMEOUT, address_space=None,
-                file_size=None, restore_signals=True):
-    """Runs a command to its end. Limits are in bytes. Returns its exit code (negative: a signal), all
-    that it said, the most memory that it had resident, and whether it was stopped."""
-    limits = [f"--as={address_space}"] if address_space else []
+                file_size=None, processor_time=None, restore_signals=True):
+    """Runs a command to its end. Limits are in bytes and seconds. Returns its exit code (negative: a
+    signal), all that it said, the most memory that it had resident, and whether it was stopped."""
+    limits = [f"--cpu={processor_time}:{processor_time + 30}"] if processor_time else []
+    limits += [f"--as={address_space}"] if address_space else []
     limits += [f"--fsize={file_size}"] if file_size is not None else []
     command = [*(["prlimit", *limits] if limits else []), *map(str, command)]
     with tempfile.TemporaryFile() as output:

@@ -6,7 +6,7 @@
 import os
 import re
 
-from soakContext import ROOT, Finding, Task, describe, run_process
+from soakContext import ROOT, TIMEOUT, Finding, Task, describe, run_process
 
 GOAL = 1000000  # executions of each parser
 LARGE = {"File": 16384, "Sections": 16384, "HartleyFile": 8192}  # bytes of an input, else 2048
@@ -34,7 +34,18 @@ class Fuzz(Task):
         return f"fuzz {self.target}"
 
     def find_missing(self):
-        return None if self.program.exists() else self.program
+        programs = (self.program, self.context.program("fuzz", "makeCorpus"))
+        return next((program for program in programs if not program.exists()), None)
+
+    def prepare(self):
+        """Seeds of the present format, which makeCorpus writes for all targets at once."""
+        seeds = self.context.scratch / "seeds"
+        with self.context.lock:
+            if not seeds.exists():
+                run = run_process([self.context.program("fuzz", "makeCorpus"), seeds])
+                if run.code != 0:
+                    raise Finding(f"makeCorpus: {describe(run)}", log=run.output)
+        self.seeds = seeds / self.target
 
     def run(self, seconds):
         if not self.context.is_short:
@@ -43,15 +54,16 @@ class Fuzz(Task):
         found = self.context.state / "found" / self.target
         found.mkdir(parents=True, exist_ok=True)
         crashes = self.context.folder(f"fuzz-{self.target}")
-        before = sum(len(os.listdir(folder)) for folder in (corpus, found))
+        folders = [folder for folder in (found, corpus, self.seeds) if folder.is_dir()]
+        before = sum(len(os.listdir(folder)) for folder in folders)
         run = run_process(
             [self.program, f"-max_total_time={max(1, int(seconds))}",
-             f"-max_len={LARGE.get(self.target, 2048)}", "-entropic=0", "-timeout=120",
+             f"-max_len={LARGE.get(self.target, 2048)}", "-entropic=0", "-timeout=600",
              "-rss_limit_mb=2048", "-malloc_limit_mb=1024", "-print_final_stats=1", "-reload=0",
              f"-seed={self.random.randrange(1, 1 << 31)}", f"-artifact_prefix={crashes}/",
-             found, corpus],
+             *folders],
             environment={**os.environ, "ASAN_OPTIONS": "malloc_context_size=3:quarantine_size_mb=16"},
-            timeout=3600)
+            timeout=4 * TIMEOUT)
         executed = re.search(r"stat::number_of_executed_units:\s*(\d+)", run.output)
         covered = re.findall(r"cov: (\d+)", run.output)
         # Inputs of before are executed again at the beginning of each slice.

@@ -8,7 +8,7 @@ import shutil
 import time
 
 import soakDamage
-from soakContext import MIB, ROOT, Finding, Task, describe, run_process
+from soakContext import MIB, PROCESSOR_TIME, ROOT, Finding, Task, describe, run_process
 
 # More than gtn takes for any of these files, which are small, whatever their tables claim.
 MOST_RESIDENT = 512 * MIB
@@ -46,7 +46,7 @@ def check_run(run, what, path):
 
 
 class Mutations(Task):
-    """Rounds of some damaged files, each through some commands and all through the readers."""
+    """Rounds of damaged files, all through the readers and some of them through commands."""
 
     kind = "mutations"
 
@@ -81,7 +81,7 @@ class Mutations(Task):
     def try_commands(self, path):
         for arguments in self.random.sample(COMMANDS[path.suffix], 2):
             run = run_process(command_of(self.context.gtn, path, arguments), folder=self.folder,
-                              address_space=ADDRESS_SPACE)
+                              address_space=ADDRESS_SPACE, processor_time=PROCESSOR_TIME)
             self.counts["runs of gtn"] += 1
             self.counts["refused by gtn"] += run.code == 1
             check_run(run, f"gtn {' '.join(arguments)}", path)
@@ -102,12 +102,12 @@ class Mutations(Task):
         while True:
             for path in self.folder.iterdir():
                 shutil.rmtree(path) if path.is_dir() else path.unlink()
-            paths = []
-            for number in range(4 if self.context.is_short else 25):
-                paths.append(self.damage(number))
-                self.try_commands(paths[-1])
+            # A process takes as long to start as the readers take for some dozens of files.
+            paths = [self.damage(number) for number in range(5 if self.context.is_short else 100)]
+            self.try_readers(paths)
+            for path in paths[::5]:
+                self.try_commands(path)
                 if time.monotonic() > end:
                     break
-            self.try_readers(paths)
             if time.monotonic() > end:
                 return

@@ -11,7 +11,7 @@ import signal
 import subprocess
 import time
 
-from soakContext import Finding, Task, describe, run_process
+from soakContext import PROCESSOR_TIME, Finding, Task, describe, run_process
 
 # Arguments of gtn without -q and -f, and the file that they write. @ is the folder of the inputs.
 CASES = {
@@ -66,7 +66,7 @@ class Writing(Task):
             path = folder / CASES[case][1]
             for _ in range(2):
                 start = time.monotonic()
-                run = run_process(self.command(case), folder=folder)
+                run = run_process(self.command(case), folder=folder, processor_time=PROCESSOR_TIME)
                 if run.code != 0:
                     raise Finding(f"{case}: {describe(run)}", log=run.output)
             self.known[case] = hash_of(path), path.stat().st_size, time.monotonic() - start
