@@ -83,8 +83,8 @@ if (PYTHON_DESTINATION)
   expect(1 "" "${PYTHON}" "${SOURCE_DIR}/Examples/MeshToNumPy.py" missing.gtn)
   expect(0 "velocity +float32 +1280x3 +equal"
     "${PYTHON}" "${SOURCE_DIR}/Examples/Python/numpy_round_trip.py" "${TEMP}")
-  # The program of the same prefix.
-  expect(0 "^4913\n$" "${PYTHON}" -c "import gatun; print(gatun.info('mesh.gtn')['points'])")
+  # The program of the same prefix. A semicolon would divide the argument.
+  expect(0 "^4913\n$" "${PYTHON}" -c "print(__import__('gatun').info('mesh.gtn')['points'])")
   foreach (file IN ITEMS __init__.pyi vtkGatunIO.pyi py.typed)
     if (NOT EXISTS "${TEMP}/prefix/${PYTHON_DESTINATION}/gatun/${file}")
       message(FATAL_ERROR "${file} is not installed")
