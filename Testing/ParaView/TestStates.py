@@ -1,0 +1,95 @@
+# SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+"""States, as .pvsm files and as Python scripts, and traces of a session show the same picture again."""
+
+import os
+
+import gatunSample as sample
+import gatunVolume as drawing
+from gatunParaView import load_plugin
+
+from paraview import smstate, smtrace
+
+simple = load_plugin()
+grid = sample.temporary("states.gtn")
+simple.SaveData(grid, proxy=sample.make_source(), ChunkTets=300, Hierarchy=1, Boundary=1)
+for made in list(simple.GetSources().values()):
+    simple.Delete(made)
+
+
+def session():
+    """What a user does: opens a file, chooses Gatun Volume, and contours it."""
+    reader = simple.OpenDataFile(grid)
+    reader.OnDemand = "Always"
+    view = simple.CreateView("RenderView")
+    view.ViewSize = [drawing.SIZE, drawing.SIZE]
+    view.OrientationAxesVisibility = 0
+    view.UseColorPaletteForBackground = 0
+    view.Background = [0.2, 0.3, 0.4]
+    shown = simple.Show(reader, view)
+    shown.SetRepresentationType("Gatun Volume")
+    simple.ColorBy(shown, ("POINTS", "wave"))
+    shown.RescaleTransferFunctionToDataRange(True)
+    shown.SetScalarBarVisibility(view, False)
+    shown.ScalarOpacityUnitDistance = 3
+    shown.BlendMode = "X-Ray"
+    shown.BlendMode = "Composite"
+    shown.SimplificationRatio = 0.25
+    contour = simple.GatunContour(Input=reader)
+    contour.ContourBy = ["POINTS", "wave"]
+    contour.Isosurfaces = [1.5]
+    surface = simple.Show(contour, view)
+    simple.ColorBy(surface, None)
+    surface.DiffuseColor = surface.AmbientColor = [0, 1, 0]
+    view.CameraPosition = [sample.SIDE * f for f in (2.9, 2.2, 2.6)]
+    view.CameraFocalPoint = [sample.SIDE / 2] * 3
+    view.CameraViewUp = [0, 0, 1]
+    view.CameraViewAngle = 30
+    return view
+
+
+def forget():
+    """Everything of the session, transfer functions, too."""
+    simple.ResetSession()
+    assert not simple.GetSources() and not simple.GetRenderViews()
+
+
+def require_again(way, picture):
+    views = simple.GetRenderViews()
+    assert len(views) == 1, (way, views)
+    again = drawing.draw(views[0])
+    count = drawing.differing(again, picture)
+    assert count == 0, (way, count)
+
+
+smtrace.start_trace()
+first = session()
+trace = smtrace.stop_trace()
+picture = drawing.draw(first)
+assert drawing.differing(picture, drawing.draw(first)) == 0
+empty = drawing.make_view()
+drawing.require_other(picture, drawing.draw(empty))
+simple.Delete(empty)
+simple.SetActiveView(first)
+
+# Narrower than the array, which nothing must undo.
+functions = [simple.GetColorTransferFunction("wave"), simple.GetOpacityTransferFunction("wave")]
+for function in functions:
+    function.RescaleTransferFunction(-1, 2)
+narrow = drawing.draw(first)
+drawing.require_other(narrow, picture)
+state = sample.temporary("states.pvsm")
+simple.SaveState(state)
+script = smstate.get_state()
+
+forget()
+simple.LoadState(state)
+require_again("state", narrow)
+forget()
+exec(compile(script, "state.py", "exec"), {})  # noqa: S102
+require_again("script", narrow)
+forget()
+exec(compile(trace, "trace.py", "exec"), {})  # noqa: S102
+require_again("trace", picture)
+os.remove(state)
