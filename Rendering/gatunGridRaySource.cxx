@@ -105,6 +105,16 @@ void RequireComponent(const RayArray& array, std::uint32_t components)
 }
 
 //------------------------------------------------------------------------------
+RayArray AsRayArray(const RayHueArray& hues)
+{
+  RayArray array;
+  array.Name = hues.Name;
+  array.Association = hues.Association;
+  array.Component = hues.Channels == 3 ? 2 : hues.Component;
+  return array;
+}
+
+//------------------------------------------------------------------------------
 Range GetWholeRange(const RaySource& source)
 {
   Range whole;
@@ -129,6 +139,17 @@ GridMesh::GridMesh(vtkUnstructuredGrid* grid, const RayArray& array)
   this->Hidden = FindHidden(this->Tets);
   this->Values = { where, values.Description.Type, values.Description.Components, array.Component,
     values.Values };
+  if (array.Hues.Channels > 0)
+  {
+    const RayArray wanted = AsRayArray(array.Hues);
+    const auto [hueScalars, whereHues] = FindArray(this->Tets, wanted);
+    const BridgedArray hues = Bridge(hueScalars, whereHues);
+    RequireComponent(wanted, hues.Description.Components);
+    this->HueScalars = hues.Owner;
+    this->Hues.Values = { whereHues, hues.Description.Type, hues.Description.Components,
+      array.Hues.Component, hues.Values };
+    this->Hues.Channels = array.Hues.Channels;
+  }
 }
 
 GridMesh::~GridMesh() = default;
@@ -136,7 +157,8 @@ GridMesh::~GridMesh() = default;
 //------------------------------------------------------------------------------
 GridRaySource::GridRaySource(vtkUnstructuredGrid* grid, const RayArray& array, std::uint64_t budget)
   : Mesh(grid, array)
-  , Source(this->Mesh.GetMesh(), this->Mesh.GetValues(), this->Mesh.GetHidden(), budget)
+  , Source(this->Mesh.GetMesh(), this->Mesh.GetValues(), this->Mesh.GetHidden(), budget,
+      MemoryRaySource::DefaultBlockTets, {}, this->Mesh.GetHues())
 {
 }
 

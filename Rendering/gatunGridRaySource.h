@@ -28,6 +28,17 @@ VTK_ABI_NAMESPACE_END
 
 namespace gatun
 {
+/** Which values determine colors, if not those that are drawn do. */
+struct RayHueArray
+{
+  unsigned Channels = 0; ///< 0 for none, 1, or 3 for the first three components as colors
+  std::string Name;
+  int Association = 0; ///< 0: of the points; 1: of the cells
+  int Component = 0;   ///< with 1 channel; -1: the length of the tuples
+
+  bool operator==(const RayHueArray&) const = default;
+};
+
 /** Which values are drawn. */
 struct RayArray
 {
@@ -35,6 +46,7 @@ struct RayArray
   int Association = -1;     ///< 0: of the points; 1: of the cells; -1: of either, points first
   int Component = 0;        ///< -1: the length of the tuples
   std::optional<int> Index; ///< which array of its kind, from 0, instead of a name
+  RayHueArray Hues;
 
   bool operator==(const RayArray&) const = default;
 };
@@ -44,6 +56,9 @@ std::string DescribeMissing(const RayArray& array);
 
 /** Throws InvalidInput if an array of so many components does not have the one that is drawn. */
 void RequireComponent(const RayArray& array, std::uint32_t components);
+
+/** The array of hues as one that is drawn, with the last component that they need. */
+RayArray AsRayArray(const RayHueArray& hues);
 
 /** The range of all blocks together. */
 Range GetWholeRange(const RaySource& source);
@@ -60,6 +75,7 @@ public:
 
   const MeshInput& GetMesh() const { return this->Mesh->Mesh; }
   const RayValuesInput& GetValues() const { return this->Values; }
+  const RayHuesInput& GetHues() const { return this->Hues; }
 
   /** Null, or for each tetrahedron whether it is left out. */
   const unsigned char* GetHidden() const
@@ -71,8 +87,10 @@ private:
   vtkSmartPointer<vtkUnstructuredGrid> Tets; // keeps alive what the others look at
   std::unique_ptr<BridgedMesh> Mesh;
   vtkSmartPointer<vtkDataArray> Scalars;
+  vtkSmartPointer<vtkDataArray> HueScalars;
   std::vector<unsigned char> Hidden;
   RayValuesInput Values;
+  RayHuesInput Hues;
 };
 
 /**

@@ -172,8 +172,8 @@ std::optional<RayMode> RayModeOf(int blendMode)
 }
 
 //------------------------------------------------------------------------------
-RayTable MakeRayTable(
-  vtkVolumeProperty* property, RayMode mode, const Range& values, double sampleDistance)
+RayTable MakeRayTable(vtkVolumeProperty* property, RayMode mode, const Range& values,
+  double sampleDistance, bool hasHues)
 {
   vtkPiecewiseFunction* const opacity = property->GetScalarOpacity();
   const bool isGray = property->GetColorChannels() == 1;
@@ -183,13 +183,17 @@ RayTable MakeRayTable(
   // Beyond their outermost points, functions that clamp do not change.
   Range range = values;
   const bool clamps =
-    opacity->GetClamping() && (isGray ? gray->GetClamping() : colors->GetClamping());
+    opacity->GetClamping() && (hasHues || (isGray ? gray->GetClamping() : colors->GetClamping()));
   if (clamps)
   {
     std::array<double, 2> ofOpacity{};
     std::array<double, 2> ofColor{};
     opacity->GetRange(ofOpacity.data());
-    if (isGray)
+    if (hasHues)
+    {
+      ofColor = ofOpacity;
+    }
+    else if (isGray)
     {
       gray->GetRange(ofColor.data());
     }
@@ -211,7 +215,7 @@ RayTable MakeRayTable(
     {
       color.fill(gray->GetValue(value));
     }
-    else
+    else if (!hasHues)
     {
       colors->GetColor(value, color.data());
     }
@@ -228,6 +232,54 @@ RayTable MakeRayTable(
     throw Error(ErrorCode::InvalidInput, "the unit distance of opacity must be positive");
   }
   return RayTable(mode, getColor, range, sampleDistance, unit);
+}
+
+//------------------------------------------------------------------------------
+RayColoring MakeRayColoring(vtkVolumeProperty* property, unsigned channels)
+{
+  RayColoring coloring;
+  if (channels != 1)
+  {
+    return coloring;
+  }
+  constexpr std::size_t last = 4096;
+  const bool isGray = property->GetColorChannels() == 1;
+  vtkPiecewiseFunction* const gray = isGray ? property->GetGrayTransferFunction() : nullptr;
+  vtkColorTransferFunction* const colors = isGray ? nullptr : property->GetRGBTransferFunction();
+  std::array<double, 2> range{};
+  if (isGray)
+  {
+    gray->GetRange(range.data());
+  }
+  else
+  {
+    colors->GetRange(range.data());
+    const double* const nan = colors->GetNanColor();
+    std::transform(
+      nan, nan + 3, coloring.NotANumber.begin(), [](double c) { return static_cast<float>(c); });
+  }
+  const double extent = range[1] - range[0];
+  coloring.Low = range[0];
+  coloring.Scale = extent > 0 ? static_cast<double>(last) / extent : 0;
+  coloring.Table.resize(last + 1);
+  for (std::size_t i = 0; i <= last; ++i)
+  {
+    const double value = range[0] + extent * static_cast<double>(i) / static_cast<double>(last);
+    std::array<double, 3> color{};
+    if (isGray)
+    {
+      color.fill(gray->GetValue(value));
+    }
+    else
+    {
+      colors->GetColor(value, color.data());
+    }
+    for (std::size_t c = 0; c < color.size(); ++c)
+    {
+      coloring.Table[i][c] = static_cast<float>(color[c] >= 0 ? std::min(color[c], 1.0) : 0);
+    }
+  }
+  return coloring;
 }
 
 //------------------------------------------------------------------------------

@@ -75,9 +75,13 @@ enum BlendMode
 /** The core's mode for a blend mode; nothing if there is no such mode. */
 std::optional<RayMode> RayModeOf(int blendMode);
 
-/** Colors and opacities of a property, for values in a range. Unit distance: the property's. */
-RayTable MakeRayTable(
-  vtkVolumeProperty* property, RayMode mode, const Range& values, double sampleDistance);
+/** Colors and opacities of a property, for values in a range. Unit distance: the property's.
+ * HasHues: whether colors are those of a RayColoring instead, so that they do not matter. */
+RayTable MakeRayTable(vtkVolumeProperty* property, RayMode mode, const Range& values,
+  double sampleDistance, bool hasHues = false);
+
+/** Colors of a property for RayHues of one channel; those of three are colors themselves. */
+RayColoring MakeRayColoring(vtkVolumeProperty* property, unsigned channels);
 
 /** How light falls on a volume, if its property wants shading. Lights: null for one at the camera.
  */

@@ -155,7 +155,13 @@ void RayScene::SetFile(
   const FileReader& file = *handle.File->GetFile();
   const auto index = FindArray(file, array);
   RequireComponent(array, file.GetArrays()[index].Components);
-  const RayValues values{ index, array.Component, step };
+  RayValues values{ index, array.Component, step };
+  if (array.Hues.Channels > 0)
+  {
+    const RayArray hues = AsRayArray(array.Hues);
+    values.Hues = { FindArray(file, hues), array.Hues.Component, array.Hues.Channels };
+    RequireComponent(hues, file.GetArrays()[values.Hues.Array].Components);
+  }
   auto whole =
     std::make_shared<FileRaySource>(handle.File->MakeView(handle.File->GetFile(), false), values);
   if (simplifies && file.HasMergeTree())

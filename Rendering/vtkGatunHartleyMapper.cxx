@@ -182,8 +182,7 @@ double vtkGatunHartleyMapper::ChooseDistance(vtkVolume* volume, double pixels) c
   {
     return 1;
   }
-  return std::clamp(
-    std::sqrt(this->SecondsPerPixel * pixels / allocated), 1.0, LargestDistance);
+  return std::clamp(std::sqrt(this->SecondsPerPixel * pixels / allocated), 1.0, LargestDistance);
 }
 
 //------------------------------------------------------------------------------
@@ -207,7 +206,8 @@ bool vtkGatunHartleyMapper::SetView(vtkRenderer* renderer, vtkVolume* volume, bo
   camera->DeepCopy(active);
   if (!MoveToData(volume, camera))
   {
-    vtkErrorMacro("A volume that is scaled unevenly cannot be drawn from its Hartley coefficients.");
+    vtkErrorMacro(
+      "A volume that is scaled unevenly cannot be drawn from its Hartley coefficients.");
     return false;
   }
   if (!vtkGatunHartleyView::SetView(this->Projection, camera))
@@ -254,8 +254,7 @@ void vtkGatunHartleyMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   const double start = vtkTimerLog::GetUniversalTime();
   this->Projection->Update();
   auto* const colors = this->Projection->GetErrorCode() == vtkErrorCode::NoError
-    ? vtkFloatArray::SafeDownCast(
-        this->Projection->GetOutput()->GetPointData()->GetArray("RGBA"))
+    ? vtkFloatArray::SafeDownCast(this->Projection->GetOutput()->GetPointData()->GetArray("RGBA"))
     : nullptr;
   if (!colors)
   {
@@ -287,8 +286,8 @@ void vtkGatunHartleyMapper::ReleaseGraphicsResources(vtkWindow* window)
 void vtkGatunHartleyMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "AutoAdjustSampleDistances: "
-     << (this->AutoAdjustSampleDistances ? "On" : "Off") << "\n";
+  os << indent << "AutoAdjustSampleDistances: " << (this->AutoAdjustSampleDistances ? "On" : "Off")
+     << "\n";
   os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
   os << indent << "Projection:\n";
   this->Projection->PrintSelf(os, indent.GetNextIndent());

@@ -4,14 +4,14 @@
  * @class vtkGatunHartleyMapper
  * @brief Draws regular volumes from their Hartley coefficients in a window.
  *
- * The input is a vtkImageData of vtkGatunHartleyReader or vtkGatunHartleyEncoder, whose coefficients
- * are projected; voxels are not needed. Any other volume is encoded with default parameters. The
- * image is that of vtkGatunHartleyProjection for the camera of the renderer, with the transfer
- * functions of the property of the volume.
+ * The input is a vtkImageData of vtkGatunHartleyReader or vtkGatunHartleyEncoder, whose
+ * coefficients are projected; voxels are not needed. Any other volume is encoded with default
+ * parameters. The image is that of vtkGatunHartleyProjection for the camera of the renderer, with
+ * the transfer functions of the property of the volume.
  *
  * The image is blended over the window at the depth of the center of the volume: opaque geometry in
- * front of the center hides it, other geometry is behind it. The matrix of the volume may turn, move
- * and scale it evenly.
+ * front of the center hides it, other geometry is behind it. The matrix of the volume may turn,
+ * move and scale it evenly.
  *
  * During an interaction, when VTK allocates less than 10 seconds to an image, fewer rays are drawn,
  * so that the image takes that time.
@@ -51,8 +51,8 @@ public:
   ///@{
   /**
    * The projection, for its options: OpacityModel, Extinction, Method, MemoryBudget and others. The
-   * mapper sets view, size, transfer functions and input. Another one may be set, of a subclass that
-   * finds the coefficients elsewhere. Not null.
+   * mapper sets view, size, transfer functions and input. Another one may be set, of a subclass
+   * that finds the coefficients elsewhere. Not null.
    */
   void SetProjection(vtkGatunHartleyProjection* projection);
   vtkGatunHartleyProjection* GetProjection();

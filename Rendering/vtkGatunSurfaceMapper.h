@@ -150,10 +150,11 @@ public:
   ///@{
   /**
    * For several processes that draw pieces of a surface: the levels of detail of the next image in
-   * motion. Before each image, each process proposes the level that it would choose, and the one that
-   * it could draw at once, both -1 for an image at rest or an input that is not a file. The largest of
-   * all proposals is then set in all processes. ViewDependent has no influence on images with levels
-   * that were set. ResetLevels makes the mapper choose by itself again, which is the default.
+   * motion. Before each image, each process proposes the level that it would choose, and the one
+   * that it could draw at once, both -1 for an image at rest or an input that is not a file. The
+   * largest of all proposals is then set in all processes. ViewDependent has no influence on images
+   * with levels that were set. ResetLevels makes the mapper choose by itself again, which is the
+   * default.
    */
   void ProposeLevels(vtkRenderer* renderer, vtkActor* actor, int levels[2]);
   void SetLevels(const int levels[2]);

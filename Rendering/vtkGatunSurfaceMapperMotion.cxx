@@ -313,8 +313,8 @@ void vtkGatunSurfaceMapper::vtkInternals::DrawShared(const Image& image)
     Level& level = this->Levels[wanted];
     const View next = this->FindVisible(image, level);
     this->Prepare(image, level, this->ListLikely(level, next));
-    this->Transfer(image, level, next,
-      0.9 * this->MotionBudget - this->Times.Predict(shown, view.Cells));
+    this->Transfer(
+      image, level, next, 0.9 * this->MotionBudget - this->Times.Predict(shown, view.Cells));
   }
   this->DrawTimed(image, shown, view);
 }

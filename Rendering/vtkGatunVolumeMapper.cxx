@@ -58,6 +58,7 @@ vtkGatunVolumeMapper::vtkGatunVolumeMapper()
 vtkGatunVolumeMapper::~vtkGatunVolumeMapper()
 {
   this->SetController(nullptr);
+  this->SetColorArrayName(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -302,6 +303,11 @@ void vtkGatunVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IntermixIntersectingGeometry: " << tell(this->IntermixIntersectingGeometry)
      << "\n";
   os << indent << "ArrayComponent: " << this->ArrayComponent << "\n";
+  os << indent << "ColorSource: " << this->ColorSource << "\n";
+  os << indent << "ColorArrayName: " << (this->ColorArrayName ? this->ColorArrayName : "(none)")
+     << "\n";
+  os << indent << "ColorArrayAssociation: " << this->ColorArrayAssociation << "\n";
+  os << indent << "ColorArrayComponent: " << this->ColorArrayComponent << "\n";
   os << indent << "OpacityLimit: " << this->OpacityLimit << "\n";
   os << indent << "MemoryBudget: " << this->MemoryBudget << "\n";
   os << indent << "NumberOfPieces: " << this->NumberOfPieces << "\n";

@@ -168,6 +168,40 @@ public:
   vtkGetMacro(ArrayComponent, int);
   ///@}
 
+  /**
+   * What determines colors, while the selected array determines opacities.
+   */
+  enum ColorSourceType
+  {
+    COLOR_BY_SCALARS = 0, ///< the selected array, too
+    COLOR_BY_ARRAY = 1,   ///< another one, by the color transfer function
+    COLOR_DIRECT = 2      ///< the first three components of another one, which are colors
+  };
+
+  ///@{
+  /**
+   * See ColorSourceType. With another array, colors are those of points, linear in a tetrahedron,
+   * and opacities are exact; there is no shading, and no simplification. Components of integer
+   * arrays that are colors are from 0 to 255, others from 0 to 1. MAXIMUM_INTENSITY_BLEND always
+   * has the colors of the selected array. Default: COLOR_BY_SCALARS.
+   */
+  vtkSetClampMacro(ColorSource, int, COLOR_BY_SCALARS, COLOR_DIRECT);
+  vtkGetMacro(ColorSource, int);
+  ///@}
+
+  ///@{
+  /**
+   * The other array: its name, whether it is an array of points (0, the default) or cells (1), and
+   * its component for COLOR_BY_ARRAY, from 0; -1 is the length of the tuple. Defaults: none, 0, 0.
+   */
+  vtkSetStringMacro(ColorArrayName);
+  vtkGetStringMacro(ColorArrayName);
+  vtkSetClampMacro(ColorArrayAssociation, int, 0, 1);
+  vtkGetMacro(ColorArrayAssociation, int);
+  vtkSetClampMacro(ColorArrayComponent, int, -1, VTK_INT_MAX);
+  vtkGetMacro(ColorArrayComponent, int);
+  ///@}
+
   ///@{
   /**
    * Transparency at which a ray ends, from 0 (never) to 1. Default: 0.001.
@@ -378,6 +412,10 @@ protected:
   float MaximumImageSampleDistance = 10;
   bool IntermixIntersectingGeometry = true;
   int ArrayComponent = 0;
+  int ColorSource = COLOR_BY_SCALARS;
+  char* ColorArrayName = nullptr;
+  int ColorArrayAssociation = 0;
+  int ColorArrayComponent = 0;
   double OpacityLimit = 0.001;
   int MemoryBudget = 512;
   int NumberOfPieces = 1;

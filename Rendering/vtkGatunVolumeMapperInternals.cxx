@@ -123,10 +123,31 @@ InputKind vtkGatunVolumeMapper::vtkInternals::GetKind(vtkGatunVolumeMapper* mapp
 }
 
 //------------------------------------------------------------------------------
+/** The array that determines colors, if it is another one. */
+gatun::RayHueArray vtkGatunVolumeMapper::vtkInternals::GetHues(vtkGatunVolumeMapper* mapper)
+{
+  gatun::RayHueArray hues;
+  if (mapper->ColorSource == COLOR_BY_SCALARS || mapper->BlendMode == MAXIMUM_INTENSITY_BLEND)
+  {
+    return hues;
+  }
+  if (!mapper->ColorArrayName || !*mapper->ColorArrayName)
+  {
+    throw gatun::Error(gatun::ErrorCode::InvalidInput, "no array to color by is selected");
+  }
+  hues.Channels = mapper->ColorSource == COLOR_DIRECT ? 3 : 1;
+  hues.Name = mapper->ColorArrayName;
+  hues.Association = mapper->ColorArrayAssociation;
+  hues.Component = mapper->ColorArrayComponent;
+  return hues;
+}
+
+//------------------------------------------------------------------------------
 gatun::RayArray vtkGatunVolumeMapper::vtkInternals::GetArray(vtkGatunVolumeMapper* mapper)
 {
   gatun::RayArray array;
   array.Component = mapper->ArrayComponent;
+  array.Hues = GetHues(mapper);
   const int mode = mapper->ScalarMode;
   if (mode == VTK_SCALAR_MODE_DEFAULT)
   {
@@ -172,6 +193,15 @@ bool vtkGatunVolumeMapper::vtkInternals::Simplifies(vtkGatunVolumeMapper* mapper
   if (!file && IsParallel(mapper))
   {
     return false; // parts that are simplified separately do not fit together
+  }
+  if (GetHues(mapper).Channels > 0)
+  {
+    if (file && file->Merges > 0)
+    {
+      throw gatun::Error(gatun::ErrorCode::InvalidInput,
+        "a mesh that its reader simplifies cannot be colored by another array");
+    }
+    return false; // levels of detail have no second array
   }
   return mapper->JustInTime || mapper->SimplificationRatio != 0 || mapper->PixelError > 0 ||
     (file && file->Merges > 0);
@@ -335,9 +365,14 @@ ImageSetup vtkGatunVolumeMapper::vtkInternals::MakeSetup(vtkGatunVolumeMapper* m
   settings.Opaque = static_cast<float>(mapper->OpacityLimit);
   settings.Shading =
     gatun::MakeRayShading(volume->GetProperty(), camera, renderer->GetLights(), matrix);
+  const unsigned channels = GetHues(mapper).Channels;
+  if (channels > 0)
+  {
+    settings.Coloring = gatun::MakeRayColoring(volume->GetProperty(), channels);
+  }
   return { this->Scene.GetLevels(), renderer, volume, view,
-    gatun::MakeRayTable(
-      volume->GetProperty(), *gatun::RayModeOf(mapper->BlendMode), values, view.SampleDistance),
+    gatun::MakeRayTable(volume->GetProperty(), *gatun::RayModeOf(mapper->BlendMode), values,
+      view.SampleDistance, channels > 0),
     gatun::MakeRayLimits(view, mapper->GetClippingPlanes(), matrix), settings };
 }
 

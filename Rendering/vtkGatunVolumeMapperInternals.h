@@ -161,6 +161,7 @@ public:
   gatun::InputKind GetKind(vtkGatunVolumeMapper* mapper);
   std::string GetCause(vtkGatunVolumeMapper* mapper, const gatun::VTKFailure& failure);
   static gatun::RayArray GetArray(vtkGatunVolumeMapper* mapper);
+  static gatun::RayHueArray GetHues(vtkGatunVolumeMapper* mapper);
   static std::uint64_t GetBudget(vtkGatunVolumeMapper* mapper);
   static bool IsParallel(vtkGatunVolumeMapper* mapper);
   static gatun::PieceShare GetPieces(vtkGatunVolumeMapper* mapper);

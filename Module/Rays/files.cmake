@@ -21,6 +21,7 @@ gatun_core_folder(Rays
     gatunRayBlock.h
     gatunRayBlockCache.h
     gatunRayCaster.h
+    gatunRayColoring.h
     gatunRayInstructions.h
     gatunRayMerger.h
     gatunRayPieces.h
@@ -67,6 +68,7 @@ gatun_core_folder(Rays
     gatunRayBlock.cxx
     gatunRayBlockCache.cxx
     gatunRayCaster.cxx
+    gatunRayColoring.cxx
     gatunRayChunks.cxx
     gatunRayDecoder.cxx
     gatunRayFragments.cxx

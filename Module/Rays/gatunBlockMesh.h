@@ -25,6 +25,12 @@ public:
   virtual void GetTets(
     std::size_t block, std::vector<RayBlock::Tet>& tets, std::vector<double>& values) const = 0;
 
+  /** Sets the values that determine colors in a block with the given points, if there are any. */
+  virtual void GetHues(
+    std::size_t /*block*/, std::span<const std::uint32_t> /*points*/, RayHues& /*hues*/) const
+  {
+  }
+
   /** Writes points with their values; values are 0 if those of tetrahedra are drawn. */
   virtual void GetPoints(std::span<const std::uint32_t> points, RayPoint* result) const = 0;
 };

@@ -89,10 +89,11 @@ private:
 class InputMesh final : public BlockMesh
 {
 public:
-  InputMesh(const MeshInput& mesh, const RayValuesInput& values, const unsigned char* hidden,
-    std::uint32_t blockTets, const RaySource::Progress& progress)
+  InputMesh(const MeshInput& mesh, const RayValuesInput& values, const RayHuesInput& hues,
+    const unsigned char* hidden, std::uint32_t blockTets, const RaySource::Progress& progress)
     : Mesh(mesh)
     , Values(values)
+    , Hues(hues)
     , Hidden(hidden)
     , Parts(MakePartition(this->Mesh, blockTets, progress))
   {
@@ -103,15 +104,7 @@ public:
   void GetTets(
     std::size_t block, std::vector<RayBlock::Tet>& tets, std::vector<double>& values) const override
   {
-    std::vector<std::uint32_t> seen;
-    for (auto i = this->Parts.ChunkStart[block]; i < this->Parts.ChunkStart[block + 1]; ++i)
-    {
-      const auto tet = this->Parts.Cells[i];
-      if (!this->Hidden || this->Hidden[tet] == 0)
-      {
-        seen.push_back(tet);
-      }
-    }
+    const std::vector<std::uint32_t> seen = this->ListSeen(block);
     tets.resize(seen.size());
     for (std::size_t i = 0; i < seen.size(); ++i)
     {
@@ -131,6 +124,19 @@ public:
             values[i] = getValue(seen[i]);
           }
         });
+    }
+  }
+
+  void GetHues(
+    std::size_t block, std::span<const std::uint32_t> points, RayHues& hues) const override
+  {
+    if (this->Hues.Channels > 0 && this->Hues.Values.Where == Association::Point)
+    {
+      TakeHues(this->Hues, points, hues);
+    }
+    else if (this->Hues.Channels > 0)
+    {
+      TakeHues(this->Hues, this->ListSeen(block), hues);
     }
   }
 
@@ -155,6 +161,21 @@ public:
   }
 
 private:
+  /** The tetrahedra of a block that are not hidden. */
+  std::vector<std::uint32_t> ListSeen(std::size_t block) const
+  {
+    std::vector<std::uint32_t> seen;
+    for (auto i = this->Parts.ChunkStart[block]; i < this->Parts.ChunkStart[block + 1]; ++i)
+    {
+      const auto tet = this->Parts.Cells[i];
+      if (!this->Hidden || this->Hidden[tet] == 0)
+      {
+        seen.push_back(tet);
+      }
+    }
+    return seen;
+  }
+
   template <typename Use>
   void WithValues(Use&& use) const
   {
@@ -164,6 +185,7 @@ private:
 
   MeshAccess Mesh;
   RayValuesInput Values;
+  RayHuesInput Hues;
   const unsigned char* Hidden;
   Partition Parts;
 };
@@ -183,6 +205,7 @@ void MakeBlock(const BlockMesh& mesh, std::size_t index, RayBlock& block)
   }
   block.Points.resize(numbers.GetPoints().size());
   mesh.GetPoints(numbers.GetPoints(), block.Points.data());
+  mesh.GetHues(index, numbers.GetPoints(), block.Hues);
 }
 
 /** The finite coordinates and the values of a block. */
@@ -238,8 +261,9 @@ public:
 //------------------------------------------------------------------------------
 MemoryRaySource::MemoryRaySource(const MeshInput& mesh, const RayValuesInput& values,
   const unsigned char* hidden, std::uint64_t budget, std::uint32_t blockTets,
-  const Progress& progress)
-  : MemoryRaySource(std::make_unique<InputMesh>(mesh, values, hidden, blockTets, progress), budget)
+  const Progress& progress, const RayHuesInput& hues)
+  : MemoryRaySource(
+      std::make_unique<InputMesh>(mesh, values, hues, hidden, blockTets, progress), budget)
 {
 }
 

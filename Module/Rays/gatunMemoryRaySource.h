@@ -29,8 +29,8 @@ public:
   /** Hidden: null, or for each tetrahedron whether to leave it out. Budget: in bytes. Throws
    * InvalidInput if a tetrahedron has a point that does not exist. */
   MemoryRaySource(const MeshInput& mesh, const RayValuesInput& values, const unsigned char* hidden,
-    std::uint64_t budget, std::uint32_t blockTets = DefaultBlockTets,
-    const Progress& progress = {});
+    std::uint64_t budget, std::uint32_t blockTets = DefaultBlockTets, const Progress& progress = {},
+    const RayHuesInput& hues = {});
 
   /** For meshes that bring their own blocks. */
   MemoryRaySource(std::unique_ptr<const BlockMesh> mesh, std::uint64_t budget);

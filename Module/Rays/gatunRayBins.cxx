@@ -12,6 +12,7 @@ void RayBins::SetBlock(const RayKernel& kernel, const RayView& view, const RayTa
   const RayBlock& block, RayFilter filter, ReleaseFrom from)
 {
   this->Block = &block;
+  this->Colors.clear();
   this->Points.resize(block.Points.size());
   this->SeenPoints.resize(block.Points.size());
   kernel.Transform(view, table.Low, table.Scale, block.Points.data(), block.Points.size(),
@@ -36,7 +37,7 @@ void RayBins::SetBlock(const RayKernel& kernel, const RayView& view, const RayTa
 
 //------------------------------------------------------------------------------
 bool RayBins::Fill(const RayKernel& kernel, const SetUpContext& context, const RayShading* shading,
-  std::size_t tiles, bool repeatable)
+  const RayColoring* coloring, std::size_t tiles, bool repeatable)
 {
   this->Starts.assign(tiles + 1, 0);
   const auto first = this->Next;
@@ -65,9 +66,26 @@ bool RayBins::Fill(const RayKernel& kernel, const SetUpContext& context, const R
   {
     this->Items.resize(items);
   }
-  if (shading)
+  if (coloring && this->Colors.empty())
+  {
+    this->Colors = GetHueColors(*coloring, this->Block->Hues);
+  }
+  const bool hued = !this->Colors.empty();
+  if (shading || hued)
   {
     this->Origins.resize(this->Items.size());
+  }
+  this->Shades.clear();
+  this->Hues.clear();
+  if (hued)
+  {
+    for (auto i = first; i < this->Next; ++i)
+    {
+      this->Hues.push_back(GetHue(*this->Block, this->Points, this->Colors, this->Order[i]));
+    }
+  }
+  else if (shading)
+  {
     this->Shades.resize(this->Next - first);
     for (auto i = first; i < this->Next; ++i)
     {
@@ -78,7 +96,7 @@ bool RayBins::Fill(const RayKernel& kernel, const SetUpContext& context, const R
   kernel.SetUp(context, this->Points.data(), this->Block->Tets.data(),
     cellValues.empty() ? nullptr : cellValues.data(), this->Seen.data(), this->Order.data() + first,
     this->Next - first, this->Places.data(), this->Items.data(),
-    shading ? this->Origins.data() : nullptr);
+    shading || hued ? this->Origins.data() : nullptr);
   return this->Next > first;
 }
 
@@ -96,6 +114,12 @@ void RayBins::FingerprintPoints()
     }
     this->Fingerprints[i] = mixed;
   }
+  const RayHues& hues = this->Block->Hues;
+  for (std::size_t i = 0; !hues.OfCells && i < hues.Values.size(); ++i)
+  {
+    std::uint64_t& mixed = this->Fingerprints[i / hues.Channels];
+    mixed = MixFingerprints(mixed, std::bit_cast<std::uint64_t>(hues.Values[i]));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -107,9 +131,17 @@ std::uint64_t RayBins::GetFingerprint(std::uint32_t tet) const
   {
     mixed = MixFingerprints(mixed, this->Fingerprints[point]);
   }
-  return block.CellValues.empty()
-    ? mixed
-    : MixFingerprints(mixed, std::bit_cast<std::uint64_t>(block.CellValues[tet]));
+  if (!block.CellValues.empty())
+  {
+    mixed = MixFingerprints(mixed, std::bit_cast<std::uint64_t>(block.CellValues[tet]));
+  }
+  const RayHues& hues = block.Hues;
+  for (std::size_t c = 0; hues.OfCells && c < hues.Channels; ++c)
+  {
+    const double value = hues.Values[tet * hues.Channels + c];
+    mixed = MixFingerprints(mixed, std::bit_cast<std::uint64_t>(value));
+  }
+  return mixed;
 }
 
 //------------------------------------------------------------------------------
@@ -121,6 +153,7 @@ std::size_t RayBins::GetMemorySize() const
     (this->Order.capacity() + this->Starts.capacity() + this->Places.capacity() +
       this->Origins.capacity()) *
     4 +
-    this->Items.capacity() * sizeof(TetItem) + this->Shades.capacity() * sizeof(RayShade);
+    this->Items.capacity() * sizeof(TetItem) + this->Shades.capacity() * sizeof(RayShade) +
+    this->Colors.capacity() * sizeof(RayColoring::Color) + this->Hues.capacity() * sizeof(RayHue);
 }
 }

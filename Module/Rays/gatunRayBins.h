@@ -40,16 +40,18 @@ public:
   bool Skim(int tilesX, Use&& use);
 
   /** Puts the next tetrahedra into the bins of the tiles. Returns false when there are none left.
-   * Shading may be null. */
+   * Shading may be null, and so may the coloring, which replaces it in blocks with hues. */
   bool Fill(const RayKernel& kernel, const SetUpContext& context, const RayShading* shading,
-    std::size_t tiles, bool repeatable);
+    const RayColoring* coloring, std::size_t tiles, bool repeatable);
 
   TetItems GetItems(std::size_t tile) const
   {
     const auto first = this->Starts[tile];
     const bool shaded = !this->Shades.empty();
+    const bool hued = !this->Hues.empty();
     return { this->Items.data() + first, this->Starts[tile + 1] - first,
-      shaded ? this->Origins.data() + first : nullptr, shaded ? this->Shades.data() : nullptr };
+      shaded || hued ? this->Origins.data() + first : nullptr,
+      shaded ? this->Shades.data() : nullptr, hued ? this->Hues.data() : nullptr, 0, 0 };
   }
 
   std::size_t GetNumberOfSeenTets() const { return this->Order.size(); }
@@ -76,6 +78,8 @@ private:
   std::vector<TetItem> Items;
   std::vector<std::uint32_t> Origins; // see TetItems
   std::vector<RayShade> Shades;
+  std::vector<RayColoring::Color> Colors; // of the block's hues
+  std::vector<RayHue> Hues;
 };
 
 //------------------------------------------------------------------------------

@@ -167,7 +167,7 @@ void RayBlock::Prepare()
 std::size_t RayBlock::GetMemorySize() const
 {
   return this->Points.capacity() * sizeof(RayPoint) + this->Turned.capacity() +
-    this->CellValues.capacity() * sizeof(double) +
+    (this->CellValues.capacity() + this->Hues.Values.capacity()) * sizeof(double) +
     (this->Tets.capacity() + this->Neighbors.capacity()) * sizeof(Tet);
 }
 }

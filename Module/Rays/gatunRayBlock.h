@@ -19,6 +19,14 @@ struct alignas(32) RayPoint
   double X, Y, Z, Value;
 };
 
+/** Values that determine colors in place of those that determine opacities; see RayColoring. */
+struct RayHues
+{
+  unsigned Channels = 0;      ///< values for each point or tetrahedron: 0 for none, 1 or 3
+  bool OfCells = false;       ///< whether they are values of tetrahedra
+  std::vector<double> Values; ///< those of a point or tetrahedron one after the other
+};
+
 /** Tetrahedra that are drawn together; some ten thousand are best for speed. */
 struct VTKGATUNCORE_EXPORT RayBlock
 {
@@ -28,6 +36,7 @@ struct VTKGATUNCORE_EXPORT RayBlock
   std::vector<RayPoint> Points;
   std::vector<Tet> Tets;          ///< point indices
   std::vector<double> CellValues; ///< if not empty: values of the tetrahedra, used instead
+  RayHues Hues;
 
   /** If not empty: for each tetrahedron an earlier one with which it shares the face opposite to
    * its last corner, or NoNeighbor. Prepare is faster with these hints, which may be wrong, and

@@ -111,6 +111,14 @@ public:
     return hasSurfaces && this->Settings.Shading ? &*this->Settings.Shading : nullptr;
   }
 
+  /** Null for none. */
+  const RayColoring* GetColoring() const
+  {
+    return this->Table.Mode != RayMode::Maximum && this->Settings.Coloring
+      ? &*this->Settings.Coloring
+      : nullptr;
+  }
+
   template <typename Skips, typename Use>
   void TakeTurns(RaySource& source, const Progress& progress, Skips&& skips, Use&& use);
   std::span<Work> SetBlocks(std::span<const std::shared_ptr<const RayBlock>> blocks);
@@ -171,7 +179,9 @@ void RayCaster::Internals::DrawTile(std::size_t index, std::span<const Work> wor
     {
       continue;
     }
-    const TetItems items = work.Bins.GetItems(index);
+    TetItems items = work.Bins.GetItems(index);
+    items.FirstX = this->GetX(index);
+    items.FirstY = this->GetY(index);
     if (items.Count == 0)
     {
       continue;
@@ -410,8 +420,8 @@ void RayCaster::Draw(std::span<const std::shared_ptr<const RayBlock>> blocks)
       [&](std::size_t i)
       {
         const Timed timed(works[i].SetUpTime);
-        works[i].HasItems = works[i].Bins.Fill(
-          self.Kernel, context, self.GetShading(), self.Tiles.size(), self.Settings.Repeatable);
+        works[i].HasItems = works[i].Bins.Fill(self.Kernel, context, self.GetShading(),
+          self.GetColoring(), self.Tiles.size(), self.Settings.Repeatable);
       });
     if (std::none_of(works.begin(), works.end(), [](const Work& work) { return work.HasItems; }))
     {

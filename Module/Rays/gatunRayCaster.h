@@ -4,6 +4,7 @@
 #define gatunRayCaster_h
 
 #include "gatunRayBlock.h"
+#include "gatunRayColoring.h"
 #include "gatunRayInstructions.h"
 #include "gatunRayShading.h"
 #include "gatunRaySource.h"
@@ -27,6 +28,10 @@ struct RaySettings
 
   /** Shading in modes Composite and Sampled, or none. */
   std::optional<RayShading> Shading = {};
+
+  /** Colors of blocks with hues in all modes but Maximum, without shading; if there are none,
+   * blocks have the colors of the table. */
+  std::optional<RayColoring> Coloring = {};
 
   /** Whether rays may also grow from their far ends; see gatunRelease.h. */
   bool FromBothEnds = false;

@@ -3,9 +3,11 @@
 #include "gatunRayDecoder.h"
 
 #include "gatunChunkCache.h"
+#include "gatunFileReader.h"
 #include "gatunPieceDecoder.h"
 #include "gatunWithType.h"
 
+#include <numeric>
 #include <vector>
 
 namespace gatun
@@ -19,17 +21,31 @@ RayBlock DecodeRayBlock(
   PieceRequest request;
   request.Chunks = { static_cast<std::uint32_t>(chunk) };
   request.Arrays = { values.Array };
+  // Colors may be those of another array, or of other components of the same.
+  const RayHueValues& hues = values.Hues;
+  const bool hasOther = hues.Channels > 0 && hues.Array != values.Array;
+  const bool isFirst = hues.Array < values.Array;
+  if (hasOther)
+  {
+    request.Arrays.insert(
+      isFirst ? request.Arrays.begin() : request.Arrays.end(), hues.Array); // ascending
+  }
   request.Step = values.Step;
   request.RestoreOrder = false;
   decoder.SetRequest(request);
 
   const auto& array = file.GetArrays()[values.Array];
-  const bool ofCells = array.Where == Association::Cell;
+  const auto& hueArray = file.GetArrays()[hues.Channels > 0 ? hues.Array : values.Array];
   const auto points = decoder.GetNumberOfPoints();
   const auto tets = decoder.GetNumberOfCells();
+  const auto count = [&](const ArrayDescription& described)
+  { return described.Where == Association::Cell ? tets : points; };
+  const auto size = [&](const ArrayDescription& described)
+  { return count(described) * described.Components * SizeOf(described.Type); };
   const auto coordinateType = file.GetCoordinateType();
   std::vector<std::byte> coordinates(3 * points * SizeOf(coordinateType));
-  std::vector<std::byte> raw((ofCells ? tets : points) * array.Components * SizeOf(array.Type));
+  std::vector<std::byte> raw(size(array));
+  std::vector<std::byte> rawHues(hasOther ? size(hueArray) : 0);
   RayBlock block;
   block.Tets.resize(tets);
   block.Parents.resize(tets);
@@ -40,6 +56,10 @@ RayBlock DecodeRayBlock(
   target.WideIds = false;
   target.CellParents = block.Parents.data();
   target.Arrays = { raw.data() };
+  if (hasOther)
+  {
+    target.Arrays.insert(isFirst ? target.Arrays.begin() : target.Arrays.end(), rawHues.data());
+  }
   decoder.Fill(target);
 
   block.Points.resize(points);
@@ -54,6 +74,14 @@ RayBlock DecodeRayBlock(
     });
   WithComponent(array.Type, raw.data(), array.Components, values.Component,
     [&](auto&& getValue) { block.SetValues(array.Where, getValue); });
+  if (hues.Channels > 0)
+  {
+    std::vector<std::uint32_t> all(count(hueArray));
+    std::iota(all.begin(), all.end(), 0u);
+    const RayValuesInput input{ hueArray.Where, hueArray.Type, hueArray.Components, hues.Component,
+      hasOther ? rawHues.data() : raw.data() };
+    TakeHues({ input, hues.Channels }, all, block.Hues);
+  }
   return block;
 }
 }

@@ -25,7 +25,7 @@ namespace GATUN_SIMD
  * fragment of its own, and fragments that touch are merged. So the order of the tetrahedra affects
  * the speed, not the image.
  */
-template <bool Perspective, RayMode Mode, bool Shaded>
+template <bool Perspective, RayMode Mode, RayLook Look>
 class RayDrawer
 {
 public:
@@ -40,9 +40,13 @@ public:
     for (std::size_t i = 0; i < list.Count; ++i)
     {
       const TetItem& item = list.Items[i];
-      if constexpr (Shaded)
+      if constexpr (Look == RayLook::Shaded)
       {
         this->Shade = &list.Shades[list.Origins[i]];
+      }
+      if constexpr (Look == RayLook::Hued)
+      {
+        this->SetHue(list.Hues[list.Origins[i]], list.FirstX, list.FirstY);
       }
       switch (item.Entries)
       {
@@ -76,6 +80,45 @@ public:
 private:
   static constexpr bool HasFragments = Mode == RayMode::Composite || Mode == RayMode::Sampled;
   static constexpr float Endless = 1e30f;
+
+  /** The colors of a tetrahedron, with pixels counted from the tile's corner. */
+  GATUN_INLINE void SetHue(const RayHue& hue, int firstX, int firstY)
+  {
+    for (unsigned c = 0; c < 3; ++c)
+    {
+      const double shift = hue.X[c] * firstX + hue.Y[c] * firstY;
+      this->Hue.T[c] = static_cast<float>(Perspective ? hue.T[c] : hue.T[c] + shift);
+      this->Hue.TK[c] = static_cast<float>(Perspective ? hue.Z[c] + shift : hue.Z[c]);
+      this->Hue.TX[c] = static_cast<float>(hue.X[c]);
+      this->Hue.TY[c] = static_cast<float>(hue.Y[c]);
+      this->Hue.Low[c] = hue.Low[c];
+      this->Hue.High[c] = hue.High[c];
+    }
+  }
+
+  /** The same along the rays of a block. */
+  template <typename L>
+  GATUN_INLINE void SetHueLine(typename L::Float xs, typename L::Float ys, const RayPixels& block,
+    unsigned lane, RayHueLine<L>& line) const
+  {
+    for (unsigned c = 0; c < 3; ++c)
+    {
+      const auto across = xs * L::Splat(this->Hue.TX[c]) + ys * L::Splat(this->Hue.TY[c]);
+      if constexpr (Perspective)
+      {
+        line.T[c] = L::Splat(this->Hue.T[c]);
+        line.PerLength[c] =
+          (L::Splat(this->Hue.TK[c]) + across) * L::Load(&block.DepthPerLength[lane]);
+      }
+      else
+      {
+        line.T[c] = L::Splat(this->Hue.T[c]) + across;
+        line.PerLength[c] = L::Splat(this->Hue.TK[c]);
+      }
+      line.Low[c] = this->Hue.Low[c];
+      line.High[c] = this->Hue.High[c];
+    }
+  }
 
   template <int Entries>
   GATUN_INLINE void DrawItem(const TetItem& item)
@@ -153,6 +196,12 @@ private:
       line.T = L::Splat(item.T) + across;
       line.PerLength = L::Splat(item.TK);
     }
+    [[maybe_unused]] RayHueLine<L> hues;
+    if constexpr (Look == RayLook::Hued)
+    {
+      this->SetHueLine(xs, ys, block, lane, hues);
+      line.Hues = &hues;
+    }
     const auto near = L::Load(&block.Near[lane]);
     const auto far = L::Load(&block.Far[lane]);
     auto begin = L::Min(L::Max(in, near), far);
@@ -218,12 +267,12 @@ private:
   {
     if constexpr (Mode == RayMode::Sampled)
     {
-      AddSamples<Shaded>(
-        this->Context.Table, this->Shade, item, line, begin, end, some, sums, first);
+      AddSamples<Look>(
+        this->Context.Table, this->Shade, line.Hues, item, line, begin, end, some, sums, first);
     }
     else
     {
-      RayIntegrator<L, Mode, Shaded>(this->Context.Pieces, this->Shade)
+      RayIntegrator<L, Mode, Look>(this->Context.Pieces, this->Shade, line.Hues)
         .Add(item, line, begin, end, some, sums, first);
     }
   }
@@ -324,6 +373,10 @@ private:
   const DrawContext& Context;
   RayTile& Tile;
   const RayShade* Shade = nullptr; // of the tetrahedron that is being drawn
+  struct
+  {
+    float T[3], TX[3], TY[3], TK[3], Low[3], High[3];
+  } Hue; // its colors, as TetItem has places in the table
 };
 }
 }

@@ -15,12 +15,29 @@ namespace gatun
 {
 namespace GATUN_SIMD
 {
+/** Colors along rays through a tetrahedron, linear in the distance: red, green and blue. */
+template <typename L>
+struct RayHueLine
+{
+  using Float = typename L::Float;
+  Float T[3], PerLength[3];
+  float Low[3], High[3];
+
+  GATUN_INLINE Float Get(unsigned channel, Float distance) const
+  {
+    return L::Min(
+      L::Max(this->T[channel] + this->PerLength[channel] * distance, L::Splat(this->Low[channel])),
+      L::Splat(this->High[channel]));
+  }
+};
+
 /** Places in the table along rays through a tetrahedron: linear in the distance. */
 template <typename L>
 struct RayLine
 {
   using Float = typename L::Float;
   Float T, PerLength;
+  const RayHueLine<L>* Hues = nullptr; // if colors are not those of the table
 
   /** Rounding must not lead out of the values that the tetrahedron has. */
   GATUN_INLINE Float Get(Float distance, Float low, Float high) const
@@ -44,12 +61,14 @@ struct RaySums
  * the value, c0 + c1 x + c2 x^2, and the value is linear along the ray. With x the value in the
  * middle of the segment and h half of its change along it, the mean of the parabola is
  * c0 + c1 x + c2 (x^2 + h^2 / 3). The optical depth D is the mean extinction times the length, and
- * the color is the mean color times the length, attenuated by (1 - exp(-D)) / D. This assumes that
+ * the color is the mean color times the length, attenuated by (1 - exp(-D)) / D. Colors of a
+ * RayHueLine are linear along the segment, and their mean, weighted by the extinction, is that of
+ * the product of a line and a parabola. This assumes that
  * the color does not change much over the length at which light fades. So segments are cut where
  * the value leaves a piece. If D is large, they are cut into equal slices, and the linear term of
  * the color is weighted by the attenuation within the slice.
  */
-template <typename L, RayMode Mode, bool Shaded>
+template <typename L, RayMode Mode, RayLook Look>
 class RayIntegrator
 {
 public:
@@ -57,9 +76,10 @@ public:
   using Mask = typename L::Mask;
   using Piece = RayTable::Piece;
 
-  GATUN_INLINE RayIntegrator(const Piece* pieces, const RayShade* shade)
+  GATUN_INLINE RayIntegrator(const Piece* pieces, const RayShade* shade, const RayHueLine<L>* hue)
     : Pieces(pieces)
     , Shade(shade)
+    , Hue(hue)
   {
   }
 
@@ -84,10 +104,11 @@ private:
   static constexpr float Endless = 1e30f;
 
   /** A part of a segment within a piece: the value in its middle, relative to the piece's center;
-   * its mean square; its length; and half of the change of the value along it. */
+   * its mean square; its length; half of the change of the value along it; and where its middle is.
+   */
   struct Part
   {
-    Float X, Square, Length, HalfChange;
+    Float X, Square, Length, HalfChange, Middle;
   };
 
   GATUN_INLINE static Part MakePart(
@@ -99,7 +120,7 @@ private:
     const auto bound = L::Splat(0.5f * (tMax - tMin));
     const auto h = L::Max(L::Min(line.PerLength * half, bound), -bound);
     const auto spread = h * h * L::Splat(1.0f / 3);
-    return { x, x * x + spread, length, h };
+    return { x, x * x + spread, length, h, begin + half };
   }
 
   /** The mean of a channel of a piece. */
@@ -151,13 +172,18 @@ private:
     [[maybe_unused]] const auto lever = part.Length * part.HalfChange * L::Splat(1.0f / 6);
     const auto add = [&](unsigned channel, Float& sum)
     {
+      if constexpr (Look == RayLook::Hued)
+      {
+        sum += weight * this->template GetHued<Corrected>(piece, part, depth, channel);
+        return;
+      }
       auto color = part.Length * GetMean(piece, channel, part);
       if constexpr (Corrected)
       {
         color +=
           lever * (GetSlope(piece, 3, part) * color - GetSlope(piece, channel, part) * depth);
       }
-      if constexpr (Shaded)
+      if constexpr (Look == RayLook::Shaded)
       {
         // Not brighter than white.
         color = L::Min(color * L::Splat(this->Shade->Scale[channel]) +
@@ -177,6 +203,26 @@ private:
     {
       sums.Through -= weight * depth;
     }
+  }
+
+  /** The color of a RayHueLine times the extinction, over a part. Within it, the color is
+   * c + u C and the extinction e(u), with u from -1 to 1. */
+  template <bool Corrected>
+  GATUN_INLINE Float GetHued(
+    const Piece& piece, const Part& part, Float depth, unsigned channel) const
+  {
+    const auto bound = L::Splat(0.5f * (this->Hue->High[channel] - this->Hue->Low[channel]));
+    const auto change =
+      L::Max(L::Min(this->Hue->PerLength[channel] * part.Length * L::Splat(0.5f), bound), -bound);
+    const auto middle = this->Hue->Get(channel, part.Middle);
+    const auto slope = part.Length * part.HalfChange * GetSlope(piece, 3, part);
+    auto color = middle * depth + change * slope * L::Splat(1.0f / 3);
+    if constexpr (Corrected)
+    {
+      color -= change * depth * depth * L::Splat(1.0f / 6);
+    }
+    // Not less than black, and not brighter than white.
+    return L::Max(L::Min(color, depth), L::Splat(0));
   }
 
   GATUN_INLINE void AddPart(const Piece& piece, float tMin, float tMax, const RayLine<L>& line,
@@ -285,6 +331,7 @@ private:
 
   const Piece* Pieces;
   const RayShade* Shade;
+  const RayHueLine<L>* Hue;
 };
 
 //------------------------------------------------------------------------------
@@ -322,10 +369,10 @@ struct Colors8
 
 /** Mode Sampled: adds the samples from begin to end, which are whole numbers. First as in
  * RayIntegrator::Add. */
-template <bool Shaded>
+template <RayLook Look>
 GATUN_INLINE void AddSamples(const RayTable::Cell* table, const RayShade* shade,
-  const TetItem& item, const RayLine<Lanes8>& line, Float8 begin, Float8 end, Lanes8::Mask some,
-  RaySums<Lanes8>& sums, Float8& first)
+  const RayHueLine<Lanes8>* hue, const TetItem& item, const RayLine<Lanes8>& line, Float8 begin,
+  Float8 end, Lanes8::Mask some, RaySums<Lanes8>& sums, Float8& first)
 {
   using L = Lanes8;
   const auto zero = L::Splat(0);
@@ -337,7 +384,11 @@ GATUN_INLINE void AddSamples(const RayTable::Cell* table, const RayShade* shade,
     const auto before = L::Select(these, sums.Through, zero);
     const auto add = [&](Float8 color, [[maybe_unused]] unsigned channel, Float8& sum)
     {
-      if constexpr (Shaded)
+      if constexpr (Look == RayLook::Hued)
+      {
+        color = -colors.A * hue->Get(channel, sample);
+      }
+      if constexpr (Look == RayLook::Shaded)
       {
         // Not brighter than white. The last channel is the opacity, negative.
         color =

@@ -7,6 +7,7 @@
 
 #include "gatunInline.h"
 #include "gatunRayBlock.h"
+#include "gatunRayColoring.h"
 #include "gatunRayInstructions.h"
 #include "gatunRayShading.h"
 #include "gatunRayTable.h"
@@ -85,9 +86,21 @@ struct TetItems
   const TetItem* Items;
   std::size_t Count;
 
-  // The shade of item i is Shades[Origins[i]]; null without shading.
+  // The shade of item i is Shades[Origins[i]], and its colors are Hues[Origins[i]]. Null without
+  // shading, and if the colors are those of the table; not both are there.
   const std::uint32_t* Origins;
   const RayShade* Shades;
+  const RayHue* Hues;
+
+  int FirstX, FirstY; // the corner of the tile in the image
+};
+
+/** What determines colors besides the table. */
+enum class RayLook : std::uint8_t
+{
+  Plain,  ///< nothing
+  Shaded, ///< the light on a tetrahedron, by its RayShade
+  Hued    ///< a RayHue in place of the table
 };
 
 /** The parameters of Draw. */
@@ -136,7 +149,7 @@ struct RayKernel
     const double* cellValues, const SeenTet* seen, const std::uint32_t* chosen, std::size_t count,
     std::uint32_t* places, TetItem* items, std::uint32_t* origins);
 
-  /** Modes Maximum and XRay are never shaded. */
+  /** Modes Maximum and XRay are never shaded. Mode Maximum has the colors of the table. */
   void (*Draw)(RayMode mode, const DrawContext& context, const TetItems& items, RayTile& tile);
 };
 

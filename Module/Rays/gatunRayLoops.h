@@ -199,34 +199,48 @@ void Look(const RayView& view, RayFilter filter, const SeenPoint* points, const 
 }
 
 //------------------------------------------------------------------------------
-template <RayMode Mode, bool Shaded>
+template <RayMode Mode, RayLook Look>
 void DrawIn(const DrawContext& context, const TetItems& items, RayTile& tile)
 {
   if (context.Perspective)
   {
-    RayDrawer<true, Mode, Shaded>(context, tile).Draw(items);
+    RayDrawer<true, Mode, Look>(context, tile).Draw(items);
   }
   else
   {
-    RayDrawer<false, Mode, Shaded>(context, tile).Draw(items);
+    RayDrawer<false, Mode, Look>(context, tile).Draw(items);
+  }
+}
+
+template <RayMode Mode>
+void DrawWithLook(const DrawContext& context, const TetItems& items, RayTile& tile)
+{
+  if (items.Hues)
+  {
+    DrawIn<Mode, RayLook::Hued>(context, items, tile);
+  }
+  else if (Mode == RayMode::XRay || !items.Shades)
+  {
+    DrawIn<Mode, RayLook::Plain>(context, items, tile);
+  }
+  else if constexpr (Mode != RayMode::XRay)
+  {
+    DrawIn<Mode, RayLook::Shaded>(context, items, tile);
   }
 }
 
 void Draw(RayMode mode, const DrawContext& context, const TetItems& items, RayTile& tile)
 {
-  const bool shaded = items.Shades != nullptr;
   switch (mode)
   {
     case RayMode::Composite:
-      return shaded ? DrawIn<RayMode::Composite, true>(context, items, tile)
-                    : DrawIn<RayMode::Composite, false>(context, items, tile);
+      return DrawWithLook<RayMode::Composite>(context, items, tile);
     case RayMode::Sampled:
-      return shaded ? DrawIn<RayMode::Sampled, true>(context, items, tile)
-                    : DrawIn<RayMode::Sampled, false>(context, items, tile);
+      return DrawWithLook<RayMode::Sampled>(context, items, tile);
     case RayMode::Maximum:
-      return DrawIn<RayMode::Maximum, false>(context, items, tile);
+      return DrawIn<RayMode::Maximum, RayLook::Plain>(context, items, tile);
     case RayMode::XRay:
-      return DrawIn<RayMode::XRay, false>(context, items, tile);
+      return DrawWithLook<RayMode::XRay>(context, items, tile);
   }
 }
 }

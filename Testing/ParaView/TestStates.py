@@ -19,34 +19,18 @@ for made in list(simple.GetSources().values()):
 
 
 def session():
-    """What a user does: opens a file, chooses Gatun Volume, and contours it."""
-    reader = simple.OpenDataFile(grid)
-    reader.OnDemand = "Always"
-    view = simple.CreateView("RenderView")
-    view.ViewSize = [drawing.SIZE, drawing.SIZE]
-    view.OrientationAxesVisibility = 0
-    view.UseColorPaletteForBackground = 0
-    view.Background = [0.2, 0.3, 0.4]
+    """What a user does: opens a file, chooses Gatun Volume, and contours it. All of it in calls that
+    a trace records."""
+    reader = simple.GatunReader(FileNames=[grid], OnDemand="Always")
+    view = simple.CreateView("RenderView", ViewSize=[drawing.SIZE] * 2, OrientationAxesVisibility=0,
+                             UseColorPaletteForBackground=0, Background=[0.2, 0.3, 0.4],
+                             CameraPosition=[sample.SIDE * f for f in (2.9, 2.2, 2.6)],
+                             CameraFocalPoint=[sample.SIDE / 2] * 3, CameraViewUp=[0, 0, 1])
     shown = simple.Show(reader, view)
     shown.SetRepresentationType("Gatun Volume")
-    simple.ColorBy(shown, ("POINTS", "wave"))
-    shown.RescaleTransferFunctionToDataRange(True)
-    shown.SetScalarBarVisibility(view, False)
-    shown.ScalarOpacityUnitDistance = 3
-    shown.BlendMode = "X-Ray"
-    shown.BlendMode = "Composite"
-    shown.SimplificationRatio = 0.25
-    contour = simple.GatunContour(Input=reader)
-    contour.ContourBy = ["POINTS", "wave"]
-    contour.Isosurfaces = [1.5]
-    surface = simple.Show(contour, view)
-    simple.ColorBy(surface, None)
-    surface.DiffuseColor = surface.AmbientColor = [0, 1, 0]
-    view.CameraPosition = [sample.SIDE * f for f in (2.9, 2.2, 2.6)]
-    view.CameraFocalPoint = [sample.SIDE / 2] * 3
-    view.CameraViewUp = [0, 0, 1]
-    view.CameraViewAngle = 30
-    return view
+    contour = simple.GatunContour(Input=reader, ContourBy=["POINTS", "wave"], Isosurfaces=[1.5])
+    simple.ColorBy(simple.Show(contour, view), None)
+    return view, shown
 
 
 def forget():
@@ -64,7 +48,7 @@ def require_again(way, picture):
 
 
 smtrace.start_trace()
-first = session()
+first, shown = session()
 trace = smtrace.stop_trace()
 picture = drawing.draw(first)
 assert drawing.differing(picture, drawing.draw(first)) == 0
@@ -73,10 +57,13 @@ drawing.require_other(picture, drawing.draw(empty))
 simple.Delete(empty)
 simple.SetActiveView(first)
 
-# Narrower than the array, which nothing must undo.
-functions = [simple.GetColorTransferFunction("wave"), simple.GetOpacityTransferFunction("wave")]
-for function in functions:
+# Another array, a range that is narrower than that of the array, which nothing must undo, and more.
+simple.ColorBy(shown, ("POINTS", "wave"))
+shown.SetScalarBarVisibility(first, False)
+for function in simple.GetColorTransferFunction("wave"), simple.GetOpacityTransferFunction("wave"):
     function.RescaleTransferFunction(-1, 2)
+shown.ScalarOpacityUnitDistance = 3
+shown.SimplificationRatio = 0.25
 narrow = drawing.draw(first)
 drawing.require_other(narrow, picture)
 state = sample.temporary("states.pvsm")

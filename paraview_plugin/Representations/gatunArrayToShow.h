@@ -28,8 +28,7 @@ bool IsBookkeeping(const vtkPVArrayInformation& array);
  * otherwise the first array of points, otherwise the first of cells. Bookkeeping arrays are taken
  * if there are no others. Nothing if the list has no arrays of numbers.
  */
-std::optional<unsigned int> FindArrayToShow(
-  vtkSMArrayListDomain& list, vtkPVDataInformation& data);
+std::optional<unsigned int> FindArrayToShow(vtkSMArrayListDomain& list, vtkPVDataInformation& data);
 }
 
 #endif

@@ -241,8 +241,8 @@ int vtkGatunHartleyRepresentation::ProcessViewRequest(
 //------------------------------------------------------------------------------
 void vtkGatunHartleyRepresentation::Deliver(vtkInformation* inInfo, vtkInformation* outInfo)
 {
-  // Coefficients stay where they are. The processes with other things to draw need to know where the
-  // image belongs among them.
+  // Coefficients stay where they are. The processes with other things to draw need to know where
+  // the image belongs among them.
   outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), 1);
   vtkPVRenderView::SetPiece(inInfo, this, this->OutlineSource->GetOutputDataObject(0), 0);
   vtkPVRenderView::SetRequiresDistributedRendering(inInfo, this, true);

@@ -7,8 +7,8 @@
  * The image is that of vtkGatunHartleyMapper for the camera of the view, with the color map and the
  * opacities of the array that is selected for coloring. The coefficients are those of a
  * vtkGatunHartleyReader or vtkGatunHartleyEncoder that the input comes from directly. Any other
- * volume is encoded with default parameters, which several processes cannot do, as each has a part of
- * the voxels.
+ * volume is encoded with default parameters, which several processes cannot do, as each has a part
+ * of the voxels.
  *
  * The projection of the view must be parallel. In parallel runs the first process draws the image.
  *

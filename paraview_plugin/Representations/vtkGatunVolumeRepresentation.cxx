@@ -6,6 +6,7 @@
 #include "gatunFilePiece.h"
 #include "gatunMeshPiece.h"
 #include "gatunPieceSource.h"
+#include "gatunVolumeArrays.h"
 #include "gatunVolumeProp.h"
 #include "vtkGatunFileHandle.h"
 #include "vtkGatunReader.h"
@@ -15,8 +16,6 @@
 #include "vtkBoundingBox.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkCommunicator.h"
-#include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -35,7 +34,6 @@
 #include "vtkVolumeProperty.h"
 #include "vtkVolumeRepresentationPreprocessor.h"
 
-#include <algorithm>
 #include <cmath>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -546,37 +544,27 @@ double vtkGatunVolumeRepresentation::ChooseUnitDistance()
 //------------------------------------------------------------------------------
 void vtkGatunVolumeRepresentation::UpdateMapperParameters()
 {
-  const char* name = nullptr;
-  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  gatun::VolumeChoice choice;
   vtkInformation* const info = this->GetInputArrayInformation(0);
   if (info && info->Has(vtkDataObject::FIELD_ASSOCIATION()) &&
     info->Has(vtkDataObject::FIELD_NAME()))
   {
-    name = info->Get(vtkDataObject::FIELD_NAME());
-    association = info->Get(vtkDataObject::FIELD_ASSOCIATION());
+    choice.Color.Name = info->Get(vtkDataObject::FIELD_NAME());
+    choice.Color.OfCells =
+      info->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_CELLS;
   }
-  const bool ofCells = association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
-  const int mode =
-    ofCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA;
-  this->VolumeMapper->SelectScalarArray(name);
-  this->VolumeMapper->SetScalarMode(mode);
-  this->LODMapper->SetScalarVisibility(name && *name);
-  this->LODMapper->SelectColorArray(name);
-  this->LODMapper->SetScalarMode(mode);
-
-  vtkDataArray* const array = name && this->Shown
-    ? this->Shown->GetAttributes(ofCells ? vtkDataObject::CELL : vtkDataObject::POINT)
-        ->GetArray(name)
-    : nullptr;
+  choice.MapScalars = this->MapScalars;
+  choice.MapsComponents = this->MultiComponentsMapping;
+  choice.HasOpacity = this->UseSeparateOpacityArray;
+  choice.Opacity = { this->OpacityArrayName,
+    this->OpacityArrayFieldAssociation == vtkDataObject::FIELD_ASSOCIATION_CELLS,
+    this->OpacityArrayComponent };
   vtkColorTransferFunction* const colors = this->Property->GetRGBTransferFunction(0);
-  int component = 0;
-  if (array && array->GetNumberOfComponents() > 1)
-  {
-    component = colors->GetVectorMode() == vtkScalarsToColors::COMPONENT
-      ? std::clamp(colors->GetVectorComponent(), 0, array->GetNumberOfComponents() - 1)
-      : -1;
-  }
-  this->VolumeMapper->SetArrayComponent(component);
+  gatun::SetVolumeArrays(this->VolumeMapper, this->Shown, choice, colors);
+  this->LODMapper->SetScalarVisibility(!choice.Color.Name.empty());
+  this->LODMapper->SelectColorArray(choice.Color.Name.c_str());
+  this->LODMapper->SetScalarMode(choice.Color.OfCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA
+                                                      : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
   this->LODMapper->SetLookupTable(colors);
   this->Property->SetIndependentComponents(1);
   this->Property->SetScalarOpacityUnitDistance(this->ChooseUnitDistance());

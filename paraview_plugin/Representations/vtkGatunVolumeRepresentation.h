@@ -19,9 +19,9 @@
  * image is that of one process in all modes, with any other representations in the view.
  *
  * Colors are those of the array, and of its component or length, as chosen for coloring. A separate
- * array for opacities, several components mapped at once and colors taken directly from the array
- * have no influence. During an interaction the volume is drawn with fewer rays or as a coarser
- * mesh, never as a surface.
+ * array for opacities, two or four components mapped at once, and colors taken directly from the
+ * array, are as with ParaView's own volumes; the mesh is not simplified then. During an interaction
+ * the volume is drawn with fewer rays or as a coarser mesh, never as a surface.
  *
  * @sa vtkGatunVolumeMapper vtkGatunReader
  */
@@ -155,9 +155,8 @@ public:
 
   /**
    * The length over which the opacities are meant, in world units. Where a file is drawn, the value
-   * that ParaView derives from the number of cells of the outline or boundary stands for that of the
-   * mesh.
-   * Default: 1.
+   * that ParaView derives from the number of cells of the outline or boundary stands for that of
+   * the mesh. Default: 1.
    */
   void SetScalarOpacityUnitDistance(double distance);
 

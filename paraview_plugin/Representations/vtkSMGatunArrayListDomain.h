@@ -5,8 +5,8 @@
  * @brief A list of arrays whose default is not an array of ids or ghost types.
  *
  * ParaView's list takes the first array in alphabetical order if there are no active scalars, which
- * often is GlobalNodeId or the like. This one takes such an array only if there is no other. ParaView
- * prescribes the prefix of the name: GatunArrayListDomain in XML.
+ * often is GlobalNodeId or the like. This one takes such an array only if there is no other.
+ * ParaView prescribes the prefix of the name: GatunArrayListDomain in XML.
  */
 
 #ifndef vtkSMGatunArrayListDomain_h

@@ -73,8 +73,7 @@ void vtkSMGatunColoringDomain::Update(vtkSMProperty*)
   const char* const name = vtkSMPropertyHelper(type).GetAsString();
   const bool wasChosen = this->IsChosen;
   this->IsChosen = name && this->RepresentationType == name;
-  if (!this->IsChosen || wasChosen ||
-    representation->GetSessionProxyManager()->GetInLoadXMLState())
+  if (!this->IsChosen || wasChosen || representation->GetSessionProxyManager()->GetInLoadXMLState())
   {
     return;
   }
@@ -118,8 +117,7 @@ void vtkSMGatunColoringDomain::ColorByArray(vtkSMPVRepresentationProxy* represen
   vtkPVDataInformation* const data = GetInputInformation(representation);
   const auto place = list && data ? gatun::FindArrayToShow(*list, *data) : std::nullopt;
   if (!place ||
-    !representation->SetScalarColoring(
-      list->GetString(*place), list->GetFieldAssociation(*place)))
+    !representation->SetScalarColoring(list->GetString(*place), list->GetFieldAssociation(*place)))
   {
     return;
   }

@@ -6,13 +6,13 @@
  * chosen.
  *
  * A volume needs an array. ParaView selects one only for the type "Volume". This domain does so for
- * the type that the attribute "representation" names: when that type is chosen, in the client or by a
- * script, and nothing is selected to color by, the array is that of gatun::FindArrayToShow. Transfer
- * functions that are new get the range of the array; others stay as they are. Nothing happens while
- * a state file is loaded, as it has the colors, too.
+ * the type that the attribute "representation" names: when that type is chosen, in the client or by
+ * a script, and nothing is selected to color by, the array is that of gatun::FindArrayToShow.
+ * Transfer functions that are new get the range of the array; others stay as they are. Nothing
+ * happens while a state file is loaded, as it has the colors, too.
  *
- * With parallel_projection="1", a parallel projection of the views is turned on, too, which shows as
- * much as before.
+ * With parallel_projection="1", a parallel projection of the views is turned on, too, which shows
+ * as much as before.
  *
  * It belongs to a property of a representation and has the required property Representation.
  * ParaView prescribes the prefix of the name: GatunColoringDomain in XML.

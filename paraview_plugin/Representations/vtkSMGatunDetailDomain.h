@@ -4,10 +4,10 @@
  * @class vtkSMGatunDetailDomain
  * @brief Tells the panel of a representation whether its input can be simplified.
  *
- * Sets its property to 1 if Gatun Volume can draw the input as a coarser mesh, and to 0 otherwise: for
- * a reader on demand whose file has no hierarchy, and for meshes in memory of several processes. The
- * properties that simplify are greyed out by it. The required property is Input. ParaView prescribes
- * the prefix of the name: GatunDetailDomain in XML.
+ * Sets its property to 1 if Gatun Volume can draw the input as a coarser mesh, and to 0 otherwise:
+ * for a reader on demand whose file has no hierarchy, and for meshes in memory of several
+ * processes. The properties that simplify are greyed out by it. The required property is Input.
+ * ParaView prescribes the prefix of the name: GatunDetailDomain in XML.
  */
 
 #ifndef vtkSMGatunDetailDomain_h
