@@ -3,10 +3,11 @@
 
 // Writes seeds for the fuzz targets: makeCorpus FOLDER. Each target gets a folder of its own below.
 
+#include "makeCorpus.h"
+
 #include "fuzzMeshes.h"
 #include "gatunCellCodec.h"
 #include "gatunEntropy.h"
-#include "gatunFileImage.h"
 #include "gatunHartleyCodec.h"
 #include "gatunHartleyFileImage.h"
 #include "gatunHartleySample.h"
@@ -16,8 +17,6 @@
 #include "gatunTreeSample.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <random>
 
@@ -25,30 +24,6 @@ namespace
 {
 using namespace gatun;
 namespace fs = std::filesystem;
-
-class Corpus
-{
-public:
-  explicit Corpus(fs::path folder)
-    : Folder(std::move(folder))
-  {
-  }
-
-  void Add(const std::string& target, std::span<const std::uint8_t> bytes)
-  {
-    fs::create_directories(this->Folder / target);
-    std::ofstream out(
-      this->Folder / target / ("seed-" + std::to_string(this->Count++)), std::ios::binary);
-    out.write(
-      reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  }
-
-  fs::path GetFolder() const { return this->Folder; }
-
-private:
-  fs::path Folder;
-  unsigned Count = 0;
-};
 
 Bytes MakeNoise(std::size_t size, std::mt19937& random)
 {
@@ -265,50 +240,6 @@ FieldData MakeField()
   field[1].Texts = { "one", "", "three" };
   field[1].ComponentNames = { "c" };
   return field;
-}
-
-/** The tables of a file as one input: of the mesh and its pages, then of the first step. */
-Bytes GetTables(test::FileImage image)
-{
-  std::vector<Bytes> mesh(2);
-  std::vector<Bytes> pages;
-  std::vector<Bytes> step;
-  image.ChangeTable = [&](FourCC name, std::size_t number, const Bytes& table)
-  {
-    if (name == SectionMeta || name == SectionTable)
-    {
-      mesh[name == SectionTable] = table;
-    }
-    else if (name == SectionPages)
-    {
-      pages.push_back(table);
-    }
-    else if (number == 0)
-    {
-      step.push_back(table);
-    }
-  };
-  image.Build();
-  const auto count = GetPageCount(image.Mesh.Chunks.size());
-  for (std::size_t page = 0; page < count; ++page)
-  {
-    mesh.insert(mesh.begin() + static_cast<std::ptrdiff_t>(2 + page), pages[2 * page]);
-    mesh.push_back(pages[2 * page + 1]);
-  }
-  if (!step.empty())
-  {
-    const auto first = pages.begin() + static_cast<std::ptrdiff_t>(2 * count);
-    step.insert(step.end(), first,
-      first + static_cast<std::ptrdiff_t>(image.Meta.Arrays.empty() ? 0 : count));
-  }
-  mesh.insert(mesh.end(), step.begin(), step.end());
-  ByteWriter out;
-  for (const auto& table : mesh)
-  {
-    out.Put(static_cast<std::uint16_t>(table.size()));
-    out.PutBytes(table);
-  }
-  return std::move(out.Data);
 }
 
 /** A file of some tetrahedra, of one chunk or more. */
@@ -573,6 +504,9 @@ int main(int argc, char* argv[])
   AddMovingFiles(corpus);
   AddTreeFiles(corpus);
   AddLayerFiles(corpus);
+  AddSmoothFiles(corpus);
+  AddSeriesFiles(corpus);
+  AddCellFiles(corpus);
   for (unsigned i = 0; i < 6; ++i)
   {
     AddBlocks(corpus, random);
