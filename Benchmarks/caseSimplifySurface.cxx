@@ -202,8 +202,8 @@ Triangles SimplifyByDistance(vtkPolyData* surface, double part)
   return result;
 }
 
-Triangles SimplifyByMeshoptimizer(
-  [[maybe_unused]] vtkPolyData* surface, [[maybe_unused]] double part, double& seconds)
+Triangles SimplifyByMeshoptimizer([[maybe_unused]] vtkPolyData* surface,
+  [[maybe_unused]] double part, [[maybe_unused]] double& seconds)
 {
 #if BENCH_HAS_MESHOPTIMIZER
   const auto cells = GetCells(surface);

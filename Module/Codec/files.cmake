@@ -19,6 +19,7 @@ gatun_core_folder(Codec
     gatunChunkCodec.h
     gatunChunkPlaces.h
     gatunChunkTets.h
+    gatunComponentCoder.h
     gatunDomain.h
     gatunDomainSurvey.h
     gatunEntropy.h
@@ -37,10 +38,13 @@ gatun_core_folder(Codec
     gatunNearestPicker.h
     gatunNeighborFit.h
     gatunNeighborLists.h
+    gatunNeighborSumLoops.h
+    gatunNeighborSums.h
     gatunNumberModel.h
     gatunPalette.h
     gatunPlaceGrid.h
     gatunPlainKeys.h
+    gatunPlainQuadratic.h
     gatunPlaneCoder.h
     gatunPolygonCell.h
     gatunPolygonFront.h

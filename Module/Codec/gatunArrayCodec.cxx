@@ -3,8 +3,7 @@
 
 #include "gatunArrayCodec.h"
 
-#include "gatunBoundedValues.h"
-#include "gatunExactValues.h"
+#include "gatunComponentCoder.h"
 #include "gatunGuess.h"
 #include "gatunNeighborFit.h"
 #include "gatunQuadraticCoder.h"
@@ -261,51 +260,20 @@ void CodeCells(Coder& coder, const ArrayModes& modes, const CellContext& context
   }
 }
 
-/** Codes a component with code(values). A bounded one begins with whether it has exact values all
- * the same. */
-template <typename Coder, typename Code>
-void CodeComponent(
-  Coder& coder, const Domain& domain, bool onLattice, const ComponentKeys& keys, Code&& code)
-{
-  bool isExact = true;
-  if (domain.GetQuantizer())
-  {
-    isExact = Coder::Encoding && BoundedValues::AreTooFine(domain, keys.Now);
-    isExact = coder.Raw(isExact, 1) != 0;
-  }
-  if (!isExact)
-  {
-    code(BoundedValues(domain, keys.Now.size(), onLattice || domain.GetQuantizer().OnLattice));
-  }
-  else if (Float32Domain::Matches(domain))
-  {
-    code(ExactValues(Float32Domain()));
-  }
-  else
-  {
-    code(ExactValues(domain));
-  }
-}
-
 template <typename Coder>
 void CodePointComponents(Coder& coder, const ArrayModes& modes, const PointContext& context,
   std::span<const Domain> domains, std::span<ComponentKeys> components)
 {
+  if (IsQuadratic(modes.Spatial))
+  {
+    CodeQuadratic(
+      coder, modes.Spatial, modes.Temporal, OwnPoints{ context }, domains, components, false);
+    return;
+  }
   for (std::size_t c = 0; c < components.size(); ++c)
   {
     CodeComponent(coder, domains[c], false, components[c],
-      [&](auto&& values)
-      {
-        if (IsQuadratic(modes.Spatial))
-        {
-          CodeQuadratic(
-            coder, modes.Spatial, modes.Temporal, OwnPoints{ context }, values, components[c]);
-        }
-        else
-        {
-          CodePoints(coder, modes, context, values, components[c]);
-        }
-      });
+      [&](auto&& values) { CodePoints(coder, modes, context, values, components[c]); });
   }
 }
 
@@ -313,22 +281,17 @@ template <typename Coder>
 void CodeCellComponents(Coder& coder, const ArrayModes& modes, const CellContext& context,
   std::span<const Domain> domains, std::span<ComponentKeys> components)
 {
-  // Other processes round values on blocks, too.
+  const bool onLattice = context.IsBlock(); // other processes round values there, too
+  if (IsQuadratic(modes.Spatial))
+  {
+    const AllPlaces places{ context, components.empty() ? 0 : components.front().Now.size() };
+    CodeQuadratic(coder, modes.Spatial, modes.Temporal, places, domains, components, onLattice);
+    return;
+  }
   for (std::size_t c = 0; c < components.size(); ++c)
   {
-    CodeComponent(coder, domains[c], context.IsBlock(), components[c],
-      [&](auto&& values)
-      {
-        if (IsQuadratic(modes.Spatial))
-        {
-          CodeQuadratic(coder, modes.Spatial, modes.Temporal,
-            AllPlaces{ context, components[c].Now.size() }, values, components[c]);
-        }
-        else
-        {
-          CodeCells(coder, modes, context, values, components[c]);
-        }
-      });
+    CodeComponent(coder, domains[c], onLattice, components[c],
+      [&](auto&& values) { CodeCells(coder, modes, context, values, components[c]); });
   }
 }
 
@@ -341,20 +304,29 @@ bool HaveBefore(std::span<const ComponentKeys> components)
 /** How slowly streams of a mode are decoded. */
 int GetSlowness(SpatialMode mode)
 {
-  return mode == SpatialMode::Quadratic ? 2 : mode == SpatialMode::PlainQuadratic ? 1 : 0;
+  return mode == SpatialMode::Corrected ? 3
+    : mode == SpatialMode::Quadratic    ? 2
+    : mode == SpatialMode::PlainQuadratic ? 1
+                                          : 0;
 }
 
 /** Whether a stream of this size, with these modes, is to replace another one. */
-bool IsBetter(const ArrayModes& modes, std::size_t size, const Bytes& best, std::size_t margin)
+bool IsBetter(
+  const ArrayModes& modes, std::size_t size, const Bytes& best, const ModeMargins& margins)
 {
-  const bool isSlower = GetSlowness(modes.Spatial) > GetSlowness(ArrayModes::Read(best).Spatial);
-  return isSlower ? size + size / margin < best.size() : size < best.size();
+  if (GetSlowness(modes.Spatial) <= GetSlowness(ArrayModes::Read(best).Spatial))
+  {
+    return size < best.size();
+  }
+  const auto margin =
+    modes.Spatial == SpatialMode::PlainQuadratic ? margins.Plain : margins.Blended;
+  return size + size / margin < best.size();
 }
 
 /** Encodes with all possible combinations of modes and returns the best stream. */
 template <typename Code>
 Bytes EncodeBest(std::span<const SpatialMode> spatial, std::span<const Domain> domains,
-  std::span<ComponentKeys> components, std::size_t margin, Code&& code)
+  std::span<ComponentKeys> components, const ModeMargins& margins, Code&& code)
 {
   // The values that readers will have depend on the modes if they are rounded.
   const bool areRounded = std::any_of(domains.begin(), domains.end(),
@@ -371,7 +343,7 @@ Bytes EncodeBest(std::span<const SpatialMode> spatial, std::span<const Domain> d
     }
     code(coder, modes, areRounded ? std::span<ComponentKeys>(trial) : components);
     auto body = coder.Finish();
-    if (best.empty() || IsBetter(modes, body.size() + 2, best, margin))
+    if (best.empty() || IsBetter(modes, body.size() + 2, best, margins))
     {
       best.clear();
       best.push_back(static_cast<std::uint8_t>(modes.Spatial));
@@ -396,6 +368,25 @@ Bytes EncodeBest(std::span<const SpatialMode> spatial, std::span<const Domain> d
   return best;
 }
 
+/** Adds the modes that a fit allows, last, because each must beat all faster ones by a margin. */
+void AddQuadraticModes(const QuadraticFit* fit, std::vector<SpatialMode>& modes)
+{
+  if (fit)
+  {
+    modes.insert(modes.end(), { SpatialMode::PlainQuadratic, SpatialMode::Quadratic });
+  }
+  if (fit && fit->HasCorrections())
+  {
+    modes.push_back(SpatialMode::Corrected);
+  }
+}
+
+/** Whether a fit has what a mode needs. */
+bool IsEnough(const QuadraticFit* fit, SpatialMode mode)
+{
+  return !IsQuadratic(mode) || (fit && (mode != SpatialMode::Corrected || fit->HasCorrections()));
+}
+
 void CheckBefore(const ArrayModes& modes, std::span<const ComponentKeys> components)
 {
   if (modes.Temporal != TemporalMode::None && !HaveBefore(components))
@@ -408,7 +399,7 @@ void CheckBefore(const ArrayModes& modes, std::span<const ComponentKeys> compone
 //------------------------------------------------------------------------------
 ArrayModes ArrayModes::Read(std::span<const std::uint8_t> stream)
 {
-  if (stream.size() < 2 || stream[0] > 4 || stream[1] > 2)
+  if (stream.size() < 2 || stream[0] > 5 || stream[1] > 2)
   {
     ThrowCorrupt("an array's stream has an unknown mode");
   }
@@ -422,19 +413,15 @@ ArrayModes ArrayModes::Read(std::span<const std::uint8_t> stream)
 }
 
 Bytes EncodePointValues(const PointContext& context, std::span<const Domain> domains,
-  std::span<ComponentKeys> components, std::size_t margin)
+  std::span<ComponentKeys> components, const ModeMargins& margins)
 {
   std::vector<SpatialMode> modes{ SpatialMode::Gate, SpatialMode::Previous };
   if (context.Fit)
   {
     modes.insert(modes.begin(), SpatialMode::Fit);
   }
-  if (context.Quadratic)
-  {
-    // Last, because each must beat all faster ones by a margin.
-    modes.insert(modes.end(), { SpatialMode::PlainQuadratic, SpatialMode::Quadratic });
-  }
-  return EncodeBest(modes, domains, components, margin,
+  AddQuadraticModes(context.Quadratic, modes);
+  return EncodeBest(modes, domains, components, margins,
     [&](EntropyEncoder& coder, const ArrayModes& chosen, std::span<ComponentKeys> keys)
     { CodePointComponents(coder, chosen, context, domains, keys); });
 }
@@ -445,7 +432,7 @@ void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext&
   const auto modes = ArrayModes::Read(stream);
   CheckBefore(modes, components);
   if ((modes.Spatial == SpatialMode::Fit && !context.Fit) ||
-    (IsQuadratic(modes.Spatial) && !context.Quadratic))
+    !IsEnough(context.Quadratic, modes.Spatial))
   {
     ThrowCorrupt("a stream needs neighbors that are not there");
   }
@@ -454,18 +441,15 @@ void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext&
 }
 
 Bytes EncodeCellValues(const CellContext& context, std::span<const Domain> domains,
-  std::span<ComponentKeys> components, std::size_t margin)
+  std::span<ComponentKeys> components, const ModeMargins& margins)
 {
   std::vector<SpatialMode> modes{ SpatialMode::Previous };
   if (!context.IsBlock())
   {
     modes.push_back(SpatialMode::Gate);
   }
-  if (context.Quadratic)
-  {
-    modes.insert(modes.end(), { SpatialMode::PlainQuadratic, SpatialMode::Quadratic });
-  }
-  return EncodeBest(modes, domains, components, margin,
+  AddQuadraticModes(context.Quadratic, modes);
+  return EncodeBest(modes, domains, components, margins,
     [&](EntropyEncoder& coder, const ArrayModes& chosen, std::span<ComponentKeys> keys)
     { CodeCellComponents(coder, chosen, context, domains, keys); });
 }
@@ -477,7 +461,7 @@ void DecodeCellValues(std::span<const std::uint8_t> stream, const CellContext& c
   CheckBefore(modes, components);
   if (modes.Spatial == SpatialMode::Fit ||
     (modes.Spatial == SpatialMode::Gate && context.IsBlock()) ||
-    (IsQuadratic(modes.Spatial) && !context.Quadratic))
+    !IsEnough(context.Quadratic, modes.Spatial))
   {
     ThrowCorrupt("a stream needs places around it that are not there");
   }

@@ -28,22 +28,25 @@ struct ArrayModes
   static ArrayModes Read(std::span<const std::uint8_t> stream);
 };
 
-/** A stream with quadratic functions must save this part of its size over those of faster modes,
- * because it is decoded more slowly. */
-constexpr std::size_t QuadraticMargin = 64;
+/** A stream must save this part of its size, one over each number, over streams of faster modes. */
+struct ModeMargins
+{
+  std::size_t Plain = 64;   ///< the mode PlainQuadratic, which needs the weights of neighbors
+  std::size_t Blended = 64; ///< the modes Quadratic and Corrected
+};
 
 /** Encodes own points with all modes and returns the shortest stream. Components of domains with a
  * quantizer get the keys that readers will have. Where these are on a lattice, the keys must be
  * those of its places, if there are such (Quantizer::ToLattice). */
 Bytes EncodePointValues(const PointContext& context, std::span<const Domain> domains,
-  std::span<ComponentKeys> components, std::size_t margin = QuadraticMargin);
+  std::span<ComponentKeys> components, const ModeMargins& margins = {});
 void DecodePointValues(std::span<const std::uint8_t> stream, const PointContext& context,
   std::span<const Domain> domains, std::span<ComponentKeys> components);
 
 /** Encodes values of the cells of a chunk, or on the points of a block: those of domains with a
  * quantizer are on its lattice. */
 Bytes EncodeCellValues(const CellContext& context, std::span<const Domain> domains,
-  std::span<ComponentKeys> components, std::size_t margin = QuadraticMargin);
+  std::span<ComponentKeys> components, const ModeMargins& margins = {});
 void DecodeCellValues(std::span<const std::uint8_t> stream, const CellContext& context,
   std::span<const Domain> domains, std::span<ComponentKeys> components);
 }

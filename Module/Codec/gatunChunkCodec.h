@@ -72,7 +72,7 @@ struct ChunkMesh
   std::optional<QuadraticFit> Quadratic;
 
   /** The weights of the cells around each cell. The calling thread must have a FloatEnvironment. */
-  QuadraticFit FitCells() const;
+  QuadraticFit FitCells(bool withCorrections = false) const;
 };
 
 /** The coordinates of points. */

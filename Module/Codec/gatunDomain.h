@@ -201,6 +201,68 @@ public:
 private:
   static constexpr std::uint32_t Sign = 0x80000000u;
 };
+
+/** A Domain of Float32 with plain keys, or with a scale of the kind Shift. */
+class ShiftedFloat32Domain
+{
+public:
+  static bool Matches(const Domain& domain)
+  {
+    return domain.GetType() == ScalarType::Float32 && !domain.GetPalette() &&
+      (!domain.GetScale() || domain.GetScale().Kind == ScaleKind::Shift);
+  }
+
+  /** The domain must match. */
+  explicit ShiftedFloat32Domain(const Domain& domain)
+    : Digits(domain.GetScale() ? domain.GetScale().Digits : 0)
+    , Low((1u << this->Digits) - 1)
+    , Last(~0u >> this->Digits)
+  {
+  }
+
+  static constexpr bool IsValid(Key) { return true; }
+
+  double ToNumber(Key key) const
+  {
+    const auto plain = static_cast<std::uint32_t>(key) << this->Digits;
+    return Float32Domain::ToNumber(plain | (IsNegative(plain) & this->Low));
+  }
+
+  Key FromNumber(double number) const
+  {
+    const auto plain = static_cast<std::uint32_t>(Float32Domain::FromNumber(number));
+    const std::uint32_t key = plain >> this->Digits;
+    // Rounded to the closest one. Keys of negative numbers have 1 in the digits that are left out.
+    const std::uint32_t half = (this->Low + 1) >> 1;
+    const bool isUpper = (plain & half) != 0;
+    const bool isNegative = IsNegative(plain) != 0;
+    const std::uint32_t down = isNegative && !isUpper && key > 0 && half != 0 ? 1 : 0;
+    const std::uint32_t up = !isNegative && isUpper && key < this->Last ? 1 : 0;
+    return key - down + up;
+  }
+
+  std::int64_t Subtract(Key key, Key predicted) const
+  {
+    const auto difference = static_cast<std::uint32_t>(key - predicted) << this->Digits;
+    return static_cast<std::int32_t>(difference) >> this->Digits;
+  }
+
+  Key Add(Key predicted, std::int64_t residual) const
+  {
+    return static_cast<std::uint32_t>(predicted + static_cast<Key>(residual)) & this->Last;
+  }
+
+private:
+  /** All bits are set if it is. */
+  static std::uint32_t IsNegative(std::uint32_t plain)
+  {
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(~plain) >> 31);
+  }
+
+  unsigned Digits;
+  std::uint32_t Low;  // the digits that are left out
+  std::uint32_t Last; // key
+};
 }
 
 #endif

@@ -28,6 +28,9 @@ public:
   /** The length of a list. Centers deep in a mesh have full lists. */
   static constexpr std::size_t MaxNeighbors = 24;
 
+  /** As many of the nearest ones correct a prediction by their errors. */
+  static constexpr std::size_t MaxCorrecting = 16;
+
   /** The length of a list of cells, which are more than vertices. */
   static constexpr std::size_t MaxCells = 16;
 

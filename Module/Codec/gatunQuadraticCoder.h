@@ -4,12 +4,19 @@
 #ifndef gatunQuadraticCoder_h
 #define gatunQuadraticCoder_h
 
+#include "gatunComponentCoder.h"
 #include "gatunGuess.h"
+#include "gatunPlainQuadratic.h"
 #include "gatunPointContext.h"
 #include "gatunQuadraticPredictor.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
 
 namespace gatun
 {
@@ -86,22 +93,100 @@ void CodeByPredictor(
   }
 }
 
-/**
- * Codes one component by the mode Quadratic or PlainQuadratic. Changes are predicted as values are,
- * by the changes at neighbors. places: OwnPoints or AllPlaces. values: ExactValues or
- * BoundedValues.
- */
-template <typename Coder, typename PlacesOf, typename Values>
-void CodeQuadratic(Coder& coder, SpatialMode spatial, TemporalMode temporal, const PlacesOf& places,
-  Values&& values, ComponentKeys& keys)
+/** Finds the values of residuals of some components, or the residuals of their values. */
+template <typename PlacesOf>
+void CodePlainDifferences(const PlacesOf& places, TemporalMode temporal, bool isDecoding,
+  std::span<const std::size_t> chosen, std::span<const Domain> domains,
+  std::span<ComponentKeys> components, std::span<Residuals> residuals)
 {
-  if (spatial == SpatialMode::Quadratic)
+  const auto code = [&]<typename AnyDomain>(auto&& makeDomain, const AnyDomain*)
   {
-    CodeByPredictor<QuadraticPredictor>(coder, temporal, places, values, keys);
+    std::vector<PlainComponent<AnyDomain>> together;
+    for (const auto c : chosen)
+    {
+      together.push_back({ makeDomain(domains[c]), &components[c], &residuals[c] });
+    }
+    CodePlainDifferences<PlacesOf, AnyDomain>(places, temporal, together, isDecoding);
+  };
+  const auto all = [&](bool (*matches)(const Domain&))
+  {
+    return std::all_of(
+      chosen.begin(), chosen.end(), [&](std::size_t c) { return matches(domains[c]); });
+  };
+  if (all(Float32Domain::Matches))
+  {
+    code([](const Domain&) { return Float32Domain(); }, static_cast<Float32Domain*>(nullptr));
+  }
+  else if (all(ShiftedFloat32Domain::Matches))
+  {
+    code([](const Domain& domain) { return ShiftedFloat32Domain(domain); },
+      static_cast<ShiftedFloat32Domain*>(nullptr));
   }
   else
   {
-    CodeByPredictor<PlainQuadraticPredictor>(coder, temporal, places, values, keys);
+    code([](const Domain& domain) { return domain; }, static_cast<Domain*>(nullptr));
+  }
+}
+
+/** Codes components by the mode PlainQuadratic. */
+template <typename Coder, typename PlacesOf>
+void CodePlainQuadratic(Coder& coder, TemporalMode temporal, const PlacesOf& places,
+  std::span<const Domain> domains, std::span<ComponentKeys> components, bool onLattice)
+{
+  std::vector<Residuals> residuals(components.size());
+  std::vector<std::size_t> exact;
+  for (std::size_t c = 0; c < components.size(); ++c)
+  {
+    auto& keys = components[c];
+    if (!CodeIsExact(coder, domains[c], keys))
+    {
+      CodeByPredictor<PlainQuadraticPredictor>(
+        coder, temporal, places, MakeBoundedValues(domains[c], onLattice, keys), keys);
+      continue;
+    }
+    residuals[c].resize(places.GetNumber());
+    if (Coder::Encoding)
+    {
+      CodePlainDifferences(
+        places, temporal, false, std::array{ c }, domains, components, residuals);
+    }
+    CodeResiduals(coder, places.GetFit(), residuals[c]);
+    exact.push_back(c);
+  }
+  if (!Coder::Encoding && !exact.empty())
+  {
+    CodePlainDifferences(places, temporal, true, exact, domains, components, residuals);
+  }
+}
+
+/**
+ * Codes components by one of the quadratic modes. Changes are predicted as values are, by
+ * the changes at neighbors. places: OwnPoints or AllPlaces. onLattice: whether values with a bound
+ * of errors are on its lattice.
+ */
+template <typename Coder, typename PlacesOf>
+void CodeQuadratic(Coder& coder, SpatialMode spatial, TemporalMode temporal, const PlacesOf& places,
+  std::span<const Domain> domains, std::span<ComponentKeys> components, bool onLattice)
+{
+  if (spatial == SpatialMode::PlainQuadratic)
+  {
+    CodePlainQuadratic(coder, temporal, places, domains, components, onLattice);
+    return;
+  }
+  for (std::size_t c = 0; c < components.size(); ++c)
+  {
+    CodeComponent(coder, domains[c], onLattice, components[c],
+      [&](auto&& values)
+      {
+        if (spatial == SpatialMode::Corrected)
+        {
+          CodeByPredictor<CorrectedPredictor>(coder, temporal, places, values, components[c]);
+        }
+        else
+        {
+          CodeByPredictor<QuadraticPredictor>(coder, temporal, places, values, components[c]);
+        }
+      });
   }
 }
 }

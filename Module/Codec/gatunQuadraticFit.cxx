@@ -7,7 +7,9 @@
 #include "gatunTopology.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numeric>
 
@@ -18,8 +20,8 @@ namespace
 using Places = NeighborLists::Places;
 
 /** Sets a lane to the offsets of neighbors from the center, of which the mean square is 1. If that
- * cannot be, all are 0. */
-void SetLane(QuadraticLanes& lanes, std::size_t lane, const std::array<double, 3>& center,
+ * cannot be, all are 0. Returns what the offsets were multiplied by, or 0. */
+double SetLane(QuadraticLanes& lanes, std::size_t lane, const std::array<double, 3>& center,
   std::span<const Vertex> neighbors, std::span<const std::uint8_t> isShared, Places places)
 {
   double sum = 0;
@@ -50,11 +52,41 @@ void SetLane(QuadraticLanes& lanes, std::size_t lane, const std::array<double, 3
   lanes.PerNeighbor[lane] = 3 / count;
   lanes.Equal[lane] = 1 / count;
   lanes.Neighbors = std::max(lanes.Neighbors, neighbors.size());
+  return isUsable ? scale : 0;
+}
+
+/** Sets a lane to the moments of a vertex and of those of its neighbors that have some. offset: of
+ * a neighbor, as a squared distance in units of the vertex. */
+template <typename MomentsOf, typename DistanceTo>
+void SetLane(CorrectionLanes& lanes, std::size_t lane, const MomentsOf& own,
+  std::span<const MomentsOf> moments, std::span<const Vertex> neighbors, DistanceTo&& distanceTo)
+{
+  for (std::size_t k = 0; k < own.Values.size(); ++k)
+  {
+    lanes.Own[k][lane] = own.Values[k];
+  }
+  const auto count = std::min(neighbors.size(), NeighborLists::MaxCorrecting);
+  for (std::size_t i = 0; i < NeighborLists::MaxCorrecting; ++i)
+  {
+    float unit = 0; // of the neighbor's moments
+    if (i < count && own.Scale > 0 && moments[neighbors[i]].Scale > 0)
+    {
+      const auto ratio = static_cast<float>(own.Scale / moments[neighbors[i]].Scale);
+      unit = ratio * ratio * ratio;
+      unit = unit <= 1e6f ? unit : 0;
+    }
+    lanes.Nearness[i][lane] = unit > 0 ? 1 / (distanceTo(neighbors[i]) + 0.3f) : 0;
+    for (std::size_t k = 0; k < own.Values.size(); ++k)
+    {
+      lanes.Moment[i][k][lane] = unit > 0 ? moments[neighbors[i]].Values[k] * unit : 0;
+    }
+  }
+  lanes.Neighbors = std::max(lanes.Neighbors, count);
 }
 }
 
 //------------------------------------------------------------------------------
-QuadraticFit::QuadraticFit(const Topology& topology, Places places)
+QuadraticFit::QuadraticFit(const Topology& topology, Places places, bool withCorrections)
 {
   std::vector<Vertex> centers;
   std::vector<std::uint8_t> isShared(places.size());
@@ -67,65 +99,145 @@ QuadraticFit::QuadraticFit(const Topology& topology, Places places)
       centers.push_back(v);
     }
   }
-  this->FindWeights(NeighborLists::OfWalk(topology, places), places, centers, isShared);
+  this->FindWeights(
+    NeighborLists::OfWalk(topology, places), places, centers, isShared, withCorrections);
 }
 
-QuadraticFit::QuadraticFit(const NeighborLists& lists, Places places)
+QuadraticFit::QuadraticFit(const NeighborLists& lists, Places places, bool withCorrections)
 {
   std::vector<Vertex> centers(places.size());
   std::iota(centers.begin(), centers.end(), 0u);
-  this->FindWeights(lists, places, centers, std::vector<std::uint8_t>(places.size()));
+  this->FindWeights(
+    lists, places, centers, std::vector<std::uint8_t>(places.size()), withCorrections);
 }
 
-void QuadraticFit::FindWeights(const NeighborLists& lists, Places places,
-  std::span<const Vertex> centers, std::span<const std::uint8_t> isShared)
+void QuadraticFit::MakeLists(const NeighborLists& lists, bool withCorrections)
 {
-  const auto own = centers.size();
+  constexpr auto group = Neighbors::Group;
+  const auto own = lists.GetCenters();
   this->Start.reserve(own + 1);
   this->Start.push_back(0);
   for (std::size_t i = 0; i < own; ++i)
   {
-    const auto count = static_cast<std::uint32_t>(lists.Of(i).size());
-    this->Start.push_back(this->Start.back() + count);
+    const auto count = (lists.Of(i).size() + group - 1) / group * group;
+    this->Start.push_back(this->Start.back() + static_cast<std::uint32_t>(count));
   }
-  this->List.reserve(this->Start.back());
+  this->Ids.resize(this->Start.back());
+  this->Quadratic.resize(this->Start.back());
+  this->Linear.resize(this->Start.back());
+  this->Shares.resize(this->Start.back());
+  this->Corrections.resize(withCorrections ? this->Start.back() : 0);
+  for (std::size_t i = 0; i < own; ++i)
+  {
+    const auto list = lists.Of(i);
+    for (std::size_t k = this->Start[i]; k < this->Start[i + 1]; ++k)
+    {
+      this->Ids[k] = list[k - this->Start[i] < list.size() ? k - this->Start[i] : 0];
+    }
+  }
+}
 
-  const auto findWeights = GetBestQuadraticWeights();
+void QuadraticFit::FindWeights(const NeighborLists& lists, NeighborLists::Places places,
+  std::span<const Vertex> centers, std::span<const std::uint8_t> isShared, bool withCorrections)
+{
+  this->MakeLists(lists, withCorrections);
+  std::vector<Moments> moments(withCorrections ? places.size() : 0);
+  const auto own = centers.size();
+  const auto& kernels = GetBestQuadraticKernels();
   QuadraticLanes lanes;
-  std::array<Neighbor, NeighborLists::MaxNeighbors> neighbors;
+  for (std::size_t first = 0; first < own; first += QuadraticLanes::Count)
+  {
+    const auto end = std::min(own, first + QuadraticLanes::Count);
+    lanes.Neighbors = 0;
+    std::array<double, QuadraticLanes::Count> scales{};
+    for (std::size_t i = first; i < first + QuadraticLanes::Count; ++i)
+    {
+      scales[i - first] = i < end
+        ? SetLane(lanes, i - first, places[centers[i]], lists.Of(i), isShared, places)
+        : SetLane(lanes, i - first, {}, {}, isShared, places);
+    }
+    QuadraticLanes offsets;
+    if (withCorrections)
+    {
+      offsets = lanes;
+    }
+    kernels.FindWeights(lanes);
+    if (withCorrections)
+    {
+      std::memcpy(offsets.Quadratic, lanes.Quadratic, sizeof(offsets.Quadratic));
+      kernels.FindMoments(offsets);
+    }
+    for (std::size_t i = first; i < end; ++i)
+    {
+      const auto count = lists.Of(i).size();
+      const auto lane = i - first;
+      const auto start = this->Start[i];
+      for (std::size_t k = 0; k < count; ++k)
+      {
+        this->Quadratic[start + k] = lanes.Quadratic[k][lane];
+        this->Linear[start + k] = lanes.Linear[k][lane];
+        this->Shares[start + k] = lanes.Share[k][lane];
+      }
+      if (withCorrections && count > 0)
+      {
+        auto& found = moments[centers[i]];
+        found.Scale = scales[lane];
+        for (std::size_t k = 0; k < found.Values.size(); ++k)
+        {
+          found.Values[k] = offsets.Moment[k][lane];
+        }
+      }
+    }
+  }
+  if (withCorrections)
+  {
+    this->FindCorrections(lists, places, centers, moments);
+  }
+}
+
+void QuadraticFit::FindCorrections(const NeighborLists& lists, NeighborLists::Places places,
+  std::span<const Vertex> centers, std::span<const Moments> moments)
+{
+  const auto own = centers.size();
+  const auto& kernels = GetBestQuadraticKernels();
+  CorrectionLanes lanes;
   for (std::size_t first = 0; first < own; first += QuadraticLanes::Count)
   {
     const auto end = std::min(own, first + QuadraticLanes::Count);
     lanes.Neighbors = 0;
     for (std::size_t i = first; i < first + QuadraticLanes::Count; ++i)
     {
-      const auto lane = i - first;
-      if (i >= end)
-      {
-        SetLane(lanes, lane, {}, {}, isShared, places);
-        continue;
-      }
-      SetLane(lanes, lane, places[centers[i]], lists.Of(i), isShared, places);
+      const Vertex v = i < end ? centers[i] : 0;
+      const Moments of = i < end ? moments[v] : Moments{};
+      SetLane<Moments>(lanes, i - first, of, moments,
+        i < end ? lists.Of(i) : std::span<const Vertex>(),
+        [&](Vertex u)
+        {
+          double square = 0;
+          for (unsigned k = 0; k < 3; ++k)
+          {
+            const double d = (places[u][k] - places[v][k]) * of.Scale;
+            square += d * d;
+          }
+          return static_cast<float>(square);
+        });
     }
-    findWeights(lanes);
+    kernels.FindCorrections(lanes);
     for (std::size_t i = first; i < end; ++i)
     {
-      const auto list = lists.Of(i);
-      const auto lane = i - first;
-      for (std::size_t k = 0; k < list.size(); ++k)
+      const auto count = std::min(lists.Of(i).size(), NeighborLists::MaxCorrecting);
+      for (std::size_t k = 0; k < count; ++k)
       {
-        neighbors[k] = { list[k], lanes.Quadratic[k][lane], lanes.Linear[k][lane],
-          lanes.Share[k][lane] };
+        this->Corrections[this->Start[i] + k] = lanes.Weight[k][i - first];
       }
-      this->List.insert(this->List.end(), neighbors.begin(),
-        neighbors.begin() + static_cast<std::ptrdiff_t>(list.size()));
     }
   }
 }
 
 //------------------------------------------------------------------------------
 QuadraticFit FitCells(
-  std::span<const std::uint32_t> starts, std::span<const std::uint32_t> corners, Places points)
+  std::span<const std::uint32_t> starts, std::span<const std::uint32_t> corners, Places points,
+  bool withCorrections)
 {
   // Means of the corners, added up in the order of their numbers, whatever their order in the cell.
   std::vector<std::array<double, 3>> places(starts.size() - 1);
@@ -145,6 +257,6 @@ QuadraticFit FitCells(
     const auto count = static_cast<double>(own.size());
     places[cell] = { sum[0] / count, sum[1] / count, sum[2] / count };
   }
-  return { NeighborLists::OfCells(starts, corners, places), places };
+  return { NeighborLists::OfCells(starts, corners, places), places, withCorrections };
 }
 }

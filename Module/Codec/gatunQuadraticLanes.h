@@ -9,6 +9,7 @@
 #include "gatunNeighborLists.h"
 
 #include <cstddef>
+#include <optional>
 
 namespace gatun
 {
@@ -31,18 +32,43 @@ struct QuadraticLanes
 
   alignas(32) Lane Quadratic[NeighborLists::MaxNeighbors]; // results
   alignas(32) Lane Linear[NeighborLists::MaxNeighbors];
+
+  static constexpr std::size_t Moments = 10;
+  alignas(32) Lane Moment[Moments];
 };
 
-/** Computes the weights. The results do not depend on the version. */
-using FindQuadraticWeights = void (*)(QuadraticLanes& lanes);
+/** Neighbors whose errors correct the prediction of eight vertices. */
+struct CorrectionLanes
+{
+  using Lane = QuadraticLanes::Lane;
 
-FindQuadraticWeights GetPortableQuadraticWeights();
+  std::size_t Neighbors = 0; // the most of all lanes
 
-/** Null if the compiler does not know AVX2. */
-FindQuadraticWeights GetAVX2QuadraticWeights();
+  alignas(32) Lane Moment[NeighborLists::MaxCorrecting][QuadraticLanes::Moments];
+  alignas(32) Lane Nearness[NeighborLists::MaxCorrecting];
+  alignas(32) Lane Own[QuadraticLanes::Moments];
+  alignas(32) Lane Weight[NeighborLists::MaxCorrecting]; // result
+};
+
+/** The results do not depend on the version. */
+struct QuadraticKernels
+{
+  /** Computes the weights, and changes the offsets X, Y, Z. */
+  void (*FindWeights)(QuadraticLanes& lanes);
+
+  /** Computes the moments of weights with the offsets as they were at first. */
+  void (*FindMoments)(QuadraticLanes& lanes);
+
+  void (*FindCorrections)(CorrectionLanes& lanes);
+};
+
+QuadraticKernels GetPortableQuadraticKernels();
+
+/** None if the compiler does not know AVX2. */
+std::optional<QuadraticKernels> GetAVX2QuadraticKernels();
 
 /** The fastest version that this processor has. */
-FindQuadraticWeights GetBestQuadraticWeights();
+const QuadraticKernels& GetBestQuadraticKernels();
 }
 
 #endif

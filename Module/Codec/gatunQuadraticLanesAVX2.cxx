@@ -3,20 +3,32 @@
 
 #if defined(__AVX2__)
 #define GATUN_SIMD AVX2
+#include "gatunNeighborSumLoops.h"
 #include "gatunQuadraticLoops.h"
 #else
+#include "gatunNeighborSums.h"
 #include "gatunQuadraticLanes.h"
 #endif
 
 namespace gatun
 {
 //------------------------------------------------------------------------------
-FindQuadraticWeights GetAVX2QuadraticWeights()
+std::optional<QuadraticKernels> GetAVX2QuadraticKernels()
 {
 #if defined(__AVX2__)
-  return AVX2::FindWeights;
+  return AVX2::GetQuadraticKernels();
 #else
-  return nullptr;
+  return {};
+#endif
+}
+
+//------------------------------------------------------------------------------
+std::optional<NeighborSums> GetAVX2NeighborSums()
+{
+#if defined(__AVX2__)
+  return AVX2::GetNeighborSums();
+#else
+  return {};
 #endif
 }
 }

@@ -4,14 +4,15 @@
 #ifndef gatunQuadraticPredictor_h
 #define gatunQuadraticPredictor_h
 
+#include "gatunNeighborSums.h"
 #include "gatunQuadraticFit.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -54,12 +55,49 @@ protected:
     return std::isfinite(sum) ? sum : first;
   }
 
+  /** Mean of predictions with weights of 1 / error^4. */
+  template <std::size_t Count>
+  static double Blend(
+    const std::array<double, Count>& predictions, std::array<double, Count> errors)
+  {
+    // So that there is no division by zero. Errors in real data are either 0 or larger than this.
+    constexpr double least = 1e-300;
+    double best = std::numeric_limits<double>::infinity();
+    for (double& error : errors)
+    {
+      error += least;
+      best = std::min(best, error);
+    }
+    const auto weigh = [best](double error)
+    {
+      const double relative = best / error;
+      const double square = relative * relative;
+      return square * square;
+    };
+    double weights = weigh(errors[0]);
+    double sum = -0.0; // added to a number, it changes nothing
+    for (std::size_t k = 1; k < Count; ++k)
+    {
+      const double weight = weigh(errors[k]);
+      weights += weight;
+      sum += weight * (predictions[k] - predictions[0]);
+    }
+    return predictions[0] + sum / weights;
+  }
+
+  static constexpr double MaxError = 1e300;
+  static double LimitError(double error)
+  {
+    return std::abs(error) <= MaxError ? std::abs(error) : MaxError;
+  }
+
   void Set(Vertex v, double number)
   {
     this->Numbers[v] = number;
     this->Last = number;
   }
 
+  const NeighborSums& Sums = GetBestNeighborSums();
   const QuadraticFit& Fit;
   std::vector<double> Numbers;
   double Last = 0; // of own vertices
@@ -85,28 +123,11 @@ public:
   {
     QuadraticPrediction result;
     const auto neighbors = this->Fit.Of(own);
-    result.HasNeighbors = !neighbors.empty();
+    result.HasNeighbors = neighbors.Count > 0;
     result.Number = this->Last;
     if (result.HasNeighbors)
     {
-      const double first = this->Numbers[neighbors.front().Id];
-      const auto part = [&](const QuadraticFit::Neighbor& n)
-      { return static_cast<double>(n.Quadratic) * (this->Numbers[n.Id] - first); };
-      // Four sums, so that no addition has to wait for the one before.
-      std::array<double, 4> sums{};
-      std::size_t i = 0;
-      for (; i + 4 <= neighbors.size(); i += 4)
-      {
-        sums[0] += part(neighbors[i]);
-        sums[1] += part(neighbors[i + 1]);
-        sums[2] += part(neighbors[i + 2]);
-        sums[3] += part(neighbors[i + 3]);
-      }
-      for (; i < neighbors.size(); ++i)
-      {
-        sums[i % 4] += part(neighbors[i]);
-      }
-      result.Number = Add(first, (sums[0] + sums[1]) + (sums[2] + sums[3]));
+      result.Number = this->Sums.PredictOne(neighbors, this->Numbers.data());
     }
     this->Predicted = result.Number;
     return result;
@@ -132,7 +153,7 @@ class QuadraticPredictor : public QuadraticNumbers
 public:
   QuadraticPredictor(const QuadraticFit& fit, std::size_t count)
     : QuadraticNumbers(fit, count)
-    , Errors(count)
+    , Errors(4 * count)
   {
   }
 
@@ -143,24 +164,24 @@ public:
   {
     QuadraticPrediction result;
     const auto neighbors = this->Fit.Of(own);
-    if (neighbors.empty())
+    if (neighbors.Count == 0)
     {
       result.Number = this->Last;
       this->Predicted = { this->Last, this->Last, this->Last, this->Last };
       return result;
     }
-    const double first = this->Numbers[neighbors.front().Id];
-    const Sums sums = this->SumUp(neighbors, first);
-    const double a = Add(first, sums.Fits[0]);
-    const double b = Add(first, sums.Fits[1]);
+    const double first = this->Numbers[neighbors.Ids[0]];
+    const auto sums = this->Sums.SumErrors(neighbors, this->Numbers.data(), this->Errors.data());
+    const double a = Add(first, sums.Quadratic);
+    const double b = Add(first, sums.Linear);
     const std::optional<double> found = other(std::span<const double>(this->Numbers));
     const double c = found && std::isfinite(*found) ? *found : a;
     const double blend =
-      Blend(a, b, c, sums.ErrorsOfFits[0], sums.ErrorsOfFits[1], sums.ErrorsOfRest[0]);
+      Blend<3>({ a, b, c }, { sums.Errors[0], sums.Errors[1], sums.Errors[2] });
     result.Number = std::isfinite(blend) ? blend : first;
-    result.Error = sums.ErrorsOfRest[1];
+    result.Error = sums.Errors[3];
     result.HasNeighbors = true;
-    result.HasError = sums.Shares != 0; // no share is negative
+    result.HasError = sums.HasErrors;
     this->Predicted = { a, b, c, result.Number };
     return result;
   }
@@ -171,68 +192,78 @@ public:
     number = std::isfinite(number) ? number : this->Predicted[3];
     for (std::size_t k = 0; k < 4; ++k)
     {
-      const double error = std::abs(number - this->Predicted[k]);
-      this->Errors[v][k] = error <= MaxError ? error : MaxError;
+      this->Errors[4 * static_cast<std::size_t>(v) + k] = LimitError(number - this->Predicted[k]);
     }
     this->Set(v, number);
   }
 
 private:
-  // Vectors are as large as registers of every processor, and the loop is a function of its own:
-  // else sums go through memory, which takes twice as long.
-  using Double2 = double __attribute__((vector_size(16)));
-
-  struct Sums
-  {
-    Double2 Fits{}; // quadratic and linear
-    Double2 ErrorsOfFits{};
-    Double2 ErrorsOfRest{};
-    std::uint32_t Shares = 0; // the bits of any
-  };
-
-  [[gnu::noinline]] Sums SumUp(
-    std::span<const QuadraticFit::Neighbor> neighbors, double first) const
-  {
-    Double2 fits{}, errorsOfFits{}, errorsOfRest{};
-    std::uint32_t shares = 0;
-    for (const auto& n : neighbors)
-    {
-      const double difference = this->Numbers[n.Id] - first;
-      const double share = n.Share;
-      const double* known = this->Errors[n.Id].data();
-      fits += Double2{ n.Quadratic, n.Linear } * Double2{ difference, difference };
-      errorsOfFits += Double2{ share, share } * Double2{ known[0], known[1] };
-      errorsOfRest += Double2{ share, share } * Double2{ known[2], known[3] };
-      shares |= std::bit_cast<std::uint32_t>(n.Share);
-    }
-    return { fits, errorsOfFits, errorsOfRest, shares };
-  }
-
-  static constexpr double MaxError = 1e300;
-
-  /** Mean of predictions with weights of 1 / error^4. */
-  static double Blend(double a, double b, double c, double errorA, double errorB, double errorC)
-  {
-    // So that there is no division by zero. Errors in real data are either 0 or larger than this.
-    constexpr double least = 1e-300;
-    errorA += least;
-    errorB += least;
-    errorC += least;
-    const double best = std::min(std::min(errorA, errorB), errorC);
-    const auto weigh = [best](double error)
-    {
-      const double relative = best / error;
-      const double square = relative * relative;
-      return square * square;
-    };
-    const double weightA = weigh(errorA);
-    const double weightB = weigh(errorB);
-    const double weightC = weigh(errorC);
-    return a + (weightB * (b - a) + weightC * (c - a)) / (weightA + weightB + weightC);
-  }
-
-  std::vector<std::array<double, 4>> Errors; // of the three predictions and of the blend
+  std::vector<double> Errors; // four for each vertex: of the three predictions and of the blend
   std::array<double, 4> Predicted{};
+};
+
+/**
+ * Predicts as QuadraticPredictor does, and blends the quadratic function corrected by its errors at
+ * the neighbors, too. See Documentation/format.md, 10.12. The fit must have corrections.
+ */
+class CorrectedPredictor : public QuadraticNumbers
+{
+public:
+  CorrectedPredictor(const QuadraticFit& fit, std::size_t count)
+    : QuadraticNumbers(fit, count)
+    , Errors(Stride * count)
+  {
+  }
+
+  /** As that of QuadraticPredictor. */
+  template <typename Other>
+  QuadraticPrediction Predict(std::size_t own, const Other& other)
+  {
+    QuadraticPrediction result;
+    const auto neighbors = this->Fit.Of(own);
+    if (neighbors.Count == 0)
+    {
+      result.Number = this->Last;
+      this->Predicted.fill(this->Last);
+      return result;
+    }
+    const double first = this->Numbers[neighbors.Ids[0]];
+    const auto sums =
+      this->Sums.SumCorrected(neighbors, this->Numbers.data(), this->Errors.data());
+    const double a = Add(first, sums.Quadratic);
+    const double b = Add(first, sums.Linear);
+    const std::optional<double> found = other(std::span<const double>(this->Numbers));
+    const double c = found && std::isfinite(*found) ? *found : a;
+    const double d = Add(a, sums.Correction);
+    const double blend = Blend<4>({ a, b, c, d },
+      { sums.Errors[0], sums.Errors[1], sums.Errors[2], sums.Corrected });
+    result.Number = std::isfinite(blend) ? blend : first;
+    result.Error = sums.Errors[3];
+    result.HasNeighbors = true;
+    result.HasError = sums.HasErrors;
+    this->Predicted = { a, b, c, result.Number, d };
+    return result;
+  }
+
+  /** Sets the number at the vertex that was predicted last. */
+  void Learn(Vertex v, double number)
+  {
+    number = std::isfinite(number) ? number : this->Predicted[3];
+    double* errors = this->Errors.data() + Stride * static_cast<std::size_t>(v);
+    for (std::size_t k = 0; k < this->Predicted.size(); ++k)
+    {
+      errors[k] = LimitError(number - this->Predicted[k]);
+    }
+    errors[5] = std::copysign(errors[0], number - this->Predicted[0]);
+    this->Set(v, number);
+  }
+
+private:
+  static constexpr std::size_t Stride = 8;
+
+  // Of the predictions a, b, c, of the blend, and of d; and the signed one of a.
+  std::vector<double> Errors;
+  std::array<double, 5> Predicted{};
 };
 }
 

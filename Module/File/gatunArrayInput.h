@@ -30,9 +30,11 @@ struct ArrayInput
     false; // whether another array, the mesh or the step before has the values: no streams
   bool IsPoints = false; // coordinates of points that move
 
-  /** The part of their size that streams must save to be decoded more slowly. What changes with
-   * time is decoded for every picture. */
-  std::size_t GetMargin() const { return this->IsPoints || this->Before ? 6 : QuadraticMargin; }
+  /** What slower modes must save. What changes with time is decoded for every picture. */
+  ModeMargins GetMargins() const
+  {
+    return this->IsPoints || this->Before ? ModeMargins{ 6, 1 } : ModeMargins{};
+  }
 
   const std::uint8_t* At(const std::uint8_t* values, std::size_t tuple, std::size_t component) const
   {

@@ -225,20 +225,33 @@ std::shared_ptr<const ChunkMesh> PartDecoder::DecodeMesh(
   return KeepIn<ChunkMesh>(this->Kept(), { PartKind::ChunkMesh, chunk }, std::move(mesh));
 }
 
-template <typename AnyFit, typename Make>
-void PartDecoder::FindFit(
-  std::shared_ptr<const AnyFit>& fit, PartKind kind, std::uint32_t number, Make&& make) const
+namespace
 {
-  if (fit)
+bool IsEnough(const NeighborFit& /*fit*/, SpatialMode /*mode*/)
+{
+  return true;
+}
+
+bool IsEnough(const QuadraticFit& fit, SpatialMode mode)
+{
+  return mode != SpatialMode::Corrected || fit.HasCorrections();
+}
+}
+
+template <typename AnyFit, typename Make>
+void PartDecoder::FindFit(std::shared_ptr<const AnyFit>& fit, PartKind kind, std::uint32_t number,
+  SpatialMode mode, Make&& make) const
+{
+  if (fit && IsEnough(*fit, mode))
   {
     return;
   }
   // Separate from the mesh, which other threads may use, because not every chunk needs it.
   const PartKey key{ kind, number };
   fit = this->Kept().Find<AnyFit>(key);
-  if (!fit)
+  if (!fit || !IsEnough(*fit, mode))
   {
-    fit = std::make_shared<const AnyFit>(make());
+    fit = std::make_shared<const AnyFit>(make(mode == SpatialMode::Corrected));
     this->Kept().Keep(key, fit, sizeof(*fit) + fit->GetBytes());
   }
 }
@@ -251,14 +264,15 @@ void PartDecoder::DecodePoints(std::uint32_t chunk, const ChunkMesh& mesh,
   auto context = mesh.Context;
   if (mode == SpatialMode::Fit)
   {
-    this->FindFit(fits.Linear, PartKind::ChunkFit, chunk,
-      [&] { return NeighborFit(mesh.Walk, mesh.GetPlaces()); });
+    this->FindFit(fits.Linear, PartKind::ChunkFit, chunk, mode,
+      [&](bool) { return NeighborFit(mesh.Walk, mesh.GetPlaces()); });
     context.Fit = fits.Linear.get();
   }
   else if (IsQuadratic(mode))
   {
-    this->FindFit(fits.Points, PartKind::ChunkQuadratic, chunk,
-      [&] { return QuadraticFit(mesh.Walk, mesh.GetPlaces()); });
+    this->FindFit(fits.Points, PartKind::ChunkQuadratic, chunk, mode,
+      [&](bool withCorrections)
+      { return QuadraticFit(mesh.Walk, mesh.GetPlaces(), withCorrections); });
     context.Quadratic = fits.Points.get();
   }
   DecodePointValues(stream, context, domains, keys);
@@ -494,11 +508,6 @@ std::vector<ComponentKeys> PartDecoder::MakePointKeys(std::size_t step, std::siz
 
 namespace
 {
-bool NeedsQuadraticFit(std::span<const std::uint8_t> stream)
-{
-  return IsQuadratic(ArrayModes::Read(stream).Spatial);
-}
-
 std::shared_ptr<const ArrayPart> TakeValues(std::vector<ComponentKeys>& keys)
 {
   auto values = std::make_shared<ArrayPart>();
@@ -541,10 +550,14 @@ std::shared_ptr<const ArrayPart> PartDecoder::DecodeBlockArray(std::uint32_t blo
               return (*points)[i];
             })
         : this->MakeKeys(array, step, count, before.get());
-      if (NeedsQuadraticFit(stream))
+      if (const auto mode = ArrayModes::Read(stream).Spatial; IsQuadratic(mode))
       {
-        this->FindFit(fits.Points, PartKind::BlockQuadratic, block,
-          [&] { return QuadraticFit(GetPlaces(*this->GetBlockPoints(block), content.Domains)); });
+        this->FindFit(fits.Points, PartKind::BlockQuadratic, block, mode,
+          [&](bool withCorrections)
+          {
+            return QuadraticFit(
+              GetPlaces(*this->GetBlockPoints(block), content.Domains), withCorrections);
+          });
       }
       DecodeCellValues(stream, { {}, fits.Points.get() }, domains, keys);
     });
@@ -580,10 +593,10 @@ std::shared_ptr<const ArrayPart> PartDecoder::DecodeChunkArray(std::uint32_t chu
                                           : this->MakeKeys(array, step, count, before.get());
       if (!ofPoints)
       {
-        if (NeedsQuadraticFit(stream))
+        if (const auto mode = ArrayModes::Read(stream).Spatial; IsQuadratic(mode))
         {
-          this->FindFit(
-            fits.Cells, PartKind::ChunkCellQuadratic, chunk, [&] { return mesh.FitCells(); });
+          this->FindFit(fits.Cells, PartKind::ChunkCellQuadratic, chunk, mode,
+            [&](bool withCorrections) { return mesh.FitCells(withCorrections); });
         }
         DecodeCellValues(stream, { mesh.Walk.Parents, fits.Cells.get() }, domains, keys);
         return;

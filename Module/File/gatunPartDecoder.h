@@ -118,10 +118,11 @@ private:
 
   void CheckPolyhedra(std::uint32_t chunk, const ChunkMesh& mesh) const;
 
-  /** Sets the weights of a chunk or block to those that are kept, or that make() makes. */
+  /** Sets the weights of a chunk or block to those that are kept, or that make(withCorrections)
+   * makes. mode: what needs them. */
   template <typename AnyFit, typename Make>
-  void FindFit(
-    std::shared_ptr<const AnyFit>& fit, PartKind kind, std::uint32_t number, Make&& make) const;
+  void FindFit(std::shared_ptr<const AnyFit>& fit, PartKind kind, std::uint32_t number,
+    SpatialMode mode, Make&& make) const;
   std::vector<Key> DecodeCellIntegers(const StreamRef& where, const std::string& what,
     const ChunkMesh& mesh, ScalarType type, Key end) const;
   void DecodePoints(std::uint32_t chunk, const ChunkMesh& mesh,

@@ -445,10 +445,10 @@ std::vector<Bytes> StepSection::EncodeBlock(const WriterPart& part, std::size_t 
     {
       if (!fit)
       {
-        fit.emplace(GetPlaces(part.Mesh.GetMesh(), points));
+        fit.emplace(GetPlaces(part.Mesh.GetMesh(), points), true);
       }
       auto keys = inputs[a].GetKeys(points);
-      streams[a] = EncodeCellValues({ {}, &*fit }, inputs[a].Domains, keys, inputs[a].GetMargin());
+      streams[a] = EncodeCellValues({ {}, &*fit }, inputs[a].Domains, keys, inputs[a].GetMargins());
     }
   }
   return streams;
@@ -517,7 +517,7 @@ std::vector<Bytes> StepSection::EncodeChunk(WriterPart& part, std::size_t chunk)
   std::optional<QuadraticFit> cellFit;
   if (step.HasValues(Association::Cell))
   {
-    cellFit.emplace(state.Mesh.FitCells());
+    cellFit.emplace(state.Mesh.FitCells(true));
   }
   const CellContext cells{ state.Mesh.Walk.Parents, cellFit ? &*cellFit : nullptr };
   std::vector<Bytes> streams;
@@ -531,8 +531,8 @@ std::vector<Bytes> StepSection::EncodeChunk(WriterPart& part, std::size_t chunk)
     {
       auto keys = input.GetKeys(tuples);
       stream = ofPoints
-        ? EncodePointValues(state.Mesh.Context, input.Domains, keys, input.GetMargin())
-        : EncodeCellValues(cells, input.Domains, keys, input.GetMargin());
+        ? EncodePointValues(state.Mesh.Context, input.Domains, keys, input.GetMargins())
+        : EncodeCellValues(cells, input.Domains, keys, input.GetMargins());
       const auto own = ofPoints ? state.Mesh.Context.OwnIds.size() : tuples.size();
       for (std::size_t i = 0; input.Rounded && i < own; ++i)
       {

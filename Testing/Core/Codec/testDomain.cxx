@@ -149,4 +149,39 @@ TEST(Domain, OfFloat32IsTheSameWithoutDispatch)
     before = key;
   }
 }
+
+TEST(Domain, OfFloat32WithAShiftIsTheSameWithoutDispatch)
+{
+  EXPECT_FALSE(ShiftedFloat32Domain::Matches(
+    Domain(ScalarType::Float32, Scale{ ScaleKind::Decimal, 5, -3 })));
+  EXPECT_FALSE(
+    ShiftedFloat32Domain::Matches(Domain(ScalarType::Float64, Scale{ ScaleKind::Shift, 5 })));
+  std::mt19937_64 random(6);
+  for (const unsigned digits : { 0, 1, 2, 7, 13, 23, 30, 31 })
+  {
+    const Domain domain = digits == 0
+      ? Domain(ScalarType::Float32)
+      : Domain(ScalarType::Float32, Scale{ ScaleKind::Shift, static_cast<std::uint8_t>(digits) });
+    ASSERT_TRUE(ShiftedFloat32Domain::Matches(domain));
+    const ShiftedFloat32Domain same(domain);
+    const Key last = 0xffffffffu >> digits;
+    Key before = last;
+    for (int i = 0; i < 20000; ++i)
+    {
+      const Key key = (i < 1000 ? static_cast<Key>(i) << 22 : random()) & last;
+      const double number = domain.ToNumber(key);
+      ASSERT_EQ(std::bit_cast<std::uint64_t>(same.ToNumber(key)),
+        std::bit_cast<std::uint64_t>(number));
+      ASSERT_EQ(same.Subtract(key, before), domain.Subtract(key, before));
+      const auto residual = static_cast<std::int64_t>(random());
+      ASSERT_EQ(same.Add(before, residual), domain.Add(before, residual));
+      const double wide = std::bit_cast<double>(random());
+      for (const double predicted : { number, number * 1.00001, number * 1.3, wide, 0.0, -0.0 })
+      {
+        ASSERT_EQ(same.FromNumber(predicted), domain.FromNumber(predicted)) << predicted;
+      }
+      before = key;
+    }
+  }
+}
 }

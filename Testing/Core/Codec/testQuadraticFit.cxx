@@ -3,7 +3,6 @@
 
 #include "gatunChunkCodec.h"
 #include "gatunError.h"
-#include "gatunExactValues.h"
 #include "gatunFloatEnvironment.h"
 #include "gatunNeighborLists.h"
 #include "gatunQuadraticCoder.h"
@@ -13,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -21,7 +21,9 @@
 #include <memory>
 #include <random>
 #include <set>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -177,8 +179,8 @@ QuadraticLanes MakeLanes(unsigned seed)
 
 TEST(QuadraticFit, AllVersionsGiveTheSameBits)
 {
-  const auto best = GetBestQuadraticWeights();
-  if (best == GetPortableQuadraticWeights())
+  const auto& best = GetBestQuadraticKernels();
+  if (best.FindWeights == GetPortableQuadraticKernels().FindWeights)
   {
     GTEST_SKIP() << "this processor has only the portable version";
   }
@@ -186,8 +188,8 @@ TEST(QuadraticFit, AllVersionsGiveTheSameBits)
   {
     auto one = MakeLanes(seed);
     auto other = one;
-    best(one);
-    GetPortableQuadraticWeights()(other);
+    best.FindWeights(one);
+    GetPortableQuadraticKernels().FindWeights(other);
     for (std::size_t i = 0; i < one.Neighbors; ++i)
     {
       for (std::size_t lane = 0; lane < QuadraticLanes::Count; ++lane)
@@ -215,14 +217,79 @@ TEST(QuadraticFit, OtherLanesAndTheirPaddingChangeNothing)
       auto alone = MakeLanes(seed);
       const auto count = (seed + 5 * lane) % (NeighborLists::MaxNeighbors + 1);
       alone.Neighbors = count;
-      GetBestQuadraticWeights()(alone);
+      GetBestQuadraticKernels().FindWeights(alone);
       auto all = together;
-      GetBestQuadraticWeights()(all);
+      GetBestQuadraticKernels().FindWeights(all);
       for (std::size_t i = 0; i < count; ++i)
       {
         EXPECT_EQ(alone.Quadratic[i][lane], all.Quadratic[i][lane]);
         EXPECT_EQ(alone.Linear[i][lane], all.Linear[i][lane]);
         EXPECT_EQ(alone.Share[i][lane], all.Share[i][lane]);
+      }
+    }
+  }
+}
+
+/** Sums over neighbors as the specification tells. */
+void ExpectSums(const QuadraticFit::Neighbors& neighbors, const std::vector<double>& numbers,
+  const NeighborSums& found)
+{
+  const auto expectSame = [](double a, double b)
+  { EXPECT_TRUE(a == b || (std::isnan(a) && std::isnan(b))) << a << " " << b; };
+  std::array<double, 4> predicted{};
+  found.PredictFour(neighbors, numbers.data(), predicted.data());
+  for (unsigned c = 0; c < 4; ++c)
+  {
+    std::vector<double> alone;
+    for (std::size_t v = 0; v < numbers.size() / 4; ++v)
+    {
+      alone.push_back(numbers[4 * v + c]);
+    }
+    const double first = alone[neighbors.Ids[0]];
+    std::array<double, 4> parts{};
+    double quadratic = 0, linear = 0, error = 0;
+    bool hasErrors = false;
+    for (std::size_t i = 0; i < neighbors.Count; ++i)
+    {
+      const auto u = neighbors.Ids[i];
+      parts[i % 4] += static_cast<double>(neighbors.Quadratic[i]) * (alone[u] - first);
+      quadratic += static_cast<double>(neighbors.Quadratic[i]) * (alone[u] - first);
+      linear += static_cast<double>(neighbors.Linear[i]) * (alone[u] - first);
+      error += static_cast<double>(neighbors.Shares[i]) * numbers[4 * u + c];
+      hasErrors = hasErrors || neighbors.Shares[i] > 0;
+    }
+    const double sum = first + ((parts[0] + parts[1]) + (parts[2] + parts[3]));
+    const double expected = std::isfinite(sum) ? sum : first;
+    expectSame(predicted[c], expected);
+    expectSame(found.PredictOne(neighbors, alone.data()), expected);
+    const auto errors = found.SumErrors(neighbors, alone.data(), numbers.data());
+    expectSame(errors.Quadratic, quadratic);
+    expectSame(errors.Linear, linear);
+    expectSame(errors.Errors[c], error);
+    EXPECT_EQ(errors.HasErrors, hasErrors);
+  }
+}
+
+TEST(QuadraticFit, AllVersionsOfSumsAreThoseOfTheSpecification)
+{
+  const auto meshHeld = MakeMesh(5);
+  const auto& mesh = *meshHeld;
+  std::mt19937 random(4);
+  std::normal_distribution<double> number(0, 3);
+  std::vector<double> numbers(4 * mesh.Keys.size());
+  for (const double most : { 1.0, 1e300, 1.7e308 })
+  {
+    for (auto& n : numbers)
+    {
+      n = number(random);
+      n = random() % 16 == 0 ? std::copysign(most, n) : n;
+    }
+    for (std::size_t own = 0; own < mesh.Context.OwnIds.size(); ++own)
+    {
+      if (mesh.Quadratic->HasNeighbors(own))
+      {
+        ExpectSums(mesh.Quadratic->Of(own), numbers, GetPortableNeighborSums());
+        ExpectSums(mesh.Quadratic->Of(own), numbers, GetBestNeighborSums());
       }
     }
   }
@@ -241,16 +308,17 @@ TEST(QuadraticFit, PredictsQuadraticFunctions)
   for (std::size_t own = 0; own < mesh.Context.OwnIds.size(); ++own)
   {
     const auto neighbors = mesh.Quadratic->Of(own);
-    if (neighbors.size() < NeighborLists::MaxNeighbors)
+    if (neighbors.Count < NeighborLists::MaxNeighbors)
     {
       continue;
     }
     const double truth = value(places[mesh.Context.OwnIds[own]]);
     double a = 0, b = 0;
-    for (const auto& n : neighbors)
+    for (std::size_t i = 0; i < neighbors.Count; ++i)
     {
-      a += n.Quadratic * (value(places[n.Id]) - truth);
-      b += n.Linear * (value(places[n.Id]) - truth);
+      const double difference = value(places[neighbors.Ids[i]]) - truth;
+      a += neighbors.Quadratic[i] * difference;
+      b += neighbors.Linear[i] * difference;
     }
     quadratic += std::abs(a);
     linear += std::abs(b);
@@ -291,12 +359,12 @@ TEST(QuadraticFit, WeightsOfSingularNeighborhoodsAreFiniteAndSmall)
   {
     const auto neighbors = mesh.Quadratic->Of(own);
     double quadratic = 0, linear = 0, share = 0;
-    for (const auto& n : neighbors)
+    for (std::size_t i = 0; i < neighbors.Count; ++i)
     {
-      quadratic += std::abs(n.Quadratic);
-      linear += std::abs(n.Linear);
-      share += n.Share;
-      equal += n.Quadratic == 1 / static_cast<float>(neighbors.size());
+      quadratic += std::abs(neighbors.Quadratic[i]);
+      linear += std::abs(neighbors.Linear[i]);
+      share += neighbors.Shares[i];
+      equal += neighbors.Quadratic[i] == 1 / static_cast<float>(NeighborLists::MaxNeighbors);
     }
     EXPECT_LE(quadratic, 1.001e4);
     EXPECT_LE(linear, 1.001e4);
@@ -354,33 +422,46 @@ TEST(QuadraticFit, SmoothValuesOfAllTypesRoundTrip)
   }
 }
 
-/** The same by both quadratic modes, whatever others would need. */
-void ExpectQuadraticRoundTrip(
-  const ChunkMesh& mesh, const Domain& domain, const ComponentKeys& truth)
+/** The same by both quadratic modes, whatever others would need. Components are coded together. */
+void ExpectQuadraticRoundTrip(const ChunkMesh& mesh, std::span<const Domain> domains,
+  const std::vector<ComponentKeys>& truth)
 {
   const FloatEnvironment guard;
-  for (const auto spatial : { SpatialMode::Quadratic, SpatialMode::PlainQuadratic })
+  for (const auto spatial :
+    { SpatialMode::Quadratic, SpatialMode::PlainQuadratic, SpatialMode::Corrected })
   {
     for (const auto temporal : { TemporalMode::None, TemporalMode::Change })
     {
-      if (temporal != TemporalMode::None && truth.Before.empty())
+      if (temporal != TemporalMode::None && truth.front().Before.empty())
       {
         continue;
       }
       auto keys = truth;
       EntropyEncoder encoder;
       const OwnPoints places{ mesh.Context };
-      CodeQuadratic(encoder, spatial, temporal, places, ExactValues(domain), keys);
+      CodeQuadratic(encoder, spatial, temporal, places, domains, keys, false);
       const auto stream = encoder.Finish();
       EntropyDecoder decoder(stream);
       for (const auto v : mesh.Context.OwnIds)
       {
-        keys.Now[v] = 0;
+        for (auto& component : keys)
+        {
+          component.Now[v] = 0;
+        }
       }
-      CodeQuadratic(decoder, spatial, temporal, places, ExactValues(domain), keys);
-      EXPECT_EQ(keys.Now, truth.Now);
+      CodeQuadratic(decoder, spatial, temporal, places, domains, keys, false);
+      for (std::size_t c = 0; c < keys.size(); ++c)
+      {
+        EXPECT_EQ(keys[c].Now, truth[c].Now);
+      }
     }
   }
+}
+
+void ExpectQuadraticRoundTrip(
+  const ChunkMesh& mesh, const Domain& domain, const ComponentKeys& truth)
+{
+  ExpectQuadraticRoundTrip(mesh, { &domain, 1 }, { truth });
 }
 
 TEST(QuadraticFit, ValuesThatAreNotFiniteRoundTrip)
@@ -422,6 +503,37 @@ TEST(QuadraticFit, ChunksOfOnePointRoundTrip)
   const auto mesh = MakeMesh(1, [](double* p) { p[0] = p[1] = p[2] = 2; });
   const Domain domain(ScalarType::Float32);
   ExpectQuadraticRoundTrip(*mesh, domain, MakeKeys(*mesh, domain, 1));
+}
+
+TEST(QuadraticFit, ComponentsOfDifferentDomainsRoundTrip)
+{
+  const auto meshHeld = MakeMesh(8);
+  const auto& mesh = *meshHeld;
+  const auto palette = std::make_shared<const Palette>(Palette{ 1, 2, 3, 5, 8, 13, 21 });
+  const Domain plain(ScalarType::Float32);
+  const Domain shifted(ScalarType::Float32, Scale{ ScaleKind::Shift, 11 });
+  const Domain decimal(ScalarType::Float32, Scale{ ScaleKind::Decimal, 4, -3 });
+  const Domain ranks(ScalarType::Float32, palette);
+  const Domain wide(ScalarType::Float64);
+  for (const auto& domains : { std::vector<Domain>{ plain, plain, plain },
+         std::vector<Domain>{ plain, plain }, std::vector<Domain>(9, plain),
+         std::vector<Domain>{ plain, shifted, shifted },
+         std::vector<Domain>{ decimal, ranks, plain, shifted, shifted },
+         std::vector<Domain>(6, wide) })
+  {
+    std::vector<ComponentKeys> truth;
+    for (const auto& domain : domains)
+    {
+      const auto size = static_cast<double>(truth.size());
+      truth.push_back(MakeKeys(mesh, domain, 1 + size));
+      truth.back().Before = MakeKeys(mesh, domain, 0.9 + size).Now;
+      for (std::size_t v = truth.size(); v < mesh.Keys.size(); v += 37)
+      {
+        std::swap(truth.back().Now[v], truth.back().Before[v - 1]);
+      }
+    }
+    ExpectQuadraticRoundTrip(mesh, domains, truth);
+  }
 }
 
 TEST(QuadraticFit, NoiseKeepsTheFasterModes)

@@ -195,9 +195,11 @@ TEST(QuadraticPlaces, BlocksOfOddPlacesHaveLists)
     EXPECT_EQ(lists.Of(4999).size(), NeighborLists::MaxNeighbors);
     const FloatEnvironment guard;
     const QuadraticFit fit(places);
-    for (const auto& n : fit.Of(4999))
+    const auto neighbors = fit.Of(4999);
+    EXPECT_EQ(neighbors.Count, NeighborLists::MaxNeighbors);
+    for (std::size_t i = 0; i < neighbors.Count; ++i)
     {
-      EXPECT_TRUE(std::isfinite(n.Quadratic) && std::isfinite(n.Linear));
+      EXPECT_TRUE(std::isfinite(neighbors.Quadratic[i]) && std::isfinite(neighbors.Linear[i]));
     }
   }
 }
