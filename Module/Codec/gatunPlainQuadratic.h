@@ -5,8 +5,8 @@
 #define gatunPlainQuadratic_h
 
 // The mode PlainQuadratic of exact values. See Documentation/format.md, 10.11. Residuals do not
-// depend on predictions there, so that those of all components are decoded first, and then the
-// components side by side: predictions wait for the values just before.
+// depend on predictions there, so that those of all components but the last one are decoded first,
+// and then all components side by side: each prediction waits for the values just before.
 
 #include "gatunDomain.h"
 #include "gatunEntropy.h"
@@ -26,27 +26,38 @@ namespace gatun
 {
 using Residuals = std::vector<std::int64_t>; // of the places of a component, in their order
 
-/** Codes the residuals of a component. */
+/** Codes the residuals of a component one by one. */
+class ResidualSequence
+{
+public:
+  template <typename Coder>
+  std::int64_t Code(Coder& coder, bool hasNeighbors, std::int64_t residual)
+  {
+    residual = this->Models[hasNeighbors ? 1 : 0].Code(coder, this->Spread.Get(), residual);
+    this->Spread.Add(residual);
+    return residual;
+  }
+
+private:
+  std::array<ResidualModel, 2> Models;
+  RunningSpread Spread;
+};
+
 template <typename Coder>
 void CodeResiduals(Coder& coder, const QuadraticFit& fit, Residuals& residuals)
 {
-  std::array<ResidualModel, 2> models;
-  RunningSpread spread;
+  ResidualSequence sequence;
   for (std::size_t own = 0; own < residuals.size(); ++own)
   {
-    auto& residual = residuals[own];
-    residual = models[fit.HasNeighbors(own) ? 1 : 0].Code(coder, spread.Get(), residual);
-    spread.Add(residual);
+    residuals[own] = sequence.Code(coder, fit.HasNeighbors(own), residuals[own]);
   }
 }
 
-/** A component of which the residuals are the differences to predictions. */
 template <typename AnyDomain>
 struct PlainComponent
 {
   AnyDomain Values; // a copy: small, and so the compiler knows that it does not change
   ComponentKeys* Keys;
-  Residuals* Differences;
 };
 
 /** Up to four components that are predicted side by side. */
@@ -81,36 +92,8 @@ public:
     }
   }
 
-  /** Finds the residuals of values. */
-  void Subtract()
-  {
-    this->EachPlace(
-      [](const AnyDomain& domain, Key predicted, Key& key, std::int64_t& difference)
-      { difference = domain.Subtract(key, predicted); });
-  }
-
-  /** Finds the values of residuals. */
-  void Add()
-  {
-    this->EachPlace(
-      [](const AnyDomain& domain, Key predicted, Key& key, std::int64_t& difference)
-      {
-        key = domain.Add(predicted, difference);
-        if (!domain.IsValid(key))
-        {
-          ThrowCorrupt("a value is not in the palette");
-        }
-      });
-  }
-
-private:
-  double GetBase(std::size_t component, Vertex v) const
-  {
-    const auto& c = this->Components[component];
-    return this->IsChange ? c.Values.ToNumber(c.Keys->Before[v]) : 0.0;
-  }
-
-  /** Calls use for each component of each place. */
+  /** Calls use(component, place, domain, predicted key, key) for each component of each place. use
+   * may set the key. */
   template <typename Use>
   void EachPlace(Use&& use)
   {
@@ -141,7 +124,7 @@ private:
         const double base = this->GetBase(c, v);
         const Key guess = std::isfinite(base) ? domain.FromNumber(base + predicted[c])
                                               : component.Keys->Before[v];
-        use(domain, guess, key, (*component.Differences)[own]);
+        use(c, own, domain, guess, key);
         const double number = domain.ToNumber(key) - base;
         this->Last[c] = std::isfinite(number) ? number : predicted[c];
         this->Numbers[v * this->Stride + c] = this->Last[c];
@@ -149,33 +132,34 @@ private:
     }
   }
 
+private:
+  double GetBase(std::size_t component, Vertex v) const
+  {
+    const auto& c = this->Components[component];
+    return this->IsChange ? c.Values.ToNumber(c.Keys->Before[v]) : 0.0;
+  }
+
   const PlacesOf& Places;
   const bool IsChange;
   const std::span<const PlainComponent<AnyDomain>> Components;
   const std::size_t Stride;
-  std::vector<double> Numbers;       // those of a vertex one after the other
-  std::array<double, Most> Last{};   // numbers of own vertices
+  std::vector<double> Numbers;     // those of a vertex one after the other
+  std::array<double, Most> Last{}; // numbers of own vertices
 };
 
-/** Finds values of residuals (isDecoding), or residuals of values, of components that have as many
- * values. */
-template <typename PlacesOf, typename AnyDomain>
-void CodePlainDifferences(const PlacesOf& places, TemporalMode temporal,
-  std::span<const PlainComponent<AnyDomain>> components, bool isDecoding)
+/** Calls use as EachPlace does, for any number of components. */
+template <typename PlacesOf, typename AnyDomain, typename Use>
+void EachPlainValue(const PlacesOf& places, TemporalMode temporal,
+  std::span<const PlainComponent<AnyDomain>> components, Use&& use)
 {
   using Group = PlainQuadraticComponents<PlacesOf, AnyDomain>;
   for (std::size_t first = 0; first < components.size(); first += Group::Most)
   {
     Group group(places, temporal,
       components.subspan(first, std::min(Group::Most, components.size() - first)));
-    if (isDecoding)
-    {
-      group.Add();
-    }
-    else
-    {
-      group.Subtract();
-    }
+    group.EachPlace(
+      [&](std::size_t c, std::size_t place, const AnyDomain& domain, Key predicted, Key& key)
+      { use(first + c, place, domain, predicted, key); });
   }
 }
 }

@@ -93,20 +93,20 @@ void CodeByPredictor(
   }
 }
 
-/** Finds the values of residuals of some components, or the residuals of their values. */
-template <typename PlacesOf>
-void CodePlainDifferences(const PlacesOf& places, TemporalMode temporal, bool isDecoding,
+/** Predicts chosen components by the mode PlainQuadratic. use: as in EachPlainValue. */
+template <typename PlacesOf, typename Use>
+void EachPlainValue(const PlacesOf& places, TemporalMode temporal,
   std::span<const std::size_t> chosen, std::span<const Domain> domains,
-  std::span<ComponentKeys> components, std::span<Residuals> residuals)
+  std::span<ComponentKeys> components, Use&& use)
 {
-  const auto code = [&]<typename AnyDomain>(auto&& makeDomain, const AnyDomain*)
+  const auto run = [&]<typename AnyDomain>(auto&& makeDomain, const AnyDomain*)
   {
     std::vector<PlainComponent<AnyDomain>> together;
     for (const auto c : chosen)
     {
-      together.push_back({ makeDomain(domains[c]), &components[c], &residuals[c] });
+      together.push_back({ makeDomain(domains[c]), &components[c] });
     }
-    CodePlainDifferences<PlacesOf, AnyDomain>(places, temporal, together, isDecoding);
+    EachPlainValue<PlacesOf, AnyDomain>(places, temporal, together, use);
   };
   const auto all = [&](bool (*matches)(const Domain&))
   {
@@ -115,16 +115,16 @@ void CodePlainDifferences(const PlacesOf& places, TemporalMode temporal, bool is
   };
   if (all(Float32Domain::Matches))
   {
-    code([](const Domain&) { return Float32Domain(); }, static_cast<Float32Domain*>(nullptr));
+    run([](const Domain&) { return Float32Domain(); }, static_cast<Float32Domain*>(nullptr));
   }
   else if (all(ShiftedFloat32Domain::Matches))
   {
-    code([](const Domain& domain) { return ShiftedFloat32Domain(domain); },
+    run([](const Domain& domain) { return ShiftedFloat32Domain(domain); },
       static_cast<ShiftedFloat32Domain*>(nullptr));
   }
   else
   {
-    code([](const Domain& domain) { return domain; }, static_cast<Domain*>(nullptr));
+    run([](const Domain& domain) { return domain; }, static_cast<Domain*>(nullptr));
   }
 }
 
@@ -135,6 +135,7 @@ void CodePlainQuadratic(Coder& coder, TemporalMode temporal, const PlacesOf& pla
 {
   std::vector<Residuals> residuals(components.size());
   std::vector<std::size_t> exact;
+  bool isLastOpen = false; // whether the residuals of the last one are not decoded yet
   for (std::size_t c = 0; c < components.size(); ++c)
   {
     auto& keys = components[c];
@@ -144,18 +145,36 @@ void CodePlainQuadratic(Coder& coder, TemporalMode temporal, const PlacesOf& pla
         coder, temporal, places, MakeBoundedValues(domains[c], onLattice, keys), keys);
       continue;
     }
+    exact.push_back(c);
+    isLastOpen = !Coder::Encoding && c + 1 == components.size();
+    if (isLastOpen)
+    {
+      continue;
+    }
     residuals[c].resize(places.GetNumber());
     if (Coder::Encoding)
     {
-      CodePlainDifferences(
-        places, temporal, false, std::array{ c }, domains, components, residuals);
+      EachPlainValue(places, temporal, std::array{ c }, domains, components,
+        [&](std::size_t, std::size_t place, const auto& domain, Key predicted, Key key)
+        { residuals[c][place] = domain.Subtract(key, predicted); });
     }
     CodeResiduals(coder, places.GetFit(), residuals[c]);
-    exact.push_back(c);
   }
   if (!Coder::Encoding && !exact.empty())
   {
-    CodePlainDifferences(places, temporal, true, exact, domains, components, residuals);
+    ResidualSequence last;
+    EachPlainValue(places, temporal, exact, domains, components,
+      [&](std::size_t i, std::size_t place, const auto& domain, Key predicted, Key& key)
+      {
+        const bool isOpen = isLastOpen && i + 1 == exact.size();
+        key = domain.Add(predicted,
+          isOpen ? last.Code(coder, places.GetFit().HasNeighbors(place), 0)
+                 : residuals[exact[i]][place]);
+        if (!domain.IsValid(key))
+        {
+          ThrowCorrupt("a value is not in the palette");
+        }
+      });
   }
 }
 
