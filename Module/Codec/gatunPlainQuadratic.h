@@ -67,15 +67,17 @@ class PlainQuadraticComponents
 public:
   static constexpr std::size_t Most = 4;
 
-  /** All components must have as many values. */
+  /** All components must have as many values. memory: of any content, kept for others. */
   PlainQuadraticComponents(const PlacesOf& places, TemporalMode temporal,
-    std::span<const PlainComponent<AnyDomain>> components)
+    std::span<const PlainComponent<AnyDomain>> components, std::vector<double>& memory)
     : Places(places)
     , IsChange(temporal == TemporalMode::Change)
     , Components(components)
     , Stride(components.size() == 1 ? 1 : Most)
-    , Numbers(this->Stride * components.front().Keys->Now.size())
+    , Numbers(memory)
   {
+    // Numbers are set before they are used. Those of other components than there are do not matter.
+    memory.resize(std::max(memory.size(), this->Stride * components.front().Keys->Now.size()));
     std::array<double, Most> last{};
     for (Vertex v = 0; v < components.front().Keys->Now.size(); ++v)
     {
@@ -143,7 +145,7 @@ private:
   const bool IsChange;
   const std::span<const PlainComponent<AnyDomain>> Components;
   const std::size_t Stride;
-  std::vector<double> Numbers;     // those of a vertex one after the other
+  std::vector<double>& Numbers;    // those of a vertex one after the other
   std::array<double, Most> Last{}; // numbers of own vertices
 };
 
@@ -152,11 +154,12 @@ template <typename PlacesOf, typename AnyDomain, typename Use>
 void EachPlainValue(const PlacesOf& places, TemporalMode temporal,
   std::span<const PlainComponent<AnyDomain>> components, Use&& use)
 {
+  static thread_local std::vector<double> memory; // new memory takes as long as predictions
   using Group = PlainQuadraticComponents<PlacesOf, AnyDomain>;
   for (std::size_t first = 0; first < components.size(); first += Group::Most)
   {
     Group group(places, temporal,
-      components.subspan(first, std::min(Group::Most, components.size() - first)));
+      components.subspan(first, std::min(Group::Most, components.size() - first)), memory);
     group.EachPlace(
       [&](std::size_t c, std::size_t place, const AnyDomain& domain, Key predicted, Key& key)
       { use(first + c, place, domain, predicted, key); });

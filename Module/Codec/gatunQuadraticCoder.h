@@ -133,7 +133,8 @@ template <typename Coder, typename PlacesOf>
 void CodePlainQuadratic(Coder& coder, TemporalMode temporal, const PlacesOf& places,
   std::span<const Domain> domains, std::span<ComponentKeys> components, bool onLattice)
 {
-  std::vector<Residuals> residuals(components.size());
+  static thread_local std::vector<Residuals> residuals; // as the memory in EachPlainValue
+  residuals.resize(std::max(residuals.size(), components.size()));
   std::vector<std::size_t> exact;
   bool isLastOpen = false; // whether the residuals of the last one are not decoded yet
   for (std::size_t c = 0; c < components.size(); ++c)

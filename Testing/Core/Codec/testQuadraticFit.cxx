@@ -561,7 +561,8 @@ TEST(QuadraticFit, ModesThatAreNotAllowedAreRejected)
   ASSERT_EQ(stream[0], 3);
   auto context = mesh.Context;
   context.Quadratic = nullptr;
-  for (const auto mode : { SpatialMode::Quadratic, SpatialMode::PlainQuadratic })
+  for (const auto mode :
+    { SpatialMode::Quadratic, SpatialMode::PlainQuadratic, SpatialMode::Corrected })
   {
     stream[0] = static_cast<std::uint8_t>(mode);
     stream[1] = 0;
@@ -571,7 +572,7 @@ TEST(QuadraticFit, ModesThatAreNotAllowedAreRejected)
     EXPECT_THROW(ArrayModes::Read(stream), Error);
     EXPECT_THROW(DecodePointValues(stream, mesh.Context, { &domain, 1 }, keys), Error);
   }
-  stream[0] = 5;
+  stream[0] = 6;
   stream[1] = 0;
   EXPECT_THROW(ArrayModes::Read(stream), Error);
   EXPECT_THROW(DecodePointValues(stream, mesh.Context, { &domain, 1 }, keys), Error);
