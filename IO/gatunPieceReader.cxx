@@ -9,13 +9,16 @@
 #include "gatunLargeArray.h"
 #include "gatunParallel.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -98,6 +101,22 @@ vtkSmartPointer<vtkIdTypeArray> MakeIds(const char* name, vtkIdType values)
   ids->SetName(name);
   ids->SetNumberOfValues(values);
   return ids;
+}
+
+//------------------------------------------------------------------------------
+/** Ids that nobody asked for stay out of the lists of arrays in ParaView. */
+void AddIds(vtkDataSetAttributes* attributes, vtkIdTypeArray* ids, bool isAskedFor)
+{
+  vtkInformation* const info = ids->GetInformation();
+  if (isAskedFor)
+  {
+    info->Remove(vtkAbstractArray::GUI_HIDE());
+  }
+  else
+  {
+    info->Set(vtkAbstractArray::GUI_HIDE(), 1);
+  }
+  attributes->SetGlobalIds(ids);
 }
 
 //------------------------------------------------------------------------------
@@ -511,11 +530,11 @@ void PieceReader::Read(const PublishedFile& handle, const PieceRequest& request,
   }
   if (pointIds)
   {
-    output->GetPointData()->SetGlobalIds(this->PointIds);
+    AddIds(output->GetPointData(), this->PointIds, handle.GenerateGlobalIds);
   }
   if (cellIds)
   {
-    output->GetCellData()->SetGlobalIds(this->CellIds);
+    AddIds(output->GetCellData(), this->CellIds, handle.GenerateGlobalIds);
   }
   AddGhosts(output->GetPointData(), this->PointGhosts);
   AddGhosts(output->GetCellData(), this->CellGhosts);

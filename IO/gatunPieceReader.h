@@ -90,7 +90,8 @@ public:
   /** The request for the part of the boundary that a port is asked for. */
   PieceRequest MakeBoundaryRequest(const PublishedFile& handle, const PortRequest& port) const;
 
-  /** Reads. GlobalIds: whether to make global ids where the output has none. */
+  /** Reads. GlobalIds: whether to make global ids where the output has none; they are marked as
+   * hidden unless the handle's reader was told to make them. */
   void Read(const PublishedFile& handle, const PieceRequest& request, bool globalIds,
     vtkUnstructuredGrid* output, const Progress& progress);
 

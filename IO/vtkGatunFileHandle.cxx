@@ -100,6 +100,13 @@ void vtkGatunFileHandle::GetBounds(double bounds[6])
 }
 
 //------------------------------------------------------------------------------
+bool vtkGatunFileHandle::GetHasHierarchy()
+{
+  const auto& file = this->Internals->First.File;
+  return file && file->GetFile()->HasMergeTree();
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkGatunFileHandle::GetNumberOfMerges()
 {
   return static_cast<vtkIdType>(this->Internals->First.Merges);

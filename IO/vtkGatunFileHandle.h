@@ -97,6 +97,11 @@ public:
   void GetBounds(double bounds[6]);
 
   /**
+   * Whether the mesh in the file has a hierarchy, by which it can be simplified.
+   */
+  bool GetHasHierarchy();
+
+  /**
    * Number of merges that the reader makes to simplify the mesh.
    */
   vtkIdType GetNumberOfMerges();

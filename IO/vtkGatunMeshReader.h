@@ -169,7 +169,8 @@ public:
    * Whether to make the arrays GlobalPointIds and GlobalCellIds (vtkIdTypeArray, also set as global
    * ids): the place of each point and cell in the whole mesh, from 0; where the file keeps the
    * order of points or cells, the place in the writer's input. Off: only if a part is asked for
-   * (more pieces than one), where they tell which points and cells of two parts are the same.
+   * (more pieces than one), where they tell which points and cells of two parts are the same; they
+   * are then marked with vtkAbstractArray::GUI_HIDE, which keeps them out of ParaView's lists.
    * Nothing is made where the output has global ids of the file, or an array of that name.
    * Default: off.
    */

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace gatun
 {
@@ -82,10 +83,10 @@ double RayImage::Take(RayRefresh& refresh, std::shared_ptr<RaySource> source, co
 }
 
 //------------------------------------------------------------------------------
-void RayImage::Take(const std::vector<float>& colors, int width, int height)
+void RayImage::Take(std::vector<float> colors, int width, int height, bool toBorders)
 {
-  this->SetGrid({ width, height, 0, false });
-  this->Colors = colors;
+  this->SetGrid({ width, height, 0, toBorders });
+  this->Colors = std::move(colors);
 }
 
 //------------------------------------------------------------------------------

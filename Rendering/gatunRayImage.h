@@ -49,8 +49,9 @@ public:
   double Take(RayRefresh& refresh, std::shared_ptr<RaySource> source, const RayGrid& grid,
     const std::function<bool(double)>& progress);
 
-  /** Takes a pixel's color for each pixel; see RayCaster::Finish. */
-  void Take(const std::vector<float>& colors, int width, int height);
+  /** Takes a pixel's color for each pixel; see RayCaster::Finish. ToBorders: they are those of rays
+   * of which the outermost are on the borders of the image. */
+  void Take(std::vector<float> colors, int width, int height, bool toBorders = false);
 
   /**
    * Blends what was taken over all of a renderer's viewport; in front of all there is, or else at

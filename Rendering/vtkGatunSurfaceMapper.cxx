@@ -174,6 +174,37 @@ void vtkGatunSurfaceMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
+void vtkGatunSurfaceMapper::ProposeLevels(vtkRenderer* renderer, vtkActor* actor, int levels[2])
+{
+  levels[0] = levels[1] = -1;
+  try
+  {
+    if (renderer && actor && this->Internals->Open(this, actor))
+    {
+      const auto proposal = this->Internals->Propose(this, renderer, actor);
+      levels[0] = proposal.Wanted;
+      levels[1] = proposal.Shown;
+    }
+  }
+  catch (...)
+  {
+    // RenderPiece fails, too, and tells the error.
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunSurfaceMapper::SetLevels(const int levels[2])
+{
+  this->Internals->Shared = vtkInternals::LevelChoice{ levels[0], levels[1] };
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunSurfaceMapper::ResetLevels()
+{
+  this->Internals->Shared.reset();
+}
+
+//------------------------------------------------------------------------------
 void vtkGatunSurfaceMapper::ProcessSelectorPixelBuffers(
   vtkHardwareSelector* selector, std::vector<unsigned int>& pixels, vtkProp* prop)
 {

@@ -50,6 +50,8 @@
  * intersect a ray with the input of the mapper, such as vtkCellPicker, find only the outline.
  *
  * *Several processes or pieces.* As with the reader, piece i of n has the i-th part of the chunks.
+ * With JustInTime, mappers of all pieces have to draw the same level of detail, or pieces would not
+ * fit together: see ProposeLevels.
  *
  * *Errors.* A chunk that cannot be decoded is reported by vtkErrorMacro, once for each cause until
  * an image succeeds, and by GetErrorCode (see vtkGatunMeshReader). The other chunks are drawn.
@@ -143,6 +145,20 @@ public:
    */
   void SetSimplificationRatio(double ratio);
   vtkGetMacro(SimplificationRatio, double);
+  ///@}
+
+  ///@{
+  /**
+   * For several processes that draw pieces of a surface: the levels of detail of the next image in
+   * motion. Before each image, each process proposes the level that it would choose, and the one
+   * that it could draw at once, both -1 for an image at rest or an input that is not a file. The
+   * largest of all proposals is then set in all processes. ViewDependent has no influence on images
+   * with levels that were set. ResetLevels makes the mapper choose by itself again, which is the
+   * default.
+   */
+  void ProposeLevels(vtkRenderer* renderer, vtkActor* actor, int levels[2]);
+  void SetLevels(const int levels[2]);
+  void ResetLevels();
   ///@}
 
   /**

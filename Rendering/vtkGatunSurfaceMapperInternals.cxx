@@ -400,6 +400,15 @@ void vtkGatunSurfaceMapper::vtkInternals::DrawChunk(
 }
 
 //------------------------------------------------------------------------------
+vtkGatunSurfaceMapper::vtkInternals::Image vtkGatunSurfaceMapper::vtkInternals::MakeImage(
+  vtkGatunSurfaceMapper* mapper, vtkRenderer* renderer, vtkActor* actor)
+{
+  return { mapper, renderer, actor, gatun::SurfaceView(renderer, actor),
+    !actor->IsRenderingTranslucentPolygonalGeometry(),
+    MiB * static_cast<std::uint64_t>(mapper->MemoryBudget) };
+}
+
+//------------------------------------------------------------------------------
 void vtkGatunSurfaceMapper::vtkInternals::Draw(
   vtkGatunSurfaceMapper* mapper, vtkRenderer* renderer, vtkActor* actor)
 {
@@ -412,14 +421,17 @@ void vtkGatunSurfaceMapper::vtkInternals::Draw(
   }
   ++this->Frame;
   this->IsSelecting = renderer->GetSelector() != nullptr;
-  const Image image{ mapper, renderer, actor, gatun::SurfaceView(renderer, actor),
-    !actor->IsRenderingTranslucentPolygonalGeometry(),
-    MiB * static_cast<std::uint64_t>(mapper->MemoryBudget) };
+  const Image image = MakeImage(mapper, renderer, actor);
   if (!this->IsSelecting)
   {
     this->MakeRoom(image.Room, nullptr);
   }
-  const double budget = GetBudget(image);
+  if (this->Shared && this->Shared->Shown >= 0 && !this->IsSelecting)
+  {
+    this->DrawShared(image);
+    return;
+  }
+  const double budget = this->Shared ? 0 : GetBudget(image);
   if (budget > 0 && !this->IsSelecting)
   {
     this->DrawInMotion(image, budget);

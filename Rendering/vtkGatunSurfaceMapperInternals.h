@@ -37,6 +37,15 @@ VTK_ABI_NAMESPACE_END
 class vtkGatunSurfaceMapper::vtkInternals
 {
 public:
+  /** Levels of detail of an image in motion, both -1 at rest. */
+  struct LevelChoice
+  {
+    int Wanted = -1;
+    int Shown = -1; ///< until that is ready
+  };
+
+  std::optional<LevelChoice> Shared; ///< what several processes have agreed on
+
   std::set<std::string> Told; ///< messages since the last image without an error
   std::exception_ptr Failure; ///< the first one of the last image
   vtkIdType Drawn = 0;
@@ -56,6 +65,9 @@ public:
   bool Open(vtkGatunSurfaceMapper* mapper, vtkActor* actor);
 
   void Draw(vtkGatunSurfaceMapper* mapper, vtkRenderer* renderer, vtkActor* actor);
+
+  /** What this process would choose for the next image. */
+  LevelChoice Propose(vtkGatunSurfaceMapper* mapper, vtkRenderer* renderer, vtkActor* actor);
 
   /** The ids in the pixels of a selection, which are those of the chunks, become those of the
    * surface. */
@@ -121,6 +133,7 @@ private:
   static gatun::SurfaceContents FindContents(
     const gatun::PublishedFile& file, vtkGatunSurfaceMapper* mapper, vtkActor* actor);
   static std::size_t CountMerges(const gatun::PublishedFile& file, vtkGatunSurfaceMapper* mapper);
+  static Image MakeImage(vtkGatunSurfaceMapper* mapper, vtkRenderer* renderer, vtkActor* actor);
   static double GetBudget(const Image& image);
   void Forget();
   template <typename Use>
@@ -143,8 +156,12 @@ private:
   bool IsReady(const Image& image, const Level& level, const View& view) const;
   void Prepare(const Image& image, Level& level, const std::vector<std::uint32_t>& chunks);
   std::vector<std::uint32_t> ListLikely(const Level& level, const View& view) const;
+  std::vector<View> FindAllVisible(const Image& image);
+  std::size_t FindReady(const Image& image, const std::vector<View>& views, std::size_t from) const;
   double Transfer(const Image& image, Level& level, const View& view, double seconds);
   void DrawInMotion(const Image& image, double budget);
+  void DrawTimed(const Image& image, std::size_t shown, const View& view);
+  void DrawShared(const Image& image);
   void PrepareMotion(const Image& image, const View& view, double seconds);
 
   // Surfaces for the view.

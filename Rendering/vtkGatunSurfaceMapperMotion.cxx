@@ -34,6 +34,18 @@ double SecondsSince(Clock::time_point begin)
 {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
+
+/** The visible cells of each level. */
+template <typename Views>
+std::vector<std::uint64_t> CountCells(const Views& views)
+{
+  std::vector<std::uint64_t> cells;
+  for (const auto& view : views)
+  {
+    cells.push_back(view.Cells);
+  }
+  return cells;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -203,28 +215,55 @@ double vtkGatunSurfaceMapper::vtkInternals::Transfer(
 }
 
 //------------------------------------------------------------------------------
+/** What is visible of each level. */
+std::vector<vtkGatunSurfaceMapper::vtkInternals::View>
+vtkGatunSurfaceMapper::vtkInternals::FindAllVisible(const Image& image)
+{
+  std::vector<View> views;
+  for (Level& level : this->Levels)
+  {
+    views.push_back(this->FindVisible(image, level));
+  }
+  return views;
+}
+
+//------------------------------------------------------------------------------
+/** The finest level that can be drawn at once, from one on; the coarsest if there is none. */
+std::size_t vtkGatunSurfaceMapper::vtkInternals::FindReady(
+  const Image& image, const std::vector<View>& views, std::size_t from) const
+{
+  while (from + 1 < this->Levels.size() && !this->IsReady(image, this->Levels[from], views[from]))
+  {
+    ++from;
+  }
+  return from;
+}
+
+//------------------------------------------------------------------------------
+/** Draws a level, and learns how long that takes. */
+void vtkGatunSurfaceMapper::vtkInternals::DrawTimed(
+  const Image& image, std::size_t shown, const View& view)
+{
+  const auto begin = Clock::now();
+  const vtkIdType decodedBefore = this->Decoded;
+  this->Present = shown;
+  this->DrawLevel(image, this->Levels[shown], view);
+  image.Renderer->GetRenderWindow()->WaitForCompletion();
+  if (this->Decoded == decodedBefore)
+  {
+    this->Times.Learn(shown, view.Cells, SecondsSince(begin));
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkGatunSurfaceMapper::vtkInternals::DrawInMotion(const Image& image, double budget)
 {
   this->MotionBudget = budget;
   this->FindLevels();
-  std::vector<View> views;
-  std::vector<std::uint64_t> cells;
-  for (Level& level : this->Levels)
-  {
-    views.push_back(this->FindVisible(image, level));
-    cells.push_back(views.back().Cells);
-  }
-  const auto findReady = [&](std::size_t from)
-  {
-    while (from + 1 < this->Levels.size() && !this->IsReady(image, this->Levels[from], views[from]))
-    {
-      ++from;
-    }
-    return from;
-  };
-  const std::size_t wanted = this->Times.Choose(budget, cells, this->Present);
-  std::size_t shown = findReady(wanted);
-  const double otherwise = this->Times.Predict(shown, cells[shown]);
+  const std::vector<View> views = this->FindAllVisible(image);
+  const std::size_t wanted = this->Times.Choose(budget, CountCells(views), this->Present);
+  std::size_t shown = this->FindReady(image, views, wanted);
+  const double otherwise = this->Times.Predict(shown, views[shown].Cells);
   if (wanted > 0 && this->HasCuts(image) &&
     this->DrawCut(image, budget, otherwise, shown == wanted))
   {
@@ -234,19 +273,50 @@ void vtkGatunSurfaceMapper::vtkInternals::DrawInMotion(const Image& image, doubl
   {
     Level& level = this->Levels[wanted];
     this->Prepare(image, level, this->ListLikely(level, views[wanted]));
-    const double left = 0.9 * budget - this->Times.Predict(shown, cells[shown]);
+    const double left = 0.9 * budget - this->Times.Predict(shown, views[shown].Cells);
     this->Transfer(image, level, views[wanted], left);
-    shown = findReady(wanted);
+    shown = this->FindReady(image, views, wanted);
   }
-  const auto begin = Clock::now();
-  const vtkIdType decodedBefore = this->Decoded;
-  this->Present = shown;
-  this->DrawLevel(image, this->Levels[shown], views[shown]);
-  image.Renderer->GetRenderWindow()->WaitForCompletion();
-  if (this->Decoded == decodedBefore)
+  this->DrawTimed(image, shown, views[shown]);
+}
+
+//------------------------------------------------------------------------------
+vtkGatunSurfaceMapper::vtkInternals::LevelChoice vtkGatunSurfaceMapper::vtkInternals::Propose(
+  vtkGatunSurfaceMapper* mapper, vtkRenderer* renderer, vtkActor* actor)
+{
+  // VTK allocates the time later, and all of a window's to the renderers of an image.
+  const double rate = renderer->GetRenderWindow()->GetDesiredUpdateRate();
+  if (!mapper->JustInTime || !(rate > 1 / LeastTimeAtRest))
   {
-    this->Times.Learn(shown, cells[shown], SecondsSince(begin));
+    return {};
   }
+  const Image image = MakeImage(mapper, renderer, actor);
+  this->MotionBudget = mapper->TimeBudget > 0 ? mapper->TimeBudget : 1 / rate;
+  this->FindLevels();
+  const std::vector<View> views = this->FindAllVisible(image);
+  const std::size_t wanted =
+    this->Times.Choose(this->MotionBudget, CountCells(views), this->Present);
+  return { static_cast<int>(wanted), static_cast<int>(this->FindReady(image, views, wanted)) };
+}
+
+//------------------------------------------------------------------------------
+/** Draws the level that all processes draw, and makes ready the one that they want. */
+void vtkGatunSurfaceMapper::vtkInternals::DrawShared(const Image& image)
+{
+  this->FindLevels();
+  const auto last = this->Levels.size() - 1;
+  const auto shown = std::min(last, static_cast<std::size_t>(this->Shared->Shown));
+  const auto wanted = std::min(last, static_cast<std::size_t>(std::max(0, this->Shared->Wanted)));
+  const View view = this->FindVisible(image, this->Levels[shown]);
+  if (wanted != shown)
+  {
+    Level& level = this->Levels[wanted];
+    const View next = this->FindVisible(image, level);
+    this->Prepare(image, level, this->ListLikely(level, next));
+    this->Transfer(
+      image, level, next, 0.9 * this->MotionBudget - this->Times.Predict(shown, view.Cells));
+  }
+  this->DrawTimed(image, shown, view);
 }
 
 //------------------------------------------------------------------------------
@@ -263,13 +333,7 @@ void vtkGatunSurfaceMapper::vtkInternals::PrepareMotion(
   {
     return;
   }
-  std::vector<View> views;
-  std::vector<std::uint64_t> cells;
-  for (Level& level : this->Levels)
-  {
-    views.push_back(this->FindVisible(image, level));
-    cells.push_back(views.back().Cells);
-  }
+  const std::vector<View> views = this->FindAllVisible(image);
   Level& last = this->Levels.back();
   bool isComplete = false;
   while (!isComplete)
@@ -291,11 +355,15 @@ void vtkGatunSurfaceMapper::vtkInternals::PrepareMotion(
     }
   }
   this->Transfer(image, last, views.back(), this->MotionBudget);
-  const std::size_t wanted = this->Times.Choose(this->MotionBudget, cells, this->Levels.size());
+  const std::size_t wanted =
+    this->Times.Choose(this->MotionBudget, CountCells(views), this->Levels.size());
   if (wanted > 0)
   {
     Level& level = this->Levels[wanted];
     this->Prepare(image, level, this->ListLikely(level, views[wanted]));
-    this->OrderCut(image, this->MotionBudget);
+    if (!this->Shared)
+    {
+      this->OrderCut(image, this->MotionBudget);
+    }
   }
 }

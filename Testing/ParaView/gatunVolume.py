@@ -5,6 +5,7 @@
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 from paraview import simple
 
@@ -62,6 +63,18 @@ def draw(view):
     width, height, _ = picture.GetDimensions()
     pixels = vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(height, width, -1)
     return pixels.astype(int)
+
+
+def seen(view):
+    """The same of what the window shows now, without drawing it anew."""
+    grab = vtkWindowToImageFilter()
+    grab.SetInput(view.GetRenderWindow())
+    grab.ShouldRerenderOff()
+    grab.ReadFrontBufferOff()
+    grab.Update()
+    width, height, _ = grab.GetOutput().GetDimensions()
+    pixels = vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars()).reshape(height, width, -1)
+    return pixels[:, :, :3].astype(int)
 
 
 def ranges(source, array, association="PointData"):

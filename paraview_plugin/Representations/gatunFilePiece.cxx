@@ -25,6 +25,7 @@ namespace
 constexpr const char* PathName = "GatunDrawnFile";
 constexpr const char* TimeName = "GatunDrawnTime";
 constexpr const char* MergesName = "GatunDrawnMerges";
+constexpr const char* CellsName = "GatunDrawnCells";
 
 /** The algorithm whose output the input is, unchanged, and the port of that output. */
 std::pair<vtkAlgorithm*, int> FindInput(vtkAlgorithm* consumer)
@@ -73,9 +74,13 @@ DrawnFile DescribeFile(vtkGatunFileHandle* handle, vtkDataObject* output)
   DrawnFile file;
   file.Path = handle->GetFileName();
   file.Merges = handle->GetNumberOfMerges();
-  if (output && output->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP()))
+  if (output)
   {
-    file.Time = output->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP());
+    file.Cells = output->GetNumberOfElements(vtkDataObject::CELL);
+    if (output->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP()))
+    {
+      file.Time = output->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP());
+    }
   }
   return file;
 }
@@ -91,10 +96,15 @@ void MarkPiece(vtkDataObject* piece, const DrawnFile& file)
   time->SetName(TimeName);
   time->InsertNextValue(file.Time);
   piece->GetFieldData()->AddArray(time);
-  vtkNew<vtkIdTypeArray> merges;
-  merges->SetName(MergesName);
-  merges->InsertNextValue(file.Merges);
-  piece->GetFieldData()->AddArray(merges);
+  const auto addNumber = [piece](const char* name, vtkIdType number)
+  {
+    vtkNew<vtkIdTypeArray> array;
+    array->SetName(name);
+    array->InsertNextValue(number);
+    piece->GetFieldData()->AddArray(array);
+  };
+  addNumber(MergesName, file.Merges);
+  addNumber(CellsName, file.Cells);
 }
 
 //------------------------------------------------------------------------------
@@ -104,11 +114,12 @@ DrawnFile GetMark(vtkDataObject* piece)
   auto* const path = vtkStringArray::SafeDownCast(field->GetAbstractArray(PathName));
   auto* const time = vtkDoubleArray::SafeDownCast(field->GetArray(TimeName));
   auto* const merges = vtkIdTypeArray::SafeDownCast(field->GetArray(MergesName));
+  auto* const cells = vtkIdTypeArray::SafeDownCast(field->GetArray(CellsName));
   if (!path || path->GetNumberOfValues() < 1 || !time || time->GetNumberOfValues() < 1 || !merges ||
-    merges->GetNumberOfValues() < 1)
+    merges->GetNumberOfValues() < 1 || !cells || cells->GetNumberOfValues() < 1)
   {
     return {};
   }
-  return { path->GetValue(0), time->GetValue(0), merges->GetValue(0) };
+  return { path->GetValue(0), time->GetValue(0), merges->GetValue(0), cells->GetValue(0) };
 }
 }

@@ -31,6 +31,7 @@ struct DrawnFile
   std::string Path; ///< empty for none
   double Time = 0;
   vtkIdType Merges = 0; ///< number of merges that the reader makes
+  vtkIdType Cells = 0;  ///< of the pieces of all processes, which are there in place of the mesh
 };
 
 /** The algorithm that the input of a representation or filter comes from, with nothing in between

@@ -3,6 +3,7 @@
 
 #include "gatunVolumeProp.h"
 
+#include "vtkGatunHartleyMapper.h"
 #include "vtkGatunVolumeMapper.h"
 
 #include "vtkLODProp3D.h"
@@ -24,7 +25,9 @@ public:
   int RenderVolumetricGeometry(vtkViewport* viewport) override
   {
     auto* const mapper = vtkGatunVolumeMapper::SafeDownCast(this->GetMapper());
-    if (!mapper || !mapper->GetController() || this->EnableLOD)
+    const bool needsNoScalars =
+      vtkGatunHartleyMapper::SafeDownCast(this->GetMapper()) || (mapper && mapper->GetController());
+    if (!needsNoScalars || this->EnableLOD)
     {
       return this->Superclass::RenderVolumetricGeometry(viewport);
     }

@@ -9,6 +9,7 @@
 #include "vtkGatunSurfaceReader.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkCommunicator.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
@@ -242,6 +243,54 @@ void vtkGatunSurfaceRepresentation::CopySettings(
 //------------------------------------------------------------------------------
 void vtkGatunSurfaceRepresentation::PrepareToDraw(vtkInformation* inInfo)
 {
+  vtkMultiProcessController* const controller = this->FindController(inInfo);
+  this->ConnectMappers(inInfo, controller);
+  this->ChooseLevels(controller);
+}
+
+//------------------------------------------------------------------------------
+/** The controller of the processes that draw the next image together, if there is more than one. */
+vtkMultiProcessController* vtkGatunSurfaceRepresentation::FindController(vtkInformation* inInfo)
+{
+  auto* const controller = vtkMultiProcessController::GetGlobalController();
+  auto* const view = vtkPVRenderView::SafeDownCast(this->GetView());
+  if (!controller || controller->GetNumberOfProcesses() == 1 || !view)
+  {
+    return nullptr;
+  }
+  const bool isShared = inInfo->Has(vtkPVRenderView::USE_LOD())
+    ? view->GetUseDistributedRenderingForLODRender()
+    : view->GetUseDistributedRenderingForRender();
+  return isShared ? controller : nullptr;
+}
+
+//------------------------------------------------------------------------------
+/** The levels of detail of the next image. Several processes choose them together, also those that
+ * have failed to open the file. */
+void vtkGatunSurfaceRepresentation::ChooseLevels(vtkMultiProcessController* controller)
+{
+  if (!controller || !this->JustInTime)
+  {
+    this->FrontMapper->ResetLevels();
+    this->BackMapper->ResetLevels();
+    return;
+  }
+  int own[2] = { -1, -1 };
+  if (this->DrawsFile)
+  {
+    vtkPVRenderView* const view = vtkPVRenderView::SafeDownCast(this->GetView());
+    this->FrontMapper->ProposeLevels(view->GetRenderer(), this->Actor, own);
+  }
+  int all[2];
+  controller->AllReduce(own, all, 2, vtkCommunicator::MAX_OP);
+  this->FrontMapper->SetLevels(all);
+  this->BackMapper->SetLevels(all);
+}
+
+//------------------------------------------------------------------------------
+void vtkGatunSurfaceRepresentation::ConnectMappers(
+  vtkInformation* inInfo, vtkMultiProcessController* controller)
+{
   vtkPolyData* const piece = FindSurface(vtkPVView::GetDeliveredPiece(inInfo, this));
   const gatun::DrawnFile file = piece ? gatun::GetMark(piece) : gatun::DrawnFile();
   this->DrawsFile = false;
@@ -262,17 +311,12 @@ void vtkGatunSurfaceRepresentation::PrepareToDraw(vtkInformation* inInfo)
     return;
   }
   this->DrawsFile = true;
-  auto* const controller = vtkMultiProcessController::GetGlobalController();
-  auto* const view = vtkPVRenderView::SafeDownCast(this->GetView());
-  const bool isShared = controller && view &&
-    (inInfo->Has(vtkPVRenderView::USE_LOD()) ? view->GetUseDistributedRenderingForLODRender()
-                                             : view->GetUseDistributedRenderingForRender());
   for (vtkGatunSurfaceMapper* const mapper : { this->FrontMapper.Get(), this->BackMapper.Get() })
   {
     mapper->SetInputConnection(source->GetOutputPort());
-    mapper->SetNumberOfPieces(isShared ? controller->GetNumberOfProcesses() : 1);
-    mapper->SetPiece(isShared ? controller->GetLocalProcessId() : 0);
-    mapper->SetJustInTime(this->JustInTime && mapper->GetNumberOfPieces() == 1);
+    mapper->SetNumberOfPieces(controller ? controller->GetNumberOfProcesses() : 1);
+    mapper->SetPiece(controller ? controller->GetLocalProcessId() : 0);
+    mapper->SetJustInTime(this->JustInTime);
   }
   this->CopySettings(this->Mapper, this->FrontMapper, this->FrontTime);
   this->CopySettings(this->BackfaceMapper, this->BackMapper, this->BackTime);

@@ -44,6 +44,7 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkDataSet;
 class vtkGatunSurfaceMapper;
+class vtkMultiProcessController;
 
 class VTKGATUNPARAVIEW_EXPORT vtkGatunSurfaceRepresentation
   : public vtkGeometryRepresentationWithFaces
@@ -74,8 +75,8 @@ public:
   ///@{
   /**
    * Whether a file with a hierarchy is drawn simplified while somebody interacts, so that an image
-   * takes the time that there is; see vtkGatunSurfaceMapper. Several processes draw all of it, as
-   * their parts of different levels do not fit together. Default: on.
+   * takes the time that there is; see vtkGatunSurfaceMapper. Several processes agree on one level
+   * for each image, so that their parts fit together. Default: on.
    */
   void SetJustInTime(bool on);
   bool GetJustInTime();
@@ -150,6 +151,9 @@ private:
   void operator=(const vtkGatunSurfaceRepresentation&) = delete;
 
   void PrepareToDraw(vtkInformation* inInfo);
+  vtkMultiProcessController* FindController(vtkInformation* inInfo);
+  void ConnectMappers(vtkInformation* inInfo, vtkMultiProcessController* controller);
+  void ChooseLevels(vtkMultiProcessController* controller);
   void CopySettings(vtkMapper* from, vtkGatunSurfaceMapper* to, vtkTimeStamp& time);
 
   std::unique_ptr<gatun::PieceSource> File;

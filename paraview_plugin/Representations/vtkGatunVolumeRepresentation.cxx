@@ -66,6 +66,24 @@ bool AnyHasVolume(vtkUnstructuredGrid* piece)
   return any != 0;
 }
 
+//------------------------------------------------------------------------------
+/** Marks a piece that stands for a file with the number of cells that do so in all processes.
+ * Collective. */
+void MarkCells(vtkUnstructuredGrid* piece, vtkIdType own)
+{
+  gatun::DrawnFile file = gatun::GetMark(piece);
+  vtkIdType all = own;
+  if (auto* const controller = vtkMultiProcessController::GetGlobalController())
+  {
+    controller->AllReduce(&own, &all, 1, vtkCommunicator::SUM_OP);
+  }
+  if (!file.Path.empty())
+  {
+    file.Cells = all;
+    gatun::MarkPiece(piece, file);
+  }
+}
+
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
@@ -289,6 +307,7 @@ void vtkGatunVolumeRepresentation::MakePiece(vtkDataObject* input)
 {
   vtkMath::UninitializeBounds(this->DataBounds);
   this->Piece = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  this->OwnCells = 0;
   if (!input)
   {
     return; // a process without data
@@ -296,7 +315,9 @@ void vtkGatunVolumeRepresentation::MakePiece(vtkDataObject* input)
   if (vtkGatunFileHandle* const handle = this->File->FindFile(this))
   {
     this->Piece->ShallowCopy(input);
-    gatun::MarkPiece(this->Piece, gatun::DescribeFile(handle, input));
+    const gatun::DrawnFile file = gatun::DescribeFile(handle, input);
+    gatun::MarkPiece(this->Piece, file);
+    this->OwnCells = file.Cells;
     // All processes need to know the bounds, and only the first one has the outline.
     handle->GetBounds(this->DataBounds);
     return;
@@ -351,6 +372,7 @@ void vtkGatunVolumeRepresentation::DeliverPiece(vtkInformation* inInfo, vtkInfor
   // they are, so that no order of processes is needed. Surfaces in place of volumes need it, as
   // they are drawn translucent.
   const bool hasVolume = AnyHasVolume(this->Piece);
+  MarkCells(this->Piece, this->OwnCells);
   outInfo->Set(hasVolume ? vtkPVRenderView::RENDER_EMPTY_IMAGES()
                          : vtkPVRenderView::NEED_ORDERED_COMPOSITING(),
     1);
@@ -394,7 +416,6 @@ void vtkGatunVolumeRepresentation::PrepareToDraw(vtkInformation* inInfo)
   this->VolumeMapper->SetController(this->FindController(inInfo, piece));
   const bool isParallel = this->VolumeMapper->GetController() != nullptr;
   this->VolumeMapper->SetImageProcess(isParallel ? this->FindImageProcess() : -1);
-  this->VolumeMapper->SetJustInTime(this->JustInTime);
   this->VolumeMapper->SetSimplificationRatio(this->SimplificationRatio);
   this->VolumeMapper->SetPixelError(this->PixelError);
   if (!piece && isParallel)
@@ -416,6 +437,7 @@ void vtkGatunVolumeRepresentation::PrepareToDraw(vtkInformation* inInfo)
   }
   else if (const gatun::DrawnFile file = gatun::GetMark(piece); !file.Path.empty())
   {
+    this->CellsInPlace = file.Cells;
     if (!this->ConnectFile(piece, file))
     {
       this->Drawn = nullptr;
@@ -440,6 +462,9 @@ void vtkGatunVolumeRepresentation::PrepareToDraw(vtkInformation* inInfo)
       this->Actor->SetEnableLOD(1);
     }
   }
+  // The mapper would warn of a file without a hierarchy, and by default, nobody has asked for one.
+  this->VolumeMapper->SetJustInTime(
+    this->JustInTime && (!this->Drawn || this->Drawn->GetHasHierarchy()));
   this->UpdateMapperParameters();
   this->VolumeMapper->ReduceBounds();
 }
@@ -509,9 +534,8 @@ double vtkGatunVolumeRepresentation::ChooseUnitDistance()
   double bounds[6];
   this->Drawn->GetBounds(bounds);
   const double diagonal = vtkBoundingBox(bounds).GetDiagonalLength();
-  constexpr double cellsOfOutline = 12;
-  const double ofOutline = diagonal / std::cbrt(cellsOfOutline);
-  if (!(std::abs(this->UnitDistance - ofOutline) <= 1e-6 * ofOutline))
+  const double inPlace = diagonal / std::cbrt(static_cast<double>(this->CellsInPlace));
+  if (!(std::abs(this->UnitDistance - inPlace) <= 1e-6 * inPlace))
   {
     return this->UnitDistance; // chosen by the user
   }
@@ -557,6 +581,8 @@ void vtkGatunVolumeRepresentation::UpdateMapperParameters()
   this->Property->SetIndependentComponents(1);
   this->Property->SetScalarOpacityUnitDistance(this->ChooseUnitDistance());
   this->Actor->SetMapper(this->VolumeMapper);
+  // Without an array there is nothing to draw, which is no error.
+  this->Actor->SetVisibility(this->GetVisibility() && name && *name);
 }
 
 //------------------------------------------------------------------------------

@@ -103,8 +103,8 @@ public:
    * Whether the mesh is simplified while somebody interacts, so that an image takes the time that
    * there is, before rays get fewer; see vtkGatunVolumeMapper. Several processes
    * simplify files only, as parts of a mesh in memory that are simplified separately do not fit
-   * together; of these, they draw fewer rays.
-   * Default: off.
+   * together. Of these, and of a file without a hierarchy, fewer rays are drawn.
+   * Default: on.
    */
   void SetJustInTime(bool on);
   bool GetJustInTime();
@@ -155,8 +155,8 @@ public:
 
   /**
    * The length over which the opacities are meant, in world units. Where a file is drawn, the value
-   * that ParaView derives from the number of cells of the outline stands for that of the mesh.
-   * Default: 1.
+   * that ParaView derives from the number of cells of the outline or boundary stands for that of
+   * the mesh. Default: 1.
    */
   void SetScalarOpacityUnitDistance(double distance);
 
@@ -205,10 +205,12 @@ private:
   vtkSmartPointer<vtkGatunFileHandle> Drawn; // of the file that the mapper draws, while it does
   vtkSmartPointer<vtkUnstructuredGrid> Piece;
   vtkDataSet* Shown = nullptr; // what tells which arrays there are
-  bool JustInTime = false;
+  bool JustInTime = true;
   double SimplificationRatio = 0;
   double PixelError = 0;
   double UnitDistance = 1;
+  vtkIdType OwnCells = 0;     // of the outline or boundary that stands for a file, in this process
+  vtkIdType CellsInPlace = 0; // the same of all processes
 };
 
 #ifdef VTK_ABI_NAMESPACE_END
