@@ -486,8 +486,10 @@ void vtkGatunWriter::WriteStep(vtkDataObject* input)
   }
 
   const auto step = self.DescribeStep(input, grid->GetFieldData());
+  const auto living = self.Living ? self.Living->GetLiving() : gatun::LivingCells();
   self.File->WriteStep(values, step.Field, step.HasTime, step.Time,
-    self.MakeProgress(self.Step + 1), mesh ? mesh->Mesh.Coordinates : nullptr);
+    self.MakeProgress(self.Step + 1), mesh ? mesh->Mesh.Coordinates : nullptr,
+    self.Living ? &living : nullptr);
   ++self.Step;
   if (self.Step >= self.GetNumberOfSteps())
   {

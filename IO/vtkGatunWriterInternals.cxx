@@ -198,6 +198,7 @@ bool vtkGatunWriter::vtkInternals::UseMesh(vtkUnstructuredGrid* grid,
     gatun::ThrowInvalid("the point or cell arrays change in time step " +
       std::to_string(this->Step) + " (time " + std::to_string(this->Times[this->Step]) + ")");
   }
+  this->Living.reset();
   const std::size_t cellHash = this->GetNumberOfSteps() > 1 ? mesh->HashCells() : 0;
   for (const WrittenMesh& written : this->Meshes)
   {
@@ -210,6 +211,10 @@ bool vtkGatunWriter::vtkInternals::UseMesh(vtkUnstructuredGrid* grid,
       this->File->UseMesh(written.Number);
       return true;
     }
+  }
+  if (this->UseLiving(*mesh))
+  {
+    return this->PointsMove || !this->Living->HaveMoved;
   }
   for (WrittenMesh& written : this->Meshes)
   {
@@ -240,11 +245,35 @@ bool vtkGatunWriter::vtkInternals::UseMesh(vtkUnstructuredGrid* grid,
 }
 
 //------------------------------------------------------------------------------
+bool vtkGatunWriter::vtkInternals::UseLiving(const gatun::BridgedMesh& mesh)
+{
+  if (this->Owner->Hierarchy || this->Owner->WriteBoundary)
+  {
+    return false; // they are those of a mesh with all cells
+  }
+  for (const WrittenMesh& written : this->Meshes)
+  {
+    // The input may have changed the arrays of an earlier step in place.
+    const bool isIntact = !written.IsOverwritten && mesh.Mesh.Cells < written.Mesh->Mesh.Cells &&
+      written.Mesh->HashCells() == written.CellHash &&
+      written.Mesh->HashPoints() == written.PointHash;
+    this->Living = isIntact ? gatun::FindCells(written.Mesh->Mesh, mesh.Mesh) : std::nullopt;
+    if (this->Living)
+    {
+      this->File->UseMesh(written.Number);
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 void vtkGatunWriter::vtkInternals::Restart()
 {
   this->File.reset();
   this->FirstTree = std::move(this->Meshes.front().Tree);
   this->Meshes.clear();
+  this->Living.reset();
   this->Points = 0;
   this->Cells = 0;
   this->Step = 0;

@@ -8,6 +8,7 @@
 #include "gatunBridgedMesh.h"
 #include "gatunError.h"
 #include "gatunFileWriter.h"
+#include "gatunFindCells.h"
 #include "gatunGridPieces.h"
 #include "gatunMergeGrid.h"
 #include "vtkGatunWriter.h"
@@ -51,6 +52,9 @@ public:
     const std::vector<gatun::BridgedArray>& arrays,
     const std::vector<gatun::ArrayDescription>& descriptions);
 
+  // The mesh as some of the cells of one that was written, with the file prepared for it.
+  bool UseLiving(const gatun::BridgedMesh& mesh);
+
   // Begins the file once more, because the points of a step differ from those of the first one.
   void Restart();
   gatun::MergeTree BuildTree(vtkUnstructuredGrid* grid, bool isSurface);
@@ -88,7 +92,8 @@ public:
   WrittenMesh MakeMesh(std::unique_ptr<gatun::BridgedMesh> mesh, std::size_t cellHash) const;
 
   // While a file is being written.
-  std::vector<WrittenMesh> Meshes; // the first one and the one that was added last
+  std::vector<WrittenMesh> Meshes;         // the first one and the one that was added last
+  std::optional<gatun::FoundCells> Living; // if the step has some cells of one of them only
   std::unique_ptr<gatun::FileWriter> File;
   std::vector<gatun::ArrayDescription> Arrays;
   bool PointsMove = false;                     // as a step has told
@@ -120,6 +125,7 @@ public:
     this->Input = nullptr;
     this->File.reset();
     this->Meshes.clear();
+    this->Living.reset();
     this->FirstTree.reset();
     this->Arrays.clear();
     this->Points = 0;

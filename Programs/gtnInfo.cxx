@@ -254,13 +254,29 @@ Table DescribeMeshes(const gatun::FileReader& file)
   Table table{ "meshes", "meshes",
     { { nullptr, "number" }, { "points", "points" }, { "cells", "cells" },
       { "steps", "time steps" }, { "firstTime", "first time" } } };
+  const auto& series = file.GetSeries();
+  const auto isWhole = [&](const gatun::SeriesStep& step)
+  { return file.GetParentMesh(step.Mesh) == step.Mesh; };
+  const bool hasParts = !std::all_of(series.begin(), series.end(), isWhole);
+  if (hasParts)
+  {
+    table.Columns.push_back({ "someCellsOf", "some cells of" });
+  }
   for (std::size_t i = 0; file.GetNumberOfMeshes() > 1 && i < file.GetNumberOfMeshes(); ++i)
   {
     const auto other = i > 0 ? file.OpenMesh(i) : nullptr;
     const gatun::FileReader& mesh = other ? *other : file;
-    table.Rows.push_back({ Entry(i + 1), Entry(mesh.GetNumberOfPoints()),
-      Entry(mesh.GetNumberOfCells()), Entry(mesh.GetNumberOfSteps()),
-      Entry(mesh.GetTimes().front(), Number(mesh.GetTimes().front())) });
+    const auto isHere = [i](const gatun::SeriesStep& step) { return step.Mesh == i; };
+    const auto steps = std::count_if(series.begin(), series.end(), isHere);
+    const double first = std::find_if(series.begin(), series.end(), isHere)->Time;
+    table.Rows.push_back(
+      { Entry(i + 1), Entry(mesh.GetNumberOfPoints()), Entry(mesh.GetNumberOfCells()),
+        Entry(static_cast<std::uint64_t>(steps)), Entry(first, Number(first)) });
+    if (hasParts)
+    {
+      table.Rows.back().push_back(
+        mesh.HasAllCells() ? Entry(Json::Value(), "") : Entry(file.GetParentMesh(i) + 1));
+    }
   }
   return table;
 }

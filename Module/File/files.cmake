@@ -9,6 +9,7 @@ gatun_core_folder(File
   HEADERS
     gatunFileReader.h
     gatunFileWriter.h
+    gatunFindCells.h
     gatunMeshInput.h
     gatunPieceDecoder.h
     gatunPieceRequest.h
@@ -28,8 +29,10 @@ gatun_core_folder(File
     gatunBoundaryCheck.h
     gatunBoundaryFaces.h
     gatunBoundaryMesh.h
+    gatunCacheParts.h
     gatunCellSides.h
     gatunCellStore.h
+    gatunCellSubset.h
     gatunChangedChunks.h
     gatunChunkCacheInternals.h
     gatunChunkSet.h
@@ -60,6 +63,7 @@ gatun_core_folder(File
     gatunPartition.h
     gatunPointNumbers.h
     gatunPieceCells.h
+    gatunPieceSelection.h
     gatunRoundedArrays.h
     gatunSharedGroups.h
     gatunSkinMerge.h
@@ -80,6 +84,7 @@ gatun_core_folder(File
     gatunBoundaryFaces.cxx
     gatunBoundaryMesh.cxx
     gatunCellStore.cxx
+    gatunCellSubset.cxx
     gatunChangedChunks.cxx
     gatunChunkCache.cxx
     gatunChunkSet.cxx
@@ -95,6 +100,7 @@ gatun_core_folder(File
     gatunFileReaderSeries.cxx
     gatunFileReaderTree.cxx
     gatunFileWriter.cxx
+    gatunFindCells.cxx
     gatunLayerPartition.cxx
     gatunMeshCheck.cxx
     gatunMeshDependencies.cxx
@@ -110,6 +116,7 @@ gatun_core_folder(File
     gatunPartition.cxx
     gatunPieceCells.cxx
     gatunPieceDecoder.cxx
+    gatunPieceSelection.cxx
     gatunPointNumbers.cxx
     gatunRoundedArrays.cxx
     gatunSharedFile.cxx
@@ -117,6 +124,7 @@ gatun_core_folder(File
     gatunSimplifiedFile.cxx
     gatunSkinMerge.cxx
     gatunStepMotion.cxx
+    gatunStepRounding.cxx
     gatunStepSection.cxx
     gatunTablePages.cxx
     gatunTetSeparation.cxx

@@ -28,7 +28,8 @@ struct ArrayInput
   RoundedArray* Rounded = nullptr; // has Now, and takes the values that readers will have
   bool IsCopy =
     false; // whether another array, the mesh or the step before has the values: no streams
-  bool IsPoints = false; // coordinates of points that move
+  bool IsPoints = false;                      // coordinates of points that move
+  const std::vector<bool>* IsAlive = nullptr; // which tuples count for ranges; null: all
 
   /** The part of their size that streams must save to be decoded more slowly. What changes with
    * time is decoded for every picture. */
@@ -93,7 +94,10 @@ struct ArrayInput
           for (const auto tuple : tuples)
           {
             const double value = getValue(tuple);
-            ranges[r].Include(this->IsPoints ? Finite(value) : value);
+            if (!this->IsAlive || (*this->IsAlive)[tuple])
+            {
+              ranges[r].Include(this->IsPoints ? Finite(value) : value);
+            }
           }
         });
     }

@@ -78,6 +78,11 @@ ChunkCache::ChunkCache(const std::shared_ptr<ChunkCache>& other, bool keepsChunk
 {
 }
 
+ChunkCache::ChunkCache(const ChunkCache& other, std::shared_ptr<const FileReader> file)
+  : Self(std::make_unique<Internals>(std::move(file), *other.Self))
+{
+}
+
 ChunkCache::~ChunkCache() = default;
 
 //------------------------------------------------------------------------------

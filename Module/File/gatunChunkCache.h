@@ -53,6 +53,10 @@ public:
    * through it are those of the other cache, which counts them, too. A view that does not keep
    * chunks finds those that others keep. */
   ChunkCache(const std::shared_ptr<ChunkCache>& other, bool keepsChunks);
+
+  /** The parts of another cache, for a mesh with some of the cells of its file
+   * (FileReader::GetParentMesh). */
+  ChunkCache(const ChunkCache& other, std::shared_ptr<const FileReader> file);
   ~ChunkCache();
   ChunkCache(const ChunkCache&) = delete;
   ChunkCache& operator=(const ChunkCache&) = delete;

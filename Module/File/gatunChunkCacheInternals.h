@@ -66,6 +66,13 @@ public:
   {
   }
 
+  /** For a file with the same streams as that of another cache. */
+  Internals(std::shared_ptr<const FileReader> file, const Internals& other)
+    : File(std::move(file))
+    , Parts(other.Parts)
+  {
+  }
+
   /** The part, which then counts as just used, or null. */
   template <typename T>
   std::shared_ptr<const T> Find(const PartKey& key)

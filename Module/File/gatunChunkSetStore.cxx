@@ -142,6 +142,10 @@ void ChunkSetDecoder::StoreChunk(Job& job, std::size_t i, const ChunkMesh& mesh)
     {
       target.GlobalCellIds[place] = static_cast<std::int64_t>(cellIds(cellOf(c)));
     }
+    if (target.FileCells)
+    {
+      target.FileCells[place] = info.FirstCell + cellOf(c);
+    }
     if (target.CellGhosts)
     {
       target.CellGhosts[place] = 0;

@@ -20,6 +20,10 @@ FileReader::Internals::Internals(const std::string& path)
   : File(path)
 {
   this->Read();
+  if (!this->Masks.empty() && this->Series.empty())
+  {
+    this->File.Fail(ErrorCode::Corrupt, "it does not say which time steps have some cells only");
+  }
 }
 
 FileReader::Internals::Internals(
@@ -226,12 +230,12 @@ bool FileReader::IsSurfaceFile(const std::string& path) noexcept
 }
 
 FileReader::FileReader(const std::string& path)
-  : Self(std::make_unique<Internals>(path))
+  : Self(std::make_shared<const Internals>(path))
 {
   KeepFreedMemory();
 }
 
-FileReader::FileReader(std::unique_ptr<Internals> self)
+FileReader::FileReader(std::shared_ptr<const Internals> self)
   : Self(std::move(self))
 {
 }
@@ -245,18 +249,18 @@ const std::string& FileReader::GetPath() const
 
 std::uint64_t FileReader::GetNumberOfPoints() const
 {
-  return this->Self->Meta.Points;
+  return this->Mask ? this->Mask->Points : this->Self->Meta.Points;
 }
 
 std::uint64_t FileReader::GetNumberOfCells() const
 {
-  return this->Self->GetTables().GetNumberOfCells();
+  return this->Mask ? this->Mask->Cells : this->Self->GetTables().GetNumberOfCells();
 }
 
 //------------------------------------------------------------------------------
 std::uint64_t FileReader::GetNumberOfTets() const
 {
-  return this->Self->Meta.Tets;
+  return this->Mask ? this->MaskedTets : this->Self->Meta.Tets;
 }
 
 //------------------------------------------------------------------------------
@@ -274,7 +278,7 @@ bool FileReader::IsSurface() const
 //------------------------------------------------------------------------------
 const std::vector<CellTypeCount>& FileReader::GetCellTypes() const
 {
-  return this->Self->CellTypes;
+  return this->Mask ? this->Mask->Types : this->Self->CellTypes;
 }
 
 std::uint64_t FileReader::GetNumberOfSharedPoints() const
@@ -378,7 +382,7 @@ const std::vector<double>& FileReader::GetTimes() const
 
 const std::vector<ChunkInfo>& FileReader::GetChunks() const
 {
-  return this->Self->GetTables().GetChunks();
+  return this->Mask ? this->MaskedChunks : this->Self->GetTables().GetChunks();
 }
 
 const ArrayRanges& FileReader::GetRanges(std::size_t array, std::size_t step) const

@@ -17,6 +17,7 @@
 
 namespace gatun
 {
+struct CellMask;
 struct Quantizer;
 
 class MergeDependencies;
@@ -79,8 +80,17 @@ public:
   const std::vector<double>& GetTimes() const; ///< one for each step, strictly ascending
 
   /** The number of meshes: more than 1 if some time steps have another mesh than this, the first
-   * one. */
+   * one. A mesh with only some of the cells of another one counts, too. */
   std::size_t GetNumberOfMeshes() const;
+
+  /** The mesh with all cells, for one that has some of them; otherwise the same mesh. */
+  std::size_t GetParentMesh(std::size_t mesh) const;
+
+  /** Whether this is no mesh of which some cells are left out at some time steps. Such a mesh has
+   * the chunks, the time steps, the bounds and the numbers of points and cells (GlobalPointIds,
+   * GlobalCellIds) of the mesh with all cells. The numbers of tetrahedra of other cells are
+   * estimates. */
+  bool HasAllCells() const;
 
   /** The time steps of all meshes, by strictly ascending time. Empty unless there are several
    * meshes. */
@@ -90,8 +100,10 @@ public:
   std::vector<double> GetSeriesTimes() const;
 
   /** A mesh other than this one, from 1, with the steps that have it. It has the same arrays.
-   * Opened at each call. */
-  std::shared_ptr<const FileReader> OpenMesh(std::size_t mesh) const;
+   * Opened at each call. parent: the mesh of GetParentMesh, if that is open and another one, or
+   * null. */
+  std::shared_ptr<const FileReader> OpenMesh(
+    std::size_t mesh, const std::shared_ptr<const FileReader>& parent = {}) const;
 
   const std::vector<ChunkInfo>& GetChunks() const;
 
@@ -170,13 +182,20 @@ public:
 
 private:
   friend const Internals& InternalsOf(const FileReader& file);
+  friend const CellMask* MaskOf(const FileReader& file);
 
-  explicit FileReader(std::unique_ptr<Internals> self);
+  explicit FileReader(std::shared_ptr<const Internals> self);
+  void SetMask(CellMask mask);
 
   ArrayRanges GetRangesAfter(
     std::uint32_t array, std::size_t step, std::size_t chunk, std::size_t merges) const;
 
-  std::unique_ptr<Internals> Self;
+  std::shared_ptr<const Internals> Self;
+
+  // If some cells are left out.
+  std::shared_ptr<const CellMask> Mask;
+  std::vector<ChunkInfo> MaskedChunks;
+  std::uint64_t MaskedTets = 0;
 };
 }
 

@@ -30,7 +30,7 @@ void FileReader::Internals::CheckBoundary(const Internals& whole) const
   const bool fits = this->IsSurface && this->Meta.Points <= whole.Meta.Points &&
     this->Meta.CoordinateType == whole.Meta.CoordinateType &&
     this->Meta.Arrays == whole.Meta.Arrays && this->Meta.HasTime == whole.Meta.HasTime &&
-    this->Times == whole.Times && this->Levels.empty() &&
+    this->Times == whole.Times && this->Levels.empty() && this->Masks.empty() &&
     (!this->Tree || (whole.Tree && this->Tree->Merges <= whole.Tree->Merges));
   if (!fits)
   {

@@ -4,10 +4,12 @@
 #ifndef gatunFileReaderInternals_h
 #define gatunFileReaderInternals_h
 
+#include "gatunCellMask.h"
 #include "gatunFileReader.h"
 #include "gatunGeometry.h"
 #include "gatunInputFile.h"
 #include "gatunLayers.h"
+#include "gatunSeriesTable.h"
 #include "gatunTablePages.h"
 #include "gatunTreeTable.h"
 
@@ -101,6 +103,9 @@ public:
   /** Throws unless the values of the chunks at the first step are within their layers. */
   void CheckLayers() const;
 
+  /** A mask of the cells, from 1. */
+  CellMask ReadMask(std::size_t mask) const;
+
   /** The name of a base mesh in messages. */
   static std::string GetLevelName(std::size_t level)
   {
@@ -123,7 +128,10 @@ public:
   std::vector<StreamRef> Levels;
   std::optional<StreamRef> Boundary;
   std::vector<StreamRef> Meshes; // all but the first
+  std::vector<StreamRef> Masks;  // of the cells of this mesh
+  std::vector<StoredStep> Stored;
   std::vector<SeriesStep> Series;
+  std::vector<StoredStep> Kinds; // the first step of each mesh and mask, numbered as in Series
 
 private:
   Internals(const Internals& whole, const StreamRef& embedded, const std::string& name);
@@ -142,7 +150,7 @@ private:
   void ReadBoundary();
   void CheckBoundary(const Internals& whole) const;
   void ReadSeries();
-  bool HasStepsOf(const std::vector<SeriesStep>& series, std::size_t mesh) const;
+  bool HasStepsOf(const std::vector<StoredStep>& series, std::size_t mesh) const;
   void CheckLevel(const Internals& whole, std::size_t level) const;
   void AddStepBytes(std::span<const std::uint8_t> packed);
   void CheckLastStep() const;
@@ -151,6 +159,12 @@ private:
 inline const FileReader::Internals& InternalsOf(const FileReader& file)
 {
   return *file.Self;
+}
+
+/** The cells that a mesh of a series has, or null if it has all. */
+inline const CellMask* MaskOf(const FileReader& file)
+{
+  return file.Mask.get();
 }
 }
 

@@ -9,6 +9,8 @@
 #include "gatunSeriesTable.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <utility>
 
 namespace gatun
@@ -18,26 +20,50 @@ void FileReader::Internals::ReadSeries()
 {
   constexpr const char* seriesName = "the table of meshes";
   this->Meshes = this->File.FindSections(SectionGrid);
+  this->Masks = this->File.FindSections(SectionLive);
+  if (!this->Masks.empty() && (!this->Meta.HasTime || this->Tree || this->Boundary))
+  {
+    this->File.Fail(ErrorCode::Corrupt,
+      "time steps have some cells only, but there is no time, or a hierarchy or a boundary");
+  }
   if (this->Meshes.empty() && this->File.FindSections(SectionTime).empty())
   {
     return;
   }
   const auto where = this->File.FindSection(SectionTime, seriesName);
-  this->Series = this->File.Guarded(seriesName, where,
-    [&] { return gatun::ReadSeries(this->File.Read(where, seriesName), this->Meshes.size() + 1); });
-  if (!this->Meta.HasTime || !this->HasStepsOf(this->Series, 0))
+  const auto hasMasks = [&](const SectionRef& section)
+  { return section.Name == SectionTime && section.Version == TimeVersionWithMasks; };
+  const auto& sections = this->File.GetSections();
+  this->Stored = this->File.Guarded(seriesName, where,
+    [&]
+    {
+      return gatun::ReadSeries(this->File.Read(where, seriesName), this->Meshes.size() + 1,
+        this->Masks.size(), std::any_of(sections.begin(), sections.end(), hasMasks));
+    });
+  if (!this->Meta.HasTime || !this->HasStepsOf(this->Stored, 0))
   {
     this->File.Fail(ErrorCode::Corrupt, "the time steps of the first mesh are not those listed");
+  }
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers;
+  for (const StoredStep& step : this->Stored)
+  {
+    const auto [place, isNew] = numbers.try_emplace(
+      std::pair(step.Mesh, step.Mask), static_cast<std::uint32_t>(this->Kinds.size()));
+    if (isNew)
+    {
+      this->Kinds.push_back(step);
+    }
+    this->Series.push_back({ place->second, step.Time });
   }
 }
 
 //------------------------------------------------------------------------------
 /** Whether the time steps are those of a mesh in a series. */
 bool FileReader::Internals::HasStepsOf(
-  const std::vector<SeriesStep>& series, std::size_t mesh) const
+  const std::vector<StoredStep>& series, std::size_t mesh) const
 {
   std::vector<double> times;
-  for (const SeriesStep& step : series)
+  for (const StoredStep& step : series)
   {
     if (step.Mesh == mesh)
     {
@@ -48,6 +74,40 @@ bool FileReader::Internals::HasStepsOf(
 }
 
 //------------------------------------------------------------------------------
+CellMask FileReader::Internals::ReadMask(std::size_t mask) const
+{
+  constexpr const char* maskName = "the table of living cells";
+  const auto read = [&](std::size_t number, auto&& use)
+  {
+    const StreamRef& where = this->Masks.at(number - 1);
+    return this->File.Guarded(
+      maskName, where, [&] { return use(this->File.Read(where, maskName)); });
+  };
+  auto first = mask;
+  while (first > 1 && read(first, [](const Bytes& bytes) { return CellMask::NeedsBefore(bytes); }))
+  {
+    --first;
+  }
+  CellMask result;
+  const CellMask::Mesh mesh{ this->GetTables().GetNumberOfCells(), this->Meta.Points,
+    this->Cells ? std::span(this->CellTypes) : std::span<const CellTypeCount>() };
+  for (auto number = first; number <= mask; ++number)
+  {
+    read(number,
+      [&](const Bytes& bytes)
+      {
+        result.Read(bytes, mesh);
+        return true;
+      });
+  }
+  if (!this->Cells)
+  {
+    result.Types.assign(result.Cells > 0 ? 1 : 0, { TetraType, result.Cells });
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
 std::unique_ptr<FileReader::Internals> FileReader::Internals::MakeMesh(
   const Internals& whole, std::size_t mesh)
 {
@@ -55,7 +115,12 @@ std::unique_ptr<FileReader::Internals> FileReader::Internals::MakeMesh(
     new Internals(whole, whole.Meshes.at(mesh - 1), "mesh " + std::to_string(mesh + 1)));
   const bool fits = self->ListedArrays == whole.ListedArrays && self->Meta.HasTime &&
     self->IsSurface == whole.IsSurface && self->HasStepsOf(whole.Series, mesh);
-  if (!fits)
+  std::size_t masks = 0;
+  for (const StoredStep& step : whole.Stored)
+  {
+    masks = std::max<std::size_t>(masks, step.Mesh == mesh ? step.Mask : 0);
+  }
+  if (!fits || self->Masks.size() != masks)
   {
     self->File.Fail(ErrorCode::Corrupt, "it cannot be a mesh of the series");
   }
@@ -65,13 +130,23 @@ std::unique_ptr<FileReader::Internals> FileReader::Internals::MakeMesh(
 //------------------------------------------------------------------------------
 std::size_t FileReader::GetNumberOfMeshes() const
 {
-  return this->Self->Meshes.size() + 1;
+  return this->Mask ? 1 : std::max<std::size_t>(this->Self->Kinds.size(), 1);
+}
+
+//------------------------------------------------------------------------------
+std::size_t FileReader::GetParentMesh(std::size_t mesh) const
+{
+  const auto& kinds = this->Self->Kinds;
+  const auto parent = std::find_if(kinds.begin(), kinds.end(),
+    [&](const StoredStep& kind) { return kind.Mask == 0 && kind.Mesh == kinds.at(mesh).Mesh; });
+  return static_cast<std::size_t>(parent - kinds.begin());
 }
 
 //------------------------------------------------------------------------------
 const std::vector<SeriesStep>& FileReader::GetSeries() const
 {
-  return this->Self->Series;
+  static const std::vector<SeriesStep> none;
+  return this->Mask ? none : this->Self->Series;
 }
 
 //------------------------------------------------------------------------------
@@ -88,12 +163,49 @@ std::vector<double> FileReader::GetSeriesTimes() const
 }
 
 //------------------------------------------------------------------------------
-std::shared_ptr<const FileReader> FileReader::OpenMesh(std::size_t mesh) const
+std::shared_ptr<const FileReader> FileReader::OpenMesh(
+  std::size_t mesh, const std::shared_ptr<const FileReader>& parent) const
 {
   if (mesh == 0 || mesh >= this->GetNumberOfMeshes())
   {
     ThrowInvalid("there is no such mesh in the series", this->GetPath());
   }
-  return std::shared_ptr<const FileReader>(new FileReader(Internals::MakeMesh(*this->Self, mesh)));
+  const StoredStep& kind = this->Self->Kinds[mesh];
+  std::shared_ptr<const Internals> content = parent ? parent->Self
+    : kind.Mesh == 0
+    ? this->Self
+    : std::shared_ptr<const Internals>(Internals::MakeMesh(*this->Self, kind.Mesh));
+  std::shared_ptr<FileReader> opened(new FileReader(std::move(content)));
+  if (kind.Mask > 0)
+  {
+    opened->SetMask(opened->Self->ReadMask(kind.Mask));
+  }
+  return opened;
+}
+
+//------------------------------------------------------------------------------
+/** Leaves only some of the cells. */
+void FileReader::SetMask(CellMask mask)
+{
+  this->Mask = std::make_shared<const CellMask>(std::move(mask));
+  this->MaskedChunks = this->Self->GetTables().GetChunks();
+  this->MaskedTets = 0;
+  for (ChunkInfo& chunk : this->MaskedChunks)
+  {
+    const auto alive = this->Mask->Count(chunk.FirstCell, chunk.Cells);
+    // How many tetrahedra other cells consist of is known only when they are decoded.
+    chunk.Tets = chunk.Cells == chunk.Tets
+      ? alive
+      : static_cast<std::uint64_t>(std::ceil(static_cast<double>(chunk.Tets) *
+          static_cast<double>(alive) / static_cast<double>(chunk.Cells)));
+    chunk.Cells = alive;
+    this->MaskedTets += chunk.Tets;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool FileReader::HasAllCells() const
+{
+  return this->Mask == nullptr;
 }
 }

@@ -5,6 +5,7 @@
 
 #include "gatunBaseMesh.h"
 #include "gatunBoundaryMesh.h"
+#include "gatunCellSubset.h"
 #include "gatunDependencySection.h"
 #include "gatunDomainSurvey.h"
 #include "gatunKeepMemory.h"
@@ -93,12 +94,13 @@ public:
   /** Divides the mesh into chunks, and encodes them if they must not wait for the values. */
   void Begin(const Progress& progress);
   void WriteStep(std::span<const void* const> values, const FieldData& field, bool hasTime,
-    double time, const Progress& progress, const std::vector<std::vector<Domain>>* rounded = {});
+    double time, const Progress& progress, const std::vector<std::vector<Domain>>* rounded = {},
+    const CellSubset* living = nullptr);
   std::uint32_t AddMesh(const MeshInput& mesh, const std::vector<ArrayDescription>& arrays,
     const WriterOptions& options, const Progress& progress);
   void UseMesh(std::uint32_t mesh);
   void WriteSeriesStep(std::span<const void* const> values, const FieldData& field, bool hasTime,
-    double time, const Progress& progress, const void* coordinates);
+    double time, const Progress& progress, const void* coordinates, const LivingCells* living);
   FileStatistics Finish();
 
 private:
@@ -124,6 +126,9 @@ private:
   std::uint64_t AddEmbedded(FourCC section, Internals& embedded);
   void CheckLayers(const StepTable& step) const;
   void EndOther();
+  std::uint32_t WriteMask(CellMask mask);
+  void WriteLiving(std::span<const void* const> values, const FieldData& field, double time,
+    const Progress& progress, const LivingCells& living, StoredStep& stored);
   void Complete();
   void WriteTables();
 
@@ -132,6 +137,8 @@ private:
   MeshSection Mesh{ State };
   StepSection Steps{ State };
   bool IsMeshWritten = false;
+  std::uint32_t Masks = 0; // that have been written
+  CellMask LastMask;
   std::optional<TreeSection> Tree;
   std::vector<std::uint32_t> Merges; // of the levels
   std::vector<std::unique_ptr<Level>> Levels;
@@ -139,7 +146,7 @@ private:
   std::unique_ptr<Internals> Other; // the mesh that was added last
   std::uint32_t NumberOfMeshes = 1;
   std::uint32_t NextMesh = 0; // that the next step has
-  std::vector<SeriesStep> Series;
+  std::vector<StoredStep> Series;
 };
 
 //------------------------------------------------------------------------------
@@ -294,9 +301,9 @@ void FileWriter::Internals::WriteEmbeddedStep(const Embedded<MeshT>& embedded,
 //------------------------------------------------------------------------------
 void FileWriter::Internals::WriteStep(std::span<const void* const> values, const FieldData& field,
   bool hasTime, double time, const Progress& progress,
-  const std::vector<std::vector<Domain>>* rounded)
+  const std::vector<std::vector<Domain>>* rounded, const CellSubset* living)
 {
-  const StepValues all{ values, &field, hasTime, time, rounded };
+  const StepValues all{ values, &field, hasTime, time, rounded, living };
   if (this->State.Meta.PointsMove && !hasTime)
   {
     ThrowInvalid("points can only move in a file with time");
@@ -385,7 +392,8 @@ void FileWriter::Internals::WriteTables()
 std::uint64_t FileWriter::Internals::AddEmbedded(FourCC section, Internals& embedded)
 {
   embedded.Complete();
-  return this->State.File.AddSection(section, embedded.State.File);
+  return section == SectionGrid ? this->State.File.AddShared(section, embedded.State.File)
+                                : this->State.File.AddSection(section, embedded.State.File);
 }
 
 //------------------------------------------------------------------------------
@@ -433,7 +441,7 @@ void FileWriter::Internals::UseMesh(std::uint32_t mesh)
 /** Writes a step of the mesh that is used. */
 void FileWriter::Internals::WriteSeriesStep(std::span<const void* const> values,
   const FieldData& field, bool hasTime, double time, const Progress& progress,
-  const void* coordinates)
+  const void* coordinates, const LivingCells* living)
 {
   if (!this->Series.empty() && !(hasTime && time > this->Series.back().Time))
   {
@@ -445,13 +453,66 @@ void FileWriter::Internals::WriteSeriesStep(std::span<const void* const> values,
     ThrowInvalid("a mesh that changes needs time, and a step of the first mesh");
   }
   Internals& mesh = this->NextMesh == 0 ? *this : *this->Other;
+  if (living && living->DropsPoints && mesh.State.Options.PointsMove && !coordinates)
+  {
+    ThrowInvalid("a step with fewer points has no coordinates");
+  }
   std::vector<const void*> all(values.begin(), values.end());
   if (mesh.State.Options.PointsMove)
   {
     all.push_back(coordinates ? coordinates : mesh.Part.Mesh.GetMesh().Coordinates);
   }
-  mesh.WriteStep(all, field, hasTime, time, progress);
-  this->Series.push_back({ this->NextMesh, time });
+  StoredStep stored{ this->NextMesh, 0, time };
+  if (living)
+  {
+    mesh.WriteLiving(all, field, time, progress, *living, stored);
+  }
+  else
+  {
+    mesh.WriteStep(all, field, hasTime, time, progress);
+  }
+  this->Series.push_back(stored);
+}
+
+//------------------------------------------------------------------------------
+/** Writes a step of which some cells are not alive. Sets the mask that it has. */
+void FileWriter::Internals::WriteLiving(std::span<const void* const> values, const FieldData& field,
+  double time, const Progress& progress, const LivingCells& living, StoredStep& stored)
+{
+  if (this->Steps.GetCount() == 0 || this->Tree || this->Boundary)
+  {
+    ThrowInvalid("some cells of a mesh can only be left out behind a step with all of them, and "
+                 "without hierarchy and boundary");
+  }
+  const CellSubset subset(this->Part.Mesh, living);
+  std::vector<Bytes> spread;
+  std::vector<const void*> pointers;
+  for (std::size_t a = 0; a < values.size(); ++a)
+  {
+    const auto& array = this->State.Meta.Arrays[a];
+    spread.push_back(subset.Spread(values[a], array.Where, array.Components * SizeOf(array.Type),
+      this->Steps.GetBefore().at(a)));
+    pointers.push_back(spread.back().data());
+  }
+  stored.Mask = this->WriteMask(subset.MakeMask(this->Part));
+  this->WriteStep(pointers, field, true, time, progress, nullptr, &subset);
+}
+
+//------------------------------------------------------------------------------
+/** Writes a mask unless it is the last one. Returns its number. */
+std::uint32_t FileWriter::Internals::WriteMask(CellMask mask)
+{
+  // A reader needs all masks since the last one that stands alone.
+  constexpr std::uint32_t distance = 16;
+  if (this->Masks == 0 || !(mask == this->LastMask))
+  {
+    const bool isRelative = this->Masks % distance != 0;
+    this->State.File.AddSection(
+      SectionLive, mask.Write(isRelative ? &this->LastMask : nullptr, this->State.HasCells));
+    this->LastMask = std::move(mask);
+    ++this->Masks;
+  }
+  return this->Masks;
 }
 
 //------------------------------------------------------------------------------
@@ -468,9 +529,11 @@ void FileWriter::Internals::Complete()
       this->AddEmbedded(SectionBoundary, *this->Boundary->File);
   }
   this->EndOther();
-  if (this->NumberOfMeshes > 1)
+  const bool hasMasks = HasMasks(this->Series);
+  if (this->NumberOfMeshes > 1 || hasMasks)
   {
-    this->State.File.AddSection(SectionTime, WriteSeries(this->Series));
+    this->State.File.AddSection(SectionTime, WriteSeries(this->Series), FlagMandatory,
+      hasMasks ? TimeVersionWithMasks : SectionVersion);
   }
   this->WriteTables();
 }
@@ -501,9 +564,10 @@ FileWriter::~FileWriter() = default;
 
 //------------------------------------------------------------------------------
 void FileWriter::WriteStep(std::span<const void* const> values, const FieldData& field,
-  bool hasTime, double time, const Progress& progress, const void* coordinates)
+  bool hasTime, double time, const Progress& progress, const void* coordinates,
+  const LivingCells* living)
 {
-  this->Self->WriteSeriesStep(values, field, hasTime, time, progress, coordinates);
+  this->Self->WriteSeriesStep(values, field, hasTime, time, progress, coordinates, living);
 }
 
 //------------------------------------------------------------------------------

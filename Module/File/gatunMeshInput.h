@@ -7,6 +7,7 @@
 #include "gatunTypes.h"
 
 #include <cstdint>
+#include <span>
 
 namespace gatun
 {
@@ -38,6 +39,17 @@ struct MeshInput
    * ids. */
   const std::int64_t* Faces = nullptr;
   std::uint64_t FacesSize = 0; ///< the number of values in Faces
+};
+
+/** The cells of a MeshInput that a time step has, if some have died since the first step with the
+ * mesh. Dead cells may come back. */
+struct LivingCells
+{
+  std::span<const std::uint64_t> Cells; ///< the numbers of the living cells, ascending
+
+  /** Whether the step has only points of living cells. Otherwise it has all points of the mesh. */
+  bool DropsPoints = false;
+  std::span<const std::uint64_t> Points; ///< then their numbers, ascending
 };
 }
 

@@ -28,56 +28,6 @@ void CheckBelow(const std::vector<Key>& ids, Key end)
   }
 }
 
-//------------------------------------------------------------------------------
-// The exact memory of parts.
-
-template <typename T>
-std::uint64_t BytesIn(const std::vector<T>& list)
-{
-  return list.capacity() * sizeof(T);
-}
-
-template <typename T>
-std::uint64_t BytesOf(const std::vector<T>& list)
-{
-  return sizeof(list) + BytesIn(list);
-}
-
-std::uint64_t BytesOf(const OrderPart& order)
-{
-  return order.GetBytes();
-}
-
-std::uint64_t BytesOf(const ArrayPart& array)
-{
-  auto bytes = sizeof(array) + BytesIn(array);
-  for (const auto& component : array)
-  {
-    bytes += BytesIn(component);
-  }
-  return bytes;
-}
-
-std::uint64_t BytesOf(const DomainsPart& domains)
-{
-  auto bytes = sizeof(domains) + BytesIn(domains);
-  for (const auto& domain : domains)
-  {
-    bytes += domain.GetPalette() ? BytesOf(*domain.GetPalette()) : 0;
-  }
-  return bytes;
-}
-
-std::uint64_t BytesOf(const ChunkMesh& mesh)
-{
-  const auto& walk = mesh.Walk;
-  return sizeof(mesh) + BytesIn(walk.Tets) + BytesIn(walk.Parents) + BytesIn(walk.Sources) +
-    BytesIn(walk.Records) + BytesIn(walk.EdgeLog) + BytesIn(walk.CellRecords) +
-    BytesIn(mesh.CellRules) + BytesIn(mesh.Keys) + BytesIn(mesh.Rules) + BytesIn(mesh.UsedRules) +
-    BytesIn(mesh.Context.OwnIds) + BytesIn(mesh.Cells.Types) + BytesIn(mesh.Cells.Starts) +
-    BytesIn(mesh.Cells.Corners) + BytesIn(mesh.Cells.FaceStarts) + BytesIn(mesh.Cells.Faces);
-}
-
 template <typename Part>
 std::shared_ptr<const Part> KeepIn(
   ChunkCache::Internals& cache, const PartKey& key, std::shared_ptr<const Part> part)

@@ -5,11 +5,11 @@
 #define gatunPartDecoder_h
 
 #include "gatunArrayCodec.h"
+#include "gatunCacheParts.h"
 #include "gatunChunkCacheInternals.h"
 #include "gatunChunkCodec.h"
 #include "gatunChunkTets.h"
 #include "gatunFileReaderInternals.h"
-#include "gatunOriginalNumbers.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -21,12 +21,6 @@
 
 namespace gatun
 {
-// The parts that the cache keeps.
-using PointsPart = std::vector<PointKeys>;       // of a block
-using OrderPart = OriginalNumbers;               // of points or cells
-using ArrayPart = std::vector<std::vector<Key>>; // keys of all vertices, for each component
-using DomainsPart = std::vector<Domain>;         // one for each component
-
 /** An array of a block or chunk and its time step. Values is null if there is none. */
 struct ArrayAtStep
 {

@@ -7,7 +7,7 @@
 #include "gatunChunkSetDecoder.h"
 #include "gatunCoarsePiece.h"
 #include "gatunFileReaderInternals.h"
-#include "gatunPieceCells.h"
+#include "gatunPieceSelection.h"
 
 #include <algorithm>
 #include <cstring>
@@ -52,7 +52,8 @@ std::vector<std::uint32_t> Surround(const FileReader& file,
 //------------------------------------------------------------------------------
 /**
  * A piece with ghosts is extracted from a larger set of chunks. The set is decoded as a whole, and
- * the cells that touch the piece are copied with their points.
+ * the cells that touch the piece are copied with their points. A piece of a mesh of which only some
+ * cells are alive is extracted from all of its cells in the same way.
  */
 class PieceDecoder::Internals
 {
@@ -60,6 +61,7 @@ public:
   explicit Internals(std::shared_ptr<ChunkCache> cache)
     : Cache(std::move(cache))
     , File(Cache->GetFile())
+    , Mask(MaskOf(*File))
   {
   }
 
@@ -68,20 +70,20 @@ public:
 
   const std::shared_ptr<ChunkCache> Cache;
   const std::shared_ptr<const FileReader> File;
+  const CellMask* const Mask; // null if all cells are alive
   PieceRequest Request;
   std::shared_ptr<const CoarseLayout> Layout;  // of the last merges
   std::shared_ptr<const MergeTree> LayoutTree; // of these
   std::unique_ptr<CoarsePiece> Coarse;         // replaces the members below if there are merges
   std::unique_ptr<ChunkSetDecoder> Piece;
-  std::unique_ptr<ChunkSetDecoder> Around; // null without ghosts
-  std::vector<std::uint64_t> PointFrom;    // with ghosts: the position of each point in Around
-  std::vector<std::uint64_t> CellFrom;     // and that of each cell
-  std::optional<PieceCells> Cells;         // of the piece with ghosts
+  std::unique_ptr<ChunkSetDecoder> Around; // null without ghosts, if all cells are alive
+  std::optional<PieceSelection> Cut;       // out of Around
+  bool IsRestored = false;                 // whether Around has the original order
 
 private:
   void CheckRequest(const PieceRequest& request) const;
   void CheckValues(const PieceRequest& request) const;
-  void ChooseGhosts(const Progress& progress);
+  void MarkPoints(unsigned char* ghosts, const Progress& progress) const;
 };
 
 void PieceDecoder::Internals::CheckRequest(const PieceRequest& request) const
@@ -177,18 +179,27 @@ void PieceDecoder::Internals::SetRequest(const PieceRequest& request, const Prog
   if (request.GhostLevels > 0)
   {
     auto chunks = Surround(*this->File, request.Chunks, request.Universe, request.GhostLevels);
-    if (chunks != request.Chunks)
+    if (chunks != request.Chunks || this->Mask)
     {
       this->Around = std::make_unique<ChunkSetDecoder>(
         this->Cache, std::move(chunks), request.Universe, request.WithUnusedPoints, request.Form);
     }
   }
+  else if (this->Mask)
+  {
+    this->Around = std::make_unique<ChunkSetDecoder>(
+      this->Cache, request.Chunks, request.Universe, request.WithUnusedPoints, request.Form);
+  }
   this->Piece = std::move(piece);
   if (this->Around)
   {
+    this->IsRestored = request.GhostLevels == 0 && request.RestoreOrder &&
+      this->Around->GetSet().IsWhole() &&
+      (this->File->GetKeptOrder() & (KeepPoints | KeepCells)) != 0;
     try
     {
-      this->ChooseGhosts(progress);
+      this->Cut.emplace(*this->Around, this->Piece->GetSet(),
+        PieceCut{ this->Mask, request.GhostLevels, this->IsRestored }, progress);
     }
     catch (...)
     {
@@ -198,79 +209,41 @@ void PieceDecoder::Internals::SetRequest(const PieceRequest& request, const Prog
   }
 }
 
-void PieceDecoder::Internals::ChooseGhosts(const Progress& progress)
+/** Marks the points that other pieces own. */
+void PieceDecoder::Internals::MarkPoints(unsigned char* ghosts, const Progress& progress) const
 {
-  const ChunkSet& around = this->Around->GetSet();
-  const auto cells = static_cast<std::size_t>(around.GetNumberOfCells());
-  PieceCells all(around.GetForm() == PieceForm::Tetrahedra, cells,
-    static_cast<std::size_t>(around.GetConnectivitySize()),
-    static_cast<std::size_t>(around.GetFacesSize()));
-  this->Around->Fill(all.GetTarget(), {}, 0, false, progress);
-
-  this->PointFrom = around.Locate(this->Piece->GetSet());
-  this->CellFrom.clear();
-  const auto count = static_cast<std::size_t>(around.GetNumberOfPoints());
-  std::vector<char> isOfPiece(count, 0);
-  for (const auto p : this->PointFrom)
+  const auto& points = this->Cut->GetPoints();
+  const auto own = this->Cut->GetNumberOfOwnPoints();
+  // Points that belong only to ghost cells are duplicates.
+  std::memset(ghosts + own, 1, points.size() - own);
+  if (!this->Mask || !this->Mask->DropsPoints)
   {
-    isOfPiece[p] = 1;
+    this->Piece->GetSet().MarkOwners(ghosts);
+    return;
   }
-  std::vector<char> chosen(cells, 0);
-  const auto& owned = this->Piece->GetSet().GetChunks();
-  for (std::size_t i = 0; i < around.GetChunks().size(); ++i)
+  if (this->IsRestored)
   {
-    if (std::binary_search(owned.begin(), owned.end(), around.GetChunks()[i]))
-    {
-      const auto first = around.GetFirstCell(i);
-      for (auto c = first; c < first + around.GetNumberOfCells(i); ++c)
-      {
-        this->CellFrom.push_back(c);
-        chosen[c] = 1;
-      }
-    }
+    std::memset(ghosts, 0, own);
+    return;
   }
-  // Unused points belong to the piece but have no ghosts.
-  std::vector<char> reached(count, 0);
-  const auto reach = [&](std::size_t begin)
+  // The lowest chunk that uses a point may have no living cell that does.
+  std::unique_ptr<ChunkSetDecoder> larger;
+  std::vector<std::uint64_t> places;
+  if (this->Request.GhostLevels == 0)
   {
-    for (auto i = begin; i < this->CellFrom.size(); ++i)
-    {
-      all.ForEachPoint(this->CellFrom[i], [&](std::size_t point) { reached[point] = 1; });
-    }
-  };
-  reach(0);
-  for (unsigned level = 0; level < this->Request.GhostLevels; ++level)
-  {
-    const auto begin = this->CellFrom.size();
-    for (std::size_t c = 0; c < cells; ++c)
-    {
-      char touches = 0;
-      all.ForEachPoint(c, [&](std::size_t point) { touches |= reached[point]; });
-      if (!chosen[c] && touches)
-      {
-        chosen[c] = 1;
-        this->CellFrom.push_back(c);
-      }
-    }
-    if (this->CellFrom.size() == begin)
-    {
-      break; // nothing more can be reached
-    }
-    reach(begin);
+    larger = std::make_unique<ChunkSetDecoder>(this->Cache,
+      Surround(*this->File, this->Request.Chunks, this->Request.Universe, 1),
+      this->Request.Universe, this->Request.WithUnusedPoints, this->Request.Form);
+    places = larger->GetSet().Locate(this->Around->GetSet());
   }
-  for (std::size_t p = 0; p < count; ++p)
+  const auto owners =
+    PieceSelection::FindOwners(larger ? *larger : *this->Around, *this->Mask, progress);
+  for (std::size_t i = 0; i < own; ++i)
   {
-    if (reached[p] && !isOfPiece[p])
-    {
-      this->PointFrom.push_back(p);
-    }
+    const auto at = static_cast<std::size_t>(points[i]);
+    ghosts[i] = !std::binary_search(this->Request.Chunks.begin(), this->Request.Chunks.end(),
+      owners[larger ? static_cast<std::size_t>(places[at]) : at]);
   }
-  std::vector<std::int64_t> placeOf(count, -1);
-  for (std::size_t i = 0; i < this->PointFrom.size(); ++i)
-  {
-    placeOf[this->PointFrom[i]] = static_cast<std::int64_t>(i);
-  }
-  this->Cells = all.Select(this->CellFrom, placeOf);
 }
 
 void PieceDecoder::Internals::Fill(const PieceTarget& target, const Progress& progress)
@@ -296,6 +269,8 @@ void PieceDecoder::Internals::Fill(const PieceTarget& target, const Progress& pr
   }
 
   // Decodes the larger set and copies the piece and its ghosts.
+  const auto& pointFrom = this->Cut->GetPoints();
+  const auto& cellFrom = this->Cut->GetCells();
   const auto points = static_cast<std::size_t>(this->Around->GetNumberOfPoints());
   const auto cells = static_cast<std::size_t>(this->Around->GetNumberOfCells());
   struct Copy
@@ -319,19 +294,19 @@ void PieceDecoder::Internals::Fill(const PieceTarget& target, const Progress& pr
   };
   PieceTarget larger;
   larger.Points =
-    divert(this->PointFrom, points, 3 * SizeOf(this->File->GetCoordinateType()), target.Points);
+    divert(pointFrom, points, 3 * SizeOf(this->File->GetCoordinateType()), target.Points);
   larger.GlobalPointIds = static_cast<std::int64_t*>(
-    divert(this->PointFrom, points, sizeof(std::int64_t), target.GlobalPointIds));
-  larger.GlobalCellIds = static_cast<std::int64_t*>(
-    divert(this->CellFrom, cells, sizeof(std::int64_t), target.GlobalCellIds));
+    divert(pointFrom, points, sizeof(std::int64_t), target.GlobalPointIds));
+  larger.GlobalCellIds =
+    static_cast<std::int64_t*>(divert(cellFrom, cells, sizeof(std::int64_t), target.GlobalCellIds));
   for (std::size_t a = 0; a < target.Arrays.size(); ++a)
   {
     const auto& array = this->File->GetArrays()[this->Request.Arrays[a]];
     const bool ofPoints = array.Where == Association::Point;
-    larger.Arrays.push_back(divert(ofPoints ? this->PointFrom : this->CellFrom,
-      ofPoints ? points : cells, array.Components * SizeOf(array.Type), target.Arrays[a]));
+    larger.Arrays.push_back(divert(ofPoints ? pointFrom : cellFrom, ofPoints ? points : cells,
+      array.Components * SizeOf(array.Type), target.Arrays[a]));
   }
-  this->Around->Fill(larger, this->Request.Arrays, this->Request.Step, false, progress);
+  this->Around->Fill(larger, this->Request.Arrays, this->Request.Step, this->IsRestored, progress);
   for (const auto& copy : copies)
   {
     auto* to = static_cast<std::uint8_t*>(copy.To);
@@ -344,18 +319,19 @@ void PieceDecoder::Internals::Fill(const PieceTarget& target, const Progress& pr
 
   if (target.PointGhosts)
   {
-    // Points that belong only to ghost cells are duplicates.
-    const auto count = static_cast<std::size_t>(this->Piece->GetNumberOfPoints());
-    this->Piece->GetSet().MarkOwners(target.PointGhosts);
-    std::memset(target.PointGhosts + count, 1, this->PointFrom.size() - count);
+    this->MarkPoints(target.PointGhosts, progress);
   }
   if (target.CellGhosts)
   {
-    const auto owned = static_cast<std::size_t>(this->Piece->GetNumberOfCells());
+    const auto owned = this->Cut->GetNumberOfOwnCells();
     std::memset(target.CellGhosts, 0, owned);
-    std::memset(target.CellGhosts + owned, 1, this->CellFrom.size() - owned);
+    std::memset(target.CellGhosts + owned, 1, this->Cut->GetCells().size() - owned);
   }
-  this->Cells->Store(target);
+  if (target.CellParents)
+  {
+    std::fill_n(target.CellParents, this->Cut->GetCells().size(), PieceTarget::NoParent);
+  }
+  this->Cut->GetMemory().Store(target);
 }
 
 //------------------------------------------------------------------------------
@@ -376,7 +352,7 @@ void PieceDecoder::Forget()
   this->Self->Around.reset();
   this->Self->Piece.reset();
   this->Self->Coarse.reset();
-  this->Self->Cells.reset();
+  this->Self->Cut.reset();
 }
 
 void PieceDecoder::SetRequest(const PieceRequest& request, const Progress& progress)
@@ -387,7 +363,7 @@ void PieceDecoder::SetRequest(const PieceRequest& request, const Progress& progr
 std::uint64_t PieceDecoder::GetNumberOfPoints() const
 {
   return this->Self->Coarse ? this->Self->Coarse->GetNumberOfPoints()
-    : this->Self->Around    ? this->Self->PointFrom.size()
+    : this->Self->Around    ? this->Self->Cut->GetPoints().size()
     : this->Self->Piece     ? this->Self->Piece->GetNumberOfPoints()
                             : 0;
 }
@@ -395,7 +371,7 @@ std::uint64_t PieceDecoder::GetNumberOfPoints() const
 std::uint64_t PieceDecoder::GetNumberOfCells() const
 {
   return this->Self->Coarse ? this->Self->Coarse->GetCells().GetCount()
-    : this->Self->Around    ? this->Self->CellFrom.size()
+    : this->Self->Around    ? this->Self->Cut->GetCells().size()
     : this->Self->Piece     ? this->Self->Piece->GetNumberOfCells()
                             : 0;
 }
@@ -411,14 +387,14 @@ std::uint64_t PieceDecoder::GetConnectivitySize() const
 {
   return this->Self->Coarse ? this->Self->Coarse->GetCells().GetAllCorners().size()
     : this->IsTetrahedral() ? 4 * this->GetNumberOfCells()
-    : this->Self->Around    ? this->Self->Cells->GetConnectivitySize()
+    : this->Self->Around    ? this->Self->Cut->GetMemory().GetConnectivitySize()
                             : this->Self->Piece->GetSet().GetConnectivitySize();
 }
 
 std::uint64_t PieceDecoder::GetFacesSize() const
 {
   return this->IsTetrahedral() || this->Self->Coarse ? 0
-    : this->Self->Around                             ? this->Self->Cells->GetFacesSize()
+    : this->Self->Around                             ? this->Self->Cut->GetMemory().GetFacesSize()
                                                      : this->Self->Piece->GetSet().GetFacesSize();
 }
 

@@ -71,6 +71,8 @@ struct PieceTarget
   std::uint32_t* CellParents = nullptr;
   static constexpr std::uint32_t NoParent = 0xffffffffu;
 
+  std::uint64_t* FileCells = nullptr; ///< numbers in the order of the file; not after merges
+
   /** 0 for elements of the piece, 1 for duplicates that another piece owns (VTK's DUPLICATEPOINT,
    * DUPLICATECELL). A shared point belongs to the lowest chunk of the universe that uses it. */
   unsigned char* PointGhosts = nullptr;

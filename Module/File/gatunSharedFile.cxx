@@ -24,15 +24,29 @@ SharedFile::SharedFile(std::shared_ptr<const FileReader> file, std::shared_ptr<C
 //------------------------------------------------------------------------------
 std::shared_ptr<SharedFile> SharedFile::GetMesh(std::size_t mesh)
 {
-  const std::lock_guard<std::mutex> lock(this->Guard);
-  const auto found = this->Meshes.find(mesh);
-  if (found != this->Meshes.end())
   {
-    return found->second;
+    const std::lock_guard<std::mutex> lock(this->Guard);
+    const auto found = this->Meshes.find(mesh);
+    if (found != this->Meshes.end())
+    {
+      return found->second;
+    }
   }
-  std::shared_ptr<SharedFile> shared(new SharedFile(this->File->OpenMesh(mesh), this->Budget));
-  this->Meshes.emplace(mesh, shared);
-  return shared;
+  // A mesh with some of the cells of another one is decoded from the same parts.
+  const auto parent =
+    mesh < this->File->GetNumberOfMeshes() ? this->File->GetParentMesh(mesh) : mesh;
+  const auto whole = parent == mesh || parent == 0 ? nullptr : this->GetMesh(parent);
+  SharedFile& other = whole ? *whole : *this;
+  std::shared_ptr<SharedFile> shared(new SharedFile(
+    this->File->OpenMesh(mesh, parent == mesh ? nullptr : other.File), this->Budget));
+  if (parent != mesh)
+  {
+    shared->Caches[shared->File.get()] =
+      std::make_shared<ChunkCache>(*other.GetCache(other.File), shared->File);
+    shared->IsPart = true;
+  }
+  const std::lock_guard<std::mutex> lock(this->Guard);
+  return this->Meshes.emplace(mesh, shared).first->second;
 }
 
 //------------------------------------------------------------------------------
@@ -73,13 +87,19 @@ SimplifiedFile& SharedFile::GetBoundaryHierarchy()
 std::shared_ptr<ChunkCache> SharedFile::MakeView(
   const std::shared_ptr<const FileReader>& mesh, bool keepsChunks)
 {
+  return std::make_shared<ChunkCache>(this->GetCache(mesh), keepsChunks);
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<ChunkCache> SharedFile::GetCache(const std::shared_ptr<const FileReader>& mesh)
+{
   const std::lock_guard<std::mutex> lock(this->Guard);
   auto& cache = this->Caches[mesh.get()];
   if (!cache)
   {
     cache = std::make_shared<ChunkCache>(mesh, this->Budget);
   }
-  return std::make_shared<ChunkCache>(cache, keepsChunks);
+  return cache;
 }
 
 //------------------------------------------------------------------------------
@@ -98,7 +118,9 @@ ChunkCacheStatistics SharedFile::GetStatistics() const
   };
   for (const auto& entry : this->Caches)
   {
-    add(entry.second->GetStatistics());
+    auto one = entry.second->GetStatistics();
+    one.Bytes = this->IsPart ? 0 : one.Bytes; // of the mesh with all cells
+    add(one);
   }
   for (const auto& entry : this->Meshes)
   {
@@ -115,7 +137,7 @@ std::uint64_t SharedFile::GetBytesRead() const
   read += this->Boundary ? this->Boundary->GetBytesRead() : 0;
   for (const auto& entry : this->Meshes)
   {
-    read += entry.second->GetBytesRead();
+    read += entry.second->IsPart ? 0 : entry.second->GetBytesRead();
   }
   return read;
 }

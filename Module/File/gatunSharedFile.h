@@ -63,7 +63,10 @@ public:
 private:
   SharedFile(std::shared_ptr<const FileReader> file, std::shared_ptr<CacheBudget> budget);
 
+  std::shared_ptr<ChunkCache> GetCache(const std::shared_ptr<const FileReader>& mesh);
+
   const std::shared_ptr<const FileReader> File;
+  bool IsPart = false; // whether it is a mesh with some of the cells of another one
   const std::shared_ptr<CacheBudget> Budget;
   mutable std::mutex Guard; // of what follows
   std::unique_ptr<SimplifiedFile> Hierarchy;

@@ -242,6 +242,8 @@ void StepSection::Prepare(const WriterPart& part, const StepValues& values)
   for (std::size_t a = 0; a < values.Arrays.size(); ++a)
   {
     this->AddArray(a, part, values.Arrays[a]);
+    auto& input = step.Arrays.back();
+    input.IsAlive = values.Living ? &values.Living->Get(input.Description->Where) : nullptr;
   }
   this->RoundArrays(part, values);
   this->Ahead.assign(part.Layout.GetChunkCount(), {});
@@ -295,75 +297,6 @@ void StepSection::AddArray(std::size_t a, const WriterPart& part, const void* va
     input.Before = input.IsPoints && this->FindReference(a) == 0
       ? static_cast<const std::uint8_t*>(part.Mesh.GetMesh().Coordinates)
       : this->Before[a].data();
-  }
-}
-
-//------------------------------------------------------------------------------
-/** Makes room for the values that readers will have of arrays with errors. Those that more than one
- * chunk or process has are rounded now, because all of them must get the same. */
-void StepSection::RoundArrays(const WriterPart& part, const StepValues& values)
-{
-  auto& step = this->GetStep();
-  this->Rounded.clear();
-  this->Rounded.resize(step.Arrays.size());
-  if (values.Rounded)
-  {
-    return; // they are what readers will have
-  }
-  for (std::size_t a = 0; a < step.Arrays.size(); ++a)
-  {
-    auto& input = step.Arrays[a];
-    const auto source = step.Domains.Copies[a] ? step.Domains.Copies[a]->Source : a;
-    const auto& domains = step.Domains.Components[source];
-    if (std::none_of(domains.begin(), domains.end(),
-          [](const Domain& domain) { return static_cast<bool>(domain.GetQuantizer()); }))
-    {
-      continue;
-    }
-    const auto tuples = part.GetTupleCount(*input.Description);
-    this->Rounded[a] = std::make_unique<RoundedArray>(*input.Description, input.Now, tuples);
-    input.Rounded = this->Rounded[a].get();
-    input.Now = input.Rounded->GetValues();
-    const bool isOnPoints = input.Description->Where == Association::Point;
-    if (!input.IsCopy)
-    {
-      input.Rounded->PutOnLattice(input.Domains,
-        isOnPoints ? std::span(part.SharedPoints) : std::span<const std::uint32_t>(),
-        isOnPoints ? std::span(part.Layout.UnusedPoints) : std::span<const std::uint32_t>());
-    }
-  }
-  for (std::size_t a = 0; a < step.Arrays.size(); ++a)
-  {
-    if (this->Rounded[a] && step.Arrays[a].IsCopy)
-    {
-      std::vector<std::uint32_t> all(part.GetTupleCount(*step.Arrays[a].Description));
-      std::iota(all.begin(), all.end(), 0u);
-      this->CopyRounded(all, a);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-/** Gives tuples of a copy the values of its source. */
-void StepSection::CopyRounded(std::span<const std::uint32_t> tuples, std::size_t array) const
-{
-  const auto& copy = *this->GetStep().Domains.Copies[array];
-  this->Rounded[array]->Copy(*this->Rounded[copy.Source], copy.Components, tuples);
-}
-
-//------------------------------------------------------------------------------
-/** Enters the largest errors of the part. */
-void StepSection::TakeErrors()
-{
-  auto& step = this->GetStep();
-  for (std::size_t a = 0; a < step.Arrays.size(); ++a)
-  {
-    auto& palettes = step.Table.Arrays[a].Palettes;
-    for (std::size_t c = 0; this->Rounded[a] && c < palettes.size(); ++c)
-    {
-      auto& reached = palettes[c].Rounding.Reached;
-      reached = std::max(reached, this->Rounded[a]->GetError(c));
-    }
   }
 }
 
@@ -503,7 +436,7 @@ void StepSection::WriteBlockValues(const WriterPart& part)
       }
     }
   }
-  batch.Write(this->State.File, SectionValues);
+  batch.Write(this->State.File, SectionValues, FlagMandatory, step.Table.Key);
 }
 
 //------------------------------------------------------------------------------
@@ -599,7 +532,7 @@ void StepSection::WriteChunkValues(WriterPart& part, const std::function<bool(do
           Include(array.Ranges, array.ChunkRanges[chunk]);
         }
       }
-      batch.Write(this->State.File, SectionValues);
+      batch.Write(this->State.File, SectionValues, FlagMandatory, step.Table.Key);
     },
     progress);
 }

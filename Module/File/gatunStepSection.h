@@ -6,6 +6,7 @@
 
 #include "gatunArrayCopies.h"
 #include "gatunArrayInput.h"
+#include "gatunCellSubset.h"
 #include "gatunFieldData.h"
 #include "gatunMeshSection.h"
 #include "gatunRoundedArrays.h"
@@ -35,6 +36,9 @@ struct StepValues
 
   /** For values that are on the lattices of another file: its domains. Otherwise null. */
   const std::vector<std::vector<Domain>>* Rounded = nullptr;
+
+  /** The cells that are alive, whose values count for ranges. Null if all are. */
+  const CellSubset* Living = nullptr;
 };
 
 /** How the arrays have keys at a time step. */
@@ -116,6 +120,9 @@ public:
   /** To be called behind the last step of a part. Throws Error(InvalidInput) if it has fewer than
    * the first part. */
   void EndPart();
+
+  /** The values of the previous step of the current part, as readers have them. */
+  const std::vector<Bytes>& GetBefore() const { return this->Before; }
 
   /** The number of finished steps of the current part. */
   std::size_t GetCount() const { return this->Count; }

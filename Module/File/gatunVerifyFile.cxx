@@ -176,10 +176,14 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
   VerifyBlocks(parts);
   const auto chunks = file.GetChunks().size();
   const auto rounds = std::max<std::size_t>(1, (chunks + chunksAtOnce - 1) / chunksAtOnce);
-  const auto steps = std::max<std::size_t>(1, file.GetNumberOfSteps());
-  PermutationCheck points(file, file.GetNumberOfPoints(), "point ");
-  PermutationCheck cells(file, file.GetNumberOfCells(), "cell ");
+  // All values are in the mesh with all cells, which is verified, too.
+  const bool hasAll = file.HasAllCells();
+  const auto steps = hasAll ? std::max<std::size_t>(1, file.GetNumberOfSteps()) : 1;
+  const auto& content = InternalsOf(file);
+  PermutationCheck points(file, content.Meta.Points, "point ");
+  PermutationCheck cells(file, content.GetTables().GetNumberOfCells(), "cell ");
   TypeCheck types;
+  std::uint64_t pointsFound = 0;
   BoundaryCheck boundary(file);
   for (std::size_t round = 0; round < rounds; ++round)
   {
@@ -188,7 +192,8 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
     {
       request.Chunks.push_back(static_cast<std::uint32_t>(c));
     }
-    for (std::uint32_t a = 0; file.GetNumberOfSteps() > 0 && a < file.GetArrays().size(); ++a)
+    for (std::uint32_t a = 0; hasAll && file.GetNumberOfSteps() > 0 && a < file.GetArrays().size();
+         ++a)
     {
       request.Arrays.push_back(a);
     }
@@ -230,6 +235,7 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
       {
         if (pointGhosts[p] == 0)
         {
+          ++pointsFound;
           points.Add(pointIds[p]);
         }
       }
@@ -243,6 +249,12 @@ void VerifyStreams(const FileReader& file, const std::function<bool(double)>& pr
     VerifyCells(parts, request.Chunks);
   }
   types.Compare(file);
+  if (pointsFound != file.GetNumberOfPoints())
+  {
+    InternalsOf(file).File.Fail(ErrorCode::Corrupt,
+      "there are " + std::to_string(pointsFound) + " points instead of " +
+        std::to_string(file.GetNumberOfPoints()));
+  }
   boundary.Compare();
 }
 }
@@ -253,6 +265,11 @@ bool VerifyFile(const FileReader& file, const std::function<bool(double)>& progr
   const FileReader::Internals& content = InternalsOf(file);
   try
   {
+    if (!file.HasAllCells()) // the mesh with all cells is verified, too
+    {
+      VerifyStreams(file, progress);
+      return true;
+    }
     content.File.CheckSections([&](double done) { return !progress || progress(0.1 * done); });
     for (std::size_t step = 0; step < file.GetNumberOfSteps(); ++step)
     {

@@ -39,8 +39,10 @@ public:
     this->Added.push_back(&where);
   }
 
-  /** Writes the section, unless there are no streams, and clears the batch. */
-  void Write(OutputFile& file, FourCC name, std::uint16_t flags = FlagMandatory)
+  /** Writes the section, unless there are no streams, and clears the batch. isShared: whether
+   * other meshes may have some of the streams, too. */
+  void Write(
+    OutputFile& file, FourCC name, std::uint16_t flags = FlagMandatory, bool isShared = true)
   {
     if (this->Added.empty())
     {
@@ -50,6 +52,10 @@ public:
     for (auto* where : this->Added)
     {
       where->Offset += offset;
+    }
+    if (isShared)
+    {
+      file.DivideLast({ this->Added.begin(), this->Added.end() });
     }
     this->Added.clear();
     this->Payload.Data.clear();

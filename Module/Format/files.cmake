@@ -9,9 +9,11 @@ gatun_core_folder(Format
     gatunLayers.h
   PRIVATE_HEADERS
     gatunAtomicFile.h
+    gatunCellMask.h
     gatunCellTable.h
     gatunCompress.h
     gatunContainer.h
+    gatunExtents.h
     gatunFileHandle.h
     gatunInputFile.h
     gatunLayerTable.h
@@ -26,9 +28,11 @@ gatun_core_folder(Format
     gatunTreeTable.h
   SOURCES
     gatunAtomicFile.cxx
+    gatunCellMask.cxx
     gatunCellTable.cxx
     gatunCompress.cxx
     gatunContainer.cxx
+    gatunExtents.cxx
     gatunFieldTable.cxx
     gatunFileHandle.cxx
     gatunInputFile.cxx

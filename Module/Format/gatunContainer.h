@@ -49,6 +49,7 @@ constexpr FourCC SectionSurface = MakeFourCC("SURF");   // the mesh is a surface
 constexpr FourCC SectionBoundary = MakeFourCC("BNDY");  // the boundary: a file of a surface
 constexpr FourCC SectionGrid = MakeFourCC("GRID");      // another mesh of the series: a file
 constexpr FourCC SectionTime = MakeFourCC("TIME");      // the mesh of each time step
+constexpr FourCC SectionLive = MakeFourCC("LIVE");      // the cells that some time steps have
 constexpr FourCC SectionDirectory = MakeFourCC("DIRY"); // positions of the sections
 
 constexpr FourCC SectionBlocks = MakeFourCC("BLKS"); // streams of blocks of a volume
@@ -66,7 +67,7 @@ struct ContainerKind
 inline constexpr std::array MeshSections{ SectionMeta, SectionMesh, SectionTable, SectionPages,
   SectionValues, SectionStep, SectionTree, SectionMerges, SectionTreeStep, SectionLevel,
   SectionDependencies, SectionLayers, SectionCells, SectionSurface, SectionBoundary, SectionGrid,
-  SectionTime, SectionDirectory };
+  SectionTime, SectionLive, SectionDirectory };
 inline constexpr ContainerKind MeshContainer{ ".gtn", FileMagic, TrailerMagic,
   GATUN_FORMAT_VERSION_MAJOR, MeshSections };
 
@@ -77,13 +78,15 @@ inline constexpr ContainerKind VolumeContainer{ ".ghv",
   GATUN_VOLUME_FORMAT_VERSION_MAJOR, VolumeSections };
 
 constexpr std::uint16_t SectionVersion = 1;
-// Of META, TABL and STEP, see Documentation/format.md, 3.1, 4 and 5.2.
+// Of META, TABL, STEP, GRID and TIME, see Documentation/format.md, 11.4.
 constexpr std::uint16_t MetaVersionWithMotion = 2;
 constexpr std::uint16_t TableVersionWithWideNumbers = 2;
 constexpr std::uint16_t TableVersionWithScales = 3;
 constexpr std::uint16_t StepVersionWithScales = 2;
 constexpr std::uint16_t StepVersionWithBounds = 3;
 constexpr std::uint16_t StepVersionWithMotion = 4;
+constexpr std::uint16_t GridVersionWithExtents = 2;
+constexpr std::uint16_t TimeVersionWithMasks = 2;
 constexpr std::uint16_t FlagMandatory = 1; // readers that do not know the section must stop
 
 // The minor version of a file depends on the optional sections that it has.

@@ -54,6 +54,7 @@ InputFile::InputFile(const InputFile& whole, const StreamRef& section, const std
   , Path(whole.Path)
   , Part(name)
   , Base(whole.Base + section.Offset)
+  , Extents(whole.Extents)
   , Size(section.Length)
 {
   whole.CheckInside(section, name);
@@ -61,7 +62,47 @@ InputFile::InputFile(const InputFile& whole, const StreamRef& section, const std
   {
     this->Fail(ErrorCode::CannotOpen, "cannot open", {}, {}, error);
   }
+  const auto isShared = [&](const SectionRef& other)
+  {
+    return other.Name == SectionGrid && other.Version == GridVersionWithExtents &&
+      other.Payload.Offset == section.Offset;
+  };
+  if (std::any_of(whole.Sections.begin(), whole.Sections.end(), isShared))
+  {
+    this->ReadExtents(whole, section, name);
+  }
   this->ReadDirectory();
+}
+
+//------------------------------------------------------------------------------
+/** Reads where the parts of a file are that shares some with what is before it. */
+void InputFile::ReadExtents(
+  const InputFile& whole, const StreamRef& section, const std::string& name)
+{
+  if (!whole.Part.empty())
+  {
+    whole.Fail(ErrorCode::Corrupt, name, section.Offset, "is a mesh of a part of a file");
+  }
+  Bytes head(
+    static_cast<std::size_t>(std::min<std::uint64_t>(ExtentMap::HeadBytes, section.Length)));
+  whole.ReadAt(section.Offset, head);
+  const std::string what = "the list of the parts of " + name;
+  whole.Guarded(what, section,
+    [&]
+    {
+      const auto list = ExtentMap::FindList(head, section);
+      this->Extents = std::make_shared<const ExtentMap>(whole.Read(list, what), list, section);
+    });
+  this->Base = 0;
+  this->Size = this->Extents->GetSize();
+}
+
+//------------------------------------------------------------------------------
+/** The place of a byte of this container in the whole file, and how many follow there. */
+ExtentMap::Place InputFile::Locate(std::uint64_t offset) const
+{
+  return this->Extents ? this->Extents->Find(this->Base + offset)
+                       : ExtentMap::Place{ this->Base + offset, ~std::uint64_t{ 0 } };
 }
 
 //------------------------------------------------------------------------------
@@ -70,7 +111,7 @@ void InputFile::Fail(ErrorCode code, const std::string& what, std::optional<std:
 {
   if (offset)
   {
-    *offset += this->Base;
+    *offset = this->Locate(*offset).Offset;
   }
   throw Error(code, { this->Path, this->Part, what, offset, problem, systemError });
 }
@@ -79,16 +120,24 @@ void InputFile::Fail(ErrorCode code, const std::string& what, std::optional<std:
 void InputFile::ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const
 {
   this->BytesRead += bytes.size();
-  auto rest = bytes;
-  const int error = this->Handle.ReadAt(this->Base + offset, rest);
-  const auto reached = offset + (bytes.size() - rest.size());
-  if (error != 0)
+  while (!bytes.empty())
   {
-    this->Fail(ErrorCode::CannotOpen, "cannot read", reached, {}, error);
-  }
-  if (!rest.empty())
-  {
-    this->Fail(ErrorCode::Truncated, "the file became shorter", reached);
+    const auto place = this->Locate(offset);
+    const auto length =
+      static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size(), place.Length));
+    auto rest = bytes.first(length);
+    const int error = this->Handle.ReadAt(place.Offset, rest);
+    const auto reached = offset + (length - rest.size());
+    if (error != 0)
+    {
+      this->Fail(ErrorCode::CannotOpen, "cannot read", reached, {}, error);
+    }
+    if (!rest.empty() || length == 0)
+    {
+      this->Fail(ErrorCode::Truncated, "the file became shorter", reached);
+    }
+    bytes = bytes.subspan(length);
+    offset += length;
   }
 }
 
@@ -151,6 +200,8 @@ bool InputFile::IsReadable(const SectionRef& section) const
                            : section.Name == SectionTable ? TableVersionWithScales
                            : section.Name == SectionStep  ? StepVersionWithMotion
                            : section.Name == SectionMeta  ? MetaVersionWithMotion
+                           : section.Name == SectionGrid  ? GridVersionWithExtents
+                           : section.Name == SectionTime  ? TimeVersionWithMasks
                                                           : SectionVersion);
 }
 

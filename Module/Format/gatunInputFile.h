@@ -6,11 +6,13 @@
 
 #include "gatunContainer.h"
 #include "gatunError.h"
+#include "gatunExtents.h"
 #include "gatunFileHandle.h"
 
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -77,6 +79,8 @@ public:
 
 private:
   void ReadAt(std::uint64_t offset, std::span<std::uint8_t> bytes) const;
+  ExtentMap::Place Locate(std::uint64_t offset) const;
+  void ReadExtents(const InputFile& whole, const StreamRef& section, const std::string& name);
   bool IsReadable(const SectionRef& section) const;
   void ReadHeader(std::span<std::uint8_t, HeaderSize> header);
   StreamRef ReadTrailer(std::span<const std::uint8_t> header, Bytes& directory) const;
@@ -89,7 +93,8 @@ private:
   std::string Path;
   std::string Part; // the name of an embedded file
   FileHandle Handle;
-  std::uint64_t Base = 0; // the position of an embedded file
+  std::uint64_t Base = 0;                   // the position of an embedded file
+  std::shared_ptr<const ExtentMap> Extents; // in which that is, if it is not in one piece
   std::uint64_t Size = 0;
   std::uint16_t Major = 0;
   std::uint16_t Minor = 0;

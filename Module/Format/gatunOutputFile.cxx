@@ -4,22 +4,26 @@
 #include "gatunOutputFile.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace gatun
 {
 namespace
 {
-/** Calls use(bytes) for consecutive parts of a file. */
+// Streams that are shorter are not worth the entry in the list of runs.
+constexpr std::uint64_t LeastShared = 64;
+
+/** Calls use(bytes) for consecutive parts of some bytes of a file. */
 template <typename Use>
-void ReadInParts(const AtomicFile& file, Use&& use)
+void ReadInParts(const AtomicFile& file, std::uint64_t begin, std::uint64_t length, const Use& use)
 {
-  Bytes buffer(static_cast<std::size_t>(std::min(CopyBytes, file.GetSize())));
-  for (std::uint64_t at = 0; at < file.GetSize(); at += buffer.size())
+  Bytes buffer(static_cast<std::size_t>(std::min(CopyBytes, length)));
+  for (std::uint64_t at = 0; at < length; at += buffer.size())
   {
     const auto bytes = std::span(buffer).first(
-      static_cast<std::size_t>(std::min<std::uint64_t>(buffer.size(), file.GetSize() - at)));
-    file.ReadAt(at, bytes);
-    use(bytes);
+      static_cast<std::size_t>(std::min<std::uint64_t>(buffer.size(), length - at)));
+    file.ReadAt(begin + at, bytes);
+    use(std::span<const std::uint8_t>(bytes));
   }
 }
 }
@@ -121,25 +125,175 @@ std::uint64_t OutputFile::AddSection(
   section.Payload.Offset = this->Data.GetSize();
   this->Data.Write(payload);
   this->Sections.push_back(section);
+  this->Pieces.push_back(section.Payload);
   return section.Payload.Offset;
+}
+
+//------------------------------------------------------------------------------
+void OutputFile::DivideLast(std::span<const StreamRef* const> streams)
+{
+  this->Pieces.pop_back();
+  for (const StreamRef* stream : streams)
+  {
+    if (stream->Length >= LeastShared)
+    {
+      this->Pieces.push_back(*stream);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
 std::uint64_t OutputFile::AddSection(FourCC name, OutputFile& part)
 {
   part.WriteEnd();
-  // The part is read twice, because the checksum precedes it.
-  RunningChecksum sum;
-  ReadInParts(part.Data, [&](std::span<const std::uint8_t> bytes) { sum.Add(bytes); });
   SectionRef section;
   section.Name = name;
-  section.Payload.Length = part.Data.GetSize();
+  this->AddPart(section, part, {});
+  return part.Data.GetSize();
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t OutputFile::AddShared(FourCC name, OutputFile& part)
+{
+  part.WriteEnd();
+  const auto extents = this->FindExtents(part);
+  SectionRef section;
+  section.Name = name;
+  if (extents.size() > 1)
+  {
+    section.Version = GridVersionWithExtents;
+    section.Flags = FlagMandatory;
+  }
+  const auto before = this->Data.GetSize();
+  this->AddPart(section, part, extents);
+  return this->Data.GetSize() - before - SectionHeaderSize;
+}
+
+//------------------------------------------------------------------------------
+/** Adds a section with a complete file. extents: which bytes are elsewhere; no more than one if
+ * none are. */
+void OutputFile::AddPart(
+  SectionRef section, const OutputFile& part, std::span<const Extent> extents)
+{
+  const bool isShared = extents.size() > 1;
+  const Bytes list = isShared ? WriteExtents(extents) : Bytes();
+  const std::vector<Extent> all{ { part.Data.GetSize(), 0 } };
+  const auto each = [&](const std::function<void(std::span<const std::uint8_t>)>& use)
+  {
+    use(list);
+    std::uint64_t at = 0;
+    for (const Extent& extent : isShared ? extents : std::span<const Extent>(all))
+    {
+      if (extent.Source == 0)
+      {
+        ReadInParts(part.Data, at, extent.Length, use);
+      }
+      at += extent.Length;
+    }
+  };
+  // The part is read twice, because the checksum precedes it.
+  RunningChecksum sum;
+  each(
+    [&](std::span<const std::uint8_t> bytes)
+    {
+      sum.Add(bytes);
+      section.Payload.Length += bytes.size();
+    });
   section.Payload.Sum = sum.Get();
   this->WriteSectionHeader(section);
   section.Payload.Offset = this->Data.GetSize();
-  ReadInParts(part.Data, [&](std::span<const std::uint8_t> bytes) { this->Data.Write(bytes); });
+  each([&](std::span<const std::uint8_t> bytes) { this->Data.Write(bytes); });
   this->Sections.push_back(section);
-  return part.Data.GetSize();
+
+  // What has been written can be shared, too.
+  auto piece = part.Pieces.begin();
+  std::uint64_t at = 0;
+  auto to = section.Payload.Offset + list.size();
+  for (const Extent& extent : isShared ? extents : std::span<const Extent>(all))
+  {
+    const auto end = at + extent.Length;
+    for (; piece != part.Pieces.end() && piece->Offset < end; ++piece)
+    {
+      if (extent.Source == 0 && piece->Offset + piece->Length <= end)
+      {
+        this->Pieces.push_back({ piece->Offset - at + to, piece->Length, piece->Sum });
+      }
+    }
+    to += extent.Source == 0 ? extent.Length : 0;
+    at = end;
+  }
+}
+
+//------------------------------------------------------------------------------
+/** Whether bytes of this file are those at a place in a part. */
+bool OutputFile::IsEqual(
+  std::uint64_t offset, const OutputFile& part, std::uint64_t place, std::uint64_t length) const
+{
+  Bytes mine;
+  Bytes others;
+  for (std::uint64_t at = 0; at < length; at += mine.size())
+  {
+    mine.resize(static_cast<std::size_t>(std::min(CopyBytes, length - at)));
+    others.resize(mine.size());
+    this->Data.ReadAt(offset + at, mine);
+    part.Data.ReadAt(place + at, others);
+    if (mine != others)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/** Which bytes of a part are in this file already. Exact: checksums only tell what to compare. */
+std::vector<Extent> OutputFile::FindExtents(const OutputFile& part)
+{
+  for (; this->Indexed < this->Pieces.size(); ++this->Indexed)
+  {
+    const StreamRef& piece = this->Pieces[this->Indexed];
+    this->Index.try_emplace(piece.Sum, piece);
+  }
+  std::vector<Extent> extents;
+  auto most = this->GetSize(); // of what readers accept
+  std::uint64_t at = 0;
+  const auto keep = [&](std::uint64_t end)
+  {
+    if (end > at)
+    {
+      extents.push_back({ end - at, 0 });
+    }
+    at = end;
+  };
+  for (const StreamRef& piece : part.Pieces)
+  {
+    const auto found = this->Index.find(piece.Sum);
+    if (found == this->Index.end() || found->second.Length != piece.Length ||
+      piece.Length < LeastShared || piece.Offset < at || piece.Offset + piece.Length - at > most ||
+      !this->IsEqual(found->second.Offset, part, piece.Offset, piece.Length))
+    {
+      continue;
+    }
+    const auto source = found->second.Offset;
+    const auto gap = piece.Offset - at; // such as headers of sections
+    const bool follows = !extents.empty() && gap <= LeastShared && source >= gap &&
+      extents.back().Source + extents.back().Length == source - gap &&
+      this->IsEqual(source - gap, part, at, gap);
+    const auto length = piece.Length + (follows ? gap : 0);
+    most -= length;
+    if (follows)
+    {
+      extents.back().Length += length;
+    }
+    else
+    {
+      keep(piece.Offset);
+      extents.push_back({ length, source });
+    }
+    at = piece.Offset + piece.Length;
+  }
+  keep(part.Data.GetSize());
+  return extents;
 }
 
 //------------------------------------------------------------------------------

@@ -6,10 +6,12 @@
 
 #include "gatunAtomicFile.h"
 #include "gatunContainer.h"
+#include "gatunExtents.h"
 
 #include <cstdint>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace gatun
@@ -52,6 +54,14 @@ public:
    * that file. */
   std::uint64_t AddSection(FourCC name, OutputFile& part);
 
+  /** The same, but stores only once what the part has in common with this file: sections, or
+   * streams of them, that are equal byte by byte. Returns the bytes that were added. */
+  std::uint64_t AddShared(FourCC name, OutputFile& part);
+
+  /** Tells the streams of the section that was added last, in ascending order, so that AddShared
+   * compares them one by one. */
+  void DivideLast(std::span<const StreamRef* const> streams);
+
   /** The number of bytes so far, with the header of the file. */
   std::uint64_t GetSize() const;
 
@@ -77,11 +87,18 @@ private:
   void WriteHeader();
   void WriteSectionHeader(const SectionRef& section);
   void WriteEnd();
+  void AddPart(SectionRef section, const OutputFile& part, std::span<const Extent> extents);
+  std::vector<Extent> FindExtents(const OutputFile& part);
+  bool IsEqual(
+    std::uint64_t offset, const OutputFile& part, std::uint64_t place, std::uint64_t length) const;
 
   const ContainerKind& Kind;
   AtomicFile Data;
   Bytes Header;
   std::vector<SectionRef> Sections;
+  std::vector<StreamRef> Pieces;                      // that other files may share, ascending
+  std::size_t Indexed = 0;                            // of the pieces
+  std::unordered_map<std::uint64_t, StreamRef> Index; // of the pieces, by their checksums
 };
 }
 

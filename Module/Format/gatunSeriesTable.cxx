@@ -5,41 +5,65 @@
 
 #include "gatunTableParts.h"
 
+#include <algorithm>
+
 namespace gatun
 {
 //------------------------------------------------------------------------------
-Bytes WriteSeries(std::span<const SeriesStep> steps)
+bool HasMasks(std::span<const StoredStep> steps)
 {
+  return std::any_of(
+    steps.begin(), steps.end(), [](const StoredStep& step) { return step.Mask > 0; });
+}
+
+//------------------------------------------------------------------------------
+Bytes WriteSeries(std::span<const StoredStep> steps)
+{
+  const bool hasMasks = HasMasks(steps);
   ByteWriter out;
   out.PutVarint(steps.size());
-  for (const SeriesStep& step : steps)
+  for (const StoredStep& step : steps)
   {
     out.PutVarint(step.Mesh);
+    if (hasMasks)
+    {
+      out.PutVarint(step.Mask);
+    }
     out.Put(step.Time);
   }
   return Pack(out, SmallTable);
 }
 
 //------------------------------------------------------------------------------
-std::vector<SeriesStep> ReadSeries(std::span<const std::uint8_t> bytes, std::size_t meshes)
+std::vector<StoredStep> ReadSeries(
+  std::span<const std::uint8_t> bytes, std::size_t meshes, std::size_t masks, bool hasMasks)
 {
-  constexpr std::size_t leastBytes = 1 + sizeof(double);
+  const std::size_t leastBytes = 1 + (hasMasks ? 1 : 0) + sizeof(double);
   const auto data = Unpack(bytes, SmallTable);
   ByteReader in(data);
-  std::size_t seen = 0;
+  std::vector<std::uint32_t> masksOf; // of each mesh so far
   const auto count = GetSmall(in);
   Check(count <= in.GetRemaining() / leastBytes, "the time steps are not all there");
-  std::vector<SeriesStep> steps(count);
+  std::vector<StoredStep> steps(count);
   for (std::size_t i = 0; i < steps.size(); ++i)
   {
     auto& step = steps[i];
     step.Mesh = GetSmall(in);
+    step.Mask = hasMasks ? GetSmall(in) : 0;
     step.Time = in.Get<double>();
-    Check(step.Mesh <= seen, "a mesh has a number that is not the next one");
-    seen += step.Mesh == seen ? 1 : 0;
+    Check(step.Mesh <= masksOf.size(), "a mesh has a number that is not the next one");
+    if (step.Mesh == masksOf.size())
+    {
+      Check(step.Mask == 0, "the first step of a mesh has not all of its cells");
+      masksOf.push_back(0);
+    }
+    auto& last = masksOf[step.Mesh];
+    Check(step.Mask <= std::uint64_t{ last } + 1, "a mask has a number that is not the next one");
+    last = std::max(last, step.Mask);
     Check(i == 0 || step.Time > steps[i - 1].Time, "the times of the steps do not ascend");
   }
-  Check(seen == meshes, "the number of meshes is wrong");
+  Check(masksOf.size() == meshes, "the number of meshes is wrong");
+  Check(masksOf.empty() || masksOf.front() == masks, "the number of masks is wrong");
   Check(in.GetRemaining() == 0, "there are bytes behind the end of the table");
   return steps;
 }

@@ -9,16 +9,35 @@
 #include "gatunBytes.h"
 #include "gatunTypes.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace gatun
 {
-Bytes WriteSeries(std::span<const SeriesStep> steps);
+/** The mesh of a time step as it is stored. */
+struct StoredStep
+{
+  std::uint32_t Mesh = 0;
+  std::uint32_t Mask = 0; // of its cells, from 1; 0: the step has all cells
+  double Time = 0;
 
-/** Reads the steps of a file with so many meshes. Throws Error(Corrupt) unless times ascend and the
- * meshes are numbered in the order of their first steps. */
-std::vector<SeriesStep> ReadSeries(std::span<const std::uint8_t> bytes, std::size_t meshes);
+  bool HasMeshOf(const StoredStep& other) const
+  {
+    return this->Mesh == other.Mesh && this->Mask == other.Mask;
+  }
+};
+
+/** Whether a step has only some cells of its mesh, which needs TimeVersionWithMasks. */
+bool HasMasks(std::span<const StoredStep> steps);
+
+Bytes WriteSeries(std::span<const StoredStep> steps);
+
+/** Reads the steps of a file with so many meshes, whose first one has so many masks. Throws
+ * Error(Corrupt) unless times ascend, and meshes and masks are numbered in the order of their first
+ * steps. hasMasks: whether masks are stored. */
+std::vector<StoredStep> ReadSeries(
+  std::span<const std::uint8_t> bytes, std::size_t meshes, std::size_t masks, bool hasMasks);
 }
 
 #endif

@@ -199,7 +199,7 @@ struct ChunkInfo
 /** A time step of a file whose mesh changes. */
 struct SeriesStep
 {
-  std::uint32_t Mesh = 0; ///< meshes are numbered in the order of their first steps
+  std::uint32_t Mesh = 0; ///< meshes, and masks of their cells, in the order of their first steps
   double Time = 0;
 
   bool operator==(const SeriesStep&) const = default;

@@ -66,6 +66,54 @@ auto HoldBlocks(Get&& get)
 }
 }
 
+namespace
+{
+/** The tetrahedra of a chunk without those of cells that are not alive. */
+class LivingTets
+{
+public:
+  using Tets = std::vector<std::array<Vertex, 4>>;
+  using Cells = std::vector<std::uint32_t>;
+
+  /** cells: of which the tetrahedra are; null if each is one. */
+  LivingTets(const PartDecoder& parts, std::uint32_t chunk, const Tets& all, const Cells* cells)
+    : List(&all)
+    , Parents(cells)
+  {
+    const CellMask* const mask = MaskOf(*parts.GetFile());
+    const auto& info = parts.Content().GetTables().GetChunks()[chunk];
+    if (!mask || mask->Count(info.FirstCell, info.Cells) == info.Cells)
+    {
+      return;
+    }
+    for (std::size_t t = 0; t < all.size(); ++t)
+    {
+      const auto cell = cells ? (*cells)[t] : static_cast<std::uint32_t>(t);
+      if (mask->IsAlive[static_cast<std::size_t>(info.FirstCell) + cell])
+      {
+        this->Left.push_back(all[t]);
+        this->LeftCells.push_back(cell);
+      }
+    }
+    this->List = &this->Left;
+    this->Parents = &this->LeftCells;
+  }
+  LivingTets(const LivingTets&) = delete;
+  LivingTets& operator=(const LivingTets&) = delete;
+
+  const Tets& GetTets() const { return *this->List; }
+
+  /** The cell of each tetrahedron, or null if they are the cells. */
+  const Cells* GetCells() const { return this->Parents; }
+
+private:
+  Tets Left;
+  Cells LeftCells;
+  const Tets* List;
+  const Cells* Parents;
+};
+}
+
 /** The values of an array in a chunk. */
 struct ChunkSurface::Values
 {
@@ -220,7 +268,9 @@ SurfacePart ChunkSurface::Make(std::uint32_t chunk, const SurfaceOptions& option
   // Several tetrahedra may have the values of one cell.
   const bool isSplit = !this->Parts.GetFile()->GetChunks()[chunk].IsTetrahedral;
   const auto split = isSplit ? this->Parts.SplitCells(chunk, *mesh) : ChunkTets();
-  const auto& tets = isSplit ? split.Tets : mesh->Walk.Tets;
+  const LivingTets living(
+    this->Parts, chunk, isSplit ? split.Tets : mesh->Walk.Tets, isSplit ? &split.Cells : nullptr);
+  const auto& tets = living.GetTets();
   SurfaceInput input;
   input.Mesh.Points = mesh->Keys.size();
   input.Mesh.Connectivity = tets.data();
@@ -231,9 +281,9 @@ SurfacePart ChunkSurface::Make(std::uint32_t chunk, const SurfaceOptions& option
   {
     values.push_back(this->GetValues(chunk, *mesh, array));
     const auto where = this->Parts.Content().Meta.Arrays[array].Where;
-    if (isSplit && where == Association::Cell)
+    if (living.GetCells() && where == Association::Cell)
     {
-      values.back().Select(split.Cells);
+      values.back().Select(*living.GetCells());
     }
     (where == Association::Point ? input.PointArrays : input.CellArrays)
       .push_back(values.back().View);

@@ -5,7 +5,9 @@
 
 #include "fuzzMeshes.h"
 #include "gatunCellCodec.h"
+#include "gatunCellMask.h"
 #include "gatunEntropy.h"
+#include "gatunExtents.h"
 #include "gatunFileImage.h"
 #include "gatunHartleyCodec.h"
 #include "gatunHartleyFileImage.h"
@@ -13,6 +15,7 @@
 #include "gatunMergeCodec.h"
 #include "gatunPalette.h"
 #include "gatunSampleFile.h"
+#include "gatunSeriesTable.h"
 #include "gatunTreeSample.h"
 
 #include <algorithm>
@@ -386,6 +389,86 @@ void AddMovingFiles(Corpus& corpus)
   fs::remove(path);
 }
 
+/** Files in which cells die, and in which meshes change and return. */
+void AddSeriesFiles(Corpus& corpus)
+{
+  const auto path = (corpus.GetFolder() / "series.gtn").string();
+  const auto mesh = test::MakeCubes(2, 0.2);
+  const auto other = test::MakeCubes(1, 0.1);
+  std::vector<ArrayDescription> arrays(1);
+  arrays[0].Name = std::string("p");
+  for (const std::uint8_t keep : { KeepNone, KeepAll })
+  {
+    WriterOptions options;
+    options.ChunkTets = 16;
+    options.KeyStepInterval = 2;
+    options.Keep = keep;
+    {
+      FileWriter writer(path, mesh.GetInput(), arrays, options);
+      std::vector<float> values(mesh.GetPoints(), 0.5f);
+      const std::array<const void*, 1> all{ values.data() };
+      writer.WriteStep(all, {}, true, 0);
+      LivingCells living;
+      std::vector<std::uint64_t> cells;
+      for (std::uint64_t cell = 10; cell < mesh.GetTets(); ++cell)
+      {
+        cells.push_back(cell);
+      }
+      living.Cells = cells;
+      writer.WriteStep(all, {}, true, 1, {}, nullptr, &living);
+      living.Cells = living.Cells.subspan(5);
+      writer.WriteStep(all, {}, true, 2, {}, nullptr, &living);
+      for (int i = 0; i < 3; ++i)
+      {
+        writer.AddMesh((i == 1 ? mesh : other).GetInput(), options);
+        writer.WriteStep(all, {}, true, 3 + i);
+      }
+      writer.Finish();
+    }
+    const auto bytes = test::ReadFile(path);
+    corpus.Add("File", bytes);
+    corpus.Add("Sections", bytes);
+  }
+  fs::remove(path);
+}
+
+/** Tables of series, for fuzzSeries.cxx. */
+void AddSeries(Corpus& corpus)
+{
+  CellMask mask;
+  mask.IsAlive.assign(40, true);
+  mask.Points = 20;
+  mask.Cells = 40;
+  CellMask second = mask;
+  std::fill_n(second.IsAlive.begin() + 7, 12, false);
+  second.Cells = 28;
+  second.DropsPoints = true;
+  for (const bool hasTypes : { false, true })
+  {
+    mask.Types.assign({ { 10, 30 }, { 12, 10 } });
+    second.Types.assign({ { 10, 20 }, { 12, 8 } });
+    const std::vector<StoredStep> steps{ { 0, 0, 0 }, { 0, 1, 1 }, { 1, 0, 2 }, { 0, 0, 3 } };
+    const std::vector<Extent> extents{ { 100, 0 }, { 800, 16 }, { 400, 0 }, { 50, 30 } };
+    ByteWriter list;
+    list.PutVarint(extents.size());
+    for (const auto& extent : extents)
+    {
+      list.PutVarint(extent.Length);
+      list.PutVarint(extent.Source);
+    }
+    ByteWriter out;
+    out.Put(static_cast<std::uint8_t>(2 + 4 + 128));
+    for (const auto& table : { Decompress(WriteSeries(steps), 1 << 20), list.Data,
+           Decompress(mask.Write(nullptr, hasTypes), 1 << 20),
+           Decompress(second.Write(&mask, hasTypes), 1 << 20) })
+    {
+      out.Put(static_cast<std::uint16_t>(table.size()));
+      out.PutBytes(table);
+    }
+    corpus.Add("Series", out.Data);
+  }
+}
+
 /** Trees of any merges, as streams. */
 void AddMerges(Corpus& corpus, std::mt19937& random)
 {
@@ -571,6 +654,8 @@ int main(int argc, char* argv[])
   }
   AddFiles(corpus);
   AddMovingFiles(corpus);
+  AddSeriesFiles(corpus);
+  AddSeries(corpus);
   AddTreeFiles(corpus);
   AddLayerFiles(corpus);
   for (unsigned i = 0; i < 6; ++i)

@@ -9,6 +9,7 @@ import gatunGolden as golden
 import numpy as np
 from gtn_container import POINTS, SIZES, SURFACE_LISTS, checksum
 from gtn_decoder import Decoder
+from gtn_series import LivingMesh
 
 WHERE = ("points", "cells")
 
@@ -50,22 +51,20 @@ def values_of(decoder, step, number, restore, order):
     return values if order is None or is_of_points else values[order]
 
 
-def hashes(decoder, order, restore):
-    """order: numbers of the arrays, those of points first."""
-    points = decoder.points(restore)
+def hashes(decoder, order, restore, steps):
+    """order: numbers of the arrays, those of points first. steps: those with this mesh."""
+    first = steps[0] if steps else 0
+    points = decoder.points(restore, first)
     cells = cell_order(decoder, restore)
-    moving = {}
-    if decoder.meta.points_move:
-        moving = {"points_at": [golden.sha256(decoder.points(restore, step))
-                                for step in range(len(decoder.steps))]}
+    at_steps = [golden.sha256(decoder.points(restore, step)) for step in steps]
     return {
-        **moving,
+        **({"points_at": at_steps} if len(set(at_steps)) > 1 else {}),
         "points_type": points.dtype.name if len(points) else None,
         "points": golden.sha256(points) if len(points) else None,
         **describe_cells(decoder, restore),
         "arrays": [
             [golden.sha256(values_of(decoder, step, i, restore, cells)) for i in order]
-            for step in range(max(1, len(decoder.steps)))
+            for step in steps or [0]
         ],
     }
 
@@ -74,15 +73,31 @@ def describe_decoded(data):
     decoder = Decoder(data)
     series = decoder.container.series
     if series is None:
-        return describe_mesh(decoder)
-    others = range(1, len(decoder.container.meshes) + 1)
-    return {
-        "times": [time for _, time in series],
-        "meshes": [describe_mesh(decoder), *(describe_mesh(decoder.mesh(i)) for i in others)],
-    }
+        return describe_mesh(decoder, range(len(decoder.steps)))
+    kinds, counts = {}, {}  # steps of each mesh and mask; steps of each mesh so far
+    for step in series:
+        kinds.setdefault((step.mesh, step.mask), []).append(counts.get(step.mesh, 0))
+        counts[step.mesh] = counts.get(step.mesh, 0) + 1
+    decoders = {0: decoder}
+    described = {}
+    for (mesh, mask), steps in kinds.items():
+        if mesh not in decoders:
+            decoders[mesh] = decoder.mesh(mesh)
+        living = LivingMesh(decoders[mesh], mask) if mask else decoders[mesh]
+        one = describe_mesh(living, steps)
+        key = len(living.points()), *describe_cells(living, False).values()
+        if key not in described:
+            described[key] = one
+            continue
+        before = described[key]  # the mesh has returned
+        before["times"] += one["times"]
+        before["field_data"] += one["field_data"]
+        for order in "file_order", "input_order":
+            before[order]["arrays"] += one[order]["arrays"]
+    return {"times": [step.time for step in series], "meshes": list(described.values())}
 
 
-def describe_mesh(decoder):
+def describe_mesh(decoder, steps):
     """Of a mesh with the steps that have it."""
     decoder.container.verify_layout()
     meta = decoder.meta
@@ -93,7 +108,7 @@ def describe_mesh(decoder):
             if array.roles >> role & 1:
                 roles[WHERE[array.where]][str(role)] = array.name
     return {
-        "times": [step.time for step in decoder.steps] if meta.has_time else [],
+        "times": [decoder.steps[step].time for step in steps] if meta.has_time else [],
         "wide_ids": meta.wide_ids != 0 if decoder.cells() else None,
         "arrays": [
             dict(describe(meta.arrays[i]), where=WHERE[meta.arrays[i].where != POINTS])
@@ -102,10 +117,10 @@ def describe_mesh(decoder):
         "roles": roles,
         "field_data": [
             [describe_field_array(array) for array in decoder.field_data(step)]
-            for step in range(len(decoder.steps))
+            for step in steps
         ],
-        "file_order": hashes(decoder, order, False),
-        "input_order": hashes(decoder, order, True),
+        "file_order": hashes(decoder, order, False, steps),
+        "input_order": hashes(decoder, order, True, steps),
     }
 
 

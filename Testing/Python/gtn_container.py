@@ -36,8 +36,8 @@ MAGIC = bytes.fromhex("8947544E0D0A1A0A")
 END_MAGIC = b"GTNEND\r\n"
 SECTIONS = (
     b"META", b"TABL", b"PAGE", b"STEP", b"MESH", b"VALS", b"TREE", b"MERG", b"TRNG", b"LEVL",
-    b"DEPS", b"LAYR", b"CELL", b"SURF", b"BNDY", b"GRID", b"TIME", b"DIRY")
-VERSIONS = {b"META": 2, b"TABL": 3, b"STEP": 4}  # the highest ones of sections, if not 1
+    b"DEPS", b"LAYR", b"CELL", b"SURF", b"BNDY", b"GRID", b"TIME", b"LIVE", b"DIRY")
+VERSIONS = {b"META": 2, b"TABL": 3, b"STEP": 4, b"GRID": 2, b"TIME": 2}  # the highest ones of sections, if not 1
 STREAMS = (b"PAGE", b"MESH", b"VALS", b"MERG")  # sections of streams
 
 
@@ -204,12 +204,30 @@ class Container:
         boundaries = [section for section in sections if section.name == b"BNDY"]
         require(len(boundaries) <= 1 - self.is_surface, "number of boundaries")
         self.boundary = self._content(boundaries[0]) if boundaries else None
-        self.meshes = [self._content(section) for section in sections if section.name == b"GRID"]
+        self.meshes = [self._mesh(section) for section in sections if section.name == b"GRID"]
         self.series = None
+        self._read_masks(sections)
         if self.meshes or any(section.name == b"TIME" for section in sections):
-            self.series = read_series(self._packed(sections, b"TIME"), self.meta, self.steps)
-        require(len(self.meshes) == (max(mesh for mesh, _ in self.series) if self.series else 0),
+            version = next((struct.unpack("<H", section.header[4:6])[0] for section in sections
+                            if section.name == b"TIME"), 1)
+            self.series = read_series(
+                self._packed(sections, b"TIME"), self.meta, self.steps, version)
+        require(len(self.meshes) == (max(s.mesh for s in self.series) if self.series else 0),
                 "number of meshes")
+        require(self.series is None or masks_of(self.series, 0) == len(self.masks),
+                "number of masks")
+
+    def _read_masks(self, sections):
+        """Sections LIVE (18.4): attribute masks."""
+        self.masks = []
+        for section in sections:
+            if section.name == b"LIVE":
+                before = self.masks[-1] if self.masks else None
+                self.masks.append(read_mask(
+                    Bytes(self._content(section)), self.meta, self.table, self.cells, before))
+        if self.masks:
+            require(self.meta.has_time and self.tree is None and self.boundary is None,
+                    "masks of a mesh")
 
     def _check_surface(self, sections):
         """Section SURF (16.1)."""
@@ -287,11 +305,37 @@ class Container:
         if section.name in STREAMS or section.name in (b"DEPS", b"LEVL", b"SURF", b"BNDY", b"GRID"):
             return data
         of_step = section.name in (b"STEP", b"TRNG")
-        content = unpack(data, step_limit if of_step else table_limit)
+        is_large = of_step or section.name == b"LIVE"
+        content = unpack(data, step_limit if is_large else table_limit)
         if of_step:
             self._step_bytes += len(content)
             require(self._step_bytes <= steps_limit(len(self.data)), "tables of steps too large")
         return content
+
+    def _mesh(self, section):
+        """The file of a mesh, put together from runs if it is not in one piece (18.3)."""
+        payload = self._payload(section)
+        if struct.unpack("<H", section.header[4:6])[0] == 1:
+            return payload
+        part = Bytes(payload)
+        length, check = part.varint(), part.number("Q")
+        packed = part.take(length)
+        require(checksum(packed) == check, "checksum of the runs of a mesh")
+        runs = Bytes(unpack(packed, table_limit))
+        before = self.data[: section.offset - 24]
+        pieces, shared = [], 0
+        for _ in range(runs.varint()):
+            length, source = runs.varint(), runs.varint()
+            require(length >= 1, "empty run")
+            if source == 0:
+                pieces.append(part.take(length))
+                continue
+            shared += length
+            require(source + length <= len(before) and shared <= len(before), "run of a mesh")
+            pieces.append(before[source : source + length])
+        runs.end()
+        part.end()
+        return b"".join(pieces)
 
     def _page(self, reference):
         require(reference is not None, "page")
@@ -636,15 +680,22 @@ def read_tree_step(table, meta, layout, tree):
     return result
 
 
-def read_series(table, meta, steps):
-    """Section TIME (18.1). steps: those of the first mesh."""
-    series, next_mesh = [], 0
+def read_series(table, meta, steps, version):
+    """Section TIME (18.1). steps: those of the first mesh. A list of steps with mesh, mask and
+    time."""
+    series, masks = [], []
     for _ in range(table.varint()):
-        mesh, time = table.varint(), table.number("d")
-        require(mesh <= next_mesh, "number of a mesh")
-        require(not series or time > series[-1][1], "order of the steps of all meshes")
-        next_mesh += mesh == next_mesh
-        series.append((mesh, time))
+        step = Record(mesh=table.varint())
+        step.mask = table.varint() if version == 2 else 0
+        step.time = table.number("d")
+        require(step.mesh <= len(masks), "number of a mesh")
+        if step.mesh == len(masks):
+            require(step.mask == 0, "mask of the first step of a mesh")
+            masks.append(0)
+        require(step.mask <= masks[step.mesh] + 1, "number of a mask")
+        masks[step.mesh] = max(masks[step.mesh], step.mask)
+        require(not series or step.time > series[-1].time, "order of the steps of all meshes")
+        series.append(step)
     table.end()
     require(meta.has_time, "meshes without time")
     require(times_of(series, 0) == [step.time for step in steps], "steps of the first mesh")
@@ -653,7 +704,42 @@ def read_series(table, meta, steps):
 
 def times_of(series, mesh):
     """Those of the steps of a mesh."""
-    return [time for number, time in series if number == mesh]
+    return [step.time for step in series if step.mesh == mesh]
+
+
+def masks_of(series, mesh):
+    """The number of masks of a mesh."""
+    return max((step.mask for step in series if step.mesh == mesh), default=0)
+
+
+def read_mask(table, meta, layout, cells, before):
+    """A section LIVE (18.4): alive, a list of one value for each cell in the order of the file,
+    drops, and points."""
+    flags = table.number("B")
+    require(flags <= 3, "flags of a mask")
+    require(not flags & 1 or before is not None, "first mask")
+    mask = Record(drops=flags & 2 != 0, cells=table.varint(), points=table.varint())
+    if mask.drops:
+        require(mask.points <= meta.points, "points of a mask")
+    else:
+        require(mask.points == meta.points, "points of a mask")
+    if cells is not None:
+        mask.types = {kind: table.varint() for kind in cells.types}
+        require(all(mask.types[kind] <= cells.types[kind] for kind in mask.types), "types of a mask")
+        require(sum(mask.types.values()) == mask.cells, "types of a mask")
+    count = sum(chunk.tets if chunk.cells is None else chunk.cells.cells for chunk in layout.chunks)
+    mask.alive = list(before.alive) if flags & 1 else [True] * count
+    at = 0
+    for i in range(table.varint()):
+        length = table.varint()
+        require(length >= 1 or i == 0, "empty run of a mask")
+        require(at + length <= count, "runs of a mask")
+        if i % 2:
+            mask.alive[at : at + length] = [not alive for alive in mask.alive[at : at + length]]
+        at += length
+    table.end()
+    require(sum(mask.alive) == mask.cells, "living cells")
+    return mask
 
 
 def read_layers(table, meta, layout):

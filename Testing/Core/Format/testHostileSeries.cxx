@@ -3,6 +3,8 @@
 
 // Files of several meshes: what is written, and files with valid checksums and invalid series.
 
+#include "gatunCellMask.h"
+#include "gatunExtents.h"
 #include "gatunHostile.h"
 #include "gatunSeriesTable.h"
 #include "gatunSharedFile.h"
@@ -29,32 +31,48 @@ struct SeriesImage
     {
       this->File.Steps[i].Time = static_cast<double>(2 * i);
       this->Other.Steps[i].Time = static_cast<double>(2 * i + 1);
-      this->Table.push_back({ 0, this->File.Steps[i].Time });
-      this->Table.push_back({ 1, this->Other.Steps[i].Time });
+      this->Table.push_back({ 0, 0, this->File.Steps[i].Time });
+      this->Table.push_back({ 1, 0, this->Other.Steps[i].Time });
     }
   }
 
   Bytes Build() const
   {
     auto file = this->File;
+    auto other = this->Other;
+    AddMasks(file, this->Masks);
+    AddMasks(other, this->OtherMasks);
     for (std::size_t i = 0; i < this->Others; ++i)
     {
-      file.MoreSections.push_back({ SectionGrid, this->Other.Build(), SectionVersion, 0 });
+      file.MoreSections.push_back({ SectionGrid, this->Shared ? *this->Shared : other.Build(),
+        this->Shared ? GridVersionWithExtents : SectionVersion, 0 });
     }
     if (this->HasTable)
     {
       file.MoreSections.push_back(
-        { SectionTime, this->Stored ? Store(*this->Stored) : WriteSeries(this->Table) });
+        { SectionTime, this->Stored ? Store(*this->Stored) : WriteSeries(this->Table),
+          HasMasks(this->Table) ? TimeVersionWithMasks : SectionVersion });
     }
     return file.Build();
+  }
+
+  static void AddMasks(FileImage& file, const std::vector<Bytes>& masks)
+  {
+    for (const auto& mask : masks)
+    {
+      file.MoreSections.push_back({ SectionLive, Store(mask) });
+    }
   }
 
   FileImage File;
   FileImage Other;
   std::size_t Others = 1;
   bool HasTable = true;
-  std::vector<SeriesStep> Table;
-  std::optional<Bytes> Stored; // written in place of the table
+  std::vector<StoredStep> Table;
+  std::optional<Bytes> Stored;   // written in place of the table
+  std::optional<Bytes> Shared;   // the payload of GRID, made of runs
+  std::vector<Bytes> Masks;      // of the first mesh, unpacked
+  std::vector<Bytes> OtherMasks; // of the other one
 };
 
 /** Opening the file, or a mesh of it, fails. */
@@ -83,7 +101,10 @@ TEST(HostileSeries, TheUnchangedFileIsRead)
   const FileReader file(path);
   EXPECT_TRUE(VerifyFile(file));
   EXPECT_EQ(file.GetNumberOfMeshes(), 2u);
-  EXPECT_EQ(file.GetSeries(), image.Table);
+  for (std::size_t i = 0; i < image.Table.size(); ++i)
+  {
+    EXPECT_EQ(file.GetSeries().at(i), (SeriesStep{ image.Table[i].Mesh, image.Table[i].Time }));
+  }
   EXPECT_EQ(file.GetTimes(), (std::vector<double>{ 0, 2, 4 }));
   EXPECT_EQ(file.OpenMesh(1)->GetTimes(), (std::vector<double>{ 1, 3, 5 }));
   EXPECT_EQ(file.GetSeriesTimes(), (std::vector<double>{ 0, 1, 2, 3, 4, 5 }));
@@ -138,7 +159,8 @@ TEST(HostileSeries, OtherMeshesAreAsTheFirst)
     {
       f.Other.MoreSections.push_back({ SectionGrid, f.File.Build(), SectionVersion, 0 });
       f.Other.MoreSections.push_back({ SectionTime,
-        WriteSeries(std::vector<SeriesStep>{ { 0, 1 }, { 0, 3 }, { 0, 5 }, { 1, 6 } }) });
+        WriteSeries(
+          std::vector<StoredStep>{ { 0, 0, 1 }, { 0, 0, 3 }, { 0, 0, 5 }, { 1, 0, 6 } }) });
     },
     1);
 }
@@ -168,6 +190,213 @@ TEST(HostileSeries, TablesMustBeWhole)
       }
       out.Put(std::uint8_t{ 0 });
       f.Stored = out.Data;
+    });
+}
+
+/** Lets the other mesh have its bytes in common with the first one, which begins in the same way.
+ */
+Bytes ShareBeginning(const SeriesImage& image,
+  const std::function<void(std::vector<Extent>&)>& change, std::size_t more = 0)
+{
+  const Bytes other = image.Other.Build();
+  const Bytes file = image.File.Build();
+  const auto end = static_cast<std::size_t>(
+    std::mismatch(other.begin() + HeaderSize, other.end(), file.begin() + HeaderSize).first -
+    other.begin());
+  EXPECT_GT(end, 1000u);
+  std::vector<Extent> extents{ { HeaderSize, 0 }, { end - HeaderSize, HeaderSize },
+    { other.size() - end, 0 } };
+  change(extents);
+  Bytes payload = WriteExtents(extents);
+  payload.insert(payload.end(), other.begin(), other.begin() + HeaderSize);
+  payload.insert(payload.end(), other.begin() + static_cast<std::ptrdiff_t>(end), other.end());
+  payload.resize(payload.size() + more);
+  return payload;
+}
+
+TEST(HostileSeries, BytesInCommonAreRead)
+{
+  SeriesImage image;
+  image.Shared = ShareBeginning(image, [](std::vector<Extent>&) {});
+  const auto path = PutFile("shared.gtn", image.Build());
+  const FileReader file(path);
+  EXPECT_TRUE(VerifyFile(file));
+  EXPECT_EQ(file.OpenMesh(1)->GetTimes(), (std::vector<double>{ 1, 3, 5 }));
+}
+
+TEST(HostileSeries, BytesInCommonAreBeforeTheMesh)
+{
+  const auto refuse = [](const std::string& what,
+                        const std::function<void(std::vector<Extent>&)>& change,
+                        std::size_t more = 0)
+  {
+    ExpectRefused(
+      what, [&](SeriesImage& f) { f.Shared = ShareBeginning(f, change, more); }, 1);
+  };
+  const std::string notBefore = "one of its parts is not before it";
+  refuse(notBefore, [](std::vector<Extent>& e) { e[1].Source = std::uint64_t{ 1 } << 40; });
+  refuse(notBefore, [](std::vector<Extent>& e) { e[1].Source = ~std::uint64_t{ 0 }; });
+  refuse(notBefore,
+    [](std::vector<Extent>& e)
+    {
+      // The last bytes before the section, and one more.
+      const auto before = SeriesImage().File.Build().size();
+      e[1].Source = before;
+    });
+  const std::string longer = "its parts are longer than what is there";
+  refuse(longer, [](std::vector<Extent>& e) { e[1].Length = std::uint64_t{ 1 } << 40; });
+  refuse(longer, [](std::vector<Extent>& e) { ++e[2].Length; });
+  refuse(longer,
+    [](std::vector<Extent>& e)
+    {
+      // The same bytes many times.
+      e.insert(e.begin() + 1, 1000, e[1]);
+    });
+  refuse("there are bytes behind its last part", [](std::vector<Extent>& e) { --e[2].Length; });
+  refuse(
+    "there are bytes behind its last part", [](std::vector<Extent>&) {}, 1);
+  refuse("one of its parts is empty", [](std::vector<Extent>& e) { e.push_back({ 0, 0 }); });
+  ExpectRefused(
+    "the list of its parts is not all there",
+    [](SeriesImage& f)
+    {
+      ByteWriter out;
+      out.PutVarint(1000000);
+      out.Put(std::uint64_t{ 0 });
+      f.Shared = out.Data;
+    },
+    1);
+  ExpectRefused(
+    "its checksum is wrong",
+    [](SeriesImage& f)
+    {
+      f.Shared = ShareBeginning(f, [](std::vector<Extent>&) {});
+      (*f.Shared)[2] ^= 1;
+    },
+    1);
+  ExpectRefused(
+    "the data ends too early", [](SeriesImage& f) { f.Shared = Bytes(3, 1); }, 1);
+}
+
+/** The bytes of a mask. points: as many as are left out. */
+Bytes MakeMask(std::uint8_t flags, std::uint64_t cells, std::uint64_t points,
+  const std::vector<std::uint64_t>& runs, std::uint64_t count)
+{
+  ByteWriter out;
+  out.Put(flags);
+  out.PutVarint(cells);
+  out.PutVarint(points);
+  out.PutVarint(count);
+  for (const auto run : runs)
+  {
+    out.PutVarint(run);
+  }
+  return out.Data;
+}
+
+/** Some cells of the first mesh are dead at its last step. */
+void AddMask(SeriesImage& f, std::uint8_t flags, std::int64_t moreCells, std::int64_t morePoints,
+  const std::vector<std::uint64_t>& runs, std::uint64_t moreRuns = 0)
+{
+  f.Masks.push_back(MakeMask(flags, f.File.Meta.Tets - 7 + static_cast<std::uint64_t>(moreCells),
+    f.File.Meta.Points + static_cast<std::uint64_t>(morePoints), runs, runs.size() + moreRuns));
+  f.Table[4].Mask = 1;
+}
+
+TEST(HostileSeries, MasksAreRead)
+{
+  SeriesImage image;
+  AddMask(image, 0, 0, 0, { 3, 7 });
+  const FileReader file(PutFile("masked.gtn", image.Build()));
+  EXPECT_TRUE(VerifyFile(file));
+  EXPECT_EQ(file.GetNumberOfMeshes(), 3u);
+  EXPECT_EQ(file.GetSeries().at(4), (SeriesStep{ 2, 4 }));
+  EXPECT_EQ(file.GetParentMesh(2), 0u);
+  EXPECT_EQ(file.GetParentMesh(1), 1u);
+  const auto mesh = file.OpenMesh(2);
+  EXPECT_FALSE(mesh->HasAllCells());
+  EXPECT_EQ(mesh->GetNumberOfCells(), image.File.Meta.Tets - 7);
+  EXPECT_EQ(mesh->GetChunks().at(0).Cells, file.GetChunks().at(0).Cells - 7);
+  EXPECT_EQ(mesh->GetNumberOfMeshes(), 1u);
+}
+
+TEST(HostileSeries, MasksFitTheMesh)
+{
+  const auto tets = SeriesImage().File.Meta.Tets;
+  const auto expect = [&](const std::string& what, std::uint8_t flags, std::int64_t moreCells,
+                        std::int64_t morePoints, const std::vector<std::uint64_t>& runs,
+                        std::uint64_t moreRuns = 0)
+  {
+    SeriesImage image;
+    AddMask(image, flags, moreCells, morePoints, runs, moreRuns);
+    const auto path = PutFile("changed.gtn", image.Build());
+    EXPECT_GATUN_ERROR(ErrorCode::Corrupt, path, what, [&] { FileReader(path).OpenMesh(2); });
+  };
+  expect("the number of cells is wrong", 0, 1, 0, { 3, 7 });
+  expect("the number of points is wrong", 0, 0, -1, { 3, 7 });
+  expect("the number of points is wrong", 2, 0, 1, { 3, 7 });
+  expect("a flag has no meaning", 4, 0, 0, { 3, 7 });
+  expect("there is no mask before it", 1, 0, 0, { 3, 7 });
+  expect("a run is empty", 0, 0, 0, { 3, 7, 0 });
+  expect("there are more cells than in the mesh", 0, 0, 0, { 3, tets });
+  expect("there are more cells than in the mesh", 0, 0, 0, { ~std::uint64_t{ 0 }, 7 });
+  expect("a count is larger than the data", 0, 0, 0, { 3, 7 }, 100);
+}
+
+TEST(HostileSeries, PointsOfMasksAreCounted)
+{
+  SeriesImage image;
+  AddMask(image, 2, 0, -30, { 3, 7 });
+  const auto path = PutFile("changed.gtn", image.Build());
+  EXPECT_GATUN_ERROR(ErrorCode::Corrupt, path, "points instead of",
+    [&]
+    {
+      const FileReader file(path);
+      VerifyFile(file);
+    });
+}
+
+TEST(HostileSeries, MasksAreThoseOfTheSteps)
+{
+  const auto add = [](SeriesImage& f) { AddMask(f, 0, 0, 0, { 3, 7 }); };
+  ExpectRefused("the first step of a mesh has not all of its cells",
+    [&](SeriesImage& f)
+    {
+      add(f);
+      f.Table[0].Mask = 1;
+    });
+  ExpectRefused("a mask has a number that is not the next one",
+    [&](SeriesImage& f)
+    {
+      add(f);
+      f.Table[4].Mask = 2;
+    });
+  ExpectRefused("the number of masks is wrong",
+    [&](SeriesImage& f)
+    {
+      add(f);
+      f.Masks.push_back(f.Masks[0]);
+    });
+  ExpectRefused("the number of masks is wrong",
+    [&](SeriesImage& f)
+    {
+      add(f);
+      f.Masks.clear();
+    });
+  ExpectRefused("the number of masks is wrong",
+    [&](SeriesImage& f)
+    {
+      add(f);
+      f.Table[4].Mask = 0;
+    });
+  ExpectRefused(
+    "it cannot be a mesh of the series", [](SeriesImage& f) { f.Table[3].Mask = 1; }, 1);
+  ExpectRefused("it does not say which time steps have some cells only",
+    [&](SeriesImage& f)
+    {
+      add(f);
+      f.Others = 0;
+      f.HasTable = false;
     });
 }
 

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunFindCells_h
+#define gatunFindCells_h
+
+#include "gatunMeshInput.h"
+#include "vtkGatunCoreModule.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace gatun
+{
+/** Where the cells and points of a mesh are in another one. */
+struct FoundCells
+{
+  std::vector<std::uint64_t> Cells;
+  std::vector<std::uint64_t> Points; ///< if there are fewer
+  bool DropsPoints = false;
+  bool HaveMoved = false; ///< whether points are elsewhere
+
+  LivingCells GetLiving() const { return { this->Cells, this->DropsPoints, this->Points }; }
+};
+
+/**
+ * Finds a mesh in another one that has more cells. Its cells must be some of the cells of the other
+ * one, in the same order and with the same order of corners. It has the same points, which may be
+ * elsewhere, or those that its cells use, in the same order and at the same places.
+ *
+ * Nothing if that is not so, if there are polyhedra, or if fewer than half of the cells are left,
+ * because a file with the values of the dead cells would be larger. Linear time.
+ */
+VTKGATUNCORE_EXPORT std::optional<FoundCells> FindCells(
+  const MeshInput& mesh, const MeshInput& part);
+}
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) 2026, the Gatun authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef gatunCellMask_h
+#define gatunCellMask_h
+
+// The LIVE section: the cells of a mesh that some time steps have. See
+// Documentation/format.md, 18.4.
+
+#include "gatunBytes.h"
+#include "gatunTypes.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace gatun
+{
+/** Which cells of a mesh are alive, in the order of the file. */
+struct CellMask
+{
+  std::vector<bool> IsAlive;        ///< one for each cell of the mesh
+  bool DropsPoints = false;         ///< whether points of no living cell are left out
+  std::uint64_t Cells = 0;          ///< living ones
+  std::uint64_t Points = 0;         ///< that time steps have
+  std::vector<CellTypeCount> Types; ///< of the living cells, as many as the mesh has
+
+  /** The number of living cells among some that follow each other. */
+  std::uint64_t Count(std::uint64_t first, std::uint64_t cells) const;
+
+  bool operator==(const CellMask&) const = default;
+
+  /** Stores the difference to the mask before, or to a mask of living cells if that is shorter or
+   * before is null. hasTypes: whether the mesh has other cells than tetrahedra. */
+  Bytes Write(const CellMask* before, bool hasTypes) const;
+
+  /** Whether a stored mask needs the one before. */
+  static bool NeedsBefore(std::span<const std::uint8_t> bytes);
+
+  /** What a mask must fit to. */
+  struct Mesh
+  {
+    std::uint64_t Cells = 0;
+    std::uint64_t Points = 0;
+    std::span<const CellTypeCount> Types; // empty if all cells are tetrahedra
+  };
+
+  /** Replaces the mask, which is the one before if that is needed. Throws Error(Corrupt). */
+  void Read(std::span<const std::uint8_t> bytes, const Mesh& mesh);
+};
+}
+
+#endif
