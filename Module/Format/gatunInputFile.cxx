@@ -84,14 +84,15 @@ void InputFile::ReadExtents(
     whole.Fail(ErrorCode::Corrupt, name, section.Offset, "is a mesh of a part of a file");
   }
   Bytes head(
-    static_cast<std::size_t>(std::min<std::uint64_t>(ExtentMap::HeadBytes, section.Length)));
-  whole.ReadAt(section.Offset, head);
-  const std::string what = "the list of the parts of " + name;
-  whole.Guarded(what, section,
+    static_cast<std::size_t>(std::min<std::uint64_t>(ExtentMap::HeadBytes, this->Size)));
+  this->ReadAt(0, head);
+  constexpr const char* what = "the list of its parts";
+  this->Extents = this->Guarded(what, {},
     [&]
     {
       const auto list = ExtentMap::FindList(head, section);
-      this->Extents = std::make_shared<const ExtentMap>(whole.Read(list, what), list, section);
+      const StreamRef here{ list.Offset - section.Offset, list.Length, list.Sum };
+      return std::make_shared<const ExtentMap>(this->Read(here, what), list, section);
     });
   this->Base = 0;
   this->Size = this->Extents->GetSize();

@@ -153,12 +153,13 @@ for drops, moves, keep, chunk in ((False, False, 7, 150), (True, False, 7, 150),
         reader.UpdateTimeStep(TIMES[step])
         values = set(vtk_to_numpy(reader.GetOutput().GetCellData().GetArray("cell")))
         assert values <= set(vtk_to_numpy(steps[step].GetCellData().GetArray("cell")))
-        assert len(values) < len(TETS)
+        assert len(values) < len(TETS) or not chunk  # of one chunk
     reader.UseBoxOff()
 
     # What is left can be simplified.
     simplify = vtkGatunSimplify()
-    simplify.SetInputConnection(open_reader(path).GetOutputPort())
+    reader = open_reader(path)
+    simplify.SetInputConnection(reader.GetOutputPort())
     simplify.SetSimplificationRatio(0.5)
     for step in (0, 5):
         simplify.UpdateTimeStep(TIMES[step])
